@@ -1,0 +1,39 @@
+# SPDX-FileCopyrightText: 2026 The Tactooth authors
+# SPDX-License-Identifier: Apache-2.0
+# One layer = one folder below src/ = one static library.
+#
+#   tactooth_layer(NAME collision SOURCES aabb_tree.cpp ... USES geometry LINKS TBB::tbb [PRIVATE_LINKS ...])
+#
+# A layer's headers are included as "collision/aabb_tree.h". The include root of a layer holds that layer alone
+# (a link to its folder), so a header of a layer that the target does not use is not found: the compiler enforces
+# the architecture.
+function(tactooth_layer)
+  cmake_parse_arguments(ARG "" "NAME" "SOURCES;USES;LINKS;PRIVATE_LINKS" ${ARGN})
+  set(target tactooth_${ARG_NAME})
+  set(root ${PROJECT_BINARY_DIR}/layers/${ARG_NAME})
+  file(MAKE_DIRECTORY ${root})
+  file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR} ${root}/${ARG_NAME} SYMBOLIC)
+
+  if(NOT ARG_SOURCES)
+    set(ARG_SOURCES ${PROJECT_SOURCE_DIR}/cmake/empty.cpp)
+  endif()
+  add_library(${target} STATIC ${ARG_SOURCES})
+  add_library(tactooth::${ARG_NAME} ALIAS ${target})
+  target_include_directories(${target} PUBLIC ${root})
+  target_include_directories(${target} PUBLIC ${PROJECT_SOURCE_DIR}/include)
+  list(TRANSFORM ARG_USES PREPEND tactooth::)
+  target_link_libraries(${target} PUBLIC tactooth_settings ${ARG_USES} ${ARG_LINKS} PRIVATE ${ARG_PRIVATE_LINKS})
+endfunction()
+
+# tactooth_tests(NAME collision SOURCES aabb_tree_test.cpp ... [LABELS long] [LINKS ...])
+# builds one test program for a layer and registers each of its cases with CTest.
+function(tactooth_tests)
+  cmake_parse_arguments(ARG "" "NAME" "SOURCES;LABELS;LINKS" ${ARGN})
+  set(target ${ARG_NAME}_tests)
+  add_executable(${target} ${ARG_SOURCES})
+  target_link_libraries(${target} PRIVATE ${ARG_LINKS} tactooth_test_support GTest::gtest GTest::gtest_main)
+  if(NOT ARG_LABELS)
+    set(ARG_LABELS ${ARG_NAME})
+  endif()
+  gtest_discover_tests(${target} DISCOVERY_MODE PRE_TEST PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT 300)
+endfunction()

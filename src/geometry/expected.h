@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cassert>
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace tactooth {
+
+/// Why something that depends on the outside world (a file, a device, a number typed by a person) did not work:
+/// one complete sentence for the person who has to mend it. It names the file and the position, what was
+/// expected and what to do.
+struct Error {
+    std::string message;
+};
+
+/// Marks an Error on its way into an Expected, as std::unexpected does in C++23.
+struct Unexpected {
+    Error error;
+};
+
+[[nodiscard]] inline Unexpected unexpected(std::string message) { return {Error{std::move(message)}}; }
+
+/// A value, or the reason why there is none. Member names follow std::expected (C++23).
+template <class T>
+class [[nodiscard]] Expected {
+public:
+    Expected(T value) : state_(std::in_place_index<0>, std::move(value)) {}
+    Expected(Unexpected failure) : state_(std::in_place_index<1>, std::move(failure.error)) {}
+
+    [[nodiscard]] bool has_value() const { return state_.index() == 0; }
+    explicit operator bool() const { return has_value(); }
+
+    [[nodiscard]] T& value() & { return assert(has_value()), *std::get_if<0>(&state_); }
+    [[nodiscard]] const T& value() const& { return assert(has_value()), *std::get_if<0>(&state_); }
+    [[nodiscard]] T&& value() && { return assert(has_value()), std::move(*std::get_if<0>(&state_)); }
+    [[nodiscard]] T& operator*() & { return value(); }
+    [[nodiscard]] const T& operator*() const& { return value(); }
+    [[nodiscard]] T&& operator*() && { return std::move(*this).value(); }
+    [[nodiscard]] T* operator->() { return &value(); }
+    [[nodiscard]] const T* operator->() const { return &value(); }
+
+    [[nodiscard]] const Error& error() const { return assert(!has_value()), *std::get_if<1>(&state_); }
+
+private:
+    std::variant<T, Error> state_;
+};
+
+/// Success without a value, or the reason for failure.
+template <>
+class [[nodiscard]] Expected<void> {
+public:
+    Expected() = default;
+    Expected(Unexpected failure) : error_(std::move(failure.error)), ok_(false) {}
+
+    [[nodiscard]] bool has_value() const { return ok_; }
+    explicit operator bool() const { return ok_; }
+    [[nodiscard]] const Error& error() const { return assert(!ok_), error_; }
+
+private:
+    Error error_;
+    bool ok_ = true;
+};
+
+}  // namespace tactooth

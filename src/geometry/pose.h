@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/vec.h"
+
+namespace tactooth {
+
+/// A rigid transform: where a body's frame stands in another frame. `bodyInWorld * pointOfBody = pointInWorld`.
+/// The name of a variable says both frames (`toolInTooth`).
+struct Pose {
+    Vec3 position = Vec3::Zero();      ///< mm
+    Quat rotation = Quat::Identity();  ///< unit
+
+    [[nodiscard]] Vec3 operator*(const Vec3& point) const { return rotation * point + position; }
+    [[nodiscard]] Pose operator*(const Pose& inner) const {
+        return {rotation * inner.position + position, (rotation * inner.rotation).normalized()};
+    }
+    [[nodiscard]] Pose inverse() const {
+        const Quat back = rotation.conjugate();
+        return {back * -position, back};
+    }
+};
+
+}  // namespace tactooth

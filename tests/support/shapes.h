@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/triangle_mesh.h"
+
+namespace tactooth::test {
+
+/// A closed box from `low` to `high`, 12 triangles, mm.
+[[nodiscard]] TriangleMesh box(const Vec3& low, const Vec3& high);
+
+/// A closed latitude-longitude sphere whose vertices lie on the sphere: `rings` bands from pole to pole, each of
+/// `sectors` quads, 2 * sectors * (rings - 1) triangles.
+[[nodiscard]] TriangleMesh sphere(const Vec3& centre, double radius, int sectors, int rings);
+
+/// A closed cylinder along +z with its base at `base`: `sectors` sides, vertices on the cylinder.
+[[nodiscard]] TriangleMesh cylinder(const Vec3& base, double radius, double height, int sectors);
+
+}  // namespace tactooth::test

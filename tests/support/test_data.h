@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace tactooth::test {
+
+/// The folder with the real CT teeth: $TACTOOTH_DATA, else ../shared/data beside the source tree; none if neither
+/// is there. A test then uses the built-in teeth, and says so on its output.
+[[nodiscard]] std::optional<std::filesystem::path> realTeethFolder();
+
+/// A fresh folder for the files of one test, removed when the object goes.
+class TemporaryFolder {
+public:
+    TemporaryFolder();
+    ~TemporaryFolder();
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    [[nodiscard]] std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+private:
+    std::filesystem::path path_;
+};
+
+}  // namespace tactooth::test
