@@ -25,6 +25,7 @@ namespace {
 constexpr std::size_t kMaxPairs = 1 << 15;  // a bur that fills its own slot in a 25 um mesh lists some 20,000
 constexpr int kMaxRounds = 12;              // 2-3 are usual at 1 cm/s, 4-6 at 10 cm/s
 constexpr int kMaxPlanesPerRound = 32;      // 3-6 are usual; more means that the step is long for its surroundings
+constexpr int kOffendersToCompare = 4;      // before the worst of them becomes a plane: more costs more than it saves
 constexpr int kBuckets = 32;
 constexpr double kMarginOfRadius = 1e-7;      // 0.3 nm for a 6 mm bur
 constexpr double kMarginOfPosition = 1e-10;   // keeps the margin above rounding far from the origin
@@ -52,6 +53,7 @@ struct SlidingBody::Attempt {
     double allowance = 0;  // how far any point of the tool may travel, mm
     Quat rotation;         // at the end of the round
     Mat3 matrix;
+    Mat3 startMatrix;
     Vec3 step = Vec3::Zero();
     bool clipped = false;  // the step was shortened to the allowance
     NearestInPolyhedron answer;
@@ -63,6 +65,7 @@ struct SlidingBody::Attempt {
         turnFraction = fraction;
         rotation = fraction > 0 ? partOfTurn(from, goal.rotation, fraction) : from;
         matrix = rotation.toRotationMatrix();
+        startMatrix = from.toRotationMatrix();
     }
 };
 
@@ -82,7 +85,7 @@ void SlidingBody::placeAt(const Pose& toolInTooth) {
     pose_ = toolInTooth;
     ++poseStamp_;
     heldCount_ = 0;
-    recentTravel_ = 0;
+    lastGoalCentre_ = toolInTooth * tool_->centre();
     listed_ = false;
 }
 
@@ -126,7 +129,7 @@ bool SlidingBody::plan(const Pose& goal, Attempt& attempt) {
     if (!listed_ || listedReach_ * kTrusted - used < std::min(remaining, least / 2)) {
         // Open space is crossed in growing strides; near the tooth the skin follows the speed of the hand.
         const bool openSpace = listed_ && pairCount_ == 0;
-        listPairs(std::min(1.1 * remaining, openSpace ? 4 * listedReach_ : 4 * recentTravel_) + least);
+        listPairs(std::min(1.1 * remaining, openSpace ? 4 * listedReach_ : 2 * handTravel_) + least);
         used = 0;
     }
     attempt.allowance = listedReach_ * kTrusted - used - margin_;
@@ -185,44 +188,63 @@ double SlidingBody::gapAt(const WatchedPair& watched, const Mat3& rotation, cons
            watched.plane.offset;
 }
 
-/// The listed pairs that the attempted move seems to bring together, worst first, judged by the planes remembered.
-int SlidingBody::suspects(const Attempt& attempt, std::array<Suspect, kMaxSuspects>& worst) {
+/// Whether a plane is found that keeps the pair apart during the whole attempted step. Tried are the planes that hold
+/// the tool already (what touches separates its neighbourhood too), then GJK on the swept tool triangle. The plane is
+/// remembered.
+bool SlidingBody::provenSafe(WatchedPair& watched, const Attempt& attempt) {
+    const SurfacePart& part = partOf(*surface_, watched.pair.part);
+    const Triangle3 tooth = cornersOf(part.mesh(), watched.pair.tooth);
+    const Triangle3 tool = cornersOf(tool_->mesh(), watched.pair.tool);
+    const Vec3 position = pose_.position + attempt.step;
+    std::array<Vec3, 6> swept;
+    for (int corner = 0; corner < 3; ++corner) {
+        swept[corner] = attempt.startMatrix * tool[corner] + pose_.position;
+        swept[corner + 3] = attempt.matrix * tool[corner] + position;
+    }
+    SeparatingPlane& plane = watched.plane;
+    for (int i = 0; i < attempt.answer.activeCount; ++i) {
+        const Vec3& normal = attempt.halfSpaces[attempt.answer.active[i]].normal;
+        const double back = highestAlong(tooth, normal);
+        if (lowestAlong(swept, normal) - back < margin_ / 2) continue;
+        plane = {normal, back, kGuessed};
+        return true;
+    }
+    const GjkResult result =
+        distanceBetween(tooth, swept, plane.normal.isZero() ? Vec3(tool[0] - tooth[0]) : plane.normal);
+    ++distances_;
+    if (result.gap < margin_ / 2) return false;
+    plane = {result.normal, highestAlong(tooth, result.normal), kGuessed};
+    planes_.store(part.id(), watched.pair, plane);
+    return true;
+}
+
+/// A pair that the attempted step would bring together (the worst of the first few met), or null if the step is safe.
+const WatchedPair* SlidingBody::violation(const Attempt& attempt, bool& overlapping) {
     const Vec3 position = pose_.position + attempt.step;
     const double travel = travelSinceListed(attempt.rotation, position) + margin_;
     const double bucketWidth = listedReach_ / kBuckets;
-    int count = 0;
-    for (std::size_t i = 0; i < pairCount_; ++i) {
+    const WatchedPair* worst = nullptr;
+    double worstGap = margin_ / 2;
+    int offenders = 0;
+    for (std::size_t i = 0; i < pairCount_ && offenders < kOffendersToCompare; ++i) {
         WatchedPair& watched = watched_[i];
         if (watched.pair.distanceAtLeast > travel) {
             if (watched.pair.distanceAtLeast > travel + bucketWidth) break;  // only the buckets are sorted
             continue;
         }
         if (watched.plane.stamp == 0) recallPlane(watched);
-        const double gap = watched.plane.normal.isZero() ? -travel : gapAt(watched, attempt.matrix, position);
-        if (gap >= margin_ / 2 || (count == kMaxSuspects && gap >= worst[count - 1].gap)) continue;
-        int place = count < kMaxSuspects ? count++ : count - 1;
-        for (; place > 0 && worst[place - 1].gap > gap; --place) worst[place] = worst[place - 1];
-        worst[place] = {&watched, gap};
-    }
-    return count;
-}
-
-/// A pair that the attempted move would really bring together, or null if the move is safe. A remembered plane may be
-/// out of date: GJK finds the present one for the worst suspect, then for the next, until one stands up to it.
-const WatchedPair* SlidingBody::violation(const Attempt& attempt, bool& overlapping) {
-    std::array<Suspect, kMaxSuspects> worst;
-    while (true) {
-        const int count = suspects(attempt, worst);
-        for (int i = 0; i < count; ++i) {
-            WatchedPair& watched = *worst[i].watched;
-            if (watched.plane.stamp != poseStamp_ && !refreshPlane(watched)) {
-                overlapping = true;
-                return nullptr;
-            }
-            if (gapAt(watched, attempt.matrix, pose_.position + attempt.step) < margin_ / 2) return &watched;
+        const bool known = !watched.plane.normal.isZero();
+        if (known && gapAt(watched, attempt.matrix, position) >= margin_ / 2) continue;
+        if (provenSafe(watched, attempt)) continue;
+        if (watched.plane.stamp != poseStamp_ && !refreshPlane(watched)) {
+            overlapping = true;
+            return nullptr;
         }
-        if (count < kMaxSuspects) return nullptr;  // else there may be more: the ones seen are now known to be safe
+        const double gap = gapAt(watched, attempt.matrix, position);
+        ++offenders;
+        if (gap < worstGap) worstGap = gap, worst = &watched;
     }
+    return worst;
 }
 
 void SlidingBody::addConstraint(Attempt& attempt, const WatchedPair& watched) const {
@@ -313,7 +335,10 @@ MoveResult SlidingBody::moveToward(const Pose& goal) {
     distances_ = 0;
     const double position = std::max(goal.position.cwiseAbs().maxCoeff(), pose_.position.cwiseAbs().maxCoeff());
     margin_ = kMarginOfRadius * tool_->radius() + kMarginOfPosition * position;
-    const Vec3 startCentre = pose_ * tool_->centre();
+    const Vec3 goalCentre = goal * tool_->centre();
+    handTravel_ =
+        (goalCentre - lastGoalCentre_).norm() + 2 * sineOfHalfAngle(goal.rotation, pose_.rotation) * tool_->radius();
+    lastGoalCentre_ = goalCentre;
     result.status = MoveStatus::OutOfRounds;
     Attempt attempt;
     while (result.status == MoveStatus::OutOfRounds && result.rounds < kMaxRounds) {
@@ -334,7 +359,6 @@ MoveResult SlidingBody::moveToward(const Pose& goal) {
         }
     }
     result.distances = distances_;
-    recentTravel_ = std::max((pose_ * tool_->centre() - startCentre).norm(), recentTravel_ / 2);
     return result;
 }
 

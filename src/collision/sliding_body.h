@@ -69,12 +69,6 @@ public:
 private:
     struct Attempt;
 
-    static constexpr int kMaxSuspects = 8;
-    struct Suspect {
-        WatchedPair* watched;
-        double gap;  // mm, at the end of the attempted move, by the plane remembered
-    };
-
     [[nodiscard]] double travelSinceListed(const Quat& rotation, const Vec3& position) const;
     void listPairs(double wantedReach);
     [[nodiscard]] bool plan(const Pose& goal, Attempt& attempt);
@@ -83,7 +77,7 @@ private:
     void recallPlane(WatchedPair& watched) const;
     [[nodiscard]] bool refreshPlane(WatchedPair& watched);
     [[nodiscard]] double gapAt(const WatchedPair& watched, const Mat3& rotation, const Vec3& position) const;
-    [[nodiscard]] int suspects(const Attempt& attempt, std::array<Suspect, kMaxSuspects>& worst);
+    [[nodiscard]] bool provenSafe(WatchedPair& watched, const Attempt& attempt);
     [[nodiscard]] const WatchedPair* violation(const Attempt& attempt, bool& overlapping);
     void addConstraint(Attempt& attempt, const WatchedPair& watched) const;
     void restart(Attempt& attempt);
@@ -101,7 +95,8 @@ private:
     bool listed_ = false;
     Pose listedAt_;
     double listedReach_ = 0;
-    double recentTravel_ = 0;
+    Vec3 lastGoalCentre_ = Vec3::Zero();
+    double handTravel_ = 0;  // of the goal since the last move, mm
 
     SeparatingPlanes planes_;
     std::array<WatchedPair, 3> held_{};  // pairs active at the end of the last round
