@@ -22,7 +22,7 @@ using Chosen = std::function<int()>;
 template <class Options>
 CLI::App* addCommand(CLI::App& program, Chosen& chosen, const std::string& name, const std::string& description,
                      std::shared_ptr<Options> options, int (*run)(const Options&)) {
-    CLI::App* command = program.add_subcommand(name, description);
+    CLI::App* command = program.add_subcommand(name, description)->group("Commands")->footer("");
     command->callback([&chosen, options, run] { chosen = [options, run] { return run(*options); }; });
     return command;
 }
@@ -66,7 +66,6 @@ int runCommandLine(int argc, const char* const* argv) {
     program.footer("'tactooth COMMAND --help' tells more about a command.");
     program.get_formatter()->column_width(28);
     program.get_formatter()->label("SUBCOMMAND", "COMMAND");
-    program.get_formatter()->label("SUBCOMMANDS", "COMMANDS");
     program.require_subcommand(0, 1);
     Chosen chosen = [&program] { return runWithoutCommand(program); };
     addInfo(program, chosen);
