@@ -5,8 +5,14 @@
 #include <tbb/parallel_for.h>
 
 #include <cmath>
+#include <limits>
 
 namespace tactooth {
+namespace {
+
+constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
+
+}  // namespace
 
 SampledGrid::SampledGrid(const ScalarField& field, const Box3& box, const IsosurfaceOptions& options)
     : size_(options.cellSize) {
@@ -16,7 +22,10 @@ SampledGrid::SampledGrid(const ScalarField& field, const Box3& box, const Isosur
     blocks_ = (cells.array() + kBlock - 1) / kBlock;
     points_ = blocks_ * kBlock + Index3::Ones();
     findActiveBlocks(field, options.steepest);
-    sample(field);
+    values_.assign(static_cast<std::size_t>(points_.x()) * points_.y() * points_.z(), kUnknown);
+    do {
+        sample(field);
+    } while (followSurface());
 }
 
 Index3 SampledGrid::blockAt(std::size_t number) const {
@@ -48,13 +57,46 @@ bool SampledGrid::isNeeded(const Index3& point) const {
 }
 
 void SampledGrid::sample(const ScalarField& field) {
-    values_.assign(static_cast<std::size_t>(points_.x()) * points_.y() * points_.z(), 1.0f);
     const int rows = points_.y();
     tbb::parallel_for(0, points_.y() * points_.z(), [&](int row) {
         for (Index3 point(0, row % rows, row / rows); point.x() < points_.x(); ++point.x()) {
-            if (isNeeded(point)) values_[pointNumber(point)] = static_cast<float>(field(position(point)));
+            float& value = values_[pointNumber(point)];
+            if (std::isnan(value) && isNeeded(point)) value = static_cast<float>(field(position(point)));
         }
     });
+}
+
+/// True if the surface crosses the side `side` (0 low, 1 high) of a block along `axis`.
+bool SampledGrid::isCrossed(const Index3& block, int axis, int side) const {
+    Index3 point = block * kBlock;
+    point[axis] += side * kBlock;
+    const bool inside = value(point) < 0;
+    for (int i = 0; i < (kBlock + 1) * (kBlock + 1); ++i) {
+        Index3 other = point;
+        other[(axis + 1) % 3] += i % (kBlock + 1);
+        other[(axis + 2) % 3] += i / (kBlock + 1);
+        if ((value(other) < 0) != inside) return true;
+    }
+    return false;
+}
+
+/// A field that is not as flat as promised may hide a crossed block: wakes the neighbours into which the surface
+/// goes on, so that it never ends at a sleeping block. Returns whether there were any.
+bool SampledGrid::followSurface() {
+    std::vector<std::uint8_t> awake = active_;
+    for (std::size_t number = 0; number < active_.size(); ++number) {
+        if (active_[number] == 0) continue;
+        const Index3 block = blockAt(number);
+        for (int face = 0; face < 6; ++face) {
+            Index3 next = block;
+            next[face / 2] += face % 2 == 0 ? -1 : 1;
+            const bool exists = next.minCoeff() >= 0 && (blocks_ - next).minCoeff() > 0;
+            if (exists && !isActive(next) && isCrossed(block, face / 2, face % 2)) awake[blockNumber(next)] = 1;
+        }
+    }
+    const bool any = awake != active_;
+    active_.swap(awake);
+    return any;
 }
 
 }  // namespace tactooth

@@ -37,6 +37,8 @@ private:
     [[nodiscard]] bool isNeeded(const Index3& point) const;
     void findActiveBlocks(const ScalarField& field, double steepest);
     void sample(const ScalarField& field);
+    [[nodiscard]] bool isCrossed(const Index3& block, int axis, int side) const;
+    bool followSurface();
 
     double size_;
     Index3 origin_, blocks_, points_;

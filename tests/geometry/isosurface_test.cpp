@@ -103,6 +103,13 @@ TEST(Isosurface, SkippingFarBlocksChangesNothing) {
     EXPECT_NEAR(volumeOf(skipping), volumeOf(all), 1e-6);
 }
 
+TEST(Isosurface, FollowsTheSurfaceOfAFieldThatClaimsToBeFar) {
+    const auto steep = [](const Vec3& p) { return (p.x() > 0.3 ? 50 : 1) * ball(p); };
+    const TriangleMesh mesh = isosurface(steep, kBox, {.cellSize = 0.1});
+    EXPECT_EQ(openOrBranchingEdges(mesh), 0);
+    EXPECT_NEAR(volumeOf(mesh), volumeOf(isosurface(ball, kBox, {.cellSize = 0.1})), 1e-3);
+}
+
 TEST(Isosurface, IsTheSameOnAnyNumberOfThreads) {
     const TriangleMesh many = isosurface(ring, kBox, {.cellSize = 0.1});
     const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
