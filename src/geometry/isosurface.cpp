@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "geometry/dual_mesher.h"
 
@@ -34,52 +35,64 @@ Vec3 projected(const ScalarField& field, const Vec3& point, double reach) {
 class Neighbours {
 public:
     explicit Neighbours(const DualMesh& mesh) : begin_(mesh.vertices.size() + 1, 0) {
-        forEachEdge(mesh, [&](std::uint32_t from, std::uint32_t) { ++begin_[from + 1]; });
+        forEachCorner(mesh, [&](std::uint32_t, std::uint32_t here, std::uint32_t) { ++begin_[here + 1]; });
         for (std::size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
-        of_.resize(begin_.back());
+        around_.resize(begin_.back());
         std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
-        forEachEdge(mesh, [&](std::uint32_t from, std::uint32_t to) { of_[next[from]++] = to; });
+        forEachCorner(mesh, [&](std::uint32_t before, std::uint32_t here, std::uint32_t after) {
+            around_[next[here]++] = {before, after};
+        });
     }
 
-    [[nodiscard]] Vec3 mean(std::size_t vertex, const std::vector<Vec3>& positions) const {
-        Vec3 sum = Vec3::Zero();
-        for (std::uint32_t i = begin_[vertex]; i < begin_[vertex + 1]; ++i) sum += positions[of_[i]];
-        return sum / (begin_[vertex + 1] - begin_[vertex]);
+    /// Half way to the middle of the neighbours, but along the surface only.
+    [[nodiscard]] Vec3 evened(std::size_t vertex, const std::vector<Vec3>& at) const {
+        const Vec3& here = at[vertex];
+        Vec3 sum = Vec3::Zero(), normal = Vec3::Zero();
+        for (std::uint32_t i = begin_[vertex]; i < begin_[vertex + 1]; ++i) {
+            const auto [before, after] = around_[i];
+            sum += at[after] - here;
+            normal += (at[after] - here).cross(at[before] - here);
+        }
+        const Vec3 move = 0.5 / (begin_[vertex + 1] - begin_[vertex]) * sum;
+        const double squared = normal.squaredNorm();
+        return squared > 0 ? Vec3(here + move - move.dot(normal) / squared * normal) : here;
     }
 
 private:
-    /// Every edge once in each direction: the surface is closed, each polygon gives its own.
+    /// Each corner of each polygon: the closed surface shows every neighbour of a vertex once as the one after it.
     template <class Function>
-    static void forEachEdge(const DualMesh& mesh, const Function& function) {
-        for (const auto& quad : mesh.quads) {
-            for (int i = 0; i < 4; ++i) function(quad[i], quad[(i + 1) % 4]);
+    static void forEachCorner(const DualMesh& mesh, const Function& function) {
+        for (const auto& q : mesh.quads) {
+            for (int i = 0; i < 4; ++i) function(q[(i + 3) % 4], q[i], q[(i + 1) % 4]);
         }
-        for (const auto& triangle : mesh.triangles) {
-            for (int i = 0; i < 3; ++i) function(triangle[i], triangle[(i + 1) % 3]);
+        for (const auto& t : mesh.triangles) {
+            for (int i = 0; i < 3; ++i) function(t[(i + 2) % 3], t[i], t[(i + 1) % 3]);
         }
     }
 
-    std::vector<std::uint32_t> begin_, of_;
+    std::vector<std::uint32_t> begin_;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> around_;
 };
 
-/// Moves each vertex to the middle of its neighbours and back onto the surface; no vertex strays far from its cell.
+/// Evens out the vertices and puts them on the exact surface; none strays far from its cell.
 void relax(DualMesh& mesh, const ScalarField& field, const IsosurfaceOptions& options) {
     const Neighbours neighbours(mesh);
     const std::vector<Vec3> home = mesh.vertices;
-    const double reach = options.cellSize / 2;
-    const auto onSurface = [&](std::size_t i, const Vec3& point) {
-        const Vec3 away = projected(field, point, reach) - home[i];
-        const double far = away.norm();
-        return Vec3(home[i] + (far > options.cellSize ? options.cellSize / far : 1.0) * away);
-    };
     std::vector<Vec3> moved(mesh.vertices.size());
-    for (int round = 0; round <= options.relaxations; ++round) {
-        const double share = round < options.relaxations ? 0.5 : 0.0;  // the last round only projects
+    const auto moveEach = [&](const auto& target) {
         tbb::parallel_for(std::size_t{0}, moved.size(), [&](std::size_t i) {
-            const Vec3& here = mesh.vertices[i];
-            moved[i] = onSurface(i, here + share * (neighbours.mean(i, mesh.vertices) - here));
+            const Vec3 away = target(i) - home[i];
+            const double far = away.norm();
+            moved[i] = home[i] + (far > options.cellSize ? options.cellSize / far : 1.0) * away;
         });
         mesh.vertices.swap(moved);
+    };
+    for (int round = 0; round < options.relaxations; ++round) {
+        moveEach([&](std::size_t i) { return neighbours.evened(i, mesh.vertices); });
+    }
+    constexpr int kNewtonSteps = 2;  // the first lands within a small part of a cell, the second on the surface
+    for (int step = 0; step < kNewtonSteps; ++step) {
+        moveEach([&](std::size_t i) { return projected(field, mesh.vertices[i], options.cellSize / 2); });
     }
 }
 

@@ -15,7 +15,7 @@ using ScalarField = std::function<double(const Vec3&)>;
 struct IsosurfaceOptions {
     double cellSize = 0.2;  ///< mm; triangles have about this edge length
     double steepest = 1.5;  ///< no two points differ in value by more than this times their distance
-    int relaxations = 3;    ///< rounds that even out the triangles and put the vertices on the exact surface
+    int relaxations = 3;    ///< rounds that even out the triangles before the vertices go to the exact surface
 };
 
 /// The surface field = 0 within `box`: closed (where the body ends within the box), oriented, every edge with two

@@ -60,9 +60,10 @@ BuiltinTooth makeBuiltinTooth(BuiltinToothKind kind, int triangles, double lesio
     tooth.enamel = mesh([&](const Vec3& p) { return std::max(shape.outer(p), -shape.cervical(p) - kOverlap); });
     tooth.dentin = mesh(shape.core);
 
-    constexpr double kFiner = 0.5;  // canals are thin
+    constexpr double kCanalCell = 0.14;  // mm: the narrowest canal is 0.25 mm wide
+    const double smallCell = std::min(fineness.cellSize, kCanalCell);
     const auto small = [&](const ScalarField& field) {
-        return isosurface(field, shape.bounds, {.cellSize = kFiner * fineness.cellSize});
+        return isosurface(field, shape.bounds, {.cellSize = smallCell});
     };
     tooth.pulp = small(shape.pulp);
     if (lesionWidth > 0) {

@@ -16,10 +16,10 @@ namespace {
 // z, mesial, distal, buccal, lingual, squareness. Widest mesiodistally at the contacts (z = 5), buccally near the neck,
 // lingually in the middle.
 constexpr Section kCrown[] = {{-4.2, 2.9, 2.8, 2.6, 2.6, 2.4, 0, 0},     {-2.6, 3.75, 3.70, 3.65, 3.60, 2.5, 0, 0},
-                              {-1.0, 4.30, 4.28, 4.38, 4.28, 2.6, 0, 0}, {0.0, 4.50, 4.50, 4.55, 4.45, 2.7, 0, 0},
-                              {1.2, 4.90, 4.90, 5.08, 4.72, 2.7, 0, 0},  {2.3, 5.20, 5.15, 5.30, 5.00, 2.7, 0, 0},
-                              {3.8, 5.45, 5.40, 5.10, 5.20, 2.5, 0, 0},  {5.0, 5.52, 5.48, 4.55, 5.05, 2.4, 0, 0},
-                              {6.2, 5.25, 5.15, 3.80, 4.60, 2.3, 0, 0},  {8.0, 4.60, 4.40, 2.90, 3.80, 2.2, 0, 0}};
+                              {-1.0, 4.30, 4.28, 4.38, 4.28, 2.5, 0, 0}, {0.0, 4.42, 4.45, 4.60, 4.50, 2.5, 0, 0},
+                              {1.2, 4.66, 4.80, 5.08, 4.74, 2.5, 0, 0},  {2.3, 5.22, 5.16, 5.32, 5.02, 2.45, 0, 0},
+                              {3.8, 5.45, 5.40, 5.12, 5.22, 2.4, 0, 0},  {5.0, 5.54, 5.48, 4.58, 5.07, 2.3, 0, 0},
+                              {6.2, 5.25, 5.15, 3.80, 4.62, 2.25, 0, 0}, {8.0, 4.60, 4.40, 2.90, 3.80, 2.2, 0, 0}};
 
 constexpr Section kMesialRoot[] = {
     {-14.0, 0.70, 0.65, 1.00, 1.00, 2.1, 1.45, 0.1}, {-13.0, 0.98, 0.95, 1.70, 1.65, 2.2, 1.80, 0.1},
@@ -77,10 +77,16 @@ double distanceToSegment(double x, double y, double ax, double ay, double bx, do
     return std::hypot(x - ax - part * dx, y - ay - part * dy);
 }
 
+/// |x| without its kink: ridges are rounded.
+double softened(double x) {
+    constexpr double kRound = 0.18;  // mm
+    return std::sqrt(x * x + kRound * kRound) - kRound;
+}
+
 double cuspHeight(const Cusp& cusp, double x, double y) {
     const double dx = x - cusp.x, dy = y - cusp.y;
     const double in = dx * cusp.inX + dy * cusp.inY, beside = dx * cusp.inY - dy * cusp.inX;
-    const double a = std::abs(in) * (in > 0 ? cusp.inward : cusp.outward), b = std::abs(beside) * cusp.along;
+    const double a = softened(in) * (in > 0 ? cusp.inward : cusp.outward), b = softened(beside) * cusp.along;
     constexpr double kPyramid = 1.3;  // 1: four sharp ridges, 2: a round cone
     constexpr double kTip = 0.45;     // mm of height that the rounding takes from the tip
     const double drop = std::pow(std::pow(a, kPyramid) + std::pow(b, kPyramid), 1 / kPyramid);
@@ -116,19 +122,38 @@ Vec3 straightened(const Vec3& p) {
             p.z()};
 }
 
+// Root canals, as sections: the two mesial ones are round and meet near the apex, the distal one is broad.
+constexpr Section kMesiobuccalCanal[] = {{-13.3, 0.13, 0.13, 0.13, 0.13, 2, 1.60, 0.35},
+                                         {-9.0, 0.21, 0.21, 0.24, 0.24, 2, 2.65, 1.35},
+                                         {-4.0, 0.30, 0.30, 0.33, 0.33, 2, 2.70, 1.90},
+                                         {0.3, 0.42, 0.42, 0.45, 0.45, 2, 1.90, 1.20}};
+constexpr Section kMesiolingualCanal[] = {{-13.3, 0.13, 0.13, 0.13, 0.13, 2, 1.60, -0.25},
+                                          {-9.0, 0.21, 0.21, 0.24, 0.24, 2, 2.65, -1.25},
+                                          {-4.0, 0.30, 0.30, 0.33, 0.33, 2, 2.70, -1.80},
+                                          {0.3, 0.42, 0.42, 0.45, 0.45, 2, 1.90, -1.20}};
+constexpr Section kDistalCanal[] = {{-12.5, 0.14, 0.14, 0.18, 0.18, 2, -3.68, 0},
+                                    {-8.5, 0.27, 0.27, 0.60, 0.60, 2, -3.20, 0},
+                                    {-4.0, 0.40, 0.40, 0.95, 0.95, 2, -2.60, 0},
+                                    {0.3, 0.55, 0.55, 1.10, 1.10, 2, -1.95, 0}};
+
+double canal(const SectionLoft& loft, const Vec3& p, double end) {
+    return std::max(smoothIntersection(loft(p), end - p.z(), 0.15), p.z() - 0.3);
+}
+
+// Heights beyond which a part of the tooth is so far from the rest that it need not be asked: cusps below the first,
+// roots above it, the crown's trunk below the second.
+constexpr double kBelowCusps = 0.5, kBelowTrunk = -4.8;
+
 class Molar {
 public:
-    [[nodiscard]] double outer(const Vec3& p) const {
-        const double crown = smoothIntersection(wall(p), occlusal(p, grooveDepth(p.x(), p.y())), 0.9);
-        return withRoots(crown, p);
-    }
+    [[nodiscard]] double outer(const Vec3& p) const { return body(p, true); }
 
     /// Enamel is thinner under a groove: the core does not follow it.
     [[nodiscard]] double core(const Vec3& p) const {
-        const double height = cervical(p);
-        if (height <= 0) return outer(p);
-        const double crown = smoothIntersection(wall(p), occlusal(p, 0), 0.9);
-        return std::max(withRoots(crown, p) + enamel(p, height), outer(p) + 0.4 * enamel(p, height));
+        const double surface = body(p, true), height = cervical(p);
+        if (height <= 0) return surface;
+        const double thickness = enamel(p, height);
+        return std::max(body(p, false) + thickness, surface + kThinnest * thickness);
     }
 
     [[nodiscard]] static double cervical(const Vec3& p) {
@@ -138,9 +163,15 @@ public:
         return p.z() - rise + kSpur * (bump(p.x() + 0.2, 1.0) - 1);
     }
 
-    [[nodiscard]] static double pulp(const Vec3& p);
+    [[nodiscard]] double pulp(const Vec3& p) const;
 
 private:
+    [[nodiscard]] double body(const Vec3& p, bool grooved) const {
+        if (p.z() < kBelowTrunk) return roots(p);
+        if (p.z() < kBelowCusps) return smoothUnion(trunk(p), roots(p), 0.9);
+        return smoothIntersection(wall(p), occlusal(p, grooved ? grooveDepth(p.x(), p.y()) : 0), 0.9);
+    }
+
     /// Sides of the crown with their developmental grooves and the step at the cervical line.
     [[nodiscard]] double wall(const Vec3& p) const {
         double distance = crown_(straightened(p));
@@ -159,16 +190,17 @@ private:
         return (p.z() - smoothOcclusal(p.x(), p.y()) + groove) / kSlope;
     }
 
-    [[nodiscard]] double withRoots(double crown, const Vec3& p) const {
-        constexpr double kTrunkEnd = -2.9;
-        const double trunk = smoothIntersection(crown, kTrunkEnd - p.z(), 1.6);
-        const double waist = 0.35 * bump(p.y(), 1.4);  // the roots are grooved along their broad sides
-        const double low = smoothStep(-1.5, -4.5, p.z());
-        const double mesial = smoothIntersection(mesialRoot_(p) + waist * low, -14.0 - p.z(), 0.6);
-        const double distal = smoothIntersection(distalRoot_(p) + 0.6 * waist * low, -13.2 - p.z(), 0.6);
-        const double mesialPart = smoothIntersection(mesial, p.z() + 0.8, 1.2);
-        const double distalPart = smoothIntersection(distal, p.z() + 0.8, 1.2);
-        return smoothUnion(trunk, smoothUnion(mesialPart, distalPart, 0.8), 0.9);
+    [[nodiscard]] double trunk(const Vec3& p) const {
+        constexpr double kTrunkEnd = -2.9;  // with its rounding, the furcation lies at about -3.5
+        return smoothIntersection(wall(p), kTrunkEnd - p.z(), 1.6);
+    }
+
+    [[nodiscard]] double roots(const Vec3& p) const {
+        const double waist =
+            0.35 * bump(p.y(), 1.4) * smoothStep(-1.5, -4.5, p.z());  // both are grooved along their sides
+        const double mesial = smoothIntersection(mesialRoot_(p) + waist, -14.1 - p.z(), 1.2);
+        const double distal = smoothIntersection(distalRoot_(p) + 0.6 * waist, -13.3 - p.z(), 1.2);
+        return smoothIntersection(smoothUnion(mesial, distal, 0.8), p.z() + 0.8, 1.2);
     }
 
     /// Thickness of the enamel at a height above the cervical line: a feather edge, 1.3 mm at the sides, more on top.
@@ -178,41 +210,27 @@ private:
         return (kThickness + functional) * (1 - std::exp(-height / kFeather));
     }
 
+    static constexpr double kThinnest = 0.4;  // of the enamel's thickness, left under the deepest groove
+
     SectionLoft crown_{kCrown}, mesialRoot_{kMesialRoot}, distalRoot_{kDistalRoot};
+    SectionLoft mesiobuccalCanal_{kMesiobuccalCanal}, mesiolingualCanal_{kMesiolingualCanal},
+        distalCanal_{kDistalCanal};
 };
-
-struct CanalPoint {
-    Vec3 at;
-    double radius;
-};
-
-double canal(const Vec3& p, std::initializer_list<CanalPoint> points) {
-    double distance = 1e9;
-    for (auto next = points.begin() + 1; next != points.end(); ++next) {
-        const auto last = next - 1;
-        distance = std::min(distance, taperedCapsule(p, last->at, last->radius, next->at, next->radius));
-    }
-    return distance;
-}
 
 /// Chamber between z = -0.45 and 1.1 (6.4 mm and 8 mm below the highest cusp), a horn under each cusp, two mesial
 /// canals and one broad distal canal.
-double Molar::pulp(const Vec3& p) {
+double Molar::pulp(const Vec3& p) const {
     constexpr double kRound = 0.7;
     const Vec3 out = (p - Vec3(-0.1, 0, 0.33)).cwiseAbs() - Vec3(2.55 - kRound, 2.0 - kRound, 0.78 - kRound);
-    double body = out.cwiseMax(0).norm() + std::min(out.maxCoeff(), 0.0) - kRound;
+    double chamber = out.cwiseMax(0).norm() + std::min(out.maxCoeff(), 0.0) - kRound;
     for (const Cusp& cusp : kCusps) {
-        const Vec3 base(0.68 * cusp.x, 0.48 * cusp.y, 0.4), tip(0.80 * cusp.x, 0.62 * cusp.y, cusp.z - 4.9);
-        body = smoothUnion(body, taperedCapsule(p, base, 0.5, tip, 0.14), 0.5);
+        const Vec3 base(0.66 * cusp.x, 0.48 * cusp.y, 0.4), tip(0.80 * cusp.x, 0.62 * cusp.y, cusp.z - 5.0);
+        chamber = smoothUnion(chamber, taperedCapsule(p, base, 0.62, tip, 0.15), 0.5);
     }
-    const double mesialBuccal = canal(
-        p, {{{2.1, 1.2, 0}, 0.42}, {{2.75, 1.9, -4}, 0.30}, {{2.75, 1.5, -8.5}, 0.22}, {{1.45, 0.4, -13.3}, 0.14}});
-    const double mesialLingual = canal(
-        p, {{{2.1, -1.2, 0}, 0.42}, {{2.75, -1.8, -4}, 0.30}, {{2.75, -1.4, -8.5}, 0.22}, {{1.45, -0.2, -13.3}, 0.14}});
-    const Vec3 flat(p.x(), 0.5 * p.y(), p.z());  // the distal canal is twice as broad as thick
-    const double distal =
-        canal(flat, {{{-2.1, 0, 0}, 0.55}, {{-2.75, 0, -4}, 0.42}, {{-3.2, 0, -8.5}, 0.28}, {{-3.7, 0, -12.5}, 0.15}});
-    return smoothUnion(body, std::min({mesialBuccal, mesialLingual, distal}), 0.4);
+    const double canals =
+        std::min({canal(mesiobuccalCanal_, p, kMesiobuccalCanal[0].z),
+                  canal(mesiolingualCanal_, p, kMesiolingualCanal[0].z), canal(distalCanal_, p, kDistalCanal[0].z)});
+    return smoothUnion(chamber, canals, 0.4);
 }
 
 }  // namespace
@@ -226,7 +244,7 @@ ToothShape lowerFirstMolar() {
     shape.outer = [molar](const Vec3& p) { return molar->outer(p); };
     shape.core = [molar](const Vec3& p) { return molar->core(p); };
     shape.cervical = &Molar::cervical;
-    shape.pulp = &Molar::pulp;
+    shape.pulp = [molar](const Vec3& p) { return molar->pulp(p); };
     shape.lesionSite = Vec3(1.05, -0.30, smoothOcclusal(1.05, -0.30) - grooveDepth(1.05, -0.30));
     shape.lesionInward = -Vec3::UnitZ();
     shape.lesionEnamel = 0.9;
