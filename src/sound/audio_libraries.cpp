@@ -34,8 +34,8 @@ void askForShortPeriods() {
         close(file);
         return;
     }
-    // Opened by name, a file is read from its beginning; the descriptor stays open for as long as the process lives. The
-    // process is named, since programs that it starts inherit the variable.
+    // Opened by name, a file is read from its beginning; the descriptor stays open for as long as the process lives.
+    // The process is named, since programs that it starts inherit the variable.
     const std::string name = "/proc/" + std::to_string(getpid()) + "/fd/" + std::to_string(file);
     setenv("ALSOFT_CONF", name.c_str(), kKeepUsersOwn);
 }

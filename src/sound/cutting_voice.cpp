@@ -10,8 +10,8 @@ namespace {
 
 // Each doubling of the removal power adds about as much sound power as the last: a gentle cut is to be heard over the
 // turbine, and the 30 W of the strongest turbine are not to hurt. At kTopWatt the root mean square is kTopLevel of full
-// scale; peaks are four times as high, just below full scale.
-constexpr double kTopLevel = 0.22;
+// scale: single grains reach five times that, just below full scale.
+constexpr double kTopLevel = 0.16;
 constexpr double kTopWatt = 40.0, kFaintWatt = 0.2;
 constexpr double kLagSeconds = 0.006;
 

@@ -8,9 +8,9 @@ namespace tactooth {
 
 namespace {
 
-// Amplitude of the rotation's own tone at free speed, as a share of full scale: -22 dB leaves room for the cut, which
+// Amplitude of the rotation's own tone at free speed, as a share of full scale: -24 dB leaves room for the cut, which
 // is the louder part (handpieces measure 57-87 dB(A) at the dentist's ear, cutting above free running).
-constexpr double kRotationLevel = 0.08;
+constexpr double kRotationLevel = 0.06;
 constexpr double kLagSeconds = 0.008;  // of every tone's gain: too fast to notice, too slow to click
 constexpr double kAirSeconds = 0.03;   // of the drive air behind its valve
 
@@ -31,12 +31,12 @@ struct MotorRecipe {
 
 // Air turbine: rotation with overtones at -9, -15 and -20 dB, cage at -25 dB, passing of the rotor's eight blades
 // (above hearing at full speed: measured peaks at 5.6 and 46.5 kHz; heard as a falling whistle while it runs down).
-// Electric 1:5: bearings and gears without drive air, the motor's own turns at a fifth of the bur's and twice that,
+// Electric 1:5: bearings and gears without drive air, the motor's own turns at a fifth of the bur's,
 // gear mesh at 2.2. Low speed: purr of the rotation with many gear tones between 1 and 5 kHz at 25 000 rev/min.
 constexpr std::array<MotorRecipe, 3> kMotors{{
-    {{{{1.0, 1.0}, {2.0, 0.35}, {3.0, 0.18}, {4.0, 0.1}, {0.4, 0.056}, {8.0, 0.2}}}, 1.0, 0.018},
-    {{{{1.0, 1.0}, {2.0, 0.3}, {0.2, 0.5}, {0.4 + 1.8, 0.2}, {0.4, 0.056}, {3.0, 0.12}}}, 0.6, 0.006},
-    {{{{1.0, 1.0}, {2.0, 0.6}, {3.0, 0.3}, {7.0, 0.35}, {0.4, 0.1}, {11.0, 0.2}}}, 0.5, 0.003},
+    {{{{1.0, 1.0}, {2.0, 0.35}, {3.0, 0.18}, {4.0, 0.1}, {0.4, 0.056}, {8.0, 0.2}}}, 1.0, 0.013},
+    {{{{1.0, 1.0}, {2.0, 0.3}, {0.2, 0.5}, {2.2, 0.2}, {0.4, 0.056}, {3.0, 0.12}}}, 0.6, 0.004},
+    {{{{1.0, 1.0}, {2.0, 0.6}, {3.0, 0.3}, {7.0, 0.35}, {0.4, 0.1}, {11.0, 0.2}}}, 0.5, 0.002},
 }};
 
 constexpr double kHissCentreHz = 4900.0;  // 2 .. 12 kHz
