@@ -30,9 +30,11 @@ TEST(NumberText, TooSmallIsZeroAndTooLargeIsInfinite) {
 }
 
 TEST(NumberText, QuotedWordsAreShortAndPrintable) {
-    EXPECT_EQ(quoted("1,5"), "'1,5'");
-    EXPECT_EQ(quoted("a\x1b\n\xc3\xa9"), "'a????'");
-    EXPECT_EQ(quoted(std::string(100, 'x')), "'" + std::string(24, 'x') + "...'");
+    EXPECT_EQ(quotedWord("1,5"), "'1,5'");
+    EXPECT_EQ(quotedWord("a\x1b\n"),
+              "'a?"
+              "?'");
+    EXPECT_EQ(quotedWord(std::string(100, 'x')), "'" + std::string(24, 'x') + "...'");
 }
 
 }  // namespace
