@@ -6,8 +6,8 @@
 #include <cassert>
 #include <cmath>
 
-#include "instruments/anatomy/blend.h"
 #include "instruments/anatomy/tooth_shape.h"
+#include "instruments/modelling/blend.h"
 
 namespace tactooth {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "instruments/anatomy/section_loft.h"
 #include "instruments/anatomy/tooth_shape.h"
+#include "instruments/modelling/section_loft.h"
 
 namespace tactooth {
 

@@ -6,9 +6,9 @@
 #include <array>
 #include <memory>
 
-#include "instruments/anatomy/blend.h"
-#include "instruments/anatomy/section_loft.h"
 #include "instruments/anatomy/tooth_shape.h"
+#include "instruments/modelling/blend.h"
+#include "instruments/modelling/section_loft.h"
 
 namespace tactooth {
 namespace {
