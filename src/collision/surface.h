@@ -23,7 +23,9 @@ public:
 
     [[nodiscard]] const TriangleMesh& mesh() const { return mesh_; }
     [[nodiscard]] const std::vector<SurfaceTag>& tags() const { return tags_; }
-    [[nodiscard]] SurfaceTag tag(std::uint32_t triangle) const { return tags_.empty() ? SurfaceTag{0} : tags_[triangle]; }
+    [[nodiscard]] SurfaceTag tag(std::uint32_t triangle) const {
+        return tags_.empty() ? SurfaceTag{0} : tags_[triangle];
+    }
     [[nodiscard]] const AabbTree& tree() const { return tree_; }
     /// A number that no other part of this process has: what was computed for a part stays valid as long as its id.
     [[nodiscard]] std::uint64_t id() const { return id_; }

@@ -21,7 +21,9 @@ TriangleMesh box(const Vec3& low, const Vec3& high) {
 
 TriangleMesh sphere(const Vec3& centre, double radius, int sectors, int rings) {
     TriangleMesh mesh;
-    const auto add = [&](const Vec3& direction) { mesh.vertices.push_back((centre + radius * direction).cast<float>()); };
+    const auto add = [&](const Vec3& direction) {
+        mesh.vertices.push_back((centre + radius * direction).cast<float>());
+    };
     add(Vec3::UnitZ());
     for (int ring = 1; ring < rings; ++ring) {
         const double polar = std::numbers::pi * ring / rings;
@@ -31,7 +33,9 @@ TriangleMesh sphere(const Vec3& centre, double radius, int sectors, int rings) {
         }
     }
     add(-Vec3::UnitZ());
-    const auto at = [&](int ring, int sector) { return static_cast<std::uint32_t>(1 + (ring - 1) * sectors + sector % sectors); };
+    const auto at = [&](int ring, int sector) {
+        return static_cast<std::uint32_t>(1 + (ring - 1) * sectors + sector % sectors);
+    };
     const auto south = static_cast<std::uint32_t>(mesh.vertices.size() - 1);
     for (int sector = 0; sector < sectors; ++sector) {
         mesh.triangles.push_back({0, at(1, sector), at(1, sector + 1)});

@@ -10,8 +10,8 @@ namespace tactooth::test {
 
 std::optional<std::filesystem::path> realTeethFolder() {
     const char* named = std::getenv("TACTOOTH_DATA");
-    const std::filesystem::path folder = named != nullptr ? std::filesystem::path(named)
-                                                           : std::filesystem::path(TACTOOTH_SOURCE_DIR) / "../shared/data";
+    const std::filesystem::path folder =
+        named != nullptr ? std::filesystem::path(named) : std::filesystem::path(TACTOOTH_SOURCE_DIR) / "../shared/data";
     if (std::filesystem::exists(folder / "openmandible")) return folder;
     std::cout << "[ NOTE     ] no real teeth found (TACTOOTH_DATA is not set): using the built-in teeth\n";
     return std::nullopt;

@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Eight floats side by side: the only file with vector intrinsics. AVX2, SSE2 and plain C++ give the same bits, since
+// every operation is a single correctly rounded IEEE operation and none is fused.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#if !defined(TACTOOTH_SIMD_SCALAR) && defined(__AVX2__)
+#define TACTOOTH_SIMD_AVX2
+#include <immintrin.h>
+#elif !defined(TACTOOTH_SIMD_SCALAR) && defined(__SSE2__)
+#define TACTOOTH_SIMD_SSE2
+#include <emmintrin.h>
+#endif
+
+namespace tactooth {
+
+#if defined(TACTOOTH_SIMD_AVX2)
+
+struct Float8 {
+    __m256 lanes;
+
+    static Float8 load(const float* p) { return {_mm256_loadu_ps(p)}; }
+    static Float8 all(float value) { return {_mm256_set1_ps(value)}; }
+    void store(float* p) const { _mm256_storeu_ps(p, lanes); }
+
+    friend Float8 operator+(Float8 a, Float8 b) { return {_mm256_add_ps(a.lanes, b.lanes)}; }
+    friend Float8 operator-(Float8 a, Float8 b) { return {_mm256_sub_ps(a.lanes, b.lanes)}; }
+    friend Float8 operator*(Float8 a, Float8 b) { return {_mm256_mul_ps(a.lanes, b.lanes)}; }
+    friend Float8 operator/(Float8 a, Float8 b) { return {_mm256_div_ps(a.lanes, b.lanes)}; }
+    friend Float8 min(Float8 a, Float8 b) { return {_mm256_min_ps(a.lanes, b.lanes)}; }
+    friend Float8 max(Float8 a, Float8 b) { return {_mm256_max_ps(a.lanes, b.lanes)}; }
+    friend Float8 sqrt(Float8 a) { return {_mm256_sqrt_ps(a.lanes)}; }
+    /// One bit a lane: a <= b (false where either is NaN).
+    friend std::uint32_t lessEqual(Float8 a, Float8 b) {
+        return static_cast<std::uint32_t>(_mm256_movemask_ps(_mm256_cmp_ps(a.lanes, b.lanes, _CMP_LE_OQ)));
+    }
+};
+
+#elif defined(TACTOOTH_SIMD_SSE2)
+
+struct Float8 {
+    __m128 low, high;
+
+    static Float8 load(const float* p) { return {_mm_loadu_ps(p), _mm_loadu_ps(p + 4)}; }
+    static Float8 all(float value) { return {_mm_set1_ps(value), _mm_set1_ps(value)}; }
+    void store(float* p) const { _mm_storeu_ps(p, low), _mm_storeu_ps(p + 4, high); }
+
+    friend Float8 operator+(Float8 a, Float8 b) { return {_mm_add_ps(a.low, b.low), _mm_add_ps(a.high, b.high)}; }
+    friend Float8 operator-(Float8 a, Float8 b) { return {_mm_sub_ps(a.low, b.low), _mm_sub_ps(a.high, b.high)}; }
+    friend Float8 operator*(Float8 a, Float8 b) { return {_mm_mul_ps(a.low, b.low), _mm_mul_ps(a.high, b.high)}; }
+    friend Float8 operator/(Float8 a, Float8 b) { return {_mm_div_ps(a.low, b.low), _mm_div_ps(a.high, b.high)}; }
+    friend Float8 min(Float8 a, Float8 b) { return {_mm_min_ps(a.low, b.low), _mm_min_ps(a.high, b.high)}; }
+    friend Float8 max(Float8 a, Float8 b) { return {_mm_max_ps(a.low, b.low), _mm_max_ps(a.high, b.high)}; }
+    friend Float8 sqrt(Float8 a) { return {_mm_sqrt_ps(a.low), _mm_sqrt_ps(a.high)}; }
+    friend std::uint32_t lessEqual(Float8 a, Float8 b) {
+        return static_cast<std::uint32_t>(_mm_movemask_ps(_mm_cmple_ps(a.low, b.low))) |
+               static_cast<std::uint32_t>(_mm_movemask_ps(_mm_cmple_ps(a.high, b.high))) << 4;
+    }
+};
+
+#else
+
+struct Float8 {
+    float lanes[8];
+
+    template <class Operation>
+    static Float8 each(Operation operation) {
+        Float8 result;
+        for (int i = 0; i < 8; ++i) result.lanes[i] = operation(i);
+        return result;
+    }
+    static Float8 load(const float* p) {
+        return each([&](int i) { return p[i]; });
+    }
+    static Float8 all(float value) {
+        return each([&](int) { return value; });
+    }
+    void store(float* p) const { std::copy(lanes, lanes + 8, p); }
+
+    friend Float8 operator+(const Float8& a, const Float8& b) {
+        return each([&](int i) { return a.lanes[i] + b.lanes[i]; });
+    }
+    friend Float8 operator-(const Float8& a, const Float8& b) {
+        return each([&](int i) { return a.lanes[i] - b.lanes[i]; });
+    }
+    friend Float8 operator*(const Float8& a, const Float8& b) {
+        return each([&](int i) { return a.lanes[i] * b.lanes[i]; });
+    }
+    friend Float8 operator/(const Float8& a, const Float8& b) {
+        return each([&](int i) { return a.lanes[i] / b.lanes[i]; });
+    }
+    // The vector instructions return their second operand where one is NaN: so do these.
+    friend Float8 min(const Float8& a, const Float8& b) {
+        return each([&](int i) { return a.lanes[i] < b.lanes[i] ? a.lanes[i] : b.lanes[i]; });
+    }
+    friend Float8 max(const Float8& a, const Float8& b) {
+        return each([&](int i) { return a.lanes[i] > b.lanes[i] ? a.lanes[i] : b.lanes[i]; });
+    }
+    friend Float8 sqrt(const Float8& a) {
+        return each([&](int i) { return std::sqrt(a.lanes[i]); });
+    }
+    friend std::uint32_t lessEqual(const Float8& a, const Float8& b) {
+        std::uint32_t mask = 0;
+        for (int i = 0; i < 8; ++i) mask |= static_cast<std::uint32_t>(a.lanes[i] <= b.lanes[i]) << i;
+        return mask;
+    }
+};
+
+#endif
+
+/// Eight points or directions.
+struct Vec3x8 {
+    Float8 x, y, z;
+
+    static Vec3x8 load(const float (*p)[8]) { return {Float8::load(p[0]), Float8::load(p[1]), Float8::load(p[2])}; }
+    static Vec3x8 all(float x, float y, float z) { return {Float8::all(x), Float8::all(y), Float8::all(z)}; }
+
+    friend Vec3x8 operator+(const Vec3x8& a, const Vec3x8& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+    friend Vec3x8 operator-(const Vec3x8& a, const Vec3x8& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+    friend Float8 dot(const Vec3x8& a, const Vec3x8& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+    friend Vec3x8 cross(const Vec3x8& a, const Vec3x8& b) {
+        return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+    }
+    friend Vec3x8 min(const Vec3x8& a, const Vec3x8& b) { return {min(a.x, b.x), min(a.y, b.y), min(a.z, b.z)}; }
+    friend Vec3x8 max(const Vec3x8& a, const Vec3x8& b) { return {max(a.x, b.x), max(a.y, b.y), max(a.z, b.z)}; }
+};
+
+}  // namespace tactooth

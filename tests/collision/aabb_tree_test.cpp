@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "collision/aabb_tree.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <set>
+
+#include "support/shapes.h"
+
+namespace tactooth {
+namespace {
+
+/// Walks the whole tree: checks that every box holds what is below it and collects the triangles met.
+void walk(const AabbTree& tree, AabbTree::Link link, const Vec3f& low, const Vec3f& high, int depth,
+          std::multiset<std::uint32_t>& triangles) {
+    ASSERT_LE(depth, AabbTree::kMaxDepth);
+    if (link.isLeaf()) {
+        const AabbTree::Leaf& leaf = tree.leaf(link);
+        for (std::uint32_t lane = 0; lane < leaf.count; ++lane) {
+            triangles.insert(leaf.triangle[lane]);
+            for (int corner = 0; corner < 3; ++corner) {
+                for (int axis = 0; axis < 3; ++axis) {
+                    ASSERT_GE(leaf.corner[corner][axis][lane], low[axis]);
+                    ASSERT_LE(leaf.corner[corner][axis][lane], high[axis]);
+                }
+            }
+        }
+        return;
+    }
+    const AabbTree::Node& node = tree.node(link);
+    for (int i = 0; i < AabbTree::kWidth; ++i) {
+        if (node.low[0][i] > node.high[0][i]) continue;
+        const Vec3f childLow(node.low[0][i], node.low[1][i], node.low[2][i]);
+        const Vec3f childHigh(node.high[0][i], node.high[1][i], node.high[2][i]);
+        ASSERT_TRUE((childLow.array() >= low.array()).all() && (childHigh.array() <= high.array()).all());
+        walk(tree, node.child[i], childLow, childHigh, depth + 1, triangles);
+    }
+}
+
+void expectHoldsEachTriangleOnce(const TriangleMesh& mesh) {
+    const AabbTree tree(mesh);
+    std::multiset<std::uint32_t> triangles;
+    walk(tree, AabbTree::Link::toNode(0), tree.box().min().cast<float>(), tree.box().max().cast<float>(), 0, triangles);
+    ASSERT_EQ(triangles.size(), mesh.triangles.size());
+    ASSERT_EQ(std::set<std::uint32_t>(triangles.begin(), triangles.end()).size(), mesh.triangles.size());
+}
+
+}  // namespace
+
+TEST(AabbTree, HoldsEachTriangleOfASphereOnce) {
+    expectHoldsEachTriangleOnce(test::sphere(Vec3(1, 2, 3), 5, 150, 100));
+}
+
+TEST(AabbTree, HoldsOneTriangle) {
+    expectHoldsEachTriangleOnce({{Vec3f(0, 0, 0), Vec3f(1, 0, 0), Vec3f(0, 1, 0)}, {{0, 1, 2}}});
+}
+
+TEST(AabbTree, StaysShallowWhenAllTrianglesCoincide) {
+    TriangleMesh mesh{{Vec3f(0, 0, 0), Vec3f(1, 0, 0), Vec3f(0, 1, 0)}, {}};
+    mesh.triangles.assign(100000, Triangle{0, 1, 2});
+    expectHoldsEachTriangleOnce(mesh);
+}
+
+TEST(AabbTree, StaysShallowWhenSizesGrowExponentially) {
+    TriangleMesh mesh;
+    for (int i = 0; i < 20000; ++i) {
+        const float scale = std::pow(2.0F, static_cast<float>(i % 100) - 50.0F);
+        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+        mesh.vertices.insert(mesh.vertices.end(), {Vec3f(scale, 0, 0), Vec3f(0, scale, 0), Vec3f(0, 0, scale)});
+        mesh.triangles.push_back({first, first + 1, first + 2});
+    }
+    expectHoldsEachTriangleOnce(mesh);
+}
+
+TEST(AabbTree, OfAnEmptyMeshIsEmpty) { EXPECT_TRUE(AabbTree(TriangleMesh{}).empty()); }
+
+}  // namespace tactooth
