@@ -81,6 +81,13 @@ TEST_P(EveryTooth, LayersDoNotIntersectThemselves) {
     for (const TriangleMesh* layer : layersOf(tooth_)) EXPECT_FALSE(test::intersectsItself(*layer));
 }
 
+TEST_P(EveryTooth, LayersDoNotIntersectThemselvesAtOtherFinenesses) {
+    for (const int triangles : {6000, 13000, 50000}) {
+        const BuiltinTooth tooth = makeBuiltinTooth(average_.kind, triangles);
+        for (const TriangleMesh* layer : layersOf(tooth)) EXPECT_FALSE(test::intersectsItself(*layer)) << triangles;
+    }
+}
+
 TEST_P(EveryTooth, HasTheLengthsOfTheAverageTooth) {
     const Box3 box = boundingBox(tooth_.outer);
     EXPECT_EQ(tooth_.fdi, average_.fdi);

@@ -29,8 +29,9 @@ struct FrontToothPlan {
     std::vector<Furrow> labial, lingual;
     double mesialRise = 0, distalRise = 0;  ///< of the cervical line at the proximal sides
     double cervicalHalfWidth = 3;
-    double enamelThickness = 1;
-    std::vector<Section> pulp;      ///< from the canal's end to the horns
+    double enamelThickness = 1;  ///< at the labial and lingual face
+    double incisalEnamel = 2;    ///< at right angles to the edge's slope; the core ends before it is as thin as a knife
+    std::vector<Section> pulp;   ///< from the canal's end to the horns
     Vec3 lesionFrom, lesionToward;  ///< a line from within the tooth to where the lesion breaks the surface
 };
 

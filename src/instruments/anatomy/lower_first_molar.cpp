@@ -59,17 +59,20 @@ struct Groove {
 };
 
 // The central groove zigzags from the mesial to the distal pit; grooves leave it between the cusps.
-constexpr Groove kGrooves[] = {{3.45, -0.15, 1.05, -0.30, 0.45, 0.38},  {1.05, -0.30, -0.60, 0.15, 0.48, 0.38},
-                               {-0.60, 0.15, -3.25, -0.55, 0.45, 0.38}, {1.05, -0.30, 1.00, 4.6, 0.40, 0.40},
-                               {-2.15, 0.0, -2.50, 4.0, 0.36, 0.38},    {0.40, -0.15, 0.45, -4.9, 0.40, 0.40},
-                               {3.45, -0.15, 4.05, 0.85, 0.30, 0.34},   {3.45, -0.15, 4.05, -1.1, 0.30, 0.34},
-                               {-3.25, -0.55, -3.95, -1.5, 0.30, 0.34}};
+constexpr Groove kGrooves[] = {{3.45, -0.15, 1.05, -0.30, 0.36, 0.42},  {1.05, -0.30, -0.60, 0.15, 0.38, 0.42},
+                               {-0.60, 0.15, -3.25, -0.55, 0.36, 0.42}, {1.05, -0.30, 1.00, 4.6, 0.38, 0.44},
+                               {-2.15, 0.0, -2.50, 4.0, 0.34, 0.42},    {0.40, -0.15, 0.45, -4.9, 0.36, 0.44},
+                               {3.45, -0.15, 4.05, 0.85, 0.26, 0.38},   {3.45, -0.15, 4.05, -1.1, 0.26, 0.38},
+                               {-3.25, -0.55, -3.95, -1.5, 0.26, 0.38}, {2.3, -0.2, 3.1, 1.9, 0.13, 0.35},
+                               {0.3, 0.0, -0.05, 1.9, 0.13, 0.35},      {-1.5, 0.0, -1.6, 1.9, 0.12, 0.32},
+                               {2.2, -0.25, 3.2, -1.9, 0.13, 0.35},     {-0.5, 0.0, -0.7, -2.0, 0.13, 0.35},
+                               {-2.4, -0.2, -2.9, -1.9, 0.12, 0.35}};
 
 struct Pit {
     double x, y, depth, width;
 };
 
-constexpr Pit kPits[] = {{1.05, -0.30, 0.30, 0.45}, {3.45, -0.15, 0.28, 0.42}, {-3.25, -0.55, 0.28, 0.42}};
+constexpr Pit kPits[] = {{1.05, -0.30, 0.22, 0.50}, {3.45, -0.15, 0.22, 0.45}, {-3.25, -0.55, 0.22, 0.45}};
 
 double distanceToSegment(double x, double y, double ax, double ay, double bx, double by) {
     const double dx = bx - ax, dy = by - ay;
@@ -96,7 +99,7 @@ double cuspHeight(const Cusp& cusp, double x, double y) {
 /// Height of the occlusal surface without its grooves.
 double smoothOcclusal(double x, double y) {
     constexpr double kFossa = 4.75;  // height that no part of the surface falls below
-    constexpr double kBlend = 0.45;
+    constexpr double kBlend = 0.55;
     double height = kFossa;
     for (const Cusp& cusp : kCusps) height = -smoothUnion(-height, -cuspHeight(cusp, x, y), kBlend);
     for (const Ridge& ridge : kMarginalRidges) {
