@@ -34,12 +34,10 @@ constexpr Average kAverages[] = {{lowerFirstMolar, 46, 7.5, 14.0, 11.0, 10.5, 9.
 constexpr double kTolerance = 0.03;  // of each length
 
 const BuiltinTooth& toothOf(BuiltinToothKind kind) {
-    static const std::map<BuiltinToothKind, BuiltinTooth> teeth = [] {
-        std::map<BuiltinToothKind, BuiltinTooth> all;
-        for (const Average& average : kAverages) all[average.kind] = makeBuiltinTooth(average.kind);
-        return all;
-    }();
-    return teeth.at(kind);
+    static std::map<BuiltinToothKind, BuiltinTooth> made;
+    const auto [place, isNew] = made.try_emplace(kind);
+    if (isNew) place->second = makeBuiltinTooth(kind);
+    return place->second;
 }
 
 std::array<const TriangleMesh*, 5> layersOf(const BuiltinTooth& tooth) {

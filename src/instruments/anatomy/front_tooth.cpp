@@ -35,8 +35,6 @@ public:
         const double height = cervical(p), surface = outer(p);
         if (height <= 0) return surface;
         constexpr double kFeather = 1.6;  // mm over which the enamel grows from its thin edge
-        constexpr double kIncisal =
-            2.3;  // mm of enamel at the edge: the core ends before it would be as thin as a knife
         const double thickness = plan_.enamelThickness * (1 - std::exp(-height / kFeather));
         return smoothIntersection(surface + thickness, edge(p) + plan_.incisalEnamel, 0.6);
     }
