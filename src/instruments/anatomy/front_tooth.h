@@ -20,9 +20,9 @@ struct Furrow {
 struct FrontToothPlan {
     std::string name;
     int fdi = 0;
-    std::vector<Section> body;              ///< from the apex to above the edge
-    double apex = 0;                        ///< height of the root's end
-    double edgeX = 0, edgeZ = 0;            ///< highest point of the incisal edge
+    std::vector<Section> body;    ///< from the apex to above the edge; a lingual face in front of the axis is negative
+    double apex = 0;              ///< height of the root's end
+    double edgeX = 0, edgeZ = 0;  ///< highest point of the incisal edge
     double mesialFall = 0, distalFall = 0;  ///< slopes of the edge away from it
     double edgeRoundness = 0.2;             ///< over which the two slopes meet
     double bevel = 0.3;                     ///< slope of the edge toward the tongue
