@@ -34,12 +34,10 @@ constexpr Average kAverages[] = {{lowerFirstMolar, 46, 7.5, 14.0, 11.0, 10.5, 9.
 constexpr double kTolerance = 0.03;  // of each length
 
 const BuiltinTooth& toothOf(BuiltinToothKind kind) {
-    static const std::map<BuiltinToothKind, BuiltinTooth> teeth = [] {
-        std::map<BuiltinToothKind, BuiltinTooth> all;
-        for (const Average& average : kAverages) all[average.kind] = makeBuiltinTooth(average.kind);
-        return all;
-    }();
-    return teeth.at(kind);
+    static std::map<BuiltinToothKind, BuiltinTooth> made;
+    const auto [place, isNew] = made.try_emplace(kind);
+    if (isNew) place->second = makeBuiltinTooth(kind);
+    return place->second;
 }
 
 std::array<const TriangleMesh*, 5> layersOf(const BuiltinTooth& tooth) {
@@ -79,6 +77,13 @@ TEST_P(EveryTooth, LayersAreOnePieceWithoutHandles) {
 
 TEST_P(EveryTooth, LayersDoNotIntersectThemselves) {
     for (const TriangleMesh* layer : layersOf(tooth_)) EXPECT_FALSE(test::intersectsItself(*layer));
+}
+
+TEST_P(EveryTooth, LayersDoNotIntersectThemselvesAtOtherFinenesses) {
+    for (const int triangles : {6000, 13000, 35000}) {
+        const BuiltinTooth tooth = makeBuiltinTooth(average_.kind, triangles);
+        for (const TriangleMesh* layer : layersOf(tooth)) EXPECT_FALSE(test::intersectsItself(*layer)) << triangles;
+    }
 }
 
 TEST_P(EveryTooth, HasTheLengthsOfTheAverageTooth) {

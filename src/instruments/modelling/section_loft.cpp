@@ -5,7 +5,7 @@
 // Stat. Comput. 5 (1984): no bulge between sections that the table does not have. Distance estimate: G. Taubin,
 // "Distance approximations for rasterizing implicit curves", ACM Trans. Graph. 13 (1994), value over length of the
 // gradient.
-#include "instruments/anatomy/section_loft.h"
+#include "instruments/modelling/section_loft.h"
 
 #include <algorithm>
 #include <cassert>
@@ -14,7 +14,7 @@
 namespace tactooth {
 namespace {
 
-enum Column { mesial, distal, buccal, lingual, squareness, centreX, centreY };
+enum Column { plusX, minusX, plusY, minusY, squareness, centreX, centreY };
 
 }  // namespace
 
@@ -23,7 +23,7 @@ SectionLoft::SectionLoft(std::span<const Section> sections) {
     for (const Section& s : sections) {
         assert(heights_.empty() || s.z > heights_.back());
         heights_.push_back(s.z);
-        values_.push_back((Row() << s.mesial, s.distal, s.buccal, s.lingual, s.squareness, s.x, s.y).finished());
+        values_.push_back((Row() << s.plusX, s.minusX, s.plusY, s.minusY, s.squareness, s.x, s.y).finished());
     }
     slopes_.assign(values_.size(), Row::Zero());
     for (std::size_t i = 1; i + 1 < values_.size(); ++i) {
@@ -49,7 +49,7 @@ SectionLoft::Sample SectionLoft::sample(double z) const {
 double SectionLoft::operator()(const Vec3& point) const {
     const auto [value, slope] = sample(point.z());
     const double dx = point.x() - value[centreX], dy = point.y() - value[centreY];
-    const int alongX = dx >= 0 ? mesial : distal, alongY = dy >= 0 ? buccal : lingual;
+    const int alongX = dx >= 0 ? plusX : minusX, alongY = dy >= 0 ? plusY : minusY;
     const double a = value[alongX], b = value[alongY], n = value[squareness];
     const double u = std::abs(dx) / a, v = std::abs(dy) / b;
     const double un = std::pow(u, n), vn = std::pow(v, n);
@@ -65,7 +65,7 @@ double SectionLoft::operator()(const Vec3& point) const {
 
 Section SectionLoft::at(double z) const {
     const Row row = sample(z).value;
-    return {z, row[mesial], row[distal], row[buccal], row[lingual], row[squareness], row[centreX], row[centreY]};
+    return {z, row[plusX], row[minusX], row[plusY], row[minusY], row[squareness], row[centreX], row[centreY]};
 }
 
 }  // namespace tactooth
