@@ -84,8 +84,11 @@ std::uint32_t boxesOnRay(const AabbTree::Node& node, const Vec3& origin, const V
     return hits;
 }
 
-/// Whether the ray crosses the surface an odd number of times; nothing if it grazed an edge.
-std::optional<bool> crossesOddly(const AabbTree& tree, const Vec3& origin, const Vec3& direction) {
+/// Whether the ray crosses the triangles (but those that `hidden` names) an odd number of times; nothing if it grazed
+/// an edge.
+std::optional<bool> crossesOddly(const AabbTree& tree, const TriangleMask* hidden, const Vec3& origin,
+                                 const Vec3& direction) {
+    if (tree.empty()) return false;
     const double margin = 1e-6 * tree.box().diagonal().norm();
     std::array<AabbTree::Link, AabbTree::kStackSize> stack;
     int size = 0;
@@ -96,6 +99,7 @@ std::optional<bool> crossesOddly(const AabbTree& tree, const Vec3& origin, const
         if (link.isLeaf()) {
             const AabbTree::Leaf& leaf = tree.leaf(link);
             for (std::uint32_t lane = 0; lane < leaf.count; ++lane) {
+                if (hidden != nullptr && isHidden(*hidden, leaf.triangle[lane])) continue;
                 const RayHit hit = crosses(origin, direction, leafCorner(leaf, 0, lane), leafCorner(leaf, 1, lane),
                                            leafCorner(leaf, 2, lane));
                 if (hit == RayHit::Grazing) return std::nullopt;
@@ -159,14 +163,24 @@ std::optional<ClosestPoint> closestPoint(const SurfacePart& part, const Vec3& qu
     return best;
 }
 
-bool contains(const SurfacePart& part, const Vec3& query) {
-    const AabbTree& tree = part.tree();
-    if (tree.empty() || !tree.box().contains(query)) return false;
+bool contains(const Surface& surface, const Vec3& query) {
+    if (surface.base->tree().empty() || !surface.base->tree().box().contains(query)) return false;
     constexpr int kAttempts = 16;  // each try grazes an edge with a chance far below one in a million
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
-        if (const std::optional<bool> odd = crossesOddly(tree, query, rayDirection(attempt))) return *odd;
+        const Vec3 direction = rayDirection(attempt);
+        std::optional<bool> odd = crossesOddly(surface.base->tree(), surface.hidden.get(), query, direction);
+        for (std::size_t i = 0; i < surface.patches.size() && odd; ++i) {
+            const std::optional<bool> patch = crossesOddly(surface.patches[i]->tree(), nullptr, query, direction);
+            odd = patch ? std::optional(*odd != *patch) : std::nullopt;
+        }
+        if (odd) return *odd;
     }
     return false;  // every ray grazes: the point lies on the surface itself
+}
+
+bool contains(const SurfacePart& part, const Vec3& query) {
+    // A view of the part that does not own it, as the base of a surface without patches.
+    return contains(Surface{std::shared_ptr<const SurfacePart>(std::shared_ptr<void>(), &part), nullptr, {}, 0}, query);
 }
 
 double signedDistance(const SurfacePart& part, const Vec3& query) {

@@ -22,6 +22,9 @@ struct ClosestPoint {
 /// Whether `query` lies inside the closed surface `part` (parity of ray crossings; meaningless on an open surface).
 [[nodiscard]] bool contains(const SurfacePart& part, const Vec3& query);
 
+/// The same for a tooth that may have been cut: hidden triangles do not count, patches do.
+[[nodiscard]] bool contains(const Surface& surface, const Vec3& query);
+
 /// Distance to `part`, negative inside, mm. `part` is closed.
 [[nodiscard]] double signedDistance(const SurfacePart& part, const Vec3& query);
 

@@ -31,6 +31,7 @@ struct Float8 {
     friend Float8 operator+(Float8 a, Float8 b) { return {_mm256_add_ps(a.lanes, b.lanes)}; }
     friend Float8 operator-(Float8 a, Float8 b) { return {_mm256_sub_ps(a.lanes, b.lanes)}; }
     friend Float8 operator*(Float8 a, Float8 b) { return {_mm256_mul_ps(a.lanes, b.lanes)}; }
+    friend Float8 operator/(Float8 a, Float8 b) { return {_mm256_div_ps(a.lanes, b.lanes)}; }
     friend Float8 min(Float8 a, Float8 b) { return {_mm256_min_ps(a.lanes, b.lanes)}; }
     friend Float8 max(Float8 a, Float8 b) { return {_mm256_max_ps(a.lanes, b.lanes)}; }
     friend Float8 sqrt(Float8 a) { return {_mm256_sqrt_ps(a.lanes)}; }
@@ -52,6 +53,7 @@ struct Float8 {
     friend Float8 operator+(Float8 a, Float8 b) { return {_mm_add_ps(a.low, b.low), _mm_add_ps(a.high, b.high)}; }
     friend Float8 operator-(Float8 a, Float8 b) { return {_mm_sub_ps(a.low, b.low), _mm_sub_ps(a.high, b.high)}; }
     friend Float8 operator*(Float8 a, Float8 b) { return {_mm_mul_ps(a.low, b.low), _mm_mul_ps(a.high, b.high)}; }
+    friend Float8 operator/(Float8 a, Float8 b) { return {_mm_div_ps(a.low, b.low), _mm_div_ps(a.high, b.high)}; }
     friend Float8 min(Float8 a, Float8 b) { return {_mm_min_ps(a.low, b.low), _mm_min_ps(a.high, b.high)}; }
     friend Float8 max(Float8 a, Float8 b) { return {_mm_max_ps(a.low, b.low), _mm_max_ps(a.high, b.high)}; }
     friend Float8 sqrt(Float8 a) { return {_mm_sqrt_ps(a.low), _mm_sqrt_ps(a.high)}; }
@@ -88,6 +90,9 @@ struct Float8 {
     }
     friend Float8 operator*(const Float8& a, const Float8& b) {
         return each([&](int i) { return a.lanes[i] * b.lanes[i]; });
+    }
+    friend Float8 operator/(const Float8& a, const Float8& b) {
+        return each([&](int i) { return a.lanes[i] / b.lanes[i]; });
     }
     // The vector instructions return their second operand where one is NaN: so do these.
     friend Float8 min(const Float8& a, const Float8& b) {

@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "collision/contact_query.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "collision/closest_point.h"
+#include "collision/gjk.h"
+
+// Penetration depth as the least translation to a free pose: S. Cameron, R. K. Culley, "Determining the Minimum
+// Translational Distance Between Two Convex Polyhedra", IEEE ICRA 1986, extended to concave surfaces as in design by
+// local descent: the tool is pulled out along several candidate directions, swept back to first contact and slid to the
+// nearest free pose; the shortest wins.
+
+namespace tactooth {
+namespace {
+
+constexpr std::size_t kFirstCapacity = 4096;
+constexpr int kMaxMoves = 64;  // moves of a few rounds each until a pulled-out tool has settled
+constexpr std::size_t kMaxNormals = 6;
+constexpr double kSameDirection = 0.97;  // cosine of 14 degrees: nearer candidates end in the same place
+
+/// Keeps `direction` unless a like one is there already.
+void addDirection(std::vector<Vec3>& directions, const Vec3& direction, std::size_t limit) {
+    const double length = direction.norm();
+    if (!(length > 0) || directions.size() >= limit) return;
+    const Vec3 unit = direction / length;
+    for (const Vec3& other : directions) {
+        if (unit.dot(other) > kSameDirection) return;
+    }
+    directions.push_back(unit);
+}
+
+bool intersects(const Surface& surface, const ToolShape& tool, const Pose& toolInTooth, const NearPair& pair) {
+    const Triangle3 tooth = cornersOf(partOf(surface, pair.part).mesh(), pair.tooth);
+    Triangle3 moved = cornersOf(tool.mesh(), pair.tool);
+    for (Vec3& corner : moved) corner = toolInTooth * corner;
+    return !distanceBetween(tooth, moved, moved[0] - tooth[0]).separated;
+}
+
+}  // namespace
+
+ContactQuery::ContactQuery(std::shared_ptr<const ToolShape> tool, std::shared_ptr<const Surface> surface,
+                           bool toothIsClosed)
+    : tool_(std::move(tool)),
+      surface_(std::move(surface)),
+      toothIsClosed_(toothIsClosed),
+      body_(tool_),
+      found_(kFirstCapacity) {
+    body_.setSurface(surface_);
+}
+
+void ContactQuery::findOverlap(const Pose& toolInTooth, Overlap& overlap, bool stopAtFirst) {
+    overlap.pairs.clear();
+    overlap.swallowed = false;
+    NearPairsFound found = findNearPairs(*surface_, *tool_, toolInTooth, 0, found_);
+    while (!found.complete) {
+        found_.resize(found_.size() * 4);
+        found = findNearPairs(*surface_, *tool_, toolInTooth, 0, found_);
+    }
+    for (std::size_t i = 0; i < found.count; ++i) {
+        if (!intersects(*surface_, *tool_, toolInTooth, found_[i])) continue;
+        overlap.pairs.push_back(found_[i]);
+        if (stopAtFirst) return;
+    }
+    if (overlap.pairs.empty() && toothIsClosed_)
+        overlap.swallowed = contains(*surface_, toolInTooth * tool_->mesh().corner(0, 0));
+}
+
+bool ContactQuery::isFree(const Pose& toolInTooth) {
+    findOverlap(toolInTooth, probe_, true);
+    return !probe_.any();
+}
+
+/// Directions worth trying: the mean normal of what is touched, the way from the tool's centre to the surface, single
+/// normals that differ, and back along the shaft, which is how a bur leaves a narrow cavity.
+std::vector<Vec3> ContactQuery::waysOut(const Pose& toolInTooth, const Overlap& overlap) const {
+    std::vector<Vec3> directions;
+    Vec3 mean = Vec3::Zero();
+    for (const NearPair& pair : overlap.pairs) mean += partOf(*surface_, pair.part).mesh().areaVector(pair.tooth);
+    addDirection(directions, mean, 1);
+    const Vec3 centre = toolInTooth * tool_->centre();
+    if (const auto nearest = closestPoint(*surface_->base, centre)) {
+        const bool inside = toothIsClosed_ && contains(*surface_, centre);
+        addDirection(directions, inside ? Vec3(nearest->point - centre) : Vec3(centre - nearest->point), 2);
+    }
+    for (const NearPair& pair : overlap.pairs) {
+        addDirection(directions, partOf(*surface_, pair.part).mesh().areaVector(pair.tooth), kMaxNormals);
+    }
+    addDirection(directions, toolInTooth.rotation * Vec3::UnitZ(), kMaxNormals + 1);
+    return directions;
+}
+
+/// The first free pose met by pulling the tool along `direction` in growing steps, if any within `limit`.
+std::optional<Pose> ContactQuery::pullOut(const Pose& toolInTooth, const Vec3& direction, double limit) {
+    for (double distance = 0.01 * tool_->radius(); distance < limit; distance *= 1.6) {
+        const Pose pulled{toolInTooth.position + distance * direction, toolInTooth.rotation};
+        if (isFree(pulled)) return pulled;
+    }
+    return std::nullopt;
+}
+
+void ContactQuery::keepShorter(const Pose& toolInTooth, const Pose& start, Contact& best) {
+    body_.placeAt(start);
+    MoveResult move;
+    for (int i = 0; i < kMaxMoves; ++i) {
+        move = body_.moveToward(toolInTooth);
+        if (move.status != MoveStatus::OutOfRounds) break;
+    }
+    const Vec3 out = body_.pose().position - toolInTooth.position;
+    const double depth = out.norm();
+    if (move.contactCount == 0 || !(depth > 0) || (best.depth > 0 && depth >= best.depth)) return;
+    const auto firmest = std::max_element(move.contacts.begin(), move.contacts.begin() + move.contactCount,
+                                          [](const BodyContact& a, const BodyContact& b) { return a.share < b.share; });
+    best.depth = depth;
+    best.normal = out / depth;
+    best.point = firmest->point - out;
+    best.part = firmest->part;
+    best.tooth = firmest->tooth;
+    freePose_ = body_.pose();
+}
+
+Contact ContactQuery::at(const Pose& toolInTooth) {
+    Contact result;
+    if (surface_->base->tree().empty() || tool_->mesh().empty()) return result;
+    findOverlap(toolInTooth, overlap_, false);
+    if (!overlap_.any()) return result;
+    result.touching = true;
+    result.contacts = static_cast<int>(overlap_.pairs.size());
+    const double everything = 2 * (surface_->base->tree().box().diagonal().norm() + 2 * tool_->radius());
+    for (const Vec3& direction : waysOut(toolInTooth, overlap_)) {
+        const double limit = result.depth > 0 ? 4 * result.depth : everything;
+        if (const std::optional<Pose> start = pullOut(toolInTooth, direction, limit))
+            keepShorter(toolInTooth, *start, result);
+    }
+    return result;
+}
+
+}  // namespace tactooth

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "collision/sliding_body.h"
+
+namespace tactooth {
+
+/// How deep a tool stands in a tooth.
+struct Contact {
+    bool touching = false;
+    double depth = 0;            ///< mm; moving the tool by this along `normal` just frees it
+    Vec3 normal = Vec3::Zero();  ///< unit, the shortest way out that was found; zero when not touching
+    Vec3 point = Vec3::Zero();   ///< the tool's deepest point, in the tooth's frame, mm
+    int contacts = 0;            ///< pairs of triangles that intersect
+    std::uint32_t part = 0;      ///< where the tooth holds the tool (see BodyContact)
+    std::uint32_t tooth = 0;
+};
+
+/// Contact of a tool with a tooth at single poses, without any history. On an open surface only its triangles count:
+/// what is behind them is not "inside".
+///
+/// Keeps buffers from query to query; one thread at a time.
+class ContactQuery {
+public:
+    ContactQuery(std::shared_ptr<const ToolShape> tool, std::shared_ptr<const Surface> surface,
+                 bool toothIsClosed = true);
+
+    /// Depth at one pose.
+    [[nodiscard]] Contact at(const Pose& toolInTooth);
+
+    /// Whether nothing of the tool is in the tooth.
+    [[nodiscard]] bool isFree(const Pose& toolInTooth);
+
+    /// The free pose that `at` found for the last touching pose.
+    [[nodiscard]] const Pose& freePose() const { return freePose_; }
+
+private:
+    struct Overlap {
+        std::vector<NearPair> pairs;
+        bool swallowed = false;  // the tool is wholly inside, touching no triangle
+        [[nodiscard]] bool any() const { return swallowed || !pairs.empty(); }
+    };
+
+    void findOverlap(const Pose& toolInTooth, Overlap& overlap, bool stopAtFirst);
+    [[nodiscard]] std::vector<Vec3> waysOut(const Pose& toolInTooth, const Overlap& overlap) const;
+    [[nodiscard]] std::optional<Pose> pullOut(const Pose& toolInTooth, const Vec3& direction, double limit);
+    void keepShorter(const Pose& toolInTooth, const Pose& start, Contact& best);
+
+    std::shared_ptr<const ToolShape> tool_;
+    std::shared_ptr<const Surface> surface_;
+    bool toothIsClosed_;
+    SlidingBody body_;
+    std::vector<NearPair> found_;
+    Overlap overlap_;
+    Overlap probe_;
+    Pose freePose_;
+};
+
+}  // namespace tactooth

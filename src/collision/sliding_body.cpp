@@ -1,0 +1,365 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "collision/sliding_body.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "collision/gjk.h"
+
+// God object: C. B. Zilles, J. K. Salisbury, "A Constraint-based God-object Method for Haptic Display", IROS 1995; for
+// a body with a shape: M. Ortega, S. Redon, S. Coquillart, "A Six Degree-of-Freedom God-Object Method for Haptic
+// Display of Rigid Bodies with Surface Properties", IEEE TVCG 13(3), 2007, sections 3-4. Pair list with a skin: L.
+// Verlet, "Computer Experiments on Classical Fluids", Phys. Rev. 159, 1967.
+//
+// One round: the planes that separate the pairs of triangles at the present, free pose bound a convex region of moves
+// that are all safe, the whole way. The move nearest to the goal inside that region is found lazily: solve with the
+// planes met so far, look for the pair that the answer would bring together most, add its plane, solve again. Then the
+// body moves and the planes are found anew. Differs from Ortega: contacts need not be touched one after the other, and
+// a finely meshed surface costs no more rounds than a coarse one.
+
+namespace tactooth {
+namespace {
+
+constexpr std::size_t kMaxPairs = 1 << 15;  // a bur that fills its own slot in a 25 um mesh lists some 20,000
+constexpr int kMaxRounds = 12;              // 2-3 are usual at 1 cm/s, 4-6 at 10 cm/s
+constexpr int kMaxPlanesPerRound = 32;      // 3-6 are usual; more means that the step is long for its surroundings
+constexpr int kOffendersToCompare = 4;      // before the worst of them becomes a plane: more costs more than it saves
+constexpr int kBuckets = 32;
+constexpr double kMarginOfRadius = 1e-7;      // 0.3 nm for a 6 mm bur
+constexpr double kMarginOfPosition = 1e-10;   // keeps the margin above rounding far from the origin
+constexpr double kSettledMargins = 10;        // a round that moves less than this many margins ends the move
+constexpr double kLeastReach = 0.004;         // of the tool's radius: 12 um for a 6 mm bur
+constexpr double kGreatestReach = 1.0;        // of the tool's radius
+constexpr std::size_t kPlentyOfPairs = 1024;  // a longer list costs more to walk than listing twice
+constexpr std::uint64_t kGuessed = 1;         // stamp of a plane that GJK has not seen; poses are numbered from 2
+constexpr double kLeastTurn = 1e-3;  // of the turn wanted: below it, the tool is held in its present orientation
+constexpr double kTrusted = 0.95;    // of the listed reach: leaves room for rounding
+
+double sineOfHalfAngle(const Quat& a, const Quat& b) { return (a * b.conjugate()).vec().norm(); }
+
+Quat partOfTurn(const Quat& from, const Quat& to, double fraction) {
+    return fraction >= 1 ? to : from.slerp(fraction, to).normalized();
+}
+
+}  // namespace
+
+/// One round in the making.
+struct SlidingBody::Attempt {
+    Pose goal;
+    double turnFraction = 1;  // of the turn still to make
+    bool turnsFully = true;
+    double allowance = 0;  // how far any point of the tool may travel, mm
+    Quat rotation;         // at the end of the round
+    Mat3 matrix;
+    Mat3 startMatrix;
+    Vec3 step = Vec3::Zero();
+    bool clipped = false;  // the step was shortened to the allowance
+    NearestInPolyhedron answer;
+    int planeCount = 0;
+    std::array<WatchedPair, kMaxPlanesPerRound> watched;
+    std::array<HalfSpace, kMaxPlanesPerRound> halfSpaces;
+
+    void turnBy(const Quat& from, double fraction) {
+        turnFraction = fraction;
+        rotation = fraction > 0 ? partOfTurn(from, goal.rotation, fraction) : from;
+        matrix = rotation.toRotationMatrix();
+        startMatrix = from.toRotationMatrix();
+    }
+};
+
+SlidingBody::SlidingBody(std::shared_ptr<const ToolShape> tool)
+    : tool_(std::move(tool)), found_(kMaxPairs), watched_(kMaxPairs) {
+    assert(tool_ != nullptr);
+}
+
+std::shared_ptr<const Surface> SlidingBody::setSurface(std::shared_ptr<const Surface> surface) {
+    std::swap(surface_, surface);
+    heldCount_ = 0;
+    listed_ = false;
+    return surface;
+}
+
+void SlidingBody::placeAt(const Pose& toolInTooth) {
+    pose_ = toolInTooth;
+    ++poseStamp_;
+    heldCount_ = 0;
+    lastGoalCentre_ = toolInTooth * tool_->centre();
+    listed_ = false;
+}
+
+/// No point of the tool has moved further than this since the pairs were listed.
+double SlidingBody::travelSinceListed(const Quat& rotation, const Vec3& position) const {
+    const Vec3 centre = rotation * tool_->centre() + position;
+    const Vec3 listedCentre = listedAt_ * tool_->centre();
+    return (centre - listedCentre).norm() + 2 * sineOfHalfAngle(rotation, listedAt_.rotation) * tool_->radius();
+}
+
+/// Lists the pairs within `wantedReach`, or within less where they are too many.
+void SlidingBody::listPairs(double wantedReach) {
+    const double least = kLeastReach * tool_->radius();
+    double reach = std::clamp(wantedReach, least, kGreatestReach * tool_->radius());
+    NearPairsFound found = findNearPairs(*surface_, *tool_, pose_, reach, std::span(found_).first(kPlentyOfPairs));
+    while (!found.complete && reach > least) {
+        reach = std::max(least, reach / 4);
+        found = findNearPairs(*surface_, *tool_, pose_, reach, found_);
+    }
+    std::array<std::uint32_t, kBuckets + 1> start{};
+    const float scale = static_cast<float>(kBuckets / reach);
+    const auto bucketOf = [scale](const NearPair& pair) {
+        return std::min(kBuckets - 1, static_cast<int>(pair.distanceAtLeast * scale));
+    };
+    for (std::size_t i = 0; i < found.count; ++i) ++start[bucketOf(found_[i]) + 1];
+    for (int i = 0; i < kBuckets; ++i) start[i + 1] += start[i];
+    for (std::size_t i = 0; i < found.count; ++i) watched_[start[bucketOf(found_[i])]++] = {found_[i], {}};
+    pairCount_ = found.count;
+    listedAt_ = pose_;
+    listedReach_ = found.complete ? reach : 0;
+    listed_ = true;
+}
+
+/// Sets up a round: makes sure of the pair list and bounds turn and step by what the list covers.
+bool SlidingBody::plan(const Pose& goal, Attempt& attempt) {
+    attempt.goal = goal;
+    const double turn = sineOfHalfAngle(goal.rotation, pose_.rotation);
+    const double remaining = (goal * tool_->centre() - pose_ * tool_->centre()).norm() + 2 * turn * tool_->radius();
+    const double least = kLeastReach * tool_->radius();
+    double used = listed_ ? travelSinceListed(pose_.rotation, pose_.position) : 0;
+    if (!listed_ || listedReach_ * kTrusted - used < std::min(remaining, least / 2)) {
+        // Open space is crossed in growing strides; near the tooth the skin follows the speed of the hand.
+        const bool openSpace = listed_ && pairCount_ == 0;
+        listPairs(std::min(1.1 * remaining, openSpace ? 4 * listedReach_ : 2 * handTravel_) + least);
+        used = 0;
+    }
+    attempt.allowance = listedReach_ * kTrusted - used - margin_;
+    if (attempt.allowance <= 0) return false;
+    const double turnTravel =
+        2 * turn * tool_->radius() + (goal.rotation * tool_->centre() - pose_.rotation * tool_->centre()).norm();
+    const double fraction = turnTravel > attempt.allowance / 2 ? attempt.allowance / 2 / turnTravel : 1;
+    attempt.turnsFully = fraction >= 1;
+    attempt.turnBy(pose_.rotation, turnTravel > 0 ? fraction : 0);
+    return true;
+}
+
+/// Fills in the plane remembered for a pair; for a new pair, the face plane of either triangle if one happens to
+/// separate them at the present pose.
+void SlidingBody::recallPlane(WatchedPair& watched) const {
+    const SurfacePart& part = partOf(*surface_, watched.pair.part);
+    if (const SeparatingPlane* known = planes_.find(part.id(), watched.pair)) {
+        watched.plane = *known;
+        return;
+    }
+    watched.plane.stamp = kGuessed;
+    const Triangle3 tooth = cornersOf(part.mesh(), watched.pair.tooth);
+    Triangle3 tool = cornersOf(tool_->mesh(), watched.pair.tool);
+    for (Vec3& corner : tool) corner = pose_ * corner;
+    const Vec3 toothNormal = (tooth[1] - tooth[0]).cross(tooth[2] - tooth[0]).normalized();
+    const Vec3 toolNormal = (tool[1] - tool[0]).cross(tool[2] - tool[0]).normalized();
+    double widest = 0;
+    for (const Vec3& normal : {toothNormal, Vec3(-toolNormal), Vec3(-toothNormal), toolNormal}) {
+        const double back = highestAlong(tooth, normal);
+        const double gap = lowestAlong(tool, normal) - back;
+        if (gap > widest) widest = gap, watched.plane.normal = normal, watched.plane.offset = back;
+    }
+}
+
+/// Finds the plane that separates the pair best at the present pose. False if nothing separates it.
+bool SlidingBody::refreshPlane(WatchedPair& watched) {
+    const SurfacePart& part = partOf(*surface_, watched.pair.part);
+    const Triangle3 tooth = cornersOf(part.mesh(), watched.pair.tooth);
+    Triangle3 tool = cornersOf(tool_->mesh(), watched.pair.tool);
+    for (Vec3& corner : tool) corner = pose_ * corner;
+    SeparatingPlane& plane = watched.plane;
+    const GjkResult result =
+        distanceBetween(tooth, tool, plane.normal.isZero() ? Vec3(tool[0] - tooth[0]) : plane.normal);
+    ++distances_;
+    if (!result.separated) return false;
+    plane = {result.normal, highestAlong(tooth, result.normal), poseStamp_};
+    planes_.store(part.id(), watched.pair, plane);
+    return true;
+}
+
+/// Width of the slab between the pair along its plane, with the tool at the pose given, mm.
+double SlidingBody::gapAt(const WatchedPair& watched, const Mat3& rotation, const Vec3& position) const {
+    const Vec3& normal = watched.plane.normal;
+    const Vec3 inTool = rotation.transpose() * normal;
+    return lowestAlong(cornersOf(tool_->mesh(), watched.pair.tool), inTool) + normal.dot(position) -
+           watched.plane.offset;
+}
+
+/// Whether a plane is found that keeps the pair apart during the whole attempted step. Tried are the planes that hold
+/// the tool already (what touches separates its neighbourhood too), then GJK on the swept tool triangle. The plane is
+/// remembered.
+bool SlidingBody::provenSafe(WatchedPair& watched, const Attempt& attempt) {
+    const SurfacePart& part = partOf(*surface_, watched.pair.part);
+    const Triangle3 tooth = cornersOf(part.mesh(), watched.pair.tooth);
+    const Triangle3 tool = cornersOf(tool_->mesh(), watched.pair.tool);
+    const Vec3 position = pose_.position + attempt.step;
+    std::array<Vec3, 6> swept;
+    for (int corner = 0; corner < 3; ++corner) {
+        swept[corner] = attempt.startMatrix * tool[corner] + pose_.position;
+        swept[corner + 3] = attempt.matrix * tool[corner] + position;
+    }
+    SeparatingPlane& plane = watched.plane;
+    for (int i = 0; i < attempt.answer.activeCount; ++i) {
+        const Vec3& normal = attempt.halfSpaces[attempt.answer.active[i]].normal;
+        const double back = highestAlong(tooth, normal);
+        if (lowestAlong(swept, normal) - back < margin_ / 2) continue;
+        plane = {normal, back, kGuessed};
+        return true;
+    }
+    const GjkResult result =
+        distanceBetween(tooth, swept, plane.normal.isZero() ? Vec3(tool[0] - tooth[0]) : plane.normal);
+    ++distances_;
+    if (result.gap < margin_ / 2) return false;
+    plane = {result.normal, highestAlong(tooth, result.normal), kGuessed};
+    planes_.store(part.id(), watched.pair, plane);
+    return true;
+}
+
+/// A pair that the attempted step would bring together (the worst of the first few met), or null if the step is safe.
+const WatchedPair* SlidingBody::violation(const Attempt& attempt, bool& overlapping) {
+    const Vec3 position = pose_.position + attempt.step;
+    const double travel = travelSinceListed(attempt.rotation, position) + margin_;
+    const double bucketWidth = listedReach_ / kBuckets;
+    const WatchedPair* worst = nullptr;
+    double worstGap = margin_ / 2;
+    int offenders = 0;
+    for (std::size_t i = 0; i < pairCount_ && offenders < kOffendersToCompare; ++i) {
+        WatchedPair& watched = watched_[i];
+        if (watched.pair.distanceAtLeast > travel) {
+            if (watched.pair.distanceAtLeast > travel + bucketWidth) break;  // only the buckets are sorted
+            continue;
+        }
+        if (watched.plane.stamp == 0) recallPlane(watched);
+        const bool known = !watched.plane.normal.isZero();
+        if (known && gapAt(watched, attempt.matrix, position) >= margin_ / 2) continue;
+        if (provenSafe(watched, attempt)) continue;
+        if (watched.plane.stamp != poseStamp_ && !refreshPlane(watched)) {
+            overlapping = true;
+            return nullptr;
+        }
+        const double gap = gapAt(watched, attempt.matrix, position);
+        ++offenders;
+        if (gap < worstGap) worstGap = gap, worst = &watched;
+    }
+    return worst;
+}
+
+void SlidingBody::addConstraint(Attempt& attempt, const WatchedPair& watched) const {
+    const double gap = gapAt(watched, attempt.matrix, pose_.position);
+    // Without a turn, staying put is always allowed: a gap that rounding has left below the margin may stay so.
+    const double offset = attempt.turnFraction == 0 ? std::min(0.0, margin_ - gap) : margin_ - gap;
+    attempt.watched[attempt.planeCount] = watched;
+    attempt.halfSpaces[attempt.planeCount++] = {watched.plane.normal, offset};
+}
+
+/// Begins with the contacts of the round before: nearly always they are still the ones.
+void SlidingBody::restart(Attempt& attempt) {
+    attempt.planeCount = 0;
+    for (int i = 0; i < heldCount_; ++i) {
+        if (held_[i].plane.stamp == poseStamp_ || refreshPlane(held_[i])) addConstraint(attempt, held_[i]);
+    }
+}
+
+/// The step nearest to the goal under the planes met so far, shortened to the allowance.
+bool SlidingBody::solve(Attempt& attempt) {
+    const std::span<const HalfSpace> halfSpaces(attempt.halfSpaces.data(),
+                                                static_cast<std::size_t>(attempt.planeCount));
+    const double tolerance = margin_ * 1e-3;
+    attempt.answer = nearestInPolyhedron(halfSpaces, attempt.goal.position - pose_.position, tolerance);
+    if (!attempt.answer.feasible) return false;
+    attempt.step = attempt.answer.point;
+    attempt.clipped = false;
+    const double travel = travelSinceListed(attempt.rotation, pose_.position + attempt.step);
+    const double spent = travelSinceListed(attempt.rotation, pose_.position);
+    const double room = std::min(listedReach_ * kTrusted - margin_ - spent, attempt.allowance);
+    if (travel <= listedReach_ * kTrusted - margin_ && attempt.step.norm() <= attempt.allowance) return true;
+    attempt.clipped = true;
+    if (room <= 0) return false;
+    const double length = attempt.step.norm();
+    const NearestInPolyhedron shorter =
+        nearestInPolyhedron(halfSpaces, attempt.step * std::min(1.0, 0.9 * room / length), tolerance);
+    if (!shorter.feasible || shorter.point.norm() > room) return false;
+    attempt.step = shorter.point;
+    return true;
+}
+
+/// Collects planes until the step that they leave is safe. False if there is none within the fixed budget.
+bool SlidingBody::findSafeStep(Attempt& attempt, bool& overlapping) {
+    restart(attempt);
+    while (true) {
+        if (!solve(attempt)) {
+            if (attempt.turnFraction == 0) return false;
+            attempt.turnsFully = false;
+            attempt.turnBy(pose_.rotation, attempt.turnFraction > kLeastTurn ? attempt.turnFraction / 4 : 0);
+            restart(attempt);
+            continue;
+        }
+        const WatchedPair* offender = violation(attempt, overlapping);
+        if (overlapping) return false;
+        if (offender == nullptr) return true;
+        if (attempt.planeCount < kMaxPlanesPerRound) {
+            addConstraint(attempt, *offender);
+        } else if (attempt.allowance > kSettledMargins * margin_) {
+            attempt.allowance /= 8;
+            restart(attempt);
+        } else {
+            return false;
+        }
+    }
+}
+
+void SlidingBody::accept(const Attempt& attempt, MoveResult& result) {
+    pose_.rotation = attempt.rotation;
+    pose_.position += attempt.step;
+    ++poseStamp_;
+    heldCount_ = attempt.answer.activeCount;
+    result.contactCount = heldCount_;
+    for (int i = 0; i < heldCount_; ++i) {
+        const int plane = attempt.answer.active[i];
+        held_[i] = attempt.watched[plane];
+        const Vec3& normal = held_[i].plane.normal;
+        const Triangle3 tool = cornersOf(tool_->mesh(), held_[i].pair.tool);
+        Vec3 deepest = pose_ * tool[0];
+        for (const Vec3& corner : tool) {
+            if (const Vec3 point = pose_ * corner; normal.dot(point) < normal.dot(deepest)) deepest = point;
+        }
+        result.contacts[i] = {normal, deepest, attempt.answer.multiplier[i], held_[i].pair.part, held_[i].pair.tooth};
+    }
+}
+
+MoveResult SlidingBody::moveToward(const Pose& goal) {
+    MoveResult result;
+    distances_ = 0;
+    const double position = std::max(goal.position.cwiseAbs().maxCoeff(), pose_.position.cwiseAbs().maxCoeff());
+    margin_ = kMarginOfRadius * tool_->radius() + kMarginOfPosition * position;
+    const Vec3 goalCentre = goal * tool_->centre();
+    handTravel_ =
+        (goalCentre - lastGoalCentre_).norm() + 2 * sineOfHalfAngle(goal.rotation, pose_.rotation) * tool_->radius();
+    lastGoalCentre_ = goalCentre;
+    result.status = MoveStatus::OutOfRounds;
+    Attempt attempt;
+    while (result.status == MoveStatus::OutOfRounds && result.rounds < kMaxRounds) {
+        ++result.rounds;
+        bool overlapping = false;
+        if (!plan(goal, attempt) || !findSafeStep(attempt, overlapping)) {
+            if (overlapping) result.status = MoveStatus::Overlapping;
+            break;
+        }
+        const double turned = 2 * sineOfHalfAngle(attempt.rotation, pose_.rotation) * tool_->radius();
+        const bool settled = attempt.step.norm() + turned <= kSettledMargins * margin_;
+        accept(attempt, result);
+        if (attempt.clipped) continue;
+        if (attempt.turnsFully && heldCount_ == 0) {
+            result.status = MoveStatus::Reached;
+        } else if (settled) {
+            result.status = MoveStatus::Held;
+        }
+    }
+    result.distances = distances_;
+    return result;
+}
+
+}  // namespace tactooth

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/mesh_file.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "geometry/file_bytes.h"
+#include "geometry/stl_reader.h"
+#include "geometry/stl_sniffer.h"
+
+namespace tactooth {
+namespace {
+
+std::string lowerExtension(const std::filesystem::path& path) {
+    std::string extension = path.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(), [](char letter) {
+        return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter | 0x20) : letter;
+    });
+    return extension;
+}
+
+/// Mesh and volume formats that a dental scanner or its program may write.
+bool isOtherFormat(std::string_view extension) {
+    static constexpr std::array<std::string_view, 11> kOthers = {".obj", ".ply",  ".off", ".3mf", ".glb", ".gltf",
+                                                                 ".dcm", ".step", ".stp", ".amf", ".nii"};
+    return std::find(kOthers.begin(), kOthers.end(), extension) != kOthers.end();
+}
+
+}  // namespace
+
+Expected<TriangleMesh> loadMesh(const std::filesystem::path& path) {
+    const Expected<FileBytes> file = readFile(path);
+    if (!file) return Unexpected{file.error()};
+    const std::string extension = lowerExtension(path);
+    if (stl::sniff(file->bytes()) == stl::Kind::Neither && isOtherFormat(extension)) {
+        return unexpected(shownName(path) + ": " + extension + " files cannot be read; export the surface as STL.");
+    }
+    return parseStl(file->bytes(), shownName(path));
+}
+
+}  // namespace tactooth

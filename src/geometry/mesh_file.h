@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+
+#include "geometry/expected.h"
+#include "geometry/triangle_mesh.h"
+
+namespace tactooth {
+
+/// Reads a surface from a file of any format that the program knows; the content decides. Today that is STL (binary
+/// and ASCII, see `readStl`); for another mesh format the error names it and says what to do.
+[[nodiscard]] Expected<TriangleMesh> loadMesh(const std::filesystem::path& path);
+
+}  // namespace tactooth

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/triangle_mesh.h"
+#include "instruments/bur_catalogue.h"
+
+namespace tactooth {
+
+/// A bur as a body. Tool frame: origin at the tip, +z along the shaft away from the tip, mm.
+struct Bur {
+    BurSpec spec;
+    TriangleMesh surface;  ///< closed; head with its blades, neck and the visible part of the shank
+};
+
+/// Fineness of a bur's surface by default: as that of a bur used for contact at 1 kHz, a few hundred triangles.
+inline constexpr int kContactBurTriangles = 340;
+
+/// Diameter of a friction-grip shank, mm (ISO 1797, type 3).
+inline constexpr double kShankDiameter = 1.6;
+
+/// The bur of a catalogue line, with about `triangles` triangles (at least some two hundred: fewer do not show a
+/// blade). Blade edges lie on the head's surface of revolution, everything else on or inside it.
+[[nodiscard]] Bur makeBur(const BurSpec& spec, int triangles = kContactBurTriangles);
+
+}  // namespace tactooth

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/triangle_mesh.h"
+
+namespace tactooth {
+
+/// The reflecting disc of a mirror: a plane reflection clipped to a circle.
+struct MirrorDisc {
+    Vec3 centre = Vec3::Zero();
+    Vec3 normal = Vec3::UnitZ();  ///< unit, out of the glass
+    double radius = 0;            ///< mm
+};
+
+/// A dental mouth mirror. Frame: origin at the centre of the glass, +z out of it; stem and handle leave toward +x and
+/// rise 45 degrees behind the glass (-z). mm.
+struct DentalMirror {
+    TriangleMesh surface;    ///< everything, glass included; closed
+    std::size_t glassBegin;  ///< the glass is the triangles [glassBegin, surface.triangles.size())
+    MirrorDisc disc;         ///< the same glass as an exact disc
+};
+
+/// `headDiameter`: of the whole head with its rim, mm (22 is a No. 4, 24 a No. 5, 18 a No. 2).
+[[nodiscard]] DentalMirror makeMirror(double headDiameter = 22);
+
+}  // namespace tactooth

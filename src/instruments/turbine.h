@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/triangle_mesh.h"
+
+namespace tactooth {
+
+/// A turbine handpiece as a closed surface in the tool frame (origin at the bur's tip, +z along the shaft, mm): its
+/// head around the shaft with the bur protruding, the handle leaving toward +x and upward. About `triangles` triangles.
+[[nodiscard]] TriangleMesh makeTurbine(int triangles = 16000);
+
+}  // namespace tactooth

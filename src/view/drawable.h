@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "view/surface_buffers.h"
+
+namespace tactooth {
+
+/// A scene object that is to be drawn, with its buffers.
+struct Drawable {
+    const SceneObject* object = nullptr;
+    SurfaceBuffers* buffers = nullptr;
+    Mat4 objectToWorld = Mat4::Identity();
+};
+
+/// `pose` as a matrix on points.
+[[nodiscard]] Mat4 matrixOf(const Pose& pose);
+
+/// Where the object stands, its spin included.
+[[nodiscard]] Mat4 objectToWorld(const SceneObject& object);
+
+/// The axis-parallel box around `drawable`, in the frame that `worldToFrame` leads to.
+[[nodiscard]] Box3 boxOf(const Drawable& drawable, const Mat4& worldToFrame);
+
+}  // namespace tactooth

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "view/frame_block.h"
+
+namespace tactooth {
+
+namespace {
+
+Eigen::Vector4f extended(const Vec3f& vector, float last = 0) { return {vector.x(), vector.y(), vector.z(), last}; }
+Eigen::Vector4f extended(const Vec3& vector) { return extended(vector.cast<float>().eval()); }
+
+}  // namespace
+
+FrameBlock frameBlock(const PassView& view, const Lighting& lighting, const Background& background,
+                      const ShadowLookup& shadow, PictureSize size) {
+    const auto width = static_cast<float>(size.width);
+    const auto height = static_cast<float>(size.height);
+    return {.worldToClip = view.worldToClip().cast<float>(),
+            .clipToWorld = view.worldToClip().inverse().cast<float>(),
+            .worldToShadow = shadow.worldToShadow.cast<float>(),
+            .eye = extended(view.eye),
+            .clipPlane = view.clipPlane.cast<float>(),
+            .toKey = extended(lighting.toKey),
+            .keyColour = extended(lighting.keyColour),
+            .toFill = extended(lighting.toFill),
+            .fillColour = extended(lighting.fillColour),
+            .skyColour = extended(lighting.skyColour),
+            .groundColour = extended(lighting.groundColour),
+            .backgroundTop = extended(background.top),
+            .backgroundBottom = extended(background.bottom, static_cast<float>(background.kind)),
+            .pictureSize = {width, height, 1 / width, 1 / height},
+            .shadowTexel = {static_cast<float>(shadow.texel), static_cast<float>(shadow.pitch), 0, 0}};
+}
+
+}  // namespace tactooth

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "view/look.h"
+
+namespace tactooth::looks {
+
+// Enamel follows shade A1-A2 of the common tooth shade guides, dentin the two shades below (A3-A3.5); the others were
+// chosen by eye against clinical photographs.
+Look enamel() {
+    return {
+        .colour = {0.93F, 0.895F, 0.82F}, .roughness = 0.34F, .translucency = 0.75F, .wetness = 0.9F, .grain = 0.22F};
+}
+Look dentin() {
+    return {
+        .colour = {0.87F, 0.74F, 0.51F}, .roughness = 0.62F, .translucency = 0.4F, .wetness = 0.22F, .grain = 0.45F};
+}
+Look pulp() {
+    return {.colour = {0.72F, 0.17F, 0.16F}, .roughness = 0.4F, .translucency = 0.6F, .wetness = 0.9F, .grain = 0.3F};
+}
+Look caries() {
+    return {.colour = {0.36F, 0.22F, 0.11F}, .roughness = 0.75F, .translucency = 0.1F, .wetness = 0.25F, .grain = 0.9F};
+}
+Look gingiva() {
+    return {.colour = {0.86F, 0.50F, 0.48F}, .roughness = 0.45F, .translucency = 0.7F, .wetness = 0.75F, .grain = 0.5F};
+}
+Look bone() {
+    return {.colour = {0.88F, 0.83F, 0.72F}, .roughness = 0.7F, .translucency = 0.3F, .wetness = 0.1F, .grain = 0.6F};
+}
+Look steel() { return {.colour = {0.83F, 0.84F, 0.86F}, .roughness = 0.24F, .metalness = 1.0F, .grain = 0.05F}; }
+Look carbide() { return {.colour = {0.66F, 0.67F, 0.69F}, .roughness = 0.30F, .metalness = 1.0F, .grain = 0.1F}; }
+Look diamond() { return {.colour = {0.60F, 0.59F, 0.57F}, .roughness = 0.5F, .metalness = 0.85F, .grain = 1.0F}; }
+
+}  // namespace tactooth::looks

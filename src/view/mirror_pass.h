@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "view/render_target.h"
+#include "view/solid_pass.h"
+
+namespace tactooth {
+
+/// The rectangle of a picture from `low` (bottom left, OpenGL's pixel rows) up to, not including, `high`.
+struct PixelRectangle {
+    Eigen::Vector2i low = Eigen::Vector2i::Zero();
+    Eigen::Vector2i high = Eigen::Vector2i::Zero();
+
+    [[nodiscard]] bool empty() const { return (high.array() <= low.array()).any(); }
+    [[nodiscard]] Eigen::Vector2i extent() const { return high - low; }
+};
+
+/// The pixels that `mirror` can cover; empty if it is seen from behind or not at all.
+[[nodiscard]] PixelRectangle coveredPixels(const MirrorDisc& mirror, const Camera& camera, PictureSize size);
+
+/// The view by way of the mirror: the world reflected in its plane, and nothing from behind the glass.
+[[nodiscard]] PassView reflectedView(const PassView& direct, const Plane& mirror);
+
+/// Shrinks the clip volume of `worldToClip` to `rectangle` of the picture.
+[[nodiscard]] Mat4 cropped(const Mat4& worldToClip, const PixelRectangle& rectangle, PictureSize size);
+
+/// Draws the mirror's disc with the reflected picture on it, into the bound framebuffer.
+class MirrorPass {
+public:
+    [[nodiscard]] static Expected<MirrorPass> create();
+    void draw(const MirrorDisc& mirror, const FrameBlock& frame, const RenderTarget& reflection) const;
+
+private:
+    ShaderProgram program_;
+    gl::Buffer frameBuffer_;
+    gl::VertexArray noVertices_;
+};
+
+}  // namespace tactooth

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <memory>
+
+#include "view/range_allocator.h"
+#include "view/triangle_buffers.h"
+
+namespace tactooth {
+
+/// The patches of one tooth on the graphics card, all in one pair of buffers so that hundreds of them are one drawing
+/// call. Only patches that are new since the last snapshot are uploaded.
+class PatchPool {
+public:
+    PatchPool();
+
+    /// Brings the pool in step with `surface`; `baseNormals` are the corner normals of its base.
+    void update(const Surface& surface, std::span<const Vec3f> baseNormals);
+    void draw(const ClusterCuller& culler);
+    [[nodiscard]] const Box3& box() const { return box_; }
+    /// Triangles uploaded by the last update.
+    [[nodiscard]] std::size_t lastUpload() const { return lastUpload_; }
+
+private:
+    struct Place {
+        std::uint32_t firstVertex = 0;
+        std::uint32_t vertices = 0;
+        std::uint32_t firstTriangle = 0;
+        std::uint32_t triangles = 0;
+        std::vector<TriangleCluster> clusters;
+        Box3 box;
+        bool wanted = true;
+    };
+    [[nodiscard]] Place upload(const SurfacePart& patch, const SurfacePart& base, std::span<const Vec3f> baseNormals);
+    void release(const Place& place);
+    [[nodiscard]] std::uint32_t claimVertices(std::uint32_t count);
+    [[nodiscard]] std::uint32_t claimTriangles(std::uint32_t count);
+
+    TriangleBuffers buffers_;
+    RangeAllocator vertices_;
+    RangeAllocator triangles_;
+    std::map<std::uint64_t, Place> places_;  ///< by SurfacePart::id
+    std::vector<TriangleRun> runs_;
+    Box3 box_;
+    std::size_t lastUpload_ = 0;
+};
+
+}  // namespace tactooth

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+namespace tactooth {
+
+/// How the shadow of the operating light is drawn.
+enum class Shadows {
+    None,
+    Hard,  ///< one lookup a pixel
+    Soft,  ///< the penumbra of a real operating light
+};
+
+/// What a picture may cost.
+struct RenderSettings {
+    int samples = 0;  ///< per pixel against jagged edges, 0 or 2..8; less if the driver has less
+    Shadows shadows = Shadows::Hard;
+    bool ambientOcclusion = false;  ///< darkened fissures and contacts
+
+    bool operator==(const RenderSettings&) const = default;
+};
+inline constexpr RenderSettings kQuick{};  ///< while things move, on a computer without a graphics card
+inline constexpr RenderSettings kFine{.samples = 4, .shadows = Shadows::Soft, .ambientOcclusion = true};
+
+}  // namespace tactooth

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "view/camera.h"
+#include "view/gl_objects.h"
+
+namespace tactooth {
+
+/// Colour and depth to draw into, readable as textures afterwards. With `samples` > 0 drawing goes to multisampled
+/// buffers, and `resolve` brings the means over into the textures.
+class RenderTarget {
+public:
+    RenderTarget() = default;
+    [[nodiscard]] static Expected<RenderTarget> create(PictureSize size, int samples);
+
+    [[nodiscard]] PictureSize size() const { return size_; }
+    [[nodiscard]] int samples() const { return samples_; }
+    void bindForDrawing() const;
+    void resolve() const;
+
+    [[nodiscard]] GLuint colourTexture() const { return colour_.name(); }
+    [[nodiscard]] GLuint depthTexture() const { return depth_.name(); }
+    /// The framebuffer that holds the (resolved) textures.
+    [[nodiscard]] GLuint framebuffer() const { return framebuffer_.name(); }
+
+private:
+    void makeMultisampled();
+
+    PictureSize size_;
+    int samples_ = 0;
+    gl::Texture colour_;
+    gl::Texture depth_;
+    gl::Framebuffer framebuffer_;
+    gl::Renderbuffer sampledColour_;
+    gl::Renderbuffer sampledDepth_;
+    gl::Framebuffer sampledFramebuffer_;
+};
+
+}  // namespace tactooth

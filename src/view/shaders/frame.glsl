@@ -1,0 +1,18 @@
+// What all shaders of one pass share. Directions and positions are in the world frame, colours are linear.
+layout(std140) uniform Frame {
+    mat4 worldToClip;
+    mat4 clipToWorld;
+    mat4 worldToShadow;  // to texture coordinates and depth of the shadow map
+    vec4 eye;
+    vec4 clipPlane;      // what lies on its negative side is not drawn (mirror pass)
+    vec4 toKey;
+    vec4 keyColour;
+    vec4 toFill;
+    vec4 fillColour;
+    vec4 skyColour;
+    vec4 groundColour;
+    vec4 backgroundTop;     // sRGB
+    vec4 backgroundBottom;  // sRGB; a: 0 gradient, 1 environment, 2 transparent
+    vec4 pictureSize;       // pixels: width, height, 1 / width, 1 / height
+    vec4 shadowTexel;       // x: size of a shadow map texel in texture coordinates; y: mm per texel
+};

@@ -1,0 +1,31 @@
+// Brings the half-size openness up to the picture, over pixels of the same depth only, and darkens with it.
+uniform sampler2D depthPicture;
+uniform sampler2D opennessPicture;
+uniform vec4 depthRange;  // near, far
+
+layout(location = 0) out vec4 factor;
+
+float distanceAt(ivec2 pixel) {
+    float depth = 2.0 * texelFetch(depthPicture, min(pixel, textureSize(depthPicture, 0) - 1), 0).r - 1.0;
+    return 2.0 * depthRange.x * depthRange.y / (depthRange.y + depthRange.x - depth * (depthRange.y - depthRange.x));
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    if (texelFetch(depthPicture, pixel, 0).r >= 1.0) discard;
+    float here = distanceAt(pixel);
+    ivec2 corner = (pixel - 3) / 2;
+    float sum = 0.0;
+    float weights = 1e-4;
+    for (int y = 0; y < 4; ++y) {
+        for (int x = 0; x < 4; ++x) {
+            ivec2 half_ = clamp(corner + ivec2(x, y), ivec2(0), textureSize(opennessPicture, 0) - 1);
+            float weight = 1.0 / (0.02 + abs(distanceAt(2 * half_) - here) / (0.01 * here));
+            sum += weight * texelFetch(opennessPicture, half_, 0).r;
+            weights += weight;
+        }
+    }
+    // Light that bounced off a tooth is warm: what is hidden turns brown rather than grey.
+    float open = sum / weights;
+    factor = vec4(pow(vec3(open), vec3(0.85, 1.0, 1.12)), 1.0);
+}

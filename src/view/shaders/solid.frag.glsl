@@ -1,0 +1,124 @@
+in vec3 worldPosition;
+in vec3 worldNormal;
+in vec3 objectPosition;
+flat in uint materialTag;
+
+uniform vec4 looks[2 * MAX_LOOKS];  // (linear colour, roughness), (metalness, translucency, wetness, grain)
+uniform int lookCount;
+uniform sampler3D grainTexture;
+uniform sampler2DShadow shadowMap;
+
+layout(location = 0) out vec4 fragment;
+
+const float kPi = 3.14159265;
+const float kGrainTile = 1.9;  // mm: the grain pattern repeats unnoticed beyond a cusp
+
+// Share of the operating light that arrives.
+float keyVisibility(vec3 normal) {
+#if SHADOW_TAPS == 0
+    return 1.0;
+#else
+    // Stand off the surface by a texel and a half, or the facets shade themselves.
+    float slope = 1.0 - clamp(dot(normal, toKey.xyz), 0.0, 1.0);
+    vec3 place = worldPosition + normal * (shadowTexel.y * (1.0 + 2.0 * slope));
+    vec3 spot = (worldToShadow * vec4(place, 1.0)).xyz;
+    if (any(lessThan(spot, vec3(0.0))) || any(greaterThan(spot, vec3(1.0)))) return 1.0;
+#if SHADOW_TAPS == 1
+    return texture(shadowMap, spot);
+#else
+    // A spiral of taps over the penumbra of the operating light (about 0.25 mm on a tooth), turned from pixel to pixel.
+    float turn = 6.2831853 * fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
+    float penumbra = max(0.22 / shadowTexel.y, 1.5) * shadowTexel.x;
+    float sum = 0.0;
+    for (int i = 0; i < SHADOW_TAPS; ++i) {
+        float radius = penumbra * sqrt((float(i) + 0.5) / float(SHADOW_TAPS));
+        float angle = turn + 2.3999632 * float(i);
+        sum += texture(shadowMap, vec3(spot.xy + radius * vec2(cos(angle), sin(angle)), spot.z));
+    }
+    return sum / float(SHADOW_TAPS);
+#endif
+#endif
+}
+
+// GGX microfacet lobe with Smith masking, divided by 4 (n.l)(n.v). B. Walter et al., Microfacet models for refraction
+// through rough surfaces, EGSR 2007; masking in the approximation of E. Hammon, GDC 2017.
+float microfacets(float nh, float nl, float nv, float roughness) {
+    float a = roughness * roughness;
+    float a2 = a * a;
+    float d = nh * nh * (a2 - 1.0) + 1.0;
+    return a2 / (kPi * d * d) * 0.5 / max(mix(2.0 * nl * nv, nl + nv, a), 1e-4);
+}
+
+float grazing(float cosine) {
+    float x = clamp(1.0 - cosine, 0.0, 1.0);
+    float x2 = x * x;
+    return x2 * x2 * x;
+}
+
+// Reflected share of a rough surface's whole environment. B. Karis, Physically based shading on mobile, 2014.
+vec2 environmentShare(float nv, float roughness) {
+    vec4 r = roughness * vec4(-1.0, -0.0275, -0.572, 0.022) + vec4(1.0, 0.0425, 1.04, -0.04);
+    float a = min(r.x * r.x, exp2(-9.28 * nv)) * r.x + r.y;
+    return vec2(-1.04, 1.04) * a + r.zw;
+}
+
+void main() {
+    int look = min(int(materialTag), lookCount - 1);
+    vec3 colour = looks[2 * look].rgb;
+    float roughness = looks[2 * look].a;
+    float metalness = looks[2 * look + 1].x;
+    float translucency = looks[2 * look + 1].y;
+    float wetness = looks[2 * look + 1].z;
+    float grain = looks[2 * look + 1].w;
+
+    vec3 toEye = normalize(eye.xyz - worldPosition);
+    vec3 smoothNormal = normalize(worldNormal);
+    if (!gl_FrontFacing) smoothNormal = -smoothNormal;
+    vec4 bumps = texture(grainTexture, objectPosition / kGrainTile) - 0.5;
+    vec4 mottle = texture(grainTexture, objectPosition / (4.3 * kGrainTile)) - 0.5;
+    vec3 normal = normalize(smoothNormal + grain * 0.55 * bumps.xyz);
+    colour *= 1.0 + grain * (0.35 * bumps.w + 0.35 * mottle.w);
+
+    float nv = clamp(dot(normal, toEye), 0.02, 1.0);
+    vec3 reflected = reflect(-toEye, normal);
+
+    // Thin rims of a translucent crown let the dark of the mouth through: greyer and cooler where seen edge on.
+    float rim = translucency * pow(1.0 - nv, 2.5);
+    vec3 body = colour * mix(vec3(1.0), vec3(0.72, 0.79, 0.88), rim);
+
+    // Light that enters creeps sideways before it leaves, red farthest: it bends around the terminator.
+    vec3 wrap = translucency * vec3(0.42, 0.32, 0.26);
+    float shadow = keyVisibility(smoothNormal);
+    float nl = dot(normal, toKey.xyz);
+    vec3 creep = max((nl + wrap) / (1.0 + wrap), 0.0) / (1.0 + wrap);
+    vec3 litShadow = mix(vec3(shadow), pow(vec3(shadow), vec3(0.6, 0.8, 0.95)), translucency);
+    vec3 diffuse = keyColour.rgb * creep * litShadow / kPi * 1.25;
+    float fillLight = dot(normal, toFill.xyz);
+    diffuse += fillColour.rgb * max((fillLight + wrap) / (1.0 + wrap), 0.0);
+    diffuse += mix(groundColour.rgb, skyColour.rgb, normal.z * 0.5 + 0.5);
+    vec3 light = body * diffuse * (1.0 - metalness);
+
+    // Surface reflection: 4 % for tissue, the colour itself for metal.
+    vec3 f0 = mix(vec3(0.045), colour, metalness);
+    vec3 halfway = normalize(toKey.xyz + toEye);
+    float nh = clamp(dot(normal, halfway), 0.0, 1.0);
+    float vh = clamp(dot(toEye, halfway), 0.0, 1.0);
+    float lit = max(nl, 0.0) * shadow;
+    vec3 fresnel = f0 + (1.0 - f0) * grazing(vh);
+    light += keyColour.rgb * lit * fresnel * min(microfacets(nh, max(nl, 0.0), nv, max(roughness, 0.18)), 12.0);
+    vec2 share = environmentShare(nv, roughness);
+    light += environment(reflected, roughness) * (f0 * share.x + share.y) * mix(0.8, 1.0, metalness);
+
+    // A film of saliva on top: 2 % reflection, smooth, over the broad shape only.
+    vec3 filmNormal = normalize(smoothNormal + grain * 0.12 * bumps.xyz);
+    float filmNv = clamp(dot(filmNormal, toEye), 0.02, 1.0);
+    float filmNh = clamp(dot(filmNormal, halfway), 0.0, 1.0);
+    float filmNl = max(dot(filmNormal, toKey.xyz), 0.0);
+    float film = wetness * (0.025 + 0.975 * grazing(filmNv) * 0.7);
+    light *= 1.0 - film;
+    light += film * environment(reflect(-toEye, filmNormal), 0.10);
+    light += keyColour.rgb * wetness * shadow * filmNl * (0.025 + 0.975 * grazing(vh)) *
+             min(microfacets(filmNh, filmNl, filmNv, 0.16), 40.0) * 0.55;
+
+    fragment = vec4(toSrgb(compress(light)) + dither(), 1.0);
+}

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+
+#include "collision/surface.h"
+#include "view/corner_normals.h"
+
+namespace tactooth {
+
+/// A vertex as the shaders read it.
+struct ShadingVertex {
+    std::array<float, 3> position;  ///< object frame, mm
+    std::uint32_t normal;           ///< unit, three signed 10-bit numbers (GL_INT_2_10_10_10_REV)
+    std::uint32_t tag;
+};
+
+/// A run of neighbouring triangles that is drawn or skipped as one.
+struct TriangleCluster {
+    std::uint32_t firstTriangle = 0;  ///< in drawing order
+    std::uint32_t triangles = 0;
+    Vec3f centre;        ///< of a ball that holds the run, object frame, mm
+    float radius = 0;    ///< mm
+    Vec3f axis;          ///< of a cone that holds the normals of the run, unit
+    float coneSine = 2;  ///< sine of the cone's half angle; above 1 = the normals point everywhere
+};
+
+/// A surface prepared for drawing: triangles sorted along a space-filling curve, so that runs of them are small
+/// patches; whole runs that look away or lie outside the picture are then skipped without touching their vertices.
+struct ShadingMesh {
+    std::vector<ShadingVertex> vertices;
+    std::vector<Triangle> triangles;             ///< in drawing order
+    std::vector<std::uint32_t> placeOfTriangle;  ///< where triangle t of the surface went in drawing order
+    std::vector<TriangleCluster> clusters;
+    Box3 box;  ///< object frame
+};
+
+/// `normals`: one a corner (cornerNormals); `tags`: one a triangle, or nothing.
+[[nodiscard]] ShadingMesh shadingMesh(const TriangleMesh& mesh, std::span<const Vec3f> normals,
+                                      std::span<const SurfaceTag> tags = {});
+
+/// A unit vector in 3 x 10 bits.
+[[nodiscard]] std::uint32_t packNormal(const Vec3f& normal);
+
+}  // namespace tactooth

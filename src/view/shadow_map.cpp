@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "view/shadow_map.h"
+
+#include <algorithm>
+
+#include "view/shaders.h"
+
+namespace tactooth {
+
+namespace {
+
+constexpr int kResolution = 1024;  ///< texels a side: 25 um a texel on a molar
+constexpr double kMargin = 1.02;   ///< room for the standing-off of the lookup
+
+gl::Framebuffer framebufferFor(const gl::Texture& depth) {
+    gl::Framebuffer framebuffer = gl::Framebuffer::make();
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth.name(), 0);
+    glDrawBuffer(GL_NONE);
+    glReadBuffer(GL_NONE);
+    return framebuffer;
+}
+
+gl::Texture depthTexture() {
+    gl::Texture texture = gl::Texture::make();
+    gl::allocateTexture(texture, GL_DEPTH_COMPONENT24, kResolution, kResolution, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+    return texture;
+}
+
+/// World to a frame whose +z points to the light.
+Mat4 lightFrame(const Vec3& toLight) {
+    Mat4 matrix = Mat4::Identity();
+    matrix.topLeftCorner<3, 3>() = Quat::FromTwoVectors(toLight, Vec3::UnitZ()).toRotationMatrix();
+    return matrix;
+}
+
+/// The parallel projection that looks down -z onto the square around the middle of `receivers`, as deep as `all`.
+Mat4 lightProjection(const Box3& receivers, const Box3& all, double halfWidth) {
+    const double depth = std::max(all.sizes().z(), 1e-3) * kMargin;
+    Mat4 matrix = Mat4::Identity();
+    matrix(0, 0) = matrix(1, 1) = 1 / halfWidth;
+    matrix(2, 2) = -2 / depth;
+    matrix(0, 3) = -receivers.center().x() / halfWidth;
+    matrix(1, 3) = -receivers.center().y() / halfWidth;
+    matrix(2, 3) = 2 * all.center().z() / depth;
+    return matrix;
+}
+
+}  // namespace
+
+Expected<ShadowMap> ShadowMap::create() {
+    ShadowMap map;
+    auto program = ShaderProgram::create("shadow", "", {shaders::kDepthVert}, {shaders::kNothingFrag});
+    if (!program) return Unexpected{program.error()};
+    map.program_ = std::move(*program);
+    map.still_ = depthTexture();
+    map.withTools_ = depthTexture();
+    map.stillFramebuffer_ = framebufferFor(map.still_);
+    map.withToolsFramebuffer_ = framebufferFor(map.withTools_);
+    const auto problem = gl::checkErrors("making the shadow map");
+    if (!problem) return Unexpected{problem.error()};
+    return map;
+}
+
+void ShadowMap::aim(const std::vector<Drawable>& drawables, const Vec3& toLight) {
+    toLight_ = toLight;
+    const Mat4 frame = lightFrame(toLight);
+    Box3 receivers;
+    Box3 all;
+    for (const Drawable& drawable : drawables) {
+        const Box3 box = boxOf(drawable, frame);
+        all.extend(box);
+        if (!drawable.object->moves) receivers.extend(box);
+    }
+    if (receivers.isEmpty()) receivers = all;
+    const double halfWidth = 0.5 * kMargin * std::max({receivers.sizes().x(), receivers.sizes().y(), 1e-3});
+    worldToClip_ = lightProjection(receivers, all, halfWidth) * frame;
+    Mat4 clipToTexture = Mat4::Identity();
+    clipToTexture.topLeftCorner<3, 3>() *= 0.5;
+    clipToTexture.topRightCorner<3, 1>().setConstant(0.5);
+    lookup_ = {clipToTexture * worldToClip_, 1.0 / kResolution, 2 * halfWidth / kResolution};
+}
+
+void ShadowMap::update(const std::vector<Drawable>& drawables, bool stillShapesChanged, const Vec3& toLight) {
+    if (drawables.empty()) return;
+    aim(drawables, toLight);
+    std::vector<Mat4> poses;
+    bool anyTools = false;
+    for (const Drawable& drawable : drawables) {
+        if (!drawable.object->moves) poses.push_back(drawable.objectToWorld);
+        anyTools |= drawable.object->moves;
+    }
+    glViewport(0, 0, kResolution, kResolution);
+    program_.use();
+    if (stillShapesChanged || stillAim_ != worldToClip_ || poses != stillPoses_) {
+        glBindFramebuffer(GL_FRAMEBUFFER, stillFramebuffer_.name());
+        glClear(GL_DEPTH_BUFFER_BIT);
+        draw(drawables, false);
+        stillAim_ = worldToClip_;
+        stillPoses_ = std::move(poses);
+    }
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, stillFramebuffer_.name());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, withToolsFramebuffer_.name());
+    glBlitFramebuffer(0, 0, kResolution, kResolution, 0, 0, kResolution, kResolution, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+    if (!anyTools) return;
+    glBindFramebuffer(GL_FRAMEBUFFER, withToolsFramebuffer_.name());
+    draw(drawables, true);
+}
+
+void ShadowMap::draw(const std::vector<Drawable>& drawables, bool tools) const {
+    // Facets steep to the light span a depth range within one texel: push them back by it.
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(1.5F, 4.0F);
+    for (const Drawable& drawable : drawables) {
+        if (drawable.object->moves != tools) continue;
+        const Mat4 objectToClip = worldToClip_ * drawable.objectToWorld;
+        const Vec3 toLightInObject = drawable.objectToWorld.topLeftCorner<3, 3>().transpose() * toLight_;
+        const bool closed = drawable.object->closed;
+        closed ? glEnable(GL_CULL_FACE) : glDisable(GL_CULL_FACE);
+        program_.set("objectToShadow", objectToClip);
+        drawable.buffers->draw(
+            {objectToClip, Eigen::Vector4d(toLightInObject.x(), toLightInObject.y(), toLightInObject.z(), 0), closed});
+    }
+    glDisable(GL_POLYGON_OFFSET_FILL);
+}
+
+}  // namespace tactooth

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "view/shape_cache.h"
+
+#include <algorithm>
+
+namespace tactooth {
+
+ShapeCache::Entry& ShapeCache::entryFor(const SceneObject& object) {
+    const auto known = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) {
+        return !entry.used && entry.buffers.holds(object.shape);
+    });
+    if (known != entries_.end()) return *known;
+    return entries_.emplace_back(SurfaceBuffers(object.shape));
+}
+
+ShapeCache::Result ShapeCache::update(const Scene& scene) {
+    Result result;
+    for (Entry& entry : entries_) entry.used = false;
+    for (const SceneObject& object : scene.objects) {
+        if (!hasTriangles(object.shape)) continue;
+        Entry& entry = entryFor(object);
+        entry.used = true;
+        entry.moves = object.moves;
+        if (!object.visible) continue;
+        const bool changed = entry.buffers.update(object.shape);
+        if (changed) result.uploadedTriangles += entry.buffers.lastUpload();
+        result.stillShapesChanged |= changed && !object.moves;
+        result.drawables.push_back({&object, &entry.buffers, objectToWorld(object)});
+    }
+    std::erase_if(entries_, [&](const Entry& entry) {
+        result.stillShapesChanged |= !entry.used && !entry.moves;
+        return !entry.used;
+    });
+    return result;
+}
+
+}  // namespace tactooth

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <list>
+
+#include "view/drawable.h"
+
+namespace tactooth {
+
+/// Keeps the buffers of the shapes of the last scene, so that the next one uploads only what is new.
+class ShapeCache {
+public:
+    struct Result {
+        std::vector<Drawable> drawables;  ///< the visible objects of the scene, in its order
+        bool stillShapesChanged = false;  ///< a shape that does not move was added, removed or altered
+        std::size_t uploadedTriangles = 0;
+    };
+    /// `scene` must live as long as the result.
+    [[nodiscard]] Result update(const Scene& scene);
+
+private:
+    struct Entry {
+        SurfaceBuffers buffers;
+        bool used = false;
+        bool moves = false;
+    };
+    [[nodiscard]] Entry& entryFor(const SceneObject& object);
+    std::list<Entry> entries_;
+};
+
+}  // namespace tactooth
