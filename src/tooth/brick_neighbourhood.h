@@ -27,9 +27,7 @@ public:
         }
     }
 
-    [[nodiscard]] static constexpr int index(int x, int y, int z) {
-        return x + 1 + kSide * (y + 1 + kSide * (z + 1));
-    }
+    [[nodiscard]] static constexpr int index(int x, int y, int z) { return x + 1 + kSide * (y + 1 + kSide * (z + 1)); }
     [[nodiscard]] float cut(int node) const { return cut_[node]; }
     [[nodiscard]] float tooth(int node) const { return tooth_[node]; }
     [[nodiscard]] Vec3 cutNormal(int node) const { return normal_[node].unpack(); }

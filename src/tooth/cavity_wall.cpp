@@ -10,9 +10,9 @@
 #include "tooth/cell_topology.h"
 
 // T. Ju, F. Losasso, S. Schaefer, J. Warren, "Dual Contouring of Hermite Data", SIGGRAPH 2002, with a vertex for each
-// round of a cell (see cell_topology.h). Differs from the paper: crossings and normals of the lattice edges come from the
-// distance and the gradient that each node keeps from the bur that passed nearest, which are exact planes; and where two
-// rounds of one cell share a face, the border gets a vertex on that face, so that no edge has four triangles.
+// round of a cell (see cell_topology.h). Differs from the paper: crossings and normals of the lattice edges come from
+// the distance and the gradient that each node keeps from the bur that passed nearest, which are exact planes; and
+// where two rounds of one cell share a face, the border gets a vertex on that face, so that no edge has four triangles.
 
 namespace tactooth {
 namespace {
@@ -21,8 +21,8 @@ namespace {
 constexpr double kTriangleReach = 1.75;
 /// Voxels; a wall triangle lies within 1.5 of the nearer node of its lattice edge.
 constexpr double kNearerReach = 1.6;
-/// Directions in which the planes of a cell agree to this share of their weight are not an edge: the vertex stays at the
-/// mean of the crossings there. Keeps edges sharper than about 20 degrees.
+/// Directions in which the planes of a cell agree to this share of their weight are not an edge: the vertex stays at
+/// the mean of the crossings there. Keeps edges sharper than about 20 degrees.
 constexpr double kFlat = 0.03;
 /// A plane that a lattice edge meets at a smaller slope says nothing about where they cross.
 constexpr double kLeastSlope = 0.1;
@@ -42,10 +42,7 @@ Place moved(Place place, int axis, int step) {
 class WallExtractor {
 public:
     WallExtractor(const BrickMap& bricks, const Lattice& lattice, const BrickKey& key)
-        : nodes_(bricks, key, lattice.spacing()),
-          key_(key),
-          corner_(lattice.corner(key)),
-          spacing_(lattice.spacing()) {
+        : nodes_(bricks, key, lattice.spacing()), key_(key), corner_(lattice.corner(key)), spacing_(lattice.spacing()) {
         cellVertex_.fill(kNoVertex);
     }
 
@@ -238,10 +235,16 @@ private:
                      static_cast<SurfaceTag>(nodes_.material(nodeAt(behind))), numberOf(a, axis));
     }
 
-    /// A four-sided polygon is folded along the diagonal that leaves the smaller bend.
+    /// A four-sided polygon is folded along the diagonal that leaves the smaller bend. One with face vertices is fanned
+    /// out from such a one: a diagonal between the cells at its sides would be drawn by two polygons.
     void addTriangles(CavityWall::Place place, SurfaceTag tag, std::uint64_t faceId) {
-        if (polygonSize_ == 4 && bendAlong(1) < bendAlong(0)) {
-            std::rotate(polygon_.begin(), polygon_.begin() + 1, polygon_.begin() + 4);
+        const auto begin = polygon_.begin();
+        const auto end = begin + polygonSize_;
+        if (polygonSize_ > 4) {
+            const auto isOnFace = [&](std::uint32_t vertex) { return (wall_.vertexIds[vertex] & 15) >= kRounds; };
+            std::rotate(begin, std::find_if(begin, end, isOnFace), end);
+        } else if (bendAlong(1) < bendAlong(0)) {
+            std::rotate(begin, begin + 1, end);
         }
         for (int i = 1; i + 1 < polygonSize_; ++i) {
             wall_.mesh.triangles.push_back({polygon_[0], polygon_[i], polygon_[i + 1]});

@@ -19,11 +19,11 @@ struct CavityWall {
         AtSurface,  ///< may cross the tooth's surface
     };
     TriangleMesh mesh;
-    std::vector<SurfaceTag> tags;         ///< one a triangle: the material behind it
-    std::vector<Place> places;            ///< one a triangle
-    std::vector<std::uint64_t> faceIds;   ///< one a triangle, unique in the lattice
-    std::vector<std::uint64_t> vertexIds; ///< one a vertex, unique in the lattice
-    std::vector<std::int8_t> sides;       ///< one a vertex: -1 surely inside the tooth, 1 surely outside, 0 not known
+    std::vector<SurfaceTag> tags;          ///< one a triangle: the material behind it
+    std::vector<Place> places;             ///< one a triangle
+    std::vector<std::uint64_t> faceIds;    ///< one a triangle, unique in the lattice
+    std::vector<std::uint64_t> vertexIds;  ///< one a vertex, unique in the lattice
+    std::vector<std::int8_t> sides;        ///< one a vertex: -1 surely inside the tooth, 1 surely outside, 0 not known
 };
 
 /// Extracts the wall of one brick from the fields of it and its neighbours.

@@ -214,8 +214,10 @@ void LiveSurface::storeBase(const std::vector<std::uint32_t>& triangles, std::ve
         const BrickKey home = lattice_.brickAt((mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3);
         const auto cell = cells_.find(home);
         const bool hadRemains = cell != cells_.end() && cell->second.remains.erase(t) > 0;
-        if (!results[i].remains.empty()) cells_[home].remains[t] = std::move(results[i].remains);
-        else if (!hadRemains) continue;
+        if (!results[i].remains.empty())
+            cells_[home].remains[t] = std::move(results[i].remains);
+        else if (!hadRemains)
+            continue;
         dirty.push_back(home);
     }
     std::sort(dirty.begin(), dirty.end());

@@ -37,7 +37,8 @@ std::size_t nearestVisible(const Points& points, const PolygonLoop& outline, con
     std::vector<std::size_t> order(outline.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
     const auto distance = [&](std::size_t i) { return (points[outline[i]] - points[from]).squaredNorm(); };
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return distance(a) < distance(b); });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return distance(a) < distance(b); });
     for (const std::size_t place : order) {
         const auto blocks = [&](const PolygonLoop& loop) { return crossesLoop(points, loop, from, outline[place]); };
         if (!blocks(outline) && std::none_of(holes.begin(), holes.end(), blocks)) return place;
@@ -47,9 +48,8 @@ std::size_t nearestVisible(const Points& points, const PolygonLoop& outline, con
 
 void bridgeHoles(const Points& points, PolygonLoop& outline, std::vector<PolygonLoop> holes) {
     const auto rightmost = [&](const PolygonLoop& loop) {
-        return std::max_element(loop.begin(), loop.end(), [&](std::uint32_t a, std::uint32_t b) {
-            return points[a].x() < points[b].x();
-        });
+        return std::max_element(loop.begin(), loop.end(),
+                                [&](std::uint32_t a, std::uint32_t b) { return points[a].x() < points[b].x(); });
     };
     std::stable_sort(holes.begin(), holes.end(), [&](const PolygonLoop& a, const PolygonLoop& b) {
         return points[*rightmost(a)].x() < points[*rightmost(b)].x();

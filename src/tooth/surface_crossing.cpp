@@ -56,8 +56,7 @@ CrossingPoint pointOn(const CrossingFace& edgeFace, int edge, const CrossingFace
     const Vec3 a = edgeFace.corner[low].cast<double>();
     const Vec3 b = edgeFace.corner[high].cast<double>();
     const Vec3 origin = face.corner[0].cast<double>();
-    const Vec3 normal =
-        (face.corner[1].cast<double>() - origin).cross(face.corner[2].cast<double>() - origin);
+    const Vec3 normal = (face.corner[1].cast<double>() - origin).cross(face.corner[2].cast<double>() - origin);
     const double heightA = std::abs(normal.dot(a - origin));
     const double heightB = std::abs(normal.dot(b - origin));
     const double span = heightA + heightB;

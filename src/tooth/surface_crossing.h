@@ -20,15 +20,15 @@ struct CrossingFace {
 /// A point in which an edge of one surface runs through a face of the other.
 struct CrossingPoint {
     Vec3 position;
-    bool onBaseEdge;                    ///< the edge belongs to the base face, else to the wall face
-    int edge;                           ///< which edge of its face: from corner `edge` to the next
-    double along;                       ///< 0..1 from the edge's end with the lower id
+    bool onBaseEdge;                      ///< the edge belongs to the base face, else to the wall face
+    int edge;                             ///< which edge of its face: from corner `edge` to the next
+    double along;                         ///< 0..1 from the edge's end with the lower id
     std::array<std::uint64_t, 2> edgeId;  ///< ids of the edge's ends, lower first
 };
 
 /// Where a base face and a wall face cross. Walking from `start` to `end` on the base face, the part of it to keep
-/// (behind the wall face) is on the left; on the wall face the part to keep (behind the base face) is on the left of the
-/// way back.
+/// (behind the wall face) is on the left; on the wall face the part to keep (behind the base face) is on the left of
+/// the way back.
 struct FaceCrossing {
     CrossingPoint start;
     CrossingPoint end;

@@ -14,10 +14,10 @@ namespace tactooth {
 /// An end of a cut line in a triangle: on its border, or inside it where the next piece of the line begins.
 struct ClipPoint {
     Vec3 position;
-    int edge = -1;                        ///< edge of the triangle, from corner `edge` to the next; -1 = inside
-    double along = 0;                     ///< on an edge: place from its canonical first end, 0..1
-    std::uint64_t opponent = 0;           ///< on an edge: number of the face that runs through it, to break ties
-    std::array<std::uint64_t, 2> key{};   ///< inside: what the two pieces that meet there have in common
+    int edge = -1;                       ///< edge of the triangle, from corner `edge` to the next; -1 = inside
+    double along = 0;                    ///< on an edge: place from its canonical first end, 0..1
+    std::uint64_t opponent = 0;          ///< on an edge: number of the face that runs through it, to break ties
+    std::array<std::uint64_t, 2> key{};  ///< inside: what the two pieces that meet there have in common
 };
 
 /// A piece of a cut line; the part of the triangle to keep is on its left.
@@ -36,8 +36,7 @@ struct ClippedTriangle {
 /// if no line reaches the border. Nothing if the lines do not fit together.
 [[nodiscard]] std::optional<ClippedTriangle> clipTriangle(const std::array<Vec3, 3>& corners,
                                                           const std::array<bool, 3>& isForward,
-                                                          const std::vector<ClipSegment>& segments,
-                                                          bool keepsCorners);
+                                                          const std::vector<ClipSegment>& segments, bool keepsCorners);
 
 /// Crossings of one edge in the order in which they lie on it, seen along the canonical direction. Each either leaves
 /// the kept part or enters it, and they alternate; rounding that swaps near neighbours is put right.

@@ -31,7 +31,7 @@ public:
         const std::uint32_t group = find(vertex);
         if (weight > weight_[group]) weight_[group] = weight, known_[group] = kept;
     }
-    [[nodiscard]] std::optional<bool> isKept(std::uint32_t vertex) { 
+    [[nodiscard]] std::optional<bool> isKept(std::uint32_t vertex) {
         const std::uint32_t group = find(vertex);
         if (weight_[group] < 0) return std::nullopt;
         return known_[group];
