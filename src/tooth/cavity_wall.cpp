@@ -44,6 +44,7 @@ public:
     WallExtractor(const BrickMap& bricks, const Lattice& lattice, const BrickKey& key)
         : nodes_(bricks, key, lattice.spacing()), key_(key), corner_(lattice.corner(key)), spacing_(lattice.spacing()) {
         cellVertex_.fill(kNoVertex);
+        edgeCrossing_.fill(kNoCrossing);
     }
 
     CavityWall run() {
@@ -60,6 +61,7 @@ public:
 
 private:
     static constexpr std::uint32_t kNoVertex = ~0U;
+    static constexpr std::uint16_t kNoCrossing = 0xFFFF;
     static constexpr int kCellSide = kBrickSide + 1;
     static constexpr int kRounds = 4;  ///< at most, in one cell
 
@@ -80,7 +82,7 @@ private:
     /// Where the border crosses the lattice edge from `a` along `axis`. Both nodes know a plane of the border. Where
     /// the field bends down on the way (two cuts that overlap) it is the lower of the two, where it bends up (a corner
     /// of one cut) the higher one.
-    [[nodiscard]] Crossing crossingAt(const Place& a, int axis) const {
+    [[nodiscard]] Crossing computeCrossing(const Place& a, int axis) const {
         Place low = a;
         Place high = moved(a, axis, 1);
         double direction = 1;
@@ -108,6 +110,16 @@ private:
         return {point, fromLow ? normalLow : normalHigh};
     }
 
+    /// Each crossing is asked for by the four cells around it.
+    Crossing crossingAt(const Place& a, int axis) {
+        std::uint16_t& slot = edgeCrossing_[3 * nodeAt(a) + axis];
+        if (slot == kNoCrossing) {
+            slot = static_cast<std::uint16_t>(crossings_.size());
+            crossings_.push_back(computeCrossing(a, axis));
+        }
+        return crossings_[slot];
+    }
+
     [[nodiscard]] int insideBits(const Place& cell) const {
         int bits = 0;
         for (int corner = 0; corner < 8; ++corner) {
@@ -128,7 +140,7 @@ private:
         return vertex;
     }
 
-    [[nodiscard]] Vec3 placeVertex(const Place& cell, const CellRounds& rounds, int round) const {
+    [[nodiscard]] Vec3 placeVertex(const Place& cell, const CellRounds& rounds, int round) {
         std::array<Crossing, 12> crossings;
         int count = 0;
         Vec3 mean = Vec3::Zero();
@@ -268,6 +280,9 @@ private:
     const double spacing_;
     CavityWall wall_;
     std::array<std::uint32_t, kCellSide * kCellSide * kCellSide * kRounds> cellVertex_;
+    std::array<std::uint16_t, 3 * BrickNeighbourhood::kSide * BrickNeighbourhood::kSide * BrickNeighbourhood::kSide>
+        edgeCrossing_;
+    std::vector<Crossing> crossings_;
     std::array<std::uint32_t, 8> polygon_;
     int polygonSize_ = 0;
 };

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <set>
 
+#include "tooth/base_cutter.h"
 #include "tooth/box_query.h"
-#include "tooth/vertex_groups.h"
 
 namespace tactooth {
 namespace {
@@ -29,32 +29,6 @@ Box3 wallBox(const Lattice& lattice, const BrickKey& key) {
     const Vec3 low = lattice.corner(key);
     const Box3 nodes(low, low + Vec3::Constant((kBrickSide - 1) * lattice.spacing()));
     return grown(nodes, kWallReach * lattice.spacing());
-}
-
-std::array<bool, 3> forwardEdges(const Triangle& v) { return {v[0] < v[1], v[1] < v[2], v[2] < v[0]}; }
-
-/// The cut field between its nodes (linear), mm.
-double cutAt(const CutVolume& volume, const Vec3& point) {
-    const Lattice& lattice = volume.lattice();
-    const Vec3 place = (point - lattice.node(0, 0, 0)) / lattice.spacing();
-    const Vec3 first = place.array().floor();
-    const Vec3 share = place - first;
-    double value = 0;
-    for (int corner = 0; corner < 8; ++corner) {
-        std::array<int, 3> node{};
-        std::array<int, 3> brick{};
-        double weight = 1;
-        for (int axis = 0; axis < 3; ++axis) {
-            const int step = corner >> axis & 1;
-            node[axis] = static_cast<int>(first[axis]) + step;
-            brick[axis] = node[axis] >> 3;
-            weight *= step == 1 ? share[axis] : 1 - share[axis];
-        }
-        const Brick* found = volume.bricks().find({brick[0], brick[1], brick[2]});
-        value += weight * (found != nullptr ? found->cut[nodeIndex(node[0] & 7, node[1] & 7, node[2] & 7)]
-                                            : kCutBand * lattice.spacing());
-    }
-    return value;
 }
 
 }  // namespace
@@ -80,7 +54,7 @@ void LiveSurface::update(const CutVolume& volume, const std::vector<ChangedBrick
     for (const Cell* cell : cells) failures_ += static_cast<std::size_t>(cell->wall.failures);
 
     const std::vector<std::uint32_t> triangles = affectedBase(dirty);
-    storeBase(triangles, cutBase(volume, triangles), dirty);
+    storeBase(triangles, cutBase(volume, triangles, cutLines(triangles)), dirty);
     publish(std::move(dirty));
 }
 
@@ -138,71 +112,14 @@ std::vector<const MarginPiece*> LiveSurface::marginOf(std::uint32_t triangle) co
     return pieces;
 }
 
-std::vector<LiveSurface::BaseResult> LiveSurface::cutBase(const CutVolume& volume,
-                                                          const std::vector<std::uint32_t>& triangles) const {
-    const TriangleMesh& mesh = base_->mesh();
-    std::vector<std::uint32_t> vertices;
-    for (const std::uint32_t t : triangles) {
-        vertices.insert(vertices.end(), mesh.triangles[t].begin(), mesh.triangles[t].end());
-    }
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    const auto local = [&](std::uint32_t vertex) {
-        const auto found = std::lower_bound(vertices.begin(), vertices.end(), vertex);
-        return static_cast<std::uint32_t>(found - vertices.begin());
-    };
-
+std::vector<std::vector<ClipSegment>> LiveSurface::cutLines(const std::vector<std::uint32_t>& triangles) const {
     std::vector<std::vector<ClipSegment>> segments(triangles.size());
-    std::vector<double> cut(vertices.size());
     tbb::parallel_for(std::size_t{0}, triangles.size(),
                       [&](std::size_t i) { segments[i] = segmentsOnBase(marginOf(triangles[i])); });
-    tbb::parallel_for(std::size_t{0}, vertices.size(),
-                      [&](std::size_t i) { cut[i] = cutAt(volume, mesh.vertices[vertices[i]].cast<double>()); });
-
-    VertexGroups groups(vertices.size());
-    for (std::uint32_t i = 0; i < vertices.size(); ++i) groups.tell(i, cut[i] >= 0, std::abs(cut[i]));
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-        const Triangle& v = mesh.triangles[triangles[i]];
-        const auto ends = endsOfEdges(segments[i], forwardEdges(v));
-        for (int edge = 0; edge < 3; ++edge) {
-            const std::uint32_t a = local(v[edge]);
-            const std::uint32_t b = local(v[(edge + 1) % 3]);
-            if (!ends[edge]) {
-                groups.join(a, b);
-            } else {
-                groups.tell(a, ends[edge]->firstKept, kProof);
-                groups.tell(b, ends[edge]->secondKept, kProof);
-            }
-        }
-    }
-    std::vector<BaseResult> results(triangles.size());
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-        results[i].hidden = !segments[i].empty() || !*groups.isKept(local(mesh.triangles[triangles[i]][0]));
-    }
-    std::vector<char> keepsCorner(triangles.size());
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-        keepsCorner[i] = *groups.isKept(local(mesh.triangles[triangles[i]][0]));
-    }
-    tbb::parallel_for(std::size_t{0}, triangles.size(), [&](std::size_t i) {
-        if (segments[i].empty()) return;
-        const std::uint32_t t = triangles[i];
-        const auto clipped = clipTriangle({mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)},
-                                          forwardEdges(mesh.triangles[t]), segments[i], keepsCorner[i] != 0);
-        if (!clipped) {
-            results[i].failed = true;
-            results[i].hidden = keepsCorner[i] == 0;
-            return;
-        }
-        for (const Triangle& piece : clipped->triangles) {
-            std::array<Vec3f, 3> corners;
-            for (int c = 0; c < 3; ++c) corners[c] = clipped->points[piece[c]].cast<float>();
-            results[i].remains.push_back(corners);
-        }
-    });
-    return results;
+    return segments;
 }
 
-void LiveSurface::storeBase(const std::vector<std::uint32_t>& triangles, std::vector<BaseResult> results,
+void LiveSurface::storeBase(const std::vector<std::uint32_t>& triangles, std::vector<BaseRemains> results,
                             std::vector<BrickKey>& dirty) {
     const TriangleMesh& mesh = base_->mesh();
     if (hidden_.empty()) hidden_.assign((mesh.triangles.size() + 63) / 64, 0);
@@ -214,8 +131,8 @@ void LiveSurface::storeBase(const std::vector<std::uint32_t>& triangles, std::ve
         const BrickKey home = lattice_.brickAt((mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3);
         const auto cell = cells_.find(home);
         const bool hadRemains = cell != cells_.end() && cell->second.remains.erase(t) > 0;
-        if (!results[i].remains.empty())
-            cells_[home].remains[t] = std::move(results[i].remains);
+        if (!results[i].pieces.empty())
+            cells_[home].remains[t] = std::move(results[i].pieces);
         else if (!hadRemains)
             continue;
         dirty.push_back(home);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "collision/surface.h"
+#include "tooth/base_cutter.h"
 #include "tooth/cut_volume.h"
 #include "tooth/margin_cutter.h"
 
@@ -33,31 +34,22 @@ public:
     [[nodiscard]] std::size_t failures() const { return failures_; }
 
 private:
-    /// What is left of one base triangle.
-    using Remains = std::vector<std::array<Vec3f, 3>>;
     /// What the surface keeps for one brick.
     struct Cell {
         bool knowsBase = false;
         std::vector<std::uint32_t> baseTriangles;  ///< near the brick's wall
         std::vector<MarginPiece> margin;
         WallPatch wall;
-        std::map<std::uint32_t, Remains> remains;  ///< of base triangles whose middle lies in this brick
+        std::map<std::uint32_t, std::vector<std::array<Vec3f, 3>>>
+            remains;  ///< of base triangles whose middle lies in this brick
     };
-    /// What becomes of one base triangle.
-    struct BaseResult {
-        bool hidden = false;
-        bool failed = false;
-        Remains remains;
-    };
-
     [[nodiscard]] std::vector<BrickKey> bricksToExtract(const CutVolume& volume,
                                                         const std::vector<ChangedBrick>& changed) const;
     void extract(const CutVolume& volume, const BrickKey& key, Cell& cell) const;
     [[nodiscard]] std::vector<const MarginPiece*> marginOf(std::uint32_t triangle) const;
     [[nodiscard]] std::vector<std::uint32_t> affectedBase(const std::vector<BrickKey>& keys) const;
-    [[nodiscard]] std::vector<BaseResult> cutBase(const CutVolume& volume,
-                                                  const std::vector<std::uint32_t>& triangles) const;
-    void storeBase(const std::vector<std::uint32_t>& triangles, std::vector<BaseResult> results,
+    [[nodiscard]] std::vector<std::vector<ClipSegment>> cutLines(const std::vector<std::uint32_t>& triangles) const;
+    void storeBase(const std::vector<std::uint32_t>& triangles, std::vector<BaseRemains> results,
                    std::vector<BrickKey>& dirty);
     void publish(std::vector<BrickKey> dirty);
 

@@ -81,12 +81,7 @@ private:
                 const std::uint32_t a = v[i];
                 const std::uint32_t b = v[(i + 1) % 3];
                 if (wall_.sides[a] != 0) groups_.tell(a, wall_.sides[a] < 0, 1.0);
-                if (!ends[i]) {
-                    groups_.join(a, b);
-                } else {
-                    groups_.tell(a, ends[i]->firstKept, kProof);
-                    groups_.tell(b, ends[i]->secondKept, kProof);
-                }
+                groups_.learn(a, b, ends[i]);
             }
         }
     }
@@ -194,6 +189,7 @@ std::vector<ClipSegment> segmentsOnBase(const std::vector<const MarginPiece*>& p
 std::array<std::optional<EdgeEnds>, 3> endsOfEdges(const std::vector<ClipSegment>& segments,
                                                    const std::array<bool, 3>& isForward) {
     std::array<std::optional<EdgeEnds>, 3> result;
+    if (segments.empty()) return result;
     for (int edge = 0; edge < 3; ++edge) {
         std::vector<EdgeCrossing> crossings;
         for (const auto& [start, end] : segments) {

@@ -2,13 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "collision/surface.h"
 #include "tooth/cavity_wall.h"
 #include "tooth/surface_crossing.h"
 #include "tooth/triangle_clip.h"
+#include "tooth/vertex_groups.h"
 
 namespace tactooth {
 
@@ -36,11 +39,7 @@ struct WallPatch {
 /// The view of the crossings from a base triangle; `pieces` all belong to it.
 [[nodiscard]] std::vector<ClipSegment> segmentsOnBase(const std::vector<const MarginPiece*>& pieces);
 
-/// Whether the two ends of edge `edge` are kept, as its crossings tell; call it for an edge that has some.
-struct EdgeEnds {
-    bool firstKept;
-    bool secondKept;
-};
+/// What the cut lines that cross the edges of a triangle tell about their ends; nothing for an edge without any.
 [[nodiscard]] std::array<std::optional<EdgeEnds>, 3> endsOfEdges(const std::vector<ClipSegment>& segments,
                                                                  const std::array<bool, 3>& isForward);
 

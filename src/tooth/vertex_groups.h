@@ -2,13 +2,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 #include <numeric>
 #include <optional>
 #include <vector>
 
 namespace tactooth {
+
+/// What the cut lines that cross an edge tell about its two ends.
+struct EdgeEnds {
+    bool firstKept;
+    bool secondKept;
+};
 
 /// Groups of vertices that no cut line separates: all of one group are kept or all are not. What is known best about
 /// any one of them decides for its group: a cut line beside it, else the largest distance.
@@ -31,6 +36,15 @@ public:
         const std::uint32_t group = find(vertex);
         if (weight > weight_[group]) weight_[group] = weight, known_[group] = kept;
     }
+    /// Takes in an edge: its ends go together unless cut lines cross it.
+    void learn(std::uint32_t first, std::uint32_t second, const std::optional<EdgeEnds>& ends) {
+        if (!ends) {
+            join(first, second);
+        } else {
+            tell(first, ends->firstKept, kProof);
+            tell(second, ends->secondKept, kProof);
+        }
+    }
     [[nodiscard]] std::optional<bool> isKept(std::uint32_t vertex) {
         const std::uint32_t group = find(vertex);
         if (weight_[group] < 0) return std::nullopt;
@@ -38,6 +52,9 @@ public:
     }
 
 private:
+    /// The weight of a cut line that runs right beside a vertex: more than any distance.
+    static constexpr double kProof = 1e9;
+
     std::uint32_t find(std::uint32_t vertex) {
         while (parent_[vertex] != vertex) vertex = parent_[vertex] = parent_[parent_[vertex]];
         return vertex;
@@ -46,8 +63,5 @@ private:
     std::vector<bool> known_;
     std::vector<double> weight_;
 };
-
-/// The weight of a cut line that runs right beside a vertex: more than any distance.
-inline constexpr double kProof = 1e9;
 
 }  // namespace tactooth
