@@ -8,7 +8,7 @@
 #include <new>
 
 #include "sound/drill_synthesiser.h"
-#include "sound/latest_value.h"
+#include "geometry/latest_value.h"
 #include "sound/sound_format.h"
 #include "spectrum.h"
 
