@@ -34,7 +34,7 @@ void addDirection(std::vector<Vec3>& directions, const Vec3& direction, std::siz
 }
 
 Triangle3 movedTriangle(const ToolShape& tool, const Pose& toolInTooth, std::uint32_t triangle) {
-    Triangle3 moved = cornersOf(tool.mesh(), triangle);
+    Triangle3 moved = tool.corners(triangle);
     for (Vec3& corner : moved) corner = toolInTooth * corner;
     return moved;
 }

@@ -14,6 +14,9 @@ constexpr int kBlockSide = 4;
 /// Voxels; a change of the cut field above this cannot move its border (a cell's diagonal, and rounding).
 constexpr double kMattersBelow = 1.75;
 
+/// mm; a smaller change of the cut field is rounding (of a wall that a bur passes along), not cutting.
+constexpr float kLeastChange = 1e-6F;
+
 struct CutSample {
     float distance;
     PackedDirection normal;
@@ -61,7 +64,7 @@ void forEachLowered(const Brick& brick, const BrickKey& key, const Lattice& latt
                 const auto distance = static_cast<float>(std::max(sample.distance, -band));
                 if (distance < lowered.distance) lowered = {distance, PackedDirection(sample.gradient)};
             }
-            if (lowered.distance < brick.cut[node]) visit(x, y, z, lowered);
+            if (lowered.distance < brick.cut[node] - kLeastChange) visit(x, y, z, lowered);
         }
     }
 }

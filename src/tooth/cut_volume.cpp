@@ -109,6 +109,27 @@ MaterialVolumes CutVolume::removedVolume() const {
     return sum(parts);
 }
 
+double CutVolume::cutDistance(const Vec3& point) const {
+    const Vec3 place = (point - lattice_.node(0, 0, 0)) / lattice_.spacing();
+    const Vec3 first = place.array().floor();
+    const Vec3 share = place - first;
+    BrickKey lastKey{};
+    const Brick* brick = nullptr;
+    double distance = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+        const Eigen::Vector3i step(corner & 1, corner >> 1 & 1, corner >> 2);
+        const Eigen::Vector3i node = first.cast<int>() + step;
+        const BrickKey key{node.x() >> 3, node.y() >> 3, node.z() >> 3};  // eight nodes a side
+        if (corner == 0 || key != lastKey) brick = bricks_.find(key);
+        lastKey = key;
+        double weight = 1;
+        for (int axis = 0; axis < 3; ++axis) weight *= step[axis] == 1 ? share[axis] : 1 - share[axis];
+        distance += weight * (brick != nullptr ? brick->cut[nodeIndex(node.x() & 7, node.y() & 7, node.z() & 7)]
+                                               : kCutBand * lattice_.spacing());
+    }
+    return distance;
+}
+
 std::uint64_t CutVolume::hash() const {
     std::uint64_t hash = 0xcbf29ce484222325ULL;
     for (const BrickKey& key : bricks_.keys()) {

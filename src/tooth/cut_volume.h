@@ -66,6 +66,9 @@ public:
     /// FNV-1a over the fields of all bricks that were cut, in the order of their keys.
     [[nodiscard]] std::uint64_t hash() const;
 
+    /// Distance from a point to the removed region, read between the nodes, mm; clamped to kCutBand voxels.
+    [[nodiscard]] double cutDistance(const Vec3& point) const;
+
     [[nodiscard]] const BrickMap& bricks() const { return bricks_; }
     [[nodiscard]] const Lattice& lattice() const { return lattice_; }
     [[nodiscard]] const std::shared_ptr<const LayeredTooth>& tooth() const { return tooth_; }

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
 // The surgery around the patient, as smooth surfaces reflect it: a bright ceiling, a dim floor, the operating light and
 // two tall windows. `blur` 0..1 is the width of the reflection.
 vec3 environment(vec3 direction, float blur) {
