@@ -90,4 +90,16 @@ BuiltinTooth makeBuiltinTooth(BuiltinToothKind kind, int triangles, double lesio
     return tooth;
 }
 
+std::vector<LayerMesh> layersOf(const BuiltinTooth& tooth) {
+    std::vector<LayerMesh> layers;
+    const auto add = [&](MaterialId material, const TriangleMesh& mesh) {
+        if (!mesh.empty()) layers.push_back({std::string(materialName(material)), material, mesh});
+    };
+    add(MaterialId::Enamel, tooth.enamel);
+    add(MaterialId::Dentin, tooth.dentin);
+    add(MaterialId::Pulp, tooth.pulp);
+    add(MaterialId::Caries, tooth.caries);
+    return layers;
+}
+
 }  // namespace tactooth

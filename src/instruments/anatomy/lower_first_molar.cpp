@@ -23,13 +23,15 @@ constexpr Section kCrown[] = {{-4.2, 2.9, 2.8, 2.6, 2.6, 2.4, 0, 0},     {-2.6, 
                               {6.2, 5.25, 5.15, 3.80, 4.62, 2.25, 0, 0}, {8.0, 4.60, 4.40, 2.90, 3.80, 2.2, 0, 0}};
 
 constexpr Section kMesialRoot[] = {
-    {-14.0, 0.70, 0.65, 1.00, 1.00, 2.1, 1.45, 0.1}, {-13.0, 0.98, 0.95, 1.70, 1.65, 2.2, 1.80, 0.1},
+    {-14.0, 0.24, 0.22, 0.35, 0.35, 2.0, 1.45, 0.1}, {-13.85, 0.50, 0.46, 0.72, 0.70, 2.0, 1.52, 0.1},
+    {-13.5, 0.72, 0.68, 1.18, 1.15, 2.1, 1.62, 0.1}, {-12.7, 1.00, 0.96, 1.80, 1.75, 2.2, 1.88, 0.1},
     {-11.0, 1.28, 1.25, 2.60, 2.50, 2.4, 2.35, 0.0}, {-8.0, 1.55, 1.50, 3.40, 3.30, 2.5, 2.75, 0.0},
     {-5.0, 1.75, 1.65, 3.90, 3.80, 2.6, 2.70, 0.0},  {-2.5, 1.95, 1.90, 4.15, 4.05, 2.6, 2.35, 0.0},
     {0.0, 2.0, 2.0, 4.20, 4.10, 2.6, 2.1, 0.0}};
 
 constexpr Section kDistalRoot[] = {
-    {-13.2, 0.65, 0.65, 0.95, 0.95, 2.1, -3.75, 0.0}, {-12.0, 0.92, 0.92, 1.55, 1.50, 2.2, -3.65, 0.0},
+    {-13.2, 0.22, 0.22, 0.32, 0.32, 2.0, -3.75, 0.0}, {-13.05, 0.46, 0.46, 0.66, 0.64, 2.0, -3.74, 0.0},
+    {-12.7, 0.68, 0.68, 1.08, 1.05, 2.1, -3.71, 0.0}, {-11.9, 0.93, 0.93, 1.60, 1.56, 2.2, -3.63, 0.0},
     {-10.0, 1.22, 1.22, 2.30, 2.25, 2.3, -3.40, 0.0}, {-7.5, 1.48, 1.48, 3.05, 3.00, 2.4, -3.05, 0.0},
     {-5.0, 1.65, 1.72, 3.65, 3.55, 2.5, -2.70, 0.0},  {-2.5, 1.85, 1.90, 4.00, 3.90, 2.6, -2.40, 0.0},
     {0.0, 1.9, 2.0, 4.10, 4.00, 2.6, -2.2, 0.0}};
@@ -204,11 +206,13 @@ private:
 
     /// Both roots, which begin within the trunk. Their broad sides are hollowed, the mesial one's more.
     [[nodiscard]] double roots(const Vec3& p) const {
-        constexpr double kMesialApex = -14.1, kDistalApex = -13.3, kTop = -0.8, kRound = 1.2, kHollow = 0.35;  // mm
-        const double hollow = kHollow * bump(p.y(), 1.4) * smoothStep(-1.5, -4.5, p.z());
-        const double mesial = smoothIntersection(mesialRoot_(p) + hollow, kMesialApex - p.z(), kRound);
-        const double distal = smoothIntersection(distalRoot_(p) + 0.6 * hollow, kDistalApex - p.z(), kRound);
-        return smoothIntersection(smoothUnion(mesial, distal, kFillet), p.z() - kTop, kRound);
+        constexpr double kMesialApex = -14.05, kDistalApex = -13.25, kTop = -0.8;  // mm
+        constexpr double kApexRound = 0.25, kTopRound = 1.2, kHollow = 0.35;       // mm
+        const double hollow =
+            kHollow * bump(p.y(), 1.4) * smoothStep(-1.5, -4.5, p.z()) * smoothStep(-13.0, -10.0, p.z());
+        const double mesial = smoothIntersection(mesialRoot_(p) + hollow, kMesialApex - p.z(), kApexRound);
+        const double distal = smoothIntersection(distalRoot_(p) + 0.6 * hollow, kDistalApex - p.z(), kApexRound);
+        return smoothIntersection(smoothUnion(mesial, distal, kFillet), p.z() - kTop, kTopRound);
     }
 
     /// Thickness of the enamel at a height above the cervical line: a feather edge, 1.3 mm at the sides, more on top.

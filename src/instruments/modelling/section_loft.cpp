@@ -57,8 +57,10 @@ double SectionLoft::operator()(const Vec3& point) const {
     constexpr double kAxis = 1e-6;  // this near to the axis the outline's gradient has no direction
     if (g < kAxis) return -std::min(a, b);
     const double gu = u > 0 ? un / u * g / (un + vn) : 0, gv = v > 0 ? vn / v * g / (un + vn) : 0;
-    const double gz = gu * (u * slope[alongX] + std::copysign(slope[centreX], dx)) / a +
-                      gv * (v * slope[alongY] + std::copysign(slope[centreY], dy)) / b;
+    // Slopes as at the surface: beyond it, those of a thin end would make far points look near.
+    const double onto = 1 / std::max(g, 1.0);
+    const double gz = gu * (onto * u * slope[alongX] + std::copysign(slope[centreX], dx)) / a +
+                      gv * (onto * v * slope[alongY] + std::copysign(slope[centreY], dy)) / b;
     const double estimate = (g - 1) / std::sqrt(gu * gu / (a * a) + gv * gv / (b * b) + gz * gz);
     return std::max(estimate, -std::min(a, b));  // no inner point is farther from the outline than that
 }

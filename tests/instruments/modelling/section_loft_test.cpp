@@ -39,6 +39,12 @@ TEST(SectionLoft, EstimateNearTheSurfaceOfAConeIsItsDistance) {
     }
 }
 
+TEST(SectionLoft, FarPointsStayFarBesideAThinEnd) {
+    constexpr Section kPoint[] = {circle(0, 0.2), circle(0.2, 0.8), circle(2, 2)};  // 72 degrees at the end
+    const SectionLoft loft(kPoint);
+    for (double z = -0.5; z < 1; z += 0.05) EXPECT_GT(loft(Vec3(5, 0, z)), 1.0) << z;
+}
+
 TEST(SectionLoft, NeverOvershootsItsSections) {
     constexpr Section kSteps[] = {circle(0, 1), circle(1, 1), circle(2, 3), circle(3, 3)};
     const SectionLoft loft(kSteps);
