@@ -24,11 +24,14 @@ double signedVolume(const TriangleMesh& mesh) {
     return sixfold / 6;
 }
 
+bool hasEqualCorners(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
+
 /// Directed edges without an opposite partner. Edges are gathered at their lower vertex (a counting sort), where only
-/// a handful meet.
+/// a handful meet. A triangle with two equal corners closes nothing and opens nothing.
 std::size_t unpairedEdges(const TriangleMesh& mesh) {
     std::vector<std::uint32_t> start(mesh.vertices.size() + 1, 0);
     for (const Triangle& triangle : mesh.triangles) {
+        if (hasEqualCorners(triangle)) continue;
         for (int i = 0; i < 3; ++i) ++start[std::min(triangle[i], triangle[(i + 1) % 3]) + 1];
     }
     for (std::size_t v = 0; v < mesh.vertices.size(); ++v) start[v + 1] += start[v];
@@ -36,9 +39,10 @@ std::size_t unpairedEdges(const TriangleMesh& mesh) {
         std::uint32_t high;
         int direction;
     };
-    std::vector<HalfEdge> halves(3 * mesh.triangles.size());
+    std::vector<HalfEdge> halves(start.back());
     std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
     for (const Triangle& triangle : mesh.triangles) {
+        if (hasEqualCorners(triangle)) continue;
         for (int i = 0; i < 3; ++i) {
             const auto [low, high] = std::minmax(triangle[i], triangle[(i + 1) % 3]);
             halves[next[low]++] = {high, triangle[i] == low ? 1 : -1};

@@ -10,7 +10,11 @@
 #include <random>
 #include <set>
 
+#include "geometry/mesh_report.h"
+#include "geometry/stl_reader.h"
+#include "geometry/stl_writer.h"
 #include "support/shapes.h"
+#include "support/test_data.h"
 
 namespace tactooth {
 namespace {
@@ -217,6 +221,45 @@ TEST(LiveSurface, ASnapshotSharesWhatDidNotChange) {
     const std::set<std::shared_ptr<const SurfacePart>> now(after->patches.begin(), after->patches.end());
     for (const auto& patch : before->patches) EXPECT_TRUE(now.contains(patch));
     EXPECT_GT(now.size(), before->patches.size());
+}
+
+TEST(LiveSurface, ARealToothCutToItsPulpIsWatertightInItsFile) {
+    const auto folder = test::realTeethFolder();
+    if (!folder) GTEST_SKIP();
+    const auto load = [&](const std::string& name) { return *readStl(*folder / name); };
+    std::vector<LayerMesh> layers;
+    for (const MaterialId id : {MaterialId::Enamel, MaterialId::Dentin, MaterialId::Pulp}) {
+        const std::string name(materialName(id));
+        layers.push_back({name, id, load("openmandible/layered/L6_" + name + ".stl")});
+    }
+    auto tooth = LayeredTooth::make(load("openmandible/whole/L6_whole.stl"), layers);
+    ASSERT_TRUE(tooth);
+    const double whole = volumeOf(tooth->outer()->mesh());
+    const Box3 box = tooth->outer()->tree().box();
+    CutVolume volume(std::make_shared<const LayeredTooth>(std::move(*tooth)), kVoxel);
+    LiveSurface surface(volume);
+    const auto bur = envelopeOf(load("tools/bur_tapered.stl"));
+    MaterialVolumes removed{};
+    for (int i = 0; i < 40; ++i) {
+        const auto point = [&](int k) {
+            return at(box.center().x() + 0.03 * std::max(0, k - 30), box.center().y(),
+                      box.max().z() - 0.25 * std::min(k, 30));
+        };
+        const CarveResult result = volume.carve(bur, point(i), point(i + 1));
+        surface.update(volume, result.changed);
+        for (std::size_t m = 0; m < kMaterialCount; ++m) removed[m] += result.removed[m];
+    }
+    for (const MaterialId id : {MaterialId::Enamel, MaterialId::Dentin, MaterialId::Pulp}) {
+        EXPECT_GT(removed[static_cast<std::size_t>(id)], 0.05) << materialName(id);
+    }
+    const test::TemporaryFolder temporary;
+    ASSERT_TRUE(writeStl(visibleMesh(*surface.snapshot()).mesh, temporary / "cut.stl"));
+    const MeshReport report = reportOn(*readStl(temporary / "cut.stl"));
+    EXPECT_TRUE(report.watertight());
+    EXPECT_EQ(report.duplicateTriangles, 0U);
+    EXPECT_EQ(report.duplicateTriangles, 0U);
+    EXPECT_EQ(report.pinchedVertices, 0U);
+    EXPECT_NEAR(whole - report.signedVolume, total(removed), 0.003 * total(removed));
 }
 
 TEST(LiveSurface, ResetShowsTheWholeToothAgain) {
