@@ -14,7 +14,7 @@ const int kTaps = 14;
 vec3 viewPoint(ivec2 pixel) {
     pixel = clamp(pixel, ivec2(0), textureSize(depthPicture, 0) - 1);
     float depth = texelFetch(depthPicture, pixel, 0).r;
-    vec2 place = (vec2(pixel) + 0.5) * pictureSize.zw;
+    vec2 place = (vec2(pixel) + 0.5) / vec2(textureSize(depthPicture, 0));
     vec4 view = clipToView * vec4(2.0 * vec3(place, depth) - 1.0, 1.0);
     return view.xyz / view.w;
 }
