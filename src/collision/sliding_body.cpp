@@ -246,6 +246,10 @@ const WatchedPair* SlidingBody::violation(const Attempt& attempt, bool& overlapp
             overlapping = true;
             return nullptr;
         }
+        if (gapAt(watched, attempt.startMatrix, pose_.position) < margin_ / 2) {
+            overlapping = true;  // a new surface stands nearer than any step could respect
+            return nullptr;
+        }
         const double gap = gapAt(watched, attempt.matrix, position);
         ++offenders;
         if (gap < worstGap) worstGap = gap, worst = &watched;
