@@ -9,37 +9,42 @@
 // E. G. Gilbert, D. W. Johnson, S. S. Keerthi, "A Fast Procedure for Computing the Distance Between Complex Objects in
 // Three-Dimensional Space", IEEE J. Robotics and Automation 4(2), 1988; G. van den Bergen, "A Fast and Robust GJK
 // Implementation for Collision Detection of Convex Objects", J. Graphics Tools 4(2), 1999. Differs from the papers:
-// the difference of two triangles has nine corners, so a support point that is already in the simplex ends the search
-// exactly; and the answer carries the slab that the found direction really separates, which a caller can trust without
-// trusting the convergence.
+// the difference of two triangles has nine corners (18 if one is swept), so a support point that is already in the
+// simplex ends the search exactly; and the answer carries the slab that the found direction really separates, which a
+// caller can trust without trusting the convergence.
 
 namespace tactooth {
 namespace {
 
-constexpr int kMaxRounds = 24;         // nine support points exist: 4-5 rounds are usual, more means rounding
+using Points = std::span<const Vec3>;
+
+constexpr int kMaxRounds = 24;         // 9 to 18 support points exist: 4-5 rounds are usual, more means rounding
 constexpr double kTouching = 1e-14;    // of the triangles' size: closer than this is contact
 constexpr double kDualityGap = 1e-15;  // relative: below it a further round cannot improve a double
 
-int supportIndex(const Triangle3& triangle, const Vec3& direction) {
-    const double d0 = direction.dot(triangle[0]);
-    const double d1 = direction.dot(triangle[1]);
-    const double d2 = direction.dot(triangle[2]);
-    if (d0 >= d1 && d0 >= d2) return 0;
-    return d1 >= d2 ? 1 : 2;
+int supportIndex(Points points, const Vec3& direction) {
+    int best = 0;
+    double farthest = direction.dot(points[0]);
+    for (int i = 1; i < static_cast<int>(points.size()); ++i) {
+        if (const double along = direction.dot(points[i]); along > farthest) farthest = along, best = i;
+    }
+    return best;
 }
 
-MinkowskiPoint support(const Triangle3& a, const Triangle3& b, const Vec3& direction) {
+MinkowskiPoint support(Points a, Points b, const Vec3& direction) {
     const int onA = supportIndex(a, -direction);
     const int onB = supportIndex(b, direction);
     return {b[onB] - a[onA], onA, onB};
 }
 
-double slabWidth(const Triangle3& a, const Triangle3& b, const Vec3& normal) {
-    return lowestAlong(b, normal) - highestAlong(a, normal);
+double squaredSize(Points points) {
+    return (points[1] - points[0]).squaredNorm() + (points[2] - points[0]).squaredNorm();
 }
 
+double slabWidth(Points a, Points b, const Vec3& normal) { return lowestAlong(b, normal) - highestAlong(a, normal); }
+
 /// The normal of the features that the simplex names: more exact than the difference of two nearly equal points.
-Vec3 featureNormal(const Triangle3& a, const Triangle3& b, const MinkowskiSimplex& simplex) {
+Vec3 featureNormal(Points a, Points b, const MinkowskiSimplex& simplex) {
     if (simplex.size() != 3) return Vec3::Zero();
     const Vec3 normal = simplex.edge(0, 1).cross(simplex.edge(0, 2));
     const double length = normal.norm();
@@ -48,8 +53,7 @@ Vec3 featureNormal(const Triangle3& a, const Triangle3& b, const MinkowskiSimple
     return slabWidth(a, b, unit) >= slabWidth(a, b, -unit) ? unit : Vec3(-unit);
 }
 
-GjkResult separatedResult(const Triangle3& a, const Triangle3& b, const MinkowskiSimplex& simplex, const Vec3& nearest,
-                          int rounds) {
+GjkResult separatedResult(Points a, Points b, const MinkowskiSimplex& simplex, const Vec3& nearest, int rounds) {
     GjkResult result;
     result.rounds = rounds;
     result.distance = nearest.norm();
@@ -73,12 +77,10 @@ GjkResult separatedResult(const Triangle3& a, const Triangle3& b, const Minkowsk
 
 }  // namespace
 
-GjkResult distanceBetween(const Triangle3& a, const Triangle3& b, const Vec3& guess) {
+GjkResult distanceBetween(Points a, Points b, const Vec3& guess) {
     MinkowskiSimplex simplex;
     simplex.add(support(a, b, -guess));
-    const double size = std::max((a[1] - a[0]).squaredNorm(), (b[1] - b[0]).squaredNorm()) +
-                        std::max((a[2] - a[0]).squaredNorm(), (b[2] - b[0]).squaredNorm());
-    const double touching = kTouching * kTouching * size;
+    const double touching = kTouching * kTouching * std::max(squaredSize(a), squaredSize(b));
     Vec3 nearest = simplex.nearestToOrigin();
     for (int round = 1; round <= kMaxRounds; ++round) {
         const double squared = nearest.squaredNorm();

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
+
 #include "collision/triangle3.h"
 
 namespace tactooth {
@@ -17,8 +19,9 @@ struct GjkResult {
     int rounds = 0;
 };
 
-/// Distance between two triangles. `guess` is a direction from `a` to `b` to start from (the normal found at the last
-/// tick saves most rounds); any value is allowed.
-[[nodiscard]] GjkResult distanceBetween(const Triangle3& a, const Triangle3& b, const Vec3& guess);
+/// Distance between the convex hulls of two small sets of points: triangles, or a triangle swept along a step (six
+/// points). `guess` is a direction from `a` to `b` to start from (the normal found at the last tick saves most rounds);
+/// any value is allowed.
+[[nodiscard]] GjkResult distanceBetween(std::span<const Vec3> a, std::span<const Vec3> b, const Vec3& guess);
 
 }  // namespace tactooth

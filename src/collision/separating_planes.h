@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -16,20 +17,29 @@ struct SeparatingPlane {
     std::uint64_t stamp = 0;     ///< the pose (numbered by the caller) at which GJK found it
 };
 
-/// Remembers the last separating plane of each pair of triangles, over rounds and ticks: most pairs are told apart by
-/// the plane of the tick before with six multiplications instead of a GJK run. A direct-mapped table of fixed size: two
-/// pairs that share a place push each other out, which costs time but never a wrong answer.
+/// A near pair with the plane that tells it apart.
+struct WatchedPair {
+    NearPair pair;
+    SeparatingPlane plane;
+};
+
+/// Remembers separating planes of pairs from one list of near pairs to the next: most pairs are told apart by the plane
+/// of the tick before with six multiplications instead of a GJK run. A direct-mapped table of fixed size: two pairs
+/// that share a place push each other out, which costs time but never a wrong answer. Places depend on the pair alone,
+/// so equal runs stay equal.
 class SeparatingPlanes {
 public:
     SeparatingPlanes() : entries_(kEntries) {}
 
-    /// The place of a pair; `plane.normal` is zero if nothing is known about it.
-    [[nodiscard]] SeparatingPlane& of(std::uint64_t partId, const NearPair& pair) {
-        Entry& entry = entries_[slot(partId, pair)];
-        if (entry.partId != partId || entry.tooth != pair.tooth || entry.tool != pair.tool) {
-            entry = {partId, pair.tooth, pair.tool, {}};
-        }
-        return entry.plane;
+    /// The plane last stored for the pair, or null.
+    [[nodiscard]] const SeparatingPlane* find(std::uint64_t partId, const NearPair& pair) const {
+        const Entry& entry = entries_[slot(pair)];
+        const bool same = entry.partId == partId && entry.tooth == pair.tooth && entry.tool == pair.tool;
+        return same ? &entry.plane : nullptr;
+    }
+
+    void store(std::uint64_t partId, const NearPair& pair, const SeparatingPlane& plane) {
+        entries_[slot(pair)] = {partId, pair.tooth, pair.tool, plane};
     }
 
     void clear() { std::fill(entries_.begin(), entries_.end(), Entry{}); }
@@ -45,8 +55,8 @@ private:
     };
 
     /// Fibonacci hashing (D. Knuth, The Art of Computer Programming, vol. 3, section 6.4).
-    [[nodiscard]] static std::size_t slot(std::uint64_t partId, const NearPair& pair) {
-        const std::uint64_t key = (partId * 0x9E3779B97F4A7C15ULL) ^ (std::uint64_t{pair.tooth} << 20) ^ pair.tool;
+    [[nodiscard]] static std::size_t slot(const NearPair& pair) {
+        const std::uint64_t key = (std::uint64_t{pair.part} << 44) ^ (std::uint64_t{pair.tooth} << 20) ^ pair.tool;
         return static_cast<std::size_t>((key * 0x9E3779B97F4A7C15ULL) >> 50U);
     }
 

@@ -24,15 +24,18 @@ namespace {
 
 constexpr std::size_t kMaxPairs = 1 << 15;  // a bur that fills its own slot in a 25 um mesh lists some 20,000
 constexpr int kMaxRounds = 12;              // 2-3 are usual at 1 cm/s, 4-6 at 10 cm/s
-constexpr int kMaxPlanesPerRound = 40;
+constexpr int kMaxPlanesPerRound = 32;      // 3-6 are usual; more means that the step is long for its surroundings
+constexpr int kOffendersToCompare = 4;      // before the worst of them becomes a plane: more costs more than it saves
 constexpr int kBuckets = 32;
 constexpr double kMarginOfRadius = 1e-7;      // 0.3 nm for a 6 mm bur
 constexpr double kMarginOfPosition = 1e-10;   // keeps the margin above rounding far from the origin
 constexpr double kSettledMargins = 10;        // a round that moves less than this many margins ends the move
 constexpr double kLeastReach = 0.004;         // of the tool's radius: 12 um for a 6 mm bur
 constexpr double kGreatestReach = 1.0;        // of the tool's radius
-constexpr std::size_t kPlentyOfPairs = 4096;  // a longer list costs more to walk than listing twice
-constexpr double kTrusted = 0.95;             // of the listed reach: leaves room for rounding
+constexpr std::size_t kPlentyOfPairs = 3072;  // a longer list costs more to walk than listing twice
+constexpr std::uint64_t kGuessed = 1;         // stamp of a plane that GJK has not seen; poses are numbered from 2
+constexpr double kLeastTurn = 1e-3;  // of the turn wanted: below it, the tool is held in its present orientation
+constexpr double kTrusted = 0.95;    // of the listed reach: leaves room for rounding
 
 double sineOfHalfAngle(const Quat& a, const Quat& b) { return (a * b.conjugate()).vec().norm(); }
 
@@ -50,30 +53,32 @@ struct SlidingBody::Attempt {
     double allowance = 0;  // how far any point of the tool may travel, mm
     Quat rotation;         // at the end of the round
     Mat3 matrix;
+    Mat3 startMatrix;
     Vec3 step = Vec3::Zero();
     bool clipped = false;  // the step was shortened to the allowance
     NearestInPolyhedron answer;
     int planeCount = 0;
-    std::array<NearPair, kMaxPlanesPerRound> pairs;
+    std::array<WatchedPair, kMaxPlanesPerRound> watched;
     std::array<HalfSpace, kMaxPlanesPerRound> halfSpaces;
 
     void turnBy(const Quat& from, double fraction) {
         turnFraction = fraction;
         rotation = fraction > 0 ? partOfTurn(from, goal.rotation, fraction) : from;
         matrix = rotation.toRotationMatrix();
-        planeCount = 0;
+        startMatrix = from.toRotationMatrix();
     }
 };
 
 SlidingBody::SlidingBody(std::shared_ptr<const ToolShape> tool)
-    : tool_(std::move(tool)), pairs_(kMaxPairs), found_(kMaxPairs) {
+    : tool_(std::move(tool)), found_(kMaxPairs), watched_(kMaxPairs) {
     assert(tool_ != nullptr);
+    reachCap_ = kGreatestReach * tool_->radius();
 }
 
 std::shared_ptr<const Surface> SlidingBody::setSurface(std::shared_ptr<const Surface> surface) {
     std::swap(surface_, surface);
     heldCount_ = 0;
-    forgetList();
+    listed_ = false;
     return surface;
 }
 
@@ -81,8 +86,8 @@ void SlidingBody::placeAt(const Pose& toolInTooth) {
     pose_ = toolInTooth;
     ++poseStamp_;
     heldCount_ = 0;
-    recentTravel_ = 0;
-    forgetList();
+    lastGoalCentre_ = toolInTooth * tool_->centre();
+    listed_ = false;
 }
 
 /// No point of the tool has moved further than this since the pairs were listed.
@@ -95,12 +100,18 @@ double SlidingBody::travelSinceListed(const Quat& rotation, const Vec3& position
 /// Lists the pairs within `wantedReach`, or within less where they are too many.
 void SlidingBody::listPairs(double wantedReach) {
     const double least = kLeastReach * tool_->radius();
-    double reach = std::clamp(wantedReach, least, kGreatestReach * tool_->radius());
+    double reach = std::clamp(wantedReach, least, std::max(least, reachCap_));
     NearPairsFound found = findNearPairs(*surface_, *tool_, pose_, reach, std::span(found_).first(kPlentyOfPairs));
+    reachCap_ = std::min(2 * reachCap_, kGreatestReach * tool_->radius());
+    if (!found.complete) {
+        reachCap_ = reach = std::max(least, reach / 2);
+        found = findNearPairs(*surface_, *tool_, pose_, reach, std::span(found_).first(kPlentyOfPairs));
+    }
     while (!found.complete && reach > least) {
-        reach = std::max(least, reach / 4);
+        reachCap_ = reach = std::max(least, reach / 4);
         found = findNearPairs(*surface_, *tool_, pose_, reach, found_);
     }
+    if (4 * found.count > kPlentyOfPairs) reachCap_ = std::min(reachCap_, reach);  // the next list may be as dense
     std::array<std::uint32_t, kBuckets + 1> start{};
     const float scale = static_cast<float>(kBuckets / reach);
     const auto bucketOf = [scale](const NearPair& pair) {
@@ -108,7 +119,7 @@ void SlidingBody::listPairs(double wantedReach) {
     };
     for (std::size_t i = 0; i < found.count; ++i) ++start[bucketOf(found_[i]) + 1];
     for (int i = 0; i < kBuckets; ++i) start[i + 1] += start[i];
-    for (std::size_t i = 0; i < found.count; ++i) pairs_[start[bucketOf(found_[i])]++] = found_[i];
+    for (std::size_t i = 0; i < found.count; ++i) watched_[start[bucketOf(found_[i])]++] = {found_[i], {}};
     pairCount_ = found.count;
     listedAt_ = pose_;
     listedReach_ = found.complete ? reach : 0;
@@ -123,7 +134,9 @@ bool SlidingBody::plan(const Pose& goal, Attempt& attempt) {
     const double least = kLeastReach * tool_->radius();
     double used = listed_ ? travelSinceListed(pose_.rotation, pose_.position) : 0;
     if (!listed_ || listedReach_ * kTrusted - used < std::min(remaining, least / 2)) {
-        listPairs(std::min(1.1 * remaining, 4 * recentTravel_) + least);
+        // Open space is crossed in growing strides; near the tooth the skin follows the speed of the hand.
+        const bool openSpace = listed_ && pairCount_ == 0;
+        listPairs(std::min(1.1 * remaining, openSpace ? 4 * listedReach_ : 2 * handTravel_) + least);
         used = 0;
     }
     attempt.allowance = listedReach_ * kTrusted - used - margin_;
@@ -136,72 +149,123 @@ bool SlidingBody::plan(const Pose& goal, Attempt& attempt) {
     return true;
 }
 
+/// Fills in the plane remembered for a pair; for a new pair, the face plane of either triangle if one happens to
+/// separate them at the present pose.
+void SlidingBody::recallPlane(WatchedPair& watched) const {
+    const SurfacePart& part = partOf(*surface_, watched.pair.part);
+    if (const SeparatingPlane* known = planes_.find(part.id(), watched.pair)) {
+        watched.plane = *known;
+        return;
+    }
+    watched.plane.stamp = kGuessed;
+    const Triangle3 tooth = cornersOf(part.mesh(), watched.pair.tooth);
+    Triangle3 tool = tool_->corners(watched.pair.tool);
+    for (Vec3& corner : tool) corner = pose_ * corner;
+    const Triangle3& face = watched.pair.toolFaceParts ? tool : tooth;
+    const Vec3 faceNormal = (face[1] - face[0]).cross(face[2] - face[0]).normalized();
+    double widest = 0;
+    for (const Vec3& normal : {faceNormal, Vec3(-faceNormal)}) {
+        const double back = highestAlong(tooth, normal);
+        const double gap = lowestAlong(tool, normal) - back;
+        if (gap > widest) widest = gap, watched.plane.normal = normal, watched.plane.offset = back;
+    }
+}
+
 /// Finds the plane that separates the pair best at the present pose. False if nothing separates it.
-bool SlidingBody::refreshPlane(const NearPair& pair, SeparatingPlane& plane) {
-    const Triangle3 tooth = cornersOf(partOf(*surface_, pair.part).mesh(), pair.tooth);
-    Triangle3 tool = cornersOf(tool_->mesh(), pair.tool);
-    const Mat3 matrix = pose_.rotation.toRotationMatrix();
-    for (Vec3& corner : tool) corner = matrix * corner + pose_.position;
-    const Vec3 guess = plane.normal.isZero() ? Vec3(tool[0] - tooth[0]) : plane.normal;
-    const GjkResult result = distanceBetween(tooth, tool, guess);
+bool SlidingBody::refreshPlane(WatchedPair& watched) {
+    const SurfacePart& part = partOf(*surface_, watched.pair.part);
+    const Triangle3 tooth = cornersOf(part.mesh(), watched.pair.tooth);
+    Triangle3 tool = tool_->corners(watched.pair.tool);
+    for (Vec3& corner : tool) corner = pose_ * corner;
+    SeparatingPlane& plane = watched.plane;
+    const GjkResult result =
+        distanceBetween(tooth, tool, plane.normal.isZero() ? Vec3(tool[0] - tooth[0]) : plane.normal);
     ++distances_;
     if (!result.separated) return false;
-    plane.normal = result.normal;
-    plane.offset = highestAlong(tooth, result.normal);
-    plane.stamp = poseStamp_;
+    plane = {result.normal, highestAlong(tooth, result.normal), poseStamp_};
+    planes_.store(part.id(), watched.pair, plane);
     return true;
 }
 
 /// Width of the slab between the pair along its plane, with the tool at the pose given, mm.
-double SlidingBody::gapAt(const NearPair& pair, const SeparatingPlane& plane, const Mat3& rotation,
-                          const Vec3& position) const {
-    const Vec3 inTool = rotation.transpose() * plane.normal;
-    return lowestAlong(cornersOf(tool_->mesh(), pair.tool), inTool) + plane.normal.dot(position) - plane.offset;
+double SlidingBody::gapAt(const WatchedPair& watched, const Mat3& rotation, const Vec3& position) const {
+    const Vec3& normal = watched.plane.normal;
+    const Vec3 inTool = rotation.transpose() * normal;
+    return lowestAlong(tool_->corners(watched.pair.tool), inTool) + normal.dot(position) - watched.plane.offset;
 }
 
-/// The listed pair that the attempted move would bring together most, or null if the move is safe.
-const NearPair* SlidingBody::worstViolation(const Attempt& attempt, bool& overlapping) {
+/// Whether a plane is found that keeps the pair apart during the whole attempted step. Tried are the planes that hold
+/// the tool already (what touches separates its neighbourhood too), then GJK on the swept tool triangle. The plane is
+/// remembered.
+bool SlidingBody::provenSafe(WatchedPair& watched, const Attempt& attempt) {
+    const SurfacePart& part = partOf(*surface_, watched.pair.part);
+    const Triangle3 tooth = cornersOf(part.mesh(), watched.pair.tooth);
+    const Triangle3 tool = tool_->corners(watched.pair.tool);
+    const Vec3 position = pose_.position + attempt.step;
+    std::array<Vec3, 6> swept;
+    for (int corner = 0; corner < 3; ++corner) {
+        swept[corner] = attempt.startMatrix * tool[corner] + pose_.position;
+        swept[corner + 3] = attempt.matrix * tool[corner] + position;
+    }
+    SeparatingPlane& plane = watched.plane;
+    for (int i = 0; i < attempt.answer.activeCount; ++i) {
+        const Vec3& normal = attempt.halfSpaces[attempt.answer.active[i]].normal;
+        const double back = highestAlong(tooth, normal);
+        if (lowestAlong(swept, normal) - back < margin_ / 2) continue;
+        plane = {normal, back, kGuessed};
+        return true;
+    }
+    const GjkResult result =
+        distanceBetween(tooth, swept, plane.normal.isZero() ? Vec3(tool[0] - tooth[0]) : plane.normal);
+    ++distances_;
+    if (result.gap < margin_ / 2) return false;
+    plane = {result.normal, highestAlong(tooth, result.normal), kGuessed};
+    planes_.store(part.id(), watched.pair, plane);
+    return true;
+}
+
+/// A pair that the attempted step would bring together (the worst of the first few met), or null if the step is safe.
+const WatchedPair* SlidingBody::violation(const Attempt& attempt, bool& overlapping) {
     const Vec3 position = pose_.position + attempt.step;
     const double travel = travelSinceListed(attempt.rotation, position) + margin_;
-    const float bucketWidth = static_cast<float>(listedReach_ / kBuckets);
-    const NearPair* worst = nullptr;
+    const double bucketWidth = listedReach_ / kBuckets;
+    const WatchedPair* worst = nullptr;
     double worstGap = margin_ / 2;
-    for (std::size_t i = 0; i < pairCount_; ++i) {
-        const NearPair& pair = pairs_[i];
-        if (pair.distanceAtLeast > travel) {
-            if (pair.distanceAtLeast > travel + bucketWidth) break;  // buckets are sorted, pairs inside one are not
+    int offenders = 0;
+    for (std::size_t i = 0; i < pairCount_ && offenders < kOffendersToCompare; ++i) {
+        WatchedPair& watched = watched_[i];
+        if (watched.pair.distanceAtLeast > travel) {
+            if (watched.pair.distanceAtLeast > travel + bucketWidth) break;  // only the buckets are sorted
             continue;
         }
-        SeparatingPlane& plane = planes_.of(partOf(*surface_, pair.part).id(), pair);
-        const bool known = !plane.normal.isZero();
-        double gap = known ? gapAt(pair, plane, attempt.matrix, position) : -1;
-        if (gap >= margin_ / 2) continue;
-        if (!known || plane.stamp != poseStamp_) {
-            if (!refreshPlane(pair, plane)) {
-                overlapping = true;
-                return nullptr;
-            }
-            gap = gapAt(pair, plane, attempt.matrix, position);
+        if (watched.plane.stamp == 0) recallPlane(watched);
+        const bool known = !watched.plane.normal.isZero();
+        if (known && gapAt(watched, attempt.matrix, position) >= margin_ / 2) continue;
+        if (provenSafe(watched, attempt)) continue;
+        if (watched.plane.stamp != poseStamp_ && !refreshPlane(watched)) {
+            overlapping = true;
+            return nullptr;
         }
-        if (gap < worstGap) worstGap = gap, worst = &pair;
+        const double gap = gapAt(watched, attempt.matrix, position);
+        ++offenders;
+        if (gap < worstGap) worstGap = gap, worst = &watched;
     }
     return worst;
 }
 
-void SlidingBody::addConstraint(Attempt& attempt, const NearPair& pair) {
-    const SeparatingPlane& plane = planes_.of(partOf(*surface_, pair.part).id(), pair);
-    const double gap = gapAt(pair, plane, attempt.matrix, pose_.position);
+void SlidingBody::addConstraint(Attempt& attempt, const WatchedPair& watched) const {
+    const double gap = gapAt(watched, attempt.matrix, pose_.position);
     // Without a turn, staying put is always allowed: a gap that rounding has left below the margin may stay so.
     const double offset = attempt.turnFraction == 0 ? std::min(0.0, margin_ - gap) : margin_ - gap;
-    attempt.pairs[attempt.planeCount] = pair;
-    attempt.halfSpaces[attempt.planeCount++] = {plane.normal, offset};
+    attempt.watched[attempt.planeCount] = watched;
+    attempt.halfSpaces[attempt.planeCount++] = {watched.plane.normal, offset};
 }
 
 /// Begins with the contacts of the round before: nearly always they are still the ones.
-void SlidingBody::warmStart(Attempt& attempt) {
+void SlidingBody::restart(Attempt& attempt) {
+    attempt.planeCount = 0;
     for (int i = 0; i < heldCount_; ++i) {
-        SeparatingPlane& plane = planes_.of(partOf(*surface_, held_[i].part).id(), held_[i]);
-        if (plane.stamp == poseStamp_ || refreshPlane(held_[i], plane)) addConstraint(attempt, held_[i]);
+        if (held_[i].plane.stamp == poseStamp_ || refreshPlane(held_[i])) addConstraint(attempt, held_[i]);
     }
 }
 
@@ -216,8 +280,8 @@ bool SlidingBody::solve(Attempt& attempt) {
     attempt.clipped = false;
     const double travel = travelSinceListed(attempt.rotation, pose_.position + attempt.step);
     const double spent = travelSinceListed(attempt.rotation, pose_.position);
-    const double room = listedReach_ * kTrusted - margin_ - spent;
-    if (travel <= listedReach_ * kTrusted - margin_) return true;
+    const double room = std::min(listedReach_ * kTrusted - margin_ - spent, attempt.allowance);
+    if (travel <= listedReach_ * kTrusted - margin_ && attempt.step.norm() <= attempt.allowance) return true;
     attempt.clipped = true;
     if (room <= 0) return false;
     const double length = attempt.step.norm();
@@ -228,6 +292,31 @@ bool SlidingBody::solve(Attempt& attempt) {
     return true;
 }
 
+/// Collects planes until the step that they leave is safe. False if there is none within the fixed budget.
+bool SlidingBody::findSafeStep(Attempt& attempt, bool& overlapping) {
+    restart(attempt);
+    while (true) {
+        if (!solve(attempt)) {
+            if (attempt.turnFraction == 0) return false;
+            attempt.turnsFully = false;
+            attempt.turnBy(pose_.rotation, attempt.turnFraction > kLeastTurn ? attempt.turnFraction / 4 : 0);
+            restart(attempt);
+            continue;
+        }
+        const WatchedPair* offender = violation(attempt, overlapping);
+        if (overlapping) return false;
+        if (offender == nullptr) return true;
+        if (attempt.planeCount < kMaxPlanesPerRound) {
+            addConstraint(attempt, *offender);
+        } else if (attempt.allowance > kSettledMargins * margin_) {
+            attempt.allowance /= 8;
+            restart(attempt);
+        } else {
+            return false;
+        }
+    }
+}
+
 void SlidingBody::accept(const Attempt& attempt, MoveResult& result) {
     pose_.rotation = attempt.rotation;
     pose_.position += attempt.step;
@@ -236,15 +325,14 @@ void SlidingBody::accept(const Attempt& attempt, MoveResult& result) {
     result.contactCount = heldCount_;
     for (int i = 0; i < heldCount_; ++i) {
         const int plane = attempt.answer.active[i];
-        const NearPair& pair = attempt.pairs[plane];
-        held_[i] = pair;
-        const Vec3& normal = attempt.halfSpaces[plane].normal;
-        Triangle3 tool = cornersOf(tool_->mesh(), pair.tool);
+        held_[i] = attempt.watched[plane];
+        const Vec3& normal = held_[i].plane.normal;
+        const Triangle3 tool = tool_->corners(held_[i].pair.tool);
         Vec3 deepest = pose_ * tool[0];
         for (const Vec3& corner : tool) {
             if (const Vec3 point = pose_ * corner; normal.dot(point) < normal.dot(deepest)) deepest = point;
         }
-        result.contacts[i] = {normal, deepest, attempt.answer.multiplier[i], pair.part, pair.tooth};
+        result.contacts[i] = {normal, deepest, attempt.answer.multiplier[i], held_[i].pair.part, held_[i].pair.tooth};
     }
 }
 
@@ -253,51 +341,30 @@ MoveResult SlidingBody::moveToward(const Pose& goal) {
     distances_ = 0;
     const double position = std::max(goal.position.cwiseAbs().maxCoeff(), pose_.position.cwiseAbs().maxCoeff());
     margin_ = kMarginOfRadius * tool_->radius() + kMarginOfPosition * position;
-    const Vec3 startCentre = pose_ * tool_->centre();
+    const Vec3 goalCentre = goal * tool_->centre();
+    handTravel_ =
+        (goalCentre - lastGoalCentre_).norm() + 2 * sineOfHalfAngle(goal.rotation, pose_.rotation) * tool_->radius();
+    lastGoalCentre_ = goalCentre;
     result.status = MoveStatus::OutOfRounds;
     Attempt attempt;
-    for (result.rounds = 1; result.rounds <= kMaxRounds; ++result.rounds) {
-        if (!plan(goal, attempt)) break;
-        warmStart(attempt);
-        bool safe = false;
+    while (result.status == MoveStatus::OutOfRounds && result.rounds < kMaxRounds) {
+        ++result.rounds;
         bool overlapping = false;
-        while (!safe) {
-            if (!solve(attempt)) {
-                if (attempt.turnFraction == 0) break;
-                attempt.turnsFully = false;
-                attempt.turnBy(pose_.rotation, attempt.turnFraction > 1e-3 ? attempt.turnFraction / 4 : 0);
-                warmStart(attempt);
-                continue;
-            }
-            const NearPair* worst = worstViolation(attempt, overlapping);
-            if (overlapping || (worst != nullptr && attempt.planeCount == kMaxPlanesPerRound)) break;
-            if (worst == nullptr) {
-                safe = true;
-            } else {
-                addConstraint(attempt, *worst);
-            }
-        }
-        if (overlapping) {
-            result.status = MoveStatus::Overlapping;
+        if (!plan(goal, attempt) || !findSafeStep(attempt, overlapping)) {
+            if (overlapping) result.status = MoveStatus::Overlapping;
             break;
         }
-        if (!safe) break;
         const double turned = 2 * sineOfHalfAngle(attempt.rotation, pose_.rotation) * tool_->radius();
-        accept(attempt, result);
-        const bool arrived = attempt.turnsFully && !attempt.clipped;
         const bool settled = attempt.step.norm() + turned <= kSettledMargins * margin_;
-        if (arrived && heldCount_ == 0) {
+        accept(attempt, result);
+        if (attempt.clipped) continue;
+        if (attempt.turnsFully && heldCount_ == 0) {
             result.status = MoveStatus::Reached;
-            break;
-        }
-        if (settled && !attempt.clipped) {
+        } else if (settled) {
             result.status = MoveStatus::Held;
-            break;
         }
     }
-    result.rounds = std::min(result.rounds, kMaxRounds);
     result.distances = distances_;
-    recentTravel_ = std::max((pose_ * tool_->centre() - startCentre).norm(), recentTravel_ / 2);
     return result;
 }
 

@@ -71,33 +71,36 @@ private:
 
     [[nodiscard]] double travelSinceListed(const Quat& rotation, const Vec3& position) const;
     void listPairs(double wantedReach);
-    void forgetList() { listed_ = false; }
     [[nodiscard]] bool plan(const Pose& goal, Attempt& attempt);
+    [[nodiscard]] bool findSafeStep(Attempt& attempt, bool& overlapping);
     [[nodiscard]] bool solve(Attempt& attempt);
-    [[nodiscard]] bool refreshPlane(const NearPair& pair, SeparatingPlane& plane);
-    [[nodiscard]] double gapAt(const NearPair& pair, const SeparatingPlane& plane, const Mat3& rotation,
-                               const Vec3& position) const;
-    [[nodiscard]] const NearPair* worstViolation(const Attempt& attempt, bool& overlapping);
-    void addConstraint(Attempt& attempt, const NearPair& pair);
-    void warmStart(Attempt& attempt);
+    void recallPlane(WatchedPair& watched) const;
+    [[nodiscard]] bool refreshPlane(WatchedPair& watched);
+    [[nodiscard]] double gapAt(const WatchedPair& watched, const Mat3& rotation, const Vec3& position) const;
+    [[nodiscard]] bool provenSafe(WatchedPair& watched, const Attempt& attempt);
+    [[nodiscard]] const WatchedPair* violation(const Attempt& attempt, bool& overlapping);
+    void addConstraint(Attempt& attempt, const WatchedPair& watched) const;
+    void restart(Attempt& attempt);
     void accept(const Attempt& attempt, MoveResult& result);
 
     std::shared_ptr<const ToolShape> tool_;
     std::shared_ptr<const Surface> surface_;
     Pose pose_;
-    std::uint64_t poseStamp_ = 1;
+    std::uint64_t poseStamp_ = 2;
     double margin_ = 0;
 
-    std::vector<NearPair> pairs_;  // sorted by bucket of distanceAtLeast
-    std::vector<NearPair> found_;  // as the walk writes them
+    std::vector<NearPair> found_;       // as the walk writes them
+    std::vector<WatchedPair> watched_;  // the same, sorted by bucket of distanceAtLeast
     std::size_t pairCount_ = 0;
     bool listed_ = false;
     Pose listedAt_;
     double listedReach_ = 0;
-    double recentTravel_ = 0;
+    double reachCap_ = 0;  // of the next list, mm: where the last one met many pairs, it stays short
+    Vec3 lastGoalCentre_ = Vec3::Zero();
+    double handTravel_ = 0;  // of the goal since the last move, mm
 
     SeparatingPlanes planes_;
-    std::array<NearPair, 3> held_{};  // pairs active at the end of the last round
+    std::array<WatchedPair, 3> held_{};  // pairs active at the end of the last round
     int heldCount_ = 0;
     int distances_ = 0;
 };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 #include "geometry/triangle_mesh.h"
 
@@ -16,12 +17,16 @@ using Triangle3 = std::array<Vec3, 3>;
     return {mesh.corner(triangle, 0), mesh.corner(triangle, 1), mesh.corner(triangle, 2)};
 }
 
-[[nodiscard]] inline double lowestAlong(const Triangle3& triangle, const Vec3& direction) {
-    return std::min({direction.dot(triangle[0]), direction.dot(triangle[1]), direction.dot(triangle[2])});
+[[nodiscard]] inline double lowestAlong(std::span<const Vec3> points, const Vec3& direction) {
+    double lowest = direction.dot(points[0]);
+    for (const Vec3& point : points.subspan(1)) lowest = std::min(lowest, direction.dot(point));
+    return lowest;
 }
 
-[[nodiscard]] inline double highestAlong(const Triangle3& triangle, const Vec3& direction) {
-    return std::max({direction.dot(triangle[0]), direction.dot(triangle[1]), direction.dot(triangle[2])});
+[[nodiscard]] inline double highestAlong(std::span<const Vec3> points, const Vec3& direction) {
+    double highest = direction.dot(points[0]);
+    for (const Vec3& point : points.subspan(1)) highest = std::max(highest, direction.dot(point));
+    return highest;
 }
 
 }  // namespace tactooth

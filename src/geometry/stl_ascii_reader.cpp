@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
-#include <system_error>
 
+#include "geometry/number_text.h"
 #include "geometry/stl_format.h"
 #include "geometry/vertex_welder.h"
 
@@ -18,29 +17,6 @@ bool sameWord(std::string_view word, std::string_view lowerCase) {
     return std::equal(word.begin(), word.end(), lowerCase.begin(), lowerCase.end(), [](char letter, char wanted) {
         return letter == wanted || (letter >= 'A' && letter <= 'Z' && (letter | 0x20) == wanted);
     });
-}
-
-/// A word of an untrusted file as a message may show it: short, without control characters.
-std::string quoted(std::string_view word) {
-    constexpr std::size_t kLongest = 24;
-    std::string shown(word.substr(0, kLongest));
-    std::replace_if(
-        shown.begin(), shown.end(), [](unsigned char letter) { return letter < 0x20 || letter >= 0x7f; }, '?');
-    return "'" + shown + (word.size() > kLongest ? "...'" : "'");
-}
-
-/// The nearest float to a decimal number; nothing if the word is no number. Too small becomes zero, too large infinite.
-std::optional<float> toFloat(std::string_view word) {
-    if (word.starts_with('+')) word.remove_prefix(1);  // std::from_chars knows no plus sign
-    const char* end = word.data() + word.size();
-    float value = 0;
-    const auto [stop, failure] = std::from_chars(word.data(), end, value);
-    if (stop != end || failure == std::errc::invalid_argument) return std::nullopt;
-    if (failure == std::errc::result_out_of_range) {
-        const bool tiny = word.find("e-") != word.npos || word.find("E-") != word.npos;
-        return tiny ? 0.0F : HUGE_VALF;
-    }
-    return value;
 }
 
 /// Reads ASCII STL word by word and remembers the line for messages.
@@ -110,7 +86,7 @@ private:
 
     bool parsePosition(Vec3f& position) {
         for (float& coordinate : position) {
-            const std::optional<float> value = nextWord() ? toFloat(word_) : std::nullopt;
+            const std::optional<float> value = nextWord() ? toNumber<float>(word_) : std::nullopt;
             if (!value) return fail("expected a coordinate (a number with '.' as decimal point)");
             if (!std::isfinite(*value)) return fail("expected a finite coordinate");
             coordinate = *value;
@@ -124,7 +100,7 @@ private:
     }
 
     bool fail(const std::string& expectation) {
-        const std::string found = word_.empty() ? "the file ends: it is cut short" : "found " + quoted(word_);
+        const std::string found = word_.empty() ? "the file ends: it is cut short" : "found " + quotedWord(word_);
         error_ = {name_ + ", line " + std::to_string(line_) + ": " + expectation + ", but " + found +
                   "; repair or export the surface again."};
         return false;

@@ -32,7 +32,7 @@ struct SceneObject {
 inline constexpr std::size_t kMaxLooks = 8;
 
 /// A round flat mirror that shows the scene in front of it.
-struct MirrorDisc {
+struct SceneMirror {
     Pose mirrorInWorld;
     Vec3 centre = Vec3::Zero();   ///< mirror frame, mm
     Vec3 normal = Vec3::UnitZ();  ///< mirror frame, unit; the side that reflects
@@ -71,7 +71,7 @@ struct Background {
 /// All that a picture shows. Plain data, filled by the caller and only read by the renderer.
 struct Scene {
     std::vector<SceneObject> objects;
-    std::optional<MirrorDisc> mirror;
+    std::optional<SceneMirror> mirror;
     Camera camera;
     Lighting lighting;
     Background background;

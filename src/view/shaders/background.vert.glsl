@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
 // The picture as a grid of cells, two triangles each: the colours are worked out at their corners only.
 out vec4 gridColour;
 

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
 // Linear light to what a screen shows.
 
 // Colours below the knee stay as they are (a shade guide must look like itself); above it they approach white smoothly,

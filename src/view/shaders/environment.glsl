@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
 // The surgery around the patient, as smooth surfaces reflect it: a bright ceiling, a dim floor with a dark line of
 // furniture, two tall windows. `blur` 0..1 is the width of the reflection. (The operating light itself is the
 // highlight of the key light.)

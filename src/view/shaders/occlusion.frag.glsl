@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
 // How much of the surgery each point sees past its neighbours, from the depth picture alone: rays to points scattered
 // over a ball, weighted as by M. McGuire et al., Scalable ambient obscurance, HPG 2012 (its falloff; own sampling).
 uniform sampler2D depthPicture;

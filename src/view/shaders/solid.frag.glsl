@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
 in vec3 worldPosition;
 in vec3 worldNormal;
 in vec3 objectPosition;

@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "app/cli/contact_command.h"
+#include "app/cli/exit_code.h"
+#include "app/cli/feel_command.h"
+#include "app/cli/info_command.h"
+
+namespace tactooth {
+namespace {
+
+/// What the arguments ask for: filled while they are read, run once all of them were understood.
+using Chosen = std::function<int()>;
+
+/// Adds the command `name` with its options; choosing it on the command line makes `run(options)` the thing to do.
+template <class Options>
+CLI::App* addCommand(CLI::App& program, Chosen& chosen, const std::string& name, const std::string& description,
+                     std::shared_ptr<Options> options, int (*run)(const Options&)) {
+    CLI::App* command = program.add_subcommand(name, description)->group("Commands")->footer("");
+    command->callback([&chosen, options, run] { chosen = [options, run] { return run(*options); }; });
+    return command;
+}
+
+void addInfo(CLI::App& program, Chosen& chosen) {
+    const auto options = std::make_shared<InfoOptions>();
+    CLI::App* command = addCommand(
+        program, chosen, "info",
+        "Shows what the surfaces in STL files are like: size, closed or not, volume, findings.", options, runInfo);
+    command->add_option("FILE", options->files, "STL files, binary or ASCII, in mm")->required()->type_name("");
+    command->add_flag("--json", options->json, "Write one JSON object for each file, one a line");
+}
+
+void addContact(CLI::App& program, Chosen& chosen) {
+    const auto options = std::make_shared<ContactOptions>();
+    CLI::App* command =
+        addCommand(program, chosen, "contact",
+                   "How deep a tool stands in a tooth at single poses, and the shortest way out.", options, runContact);
+    command->add_option("--tooth", options->tooth, "The tooth's STL file, mm")->required()->type_name("FILE");
+    command->add_option("--tool", options->tool, "The tool's STL file, mm: tip at the origin, +z along the shaft")
+        ->required()
+        ->type_name("FILE");
+    command
+        ->add_option("--poses", options->poses, "CSV file t,x,y,z,qw,qx,qy,qz: the tool in the tooth's frame, s and mm")
+        ->required()
+        ->type_name("FILE");
+    command->add_option("--out", options->out, "CSV file to write: t,touching,depth,nx,ny,nz,px,py,pz,contacts,micros")
+        ->required()
+        ->type_name("FILE");
+}
+
+void addFeel(CLI::App& program, Chosen& chosen) {
+    const auto options = std::make_shared<FeelOptions>();
+    CLI::App* command = addCommand(program, chosen, "feel",
+                                   "What a hand that follows a trajectory feels, tick by tick.", options, runFeel);
+    command->add_option("--tooth", options->tooth, "The tooth's STL file, mm")->required()->type_name("FILE");
+    command->add_option("--tool", options->tool, "The tool's STL file, mm: tip at the origin, +z along the shaft")
+        ->required()
+        ->type_name("FILE");
+    command->add_option("--trajectory", options->trajectory, "CSV file t,x,y,z,qw,qx,qy,qz: the hand's way, s and mm")
+        ->required()
+        ->type_name("FILE");
+    command->add_option("--out", options->out, "CSV file to write, one row a tick: depth, normal, force, torque, proxy")
+        ->required()
+        ->type_name("FILE");
+    command
+        ->add_option("--mode", options->mode,
+                     "proxy: never enters the tooth (default); penalty: deepest pair of triangles, for comparison")
+        ->check(CLI::IsMember({"proxy", "penalty"}))
+        ->type_name("MODE");
+    command->add_option("--stiffness", options->stiffness, "Spring, N/mm (default: the material's)")
+        ->check(CLI::NonNegativeNumber)
+        ->type_name("K");
+    command->add_option("--damping", options->damping, "Damper, N*s/mm (default: the material's)")
+        ->check(CLI::NonNegativeNumber)
+        ->type_name("C");
+    command
+        ->add_option("--friction", options->friction,
+                     "Coulomb friction coefficient (default: 0, the bare spring and damper)")
+        ->check(CLI::NonNegativeNumber)
+        ->type_name("MU");
+}
+
+/// The program without a command.
+int runWithoutCommand(const CLI::App& program) {
+    std::fputs(program.help().c_str(), stdout);
+    return kExitOk;
+}
+
+/// Output that could not be written (a full disk, a closed pipe) must not look like success.
+int withOutputFlushed(int exitCode) {
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return exitCode;
+    return refuse({"the output could not be written; check the disk or the pipe that it goes to."});
+}
+
+/// CLI11's message as one sentence that says where help is.
+Error usageError(const CLI::App& program, const CLI::ParseError& error) {
+    std::string command = "tactooth";
+    for (const CLI::App* subcommand : program.get_subcommands()) command.append(" ").append(subcommand->get_name());
+    std::string sentence = error.what();
+    std::replace(sentence.begin(), sentence.end(), '\n', ' ');
+    return {sentence.append("; see '").append(command).append(" --help'.")};
+}
+
+}  // namespace
+
+int runCommandLine(int argc, const char* const* argv) {
+    CLI::App program("Tactooth, a dental drilling simulator: see, feel and hear a bur cut a real tooth.", "tactooth");
+    program.set_version_flag("--version", "tactooth " TACTOOTH_VERSION, "Print the version and exit");
+    program.set_help_flag("-h,--help", "Print this help and exit");
+    program.footer("'tactooth COMMAND --help' tells more about a command.");
+    program.get_formatter()->column_width(28);
+    program.get_formatter()->label("SUBCOMMAND", "COMMAND");
+    program.require_subcommand(0, 1);
+    Chosen chosen = [&program] { return runWithoutCommand(program); };
+    addInfo(program, chosen);
+    addContact(program, chosen);
+    addFeel(program, chosen);
+    try {
+        program.parse(argc, argv);
+    } catch (const CLI::Success& help) {  // --help or --version
+        return withOutputFlushed(program.exit(help));
+    } catch (const CLI::ParseError& error) {
+        return refuse(usageError(program, error));
+    }
+    return withOutputFlushed(chosen());
+}
+
+}  // namespace tactooth

@@ -1,0 +1,11 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace tactooth {
+
+/// Understands the arguments of the program and runs the command that they name. The result is the program's exit
+/// code, one of ExitCode.
+[[nodiscard]] int runCommandLine(int argc, const char* const* argv);
+
+}  // namespace tactooth

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "geometry/expected.h"
+
+namespace tactooth {
+
+/// What the program tells the shell.
+enum ExitCode {
+    kExitOk = 0,
+    kExitNegative = 1,  ///< the command worked and its answer is no
+    kExitBadInput = 2,  ///< wrong usage, or an input or output that cannot be used
+};
+
+/// Writes the sentence to stderr, with the program's name before it, and gives the exit code that goes with it.
+int refuse(const Error& error);
+
+}  // namespace tactooth

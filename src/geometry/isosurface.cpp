@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/isosurface.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "geometry/dual_mesher.h"
+
+namespace tactooth {
+namespace {
+
+/// One step of Newton's method along the field's gradient, not farther than `reach`.
+Vec3 projected(const ScalarField& field, const Vec3& point, double reach) {
+    const double step = 1e-3 * reach;  // far below a cell, far above rounding
+    const double value = field(point);
+    Vec3 gradient;
+    for (int axis = 0; axis < 3; ++axis) {
+        Vec3 ahead = point;
+        ahead[axis] += step;
+        gradient[axis] = (field(ahead) - value) / step;
+    }
+    constexpr double kFlat = 1e-6;  // squared slope below which there is no direction to go
+    const double squared = gradient.squaredNorm();
+    if (squared < kFlat) return point;
+    const Vec3 move = -value / squared * gradient;
+    const double length = move.norm();
+    return point + (length > reach ? reach / length : 1.0) * move;
+}
+
+/// Neighbours of each vertex along the polygons' edges, in one array.
+class Neighbours {
+public:
+    explicit Neighbours(const DualMesh& mesh) : begin_(mesh.vertices.size() + 1, 0) {
+        forEachCorner(mesh, [&](std::uint32_t, std::uint32_t here, std::uint32_t) { ++begin_[here + 1]; });
+        for (std::size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
+        around_.resize(begin_.back());
+        std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
+        forEachCorner(mesh, [&](std::uint32_t before, std::uint32_t here, std::uint32_t after) {
+            around_[next[here]++] = {before, after};
+        });
+    }
+
+    /// Half way to the middle of the neighbours, but along the surface only.
+    [[nodiscard]] Vec3 evened(std::size_t vertex, const std::vector<Vec3>& at) const {
+        const Vec3& here = at[vertex];
+        Vec3 sum = Vec3::Zero(), normal = Vec3::Zero();
+        for (std::uint32_t i = begin_[vertex]; i < begin_[vertex + 1]; ++i) {
+            const auto [before, after] = around_[i];
+            sum += at[after] - here;
+            normal += (at[after] - here).cross(at[before] - here);
+        }
+        const Vec3 move = 0.5 / (begin_[vertex + 1] - begin_[vertex]) * sum;
+        const double squared = normal.squaredNorm();
+        return squared > 0 ? Vec3(here + move - move.dot(normal) / squared * normal) : here;
+    }
+
+private:
+    /// Each corner of each polygon: the closed surface shows every neighbour of a vertex once as the one after it.
+    template <class Function>
+    static void forEachCorner(const DualMesh& mesh, const Function& function) {
+        for (const auto& q : mesh.quads) {
+            for (int i = 0; i < 4; ++i) function(q[(i + 3) % 4], q[i], q[(i + 1) % 4]);
+        }
+        for (const auto& t : mesh.triangles) {
+            for (int i = 0; i < 3; ++i) function(t[(i + 2) % 3], t[i], t[(i + 1) % 3]);
+        }
+    }
+
+    std::vector<std::uint32_t> begin_;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> around_;
+};
+
+/// Evens out the vertices and puts them on the exact surface; none strays far from its cell.
+void relax(DualMesh& mesh, const ScalarField& field, const IsosurfaceOptions& options) {
+    const Neighbours neighbours(mesh);
+    const std::vector<Vec3> home = mesh.vertices;
+    std::vector<Vec3> moved(mesh.vertices.size());
+    const auto moveEach = [&](const auto& target) {
+        tbb::parallel_for(std::size_t{0}, moved.size(), [&](std::size_t i) {
+            const Vec3 away = target(i) - home[i];
+            const double far = away.norm();
+            moved[i] = home[i] + (far > options.cellSize ? options.cellSize / far : 1.0) * away;
+        });
+        mesh.vertices.swap(moved);
+    };
+    for (int round = 0; round < options.relaxations; ++round) {
+        moveEach([&](std::size_t i) { return neighbours.evened(i, mesh.vertices); });
+    }
+    constexpr int kNewtonSteps = 2;  // the first lands within a small part of a cell, the second on the surface
+    for (int step = 0; step < kNewtonSteps; ++step) {
+        moveEach([&](std::size_t i) { return projected(field, mesh.vertices[i], options.cellSize / 2); });
+    }
+}
+
+/// Splits a quad along the diagonal whose middle is nearer to the surface: ridges and valleys stay sharp.
+std::array<Triangle, 2> split(const std::array<std::uint32_t, 4>& q, const std::vector<Vec3>& at,
+                              const ScalarField& field) {
+    const double first = std::abs(field((at[q[0]] + at[q[2]]) / 2)),
+                 second = std::abs(field((at[q[1]] + at[q[3]]) / 2));
+    if (first <= second) return {Triangle{q[0], q[1], q[2]}, Triangle{q[0], q[2], q[3]}};
+    return {Triangle{q[0], q[1], q[3]}, Triangle{q[1], q[2], q[3]}};
+}
+
+}  // namespace
+
+TriangleMesh isosurface(const ScalarField& field, const Box3& box, const IsosurfaceOptions& options) {
+    DualMesh dual = DualMesher(SampledGrid(field, box, options)).mesh();
+    relax(dual, field, options);
+
+    TriangleMesh mesh;
+    mesh.vertices.reserve(dual.vertices.size());
+    for (const Vec3& vertex : dual.vertices) mesh.vertices.push_back(vertex.cast<float>());
+    mesh.triangles.resize(2 * dual.quads.size());
+    tbb::parallel_for(std::size_t{0}, dual.quads.size(), [&](std::size_t i) {
+        const auto halves = split(dual.quads[i], dual.vertices, field);
+        std::ranges::copy(halves, mesh.triangles.begin() + static_cast<std::ptrdiff_t>(2 * i));
+    });
+    mesh.triangles.insert(mesh.triangles.end(), dual.triangles.begin(), dual.triangles.end());
+    return mesh;
+}
+
+}  // namespace tactooth

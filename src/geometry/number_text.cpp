@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/number_text.h"
+
+#include <algorithm>
+
+namespace tactooth {
+
+std::string quotedWord(std::string_view word) {
+    constexpr std::size_t kLongest = 24;
+    std::string shown(word.substr(0, kLongest));
+    std::replace_if(
+        shown.begin(), shown.end(), [](unsigned char letter) { return letter < 0x20 || letter >= 0x7f; }, '?');
+    return "'" + shown + (word.size() > kLongest ? "...'" : "'");
+}
+
+}  // namespace tactooth

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "geometry/isosurface.h"
+
+namespace tactooth {
+
+/// A tooth as functions in its own frame (see BuiltinTooth): what the mesher turns into layers.
+struct ToothShape {
+    std::string name;
+    int fdi = 0;
+    Box3 bounds;
+    ScalarField outer;     ///< the whole tooth
+    ScalarField core;      ///< the crown's dentin core, before it is cut by `outer`; equal to `outer` on the root
+    ScalarField cervical;  ///< height above the cervical line: positive in the crown
+    ScalarField pulp;
+    Vec3 lesionSite;          ///< on the surface
+    Vec3 lesionInward;        ///< unit, along which a lesion grows
+    double lesionEnamel = 1;  ///< thickness of the enamel there, mm
+};
+
+[[nodiscard]] ToothShape lowerFirstMolar();
+[[nodiscard]] ToothShape upperCentralIncisor();
+[[nodiscard]] ToothShape upperCanine();
+
+}  // namespace tactooth

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "sound/cutting_voice.h"
+
+#include <cmath>
+
+namespace tactooth {
+
+namespace {
+
+// Each doubling of the removal power adds about as much sound power as the last: a gentle cut is to be heard over the
+// turbine, and the 30 W of the strongest turbine are not to hurt. At kTopWatt the root mean square is kTopLevel of full
+// scale: single grains reach five times that, just below full scale.
+constexpr double kTopLevel = 0.16;
+constexpr double kTopWatt = 40.0, kFaintWatt = 0.2;
+constexpr double kLagSeconds = 0.006;
+
+// Below this speed a rotation is too slow to grind: nothing comes from a still bur.
+constexpr double kGrindingRpm = 500.0;
+
+// Throb at the rotation: a slow bur (10 000 rev/min = 167 Hz) rattles; at thousands of turns a second the ear hears no
+// throb, only side tones, which would blur the material's band.
+constexpr double kSlowThrob = 0.6, kFastThrob = 0.15;
+constexpr double kThrobFadesHz = 800.0;
+
+constexpr float kGrainsPerFrame = 1800.0f / kSoundRate;  // some grains at each of a few hundred turns a second
+constexpr double kGrainSeconds = 0.00035;
+const auto kGrainKeep = static_cast<float>(std::exp(-1.0 / (kGrainSeconds * kSoundRate)));
+
+double amplitudeOf(const DrillSoundState& state) {
+    const double grinding = std::min(1.0, state.speedRpm / kGrindingRpm);
+    const double power = std::log1p(state.removalWatt / kFaintWatt) / std::log1p(kTopWatt / kFaintWatt);
+    return kTopLevel * state.material.level * grinding * std::sqrt(power);
+}
+
+double throbAt(double turnsPerSecond) {
+    const double slow = kThrobFadesHz / (kThrobFadesHz + turnsPerSecond);
+    return kFastThrob + (kSlowThrob - kFastThrob) * slow;
+}
+
+}  // namespace
+
+void GrainEnvelope::setGraininess(double graininess) {
+    // Campbell's theorem for random pulses that fall by `keep` a sample: mean and variance of their sum.
+    const double keep = kGrainKeep, rate = kGrainsPerFrame;
+    const double mean = rate / (1.0 - keep);
+    const double variance = rate * (1.0 - rate) / (1.0 - keep * keep);
+    const double pulses = graininess / std::sqrt(mean * mean + variance);
+    const double steady = 1.0 - graininess;
+    const double power = steady * steady + 2.0 * steady * pulses * mean + graininess * graininess;
+    steadyPart_ = static_cast<float>(steady / std::sqrt(power));
+    pulsePart_ = static_cast<float>(pulses / std::sqrt(power));
+}
+
+float GrainEnvelope::next() {
+    pulses_ = pulses_ * kGrainKeep + (noise_.nextPositive() < kGrainsPerFrame ? 1.0f : 0.0f);
+    return steadyPart_ + pulsePart_ * pulses_;
+}
+
+void CuttingVoice::addTo(std::span<float> out, const DrillSoundState& state, double volume,
+                         std::span<const double> turnsPerFrame) {
+    const int frames = static_cast<int>(out.size());
+    const float share = glideShare(kLagSeconds, frames);
+    const double throb = throbAt(turnsPerFrame.back() * kSoundRate);
+    gain_.aim(static_cast<float>(amplitudeOf(state) * volume / std::sqrt(1.0 + 0.5 * throb * throb)), share, frames);
+    throb_.aim(static_cast<float>(throb), share, frames);
+    if (gain_.isZero()) return;
+
+    noise_.tune(state.material.bandCentreHz, state.material.bandOctaves, share);
+    grains_.setGraininess(
+        static_cast<double>(graininess_.towards(static_cast<float>(state.material.graininess), share)));
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        const float swing = 1.0f + throb_.next() * sineOfTurns(rotation_.advance(turnsPerFrame[i]));
+        out[i] += gain_.next() * noise_.next(swing * grains_.next());
+    }
+}
+
+}  // namespace tactooth

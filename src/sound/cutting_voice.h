@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "sound/band_noise.h"
+#include "sound/drill_sound_state.h"
+#include "sound/glide.h"
+#include "sound/sine.h"
+
+namespace tactooth {
+
+/// Separate grains breaking off: short pulses at random times. As an envelope for noise; mean square 1 together with
+/// the steady part.
+class GrainEnvelope {
+public:
+    explicit GrainEnvelope(std::uint64_t seed) : noise_(seed) {}
+    /// Share of the pulses against the steady part, 0..1.
+    void setGraininess(double graininess);
+    float next();
+
+private:
+    WhiteNoise noise_;
+    float pulses_ = 0.0f;
+    float steadyPart_ = 1.0f, pulsePart_ = 0.0f;
+};
+
+/// The noise of material being ground away. Its level follows the removal power, its band the material; it throbs
+/// with the rotation.
+class CuttingVoice {
+public:
+    explicit CuttingVoice(std::uint64_t seed) : noise_(seed + 1), grains_(seed + 2) {}
+
+    /// Adds its sound to `out` (at most kControlFrames samples) while the bur makes `turnsPerFrame`; `volume` 0..1.
+    void addTo(std::span<float> out, const DrillSoundState& state, double volume,
+               std::span<const double> turnsPerFrame);
+
+private:
+    BandNoise noise_;
+    GrainEnvelope grains_;
+    Lag graininess_;
+    Phase rotation_;
+    Glide gain_, throb_;
+};
+
+}  // namespace tactooth

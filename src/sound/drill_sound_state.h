@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace tactooth {
+
+/// How a material sounds under the bur and when it is tapped, in plain numbers: the sound layer knows no teeth.
+struct SoundCharacter {
+    double bandCentreHz = 4200.0;  ///< middle of the cutting noise's band
+    double bandOctaves = 1.0;      ///< width of that band between its half-power points
+    double level = 1.0;            ///< loudness of the cutting noise relative to enamel at equal power, 0..1
+    double graininess = 0.3;       ///< 0: even hiss; 1: separate crackling grains
+    double tapHz = 2200.0;         ///< lowest tone of the ring when something knocks on it
+    double tapDecay = 0.004;       ///< time in which that ring falls to 1/e, s
+    double tapBrightness = 0.5;    ///< 0: that lowest tone alone ("thud"); 1: two higher ones as strong ("tick")
+};
+
+/// The characters of the usual materials. An unknown name sounds like dentin.
+/// Names: "enamel", "dentin", "pulp", "caries", "amalgam", "composite" and "restoration" (which sounds as composite).
+[[nodiscard]] SoundCharacter soundCharacterOf(std::string_view material);
+
+/// What drives the spindle: decides which tones accompany the rotation.
+enum class MotorKind : std::uint8_t { AirTurbine, Electric, LowSpeed };
+
+/// All that the sound needs to know of one moment of the simulation. Anything not finite or out of range is taken
+/// as the nearest sensible value when it is heard.
+struct DrillSoundState {
+    MotorKind motor = MotorKind::AirTurbine;
+    double speedRpm = 0.0;           ///< of the bur, now
+    double freeSpeedRpm = 400000.0;  ///< without load at full pedal: the speed at which the motor is loudest
+    double pedal = 0.0;              ///< 0 released .. 1 fully pressed: the drive air
+    double load = 0.0;               ///< torque on the bur as a share of the torque that stalls it, 0..1
+    double removalWatt = 0.0;        ///< power that goes into the cut: tangential force times rim speed
+    SoundCharacter material;         ///< of what is being cut or was touched
+    std::uint32_t contactCount = 0;  ///< goes up by one each time the instrument lands on something
+    double contactSpeed = 0.0;       ///< of the last landing, along the surface's normal, mm/s
+};
+
+/// `state` with every number finite and within the range that the synthesis is made for.
+[[nodiscard]] DrillSoundState sanitised(const DrillSoundState& state);
+
+}  // namespace tactooth

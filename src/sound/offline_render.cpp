@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "sound/offline_render.h"
+
+#include <AL/alc.h>
+#include <AL/alext.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "sound/drill_synthesiser.h"
+#include "sound/openal_stream.h"
+
+namespace tactooth {
+
+namespace {
+
+constexpr double kLongest = 3600.0;  // s: 1.4 GB of samples
+
+/// The loopback device's own entry points; all null where the implementation has none.
+struct LoopbackFunctions {
+    LPALCLOOPBACKOPENDEVICESOFT open = nullptr;
+    LPALCRENDERSAMPLESSOFT render = nullptr;
+};
+
+LoopbackFunctions loopbackFunctions() {
+    if (alcIsExtensionPresent(nullptr, "ALC_SOFT_loopback") != ALC_TRUE) return {};
+    return {reinterpret_cast<LPALCLOOPBACKOPENDEVICESOFT>(alcGetProcAddress(nullptr, "alcLoopbackOpenDeviceSOFT")),
+            reinterpret_cast<LPALCRENDERSAMPLESSOFT>(alcGetProcAddress(nullptr, "alcRenderSamplesSOFT"))};
+}
+
+std::unique_ptr<OpenAlStream> openLoopback(const LoopbackFunctions& loopback, bool headphones) {
+    if (loopback.open == nullptr || loopback.render == nullptr) return nullptr;
+    const std::array<ALCint, 9> attributes{ALC_FREQUENCY,
+                                           kSoundRate,
+                                           ALC_FORMAT_CHANNELS_SOFT,
+                                           ALC_STEREO_SOFT,
+                                           ALC_FORMAT_TYPE_SOFT,
+                                           ALC_FLOAT_SOFT,
+                                           ALC_HRTF_SOFT,
+                                           headphones ? ALC_TRUE : ALC_FALSE,
+                                           0};
+    return OpenAlStream::create(loopback.open(nullptr), attributes.data(), headphones ? kHeadphoneGain : 1.0f);
+}
+
+/// Reads a track forwards: the state at any later time.
+class TrackReader {
+public:
+    explicit TrackReader(std::span<const TimedSoundState> track) : track_(track) {}
+
+    TimedSoundState at(double time) {
+        while (next_ < track_.size() && track_[next_].time <= time) ++next_;
+        if (next_ == 0) return track_.front();
+        const TimedSoundState& before = track_[next_ - 1];
+        return next_ == track_.size() ? before : between(before, track_[next_], time);
+    }
+
+private:
+    static TimedSoundState between(const TimedSoundState& a, const TimedSoundState& b, double time) {
+        const double share = (time - a.time) / (b.time - a.time);
+        TimedSoundState now = a;
+        now.time = time;
+        now.state.speedRpm = std::lerp(a.state.speedRpm, b.state.speedRpm, share);
+        now.state.pedal = std::lerp(a.state.pedal, b.state.pedal, share);
+        now.state.load = std::lerp(a.state.load, b.state.load, share);
+        now.state.removalWatt = std::lerp(a.state.removalWatt, b.state.removalWatt, share);
+        now.placement.source += share * (b.placement.source - a.placement.source);
+        return now;
+    }
+
+    std::span<const TimedSoundState> track_;
+    std::size_t next_ = 0;
+};
+
+Expected<void> check(std::span<const TimedSoundState> track, double seconds) {
+    if (!(seconds > 0.0 && seconds <= kLongest)) {
+        return unexpected("The length of the sound has to be more than 0 and at most " +
+                          std::to_string(static_cast<int>(kLongest)) + " s, but is " + std::to_string(seconds) + " s.");
+    }
+    if (track.empty()) return unexpected("There is nothing to make a sound of: the session has no moment at all.");
+    for (std::size_t i = 0; i < track.size(); ++i) {
+        const bool ascends = i == 0 || track[i].time > track[i - 1].time;
+        if (std::isfinite(track[i].time) && ascends) continue;
+        return unexpected("The times of the sound's states have to ascend, but number " + std::to_string(i + 1) +
+                          " is at " + std::to_string(track[i].time) + " s.");
+    }
+    return {};
+}
+
+}  // namespace
+
+Expected<StereoSamples> renderOffline(std::span<const TimedSoundState> track, double seconds,
+                                      const OfflineSettings& settings) {
+    if (const Expected<void> checked = check(track, seconds); !checked) return unexpected(checked.error().message);
+    const LoopbackFunctions loopback = loopbackFunctions();
+    const std::unique_ptr<OpenAlStream> stream = openLoopback(loopback, settings.headphones);
+    if (stream == nullptr) {
+        return unexpected("OpenAL has no loopback device (ALC_SOFT_loopback) to render to; install OpenAL Soft.");
+    }
+
+    const ThreadContext current(stream->context());
+    DrillSynthesiser synthesiser(settings.seed);
+    synthesiser.setMixer(settings.mixer);
+    TrackReader reader(track);
+    const auto wanted = static_cast<std::size_t>(std::llround(seconds * kSoundRate));
+    const std::size_t blocks = (wanted + DrillSynthesiser::kDelay + kSoundBlock - 1) / kSoundBlock;
+    StereoSamples stereo(blocks * kSoundBlock * 2);
+    std::array<float, kSoundBlock> mono;
+    for (std::size_t i = 0; i < blocks; ++i) {
+        const TimedSoundState now = reader.at(static_cast<double>((i + 1) * kSoundBlock) / kSoundRate);
+        synthesiser.render(now.state, mono);
+        stream->place(now.placement);
+        stream->reclaim();
+        stream->queue(mono);
+        stream->ensurePlaying();
+        loopback.render(stream->device(), &stereo[i * kSoundBlock * 2], kSoundBlock);
+    }
+    stereo.erase(stereo.begin(), stereo.begin() + 2 * DrillSynthesiser::kDelay);
+    stereo.resize(wanted * 2);
+    return stereo;
+}
+
+}  // namespace tactooth

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/expected.h"
+#include "sound/drill_sound_state.h"
+#include "sound/sound_mixer.h"
+#include "sound/sound_placement.h"
+
+namespace tactooth {
+
+/// The drill at one moment of a session.
+struct TimedSoundState {
+    double time = 0.0;
+    DrillSoundState state;
+    SoundPlacement placement;
+};
+
+struct OfflineSettings {
+    SoundMixer mixer;
+    std::uint64_t seed = 1;
+    bool headphones = false;  ///< HRTF instead of left-right balance
+};
+
+/// Two channels, left and right sample by turns, at kSoundRate.
+using StereoSamples = std::vector<float>;
+
+/// What a listener would have heard in the `seconds` from time 0: rendered through OpenAL's loopback device, no sound
+/// card needed, as fast as the machine goes. Between two states numbers go in a straight line, and the rest is held; so
+/// it is before the first and after the last. Sample n belongs to the time n / kSoundRate, exactly. Errors: no state,
+/// times that do not ascend, a length that is not finite or over an hour, an OpenAL without loopback.
+[[nodiscard]] Expected<StereoSamples> renderOffline(std::span<const TimedSoundState> track, double seconds,
+                                                    const OfflineSettings& settings = {});
+
+}  // namespace tactooth

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "sound/openal_output.h"
+
+#include <AL/alc.h>
+#include <AL/alext.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <utility>
+
+#include "sound/audio_libraries.h"
+#include "sound/drill_synthesiser.h"
+#include "sound/openal_stream.h"
+
+namespace tactooth {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto kPoll = 1500us;       // under a third of a block: each played block is replaced in time
+constexpr auto kRetryAfter = 3s;     // for a sound card that is plugged in later
+constexpr int kStaleBlocks = 40;     // 0.2 s without a new state: the simulation is paused or gone
+constexpr int kConnectedEvery = 50;  // blocks between two looks at the device's plug
+
+// Waits, unless the end is asked for first.
+void pause(const std::stop_token& stop, std::chrono::microseconds time) {
+    std::mutex mutex;
+    std::condition_variable_any wake;
+    std::unique_lock lock(mutex);
+    wake.wait_for(lock, stop, time, [] { return false; });
+}
+
+std::unique_ptr<OpenAlStream> openDefaultDevice(bool headphones) {
+    silenceAlsaMessages();
+    const std::array<ALCint, 5> attributes{ALC_FREQUENCY, kSoundRate, ALC_HRTF_SOFT, headphones ? ALC_TRUE : ALC_FALSE,
+                                           0};
+    return OpenAlStream::create(alcOpenDevice(nullptr), attributes.data(), headphones ? kHeadphoneGain : 1.0f);
+}
+
+bool isConnected(ALCdevice* device) {
+    ALCint connected = ALC_TRUE;
+    if (alcIsExtensionPresent(device, "ALC_EXT_disconnect") == ALC_TRUE) {
+        alcGetIntegerv(device, ALC_CONNECTED, 1, &connected);
+    }
+    return connected == ALC_TRUE;
+}
+
+}  // namespace
+
+/// Keeps one device's queue filled from the output's mailboxes.
+class OpenAlOutput::Feeder {
+public:
+    Feeder(OpenAlOutput& output, OpenAlStream& stream)
+        : output_(output), stream_(stream), synthesiser_(output.settings_.seed) {
+        synthesiser_.setMixer(output.mixer_.value());
+        stream.place(output.placement_.value());
+    }
+
+    /// False once the device is gone.
+    bool fill() {
+        stream_.reclaim();
+        while (stream_.hasRoom()) {
+            feedBlock();
+            if (++blocks_ % kConnectedEvery == 0 && !isConnected(stream_.device())) return false;
+        }
+        if (stream_.ensurePlaying() && std::exchange(started_, true)) ++output_.underruns_;
+        return true;
+    }
+
+private:
+    void feedBlock() {
+        staleBlocks_ = output_.state_.refresh() ? 0 : std::min(staleBlocks_ + 1, kStaleBlocks);
+        if (output_.mixer_.refresh()) synthesiser_.setMixer(output_.mixer_.value());
+        if (output_.placement_.refresh()) stream_.place(output_.placement_.value());
+        synthesiser_.render(staleBlocks_ < kStaleBlocks ? output_.state_.value() : stillDrill(), block_);
+        stream_.queue(block_);
+        ++output_.playedBlocks_;
+    }
+
+    // The same landings as before, so that nothing knocks when the simulation goes on.
+    DrillSoundState stillDrill() const {
+        DrillSoundState still;
+        still.contactCount = output_.state_.value().contactCount;
+        return still;
+    }
+
+    OpenAlOutput& output_;
+    OpenAlStream& stream_;
+    DrillSynthesiser synthesiser_;
+    std::array<float, kSoundBlock> block_{};
+    int staleBlocks_ = 0;
+    std::uint64_t blocks_ = 0;
+    bool started_ = false;
+};
+
+OpenAlOutput::OpenAlOutput(const OpenAlOutputSettings& settings)
+    : settings_(settings), thread_([this](const std::stop_token& stop) { run(stop); }) {}
+
+void OpenAlOutput::run(const std::stop_token& stop) {
+    while (!stop.stop_requested()) {
+        playOnce(stop);
+        if (stop.stop_requested()) return;
+        status_.store(SoundStatus::Silent, std::memory_order_relaxed);
+        pause(stop, kRetryAfter);
+    }
+}
+
+void OpenAlOutput::playOnce(const std::stop_token& stop) {
+    const std::unique_ptr<OpenAlStream> stream = openDefaultDevice(settings_.headphones);
+    if (stream == nullptr) return;
+    const ThreadContext current(stream->context());
+    Feeder feeder(*this, *stream);
+    status_.store(SoundStatus::Playing, std::memory_order_relaxed);
+    while (!stop.stop_requested() && feeder.fill()) pause(stop, kPoll);
+}
+
+}  // namespace tactooth

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <stop_token>
+#include <thread>
+
+#include "geometry/latest_value.h"
+#include "sound/sound_output.h"
+
+namespace tactooth {
+
+struct OpenAlOutputSettings {
+    std::uint64_t seed = 1;
+    bool headphones = false;  ///< place the sound by the ears' own filtering (HRTF) instead of by left-right balance
+};
+
+/// Plays on the system's default sound device from a thread of its own. No sound card, or one that is unplugged: it
+/// goes on silently and tries again every few seconds. Construction and destruction take no longer than opening or
+/// closing the device.
+class OpenAlOutput final : public SoundOutput {
+public:
+    explicit OpenAlOutput(const OpenAlOutputSettings& settings = {});
+
+    void publish(const DrillSoundState& state) override { state_.write(state); }
+    void setMixer(const SoundMixer& mixer) override { mixer_.write(mixer); }
+    void setPlacement(const SoundPlacement& placement) override { placement_.write(placement); }
+    [[nodiscard]] SoundStatus status() const override { return status_.load(std::memory_order_relaxed); }
+
+    /// Blocks handed to the device so far, and how often it had run out of them.
+    [[nodiscard]] std::uint64_t playedBlocks() const { return playedBlocks_.load(std::memory_order_relaxed); }
+    [[nodiscard]] std::uint64_t underruns() const { return underruns_.load(std::memory_order_relaxed); }
+
+private:
+    void run(const std::stop_token& stop);
+    void playOnce(const std::stop_token& stop);
+    class Feeder;
+
+    OpenAlOutputSettings settings_;
+    LatestValue<DrillSoundState> state_;
+    LatestValue<SoundMixer> mixer_;
+    LatestValue<SoundPlacement> placement_;
+    std::atomic<SoundStatus> status_{SoundStatus::Starting};
+    std::atomic<std::uint64_t> playedBlocks_{0};
+    std::atomic<std::uint64_t> underruns_{0};
+    std::jthread thread_;  // last: it uses all of the above
+};
+
+}  // namespace tactooth

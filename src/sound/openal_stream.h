@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <AL/alc.h>
+
+#include <array>
+#include <memory>
+#include <span>
+
+#include "sound/sound_format.h"
+#include "sound/sound_placement.h"
+
+namespace tactooth {
+
+/// Makes a context the current one of this thread alone (ALC_EXT_thread_local_context), so that several devices can be
+/// used by several threads; undone at the end of the scope.
+class ThreadContext {
+public:
+    explicit ThreadContext(ALCcontext* context);
+    ~ThreadContext();
+    ThreadContext(const ThreadContext&) = delete;
+    ThreadContext& operator=(const ThreadContext&) = delete;
+};
+
+/// Amplitude for a context with HRTF: at the near ear some frequencies come out twice as strong as they went in (1.85
+/// times measured, cutting sound from the side), so that a source at its ceiling would clip.
+inline constexpr float kHeadphoneGain = 0.5f;
+
+/// An OpenAL device with one context and one source that plays a queue of short blocks. Every call but the destructor
+/// needs its context() to be current.
+class OpenAlStream {
+public:
+    /// Takes over `device`; none if it cannot make a context or a source. `attributes` as for alcCreateContext;
+    /// `gain` multiplies the amplitude.
+    static std::unique_ptr<OpenAlStream> create(ALCdevice* device, const ALCint* attributes, float gain);
+    ~OpenAlStream();
+    OpenAlStream(const OpenAlStream&) = delete;
+    OpenAlStream& operator=(const OpenAlStream&) = delete;
+
+    [[nodiscard]] ALCdevice* device() const { return device_; }
+    [[nodiscard]] ALCcontext* context() const { return context_; }
+
+    /// Takes back the blocks that have been played. Once before filling up, not in between: in a source that ran dry
+    /// each block counts as played as soon as it is queued.
+    void reclaim();
+    [[nodiscard]] bool hasRoom() const { return freeCount_ > 0; }
+    /// Blocks that the queue holds: what the device takes at a time, and enough more for a thread that is woken late.
+    [[nodiscard]] int queueLength() const { return queueLength_; }
+    /// Appends a block of one channel. Needs room.
+    void queue(std::span<const float> mono);
+    /// Starts playing, again if it had run out of blocks; true if it was not playing.
+    bool ensurePlaying();
+    void place(const SoundPlacement& placement);
+
+private:
+    static constexpr int kLongestQueue = 16;
+
+    OpenAlStream(ALCdevice* device, ALCcontext* context) : device_(device), context_(context) {}
+    bool makeSource(float gain);
+
+    ALCdevice* device_;
+    ALCcontext* context_;
+    unsigned source_ = 0;
+    int queueLength_ = 0;
+    std::array<unsigned, kLongestQueue> buffers_{};
+    std::array<unsigned, kLongestQueue> free_{};
+    int freeCount_ = 0;
+};
+
+}  // namespace tactooth

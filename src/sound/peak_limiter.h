@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <span>
+
+namespace tactooth {
+
+/// Keeps every sample within +-kCeiling by turning the gain down shortly *before* a peak. Below the ceiling it only
+/// delays, bit for bit: a curve that bends the wave (tanh and the like) would add overtones that fold back.
+class PeakLimiter {
+public:
+    static constexpr int kWindow = 64;          ///< samples in which the gain comes down, 1.3 ms
+    static constexpr int kDelay = kWindow - 1;  ///< samples from input to output
+    static constexpr float kCeiling = 0.89f;    ///< -1 dB of full scale: leaves room for the way to the ears
+
+    PeakLimiter();
+    void process(std::span<float> samples);
+
+private:
+    float neededGain() const;
+
+    // Rings of the last kWindow samples, of the gain each of them needs, and of the gain that was allowed.
+    std::array<float, kWindow> samples_{}, needed_, allowed_;
+    int place_ = 0;
+    int loud_ = 0;  // entries of needed_ below 1
+    float gain_ = 1.0f;
+    double allowedSum_ = kWindow;
+};
+
+}  // namespace tactooth

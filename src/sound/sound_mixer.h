@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+namespace tactooth {
+
+/// What the listener has set. Volumes are 0 (silent) .. 1 (as made) and multiply the amplitude.
+struct SoundMixer {
+    double motor = 1.0;    ///< spindle tones and drive air
+    double cutting = 1.0;  ///< grinding noise and taps
+    double master = 1.0;
+    bool muted = false;
+};
+
+}  // namespace tactooth

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/pose.h"
+
+namespace tactooth {
+
+/// Where the sound comes from and where it is heard, in the world frame (mm). Only directions are heard: zooming in
+/// does not make the drill louder.
+struct SoundPlacement {
+    Vec3 source{0.0, 0.0, -300.0};  ///< the bur's tip; by default straight ahead
+    Pose listenerInWorld;           ///< the listener's +x is to the right, +y up, -z ahead, as a camera's
+};
+
+}  // namespace tactooth

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "geometry/vec.h"
+#include "tooth/material.h"
+
+namespace tactooth {
+
+/// A unit direction in four bytes, to 5e-5 rad: the octahedron map (Z. Cigolle et al., "A Survey of Efficient
+/// Representations for Independent Unit Vectors", JCGT 2014).
+class PackedDirection {
+public:
+    PackedDirection() = default;
+    explicit PackedDirection(const Vec3& direction) {
+        const double sum = direction.cwiseAbs().sum();
+        if (sum == 0) return;
+        double u = direction.x() / sum;
+        double v = direction.y() / sum;
+        if (direction.z() < 0) {
+            const double folded = (1 - std::abs(v)) * (u >= 0 ? 1 : -1);
+            v = (1 - std::abs(u)) * (v >= 0 ? 1 : -1);
+            u = folded;
+        }
+        u_ = static_cast<std::int16_t>(std::lround(u * kScale));
+        v_ = static_cast<std::int16_t>(std::lround(v * kScale));
+    }
+    [[nodiscard]] Vec3 unpack() const {
+        double u = u_ / kScale;
+        double v = v_ / kScale;
+        const double z = 1 - std::abs(u) - std::abs(v);
+        if (z < 0) {
+            const double unfolded = (1 - std::abs(v)) * (u >= 0 ? 1 : -1);
+            v = (1 - std::abs(u)) * (v >= 0 ? 1 : -1);
+            u = unfolded;
+        }
+        return Vec3(u, v, z).normalized();
+    }
+    friend bool operator==(const PackedDirection&, const PackedDirection&) = default;
+
+private:
+    static constexpr double kScale = 32767.0;
+    std::int16_t u_ = 0;
+    std::int16_t v_ = 0;
+};
+
+/// Nodes of the lattice along one side of a brick.
+inline constexpr int kBrickSide = 8;
+inline constexpr int kBrickNodes = kBrickSide * kBrickSide * kBrickSide;
+
+[[nodiscard]] constexpr int nodeIndex(int x, int y, int z) { return x + kBrickSide * (y + kBrickSide * z); }
+
+/// How far the two distances of a node are kept, in voxels; farther values are clamped. Removed region: a cell
+/// with a change of sign has all its corners within sqrt(3), and the accounting needs less. Tooth: two more, so that
+/// what lies clear of the surface is known to do so.
+inline constexpr double kCutBand = 2.0;
+inline constexpr double kToothBand = 4.0;
+
+/// 8x8x8 nodes of the two distance fields that make a cut tooth: the solid is where `tooth < 0` and `cut > 0`.
+struct Brick {
+    std::array<float, kBrickNodes> cut;                    ///< to the region that burs have swept, mm, negative inside
+    std::array<PackedDirection, kBrickNodes> cutNormal;    ///< gradient of `cut`, out of the removed region
+    std::array<float, kBrickNodes> tooth;                  ///< to the tooth's own surface, mm, negative inside
+    std::array<PackedDirection, kBrickNodes> toothNormal;  ///< gradient of `tooth`, out of the tooth
+    std::array<MaterialId, kBrickNodes> material;
+    bool isCut = false;      ///< some node has been reached by a sweep
+    bool hasSurface = true;  ///< the tooth's own surface may pass through the brick or the cells around it
+};
+
+}  // namespace tactooth

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "tooth/cut_volume.h"
+
+namespace tactooth {
+
+/// What one carve does to one brick.
+struct BrickCarve {
+    MaterialVolumes removed{};
+    ChangedBrick changed;
+    [[nodiscard]] bool hasChanged() const { return changed.low[0] <= changed.high[0]; }
+};
+
+/// Lowers the cut field of `brick` to the distance to the swept steps.
+[[nodiscard]] BrickCarve carveBrick(Brick& brick, const BrickKey& key, const Lattice& lattice,
+                                    const std::vector<SweepStep>& steps);
+
+/// What carveBrick would remove, without doing it.
+[[nodiscard]] MaterialVolumes removableFromBrick(const Brick& brick, const BrickKey& key, const Lattice& lattice,
+                                                 const std::vector<SweepStep>& steps);
+
+/// What has been removed from the tooth within one brick.
+[[nodiscard]] MaterialVolumes removedFromBrick(const Brick& brick, double spacing);
+
+}  // namespace tactooth

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <compare>
+#include <cstdint>
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+#include "geometry/vec.h"
+#include "tooth/brick.h"
+
+namespace tactooth {
+
+/// Place of a brick in the lattice of bricks.
+struct BrickKey {
+    int x, y, z;
+    friend auto operator<=>(const BrickKey&, const BrickKey&) = default;
+
+    [[nodiscard]] BrickKey moved(int dx, int dy, int dz) const { return {x + dx, y + dy, z + dz}; }
+};
+
+/// Spreads keys over the table (the finalizer of MurmurHash3, A. Appleby, on the three packed coordinates).
+struct BrickKeyHash {
+    [[nodiscard]] std::size_t operator()(const BrickKey& key) const {
+        const auto part = [](int value) { return static_cast<std::uint64_t>(value + (1 << 20)) & 0x1FFFFF; };
+        std::uint64_t bits = part(key.x) | part(key.y) << 21 | part(key.z) << 42;
+        bits = (bits ^ (bits >> 33)) * 0xff51afd7ed558ccdULL;
+        bits = (bits ^ (bits >> 33)) * 0xc4ceb9fe1a85ec53ULL;
+        return bits ^ (bits >> 33);
+    }
+};
+
+/// The lattice of nodes: node (i, j, k) stands at origin + spacing * (i, j, k).
+class Lattice {
+public:
+    explicit Lattice(double spacing) : spacing_(spacing) {}
+
+    [[nodiscard]] double spacing() const { return spacing_; }
+    [[nodiscard]] Vec3 node(int i, int j, int k) const {
+        // Off the round numbers on which flat faces of modelled shapes lie: a node on a face has no clear side.
+        return spacing_ * Vec3(i + 0.371, j + 0.443, k + 0.517);
+    }
+    /// First node of a brick.
+    [[nodiscard]] Vec3 corner(const BrickKey& key) const {
+        return node(kBrickSide * key.x, kBrickSide * key.y, kBrickSide * key.z);
+    }
+    /// Middle of a brick's nodes.
+    [[nodiscard]] Vec3 centre(const BrickKey& key) const {
+        return corner(key) + Vec3::Constant(0.5 * (kBrickSide - 1) * spacing_);
+    }
+    /// Distance from the centre of a brick to its corner nodes, mm.
+    [[nodiscard]] double halfDiagonal() const { return 0.5 * (kBrickSide - 1) * spacing_ * std::sqrt(3.0); }
+    /// The brick whose nodes and the cells above them hold `point`.
+    [[nodiscard]] BrickKey brickAt(const Vec3& point) const {
+        const Vec3 place = (point - node(0, 0, 0)) / (kBrickSide * spacing_);
+        return {static_cast<int>(std::floor(place.x())), static_cast<int>(std::floor(place.y())),
+                static_cast<int>(std::floor(place.z()))};
+    }
+    /// Every brick that owns a node or a cell within `box`, in ascending order.
+    [[nodiscard]] std::vector<BrickKey> bricksTouching(const Box3& box) const {
+        const BrickKey low = brickAt(box.min());
+        const BrickKey high = brickAt(box.max());
+        std::vector<BrickKey> keys;
+        for (int x = low.x; x <= high.x; ++x) {
+            for (int y = low.y; y <= high.y; ++y) {
+                for (int z = low.z; z <= high.z; ++z) keys.push_back({x, y, z});
+            }
+        }
+        return keys;
+    }
+
+private:
+    double spacing_;
+};
+
+/// The bricks that have been made so far. A brick clear of the tooth is remembered as absent.
+class BrickMap {
+public:
+    [[nodiscard]] bool knows(const BrickKey& key) const { return bricks_.contains(key); }
+    [[nodiscard]] const Brick* find(const BrickKey& key) const {
+        const auto found = bricks_.find(key);
+        return found == bricks_.end() ? nullptr : found->second.get();
+    }
+    [[nodiscard]] Brick* find(const BrickKey& key) {
+        const auto found = bricks_.find(key);
+        return found == bricks_.end() ? nullptr : found->second.get();
+    }
+    void insert(const BrickKey& key, std::unique_ptr<Brick> brick) { bricks_[key] = std::move(brick); }
+    void clear() { bricks_.clear(); }
+    /// Keys of the bricks that exist, in ascending order.
+    [[nodiscard]] std::vector<BrickKey> keys() const {
+        std::vector<BrickKey> result;
+        for (const auto& [key, brick] : bricks_) {
+            if (brick) result.push_back(key);
+        }
+        std::sort(result.begin(), result.end());
+        return result;
+    }
+
+private:
+    std::unordered_map<BrickKey, std::unique_ptr<Brick>, BrickKeyHash> bricks_;
+};
+
+}  // namespace tactooth

@@ -1,0 +1,296 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tooth/cavity_wall.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "tooth/brick_neighbourhood.h"
+#include "tooth/cell_topology.h"
+
+// T. Ju, F. Losasso, S. Schaefer, J. Warren, "Dual Contouring of Hermite Data", SIGGRAPH 2002, with a vertex for each
+// round of a cell (see cell_topology.h). Differs from the paper: crossings and normals of the lattice edges come from
+// the distance and the gradient that each node keeps from the bur that passed nearest, which are exact planes; and
+// where two rounds of one cell share a face, the border gets a vertex on that face, so that no edge has four triangles.
+
+namespace tactooth {
+namespace {
+
+/// Voxels; a wall triangle lies within sqrt(3) of either node of its lattice edge.
+constexpr double kTriangleReach = 1.75;
+/// Voxels; a wall triangle lies within 1.5 of the nearer node of its lattice edge.
+constexpr double kNearerReach = 1.6;
+/// Directions in which the planes of a cell agree to this share of their weight are not an edge: the vertex stays at
+/// the mean of the crossings there. Keeps edges sharper than about 20 degrees.
+constexpr double kFlat = 0.03;
+/// A plane that a lattice edge meets at a smaller slope says nothing about where they cross.
+constexpr double kLeastSlope = 0.1;
+
+struct Crossing {
+    Vec3 point;
+    Vec3 normal;
+};
+
+using Place = std::array<int, 3>;
+
+Place moved(Place place, int axis, int step) {
+    place[axis] += step;
+    return place;
+}
+
+class WallExtractor {
+public:
+    WallExtractor(const BrickMap& bricks, const Lattice& lattice, const BrickKey& key)
+        : nodes_(bricks, key, lattice.spacing()), key_(key), corner_(lattice.corner(key)), spacing_(lattice.spacing()) {
+        cellVertex_.fill(kNoVertex);
+        edgeCrossing_.fill(kNoCrossing);
+    }
+
+    CavityWall run() {
+        if (!nodes_.hasBorder()) return {};
+        for (int z = 0; z < kBrickSide; ++z) {
+            for (int y = 0; y < kBrickSide; ++y) {
+                for (int x = 0; x < kBrickSide; ++x) {
+                    for (int axis = 0; axis < 3; ++axis) addPolygon({x, y, z}, axis);
+                }
+            }
+        }
+        return std::move(wall_);
+    }
+
+private:
+    static constexpr std::uint32_t kNoVertex = ~0U;
+    static constexpr std::uint16_t kNoCrossing = 0xFFFF;
+    static constexpr int kCellSide = kBrickSide + 1;
+    static constexpr int kRounds = 4;  ///< at most, in one cell
+
+    static int nodeAt(const Place& p) { return BrickNeighbourhood::index(p[0], p[1], p[2]); }
+    [[nodiscard]] bool isRemoved(const Place& p) const { return nodes_.cut(nodeAt(p)) < 0; }
+    [[nodiscard]] Vec3 position(const Place& p) const { return corner_ + spacing_ * Vec3(p[0], p[1], p[2]); }
+
+    /// A number that this node of the lattice alone has, with room for 16 kinds of things that belong to it.
+    [[nodiscard]] std::uint64_t numberOf(const Place& p, int kind) const {
+        constexpr std::uint64_t kMask = (1U << 20) - 1;
+        const auto coordinate = [](int brick, int local) {
+            return static_cast<std::uint64_t>(kBrickSide * brick + local + (1 << 19)) & kMask;
+        };
+        return (coordinate(key_.x, p[0]) << 40 | coordinate(key_.y, p[1]) << 20 | coordinate(key_.z, p[2])) << 4 |
+               static_cast<std::uint64_t>(kind);
+    }
+
+    /// Where the border crosses the lattice edge from `a` along `axis`. Both nodes know a plane of the border. Where
+    /// the field bends down on the way (two cuts that overlap) it is the lower of the two, where it bends up (a corner
+    /// of one cut) the higher one.
+    [[nodiscard]] Crossing computeCrossing(const Place& a, int axis) const {
+        Place low = a;
+        Place high = moved(a, axis, 1);
+        double direction = 1;
+        if (!isRemoved(low)) std::swap(low, high), direction = -1;
+        const double cutLow = nodes_.cut(nodeAt(low));
+        const double cutHigh = nodes_.cut(nodeAt(high));
+        const Vec3 normalLow = nodes_.cutNormal(nodeAt(low));
+        const Vec3 normalHigh = nodes_.cutNormal(nodeAt(high));
+        const double slopeLow = direction * normalLow[axis];
+        const double slopeHigh = direction * normalHigh[axis];
+        const double rootLow = slopeLow > kLeastSlope ? -cutLow / slopeLow : -1;
+        const double rootHigh = slopeHigh > kLeastSlope ? spacing_ - cutHigh / slopeHigh : -1;
+        const auto isOnEdge = [&](double root) { return root >= 0 && root <= spacing_; };
+        double root = -cutLow / (cutHigh - cutLow) * spacing_;
+        bool fromLow = root < 0.5 * spacing_;
+        if (isOnEdge(rootLow) && isOnEdge(rootHigh)) {
+            fromLow = (slopeHigh < slopeLow) == (rootLow > rootHigh);
+            root = fromLow ? rootLow : rootHigh;
+        } else if (isOnEdge(rootLow) || isOnEdge(rootHigh)) {
+            fromLow = isOnEdge(rootLow);
+            root = fromLow ? rootLow : rootHigh;
+        }
+        Vec3 point = position(low);
+        point[axis] += direction * root;
+        return {point, fromLow ? normalLow : normalHigh};
+    }
+
+    /// Each crossing is asked for by the four cells around it.
+    Crossing crossingAt(const Place& a, int axis) {
+        std::uint16_t& slot = edgeCrossing_[3 * nodeAt(a) + axis];
+        if (slot == kNoCrossing) {
+            slot = static_cast<std::uint16_t>(crossings_.size());
+            crossings_.push_back(computeCrossing(a, axis));
+        }
+        return crossings_[slot];
+    }
+
+    [[nodiscard]] int insideBits(const Place& cell) const {
+        int bits = 0;
+        for (int corner = 0; corner < 8; ++corner) {
+            bits |= isRemoved({cell[0] + (corner & 1), cell[1] + (corner >> 1 & 1), cell[2] + (corner >> 2)}) << corner;
+        }
+        return bits;
+    }
+
+    /// The vertex of the round of `cell` that crosses lattice edge (`a`, `axis`).
+    std::uint32_t vertexOf(const Place& cell, const Place& a, int axis) {
+        const CellRounds& rounds = kCellRounds[insideBits(cell)];
+        const int u = (axis + 1) % 3;
+        const int v = (axis + 2) % 3;
+        const int round = rounds.roundOfEdge[cellEdge(axis, a[u] - cell[u], a[v] - cell[v])];
+        const int slot = round + kRounds * (cell[0] + 1 + kCellSide * (cell[1] + 1 + kCellSide * (cell[2] + 1)));
+        std::uint32_t& vertex = cellVertex_[slot];
+        if (vertex == kNoVertex) vertex = addVertex(placeVertex(cell, rounds, round), numberOf(cell, round), cell);
+        return vertex;
+    }
+
+    [[nodiscard]] Vec3 placeVertex(const Place& cell, const CellRounds& rounds, int round) {
+        std::array<Crossing, 12> crossings;
+        int count = 0;
+        Vec3 mean = Vec3::Zero();
+        for (int edge = 0; edge < 12; ++edge) {
+            if (rounds.roundOfEdge[edge] != round) continue;
+            const int first = cellEdgeCorners(edge)[0];
+            const Place a = {cell[0] + (first & 1), cell[1] + (first >> 1 & 1), cell[2] + (first >> 2)};
+            crossings[count] = crossingAt(a, edge / 4);
+            mean += crossings[count++].point;
+        }
+        mean /= count;
+        Mat3 normals = Mat3::Zero();
+        Vec3 offsets = Vec3::Zero();
+        for (int i = 0; i < count; ++i) {
+            const auto& [point, normal] = crossings[i];
+            normals += normal * normal.transpose();
+            offsets += normal * normal.dot(point - mean);
+        }
+        const Vec3 vertex = mean + leastSquares(normals, offsets);
+        const Vec3 low = position(cell);
+        return vertex.cwiseMax(low).cwiseMin(low + Vec3::Constant(spacing_));
+    }
+
+    /// Smallest step to the point nearest to all planes (the quadric of the paper), flat directions left out.
+    static Vec3 leastSquares(const Mat3& normals, const Vec3& offsets) {
+        Eigen::SelfAdjointEigenSolver<Mat3> solver;
+        solver.computeDirect(normals);
+        const double largest = solver.eigenvalues()[2];
+        Vec3 step = Vec3::Zero();
+        for (int i = 0; i < 3; ++i) {
+            const double value = solver.eigenvalues()[i];
+            if (value < kFlat * largest) continue;
+            const Vec3 direction = solver.eigenvectors().col(i);
+            step += direction * (direction.dot(offsets) / value);
+        }
+        return step;
+    }
+
+    std::uint32_t addVertex(const Vec3& point, std::uint64_t id, const Place& cell) {
+        wall_.mesh.vertices.push_back(point.cast<float>());
+        wall_.vertexIds.push_back(id);
+        wall_.sides.push_back(sideOf(point, cell));
+        return static_cast<std::uint32_t>(wall_.mesh.vertices.size() - 1);
+    }
+
+    /// A distance changes by no more than the way: a corner of the cell that is farther from the tooth's surface than
+    /// from the vertex has the vertex on its side.
+    [[nodiscard]] std::int8_t sideOf(const Vec3& point, const Place& cell) const {
+        for (int corner = 0; corner < 8; ++corner) {
+            const Place p = {cell[0] + (corner & 1), cell[1] + (corner >> 1 & 1), cell[2] + (corner >> 2)};
+            const double distance = nodes_.tooth(nodeAt(p));
+            if (std::abs(distance) > (position(p) - point).norm() * (1 + 1e-6)) return distance < 0 ? -1 : 1;
+        }
+        return 0;
+    }
+
+    /// The face between two cells at lattice edge (`a`, `axis`), and the vertex on it if the border crosses it twice.
+    void addFaceVertex(const Place& faceCorner, int faceAxis, const Place& a, int axis) {
+        const int u = (faceAxis + 1) % 3;
+        const int v = (faceAxis + 2) % 3;
+        std::array<bool, 4> removed{};
+        for (int i = 0; i < 4; ++i) removed[i] = isRemoved(moved(moved(faceCorner, u, i & 1), v, i >> 1));
+        if (removed[0] == removed[1] || removed[0] == removed[2] || removed[0] != removed[3]) return;
+        const Place corner = isRemoved(a) ? a : moved(a, axis, 1);
+        const int end = (corner[u] - faceCorner[u]) | (corner[v] - faceCorner[v]) << 1;
+        const Place onU = moved(moved(faceCorner, v, end >> 1), u, 0);
+        const Place onV = moved(faceCorner, u, end & 1);
+        const Vec3 point = 0.5 * (crossingAt(onU, u).point + crossingAt(onV, v).point);
+        const std::uint64_t id = numberOf(faceCorner, kRounds + 2 * faceAxis + (end >= 2 ? 1 : 0));
+        const auto known = std::find(wall_.vertexIds.begin(), wall_.vertexIds.end(), id);
+        polygon_[polygonSize_++] = known != wall_.vertexIds.end()
+                                       ? static_cast<std::uint32_t>(known - wall_.vertexIds.begin())
+                                       : addVertex(point, id, faceCorner);
+    }
+
+    /// The polygon around one lattice edge that the border crosses.
+    void addPolygon(const Place& a, int axis) {
+        const Place b = moved(a, axis, 1);
+        if (isRemoved(a) == isRemoved(b)) return;
+        const double toothA = nodes_.tooth(nodeAt(a)) / spacing_;
+        const double toothB = nodes_.tooth(nodeAt(b)) / spacing_;
+        if (std::min(toothA, toothB) > kNearerReach || std::max(toothA, toothB) > kTriangleReach) return;
+
+        const int u = (axis + 1) % 3;
+        const int v = (axis + 2) % 3;
+        const Place beforeU = moved(a, u, -1);
+        const Place beforeV = moved(a, v, -1);
+        polygonSize_ = 0;
+        polygon_[polygonSize_++] = vertexOf(moved(beforeU, v, -1), a, axis);
+        addFaceVertex(beforeV, u, a, axis);
+        polygon_[polygonSize_++] = vertexOf(beforeV, a, axis);
+        addFaceVertex(a, v, a, axis);
+        polygon_[polygonSize_++] = vertexOf(a, a, axis);
+        addFaceVertex(a, u, a, axis);
+        polygon_[polygonSize_++] = vertexOf(beforeU, a, axis);
+        addFaceVertex(beforeU, v, a, axis);
+        if (isRemoved(a)) std::reverse(polygon_.begin(), polygon_.begin() + polygonSize_);
+
+        const bool isClear = toothA < -kTriangleReach || toothB < -kTriangleReach;
+        const Place& solid = isRemoved(a) ? b : a;
+        const Place& removed = isRemoved(a) ? a : b;
+        const Place& behind = nodes_.tooth(nodeAt(solid)) < 0 ? solid : removed;
+        addTriangles(isClear ? CavityWall::Place::Inside : CavityWall::Place::AtSurface,
+                     static_cast<SurfaceTag>(nodes_.material(nodeAt(behind))), numberOf(a, axis));
+    }
+
+    /// A four-sided polygon is folded along the diagonal that leaves the smaller bend. One with face vertices is fanned
+    /// out from such a one: a diagonal between the cells at its sides would be drawn by two polygons.
+    void addTriangles(CavityWall::Place place, SurfaceTag tag, std::uint64_t faceId) {
+        const auto begin = polygon_.begin();
+        const auto end = begin + polygonSize_;
+        if (polygonSize_ > 4) {
+            const auto isOnFace = [&](std::uint32_t vertex) { return (wall_.vertexIds[vertex] & 15) >= kRounds; };
+            std::rotate(begin, std::find_if(begin, end, isOnFace), end);
+        } else if (bendAlong(1) < bendAlong(0)) {
+            std::rotate(begin, begin + 1, end);
+        }
+        for (int i = 1; i + 1 < polygonSize_; ++i) {
+            wall_.mesh.triangles.push_back({polygon_[0], polygon_[i], polygon_[i + 1]});
+            wall_.tags.push_back(tag);
+            wall_.places.push_back(place);
+            wall_.faceIds.push_back(faceId * 8 + static_cast<std::uint64_t>(i));  // at most six triangles
+        }
+    }
+
+    [[nodiscard]] double bendAlong(int first) const {
+        const auto corner = [&](int i) { return wall_.mesh.vertices[polygon_[(first + i) % 4]].cast<double>(); };
+        const Vec3 diagonal = corner(2) - corner(0);
+        const Vec3 one = (corner(1) - corner(0)).cross(diagonal);
+        const Vec3 two = diagonal.cross(corner(3) - corner(0));
+        return -one.normalized().dot(two.normalized());
+    }
+
+    const BrickNeighbourhood nodes_;
+    const BrickKey key_;
+    const Vec3 corner_;
+    const double spacing_;
+    CavityWall wall_;
+    std::array<std::uint32_t, kCellSide * kCellSide * kCellSide * kRounds> cellVertex_;
+    std::array<std::uint16_t, 3 * BrickNeighbourhood::kSide * BrickNeighbourhood::kSide * BrickNeighbourhood::kSide>
+        edgeCrossing_;
+    std::vector<Crossing> crossings_;
+    std::array<std::uint32_t, 8> polygon_;
+    int polygonSize_ = 0;
+};
+
+}  // namespace
+
+CavityWall extractWall(const BrickMap& bricks, const Lattice& lattice, const BrickKey& key) {
+    return WallExtractor(bricks, lattice, key).run();
+}
+
+}  // namespace tactooth

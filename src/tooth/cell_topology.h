@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace tactooth {
+
+/// How the border of a region passes through a cell of eight corners, by which of them are inside. Corner number =
+/// x + 2 y + 4 z. Edge number = 4 * axis + u + 2 v, (u, v) its place on the two axes that follow, cyclically.
+///
+/// The border is one or more closed rounds over faces of the cell; each round gets a vertex of its own, which keeps
+/// the surface a manifold (S. Schaefer, T. Ju, J. Warren, "Manifold Dual Contouring", 2007; G. Nielson, "Dual Marching
+/// Cubes", 2004). On a face with two inside corners at opposite ends the inside corners are kept apart, which both
+/// cells at that face see alike.
+struct CellRounds {
+    std::array<std::int8_t, 12> roundOfEdge;  ///< -1: the border does not cross this edge
+    std::int8_t count;
+};
+
+[[nodiscard]] constexpr int cellEdge(int axis, int u, int v) { return 4 * axis + u + 2 * v; }
+/// First and second corner of an edge, along its axis.
+[[nodiscard]] constexpr std::array<int, 2> cellEdgeCorners(int edge) {
+    const int axis = edge / 4;
+    const int first = (edge & 1) << ((axis + 1) % 3) | (edge >> 1 & 1) << ((axis + 2) % 3);
+    return {first, first | 1 << axis};
+}
+
+namespace detail {
+
+constexpr bool crossesBorder(int inside, int edge) {
+    const auto [a, b] = cellEdgeCorners(edge);
+    return ((inside >> a) & 1) != ((inside >> b) & 1);
+}
+
+/// Gives all edges of one round the same number.
+constexpr void join(CellRounds& rounds, int first, int second) {
+    const std::int8_t from = rounds.roundOfEdge[first];
+    const std::int8_t to = rounds.roundOfEdge[second];
+    for (std::int8_t& round : rounds.roundOfEdge) {
+        if (round == from) round = to;
+    }
+}
+
+constexpr void joinOnFace(CellRounds& rounds, int inside, int axis, int side) {
+    const int u = (axis + 1) % 3;
+    const int v = (axis + 2) % 3;
+    // The four edges of the face, and for each of its corners the two that meet there.
+    const std::array<int, 2> edgesU = {cellEdge(u, 0, side), cellEdge(u, 1, side)};  // by the place on v
+    const std::array<int, 2> edgesV = {cellEdge(v, side, 0), cellEdge(v, side, 1)};  // by the place on u
+    std::array<int, 4> crossed{};
+    int count = 0;
+    for (const int edge : {edgesU[0], edgesU[1], edgesV[0], edgesV[1]}) {
+        if (crossesBorder(inside, edge)) crossed[count++] = edge;
+    }
+    if (count == 2) join(rounds, crossed[0], crossed[1]);
+    if (count != 4) return;
+    for (int corner = 0; corner < 4; ++corner) {
+        const int number = side << axis | (corner & 1) << u | (corner >> 1) << v;
+        if ((inside >> number) & 1) join(rounds, edgesU[corner >> 1], edgesV[corner & 1]);
+    }
+}
+
+constexpr CellRounds roundsOf(int inside) {
+    CellRounds rounds{};
+    for (int edge = 0; edge < 12; ++edge) {
+        rounds.roundOfEdge[edge] = static_cast<std::int8_t>(crossesBorder(inside, edge) ? edge : -1);
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        for (int side = 0; side < 2; ++side) joinOnFace(rounds, inside, axis, side);
+    }
+    std::array<std::int8_t, 12> renumbered{};
+    renumbered.fill(-1);
+    for (std::int8_t& round : rounds.roundOfEdge) {
+        if (round < 0) continue;
+        if (renumbered[round] < 0) renumbered[round] = rounds.count++;
+        round = renumbered[round];
+    }
+    return rounds;
+}
+
+constexpr std::array<CellRounds, 256> allRounds() {
+    std::array<CellRounds, 256> table{};
+    for (int inside = 0; inside < 256; ++inside) table[inside] = roundsOf(inside);
+    return table;
+}
+
+}  // namespace detail
+
+/// By the bits of the corners that are inside.
+inline constexpr std::array<CellRounds, 256> kCellRounds = detail::allRounds();
+
+}  // namespace tactooth

@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tooth/cut_volume.h"
+
+#include <tbb/parallel_for.h>
+
+#include <bit>
+#include <cassert>
+#include <numeric>
+
+#include "tooth/brick_carver.h"
+#include "tooth/brick_maker.h"
+
+namespace tactooth {
+namespace {
+
+/// Longest step of a sweep, in voxels: within one the distance to a bur is taken as convex along the path.
+constexpr double kLongestStep = 1.0;
+
+MaterialVolumes sum(const std::vector<MaterialVolumes>& parts) {
+    MaterialVolumes volumes{};
+    for (const MaterialVolumes& part : parts) {
+        for (std::size_t i = 0; i < kMaterialCount; ++i) volumes[i] += part[i];
+    }
+    return volumes;
+}
+
+std::uint64_t fnv1a(std::uint64_t hash, std::uint64_t value) {
+    for (int byte = 0; byte < 8; ++byte) hash = (hash ^ (value >> (8 * byte) & 0xFF)) * 0x100000001b3ULL;
+    return hash;
+}
+
+}  // namespace
+
+double total(const MaterialVolumes& volumes) { return std::accumulate(volumes.begin(), volumes.end(), 0.0); }
+
+CutVolume::CutVolume(std::shared_ptr<const LayeredTooth> tooth, double voxel)
+    : tooth_(std::move(tooth)), lattice_(voxel) {
+    assert(tooth_ && voxel > 0);
+}
+
+std::vector<BrickKey> CutVolume::bricksInReach(const std::vector<SweepStep>& steps) const {
+    const double band = kCutBand * lattice_.spacing();
+    const double reach = lattice_.halfDiagonal() + band;
+    const Vec3 margin = Vec3::Constant(band);
+    Box3 swept;
+    for (const SweepStep& step : steps) swept.extend(step.box());
+    Box3 tooth = tooth_->outer()->tree().box();
+    tooth = Box3(tooth.min() - margin, tooth.max() + margin);
+    const Box3 common = Box3(swept.min() - margin, swept.max() + margin).intersection(tooth);
+    if (common.isEmpty()) return {};
+    std::vector<BrickKey> keys;
+    for (const BrickKey& key : lattice_.bricksTouching(common)) {
+        const Vec3 centre = lattice_.centre(key);
+        const auto isNear = [&](const SweepStep& step) { return step.lowerBound(centre) < reach; };
+        if (std::any_of(steps.begin(), steps.end(), isNear)) keys.push_back(key);
+    }
+    return keys;
+}
+
+void CutVolume::makeMissing(const std::vector<BrickKey>& keys) {
+    std::vector<BrickKey> missing;
+    for (const BrickKey& key : keys) {
+        if (!bricks_.knows(key)) missing.push_back(key);
+    }
+    std::vector<std::unique_ptr<Brick>> made(missing.size());
+    tbb::parallel_for(std::size_t{0}, missing.size(),
+                      [&](std::size_t i) { made[i] = makeBrick(*tooth_, lattice_, missing[i]); });
+    for (std::size_t i = 0; i < missing.size(); ++i) bricks_.insert(missing[i], std::move(made[i]));
+}
+
+CarveResult CutVolume::carve(const RevolutionEnvelope& envelope, const Pose& fromInTooth, const Pose& toInTooth,
+                             double clearance) {
+    const auto steps = sweepSteps(envelope, fromInTooth, toInTooth, clearance, kLongestStep * lattice_.spacing());
+    const std::vector<BrickKey> keys = bricksInReach(steps);
+    makeMissing(keys);
+    std::vector<BrickCarve> carved(keys.size());
+    tbb::parallel_for(std::size_t{0}, keys.size(), [&](std::size_t i) {
+        if (Brick* brick = bricks_.find(keys[i])) carved[i] = carveBrick(*brick, keys[i], lattice_, steps);
+    });
+    CarveResult result;
+    for (const BrickCarve& part : carved) {
+        for (std::size_t m = 0; m < kMaterialCount; ++m) result.removed[m] += part.removed[m];
+        if (part.hasChanged()) result.changed.push_back(part.changed);
+    }
+    return result;
+}
+
+MaterialVolumes CutVolume::removableVolume(const RevolutionEnvelope& envelope, const Pose& fromInTooth,
+                                           const Pose& toInTooth, double clearance) {
+    const auto steps = sweepSteps(envelope, fromInTooth, toInTooth, clearance, kLongestStep * lattice_.spacing());
+    const std::vector<BrickKey> keys = bricksInReach(steps);
+    makeMissing(keys);
+    std::vector<MaterialVolumes> parts(keys.size(), MaterialVolumes{});
+    tbb::parallel_for(std::size_t{0}, keys.size(), [&](std::size_t i) {
+        if (const Brick* brick = std::as_const(bricks_).find(keys[i])) {
+            parts[i] = removableFromBrick(*brick, keys[i], lattice_, steps);
+        }
+    });
+    return sum(parts);
+}
+
+MaterialVolumes CutVolume::removedVolume() const {
+    std::vector<MaterialVolumes> parts;
+    for (const BrickKey& key : bricks_.keys()) {
+        const Brick& brick = *bricks_.find(key);
+        if (brick.isCut) parts.push_back(removedFromBrick(brick, lattice_.spacing()));
+    }
+    return sum(parts);
+}
+
+double CutVolume::cutDistance(const Vec3& point) const {
+    const Vec3 place = (point - lattice_.node(0, 0, 0)) / lattice_.spacing();
+    const Vec3 first = place.array().floor();
+    const Vec3 share = place - first;
+    BrickKey lastKey{};
+    const Brick* brick = nullptr;
+    double distance = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+        const Eigen::Vector3i step(corner & 1, corner >> 1 & 1, corner >> 2);
+        const Eigen::Vector3i node = first.cast<int>() + step;
+        const BrickKey key{node.x() >> 3, node.y() >> 3, node.z() >> 3};  // eight nodes a side
+        if (corner == 0 || key != lastKey) brick = bricks_.find(key);
+        lastKey = key;
+        double weight = 1;
+        for (int axis = 0; axis < 3; ++axis) weight *= step[axis] == 1 ? share[axis] : 1 - share[axis];
+        distance += weight * (brick != nullptr ? brick->cut[nodeIndex(node.x() & 7, node.y() & 7, node.z() & 7)]
+                                               : kCutBand * lattice_.spacing());
+    }
+    return distance;
+}
+
+std::uint64_t CutVolume::hash() const {
+    std::uint64_t hash = 0xcbf29ce484222325ULL;
+    for (const BrickKey& key : bricks_.keys()) {
+        const Brick& brick = *bricks_.find(key);
+        if (!brick.isCut) continue;
+        for (const int place : {key.x, key.y, key.z}) hash = fnv1a(hash, static_cast<std::uint32_t>(place));
+        for (int node = 0; node < kBrickNodes; ++node) {
+            hash = fnv1a(hash, std::uint64_t{std::bit_cast<std::uint32_t>(brick.cut[node])} << 32 |
+                                   std::bit_cast<std::uint32_t>(brick.cutNormal[node]));
+            hash = fnv1a(hash, std::uint64_t{std::bit_cast<std::uint32_t>(brick.tooth[node])} << 8 |
+                                   static_cast<std::uint64_t>(brick.material[node]));
+        }
+    }
+    return hash;
+}
+
+}  // namespace tactooth

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "tooth/brick_map.h"
+#include "tooth/layered_tooth.h"
+#include "tooth/revolution_envelope.h"
+#include "tooth/swept_envelope.h"
+
+namespace tactooth {
+
+/// Volumes by MaterialId, mm^3.
+using MaterialVolumes = std::array<double, kMaterialCount>;
+
+[[nodiscard]] double total(const MaterialVolumes& volumes);
+
+/// A brick in which a carve has moved the border of the removed region, and which of its node layers took part.
+struct ChangedBrick {
+    BrickKey key;
+    std::array<std::uint8_t, 3> low = {kBrickSide, kBrickSide, kBrickSide};  ///< first changed node on each axis
+    std::array<std::uint8_t, 3> high = {0, 0, 0};                            ///< last changed node on each axis
+};
+
+struct CarveResult {
+    MaterialVolumes removed{};
+    std::vector<ChangedBrick> changed;  ///< in ascending order of their keys
+};
+
+/// How much wider than the bur the cut is by default, in voxels: covers the chords of the extracted surface, so that
+/// a bur at rest in its own cut does not touch it.
+inline constexpr double kDefaultClearance = 0.04;
+
+/// The part of a tooth that burs have removed, as a sparse volume of bricks which are made when a bur comes near.
+/// One thread writes; the work inside is shared among the cores, and the result is the same for any number of them.
+class CutVolume {
+public:
+    /// `voxel` is the spacing of the nodes, mm.
+    CutVolume(std::shared_ptr<const LayeredTooth> tooth, double voxel);
+
+    /// Removes everything that `envelope`, widened by `clearance` (mm), sweeps on its way between two poses of the tool
+    /// in the tooth's frame. Volumes are counted below the voxel: to about 0.1 % of a cut some voxels wide.
+    CarveResult carve(const RevolutionEnvelope& envelope, const Pose& fromInTooth, const Pose& toInTooth,
+                      double clearance);
+    CarveResult carve(const RevolutionEnvelope& envelope, const Pose& fromInTooth, const Pose& toInTooth) {
+        return carve(envelope, fromInTooth, toInTooth, kDefaultClearance * lattice_.spacing());
+    }
+
+    /// What the same `carve` would remove. Changes nothing (bricks that are needed for the answer are kept).
+    [[nodiscard]] MaterialVolumes removableVolume(const RevolutionEnvelope& envelope, const Pose& fromInTooth,
+                                                  const Pose& toInTooth, double clearance);
+    [[nodiscard]] MaterialVolumes removableVolume(const RevolutionEnvelope& envelope, const Pose& fromInTooth,
+                                                  const Pose& toInTooth) {
+        return removableVolume(envelope, fromInTooth, toInTooth, kDefaultClearance * lattice_.spacing());
+    }
+
+    /// The whole tooth again.
+    void reset() { bricks_.clear(); }
+
+    /// Everything removed so far, summed anew over all bricks.
+    [[nodiscard]] MaterialVolumes removedVolume() const;
+    /// FNV-1a over the fields of all bricks that were cut, in the order of their keys.
+    [[nodiscard]] std::uint64_t hash() const;
+
+    /// Distance from a point to the removed region, read between the nodes, mm; clamped to kCutBand voxels.
+    [[nodiscard]] double cutDistance(const Vec3& point) const;
+
+    [[nodiscard]] const BrickMap& bricks() const { return bricks_; }
+    [[nodiscard]] const Lattice& lattice() const { return lattice_; }
+    [[nodiscard]] const std::shared_ptr<const LayeredTooth>& tooth() const { return tooth_; }
+    [[nodiscard]] std::size_t bytes() const { return bricks_.keys().size() * sizeof(Brick); }
+
+private:
+    [[nodiscard]] std::vector<BrickKey> bricksInReach(const std::vector<SweepStep>& steps) const;
+    void makeMissing(const std::vector<BrickKey>& keys);
+
+    std::shared_ptr<const LayeredTooth> tooth_;
+    Lattice lattice_;
+    BrickMap bricks_;
+};
+
+}  // namespace tactooth

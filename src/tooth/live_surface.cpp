@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tooth/live_surface.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <set>
+
+#include "tooth/base_cutter.h"
+#include "tooth/box_query.h"
+
+namespace tactooth {
+namespace {
+
+Box3 triangleBox(const TriangleMesh& mesh, std::uint32_t t) {
+    Box3 box(mesh.corner(t, 0));
+    box.extend(mesh.corner(t, 1));
+    box.extend(mesh.corner(t, 2));
+    return box;
+}
+
+Box3 grown(const Box3& box, double margin) {
+    return {box.min() - Vec3::Constant(margin), box.max() + Vec3::Constant(margin)};
+}
+
+/// All that the triangles of a brick's wall can touch.
+Box3 wallBox(const Lattice& lattice, const BrickKey& key) {
+    const Vec3 low = lattice.corner(key);
+    const Box3 nodes(low, low + Vec3::Constant((kBrickSide - 1) * lattice.spacing()));
+    return grown(nodes, kWallReach * lattice.spacing());
+}
+
+}  // namespace
+
+LiveSurface::LiveSurface(const CutVolume& volume) : base_(volume.tooth()->outer()), lattice_(volume.lattice()) {
+    snapshot_ = std::make_shared<const Surface>(Surface{base_, nullptr, {}, 0});
+}
+
+void LiveSurface::reset() {
+    cells_.clear();
+    patches_.clear();
+    hidden_.clear();
+    failures_ = 0;
+    snapshot_ = std::make_shared<const Surface>(Surface{base_, nullptr, {}, snapshot_->revision + 1});
+}
+
+void LiveSurface::update(const CutVolume& volume, const std::vector<ChangedBrick>& changed) {
+    if (changed.empty()) return;
+    std::vector<BrickKey> dirty = bricksToExtract(volume, changed);
+    std::vector<Cell*> cells;
+    for (const BrickKey& key : dirty) cells.push_back(&cells_[key]);
+    tbb::parallel_for(std::size_t{0}, dirty.size(), [&](std::size_t i) { extract(volume, dirty[i], *cells[i]); });
+    for (const Cell* cell : cells) failures_ += static_cast<std::size_t>(cell->wall.failures);
+
+    const std::vector<std::uint32_t> triangles = affectedBase(dirty);
+    storeBase(triangles, cutBase(volume, triangles, cutLines(triangles)), dirty);
+    publish(std::move(dirty));
+}
+
+/// A change in the outermost node layer of a brick moves the wall of the brick beyond it, too.
+std::vector<BrickKey> LiveSurface::bricksToExtract(const CutVolume& volume,
+                                                   const std::vector<ChangedBrick>& changed) const {
+    std::set<BrickKey> keys;
+    for (const ChangedBrick& brick : changed) {
+        const auto reaches = [&](int axis, int step) {
+            return step == 0 || (step < 0 ? brick.low[axis] == 0 : brick.high[axis] == kBrickSide - 1);
+        };
+        for (int i = 0; i < 27; ++i) {
+            const int dx = i % 3 - 1;
+            const int dy = i / 3 % 3 - 1;
+            const int dz = i / 9 - 1;
+            const BrickKey key = brick.key.moved(dx, dy, dz);
+            if (reaches(0, dx) && reaches(1, dy) && reaches(2, dz) && volume.bricks().find(key)) keys.insert(key);
+        }
+    }
+    return {keys.begin(), keys.end()};
+}
+
+void LiveSurface::extract(const CutVolume& volume, const BrickKey& key, Cell& cell) const {
+    if (!cell.knowsBase) {
+        cell.baseTriangles = trianglesTouching(*base_, wallBox(lattice_, key));
+        cell.knowsBase = true;
+    }
+    const CavityWall wall = extractWall(volume.bricks(), lattice_, key);
+    cell.margin = findMargin(wall, base_->mesh(), cell.baseTriangles);
+    cell.wall = cutWall(wall, cell.margin, *base_);
+}
+
+std::vector<std::uint32_t> LiveSurface::affectedBase(const std::vector<BrickKey>& keys) const {
+    std::vector<std::uint32_t> triangles;
+    for (const BrickKey& key : keys) {
+        const Cell& cell = cells_.at(key);
+        triangles.insert(triangles.end(), cell.baseTriangles.begin(), cell.baseTriangles.end());
+    }
+    std::sort(triangles.begin(), triangles.end());
+    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+    return triangles;
+}
+
+std::vector<const MarginPiece*> LiveSurface::marginOf(std::uint32_t triangle) const {
+    std::vector<const MarginPiece*> pieces;
+    const Box3 box = grown(triangleBox(base_->mesh(), triangle), kWallReach * lattice_.spacing());
+    for (const BrickKey& key : lattice_.bricksTouching(box)) {
+        const auto cell = cells_.find(key);
+        if (cell == cells_.end()) continue;
+        const auto& margin = cell->second.margin;
+        auto piece = std::lower_bound(margin.begin(), margin.end(), triangle,
+                                      [](const MarginPiece& a, std::uint32_t t) { return a.base < t; });
+        for (; piece != margin.end() && piece->base == triangle; ++piece) pieces.push_back(&*piece);
+    }
+    return pieces;
+}
+
+std::vector<std::vector<ClipSegment>> LiveSurface::cutLines(const std::vector<std::uint32_t>& triangles) const {
+    std::vector<std::vector<ClipSegment>> segments(triangles.size());
+    tbb::parallel_for(std::size_t{0}, triangles.size(),
+                      [&](std::size_t i) { segments[i] = segmentsOnBase(marginOf(triangles[i])); });
+    return segments;
+}
+
+void LiveSurface::storeBase(const std::vector<std::uint32_t>& triangles, std::vector<BaseRemains> results,
+                            std::vector<BrickKey>& dirty) {
+    const TriangleMesh& mesh = base_->mesh();
+    if (hidden_.empty()) hidden_.assign((mesh.triangles.size() + 63) / 64, 0);
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        const std::uint32_t t = triangles[i];
+        const std::uint64_t bit = std::uint64_t{1} << (t % 64);
+        hidden_[t / 64] = results[i].hidden ? hidden_[t / 64] | bit : hidden_[t / 64] & ~bit;
+        failures_ += results[i].failed;
+        const BrickKey home = lattice_.brickAt((mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3);
+        const auto cell = cells_.find(home);
+        const bool hadRemains = cell != cells_.end() && cell->second.remains.erase(t) > 0;
+        if (!results[i].pieces.empty())
+            cells_[home].remains[t] = std::move(results[i].pieces);
+        else if (!hadRemains)
+            continue;
+        dirty.push_back(home);
+    }
+    std::sort(dirty.begin(), dirty.end());
+    dirty.erase(std::unique(dirty.begin(), dirty.end()), dirty.end());
+}
+
+void LiveSurface::publish(std::vector<BrickKey> dirty) {
+    std::vector<std::shared_ptr<const SurfacePart>> parts(dirty.size());
+    tbb::parallel_for(std::size_t{0}, dirty.size(), [&](std::size_t i) {
+        const Cell& cell = cells_.at(dirty[i]);
+        TriangleMesh mesh = cell.wall.mesh;
+        std::vector<SurfaceTag> tags = cell.wall.tags;
+        for (const auto& [triangle, remains] : cell.remains) {
+            for (const std::array<Vec3f, 3>& corners : remains) {
+                const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+                mesh.vertices.insert(mesh.vertices.end(), corners.begin(), corners.end());
+                mesh.triangles.push_back({first, first + 1, first + 2});
+                tags.push_back(base_->tag(triangle));
+            }
+        }
+        if (!mesh.empty()) parts[i] = std::make_shared<const SurfacePart>(std::move(mesh), std::move(tags));
+    });
+    for (std::size_t i = 0; i < dirty.size(); ++i) {
+        if (parts[i]) {
+            patches_[dirty[i]] = std::move(parts[i]);
+        } else {
+            patches_.erase(dirty[i]);
+        }
+    }
+    Surface surface{base_, std::make_shared<const TriangleMask>(hidden_), {}, snapshot_->revision + 1};
+    surface.patches.reserve(patches_.size());
+    for (const auto& [key, part] : patches_) surface.patches.push_back(part);
+    snapshot_ = std::make_shared<const Surface>(std::move(surface));
+}
+
+}  // namespace tactooth

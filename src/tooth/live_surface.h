@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "collision/surface.h"
+#include "tooth/base_cutter.h"
+#include "tooth/cut_volume.h"
+#include "tooth/margin_cutter.h"
+
+namespace tactooth {
+
+/// The surface of a tooth while it is cut: the triangles of its file, bit for bit, wherever no bur has been; where one
+/// has crossed them, what is left of them; and the walls of the cavities. Both sides of a margin are cut along the
+/// very same line, so the surface stays closed. One thread calls `update`; the snapshots go to any number of others.
+class LiveSurface {
+public:
+    explicit LiveSurface(const CutVolume& volume);
+
+    /// Brings the surface up to what `changed` (the result of a carve) did to `volume`, the volume it was made with.
+    void update(const CutVolume& volume, const std::vector<ChangedBrick>& changed);
+
+    /// The surface now. Shares with the one before all that did not change.
+    [[nodiscard]] const std::shared_ptr<const Surface>& snapshot() const { return snapshot_; }
+
+    /// The whole tooth again, as after `CutVolume::reset`.
+    void reset();
+
+    /// Triangles whose cut lines did not fit together, in all updates: 0 unless the tooth's surface runs through
+    /// itself. Each leaves a gap or an overlap of its own size.
+    [[nodiscard]] std::size_t failures() const { return failures_; }
+
+private:
+    /// What the surface keeps for one brick.
+    struct Cell {
+        bool knowsBase = false;
+        std::vector<std::uint32_t> baseTriangles;  ///< near the brick's wall
+        std::vector<MarginPiece> margin;
+        WallPatch wall;
+        std::map<std::uint32_t, std::vector<std::array<Vec3f, 3>>>
+            remains;  ///< of base triangles whose middle lies in this brick
+    };
+    [[nodiscard]] std::vector<BrickKey> bricksToExtract(const CutVolume& volume,
+                                                        const std::vector<ChangedBrick>& changed) const;
+    void extract(const CutVolume& volume, const BrickKey& key, Cell& cell) const;
+    [[nodiscard]] std::vector<const MarginPiece*> marginOf(std::uint32_t triangle) const;
+    [[nodiscard]] std::vector<std::uint32_t> affectedBase(const std::vector<BrickKey>& keys) const;
+    [[nodiscard]] std::vector<std::vector<ClipSegment>> cutLines(const std::vector<std::uint32_t>& triangles) const;
+    void storeBase(const std::vector<std::uint32_t>& triangles, std::vector<BaseRemains> results,
+                   std::vector<BrickKey>& dirty);
+    void publish(std::vector<BrickKey> dirty);
+
+    std::shared_ptr<const SurfacePart> base_;
+    Lattice lattice_;
+    std::map<BrickKey, Cell> cells_;
+    std::map<BrickKey, std::shared_ptr<const SurfacePart>> patches_;
+    TriangleMask hidden_;
+    std::shared_ptr<const Surface> snapshot_;
+    std::size_t failures_ = 0;
+};
+
+}  // namespace tactooth

@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tooth/margin_cutter.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "collision/closest_point.h"
+#include "tooth/vertex_groups.h"
+
+namespace tactooth {
+namespace {
+
+using Box3f = Eigen::AlignedBox3f;
+
+CrossingFace baseFace(const TriangleMesh& mesh, std::uint32_t t) {
+    const Triangle& v = mesh.triangles[t];
+    return {{mesh.vertices[v[0]], mesh.vertices[v[1]], mesh.vertices[v[2]]}, {v[0], v[1], v[2]}};
+}
+
+CrossingFace wallFace(const CavityWall& wall, std::uint32_t t) {
+    const Triangle& v = wall.mesh.triangles[t];
+    const auto& vertices = wall.mesh.vertices;
+    return {{vertices[v[0]], vertices[v[1]], vertices[v[2]]},
+            {wall.vertexIds[v[0]], wall.vertexIds[v[1]], wall.vertexIds[v[2]]}};
+}
+
+Box3f boxOf(const CrossingFace& face) {
+    Box3f box(face.corner[0]);
+    box.extend(face.corner[1]);
+    box.extend(face.corner[2]);
+    return box;
+}
+
+ClipPoint asSeenFrom(const CrossingPoint& point, bool fromBase, std::uint64_t opponent) {
+    if (point.onBaseEdge == fromBase) return {point.position, point.edge, point.along, opponent, {}};
+    return {point.position, -1, 0, 0, point.edgeId};
+}
+
+std::array<bool, 3> forwardEdges(const std::array<std::uint64_t, 3>& id) {
+    return {id[0] < id[1], id[1] < id[2], id[2] < id[0]};
+}
+
+/// Cuts one brick's wall at the tooth's surface.
+class WallCutter {
+public:
+    WallCutter(const CavityWall& wall, const std::vector<MarginPiece>& margin, const SurfacePart& base)
+        : wall_(wall), base_(base), segments_(wall.mesh.triangles.size()), groups_(wall.mesh.vertices.size()) {
+        for (const MarginPiece& piece : margin) {
+            // On the wall the way runs back.
+            segments_[piece.wall].push_back({asSeenFrom(piece.crossing.end, false, piece.base),
+                                             asSeenFrom(piece.crossing.start, false, piece.base)});
+        }
+    }
+
+    WallPatch run() {
+        groupVertices();
+        patchVertex_.assign(wall_.mesh.vertices.size(), kNone);
+        for (std::uint32_t t = 0; t < wall_.mesh.triangles.size(); ++t) {
+            if (segments_[t].empty()) {
+                if (isKept(t)) addWhole(t);
+            } else {
+                addClipped(t);
+            }
+        }
+        return std::move(patch_);
+    }
+
+private:
+    static constexpr std::uint32_t kNone = ~0U;
+
+    [[nodiscard]] bool mayCross(std::uint32_t t) const { return wall_.places[t] == CavityWall::Place::AtSurface; }
+
+    void groupVertices() {
+        for (std::uint32_t t = 0; t < wall_.mesh.triangles.size(); ++t) {
+            if (!mayCross(t)) continue;
+            const Triangle& v = wall_.mesh.triangles[t];
+            const auto ends = endsOfEdges(segments_[t], forwardEdges(wallFace(wall_, t).id));
+            for (int i = 0; i < 3; ++i) {
+                const std::uint32_t a = v[i];
+                const std::uint32_t b = v[(i + 1) % 3];
+                if (wall_.sides[a] != 0) groups_.tell(a, wall_.sides[a] < 0, 1.0);
+                groups_.learn(a, b, ends[i]);
+            }
+        }
+    }
+
+    bool isKept(std::uint32_t t) {
+        if (!mayCross(t)) return true;
+        const std::uint32_t vertex = wall_.mesh.triangles[t][0];
+        if (const auto kept = groups_.isKept(vertex)) return *kept;
+        const bool kept = contains(base_, wall_.mesh.vertices[vertex].cast<double>());
+        groups_.tell(vertex, kept, 0);
+        return kept;
+    }
+
+    std::uint32_t patchVertexOf(std::uint32_t wallVertex) {
+        std::uint32_t& vertex = patchVertex_[wallVertex];
+        if (vertex == kNone) vertex = addVertex(wall_.mesh.vertices[wallVertex]);
+        return vertex;
+    }
+    std::uint32_t marginVertex(const Vec3& point) {
+        const Vec3f rounded = point.cast<float>();
+        const auto [place, isNew] = marginVertices_.try_emplace({rounded.x(), rounded.y(), rounded.z()}, 0U);
+        if (isNew) place->second = addVertex(rounded);
+        return place->second;
+    }
+    std::uint32_t addVertex(const Vec3f& point) {
+        patch_.mesh.vertices.push_back(point);
+        return static_cast<std::uint32_t>(patch_.mesh.vertices.size() - 1);
+    }
+
+    void addWhole(std::uint32_t t) {
+        const Triangle& v = wall_.mesh.triangles[t];
+        patch_.mesh.triangles.push_back({patchVertexOf(v[0]), patchVertexOf(v[1]), patchVertexOf(v[2])});
+        patch_.tags.push_back(wall_.tags[t]);
+    }
+
+    void addClipped(std::uint32_t t) {
+        const std::array<Vec3, 3> corners = {wall_.mesh.corner(t, 0), wall_.mesh.corner(t, 1), wall_.mesh.corner(t, 2)};
+        const auto clipped = clipTriangle(corners, forwardEdges(wallFace(wall_, t).id), segments_[t], isKept(t));
+        if (!clipped) {
+            ++patch_.failures;
+            addWhole(t);
+            return;
+        }
+        for (const Triangle& triangle : clipped->triangles) {
+            Triangle placed;
+            for (int i = 0; i < 3; ++i) {
+                placed[i] = triangle[i] < 3 ? patchVertexOf(wall_.mesh.triangles[t][triangle[i]])
+                                            : marginVertex(clipped->points[triangle[i]]);
+            }
+            patch_.mesh.triangles.push_back(placed);
+            patch_.tags.push_back(wall_.tags[t]);
+        }
+    }
+
+    const CavityWall& wall_;
+    const SurfacePart& base_;
+    std::vector<std::vector<ClipSegment>> segments_;
+    VertexGroups groups_;
+    std::vector<std::uint32_t> patchVertex_;
+    std::map<std::array<float, 3>, std::uint32_t> marginVertices_;
+    WallPatch patch_;
+};
+
+}  // namespace
+
+std::vector<MarginPiece> findMargin(const CavityWall& wall, const TriangleMesh& base,
+                                    const std::vector<std::uint32_t>& baseTriangles) {
+    std::vector<CrossingFace> faces;
+    std::vector<Box3f> boxes;
+    for (const std::uint32_t t : baseTriangles) {
+        faces.push_back(baseFace(base, t));
+        boxes.push_back(boxOf(faces.back()));
+    }
+    std::vector<MarginPiece> margin;
+    for (std::uint32_t w = 0; w < wall.mesh.triangles.size(); ++w) {
+        if (wall.places[w] != CavityWall::Place::AtSurface) continue;
+        const CrossingFace face = wallFace(wall, w);
+        const Box3f box = boxOf(face);
+        for (std::size_t i = 0; i < faces.size(); ++i) {
+            if (!box.intersects(boxes[i])) continue;
+            if (const auto crossing = crossingOf(faces[i], face)) {
+                margin.push_back({baseTriangles[i], w, wall.faceIds[w], *crossing});
+            }
+        }
+    }
+    std::sort(margin.begin(), margin.end(), [](const MarginPiece& a, const MarginPiece& b) {
+        return a.base != b.base ? a.base < b.base : a.wall < b.wall;
+    });
+    return margin;
+}
+
+WallPatch cutWall(const CavityWall& wall, const std::vector<MarginPiece>& margin, const SurfacePart& base) {
+    return WallCutter(wall, margin, base).run();
+}
+
+std::vector<ClipSegment> segmentsOnBase(const std::vector<const MarginPiece*>& pieces) {
+    std::vector<ClipSegment> segments;
+    for (const MarginPiece* piece : pieces) {
+        segments.push_back({asSeenFrom(piece->crossing.start, true, piece->wallId),
+                            asSeenFrom(piece->crossing.end, true, piece->wallId)});
+    }
+    return segments;
+}
+
+std::array<std::optional<EdgeEnds>, 3> endsOfEdges(const std::vector<ClipSegment>& segments,
+                                                   const std::array<bool, 3>& isForward) {
+    std::array<std::optional<EdgeEnds>, 3> result;
+    if (segments.empty()) return result;
+    for (int edge = 0; edge < 3; ++edge) {
+        std::vector<EdgeCrossing> crossings;
+        for (const auto& [start, end] : segments) {
+            if (start.edge == edge) crossings.push_back({start.along, start.opponent, isForward[edge], 0});
+            if (end.edge == edge) crossings.push_back({end.along, end.opponent, !isForward[edge], 0});
+        }
+        if (crossings.empty() || !sortCrossings(crossings)) continue;
+        const EdgeEnds canonical{crossings.front().leaves, !crossings.back().leaves};
+        result[edge] = isForward[edge] ? canonical : EdgeEnds{canonical.secondKept, canonical.firstKept};
+    }
+    return result;
+}
+
+}  // namespace tactooth

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tooth/revolution_envelope.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace tactooth {
+namespace {
+
+constexpr double kGridMargin = 0.5;      ///< mm around the profile; farther points are rare and ask every segment
+constexpr double kFinestCell = 0.04;     ///< mm; a cell then holds two or three segments of a usual bur
+constexpr double kMaxCells = 20'000;     ///< keeps a 30 mm long tool below 200 KB
+constexpr double kOnSurface = 1e-9;      ///< mm; nearer than this the offset has no direction: take the normal
+constexpr double kTieTolerance = 1e-18;  ///< mm^2; two segments meet in their corner at the same distance
+
+}  // namespace
+
+Expected<RevolutionEnvelope> RevolutionEnvelope::make(const TriangleMesh& bur) {
+    std::vector<ProfilePoint> profile = revolutionProfile(bur);
+    const auto reaches = [](const ProfilePoint& point) { return point.radius > 0; };
+    if (profile.size() < 3 || std::none_of(profile.begin(), profile.end(), reaches)) {
+        return unexpected(
+            "the tool's surface has no extent along its axis (z of the tool frame): give the bur's closed "
+            "STL with its tip at the origin and its shaft along +z");
+    }
+    return RevolutionEnvelope(std::move(profile));
+}
+
+RevolutionEnvelope::RevolutionEnvelope(std::vector<ProfilePoint> profile) : profile_(std::move(profile)) {
+    for (std::size_t i = 0; i + 1 < profile_.size(); ++i) {
+        const double dr = profile_[i + 1].radius - profile_[i].radius;
+        const double dz = profile_[i + 1].z - profile_[i].z;
+        const double length = std::hypot(dr, dz);
+        if (length > 0) segments_.push_back({profile_[i], dr / length, dz / length, length});
+        maxRadius_ = std::max(maxRadius_, profile_[i].radius);
+    }
+    allSegments_.resize(segments_.size());
+    std::iota(allSegments_.begin(), allSegments_.end(), std::uint16_t{0});
+    buildGrid();
+}
+
+void RevolutionEnvelope::buildGrid() {
+    const double width = maxRadius_ + kGridMargin;
+    const double height = top() - bottom() + 2 * kGridMargin;
+    cellSize_ = std::max(kFinestCell, std::sqrt(width * height / kMaxCells));
+    gridBottom_ = bottom() - kGridMargin;
+    columns_ = static_cast<int>(std::ceil(width / cellSize_));
+    rows_ = static_cast<int>(std::ceil(height / cellSize_));
+    const double halfDiagonal = cellSize_ * std::sqrt(0.5);
+    cellStart_.push_back(0);
+    for (int row = 0; row < rows_; ++row) {
+        for (int column = 0; column < columns_; ++column) {
+            const double r = (column + 0.5) * cellSize_;
+            const double z = gridBottom_ + (row + 0.5) * cellSize_;
+            const double reach = std::sqrt(nearest(r, z).squaredDistance) + 2 * halfDiagonal + kOnSurface;
+            for (const std::uint16_t& index : allSegments_) {
+                if (nearest(r, z, &index, &index + 1).squaredDistance <= reach * reach) candidates_.push_back(index);
+            }
+            cellStart_.push_back(static_cast<std::uint32_t>(candidates_.size()));
+        }
+    }
+}
+
+RevolutionEnvelope::Nearest RevolutionEnvelope::nearest(double radius, double z, const std::uint16_t* first,
+                                                        const std::uint16_t* last) const {
+    Nearest best{std::numeric_limits<double>::infinity(), 0, 0, 0};
+    for (const std::uint16_t* index = first; index != last; ++index) {
+        const Segment& segment = segments_[*index];
+        const double dr = radius - segment.start.radius;
+        const double dz = z - segment.start.z;
+        const double along = std::clamp(dr * segment.directionR + dz * segment.directionZ, 0.0, segment.length);
+        const double offsetR = dr - along * segment.directionR;
+        const double offsetZ = dz - along * segment.directionZ;
+        const double squared = offsetR * offsetR + offsetZ * offsetZ;
+        if (squared < best.squaredDistance - kTieTolerance) best = {squared, offsetR, offsetZ, *index};
+    }
+    return best;
+}
+
+RevolutionEnvelope::Nearest RevolutionEnvelope::nearest(double radius, double z) const {
+    const int column = static_cast<int>(radius / cellSize_);
+    const double height = (z - gridBottom_) / cellSize_;
+    if (column >= columns_ || height < 0 || height >= rows_ || cellStart_.size() <= 1) {
+        return nearest(radius, z, allSegments_.data(), allSegments_.data() + allSegments_.size());
+    }
+    const std::size_t cell = static_cast<std::size_t>(height) * columns_ + column;
+    if (cell + 1 >= cellStart_.size()) {
+        return nearest(radius, z, allSegments_.data(), allSegments_.data() + allSegments_.size());
+    }
+    return nearest(radius, z, candidates_.data() + cellStart_[cell], candidates_.data() + cellStart_[cell + 1]);
+}
+
+bool RevolutionEnvelope::isInside(double radius, double z) const {
+    if (z <= bottom() || z >= top()) return false;
+    const auto above = [](double height, const ProfilePoint& point) { return height < point.z; };
+    const auto upper = std::upper_bound(profile_.begin(), profile_.end(), z, above);
+    const auto lower = upper - 1;
+    const double t = (z - lower->z) / (upper->z - lower->z);
+    return radius < lower->radius + t * (upper->radius - lower->radius);
+}
+
+FieldSample RevolutionEnvelope::sample(const Vec3& pointInTool) const {
+    const double radius = std::sqrt(pointInTool.x() * pointInTool.x() + pointInTool.y() * pointInTool.y());
+    const Nearest hit = nearest(radius, pointInTool.z());
+    const double distance = std::sqrt(hit.squaredDistance);
+    const bool inside = isInside(radius, pointInTool.z());
+    double slopeR;
+    double slopeZ;
+    if (distance > kOnSurface) {
+        const double scale = (inside ? -1.0 : 1.0) / distance;
+        slopeR = hit.offsetR * scale;
+        slopeZ = hit.offsetZ * scale;
+    } else {  // the profile runs upward on the outside, so its outward normal is the direction turned to the right
+        slopeR = segments_[hit.segment].directionZ;
+        slopeZ = -segments_[hit.segment].directionR;
+    }
+    const Vec3 outward = radius > 0 ? Vec3(pointInTool.x() / radius, pointInTool.y() / radius, 0) : Vec3::UnitX();
+    return {inside ? -distance : distance, Vec3(slopeR * outward.x(), slopeR * outward.y(), slopeZ)};
+}
+
+}  // namespace tactooth

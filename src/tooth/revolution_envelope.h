@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "geometry/expected.h"
+#include "geometry/triangle_mesh.h"
+
+namespace tactooth {
+
+/// A distance and the direction in which it grows fastest.
+struct FieldSample {
+    double distance;  ///< mm, negative inside
+    Vec3 gradient;    ///< unit
+};
+
+/// The solid that a bur fills while it spins about its axis (z of the tool frame, tip at the bottom): a solid of
+/// revolution that holds every triangle of the bur's STL and stands out from it by less than 1 um.
+class RevolutionEnvelope {
+public:
+    /// Corner of the profile: radius at a height, mm.
+    struct ProfilePoint {
+        double radius;
+        double z;
+    };
+
+    /// Fails with a sentence if the mesh has no extent along z or holds no triangle.
+    [[nodiscard]] static Expected<RevolutionEnvelope> make(const TriangleMesh& bur);
+
+    /// Exact distance from a point of the tool frame to the surface of revolution, negative inside, with its gradient.
+    [[nodiscard]] FieldSample sample(const Vec3& pointInTool) const;
+    [[nodiscard]] double signedDistance(const Vec3& pointInTool) const { return sample(pointInTool).distance; }
+
+    /// From the axis at the bottom, along the outside, to the axis at the top.
+    [[nodiscard]] const std::vector<ProfilePoint>& profile() const { return profile_; }
+    [[nodiscard]] double maxRadius() const { return maxRadius_; }
+    [[nodiscard]] double bottom() const { return profile_.front().z; }
+    [[nodiscard]] double top() const { return profile_.back().z; }
+
+private:
+    struct Segment {
+        ProfilePoint start;
+        double directionR, directionZ;  ///< unit
+        double length;
+    };
+    struct Nearest {
+        double squaredDistance, offsetR, offsetZ;
+        std::uint32_t segment;
+    };
+
+    explicit RevolutionEnvelope(std::vector<ProfilePoint> profile);
+    void buildGrid();
+    [[nodiscard]] Nearest nearest(double radius, double z, const std::uint16_t* first, const std::uint16_t* last) const;
+    [[nodiscard]] Nearest nearest(double radius, double z) const;
+    [[nodiscard]] bool isInside(double radius, double z) const;
+
+    std::vector<ProfilePoint> profile_;
+    std::vector<Segment> segments_;
+    double maxRadius_ = 0;
+
+    // Which segments can be the nearest one, for each cell of a grid over the half-plane around the profile.
+    double cellSize_ = 0;
+    double gridBottom_ = 0;
+    int columns_ = 0;
+    int rows_ = 0;
+    std::vector<std::uint32_t> cellStart_;
+    std::vector<std::uint16_t> candidates_;
+    std::vector<std::uint16_t> allSegments_;
+};
+
+/// The profile alone: for each height the largest distance of the mesh from the z axis. Piecewise linear, never
+/// smaller than the mesh, larger by less than 1 um.
+[[nodiscard]] std::vector<RevolutionEnvelope::ProfilePoint> revolutionProfile(const TriangleMesh& mesh);
+
+}  // namespace tactooth

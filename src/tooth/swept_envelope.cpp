@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tooth/swept_envelope.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tactooth {
+namespace {
+
+constexpr double kStraightness = 1e-4;   ///< mm; sagitta of a turning point's arc within one step
+constexpr double kDistanceError = 1e-5;  ///< mm; where the search for the nearest moment stops
+constexpr int kSearchRounds = 12;        ///< tangent cuts on a unit interval; three are usual
+
+/// Farthest that a point of the bur (a cylinder about its axis) moves between two poses.
+double travelBetween(const RevolutionEnvelope& envelope, const Pose& from, const Pose& to) {
+    const double angle = from.rotation.angularDistance(to.rotation);
+    const auto axisTravel = [&](double z) { return (to * Vec3(0, 0, z) - from * Vec3(0, 0, z)).norm(); };
+    return std::max(axisTravel(envelope.bottom()), axisTravel(envelope.top())) + angle * envelope.maxRadius();
+}
+
+Box3 boxAt(const RevolutionEnvelope& envelope, const Pose& pose, double clearance) {
+    const Vec3 axis = pose.rotation * Vec3::UnitZ();
+    const Vec3 reach = envelope.maxRadius() * (Vec3::Ones() - axis.cwiseAbs2()).cwiseMax(0).cwiseSqrt();
+    Box3 box;
+    for (const double z : {envelope.bottom(), envelope.top()}) {
+        const Vec3 centre = pose * Vec3(0, 0, z);
+        box.extend(centre - reach - Vec3::Constant(clearance));
+        box.extend(centre + reach + Vec3::Constant(clearance));
+    }
+    return box;
+}
+
+}  // namespace
+
+SweepStep::SweepStep(const RevolutionEnvelope& envelope, const Pose& fromInTooth, const Pose& toInTooth,
+                     double clearance)
+    : envelope_(&envelope), clearance_(clearance), travel_(travelBetween(envelope, fromInTooth, toInTooth)) {
+    const auto place = [](const Pose& pose) {
+        const Mat3 rotation = pose.rotation.toRotationMatrix();
+        return Placed{rotation, rotation.transpose(), pose.position};
+    };
+    from_ = place(fromInTooth);
+    to_ = place(toInTooth);
+    box_ = boxAt(envelope, fromInTooth, clearance).merged(boxAt(envelope, toInTooth, clearance));
+}
+
+double SweepStep::lowerBound(const Vec3& point) const {
+    return envelope_->signedDistance(to_.toTool(point)) - travel_ - clearance_;
+}
+
+// Along the straight path q(s), s in [0, 1], f(s) = distance(q(s)) is convex for a convex envelope. Two tangents meet
+// below the minimum (Kelley's cutting planes on an interval): look where they meet, keep the side that falls.
+FieldSample SweepStep::sample(const Vec3& point, double atLeast) const {
+    const Vec3 end = to_.toTool(point);
+    FieldSample right = envelope_->sample(end);
+    if (right.distance - travel_ - clearance_ >= atLeast) return {atLeast, Vec3::UnitZ()};
+    const Vec3 start = from_.toTool(point);
+    const Vec3 path = end - start;
+    double rightSlope = right.gradient.dot(path);
+    FieldSample best = right;
+    double bestMoment = 1;
+    if (rightSlope > 0) {
+        FieldSample left = envelope_->sample(start);
+        double leftSlope = left.gradient.dot(path);
+        if (left.distance < best.distance) best = left, bestMoment = 0;
+        double a = 0;
+        double b = 1;
+        for (int round = 0; round < kSearchRounds && leftSlope < 0; ++round) {
+            const double moment =
+                (right.distance - left.distance + leftSlope * a - rightSlope * b) / (leftSlope - rightSlope);
+            const double bound = left.distance + leftSlope * (moment - a);
+            if (!(moment > a && moment < b) || best.distance - bound < kDistanceError) break;
+            const FieldSample middle = envelope_->sample(start + moment * path);
+            const double slope = middle.gradient.dot(path);
+            if (middle.distance < best.distance) best = middle, bestMoment = moment;
+            if (slope > 0) {
+                b = moment, right = middle, rightSlope = slope;
+            } else {
+                a = moment, left = middle, leftSlope = slope;
+            }
+        }
+    }
+    const Placed& nearest = bestMoment < 0.5 ? from_ : to_;
+    return {best.distance - clearance_, nearest.toothFromTool * best.gradient};
+}
+
+std::vector<SweepStep> sweepSteps(const RevolutionEnvelope& envelope, const Pose& fromInTooth, const Pose& toInTooth,
+                                  double clearance, double longest) {
+    const double length = std::max(std::abs(envelope.bottom()), std::abs(envelope.top())) + envelope.maxRadius();
+    const double largestTurn = std::sqrt(8 * kStraightness / length);
+    const double travel = travelBetween(envelope, fromInTooth, toInTooth);
+    const double angle = fromInTooth.rotation.angularDistance(toInTooth.rotation);
+    const int count = std::max(1, static_cast<int>(std::ceil(std::max(travel / longest, angle / largestTurn))));
+    const auto at = [&](int i) {
+        if (i == 0) return fromInTooth;
+        if (i == count) return toInTooth;
+        const double t = static_cast<double>(i) / count;
+        return Pose{(1 - t) * fromInTooth.position + t * toInTooth.position,
+                    fromInTooth.rotation.slerp(t, toInTooth.rotation)};
+    };
+    std::vector<SweepStep> steps;
+    steps.reserve(count);
+    for (int i = 0; i < count; ++i) steps.emplace_back(envelope, at(i), at(i + 1), clearance);
+    return steps;
+}
+
+}  // namespace tactooth

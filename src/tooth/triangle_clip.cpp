@@ -1,0 +1,195 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tooth/triangle_clip.h"
+
+#include <algorithm>
+#include <map>
+
+#include "tooth/polygon_triangulation.h"
+
+// As in J. Smith and N. Dodgson, "A topologically robust algorithm for Boolean operations on polyhedral shapes using
+// approximate arithmetic", Computer-Aided Design 2007: which points there are and how they join is settled by
+// consistent predicates; coordinates only decide how the polygons that result are drawn as triangles.
+
+namespace tactooth {
+
+bool sortCrossings(std::vector<EdgeCrossing>& crossings) {
+    std::sort(crossings.begin(), crossings.end(), [](const EdgeCrossing& a, const EdgeCrossing& b) {
+        return a.along != b.along ? a.along < b.along : a.opponent < b.opponent;
+    });
+    if (crossings.empty()) return true;
+    const auto leaving = std::count_if(crossings.begin(), crossings.end(), [](const auto& c) { return c.leaves; });
+    const auto surplus = 2 * leaving - static_cast<std::ptrdiff_t>(crossings.size());
+    if (surplus < -1 || surplus > 1) return false;
+    bool expected = surplus == 0 ? crossings.front().leaves : surplus > 0;
+    for (auto place = crossings.begin(); place != crossings.end(); ++place, expected = !expected) {
+        const auto fitting = std::find_if(place, crossings.end(), [&](const auto& c) { return c.leaves == expected; });
+        std::rotate(place, fitting, fitting + 1);
+    }
+    return true;
+}
+
+namespace {
+
+class Clipper {
+public:
+    Clipper(const std::array<Vec3, 3>& corners, const std::vector<ClipSegment>& segments)
+        : segments_(segments), visited_(segments.size(), false) {
+        result_.points.assign(corners.begin(), corners.end());
+        for (std::uint32_t i = 0; i < segments.size(); ++i) {
+            startPoint_.push_back(static_cast<std::uint32_t>(result_.points.size()));
+            result_.points.push_back(segments[i].start.position);
+            if (segments[i].start.edge < 0) startingAt_[segments[i].start.key] = i;
+        }
+        endPoint_.resize(segments.size());
+        for (std::uint32_t i = 0; i < segments.size(); ++i) {
+            if (segments[i].end.edge < 0) continue;
+            endPoint_[i] = static_cast<std::uint32_t>(result_.points.size());
+            result_.points.push_back(segments[i].end.position);
+        }
+    }
+
+    std::optional<ClippedTriangle> run(const std::array<bool, 3>& isForward, bool keepsCorners) {
+        if (!buildRing(isForward)) return std::nullopt;
+        if (ring_.size() == 3) {
+            if (keepsCorners) outlines_.push_back({0, 1, 2});
+        } else if (!traceFromBorder()) {
+            return std::nullopt;
+        }
+        project();
+        if (!traceClosedLines() || !assignHoles()) return std::nullopt;
+        for (std::size_t i = 0; i < outlines_.size(); ++i) {
+            if (outlines_[i].size() < 3) continue;
+            const auto triangles = triangulate(flat_, outlines_[i], holesOf_[i]);
+            result_.triangles.insert(result_.triangles.end(), triangles.begin(), triangles.end());
+        }
+        return std::move(result_);
+    }
+
+private:
+    static constexpr std::uint32_t kNoSegment = ~0U;
+    /// A stop on the way around the border, counter-clockwise: a corner, or where a cut line begins or ends.
+    struct Stop {
+        std::uint32_t point;
+        std::uint32_t segment;  ///< kNoSegment at a corner
+        bool leaves;
+    };
+
+    bool buildRing(const std::array<bool, 3>& isForward) {
+        endStop_.resize(segments_.size());
+        for (int edge = 0; edge < 3; ++edge) {
+            std::vector<EdgeCrossing> crossings;
+            for (std::uint32_t i = 0; i < segments_.size(); ++i) {
+                const auto& [start, end] = segments_[i];
+                if (start.edge == edge) crossings.push_back({start.along, start.opponent, isForward[edge], i});
+                if (end.edge == edge) crossings.push_back({end.along, end.opponent, !isForward[edge], i});
+            }
+            if (!sortCrossings(crossings)) return false;
+            if (!isForward[edge]) std::reverse(crossings.begin(), crossings.end());
+            ring_.push_back({static_cast<std::uint32_t>(edge), kNoSegment, false});
+            for (const EdgeCrossing& crossing : crossings) {
+                const bool leaves = crossing.leaves == isForward[edge];
+                const std::uint32_t i = crossing.segment;
+                if (!leaves) endStop_[i] = ring_.size();
+                ring_.push_back({leaves ? startPoint_[i] : endPoint_[i], i, leaves});
+            }
+        }
+        return true;
+    }
+
+    /// Follows a cut line to its end on the border; false if it breaks off.
+    bool followLine(std::uint32_t& segment, PolygonLoop& loop) {
+        for (;;) {
+            if (visited_[segment]) return false;
+            visited_[segment] = true;
+            loop.push_back(startPoint_[segment]);
+            if (segments_[segment].end.edge >= 0) return true;
+            const auto next = startingAt_.find(segments_[segment].end.key);
+            if (next == startingAt_.end()) return false;
+            segment = next->second;
+        }
+    }
+
+    bool traceFromBorder() {
+        for (const Stop& stop : ring_) {
+            if (stop.segment == kNoSegment || !stop.leaves || visited_[stop.segment]) continue;
+            PolygonLoop loop;
+            std::uint32_t segment = stop.segment;
+            do {
+                if (!followLine(segment, loop)) return false;
+                loop.push_back(endPoint_[segment]);
+                std::size_t place = (endStop_[segment] + 1) % ring_.size();
+                for (; ring_[place].segment == kNoSegment; place = (place + 1) % ring_.size()) {
+                    loop.push_back(ring_[place].point);
+                }
+                if (!ring_[place].leaves) return false;
+                segment = ring_[place].segment;
+            } while (segment != stop.segment);
+            outlines_.push_back(std::move(loop));
+        }
+        return true;
+    }
+
+    bool traceClosedLines() {
+        for (std::uint32_t first = 0; first < segments_.size(); ++first) {
+            if (visited_[first]) continue;
+            PolygonLoop loop;
+            std::uint32_t segment = first;
+            do {
+                if (visited_[segment] || segments_[segment].end.edge >= 0) return false;
+                visited_[segment] = true;
+                loop.push_back(startPoint_[segment]);
+                const auto next = startingAt_.find(segments_[segment].end.key);
+                if (next == startingAt_.end()) return false;
+                segment = next->second;
+            } while (segment != first);
+            (doubledArea(flat_, loop) >= 0 ? outlines_ : holes_).push_back(std::move(loop));
+        }
+        return true;
+    }
+
+    bool assignHoles() {
+        holesOf_.resize(outlines_.size());
+        for (PolygonLoop& hole : holes_) {
+            if (outlines_.empty()) return false;
+            std::size_t owner = 0;
+            for (std::size_t i = 0; i < outlines_.size(); ++i) {
+                if (isWithin(flat_, outlines_[i], flat_[hole.front()])) owner = i;
+            }
+            holesOf_[owner].push_back(std::move(hole));
+        }
+        return true;
+    }
+
+    /// Drops the axis along which the triangle faces most, keeping its sense of turning.
+    void project() {
+        const auto& p = result_.points;
+        const Vec3 normal = (p[1] - p[0]).cross(p[2] - p[0]);
+        Eigen::Index axis = 0;
+        normal.cwiseAbs().maxCoeff(&axis);
+        int u = static_cast<int>(axis + 1) % 3;
+        int v = static_cast<int>(axis + 2) % 3;
+        if (normal[axis] < 0) std::swap(u, v);
+        for (const Vec3& point : p) flat_.emplace_back(point[u], point[v]);
+    }
+
+    const std::vector<ClipSegment>& segments_;
+    std::vector<bool> visited_;
+    ClippedTriangle result_;
+    std::vector<std::uint32_t> startPoint_, endPoint_;
+    std::map<std::array<std::uint64_t, 2>, std::uint32_t> startingAt_;
+    std::vector<Stop> ring_;
+    std::vector<std::size_t> endStop_;
+    std::vector<PolygonLoop> outlines_, holes_;
+    std::vector<std::vector<PolygonLoop>> holesOf_;
+    std::vector<Eigen::Vector2d> flat_;
+};
+
+}  // namespace
+
+std::optional<ClippedTriangle> clipTriangle(const std::array<Vec3, 3>& corners, const std::array<bool, 3>& isForward,
+                                            const std::vector<ClipSegment>& segments, bool keepsCorners) {
+    return Clipper(corners, segments).run(isForward, keepsCorners);
+}
+
+}  // namespace tactooth

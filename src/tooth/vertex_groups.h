@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <numeric>
+#include <optional>
+#include <vector>
+
+namespace tactooth {
+
+/// What the cut lines that cross an edge tell about its two ends.
+struct EdgeEnds {
+    bool firstKept;
+    bool secondKept;
+};
+
+/// Groups of vertices that no cut line separates: all of one group are kept or all are not. What is known best about
+/// any one of them decides for its group: a cut line beside it, else the largest distance.
+class VertexGroups {
+public:
+    explicit VertexGroups(std::size_t count) : parent_(count), known_(count), weight_(count, -1.0) {
+        std::iota(parent_.begin(), parent_.end(), 0U);
+    }
+
+    void join(std::uint32_t a, std::uint32_t b) {
+        a = find(a);
+        b = find(b);
+        if (a == b) return;
+        if (b < a) std::swap(a, b);
+        parent_[b] = a;
+        if (weight_[b] > weight_[a]) weight_[a] = weight_[b], known_[a] = known_[b];
+    }
+    /// `weight`: how sure this is, mm from the cut. Of two that are equally sure the first counts.
+    void tell(std::uint32_t vertex, bool kept, double weight) {
+        const std::uint32_t group = find(vertex);
+        if (weight > weight_[group]) weight_[group] = weight, known_[group] = kept;
+    }
+    /// Takes in an edge: its ends go together unless cut lines cross it.
+    void learn(std::uint32_t first, std::uint32_t second, const std::optional<EdgeEnds>& ends) {
+        if (!ends) {
+            join(first, second);
+        } else {
+            tell(first, ends->firstKept, kProof);
+            tell(second, ends->secondKept, kProof);
+        }
+    }
+    [[nodiscard]] std::optional<bool> isKept(std::uint32_t vertex) {
+        const std::uint32_t group = find(vertex);
+        if (weight_[group] < 0) return std::nullopt;
+        return known_[group];
+    }
+
+private:
+    /// The weight of a cut line that runs right beside a vertex: more than any distance.
+    static constexpr double kProof = 1e9;
+
+    std::uint32_t find(std::uint32_t vertex) {
+        while (parent_[vertex] != vertex) vertex = parent_[vertex] = parent_[parent_[vertex]];
+        return vertex;
+    }
+    std::vector<std::uint32_t> parent_;
+    std::vector<bool> known_;
+    std::vector<double> weight_;
+};
+
+}  // namespace tactooth

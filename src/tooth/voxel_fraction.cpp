@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tooth/voxel_fraction.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tactooth {
+namespace {
+
+/// Components of a normal below this are raised to it: the closed form divides by their product.
+constexpr double kLeastComponent = 1e-3;
+/// Slices a side for the share within two half-spaces.
+constexpr int kSlices = 4;
+
+double cubed(double value) { return value > 0 ? value * value * value : 0; }
+
+/// Volume of {x in [0,1]^3 : m . x < alpha} for positive m (R. Scardovelli, S. Zaleski, "Analytical Relations
+/// Connecting Linear Interfaces and Volume Fractions in Rectangular Grids", J. Comput. Phys. 2000).
+double corneredVolume(const Vec3& m, double alpha) {
+    const double sum = m.sum();
+    double volume = cubed(alpha) - cubed(alpha - sum);
+    for (int axis = 0; axis < 3; ++axis) {
+        volume += cubed(alpha - sum + m[axis]) - cubed(alpha - m[axis]);
+    }
+    return std::clamp(volume / (6 * m.prod()), 0.0, 1.0);
+}
+
+}  // namespace
+
+double cubeFraction(const HalfSpace& half) {
+    const Vec3 m = half.normal.cwiseAbs().cwiseMax(kLeastComponent);
+    const double reach = 0.5 * m.sum();
+    if (half.distance >= reach) return 0;
+    if (half.distance <= -reach) return 1;
+    return corneredVolume(m, reach - half.distance);
+}
+
+double cubeFraction(const HalfSpace& first, const HalfSpace& second) {
+    const double one = cubeFraction(first);
+    const double two = cubeFraction(second);
+    if (one == 0 || two == 0) return 0;
+    if (one == 1) return two;
+    if (two == 1) return one;
+    const auto shareOfSlice = [](const HalfSpace& half, const Vec3& point) {
+        const double distance = half.distance + half.normal.dot(point);
+        return std::clamp(0.5 - distance * kSlices, 0.0, 1.0);
+    };
+    double total = 0;
+    for (int i = 0; i < kSlices * kSlices * kSlices; ++i) {
+        const Vec3 slice(i % kSlices, i / kSlices % kSlices, i / (kSlices * kSlices));
+        const Vec3 point = (slice + Vec3::Constant(0.5)) / kSlices - Vec3::Constant(0.5);
+        total += shareOfSlice(first, point) * shareOfSlice(second, point);
+    }
+    return total / (kSlices * kSlices * kSlices);
+}
+
+}  // namespace tactooth

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/vec.h"
+
+namespace tactooth {
+
+/// A half-space given by the signed distance of a cube's centre to its border (in cube sides, negative inside) and the
+/// unit normal out of it.
+struct HalfSpace {
+    double distance;
+    Vec3 normal;
+};
+
+/// Share of a unit cube that lies within a half-space, 0..1, exact.
+[[nodiscard]] double cubeFraction(const HalfSpace& half);
+
+/// Share of a unit cube that lies within both, to about 0.01.
+[[nodiscard]] double cubeFraction(const HalfSpace& first, const HalfSpace& second);
+
+}  // namespace tactooth

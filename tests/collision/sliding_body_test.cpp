@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "collision/sliding_body.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "support/exact_intersection.h"
+#include "support/shapes.h"
+
+namespace tactooth {
+namespace {
+
+std::shared_ptr<const Surface> surfaceOf(TriangleMesh mesh) {
+    return std::make_shared<Surface>(Surface{std::make_shared<SurfacePart>(std::move(mesh)), nullptr, {}, 0});
+}
+
+std::shared_ptr<const ToolShape> toolOf(TriangleMesh mesh) { return std::make_shared<ToolShape>(std::move(mesh)); }
+
+/// Moves as often as a patient caller would; expects it to settle.
+MoveResult settle(SlidingBody& body, const Pose& goal) {
+    MoveResult result;
+    for (int i = 0; i < 200; ++i) {
+        result = body.moveToward(goal);
+        if (result.status != MoveStatus::OutOfRounds) return result;
+    }
+    ADD_FAILURE() << "did not settle";
+    return result;
+}
+
+Pose at(double x, double y, double z) { return {Vec3(x, y, z), Quat::Identity()}; }
+
+TriangleMesh smallBox() { return test::box(Vec3(-0.5, -0.5, 0), Vec3(0.5, 0.5, 1)); }
+
+}  // namespace
+
+TEST(SlidingBody, ReachesAFreeGoal) {
+    SlidingBody body(toolOf(smallBox()));
+    body.setSurface(surfaceOf(test::box(Vec3(-10, -10, -1), Vec3(10, 10, 0))));
+    body.placeAt(at(0, 0, 5));
+    EXPECT_EQ(settle(body, at(3, -2, 1)).status, MoveStatus::Reached);
+    EXPECT_EQ(body.pose().position, Vec3(3, -2, 1));
+}
+
+TEST(SlidingBody, StopsOnAPlaneAtItsMargin) {
+    SlidingBody body(toolOf(smallBox()));
+    body.setSurface(surfaceOf(test::box(Vec3(-10, -10, -1), Vec3(10, 10, 0))));
+    body.placeAt(at(0, 0, 2));
+    const MoveResult result = settle(body, at(1, 2, -0.25));
+    EXPECT_EQ(result.status, MoveStatus::Held);
+    EXPECT_NEAR(body.pose().position.x(), 1, 1e-9);
+    EXPECT_NEAR(body.pose().position.y(), 2, 1e-9);
+    EXPECT_NEAR(body.pose().position.z(), body.margin(), body.margin());
+    ASSERT_GE(result.contactCount, 1);
+    EXPECT_NEAR(result.contacts[0].normal.z(), 1, 1e-9);
+}
+
+TEST(SlidingBody, SettlesInTheCornerOfThreeWalls) {
+    TriangleMesh walls = test::box(Vec3(-10, -10, -1), Vec3(10, 10, 0));
+    append(walls, test::box(Vec3(1, -10, -1), Vec3(2, 10, 10)));
+    append(walls, test::box(Vec3(-10, 1, -1), Vec3(10, 2, 10)));
+    SlidingBody body(toolOf(smallBox()));
+    body.setSurface(surfaceOf(walls));
+    body.placeAt(at(-3, -3, 3));
+    const MoveResult result = settle(body, at(0.8, 0.9, -0.2));
+    EXPECT_EQ(result.status, MoveStatus::Held);
+    EXPECT_NEAR((body.pose().position - Vec3(0.5, 0.5, 0)).norm(), 0, 4 * body.margin());
+    EXPECT_EQ(result.contactCount, 3);
+}
+
+TEST(SlidingBody, IsHeldInAVGrooveAtTheClosedFormHeight) {
+    // Two planes at 45 degrees: a square edge of the tool, turned by 45 degrees about y, fits exactly; an upright box
+    // 1 mm wide rests on two edges half a millimetre above the bottom.
+    TriangleMesh groove;
+    groove.vertices = {Vec3f(0, -10, 0), Vec3f(0, 10, 0), Vec3f(5, 10, 5), Vec3f(5, -10, 5), Vec3f(-5, 10, 5), Vec3f(-5, -10, 5)};
+    groove.triangles = {{0, 2, 1}, {0, 3, 2}, {0, 1, 4}, {0, 4, 5}};
+    SlidingBody body(toolOf(smallBox()));
+    body.setSurface(surfaceOf(groove));
+    body.placeAt(at(0.3, 0, 4));
+    settle(body, at(0.1, 0.5, 0.2));
+    EXPECT_NEAR((body.pose().position - Vec3(0, 0.5, 0.5)).norm(), 0, 2 * body.margin());
+}
+
+TEST(SlidingBody, DoesNotPassAThinWallInOneLongMove) {
+    SlidingBody body(toolOf(test::sphere(Vec3(0, 0, 0), 0.02, 16, 8)));
+    body.setSurface(surfaceOf(test::box(Vec3(-10, -10, 0), Vec3(10, 10, 0.1))));
+    for (const double x : {0.0, 0.37, -3.1}) {
+        body.placeAt(at(x, 0.123, 5));
+        for (int i = 0; i < 100; ++i) body.moveToward(at(x, 0.123, -5));
+        EXPECT_GT(body.pose().position.z(), 0.1);
+    }
+}
+
+TEST(SlidingBody, AnswersTheSameAtEveryScale) {
+    for (const double scale : {1e-3, 1.0, 1e3}) {
+        TriangleMesh ball = test::sphere(Vec3(0, 0, 0), 0.5 * scale, 24, 12);
+        TriangleMesh tooth = test::sphere(Vec3(0, 0, -5 * scale), 5 * scale, 200, 100);
+        SlidingBody body(toolOf(ball));
+        body.setSurface(surfaceOf(tooth));
+        body.placeAt({Vec3(0, 0, 3) * scale, Quat::Identity()});
+        settle(body, {Vec3(0.8, 0.3, 0.1) * scale, Quat::Identity()});
+        const Vec3 answer = body.pose().position / scale;
+        EXPECT_NEAR((answer - Vec3(0, 0, -5)).norm(), 5.5, 0.01) << scale;  // facets are up to 0.007 mm flat
+        EXPECT_NEAR((answer - Vec3(0, 0, -5)).normalized().dot(Vec3(0.8, 0.3, 5.1).normalized()), 1, 1e-4) << scale;
+    }
+}
+
+TEST(SlidingBody, TurnsOnlyAsFarAsTheWallsLetIt) {
+    TriangleMesh walls = test::box(Vec3(-10, -10, -1), Vec3(10, -0.6, 10));
+    append(walls, test::box(Vec3(-10, 0.6, -1), Vec3(10, 10, 10)));
+    const TriangleMesh plank = test::box(Vec3(-4, -0.5, 0), Vec3(4, 0.5, 0.2));
+    SlidingBody body(toolOf(plank));
+    body.setSurface(surfaceOf(walls));
+    body.placeAt(at(0, 0, 3));
+    const test::ExactIntersection judge(walls, plank);
+    const Pose turned{Vec3(0, 0, 3), Quat(Eigen::AngleAxisd(1.2, Vec3::UnitZ()))};
+    for (int i = 0; i < 50; ++i) {
+        body.moveToward(turned);
+        ASSERT_FALSE(judge.at(body.pose()));
+    }
+    const double angle = 2 * std::acos(std::min(1.0, std::abs(body.pose().rotation.w())));
+    EXPECT_GT(angle, 0.0);
+    EXPECT_LT(angle, 0.03);  // 8 mm long and 1 mm wide between walls 1.2 mm apart: 0.0252 rad
+}
+
+TEST(SlidingBody, NeverIntersectsOnARandomWalkAndRepeatsItBitForBit) {
+    const TriangleMesh tooth = test::sphere(Vec3(0, 0, 0), 3, 120, 80);
+    const TriangleMesh bur = test::cylinder(Vec3(0, 0, 0), 0.6, 4, 12);
+    const test::ExactIntersection judge(tooth, bur);
+    std::vector<Pose> first;
+    for (int run = 0; run < 2; ++run) {
+        SlidingBody body(toolOf(bur));
+        body.setSurface(surfaceOf(tooth));
+        Pose goal = at(0, 0, 4);
+        body.placeAt(goal);
+        std::mt19937 random(42);
+        std::normal_distribution<double> normal;
+        int held = 0;
+        for (int tick = 0; tick < 3000; ++tick) {
+            Vec3 kick;
+            for (int axis = 0; axis < 3; ++axis) kick[axis] = normal(random);
+            goal.position += 0.05 * kick - 0.02 * (goal.position - Vec3(0, 0, 2.7));
+            for (int axis = 0; axis < 3; ++axis) kick[axis] = normal(random);
+            goal.rotation = (Quat(Eigen::AngleAxisd(0.02 * kick.norm(), kick.normalized())) * goal.rotation).normalized();
+            const MoveResult result = body.moveToward(goal);
+            ASSERT_NE(result.status, MoveStatus::Overlapping);
+            held += result.contactCount > 0 ? 1 : 0;
+            if (run == 0) {
+                ASSERT_FALSE(judge.at(body.pose())) << tick;
+                first.push_back(body.pose());
+            } else {
+                ASSERT_EQ(body.pose().position, first[tick].position);
+                ASSERT_EQ(body.pose().rotation.coeffs(), first[tick].rotation.coeffs());
+            }
+        }
+        EXPECT_GT(held, 1000);
+        EXPECT_LT(held, 2950);
+    }
+}
+
+}  // namespace tactooth

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/atomic_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <fstream>
+#include <iterator>
+
+#include "support/test_data.h"
+
+namespace tactooth {
+namespace {
+
+std::string contentOf(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::size_t filesIn(const std::filesystem::path& folder) {
+    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder), {}));
+}
+
+TEST(AtomicFile, HasItsNameOnlyAfterCommit) {
+    const test::TemporaryFolder folder;
+    Expected<AtomicFile> file = AtomicFile::create(folder / "out.txt");
+    ASSERT_TRUE(file) << file.error().message;
+    file->write("hello ");
+    file->write("world");
+    EXPECT_FALSE(std::filesystem::exists(folder / "out.txt"));
+    ASSERT_TRUE(file->commit());
+    EXPECT_EQ(contentOf(folder / "out.txt"), "hello world");
+    EXPECT_EQ(filesIn(folder.path()), 1U);
+}
+
+TEST(AtomicFile, WithoutCommitNothingIsLeftAndTheOldFileStays) {
+    const test::TemporaryFolder folder;
+    std::ofstream(folder / "out.txt") << "old";
+    {
+        Expected<AtomicFile> file = AtomicFile::create(folder / "out.txt");
+        ASSERT_TRUE(file);
+        file->write(std::string(200000, 'x'));
+    }
+    EXPECT_EQ(contentOf(folder / "out.txt"), "old");
+    EXPECT_EQ(filesIn(folder.path()), 1U);
+}
+
+TEST(AtomicFile, LargeAndSmallWritesKeepTheirOrder) {
+    const test::TemporaryFolder folder;
+    Expected<AtomicFile> file = AtomicFile::create(folder / "out.txt");
+    ASSERT_TRUE(file);
+    std::string expected;
+    for (const std::size_t size :
+         {std::size_t{1}, std::size_t{70000}, std::size_t{3}, std::size_t{65536}, std::size_t{40000}}) {
+        const std::string part(size, static_cast<char>('a' + expected.size() % 26));
+        file->write(part);
+        expected += part;
+    }
+    ASSERT_TRUE(file->commit());
+    EXPECT_EQ(contentOf(folder / "out.txt"), expected);
+}
+
+TEST(AtomicFile, FollowsASymbolicLink) {
+    const test::TemporaryFolder folder;
+    std::ofstream(folder / "real.txt") << "old";
+    std::filesystem::create_symlink(folder / "real.txt", folder / "link.txt");
+    ASSERT_TRUE(writeFile(folder / "link.txt", std::as_bytes(std::span("new", 3))));
+    EXPECT_TRUE(std::filesystem::is_symlink(folder / "link.txt"));
+    EXPECT_EQ(contentOf(folder / "real.txt"), "new");
+}
+
+TEST(AtomicFile, RefusesAFolderAndADevice) {
+    const test::TemporaryFolder folder;
+    EXPECT_THAT(AtomicFile::create(folder.path()).error().message, ::testing::HasSubstr("this is a folder"));
+    EXPECT_THAT(AtomicFile::create("/dev/null").error().message, ::testing::HasSubstr("not a regular file"));
+}
+
+TEST(AtomicFile, RefusesAFolderThatTheUserMayNotWrite) {
+    const test::TemporaryFolder folder;
+    std::filesystem::permissions(folder.path(), std::filesystem::perms::owner_read |
+                                                    std::filesystem::perms::owner_exec |
+                                                    std::filesystem::perms::others_exec);
+    constexpr uid_t kNobody = 65534;  // root may write everywhere, so the test steps down for a moment
+    const bool steppedDown = ::geteuid() == 0 && ::seteuid(kNobody) == 0;
+    const Expected<AtomicFile> file = AtomicFile::create(folder / "out.txt");
+    ASSERT_TRUE(!steppedDown || ::seteuid(0) == 0);
+    ASSERT_FALSE(file);
+    EXPECT_THAT(file.error().message, ::testing::HasSubstr("this user may not write into its folder"));
+}
+
+TEST(AtomicFile, AFullDiskIsAnErrorAndLeavesNothing) {
+    const test::TemporaryFolder folder;
+    Expected<AtomicFile> file = AtomicFile::create(folder / "out.txt");
+    ASSERT_TRUE(file);
+    // A limit on file size stands in for a full disk: write() fails in the same way.
+    rlimit old{};
+    ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &old), 0);
+    const rlimit small{1000, old.rlim_max};
+    const auto oldHandler = std::signal(SIGXFSZ, SIG_IGN);
+    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+    file->write(std::string(100000, 'x'));
+    const Expected<void> committed = file->commit();
+    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &old), 0);
+    std::signal(SIGXFSZ, oldHandler);
+    ASSERT_FALSE(committed);
+    EXPECT_THAT(committed.error().message, ::testing::HasSubstr("out.txt: cannot be written"));
+    EXPECT_EQ(filesIn(folder.path()), 0U);
+}
+
+}  // namespace
+}  // namespace tactooth

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geometry/triangle_mesh.h"
+
+namespace tactooth::test {
+
+/// A binary STL put together independently of the program's own writer, so that each field can be wrong.
+inline std::string binaryStl(std::string header, std::uint32_t announced,
+                             const std::vector<std::array<float, 9>>& triangles) {
+    header.resize(80, ' ');
+    std::string bytes = header;
+    bytes.append(reinterpret_cast<const char*>(&announced), sizeof announced);
+    for (const std::array<float, 9>& corners : triangles) {
+        bytes.append(12, '\0');  // normal
+        bytes.append(reinterpret_cast<const char*>(corners.data()), sizeof corners);
+        bytes.append(2, '\0');  // attribute
+    }
+    return bytes;
+}
+
+/// The corners of a tetrahedron at the origin with edges of 1 mm along the axes, outside counter-clockwise.
+inline const std::vector<std::array<float, 9>> kTetrahedron = {{{0, 0, 0, 0, 1, 0, 1, 0, 0}},
+                                                               {{0, 0, 0, 1, 0, 0, 0, 0, 1}},
+                                                               {{0, 0, 0, 0, 0, 1, 0, 1, 0}},
+                                                               {{1, 0, 0, 0, 1, 0, 0, 0, 1}}};
+
+inline std::span<const std::byte> asBytes(std::string_view text) { return std::as_bytes(std::span(text)); }
+
+/// Every coordinate of every triangle in order: what must survive writing and reading.
+inline std::vector<std::uint32_t> coordinateBits(const TriangleMesh& mesh) {
+    std::vector<std::uint32_t> bits;
+    for (const Triangle& triangle : mesh.triangles) {
+        for (const std::uint32_t vertex : triangle) {
+            std::array<std::uint32_t, 3> numbers;
+            std::memcpy(numbers.data(), mesh.vertices[vertex].data(), sizeof numbers);
+            bits.insert(bits.end(), numbers.begin(), numbers.end());
+        }
+    }
+    return bits;
+}
+
+}  // namespace tactooth::test

@@ -1,0 +1,266 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "instruments/builtin_tooth.h"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <map>
+#include <random>
+#include <set>
+
+#include "instruments/mesh_checks.h"
+
+namespace tactooth {
+namespace {
+
+using enum BuiltinToothKind;
+
+/// Wheeler's average tooth, mm. Cervix: mesiodistal width between the proximal tops of the cervical line, which lie
+/// `mesialRise` and `distalRise` above its buccal and lingual parts.
+struct Average {
+    BuiltinToothKind kind;
+    int fdi;
+    double crown, root, mesiodistal, faciolingual, cervixMesiodistal, cervixFaciolingual, mesialRise, distalRise;
+};
+
+constexpr Average kAverages[] = {{lowerFirstMolar, 46, 7.5, 14.0, 11.0, 10.5, 9.0, 9.0, 1.0, 0.0},
+                                 {upperCentralIncisor, 11, 10.5, 13.0, 8.5, 7.0, 7.0, 6.0, 3.5, 2.5},
+                                 {upperCanine, 13, 10.0, 17.0, 7.5, 8.0, 5.5, 7.0, 2.5, 1.5}};
+
+constexpr double kTolerance = 0.03;  // of each length
+
+const BuiltinTooth& toothOf(BuiltinToothKind kind) {
+    static std::map<BuiltinToothKind, BuiltinTooth> made;
+    const auto [place, isNew] = made.try_emplace(kind);
+    if (isNew) place->second = makeBuiltinTooth(kind);
+    return place->second;
+}
+
+std::array<const TriangleMesh*, 5> meshesOf(const BuiltinTooth& tooth) {
+    return {&tooth.outer, &tooth.enamel, &tooth.dentin, &tooth.pulp, &tooth.caries};
+}
+
+/// Extent of the vertices within 0.15 mm of a height.
+Box3 sliceAt(const TriangleMesh& mesh, double z) {
+    Box3 box;
+    for (const Vec3f& vertex : mesh.vertices) {
+        if (std::abs(vertex.z() - z) < 0.15) box.extend(vertex.cast<double>());
+    }
+    return box;
+}
+
+bool isInside(const TriangleMesh& mesh, const Vec3& point) { return test::windingNumber(mesh, point) > 0.5; }
+
+class EveryTooth : public testing::TestWithParam<Average> {
+protected:
+    const Average& average_ = GetParam();
+    const BuiltinTooth& tooth_ = toothOf(GetParam().kind);
+};
+
+TEST_P(EveryTooth, LayersAreClosedAndFaceOutward) {
+    for (const TriangleMesh* layer : meshesOf(tooth_)) {
+        EXPECT_TRUE(test::isClosedAndOriented(*layer));
+        EXPECT_GT(test::volumeOf(*layer), 1.0);
+    }
+}
+
+TEST_P(EveryTooth, LayersAreOnePieceWithoutHandles) {
+    for (const TriangleMesh* layer : meshesOf(tooth_)) {
+        const auto vertices = static_cast<int>(layer->vertices.size());
+        EXPECT_EQ(vertices - static_cast<int>(layer->triangles.size()) / 2, 2);
+    }
+}
+
+TEST_P(EveryTooth, LayersDoNotIntersectThemselves) {
+    for (const TriangleMesh* layer : meshesOf(tooth_)) EXPECT_FALSE(test::intersectsItself(*layer));
+}
+
+TEST_P(EveryTooth, LayersDoNotIntersectThemselvesAtOtherFinenesses) {
+    for (const int triangles : {6000, 13000, 35000}) {
+        const BuiltinTooth tooth = makeBuiltinTooth(average_.kind, triangles);
+        for (const TriangleMesh* layer : meshesOf(tooth)) EXPECT_FALSE(test::intersectsItself(*layer)) << triangles;
+    }
+}
+
+TEST_P(EveryTooth, HasTheLengthsOfTheAverageTooth) {
+    const Box3 box = boundingBox(tooth_.outer);
+    EXPECT_EQ(tooth_.fdi, average_.fdi);
+    EXPECT_NEAR(box.max().z(), average_.crown, kTolerance * average_.crown);
+    EXPECT_NEAR(-box.min().z(), average_.root, kTolerance * average_.root);
+}
+
+TEST_P(EveryTooth, HasTheCrownDiametersOfTheAverageTooth) {
+    const Vec3 size = boundingBox(tooth_.outer).sizes();
+    EXPECT_NEAR(size.x(), average_.mesiodistal, kTolerance * average_.mesiodistal);
+    EXPECT_NEAR(size.y(), average_.faciolingual, kTolerance * average_.faciolingual);
+}
+
+TEST_P(EveryTooth, HasTheCervicalDiametersOfTheAverageTooth) {
+    const double mesial = sliceAt(tooth_.outer, average_.mesialRise).max().x();
+    const double distal = sliceAt(tooth_.outer, average_.distalRise).min().x();
+    EXPECT_NEAR(mesial - distal, average_.cervixMesiodistal, kTolerance * average_.cervixMesiodistal);
+    EXPECT_NEAR(sliceAt(tooth_.outer, 0).sizes().y(), average_.cervixFaciolingual,
+                kTolerance * average_.cervixFaciolingual);
+}
+
+TEST_P(EveryTooth, HasAboutAsManyTrianglesAsAskedFor) {
+    EXPECT_NEAR(static_cast<double>(tooth_.outer.triangles.size()), 20000, 2000);
+    const auto coarse = static_cast<double>(makeBuiltinTooth(average_.kind, 8000, 0).outer.triangles.size());
+    EXPECT_NEAR(coarse, 8000, 1200);
+}
+
+TEST_P(EveryTooth, PulpLiesWithinTheDentin) {
+    for (std::size_t i = 0; i < tooth_.pulp.vertices.size(); i += 97) {
+        EXPECT_TRUE(isInside(tooth_.dentin, tooth_.pulp.vertices[i].cast<double>())) << "vertex " << i;
+    }
+}
+
+TEST_P(EveryTooth, DentinOfTheCrownLiesWithinTheTooth) {
+    for (std::size_t i = 0; i < tooth_.dentin.vertices.size(); i += 53) {
+        const Vec3 vertex = tooth_.dentin.vertices[i].cast<double>();
+        if (vertex.z() < average_.mesialRise + 0.7) continue;
+        EXPECT_TRUE(isInside(tooth_.outer, vertex)) << "vertex " << i;
+    }
+}
+
+TEST_P(EveryTooth, DentinSharesItsRootSurfaceWithTheTooth) {
+    std::set<std::array<float, 3>> known;
+    for (const Vec3f& v : tooth_.outer.vertices) known.insert({v.x(), v.y(), v.z()});
+    int shared = 0;
+    for (const Vec3f& v : tooth_.dentin.vertices) {
+        if (v.z() > -2) continue;
+        EXPECT_TRUE((known.contains({v.x(), v.y(), v.z()})));
+        ++shared;
+    }
+    EXPECT_GT(shared, 1000);
+}
+
+TEST_P(EveryTooth, EnamelAndDentinTogetherFillTheTooth) {
+    const Box3 box = boundingBox(tooth_.outer);
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> unit(0, 1);
+    int inside = 0;
+    for (int i = 0; i < 250; ++i) {
+        const Vec3 part(unit(random), unit(random), unit(random));
+        const Vec3 point = box.min() + part.cwiseProduct(box.sizes());
+        const bool filled = isInside(tooth_.enamel, point) || isInside(tooth_.dentin, point);
+        EXPECT_EQ(filled, isInside(tooth_.outer, point)) << point.transpose();
+        inside += filled;
+    }
+    EXPECT_GT(inside, 50);
+    EXPECT_LT(inside, 200);
+}
+
+/// Smallest distance from a point to the vertices of a mesh: good to a part of the edge length.
+double distanceToVertices(const TriangleMesh& mesh, const Vec3& point) {
+    double nearest = 1e9;
+    for (const Vec3f& vertex : mesh.vertices) nearest = std::min(nearest, (vertex.cast<double>() - point).norm());
+    return nearest;
+}
+
+TEST_P(EveryTooth, EnamelThinsFromTheTopOfTheCrownToAFeatherEdge) {
+    const auto top = std::ranges::max_element(tooth_.outer.vertices, {}, [](const Vec3f& v) { return v.z(); });
+    const double atTop = distanceToVertices(tooth_.dentin, top->cast<double>());
+    EXPECT_GT(atTop, 1.2);
+    EXPECT_LT(atTop, 3.0);
+    for (const Vec3f& vertex : tooth_.outer.vertices) {
+        const bool atBuccalNeck = std::abs(vertex.x()) < 0.3 && vertex.y() > 2 && vertex.z() > 0.1 && vertex.z() < 0.4;
+        if (!atBuccalNeck) continue;
+        EXPECT_LT(distanceToVertices(tooth_.dentin, vertex.cast<double>()), 0.4);
+    }
+}
+
+TEST_P(EveryTooth, LesionReachesFromTheSurfaceIntoTheDentinButNotThePulp) {
+    int atSurface = 0, inDentin = 0;
+    for (std::size_t i = 0; i < tooth_.caries.vertices.size(); i += 7) {
+        const Vec3 vertex = tooth_.caries.vertices[i].cast<double>();
+        if (distanceToVertices(tooth_.outer, vertex) < 0.15) ++atSurface;
+        if (isInside(tooth_.dentin, vertex)) ++inDentin;
+    }
+    EXPECT_GT(atSurface, 3);
+    EXPECT_GT(inDentin, 20);
+    for (std::size_t i = 0; i < tooth_.pulp.vertices.size(); i += 31) {
+        EXPECT_FALSE(isInside(tooth_.caries, tooth_.pulp.vertices[i].cast<double>()));
+    }
+}
+
+TEST_P(EveryTooth, IsALayeredToothWithEnamelAboveTheCervicalLineAndDentinBelow) {
+    const auto layered = LayeredTooth::make(tooth_.outer, layersOf(tooth_));
+    ASSERT_TRUE(layered.has_value()) << layered.error().message;
+    EXPECT_EQ(layered->layers().size(), 4u);
+    const SurfacePart& outer = *layered->outer();
+    int enamel = 0, dentin = 0;
+    for (std::uint32_t i = 0; i < tooth_.outer.triangles.size(); ++i) {
+        const double z = tooth_.outer.corner(i, 0).z();
+        const auto tag = static_cast<MaterialId>(outer.tag(i));
+        if (z < -0.5) {
+            EXPECT_EQ(tag, MaterialId::Dentin);
+            ++dentin;
+        } else if (z > average_.mesialRise + 1.0 && tag != MaterialId::Caries) {
+            EXPECT_EQ(tag, MaterialId::Enamel);
+            ++enamel;
+        }
+    }
+    EXPECT_GT(enamel, 4000);
+    EXPECT_GT(dentin, 4000);
+}
+
+INSTANTIATE_TEST_SUITE_P(Builtin, EveryTooth, testing::ValuesIn(kAverages),
+                         [](const auto& instance) { return "Fdi" + std::to_string(instance.param.fdi); });
+
+TEST(BuiltinTooth, LesionGrowsWithItsWidthAndZeroMeansSound) {
+    const BuiltinTooth small = makeBuiltinTooth(lowerFirstMolar, 8000, 1.2);
+    const BuiltinTooth large = makeBuiltinTooth(lowerFirstMolar, 8000, 3.0);
+    EXPECT_GT(test::volumeOf(large.caries), 4 * test::volumeOf(small.caries));
+    EXPECT_TRUE(makeBuiltinTooth(lowerFirstMolar, 8000, 0).caries.empty());
+}
+
+TEST(BuiltinTooth, PulpChamberLiesWhereItIsMeasured) {
+    // A. S. Deutsch, B. L. Musikant 2004, lower molars: chamber ceiling 6.36 +- 0.93 mm and floor 7.95 +- 0.79 mm below
+    // the cusp, measured in the chamber's middle.
+    const BuiltinTooth& molar = toothOf(lowerFirstMolar);
+    Box3 middle;
+    for (const Vec3f& v : molar.pulp.vertices) {
+        if (std::hypot(v.x(), v.y()) < 0.6) middle.extend(v.cast<double>());
+    }
+    const double cusp = boundingBox(molar.outer).max().z();
+    EXPECT_NEAR(cusp - middle.max().z(), 6.36, 0.5);
+    EXPECT_NEAR(cusp - middle.min().z(), 7.95, 0.5);
+}
+
+TEST(BuiltinTooth, MolarHasTwoRootsThatPartBelowTheNeck) {
+    const TriangleMesh& outer = toothOf(lowerFirstMolar).outer;
+    const auto isSolid = [&](double z) { return isInside(outer, Vec3(0.1, 0, z)); };
+    EXPECT_TRUE(isSolid(-2.0));
+    EXPECT_FALSE(isSolid(-5.0));
+    EXPECT_TRUE(isInside(outer, Vec3(2.7, 0, -6)));
+    EXPECT_TRUE(isInside(outer, Vec3(-2.8, 0, -6)));
+}
+
+TEST(BuiltinTooth, MolarHasFiveCusps) {
+    std::vector<Vec3f> top;
+    for (const Vec3f& v : toothOf(lowerFirstMolar).outer.vertices) {
+        if (v.z() > 5.8) top.push_back(v);
+    }
+    constexpr float kApart = 1.0;  // mm; nearer heights belong to one cusp
+    const auto isPeak = [&](const Vec3f& v) {
+        return std::ranges::none_of(top, [&](const Vec3f& w) { return w.z() > v.z() && (w - v).norm() < kApart; });
+    };
+    EXPECT_EQ(std::ranges::count_if(top, isPeak), 5);
+}
+
+TEST(BuiltinTooth, IsTheSameOnAnyNumberOfThreads) {
+    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+    for (const Average& average : kAverages) {
+        const BuiltinTooth again = makeBuiltinTooth(average.kind);
+        const auto first = meshesOf(toothOf(average.kind)), second = meshesOf(again);
+        for (std::size_t i = 0; i < first.size(); ++i) EXPECT_TRUE(test::areBitEqual(*first[i], *second[i]));
+    }
+}
+
+}  // namespace
+}  // namespace tactooth

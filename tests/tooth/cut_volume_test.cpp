@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tooth/cut_volume.h"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "support/shapes.h"
+
+namespace tactooth {
+namespace {
+
+constexpr double kVoxel = 0.05;
+constexpr double kPi = std::numbers::pi;
+
+std::shared_ptr<const LayeredTooth> block(std::vector<LayerMesh> layers = {}) {
+    auto tooth = LayeredTooth::make(test::box(Vec3(-2, -2, -3), Vec3(2, 2, 0)), std::move(layers));
+    return std::make_shared<const LayeredTooth>(std::move(*tooth));
+}
+
+RevolutionEnvelope envelopeOf(const TriangleMesh& bur) { return *RevolutionEnvelope::make(bur); }
+RevolutionEnvelope flatBur(double radius) { return envelopeOf(test::cylinder(Vec3::Zero(), radius, 4, 128)); }
+
+Pose at(double x, double y, double z) { return {Vec3(x, y, z), Quat::Identity()}; }
+Pose leaning(const Vec3& tip, double angle) { return {tip, Quat(Eigen::AngleAxisd(angle, Vec3::UnitX()))}; }
+
+/// A path with a plunge, a slot and a tilt, in `parts` pieces a leg.
+MaterialVolumes carvePath(CutVolume& volume, const RevolutionEnvelope& bur, int parts) {
+    const std::vector<Pose> legs = {at(0, 0, 0.5), at(0, 0, -1), at(0.6, 0.2, -1), leaning(Vec3(0.6, 0.2, -1), 0.3)};
+    MaterialVolumes removed{};
+    for (std::size_t leg = 0; leg + 1 < legs.size(); ++leg) {
+        const auto point = [&](int i) {
+            const double t = static_cast<double>(i) / parts;
+            return Pose{(1 - t) * legs[leg].position + t * legs[leg + 1].position,
+                        legs[leg].rotation.slerp(t, legs[leg + 1].rotation)};
+        };
+        for (int i = 0; i < parts; ++i) {
+            const CarveResult step = volume.carve(bur, point(i), point(i + 1), 0);
+            for (std::size_t m = 0; m < kMaterialCount; ++m) removed[m] += step.removed[m];
+        }
+    }
+    return removed;
+}
+
+TEST(CutVolume, StraightHoleByAFlatBur) {
+    CutVolume volume(block(), kVoxel);
+    const auto removed = volume.carve(flatBur(0.6), at(0.01, 0.02, 0.5), at(0.01, 0.02, -1.5), 0).removed;
+    EXPECT_NEAR(total(removed), kPi * 0.36 * 1.5, 0.005 * kPi * 0.36 * 1.5);
+}
+
+TEST(CutVolume, SlotByAFlatBur) {
+    CutVolume volume(block(), kVoxel);
+    const auto bur = flatBur(0.5);
+    double removed = total(volume.carve(bur, at(-0.5, 0, 0.5), at(-0.5, 0, -0.8), 0).removed);
+    removed += total(volume.carve(bur, at(-0.5, 0, -0.8), at(0.7, 0.3, -0.8), 0).removed);
+    const double expected = 0.8 * (kPi * 0.25 + 2 * 0.5 * std::hypot(1.2, 0.3));
+    EXPECT_NEAR(removed, expected, 0.005 * expected);
+}
+
+TEST(CutVolume, BowlByABall) {
+    CutVolume volume(block(), kVoxel);
+    const auto ball = envelopeOf(test::sphere(Vec3(0, 0, 0.5), 0.5, 256, 128));
+    const double removed = total(volume.carve(ball, at(0, 0, 0.1), at(0, 0, -0.4), 0).removed);
+    const double expected = kPi * 0.4 * 0.4 * (0.5 - 0.4 / 3);
+    EXPECT_NEAR(removed, expected, 0.01 * expected);
+}
+
+TEST(CutVolume, ClearanceWidensTheHole) {
+    CutVolume volume(block(), kVoxel);
+    const double removed = total(volume.carve(flatBur(0.6), at(0, 0, 0.5), at(0, 0, -1.5), 0.02).removed);
+    const double expected = kPi * 0.62 * 0.62 * 1.52;
+    EXPECT_NEAR(removed, expected, 0.005 * expected);
+}
+
+TEST(CutVolume, EachMaterialIsCountedWhereItLies) {
+    const auto tooth = block({{"enamel", MaterialId::Enamel, test::box(Vec3(-2, -2, -0.5), Vec3(2, 2, 0))},
+                              {"dentin", MaterialId::Dentin, test::box(Vec3(-2, -2, -3), Vec3(2, 2, -0.5))}});
+    CutVolume volume(tooth, kVoxel);
+    const auto removed = volume.carve(flatBur(0.6), at(0, 0, 0.5), at(0, 0, -1.5), 0).removed;
+    const double area = kPi * 0.36;
+    EXPECT_NEAR(removed[static_cast<std::size_t>(MaterialId::Enamel)], 0.5 * area, 0.5 * kVoxel * area);
+    EXPECT_NEAR(removed[static_cast<std::size_t>(MaterialId::Dentin)], 1.0 * area, 0.5 * kVoxel * area);
+    EXPECT_EQ(removed[static_cast<std::size_t>(MaterialId::Pulp)], 0);
+}
+
+TEST(CutVolume, TheSumOverStepsIsTheVolumeOfTheCavity) {
+    CutVolume volume(block(), kVoxel);
+    const double summed = total(carvePath(volume, flatBur(0.4), 25));
+    EXPECT_NEAR(summed, total(volume.removedVolume()), 1e-9);
+    EXPECT_GT(summed, 0.5);
+}
+
+TEST(CutVolume, FinerStepsRemoveTheSame) {
+    CutVolume coarse(block(), kVoxel);
+    CutVolume fine(block(), kVoxel);
+    const double few = total(carvePath(coarse, flatBur(0.4), 10));
+    const double many = total(carvePath(fine, flatBur(0.4), 80));
+    EXPECT_NEAR(few, many, 0.002 * many);
+}
+
+TEST(CutVolume, TheOrderOfCutsDoesNotMatter) {
+    CutVolume forward(block(), kVoxel);
+    CutVolume backward(block(), kVoxel);
+    const auto bur = flatBur(0.4);
+    const double first = total(forward.carve(bur, at(0, 0, 0.1), at(0, 0, -1), 0).removed) +
+                         total(forward.carve(bur, at(0.3, 0, -0.5), at(0.6, 0, -0.5), 0).removed);
+    const double second = total(backward.carve(bur, at(0.3, 0, -0.5), at(0.6, 0, -0.5), 0).removed) +
+                          total(backward.carve(bur, at(0, 0, 0.1), at(0, 0, -1), 0).removed);
+    EXPECT_NEAR(first, second, 1e-6);
+}
+
+TEST(CutVolume, ADryRunForetellsTheCarveAndChangesNothing) {
+    CutVolume volume(block(), kVoxel);
+    const auto bur = flatBur(0.4);
+    volume.carve(bur, at(0, 0, 0.5), at(0, 0, -0.5));
+    const std::uint64_t before = volume.hash();
+    const double foretold = total(volume.removableVolume(bur, at(0, 0, -0.5), at(0.02, 0, -0.53)));
+    EXPECT_EQ(volume.hash(), before);
+    EXPECT_EQ(total(volume.carve(bur, at(0, 0, -0.5), at(0.02, 0, -0.53)).removed), foretold);
+    EXPECT_GT(foretold, 0);
+    EXPECT_EQ(total(volume.removableVolume(bur, at(0, 0, -0.5), at(0.02, 0, -0.53))), 0);
+}
+
+TEST(CutVolume, OneThreadAndManyGiveTheSameBits) {
+    CutVolume many(block(), kVoxel);
+    const MaterialVolumes removedByMany = carvePath(many, flatBur(0.4), 10);
+    const tbb::global_control single(tbb::global_control::max_allowed_parallelism, 1);
+    CutVolume one(block(), kVoxel);
+    EXPECT_EQ(carvePath(one, flatBur(0.4), 10), removedByMany);
+    EXPECT_EQ(one.hash(), many.hash());
+}
+
+TEST(CutVolume, ABurInTheAirChangesNothing) {
+    CutVolume volume(block(), kVoxel);
+    const auto result = volume.carve(flatBur(0.4), at(0, 0, 0.5), at(1, 0, 0.5));
+    EXPECT_EQ(total(result.removed), 0);
+    EXPECT_TRUE(result.changed.empty());
+}
+
+TEST(CutVolume, ResetBringsBackTheWholeTooth) {
+    CutVolume volume(block(), kVoxel);
+    const auto cut = [&] { return total(volume.carve(flatBur(0.4), at(0, 0, 0.5), at(0, 0, -0.5)).removed); };
+    const double first = cut();
+    EXPECT_EQ(cut(), 0);
+    volume.reset();
+    EXPECT_EQ(total(volume.removedVolume()), 0);
+    EXPECT_EQ(cut(), first);
+}
+
+}  // namespace
+}  // namespace tactooth

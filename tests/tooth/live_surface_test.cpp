@@ -1,0 +1,276 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tooth/live_surface.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <random>
+#include <set>
+
+#include "geometry/mesh_report.h"
+#include "geometry/stl_reader.h"
+#include "geometry/stl_writer.h"
+#include "support/shapes.h"
+#include "support/test_data.h"
+
+namespace tactooth {
+namespace {
+
+constexpr double kVoxel = 0.05;
+constexpr double kPi = std::numbers::pi;
+
+RevolutionEnvelope envelopeOf(const TriangleMesh& bur) { return *RevolutionEnvelope::make(bur); }
+RevolutionEnvelope flatBur(double radius) { return envelopeOf(test::cylinder(Vec3::Zero(), radius, 4, 128)); }
+RevolutionEnvelope ballBur(double radius) { return envelopeOf(test::sphere(Vec3(0, 0, radius), radius, 128, 96)); }
+Pose at(double x, double y, double z) { return {Vec3(x, y, z), Quat::Identity()}; }
+
+/// A tooth with its cut volume and surface.
+struct Patient {
+    explicit Patient(TriangleMesh outer, double voxel = kVoxel)
+        : volume(std::make_shared<const LayeredTooth>(std::move(*LayeredTooth::make(std::move(outer)))), voxel),
+          surface(volume) {}
+
+    double cut(const RevolutionEnvelope& bur, const Pose& from, const Pose& to, double clearance = 0) {
+        const CarveResult result = volume.carve(bur, from, to, clearance);
+        surface.update(volume, result.changed);
+        return total(result.removed);
+    }
+    [[nodiscard]] TriangleMesh mesh() const { return visibleMesh(*surface.snapshot()).mesh; }
+
+    CutVolume volume;
+    LiveSurface surface;
+};
+
+double volumeOf(const TriangleMesh& mesh) {
+    double sixfold = 0;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        sixfold += mesh.corner(t, 0).dot(mesh.corner(t, 1).cross(mesh.corner(t, 2)));
+    }
+    return sixfold / 6;
+}
+
+/// Directed edges, by the bits of their ends, that have no single partner in the other direction.
+int badEdges(const TriangleMesh& mesh) {
+    using Point = std::array<float, 3>;
+    std::map<std::pair<Point, Point>, int> count;
+    for (const Triangle& triangle : mesh.triangles) {
+        const auto point = [&](int i) {
+            const Vec3f& v = mesh.vertices[triangle[i % 3]];
+            return Point{v.x(), v.y(), v.z()};
+        };
+        if (point(0) == point(1) || point(1) == point(2) || point(2) == point(0)) continue;
+        for (int i = 0; i < 3; ++i) ++count[{point(i), point(i + 1)}];
+    }
+    int bad = 0;
+    for (const auto& [edge, times] : count) {
+        const auto back = count.find({edge.second, edge.first});
+        bad += times != 1 || back == count.end();
+    }
+    return bad;
+}
+
+void expectSameTriangles(const TriangleMesh& mesh, const TriangleMesh& expected) {
+    ASSERT_EQ(mesh.triangles.size(), expected.triangles.size());
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        for (int c = 0; c < 3; ++c) ASSERT_EQ(mesh.corner(t, c), expected.corner(t, c));
+    }
+}
+
+TriangleMesh fineSphere() { return test::sphere(Vec3(0.03, -0.02, -2), 2, 96, 64); }
+
+TEST(LiveSurface, AnUncutToothIsItsFile) {
+    const Patient patient(fineSphere());
+    const TriangleMesh mesh = patient.mesh();
+    expectSameTriangles(mesh, fineSphere());
+}
+
+TEST(LiveSurface, AHoleInABlockIsClosedAndHasTheVolumeOfTheBur) {
+    Patient patient(test::box(Vec3(-2, -2, -3), Vec3(2, 2, 0)));
+    const double removed = patient.cut(flatBur(0.6), at(0.01, 0.02, 0.5), at(0.01, 0.02, -1.5));
+    const TriangleMesh mesh = patient.mesh();
+    EXPECT_EQ(badEdges(mesh), 0);
+    EXPECT_EQ(patient.surface.failures(), 0U);
+    EXPECT_NEAR(48 - volumeOf(mesh), kPi * 0.36 * 1.5, 0.003 * kPi * 0.36 * 1.5);
+    EXPECT_NEAR(48 - volumeOf(mesh), removed, 0.003 * removed);
+}
+
+TEST(LiveSurface, WallsLieOnTheBurAndInnerEdgesAreSharp) {
+    Patient patient(test::box(Vec3(-2, -2, -3), Vec3(2, 2, 0)));
+    const auto bur = flatBur(0.6);
+    const Pose tilted{Vec3(0, 0, -1.2), Quat(Eigen::AngleAxisd(0.3, Vec3(1, 0.5, 0).normalized()))};
+    patient.cut(bur, tilted, tilted);
+    double worstSmooth = 0;
+    double worstEdge = 0;
+    for (const auto& patch : patient.surface.snapshot()->patches) {
+        for (const Vec3f& vertex : patch->mesh().vertices) {
+            const Vec3 point = tilted.inverse() * Vec3(vertex.cast<double>());
+            if (vertex.z() > -0.001F) continue;
+            const double distance = std::abs(bur.signedDistance(point));
+            const bool nearEdge = std::hypot(point.x(), point.y()) > 0.6 - 1.5 * kVoxel && point.z() < 1.5 * kVoxel;
+            (nearEdge ? worstEdge : worstSmooth) = std::max(nearEdge ? worstEdge : worstSmooth, distance);
+        }
+    }
+    EXPECT_LT(worstSmooth, 0.0015);
+    EXPECT_LT(worstEdge, 0.5 * kVoxel);
+}
+
+TEST(LiveSurface, UntouchedTrianglesKeepTheirBits) {
+    Patient patient(fineSphere());
+    patient.cut(ballBur(0.4), at(0, 0, 0.2), at(0, 0, -0.4));
+    const auto snapshot = patient.surface.snapshot();
+    const TriangleMesh& base = snapshot->base->mesh();
+    std::size_t hidden = 0;
+    for (std::uint32_t t = 0; t < base.triangles.size(); ++t) {
+        if (!isHidden(*snapshot->hidden, t)) continue;
+        ++hidden;
+        for (int c = 0; c < 3; ++c) EXPECT_LT(std::hypot(base.corner(t, c).x(), base.corner(t, c).y()), 0.7);
+    }
+    EXPECT_GT(hidden, 10U);
+    const TriangleMesh mesh = visibleMesh(*snapshot).mesh;
+    std::size_t next = 0;
+    for (std::uint32_t t = 0; t < base.triangles.size(); ++t) {
+        if (isHidden(*snapshot->hidden, t)) continue;
+        for (int c = 0; c < 3; ++c) ASSERT_EQ(mesh.corner(next, c), base.corner(t, c));
+        ++next;
+    }
+}
+
+TEST(LiveSurface, RandomCuttingOfABallStaysClosed) {
+    Patient patient(fineSphere());
+    const std::vector<RevolutionEnvelope> burs = {flatBur(0.3), ballBur(0.25)};
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    double removed = 0;
+    Pose pose = at(0, 0, 0.3);
+    for (int i = 0; i < 60; ++i) {
+        const Vec3 target(1.5 * unit(random), 1.5 * unit(random), -1.2 + 0.9 * unit(random));
+        const Quat lean(Eigen::AngleAxisd(0.8 * unit(random), Vec3(unit(random), unit(random), 0).normalized()));
+        const Pose next{pose.position + 0.3 * (target - pose.position), pose.rotation.slerp(0.3, lean)};
+        removed += patient.cut(burs[i % 2], pose, next, 0.001);
+        pose = next;
+        if (i % 10 != 9) continue;
+        EXPECT_EQ(badEdges(patient.mesh()), 0) << "after cut " << i;
+    }
+    EXPECT_EQ(patient.surface.failures(), 0U);
+    const double lost = volumeOf(fineSphere()) - volumeOf(patient.mesh());
+    EXPECT_NEAR(lost, removed, 0.005 * removed);
+    EXPECT_GT(removed, 1.0);
+}
+
+TEST(LiveSurface, AThroughHoleStaysClosed) {
+    Patient patient(test::box(Vec3(-2, -2, -1), Vec3(2, 2, 0)));
+    patient.cut(flatBur(0.5), at(0.1, 0.2, 0.5), at(0.1, 0.2, -1.5));
+    EXPECT_EQ(badEdges(patient.mesh()), 0);
+    EXPECT_NEAR(16 - volumeOf(patient.mesh()), kPi * 0.25, 0.003 * kPi * 0.25);
+}
+
+TEST(LiveSurface, AThinWallBetweenTwoSlotsStaysClosed) {
+    Patient patient(test::box(Vec3(-2, -2, -2), Vec3(2, 2, 0)));
+    const auto bur = flatBur(0.3);
+    for (const double gap : {0.08, 0.03, 0.01, -0.01}) {
+        patient.cut(bur, at(-0.5, 0, 0.2), at(-0.5, 0, -0.5));
+        patient.cut(bur, at(-0.5, 0, -0.5), at(0.5, 0, -0.5));
+        patient.cut(bur, at(-0.5, 0.6 + gap, 0.2), at(0.5, 0.63 + gap, -0.5));
+        EXPECT_EQ(badEdges(patient.mesh()), 0) << gap;
+    }
+}
+
+TEST(LiveSurface, ManySmallStepsGiveTheSurfaceOfOneLongOne) {
+    Patient steps(fineSphere());
+    Patient once(fineSphere());
+    const auto bur = ballBur(0.35);
+    const auto point = [&](int i) { return at(-1 + 0.02 * i, 0, -0.5); };
+    once.cut(bur, point(0), point(100));
+    for (int i = 0; i < 100; ++i) steps.cut(bur, point(i), point(i + 1));
+    EXPECT_EQ(badEdges(steps.mesh()), 0);
+    EXPECT_NEAR(volumeOf(steps.mesh()), volumeOf(once.mesh()), 2e-4);
+}
+
+TEST(LiveSurface, ABurAtRestInItsOwnCutDoesNotTouchTheWall) {
+    Patient patient(fineSphere());
+    const auto bur = flatBur(0.5);
+    const double clearance = kDefaultClearance * kVoxel;
+    Pose pose = at(0, 0, 0.3);
+    for (int i = 1; i <= 20; ++i) {
+        const Pose next{Vec3(0.02 * i, 0.01 * i, 0.3 - 0.05 * i), Quat(Eigen::AngleAxisd(0.02 * i, Vec3::UnitY()))};
+        patient.cut(bur, pose, next, clearance);
+        pose = next;
+    }
+    double deepest = 0;
+    const TriangleMesh mesh = patient.mesh();
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const Vec3 centre = (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3;
+        for (const Vec3& point : {mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2), centre}) {
+            deepest = std::min(deepest, bur.signedDistance(pose.inverse() * point));
+        }
+    }
+    EXPECT_GT(deepest, -0.001);
+}
+
+TEST(LiveSurface, ASnapshotSharesWhatDidNotChange) {
+    Patient patient(fineSphere());
+    patient.cut(ballBur(0.3), at(-1, 0, 0), at(-1, 0, -0.5));
+    const auto before = patient.surface.snapshot();
+    patient.cut(ballBur(0.3), at(1, 0, 0), at(1, 0, -0.5));
+    const auto after = patient.surface.snapshot();
+    EXPECT_EQ(after->revision, before->revision + 1);
+    EXPECT_EQ(after->base, before->base);
+    const std::set<std::shared_ptr<const SurfacePart>> now(after->patches.begin(), after->patches.end());
+    for (const auto& patch : before->patches) EXPECT_TRUE(now.contains(patch));
+    EXPECT_GT(now.size(), before->patches.size());
+}
+
+TEST(LiveSurface, ARealToothCutToItsPulpIsWatertightInItsFile) {
+    const auto folder = test::realTeethFolder();
+    if (!folder) GTEST_SKIP();
+    const auto load = [&](const std::string& name) { return *readStl(*folder / name); };
+    std::vector<LayerMesh> layers;
+    for (const MaterialId id : {MaterialId::Enamel, MaterialId::Dentin, MaterialId::Pulp}) {
+        const std::string name(materialName(id));
+        layers.push_back({name, id, load("openmandible/layered/L6_" + name + ".stl")});
+    }
+    auto tooth = LayeredTooth::make(load("openmandible/whole/L6_whole.stl"), layers);
+    ASSERT_TRUE(tooth);
+    const double whole = volumeOf(tooth->outer()->mesh());
+    const Box3 box = tooth->outer()->tree().box();
+    CutVolume volume(std::make_shared<const LayeredTooth>(std::move(*tooth)), kVoxel);
+    LiveSurface surface(volume);
+    const auto bur = envelopeOf(load("tools/bur_tapered.stl"));
+    MaterialVolumes removed{};
+    for (int i = 0; i < 40; ++i) {
+        const auto point = [&](int k) {
+            return at(box.center().x() + 0.03 * std::max(0, k - 30), box.center().y(),
+                      box.max().z() - 0.25 * std::min(k, 30));
+        };
+        const CarveResult result = volume.carve(bur, point(i), point(i + 1));
+        surface.update(volume, result.changed);
+        for (std::size_t m = 0; m < kMaterialCount; ++m) removed[m] += result.removed[m];
+    }
+    for (const MaterialId id : {MaterialId::Enamel, MaterialId::Dentin, MaterialId::Pulp}) {
+        EXPECT_GT(removed[static_cast<std::size_t>(id)], 0.05) << materialName(id);
+    }
+    const test::TemporaryFolder temporary;
+    ASSERT_TRUE(writeStl(visibleMesh(*surface.snapshot()).mesh, temporary / "cut.stl"));
+    const MeshReport report = reportOn(*readStl(temporary / "cut.stl"));
+    EXPECT_TRUE(report.watertight());
+    EXPECT_EQ(report.duplicateTriangles, 0U);
+    EXPECT_EQ(report.duplicateTriangles, 0U);
+    EXPECT_EQ(report.pinchedVertices, 0U);
+    EXPECT_NEAR(whole - report.signedVolume, total(removed), 0.003 * total(removed));
+}
+
+TEST(LiveSurface, ResetShowsTheWholeToothAgain) {
+    Patient patient(fineSphere());
+    patient.cut(ballBur(0.3), at(0, 0, 0), at(0, 0, -0.5));
+    patient.volume.reset();
+    patient.surface.reset();
+    expectSameTriangles(patient.mesh(), fineSphere());
+    patient.cut(ballBur(0.3), at(0, 0, 0), at(0, 0, -0.5));
+    EXPECT_EQ(badEdges(patient.mesh()), 0);
+}
+
+}  // namespace
+}  // namespace tactooth

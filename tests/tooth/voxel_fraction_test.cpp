@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tooth/voxel_fraction.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace tactooth {
+namespace {
+
+Vec3 randomDirection(std::mt19937& random) {
+    std::normal_distribution<double> normal;
+    return Vec3(normal(random), normal(random), normal(random)).normalized();
+}
+
+/// Share by counting a fine grid of points.
+double countedShare(const HalfSpace& half) {
+    constexpr int kSide = 60;
+    int inside = 0;
+    for (int i = 0; i < kSide * kSide * kSide; ++i) {
+        const Vec3 point = (Vec3(i % kSide, i / kSide % kSide, i / (kSide * kSide)) + Vec3::Constant(0.5)) / kSide -
+                           Vec3::Constant(0.5);
+        inside += half.distance + half.normal.dot(point) < 0;
+    }
+    return static_cast<double>(inside) / (kSide * kSide * kSide);
+}
+
+TEST(VoxelFraction, AxisAlignedPlaneCutsInProportionToItsPlace) {
+    EXPECT_NEAR(cubeFraction({0.0, Vec3::UnitX()}), 0.5, 1e-9);
+    EXPECT_NEAR(cubeFraction({0.25, Vec3::UnitY()}), 0.25, 1e-3);
+    EXPECT_NEAR(cubeFraction({-0.25, -Vec3::UnitZ()}), 0.75, 1e-3);
+    EXPECT_EQ(cubeFraction({0.9, Vec3::UnitZ()}), 0.0);
+    EXPECT_EQ(cubeFraction({-0.9, Vec3::UnitZ()}), 1.0);
+}
+
+TEST(VoxelFraction, RandomPlanesAgreeWithCounting) {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> offset(-0.7, 0.7);
+    for (int i = 0; i < 60; ++i) {
+        const HalfSpace half{offset(random), randomDirection(random)};
+        EXPECT_NEAR(cubeFraction(half), countedShare(half), 2e-3);
+    }
+}
+
+TEST(VoxelFraction, TwoPerpendicularPlanesThroughTheCentreLeaveAQuarter) {
+    EXPECT_NEAR(cubeFraction({0, Vec3::UnitX()}, {0, Vec3::UnitY()}), 0.25, 1e-9);
+}
+
+TEST(VoxelFraction, AHalfSpaceThatHoldsTheCubeDoesNotCount) {
+    const HalfSpace half{0.1, Vec3(1, 2, 3).normalized()};
+    EXPECT_EQ(cubeFraction(half, {-2, Vec3::UnitX()}), cubeFraction(half));
+    EXPECT_EQ(cubeFraction(half, {2, Vec3::UnitX()}), 0.0);
+}
+
+}  // namespace
+}  // namespace tactooth
