@@ -87,7 +87,7 @@ TEST_F(Pictures, MirrorBehindCrown) {
     Scene scene =
         lit({objectOf(crown(), looks::enamel()), objectOf(test::sphere(Vec3(0, 4.6, 0), 0.7, 48, 24), looks::caries())},
             {-1.4, 0.3});
-    MirrorDisc mirror;
+    SceneMirror mirror;
     mirror.radius = 5;
     mirror.mirrorInWorld.position = Vec3(4, 8, 2);
     const Vec3 toEye = (scene.camera.cameraInWorld.position - mirror.mirrorInWorld.position).normalized();

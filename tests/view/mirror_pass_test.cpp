@@ -29,8 +29,8 @@ Camera cameraAt(const Vec3& eye, const Vec3& target) {
 }
 
 /// A mirror at `place` that shows `target` to `eye`.
-MirrorDisc mirrorBetween(const Vec3& place, const Vec3& eye, const Vec3& target, double radius) {
-    MirrorDisc mirror;
+SceneMirror mirrorBetween(const Vec3& place, const Vec3& eye, const Vec3& target, double radius) {
+    SceneMirror mirror;
     const Vec3 normal = ((eye - place).normalized() + (target - place).normalized()).normalized();
     mirror.mirrorInWorld = {place, Quat::FromTwoVectors(Vec3::UnitZ(), normal)};
     mirror.radius = radius;
@@ -63,7 +63,7 @@ protected:
     /// Compares the mirror's disc with the picture from the mirrored camera; says how many pixels were compared.
     static std::size_t expectTrueReflection(const Scene& scene, const RenderSettings& settings, double tolerance,
                                             double edgeShare = 0.004) {
-        const MirrorDisc mirror = scene.mirror.value();
+        const SceneMirror mirror = scene.mirror.value();
         const Image direct = draw(scene, settings);
         Scene twin = scene;
         twin.mirror.reset();
@@ -87,7 +87,7 @@ protected:
         return a.pixels.size();
     }
 
-    static bool onDisc(const Scene& scene, const MirrorDisc& mirror, const Vec2& pixel) {
+    static bool onDisc(const Scene& scene, const SceneMirror& mirror, const Vec2& pixel) {
         const Ray ray = rayThrough(scene.camera, test::kTestSize, pixel);
         const Plane plane = mirror.planeInWorld();
         const double approach = ray.direction.dot(plane.normal);
@@ -167,7 +167,7 @@ TEST_F(MirrorTest, StandsInFrontOfItsOwnGlassAndBehindWhatIsNearer) {
 TEST(MirrorPixels, CoverTheDiscAndNotMuchMore) {
     const Vec3 eye(0, -20, 0);
     const Camera camera = cameraAt(eye, Vec3::Zero());
-    const MirrorDisc mirror = mirrorBetween(Vec3::Zero(), eye, eye, 2);
+    const SceneMirror mirror = mirrorBetween(Vec3::Zero(), eye, eye, 2);
     const PixelRectangle covered = coveredPixels(mirror, camera, {320, 240});
     const double radius = 2.0 / 20 / std::tan(camera.fieldOfView / 2) * 120;
     EXPECT_NEAR(covered.extent().x(), 2 * radius, 6);
