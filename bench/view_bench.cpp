@@ -121,7 +121,7 @@ void measure(Renderer& renderer, const std::string& name, const std::shared_ptr<
     report((name + " quick").c_str(), triangles, draw(kQuick, false));
     report((name + " quick, light follows").c_str(), triangles, draw(kQuick, true));
     report((name + " fine").c_str(), triangles, draw(kFine, false));
-    MirrorDisc mirror;
+    SceneMirror mirror;
     mirror.mirrorInWorld.position = box.center() + Vec3(0, 0, -0.6 * box.diagonal().norm());
     scene.mirror = mirror;
     report((name + " quick, mirror").c_str(), triangles, draw(kQuick, false));

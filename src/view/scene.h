@@ -45,10 +45,10 @@ struct SceneMirror {
 /// Light of the dental unit. Directions point from the scene to the light, world frame, unit. Colours are linear.
 struct Lighting {
     Vec3 toKey = Vec3(0.35, 0.45, 0.82).normalized();  ///< the operating light; it throws the shadows
-    Vec3f keyColour = Vec3f(1.14F, 1.10F, 1.035F);      ///< about 5000 K
+    Vec3f keyColour = Vec3f(1.14F, 1.10F, 1.035F);     ///< about 5000 K
     Vec3 toFill = Vec3(-0.5, 0.4, 0.3).normalized();   ///< a weak light without shadow that opens dark sides
     Vec3f fillColour = Vec3f(0.10F, 0.115F, 0.14F);
-    Vec3f skyColour = Vec3f(0.27F, 0.28F, 0.30F);     ///< from above
+    Vec3f skyColour = Vec3f(0.27F, 0.28F, 0.30F);       ///< from above
     Vec3f groundColour = Vec3f(0.085F, 0.075F, 0.07F);  ///< from below
 };
 

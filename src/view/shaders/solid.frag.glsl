@@ -99,7 +99,9 @@ void main() {
     // Light that enters creeps sideways before it leaves, red farthest: it bends around the terminator and into shadows.
     vec3 wrap = translucency * vec3(0.40, 0.30, 0.24);
     vec3 creep = max(nl + wrap, 0.0) / ((1.0 + wrap) * (1.0 + wrap));
-    vec3 arriving = mix(vec3(shadow), vec3(sqrt(shadow), shadow, shadow), 0.35 * translucency);
+    // Past the terminator the surface shades itself; what creeps there has entered on the lit side.
+    float direct = mix(1.0, shadow, smoothstep(0.0, 0.35, nl));
+    vec3 arriving = mix(vec3(direct), vec3(sqrt(direct), direct, direct), 0.35 * translucency);
     vec3 diffuse = keyColour.rgb * creep * arriving;
     diffuse += fillColour.rgb * max(dot(normal, toFill.xyz), 0.0);
     diffuse += mix(groundColour.rgb, skyColour.rgb, normal.z * 0.5 + 0.5);
