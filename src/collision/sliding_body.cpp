@@ -101,15 +101,13 @@ double SlidingBody::travelSinceListed(const Quat& rotation, const Vec3& position
 void SlidingBody::listPairs(double wantedReach) {
     const double least = kLeastReach * tool_->radius();
     double reach = std::clamp(wantedReach, least, std::max(least, reachCap_));
-    NearPairsFound found = findNearPairs(*surface_, *tool_, pose_, reach, std::span(found_).first(kPlentyOfPairs));
     reachCap_ = std::min(2 * reachCap_, kGreatestReach * tool_->radius());
-    if (!found.complete) {
+    NearPairsFound found;
+    while (true) {
+        const std::size_t room = reach > least ? kPlentyOfPairs : kMaxPairs;
+        found = findNearPairs(*surface_, *tool_, pose_, reach, std::span(found_).first(room));
+        if (found.complete || reach <= least) break;
         reachCap_ = reach = std::max(least, reach / 2);
-        found = findNearPairs(*surface_, *tool_, pose_, reach, std::span(found_).first(kPlentyOfPairs));
-    }
-    while (!found.complete && reach > least) {
-        reachCap_ = reach = std::max(least, reach / 4);
-        found = findNearPairs(*surface_, *tool_, pose_, reach, found_);
     }
     if (4 * found.count > kPlentyOfPairs) reachCap_ = std::min(reachCap_, reach);  // the next list may be as dense
     std::array<std::uint32_t, kBuckets + 1> start{};
