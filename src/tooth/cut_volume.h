@@ -77,10 +77,12 @@ public:
 private:
     [[nodiscard]] std::vector<BrickKey> bricksInReach(const std::vector<SweepStep>& steps) const;
     void makeMissing(const std::vector<BrickKey>& keys);
+    void traceBorder(const std::vector<ChangedBrick>& changed, const std::vector<SweepStep>& steps);
 
     std::shared_ptr<const LayeredTooth> tooth_;
     Lattice lattice_;
     BrickMap bricks_;
+    std::uint64_t carves_ = 0;
 };
 
 }  // namespace tactooth
