@@ -9,8 +9,11 @@ namespace {
 
 constexpr double kNoBound = std::numeric_limits<double>::infinity();
 constexpr double kOnBorder = 1e-5;  ///< mm; as exact as an envelope's distance to a sweep
-constexpr int kNewtonRounds = 20;   ///< halves the rest of the edge where Newton leaves it: 50 um / 2^20 at worst
-constexpr int kExtensions = 4;      ///< steps of one move that each carry the border farther along the same edge
+/// Share of a lattice edge; how far outside the border its normal is taken. On the line that a sharp rim has swept the
+/// direction of the nearest point is only rounding; a little outside it is the normal of that line's surface.
+constexpr double kNormalOffset = 0.04;
+constexpr int kNewtonRounds = 20;  ///< halves the rest of the edge where Newton leaves it: 50 um / 2^20 at worst
+constexpr int kExtensions = 4;     ///< steps of one move that each carry the border farther along the same edge
 
 /// A lattice edge from its removed end (place 0) to its solid one (place `length`, mm).
 struct DirectedEdge {
@@ -38,7 +41,7 @@ Border exitOf(const SweepStep& step, const DirectedEdge& edge, double from) {
         sample = step.sample(edge.at(place), kNoBound);
         (sample.distance < 0 ? inside : outside) = place;
     }
-    return {place, sample.gradient};
+    return {place, step.sample(edge.at(place + kNormalOffset * edge.length), kNoBound).gradient};
 }
 
 /// Carries the border outward as long as one of the steps holds it.
