@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bitset>
 #include <cmath>
 #include <cstdint>
 
@@ -68,8 +69,17 @@ struct Brick {
     std::array<float, kBrickNodes> tooth;                  ///< to the tooth's own surface, mm, negative inside
     std::array<PackedDirection, kBrickNodes> toothNormal;  ///< gradient of `tooth`, out of the tooth
     std::array<MaterialId, kBrickNodes> material;
-    bool isCut = false;      ///< some node has been reached by a sweep
-    bool hasSurface = true;  ///< the tooth's own surface may pass through the brick or the cells around it
+
+    /// For the lattice edge from each node to the next one on each axis, if just one of the two is removed: where the
+    /// border of the removed region crosses it (0 at the node, 1 at the next), and its normal there.
+    std::array<std::array<float, kBrickNodes>, 3> borderPlace;
+    std::array<std::array<PackedDirection, kBrickNodes>, 3> borderNormal;
+
+    std::uint64_t lastCarve = 0;       ///< number of the carve that the two sets below belong to
+    std::bitset<kBrickNodes> lowered;  ///< nodes whose `cut` that carve has changed
+    std::bitset<kBrickNodes> opened;   ///< nodes that it has removed
+    bool isCut = false;                ///< some node has been reached by a sweep
+    bool hasSurface = true;            ///< the tooth's own surface may pass through the brick or the cells around it
 };
 
 }  // namespace tactooth

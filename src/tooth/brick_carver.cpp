@@ -71,16 +71,22 @@ void forEachLowered(const Brick& brick, const BrickKey& key, const Lattice& latt
 
 }  // namespace
 
-BrickCarve carveBrick(Brick& brick, const BrickKey& key, const Lattice& lattice, const std::vector<SweepStep>& steps) {
+BrickCarve carveBrick(Brick& brick, const BrickKey& key, const Lattice& lattice, const std::vector<SweepStep>& steps,
+                      std::uint64_t carve) {
     const double spacing = lattice.spacing();
     const double voxelVolume = spacing * spacing * spacing;
     BrickCarve result;
     result.changed.key = key;
+    brick.lastCarve = carve;
+    brick.lowered.reset();
+    brick.opened.reset();
     forEachLowered(brick, key, lattice, steps, [&](int x, int y, int z, const CutSample& lowered) {
         const int node = nodeIndex(x, y, z);
         const double before = removedShare(brick, node, {brick.cut[node], brick.cutNormal[node]}, spacing);
         const double after = removedShare(brick, node, lowered, spacing);
         result.removed[static_cast<std::size_t>(brick.material[node])] += (after - before) * voxelVolume;
+        brick.lowered.set(node);
+        brick.opened.set(node, brick.cut[node] >= 0 && lowered.distance < 0);
         brick.cut[node] = lowered.distance;
         brick.cutNormal[node] = lowered.normal;
         brick.isCut = true;

@@ -15,9 +15,9 @@ struct BrickCarve {
     [[nodiscard]] bool hasChanged() const { return changed.low[0] <= changed.high[0]; }
 };
 
-/// Lowers the cut field of `brick` to the distance to the swept steps.
+/// Lowers the cut field of `brick` to the distance to the swept steps. `carve` numbers the whole carve.
 [[nodiscard]] BrickCarve carveBrick(Brick& brick, const BrickKey& key, const Lattice& lattice,
-                                    const std::vector<SweepStep>& steps);
+                                    const std::vector<SweepStep>& steps, std::uint64_t carve);
 
 /// What carveBrick would remove, without doing it.
 [[nodiscard]] MaterialVolumes removableFromBrick(const Brick& brick, const BrickKey& key, const Lattice& lattice,

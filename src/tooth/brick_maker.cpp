@@ -10,9 +10,9 @@
 namespace tactooth {
 namespace {
 
-/// A brick whose nodes are all this many voxels outside the tooth is left out. Cells around a node reach 1.5 voxels;
-/// one more voxel separates the wall that would end at the missing brick from the tooth.
-constexpr double kAirMargin = 2.6;
+/// A brick whose nodes are all this many voxels outside the tooth is left out. A wall triangle that is kept starts at a
+/// node within 2.2, and its vertices take in crossings of cells that reach sqrt(3) farther.
+constexpr double kAirMargin = 3.95;
 /// How far a layer's distance is followed, in voxels: enough to name the nearest layer beside a narrow gap.
 constexpr double kLayerBand = 2.0;
 /// Cosine above which the way to the nearest point counts as that face's normal, which then tells the side.
@@ -130,6 +130,10 @@ std::unique_ptr<Brick> makeBrick(const LayeredTooth& tooth, const Lattice& latti
     auto brick = std::make_unique<Brick>();
     brick->cut.fill(static_cast<float>(kCutBand * spacing));
     brick->cutNormal.fill(PackedDirection(Vec3::UnitZ()));
+    for (int axis = 0; axis < 3; ++axis) {
+        brick->borderPlace[axis].fill(0);
+        brick->borderNormal[axis].fill(PackedDirection(Vec3::UnitZ()));
+    }
     brick->tooth = distance;
     brick->toothNormal = outer.field().gradient;
     brick->hasSurface = !outer.field().uniform;

@@ -15,12 +15,11 @@ public:
     static constexpr int kSide = kBrickSide + 2;
 
     BrickNeighbourhood(const BrickMap& bricks, const BrickKey& key, double spacing) {
-        std::array<const Brick*, 27> near{};
-        for (int i = 0; i < 27; ++i) near[i] = bricks.find(key.moved(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1));
+        for (int i = 0; i < 27; ++i) near_[i] = bricks.find(key.moved(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1));
         for (int z = -1; z <= kBrickSide; ++z) {
             for (int y = -1; y <= kBrickSide; ++y) {
                 for (int x = -1; x <= kBrickSide; ++x) {
-                    const Brick* brick = near[part(x) + 3 * part(y) + 9 * part(z)];
+                    const Brick* brick = near_[part(x) + 3 * part(y) + 9 * part(z)];
                     gather(brick, nodeIndex(local(x), local(y), local(z)), index(x, y, z), spacing);
                 }
             }
@@ -30,7 +29,18 @@ public:
     [[nodiscard]] static constexpr int index(int x, int y, int z) { return x + 1 + kSide * (y + 1 + kSide * (z + 1)); }
     [[nodiscard]] float cut(int node) const { return cut_[node]; }
     [[nodiscard]] float tooth(int node) const { return tooth_[node]; }
-    [[nodiscard]] Vec3 cutNormal(int node) const { return normal_[node].unpack(); }
+    /// Where the border of the removed region crosses the lattice edge from a node to the next on `axis`, 0..1 of the
+    /// way, with the normal there. One of the two is removed, and both lie in bricks that exist.
+    struct Border {
+        double place;
+        Vec3 normal;
+    };
+    [[nodiscard]] Border border(const std::array<int, 3>& p, int axis) const {
+        const Brick* brick = near_[part(p[0]) + 3 * part(p[1]) + 9 * part(p[2])];
+        if (brick == nullptr) return {0.5, Vec3::Unit(axis)};
+        const int node = nodeIndex(local(p[0]), local(p[1]), local(p[2]));
+        return {brick->borderPlace[axis][node], brick->borderNormal[axis][node].unpack()};
+    }
     [[nodiscard]] MaterialId material(int node) const { return material_[node]; }
     /// Whether some gathered nodes are removed and others are not.
     [[nodiscard]] bool hasBorder() const { return hasRemoved_ && hasSolid_; }
@@ -44,12 +54,10 @@ private:
         if (brick != nullptr) {
             cut_[to] = brick->cut[from];
             tooth_[to] = brick->tooth[from];
-            normal_[to] = brick->cutNormal[from];
             material_[to] = brick->material[from];
         } else {
             cut_[to] = static_cast<float>(kCutBand * spacing);
             tooth_[to] = static_cast<float>(kToothBand * spacing);
-            normal_[to] = PackedDirection(Vec3::UnitZ());
             material_[to] = MaterialId{};
         }
         (cut_[to] < 0 ? hasRemoved_ : hasSolid_) = true;
@@ -57,7 +65,7 @@ private:
 
     std::array<float, kCount> cut_;
     std::array<float, kCount> tooth_;
-    std::array<PackedDirection, kCount> normal_;
+    std::array<const Brick*, 27> near_;
     std::array<MaterialId, kCount> material_;
     bool hasRemoved_ = false;
     bool hasSolid_ = false;

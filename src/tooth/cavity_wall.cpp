@@ -17,16 +17,15 @@
 namespace tactooth {
 namespace {
 
-/// Voxels; a wall triangle lies within sqrt(3) of either node of its lattice edge.
-constexpr double kTriangleReach = 1.75;
-/// Voxels; a wall triangle lies within 1.5 of the nearer node of its lattice edge.
-constexpr double kNearerReach = 1.6;
+/// Voxels; how far a vertex may leave its cell: a sharp edge can poke through a face of the cell between its corners.
+constexpr double kPokesOut = kWallReach - 1;
+/// Voxels; a wall triangle lies within sqrt(3) * 1.5 of either node of its lattice edge ...
+constexpr double kTriangleReach = 2.6;
+/// ... and within sqrt(1.5^2 + 1.5^2 + 0.5^2) of the nearer one.
+constexpr double kNearerReach = 2.2;
 /// Directions in which the planes of a cell agree to this share of their weight are not an edge: the vertex stays at
 /// the mean of the crossings there. Keeps edges sharper than about 20 degrees.
 constexpr double kFlat = 0.03;
-/// A plane that a lattice edge meets at a smaller slope says nothing about where they cross.
-constexpr double kLeastSlope = 0.1;
-
 struct Crossing {
     Vec3 point;
     Vec3 normal;
@@ -38,6 +37,40 @@ Place moved(Place place, int axis, int step) {
     place[axis] += step;
     return place;
 }
+
+/// The planes in which the border crosses a cell, near a point (the quadric of the paper).
+class Planes {
+public:
+    explicit Planes(const Vec3& centre) : centre_(centre) {}
+
+    void add(const Vec3& point, const Vec3& normal) {
+        normals_ += normal * normal.transpose();
+        offsets_ += normal * normal.dot(point - centre_);
+    }
+
+    /// The point nearest to all planes and then to the centre, directions without an edge left out. A point beyond
+    /// `cell` belongs to a neighbour: then the weakest direction is left out, too, until it fits.
+    [[nodiscard]] Vec3 nearestPoint(const Box3& cell) const {
+        Eigen::SelfAdjointEigenSolver<Mat3> solver;
+        solver.computeDirect(normals_);
+        const double largest = solver.eigenvalues()[2];
+        std::array<Vec3, 3> parts;
+        Vec3 point = centre_;
+        for (int i = 0; i < 3; ++i) {
+            const double value = solver.eigenvalues()[i];
+            const Vec3 direction = solver.eigenvectors().col(i);
+            parts[i] = value > kFlat * largest ? Vec3(direction * (direction.dot(offsets_) / value)) : Vec3::Zero();
+            point += parts[i];
+        }
+        for (int i = 0; i < 3 && !cell.contains(point); ++i) point -= parts[i];
+        return cell.contains(point) ? point : centre_;
+    }
+
+private:
+    Vec3 centre_;
+    Mat3 normals_ = Mat3::Zero();
+    Vec3 offsets_ = Vec3::Zero();
+};
 
 class WallExtractor {
 public:
@@ -79,43 +112,13 @@ private:
                static_cast<std::uint64_t>(kind);
     }
 
-    /// Where the border crosses the lattice edge from `a` along `axis`. Both nodes know a plane of the border. Where
-    /// the field bends down on the way (two cuts that overlap) it is the lower of the two, where it bends up (a corner
-    /// of one cut) the higher one.
-    [[nodiscard]] Crossing computeCrossing(const Place& a, int axis) const {
-        Place low = a;
-        Place high = moved(a, axis, 1);
-        double direction = 1;
-        if (!isRemoved(low)) std::swap(low, high), direction = -1;
-        const double cutLow = nodes_.cut(nodeAt(low));
-        const double cutHigh = nodes_.cut(nodeAt(high));
-        const Vec3 normalLow = nodes_.cutNormal(nodeAt(low));
-        const Vec3 normalHigh = nodes_.cutNormal(nodeAt(high));
-        const double slopeLow = direction * normalLow[axis];
-        const double slopeHigh = direction * normalHigh[axis];
-        const double rootLow = slopeLow > kLeastSlope ? -cutLow / slopeLow : -1;
-        const double rootHigh = slopeHigh > kLeastSlope ? spacing_ - cutHigh / slopeHigh : -1;
-        const auto isOnEdge = [&](double root) { return root >= 0 && root <= spacing_; };
-        double root = -cutLow / (cutHigh - cutLow) * spacing_;
-        bool fromLow = root < 0.5 * spacing_;
-        if (isOnEdge(rootLow) && isOnEdge(rootHigh)) {
-            fromLow = (slopeHigh < slopeLow) == (rootLow > rootHigh);
-            root = fromLow ? rootLow : rootHigh;
-        } else if (isOnEdge(rootLow) || isOnEdge(rootHigh)) {
-            fromLow = isOnEdge(rootLow);
-            root = fromLow ? rootLow : rootHigh;
-        }
-        Vec3 point = position(low);
-        point[axis] += direction * root;
-        return {point, fromLow ? normalLow : normalHigh};
-    }
-
     /// Each crossing is asked for by the four cells around it.
     Crossing crossingAt(const Place& a, int axis) {
         std::uint16_t& slot = edgeCrossing_[3 * nodeAt(a) + axis];
         if (slot == kNoCrossing) {
             slot = static_cast<std::uint16_t>(crossings_.size());
-            crossings_.push_back(computeCrossing(a, axis));
+            const auto [place, normal] = nodes_.border(a, axis);
+            crossings_.push_back({position(a) + place * spacing_ * Vec3::Unit(axis), normal});
         }
         return crossings_[slot];
     }
@@ -152,31 +155,13 @@ private:
             mean += crossings[count++].point;
         }
         mean /= count;
-        Mat3 normals = Mat3::Zero();
-        Vec3 offsets = Vec3::Zero();
-        for (int i = 0; i < count; ++i) {
-            const auto& [point, normal] = crossings[i];
-            normals += normal * normal.transpose();
-            offsets += normal * normal.dot(point - mean);
-        }
-        const Vec3 vertex = mean + leastSquares(normals, offsets);
-        const Vec3 low = position(cell);
-        return vertex.cwiseMax(low).cwiseMin(low + Vec3::Constant(spacing_));
+        Planes planes(mean);
+        for (int i = 0; i < count; ++i) planes.add(crossings[i].point, crossings[i].normal);
+        return planes.nearestPoint(grownCell(position(cell)));
     }
 
-    /// Smallest step to the point nearest to all planes (the quadric of the paper), flat directions left out.
-    static Vec3 leastSquares(const Mat3& normals, const Vec3& offsets) {
-        Eigen::SelfAdjointEigenSolver<Mat3> solver;
-        solver.computeDirect(normals);
-        const double largest = solver.eigenvalues()[2];
-        Vec3 step = Vec3::Zero();
-        for (int i = 0; i < 3; ++i) {
-            const double value = solver.eigenvalues()[i];
-            if (value < kFlat * largest) continue;
-            const Vec3 direction = solver.eigenvectors().col(i);
-            step += direction * (direction.dot(offsets) / value);
-        }
-        return step;
+    [[nodiscard]] Box3 grownCell(const Vec3& corner) const {
+        return {corner - Vec3::Constant(kPokesOut * spacing_), corner + Vec3::Constant((1 + kPokesOut) * spacing_)};
     }
 
     std::uint32_t addVertex(const Vec3& point, std::uint64_t id, const Place& cell) {
@@ -204,16 +189,21 @@ private:
         std::array<bool, 4> removed{};
         for (int i = 0; i < 4; ++i) removed[i] = isRemoved(moved(moved(faceCorner, u, i & 1), v, i >> 1));
         if (removed[0] == removed[1] || removed[0] == removed[2] || removed[0] != removed[3]) return;
-        const Place corner = isRemoved(a) ? a : moved(a, axis, 1);
+        const Place corner = isRemoved(a) ? moved(a, axis, 1) : a;
         const int end = (corner[u] - faceCorner[u]) | (corner[v] - faceCorner[v]) << 1;
         const Place onU = moved(moved(faceCorner, v, end >> 1), u, 0);
         const Place onV = moved(faceCorner, u, end & 1);
-        const Vec3 point = 0.5 * (crossingAt(onU, u).point + crossingAt(onV, v).point);
+        const Crossing first = crossingAt(onU, u);
+        const Crossing second = crossingAt(onV, v);
+        Planes lines(0.5 * (first.point + second.point));
+        for (const auto& [point, normal] : {first, second})
+            lines.add(point, normal - normal[faceAxis] * Vec3::Unit(faceAxis));
+        const Vec3 place = lines.nearestPoint(grownCell(position(faceCorner)));
         const std::uint64_t id = numberOf(faceCorner, kRounds + 2 * faceAxis + (end >= 2 ? 1 : 0));
         const auto known = std::find(wall_.vertexIds.begin(), wall_.vertexIds.end(), id);
         polygon_[polygonSize_++] = known != wall_.vertexIds.end()
                                        ? static_cast<std::uint32_t>(known - wall_.vertexIds.begin())
-                                       : addVertex(point, id, faceCorner);
+                                       : addVertex(place, id, faceCorner);
     }
 
     /// The polygon around one lattice edge that the border crosses.

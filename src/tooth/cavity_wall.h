@@ -30,6 +30,6 @@ struct CavityWall {
 [[nodiscard]] CavityWall extractWall(const BrickMap& bricks, const Lattice& lattice, const BrickKey& key);
 
 /// How far the triangles of a brick's wall can reach beyond the brick's first and last node, in voxels.
-inline constexpr double kWallReach = 1.0;
+inline constexpr double kWallReach = 1.5;
 
 }  // namespace tactooth

@@ -12,8 +12,8 @@ namespace tactooth {
 ///
 /// The border is one or more closed rounds over faces of the cell; each round gets a vertex of its own, which keeps
 /// the surface a manifold (S. Schaefer, T. Ju, J. Warren, "Manifold Dual Contouring", 2007; G. Nielson, "Dual Marching
-/// Cubes", 2004). On a face with two inside corners at opposite ends the inside corners are kept apart, which both
-/// cells at that face see alike.
+/// Cubes", 2004). On a face with two inside corners at opposite ends these are joined, which both cells at that face
+/// see alike, and which is how a convex region passes through it.
 struct CellRounds {
     std::array<std::int8_t, 12> roundOfEdge;  ///< -1: the border does not cross this edge
     std::int8_t count;
@@ -58,7 +58,7 @@ constexpr void joinOnFace(CellRounds& rounds, int inside, int axis, int side) {
     if (count != 4) return;
     for (int corner = 0; corner < 4; ++corner) {
         const int number = side << axis | (corner & 1) << u | (corner >> 1) << v;
-        if ((inside >> number) & 1) join(rounds, edgesU[corner >> 1], edgesV[corner & 1]);
+        if (((inside >> number) & 1) == 0) join(rounds, edgesU[corner >> 1], edgesV[corner & 1]);
     }
 }
 

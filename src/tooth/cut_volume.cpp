@@ -4,10 +4,12 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <bit>
 #include <cassert>
 #include <numeric>
 
+#include "tooth/border_tracer.h"
 #include "tooth/brick_carver.h"
 #include "tooth/brick_maker.h"
 
@@ -43,10 +45,11 @@ std::vector<BrickKey> CutVolume::bricksInReach(const std::vector<SweepStep>& ste
     const double band = kCutBand * lattice_.spacing();
     const double reach = lattice_.halfDiagonal() + band;
     const Vec3 margin = Vec3::Constant(band);
+    const Vec3 toothMargin = Vec3::Constant(kToothBand * lattice_.spacing());
     Box3 swept;
     for (const SweepStep& step : steps) swept.extend(step.box());
     Box3 tooth = tooth_->outer()->tree().box();
-    tooth = Box3(tooth.min() - margin, tooth.max() + margin);
+    tooth = Box3(tooth.min() - toothMargin, tooth.max() + toothMargin);
     const Box3 common = Box3(swept.min() - margin, swept.max() + margin).intersection(tooth);
     if (common.isEmpty()) return {};
     std::vector<BrickKey> keys;
@@ -74,16 +77,33 @@ CarveResult CutVolume::carve(const RevolutionEnvelope& envelope, const Pose& fro
     const auto steps = sweepSteps(envelope, fromInTooth, toInTooth, clearance, kLongestStep * lattice_.spacing());
     const std::vector<BrickKey> keys = bricksInReach(steps);
     makeMissing(keys);
+    ++carves_;
     std::vector<BrickCarve> carved(keys.size());
     tbb::parallel_for(std::size_t{0}, keys.size(), [&](std::size_t i) {
-        if (Brick* brick = bricks_.find(keys[i])) carved[i] = carveBrick(*brick, keys[i], lattice_, steps);
+        if (Brick* brick = bricks_.find(keys[i])) carved[i] = carveBrick(*brick, keys[i], lattice_, steps, carves_);
     });
     CarveResult result;
     for (const BrickCarve& part : carved) {
         for (std::size_t m = 0; m < kMaterialCount; ++m) result.removed[m] += part.removed[m];
         if (part.hasChanged()) result.changed.push_back(part.changed);
     }
+    traceBorder(result.changed, steps);
     return result;
+}
+
+/// The lattice edges that end in a changed brick belong to it or to the one before it on an axis.
+void CutVolume::traceBorder(const std::vector<ChangedBrick>& changed, const std::vector<SweepStep>& steps) {
+    std::vector<BrickKey> keys;
+    for (const ChangedBrick& brick : changed) {
+        const BrickKey& key = brick.key;
+        for (const BrickKey& owner : {key, key.moved(-1, 0, 0), key.moved(0, -1, 0), key.moved(0, 0, -1)}) {
+            if (bricks_.find(owner) != nullptr) keys.push_back(owner);
+        }
+    }
+    std::sort(keys.begin(), keys.end());
+    keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+    tbb::parallel_for(std::size_t{0}, keys.size(),
+                      [&](std::size_t i) { traceBorderInBrick(bricks_, keys[i], lattice_, steps, carves_); });
 }
 
 MaterialVolumes CutVolume::removableVolume(const RevolutionEnvelope& envelope, const Pose& fromInTooth,

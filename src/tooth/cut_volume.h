@@ -31,9 +31,10 @@ struct CarveResult {
     std::vector<ChangedBrick> changed;  ///< in ascending order of their keys
 };
 
-/// How much wider than the bur the cut is by default, in voxels: covers the chords of the extracted surface, so that
-/// a bur at rest in its own cut does not touch it.
-inline constexpr double kDefaultClearance = 0.04;
+/// How much wider than the bur the cut is by default, in voxels: room for the chords of the extracted surface, so that
+/// a bur at rest in its own cut does not touch it. A flat bur of 1 mm that mills a slot at 50 um: none is left in its
+/// way at 0.1, 1.6 um at 0.04. Pass 0 where the removed volume itself is the question.
+inline constexpr double kDefaultClearance = 0.1;
 
 /// The part of a tooth that burs have removed, as a sparse volume of bricks which are made when a bur comes near.
 /// One thread writes; the work inside is shared among the cores, and the result is the same for any number of them.
@@ -77,10 +78,12 @@ public:
 private:
     [[nodiscard]] std::vector<BrickKey> bricksInReach(const std::vector<SweepStep>& steps) const;
     void makeMissing(const std::vector<BrickKey>& keys);
+    void traceBorder(const std::vector<ChangedBrick>& changed, const std::vector<SweepStep>& steps);
 
     std::shared_ptr<const LayeredTooth> tooth_;
     Lattice lattice_;
     BrickMap bricks_;
+    std::uint64_t carves_ = 0;
 };
 
 }  // namespace tactooth

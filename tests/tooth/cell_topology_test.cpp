@@ -32,10 +32,14 @@ TEST(CellTopology, ARoundHasAtLeastThreeEdges) {
 
 TEST(CellTopology, OneInsideCornerIsOneRound) { EXPECT_EQ(kCellRounds[1].count, 1); }
 
-TEST(CellTopology, OppositeInsideCornersAreKeptApart) {
-    EXPECT_EQ(kCellRounds[0b10000001].count, 2);  // across the cell
-    EXPECT_EQ(kCellRounds[0b00001001].count, 2);  // across a face
-    EXPECT_EQ(kCellRounds[0b01101001].count, 4);  // a tetrahedron
+TEST(CellTopology, InsideCornersAreJoinedAcrossAFaceAndApartAcrossTheCell) {
+    EXPECT_EQ(kCellRounds[0b00001001].count, 1);
+    EXPECT_EQ(kCellRounds[0b10000001].count, 2);
+}
+
+TEST(CellTopology, OutsideCornersAreKeptApart) {
+    EXPECT_EQ(kCellRounds[0b11110110].count, 2);  // across a face
+    EXPECT_EQ(kCellRounds[0b01101001].count, 4);  // on a tetrahedron
 }
 
 }  // namespace

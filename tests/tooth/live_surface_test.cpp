@@ -189,25 +189,49 @@ TEST(LiveSurface, ManySmallStepsGiveTheSurfaceOfOneLongOne) {
     EXPECT_NEAR(volumeOf(steps.mesh()), volumeOf(once.mesh()), 2e-4);
 }
 
-TEST(LiveSurface, ABurAtRestInItsOwnCutDoesNotTouchTheWall) {
-    Patient patient(fineSphere());
-    const auto bur = flatBur(0.5);
-    const double clearance = kDefaultClearance * kVoxel;
-    Pose pose = at(0, 0, 0.3);
-    for (int i = 1; i <= 20; ++i) {
-        const Pose next{Vec3(0.02 * i, 0.01 * i, 0.3 - 0.05 * i), Quat(Eigen::AngleAxisd(0.02 * i, Vec3::UnitY()))};
-        patient.cut(bur, pose, next, clearance);
-        pose = next;
-    }
+/// How deep corners, edge middles and centres of the surface's triangles lie within a bur, mm, <= 0.
+double deepestWithin(const TriangleMesh& mesh, const RevolutionEnvelope& bur, const Pose& pose) {
     double deepest = 0;
-    const TriangleMesh mesh = patient.mesh();
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        const Vec3 centre = (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3;
-        for (const Vec3& point : {mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2), centre}) {
+        const Vec3 a = mesh.corner(t, 0);
+        const Vec3 b = mesh.corner(t, 1);
+        const Vec3 c = mesh.corner(t, 2);
+        for (const Vec3& point :
+             {a, b, c, Vec3((a + b) / 2), Vec3((b + c) / 2), Vec3((c + a) / 2), Vec3((a + b + c) / 3)}) {
             deepest = std::min(deepest, bur.signedDistance(pose.inverse() * point));
         }
     }
-    EXPECT_GT(deepest, -0.001);
+    return deepest;
+}
+
+TEST(LiveSurface, ABurAtRestInTheSlotThatItMilledDoesNotTouchTheWall) {
+    for (const RevolutionEnvelope& bur : {flatBur(0.5), ballBur(0.4)}) {
+        Patient patient(fineSphere());
+        Pose pose{Vec3(-0.5, 0, 0.1), Quat(Eigen::AngleAxisd(0.1, Vec3(1, 2, 0).normalized()))};
+        for (int i = 1; i <= 60; ++i) {
+            Pose next = pose;
+            next.position += i <= 30 ? Vec3(0, 0, -0.02) : Vec3(0.02, 0.004 * std::sin(0.4 * i), 0);
+            patient.cut(bur, pose, next, kDefaultClearance * kVoxel);
+            pose = next;
+            if (i % 5 != 0) continue;
+            EXPECT_GT(deepestWithin(patient.mesh(), bur, pose), -0.0005) << i;
+        }
+    }
+}
+
+TEST(LiveSurface, ATurningBurLeavesLessThanHalfAVoxelInItsWay) {
+    Patient patient(fineSphere());
+    const auto bur = flatBur(0.5);
+    Pose pose = at(0, 0, 0.3);
+    double deepest = 0;
+    for (int i = 1; i <= 40; ++i) {
+        const Quat turn(Eigen::AngleAxisd(0.01 * i, Vec3(std::sin(0.3 * i), 1, 0).normalized()));
+        const Pose next{Vec3(0.01 * i, 0.005 * i, 0.3 - 0.025 * i), turn};
+        patient.cut(bur, pose, next, kDefaultClearance * kVoxel);
+        pose = next;
+        if (i % 5 == 0) deepest = std::min(deepest, deepestWithin(patient.mesh(), bur, pose));
+    }
+    EXPECT_GT(deepest, -0.5 * kVoxel);
 }
 
 TEST(LiveSurface, ASnapshotSharesWhatDidNotChange) {

@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tooth/border_tracer.h"
+
+#include <limits>
+
+namespace tactooth {
+namespace {
+
+constexpr double kNoBound = std::numeric_limits<double>::infinity();
+constexpr double kOnBorder = 1e-5;  ///< mm; as exact as an envelope's distance to a sweep
+/// Share of a lattice edge; how far outside the border its normal is taken. On the line that a sharp rim has swept the
+/// direction of the nearest point is only rounding; a little outside it is the normal of that line's surface.
+constexpr double kNormalOffset = 0.04;
+constexpr int kNewtonRounds = 20;  ///< halves the rest of the edge where Newton leaves it: 50 um / 2^20 at worst
+constexpr int kExtensions = 4;     ///< steps of one move that each carry the border farther along the same edge
+
+/// A lattice edge from its removed end (place 0) to its solid one (place `length`, mm).
+struct DirectedEdge {
+    Vec3 removedEnd;
+    Vec3 direction;
+    double length;
+    [[nodiscard]] Vec3 at(double place) const { return removedEnd + place * direction; }
+};
+
+struct Border {
+    double place;
+    Vec3 normal;
+};
+
+/// Where the edge leaves the region that `step` sweeps, going out from `from`, which lies in it.
+Border exitOf(const SweepStep& step, const DirectedEdge& edge, double from) {
+    double inside = from;
+    double outside = edge.length;
+    double place = from;
+    FieldSample sample = step.sample(edge.at(place), kNoBound);
+    for (int round = 0; round < kNewtonRounds && std::abs(sample.distance) > kOnBorder; ++round) {
+        const double slope = sample.gradient.dot(edge.direction);
+        place -= sample.distance / slope;
+        if (!(place > inside && place < outside)) place = 0.5 * (inside + outside);
+        sample = step.sample(edge.at(place), kNoBound);
+        (sample.distance < 0 ? inside : outside) = place;
+    }
+    return {place, step.sample(edge.at(place + kNormalOffset * edge.length), kNoBound).gradient};
+}
+
+/// Carries the border outward as long as one of the steps holds it.
+void extend(Border& border, const DirectedEdge& edge, const std::vector<const SweepStep*>& steps) {
+    for (int round = 0; round < kExtensions; ++round) {
+        bool moved = false;
+        for (const SweepStep* step : steps) {
+            if (step->sample(edge.at(border.place), kNoBound).distance > -kOnBorder) continue;
+            const Border exit = exitOf(*step, edge, border.place);
+            if (exit.place > border.place) border = exit, moved = true;
+        }
+        if (!moved) return;
+    }
+}
+
+class BrickTracer {
+public:
+    BrickTracer(BrickMap& bricks, const BrickKey& key, const Lattice& lattice, const std::vector<SweepStep>& steps,
+                std::uint64_t carve)
+        : brick_(*bricks.find(key)), corner_(lattice.corner(key)), spacing_(lattice.spacing()), carve_(carve) {
+        next_ = {bricks.find(key.moved(1, 0, 0)), bricks.find(key.moved(0, 1, 0)), bricks.find(key.moved(0, 0, 1))};
+        for (const SweepStep& step : steps) {
+            if (step.lowerBound(lattice.centre(key)) < lattice.halfDiagonal() + spacing_) steps_.push_back(&step);
+        }
+    }
+
+    void run() {
+        for (int z = 0; z < kBrickSide; ++z) {
+            for (int y = 0; y < kBrickSide; ++y) {
+                for (int x = 0; x < kBrickSide; ++x) {
+                    for (int axis = 0; axis < 3; ++axis) trace({x, y, z}, axis);
+                }
+            }
+        }
+    }
+
+private:
+    struct End {
+        const Brick* brick;
+        int node;
+        [[nodiscard]] bool isRemoved() const { return brick->cut[node] < 0; }
+        [[nodiscard]] bool wasLowered(std::uint64_t carve) const {
+            return brick->lastCarve == carve && brick->lowered[node];
+        }
+        [[nodiscard]] bool wasOpened(std::uint64_t carve) const {
+            return brick->lastCarve == carve && brick->opened[node];
+        }
+    };
+
+    void trace(std::array<int, 3> place, int axis) {
+        const End low{&brick_, nodeIndex(place[0], place[1], place[2])};
+        const Vec3 lowPoint = corner_ + spacing_ * Vec3(place[0], place[1], place[2]);
+        const bool isBeyond = ++place[axis] == kBrickSide;
+        place[axis] %= kBrickSide;
+        const End high{isBeyond ? next_[axis] : &brick_, nodeIndex(place[0], place[1], place[2])};
+        if (high.brick == nullptr || low.isRemoved() == high.isRemoved()) return;
+        if (!low.wasLowered(carve_) && !high.wasLowered(carve_)) return;
+
+        const double sign = low.isRemoved() ? 1 : -1;
+        const End& removed = low.isRemoved() ? low : high;
+        const Vec3 step = sign * Vec3::Unit(axis);
+        const DirectedEdge edge{low.isRemoved() ? lowPoint : Vec3(lowPoint - spacing_ * step), step, spacing_};
+        float& stored = brick_.borderPlace[axis][low.node];
+        PackedDirection& normal = brick_.borderNormal[axis][low.node];
+        Border border{0, Vec3::Zero()};
+        if (removed.wasOpened(carve_)) {
+            border.normal = removed.brick->cutNormal[removed.node].unpack();
+        } else {
+            border = {(sign > 0 ? stored : 1 - stored) * spacing_, normal.unpack()};
+        }
+        extend(border, edge, steps_);
+        const double share = std::clamp(border.place / spacing_, 0.0, 1.0);
+        stored = static_cast<float>(sign > 0 ? share : 1 - share);
+        normal = PackedDirection(border.normal);
+    }
+
+    Brick& brick_;
+    std::array<const Brick*, 3> next_;
+    const Vec3 corner_;
+    const double spacing_;
+    const std::uint64_t carve_;
+    std::vector<const SweepStep*> steps_;
+};
+
+}  // namespace
+
+void traceBorderInBrick(BrickMap& bricks, const BrickKey& key, const Lattice& lattice,
+                        const std::vector<SweepStep>& steps, std::uint64_t carve) {
+    BrickTracer(bricks, key, lattice, steps, carve).run();
+}
+
+}  // namespace tactooth
