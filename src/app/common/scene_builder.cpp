@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/common/scene_builder.h"
+
+namespace tactooth {
+namespace {
+
+/// What a material looks like beside its colour and roughness.
+Look characterOf(MaterialId id) {
+    switch (id) {
+        case MaterialId::Enamel:
+            return looks::enamel();
+        case MaterialId::Dentin:
+            return looks::dentin();
+        case MaterialId::Pulp:
+            return looks::pulp();
+        case MaterialId::Caries:
+            return looks::caries();
+        case MaterialId::Restoration:
+            return {.translucency = 0.3F, .wetness = 0.6F, .grain = 0.05F};
+        case MaterialId::Other:
+            return looks::bone();
+    }
+    return {};
+}
+
+void addTool(Scene& scene, const ShownTool& tool) {
+    SceneObject bur;
+    bur.shape = tool.bur;
+    bur.objectInWorld = tool.toolInTooth;
+    bur.spin = tool.spin;
+    bur.looks = {tool.material == BurMaterial::diamond ? looks::diamond() : looks::carbide()};
+    bur.moves = true;
+    scene.objects.push_back(std::move(bur));
+    if (tool.turbine == nullptr) return;
+    SceneObject turbine;
+    turbine.shape = tool.turbine;
+    turbine.objectInWorld = tool.toolInTooth;
+    turbine.looks = {looks::steel()};
+    turbine.moves = true;
+    scene.objects.push_back(std::move(turbine));
+}
+
+void addMirror(Scene& scene, const ShownMirror& mirror) {
+    SceneObject body;
+    body.shape = mirror.mesh;
+    body.objectInWorld = mirror.mirrorInTooth;
+    body.looks = {looks::steel()};
+    scene.objects.push_back(std::move(body));
+    scene.mirror = SceneMirror{.mirrorInWorld = mirror.mirrorInTooth,
+                               .centre = mirror.disc.centre,
+                               .normal = mirror.disc.normal,
+                               .radius = mirror.disc.radius};
+}
+
+}  // namespace
+
+std::vector<Look> looksOf(const MaterialTable& materials) {
+    std::vector<Look> result;
+    for (std::size_t i = 0; i < kMaterialCount; ++i) {
+        const auto id = static_cast<MaterialId>(i);
+        Look look = characterOf(id);
+        const std::array<float, 3>& colour = materials[id].colour;
+        look.colour = Vec3f(colour[0], colour[1], colour[2]);
+        look.roughness = materials[id].roughness;
+        result.push_back(look);
+    }
+    return result;
+}
+
+Scene makeScene(const SceneContents& contents) {
+    Scene scene;
+    scene.camera = contents.camera;
+    scene.lighting = operatingLight(contents.camera);
+    if (contents.tooth != nullptr) {
+        SceneObject tooth;
+        tooth.shape = contents.tooth;
+        tooth.looks = looksOf(contents.materials);
+        tooth.closed = contents.tooth->closed;
+        scene.objects.push_back(std::move(tooth));
+    }
+    if (contents.tool) addTool(scene, *contents.tool);
+    if (contents.mirror) addMirror(scene, *contents.mirror);
+    return scene;
+}
+
+Pose parkedMirror(const Box3& tooth, const MirrorDisc& disc, const Vec3& toEye) {
+    constexpr double kBehind = 8;      // mm between the tooth and the glass: room for a bur, and for a view into it
+    constexpr double kAbove = 4;       // mm from the crown's top up to the centre of the glass
+    constexpr double kBelowTop = 3.5;  // mm from the crown's top down to the middle of its lingual side
+    const Vec3 centre(tooth.center().x(), tooth.min().y() - kBehind, tooth.max().z() + kAbove);
+    const Vec3 lingual(tooth.center().x(), tooth.min().y(), tooth.max().z() - kBelowTop);
+    const Vec3 normal = ((lingual - centre).normalized() + toEye).normalized();
+    // The frame's +x, where the handle leaves, as near to distal as the tilt of the glass allows.
+    const Vec3 distal = -Vec3::UnitX();
+    const Vec3 handle = (distal - distal.dot(normal) * normal).normalized();
+    Mat3 axes;
+    axes << handle, normal.cross(handle), normal;
+    const Quat rotation(axes);
+    return {centre - rotation * disc.centre, rotation};
+}
+
+}  // namespace tactooth

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "instruments/bur_catalogue.h"
+#include "instruments/mirror.h"
+#include "tooth/material.h"
+#include "view/scene.h"
+
+namespace tactooth {
+
+/// The instrument that cuts, as it is drawn. Meshes in the tool frame (tip at the origin, +z along the shaft).
+struct ShownTool {
+    std::shared_ptr<const TriangleMesh> bur;
+    std::shared_ptr<const TriangleMesh> turbine;  ///< null: the bur alone
+    BurMaterial material = BurMaterial::carbide;
+    Pose toolInTooth;
+    double spin = 0;  ///< of the bur about its axis, rad
+};
+
+/// The mirror, as it is drawn.
+struct ShownMirror {
+    std::shared_ptr<const TriangleMesh> mesh;  ///< mirror frame
+    MirrorDisc disc;
+    Pose mirrorInTooth;
+};
+
+/// All that a picture of the bench shows, in the tooth's frame. Whatever is empty is not there.
+struct SceneContents {
+    std::shared_ptr<const Surface> tooth;  ///< tagged by MaterialId
+    MaterialTable materials;               ///< for the tooth's colours
+    std::optional<ShownTool> tool;
+    std::optional<ShownMirror> mirror;
+    Camera camera;
+};
+
+/// One look for each MaterialId, in their order: colour and roughness from the table.
+[[nodiscard]] std::vector<Look> looksOf(const MaterialTable& materials);
+
+/// The picture under the operating light. World frame = tooth frame.
+[[nodiscard]] Scene makeScene(const SceneContents& contents);
+
+/// Where a mirror stands that shows the lingual side of a tooth's crown to an eye in the direction `toEye` (unit):
+/// behind and above the crown, its handle leaving toward distal. `tooth` is the tooth's box.
+[[nodiscard]] Pose parkedMirror(const Box3& tooth, const MirrorDisc& disc, const Vec3& toEye);
+
+}  // namespace tactooth
