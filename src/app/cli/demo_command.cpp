@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 
 constexpr double kVoxel = 0.05;             // mm
 constexpr int kPictureBurTriangles = 5000;  // the blades then look ground
-constexpr const char* kDefaultBur = "4";    // round, 1.4 mm
+constexpr const char* kDefaultBur = "57";   // straight fissure, 1.0 mm: leaves its cavity as it came
 
 struct Cast {
     std::string toothName;

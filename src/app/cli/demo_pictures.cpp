@@ -13,7 +13,7 @@ namespace tactooth {
 namespace {
 
 constexpr PictureSize kSize{1600, 1000};
-constexpr OrbitCamera::Direction kFromBuccalAndAbove{1.95, 0.62};  // rad: over the cheek, as an assistant looks
+constexpr OrbitCamera::Direction kFromBuccalAndAbove{1.85, 0.78};  // rad: over the cheek, as an assistant looks
 constexpr double kShownAround = 6.5;                               // mm around the middle of the crown
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 #include <QApplication>
 #include <QChart>
-#include <QGraphicsScene>
+#include <QChartView>
 #include <QImage>
 #include <QLineSeries>
 #include <QPainter>
@@ -50,9 +50,8 @@ QValueAxis* axisTo(double largest, const QString& title) {
     return axis;
 }
 
-void addPlot(QGraphicsScene& scene, const Plot& plot, std::span<const Tick> ticks, int row, bool last) {
-    auto* chart = new QChart;  // the scene takes it over
-    chart->setGeometry(0, row * kPlotHeight, kWidth, kPlotHeight);
+void drawPlot(QPainter& painter, const Plot& plot, std::span<const Tick> ticks, int row, bool last) {
+    auto* chart = new QChart;  // the view takes it over
     chart->setTitle(plot.title);
     chart->setMargins(QMargins(4, 0, 16, 0));
     chart->legend()->hide();
@@ -66,7 +65,11 @@ void addPlot(QGraphicsScene& scene, const Plot& plot, std::span<const Tick> tick
     chart->addAxis(value, Qt::AlignLeft);
     series->attachAxis(time);
     series->attachAxis(value);
-    scene.addItem(chart);
+    QChartView view(chart);
+    view.setRenderHint(QPainter::Antialiasing);
+    view.setFrameShape(QFrame::NoFrame);
+    view.resize(kWidth, kPlotHeight);
+    painter.drawPixmap(0, row * kPlotHeight, view.grab());
 }
 
 }  // namespace
@@ -86,14 +89,9 @@ Expected<void> writeForcePlot(const std::filesystem::path& path, std::span<const
          [](const Tick& t) { return t.depth; }},
         {"Speed of the tip", "mm/s", QColor(0x3c, 0x8d, 0x5a), [](const Tick& t) { return t.speed; }},
         {"Force on the hand", "N", QColor(0xb8, 0x4a, 0x32), [](const Tick& t) { return t.wrench.force.norm(); }}};
-    QGraphicsScene scene(0, 0, kWidth, 3 * kPlotHeight);
-    for (int row = 0; row < 3; ++row) addPlot(scene, plots[row], ticks, row, row == 2);
-
     QImage image(kWidth, 3 * kPlotHeight, QImage::Format_RGB32);
-    image.fill(Qt::white);
     QPainter painter(&image);
-    painter.setRenderHint(QPainter::Antialiasing);
-    scene.render(&painter);
+    for (int row = 0; row < 3; ++row) drawPlot(painter, plots[row], ticks, row, row == 2);
     painter.end();
     QSaveFile file(QString::fromStdString(path.string()));
     if (!file.open(QIODevice::WriteOnly) || !image.save(&file, "PNG") || !file.commit()) {

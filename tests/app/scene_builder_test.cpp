@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/common/scene_builder.h"
+
+#include <gtest/gtest.h>
+
+#include "support/shapes.h"
+
+namespace tactooth {
+namespace {
+
+SceneContents benchWithEverything() {
+    SceneContents contents;
+    auto surface = std::make_shared<Surface>();
+    surface->base = std::make_shared<const SurfacePart>(test::box(Vec3(-5, -5, -10), Vec3(5, 5, 7)));
+    contents.tooth = surface;
+    contents.tool = ShownTool{.bur = std::make_shared<const TriangleMesh>(test::sphere(Vec3::Zero(), 1, 8, 8)),
+                              .turbine = std::make_shared<const TriangleMesh>(test::box(-Vec3::Ones(), Vec3::Ones())),
+                              .material = BurMaterial::diamond,
+                              .toolInTooth = {Vec3(1, 2, 3), Quat::Identity()},
+                              .spin = 0.5};
+    contents.mirror = ShownMirror{.mesh = std::make_shared<const TriangleMesh>(test::box(-Vec3::Ones(), Vec3::Ones())),
+                                  .disc = {.radius = 9},
+                                  .mirrorInTooth = {Vec3(0, -12, 5), Quat::Identity()}};
+    return contents;
+}
+
+TEST(SceneBuilder, ShowsToothBurTurbineAndMirror) {
+    const Scene scene = makeScene(benchWithEverything());
+    ASSERT_EQ(scene.objects.size(), 4U);
+    EXPECT_EQ(scene.objects[1].spin, 0.5);
+    EXPECT_EQ(scene.objects[1].objectInWorld.position, Vec3(1, 2, 3));
+    EXPECT_EQ(scene.objects[2].spin, 0) << "only the bur turns in the turbine";
+    ASSERT_TRUE(scene.mirror.has_value());
+    EXPECT_EQ(scene.mirror->radius, 9);
+    EXPECT_EQ(scene.mirror->mirrorInWorld.position, Vec3(0, -12, 5));
+}
+
+TEST(SceneBuilder, WhatIsNotThereIsNotDrawn) {
+    const Scene scene = makeScene({});
+    EXPECT_TRUE(scene.objects.empty());
+    EXPECT_FALSE(scene.mirror.has_value());
+}
+
+TEST(SceneBuilder, EachMaterialIsDrawnInTheColourOfItsTable) {
+    SceneContents contents = benchWithEverything();
+    contents.materials[MaterialId::Pulp].colour = {0.25F, 0.5F, 0.75F};
+    const std::vector<Look> drawn = makeScene(contents).objects[0].looks;
+    ASSERT_EQ(drawn.size(), kMaterialCount);
+    EXPECT_EQ(drawn[static_cast<std::size_t>(MaterialId::Pulp)].colour, Vec3f(0.25F, 0.5F, 0.75F));
+}
+
+/// The law of reflection: the ray from the eye that meets the middle of the glass goes on to the lingual side.
+TEST(SceneBuilder, TheParkedMirrorShowsTheLingualSideToTheEye) {
+    const Box3 tooth(Vec3(-5, -5, -10), Vec3(5, 5, 7));
+    const MirrorDisc disc{.radius = 10};
+    const Vec3 toEye = Vec3(0.3, 0.8, 0.5).normalized();
+    const Pose mirror = parkedMirror(tooth, disc, toEye);
+    const Vec3 normal = mirror.rotation * disc.normal;
+    const Vec3 centre = mirror * disc.centre;
+    const Vec3 onward = -toEye + 2 * toEye.dot(normal) * normal;
+    const double reach = (tooth.min().y() - centre.y()) / onward.y();
+    ASSERT_GT(reach, 0);
+    const Vec3 seen = centre + reach * onward;
+    EXPECT_NEAR(seen.x(), 0, 1e-9);
+    EXPECT_GT(seen.z(), 0);
+    EXPECT_LT(seen.z(), 7);
+}
+
+}  // namespace
+}  // namespace tactooth
