@@ -7,9 +7,10 @@
 
 #include "collision/closest_point.h"
 #include "collision/gjk.h"
+#include "collision/triangle_penetration.h"
 
 // Penetration depth as the least translation to a free pose: S. Cameron, R. K. Culley, "Determining the Minimum
-// Translational Distance Between Two Convex Polyhedra", IEEE ICRA 1986, extended to concave surfaces as in design by
+// Translational Distance Between Two Convex Polyhedra", IEEE ICRA 1986, extended to concave surfaces by
 // local descent: the tool is pulled out along several candidate directions, swept back to first contact and slid to the
 // nearest free pose; the shortest wins.
 
@@ -32,23 +33,29 @@ void addDirection(std::vector<Vec3>& directions, const Vec3& direction, std::siz
     directions.push_back(unit);
 }
 
+Triangle3 movedTriangle(const ToolShape& tool, const Pose& toolInTooth, std::uint32_t triangle) {
+    Triangle3 moved = tool.corners(triangle);
+    for (Vec3& corner : moved) corner = toolInTooth * corner;
+    return moved;
+}
+
 bool intersects(const Surface& surface, const ToolShape& tool, const Pose& toolInTooth, const NearPair& pair) {
     const Triangle3 tooth = cornersOf(partOf(surface, pair.part).mesh(), pair.tooth);
-    Triangle3 moved = cornersOf(tool.mesh(), pair.tool);
-    for (Vec3& corner : moved) corner = toolInTooth * corner;
+    const Triangle3 moved = movedTriangle(tool, toolInTooth, pair.tool);
     return !distanceBetween(tooth, moved, moved[0] - tooth[0]).separated;
 }
 
 }  // namespace
 
-ContactQuery::ContactQuery(std::shared_ptr<const ToolShape> tool, std::shared_ptr<const Surface> surface,
-                           bool toothIsClosed)
-    : tool_(std::move(tool)),
-      surface_(std::move(surface)),
-      toothIsClosed_(toothIsClosed),
-      body_(tool_),
-      found_(kFirstCapacity) {
+ContactQuery::ContactQuery(std::shared_ptr<const ToolShape> tool, std::shared_ptr<const Surface> surface)
+    : tool_(std::move(tool)), surface_(std::move(surface)), body_(tool_), found_(kFirstCapacity) {
     body_.setSurface(surface_);
+    probe_.pairs.reserve(1);
+}
+
+std::shared_ptr<const Surface> ContactQuery::setSurface(std::shared_ptr<const Surface> surface) {
+    surface_ = std::move(surface);
+    return body_.setSurface(surface_);
 }
 
 void ContactQuery::findOverlap(const Pose& toolInTooth, Overlap& overlap, bool stopAtFirst) {
@@ -64,8 +71,30 @@ void ContactQuery::findOverlap(const Pose& toolInTooth, Overlap& overlap, bool s
         overlap.pairs.push_back(found_[i]);
         if (stopAtFirst) return;
     }
-    if (overlap.pairs.empty() && toothIsClosed_)
+    if (overlap.pairs.empty() && surface_->closed)
         overlap.swallowed = contains(*surface_, toolInTooth * tool_->mesh().corner(0, 0));
+}
+
+Contact ContactQuery::deepestPairAt(const Pose& toolInTooth) {
+    Contact result;
+    if (surface_->base->tree().empty() || tool_->mesh().empty()) return result;
+    findOverlap(toolInTooth, overlap_, false);
+    result.contacts = static_cast<int>(overlap_.pairs.size());
+    result.touching = result.contacts > 0;
+    for (const NearPair& pair : overlap_.pairs) {
+        const Triangle3 tooth = cornersOf(partOf(*surface_, pair.part).mesh(), pair.tooth);
+        const Triangle3 tool = movedTriangle(*tool_, toolInTooth, pair.tool);
+        const TrianglePenetration penetration = penetrationOf(tooth, tool);
+        if (!std::isfinite(penetration.depth) || penetration.depth <= result.depth) continue;
+        result.depth = penetration.depth;
+        result.normal = penetration.normal;
+        result.point = *std::min_element(tool.begin(), tool.end(), [&](const Vec3& p, const Vec3& q) {
+            return p.dot(result.normal) < q.dot(result.normal);
+        });
+        result.part = pair.part;
+        result.tooth = pair.tooth;
+    }
+    return result;
 }
 
 bool ContactQuery::isFree(const Pose& toolInTooth) {
@@ -82,7 +111,7 @@ std::vector<Vec3> ContactQuery::waysOut(const Pose& toolInTooth, const Overlap& 
     addDirection(directions, mean, 1);
     const Vec3 centre = toolInTooth * tool_->centre();
     if (const auto nearest = closestPoint(*surface_->base, centre)) {
-        const bool inside = toothIsClosed_ && contains(*surface_, centre);
+        const bool inside = surface_->closed && contains(*surface_, centre);
         addDirection(directions, inside ? Vec3(nearest->point - centre) : Vec3(centre - nearest->point), 2);
     }
     for (const NearPair& pair : overlap.pairs) {

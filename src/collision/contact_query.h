@@ -27,13 +27,21 @@ struct Contact {
 /// Keeps buffers from query to query; one thread at a time.
 class ContactQuery {
 public:
-    ContactQuery(std::shared_ptr<const ToolShape> tool, std::shared_ptr<const Surface> surface,
-                 bool toothIsClosed = true);
+    ContactQuery(std::shared_ptr<const ToolShape> tool, std::shared_ptr<const Surface> surface);
+
+    /// Asks about another surface from now on. Returns the one before, so that the caller decides where it is freed.
+    std::shared_ptr<const Surface> setSurface(std::shared_ptr<const Surface> surface);
 
     /// Depth at one pose.
     [[nodiscard]] Contact at(const Pose& toolInTooth);
 
-    /// Whether nothing of the tool is in the tooth.
+    /// The published penalty answer: the deepest pair of intersecting triangles, taken for itself. Kept for comparison:
+    /// on a fine mesh it is neither deep enough nor in the right direction to free the tool (`normal` and `depth` free
+    /// that one pair only).
+    [[nodiscard]] Contact deepestPairAt(const Pose& toolInTooth);
+
+    /// Whether nothing of the tool is in the tooth. Allocates nothing as long as no more than a few thousand pairs are
+    /// near.
     [[nodiscard]] bool isFree(const Pose& toolInTooth);
 
     /// The free pose that `at` found for the last touching pose.
@@ -53,7 +61,6 @@ private:
 
     std::shared_ptr<const ToolShape> tool_;
     std::shared_ptr<const Surface> surface_;
-    bool toothIsClosed_;
     SlidingBody body_;
     std::vector<NearPair> found_;
     Overlap overlap_;

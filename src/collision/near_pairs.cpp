@@ -173,26 +173,34 @@ private:
         return {normal.x / length, normal.y / length, normal.z / length};
     }
 
+    /// Lower bounds for the distances of one tool triangle to eight tooth triangles.
+    struct Bounds {
+        Float8 boxes;      // of the slab between the boxes
+        Float8 alongTool;  // of the slabs along the two normals
+        Float8 alongTooth;
+    };
+
     /// Writes the pairs of eight tooth triangles with up to eight tool triangles that no cheap test separates.
     void meet(const TurnedLeaf& tooth, const AabbTree::Leaf& toolLeaf) {
         const AabbTree::Leaf& toothLeaf = toothTree_->leaf(AabbTree::Link::toLeaf(tooth.index));
         const std::uint32_t present = (1U << toothLeaf.count) - 1U;
         for (std::uint32_t k = 0; k < toolLeaf.count; ++k) {
-            const Float8 bound = distanceBound(tooth, toolLeaf, k);
-            std::uint32_t hits = lessEqual(bound, Float8::all(reach_)) & present;
+            const Bounds bounds = distanceBounds(tooth, toolLeaf, k);
+            const Float8 best = max(bounds.boxes, max(bounds.alongTool, bounds.alongTooth)) - Float8::all(slack_);
+            std::uint32_t hits = lessEqual(best, Float8::all(reach_)) & present;
             if (hits == 0) continue;
-            float bounds[8];
-            bound.store(bounds);
+            const std::uint32_t byTool = lessEqual(bounds.alongTooth, bounds.alongTool);
+            float distances[8];
+            best.store(distances);
             for (; hits != 0; hits &= hits - 1) {
                 const int lane = std::countr_zero(hits);
-                write(toothLeaf.triangle[lane], toolLeaf.triangle[k], bounds[lane]);
+                write(toothLeaf.triangle[lane], toolLeaf.triangle[k], distances[lane], ((byTool >> lane) & 1U) != 0);
             }
         }
     }
 
-    /// A lower bound for the distance of tool triangle `k` to each of the eight tooth triangles: the widest of the slab
-    /// between the boxes and the slabs along the two normals.
-    [[nodiscard]] Float8 distanceBound(const TurnedLeaf& tooth, const AabbTree::Leaf& toolLeaf, std::uint32_t k) const {
+    [[nodiscard]] Bounds distanceBounds(const TurnedLeaf& tooth, const AabbTree::Leaf& toolLeaf,
+                                        std::uint32_t k) const {
         Vec3x8 tool[3];
         for (int corner = 0; corner < 3; ++corner) {
             tool[corner] = Vec3x8::all(toolLeaf.corner[corner][0][k], toolLeaf.corner[corner][1][k],
@@ -201,11 +209,9 @@ private:
         const Vec3x8 low = min(min(tool[0], tool[1]), tool[2]);
         const Vec3x8 high = max(max(tool[0], tool[1]), tool[2]);
         const Vec3x8 gap = max(max(tooth.box.low - high, low - tooth.box.high), Vec3x8::all(0, 0, 0));
-        const Float8 boxes = sqrt(dot(gap, gap));
         const Vec3f& n = tool_.normal(toolLeaf.triangle[k]);
-        const Float8 alongTool = slab(Vec3x8::all(n.x(), n.y(), n.z()), tool, tooth.corner);
-        const Float8 alongTooth = slab(tooth.normal, tool, tooth.corner);
-        return max(boxes, max(alongTool, alongTooth)) - Float8::all(slack_);
+        return {sqrt(dot(gap, gap)), slab(Vec3x8::all(n.x(), n.y(), n.z()), tool, tooth.corner),
+                slab(tooth.normal, tool, tooth.corner)};
     }
 
     static Float8 slab(const Vec3x8& normal, const Vec3x8 (&a)[3], const Vec3x8 (&b)[3]) {
@@ -218,13 +224,13 @@ private:
         return max(min(min(b0, b1), b2) - max(max(a0, a1), a2), min(min(a0, a1), a2) - max(max(b0, b1), b2));
     }
 
-    void write(std::uint32_t toothTriangle, std::uint32_t toolTriangle, float bound) {
+    void write(std::uint32_t toothTriangle, std::uint32_t toolTriangle, float bound, bool toolFaceParts) {
         if (hidden_ != nullptr && isHidden(*hidden_, toothTriangle)) return;
         if (count_ == out_.size()) {
             complete_ = false;
             return;
         }
-        out_[count_++] = {part_, toothTriangle, toolTriangle, std::max(bound, 0.0F)};
+        out_[count_++] = {part_, toothTriangle, toolTriangle, std::max(bound, 0.0F), toolFaceParts};
     }
 
     const ToolShape& tool_;

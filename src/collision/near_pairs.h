@@ -17,6 +17,7 @@ struct NearPair {
     std::uint32_t tooth;    ///< triangle of that part
     std::uint32_t tool;     ///< triangle of the tool
     float distanceAtLeast;  ///< mm: the two are no nearer than this (not their distance, only a bound)
+    bool toolFaceParts;     ///< of the two face planes, the tool triangle's tells the pair apart better
 };
 
 /// The part of `surface` that a pair's number names.

@@ -32,7 +32,7 @@ constexpr double kMarginOfPosition = 1e-10;   // keeps the margin above rounding
 constexpr double kSettledMargins = 10;        // a round that moves less than this many margins ends the move
 constexpr double kLeastReach = 0.004;         // of the tool's radius: 12 um for a 6 mm bur
 constexpr double kGreatestReach = 1.0;        // of the tool's radius
-constexpr std::size_t kPlentyOfPairs = 1024;  // a longer list costs more to walk than listing twice
+constexpr std::size_t kPlentyOfPairs = 3072;  // a longer list costs more to walk than listing twice
 constexpr std::uint64_t kGuessed = 1;         // stamp of a plane that GJK has not seen; poses are numbered from 2
 constexpr double kLeastTurn = 1e-3;  // of the turn wanted: below it, the tool is held in its present orientation
 constexpr double kTrusted = 0.95;    // of the listed reach: leaves room for rounding
@@ -72,6 +72,7 @@ struct SlidingBody::Attempt {
 SlidingBody::SlidingBody(std::shared_ptr<const ToolShape> tool)
     : tool_(std::move(tool)), found_(kMaxPairs), watched_(kMaxPairs) {
     assert(tool_ != nullptr);
+    reachCap_ = kGreatestReach * tool_->radius();
 }
 
 std::shared_ptr<const Surface> SlidingBody::setSurface(std::shared_ptr<const Surface> surface) {
@@ -99,12 +100,16 @@ double SlidingBody::travelSinceListed(const Quat& rotation, const Vec3& position
 /// Lists the pairs within `wantedReach`, or within less where they are too many.
 void SlidingBody::listPairs(double wantedReach) {
     const double least = kLeastReach * tool_->radius();
-    double reach = std::clamp(wantedReach, least, kGreatestReach * tool_->radius());
-    NearPairsFound found = findNearPairs(*surface_, *tool_, pose_, reach, std::span(found_).first(kPlentyOfPairs));
-    while (!found.complete && reach > least) {
-        reach = std::max(least, reach / 4);
-        found = findNearPairs(*surface_, *tool_, pose_, reach, found_);
+    double reach = std::clamp(wantedReach, least, std::max(least, reachCap_));
+    reachCap_ = std::min(2 * reachCap_, kGreatestReach * tool_->radius());
+    NearPairsFound found;
+    while (true) {
+        const std::size_t room = reach > least ? kPlentyOfPairs : kMaxPairs;
+        found = findNearPairs(*surface_, *tool_, pose_, reach, std::span(found_).first(room));
+        if (found.complete || reach <= least) break;
+        reachCap_ = reach = std::max(least, reach / 2);
     }
+    if (4 * found.count > kPlentyOfPairs) reachCap_ = std::min(reachCap_, reach);  // the next list may be as dense
     std::array<std::uint32_t, kBuckets + 1> start{};
     const float scale = static_cast<float>(kBuckets / reach);
     const auto bucketOf = [scale](const NearPair& pair) {
@@ -152,12 +157,12 @@ void SlidingBody::recallPlane(WatchedPair& watched) const {
     }
     watched.plane.stamp = kGuessed;
     const Triangle3 tooth = cornersOf(part.mesh(), watched.pair.tooth);
-    Triangle3 tool = cornersOf(tool_->mesh(), watched.pair.tool);
+    Triangle3 tool = tool_->corners(watched.pair.tool);
     for (Vec3& corner : tool) corner = pose_ * corner;
-    const Vec3 toothNormal = (tooth[1] - tooth[0]).cross(tooth[2] - tooth[0]).normalized();
-    const Vec3 toolNormal = (tool[1] - tool[0]).cross(tool[2] - tool[0]).normalized();
+    const Triangle3& face = watched.pair.toolFaceParts ? tool : tooth;
+    const Vec3 faceNormal = (face[1] - face[0]).cross(face[2] - face[0]).normalized();
     double widest = 0;
-    for (const Vec3& normal : {toothNormal, Vec3(-toolNormal), Vec3(-toothNormal), toolNormal}) {
+    for (const Vec3& normal : {faceNormal, Vec3(-faceNormal)}) {
         const double back = highestAlong(tooth, normal);
         const double gap = lowestAlong(tool, normal) - back;
         if (gap > widest) widest = gap, watched.plane.normal = normal, watched.plane.offset = back;
@@ -168,7 +173,7 @@ void SlidingBody::recallPlane(WatchedPair& watched) const {
 bool SlidingBody::refreshPlane(WatchedPair& watched) {
     const SurfacePart& part = partOf(*surface_, watched.pair.part);
     const Triangle3 tooth = cornersOf(part.mesh(), watched.pair.tooth);
-    Triangle3 tool = cornersOf(tool_->mesh(), watched.pair.tool);
+    Triangle3 tool = tool_->corners(watched.pair.tool);
     for (Vec3& corner : tool) corner = pose_ * corner;
     SeparatingPlane& plane = watched.plane;
     const GjkResult result =
@@ -184,8 +189,7 @@ bool SlidingBody::refreshPlane(WatchedPair& watched) {
 double SlidingBody::gapAt(const WatchedPair& watched, const Mat3& rotation, const Vec3& position) const {
     const Vec3& normal = watched.plane.normal;
     const Vec3 inTool = rotation.transpose() * normal;
-    return lowestAlong(cornersOf(tool_->mesh(), watched.pair.tool), inTool) + normal.dot(position) -
-           watched.plane.offset;
+    return lowestAlong(tool_->corners(watched.pair.tool), inTool) + normal.dot(position) - watched.plane.offset;
 }
 
 /// Whether a plane is found that keeps the pair apart during the whole attempted step. Tried are the planes that hold
@@ -194,7 +198,7 @@ double SlidingBody::gapAt(const WatchedPair& watched, const Mat3& rotation, cons
 bool SlidingBody::provenSafe(WatchedPair& watched, const Attempt& attempt) {
     const SurfacePart& part = partOf(*surface_, watched.pair.part);
     const Triangle3 tooth = cornersOf(part.mesh(), watched.pair.tooth);
-    const Triangle3 tool = cornersOf(tool_->mesh(), watched.pair.tool);
+    const Triangle3 tool = tool_->corners(watched.pair.tool);
     const Vec3 position = pose_.position + attempt.step;
     std::array<Vec3, 6> swept;
     for (int corner = 0; corner < 3; ++corner) {
@@ -238,6 +242,10 @@ const WatchedPair* SlidingBody::violation(const Attempt& attempt, bool& overlapp
         if (provenSafe(watched, attempt)) continue;
         if (watched.plane.stamp != poseStamp_ && !refreshPlane(watched)) {
             overlapping = true;
+            return nullptr;
+        }
+        if (gapAt(watched, attempt.startMatrix, pose_.position) < margin_ / 2) {
+            overlapping = true;  // a new surface stands nearer than any step could respect
             return nullptr;
         }
         const double gap = gapAt(watched, attempt.matrix, position);
@@ -321,7 +329,7 @@ void SlidingBody::accept(const Attempt& attempt, MoveResult& result) {
         const int plane = attempt.answer.active[i];
         held_[i] = attempt.watched[plane];
         const Vec3& normal = held_[i].plane.normal;
-        const Triangle3 tool = cornersOf(tool_->mesh(), held_[i].pair.tool);
+        const Triangle3 tool = tool_->corners(held_[i].pair.tool);
         Vec3 deepest = pose_ * tool[0];
         for (const Vec3& corner : tool) {
             if (const Vec3 point = pose_ * corner; normal.dot(point) < normal.dot(deepest)) deepest = point;

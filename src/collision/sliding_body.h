@@ -95,6 +95,7 @@ private:
     bool listed_ = false;
     Pose listedAt_;
     double listedReach_ = 0;
+    double reachCap_ = 0;  // of the next list, mm: where the last one met many pairs, it stays short
     Vec3 lastGoalCentre_ = Vec3::Zero();
     double handTravel_ = 0;  // of the goal since the last move, mm
 

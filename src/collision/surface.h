@@ -53,6 +53,7 @@ struct Surface {
     std::shared_ptr<const TriangleMask> hidden;  ///< of `base`; null = nothing hidden
     std::vector<std::shared_ptr<const SurfacePart>> patches;
     std::uint64_t revision = 0;  ///< grows by one with every snapshot of the same tooth
+    bool closed = true;          ///< whether "inside" has a meaning; false: only the triangles themselves are felt
 };
 
 /// Every triangle of `surface` that can be seen, with its tag, as one mesh. Base triangles come first, in the order

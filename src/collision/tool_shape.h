@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "collision/surface.h"
+#include "collision/triangle3.h"
 
 namespace tactooth {
 
@@ -16,6 +17,11 @@ public:
 
     [[nodiscard]] const SurfacePart& part() const { return part_; }
     [[nodiscard]] const TriangleMesh& mesh() const { return part_.mesh(); }
+    /// The corners of a triangle: the same numbers as in the mesh, but side by side in memory.
+    [[nodiscard]] Triangle3 corners(std::uint32_t triangle) const {
+        const std::array<Vec3f, 3>& c = corners_[triangle];
+        return {c[0].cast<double>(), c[1].cast<double>(), c[2].cast<double>()};
+    }
     /// Unit outward normal, or zero for a triangle without area.
     [[nodiscard]] const Vec3f& normal(std::uint32_t triangle) const { return normals_[triangle]; }
     /// Centre of the bounding box in the tool frame, mm.
@@ -25,6 +31,7 @@ public:
 
 private:
     SurfacePart part_;
+    std::vector<std::array<Vec3f, 3>> corners_;
     std::vector<Vec3f> normals_;
     Vec3 centre_ = Vec3::Zero();
     double radius_ = 0;

@@ -6,7 +6,7 @@
 
 namespace tactooth {
 
-std::string quoted(std::string_view word) {
+std::string quotedWord(std::string_view word) {
     constexpr std::size_t kLongest = 24;
     std::string shown(word.substr(0, kLongest));
     std::replace_if(

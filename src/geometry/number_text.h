@@ -31,6 +31,6 @@ template <class Number>
 }
 
 /// A word of an untrusted file as a message may show it: in quotes, short, printable ASCII.
-[[nodiscard]] std::string quoted(std::string_view word);
+[[nodiscard]] std::string quotedWord(std::string_view word);
 
 }  // namespace tactooth

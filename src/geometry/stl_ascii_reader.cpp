@@ -100,7 +100,7 @@ private:
     }
 
     bool fail(const std::string& expectation) {
-        const std::string found = word_.empty() ? "the file ends: it is cut short" : "found " + quoted(word_);
+        const std::string found = word_.empty() ? "the file ends: it is cut short" : "found " + quotedWord(word_);
         error_ = {name_ + ", line " + std::to_string(line_) + ": " + expectation + ", but " + found +
                   "; repair or export the surface again."};
         return false;

@@ -17,7 +17,7 @@ namespace tactooth::stl {
 inline constexpr std::size_t kHeaderBytes = 80;
 inline constexpr std::size_t kCountBytes = 4;    ///< triangle count, little-endian
 inline constexpr std::size_t kRecordBytes = 50;  ///< normal and three corners (12 floats), 2 attribute bytes
-inline constexpr std::size_t kNormalBytes = 12;
+inline constexpr std::size_t kVectorBytes = 12;  ///< three floats
 inline constexpr std::size_t kFirstRecord = kHeaderBytes + kCountBytes;
 
 /// Parses binary STL whose count matches its size.

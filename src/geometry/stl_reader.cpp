@@ -24,7 +24,7 @@ Expected<TriangleMesh> stl::parseBinary(std::span<const std::byte> bytes, const 
     TriangleMesh mesh;
     mesh.triangles.resize(count);
     for (std::size_t triangle = 0; triangle < count; ++triangle) {
-        const std::size_t offset = kFirstRecord + triangle * kRecordBytes + kNormalBytes;
+        const std::size_t offset = kFirstRecord + triangle * kRecordBytes + kVectorBytes;
         std::array<float, 9> numbers;
         std::memcpy(numbers.data(), bytes.data() + offset, sizeof numbers);
         for (int corner = 0; corner < 3; ++corner) {

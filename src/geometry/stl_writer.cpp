@@ -31,8 +31,11 @@ std::vector<std::byte> binaryBytes(const TriangleMesh& mesh) {
     std::byte* record = bytes.data() + stl::kFirstRecord;
     for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle, record += stl::kRecordBytes) {
         const auto& [a, b, c] = mesh.triangles[triangle];
-        const std::array numbers = {normalOf(mesh, triangle), mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
-        std::memcpy(record, numbers.data(), sizeof numbers);
+        std::byte* number = record;
+        for (const Vec3f& vector : {normalOf(mesh, triangle), mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]}) {
+            std::memcpy(number, vector.data(), stl::kVectorBytes);
+            number += stl::kVectorBytes;
+        }
     }
     return bytes;
 }

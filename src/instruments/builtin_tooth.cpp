@@ -6,8 +6,8 @@
 #include <cassert>
 #include <cmath>
 
-#include "instruments/anatomy/blend.h"
 #include "instruments/anatomy/tooth_shape.h"
+#include "instruments/modelling/blend.h"
 
 namespace tactooth {
 namespace {
@@ -24,10 +24,29 @@ ToothShape shapeOf(BuiltinToothKind kind) {
     return upperCanine();
 }
 
+/// The root is smooth and mostly out of reach: below the neck, heights are stretched, up to this many times, so that
+/// its triangles are longer and more of them are left for the crown.
+constexpr double kRootStretch = 1.9;
+
+Vec3 stretched(const Vec3& p) {
+    constexpr double kNeck = -0.8, kOnset = 2.0;  // mm: where it begins, and how softly
+    const double below = kNeck - p.z();
+    if (below <= 0) return p;
+    return {p.x(), p.y(), p.z() - (kRootStretch - 1) * below * below / (below + kOnset)};
+}
+
+TriangleMesh meshOf(const ScalarField& body, const Box3& bounds, double cellSize, int relaxations) {
+    const auto field = [&](const Vec3& p) { return body(stretched(p)); };
+    constexpr double kSteepest = 1.3 * kRootStretch;
+    TriangleMesh mesh = isosurface(field, bounds, {cellSize, kSteepest, relaxations});
+    for (Vec3f& vertex : mesh.vertices) vertex = stretched(vertex.cast<double>()).cast<float>();
+    return mesh;
+}
+
 /// The cell size that gives about as many triangles: a coarse mesh measures the surface.
 double cellSizeFor(const ToothShape& shape, int triangles) {
-    constexpr double kTrial = 0.8;
-    const TriangleMesh trial = isosurface(shape.outer, shape.bounds, {.cellSize = kTrial, .relaxations = 0});
+    constexpr double kTrial = 0.6;
+    const TriangleMesh trial = meshOf(shape.outer, shape.bounds, kTrial, 0);
     return kTrial * std::sqrt(static_cast<double>(trial.triangles.size()) / triangles);
 }
 
@@ -48,8 +67,9 @@ double lesion(const ToothShape& shape, const Vec3& point, double width) {
 BuiltinTooth makeBuiltinTooth(BuiltinToothKind kind, int triangles, double lesionWidth) {
     assert(triangles > 0 && lesionWidth >= 0 && lesionWidth <= 4);
     const ToothShape shape = shapeOf(kind);
-    const IsosurfaceOptions fineness{.cellSize = cellSizeFor(shape, triangles)};
-    const auto mesh = [&](const ScalarField& field) { return isosurface(field, shape.bounds, fineness); };
+    const double cellSize = cellSizeFor(shape, triangles);
+    constexpr int kRelaxations = 3;
+    const auto mesh = [&](const ScalarField& body) { return meshOf(body, shape.bounds, cellSize, kRelaxations); };
 
     BuiltinTooth tooth;
     tooth.name = shape.name;
@@ -61,15 +81,25 @@ BuiltinTooth makeBuiltinTooth(BuiltinToothKind kind, int triangles, double lesio
     tooth.dentin = mesh(shape.core);
 
     constexpr double kCanalCell = 0.14;  // mm: the narrowest canal is 0.25 mm wide
-    const double smallCell = std::min(fineness.cellSize, kCanalCell);
-    const auto small = [&](const ScalarField& field) {
-        return isosurface(field, shape.bounds, {.cellSize = smallCell});
-    };
+    const double smallCell = std::min(cellSize, kCanalCell);
+    const auto small = [&](const ScalarField& body) { return meshOf(body, shape.bounds, smallCell, kRelaxations); };
     tooth.pulp = small(shape.pulp);
     if (lesionWidth > 0) {
         tooth.caries = small([&](const Vec3& p) { return std::max(shape.outer(p), lesion(shape, p, lesionWidth)); });
     }
     return tooth;
+}
+
+std::vector<LayerMesh> layersOf(const BuiltinTooth& tooth) {
+    std::vector<LayerMesh> layers;
+    const auto add = [&](MaterialId material, const TriangleMesh& mesh) {
+        if (!mesh.empty()) layers.push_back({std::string(materialName(material)), material, mesh});
+    };
+    add(MaterialId::Enamel, tooth.enamel);
+    add(MaterialId::Dentin, tooth.dentin);
+    add(MaterialId::Pulp, tooth.pulp);
+    add(MaterialId::Caries, tooth.caries);
+    return layers;
 }
 
 }  // namespace tactooth

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "geometry/triangle_mesh.h"
+#include "tooth/layered_tooth.h"
 
 namespace tactooth {
 
@@ -34,5 +36,8 @@ inline constexpr double kDefaultLesionWidth = 2.4;
 /// The same arguments give the same bits, on any number of threads.
 [[nodiscard]] BuiltinTooth makeBuiltinTooth(BuiltinToothKind kind, int triangles = 20000,
                                             double lesionWidth = kDefaultLesionWidth);
+
+/// The layers as LayeredTooth::make takes them beside `outer`.
+[[nodiscard]] std::vector<LayerMesh> layersOf(const BuiltinTooth& tooth);
 
 }  // namespace tactooth

@@ -13,12 +13,12 @@ struct MirrorDisc {
     double radius = 0;            ///< mm
 };
 
-/// A dental mouth mirror. Frame: origin at the centre of the glass, +z out of it; stem and handle leave toward +x and
-/// rise 45 degrees behind the glass (-z). mm.
+/// A dental mouth mirror. Frame: origin at the centre of the glass, +z out of it; stem and handle leave toward +x, 45
+/// degrees behind the glass. mm.
 struct DentalMirror {
-    TriangleMesh surface;    ///< everything, glass included; closed
-    std::size_t glassBegin;  ///< the glass is the triangles [glassBegin, surface.triangles.size())
-    MirrorDisc disc;         ///< the same glass as an exact disc
+    TriangleMesh surface;        ///< head, stem with handle, and glass: three closed bodies, a hair's breadth apart
+    std::size_t glassBegin = 0;  ///< the glass is the triangles [glassBegin, surface.triangles.size())
+    MirrorDisc disc;             ///< its face as an exact disc
 };
 
 /// `headDiameter`: of the whole head with its rim, mm (22 is a No. 4, 24 a No. 5, 18 a No. 2).

@@ -104,7 +104,7 @@ private:
             const std::optional<double> value = toNumber<double>(field);
             if (!value || !std::isfinite(*value)) {
                 return fail("column '" + std::string(columns_[column]) +
-                            "': expected a finite number with '.' as decimal point, but found " + quoted(field));
+                            "': expected a finite number with '.' as decimal point, but found " + quotedWord(field));
             }
             table_.values_.push_back(*value);
         }

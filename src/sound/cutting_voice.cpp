@@ -8,11 +8,11 @@ namespace tactooth {
 
 namespace {
 
-// Sound power grows with removal power, so the amplitude with its root; above kHalfWatt it bends over, since a
-// turbine gives up to 30 W and nobody should turn the volume down for it. 0.22 keeps the peaks (four times the root
-// mean square) below full scale.
-constexpr double kTopLevel = 0.22;
-constexpr double kHalfWatt = 4.0;
+// Each doubling of the removal power adds about as much sound power as the last: a gentle cut is to be heard over the
+// turbine, and the 30 W of the strongest turbine are not to hurt. At kTopWatt the root mean square is kTopLevel of full
+// scale: single grains reach five times that, just below full scale.
+constexpr double kTopLevel = 0.16;
+constexpr double kTopWatt = 40.0, kFaintWatt = 0.2;
 constexpr double kLagSeconds = 0.006;
 
 // Below this speed a rotation is too slow to grind: nothing comes from a still bur.
@@ -29,7 +29,8 @@ const auto kGrainKeep = static_cast<float>(std::exp(-1.0 / (kGrainSeconds * kSou
 
 double amplitudeOf(const DrillSoundState& state) {
     const double grinding = std::min(1.0, state.speedRpm / kGrindingRpm);
-    return kTopLevel * state.material.level * grinding * std::sqrt(state.removalWatt / (state.removalWatt + kHalfWatt));
+    const double power = std::log1p(state.removalWatt / kFaintWatt) / std::log1p(kTopWatt / kFaintWatt);
+    return kTopLevel * state.material.level * grinding * std::sqrt(power);
 }
 
 double throbAt(double turnsPerSecond) {

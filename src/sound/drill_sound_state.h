@@ -19,7 +19,7 @@ struct SoundCharacter {
 };
 
 /// The characters of the usual materials. An unknown name sounds like dentin.
-/// Names: "enamel", "dentin", "pulp", "caries", "amalgam", "composite".
+/// Names: "enamel", "dentin", "pulp", "caries", "amalgam", "composite" and "restoration" (which sounds as composite).
 [[nodiscard]] SoundCharacter soundCharacterOf(std::string_view material);
 
 /// What drives the spindle: decides which tones accompany the rotation.

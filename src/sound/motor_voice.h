@@ -31,7 +31,7 @@ private:
         Phase phase;
         Glide gain;
     };
-    void aimTones(const DrillSoundState& state, double volume, double turnsPerFrame, int frames);
+    void aimTones(const DrillSoundState& state, double volume, int frames);
     void addTone(std::span<float> out, int index, double ratio, std::span<const double> turnsPerFrame);
     void addHiss(std::span<float> out, const DrillSoundState& state, double volume);
 

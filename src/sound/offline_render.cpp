@@ -42,7 +42,7 @@ std::unique_ptr<OpenAlStream> openLoopback(const LoopbackFunctions& loopback, bo
                                            ALC_HRTF_SOFT,
                                            headphones ? ALC_TRUE : ALC_FALSE,
                                            0};
-    return OpenAlStream::create(loopback.open(nullptr), attributes.data());
+    return OpenAlStream::create(loopback.open(nullptr), attributes.data(), headphones ? kHeadphoneGain : 1.0f);
 }
 
 /// Reads a track forwards: the state at any later time.
@@ -112,7 +112,7 @@ Expected<StereoSamples> renderOffline(std::span<const TimedSoundState> track, do
         const TimedSoundState now = reader.at(static_cast<double>((i + 1) * kSoundBlock) / kSoundRate);
         synthesiser.render(now.state, mono);
         stream->place(now.placement);
-        stream->hasRoom();
+        stream->reclaim();
         stream->queue(mono);
         stream->ensurePlaying();
         loopback.render(stream->device(), &stereo[i * kSoundBlock * 2], kSoundBlock);

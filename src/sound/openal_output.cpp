@@ -12,9 +12,9 @@
 #include <mutex>
 #include <utility>
 
+#include "sound/audio_libraries.h"
 #include "sound/drill_synthesiser.h"
 #include "sound/openal_stream.h"
-#include "sound/quiet_audio_libraries.h"
 
 namespace tactooth {
 
@@ -37,15 +37,9 @@ void pause(const std::stop_token& stop, std::chrono::microseconds time) {
 
 std::unique_ptr<OpenAlStream> openDefaultDevice(bool headphones) {
     silenceAlsaMessages();
-    // Mixing as often as a block is made; the default of 43 times a second would add 20 ms.
-    const std::array<ALCint, 7> attributes{ALC_FREQUENCY,
-                                           kSoundRate,
-                                           ALC_REFRESH,
-                                           kSoundRate / kSoundBlock,
-                                           ALC_HRTF_SOFT,
-                                           headphones ? ALC_TRUE : ALC_FALSE,
+    const std::array<ALCint, 5> attributes{ALC_FREQUENCY, kSoundRate, ALC_HRTF_SOFT, headphones ? ALC_TRUE : ALC_FALSE,
                                            0};
-    return OpenAlStream::create(alcOpenDevice(nullptr), attributes.data());
+    return OpenAlStream::create(alcOpenDevice(nullptr), attributes.data(), headphones ? kHeadphoneGain : 1.0f);
 }
 
 bool isConnected(ALCdevice* device) {
@@ -69,6 +63,7 @@ public:
 
     /// False once the device is gone.
     bool fill() {
+        stream_.reclaim();
         while (stream_.hasRoom()) {
             feedBlock();
             if (++blocks_ % kConnectedEvery == 0 && !isConnected(stream_.device())) return false;

@@ -8,7 +8,7 @@
 #include <stop_token>
 #include <thread>
 
-#include "sound/latest_value.h"
+#include "geometry/latest_value.h"
 #include "sound/sound_output.h"
 
 namespace tactooth {

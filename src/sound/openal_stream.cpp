@@ -5,6 +5,7 @@
 #include <AL/al.h>
 #include <AL/alext.h>
 
+#include <algorithm>
 #include <cassert>
 
 namespace tactooth {
@@ -18,12 +19,22 @@ ALCboolean makeCurrent(ALCcontext* context) {
     return perThread != nullptr ? perThread(context) : alcMakeContextCurrent(context);
 }
 
+constexpr int kSpareBlocks = 3;  // 15 ms
+
+// Blocks in one period of the device's mixer.
+int blocksTakenAtOnce(ALCdevice* device) {
+    ALCint periodsPerSecond = 0;
+    alcGetIntegerv(device, ALC_REFRESH, 1, &periodsPerSecond);
+    constexpr int kBlocksPerSecond = kSoundRate / kSoundBlock;
+    return periodsPerSecond > 0 ? (kBlocksPerSecond + periodsPerSecond - 1) / periodsPerSecond : 1;
+}
+
 }  // namespace
 
 ThreadContext::ThreadContext(ALCcontext* context) { makeCurrent(context); }
 ThreadContext::~ThreadContext() { makeCurrent(nullptr); }
 
-std::unique_ptr<OpenAlStream> OpenAlStream::create(ALCdevice* device, const ALCint* attributes) {
+std::unique_ptr<OpenAlStream> OpenAlStream::create(ALCdevice* device, const ALCint* attributes, float gain) {
     if (device == nullptr) return nullptr;
     ALCcontext* context = alcCreateContext(device, attributes);
     if (context == nullptr) {
@@ -32,17 +43,19 @@ std::unique_ptr<OpenAlStream> OpenAlStream::create(ALCdevice* device, const ALCi
     }
     std::unique_ptr<OpenAlStream> stream(new OpenAlStream(device, context));
     const ThreadContext current(context);
-    if (!stream->makeSource()) return nullptr;
+    if (!stream->makeSource(gain)) return nullptr;
     return stream;
 }
 
-bool OpenAlStream::makeSource() {
+bool OpenAlStream::makeSource(float gain) {
     if (alIsExtensionPresent("AL_EXT_FLOAT32") == AL_FALSE) return false;
     alGetError();
     alGenSources(1, &source_);
-    alGenBuffers(kQueue, buffers_.data());
+    queueLength_ = std::clamp(blocksTakenAtOnce(device_) + kSpareBlocks, 1, kLongestQueue);
+    alGenBuffers(queueLength_, buffers_.data());
     free_ = buffers_;
-    freeCount_ = kQueue;
+    freeCount_ = queueLength_;
+    alSourcef(source_, AL_GAIN, gain);
     alSourcef(source_, AL_ROLLOFF_FACTOR, 0.0f);  // direction only, see SoundPlacement
     return alGetError() == AL_NO_ERROR;
 }
@@ -53,18 +66,17 @@ OpenAlStream::~OpenAlStream() {
         if (source_ != 0) {
             alSourceStop(source_);
             alDeleteSources(1, &source_);
-            alDeleteBuffers(kQueue, buffers_.data());
+            alDeleteBuffers(queueLength_, buffers_.data());
         }
     }
     alcDestroyContext(context_);
     alcCloseDevice(device_);
 }
 
-bool OpenAlStream::hasRoom() {
+void OpenAlStream::reclaim() {
     ALint played = 0;
     alGetSourcei(source_, AL_BUFFERS_PROCESSED, &played);
-    for (; played > 0 && freeCount_ < kQueue; --played) alSourceUnqueueBuffers(source_, 1, &free_[freeCount_++]);
-    return freeCount_ > 0;
+    for (; played > 0 && freeCount_ < queueLength_; --played) alSourceUnqueueBuffers(source_, 1, &free_[freeCount_++]);
 }
 
 void OpenAlStream::queue(std::span<const float> mono) {

@@ -6,7 +6,6 @@
 
 #include <array>
 #include <memory>
-#include <optional>
 #include <span>
 
 #include "sound/sound_format.h"
@@ -24,14 +23,17 @@ public:
     ThreadContext& operator=(const ThreadContext&) = delete;
 };
 
+/// Amplitude for a context with HRTF: at the near ear some frequencies come out twice as strong as they went in (1.85
+/// times measured, cutting sound from the side), so that a source at its ceiling would clip.
+inline constexpr float kHeadphoneGain = 0.5f;
+
 /// An OpenAL device with one context and one source that plays a queue of short blocks. Every call but the destructor
 /// needs its context() to be current.
 class OpenAlStream {
 public:
-    static constexpr int kQueue = 4;  ///< blocks: 20 ms, enough for a thread that is woken late
-
-    /// Takes over `device`; none if it cannot make a context or a source. `attributes` as for alcCreateContext.
-    static std::unique_ptr<OpenAlStream> create(ALCdevice* device, const ALCint* attributes);
+    /// Takes over `device`; none if it cannot make a context or a source. `attributes` as for alcCreateContext;
+    /// `gain` multiplies the amplitude.
+    static std::unique_ptr<OpenAlStream> create(ALCdevice* device, const ALCint* attributes, float gain);
     ~OpenAlStream();
     OpenAlStream(const OpenAlStream&) = delete;
     OpenAlStream& operator=(const OpenAlStream&) = delete;
@@ -39,8 +41,12 @@ public:
     [[nodiscard]] ALCdevice* device() const { return device_; }
     [[nodiscard]] ALCcontext* context() const { return context_; }
 
-    /// Takes back the blocks that have been played; true if the queue has room for another.
-    bool hasRoom();
+    /// Takes back the blocks that have been played. Once before filling up, not in between: in a source that ran dry
+    /// each block counts as played as soon as it is queued.
+    void reclaim();
+    [[nodiscard]] bool hasRoom() const { return freeCount_ > 0; }
+    /// Blocks that the queue holds: what the device takes at a time, and enough more for a thread that is woken late.
+    [[nodiscard]] int queueLength() const { return queueLength_; }
     /// Appends a block of one channel. Needs room.
     void queue(std::span<const float> mono);
     /// Starts playing, again if it had run out of blocks; true if it was not playing.
@@ -48,14 +54,17 @@ public:
     void place(const SoundPlacement& placement);
 
 private:
+    static constexpr int kLongestQueue = 16;
+
     OpenAlStream(ALCdevice* device, ALCcontext* context) : device_(device), context_(context) {}
-    bool makeSource();
+    bool makeSource(float gain);
 
     ALCdevice* device_;
     ALCcontext* context_;
     unsigned source_ = 0;
-    std::array<unsigned, kQueue> buffers_{};
-    std::array<unsigned, kQueue> free_{};
+    int queueLength_ = 0;
+    std::array<unsigned, kLongestQueue> buffers_{};
+    std::array<unsigned, kLongestQueue> free_{};
     int freeCount_ = 0;
 };
 

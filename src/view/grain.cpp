@@ -59,7 +59,7 @@ gl::Texture makeGrainTexture() {
                 for (std::size_t channel = 0; channel < 4; ++channel) {
                     const float fine = static_cast<float>(random() % 256);
                     texel[channel] =
-                        static_cast<std::uint8_t>(0.4F * fine + 0.6F * 255.0F * coarse[channel].at(x, y, z));
+                        static_cast<std::uint8_t>(0.25F * fine + 0.75F * 255.0F * coarse[channel].at(x, y, z));
                 }
                 texels.push_back(texel);
             }

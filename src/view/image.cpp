@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <system_error>
+#include <cstddef>
+
+#include "geometry/atomic_file.h"
 
 namespace tactooth {
 
@@ -33,20 +35,17 @@ Expected<void> writePng(const Image& image, const std::filesystem::path& file) {
     png.header.width = static_cast<png_uint_32>(image.size.width);
     png.header.height = static_cast<png_uint_32>(image.size.height);
     png.header.format = PNG_FORMAT_RGBA;
-    const std::filesystem::path unfinished = file.string() + ".part";
-    std::error_code failed;
-    if (png_image_write_to_file(&png.header, unfinished.c_str(), 0, image.pixels.data(), 0, nullptr) == 0) {
-        std::filesystem::remove(unfinished, failed);
-        return unexpected("cannot write the picture " + file.string() + " (" + png.header.message +
-                          "): choose a folder that exists and may be written to");
+    png_alloc_size_t bytes = 0;
+    std::vector<std::byte> encoded;
+    if (png_image_write_to_memory(&png.header, nullptr, &bytes, 0, image.pixels.data(), 0, nullptr) != 0) {
+        encoded.resize(bytes);
+        png_image_write_to_memory(&png.header, encoded.data(), &bytes, 0, image.pixels.data(), 0, nullptr);
     }
-    std::filesystem::rename(unfinished, file, failed);
-    if (failed) {
-        const std::string reason = failed.message();
-        std::filesystem::remove(unfinished, failed);
-        return unexpected("cannot write the picture " + file.string() + " (" + reason + "): choose another name");
+    if (PNG_IMAGE_FAILED(png.header)) {
+        return unexpected("cannot encode the picture " + file.string() + " (" + png.header.message +
+                          "): choose a smaller size");
     }
-    return {};
+    return writeFile(file, {encoded.data(), bytes});
 }
 
 Expected<Image> readPng(const std::filesystem::path& file) {

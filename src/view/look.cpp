@@ -8,11 +8,10 @@ namespace tactooth::looks {
 // chosen by eye against clinical photographs.
 Look enamel() {
     return {
-        .colour = {0.93F, 0.895F, 0.82F}, .roughness = 0.34F, .translucency = 0.75F, .wetness = 0.9F, .grain = 0.22F};
+        .colour = {0.93F, 0.895F, 0.82F}, .roughness = 0.34F, .translucency = 0.75F, .wetness = 0.9F, .grain = 0.12F};
 }
 Look dentin() {
-    return {
-        .colour = {0.87F, 0.74F, 0.51F}, .roughness = 0.62F, .translucency = 0.4F, .wetness = 0.22F, .grain = 0.45F};
+    return {.colour = {0.90F, 0.80F, 0.60F}, .roughness = 0.62F, .translucency = 0.4F, .wetness = 0.22F, .grain = 0.3F};
 }
 Look pulp() {
     return {.colour = {0.72F, 0.17F, 0.16F}, .roughness = 0.4F, .translucency = 0.6F, .wetness = 0.9F, .grain = 0.3F};

@@ -16,7 +16,7 @@ constexpr int kSectors = 128;             ///< of the drawn disc: its rim is the
 constexpr double kGlassClearance = 0.01;  ///< mm in front of the plane: the mirror's own glass is not reflected
 
 /// A vector along the disc and one square to it, both as long as the radius; right x up points along the normal.
-std::pair<Vec3, Vec3> discAxes(const MirrorDisc& mirror) {
+std::pair<Vec3, Vec3> discAxes(const SceneMirror& mirror) {
     const Vec3 normal = mirror.planeInWorld().normal;
     const Vec3 right = normal.unitOrthogonal();
     return {mirror.radius * right, mirror.radius * normal.cross(right)};
@@ -24,7 +24,7 @@ std::pair<Vec3, Vec3> discAxes(const MirrorDisc& mirror) {
 
 }  // namespace
 
-PixelRectangle coveredPixels(const MirrorDisc& mirror, const Camera& camera, PictureSize size) {
+PixelRectangle coveredPixels(const SceneMirror& mirror, const Camera& camera, PictureSize size) {
     if (mirror.planeInWorld().signedDistance(camera.cameraInWorld.position) <= kGlassClearance) return {};
     const PixelRectangle whole{Eigen::Vector2i::Zero(), Eigen::Vector2i(size.width, size.height)};
     const auto [right, up] = discAxes(mirror);
@@ -74,7 +74,7 @@ Expected<MirrorPass> MirrorPass::create() {
     return pass;
 }
 
-void MirrorPass::draw(const MirrorDisc& mirror, const FrameBlock& frame, const RenderTarget& reflection) const {
+void MirrorPass::draw(const SceneMirror& mirror, const FrameBlock& frame, const RenderTarget& reflection) const {
     glBindBuffer(GL_UNIFORM_BUFFER, frameBuffer_.name());
     glBufferData(GL_UNIFORM_BUFFER, sizeof frame, &frame, GL_STREAM_DRAW);
     glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBinding, frameBuffer_.name());

@@ -17,7 +17,7 @@ struct PixelRectangle {
 };
 
 /// The pixels that `mirror` can cover; empty if it is seen from behind or not at all.
-[[nodiscard]] PixelRectangle coveredPixels(const MirrorDisc& mirror, const Camera& camera, PictureSize size);
+[[nodiscard]] PixelRectangle coveredPixels(const SceneMirror& mirror, const Camera& camera, PictureSize size);
 
 /// The view by way of the mirror: the world reflected in its plane, and nothing from behind the glass.
 [[nodiscard]] PassView reflectedView(const PassView& direct, const Plane& mirror);
@@ -29,7 +29,7 @@ struct PixelRectangle {
 class MirrorPass {
 public:
     [[nodiscard]] static Expected<MirrorPass> create();
-    void draw(const MirrorDisc& mirror, const FrameBlock& frame, const RenderTarget& reflection) const;
+    void draw(const SceneMirror& mirror, const FrameBlock& frame, const RenderTarget& reflection) const;
 
 private:
     ShaderProgram program_;

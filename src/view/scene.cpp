@@ -14,7 +14,7 @@ const TriangleMesh* meshOf(const SceneShape& shape) {
 
 }  // namespace
 
-Plane MirrorDisc::planeInWorld() const {
+Plane SceneMirror::planeInWorld() const {
     const Vec3 worldNormal = mirrorInWorld.rotation * normal;
     return {worldNormal, worldNormal.dot(mirrorInWorld * centre)};
 }

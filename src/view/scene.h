@@ -32,7 +32,7 @@ struct SceneObject {
 inline constexpr std::size_t kMaxLooks = 8;
 
 /// A round flat mirror that shows the scene in front of it.
-struct MirrorDisc {
+struct SceneMirror {
     Pose mirrorInWorld;
     Vec3 centre = Vec3::Zero();   ///< mirror frame, mm
     Vec3 normal = Vec3::UnitZ();  ///< mirror frame, unit; the side that reflects
@@ -45,11 +45,11 @@ struct MirrorDisc {
 /// Light of the dental unit. Directions point from the scene to the light, world frame, unit. Colours are linear.
 struct Lighting {
     Vec3 toKey = Vec3(0.35, 0.45, 0.82).normalized();  ///< the operating light; it throws the shadows
-    Vec3f keyColour = Vec3f(2.55F, 2.45F, 2.28F);      ///< about 5000 K
+    Vec3f keyColour = Vec3f(1.14F, 1.10F, 1.035F);     ///< about 5000 K
     Vec3 toFill = Vec3(-0.5, 0.4, 0.3).normalized();   ///< a weak light without shadow that opens dark sides
-    Vec3f fillColour = Vec3f(0.42F, 0.46F, 0.54F);
-    Vec3f skyColour = Vec3f(0.62F, 0.64F, 0.68F);     ///< from above
-    Vec3f groundColour = Vec3f(0.24F, 0.21F, 0.20F);  ///< from below
+    Vec3f fillColour = Vec3f(0.10F, 0.115F, 0.14F);
+    Vec3f skyColour = Vec3f(0.27F, 0.28F, 0.30F);       ///< from above
+    Vec3f groundColour = Vec3f(0.085F, 0.075F, 0.07F);  ///< from below
 };
 
 /// The operating light stands over the dentist's shoulder: to the upper left of the eye, as that light is swung to
@@ -71,7 +71,7 @@ struct Background {
 /// All that a picture shows. Plain data, filled by the caller and only read by the renderer.
 struct Scene {
     std::vector<SceneObject> objects;
-    std::optional<MirrorDisc> mirror;
+    std::optional<SceneMirror> mirror;
     Camera camera;
     Lighting lighting;
     Background background;

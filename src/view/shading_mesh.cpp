@@ -86,7 +86,9 @@ private:
 
 TriangleCluster clusterOf(const ShadingMesh& mesh, std::uint32_t first, std::uint32_t count) {
     const auto point = [&](std::uint32_t vertex) { return Vec3f(mesh.vertices[vertex].position.data()); };
-    TriangleCluster cluster{.firstTriangle = first, .triangles = count};
+    TriangleCluster cluster;
+    cluster.firstTriangle = first;
+    cluster.triangles = count;
     Eigen::AlignedBox3f box;
     std::vector<Vec3f> facets;
     facets.reserve(count);

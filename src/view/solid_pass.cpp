@@ -15,6 +15,7 @@ namespace {
 
 constexpr int kGrainUnit = 0;
 constexpr int kShadowUnit = 1;
+constexpr int kBackgroundVertices = 6 * 40 * 25;  ///< as background.vert.glsl counts its cells
 
 // Taps of the shadow lookup by Shadows. Twelve on a turned spiral leave no visible grain at 1080p.
 constexpr std::array<int, 3> kShadowTaps = {0, 1, 12};
@@ -33,18 +34,18 @@ Vec3f linearColour(const Vec3f& srgb) {
 Expected<SolidPass> SolidPass::create() {
     SolidPass pass;
     for (std::size_t i = 0; i < kShadowTaps.size(); ++i) {
-        auto program =
-            ShaderProgram::create("solid", definesFor(kShadowTaps[i]), {shaders::kFrame, shaders::kSolidVert},
-                                  {shaders::kFrame, shaders::kColour, shaders::kEnvironment, shaders::kSolidFrag});
+        auto program = ShaderProgram::create(
+            "solid", definesFor(kShadowTaps[i]), {shaders::kFrame, shaders::kSolidVert},
+            {shaders::kFrame, shaders::kColour, shaders::kDither, shaders::kEnvironment, shaders::kSolidFrag});
         if (!program) return Unexpected{program.error()};
         pass.programs_[i] = std::move(*program);
         pass.programs_[i].use();
         pass.programs_[i].set("grainTexture", kGrainUnit);
         pass.programs_[i].set("shadowMap", kShadowUnit);
     }
-    auto background =
-        ShaderProgram::create("background", "", {shaders::kWholePictureVert},
-                              {shaders::kFrame, shaders::kColour, shaders::kEnvironment, shaders::kBackgroundFrag});
+    auto background = ShaderProgram::create(
+        "background", "", {shaders::kFrame, shaders::kColour, shaders::kEnvironment, shaders::kBackgroundVert},
+        {shaders::kDither, shaders::kBackgroundFrag});
     if (!background) return Unexpected{background.error()};
     pass.background_ = std::move(*background);
     pass.grain_ = makeGrainTexture();
@@ -69,7 +70,7 @@ void SolidPass::draw(const std::vector<Drawable>& drawables, const PassView& vie
     glDisable(GL_DEPTH_TEST);
     background_.use();
     glBindVertexArray(noVertices_.name());
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDrawArrays(GL_TRIANGLES, 0, kBackgroundVertices);
     glEnable(GL_DEPTH_TEST);
 
     glFrontFace(view.mirrored ? GL_CW : GL_CCW);

@@ -34,15 +34,13 @@ constexpr Average kAverages[] = {{lowerFirstMolar, 46, 7.5, 14.0, 11.0, 10.5, 9.
 constexpr double kTolerance = 0.03;  // of each length
 
 const BuiltinTooth& toothOf(BuiltinToothKind kind) {
-    static const std::map<BuiltinToothKind, BuiltinTooth> teeth = [] {
-        std::map<BuiltinToothKind, BuiltinTooth> all;
-        for (const Average& average : kAverages) all[average.kind] = makeBuiltinTooth(average.kind);
-        return all;
-    }();
-    return teeth.at(kind);
+    static std::map<BuiltinToothKind, BuiltinTooth> made;
+    const auto [place, isNew] = made.try_emplace(kind);
+    if (isNew) place->second = makeBuiltinTooth(kind);
+    return place->second;
 }
 
-std::array<const TriangleMesh*, 5> layersOf(const BuiltinTooth& tooth) {
+std::array<const TriangleMesh*, 5> meshesOf(const BuiltinTooth& tooth) {
     return {&tooth.outer, &tooth.enamel, &tooth.dentin, &tooth.pulp, &tooth.caries};
 }
 
@@ -64,21 +62,28 @@ protected:
 };
 
 TEST_P(EveryTooth, LayersAreClosedAndFaceOutward) {
-    for (const TriangleMesh* layer : layersOf(tooth_)) {
+    for (const TriangleMesh* layer : meshesOf(tooth_)) {
         EXPECT_TRUE(test::isClosedAndOriented(*layer));
         EXPECT_GT(test::volumeOf(*layer), 1.0);
     }
 }
 
 TEST_P(EveryTooth, LayersAreOnePieceWithoutHandles) {
-    for (const TriangleMesh* layer : layersOf(tooth_)) {
+    for (const TriangleMesh* layer : meshesOf(tooth_)) {
         const auto vertices = static_cast<int>(layer->vertices.size());
         EXPECT_EQ(vertices - static_cast<int>(layer->triangles.size()) / 2, 2);
     }
 }
 
 TEST_P(EveryTooth, LayersDoNotIntersectThemselves) {
-    for (const TriangleMesh* layer : layersOf(tooth_)) EXPECT_FALSE(test::intersectsItself(*layer));
+    for (const TriangleMesh* layer : meshesOf(tooth_)) EXPECT_FALSE(test::intersectsItself(*layer));
+}
+
+TEST_P(EveryTooth, LayersDoNotIntersectThemselvesAtOtherFinenesses) {
+    for (const int triangles : {6000, 13000, 35000}) {
+        const BuiltinTooth tooth = makeBuiltinTooth(average_.kind, triangles);
+        for (const TriangleMesh* layer : meshesOf(tooth)) EXPECT_FALSE(test::intersectsItself(*layer)) << triangles;
+    }
 }
 
 TEST_P(EveryTooth, HasTheLengthsOfTheAverageTooth) {
@@ -183,6 +188,27 @@ TEST_P(EveryTooth, LesionReachesFromTheSurfaceIntoTheDentinButNotThePulp) {
     }
 }
 
+TEST_P(EveryTooth, IsALayeredToothWithEnamelAboveTheCervicalLineAndDentinBelow) {
+    const auto layered = LayeredTooth::make(tooth_.outer, layersOf(tooth_));
+    ASSERT_TRUE(layered.has_value()) << layered.error().message;
+    EXPECT_EQ(layered->layers().size(), 4u);
+    const SurfacePart& outer = *layered->outer();
+    int enamel = 0, dentin = 0;
+    for (std::uint32_t i = 0; i < tooth_.outer.triangles.size(); ++i) {
+        const double z = tooth_.outer.corner(i, 0).z();
+        const auto tag = static_cast<MaterialId>(outer.tag(i));
+        if (z < -0.5) {
+            EXPECT_EQ(tag, MaterialId::Dentin);
+            ++dentin;
+        } else if (z > average_.mesialRise + 1.0 && tag != MaterialId::Caries) {
+            EXPECT_EQ(tag, MaterialId::Enamel);
+            ++enamel;
+        }
+    }
+    EXPECT_GT(enamel, 4000);
+    EXPECT_GT(dentin, 4000);
+}
+
 INSTANTIATE_TEST_SUITE_P(Builtin, EveryTooth, testing::ValuesIn(kAverages),
                          [](const auto& instance) { return "Fdi" + std::to_string(instance.param.fdi); });
 
@@ -231,7 +257,7 @@ TEST(BuiltinTooth, IsTheSameOnAnyNumberOfThreads) {
     const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
     for (const Average& average : kAverages) {
         const BuiltinTooth again = makeBuiltinTooth(average.kind);
-        const auto first = layersOf(toothOf(average.kind)), second = layersOf(again);
+        const auto first = meshesOf(toothOf(average.kind)), second = meshesOf(again);
         for (std::size_t i = 0; i < first.size(); ++i) EXPECT_TRUE(test::areBitEqual(*first[i], *second[i]));
     }
 }

@@ -9,7 +9,10 @@
 #include <memory>
 #include <string>
 
+#include "app/cli/contact_command.h"
+#include "app/cli/cut_command.h"
 #include "app/cli/exit_code.h"
+#include "app/cli/feel_command.h"
 #include "app/cli/info_command.h"
 
 namespace tactooth {
@@ -34,6 +37,98 @@ void addInfo(CLI::App& program, Chosen& chosen) {
         "Shows what the surfaces in STL files are like: size, closed or not, volume, findings.", options, runInfo);
     command->add_option("FILE", options->files, "STL files, binary or ASCII, in mm")->required()->type_name("");
     command->add_flag("--json", options->json, "Write one JSON object for each file, one a line");
+}
+
+void addContact(CLI::App& program, Chosen& chosen) {
+    const auto options = std::make_shared<ContactOptions>();
+    CLI::App* command =
+        addCommand(program, chosen, "contact",
+                   "How deep a tool stands in a tooth at single poses, and the shortest way out.", options, runContact);
+    command->add_option("--tooth", options->tooth, "The tooth's STL file, mm")->required()->type_name("FILE");
+    command->add_option("--tool", options->tool, "The tool's STL file, mm: tip at the origin, +z along the shaft")
+        ->required()
+        ->type_name("FILE");
+    command
+        ->add_option("--poses", options->poses, "CSV file t,x,y,z,qw,qx,qy,qz: the tool in the tooth's frame, s and mm")
+        ->required()
+        ->type_name("FILE");
+    command->add_option("--out", options->out, "CSV file to write: t,touching,depth,nx,ny,nz,px,py,pz,contacts,micros")
+        ->required()
+        ->type_name("FILE");
+}
+
+void addFeel(CLI::App& program, Chosen& chosen) {
+    const auto options = std::make_shared<FeelOptions>();
+    CLI::App* command = addCommand(program, chosen, "feel",
+                                   "What a hand that follows a trajectory feels, tick by tick.", options, runFeel);
+    command->add_option("--tooth", options->tooth, "The tooth's STL file, mm")->required()->type_name("FILE");
+    command->add_option("--tool", options->tool, "The tool's STL file, mm: tip at the origin, +z along the shaft")
+        ->required()
+        ->type_name("FILE");
+    command->add_option("--trajectory", options->trajectory, "CSV file t,x,y,z,qw,qx,qy,qz: the hand's way, s and mm")
+        ->required()
+        ->type_name("FILE");
+    command->add_option("--out", options->out, "CSV file to write, one row a tick: depth, normal, force, torque, proxy")
+        ->required()
+        ->type_name("FILE");
+    command
+        ->add_option("--mode", options->mode,
+                     "proxy: never enters the tooth (default); penalty: deepest pair of triangles, for comparison")
+        ->check(CLI::IsMember({"proxy", "penalty"}))
+        ->type_name("MODE");
+    command->add_option("--stiffness", options->stiffness, "Spring, N/mm (default: the material's)")
+        ->check(CLI::NonNegativeNumber)
+        ->type_name("K");
+    command->add_option("--damping", options->damping, "Damper, N*s/mm (default: the material's)")
+        ->check(CLI::NonNegativeNumber)
+        ->type_name("C");
+    command
+        ->add_option("--friction", options->friction,
+                     "Coulomb friction coefficient (default: 0, the bare spring and damper)")
+        ->check(CLI::NonNegativeNumber)
+        ->type_name("MU");
+}
+
+void addCut(CLI::App& program, Chosen& chosen) {
+    const auto options = std::make_shared<CutOptions>();
+    CLI::App* command =
+        addCommand(program, chosen, "cut", "Cuts a tooth with a spinning bur along a trajectory.", options, runCut);
+    command->add_option("--tooth", options->tooth, "The tooth's outer surface, a closed STL file, mm")
+        ->required()
+        ->type_name("FILE");
+    command
+        ->add_option("--layer", options->layers,
+                     "What is inside: enamel, dentin, pulp, caries, restoration or other, each a closed STL file; may "
+                     "be given several times, inner layers win")
+        ->type_name("NAME=FILE")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    command->add_option("--material", options->material, "What a tooth without layers is made of (default: enamel)")
+        ->type_name("NAME");
+    command->add_option("--tool", options->tool, "The bur's STL file, mm: tip at the origin, +z along the shaft")
+        ->required()
+        ->type_name("FILE");
+    command->add_option("--trajectory", options->trajectory, "CSV file t,x,y,z,qw,qx,qy,qz: the hand's way, s and mm")
+        ->required()
+        ->type_name("FILE");
+    command->add_option("--speed-rpm", options->speedRpm, "Speed of the bur, rev/min; a bur at rest cuts nothing")
+        ->required()
+        ->check(CLI::Range(0.0, 1e6))
+        ->type_name("N");
+    command->add_option("--voxel", options->voxel, "Spacing of the cut volume, mm (default: 0.05)")
+        ->check(CLI::Range(0.005, 0.5))
+        ->type_name("MM");
+    command
+        ->add_option("--feed", options->feed, "law: the material resists (default); rigid: everything on the way goes")
+        ->check(CLI::IsMember({"law", "rigid"}))
+        ->type_name("FEED");
+    command->add_option("--out", options->out, "STL file to write: the cut tooth")->required()->type_name("FILE");
+    command->add_option("--forces", options->forces, "CSV file to write, one row a tick, as 'feel' does")
+        ->type_name("FILE");
+    command
+        ->add_option("--removed", options->removed,
+                     "CSV file to write: t,enamel,dentin,pulp,caries,other, mm^3 since the start")
+        ->type_name("FILE");
 }
 
 /// The program without a command.
@@ -69,6 +164,9 @@ int runCommandLine(int argc, const char* const* argv) {
     program.require_subcommand(0, 1);
     Chosen chosen = [&program] { return runWithoutCommand(program); };
     addInfo(program, chosen);
+    addContact(program, chosen);
+    addFeel(program, chosen);
+    addCut(program, chosen);
     try {
         program.parse(argc, argv);
     } catch (const CLI::Success& help) {  // --help or --version

@@ -6,7 +6,7 @@
 #include <memory>
 #include <utility>
 
-#include "instruments/anatomy/blend.h"
+#include "instruments/modelling/blend.h"
 
 namespace tactooth {
 namespace {
@@ -14,9 +14,9 @@ namespace {
 /// The same outlines with their widest place in the middle between the labial and the lingual face.
 std::vector<Section> centred(std::vector<Section> sections) {
     for (Section& s : sections) {
-        const double half = (s.buccal + s.lingual) / 2;
-        s.y += (s.buccal - s.lingual) / 2;
-        s.buccal = s.lingual = half;
+        const double half = (s.plusY + s.minusY) / 2;
+        s.y += (s.plusY - s.minusY) / 2;
+        s.plusY = s.minusY = half;
     }
     return sections;
 }
@@ -32,9 +32,11 @@ public:
     }
 
     [[nodiscard]] double core(const Vec3& p) const {
-        const double height = cervical(p);
+        const double height = cervical(p), surface = outer(p);
+        if (height <= 0) return surface;
         constexpr double kFeather = 1.6;  // mm over which the enamel grows from its thin edge
-        return outer(p) + (height > 0 ? plan_.enamelThickness * (1 - std::exp(-height / kFeather)) : 0);
+        const double thickness = plan_.enamelThickness * (1 - std::exp(-height / kFeather));
+        return smoothIntersection(surface + thickness, edge(p) + plan_.incisalEnamel, 0.6);
     }
 
     [[nodiscard]] double cervical(const Vec3& p) const {
@@ -58,8 +60,8 @@ private:
 
     [[nodiscard]] double depthOf(const Furrow& f, const Vec3& p) const {
         const Section section = body_.at(p.z());
-        const double fromMiddle = std::abs(p.y() - section.y) / section.buccal;  // so that neither face has the other's
-        constexpr double kFade = 1.5;                                            // mm above and below
+        const double fromMiddle = std::abs(p.y() - section.y) / section.plusY;  // so that neither face has the other's
+        constexpr double kFade = 1.5;                                           // mm above and below
         return f.depth * bump(p.x() - f.x, f.width) * smoothStep(f.from - kFade, f.from, p.z()) *
                smoothStep(f.to + kFade, f.to, p.z()) * smoothStep(0.0, 0.6, fromMiddle);
     }
@@ -69,7 +71,7 @@ private:
         const double round = plan_.edgeRoundness;
         const double fall = slope * (std::sqrt(aside * aside + round * round) - round);
         const Section top = body_.at(plan_.edgeZ);
-        const double lingually = top.y + top.buccal - p.y();
+        const double lingually = top.y + top.plusY - p.y();
         const double height = p.z() - plan_.edgeZ + fall + plan_.bevel * lingually;
         return height / std::sqrt(1 + slope * slope + plan_.bevel * plan_.bevel);
     }

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "instruments/anatomy/section_loft.h"
 #include "instruments/anatomy/tooth_shape.h"
+#include "instruments/modelling/section_loft.h"
 
 namespace tactooth {
 
@@ -20,17 +20,18 @@ struct Furrow {
 struct FrontToothPlan {
     std::string name;
     int fdi = 0;
-    std::vector<Section> body;              ///< from the apex to above the edge
-    double apex = 0;                        ///< height of the root's end
-    double edgeX = 0, edgeZ = 0;            ///< highest point of the incisal edge
+    std::vector<Section> body;    ///< from the apex to above the edge; a lingual face in front of the axis is negative
+    double apex = 0;              ///< height of the root's end
+    double edgeX = 0, edgeZ = 0;  ///< highest point of the incisal edge
     double mesialFall = 0, distalFall = 0;  ///< slopes of the edge away from it
     double edgeRoundness = 0.2;             ///< over which the two slopes meet
     double bevel = 0.3;                     ///< slope of the edge toward the tongue
     std::vector<Furrow> labial, lingual;
     double mesialRise = 0, distalRise = 0;  ///< of the cervical line at the proximal sides
     double cervicalHalfWidth = 3;
-    double enamelThickness = 1;
-    std::vector<Section> pulp;      ///< from the canal's end to the horns
+    double enamelThickness = 1;  ///< at the labial and lingual face
+    double incisalEnamel = 2;    ///< at right angles to the edge's slope; the core ends before it is as thin as a knife
+    std::vector<Section> pulp;   ///< from the canal's end to the horns
     Vec3 lesionFrom, lesionToward;  ///< a line from within the tooth to where the lesion breaks the surface
 };
 

@@ -3,12 +3,13 @@
 //
 // Lower right first molar (46). Lengths and diameters: Wheeler's table of average teeth; pulp chamber: A. S. Deutsch,
 // B. L. Musikant, J. Endod. 30 (2004) 388. Everything else is modelled after textbook drawings.
-#include <array>
+#include <algorithm>
+#include <cmath>
 #include <memory>
 
-#include "instruments/anatomy/blend.h"
-#include "instruments/anatomy/section_loft.h"
 #include "instruments/anatomy/tooth_shape.h"
+#include "instruments/modelling/blend.h"
+#include "instruments/modelling/section_loft.h"
 
 namespace tactooth {
 namespace {
@@ -22,13 +23,15 @@ constexpr Section kCrown[] = {{-4.2, 2.9, 2.8, 2.6, 2.6, 2.4, 0, 0},     {-2.6, 
                               {6.2, 5.25, 5.15, 3.80, 4.62, 2.25, 0, 0}, {8.0, 4.60, 4.40, 2.90, 3.80, 2.2, 0, 0}};
 
 constexpr Section kMesialRoot[] = {
-    {-14.0, 0.70, 0.65, 1.00, 1.00, 2.1, 1.45, 0.1}, {-13.0, 0.98, 0.95, 1.70, 1.65, 2.2, 1.80, 0.1},
+    {-14.0, 0.24, 0.22, 0.35, 0.35, 2.0, 1.45, 0.1}, {-13.85, 0.50, 0.46, 0.72, 0.70, 2.0, 1.52, 0.1},
+    {-13.5, 0.72, 0.68, 1.18, 1.15, 2.1, 1.62, 0.1}, {-12.7, 1.00, 0.96, 1.80, 1.75, 2.2, 1.88, 0.1},
     {-11.0, 1.28, 1.25, 2.60, 2.50, 2.4, 2.35, 0.0}, {-8.0, 1.55, 1.50, 3.40, 3.30, 2.5, 2.75, 0.0},
     {-5.0, 1.75, 1.65, 3.90, 3.80, 2.6, 2.70, 0.0},  {-2.5, 1.95, 1.90, 4.15, 4.05, 2.6, 2.35, 0.0},
     {0.0, 2.0, 2.0, 4.20, 4.10, 2.6, 2.1, 0.0}};
 
 constexpr Section kDistalRoot[] = {
-    {-13.2, 0.65, 0.65, 0.95, 0.95, 2.1, -3.75, 0.0}, {-12.0, 0.92, 0.92, 1.55, 1.50, 2.2, -3.65, 0.0},
+    {-13.2, 0.22, 0.22, 0.32, 0.32, 2.0, -3.75, 0.0}, {-13.05, 0.46, 0.46, 0.66, 0.64, 2.0, -3.74, 0.0},
+    {-12.7, 0.68, 0.68, 1.08, 1.05, 2.1, -3.71, 0.0}, {-11.9, 0.93, 0.93, 1.60, 1.56, 2.2, -3.63, 0.0},
     {-10.0, 1.22, 1.22, 2.30, 2.25, 2.3, -3.40, 0.0}, {-7.5, 1.48, 1.48, 3.05, 3.00, 2.4, -3.05, 0.0},
     {-5.0, 1.65, 1.72, 3.65, 3.55, 2.5, -2.70, 0.0},  {-2.5, 1.85, 1.90, 4.00, 3.90, 2.6, -2.40, 0.0},
     {0.0, 1.9, 2.0, 4.10, 4.00, 2.6, -2.2, 0.0}};
@@ -41,6 +44,7 @@ struct Cusp {
     double along;            // slope of the ridges beside them
 };
 
+// Heights, positions and slopes in mm and mm/mm; the lingual cusps are the higher ones, as the tooth leans.
 constexpr Cusp kCusps[] = {{2.55, 2.55, 7.15, -0.22, -0.975, 0.84, 1.10, 0.62},   // mesiobuccal
                            {-0.75, 2.80, 6.95, 0.05, -0.999, 0.80, 1.10, 0.70},   // distobuccal
                            {-3.45, 1.55, 6.45, 0.75, -0.661, 0.66, 1.00, 0.72},   // distal
@@ -59,17 +63,20 @@ struct Groove {
 };
 
 // The central groove zigzags from the mesial to the distal pit; grooves leave it between the cusps.
-constexpr Groove kGrooves[] = {{3.45, -0.15, 1.05, -0.30, 0.45, 0.38},  {1.05, -0.30, -0.60, 0.15, 0.48, 0.38},
-                               {-0.60, 0.15, -3.25, -0.55, 0.45, 0.38}, {1.05, -0.30, 1.00, 4.6, 0.40, 0.40},
-                               {-2.15, 0.0, -2.50, 4.0, 0.36, 0.38},    {0.40, -0.15, 0.45, -4.9, 0.40, 0.40},
-                               {3.45, -0.15, 4.05, 0.85, 0.30, 0.34},   {3.45, -0.15, 4.05, -1.1, 0.30, 0.34},
-                               {-3.25, -0.55, -3.95, -1.5, 0.30, 0.34}};
+constexpr Groove kGrooves[] = {{3.45, -0.15, 1.05, -0.30, 0.36, 0.42},  {1.05, -0.30, -0.60, 0.15, 0.38, 0.42},
+                               {-0.60, 0.15, -3.25, -0.55, 0.36, 0.42}, {1.05, -0.30, 1.00, 4.6, 0.38, 0.44},
+                               {-2.15, 0.0, -2.50, 4.0, 0.34, 0.42},    {0.40, -0.15, 0.45, -4.9, 0.36, 0.44},
+                               {3.45, -0.15, 4.05, 0.85, 0.26, 0.38},   {3.45, -0.15, 4.05, -1.1, 0.26, 0.38},
+                               {-3.25, -0.55, -3.95, -1.5, 0.26, 0.38}, {2.3, -0.2, 3.1, 1.9, 0.13, 0.35},
+                               {0.3, 0.0, -0.05, 1.9, 0.13, 0.35},      {-1.5, 0.0, -1.6, 1.9, 0.12, 0.32},
+                               {2.2, -0.25, 3.2, -1.9, 0.13, 0.35},     {-0.5, 0.0, -0.7, -2.0, 0.13, 0.35},
+                               {-2.4, -0.2, -2.9, -1.9, 0.12, 0.35}};
 
 struct Pit {
     double x, y, depth, width;
 };
 
-constexpr Pit kPits[] = {{1.05, -0.30, 0.30, 0.45}, {3.45, -0.15, 0.28, 0.42}, {-3.25, -0.55, 0.28, 0.42}};
+constexpr Pit kPits[] = {{1.05, -0.30, 0.22, 0.50}, {3.45, -0.15, 0.22, 0.45}, {-3.25, -0.55, 0.22, 0.45}};
 
 double distanceToSegment(double x, double y, double ax, double ay, double bx, double by) {
     const double dx = bx - ax, dy = by - ay;
@@ -95,13 +102,14 @@ double cuspHeight(const Cusp& cusp, double x, double y) {
 
 /// Height of the occlusal surface without its grooves.
 double smoothOcclusal(double x, double y) {
-    constexpr double kFossa = 4.75;  // height that no part of the surface falls below
-    constexpr double kBlend = 0.45;
+    constexpr double kFossa = 4.75;      // mm, height that no part of the surface falls below
+    constexpr double kBlend = 0.55;      // mm, over which slopes run into each other
+    constexpr double kRidgeRound = 0.4;  // mm, of a marginal ridge's crest
     double height = kFossa;
     for (const Cusp& cusp : kCusps) height = -smoothUnion(-height, -cuspHeight(cusp, x, y), kBlend);
     for (const Ridge& ridge : kMarginalRidges) {
         const double away = distanceToSegment(x, y, ridge.ax, ridge.ay, ridge.bx, ridge.by);
-        const double ridgeHeight = ridge.z - ridge.slope * (std::sqrt(away * away + 0.16) - 0.4);
+        const double ridgeHeight = ridge.z - ridge.slope * (std::hypot(away, kRidgeRound) - kRidgeRound);
         height = -smoothUnion(-height, -ridgeHeight, kBlend);
     }
     return height;
@@ -168,8 +176,8 @@ public:
 private:
     [[nodiscard]] double body(const Vec3& p, bool grooved) const {
         if (p.z() < kBelowTrunk) return roots(p);
-        if (p.z() < kBelowCusps) return smoothUnion(trunk(p), roots(p), 0.9);
-        return smoothIntersection(wall(p), occlusal(p, grooved ? grooveDepth(p.x(), p.y()) : 0), 0.9);
+        if (p.z() < kBelowCusps) return smoothUnion(trunk(p), roots(p), kFillet);
+        return smoothIntersection(wall(p), occlusal(p, grooved ? grooveDepth(p.x(), p.y()) : 0), kFillet);
     }
 
     /// Sides of the crown with their developmental grooves and the step at the cervical line.
@@ -191,16 +199,20 @@ private:
     }
 
     [[nodiscard]] double trunk(const Vec3& p) const {
-        constexpr double kTrunkEnd = -2.9;  // with its rounding, the furcation lies at about -3.5
-        return smoothIntersection(wall(p), kTrunkEnd - p.z(), 1.6);
+        constexpr double kTrunkEnd = -2.9;  // mm; with its rounding, the furcation lies at about -3.5
+        constexpr double kArch = 1.6;       // mm
+        return smoothIntersection(wall(p), kTrunkEnd - p.z(), kArch);
     }
 
+    /// Both roots, which begin within the trunk. Their broad sides are hollowed, the mesial one's more.
     [[nodiscard]] double roots(const Vec3& p) const {
-        const double waist =
-            0.35 * bump(p.y(), 1.4) * smoothStep(-1.5, -4.5, p.z());  // both are grooved along their sides
-        const double mesial = smoothIntersection(mesialRoot_(p) + waist, -14.1 - p.z(), 1.2);
-        const double distal = smoothIntersection(distalRoot_(p) + 0.6 * waist, -13.3 - p.z(), 1.2);
-        return smoothIntersection(smoothUnion(mesial, distal, 0.8), p.z() + 0.8, 1.2);
+        constexpr double kMesialApex = -14.05, kDistalApex = -13.25, kTop = -0.8;  // mm
+        constexpr double kApexRound = 0.25, kTopRound = 1.2, kHollow = 0.35;       // mm
+        const double hollow =
+            kHollow * bump(p.y(), 1.4) * smoothStep(-1.5, -4.5, p.z()) * smoothStep(-13.0, -10.0, p.z());
+        const double mesial = smoothIntersection(mesialRoot_(p) + hollow, kMesialApex - p.z(), kApexRound);
+        const double distal = smoothIntersection(distalRoot_(p) + 0.6 * hollow, kDistalApex - p.z(), kApexRound);
+        return smoothIntersection(smoothUnion(mesial, distal, kFillet), p.z() - kTop, kTopRound);
     }
 
     /// Thickness of the enamel at a height above the cervical line: a feather edge, 1.3 mm at the sides, more on top.
@@ -210,6 +222,7 @@ private:
         return (kThickness + functional) * (1 - std::exp(-height / kFeather));
     }
 
+    static constexpr double kFillet = 0.9;    // mm, over which surfaces run into each other
     static constexpr double kThinnest = 0.4;  // of the enamel's thickness, left under the deepest groove
 
     SectionLoft crown_{kCrown}, mesialRoot_{kMesialRoot}, distalRoot_{kDistalRoot};

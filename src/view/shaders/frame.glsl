@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
 // What all shaders of one pass share. Directions and positions are in the world frame, colours are linear.
 layout(std140) uniform Frame {
     mat4 worldToClip;

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
 in vec2 place;
 
 uniform sampler2D reflection;  // the reflected picture, pixel by pixel in place

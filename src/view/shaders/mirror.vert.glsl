@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
 uniform vec4 centre;  // world, mm
 uniform vec4 right;   // world, along the disc, as long as its radius
 uniform vec4 up;

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
 // How much of the surgery each point sees past its neighbours, from the depth picture alone: rays to points scattered
 // over a ball, weighted as by M. McGuire et al., Scalable ambient obscurance, HPG 2012 (its falloff; own sampling).
 uniform sampler2D depthPicture;
@@ -12,7 +14,7 @@ const int kTaps = 14;
 vec3 viewPoint(ivec2 pixel) {
     pixel = clamp(pixel, ivec2(0), textureSize(depthPicture, 0) - 1);
     float depth = texelFetch(depthPicture, pixel, 0).r;
-    vec2 place = (vec2(pixel) + 0.5) * pictureSize.zw;
+    vec2 place = (vec2(pixel) + 0.5) / vec2(textureSize(depthPicture, 0));
     vec4 view = clipToView * vec4(2.0 * vec3(place, depth) - 1.0, 1.0);
     return view.xyz / view.w;
 }

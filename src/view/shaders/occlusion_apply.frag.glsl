@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
 // Brings the half-size openness up to the picture, over pixels of the same depth only, and darkens with it.
 uniform sampler2D depthPicture;
 uniform sampler2D opennessPicture;

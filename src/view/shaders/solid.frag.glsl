@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
 in vec3 worldPosition;
 in vec3 worldNormal;
 in vec3 objectPosition;
@@ -13,6 +15,9 @@ layout(location = 0) out vec4 fragment;
 const float kPi = 3.14159265;
 const float kGrainTile = 1.9;  // mm: the grain pattern repeats unnoticed beyond a cusp
 
+// A row of the linear part of worldToShadow.
+vec3 shadowRow(int i) { return vec3(worldToShadow[0][i], worldToShadow[1][i], worldToShadow[2][i]); }
+
 // Share of the operating light that arrives.
 float keyVisibility(vec3 normal) {
 #if SHADOW_TAPS == 0
@@ -26,14 +31,19 @@ float keyVisibility(vec3 normal) {
 #if SHADOW_TAPS == 1
     return texture(shadowMap, spot);
 #else
-    // A spiral of taps over the penumbra of the operating light (about 0.25 mm on a tooth), turned from pixel to pixel.
+    // A spiral of taps over the penumbra of the operating light (about 0.2 mm on a tooth), turned from pixel to pixel.
+    // Each tap compares with the plane of the surface at its own place, or slopes would shade themselves.
+    vec3 scale2 = vec3(dot(shadowRow(0), shadowRow(0)), dot(shadowRow(1), shadowRow(1)), dot(shadowRow(2), shadowRow(2)));
+    vec3 plane = mat3(worldToShadow) * normal / scale2;
+    vec2 slope2 = -plane.xy / min(plane.z, -0.15 * length(plane));
     float turn = 6.2831853 * fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
-    float penumbra = max(0.22 / shadowTexel.y, 1.5) * shadowTexel.x;
+    float penumbra = max(0.2 / shadowTexel.y, 1.5) * shadowTexel.x;
     float sum = 0.0;
     for (int i = 0; i < SHADOW_TAPS; ++i) {
         float radius = penumbra * sqrt((float(i) + 0.5) / float(SHADOW_TAPS));
         float angle = turn + 2.3999632 * float(i);
-        sum += texture(shadowMap, vec3(spot.xy + radius * vec2(cos(angle), sin(angle)), spot.z));
+        vec2 aside = radius * vec2(cos(angle), sin(angle));
+        sum += texture(shadowMap, vec3(spot.xy + aside, spot.z + dot(slope2, aside)));
     }
     return sum / float(SHADOW_TAPS);
 #endif
@@ -75,50 +85,54 @@ void main() {
     vec3 smoothNormal = normalize(worldNormal);
     if (!gl_FrontFacing) smoothNormal = -smoothNormal;
     vec4 bumps = texture(grainTexture, objectPosition / kGrainTile) - 0.5;
-    vec4 mottle = texture(grainTexture, objectPosition / (4.3 * kGrainTile)) - 0.5;
-    vec3 normal = normalize(smoothNormal + grain * 0.55 * bumps.xyz);
-    colour *= 1.0 + grain * (0.35 * bumps.w + 0.35 * mottle.w);
+    vec3 normal = normalize(smoothNormal + grain * 0.5 * bumps.xyz);
+    colour *= 1.0 + grain * 0.5 * bumps.w;
 
     float nv = clamp(dot(normal, toEye), 0.02, 1.0);
-    vec3 reflected = reflect(-toEye, normal);
+    float nl = dot(normal, toKey.xyz);
+    float shadow = keyVisibility(smoothNormal);
 
     // Thin rims of a translucent crown let the dark of the mouth through: greyer and cooler where seen edge on.
-    float rim = translucency * pow(1.0 - nv, 2.5);
-    vec3 body = colour * mix(vec3(1.0), vec3(0.72, 0.79, 0.88), rim);
+    float edgeOn = 1.0 - nv;
+    vec3 body = colour * mix(vec3(1.0), vec3(0.74, 0.80, 0.88), translucency * edgeOn * edgeOn);
 
-    // Light that enters creeps sideways before it leaves, red farthest: it bends around the terminator.
-    vec3 wrap = translucency * vec3(0.42, 0.32, 0.26);
-    float shadow = keyVisibility(smoothNormal);
-    float nl = dot(normal, toKey.xyz);
-    vec3 creep = max((nl + wrap) / (1.0 + wrap), 0.0) / (1.0 + wrap);
-    vec3 litShadow = mix(vec3(shadow), pow(vec3(shadow), vec3(0.6, 0.8, 0.95)), translucency);
-    vec3 diffuse = keyColour.rgb * creep * litShadow / kPi * 1.25;
-    float fillLight = dot(normal, toFill.xyz);
-    diffuse += fillColour.rgb * max((fillLight + wrap) / (1.0 + wrap), 0.0);
+    // Light that enters creeps sideways before it leaves, red farthest: it bends around the terminator and into shadows.
+    vec3 wrap = translucency * vec3(0.40, 0.30, 0.24);
+    vec3 creep = max(nl + wrap, 0.0) / ((1.0 + wrap) * (1.0 + wrap));
+    // Past the terminator the surface shades itself; what creeps there has entered on the lit side.
+    float direct = mix(1.0, shadow, smoothstep(0.0, 0.35, nl));
+    vec3 arriving = mix(vec3(direct), vec3(sqrt(direct), direct, direct), 0.35 * translucency);
+    vec3 diffuse = keyColour.rgb * creep * arriving;
+    diffuse += fillColour.rgb * max(dot(normal, toFill.xyz), 0.0);
     diffuse += mix(groundColour.rgb, skyColour.rgb, normal.z * 0.5 + 0.5);
     vec3 light = body * diffuse * (1.0 - metalness);
 
-    // Surface reflection: 4 % for tissue, the colour itself for metal.
+    // The operating light on the surface: 4.5 % for tissue, the colour itself for metal.
     vec3 f0 = mix(vec3(0.045), colour, metalness);
     vec3 halfway = normalize(toKey.xyz + toEye);
     float nh = clamp(dot(normal, halfway), 0.0, 1.0);
-    float vh = clamp(dot(toEye, halfway), 0.0, 1.0);
-    float lit = max(nl, 0.0) * shadow;
-    vec3 fresnel = f0 + (1.0 - f0) * grazing(vh);
-    light += keyColour.rgb * lit * fresnel * min(microfacets(nh, max(nl, 0.0), nv, max(roughness, 0.18)), 12.0);
-    vec2 share = environmentShare(nv, roughness);
-    light += environment(reflected, roughness) * (f0 * share.x + share.y) * mix(0.8, 1.0, metalness);
+    float fresnel = grazing(dot(toEye, halfway));
+    float lit = max(nl, 0.0);
+    light += keyColour.rgb * (f0 + (1.0 - f0) * fresnel) *
+             (lit * shadow * kPi * microfacets(nh, lit, nv, max(roughness, 0.25)));
 
     // A film of saliva on top: 2 % reflection, smooth, over the broad shape only.
-    vec3 filmNormal = normalize(smoothNormal + grain * 0.12 * bumps.xyz);
+    vec3 filmNormal = normalize(smoothNormal + grain * 0.10 * bumps.xyz);
     float filmNv = clamp(dot(filmNormal, toEye), 0.02, 1.0);
     float filmNh = clamp(dot(filmNormal, halfway), 0.0, 1.0);
     float filmNl = max(dot(filmNormal, toKey.xyz), 0.0);
-    float film = wetness * (0.025 + 0.975 * grazing(filmNv) * 0.7);
+    float film = wetness * (0.025 + 0.6 * grazing(filmNv));
     light *= 1.0 - film;
-    light += film * environment(reflect(-toEye, filmNormal), 0.10);
-    light += keyColour.rgb * wetness * shadow * filmNl * (0.025 + 0.975 * grazing(vh)) *
-             min(microfacets(filmNh, filmNl, filmNv, 0.16), 40.0) * 0.55;
+    light += keyColour.rgb * (wetness * shadow * filmNl * (0.02 + 0.98 * fresnel) * kPi *
+                              microfacets(filmNh, filmNl, filmNv, 0.27));
+
+    // The room in metal, or sharp in the film with a soft share from the surface below it.
+    vec3 reflected = reflect(-toEye, mix(filmNormal, normal, metalness));
+    vec3 room = environment(reflected, mix(0.08, roughness, metalness));
+    vec2 share = environmentShare(nv, roughness);
+    vec3 roomShare = f0 * share.x + share.y;
+    vec3 softRoom = mix(groundColour.rgb, skyColour.rgb, reflected.z * 0.5 + 0.5);
+    light += mix(film * room + softRoom * roomShare, 1.9 * room * roomShare, metalness);
 
     fragment = vec4(toSrgb(compress(light)) + dither(), 1.0);
 }

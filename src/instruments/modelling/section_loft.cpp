@@ -5,7 +5,7 @@
 // Stat. Comput. 5 (1984): no bulge between sections that the table does not have. Distance estimate: G. Taubin,
 // "Distance approximations for rasterizing implicit curves", ACM Trans. Graph. 13 (1994), value over length of the
 // gradient.
-#include "instruments/anatomy/section_loft.h"
+#include "instruments/modelling/section_loft.h"
 
 #include <algorithm>
 #include <cassert>
@@ -14,7 +14,7 @@
 namespace tactooth {
 namespace {
 
-enum Column { mesial, distal, buccal, lingual, squareness, centreX, centreY };
+enum Column { plusX, minusX, plusY, minusY, squareness, centreX, centreY };
 
 }  // namespace
 
@@ -23,7 +23,7 @@ SectionLoft::SectionLoft(std::span<const Section> sections) {
     for (const Section& s : sections) {
         assert(heights_.empty() || s.z > heights_.back());
         heights_.push_back(s.z);
-        values_.push_back((Row() << s.mesial, s.distal, s.buccal, s.lingual, s.squareness, s.x, s.y).finished());
+        values_.push_back((Row() << s.plusX, s.minusX, s.plusY, s.minusY, s.squareness, s.x, s.y).finished());
     }
     slopes_.assign(values_.size(), Row::Zero());
     for (std::size_t i = 1; i + 1 < values_.size(); ++i) {
@@ -49,7 +49,7 @@ SectionLoft::Sample SectionLoft::sample(double z) const {
 double SectionLoft::operator()(const Vec3& point) const {
     const auto [value, slope] = sample(point.z());
     const double dx = point.x() - value[centreX], dy = point.y() - value[centreY];
-    const int alongX = dx >= 0 ? mesial : distal, alongY = dy >= 0 ? buccal : lingual;
+    const int alongX = dx >= 0 ? plusX : minusX, alongY = dy >= 0 ? plusY : minusY;
     const double a = value[alongX], b = value[alongY], n = value[squareness];
     const double u = std::abs(dx) / a, v = std::abs(dy) / b;
     const double un = std::pow(u, n), vn = std::pow(v, n);
@@ -57,15 +57,17 @@ double SectionLoft::operator()(const Vec3& point) const {
     constexpr double kAxis = 1e-6;  // this near to the axis the outline's gradient has no direction
     if (g < kAxis) return -std::min(a, b);
     const double gu = u > 0 ? un / u * g / (un + vn) : 0, gv = v > 0 ? vn / v * g / (un + vn) : 0;
-    const double gz = gu * (u * slope[alongX] + std::copysign(slope[centreX], dx)) / a +
-                      gv * (v * slope[alongY] + std::copysign(slope[centreY], dy)) / b;
+    // Slopes as at the surface: beyond it, those of a thin end would make far points look near.
+    const double onto = 1 / std::max(g, 1.0);
+    const double gz = gu * (onto * u * slope[alongX] + std::copysign(slope[centreX], dx)) / a +
+                      gv * (onto * v * slope[alongY] + std::copysign(slope[centreY], dy)) / b;
     const double estimate = (g - 1) / std::sqrt(gu * gu / (a * a) + gv * gv / (b * b) + gz * gz);
     return std::max(estimate, -std::min(a, b));  // no inner point is farther from the outline than that
 }
 
 Section SectionLoft::at(double z) const {
     const Row row = sample(z).value;
-    return {z, row[mesial], row[distal], row[buccal], row[lingual], row[squareness], row[centreX], row[centreY]};
+    return {z, row[plusX], row[minusX], row[plusY], row[minusY], row[squareness], row[centreX], row[centreY]};
 }
 
 }  // namespace tactooth

@@ -10,14 +10,19 @@
 
 namespace tactooth {
 
-/// The outline of a tooth at one height: an oval with its own half axis toward each side, mm.
+/// The outline of a body at one height: an oval with its own half axis toward each side, mm. On a tooth, +x is mesial
+/// and +y buccal.
 struct Section {
     double z = 0;
-    double mesial = 1, distal = 1;   ///< half axes along +x and -x
-    double buccal = 1, lingual = 1;  ///< half axes along +y and -y
-    double squareness = 2;           ///< 2: ellipse; more: toward a rectangle; less: toward a rhombus
-    double x = 0, y = 0;             ///< centre
+    double plusX = 1, minusX = 1, plusY = 1, minusY = 1;  ///< half axes
+    double squareness = 2;  ///< 2: ellipse; more: toward a rectangle; less: toward a rhombus
+    double x = 0, y = 0;    ///< centre
 };
+
+/// A round section.
+[[nodiscard]] constexpr Section circle(double z, double radius, double x = 0, double y = 0) {
+    return {z, radius, radius, radius, radius, 2, x, y};
+}
 
 /// A body without ends through sections at growing heights, smooth between them; beyond the first and last section it
 /// goes on as they are.

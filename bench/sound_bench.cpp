@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+// How long the sound of one block takes to make, against the 5 ms that it lasts. One CSV line for each scene.
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <vector>
+
+#include "sound/drill_synthesiser.h"
+#include "sound/sound_format.h"
+
+namespace tactooth {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+void measure(const char* scene, const DrillSoundState& state) {
+    constexpr int kBlocks = 12000;  // a minute of sound
+    DrillSynthesiser synthesiser;
+    std::array<float, kSoundBlock> block;
+    std::vector<double> micros;
+    double loudest = 0.0;  // keeps the samples from being optimised away
+    for (int i = 0; i < kBlocks; ++i) {
+        const auto start = Clock::now();
+        synthesiser.render(state, block);
+        micros.push_back(std::chrono::duration<double, std::micro>(Clock::now() - start).count());
+        for (const float sample : block) loudest = std::max(loudest, static_cast<double>(sample));
+    }
+    double total = 0.0;
+    for (const double value : micros) total += value;
+    std::sort(micros.begin(), micros.end());
+    const double blockMicros = 1e6 * kSoundBlock / kSoundRate;
+    std::printf("%s,%.2f,%.2f,%.2f,%.3f,%.3f\n", scene, micros[kBlocks / 2], micros[kBlocks * 99 / 100], micros.back(),
+                100.0 * total / kBlocks / blockMicros, loudest);
+}
+
+}  // namespace
+}  // namespace tactooth
+
+int main() {
+    using namespace tactooth;
+    DrillSoundState still, coasting, cutting;
+    coasting.speedRpm = 100000.0;  // all tones audible
+    cutting.speedRpm = 300000.0;
+    cutting.pedal = 1.0;
+    cutting.load = 0.25;
+    cutting.removalWatt = 10.0;
+    cutting.material = soundCharacterOf("enamel");
+    std::puts("scene,p50_us,p99_us,max_us,core_percent,peak");
+    measure("standstill", still);
+    measure("coasting", coasting);
+    measure("cutting", cutting);
+}

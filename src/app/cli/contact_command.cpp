@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/contact_command.h"
+
+#include <fmt/core.h>
+
+#include <array>
+
+#include "app/cli/exit_code.h"
+#include "collision/contact_query.h"
+#include "session/csv_table.h"
+#include "session/feel_run.h"
+#include "session/load_surface.h"
+
+namespace tactooth {
+namespace {
+
+constexpr std::array<std::string_view, 11> kColumns = {"t",  "touching", "depth", "nx",       "ny",    "nz",
+                                                       "px", "py",       "pz",    "contacts", "micros"};
+
+void writeRow(CsvWriter& file, double time, const Contact& contact, double micros) {
+    const Vec3& n = contact.normal;
+    const Vec3& p = contact.point;
+    file.row(std::array<double, kColumns.size()>{time, contact.touching ? 1.0 : 0.0, contact.depth, n.x(), n.y(), n.z(),
+                                                 p.x(), p.y(), p.z(), static_cast<double>(contact.contacts), micros});
+}
+
+}  // namespace
+
+int runContact(const ContactOptions& options) {
+    const auto trajectory = readTrajectory(options.poses);
+    if (!trajectory) return refuse(trajectory.error());
+    const auto tooth = loadSurface(options.tooth);
+    if (!tooth) return refuse(tooth.error());
+    const auto tool = loadTool(options.tool);
+    if (!tool) return refuse(tool.error());
+    auto file = CsvWriter::create(options.out, kColumns);
+    if (!file) return refuse(file.error());
+
+    ContactQuery query(*tool, *tooth);
+    std::size_t touching = 0;
+    for (const TimedPose& row : *trajectory) {
+        double micros = 0;
+        const Contact contact = timed(micros, [&] { return query.at(row.toolInTooth); });
+        touching += contact.touching ? 1 : 0;
+        writeRow(*file, row.time, contact, micros);
+    }
+    if (const auto done = file->commit(); !done) return refuse(done.error());
+    if (!(*tooth)->closed) fmt::print("The tooth is not closed: only its triangles count, nothing is inside.\n");
+    fmt::print("{} poses, {} of them touching, written to {}\n", trajectory->size(), touching, options.out.string());
+    return kExitOk;
+}
+
+}  // namespace tactooth

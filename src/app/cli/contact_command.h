@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+
+namespace tactooth {
+
+struct ContactOptions {
+    std::filesystem::path tooth;
+    std::filesystem::path tool;
+    std::filesystem::path poses;
+    std::filesystem::path out;
+};
+
+/// Penetration depth of a tool in a tooth at every pose of a file, each on its own.
+[[nodiscard]] int runContact(const ContactOptions& options);
+
+}  // namespace tactooth

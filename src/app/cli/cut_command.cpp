@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/cut_command.h"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <optional>
+
+#include "app/cli/exit_code.h"
+#include "collision/surface.h"
+#include "geometry/atomic_file.h"
+#include "geometry/mesh_file.h"
+#include "geometry/stl_writer.h"
+#include "session/cut_run.h"
+#include "session/tick_csv.h"
+#include "session/tooth_source.h"
+
+namespace tactooth {
+namespace {
+
+constexpr std::array<std::string_view, 6> kRemovedColumns = {"t", "enamel", "dentin", "pulp", "caries", "other"};
+
+std::array<double, kRemovedColumns.size()> removedRow(double time, const MaterialVolumes& removed) {
+    const auto of = [&](MaterialId id) { return removed[static_cast<std::size_t>(id)]; };
+    return {time,
+            of(MaterialId::Enamel),
+            of(MaterialId::Dentin),
+            of(MaterialId::Pulp),
+            of(MaterialId::Caries),
+            of(MaterialId::Restoration) + of(MaterialId::Other)};
+}
+
+/// The files that the command leaves behind: all of them, or none.
+class CutFiles {
+public:
+    [[nodiscard]] Expected<void> open(const CutOptions& options) {
+        if (auto file = AtomicFile::create(options.out)) {
+            surface_.emplace(std::move(*file));
+        } else {
+            return Unexpected{file.error()};
+        }
+        if (!options.forces.empty()) {
+            auto file = TickCsv::create(options.forces);
+            if (!file) return Unexpected{file.error()};
+            forces_.emplace(std::move(*file));
+        }
+        if (!options.removed.empty()) {
+            auto file = CsvWriter::create(options.removed, kRemovedColumns);
+            if (!file) return Unexpected{file.error()};
+            removed_.emplace(std::move(*file));
+        }
+        return {};
+    }
+
+    void row(double time, const Tick& tick, const MaterialVolumes& removed) {
+        if (forces_) forces_->write(time, tick);
+        if (removed_) removed_->row(removedRow(time, removed));
+    }
+
+    [[nodiscard]] Expected<void> finish(const TriangleMesh& mesh) {
+        surface_->write(stlBytes(mesh, StlFormat::Binary));
+        if (auto done = surface_->commit(); !done) return done;
+        if (forces_) {
+            if (auto done = forces_->commit(); !done) return done;
+        }
+        return removed_ ? removed_->commit() : Expected<void>{};
+    }
+
+private:
+    std::optional<AtomicFile> surface_;
+    std::optional<TickCsv> forces_;
+    std::optional<CsvWriter> removed_;
+};
+
+Expected<ToothSource> toothSource(const CutOptions& options) {
+    ToothSource source{options.tooth, {}, options.material};
+    for (const std::string& text : options.layers) {
+        auto layer = parseLayer(text);
+        if (!layer) return Unexpected{layer.error()};
+        source.layers.push_back(std::move(*layer));
+    }
+    return source;
+}
+
+void printRemoved(const MaterialVolumes& removed) {
+    for (std::size_t i = 0; i < kMaterialCount; ++i) {
+        if (removed[i] > 0)
+            fmt::print("removed {:>12}: {:8.3f} mm^3\n", materialName(static_cast<MaterialId>(i)), removed[i]);
+    }
+}
+
+}  // namespace
+
+int runCut(const CutOptions& options) {
+    const auto source = toothSource(options);
+    if (!source) return refuse(source.error());
+    const auto path = readTrajectory(options.trajectory);
+    if (!path) return refuse(path.error());
+    auto bur = loadMesh(options.tool);
+    if (!bur) return refuse(bur.error());
+    const auto tool = makeCuttingTool(*bur);
+    if (!tool) return refuse({options.tool.string() + ": " + tool.error().message});
+    const auto tooth = loadLayeredTooth(*source);
+    if (!tooth) return refuse(tooth.error());
+    CutFiles files;
+    if (const auto opened = files.open(options); !opened) return refuse(opened.error());
+
+    WorkPiece piece(*tooth, options.voxel);
+    const MaterialTable materials;
+    const auto visit = [&](double time, const Tick& tick, const MaterialVolumes& removed) {
+        files.row(time, tick, removed);
+    };
+    if (options.feed == "rigid") {
+        cutRigidly(*path, *tool, options.speedRpm, materials, piece, visit);
+    } else {
+        HapticSettings settings;
+        settings.materials = materials;
+        settings.spindle = constantSpeed(options.speedRpm);
+        HapticSimulation simulation(std::make_shared<const ToolShape>(std::move(*bur)), tool->envelope.maxRadius(),
+                                    piece.surface(), settings);
+        cutByLaw(*path, *tool, materials, simulation, piece, visit);
+    }
+    const TaggedMesh cut = visibleMesh(*piece.surface());
+    if (const auto done = files.finish(cut.mesh); !done) return refuse(done.error());
+    printRemoved(piece.removed());
+    fmt::print("{} triangles written to {}\n", cut.mesh.triangles.size(), options.out.string());
+    return kExitOk;
+}
+
+}  // namespace tactooth

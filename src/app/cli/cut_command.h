@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace tactooth {
+
+struct CutOptions {
+    std::filesystem::path tooth;
+    std::vector<std::string> layers;  ///< NAME=FILE
+    std::string material = "enamel";  ///< of the tooth where it has no layers
+    std::filesystem::path tool;
+    std::filesystem::path trajectory;
+    double speedRpm = 0;
+    double voxel = 0.05;       ///< mm
+    std::string feed = "law";  ///< or "rigid"
+    std::filesystem::path out;
+    std::filesystem::path forces;   ///< empty: not written
+    std::filesystem::path removed;  ///< empty: not written
+};
+
+/// Cuts a tooth with a spinning bur along a trajectory.
+[[nodiscard]] int runCut(const CutOptions& options);
+
+}  // namespace tactooth

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace tactooth {
+
+struct FeelOptions {
+    std::filesystem::path tooth;
+    std::filesystem::path tool;
+    std::filesystem::path trajectory;
+    std::filesystem::path out;
+    std::string mode = "proxy";       ///< or "penalty"
+    std::optional<double> stiffness;  ///< N/mm
+    std::optional<double> damping;    ///< N*s/mm
+    double friction = 0;              ///< Coulomb coefficient
+};
+
+/// One haptic run of a tool along a trajectory.
+[[nodiscard]] int runFeel(const FeelOptions& options);
+
+}  // namespace tactooth

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "geometry/expected.h"
+#include "geometry/pose.h"
+#include "haptics/safety_limiter.h"
+
+namespace tactooth {
+
+/// What a device is and can do. Everything that differs between devices is a number here, so that nothing above this
+/// layer asks which device it is.
+struct DeviceInfo {
+    std::string name;  ///< for people
+    bool rendersForce = false;
+    bool sensesRotation = false;
+    int buttonCount = 0;
+    bool hasPedal = false;
+    ForceLimits limits;  ///< that the safety limiter keeps to
+};
+
+/// The hand and the foot at one moment.
+struct DeviceSample {
+    Pose hand;         ///< of the tool's tip, in the device's frame: +x right, +y away from the user, +z up; mm
+    double pedal = 0;  ///< 0 up .. 1 down
+    std::uint32_t buttons = 0;  ///< bit i: button i is pressed. Pens: 0 = turbine or mirror, 1 = touch or cut
+    bool connected = true;      ///< false: the other fields mean nothing, and no force may be made
+};
+
+/// One device for one hand. Two hands are two objects, each paired with an instrument.
+///
+/// open and close are called from any one thread. read and write are called by the servo thread alone, in turn, once a
+/// tick: they neither block, allocate, lock, log nor throw. A vendor that delivers samples by a callback of its own, or
+/// by one reply a message, hands them over inside the backend.
+class HapticDevice {
+public:
+    HapticDevice() = default;
+    HapticDevice(const HapticDevice&) = delete;
+    HapticDevice& operator=(const HapticDevice&) = delete;
+    virtual ~HapticDevice() = default;
+
+    [[nodiscard]] virtual const DeviceInfo& info() const = 0;
+
+    /// Fails with one sentence that says what is wrong with the device and what to do about it.
+    [[nodiscard]] virtual Expected<void> open() = 0;
+    virtual void close() = 0;
+
+    /// `elapsed`: since the last read, s.
+    [[nodiscard]] virtual DeviceSample read(double elapsed) = 0;
+    /// Takes only what has passed the safety limiter. Force in the device's frame.
+    virtual void write(const SafeWrench& wrench) = 0;
+};
+
+}  // namespace tactooth

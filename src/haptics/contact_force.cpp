@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "haptics/contact_force.h"
+
+#include <algorithm>
+
+// Kelvin-Voigt contact: W. Fluegge, "Viscoelasticity", 1975, section 1.3: F = k * d + c * d'. The friction follows the
+// hand's sliding speed smoothly through zero (S. Andersson, A. Soederberg, S. Bjoerklund, "Friction Models for Sliding
+// Dry, Boundary and Mixed Lubricated Contacts", Tribology International 40, 2007, equation 6), so that a hand at rest
+// is not shaken by a force that jumps from side to side.
+
+namespace tactooth {
+namespace {
+
+constexpr double kBlendLength = 0.05;   // mm of travel over which one material's feel becomes the next one's
+constexpr double kFrictionSpeed = 5.0;  // mm/s at which friction reaches its full size: above tremor, below a stroke
+
+}  // namespace
+
+ContactForce::Feel ContactForce::feelOf(const ContactState& contact, const MaterialTable& materials) const {
+    Feel feel{0, 0, 0};
+    double weight = 0;
+    for (const HeldAt& held : contact.held) {
+        const Material& material = materials[held.material];
+        const double share = std::max(held.share, 1e-12);  // a contact that just touches still has a material
+        feel.stiffness += share * overrides_.stiffness.value_or(material.stiffness);
+        feel.damping += share * overrides_.damping.value_or(material.damping);
+        feel.friction += share * overrides_.friction.value_or(material.friction);
+        weight += share;
+    }
+    return {feel.stiffness / weight, feel.damping / weight, feel.friction / weight};
+}
+
+Wrench ContactForce::at(const ContactState& contact, const MaterialTable& materials) {
+    normalForce_ = 0;
+    const double depth = contact.offset.norm();
+    if (contact.held.empty() || !(depth > 0)) {
+        feel_.reset();
+        return {};
+    }
+    const Feel target = feelOf(contact, materials);
+    const double blend = feel_ ? std::min(1.0, contact.travel / kBlendLength) : 1.0;
+    const Feel old = feel_.value_or(target);
+    feel_ = Feel{old.stiffness + blend * (target.stiffness - old.stiffness),
+                 old.damping + blend * (target.damping - old.damping),
+                 old.friction + blend * (target.friction - old.friction)};
+
+    const Vec3 normal = contact.offset / depth;
+    const double sinking = -contact.velocity.dot(normal);
+    normalForce_ = scale_ * std::max(0.0, feel_->stiffness * depth + feel_->damping * sinking);
+    const Vec3 sliding = contact.velocity + sinking * normal;
+    const Vec3 friction = -feel_->friction * normalForce_ * sliding / (sliding.norm() + kFrictionSpeed);
+
+    Wrench wrench;
+    wrench.force = normalForce_ * normal + friction;
+    double shares = 0;
+    for (const HeldAt& held : contact.held) shares += held.share;
+    for (const HeldAt& held : contact.held) {
+        const Vec3 part =
+            held.share / depth * normalForce_ * held.normal + (shares > 0 ? held.share / shares : 0) * friction;
+        wrench.torque += (held.point - contact.device - contact.offset).cross(part);
+    }
+    return wrench;
+}
+
+}  // namespace tactooth

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+
+#include "geometry/pose.h"
+#include "haptics/wrench.h"
+#include "tooth/material.h"
+
+namespace tactooth {
+
+/// A place where the tooth holds the proxy.
+struct HeldAt {
+    Vec3 point;    ///< mm
+    Vec3 normal;   ///< unit, out of the tooth
+    double share;  ///< mm; proxy - device = sum of share * normal
+    MaterialId material;
+};
+
+/// What the force is computed from, all in the tooth's frame.
+struct ContactState {
+    Vec3 device;        ///< where the hand holds the tool's tip, mm
+    Vec3 offset;        ///< from there to the proxy's tip, mm; its length is the depth
+    Vec3 velocity;      ///< of the hand, mm/s
+    double travel = 0;  ///< of the proxy since the last tick, mm
+    std::span<const HeldAt> held;
+};
+
+/// Instead of the materials' own numbers, for experiments.
+struct ForceOverrides {
+    std::optional<double> stiffness;  ///< N/mm
+    std::optional<double> damping;    ///< N*s/mm
+    std::optional<double> friction;   ///< Coulomb coefficient; 0: the bare spring and damper
+};
+
+/// The force law: a spring and a damper side by side (Kelvin-Voigt) between hand and proxy, which never pull, and dry
+/// friction against sliding. Stiffness, damping and friction are those of the material that holds the tool, blended
+/// while the tool travels 50 um across a border.
+class ContactForce {
+public:
+    /// `scale` multiplies the whole force.
+    void setOverrides(const ForceOverrides& overrides) { overrides_ = overrides; }
+    void setScale(double scale) { scale_ = scale; }
+
+    [[nodiscard]] Wrench at(const ContactState& contact, const MaterialTable& materials);
+
+    /// Length of the force along the proxy's normal at the last call, N.
+    [[nodiscard]] double normalForce() const { return normalForce_; }
+
+private:
+    struct Feel {
+        double stiffness, damping, friction;
+    };
+    [[nodiscard]] Feel feelOf(const ContactState& contact, const MaterialTable& materials) const;
+
+    ForceOverrides overrides_;
+    double scale_ = 1;
+    std::optional<Feel> feel_;  // none while nothing is touched
+    double normalForce_ = 0;
+};
+
+}  // namespace tactooth

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+
+#include "haptics/contact_force.h"
+#include "haptics/tool_proxy.h"
+#include "instruments/spindle.h"
+
+namespace tactooth {
+
+/// What the hand and the foot do at one tick.
+struct HandInput {
+    Pose handInTooth;      ///< of the tool, as the device holds it
+    double pedal = 0;      ///< 0 up .. 1 down
+    bool cutting = false;  ///< false: touch (the bur stands still)
+};
+
+/// All that one tick has found, for the device, the recorder, the plots and the sound. Lengths mm, forces N.
+struct Tick {
+    double time = 0;  ///< s since the start of the simulation
+    Pose hand;
+    Pose proxy;
+    double depth = 0;
+    Vec3 normal = Vec3::Zero();  ///< unit, out of the tooth; zero without contact
+    double speed = 0;            ///< of the hand's tip, mm/s
+    Wrench wrench;               ///< wanted; the limiter comes after
+    int contacts = 0;
+    bool placed = false;
+    bool cutting = false;
+    double pedal = 0;
+    double speedRpm = 0;     ///< of the bur
+    double load = 0;         ///< torque on the bur, N*mm
+    double removalWatt = 0;  ///< tangential force times rim speed
+    double cutWork = 0;      ///< normal force times rim travel since the start, N*m: what the removal law spends
+    MaterialId material = MaterialId::Enamel;  ///< that holds the tool; meaningless without contact
+    std::uint32_t landings = 0;                ///< how often the tool has come to touch
+    double landingSpeed = 0;                   ///< along the normal at the last landing, mm/s
+    double micros = 0;                         ///< that the tick took to compute; filled in by whoever has a clock
+};
+
+struct HapticSettings {
+    MaterialTable materials;
+    ForceOverrides force;
+    ContactMode mode = ContactMode::Proxy;
+    SpindlePreset spindle = spindlePresets().front();
+};
+
+/// One simulation step as a pure function of its state and the hand: equal inputs give equal ticks, bit for bit. Reads
+/// no clock; allocates, locks and logs nothing.
+class HapticSimulation {
+public:
+    /// `burRadius`: largest distance of the bur's blades from its axis, mm.
+    HapticSimulation(std::shared_ptr<const ToolShape> tool, double burRadius, std::shared_ptr<const Surface> surface,
+                     const HapticSettings& settings);
+
+    /// `dt` seconds after the step before.
+    Tick step(const HandInput& input, double dt);
+
+    std::shared_ptr<const Surface> setSurface(std::shared_ptr<const Surface> surface) {
+        return proxy_.setSurface(std::move(surface));
+    }
+    [[nodiscard]] ContactForce& force() { return force_; }
+
+private:
+    void filterVelocity(const Vec3& position, double dt);
+    void turnBur(const HandInput& input, double dt, Tick& tick);
+
+    ToolProxy proxy_;
+    MaterialTable materials_;
+    ContactForce force_;
+    SpindlePreset spindle_;
+    SpindleState bur_;
+    double burRadius_;
+    bool started_ = false;
+    bool touching_ = false;
+    Vec3 lastPosition_ = Vec3::Zero();
+    Vec3 velocity_ = Vec3::Zero();  // low-passed, mm/s
+    Tick last_;
+};
+
+}  // namespace tactooth

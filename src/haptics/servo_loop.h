@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <thread>
+
+#include "haptics/latency_histogram.h"
+
+namespace tactooth {
+
+/// What the servo thread has seen of its own timing. Any thread reads.
+struct ServoTiming {
+    LatencyHistogram tick;      ///< duration of the work of a tick, us
+    LatencyHistogram lateness;  ///< of waking up, us
+    std::atomic<std::uint64_t> ticks{0};
+    std::atomic<std::uint64_t> missed{0};  ///< periods that passed without a tick
+};
+
+/// Calls a function at a fixed rate from a thread of its own, at real-time priority where the system allows it. A tick
+/// that comes too late is skipped, not caught up: simulated time stands still rather than the loop falling behind.
+class ServoLoop {
+public:
+    /// `tick(elapsed)` gets the time since the last tick, s; it must not block.
+    ServoLoop(double rateHz, std::function<void(double)> tick);
+    ~ServoLoop();
+    ServoLoop(const ServoLoop&) = delete;
+    ServoLoop& operator=(const ServoLoop&) = delete;
+
+    [[nodiscard]] const ServoTiming& timing() const { return timing_; }
+    [[nodiscard]] double rateHz() const { return rateHz_; }
+    /// Whether the thread runs at real-time priority; without the right to it everything works, with more jitter.
+    [[nodiscard]] bool isRealTime() const { return realTime_.load(std::memory_order_relaxed); }
+
+private:
+    void run(const std::stop_token& stop);
+
+    double rateHz_;
+    std::function<void(double)> tick_;
+    ServoTiming timing_;
+    std::atomic<bool> realTime_{false};
+    std::jthread thread_;  // last: it uses all of the above
+};
+
+}  // namespace tactooth

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "haptics/tool_proxy.h"
+
+namespace tactooth {
+
+ToolProxy::ToolProxy(std::shared_ptr<const ToolShape> tool, std::shared_ptr<const Surface> surface, ContactMode mode)
+    : surface_(surface), mode_(mode), body_(tool), query_(tool, surface) {
+    body_.setSurface(std::move(surface));
+}
+
+std::shared_ptr<const Surface> ToolProxy::setSurface(std::shared_ptr<const Surface> surface) {
+    surface_ = surface;
+    query_.setSurface(surface);
+    return body_.setSurface(std::move(surface));
+}
+
+MaterialId ToolProxy::materialOf(std::uint32_t part, std::uint32_t triangle) const {
+    return static_cast<MaterialId>(partOf(*surface_, part).tag(triangle));
+}
+
+/// The first pose: the hand's own, or the nearest free one if the hand starts inside the tooth.
+void ToolProxy::placeNear(const Pose& handInTooth) {
+    if (query_.isFree(handInTooth)) {
+        body_.placeAt(handInTooth);
+        placed_ = true;
+        return;
+    }
+    const Contact contact = query_.at(handInTooth);
+    if (!(contact.depth > 0)) return;  // no way out was found: there is no force to make up
+    body_.placeAt(query_.freePose());
+    placed_ = true;
+}
+
+/// A new surface may stand a micron nearer than the one before. Steps back along the last contact, or along the shaft,
+/// by the least of a few distances that is free.
+bool ToolProxy::stepOutOfSurface() {
+    constexpr double kFirstStep = 1e-4;  // mm: the extraction's own error
+    constexpr double kLastStep = 0.5;    // mm: further than any cut of one update
+    const Pose stuck = body_.pose();
+    for (double step = kFirstStep; step < kLastStep; step *= 2) {
+        for (const Vec3& direction : {wayOut_, Vec3(stuck.rotation * Vec3::UnitZ())}) {
+            const Pose pose{stuck.position + step * direction, stuck.rotation};
+            if (!query_.isFree(pose)) continue;
+            body_.placeAt(pose);
+            return true;
+        }
+    }
+    return false;
+}
+
+ProxyState ToolProxy::follow(const Pose& handInTooth) {
+    if (mode_ == ContactMode::Penalty) return followAsPenalty(handInTooth);
+    ProxyState state;
+    if (!placed_) placeNear(handInTooth);
+    if (!placed_) return state;
+    const Vec3 before = body_.pose().position;
+    MoveResult move = body_.moveToward(handInTooth);
+    if (move.status == MoveStatus::Overlapping && stepOutOfSurface()) move = body_.moveToward(handInTooth);
+    if (move.status == MoveStatus::Overlapping) {
+        placed_ = false;
+        return state;
+    }
+    state.placed = true;
+    state.proxy = body_.pose();
+    state.offset = body_.pose().position - handInTooth.position;
+    state.travel = (body_.pose().position - before).norm();
+    state.contacts = state.heldCount = move.contactCount;
+    for (int i = 0; i < move.contactCount; ++i) {
+        const BodyContact& contact = move.contacts[i];
+        state.held[i] = {contact.point, contact.normal, contact.share, materialOf(contact.part, contact.tooth)};
+    }
+    if (move.contactCount > 0)
+        wayOut_ = state.offset.norm() > 0 ? Vec3(state.offset.normalized()) : move.contacts[0].normal;
+    return state;
+}
+
+ProxyState ToolProxy::followAsPenalty(const Pose& handInTooth) {
+    ProxyState state;
+    const Contact contact = query_.deepestPairAt(handInTooth);
+    state.placed = true;
+    state.offset = contact.depth * contact.normal;
+    state.proxy = {handInTooth.position + state.offset, handInTooth.rotation};
+    state.contacts = contact.contacts;
+    if (contact.depth > 0) {
+        state.heldCount = 1;
+        state.held[0] = {contact.point + state.offset, contact.normal, contact.depth,
+                         materialOf(contact.part, contact.tooth)};
+    }
+    return state;
+}
+
+}  // namespace tactooth

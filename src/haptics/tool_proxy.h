@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+
+#include "collision/contact_query.h"
+#include "collision/sliding_body.h"
+#include "haptics/contact_force.h"
+
+namespace tactooth {
+
+enum class ContactMode {
+    Proxy,    ///< the tool's pose that never penetrates follows the hand; depth is the distance between the two
+    Penalty,  ///< the published way: depth of the deepest pair of triangles at the hand's own pose, no history
+};
+
+/// What the hand meets at one tick.
+struct ProxyState {
+    Pose proxy;                  ///< of the tool in the tooth; in penalty mode the hand's pose moved out by the depth
+    Vec3 offset = Vec3::Zero();  ///< from the hand's tip to the proxy's, mm
+    double travel = 0;           ///< of the proxy since the last tick, mm
+    bool placed = false;         ///< false: no free pose is known, and no force may be made from this
+    int contacts = 0;            ///< triangles that hold the proxy (penalty: pairs that intersect)
+    int heldCount = 0;
+    std::array<HeldAt, 3> held{};
+
+    [[nodiscard]] std::span<const HeldAt> heldAt() const { return {held.data(), static_cast<std::size_t>(heldCount)}; }
+};
+
+/// Follows the hand with a tool that never enters the tooth, from the first tick on: also when the hand starts inside,
+/// and when cutting changes the surface under the tool.
+class ToolProxy {
+public:
+    ToolProxy(std::shared_ptr<const ToolShape> tool, std::shared_ptr<const Surface> surface, ContactMode mode);
+
+    ProxyState follow(const Pose& handInTooth);
+
+    /// Takes the newest surface. Returns the old one, so that the caller frees it away from the servo thread.
+    std::shared_ptr<const Surface> setSurface(std::shared_ptr<const Surface> surface);
+
+    /// Forgets the history: the next tick places the tool anew.
+    void release() { placed_ = false; }
+
+private:
+    [[nodiscard]] ProxyState followAsPenalty(const Pose& handInTooth);
+    void placeNear(const Pose& handInTooth);
+    [[nodiscard]] bool stepOutOfSurface();
+    [[nodiscard]] MaterialId materialOf(std::uint32_t part, std::uint32_t triangle) const;
+
+    std::shared_ptr<const Surface> surface_;
+    ContactMode mode_;
+    SlidingBody body_;
+    ContactQuery query_;
+    bool placed_ = false;
+    Vec3 wayOut_ = Vec3::UnitZ();  // direction of the last contact
+};
+
+}  // namespace tactooth

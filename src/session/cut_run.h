@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <span>
+
+#include "session/trajectory.h"
+#include "session/work_piece.h"
+
+namespace tactooth {
+
+/// A drive that turns at one speed whatever the load, for runs along a given path.
+[[nodiscard]] SpindlePreset constantSpeed(double speedRpm);
+
+/// Called after every row of the path, with what has been removed so far.
+using CutVisitor = std::function<void(double time, const Tick& tick, const MaterialVolumes& removed)>;
+
+/// Cuts all that the bur sweeps along the path, whatever force it would take. That force is told (normal force that the
+/// removal law asks for, against the motion); nothing is held back, so depth is 0 and the proxy is the hand.
+void cutRigidly(std::span<const TimedPose> path, const CuttingTool& tool, double speedRpm,
+                const MaterialTable& materials, WorkPiece& piece, const CutVisitor& visit);
+
+/// Follows the path with the hand; the tooth gives way only as fast as the removal law lets it. The felt surface
+/// follows the cut by no more than 5 ms of simulated time.
+void cutByLaw(std::span<const TimedPose> path, const CuttingTool& tool, const MaterialTable& materials,
+              HapticSimulation& simulation, WorkPiece& piece, const CutVisitor& visit);
+
+}  // namespace tactooth

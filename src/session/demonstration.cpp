@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "session/demonstration.h"
+
+#include <chrono>
+
+#include "session/practised_hand.h"
+#include "session/tick_sound.h"
+
+namespace tactooth {
+namespace {
+
+constexpr double kTick = 0.001;  // s
+constexpr int kTicksPerCut = 5;  // the felt surface follows the cut within 5 ms
+constexpr std::size_t kTouchPassages = 2;
+
+/// Touch a fifth of the time, stroke, lift, cut, lift again: shares of the whole.
+std::vector<Passage> lesson(const Vec3& middle, double reach, double seconds) {
+    const Vec3 left = middle - Vec3(reach, 0, 0);
+    const Vec3 right = middle + Vec3(reach, 0, 0);
+    return {
+        {0.10 * seconds, left, left, 1, 0.6, 0, false}, {0.20 * seconds, left, right, 2, 0.6, 0, false},
+        {0.06 * seconds, left, left, 1, 0, 1, true},    {0.56 * seconds, left, right, 6, 1.2, 1, true},
+        {0.08 * seconds, left, left, 1, 0, 0, true},
+    };
+}
+
+}  // namespace
+
+Demonstration playDemonstration(WorkPiece& piece, const Instrument& instrument, const HapticSettings& settings,
+                                double seconds, const std::function<void(double)>& progress) {
+    const Box3 box = piece.surface()->base->tree().box();
+    const Vec3 middle = box.center();
+    const double reach = 0.12 * box.sizes().x();
+    constexpr double kHeadroom = 1.0;  // mm above the highest cusp
+    PractisedHand hand(Vec3(middle.x() - reach, middle.y(), box.max().z() + kHeadroom), lesson(middle, reach, seconds));
+    HapticSimulation simulation(instrument.shape, instrument.cutting.envelope.maxRadius(), piece.surface(), settings);
+    SafetyLimiter limiter(hand.info().limits);
+
+    Demonstration result;
+    const auto count = static_cast<std::size_t>(seconds / kTick);
+    result.ticks.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const DeviceSample sample = hand.read(kTick);
+        if (hand.passageNumber() < kTouchPassages) result.touchTick = i;
+        const auto start = std::chrono::steady_clock::now();
+        Tick tick = simulation.step({sample.hand, sample.pedal, hand.passage().cutting}, kTick);
+        hand.write(limiter.limit(tick.wrench, kTick, tick.placed));
+        tick.micros = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
+        result.ticks.push_back(tick);
+        if (i % kTicksPerCut != 0) continue;
+        if (tick.cutting && piece.feed(instrument.cutting, tick, settings.materials)) {
+            simulation.setSurface(piece.surface());
+            ++result.surfaceUpdates;
+        }
+        result.sound.push_back({tick.time, soundOf(tick, settings.spindle), {}});
+        progress(static_cast<double>(i) / static_cast<double>(count));
+    }
+    progress(1);
+    return result;
+}
+
+}  // namespace tactooth

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "session/simulator.h"
+#include "sound/offline_render.h"
+
+namespace tactooth {
+
+/// What a demonstration leaves to be shown.
+struct Demonstration {
+    std::vector<Tick> ticks;             ///< one a millisecond
+    std::vector<TimedSoundState> sound;  ///< one every five
+    std::size_t touchTick = 0;           ///< the last one of the touching part
+    std::uint64_t surfaceUpdates = 0;
+};
+
+/// Plays a session without clock, device or display: a practised hand touches the tooth from above (+z), strokes it,
+/// lifts, starts the turbine and cuts to and fro. Equal inputs give equal results. `progress` is called with 0..1.
+[[nodiscard]] Demonstration playDemonstration(WorkPiece& piece, const Instrument& instrument,
+                                              const HapticSettings& settings, double seconds,
+                                              const std::function<void(double)>& progress);
+
+}  // namespace tactooth

@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "session/simulator.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace tactooth {
+namespace {
+
+constexpr auto kCutterPause = std::chrono::milliseconds(1);  // a tick: there is nothing new before it
+
+}  // namespace
+
+Simulator::Simulator(std::shared_ptr<WorkPiece> piece, Instrument instrument, const HapticSettings& settings,
+                     HapticDevice& device, TickListener onTick, double rateHz)
+    : piece_(std::move(piece)),
+      instrument_(std::move(instrument)),
+      settings_(settings),
+      device_(device),
+      onTick_(std::move(onTick)),
+      simulation_(instrument_.shape, instrument_.cutting.envelope.maxRadius(), piece_->surface(), settings),
+      limiter_(device.info().limits),
+      watchedSurface_(piece_->surface()),
+      watchedRemoved_(piece_->removed()) {
+    loop_ = std::make_unique<ServoLoop>(rateHz, [this](double elapsed) { servoTick(elapsed); });
+    cutter_ = std::jthread([this](const std::stop_token& stop) { runCutter(stop); });
+}
+
+Simulator::~Simulator() {
+    cutter_ = {};  // joins: after this nobody fills the queues
+    loop_.reset();
+    device_.write(SafeWrench());
+}
+
+/// Swaps in the newest surface. The old ones go back to the cutter: freeing them here would stall the servo.
+void Simulator::takeNewSurface() {
+    if (retired_.write_available() == 0) return;  // the cutter is behind with freeing: the newest surface can wait
+    std::shared_ptr<const Surface> surface;
+    if (!fresh_.pop(surface)) return;
+    std::shared_ptr<const Surface> old = simulation_.setSurface(std::move(surface));
+    retired_.push(std::move(old));
+}
+
+void Simulator::servoTick(double elapsed) {
+    const auto start = std::chrono::steady_clock::now();
+    controls_.refresh();
+    const SimulatorControls& controls = controls_.value();
+    takeNewSurface();
+    simulation_.force().setOverrides(controls.force);
+    simulation_.force().setScale(controls.forceScale);
+
+    const DeviceSample sample = device_.read(elapsed);
+    const HandInput input{sample.hand, std::max(controls.pedal, sample.pedal), controls.cutting};
+    Tick tick = simulation_.step(input, elapsed);
+    const bool enabled = controls.forceEnabled && sample.connected && tick.placed;
+    device_.write(limiter_.limit(tick.wrench, elapsed, enabled));
+
+    tick.micros = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
+    tickForCutter_.write(tick);
+    ticksForWatcher_.push(tick);
+    if (onTick_) onTick_(tick);
+}
+
+void Simulator::fetchTicks(std::vector<Tick>& ticks) {
+    ticksForWatcher_.consume_all([&](const Tick& tick) { ticks.push_back(tick); });
+}
+
+std::shared_ptr<const Surface> Simulator::surface() const {
+    const std::lock_guard lock(watched_);
+    return watchedSurface_;
+}
+
+MaterialVolumes Simulator::removed() const {
+    const std::lock_guard lock(watched_);
+    return watchedRemoved_;
+}
+
+void Simulator::publishSurface() {
+    {
+        const std::lock_guard lock(watched_);
+        watchedSurface_ = piece_->surface();
+        watchedRemoved_ = piece_->removed();
+    }
+    surfaceUpdates_.fetch_add(1, std::memory_order_relaxed);
+}
+
+void Simulator::runCutter(const std::stop_token& stop) {
+    bool unsent = false;
+    while (!stop.stop_requested()) {
+        retired_.consume_all([](const std::shared_ptr<const Surface>&) {});
+        bool changed = false;
+        if (resetRequested_.exchange(false)) {
+            piece_->reset();
+            changed = true;
+        } else if (tickForCutter_.refresh() && tickForCutter_.value().cutting) {
+            changed = piece_->feed(instrument_.cutting, tickForCutter_.value(), settings_.materials);
+        }
+        if (changed) publishSurface();
+        unsent = (unsent || changed) && !fresh_.push(piece_->surface());
+        if (!changed) std::this_thread::sleep_for(kCutterPause);
+    }
+}
+
+}  // namespace tactooth

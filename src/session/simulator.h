@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <boost/lockfree/spsc_queue.hpp>
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "devices/haptic_device.h"
+#include "geometry/latest_value.h"
+#include "haptics/haptic_simulation.h"
+#include "haptics/servo_loop.h"
+#include "session/work_piece.h"
+
+namespace tactooth {
+
+/// The instrument in the hand.
+struct Instrument {
+    std::shared_ptr<const ToolShape> shape;
+    CuttingTool cutting;
+};
+
+/// What a person sets while the simulation runs.
+struct SimulatorControls {
+    ForceOverrides force;  ///< none: the materials' own
+    double forceScale = 1;
+    double pedal = 0;          ///< 0..1, from a slider or key; the larger of this and the device's own pedal counts
+    bool cutting = false;      ///< touch or cut
+    bool forceEnabled = true;  ///< off: the device is limp, everything else goes on
+};
+
+/// A running simulation: the servo thread moves the tool and makes the force, the cutter thread carves behind it, and
+/// any number of others watch. Built for one tooth, one instrument and one device; another of these is another
+/// simulator.
+class Simulator {
+public:
+    using TickListener = std::function<void(const Tick&)>;
+
+    /// `device` is open and outlives the simulator. `onTick` runs on the servo thread after every tick: it must not
+    /// block (publish to the sound, for example). The work piece may bring cuts from an earlier simulator.
+    Simulator(std::shared_ptr<WorkPiece> piece, Instrument instrument, const HapticSettings& settings,
+              HapticDevice& device, TickListener onTick, double rateHz = 1000);
+    ~Simulator();
+    Simulator(const Simulator&) = delete;
+    Simulator& operator=(const Simulator&) = delete;
+
+    /// From one thread (the window's); wait-free.
+    void setControls(const SimulatorControls& controls) { controls_.write(controls); }
+
+    /// One thread (the window's): the ticks since the last call, oldest first, appended to `ticks`. Ticks that were not
+    /// fetched in time (two seconds) are lost to the plots, to nothing else.
+    void fetchTicks(std::vector<Tick>& ticks);
+
+    /// Any thread.
+    [[nodiscard]] std::shared_ptr<const Surface> surface() const;
+    [[nodiscard]] MaterialVolumes removed() const;
+    [[nodiscard]] const ServoTiming& timing() const { return loop_->timing(); }
+    [[nodiscard]] bool isRealTime() const { return loop_->isRealTime(); }
+    /// Surfaces published by the cutter so far.
+    [[nodiscard]] std::uint64_t surfaceUpdates() const { return surfaceUpdates_.load(std::memory_order_relaxed); }
+    /// Puts the tooth back as it was. Any thread; done by the cutter thread at its next turn.
+    void requestReset() { resetRequested_.store(true); }
+
+private:
+    using SurfaceQueue = boost::lockfree::spsc_queue<std::shared_ptr<const Surface>, boost::lockfree::capacity<8>>;
+    static constexpr std::size_t kKeptTicks = 2048;
+
+    void servoTick(double elapsed);
+    void takeNewSurface();
+    void runCutter(const std::stop_token& stop);
+    void publishSurface();
+
+    std::shared_ptr<WorkPiece> piece_;
+    Instrument instrument_;
+    HapticSettings settings_;
+    HapticDevice& device_;
+    TickListener onTick_;
+
+    // Servo thread's.
+    HapticSimulation simulation_;
+    SafetyLimiter limiter_;
+
+    // Between threads.
+    LatestValue<SimulatorControls> controls_;
+    LatestValue<Tick> tickForCutter_;
+    boost::lockfree::spsc_queue<Tick, boost::lockfree::capacity<kKeptTicks>> ticksForWatcher_;
+    SurfaceQueue fresh_;    // cutter -> servo
+    SurfaceQueue retired_;  // servo -> cutter, which frees them
+    std::atomic<bool> resetRequested_{false};
+    std::atomic<std::uint64_t> surfaceUpdates_{0};
+
+    // Cutter and watchers; never the servo.
+    mutable std::mutex watched_;
+    std::shared_ptr<const Surface> watchedSurface_;
+    MaterialVolumes watchedRemoved_{};
+
+    std::unique_ptr<ServoLoop> loop_;
+    std::jthread cutter_;
+};
+
+}  // namespace tactooth

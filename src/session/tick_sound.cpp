@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "session/tick_sound.h"
+
+#include <algorithm>
+
+namespace tactooth {
+namespace {
+
+constexpr double kTurbineFromRpm = 100000;  // air drives: turbines run at 200,000 and more, air motors below 40,000
+
+MotorKind motorOf(const SpindlePreset& spindle) {
+    if (spindle.pedalCurve == PedalCurve::electric) return MotorKind::Electric;
+    return spindle.freeSpeedRpm >= kTurbineFromRpm ? MotorKind::AirTurbine : MotorKind::LowSpeed;
+}
+
+}  // namespace
+
+DrillSoundState soundOf(const Tick& tick, const SpindlePreset& spindle) {
+    DrillSoundState state;
+    state.motor = motorOf(spindle);
+    state.speedRpm = tick.speedRpm;
+    state.freeSpeedRpm = spindle.freeSpeedRpm;
+    state.pedal = tick.cutting ? tick.pedal : 0;  // in touch mode the pedal drives nothing
+    state.load = std::clamp(tick.load / spindle.stallTorque, 0.0, 1.0);
+    state.removalWatt = tick.removalWatt;
+    state.material = soundCharacterOf(materialName(tick.material));
+    state.contactCount = tick.landings;
+    state.contactSpeed = tick.landingSpeed;
+    return state;
+}
+
+}  // namespace tactooth

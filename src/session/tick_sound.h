@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "haptics/haptic_simulation.h"
+#include "sound/drill_sound_state.h"
+
+namespace tactooth {
+
+/// How a tick sounds with this drive. Allocates nothing: fit for the servo thread.
+[[nodiscard]] DrillSoundState soundOf(const Tick& tick, const SpindlePreset& spindle);
+
+}  // namespace tactooth

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "session/trajectory.h"
+
+#include <array>
+#include <cmath>
+
+#include "session/csv_table.h"
+
+namespace tactooth {
+namespace {
+
+constexpr std::array<std::string_view, 8> kColumns = {"t", "x", "y", "z", "qw", "qx", "qy", "qz"};
+constexpr double kUnitTolerance = 0.01;  // a quaternion written with three digits is still meant as unit
+
+}  // namespace
+
+Expected<std::vector<TimedPose>> readTrajectory(const std::filesystem::path& path) {
+    const Expected<CsvTable> table = readCsv(path, kColumns);
+    if (!table) return Unexpected{table.error()};
+    std::vector<TimedPose> trajectory;
+    trajectory.reserve(table->rows());
+    for (std::size_t row = 0; row < table->rows(); ++row) {
+        const auto value = table->row(row);
+        const Quat rotation(value[4], value[5], value[6], value[7]);
+        const double length = rotation.norm();
+        if (std::abs(length - 1) > kUnitTolerance) {
+            return unexpected(table->where(row) +
+                              ": the quaternion qw,qx,qy,qz must have length 1, but its length is " +
+                              std::to_string(length) + "; write 1,0,0,0 for a tool that is not turned.");
+        }
+        if (row > 0 && value[0] < trajectory.back().time) {
+            return unexpected(table->where(row) +
+                              ": time runs backwards (t is less than in the row above); sort the rows by t.");
+        }
+        trajectory.push_back({value[0], {Vec3(value[1], value[2], value[3]), rotation.normalized()}});
+    }
+    return trajectory;
+}
+
+}  // namespace tactooth

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+
+#include "haptics/haptic_simulation.h"
+#include "tooth/bur_feed.h"
+#include "tooth/live_surface.h"
+
+namespace tactooth {
+
+/// The bur as far as cutting knows it.
+struct CuttingTool {
+    RevolutionEnvelope envelope;
+    double sharpness = 1;
+};
+
+/// A tooth on the bench: its volume, its surface and what has been removed from it. One thread cuts; the surface
+/// snapshots go anywhere.
+class WorkPiece {
+public:
+    /// `voxel`: spacing of the cut volume, mm.
+    WorkPiece(std::shared_ptr<const LayeredTooth> tooth, double voxel);
+
+    [[nodiscard]] const std::shared_ptr<const Surface>& surface() const { return live_.snapshot(); }
+    [[nodiscard]] const MaterialVolumes& removed() const { return removed_; }
+    [[nodiscard]] const LayeredTooth& tooth() const { return *tooth_; }
+
+    /// Removes all that the bur sweeps between two poses, whatever it takes. Returns what was removed.
+    MaterialVolumes sweep(const CuttingTool& tool, const Pose& from, const Pose& to);
+
+    /// Lets the bur go on from the proxy toward the hand of `tick` as far as the work booked since the last call pays
+    /// for. True if the surface has changed.
+    bool feed(const CuttingTool& tool, const Tick& tick, const MaterialTable& materials);
+
+    /// Brings `surface()` up to date with the cuts made by `sweep`.
+    void refreshSurface();
+
+    /// The whole tooth again.
+    void reset();
+
+private:
+    void book(const CarveResult& carve);
+
+    std::shared_ptr<const LayeredTooth> tooth_;
+    CutVolume volume_;
+    LiveSurface live_;
+    MaterialVolumes removed_{};
+    std::vector<ChangedBrick> changed_;  // since the last refresh
+    double workSpent_ = 0;               // of Tick::cutWork, N*m
+};
+
+}  // namespace tactooth

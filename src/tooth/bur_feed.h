@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "tooth/cut_volume.h"
+#include "tooth/material.h"
+
+namespace tactooth {
+
+/// How far the removal law let a bur go.
+struct FeedResult {
+    double fraction = 0;  ///< of the way wanted, 0..1
+    double work = 0;      ///< spent, N*m
+    CarveResult carve;
+};
+
+/// Work (normal force times rim travel, N*m) that the removal law asks for these volumes: dV = removal * sharpness *
+/// work for each material. Infinite for a bur that does not cut.
+[[nodiscard]] double workFor(const MaterialVolumes& volumes, const MaterialTable& materials, double sharpness);
+
+/// Cuts from one pose of the spinning bur toward another as far as `work` (N*m) pays for, and no further.
+[[nodiscard]] FeedResult feedBur(CutVolume& volume, const RevolutionEnvelope& envelope, const Pose& from,
+                                 const Pose& to, double work, const MaterialTable& materials, double sharpness);
+
+/// The pose a fraction of the way from one to the other.
+[[nodiscard]] Pose between(const Pose& from, const Pose& to, double fraction);
+
+}  // namespace tactooth

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+// The picture as a grid of cells, two triangles each: the colours are worked out at their corners only.
+out vec4 gridColour;
+
+const ivec2 kCells = ivec2(40, 25);
+
+void main() {
+    int cell = gl_VertexID / 6;
+    int corner = gl_VertexID % 6;
+    ivec2 offset = ivec2(corner == 1 || corner == 2 || corner == 4 ? 1 : 0, corner == 2 || corner >= 4 ? 1 : 0);
+    vec2 place = vec2(ivec2(cell % kCells.x, cell / kCells.x) + offset) / vec2(kCells);
+    gl_Position = vec4(2.0 * place - 1.0, 1.0, 1.0);
+    if (backgroundBottom.a > 1.5) {
+        gridColour = vec4(0.0);
+    } else if (backgroundBottom.a > 0.5) {
+        vec4 far = clipToWorld * vec4(2.0 * place - 1.0, 1.0, 1.0);
+        vec3 direction = normalize(far.xyz / far.w - eye.xyz);
+        gridColour = vec4(toSrgb(compress(0.6 * environment(direction, 0.5))), 1.0);
+    } else {
+        // Brightest a little below the middle, where the object stands; darker into the corners.
+        vec2 fromMiddle = (place - vec2(0.5, 0.42)) * vec2(min(pictureSize.x * pictureSize.w, 1.6), 1.0);
+        float dark = smoothstep(0.05, 1.05, length(fromMiddle));
+        vec3 colour = mix(mix(backgroundBottom.rgb, backgroundTop.rgb, smoothstep(0.0, 1.0, place.y)),
+                          backgroundTop.rgb * 0.62, 0.75 * dark);
+        gridColour = vec4(colour, 1.0);
+    }
+}

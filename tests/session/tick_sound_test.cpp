@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "session/tick_sound.h"
+
+#include <gtest/gtest.h>
+
+namespace tactooth {
+namespace {
+
+Tick cuttingTick() {
+    Tick tick;
+    tick.cutting = true;
+    tick.pedal = 0.8;
+    tick.speedRpm = 350000;
+    tick.load = 0.7;
+    tick.removalWatt = 3;
+    tick.material = MaterialId::Caries;
+    tick.landings = 4;
+    tick.landingSpeed = 12;
+    return tick;
+}
+
+TEST(TickSound, HandsOnWhatTheTickFound) {
+    const SpindlePreset turbine = spindlePresets().front();
+    const DrillSoundState state = soundOf(cuttingTick(), turbine);
+    EXPECT_EQ(state.speedRpm, 350000);
+    EXPECT_EQ(state.freeSpeedRpm, turbine.freeSpeedRpm);
+    EXPECT_EQ(state.pedal, 0.8);
+    EXPECT_EQ(state.load, 0.7 / turbine.stallTorque);
+    EXPECT_EQ(state.removalWatt, 3);
+    EXPECT_EQ(state.contactCount, 4U);
+    EXPECT_EQ(state.contactSpeed, 12);
+}
+
+TEST(TickSound, TakesTheCharacterOfTheMaterialThatHoldsTheTool) {
+    const SoundCharacter caries = soundCharacterOf("caries");
+    const SoundCharacter heard = soundOf(cuttingTick(), spindlePresets().front()).material;
+    EXPECT_EQ(heard.bandCentreHz, caries.bandCentreHz);
+    EXPECT_NE(heard.bandCentreHz, soundCharacterOf("enamel").bandCentreHz);
+}
+
+TEST(TickSound, KnowsTheThreeKindsOfDrive) {
+    EXPECT_EQ(soundOf({}, spindlePresets()[0]).motor, MotorKind::AirTurbine);
+    EXPECT_EQ(soundOf({}, spindlePresets()[1]).motor, MotorKind::Electric);
+    EXPECT_EQ(soundOf({}, spindlePresets()[2]).motor, MotorKind::LowSpeed);
+}
+
+TEST(TickSound, LoadBeyondTheStallTorqueIsFullLoad) {
+    Tick tick = cuttingTick();
+    tick.load = 99;
+    EXPECT_EQ(soundOf(tick, spindlePresets().front()).load, 1);
+}
+
+TEST(TickSound, ThePedalDrivesNoAirInTouchMode) {
+    Tick tick = cuttingTick();
+    tick.cutting = false;
+    EXPECT_EQ(soundOf(tick, spindlePresets().front()).pedal, 0);
+}
+
+}  // namespace
+}  // namespace tactooth

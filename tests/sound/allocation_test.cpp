@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+// The sound must neither wait for the heap nor keep it from others: counts each call of operator new in this program.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "sound/drill_synthesiser.h"
+#include "geometry/latest_value.h"
+#include "sound/sound_format.h"
+#include "spectrum.h"
+
+namespace {
+std::atomic<long> allocations{0};
+}  // namespace
+
+[[gnu::noinline]] void* operator new(std::size_t size) {
+    ++allocations;
+    if (void* memory = std::malloc(size)) return memory;
+    throw std::bad_alloc();
+}
+[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace tactooth {
+namespace {
+
+TEST(Allocation, CounterSeesAnAllocation) {
+    const long before = allocations;
+    std::vector<int> some(3);
+    EXPECT_EQ(some.size(), 3u);
+    EXPECT_GT(allocations, before);
+}
+
+TEST(Allocation, RenderingAndHandingOverUseNoHeap) {
+    DrillSynthesiser synthesiser;
+    LatestValue<DrillSoundState> mailbox;
+    DrillSoundState state = test::cutting("enamel", 20.0);
+    const DrillSoundState other = test::cutting("caries", 3.0);
+    std::array<float, kSoundBlock> block;
+
+    const long before = allocations;
+    for (int i = 0; i < 10000; ++i) {
+        if (i % 100 == 50) state.material = other.material;
+        state.speedRpm = 1000.0 * (i % 400);
+        state.contactCount = static_cast<std::uint32_t>(i / 7);
+        state.contactSpeed = 300.0;
+        mailbox.write(state);
+        mailbox.refresh();
+        synthesiser.setMixer({.master = 0.001 * (i % 1000)});
+        synthesiser.render(mailbox.value(), block);
+    }
+    EXPECT_EQ(allocations, before);
+}
+
+}  // namespace
+}  // namespace tactooth

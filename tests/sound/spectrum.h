@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "sound/drill_sound_state.h"
+#include "sound/drill_synthesiser.h"
+
+namespace tactooth::test {
+
+/// Power at each frequency of a piece of sound: Blackman-Harris window (leaks less than -92 dB), one-sided, a sine of
+/// amplitude 1 gives a peak of 1.
+struct Spectrum {
+    std::vector<double> power;
+    double hzPerBin = 0.0;
+
+    [[nodiscard]] double hz(std::size_t bin) const { return static_cast<double>(bin) * hzPerBin; }
+    /// Frequency of the highest peak within [low, high] Hz, interpolated between bins.
+    [[nodiscard]] double peakHz(double low, double high) const;
+    /// Highest power within [low, high] Hz.
+    [[nodiscard]] double peakPower(double low, double high) const;
+    /// Sum of power within [low, high] Hz.
+    [[nodiscard]] double bandPower(double low, double high) const;
+    /// Mean frequency, weighted by power.
+    [[nodiscard]] double centroidHz() const;
+};
+
+/// Of the first 2^k samples, as many as there are.
+[[nodiscard]] Spectrum spectrumOf(std::span<const float> samples);
+/// Mean over half-overlapping pieces of `size` (a power of two).
+[[nodiscard]] Spectrum averageSpectrum(std::span<const float> samples, std::size_t size);
+
+[[nodiscard]] double decibel(double powerRatio);
+[[nodiscard]] double rms(std::span<const float> samples);
+[[nodiscard]] float peak(std::span<const float> samples);
+/// Largest step from one sample to the next.
+[[nodiscard]] float largestJump(std::span<const float> samples);
+
+/// Renders `seconds` in blocks as the output does; `stateAt` is asked for the time at each block's end.
+[[nodiscard]] std::vector<float> renderDrill(DrillSynthesiser& synthesiser, double seconds,
+                                             const std::function<DrillSoundState(double)>& stateAt);
+
+/// A turbine that runs at a steady speed with its pedal as given.
+[[nodiscard]] DrillSoundState spinning(double speedRpm, double pedal = 1.0);
+/// The same, cutting.
+[[nodiscard]] DrillSoundState cutting(const char* material, double watt, double speedRpm = 300000.0);
+
+/// A steady state's sound after `settle` seconds.
+[[nodiscard]] std::vector<float> steadySound(const DrillSoundState& state, double seconds, double settle = 0.3);
+
+}  // namespace tactooth::test
