@@ -15,6 +15,7 @@
 #include "app/cli/exit_code.h"
 #include "app/cli/feel_command.h"
 #include "app/cli/info_command.h"
+#include "app/gui/run_window.h"
 
 namespace tactooth {
 namespace {
@@ -152,14 +153,42 @@ void addDemo(CLI::App& program, Chosen& chosen) {
         ->needs("--tooth");
     command
         ->add_option("--bur", options->bur,
-                     "An STL file, mm: tip at the origin, +z along the shaft (default: the built-in round bur)")
+                     "An STL file, mm: tip at the origin, +z along the shaft (default: the built-in fissure bur 57)")
         ->type_name("FILE");
 }
 
+/// The files that the window opens with.
+struct WindowFiles {
+    std::string tooth;
+    std::vector<std::string> layers;
+    std::string bur;
+};
+
+void addWindowOptions(CLI::App& program, WindowFiles& files) {
+    const char* const group = "Window";
+    CLI::Option* tooth = program.add_option("--tooth", files.tooth, "Your own tooth: an STL file, mm");
+    tooth->type_name("FILE")->group(group);
+    program.add_option("--layer", files.layers, "A closed surface inside it; NAME is enamel, dentin, pulp or caries")
+        ->type_name("NAME=FILE")
+        ->allow_extra_args(false)
+        ->needs(tooth)
+        ->group(group);
+    program.add_option("--bur", files.bur, "Your own bur: an STL file, tip at the origin, +z along the shaft")
+        ->type_name("FILE")
+        ->group(group);
+}
+
 /// The program without a command.
-int runWithoutCommand(const CLI::App& program) {
-    std::fputs(program.help().c_str(), stdout);
-    return kExitOk;
+int runWithoutCommand(const WindowFiles& files) {
+    WindowOptions options;
+    if (!files.tooth.empty()) options.tooth = ToothSource{.outer = files.tooth, .layers = {}};
+    for (const std::string& text : files.layers) {
+        Expected<ToothSource::Layer> layer = parseLayer(text);
+        if (!layer) return refuse(layer.error());
+        options.tooth->layers.push_back(std::move(*layer));
+    }
+    if (!files.bur.empty()) options.bur = files.bur;
+    return runWindow(options);
 }
 
 /// Output that could not be written (a full disk, a closed pipe) must not look like success.
@@ -187,7 +216,9 @@ int runCommandLine(int argc, const char* const* argv) {
     program.get_formatter()->column_width(28);
     program.get_formatter()->label("SUBCOMMAND", "COMMAND");
     program.require_subcommand(0, 1);
-    Chosen chosen = [&program] { return runWithoutCommand(program); };
+    WindowFiles files;
+    addWindowOptions(program, files);
+    Chosen chosen = [&files] { return runWithoutCommand(files); };
     addInfo(program, chosen);
     addContact(program, chosen);
     addFeel(program, chosen);

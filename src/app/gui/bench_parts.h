@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "app/common/scene_builder.h"
+#include "instruments/builtin_tooth.h"
+#include "session/simulator.h"
+#include "session/tooth_source.h"
+
+namespace tactooth {
+
+/// A tooth that is ready to be worked on.
+struct BenchTooth {
+    std::string name;  ///< for people
+    std::shared_ptr<WorkPiece> piece;
+
+    [[nodiscard]] Box3 box() const { return piece->tooth().outer()->tree().box(); }
+};
+
+/// A bur that is ready to work.
+struct BenchBur {
+    std::string name;  ///< for people
+    Instrument instrument;
+    std::shared_ptr<const TriangleMesh> shown;
+    BurMaterial material = BurMaterial::carbide;
+};
+
+/// What stands around: the same for every tooth.
+struct BenchFurniture {
+    std::shared_ptr<const TriangleMesh> turbine;
+    std::shared_ptr<const TriangleMesh> mirror;
+    MirrorDisc disc;
+};
+
+/// The built-in teeth as a list shows them.
+struct BuiltinToothEntry {
+    BuiltinToothKind kind;
+    const char* name;
+};
+inline constexpr std::array<BuiltinToothEntry, 3> kBuiltinTeeth = {{
+    {BuiltinToothKind::lowerFirstMolar, "Lower first molar (46)"},
+    {BuiltinToothKind::upperCentralIncisor, "Upper central incisor (11)"},
+    {BuiltinToothKind::upperCanine, "Upper canine (13)"},
+}};
+
+// All of these take a second or so: they belong into an Errand. Failing gives a sentence for the user.
+[[nodiscard]] Expected<BenchTooth> makeBenchTooth(const BuiltinToothEntry& entry);
+[[nodiscard]] Expected<BenchTooth> loadBenchTooth(const ToothSource& source);
+[[nodiscard]] Expected<BenchBur> makeBenchBur(const BurSpec& spec);
+[[nodiscard]] Expected<BenchBur> loadBenchBur(const std::filesystem::path& path);
+[[nodiscard]] BenchFurniture makeFurniture();
+
+}  // namespace tactooth

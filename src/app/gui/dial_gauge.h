@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+namespace tactooth {
+
+/// A round instrument with a needle: the value in large figures, its unit and a name.
+class DialGauge final : public QWidget {
+    Q_OBJECT
+
+public:
+    struct Face {
+        QString name;
+        QString unit;
+        double largest = 1;  ///< at the end of the scale, in the unit
+        int decimals = 0;
+        double warnFrom = 1e9;  ///< from here on the scale is red
+    };
+    explicit DialGauge(Face face, QWidget* parent = nullptr);
+
+    void setLargest(double largest);
+    void setValue(double value);
+    [[nodiscard]] double value() const { return value_; }
+    [[nodiscard]] QSize sizeHint() const override { return {140, 128}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {120, 110}; }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    Face face_;
+    double value_ = 0;
+};
+
+}  // namespace tactooth

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/drill_bar.h"
+
+#include <QActionGroup>
+#include <QLabel>
+#include <QStyle>
+
+namespace tactooth {
+namespace {
+
+/// "No. 4 Round bur, 1.4 mm" as the catalogue orders it.
+QString lineOf(const BurSpec& spec) {
+    return QObject::tr("%1 — %2, %3 mm")
+        .arg(QString::fromStdString(spec.number), QString::fromStdString(spec.name))
+        .arg(spec.headDiameter, 0, 'f', 1);
+}
+
+}  // namespace
+
+DrillBar::DrillBar(QWidget* parent) : QToolBar(tr("Drill"), parent), burs_(new QComboBox), spindles_(new QComboBox) {
+    setObjectName("drillBar");
+    for (const BurSpec& spec : burCatalogue()) burs_->addItem(lineOf(spec), QString::fromStdString(spec.number));
+    for (const SpindlePreset& spindle : spindlePresets()) spindles_->addItem(QString::fromStdString(spindle.name));
+    burs_->setObjectName("burs");
+    burs_->setToolTip(tr("The bur in the handpiece"));
+    burs_->setCurrentIndex(burs_->findData("4"));
+    spindles_->setToolTip(tr("What turns the bur"));
+    addWidget(new QLabel(tr(" Bur ")));
+    addWidget(burs_);
+    addWidget(new QLabel(tr("  Drive ")));
+    addWidget(spindles_);
+    addSeparator();
+    addModes();
+    connect(burs_, &QComboBox::activated, this, [this](int index) {
+        if (const auto spec = findBur(burs_->itemData(index).toString().toStdString())) emit burChosen(*spec);
+    });
+    connect(spindles_, &QComboBox::activated, this,
+            [this](int index) { emit spindleChosen(spindlePresets()[static_cast<std::size_t>(index)]); });
+}
+
+void DrillBar::addModes() {
+    auto* modes = new QActionGroup(this);
+    touch_ = modes->addAction(tr("Touch"));
+    touch_->setToolTip(tr("Touch (T): the bur stands still and feels the tooth"));
+    touch_->setShortcut(Qt::Key_T);
+    cut_ = modes->addAction(tr("Cut"));
+    cut_->setToolTip(tr("Cut (C): with the pedal down the bur turns and cuts"));
+    cut_->setShortcut(Qt::Key_C);
+    for (QAction* mode : {touch_, cut_}) mode->setCheckable(true);
+    touch_->setChecked(true);
+    addActions(modes->actions());
+    connect(cut_, &QAction::toggled, this, &DrillBar::cuttingChanged);
+    addSeparator();
+    reset_ = addAction(style()->standardIcon(QStyle::SP_BrowserReload), tr("Reset tooth"));
+    reset_->setToolTip(tr("Puts back all that was cut (Ctrl+R)"));
+    reset_->setShortcut(QKeySequence("Ctrl+R"));
+}
+
+void DrillBar::showOwnBur(const QString& name) {
+    const int place = burs_->count();
+    burs_->addItem(name);
+    burs_->setCurrentIndex(place);
+    burs_->setItemData(place, QString());
+}
+
+}  // namespace tactooth

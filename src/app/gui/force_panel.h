@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QCheckBox>
+#include <QWidget>
+
+#include "app/gui/number_row.h"
+#include "session/simulator.h"
+
+namespace tactooth {
+
+/// The box of force parameters: spring and damper (the materials' own, or one's own numbers), the scale of the force,
+/// and how hard the mouse presses.
+class ForcePanel final : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ForcePanel(QWidget* parent = nullptr);
+
+    [[nodiscard]] ForceOverrides overrides() const;
+    [[nodiscard]] double forceScale() const { return scale_->value(); }
+    void setPressDepth(double depth) { press_->setValue(depth); }
+
+signals:
+    void changed();
+    void pressDepthChanged(double depth);
+
+private:
+    void reset();
+
+    QCheckBox* fromMaterial_;
+    NumberRow* spring_;
+    NumberRow* damper_;
+    NumberRow* scale_;
+    NumberRow* press_;
+};
+
+}  // namespace tactooth

@@ -1,0 +1,228 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/main_window.h"
+
+#include <QApplication>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QLabel>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QStyle>
+
+#include "app/gui/drill_bar.h"
+#include "app/gui/drive_panel.h"
+#include "app/gui/force_panel.h"
+#include "app/gui/open_tooth_dialog.h"
+#include "app/gui/plot_panel.h"
+#include "app/gui/sound_panel.h"
+#include "app/gui/status_line.h"
+#include "app/gui/tooth_view.h"
+#include "geometry/stl_writer.h"
+
+namespace tactooth {
+namespace {
+
+constexpr int kStepMs = 16;     // the hand moves 60 times a second
+constexpr int kNumbersMs = 66;  // gauges and plots: 15 times a second
+constexpr int kStatusMs = 500;
+constexpr double kLongestStep = 0.1;  // s: after a stall the hand goes on gently
+
+}  // namespace
+
+MainWindow::MainWindow(SoundOutput& sound)
+    : sound_(sound),
+      bench_(sound),
+      view_(new ToothView(bench_)),
+      drill_(new DrillBar),
+      drive_(new DrivePanel),
+      force_(new ForcePanel),
+      volumes_(new SoundPanel),
+      plots_(new PlotPanel),
+      status_(new StatusLine),
+      busy_(new QProgressBar),
+      fileBar_(addToolBar(tr("File"))),
+      viewBar_(new QToolBar(tr("View"))) {
+    setWindowTitle(tr("Tactooth"));
+    setAcceptDrops(true);
+    setCentralWidget(view_);
+    setStatusBar(status_);
+    addPanels();
+    addFileMenu();
+    addViewMenu();
+    addDrillAndSoundMenus();
+    addHelpMenu();
+    connectPanels();
+    qApp->installEventFilter(this);  // the pedal key works wherever the focus is
+    connect(&stepTimer_, &QTimer::timeout, this, &MainWindow::step);
+    connect(&numbersTimer_, &QTimer::timeout, this, &MainWindow::showNumbers);
+    connect(&statusTimer_, &QTimer::timeout, this, [this] {
+        if (bench_.simulator() != nullptr) status_->show(*bench_.simulator(), sound_.status());
+    });
+    stepTimer_.start(kStepMs);
+    numbersTimer_.start(kNumbersMs);
+    statusTimer_.start(kStatusMs);
+    resize(1400, 900);
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::addDock(QWidget& panel, const QString& title, Qt::DockWidgetArea area) {
+    auto* dock = new QDockWidget(title);
+    dock->setObjectName(title);
+    dock->setWidget(&panel);
+    addDockWidget(area, dock);
+}
+
+void MainWindow::addPanels() {
+    fileBar_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    fileBar_->setObjectName("fileBar");
+    drill_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    viewBar_->setObjectName("viewBar");
+    addToolBar(viewBar_);
+    addToolBarBreak();
+    addToolBar(drill_);
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    addDock(*drive_, tr("Drill"), Qt::RightDockWidgetArea);
+    addDock(*force_, tr("Force"), Qt::RightDockWidgetArea);
+    addDock(*volumes_, tr("Sound"), Qt::RightDockWidgetArea);
+    addDock(*plots_, tr("Last ten seconds"), Qt::BottomDockWidgetArea);
+    busy_->setRange(0, 0);
+    busy_->setMaximumWidth(120);
+    busy_->setObjectName("busy");
+    status_->addPermanentWidget(busy_);
+    status_->setHint(tr("Preparing the tooth…"));
+}
+
+void MainWindow::addFileMenu() {
+    QMenu* menu = menuBar()->addMenu(tr("&File"));
+    QAction* open = menu->addAction(style()->standardIcon(QStyle::SP_DialogOpenButton), tr("&Open tooth…"), this,
+                                    &MainWindow::askForTooth);
+    open->setShortcut(QKeySequence::Open);
+    QMenu* builtin = menu->addMenu(tr("&Built-in teeth"));
+    for (const BuiltinToothEntry& entry : kBuiltinTeeth) {
+        builtin->addAction(tr(entry.name), this, [this, &entry] { bringBuiltinTooth(entry); });
+    }
+    menu->addAction(tr("Open &bur…"), this, &MainWindow::askForBur);
+    QAction* save = menu->addAction(style()->standardIcon(QStyle::SP_DialogSaveButton), tr("&Export cut tooth…"), this,
+                                    &MainWindow::askForExport);
+    save->setShortcut(QKeySequence::SaveAs);
+    menu->addSeparator();
+    menu->addAction(tr("&Quit"), this, &QWidget::close)->setShortcut(QKeySequence("Ctrl+Q"));
+    fileBar_->addAction(open);
+    fileBar_->addAction(builtin->menuAction());
+    fileBar_->addAction(save);
+}
+
+QAction* MainWindow::addViewAction(const QString& text, const QString& keys, void (ToothView::*act)()) {
+    QAction* action = viewMenu_->addAction(text, view_, act);
+    action->setShortcut(QKeySequence(keys));
+    viewBar_->addAction(action);
+    return action;
+}
+
+void MainWindow::addViewMenu() {
+    viewMenu_ = menuBar()->addMenu(tr("&View"));
+    addViewAction(tr("Dentist's view"), "0", &ToothView::lookAsUsual);
+    const std::array<std::pair<QString, StandardView>, 5> views = {{{tr("Occlusal"), StandardView::Occlusal},
+                                                                    {tr("Buccal"), StandardView::Buccal},
+                                                                    {tr("Lingual"), StandardView::Lingual},
+                                                                    {tr("Mesial"), StandardView::Mesial},
+                                                                    {tr("Distal"), StandardView::Distal}}};
+    int key = 1;
+    for (const auto& [name, view] : views) {
+        QAction* action = viewMenu_->addAction(name, this, [this, view = view] { view_->look(view); });
+        action->setShortcut(QKeySequence(QString::number(key++)));
+        viewBar_->addAction(action);
+    }
+    addViewAction(tr("Fit"), "F", &ToothView::fit);
+    viewMenu_->addSeparator();
+    viewBar_->addSeparator();
+    const auto addSwitch = [this](const QString& text, const QString& keys, void (ToothView::*set)(bool)) {
+        QAction* action = viewMenu_->addAction(text);
+        action->setCheckable(true);
+        action->setChecked(true);
+        action->setShortcut(QKeySequence(keys));
+        connect(action, &QAction::toggled, view_, set);
+        viewBar_->addAction(action);
+    };
+    addSwitch(tr("Mirror"), "M", &ToothView::setShowsMirror);
+    addSwitch(tr("Turbine"), "H", &ToothView::setShowsTurbine);
+    viewMenu_->addSeparator();
+    for (QDockWidget* dock : findChildren<QDockWidget*>()) viewMenu_->addAction(dock->toggleViewAction());
+}
+
+void MainWindow::addDrillAndSoundMenus() {
+    QMenu* menu = menuBar()->addMenu(tr("&Drill"));
+    menu->addActions({drill_->touchAction(), drill_->cutAction()});
+    menu->addSeparator();
+    menu->addAction(tr("Stand the bur &upright"), this, [this] { bench_.hand().standUpright(); })
+        ->setShortcut(QKeySequence("U"));
+    constexpr double kTurn = 0.2;  // rad for one press of the key
+    menu->addAction(tr("Turn the handle &left"), this, [this] { bench_.hand().turnHandle(kTurn); })
+        ->setShortcut(QKeySequence("Q"));
+    menu->addAction(tr("Turn the handle &right"), this, [this] { bench_.hand().turnHandle(-kTurn); })
+        ->setShortcut(QKeySequence("E"));
+    menu->addSeparator();
+    menu->addAction(drill_->resetAction());
+
+    QAction* mute = menuBar()->addMenu(tr("&Sound"))->addAction(tr("&Mute"));
+    mute->setCheckable(true);
+    mute->setShortcut(QKeySequence("Ctrl+M"));
+    connect(mute, &QAction::toggled, volumes_, &SoundPanel::setMuted);
+    connect(volumes_, &SoundPanel::mutedChanged, mute, &QAction::setChecked);
+}
+
+void MainWindow::addHelpMenu() {
+    QMenu* menu = menuBar()->addMenu(tr("&Help"));
+    menu->addAction(tr("&Mouse and keys"), this, &MainWindow::showMouseAndKeys)->setShortcut(QKeySequence("F1"));
+    menu->addAction(tr("&About Tactooth"), this, &MainWindow::showAbout);
+}
+
+void MainWindow::connectPanels() {
+    connect(drill_, &DrillBar::burChosen, this, &MainWindow::bringBur);
+    connect(drill_, &DrillBar::spindleChosen, this, [this](const SpindlePreset& spindle) {
+        bench_.setSpindle(spindle);
+        drive_->setSpindle(spindle);
+    });
+    connect(drill_, &DrillBar::cuttingChanged, this, [this](bool cutting) { bench_.controls.cutting = cutting; });
+    connect(drill_->resetAction(), &QAction::triggered, this, [this] {
+        if (bench_.simulator() != nullptr) bench_.simulator()->requestReset();
+    });
+    connect(drive_, &DrivePanel::pedalChanged, this, [this](double pedal) { bench_.controls.pedal = pedal; });
+    connect(force_, &ForcePanel::changed, this, [this] {
+        bench_.controls.force = force_->overrides();
+        bench_.controls.forceScale = force_->forceScale();
+    });
+    connect(force_, &ForcePanel::pressDepthChanged, this, [this](double mm) { bench_.hand().setPressDepth(mm); });
+    connect(view_, &ToothView::pressDepthChanged, force_, &ForcePanel::setPressDepth);
+    connect(view_, &ToothView::failed, this, &MainWindow::graphicsFailed, Qt::QueuedConnection);
+    connect(volumes_, &SoundPanel::changed, this, [this] { sound_.setMixer(volumes_->mixer()); });
+}
+
+void MainWindow::step() {
+    const double dt = sinceStep_.isValid() ? static_cast<double>(sinceStep_.restart()) / 1000 : (sinceStep_.start(), 0);
+    takeNews(bench_.step(std::min(dt, kLongestStep)));
+    trace_.add(bench_.ticks());
+    busy_->setVisible(bench_.isBusy());
+    view_->refresh();
+}
+
+void MainWindow::takeNews(const Workbench::News& news) {
+    if (news.failure) complain(QString::fromStdString(*news.failure));
+    if (news.newSimulator) trace_.clear();
+    if (!news.newTooth) return;
+    setWindowTitle(tr("%1 — Tactooth").arg(QString::fromStdString(bench_.tooth()->name)));
+    status_->setHint(
+        tr("Left button: press the bur on the tooth · wheel: harder, softer · right: turn · space: pedal"));
+    view_->fit();
+}
+
+void MainWindow::showNumbers() {
+    drive_->show(bench_.newest());
+    plots_->show(trace_);
+}
+
+}  // namespace tactooth

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QElapsedTimer>
+#include <QMainWindow>
+#include <QProgressBar>
+#include <QTimer>
+
+#include "app/gui/tick_trace.h"
+#include "app/gui/workbench.h"
+#include "sound/sound_output.h"
+
+namespace tactooth {
+
+class DrillBar;
+class DrivePanel;
+class ForcePanel;
+class PlotPanel;
+class SoundPanel;
+class StatusLine;
+class ToothView;
+
+/// The simulator's window: wires the workbench to the widgets around it.
+class MainWindow final : public QMainWindow {
+    Q_OBJECT
+
+public:
+    /// `sound` outlives the window. Starts empty: bring or open something next.
+    explicit MainWindow(SoundOutput& sound);
+    ~MainWindow() override;
+
+    [[nodiscard]] Workbench& bench() { return bench_; }
+    void bringBuiltinTooth(const BuiltinToothEntry& entry);
+    void openTooth(const ToothSource& source);
+    void bringBur(const BurSpec& spec);
+    void openBur(const QString& file);
+    /// Writes the tooth as it is now; says so if that fails.
+    void exportTooth(const QString& file);
+
+signals:
+    /// The graphics system cannot draw; a sentence. The window is of no use then.
+    void graphicsFailed(const QString& sentence);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+private:
+    void addPanels();
+    void addFileMenu();
+    void addViewMenu();
+    void addDrillAndSoundMenus();
+    void addHelpMenu();
+    void addDock(QWidget& panel, const QString& title, Qt::DockWidgetArea area);
+    void connectPanels();
+    QAction* addViewAction(const QString& text, const QString& keys, void (ToothView::*act)());
+
+    void step();
+    void showNumbers();
+    void takeNews(const Workbench::News& news);
+    void complain(const QString& sentence);
+    void askForTooth();
+    void askForBur();
+    void askForExport();
+    void showMouseAndKeys();
+    void showAbout();
+
+    SoundOutput& sound_;
+    Workbench bench_;
+    TickTrace trace_;
+    ToothView* view_;
+    DrillBar* drill_;
+    DrivePanel* drive_;
+    ForcePanel* force_;
+    SoundPanel* volumes_;
+    PlotPanel* plots_;
+    StatusLine* status_;
+    QProgressBar* busy_;
+    QToolBar* fileBar_;
+    QToolBar* viewBar_;
+    QMenu* viewMenu_ = nullptr;
+    QTimer stepTimer_, numbersTimer_, statusTimer_;
+    QElapsedTimer sinceStep_;
+};
+
+}  // namespace tactooth

@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the window asks and says, and the files that go in and out.
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QMessageBox>
+#include <QMimeData>
+
+#include "app/gui/drill_bar.h"
+#include "app/gui/drive_panel.h"
+#include "app/gui/main_window.h"
+#include "app/gui/open_tooth_dialog.h"
+#include "app/gui/status_line.h"
+#include "geometry/stl_writer.h"
+
+namespace tactooth {
+namespace {
+
+const char* const kStlFilter = QT_TRANSLATE_NOOP("tactooth::MainWindow", "STL surfaces (*.stl *.STL);;All files (*)");
+
+/// A message that does not stop the simulation.
+void say(QWidget* parent, QMessageBox::Icon icon, const QString& title, const QString& text) {
+    auto* box = new QMessageBox(icon, title, text, QMessageBox::Ok, parent);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    box->open();
+}
+
+QFileDialog* fileDialog(QWidget* parent, const QString& title, const QString& filter) {
+    auto* dialog = new QFileDialog(parent, title, QString(), filter);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    return dialog;
+}
+
+}  // namespace
+
+void MainWindow::bringBuiltinTooth(const BuiltinToothEntry& entry) {
+    status_->setHint(tr("Making the tooth: %1…").arg(tr(entry.name)));
+    bench_.bring([entry] { return makeBenchTooth(entry); });
+}
+
+void MainWindow::openTooth(const ToothSource& source) {
+    status_->setHint(tr("Opening %1…").arg(QString::fromStdString(source.outer.filename().string())));
+    bench_.bring(Errand<BenchTooth>::Work([source] { return loadBenchTooth(source); }));
+}
+
+void MainWindow::bringBur(const BurSpec& spec) {
+    bench_.bring(Errand<BenchBur>::Work([spec] { return makeBenchBur(spec); }));
+}
+
+void MainWindow::openBur(const QString& file) {
+    bench_.bring(Errand<BenchBur>::Work([path = file.toStdString()] { return loadBenchBur(path); }));
+}
+
+void MainWindow::exportTooth(const QString& file) {
+    if (bench_.simulator() == nullptr) return;
+    const Expected<void> written = writeStl(visibleMesh(*bench_.simulator()->surface()).mesh, file.toStdString());
+    if (!written) return complain(QString::fromStdString(written.error().message));
+    status_->setHint(tr("The tooth was written to %1").arg(file));
+}
+
+void MainWindow::complain(const QString& sentence) {
+    status_->setHint(sentence);
+    say(this, QMessageBox::Warning, tr("Tactooth"), sentence);
+}
+
+void MainWindow::askForTooth() {
+    auto* dialog = new OpenToothDialog(this);
+    connect(dialog, &OpenToothDialog::chosen, this, &MainWindow::openTooth);
+    dialog->open();
+}
+
+void MainWindow::askForBur() {
+    QFileDialog* dialog = fileDialog(this, tr("Open bur: tip at the origin, shaft along +z, mm"), tr(kStlFilter));
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::openBur);
+    dialog->open();
+}
+
+void MainWindow::askForExport() {
+    QFileDialog* dialog = fileDialog(this, tr("Export cut tooth"), tr(kStlFilter));
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix("stl");
+    dialog->selectFile("cut.stl");
+    connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::exportTooth);
+    dialog->open();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    ToothSource source;
+    source.outer = event->mimeData()->urls().front().toLocalFile().toStdString();
+    openTooth(source);
+}
+
+/// The space key is the pedal, whatever has the focus, as long as no dialog is in front.
+bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
+    const bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease;
+    if (!isKey || !watched->isWidgetType() || static_cast<QWidget*>(watched)->window() != this) {
+        return QMainWindow::eventFilter(watched, event);
+    }
+    const auto* key = static_cast<QKeyEvent*>(event);
+    if (key->key() != Qt::Key_Space) return QMainWindow::eventFilter(watched, event);
+    if (!key->isAutoRepeat()) drive_->setKeyDown(event->type() == QEvent::KeyPress);
+    return true;
+}
+
+void MainWindow::showMouseAndKeys() {
+    const auto row = [](const QString& what, const QString& effect) {
+        return "<tr><td><b>" + what + "</b>&nbsp;&nbsp;&nbsp;</td><td>" + effect + "</td></tr>";
+    };
+    QString text = "<table>";
+    text += row(tr("Move"), tr("the bur hovers over the point under the mouse"));
+    text += row(tr("Left button"), tr("the bur goes down and presses; drag to stroke or cut"));
+    text += row(tr("Wheel"), tr("press harder or softer"));
+    text += row(tr("Shift + move"), tr("lean the bur"));
+    text += row(tr("Right button"), tr("turn the tooth"));
+    text += row(tr("Middle button"), tr("shift the picture"));
+    text += row(tr("Ctrl + wheel"), tr("nearer or farther"));
+    text += row(tr("Space"), tr("the pedal, as long as you hold it"));
+    text += row(tr("T, C"), tr("touch, cut"));
+    text += row(tr("0 to 5, F"), tr("views; show the whole crown"));
+    text += row(tr("Q, E, U"), tr("turn the handle; stand the bur upright"));
+    text += row(tr("M, H"), tr("mirror, turbine on and off"));
+    say(this, QMessageBox::NoIcon, tr("Mouse and keys"), text + "</table>");
+}
+
+void MainWindow::showAbout() {
+    say(this, QMessageBox::NoIcon, tr("About Tactooth"),
+        tr("<b>Tactooth</b><br>See, feel and hear a dental bur touch and cut a tooth.<br><br>"
+           "Free software under the GNU General Public License, version 3 or later;<br>"
+           "its simulation library under the Apache License 2.0."));
+}
+
+}  // namespace tactooth

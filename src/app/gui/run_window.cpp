@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/run_window.h"
+
+#include <QApplication>
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+#include <QSurfaceFormat>
+#include <cstdlib>
+
+#include "app/cli/exit_code.h"
+#include "app/gui/main_window.h"
+#include "app/gui/window_setup.h"
+#include "sound/audio_libraries.h"
+#include "sound/openal_output.h"
+
+namespace tactooth {
+namespace {
+
+constexpr const char* kFirstBur = "4";  // round, 1.4 mm: what one opens a fissure with
+
+/// Qt ends the program by itself where there is no display, with a page of text.
+Expected<void> checkDisplay() {
+    const auto isSet = [](const char* name) { return std::getenv(name) != nullptr && *std::getenv(name) != '\0'; };
+    if (isSet("DISPLAY") || isSet("WAYLAND_DISPLAY") || isSet("QT_QPA_PLATFORM")) return {};
+    return unexpected(
+        "there is no display to open a window on; start it from a desktop, or use 'tactooth demo --out DIR', which "
+        "needs none.");
+}
+
+Expected<void> checkOpenGl() {
+    QOpenGLContext context;
+    QOffscreenSurface surface;
+    surface.create();
+    if (context.create() && context.makeCurrent(&surface)) {
+        const auto version = context.format().version();
+        context.doneCurrent();
+        if (version >= std::pair(4, 1)) return {};
+    }
+    return unexpected(
+        "the window needs OpenGL 4.1, which this display does not offer; install the graphics driver, or Mesa's "
+        "software renderer (package libgl1-mesa-dri).");
+}
+
+}  // namespace
+
+int runWindow(const WindowOptions& options) {
+    if (const auto display = checkDisplay(); !display) return refuse(display.error());
+    std::optional<BenchTooth> tooth;
+    if (options.tooth) {
+        Expected<BenchTooth> loaded = loadBenchTooth(*options.tooth);
+        if (!loaded) return refuse(loaded.error());
+        tooth = std::move(*loaded);
+    }
+    std::optional<BenchBur> bur;
+    if (options.bur) {
+        Expected<BenchBur> loaded = loadBenchBur(*options.bur);
+        if (!loaded) return refuse(loaded.error());
+        bur = std::move(*loaded);
+    }
+    prepareAudioLibraries();
+    prepareWindowSystem();
+    int argc = 1;
+    char name[] = "tactooth";
+    char* argv[] = {name, nullptr};
+    QApplication application(argc, argv);
+    applyLook(application);
+    if (const auto openGl = checkOpenGl(); !openGl) return refuse(openGl.error());
+
+    OpenAlOutput sound;
+    MainWindow window(sound);
+    int exitCode = kExitOk;
+    QObject::connect(&window, &MainWindow::graphicsFailed, &application, [&](const QString& sentence) {
+        exitCode = refuse({sentence.toStdString()});
+        QApplication::exit(exitCode);
+    });
+    tooth ? window.bench().put(std::move(*tooth)) : window.bringBuiltinTooth(kBuiltinTeeth.front());
+    bur ? window.bench().put(std::move(*bur)) : window.bringBur(*findBur(kFirstBur));
+    window.show();
+    QApplication::exec();
+    return exitCode;
+}
+
+}  // namespace tactooth

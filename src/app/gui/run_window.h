@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "session/tooth_source.h"
+
+namespace tactooth {
+
+/// What the window opens with; whatever is not given is the built-in one.
+struct WindowOptions {
+    std::optional<ToothSource> tooth;
+    std::optional<std::filesystem::path> bur;
+};
+
+/// Opens the simulator's window and returns when it is closed: an ExitCode. Without a display or OpenGL 4.1, or with
+/// files that cannot be used, it says so on stderr and opens nothing.
+[[nodiscard]] int runWindow(const WindowOptions& options);
+
+}  // namespace tactooth

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QElapsedTimer>
+#include <QLabel>
+#include <QStatusBar>
+
+#include "session/simulator.h"
+#include "sound/sound_output.h"
+
+namespace tactooth {
+
+/// The numbers at the window's foot: what was removed, and whether the machine keeps up.
+class StatusLine final : public QStatusBar {
+    Q_OBJECT
+
+public:
+    explicit StatusLine(QWidget* parent = nullptr);
+
+    /// Call about twice a second, so that the rates are of the last half second.
+    void show(const Simulator& simulator, SoundStatus sound);
+    /// A hint that stays on the left side until the next one.
+    void setHint(const QString& hint) { hint_->setText(hint); }
+
+private:
+    QLabel* hint_;
+    QLabel* removed_;
+    QLabel* servo_;
+    QLabel* sound_;
+    QElapsedTimer since_;
+    std::uint64_t ticks_ = 0;
+    std::uint64_t updates_ = 0;
+};
+
+}  // namespace tactooth

@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/tooth_view.h"
+
+#include <QMouseEvent>
+#include <QOpenGLContext>
+#include <cmath>
+
+namespace tactooth {
+namespace {
+
+constexpr int kRestMs = 400;        // without a change until the careful picture is drawn
+constexpr int kShortestMs = 30;     // between two pictures: about 30 a second are enough for the eye
+constexpr double kPressStep = 0.1;  // mm for one notch of the wheel
+constexpr double kZoomStep = 0.88;  // for one notch
+constexpr double kUsualAzimuth = 1.25, kUsualElevation = 0.7;  // rad
+
+bool samePose(const Pose& a, const Pose& b) {
+    constexpr double kSeen = 0.002;  // mm, and rad times a tool's length: a twentieth of a pixel
+    return (a.position - b.position).norm() < kSeen && a.rotation.angularDistance(b.rotation) < kSeen / 20;
+}
+
+}  // namespace
+
+ToothView::ToothView(Workbench& bench, QWidget* parent) : QOpenGLWidget(parent), bench_(bench) {
+    setMinimumSize(320, 240);
+    setMouseTracking(true);
+    setFocusPolicy(Qt::StrongFocus);
+    setCursor(Qt::CrossCursor);
+    setObjectName("toothView");
+    rest_.setSingleShot(true);
+    connect(&rest_, &QTimer::timeout, this, [this] {
+        careful_ = true;
+        update();
+    });
+    lookAsUsual();
+}
+
+ToothView::~ToothView() { forgetRenderer(); }
+
+void ToothView::forgetRenderer() {
+    if (!renderer_) return;
+    makeCurrent();
+    renderer_.reset();
+    doneCurrent();
+}
+
+PictureSize ToothView::pictureSize() const {
+    const double ratio = devicePixelRatioF();
+    return {std::max(1, static_cast<int>(std::lround(width() * ratio))),
+            std::max(1, static_cast<int>(std::lround(height() * ratio)))};
+}
+
+Vec2 ToothView::toPixel(const QPointF& position) const {
+    return Vec2(position.x(), position.y()) * devicePixelRatioF();
+}
+
+void ToothView::report(const Error& error) {
+    failed_ = true;
+    emit failed(QString::fromStdString(error.message));
+}
+
+void ToothView::initializeGL() {
+    // Called again whenever the widget gets a new context; nothing of the old one is of use then.
+    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &ToothView::forgetRenderer);
+    Expected<Renderer> renderer = Renderer::create();
+    if (renderer) {
+        renderer_.emplace(std::move(*renderer));
+    } else {
+        report(renderer.error());
+    }
+}
+
+void ToothView::paintGL() {
+    if (!renderer_ || failed_) return;
+    SceneContents contents = bench_.contents(showsTurbine_, showsMirror_);
+    contents.camera = camera_.camera();
+    drawn_ = contents;
+    const RenderSettings& settings = careful_ ? kFine : kQuick;
+    if (!std::exchange(careful_, false)) rest_.start(kRestMs);
+    auto done = renderer_->render(makeScene(contents), defaultFramebufferObject(), pictureSize(), settings);
+    if (!done) report(done.error());
+    sinceDrawn_.start();
+}
+
+bool ToothView::hasChanged(const SceneContents& now) const {
+    if (now.tooth != drawn_.tooth || now.tool.has_value() != drawn_.tool.has_value() ||
+        now.mirror.has_value() != drawn_.mirror.has_value()) {
+        return true;
+    }
+    if (!now.tool) return false;
+    return now.tool->bur != drawn_.tool->bur || now.tool->turbine != drawn_.tool->turbine ||
+           now.tool->spin != drawn_.tool->spin || !samePose(now.tool->toolInTooth, drawn_.tool->toolInTooth);
+}
+
+void ToothView::refresh() {
+    if (sinceDrawn_.isValid() && sinceDrawn_.elapsed() < kShortestMs) return;
+    if (!hasChanged(bench_.contents(showsTurbine_, showsMirror_))) return;
+    update();
+}
+
+void ToothView::fit() {
+    if (!bench_.tooth()) return;
+    // The crown is what is worked on: the roots may leave the picture.
+    Box3 box = bench_.tooth()->box();
+    constexpr double kCrown = 11;  // mm, the tallest crowns
+    box.min().z() = std::max(box.min().z(), box.max().z() - kCrown);
+    camera_.fit(box, pictureSize().aspect());
+    update();
+}
+
+void ToothView::look(StandardView view) {
+    camera_.look(view);
+    update();
+}
+
+void ToothView::lookAsUsual() {
+    camera_.look(OrbitCamera::Direction{kUsualAzimuth, kUsualElevation});
+    update();
+}
+
+void ToothView::setShowsTurbine(bool shows) {
+    showsTurbine_ = shows;
+    update();
+}
+
+void ToothView::setShowsMirror(bool shows) {
+    showsMirror_ = shows;
+    update();
+}
+
+void ToothView::mousePressEvent(QMouseEvent* event) {
+    mouse_ = toPixel(event->position());
+    if (event->button() == Qt::LeftButton) bench_.hand().press(picture(), mouse_);
+}
+
+void ToothView::mouseReleaseEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton) bench_.hand().release();
+}
+
+void ToothView::moveCamera(const Vec2& way, Qt::MouseButtons buttons) {
+    if (buttons & Qt::RightButton) {
+        camera_.orbit(way, pictureSize());
+    } else {
+        camera_.pan(way, pictureSize());
+    }
+    update();
+}
+
+void ToothView::mouseMoveEvent(QMouseEvent* event) {
+    const Vec2 now = toPixel(event->position());
+    const Vec2 way = now - mouse_;
+    mouse_ = now;
+    if (event->buttons() & (Qt::RightButton | Qt::MiddleButton)) return moveCamera(way, event->buttons());
+    if (bench_.simulator() == nullptr) return;
+    if (event->modifiers() & Qt::ShiftModifier) {
+        bench_.hand().lean(picture(), way);
+    } else if (bench_.hand().isPressing()) {
+        bench_.hand().drag(picture(), now);
+    } else {
+        bench_.hand().aim(picture(), now, *bench_.simulator()->surface());
+    }
+}
+
+void ToothView::wheelEvent(QWheelEvent* event) {
+    constexpr double kNotch = 120;  // eighths of a degree
+    const double notches = event->angleDelta().y() / kNotch;
+    if (event->modifiers() & Qt::ControlModifier) {
+        camera_.zoom(std::pow(kZoomStep, notches), toPixel(event->position()), pictureSize());
+        update();
+    } else {
+        bench_.hand().setPressDepth(bench_.hand().pressDepth() + kPressStep * notches);
+        emit pressDepthChanged(bench_.hand().pressDepth());
+    }
+    event->accept();
+}
+
+}  // namespace tactooth

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QElapsedTimer>
+#include <QOpenGLWidget>
+#include <QTimer>
+
+#include "app/gui/workbench.h"
+#include "view/orbit_camera.h"
+#include "view/renderer.h"
+
+namespace tactooth {
+
+/// The picture in the middle of the window, and the mouse in it. Draws when something has changed: quickly while things
+/// move, and once more with all care when they have come to rest.
+class ToothView final : public QOpenGLWidget {
+    Q_OBJECT
+
+public:
+    explicit ToothView(Workbench& bench, QWidget* parent = nullptr);
+    ~ToothView() override;
+
+    /// Draws again if what there is to see has changed.
+    void refresh();
+    void fit();
+    void look(StandardView view);
+    /// From buccal and above, as a dentist sees a lower tooth.
+    void lookAsUsual();
+    void setShowsTurbine(bool shows);
+    void setShowsMirror(bool shows);
+
+signals:
+    /// The pressing depth was changed by the mouse wheel, mm.
+    void pressDepthChanged(double depth);
+    /// The graphics system cannot draw; a sentence.
+    void failed(const QString& sentence);
+
+protected:
+    void initializeGL() override;
+    void paintGL() override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+
+private:
+    [[nodiscard]] PictureSize pictureSize() const;
+    [[nodiscard]] PointedPicture picture() const { return {camera_.camera(), pictureSize()}; }
+    [[nodiscard]] Vec2 toPixel(const QPointF& position) const;
+    [[nodiscard]] bool hasChanged(const SceneContents& now) const;
+    void moveCamera(const Vec2& way, Qt::MouseButtons buttons);
+    void report(const Error& error);
+    void forgetRenderer();
+
+    Workbench& bench_;
+    OrbitCamera camera_;
+    std::optional<Renderer> renderer_;
+    bool failed_ = false;
+    bool showsTurbine_ = true;
+    bool showsMirror_ = true;
+    SceneContents drawn_;
+    bool careful_ = false;  // the next picture
+    QTimer rest_;           // runs out when nothing has moved for a while
+    QElapsedTimer sinceDrawn_;
+    Vec2 mouse_ = Vec2::Zero();
+};
+
+}  // namespace tactooth

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/workbench.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "session/tick_sound.h"
+
+namespace tactooth {
+namespace {
+
+const Box3 kNoTooth(Vec3(-5, -5, -5), Vec3(5, 5, 5));      // where the hand rests before there is a tooth, mm
+constexpr double kEyeAzimuth = 1.25, kEyeElevation = 0.7;  // rad; the parked mirror is turned to this usual view
+
+Vec3 usualEye() {
+    return {std::cos(kEyeElevation) * std::cos(kEyeAzimuth), std::cos(kEyeElevation) * std::sin(kEyeAzimuth),
+            std::sin(kEyeElevation)};
+}
+
+}  // namespace
+
+Workbench::Workbench(SoundOutput& sound) : sound_(sound), hand_(kNoTooth), device_(hand_.hand()) {
+    furniture_.start([] { return Expected<BenchFurniture>(makeFurniture()); });
+}
+
+Workbench::~Workbench() = default;
+
+void Workbench::put(BenchTooth tooth) {
+    tooth_ = std::move(tooth);
+    const double pressDepth = hand_.pressDepth();
+    hand_ = HandControl(tooth_->box());
+    hand_.setPressDepth(pressDepth);
+    simulatorIsOld_ = toothIsNew_ = true;
+}
+
+void Workbench::put(BenchBur bur) {
+    bur_ = std::move(bur);
+    simulatorIsOld_ = true;
+}
+
+void Workbench::setSpindle(const SpindlePreset& spindle) {
+    settings_.spindle = spindle;
+    simulatorIsOld_ = true;
+}
+
+void Workbench::takeDeliveries(News& news) {
+    if (auto tooth = comingTooth_.poll()) {
+        if (*tooth) {
+            put(std::move(**tooth));
+        } else {
+            news.failure = tooth->error().message;
+        }
+    }
+    if (auto bur = comingBur_.poll()) {
+        if (*bur) {
+            put(std::move(**bur));
+        } else {
+            news.failure = bur->error().message;
+        }
+    }
+    if (auto furniture = furniture_.poll()) around_ = std::move(**furniture);
+}
+
+void Workbench::startSimulator(News& news) {
+    simulatorIsOld_ = false;
+    hand_.release();
+    device_.moveTo({hand_.hand(), 0, 0, true});
+    simulator_.reset();  // its threads end before the new one's begin: they share the work piece and the device
+    simulator_ = std::make_unique<Simulator>(
+        tooth_->piece, bur_->instrument, settings_, device_,
+        [&sound = sound_, spindle = settings_.spindle](const Tick& tick) { sound.publish(soundOf(tick, spindle)); });
+    newest_ = Tick();
+    newest_.proxy = newest_.hand = hand_.hand();
+    news.newSimulator = true;
+}
+
+Workbench::News Workbench::step(double dt) {
+    News news;
+    takeDeliveries(news);
+    ticks_.clear();
+    if (simulatorIsOld_ && tooth_ && bur_) {
+        startSimulator(news);
+        news.newTooth = std::exchange(toothIsNew_, false);
+    }
+    if (simulator_ == nullptr) return news;
+    simulator_->fetchTicks(ticks_);
+    if (!ticks_.empty()) newest_ = ticks_.back();
+    hand_.advance(dt, newest_.proxy.position);
+    device_.moveTo({hand_.hand(), 0, 0, true});
+    simulator_->setControls(controls);
+    spin_ = std::remainder(spin_ + newest_.speedRpm / 60 * 2 * std::numbers::pi * dt, 2 * std::numbers::pi);
+    return news;
+}
+
+SceneContents Workbench::contents(bool withTurbine, bool withMirror) const {
+    SceneContents contents;
+    contents.materials = settings_.materials;
+    if (simulator_ == nullptr) return contents;
+    contents.tooth = simulator_->surface();
+    contents.tool = ShownTool{.bur = bur_->shown,
+                              .turbine = withTurbine && around_ ? around_->turbine : nullptr,
+                              .material = bur_->material,
+                              .toolInTooth = newest_.proxy,
+                              .spin = spin_};
+    if (withMirror && around_) {
+        contents.mirror =
+            ShownMirror{around_->mirror, around_->disc, parkedMirror(tooth_->box(), around_->disc, usualEye())};
+    }
+    return contents;
+}
+
+}  // namespace tactooth

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/gui/bench_parts.h"
+#include "app/gui/errand.h"
+#include "app/gui/hand_control.h"
+#include "devices/mouse_device.h"
+#include "sound/sound_output.h"
+
+namespace tactooth {
+
+/// The simulation as the window handles it: the tooth and the bur on the bench, those that are being made, the running
+/// simulator and the hand. Everything is called from the window's thread and returns at once; no call waits for the
+/// servo. Knows no widgets.
+class Workbench {
+public:
+    /// `sound` outlives the bench.
+    explicit Workbench(SoundOutput& sound);
+    ~Workbench();
+    Workbench(const Workbench&) = delete;
+    Workbench& operator=(const Workbench&) = delete;
+
+    void bring(Errand<BenchTooth>::Work tooth) { comingTooth_.start(std::move(tooth)); }
+    void bring(Errand<BenchBur>::Work bur) { comingBur_.start(std::move(bur)); }
+    void put(BenchTooth tooth);
+    void put(BenchBur bur);
+    void setSpindle(const SpindlePreset& spindle);
+    [[nodiscard]] const SpindlePreset& spindle() const { return settings_.spindle; }
+    [[nodiscard]] const MaterialTable& materials() const { return settings_.materials; }
+
+    /// What has happened since the last step.
+    struct News {
+        bool newTooth = false;
+        bool newSimulator = false;           ///< time starts at zero again
+        std::optional<std::string> failure;  ///< a sentence; what was on the bench stays
+    };
+    /// Call at least as often as the picture changes. `dt`: since the last step, s.
+    [[nodiscard]] News step(double dt);
+
+    [[nodiscard]] bool isBusy() const { return comingTooth_.isBusy() || comingBur_.isBusy() || furniture_.isBusy(); }
+    [[nodiscard]] const std::optional<BenchTooth>& tooth() const { return tooth_; }
+    [[nodiscard]] const std::optional<BenchBur>& bur() const { return bur_; }
+    /// None until there are a tooth and a bur.
+    [[nodiscard]] Simulator* simulator() { return simulator_.get(); }
+
+    /// Taken over by the simulator at the next step.
+    SimulatorControls controls;
+    HandControl& hand() { return hand_; }
+    [[nodiscard]] const Tick& newest() const { return newest_; }
+    /// The ticks of the last step, oldest first.
+    [[nodiscard]] const std::vector<Tick>& ticks() const { return ticks_; }
+
+    /// All but the camera.
+    [[nodiscard]] SceneContents contents(bool withTurbine, bool withMirror) const;
+
+private:
+    void startSimulator(News& news);
+    void takeDeliveries(News& news);
+
+    SoundOutput& sound_;
+    HapticSettings settings_;
+    Errand<BenchTooth> comingTooth_;
+    Errand<BenchBur> comingBur_;
+    Errand<BenchFurniture> furniture_;
+    std::optional<BenchTooth> tooth_;
+    std::optional<BenchBur> bur_;
+    std::optional<BenchFurniture> around_;
+    bool simulatorIsOld_ = false;
+    bool toothIsNew_ = false;
+    HandControl hand_;
+    MouseDevice device_;
+    std::vector<Tick> ticks_;
+    Tick newest_;
+    double spin_ = 0;                       // rad
+    std::unique_ptr<Simulator> simulator_;  // last: it uses all of the above
+};
+
+}  // namespace tactooth
