@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "session/material_file.h"
 
-#define TOML_EXCEPTIONS 0
-#define TOML_HEADER_ONLY 1
 #include <toml++/toml.h>
 
 #include <algorithm>
@@ -156,13 +154,12 @@ private:
 }  // namespace
 
 Expected<MaterialTable> parseMaterials(std::string_view text, std::string_view name, const MaterialTable& start) {
-    const toml::parse_result parsed = toml::parse(text);
-    if (!parsed) {
-        const toml::parse_error& error = parsed.error();
+    try {
+        return MaterialReader(name, start).read(toml::parse(text));
+    } catch (const toml::parse_error& error) {
         return unexpected(std::string(name) + ", line " + std::to_string(error.source().begin.line) +
                           ": this is not TOML: " + asClause(error.description()) + ".");
     }
-    return MaterialReader(name, start).read(parsed.table());
 }
 
 MaterialTable defaultMaterials() {
