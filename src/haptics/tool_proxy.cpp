@@ -2,15 +2,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "haptics/tool_proxy.h"
 
+#include <utility>
+
+#include "collision/closest_point.h"
+
 namespace tactooth {
 
 ToolProxy::ToolProxy(std::shared_ptr<const ToolShape> tool, std::shared_ptr<const Surface> surface, ContactMode mode)
     : surface_(surface), mode_(mode), body_(tool), query_(tool, surface) {
     body_.setSurface(std::move(surface));
+    for (const Vec3f& vertex : body_.tool().mesh().vertices) {
+        if (vertex.z() > farEnd_.z()) farEnd_ = vertex.cast<double>();
+    }
 }
 
 std::shared_ptr<const Surface> ToolProxy::setSurface(std::shared_ptr<const Surface> surface) {
     surface_ = surface;
+    newSurface_ = true;
     query_.setSurface(surface);
     return body_.setSurface(std::move(surface));
 }
@@ -49,12 +57,20 @@ bool ToolProxy::stepOutOfSurface() {
     return false;
 }
 
+/// Whether the tool stands wholly inside the tooth, where it meets no triangle: when a cut tooth becomes whole again.
+/// Its far end tells: it is the last to touch anything.
+bool ToolProxy::isSwallowed() const { return surface_->closed && contains(*surface_, body_.pose() * farEnd_); }
+
 ProxyState ToolProxy::follow(const Pose& handInTooth) {
     if (mode_ == ContactMode::Penalty) return followAsPenalty(handInTooth);
     ProxyState state;
     if (!placed_) placeNear(handInTooth);
     if (!placed_) return state;
     const Vec3 before = body_.pose().position;
+    if (std::exchange(newSurface_, false) && isSwallowed()) {
+        placed_ = false;
+        return state;
+    }
     MoveResult move = body_.moveToward(handInTooth);
     if (move.status == MoveStatus::Overlapping && stepOutOfSurface()) move = body_.moveToward(handInTooth);
     if (move.status == MoveStatus::Overlapping) {
