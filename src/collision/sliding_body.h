@@ -65,6 +65,8 @@ public:
     /// The distance that the body keeps from the tooth, mm: far below what any device or eye resolves, far above the
     /// rounding of doubles.
     [[nodiscard]] double margin() const { return margin_; }
+    /// Length of the list of near pairs that the last move went by.
+    [[nodiscard]] std::size_t listedPairs() const { return pairCount_; }
 
 private:
     struct Attempt;
