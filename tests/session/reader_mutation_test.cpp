@@ -9,7 +9,7 @@
 #include "session/material_file.h"
 #include "session/trajectory.h"
 #include "support/test_data.h"
-#include "text_file.h"
+#include "support/text_file.h"
 
 namespace tactooth {
 namespace {
