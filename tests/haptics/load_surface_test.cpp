@@ -8,7 +8,7 @@
 #include "geometry/stl_writer.h"
 #include "support/shapes.h"
 #include "support/test_data.h"
-#include "text_file.h"
+#include "support/text_file.h"
 
 namespace tactooth {
 namespace {

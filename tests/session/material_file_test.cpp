@@ -7,7 +7,7 @@
 
 #include "sound/drill_sound_state.h"
 #include "support/test_data.h"
-#include "text_file.h"
+#include "support/text_file.h"
 
 namespace tactooth {
 namespace {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "support/test_data.h"
-#include "text_file.h"
+#include "support/text_file.h"
 
 namespace tactooth {
 namespace {
