@@ -82,13 +82,27 @@ ProxyState ToolProxy::follow(const Pose& handInTooth) {
     state.offset = body_.pose().position - handInTooth.position;
     state.travel = (body_.pose().position - before).norm();
     state.contacts = state.heldCount = move.contactCount;
+    const bool stuck = move.status == MoveStatus::OutOfRounds && move.contactCount == 0;
+    if (stuck && (touching_ || state.travel == 0)) holdWithoutContact(state);
     for (int i = 0; i < move.contactCount; ++i) {
         const BodyContact& contact = move.contacts[i];
         state.held[i] = {contact.point, contact.normal, contact.share, materialOf(contact.part, contact.tooth)};
     }
-    if (move.contactCount > 0)
+    if (move.contactCount > 0) {
         wayOut_ = state.offset.norm() > 0 ? Vec3(state.offset.normalized()) : move.contacts[0].normal;
+        material_ = state.held[0].material;
+    }
+    touching_ = state.contacts > 0;
     return state;
+}
+
+/// The fixed budget ran out between two contacts, or before the first: what stands between hand and proxy goes on
+/// holding, or the force would drop out while the hand presses.
+void ToolProxy::holdWithoutContact(ProxyState& state) {
+    const double depth = state.offset.norm();
+    if (!(depth > 0)) return;
+    state.contacts = state.heldCount = 1;
+    state.held[0] = {state.proxy.position, state.offset / depth, depth, material_};
 }
 
 ProxyState ToolProxy::followAsPenalty(const Pose& handInTooth) {

@@ -56,7 +56,10 @@ FeedResult feedBur(CutVolume& volume, const RevolutionEnvelope& envelope, const 
     }
     FeedResult result;
     result.fraction = low;
-    if (low == 0) return result;  // nothing is affordable yet: the work is kept for the next time
+    if (low == 0) {  // nothing is affordable yet: the work is kept for the next time
+        result.wanted = highCost;
+        return result;
+    }
     result.work = lowCost;
     result.carve = volume.carve(envelope, from, between(from, to, low));
     return result;

@@ -131,6 +131,39 @@ TEST(ToolProxy, AnOpenSurfaceIsFeltToo) {
     EXPECT_NEAR(proxy.follow(at(0, 0, -0.3)).offset.z(), 0.3, kRounding);
 }
 
+/// A square of `cells` by `cells` cells of 4 um.
+std::shared_ptr<const Surface> denseSquare(int cells) {
+    TriangleMesh mesh;
+    for (int y = 0; y <= cells; ++y) {
+        for (int x = 0; x <= cells; ++x) mesh.vertices.push_back(0.004F * Vec3f(x - 0.5F * cells, y - 0.5F * cells, 0));
+    }
+    const auto vertex = [&](int x, int y) { return static_cast<std::uint32_t>(y * (cells + 1) + x); };
+    for (int y = 0; y < cells; ++y) {
+        for (int x = 0; x < cells; ++x) {
+            mesh.triangles.push_back({vertex(x, y), vertex(x + 1, y), vertex(x + 1, y + 1)});
+            mesh.triangles.push_back({vertex(x, y), vertex(x + 1, y + 1), vertex(x, y + 1)});
+        }
+    }
+    auto surface = std::make_shared<Surface>();
+    surface->base = std::make_shared<const SurfacePart>(std::move(mesh));
+    surface->closed = false;
+    return surface;
+}
+
+TEST(ToolProxy, AFlatToolIsHeldByAFlatFloorHoweverFineItIs) {
+    const auto tool = std::make_shared<const ToolShape>(test::cylinder(Vec3::Zero(), 0.4, 4, 32));
+    for (const int cells : {50, 100, 250}) {  // the last gives more pairs than the body can list
+        ToolProxy proxy(tool, denseSquare(cells), ContactMode::Proxy);
+        ProxyState state = proxy.follow(at(0.013, 0.017, 0.3));
+        for (int i = 0; i < 20; ++i) {
+            state = proxy.follow(at(0.013, 0.017, -0.1));
+            if (i < 5) continue;
+            ASSERT_GT(state.contacts, 0) << cells;
+            ASSERT_NEAR(state.offset.z(), 0.1, 0.01) << cells;
+        }
+    }
+}
+
 TEST(ToolProxy, PenaltyModeFreesTheDeepestPairAndKeepsNoHistory) {
     const auto surface = test::block(MaterialId::Caries);
     ToolProxy proxy = proxyAbove(surface, ContactMode::Penalty);

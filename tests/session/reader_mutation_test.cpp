@@ -112,7 +112,7 @@ TEST(ReaderMutation, ATrajectoryIsReadOrRefusedWithASentence) {
             ASSERT_NEAR(pose.toolInTooth.rotation.norm(), 1, 1e-12);
         }
     }
-    EXPECT_GT(accepted, kMutations / 20);
+    EXPECT_GT(accepted, kMutations / 100);  // a comma more or less is enough to be refused
     EXPECT_LT(accepted, kMutations * 19 / 20);
 }
 
