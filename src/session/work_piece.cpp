@@ -44,7 +44,8 @@ void WorkPiece::book(const CarveResult& carve) {
 }
 
 MaterialVolumes WorkPiece::sweep(const CuttingTool& tool, const Pose& from, const Pose& to) {
-    const CarveResult carve = volume_.carve(tool.envelope, from, to);
+    constexpr double kNoClearance = 0;  // what is swept goes, and nothing else
+    const CarveResult carve = volume_.carve(tool.envelope, from, to, kNoClearance);
     book(carve);
     return carve.removed;
 }
