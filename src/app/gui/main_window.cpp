@@ -25,8 +25,8 @@
 namespace tactooth {
 namespace {
 
-constexpr int kStepMs = 16;     // the hand moves 60 times a second
-constexpr int kNumbersMs = 66;  // gauges and plots: 15 times a second
+constexpr int kStepMs = 16;      // the hand moves 60 times a second
+constexpr int kNumbersMs = 100;  // gauges and plots: ten times a second
 constexpr int kStatusMs = 500;
 constexpr double kLongestStep = 0.1;  // s: after a stall the hand goes on gently
 

@@ -101,10 +101,11 @@ void ToothView::refresh() {
 
 void ToothView::fit() {
     if (!bench_.tooth()) return;
-    // The crown is what is worked on: the roots may leave the picture.
+    // The crown is what is worked on; the roots may leave the picture, the head of the handpiece should not.
+    constexpr double kCrown = 9, kAbove = 9;  // mm below and above the crown's top
     Box3 box = bench_.tooth()->box();
-    constexpr double kCrown = 11;  // mm, the tallest crowns
     box.min().z() = std::max(box.min().z(), box.max().z() - kCrown);
+    box.max().z() += kAbove;
     camera_.fit(box, pictureSize().aspect());
     update();
 }
