@@ -6,6 +6,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QElapsedTimer>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMessageBox>
@@ -61,7 +62,7 @@ private:
     [[nodiscard]] double gauge(const char* name) const { return window_->findChild<DialGauge*>(name)->value(); }
     [[nodiscard]] double removed() const { return total(window_->bench().simulator()->removed()); }
     [[nodiscard]] const Surface& surface() const { return *window_->bench().simulator()->surface(); }
-    void key(Qt::Key which) const { QTest::keyClick(window_.get(), which); }
+    void key(Qt::Key which, Qt::KeyboardModifiers with = {}) const;
     void pressBurOn(const QPoint& place) const;
     void liftBur(const QPoint& place) const;
     [[nodiscard]] QString dismissMessage() const;
@@ -79,11 +80,15 @@ void WindowTest::openWindow() {
     window_->bringBur(*findBur("4"));
     window_->show();
     QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
-    QApplication::setActiveWindow(window_.get());  // a bare X server has no window manager that would do it
 }
 
 void WindowTest::waitForTooth() {
     QTRY_VERIFY_WITH_TIMEOUT(!window_->bench().isBusy() && window_->bench().simulator() != nullptr, 60000);
+}
+
+void WindowTest::key(Qt::Key which, Qt::KeyboardModifiers with) const {
+    QApplication::setActiveWindow(window_.get());  // a bare X server has no window manager that would do it
+    QTest::keyClick(window_.get(), which, with);
 }
 
 void WindowTest::pressBurOn(const QPoint& place) const {
@@ -102,8 +107,7 @@ QString WindowTest::dismissMessage() const {
     auto* box = window_->findChild<QMessageBox*>();
     if (box == nullptr) return {};
     const QString text = box->text();
-    box->close();
-    QCoreApplication::sendPostedEvents(box, QEvent::DeferredDelete);
+    delete box;
     return text;
 }
 
@@ -193,7 +197,7 @@ void WindowTest::anExportThatFailsSaysWhy() {
 }
 
 void WindowTest::resetPutsEverythingBack() {
-    QTest::keyClick(window_.get(), Qt::Key_R, Qt::ControlModifier);
+    key(Qt::Key_R, Qt::ControlModifier);
     QTRY_COMPARE_WITH_TIMEOUT(removed(), 0.0, 10000);
     QCOMPARE(visibleMesh(surface()).mesh.triangles.size(), surface().base->mesh().triangles.size());
     window_->findChild<QCheckBox*>("keepPedal")->setChecked(false);
@@ -209,13 +213,13 @@ void WindowTest::anotherBurIsTaken() {
 }
 
 void WindowTest::openInDialog(const QString& file) {
-    QTest::keyClick(window_.get(), Qt::Key_O, Qt::ControlModifier);
+    key(Qt::Key_O, Qt::ControlModifier);
     auto* dialog = window_->findChild<OpenToothDialog*>();
     QVERIFY(dialog != nullptr);
     auto* line = dialog->findChild<QLineEdit*>("outerSurface");
     QTest::keyClicks(line, file);
     QTest::keyClick(line, Qt::Key_Return);
-    QCoreApplication::sendPostedEvents(dialog, QEvent::DeferredDelete);
+    QTRY_VERIFY(window_->findChild<OpenToothDialog*>() == nullptr);
 }
 
 void WindowTest::aToothIsOpenedFromAFile() {
@@ -252,8 +256,8 @@ void WindowTest::unusableFilesAreRefusedWithASentenceAndTheToothStays() {
     QFETCH(QString, file);
     const Surface* before = &surface();
     openInDialog(file);
-    QString message;
-    QTRY_VERIFY_WITH_TIMEOUT(!(message = dismissMessage()).isEmpty(), 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<QMessageBox*>() != nullptr, 30000);
+    const QString message = dismissMessage();
     QVERIFY2(message.contains(file), qPrintable(message));
     QCOMPARE(&surface(), before);
     QCOMPARE(window_->bench().tooth()->name, std::string("ball.stl"));
@@ -287,11 +291,13 @@ bool WindowTest::saveScreenshot(const QString& file) {
     window_->findChild<QCheckBox*>("keepPedal")->setChecked(true);
     key(Qt::Key_C);
     QTest::qWait(1500);
-    const QPoint start = middle() + QPoint(-40, 60);
+    const QPoint start = middle() + QPoint(-18, 78);
     pressBurOn(start);
-    for (int i = 0; i < 60; ++i) {
-        QTest::mouseMove(&view(), start + QPoint(i, -i / 6));
-        QTest::qWait(120);
+    QElapsedTimer since;
+    since.start();
+    for (double seconds = 0; seconds < 4; seconds = static_cast<double>(since.elapsed()) / 1000) {
+        QTest::mouseMove(&view(), start + QPoint(static_cast<int>(10 * seconds), static_cast<int>(-3 * seconds)));
+        QTest::qWait(50);
     }
     const bool saved = window_->grab().save(file);
     cleanupTestCase();
