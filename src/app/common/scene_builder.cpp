@@ -88,7 +88,7 @@ Pose parkedMirror(const Box3& tooth, const MirrorDisc& disc, const Vec3& toEye) 
     constexpr double kBehind = 7;      // mm between the tooth and the glass: room for a bur, and for a view into it
     constexpr double kAbove = 3;       // mm from the crown's top up to the centre of the glass
     constexpr double kBelowTop = 3.5;  // mm from the crown's top down to the middle of its lingual side
-    constexpr double kAside = 6;       // mm to distal: the handpiece stands before the middle
+    constexpr double kAside = 9;       // mm to distal: the handpiece stands before the middle
     const Vec3 centre(tooth.center().x() - kAside, tooth.min().y() - kBehind, tooth.max().z() + kAbove);
     const Vec3 lingual(tooth.center().x(), tooth.min().y(), tooth.max().z() - kBelowTop);
     const Vec3 normal = ((lingual - centre).normalized() + toEye).normalized();
