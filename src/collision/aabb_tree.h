@@ -55,6 +55,7 @@ public:
     [[nodiscard]] const Node& root() const { return nodes_.front(); }
     [[nodiscard]] const Node& node(Link link) const { return nodes_[link.index()]; }
     [[nodiscard]] const Leaf& leaf(Link link) const { return leaves_[link.index()]; }
+    [[nodiscard]] std::span<const Leaf> leaves() const { return leaves_; }
     [[nodiscard]] const Box3& box() const { return box_; }
     [[nodiscard]] std::size_t bytes() const { return nodes_.size() * sizeof(Node) + leaves_.size() * sizeof(Leaf); }
 

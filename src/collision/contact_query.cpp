@@ -50,6 +50,7 @@ bool intersects(const Surface& surface, const ToolShape& tool, const Pose& toolI
 ContactQuery::ContactQuery(std::shared_ptr<const ToolShape> tool, std::shared_ptr<const Surface> surface)
     : tool_(std::move(tool)), surface_(std::move(surface)), body_(tool_), found_(kFirstCapacity) {
     body_.setSurface(surface_);
+    overlap_.pairs.reserve(kFirstCapacity);
     probe_.pairs.reserve(1);
 }
 

@@ -47,8 +47,15 @@ struct TurnedLeaf {
     std::uint32_t index = UINT32_MAX;  // of the leaf in its tree
     Vec3x8 corner[3];
     Vec3x8 normal;
-    Box8 box;  // of each triangle
-    Boxf whole;
+    Box8 box;    // of each triangle
+    Boxf whole;  // grown by the reach
+};
+
+/// Signed widths of the slabs between eight pairs of triangles along one normal a pair; at most one is positive.
+struct Slabs {
+    Float8 toolInFront;  // the tooth behind, the tool in front
+    Float8 toolBehind;
+    [[nodiscard]] Float8 width() const { return max(toolInFront, toolBehind); }
 };
 
 /// Rotation and translation from the tooth's frame to the tool's, in single precision.
@@ -126,7 +133,7 @@ private:
     void descendTool(AabbTree::Link toothLink, const Boxf& toothBox, AabbTree::Link toolLink, const Boxf& toolBox) {
         if (toolLink.isLeaf()) {
             if (toothLink.isLeaf()) {
-                meet(turnedLeaf(toothLink), toolTree_.leaf(toolLink));
+                meet(turnedLeaf(toothLink), toolLink);
             } else {
                 descendTooth(toothTree_->node(toothLink), toolLink, toolBox);
             }
@@ -167,70 +174,118 @@ private:
     }
 
     /// Unit normals; a triangle without area gets a short vector, whose slab widths are short too: still a bound.
+    /// (Squares of what is longer than the least length do not underflow.)
     static Vec3x8 unitNormals(const Vec3x8 (&corner)[3]) {
         const Vec3x8 normal = cross(corner[1] - corner[0], corner[2] - corner[0]);
-        const Float8 length = max(sqrt(dot(normal, normal)), Float8::all(1e-30F));
+        const Float8 length = max(sqrt(dot(normal, normal)), Float8::all(1e-18F));
         return {normal.x / length, normal.y / length, normal.z / length};
     }
 
-    /// Lower bounds for the distances of one tool triangle to eight tooth triangles.
-    struct Bounds {
-        Float8 boxes;      // of the slab between the boxes
-        Float8 alongTool;  // of the slabs along the two normals
-        Float8 alongTooth;
+    /// Writes the pairs of eight tooth triangles with up to eight tool triangles that no cheap test separates.
+    void meet(const TurnedLeaf& tooth, AabbTree::Link toolLink) {
+        const AabbTree::Leaf& toothLeaf = toothTree_->leaf(AabbTree::Link::toLeaf(tooth.index));
+        const AabbTree::Leaf& toolLeaf = toolTree_.leaf(toolLink);
+        const ToolShape::Faces& faces = tool_.faces(toolLink);
+        const std::uint32_t present = (1U << toothLeaf.count) - 1U;
+        std::uint32_t near = facesNear(tooth.whole, faces) & ((1U << toolLeaf.count) - 1U);
+        for (; near != 0; near &= near - 1) {
+            const int k = std::countr_zero(near);
+            meetOne(tooth, toothLeaf, present, toolLeaf, faces, k);
+        }
+    }
+
+    /// One bit for each of the tool's triangles whose box and plane both meet the box.
+    static std::uint32_t facesNear(const Boxf& box, const ToolShape::Faces& faces) {
+        const std::uint32_t boxes = overlaps({Vec3x8::load(faces.low), Vec3x8::load(faces.high)}, box);
+        if (boxes == 0) return 0;
+        const Vec3x8 low = Vec3x8::all(box.low[0], box.low[1], box.low[2]);
+        const Vec3x8 high = Vec3x8::all(box.high[0], box.high[1], box.high[2]);
+        const Vec3x8 n = Vec3x8::load(faces.normal);
+        const Float8 ax = n.x * low.x, bx = n.x * high.x;
+        const Float8 ay = n.y * low.y, by = n.y * high.y;
+        const Float8 az = n.z * low.z, bz = n.z * high.z;
+        const Float8 nearest = min(ax, bx) + min(ay, by) + min(az, bz);
+        const Float8 farthest = max(ax, bx) + max(ay, by) + max(az, bz);
+        return boxes & lessEqual(nearest, Float8::load(faces.highOffset)) &
+               lessEqual(Float8::load(faces.lowOffset), farthest);
+    }
+
+    /// Writes the pairs of eight tooth triangles with the tool's triangle in lane `k`: cheapest tests first.
+    void meetOne(const TurnedLeaf& tooth, const AabbTree::Leaf& toothLeaf, std::uint32_t present,
+                 const AabbTree::Leaf& toolLeaf, const ToolShape::Faces& faces, int k) {
+        const Float8 reach = Float8::all(reach_ + slack_);
+        const Vec3x8 toolNormal = lane(faces.normal, k);
+        const Slabs byTool =
+            slabs(toolNormal, tooth.corner, Float8::all(faces.lowOffset[k]), Float8::all(faces.highOffset[k]));
+        const Vec3x8 zero = Vec3x8::all(0, 0, 0);
+        const Vec3x8 above = max(lane(faces.low, k) - tooth.box.high, zero);
+        const Vec3x8 below = max(tooth.box.low - lane(faces.high, k), zero);
+        const Vec3x8 gap = above - below;
+        const Float8 byBoxes = sqrt(dot(gap, gap));
+        std::uint32_t hits = lessEqual(max(byBoxes, byTool.width()), reach) & present;
+        if (hits == 0) return;
+
+        const Float8 a = dot(tooth.normal, lane(toolLeaf.corner[0], k));
+        const Float8 b = dot(tooth.normal, lane(toolLeaf.corner[1], k));
+        const Float8 c = dot(tooth.normal, lane(toolLeaf.corner[2], k));
+        const Slabs byTooth = slabs(tooth.normal, tooth.corner, min(min(a, b), c), max(max(a, b), c));
+        hits &= lessEqual(byTooth.width(), reach);
+        if (hits == 0) return;
+        const Candidates candidates(byTool, byTooth, byBoxes, toolNormal, tooth.normal, gap);
+        for (; hits != 0; hits &= hits - 1) {
+            const int i = std::countr_zero(hits);
+            write(toothLeaf.triangle[i], toolLeaf.triangle[k], candidates, i);
+        }
+    }
+
+    static Vec3x8 lane(const float (&p)[3][8], int k) { return Vec3x8::all(p[0][k], p[1][k], p[2][k]); }
+
+    /// Slabs between tooth triangles and tool triangles that span `toolLow` to `toolHigh` along the normal.
+    static Slabs slabs(const Vec3x8& normal, const Vec3x8 (&tooth)[3], Float8 toolLow, Float8 toolHigh) {
+        const Float8 a = dot(normal, tooth[0]);
+        const Float8 b = dot(normal, tooth[1]);
+        const Float8 c = dot(normal, tooth[2]);
+        return {toolLow - max(max(a, b), c), min(min(a, b), c) - toolHigh};
+    }
+
+    /// What was found for eight pairs, spilled to memory so that one can be picked.
+    struct Candidates {
+        float toolFront[8], toolBehind[8], toothFront[8], toothBehind[8], boxes[8];
+        float toolNormal[3][8], toothNormal[3][8], gap[3][8];
+
+        Candidates(const Slabs& byTool, const Slabs& byTooth, Float8 byBoxes, const Vec3x8& tool, const Vec3x8& tooth,
+                   const Vec3x8& between) {
+            byTool.toolInFront.store(toolFront), byTool.toolBehind.store(toolBehind);
+            byTooth.toolInFront.store(toothFront), byTooth.toolBehind.store(toothBehind);
+            byBoxes.store(boxes);
+            store(tool, toolNormal), store(tooth, toothNormal), store(between, gap);
+        }
+        static void store(const Vec3x8& from, float (&to)[3][8]) {
+            from.x.store(to[0]), from.y.store(to[1]), from.z.store(to[2]);
+        }
     };
 
-    /// Writes the pairs of eight tooth triangles with up to eight tool triangles that no cheap test separates.
-    void meet(const TurnedLeaf& tooth, const AabbTree::Leaf& toolLeaf) {
-        const AabbTree::Leaf& toothLeaf = toothTree_->leaf(AabbTree::Link::toLeaf(tooth.index));
-        const std::uint32_t present = (1U << toothLeaf.count) - 1U;
-        for (std::uint32_t k = 0; k < toolLeaf.count; ++k) {
-            const Bounds bounds = distanceBounds(tooth, toolLeaf, k);
-            const Float8 best = max(bounds.boxes, max(bounds.alongTool, bounds.alongTooth)) - Float8::all(slack_);
-            std::uint32_t hits = lessEqual(best, Float8::all(reach_)) & present;
-            if (hits == 0) continue;
-            const std::uint32_t byTool = lessEqual(bounds.alongTooth, bounds.alongTool);
-            float distances[8];
-            best.store(distances);
-            for (; hits != 0; hits &= hits - 1) {
-                const int lane = std::countr_zero(hits);
-                write(toothLeaf.triangle[lane], toolLeaf.triangle[k], distances[lane], ((byTool >> lane) & 1U) != 0);
-            }
-        }
-    }
-
-    [[nodiscard]] Bounds distanceBounds(const TurnedLeaf& tooth, const AabbTree::Leaf& toolLeaf,
-                                        std::uint32_t k) const {
-        Vec3x8 tool[3];
-        for (int corner = 0; corner < 3; ++corner) {
-            tool[corner] = Vec3x8::all(toolLeaf.corner[corner][0][k], toolLeaf.corner[corner][1][k],
-                                       toolLeaf.corner[corner][2][k]);
-        }
-        const Vec3x8 low = min(min(tool[0], tool[1]), tool[2]);
-        const Vec3x8 high = max(max(tool[0], tool[1]), tool[2]);
-        const Vec3x8 gap = max(max(tooth.box.low - high, low - tooth.box.high), Vec3x8::all(0, 0, 0));
-        const Vec3f& n = tool_.normal(toolLeaf.triangle[k]);
-        return {sqrt(dot(gap, gap)), slab(Vec3x8::all(n.x(), n.y(), n.z()), tool, tooth.corner),
-                slab(tooth.normal, tool, tooth.corner)};
-    }
-
-    static Float8 slab(const Vec3x8& normal, const Vec3x8 (&a)[3], const Vec3x8 (&b)[3]) {
-        const Float8 a0 = dot(normal, a[0]);
-        const Float8 a1 = dot(normal, a[1]);
-        const Float8 a2 = dot(normal, a[2]);
-        const Float8 b0 = dot(normal, b[0]);
-        const Float8 b1 = dot(normal, b[1]);
-        const Float8 b2 = dot(normal, b[2]);
-        return max(min(min(b0, b1), b2) - max(max(a0, a1), a2), min(min(a0, a1), a2) - max(max(b0, b1), b2));
-    }
-
-    void write(std::uint32_t toothTriangle, std::uint32_t toolTriangle, float bound, bool toolFaceParts) {
+    void write(std::uint32_t toothTriangle, std::uint32_t toolTriangle, const Candidates& from, int i) {
         if (hidden_ != nullptr && isHidden(*hidden_, toothTriangle)) return;
         if (count_ == out_.size()) {
             complete_ = false;
             return;
         }
-        out_[count_++] = {part_, toothTriangle, toolTriangle, std::max(bound, 0.0F), toolFaceParts};
+        float width = from.boxes[i];
+        float scale = width > 0 ? 1 / width : 0;
+        const float(*normal)[8] = from.gap;
+        const auto consider = [&](float other, float sign, const float(&along)[3][8]) {
+            if (other > width) width = other, scale = sign, normal = along;
+        };
+        consider(from.toolFront[i], 1, from.toolNormal);
+        consider(from.toolBehind[i], -1, from.toolNormal);
+        consider(from.toothFront[i], 1, from.toothNormal);
+        consider(from.toothBehind[i], -1, from.toothNormal);
+        out_[count_++] = {part_,
+                          toothTriangle,
+                          toolTriangle,
+                          std::max(width - slack_, 0.0F),
+                          {scale * normal[0][i], scale * normal[1][i], scale * normal[2][i]}};
     }
 
     const ToolShape& tool_;

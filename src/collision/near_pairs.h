@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -17,7 +18,9 @@ struct NearPair {
     std::uint32_t tooth;    ///< triangle of that part
     std::uint32_t tool;     ///< triangle of the tool
     float distanceAtLeast;  ///< mm: the two are no nearer than this (not their distance, only a bound)
-    bool toolFaceParts;     ///< of the two face planes, the tool triangle's tells the pair apart better
+    /// Of length 1 at most, from tooth to tool, in the tool's frame: a slab across it, `distanceAtLeast` wide, is free
+    /// of both triangles. Says nothing where `distanceAtLeast` is 0.
+    std::array<float, 3> normal;
 };
 
 /// The part of `surface` that a pair's number names.

@@ -3,15 +3,14 @@
 #include "collision/sliding_body.h"
 
 #include <algorithm>
-#include <cassert>
+#include <bit>
 #include <cmath>
 
 #include "collision/gjk.h"
 
 // God object: C. B. Zilles, J. K. Salisbury, "A Constraint-based God-object Method for Haptic Display", IROS 1995; for
 // a body with a shape: M. Ortega, S. Redon, S. Coquillart, "A Six Degree-of-Freedom God-Object Method for Haptic
-// Display of Rigid Bodies with Surface Properties", IEEE TVCG 13(3), 2007, sections 3-4. Pair list with a skin: L.
-// Verlet, "Computer Experiments on Classical Fluids", Phys. Rev. 159, 1967.
+// Display of Rigid Bodies with Surface Properties", IEEE TVCG 13(3), 2007, sections 3-4.
 //
 // One round: the planes that separate the pairs of triangles at the present, free pose bound a convex region of moves
 // that are all safe, the whole way. The move nearest to the goal inside that region is found lazily: solve with the
@@ -22,22 +21,16 @@
 namespace tactooth {
 namespace {
 
-constexpr std::size_t kMaxPairs = 1 << 15;  // a bur that fills its own slot in a 25 um mesh lists some 20,000
-constexpr int kMaxRounds = 12;              // 2-3 are usual at 1 cm/s, 4-6 at 10 cm/s
-constexpr int kMaxPlanesPerRound = 32;      // 3-6 are usual; more means that the step is long for its surroundings
-constexpr int kOffendersToCompare = 4;      // before the worst of them becomes a plane: more costs more than it saves
-constexpr int kBuckets = 32;
-constexpr double kMarginOfRadius = 1e-7;      // 0.3 nm for a 6 mm bur
-constexpr double kMarginOfPosition = 1e-10;   // keeps the margin above rounding far from the origin
-constexpr double kSettledMargins = 10;        // a round that moves less than this many margins ends the move
-constexpr double kLeastReach = 0.004;         // of the tool's radius: 12 um for a 6 mm bur
-constexpr double kGreatestReach = 1.0;        // of the tool's radius
-constexpr std::size_t kPlentyOfPairs = 3072;  // a longer list costs more to walk than listing twice
-constexpr std::uint64_t kGuessed = 1;         // stamp of a plane that GJK has not seen; poses are numbered from 2
+constexpr int kMaxRounds = 12;               // 2-3 are usual at 1 cm/s, 4-6 at 10 cm/s
+constexpr int kMaxPlanesPerRound = 32;       // 3-6 are usual; more means that the step is long for its surroundings
+constexpr int kOffendersToCompare = 4;       // before the worst of them becomes a plane: more costs more than it saves
+constexpr double kMarginOfRadius = 1e-7;     // 0.3 nm for a 6 mm bur
+constexpr double kMarginOfPosition = 1e-10;  // keeps the margin above rounding far from the origin
+constexpr double kSettledMargins = 10;       // a round that moves less than this many margins ends the move
+constexpr double kLeastReach = 0.004;        // of the tool's radius: 12 um for a 6 mm bur
+constexpr std::uint64_t kGuessed = 1;        // stamp of a plane that GJK has not seen; poses are numbered from 2
 constexpr double kLeastTurn = 1e-3;  // of the turn wanted: below it, the tool is held in its present orientation
 constexpr double kTrusted = 0.95;    // of the listed reach: leaves room for rounding
-
-double sineOfHalfAngle(const Quat& a, const Quat& b) { return (a * b.conjugate()).vec().norm(); }
 
 Quat partOfTurn(const Quat& from, const Quat& to, double fraction) {
     return fraction >= 1 ? to : from.slerp(fraction, to).normalized();
@@ -69,16 +62,12 @@ struct SlidingBody::Attempt {
     }
 };
 
-SlidingBody::SlidingBody(std::shared_ptr<const ToolShape> tool)
-    : tool_(std::move(tool)), found_(kMaxPairs), watched_(kMaxPairs) {
-    assert(tool_ != nullptr);
-    reachCap_ = kGreatestReach * tool_->radius();
-}
+SlidingBody::SlidingBody(std::shared_ptr<const ToolShape> tool) : tool_(std::move(tool)), list_(*tool_) {}
 
 std::shared_ptr<const Surface> SlidingBody::setSurface(std::shared_ptr<const Surface> surface) {
     std::swap(surface_, surface);
     heldCount_ = 0;
-    listed_ = false;
+    list_.clear();
     return surface;
 }
 
@@ -87,41 +76,7 @@ void SlidingBody::placeAt(const Pose& toolInTooth) {
     ++poseStamp_;
     heldCount_ = 0;
     lastGoalCentre_ = toolInTooth * tool_->centre();
-    listed_ = false;
-}
-
-/// No point of the tool has moved further than this since the pairs were listed.
-double SlidingBody::travelSinceListed(const Quat& rotation, const Vec3& position) const {
-    const Vec3 centre = rotation * tool_->centre() + position;
-    const Vec3 listedCentre = listedAt_ * tool_->centre();
-    return (centre - listedCentre).norm() + 2 * sineOfHalfAngle(rotation, listedAt_.rotation) * tool_->radius();
-}
-
-/// Lists the pairs within `wantedReach`, or within less where they are too many.
-void SlidingBody::listPairs(double wantedReach) {
-    const double least = kLeastReach * tool_->radius();
-    double reach = std::clamp(wantedReach, least, std::max(least, reachCap_));
-    reachCap_ = std::min(2 * reachCap_, kGreatestReach * tool_->radius());
-    NearPairsFound found;
-    while (true) {
-        const std::size_t room = reach > least ? kPlentyOfPairs : kMaxPairs;
-        found = findNearPairs(*surface_, *tool_, pose_, reach, std::span(found_).first(room));
-        if (found.complete || reach <= least) break;
-        reachCap_ = reach = std::max(least, reach / 2);
-    }
-    if (4 * found.count > kPlentyOfPairs) reachCap_ = std::min(reachCap_, reach);  // the next list may be as dense
-    std::array<std::uint32_t, kBuckets + 1> start{};
-    const float scale = static_cast<float>(kBuckets / reach);
-    const auto bucketOf = [scale](const NearPair& pair) {
-        return std::min(kBuckets - 1, static_cast<int>(pair.distanceAtLeast * scale));
-    };
-    for (std::size_t i = 0; i < found.count; ++i) ++start[bucketOf(found_[i]) + 1];
-    for (int i = 0; i < kBuckets; ++i) start[i + 1] += start[i];
-    for (std::size_t i = 0; i < found.count; ++i) watched_[start[bucketOf(found_[i])]++] = {found_[i], {}};
-    pairCount_ = found.count;
-    listedAt_ = pose_;
-    listedReach_ = found.complete ? reach : 0;
-    listed_ = true;
+    list_.clear();
 }
 
 /// Sets up a round: makes sure of the pair list and bounds turn and step by what the list covers.
@@ -130,14 +85,15 @@ bool SlidingBody::plan(const Pose& goal, Attempt& attempt) {
     const double turn = sineOfHalfAngle(goal.rotation, pose_.rotation);
     const double remaining = (goal * tool_->centre() - pose_ * tool_->centre()).norm() + 2 * turn * tool_->radius();
     const double least = kLeastReach * tool_->radius();
-    double used = listed_ ? travelSinceListed(pose_.rotation, pose_.position) : 0;
-    if (!listed_ || listedReach_ * kTrusted - used < std::min(remaining, least / 2)) {
+    double used = list_.made() ? list_.travelTo(pose_.rotation, pose_.position) : 0;
+    if (!list_.made() || list_.reach() * kTrusted - used < std::min(remaining, least / 2)) {
         // Open space is crossed in growing strides; near the tooth the skin follows the speed of the hand.
-        const bool openSpace = listed_ && pairCount_ == 0;
-        listPairs(std::min(1.1 * remaining, openSpace ? 4 * listedReach_ : 2 * handTravel_) + least);
+        const bool openSpace = list_.made() && list_.size() == 0;
+        const double stride = openSpace ? 4 * list_.reach() : 2 * handTravel_;
+        list_.make(*surface_, *tool_, pose_, std::min(1.1 * remaining, stride) + least);
         used = 0;
     }
-    attempt.allowance = listedReach_ * kTrusted - used - margin_;
+    attempt.allowance = list_.reach() * kTrusted - used - margin_;
     if (attempt.allowance <= 0) return false;
     const double turnTravel =
         2 * turn * tool_->radius() + (goal.rotation * tool_->centre() - pose_.rotation * tool_->centre()).norm();
@@ -147,26 +103,11 @@ bool SlidingBody::plan(const Pose& goal, Attempt& attempt) {
     return true;
 }
 
-/// Fills in the plane remembered for a pair; for a new pair, the face plane of either triangle if one happens to
-/// separate them at the present pose.
-void SlidingBody::recallPlane(WatchedPair& watched) const {
-    const SurfacePart& part = partOf(*surface_, watched.pair.part);
-    if (const SeparatingPlane* known = planes_.find(part.id(), watched.pair)) {
-        watched.plane = *known;
-        return;
-    }
-    watched.plane.stamp = kGuessed;
-    const Triangle3 tooth = cornersOf(part.mesh(), watched.pair.tooth);
-    Triangle3 tool = tool_->corners(watched.pair.tool);
-    for (Vec3& corner : tool) corner = pose_ * corner;
-    const Triangle3& face = watched.pair.toolFaceParts ? tool : tooth;
-    const Vec3 faceNormal = (face[1] - face[0]).cross(face[2] - face[0]).normalized();
-    double widest = 0;
-    for (const Vec3& normal : {faceNormal, Vec3(-faceNormal)}) {
-        const double back = highestAlong(tooth, normal);
-        const double gap = lowestAlong(tool, normal) - back;
-        if (gap > widest) widest = gap, watched.plane.normal = normal, watched.plane.offset = back;
-    }
+/// A listed pair with the plane remembered for it, or with its certificate's direction for GJK to begin with.
+WatchedPair SlidingBody::watch(std::size_t place) const {
+    const NearPair& pair = list_[place];
+    const SeparatingPlane* known = planes_.find(partOf(*surface_, pair.part).id(), pair);
+    return {pair, known != nullptr ? *known : SeparatingPlane{list_.direction(place), 0, kGuessed}};
 }
 
 /// Finds the plane that separates the pair best at the present pose. False if nothing separates it.
@@ -192,67 +133,82 @@ double SlidingBody::gapAt(const WatchedPair& watched, const Mat3& rotation, cons
     return lowestAlong(tool_->corners(watched.pair.tool), inTool) + normal.dot(position) - watched.plane.offset;
 }
 
-/// Whether a plane is found that keeps the pair apart during the whole attempted step. Tried are the planes that hold
-/// the tool already (what touches separates its neighbourhood too), then GJK on the swept tool triangle. The plane is
-/// remembered.
-bool SlidingBody::provenSafe(WatchedPair& watched, const Attempt& attempt) {
-    const SurfacePart& part = partOf(*surface_, watched.pair.part);
-    const Triangle3 tooth = cornersOf(part.mesh(), watched.pair.tooth);
-    const Triangle3 tool = tool_->corners(watched.pair.tool);
-    const Vec3 position = pose_.position + attempt.step;
+/// A tooth triangle, and a tool triangle at the start (three corners) and the end of an attempted step.
+struct SlidingBody::SweptPair {
+    Triangle3 tooth;
     std::array<Vec3, 6> swept;
-    for (int corner = 0; corner < 3; ++corner) {
-        swept[corner] = attempt.startMatrix * tool[corner] + pose_.position;
-        swept[corner + 3] = attempt.matrix * tool[corner] + position;
+
+    /// Whether the plane of this normal keeps the two apart the whole way.
+    [[nodiscard]] bool partedBy(const Vec3& normal, double back, double margin) const {
+        const std::span<const Vec3> corners(swept);
+        return lowestAlong(corners.first(3), normal) > back && lowestAlong(corners.last(3), normal) - back >= margin;
     }
-    SeparatingPlane& plane = watched.plane;
+};
+
+SlidingBody::SweptPair SlidingBody::sweep(const NearPair& pair, const Attempt& attempt) const {
+    SweptPair result;
+    result.tooth = cornersOf(partOf(*surface_, pair.part).mesh(), pair.tooth);
+    const Triangle3 tool = tool_->corners(pair.tool);
+    const Vec3 position = pose_.position + attempt.step;
+    for (int corner = 0; corner < 3; ++corner) {
+        result.swept[corner] = attempt.startMatrix * tool[corner] + pose_.position;
+        result.swept[corner + 3] = attempt.matrix * tool[corner] + position;
+    }
+    return result;
+}
+
+/// Whether a plane is found that keeps the pair apart during the whole attempted step. Tried are the pair's own
+/// direction, the plane remembered, those that hold the tool already (what touches separates its neighbourhood too),
+/// then GJK on the swept tool triangle. What is found becomes the pair's certificate.
+bool SlidingBody::provenSafe(std::size_t place, const Attempt& attempt) {
+    const NearPair& pair = list_[place];
+    const SweptPair swept = sweep(pair, attempt);
+    const auto holds = [&](const Vec3& normal, double back) {
+        if (!swept.partedBy(normal, back, margin_ / 2)) return false;
+        list_.certify(place, tool_->corners(pair.tool), normal, back);
+        return true;
+    };
+    const Vec3 direction = list_.direction(place);
+    if (swept.partedBy(direction, highestAlong(swept.tooth, direction), margin_ / 2)) return true;
+    const std::uint64_t partId = partOf(*surface_, pair.part).id();
+    const SeparatingPlane* known = planes_.find(partId, pair);
+    if (known != nullptr && holds(known->normal, known->offset)) return true;
     for (int i = 0; i < attempt.answer.activeCount; ++i) {
         const Vec3& normal = attempt.halfSpaces[attempt.answer.active[i]].normal;
-        const double back = highestAlong(tooth, normal);
-        if (lowestAlong(swept, normal) - back < margin_ / 2) continue;
-        plane = {normal, back, kGuessed};
-        return true;
+        if (holds(normal, highestAlong(swept.tooth, normal))) return true;
     }
-    const GjkResult result =
-        distanceBetween(tooth, swept, plane.normal.isZero() ? Vec3(tool[0] - tooth[0]) : plane.normal);
+    const Vec3 guess = known != nullptr ? known->normal : direction;
+    const GjkResult result = distanceBetween(swept.tooth, swept.swept, guess);
     ++distances_;
     if (result.gap < margin_ / 2) return false;
-    plane = {result.normal, highestAlong(tooth, result.normal), kGuessed};
-    planes_.store(part.id(), watched.pair, plane);
+    const SeparatingPlane plane{result.normal, highestAlong(swept.tooth, result.normal), kGuessed};
+    planes_.store(partId, pair, plane);
+    list_.certify(place, tool_->corners(pair.tool), plane.normal, plane.offset);
     return true;
 }
 
-/// A pair that the attempted step would bring together (the worst of the first few met), or null if the step is safe.
-const WatchedPair* SlidingBody::violation(const Attempt& attempt, bool& overlapping) {
-    const Vec3 position = pose_.position + attempt.step;
-    const double travel = travelSinceListed(attempt.rotation, position) + margin_;
-    const double bucketWidth = listedReach_ / kBuckets;
-    const WatchedPair* worst = nullptr;
+/// A pair that the attempted step would bring together (the worst of the first few met).
+SlidingBody::Offence SlidingBody::violation(const Attempt& attempt, WatchedPair& worst) {
+    const Pose end{pose_.position + attempt.step, attempt.rotation};
+    const Excursion excursion = list_.excursion(pose_, end, margin_);
+    const std::size_t count = list_.withinReachOf(excursion);
     double worstGap = margin_ / 2;
     int offenders = 0;
-    for (std::size_t i = 0; i < pairCount_ && offenders < kOffendersToCompare; ++i) {
-        WatchedPair& watched = watched_[i];
-        if (watched.pair.distanceAtLeast > travel) {
-            if (watched.pair.distanceAtLeast > travel + bucketWidth) break;  // only the buckets are sorted
-            continue;
+    for (std::size_t first = 0; first < count; first += 8) {
+        for (std::uint32_t doubt = list_.inDoubt(first, excursion); doubt != 0; doubt &= doubt - 1) {
+            const std::size_t place = first + static_cast<std::size_t>(std::countr_zero(doubt));
+            if (provenSafe(place, attempt)) continue;
+            WatchedPair watched = watch(place);
+            if (watched.plane.stamp != poseStamp_ && !refreshPlane(watched)) return Offence::Overlapping;
+            // A new surface may stand nearer than any step could respect.
+            if (gapAt(watched, attempt.startMatrix, pose_.position) < margin_ / 2) return Offence::Overlapping;
+            const double gap = gapAt(watched, attempt.matrix, end.position);
+            if (gap >= margin_ / 2) continue;
+            if (gap < worstGap) worstGap = gap, worst = watched;
+            if (++offenders == kOffendersToCompare) return Offence::Found;
         }
-        if (watched.plane.stamp == 0) recallPlane(watched);
-        const bool known = !watched.plane.normal.isZero();
-        if (known && gapAt(watched, attempt.matrix, position) >= margin_ / 2) continue;
-        if (provenSafe(watched, attempt)) continue;
-        if (watched.plane.stamp != poseStamp_ && !refreshPlane(watched)) {
-            overlapping = true;
-            return nullptr;
-        }
-        if (gapAt(watched, attempt.startMatrix, pose_.position) < margin_ / 2) {
-            overlapping = true;  // a new surface stands nearer than any step could respect
-            return nullptr;
-        }
-        const double gap = gapAt(watched, attempt.matrix, position);
-        ++offenders;
-        if (gap < worstGap) worstGap = gap, worst = &watched;
     }
-    return worst;
+    return offenders > 0 ? Offence::Found : Offence::None;
 }
 
 void SlidingBody::addConstraint(Attempt& attempt, const WatchedPair& watched) const {
@@ -280,10 +236,10 @@ bool SlidingBody::solve(Attempt& attempt) {
     if (!attempt.answer.feasible) return false;
     attempt.step = attempt.answer.point;
     attempt.clipped = false;
-    const double travel = travelSinceListed(attempt.rotation, pose_.position + attempt.step);
-    const double spent = travelSinceListed(attempt.rotation, pose_.position);
-    const double room = std::min(listedReach_ * kTrusted - margin_ - spent, attempt.allowance);
-    if (travel <= listedReach_ * kTrusted - margin_ && attempt.step.norm() <= attempt.allowance) return true;
+    const double travel = list_.travelTo(attempt.rotation, pose_.position + attempt.step);
+    const double spent = list_.travelTo(attempt.rotation, pose_.position);
+    const double room = std::min(list_.reach() * kTrusted - margin_ - spent, attempt.allowance);
+    if (travel <= list_.reach() * kTrusted - margin_ && attempt.step.norm() <= attempt.allowance) return true;
     attempt.clipped = true;
     if (room <= 0) return false;
     const double length = attempt.step.norm();
@@ -305,11 +261,13 @@ bool SlidingBody::findSafeStep(Attempt& attempt, bool& overlapping) {
             restart(attempt);
             continue;
         }
-        const WatchedPair* offender = violation(attempt, overlapping);
+        WatchedPair offender;
+        const Offence offence = violation(attempt, offender);
+        overlapping = offence == Offence::Overlapping;
         if (overlapping) return false;
-        if (offender == nullptr) return true;
+        if (offence == Offence::None) return true;
         if (attempt.planeCount < kMaxPlanesPerRound) {
-            addConstraint(attempt, *offender);
+            addConstraint(attempt, offender);
         } else if (attempt.allowance > kSettledMargins * margin_) {
             attempt.allowance /= 8;
             restart(attempt);

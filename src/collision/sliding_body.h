@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "collision/nearest_in_polyhedron.h"
+#include "collision/pair_list.h"
 #include "collision/separating_planes.h"
 #include "collision/tool_shape.h"
 #include "geometry/pose.h"
@@ -65,20 +66,23 @@ public:
     /// The distance that the body keeps from the tooth, mm: far below what any device or eye resolves, far above the
     /// rounding of doubles.
     [[nodiscard]] double margin() const { return margin_; }
+    /// Length of the list of near pairs that the last move went by.
+    [[nodiscard]] std::size_t listedPairs() const { return list_.size(); }
 
 private:
     struct Attempt;
+    struct SweptPair;
+    enum class Offence { None, Found, Overlapping };
 
-    [[nodiscard]] double travelSinceListed(const Quat& rotation, const Vec3& position) const;
-    void listPairs(double wantedReach);
     [[nodiscard]] bool plan(const Pose& goal, Attempt& attempt);
     [[nodiscard]] bool findSafeStep(Attempt& attempt, bool& overlapping);
     [[nodiscard]] bool solve(Attempt& attempt);
-    void recallPlane(WatchedPair& watched) const;
+    [[nodiscard]] WatchedPair watch(std::size_t place) const;
     [[nodiscard]] bool refreshPlane(WatchedPair& watched);
     [[nodiscard]] double gapAt(const WatchedPair& watched, const Mat3& rotation, const Vec3& position) const;
-    [[nodiscard]] bool provenSafe(WatchedPair& watched, const Attempt& attempt);
-    [[nodiscard]] const WatchedPair* violation(const Attempt& attempt, bool& overlapping);
+    [[nodiscard]] SweptPair sweep(const NearPair& pair, const Attempt& attempt) const;
+    [[nodiscard]] bool provenSafe(std::size_t place, const Attempt& attempt);
+    [[nodiscard]] Offence violation(const Attempt& attempt, WatchedPair& worst);
     void addConstraint(Attempt& attempt, const WatchedPair& watched) const;
     void restart(Attempt& attempt);
     void accept(const Attempt& attempt, MoveResult& result);
@@ -89,13 +93,7 @@ private:
     std::uint64_t poseStamp_ = 2;
     double margin_ = 0;
 
-    std::vector<NearPair> found_;       // as the walk writes them
-    std::vector<WatchedPair> watched_;  // the same, sorted by bucket of distanceAtLeast
-    std::size_t pairCount_ = 0;
-    bool listed_ = false;
-    Pose listedAt_;
-    double listedReach_ = 0;
-    double reachCap_ = 0;  // of the next list, mm: where the last one met many pairs, it stays short
+    PairList list_;
     Vec3 lastGoalCentre_ = Vec3::Zero();
     double handTravel_ = 0;  // of the goal since the last move, mm
 

@@ -2,22 +2,48 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "collision/tool_shape.h"
 
+#include <algorithm>
+
 namespace tactooth {
+namespace {
+
+ToolShape::Faces facesOf(const AabbTree::Leaf& leaf) {
+    ToolShape::Faces faces{};
+    for (int lane = 0; lane < AabbTree::kWidth; ++lane) {
+        const Vec3f a(leaf.corner[0][0][lane], leaf.corner[0][1][lane], leaf.corner[0][2][lane]);
+        const Vec3f b(leaf.corner[1][0][lane], leaf.corner[1][1][lane], leaf.corner[1][2][lane]);
+        const Vec3f c(leaf.corner[2][0][lane], leaf.corner[2][1][lane], leaf.corner[2][2][lane]);
+        const Vec3 area = (b - a).cast<double>().cross((c - a).cast<double>());
+        const double length = area.norm();
+        const Vec3f normal = length > 0 ? Vec3f((area / length).cast<float>()) : Vec3f(Vec3f::Zero());
+        const Vec3f low = a.cwiseMin(b).cwiseMin(c);
+        const Vec3f high = a.cwiseMax(b).cwiseMax(c);
+        for (int axis = 0; axis < 3; ++axis) {
+            faces.normal[axis][lane] = normal[axis];
+            faces.low[axis][lane] = low[axis];
+            faces.high[axis][lane] = high[axis];
+        }
+        const float offsets[] = {normal.dot(a), normal.dot(b), normal.dot(c)};
+        faces.lowOffset[lane] = *std::min_element(offsets, offsets + 3);
+        faces.highOffset[lane] = *std::max_element(offsets, offsets + 3);
+    }
+    return faces;
+}
+
+}  // namespace
 
 ToolShape::ToolShape(TriangleMesh mesh) : part_(std::move(mesh)) {
     const TriangleMesh& own = part_.mesh();
     corners_.reserve(own.triangles.size());
-    normals_.reserve(own.triangles.size());
-    for (std::size_t i = 0; i < own.triangles.size(); ++i) {
-        const Triangle& t = own.triangles[i];
+    for (const Triangle& t : own.triangles)
         corners_.push_back({own.vertices[t[0]], own.vertices[t[1]], own.vertices[t[2]]});
-        const Vec3 area = own.areaVector(i);
-        const double length = area.norm();
-        normals_.push_back(length > 0 ? Vec3f((area / length).cast<float>()) : Vec3f(Vec3f::Zero()));
-    }
+    for (const AabbTree::Leaf& leaf : part_.tree().leaves()) faces_.push_back(facesOf(leaf));
     if (own.empty()) return;
     centre_ = part_.tree().box().center();
-    for (const Vec3f& vertex : own.vertices) radius_ = std::max(radius_, (vertex.cast<double>() - centre_).norm());
+    // Vertices that no triangle uses do not count.
+    for (const std::array<Vec3f, 3>& corners : corners_) {
+        for (const Vec3f& corner : corners) radius_ = std::max(radius_, (corner.cast<double>() - centre_).norm());
+    }
 }
 
 }  // namespace tactooth

@@ -22,8 +22,15 @@ public:
         const std::array<Vec3f, 3>& c = corners_[triangle];
         return {c[0].cast<double>(), c[1].cast<double>(), c[2].cast<double>()};
     }
-    /// Unit outward normal, or zero for a triangle without area.
-    [[nodiscard]] const Vec3f& normal(std::uint32_t triangle) const { return normals_[triangle]; }
+    /// Up to eight triangles as planes and boxes side by side, lane by lane those of the tree's leaf.
+    struct alignas(32) Faces {
+        float normal[3][AabbTree::kWidth];  // unit and outward; zero for a triangle without area
+        float lowOffset[AabbTree::kWidth];  // the corners' least and greatest dot product with the normal
+        float highOffset[AabbTree::kWidth];
+        float low[3][AabbTree::kWidth];  // box
+        float high[3][AabbTree::kWidth];
+    };
+    [[nodiscard]] const Faces& faces(AabbTree::Link leaf) const { return faces_[leaf.index()]; }
     /// Centre of the bounding box in the tool frame, mm.
     [[nodiscard]] const Vec3& centre() const { return centre_; }
     /// Every vertex lies within this distance of the centre, mm.
@@ -32,7 +39,7 @@ public:
 private:
     SurfacePart part_;
     std::vector<std::array<Vec3f, 3>> corners_;
-    std::vector<Vec3f> normals_;
+    std::vector<Faces> faces_;
     Vec3 centre_ = Vec3::Zero();
     double radius_ = 0;
 };

@@ -3,6 +3,7 @@
 #include "haptics/contact_force.h"
 
 #include <algorithm>
+#include <cmath>
 
 // Kelvin-Voigt contact: W. Fluegge, "Viscoelasticity", 1975, section 1.3: F = k * d + c * d'. The friction follows the
 // hand's sliding speed smoothly through zero (S. Andersson, A. Soederberg, S. Bjoerklund, "Friction Models for Sliding
@@ -12,20 +13,22 @@
 namespace tactooth {
 namespace {
 
-constexpr double kBlendLength = 0.05;   // mm of travel over which one material's feel becomes the next one's
+// Travel in which what is left of the old material's feel falls to 1/e, mm: to 5 % within 50 um. An exponential,
+// because it blends by the way alone: the same for one long tick as for many short ones.
+constexpr double kBlendTravel = 0.05 / 3;
 constexpr double kFrictionSpeed = 5.0;  // mm/s at which friction reaches its full size: above tremor, below a stroke
 
 }  // namespace
 
-ContactForce::Feel ContactForce::feelOf(const ContactState& contact, const MaterialTable& materials) const {
+ContactForce::Feel ContactForce::feelOf(const ContactState& contact, const MaterialTable& materials) {
     Feel feel{0, 0, 0};
     double weight = 0;
     for (const HeldAt& held : contact.held) {
         const Material& material = materials[held.material];
         const double share = std::max(held.share, 1e-12);  // a contact that just touches still has a material
-        feel.stiffness += share * overrides_.stiffness.value_or(material.stiffness);
-        feel.damping += share * overrides_.damping.value_or(material.damping);
-        feel.friction += share * overrides_.friction.value_or(material.friction);
+        feel.stiffness += share * material.stiffness;
+        feel.damping += share * material.damping;
+        feel.friction += share * material.friction;
         weight += share;
     }
     return {feel.stiffness / weight, feel.damping / weight, feel.friction / weight};
@@ -39,17 +42,21 @@ Wrench ContactForce::at(const ContactState& contact, const MaterialTable& materi
         return {};
     }
     const Feel target = feelOf(contact, materials);
-    const double blend = feel_ ? std::min(1.0, contact.travel / kBlendLength) : 1.0;
+    const double blend = feel_ ? 1 - std::exp(-contact.travel / kBlendTravel) : 1.0;
     const Feel old = feel_.value_or(target);
     feel_ = Feel{old.stiffness + blend * (target.stiffness - old.stiffness),
                  old.damping + blend * (target.damping - old.damping),
                  old.friction + blend * (target.friction - old.friction)};
 
+    const double stiffness = overrides_.stiffness.value_or(feel_->stiffness);
+    const double damping = overrides_.damping.value_or(feel_->damping);
+    const double frictionCoefficient = overrides_.friction.value_or(feel_->friction);
+
     const Vec3 normal = contact.offset / depth;
     const double sinking = -contact.velocity.dot(normal);
-    normalForce_ = scale_ * std::max(0.0, feel_->stiffness * depth + feel_->damping * sinking);
+    normalForce_ = scale_ * std::max(0.0, stiffness * depth + damping * sinking);
     const Vec3 sliding = contact.velocity + sinking * normal;
-    const Vec3 friction = -feel_->friction * normalForce_ * sliding / (sliding.norm() + kFrictionSpeed);
+    const Vec3 friction = -frictionCoefficient * normalForce_ * sliding / (sliding.norm() + kFrictionSpeed);
 
     Wrench wrench;
     wrench.force = normalForce_ * normal + friction;

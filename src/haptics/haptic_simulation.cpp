@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "haptics/haptic_simulation.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -15,6 +16,14 @@ constexpr double kVelocityCutoff =
     100;  // Hz: above the hand's 10 Hz, below what an encoder step of 55 um makes of 1 kHz
 constexpr double kTangentialShare = 0.5;  // of the normal force
 constexpr double kCuttingSpeedRpm = 300;  // a bur slower than this rubs and does not cut
+constexpr double kFurthest = 1e6;         // mm from the tooth: a hand beyond is a fault of the device
+constexpr double kUnitTolerance = 1e-3;   // of a quaternion's squared length
+
+/// False also for everything that is not a number.
+bool isSomewhere(const Pose& hand) {
+    return hand.position.allFinite() && hand.position.cwiseAbs().maxCoeff() < kFurthest &&
+           std::abs(hand.rotation.squaredNorm() - 1) < kUnitTolerance;
+}
 
 }  // namespace
 
@@ -28,10 +37,10 @@ HapticSimulation::HapticSimulation(std::shared_ptr<const ToolShape> tool, double
 }
 
 void HapticSimulation::filterVelocity(const Vec3& position, double dt) {
-    if (!started_ || dt <= 0) {
+    if (!following_ || dt <= 0) {
         velocity_.setZero();
         lastPosition_ = position;
-        started_ = true;
+        following_ = true;
         return;
     }
     const Vec3 raw = (position - lastPosition_) / dt;
@@ -44,20 +53,17 @@ void HapticSimulation::turnBur(const HandInput& input, double dt, Tick& tick) {
     const bool bites = input.cutting && tick.contacts > 0 && bur_.speedRpm > kCuttingSpeedRpm;
     const double tangential = bites ? kTangentialShare * force_.normalForce() : 0;
     tick.load = tangential * burRadius_;
-    bur_ = stepSpindle(spindle_, bur_, input.cutting ? input.pedal : 0, tick.load, dt);
+    bur_ = stepSpindle(spindle_, bur_, input.cutting ? tick.pedal : 0, tick.load, dt);
     const double rimSpeed = bur_.speedRpm / 60 * 2 * std::numbers::pi * burRadius_ * 1e-3;  // m/s
     tick.speedRpm = bur_.speedRpm;
     tick.removalWatt = tangential * rimSpeed;
     tick.cutWork = last_.cutWork + (bites ? force_.normalForce() * rimSpeed * dt : 0);
 }
 
-Tick HapticSimulation::step(const HandInput& input, double dt) {
-    Tick tick;
-    tick.time = last_.time + (started_ ? dt : 0);
+/// Follows the hand and makes the force.
+void HapticSimulation::touch(const HandInput& input, double dt, Tick& tick) {
     tick.hand = input.handInTooth;
-    tick.cutting = input.cutting;
-    tick.pedal = input.pedal;
-    tick.speed = started_ && dt > 0 ? (input.handInTooth.position - lastPosition_).norm() / dt : 0;
+    tick.speed = following_ && dt > 0 ? (input.handInTooth.position - lastPosition_).norm() / dt : 0;
     filterVelocity(input.handInTooth.position, dt);
 
     const ProxyState state = proxy_.follow(input.handInTooth);
@@ -67,10 +73,25 @@ Tick HapticSimulation::step(const HandInput& input, double dt) {
     if (state.contacts > 0 && state.offset.norm() > 0) {
         tick.depth = state.offset.norm();
         tick.normal = state.offset / tick.depth;
-        tick.material = state.held[0].material;
+        tick.material = std::ranges::max_element(state.heldAt(), {}, &HeldAt::share)->material;
     }
     tick.wrench =
         force_.at({input.handInTooth.position, state.offset, velocity_, state.travel, state.heldAt()}, materials_);
+}
+
+Tick HapticSimulation::step(const HandInput& input, double dt) {
+    Tick tick;
+    tick.time = last_.time + (started_ ? dt : 0);
+    started_ = true;
+    tick.cutting = input.cutting;
+    tick.pedal = std::isfinite(input.pedal) ? std::clamp(input.pedal, 0.0, 1.0) : 0;
+    if (isSomewhere(input.handInTooth)) {
+        touch(input, dt, tick);
+    } else {
+        tick.hand = last_.hand;
+        tick.proxy = last_.proxy;
+        following_ = false;
+    }
     turnBur(input, dt, tick);
 
     const bool touching = tick.contacts > 0;

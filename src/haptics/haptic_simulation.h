@@ -34,7 +34,7 @@ struct Tick {
     double load = 0;         ///< torque on the bur, N*mm
     double removalWatt = 0;  ///< tangential force times rim speed
     double cutWork = 0;      ///< normal force times rim travel since the start, N*m: what the removal law spends
-    MaterialId material = MaterialId::Enamel;  ///< that holds the tool; meaningless without contact
+    MaterialId material = MaterialId::Enamel;  ///< that holds the tool most; meaningless without contact
     std::uint32_t landings = 0;                ///< how often the tool has come to touch
     double landingSpeed = 0;                   ///< along the normal at the last landing, mm/s
     double micros = 0;                         ///< that the tick took to compute; filled in by whoever has a clock
@@ -48,7 +48,8 @@ struct HapticSettings {
 };
 
 /// One simulation step as a pure function of its state and the hand: equal inputs give equal ticks, bit for bit. Reads
-/// no clock; allocates, locks and logs nothing.
+/// no clock; allocates, locks and logs nothing. A hand that is nowhere (not a number, further away than a kilometre, a
+/// rotation that is none) is not followed: such a tick is not `placed`, and the next good one goes on from the last.
 class HapticSimulation {
 public:
     /// `burRadius`: largest distance of the bur's blades from its axis, mm.
@@ -65,6 +66,7 @@ public:
 
 private:
     void filterVelocity(const Vec3& position, double dt);
+    void touch(const HandInput& input, double dt, Tick& tick);
     void turnBur(const HandInput& input, double dt, Tick& tick);
 
     ToolProxy proxy_;
@@ -73,7 +75,8 @@ private:
     SpindlePreset spindle_;
     SpindleState bur_;
     double burRadius_;
-    bool started_ = false;
+    bool started_ = false;    // there is a tick to count time from
+    bool following_ = false;  // there is a position to take the speed from
     bool touching_ = false;
     Vec3 lastPosition_ = Vec3::Zero();
     Vec3 velocity_ = Vec3::Zero();  // low-passed, mm/s

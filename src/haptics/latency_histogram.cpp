@@ -14,7 +14,7 @@ constexpr double kSmallest = 0.1;  // us: nothing that is measured here is short
 
 int LatencyHistogram::bucketOf(double microseconds) {
     if (!(microseconds > kSmallest)) return 0;
-    return std::min(kBuckets - 1, static_cast<int>(std::log2(microseconds / kSmallest) * kPerOctave));
+    return static_cast<int>(std::min(kBuckets - 1.0, std::log2(microseconds / kSmallest) * kPerOctave));
 }
 
 std::uint64_t LatencyHistogram::total() const {
@@ -26,7 +26,7 @@ std::uint64_t LatencyHistogram::total() const {
 double LatencyHistogram::quantile(double quantile) const {
     const std::uint64_t all = total();
     if (all == 0) return 0;
-    const auto wanted = static_cast<std::uint64_t>(std::ceil(quantile * static_cast<double>(all)));
+    const auto wanted = static_cast<std::uint64_t>(std::max(1.0, std::ceil(quantile * static_cast<double>(all))));
     std::uint64_t below = 0;
     for (int bucket = 0; bucket < kBuckets; ++bucket) {
         below += counts_[static_cast<std::size_t>(bucket)].load(std::memory_order_relaxed);

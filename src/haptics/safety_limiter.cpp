@@ -30,8 +30,9 @@ SafeWrench SafetyLimiter::limit(const Wrench& wanted, double elapsed, bool enabl
         return shortened(v.cwiseMax(-2 * limit).cwiseMin(2 * limit), limit);
     };
     const Vec3 force = strength_ * bounded(wanted.force, limits_.force);
+    const Vec3 torque = strength_ * bounded(wanted.torque, limits_.torque);
     last_.force += shortened(force - last_.force, limits_.slew * elapsed);
-    last_.torque = strength_ * bounded(wanted.torque, limits_.torque);
+    last_.torque += shortened(torque - last_.torque, limits_.torqueSlew * elapsed);
     return SafeWrench(last_);
 }
 

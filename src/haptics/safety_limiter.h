@@ -15,6 +15,7 @@ struct ForceLimits {
     double slew = 300;         ///< N/s: 0.3 N a millisecond, steeper steps feel like a kick (and are one)
     double rampTime = 0.5;     ///< s from zero to full strength after switching on
     double stallTime = 0.003;  ///< s without a tick after which the force starts from zero again
+    double torqueSlew = 3000;  ///< N*mm/s: a force's slew on a lever of 10 mm, from the bur's tip to the fingers
 };
 
 /// A wrench that has passed the limiter: the only kind that a device accepts. Nothing else can make one.

@@ -2,15 +2,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "haptics/tool_proxy.h"
 
+#include <utility>
+
+#include "collision/closest_point.h"
+
 namespace tactooth {
 
 ToolProxy::ToolProxy(std::shared_ptr<const ToolShape> tool, std::shared_ptr<const Surface> surface, ContactMode mode)
     : surface_(surface), mode_(mode), body_(tool), query_(tool, surface) {
     body_.setSurface(std::move(surface));
+    for (const Vec3f& vertex : body_.tool().mesh().vertices) {
+        if (vertex.z() > farEnd_.z()) farEnd_ = vertex.cast<double>();
+    }
 }
 
 std::shared_ptr<const Surface> ToolProxy::setSurface(std::shared_ptr<const Surface> surface) {
     surface_ = surface;
+    newSurface_ = true;
     query_.setSurface(surface);
     return body_.setSurface(std::move(surface));
 }
@@ -49,12 +57,20 @@ bool ToolProxy::stepOutOfSurface() {
     return false;
 }
 
+/// Whether the tool stands wholly inside the tooth, where it meets no triangle: when a cut tooth becomes whole again.
+/// Its far end tells: it is the last to touch anything.
+bool ToolProxy::isSwallowed() const { return surface_->closed && contains(*surface_, body_.pose() * farEnd_); }
+
 ProxyState ToolProxy::follow(const Pose& handInTooth) {
     if (mode_ == ContactMode::Penalty) return followAsPenalty(handInTooth);
     ProxyState state;
     if (!placed_) placeNear(handInTooth);
     if (!placed_) return state;
     const Vec3 before = body_.pose().position;
+    if (std::exchange(newSurface_, false) && isSwallowed()) {
+        placed_ = false;
+        return state;
+    }
     MoveResult move = body_.moveToward(handInTooth);
     if (move.status == MoveStatus::Overlapping && stepOutOfSurface()) move = body_.moveToward(handInTooth);
     if (move.status == MoveStatus::Overlapping) {
@@ -66,13 +82,27 @@ ProxyState ToolProxy::follow(const Pose& handInTooth) {
     state.offset = body_.pose().position - handInTooth.position;
     state.travel = (body_.pose().position - before).norm();
     state.contacts = state.heldCount = move.contactCount;
+    const bool stuck = move.status == MoveStatus::OutOfRounds && move.contactCount == 0;
+    if (stuck && (touching_ || state.travel == 0)) holdWithoutContact(state);
     for (int i = 0; i < move.contactCount; ++i) {
         const BodyContact& contact = move.contacts[i];
         state.held[i] = {contact.point, contact.normal, contact.share, materialOf(contact.part, contact.tooth)};
     }
-    if (move.contactCount > 0)
+    if (move.contactCount > 0) {
         wayOut_ = state.offset.norm() > 0 ? Vec3(state.offset.normalized()) : move.contacts[0].normal;
+        material_ = state.held[0].material;
+    }
+    touching_ = state.contacts > 0;
     return state;
+}
+
+/// The fixed budget ran out between two contacts, or before the first: what stands between hand and proxy goes on
+/// holding, or the force would drop out while the hand presses.
+void ToolProxy::holdWithoutContact(ProxyState& state) {
+    const double depth = state.offset.norm();
+    if (!(depth > 0)) return;
+    state.contacts = state.heldCount = 1;
+    state.held[0] = {state.proxy.position, state.offset / depth, depth, material_};
 }
 
 ProxyState ToolProxy::followAsPenalty(const Pose& handInTooth) {

@@ -48,6 +48,8 @@ private:
     [[nodiscard]] ProxyState followAsPenalty(const Pose& handInTooth);
     void placeNear(const Pose& handInTooth);
     [[nodiscard]] bool stepOutOfSurface();
+    [[nodiscard]] bool isSwallowed() const;
+    void holdWithoutContact(ProxyState& state);
     [[nodiscard]] MaterialId materialOf(std::uint32_t part, std::uint32_t triangle) const;
 
     std::shared_ptr<const Surface> surface_;
@@ -55,6 +57,10 @@ private:
     SlidingBody body_;
     ContactQuery query_;
     bool placed_ = false;
+    bool newSurface_ = false;      // since the last tick
+    Vec3 farEnd_ = Vec3::Zero();   // of the tool, away from the tip
+    bool touching_ = false;        // at the last tick
+    MaterialId material_{};        // that was touched last
     Vec3 wayOut_ = Vec3::UnitZ();  // direction of the last contact
 };
 

@@ -14,7 +14,7 @@ constexpr double kTick = 0.001;  // s
 constexpr int kTicksPerCut = 5;  // the felt surface follows the cut within 5 ms
 constexpr std::size_t kTouchPassages = 2;
 
-/// Touch a fifth of the time, stroke, lift, cut, lift again: shares of the whole.
+/// Come down and touch, stroke, lift off, cut, lift again: shares of the whole.
 std::vector<Passage> lesson(const Vec3& middle, double reach, double seconds) {
     const Vec3 left = middle - Vec3(reach, 0, 0);
     const Vec3 right = middle + Vec3(reach, 0, 0);
@@ -32,7 +32,7 @@ Demonstration playDemonstration(WorkPiece& piece, const Instrument& instrument, 
     const Box3 box = piece.surface()->base->tree().box();
     const Vec3 middle = box.center();
     const double reach = 0.12 * box.sizes().x();
-    constexpr double kHeadroom = 1.0;  // mm above the highest cusp
+    constexpr double kHeadroom = 6.0;  // mm above the highest cusp: the cavity can be seen under the waiting bur
     PractisedHand hand(Vec3(middle.x() - reach, middle.y(), box.max().z() + kHeadroom), lesson(middle, reach, seconds));
     HapticSimulation simulation(instrument.shape, instrument.cutting.envelope.maxRadius(), piece.surface(), settings);
     SafetyLimiter limiter(hand.info().limits);

@@ -38,7 +38,8 @@ DeviceSample PractisedHand::read(double elapsed) {
     sideways.z() = 0;
     const double longest = kSideways * elapsed;
     if (sideways.norm() > longest) sideways *= longest / sideways.norm();
-    const double wanted = now.force > 0 ? -kYield * (now.force - force_.z()) : kLift;
+    sideways += kYield * elapsed * Vec3(force_.x(), force_.y(), 0);  // a wall pushes the hand aside
+    const double wanted = now.force > 0 ? -kYield * (now.force - force_.norm()) : kLift;
     tip_ += sideways + Vec3(0, 0, std::clamp(wanted, -kApproach, kLift) * elapsed);
     tip_.z() = std::min(tip_.z(), waitingHeight_);
     return {{tip_, Quat::Identity()}, now.pedal, 0, true};

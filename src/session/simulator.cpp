@@ -21,6 +21,7 @@ Simulator::Simulator(std::shared_ptr<WorkPiece> piece, Instrument instrument, co
       onTick_(std::move(onTick)),
       simulation_(instrument_.shape, instrument_.cutting.envelope.maxRadius(), piece_->surface(), settings),
       limiter_(device.info().limits),
+      controls_(SimulatorControls{.force = settings.force}),
       watchedSurface_(piece_->surface()),
       watchedRemoved_(piece_->removed()) {
     loop_ = std::make_unique<ServoLoop>(rateHz, [this](double elapsed) { servoTick(elapsed); });
@@ -51,7 +52,9 @@ void Simulator::servoTick(double elapsed) {
     simulation_.force().setScale(controls.forceScale);
 
     const DeviceSample sample = device_.read(elapsed);
-    const HandInput input{sample.hand, std::max(controls.pedal, sample.pedal), controls.cutting};
+    if (sample.connected) hand_ = sample.hand;  // a lost device's hand stays where it was, and its foot is off
+    const double pedal = std::max(controls.pedal, sample.connected ? sample.pedal : 0.0);
+    const HandInput input{hand_, pedal, controls.cutting};
     Tick tick = simulation_.step(input, elapsed);
     const bool enabled = controls.forceEnabled && sample.connected && tick.placed;
     device_.write(limiter_.limit(tick.wrench, elapsed, enabled));

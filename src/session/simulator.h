@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <thread>
@@ -84,6 +85,8 @@ private:
     // Servo thread's.
     HapticSimulation simulation_;
     SafetyLimiter limiter_;
+    /// Nowhere, until the device has been read once.
+    Pose hand_{Vec3::Constant(std::numeric_limits<double>::quiet_NaN()), Quat::Identity()};
 
     // Between threads.
     LatestValue<SimulatorControls> controls_;

@@ -3,6 +3,7 @@
 #include "session/work_piece.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace tactooth {
@@ -11,6 +12,10 @@ namespace {
 // Work that no cut has spent is kept for this long a push only: a bur that was held on glass does not jump ahead when
 // it finds caries. N*m; about 20 ms at 1 N and 300,000 rev/min.
 constexpr double kKeptWork = 0.3;
+
+// The bur never gains more than this at one update, mm: 20 mm/s at an update each 5 ms, faster than any hand feeds.
+// Keeps the search for the way that the work pays for short where a hand is far behind its bur.
+constexpr double kLongestFeed = 0.1;
 
 /// One entry a brick that covers all changes of it.
 std::vector<ChangedBrick> merged(const std::vector<ChangedBrick>& changes) {
@@ -50,8 +55,12 @@ bool WorkPiece::feed(const CuttingTool& tool, const Tick& tick, const MaterialTa
         workSpent_ = tick.cutWork;
         return false;
     }
-    const FeedResult result = feedBur(volume_, tool.envelope, tick.proxy, tick.hand, work, materials, tool.sharpness);
-    workSpent_ = std::max(workSpent_ + result.work, tick.cutWork - kKeptWork);
+    const double way = (tick.hand.position - tick.proxy.position).norm();
+    const Pose goal = between(tick.proxy, tick.hand, way > kLongestFeed ? kLongestFeed / way : 1);
+    const FeedResult result = feedBur(volume_, tool.envelope, tick.proxy, goal, work, materials, tool.sharpness);
+    // A broad bur in hard enamel must save up for its smallest step, which the clearance of the cut gives.
+    const double kept = std::isfinite(result.wanted) ? std::max(kKeptWork, result.wanted) : kKeptWork;
+    workSpent_ = std::max(workSpent_ + result.work, tick.cutWork - kept);
     book(result.carve);
     const bool changed = !changed_.empty();
     refreshSurface();

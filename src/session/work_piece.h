@@ -37,6 +37,9 @@ public:
     /// Brings `surface()` up to date with the cuts made by `sweep`.
     void refreshSurface();
 
+    /// Of all that has been cut (CutVolume::hash): equal bits for equal cuts.
+    [[nodiscard]] std::uint64_t hash() const { return volume_.hash(); }
+
     /// The whole tooth again.
     void reset();
 

@@ -12,6 +12,7 @@ namespace {
 
 constexpr int kTrials = 6;             // of regula falsi: the cost is smooth and grows with the way
 constexpr double kCloseEnough = 0.97;  // of the work: a last per cent is cut at the next update
+constexpr double kAim = 0.985;         // of the work: a trial that misses by a hair shall miss on the affordable side
 
 }  // namespace
 
@@ -45,7 +46,7 @@ FeedResult feedBur(CutVolume& volume, const RevolutionEnvelope& envelope, const 
     }
     for (int trial = 0; trial < kTrials && low < 1 && lowCost < kCloseEnough * work; ++trial) {
         const double middle =
-            trial % 2 == 0 ? low + (high - low) * (work - lowCost) / (highCost - lowCost) : (low + high) / 2;
+            trial % 2 == 0 ? low + (high - low) * (kAim * work - lowCost) / (highCost - lowCost) : (low + high) / 2;
         const double cost = costOf(middle);
         if (cost <= work) {
             low = middle, lowCost = cost;
@@ -55,7 +56,10 @@ FeedResult feedBur(CutVolume& volume, const RevolutionEnvelope& envelope, const 
     }
     FeedResult result;
     result.fraction = low;
-    if (low == 0) return result;  // nothing is affordable yet: the work is kept for the next time
+    if (low == 0) {  // nothing is affordable yet: the work is kept for the next time
+        result.wanted = highCost;
+        return result;
+    }
     result.work = lowCost;
     result.carve = volume.carve(envelope, from, between(from, to, low));
     return result;

@@ -11,6 +11,7 @@ namespace tactooth {
 struct FeedResult {
     double fraction = 0;  ///< of the way wanted, 0..1
     double work = 0;      ///< spent, N*m
+    double wanted = 0;    ///< that would have paid for a step, where none was affordable, N*m; infinite: no work does
     CarveResult carve;
 };
 

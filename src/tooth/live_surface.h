@@ -40,8 +40,8 @@ private:
         std::vector<std::uint32_t> baseTriangles;  ///< near the brick's wall
         std::vector<MarginPiece> margin;
         WallPatch wall;
-        std::map<std::uint32_t, std::vector<std::array<Vec3f, 3>>>
-            remains;  ///< of base triangles whose middle lies in this brick
+        /// Pieces of the base triangles whose middle lies in this brick, by triangle.
+        std::map<std::uint32_t, std::vector<std::array<Vec3f, 3>>> remains;
     };
     [[nodiscard]] std::vector<BrickKey> bricksToExtract(const CutVolume& volume,
                                                         const std::vector<ChangedBrick>& changed) const;

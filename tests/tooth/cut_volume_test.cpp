@@ -97,7 +97,7 @@ TEST(CutVolume, FinerStepsRemoveTheSame) {
     CutVolume coarse(block(), kVoxel);
     CutVolume fine(block(), kVoxel);
     const double few = total(carvePath(coarse, flatBur(0.4), 10));
-    const double many = total(carvePath(fine, flatBur(0.4), 80));
+    const double many = total(carvePath(fine, flatBur(0.4), 40));
     EXPECT_NEAR(few, many, 0.002 * many);
 }
 

@@ -11,6 +11,7 @@
 
 #include "app/cli/contact_command.h"
 #include "app/cli/cut_command.h"
+#include "app/cli/demo_command.h"
 #include "app/cli/exit_code.h"
 #include "app/cli/feel_command.h"
 #include "app/cli/info_command.h"
@@ -132,6 +133,30 @@ void addCut(CLI::App& program, Chosen& chosen) {
         ->type_name("FILE");
 }
 
+void addDemo(CLI::App& program, Chosen& chosen) {
+    const auto options = std::make_shared<DemoOptions>();
+    CLI::App* command = addCommand(
+        program, chosen, "demo",
+        "Plays a session that touches and cuts a tooth, and leaves pictures, sound, plot, table, the cut tooth "
+        "and a summary in a folder; needs no display, device or sound card.",
+        options, runDemo);
+    command->add_option("--out", options->out, "Folder for what the session leaves")->required()->type_name("DIR");
+    command->add_option("--seconds", options->seconds, "Length of the session, s (default: 14)")
+        ->check(CLI::Range(1.0, 600.0))
+        ->type_name("S");
+    command->add_option("--tooth", options->tooth, "A closed STL file, mm, crown up (+z) (default: the built-in molar)")
+        ->type_name("FILE");
+    command->add_option("--layer", options->layers, "What is inside --tooth, as for 'cut'")
+        ->type_name("NAME=FILE")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->needs("--tooth");
+    command
+        ->add_option("--bur", options->bur,
+                     "An STL file, mm: tip at the origin, +z along the shaft (default: the built-in fissure bur 57)")
+        ->type_name("FILE");
+}
+
 /// The files that the window opens with.
 struct WindowFiles {
     std::string tooth;
@@ -198,6 +223,7 @@ int runCommandLine(int argc, const char* const* argv) {
     addContact(program, chosen);
     addFeel(program, chosen);
     addCut(program, chosen);
+    addDemo(program, chosen);
     try {
         program.parse(argc, argv);
     } catch (const CLI::Success& help) {  // --help or --version

@@ -10,7 +10,7 @@
 #include "collision/contact_query.h"
 #include "session/csv_table.h"
 #include "session/feel_run.h"
-#include "session/load_surface.h"
+#include "haptics/load_surface.h"
 
 namespace tactooth {
 namespace {

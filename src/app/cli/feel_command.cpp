@@ -9,7 +9,7 @@
 #include "app/cli/exit_code.h"
 #include "haptics/latency_histogram.h"
 #include "session/feel_run.h"
-#include "session/load_surface.h"
+#include "haptics/load_surface.h"
 #include "session/tick_csv.h"
 
 namespace tactooth {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-#include "session/load_surface.h"
+#include "haptics/load_surface.h"
 
 #include "geometry/mesh_edges.h"
 #include "geometry/mesh_file.h"

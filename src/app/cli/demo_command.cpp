@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/demo_command.h"
+
+#include <fmt/core.h>
+
+#include <cstdio>
+
+#include "app/cli/demo_pictures.h"
+#include "app/cli/demo_summary.h"
+#include "app/cli/exit_code.h"
+#include "app/common/plot_image.h"
+#include "geometry/atomic_file.h"
+#include "geometry/mesh_file.h"
+#include "geometry/stl_writer.h"
+#include "instruments/builtin_tooth.h"
+#include "instruments/bur_shape.h"
+#include "instruments/turbine.h"
+#include "session/tick_csv.h"
+#include "session/tooth_source.h"
+#include "sound/wav_file.h"
+
+namespace tactooth {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kVoxel = 0.05;             // mm
+constexpr int kPictureBurTriangles = 5000;  // the blades then look ground
+constexpr const char* kDefaultBur = "57";   // straight fissure, 1.0 mm: leaves its cavity as it came
+
+struct Cast {
+    std::string toothName;
+    std::string burName;
+    std::shared_ptr<const LayeredTooth> tooth;
+    std::optional<Instrument> instrument;
+    DemoProps props;
+};
+
+Expected<void> castTooth(const DemoOptions& options, Cast& cast) {
+    if (!options.tooth.empty()) {
+        ToothSource source{options.tooth, {}, "enamel"};
+        for (const std::string& text : options.layers) {
+            auto layer = parseLayer(text);
+            if (!layer) return Unexpected{layer.error()};
+            source.layers.push_back(std::move(*layer));
+        }
+        auto tooth = loadLayeredTooth(source);
+        if (!tooth) return Unexpected{tooth.error()};
+        cast.tooth = *tooth;
+        cast.toothName = options.tooth.string();
+        return {};
+    }
+    const BuiltinTooth molar = makeBuiltinTooth(BuiltinToothKind::lowerFirstMolar);
+    auto tooth = LayeredTooth::make(molar.outer, layersOf(molar));
+    if (!tooth) return Unexpected{tooth.error()};
+    cast.tooth = std::make_shared<const LayeredTooth>(std::move(*tooth));
+    cast.toothName = fmt::format("built-in: {} (FDI {})", molar.name, molar.fdi);
+    return {};
+}
+
+Expected<void> castBur(const DemoOptions& options, Cast& cast) {
+    TriangleMesh felt;
+    double sharpness = 1;
+    if (!options.bur.empty()) {
+        auto mesh = loadMesh(options.bur);
+        if (!mesh) return Unexpected{mesh.error()};
+        felt = std::move(*mesh);
+        cast.burName = options.bur.string();
+        cast.props.tool.bur = std::make_shared<const TriangleMesh>(felt);
+    } else {
+        const BurSpec spec = findBur(kDefaultBur).value();
+        felt = makeBur(spec).surface;
+        sharpness = spec.sharpness;
+        cast.burName = fmt::format("built-in: {} (US No. {})", spec.name, spec.number);
+        cast.props.tool.bur = std::make_shared<const TriangleMesh>(makeBur(spec, kPictureBurTriangles).surface);
+        cast.props.tool.turbine = std::make_shared<const TriangleMesh>(makeTurbine());
+        cast.props.tool.material = spec.material;
+    }
+    auto cutting = makeCuttingTool(felt, sharpness);
+    if (!cutting) return unexpected(cast.burName + ": " + cutting.error().message);
+    cast.instrument = Instrument{std::make_shared<const ToolShape>(std::move(felt)), std::move(*cutting)};
+    return {};
+}
+
+void castMirror(Cast& cast) {
+    DentalMirror mirror = makeMirror();
+    ShownMirror shown;
+    shown.disc = mirror.disc;
+    const Box3 box = cast.tooth->outer()->tree().box();
+    const Camera camera = demoCamera(box);
+    shown.mirrorInTooth = parkedMirror(box, mirror.disc, (camera.cameraInWorld.position - box.center()).normalized());
+    shown.mesh = std::make_shared<const TriangleMesh>(std::move(mirror.surface));
+    cast.props.mirror = std::move(shown);
+}
+
+Expected<void> writeTicks(const fs::path& path, const std::vector<Tick>& ticks) {
+    auto file = TickCsv::create(path);
+    if (!file) return Unexpected{file.error()};
+    for (const Tick& tick : ticks) file->write(tick.time, tick);
+    return file->commit();
+}
+
+Expected<void> writeText(const fs::path& path, const std::string& text) {
+    return writeFile(path, std::as_bytes(std::span(text)));
+}
+
+/// Everything but the picture of the touch, which is made before the tooth is cut.
+Expected<void> writeResults(const fs::path& folder, const Demonstration& played, const WorkPiece& piece,
+                            const Cast& cast, double seconds) {
+    const Tick& last = played.ticks.back();
+    if (auto done = writeDemoPicture(folder / "cut.png", piece.surface(), cast.props, last); !done) return done;
+    if (auto done = writeForcePlot(folder / "forces.png", played.ticks); !done) return done;
+    const auto samples = renderOffline(played.sound, seconds);
+    if (!samples) return Unexpected{samples.error()};
+    if (auto done = writeWav(folder / "session.wav", *samples); !done) return done;
+    if (auto done = writeTicks(folder / "forces.csv", played.ticks); !done) return done;
+    if (auto done = writeStl(visibleMesh(*piece.surface()).mesh, folder / "cut.stl"); !done) return done;
+    return writeText(folder / "summary.json", demoSummary(played, piece, cast.toothName, cast.burName));
+}
+
+Expected<void> makeFolder(const fs::path& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (!fs::is_directory(folder)) {
+        return unexpected("the folder " + folder.string() + " cannot be made (" + error.message() +
+                          "); give --out a folder that you may write to.");
+    }
+    return {};
+}
+
+}  // namespace
+
+int runDemo(const DemoOptions& options) {
+    Cast cast;
+    if (const auto done = castTooth(options, cast); !done) return refuse(done.error());
+    if (const auto done = castBur(options, cast); !done) return refuse(done.error());
+    if (const auto done = makeFolder(options.out); !done) return refuse(done.error());
+    castMirror(cast);
+
+    fmt::print("tooth: {}\nbur:   {}\n", cast.toothName, cast.burName);
+    WorkPiece piece(cast.tooth, kVoxel);
+    const std::shared_ptr<const Surface> uncut = piece.surface();
+    int told = 0;
+    const auto progress = [&](double part) {
+        const int tenths = static_cast<int>(10 * part);
+        if (tenths <= told) return;
+        told = tenths;
+        fmt::print("playing {:.0f} s of touching and cutting: {} %\n", options.seconds, 10 * tenths);
+        std::fflush(stdout);
+    };
+    HapticSettings settings;
+    settings.materials = cast.props.materials;
+    const Demonstration played = playDemonstration(piece, *cast.instrument, settings, options.seconds, progress);
+    fmt::print("drawing, plotting, rendering the sound\n");
+    const Tick& touch = played.ticks[played.touchTick];
+    if (const auto done = writeDemoPicture(options.out / "touch.png", uncut, cast.props, touch); !done)
+        return refuse(done.error());
+    if (const auto done = writeResults(options.out, played, piece, cast, options.seconds); !done)
+        return refuse(done.error());
+    fmt::print("removed {:.3f} mm^3 in {} surface updates\n", total(piece.removed()), played.surfaceUpdates);
+    fmt::print("touch.png, cut.png, forces.png, session.wav, forces.csv, cut.stl and summary.json are in {}\n",
+               options.out.string());
+    return kExitOk;
+}
+
+}  // namespace tactooth

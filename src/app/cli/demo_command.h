@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace tactooth {
+
+struct DemoOptions {
+    std::filesystem::path out;
+    double seconds = 14;              ///< of the session
+    std::filesystem::path tooth;      ///< empty: the built-in lower first molar
+    std::vector<std::string> layers;  ///< NAME=FILE, inside `tooth`
+    std::filesystem::path bur;        ///< empty: the built-in round bur
+};
+
+/// Plays the demonstration session without display, device or sound card and leaves its pictures, sound, plot, table,
+/// cut tooth and summary in a folder.
+[[nodiscard]] int runDemo(const DemoOptions& options);
+
+}  // namespace tactooth

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <span>
+
+#include "geometry/expected.h"
+#include "haptics/haptic_simulation.h"
+
+namespace tactooth {
+
+/// Writes a picture (PNG) with three plots over time: depth of the hand behind the surface, speed of the tip, force.
+/// Needs no display. Makes a QApplication for the while if there is none.
+[[nodiscard]] Expected<void> writeForcePlot(const std::filesystem::path& path, std::span<const Tick> ticks);
+
+}  // namespace tactooth

@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "session/material_file.h"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "geometry/file_bytes.h"
+#include "geometry/number_text.h"
+
+namespace tactooth {
+namespace {
+
+constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+
+struct NumberKey {
+    std::string_view name;
+    double highest;
+    void (*set)(Material&, double);
+};
+constexpr std::array<NumberKey, 7> kNumberKeys = {{
+    {"stiffness", kUnlimited, [](Material& m, double value) { m.stiffness = value; }},
+    {"damping", kUnlimited, [](Material& m, double value) { m.damping = value; }},
+    {"friction", kUnlimited, [](Material& m, double value) { m.friction = value; }},
+    {"removal", kUnlimited, [](Material& m, double value) { m.removal = value; }},
+    {"roughness", 1, [](Material& m, double value) { m.roughness = static_cast<float>(value); }},
+    {"sound_centre", kUnlimited, [](Material& m, double value) { m.soundCentre = value; }},
+    {"sound_level", 1, [](Material& m, double value) { m.soundBrightness = value; }},
+}};
+constexpr std::string_view kColourKey = "colour";
+
+std::string materialNames() {
+    std::string names;
+    for (std::size_t i = 0; i < kMaterialCount; ++i) {
+        names.append(i == 0 ? "" : ", ").append(materialName(static_cast<MaterialId>(i)));
+    }
+    return names;
+}
+
+std::string keyNames() {
+    std::string names(kColourKey);
+    for (const NumberKey& key : kNumberKeys) names.append(", ").append(key.name);
+    return names;
+}
+
+/// What a message says that it found.
+std::string described(const toml::node& node) {
+    if (const auto* integer = node.as_integer()) return std::to_string(integer->get());
+    if (const auto* number = node.as_floating_point()) {
+        if (!std::isfinite(number->get())) return "not a finite number";
+        std::array<char, 32> digits;  // the longest double takes 24
+        return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number->get()).ptr};
+    }
+    if (node.is_string()) return "a text in quotes";
+    if (node.is_boolean()) return "true or false";
+    if (node.is_array()) return "a list";
+    if (node.is_table()) return "a table";
+    return "a date or a time";
+}
+
+/// What the parser said, as part of a sentence: on one line, without control characters and full stop.
+std::string asClause(std::string_view description) {
+    std::string clause(description);
+    for (char& letter : clause) {
+        if (static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f) letter = ' ';
+    }
+    clause.erase(clause.find_last_not_of(" .") + 1);
+    return clause;
+}
+
+/// Takes over what a file says into a table of materials, until something is wrong.
+class MaterialReader {
+public:
+    MaterialReader(std::string_view name, const MaterialTable& start) : name_(name), table_(start) {}
+
+    Expected<MaterialTable> read(const toml::table& root) {
+        for (auto&& [key, node] : root) {
+            if (!readMaterial(key, node)) return Unexpected{error_};
+        }
+        return table_;
+    }
+
+private:
+    bool readMaterial(const toml::key& name, const toml::node& node) {
+        const std::optional<MaterialId> id = materialFromName(name.str());
+        if (!id) {
+            return fail(name.source(),
+                        "there is no material " + quotedWord(name.str()) + "; the materials are " + materialNames());
+        }
+        const toml::table* entries = node.as_table();
+        if (!entries) {
+            return fail(node.source(), "expected the keys of " + std::string(name.str()) + " below a line [" +
+                                           std::string(name.str()) + "], but found " + described(node));
+        }
+        for (auto&& [key, value] : *entries) {
+            if (!readKey(table_[*id], key, value)) return false;
+        }
+        return true;
+    }
+
+    bool readKey(Material& material, const toml::key& key, const toml::node& node) {
+        if (key.str() == kColourKey) return readColour(material, node);
+        const auto known = std::ranges::find(kNumberKeys, key.str(), &NumberKey::name);
+        if (known == kNumberKeys.end()) {
+            return fail(key.source(),
+                        "a material has no key " + quotedWord(key.str()) + "; the keys are " + keyNames());
+        }
+        double value = 0;
+        if (!readNumber(node, known->name, known->highest, value)) return false;
+        known->set(material, value);
+        return true;
+    }
+
+    bool readColour(Material& material, const toml::node& node) {
+        const toml::array* parts = node.as_array();
+        if (!parts || parts->size() != material.colour.size()) {
+            return fail(node.source(), "'colour' must be three numbers in brackets (red, green, blue), but is " +
+                                           (parts ? "a list of " + std::to_string(parts->size()) : described(node)));
+        }
+        for (std::size_t i = 0; i < material.colour.size(); ++i) {
+            double value = 0;
+            if (!readNumber(*parts->get(i), kColourKey, 1, value)) return false;
+            material.colour[i] = static_cast<float>(value);
+        }
+        return true;
+    }
+
+    bool readNumber(const toml::node& node, std::string_view key, double highest, double& value) {
+        const std::optional<double> number = node.is_number() ? node.value<double>() : std::nullopt;
+        if (!number || !std::isfinite(*number) || *number < 0 || *number > highest) {
+            return fail(node.source(), quotedWord(key) + " must be a number " +
+                                           (highest == 1 ? "from 0 to 1" : "of 0 or more") + ", but is " +
+                                           described(node));
+        }
+        value = *number;
+        return true;
+    }
+
+    bool fail(const toml::source_region& where, const std::string& what) {
+        error_ = {name_ + ", line " + std::to_string(where.begin.line) + ": " + what + "."};
+        return false;
+    }
+
+    std::string name_;
+    MaterialTable table_;
+    Error error_;
+};
+
+}  // namespace
+
+Expected<MaterialTable> parseMaterials(std::string_view text, std::string_view name, const MaterialTable& start) {
+    try {
+        return MaterialReader(name, start).read(toml::parse(text));
+    } catch (const toml::parse_error& error) {
+        return unexpected(std::string(name) + ", line " + std::to_string(error.source().begin.line) +
+                          ": this is not TOML: " + asClause(error.description()) + ".");
+    }
+}
+
+MaterialTable defaultMaterials() {
+    const Expected<MaterialTable> table = parseMaterials(defaultMaterialsText(), "data/materials.toml", {});
+    assert(table.has_value());  // a test parses the same text
+    return table ? *table : MaterialTable();
+}
+
+Expected<MaterialTable> readMaterials(const std::filesystem::path& path) {
+    const Expected<FileBytes> file = readFile(path);
+    if (!file) return Unexpected{file.error()};
+    return parseMaterials({reinterpret_cast<const char*>(file->bytes().data()), file->size()}, shownName(path),
+                          defaultMaterials());
+}
+
+}  // namespace tactooth

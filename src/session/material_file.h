@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include "geometry/expected.h"
+#include "tooth/material.h"
+
+namespace tactooth {
+
+/// The text of data/materials.toml, which is built into the program. It explains itself, so it also serves as the
+/// pattern for a file of one's own.
+[[nodiscard]] std::string_view defaultMaterialsText();
+
+/// The materials of that text.
+[[nodiscard]] MaterialTable defaultMaterials();
+
+/// Reads a TOML file of materials. What the file does not name stays as in `defaultMaterials`.
+///
+/// Fails with one sentence with file and line: not TOML, a material or a key that does not exist, a value of another
+/// kind than expected, a number that is negative, not finite or above its range.
+[[nodiscard]] Expected<MaterialTable> readMaterials(const std::filesystem::path& path);
+
+/// The same from memory, on top of `start`; `name` stands for the file in messages.
+[[nodiscard]] Expected<MaterialTable> parseMaterials(std::string_view text, std::string_view name,
+                                                     const MaterialTable& start);
+
+}  // namespace tactooth

@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+// The servo thread must not wait for the heap: counts each call of operator new in this program.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <cstdlib>
+#include <new>
+#include <vector>
+
+#include "haptics/haptic_simulation.h"
+#include "haptics/safety_limiter.h"
+#include "instruments/bur_shape.h"
+#include "scene.h"
+#include "tooth/live_surface.h"
+
+namespace {
+std::atomic<long> allocations{0};
+}  // namespace
+
+[[gnu::noinline]] void* operator new(std::size_t size) {
+    ++allocations;
+    if (void* memory = std::malloc(size)) return memory;
+    throw std::bad_alloc();
+}
+[[gnu::noinline]] void* operator new(std::size_t size, std::align_val_t alignment) {
+    ++allocations;
+    const auto boundary = static_cast<std::size_t>(alignment);
+    if (void* memory = std::aligned_alloc(boundary, (size + boundary - 1) / boundary * boundary)) return memory;
+    throw std::bad_alloc();
+}
+[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+
+namespace tactooth {
+namespace {
+
+using Surfaces = std::vector<std::shared_ptr<const Surface>>;
+
+constexpr int kSteps = 10000;
+constexpr double kTick = 0.001;
+
+Bur roundBur() { return makeBur(*findBur("4")); }
+
+HapticSimulation simulationOn(std::shared_ptr<const Surface> surface, ContactMode mode) {
+    HapticSettings settings;
+    settings.mode = mode;
+    const Bur bur = roundBur();
+    return {std::make_shared<const ToolShape>(bur.surface), bur.spec.headDiameter / 2, std::move(surface), settings};
+}
+
+/// A hand that circles over the block and presses into it, lifting off now and then.
+HandInput circling(int step, bool cuts) {
+    const double angle = 0.002 * step;
+    const Vec3 tip(1.5 * std::cos(angle), 1.5 * std::sin(angle), 0.1 - 0.3 * std::sin(0.01 * step));
+    return {{tip, Quat(Eigen::AngleAxisd(0.3 * std::sin(angle), Vec3::UnitX()))}, 1, cuts};
+}
+
+/// The surfaces that arise while a slot is cut around the circle of the hand.
+Surfaces slotInTheMaking(int stages) {
+    auto tooth = LayeredTooth::make(test::box(Vec3(-3, -3, -2), Vec3(3, 3, 0)), {}, MaterialId::Dentin);
+    CutVolume volume(std::make_shared<const LayeredTooth>(std::move(*tooth)), 0.05);
+    LiveSurface live(volume);
+    const RevolutionEnvelope envelope = *RevolutionEnvelope::make(roundBur().surface);
+    Surfaces surfaces = {live.snapshot()};
+    for (int i = 0; i < stages; ++i) {
+        const auto poseAt = [&](int stage) {
+            const double angle = 0.1 * stage;
+            return test::at(1.5 * std::cos(angle), 1.5 * std::sin(angle), -0.1);
+        };
+        live.update(volume, volume.carve(envelope, poseAt(i), poseAt(i + 1)).changed);
+        surfaces.push_back(live.snapshot());
+    }
+    return surfaces;
+}
+
+TEST(Allocation, CounterSeesAnAllocation) {
+    const long before = allocations;
+    const std::vector<int> some(3);
+    EXPECT_EQ(some.size(), 3U);
+    EXPECT_GT(allocations, before);
+}
+
+TEST(Allocation, TouchingUsesNoHeap) {
+    for (const ContactMode mode : {ContactMode::Proxy, ContactMode::Penalty}) {
+        HapticSimulation simulation = simulationOn(test::block(), mode);
+        SafetyLimiter limiter{ForceLimits{}};
+        simulation.step(circling(0, false), kTick);
+        int touched = 0;
+        const long before = allocations;
+        for (int i = 1; i <= kSteps; ++i) {
+            const Tick tick = simulation.step(circling(i, false), kTick);
+            (void)limiter.limit(tick.wrench, kTick, tick.placed);
+            touched += tick.contacts > 0;
+        }
+        EXPECT_EQ(allocations, before);
+        EXPECT_GT(touched, kSteps / 3);
+    }
+}
+
+TEST(Allocation, CuttingUsesNoHeapWhileTheSurfaceChanges) {
+    constexpr int kStages = 60;
+    Surfaces surfaces = slotInTheMaking(kStages);
+    Surfaces retired;
+    retired.reserve(surfaces.size());
+    HapticSimulation simulation = simulationOn(surfaces[0], ContactMode::Proxy);
+    simulation.step(circling(0, true), kTick);
+    int touched = 0;
+    int lost = 0;
+    const long before = allocations;
+    for (int i = 1; i <= kSteps; ++i) {
+        if (i % (kSteps / kStages) == 0 && retired.size() < kStages) {
+            retired.push_back(simulation.setSurface(std::move(surfaces[retired.size() + 1])));
+        }
+        const Tick tick = simulation.step(circling(i, true), kTick);
+        touched += tick.contacts > 0;
+        lost += !tick.placed;
+    }
+    EXPECT_EQ(allocations, before);
+    EXPECT_GT(touched, kSteps / 3);
+    EXPECT_EQ(lost, 0);
+}
+
+}  // namespace
+}  // namespace tactooth

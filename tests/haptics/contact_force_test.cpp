@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "haptics/contact_force.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace tactooth {
+namespace {
+
+const MaterialTable kMaterials;
+const Material kEnamel = kMaterials[MaterialId::Enamel];
+const Material kDentin = kMaterials[MaterialId::Dentin];
+
+HeldAt heldBy(MaterialId material, double depth, const Vec3& point = Vec3::Zero()) {
+    return {point, Vec3::UnitZ(), depth, material};
+}
+
+/// The hand is `depth` below a horizontal plane and moves at `velocity`.
+Wrench onPlane(ContactForce& law, double depth, const Vec3& velocity, double travel = 0,
+               MaterialId material = MaterialId::Enamel) {
+    const HeldAt held = heldBy(material, depth);
+    return law.at({Vec3(0, 0, -depth), Vec3(0, 0, depth), velocity, travel, {&held, 1}}, kMaterials);
+}
+
+double pushOn(ContactForce& law, double travel, MaterialId material) {
+    return onPlane(law, 0.1, Vec3::Zero(), travel, material).force.z();
+}
+
+TEST(ContactForce, IsASpringAndADamperAlongTheNormal) {
+    for (const double depth : {1e-6, 0.01, 0.5, 2.0}) {
+        for (const double sinking : {-1.0, 0.0, 3.0, 100.0}) {
+            ContactForce law;
+            const Vec3 force = onPlane(law, depth, Vec3(0, 0, -sinking)).force;
+            const double expected = std::max(0.0, kEnamel.stiffness * depth + kEnamel.damping * sinking);
+            EXPECT_NEAR(force.z(), expected, 1e-12);
+            EXPECT_EQ(force.x(), 0);
+            EXPECT_EQ(force.y(), 0);
+            EXPECT_NEAR(law.normalForce(), expected, 1e-12);
+        }
+    }
+}
+
+TEST(ContactForce, NeverPulls) {
+    ContactForce law;
+    const Wrench wrench = onPlane(law, 0.1, Vec3(30, 0, 1000));
+    EXPECT_EQ(wrench.force, Vec3::Zero());
+    EXPECT_EQ(wrench.torque, Vec3::Zero());
+    EXPECT_EQ(law.normalForce(), 0);
+}
+
+TEST(ContactForce, FrictionOpposesSlidingAndStaysBelowTheCone) {
+    std::mt19937 random(20260201);
+    std::uniform_real_distribution<double> speed(-200, 200);
+    for (int i = 0; i < 1000; ++i) {
+        ContactForce law;
+        const Vec3 sliding(speed(random), speed(random), 0);
+        const Vec3 force = onPlane(law, 0.3, sliding).force;
+        const Vec3 friction(force.x(), force.y(), 0);
+        EXPECT_LT(friction.norm(), kEnamel.friction * law.normalForce());
+        EXPECT_NEAR(friction.normalized().dot(sliding.normalized()), -1, 1e-12);
+    }
+}
+
+TEST(ContactForce, FrictionGrowsFromRestToTheConeOverFiveMillimetresASecond) {
+    ContactForce law;
+    EXPECT_EQ(onPlane(law, 0.3, Vec3::Zero()).force.x(), 0);
+    const double full = kEnamel.friction * kEnamel.stiffness * 0.3;
+    EXPECT_NEAR(onPlane(law, 0.3, Vec3(5, 0, 0)).force.x(), -full / 2, 1e-12);
+    EXPECT_NEAR(onPlane(law, 0.3, Vec3(5000, 0, 0)).force.x(), -full, 0.002 * full);
+}
+
+TEST(ContactForce, WithoutContactThereIsNoForce) {
+    ContactForce law;
+    EXPECT_EQ(law.at({Vec3::Zero(), Vec3(0, 0, 0.1), Vec3(0, 0, -9), 0, {}}, kMaterials).force, Vec3::Zero());
+    EXPECT_EQ(onPlane(law, 0, Vec3(0, 0, -9)).force, Vec3::Zero());
+    EXPECT_EQ(law.normalForce(), 0);
+}
+
+TEST(ContactForce, AcrossABorderTheFeelFollowsTheWayNotTheTicks) {
+    ContactForce fine;
+    ContactForce coarse;
+    pushOn(fine, 0, MaterialId::Enamel);
+    pushOn(coarse, 0, MaterialId::Enamel);
+    for (int i = 0; i < 49; ++i) pushOn(fine, 0.001, MaterialId::Dentin);
+    const double inFifty = pushOn(fine, 0.001, MaterialId::Dentin);
+    EXPECT_NEAR(inFifty, pushOn(coarse, 0.05, MaterialId::Dentin), 1e-12);
+    const double left = (inFifty / 0.1 - kDentin.stiffness) / (kEnamel.stiffness - kDentin.stiffness);
+    EXPECT_NEAR(left, std::exp(-3), 1e-12);
+}
+
+TEST(ContactForce, AStillToolKeepsTheFeelItHas) {
+    ContactForce law;
+    const double before = pushOn(law, 0, MaterialId::Enamel);
+    EXPECT_EQ(pushOn(law, 0, MaterialId::Caries), before);
+}
+
+TEST(ContactForce, ATouchBeginsWithItsOwnMaterialAndForgetsTheLast) {
+    ContactForce law;
+    pushOn(law, 0, MaterialId::Enamel);
+    onPlane(law, 0, Vec3::Zero());
+    EXPECT_DOUBLE_EQ(pushOn(law, 0, MaterialId::Dentin), kDentin.stiffness * 0.1);
+}
+
+TEST(ContactForce, TwoMaterialsShareByWhatEachHolds) {
+    ContactForce law;
+    const std::array held = {heldBy(MaterialId::Enamel, 0.3), heldBy(MaterialId::Dentin, 0.1)};
+    const Wrench wrench = law.at({Vec3(0, 0, -0.4), Vec3(0, 0, 0.4), Vec3::Zero(), 0, held}, kMaterials);
+    EXPECT_NEAR(wrench.force.z(), 0.4 * (0.75 * kEnamel.stiffness + 0.25 * kDentin.stiffness), 1e-12);
+}
+
+TEST(ContactForce, AContactThatJustTouchesHasAMaterialToo) {
+    ContactForce law;
+    const HeldAt held = heldBy(MaterialId::Dentin, 0);
+    const Wrench wrench = law.at({Vec3::Zero(), Vec3(0, 0, 1e-9), Vec3::Zero(), 0, {&held, 1}}, kMaterials);
+    EXPECT_NEAR(wrench.force.z(), 1e-9 * kDentin.stiffness, 1e-15);
+    EXPECT_TRUE(wrench.torque.allFinite());
+}
+
+TEST(ContactForce, OverridesHoldAtOnceAndTheScaleIsOfTheWhole) {
+    ContactForce law;
+    pushOn(law, 0, MaterialId::Enamel);
+    law.setOverrides({.stiffness = 3.0, .damping = 0.5, .friction = 0.0});
+    law.setScale(2);
+    const Vec3 force = onPlane(law, 0.1, Vec3(40, 0, -1)).force;
+    EXPECT_NEAR(force.z(), 2 * (3.0 * 0.1 + 0.5 * 1), 1e-12);
+    EXPECT_EQ(force.x(), 0);
+    law.setOverrides({});
+    law.setScale(1);
+    EXPECT_DOUBLE_EQ(pushOn(law, 0, MaterialId::Enamel), 0.1 * kEnamel.stiffness);
+}
+
+TEST(ContactForce, AnOffCentreContactTurnsTheTool) {
+    ContactForce law;
+    const Vec3 tip(3, 4, 5);
+    const Vec3 arm(0.7, -0.2, 1.1);
+    const HeldAt held = heldBy(MaterialId::Enamel, 0.2, tip + Vec3(0, 0, 0.2) + arm);
+    const Wrench wrench = law.at({tip, Vec3(0, 0, 0.2), Vec3(8, 0, 0), 0, {&held, 1}}, kMaterials);
+    EXPECT_TRUE(wrench.torque.isApprox(arm.cross(wrench.force), 1e-12));
+    EXPECT_GT(wrench.torque.norm(), 0.05);
+}
+
+TEST(ContactForce, EqualContactsOnBothSidesDoNotTurnTheTool) {
+    ContactForce law;
+    const Vec3 offset(0, 0, 0.2);
+    const std::array held = {heldBy(MaterialId::Enamel, 0.1, Vec3(0.6, 0, 0.2)),
+                             heldBy(MaterialId::Enamel, 0.1, Vec3(-0.6, 0, 0.2))};
+    const Wrench wrench = law.at({Vec3::Zero(), offset, Vec3::Zero(), 0, held}, kMaterials);
+    EXPECT_LT(wrench.torque.norm(), 1e-15);
+    EXPECT_DOUBLE_EQ(wrench.force.z(), 0.2 * kEnamel.stiffness);
+}
+
+}  // namespace
+}  // namespace tactooth

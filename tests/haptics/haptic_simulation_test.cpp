@@ -1,0 +1,276 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "haptics/haptic_simulation.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <numbers>
+#include <random>
+
+#include "scene.h"
+
+namespace tactooth {
+namespace {
+
+using test::at;
+
+constexpr double kTick = 0.001;
+constexpr double kRounding = 1e-6;
+const MaterialTable kMaterials;
+
+HapticSimulation simulationOf(const HapticSettings& settings = {},
+                              std::shared_ptr<const Surface> surface = test::block()) {
+    return {test::ball(), test::kBallRadius, std::move(surface), settings};
+}
+
+HandInput touching(const Pose& hand) { return {hand, 0, false}; }
+HandInput cutting(const Pose& hand, double pedal = 1) { return {hand, pedal, true}; }
+
+double rimSpeed(double rpm) { return rpm / 60 * 2 * std::numbers::pi * test::kBallRadius * 1e-3; }
+
+/// Every field, bit for bit.
+bool equalBits(const Tick& a, const Tick& b) {
+    const auto numbers = [](const Tick& t) {
+        std::vector<double> all = {t.time,     t.depth, t.speed,       double(t.contacts), t.pedal,
+                                   t.speedRpm, t.load,  t.removalWatt, t.cutWork,          t.landingSpeed};
+        for (const Vec3& v : {t.hand.position, t.proxy.position, t.normal, t.wrench.force, t.wrench.torque}) {
+            all.insert(all.end(), v.data(), v.data() + 3);
+        }
+        for (const Quat& q : {t.hand.rotation, t.proxy.rotation}) {
+            all.insert(all.end(), q.coeffs().data(), q.coeffs().data() + 4);
+        }
+        return all;
+    };
+    const std::vector<double> first = numbers(a);
+    const std::vector<double> second = numbers(b);
+    return std::memcmp(first.data(), second.data(), first.size() * sizeof(double)) == 0 && a.placed == b.placed &&
+           a.cutting == b.cutting && a.material == b.material && a.landings == b.landings;
+}
+
+/// A hand that wanders about the top of the block, turning, cutting now and then.
+std::vector<HandInput> wandering(int ticks) {
+    std::mt19937 random(20260205);
+    std::normal_distribution<double> step(0, 0.02);
+    std::vector<HandInput> result;
+    Pose hand = at(0, 0, 0.1);
+    for (int i = 0; i < ticks; ++i) {
+        hand.position += Vec3(step(random), step(random), step(random) - 0.02 * hand.position.z());
+        const Vec3 axis = Vec3(step(random), step(random), step(random)).normalized();
+        hand.rotation = (Quat(Eigen::AngleAxisd(step(random), axis)) * hand.rotation).normalized();
+        result.push_back({hand, i % 500 / 500.0, i / 300 % 2 == 1});
+    }
+    return result;
+}
+
+TEST(HapticSimulation, SinkingSteadilyIntoAPlaneIsKelvinVoigt) {
+    for (const double speed : {0.5, 5.0, 40.0}) {
+        HapticSimulation simulation = simulationOf();
+        const Material& enamel = kMaterials[MaterialId::Enamel];
+        for (int i = 0; i < 60; ++i) {
+            const double z = 0.02 * speed - speed * kTick * i;
+            const Tick tick = simulation.step(touching(at(0.1, 0.2, z)), kTick);
+            if (i < 21) continue;                                                        // not in contact yet
+            const double unsettled = 2 * enamel.damping * speed * std::exp(-0.628 * i);  // of the speed's low-pass
+            ASSERT_NEAR(tick.depth, -z, kRounding);
+            ASSERT_NEAR(tick.wrench.force.z(), enamel.stiffness * -z + enamel.damping * speed, 2e-6 + unsettled);
+            ASSERT_NEAR(tick.wrench.force.head<2>().norm(), 0, kRounding);
+            ASSERT_NEAR(tick.normal.z(), 1, kRounding);
+            ASSERT_NEAR(tick.speed, speed, 1e-9);
+            ASSERT_EQ(tick.material, MaterialId::Enamel);
+        }
+    }
+}
+
+TEST(HapticSimulation, OverridesReplaceTheMaterial) {
+    HapticSettings settings;
+    settings.force = {.stiffness = 2.5, .damping = 0.0, .friction = 0.0};
+    HapticSimulation simulation = simulationOf(settings);
+    simulation.step(touching(at(0, 0, 0.1)), kTick);
+    for (int i = 0; i < 5; ++i) simulation.step(touching(at(0, 0, -0.2)), kTick);
+    EXPECT_NEAR(simulation.step(touching(at(0, 0, -0.2)), kTick).wrench.force.z(), 0.5, 5 * kRounding);
+}
+
+TEST(HapticSimulation, TimeIsTheSumOfTheSteps) {
+    HapticSimulation simulation = simulationOf();
+    EXPECT_EQ(simulation.step(touching(at(0, 0, 1)), kTick).time, 0);
+    EXPECT_EQ(simulation.step(touching(at(0, 0, 1)), 0.25).time, 0.25);
+    EXPECT_EQ(simulation.step(touching(at(0, 0, 1)), 0.5).time, 0.75);
+}
+
+TEST(HapticSimulation, CountsLandingsWithTheirSpeed) {
+    HapticSimulation simulation = simulationOf();
+    Tick tick;
+    for (int landing = 1; landing <= 3; ++landing) {
+        for (int i = 0; i < 40; ++i) tick = simulation.step(touching(at(0, 0, 0.405 - 0.01 * landing * i)), kTick);
+        for (int i = 0; i < 10; ++i) tick = simulation.step(touching(at(0, 0, -0.1)), kTick);
+        ASSERT_EQ(tick.landings, static_cast<std::uint32_t>(landing));
+        for (int i = 0; i < 40; ++i) tick = simulation.step(touching(at(0, 0, 0.405)), kTick);
+        ASSERT_EQ(tick.landings, static_cast<std::uint32_t>(landing));
+        if (landing > 1) {
+            EXPECT_NEAR(tick.landingSpeed, 10 * landing, 0.1 * landing);
+        }
+    }
+}
+
+TEST(HapticSimulation, AHandThatStartsInsideIsPushedOut) {
+    HapticSimulation simulation = simulationOf();
+    const Tick tick = simulation.step(touching(at(0.2, 0.1, -0.6)), kTick);
+    ASSERT_TRUE(tick.placed);
+    EXPECT_NEAR(tick.depth, 0.6, 1e-4);
+    EXPECT_NEAR(tick.wrench.force.z(), 0.6 * kMaterials[MaterialId::Enamel].stiffness, 1e-4);
+    EXPECT_EQ(tick.landings, 1U);
+}
+
+TEST(HapticSimulation, EqualInputsGiveEqualBits) {
+    for (const ContactMode mode : {ContactMode::Proxy, ContactMode::Penalty}) {
+        HapticSettings settings;
+        settings.mode = mode;
+        HapticSimulation first = simulationOf(settings);
+        HapticSimulation second = simulationOf(settings);
+        int touched = 0;
+        for (const HandInput& hand : wandering(2000)) {
+            const Tick tick = first.step(hand, kTick);
+            ASSERT_TRUE(equalBits(tick, second.step(hand, kTick))) << tick.time;
+            touched += tick.contacts > 0;
+        }
+        EXPECT_GT(touched, 500);
+    }
+}
+
+TEST(HapticSimulation, PenaltyModePushesOutOfThePlaneToo) {
+    HapticSettings settings;
+    settings.mode = ContactMode::Penalty;
+    HapticSimulation simulation = simulationOf(settings);
+    simulation.step(touching(at(0.1, 0.2, 0.1)), kTick);
+    Tick tick;
+    for (int i = 0; i < 20; ++i) tick = simulation.step(touching(at(0.1, 0.2, -0.02)), kTick);
+    EXPECT_TRUE(tick.placed);
+    EXPECT_GT(tick.depth, 0);
+    EXPECT_GT(tick.wrench.force.z(), 0);
+    EXPECT_NEAR(tick.wrench.force.norm(), tick.depth * kMaterials[MaterialId::Enamel].stiffness, 1e-6);
+    EXPECT_EQ(tick.proxy.position, Vec3(tick.hand.position + tick.depth * tick.normal));
+}
+
+TEST(HapticSimulation, TheBurStandsStillInTouchModeAndSpinsInCutMode) {
+    HapticSimulation simulation = simulationOf();
+    for (int i = 0; i < 500; ++i) {
+        ASSERT_EQ(simulation.step({at(0, 0, 1), 1, false}, kTick).speedRpm, 0);
+    }
+    Tick tick;
+    for (int i = 0; i < 5000; ++i) tick = simulation.step(cutting(at(0, 0, 1)), kTick);
+    EXPECT_NEAR(tick.speedRpm, 400000, 400);
+    EXPECT_EQ(tick.cutWork, 0);  // in the air it does none
+    EXPECT_EQ(tick.load, 0);
+}
+
+TEST(HapticSimulation, TheSpindleSlowsUnderLoadToWhereItsTorqueHoldsIt) {
+    HapticSimulation simulation = simulationOf();
+    for (int i = 0; i < 5000; ++i) simulation.step(cutting(at(0, 0, 0.1)), kTick);
+    Tick tick;
+    for (int i = 0; i < 5000; ++i) tick = simulation.step(cutting(at(0, 0, -1.2)), kTick);
+    const double torque = 0.5 * 1.2 * kMaterials[MaterialId::Enamel].stiffness * test::kBallRadius;
+    EXPECT_NEAR(tick.load, torque, 1e-4);
+    EXPECT_NEAR(tick.speedRpm, 400000 * (1 - torque / 1.4), 400);
+    for (int i = 0; i < 5000; ++i) tick = simulation.step(cutting(at(0, 0, 0.1)), kTick);
+    EXPECT_NEAR(tick.speedRpm, 400000, 400);
+}
+
+TEST(HapticSimulation, BooksNormalForceTimesRimTravel) {
+    HapticSimulation simulation = simulationOf();
+    for (int i = 0; i < 500; ++i) simulation.step(cutting(at(0, 0, 0.1)), kTick);
+    double booked = 0;
+    double x = 0;
+    for (int i = 0; i < 400; ++i) {
+        x += 0.005;
+        const Tick tick = simulation.step(cutting(at(x, 0, -0.3)), kTick);
+        const double normalForce = tick.wrench.force.dot(tick.normal);
+        booked += normalForce * rimSpeed(tick.speedRpm) * kTick;
+        ASSERT_NEAR(tick.cutWork, booked, 1e-6 * (1 + booked));
+        ASSERT_NEAR(tick.removalWatt, 0.5 * normalForce * rimSpeed(tick.speedRpm), 1e-6);
+        ASSERT_NEAR(tick.load, 0.5 * normalForce * test::kBallRadius, 1e-6);
+    }
+    EXPECT_GT(booked, 0.5);
+    const Tick lifted = simulation.step(cutting(at(x, 0, 0.2)), kTick);
+    EXPECT_NEAR(lifted.cutWork, booked, 1e-6);
+}
+
+TEST(HapticSimulation, AStillBurDoesNoWork) {
+    HapticSimulation simulation = simulationOf();
+    simulation.step(cutting(at(0, 0, 0.1), 0), kTick);
+    Tick tick;
+    for (int i = 0; i < 100; ++i) tick = simulation.step(cutting(at(0, 0, -0.3), 0), kTick);
+    EXPECT_GT(tick.wrench.force.z(), 0.2);
+    EXPECT_EQ(tick.cutWork, 0);
+    EXPECT_EQ(tick.load, 0);
+}
+
+TEST(HapticSimulation, AHandThatIsNowhereMakesNoForceAndLeavesNoTrace) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    const double nan = std::nan("");
+    const std::vector<Pose> nowhere = {at(nan, 0, 0),
+                                       at(0, kInfinity, 0),
+                                       at(0, 0, -1e300),
+                                       at(2e6, 0, 0),
+                                       {Vec3::Zero(), Quat(nan, 0, 0, 0)},
+                                       {Vec3::Zero(), Quat(0, 0, 0, 0)},
+                                       {Vec3::Zero(), Quat(2, 0, 0, 0)}};
+    for (const Pose& pose : nowhere) {
+        HapticSimulation simulation = simulationOf();
+        simulation.step(touching(at(0, 0, 0.1)), kTick);
+        const Tick before = simulation.step(touching(at(0, 0, -0.2)), kTick);
+        for (int i = 0; i < 3; ++i) {
+            const Tick lost = simulation.step(cutting(pose), kTick);
+            EXPECT_FALSE(lost.placed);
+            EXPECT_EQ(lost.wrench.force, Vec3::Zero());
+            EXPECT_EQ(lost.contacts, 0);
+            EXPECT_EQ(lost.hand.position, before.hand.position);
+            EXPECT_EQ(lost.proxy.position, before.proxy.position);
+        }
+        const Tick after = simulation.step(touching(at(0.3, 0, -0.2)), kTick);
+        EXPECT_TRUE(after.placed);
+        EXPECT_NEAR(after.depth, 0.2, kRounding);
+        EXPECT_NEAR(after.wrench.force.z(), 0.2 * kMaterials[MaterialId::Enamel].stiffness, 5 * kRounding);
+        EXPECT_EQ(after.speed, 0);
+    }
+}
+
+TEST(HapticSimulation, ABadFirstHandDoesNotMatterEither) {
+    HapticSimulation simulation = simulationOf();
+    EXPECT_FALSE(simulation.step(touching(at(std::nan(""), 0, 0)), kTick).placed);
+    const Tick tick = simulation.step(touching(at(0, 0, 0.5)), kTick);
+    EXPECT_TRUE(tick.placed);
+    EXPECT_EQ(tick.speed, 0);
+    EXPECT_EQ(tick.time, kTick);
+}
+
+TEST(HapticSimulation, ThePedalCountsFromZeroToOne) {
+    HapticSimulation simulation = simulationOf();
+    const auto run = [&](double pedal) {
+        Tick tick;
+        for (int i = 0; i < 20; ++i) tick = simulation.step(cutting(at(0, 0, 1), pedal), kTick);
+        return tick;
+    };
+    EXPECT_EQ(run(7).pedal, 1);
+    EXPECT_GT(run(1).speedRpm, 0);
+    EXPECT_EQ(run(-3).pedal, 0);
+    const Tick lost = run(std::nan(""));
+    EXPECT_EQ(lost.pedal, 0);
+    EXPECT_TRUE(std::isfinite(lost.speedRpm));
+}
+
+TEST(HapticSimulation, TheMaterialIsThatOfTheSurfaceTouched) {
+    for (const MaterialId material : {MaterialId::Enamel, MaterialId::Dentin, MaterialId::Caries}) {
+        HapticSimulation simulation = simulationOf({}, test::block(material));
+        simulation.step(touching(at(0, 0, 0.1)), kTick);
+        for (int i = 0; i < 30; ++i) simulation.step(touching(at(0, 0, -0.1)), kTick);
+        const Tick tick = simulation.step(touching(at(0, 0, -0.1)), kTick);
+        EXPECT_EQ(tick.material, material);
+        EXPECT_NEAR(tick.wrench.force.z(), 0.1 * kMaterials[material].stiffness, 2 * kRounding);
+    }
+}
+
+}  // namespace
+}  // namespace tactooth

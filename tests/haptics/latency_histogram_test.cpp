@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "haptics/latency_histogram.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <random>
+#include <thread>
+#include <vector>
+
+namespace tactooth {
+namespace {
+
+TEST(LatencyHistogram, IsZeroWithoutEntries) {
+    const auto histogram = std::make_unique<LatencyHistogram>();
+    EXPECT_EQ(histogram->total(), 0U);
+    EXPECT_EQ(histogram->largest(), 0);
+    for (const double q : {0.0, 0.5, 1.0}) EXPECT_EQ(histogram->quantile(q), 0);
+}
+
+TEST(LatencyHistogram, QuantilesAreTrueToThreePerCentAndNeverBelow) {
+    std::mt19937 random(20260202);
+    std::lognormal_distribution<double> duration(3, 2);
+    const auto histogram = std::make_unique<LatencyHistogram>();
+    std::vector<double> all;
+    for (int i = 0; i < 20001; ++i) {
+        all.push_back(std::clamp(duration(random), 0.2, 5e7));
+        histogram->add(all.back());
+    }
+    std::sort(all.begin(), all.end());
+    for (const double q : {0.01, 0.25, 0.5, 0.9, 0.99, 0.999, 1.0}) {
+        const double exact = all[static_cast<std::size_t>(std::ceil(q * 20001)) - 1];
+        EXPECT_GE(histogram->quantile(q), exact * (1 - 1e-12)) << q;
+        EXPECT_LE(histogram->quantile(q), exact * 1.03) << q;
+    }
+    EXPECT_EQ(histogram->largest(), all.back());
+    EXPECT_EQ(histogram->quantile(1), all.back());
+    EXPECT_EQ(histogram->total(), 20001U);
+}
+
+TEST(LatencyHistogram, TheZerothQuantileIsTheSmallestEntry) {
+    const auto histogram = std::make_unique<LatencyHistogram>();
+    for (const double micros : {50.0, 60.0, 70.0}) histogram->add(micros);
+    EXPECT_NEAR(histogram->quantile(0), 50, 1.5);
+}
+
+TEST(LatencyHistogram, AnythingCanBeAdded) {
+    const auto histogram = std::make_unique<LatencyHistogram>();
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    for (const double odd : {0.0, -1.0, -kInfinity, std::nan(""), 1e-300, 1e300, kInfinity}) histogram->add(odd);
+    EXPECT_EQ(histogram->total(), 7U);
+    EXPECT_EQ(histogram->largest(), kInfinity);
+    EXPECT_LE(histogram->quantile(0.5), 0.11);
+}
+
+TEST(LatencyHistogram, ClearForgetsAll) {
+    const auto histogram = std::make_unique<LatencyHistogram>();
+    histogram->add(10);
+    histogram->clear();
+    EXPECT_EQ(histogram->total(), 0U);
+    EXPECT_EQ(histogram->largest(), 0);
+}
+
+TEST(LatencyHistogram, OneThreadReadsWhileAnotherAdds) {
+    const auto histogram = std::make_unique<LatencyHistogram>();
+    constexpr std::uint64_t kEntries = 20000;
+    std::jthread writer([&] {
+        for (std::uint64_t i = 0; i < kEntries; ++i) histogram->add(100);
+    });
+    while (histogram->total() < kEntries) {
+        const double middle = histogram->quantile(0.5);
+        ASSERT_TRUE(middle == 0 || std::abs(middle - 100) < 3) << middle;
+    }
+    EXPECT_EQ(histogram->quantile(0.5), 100);
+}
+
+}  // namespace
+}  // namespace tactooth

@@ -1,0 +1,209 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "haptics/safety_limiter.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace tactooth {
+namespace {
+
+constexpr double kTick = 0.001;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+const double kNan = std::nan("");
+
+// Nothing but the limiter makes one: not from a wrench, not from its parts, not by changing what it shows.
+static_assert(!std::is_constructible_v<SafeWrench, Wrench>);
+static_assert(!std::is_constructible_v<SafeWrench, Vec3, Vec3>);
+static_assert(!std::is_convertible_v<Wrench, SafeWrench>);
+static_assert(!std::is_assignable_v<SafeWrench&, Wrench>);
+static_assert(std::is_const_v<std::remove_reference_t<decltype(std::declval<SafeWrench&>().force())>>);
+static_assert(std::is_const_v<std::remove_reference_t<decltype(std::declval<SafeWrench&>().torque())>>);
+
+ForceLimits limits() {
+    ForceLimits result;
+    result.torque = 50;
+    return result;
+}
+
+Wrench push(double newton) { return {Vec3(0, 0, newton), Vec3::Zero()}; }
+
+/// A limiter that has been switched on for long.
+SafetyLimiter warmLimiter() {
+    SafetyLimiter limiter(limits());
+    for (int i = 0; i < 1000; ++i) (void)limiter.limit({}, kTick, true);
+    return limiter;
+}
+
+double settledForce(SafetyLimiter& limiter, double wanted) {
+    double force = 0;
+    for (int i = 0; i < 100; ++i) force = limiter.limit(push(wanted), kTick, true).force().z();
+    return force;
+}
+
+TEST(SafetyLimiter, ASafeWrenchBeginsAsZero) {
+    EXPECT_EQ(SafeWrench().force(), Vec3::Zero());
+    EXPECT_EQ(SafeWrench().torque(), Vec3::Zero());
+}
+
+TEST(SafetyLimiter, PassesWhatIsAllowed) {
+    SafetyLimiter limiter = warmLimiter();
+    EXPECT_DOUBLE_EQ(settledForce(limiter, 2.5), 2.5);
+    EXPECT_EQ(limiter.faults(), 0U);
+}
+
+TEST(SafetyLimiter, ShortensALargeForceAndKeepsItsDirection) {
+    SafetyLimiter limiter = warmLimiter();
+    const Vec3 wanted(3, -4, 2);
+    SafeWrench result;
+    for (int i = 0; i < 100; ++i) result = limiter.limit({wanted, Vec3::Zero()}, kTick, true);
+    EXPECT_TRUE(result.force().isApprox(3.3 * wanted.normalized(), 1e-12));
+}
+
+TEST(SafetyLimiter, AForceBeyondArithmeticIsStillShortened) {
+    SafetyLimiter limiter = warmLimiter();
+    constexpr double kHuge = std::numeric_limits<double>::max();
+    SafeWrench result;
+    for (int i = 0; i < 100; ++i) result = limiter.limit({Vec3(kHuge, -kHuge, 0), Vec3::Zero()}, kTick, true);
+    EXPECT_TRUE(result.force().isApprox(3.3 * Vec3(1, -1, 0).normalized(), 1e-12));
+}
+
+TEST(SafetyLimiter, ADeviceWithoutTorqueGetsNone) {
+    SafetyLimiter limiter{ForceLimits{}};
+    for (int i = 0; i < 600; ++i) {
+        EXPECT_EQ(limiter.limit({Vec3::Zero(), Vec3(1e6, 2, 3)}, kTick, true).torque(), Vec3::Zero());
+    }
+}
+
+TEST(SafetyLimiter, RampsUpAfterSwitchingOn) {
+    SafetyLimiter limiter(limits());
+    for (int i = 1; i <= 1000; ++i) {
+        const double force = limiter.limit(push(2), kTick, true).force().z();
+        ASSERT_NEAR(force, 2 * std::min(1.0, i * kTick / 0.5), 1e-9) << i;
+    }
+    EXPECT_EQ(limiter.limit(push(2), kTick, false).force(), Vec3::Zero());
+    EXPECT_NEAR(limiter.limit(push(2), kTick, true).force().z(), 2 * kTick / 0.5, 1e-12);
+    EXPECT_EQ(limiter.faults(), 0U);
+}
+
+TEST(SafetyLimiter, AStepTakesAsLongAsTheSlewAllows) {
+    SafetyLimiter limiter = warmLimiter();
+    for (int i = 1; i <= 10; ++i) {
+        ASSERT_NEAR(limiter.limit(push(3), kTick, true).force().z(), std::min(3.0, 0.3 * i), 1e-9);
+    }
+    for (int i = 1; i <= 10; ++i) {
+        const Wrench wanted{Vec3(0, 0, 3), Vec3(30, 0, 0)};
+        ASSERT_NEAR(limiter.limit(wanted, kTick, true).torque().x(), std::min(30.0, 3.0 * i), 1e-9);
+    }
+}
+
+TEST(SafetyLimiter, NotANumberGivesZeroAndStartsTheRampAnew) {
+    for (const double bad : {kNan, kInfinity, -kInfinity}) {
+        for (int component = 0; component < 6; ++component) {
+            SafetyLimiter limiter = warmLimiter();
+            settledForce(limiter, 3);
+            Wrench wrench = push(3);
+            (component < 3 ? wrench.force[component] : wrench.torque[component - 3]) = bad;
+            const SafeWrench result = limiter.limit(wrench, kTick, true);
+            EXPECT_EQ(result.force(), Vec3::Zero());
+            EXPECT_EQ(result.torque(), Vec3::Zero());
+            EXPECT_EQ(limiter.faults(), 1U);
+            EXPECT_NEAR(limiter.limit(push(3), kTick, true).force().z(), 3 * kTick / 0.5, 1e-12);
+        }
+    }
+}
+
+TEST(SafetyLimiter, ATickThatIsLateOrHasNoTimeGivesZero) {
+    for (const double elapsed : {0.0031, 1.0, -0.001, kNan, kInfinity}) {
+        SafetyLimiter limiter = warmLimiter();
+        settledForce(limiter, 3);
+        EXPECT_EQ(limiter.limit(push(3), elapsed, true).force(), Vec3::Zero()) << elapsed;
+        EXPECT_EQ(limiter.faults(), 1U);
+    }
+    SafetyLimiter limiter = warmLimiter();
+    settledForce(limiter, 3);
+    EXPECT_DOUBLE_EQ(limiter.limit(push(3), 0.003, true).force().z(), 3);
+}
+
+/// Numbers that break arithmetic, in turn with ordinary ones.
+class Adversary {
+public:
+    double number() {
+        switch (random_() % 8) {
+            case 0:
+                return kOdd[random_() % std::size(kOdd)];
+            case 1:
+                return std::ldexp(part_(random_), static_cast<int>(random_() % 2100) - 1074);
+            default:
+                return 5 * part_(random_);
+        }
+    }
+    Vec3 vector() { return {number(), number(), number()}; }
+    double elapsed() {
+        switch (random_() % 16) {
+            case 0:
+                return kOddTimes[random_() % std::size(kOddTimes)];
+            case 1:
+                return 0.004 * std::abs(part_(random_));
+            default:
+                return kTick;
+        }
+    }
+    bool enabled() { return random_() % 500 != 0; }
+
+private:
+    static constexpr double kOdd[] = {kInfinity,
+                                      -kInfinity,
+                                      std::numeric_limits<double>::quiet_NaN(),
+                                      std::numeric_limits<double>::max(),
+                                      std::numeric_limits<double>::lowest(),
+                                      std::numeric_limits<double>::denorm_min(),
+                                      -0.0,
+                                      0.0};
+    static constexpr double kOddTimes[] = {0.0, -0.001, 1e-300, 0.003, 3600, kInfinity};
+    std::mt19937_64 random_{20260203};
+    std::uniform_real_distribution<double> part_{-1, 1};
+};
+
+TEST(SafetyLimiter, AMillionHostileWrenchesStayWithinMagnitudeAndSlew) {
+    const ForceLimits allowed = limits();
+    SafetyLimiter limiter(allowed);
+    Adversary adversary;
+    SafeWrench last;
+    long strong = 0;
+    long zero = 0;
+    for (int i = 0; i < 1'000'000; ++i) {
+        const Wrench wanted = i % 64 < 40 ? push(10) : Wrench{adversary.vector(), adversary.vector()};
+        const double elapsed = i % 64 < 40 ? kTick : adversary.elapsed();
+        const bool enabled = adversary.enabled();
+        const SafeWrench got = limiter.limit(wanted, elapsed, enabled);
+        const bool allowedToPush = wanted.force.allFinite() && wanted.torque.allFinite() && elapsed >= 0 &&
+                                   elapsed <= allowed.stallTime && enabled;
+        if (allowedToPush) {
+            ASSERT_LE(got.force().norm(), allowed.force * (1 + 1e-12));
+            ASSERT_LE(got.torque().norm(), allowed.torque * (1 + 1e-12));
+            ASSERT_LE((got.force() - last.force()).norm(), allowed.slew * elapsed + 1e-12);
+            ASSERT_LE((got.torque() - last.torque()).norm(), allowed.torqueSlew * elapsed + 1e-11);
+        } else {
+            ASSERT_TRUE(got.force().isZero(0) && got.torque().isZero(0));
+            ++zero;
+        }
+        strong += got.force().norm() > 0.2;
+        last = got;
+    }
+    EXPECT_GT(strong, 50'000);  // the sample means something
+    EXPECT_GT(zero, 50'000);
+}
+
+TEST(SafetyLimiter, WithoutARampTheForceIsThereAsSoonAsTheSlewAllows) {
+    ForceLimits allowed = limits();
+    allowed.rampTime = 0;
+    SafetyLimiter limiter(allowed);
+    EXPECT_NEAR(limiter.limit(push(0.2), kTick, true).force().z(), 0.2, 1e-12);
+}
+
+}  // namespace
+}  // namespace tactooth

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+
+#include "session/simulator.h"
+#include "support/shapes.h"
+
+namespace tactooth::test {
+
+inline constexpr double kVoxel = 0.05;     // mm
+inline constexpr double kBurRadius = 0.4;  // mm
+
+/// A block of one material, 3 mm wide and high, whose top lies at zero, on the bench.
+[[nodiscard]] inline std::shared_ptr<WorkPiece> blockOnTheBench(MaterialId material = MaterialId::Dentin) {
+    auto tooth = LayeredTooth::make(box(Vec3(-1.5, -1.5, -3), Vec3(1.5, 1.5, 0)), {}, material);
+    return std::make_shared<WorkPiece>(std::make_shared<const LayeredTooth>(std::move(*tooth)), kVoxel);
+}
+
+[[nodiscard]] inline TriangleMesh flatBurMesh() { return cylinder(Vec3::Zero(), kBurRadius, 4, 32); }
+
+[[nodiscard]] inline Instrument flatBur(double sharpness = 1) {
+    return {std::make_shared<const ToolShape>(flatBurMesh()), {*RevolutionEnvelope::make(flatBurMesh()), sharpness}};
+}
+
+[[nodiscard]] inline Pose at(double x, double y, double z) { return {Vec3(x, y, z), Quat::Identity()}; }
+
+}  // namespace tactooth::test

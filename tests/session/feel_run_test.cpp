@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "session/feel_run.h"
+
+#include <gtest/gtest.h>
+
+#include "support/shapes.h"
+
+namespace tactooth {
+namespace {
+
+HapticSimulation simulationOnABlock() {
+    auto surface = std::make_shared<Surface>();
+    surface->base = std::make_shared<const SurfacePart>(test::box(Vec3(-5, -5, -5), Vec3(5, 5, 0)));
+    return {std::make_shared<const ToolShape>(test::sphere(Vec3(0, 0, 0.5), 0.5, 16, 8)), 0.5, surface, {}};
+}
+
+TEST(FeelRun, TakesOneTickARowAtTheRowsOwnTimes) {
+    HapticSimulation simulation = simulationOnABlock();
+    std::vector<TimedPose> trajectory;
+    for (const double time : {3.0, 3.001, 3.001, 3.01}) {
+        trajectory.push_back({time, {Vec3(0, 0, 4 - time), Quat::Identity()}});
+    }
+    std::vector<double> times;
+    std::vector<Tick> ticks;
+    feelAlong(trajectory, simulation, [&](double time, const Tick& tick) {
+        times.push_back(time);
+        ticks.push_back(tick);
+    });
+    EXPECT_EQ(times, (std::vector<double>{3.0, 3.001, 3.001, 3.01}));
+    EXPECT_NEAR(ticks[3].time, 0.01, 1e-12);
+    EXPECT_NEAR(ticks[3].speed, 1, 1e-9);
+    for (std::size_t i = 0; i < 4; ++i) {
+        EXPECT_EQ(ticks[i].hand.position, trajectory[i].toolInTooth.position);
+        EXPECT_GT(ticks[i].micros, 0);
+        EXPECT_EQ(ticks[i].speedRpm, 0);
+    }
+}
+
+TEST(FeelRun, PressingIntoTheBlockPushesBack) {
+    HapticSimulation simulation = simulationOnABlock();
+    std::vector<TimedPose> trajectory;
+    for (int i = 0; i < 100; ++i) trajectory.push_back({0.001 * i, {Vec3(0, 0, 0.1 - 0.004 * i), Quat::Identity()}});
+    double strongest = 0;
+    feelAlong(trajectory, simulation,
+              [&](double, const Tick& tick) { strongest = std::max(strongest, tick.wrench.force.z()); });
+    const Material enamel = MaterialTable{}[MaterialId::Enamel];
+    EXPECT_NEAR(strongest, 0.296 * enamel.stiffness + 4 * enamel.damping, 1e-5);
+}
+
+TEST(FeelRun, AnEmptyTrajectoryIsNoTick) {
+    HapticSimulation simulation = simulationOnABlock();
+    feelAlong({}, simulation, [](double, const Tick&) { FAIL(); });
+}
+
+}  // namespace
+}  // namespace tactooth

@@ -1,0 +1,236 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "session/simulator.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+
+#include "bench_scene.h"
+#include "devices/null_device.h"
+#include "devices/scripted_device.h"
+
+namespace tactooth {
+namespace {
+
+using namespace std::chrono_literals;
+using test::at;
+using Clock = std::chrono::steady_clock;
+
+/// A hand of the test's own: its pose, its cable and its force may be looked at from outside while the servo runs.
+class WatchedDevice final : public HapticDevice {
+public:
+    explicit WatchedDevice(std::vector<ScriptedMoment> script) : script_(std::move(script)) { info_ = script_.info(); }
+    [[nodiscard]] const DeviceInfo& info() const override { return info_; }
+    [[nodiscard]] Expected<void> open() override { return script_.open(); }
+    void close() override {}
+    [[nodiscard]] DeviceSample read(double elapsed) override {
+        DeviceSample sample = script_.read(elapsed);
+        sample.connected = connected_;
+        if (!connected_) sample.hand.position.setConstant(std::nan(""));
+        return sample;
+    }
+    void write(const SafeWrench& wrench) override {
+        const double force = wrench.force().norm();
+        force_ = force;
+        if (!(force <= info_.limits.force + 1e-9) || !wrench.torque().isZero(0)) tooStrong_ = true;
+        if (force > strongest_) strongest_ = force;
+    }
+
+    void plugIn(bool connected) { connected_ = connected; }
+    [[nodiscard]] double force() const { return force_; }
+    [[nodiscard]] double strongest() const { return strongest_; }
+    [[nodiscard]] bool wasTooStrong() const { return tooStrong_; }
+
+private:
+    ScriptedDevice script_;
+    DeviceInfo info_;
+    std::atomic<bool> connected_{true};
+    std::atomic<double> force_{0};
+    std::atomic<double> strongest_{0};
+    std::atomic<bool> tooStrong_{false};
+};
+
+ScriptedMoment moment(double time, const Pose& hand, double pedal) { return {time, {hand, pedal, 0, true}}; }
+
+/// Comes down on the block, then strokes over it, half a millimetre deep.
+std::vector<ScriptedMoment> stroking() {
+    std::vector<ScriptedMoment> script = {moment(0, at(-0.5, 0, 0.3), 1), moment(0.3, at(-0.5, 0, -0.5), 1)};
+    for (int i = 1; i <= 20; ++i) script.push_back(moment(0.3 + 0.3 * i, at(i % 2 ? 0.5 : -0.5, 0, -0.5), 1));
+    return script;
+}
+
+std::vector<ScriptedMoment> resting(double z) { return {moment(0, at(0, 0, z), 1)}; }
+
+SimulatorControls cutting() {
+    SimulatorControls controls;
+    controls.cutting = true;
+    return controls;
+}
+
+/// Waits until something is so; the machine may be busy.
+template <class Condition>
+bool soon(const Condition& condition, std::chrono::seconds limit = 20s) {
+    const auto end = Clock::now() + limit;
+    while (!condition()) {
+        if (Clock::now() > end) return false;
+        std::this_thread::sleep_for(2ms);
+    }
+    return true;
+}
+
+TEST(Simulator, CutsABlockLive) {
+    const auto piece = test::blockOnTheBench();
+    WatchedDevice device(stroking());
+    std::atomic<std::uint64_t> heard{0};
+    std::vector<Tick> ticks;
+    double removedOnline = 0;
+    {
+        Simulator simulator(piece, test::flatBur(), HapticSettings(), device, [&](const Tick&) { ++heard; });
+        simulator.setControls(cutting());
+        const auto end = Clock::now() + 2s;
+        while (Clock::now() < end) {
+            std::this_thread::sleep_for(10ms);
+            simulator.fetchTicks(ticks);
+        }
+        EXPECT_TRUE(soon([&] { return simulator.surfaceUpdates() > 3 && total(simulator.removed()) > 0.01; }));
+        EXPECT_GT(simulator.surface()->revision, 3U);
+        EXPECT_GT(simulator.timing().ticks, 100U);
+        removedOnline = total(simulator.removed());
+    }
+    EXPECT_GE(total(piece->removed()), removedOnline);
+    EXPECT_GT(heard, 100U);
+    EXPECT_FALSE(device.wasTooStrong());
+    EXPECT_GT(device.strongest(), 0.05);
+    EXPECT_EQ(device.force(), 0);  // the last that a device hears is zero
+    ASSERT_GT(ticks.size(), 100U);
+    for (std::size_t i = 1; i < ticks.size(); ++i) ASSERT_GE(ticks[i].time, ticks[i - 1].time);
+    EXPECT_GT(ticks.back().speedRpm, 10000);
+}
+
+TEST(Simulator, InTouchModeNothingIsCut) {
+    const auto piece = test::blockOnTheBench();
+    WatchedDevice device(stroking());
+    {
+        Simulator simulator(piece, test::flatBur(), HapticSettings(), device, {});
+        EXPECT_TRUE(soon([&] { return device.strongest() > 0.05; }));
+    }
+    EXPECT_EQ(total(piece->removed()), 0);
+}
+
+TEST(Simulator, ForceSwitchedOffLeavesTheDeviceLimp) {
+    WatchedDevice device(resting(-0.5));
+    Simulator simulator(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device, {});
+    EXPECT_TRUE(soon([&] { return device.force() > 0.01; }));
+    SimulatorControls off;
+    off.forceEnabled = false;
+    simulator.setControls(off);
+    EXPECT_TRUE(soon([&] { return device.force() == 0; }));
+    const auto ticks = simulator.timing().ticks.load();
+    EXPECT_TRUE(soon([&] { return simulator.timing().ticks > ticks + 20; }));
+    EXPECT_EQ(device.force(), 0);
+}
+
+TEST(Simulator, ALostDeviceGetsNoForceAndComesBackWithARamp) {
+    WatchedDevice device(resting(-0.5));
+    Simulator simulator(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device, {});
+    EXPECT_TRUE(soon([&] { return device.force() > 0.01; }));
+    device.plugIn(false);
+    EXPECT_TRUE(soon([&] { return device.force() == 0; }));
+    const auto ticks = simulator.timing().ticks.load();
+    EXPECT_TRUE(soon([&] { return simulator.timing().ticks > ticks + 20; }));
+    EXPECT_EQ(device.force(), 0);
+    device.plugIn(true);
+    EXPECT_TRUE(soon([&] { return device.force() > 0.01; }));
+    EXPECT_FALSE(device.wasTooStrong());
+}
+
+TEST(Simulator, ADeviceThatIsLostFromTheStartIsNoHand) {
+    WatchedDevice device(resting(-0.5));
+    device.plugIn(false);
+    std::atomic<bool> placed{false};
+    Simulator simulator(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device,
+                        [&](const Tick& tick) { placed = placed || tick.placed; });
+    EXPECT_TRUE(soon([&] { return simulator.timing().ticks > 30; }));
+    EXPECT_FALSE(placed);
+    EXPECT_EQ(device.strongest(), 0);
+}
+
+TEST(Simulator, TheForceOverridesOfTheSettingsHoldUntilTheControlsSayOtherwise) {
+    HapticSettings soft;
+    soft.force.stiffness = 0.0;
+    soft.force.damping = 0.0;
+    WatchedDevice device(resting(-0.5));
+    Simulator simulator(test::blockOnTheBench(), test::flatBur(), soft, device, {});
+    EXPECT_TRUE(soon([&] { return simulator.timing().ticks > 100; }));
+    EXPECT_EQ(device.strongest(), 0);
+    simulator.setControls({});
+    EXPECT_TRUE(soon([&] { return device.strongest() > 0.01; }));
+}
+
+TEST(Simulator, TheLargerOfBothPedalsCounts) {
+    WatchedDevice device({moment(0, at(0, 0, 1), 0.25)});
+    std::atomic<double> pedal{-1};
+    Simulator simulator(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device,
+                        [&](const Tick& tick) { pedal = tick.pedal; });
+    EXPECT_TRUE(soon([&] { return pedal == 0.25; }));
+    SimulatorControls controls;
+    controls.pedal = 0.75;
+    simulator.setControls(controls);
+    EXPECT_TRUE(soon([&] { return pedal == 0.75; }));
+}
+
+TEST(Simulator, AResetPutsTheToothBackWhileItRuns) {
+    const auto piece = test::blockOnTheBench(MaterialId::Caries);
+    WatchedDevice device(stroking());
+    Simulator simulator(piece, test::flatBur(), HapticSettings(), device, {});
+    simulator.setControls(cutting());
+    ASSERT_TRUE(soon([&] { return total(simulator.removed()) > 0.01; }));
+    simulator.setControls({});
+    std::this_thread::sleep_for(50ms);
+    simulator.requestReset();
+    EXPECT_TRUE(soon([&] { return total(simulator.removed()) == 0; }));
+    EXPECT_TRUE(simulator.surface()->patches.empty());
+}
+
+TEST(Simulator, AWorkPieceGoesOnFromOneSimulatorToTheNext) {
+    const auto piece = test::blockOnTheBench(MaterialId::Caries);
+    for (int round = 0; round < 3; ++round) {
+        const double before = total(piece->removed());
+        WatchedDevice device(stroking());
+        Simulator simulator(piece, test::flatBur(), HapticSettings(), device, {});
+        EXPECT_EQ(total(simulator.removed()), before);
+        simulator.setControls(cutting());
+        ASSERT_TRUE(soon([&] { return total(simulator.removed()) > before + 0.01; })) << round;
+    }
+}
+
+TEST(Simulator, StopsCleanlyInAnyState) {
+    const auto piece = test::blockOnTheBench(MaterialId::Caries);
+    for (int i = 0; i < 25; ++i) {
+        WatchedDevice device(stroking());
+        {
+            Simulator simulator(piece, test::flatBur(), HapticSettings(), device, {});
+            simulator.setControls(cutting());
+            if (i % 3 == 1) simulator.requestReset();
+            std::this_thread::sleep_for(i % 5 * 12ms);
+        }
+        ASSERT_EQ(device.force(), 0);
+    }
+}
+
+TEST(Simulator, WithoutADeviceItJustWatches) {
+    NullDevice device(at(0, 0, 5));
+    Simulator simulator(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device, {});
+    std::vector<Tick> ticks;
+    EXPECT_TRUE(soon([&] {
+        simulator.fetchTicks(ticks);
+        return ticks.size() > 20;
+    }));
+    EXPECT_EQ(ticks.back().contacts, 0);
+    EXPECT_EQ(ticks.back().hand.position, Vec3(0, 0, 5));
+}
+
+}  // namespace
+}  // namespace tactooth

@@ -1,0 +1,195 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "session/work_piece.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "bench_scene.h"
+
+namespace tactooth {
+namespace {
+
+using test::at;
+using test::blockOnTheBench;
+
+constexpr double kTick = 0.01;  // s: coarse, so that a test drills for a second
+/// Volume of a hole of that depth, with the clearance that a cut gives, mm^3.
+double holeOf(double depth) {
+    constexpr double kClearance = kDefaultClearance * test::kVoxel;
+    return std::numbers::pi * std::pow(test::kBurRadius + kClearance, 2) * (depth + kClearance);
+}
+
+/// The preset that holds its speed best, so that the pedal sets it.
+HapticSettings electric() {
+    HapticSettings settings;
+    settings.spindle = spindlePresets()[1];
+    settings.force = {.stiffness = 1.0, .damping = 0.0, .friction = 0.0};
+    return settings;
+}
+
+struct Drilled {
+    double volume = 0;    // mm^3
+    double work = 0;      // N*m, as the ticks booked it in the same time
+    double time = 0;      // s
+    double speedRpm = 0;  // at the end
+    double force = 0;     // N, mean
+};
+
+/// Presses a flat bur straight down with a constant force for `ticks` ticks, as a hand that gives way would. The bur
+/// goes in small steps, so all is counted from the first step to the last.
+Drilled drill(WorkPiece& piece, const Instrument& bur, double newton, double pedal, int ticks) {
+    HapticSimulation simulation(bur.shape, test::kBurRadius, piece.surface(), electric());
+    for (int i = 0; i < 400; ++i) simulation.step({at(0.01, 0.02, 0.1), pedal, true}, kTick);
+    Drilled result;
+    Drilled first;
+    double proxyZ = 0;
+    for (int i = 0; i < ticks; ++i) {
+        const Tick tick = simulation.step({at(0.01, 0.02, proxyZ - newton), pedal, true}, kTick);
+        proxyZ = tick.proxy.position.z();
+        result.speedRpm = tick.speedRpm;
+        result.force += tick.wrench.force.z() / ticks;
+        if (!piece.feed(bur.cutting, tick, {})) continue;
+        (void)simulation.setSurface(piece.surface());
+        result.volume = total(piece.removed());
+        result.work = tick.cutWork;
+        result.time = tick.time;
+        if (first.volume == 0) first = result;
+    }
+    result.volume -= first.volume;
+    result.work -= first.work;
+    result.time -= first.time;
+    return result;
+}
+
+Drilled drillBlock(MaterialId material, double newton, double pedal = 1, double sharpness = 1) {
+    const auto piece = blockOnTheBench(material);
+    return drill(*piece, test::flatBur(sharpness), newton, pedal, 70);
+}
+
+double rate(const Drilled& drilled) { return drilled.volume / drilled.time; }
+
+TEST(WorkPiece, ASweepRemovesWhatTheBurPassesThrough) {
+    const auto piece = blockOnTheBench();
+    const auto revision = piece->surface()->revision;
+    const double removed = total(piece->sweep(test::flatBur().cutting, at(0, 0, 0.5), at(0, 0, -1)));
+    EXPECT_NEAR(removed, holeOf(1), 0.01 * removed);
+    EXPECT_EQ(total(piece->removed()), removed);
+    EXPECT_EQ(piece->surface()->revision, revision);
+    piece->refreshSurface();
+    EXPECT_GT(piece->surface()->revision, revision);
+    EXPECT_FALSE(piece->surface()->patches.empty());
+}
+
+TEST(WorkPiece, ResetBringsTheWholeToothBack) {
+    const auto piece = blockOnTheBench();
+    const std::uint64_t whole = piece->hash();
+    piece->sweep(test::flatBur().cutting, at(0, 0, 0.5), at(0, 0, -1));
+    piece->refreshSurface();
+    EXPECT_NE(piece->hash(), whole);
+    piece->reset();
+    EXPECT_EQ(piece->hash(), whole);
+    EXPECT_EQ(total(piece->removed()), 0);
+    EXPECT_TRUE(piece->surface()->patches.empty());
+    EXPECT_GT(total(piece->sweep(test::flatBur().cutting, at(0, 0, 0.5), at(0, 0, -1))), 0.4);
+}
+
+TEST(WorkPiece, WhatIsRemovedIsTheMaterialsRateTimesTheWorkBooked) {
+    for (const MaterialId material : {MaterialId::Enamel, MaterialId::Dentin, MaterialId::Caries}) {
+        const Drilled drilled = drillBlock(material, 0.5);
+        const double expected = MaterialTable{}[material].removal * drilled.work;
+        EXPECT_NEAR(drilled.volume, expected, 0.05 * expected) << materialName(material);
+        EXPECT_NEAR(drilled.force, 0.5, 0.01);
+    }
+}
+
+TEST(WorkPiece, TheRateGrowsInProportionToTheForce) {
+    const Drilled light = drillBlock(MaterialId::Dentin, 0.3);
+    const Drilled firm = drillBlock(MaterialId::Dentin, 0.9);
+    EXPECT_NEAR(rate(firm) / rate(light), 3, 0.15);
+}
+
+TEST(WorkPiece, TheRateGrowsInProportionToTheSpeed) {
+    const Drilled slow = drillBlock(MaterialId::Dentin, 0.6, 0.3);
+    const Drilled fast = drillBlock(MaterialId::Dentin, 0.6, 1.0);
+    ASSERT_GT(fast.speedRpm, 2 * slow.speedRpm);
+    EXPECT_NEAR(rate(fast) / rate(slow), fast.speedRpm / slow.speedRpm, 0.05 * fast.speedRpm / slow.speedRpm);
+}
+
+TEST(WorkPiece, MaterialsGiveWayInTheConfiguredRatio) {
+    const MaterialTable table;
+    const double enamel = rate(drillBlock(MaterialId::Enamel, 0.5));
+    for (const MaterialId material : {MaterialId::Dentin, MaterialId::Caries}) {
+        const double ratio = table[material].removal / table[MaterialId::Enamel].removal;
+        EXPECT_NEAR(rate(drillBlock(material, 0.5)) / enamel, ratio, 0.05 * ratio) << materialName(material);
+    }
+}
+
+TEST(WorkPiece, HalfTheSharpnessIsHalfTheRate) {
+    const double sharp = rate(drillBlock(MaterialId::Dentin, 0.6));
+    EXPECT_NEAR(rate(drillBlock(MaterialId::Dentin, 0.6, 1, 0.5)) / sharp, 0.5, 0.025);
+}
+
+TEST(WorkPiece, ABurWithoutEdgeLeavesTheToothWhole) {
+    const auto piece = blockOnTheBench();
+    const Drilled drilled = drill(*piece, test::flatBur(0), 1, 1, 50);
+    EXPECT_EQ(drilled.volume, 0);
+    EXPECT_EQ(total(piece->removed()), 0);
+    EXPECT_NEAR(drilled.force, 1, 0.01);
+}
+
+Tick pressing(double cutWork, double depth = 0.5, int contacts = 1) {
+    Tick tick;
+    tick.proxy = at(0, 0, 0);
+    tick.hand = at(0, 0, -depth);
+    tick.cutting = true;
+    tick.contacts = contacts;
+    tick.cutWork = cutWork;
+    return tick;
+}
+
+TEST(WorkPiece, WorkIsSpentOnce) {
+    const auto piece = blockOnTheBench();
+    const CuttingTool bur = test::flatBur().cutting;
+    EXPECT_TRUE(piece->feed(bur, pressing(1), {}));
+    const double removed = total(piece->removed());
+    EXPECT_NEAR(removed, MaterialTable{}[MaterialId::Dentin].removal, 0.03 * removed);
+    for (int i = 0; i < 20; ++i) piece->feed(bur, pressing(1), {});
+    EXPECT_LE(total(piece->removed()), MaterialTable{}[MaterialId::Dentin].removal * (1 + 1e-9));
+}
+
+TEST(WorkPiece, WorkDoneInTheAirOrBeforeIsNotSpentLater) {
+    const auto piece = blockOnTheBench();
+    const CuttingTool bur = test::flatBur().cutting;
+    EXPECT_FALSE(piece->feed(bur, pressing(100, 0.5, 0), {}));
+    EXPECT_FALSE(piece->feed(bur, pressing(100), {}));
+    EXPECT_FALSE(piece->feed(bur, pressing(1), {}));  // a new simulation begins to count
+    EXPECT_EQ(total(piece->removed()), 0);
+    EXPECT_TRUE(piece->feed(bur, pressing(2), {}));
+}
+
+TEST(WorkPiece, WorkThatFindsNothingToCutIsNotSavedUp) {
+    const auto piece = blockOnTheBench();
+    const CuttingTool bur = test::flatBur().cutting;
+    piece->feed(bur, pressing(1000, 0.1), {});  // pays for the tenth of a millimetre many times over
+    const double removed = total(piece->removed());
+    EXPECT_NEAR(removed, holeOf(0.1), 0.02 * removed);
+    Tick deeper = pressing(1000.001, 1);
+    deeper.proxy = at(0, 0, -0.1);
+    piece->feed(bur, deeper, {});
+    EXPECT_LE(total(piece->removed()) - removed, 0.31 * MaterialTable{}[MaterialId::Dentin].removal);
+}
+
+TEST(WorkPiece, TheSurfaceKeepsUpWithEachCut) {
+    const auto piece = blockOnTheBench();
+    const auto before = piece->surface();
+    ASSERT_TRUE(piece->feed(test::flatBur().cutting, pressing(5), {}));
+    EXPECT_NE(piece->surface(), before);
+    EXPECT_GT(piece->surface()->revision, before->revision);
+    EXPECT_TRUE(before->patches.empty());  // a snapshot never changes
+}
+
+}  // namespace
+}  // namespace tactooth
