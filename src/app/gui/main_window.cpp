@@ -27,7 +27,7 @@ namespace {
 
 constexpr int kStepMs = 16;      // the hand moves 60 times a second
 constexpr int kNumbersMs = 100;  // gauges and plots: ten times a second
-constexpr int kStatusMs = 500;
+constexpr int kStatusMs = 1000;
 constexpr double kLongestStep = 0.1;  // s: after a stall the hand goes on gently
 
 }  // namespace
