@@ -10,11 +10,7 @@ namespace tactooth {
 namespace {
 
 /// "No. 4 Round bur, 1.4 mm" as the catalogue orders it.
-QString lineOf(const BurSpec& spec) {
-    return QObject::tr("%1 — %2, %3 mm")
-        .arg(QString::fromStdString(spec.number), QString::fromStdString(spec.name))
-        .arg(spec.headDiameter, 0, 'f', 1);
-}
+QString lineOf(const BurSpec& spec) { return QString::fromStdString(spec.name); }
 
 }  // namespace
 

@@ -29,6 +29,7 @@ DrivePanel::DrivePanel(QWidget* parent)
     grid->addWidget(new QLabel(tr("Pedal")), 1, 0);
     grid->addWidget(slider_, 1, 1);
     grid->addWidget(keep_, 1, 2);
+    grid->setRowStretch(2, 1);
     speed_->setObjectName("speedGauge");
     force_->setObjectName("forceGauge");
     slider_->setObjectName("pedal");

@@ -29,6 +29,7 @@ ForcePanel::ForcePanel(QWidget* parent) : QWidget(parent), fromMaterial_(new QCh
     press_->box().setObjectName("pressDepth");
     auto* defaults = new QPushButton(tr("Defaults"));
     grid->addWidget(defaults, grid->rowCount(), 2);
+    grid->setRowStretch(grid->rowCount(), 1);
     connect(fromMaterial_, &QCheckBox::toggled, this, [this](bool on) {
         spring_->setEnabled(!on);
         damper_->setEnabled(!on);

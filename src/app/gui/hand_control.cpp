@@ -18,9 +18,10 @@ constexpr double kReach = 6;             // mm around the tooth's box in which t
 constexpr double kAlongShaft = 0.4;      // cosine between view and shaft from which pressing goes along the shaft
 constexpr double kMostLean = 1.2;        // rad from upright
 constexpr double kLeanPerPixel = 0.006;  // rad
-constexpr double kHandleTurn = std::numbers::pi / 5;  // of the turbine's handle from mesial toward buccal
+constexpr double kHandleTurn = -0.45;    // rad, of the turbine's handle from mesial toward lingual
 
-/// The handle comes from mesial and buccal: out of the mouth, and out of the usual view.
+/// The handle leaves through the mouth's opening, mesially, and turned away from the usual view so that it hides
+/// nothing of the crown.
 Quat uprightHandle() { return Quat(Eigen::AngleAxisd(kHandleTurn, Vec3::UnitZ())); }
 
 }  // namespace

@@ -25,9 +25,9 @@
 namespace tactooth {
 namespace {
 
-constexpr int kStepMs = 16;     // the hand moves 60 times a second
-constexpr int kNumbersMs = 66;  // gauges and plots: 15 times a second
-constexpr int kStatusMs = 500;
+constexpr int kStepMs = 16;      // the hand moves 60 times a second
+constexpr int kNumbersMs = 100;  // gauges and plots: ten times a second
+constexpr int kStatusMs = 1000;
 constexpr double kLongestStep = 0.1;  // s: after a stall the hand goes on gently
 
 }  // namespace
@@ -69,11 +69,12 @@ MainWindow::MainWindow(SoundOutput& sound)
 
 MainWindow::~MainWindow() = default;
 
-void MainWindow::addDock(QWidget& panel, const QString& title, Qt::DockWidgetArea area) {
+QDockWidget* MainWindow::addDock(QWidget& panel, const QString& title, Qt::DockWidgetArea area) {
     auto* dock = new QDockWidget(title);
     dock->setObjectName(title);
     dock->setWidget(&panel);
     addDockWidget(area, dock);
+    return dock;
 }
 
 void MainWindow::addPanels() {
@@ -85,10 +86,13 @@ void MainWindow::addPanels() {
     addToolBarBreak();
     addToolBar(drill_);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-    addDock(*drive_, tr("Drill"), Qt::RightDockWidgetArea);
-    addDock(*force_, tr("Force"), Qt::RightDockWidgetArea);
-    addDock(*volumes_, tr("Sound"), Qt::RightDockWidgetArea);
+    QDockWidget* drill = addDock(*drive_, tr("Drill"), Qt::RightDockWidgetArea);
+    QDockWidget* force = addDock(*force_, tr("Force"), Qt::RightDockWidgetArea);
+    QDockWidget* sound = addDock(*volumes_, tr("Sound"), Qt::RightDockWidgetArea);
     addDock(*plots_, tr("Last ten seconds"), Qt::BottomDockWidgetArea);
+    // The first two need no more than their contents; the lowest takes what is left.
+    resizeDocks({drill, force, sound}, {drive_->sizeHint().height(), force_->sizeHint().height(), 2 * height()},
+                Qt::Vertical);
     busy_->setRange(0, 0);
     busy_->setMaximumWidth(120);
     busy_->setObjectName("busy");

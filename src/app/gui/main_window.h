@@ -11,6 +11,8 @@
 #include "app/gui/workbench.h"
 #include "sound/sound_output.h"
 
+class QDockWidget;
+
 namespace tactooth {
 
 class DrillBar;
@@ -53,7 +55,7 @@ private:
     void addViewMenu();
     void addDrillAndSoundMenus();
     void addHelpMenu();
-    void addDock(QWidget& panel, const QString& title, Qt::DockWidgetArea area);
+    QDockWidget* addDock(QWidget& panel, const QString& title, Qt::DockWidgetArea area);
     void connectPanels();
     QAction* addViewAction(const QString& text, const QString& keys, void (ToothView::*act)());
 

@@ -88,6 +88,8 @@ void PlotPanel::draw(Plot& plot, const TickTrace& trace, double TickTrace::Point
 }
 
 void PlotPanel::show(const TickTrace& trace) {
+    const bool filled = !trace.points().empty() && trace.points().back().time > TickTrace::kShown;
+    if (std::exchange(quiet_, trace.isQuiet() && filled) && quiet_) return;
     draw(depth_, trace, &TickTrace::Point::depth);
     draw(speed_, trace, &TickTrace::Point::speed);
     draw(force_, trace, &TickTrace::Point::force);

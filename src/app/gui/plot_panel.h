@@ -17,6 +17,7 @@ class PlotPanel final : public QWidget {
 
 public:
     explicit PlotPanel(QWidget* parent = nullptr);
+    /// Costs nothing while nothing happens: flat lines are drawn once.
     void show(const TickTrace& trace);
     [[nodiscard]] QSize sizeHint() const override { return {900, 170}; }
 
@@ -31,6 +32,7 @@ private:
     static void draw(Plot& plot, const TickTrace& trace, double TickTrace::Point::*what);
 
     Plot depth_, speed_, force_;
+    bool quiet_ = false;  // what is drawn
 };
 
 }  // namespace tactooth

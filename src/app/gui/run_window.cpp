@@ -45,7 +45,6 @@ Expected<void> checkOpenGl() {
 }  // namespace
 
 int runWindow(const WindowOptions& options) {
-    if (const auto display = checkDisplay(); !display) return refuse(display.error());
     std::optional<BenchTooth> tooth;
     if (options.tooth) {
         Expected<BenchTooth> loaded = loadBenchTooth(*options.tooth);
@@ -58,6 +57,7 @@ int runWindow(const WindowOptions& options) {
         if (!loaded) return refuse(loaded.error());
         bur = std::move(*loaded);
     }
+    if (const auto display = checkDisplay(); !display) return refuse(display.error());
     prepareAudioLibraries();
     prepareWindowSystem();
     int argc = 1;

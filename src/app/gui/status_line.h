@@ -18,7 +18,7 @@ class StatusLine final : public QStatusBar {
 public:
     explicit StatusLine(QWidget* parent = nullptr);
 
-    /// Call about twice a second, so that the rates are of the last half second.
+    /// Call about once a second: the rates are those since the last call.
     void show(const Simulator& simulator, SoundStatus sound);
     /// A hint that stays on the left side until the next one.
     void setHint(const QString& hint) { hint_->setText(hint); }

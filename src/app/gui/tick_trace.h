@@ -30,6 +30,9 @@ public:
     /// Complete stretches, oldest first; none older than kShown before the newest.
     [[nodiscard]] const std::deque<Point>& points() const { return points_; }
 
+    /// Whether nothing but rest is to be seen in the points.
+    [[nodiscard]] bool isQuiet() const;
+
 private:
     std::deque<Point> points_;
     Point growing_{kStretch, 0, 0, 0};

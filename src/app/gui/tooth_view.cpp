@@ -13,7 +13,7 @@ constexpr int kRestMs = 400;        // without a change until the careful pictur
 constexpr int kShortestMs = 30;     // between two pictures: about 30 a second are enough for the eye
 constexpr double kPressStep = 0.1;  // mm for one notch of the wheel
 constexpr double kZoomStep = 0.88;  // for one notch
-constexpr double kUsualAzimuth = 1.25, kUsualElevation = 0.7;  // rad
+constexpr double kUsualAzimuth = 1.25, kUsualElevation = 0.62;  // rad
 
 bool samePose(const Pose& a, const Pose& b) {
     constexpr double kSeen = 0.002;  // mm, and rad times a tool's length: a twentieth of a pixel
@@ -101,10 +101,11 @@ void ToothView::refresh() {
 
 void ToothView::fit() {
     if (!bench_.tooth()) return;
-    // The crown is what is worked on: the roots may leave the picture.
+    // The crown is what is worked on; the roots may leave the picture, the head of the handpiece should not.
+    constexpr double kCrown = 9, kAbove = 13;  // mm below and above the crown's top
     Box3 box = bench_.tooth()->box();
-    constexpr double kCrown = 11;  // mm, the tallest crowns
     box.min().z() = std::max(box.min().z(), box.max().z() - kCrown);
+    box.max().z() += kAbove;
     camera_.fit(box, pictureSize().aspect());
     update();
 }

@@ -21,7 +21,7 @@ public:
     explicit ToothView(Workbench& bench, QWidget* parent = nullptr);
     ~ToothView() override;
 
-    /// Draws again if what there is to see has changed.
+    /// Draws again if what there is to see has changed, at most some 30 times a second.
     void refresh();
     void fit();
     void look(StandardView view);

@@ -11,7 +11,7 @@ namespace tactooth {
 namespace {
 
 const Box3 kNoTooth(Vec3(-5, -5, -5), Vec3(5, 5, 5));      // where the hand rests before there is a tooth, mm
-constexpr double kEyeAzimuth = 1.25, kEyeElevation = 0.7;  // rad; the parked mirror is turned to this usual view
+constexpr double kEyeAzimuth = 1.25, kEyeElevation = 0.62;  // rad; the parked mirror is turned to this usual view
 
 Vec3 usualEye() {
     return {std::cos(kEyeElevation) * std::cos(kEyeAzimuth), std::cos(kEyeElevation) * std::sin(kEyeAzimuth),

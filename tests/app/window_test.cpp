@@ -1,0 +1,321 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A session with the real window: real mouse and key events, the real simulator, real files.
+#include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QElapsedTimer>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QTest>
+#include <fstream>
+
+#include "app/gui/dial_gauge.h"
+#include "app/gui/main_window.h"
+#include "app/gui/open_tooth_dialog.h"
+#include "app/gui/tooth_view.h"
+#include "app/gui/window_setup.h"
+#include "geometry/mesh_file.h"
+#include "geometry/mesh_report.h"
+#include "geometry/stl_writer.h"
+#include "sound/audio_libraries.h"
+#include "sound/openal_output.h"
+#include "support/shapes.h"
+#include "support/test_data.h"
+
+namespace tactooth {
+
+class WindowTest : public QObject {
+    Q_OBJECT
+
+public:
+    /// Brings the window to the middle of a cut and saves its picture.
+    bool saveScreenshot(const QString& file);
+
+private slots:
+    void initTestCase();
+    void theBuiltInMolarComesByItself();
+    void theMouseTouchesTheToothAndTheMeterShowsIt();
+    void pressingHarderGivesMoreForce();
+    void theSpaceKeyIsThePedal();
+    void aTouchingBurRemovesNothing();
+    void aCuttingBurRemovesEnamel();
+    void theCutToothIsExportedClosed();
+    void anExportThatFailsSaysWhy();
+    void resetPutsEverythingBack();
+    void anotherBurIsTaken();
+    void aToothIsOpenedFromAFile();
+    void unusableFilesAreRefusedWithASentenceAndTheToothStays_data();
+    void unusableFilesAreRefusedWithASentenceAndTheToothStays();
+    void everyViewTurnsThePicture();
+    void theMirrorCanBePutAway();
+    void cleanupTestCase();
+
+private:
+    void openWindow();
+    void waitForTooth();
+    [[nodiscard]] QPoint middle() const { return view().rect().center(); }
+    [[nodiscard]] ToothView& view() const { return *window_->findChild<ToothView*>("toothView"); }
+    [[nodiscard]] double gauge(const char* name) const { return window_->findChild<DialGauge*>(name)->value(); }
+    [[nodiscard]] double removed() const { return total(window_->bench().simulator()->removed()); }
+    [[nodiscard]] const Surface& surface() const { return *window_->bench().simulator()->surface(); }
+    void key(Qt::Key which, Qt::KeyboardModifiers with = {}) const;
+    void pressBurOn(const QPoint& place) const;
+    void liftBur(const QPoint& place) const;
+    [[nodiscard]] QString dismissMessage() const;
+    void openInDialog(const QString& file);
+
+    test::TemporaryFolder folder_;
+    std::unique_ptr<OpenAlOutput> sound_;
+    std::unique_ptr<MainWindow> window_;
+};
+
+void WindowTest::openWindow() {
+    sound_ = std::make_unique<OpenAlOutput>();
+    window_ = std::make_unique<MainWindow>(*sound_);
+    window_->bringBuiltinTooth(kBuiltinTeeth.front());
+    window_->bringBur(*findBur("4"));
+    window_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+}
+
+void WindowTest::waitForTooth() {
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->bench().isBusy() && window_->bench().simulator() != nullptr, 60000);
+}
+
+void WindowTest::key(Qt::Key which, Qt::KeyboardModifiers with) const {
+    QApplication::setActiveWindow(window_.get());  // a bare X server has no window manager that would do it
+    QTest::keyClick(window_.get(), which, with);
+}
+
+void WindowTest::pressBurOn(const QPoint& place) const {
+    QTest::mouseMove(&view(), place);
+    QTest::qWait(300);
+    QTest::mousePress(&view(), Qt::LeftButton, {}, place);
+}
+
+void WindowTest::liftBur(const QPoint& place) const {
+    QTest::mouseRelease(&view(), Qt::LeftButton, {}, place);
+    QTest::qWait(300);
+}
+
+/// The text of the message in front, which is closed; empty if there is none.
+QString WindowTest::dismissMessage() const {
+    auto* box = window_->findChild<QMessageBox*>();
+    if (box == nullptr) return {};
+    const QString text = box->text();
+    delete box;
+    return text;
+}
+
+void WindowTest::initTestCase() { openWindow(); }
+
+void WindowTest::theBuiltInMolarComesByItself() {
+    waitForTooth();
+    QVERIFY(window_->windowTitle().contains("molar"));
+    QVERIFY(surface().base->mesh().triangles.size() > 10000);
+}
+
+void WindowTest::theMouseTouchesTheToothAndTheMeterShowsIt() {
+    QCOMPARE(gauge("forceGauge"), 0.0);
+    pressBurOn(middle());
+    QTRY_VERIFY_WITH_TIMEOUT(gauge("forceGauge") > 0.3, 10000);
+    QVERIFY(window_->bench().newest().contacts > 0);
+    liftBur(middle());
+    QTRY_COMPARE_WITH_TIMEOUT(gauge("forceGauge"), 0.0, 10000);
+}
+
+void WindowTest::pressingHarderGivesMoreForce() {
+    auto* depth = window_->findChild<QDoubleSpinBox*>("pressDepth");
+    depth->setValue(0.4);
+    pressBurOn(middle());
+    QTRY_VERIFY_WITH_TIMEOUT(gauge("forceGauge") > 0.1, 10000);
+    QTest::qWait(500);
+    const double light = gauge("forceGauge");
+    for (int notch = 0; notch < 8; ++notch) {
+        QWheelEvent wheel(middle(), view().mapToGlobal(middle()), {}, {0, 120}, Qt::LeftButton, {}, Qt::NoScrollPhase,
+                          false);
+        QApplication::sendEvent(&view(), &wheel);
+    }
+    QCOMPARE(depth->value(), 1.2);
+    QTRY_VERIFY_WITH_TIMEOUT(gauge("forceGauge") > 1.5 * light, 10000);
+    liftBur(middle());
+    depth->setValue(1);
+}
+
+void WindowTest::theSpaceKeyIsThePedal() {
+    key(Qt::Key_C);
+    QTest::keyPress(window_.get(), Qt::Key_Space);
+    QTRY_VERIFY_WITH_TIMEOUT(gauge("speedGauge") > 300, 10000);
+    QTest::keyRelease(window_.get(), Qt::Key_Space);
+    QTRY_VERIFY_WITH_TIMEOUT(gauge("speedGauge") < 5, 10000);
+    key(Qt::Key_T);
+}
+
+void WindowTest::aTouchingBurRemovesNothing() {
+    window_->findChild<QCheckBox*>("keepPedal")->setChecked(true);
+    pressBurOn(middle());
+    QTest::qWait(700);
+    liftBur(middle());
+    QCOMPARE(removed(), 0.0);
+}
+
+void WindowTest::aCuttingBurRemovesEnamel() {
+    key(Qt::Key_C);
+    QTRY_VERIFY_WITH_TIMEOUT(gauge("speedGauge") > 300, 10000);
+    pressBurOn(middle());
+    for (int i = 1; i <= 10; ++i) {
+        QTest::mouseMove(&view(), middle() + QPoint(2 * i, 0));
+        QTest::qWait(100);
+    }
+    QTRY_VERIFY_WITH_TIMEOUT(removed() > 0.05, 20000);
+    liftBur(middle());
+    key(Qt::Key_T);
+    QVERIFY(window_->bench().simulator()->surfaceUpdates() > 0);
+    QTRY_VERIFY(window_->findChild<QLabel*>("removed")->text().contains("enamel"));
+}
+
+void WindowTest::theCutToothIsExportedClosed() {
+    QTest::qWait(200);  // the cutter ends its last piece of work
+    const QString file = QString::fromStdString((folder_ / "cut.stl").string());
+    window_->exportTooth(file);
+    const Expected<TriangleMesh> cut = loadMesh(file.toStdString());
+    QVERIFY(cut.has_value());
+    const MeshReport report = reportOn(*cut);
+    QVERIFY(report.watertight());
+    const double whole = reportOn(surface().base->mesh()).signedVolume;
+    QVERIFY(std::abs(whole - report.signedVolume - removed()) < 0.02 * removed() + 0.01);
+    QVERIFY(cut->triangles != surface().base->mesh().triangles);
+}
+
+void WindowTest::anExportThatFailsSaysWhy() {
+    window_->exportTooth(QString::fromStdString((folder_ / "no such folder/cut.stl").string()));
+    QVERIFY(dismissMessage().contains("no such folder"));
+}
+
+void WindowTest::resetPutsEverythingBack() {
+    key(Qt::Key_R, Qt::ControlModifier);
+    QTRY_COMPARE_WITH_TIMEOUT(removed(), 0.0, 10000);
+    QCOMPARE(visibleMesh(surface()).mesh.triangles.size(), surface().base->mesh().triangles.size());
+    window_->findChild<QCheckBox*>("keepPedal")->setChecked(false);
+}
+
+void WindowTest::anotherBurIsTaken() {
+    const std::string before = window_->bench().bur()->name;
+    auto* burs = window_->findChild<QComboBox*>("burs");
+    burs->setFocus();
+    QTest::keyClick(burs, Qt::Key_Down);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->bench().bur()->name != before, 10000);
+    waitForTooth();
+}
+
+void WindowTest::openInDialog(const QString& file) {
+    key(Qt::Key_O, Qt::ControlModifier);
+    auto* dialog = window_->findChild<OpenToothDialog*>();
+    QVERIFY(dialog != nullptr);
+    auto* line = dialog->findChild<QLineEdit*>("outerSurface");
+    QTest::keyClicks(line, file);
+    QTest::keyClick(line, Qt::Key_Return);
+    QTRY_VERIFY(window_->findChild<OpenToothDialog*>() == nullptr);
+}
+
+void WindowTest::aToothIsOpenedFromAFile() {
+    const auto file = folder_ / "ball.stl";
+    QVERIFY(writeStl(test::sphere(Vec3(20, 0, 0), 5, 40, 30), file).has_value());
+    openInDialog(QString::fromStdString(file.string()));
+    QTRY_COMPARE_WITH_TIMEOUT(window_->bench().tooth()->name, std::string("ball.stl"), 30000);
+    waitForTooth();
+    QCOMPARE(dismissMessage(), QString());
+    pressBurOn(middle() + QPoint(0, 40));
+    QTRY_VERIFY_WITH_TIMEOUT(gauge("forceGauge") > 0.1, 10000);
+    liftBur(middle());
+}
+
+void WindowTest::unusableFilesAreRefusedWithASentenceAndTheToothStays_data() {
+    QTest::addColumn<QString>("file");
+    const auto add = [this](const char* name, const std::string& content) {
+        std::ofstream(folder_ / name, std::ios::binary) << content;
+        QTest::newRow(name) << QString::fromStdString((folder_ / name).string());
+    };
+    add("garbage.stl", "this is no surface at all");
+    add("empty.stl", "");
+    add("truncated.stl", std::string(80, ' ') + std::string("\x10\x27\0\0", 4) + std::string(75, 'x'));
+    const auto open = folder_ / "open.stl";
+    TriangleMesh box = test::box(Vec3::Zero(), Vec3::Ones());
+    box.triangles.pop_back();
+    QVERIFY(writeStl(box, open).has_value());
+    QTest::newRow("open surface") << QString::fromStdString(open.string());
+    QTest::newRow("directory") << QString::fromStdString(folder_.path().string());
+    QTest::newRow("missing") << QString::fromStdString((folder_ / "missing.stl").string());
+}
+
+void WindowTest::unusableFilesAreRefusedWithASentenceAndTheToothStays() {
+    QFETCH(QString, file);
+    const Surface* before = &surface();
+    openInDialog(file);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<QMessageBox*>() != nullptr, 30000);
+    const QString message = dismissMessage();
+    QVERIFY2(message.contains(file), qPrintable(message));
+    QCOMPARE(&surface(), before);
+    QCOMPARE(window_->bench().tooth()->name, std::string("ball.stl"));
+}
+
+void WindowTest::everyViewTurnsThePicture() {
+    QImage last = view().grabFramebuffer();
+    for (const Qt::Key view_ : {Qt::Key_1, Qt::Key_2, Qt::Key_3, Qt::Key_4, Qt::Key_5, Qt::Key_0}) {
+        key(view_);
+        const QImage now = view().grabFramebuffer();
+        QVERIFY(now != last);
+        last = now;
+    }
+}
+
+void WindowTest::theMirrorCanBePutAway() {
+    const QImage with = view().grabFramebuffer();
+    key(Qt::Key_M);
+    QVERIFY(view().grabFramebuffer() != with);
+    key(Qt::Key_M);
+}
+
+void WindowTest::cleanupTestCase() {
+    window_.reset();
+    sound_.reset();
+}
+
+bool WindowTest::saveScreenshot(const QString& file) {
+    openWindow();
+    waitForTooth();
+    window_->findChild<QCheckBox*>("keepPedal")->setChecked(true);
+    key(Qt::Key_C);
+    QTest::qWait(1500);
+    const QPoint start = middle() + QPoint(-18, 78);
+    pressBurOn(start);
+    QElapsedTimer since;
+    since.start();
+    for (double seconds = 0; seconds < 4; seconds = static_cast<double>(since.elapsed()) / 1000) {
+        QTest::mouseMove(&view(), start + QPoint(static_cast<int>(10 * seconds), static_cast<int>(-3 * seconds)));
+        QTest::qWait(50);
+    }
+    const bool saved = window_->grab().save(file);
+    cleanupTestCase();
+    return saved;
+}
+
+}  // namespace tactooth
+
+/// `window_tests --screenshot FILE.png` leaves a picture of the window instead of testing it.
+int main(int argc, char** argv) {
+    tactooth::prepareAudioLibraries();
+    tactooth::prepareWindowSystem();
+    QApplication application(argc, argv);
+    tactooth::applyLook(application);
+    tactooth::WindowTest test;
+    const QStringList arguments = QApplication::arguments();
+    if (arguments.value(1) == "--screenshot") return test.saveScreenshot(arguments.value(2)) ? 0 : 1;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "window_test.moc"
