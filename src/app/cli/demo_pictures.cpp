@@ -13,32 +13,62 @@ namespace tactooth {
 namespace {
 
 constexpr PictureSize kSize{1600, 1000};
-constexpr OrbitCamera::Direction kFromBuccalAndAbove{1.85, 0.78};  // rad: over the cheek, as an assistant looks
-constexpr double kShownAround = 6.5;                               // mm around the middle of the crown
 
-}  // namespace
+/// How a picture is taken.
+struct Shot {
+    OrbitCamera::Direction direction;  ///< rad
+    double around = 0;                 ///< mm around its subject that the picture shows
+    double above = 0;                  ///< mm from the subject up to the middle of the picture
+    double lift = 0;                   ///< mm by which the instrument is held above its place, along its axis
+};
 
-Camera demoCamera(const Box3& tooth) {
-    const Vec3 crown(tooth.center().x(), tooth.center().y(), tooth.max().z() - 1.5);
+Shot shotOf(DemoView view) {
+    switch (view) {
+        case DemoView::Touch:
+            return {.direction = {1.80, 0.62}, .around = 5.0, .above = 1.2};  // over the cheek, as an assistant looks
+        case DemoView::Cut:
+            return {.direction = {1.70, 1.02}, .around = 2.8, .lift = 9};  // as the dentist looks into the cavity
+    }
+    return {};
+}
+
+/// The middle of what has been cut, or the bur's tip where nothing has.
+Vec3 subjectOf(const Surface& tooth, const Tick& tick) {
+    Box3 cavity;
+    for (const auto& patch : tooth.patches) cavity.extend(patch->tree().box());
+    return cavity.isEmpty() ? tick.proxy.position : Vec3(cavity.center());
+}
+
+Camera cameraOf(const Shot& shot, const Vec3& subject) {
+    const Vec3 middle = subject + shot.above * Vec3::UnitZ();
     OrbitCamera camera;
-    camera.look(kFromBuccalAndAbove);
-    camera.fit(Box3(crown.array() - kShownAround, crown.array() + kShownAround),
-               static_cast<double>(kSize.width) / kSize.height);
+    camera.look(shot.direction);
+    camera.fit(Box3(middle.array() - shot.around, middle.array() + shot.around), kSize.aspect());
     return camera.camera();
 }
 
-Expected<void> writeDemoPicture(const std::filesystem::path& path, const std::shared_ptr<const Surface>& tooth,
-                                const DemoProps& props, const Tick& tick) {
+}  // namespace
+
+Expected<void> writeDemoPicture(const std::filesystem::path& path, DemoView view,
+                                const std::shared_ptr<const Surface>& tooth, const DemoProps& props,
+                                const Tick& tick) {
     Expected<OffscreenRenderer> renderer = OffscreenRenderer::create();
     if (!renderer) return Unexpected{renderer.error()};
+    const Shot shot = shotOf(view);
+    const Vec3 subject = subjectOf(*tooth, tick);
     SceneContents contents;
     contents.tooth = tooth;
     contents.materials = props.materials;
+    contents.camera = cameraOf(shot, subject);
     contents.tool = props.tool;
     contents.tool->toolInTooth = tick.proxy;
+    contents.tool->toolInTooth.position += tick.proxy.rotation * Vec3(0, 0, shot.lift);
     contents.tool->spin = std::fmod(tick.time * tick.speedRpm / 60, 1.0) * 2 * std::numbers::pi;
     contents.mirror = props.mirror;
-    contents.camera = demoCamera(tooth->base->tree().box());
+    if (contents.mirror) {
+        const Vec3 toEye = (contents.camera.cameraInWorld.position - subject).normalized();
+        contents.mirror->mirrorInTooth = parkedMirror(tooth->base->tree().box(), contents.mirror->disc, toEye);
+    }
     const Expected<Image> image = renderer->render(makeScene(contents), kSize);
     if (!image) return Unexpected{image.error()};
     return writePng(*image, path);

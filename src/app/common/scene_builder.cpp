@@ -86,9 +86,9 @@ Scene makeScene(const SceneContents& contents) {
 
 Pose parkedMirror(const Box3& tooth, const MirrorDisc& disc, const Vec3& toEye) {
     constexpr double kBehind = 8;      // mm between the tooth and the glass: room for a bur, and for a view into it
-    constexpr double kAbove = 4;       // mm from the crown's top up to the centre of the glass
+    constexpr double kAside = 6;       // mm to distal: beside the instrument, not behind it
     constexpr double kBelowTop = 3.5;  // mm from the crown's top down to the middle of its lingual side
-    const Vec3 centre(tooth.center().x(), tooth.min().y() - kBehind, tooth.max().z() + kAbove);
+    const Vec3 centre(tooth.center().x() - kAside, tooth.min().y() - kBehind, tooth.max().z() - kBelowTop);
     const Vec3 lingual(tooth.center().x(), tooth.min().y(), tooth.max().z() - kBelowTop);
     const Vec3 normal = ((lingual - centre).normalized() + toEye).normalized();
     // The frame's +x, where the handle leaves, as near to distal as the tilt of the glass allows.

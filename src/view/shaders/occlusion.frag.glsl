@@ -6,13 +6,14 @@ uniform sampler2D depthPicture;
 uniform mat4 clipToView;
 uniform float pixelsPerRadian;  // picture height / (2 tan(field of view / 2))
 uniform float reach;            // mm
+uniform vec4 region;            // first and last pixel that was drawn
 
 layout(location = 0) out float openness;
 
 const int kTaps = 14;
 
 vec3 viewPoint(ivec2 pixel) {
-    pixel = clamp(pixel, ivec2(0), textureSize(depthPicture, 0) - 1);
+    pixel = clamp(pixel, ivec2(region.xy), ivec2(region.zw));
     float depth = texelFetch(depthPicture, pixel, 0).r;
     vec2 place = (vec2(pixel) + 0.5) / vec2(textureSize(depthPicture, 0));
     vec4 view = clipToView * vec4(2.0 * vec3(place, depth) - 1.0, 1.0);
@@ -28,7 +29,7 @@ vec3 slope(vec3 here, vec3 before, vec3 after) {
 
 void main() {
     ivec2 pixel = 2 * ivec2(gl_FragCoord.xy);
-    if (texelFetch(depthPicture, min(pixel, textureSize(depthPicture, 0) - 1), 0).r >= 1.0) {
+    if (texelFetch(depthPicture, clamp(pixel, ivec2(region.xy), ivec2(region.zw)), 0).r >= 1.0) {
         openness = 1.0;
         return;
     }
