@@ -106,7 +106,8 @@ Expected<void> writeText(const fs::path& path, const std::string& text) {
 Expected<void> writeResults(const fs::path& folder, const Demonstration& played, const WorkPiece& piece,
                             const Cast& cast, double seconds) {
     const Tick& last = played.ticks.back();
-    if (auto done = writeDemoPicture(folder / "cut.png", DemoView::Cut, piece.surface(), cast.props, last); !done) return done;
+    if (auto done = writeDemoPicture(folder / "cut.png", DemoView::Cut, piece.surface(), cast.props, last); !done)
+        return done;
     if (auto done = writeForcePlot(folder / "forces.png", played.ticks); !done) return done;
     const auto samples = renderOffline(played.sound, seconds);
     if (!samples) return Unexpected{samples.error()};

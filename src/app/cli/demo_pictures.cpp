@@ -19,7 +19,7 @@ struct Shot {
     OrbitCamera::Direction direction;  ///< rad
     double around = 0;                 ///< mm around its subject that the picture shows
     double above = 0;                  ///< mm from the subject up to the middle of the picture
-    double lift = 0;                   ///< mm by which the instrument is held above its place, along its axis
+    bool tool = true;                  ///< whether the instrument is in the picture
 };
 
 Shot shotOf(DemoView view) {
@@ -27,7 +27,7 @@ Shot shotOf(DemoView view) {
         case DemoView::Touch:
             return {.direction = {1.80, 0.62}, .around = 5.0, .above = 1.2};  // over the cheek, as an assistant looks
         case DemoView::Cut:
-            return {.direction = {1.70, 1.02}, .around = 2.8, .lift = 9};  // as the dentist looks into the cavity
+            return {.direction = {1.70, 1.05}, .around = 2.3, .tool = false};  // as the dentist looks into the cavity
     }
     return {};
 }
@@ -50,8 +50,7 @@ Camera cameraOf(const Shot& shot, const Vec3& subject) {
 }  // namespace
 
 Expected<void> writeDemoPicture(const std::filesystem::path& path, DemoView view,
-                                const std::shared_ptr<const Surface>& tooth, const DemoProps& props,
-                                const Tick& tick) {
+                                const std::shared_ptr<const Surface>& tooth, const DemoProps& props, const Tick& tick) {
     Expected<OffscreenRenderer> renderer = OffscreenRenderer::create();
     if (!renderer) return Unexpected{renderer.error()};
     const Shot shot = shotOf(view);
@@ -60,10 +59,11 @@ Expected<void> writeDemoPicture(const std::filesystem::path& path, DemoView view
     contents.tooth = tooth;
     contents.materials = props.materials;
     contents.camera = cameraOf(shot, subject);
-    contents.tool = props.tool;
-    contents.tool->toolInTooth = tick.proxy;
-    contents.tool->toolInTooth.position += tick.proxy.rotation * Vec3(0, 0, shot.lift);
-    contents.tool->spin = std::fmod(tick.time * tick.speedRpm / 60, 1.0) * 2 * std::numbers::pi;
+    if (shot.tool) {
+        contents.tool = props.tool;
+        contents.tool->toolInTooth = tick.proxy;
+        contents.tool->spin = std::fmod(tick.time * tick.speedRpm / 60, 1.0) * 2 * std::numbers::pi;
+    }
     contents.mirror = props.mirror;
     if (contents.mirror) {
         const Vec3 toEye = (contents.camera.cameraInWorld.position - subject).normalized();

@@ -20,7 +20,7 @@ struct DemoProps {
 /// What a picture is of.
 enum class DemoView {
     Touch,  ///< the bur on the tooth, from the buccal side and above
-    Cut,    ///< the cavity, nearer and steeper, the instrument lifted out of its light
+    Cut,    ///< the cavity, nearer and steeper; the instrument, which would stand in its light, is taken away
 };
 
 /// Writes a picture (PNG, 1600 x 1000) of the tooth and the instrument at `tick`. Needs no display.

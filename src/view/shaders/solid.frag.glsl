@@ -3,10 +3,9 @@
 in vec3 worldPosition;
 in vec3 worldNormal;
 in vec3 objectPosition;
-flat in uint materialTag;
+in vec4 surfaceLook;
+in vec4 materialLook;
 
-uniform vec4 looks[2 * MAX_LOOKS];  // (linear colour, roughness), (metalness, translucency, wetness, grain)
-uniform int lookCount;
 uniform sampler3D grainTexture;
 uniform sampler2DShadow shadowMap;
 
@@ -73,13 +72,12 @@ vec2 environmentShare(float nv, float roughness) {
 }
 
 void main() {
-    int look = min(int(materialTag), lookCount - 1);
-    vec3 colour = looks[2 * look].rgb;
-    float roughness = looks[2 * look].a;
-    float metalness = looks[2 * look + 1].x;
-    float translucency = looks[2 * look + 1].y;
-    float wetness = looks[2 * look + 1].z;
-    float grain = looks[2 * look + 1].w;
+    vec3 colour = surfaceLook.rgb;
+    float roughness = surfaceLook.a;
+    float metalness = materialLook.x;
+    float translucency = materialLook.y;
+    float wetness = materialLook.z;
+    float grain = materialLook.w;
 
     vec3 toEye = normalize(eye.xyz - worldPosition);
     vec3 smoothNormal = normalize(worldNormal);
