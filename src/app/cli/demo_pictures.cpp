@@ -20,24 +20,28 @@ struct Shot {
     double around = 0;                 ///< mm around its subject that the picture shows
     double above = 0;                  ///< mm from the subject up to the middle of the picture
     bool tool = true;                  ///< whether the instrument is in the picture
+    bool loupeLamp = false;            ///< the light comes from near the eye and reaches the floor of a cavity
 };
 
 Shot shotOf(DemoView view) {
     switch (view) {
         case DemoView::Touch:
             return {.direction = {1.80, 0.62}, .around = 5.0, .above = 1.2};  // over the cheek, as an assistant looks
-        case DemoView::Cut:
-            return {.direction = {1.70, 1.05}, .around = 2.3, .tool = false};  // as the dentist looks into the cavity
+        case DemoView::Cut:  // as the dentist looks down into the cavity, by the lamp on the loupe
+            return {.direction = {1.65, 1.22}, .around = 1.55, .tool = false, .loupeLamp = true};
     }
     return {};
 }
 
-/// The middle of what has been cut, or the bur's tip where nothing has.
+/// The mouth of what has been cut, or the bur's tip where nothing has.
 Vec3 subjectOf(const Surface& tooth, const Tick& tick) {
     Box3 cavity;
     for (const auto& patch : tooth.patches) cavity.extend(patch->tree().box());
-    return cavity.isEmpty() ? tick.proxy.position : Vec3(cavity.center());
+    return cavity.isEmpty() ? tick.proxy.position : Vec3(cavity.center().x(), cavity.center().y(), cavity.max().z());
 }
+
+/// Towards a lamp 15 degrees above the eye and to its left: what it lights keeps a little shadow to show its depth.
+Vec3 loupeLamp(const Camera& camera) { return camera.cameraInWorld.rotation * Vec3(-0.19, 0.19, 0.96).normalized(); }
 
 Camera cameraOf(const Shot& shot, const Vec3& subject) {
     const Vec3 middle = subject + shot.above * Vec3::UnitZ();
@@ -69,7 +73,9 @@ Expected<void> writeDemoPicture(const std::filesystem::path& path, DemoView view
         const Vec3 toEye = (contents.camera.cameraInWorld.position - subject).normalized();
         contents.mirror->mirrorInTooth = parkedMirror(tooth->base->tree().box(), contents.mirror->disc, toEye);
     }
-    const Expected<Image> image = renderer->render(makeScene(contents), kSize);
+    Scene scene = makeScene(contents);
+    if (shot.loupeLamp) scene.lighting.toKey = loupeLamp(contents.camera);
+    const Expected<Image> image = renderer->render(scene, kSize);
     if (!image) return Unexpected{image.error()};
     return writePng(*image, path);
 }

@@ -126,7 +126,8 @@ void main() {
 
     // The room in metal, or sharp in the film with a soft share from the surface below it.
     vec3 reflected = reflect(-toEye, mix(filmNormal, normal, metalness));
-    vec3 room = environment(reflected, mix(0.08, roughness, metalness));
+    float blur = mix(0.08, roughness, metalness);
+    vec3 room = environment(reflected, blur) + metalness * bib(reflected, blur);
     vec2 share = environmentShare(nv, roughness);
     vec3 roomShare = f0 * share.x + share.y;
     vec3 softRoom = mix(groundColour.rgb, skyColour.rgb, reflected.z * 0.5 + 0.5);
