@@ -20,11 +20,13 @@ vec3 viewPoint(ivec2 pixel) {
     return view.xyz / view.w;
 }
 
-// The nearer neighbour on each side tells the surface's slope best: the other may lie behind an edge.
+// The nearer neighbour on each side tells the surface's slope best: the other may lie behind an edge. At the rim of the
+// region there is one neighbour only: the other is the point itself.
 vec3 slope(vec3 here, vec3 before, vec3 after) {
     vec3 a = here - before;
     vec3 b = after - here;
-    return abs(a.z) < abs(b.z) ? a : b;
+    if (a == vec3(0.0)) return b;
+    return abs(a.z) < abs(b.z) || b == vec3(0.0) ? a : b;
 }
 
 void main() {
