@@ -25,8 +25,8 @@ Look gingiva() {
 Look bone() {
     return {.colour = {0.88F, 0.83F, 0.72F}, .roughness = 0.7F, .translucency = 0.3F, .wetness = 0.1F, .grain = 0.6F};
 }
-Look steel() { return {.colour = {0.83F, 0.84F, 0.86F}, .roughness = 0.24F, .metalness = 1.0F, .grain = 0.05F}; }
-Look carbide() { return {.colour = {0.66F, 0.67F, 0.69F}, .roughness = 0.30F, .metalness = 1.0F, .grain = 0.1F}; }
+Look steel() { return {.colour = {0.83F, 0.84F, 0.86F}, .roughness = 0.14F, .metalness = 1.0F, .grain = 0.05F}; }
+Look carbide() { return {.colour = {0.74F, 0.75F, 0.77F}, .roughness = 0.20F, .metalness = 1.0F, .grain = 0.06F}; }
 Look diamond() { return {.colour = {0.60F, 0.59F, 0.57F}, .roughness = 0.5F, .metalness = 0.85F, .grain = 1.0F}; }
 
 }  // namespace tactooth::looks

@@ -26,7 +26,6 @@ std::pair<Vec3, Vec3> discAxes(const SceneMirror& mirror) {
 
 PixelRectangle coveredPixels(const SceneMirror& mirror, const Camera& camera, PictureSize size) {
     if (mirror.planeInWorld().signedDistance(camera.cameraInWorld.position) <= kGlassClearance) return {};
-    const PixelRectangle whole{Eigen::Vector2i::Zero(), Eigen::Vector2i(size.width, size.height)};
     const auto [right, up] = discAxes(mirror);
     const Vec3 centre = mirror.mirrorInWorld * mirror.centre;
     Eigen::AlignedBox2d box;
@@ -35,7 +34,7 @@ PixelRectangle coveredPixels(const SceneMirror& mirror, const Camera& camera, Pi
     for (int i = 0; i < 16; ++i) {
         const double angle = 2 * std::numbers::pi * i / 16;
         const auto pixel = project(camera, size, centre + outside * (std::cos(angle) * right + std::sin(angle) * up));
-        if (!pixel) return whole;
+        if (!pixel) return PixelRectangle::whole(size);
         box.extend(Vec2(pixel->x(), size.height - pixel->y()));
     }
     return {(box.min().array().floor().cwiseMax(0).cwiseMin(1e6)).cast<int>(),

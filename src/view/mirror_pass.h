@@ -7,15 +7,6 @@
 
 namespace tactooth {
 
-/// The rectangle of a picture from `low` (bottom left, OpenGL's pixel rows) up to, not including, `high`.
-struct PixelRectangle {
-    Eigen::Vector2i low = Eigen::Vector2i::Zero();
-    Eigen::Vector2i high = Eigen::Vector2i::Zero();
-
-    [[nodiscard]] bool empty() const { return (high.array() <= low.array()).any(); }
-    [[nodiscard]] Eigen::Vector2i extent() const { return high - low; }
-};
-
 /// The pixels that `mirror` can cover; empty if it is seen from behind or not at all.
 [[nodiscard]] PixelRectangle coveredPixels(const SceneMirror& mirror, const Camera& camera, PictureSize size);
 

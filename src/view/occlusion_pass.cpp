@@ -12,6 +12,17 @@ namespace {
 
 constexpr float kReach = 1.6F;  ///< mm: half the width of a molar's central fossa
 
+void scissor(const PixelRectangle& region) {
+    glScissor(region.low.x(), region.low.y(), region.extent().x(), region.extent().y());
+}
+
+/// The first and the last pixel of `region`, as the shaders clamp to them.
+Eigen::Vector4f corners(const PixelRectangle& region) {
+    Eigen::Vector4i corners;
+    corners << region.low, region.high.array() - 1;
+    return corners.cast<float>();
+}
+
 }  // namespace
 
 Expected<OcclusionPass> OcclusionPass::create() {
@@ -40,7 +51,7 @@ Expected<void> OcclusionPass::fitTo(PictureSize size) {
     return gl::checkErrors("preparing ambient occlusion");
 }
 
-Expected<void> OcclusionPass::apply(const RenderTarget& target, const Camera& camera) {
+Expected<void> OcclusionPass::apply(const RenderTarget& target, const PixelRectangle& region, const Camera& camera) {
     const PictureSize size = target.size();
     if (auto problem = fitTo(size); !problem) return problem;
     glDisable(GL_DEPTH_TEST);
@@ -53,7 +64,10 @@ Expected<void> OcclusionPass::apply(const RenderTarget& target, const Camera& ca
 
     glBindFramebuffer(GL_FRAMEBUFFER, opennessFramebuffer_.name());
     glViewport(0, 0, halfSize_.width, halfSize_.height);
+    glEnable(GL_SCISSOR_TEST);
+    scissor({region.low / 2, (region.high + Eigen::Vector2i::Ones()) / 2});
     measure_.use();
+    measure_.set("region", corners(region));
     measure_.set("depthPicture", 0);
     measure_.set("clipToView", Mat4(projectionMatrix(camera, size.aspect()).inverse()));
     measure_.set("pixelsPerRadian", static_cast<float>(size.height / (2 * std::tan(camera.fieldOfView / 2))));
@@ -63,7 +77,9 @@ Expected<void> OcclusionPass::apply(const RenderTarget& target, const Camera& ca
     glBindFramebuffer(GL_FRAMEBUFFER, colourFramebuffer_.name());
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target.colourTexture(), 0);
     glViewport(0, 0, size.width, size.height);
+    scissor(region);
     darken_.use();
+    darken_.set("region", corners(region));
     darken_.set("depthPicture", 0);
     darken_.set("opennessPicture", 1);
     darken_.set("depthRange",
@@ -72,6 +88,7 @@ Expected<void> OcclusionPass::apply(const RenderTarget& target, const Camera& ca
     glBlendFunc(GL_ZERO, GL_SRC_COLOR);
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glDisable(GL_BLEND);
+    glDisable(GL_SCISSOR_TEST);
     return {};
 }
 

@@ -12,8 +12,9 @@ namespace tactooth {
 class OcclusionPass {
 public:
     [[nodiscard]] static Expected<OcclusionPass> create();
-    /// Applies to the resolved textures of `target`, drawn with `camera`.
-    [[nodiscard]] Expected<void> apply(const RenderTarget& target, const Camera& camera);
+    /// Applies to `region` of the resolved textures of `target`, drawn with `camera`; the rest is neither read nor
+    /// written.
+    [[nodiscard]] Expected<void> apply(const RenderTarget& target, const PixelRectangle& region, const Camera& camera);
 
 private:
     [[nodiscard]] Expected<void> fitTo(PictureSize size);

@@ -17,7 +17,7 @@ constexpr std::uint32_t kFirstTriangles = 16384;
 PatchPool::PatchPool()
     : buffers_(kFirstVertices, kFirstTriangles), vertices_(kFirstVertices), triangles_(kFirstTriangles) {}
 
-void PatchPool::update(const Surface& surface, std::span<const Vec3f> baseNormals) {
+void PatchPool::update(const Surface& surface, const CornerShading& baseShading) {
     for (auto& [id, place] : places_) place.wanted = false;
     std::vector<const SurfacePart*> missing;
     for (const auto& patch : surface.patches) {
@@ -35,7 +35,7 @@ void PatchPool::update(const Surface& surface, std::span<const Vec3f> baseNormal
     lastUpload_ = 0;
     for (const SurfacePart* patch : missing) {
         if (patch->mesh().empty()) continue;
-        places_.emplace(patch->id(), upload(*patch, *surface.base, baseNormals));
+        places_.emplace(patch->id(), upload(*patch, *surface.base, baseShading));
         lastUpload_ += patch->mesh().triangles.size();
     }
     box_ = Box3();
@@ -43,8 +43,8 @@ void PatchPool::update(const Surface& surface, std::span<const Vec3f> baseNormal
 }
 
 PatchPool::Place PatchPool::upload(const SurfacePart& patch, const SurfacePart& base,
-                                   std::span<const Vec3f> baseNormals) {
-    ShadingMesh mesh = shadingMesh(patch.mesh(), patchNormals(patch, base, baseNormals), patch.tags());
+                                   const CornerShading& baseShading) {
+    ShadingMesh mesh = shadingMesh(patch.mesh(), patchShading(patch, base, baseShading));
     Place place;
     place.vertices = static_cast<std::uint32_t>(mesh.vertices.size());
     place.triangles = static_cast<std::uint32_t>(mesh.triangles.size());

@@ -16,8 +16,8 @@ class PatchPool {
 public:
     PatchPool();
 
-    /// Brings the pool in step with `surface`; `baseNormals` are the corner normals of its base.
-    void update(const Surface& surface, std::span<const Vec3f> baseNormals);
+    /// Brings the pool in step with `surface`; `baseShading` are the corner normals of its base.
+    void update(const Surface& surface, const CornerShading& baseShading);
     void draw(const ClusterCuller& culler);
     [[nodiscard]] const Box3& box() const { return box_; }
     /// Triangles uploaded by the last update.
@@ -33,7 +33,7 @@ private:
         Box3 box;
         bool wanted = true;
     };
-    [[nodiscard]] Place upload(const SurfacePart& patch, const SurfacePart& base, std::span<const Vec3f> baseNormals);
+    [[nodiscard]] Place upload(const SurfacePart& patch, const SurfacePart& base, const CornerShading& baseShading);
     void release(const Place& place);
     [[nodiscard]] std::uint32_t claimVertices(std::uint32_t count);
     [[nodiscard]] std::uint32_t claimTriangles(std::uint32_t count);

@@ -7,6 +7,16 @@
 
 namespace tactooth {
 
+/// The rectangle of a picture from `low` (bottom left, OpenGL's pixel rows) up to, not including, `high`.
+struct PixelRectangle {
+    Eigen::Vector2i low = Eigen::Vector2i::Zero();
+    Eigen::Vector2i high = Eigen::Vector2i::Zero();
+
+    [[nodiscard]] static PixelRectangle whole(PictureSize size) { return {{0, 0}, {size.width, size.height}}; }
+    [[nodiscard]] bool empty() const { return (high.array() <= low.array()).any(); }
+    [[nodiscard]] Eigen::Vector2i extent() const { return high - low; }
+};
+
 /// Colour and depth to draw into, readable as textures afterwards. With `samples` > 0 drawing goes to multisampled
 /// buffers, and `resolve` brings the means over into the textures.
 class RenderTarget {

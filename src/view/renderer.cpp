@@ -109,10 +109,10 @@ Expected<const RenderTarget*> Renderer::Parts::drawReflection(const Scene& scene
                cropped(view.worldToClip(), covered, size), settings.shadows, shadows);
     glDisable(GL_CLIP_DISTANCE0);
     (*target)->resolve();
-    if (settings.ambientOcclusion) {
-        if (const auto done = occlusion.apply(**target, scene.camera); !done) return Unexpected{done.error()};
-    }
     glDisable(GL_SCISSOR_TEST);
+    if (settings.ambientOcclusion) {
+        if (const auto done = occlusion.apply(**target, covered, scene.camera); !done) return Unexpected{done.error()};
+    }
     return target;
 }
 
@@ -125,7 +125,8 @@ Expected<void> Renderer::Parts::drawScene(const Scene& scene, const std::vector<
     solid.draw(drawables, view, frame, view.worldToClip(), settings.shadows, shadows);
     if (mirrored != nullptr) mirror.draw(*scene.mirror, frame, *mirrored);
     into.resolve();
-    return settings.ambientOcclusion ? occlusion.apply(into, scene.camera) : Expected<void>();
+    if (!settings.ambientOcclusion) return {};
+    return occlusion.apply(into, PixelRectangle::whole(into.size()), scene.camera);
 }
 
 Expected<Renderer> Renderer::create() {

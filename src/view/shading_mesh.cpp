@@ -50,35 +50,33 @@ std::vector<std::uint32_t> mortonOrder(const TriangleMesh& mesh) {
     return order;
 }
 
-/// Hands out one shading vertex for each position, normal and tag that is used, in order of first use.
+/// Hands out one shading vertex for each position, normal and mix of looks that is used, in order of first use.
 class VertexSplitter {
 public:
-    VertexSplitter(const TriangleMesh& mesh, std::span<const Vec3f> normals, std::span<const SurfaceTag> tags,
-                   std::vector<ShadingVertex>& out)
-        : mesh_(mesh), normals_(normals), tags_(tags), out_(out), first_(mesh.vertices.size(), kUnset) {
+    VertexSplitter(const TriangleMesh& mesh, const CornerShading& shading, std::vector<ShadingVertex>& out)
+        : mesh_(mesh), shading_(shading), out_(out), first_(mesh.vertices.size(), kUnset) {
         out_.reserve(mesh.vertices.size() + mesh.vertices.size() / 8);
         next_.reserve(out_.capacity());
     }
 
     std::uint32_t vertexFor(std::uint32_t triangle, std::size_t corner) {
         const std::uint32_t vertex = mesh_.triangles[triangle][corner];
-        const std::uint32_t normal = packNormal(normals_[3 * triangle + corner]);
-        const std::uint32_t tag = tags_.empty() ? 0U : tags_[triangle];
+        const std::uint32_t normal = packNormal(shading_.normals[3 * triangle + corner]);
+        const std::uint32_t looks = packLooks(shading_.looks[3 * triangle + corner]);
         std::uint32_t* link = &first_[vertex];
-        while (*link != kUnset && (out_[*link].normal != normal || out_[*link].tag != tag)) link = &next_[*link];
+        while (*link != kUnset && (out_[*link].normal != normal || out_[*link].looks != looks)) link = &next_[*link];
         if (*link != kUnset) return *link;
         const auto made = static_cast<std::uint32_t>(out_.size());
         *link = made;
         const Vec3f& position = mesh_.vertices[vertex];
-        out_.push_back({{position.x(), position.y(), position.z()}, normal, tag});
+        out_.push_back({{position.x(), position.y(), position.z()}, normal, looks});
         next_.push_back(kUnset);
         return made;
     }
 
 private:
     const TriangleMesh& mesh_;
-    std::span<const Vec3f> normals_;
-    std::span<const SurfaceTag> tags_;
+    const CornerShading& shading_;
     std::vector<ShadingVertex>& out_;
     std::vector<std::uint32_t> first_;  ///< of each mesh vertex, the first shading vertex made from it
     std::vector<std::uint32_t> next_;   ///< of each shading vertex, the next of the same mesh vertex
@@ -119,14 +117,18 @@ std::uint32_t packNormal(const Vec3f& normal) {
     return bits(0) | (bits(1) << 10U) | (bits(2) << 20U);
 }
 
-ShadingMesh shadingMesh(const TriangleMesh& mesh, std::span<const Vec3f> normals, std::span<const SurfaceTag> tags) {
-    assert(normals.size() == 3 * mesh.triangles.size());
+std::uint32_t packLooks(const LookMix& mix) {
+    return mix.first | (std::uint32_t{mix.second} << 8U) | (std::uint32_t{mix.share} << 16U);
+}
+
+ShadingMesh shadingMesh(const TriangleMesh& mesh, const CornerShading& shading) {
+    assert(shading.normals.size() == 3 * mesh.triangles.size() && shading.looks.size() == shading.normals.size());
     ShadingMesh result;
     result.box = boundingBox(mesh);
     result.triangles.resize(mesh.triangles.size());
     result.placeOfTriangle.resize(mesh.triangles.size());
     const std::vector<std::uint32_t> order = mortonOrder(mesh);
-    VertexSplitter splitter(mesh, normals, tags, result.vertices);
+    VertexSplitter splitter(mesh, shading, result.vertices);
     for (std::uint32_t place = 0; place < order.size(); ++place) {
         result.placeOfTriangle[order[place]] = place;
         for (std::size_t corner = 0; corner < 3; ++corner) {

@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <span>
-
 #include "collision/surface.h"
-#include "view/corner_normals.h"
+#include "view/corner_shading.h"
 
 namespace tactooth {
 
@@ -13,7 +11,7 @@ namespace tactooth {
 struct ShadingVertex {
     std::array<float, 3> position;  ///< object frame, mm
     std::uint32_t normal;           ///< unit, three signed 10-bit numbers (GL_INT_2_10_10_10_REV)
-    std::uint32_t tag;
+    std::uint32_t looks;            ///< a LookMix: first, second and share, a byte each from the lowest
 };
 
 /// A run of neighbouring triangles that is drawn or skipped as one.
@@ -36,11 +34,12 @@ struct ShadingMesh {
     Box3 box;  ///< object frame
 };
 
-/// `normals`: one a corner (cornerNormals); `tags`: one a triangle, or nothing.
-[[nodiscard]] ShadingMesh shadingMesh(const TriangleMesh& mesh, std::span<const Vec3f> normals,
-                                      std::span<const SurfaceTag> tags = {});
+/// `shading`: of the corners of `mesh` (cornerShading or patchShading).
+[[nodiscard]] ShadingMesh shadingMesh(const TriangleMesh& mesh, const CornerShading& shading);
 
 /// A unit vector in 3 x 10 bits.
 [[nodiscard]] std::uint32_t packNormal(const Vec3f& normal);
+/// As ShadingVertex::looks.
+[[nodiscard]] std::uint32_t packLooks(const LookMix& mix);
 
 }  // namespace tactooth

@@ -52,8 +52,8 @@ bool hasTriangles(const SceneShape& shape) {
 SurfaceBuffers::Prepared SurfaceBuffers::prepare(const SceneShape& shape) {
     assert(hasTriangles(shape));
     Prepared prepared;
-    prepared.normals = cornerNormals(meshOf(shape), tagsOf(shape));
-    prepared.mesh = shadingMesh(meshOf(shape), prepared.normals, tagsOf(shape));
+    prepared.shading = cornerShading(meshOf(shape), tagsOf(shape));
+    prepared.mesh = shadingMesh(meshOf(shape), prepared.shading);
     return prepared;
 }
 
@@ -61,7 +61,7 @@ SurfaceBuffers::SurfaceBuffers(const SceneShape& shape) : SurfaceBuffers(shape, 
 
 SurfaceBuffers::SurfaceBuffers(const SceneShape& shape, Prepared prepared)
     : shown_(shape),
-      normals_(std::move(prepared.normals)),
+      shading_(std::move(prepared.shading)),
       triangles_(std::move(prepared.mesh.triangles)),
       placeOfTriangle_(std::move(prepared.mesh.placeOfTriangle)),
       clusters_(std::move(prepared.mesh.clusters)),
@@ -86,7 +86,7 @@ bool SurfaceBuffers::update(const SceneShape& shape) {
     if (const auto* pointer = std::get_if<SurfacePointer>(&shape)) {
         const Surface& surface = **pointer;
         hide(surface.hidden != nullptr ? *surface.hidden : TriangleMask{});
-        patches_.update(surface, normals_);
+        patches_.update(surface, shading_);
         lastUpload_ += patches_.lastUpload();
     }
     shown_ = shape;

@@ -27,7 +27,7 @@ public:
 
 private:
     struct Prepared {
-        std::vector<Vec3f> normals;
+        CornerShading shading;
         ShadingMesh mesh;
     };
     [[nodiscard]] static Prepared prepare(const SceneShape& shape);
@@ -36,7 +36,7 @@ private:
 
     SceneShape shown_;  ///< held, so that its address names nothing else
     bool updated_ = false;
-    std::vector<Vec3f> normals_;       ///< one a corner of the base
+    CornerShading shading_;            ///< of the base
     std::vector<Triangle> triangles_;  ///< of the base in drawing order, none hidden
     std::vector<std::uint32_t> placeOfTriangle_;
     std::vector<TriangleCluster> clusters_;

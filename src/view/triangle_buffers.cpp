@@ -55,7 +55,7 @@ void TriangleBuffers::describeVertices() const {
     glEnableVertexAttribArray(1);
     glVertexAttribPointer(1, 4, GL_INT_2_10_10_10_REV, GL_TRUE, kStride, at(offsetof(ShadingVertex, normal)));
     glEnableVertexAttribArray(2);
-    glVertexAttribIPointer(2, 1, GL_UNSIGNED_INT, kStride, at(offsetof(ShadingVertex, tag)));
+    glVertexAttribIPointer(2, 1, GL_UNSIGNED_INT, kStride, at(offsetof(ShadingVertex, looks)));
     glBindVertexArray(0);
 }
 

@@ -120,6 +120,43 @@ TEST_F(MirrorTest, IsTrueWithManySamplesToo) {
     EXPECT_GT(expectTrueReflection(scene, {.samples = 4}, 0.6, 0.01), 2000U);
 }
 
+/// A white ball before the mirror, and the mirror anywhere in the picture: what it shows is lit like the ball itself.
+TEST_F(MirrorTest, ReflectedBodyIsAsBrightWhereverTheMirrorStandsInThePicture) {
+    const Vec3 eye(0, -20, 6);
+    const Vec3 place(0, 4, 1);
+    for (const Vec3& lookAt : {Vec3(0, 4, 1), Vec3(-4, 4, -2), Vec3(4, 4, -2), Vec3(-4, 4, 3), Vec3(4, 4, 3)}) {
+        Scene scene;
+        scene.objects = {objectOf(test::sphere(Vec3(0, -2, 0), 1.2, 64, 32), looks::enamel())};
+        scene.camera = cameraAt(eye, lookAt);
+        scene.mirror = mirrorBetween(place, eye, Vec3(0, -2, 0), 1.5);
+        scene.lighting.toKey = (place - Vec3(0, -2, 0)).normalized();  // on the side that the mirror sees
+        for (const RenderSettings& settings : {kQuick, kFine}) {
+            const Image image = draw(scene, settings);
+            const Vec2 middle = project(scene.camera, test::kTestSize, place).value();
+            double sum = 0;
+            for (int y = -3; y <= 3; ++y) {
+                for (int x = -3; x <= 3; ++x) {
+                    sum += image.at(static_cast<int>(middle.x()) + x, static_cast<int>(middle.y()) + y)[1];
+                }
+            }
+            EXPECT_GT(sum / 49, 170) << lookAt.transpose() << (settings == kFine ? " fine" : " quick");
+        }
+    }
+}
+
+TEST_F(MirrorTest, IsTrueWithDarkenedContactsToo) {
+    const Vec3 eye(4, -13, 8);
+    for (const Vec3& aside : {Vec3(0, 0, 0), Vec3(2.5, 0, -1.5), Vec3(-2.5, 0, 1.5)}) {
+        Scene scene;
+        scene.objects = bodies();
+        scene.camera = cameraAt(eye, Vec3(0.5, 4.5, 2.5) + aside);
+        scene.mirror = mirrorBetween(Vec3(0.5, 4.5, 2.5), eye, Vec3(0.3, 0.3, 0.8), 2);
+        // The half-size pixels of the darkening are not placed symmetrically.
+        EXPECT_GT(expectTrueReflection(scene, {.samples = 0, .ambientOcclusion = true}, 2.0, 0.03), 1500U)
+            << aside.transpose();
+    }
+}
+
 TEST_F(MirrorTest, NothingBehindTheGlassIsReflected) {
     // A red ball just behind the mirror: the mirrored eye looks straight through it.
     Scene scene;

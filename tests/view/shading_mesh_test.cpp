@@ -16,7 +16,7 @@ Vec3f positionOf(const ShadingMesh& mesh, std::uint32_t vertex) { return Vec3f(m
 
 TEST(ShadingMesh, EveryTriangleFindsItsPlace) {
     const TriangleMesh ball = test::sphere(Vec3(0, 1, 0), 4, 30, 20);
-    const ShadingMesh mesh = shadingMesh(ball, cornerNormals(ball));
+    const ShadingMesh mesh = shadingMesh(ball, cornerShading(ball));
     ASSERT_EQ(mesh.triangles.size(), ball.triangles.size());
     std::vector<bool> taken(ball.triangles.size());
     for (std::size_t t = 0; t < ball.triangles.size(); ++t) {
@@ -31,26 +31,29 @@ TEST(ShadingMesh, EveryTriangleFindsItsPlace) {
 
 TEST(ShadingMesh, SmoothMeshKeepsItsVertexCountAndABoxSplitsCorners) {
     const TriangleMesh ball = test::sphere(Vec3::Zero(), 4, 30, 20);
-    EXPECT_EQ(shadingMesh(ball, cornerNormals(ball)).vertices.size(), ball.vertices.size());
+    EXPECT_EQ(shadingMesh(ball, cornerShading(ball)).vertices.size(), ball.vertices.size());
     const TriangleMesh box = test::box(Vec3::Zero(), Vec3::Ones());
-    EXPECT_EQ(shadingMesh(box, cornerNormals(box)).vertices.size(), 24U);
+    EXPECT_EQ(shadingMesh(box, cornerShading(box)).vertices.size(), 24U);
 }
 
-TEST(ShadingMesh, TagsReachTheVerticesOfTheirTriangles) {
+TEST(ShadingMesh, LooksReachTheVerticesOfTheirTriangles) {
     const TriangleMesh ball = test::sphere(Vec3::Zero(), 4, 12, 6);
-    std::vector<SurfaceTag> tags(ball.triangles.size());
-    for (std::size_t t = 0; t < tags.size(); ++t) tags[t] = static_cast<SurfaceTag>(t % 3);
-    const ShadingMesh mesh = shadingMesh(ball, cornerNormals(ball, tags), tags);
-    for (std::size_t t = 0; t < tags.size(); ++t) {
-        for (const std::uint32_t vertex : mesh.triangles[mesh.placeOfTriangle[t]]) {
-            EXPECT_EQ(mesh.vertices[vertex].tag, tags[t]);
+    CornerShading shading = cornerShading(ball);
+    for (std::size_t corner = 0; corner < shading.looks.size(); ++corner) {
+        shading.looks[corner] = {static_cast<SurfaceTag>(corner % 3), 7, static_cast<std::uint8_t>(corner % 5)};
+    }
+    const ShadingMesh mesh = shadingMesh(ball, shading);
+    for (std::size_t t = 0; t < ball.triangles.size(); ++t) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            const ShadingVertex& vertex = mesh.vertices[mesh.triangles[mesh.placeOfTriangle[t]][c]];
+            EXPECT_EQ(vertex.looks, (3 * t + c) % 3 + 256 * 7 + 65536 * ((3 * t + c) % 5));
         }
     }
 }
 
 TEST(ShadingMesh, ClustersCoverAllTrianglesOnceAndHoldThem) {
     const TriangleMesh ball = test::sphere(Vec3::Zero(), 4, 60, 40);
-    const ShadingMesh mesh = shadingMesh(ball, cornerNormals(ball));
+    const ShadingMesh mesh = shadingMesh(ball, cornerShading(ball));
     std::uint32_t next = 0;
     for (const TriangleCluster& cluster : mesh.clusters) {
         EXPECT_EQ(cluster.firstTriangle, next);
@@ -78,7 +81,7 @@ TEST(ShadingMesh, PackedNormalsAreWithinATenthOfADegree) {
 
 TEST(ClusterCulling, NeverSkipsATriangleThatShows) {
     const TriangleMesh ball = test::sphere(Vec3::Zero(), 4, 160, 80);
-    const ShadingMesh mesh = shadingMesh(ball, cornerNormals(ball));
+    const ShadingMesh mesh = shadingMesh(ball, cornerShading(ball));
     Camera camera;
     camera.nearDistance = 0.5;
     for (const Vec3& eye : {Vec3(0, 0, 20), Vec3(9, 2, -3), Vec3(0, 4.3, 0.5)}) {
@@ -105,7 +108,7 @@ TEST(ClusterCulling, NeverSkipsATriangleThatShows) {
 
 TEST(ClusterCulling, ParallelViewSkipsTheFarSide) {
     const TriangleMesh ball = test::sphere(Vec3::Zero(), 1, 160, 80);
-    const ShadingMesh mesh = shadingMesh(ball, cornerNormals(ball));
+    const ShadingMesh mesh = shadingMesh(ball, cornerShading(ball));
     Mat4 flatten = Mat4::Identity() * 0.5;
     flatten(3, 3) = 1;
     const ClusterCuller culler(flatten, Eigen::Vector4d(0, 0, 1, 0), true);

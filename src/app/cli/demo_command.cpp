@@ -87,9 +87,6 @@ void castMirror(Cast& cast) {
     DentalMirror mirror = makeMirror();
     ShownMirror shown;
     shown.disc = mirror.disc;
-    const Box3 box = cast.tooth->outer()->tree().box();
-    const Camera camera = demoCamera(box);
-    shown.mirrorInTooth = parkedMirror(box, mirror.disc, (camera.cameraInWorld.position - box.center()).normalized());
     shown.mesh = std::make_shared<const TriangleMesh>(std::move(mirror.surface));
     cast.props.mirror = std::move(shown);
 }
@@ -109,7 +106,8 @@ Expected<void> writeText(const fs::path& path, const std::string& text) {
 Expected<void> writeResults(const fs::path& folder, const Demonstration& played, const WorkPiece& piece,
                             const Cast& cast, double seconds) {
     const Tick& last = played.ticks.back();
-    if (auto done = writeDemoPicture(folder / "cut.png", piece.surface(), cast.props, last); !done) return done;
+    if (auto done = writeDemoPicture(folder / "cut.png", DemoView::Cut, piece.surface(), cast.props, last); !done)
+        return done;
     if (auto done = writeForcePlot(folder / "forces.png", played.ticks); !done) return done;
     const auto samples = renderOffline(played.sound, seconds);
     if (!samples) return Unexpected{samples.error()};
@@ -154,7 +152,7 @@ int runDemo(const DemoOptions& options) {
     const Demonstration played = playDemonstration(piece, *cast.instrument, settings, options.seconds, progress);
     fmt::print("drawing, plotting, rendering the sound\n");
     const Tick& touch = played.ticks[played.touchTick];
-    if (const auto done = writeDemoPicture(options.out / "touch.png", uncut, cast.props, touch); !done)
+    if (const auto done = writeDemoPicture(options.out / "touch.png", DemoView::Touch, uncut, cast.props, touch); !done)
         return refuse(done.error());
     if (const auto done = writeResults(options.out, played, piece, cast, options.seconds); !done)
         return refuse(done.error());

@@ -13,33 +13,69 @@ namespace tactooth {
 namespace {
 
 constexpr PictureSize kSize{1600, 1000};
-constexpr OrbitCamera::Direction kFromBuccalAndAbove{1.85, 0.78};  // rad: over the cheek, as an assistant looks
-constexpr double kShownAround = 6.5;                               // mm around the middle of the crown
 
-}  // namespace
+/// How a picture is taken.
+struct Shot {
+    OrbitCamera::Direction direction;  ///< rad
+    double around = 0;                 ///< mm around its subject that the picture shows
+    double above = 0;                  ///< mm from the subject up to the middle of the picture
+    bool tool = true;                  ///< whether the instrument is in the picture
+    bool loupeLamp = false;            ///< the light comes from near the eye and reaches the floor of a cavity
+};
 
-Camera demoCamera(const Box3& tooth) {
-    const Vec3 crown(tooth.center().x(), tooth.center().y(), tooth.max().z() - 1.5);
+Shot shotOf(DemoView view) {
+    switch (view) {
+        case DemoView::Touch:
+            return {.direction = {1.80, 0.62}, .around = 5.0, .above = 1.2};  // over the cheek, as an assistant looks
+        case DemoView::Cut:  // as the dentist looks down into the cavity, by the lamp on the loupe
+            return {.direction = {1.65, 1.22}, .around = 1.75, .tool = false, .loupeLamp = true};
+    }
+    return {};
+}
+
+/// The mouth of what has been cut, or the bur's tip where nothing has.
+Vec3 subjectOf(const Surface& tooth, const Tick& tick) {
+    Box3 cavity;
+    for (const auto& patch : tooth.patches) cavity.extend(patch->tree().box());
+    return cavity.isEmpty() ? tick.proxy.position : Vec3(cavity.center().x(), cavity.center().y(), cavity.max().z());
+}
+
+/// Towards a lamp 15 degrees above the eye and to its left: what it lights keeps a little shadow to show its depth.
+Vec3 loupeLamp(const Camera& camera) { return camera.cameraInWorld.rotation * Vec3(-0.19, 0.19, 0.96).normalized(); }
+
+Camera cameraOf(const Shot& shot, const Vec3& subject) {
+    const Vec3 middle = subject + shot.above * Vec3::UnitZ();
     OrbitCamera camera;
-    camera.look(kFromBuccalAndAbove);
-    camera.fit(Box3(crown.array() - kShownAround, crown.array() + kShownAround),
-               static_cast<double>(kSize.width) / kSize.height);
+    camera.look(shot.direction);
+    camera.fit(Box3(middle.array() - shot.around, middle.array() + shot.around), kSize.aspect());
     return camera.camera();
 }
 
-Expected<void> writeDemoPicture(const std::filesystem::path& path, const std::shared_ptr<const Surface>& tooth,
-                                const DemoProps& props, const Tick& tick) {
+}  // namespace
+
+Expected<void> writeDemoPicture(const std::filesystem::path& path, DemoView view,
+                                const std::shared_ptr<const Surface>& tooth, const DemoProps& props, const Tick& tick) {
     Expected<OffscreenRenderer> renderer = OffscreenRenderer::create();
     if (!renderer) return Unexpected{renderer.error()};
+    const Shot shot = shotOf(view);
+    const Vec3 subject = subjectOf(*tooth, tick);
     SceneContents contents;
     contents.tooth = tooth;
     contents.materials = props.materials;
-    contents.tool = props.tool;
-    contents.tool->toolInTooth = tick.proxy;
-    contents.tool->spin = std::fmod(tick.time * tick.speedRpm / 60, 1.0) * 2 * std::numbers::pi;
+    contents.camera = cameraOf(shot, subject);
+    if (shot.tool) {
+        contents.tool = props.tool;
+        contents.tool->toolInTooth = tick.proxy;
+        contents.tool->spin = std::fmod(tick.time * tick.speedRpm / 60, 1.0) * 2 * std::numbers::pi;
+    }
     contents.mirror = props.mirror;
-    contents.camera = demoCamera(tooth->base->tree().box());
-    const Expected<Image> image = renderer->render(makeScene(contents), kSize);
+    if (contents.mirror) {
+        const Vec3 toEye = (contents.camera.cameraInWorld.position - subject).normalized();
+        contents.mirror->mirrorInTooth = parkedMirror(tooth->base->tree().box(), contents.mirror->disc, toEye);
+    }
+    Scene scene = makeScene(contents);
+    if (shot.loupeLamp) scene.lighting.toKey = loupeLamp(contents.camera);
+    const Expected<Image> image = renderer->render(scene, kSize);
     if (!image) return Unexpected{image.error()};
     return writePng(*image, path);
 }

@@ -12,16 +12,19 @@ namespace tactooth {
 
 /// What stays the same in all pictures of a demonstration.
 struct DemoProps {
-    ShownTool tool;  ///< its pose and spin are set for each picture
-    std::optional<ShownMirror> mirror;
+    ShownTool tool;                     ///< its pose and spin are set for each picture
+    std::optional<ShownMirror> mirror;  ///< its pose too
     MaterialTable materials;
 };
 
-/// Where the pictures are taken from: from the buccal side, over the crown.
-[[nodiscard]] Camera demoCamera(const Box3& tooth);
+/// What a picture is of.
+enum class DemoView {
+    Touch,  ///< the bur on the tooth, from the buccal side and above
+    Cut,    ///< the cavity, nearer and steeper; the instrument, which would stand in its light, is taken away
+};
 
 /// Writes a picture (PNG, 1600 x 1000) of the tooth and the instrument at `tick`. Needs no display.
-[[nodiscard]] Expected<void> writeDemoPicture(const std::filesystem::path& path,
+[[nodiscard]] Expected<void> writeDemoPicture(const std::filesystem::path& path, DemoView view,
                                               const std::shared_ptr<const Surface>& tooth, const DemoProps& props,
                                               const Tick& tick);
 

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/common/scene_builder.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace tactooth {
 namespace {
 
@@ -53,6 +56,27 @@ void addMirror(Scene& scene, const ShownMirror& mirror) {
                                .radius = mirror.disc.radius};
 }
 
+/// A mouth mirror throws the operating light on what it shows. That light takes the place of the weak fill light where
+/// it is the stronger: from the glass to the crown, by the share of the crown's surroundings that the glass takes up.
+void lightByMirror(Scene& scene, const Vec3& crown) {
+    const SceneMirror& mirror = *scene.mirror;
+    const Vec3 toGlass = mirror.mirrorInWorld * mirror.centre - crown;
+    const double distance2 = std::max(toGlass.squaredNorm(), 1e-6);
+    const double facing = std::max(0.0, -toGlass.dot(mirror.planeInWorld().normal) / std::sqrt(distance2));
+    const double filled = mirror.radius * mirror.radius / (mirror.radius * mirror.radius + distance2);
+    const Vec3f thrown = scene.lighting.keyColour * (mirror.reflectance * static_cast<float>(facing * filled));
+    if (thrown.sum() <= scene.lighting.fillColour.sum()) return;
+    scene.lighting.toFill = toGlass / std::sqrt(distance2);
+    scene.lighting.fillColour = thrown;
+}
+
+/// The middle of the top of the tooth's box: near enough to the crown of any tooth.
+Vec3 crownOf(const Surface& tooth) {
+    constexpr double kBelowTop = 3.5;  // mm: the middle of a crown's height
+    const Box3 box = tooth.base->tree().box();
+    return {box.center().x(), box.center().y(), box.max().z() - kBelowTop};
+}
+
 }  // namespace
 
 std::vector<Look> looksOf(const MaterialTable& materials) {
@@ -81,15 +105,15 @@ Scene makeScene(const SceneContents& contents) {
     }
     if (contents.tool) addTool(scene, *contents.tool);
     if (contents.mirror) addMirror(scene, *contents.mirror);
+    if (contents.mirror && contents.tooth != nullptr) lightByMirror(scene, crownOf(*contents.tooth));
     return scene;
 }
 
 Pose parkedMirror(const Box3& tooth, const MirrorDisc& disc, const Vec3& toEye) {
-    constexpr double kBehind = 7;      // mm between the tooth and the glass: room for a bur, and for a view into it
-    constexpr double kAbove = 3;       // mm from the crown's top up to the centre of the glass
+    constexpr double kBehind = 8;      // mm between the tooth and the glass: room for a bur, and for a view into it
+    constexpr double kAside = 6;       // mm to distal: beside the instrument, not behind it
     constexpr double kBelowTop = 3.5;  // mm from the crown's top down to the middle of its lingual side
-    constexpr double kAside = 9;       // mm to distal: the handpiece stands before the middle
-    const Vec3 centre(tooth.center().x() - kAside, tooth.min().y() - kBehind, tooth.max().z() + kAbove);
+    const Vec3 centre(tooth.center().x() - kAside, tooth.min().y() - kBehind, tooth.max().z() - kBelowTop);
     const Vec3 lingual(tooth.center().x(), tooth.min().y(), tooth.max().z() - kBelowTop);
     const Vec3 normal = ((lingual - centre).normalized() + toEye).normalized();
     // The frame's +x, where the handle leaves, as near to distal as the tilt of the glass allows.

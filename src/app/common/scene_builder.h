@@ -41,7 +41,7 @@ struct SceneContents {
 [[nodiscard]] Scene makeScene(const SceneContents& contents);
 
 /// Where a mirror stands that shows the lingual side of a tooth's crown to an eye in the direction `toEye` (unit):
-/// behind and above the crown, its handle leaving toward distal. `tooth` is the tooth's box.
+/// behind the crown and level with it, a little to distal, where its handle leaves. `tooth` is the tooth's box.
 [[nodiscard]] Pose parkedMirror(const Box3& tooth, const MirrorDisc& disc, const Vec3& toEye);
 
 }  // namespace tactooth

@@ -16,7 +16,7 @@ void main() {
     } else if (backgroundBottom.a > 0.5) {
         vec4 far = clipToWorld * vec4(2.0 * place - 1.0, 1.0, 1.0);
         vec3 direction = normalize(far.xyz / far.w - eye.xyz);
-        gridColour = vec4(toSrgb(compress(0.6 * environment(direction, 0.5))), 1.0);
+        gridColour = vec4(toSrgb(compress(0.6 * (environment(direction, 0.5) + bib(direction, 0.5)))), 1.0);
     } else {
         // Brightest a little below the middle, where the object stands; darker into the corners.
         vec2 fromMiddle = (place - vec2(0.5, 0.42)) * vec2(min(pictureSize.x * pictureSize.w, 1.6), 1.0);

@@ -6,29 +6,32 @@ uniform sampler2D depthPicture;
 uniform mat4 clipToView;
 uniform float pixelsPerRadian;  // picture height / (2 tan(field of view / 2))
 uniform float reach;            // mm
+uniform vec4 region;            // first and last pixel that was drawn
 
 layout(location = 0) out float openness;
 
 const int kTaps = 14;
 
 vec3 viewPoint(ivec2 pixel) {
-    pixel = clamp(pixel, ivec2(0), textureSize(depthPicture, 0) - 1);
+    pixel = clamp(pixel, ivec2(region.xy), ivec2(region.zw));
     float depth = texelFetch(depthPicture, pixel, 0).r;
     vec2 place = (vec2(pixel) + 0.5) / vec2(textureSize(depthPicture, 0));
     vec4 view = clipToView * vec4(2.0 * vec3(place, depth) - 1.0, 1.0);
     return view.xyz / view.w;
 }
 
-// The nearer neighbour on each side tells the surface's slope best: the other may lie behind an edge.
+// The nearer neighbour on each side tells the surface's slope best: the other may lie behind an edge. At the rim of the
+// region there is one neighbour only: the other is the point itself.
 vec3 slope(vec3 here, vec3 before, vec3 after) {
     vec3 a = here - before;
     vec3 b = after - here;
-    return abs(a.z) < abs(b.z) ? a : b;
+    if (a == vec3(0.0)) return b;
+    return abs(a.z) < abs(b.z) || b == vec3(0.0) ? a : b;
 }
 
 void main() {
     ivec2 pixel = 2 * ivec2(gl_FragCoord.xy);
-    if (texelFetch(depthPicture, min(pixel, textureSize(depthPicture, 0) - 1), 0).r >= 1.0) {
+    if (texelFetch(depthPicture, clamp(pixel, ivec2(region.xy), ivec2(region.zw)), 0).r >= 1.0) {
         openness = 1.0;
         return;
     }

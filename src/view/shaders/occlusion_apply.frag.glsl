@@ -4,11 +4,12 @@
 uniform sampler2D depthPicture;
 uniform sampler2D opennessPicture;
 uniform vec4 depthRange;  // near, far
+uniform vec4 region;      // first and last pixel that was drawn
 
 layout(location = 0) out vec4 factor;
 
 float distanceAt(ivec2 pixel) {
-    float depth = 2.0 * texelFetch(depthPicture, min(pixel, textureSize(depthPicture, 0) - 1), 0).r - 1.0;
+    float depth = 2.0 * texelFetch(depthPicture, clamp(pixel, ivec2(region.xy), ivec2(region.zw)), 0).r - 1.0;
     return 2.0 * depthRange.x * depthRange.y / (depthRange.y + depthRange.x - depth * (depthRange.y - depthRange.x));
 }
 
@@ -21,7 +22,7 @@ void main() {
     float weights = 1e-4;
     for (int y = 0; y < 4; ++y) {
         for (int x = 0; x < 4; ++x) {
-            ivec2 half_ = clamp(corner + ivec2(x, y), ivec2(0), textureSize(opennessPicture, 0) - 1);
+            ivec2 half_ = clamp(corner + ivec2(x, y), ivec2(region.xy) / 2, ivec2(region.zw) / 2);
             float weight = 1.0 / (0.02 + abs(distanceAt(2 * half_) - here) / (0.01 * here));
             sum += weight * texelFetch(opennessPicture, half_, 0).r;
             weights += weight;

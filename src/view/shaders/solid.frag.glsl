@@ -3,10 +3,9 @@
 in vec3 worldPosition;
 in vec3 worldNormal;
 in vec3 objectPosition;
-flat in uint materialTag;
+in vec4 surfaceLook;
+in vec4 materialLook;
 
-uniform vec4 looks[2 * MAX_LOOKS];  // (linear colour, roughness), (metalness, translucency, wetness, grain)
-uniform int lookCount;
 uniform sampler3D grainTexture;
 uniform sampler2DShadow shadowMap;
 
@@ -73,13 +72,12 @@ vec2 environmentShare(float nv, float roughness) {
 }
 
 void main() {
-    int look = min(int(materialTag), lookCount - 1);
-    vec3 colour = looks[2 * look].rgb;
-    float roughness = looks[2 * look].a;
-    float metalness = looks[2 * look + 1].x;
-    float translucency = looks[2 * look + 1].y;
-    float wetness = looks[2 * look + 1].z;
-    float grain = looks[2 * look + 1].w;
+    vec3 colour = surfaceLook.rgb;
+    float roughness = surfaceLook.a;
+    float metalness = materialLook.x;
+    float translucency = materialLook.y;
+    float wetness = materialLook.z;
+    float grain = materialLook.w;
 
     vec3 toEye = normalize(eye.xyz - worldPosition);
     vec3 smoothNormal = normalize(worldNormal);
@@ -128,7 +126,8 @@ void main() {
 
     // The room in metal, or sharp in the film with a soft share from the surface below it.
     vec3 reflected = reflect(-toEye, mix(filmNormal, normal, metalness));
-    vec3 room = environment(reflected, mix(0.08, roughness, metalness));
+    float blur = mix(0.08, roughness, metalness);
+    vec3 room = environment(reflected, blur) + metalness * bib(reflected, blur);
     vec2 share = environmentShare(nv, roughness);
     vec3 roomShare = f0 * share.x + share.y;
     vec3 softRoom = mix(groundColour.rgb, skyColour.rgb, reflected.z * 0.5 + 0.5);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-#include "view/corner_normals.h"
+#include "view/corner_shading.h"
 
 #include <algorithm>
 #include <array>
@@ -53,6 +53,37 @@ struct Facets {
     }
 };
 
+/// How much of each tag there is at a point.
+class TagShares {
+public:
+    void clear() { shares_.clear(); }
+    void add(SurfaceTag tag, float weight) {
+        const auto known = std::find_if(shares_.begin(), shares_.end(), [&](const auto& s) { return s.tag == tag; });
+        if (known != shares_.end()) {
+            known->weight += weight;
+        } else {
+            shares_.push_back({tag, weight});
+        }
+    }
+    [[nodiscard]] LookMix mix() {
+        std::sort(shares_.begin(), shares_.end(), [](const Share& a, const Share& b) {
+            return a.weight != b.weight ? a.weight > b.weight : a.tag < b.tag;
+        });
+        if (shares_.empty()) return {};
+        if (shares_.size() == 1) return {shares_[0].tag, shares_[0].tag, 0};
+        const float both = shares_[0].weight + shares_[1].weight;
+        const float share = both > 0 ? shares_[1].weight / both : 0;
+        return {shares_[0].tag, shares_[1].tag, static_cast<std::uint8_t>(std::lround(255 * share))};
+    }
+
+private:
+    struct Share {
+        SurfaceTag tag;
+        float weight;
+    };
+    std::vector<Share> shares_;
+};
+
 constexpr std::uint8_t kNoGroup = 255;
 constexpr std::uint8_t kMostGroups = 254;
 
@@ -63,9 +94,9 @@ public:
           facets_(facets),
           tags_(tags),
           groups_(3 * mesh.triangles.size(), kNoGroup),
-          normals_(3 * mesh.triangles.size()) {}
+          shading_{std::vector<Vec3f>(3 * mesh.triangles.size()), std::vector<LookMix>(3 * mesh.triangles.size())} {}
 
-    [[nodiscard]] std::vector<Vec3f> takeNormals() { return std::move(normals_); }
+    [[nodiscard]] CornerShading takeShading() { return std::move(shading_); }
 
     void group(std::span<const std::uint32_t> corners) {
         std::uint8_t groups = 0;
@@ -74,7 +105,7 @@ public:
             flood(corners, corners[i], groups);
             if (groups < kMostGroups) ++groups;
         }
-        for (std::uint8_t g = 0; g < groups; ++g) setNormal(corners, g);
+        for (std::uint8_t g = 0; g < groups; ++g) shade(corners, g);
     }
 
 private:
@@ -96,7 +127,6 @@ private:
     [[nodiscard]] bool smooth(std::uint32_t a, std::uint32_t b) const {
         const std::uint32_t ta = a / 3;
         const std::uint32_t tb = b / 3;
-        if (!tags_.empty() && tags_[ta] != tags_[tb]) return false;
         const Triangle& left = mesh_.triangles[ta];
         const Triangle& right = mesh_.triangles[tb];
         const std::uint32_t after = left[(a + 1 - 3 * ta) % 3];
@@ -106,14 +136,20 @@ private:
         return shareAnEdge && facets_.normals[ta].dot(facets_.normals[tb]) >= kCreaseCosine;
     }
 
-    void setNormal(std::span<const std::uint32_t> corners, std::uint8_t group) {
+    void shade(std::span<const std::uint32_t> corners, std::uint8_t group) {
         Vec3f sum = Vec3f::Zero();
+        shares_.clear();
         for (const std::uint32_t corner : corners) {
-            if (groups_[corner] == group) sum += facets_.angles[corner] * facets_.normals[corner / 3];
+            if (groups_[corner] != group) continue;
+            sum += facets_.angles[corner] * facets_.normals[corner / 3];
+            shares_.add(tags_.empty() ? SurfaceTag{0} : tags_[corner / 3], facets_.angles[corner]);
         }
         const Vec3f normal = sum.squaredNorm() > 0 ? sum.normalized().eval() : Vec3f::UnitZ().eval();
+        const LookMix mix = shares_.mix();
         for (const std::uint32_t corner : corners) {
-            if (groups_[corner] == group) normals_[corner] = normal;
+            if (groups_[corner] != group) continue;
+            shading_.normals[corner] = normal;
+            shading_.looks[corner] = mix;
         }
     }
 
@@ -121,7 +157,8 @@ private:
     const Facets& facets_;
     std::span<const SurfaceTag> tags_;
     std::vector<std::uint8_t> groups_;  ///< numbers the groups of each vertex from 0, one entry a corner
-    std::vector<Vec3f> normals_;
+    CornerShading shading_;
+    TagShares shares_;
     std::vector<std::uint32_t> front_;
 };
 
@@ -141,42 +178,55 @@ std::optional<std::uint32_t> baseTriangle(const TriangleMesh& patch, std::uint32
     return nearest->triangle;
 }
 
-/// The shading normal of base triangle `t` at `point`, which lies on it.
-Vec3f interpolated(const TriangleMesh& base, std::span<const Vec3f> baseNormals, std::uint32_t t, const Vec3& point) {
+/// A corner of a patch: its normal and its looks.
+struct Corner {
+    Vec3f normal;
+    LookMix mix;
+};
+
+/// The shading of base triangle `t` at `point`, which lies on it.
+Corner interpolated(const TriangleMesh& base, const CornerShading& shading, std::uint32_t t, const Vec3& point) {
     const Vec3 area = base.areaVector(t);
     Vec3f sum = Vec3f::Zero();
-    for (int corner = 0; corner < 3; ++corner) {
+    TagShares shares;
+    for (std::uint32_t corner = 0; corner < 3; ++corner) {
         const Vec3 a = base.corner(t, (corner + 1) % 3) - point;
         const Vec3 b = base.corner(t, (corner + 2) % 3) - point;
-        const double weight = std::max(0.0, a.cross(b).dot(area) / area.squaredNorm());
-        sum += static_cast<float>(weight) * baseNormals[3 * t + static_cast<std::uint32_t>(corner)];
+        const auto weight = static_cast<float>(std::max(0.0, a.cross(b).dot(area) / area.squaredNorm()));
+        sum += weight * shading.normals[3 * t + corner];
+        const LookMix& mix = shading.looks[3 * t + corner];
+        const float second = static_cast<float>(mix.share) / 255;
+        shares.add(mix.first, weight * (1 - second));
+        if (mix.share > 0) shares.add(mix.second, weight * second);
     }
-    return sum.stableNormalized();
+    return {sum.stableNormalized(), shares.mix()};
 }
 
 }  // namespace
 
-std::vector<Vec3f> cornerNormals(const TriangleMesh& mesh, std::span<const SurfaceTag> tags) {
+CornerShading cornerShading(const TriangleMesh& mesh, std::span<const SurfaceTag> tags) {
     assert(tags.empty() || tags.size() == mesh.triangles.size());
     const Facets facets(mesh);
     const CornersOfVertex cornersOfVertex(mesh);
     VertexGrouping grouping(mesh, facets, tags);
     for (std::size_t vertex = 0; vertex < mesh.vertices.size(); ++vertex) grouping.group(cornersOfVertex.of(vertex));
-    return grouping.takeNormals();
+    return grouping.takeShading();
 }
 
-std::vector<Vec3f> patchNormals(const SurfacePart& patch, const SurfacePart& base, std::span<const Vec3f> baseNormals) {
+CornerShading patchShading(const SurfacePart& patch, const SurfacePart& base, const CornerShading& baseShading) {
     const TriangleMesh& mesh = patch.mesh();
-    std::vector<Vec3f> normals = cornerNormals(mesh, patch.tags());
+    CornerShading shading = cornerShading(mesh, patch.tags());
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
         const auto carriedOn = baseTriangle(mesh, t, base);
         if (!carriedOn) continue;
-        for (int corner = 0; corner < 3; ++corner) {
-            normals[3 * t + static_cast<std::uint32_t>(corner)] =
-                interpolated(base.mesh(), baseNormals, *carriedOn, mesh.corner(t, corner));
+        for (std::uint32_t c = 0; c < 3; ++c) {
+            const Corner corner =
+                interpolated(base.mesh(), baseShading, *carriedOn, mesh.corner(t, static_cast<int>(c)));
+            shading.normals[3 * t + c] = corner.normal;
+            shading.looks[3 * t + c] = corner.mix;
         }
     }
-    return normals;
+    return shading;
 }
 
 }  // namespace tactooth
