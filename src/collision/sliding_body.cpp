@@ -296,6 +296,10 @@ void SlidingBody::accept(const Attempt& attempt, MoveResult& result) {
 
 MoveResult SlidingBody::moveToward(const Pose& goal) {
     MoveResult result;
+    if (!(tool_->radius() > 0)) {  // nothing that could touch
+        placeAt(goal);
+        return result;
+    }
     distances_ = 0;
     const double position = std::max(goal.position.cwiseAbs().maxCoeff(), pose_.position.cwiseAbs().maxCoeff());
     margin_ = kMarginOfRadius * tool_->radius() + kMarginOfPosition * position;
