@@ -20,6 +20,8 @@ namespace {
 constexpr std::size_t kFirstCapacity = 4096;
 constexpr int kMaxMoves = 64;  // moves of a few rounds each until a pulled-out tool has settled
 constexpr std::size_t kMaxNormals = 6;
+constexpr double kClearance =
+    3e-5;  // of the tool's radius (0.1 um for a 6 mm bur): "free" means this much further, too
 constexpr double kSameDirection = 0.97;  // cosine of 14 degrees: nearer candidates end in the same place
 
 /// Keeps `direction` unless a like one is there already.
@@ -148,6 +150,37 @@ void ContactQuery::keepShorter(const Pose& toolInTooth, const Pose& start, Conta
     best.part = firmest->part;
     best.tooth = firmest->tooth;
     freePose_ = body_.pose();
+    away_.setZero();
+    for (int i = 0; i < move.contactCount; ++i) away_ += move.contacts[i].normal;
+}
+
+/// Whether the tool is free at this distance, and still is a little further on.
+bool ContactQuery::leaves(const Pose& toolInTooth, const Vec3& direction, double distance) {
+    const double further = distance + kClearance * tool_->radius();
+    return isFree({toolInTooth.position + distance * direction, toolInTooth.rotation}) &&
+           isFree({toolInTooth.position + further * direction, toolInTooth.rotation});
+}
+
+/// In a narrow fissure the nearest free pose may lie against a wall that the way out runs into: the tool is free there,
+/// but not a hair's breadth beyond. Then the way out is bent away from what holds it, as little as frees it for good.
+void ContactQuery::makeRoomBeyond(const Pose& toolInTooth, Contact& best) {
+    if (leaves(toolInTooth, best.normal, best.depth)) return;
+    for (double bend = 2 * kClearance * tool_->radius(); bend < best.depth; bend *= 2) {
+        const Vec3 out = best.depth * best.normal + bend * away_;
+        const Vec3 direction = out.normalized();
+        double clear = out.norm();
+        double blocked = 0;
+        if (!leaves(toolInTooth, direction, clear)) continue;
+        while (clear - blocked > 1e-3 * kClearance * tool_->radius()) {
+            const double middle = (clear + blocked) / 2;
+            (isFree({toolInTooth.position + middle * direction, toolInTooth.rotation}) ? clear : blocked) = middle;
+        }
+        if (!leaves(toolInTooth, direction, clear)) continue;
+        best.depth = clear;
+        best.normal = direction;
+        freePose_.position = toolInTooth.position + clear * direction;
+        return;
+    }
 }
 
 Contact ContactQuery::at(const Pose& toolInTooth) {
@@ -163,6 +196,7 @@ Contact ContactQuery::at(const Pose& toolInTooth) {
         if (const std::optional<Pose> start = pullOut(toolInTooth, direction, limit))
             keepShorter(toolInTooth, *start, result);
     }
+    if (result.depth > 0) makeRoomBeyond(toolInTooth, result);
     return result;
 }
 
