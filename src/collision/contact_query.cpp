@@ -161,26 +161,41 @@ bool ContactQuery::leaves(const Pose& toolInTooth, const Vec3& direction, double
            isFree({toolInTooth.position + further * direction, toolInTooth.rotation});
 }
 
+/// The least distance along `direction` found free, starting from `clear`, which is: a little less is not.
+double ContactQuery::leastAlong(const Pose& toolInTooth, const Vec3& direction, double clear) {
+    constexpr int kPockets = 8;  // of free space on the way that may be met and left again
+    const double little = kClearance * tool_->radius();
+    const auto freeAt = [&](double distance) {
+        return isFree({toolInTooth.position + distance * direction, toolInTooth.rotation});
+    };
+    for (int pocket = 0; pocket < kPockets && clear > little && freeAt(clear - little); ++pocket) {
+        clear -= little;
+        double blocked = 0;
+        while (clear - blocked > 1e-3 * little) {
+            const double middle = (clear + blocked) / 2;
+            (freeAt(middle) ? clear : blocked) = middle;
+        }
+    }
+    return clear;
+}
+
 /// In a narrow fissure the nearest free pose may lie against a wall that the way out runs into: the tool is free there,
 /// but not a hair's breadth beyond. Then the way out is bent away from what holds it, as little as frees it for good.
-void ContactQuery::makeRoomBeyond(const Pose& toolInTooth, Contact& best) {
-    if (leaves(toolInTooth, best.normal, best.depth)) return;
-    for (double bend = 2 * kClearance * tool_->radius(); bend < best.depth; bend *= 2) {
-        const Vec3 out = best.depth * best.normal + bend * away_;
-        const Vec3 direction = out.normalized();
-        double clear = out.norm();
-        double blocked = 0;
-        if (!leaves(toolInTooth, direction, clear)) continue;
-        while (clear - blocked > 1e-3 * kClearance * tool_->radius()) {
-            const double middle = (clear + blocked) / 2;
-            (isFree({toolInTooth.position + middle * direction, toolInTooth.rotation}) ? clear : blocked) = middle;
-        }
-        if (!leaves(toolInTooth, direction, clear)) continue;
-        best.depth = clear;
-        best.normal = direction;
-        freePose_.position = toolInTooth.position + clear * direction;
-        return;
+void ContactQuery::straighten(const Pose& toolInTooth, Contact& best) {
+    const Contact found = best;
+    Vec3 direction = found.normal;
+    double distance = leastAlong(toolInTooth, direction, found.depth);
+    for (double bend = 2 * kClearance * tool_->radius();
+         !leaves(toolInTooth, direction, distance) && bend < found.depth; bend *= 2) {
+        const Vec3 out = found.depth * found.normal + bend * away_;
+        direction = out.normalized();
+        distance = out.norm();
+        if (leaves(toolInTooth, direction, distance)) distance = leastAlong(toolInTooth, direction, distance);
     }
+    if (!leaves(toolInTooth, direction, distance)) return;
+    best.depth = distance;
+    best.normal = direction;
+    freePose_.position = toolInTooth.position + distance * direction;
 }
 
 Contact ContactQuery::at(const Pose& toolInTooth) {
@@ -196,7 +211,7 @@ Contact ContactQuery::at(const Pose& toolInTooth) {
         if (const std::optional<Pose> start = pullOut(toolInTooth, direction, limit))
             keepShorter(toolInTooth, *start, result);
     }
-    if (result.depth > 0) makeRoomBeyond(toolInTooth, result);
+    if (result.depth > 0) straighten(toolInTooth, result);
     return result;
 }
 

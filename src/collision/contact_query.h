@@ -58,7 +58,8 @@ private:
     [[nodiscard]] std::vector<Vec3> waysOut(const Pose& toolInTooth, const Overlap& overlap) const;
     [[nodiscard]] std::optional<Pose> pullOut(const Pose& toolInTooth, const Vec3& direction, double limit);
     [[nodiscard]] bool leaves(const Pose& toolInTooth, const Vec3& direction, double distance);
-    void makeRoomBeyond(const Pose& toolInTooth, Contact& best);
+    [[nodiscard]] double leastAlong(const Pose& toolInTooth, const Vec3& direction, double clear);
+    void straighten(const Pose& toolInTooth, Contact& best);
     void keepShorter(const Pose& toolInTooth, const Pose& start, Contact& best);
 
     std::shared_ptr<const ToolShape> tool_;

@@ -34,6 +34,7 @@ Box8 boxesOf(const AabbTree::Node& node) { return {Vec3x8::load(node.low), Vec3x
 struct Spilled {
     float low[3][8], high[3][8];
 
+    Spilled() = default;
     explicit Spilled(const Box8& boxes) {
         boxes.low.x.store(low[0]), boxes.low.y.store(low[1]), boxes.low.z.store(low[2]);
         boxes.high.x.store(high[0]), boxes.high.y.store(high[1]), boxes.high.z.store(high[2]);
@@ -44,15 +45,13 @@ struct Spilled {
 };
 
 /// The box of eight boxes, grown.
-Boxf wholeOf(const Box8& boxes, float grow) {
-    const Spilled eight(boxes);
+Boxf wholeOf(const Spilled& boxes, float grow) {
     Boxf whole;
     for (int axis = 0; axis < 3; ++axis) {
-        float low = eight.low[axis][0];
-        float high = eight.high[axis][0];
-        for (int i = 1; i < 8; ++i) low = std::min(low, eight.low[axis][i]), high = std::max(high, eight.high[axis][i]);
-        whole.low[axis] = low - grow;
-        whole.high[axis] = high + grow;
+        const auto& low = boxes.low[axis];
+        const auto& high = boxes.high[axis];
+        whole.low[axis] = *std::min_element(low, low + 8) - grow;
+        whole.high[axis] = *std::max_element(high, high + 8) + grow;
     }
     return whole;
 }
@@ -63,8 +62,10 @@ struct TurnedLeaf {
     std::uint32_t present;  // one bit for each triangle that is there
     Vec3x8 corner[3];
     Vec3x8 normal;
-    Box8 box;    // of each triangle
-    Boxf whole;  // grown by the reach
+    Box8 box;                 // of each triangle
+    Spilled spilled;          // the same
+    float normalLanes[3][8];  // of each triangle
+    Boxf whole;               // grown by the reach
 };
 
 /// Signed widths of the slabs between eight pairs of triangles along one normal a pair; at most one is positive.
@@ -137,16 +138,14 @@ private:
     /// Tooth node against the part of the tool that `front` names.
     void descend(const AabbTree::Node& node, Front front) {
         const Spilled boxes(turned(node));
-        for (int i = 0; i < AabbTree::kWidth; ++i) {
-            if (!(node.low[0][i] <= node.high[0][i])) return;  // absent, and so are those after it
+        for (int i = 0; i < AabbTree::kWidth && node.low[0][i] <= node.high[0][i] && complete_; ++i) {
             const std::size_t mark = used_;
             const Front near = narrowed(front, boxes.pick(i));
-            if (!near.empty() && complete_) {
-                if (node.child[i].isLeaf()) {
-                    meetLeaf(node.child[i], near);
-                } else {
-                    descend(toothTree_->node(node.child[i]), near);
-                }
+            if (near.empty()) continue;
+            if (node.child[i].isLeaf()) {
+                meetLeaf(node.child[i], near);
+            } else {
+                descend(toothTree_->node(node.child[i]), near);
             }
             used_ = mark;
         }
@@ -197,7 +196,11 @@ private:
         const Vec3x8 c = result.corner[2] = turn_.point(Vec3x8::load(leaf.corner[2]));
         result.box = {min(min(a, b), c), max(max(a, b), c)};
         result.normal = unitNormals(result.corner);
-        result.whole = wholeOf(result.box, reach_ + slack_);
+        result.spilled = Spilled(result.box);
+        result.normal.x.store(result.normalLanes[0]);
+        result.normal.y.store(result.normalLanes[1]);
+        result.normal.z.store(result.normalLanes[2]);
+        result.whole = wholeOf(result.spilled, reach_ + slack_);
         return result;
     }
 
@@ -253,10 +256,10 @@ private:
         const Slabs byTooth = slabs(tooth.normal, tooth.corner, min(min(a, b), c), max(max(a, b), c));
         hits &= lessEqual(byTooth.width(), reach);
         if (hits == 0) return;
-        const Candidates candidates(byTool, byTooth, byBoxes, toolNormal, tooth.normal, gap);
+        const Widths widths(byTool, byTooth, byBoxes);
         for (; hits != 0; hits &= hits - 1) {
             const int i = std::countr_zero(hits);
-            write(tooth.leaf->triangle[i], toolLeaf.triangle[k], candidates, i);
+            write({part_, tooth.leaf->triangle[i], toolLeaf.triangle[k], 0, {}}, widths, tooth, faces, i, k);
         }
     }
 
@@ -271,43 +274,46 @@ private:
     }
 
     /// What was found for eight pairs, spilled to memory so that one can be picked.
-    struct Candidates {
+    struct Widths {
         float toolFront[8], toolBehind[8], toothFront[8], toothBehind[8], boxes[8];
-        float toolNormal[3][8], toothNormal[3][8], gap[3][8];
 
-        Candidates(const Slabs& byTool, const Slabs& byTooth, Float8 byBoxes, const Vec3x8& tool, const Vec3x8& tooth,
-                   const Vec3x8& between) {
+        Widths(const Slabs& byTool, const Slabs& byTooth, Float8 byBoxes) {
             byTool.toolInFront.store(toolFront), byTool.toolBehind.store(toolBehind);
             byTooth.toolInFront.store(toothFront), byTooth.toolBehind.store(toothBehind);
             byBoxes.store(boxes);
-            store(tool, toolNormal), store(tooth, toothNormal), store(between, gap);
-        }
-        static void store(const Vec3x8& from, float (&to)[3][8]) {
-            from.x.store(to[0]), from.y.store(to[1]), from.z.store(to[2]);
         }
     };
 
-    void write(std::uint32_t toothTriangle, std::uint32_t toolTriangle, const Candidates& from, int i) {
-        if (hidden_ != nullptr && isHidden(*hidden_, toothTriangle)) return;
+    /// Gap between the boxes of the tooth's triangle `i` and the tool's triangle `k` along one axis, signed.
+    static float boxGap(const Spilled& tooth, const ToolShape::Faces& faces, int axis, int i, int k) {
+        return std::max(faces.low[axis][k] - tooth.high[axis][i], 0.0F) -
+               std::max(tooth.low[axis][i] - faces.high[axis][k], 0.0F);
+    }
+
+    /// Writes the pair with the widest of its slabs.
+    void write(NearPair pair, const Widths& widths, const TurnedLeaf& tooth, const ToolShape::Faces& faces, int i,
+               int k) {
+        if (hidden_ != nullptr && isHidden(*hidden_, pair.tooth)) return;
         if (count_ == out_.size()) {
             complete_ = false;
             return;
         }
-        float width = from.boxes[i];
-        float scale = width > 0 ? 1 / width : 0;
-        const float(*normal)[8] = from.gap;
-        const auto consider = [&](float other, float sign, const float(&along)[3][8]) {
-            if (other > width) width = other, scale = sign, normal = along;
-        };
-        consider(from.toolFront[i], 1, from.toolNormal);
-        consider(from.toolBehind[i], -1, from.toolNormal);
-        consider(from.toothFront[i], 1, from.toothNormal);
-        consider(from.toothBehind[i], -1, from.toothNormal);
-        out_[count_++] = {part_,
-                          toothTriangle,
-                          toolTriangle,
-                          std::max(width - slack_, 0.0F),
-                          {scale * normal[0][i], scale * normal[1][i], scale * normal[2][i]}};
+        const float byTool = std::max(widths.toolFront[i], widths.toolBehind[i]);
+        const float byTooth = std::max(widths.toothFront[i], widths.toothBehind[i]);
+        const float widest = std::max({byTool, byTooth, widths.boxes[i]});
+        for (int axis = 0; axis < 3; ++axis) {
+            if (widest == byTool) {
+                pair.normal[axis] =
+                    std::copysign(1.0F, widths.toolFront[i] - widths.toolBehind[i]) * faces.normal[axis][k];
+            } else if (widest == byTooth) {
+                pair.normal[axis] =
+                    std::copysign(1.0F, widths.toothFront[i] - widths.toothBehind[i]) * tooth.normalLanes[axis][i];
+            } else {
+                pair.normal[axis] = boxGap(tooth.spilled, faces, axis, i, k) / widest;
+            }
+        }
+        pair.distanceAtLeast = std::max(widest - slack_, 0.0F);
+        out_[count_++] = pair;
     }
 
     const ToolShape& tool_;

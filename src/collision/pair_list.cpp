@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kMaxPairs = 1 << 15;    // a bur that fills its own slot in a 25 um mesh lists some 20,000
 constexpr std::size_t kPlentyOfPairs = 3072;  // a longer list costs more to walk than listing twice
-constexpr double kLeastReach = 0.004;         // of the tool's radius: 12 um for a 6 mm bur
+constexpr double kLeastReach = 0.002;         // of the tool's radius: 20 um for a bur of 20 mm with its shank
 constexpr double kGreatestReach = 1.0;        // of the tool's radius
 constexpr double kRounding = 1e-6;            // of a length computed in single precision by a few operations
 
@@ -28,8 +28,10 @@ PairList::PairList(const ToolShape& tool)
       centre_(tool.centre()),
       radius_(tool.radius()) {}
 
+double PairList::leastReach() const { return kLeastReach * radius_; }
+
 void PairList::make(const Surface& surface, const ToolShape& tool, const Pose& toolInTooth, double wantedReach) {
-    const double least = kLeastReach * radius_;
+    const double least = leastReach();
     const double greatest = kGreatestReach * radius_;
     const std::span<NearPair> plenty = std::span(found_).first(kPlentyOfPairs);
     reach_ = std::clamp(wantedReach, least, std::max(least, reachCap_));

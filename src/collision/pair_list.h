@@ -39,6 +39,8 @@ public:
     [[nodiscard]] bool made() const { return made_; }
     /// Every pair nearer than this was listed, mm.
     [[nodiscard]] double reach() const { return reach_; }
+    /// No list reaches less far, however many pairs there are, mm.
+    [[nodiscard]] double leastReach() const;
     [[nodiscard]] std::size_t size() const { return count_; }
     [[nodiscard]] const NearPair& operator[](std::size_t i) const { return found_[order_[i]]; }
     /// No point of the tool has moved further than this since the pairs were listed.
