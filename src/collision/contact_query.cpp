@@ -198,6 +198,19 @@ void ContactQuery::straighten(const Pose& toolInTooth, Contact& best) {
     freePose_.position = toolInTooth.position + distance * direction;
 }
 
+/// Looks around for a way out shorter than the one found, along the 26 directions from a cube's centre to its corners,
+/// edges and faces: between two cusps the normals that are touched need not show it.
+void ContactQuery::lookAround(const Pose& toolInTooth, Contact& best) {
+    constexpr double kWorthwhile = 0.97;  // of the depth: a smaller gain is left to the descent
+    for (int i = 0; i < 27; ++i) {
+        const Vec3 direction(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+        if (direction.isZero()) continue;
+        const Vec3 out = kWorthwhile * best.depth * (toolInTooth.rotation * direction.normalized());
+        const Pose start{toolInTooth.position + out, toolInTooth.rotation};
+        if (isFree(start)) keepShorter(toolInTooth, start, best);
+    }
+}
+
 Contact ContactQuery::at(const Pose& toolInTooth) {
     Contact result;
     if (surface_->base->tree().empty() || tool_->mesh().empty()) return result;
@@ -211,7 +224,10 @@ Contact ContactQuery::at(const Pose& toolInTooth) {
         if (const std::optional<Pose> start = pullOut(toolInTooth, direction, limit))
             keepShorter(toolInTooth, *start, result);
     }
-    if (result.depth > 0) straighten(toolInTooth, result);
+    if (result.depth > 0) {
+        lookAround(toolInTooth, result);
+        straighten(toolInTooth, result);
+    }
     return result;
 }
 

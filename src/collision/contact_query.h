@@ -60,6 +60,7 @@ private:
     [[nodiscard]] bool leaves(const Pose& toolInTooth, const Vec3& direction, double distance);
     [[nodiscard]] double leastAlong(const Pose& toolInTooth, const Vec3& direction, double clear);
     void straighten(const Pose& toolInTooth, Contact& best);
+    void lookAround(const Pose& toolInTooth, Contact& best);
     void keepShorter(const Pose& toolInTooth, const Pose& start, Contact& best);
 
     std::shared_ptr<const ToolShape> tool_;
