@@ -94,15 +94,15 @@ TEST(JudgedMotion, ARandomWalkOverAToothNeverIntersects) {
     const TriangleMesh& tooth = test::judgedTeeth()[2].mesh;
     const TriangleMesh& tool = test::judgedTools()[1].mesh;
     const test::Judge judge(tooth, tool);
-    const Box3 box = boundingBox(tooth);
+    const std::vector<Pose> path = test::handPath(tooth, pathAt(10, 1.0));
+    const Vec3 home = path[path.size() / 2].position;  // 1 mm below the surface
     for (const unsigned seed : {1U, 2U, 3U}) {
         std::mt19937 random(seed);
         std::normal_distribution<double> normal;
         const auto kick = [&] { return Vec3(normal(random), normal(random), normal(random)); };
         SlidingBody body(test::toolOf(tool));
         body.setSurface(test::surfaceOf(tooth));
-        Pose hand{Vec3(box.center().x(), box.center().y(), box.max().z() + 0.2), Quat::Identity()};
-        const Vec3 home = hand.position - 1.2 * Vec3::UnitZ();
+        Pose hand{Vec3(home.x(), home.y(), boundingBox(tooth).max().z() + 0.2), Quat::Identity()};
         body.placeAt(hand);
         int held = 0;
         for (int tick = 0; tick < 800; ++tick) {
