@@ -161,20 +161,18 @@ bool ContactQuery::leaves(const Pose& toolInTooth, const Vec3& direction, double
            isFree({toolInTooth.position + further * direction, toolInTooth.rotation});
 }
 
-/// The least distance along `direction` found free, starting from `clear`, which is: a little less is not.
+/// Where the tool, free at distance `clear`, first touches on its way back along `direction`.
 double ContactQuery::leastAlong(const Pose& toolInTooth, const Vec3& direction, double clear) {
-    constexpr int kPockets = 8;  // of free space on the way that may be met and left again
     const double little = kClearance * tool_->radius();
     const auto freeAt = [&](double distance) {
         return isFree({toolInTooth.position + distance * direction, toolInTooth.rotation});
     };
-    for (int pocket = 0; pocket < kPockets && clear > little && freeAt(clear - little); ++pocket) {
-        clear -= little;
-        double blocked = 0;
-        while (clear - blocked > 1e-3 * little) {
-            const double middle = (clear + blocked) / 2;
-            (freeAt(middle) ? clear : blocked) = middle;
-        }
+    double blocked = clear - little;
+    for (double stride = little; blocked > 0 && freeAt(blocked); stride *= 1.3) clear = blocked, blocked -= stride;
+    blocked = std::max(blocked, 0.0);
+    while (clear - blocked > 1e-3 * little) {
+        const double middle = (clear + blocked) / 2;
+        (freeAt(middle) ? clear : blocked) = middle;
     }
     return clear;
 }
