@@ -20,6 +20,8 @@ namespace {
 constexpr std::size_t kFirstCapacity = 4096;
 constexpr int kMaxMoves = 64;  // moves of a few rounds each until a pulled-out tool has settled
 constexpr std::size_t kMaxNormals = 6;
+constexpr double kClearance =
+    3e-5;  // of the tool's radius (0.1 um for a 6 mm bur): "free" means this much further, too
 constexpr double kSameDirection = 0.97;  // cosine of 14 degrees: nearer candidates end in the same place
 
 /// Keeps `direction` unless a like one is there already.
@@ -149,6 +151,63 @@ void ContactQuery::keepShorter(const Pose& toolInTooth, const Pose& start, Conta
     best.part = firmest->part;
     best.tooth = firmest->tooth;
     freePose_ = body_.pose();
+    away_.setZero();
+    for (int i = 0; i < move.contactCount; ++i) away_ += move.contacts[i].normal;
+}
+
+/// Whether the tool is free at this distance, and still is a little further on.
+bool ContactQuery::leaves(const Pose& toolInTooth, const Vec3& direction, double distance) {
+    const double further = distance + kClearance * tool_->radius();
+    return isFree({toolInTooth.position + distance * direction, toolInTooth.rotation}) &&
+           isFree({toolInTooth.position + further * direction, toolInTooth.rotation});
+}
+
+/// Where the tool, free at distance `clear`, first touches on its way back along `direction`.
+double ContactQuery::leastAlong(const Pose& toolInTooth, const Vec3& direction, double clear) {
+    const double little = kClearance * tool_->radius();
+    const auto freeAt = [&](double distance) {
+        return isFree({toolInTooth.position + distance * direction, toolInTooth.rotation});
+    };
+    double blocked = clear - little;
+    for (double stride = little; blocked > 0 && freeAt(blocked); stride *= 1.3) clear = blocked, blocked -= stride;
+    blocked = std::max(blocked, 0.0);
+    while (clear - blocked > 1e-3 * little) {
+        const double middle = (clear + blocked) / 2;
+        (freeAt(middle) ? clear : blocked) = middle;
+    }
+    return clear;
+}
+
+/// In a narrow fissure the nearest free pose may lie against a wall that the way out runs into: the tool is free there,
+/// but not a hair's breadth beyond. Then the way out is bent away from what holds it, as little as frees it for good.
+void ContactQuery::straighten(const Pose& toolInTooth, Contact& best) {
+    const Contact found = best;
+    Vec3 direction = found.normal;
+    double distance = leastAlong(toolInTooth, direction, found.depth);
+    for (double bend = 2 * kClearance * tool_->radius();
+         !leaves(toolInTooth, direction, distance) && bend < found.depth; bend *= 2) {
+        const Vec3 out = found.depth * found.normal + bend * away_;
+        direction = out.normalized();
+        distance = out.norm();
+        if (leaves(toolInTooth, direction, distance)) distance = leastAlong(toolInTooth, direction, distance);
+    }
+    if (!leaves(toolInTooth, direction, distance)) return;
+    best.depth = distance;
+    best.normal = direction;
+    freePose_.position = toolInTooth.position + distance * direction;
+}
+
+/// Looks around for a way out shorter than the one found, along the 26 directions from a cube's centre to its corners,
+/// edges and faces: between two cusps the normals that are touched need not show it.
+void ContactQuery::lookAround(const Pose& toolInTooth, Contact& best) {
+    constexpr double kWorthwhile = 0.97;  // of the depth: a smaller gain is left to the descent
+    for (int i = 0; i < 27; ++i) {
+        const Vec3 direction(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+        if (direction.isZero()) continue;
+        const Vec3 out = kWorthwhile * best.depth * (toolInTooth.rotation * direction.normalized());
+        const Pose start{toolInTooth.position + out, toolInTooth.rotation};
+        if (isFree(start)) keepShorter(toolInTooth, start, best);
+    }
 }
 
 Contact ContactQuery::at(const Pose& toolInTooth) {
@@ -163,6 +222,10 @@ Contact ContactQuery::at(const Pose& toolInTooth) {
         const double limit = result.depth > 0 ? 4 * result.depth : everything;
         if (const std::optional<Pose> start = pullOut(toolInTooth, direction, limit))
             keepShorter(toolInTooth, *start, result);
+    }
+    if (result.depth > 0) {
+        lookAround(toolInTooth, result);
+        straighten(toolInTooth, result);
     }
     return result;
 }

@@ -57,6 +57,10 @@ private:
     void findOverlap(const Pose& toolInTooth, Overlap& overlap, bool stopAtFirst);
     [[nodiscard]] std::vector<Vec3> waysOut(const Pose& toolInTooth, const Overlap& overlap) const;
     [[nodiscard]] std::optional<Pose> pullOut(const Pose& toolInTooth, const Vec3& direction, double limit);
+    [[nodiscard]] bool leaves(const Pose& toolInTooth, const Vec3& direction, double distance);
+    [[nodiscard]] double leastAlong(const Pose& toolInTooth, const Vec3& direction, double clear);
+    void straighten(const Pose& toolInTooth, Contact& best);
+    void lookAround(const Pose& toolInTooth, Contact& best);
     void keepShorter(const Pose& toolInTooth, const Pose& start, Contact& best);
 
     std::shared_ptr<const ToolShape> tool_;
@@ -66,6 +70,7 @@ private:
     Overlap overlap_;
     Overlap probe_;
     Pose freePose_;
+    Vec3 away_ = Vec3::Zero();  // sum of the normals that hold the free pose
 };
 
 }  // namespace tactooth

@@ -7,7 +7,8 @@
 // Simultaneous descent of two trees: G. van den Bergen, "Efficient Collision Detection of Complex Deformable Models
 // using AABB Trees", J. Graphics Tools 2(4), 1997. Differs from the paper: the walk happens in the tool's frame, into
 // which only those tooth boxes and triangles are turned that it reaches, eight at a time; the tool's own boxes, which
-// turn with the hand at every tick, are never touched.
+// turn with the hand at every tick, are never touched. And no tooth node is visited twice: it carries along all of the
+// tool's nodes that are in question, each level of the tooth narrowing them.
 
 namespace tactooth {
 namespace {
@@ -33,6 +34,7 @@ Box8 boxesOf(const AabbTree::Node& node) { return {Vec3x8::load(node.low), Vec3x
 struct Spilled {
     float low[3][8], high[3][8];
 
+    Spilled() = default;
     explicit Spilled(const Box8& boxes) {
         boxes.low.x.store(low[0]), boxes.low.y.store(low[1]), boxes.low.z.store(low[2]);
         boxes.high.x.store(high[0]), boxes.high.y.store(high[1]), boxes.high.z.store(high[2]);
@@ -42,13 +44,28 @@ struct Spilled {
     }
 };
 
+/// The box of eight boxes, grown.
+Boxf wholeOf(const Spilled& boxes, float grow) {
+    Boxf whole;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto& low = boxes.low[axis];
+        const auto& high = boxes.high[axis];
+        whole.low[axis] = *std::min_element(low, low + 8) - grow;
+        whole.high[axis] = *std::max_element(high, high + 8) + grow;
+    }
+    return whole;
+}
+
 /// Eight tooth triangles in the tool's frame.
 struct TurnedLeaf {
-    std::uint32_t index = UINT32_MAX;  // of the leaf in its tree
+    const AabbTree::Leaf* leaf;
+    std::uint32_t present;  // one bit for each triangle that is there
     Vec3x8 corner[3];
     Vec3x8 normal;
-    Box8 box;    // of each triangle
-    Boxf whole;  // grown by the reach
+    Box8 box;                 // of each triangle
+    Spilled spilled;          // the same
+    float normalLanes[3][8];  // of each triangle
+    Boxf whole;               // grown by the reach
 };
 
 /// Signed widths of the slabs between eight pairs of triangles along one normal a pair; at most one is positive.
@@ -88,15 +105,9 @@ public:
         part_ = part;
         toothTree_ = &tooth.tree();
         hidden_ = hidden;
-        leaf_.index = UINT32_MAX;
         if (toothTree_->empty() || toolTree_.empty()) return;
-        const Box3& box = toolTree_.box();
-        Boxf whole;
-        for (int axis = 0; axis < 3; ++axis) {
-            whole.low[axis] = static_cast<float>(box.min()[axis]);
-            whole.high[axis] = static_cast<float>(box.max()[axis]);
-        }
-        descendTooth(toothTree_->root(), AabbTree::Link::toNode(0), whole);
+        const Suspects all{0, 0xFF};
+        descend(toothTree_->root(), {&all, 1});
     }
 
     [[nodiscard]] NearPairsFound found() const { return {count_, complete_}; }
@@ -117,60 +128,80 @@ private:
         return {centre - extent, centre + extent};
     }
 
-    /// Tooth node against the tool's sub-tree `toolLink` with box `toolBox`.
-    void descendTooth(const AabbTree::Node& node, AabbTree::Link toolLink, const Boxf& toolBox) {
-        const Box8 boxes = turned(node);
-        std::uint32_t hits = overlaps(boxes, toolBox);
-        if (hits == 0) return;
-        const Spilled spilled(boxes);
-        for (; hits != 0; hits &= hits - 1) {
-            const int i = std::countr_zero(hits);
-            descendTool(node.child[i], spilled.pick(i), toolLink, toolBox);
+    /// Children of one of the tool's nodes that may be near.
+    struct Suspects {
+        std::uint32_t node;
+        std::uint32_t children;  // one bit each
+    };
+    using Front = std::span<const Suspects>;
+
+    /// Tooth node against the part of the tool that `front` names.
+    void descend(const AabbTree::Node& node, Front front) {
+        const Spilled boxes(turned(node));
+        for (int i = 0; i < AabbTree::kWidth && node.low[0][i] <= node.high[0][i] && complete_; ++i) {
+            const std::size_t mark = used_;
+            const Front near = narrowed(front, boxes.pick(i));
+            if (near.empty()) continue;
+            if (node.child[i].isLeaf()) {
+                meetLeaf(node.child[i], near);
+            } else {
+                descend(toothTree_->node(node.child[i]), near);
+            }
+            used_ = mark;
         }
     }
 
-    /// Tooth sub-tree `toothLink` with (grown) box `toothBox` against the children of the tool's `toolLink`.
-    void descendTool(AabbTree::Link toothLink, const Boxf& toothBox, AabbTree::Link toolLink, const Boxf& toolBox) {
-        if (toolLink.isLeaf()) {
-            if (toothLink.isLeaf()) {
-                meet(turnedLeaf(toothLink), toolLink);
-            } else {
-                descendTooth(toothTree_->node(toothLink), toolLink, toolBox);
+    /// What of `front` meets the box, one level further down the tool. If the stack is full, `front` itself.
+    Front narrowed(Front front, const Boxf& box) {
+        const std::size_t first = used_;
+        for (const Suspects& suspects : front) {
+            if (used_ + 1 + AabbTree::kWidth > stack_.size()) return front;
+            const AabbTree::Node& node = toolTree_.node(AabbTree::Link::toNode(suspects.node));
+            std::uint32_t leaves = overlaps(boxesOf(node), box) & suspects.children;
+            for (std::uint32_t rest = leaves; rest != 0; rest &= rest - 1) {
+                const int i = std::countr_zero(rest);
+                if (node.child[i].isLeaf()) continue;
+                stack_[used_++] = {node.child[i].index(), 0xFF};
+                leaves &= ~(1U << i);
             }
-            return;
+            if (leaves != 0) stack_[used_++] = {suspects.node, leaves};
         }
-        const AabbTree::Node& node = toolTree_.node(toolLink);
-        const Box8 boxes = boxesOf(node);
-        const Boxf& reached = toothLink.isLeaf() ? turnedLeaf(toothLink).whole : toothBox;
-        std::uint32_t hits = overlaps(boxes, reached);
+        return Front(stack_).subspan(first, used_ - first);
+    }
+
+    void meetLeaf(AabbTree::Link toothLink, Front front) {
+        const TurnedLeaf tooth = turnedLeaf(toothTree_->leaf(toothLink));
+        for (const Suspects& suspects : front) meetBelow(tooth, suspects);
+    }
+
+    void meetBelow(const TurnedLeaf& tooth, const Suspects& suspects) {
+        const AabbTree::Node& node = toolTree_.node(AabbTree::Link::toNode(suspects.node));
+        std::uint32_t hits = overlaps(boxesOf(node), tooth.whole) & suspects.children;
         for (; hits != 0; hits &= hits - 1) {
-            const int i = std::countr_zero(hits);
-            const Boxf childBox = {{node.low[0][i], node.low[1][i], node.low[2][i]},
-                                   {node.high[0][i], node.high[1][i], node.high[2][i]}};
-            if (toothLink.isLeaf()) {
-                descendTool(toothLink, toothBox, node.child[i], childBox);
+            const AabbTree::Link child = node.child[std::countr_zero(hits)];
+            if (child.isLeaf()) {
+                meet(tooth, child);
             } else {
-                descendTooth(toothTree_->node(toothLink), node.child[i], childBox);
+                meetBelow(tooth, {child.index(), 0xFF});
             }
         }
     }
 
-    [[nodiscard]] const TurnedLeaf& turnedLeaf(AabbTree::Link link) {
-        if (leaf_.index == link.index()) return leaf_;
-        const AabbTree::Leaf& leaf = toothTree_->leaf(link);
-        leaf_.index = link.index();
-        for (int corner = 0; corner < 3; ++corner)
-            leaf_.corner[corner] = turn_.point(Vec3x8::load(leaf.corner[corner]));
-        leaf_.box = {min(min(leaf_.corner[0], leaf_.corner[1]), leaf_.corner[2]),
-                     max(max(leaf_.corner[0], leaf_.corner[1]), leaf_.corner[2])};
-        leaf_.normal = unitNormals(leaf_.corner);
-        const Spilled spilled(leaf_.box);
-        for (int axis = 0; axis < 3; ++axis) {
-            const float grow = reach_ + slack_;
-            leaf_.whole.low[axis] = *std::min_element(spilled.low[axis], spilled.low[axis] + 8) - grow;
-            leaf_.whole.high[axis] = *std::max_element(spilled.high[axis], spilled.high[axis] + 8) + grow;
-        }
-        return leaf_;
+    [[nodiscard]] TurnedLeaf turnedLeaf(const AabbTree::Leaf& leaf) const {
+        TurnedLeaf result;
+        result.leaf = &leaf;
+        result.present = (1U << leaf.count) - 1U;
+        const Vec3x8 a = result.corner[0] = turn_.point(Vec3x8::load(leaf.corner[0]));
+        const Vec3x8 b = result.corner[1] = turn_.point(Vec3x8::load(leaf.corner[1]));
+        const Vec3x8 c = result.corner[2] = turn_.point(Vec3x8::load(leaf.corner[2]));
+        result.box = {min(min(a, b), c), max(max(a, b), c)};
+        result.normal = unitNormals(result.corner);
+        result.spilled = Spilled(result.box);
+        result.normal.x.store(result.normalLanes[0]);
+        result.normal.y.store(result.normalLanes[1]);
+        result.normal.z.store(result.normalLanes[2]);
+        result.whole = wholeOf(result.spilled, reach_ + slack_);
+        return result;
     }
 
     /// Unit normals; a triangle without area gets a short vector, whose slab widths are short too: still a bound.
@@ -183,15 +214,10 @@ private:
 
     /// Writes the pairs of eight tooth triangles with up to eight tool triangles that no cheap test separates.
     void meet(const TurnedLeaf& tooth, AabbTree::Link toolLink) {
-        const AabbTree::Leaf& toothLeaf = toothTree_->leaf(AabbTree::Link::toLeaf(tooth.index));
         const AabbTree::Leaf& toolLeaf = toolTree_.leaf(toolLink);
         const ToolShape::Faces& faces = tool_.faces(toolLink);
-        const std::uint32_t present = (1U << toothLeaf.count) - 1U;
         std::uint32_t near = facesNear(tooth.whole, faces) & ((1U << toolLeaf.count) - 1U);
-        for (; near != 0; near &= near - 1) {
-            const int k = std::countr_zero(near);
-            meetOne(tooth, toothLeaf, present, toolLeaf, faces, k);
-        }
+        for (; near != 0; near &= near - 1) meetOne(tooth, toolLeaf, faces, std::countr_zero(near));
     }
 
     /// One bit for each of the tool's triangles whose box and plane both meet the box.
@@ -211,8 +237,7 @@ private:
     }
 
     /// Writes the pairs of eight tooth triangles with the tool's triangle in lane `k`: cheapest tests first.
-    void meetOne(const TurnedLeaf& tooth, const AabbTree::Leaf& toothLeaf, std::uint32_t present,
-                 const AabbTree::Leaf& toolLeaf, const ToolShape::Faces& faces, int k) {
+    void meetOne(const TurnedLeaf& tooth, const AabbTree::Leaf& toolLeaf, const ToolShape::Faces& faces, int k) {
         const Float8 reach = Float8::all(reach_ + slack_);
         const Vec3x8 toolNormal = lane(faces.normal, k);
         const Slabs byTool =
@@ -222,7 +247,7 @@ private:
         const Vec3x8 below = max(tooth.box.low - lane(faces.high, k), zero);
         const Vec3x8 gap = above - below;
         const Float8 byBoxes = sqrt(dot(gap, gap));
-        std::uint32_t hits = lessEqual(max(byBoxes, byTool.width()), reach) & present;
+        std::uint32_t hits = lessEqual(max(byBoxes, byTool.width()), reach) & tooth.present;
         if (hits == 0) return;
 
         const Float8 a = dot(tooth.normal, lane(toolLeaf.corner[0], k));
@@ -231,10 +256,10 @@ private:
         const Slabs byTooth = slabs(tooth.normal, tooth.corner, min(min(a, b), c), max(max(a, b), c));
         hits &= lessEqual(byTooth.width(), reach);
         if (hits == 0) return;
-        const Candidates candidates(byTool, byTooth, byBoxes, toolNormal, tooth.normal, gap);
+        const Widths widths(byTool, byTooth, byBoxes);
         for (; hits != 0; hits &= hits - 1) {
             const int i = std::countr_zero(hits);
-            write(toothLeaf.triangle[i], toolLeaf.triangle[k], candidates, i);
+            write({part_, tooth.leaf->triangle[i], toolLeaf.triangle[k], 0, {}}, widths, tooth, faces, i, k);
         }
     }
 
@@ -249,43 +274,46 @@ private:
     }
 
     /// What was found for eight pairs, spilled to memory so that one can be picked.
-    struct Candidates {
+    struct Widths {
         float toolFront[8], toolBehind[8], toothFront[8], toothBehind[8], boxes[8];
-        float toolNormal[3][8], toothNormal[3][8], gap[3][8];
 
-        Candidates(const Slabs& byTool, const Slabs& byTooth, Float8 byBoxes, const Vec3x8& tool, const Vec3x8& tooth,
-                   const Vec3x8& between) {
+        Widths(const Slabs& byTool, const Slabs& byTooth, Float8 byBoxes) {
             byTool.toolInFront.store(toolFront), byTool.toolBehind.store(toolBehind);
             byTooth.toolInFront.store(toothFront), byTooth.toolBehind.store(toothBehind);
             byBoxes.store(boxes);
-            store(tool, toolNormal), store(tooth, toothNormal), store(between, gap);
-        }
-        static void store(const Vec3x8& from, float (&to)[3][8]) {
-            from.x.store(to[0]), from.y.store(to[1]), from.z.store(to[2]);
         }
     };
 
-    void write(std::uint32_t toothTriangle, std::uint32_t toolTriangle, const Candidates& from, int i) {
-        if (hidden_ != nullptr && isHidden(*hidden_, toothTriangle)) return;
+    /// Gap between the boxes of the tooth's triangle `i` and the tool's triangle `k` along one axis, signed.
+    static float boxGap(const Spilled& tooth, const ToolShape::Faces& faces, int axis, int i, int k) {
+        return std::max(faces.low[axis][k] - tooth.high[axis][i], 0.0F) -
+               std::max(tooth.low[axis][i] - faces.high[axis][k], 0.0F);
+    }
+
+    /// Writes the pair with the widest of its slabs.
+    void write(NearPair pair, const Widths& widths, const TurnedLeaf& tooth, const ToolShape::Faces& faces, int i,
+               int k) {
+        if (hidden_ != nullptr && isHidden(*hidden_, pair.tooth)) return;
         if (count_ == out_.size()) {
             complete_ = false;
             return;
         }
-        float width = from.boxes[i];
-        float scale = width > 0 ? 1 / width : 0;
-        const float(*normal)[8] = from.gap;
-        const auto consider = [&](float other, float sign, const float(&along)[3][8]) {
-            if (other > width) width = other, scale = sign, normal = along;
-        };
-        consider(from.toolFront[i], 1, from.toolNormal);
-        consider(from.toolBehind[i], -1, from.toolNormal);
-        consider(from.toothFront[i], 1, from.toothNormal);
-        consider(from.toothBehind[i], -1, from.toothNormal);
-        out_[count_++] = {part_,
-                          toothTriangle,
-                          toolTriangle,
-                          std::max(width - slack_, 0.0F),
-                          {scale * normal[0][i], scale * normal[1][i], scale * normal[2][i]}};
+        const float byTool = std::max(widths.toolFront[i], widths.toolBehind[i]);
+        const float byTooth = std::max(widths.toothFront[i], widths.toothBehind[i]);
+        const float widest = std::max({byTool, byTooth, widths.boxes[i]});
+        for (int axis = 0; axis < 3; ++axis) {
+            if (widest == byTool) {
+                pair.normal[axis] =
+                    std::copysign(1.0F, widths.toolFront[i] - widths.toolBehind[i]) * faces.normal[axis][k];
+            } else if (widest == byTooth) {
+                pair.normal[axis] =
+                    std::copysign(1.0F, widths.toothFront[i] - widths.toothBehind[i]) * tooth.normalLanes[axis][i];
+            } else {
+                pair.normal[axis] = boxGap(tooth.spilled, faces, axis, i, k) / widest;
+            }
+        }
+        pair.distanceAtLeast = std::max(widest - slack_, 0.0F);
+        out_[count_++] = pair;
     }
 
     const ToolShape& tool_;
@@ -299,7 +327,8 @@ private:
     std::span<NearPair> out_;
     std::size_t count_ = 0;
     bool complete_ = true;
-    TurnedLeaf leaf_;
+    std::array<Suspects, 1024> stack_;  // a tool of 3,000 triangles needs some 200
+    std::size_t used_ = 0;
 };
 
 /// What single precision can hide: a few rounding steps of the largest number that a walk handles, mm.

@@ -12,11 +12,17 @@ namespace tactooth {
 /// Sine of half the angle between two orientations.
 [[nodiscard]] inline double sineOfHalfAngle(const Quat& a, const Quat& b) { return (a * b.conjugate()).vec().norm(); }
 
-/// Where a tool is at the start and the end of a step, against the pose at which its near pairs were listed.
+/// How a tool stands at the start and the end of a step, against the pose at which its near pairs were listed.
 struct Excursion {
-    Vec3f start, end;      ///< way of the tool's centre, in the tool's frame at the listing, mm
-    float atStart, atEnd;  ///< a pair needs this much of its gap for the turn and for rounding, mm
-    double greatest;       ///< no point of the tool gets further than this, mm
+    /// The way of point p of the tool (in the tool's frame) is turn * p + shift, in the tool's frame at the listing.
+    struct Way {
+        Eigen::Matrix3f turn;
+        Vec3f shift;
+        float perLength;  ///< two points of the tool 1 mm apart differ in their ways by this much at most
+        float spare;      ///< what a certificate must leave, mm
+    };
+    Way start, end;
+    double greatest;  ///< no point of the tool gets further than this, mm
 };
 
 /// The pairs of triangles near a tool, kept while the tool moves within a skin. Each pair has a certificate: a
@@ -33,6 +39,8 @@ public:
     [[nodiscard]] bool made() const { return made_; }
     /// Every pair nearer than this was listed, mm.
     [[nodiscard]] double reach() const { return reach_; }
+    /// No list reaches less far, however many pairs there are, mm.
+    [[nodiscard]] double leastReach() const;
     [[nodiscard]] std::size_t size() const { return count_; }
     [[nodiscard]] const NearPair& operator[](std::size_t i) const { return found_[order_[i]]; }
     /// No point of the tool has moved further than this since the pairs were listed.
@@ -52,13 +60,21 @@ public:
 private:
     static constexpr int kBuckets = 32;
 
-    void sortByDistance(std::size_t count);
+    void sortByDistance(const ToolShape& tool, std::size_t count);
+    [[nodiscard]] Excursion::Way wayTo(const Pose& pose, double spare) const;
+    [[nodiscard]] std::uint32_t holds(std::size_t first, const Excursion::Way& way) const;
 
     std::vector<NearPair> found_;       // as the walk writes them
     std::vector<std::uint32_t> order_;  // numbers of pairs, sorted by bucket of distanceAtLeast
     std::array<std::uint32_t, kBuckets + 1> bucketStart_{};
-    std::vector<float> normal_[3];  // certificates in the sorted order, in the tool's frame
-    std::vector<float> gap_;
+    /// Certificates of eight pairs in the sorted order, in the tool's frame at the listing.
+    struct alignas(32) Certificates {
+        float normal[3][8];
+        float gap[8];
+        float centre[3][8];  // ball around the tool's triangle
+        float radius[8];
+    };
+    std::vector<Certificates> certificates_;
     std::size_t count_ = 0;
     bool made_ = false;
     Pose at_;

@@ -45,9 +45,9 @@ public:
     void clear() { std::fill(entries_.begin(), entries_.end(), Entry{}); }
 
 private:
-    static constexpr std::size_t kEntries = 1 << 14;  // 1 MB; conformal contact keeps a few thousand pairs busy
+    static constexpr std::size_t kEntries = 1 << 12;  // 256 kB: more would push the tooth out of the cache
 
-    struct Entry {
+    struct alignas(64) Entry {  // one cache line
         std::uint64_t partId = 0;
         std::uint32_t tooth = 0;
         std::uint32_t tool = 0;
@@ -57,7 +57,7 @@ private:
     /// Fibonacci hashing (D. Knuth, The Art of Computer Programming, vol. 3, section 6.4).
     [[nodiscard]] static std::size_t slot(const NearPair& pair) {
         const std::uint64_t key = (std::uint64_t{pair.part} << 44) ^ (std::uint64_t{pair.tooth} << 20) ^ pair.tool;
-        return static_cast<std::size_t>((key * 0x9E3779B97F4A7C15ULL) >> 50U);
+        return static_cast<std::size_t>((key * 0x9E3779B97F4A7C15ULL) >> 52U);
     }
 
     std::vector<Entry> entries_;

@@ -23,14 +23,14 @@ namespace {
 
 constexpr int kMaxRounds = 12;               // 2-3 are usual at 1 cm/s, 4-6 at 10 cm/s
 constexpr int kMaxPlanesPerRound = 32;       // 3-6 are usual; more means that the step is long for its surroundings
-constexpr int kOffendersToCompare = 4;       // before the worst of them becomes a plane: more costs more than it saves
+constexpr int kOffendersToCompare = 2;       // before the worst of them becomes a plane: more costs more than it saves
 constexpr double kMarginOfRadius = 1e-7;     // 0.3 nm for a 6 mm bur
 constexpr double kMarginOfPosition = 1e-10;  // keeps the margin above rounding far from the origin
 constexpr double kSettledMargins = 10;       // a round that moves less than this many margins ends the move
-constexpr double kLeastReach = 0.004;        // of the tool's radius: 12 um for a 6 mm bur
-constexpr std::uint64_t kGuessed = 1;        // stamp of a plane that GJK has not seen; poses are numbered from 2
-constexpr double kLeastTurn = 1e-3;  // of the turn wanted: below it, the tool is held in its present orientation
-constexpr double kTrusted = 0.95;    // of the listed reach: leaves room for rounding
+constexpr double kStride = 2;  // ways of the hand a list should last: more pairs to list against listing more often
+constexpr std::uint64_t kGuessed = 1;  // stamp of a plane that GJK has not seen; poses are numbered from 2
+constexpr double kLeastTurn = 1e-3;    // of the turn wanted: below it, the tool is held in its present orientation
+constexpr double kTrusted = 0.95;      // of the listed reach: leaves room for rounding
 
 Quat partOfTurn(const Quat& from, const Quat& to, double fraction) {
     return fraction >= 1 ? to : from.slerp(fraction, to).normalized();
@@ -84,12 +84,12 @@ bool SlidingBody::plan(const Pose& goal, Attempt& attempt) {
     attempt.goal = goal;
     const double turn = sineOfHalfAngle(goal.rotation, pose_.rotation);
     const double remaining = (goal * tool_->centre() - pose_ * tool_->centre()).norm() + 2 * turn * tool_->radius();
-    const double least = kLeastReach * tool_->radius();
+    const double least = list_.leastReach();
     double used = list_.made() ? list_.travelTo(pose_.rotation, pose_.position) : 0;
     if (!list_.made() || list_.reach() * kTrusted - used < std::min(remaining, least / 2)) {
         // Open space is crossed in growing strides; near the tooth the skin follows the speed of the hand.
         const bool openSpace = list_.made() && list_.size() == 0;
-        const double stride = openSpace ? 4 * list_.reach() : 2 * handTravel_;
+        const double stride = openSpace ? 4 * list_.reach() : kStride * handTravel_;
         list_.make(*surface_, *tool_, pose_, std::min(1.1 * remaining, stride) + least);
         used = 0;
     }
@@ -298,6 +298,10 @@ void SlidingBody::accept(const Attempt& attempt, MoveResult& result) {
 
 MoveResult SlidingBody::moveToward(const Pose& goal) {
     MoveResult result;
+    if (!(tool_->radius() > 0)) {  // nothing that could touch
+        placeAt(goal);
+        return result;
+    }
     distances_ = 0;
     const double position = std::max(goal.position.cwiseAbs().maxCoeff(), pose_.position.cwiseAbs().maxCoeff());
     margin_ = kMarginOfRadius * tool_->radius() + kMarginOfPosition * position;

@@ -7,6 +7,13 @@
 namespace tactooth {
 namespace {
 
+ToolShape::Ball ballOf(const std::array<Vec3f, 3>& corners) {
+    const Vec3f centre = (corners[0] + corners[1] + corners[2]) / 3;
+    float radius = 0;
+    for (const Vec3f& corner : corners) radius = std::max(radius, (corner - centre).norm());
+    return {centre, radius * 1.00001F};  // what single precision may have lost
+}
+
 ToolShape::Faces facesOf(const AabbTree::Leaf& leaf) {
     ToolShape::Faces faces{};
     for (int lane = 0; lane < AabbTree::kWidth; ++lane) {
@@ -37,6 +44,7 @@ ToolShape::ToolShape(TriangleMesh mesh) : part_(std::move(mesh)) {
     corners_.reserve(own.triangles.size());
     for (const Triangle& t : own.triangles)
         corners_.push_back({own.vertices[t[0]], own.vertices[t[1]], own.vertices[t[2]]});
+    for (const std::array<Vec3f, 3>& corners : corners_) balls_.push_back(ballOf(corners));
     for (const AabbTree::Leaf& leaf : part_.tree().leaves()) faces_.push_back(facesOf(leaf));
     if (own.empty()) return;
     centre_ = part_.tree().box().center();

@@ -22,6 +22,12 @@ public:
         const std::array<Vec3f, 3>& c = corners_[triangle];
         return {c[0].cast<double>(), c[1].cast<double>(), c[2].cast<double>()};
     }
+    /// A ball around the corners of a triangle.
+    struct Ball {
+        Vec3f centre;
+        float radius;
+    };
+    [[nodiscard]] const Ball& ball(std::uint32_t triangle) const { return balls_[triangle]; }
     /// Up to eight triangles as planes and boxes side by side, lane by lane those of the tree's leaf.
     struct alignas(32) Faces {
         float normal[3][AabbTree::kWidth];  // unit and outward; zero for a triangle without area
@@ -39,6 +45,7 @@ public:
 private:
     SurfacePart part_;
     std::vector<std::array<Vec3f, 3>> corners_;
+    std::vector<Ball> balls_;
     std::vector<Faces> faces_;
     Vec3 centre_ = Vec3::Zero();
     double radius_ = 0;

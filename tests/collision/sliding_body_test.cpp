@@ -74,7 +74,8 @@ TEST(SlidingBody, IsHeldInAVGrooveAtTheClosedFormHeight) {
     // Two planes at 45 degrees: a square edge of the tool, turned by 45 degrees about y, fits exactly; an upright box
     // 1 mm wide rests on two edges half a millimetre above the bottom.
     TriangleMesh groove;
-    groove.vertices = {Vec3f(0, -10, 0), Vec3f(0, 10, 0), Vec3f(5, 10, 5), Vec3f(5, -10, 5), Vec3f(-5, 10, 5), Vec3f(-5, -10, 5)};
+    groove.vertices = {Vec3f(0, -10, 0), Vec3f(0, 10, 0),  Vec3f(5, 10, 5),
+                       Vec3f(5, -10, 5), Vec3f(-5, 10, 5), Vec3f(-5, -10, 5)};
     groove.triangles = {{0, 2, 1}, {0, 3, 2}, {0, 1, 4}, {0, 4, 5}};
     SlidingBody body(toolOf(smallBox()));
     body.setSurface(surfaceOf(groove));
@@ -143,7 +144,8 @@ TEST(SlidingBody, NeverIntersectsOnARandomWalkAndRepeatsItBitForBit) {
             for (int axis = 0; axis < 3; ++axis) kick[axis] = normal(random);
             goal.position += 0.05 * kick - 0.02 * (goal.position - Vec3(0, 0, 2.7));
             for (int axis = 0; axis < 3; ++axis) kick[axis] = normal(random);
-            goal.rotation = (Quat(Eigen::AngleAxisd(0.02 * kick.norm(), kick.normalized())) * goal.rotation).normalized();
+            goal.rotation =
+                (Quat(Eigen::AngleAxisd(0.02 * kick.norm(), kick.normalized())) * goal.rotation).normalized();
             const MoveResult result = body.moveToward(goal);
             ASSERT_NE(result.status, MoveStatus::Overlapping);
             held += result.contactCount > 0 ? 1 : 0;

@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+// Surfaces that no tooth has and every folder of STL files holds: nothing may crash, hang or become NaN, and what the
+// proxy says is free must be free.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "collision/contact_query.h"
+#include "collision/judged.h"
+#include "support/shapes.h"
+
+namespace tactooth {
+namespace {
+
+constexpr int kMostRounds = 64;  // far above the body's own budget
+
+bool isFinite(const Pose& pose) { return pose.position.allFinite() && pose.rotation.coeffs().allFinite(); }
+
+void expectSound(const Contact& contact) {
+    EXPECT_TRUE(std::isfinite(contact.depth));
+    EXPECT_GE(contact.depth, 0);
+    EXPECT_TRUE(contact.normal.allFinite());
+    EXPECT_TRUE(contact.point.allFinite());
+}
+
+/// Asks everything of tool and tooth around `centre`, `size` mm wide. Returns how often the body was held.
+int torture(const TriangleMesh& tooth, const TriangleMesh& tool, const Vec3& centre, double size, bool closed = false) {
+    const auto surface = test::surfaceOf(tooth, closed);
+    const auto shape = test::toolOf(tool);
+    const test::ExactIntersection judge(tooth, tool);
+    ContactQuery query(shape, surface);
+    SlidingBody body(shape);
+    body.setSurface(surface);
+    std::mt19937 random(5);
+    std::normal_distribution<double> normal;
+    const auto kick = [&] { return Vec3(normal(random), normal(random), normal(random)); };
+    Pose hand{centre + 3 * size * Vec3::UnitZ(), Quat::Identity()};
+    body.placeAt(hand);
+    int held = 0;
+    for (int tick = 0; tick < 300; ++tick) {
+        hand.position += 0.1 * size * kick() - 0.05 * (hand.position - centre);
+        const Vec3 axis = kick();
+        hand.rotation = (Quat(Eigen::AngleAxisd(0.05 * axis.norm(), axis.normalized())) * hand.rotation).normalized();
+        const MoveResult result = body.moveToward(hand);
+        EXPECT_TRUE(isFinite(body.pose())) << tick;
+        EXPECT_LE(result.rounds, kMostRounds);
+        EXPECT_NE(result.status, MoveStatus::Overlapping) << tick;
+        for (int i = 0; i < result.contactCount; ++i) {
+            EXPECT_NEAR(result.contacts[i].normal.norm(), 1, 1e-9);
+            EXPECT_TRUE(std::isfinite(result.contacts[i].share));
+        }
+        EXPECT_FALSE(judge.at(body.pose())) << tick;
+        if (tick % 10 == 0) {
+            const Contact contact = query.at(hand);
+            expectSound(contact);
+            if (!closed) {
+                EXPECT_EQ(contact.touching, judge.at(hand)) << tick;
+            }
+
+            expectSound(query.deepestPairAt(hand));
+        }
+        held += result.contactCount > 0 ? 1 : 0;
+        if (::testing::Test::HasFailure()) return held;
+    }
+    return held;
+}
+
+TriangleMesh block() { return test::box(Vec3(-1, -1, -1), Vec3(1, 1, 0)); }
+TriangleMesh smallTool() { return test::cylinder(Vec3(0, 0, 0), 0.3, 2, 9); }
+
+}  // namespace
+
+TEST(HostileMesh, SliversAreFeltLikeAnySurface) {
+    TriangleMesh fan;  // a disc of needles, each 1 mm long and 10 um wide at its end, and some of 1 nm
+    fan.vertices.push_back(Vec3f(0, 0, 0));
+    for (int i = 0; i <= 460; ++i) {
+        const double angle = 1e-2 * (i - (i % 7 == 0 ? 1 : 0)) + (i % 7 == 0 ? 1e-6 : 0);
+        fan.vertices.push_back(Vec3f(Vec3(std::cos(angle), std::sin(angle), 0).cast<float>()));
+    }
+    for (std::uint32_t i = 1; i < 460; ++i) fan.triangles.push_back({0, i, i + 1});
+    EXPECT_GT(torture(fan, smallTool(), Vec3(-0.3, 0.4, -0.1), 0.5), 20);
+}
+
+TEST(HostileMesh, ZeroAreaAndDuplicateTrianglesDoNotMatter) {
+    TriangleMesh mesh = block();
+    const std::vector<Triangle> sound = mesh.triangles;
+    for (const Triangle& t : sound) {
+        mesh.triangles.push_back(t);
+        mesh.triangles.push_back({t[0], t[1], t[1]});
+        mesh.triangles.push_back({t[2], t[2], t[2]});
+    }
+    const auto middle = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.push_back((mesh.vertices[sound[0][0]] + mesh.vertices[sound[0][1]]) / 2);
+    mesh.triangles.push_back({sound[0][0], middle, sound[0][1]});
+    EXPECT_GT(torture(mesh, smallTool(), Vec3(0, 0, 0), 0.5), 20);
+    TriangleMesh tool = smallTool();
+    tool.triangles.push_back({0, 0, 1});
+    tool.triangles.push_back({2, 2, 2});
+    EXPECT_GT(torture(block(), tool, Vec3(0, 0, 0), 0.5), 20);
+}
+
+TEST(HostileMesh, OnlyZeroAreaTrianglesAreStillFinite) {
+    TriangleMesh dust;
+    dust.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    dust.triangles = {{0, 0, 0}, {1, 1, 2}, {0, 1, 1}};
+    SlidingBody body(test::toolOf(smallTool()));
+    body.setSurface(test::surfaceOf(dust, false));
+    body.placeAt({Vec3(0, 0, 2), Quat::Identity()});
+    for (int i = 0; i < 50; ++i) {
+        body.moveToward({Vec3(0.1, 0.1, 1 - 0.05 * i), Quat::Identity()});
+        ASSERT_TRUE(isFinite(body.pose()));
+    }
+    ContactQuery query(test::toolOf(smallTool()), test::surfaceOf(dust, false));
+    expectSound(query.at({Vec3(0, 0, -0.5), Quat::Identity()}));
+    expectSound(query.deepestPairAt({Vec3(0, 0, -0.5), Quat::Identity()}));
+}
+
+TEST(HostileMesh, TJunctionsAndHolesAreClosedToATool) {
+    TriangleMesh mesh;  // two big triangles on one side of a line, eleven on the other, one of them missing
+    mesh.vertices = {{-2, -2, 0}, {2, -2, 0}, {2, 0, 0}, {-2, 0, 0}, {0, 2, 0}};
+    mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+    std::uint32_t last = 3;
+    for (int i = 1; i <= 11; ++i) {
+        const auto next = static_cast<std::uint32_t>(mesh.vertices.size());
+        mesh.vertices.push_back(Vec3f(-2 + 4.0F * static_cast<float>(i) / 11, 0, 0));
+        if (i != 6) mesh.triangles.push_back({last, next, 4});
+        last = next;
+    }
+    EXPECT_GT(torture(mesh, smallTool(), Vec3(0, -0.2, 0), 0.5), 20);
+}
+
+TEST(HostileMesh, InvertedAndSelfIntersectingShells) {
+    TriangleMesh inverted = block();
+    for (Triangle& t : inverted.triangles) std::swap(t[1], t[2]);
+    EXPECT_GT(torture(inverted, smallTool(), Vec3(0, 0, 0), 0.5), 20);
+    TriangleMesh crossed = block();
+    append(crossed, test::box(Vec3(-0.5, -2, -2), Vec3(0.5, 2, 0.2)));
+    append(crossed, test::sphere(Vec3(0, 0, 0), 0.5, 12, 6));
+    EXPECT_GT(torture(crossed, smallTool(), Vec3(0, 0, 0), 0.5, true), 20);
+}
+
+TEST(HostileMesh, AMillionMillimetresAway) {
+    const Vec3 far(1e6, -1e6, 1e6);
+    const TriangleMesh mesh = test::box(far - Vec3(100, 100, 100), far + Vec3(100, 100, 0));
+    EXPECT_GT(torture(mesh, test::cylinder(Vec3(0, 0, 0), 30, 200, 9), far, 50), 20);
+}
+
+TEST(HostileMesh, OneTriangleAgainstOneTriangle) {
+    TriangleMesh one;
+    one.vertices = {{-2, -2, 0}, {2, -2, 0}, {0, 2, 0}};
+    one.triangles = {{0, 1, 2}};
+    EXPECT_GT(torture(one, smallTool(), Vec3(0, 0, 0), 0.5), 20);
+    TriangleMesh blade;
+    blade.vertices = {{0, 0, 0}, {0.2F, 0, 1}, {-0.2F, 0, 1}};
+    blade.triangles = {{0, 1, 2}};
+    EXPECT_GT(torture(one, blade, Vec3(0, 0, 0), 0.5), 20);
+    EXPECT_GT(torture(block(), blade, Vec3(0, 0, 0), 0.5), 20);
+}
+
+TEST(HostileMesh, AnEmptyToothOrToolHoldsNothing) {
+    const Pose goal{Vec3(0.1, 0, -0.5), Quat::Identity()};
+    for (const auto& [tooth, tool] : {std::pair(TriangleMesh{}, smallTool()), std::pair(block(), TriangleMesh{}),
+                                      std::pair(TriangleMesh{}, TriangleMesh{})}) {
+        SlidingBody body(test::toolOf(tool));
+        body.setSurface(test::surfaceOf(tooth));
+        body.placeAt({Vec3(0, 0, 3), Quat::Identity()});
+        for (int i = 0; i < 20; ++i) body.moveToward(goal);
+        EXPECT_EQ(body.pose().position, goal.position);
+        ContactQuery query(test::toolOf(tool), test::surfaceOf(tooth));
+        EXPECT_FALSE(query.at(goal).touching);
+        EXPECT_FALSE(query.deepestPairAt(goal).touching);
+    }
+}
+
+}  // namespace tactooth

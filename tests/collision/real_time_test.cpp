@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+// What a haptic loop relies on: no allocation, and the same bits on every machine and in every build.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <bit>
+#include <cstdlib>
+#include <new>
+
+#include "collision/judged.h"
+#include "collision/sliding_body.h"
+
+namespace {
+std::atomic<std::size_t> allocations{0};
+}  // namespace
+
+void* operator new(std::size_t size) {
+    ++allocations;
+    if (void* memory = std::malloc(size)) return memory;
+    throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace tactooth {
+namespace {
+
+/// Numbers from arithmetic that every machine rounds alike: no library function but the square root.
+class Dice {
+public:
+    /// In -1..1.
+    double next() {
+        state_ = state_ * 6364136223846793005ULL + 1442695040888963407ULL;
+        return static_cast<double>(state_ >> 40) / static_cast<double>(1 << 23) - 1;
+    }
+    Vec3 vector() {
+        const double x = next();
+        const double y = next();
+        return {x, y, next()};
+    }
+
+private:
+    std::uint64_t state_ = 42;
+};
+
+/// A bumpy plate, 0.1 mm between its vertices.
+TriangleMesh bumps() {
+    constexpr std::uint32_t kSide = 81;
+    TriangleMesh mesh;
+    for (std::uint32_t i = 0; i < kSide * kSide; ++i) {
+        const double x = 0.1 * (i % kSide) - 4;
+        const double y = 0.1 * (i / kSide) - 4;
+        const double height = 0.05 * x * x * (x * x - 6) + 0.04 * y * y * y - 0.3 * y;
+        mesh.vertices.push_back(Vec3(x, y, 0.2 * height).cast<float>());
+    }
+    for (std::uint32_t row = 0; row + 1 < kSide; ++row) {
+        for (std::uint32_t i = row * kSide; i + 1 < row * kSide + kSide; ++i) {
+            mesh.triangles.push_back({i, i + 1, i + kSide + 1});
+            mesh.triangles.push_back({i, i + kSide + 1, i + kSide});
+        }
+    }
+    return mesh;
+}
+
+/// An octahedron cut twice and drawn out to a ball of 0.6 mm: 128 triangles.
+TriangleMesh ball() {
+    TriangleMesh mesh;
+    mesh.vertices = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+    mesh.triangles = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+    for (int level = 0; level < 2; ++level) {
+        TriangleMesh finer;
+        for (const Triangle& t : mesh.triangles) {
+            const Vec3f a = mesh.vertices[t[0]];
+            const Vec3f b = mesh.vertices[t[1]];
+            const Vec3f c = mesh.vertices[t[2]];
+            const auto first = static_cast<std::uint32_t>(finer.vertices.size());
+            for (const Vec3f& v : {a, b, c, Vec3f(a + b), Vec3f(b + c), Vec3f(c + a)}) {
+                finer.vertices.push_back(v / std::sqrt(v.x() * v.x() + v.y() * v.y() + v.z() * v.z()));
+            }
+            for (const Triangle& corner : {Triangle{0, 3, 5}, Triangle{3, 1, 4}, Triangle{5, 4, 2}, Triangle{3, 4, 5}})
+                finer.triangles.push_back({first + corner[0], first + corner[1], first + corner[2]});
+        }
+        mesh = finer;
+    }
+    for (Vec3f& v : mesh.vertices) v = 0.6F * v + Vec3f(0, 0, 0.6F);
+    return mesh;
+}
+
+/// A hand that wanders over the plate and presses into it.
+Pose nextHand(const Pose& hand, Dice& dice) {
+    Pose next = hand;
+    next.position += 0.04 * dice.vector() - 0.01 * (hand.position - Vec3(0, 0, -0.1));
+    const Vec3 turn = 0.01 * dice.vector();
+    const Quat& q = hand.rotation;
+    const Vec3 v = q.vec() + q.w() * turn + turn.cross(q.vec());
+    const double w = q.w() - turn.dot(q.vec());
+    const double length = std::sqrt(w * w + v.x() * v.x() + v.y() * v.y() + v.z() * v.z());
+    next.rotation = Quat(w / length, v.x() / length, v.y() / length, v.z() / length);
+    return next;
+}
+
+std::uint64_t mixed(std::uint64_t hash, double value) {
+    return (hash ^ std::bit_cast<std::uint64_t>(value)) * 0x100000001B3ULL;
+}
+
+/// Walks and returns a hash of every pose (FNV-1a by 64-bit words).
+std::uint64_t walk(int ticks, std::size_t& allocated, int& held) {
+    SlidingBody body(test::toolOf(ball()));
+    body.setSurface(test::surfaceOf(bumps(), false));
+    Dice dice;
+    Pose hand{Vec3(0, 0, 1), Quat::Identity()};
+    body.placeAt(hand);
+    std::uint64_t hash = 0xCBF29CE484222325ULL;
+    const std::size_t before = allocations;
+    for (int tick = 0; tick < ticks; ++tick) {
+        hand = nextHand(hand, dice);
+        const MoveResult result = body.moveToward(hand);
+        held += result.contactCount > 0 ? 1 : 0;
+        for (int axis = 0; axis < 3; ++axis) hash = mixed(hash, body.pose().position[axis]);
+        for (int i = 0; i < 4; ++i) hash = mixed(hash, body.pose().rotation.coeffs()[i]);
+    }
+    allocated = allocations - before;
+    return hash;
+}
+
+}  // namespace
+
+TEST(RealTime, AHundredThousandTicksAllocateNothing) {
+    std::size_t allocated = 0;
+    int held = 0;
+    walk(100000, allocated, held);
+    EXPECT_EQ(allocated, 0U);
+    EXPECT_GT(held, 30000);
+    EXPECT_LT(held, 99000);
+}
+
+TEST(RealTime, EqualRunsGiveEqualBits) {
+    std::size_t allocated = 0;
+    int held = 0;
+    const std::uint64_t first = walk(3000, allocated, held);
+    EXPECT_EQ(walk(3000, allocated, held), first);
+}
+
+/// The same in every build: vectors or none, Debug or Release. A change of the algorithm may change the number; a
+/// change of the build may not.
+TEST(RealTime, EveryBuildGivesTheGoldenBits) {
+    std::size_t allocated = 0;
+    int held = 0;
+    EXPECT_EQ(walk(20000, allocated, held), 1010270505944753689U);
+}
+
+}  // namespace tactooth
