@@ -194,7 +194,8 @@ void ContactQuery::straighten(const Pose& toolInTooth, Contact& best) {
     if (!leaves(toolInTooth, direction, distance)) return;
     best.depth = distance;
     best.normal = direction;
-    freePose_.position = toolInTooth.position + distance * direction;
+    // A hair's breadth further out than the depth, so that the pose given is free with a gap to spare.
+    freePose_.position = toolInTooth.position + (distance + kClearance * tool_->radius()) * direction;
 }
 
 /// Looks around for a way out shorter than the one found, along the 26 directions from a cube's centre to its corners,

@@ -21,7 +21,7 @@
 namespace tactooth {
 namespace {
 
-constexpr int kMaxRounds = 12;               // 2-3 are usual at 1 cm/s, 4-6 at 10 cm/s
+constexpr int kMaxRounds = 20;  // 2-3 are usual at 1 cm/s, 4-6 at 10 cm/s; a jump of 1 mm into contact takes some 15
 constexpr int kMaxPlanesPerRound = 32;       // 3-6 are usual; more means that the step is long for its surroundings
 constexpr int kOffendersToCompare = 2;       // before the worst of them becomes a plane: more costs more than it saves
 constexpr double kMarginOfRadius = 1e-7;     // 0.3 nm for a 6 mm bur
@@ -30,6 +30,7 @@ constexpr double kSettledMargins = 10;       // a round that moves less than thi
 constexpr double kStride = 2;  // ways of the hand a list should last: more pairs to list against listing more often
 constexpr std::uint64_t kGuessed = 1;  // stamp of a plane that GJK has not seen; poses are numbered from 2
 constexpr double kLeastTurn = 1e-3;    // of the turn wanted: below it, the tool is held in its present orientation
+constexpr double kStillNear = 0.995;   // of a gap below the margin: what staying put leaves of it, less rounding
 constexpr double kTrusted = 0.95;      // of the listed reach: leaves room for rounding
 
 Quat partOfTurn(const Quat& from, const Quat& to, double fraction) {
@@ -200,10 +201,10 @@ SlidingBody::Offence SlidingBody::violation(const Attempt& attempt, WatchedPair&
             if (provenSafe(place, attempt)) continue;
             WatchedPair watched = watch(place);
             if (watched.plane.stamp != poseStamp_ && !refreshPlane(watched)) return Offence::Overlapping;
-            // A new surface may stand nearer than any step could respect.
-            if (gapAt(watched, attempt.startMatrix, pose_.position) < margin_ / 2) return Offence::Overlapping;
+            // A tool that stands nearer than the margin (a new surface under it, another margin) may stay as near.
+            const double start = gapAt(watched, attempt.startMatrix, pose_.position);
             const double gap = gapAt(watched, attempt.matrix, end.position);
-            if (gap >= margin_ / 2) continue;
+            if (gap >= std::min(margin_ / 2, kStillNear * start)) continue;
             if (gap < worstGap) worstGap = gap, worst = watched;
             if (++offenders == kOffendersToCompare) return Offence::Found;
         }

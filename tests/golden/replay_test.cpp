@@ -15,7 +15,7 @@
 namespace tactooth {
 namespace {
 
-constexpr std::uint64_t kGolden = 0xd846a47d72889ef4ULL;
+constexpr std::uint64_t kGolden = 0xb140ee93bef0b0bbULL;
 
 constexpr double kTick = 0.001;
 constexpr double kVoxel = 0.05;
