@@ -175,4 +175,8 @@ Expected<MaterialTable> readMaterials(const std::filesystem::path& path) {
                           defaultMaterials());
 }
 
+Expected<MaterialTable> materialsFrom(const std::filesystem::path& fileOrNothing) {
+    return fileOrNothing.empty() ? Expected<MaterialTable>(defaultMaterials()) : readMaterials(fileOrNothing);
+}
+
 }  // namespace tactooth

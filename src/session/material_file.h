@@ -23,6 +23,9 @@ namespace tactooth {
 /// kind than expected, a number that is negative, not finite or above its range.
 [[nodiscard]] Expected<MaterialTable> readMaterials(const std::filesystem::path& path);
 
+/// The materials of that file, or of the built-in table for an empty path.
+[[nodiscard]] Expected<MaterialTable> materialsFrom(const std::filesystem::path& fileOrNothing);
+
 /// The same from memory, on top of `start`; `name` stands for the file in messages.
 [[nodiscard]] Expected<MaterialTable> parseMaterials(std::string_view text, std::string_view name,
                                                      const MaterialTable& start);

@@ -41,6 +41,13 @@ void addInfo(CLI::App& program, Chosen& chosen) {
     command->add_flag("--json", options->json, "Write one JSON object for each file, one a line");
 }
 
+/// The option that feel, cut and demo share.
+void addMaterials(CLI::App& command, std::filesystem::path& file) {
+    command
+        .add_option("--materials", file, "TOML file that changes the materials' numbers (pattern: data/materials.toml)")
+        ->type_name("FILE");
+}
+
 void addContact(CLI::App& program, Chosen& chosen) {
     const auto options = std::make_shared<ContactOptions>();
     CLI::App* command =
@@ -73,6 +80,7 @@ void addFeel(CLI::App& program, Chosen& chosen) {
     command->add_option("--out", options->out, "CSV file to write, one row a tick: depth, normal, force, torque, proxy")
         ->required()
         ->type_name("FILE");
+    addMaterials(*command, options->materials);
     command
         ->add_option("--mode", options->mode,
                      "proxy: never enters the tooth (default); penalty: deepest pair of triangles, for comparison")
@@ -105,6 +113,7 @@ void addCut(CLI::App& program, Chosen& chosen) {
         ->type_name("NAME=FILE")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    addMaterials(*command, options->materials);
     command->add_option("--material", options->material, "What a tooth without layers is made of (default: enamel)")
         ->type_name("NAME");
     command->add_option("--tool", options->tool, "The bur's STL file, mm: tip at the origin, +z along the shaft")
@@ -144,6 +153,7 @@ void addDemo(CLI::App& program, Chosen& chosen) {
     command->add_option("--seconds", options->seconds, "Length of the session, s (default: 14)")
         ->check(CLI::Range(1.0, 600.0))
         ->type_name("S");
+    addMaterials(*command, options->materials);
     command->add_option("--tooth", options->tooth, "A closed STL file, mm, crown up (+z) (default: the built-in molar)")
         ->type_name("FILE");
     command->add_option("--layer", options->layers, "What is inside --tooth, as for 'cut'")

@@ -8,9 +8,9 @@
 
 #include "app/cli/exit_code.h"
 #include "collision/contact_query.h"
+#include "haptics/load_surface.h"
 #include "session/csv_table.h"
 #include "session/feel_run.h"
-#include "haptics/load_surface.h"
 
 namespace tactooth {
 namespace {

@@ -13,6 +13,7 @@
 #include "geometry/mesh_file.h"
 #include "geometry/stl_writer.h"
 #include "session/cut_run.h"
+#include "session/material_file.h"
 #include "session/tick_csv.h"
 #include "session/tooth_source.h"
 
@@ -103,23 +104,24 @@ int runCut(const CutOptions& options) {
     if (!tool) return refuse({options.tool.string() + ": " + tool.error().message});
     const auto tooth = loadLayeredTooth(*source);
     if (!tooth) return refuse(tooth.error());
+    const auto materials = materialsFrom(options.materials);
+    if (!materials) return refuse(materials.error());
     CutFiles files;
     if (const auto opened = files.open(options); !opened) return refuse(opened.error());
 
     WorkPiece piece(*tooth, options.voxel);
-    const MaterialTable materials;
     const auto visit = [&](double time, const Tick& tick, const MaterialVolumes& removed) {
         files.row(time, tick, removed);
     };
     if (options.feed == "rigid") {
-        cutRigidly(*path, *tool, options.speedRpm, materials, piece, visit);
+        cutRigidly(*path, *tool, options.speedRpm, *materials, piece, visit);
     } else {
         HapticSettings settings;
-        settings.materials = materials;
+        settings.materials = *materials;
         settings.spindle = constantSpeed(options.speedRpm);
         HapticSimulation simulation(std::make_shared<const ToolShape>(std::move(*bur)), tool->envelope.maxRadius(),
                                     piece.surface(), settings);
-        cutByLaw(*path, *tool, materials, simulation, piece, visit);
+        cutByLaw(*path, *tool, *materials, simulation, piece, visit);
     }
     const TaggedMesh cut = visibleMesh(*piece.surface());
     if (const auto done = files.finish(cut.mesh); !done) return refuse(done.error());

@@ -12,6 +12,7 @@ struct CutOptions {
     std::filesystem::path tooth;
     std::vector<std::string> layers;  ///< NAME=FILE
     std::string material = "enamel";  ///< of the tooth where it has no layers
+    std::filesystem::path materials;  ///< TOML; empty: the built-in table
     std::filesystem::path tool;
     std::filesystem::path trajectory;
     double speedRpm = 0;

@@ -16,6 +16,7 @@
 #include "instruments/builtin_tooth.h"
 #include "instruments/bur_shape.h"
 #include "instruments/turbine.h"
+#include "session/material_file.h"
 #include "session/tick_csv.h"
 #include "session/tooth_source.h"
 #include "sound/wav_file.h"
@@ -133,6 +134,9 @@ int runDemo(const DemoOptions& options) {
     Cast cast;
     if (const auto done = castTooth(options, cast); !done) return refuse(done.error());
     if (const auto done = castBur(options, cast); !done) return refuse(done.error());
+    const auto materials = materialsFrom(options.materials);
+    if (!materials) return refuse(materials.error());
+    cast.props.materials = *materials;
     if (const auto done = makeFolder(options.out); !done) return refuse(done.error());
     castMirror(cast);
 

@@ -8,8 +8,9 @@
 
 #include "app/cli/exit_code.h"
 #include "haptics/latency_histogram.h"
-#include "session/feel_run.h"
 #include "haptics/load_surface.h"
+#include "session/feel_run.h"
+#include "session/material_file.h"
 #include "session/tick_csv.h"
 
 namespace tactooth {
@@ -21,10 +22,13 @@ int runFeel(const FeelOptions& options) {
     if (!tooth) return refuse(tooth.error());
     const auto tool = loadTool(options.tool);
     if (!tool) return refuse(tool.error());
+    const auto materials = materialsFrom(options.materials);
+    if (!materials) return refuse(materials.error());
     auto file = TickCsv::create(options.out);
     if (!file) return refuse(file.error());
 
     HapticSettings settings;
+    settings.materials = *materials;
     settings.mode = options.mode == "penalty" ? ContactMode::Penalty : ContactMode::Proxy;
     settings.force = {options.stiffness, options.damping, options.friction};
     HapticSimulation simulation(*tool, (*tool)->radius(), *tooth, settings);

@@ -17,6 +17,7 @@ struct FeelOptions {
     std::optional<double> stiffness;  ///< N/mm
     std::optional<double> damping;    ///< N*s/mm
     double friction = 0;              ///< Coulomb coefficient
+    std::filesystem::path materials;  ///< TOML; empty: the built-in table
 };
 
 /// One haptic run of a tool along a trajectory.
