@@ -11,6 +11,7 @@
 #include <QSaveFile>
 #include <QValueAxis>
 #include <algorithm>
+#include <cstdio>
 #include <functional>
 #include <memory>
 
@@ -20,6 +21,11 @@ namespace {
 constexpr int kWidth = 1280;
 constexpr int kPlotHeight = 280;
 constexpr std::size_t kPointsShown = 1200;  // about one a pixel: of the ticks between two, the largest is shown
+
+/// Passes Qt's messages on, but for the one on a missing XDG_RUNTIME_DIR, which a picture does not need.
+void passOnMessages(QtMsgType, const QMessageLogContext&, const QString& text) {
+    if (!text.startsWith("QStandardPaths: XDG_RUNTIME_DIR")) std::fprintf(stderr, "%s\n", qPrintable(text));
+}
 
 struct Plot {
     const char* title;
@@ -82,6 +88,7 @@ Expected<void> writeForcePlot(const std::filesystem::path& path, std::span<const
     std::unique_ptr<QApplication> application;
     if (QCoreApplication::instance() == nullptr) {
         qputenv("QT_QPA_PLATFORM", "offscreen");
+        qInstallMessageHandler(passOnMessages);
         application = std::make_unique<QApplication>(argc, argv);
     }
     const Plot plots[] = {
