@@ -32,6 +32,10 @@ Simulator::~Simulator() {
     cutter_ = {};  // joins: after this nobody fills the queues
     loop_.reset();
     device_.write(SafeWrench());
+    // The queues have room for a fixed number and do not destroy what is left in them.
+    const auto drop = [](const std::shared_ptr<const Surface>&) {};
+    fresh_.consume_all(drop);
+    retired_.consume_all(drop);
 }
 
 /// Swaps in the newest surface. The old ones go back to the cutter: freeing them here would stall the servo.

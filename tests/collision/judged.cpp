@@ -35,7 +35,7 @@ std::vector<NamedMesh> loadTeeth() {
 
 std::vector<NamedMesh> loadTools() {
     std::vector<NamedMesh> tools;
-    for (const char* number : {"4", "557"}) tools.push_back({number, makeBur(*findBur(number)).surface});
+    for (const char* number : {"4", "57"}) tools.push_back({number, makeBur(findBur(number).value()).surface});
     if (const auto folder = realTeethFolder()) {
         if (auto mesh = loadMesh(*folder / "tools/bur_tapered.stl")) tools.push_back({"tapered", std::move(*mesh)});
     }
