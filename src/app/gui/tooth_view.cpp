@@ -36,7 +36,11 @@ ToothView::ToothView(Workbench& bench, QWidget* parent) : QOpenGLWidget(parent),
     lookAsUsual();
 }
 
-ToothView::~ToothView() { forgetRenderer(); }
+ToothView::~ToothView() {
+    forgetRenderer();
+    // The base class destroys the context after this object has ceased to be a ToothView.
+    if (context() != nullptr) disconnect(context(), nullptr, this, nullptr);
+}
 
 void ToothView::forgetRenderer() {
     if (!renderer_) return;
