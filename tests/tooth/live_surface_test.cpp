@@ -250,7 +250,7 @@ TEST(LiveSurface, ASnapshotSharesWhatDidNotChange) {
 
 TEST(LiveSurface, ARealToothCutToItsPulpIsWatertightInItsFile) {
     const auto folder = test::realTeethFolder();
-    if (!folder) GTEST_SKIP();
+    if (!folder) GTEST_SKIP() << "needs the layers of a real tooth; cut boxes and balls are tested above";
     const auto load = [&](const std::string& name) { return *readStl(*folder / name); };
     std::vector<LayerMesh> layers;
     for (const MaterialId id : {MaterialId::Enamel, MaterialId::Dentin, MaterialId::Pulp}) {
