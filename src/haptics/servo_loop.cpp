@@ -46,6 +46,7 @@ ServoLoop::ServoLoop(double rateHz, std::function<void(double)> tick) : rateHz_(
 ServoLoop::~ServoLoop() = default;
 
 void ServoLoop::run(const std::stop_token& stop) {
+    pthread_setname_np(pthread_self(), "servo");  // for debuggers and profilers
     realTime_.store(askForRealTime(), std::memory_order_relaxed);
     const long period = static_cast<long>(static_cast<double>(kNanosPerSecond) / rateHz_);
     timespec due = now();

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "session/simulator.h"
 
+#include <pthread.h>
+
 #include <algorithm>
 #include <chrono>
 
@@ -93,6 +95,7 @@ void Simulator::publishSurface() {
 }
 
 void Simulator::runCutter(const std::stop_token& stop) {
+    pthread_setname_np(pthread_self(), "cutter");  // for debuggers and profilers
     bool unsent = false;
     while (!stop.stop_requested()) {
         retired_.consume_all([](const std::shared_ptr<const Surface>&) {});

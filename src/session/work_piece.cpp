@@ -52,10 +52,13 @@ MaterialVolumes WorkPiece::sweep(const CuttingTool& tool, const Pose& from, cons
 
 bool WorkPiece::feed(const CuttingTool& tool, const Tick& tick, const MaterialTable& materials) {
     const double work = tick.cutWork - workSpent_;
+    const bool hasWorked = tick.cutWork > workSeen_;  // else what was too dear the last time still is
+    workSeen_ = tick.cutWork;
     if (tick.contacts == 0 || !(work > 0)) {
         workSpent_ = tick.cutWork;
         return false;
     }
+    if (!hasWorked) return false;
     const double way = (tick.hand.position - tick.proxy.position).norm();
     const Pose goal = between(tick.proxy, tick.hand, way > kLongestFeed ? kLongestFeed / way : 1);
     const FeedResult result = feedBur(volume_, tool.envelope, tick.proxy, goal, work, materials, tool.sharpness);

@@ -52,6 +52,7 @@ private:
     MaterialVolumes removed_{};
     std::vector<ChangedBrick> changed_;  // since the last refresh
     double workSpent_ = 0;               // of Tick::cutWork, N*m
+    double workSeen_ = 0;                // Tick::cutWork at the last feed, N*m
 };
 
 }  // namespace tactooth

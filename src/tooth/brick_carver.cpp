@@ -3,6 +3,7 @@
 #include "tooth/brick_carver.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "tooth/voxel_fraction.h"
 
@@ -17,6 +18,9 @@ constexpr double kMattersBelow = 1.75;
 /// mm; a smaller change of the cut field is rounding (of a wall that a bur passes along), not cutting.
 constexpr float kLeastChange = 1e-6F;
 
+/// Voxels; half the diagonal of a unit cube: no plane farther from a node than this cuts its voxel.
+constexpr double kVoxelReach = 0.8660254037844386;
+
 struct CutSample {
     float distance;
     PackedDirection normal;
@@ -26,16 +30,44 @@ struct CutSample {
 double removedShare(const Brick& brick, int node, const CutSample& cut, double spacing) {
     const double tooth = brick.tooth[node] / spacing;
     const double removed = cut.distance / spacing;
-    constexpr double kReach = 0.8660254037844386;  // half the diagonal of a unit cube
-    if (tooth >= kReach || removed >= kReach) return 0;
-    if (tooth <= -kReach) return cubeFraction({removed, cut.normal.unpack()});
+    if (tooth >= kVoxelReach || removed >= kVoxelReach) return 0;
+    if (tooth <= -kVoxelReach) return cubeFraction({removed, cut.normal.unpack()});
     return cubeFraction({removed, cut.normal.unpack()}, {tooth, brick.toothNormal[node].unpack()});
 }
 
-/// Calls `visit(node, sample)` for each node whose cut distance the steps lower.
-template <class Visit>
+/// The cut field at a node after the steps; nothing if they leave it as it is, or above `limit`.
+std::optional<CutSample> loweredAt(const Brick& brick, int node, const Vec3& point, float limit, double band,
+                                   const std::vector<const SweepStep*>& steps) {
+    std::optional<CutSample> lowered;
+    float bound = std::min(brick.cut[node], limit);
+    for (const SweepStep* step : steps) {
+        const FieldSample sample = step->sample(point, bound);
+        const auto distance = static_cast<float>(std::max(sample.distance, -band));
+        if (distance < bound) lowered = {distance, PackedDirection(sample.gradient)}, bound = distance;
+    }
+    if (lowered && lowered->distance >= brick.cut[node] - kLeastChange) return std::nullopt;
+    return lowered;
+}
+
+/// The steps that come nearer than `reach` to a point.
+void findNear(const std::vector<SweepStep>& steps, const Vec3& point, double reach,
+              std::vector<const SweepStep*>& near) {
+    near.clear();
+    for (const SweepStep& step : steps) {
+        if (step.lowerBound(point) < reach) near.push_back(&step);
+    }
+}
+
+Vec3 pointOf(const Lattice& lattice, const Vec3& corner, int node) {
+    return corner + lattice.spacing() *
+                        Vec3(node % kBrickSide, node / kBrickSide % kBrickSide, node / (kBrickSide * kBrickSide));
+}
+
+/// Calls `visit(node, sample)` for each node whose cut distance the steps lower to below `limit`, except those that
+/// `isIdle(node)` passes over.
+template <class IsIdle, class Visit>
 void forEachLowered(const Brick& brick, const BrickKey& key, const Lattice& lattice,
-                    const std::vector<SweepStep>& steps, const Visit& visit) {
+                    const std::vector<SweepStep>& steps, double limit, const IsIdle& isIdle, const Visit& visit) {
     const double spacing = lattice.spacing();
     const double band = kCutBand * spacing;
     const double blockReach = 0.5 * (kBlockSide - 1) * spacing * std::sqrt(3.0);
@@ -46,27 +78,22 @@ void forEachLowered(const Brick& brick, const BrickKey& key, const Lattice& latt
         const int y0 = kBlockSide * (block >> 1 & 1);
         const int z0 = kBlockSide * (block >> 2);
         const Vec3 middle = corner + spacing * (Vec3(x0, y0, z0) + Vec3::Constant(0.5 * (kBlockSide - 1)));
-        near.clear();
-        for (const SweepStep& step : steps) {
-            if (step.lowerBound(middle) < band + blockReach) near.push_back(&step);
-        }
+        findNear(steps, middle, limit + blockReach, near);
         if (near.empty()) continue;
         for (int i = 0; i < kBlockSide * kBlockSide * kBlockSide; ++i) {
-            const int x = x0 + i % kBlockSide;
-            const int y = y0 + i / kBlockSide % kBlockSide;
-            const int z = z0 + i / (kBlockSide * kBlockSide);
-            const int node = nodeIndex(x, y, z);
-            CutSample lowered{brick.cut[node], brick.cutNormal[node]};
-            if (lowered.distance <= static_cast<float>(-band)) continue;
-            const Vec3 point = corner + spacing * Vec3(x, y, z);
-            for (const SweepStep* step : near) {
-                const FieldSample sample = step->sample(point, lowered.distance);
-                const auto distance = static_cast<float>(std::max(sample.distance, -band));
-                if (distance < lowered.distance) lowered = {distance, PackedDirection(sample.gradient)};
-            }
-            if (lowered.distance < brick.cut[node] - kLeastChange) visit(x, y, z, lowered);
+            const int node =
+                nodeIndex(x0 + i % kBlockSide, y0 + i / kBlockSide % kBlockSide, z0 + i / (kBlockSide * kBlockSide));
+            if (brick.cut[node] <= static_cast<float>(-band) || isIdle(node)) continue;
+            const auto lowered =
+                loweredAt(brick, node, pointOf(lattice, corner, node), static_cast<float>(limit), band, near);
+            if (lowered) visit(node, *lowered);
         }
     }
+}
+
+double removableAt(const Brick& brick, int node, const CutSample& lowered, double spacing) {
+    const double before = removedShare(brick, node, {brick.cut[node], brick.cutNormal[node]}, spacing);
+    return (removedShare(brick, node, lowered, spacing) - before) * spacing * spacing * spacing;
 }
 
 }  // namespace
@@ -74,24 +101,22 @@ void forEachLowered(const Brick& brick, const BrickKey& key, const Lattice& latt
 BrickCarve carveBrick(Brick& brick, const BrickKey& key, const Lattice& lattice, const std::vector<SweepStep>& steps,
                       std::uint64_t carve) {
     const double spacing = lattice.spacing();
-    const double voxelVolume = spacing * spacing * spacing;
     BrickCarve result;
     result.changed.key = key;
     brick.lastCarve = carve;
     brick.lowered.reset();
     brick.opened.reset();
-    forEachLowered(brick, key, lattice, steps, [&](int x, int y, int z, const CutSample& lowered) {
-        const int node = nodeIndex(x, y, z);
-        const double before = removedShare(brick, node, {brick.cut[node], brick.cutNormal[node]}, spacing);
-        const double after = removedShare(brick, node, lowered, spacing);
-        result.removed[static_cast<std::size_t>(brick.material[node])] += (after - before) * voxelVolume;
+    const auto isIdle = [](int) { return false; };
+    forEachLowered(brick, key, lattice, steps, kCutBand * spacing, isIdle, [&](int node, const CutSample& lowered) {
+        result.removed[static_cast<std::size_t>(brick.material[node])] += removableAt(brick, node, lowered, spacing);
         brick.lowered.set(node);
         brick.opened.set(node, brick.cut[node] >= 0 && lowered.distance < 0);
         brick.cut[node] = lowered.distance;
         brick.cutNormal[node] = lowered.normal;
         brick.isCut = true;
         if (lowered.distance > kMattersBelow * spacing) return;
-        const std::array<int, 3> place = {x, y, z};
+        const std::array<int, 3> place = {node % kBrickSide, node / kBrickSide % kBrickSide,
+                                          node / (kBrickSide * kBrickSide)};
         for (int axis = 0; axis < 3; ++axis) {
             const auto layer = static_cast<std::uint8_t>(place[axis]);
             result.changed.low[axis] = std::min(result.changed.low[axis], layer);
@@ -101,16 +126,36 @@ BrickCarve carveBrick(Brick& brick, const BrickKey& key, const Lattice& lattice,
     return result;
 }
 
-MaterialVolumes removableFromBrick(const Brick& brick, const BrickKey& key, const Lattice& lattice,
+RemovableInBrick removableFromBrick(const Brick& brick, const BrickKey& key, const Lattice& lattice,
+                                    const std::vector<SweepStep>& steps) {
+    const double spacing = lattice.spacing();
+    const double reach = kVoxelReach * spacing;
+    RemovableInBrick result;
+    result.nodes.key = key;
+    // Voxels in the air, and those that are gone already, have nothing to give.
+    const auto isIdle = [&](int node) { return brick.tooth[node] >= reach || brick.cut[node] <= -reach; };
+    forEachLowered(brick, key, lattice, steps, reach, isIdle, [&](int node, const CutSample& lowered) {
+        result.volumes[static_cast<std::size_t>(brick.material[node])] += removableAt(brick, node, lowered, spacing);
+        result.nodes.nodes.push_back(static_cast<std::uint16_t>(node));
+    });
+    return result;
+}
+
+MaterialVolumes removableFromNodes(const Brick& brick, const NodesInBrick& where, const Lattice& lattice,
                                    const std::vector<SweepStep>& steps) {
     const double spacing = lattice.spacing();
+    const double reach = kVoxelReach * spacing;
+    const Vec3 corner = lattice.corner(where.key);
+    std::vector<const SweepStep*> near;
+    findNear(steps, lattice.centre(where.key), lattice.halfDiagonal() + reach, near);
     MaterialVolumes volumes{};
-    forEachLowered(brick, key, lattice, steps, [&](int x, int y, int z, const CutSample& lowered) {
-        const int node = nodeIndex(x, y, z);
-        const double before = removedShare(brick, node, {brick.cut[node], brick.cutNormal[node]}, spacing);
-        const double after = removedShare(brick, node, lowered, spacing);
-        volumes[static_cast<std::size_t>(brick.material[node])] += (after - before) * spacing * spacing * spacing;
-    });
+    if (near.empty()) return volumes;
+    for (const std::uint16_t node : where.nodes) {
+        const auto lowered =
+            loweredAt(brick, node, pointOf(lattice, corner, node), static_cast<float>(reach), kCutBand * spacing, near);
+        if (!lowered) continue;
+        volumes[static_cast<std::size_t>(brick.material[node])] += removableAt(brick, node, *lowered, spacing);
+    }
     return volumes;
 }
 

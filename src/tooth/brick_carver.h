@@ -19,8 +19,17 @@ struct BrickCarve {
 [[nodiscard]] BrickCarve carveBrick(Brick& brick, const BrickKey& key, const Lattice& lattice,
                                     const std::vector<SweepStep>& steps, std::uint64_t carve);
 
+/// What a carve would remove from one brick, and at which nodes.
+struct RemovableInBrick {
+    MaterialVolumes volumes{};
+    NodesInBrick nodes;
+};
+
 /// What carveBrick would remove, without doing it.
-[[nodiscard]] MaterialVolumes removableFromBrick(const Brick& brick, const BrickKey& key, const Lattice& lattice,
+[[nodiscard]] RemovableInBrick removableFromBrick(const Brick& brick, const BrickKey& key, const Lattice& lattice,
+                                                  const std::vector<SweepStep>& steps);
+/// The same where only the given nodes can have something to give.
+[[nodiscard]] MaterialVolumes removableFromNodes(const Brick& brick, const NodesInBrick& where, const Lattice& lattice,
                                                  const std::vector<SweepStep>& steps);
 
 /// What has been removed from the tooth within one brick.

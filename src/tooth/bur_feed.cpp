@@ -32,10 +32,12 @@ Pose between(const Pose& from, const Pose& to, double fraction) {
 
 FeedResult feedBur(CutVolume& volume, const RevolutionEnvelope& envelope, const Pose& from, const Pose& to, double work,
                    const MaterialTable& materials, double sharpness) {
+    const Removable removable = volume.removable(envelope, from, to);
     const auto costOf = [&](double fraction) {
-        return workFor(volume.removableVolume(envelope, from, between(from, to, fraction)), materials, sharpness);
+        return workFor(volume.removableOnTheWay(removable, envelope, from, between(from, to, fraction)), materials,
+                       sharpness);
     };
-    const double whole = costOf(1);
+    const double whole = workFor(removable.volumes, materials, sharpness);
     double low = 0;
     double lowCost = 0;
     double high = 1;
@@ -60,8 +62,8 @@ FeedResult feedBur(CutVolume& volume, const RevolutionEnvelope& envelope, const 
         result.wanted = highCost;
         return result;
     }
-    result.work = lowCost;
     result.carve = volume.carve(envelope, from, between(from, to, low));
+    result.work = workFor(result.carve.removed, materials, sharpness);
     return result;
 }
 

@@ -106,16 +106,32 @@ void CutVolume::traceBorder(const std::vector<ChangedBrick>& changed, const std:
                       [&](std::size_t i) { traceBorderInBrick(bricks_, keys[i], lattice_, steps, carves_); });
 }
 
-MaterialVolumes CutVolume::removableVolume(const RevolutionEnvelope& envelope, const Pose& fromInTooth,
-                                           const Pose& toInTooth, double clearance) {
+Removable CutVolume::removable(const RevolutionEnvelope& envelope, const Pose& fromInTooth, const Pose& toInTooth,
+                               double clearance) {
     const auto steps = sweepSteps(envelope, fromInTooth, toInTooth, clearance, kLongestStep * lattice_.spacing());
     const std::vector<BrickKey> keys = bricksInReach(steps);
     makeMissing(keys);
-    std::vector<MaterialVolumes> parts(keys.size(), MaterialVolumes{});
+    std::vector<RemovableInBrick> parts(keys.size());
     tbb::parallel_for(std::size_t{0}, keys.size(), [&](std::size_t i) {
         if (const Brick* brick = std::as_const(bricks_).find(keys[i])) {
             parts[i] = removableFromBrick(*brick, keys[i], lattice_, steps);
         }
+    });
+    Removable result;
+    result.clearance = clearance;
+    for (RemovableInBrick& part : parts) {
+        for (std::size_t m = 0; m < kMaterialCount; ++m) result.volumes[m] += part.volumes[m];
+        if (!part.nodes.nodes.empty()) result.where.push_back(std::move(part.nodes));
+    }
+    return result;
+}
+
+MaterialVolumes CutVolume::removableOnTheWay(const Removable& whole, const RevolutionEnvelope& envelope,
+                                             const Pose& fromInTooth, const Pose& partWay) const {
+    const auto steps = sweepSteps(envelope, fromInTooth, partWay, whole.clearance, kLongestStep * lattice_.spacing());
+    std::vector<MaterialVolumes> parts(whole.where.size());
+    tbb::parallel_for(std::size_t{0}, whole.where.size(), [&](std::size_t i) {
+        parts[i] = removableFromNodes(*bricks_.find(whole.where[i].key), whole.where[i], lattice_, steps);
     });
     return sum(parts);
 }

@@ -31,6 +31,19 @@ struct CarveResult {
     std::vector<ChangedBrick> changed;  ///< in ascending order of their keys
 };
 
+/// Some nodes of one brick, by nodeIndex.
+struct NodesInBrick {
+    BrickKey key;
+    std::vector<std::uint16_t> nodes;
+};
+
+/// What a move of the bur would remove.
+struct Removable {
+    MaterialVolumes volumes{};
+    std::vector<NodesInBrick> where;  ///< the nodes that it would come from
+    double clearance = 0;             ///< that it was asked with, mm
+};
+
 /// How much wider than the bur the cut is by default, in voxels: room for the chords of the extracted surface, so that
 /// a bur at rest in its own cut does not touch it. A flat bur of 1 mm that mills a slot at 50 um: none is left in its
 /// way at 0.1, 1.6 um at 0.04. Pass 0 where the removed volume itself is the question.
@@ -52,12 +65,16 @@ public:
     }
 
     /// What the same `carve` would remove. Changes nothing (bricks that are needed for the answer are kept).
-    [[nodiscard]] MaterialVolumes removableVolume(const RevolutionEnvelope& envelope, const Pose& fromInTooth,
-                                                  const Pose& toInTooth, double clearance);
-    [[nodiscard]] MaterialVolumes removableVolume(const RevolutionEnvelope& envelope, const Pose& fromInTooth,
-                                                  const Pose& toInTooth) {
-        return removableVolume(envelope, fromInTooth, toInTooth, kDefaultClearance * lattice_.spacing());
+    [[nodiscard]] Removable removable(const RevolutionEnvelope& envelope, const Pose& fromInTooth,
+                                      const Pose& toInTooth, double clearance);
+    [[nodiscard]] Removable removable(const RevolutionEnvelope& envelope, const Pose& fromInTooth,
+                                      const Pose& toInTooth) {
+        return removable(envelope, fromInTooth, toInTooth, kDefaultClearance * lattice_.spacing());
     }
+    /// What the first part of that move, up to `partWay`, would remove, to about 1e-4 of a voxel: looks nowhere but at
+    /// the nodes that the whole move reaches.
+    [[nodiscard]] MaterialVolumes removableOnTheWay(const Removable& whole, const RevolutionEnvelope& envelope,
+                                                    const Pose& fromInTooth, const Pose& partWay) const;
 
     /// The whole tooth again.
     void reset() { bricks_.clear(); }

@@ -117,11 +117,11 @@ TEST(CutVolume, ADryRunForetellsTheCarveAndChangesNothing) {
     const auto bur = flatBur(0.4);
     volume.carve(bur, at(0, 0, 0.5), at(0, 0, -0.5));
     const std::uint64_t before = volume.hash();
-    const double foretold = total(volume.removableVolume(bur, at(0, 0, -0.5), at(0.02, 0, -0.53)));
+    const double foretold = total(volume.removable(bur, at(0, 0, -0.5), at(0.02, 0, -0.53)).volumes);
     EXPECT_EQ(volume.hash(), before);
     EXPECT_EQ(total(volume.carve(bur, at(0, 0, -0.5), at(0.02, 0, -0.53)).removed), foretold);
     EXPECT_GT(foretold, 0);
-    EXPECT_EQ(total(volume.removableVolume(bur, at(0, 0, -0.5), at(0.02, 0, -0.53))), 0);
+    EXPECT_EQ(total(volume.removable(bur, at(0, 0, -0.5), at(0.02, 0, -0.53)).volumes), 0);
 }
 
 TEST(CutVolume, OneThreadAndManyGiveTheSameBits) {

@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The live window at work: `window_bench [SECONDS [TOOTH.stl]]` cuts with a bur of 1.2 mm at 50 um, strokes to and fro
+// with the mouse, and prints one CSV row: surface updates and pictures a second, and the processor time, in percent of
+// one core, that each kind of thread took; then another row for the window at rest. On a machine without a display:
+//     LIBGL_ALWAYS_SOFTWARE=1 ALSOFT_DRIVERS=null xvfb-run -a -s "-screen 0 1400x900x24" build/release/bin/window_bench
+#include <unistd.h>
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QTest>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include "app/gui/drive_panel.h"
+#include "app/gui/main_window.h"
+#include "app/gui/tooth_view.h"
+#include "app/gui/window_setup.h"
+#include "sound/audio_libraries.h"
+#include "sound/openal_output.h"
+
+namespace tactooth {
+namespace {
+
+/// Processor time of this process so far by the name of the thread, s.
+std::map<std::string, double> processorTimes() {
+    std::map<std::string, double> times;
+    for (const auto& task : std::filesystem::directory_iterator("/proc/self/task")) {
+        std::string name;
+        std::getline(std::ifstream(task.path() / "comm"), name);
+        name = name.substr(0, name.find_first_of("-:"));
+        std::string line;
+        std::getline(std::ifstream(task.path() / "stat"), line);
+        // After the name in brackets come the state and ten numbers; the next two are the ticks in user and system.
+        std::istringstream rest(line.substr(line.rfind(')') + 1));
+        std::string skipped;
+        for (int i = 0; i < 11; ++i) rest >> skipped;
+        double user = 0, system = 0;
+        rest >> user >> system;
+        times[name] += (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
+    }
+    return times;
+}
+
+/// What happened while `act` ran for some seconds, as one row.
+class Measurement {
+public:
+    Measurement(MainWindow& window, ToothView& view) : window_(window) {
+        QObject::connect(&view, &QOpenGLWidget::frameSwapped, &view, [this] { ++pictures_; });
+    }
+
+    template <class Act>
+    void run(const char* name, double seconds, Act act) {
+        const std::uint64_t updates = window_.bench().simulator()->surfaceUpdates();
+        const auto before = processorTimes();
+        pictures_ = 0;
+        QElapsedTimer timer;
+        timer.start();
+        double now = 0;
+        for (; now < seconds; now = static_cast<double>(timer.elapsed()) / 1000) act(now);
+        std::printf("%s,%.1f,%.1f", name,
+                    static_cast<double>(window_.bench().simulator()->surfaceUpdates() - updates) / now,
+                    pictures_ / now);
+        double all = 0;
+        for (const auto& [thread, time] : processorTimes()) {
+            const auto known = before.find(thread);
+            const double spent = 100 * (time - (known == before.end() ? 0 : known->second)) / now;
+            all += spent;
+            if (spent >= 0.1) std::printf(",%s %.1f", thread.c_str(), spent);
+        }
+        std::printf(",all %.1f\n", all);
+        std::fflush(stdout);
+    }
+
+private:
+    MainWindow& window_;
+    int pictures_ = 0;
+};
+
+int run(double seconds, const QString& file) {
+    OpenAlOutput sound;
+    MainWindow window(sound);
+    if (file.isEmpty()) {
+        window.bringBuiltinTooth(kBuiltinTeeth.front());
+    } else {
+        ToothSource source;
+        source.outer = file.toStdString();
+        window.openTooth(source);
+    }
+    window.bringBur(*findBur("58"));
+    window.show();
+    if (!QTest::qWaitForWindowExposed(&window)) return 1;
+    if (!QTest::qWaitFor([&] { return !window.bench().isBusy() && window.bench().simulator() != nullptr; }, 60000)) {
+        return 1;
+    }
+    auto& view = *window.findChild<ToothView*>("toothView");
+    window.findChild<QCheckBox*>("keepPedal")->setChecked(true);
+    QApplication::setActiveWindow(&window);
+    QTest::keyClick(&window, Qt::Key_C);
+    const QPoint start = view.rect().center() + QPoint(-18, 60);
+    QTest::mouseMove(&view, start);
+    QTest::qWait(1500);
+    QTest::mousePress(&view, Qt::LeftButton, {}, start);
+    QTest::qWait(500);
+    std::printf("# case,updates_per_s,pictures_per_s,percent of a core by thread\n");
+    Measurement measurement(window, view);
+    measurement.run("cutting", seconds, [&](double now) {
+        QTest::mouseMove(&view, start + QPoint(static_cast<int>(20 * std::sin(now)), static_cast<int>(-3 * now)));
+        QTest::qWait(16);
+    });
+    const double removed = total(window.bench().simulator()->removed());
+    std::printf("# removed %.2f mm3\n", removed);
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, start);
+    QTest::mouseMove(&view, start + QPoint(0, -100));  // clear of the tooth
+    QTest::qWait(500);
+    measurement.run("spinning", seconds, [](double) { QTest::qWait(50); });
+    window.findChild<QCheckBox*>("keepPedal")->setChecked(false);
+    QTest::qWait(12000);  // until the bur stands and the plots are empty
+    measurement.run("rest", seconds, [](double) { QTest::qWait(200); });
+    return removed > 0 ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace tactooth
+
+int main(int argc, char** argv) {
+    tactooth::prepareAudioLibraries();
+    tactooth::prepareWindowSystem();
+    QApplication application(argc, argv);
+    tactooth::applyLook(application);
+    const QStringList arguments = QApplication::arguments();
+    return tactooth::run(std::max(1.0, arguments.value(1, "6").toDouble()), arguments.value(2));
+}
