@@ -50,6 +50,12 @@ double cellSizeFor(const ToothShape& shape, int triangles) {
     return kTrial * std::sqrt(static_cast<double>(trial.triangles.size()) / triangles);
 }
 
+/// The tooth of the other side of the mouth.
+void mirror(TriangleMesh& mesh) {
+    for (Vec3f& vertex : mesh.vertices) vertex.x() = -vertex.x();
+    for (Triangle& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
+}
+
 /// Decay in a body's frame of its own: narrow through the enamel, then spreading along the dentin's border and toward
 /// the pulp, as fissure and contact lesions do.
 double lesion(const ToothShape& shape, const Vec3& point, double width) {
@@ -86,6 +92,11 @@ BuiltinTooth makeBuiltinTooth(BuiltinToothKind kind, int triangles, double lesio
     tooth.pulp = small(shape.pulp);
     if (lesionWidth > 0) {
         tooth.caries = small([&](const Vec3& p) { return std::max(shape.outer(p), lesion(shape, p, lesionWidth)); });
+    }
+    if (mesialX(tooth.fdi) < 0) {
+        for (TriangleMesh* layer : {&tooth.outer, &tooth.enamel, &tooth.dentin, &tooth.pulp, &tooth.caries}) {
+            mirror(*layer);
+        }
     }
     return tooth;
 }

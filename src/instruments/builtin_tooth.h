@@ -13,7 +13,7 @@ namespace tactooth {
 enum class BuiltinToothKind { lowerFirstMolar, upperCentralIncisor, upperCanine };
 
 /// A tooth made by the program itself. Tooth frame: origin in the tooth's axis at the height of the cervical line's
-/// lowest (buccal and lingual) points, +z toward the crown, +x mesial, +y buccal; mm.
+/// lowest (buccal and lingual) points, +z toward the crown, +y buccal, and mesial along x as `mesialX` says; mm.
 ///
 /// Layers nest and the inner one wins: enamel < dentin < pulp < caries. `enamel` is the whole crown as a closed body;
 /// what lies within `dentin` is dentin, and so on. Enamel and dentin together fill `outer`; where they reach the
@@ -27,6 +27,12 @@ struct BuiltinTooth {
     TriangleMesh pulp;    ///< chamber, horns and canals, closed, inside the dentin
     TriangleMesh caries;  ///< the lesion, closed; empty if there is none
 };
+
+/// Where mesial lies on the x axis of a tooth's frame, for a two-digit tooth number (FDI): +1 in the patient's upper
+/// right and lower left quarter, -1 in the other two. Their teeth are mirror images, and a frame is always
+/// right-handed: with the crown up and seen from the cheek, mesial is to the left on a lower left tooth and to the
+/// right on a lower right one.
+[[nodiscard]] constexpr double mesialX(int fdi) { return fdi / 10 % 2 == 1 ? 1 : -1; }
 
 /// Width of the built-in lesion where it spreads in the dentin, mm: a moderate cavity, short of the pulp.
 inline constexpr double kDefaultLesionWidth = 2.4;

@@ -28,12 +28,13 @@ std::vector<Passage> lesson(const Vec3& middle, double reach, double seconds) {
 }  // namespace
 
 Demonstration playDemonstration(WorkPiece& piece, const Instrument& instrument, const HapticSettings& settings,
-                                double seconds, const std::function<void(double)>& progress) {
+                                const Quat& grip, double seconds, const std::function<void(double)>& progress) {
     const Box3 box = piece.surface()->base->tree().box();
     const Vec3 middle = box.center();
     const double reach = 0.12 * box.sizes().x();
     constexpr double kHeadroom = 6.0;  // mm above the highest cusp: the cavity can be seen under the waiting bur
-    PractisedHand hand(Vec3(middle.x() - reach, middle.y(), box.max().z() + kHeadroom), lesson(middle, reach, seconds));
+    PractisedHand hand(Vec3(middle.x() - reach, middle.y(), box.max().z() + kHeadroom), grip,
+                       lesson(middle, reach, seconds));
     HapticSimulation simulation(instrument.shape, instrument.cutting.envelope.maxRadius(), piece.surface(), settings);
     SafetyLimiter limiter(hand.info().limits);
 

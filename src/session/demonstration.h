@@ -20,9 +20,10 @@ struct Demonstration {
 };
 
 /// Plays a session without clock, device or display: a practised hand touches the tooth from above (+z), strokes it,
-/// lifts, starts the turbine and cuts to and fro. Equal inputs give equal results. `progress` is called with 0..1.
+/// lifts, starts the turbine and cuts to and fro, with the tool turned by `grip` all the time. Equal inputs give equal
+/// results. `progress` is called with 0..1.
 [[nodiscard]] Demonstration playDemonstration(WorkPiece& piece, const Instrument& instrument,
-                                              const HapticSettings& settings, double seconds,
+                                              const HapticSettings& settings, const Quat& grip, double seconds,
                                               const std::function<void(double)>& progress);
 
 }  // namespace tactooth

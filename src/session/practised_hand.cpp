@@ -17,8 +17,8 @@ constexpr double kSideways = 12;  // mm/s at most: a stroke of a trained hand
 
 }  // namespace
 
-PractisedHand::PractisedHand(const Vec3& start, std::vector<Passage> lesson)
-    : lesson_(std::move(lesson)), waitingHeight_(start.z()), tip_(start) {
+PractisedHand::PractisedHand(const Vec3& start, const Quat& grip, std::vector<Passage> lesson)
+    : lesson_(std::move(lesson)), waitingHeight_(start.z()), tip_(start), grip_(grip) {
     assert(!lesson_.empty());
     info_.name = "practised hand";
     info_.rendersForce = info_.hasPedal = true;
@@ -42,7 +42,7 @@ DeviceSample PractisedHand::read(double elapsed) {
     const double wanted = now.force > 0 ? -kYield * (now.force - force_.norm()) : kLift;
     tip_ += sideways + Vec3(0, 0, std::clamp(wanted, -kApproach, kLift) * elapsed);
     tip_.z() = std::min(tip_.z(), waitingHeight_);
-    return {{tip_, Quat::Identity()}, now.pedal, 0, true};
+    return {{tip_, grip_}, now.pedal, 0, true};
 }
 
 }  // namespace tactooth

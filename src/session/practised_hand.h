@@ -23,8 +23,9 @@ struct Passage {
 /// dentist does, and so finds the surface of any tooth and follows it while it is cut away.
 class PractisedHand final : public HapticDevice {
 public:
-    /// `start`: where the tip waits, above the tooth. The lesson is not empty.
-    PractisedHand(const Vec3& start, std::vector<Passage> lesson);
+    /// `start`: where the tip waits, above the tooth; `grip`: how the tool is held all the time. The lesson is not
+    /// empty.
+    PractisedHand(const Vec3& start, const Quat& grip, std::vector<Passage> lesson);
 
     [[nodiscard]] const DeviceInfo& info() const override { return info_; }
     [[nodiscard]] Expected<void> open() override { return {}; }
@@ -45,6 +46,7 @@ private:
     double time_ = 0;  // in the passage, s
     bool finished_ = false;
     Vec3 tip_;
+    Quat grip_;
     Vec3 force_ = Vec3::Zero();
 };
 

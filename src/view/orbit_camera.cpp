@@ -33,7 +33,7 @@ void OrbitCamera::fit(const Box3& box, double aspect) {
     distance_ = std::clamp(kMargin * reach_ / std::sin(narrowest), kNearestEye, kFarthestEye);
 }
 
-void OrbitCamera::look(StandardView view) {
+void OrbitCamera::look(StandardView view, double mesialX) {
     switch (view) {
         case StandardView::Occlusal:
             return look({-kRightAngle, kRightAngle});
@@ -42,9 +42,9 @@ void OrbitCamera::look(StandardView view) {
         case StandardView::Lingual:
             return look({-kRightAngle, 0});
         case StandardView::Mesial:
-            return look({0, 0});
+            return look({mesialX > 0 ? 0 : 2 * kRightAngle, 0});
         case StandardView::Distal:
-            return look({2 * kRightAngle, 0});
+            return look({mesialX > 0 ? 2 * kRightAngle : 0, 0});
     }
 }
 
@@ -88,6 +88,10 @@ Camera OrbitCamera::camera() const {
     return {.cameraInWorld = {target_ + cameraRotation * Vec3(0, 0, distance_), cameraRotation},
             .nearDistance = std::max(0.04 * distance_, 0.1),
             .farDistance = 4 * distance_ + 10 * reach_ + 200};
+}
+
+OrbitCamera::Direction mirroredInX(OrbitCamera::Direction direction) {
+    return {2 * kRightAngle - direction.azimuth, direction.elevation};
 }
 
 }  // namespace tactooth

@@ -6,14 +6,14 @@
 
 namespace tactooth {
 
-/// The standard dental views of a tooth whose frame is +z to the crown, +x mesial, +y buccal.
+/// The standard dental views of a tooth whose frame is +z to the crown, +y buccal, and mesial along +x or -x.
 enum class StandardView { Occlusal, Buccal, Lingual, Mesial, Distal };
 
 /// A camera that a person moves around a point of interest. +z of the world stays upright in the picture; the eye
 /// may stand exactly above or below (occlusal view) without a jump.
 class OrbitCamera {
 public:
-    /// The eye's place on the sphere around the target, rad: azimuth 0 looks from +x (mesial), 90 degrees from +y
+    /// The eye's place on the sphere around the target, rad: azimuth 0 looks from +x, 90 degrees from +y
     /// (buccal); elevation 90 degrees looks from +z (occlusal).
     struct Direction {
         double azimuth = 0;
@@ -22,8 +22,8 @@ public:
 
     /// Shows `box` (world, mm) whole from the same direction, whatever way it is turned.
     void fit(const Box3& box, double aspect);
-    /// Turns to a standard view; target and distance stay.
-    void look(StandardView view);
+    /// Turns to a standard view; target and distance stay. `mesialX`: 1 where mesial is +x, -1 where it is -x.
+    void look(StandardView view, double mesialX = 1);
     void look(Direction direction);
 
     /// Drags the object by (dx, dy) pixels: half a picture height turns it by 90 degrees.
@@ -50,5 +50,8 @@ private:
     double reach_ = 60;     ///< mm: everything of interest lies this near to the target
     Direction direction_{1.2, 0.5};
 };
+
+/// The same view of a tooth that is mirrored in x: of the same tooth on the other side of the mouth.
+[[nodiscard]] OrbitCamera::Direction mirroredInX(OrbitCamera::Direction direction);
 
 }  // namespace tactooth

@@ -16,6 +16,7 @@ struct RenderSettings {
     int samples = 0;  ///< per pixel against jagged edges, 0 or 2..8; less if the driver has less
     Shadows shadows = Shadows::Hard;
     bool ambientOcclusion = false;  ///< darkened fissures and contacts
+    double resolution = 1;          ///< share of the pixels along each side that are drawn; the rest is filled in, 0..1
 
     bool operator==(const RenderSettings&) const = default;
 };

@@ -6,6 +6,9 @@
 #include "view/occlusion_pass.h"
 #include "view/shape_cache.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace tactooth {
 
 namespace {
@@ -63,11 +66,17 @@ PassView directView(const Camera& camera, PictureSize size) {
     return view;
 }
 
-void copyPicture(const RenderTarget& from, GLuint to) {
-    const PictureSize size = from.size();
+void copyPicture(const RenderTarget& from, GLuint to, PictureSize size) {
+    const PictureSize drawn = from.size();
     glBindFramebuffer(GL_READ_FRAMEBUFFER, from.framebuffer());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to);
-    glBlitFramebuffer(0, 0, size.width, size.height, 0, 0, size.width, size.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBlitFramebuffer(0, 0, drawn.width, drawn.height, 0, 0, size.width, size.height, GL_COLOR_BUFFER_BIT,
+                      drawn == size ? GL_NEAREST : GL_LINEAR);
+}
+
+PictureSize scaled(PictureSize size, double share) {
+    const auto part = [share](int pixels) { return std::max(1, static_cast<int>(std::lround(share * pixels))); };
+    return {part(size.width), part(size.height)};
 }
 
 }  // namespace
@@ -165,14 +174,15 @@ Expected<void> Renderer::render(const Scene& scene, unsigned target, PictureSize
     if (settings.shadows != Shadows::None) {
         parts_->shadows.update(shapes.drawables, shapes.stillShapesChanged, scene.lighting.toKey);
     }
-    const PassView view = directView(scene.camera, size);
-    const auto picture = parts_->picture.fit(size, settings.samples);
+    const PictureSize drawn = scaled(size, settings.resolution);
+    const PassView view = directView(scene.camera, drawn);
+    const auto picture = parts_->picture.fit(drawn, settings.samples);
     if (!picture) return Unexpected{picture.error()};
-    const auto mirrored = parts_->drawReflection(scene, shapes.drawables, view, size, settings);
+    const auto mirrored = parts_->drawReflection(scene, shapes.drawables, view, drawn, settings);
     if (!mirrored) return Unexpected{mirrored.error()};
     if (auto done = parts_->drawScene(scene, shapes.drawables, view, **picture, *mirrored, settings); !done)
         return done;
-    copyPicture(**picture, target);
+    copyPicture(**picture, target, size);
     leaveCleanState(target);
     return gl::checkErrors("drawing the picture");
 }

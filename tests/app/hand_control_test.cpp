@@ -28,7 +28,7 @@ protected:
     Surface surface_;
     OrbitCamera orbit_;
     PointedPicture picture_;
-    HandControl hand_{kTooth};
+    HandControl hand_{kTooth, 1};
 };
 
 TEST_F(HandControlTest, AimingHoversRightAboveThePointUnderTheMouse) {

@@ -55,7 +55,7 @@ TEST(SceneBuilder, TheParkedMirrorShowsTheLingualSideToTheEye) {
     const Box3 tooth(Vec3(-5, -5, -10), Vec3(5, 5, 7));
     const MirrorDisc disc{.radius = 10};
     const Vec3 toEye = Vec3(0.3, 0.8, 0.5).normalized();
-    const Pose mirror = parkedMirror(tooth, disc, toEye);
+    const Pose mirror = parkedMirror(tooth, disc, toEye, 1);
     const Vec3 normal = mirror.rotation * disc.normal;
     const Vec3 centre = mirror * disc.centre;
     const Vec3 onward = -toEye + 2 * toEye.dot(normal) * normal;
@@ -65,6 +65,21 @@ TEST(SceneBuilder, TheParkedMirrorShowsTheLingualSideToTheEye) {
     EXPECT_NEAR(seen.x(), 0, 1e-9);
     EXPECT_GT(seen.z(), 0);
     EXPECT_LT(seen.z(), 7);
+}
+
+TEST(SceneBuilder, TheMirrorAndTheGripOfTheOtherSideAreMirrorImages) {
+    const Box3 tooth(Vec3(-5, -5, -10), Vec3(5, 5, 7));
+    const MirrorDisc disc{.radius = 10};
+    const Pose one = parkedMirror(tooth, disc, Vec3(0.3, 0.8, 0.5).normalized(), 1);
+    const Pose other = parkedMirror(tooth, disc, Vec3(-0.3, 0.8, 0.5).normalized(), -1);
+    const auto inX = [](const Vec3& v) { return Vec3(-v.x(), v.y(), v.z()); };
+    EXPECT_TRUE((one * disc.centre).isApprox(inX(other * disc.centre), 1e-12));
+    EXPECT_TRUE((one.rotation * disc.normal).isApprox(inX(other.rotation * disc.normal), 1e-12));
+    EXPECT_TRUE((one.rotation * Vec3::UnitX()).isApprox(inX(other.rotation * Vec3::UnitX()), 1e-12));
+    const Vec3 handle = uprightGrip(1, 0.4) * Vec3::UnitX();
+    EXPECT_GT(handle.x(), 0.9);
+    EXPECT_LT(handle.y(), -0.3);
+    EXPECT_TRUE((uprightGrip(-1, 0.4) * Vec3::UnitX()).isApprox(inX(handle), 1e-12));
 }
 
 }  // namespace

@@ -57,10 +57,10 @@ std::vector<ScriptedMoment> script(double top) {
         const Quat rotation(Eigen::AngleAxisd(lean, Vec3::UnitX()));
         return ScriptedMoment{time, {{tip + Vec3(0, 0, top), rotation}, buttons ? 1.0 : 0.0, buttons, true}};
     };
-    return {moment(0.00, Vec3(0.2, 0.1, 0.3), 0, 0),          moment(0.08, Vec3(0.2, 0.1, -2.4), 0, 0),
-            moment(0.16, Vec3(1.2, -0.4, -2.4), 0.2, 0),      moment(0.18, Vec3(0.4, 0, 0.3), 0.1, kCutButton),
-            moment(0.48, Vec3(0.4, 0, 0.3), 0.1, kCutButton), moment(0.52, Vec3(0.4, 0, -3.4), 0.1, kCutButton),
-            moment(0.64, Vec3(0.9, 0.2, -3.7), 0, kCutButton)};
+    return {moment(0.00, Vec3(-0.2, 0.1, 0.3), 0, 0),          moment(0.08, Vec3(-0.2, 0.1, -2.4), 0, 0),
+            moment(0.16, Vec3(-1.2, -0.4, -2.4), 0.2, 0),      moment(0.18, Vec3(-0.4, 0, 0.3), 0.1, kCutButton),
+            moment(0.48, Vec3(-0.4, 0, 0.3), 0.1, kCutButton), moment(0.52, Vec3(-0.4, 0, -3.4), 0.1, kCutButton),
+            moment(0.64, Vec3(-0.9, 0.2, -3.7), 0, kCutButton)};
 }
 
 std::uint64_t hashOf(const TriangleMesh& mesh) {

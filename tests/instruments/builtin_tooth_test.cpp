@@ -100,9 +100,11 @@ TEST_P(EveryTooth, HasTheCrownDiametersOfTheAverageTooth) {
 }
 
 TEST_P(EveryTooth, HasTheCervicalDiametersOfTheAverageTooth) {
-    const double mesial = sliceAt(tooth_.outer, average_.mesialRise).max().x();
-    const double distal = sliceAt(tooth_.outer, average_.distalRise).min().x();
-    EXPECT_NEAR(mesial - distal, average_.cervixMesiodistal, kTolerance * average_.cervixMesiodistal);
+    const Box3 mesial = sliceAt(tooth_.outer, average_.mesialRise);
+    const Box3 distal = sliceAt(tooth_.outer, average_.distalRise);
+    const bool mesialIsPlus = mesialX(tooth_.fdi) > 0;
+    const double width = mesialIsPlus ? mesial.max().x() - distal.min().x() : distal.max().x() - mesial.min().x();
+    EXPECT_NEAR(width, average_.cervixMesiodistal, kTolerance * average_.cervixMesiodistal);
     EXPECT_NEAR(sliceAt(tooth_.outer, 0).sizes().y(), average_.cervixFaciolingual,
                 kTolerance * average_.cervixFaciolingual);
 }
@@ -234,11 +236,11 @@ TEST(BuiltinTooth, PulpChamberLiesWhereItIsMeasured) {
 
 TEST(BuiltinTooth, MolarHasTwoRootsThatPartBelowTheNeck) {
     const TriangleMesh& outer = toothOf(lowerFirstMolar).outer;
-    const auto isSolid = [&](double z) { return isInside(outer, Vec3(0.1, 0, z)); };
+    const auto isSolid = [&](double z) { return isInside(outer, Vec3(-0.1, 0, z)); };
     EXPECT_TRUE(isSolid(-2.0));
     EXPECT_FALSE(isSolid(-5.0));
-    EXPECT_TRUE(isInside(outer, Vec3(2.7, 0, -6)));
-    EXPECT_TRUE(isInside(outer, Vec3(-2.8, 0, -6)));
+    EXPECT_TRUE(isInside(outer, Vec3(-2.7, 0, -6)));
+    EXPECT_TRUE(isInside(outer, Vec3(2.8, 0, -6)));
 }
 
 TEST(BuiltinTooth, MolarHasFiveCusps) {
@@ -251,6 +253,32 @@ TEST(BuiltinTooth, MolarHasFiveCusps) {
         return std::ranges::none_of(top, [&](const Vec3f& w) { return w.z() > v.z() && (w - v).norm() < kApart; });
     };
     EXPECT_EQ(std::ranges::count_if(top, isPeak), 5);
+}
+
+TEST(BuiltinTooth, MesialIsOnTheSideOfTheMouthThatTheNumberNames) {
+    for (const int fdi : {11, 13, 18, 31, 36, 55, 75}) EXPECT_EQ(mesialX(fdi), 1) << fdi;
+    for (const int fdi : {21, 23, 28, 41, 46, 65, 85}) EXPECT_EQ(mesialX(fdi), -1) << fdi;
+}
+
+/// In a frame of the patient with +X to the patient's left, +Y to the front and +Z upward, a lower tooth's mesial
+/// points to the front and its cheek side away from the middle: the frame of a lower right tooth must be turned into
+/// that one without a reflection.
+TEST(BuiltinTooth, TheLowerRightMolarFitsIntoTheRightSideOfTheMouth) {
+    const BuiltinTooth& molar = toothOf(lowerFirstMolar);
+    ASSERT_EQ(molar.fdi, 46);
+    // Its fifth, distal cusp is the lowest, small, and stands on the cheek side: what is higher than 5.9 mm beyond the
+    // distal third of the crown lies there.
+    Box3 distal;
+    for (const Vec3f& v : molar.outer.vertices) {
+        if (v.z() > 5.9 && v.x() * mesialX(molar.fdi) < -3.2) distal.extend(v.cast<double>());
+    }
+    ASSERT_FALSE(distal.isEmpty());
+    EXPECT_GT(distal.center().y(), 0.5);
+    const Vec3 mesial(mesialX(molar.fdi), 0, 0), cheek(0, 1, 0), up(0, 0, 1);
+    Mat3 tooth, mouth;
+    tooth << mesial, cheek, up;
+    mouth << Vec3(0, 1, 0), Vec3(-1, 0, 0), Vec3(0, 0, 1);  // to the front, to the patient's right, upward
+    EXPECT_DOUBLE_EQ((mouth * tooth.inverse()).determinant(), 1);
 }
 
 TEST(BuiltinTooth, IsTheSameOnAnyNumberOfThreads) {

@@ -56,6 +56,7 @@ Expected<void> castTooth(const DemoOptions& options, Cast& cast) {
     auto tooth = LayeredTooth::make(molar.outer, layersOf(molar));
     if (!tooth) return Unexpected{tooth.error()};
     cast.tooth = std::make_shared<const LayeredTooth>(std::move(*tooth));
+    cast.props.mesialX = mesialX(molar.fdi);
     cast.toothName = fmt::format("built-in: {} (FDI {})", molar.name, molar.fdi);
     return {};
 }
@@ -153,7 +154,8 @@ int runDemo(const DemoOptions& options) {
     };
     HapticSettings settings;
     settings.materials = cast.props.materials;
-    const Demonstration played = playDemonstration(piece, *cast.instrument, settings, options.seconds, progress);
+    const Quat grip = uprightGrip(cast.props.mesialX, 0);
+    const Demonstration played = playDemonstration(piece, *cast.instrument, settings, grip, options.seconds, progress);
     fmt::print("drawing, plotting, rendering the sound\n");
     const Tick& touch = played.ticks[played.touchTick];
     if (const auto done = writeDemoPicture(options.out / "touch.png", DemoView::Touch, uncut, cast.props, touch); !done)

@@ -16,7 +16,7 @@ constexpr PictureSize kSize{1600, 1000};
 
 /// How a picture is taken.
 struct Shot {
-    OrbitCamera::Direction direction;  ///< rad
+    OrbitCamera::Direction direction;  ///< rad, for a tooth with +x mesial
     double around = 0;                 ///< mm around its subject that the picture shows
     double above = 0;                  ///< mm from the subject up to the middle of the picture
     bool tool = true;                  ///< whether the instrument is in the picture
@@ -43,10 +43,10 @@ Vec3 subjectOf(const Surface& tooth, const Tick& tick) {
 /// Towards a lamp 15 degrees above the eye and to its left: what it lights keeps a little shadow to show its depth.
 Vec3 loupeLamp(const Camera& camera) { return camera.cameraInWorld.rotation * Vec3(-0.19, 0.19, 0.96).normalized(); }
 
-Camera cameraOf(const Shot& shot, const Vec3& subject) {
+Camera cameraOf(const Shot& shot, const Vec3& subject, double mesialX) {
     const Vec3 middle = subject + shot.above * Vec3::UnitZ();
     OrbitCamera camera;
-    camera.look(shot.direction);
+    camera.look(mesialX < 0 ? mirroredInX(shot.direction) : shot.direction);
     camera.fit(Box3(middle.array() - shot.around, middle.array() + shot.around), kSize.aspect());
     return camera.camera();
 }
@@ -62,7 +62,7 @@ Expected<void> writeDemoPicture(const std::filesystem::path& path, DemoView view
     SceneContents contents;
     contents.tooth = tooth;
     contents.materials = props.materials;
-    contents.camera = cameraOf(shot, subject);
+    contents.camera = cameraOf(shot, subject, props.mesialX);
     if (shot.tool) {
         contents.tool = props.tool;
         contents.tool->toolInTooth = tick.proxy;
@@ -71,7 +71,8 @@ Expected<void> writeDemoPicture(const std::filesystem::path& path, DemoView view
     contents.mirror = props.mirror;
     if (contents.mirror) {
         const Vec3 toEye = (contents.camera.cameraInWorld.position - subject).normalized();
-        contents.mirror->mirrorInTooth = parkedMirror(tooth->base->tree().box(), contents.mirror->disc, toEye);
+        contents.mirror->mirrorInTooth =
+            parkedMirror(tooth->base->tree().box(), contents.mirror->disc, toEye, props.mesialX);
     }
     Scene scene = makeScene(contents);
     if (shot.loupeLamp) scene.lighting.toKey = loupeLamp(contents.camera);

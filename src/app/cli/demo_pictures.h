@@ -15,6 +15,7 @@ struct DemoProps {
     ShownTool tool;                     ///< its pose and spin are set for each picture
     std::optional<ShownMirror> mirror;  ///< its pose too
     MaterialTable materials;
+    double mesialX = 1;  ///< direction of mesial along x
 };
 
 /// What a picture is of.

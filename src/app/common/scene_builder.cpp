@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace tactooth {
 namespace {
@@ -109,15 +110,20 @@ Scene makeScene(const SceneContents& contents) {
     return scene;
 }
 
-Pose parkedMirror(const Box3& tooth, const MirrorDisc& disc, const Vec3& toEye) {
+Quat uprightGrip(double mesialX, double towardLingual) {
+    const double angle = mesialX < 0 ? std::numbers::pi + towardLingual : -towardLingual;
+    return Quat(Eigen::AngleAxisd(angle, Vec3::UnitZ()));
+}
+
+Pose parkedMirror(const Box3& tooth, const MirrorDisc& disc, const Vec3& toEye, double mesialX) {
     constexpr double kBehind = 8;      // mm between the tooth and the glass: room for a bur, and for a view into it
     constexpr double kAside = 6;       // mm to distal: beside the instrument, not behind it
     constexpr double kBelowTop = 3.5;  // mm from the crown's top down to the middle of its lingual side
-    const Vec3 centre(tooth.center().x() - kAside, tooth.min().y() - kBehind, tooth.max().z() - kBelowTop);
+    const Vec3 centre(tooth.center().x() - mesialX * kAside, tooth.min().y() - kBehind, tooth.max().z() - kBelowTop);
     const Vec3 lingual(tooth.center().x(), tooth.min().y(), tooth.max().z() - kBelowTop);
     const Vec3 normal = ((lingual - centre).normalized() + toEye).normalized();
     // The frame's +x, where the handle leaves, as near to distal as the tilt of the glass allows.
-    const Vec3 distal = -Vec3::UnitX();
+    const Vec3 distal = -mesialX * Vec3::UnitX();
     const Vec3 handle = (distal - distal.dot(normal) * normal).normalized();
     Mat3 axes;
     axes << handle, normal.cross(handle), normal;

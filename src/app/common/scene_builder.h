@@ -40,8 +40,13 @@ struct SceneContents {
 /// The picture under the operating light. World frame = tooth frame.
 [[nodiscard]] Scene makeScene(const SceneContents& contents);
 
+/// How a tool is held upright: its handle (+x of the tool frame) leaves the mouth mesially, turned `towardLingual` rad
+/// to the side of the tongue. `mesialX`: direction of mesial along x.
+[[nodiscard]] Quat uprightGrip(double mesialX, double towardLingual);
+
 /// Where a mirror stands that shows the lingual side of a tooth's crown to an eye in the direction `toEye` (unit):
-/// behind the crown and level with it, a little to distal, where its handle leaves. `tooth` is the tooth's box.
-[[nodiscard]] Pose parkedMirror(const Box3& tooth, const MirrorDisc& disc, const Vec3& toEye);
+/// behind the crown and level with it, a little to distal, where its handle leaves. `tooth` is the tooth's box,
+/// `mesialX` the direction of mesial along x.
+[[nodiscard]] Pose parkedMirror(const Box3& tooth, const MirrorDisc& disc, const Vec3& toEye, double mesialX);
 
 }  // namespace tactooth

@@ -19,7 +19,7 @@ Expected<BenchTooth> makeBenchTooth(const BuiltinToothEntry& entry) {
     Expected<LayeredTooth> layered = LayeredTooth::make(tooth.outer, layersOf(tooth));
     if (!layered) return Unexpected{layered.error()};
     auto shared = std::make_shared<const LayeredTooth>(std::move(*layered));
-    return BenchTooth{entry.name, std::make_shared<WorkPiece>(std::move(shared), kVoxel)};
+    return BenchTooth{entry.name, std::make_shared<WorkPiece>(std::move(shared), kVoxel), mesialX(tooth.fdi)};
 }
 
 Expected<BenchTooth> loadBenchTooth(const ToothSource& source) {
@@ -35,7 +35,8 @@ Expected<BenchBur> makeBenchBur(const BurSpec& spec) {
     return BenchBur{spec.name,
                     {std::make_shared<const ToolShape>(felt.surface), std::move(*cutting)},
                     std::make_shared<const TriangleMesh>(makeBur(spec, kShownBurTriangles).surface),
-                    spec.material};
+                    spec.material,
+                    {}};
 }
 
 Expected<BenchBur> loadBenchBur(const std::filesystem::path& path) {
@@ -47,7 +48,8 @@ Expected<BenchBur> loadBenchBur(const std::filesystem::path& path) {
     return BenchBur{path.filename().string(),
                     {std::make_shared<const ToolShape>(std::move(*mesh)), std::move(*cutting)},
                     std::move(shown),
-                    BurMaterial::carbide};
+                    BurMaterial::carbide,
+                    path};
 }
 
 BenchFurniture makeFurniture() {

@@ -17,6 +17,7 @@ namespace tactooth {
 struct BenchTooth {
     std::string name;  ///< for people
     std::shared_ptr<WorkPiece> piece;
+    double mesialX = 1;  ///< direction of mesial along x; a file's frame is taken to have it at +x
 
     [[nodiscard]] Box3 box() const { return piece->tooth().outer()->tree().box(); }
 };
@@ -27,6 +28,7 @@ struct BenchBur {
     Instrument instrument;
     std::shared_ptr<const TriangleMesh> shown;
     BurMaterial material = BurMaterial::carbide;
+    std::filesystem::path file;  ///< that it came from; empty for a bur of the catalogue
 };
 
 /// What stands around: the same for every tooth.

@@ -9,6 +9,8 @@
 namespace tactooth {
 namespace {
 
+constexpr int kFileRole = Qt::UserRole + 1;  // beside the number in the catalogue
+
 /// "No. 4 Round bur, 1.4 mm" as the catalogue orders it.
 QString lineOf(const BurSpec& spec) { return QString::fromStdString(spec.name); }
 
@@ -29,6 +31,8 @@ DrillBar::DrillBar(QWidget* parent) : QToolBar(tr("Drill"), parent), burs_(new Q
     addSeparator();
     addModes();
     connect(burs_, &QComboBox::activated, this, [this](int index) {
+        const QString file = burs_->itemData(index, kFileRole).toString();
+        if (!file.isEmpty()) emit burFileChosen(file);
         if (const auto spec = findBur(burs_->itemData(index).toString().toStdString())) emit burChosen(*spec);
     });
     connect(spindles_, &QComboBox::activated, this,
@@ -53,11 +57,21 @@ void DrillBar::addModes() {
     reset_->setShortcut(QKeySequence("Ctrl+R"));
 }
 
-void DrillBar::showOwnBur(const QString& name) {
-    const int place = burs_->count();
-    burs_->addItem(name);
+void DrillBar::choose(const QString& burNumber, const QString& spindleName) {
+    const int bur = burNumber.isEmpty() ? -1 : burs_->findData(burNumber);
+    if (bur >= 0) burs_->setCurrentIndex(bur), emit burs_->activated(bur);
+    const int spindle = spindles_->findText(spindleName);
+    if (spindle >= 0) spindles_->setCurrentIndex(spindle), emit spindles_->activated(spindle);
+}
+
+void DrillBar::show(const QString& name, const QString& file) {
+    int place = file.isEmpty() ? burs_->findText(name) : burs_->findData(file, kFileRole);
+    if (place < 0) {
+        place = burs_->count();
+        burs_->addItem(name);
+        burs_->setItemData(place, file, kFileRole);
+    }
     burs_->setCurrentIndex(place);
-    burs_->setItemData(place, QString());
 }
 
 }  // namespace tactooth

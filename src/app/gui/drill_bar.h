@@ -22,11 +22,17 @@ public:
     [[nodiscard]] QAction* cutAction() { return cut_; }
     [[nodiscard]] QAction* resetAction() { return reset_; }
     [[nodiscard]] bool isCutting() const { return cut_->isChecked(); }
-    /// The list shows the bur of a file that is not in the catalogue.
-    void showOwnBur(const QString& name);
+    /// In the catalogue; empty for a bur from a file.
+    [[nodiscard]] QString burNumber() const { return burs_->currentData().toString(); }
+    [[nodiscard]] QString spindleName() const { return spindles_->currentText(); }
+    /// As if a person had chosen them; what is not in the lists is passed over.
+    void choose(const QString& burNumber, const QString& spindleName);
+    /// The list shows what is in the handpiece: a bur of the catalogue or, below them, the one of a file.
+    void show(const QString& name, const QString& file);
 
 signals:
     void burChosen(const BurSpec& spec);
+    void burFileChosen(const QString& file);
     void spindleChosen(const SpindlePreset& spindle);
     void cuttingChanged(bool cutting);
 

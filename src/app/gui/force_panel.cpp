@@ -8,21 +8,20 @@
 
 namespace tactooth {
 
-// Ranges: a desk-top device renders 1 N/mm cleanly and 3 N/mm with luck; 2 N*s/m is what a hand does not feel as
-// viscous, ten times that it does.
 ForcePanel::ForcePanel(QWidget* parent) : QWidget(parent), fromMaterial_(new QCheckBox(tr("From the material"))) {
     auto* grid = new QGridLayout(this);
-    const Material enamel = MaterialTable()[MaterialId::Enamel];
+    const ForceSettings usual;
     fromMaterial_->setObjectName("fromMaterial");
     fromMaterial_->setToolTip(
         tr("Spring and damper are those of the tissue under the bur:\nenamel is hard, dentin "
            "softer, caries soft. Switch off to set them yourself."));
     grid->addWidget(fromMaterial_, 0, 0, 1, 3);
-    spring_ = new NumberRow(*grid, tr("Spring"), {0, 3, 0.05, 2, tr(" N/mm")}, enamel.stiffness,
+    spring_ = new NumberRow(*grid, tr("Spring"), {0, kMostSpring, 0.05, 2, tr(" N/mm")}, usual.spring,
                             tr("How hard the tooth feels: force for each millimetre pressed in"));
-    damper_ = new NumberRow(*grid, tr("Damper"), {0, 0.02, 0.0005, 4, tr(" N·s/mm")}, enamel.damping,
+    damper_ = new NumberRow(*grid, tr("Damper"), {0, kMostDamper, 0.0005, 4, tr(" N·s/mm")}, usual.damper,
                             tr("Force against moving into the tooth, for each mm/s"));
-    scale_ = new NumberRow(*grid, tr("Force scale"), {0, 3, 0.05, 2, tr(" ×")}, 1, tr("Multiplies the whole force"));
+    scale_ = new NumberRow(*grid, tr("Force scale"), {0, kMostForceScale, 0.05, 2, tr(" ×")}, 1,
+                           tr("Multiplies the whole force"));
     press_ = new NumberRow(*grid, tr("Mouse presses"), {0, HandControl::kMostPressDepth, 0.1, 1, tr(" mm")}, 1,
                            tr("How deep the mouse hand presses beyond the surface.\nThe mouse wheel in the picture "
                               "changes it too."));
@@ -37,7 +36,7 @@ ForcePanel::ForcePanel(QWidget* parent) : QWidget(parent), fromMaterial_(new QCh
     });
     for (NumberRow* row : {spring_, damper_, scale_}) connect(row, &NumberRow::changed, this, &ForcePanel::changed);
     connect(press_, &NumberRow::changed, this, &ForcePanel::pressDepthChanged);
-    connect(defaults, &QPushButton::clicked, this, &ForcePanel::reset);
+    connect(defaults, &QPushButton::clicked, this, [this] { set({}); });
     fromMaterial_->setChecked(true);
 }
 
@@ -46,13 +45,16 @@ ForceOverrides ForcePanel::overrides() const {
     return {.stiffness = spring_->value(), .damping = damper_->value(), .friction = std::nullopt};
 }
 
-void ForcePanel::reset() {
-    const Material enamel = MaterialTable()[MaterialId::Enamel];
-    fromMaterial_->setChecked(true);
-    spring_->setValue(enamel.stiffness);
-    damper_->setValue(enamel.damping);
-    scale_->setValue(1);
-    press_->setValue(1);
+ForceSettings ForcePanel::settings() const {
+    return {fromMaterial_->isChecked(), spring_->value(), damper_->value(), scale_->value(), press_->value()};
+}
+
+void ForcePanel::set(const ForceSettings& settings) {
+    fromMaterial_->setChecked(settings.fromMaterial);
+    spring_->setValue(settings.spring);
+    damper_->setValue(settings.damper);
+    scale_->setValue(settings.scale);
+    press_->setValue(settings.press);
 }
 
 }  // namespace tactooth

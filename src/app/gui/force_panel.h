@@ -6,6 +6,7 @@
 #include <QWidget>
 
 #include "app/gui/number_row.h"
+#include "app/gui/window_settings.h"
 #include "session/simulator.h"
 
 namespace tactooth {
@@ -20,6 +21,8 @@ public:
 
     [[nodiscard]] ForceOverrides overrides() const;
     [[nodiscard]] double forceScale() const { return scale_->value(); }
+    [[nodiscard]] ForceSettings settings() const;
+    void set(const ForceSettings& settings);
     void setPressDepth(double depth) { press_->setValue(depth); }
 
 signals:
@@ -27,8 +30,6 @@ signals:
     void pressDepthChanged(double depth);
 
 private:
-    void reset();
-
     QCheckBox* fromMaterial_;
     NumberRow* spring_;
     NumberRow* damper_;

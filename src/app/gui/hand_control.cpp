@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/common/scene_builder.h"
 #include "app/gui/surface_ray.h"
 
 namespace tactooth {
@@ -18,18 +19,15 @@ constexpr double kReach = 6;             // mm around the tooth's box in which t
 constexpr double kAlongShaft = 0.4;      // cosine between view and shaft from which pressing goes along the shaft
 constexpr double kMostLean = 1.2;        // rad from upright
 constexpr double kLeanPerPixel = 0.006;  // rad
-constexpr double kHandleTurn = -0.45;    // rad, of the turbine's handle from mesial toward lingual
-
-/// The handle leaves through the mouth's opening, mesially, and turned away from the usual view so that it hides
-/// nothing of the crown.
-Quat uprightHandle() { return Quat(Eigen::AngleAxisd(kHandleTurn, Vec3::UnitZ())); }
+constexpr double kHandleTurn = 0.45;     // rad toward lingual: away from the usual view, hiding nothing of the crown
 
 }  // namespace
 
-HandControl::HandControl(const Box3& tooth)
+HandControl::HandControl(const Box3& tooth, double mesialX)
     : tooth_(tooth),
+      mesialX_(mesialX),
       tip_(tooth.center().x(), tooth.center().y(), tooth.max().z() + 2 * kHover),
-      handle_(uprightHandle()) {}
+      handle_(uprightGrip(mesialX, kHandleTurn)) {}
 
 /// Along the shaft where one looks down on the tooth, else away from the eye: a wall is pressed from the side.
 void HandControl::chooseDown(const PointedPicture& picture) {
@@ -99,6 +97,6 @@ void HandControl::turnHandle(double angle) {
     handle_ = (Quat(Eigen::AngleAxisd(angle, Vec3::UnitZ())) * handle_).normalized();
 }
 
-void HandControl::standUpright() { handle_ = uprightHandle(); }
+void HandControl::standUpright() { handle_ = uprightGrip(mesialX_, kHandleTurn); }
 
 }  // namespace tactooth

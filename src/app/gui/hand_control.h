@@ -19,8 +19,8 @@ struct PointedPicture {
 /// sideways. Knows no widgets.
 class HandControl {
 public:
-    /// Rests above the middle of `tooth` (its box, tooth frame).
-    explicit HandControl(const Box3& tooth);
+    /// Rests above the middle of `tooth` (its box, tooth frame). `mesialX`: direction of mesial along x.
+    HandControl(const Box3& tooth, double mesialX);
 
     /// Button up, mouse at `pixel`.
     void aim(const PointedPicture& picture, const Vec2& pixel, const Surface& surface);
@@ -53,6 +53,7 @@ private:
     void chooseDown(const PointedPicture& picture);
 
     Box3 tooth_;
+    double mesialX_;
     Vec3 tip_;
     Vec3 down_ = -Vec3::UnitZ();
     Quat handle_;

@@ -151,9 +151,10 @@ void MainWindow::addViewMenu() {
         action->setShortcut(QKeySequence(keys));
         connect(action, &QAction::toggled, view_, set);
         viewBar_->addAction(action);
+        return action;
     };
-    addSwitch(tr("Mirror"), "M", &ToothView::setShowsMirror);
-    addSwitch(tr("Turbine"), "H", &ToothView::setShowsTurbine);
+    mirrorSwitch_ = addSwitch(tr("Mirror"), "M", &ToothView::setShowsMirror);
+    turbineSwitch_ = addSwitch(tr("Turbine"), "H", &ToothView::setShowsTurbine);
     viewMenu_->addSeparator();
     for (QDockWidget* dock : findChildren<QDockWidget*>()) viewMenu_->addAction(dock->toggleViewAction());
 }
@@ -187,6 +188,7 @@ void MainWindow::addHelpMenu() {
 
 void MainWindow::connectPanels() {
     connect(drill_, &DrillBar::burChosen, this, &MainWindow::bringBur);
+    connect(drill_, &DrillBar::burFileChosen, this, &MainWindow::openBur);
     connect(drill_, &DrillBar::spindleChosen, this, [this](const SpindlePreset& spindle) {
         bench_.setSpindle(spindle);
         drive_->setSpindle(spindle);
@@ -216,12 +218,42 @@ void MainWindow::step() {
 
 void MainWindow::takeNews(const Workbench::News& news) {
     if (news.failure) complain(QString::fromStdString(*news.failure));
-    if (news.newSimulator) trace_.clear();
+    if (news.newSimulator) {
+        trace_.clear();
+        drill_->show(QString::fromStdString(bench_.bur()->name), QString::fromStdString(bench_.bur()->file.string()));
+    }
     if (!news.newTooth) return;
     setWindowTitle(tr("%1 — Tactooth").arg(QString::fromStdString(bench_.tooth()->name)));
     status_->setHint(
         tr("Left button: press the bur on the tooth · wheel: harder, softer · right: turn · space: pedal"));
+    view_->lookAsUsual();
     view_->fit();
+}
+
+void MainWindow::apply(const WindowSettings& settings) {
+    const auto unpacked = [](const std::string& text) {
+        return QByteArray::fromBase64(QByteArray::fromStdString(text));
+    };
+    restoreGeometry(unpacked(settings.geometry));
+    restoreState(unpacked(settings.docks));
+    folder_ = QString::fromStdString(settings.folder);
+    drill_->choose(QString::fromStdString(settings.bur), QString::fromStdString(settings.spindle));
+    mirrorSwitch_->setChecked(settings.showsMirror);
+    turbineSwitch_->setChecked(settings.showsTurbine);
+    force_->set(settings.force);
+    volumes_->setMixer(settings.sound);
+}
+
+WindowSettings MainWindow::settings() const {
+    return {.geometry = saveGeometry().toBase64().toStdString(),
+            .docks = saveState().toBase64().toStdString(),
+            .folder = folder_.toStdString(),
+            .bur = drill_->burNumber().toStdString(),
+            .spindle = drill_->spindleName().toStdString(),
+            .showsTurbine = turbineSwitch_->isChecked(),
+            .showsMirror = mirrorSwitch_->isChecked(),
+            .force = force_->settings(),
+            .sound = volumes_->mixer()};
 }
 
 void MainWindow::showNumbers() {

@@ -8,6 +8,7 @@
 #include <QTimer>
 
 #include "app/gui/tick_trace.h"
+#include "app/gui/window_settings.h"
 #include "app/gui/workbench.h"
 #include "sound/sound_output.h"
 
@@ -37,6 +38,11 @@ public:
     void openTooth(const ToothSource& source);
     void bringBur(const BurSpec& spec);
     void openBur(const QString& file);
+    /// The window as it was the last time. Call before it is shown.
+    void apply(const WindowSettings& settings);
+    [[nodiscard]] WindowSettings settings() const;
+    /// A message that does not stop the simulation.
+    void complain(const QString& sentence);
     /// Writes the tooth as it is now; says so if that fails.
     void exportTooth(const QString& file);
 
@@ -62,7 +68,6 @@ private:
     void step();
     void showNumbers();
     void takeNews(const Workbench::News& news);
-    void complain(const QString& sentence);
     void askForTooth();
     void askForBur();
     void askForExport();
@@ -83,6 +88,9 @@ private:
     QToolBar* fileBar_;
     QToolBar* viewBar_;
     QMenu* viewMenu_ = nullptr;
+    QAction* mirrorSwitch_ = nullptr;
+    QAction* turbineSwitch_ = nullptr;
+    QString folder_;  // of the last file
     QTimer stepTimer_, numbersTimer_, statusTimer_;
     QElapsedTimer sinceStep_;
 };

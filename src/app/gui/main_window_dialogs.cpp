@@ -3,6 +3,7 @@
 // What the window asks and says, and the files that go in and out.
 #include <QDragEnterEvent>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QMessageBox>
 #include <QMimeData>
 
@@ -26,11 +27,13 @@ void say(QWidget* parent, QMessageBox::Icon icon, const QString& title, const QS
     box->open();
 }
 
-QFileDialog* fileDialog(QWidget* parent, const QString& title, const QString& filter) {
-    auto* dialog = new QFileDialog(parent, title, QString(), filter);
+QFileDialog* fileDialog(QWidget* parent, const QString& title, const QString& folder, const QString& filter) {
+    auto* dialog = new QFileDialog(parent, title, folder, filter);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     return dialog;
 }
+
+QString folderOf(const QString& file) { return QFileInfo(file).absolutePath(); }
 
 }  // namespace
 
@@ -41,6 +44,7 @@ void MainWindow::bringBuiltinTooth(const BuiltinToothEntry& entry) {
 
 void MainWindow::openTooth(const ToothSource& source) {
     status_->setHint(tr("Opening %1…").arg(QString::fromStdString(source.outer.filename().string())));
+    folder_ = folderOf(QString::fromStdString(source.outer.string()));
     bench_.bring(Errand<BenchTooth>::Work([source] { return loadBenchTooth(source); }));
 }
 
@@ -49,11 +53,13 @@ void MainWindow::bringBur(const BurSpec& spec) {
 }
 
 void MainWindow::openBur(const QString& file) {
+    folder_ = folderOf(file);
     bench_.bring(Errand<BenchBur>::Work([path = file.toStdString()] { return loadBenchBur(path); }));
 }
 
 void MainWindow::exportTooth(const QString& file) {
     if (bench_.simulator() == nullptr) return;
+    folder_ = folderOf(file);
     const Expected<void> written = writeStl(visibleMesh(*bench_.simulator()->surface()).mesh, file.toStdString());
     if (!written) return complain(QString::fromStdString(written.error().message));
     status_->setHint(tr("The tooth was written to %1").arg(file));
@@ -65,20 +71,21 @@ void MainWindow::complain(const QString& sentence) {
 }
 
 void MainWindow::askForTooth() {
-    auto* dialog = new OpenToothDialog(this);
+    auto* dialog = new OpenToothDialog(folder_, this);
     connect(dialog, &OpenToothDialog::chosen, this, &MainWindow::openTooth);
     dialog->open();
 }
 
 void MainWindow::askForBur() {
-    QFileDialog* dialog = fileDialog(this, tr("Open bur: tip at the origin, shaft along +z, mm"), tr(kStlFilter));
+    QFileDialog* dialog =
+        fileDialog(this, tr("Open bur: tip at the origin, shaft along +z, mm"), folder_, tr(kStlFilter));
     dialog->setFileMode(QFileDialog::ExistingFile);
     connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::openBur);
     dialog->open();
 }
 
 void MainWindow::askForExport() {
-    QFileDialog* dialog = fileDialog(this, tr("Export cut tooth"), tr(kStlFilter));
+    QFileDialog* dialog = fileDialog(this, tr("Export cut tooth"), folder_, tr(kStlFilter));
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix("stl");
     dialog->selectFile("cut.stl");

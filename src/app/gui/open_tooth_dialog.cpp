@@ -4,6 +4,7 @@
 
 #include <QDialogButtonBox>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -18,7 +19,7 @@ constexpr std::array kLayers = {MaterialId::Enamel, MaterialId::Dentin,      Mat
 
 }  // namespace
 
-OpenToothDialog::OpenToothDialog(QWidget* parent) : QDialog(parent) {
+OpenToothDialog::OpenToothDialog(QString folder, QWidget* parent) : QDialog(parent), folder_(std::move(folder)) {
     setWindowTitle(tr("Open tooth"));
     setAttribute(Qt::WA_DeleteOnClose);
     auto* grid = new QGridLayout(this);
@@ -57,10 +58,13 @@ QLineEdit* OpenToothDialog::addRow(QGridLayout& grid, const QString& label, cons
     grid.addWidget(edit, row, 1);
     grid.addWidget(browse, row, 2);
     connect(browse, &QPushButton::clicked, this, [this, edit, label] {
-        auto* files = new QFileDialog(this, label, QString(), tr("STL surfaces (*.stl *.STL);;All files (*)"));
+        auto* files = new QFileDialog(this, label, folder_, tr("STL surfaces (*.stl *.STL);;All files (*)"));
         files->setAttribute(Qt::WA_DeleteOnClose);
         files->setFileMode(QFileDialog::ExistingFile);
-        connect(files, &QFileDialog::fileSelected, edit, &QLineEdit::setText);
+        connect(files, &QFileDialog::fileSelected, this, [this, edit](const QString& file) {
+            edit->setText(file);
+            folder_ = QFileInfo(file).absolutePath();
+        });
         files->open();
     });
     return edit;

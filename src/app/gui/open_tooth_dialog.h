@@ -18,7 +18,8 @@ class OpenToothDialog final : public QDialog {
     Q_OBJECT
 
 public:
-    explicit OpenToothDialog(QWidget* parent = nullptr);
+    /// `folder`: where the search for files begins.
+    explicit OpenToothDialog(QString folder, QWidget* parent = nullptr);
 
 signals:
     void chosen(const ToothSource& source);
@@ -27,6 +28,7 @@ private:
     QLineEdit* addRow(QGridLayout& grid, const QString& label, const QString& tip);
     void emitChosen();
 
+    QString folder_;
     QLineEdit* outer_;
     std::map<std::string, QLineEdit*> layers_;  // by the name of the material
 };

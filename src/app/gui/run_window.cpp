@@ -74,10 +74,23 @@ int runWindow(const WindowOptions& options) {
         exitCode = refuse({sentence.toStdString()});
         QApplication::exit(exitCode);
     });
+    const std::filesystem::path settingsFile = windowSettingsFile();
+    const Expected<WindowSettings> settings = readWindowSettings(settingsFile);
+    WindowSettings start = settings ? *settings : WindowSettings();
+    if (start.bur.empty()) start.bur = kFirstBur;
+    if (bur) start.bur.clear();  // the one of the command line counts
+    window.apply(start);
     tooth ? window.bench().put(std::move(*tooth)) : window.bringBuiltinTooth(kBuiltinTeeth.front());
-    bur ? window.bench().put(std::move(*bur)) : window.bringBur(*findBur(kFirstBur));
+    if (bur) window.bench().put(std::move(*bur));
     window.show();
+    if (!settings) {
+        window.complain(QString::fromStdString(settings.error().message) +
+                        " The window starts with its defaults and writes the file anew when it is closed.");
+    }
     QApplication::exec();
+    if (const auto written = writeWindowSettings(window.settings(), settingsFile); !written) {
+        (void)refuse(written.error());  // a word about it; the session itself went well
+    }
     return exitCode;
 }
 

@@ -3,6 +3,7 @@
 #include "app/gui/sound_panel.h"
 
 #include <QFormLayout>
+#include <cmath>
 
 namespace tactooth {
 namespace {
@@ -43,6 +44,16 @@ SoundPanel::SoundPanel(QWidget* parent)
 
 SoundMixer SoundPanel::mixer() const {
     return {.motor = share(motor_), .cutting = share(cutting_), .master = share(master_), .muted = mute_->isChecked()};
+}
+
+void SoundPanel::setMixer(const SoundMixer& mixer) {
+    const auto show = [](QSlider* slider, double share) {
+        slider->setValue(static_cast<int>(std::lround(kFull * share)));
+    };
+    show(motor_, mixer.motor);
+    show(cutting_, mixer.cutting);
+    show(master_, mixer.master);
+    mute_->setChecked(mixer.muted);
 }
 
 }  // namespace tactooth

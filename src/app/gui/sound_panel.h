@@ -18,6 +18,7 @@ public:
     explicit SoundPanel(QWidget* parent = nullptr);
 
     [[nodiscard]] SoundMixer mixer() const;
+    void setMixer(const SoundMixer& mixer);
     void setMuted(bool muted) { mute_->setChecked(muted); }
 
 signals:

@@ -4,16 +4,19 @@
 
 #include <QMouseEvent>
 #include <QOpenGLContext>
+#include <QOpenGLFunctions>
 #include <cmath>
+#include <numbers>
 
 namespace tactooth {
 namespace {
 
 constexpr int kRestMs = 400;        // without a change until the careful picture is drawn
-constexpr int kShortestMs = 30;     // between two pictures: about 30 a second are enough for the eye
 constexpr double kPressStep = 0.1;  // mm for one notch of the wheel
 constexpr double kZoomStep = 0.88;  // for one notch
-constexpr double kUsualAzimuth = 1.25, kUsualElevation = 0.62;  // rad
+
+/// A twentieth of a pixel at a bur's rim; so the last creeping of a bur that runs down is not drawn.
+constexpr double kSeenSpin = 0.003;  // rad
 
 bool samePose(const Pose& a, const Pose& b) {
     constexpr double kSeen = 0.002;  // mm, and rad times a tool's length: a twentieth of a pixel
@@ -70,6 +73,7 @@ void ToothView::initializeGL() {
     Expected<Renderer> renderer = Renderer::create();
     if (renderer) {
         renderer_.emplace(std::move(*renderer));
+        letSoftwareRendererGiveWay();
     } else {
         report(renderer.error());
     }
@@ -80,26 +84,50 @@ void ToothView::paintGL() {
     SceneContents contents = bench_.contents(showsTurbine_, showsMirror_);
     contents.camera = camera_.camera();
     drawn_ = contents;
-    const RenderSettings& settings = careful_ ? kFine : kQuick;
-    if (!std::exchange(careful_, false)) rest_.start(kRestMs);
+    sinceDrawn_.start();
+    const bool careful = std::exchange(careful_, false);
+    const PicturePace::Change change = std::exchange(change_, PicturePace::Change::Motion);
+    RenderSettings settings = kFine;
+    if (!careful) {
+        settings = kQuick;
+        settings.resolution = pace_.resolution(change);
+        rest_.start(kRestMs);
+    }
     auto done = renderer_->render(makeScene(contents), defaultFramebufferObject(), pictureSize(), settings);
     if (!done) report(done.error());
-    sinceDrawn_.start();
+    context()->functions()->glFinish();  // a software renderer works after the last call, too
+    if (!careful) pace_.drew(change, 1e-6 * static_cast<double>(sinceDrawn_.nsecsElapsed()));
+    ++pictures_;
 }
 
-bool ToothView::hasChanged(const SceneContents& now) const {
+PicturePace::Change ToothView::changeTo(const SceneContents& now) const {
+    using enum PicturePace::Change;
     if (now.tooth != drawn_.tooth || now.tool.has_value() != drawn_.tool.has_value() ||
         now.mirror.has_value() != drawn_.mirror.has_value()) {
-        return true;
+        return Motion;
     }
-    if (!now.tool) return false;
-    return now.tool->bur != drawn_.tool->bur || now.tool->turbine != drawn_.tool->turbine ||
-           now.tool->spin != drawn_.tool->spin || !samePose(now.tool->toolInTooth, drawn_.tool->toolInTooth);
+    if (!now.tool) return None;
+    if (now.tool->bur != drawn_.tool->bur || now.tool->turbine != drawn_.tool->turbine ||
+        !samePose(now.tool->toolInTooth, drawn_.tool->toolInTooth)) {
+        return Motion;
+    }
+    const double turned = std::remainder(now.tool->spin - drawn_.tool->spin, 2 * std::numbers::pi);
+    return std::abs(turned) > kSeenSpin && seesTip(now) ? Spin : None;
+}
+
+/// Whether the bur may be in the picture.
+bool ToothView::seesTip(const SceneContents& now) const {
+    const PictureSize size = pictureSize();
+    const auto pixel = project(camera_.camera(), size, now.tool->toolInTooth.position);
+    constexpr double kAround = 0.3;  // of the picture's size: the shaft is still seen where the tip has left
+    return pixel && std::abs(pixel->x() / size.width - 0.5) < 0.5 + kAround &&
+           std::abs(pixel->y() / size.height - 0.5) < 0.5 + kAround;
 }
 
 void ToothView::refresh() {
-    if (sinceDrawn_.isValid() && sinceDrawn_.elapsed() < kShortestMs) return;
-    if (!hasChanged(bench_.contents(showsTurbine_, showsMirror_))) return;
+    const PicturePace::Change change = changeTo(bench_.contents(showsTurbine_, showsMirror_));
+    if (sinceDrawn_.isValid() && !pace_.isDue(change, static_cast<double>(sinceDrawn_.elapsed()))) return;
+    change_ = change;
     update();
 }
 
@@ -115,12 +143,12 @@ void ToothView::fit() {
 }
 
 void ToothView::look(StandardView view) {
-    camera_.look(view);
+    camera_.look(view, bench_.mesialX());
     update();
 }
 
 void ToothView::lookAsUsual() {
-    camera_.look(OrbitCamera::Direction{kUsualAzimuth, kUsualElevation});
+    camera_.look(bench_.usualView());
     update();
 }
 

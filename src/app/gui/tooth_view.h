@@ -6,6 +6,7 @@
 #include <QOpenGLWidget>
 #include <QTimer>
 
+#include "app/gui/picture_pace.h"
 #include "app/gui/workbench.h"
 #include "view/orbit_camera.h"
 #include "view/renderer.h"
@@ -13,7 +14,7 @@
 namespace tactooth {
 
 /// The picture in the middle of the window, and the mouse in it. Draws when something has changed: quickly while things
-/// move, and once more with all care when they have come to rest.
+/// move, as often as the computer has time for it, and once more with all care when they have come to rest.
 class ToothView final : public QOpenGLWidget {
     Q_OBJECT
 
@@ -21,14 +22,18 @@ public:
     explicit ToothView(Workbench& bench, QWidget* parent = nullptr);
     ~ToothView() override;
 
-    /// Draws again if what there is to see has changed, at most some 30 times a second.
+    /// Draws again if what there is to see has changed and it is time for it.
     void refresh();
+    /// Pictures drawn so far.
+    [[nodiscard]] std::uint64_t pictures() const { return pictures_; }
     void fit();
     void look(StandardView view);
     /// From buccal and above, as a dentist sees a lower tooth.
     void lookAsUsual();
     void setShowsTurbine(bool shows);
     void setShowsMirror(bool shows);
+    [[nodiscard]] bool showsTurbine() const { return showsTurbine_; }
+    [[nodiscard]] bool showsMirror() const { return showsMirror_; }
 
 signals:
     /// The pressing depth was changed by the mouse wheel, mm.
@@ -48,7 +53,8 @@ private:
     [[nodiscard]] PictureSize pictureSize() const;
     [[nodiscard]] PointedPicture picture() const { return {camera_.camera(), pictureSize()}; }
     [[nodiscard]] Vec2 toPixel(const QPointF& position) const;
-    [[nodiscard]] bool hasChanged(const SceneContents& now) const;
+    [[nodiscard]] PicturePace::Change changeTo(const SceneContents& now) const;
+    [[nodiscard]] bool seesTip(const SceneContents& now) const;
     void moveCamera(const Vec2& way, Qt::MouseButtons buttons);
     void report(const Error& error);
     void forgetRenderer();
@@ -61,8 +67,11 @@ private:
     bool showsMirror_ = true;
     SceneContents drawn_;
     bool careful_ = false;  // the next picture
-    QTimer rest_;           // runs out when nothing has moved for a while
+    PicturePace pace_;
+    PicturePace::Change change_ = PicturePace::Change::Motion;  // that the next picture shows
+    QTimer rest_;                                               // runs out when nothing has moved for a while
     QElapsedTimer sinceDrawn_;
+    std::uint64_t pictures_ = 0;
     Vec2 mouse_ = Vec2::Zero();
 };
 

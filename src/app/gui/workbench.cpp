@@ -10,17 +10,12 @@
 namespace tactooth {
 namespace {
 
-const Box3 kNoTooth(Vec3(-5, -5, -5), Vec3(5, 5, 5));      // where the hand rests before there is a tooth, mm
-constexpr double kEyeAzimuth = 1.25, kEyeElevation = 0.62;  // rad; the parked mirror is turned to this usual view
-
-Vec3 usualEye() {
-    return {std::cos(kEyeElevation) * std::cos(kEyeAzimuth), std::cos(kEyeElevation) * std::sin(kEyeAzimuth),
-            std::sin(kEyeElevation)};
-}
+const Box3 kNoTooth(Vec3(-5, -5, -5), Vec3(5, 5, 5));       // where the hand rests before there is a tooth, mm
+constexpr double kEyeAzimuth = 1.25, kEyeElevation = 0.62;  // rad, for a tooth with +x mesial
 
 }  // namespace
 
-Workbench::Workbench(SoundOutput& sound) : sound_(sound), hand_(kNoTooth), device_(hand_.hand()) {
+Workbench::Workbench(SoundOutput& sound) : sound_(sound), hand_(kNoTooth, 1), device_(hand_.hand()) {
     furniture_.start([] { return Expected<BenchFurniture>(makeFurniture()); });
 }
 
@@ -29,7 +24,7 @@ Workbench::~Workbench() = default;
 void Workbench::put(BenchTooth tooth) {
     tooth_ = std::move(tooth);
     const double pressDepth = hand_.pressDepth();
-    hand_ = HandControl(tooth_->box());
+    hand_ = HandControl(tooth_->box(), tooth_->mesialX);
     hand_.setPressDepth(pressDepth);
     simulatorIsOld_ = toothIsNew_ = true;
 }
@@ -93,6 +88,11 @@ Workbench::News Workbench::step(double dt) {
     return news;
 }
 
+OrbitCamera::Direction Workbench::usualView() const {
+    const OrbitCamera::Direction view{kEyeAzimuth, kEyeElevation};
+    return mesialX() < 0 ? mirroredInX(view) : view;
+}
+
 SceneContents Workbench::contents(bool withTurbine, bool withMirror) const {
     SceneContents contents;
     contents.materials = settings_.materials;
@@ -104,8 +104,11 @@ SceneContents Workbench::contents(bool withTurbine, bool withMirror) const {
                               .toolInTooth = newest_.proxy,
                               .spin = spin_};
     if (withMirror && around_) {
-        contents.mirror =
-            ShownMirror{around_->mirror, around_->disc, parkedMirror(tooth_->box(), around_->disc, usualEye())};
+        const auto [azimuth, elevation] = usualView();
+        const Vec3 toEye(std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
+                         std::sin(elevation));
+        contents.mirror = ShownMirror{around_->mirror, around_->disc,
+                                      parkedMirror(tooth_->box(), around_->disc, toEye, tooth_->mesialX)};
     }
     return contents;
 }

@@ -11,6 +11,7 @@
 #include "app/gui/hand_control.h"
 #include "devices/mouse_device.h"
 #include "sound/sound_output.h"
+#include "view/orbit_camera.h"
 
 namespace tactooth {
 
@@ -55,6 +56,10 @@ public:
     /// The ticks of the last step, oldest first.
     [[nodiscard]] const std::vector<Tick>& ticks() const { return ticks_; }
 
+    /// Direction of mesial along x.
+    [[nodiscard]] double mesialX() const { return tooth_ ? tooth_->mesialX : 1; }
+    /// From buccal and above, as a dentist sees a lower tooth; the parked mirror is turned to it.
+    [[nodiscard]] OrbitCamera::Direction usualView() const;
     /// All but the camera.
     [[nodiscard]] SceneContents contents(bool withTurbine, bool withMirror) const;
 

@@ -8,7 +8,8 @@
 
 namespace tactooth {
 
-/// A tooth as functions in its own frame (see BuiltinTooth): what the mesher turns into layers.
+/// A tooth as functions: what the mesher turns into layers. Frame: as that of a BuiltinTooth, but with +x mesial on
+/// every tooth; the ones of the patient's upper left and lower right quarter are mirrored when they are meshed.
 struct ToothShape {
     std::string name;
     int fdi = 0;

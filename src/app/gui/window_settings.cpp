@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/window_settings.h"
+
+#include <toml++/toml.h>
+
+#include <QStandardPaths>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <sstream>
+
+#include "app/gui/hand_control.h"
+#include "geometry/atomic_file.h"
+#include "geometry/file_bytes.h"
+
+namespace tactooth {
+namespace {
+
+/// Takes values out of a file until one of them cannot be meant.
+class SettingsReader {
+public:
+    SettingsReader(const toml::table& root, std::string_view name) : root_(root), name_(name) {}
+
+    void text(std::string_view table, std::string_view key, std::string& value) {
+        const toml::node* found = node(table, key);
+        if (found == nullptr) return;
+        if (const auto* held = found->as_string()) {
+            value = held->get();
+        } else {
+            refuse(*found, key, "a text in quotes");
+        }
+    }
+    void yesOrNo(std::string_view table, std::string_view key, bool& value) {
+        const toml::node* found = node(table, key);
+        if (found == nullptr) return;
+        if (const auto* held = found->as_boolean()) {
+            value = held->get();
+        } else {
+            refuse(*found, key, "true or false");
+        }
+    }
+    void number(std::string_view table, std::string_view key, double highest, double& value) {
+        const toml::node* found = node(table, key);
+        if (found == nullptr) return;
+        const std::optional<double> held = found->is_number() ? found->value<double>() : std::nullopt;
+        if (held && *held >= 0 && *held <= highest) {
+            value = *held;
+            return;
+        }
+        std::ostringstream wanted;
+        wanted << "a number from 0 to " << highest;
+        refuse(*found, key, wanted.str());
+    }
+    [[nodiscard]] const std::optional<Error>& error() const { return error_; }
+
+private:
+    const toml::node* node(std::string_view table, std::string_view key) {
+        const toml::node* section = root_.get(table);
+        if (section == nullptr) return nullptr;
+        if (!section->is_table()) {
+            refuse(*section, table, "a table");
+            return nullptr;
+        }
+        return section->as_table()->get(key);
+    }
+    void refuse(const toml::node& node, std::string_view key, std::string_view wanted) {
+        if (error_) return;
+        error_ = {std::string(name_) + ", line " + std::to_string(node.source().begin.line) + ": '" + std::string(key) +
+                  "' must be " + std::string(wanted) + "."};
+    }
+
+    const toml::table& root_;
+    std::string_view name_;
+    std::optional<Error> error_;
+};
+
+Expected<WindowSettings> settingsFrom(const toml::table& root, std::string_view name) {
+    SettingsReader reader(root, name);
+    WindowSettings settings;
+    reader.text("window", "geometry", settings.geometry);
+    reader.text("window", "docks", settings.docks);
+    reader.text("window", "folder", settings.folder);
+    reader.yesOrNo("window", "turbine", settings.showsTurbine);
+    reader.yesOrNo("window", "mirror", settings.showsMirror);
+    reader.text("drill", "bur", settings.bur);
+    reader.text("drill", "drive", settings.spindle);
+    reader.yesOrNo("force", "from_material", settings.force.fromMaterial);
+    reader.number("force", "spring", kMostSpring, settings.force.spring);
+    reader.number("force", "damper", kMostDamper, settings.force.damper);
+    reader.number("force", "scale", kMostForceScale, settings.force.scale);
+    reader.number("force", "press", HandControl::kMostPressDepth, settings.force.press);
+    reader.number("sound", "turbine", 1, settings.sound.motor);
+    reader.number("sound", "cutting", 1, settings.sound.cutting);
+    reader.number("sound", "all", 1, settings.sound.master);
+    reader.yesOrNo("sound", "muted", settings.sound.muted);
+    if (reader.error()) return Unexpected{*reader.error()};
+    return settings;
+}
+
+}  // namespace
+
+std::filesystem::path windowSettingsFile() {
+    const QString folder = QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation);
+    return std::filesystem::path(folder.toStdString()) / "tactooth" / "window.toml";
+}
+
+Expected<WindowSettings> parseWindowSettings(std::string_view text, std::string_view name) {
+    try {
+        return settingsFrom(toml::parse(text), name);
+    } catch (const toml::parse_error& error) {
+        return unexpected(std::string(name) + ", line " + std::to_string(error.source().begin.line) +
+                          ": this is not TOML.");
+    }
+}
+
+std::string windowSettingsText(const WindowSettings& settings) {
+    toml::table root;
+    root.insert("window", toml::table{{"geometry", settings.geometry},
+                                      {"docks", settings.docks},
+                                      {"folder", settings.folder},
+                                      {"turbine", settings.showsTurbine},
+                                      {"mirror", settings.showsMirror}});
+    root.insert("drill", toml::table{{"bur", settings.bur}, {"drive", settings.spindle}});
+    root.insert("force", toml::table{{"from_material", settings.force.fromMaterial},
+                                     {"spring", settings.force.spring},
+                                     {"damper", settings.force.damper},
+                                     {"scale", settings.force.scale},
+                                     {"press", settings.force.press}});
+    root.insert("sound", toml::table{{"turbine", settings.sound.motor},
+                                     {"cutting", settings.sound.cutting},
+                                     {"all", settings.sound.master},
+                                     {"muted", settings.sound.muted}});
+    std::ostringstream text;
+    text << "# What the window of Tactooth remembers. Without this file it starts with its defaults.\n" << root << "\n";
+    return text.str();
+}
+
+Expected<WindowSettings> readWindowSettings(const std::filesystem::path& file) {
+    std::error_code none;
+    if (!std::filesystem::exists(file, none)) return WindowSettings();
+    const Expected<FileBytes> content = readFile(file);
+    if (!content) return Unexpected{content.error()};
+    return parseWindowSettings({reinterpret_cast<const char*>(content->bytes().data()), content->size()},
+                               shownName(file));
+}
+
+Expected<void> writeWindowSettings(const WindowSettings& settings, const std::filesystem::path& file) {
+    std::error_code failure;
+    std::filesystem::create_directories(file.parent_path(), failure);  // the file says it if that failed
+    const std::string text = windowSettingsText(settings);
+    return writeFile(file, std::as_bytes(std::span(text)));
+}
+
+}  // namespace tactooth

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "geometry/expected.h"
+#include "sound/sound_mixer.h"
+#include "tooth/material.h"
+
+namespace tactooth {
+
+/// The box of force parameters as it was set.
+struct ForceSettings {
+    bool fromMaterial = true;
+    double spring = MaterialTable()[MaterialId::Enamel].stiffness;  ///< N/mm
+    double damper = MaterialTable()[MaterialId::Enamel].damping;    ///< N*s/mm
+    double scale = 1;
+    double press = 1;  ///< how deep the mouse presses, mm
+
+    bool operator==(const ForceSettings&) const = default;
+};
+// Ranges: a desk-top device renders 1 N/mm cleanly and 3 N/mm with luck; 2 N*s/m is what a hand does not feel as
+// viscous, ten times that it does.
+inline constexpr double kMostSpring = 3;     ///< N/mm
+inline constexpr double kMostDamper = 0.02;  ///< N*s/mm
+inline constexpr double kMostForceScale = 3;
+
+/// What the window remembers from one start to the next. Empty texts stand for what the window chooses by itself.
+struct WindowSettings {
+    std::string geometry;  ///< of the window, as Qt packs it, in base64
+    std::string docks;     ///< docks and tool bars, likewise
+    std::string folder;    ///< in which the last file was opened or saved
+    std::string bur;       ///< number in the catalogue
+    std::string spindle;   ///< name
+    bool showsTurbine = true;
+    bool showsMirror = true;
+    ForceSettings force;
+    SoundMixer sound;
+};
+
+/// `window.toml` in the user's folder for settings.
+[[nodiscard]] std::filesystem::path windowSettingsFile();
+
+/// Fails with one sentence that names the line if the text is not TOML or a value cannot be meant. Keys that are not
+/// known belong to another version and are passed over. `name`: of the file, for the sentence.
+[[nodiscard]] Expected<WindowSettings> parseWindowSettings(std::string_view text, std::string_view name);
+[[nodiscard]] std::string windowSettingsText(const WindowSettings& settings);
+
+/// The settings of the last time; the defaults if there is no file yet.
+[[nodiscard]] Expected<WindowSettings> readWindowSettings(const std::filesystem::path& file);
+/// Makes the folder if need be.
+[[nodiscard]] Expected<void> writeWindowSettings(const WindowSettings& settings, const std::filesystem::path& file);
+
+}  // namespace tactooth

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/window_settings.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "support/test_data.h"
+
+namespace tactooth {
+namespace {
+
+WindowSettings unusual() {
+    return {.geometry = "AdnQywAD",
+            .docks = "AAAA/wAAAAD9",
+            .folder = "/home/someone/Zähne \"neu\"",
+            .bur = "58",
+            .spindle = "Micromotor, 1:1",
+            .showsTurbine = false,
+            .showsMirror = false,
+            .force = {false, 0.75, 0.0125, 1.5, 2.2},
+            .sound = {.motor = 0.25, .cutting = 0.5, .master = 0.75, .muted = true}};
+}
+
+void expectEqual(const WindowSettings& a, const WindowSettings& b) {
+    EXPECT_EQ(a.geometry, b.geometry);
+    EXPECT_EQ(a.docks, b.docks);
+    EXPECT_EQ(a.folder, b.folder);
+    EXPECT_EQ(a.bur, b.bur);
+    EXPECT_EQ(a.spindle, b.spindle);
+    EXPECT_EQ(a.showsTurbine, b.showsTurbine);
+    EXPECT_EQ(a.showsMirror, b.showsMirror);
+    EXPECT_EQ(a.force, b.force);
+    EXPECT_EQ(a.sound.motor, b.sound.motor);
+    EXPECT_EQ(a.sound.cutting, b.sound.cutting);
+    EXPECT_EQ(a.sound.master, b.sound.master);
+    EXPECT_EQ(a.sound.muted, b.sound.muted);
+}
+
+std::string refusal(std::string_view text) {
+    const auto settings = parseWindowSettings(text, "window.toml");
+    return settings ? "accepted" : settings.error().message;
+}
+
+TEST(WindowSettings, ComeBackAsTheyWereWritten) {
+    const test::TemporaryFolder folder;
+    const auto file = folder / "new folder/window.toml";
+    ASSERT_TRUE(writeWindowSettings(unusual(), file).has_value());
+    const auto again = readWindowSettings(file);
+    ASSERT_TRUE(again.has_value()) << again.error().message;
+    expectEqual(*again, unusual());
+}
+
+TEST(WindowSettings, WithoutAFileTheyAreTheDefaults) {
+    const test::TemporaryFolder folder;
+    const auto settings = readWindowSettings(folder / "window.toml");
+    ASSERT_TRUE(settings.has_value());
+    expectEqual(*settings, WindowSettings());
+}
+
+TEST(WindowSettings, WhatAFileDoesNotSayKeepsItsDefaultAndUnknownKeysArePassedOver) {
+    const auto settings = parseWindowSettings("[sound]\nall = 0.5\nsubwoofer = 3\n[hologram]\nx = 1\n", "window.toml");
+    ASSERT_TRUE(settings.has_value()) << settings.error().message;
+    WindowSettings expected;
+    expected.sound.master = 0.5;
+    expectEqual(*settings, expected);
+}
+
+TEST(WindowSettings, AValueThatCannotBeMeantIsRefusedWithItsLine) {
+    EXPECT_EQ(refusal("[force]\nspring = -1\n"), "window.toml, line 2: 'spring' must be a number from 0 to 3.");
+    EXPECT_EQ(refusal("[force]\nscale = nan\n"), "window.toml, line 2: 'scale' must be a number from 0 to 3.");
+    EXPECT_EQ(refusal("[sound]\n\nall = \"loud\"\n"), "window.toml, line 3: 'all' must be a number from 0 to 1.");
+    EXPECT_EQ(refusal("[sound]\nmuted = 1\n"), "window.toml, line 2: 'muted' must be true or false.");
+    EXPECT_EQ(refusal("[window]\nfolder = 7\n"), "window.toml, line 2: 'folder' must be a text in quotes.");
+    EXPECT_EQ(refusal("force = 2\n"), "window.toml, line 1: 'force' must be a table.");
+}
+
+TEST(WindowSettings, WhatIsNotTomlIsRefusedWithItsLine) {
+    EXPECT_EQ(refusal("[window]\nfolder = \"open\n"), "window.toml, line 2: this is not TOML.");
+    EXPECT_EQ(refusal(std::string_view("\0\xff\x01", 3)), "window.toml, line 1: this is not TOML.");
+}
+
+TEST(WindowSettings, AFolderInThePlaceOfTheFileIsRefused) {
+    const test::TemporaryFolder folder;
+    EXPECT_FALSE(readWindowSettings(folder.path()).has_value());
+    EXPECT_FALSE(writeWindowSettings(unusual(), folder.path()).has_value());
+}
+
+TEST(WindowSettings, AnyTruncatedFileGivesSettingsOrASentence) {
+    const std::string text = windowSettingsText(unusual());
+    for (std::size_t length = 0; length < text.size(); ++length) {
+        const auto settings = parseWindowSettings(std::string_view(text).substr(0, length), "window.toml");
+        if (!settings) {
+            EXPECT_TRUE(settings.error().message.starts_with("window.toml, line ")) << settings.error().message;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace tactooth
