@@ -6,9 +6,8 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <optional>
 
-#include "collision/closest_point.h"
+#include "view/tag_shares.h"
 
 namespace tactooth {
 
@@ -51,37 +50,6 @@ struct Facets {
             }
         }
     }
-};
-
-/// How much of each tag there is at a point.
-class TagShares {
-public:
-    void clear() { shares_.clear(); }
-    void add(SurfaceTag tag, float weight) {
-        const auto known = std::find_if(shares_.begin(), shares_.end(), [&](const auto& s) { return s.tag == tag; });
-        if (known != shares_.end()) {
-            known->weight += weight;
-        } else {
-            shares_.push_back({tag, weight});
-        }
-    }
-    [[nodiscard]] LookMix mix() {
-        std::sort(shares_.begin(), shares_.end(), [](const Share& a, const Share& b) {
-            return a.weight != b.weight ? a.weight > b.weight : a.tag < b.tag;
-        });
-        if (shares_.empty()) return {};
-        if (shares_.size() == 1) return {shares_[0].tag, shares_[0].tag, 0};
-        const float both = shares_[0].weight + shares_[1].weight;
-        const float share = both > 0 ? shares_[1].weight / both : 0;
-        return {shares_[0].tag, shares_[1].tag, static_cast<std::uint8_t>(std::lround(255 * share))};
-    }
-
-private:
-    struct Share {
-        SurfaceTag tag;
-        float weight;
-    };
-    std::vector<Share> shares_;
 };
 
 constexpr std::uint8_t kNoGroup = 255;
@@ -162,46 +130,6 @@ private:
     std::vector<std::uint32_t> front_;
 };
 
-/// A point this near to the base lies on it, mm: coordinates of a mouth in single precision are exact to 0.01 um, and
-/// no cut follows the surface to 0.2 um.
-constexpr double kOnBase = 2e-4;
-
-/// The base triangle of which triangle `t` of the patch is a piece, if it is one.
-std::optional<std::uint32_t> baseTriangle(const TriangleMesh& patch, std::uint32_t t, const SurfacePart& base) {
-    const Vec3 centre = (patch.corner(t, 0) + patch.corner(t, 1) + patch.corner(t, 2)) / 3;
-    const auto nearest = closestPoint(base, centre, kOnBase);
-    if (!nearest) return std::nullopt;
-    const Vec3 normal = base.mesh().areaVector(nearest->triangle).stableNormalized();
-    for (int corner = 0; corner < 3; ++corner) {
-        if (std::abs(normal.dot(patch.corner(t, corner) - nearest->point)) > kOnBase) return std::nullopt;
-    }
-    return nearest->triangle;
-}
-
-/// A corner of a patch: its normal and its looks.
-struct Corner {
-    Vec3f normal;
-    LookMix mix;
-};
-
-/// The shading of base triangle `t` at `point`, which lies on it.
-Corner interpolated(const TriangleMesh& base, const CornerShading& shading, std::uint32_t t, const Vec3& point) {
-    const Vec3 area = base.areaVector(t);
-    Vec3f sum = Vec3f::Zero();
-    TagShares shares;
-    for (std::uint32_t corner = 0; corner < 3; ++corner) {
-        const Vec3 a = base.corner(t, (corner + 1) % 3) - point;
-        const Vec3 b = base.corner(t, (corner + 2) % 3) - point;
-        const auto weight = static_cast<float>(std::max(0.0, a.cross(b).dot(area) / area.squaredNorm()));
-        sum += weight * shading.normals[3 * t + corner];
-        const LookMix& mix = shading.looks[3 * t + corner];
-        const float second = static_cast<float>(mix.share) / 255;
-        shares.add(mix.first, weight * (1 - second));
-        if (mix.share > 0) shares.add(mix.second, weight * second);
-    }
-    return {sum.stableNormalized(), shares.mix()};
-}
-
 }  // namespace
 
 CornerShading cornerShading(const TriangleMesh& mesh, std::span<const SurfaceTag> tags) {
@@ -211,22 +139,6 @@ CornerShading cornerShading(const TriangleMesh& mesh, std::span<const SurfaceTag
     VertexGrouping grouping(mesh, facets, tags);
     for (std::size_t vertex = 0; vertex < mesh.vertices.size(); ++vertex) grouping.group(cornersOfVertex.of(vertex));
     return grouping.takeShading();
-}
-
-CornerShading patchShading(const SurfacePart& patch, const SurfacePart& base, const CornerShading& baseShading) {
-    const TriangleMesh& mesh = patch.mesh();
-    CornerShading shading = cornerShading(mesh, patch.tags());
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-        const auto carriedOn = baseTriangle(mesh, t, base);
-        if (!carriedOn) continue;
-        for (std::uint32_t c = 0; c < 3; ++c) {
-            const Corner corner =
-                interpolated(base.mesh(), baseShading, *carriedOn, mesh.corner(t, static_cast<int>(c)));
-            shading.normals[3 * t + c] = corner.normal;
-            shading.looks[3 * t + c] = corner.mix;
-        }
-    }
-    return shading;
 }
 
 }  // namespace tactooth

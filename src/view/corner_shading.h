@@ -37,9 +37,4 @@ struct CornerShading {
 /// Weights: G. Thuermer, C. A. Wuethrich, Computing vertex normals from polygonal facets, J. Graphics Tools 3(1), 1998.
 [[nodiscard]] CornerShading cornerShading(const TriangleMesh& mesh, std::span<const SurfaceTag> tags = {});
 
-/// Shading of a patch of a tooth. Where the patch carries on the surface of `base` (pieces of original triangles around
-/// a cut), it takes over the shading of `base` (`baseShading`), so that no seam shows.
-[[nodiscard]] CornerShading patchShading(const SurfacePart& patch, const SurfacePart& base,
-                                         const CornerShading& baseShading);
-
 }  // namespace tactooth

@@ -18,34 +18,54 @@ PatchPool::PatchPool()
     : buffers_(kFirstVertices, kFirstTriangles), vertices_(kFirstVertices), triangles_(kFirstTriangles) {}
 
 void PatchPool::update(const Surface& surface, const CornerShading& baseShading) {
+    takeNew(surface);
+    markNeighbours();
+    lastUpload_ = 0;
+    box_ = Box3();
+    for (auto& [id, place] : places_) {
+        if (place.isStale) upload(place, *surface.base, baseShading);
+        box_.extend(place.box);
+    }
+}
+
+/// Lets go of the patches that are gone and takes in those that have come.
+void PatchPool::takeNew(const Surface& surface) {
     for (auto& [id, place] : places_) place.wanted = false;
-    std::vector<const SurfacePart*> missing;
+    std::vector<std::shared_ptr<const SurfacePart>> missing;
     for (const auto& patch : surface.patches) {
         const auto known = places_.find(patch->id());
-        if (known == places_.end()) {
-            missing.push_back(patch.get());
-        } else {
+        if (known != places_.end()) {
             known->second.wanted = true;
+        } else if (!patch->mesh().empty()) {
+            missing.push_back(patch);
         }
     }
     std::erase_if(places_, [&](const auto& entry) {
         if (!entry.second.wanted) release(entry.second);
         return !entry.second.wanted;
     });
-    lastUpload_ = 0;
-    for (const SurfacePart* patch : missing) {
-        if (patch->mesh().empty()) continue;
-        places_.emplace(patch->id(), upload(*patch, *surface.base, baseShading));
-        lastUpload_ += patch->mesh().triangles.size();
-    }
-    box_ = Box3();
-    for (const auto& [id, place] : places_) box_.extend(place.box);
+    for (const auto& patch : missing) places_.emplace(patch->id(), ShadedPatch(patch, *surface.base));
 }
 
-PatchPool::Place PatchPool::upload(const SurfacePart& patch, const SurfacePart& base,
-                                   const CornerShading& baseShading) {
-    ShadingMesh mesh = shadingMesh(patch.mesh(), patchShading(patch, base, baseShading));
-    Place place;
+/// A wall that ends where a new one begins is shaded anew with it.
+void PatchPool::markNeighbours() {
+    std::vector<const Place*> fresh;
+    for (const auto& [id, place] : places_) {
+        if (place.isStale) fresh.push_back(&place);
+    }
+    for (auto& [id, place] : places_) {
+        const auto meets = [&](const Place* other) { return other->patch.wall.intersects(place.patch.wall); };
+        place.isStale = place.isStale || std::any_of(fresh.begin(), fresh.end(), meets);
+    }
+}
+
+void PatchPool::upload(Place& place, const SurfacePart& base, const CornerShading& baseShading) {
+    std::vector<const ShadedPatch*> neighbours;
+    for (const auto& [id, other] : places_) {
+        if (&other != &place && other.patch.wall.intersects(place.patch.wall)) neighbours.push_back(&other.patch);
+    }
+    ShadingMesh mesh = shadingMesh(place.patch.part->mesh(), patchShading(place.patch, neighbours, base, baseShading));
+    release(place);
     place.vertices = static_cast<std::uint32_t>(mesh.vertices.size());
     place.triangles = static_cast<std::uint32_t>(mesh.triangles.size());
     place.firstVertex = claimVertices(place.vertices);
@@ -58,10 +78,12 @@ PatchPool::Place PatchPool::upload(const SurfacePart& patch, const SurfacePart& 
     buffers_.writeTriangles(place.firstTriangle, mesh.triangles);
     place.clusters = std::move(mesh.clusters);
     place.box = mesh.box;
-    return place;
+    place.isStale = false;
+    lastUpload_ += place.triangles;
 }
 
 void PatchPool::release(const Place& place) {
+    if (place.triangles == 0) return;
     vertices_.release(place.firstVertex, place.vertices);
     triangles_.release(place.firstTriangle, place.triangles);
 }

@@ -5,13 +5,15 @@
 #include <map>
 #include <memory>
 
+#include "view/patch_shading.h"
 #include "view/range_allocator.h"
 #include "view/triangle_buffers.h"
 
 namespace tactooth {
 
 /// The patches of one tooth on the graphics card, all in one pair of buffers so that hundreds of them are one drawing
-/// call. Only patches that are new since the last snapshot are uploaded.
+/// call. Only patches that are new since the last snapshot are uploaded, and those whose walls go on in them: the two
+/// are shaded as one.
 class PatchPool {
 public:
     PatchPool();
@@ -25,6 +27,9 @@ public:
 
 private:
     struct Place {
+        explicit Place(ShadedPatch shaded) : patch(std::move(shaded)) {}
+
+        ShadedPatch patch;
         std::uint32_t firstVertex = 0;
         std::uint32_t vertices = 0;
         std::uint32_t firstTriangle = 0;
@@ -32,8 +37,11 @@ private:
         std::vector<TriangleCluster> clusters;
         Box3 box;
         bool wanted = true;
+        bool isStale = true;  ///< to be shaded and uploaded
     };
-    [[nodiscard]] Place upload(const SurfacePart& patch, const SurfacePart& base, const CornerShading& baseShading);
+    void takeNew(const Surface& surface);
+    void markNeighbours();
+    void upload(Place& place, const SurfacePart& base, const CornerShading& baseShading);
     void release(const Place& place);
     [[nodiscard]] std::uint32_t claimVertices(std::uint32_t count);
     [[nodiscard]] std::uint32_t claimTriangles(std::uint32_t count);

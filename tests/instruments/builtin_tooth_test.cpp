@@ -260,24 +260,21 @@ TEST(BuiltinTooth, MesialIsOnTheSideOfTheMouthThatTheNumberNames) {
     for (const int fdi : {21, 23, 28, 41, 46, 65, 85}) EXPECT_EQ(mesialX(fdi), -1) << fdi;
 }
 
-/// In a frame of the patient with +X to the patient's left, +Y to the front and +Z upward, a lower tooth's mesial
-/// points to the front and its cheek side away from the middle: the frame of a lower right tooth must be turned into
-/// that one without a reflection.
+/// In a right-handed frame of the patient (+x to the patient's right, +y to the front, +z upward) mesial of a lower
+/// right molar points to the front and its cheek side to the right: its own frame must turn into that without a
+/// reflection.
 TEST(BuiltinTooth, TheLowerRightMolarFitsIntoTheRightSideOfTheMouth) {
     const BuiltinTooth& molar = toothOf(lowerFirstMolar);
     ASSERT_EQ(molar.fdi, 46);
-    // Its fifth, distal cusp is the lowest, small, and stands on the cheek side: what is higher than 5.9 mm beyond the
-    // distal third of the crown lies there.
-    Box3 distal;
+    // The fifth cusp, the farthest to distal, stands on the cheek side.
+    Vec3f distal(0, 0, 0);
     for (const Vec3f& v : molar.outer.vertices) {
-        if (v.z() > 5.9 && v.x() * mesialX(molar.fdi) < -3.2) distal.extend(v.cast<double>());
+        if (v.x() * mesialX(molar.fdi) < -3.6 && v.z() > distal.z()) distal = v;
     }
-    ASSERT_FALSE(distal.isEmpty());
-    EXPECT_GT(distal.center().y(), 0.5);
-    const Vec3 mesial(mesialX(molar.fdi), 0, 0), cheek(0, 1, 0), up(0, 0, 1);
+    EXPECT_GT(distal.y(), 0.5);
     Mat3 tooth, mouth;
-    tooth << mesial, cheek, up;
-    mouth << Vec3(0, 1, 0), Vec3(-1, 0, 0), Vec3(0, 0, 1);  // to the front, to the patient's right, upward
+    tooth << mesialX(molar.fdi) * Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ();
+    mouth << Vec3::UnitY(), Vec3::UnitX(), Vec3::UnitZ();
     EXPECT_DOUBLE_EQ((mouth * tooth.inverse()).determinant(), 1);
 }
 

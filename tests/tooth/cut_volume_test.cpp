@@ -124,6 +124,18 @@ TEST(CutVolume, ADryRunForetellsTheCarveAndChangesNothing) {
     EXPECT_EQ(total(volume.removable(bur, at(0, 0, -0.5), at(0.02, 0, -0.53)).volumes), 0);
 }
 
+TEST(CutVolume, APartOfTheWayIsForetoldFromTheNodesOfTheWhole) {
+    CutVolume volume(block(), kVoxel);
+    const auto bur = flatBur(0.4);
+    volume.carve(bur, at(0, 0, 0.5), at(0, 0, -0.5));
+    const Removable whole = volume.removable(bur, at(0, 0, -0.5), at(0.2, 0, -0.7));
+    for (const double part : {0.1, 0.35, 0.6, 1.0}) {
+        const Pose end = at(0.2 * part, 0, -0.5 - 0.2 * part);
+        const double alone = total(volume.removable(bur, at(0, 0, -0.5), end).volumes);
+        EXPECT_NEAR(total(volume.removableOnTheWay(whole, bur, at(0, 0, -0.5), end)), alone, 1e-4 * alone) << part;
+    }
+}
+
 TEST(CutVolume, OneThreadAndManyGiveTheSameBits) {
     CutVolume many(block(), kVoxel);
     const MaterialVolumes removedByMany = carvePath(many, flatBur(0.4), 10);

@@ -82,35 +82,5 @@ TEST(CornerShading, TriangleWithoutAreaGetsAUnitNormal) {
     for (const Vec3f& normal : cornerShading(sliver).normals) EXPECT_NEAR(normal.norm(), 1, 1e-6F);
 }
 
-TEST(PatchShading, PieceOfABaseTriangleTakesOverItsShading) {
-    const TriangleMesh ball = test::sphere(Vec3::Zero(), 3, 24, 12);
-    std::vector<SurfaceTag> tags(ball.triangles.size(), 1);
-    const std::uint32_t parent = 100;
-    tags[parent] = 4;
-    const SurfacePart base(ball, tags);
-    const CornerShading whole = cornerShading(base.mesh(), tags);
-    const Vec3 a = base.mesh().corner(parent, 0);
-    const Vec3 b = base.mesh().corner(parent, 1);
-    const Vec3 c = base.mesh().corner(parent, 2);
-    TriangleMesh piece;
-    piece.vertices = {a.cast<float>(), ((a + b) / 2).cast<float>(), ((a + c) / 2).cast<float>()};
-    piece.triangles = {{0, 1, 2}};
-    const CornerShading shading = patchShading(SurfacePart(piece, {4}), base, whole);
-    EXPECT_LT((shading.normals[0] - whole.normals[3 * parent]).norm(), 1e-3F);
-    EXPECT_LT((shading.normals[1] - (whole.normals[3 * parent] + whole.normals[3 * parent + 1]).normalized()).norm(),
-              1e-3F);
-    EXPECT_EQ(shading.looks[0].first, 1);
-    EXPECT_EQ(shading.looks[0].second, 4);
-    const double wanted = (whole.looks[3 * parent].share + whole.looks[3 * parent + 1].share) / 2.0;
-    EXPECT_NEAR(shading.looks[1].share, wanted, 1);
-}
-
-TEST(PatchShading, CutSurfaceKeepsItsOwnShading) {
-    const SurfacePart base(test::sphere(Vec3::Zero(), 3, 24, 12));
-    const TriangleMesh cut = test::box(Vec3(2.5, -0.2, -0.2), Vec3(2.7, 0.2, 0.2));
-    const CornerShading shading = patchShading(SurfacePart(cut), base, cornerShading(base.mesh()));
-    EXPECT_EQ(shading.normals, cornerShading(cut).normals);
-}
-
 }  // namespace
 }  // namespace tactooth

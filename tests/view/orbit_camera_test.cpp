@@ -155,5 +155,23 @@ TEST(OrbitCamera, TurningAroundAPointDoesNotMoveTheEye) {
     EXPECT_NEAR((before.rotation.conjugate() * (Vec3(2, 1, 6) - before.position)).z(), -camera.distance(), 1e-9);
 }
 
+TEST(OrbitCamera, WhereMesialIsMinusXTheMesialAndTheDistalViewChangePlaces) {
+    OrbitCamera camera;
+    camera.look(StandardView::Mesial, -1);
+    EXPECT_NEAR((camera.camera().cameraInWorld.rotation * Vec3::UnitZ()).x(), -1, 1e-12);
+    camera.look(StandardView::Distal, -1);
+    EXPECT_NEAR((camera.camera().cameraInWorld.rotation * Vec3::UnitZ()).x(), 1, 1e-12);
+    camera.look(StandardView::Buccal, -1);
+    EXPECT_NEAR((camera.camera().cameraInWorld.rotation * Vec3::UnitZ()).y(), 1, 1e-12);
+}
+
+TEST(OrbitCamera, AMirroredDirectionHasItsEyeOnTheOtherSideOfX) {
+    OrbitCamera one, other;
+    one.look({1.25, 0.62});
+    other.look(mirroredInX({1.25, 0.62}));
+    const Vec3 eye = one.camera().cameraInWorld.position, mirrored = other.camera().cameraInWorld.position;
+    EXPECT_TRUE(mirrored.isApprox(Vec3(-eye.x(), eye.y(), eye.z()), 1e-12));
+}
+
 }  // namespace
 }  // namespace tactooth

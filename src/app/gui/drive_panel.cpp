@@ -17,7 +17,7 @@ constexpr double kThousand = 1000;
 
 DrivePanel::DrivePanel(QWidget* parent)
     : QWidget(parent),
-      speed_(new DialGauge({tr("Bur speed"), tr("1000 rev/min"), 400, 0})),
+      speed_(new DialGauge({tr("Bur speed"), tr("× 1000 rev/min"), 400, 0})),
       force_(new DialGauge({tr("Force"), tr("N"), 4, 2, ForceLimits{}.force})),
       slider_(new QSlider(Qt::Horizontal)),
       keep_(new QCheckBox(tr("Keep down"))) {

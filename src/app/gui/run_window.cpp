@@ -77,7 +77,7 @@ int runWindow(const WindowOptions& options) {
     const std::filesystem::path settingsFile = windowSettingsFile();
     const Expected<WindowSettings> settings = readWindowSettings(settingsFile);
     WindowSettings start = settings ? *settings : WindowSettings();
-    if (start.bur.empty()) start.bur = kFirstBur;
+    if (start.bur.empty()) start.bur = std::string(kFirstBur);
     if (bur) start.bur.clear();  // the one of the command line counts
     window.apply(start);
     tooth ? window.bench().put(std::move(*tooth)) : window.bringBuiltinTooth(kBuiltinTeeth.front());

@@ -3,6 +3,7 @@
 #include "app/gui/status_line.h"
 
 #include <QLocale>
+#include <cmath>
 
 namespace tactooth {
 namespace {
@@ -44,12 +45,14 @@ void StatusLine::show(const Simulator& simulator, SoundStatus sound) {
     const double updateRate = counts ? static_cast<double>(updates - updates_) / seconds : 0;
     ticks_ = ticks;
     updates_ = updates;
+    constexpr double kRounding = 10;  // Hz: a rate that trembles would have the whole window composed anew each second
     servo_->setText(tr("Servo %1 Hz, p99 %2 µs, missed %3, %4  |  surface %5/s")
-                        .arg(rate, 0, 'f', 0)
+                        .arg(kRounding * std::round(rate / kRounding), 0, 'f', 0)
                         .arg(timing.tick.quantile(0.99), 0, 'f', 0)
                         .arg(timing.missed.load(std::memory_order_relaxed))
                         .arg(simulator.isRealTime() ? tr("real-time") : tr("not real-time"))
                         .arg(updateRate, 0, 'f', 0));
+    servo_->setMinimumWidth(servo_->sizeHint().width());  // the bar would lay out a longer text too late
     removed_->setText(removedText(simulator.removed()));
     const std::string_view text = statusText(sound);
     sound_->setText(QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())));

@@ -33,8 +33,13 @@ ToothView::ToothView(Workbench& bench, QWidget* parent) : QOpenGLWidget(parent),
     setObjectName("toothView");
     rest_.setSingleShot(true);
     connect(&rest_, &QTimer::timeout, this, [this] {
-        careful_ = true;
-        update();
+        // On a slow computer the next quick picture may just be late: a careful one now would make it later still.
+        careful_ = changeTo(bench_.contents(showsTurbine_, showsMirror_)) == PicturePace::Change::None;
+        if (careful_) {
+            update();
+        } else {
+            rest_.start(kRestMs);
+        }
     });
     lookAsUsual();
 }
