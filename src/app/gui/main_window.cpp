@@ -197,7 +197,12 @@ void MainWindow::connectPanels() {
     connect(drill_->resetAction(), &QAction::triggered, this, [this] {
         if (bench_.simulator() != nullptr) bench_.simulator()->requestReset();
     });
-    connect(drive_, &DrivePanel::pedalChanged, this, [this](double pedal) { bench_.controls.pedal = pedal; });
+    connect(drive_, &DrivePanel::pedalChanged, this, [this](double pedal) {
+        bench_.controls.pedal = pedal;
+        if (pedal > 0 && !drill_->isCutting()) {
+            status_->setHint(tr("In Touch the bur stands still: choose Cut (C), and the pedal turns it"));
+        }
+    });
     connect(force_, &ForcePanel::changed, this, [this] {
         bench_.controls.force = force_->overrides();
         bench_.controls.forceScale = force_->forceScale();
