@@ -46,7 +46,7 @@ TEST_F(HandControlTest, APressedHandGoesStraightDownUntilItStandsThePressDepthBe
     hand_.press(picture_, pixelOf(Vec3(2, 1, 5)));
     Vec3 tool = hand_.hand().position;
     for (int i = 0; i < 200; ++i) {
-        hand_.advance(0.016, tool);
+        hand_.advance(0.016, tool, 0);
         tool = hand_.hand().position;
         tool.z() = std::max(tool.z(), 5.0);  // a flat tooth
     }
@@ -60,7 +60,7 @@ TEST_F(HandControlTest, TheApproachIsNoFasterThanACarefulHand) {
     hand_.aim(picture_, pixelOf(Vec3(0, 0, 5)), surface_);
     hand_.press(picture_, pixelOf(Vec3(0, 0, 5)));
     const Vec3 before = hand_.hand().position;
-    hand_.advance(0.016, before);
+    hand_.advance(0.016, before, 0);
     EXPECT_LE((hand_.hand().position - before).norm(), 20 * 0.016);
 }
 
@@ -78,7 +78,7 @@ TEST_F(HandControlTest, AHandPulledFarFromItsToolSlipsAfterIt) {
     const Vec3 start = hand_.hand().position;
     hand_.press(picture_, pixelOf(start));
     hand_.drag(picture_, pixelOf(start + Vec3(4, 0, 0)));
-    hand_.advance(0.016, start);
+    hand_.advance(0.016, start, 0);
     const Vec3 offset = hand_.hand().position - start;
     EXPECT_NEAR(Vec3(offset.x(), offset.y(), 0).norm(), 2, 1e-9);
 }
@@ -86,7 +86,7 @@ TEST_F(HandControlTest, AHandPulledFarFromItsToolSlipsAfterIt) {
 TEST_F(HandControlTest, LettingGoLiftsTheToolOffTheTooth) {
     hand_.setPressDepth(1);
     hand_.press(picture_, Vec2(500, 400));
-    hand_.advance(0.1, hand_.hand().position);
+    hand_.advance(0.1, hand_.hand().position, 0);
     const double pressed = hand_.hand().position.z();
     hand_.release();
     EXPECT_GT(hand_.hand().position.z(), pressed + 1);
@@ -122,6 +122,32 @@ TEST_F(HandControlTest, TheHandStaysNearTheTooth) {
     hand_.aim(picture_, Vec2(0, 0), surface_);
     EXPECT_LE(hand_.hand().position.x(), kTooth.max().x() + 6);
     EXPECT_GE(hand_.hand().position.x(), kTooth.min().x() - 6);
+}
+
+TEST_F(HandControlTest, AToolCaughtInItsCavityIsDrawnOutAlongItsShaftBeforeItGoesToTheNextPlace) {
+    hand_.aim(picture_, pixelOf(Vec3(2, 1, 5)), surface_);
+    const Vec3 aimed = hand_.hand().position;
+    Vec3 tool(-1, -1, 3);  // 2 mm below the top: it can only move along z
+    double dearest = 0;
+    int steps = 0;
+    for (; steps < 100 && (hand_.hand().position != aimed || steps == 0); ++steps) {
+        hand_.advance(0.016, tool, (hand_.hand().position - tool).norm());
+        if (hand_.hand().position == aimed) break;
+        dearest = std::max(dearest, (hand_.hand().position - tool).head<2>().norm());
+        tool.z() = hand_.hand().position.z();
+    }
+    EXPECT_LT(steps, 20);
+    EXPECT_LT(dearest, 1e-9);
+    EXPECT_GT(tool.z(), 6);
+    EXPECT_EQ(hand_.hand().position, aimed);
+}
+
+TEST_F(HandControlTest, APlaceThatCannotBeReachedIsTriedOnce) {
+    hand_.aim(picture_, pixelOf(Vec3(2, 1, 5)), surface_);
+    const Vec3 aimed = hand_.hand().position;
+    hand_.advance(0.016, Vec3(0, 0, 8), 5);  // drawn out as far as need be
+    for (int i = 0; i < 5; ++i) hand_.advance(0.016, Vec3(0, 0, 3), 5);
+    EXPECT_EQ(hand_.hand().position, aimed);
 }
 
 }  // namespace

@@ -15,6 +15,8 @@ namespace {
 constexpr double kHover = 1.5;           // mm over the tooth while aiming: near enough to see what will be touched
 constexpr double kApproach = 15;         // mm/s toward the tooth: a careful hand
 constexpr double kMostPull = 2;          // mm sideways between hand and tool: beyond, the hand slips along
+constexpr double kCaught = 0.3;          // mm that a tool stays behind a hand that does not press: more than it slides
+constexpr double kDrawOut = 60;          // mm/s along the shaft: quick, as a hand lifts off
 constexpr double kReach = 6;             // mm around the tooth's box in which the hand stays
 constexpr double kAlongShaft = 0.4;      // cosine between view and shaft from which pressing goes along the shaft
 constexpr double kMostLean = 1.2;        // rad from upright
@@ -27,7 +29,8 @@ HandControl::HandControl(const Box3& tooth, double mesialX)
     : tooth_(tooth),
       mesialX_(mesialX),
       tip_(tooth.center().x(), tooth.center().y(), tooth.max().z() + 2 * kHover),
-      handle_(uprightGrip(mesialX, kHandleTurn)) {}
+      handle_(uprightGrip(mesialX, kHandleTurn)),
+      aimedAt_(tip_) {}
 
 /// Along the shaft where one looks down on the tooth, else away from the eye: a wall is pressed from the side.
 void HandControl::chooseDown(const PointedPicture& picture) {
@@ -48,13 +51,15 @@ void HandControl::aim(const PointedPicture& picture, const Vec2& pixel, const Su
     const Ray ray = rayThrough(picture.camera, picture.size, pixel);
     const auto hit = firstHit(surface, ray);
     const Vec3 wanted = hit ? Vec3(ray.origin + *hit * ray.direction - kHover * down_) : onPlane(picture, pixel);
-    const Vec3 margin = Vec3::Constant(kReach);
-    tip_ = wanted.cwiseMax(tooth_.min() - margin).cwiseMin(tooth_.max() + margin);
+    aimedAt_ = inReach(wanted);
+    mayDrawOut_ = !drawingOut_;
+    if (!drawingOut_) tip_ = aimedAt_;
 }
 
 void HandControl::press(const PointedPicture& picture, const Vec2& pixel) {
     chooseDown(picture);
     pressing_ = true;
+    drawingOut_ = false;
     grabbed_ = pixel;
 }
 
@@ -67,18 +72,34 @@ void HandControl::release() {
     if (!pressing_) return;
     pressing_ = false;
     tip_ -= (pressDepth_ + kHover) * down_;
+    aimedAt_ = tip_;
+    mayDrawOut_ = true;
 }
 
-void HandControl::advance(double dt, const Vec3& toolTip) {
-    if (!pressing_) return;
+void HandControl::advance(double dt, const Vec3& toolTip, double depth) {
+    if (pressing_) return sink(dt, toolTip);
+    if (depth > kCaught && mayDrawOut_) drawingOut_ = true;
+    if (drawingOut_) drawOut(dt, toolTip);
+}
+
+void HandControl::sink(double dt, const Vec3& toolTip) {
     const Vec3 offset = tip_ - toolTip;
     const double sunk = offset.dot(down_);
     Vec3 pull = offset - sunk * down_;
     if (pull.norm() > kMostPull) pull *= kMostPull / pull.norm();
     const double deeper = std::min(pressDepth_, sunk + kApproach * dt);
-    const Vec3 wanted = toolTip + pull + deeper * down_;
+    tip_ = inReach(toolTip + pull + deeper * down_);
+}
+
+void HandControl::drawOut(double dt, const Vec3& toolTip) {
+    mayDrawOut_ = false;
+    drawingOut_ = toolTip.z() < tooth_.max().z() + kHover;
+    tip_ = drawingOut_ ? Vec3(toolTip + kDrawOut * dt * (handle_ * Vec3::UnitZ())) : aimedAt_;
+}
+
+Vec3 HandControl::inReach(const Vec3& tip) const {
     const Vec3 margin = Vec3::Constant(kReach);
-    tip_ = wanted.cwiseMax(tooth_.min() - margin).cwiseMin(tooth_.max() + margin);
+    return tip.cwiseMax(tooth_.min() - margin).cwiseMin(tooth_.max() + margin);
 }
 
 void HandControl::setPressDepth(double depth) { pressDepth_ = std::clamp(depth, 0.0, kMostPressDepth); }

@@ -16,7 +16,8 @@ struct PointedPicture {
 /// How a mouse becomes a hand that holds a drill. With the button up the tool aims: it hovers over the point of the
 /// tooth under the mouse. With the button down it goes down on that point and presses: the hand stays a chosen depth
 /// beyond the tool's own place, as a hand with a steady force does, sinks as the tooth gives way, and follows the mouse
-/// sideways. Knows no widgets.
+/// sideways. A tool that is caught in its own cavity when the hand aims elsewhere is first drawn out along its shaft.
+/// Knows no widgets.
 class HandControl {
 public:
     /// Rests above the middle of `tooth` (its box, tooth frame). `mesialX`: direction of mesial along x.
@@ -29,8 +30,9 @@ public:
     void drag(const PointedPicture& picture, const Vec2& pixel);
     void release();
 
-    /// Lets `dt` seconds pass. `toolTip`: where the tooth lets the tool be, as the newest tick says.
-    void advance(double dt, const Vec3& toolTip);
+    /// Lets `dt` seconds pass. `toolTip`: where the tooth lets the tool be, `depth`: how far the hand is beyond it, mm,
+    /// as the newest tick says.
+    void advance(double dt, const Vec3& toolTip, double depth);
 
     /// How deep the hand presses beyond the tool, mm: with a spring of 1 N/mm, N.
     void setPressDepth(double depth);
@@ -49,6 +51,9 @@ public:
     [[nodiscard]] const Vec3& down() const { return down_; }
 
 private:
+    void sink(double dt, const Vec3& toolTip);
+    void drawOut(double dt, const Vec3& toolTip);
+    [[nodiscard]] Vec3 inReach(const Vec3& tip) const;
     [[nodiscard]] Vec3 onPlane(const PointedPicture& picture, const Vec2& pixel) const;
     void chooseDown(const PointedPicture& picture);
 
@@ -59,6 +64,9 @@ private:
     Quat handle_;
     double pressDepth_ = 1;
     bool pressing_ = false;
+    bool drawingOut_ = false;
+    bool mayDrawOut_ = true;  // once for each place that is aimed at: there may be no way to it
+    Vec3 aimedAt_;
     Vec2 grabbed_ = Vec2::Zero();
 };
 

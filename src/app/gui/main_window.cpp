@@ -91,6 +91,9 @@ void MainWindow::addPanels() {
     QDockWidget* sound = addDock(*volumes_, tr("Sound"), Qt::RightDockWidgetArea);
     addDock(*plots_, tr("Last ten seconds"), Qt::BottomDockWidgetArea);
     // The first two need no more than their contents; the lowest takes what is left.
+    for (QWidget* panel : {static_cast<QWidget*>(drive_), static_cast<QWidget*>(force_)}) {
+        panel->setMaximumHeight(panel->sizeHint().height());
+    }
     resizeDocks({drill, force, sound}, {drive_->sizeHint().height(), force_->sizeHint().height(), 2 * height()},
                 Qt::Vertical);
     busy_->setRange(0, 0);

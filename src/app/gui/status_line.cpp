@@ -26,6 +26,7 @@ QString removedText(const MaterialVolumes& removed) {
 StatusLine::StatusLine(QWidget* parent)
     : QStatusBar(parent), hint_(new QLabel), removed_(new QLabel), servo_(new QLabel), sound_(new QLabel) {
     addWidget(hint_, 1);
+    hint_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // in a small window the numbers come first
     for (QLabel* label : {removed_, servo_, sound_}) addPermanentWidget(label);
     removed_->setObjectName("removed");
     servo_->setObjectName("servo");

@@ -81,7 +81,7 @@ Workbench::News Workbench::step(double dt) {
     if (simulator_ == nullptr) return news;
     simulator_->fetchTicks(ticks_);
     if (!ticks_.empty()) newest_ = ticks_.back();
-    hand_.advance(dt, newest_.proxy.position);
+    hand_.advance(dt, newest_.proxy.position, newest_.depth);
     device_.moveTo({hand_.hand(), 0, 0, true});
     simulator_->setControls(controls);
     spin_ = std::remainder(spin_ + newest_.speedRpm / 60 * 2 * std::numbers::pi * dt, 2 * std::numbers::pi);
