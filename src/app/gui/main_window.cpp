@@ -196,7 +196,10 @@ void MainWindow::connectPanels() {
         bench_.setSpindle(spindle);
         drive_->setSpindle(spindle);
     });
-    connect(drill_, &DrillBar::cuttingChanged, this, [this](bool cutting) { bench_.controls.cutting = cutting; });
+    connect(drill_, &DrillBar::cuttingChanged, this, [this](bool cutting) {
+        bench_.controls.cutting = cutting;
+        showUsualHint();
+    });
     connect(drill_->resetAction(), &QAction::triggered, this, [this] {
         if (bench_.simulator() != nullptr) bench_.simulator()->requestReset();
     });
@@ -224,6 +227,11 @@ void MainWindow::step() {
     view_->refresh();
 }
 
+void MainWindow::showUsualHint() {
+    status_->setHint(
+        tr("Left button: press the bur on the tooth · wheel: harder, softer · right: turn · space: pedal"));
+}
+
 void MainWindow::takeNews(const Workbench::News& news) {
     if (news.failure) complain(QString::fromStdString(*news.failure));
     if (news.newSimulator) {
@@ -232,8 +240,7 @@ void MainWindow::takeNews(const Workbench::News& news) {
     }
     if (!news.newTooth) return;
     setWindowTitle(tr("%1 — Tactooth").arg(QString::fromStdString(bench_.tooth()->name)));
-    status_->setHint(
-        tr("Left button: press the bur on the tooth · wheel: harder, softer · right: turn · space: pedal"));
+    showUsualHint();
     view_->lookAsUsual();
     view_->fit();
 }

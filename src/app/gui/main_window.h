@@ -67,6 +67,7 @@ private:
 
     void step();
     void showNumbers();
+    void showUsualHint();
     void takeNews(const Workbench::News& news);
     void askForTooth();
     void askForBur();
