@@ -337,7 +337,12 @@ void WindowTest::anotherWindowTakesOverTheSettings() {
 void WindowTest::settingsThatMakeNoSenseChangeNothing() {
     MainWindow other(*sound_);
     const WindowSettings before = other.settings();
-    other.apply({.geometry = "?", .docks = "AAAA", .bur = "no such bur", .spindle = "steam"});
+    WindowSettings senseless = before;
+    senseless.geometry = "?";
+    senseless.docks = "AAAA";
+    senseless.bur = "no such bur";
+    senseless.spindle = "steam";
+    other.apply(senseless);
     QCOMPARE(other.settings().geometry, before.geometry);
     QCOMPARE(other.settings().docks, before.docks);
     QCOMPARE(other.settings().bur, before.bur);
