@@ -4,12 +4,12 @@
 
 #include <cstddef>
 
-#if defined(__has_feature)
+#if defined(__SANITIZE_THREAD__)  // GCC; asked first, since Eigen gives GCC a __has_feature that knows nothing
+#define TACTOOTH_THREAD_SANITIZER
+#elif defined(__has_feature)
 #if __has_feature(thread_sanitizer)
 #define TACTOOTH_THREAD_SANITIZER
 #endif
-#elif defined(__SANITIZE_THREAD__)
-#define TACTOOTH_THREAD_SANITIZER
 #endif
 #ifdef TACTOOTH_THREAD_SANITIZER
 #include <sanitizer/tsan_interface.h>
