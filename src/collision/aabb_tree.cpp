@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "collision/aabb_tree.h"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_group.h>
-
 #include <array>
 #include <cassert>
 #include <limits>
 #include <memory>
+
+#include "geometry/parallel_for.h"
 
 // Binned surface-area heuristic: I. Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", IEEE
 // Symposium on Interactive Ray Tracing 2007, section 3. Differs from the paper: a node has eight children, found by
@@ -160,18 +159,16 @@ std::unique_ptr<BuildNode> build(Range range, int depth) {
         node->children[widest] = {left, boundsOf(left)};
         node->children[node->count++] = {right, boundsOf(right)};
     }
-    tbb::task_group tasks;
-    for (int i = 0; i < node->count; ++i) {
+    const auto descend = [&](std::size_t i) {
         const Range part = node->children[i].range;
-        if (part.size() <= AabbTree::kWidth) continue;
-        const auto descend = [part, depth, &slot = node->inner[i]] { slot = build(part, depth + 1); };
-        if (part.size() > kParallelRange) {
-            tasks.run(descend);
-        } else {
-            descend();
-        }
+        if (part.size() > AabbTree::kWidth) node->inner[i] = build(part, depth + 1);
+    };
+    const auto count = static_cast<std::size_t>(node->count);
+    if (range.size() > kParallelRange) {
+        parallelFor(count, descend);
+    } else {
+        for (std::size_t i = 0; i < count; ++i) descend(i);
     }
-    tasks.wait();
     return node;
 }
 
@@ -218,12 +215,11 @@ AabbTree::AabbTree(const TriangleMesh& mesh) {
     if (mesh.empty()) return;
     assert(mesh.triangles.size() < (std::size_t{1} << 31));
     std::vector<Item> items(mesh.triangles.size());
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, items.size(), kParallelRange), [&](const auto& block) {
-        for (std::size_t i = block.begin(); i != block.end(); ++i) {
-            for (const std::uint32_t vertex : mesh.triangles[i]) items[i].bounds.extend(mesh.vertices[vertex]);
-            items[i].triangle = static_cast<std::uint32_t>(i);
-        }
-    });
+    const auto enclose = [&](std::size_t i) {
+        for (const std::uint32_t vertex : mesh.triangles[i]) items[i].bounds.extend(mesh.vertices[vertex]);
+        items[i].triangle = static_cast<std::uint32_t>(i);
+    };
+    parallelFor(items.size(), enclose, kParallelRange);
     const std::unique_ptr<BuildNode> tree = build(items, 0);
     nodes_.reserve(items.size() / 24 + 1);
     leaves_.reserve(items.size() / 5 + 1);

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/isosurface.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "geometry/dual_mesher.h"
+#include "geometry/parallel_for.h"
 
 namespace tactooth {
 namespace {
@@ -80,7 +79,7 @@ void relax(DualMesh& mesh, const ScalarField& field, const IsosurfaceOptions& op
     const std::vector<Vec3> home = mesh.vertices;
     std::vector<Vec3> moved(mesh.vertices.size());
     const auto moveEach = [&](const auto& target) {
-        tbb::parallel_for(std::size_t{0}, moved.size(), [&](std::size_t i) {
+        parallelFor(moved.size(), [&](std::size_t i) {
             const Vec3 away = target(i) - home[i];
             const double far = away.norm();
             moved[i] = home[i] + (far > options.cellSize ? options.cellSize / far : 1.0) * away;
@@ -115,7 +114,7 @@ TriangleMesh isosurface(const ScalarField& field, const Box3& box, const Isosurf
     mesh.vertices.reserve(dual.vertices.size());
     for (const Vec3& vertex : dual.vertices) mesh.vertices.push_back(vertex.cast<float>());
     mesh.triangles.resize(2 * dual.quads.size());
-    tbb::parallel_for(std::size_t{0}, dual.quads.size(), [&](std::size_t i) {
+    parallelFor(dual.quads.size(), [&](std::size_t i) {
         const auto halves = split(dual.quads[i], dual.vertices, field);
         std::ranges::copy(halves, mesh.triangles.begin() + static_cast<std::ptrdiff_t>(2 * i));
     });

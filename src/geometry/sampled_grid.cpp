@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/sampled_grid.h"
 
-#include <tbb/parallel_for.h>
-
 #include <cmath>
 #include <limits>
+
+#include "geometry/parallel_for.h"
 
 namespace tactooth {
 namespace {
@@ -36,7 +36,7 @@ Index3 SampledGrid::blockAt(std::size_t number) const {
 void SampledGrid::findActiveBlocks(const ScalarField& field, double steepest) {
     active_.assign(static_cast<std::size_t>(blocks_.x()) * blocks_.y() * blocks_.z(), 0);
     const double reach = steepest * std::sqrt(3.0) / 2 * kBlock * size_;
-    tbb::parallel_for(std::size_t{0}, active_.size(), [&](std::size_t number) {
+    parallelFor(active_.size(), [&](std::size_t number) {
         const Vec3 centre = position(blockAt(number) * kBlock) + Vec3::Constant(0.5 * kBlock * size_);
         active_[number] = std::abs(field(centre)) <= reach;
     });
@@ -58,7 +58,8 @@ bool SampledGrid::isNeeded(const Index3& point) const {
 
 void SampledGrid::sample(const ScalarField& field) {
     const int rows = points_.y();
-    tbb::parallel_for(0, points_.y() * points_.z(), [&](int row) {
+    parallelFor(static_cast<std::size_t>(rows) * points_.z(), [&](std::size_t number) {
+        const int row = static_cast<int>(number);
         for (Index3 point(0, row % rows, row / rows); point.x() < points_.x(); ++point.x()) {
             float& value = values_[pointNumber(point)];
             if (std::isnan(value) && isNeeded(point)) value = static_cast<float>(field(position(point)));

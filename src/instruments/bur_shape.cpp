@@ -41,7 +41,7 @@ constexpr double kNeckPart = 0.62;             // neck radius as a part of the h
 constexpr double kNeckLength = 1.2;            // mm, from the head to where the neck begins to widen
 constexpr double kNeckAngle = 12 * pi / 180;   // half angle of the cone from neck to shank
 constexpr double kVisibleLength = 11.0;        // mm from the tip to the end that is hidden in the handpiece
-constexpr double kLongestHead = 8.5;           // mm; longer heads would end in the handpiece
+[[maybe_unused]] constexpr double kLongestHead = 8.5;  // mm; longer heads would end in the handpiece
 
 std::span<const BladeCorner> bladeSection(int triangles) {
     constexpr int kCoarse = 700;  // below it, each triangle is needed along the axis

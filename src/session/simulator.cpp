@@ -24,6 +24,7 @@ Simulator::Simulator(std::shared_ptr<WorkPiece> piece, Instrument instrument, co
       simulation_(instrument_.shape, instrument_.cutting.envelope.maxRadius(), piece_->surface(), settings),
       limiter_(device.info().limits),
       controls_(SimulatorControls{.force = settings.force}),
+      lent_{piece_->surface()},
       watchedSurface_(piece_->surface()),
       watchedRemoved_(piece_->removed()) {
     loop_ = std::make_unique<ServoLoop>(rateHz, [this](double elapsed) { servoTick(elapsed); });
@@ -34,19 +35,14 @@ Simulator::~Simulator() {
     cutter_ = {};  // joins: after this nobody fills the queues
     loop_.reset();
     device_.write(SafeWrench());
-    // The queues have room for a fixed number and do not destroy what is left in them.
-    const auto drop = [](const std::shared_ptr<const Surface>&) {};
-    fresh_.consume_all(drop);
-    retired_.consume_all(drop);
+    // The queue has room for a fixed number and does not destroy what is left in it.
+    fresh_.consume_all([](const std::shared_ptr<const Surface>&) {});
 }
 
-/// Swaps in the newest surface. The old ones go back to the cutter: freeing them here would stall the servo.
+/// Swaps in the next surface. The cutter holds the old one, too, so nothing is freed here: that would stall the servo.
 void Simulator::takeNewSurface() {
-    if (retired_.write_available() == 0) return;  // the cutter is behind with freeing: the newest surface can wait
     std::shared_ptr<const Surface> surface;
-    if (!fresh_.pop(surface)) return;
-    std::shared_ptr<const Surface> old = simulation_.setSurface(std::move(surface));
-    retired_.push(std::move(old));
+    if (fresh_.pop(surface)) simulation_.setSurface(std::move(surface));
 }
 
 void Simulator::servoTick(double elapsed) {
@@ -86,6 +82,7 @@ MaterialVolumes Simulator::removed() const {
 }
 
 void Simulator::publishSurface() {
+    lent_.push_back(piece_->surface());
     {
         const std::lock_guard lock(watched_);
         watchedSurface_ = piece_->surface();
@@ -94,11 +91,16 @@ void Simulator::publishSurface() {
     surfaceUpdates_.fetch_add(1, std::memory_order_relaxed);
 }
 
+/// What nobody else holds, nobody else can get hold of again.
+void Simulator::freeReturnedSurfaces() {
+    std::erase_if(lent_, [](const std::shared_ptr<const Surface>& surface) { return surface.use_count() == 1; });
+}
+
 void Simulator::runCutter(const std::stop_token& stop) {
     pthread_setname_np(pthread_self(), "cutter");  // for debuggers and profilers
     bool unsent = false;
     while (!stop.stop_requested()) {
-        retired_.consume_all([](const std::shared_ptr<const Surface>&) {});
+        freeReturnedSurfaces();
         bool changed = false;
         if (resetRequested_.exchange(false)) {
             piece_->reset();

@@ -75,6 +75,7 @@ private:
     void takeNewSurface();
     void runCutter(const std::stop_token& stop);
     void publishSurface();
+    void freeReturnedSurfaces();
 
     std::shared_ptr<WorkPiece> piece_;
     Instrument instrument_;
@@ -92,10 +93,12 @@ private:
     LatestValue<SimulatorControls> controls_;
     LatestValue<Tick> tickForCutter_;
     boost::lockfree::spsc_queue<Tick, boost::lockfree::capacity<kKeptTicks>> ticksForWatcher_;
-    SurfaceQueue fresh_;    // cutter -> servo
-    SurfaceQueue retired_;  // servo -> cutter, which frees them
+    SurfaceQueue fresh_;  // cutter -> servo
     std::atomic<bool> resetRequested_{false};
     std::atomic<std::uint64_t> surfaceUpdates_{0};
+
+    /// Cutter's. All surfaces that anyone else may hold: it lets go last, so that the servo never frees one.
+    std::vector<std::shared_ptr<const Surface>> lent_;
 
     // Cutter and watchers; never the servo.
     mutable std::mutex watched_;

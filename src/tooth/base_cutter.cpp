@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tooth/base_cutter.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/parallel_for.h"
 #include "tooth/margin_cutter.h"
 #include "tooth/vertex_groups.h"
 
@@ -24,7 +23,7 @@ struct LocalVertices {
         std::sort(global.begin(), global.end());
         global.erase(std::unique(global.begin(), global.end()), global.end());
         corners.resize(triangles.size());
-        tbb::parallel_for(std::size_t{0}, triangles.size(), [&](std::size_t i) {
+        parallelFor(triangles.size(), [&](std::size_t i) {
             for (int c = 0; c < 3; ++c) {
                 const std::uint32_t vertex = mesh.triangles[triangles[i]][c];
                 const auto place = std::lower_bound(global.begin(), global.end(), vertex);
@@ -41,9 +40,8 @@ VertexGroups groupVertices(const CutVolume& volume, const LocalVertices& vertice
                            const std::vector<std::vector<ClipSegment>>& segments) {
     const TriangleMesh& mesh = volume.tooth()->outer()->mesh();
     std::vector<double> cut(vertices.global.size());
-    tbb::parallel_for(std::size_t{0}, cut.size(), [&](std::size_t i) {
-        cut[i] = volume.cutDistance(mesh.vertices[vertices.global[i]].cast<double>());
-    });
+    parallelFor(cut.size(),
+                [&](std::size_t i) { cut[i] = volume.cutDistance(mesh.vertices[vertices.global[i]].cast<double>()); });
     VertexGroups groups(cut.size());
     for (std::uint32_t i = 0; i < cut.size(); ++i) groups.tell(i, cut[i] >= 0, std::abs(cut[i]));
     for (std::size_t i = 0; i < vertices.corners.size(); ++i) {
@@ -79,7 +77,7 @@ std::vector<BaseRemains> cutBase(const CutVolume& volume, const std::vector<std:
     VertexGroups groups = groupVertices(volume, vertices, segments);
     std::vector<BaseRemains> results(triangles.size());
     for (std::size_t i = 0; i < triangles.size(); ++i) results[i].hidden = !*groups.isKept(vertices.corners[i][0]);
-    tbb::parallel_for(std::size_t{0}, triangles.size(), [&](std::size_t i) {
+    parallelFor(triangles.size(), [&](std::size_t i) {
         if (!segments[i].empty()) clip(mesh, triangles[i], segments[i], !results[i].hidden, results[i]);
     });
     return results;

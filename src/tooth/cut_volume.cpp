@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tooth/cut_volume.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <bit>
 #include <cassert>
 #include <numeric>
 
+#include "geometry/parallel_for.h"
 #include "tooth/border_tracer.h"
 #include "tooth/brick_carver.h"
 #include "tooth/brick_maker.h"
@@ -67,8 +66,7 @@ void CutVolume::makeMissing(const std::vector<BrickKey>& keys) {
         if (!bricks_.knows(key)) missing.push_back(key);
     }
     std::vector<std::unique_ptr<Brick>> made(missing.size());
-    tbb::parallel_for(std::size_t{0}, missing.size(),
-                      [&](std::size_t i) { made[i] = makeBrick(*tooth_, lattice_, missing[i]); });
+    parallelFor(missing.size(), [&](std::size_t i) { made[i] = makeBrick(*tooth_, lattice_, missing[i]); });
     for (std::size_t i = 0; i < missing.size(); ++i) bricks_.insert(missing[i], std::move(made[i]));
 }
 
@@ -79,7 +77,7 @@ CarveResult CutVolume::carve(const RevolutionEnvelope& envelope, const Pose& fro
     makeMissing(keys);
     ++carves_;
     std::vector<BrickCarve> carved(keys.size());
-    tbb::parallel_for(std::size_t{0}, keys.size(), [&](std::size_t i) {
+    parallelFor(keys.size(), [&](std::size_t i) {
         if (Brick* brick = bricks_.find(keys[i])) carved[i] = carveBrick(*brick, keys[i], lattice_, steps, carves_);
     });
     CarveResult result;
@@ -102,8 +100,7 @@ void CutVolume::traceBorder(const std::vector<ChangedBrick>& changed, const std:
     }
     std::sort(keys.begin(), keys.end());
     keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
-    tbb::parallel_for(std::size_t{0}, keys.size(),
-                      [&](std::size_t i) { traceBorderInBrick(bricks_, keys[i], lattice_, steps, carves_); });
+    parallelFor(keys.size(), [&](std::size_t i) { traceBorderInBrick(bricks_, keys[i], lattice_, steps, carves_); });
 }
 
 Removable CutVolume::removable(const RevolutionEnvelope& envelope, const Pose& fromInTooth, const Pose& toInTooth,
@@ -112,7 +109,7 @@ Removable CutVolume::removable(const RevolutionEnvelope& envelope, const Pose& f
     const std::vector<BrickKey> keys = bricksInReach(steps);
     makeMissing(keys);
     std::vector<RemovableInBrick> parts(keys.size());
-    tbb::parallel_for(std::size_t{0}, keys.size(), [&](std::size_t i) {
+    parallelFor(keys.size(), [&](std::size_t i) {
         if (const Brick* brick = std::as_const(bricks_).find(keys[i])) {
             parts[i] = removableFromBrick(*brick, keys[i], lattice_, steps);
         }

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tooth/layered_tooth.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "collision/closest_point.h"
+#include "geometry/parallel_for.h"
 
 namespace tactooth {
 namespace {
@@ -135,7 +134,7 @@ std::vector<SurfaceTag> LayeredTooth::tagsOf(const TriangleMesh& outer) const {
         return std::vector<SurfaceTag>(outer.triangles.size(), static_cast<SurfaceTag>(*materialOfAll));
     }
     std::vector<SurfaceTag> tags(outer.triangles.size());
-    tbb::parallel_for(std::size_t{0}, outer.triangles.size(), [&](std::size_t t) {
+    parallelFor(outer.triangles.size(), [&](std::size_t t) {
         const Vec3 centre = (outer.corner(t, 0) + outer.corner(t, 1) + outer.corner(t, 2)) / 3;
         const Vec3 area = outer.areaVector(t);
         const Vec3 behind = area.squaredNorm() > 0 ? Vec3(centre - kBehindSurface * area.normalized()) : centre;

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tooth/live_surface.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <set>
 
+#include "geometry/parallel_for.h"
 #include "tooth/base_cutter.h"
 #include "tooth/box_query.h"
 
@@ -50,7 +49,7 @@ void LiveSurface::update(const CutVolume& volume, const std::vector<ChangedBrick
     std::vector<BrickKey> dirty = bricksToExtract(volume, changed);
     std::vector<Cell*> cells;
     for (const BrickKey& key : dirty) cells.push_back(&cells_[key]);
-    tbb::parallel_for(std::size_t{0}, dirty.size(), [&](std::size_t i) { extract(volume, dirty[i], *cells[i]); });
+    parallelFor(dirty.size(), [&](std::size_t i) { extract(volume, dirty[i], *cells[i]); });
     for (const Cell* cell : cells) failures_ += static_cast<std::size_t>(cell->wall.failures);
 
     const std::vector<std::uint32_t> triangles = affectedBase(dirty);
@@ -114,8 +113,7 @@ std::vector<const MarginPiece*> LiveSurface::marginOf(std::uint32_t triangle) co
 
 std::vector<std::vector<ClipSegment>> LiveSurface::cutLines(const std::vector<std::uint32_t>& triangles) const {
     std::vector<std::vector<ClipSegment>> segments(triangles.size());
-    tbb::parallel_for(std::size_t{0}, triangles.size(),
-                      [&](std::size_t i) { segments[i] = segmentsOnBase(marginOf(triangles[i])); });
+    parallelFor(triangles.size(), [&](std::size_t i) { segments[i] = segmentsOnBase(marginOf(triangles[i])); });
     return segments;
 }
 
@@ -143,7 +141,7 @@ void LiveSurface::storeBase(const std::vector<std::uint32_t>& triangles, std::ve
 
 void LiveSurface::publish(std::vector<BrickKey> dirty) {
     std::vector<std::shared_ptr<const SurfacePart>> parts(dirty.size());
-    tbb::parallel_for(std::size_t{0}, dirty.size(), [&](std::size_t i) {
+    parallelFor(dirty.size(), [&](std::size_t i) {
         const Cell& cell = cells_.at(dirty[i]);
         TriangleMesh mesh = cell.wall.mesh;
         std::vector<SurfaceTag> tags = cell.wall.tags;

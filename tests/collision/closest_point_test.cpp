@@ -7,6 +7,7 @@
 #include <random>
 
 #include "collision/triangle_point.h"
+#include "support/sanitizer.h"
 #include "support/shapes.h"
 
 namespace tactooth {
@@ -33,7 +34,7 @@ double bruteForceDistance(const TriangleMesh& mesh, const Vec3& query) {
 TEST(ClosestPoint, AgreesWithAllTrianglesTried) {
     const SurfacePart part(test::sphere(Vec3(0.5, -0.25, 1), 2, 60, 40));
     std::mt19937 random(7);
-    for (int i = 0; i < 2000; ++i) {
+    for (int i = 0; i < test::cases(2000, 200); ++i) {
         const Vec3 query = randomPoint(random, 4);
         const auto closest = closestPoint(part, query);
         ASSERT_TRUE(closest.has_value());

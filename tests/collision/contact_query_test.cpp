@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "collision/judged_contact.h"
+#include "support/sanitizer.h"
 #include "support/shapes.h"
 
 namespace tactooth {
@@ -31,7 +32,7 @@ TriangleMesh ball() { return test::sphere(Vec3(0, 0, 1), 1, 48, 24); }
 }  // namespace
 
 TEST(ContactQuery, AgreesWithTheJudgeOnRandomPosesOfEveryTooth) {
-    for (std::size_t tooth = 0; tooth < 3; ++tooth) {
+    for (std::size_t tooth = 0; tooth < test::cases<std::size_t>(3, 1); ++tooth) {
         for (std::size_t tool = 0; tool < 2; ++tool) {
             SCOPED_TRACE(test::judgedTeeth()[tooth].name + " " + test::judgedTools()[tool].name);
             const test::ContactVerdict verdict =
@@ -96,7 +97,7 @@ TEST(ContactQuery, AnswersTheSameAMetreAway) {
     ContactQuery near(test::toolOf(tool), test::surfaceOf(rounded));
     ContactQuery far(test::toolOf(tool), test::surfaceOf(moved));
     std::mt19937 random(3);
-    for (int i = 0; i < 20; ++i) {
+    for (int i = 0; i < test::cases(20, 5); ++i) {
         const Pose pose = test::randomPoseNear(rounded, 0.5, random);
         const Contact here = near.at(pose);
         const Contact there = far.at({pose.position + Vec3(1024, -1024, 1024), pose.rotation});

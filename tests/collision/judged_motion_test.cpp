@@ -8,9 +8,12 @@
 #include "collision/contact_query.h"
 #include "collision/judged.h"
 #include "support/hand_path.h"
+#include "support/sanitizer.h"
 
 namespace tactooth {
 namespace {
+
+constexpr std::size_t kTeeth = test::cases<std::size_t>(3, 1);
 
 /// One case: a tooth, a tool and how closely to look.
 struct Case {
@@ -69,11 +72,11 @@ test::HandPath pathAt(double speed, double press) {
 }  // namespace
 
 TEST(JudgedMotion, ACatalogueBurAtOneCentimetreASecondNeverIntersects) {
-    for (std::size_t tooth = 0; tooth < 3; ++tooth) EXPECT_GT(judgeAlong({tooth, 0, pathAt(10, 0.3)}), 0.3);
+    for (std::size_t tooth = 0; tooth < kTeeth; ++tooth) EXPECT_GT(judgeAlong({tooth, 0, pathAt(10, 0.3)}), 0.3);
 }
 
 TEST(JudgedMotion, ACatalogueBurAtTenCentimetresASecondNeverIntersects) {
-    for (std::size_t tooth = 0; tooth < 3; ++tooth) EXPECT_GT(judgeAlong({tooth, 1, pathAt(100, 0.5)}), 0.3);
+    for (std::size_t tooth = 0; tooth < kTeeth; ++tooth) EXPECT_GT(judgeAlong({tooth, 1, pathAt(100, 0.5)}), 0.3);
 }
 
 TEST(JudgedMotion, AFinelyMeshedBurNeverIntersects) {
@@ -83,7 +86,7 @@ TEST(JudgedMotion, AFinelyMeshedBurNeverIntersects) {
 }
 
 TEST(JudgedMotion, AHandThatStartsInsideFindsAFreePoseAndGoesOnFromThere) {
-    for (std::size_t tooth = 0; tooth < 3; ++tooth) {
+    for (std::size_t tooth = 0; tooth < kTeeth; ++tooth) {
         test::HandPath path = pathAt(100, 0.5);
         path.approach = -0.7;
         judgeAlong({tooth, 1, path});
@@ -96,7 +99,7 @@ TEST(JudgedMotion, ARandomWalkOverAToothNeverIntersects) {
     const test::Judge judge(tooth, tool);
     const std::vector<Pose> path = test::handPath(tooth, pathAt(10, 1.0));
     const Vec3 home = path[path.size() / 2].position;  // 1 mm below the surface
-    for (const unsigned seed : {1U, 2U, 3U}) {
+    for (unsigned seed = 1; seed <= test::cases(3U, 1U); ++seed) {
         std::mt19937 random(seed);
         std::normal_distribution<double> normal;
         const auto kick = [&] { return Vec3(normal(random), normal(random), normal(random)); };

@@ -3,25 +3,12 @@
 // What a haptic loop relies on: no allocation, and the same bits on every machine and in every build.
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <bit>
-#include <cstdlib>
-#include <new>
 
 #include "collision/judged.h"
 #include "collision/sliding_body.h"
-
-namespace {
-std::atomic<std::size_t> allocations{0};
-}  // namespace
-
-void* operator new(std::size_t size) {
-    ++allocations;
-    if (void* memory = std::malloc(size)) return memory;
-    throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+#include "support/heap_counter.h"
+#include "support/sanitizer.h"
 
 namespace tactooth {
 namespace {
@@ -105,14 +92,14 @@ std::uint64_t mixed(std::uint64_t hash, double value) {
 }
 
 /// Walks and returns a hash of every pose (FNV-1a by 64-bit words).
-std::uint64_t walk(int ticks, std::size_t& allocated, int& held) {
+std::uint64_t walk(int ticks, long& allocated, int& held) {
     SlidingBody body(test::toolOf(ball()));
     body.setSurface(test::surfaceOf(bumps(), false));
     Dice dice;
     Pose hand{Vec3(0, 0, 1), Quat::Identity()};
     body.placeAt(hand);
     std::uint64_t hash = 0xCBF29CE484222325ULL;
-    const std::size_t before = allocations;
+    const long before = test::heapCalls();
     for (int tick = 0; tick < ticks; ++tick) {
         hand = nextHand(hand, dice);
         const MoveResult result = body.moveToward(hand);
@@ -120,23 +107,24 @@ std::uint64_t walk(int ticks, std::size_t& allocated, int& held) {
         for (int axis = 0; axis < 3; ++axis) hash = mixed(hash, body.pose().position[axis]);
         for (int i = 0; i < 4; ++i) hash = mixed(hash, body.pose().rotation.coeffs()[i]);
     }
-    allocated = allocations - before;
+    allocated = test::heapCalls() - before;
     return hash;
 }
 
 }  // namespace
 
 TEST(RealTime, AHundredThousandTicksAllocateNothing) {
-    std::size_t allocated = 0;
+    constexpr int kTicks = test::cases(100000, 5000);
+    long allocated = 0;
     int held = 0;
-    walk(100000, allocated, held);
-    EXPECT_EQ(allocated, 0U);
-    EXPECT_GT(held, 30000);
-    EXPECT_LT(held, 99000);
+    walk(kTicks, allocated, held);
+    EXPECT_EQ(allocated, 0);
+    EXPECT_GT(held, kTicks / 10 * 3);
+    EXPECT_LT(held, kTicks / 100 * 99);
 }
 
 TEST(RealTime, EqualRunsGiveEqualBits) {
-    std::size_t allocated = 0;
+    long allocated = 0;
     int held = 0;
     const std::uint64_t first = walk(3000, allocated, held);
     EXPECT_EQ(walk(3000, allocated, held), first);
@@ -145,7 +133,7 @@ TEST(RealTime, EqualRunsGiveEqualBits) {
 /// The same in every build: vectors or none, Debug or Release. A change of the algorithm may change the number; a
 /// change of the build may not.
 TEST(RealTime, EveryBuildGivesTheGoldenBits) {
-    std::size_t allocated = 0;
+    long allocated = 0;
     int held = 0;
     EXPECT_EQ(walk(20000, allocated, held), 7677377287955594630U);
 }

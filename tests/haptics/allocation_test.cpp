@@ -3,41 +3,15 @@
 // The servo thread must not wait for the heap: counts each call of operator new in this program.
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <cmath>
-#include <cstdlib>
-#include <new>
 #include <vector>
 
 #include "haptics/haptic_simulation.h"
 #include "haptics/safety_limiter.h"
 #include "instruments/bur_shape.h"
 #include "scene.h"
+#include "support/heap_counter.h"
 #include "tooth/live_surface.h"
-
-namespace {
-std::atomic<long> allocations{0};
-}  // namespace
-
-[[gnu::noinline]] void* operator new(std::size_t size) {
-    ++allocations;
-    if (void* memory = std::malloc(size)) return memory;
-    throw std::bad_alloc();
-}
-[[gnu::noinline]] void* operator new(std::size_t size, std::align_val_t alignment) {
-    ++allocations;
-    const auto boundary = static_cast<std::size_t>(alignment);
-    if (void* memory = std::aligned_alloc(boundary, (size + boundary - 1) / boundary * boundary)) return memory;
-    throw std::bad_alloc();
-}
-[[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-    ++allocations;
-    return std::malloc(size);
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
 
 namespace tactooth {
 namespace {
@@ -82,10 +56,10 @@ Surfaces slotInTheMaking(int stages) {
 }
 
 TEST(Allocation, CounterSeesAnAllocation) {
-    const long before = allocations;
+    const long before = test::heapCalls();
     const std::vector<int> some(3);
     EXPECT_EQ(some.size(), 3U);
-    EXPECT_GT(allocations, before);
+    EXPECT_GT(test::heapCalls(), before);
 }
 
 TEST(Allocation, TouchingUsesNoHeap) {
@@ -94,13 +68,13 @@ TEST(Allocation, TouchingUsesNoHeap) {
         SafetyLimiter limiter{ForceLimits{}};
         simulation.step(circling(0, false), kTick);
         int touched = 0;
-        const long before = allocations;
+        const long before = test::heapCalls();
         for (int i = 1; i <= kSteps; ++i) {
             const Tick tick = simulation.step(circling(i, false), kTick);
             (void)limiter.limit(tick.wrench, kTick, tick.placed);
             touched += tick.contacts > 0;
         }
-        EXPECT_EQ(allocations, before);
+        EXPECT_EQ(test::heapCalls(), before);
         EXPECT_GT(touched, kSteps / 3);
     }
 }
@@ -114,7 +88,7 @@ TEST(Allocation, CuttingUsesNoHeapWhileTheSurfaceChanges) {
     simulation.step(circling(0, true), kTick);
     int touched = 0;
     int lost = 0;
-    const long before = allocations;
+    const long before = test::heapCalls();
     for (int i = 1; i <= kSteps; ++i) {
         if (i % (kSteps / kStages) == 0 && retired.size() < kStages) {
             retired.push_back(simulation.setSurface(std::move(surfaces[retired.size() + 1])));
@@ -123,7 +97,7 @@ TEST(Allocation, CuttingUsesNoHeapWhileTheSurfaceChanges) {
         touched += tick.contacts > 0;
         lost += !tick.placed;
     }
-    EXPECT_EQ(allocations, before);
+    EXPECT_EQ(test::heapCalls(), before);
     EXPECT_GT(touched, kSteps / 3);
     EXPECT_EQ(lost, 0);
 }

@@ -11,8 +11,11 @@
 #include <map>
 #include <random>
 #include <set>
+#include <span>
 
 #include "instruments/mesh_checks.h"
+#include "support/mesh_checks.h"
+#include "support/sanitizer.h"
 
 namespace tactooth {
 namespace {
@@ -30,6 +33,8 @@ struct Average {
 constexpr Average kAverages[] = {{lowerFirstMolar, 46, 7.5, 14.0, 11.0, 10.5, 9.0, 9.0, 1.0, 0.0},
                                  {upperCentralIncisor, 11, 10.5, 13.0, 8.5, 7.0, 7.0, 6.0, 3.5, 2.5},
                                  {upperCanine, 13, 10.0, 17.0, 7.5, 8.0, 5.5, 7.0, 2.5, 1.5}};
+
+constexpr std::span<const Average> kJudged = std::span(kAverages).first(test::cases<std::size_t>(3, 1));
 
 constexpr double kTolerance = 0.03;  // of each length
 
@@ -63,7 +68,7 @@ protected:
 
 TEST_P(EveryTooth, LayersAreClosedAndFaceOutward) {
     for (const TriangleMesh* layer : meshesOf(tooth_)) {
-        EXPECT_TRUE(test::isClosedAndOriented(*layer));
+        EXPECT_EQ(test::unpairedEdges(*layer), 0);
         EXPECT_GT(test::volumeOf(*layer), 1.0);
     }
 }
@@ -211,7 +216,7 @@ TEST_P(EveryTooth, IsALayeredToothWithEnamelAboveTheCervicalLineAndDentinBelow) 
     EXPECT_GT(dentin, 4000);
 }
 
-INSTANTIATE_TEST_SUITE_P(Builtin, EveryTooth, testing::ValuesIn(kAverages),
+INSTANTIATE_TEST_SUITE_P(Builtin, EveryTooth, testing::ValuesIn(kJudged.begin(), kJudged.end()),
                          [](const auto& instance) { return "Fdi" + std::to_string(instance.param.fdi); });
 
 TEST(BuiltinTooth, LesionGrowsWithItsWidthAndZeroMeansSound) {
@@ -282,10 +287,11 @@ TEST(BuiltinTooth, TheLowerRightMolarFitsIntoTheRightSideOfTheMouth) {
 }
 
 TEST(BuiltinTooth, IsTheSameOnAnyNumberOfThreads) {
-    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-    for (const Average& average : kAverages) {
-        const BuiltinTooth again = makeBuiltinTooth(average.kind);
-        const auto first = meshesOf(toothOf(average.kind)), second = meshesOf(again);
+    for (const Average& average : kJudged) {
+        const BuiltinTooth onMany = makeBuiltinTooth(average.kind);
+        const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+        const BuiltinTooth onOne = makeBuiltinTooth(average.kind);
+        const auto first = meshesOf(onMany), second = meshesOf(onOne);
         for (std::size_t i = 0; i < first.size(); ++i) EXPECT_TRUE(test::areBitEqual(*first[i], *second[i]));
     }
 }

@@ -3,35 +3,20 @@
 // The sound must neither wait for the heap nor keep it from others: counts each call of operator new in this program.
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
-#include "sound/drill_synthesiser.h"
 #include "geometry/latest_value.h"
+#include "sound/drill_synthesiser.h"
 #include "sound/sound_format.h"
 #include "spectrum.h"
-
-namespace {
-std::atomic<long> allocations{0};
-}  // namespace
-
-[[gnu::noinline]] void* operator new(std::size_t size) {
-    ++allocations;
-    if (void* memory = std::malloc(size)) return memory;
-    throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+#include "support/heap_counter.h"
 
 namespace tactooth {
 namespace {
 
 TEST(Allocation, CounterSeesAnAllocation) {
-    const long before = allocations;
+    const long before = test::heapCalls();
     std::vector<int> some(3);
     EXPECT_EQ(some.size(), 3u);
-    EXPECT_GT(allocations, before);
+    EXPECT_GT(test::heapCalls(), before);
 }
 
 TEST(Allocation, RenderingAndHandingOverUseNoHeap) {
@@ -41,7 +26,7 @@ TEST(Allocation, RenderingAndHandingOverUseNoHeap) {
     const DrillSoundState other = test::cutting("caries", 3.0);
     std::array<float, kSoundBlock> block;
 
-    const long before = allocations;
+    const long before = test::heapCalls();
     for (int i = 0; i < 10000; ++i) {
         if (i % 100 == 50) state.material = other.material;
         state.speedRpm = 1000.0 * (i % 400);
@@ -52,7 +37,7 @@ TEST(Allocation, RenderingAndHandingOverUseNoHeap) {
         synthesiser.setMixer({.master = 0.001 * (i % 1000)});
         synthesiser.render(mailbox.value(), block);
     }
-    EXPECT_EQ(allocations, before);
+    EXPECT_EQ(test::heapCalls(), before);
 }
 
 }  // namespace

@@ -29,7 +29,8 @@ struct ExactIntersection::Index {
 
 ExactIntersection::ExactIntersection(const TriangleMesh& fixed, const TriangleMesh& moving) : index_(new Index) {
     for (std::size_t i = 0; i < fixed.triangles.size(); ++i) {
-        const Kernel::Triangle_3 triangle(point(fixed.corner(i, 0)), point(fixed.corner(i, 1)), point(fixed.corner(i, 2)));
+        const Kernel::Triangle_3 triangle(point(fixed.corner(i, 0)), point(fixed.corner(i, 1)),
+                                          point(fixed.corner(i, 2)));
         if (!triangle.is_degenerate()) index_->fixed.push_back(triangle);
     }
     index_->moving = moving;

@@ -13,6 +13,7 @@
 #include "geometry/mesh_report.h"
 #include "geometry/stl_reader.h"
 #include "geometry/stl_writer.h"
+#include "support/mesh_checks.h"
 #include "support/shapes.h"
 #include "support/test_data.h"
 
@@ -43,14 +44,6 @@ struct Patient {
     CutVolume volume;
     LiveSurface surface;
 };
-
-double volumeOf(const TriangleMesh& mesh) {
-    double sixfold = 0;
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        sixfold += mesh.corner(t, 0).dot(mesh.corner(t, 1).cross(mesh.corner(t, 2)));
-    }
-    return sixfold / 6;
-}
 
 /// Directed edges, by the bits of their ends, that have no single partner in the other direction.
 int badEdges(const TriangleMesh& mesh) {
@@ -93,8 +86,8 @@ TEST(LiveSurface, AHoleInABlockIsClosedAndHasTheVolumeOfTheBur) {
     const TriangleMesh mesh = patient.mesh();
     EXPECT_EQ(badEdges(mesh), 0);
     EXPECT_EQ(patient.surface.failures(), 0U);
-    EXPECT_NEAR(48 - volumeOf(mesh), kPi * 0.36 * 1.5, 0.003 * kPi * 0.36 * 1.5);
-    EXPECT_NEAR(48 - volumeOf(mesh), removed, 0.003 * removed);
+    EXPECT_NEAR(48 - test::volumeOf(mesh), kPi * 0.36 * 1.5, 0.003 * kPi * 0.36 * 1.5);
+    EXPECT_NEAR(48 - test::volumeOf(mesh), removed, 0.003 * removed);
 }
 
 TEST(LiveSurface, WallsLieOnTheBurAndInnerEdgesAreSharp) {
@@ -155,7 +148,7 @@ TEST(LiveSurface, RandomCuttingOfABallStaysClosed) {
         EXPECT_EQ(badEdges(patient.mesh()), 0) << "after cut " << i;
     }
     EXPECT_EQ(patient.surface.failures(), 0U);
-    const double lost = volumeOf(fineSphere()) - volumeOf(patient.mesh());
+    const double lost = test::volumeOf(fineSphere()) - test::volumeOf(patient.mesh());
     EXPECT_NEAR(lost, removed, 0.005 * removed);
     EXPECT_GT(removed, 1.0);
 }
@@ -164,7 +157,7 @@ TEST(LiveSurface, AThroughHoleStaysClosed) {
     Patient patient(test::box(Vec3(-2, -2, -1), Vec3(2, 2, 0)));
     patient.cut(flatBur(0.5), at(0.1, 0.2, 0.5), at(0.1, 0.2, -1.5));
     EXPECT_EQ(badEdges(patient.mesh()), 0);
-    EXPECT_NEAR(16 - volumeOf(patient.mesh()), kPi * 0.25, 0.003 * kPi * 0.25);
+    EXPECT_NEAR(16 - test::volumeOf(patient.mesh()), kPi * 0.25, 0.003 * kPi * 0.25);
 }
 
 TEST(LiveSurface, AThinWallBetweenTwoSlotsStaysClosed) {
@@ -186,7 +179,7 @@ TEST(LiveSurface, ManySmallStepsGiveTheSurfaceOfOneLongOne) {
     once.cut(bur, point(0), point(40));
     for (int i = 0; i < 40; ++i) steps.cut(bur, point(i), point(i + 1));
     EXPECT_EQ(badEdges(steps.mesh()), 0);
-    EXPECT_NEAR(volumeOf(steps.mesh()), volumeOf(once.mesh()), 2e-4);
+    EXPECT_NEAR(test::volumeOf(steps.mesh()), test::volumeOf(once.mesh()), 2e-4);
 }
 
 /// How deep corners, edge middles and centres of the surface's triangles lie within a bur, mm, <= 0.
@@ -259,7 +252,7 @@ TEST(LiveSurface, ARealToothCutToItsPulpIsWatertightInItsFile) {
     }
     auto tooth = LayeredTooth::make(load("openmandible/whole/L6_whole.stl"), layers);
     ASSERT_TRUE(tooth);
-    const double whole = volumeOf(tooth->outer()->mesh());
+    const double whole = test::volumeOf(tooth->outer()->mesh());
     const Box3 box = tooth->outer()->tree().box();
     CutVolume volume(std::make_shared<const LayeredTooth>(std::move(*tooth)), kVoxel);
     LiveSurface surface(volume);

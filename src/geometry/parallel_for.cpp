@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+// The one file that includes the loops of TBB. A build with the thread sanitizer leaves it out (see CMakeLists.txt):
+// half of the scheduler stands in these headers, the other half in a library that the sanitizer does not see.
+#include "geometry/parallel_for.h"
+
+#include <tbb/parallel_for.h>
+
+namespace tactooth::detail {
+
+void runBlocks(std::size_t count, std::size_t grain, LoopBlock block, void* loop) {
+    using Block = tbb::blocked_range<std::size_t>;
+    tbb::parallel_for(Block(0, count, grain), [&](const Block& range) { block(loop, range.begin(), range.end()); });
+}
+
+}  // namespace tactooth::detail

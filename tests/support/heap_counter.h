@@ -1,0 +1,11 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+namespace tactooth::test {
+
+/// How often this program has called operator new, in any form and on any thread. Only for programs that link
+/// tactooth_test_heap_counter, which replaces operator new in all of them.
+[[nodiscard]] long heapCalls();
+
+}  // namespace tactooth::test

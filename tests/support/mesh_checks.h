@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/triangle_mesh.h"
+
+namespace tactooth::test {
+
+/// Number of directed edges, by the numbers of their ends, that have no single partner in the other direction: 0 for a
+/// closed, consistently oriented surface.
+[[nodiscard]] int unpairedEdges(const TriangleMesh& mesh);
+
+/// Enclosed volume by the divergence theorem, mm^3; positive if the triangles face outward.
+[[nodiscard]] double volumeOf(const TriangleMesh& mesh);
+
+[[nodiscard]] bool areBitEqual(const TriangleMesh& a, const TriangleMesh& b);
+
+}  // namespace tactooth::test
