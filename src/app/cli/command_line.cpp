@@ -196,7 +196,9 @@ int withOutputFlushed(int exitCode) {
 /// CLI11's message as one sentence that says where help is.
 Error usageError(const CLI::App& program, const CLI::ParseError& error) {
     std::string command = "tactooth";
-    for (const CLI::App* subcommand : program.get_subcommands()) command.append(" ").append(subcommand->get_name());
+    for (auto chosen = program.get_subcommands(); !chosen.empty(); chosen = chosen.front()->get_subcommands()) {
+        command.append(" ").append(chosen.front()->get_name());
+    }
     std::string sentence = error.what();
     std::replace(sentence.begin(), sentence.end(), '\n', ' ');
     return {sentence.append("; see '").append(command).append(" --help'.")};
@@ -221,6 +223,7 @@ int runCommandLine(int argc, const char* const* argv) {
     addCut(program, chosen);
     addDemo(program, chosen);
     addMeshCommands(program, chosen);
+    addMeasuringCommands(program, chosen);
     try {
         program.parse(argc, argv);
     } catch (const CLI::Success& help) {  // --help or --version
