@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/bench_contact_command.h"
 #include "app/cli/command_registry.h"
+#include "app/cli/reproduce_command.h"
 
 namespace tactooth {
 namespace {
@@ -38,8 +39,33 @@ void addBench(CLI::App& program, Chosen& chosen) {
     command->add_flag("--json", options->json, "Write one JSON object instead of a table");
 }
 
+void addReproduce(CLI::App& program, Chosen& chosen) {
+    const auto options = std::make_shared<ReproduceOptions>();
+    CLI::App* command = addCommand(
+        program, chosen, "reproduce",
+        "Repeats published measurements on this machine and writes tables (CSV), plots (PNG) and one page (index.html) "
+        "with the published numbers beside ours. table2: loading; table3: drawing; table4: smallest movement and time "
+        "of a force at five resolutions; fig11: ten-patch object; fig13: bur onto a tooth along y; fig15, fig16, "
+        "fig17: "
+        "depth, velocity and force on a front tooth, a dog tooth and a molar. Real teeth are taken from $TACTOOTH_DATA "
+        "or ../shared/data, else built-in ones.",
+        options, runReproduce);
+    std::vector<std::string> names = experimentNames();
+    std::string list = "all";
+    for (const std::string& name : names) list.append(", ").append(name);
+    names.emplace_back("all");
+    command->add_option("WHAT", options->what, "One or several of: " + list)
+        ->required()
+        ->check(CLI::IsMember(names))
+        ->type_name("");
+    command->add_option("--out", options->out, "Folder to write to")->required()->type_name("DIR");
+}
+
 }  // namespace
 
-void addMeasuringCommands(CLI::App& program, Chosen& chosen) { addBench(program, chosen); }
+void addMeasuringCommands(CLI::App& program, Chosen& chosen) {
+    addBench(program, chosen);
+    addReproduce(program, chosen);
+}
 
 }  // namespace tactooth
