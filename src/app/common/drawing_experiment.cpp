@@ -49,7 +49,7 @@ Expected<Experiment> measureDrawing(Subjects& subjects) {
         "A lit picture of 1280 x 800 pixels with the shadow of the operating light, drawn without a window and read "
         "back, while the camera turns. Median of nine pictures, wall time. Drawn by: " +
         renderer->device() + ".";
-    PlotPanel panel{"Time of a picture", "triangles", "ms", true, true, {}};
+    ExperimentPlot panel{"Time of a picture", "triangles", "ms", true, true, {}};
     double shortest = std::numeric_limits<double>::infinity(), longest = 0;
     const auto add = [&](const std::string& name, int percent, const TriangleMesh& mesh,
                          PlotSeries& series) -> Expected<void> {
@@ -80,8 +80,8 @@ Expected<Experiment> measureDrawing(Subjects& subjects) {
         {"published", {{kFewestTriangles, kShortestDraw}, {kMostTriangles, kLongestDraw}}, true, true});
     experiment.panels.push_back(panel);
     experiment.comparisons = {
-        {"Shortest time of a picture", shortNumber(kShortestDraw) + " ms", shortNumber(shortest) + " ms"},
-        {"Longest time of a picture", shortNumber(kLongestDraw) + " ms", shortNumber(longest) + " ms"}};
+        {"Shortest time of a picture", plainNumber(kShortestDraw) + " ms", shortNumber(shortest) + " ms"},
+        {"Longest time of a picture", plainNumber(kLongestDraw) + " ms", shortNumber(longest) + " ms"}};
     return experiment;
 }
 

@@ -4,6 +4,7 @@
 
 #include <QChart>
 #include <QChartView>
+#include <QGraphicsLayout>
 #include <QImage>
 #include <QLegend>
 #include <QLineSeries>
@@ -37,7 +38,7 @@ struct Range {
     }
 };
 
-Range rangeOf(const PlotPanel& panel, int coordinate) {
+Range rangeOf(const ExperimentPlot& panel, int coordinate) {
     Range range;
     for (const PlotSeries& series : panel.series) {
         for (const auto& point : series.points) range.take(point[static_cast<std::size_t>(coordinate)]);
@@ -49,7 +50,7 @@ Range rangeOf(const PlotPanel& panel, int coordinate) {
 QAbstractAxis* logAxis(Range range) {
     auto* axis = new QLogValueAxis;  // the chart takes it over
     axis->setBase(10);
-    axis->setLabelFormat("%g");
+    axis->setLabelFormat("%.10g");
     axis->setMinorTickCount(8);
     axis->setMinorGridLineColor(QColor(0xf0, 0xf0, 0xf0));
     const double low = std::pow(10, std::floor(std::log10(range.low) + 1e-9));
@@ -58,17 +59,33 @@ QAbstractAxis* logAxis(Range range) {
     return axis;
 }
 
-QAbstractAxis* linearAxis(Range range, bool roomAbove) {
+/// A round number (1, 2 or 5 times a power of ten) that divides `length` into four to ten parts.
+double roundInterval(double length) {
+    const double power = std::pow(10, std::floor(std::log10(length / 4)));
+    const double parts = length / 4 / power;
+    return (parts >= 5 ? 5 : parts >= 2 ? 2 : 1) * power;
+}
+
+/// From zero, or the lowest value if that is negative; `closed` ends the axis at a tick.
+QAbstractAxis* linearAxis(Range range, bool closed) {
     auto* axis = new QValueAxis;  // the chart takes it over
-    axis->setLabelFormat("%.4g");
-    const double low = std::min(0.0, range.low);
-    const double high = std::max(range.high, low);
-    axis->setRange(low, high > low ? high : low + 1);
-    if (roomAbove) axis->applyNiceNumbers();
+    double low = std::min(0.0, range.low);
+    double high = std::max(range.high, low);
+    if (high <= low) high = low + 1;
+    const double interval = roundInterval(high - low);
+    if (closed) {
+        low = interval * std::floor(low / interval + 1e-9);
+        high = interval * std::ceil(high / interval - 1e-9);
+    }
+    axis->setRange(low, high);
+    axis->setTickType(QValueAxis::TicksDynamic);
+    axis->setTickAnchor(0);
+    axis->setTickInterval(interval);
+    axis->setLabelFormat("%.10g");
     return axis;
 }
 
-QAbstractAxis* axisOf(const PlotPanel& panel, int coordinate) {
+QAbstractAxis* axisOf(const ExperimentPlot& panel, int coordinate) {
     const bool isLog = coordinate == 0 ? panel.logX : panel.logY;
     const Range range = rangeOf(panel, coordinate);
     QAbstractAxis* axis = isLog ? logAxis(range) : linearAxis(range, coordinate == 1);
@@ -82,12 +99,12 @@ QLineSeries* curveOf(const PlotSeries& from, const QColor& colour) {
     curve->setName(QString::fromStdString(from.name));
     for (const auto& [x, y] : from.points) curve->append(x, y);
     curve->setPen(QPen(from.dashed ? kReference : colour, 2, from.dashed ? Qt::DashLine : Qt::SolidLine));
-    curve->setMarkerSize(7);
+    curve->setMarkerSize(5);
     curve->setPointsVisible(from.marked);
     return curve;
 }
 
-QPixmap drawPanel(const PlotPanel& panel, int width, int height) {
+QPixmap drawPanel(const ExperimentPlot& panel, int width, int height) {
     auto* chart = new QChart;  // the view takes it over
     chart->setTitle(QString::fromStdString(panel.title));
     QFont title = chart->titleFont();
@@ -95,6 +112,7 @@ QPixmap drawPanel(const PlotPanel& panel, int width, int height) {
     chart->setTitleFont(title);
     chart->setMargins(QMargins(8, 4, 20, 4));
     chart->setBackgroundRoundness(0);
+    chart->layout()->setContentsMargins(0, 0, 0, 0);
     QAbstractAxis* x = axisOf(panel, 0);
     QAbstractAxis* y = axisOf(panel, 1);
     chart->addAxis(x, Qt::AlignBottom);
@@ -113,6 +131,7 @@ QPixmap drawPanel(const PlotPanel& panel, int width, int height) {
     QChartView view(chart);
     view.setRenderHint(QPainter::Antialiasing);
     view.setFrameShape(QFrame::NoFrame);
+    view.setBackgroundBrush(Qt::white);
     view.resize(width, height);
     return view.grab();
 }
@@ -129,7 +148,7 @@ Expected<void> writePanels(const Experiment& experiment, const std::filesystem::
     image.fill(Qt::white);
     QPainter painter(&image);
     for (int i = 0; i < count; ++i) {
-        const PlotPanel& panel = experiment.panels[static_cast<std::size_t>(i)];
+        const ExperimentPlot& panel = experiment.panels[static_cast<std::size_t>(i)];
         painter.drawPixmap(i % columns * width, i / columns * height, drawPanel(panel, width, height));
     }
     painter.end();

@@ -11,11 +11,7 @@ namespace tactooth {
 namespace {
 
 std::string textOf(const Cell& cell) {
-    if (const auto* number = std::get_if<double>(&cell)) {
-        std::array<char, 32> digits{};
-        const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), *number).ptr;
-        return {digits.data(), end};
-    }
+    if (const auto* number = std::get_if<double>(&cell)) return plainNumber(*number);
     const auto& text = std::get<std::string>(cell);
     if (text.find_first_of(",\"\n") == text.npos) return text;
     std::string quoted = "\"";
@@ -49,6 +45,15 @@ std::string shortNumber(double value) {
     const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), rounded, std::chars_format::fixed,
                                    std::max(0, kDigits - before))
                          .ptr;
+    std::string text(digits.data(), end);
+    if (text.find('.') != text.npos) text.erase(text.find_last_not_of('0') + 1);
+    if (text.ends_with('.')) text.pop_back();
+    return text;
+}
+
+std::string plainNumber(double value) {
+    std::array<char, 32> digits{};
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
     return {digits.data(), end};
 }
 

@@ -21,7 +21,7 @@ struct PlotSeries {
 };
 
 /// One pair of axes.
-struct PlotPanel {
+struct ExperimentPlot {
     std::string title;
     std::string xTitle;  ///< with the unit
     std::string yTitle;  ///< with the unit
@@ -47,7 +47,7 @@ struct Experiment {
     std::vector<std::string> columns;
     std::vector<std::vector<Cell>> rows;
     int plotColumns = 1;  ///< the panels stand side by side in this many columns
-    std::vector<PlotPanel> panels;
+    std::vector<ExperimentPlot> panels;
     std::vector<Comparison> comparisons;
 };
 
@@ -55,7 +55,11 @@ struct Experiment {
 /// is quoted.
 [[nodiscard]] Expected<void> writeExperimentCsv(const Experiment& experiment, const std::filesystem::path& path);
 
-/// `value` with three significant digits and a decimal point: "0.0123", "12.3", "1230"; "none" if it is not finite.
+/// A measured value with three significant digits and a decimal point, without zeros at the end: "0.0123", "12.3",
+/// "1230"; "none" if it is not finite.
 [[nodiscard]] std::string shortNumber(double value);
+
+/// `value` in the shortest form that is the same double: for numbers that somebody wrote down.
+[[nodiscard]] std::string plainNumber(double value);
 
 }  // namespace tactooth

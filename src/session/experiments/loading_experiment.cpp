@@ -58,7 +58,7 @@ Expected<Experiment> measureLoading(Subjects& subjects, const std::filesystem::p
         "A binary STL file is read, its vertices are welded and the AABB tree is built: the surface can then be "
         "touched. "
         "Wall time on all cores, the least of five runs.";
-    PlotPanel panel{"From the file to a surface that can be touched", "triangles", "ms", true, true, {}};
+    ExperimentPlot panel{"From the file to a surface that can be touched", "triangles", "ms", true, true, {}};
     const std::filesystem::path file = scratch / "table2-scratch.stl";
     PlotSeries bur{"bur", {}, true, false};
     const auto least = addMesh("bur", 100, subjects.bur()->mesh(), file, experiment, bur);
@@ -82,9 +82,9 @@ Expected<Experiment> measureLoading(Subjects& subjects, const std::filesystem::p
         {"published", {{kFewestTriangles, kShortestLoad}, {kMostTriangles, kLongestLoad}}, true, true});
     experiment.panels.push_back(panel);
     experiment.comparisons = {
-        {"Shortest time to load (288 triangles published, our bur here)", shortNumber(kShortestLoad) + " ms",
+        {"Shortest time to load (288 triangles published, our bur here)", plainNumber(kShortestLoad) + " ms",
          shortNumber(least->total()) + " ms"},
-        {"Longest time to load (325,312 triangles)", shortNumber(kLongestLoad) + " ms", shortNumber(longest) + " ms"}};
+        {"Longest time to load (325,312 triangles)", plainNumber(kLongestLoad) + " ms", shortNumber(longest) + " ms"}};
     return experiment;
 }
 

@@ -81,6 +81,48 @@ AtResolution measureAt(const TriangleMesh& mesh, const std::shared_ptr<const Too
     return result;
 }
 
+/// Change of depth by size of the step, over all teeth and resolutions.
+class Extremes {
+public:
+    void take(std::span<const Noticed> noticed) {
+        for (std::size_t i = 0; i < noticed.size(); ++i) {
+            least_[i] = std::min(least_[i], noticed[i].change);
+            greatest_[i] = std::max(greatest_[i], noticed[i].change);
+        }
+    }
+
+    [[nodiscard]] ExperimentPlot plot() const {
+        ExperimentPlot plot{"Change of depth a step, all teeth, 6 to 100 %",
+                            "movement of the hand, um",
+                            "um",
+                            true,
+                            true,
+                            {{"greatest", {}, true, false}, {"least", {}, true, false}}};
+        for (std::size_t i = 0; i < kMovements.size(); ++i) {
+            if (greatest_[i] > 0) plot.series[0].points.push_back({kMovements[i], greatest_[i]});
+            if (least_[i] > 0) plot.series[1].points.push_back({kMovements[i], least_[i]});
+        }
+        for (const double limit : {published::kLeastMovement, published::kLeastMovementCoarse}) {
+            plot.series.push_back(
+                {"published limit, " + std::string(limit == published::kLeastMovement ? "25 to 100 %" : "6, 12 %"),
+                 {{limit, kMovements.back()}, {limit, kMovements.front()}},
+                 false,
+                 true});
+        }
+        return plot;
+    }
+
+private:
+    std::array<double, kMovements.size()> least_ = filled(std::numeric_limits<double>::infinity());
+    std::array<double, kMovements.size()> greatest_ = filled(0);
+
+    static std::array<double, kMovements.size()> filled(double value) {
+        std::array<double, kMovements.size()> all{};
+        all.fill(value);
+        return all;
+    }
+};
+
 void addRow(Experiment& experiment, const std::string& tooth, const Resolution& resolution, const AtResolution& found) {
     std::vector<Cell> row = {tooth, static_cast<double>(resolution.percent),
                              static_cast<double>(resolution.mesh.triangles.size())};
@@ -93,8 +135,8 @@ void addRow(Experiment& experiment, const std::string& tooth, const Resolution& 
 
 std::vector<std::string> columnNames() {
     std::vector<std::string> names = {"tooth", "percent", "triangles"};
-    for (const double movement : kMovements) names.push_back("noticed_" + shortNumber(movement) + "um");
-    for (const double movement : kMovements) names.push_back("change_um_" + shortNumber(movement) + "um");
+    for (const double movement : kMovements) names.push_back("noticed_" + plainNumber(movement) + "um");
+    for (const double movement : kMovements) names.push_back("change_um_" + plainNumber(movement) + "um");
     names.emplace_back("force_p50_us");
     names.emplace_back("force_p99_us");
     return names;
@@ -108,9 +150,8 @@ Expected<Experiment> measureMovement(Subjects& subjects) {
         "The bur is pressed into the tooth; then the hand moves further in, against the force, eight times by the same "
         "step. A step is noticed if the depth grows. The time is that of the tick (contact and force law) on the "
         "standard path at 1 cm/s, ticks in contact, processor time, least of three runs.";
-    PlotPanel change{
-        "Change of depth a step, large tooth", "movement of the hand, um", "change of depth, um", true, true, {}};
-    PlotPanel time{"Time to compute a force (median)", "triangles", "us", true, true, {}};
+    Extremes extremes;
+    ExperimentPlot time{"Time to compute a force (median)", "triangles", "us", true, true, {}};
     double least = 0, leastCoarse = 0;  // um: the greatest of the smallest movements noticed
     double shortest = std::numeric_limits<double>::infinity(), longest = 0;
     for (const StandardToothKind kind : kStandardTeeth) {
@@ -126,12 +167,7 @@ Expected<Experiment> measureMovement(Subjects& subjects) {
             longest = std::max(longest, found.force.p50);
             least = std::max(least, leastNoticed(found.noticed));
             if (resolution.percent <= kCoarse) leastCoarse = std::max(leastCoarse, leastNoticed(found.noticed));
-            if (kind != StandardToothKind::Large) continue;
-            PlotSeries series{shortNumber(resolution.percent) + " %", {}, true, false};
-            for (std::size_t i = 0; i < kMovements.size(); ++i) {
-                if (found.noticed[i].change > 0) series.points.push_back({kMovements[i], found.noticed[i].change});
-            }
-            change.series.push_back(series);
+            extremes.take(found.noticed);
         }
         time.series.push_back(times);
     }
@@ -140,13 +176,13 @@ Expected<Experiment> measureMovement(Subjects& subjects) {
                            {{kFewestTriangles, kShortestForce}, {kMostTriangles, kLongestForce}},
                            true,
                            true});
-    experiment.panels = {change, time};
+    experiment.panels = {extremes.plot(), time};
     experiment.comparisons = {{"Smallest movement noticed at every resolution of every tooth",
-                               shortNumber(kLeastMovement) + " um", shortNumber(least) + " um"},
-                              {"Smallest movement noticed at 6 and 12 %", shortNumber(kLeastMovementCoarse) + " um",
+                               plainNumber(kLeastMovement) + " um", shortNumber(least) + " um"},
+                              {"Smallest movement noticed at 6 and 12 %", plainNumber(kLeastMovementCoarse) + " um",
                                shortNumber(leastCoarse) + " um"},
                               {"Time to compute a force, from and to (medians)",
-                               shortNumber(kShortestForce) + " to " + shortNumber(kLongestForce) + " us",
+                               plainNumber(kShortestForce) + " to " + plainNumber(kLongestForce) + " us",
                                shortNumber(shortest) + " to " + shortNumber(longest) + " us"}};
     return experiment;
 }

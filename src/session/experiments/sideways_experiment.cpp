@@ -66,15 +66,15 @@ Expected<Experiment> measureSideways(Subjects& subjects) {
     for (const double speed : {kSlowHand, kFastHand}) {
         const std::vector<Pose> hand = thereAndBack(start, contact, speed);
         const std::vector<Tick> ticks = feelPath(bur, surface, hand, 1);
-        const std::string at = shortNumber(speed / 10) + " cm/s";
-        PlotPanel way{"Way along y, " + at,
-                      "time, ms",
-                      "mm beyond the contact",
-                      false,
-                      false,
-                      {{"hand", {}, false, true}, {"proxy", {}, false, false}}};
-        PlotPanel force{"Force, " + at, "time, ms", "N",
-                        false,          false,      {{"along y", {}, false, false}, {"across", {}, false, false}}};
+        const std::string at = plainNumber(speed / 10) + " cm/s";
+        ExperimentPlot way{"Way along y, " + at,
+                           "time, ms",
+                           "mm beyond the contact",
+                           false,
+                           false,
+                           {{"hand", {}, false, true}, {"proxy", {}, false, false}}};
+        ExperimentPlot force{"Force, " + at, "time, ms", "N",
+                             false,          false,      {{"along y", {}, false, false}, {"across", {}, false, false}}};
         for (const Tick& tick : ticks) {
             const double ms = 1e3 * tick.time;
             const Vec3& f = tick.wrench.force;

@@ -53,6 +53,7 @@ std::vector<Pose> touchAt(const Place& place, double speed, double shift) {
 struct PatchTick {
     double exact, ours;  // depth, mm
     double error;        // between the two answers' places, um
+    bool outOfRounds;
 };
 
 std::vector<PatchTick> follow(const TenPatches& piece, const std::shared_ptr<const Surface>& surface,
@@ -62,22 +63,22 @@ std::vector<PatchTick> follow(const TenPatches& piece, const std::shared_ptr<con
     body.placeAt(hand.front());
     std::vector<PatchTick> ticks;
     for (const Pose& pose : hand) {
-        (void)body.moveToward(pose);
+        const MoveResult result = body.moveToward(pose);
         const Vec3 exact = nearestFreeTip(piece, bur->mesh(), pose);
         const Vec3 ours = body.pose().position;
-        ticks.push_back(
-            {(exact - pose.position).norm(), (ours - pose.position).norm(), kPerMm * (ours - exact).norm()});
+        ticks.push_back({(exact - pose.position).norm(), (ours - pose.position).norm(), kPerMm * (ours - exact).norm(),
+                         result.status == MoveStatus::OutOfRounds});
     }
     return ticks;
 }
 
-PlotPanel depthPanel(const Place& place, std::span<const PatchTick> ticks) {
-    PlotPanel panel{std::string("Depth at ") + place.name + ", " + shortNumber(kShownSpeed / 10) + " cm/s",
-                    "time, ms",
-                    "mm",
-                    false,
-                    false,
-                    {}};
+ExperimentPlot depthPanel(const Place& place, std::span<const PatchTick> ticks) {
+    ExperimentPlot panel{std::string("Depth at ") + place.name + ", " + plainNumber(kShownSpeed / 10) + " cm/s",
+                         "time, ms",
+                         "mm",
+                         false,
+                         false,
+                         {}};
     PlotSeries ours{"Tactooth", {}, true, false}, exact{"exact", {}, false, true};
     for (std::size_t i = 0; i < ticks.size(); ++i) {
         ours.points.push_back({static_cast<double>(i), ticks[i].ours});
@@ -93,24 +94,28 @@ Experiment measureTenPatches(const Subjects& subjects) {
     const TenPatches piece = makeTenPatches();
     const auto surface = plainSurface(piece.surface);
     Experiment experiment{
-        "fig11", "Ten-patch object at A, B and C",
-        "",      {"place", "mm_per_s", "ticks", "in_contact", "greatest_depth_mm", "greatest_error_um"},
-        {},      2,
-        {},      {}};
+        "fig11",
+        "Ten-patch object at A, B and C",
+        "",
+        {"place", "mm_per_s", "ticks", "in_contact", "greatest_depth_mm", "greatest_error_um", "out_of_rounds"},
+        {},
+        2,
+        {},
+        {}};
     experiment.method =
         "A concave object of ten flat patches; the bur touches it at A (one patch), B (a valley line, two) and C (a "
         "corner, three), is pressed 0.4 mm in, moved aside and taken away, ten times at each speed with the ticks "
         "elsewhere on the way. The error is the distance between the proxy and the exact answer, which follows from "
         "the "
         "ten planes and the bur's vertices alone.";
-    PlotPanel errors{"Greatest error of the proxy's place", "speed of the tip, cm/s", "um", true, true, {}};
+    ExperimentPlot errors{"Greatest error of the proxy's place", "speed of the tip, cm/s", "um", true, true, {}};
     double reliable = 0;
     std::array<double, kSpeeds.size()> worst{};
     for (const Place& place : placesOf(piece)) {
         PlotSeries series{place.name, {}, true, false};
         for (std::size_t s = 0; s < kSpeeds.size(); ++s) {
             double error = 0, deepest = 0;
-            std::size_t count = 0, touching = 0;
+            std::size_t count = 0, touching = 0, outOfRounds = 0;
             for (int touch = 0; touch < kTouches; ++touch) {
                 const auto hand = touchAt(place, kSpeeds[s], static_cast<double>(touch) / kTouches);
                 const auto ticks = follow(piece, surface, subjects.bur(), hand);
@@ -118,12 +123,14 @@ Experiment measureTenPatches(const Subjects& subjects) {
                     error = std::max(error, tick.error);
                     deepest = std::max(deepest, tick.exact);
                     touching += tick.exact > 0 ? 1 : 0;
+                    outOfRounds += tick.outOfRounds ? 1 : 0;
                 }
                 count += ticks.size();
                 if (touch == 0 && kSpeeds[s] == kShownSpeed) experiment.panels.push_back(depthPanel(place, ticks));
             }
             experiment.rows.push_back({std::string(place.name), kSpeeds[s], static_cast<double>(count),
-                                       static_cast<double>(touching), deepest, error});
+                                       static_cast<double>(touching), deepest, error,
+                                       static_cast<double>(outOfRounds)});
             constexpr double kLeastShown = 1e-6;  // um: a logarithmic axis has no zero
             series.points.push_back({kSpeeds[s] / 10, std::max(error, kLeastShown)});
             worst[s] = std::max(worst[s], error);
@@ -135,7 +142,7 @@ Experiment measureTenPatches(const Subjects& subjects) {
         {"0.5 um", {{kSpeeds.front() / 10, kReliable}, {kSpeeds.back() / 10, kReliable}}, false, true});
     experiment.panels.push_back(errors);
     experiment.comparisons = {
-        {"Greatest speed of the tip with reliable depth", shortNumber(published::kReliableOnPatches / 10) + " cm/s",
+        {"Greatest speed of the tip with reliable depth", plainNumber(published::kReliableOnPatches / 10) + " cm/s",
          reliable > 0 ? "at least " + shortNumber(reliable / 10) + " cm/s (error below 0.5 um)" : "none"},
         {"Greatest error at any speed measured", "not known", shortNumber(*std::ranges::max_element(worst)) + " um"}};
     return experiment;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "collision/contact_query.h"
 #include "session/experiments/contact_timing.h"
 #include "session/experiments/experiments.h"
 #include "session/experiments/published.h"
@@ -34,9 +35,9 @@ Figure figureOf(StandardToothKind kind) {
 }
 
 /// One curve over time.
-PlotPanel panelOf(const std::string& title, const std::string& unit, std::span<const Tick> ticks,
-                  double (*value)(const Tick&)) {
-    PlotPanel panel{title, "time, ms", unit, false, false, {{"", {}, false, false}}};
+ExperimentPlot panelOf(const std::string& title, const std::string& unit, std::span<const Tick> ticks,
+                       double (*value)(const Tick&)) {
+    ExperimentPlot panel{title, "time, ms", unit, false, false, {{"", {}, false, false}}};
     for (const Tick& tick : ticks) panel.series[0].points.push_back({1e3 * tick.time, value(tick)});
     return panel;
 }
@@ -51,6 +52,26 @@ void addRows(Experiment& experiment, const Run& run) {
         experiment.rows.push_back({run.speed, tick.time, tick.depth, tick.speed, tick.wrench.force.norm(),
                                    static_cast<double>(tick.contacts), tick.micros});
     }
+}
+
+/// At how many ticks the proxy stood in the tooth, of all ticks with contact.
+struct Reliability {
+    std::size_t inside = 0;
+    std::size_t touching = 0;
+};
+
+Reliability watchProxy(const std::shared_ptr<const Surface>& surface, const std::shared_ptr<const ToolShape>& bur) {
+    Reliability found;
+    ContactQuery query(bur, surface);
+    for (const double speed : {10.0, 66.0, 100.0, 250.0, 500.0, 1000.0}) {
+        const std::vector<Pose> hand = handPath(surface->base->mesh(), standardHand(speed));
+        for (const Tick& tick : feelPath(bur, surface, hand, 1)) {
+            if (tick.contacts == 0) continue;
+            ++found.touching;
+            found.inside += query.isFree(tick.proxy) ? 0 : 1;
+        }
+    }
+    return found;
 }
 
 }  // namespace
@@ -86,7 +107,7 @@ Expected<Experiment> measureTouch(Subjects& subjects, StandardToothKind kind) {
                                           {"Force", "N", [](const Tick& t) { return t.wrench.force.norm(); }}}};
     for (const Curve& curve : curves) {
         for (const Run& run : runs) {
-            const std::string at = ", " + shortNumber(run.speed / 10) + " cm/s";
+            const std::string at = ", " + plainNumber(run.speed / 10) + " cm/s";
             experiment.panels.push_back(panelOf(curve.title + at, curve.unit, run.ticks, curve.value));
         }
     }
@@ -94,9 +115,13 @@ Expected<Experiment> measureTouch(Subjects& subjects, StandardToothKind kind) {
         const ForceMicros micros = forceMicros(run.ticks);
         return shortNumber(micros.p50) + " us (median), " + shortNumber(micros.p99) + " us (99 %)";
     };
+    const Reliability reliability = watchProxy(surface, subjects.bur());
     experiment.comparisons = {
-        {"Time to compute a force, low speed", shortNumber(figure.published.slow) + " us", ours(runs[0])},
-        {"Time to compute a force, high speed", shortNumber(figure.published.fast) + " us", ours(runs[1])}};
+        {"Time to compute a force, low speed", plainNumber(figure.published.slow) + " us", ours(runs[0])},
+        {"Time to compute a force, high speed", plainNumber(figure.published.fast) + " us", ours(runs[1])},
+        {"Greatest speed of the tip with reliable contact", plainNumber(published::kReliableOnTeeth / 10) + " cm/s",
+         "at 1 to 100 cm/s the proxy stood in the tooth at " + std::to_string(reliability.inside) + " of " +
+             std::to_string(reliability.touching) + " ticks"}};
     return experiment;
 }
 
