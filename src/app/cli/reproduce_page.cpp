@@ -67,15 +67,13 @@ std::string section(const Experiment& experiment) {
 
 }  // namespace
 
-Expected<std::string> subjectsText(Subjects& subjects, bool real) {
-    std::string text = real ? "Real teeth: " : "Built-in teeth (no real ones were found): ";
-    for (const StandardToothKind kind : kStandardTeeth) {
-        const auto tooth = subjects.tooth(kind);
-        if (!tooth) return Unexpected{tooth.error()};
-        text +=
-            fmt::format("{} ({}, {} triangles); ", (*tooth)->name, (*tooth)->source, (*tooth)->mesh.triangles.size());
+std::string subjectsText(const Subjects& subjects) {
+    std::string text =
+        "Measured with a round bur of " + std::to_string(subjects.bur()->mesh().triangles.size()) + " triangles";
+    for (const StandardTooth* tooth : subjects.used()) {
+        text += fmt::format("; {} ({}, {} triangles)", tooth->name, tooth->source, tooth->mesh.triangles.size());
     }
-    return text + fmt::format("round bur of {} triangles.", subjects.bur()->mesh().triangles.size());
+    return text + ".";
 }
 
 Expected<void> writeReproducePage(std::span<const Experiment> experiments, const std::string& subjects,

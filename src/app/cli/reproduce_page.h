@@ -9,7 +9,7 @@
 namespace tactooth {
 
 /// Which teeth and which bur were measured, as one sentence.
-[[nodiscard]] Expected<std::string> subjectsText(Subjects& subjects, bool real);
+[[nodiscard]] std::string subjectsText(const Subjects& subjects);
 
 /// Writes one page (HTML) over all experiments; their pictures and tables lie beside it.
 [[nodiscard]] Expected<void> writeReproducePage(std::span<const Experiment> experiments, const std::string& subjects,

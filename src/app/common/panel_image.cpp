@@ -66,22 +66,24 @@ double roundInterval(double length) {
     return (parts >= 5 ? 5 : parts >= 2 ? 2 : 1) * power;
 }
 
-/// From zero, or the lowest value if that is negative; `closed` ends the axis at a tick.
+/// From zero, or the lowest value if that is negative. `closed` ends the axis at a tick with room for the curve.
 QAbstractAxis* linearAxis(Range range, bool closed) {
     auto* axis = new QValueAxis;  // the chart takes it over
-    double low = std::min(0.0, range.low);
-    double high = std::max(range.high, low);
-    if (high <= low) high = low + 1;
+    axis->setLabelFormat("%.10g");
+    const double low = std::min(0.0, range.low);
+    const double high = std::max(range.high, low) > low ? range.high : low + 1;
     const double interval = roundInterval(high - low);
     if (closed) {
-        low = interval * std::floor(low / interval + 1e-9);
-        high = interval * std::ceil(high / interval - 1e-9);
+        constexpr double kRoom = 0.02;  // of an interval
+        const int below = static_cast<int>(std::ceil(-low / interval - kRoom));
+        const int above = static_cast<int>(std::ceil(high / interval + kRoom));
+        axis->setRange(-below * interval, above * interval);
+        axis->setTickCount(below + above + 1);
+    } else {
+        axis->setRange(low, high);
+        axis->setTickType(QValueAxis::TicksDynamic);
+        axis->setTickInterval(interval);
     }
-    axis->setRange(low, high);
-    axis->setTickType(QValueAxis::TicksDynamic);
-    axis->setTickAnchor(0);
-    axis->setTickInterval(interval);
-    axis->setLabelFormat("%.10g");
     return axis;
 }
 

@@ -18,4 +18,10 @@ Expected<const std::vector<Resolution>*> Subjects::ladder(StandardToothKind kind
     return &ladders_.emplace(kind, resolutionLadder((*whole)->mesh, kResolutions)).first->second;
 }
 
+std::vector<const StandardTooth*> Subjects::used() const {
+    std::vector<const StandardTooth*> teeth;
+    for (const auto& [kind, tooth] : teeth_) teeth.push_back(&tooth);
+    return teeth;
+}
+
 }  // namespace tactooth

@@ -17,6 +17,9 @@ public:
     [[nodiscard]] Expected<const StandardTooth*> tooth(StandardToothKind kind);
     [[nodiscard]] Expected<const std::vector<Resolution>*> ladder(StandardToothKind kind);
 
+    /// Those that were asked for so far, in the order of StandardToothKind.
+    [[nodiscard]] std::vector<const StandardTooth*> used() const;
+
     /// The standard bur, as it is felt.
     [[nodiscard]] const std::shared_ptr<const ToolShape>& bur() const { return bur_; }
 
