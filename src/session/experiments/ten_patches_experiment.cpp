@@ -72,6 +72,11 @@ std::vector<PatchTick> follow(const TenPatches& piece, const std::shared_ptr<con
     return ticks;
 }
 
+std::string reliableText(double reliable) {
+    if (reliable == 0) return "none";
+    return (reliable == kSpeeds.back() ? "at least " : "") + plainNumber(reliable / 10) + " cm/s (error below 0.5 um)";
+}
+
 ExperimentPlot depthPanel(const Place& place, std::span<const PatchTick> ticks) {
     ExperimentPlot panel{std::string("Depth at ") + place.name + ", " + plainNumber(kShownSpeed / 10) + " cm/s",
                          "time, ms",
@@ -143,7 +148,7 @@ Experiment measureTenPatches(const Subjects& subjects) {
     experiment.panels.push_back(errors);
     experiment.comparisons = {
         {"Greatest speed of the tip with reliable depth", plainNumber(published::kReliableOnPatches / 10) + " cm/s",
-         reliable > 0 ? "at least " + shortNumber(reliable / 10) + " cm/s (error below 0.5 um)" : "none"},
+         reliableText(reliable)},
         {"Greatest error at any speed measured", "not known", shortNumber(*std::ranges::max_element(worst)) + " um"}};
     return experiment;
 }
