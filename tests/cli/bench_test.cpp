@@ -52,6 +52,12 @@ TEST_F(BenchCommand, JsonHoldsOneCaseForEachResolutionAndSpeed) {
 
 TEST_F(BenchCommand, RefusesWhatItCannotMeasure) {
     expectRefused(runTactooth({"bench", "contact", "--tooth", missing()}), "missing: there is no such file");
+    TriangleMesh open = test::box(Vec3(-9, -9, -5), Vec3(9, 9, 0));
+    open.triangles.pop_back();
+    const std::string file = text("open.stl", "");
+    ASSERT_TRUE(writeStl(open, file));
+    expectRefused(runTactooth({"bench", "contact", "--tooth", file}), "measure it with --resolution 100");
+    EXPECT_EQ(runTactooth({"bench", "contact", "--tooth", file, "--resolution", "100", "--repeat", "1"}).exitCode, 0);
     expectRefused(runTactooth({"bench", "contact", "--resolution", "0"}), "see 'tactooth bench contact --help'");
     expectRefused(runTactooth({"bench"}), "see 'tactooth bench --help'");
 }

@@ -10,6 +10,7 @@
 
 #include "app/cli/exit_code.h"
 #include "geometry/mesh_file.h"
+#include "geometry/mesh_report.h"
 #include "session/experiments/contact_timing.h"
 #include "session/experiments/run_facts.h"
 #include "session/experiments/standard_teeth.h"
@@ -135,8 +136,12 @@ int runBenchContact(const BenchContactOptions& options) {
         if (!mesh) return refuse(mesh.error());
         own = StandardTooth{options.tooth.stem().string(), options.tooth.string(), std::move(*mesh)};
     }
-    const auto tool = std::make_shared<const ToolShape>(std::move(bur));
     const std::vector<int> percents = percentsOf(options);
+    if (own && percents.front() < 100 && !reportOn(own->mesh).watertight()) {
+        return refuse({options.tooth.string() +
+                       " is not closed, so its triangles cannot be made fewer; measure it with --resolution 100."});
+    }
+    const auto tool = std::make_shared<const ToolShape>(std::move(bur));
     BenchOutput output(options.json, burName, tool->mesh().triangles.size(), options.repeat);
     if (own) {
         benchTooth(*own, tool, options, percents, output);
