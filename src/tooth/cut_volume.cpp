@@ -127,7 +127,7 @@ MaterialVolumes CutVolume::removableOnTheWay(const Removable& whole, const Revol
                                              const Pose& fromInTooth, const Pose& partWay) const {
     const auto steps = sweepSteps(envelope, fromInTooth, partWay, whole.clearance, kLongestStep * lattice_.spacing());
     std::vector<MaterialVolumes> parts(whole.where.size());
-    tbb::parallel_for(std::size_t{0}, whole.where.size(), [&](std::size_t i) {
+    parallelFor(whole.where.size(), [&](std::size_t i) {
         parts[i] = removableFromNodes(*bricks_.find(whole.where[i].key), whole.where[i], lattice_, steps);
     });
     return sum(parts);

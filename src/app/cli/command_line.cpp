@@ -2,13 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command_line.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
-#include <functional>
-#include <memory>
 #include <string>
 
+#include "app/cli/command_registry.h"
 #include "app/cli/contact_command.h"
 #include "app/cli/cut_command.h"
 #include "app/cli/demo_command.h"
@@ -19,18 +17,6 @@
 
 namespace tactooth {
 namespace {
-
-/// What the arguments ask for: filled while they are read, run once all of them were understood.
-using Chosen = std::function<int()>;
-
-/// Adds the command `name` with its options; choosing it on the command line makes `run(options)` the thing to do.
-template <class Options>
-CLI::App* addCommand(CLI::App& program, Chosen& chosen, const std::string& name, const std::string& description,
-                     std::shared_ptr<Options> options, int (*run)(const Options&)) {
-    CLI::App* command = program.add_subcommand(name, description)->group("Commands")->footer("");
-    command->callback([&chosen, options, run] { chosen = [options, run] { return run(*options); }; });
-    return command;
-}
 
 void addInfo(CLI::App& program, Chosen& chosen) {
     const auto options = std::make_shared<InfoOptions>();
@@ -210,7 +196,9 @@ int withOutputFlushed(int exitCode) {
 /// CLI11's message as one sentence that says where help is.
 Error usageError(const CLI::App& program, const CLI::ParseError& error) {
     std::string command = "tactooth";
-    for (const CLI::App* subcommand : program.get_subcommands()) command.append(" ").append(subcommand->get_name());
+    for (auto chosen = program.get_subcommands(); !chosen.empty(); chosen = chosen.front()->get_subcommands()) {
+        command.append(" ").append(chosen.front()->get_name());
+    }
     std::string sentence = error.what();
     std::replace(sentence.begin(), sentence.end(), '\n', ' ');
     return {sentence.append("; see '").append(command).append(" --help'.")};
@@ -234,6 +222,8 @@ int runCommandLine(int argc, const char* const* argv) {
     addFeel(program, chosen);
     addCut(program, chosen);
     addDemo(program, chosen);
+    addMeshCommands(program, chosen);
+    addMeasuringCommands(program, chosen);
     try {
         program.parse(argc, argv);
     } catch (const CLI::Success& help) {  // --help or --version

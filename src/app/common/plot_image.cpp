@@ -2,18 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/common/plot_image.h"
 
-#include <QApplication>
 #include <QChart>
 #include <QChartView>
 #include <QImage>
 #include <QLineSeries>
 #include <QPainter>
-#include <QSaveFile>
 #include <QValueAxis>
 #include <algorithm>
-#include <cstdio>
 #include <functional>
-#include <memory>
+
+#include "app/common/picture_application.h"
 
 namespace tactooth {
 namespace {
@@ -21,11 +19,6 @@ namespace {
 constexpr int kWidth = 1280;
 constexpr int kPlotHeight = 280;
 constexpr std::size_t kPointsShown = 1200;  // about one a pixel: of the ticks between two, the largest is shown
-
-/// Passes Qt's messages on, but for the one on a missing XDG_RUNTIME_DIR, which a picture does not need.
-void passOnMessages(QtMsgType, const QMessageLogContext&, const QString& text) {
-    if (!text.startsWith("QStandardPaths: XDG_RUNTIME_DIR")) std::fprintf(stderr, "%s\n", qPrintable(text));
-}
 
 struct Plot {
     const char* title;
@@ -82,15 +75,7 @@ void drawPlot(QPainter& painter, const Plot& plot, std::span<const Tick> ticks, 
 
 Expected<void> writeForcePlot(const std::filesystem::path& path, std::span<const Tick> ticks) {
     if (ticks.empty()) return unexpected("there is nothing to plot: the session has no ticks.");
-    int argc = 1;
-    char name[] = "tactooth";
-    char* argv[] = {name, nullptr};
-    std::unique_ptr<QApplication> application;
-    if (QCoreApplication::instance() == nullptr) {
-        qputenv("QT_QPA_PLATFORM", "offscreen");
-        qInstallMessageHandler(passOnMessages);
-        application = std::make_unique<QApplication>(argc, argv);
-    }
+    const PictureApplication application;
     const Plot plots[] = {
         {"Depth: how far the hand is behind the surface", "mm", QColor(0x1b, 0x6c, 0xa8),
          [](const Tick& t) { return t.depth; }},
@@ -100,12 +85,7 @@ Expected<void> writeForcePlot(const std::filesystem::path& path, std::span<const
     QPainter painter(&image);
     for (int row = 0; row < 3; ++row) drawPlot(painter, plots[row], ticks, row, row == 2);
     painter.end();
-    QSaveFile file(QString::fromStdString(path.string()));
-    if (!file.open(QIODevice::WriteOnly) || !image.save(&file, "PNG") || !file.commit()) {
-        return unexpected("the plot " + path.string() + " could not be written: " + file.errorString().toStdString() +
-                          ".");
-    }
-    return {};
+    return savePng(image, path);
 }
 
 }  // namespace tactooth

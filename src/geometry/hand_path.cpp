@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-#include "support/hand_path.h"
+#include "geometry/hand_path.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-namespace tactooth::test {
+namespace tactooth {
 namespace {
 
 constexpr double kTick = 1e-3;           // s
@@ -89,4 +89,4 @@ std::vector<Pose> handPath(const TriangleMesh& tooth, const HandPath& path) {
     return poses;
 }
 
-}  // namespace tactooth::test
+}  // namespace tactooth

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace tactooth {
+
+/// What the arguments ask for: filled while they are read, run once all of them were understood.
+using Chosen = std::function<int()>;
+
+/// Adds the command `name` with its options; choosing it on the command line makes `run(options)` the thing to do.
+template <class Options>
+CLI::App* addCommand(CLI::App& program, Chosen& chosen, const std::string& name, const std::string& description,
+                     std::shared_ptr<Options> options, int (*run)(const Options&)) {
+    CLI::App* command = program.add_subcommand(name, description)->group("Commands")->footer("");
+    command->callback([&chosen, options, run] { chosen = [options, run] { return run(*options); }; });
+    return command;
+}
+
+/// simplify and subdivide.
+void addMeshCommands(CLI::App& program, Chosen& chosen);
+/// bench and reproduce.
+void addMeasuringCommands(CLI::App& program, Chosen& chosen);
+
+}  // namespace tactooth

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/bench_contact_command.h"
+#include "app/cli/command_registry.h"
+#include "app/cli/reproduce_command.h"
+
+namespace tactooth {
+namespace {
+
+void addBench(CLI::App& program, Chosen& chosen) {
+    CLI::App* bench = program.add_subcommand("bench", "Measures how long things take on this machine.");
+    bench->group("Commands")->footer("")->require_subcommand(1);
+    bench->get_formatter()->label("SUBCOMMAND", "WHAT");
+    const auto options = std::make_shared<BenchContactOptions>();
+    CLI::App* command = addCommand(*bench, chosen, "contact",
+                                   "Time of a tick of contact while a bur comes down on a tooth, is pressed in, slides "
+                                   "and leaves, at 1 and 10 cm/s, for several teeth and resolutions.",
+                                   options, runBenchContact);
+    command
+        ->add_option("--tooth", options->tooth,
+                     "A closed STL file, mm, crown up (default: front tooth, molar, dog tooth and one of 325,312 "
+                     "triangles: real ones from $TACTOOTH_DATA or ../shared/data, else built-in ones)")
+        ->type_name("FILE");
+    command
+        ->add_option("--tool", options->tool,
+                     "An STL file, mm: tip at the origin, +z along the shaft (default: a round bur of 336 triangles)")
+        ->type_name("FILE");
+    command
+        ->add_option("--resolution", options->resolutions,
+                     "Percent of the tooth's triangles; may be given several times (default: 6, 12, 25, 50 and 100)")
+        ->check(CLI::Range(1, 100))
+        ->type_name("PERCENT")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    command
+        ->add_option("--repeat", options->repeat, "Runs of each case, the least time of each tick counts (default: 3)")
+        ->check(CLI::Range(1, 100))
+        ->type_name("N");
+    command->add_flag("--json", options->json, "Write one JSON object instead of a table");
+}
+
+void addReproduce(CLI::App& program, Chosen& chosen) {
+    const auto options = std::make_shared<ReproduceOptions>();
+    CLI::App* command = addCommand(
+        program, chosen, "reproduce",
+        "Repeats published measurements on this machine and writes tables (CSV), plots (PNG) and one page (index.html) "
+        "with the published numbers beside ours. table2: loading; table3: drawing; table4: smallest movement and time "
+        "of a force at five resolutions; fig11: ten-patch object; fig13: bur onto a tooth along y; fig15, fig16, "
+        "fig17: "
+        "depth, velocity and force on a front tooth, a dog tooth and a molar. Real teeth are taken from $TACTOOTH_DATA "
+        "or ../shared/data, else built-in ones.",
+        options, runReproduce);
+    std::vector<std::string> names = experimentNames();
+    std::string list = "all";
+    for (const std::string& name : names) list.append(", ").append(name);
+    names.emplace_back("all");
+    command->add_option("WHAT", options->what, "One or several of: " + list)
+        ->required()
+        ->check(CLI::IsMember(names))
+        ->type_name("");
+    command->add_option("--out", options->out, "Folder to write to")->required()->type_name("DIR");
+}
+
+}  // namespace
+
+void addMeasuringCommands(CLI::App& program, Chosen& chosen) {
+    addBench(program, chosen);
+    addReproduce(program, chosen);
+}
+
+}  // namespace tactooth

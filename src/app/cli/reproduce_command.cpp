@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/reproduce_command.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "app/cli/exit_code.h"
+#include "app/cli/reproduce_page.h"
+#include "app/common/drawing_experiment.h"
+#include "app/common/panel_image.h"
+#include "session/experiments/thread_clock.h"
+
+namespace tactooth {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Named {
+    const char* name;
+    Expected<Experiment> (*measure)(Subjects&, const fs::path& folder);
+};
+
+constexpr std::array kExperiments = {
+    Named{"table2", [](Subjects& s, const fs::path& folder) { return measureLoading(s, folder); }},
+    Named{"table3", [](Subjects& s, const fs::path&) { return measureDrawing(s); }},
+    Named{"table4", [](Subjects& s, const fs::path&) { return measureMovement(s); }},
+    Named{"fig11", [](Subjects& s, const fs::path&) { return Expected<Experiment>(measureTenPatches(s)); }},
+    Named{"fig13", [](Subjects& s, const fs::path&) { return measureSideways(s); }},
+    Named{"fig15", [](Subjects& s, const fs::path&) { return measureTouch(s, StandardToothKind::Front); }},
+    Named{"fig16", [](Subjects& s, const fs::path&) { return measureTouch(s, StandardToothKind::Dog); }},
+    Named{"fig17", [](Subjects& s, const fs::path&) { return measureTouch(s, StandardToothKind::Molar); }}};
+
+bool isWanted(const ReproduceOptions& options, const std::string& name) {
+    return std::ranges::any_of(options.what, [&](const std::string& w) { return w == "all" || w == name; });
+}
+
+Expected<void> makeFolder(const fs::path& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (fs::is_directory(folder)) return {};
+    return unexpected("the folder " + folder.string() + " cannot be made (" + error.message() +
+                      "); give --out a folder that you may write to.");
+}
+
+Expected<void> writeDown(const Experiment& experiment, const fs::path& folder) {
+    if (auto done = writeExperimentCsv(experiment, folder / (experiment.id + ".csv")); !done) return done;
+    return writePanels(experiment, folder / (experiment.id + ".png"));
+}
+
+void say(const Experiment& experiment, double seconds) {
+    fmt::print("{}: {} ({:.1f} s)\n", experiment.id, experiment.title, seconds);
+    for (const Comparison& c : experiment.comparisons) {
+        fmt::print("    {}: published {}, here {}\n", c.what, c.published, c.ours);
+    }
+    std::fflush(stdout);
+}
+
+}  // namespace
+
+std::vector<std::string> experimentNames() {
+    std::vector<std::string> names;
+    for (const Named& experiment : kExperiments) names.emplace_back(experiment.name);
+    return names;
+}
+
+int runReproduce(const ReproduceOptions& options) {
+    if (const auto done = makeFolder(options.out); !done) return refuse(done.error());
+    const auto data = realTeethFolder();
+    fmt::print("teeth: {}\n", data ? "real ones from " + data->string()
+                                   : "built-in ones ($TACTOOTH_DATA and ../shared/data hold no real ones)");
+    Subjects subjects;
+    std::vector<Experiment> done;
+    for (const Named& named : kExperiments) {
+        if (!isWanted(options, named.name)) continue;
+        fmt::print(stderr, "measuring {}\n", named.name);
+        const double start = wallMillis();
+        auto experiment = named.measure(subjects, options.out);
+        if (!experiment) return refuse(experiment.error());
+        if (const auto written = writeDown(*experiment, options.out); !written) return refuse(written.error());
+        say(*experiment, 1e-3 * (wallMillis() - start));
+        done.push_back(std::move(*experiment));
+    }
+    if (const auto page = writeReproducePage(done, subjectsText(subjects), options.out / "index.html"); !page)
+        return refuse(page.error());
+    fmt::print("open {} for all of it\n", (options.out / "index.html").string());
+    return kExitOk;
+}
+
+}  // namespace tactooth

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/simplify_command.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "app/cli/exit_code.h"
+#include "app/cli/mesh_summary.h"
+#include "geometry/mesh_edges.h"
+#include "geometry/mesh_file.h"
+#include "geometry/number_text.h"
+#include "geometry/simplify.h"
+#include "geometry/stl_writer.h"
+#include "session/mesh_deviation.h"
+
+namespace tactooth {
+namespace {
+
+/// How many of `triangles` are to be kept, from "50%" or "20000".
+Expected<std::size_t> wantedTriangles(std::string_view keep, std::size_t triangles) {
+    const bool isShare = keep.ends_with('%');
+    const auto number = toNumber<double>(isShare ? keep.substr(0, keep.size() - 1) : keep);
+    if (!number || !(*number > 0) || !(isShare ? *number <= 100 : *number == std::floor(*number) && *number < 1e15)) {
+        return unexpected("--keep " + quotedWord(keep) +
+                          " is neither a share, for example 50%, nor a number of triangles, for example 20000.");
+    }
+    const double wanted = isShare ? *number / 100 * static_cast<double>(triangles) : *number;
+    return static_cast<std::size_t>(std::llround(wanted));
+}
+
+}  // namespace
+
+int runSimplify(const SimplifyOptions& options) {
+    if (const auto wanted = wantedTriangles(options.keep, 1); !wanted) return refuse(wanted.error());
+    auto mesh = loadMesh(options.in);
+    if (!mesh) return refuse(mesh.error());
+    std::erase_if(mesh->triangles, [](const Triangle& triangle) { return isDegenerate(triangle); });
+    if (const MeshReport report = reportOn(*mesh); !report.watertight()) {
+        return refuse(
+            {fmt::format("{}: {}; only a closed surface whose triangles all face outward can be simplified "
+                         "(see 'tactooth info').",
+                         options.in.string(),
+                         report.closed() ? "the triangles disagree on which side is outside" : meshSummary(report))});
+    }
+    const std::size_t wanted = *wantedTriangles(options.keep, mesh->triangles.size());
+    fmt::print(stderr, "simplifying {} triangles to {}\n", mesh->triangles.size(), wanted);
+    const TriangleMesh fewer = simplified(*mesh, wanted);
+    if (const auto done = writeStl(fewer, options.out); !done) return refuse(done.error());
+    printChange(options.in, *mesh, options.out, fewer, greatestDeviation(*mesh, fewer));
+    if (fewer.triangles.size() > wanted) {
+        fmt::print(
+            "more triangles than asked for are needed to keep the surface closed and its triangles well shaped\n");
+    }
+    return kExitOk;
+}
+
+}  // namespace tactooth

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/subdivide_command.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "app/cli/exit_code.h"
+#include "app/cli/mesh_summary.h"
+#include "geometry/mesh_file.h"
+#include "geometry/stl_writer.h"
+#include "geometry/subdivide.h"
+#include "session/mesh_deviation.h"
+
+namespace tactooth {
+
+int runSubdivide(const SubdivideOptions& options) {
+    const auto mesh = loadMesh(options.in);
+    if (!mesh) return refuse(mesh.error());
+    const int times = options.times.value_or(1);
+    const double wanted = options.triangles ? static_cast<double>(*options.triangles)
+                                            : static_cast<double>(mesh->triangles.size()) * std::pow(4.0, times);
+    if (wanted > static_cast<double>(kMostSubdivided)) {
+        return refuse({fmt::format("{}: {:.0f} triangles would be made, and {} are the most; ask for fewer.",
+                                   options.in.string(), wanted, kMostSubdivided)});
+    }
+    fmt::print(stderr, "subdividing {} triangles to {:.0f}\n", mesh->triangles.size(), wanted);
+    const TriangleMesh more = options.triangles ? subdividedTo(*mesh, *options.triangles) : subdivided(*mesh, times);
+    if (const auto done = writeStl(more, options.out); !done) return refuse(done.error());
+    printChange(options.in, *mesh, options.out, more, greatestVertexDistance(more, *mesh));
+    return kExitOk;
+}
+
+}  // namespace tactooth

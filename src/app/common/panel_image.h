@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "session/experiments/experiment.h"
+
+namespace tactooth {
+
+/// Writes the experiment's panels as one picture (PNG), side by side in its number of columns. Needs no display.
+[[nodiscard]] Expected<void> writePanels(const Experiment& experiment, const std::filesystem::path& path);
+
+}  // namespace tactooth

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/common/picture_application.h"
+
+#include <QApplication>
+#include <QImage>
+#include <QSaveFile>
+#include <cstdio>
+
+namespace tactooth {
+namespace {
+
+/// Passes Qt's messages on, but for the one on a missing XDG_RUNTIME_DIR, which a picture does not need.
+void passOnMessages(QtMsgType, const QMessageLogContext&, const QString& text) {
+    if (!text.startsWith("QStandardPaths: XDG_RUNTIME_DIR")) std::fprintf(stderr, "%s\n", qPrintable(text));
+}
+
+}  // namespace
+
+PictureApplication::PictureApplication() {
+    if (QCoreApplication::instance() != nullptr) return;
+    static int argc = 1;  // Qt keeps references to both
+    static char name[] = "tactooth";
+    static char* argv[] = {name, nullptr};
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    qInstallMessageHandler(passOnMessages);
+    application_ = std::make_unique<QApplication>(argc, argv);
+}
+
+PictureApplication::~PictureApplication() = default;
+
+Expected<void> savePng(const QImage& image, const std::filesystem::path& path) {
+    QSaveFile file(QString::fromStdString(path.string()));
+    if (file.open(QIODevice::WriteOnly) && image.save(&file, "PNG") && file.commit()) return {};
+    return unexpected("the plot " + path.string() + " could not be written: " + file.errorString().toStdString() + ".");
+}
+
+}  // namespace tactooth

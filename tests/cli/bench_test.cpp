@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <nlohmann/json.hpp>
+
+#include "cli/motion_files.h"
+
+namespace tactooth {
+namespace {
+
+using test::ProgramRun;
+using test::runTactooth;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+class BenchCommand : public test::MotionFiles {
+protected:
+    std::vector<std::string> contact(std::vector<std::string> more) {
+        std::vector<std::string> arguments = {"bench",  "contact", "--tooth",  plate(),
+                                              "--tool", ball(),    "--repeat", "1"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return arguments;
+    }
+};
+
+TEST_F(BenchCommand, TableSaysWhatWasMeasuredWhereAndHow) {
+    const ProgramRun run = runTactooth(contact({"--resolution", "100"}));
+    EXPECT_EQ(run.exitCode, 0);
+    EXPECT_THAT(run.out, AllOf(HasSubstr("machine:"), HasSubstr("compiler:"), HasSubstr("commit:"),
+                               HasSubstr("bench contact --tooth"), HasSubstr("p99.9"), HasSubstr("plate ")));
+}
+
+TEST_F(BenchCommand, JsonHoldsOneCaseForEachResolutionAndSpeed) {
+    const ProgramRun run = runTactooth(contact({"--json", "--resolution", "100", "--resolution", "50"}));
+    EXPECT_EQ(run.exitCode, 0);
+    const auto json = nlohmann::json::parse(run.out);
+    for (const char* key : {"machine", "compiler", "commit", "command", "date"}) EXPECT_NE(json.at(key), "");
+    EXPECT_EQ(json.at("tool_triangles"), 960);
+    ASSERT_EQ(json.at("cases").size(), 4U);
+    EXPECT_EQ(json["cases"][0].at("percent"), 50);
+    EXPECT_EQ(json["cases"][3].at("percent"), 100);
+    EXPECT_EQ(json["cases"][3].at("mm_per_s"), 100);
+    for (const auto& one : json["cases"]) {
+        EXPECT_GT(one.at("in_contact"), 100);
+        EXPECT_GT(one.at("p50_us"), 0);
+        EXPECT_LE(one.at("p50_us"), one.at("p99_us"));
+        EXPECT_LE(one.at("p99_us"), one.at("p999_us"));
+        EXPECT_LE(one.at("p999_us"), one.at("max_us"));
+        EXPECT_GE(one.at("contacts"), 1);
+        EXPECT_GE(one.at("rounds"), 1);
+    }
+}
+
+TEST_F(BenchCommand, RefusesWhatItCannotMeasure) {
+    expectRefused(runTactooth({"bench", "contact", "--tooth", missing()}), "missing: there is no such file");
+    TriangleMesh open = test::box(Vec3(-9, -9, -5), Vec3(9, 9, 0));
+    open.triangles.pop_back();
+    const std::string file = text("open.stl", "");
+    ASSERT_TRUE(writeStl(open, file));
+    expectRefused(runTactooth({"bench", "contact", "--tooth", file}), "measure it with --resolution 100");
+    EXPECT_EQ(runTactooth({"bench", "contact", "--tooth", file, "--resolution", "100", "--repeat", "1"}).exitCode, 0);
+    expectRefused(runTactooth({"bench", "contact", "--resolution", "0"}), "see 'tactooth bench contact --help'");
+    expectRefused(runTactooth({"bench"}), "see 'tactooth bench --help'");
+}
+
+}  // namespace
+}  // namespace tactooth
