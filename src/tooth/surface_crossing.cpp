@@ -9,7 +9,8 @@
 
 // Simulation of simplicity (H. Edelsbrunner, E. Muecke, 1990), applied to the relative place of two surfaces, not to
 // every coordinate: a shift of the whole wall makes every question about a corner of one and a face of the other, or
-// about an edge of each, a clear one unless a face has no area, and such a face is never run through.
+// about an edge of each, a clear one unless a face has no area. No edge runs through such a face, but its own edges run
+// through others, always two of them in the same place: the cut line passes there, too.
 
 namespace tactooth {
 namespace {
@@ -22,13 +23,15 @@ int firstNonZeroCross(const Vec3f& a, const Vec3f& b, const Vec3f& c, const Vec3
 }
 
 /// Side of the face on which a corner of the other surface lies: 1 in front, -1 behind. A corner of the shifted wall
-/// gains the normal of a base face, a base corner loses that of a wall face.
+/// gains the normal of a base face, a base corner loses that of a wall face. 0 if the face has no area.
 int sideOf(const CrossingFace& face, const Vec3f& point, bool faceIsWall) {
     if (const int sign = orientationSign(face.corner[0], face.corner[1], face.corner[2], point)) return sign;
     const int shifted = firstNonZeroCross(face.corner[0], face.corner[1], face.corner[0], face.corner[2]);
-    const int sign = faceIsWall ? -shifted : shifted;
-    return sign == 0 ? 1 : sign;
+    return faceIsWall ? -shifted : shifted;
 }
+
+/// Whether all corners lie on the same side of a face.
+bool areOnOneSide(const std::array<int, 3>& side) { return side[0] != 0 && side[0] == side[1] && side[1] == side[2]; }
 
 /// Sign of the volume that base edge ab and wall edge pq span.
 int turnOf(const Vec3f& a, const Vec3f& b, const Vec3f& p, const Vec3f& q) {
@@ -70,9 +73,9 @@ std::optional<FaceCrossing> crossingOf(const CrossingFace& base, const CrossingF
     std::array<int, 3> baseSide;
     std::array<int, 3> wallSide;
     for (int i = 0; i < 3; ++i) baseSide[i] = sideOf(wall, base.corner[i], true);
-    if (baseSide[0] == baseSide[1] && baseSide[1] == baseSide[2]) return std::nullopt;
+    if (areOnOneSide(baseSide)) return std::nullopt;
     for (int i = 0; i < 3; ++i) wallSide[i] = sideOf(base, wall.corner[i], false);
-    if (wallSide[0] == wallSide[1] && wallSide[1] == wallSide[2]) return std::nullopt;
+    if (areOnOneSide(wallSide)) return std::nullopt;
 
     std::optional<CrossingPoint> start;
     std::optional<CrossingPoint> end;

@@ -54,6 +54,18 @@ TEST(SurfaceCrossing, SeparateTrianglesDoNotCross) {
     EXPECT_FALSE(crossingOf(base, face(Vec3f(5, 5, -1), Vec3f(6, 5, 1), Vec3f(5, 6, 1))));
 }
 
+TEST(SurfaceCrossing, TheCutLinePassesThroughATriangleWithoutArea) {
+    const auto base = face(Vec3f(-1, -1, 0), Vec3f(3, -1, 0), Vec3f(-1, 3, 0));
+    const Vec3f below(0, 0, -1);
+    const Vec3f above(0.5F, 0, 1);
+    const auto crossing = crossingOf(base, face(below, above, above));
+    ASSERT_TRUE(crossing);
+    EXPECT_EQ(crossing->end.edge, 0);
+    EXPECT_EQ(crossing->start.edge, 2);
+    EXPECT_EQ(crossing->start.position, crossing->end.position);
+    EXPECT_FALSE(crossingOf(base, face(above, above, above)));
+}
+
 TEST(SurfaceCrossing, TouchingFlatAndCoincidentTrianglesAreDecidedWithTwoEndsOrNone) {
     std::mt19937 random(21);
     int crossed = 0;
