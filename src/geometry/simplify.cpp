@@ -32,12 +32,22 @@ struct Quadric {
     [[nodiscard]] double at(const Vec3& p) const { return std::max(0.0, p.dot(a * p) + 2 * b.dot(p) + c); }
 };
 
-/// Moving vertex `from` onto `to`. Stamps tell whether either has changed since the cost was computed.
+/// Moving a vertex onto its neighbour `to`. Stamps tell whether a vertex has changed since the cost was computed.
 struct Collapse {
     double cost;
-    std::uint32_t from, to, stampFrom, stampTo;
+    std::uint32_t to, stampTo;
 
-    [[nodiscard]] bool operator>(const Collapse& other) const {
+    [[nodiscard]] bool operator<(const Collapse& other) const {
+        return std::tie(cost, to) < std::tie(other.cost, other.to);
+    }
+};
+
+/// Vertex `from` waits for its cheapest collapse that has not been tried. One entry a vertex keeps the queue short.
+struct Waiting {
+    double cost;
+    std::uint32_t from, to, stampFrom;
+
+    [[nodiscard]] bool operator>(const Waiting& other) const {
         return std::tie(cost, from, to) > std::tie(other.cost, other.from, other.to);
     }
 };
@@ -50,6 +60,7 @@ public:
           quadrics_(at_.size()),
           around_(at_.size()),
           stamps_(at_.size(), 0),
+          offers_(at_.size()),
           alive_(mesh.triangles.size(), true),
           left_(mesh.triangles.size()) {
         for (std::size_t v = 0; v < at_.size(); ++v) at_[v] = mesh.vertices[v].cast<double>();
@@ -59,10 +70,16 @@ public:
 
     void reduceTo(std::size_t triangles) {
         while (left_ > triangles && !queue_.empty()) {
-            const Collapse next = queue_.top();
+            const Waiting next = queue_.top();
             queue_.pop();
-            if (stamps_[next.from] != next.stampFrom || stamps_[next.to] != next.stampTo) continue;
-            if (keepsTopology(next.from, next.to) && keepsNormals(next.from, next.to)) collapse(next.from, next.to);
+            if (stamps_[next.from] != next.stampFrom) continue;
+            const std::uint32_t stampTo = offers_[next.from].back().stampTo;
+            offers_[next.from].pop_back();
+            if (stamps_[next.to] == stampTo && keepsTopology(next.from, next.to) && keepsNormals(next.from, next.to)) {
+                collapse(next.from, next.to);
+            } else {
+                awaitCheapest(next.from);
+            }
         }
     }
 
@@ -112,12 +129,22 @@ private:
     void offerCollapses(std::uint32_t from) {
         // A little of the length keeps triangles of flat regions well shaped: there all errors are zero.
         constexpr double kLengthShare = 1e-6;
+        std::vector<Collapse>& offers = offers_[from];
+        offers.clear();
         for (const std::uint32_t to : neighbours(from)) {
             Quadric sum = quadrics_[from];
             sum.add(quadrics_[to]);
             const double cost = sum.at(at_[to]) + kLengthShare * (at_[to] - at_[from]).squaredNorm();
-            queue_.push({cost, from, to, stamps_[from], stamps_[to]});
+            offers.push_back({cost, to, stamps_[to]});
         }
+        std::sort(offers.rbegin(), offers.rend());
+        awaitCheapest(from);
+    }
+
+    void awaitCheapest(std::uint32_t from) {
+        if (offers_[from].empty()) return;
+        const Collapse& next = offers_[from].back();
+        queue_.push({next.cost, from, next.to, stamps_[from]});
     }
 
     [[nodiscard]] bool keepsTopology(std::uint32_t from, std::uint32_t to) const {
@@ -179,9 +206,10 @@ private:
     std::vector<Quadric> quadrics_;
     std::vector<std::vector<std::uint32_t>> around_;  // triangles at each vertex
     std::vector<std::uint32_t> stamps_;
+    std::vector<std::vector<Collapse>> offers_;  // of each vertex, the cheapest last
     std::vector<bool> alive_;
     std::size_t left_;
-    std::priority_queue<Collapse, std::vector<Collapse>, std::greater<>> queue_;
+    std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> queue_;
 };
 
 }  // namespace

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "collision/nearest_in_polyhedron.h"
+#include "geometry/triangle_mesh.h"
+
+namespace tactooth {
+
+/// A test piece: a block of 10 x 10 mm whose top (+z) is a valley of ten flat patches. The space above it is the
+/// intersection of ten half-spaces, so it is known exactly how far a tool must give way.
+struct TenPatches {
+    static constexpr std::size_t kPatches = 10;
+
+    TriangleMesh surface;                        ///< closed, mm
+    std::array<HalfSpace, kPatches> freeSpace;   ///< what is above the patches
+    std::array<std::uint32_t, kPatches> first;   ///< first triangle of each patch
+    std::array<std::uint32_t, kPatches> behind;  ///< one past its last triangle
+
+    // Where a tool is led to, on the surface.
+    Vec3 a;  ///< within a patch: one patch holds the tool
+    Vec3 b;  ///< on the valley line: two
+    Vec3 c;  ///< in the lowest corner: three
+};
+
+[[nodiscard]] TenPatches makeTenPatches();
+
+/// Where the tip of `tool` stands if it comes as near as possible to the hand's without entering the block, keeping the
+/// hand's orientation: the exact answer, from the ten half-spaces alone, as long as no part of the tool is outside the
+/// block's top. `tool` has its tip at its origin.
+[[nodiscard]] Vec3 nearestFreeTip(const TenPatches& piece, const TriangleMesh& tool, const Pose& hand);
+
+}  // namespace tactooth
