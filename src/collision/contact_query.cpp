@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "collision/closest_point.h"
 #include "collision/gjk.h"
@@ -229,6 +230,26 @@ void ContactQuery::lookAround(const Pose& toolInTooth, Contact& best) {
     }
 }
 
+/// Looks for a shorter way out close beside the one found: facet by facet of a rounded tool, a ridge or a corner has a
+/// way out of its own, and they differ by little.
+void ContactQuery::lookBeside(const Pose& toolInTooth, Contact& best) {
+    constexpr double kOutside = 1.01;  // of the depth: where the tool is likely to be free
+    constexpr int kSides = 8;
+    for (int round = 0; round < 3; ++round) {
+        const Contact found = best;
+        const Vec3 aside = found.normal.unitOrthogonal();
+        for (const double tilt : {0.05, 0.15, 0.3, 0.5}) {  // rad: from within a facet to the one after next
+            for (int side = 0; side < kSides; ++side) {
+                const Eigen::AngleAxisd around(2 * std::numbers::pi * (side + tilt) / kSides, found.normal);
+                const Vec3 out = kOutside * found.depth * (found.normal + tilt * (around * aside)).normalized();
+                const Pose start{toolInTooth.position + out, toolInTooth.rotation};
+                if (isFree(start)) keepShorter(toolInTooth, start, best);
+            }
+        }
+        if (best.depth >= found.depth) return;
+    }
+}
+
 Contact ContactQuery::at(const Pose& toolInTooth) {
     Contact result;
     if (surface_->base->tree().empty() || tool_->mesh().empty()) return result;
@@ -244,6 +265,7 @@ Contact ContactQuery::at(const Pose& toolInTooth) {
     }
     if (result.depth > 0) {
         lookAround(toolInTooth, result);
+        lookBeside(toolInTooth, result);
         straighten(toolInTooth, result);
     }
     return result;

@@ -62,6 +62,7 @@ private:
     [[nodiscard]] bool takeWay(const Pose& toolInTooth, const Vec3& out, Contact& best);
     void straighten(const Pose& toolInTooth, Contact& best);
     void lookAround(const Pose& toolInTooth, Contact& best);
+    void lookBeside(const Pose& toolInTooth, Contact& best);
     void keepShorter(const Pose& toolInTooth, const Pose& start, Contact& best);
 
     std::shared_ptr<const ToolShape> tool_;

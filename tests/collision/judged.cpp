@@ -41,11 +41,11 @@ struct ToothFile {
 
 /// Every body of the real data that is one tooth; of the teeth that are there in layers alone, the crown.
 constexpr ToothFile kToothFiles[] = {
-    {"openmandible/whole/L1_whole.stl", 1},      {"openmandible/layered/L2_enamel.stl", 1},
-    {"openmandible/whole/L3_whole.stl", 1},      {"openmandible/layered/L4_enamel.stl", 1},
-    {"openmandible/layered/L5_enamel.stl", 1},   {"openmandible/whole/L6_whole.stl", 1},
-    {"openmandible/layered/L7_enamel.stl", 1},   {"cc0-molar/molar.stl", 10},
-    {"chai3d/molar_outer.stl", 0.04F},           {"microct-meshes/tooth_2_outer.stl", 1},
+    {"openmandible/whole/L1_whole.stl", 1},    {"openmandible/layered/L2_enamel.stl", 1},
+    {"openmandible/whole/L3_whole.stl", 1},    {"openmandible/layered/L4_enamel.stl", 1},
+    {"openmandible/layered/L5_enamel.stl", 1}, {"openmandible/whole/L6_whole.stl", 1},
+    {"openmandible/layered/L7_enamel.stl", 1}, {"cc0-molar/molar.stl", 10},
+    {"chai3d/molar_outer.stl", 0.04F},         {"microct-meshes/tooth_2_outer.stl", 1},
 };
 
 std::vector<NamedMesh> loadEveryTooth() {
