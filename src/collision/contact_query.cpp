@@ -11,9 +11,9 @@
 #include "collision/triangle_penetration.h"
 
 // Penetration depth as the least translation to a free pose: S. Cameron, R. K. Culley, "Determining the Minimum
-// Translational Distance Between Two Convex Polyhedra", IEEE ICRA 1986, extended to concave surfaces by
-// local descent: the tool is pulled out along several candidate directions, swept back to first contact and slid to the
-// nearest free pose; the shortest wins.
+// Translational Distance Between Two Convex Polyhedra", IEEE ICRA 1986. Differs from the paper: a tooth is
+// not convex, so the least is sought by local descent: the tool is pulled out along several candidate directions, swept
+// back to first contact and slid to the nearest free pose; the shortest wins, and is verified.
 
 namespace tactooth {
 namespace {
