@@ -11,7 +11,8 @@
 
 // Best-first descent with the children of a node visited nearest first: N. Roussopoulos, S. Kelley, F. Vincent,
 // "Nearest Neighbor Queries", SIGMOD 1995. Inside test: parity of the crossings of one ray; a ray that grazes an edge
-// or a corner is thrown away and another direction is taken.
+// or a corner is thrown away and another direction is taken. Differs from the paper: the boxes are looked at eight at a
+// time, and pruned by the distance to a box alone, without the paper's upper bound.
 
 namespace tactooth {
 namespace {

@@ -4,15 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "collision/closest_point.h"
 #include "collision/gjk.h"
 #include "collision/triangle_penetration.h"
 
 // Penetration depth as the least translation to a free pose: S. Cameron, R. K. Culley, "Determining the Minimum
-// Translational Distance Between Two Convex Polyhedra", IEEE ICRA 1986, extended to concave surfaces by
-// local descent: the tool is pulled out along several candidate directions, swept back to first contact and slid to the
-// nearest free pose; the shortest wins.
+// Translational Distance Between Two Convex Polyhedra", IEEE ICRA 1986. Differs from the paper: a tooth is
+// not convex, so the least is sought by local descent: the tool is pulled out along several candidate directions, swept
+// back to first contact and slid to the nearest free pose; the shortest wins, and is verified.
 
 namespace tactooth {
 namespace {
@@ -20,8 +21,7 @@ namespace {
 constexpr std::size_t kFirstCapacity = 4096;
 constexpr int kMaxMoves = 64;  // moves of a few rounds each until a pulled-out tool has settled
 constexpr std::size_t kMaxNormals = 6;
-constexpr double kClearance =
-    3e-5;  // of the tool's radius (0.1 um for a 6 mm bur): "free" means this much further, too
+constexpr double kClearance = 4e-5;  // of the tool's radius (0.12 um for a 6 mm bur): "free" means this much further
 constexpr double kSameDirection = 0.97;  // cosine of 14 degrees: nearer candidates end in the same place
 
 /// Keeps `direction` unless a like one is there already.
@@ -33,6 +33,19 @@ void addDirection(std::vector<Vec3>& directions, const Vec3& direction, std::siz
         if (unit.dot(other) > kSameDirection) return;
     }
     directions.push_back(unit);
+}
+
+/// The 26 directions from a cube's centre to its corners, edges and faces.
+const std::array<Vec3, 26>& aroundACube() {
+    static const std::array<Vec3, 26> directions = [] {
+        std::array<Vec3, 26> made;
+        for (int i = 0; i < 26; ++i) {
+            const int cell = i < 13 ? i : i + 1;  // number 13 is the centre itself
+            made[i] = Vec3(cell % 3 - 1, cell / 3 % 3 - 1, cell / 9 - 1).normalized();
+        }
+        return made;
+    }();
+    return directions;
 }
 
 Triangle3 movedTriangle(const ToolShape& tool, const Pose& toolInTooth, std::uint32_t triangle) {
@@ -178,36 +191,62 @@ double ContactQuery::leastAlong(const Pose& toolInTooth, const Vec3& direction, 
     return clear;
 }
 
-/// In a narrow fissure the nearest free pose may lie against a wall that the way out runs into: the tool is free there,
-/// but not a hair's breadth beyond. Then the way out is bent away from what holds it, as little as frees it for good.
-void ContactQuery::straighten(const Pose& toolInTooth, Contact& best) {
-    const Contact found = best;
-    Vec3 direction = found.normal;
-    double distance = leastAlong(toolInTooth, direction, found.depth);
-    for (double bend = 2 * kClearance * tool_->radius();
-         !leaves(toolInTooth, direction, distance) && bend < found.depth; bend *= 2) {
-        const Vec3 out = found.depth * found.normal + bend * away_;
-        direction = out.normalized();
-        distance = out.norm();
-        if (leaves(toolInTooth, direction, distance)) distance = leastAlong(toolInTooth, direction, distance);
-    }
-    if (!leaves(toolInTooth, direction, distance)) return;
+/// Whether the tool, on its way along `out`, gets free for good; then that way, as short as it is, is the answer.
+bool ContactQuery::takeWay(const Pose& toolInTooth, const Vec3& out, Contact& best) {
+    const Vec3 direction = out.normalized();
+    double distance = out.norm();
+    if (!leaves(toolInTooth, direction, distance)) return false;
+    distance = leastAlong(toolInTooth, direction, distance);
+    if (!leaves(toolInTooth, direction, distance)) return false;
     best.depth = distance;
     best.normal = direction;
     // A hair's breadth further out than the depth, so that the pose given is free with a gap to spare.
     freePose_.position = toolInTooth.position + (distance + kClearance * tool_->radius()) * direction;
+    return true;
 }
 
-/// Looks around for a way out shorter than the one found, along the 26 directions from a cube's centre to its corners,
-/// edges and faces: between two cusps the normals that are touched need not show it.
+/// In a narrow fissure the nearest free pose may lie against a wall that the way out runs into: the tool is free there,
+/// but not a hair's breadth beyond. Then the way out is bent as little as frees it for good: away from what holds it,
+/// or else to whichever side that is.
+void ContactQuery::straighten(const Pose& toolInTooth, Contact& best) {
+    const Vec3 out = best.depth * best.normal;
+    if (takeWay(toolInTooth, out, best)) return;
+    for (double bend = 2 * kClearance * tool_->radius(); bend < 2 * best.depth; bend *= 2) {
+        if (takeWay(toolInTooth, out + bend * away_, best)) return;
+        for (const Vec3& side : aroundACube()) {
+            if (takeWay(toolInTooth, out + bend * (toolInTooth.rotation * side), best)) return;
+        }
+    }
+}
+
+/// Looks around for a way out shorter than the one found, in all directions: between two cusps the normals that are
+/// touched need not show it.
 void ContactQuery::lookAround(const Pose& toolInTooth, Contact& best) {
     constexpr double kWorthwhile = 0.97;  // of the depth: a smaller gain is left to the descent
-    for (int i = 0; i < 27; ++i) {
-        const Vec3 direction(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
-        if (direction.isZero()) continue;
-        const Vec3 out = kWorthwhile * best.depth * (toolInTooth.rotation * direction.normalized());
+    for (const Vec3& direction : aroundACube()) {
+        const Vec3 out = kWorthwhile * best.depth * (toolInTooth.rotation * direction);
         const Pose start{toolInTooth.position + out, toolInTooth.rotation};
         if (isFree(start)) keepShorter(toolInTooth, start, best);
+    }
+}
+
+/// Looks for a shorter way out close beside the one found: facet by facet of a rounded tool, a ridge or a corner has a
+/// way out of its own, and they differ by little.
+void ContactQuery::lookBeside(const Pose& toolInTooth, Contact& best) {
+    constexpr double kOutside = 1.01;  // of the depth: where the tool is likely to be free
+    constexpr int kSides = 8;
+    for (int round = 0; round < 3; ++round) {
+        const Contact found = best;
+        const Vec3 aside = found.normal.unitOrthogonal();
+        for (const double tilt : {0.05, 0.15, 0.3, 0.5}) {  // rad: from within a facet to the one after next
+            for (int side = 0; side < kSides; ++side) {
+                const Eigen::AngleAxisd around(2 * std::numbers::pi * (side + tilt) / kSides, found.normal);
+                const Vec3 out = kOutside * found.depth * (found.normal + tilt * (around * aside)).normalized();
+                const Pose start{toolInTooth.position + out, toolInTooth.rotation};
+                if (isFree(start)) keepShorter(toolInTooth, start, best);
+            }
+        }
+        if (best.depth >= found.depth) return;
     }
 }
 
@@ -226,6 +265,7 @@ Contact ContactQuery::at(const Pose& toolInTooth) {
     }
     if (result.depth > 0) {
         lookAround(toolInTooth, result);
+        lookBeside(toolInTooth, result);
         straighten(toolInTooth, result);
     }
     return result;

@@ -59,8 +59,10 @@ private:
     [[nodiscard]] std::optional<Pose> pullOut(const Pose& toolInTooth, const Vec3& direction, double limit);
     [[nodiscard]] bool leaves(const Pose& toolInTooth, const Vec3& direction, double distance);
     [[nodiscard]] double leastAlong(const Pose& toolInTooth, const Vec3& direction, double clear);
+    [[nodiscard]] bool takeWay(const Pose& toolInTooth, const Vec3& out, Contact& best);
     void straighten(const Pose& toolInTooth, Contact& best);
     void lookAround(const Pose& toolInTooth, Contact& best);
+    void lookBeside(const Pose& toolInTooth, Contact& best);
     void keepShorter(const Pose& toolInTooth, const Pose& start, Contact& best);
 
     std::shared_ptr<const ToolShape> tool_;

@@ -28,10 +28,12 @@ constexpr double kMarginOfRadius = 1e-7;     // 0.3 nm for a 6 mm bur
 constexpr double kMarginOfPosition = 1e-10;  // keeps the margin above rounding far from the origin
 constexpr double kSettledMargins = 10;       // a round that moves less than this many margins ends the move
 constexpr double kStride = 2;  // ways of the hand a list should last: more pairs to list against listing more often
-constexpr std::uint64_t kGuessed = 1;  // stamp of a plane that GJK has not seen; poses are numbered from 2
-constexpr double kLeastTurn = 1e-3;    // of the turn wanted: below it, the tool is held in its present orientation
-constexpr double kStillNear = 0.995;   // of a gap below the margin: what staying put leaves of it, less rounding
-constexpr double kTrusted = 0.95;      // of the listed reach: leaves room for rounding
+constexpr std::uint64_t kGuessed = 1;    // stamp of a plane that GJK has not seen; poses are numbered from 2
+constexpr double kLeastTurn = 1e-3;      // of the turn wanted: below it, the tool is held in its present orientation
+constexpr double kStillNear = 0.995;     // of a gap below the margin: what staying put leaves of it, less rounding
+constexpr double kTouchingMargins = 10;  // nearer than this, a triangle's own plane is looked at
+constexpr double kAsWell = 0.9;          // of what GJK's plane leaves
+constexpr double kTrusted = 0.95;        // of the listed reach: leaves room for rounding
 
 Quat partOfTurn(const Quat& from, const Quat& to, double fraction) {
     return fraction >= 1 ? to : from.slerp(fraction, to).normalized();
@@ -111,6 +113,25 @@ WatchedPair SlidingBody::watch(std::size_t place) const {
     return {pair, known != nullptr ? *known : SeparatingPlane{list_.direction(place), 0, kGuessed}};
 }
 
+/// Takes the plane of one of the triangles themselves, if it parts them as well. Where the tool slides toward a concave
+/// edge of the tooth, GJK's plane stands across the way, a margin in front of it; that of the triangle behind the edge
+/// lets the tool slide on.
+void SlidingBody::preferFace(const Triangle3& tooth, const Triangle3& tool, SeparatingPlane& plane) const {
+    const double needed = kAsWell * std::min(margin_, lowestAlong(tool, plane.normal) - plane.offset);
+    for (const Triangle3* face : {&tooth, &tool}) {
+        const Vec3 area = ((*face)[1] - (*face)[0]).cross((*face)[2] - (*face)[0]);
+        const double length = area.norm();
+        if (!(length > 0)) continue;
+        for (const Vec3& normal : {Vec3(area / length), Vec3(area / -length)}) {
+            const double back = highestAlong(tooth, normal);
+            if (lowestAlong(tool, normal) - back < needed) continue;
+            plane.normal = normal;
+            plane.offset = back;
+            return;
+        }
+    }
+}
+
 /// Finds the plane that separates the pair best at the present pose. False if nothing separates it.
 bool SlidingBody::refreshPlane(WatchedPair& watched) {
     const SurfacePart& part = partOf(*surface_, watched.pair.part);
@@ -123,6 +144,7 @@ bool SlidingBody::refreshPlane(WatchedPair& watched) {
     ++distances_;
     if (!result.separated) return false;
     plane = {result.normal, highestAlong(tooth, result.normal), poseStamp_};
+    if (result.distance < kTouchingMargins * margin_) preferFace(tooth, tool, plane);
     planes_.store(part.id(), watched.pair, plane);
     return true;
 }
@@ -312,6 +334,7 @@ MoveResult SlidingBody::moveToward(const Pose& goal) {
     lastGoalCentre_ = goalCentre;
     result.status = MoveStatus::OutOfRounds;
     Attempt attempt;
+    bool isFresh = false;  // whether the round began without planes of the round before
     while (result.status == MoveStatus::OutOfRounds && result.rounds < kMaxRounds) {
         ++result.rounds;
         bool overlapping = false;
@@ -322,6 +345,13 @@ MoveResult SlidingBody::moveToward(const Pose& goal) {
         const double turned = 2 * sineOfHalfAngle(attempt.rotation, pose_.rotation) * tool_->radius();
         const bool settled = attempt.step.norm() + turned <= kSettledMargins * margin_;
         accept(attempt, result);
+        if (settled && !attempt.clipped && heldCount_ > 0 && !isFresh) {
+            // Planes carried over may add up to a stop where fresh ones would let the tool go on: look again without.
+            heldCount_ = 0;
+            isFresh = true;
+            continue;
+        }
+        isFresh = false;
         if (attempt.clipped) continue;
         if (attempt.turnsFully && heldCount_ == 0) {
             result.status = MoveStatus::Reached;

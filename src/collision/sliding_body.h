@@ -79,6 +79,7 @@ private:
     [[nodiscard]] bool solve(Attempt& attempt);
     [[nodiscard]] WatchedPair watch(std::size_t place) const;
     [[nodiscard]] bool refreshPlane(WatchedPair& watched);
+    void preferFace(const Triangle3& tooth, const Triangle3& tool, SeparatingPlane& plane) const;
     [[nodiscard]] double gapAt(const WatchedPair& watched, const Mat3& rotation, const Vec3& position) const;
     [[nodiscard]] SweptPair sweep(const NearPair& pair, const Attempt& attempt) const;
     [[nodiscard]] bool provenSafe(std::size_t place, const Attempt& attempt);

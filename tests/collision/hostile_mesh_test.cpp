@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <ctime>
+#include <numbers>
 #include <random>
 
 #include "collision/contact_query.h"
@@ -81,6 +83,67 @@ TEST(HostileMesh, SliversAreFeltLikeAnySurface) {
     }
     for (std::uint32_t i = 1; i < 460; ++i) fan.triangles.push_back({0, i, i + 1});
     EXPECT_GT(torture(fan, smallTool(), Vec3(-0.3, 0.4, -0.1), 0.5), 20);
+}
+
+// So many needles meet in one point that no list of near pairs holds them all: the tool must still get through the air
+// around them and be held by them.
+TEST(HostileMesh, ADenseFanOfNeedlesIsFeltAndTheToolStillMoves) {
+    TriangleMesh fan;
+    constexpr std::uint32_t kNeedles = 460;
+    fan.vertices.push_back(Vec3f(0, 0, 0));
+    for (std::uint32_t i = 0; i < kNeedles; ++i) {
+        const double angle = 2 * std::numbers::pi * i / kNeedles;
+        fan.vertices.push_back(Vec3(std::cos(angle), std::sin(angle), 0).cast<float>());
+        fan.triangles.push_back({0, i + 1, (i + 1) % kNeedles + 1});
+    }
+    SlidingBody body(test::toolOf(smallTool()));
+    body.setSurface(test::surfaceOf(fan, false));
+    body.placeAt({Vec3(0.02, 0.01, 0.5), Quat::Identity()});
+    for (int tick = 0; tick < 60; ++tick) body.moveToward({Vec3(0.02, 0.01, 0.5 - 0.01 * tick), Quat::Identity()});
+    EXPECT_NEAR(body.pose().position.z(), 0, 1e-4);  // pressed 0.09 mm below the disc
+    for (int tick = 0; tick < 40; ++tick) body.moveToward({Vec3(0.02 + 0.01 * tick, 0.01, -0.09), Quat::Identity()});
+    EXPECT_NEAR(body.pose().position.x(), 0.41, 1e-4);
+    for (int tick = 0; tick < 10; ++tick) body.moveToward({Vec3(0.41, 0.01, 0.05 * tick), Quat::Identity()});
+    EXPECT_EQ(body.pose().position.z(), 0.45);
+}
+
+// Random triangles of every size, some of them needles of a tenth of a nanometre, through and over one another.
+TEST(HostileMesh, ARandomSoupOfTrianglesIsFelt) {
+    std::mt19937 random(8);
+    std::uniform_real_distribution<float> coordinate(-1, 1);
+    TriangleMesh soup;
+    for (std::uint32_t i = 0; i < 300; ++i) {
+        const float size = std::pow(10.0F, -4 * std::abs(coordinate(random)));
+        const auto point = [&] {
+            const float x = coordinate(random);
+            const float y = coordinate(random);
+            return Vec3f(x, y, coordinate(random));
+        };
+        const Vec3f place = point();
+        soup.vertices.push_back(place);
+        soup.vertices.push_back(place + size * point());
+        soup.vertices.push_back(i % 5 == 0 ? Vec3f(place + 1e-7F * point()) : Vec3f(place + size * point()));
+        soup.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+        if (i % 7 == 0) soup.triangles.push_back({3 * i + 2, 3 * i + 1, 3 * i});
+    }
+    EXPECT_GT(torture(soup, smallTool(), Vec3(0, 0, 0), 0.8), 20);
+}
+
+// The stateless answer to any of these takes a bounded number of looks: here by the processor's time, generously.
+TEST(HostileMesh, TheStatelessDepthOfASelfIntersectingHeapComesInBoundedTime) {
+    TriangleMesh heap;
+    for (int i = 0; i < 60; ++i) {
+        const Vec3 shift(0.03 * (i % 7), 0.05 * (i % 5), 0.02 * (i % 11));
+        append(heap, test::sphere(shift, 0.8, 16, 8));
+    }
+    ContactQuery query(test::toolOf(smallTool()), test::surfaceOf(heap, true));
+    const std::clock_t before = std::clock();
+    for (int i = 0; i < 20; ++i) {
+        const Contact contact = query.at({Vec3(0.02 * i, 0.01 * i, -1.5), Quat::Identity()});
+        expectSound(contact);
+        EXPECT_TRUE(contact.touching);
+    }
+    EXPECT_LT(static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC, 20);
 }
 
 TEST(HostileMesh, ZeroAreaAndDuplicateTrianglesDoNotMatter) {

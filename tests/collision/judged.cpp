@@ -33,6 +33,39 @@ std::vector<NamedMesh> loadTeeth() {
     return teeth;
 }
 
+/// A file of the real data, its coordinates times `scale`: two models of molars came in units of their own.
+struct ToothFile {
+    const char* path;
+    float scale;
+};
+
+/// Every body of the real data that is one tooth; of the teeth that are there in layers alone, the crown.
+constexpr ToothFile kToothFiles[] = {
+    {"openmandible/whole/L1_whole.stl", 1},    {"openmandible/layered/L2_enamel.stl", 1},
+    {"openmandible/whole/L3_whole.stl", 1},    {"openmandible/layered/L4_enamel.stl", 1},
+    {"openmandible/layered/L5_enamel.stl", 1}, {"openmandible/whole/L6_whole.stl", 1},
+    {"openmandible/layered/L7_enamel.stl", 1}, {"cc0-molar/molar.stl", 10},
+    {"chai3d/molar_outer.stl", 0.04F},         {"microct-meshes/tooth_2_outer.stl", 1},
+};
+
+std::vector<NamedMesh> loadEveryTooth() {
+    std::vector<NamedMesh> teeth;
+    using enum BuiltinToothKind;
+    for (const BuiltinToothKind kind : {upperCentralIncisor, upperCanine, lowerFirstMolar}) {
+        BuiltinTooth tooth = makeBuiltinTooth(kind);
+        teeth.push_back({tooth.name, std::move(tooth.outer)});
+    }
+    const auto folder = realTeethFolder();
+    if (!folder) return teeth;
+    for (const ToothFile& file : kToothFiles) {
+        auto mesh = loadMesh(*folder / file.path);
+        if (!mesh) continue;
+        for (Vec3f& vertex : mesh->vertices) vertex *= file.scale;
+        teeth.push_back({std::filesystem::path(file.path).stem().string(), std::move(*mesh)});
+    }
+    return teeth;
+}
+
 std::vector<NamedMesh> loadTools() {
     std::vector<NamedMesh> tools;
     for (const char* number : {"4", "57"}) tools.push_back({number, makeBur(findBur(number).value()).surface});
@@ -42,11 +75,27 @@ std::vector<NamedMesh> loadTools() {
     return tools;
 }
 
+std::vector<NamedMesh> loadEveryKindOfTool() {
+    std::vector<NamedMesh> tools = judgedTools();
+    for (const char* number : {"330", "856-016"}) tools.push_back({number, makeBur(findBur(number).value()).surface});
+    return tools;
+}
+
 }  // namespace
 
 const std::vector<NamedMesh>& judgedTeeth() {
     static const std::vector<NamedMesh> teeth = loadTeeth();
     return teeth;
+}
+
+const std::vector<NamedMesh>& everyTooth() {
+    static const std::vector<NamedMesh> teeth = loadEveryTooth();
+    return teeth;
+}
+
+const std::vector<NamedMesh>& everyKindOfTool() {
+    static const std::vector<NamedMesh> tools = loadEveryKindOfTool();
+    return tools;
 }
 
 const std::vector<NamedMesh>& judgedTools() {

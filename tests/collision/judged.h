@@ -20,8 +20,14 @@ struct NamedMesh {
 /// An incisor, a canine and a molar: real ones where they are at hand, else the built-in ones.
 [[nodiscard]] const std::vector<NamedMesh>& judgedTeeth();
 
+/// The built-in teeth, and every tooth of the real data where they are at hand.
+[[nodiscard]] const std::vector<NamedMesh>& everyTooth();
+
 /// A ball and a cylinder of the catalogue, and a tapered bur's STL where the real data are at hand.
 [[nodiscard]] const std::vector<NamedMesh>& judgedTools();
+
+/// These, and a pear and a tapered diamond of the catalogue.
+[[nodiscard]] const std::vector<NamedMesh>& everyKindOfTool();
 
 [[nodiscard]] std::shared_ptr<const Surface> surfaceOf(TriangleMesh mesh, bool closed = true);
 [[nodiscard]] std::shared_ptr<const ToolShape> toolOf(TriangleMesh mesh);

@@ -51,7 +51,28 @@ namespace tactooth::test {
     return best;
 }
 
-/// What the judge found on a set of random poses.
+/// How well touching is told from free on a set of random poses.
+struct TouchVerdict {
+    int touching = 0;  ///< by the judge's word
+    int wrong = 0;     ///< poses at which the query differs from the judge
+};
+
+[[nodiscard]] inline TouchVerdict judgeTouch(const TriangleMesh& tooth, const TriangleMesh& tool, int poses,
+                                             unsigned seed) {
+    const Judge judge(tooth, tool);
+    ContactQuery query(toolOf(tool), surfaceOf(tooth));
+    std::mt19937 random(seed);
+    TouchVerdict verdict;
+    for (int i = 0; i < poses; ++i) {
+        const Pose pose = randomPoseNear(tooth, 0.5, random);
+        const bool free = judge.isFree(pose);
+        verdict.touching += free ? 0 : 1;
+        verdict.wrong += query.isFree(pose) == free ? 0 : 1;
+    }
+    return verdict;
+}
+
+/// What the judge found about depths on a set of random poses.
 struct ContactVerdict {
     int poses = 0;
     int touching = 0;

@@ -6,18 +6,62 @@
 #include "collision/judged_contact.h"
 
 namespace tactooth {
+namespace {
 
-TEST(LongJudgedContact, DepthIsNearlyTheLeastOfAThousandDirectionsOnEveryTooth) {
-    for (const test::NamedMesh& tooth : test::judgedTeeth()) {
-        for (std::size_t tool = 0; tool < 2; ++tool) {
-            SCOPED_TRACE(tooth.name + " " + test::judgedTools()[tool].name);
-            const test::ContactVerdict verdict =
-                test::judgeContact(tooth.mesh, test::judgedTools()[tool].mesh, 200, 1000, 2024);
+/// How many of `poses` to spend on a pair: the judge takes its time with millions of pairs of triangles.
+int fewerIfLarge(int poses, const test::NamedMesh& tooth, const test::NamedMesh& tool) {
+    if (tooth.mesh.triangles.size() > 100000) poses /= 10;
+    if (tool.mesh.triangles.size() > 1000) poses /= 10;
+    return poses;
+}
+
+}  // namespace
+
+TEST(LongJudgedContact, NoneOfAHundredThousandPosesIsMissed) {
+    int poses = 0;
+    int touching = 0;
+    const int share = 130000 / static_cast<int>(test::everyTooth().size() * test::everyKindOfTool().size());
+    for (unsigned seed = 1; poses < 100000; ++seed) {
+        for (const test::NamedMesh& tooth : test::everyTooth()) {
+            for (const test::NamedMesh& tool : test::everyKindOfTool()) {
+                const int some = fewerIfLarge(share, tooth, tool);
+                const test::TouchVerdict verdict = test::judgeTouch(tooth.mesh, tool.mesh, some, seed);
+                EXPECT_EQ(verdict.wrong, 0) << tooth.name << " " << tool.name << " " << seed;
+                poses += some;
+                touching += verdict.touching;
+            }
+        }
+    }
+    EXPECT_GT(touching, poses / 2);
+    EXPECT_LT(touching, poses * 95 / 100);
+}
+
+TEST(LongJudgedContact, EveryDepthFreesAndIsNearlyTheLeastOfAThousandDirections) {
+    std::vector<double> excess;
+    for (const test::NamedMesh& tooth : test::everyTooth()) {
+        for (const test::NamedMesh& tool : test::everyKindOfTool()) {
+            SCOPED_TRACE(tooth.name + " " + tool.name);
+            const int poses = fewerIfLarge(100, tooth, tool);
+            const test::ContactVerdict verdict = test::judgeContact(tooth.mesh, tool.mesh, poses, 1000, 2024);
             EXPECT_EQ(verdict.wrongTouch, 0);
             EXPECT_EQ(verdict.notFreed, 0);
             EXPECT_EQ(verdict.freedEarly, 0);
             EXPECT_LE(test::excessAt(verdict, 0.9), 1.05);
             EXPECT_LE(test::excessAt(verdict, 0.99), 1.25);
+            excess.insert(excess.end(), verdict.excess.begin(), verdict.excess.end());
+        }
+    }
+    EXPECT_GT(excess.size(), 1000U);
+}
+
+TEST(LongJudgedContact, FourHundredPosesOfEveryPairAreFreedByTheirDepth) {
+    for (const test::NamedMesh& tooth : test::everyTooth()) {
+        for (const test::NamedMesh& tool : test::everyKindOfTool()) {
+            SCOPED_TRACE(tooth.name + " " + tool.name);
+            const test::ContactVerdict verdict =
+                test::judgeContact(tooth.mesh, tool.mesh, fewerIfLarge(400, tooth, tool), 0, 4);
+            EXPECT_EQ(verdict.notFreed, 0);
+            EXPECT_EQ(verdict.freedEarly, 0);
         }
     }
 }

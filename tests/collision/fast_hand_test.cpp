@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+// From 1 cm/s to 1 m/s at 1 kHz: touching, pressing, sliding and leaving, the depth is exact at every tick.
+#include "collision/fast_hand.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "support/shapes.h"
+
+namespace tactooth {
+namespace {
+
+void expectExact(const test::SpeedVerdict& verdict) {
+    EXPECT_EQ(verdict.wrong, 0) << "of " << verdict.ticks << " ticks, first " << verdict.firstWrong << ", worst "
+                                << verdict.worst << " mm";
+    EXPECT_EQ(verdict.intersecting, 0);
+    EXPECT_GT(verdict.touching, verdict.ticks / 4);
+}
+
+void expectNearlyExact(const test::SpeedVerdict& verdict, double speed) {
+    EXPECT_LE(verdict.wrong, test::mostShort(speed) * verdict.ticks)
+        << "first " << verdict.firstWrong << ", worst " << verdict.worst << " mm";
+    EXPECT_EQ(verdict.intersecting, 0);
+    EXPECT_GT(verdict.touching, verdict.ticks / 4);
+}
+
+void pressAt(Vec3 TenPatches::*place, double speed) {
+    const TenPatches piece = makeTenPatches();
+    for (std::size_t tool = 0; tool < 2; ++tool) {
+        SCOPED_TRACE(test::judgedTools()[tool].name);
+        expectExact(test::judgeOverPatches(piece, test::judgedTools()[tool].mesh, piece.*place, speed));
+    }
+}
+
+class FastHand : public ::testing::TestWithParam<double> {};
+
+std::string speedName(const ::testing::TestParamInfo<double>& speed) {
+    return std::to_string(static_cast<int>(speed.param)) + "MmPerSecond";
+}
+
+}  // namespace
+
+TEST_P(FastHand, OnOneOfTenPatchesIsExact) { pressAt(&TenPatches::a, GetParam()); }
+
+TEST_P(FastHand, OnTheValleyLineOfTenPatchesIsExact) { pressAt(&TenPatches::b, GetParam()); }
+
+TEST_P(FastHand, InTheLowestCornerOfTenPatchesIsExact) { pressAt(&TenPatches::c, GetParam()); }
+
+TEST_P(FastHand, OverCuspsAndFissuresIsExactOrNearly) {
+    for (const test::NamedMesh& tooth : test::judgedTeeth()) {
+        SCOPED_TRACE(tooth.name);
+        const auto verdict = test::judgeOverTooth(tooth.mesh, test::judgedTools()[0].mesh, GetParam(), 20);
+        expectNearlyExact(verdict, GetParam());
+    }
+}
+
+// A wall of a tenth of a millimetre: whatever the hand does beyond it, every point of the tool stays on its side.
+TEST_P(FastHand, NeverPullsAToolThroughAThinWall) {
+    const TriangleMesh wall = test::box(Vec3(-20, -20, -0.1), Vec3(20, 20, 0));
+    for (const TriangleMesh& tool : {test::judgedTools()[1].mesh, test::sphere(Vec3::Zero(), 0.02, 8, 4)}) {
+        SlidingBody body(test::toolOf(tool));
+        body.setSurface(test::surfaceOf(wall));
+        std::mt19937 random(77);
+        std::uniform_real_distribution<double> unit(-1, 1);
+        Pose hand{Vec3(0, 0, 2), Quat::Identity()};
+        body.placeAt(hand);
+        Vec3 way = -Vec3::UnitZ();
+        int beyond = 0;
+        for (int tick = 0; tick < 2000; ++tick) {
+            if (tick % 7 == 6) {  // a new direction, toward the wall if the hand is far from it
+                const double x = unit(random);
+                const double y = unit(random);
+                way = Vec3(x, y, std::abs(hand.position.z()) > 3 ? (hand.position.z() > 0 ? -1 : 1) : unit(random));
+                way = (way - 0.1 * Vec3(hand.position.x(), hand.position.y(), 0)).normalized();
+            }
+            hand.position += GetParam() * test::kTick * way;
+            body.moveToward(hand);
+            beyond += hand.position.z() < -0.1 ? 1 : 0;
+            for (const Vec3f& vertex : tool.vertices) ASSERT_GT((body.pose() * vertex.cast<double>()).z(), 0) << tick;
+        }
+        if (GetParam() > 200) {
+            EXPECT_GT(beyond, 300);
+        }
+    }
+}
+
+// A fissure of 20 degrees: two planes, so the free space of the tool's tip is a wedge, and its nearest point is known.
+TEST_P(FastHand, InANarrowFissureIsExact) {
+    TriangleMesh fissure;
+    const double slope = 5.671281819617709;  // tan 80 degrees
+    const auto top = static_cast<float>(5 * slope);
+    fissure.vertices = {{0, -20, 0}, {0, 20, 0}, {5, 20, top}, {5, -20, top}, {-5, 20, top}, {-5, -20, top}};
+    fissure.triangles = {{0, 2, 1}, {0, 3, 2}, {0, 1, 4}, {0, 4, 5}};
+    const TriangleMesh tool = test::sphere(Vec3::Zero(), 0.25, 16, 8);
+    const double steep = top / 5.0;
+    std::vector<HalfSpace> free;
+    for (const double side : {-1.0, 1.0}) {
+        const Vec3 normal = Vec3(side * steep, 0, 1).normalized();
+        double lowest = 0;
+        for (const Vec3f& v : tool.vertices) lowest = std::min(lowest, normal.dot(v.cast<double>()));
+        free.push_back({normal, -lowest});
+    }
+    SlidingBody body(test::toolOf(tool));
+    body.setSurface(test::surfaceOf(fissure, false));
+    std::vector<Pose> path = test::pathOver(Vec3(0, 0, 2.2), GetParam());
+    body.placeAt({Vec3(0, 0, 4), Quat::Identity()});
+    for (Pose& hand : path) {
+        hand.rotation = Quat::Identity();
+        body.moveToward(hand);
+        const NearestInPolyhedron exact = nearestInPolyhedron(free, hand.position, 1e-12);
+        ASSERT_TRUE(exact.feasible);
+        const double depth = (exact.point - hand.position).norm();
+        EXPECT_NEAR((body.pose().position - hand.position).norm(), depth, test::kExactEnough);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(AtEverySpeed, FastHand, ::testing::ValuesIn(test::kTipSpeeds), speedName);
+
+}  // namespace tactooth

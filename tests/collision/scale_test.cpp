@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+// Nothing is measured in millimetres: everything a thousand times smaller or larger gives the scaled answer, everything
+// a metre away the same one.
+#include <gtest/gtest.h>
+
+#include "collision/judged_contact.h"
+#include "support/hand_path.h"
+
+namespace tactooth {
+namespace {
+
+TriangleMesh scaled(TriangleMesh mesh, double scale) {
+    for (Vec3f& vertex : mesh.vertices) vertex = (vertex.cast<double>() * scale).cast<float>();
+    return mesh;
+}
+
+/// Rounded to 2^-10 mm, so that it is still exact in single precision a metre away.
+TriangleMesh rounded(TriangleMesh mesh) {
+    for (Vec3f& v : mesh.vertices) v = ((v * 1024).array().round().matrix() / 1024).eval();
+    return mesh;
+}
+
+/// Depth of the proxy at every tick of a slide at 2 cm/s, everything times `scale`, then moved by `offset`.
+std::vector<double> depthsAlong(const TriangleMesh& tooth, const TriangleMesh& tool, double scale, const Vec3& offset) {
+    test::HandPath how;
+    how.speed = 20;
+    how.stroke = 2;
+    how.strokes = 1;
+    how.press = 0.2;
+    TriangleMesh moved = scaled(tooth, scale);
+    for (Vec3f& v : moved.vertices) v = (v.cast<double>() + offset).cast<float>();
+    SlidingBody body(test::toolOf(scaled(tool, scale)));
+    body.setSurface(test::surfaceOf(moved));
+    std::vector<double> depths;
+    for (const Pose& pose : test::handPath(tooth, how)) {
+        const Pose hand{scale * pose.position + offset, pose.rotation};
+        if (depths.empty()) body.placeAt(hand);
+        body.moveToward(hand);
+        depths.push_back((body.pose().position - hand.position).norm());
+    }
+    return depths;
+}
+
+const TriangleMesh& molar() { return test::judgedTeeth()[2].mesh; }
+const TriangleMesh& bur() { return test::judgedTools()[0].mesh; }
+
+}  // namespace
+
+// A power of two scales every number exactly: any difference would be a length hidden in the code.
+TEST(Scale, TheProxyOfAThousandTimesSmallerOrLargerToothIsTheScaledOneBitForBit) {
+    const std::vector<double> plain = depthsAlong(molar(), bur(), 1, Vec3::Zero());
+    for (const double scale : {1.0 / 1024, 1024.0}) {
+        const std::vector<double> other = depthsAlong(molar(), bur(), scale, Vec3::Zero());
+        ASSERT_EQ(other.size(), plain.size());
+        for (std::size_t i = 0; i < plain.size(); ++i) ASSERT_EQ(other[i], scale * plain[i]) << scale << " " << i;
+    }
+    EXPECT_GT(*std::max_element(plain.begin(), plain.end()), 0.1);
+}
+
+TEST(Scale, TheDepthOfAThousandTimesSmallerOrLargerToothIsTheScaledOneBitForBit) {
+    for (const double scale : {1.0 / 1024, 1024.0}) {
+        ContactQuery plain(test::toolOf(bur()), test::surfaceOf(molar()));
+        ContactQuery other(test::toolOf(scaled(bur(), scale)), test::surfaceOf(scaled(molar(), scale)));
+        std::mt19937 random(12);
+        for (int i = 0; i < 40; ++i) {
+            const Pose pose = test::randomPoseNear(molar(), 0.5, random);
+            const Contact here = plain.at(pose);
+            const Contact there = other.at({scale * pose.position, pose.rotation});
+            ASSERT_EQ(here.touching, there.touching);
+            ASSERT_EQ(scale * here.depth, there.depth) << i;
+            ASSERT_EQ(here.normal, there.normal) << i;
+        }
+    }
+}
+
+// By a thousand, single precision rounds every coordinate anew: the surface itself is another by 1e-7 of its size.
+TEST(Scale, AThousandthAndAThousandfoldDifferByTheRoundingOfTheFileAlone) {
+    for (const double scale : {1e-3, 1e3}) {
+        ContactQuery plain(test::toolOf(bur()), test::surfaceOf(molar()));
+        ContactQuery other(test::toolOf(scaled(bur(), scale)), test::surfaceOf(scaled(molar(), scale)));
+        std::mt19937 random(13);
+        for (int i = 0; i < 40; ++i) {
+            const Pose pose = test::randomPoseNear(molar(), 0.5, random);
+            const Contact here = plain.at(pose);
+            const Contact there = other.at({scale * pose.position, pose.rotation});
+            ASSERT_EQ(here.touching, there.touching);
+            EXPECT_NEAR(here.depth, there.depth / scale, 1e-4 * here.depth + 1e-5) << i;
+        }
+    }
+}
+
+TEST(Scale, TheProxyAMetreAwayIsAsDeepToANanometre) {
+    const TriangleMesh tooth = rounded(molar());
+    const std::vector<double> here = depthsAlong(tooth, bur(), 1, Vec3::Zero());
+    const std::vector<double> there = depthsAlong(tooth, bur(), 1, Vec3(1024, -1024, 1024));
+    ASSERT_EQ(here.size(), there.size());
+    for (std::size_t i = 0; i < here.size(); ++i) EXPECT_NEAR(here[i], there[i], 1e-6) << i;
+}
+
+}  // namespace tactooth
