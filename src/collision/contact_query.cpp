@@ -35,18 +35,15 @@ void addDirection(std::vector<Vec3>& directions, const Vec3& direction, std::siz
     directions.push_back(unit);
 }
 
-/// The 26 directions from a cube's centre to its corners, edges and faces.
-const std::array<Vec3, 26>& aroundACube() {
-    static const std::array<Vec3, 26> directions = [] {
-        std::array<Vec3, 26> made;
-        for (int i = 0; i < 26; ++i) {
-            const int cell = i < 13 ? i : i + 1;  // number 13 is the centre itself
-            made[i] = Vec3(cell % 3 - 1, cell / 3 % 3 - 1, cell / 9 - 1).normalized();
-        }
-        return made;
-    }();
+/// The 26 directions from a cube's middle to its corners, edges and sides.
+const std::array<Vec3, 26> kAroundACube = [] {
+    std::array<Vec3, 26> directions;
+    for (int i = 0; i < 26; ++i) {
+        const int cell = i < 13 ? i : i + 1;  // number 13 is the centre itself
+        directions[i] = Vec3(cell % 3 - 1, cell / 3 % 3 - 1, cell / 9 - 1).normalized();
+    }
     return directions;
-}
+}();
 
 Triangle3 movedTriangle(const ToolShape& tool, const Pose& toolInTooth, std::uint32_t triangle) {
     Triangle3 moved = tool.corners(triangle);
@@ -213,7 +210,7 @@ void ContactQuery::straighten(const Pose& toolInTooth, Contact& best) {
     if (takeWay(toolInTooth, out, best)) return;
     for (double bend = 2 * kClearance * tool_->radius(); bend < 2 * best.depth; bend *= 2) {
         if (takeWay(toolInTooth, out + bend * away_, best)) return;
-        for (const Vec3& side : aroundACube()) {
+        for (const Vec3& side : kAroundACube) {
             if (takeWay(toolInTooth, out + bend * (toolInTooth.rotation * side), best)) return;
         }
     }
@@ -223,7 +220,7 @@ void ContactQuery::straighten(const Pose& toolInTooth, Contact& best) {
 /// touched need not show it.
 void ContactQuery::lookAround(const Pose& toolInTooth, Contact& best) {
     constexpr double kWorthwhile = 0.97;  // of the depth: a smaller gain is left to the descent
-    for (const Vec3& direction : aroundACube()) {
+    for (const Vec3& direction : kAroundACube) {
         const Vec3 out = kWorthwhile * best.depth * (toolInTooth.rotation * direction);
         const Pose start{toolInTooth.position + out, toolInTooth.rotation};
         if (isFree(start)) keepShorter(toolInTooth, start, best);

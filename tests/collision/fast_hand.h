@@ -6,8 +6,8 @@
 
 #include "collision/judged.h"
 #include "collision/sliding_body.h"
+#include "instruments/hand_path.h"
 #include "instruments/ten_patches.h"
-#include "support/hand_path.h"
 
 // The depth that the proxy gives to a fast hand, tick by tick, against the exact answer.
 namespace tactooth::test {

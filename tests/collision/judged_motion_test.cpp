@@ -7,7 +7,7 @@
 
 #include "collision/contact_query.h"
 #include "collision/judged.h"
-#include "support/hand_path.h"
+#include "instruments/hand_path.h"
 #include "support/sanitizer.h"
 
 namespace tactooth {
@@ -19,7 +19,7 @@ constexpr std::size_t kTeeth = test::cases<std::size_t>(3, 1);
 struct Case {
     std::size_t tooth;
     std::size_t tool;
-    test::HandPath path;
+    HandPath path;
     std::size_t judgeEvery = 1;    // ticks
     std::size_t insideEvery = 25;  // ticks
 };
@@ -31,7 +31,7 @@ double judgeAlong(const Case& what) {
     const test::Judge judge(tooth, tool);
     const auto surface = test::surfaceOf(tooth);
     const auto shape = test::toolOf(tool);
-    const std::vector<Pose> hand = test::handPath(tooth, what.path);
+    const std::vector<Pose> hand = handPath(tooth, what.path);
     ContactQuery query(shape, surface);
     SlidingBody body(shape);
     body.setSurface(surface);
@@ -60,8 +60,8 @@ double judgeAlong(const Case& what) {
     return static_cast<double>(held) / static_cast<double>(hand.size());
 }
 
-test::HandPath pathAt(double speed, double press) {
-    test::HandPath path;
+HandPath pathAt(double speed, double press) {
+    HandPath path;
     path.speed = speed;
     path.press = press;
     path.stroke = 3;
@@ -87,7 +87,7 @@ TEST(JudgedMotion, AFinelyMeshedBurNeverIntersects) {
 
 TEST(JudgedMotion, AHandThatStartsInsideFindsAFreePoseAndGoesOnFromThere) {
     for (std::size_t tooth = 0; tooth < kTeeth; ++tooth) {
-        test::HandPath path = pathAt(100, 0.5);
+        HandPath path = pathAt(100, 0.5);
         path.approach = -0.7;
         judgeAlong({tooth, 1, path});
     }
@@ -97,7 +97,7 @@ TEST(JudgedMotion, ARandomWalkOverAToothNeverIntersects) {
     const TriangleMesh& tooth = test::judgedTeeth()[2].mesh;
     const TriangleMesh& tool = test::judgedTools()[1].mesh;
     const test::Judge judge(tooth, tool);
-    const std::vector<Pose> path = test::handPath(tooth, pathAt(10, 1.0));
+    const std::vector<Pose> path = handPath(tooth, pathAt(10, 1.0));
     const Vec3 home = path[path.size() / 2].position;  // 1 mm below the surface
     for (unsigned seed = 1; seed <= test::cases(3U, 1U); ++seed) {
         std::mt19937 random(seed);

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "collision/judged_contact.h"
-#include "support/hand_path.h"
+#include "instruments/hand_path.h"
 
 namespace tactooth {
 namespace {
@@ -23,7 +23,7 @@ TriangleMesh rounded(TriangleMesh mesh) {
 
 /// Depth of the proxy at every tick of a slide at 2 cm/s, everything times `scale`, then moved by `offset`.
 std::vector<double> depthsAlong(const TriangleMesh& tooth, const TriangleMesh& tool, double scale, const Vec3& offset) {
-    test::HandPath how;
+    HandPath how;
     how.speed = 20;
     how.stroke = 2;
     how.strokes = 1;
@@ -33,7 +33,7 @@ std::vector<double> depthsAlong(const TriangleMesh& tooth, const TriangleMesh& t
     SlidingBody body(test::toolOf(scaled(tool, scale)));
     body.setSurface(test::surfaceOf(moved));
     std::vector<double> depths;
-    for (const Pose& pose : test::handPath(tooth, how)) {
+    for (const Pose& pose : handPath(tooth, how)) {
         const Pose hand{scale * pose.position + offset, pose.rotation};
         if (depths.empty()) body.placeAt(hand);
         body.moveToward(hand);

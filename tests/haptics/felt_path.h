@@ -6,7 +6,7 @@
 
 #include "collision/judged.h"
 #include "haptics/haptic_simulation.h"
-#include "support/hand_path.h"
+#include "instruments/hand_path.h"
 
 namespace tactooth::test {
 

@@ -98,9 +98,9 @@ TEST(SmoothForce, ItsDirectionTurnsWithTheBallUnderIt) {
 
 TEST(SmoothForce, AHandAtRestFeelsNoNoise) {
     for (const test::NamedMesh& tooth : test::judgedTeeth()) {
-        test::HandPath how;
+        HandPath how;
         how.speed = 30;
-        const std::vector<Pose> path = test::handPath(tooth.mesh, how);
+        const std::vector<Pose> path = handPath(tooth.mesh, how);
         HapticSimulation simulation = test::simulationOn(tooth.mesh, test::judgedTools()[0].mesh);
         int pressed = 0;
         for (std::size_t i = 0; i < path.size(); ++i) {

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "collision/sliding_body.h"
-#include "geometry/hand_path.h"
+#include "instruments/hand_path.h"
 
 namespace tactooth {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-#include "geometry/hand_path.h"
+#include "instruments/hand_path.h"
 
 #include <algorithm>
 #include <cmath>
