@@ -21,8 +21,7 @@
 namespace tactooth {
 namespace {
 
-constexpr int kMaxRounds =
-    20;  // about 4 are usual at 1 cm/s, 6-7 at 10 cm/s; a jump of 1 mm into contact takes some 15
+constexpr int kMaxRounds = 20;               // about 4 at 1 cm/s, 6-7 at 10 cm/s; a jump into contact takes some 15
 constexpr int kMaxPlanesPerRound = 32;       // 3-6 are usual; more means that the step is long for its surroundings
 constexpr int kOffendersToCompare = 2;       // before the worst of them becomes a plane: more costs more than it saves
 constexpr double kMarginOfRadius = 1e-7;     // 0.3 nm for a 6 mm bur
