@@ -79,18 +79,19 @@ std::unique_ptr<BuildNode> build(const Child& all, int depth) {
     return node;
 }
 
-AabbTree::Leaf makeLeaf(const TriangleMesh& mesh, std::span<const TreeItem> items) {
-    AabbTree::Leaf leaf{};
+void fillLeaf(AabbTree::Leaf& leaf, const TriangleMesh& mesh, std::span<const TreeItem> items) {
     leaf.count = static_cast<std::uint32_t>(items.size());
+    std::array<const Triangle*, AabbTree::kWidth> corners;  // named ahead, so that the memory fetches all at once
     for (std::size_t lane = 0; lane < AabbTree::kWidth; ++lane) {
-        const std::uint32_t triangle = items[lane < items.size() ? lane : 0].triangle();
-        leaf.triangle[lane] = triangle;
-        for (int corner = 0; corner < 3; ++corner) {
-            const Vec3f& point = mesh.vertices[mesh.triangles[triangle][corner]];
+        leaf.triangle[lane] = items[lane < items.size() ? lane : 0].triangle();
+        corners[lane] = &mesh.triangles[leaf.triangle[lane]];
+    }
+    for (int corner = 0; corner < 3; ++corner) {
+        for (std::size_t lane = 0; lane < AabbTree::kWidth; ++lane) {
+            const Vec3f& point = mesh.vertices[(*corners[lane])[corner]];
             for (int axis = 0; axis < 3; ++axis) leaf.corner[corner][axis][lane] = point[axis];
         }
     }
-    return leaf;
 }
 
 /// Writes a tree into memory, depth first: a child follows its parent closely.
@@ -117,7 +118,7 @@ public:
         }
         forChildren(from.count, std::size_t{from.leaves} * AabbTree::kWidth, [&](std::size_t i) {
             if (from.inner[i]) return write(*from.inner[i], nodeAt[i], leafAt[i]);
-            leaves_[leafAt[i]] = makeLeaf(mesh_, from.children[i].range.items);
+            fillLeaf(leaves_[leafAt[i]], mesh_, from.children[i].range.items);
         });
     }
 
@@ -133,18 +134,14 @@ AabbTree::AabbTree(const TriangleMesh& mesh) {
     if (mesh.empty()) return;
     const std::size_t count = mesh.triangles.size();
     assert(count < (std::size_t{1} << 31));
-    const auto items = std::make_unique_for_overwrite<TreeItem[]>(count);
-    const auto bins = std::make_unique_for_overwrite<std::uint8_t[]>(count);
+    LargeVector<TreeItem> items(count);
+    LargeVector<std::uint8_t> bins(count);
     const auto enclose = [&](std::size_t i) {
-        TreeBounds bounds;
-        for (const std::uint32_t vertex : mesh.triangles[i]) {
-            const Vec3f& v = mesh.vertices[vertex];
-            bounds.extend(Eigen::Array4f(v.x(), v.y(), v.z(), 0));
-        }
-        items[i] = TreeItem(bounds, static_cast<std::uint32_t>(i));
+        const auto& [a, b, c] = mesh.triangles[i];
+        items[i] = TreeItem(static_cast<std::uint32_t>(i), mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]);
     };
     parallelFor(count, enclose, kParallelTreeRange);
-    const TreeRange all{{items.get(), count}, {bins.get(), count}};
+    const TreeRange all{items, bins};
     const TreeBounds whole = boundsOf(all);
     const std::unique_ptr<BuildNode> tree = build({all, whole}, 0);
     nodes_.resize(tree->nodes);

@@ -4,9 +4,9 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "collision/simd8.h"
+#include "geometry/large_pages.h"
 #include "geometry/triangle_mesh.h"
 
 namespace tactooth {
@@ -64,8 +64,8 @@ public:
     static constexpr int kStackSize = (kWidth - 1) * kMaxDepth + 1;
 
 private:
-    std::vector<Node> nodes_;
-    std::vector<Leaf> leaves_;
+    LargeVector<Node> nodes_;
+    LargeVector<Leaf> leaves_;
     Box3 box_;
 };
 

@@ -3,10 +3,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <limits>
 #include <span>
+
+#include "geometry/vec.h"
 
 namespace tactooth {
 
@@ -28,20 +31,27 @@ struct TreeBounds {
 /// A triangle on its way into an AABB tree: its box, with its number in the spare place.
 class TreeItem {
 public:
-    TreeItem() = default;
-    TreeItem(const TreeBounds& bounds, std::uint32_t triangle) : bounds_(bounds) {
-        bounds_.low.w() = std::bit_cast<float>(triangle);
-        bounds_.high.w() = 0.0F;
+    TreeItem() = default;  // and no number written, so that the threads that fill a large array touch it first
+    TreeItem(std::uint32_t triangle, const Vec3f& a, const Vec3f& b, const Vec3f& c) {
+        for (int axis = 0; axis < 3; ++axis) {
+            low_[axis] = std::min({a[axis], b[axis], c[axis]});
+            high_[axis] = std::max({a[axis], b[axis], c[axis]});
+        }
+        low_[3] = std::bit_cast<float>(triangle);
+        high_[3] = 0.0F;
     }
 
-    [[nodiscard]] const TreeBounds& bounds() const { return bounds_; }
-    [[nodiscard]] std::uint32_t triangle() const { return std::bit_cast<std::uint32_t>(bounds_.low.w()); }
+    [[nodiscard]] TreeBounds bounds() const { return {Corner(low_), Corner(high_)}; }
+    [[nodiscard]] std::uint32_t triangle() const { return std::bit_cast<std::uint32_t>(low_[3]); }
     /// Twice the centre of the box.
-    [[nodiscard]] Eigen::Array4f centre() const { return bounds_.low + bounds_.high; }
-    [[nodiscard]] float centre(int axis) const { return bounds_.low[axis] + bounds_.high[axis]; }
+    [[nodiscard]] Eigen::Array4f centre() const { return Corner(low_) + Corner(high_); }
+    [[nodiscard]] float centre(int axis) const { return low_[axis] + high_[axis]; }
 
 private:
-    TreeBounds bounds_{};
+    using Corner = Eigen::Map<const Eigen::Array4f, Eigen::Aligned16>;
+    // Written number by number, since to put together a register from single numbers costs more; read as a whole.
+    alignas(16) float low_[4];
+    alignas(16) float high_[4];
 };
 
 /// Items that lie side by side, each with a byte of scratch memory.

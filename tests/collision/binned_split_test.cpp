@@ -19,11 +19,8 @@ struct Items {
     std::vector<TreeItem> items;
     std::vector<std::uint8_t> bins;
 
-    void add(const Eigen::Array3f& low, const Eigen::Array3f& size) {
-        TreeBounds bounds;
-        bounds.extend(Eigen::Array4f(low.x(), low.y(), low.z(), 0));
-        bounds.extend(Eigen::Array4f(low.x() + size.x(), low.y() + size.y(), low.z() + size.z(), 0));
-        items.emplace_back(bounds, static_cast<std::uint32_t>(items.size()));
+    void add(const Vec3f& low, const Vec3f& size) {
+        items.emplace_back(static_cast<std::uint32_t>(items.size()), low, low, low + size);
         bins.push_back(0);
     }
     TreeRange range() { return {items, bins}; }
@@ -35,8 +32,8 @@ Items scattered(std::size_t count) {
     const auto share = [&] { return static_cast<float>(random()) / 4294967296.0F; };
     Items result;
     for (std::size_t i = 0; i < count; ++i) {
-        const Eigen::Array3f low(share(), 2 * share(), 5 * share());
-        result.add(low, 0.1F * Eigen::Array3f(share(), share(), share()));
+        const Vec3f low(share(), 2 * share(), 5 * share());
+        result.add(low, 0.1F * Vec3f(share(), share(), share()));
     }
     return result;
 }
