@@ -144,9 +144,13 @@ AabbTree::AabbTree(const TriangleMesh& mesh) {
     const TreeRange all{items, bins};
     const TreeBounds whole = boundsOf(all);
     const std::unique_ptr<BuildNode> tree = build({all, whole}, 0);
-    nodes_.resize(tree->nodes);
-    leaves_.resize(tree->leaves);
-    Layout(mesh, nodes_.data(), leaves_.data()).write(*tree, 0, 0);
+    const auto arrays = std::make_shared<Arrays>();
+    arrays->nodes.resize(wholeNodes_ = tree->nodes);
+    arrays->leaves.resize(wholeLeaves_ = tree->leaves);
+    Layout(mesh, arrays->nodes.data(), arrays->leaves.data()).write(*tree, 0, 0);
+    wholeNode_ = arrays->nodes.data();
+    wholeLeaf_ = arrays->leaves.data();
+    whole_ = arrays;
     box_ = Box3(whole.low.head<3>().matrix().cast<double>(), whole.high.head<3>().matrix().cast<double>());
 }
 

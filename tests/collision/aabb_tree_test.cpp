@@ -44,7 +44,7 @@ void walk(const AabbTree& tree, AabbTree::Link link, const Vec3f& low, const Vec
 void expectHoldsEachTriangleOnce(const TriangleMesh& mesh) {
     const AabbTree tree(mesh);
     std::multiset<std::uint32_t> triangles;
-    walk(tree, AabbTree::Link::toNode(0), tree.box().min().cast<float>(), tree.box().max().cast<float>(), 0, triangles);
+    walk(tree, tree.rootLink(), tree.box().min().cast<float>(), tree.box().max().cast<float>(), 0, triangles);
     ASSERT_EQ(triangles.size(), mesh.triangles.size());
     ASSERT_EQ(std::set<std::uint32_t>(triangles.begin(), triangles.end()).size(), mesh.triangles.size());
 }
@@ -67,8 +67,8 @@ void describe(const AabbTree& tree, AabbTree::Link link, std::vector<std::vector
 void expectEqual(const AabbTree& a, const AabbTree& b) {
     std::vector<std::vector<float>> boxesOfA, boxesOfB;
     std::vector<std::uint32_t> trianglesOfA, trianglesOfB;
-    describe(a, AabbTree::Link::toNode(0), boxesOfA, trianglesOfA);
-    describe(b, AabbTree::Link::toNode(0), boxesOfB, trianglesOfB);
+    describe(a, a.rootLink(), boxesOfA, trianglesOfA);
+    describe(b, b.rootLink(), boxesOfB, trianglesOfB);
     EXPECT_EQ(boxesOfA, boxesOfB);
     EXPECT_EQ(trianglesOfA, trianglesOfB);
 }
