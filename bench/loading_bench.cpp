@@ -82,7 +82,7 @@ void addBelow(const AabbTree& tree, AabbTree::Link link, Hash& hash) {
 
 unsigned long long hashOf(const AabbTree& tree) {
     Hash hash;
-    addBelow(tree, AabbTree::Link::toNode(0), hash);
+    addBelow(tree, tree.rootLink(), hash);
     return hash.value();
 }
 
