@@ -3,17 +3,20 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "collision/simd8.h"
+#include "geometry/large_pages.h"
 #include "geometry/triangle_mesh.h"
 
 namespace tactooth {
 
 /// Bounding-volume hierarchy over the triangles of a mesh: nodes of eight children, leaves of up to eight triangles,
 /// each stored side by side in the order in which a query walks over them. Boxes are single precision and hold their
-/// triangles exactly (a mesh keeps single precision too). Built once, read by any number of threads.
+/// triangles exactly (a mesh keeps single precision too). Built once, read by any number of threads; a copy shares the
+/// memory.
 class AabbTree {
 public:
     static constexpr int kWidth = 8;
@@ -51,21 +54,44 @@ public:
     AabbTree() = default;
     explicit AabbTree(const TriangleMesh& mesh);
 
-    [[nodiscard]] bool empty() const { return nodes_.empty(); }
-    [[nodiscard]] const Node& root() const { return nodes_.front(); }
-    [[nodiscard]] const Node& node(Link link) const { return nodes_[link.index()]; }
-    [[nodiscard]] const Leaf& leaf(Link link) const { return leaves_[link.index()]; }
-    [[nodiscard]] std::span<const Leaf> leaves() const { return leaves_; }
+    [[nodiscard]] bool empty() const { return box_.isEmpty(); }
+    /// Where a walk begins; not for an empty tree.
+    [[nodiscard]] Link rootLink() const { return root_; }
+    [[nodiscard]] const Node& root() const { return node(root_); }
+    [[nodiscard]] const Node& node(Link link) const {
+        const std::uint32_t i = link.index();
+        return i < wholeNodes_ ? wholeNode_[i] : nodes_[i - wholeNodes_];
+    }
+    [[nodiscard]] const Leaf& leaf(Link link) const {
+        const std::uint32_t i = link.index();
+        return i < wholeLeaves_ ? wholeLeaf_[i] : leaves_[i - wholeLeaves_];
+    }
+    /// All leaves by index, of a tree from which nothing was taken.
+    [[nodiscard]] std::span<const Leaf> leaves() const { return {wholeLeaf_, wholeLeaves_}; }
     [[nodiscard]] const Box3& box() const { return box_; }
-    [[nodiscard]] std::size_t bytes() const { return nodes_.size() * sizeof(Node) + leaves_.size() * sizeof(Leaf); }
+    [[nodiscard]] std::size_t bytes() const {
+        return (wholeNodes_ + nodes_.size()) * sizeof(Node) + (wholeLeaves_ + leaves_.size()) * sizeof(Leaf);
+    }
 
     /// Nodes below the root, at most: the stack that a depth-first walk needs is (kWidth - 1) times this, plus one.
     static constexpr int kMaxDepth = 24;
     static constexpr int kStackSize = (kWidth - 1) * kMaxDepth + 1;
 
 private:
-    std::vector<Node> nodes_;
+    friend class TreeThinner;
+    struct Arrays {
+        LargeVector<Node> nodes;
+        LargeVector<Leaf> leaves;
+    };
+
+    std::shared_ptr<const Arrays> whole_;  // of the mesh, shared by every tree from which triangles were taken
+    const Node* wholeNode_ = nullptr;      // its nodes: one step less to each on a walk
+    const Leaf* wholeLeaf_ = nullptr;
+    std::uint32_t wholeNodes_ = 0;
+    std::uint32_t wholeLeaves_ = 0;
+    std::vector<Node> nodes_;  // instead of some of those: they have the numbers from wholeNodes_ on
     std::vector<Leaf> leaves_;
+    Link root_;
     Box3 box_;
 };
 

@@ -93,7 +93,7 @@ std::optional<bool> crossesOddly(const AabbTree& tree, const TriangleMask* hidde
     const double margin = 1e-6 * tree.box().diagonal().norm();
     std::array<AabbTree::Link, AabbTree::kStackSize> stack;
     int size = 0;
-    stack[size++] = AabbTree::Link::toNode(0);
+    stack[size++] = tree.rootLink();
     bool odd = false;
     while (size > 0) {
         const AabbTree::Link link = stack[--size];
@@ -127,7 +127,7 @@ std::optional<ClosestPoint> closestPoint(const SurfacePart& part, const Vec3& qu
         Vec3x8::all(static_cast<float>(query.x()), static_cast<float>(query.y()), static_cast<float>(query.z()));
     std::array<Visit, AabbTree::kStackSize> stack;
     int size = 0;
-    stack[size++] = {AabbTree::Link::toNode(0), 0.0F};
+    stack[size++] = {tree.rootLink(), 0.0F};
     std::optional<ClosestPoint> best;
     double bestSquared = within * within;
     double reach = within + slack;
@@ -166,10 +166,11 @@ std::optional<ClosestPoint> closestPoint(const SurfacePart& part, const Vec3& qu
 
 bool contains(const Surface& surface, const Vec3& query) {
     if (surface.base->tree().empty() || !surface.base->tree().box().contains(query)) return false;
+    const VisibleBase base = visibleBase(surface);
     constexpr int kAttempts = 16;  // each try grazes an edge with a chance far below one in a million
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
         const Vec3 direction = rayDirection(attempt);
-        std::optional<bool> odd = crossesOddly(surface.base->tree(), surface.hidden.get(), query, direction);
+        std::optional<bool> odd = crossesOddly(base.tree, base.hidden, query, direction);
         for (std::size_t i = 0; i < surface.patches.size() && odd; ++i) {
             const std::optional<bool> patch = crossesOddly(surface.patches[i]->tree(), nullptr, query, direction);
             odd = patch ? std::optional(*odd != *patch) : std::nullopt;

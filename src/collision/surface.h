@@ -54,7 +54,20 @@ struct Surface {
     std::vector<std::shared_ptr<const SurfacePart>> patches;
     std::uint64_t revision = 0;  ///< grows by one with every snapshot of the same tooth
     bool closed = true;          ///< whether "inside" has a meaning; false: only the triangles themselves are felt
+    /// The base's tree without the hidden triangles, for those who walk; null: nobody has made it.
+    std::shared_ptr<const AabbTree> thinned = nullptr;
 };
+
+/// The tree to look for triangles of the base in, and the mask that those found are to be held against (null: none is
+/// hidden).
+struct VisibleBase {
+    const AabbTree& tree;
+    const TriangleMask* hidden;
+};
+[[nodiscard]] inline VisibleBase visibleBase(const Surface& surface) {
+    if (surface.thinned != nullptr) return {*surface.thinned, nullptr};
+    return {surface.base->tree(), surface.hidden.get()};
+}
 
 /// Every triangle of `surface` that can be seen, with its tag, as one mesh. Base triangles come first, in the order
 /// and with the coordinates of the file that they were read from.

@@ -7,7 +7,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <new>
 #include <system_error>
 
 namespace tactooth {
@@ -63,17 +62,20 @@ Expected<FileBytes> readFile(const std::filesystem::path& path) {
     const Expected<std::size_t> size = sizeOfRegularFile(file, name);
     if (!size) return unexpected(size.error().message);
 
-    std::unique_ptr<std::byte[]> data(new (std::nothrow) std::byte[*size]);
-    if (!data) return unexpected(name + ": the file (" + std::to_string(*size) + " bytes) does not fit into memory.");
+    auto* const data = static_cast<std::byte*>(allocateOnLargePages(*size));
+    if (data == nullptr)
+        return unexpected(name + ": the file (" + std::to_string(*size) + " bytes) does not fit into memory.");
     std::size_t filled = 0;
+    FileBytes whole(data, *size);
     while (filled < *size) {
-        const ssize_t count = ::read(file.get(), data.get() + filled, *size - filled);
+        const ssize_t count = ::read(file.get(), data + filled, *size - filled);
         if (count < 0 && errno == EINTR) continue;
         if (count < 0) return cannotRead(name, errno);
         if (count == 0) break;  // the file has become shorter meanwhile; its parser will say what is missing
         filled += static_cast<std::size_t>(count);
     }
-    return FileBytes(std::move(data), filled);
+    whole.shorten(filled);
+    return whole;
 }
 
 std::string shownName(const std::filesystem::path& path) {

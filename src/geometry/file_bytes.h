@@ -9,19 +9,26 @@
 #include <string>
 
 #include "geometry/expected.h"
+#include "geometry/large_pages.h"
 
 namespace tactooth {
 
 /// The content of a file, in memory.
 class FileBytes {
 public:
-    FileBytes(std::unique_ptr<std::byte[]> data, std::size_t size) : data_(std::move(data)), size_(size) {}
+    /// `data` holds `size` bytes and comes from allocateOnLargePages.
+    FileBytes(std::byte* data, std::size_t size) : data_(data), size_(size) {}
 
+    /// Keeps the first `size` bytes alone.
+    void shorten(std::size_t size) { size_ = size; }
     [[nodiscard]] std::size_t size() const { return size_; }
     [[nodiscard]] std::span<const std::byte> bytes() const { return {data_.get(), size_}; }
 
 private:
-    std::unique_ptr<std::byte[]> data_;
+    struct Free {
+        void operator()(std::byte* data) const { freeLargePages(data); }
+    };
+    std::unique_ptr<std::byte[], Free> data_;
     std::size_t size_;
 };
 

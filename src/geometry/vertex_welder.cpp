@@ -3,12 +3,33 @@
 #include "geometry/vertex_welder.h"
 
 #include <algorithm>
+#include <array>
 
 namespace tactooth {
 
 VertexWelder::VertexWelder(std::size_t expectedVertices)
     : table_(std::bit_ceil(std::max<std::size_t>(2 * expectedVertices, 16)), kFree), mask_(table_.size() - 1) {
     vertices_.reserve(expectedVertices);
+}
+
+void VertexWelder::addAll(std::span<const Vec3f> positions, std::uint32_t* numbers) {
+    // Table and vertices of a scanned tooth do not fit into the second-level cache. While the memory fetches what one
+    // position needs, the next ones are hashed.
+    constexpr std::size_t kBlock = 48;
+    std::array<std::size_t, kBlock> slots;
+    while (!positions.empty()) {
+        const std::span<const Vec3f> block = positions.first(std::min(kBlock, positions.size()));
+        for (std::size_t i = 0; i < block.size(); ++i) {
+            slots[i] = hash(block[i]);
+            __builtin_prefetch(&table_[slots[i] & mask_]);
+        }
+        for (std::size_t i = 0; i < block.size(); ++i) {
+            const std::uint32_t vertex = table_[slots[i] & mask_];
+            if (vertex != kFree) __builtin_prefetch(&vertices_[vertex]);
+        }
+        for (std::size_t i = 0; i < block.size(); ++i) *numbers++ = add(block[i], slots[i]);
+        positions = positions.subspan(block.size());
+    }
 }
 
 std::uint32_t VertexWelder::insert(const Vec3f& position, std::size_t slot) {
@@ -34,13 +55,8 @@ TriangleMesh weld(std::span<const Vec3f> corners) {
     assert(corners.size() % 3 == 0);
     VertexWelder welder(corners.size() / 6 + 2);  // a closed surface has half as many vertices as triangles
     TriangleMesh mesh;
-    mesh.triangles.reserve(corners.size() / 3);
-    for (std::size_t corner = 0; corner < corners.size(); corner += 3) {
-        const std::uint32_t a = welder.add(corners[corner]);
-        const std::uint32_t b = welder.add(corners[corner + 1]);
-        const std::uint32_t c = welder.add(corners[corner + 2]);
-        mesh.triangles.push_back({a, b, c});
-    }
+    mesh.triangles.resize(corners.size() / 3);
+    if (!corners.empty()) welder.addAll(corners, mesh.triangles.front().data());
     mesh.vertices = welder.takeVertices();
     return mesh;
 }

@@ -22,13 +22,10 @@ public:
     explicit VertexWelder(std::size_t expectedVertices);
 
     /// The number of the vertex at `position` (finite).
-    std::uint32_t add(const Vec3f& position) {
-        for (std::size_t slot = hash(position) & mask_;; slot = (slot + 1) & mask_) {
-            const std::uint32_t vertex = table_[slot];
-            if (vertex == kFree) return insert(position, slot);
-            if (vertices_[vertex] == position) return vertex;
-        }
-    }
+    std::uint32_t add(const Vec3f& position) { return add(position, hash(position)); }
+
+    /// The same for many positions (finite), which costs less than one by one: `numbers[i]` is that of `positions[i]`.
+    void addAll(std::span<const Vec3f> positions, std::uint32_t* numbers);
 
     /// The distinct positions by number; the welder is used up.
     [[nodiscard]] std::vector<Vec3f> takeVertices() { return std::move(vertices_); }
@@ -47,6 +44,13 @@ private:
         return static_cast<std::size_t>(mixed ^ (mixed >> 33));
     }
 
+    std::uint32_t add(const Vec3f& position, std::size_t hashed) {
+        for (std::size_t slot = hashed & mask_;; slot = (slot + 1) & mask_) {
+            const std::uint32_t vertex = table_[slot];
+            if (vertex == kFree) return insert(position, slot);
+            if (vertices_[vertex] == position) return vertex;
+        }
+    }
     std::uint32_t insert(const Vec3f& position, std::size_t slot);
     void grow();
 

@@ -13,7 +13,7 @@ std::vector<std::uint32_t> trianglesTouching(const SurfacePart& part, const Box3
     if (tree.empty()) return found;
     std::array<AabbTree::Link, AabbTree::kStackSize> stack;
     int size = 0;
-    stack[size++] = AabbTree::Link::toNode(0);
+    stack[size++] = tree.rootLink();
     const auto overlaps = [&](const auto& low, const auto& high) {
         for (int axis = 0; axis < 3; ++axis) {
             if (!(low(axis) <= box.max()[axis] && high(axis) >= box.min()[axis])) return false;

@@ -32,7 +32,8 @@ Box3 wallBox(const Lattice& lattice, const BrickKey& key) {
 
 }  // namespace
 
-LiveSurface::LiveSurface(const CutVolume& volume) : base_(volume.tooth()->outer()), lattice_(volume.lattice()) {
+LiveSurface::LiveSurface(const CutVolume& volume)
+    : base_(volume.tooth()->outer()), lattice_(volume.lattice()), thinner_(base_->tree()) {
     snapshot_ = std::make_shared<const Surface>(Surface{base_, nullptr, {}, 0});
 }
 
@@ -40,6 +41,7 @@ void LiveSurface::reset() {
     cells_.clear();
     patches_.clear();
     hidden_.clear();
+    thinner_.showAll();
     failures_ = 0;
     snapshot_ = std::make_shared<const Surface>(Surface{base_, nullptr, {}, snapshot_->revision + 1});
 }
@@ -125,6 +127,7 @@ void LiveSurface::storeBase(const std::vector<std::uint32_t>& triangles, std::ve
         const std::uint32_t t = triangles[i];
         const std::uint64_t bit = std::uint64_t{1} << (t % 64);
         hidden_[t / 64] = results[i].hidden ? hidden_[t / 64] | bit : hidden_[t / 64] & ~bit;
+        thinner_.setHidden(t, results[i].hidden);
         failures_ += results[i].failed;
         const BrickKey home = lattice_.brickAt((mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3);
         const auto cell = cells_.find(home);
@@ -163,6 +166,7 @@ void LiveSurface::publish(std::vector<BrickKey> dirty) {
         }
     }
     Surface surface{base_, std::make_shared<const TriangleMask>(hidden_), {}, snapshot_->revision + 1};
+    surface.thinned = std::make_shared<const AabbTree>(thinner_.thinned());
     surface.patches.reserve(patches_.size());
     for (const auto& [key, part] : patches_) surface.patches.push_back(part);
     snapshot_ = std::make_shared<const Surface>(std::move(surface));

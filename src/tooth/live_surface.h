@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "collision/surface.h"
+#include "collision/tree_thinner.h"
 #include "tooth/base_cutter.h"
 #include "tooth/cut_volume.h"
 #include "tooth/margin_cutter.h"
@@ -58,6 +59,7 @@ private:
     std::map<BrickKey, Cell> cells_;
     std::map<BrickKey, std::shared_ptr<const SurfacePart>> patches_;
     TriangleMask hidden_;
+    TreeThinner thinner_;  ///< of the same triangles
     std::shared_ptr<const Surface> snapshot_;
     std::size_t failures_ = 0;
 };

@@ -3,7 +3,9 @@
 #include "collision/aabb_tree.h"
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
+#include <algorithm>
 #include <random>
 #include <set>
 
@@ -42,9 +44,33 @@ void walk(const AabbTree& tree, AabbTree::Link link, const Vec3f& low, const Vec
 void expectHoldsEachTriangleOnce(const TriangleMesh& mesh) {
     const AabbTree tree(mesh);
     std::multiset<std::uint32_t> triangles;
-    walk(tree, AabbTree::Link::toNode(0), tree.box().min().cast<float>(), tree.box().max().cast<float>(), 0, triangles);
+    walk(tree, tree.rootLink(), tree.box().min().cast<float>(), tree.box().max().cast<float>(), 0, triangles);
     ASSERT_EQ(triangles.size(), mesh.triangles.size());
     ASSERT_EQ(std::set<std::uint32_t>(triangles.begin(), triangles.end()).size(), mesh.triangles.size());
+}
+
+/// Every box and every triangle of a tree, in the order of a walk.
+void describe(const AabbTree& tree, AabbTree::Link link, std::vector<std::vector<float>>& boxes,
+              std::vector<std::uint32_t>& triangles) {
+    if (link.isLeaf()) {
+        const AabbTree::Leaf& leaf = tree.leaf(link);
+        triangles.insert(triangles.end(), leaf.triangle, leaf.triangle + leaf.count);
+        return;
+    }
+    const AabbTree::Node& node = tree.node(link);
+    boxes.emplace_back(&node.low[0][0], &node.low[0][0] + 3 * AabbTree::kWidth);
+    boxes.emplace_back(&node.high[0][0], &node.high[0][0] + 3 * AabbTree::kWidth);
+    for (int i = 0; i < AabbTree::kWidth && node.low[0][i] <= node.high[0][i]; ++i)
+        describe(tree, node.child[i], boxes, triangles);
+}
+
+void expectEqual(const AabbTree& a, const AabbTree& b) {
+    std::vector<std::vector<float>> boxesOfA, boxesOfB;
+    std::vector<std::uint32_t> trianglesOfA, trianglesOfB;
+    describe(a, a.rootLink(), boxesOfA, trianglesOfA);
+    describe(b, b.rootLink(), boxesOfB, trianglesOfB);
+    EXPECT_EQ(boxesOfA, boxesOfB);
+    EXPECT_EQ(trianglesOfA, trianglesOfB);
 }
 
 }  // namespace
@@ -72,6 +98,15 @@ TEST(AabbTree, StaysShallowWhenSizesGrowExponentially) {
         mesh.triangles.push_back({first, first + 1, first + 2});
     }
     expectHoldsEachTriangleOnce(mesh);
+}
+
+TEST(AabbTree, IsTheSameFromOneThread) {
+    TriangleMesh mesh = test::sphere(Vec3(1, 2, 3), 5, 300, 150);
+    ASSERT_GT(mesh.triangles.size(), 80000U);  // enough for every parallel way through the build
+    std::ranges::shuffle(mesh.triangles, std::mt19937(7));
+    const AabbTree tree(mesh);
+    const tbb::global_control single(tbb::global_control::max_allowed_parallelism, 1);
+    expectEqual(AabbTree(mesh), tree);
 }
 
 TEST(AabbTree, OfAnEmptyMeshIsEmpty) { EXPECT_TRUE(AabbTree(TriangleMesh{}).empty()); }

@@ -194,6 +194,9 @@ TEST(StlReader, RefusesCoordinatesThatAreNotFinite) {
         EXPECT_THAT(refusal(binaryStl("", 4, triangles)),
                     AllOf(HasSubstr("triangle 3 (byte 196)"), HasSubstr("not a finite number")));
     }
+    std::vector<std::array<float, 9>> many(50, kTetrahedron[0]);
+    many[40][0] = std::numeric_limits<float>::infinity();
+    EXPECT_THAT(refusal(binaryStl("", 50, many)), HasSubstr("triangle 41 (byte 2096)"));
     for (const char* bad : {"nan", "inf", "-inf", "1e39", "1e999"}) {
         EXPECT_THAT(refusal(replaced(kAsciiTriangle, "1.5 0 0", std::string("1.5 ") + bad + " 0")),
                     AllOf(HasSubstr("line 5"), HasSubstr("finite coordinate"), HasSubstr(bad)));

@@ -49,6 +49,19 @@ TEST(VertexWelder, AgreesWithAnOrderedMapOnRandomPositions) {
     EXPECT_EQ(welder.takeVertices().size(), oracle.size());
 }
 
+TEST(VertexWelder, NumbersManyAtOnceAsOneByOne) {
+    std::mt19937 random(20261121);
+    std::vector<Vec3f> positions(10007);  // not a multiple of any block
+    const auto coordinate = [&] { return static_cast<float>(static_cast<int>(random() % 31) - 15) / 4; };
+    for (Vec3f& position : positions) position = {coordinate(), coordinate(), coordinate()};
+    VertexWelder oneByOne(1), atOnce(1);
+    std::vector<std::uint32_t> expected(positions.size()), numbers(positions.size());
+    std::ranges::transform(positions, expected.begin(), [&](const Vec3f& p) { return oneByOne.add(p); });
+    atOnce.addAll(positions, numbers.data());
+    EXPECT_EQ(numbers, expected);
+    EXPECT_EQ(atOnce.takeVertices(), oneByOne.takeVertices());
+}
+
 TEST(Weld, KeepsOrderAndCountOfTriangles) {
     const std::vector<Vec3f> corners = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 0, 0}, {0, 0, 0}};
     const TriangleMesh mesh = weld(corners);

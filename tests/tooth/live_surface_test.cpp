@@ -10,6 +10,7 @@
 #include <random>
 #include <set>
 
+#include "collision/closest_point.h"
 #include "geometry/mesh_report.h"
 #include "geometry/stl_reader.h"
 #include "geometry/stl_writer.h"
@@ -129,6 +130,53 @@ TEST(LiveSurface, UntouchedTrianglesKeepTheirBits) {
         for (int c = 0; c < 3; ++c) ASSERT_EQ(mesh.corner(next, c), base.corner(t, c));
         ++next;
     }
+}
+
+/// The triangles of all leaves that a walk over the base's visible tree reaches.
+std::set<std::uint32_t> reached(const Surface& surface) {
+    std::set<std::uint32_t> triangles;
+    const auto& [tree, hidden] = visibleBase(surface);
+    std::vector<AabbTree::Link> open = {tree.rootLink()};
+    while (!open.empty()) {
+        const AabbTree::Link link = open.back();
+        open.pop_back();
+        if (link.isLeaf()) {
+            const AabbTree::Leaf& leaf = tree.leaf(link);
+            triangles.insert(leaf.triangle, leaf.triangle + leaf.count);
+            continue;
+        }
+        const AabbTree::Node& node = tree.node(link);
+        for (int i = 0; i < AabbTree::kWidth && node.low[0][i] <= node.high[0][i]; ++i) open.push_back(node.child[i]);
+    }
+    return triangles;
+}
+
+TEST(LiveSurface, WalksMeetTheVisibleTrianglesOfTheBaseAlone) {
+    Patient patient(fineSphere());
+    patient.cut(ballBur(0.4), at(0, 0, 0.2), at(0, 0, -0.4));
+    const auto cut = patient.surface.snapshot();
+    ASSERT_EQ(visibleBase(*cut).hidden, nullptr);
+    std::set<std::uint32_t> visible;
+    for (std::uint32_t t = 0; t < cut->base->mesh().triangles.size(); ++t)
+        if (!isHidden(*cut->hidden, t)) visible.insert(t);
+    EXPECT_LT(visible.size(), cut->base->mesh().triangles.size());
+    EXPECT_EQ(reached(*cut), visible);
+
+    Surface masked = *cut;
+    masked.thinned = nullptr;
+    std::mt19937 random(20261121);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    int inside = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const Vec3 point = Vec3(0, 0, -0.2) + 0.6 * Vec3(unit(random), unit(random), unit(random));
+        ASSERT_EQ(contains(*cut, point), contains(masked, point)) << point.transpose();
+        inside += contains(*cut, point) ? 1 : 0;
+    }
+    EXPECT_GT(inside, 200);
+    EXPECT_LT(inside, 1800);
+
+    patient.surface.reset();
+    EXPECT_EQ(reached(*patient.surface.snapshot()).size(), cut->base->mesh().triangles.size());
 }
 
 TEST(LiveSurface, RandomCuttingOfABallStaysClosed) {

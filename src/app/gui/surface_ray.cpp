@@ -46,12 +46,12 @@ double entry(const AabbTree::Node& node, int i, const Ray& ray, double best) {
     return enter <= leave + kRounding ? enter : kNever;
 }
 
-double alongPart(const SurfacePart& part, const TriangleMask* hidden, const Ray& ray, double best) {
-    const AabbTree& tree = part.tree();
+double alongPart(const SurfacePart& part, const VisibleBase& visible, const Ray& ray, double best) {
+    const auto& [tree, hidden] = visible;
     if (tree.empty()) return best;
     std::array<AabbTree::Link, AabbTree::kStackSize> stack;
     int size = 0;
-    stack[size++] = AabbTree::Link::toNode(0);
+    stack[size++] = tree.rootLink();
     while (size > 0) {
         const AabbTree::Link link = stack[--size];
         if (!link.isLeaf()) {
@@ -74,8 +74,8 @@ double alongPart(const SurfacePart& part, const TriangleMask* hidden, const Ray&
 }  // namespace
 
 std::optional<double> firstHit(const Surface& surface, const Ray& ray) {
-    double best = alongPart(*surface.base, surface.hidden.get(), ray, kNever);
-    for (const auto& patch : surface.patches) best = alongPart(*patch, nullptr, ray, best);
+    double best = alongPart(*surface.base, visibleBase(surface), ray, kNever);
+    for (const auto& patch : surface.patches) best = alongPart(*patch, {patch->tree(), nullptr}, ray, best);
     return best < kNever ? std::optional(best) : std::nullopt;
 }
 

@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "collision/tree_thinner.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <limits>
+
+#include "geometry/parallel_for.h"
+
+// A new version of the tree copies the way from the root to what has changed and shares the rest: J. R. Driscoll et
+// al., "Making Data Structures Persistent", J. Computer and System Sciences 38, 1989, "path copying". Differs from the
+// paper: every version is made from the first one, so that none keeps another alive.
+
+namespace tactooth {
+namespace {
+
+constexpr std::uint32_t kWidth = AabbTree::kWidth;
+constexpr std::size_t kGrain = 4096;  // nodes or leaves that make a task of some 20 us
+
+bool isPresent(const AabbTree::Node& node, int child) { return node.low[0][child] <= node.high[0][child]; }
+
+/// No children: every box inverted and infinite.
+AabbTree::Node emptyNode() {
+    AabbTree::Node node;
+    std::fill_n(&node.low[0][0], 3 * kWidth, std::numeric_limits<float>::infinity());
+    std::fill_n(&node.high[0][0], 3 * kWidth, -std::numeric_limits<float>::infinity());
+    return node;
+}
+
+}  // namespace
+
+TreeThinner::TreeThinner(const AabbTree& whole)
+    : whole_(whole),
+      aboveNode_(whole.wholeNodes_, kNoSlot),
+      aboveLeaf_(whole.wholeLeaves_),
+      hiddenLanes_(whole.wholeLeaves_),
+      touched_(whole.wholeNodes_) {
+    assert(whole.nodes_.empty());
+    if (whole.empty()) return;
+    std::size_t triangles = 0;
+    for (const AabbTree::Leaf& leaf : whole.leaves()) triangles += leaf.count;
+    laneOf_.resize(triangles);
+    const auto noteLeaf = [&](std::size_t i) {
+        const AabbTree::Leaf& leaf = whole.leaves()[i];
+        for (std::uint32_t lane = 0; lane < leaf.count; ++lane)
+            laneOf_[leaf.triangle[lane]] = static_cast<std::uint32_t>(i) * kWidth + lane;
+    };
+    parallelFor(whole.wholeLeaves_, noteLeaf, kGrain);
+    const auto noteNode = [&](std::size_t i) {
+        const AabbTree::Node& node = whole.wholeNode_[i];
+        for (std::uint32_t child = 0; child < kWidth && isPresent(node, static_cast<int>(child)); ++child) {
+            std::vector<Slot>& above = node.child[child].isLeaf() ? aboveLeaf_ : aboveNode_;
+            above[node.child[child].index()] = static_cast<std::uint32_t>(i) * kWidth + child;
+        }
+    };
+    parallelFor(whole.wholeNodes_, noteNode, kGrain);
+}
+
+void TreeThinner::setHidden(std::uint32_t triangle, bool hidden) {
+    const std::uint32_t leaf = laneOf_[triangle] / kWidth;
+    std::uint8_t* mask = &hiddenLanes_[leaf];
+    std::uint32_t bit = laneOf_[triangle] % kWidth;
+    Slot above = aboveLeaf_[leaf];
+    while (((*mask >> bit) & 1U) != static_cast<unsigned>(hidden)) {
+        const bool wasTouched = *mask != 0;
+        *mask ^= static_cast<std::uint8_t>(1U << bit);
+        if (wasTouched == (*mask != 0) || above == kNoSlot) return;
+        mask = &touched_[above / kWidth];
+        bit = above % kWidth;
+        above = aboveNode_[above / kWidth];
+    }
+}
+
+void TreeThinner::showAll() {
+    std::ranges::fill(hiddenLanes_, std::uint8_t{0});
+    std::ranges::fill(touched_, std::uint8_t{0});
+}
+
+std::optional<TreeThinner::Kept> TreeThinner::keepLeaf(std::uint32_t number, AabbTree& tree) const {
+    const AabbTree::Leaf& from = whole_.wholeLeaf_[number];
+    std::uint32_t left = ((1U << from.count) - 1U) & ~std::uint32_t{hiddenLanes_[number]};
+    if (left == 0) return std::nullopt;
+    AabbTree::Leaf& leaf = tree.leaves_.emplace_back();
+    leaf.count = static_cast<std::uint32_t>(std::popcount(left));
+    const int first = std::countr_zero(left);
+    for (std::uint32_t lane = 0; lane < kWidth; ++lane, left &= left - 1) {
+        const int source = left != 0 ? std::countr_zero(left) : first;
+        leaf.triangle[lane] = from.triangle[source];
+        for (int corner = 0; corner < 3; ++corner)
+            for (int axis = 0; axis < 3; ++axis) leaf.corner[corner][axis][lane] = from.corner[corner][axis][source];
+    }
+    Kept kept{
+        AabbTree::Link::toLeaf(whole_.wholeLeaves_ + static_cast<std::uint32_t>(tree.leaves_.size()) - 1), {}, {}};
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto& [a, b, c] = leaf.corner;
+        kept.low[axis] =
+            std::min({*std::min_element(a[axis], a[axis] + kWidth), *std::min_element(b[axis], b[axis] + kWidth),
+                      *std::min_element(c[axis], c[axis] + kWidth)});
+        kept.high[axis] =
+            std::max({*std::max_element(a[axis], a[axis] + kWidth), *std::max_element(b[axis], b[axis] + kWidth),
+                      *std::max_element(c[axis], c[axis] + kWidth)});
+    }
+    return kept;
+}
+
+std::optional<TreeThinner::Kept> TreeThinner::keepChild(const AabbTree::Node& node, std::uint32_t number, int child,
+                                                        AabbTree& tree) const {
+    const AabbTree::Link link = node.child[child];
+    if (((touched_[number] >> child) & 1U) != 0)
+        return link.isLeaf() ? keepLeaf(link.index(), tree) : keepNode(link.index(), tree);
+    Kept kept{link, {}, {}};
+    for (int axis = 0; axis < 3; ++axis) {
+        kept.low[axis] = node.low[axis][child];
+        kept.high[axis] = node.high[axis][child];
+    }
+    return kept;
+}
+
+std::optional<TreeThinner::Kept> TreeThinner::keepNode(std::uint32_t number, AabbTree& tree) const {
+    const AabbTree::Node& from = whole_.wholeNode_[number];
+    AabbTree::Node node = emptyNode();
+    int count = 0;
+    for (int child = 0; child < AabbTree::kWidth && isPresent(from, child); ++child) {
+        const std::optional<Kept> kept = keepChild(from, number, child, tree);
+        if (!kept) continue;
+        for (int axis = 0; axis < 3; ++axis) {
+            node.low[axis][count] = kept->low[axis];
+            node.high[axis][count] = kept->high[axis];
+        }
+        node.child[count++] = kept->link;
+    }
+    if (count == 0) return std::nullopt;
+    Kept whole{{}, {}, {}};
+    for (int axis = 0; axis < 3; ++axis) {
+        whole.low[axis] = *std::min_element(node.low[axis], node.low[axis] + kWidth);
+        whole.high[axis] = *std::max_element(node.high[axis], node.high[axis] + kWidth);
+    }
+    whole.link = AabbTree::Link::toNode(whole_.wholeNodes_ + static_cast<std::uint32_t>(tree.nodes_.size()));
+    tree.nodes_.push_back(node);
+    return whole;
+}
+
+AabbTree TreeThinner::thinned() const {
+    if (whole_.empty() || touched_[whole_.root_.index()] == 0) return whole_;
+    AabbTree tree = whole_;
+    const std::optional<Kept> root = keepNode(whole_.root_.index(), tree);
+    tree.box_.setEmpty();
+    if (!root) return tree;
+    tree.root_ = root->link;
+    for (const float* corner : {root->low, root->high}) tree.box_.extend(Vec3(corner[0], corner[1], corner[2]));
+    return tree;
+}
+
+}  // namespace tactooth
