@@ -9,12 +9,12 @@ namespace {
 
 constexpr double kTurbineFromRpm = 100000;  // air drives: turbines run at 200,000 and more, air motors below 40,000
 
+}  // namespace
+
 MotorKind motorOf(const SpindlePreset& spindle) {
     if (spindle.pedalCurve == PedalCurve::electric) return MotorKind::Electric;
     return spindle.freeSpeedRpm >= kTurbineFromRpm ? MotorKind::AirTurbine : MotorKind::LowSpeed;
 }
-
-}  // namespace
 
 DrillSoundState soundOf(const Tick& tick, const SpindlePreset& spindle) {
     DrillSoundState state;

@@ -7,6 +7,9 @@
 
 namespace tactooth {
 
+/// Which of the three kinds of tones a drive has.
+[[nodiscard]] MotorKind motorOf(const SpindlePreset& spindle);
+
 /// How a tick sounds with this drive. Allocates nothing: fit for the servo thread.
 [[nodiscard]] DrillSoundState soundOf(const Tick& tick, const SpindlePreset& spindle);
 

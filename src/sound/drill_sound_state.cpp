@@ -14,7 +14,7 @@ namespace {
 // Band centres: hard and brittle 6-10 kHz, dentin and composite 3-6 kHz, softened tissue 1-3 kHz (healthy tissue
 // sounds treble, carious tissue bass). Taps: the stiffer the contact, the shorter the knock and the higher its
 // ring; decays of some milliseconds, since the ligament damps a tooth at once.
-constexpr std::array<std::pair<std::string_view, SoundCharacter>, 7> kCharacters{{
+constexpr std::array<std::pair<std::string_view, SoundCharacter>, 8> kCharacters{{
     {"enamel", {7700.0, 0.75, 1.0, 0.4, 3900.0, 0.006, 0.8}},
     {"dentin", {4200.0, 1.0, 0.9, 0.3, 2100.0, 0.005, 0.35}},
     {"pulp", {700.0, 1.5, 0.25, 0.0, 180.0, 0.008, 0.0}},
@@ -22,6 +22,7 @@ constexpr std::array<std::pair<std::string_view, SoundCharacter>, 7> kCharacters
     {"amalgam", {8200.0, 0.6, 1.0, 0.2, 4600.0, 0.012, 0.9}},
     {"restoration", {4900.0, 0.8, 0.85, 0.1, 2500.0, 0.004, 0.3}},
     {"composite", {4900.0, 0.8, 0.85, 0.1, 2500.0, 0.004, 0.3}},
+    {"other", {4200.0, 1.0, 0.9, 0.3, 2100.0, 0.005, 0.35}},
 }};
 
 constexpr double kTopSpeedRpm = 1.0e6;    // twice the fastest turbine on sale
@@ -45,10 +46,15 @@ SoundCharacter sanitisedCharacter(const SoundCharacter& character) {
 
 }  // namespace
 
-SoundCharacter soundCharacterOf(std::string_view material) {
+std::optional<SoundCharacter> findSoundCharacter(std::string_view material) {
     const auto* found = std::find_if(kCharacters.begin(), kCharacters.end(),
                                      [&](const auto& entry) { return entry.first == material; });
-    return found != kCharacters.end() ? found->second : soundCharacterOf("dentin");
+    if (found == kCharacters.end()) return std::nullopt;
+    return found->second;
+}
+
+SoundCharacter soundCharacterOf(std::string_view material) {
+    return findSoundCharacter(material).value_or(*findSoundCharacter("dentin"));
 }
 
 DrillSoundState sanitised(const DrillSoundState& state) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 namespace tactooth {
@@ -18,8 +19,11 @@ struct SoundCharacter {
     double tapBrightness = 0.5;    ///< 0: that lowest tone alone ("thud"); 1: two higher ones as strong ("tick")
 };
 
-/// The characters of the usual materials. An unknown name sounds like dentin.
-/// Names: "enamel", "dentin", "pulp", "caries", "amalgam", "composite" and "restoration" (which sounds as composite).
+/// The characters of the usual materials; none for an unknown name.
+/// Names: "enamel", "dentin", "pulp", "caries", "amalgam", "composite", "restoration" (which sounds as composite) and
+/// "other" (as dentin).
+[[nodiscard]] std::optional<SoundCharacter> findSoundCharacter(std::string_view material);
+/// The same, but an unknown name sounds like dentin.
 [[nodiscard]] SoundCharacter soundCharacterOf(std::string_view material);
 
 /// What drives the spindle: decides which tones accompany the rotation.

@@ -81,9 +81,9 @@ Expected<void> check(std::span<const TimedSoundState> track, double seconds) {
     }
     if (track.empty()) return unexpected("There is nothing to make a sound of: the session has no moment at all.");
     for (std::size_t i = 0; i < track.size(); ++i) {
-        const bool ascends = i == 0 || track[i].time > track[i - 1].time;
+        const bool ascends = i == 0 || track[i].time >= track[i - 1].time;
         if (std::isfinite(track[i].time) && ascends) continue;
-        return unexpected("The times of the sound's states have to ascend, but number " + std::to_string(i + 1) +
+        return unexpected("The times of the sound's states may not run backwards, but number " + std::to_string(i + 1) +
                           " is at " + std::to_string(track[i].time) + " s.");
     }
     return {};

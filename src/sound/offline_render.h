@@ -31,8 +31,9 @@ using StereoSamples = std::vector<float>;
 
 /// What a listener would have heard in the `seconds` from time 0: rendered through OpenAL's loopback device, no sound
 /// card needed, as fast as the machine goes. Between two states numbers go in a straight line, and the rest is held; so
-/// it is before the first and after the last. Sample n belongs to the time n / kSoundRate, exactly. Errors: no state,
-/// times that do not ascend, a length that is not finite or over an hour, an OpenAL without loopback.
+/// it is before the first and after the last; of two states at one time the later one counts from then on. Sample n
+/// belongs to the time n / kSoundRate, exactly. Errors: no state, times that run backwards, a length that is not finite
+/// or over an hour, an OpenAL without loopback.
 [[nodiscard]] Expected<StereoSamples> renderOffline(std::span<const TimedSoundState> track, double seconds,
                                                     const OfflineSettings& settings = {});
 

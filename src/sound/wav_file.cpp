@@ -56,6 +56,8 @@ struct CloseSoundFile {
     void operator()(SNDFILE* file) const { sf_close(file); }
 };
 
+}  // namespace
+
 Expected<std::vector<std::byte>> wavBytes(std::span<const float> stereo) {
     SF_INFO info{};
     info.samplerate = kSoundRate;
@@ -73,8 +75,6 @@ Expected<std::vector<std::byte>> wavBytes(std::span<const float> stereo) {
     if (complete && closed) return std::move(written.bytes);
     return unexpected("The sound could not be made into a WAV file, which holds at most 4 GB; make it shorter.");
 }
-
-}  // namespace
 
 Expected<void> writeWav(const std::filesystem::path& path, std::span<const float> stereo) {
     const Expected<std::vector<std::byte>> bytes = wavBytes(stereo);
