@@ -87,6 +87,10 @@ Expected<std::vector<TimedSoundState>> readSoundProfile(const std::filesystem::p
         return unexpected(table->where(table->rows() - 1) +
                           ": the rows span no time, so there is nothing to hear; add a row with a later t.");
     }
+    if (track.back().time > kLongestSound) {
+        return unexpected(table->where(table->rows() - 1) +
+                          ": this is more than an hour after the first row; cut the profile into shorter ones.");
+    }
     nameMaterials(*table, track);
     return track;
 }

@@ -17,8 +17,6 @@ namespace tactooth {
 
 namespace {
 
-constexpr double kLongest = 3600.0;  // s: 1.4 GB of samples
-
 /// The loopback device's own entry points; all null where the implementation has none.
 struct LoopbackFunctions {
     LPALCLOOPBACKOPENDEVICESOFT open = nullptr;
@@ -75,9 +73,10 @@ private:
 };
 
 Expected<void> check(std::span<const TimedSoundState> track, double seconds) {
-    if (!(seconds > 0.0 && seconds <= kLongest)) {
+    if (!(seconds > 0.0 && seconds <= kLongestSound)) {
         return unexpected("The length of the sound has to be more than 0 and at most " +
-                          std::to_string(static_cast<int>(kLongest)) + " s, but is " + std::to_string(seconds) + " s.");
+                          std::to_string(static_cast<int>(kLongestSound)) + " s, but is " + std::to_string(seconds) +
+                          " s.");
     }
     if (track.empty()) return unexpected("There is nothing to make a sound of: the session has no moment at all.");
     for (std::size_t i = 0; i < track.size(); ++i) {

@@ -29,11 +29,14 @@ struct OfflineSettings {
 /// Two channels, left and right sample by turns, at kSoundRate.
 using StereoSamples = std::vector<float>;
 
+/// s: 1.4 GB of samples.
+inline constexpr double kLongestSound = 3600;
+
 /// What a listener would have heard in the `seconds` from time 0: rendered through OpenAL's loopback device, no sound
 /// card needed, as fast as the machine goes. Between two states numbers go in a straight line, and the rest is held; so
 /// it is before the first and after the last; of two states at one time the later one counts from then on. Sample n
 /// belongs to the time n / kSoundRate, exactly. Errors: no state, times that run backwards, a length that is not finite
-/// or over an hour, an OpenAL without loopback.
+/// or over kLongestSound, an OpenAL without loopback.
 [[nodiscard]] Expected<StereoSamples> renderOffline(std::span<const TimedSoundState> track, double seconds,
                                                     const OfflineSettings& settings = {});
 

@@ -93,6 +93,8 @@ TEST(SoundProfile, RefusesWithFileAndLine) {
     EXPECT_THAT(refusal(good + "1,nan,2,enamel\n"), HasSubstr("line 3: column 'speed_rpm': expected a finite number"));
     EXPECT_THAT(refusal(good + "1,5,2\n"), HasSubstr("line 3: expected 4 fields"));
     EXPECT_THAT(refusal(good), HasSubstr("line 2: the rows span no time"));
+    EXPECT_THAT(refusal(good + "3601,1000,0,none\n"), HasSubstr("line 3: this is more than an hour after"));
+    EXPECT_THAT(refusal("-1e308,1,0,none\n1e308,1,0,none\n"), HasSubstr("line 3: this is more than an hour after"));
     EXPECT_THAT(refusal(""), HasSubstr("speed.csv: there are no rows"));
 }
 
