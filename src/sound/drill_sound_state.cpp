@@ -65,6 +65,8 @@ DrillSoundState sanitised(const DrillSoundState& state) {
     safe.load = within(state.load, 0.0, 1.0, 0.0);
     safe.removalWatt = within(state.removalWatt, 0.0, kTopRemovalWatt, 0.0);
     safe.contactSpeed = within(state.contactSpeed, 0.0, kTopContactSpeed, 0.0);
+    safe.water = within(state.water, 0.0, 1.0, 0.0);
+    safe.suction = within(state.suction, 0.0, 1.0, 0.0);
     safe.material = sanitisedCharacter(state.material);
     return safe;
 }

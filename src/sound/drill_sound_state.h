@@ -41,6 +41,8 @@ struct DrillSoundState {
     SoundCharacter material;         ///< of what is being cut or was touched
     std::uint32_t contactCount = 0;  ///< goes up by one each time the instrument lands on something
     double contactSpeed = 0.0;       ///< of the last landing, along the surface's normal, mm/s
+    double water = 0.0;              ///< flow of the cooling spray, 0 off .. 1 full
+    double suction = 0.0;            ///< of the tube in the mouth, 0 off .. 1 full
 };
 
 /// `state` with every number finite and within the range that the synthesis is made for.

@@ -23,6 +23,7 @@ public:
     }
     float next() { return value_ += step_; }
     [[nodiscard]] bool isZero() const { return target_ == 0.0f && step_ == 0.0f; }
+    [[nodiscard]] bool isOne() const { return target_ == 1.0f && step_ == 0.0f; }
 
 private:
     float value_ = 0.0f;

@@ -10,7 +10,6 @@
 #include <cmath>
 #include <string>
 
-#include "sound/drill_synthesiser.h"
 #include "sound/openal_stream.h"
 
 namespace tactooth {
@@ -64,6 +63,8 @@ private:
         now.state.pedal = std::lerp(a.state.pedal, b.state.pedal, share);
         now.state.load = std::lerp(a.state.load, b.state.load, share);
         now.state.removalWatt = std::lerp(a.state.removalWatt, b.state.removalWatt, share);
+        now.state.water = std::lerp(a.state.water, b.state.water, share);
+        now.state.suction = std::lerp(a.state.suction, b.state.suction, share);
         now.placement.source += share * (b.placement.source - a.placement.source);
         return now;
     }
@@ -100,23 +101,23 @@ Expected<StereoSamples> renderOffline(std::span<const TimedSoundState> track, do
     }
 
     const ThreadContext current(stream->context());
-    DrillSynthesiser synthesiser(settings.seed);
-    synthesiser.setMixer(settings.mixer);
+    Soundscape soundscape(settings.seed);
+    soundscape.setMixer(settings.mixer);
     TrackReader reader(track);
     const auto wanted = static_cast<std::size_t>(std::llround(seconds * kSoundRate));
-    const std::size_t blocks = (wanted + DrillSynthesiser::kDelay + kSoundBlock - 1) / kSoundBlock;
+    const std::size_t blocks = (wanted + Soundscape::kDelay + kSoundBlock - 1) / kSoundBlock;
     StereoSamples stereo(blocks * kSoundBlock * 2);
-    std::array<float, kSoundBlock> mono;
+    SoundBlock block;
     for (std::size_t i = 0; i < blocks; ++i) {
         const TimedSoundState now = reader.at(static_cast<double>((i + 1) * kSoundBlock) / kSoundRate);
-        synthesiser.render(now.state, mono);
+        soundscape.render(now.state, block);
         stream->place(now.placement);
         stream->reclaim();
-        stream->queue(mono);
+        stream->queue(block);
         stream->ensurePlaying();
         loopback.render(stream->device(), &stereo[i * kSoundBlock * 2], kSoundBlock);
     }
-    stereo.erase(stereo.begin(), stereo.begin() + 2 * DrillSynthesiser::kDelay);
+    stereo.erase(stereo.begin(), stereo.begin() + 2 * Soundscape::kDelay);
     stereo.resize(wanted * 2);
     return stereo;
 }

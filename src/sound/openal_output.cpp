@@ -13,7 +13,6 @@
 #include <utility>
 
 #include "sound/audio_libraries.h"
-#include "sound/drill_synthesiser.h"
 #include "sound/openal_stream.h"
 
 namespace tactooth {
@@ -21,14 +20,15 @@ namespace tactooth {
 namespace {
 
 using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
 
-constexpr auto kPoll = 1500us;       // under a third of a block: each played block is replaced in time
-constexpr auto kRetryAfter = 3s;     // for a sound card that is plugged in later
-constexpr int kStaleBlocks = 40;     // 0.2 s without a new state: the simulation is paused or gone
-constexpr int kConnectedEvery = 50;  // blocks between two looks at the device's plug
+constexpr auto kPoll = 1500us;        // under a third of a block: each played block is replaced in time
+constexpr auto kRetryAfter = 3s;      // for a sound card that is plugged in later
+constexpr int kStaleBlocks = 80;      // 0.2 s without a new state: the simulation is paused or gone
+constexpr int kConnectedEvery = 100;  // blocks between two looks at the device's plug
 
 // Waits, unless the end is asked for first.
-void pause(const std::stop_token& stop, std::chrono::microseconds time) {
+void pause(const std::stop_token& stop, std::chrono::seconds time) {
     std::mutex mutex;
     std::condition_variable_any wake;
     std::unique_lock lock(mutex);
@@ -56,8 +56,8 @@ bool isConnected(ALCdevice* device) {
 class OpenAlOutput::Feeder {
 public:
     Feeder(OpenAlOutput& output, OpenAlStream& stream)
-        : output_(output), stream_(stream), synthesiser_(output.settings_.seed) {
-        synthesiser_.setMixer(output.mixer_.value());
+        : output_(output), stream_(stream), soundscape_(output.settings_.seed) {
+        soundscape_.setMixer(output.mixer_.value());
         stream.place(output.placement_.value());
     }
 
@@ -74,10 +74,14 @@ public:
 
 private:
     void feedBlock() {
+        const auto lastLook = std::exchange(looked_, Clock::now());
         staleBlocks_ = output_.state_.refresh() ? 0 : std::min(staleBlocks_ + 1, kStaleBlocks);
-        if (output_.mixer_.refresh()) synthesiser_.setMixer(output_.mixer_.value());
+        if (output_.mixer_.refresh()) soundscape_.setMixer(output_.mixer_.value());
         if (output_.placement_.refresh()) stream_.place(output_.placement_.value());
-        synthesiser_.render(staleBlocks_ < kStaleBlocks ? output_.state_.value() : stillDrill(), block_);
+        soundscape_.render(staleBlocks_ < kStaleBlocks ? output_.state_.value() : stillDrill(), block_);
+        const double sinceLook = started_ ? std::chrono::duration<double>(Clock::now() - lastLook).count() : 0.0;
+        constexpr double kLimiter = static_cast<double>(Soundscape::kDelay) / kSoundRate;
+        output_.latency_.store(sinceLook + stream_.delay() + kLimiter, std::memory_order_relaxed);
         stream_.queue(block_);
         ++output_.playedBlocks_;
     }
@@ -91,32 +95,40 @@ private:
 
     OpenAlOutput& output_;
     OpenAlStream& stream_;
-    DrillSynthesiser synthesiser_;
-    std::array<float, kSoundBlock> block_{};
+    Soundscape soundscape_;
+    SoundBlock block_{};
+    Clock::time_point looked_ = Clock::now();  // when the mailboxes were last emptied
     int staleBlocks_ = 0;
     std::uint64_t blocks_ = 0;
     bool started_ = false;
 };
 
 OpenAlOutput::OpenAlOutput(const OpenAlOutputSettings& settings)
-    : settings_(settings), thread_([this](const std::stop_token& stop) { run(stop); }) {}
+    : settings_(settings),
+      headphones_(settings.headphones),
+      thread_([this](const std::stop_token& stop) { run(stop); }) {}
 
 void OpenAlOutput::run(const std::stop_token& stop) {
     while (!stop.stop_requested()) {
-        playOnce(stop);
+        if (playOnce(stop)) continue;
         if (stop.stop_requested()) return;
         status_.store(SoundStatus::Silent, std::memory_order_relaxed);
         pause(stop, kRetryAfter);
     }
 }
 
-void OpenAlOutput::playOnce(const std::stop_token& stop) {
-    const std::unique_ptr<OpenAlStream> stream = openDefaultDevice(settings_.headphones);
-    if (stream == nullptr) return;
+bool OpenAlOutput::playOnce(const std::stop_token& stop) {
+    const bool headphones = headphones_.load(std::memory_order_relaxed);
+    const std::unique_ptr<OpenAlStream> stream = openDefaultDevice(headphones);
+    if (stream == nullptr) return false;
     const ThreadContext current(stream->context());
     Feeder feeder(*this, *stream);
     status_.store(SoundStatus::Playing, std::memory_order_relaxed);
-    while (!stop.stop_requested() && feeder.fill()) pause(stop, kPoll);
+    while (!stop.stop_requested() && feeder.fill()) {
+        if (headphones_.load(std::memory_order_relaxed) != headphones) return true;
+        std::this_thread::sleep_for(kPoll);
+    }
+    return false;
 }
 
 }  // namespace tactooth

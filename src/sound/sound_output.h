@@ -40,6 +40,9 @@ public:
     /// One thread (the window's); wait-free.
     virtual void setMixer(const SoundMixer& mixer) = 0;
     virtual void setPlacement(const SoundPlacement& placement) = 0;
+    /// Whether the sound is placed by the ears' own filtering (HRTF), for headphones, or by left-right balance. The
+    /// sound stops for a moment at a change.
+    virtual void setHeadphones(bool headphones) = 0;
 
     /// Any thread.
     [[nodiscard]] virtual SoundStatus status() const = 0;
