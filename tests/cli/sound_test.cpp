@@ -187,6 +187,23 @@ TEST_F(SoundCommand, EveryDriveSoundsDifferent) {
     EXPECT_NE(sounds[1], sounds[2]);
 }
 
+TEST_F(SoundCommand, SprayFollowsTheDriveAndSuctionRunsAllTheTime) {
+    const std::string rows = profile("0,0,0,none\n1,0,0,none\n1,300000,0,none\n2,300000,0,none\n");
+    const auto levels = [&](const std::vector<std::string>& flags) {
+        EXPECT_EQ(sound(rows, flags).exitCode, 0);
+        const Wav wav = readWav(out());
+        return std::pair(rms(std::span(wav.right).subspan(24000, 20000)), rms(std::span(wav.right).last(20000)));
+    };
+    const auto [still, turning] = levels({});
+    const auto [stillWet, turningWet] = levels({"--water"});
+    const auto [stillSucked, turningSucked] = levels({"--suction"});
+    EXPECT_EQ(still, 0.0);
+    EXPECT_EQ(stillWet, 0.0);
+    EXPECT_GT(turningWet, turning);
+    EXPECT_GT(stillSucked, 0.005);
+    EXPECT_GT(turningSucked, turning);
+}
+
 TEST_F(SoundCommand, DrawsTheSpectrum) {
     const std::string picture = folder_ / "out.png";
     EXPECT_EQ(sound(profile("0,0,0,none\n1,300000,0,none\n"), {"--spectrogram", picture}).exitCode, 0);

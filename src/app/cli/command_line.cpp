@@ -175,6 +175,8 @@ void addSound(CLI::App& program, Chosen& chosen) {
     command->add_option("--drive", options->drive, "turbine (default), electric (1:5) or low-speed (contra-angle)")
         ->check(CLI::IsMember({"turbine", "electric", "low-speed"}))
         ->type_name("DRIVE");
+    command->add_flag("--water", options->water, "Add the cooling spray, as long as the drive has air or current");
+    command->add_flag("--suction", options->suction, "Add the suction in the mouth");
     command->add_flag("--headphones", options->headphones,
                       "Place the sound by the ears' own filtering (HRTF) instead of by left-right balance");
 }

@@ -34,8 +34,12 @@ Expected<void> write(const SoundOptions& options, const StereoSamples& samples) 
 }  // namespace
 
 int runSound(const SoundOptions& options) {
-    const auto track = readSoundProfile(options.profile, driveNamed(options.drive));
+    auto track = readSoundProfile(options.profile, driveNamed(options.drive));
     if (!track) return refuse(track.error());
+    for (TimedSoundState& moment : *track) {
+        if (options.water) moment.state.water = moment.state.pedal;
+        if (options.suction) moment.state.suction = 1;
+    }
     prepareAudioLibraries();
     OfflineSettings settings;
     settings.headphones = options.headphones;

@@ -13,6 +13,8 @@ struct SoundOptions {
     std::filesystem::path spectrogram;  ///< empty: not written
     std::string drive = "turbine";      ///< or "electric", "low-speed"
     bool headphones = false;
+    bool water = false;
+    bool suction = false;
 };
 
 /// Renders what a bur sounds like whose speed, removal power and material a file tells over time.
