@@ -62,7 +62,10 @@ void CuttingVoice::addTo(std::span<float> out, const DrillSoundState& state, dou
     const int frames = static_cast<int>(out.size());
     const float share = glideShare(kLagSeconds, frames);
     const double throb = throbAt(turnsPerFrame.back() * kSoundRate);
-    gain_.aim(static_cast<float>(amplitudeOf(state) * volume / std::sqrt(1.0 + 0.5 * throb * throb)), share, frames);
+    const double amplitude = amplitudeOf(state) * volume;
+    if (kit_ != nullptr) addRecorded(out, state.material.kind, amplitude, turnsPerFrame);
+    const bool isRecorded = kit_ != nullptr && kit_->cutting[state.material.kind];
+    gain_.aim(static_cast<float>((isRecorded ? 0.0 : amplitude) / std::sqrt(1.0 + 0.5 * throb * throb)), share, frames);
     throb_.aim(static_cast<float>(throb), share, frames);
     if (gain_.isZero()) return;
 
@@ -72,6 +75,15 @@ void CuttingVoice::addTo(std::span<float> out, const DrillSoundState& state, dou
     for (std::size_t i = 0; i < out.size(); ++i) {
         const float swing = 1.0f + throb_.next() * sineOfTurns(rotation_.advance(turnsPerFrame[i]));
         out[i] += gain_.next() * noise_.next(swing * grains_.next());
+    }
+}
+
+void CuttingVoice::addRecorded(std::span<float> out, std::size_t kind, double amplitude,
+                               std::span<const double> turnsPerFrame) {
+    const float share = glideShare(kLagSeconds, static_cast<int>(out.size()));
+    for (std::size_t i = 0; i < kSoundMaterials; ++i) {
+        const auto& part = kit_->cutting[i];
+        if (part) recorded_[i].addTo(out, *part, i == kind ? amplitude : 0.0, share, turnsPerFrame);
     }
 }
 

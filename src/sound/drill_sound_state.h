@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 
 namespace tactooth {
@@ -17,11 +19,15 @@ struct SoundCharacter {
     double tapHz = 2200.0;         ///< lowest tone of the ring when something knocks on it
     double tapDecay = 0.004;       ///< time in which that ring falls to 1/e, s
     double tapBrightness = 0.5;    ///< 0: that lowest tone alone ("thud"); 1: two higher ones as strong ("tick")
+    std::size_t kind = 1;          ///< which of soundMaterialNames(): a recording may stand in for it
 };
 
-/// The characters of the usual materials; none for an unknown name.
-/// Names: "enamel", "dentin", "pulp", "caries", "amalgam", "composite", "restoration" (which sounds as composite) and
-/// "other" (as dentin).
+/// The materials that the sound knows: "enamel", "dentin", "pulp", "caries", "amalgam", "restoration", "composite"
+/// (which sounds as a restoration) and "other" (as dentin).
+inline constexpr std::size_t kSoundMaterials = 8;
+[[nodiscard]] std::span<const std::string_view, kSoundMaterials> soundMaterialNames();
+
+/// The character of a material; none for an unknown name.
 [[nodiscard]] std::optional<SoundCharacter> findSoundCharacter(std::string_view material);
 /// The same, but an unknown name sounds like dentin.
 [[nodiscard]] SoundCharacter soundCharacterOf(std::string_view material);

@@ -26,6 +26,11 @@ void DrillSynthesiser::setMixer(const SoundMixer& mixer) {
               .muted = mixer.muted};
 }
 
+void DrillSynthesiser::setKit(const SoundKit* kit) {
+    motor_.use(kit != nullptr && kit->motor ? &*kit->motor : nullptr);
+    cutting_.use(kit);
+}
+
 void DrillSynthesiser::render(const DrillSoundState& target, std::span<float> mono) {
     const DrillSoundState goal = sanitised(target);
     const double startRpm = speedRpm_;

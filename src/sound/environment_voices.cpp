@@ -10,8 +10,8 @@ namespace {
 
 // Beside the turbine's tone (root mean square 0.042) both stay in the background, as they do in the practice: a spray
 // adds 0.2 to 10 dB(A), and suction has 75-77 dB(A) against 76-82 of a turbine that cuts.
-constexpr float kWaterLevel = 0.007f, kSuctionLevel = 0.011f;  // root mean squares, shares of full scale
-constexpr double kValveSeconds = 0.06;                         // water and air come and go with their valves
+constexpr double kWaterLevel = 0.007, kSuctionLevel = 0.011;  // root mean squares, shares of full scale
+constexpr double kValveSeconds = 0.06;                        // water and air come and go with their valves
 
 // Spray: droplets of some tens of micrometres hiss evenly from 2.5 to 10 kHz. Trickle: bubbles of 1 to 4 mm.
 constexpr double kSprayHz = 5000.0, kSprayOctaves = 2.0;
@@ -25,6 +25,8 @@ constexpr float kTubeShare = 0.5f;
 constexpr BubbleKind kSlurp{250.0, 1300.0, 140.0, 0.4};
 constexpr float kSlurpShare = 7.0f;
 
+constexpr std::array<double, kControlFrames> kNoTurns{};  // neither follows the bur
+
 }  // namespace
 
 WaterVoice::WaterVoice(std::uint64_t seed) : hiss_(seed), trickle_(seed + 1, kTrickle) {
@@ -33,7 +35,10 @@ WaterVoice::WaterVoice(std::uint64_t seed) : hiss_(seed), trickle_(seed + 1, kTr
 
 void WaterVoice::addTo(std::span<float> out, double flow, double volume) {
     const int frames = static_cast<int>(out.size());
-    gain_.aim(kWaterLevel * static_cast<float>(flow * volume), glideShare(kValveSeconds, frames), frames);
+    const float share = glideShare(kValveSeconds, frames);
+    const double level = kWaterLevel * flow * volume;
+    if (part_ != nullptr) return recorded_.addTo(out, *part_, level, share, kNoTurns);
+    gain_.aim(static_cast<float>(level), share, frames);
     if (gain_.isZero()) return;
     std::array<float, kControlFrames> drops{};
     trickle_.addTo(std::span(drops).first(out.size()), static_cast<float>(flow));
@@ -49,7 +54,9 @@ SuctionVoice::SuctionVoice(std::uint64_t seed)
 void SuctionVoice::addTo(std::span<float> out, double flow, double water, double volume) {
     const int frames = static_cast<int>(out.size());
     const float share = glideShare(kValveSeconds, frames);
-    gain_.aim(kSuctionLevel * static_cast<float>(flow * volume), share, frames);
+    const double level = kSuctionLevel * flow * volume;
+    if (part_ != nullptr) return recorded_.addTo(out, *part_, level, share, kNoTurns);
+    gain_.aim(static_cast<float>(level), share, frames);
     const float gulp = 0.5f + 0.5f * gulp_.advance(frames);
     wet_.aim(kSlurpShare * static_cast<float>(water) * gulp * gulp, share, frames);
     if (gain_.isZero()) return;

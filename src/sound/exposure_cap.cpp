@@ -45,8 +45,6 @@ Ramp ExposureCap::gainFor(std::span<const float> sum) {
     const int frames = static_cast<int>(sum.size());
     mean_ += static_cast<double>(glideShare(kSeconds, frames)) * (power / frames - mean_);
     const auto wanted = static_cast<float>(mean_ > kCapPower ? std::sqrt(kCapPower / mean_) : 1.0);
-    if (!started_) ramp_.aim(gain_, frames);  // from the first block on, not up from silence
-    started_ = true;
     gain_ = std::max(wanted, gain_ * (1.0f - kFastestWayDown * static_cast<float>(frames) / kSoundRate));
     ramp_.aim(gain_, frames);
     return ramp_;

@@ -42,6 +42,8 @@ public:
     static constexpr double kCapDecibel = -20.0;  ///< of full scale, A-weighted
     static constexpr double kSeconds = 60.0;      ///< time constant of the mean
 
+    ExposureCap() { ramp_.jumpTo(1.0f); }
+
     /// Gain for this block, a straight way from the last block's. `sum` is the block as one listener hears it.
     [[nodiscard]] Ramp gainFor(std::span<const float> sum);
 
@@ -50,7 +52,6 @@ private:
     Ramp ramp_;
     double mean_ = 0.0;  // power
     float gain_ = 1.0f;
-    bool started_ = false;
 };
 
 }  // namespace tactooth

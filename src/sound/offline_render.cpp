@@ -101,7 +101,7 @@ Expected<StereoSamples> renderOffline(std::span<const TimedSoundState> track, do
     }
 
     const ThreadContext current(stream->context());
-    Soundscape soundscape(settings.seed);
+    Soundscape soundscape(settings.seed, settings.kit.get());
     soundscape.setMixer(settings.mixer);
     TrackReader reader(track);
     const auto wanted = static_cast<std::size_t>(std::llround(seconds * kSoundRate));

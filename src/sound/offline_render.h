@@ -3,11 +3,13 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "geometry/expected.h"
 #include "sound/drill_sound_state.h"
+#include "sound/sound_kit.h"
 #include "sound/sound_mixer.h"
 #include "sound/sound_placement.h"
 
@@ -23,7 +25,8 @@ struct TimedSoundState {
 struct OfflineSettings {
     SoundMixer mixer;
     std::uint64_t seed = 1;
-    bool headphones = false;  ///< HRTF instead of left-right balance
+    bool headphones = false;              ///< HRTF instead of left-right balance
+    std::shared_ptr<const SoundKit> kit;  ///< recordings instead of the synthesis; none: all of it synthesised
 };
 
 /// Two channels, left and right sample by turns, at kSoundRate.

@@ -56,7 +56,7 @@ bool isConnected(ALCdevice* device) {
 class OpenAlOutput::Feeder {
 public:
     Feeder(OpenAlOutput& output, OpenAlStream& stream)
-        : output_(output), stream_(stream), soundscape_(output.settings_.seed) {
+        : output_(output), stream_(stream), soundscape_(output.settings_.seed, newestKit(output)) {
         soundscape_.setMixer(output.mixer_.value());
         stream.place(output.placement_.value());
     }
@@ -77,8 +77,11 @@ private:
         const auto lastLook = std::exchange(looked_, Clock::now());
         staleBlocks_ = output_.state_.refresh() ? 0 : std::min(staleBlocks_ + 1, kStaleBlocks);
         if (output_.mixer_.refresh()) soundscape_.setMixer(output_.mixer_.value());
+        if (output_.kit_.refresh()) soundscape_.setKit(output_.kit_.value().kit);
         if (output_.placement_.refresh()) stream_.place(output_.placement_.value());
         soundscape_.render(staleBlocks_ < kStaleBlocks ? output_.state_.value() : stillDrill(), block_);
+        if (const NumberedKit& newest = output_.kit_.value(); soundscape_.kit() == newest.kit)
+            output_.settledKit_.store(newest.number, std::memory_order_release);
         const double sinceLook = started_ ? std::chrono::duration<double>(Clock::now() - lastLook).count() : 0.0;
         constexpr double kLimiter = static_cast<double>(Soundscape::kDelay) / kSoundRate;
         output_.latency_.store(sinceLook + stream_.delay() + kLimiter, std::memory_order_relaxed);
@@ -87,6 +90,11 @@ private:
     }
 
     // The same landings as before, so that nothing knocks when the simulation goes on.
+    static const SoundKit* newestKit(OpenAlOutput& output) {
+        output.kit_.refresh();
+        return output.kit_.value().kit;
+    }
+
     DrillSoundState stillDrill() const {
         DrillSoundState still;
         still.contactCount = output_.state_.value().contactCount;
@@ -107,6 +115,14 @@ OpenAlOutput::OpenAlOutput(const OpenAlOutputSettings& settings)
     : settings_(settings),
       headphones_(settings.headphones),
       thread_([this](const std::stop_token& stop) { run(stop); }) {}
+
+// Once the newest kit is the one that is played, none before it is needed any more.
+void OpenAlOutput::setKit(std::shared_ptr<const SoundKit> kit) {
+    if (kitsSet_ > 0 && settledKit_.load(std::memory_order_acquire) == kitsSet_)
+        kits_.erase(kits_.begin(), kits_.end() - 1);
+    kit_.write({kit.get(), ++kitsSet_});
+    kits_.push_back(std::move(kit));
+}
 
 void OpenAlOutput::run(const std::stop_token& stop) {
     while (!stop.stop_requested()) {

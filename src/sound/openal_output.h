@@ -7,6 +7,7 @@
 #include <memory>
 #include <stop_token>
 #include <thread>
+#include <vector>
 
 #include "geometry/latest_value.h"
 #include "sound/sound_output.h"
@@ -29,6 +30,7 @@ public:
     void setMixer(const SoundMixer& mixer) override { mixer_.write(mixer); }
     void setPlacement(const SoundPlacement& placement) override { placement_.write(placement); }
     void setHeadphones(bool headphones) override { headphones_.store(headphones, std::memory_order_relaxed); }
+    void setKit(std::shared_ptr<const SoundKit> kit) override;
     [[nodiscard]] SoundStatus status() const override { return status_.load(std::memory_order_relaxed); }
 
     /// Blocks handed to the device so far, and how often it had run out of them.
@@ -48,6 +50,14 @@ private:
     LatestValue<DrillSoundState> state_;
     LatestValue<SoundMixer> mixer_;
     LatestValue<SoundPlacement> placement_;
+    struct NumberedKit {
+        const SoundKit* kit = nullptr;
+        std::uint64_t number = 0;  // how many have been set
+    };
+    LatestValue<NumberedKit> kit_;
+    std::atomic<std::uint64_t> settledKit_{0};           // number of the one that alone is being played
+    std::vector<std::shared_ptr<const SoundKit>> kits_;  // of the thread that sets them: what may still be playing
+    std::uint64_t kitsSet_ = 0;                          // likewise
     std::atomic<bool> headphones_;
     std::atomic<SoundStatus> status_{SoundStatus::Starting};
     std::atomic<std::uint64_t> playedBlocks_{0};

@@ -20,12 +20,16 @@ std::array<float, kSoundBlock>& at(SoundBlock& block, SoundPlace place) {
 
 }  // namespace
 
-Soundscape::Soundscape(std::uint64_t seed)
+Soundscape::Soundscape(std::uint64_t seed, const SoundKit* kit)
     : drill_(seed),
       water_(seed * 16 + 11),
       suction_(seed * 16 + 13),
       waterLimiter_(kWaterCeiling),
-      suctionLimiter_(kSuctionCeiling) {}
+      suctionLimiter_(kSuctionCeiling),
+      comingKit_(kit) {
+    kitGain_.jumpTo(1.0f);
+    useKit(kit);
+}
 
 void Soundscape::setMixer(const SoundMixer& mixer) {
     drill_.setMixer(mixer);
@@ -35,6 +39,7 @@ void Soundscape::setMixer(const SoundMixer& mixer) {
 void Soundscape::render(const DrillSoundState& target, SoundBlock& block) {
     drill_.render(target, at(block, SoundPlace::Bur));
     renderEnvironment(sanitised(target), block);
+    changeKit(block);
     protectEars(block);
 }
 
@@ -50,6 +55,25 @@ void Soundscape::renderEnvironment(const DrillSoundState& state, SoundBlock& blo
     }
     waterLimiter_.process(mouth);
     suctionLimiter_.process(tube);
+}
+
+void Soundscape::changeKit(SoundBlock& block) {
+    constexpr double kSeconds = 0.004;
+    kitGain_.aim(kit_ == comingKit_ ? 1.0f : 0.0f, glideShare(kSeconds, kSoundBlock), kSoundBlock);
+    if (kitGain_.isOne()) return;
+    std::array<float, kSoundBlock> gains;
+    for (float& gain : gains) gain = kitGain_.next();
+    for (auto& place : block) {
+        for (std::size_t i = 0; i < kSoundBlock; ++i) place[i] *= gains[i];
+    }
+    if (kitGain_.isZero()) useKit(comingKit_);
+}
+
+void Soundscape::useKit(const SoundKit* kit) {
+    kit_ = kit;
+    drill_.setKit(kit);
+    water_.use(kit != nullptr && kit->water ? &*kit->water : nullptr);
+    suction_.use(kit != nullptr && kit->suction ? &*kit->suction : nullptr);
 }
 
 void Soundscape::protectEars(SoundBlock& block) {

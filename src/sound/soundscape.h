@@ -27,10 +27,16 @@ public:
     /// Samples by which the output comes later than the state it belongs to.
     static constexpr int kDelay = DrillSynthesiser::kDelay;
 
-    explicit Soundscape(std::uint64_t seed = 1);
+    /// Begins with the recordings of `kit`, see setKit().
+    explicit Soundscape(std::uint64_t seed = 1, const SoundKit* kit = nullptr);
 
     /// Volumes from the next block on; they change within some hundredths of a second.
     void setMixer(const SoundMixer& mixer);
+
+    /// Recordings to play; null: all of it synthesised. Changes within some hundredths of a second, silent in between.
+    /// `kit` stays where it is until kit() is another one.
+    void setKit(const SoundKit* kit) { comingKit_ = kit; }
+    [[nodiscard]] const SoundKit* kit() const { return kit_; }
 
     /// The next block; `target` is the state at its end.
     void render(const DrillSoundState& target, SoundBlock& block);
@@ -38,6 +44,8 @@ public:
 private:
     void renderEnvironment(const DrillSoundState& state, SoundBlock& block);
     void protectEars(SoundBlock& block);
+    void changeKit(SoundBlock& block);
+    void useKit(const SoundKit* kit);
 
     DrillSynthesiser drill_;
     WaterVoice water_;
@@ -45,6 +53,9 @@ private:
     PeakLimiter waterLimiter_, suctionLimiter_;
     ExposureCap cap_;
     double environment_ = 1.0;
+    const SoundKit* kit_ = nullptr;
+    const SoundKit* comingKit_ = nullptr;
+    Glide kitGain_;
 };
 
 }  // namespace tactooth

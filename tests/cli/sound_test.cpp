@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "cli/run_program.h"
+#include "sound/sound_files.h"
 #include "sound/sound_format.h"
 #include "sound/spectrum.h"
 #include "support/test_data.h"
@@ -202,6 +203,22 @@ TEST_F(SoundCommand, SprayFollowsTheDriveAndSuctionRunsAllTheTime) {
     EXPECT_GT(turningWet, turning);
     EXPECT_GT(stillSucked, 0.005);
     EXPECT_GT(turningSucked, turning);
+}
+
+TEST_F(SoundCommand, ARecordingOfTheDriveFollowsTheSpeed) {
+    writeTone(folder_ / "mine.wav", 5000.0, 0.5);  // at the turbine's 400 000 rev/min
+    const auto run = sound(profile("0,200000,0,none\n1,200000,0,none\n"), {"--sounds", folder_ / "mine.wav"});
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_NEAR(toneAt(readWav(out()).left, 0.5, 2500.0), 2500.0, 12.0);
+}
+
+TEST_F(SoundCommand, RefusesARecordingThatIsNone) {
+    writeText(folder_ / "mine.wav", "la la la");
+    expectRefused(sound(profile("0,1,0,none\n1,1,0,none\n"), {"--sounds", folder_ / "mine.wav"}),
+                  "mine.wav: this is not a recording that can be read");
+    writeText(folder_ / "mine.toml", "[motor]\nfile = \"mine.wav\"\nspeed_rpm = 5000\n");
+    expectRefused(sound(profile("0,1,0,none\n1,1,0,none\n"), {"--sounds", folder_ / "mine.toml"}),
+                  "mine.toml, line 2: ");
 }
 
 TEST_F(SoundCommand, DrawsTheSpectrum) {

@@ -175,6 +175,11 @@ void addSound(CLI::App& program, Chosen& chosen) {
     command->add_option("--drive", options->drive, "turbine (default), electric (1:5) or low-speed (contra-angle)")
         ->check(CLI::IsMember({"turbine", "electric", "low-speed"}))
         ->type_name("DRIVE");
+    command
+        ->add_option("--sounds", options->sounds,
+                     "Your own sounds: a recording (WAV, FLAC, Ogg) of the drive running free, or a TOML preset that "
+                     "names a recording for each part (pattern: docs/sound.md)")
+        ->type_name("FILE");
     command->add_flag("--water", options->water, "Add the cooling spray, as long as the drive has air or current");
     command->add_flag("--suction", options->suction, "Add the suction in the mouth");
     command->add_flag("--headphones", options->headphones,

@@ -7,6 +7,7 @@
 #include "app/cli/exit_code.h"
 #include "app/common/spectrogram_image.h"
 #include "geometry/atomic_file.h"
+#include "session/sound_preset.h"
 #include "session/sound_profile.h"
 #include "sound/audio_libraries.h"
 #include "sound/wav_file.h"
@@ -40,8 +41,13 @@ int runSound(const SoundOptions& options) {
         if (options.water) moment.state.water = moment.state.pedal;
         if (options.suction) moment.state.suction = 1;
     }
-    prepareAudioLibraries();
     OfflineSettings settings;
+    if (!options.sounds.empty()) {
+        const auto kit = readSoundKit(options.sounds, driveNamed(options.drive));
+        if (!kit) return refuse(kit.error());
+        settings.kit = *kit;
+    }
+    prepareAudioLibraries();
     settings.headphones = options.headphones;
     const auto samples = renderOffline(*track, track->back().time, settings);
     if (!samples) return refuse(samples.error());

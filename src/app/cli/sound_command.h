@@ -11,6 +11,7 @@ struct SoundOptions {
     std::filesystem::path profile;
     std::filesystem::path out;
     std::filesystem::path spectrogram;  ///< empty: not written
+    std::filesystem::path sounds;       ///< preset or recording; empty: all synthesised
     std::string drive = "turbine";      ///< or "electric", "low-speed"
     bool headphones = false;
     bool water = false;
