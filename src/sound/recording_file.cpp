@@ -89,6 +89,8 @@ Expected<std::vector<float>> readMono(SNDFILE* file, const SF_INFO& info, const 
 
 Expected<Recording> parseRecording(std::span<const std::byte> bytes, std::string_view name) {
     const std::string who(name);
+    if (!isAt(bytes, 0, "RIFF") && !isAt(bytes, 0, "fLaC") && !isAt(bytes, 0, "OggS"))
+        return unexpected(who + ": this is neither WAV, FLAC nor Ogg; save the recording as one of these.");
     MemoryFile memory{{bytes.begin(), bytes.end()}, 0};
     SF_INFO info{};
     const SoundFile file = openInMemory(memory, SFM_READ, info);

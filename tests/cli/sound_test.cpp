@@ -215,7 +215,7 @@ TEST_F(SoundCommand, ARecordingOfTheDriveFollowsTheSpeed) {
 TEST_F(SoundCommand, RefusesARecordingThatIsNone) {
     writeText(folder_ / "mine.wav", "la la la");
     expectRefused(sound(profile("0,1,0,none\n1,1,0,none\n"), {"--sounds", folder_ / "mine.wav"}),
-                  "mine.wav: this is not a recording that can be read");
+                  "mine.wav: this is neither WAV, FLAC nor Ogg");
     writeText(folder_ / "mine.toml", "[motor]\nfile = \"mine.wav\"\nspeed_rpm = 5000\n");
     expectRefused(sound(profile("0,1,0,none\n1,1,0,none\n"), {"--sounds", folder_ / "mine.toml"}),
                   "mine.toml, line 2: ");

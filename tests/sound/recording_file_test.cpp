@@ -91,7 +91,7 @@ TEST_F(RecordingFile, RefusesOtherKindsTextAndNothing) {
     writeTone(file("a.aiff"), 1000.0, 0.5, {SF_FORMAT_AIFF | SF_FORMAT_PCM_16, 48000, 1});
     EXPECT_THAT(refusal(file("a.aiff")), HasSubstr("neither WAV, FLAC nor Ogg"));
     writeText(file("text.wav"), "these are not samples, whatever the name says");
-    EXPECT_THAT(refusal(file("text.wav")), HasSubstr("text.wav: this is not a recording that can be read"));
+    EXPECT_THAT(refusal(file("text.wav")), HasSubstr("text.wav: this is neither WAV, FLAC nor Ogg"));
     writeText(file("empty.wav"), "");
     EXPECT_THAT(refusal(file("empty.wav")), HasSubstr("empty.wav"));
     EXPECT_THAT(refusal(file("none.wav")), HasSubstr("there is no such file"));
