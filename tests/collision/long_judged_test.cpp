@@ -3,6 +3,8 @@
 // The full number of poses and directions: minutes.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "collision/judged_contact.h"
 
 namespace tactooth {
@@ -38,10 +40,12 @@ TEST(LongJudgedContact, NoneOfAHundredThousandPosesIsMissed) {
 
 TEST(LongJudgedContact, EveryDepthFreesAndIsNearlyTheLeastOfAThousandDirections) {
     std::vector<double> excess;
+    const int pairs = static_cast<int>(test::everyTooth().size() * test::everyKindOfTool().size());
+    const int share = std::max(100, 2000 / pairs);
     for (const test::NamedMesh& tooth : test::everyTooth()) {
         for (const test::NamedMesh& tool : test::everyKindOfTool()) {
             SCOPED_TRACE(tooth.name + " " + tool.name);
-            const int poses = fewerIfLarge(100, tooth, tool);
+            const int poses = fewerIfLarge(share, tooth, tool);
             const test::ContactVerdict verdict = test::judgeContact(tooth.mesh, tool.mesh, poses, 1000, 2024);
             EXPECT_EQ(verdict.wrongTouch, 0);
             EXPECT_EQ(verdict.notFreed, 0);

@@ -63,7 +63,7 @@ struct Report {
 /// A hand that circles over the top of a tooth and presses into it, lifting off now and then.
 HandInput handAt(const Vec3& top, int tick) {
     const double time = kTick * tick;
-    const Vec3 aside(std::cos(2.1 * time), std::sin(3.3 * time), 0.5 * std::sin(1.7 * time) - 0.3);
+    const Vec3 aside(std::cos(2.1 * time), std::sin(3.3 * time), 0.5 * std::sin(1.7 * time) - 0.7);
     return {{top + 1.5 * aside, Quat(Eigen::AngleAxisd(0.3 * std::sin(time), Vec3::UnitX()))}, 0, false};
 }
 

@@ -99,7 +99,8 @@ TEST(Simulator, CutsABlockLive) {
         EXPECT_GT(simulator.timing().ticks, 100U);
         removedOnline = total(simulator.removed());
     }
-    EXPECT_GE(total(piece->removed()), removedOnline);
+    // A voxel's share falls a little where the last sweep turned the wall's normal: never by as much as the voxel.
+    EXPECT_GE(total(piece->removed()), removedOnline - std::pow(test::kVoxel, 3));
     EXPECT_GT(heard, 100U);
     EXPECT_FALSE(device.wasTooStrong());
     EXPECT_GT(device.strongest(), 0.05);
