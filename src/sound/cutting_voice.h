@@ -10,6 +10,7 @@
 #include "sound/drill_sound_state.h"
 #include "sound/glide.h"
 #include "sound/recorded_voice.h"
+#include "sound/rotation.h"
 #include "sound/sine.h"
 
 namespace tactooth {
@@ -30,10 +31,10 @@ private:
 };
 
 /// The noise of material being ground away. Its level follows the removal power, its band the material; it throbs
-/// with the rotation.
+/// with the rotation, and near the stall it chatters: the bur grabs, slips and grabs again.
 class CuttingVoice {
 public:
-    explicit CuttingVoice(std::uint64_t seed) : noise_(seed + 1), grains_(seed + 2) {}
+    explicit CuttingVoice(std::uint64_t seed);
 
     /// Adds its sound to `out` (at most kControlFrames samples) while the bur makes `turnsPerFrame`; `volume` 0..1.
     void addTo(std::span<float> out, const DrillSoundState& state, double volume,
@@ -53,7 +54,8 @@ private:
     GrainEnvelope grains_;
     Lag graininess_;
     Phase rotation_;
-    Glide gain_, throb_;
+    SlowWander grip_;
+    Glide gain_, throb_, chatter_;
     const SoundKit* kit_ = nullptr;
     std::array<RecordedVoice, kSoundMaterials> recorded_;
 };
