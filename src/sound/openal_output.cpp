@@ -4,6 +4,8 @@
 
 #include <AL/alc.h>
 #include <AL/alext.h>
+#include <pthread.h>
+#include <sched.h>
 
 #include <algorithm>
 #include <array>
@@ -22,10 +24,11 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-constexpr auto kPoll = 1500us;        // under a third of a block: each played block is replaced in time
-constexpr auto kRetryAfter = 3s;      // for a sound card that is plugged in later
-constexpr int kStaleBlocks = 80;      // 0.2 s without a new state: the simulation is paused or gone
-constexpr int kConnectedEvery = 100;  // blocks between two looks at the device's plug
+constexpr auto kPoll = 1500us;          // under a third of a block: each played block is replaced in time
+constexpr auto kRetryAfter = 3s;        // for a sound card that is plugged in later
+constexpr double kMostLatency = 0.030;  // s: up to here a queue that ran dry is made longer
+constexpr int kStaleBlocks = 80;        // 0.2 s without a new state: the simulation is paused or gone
+constexpr int kConnectedEvery = 100;    // blocks between two looks at the device's plug
 
 // Waits, unless the end is asked for first.
 void pause(const std::stop_token& stop, std::chrono::seconds time) {
@@ -40,6 +43,14 @@ std::unique_ptr<OpenAlStream> openDefaultDevice(bool headphones) {
     const std::array<ALCint, 5> attributes{ALC_FREQUENCY, kSoundRate, ALC_HRTF_SOFT, headphones ? ALC_TRUE : ALC_FALSE,
                                            0};
     return OpenAlStream::create(alcOpenDevice(nullptr), attributes.data(), headphones ? kHeadphoneGain : 1.0f);
+}
+
+// Before the programs that share the machine, after the servo loop (which takes more than the lowest); where the system
+// does not allow it, the queue has to be long enough.
+void askForPriority() {
+    sched_param parameters{};
+    parameters.sched_priority = sched_get_priority_min(SCHED_FIFO);
+    (void)pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters);
 }
 
 bool isConnected(ALCdevice* device) {
@@ -68,11 +79,20 @@ public:
             feedBlock();
             if (++blocks_ % kConnectedEvery == 0 && !isConnected(stream_.device())) return false;
         }
-        if (stream_.ensurePlaying() && std::exchange(started_, true)) ++output_.underruns_;
+        if (stream_.ensurePlaying() && std::exchange(started_, true)) recoverFromUnderrun();
         return true;
     }
 
 private:
+    void recoverFromUnderrun() {
+        ++output_.underruns_;
+        constexpr double kBlockSeconds = static_cast<double>(kSoundBlock) / kSoundRate;
+        longest_ = std::max(longest_, output_.latency());
+        if (longest_ + kBlockSeconds > kMostLatency) return;
+        longest_ += kBlockSeconds;
+        stream_.lengthenQueue();
+    }
+
     void feedBlock() {
         const auto lastLook = std::exchange(looked_, Clock::now());
         staleBlocks_ = output_.state_.refresh() ? 0 : std::min(staleBlocks_ + 1, kStaleBlocks);
@@ -109,6 +129,7 @@ private:
     int staleBlocks_ = 0;
     std::uint64_t blocks_ = 0;
     bool started_ = false;
+    double longest_ = 0.0;  // latency with the queue as it is, s
 };
 
 OpenAlOutput::OpenAlOutput(const OpenAlOutputSettings& settings)
@@ -125,6 +146,7 @@ void OpenAlOutput::setKit(std::shared_ptr<const SoundKit> kit) {
 }
 
 void OpenAlOutput::run(const std::stop_token& stop) {
+    askForPriority();
     while (!stop.stop_requested()) {
         if (playOnce(stop)) continue;
         if (stop.stop_requested()) return;

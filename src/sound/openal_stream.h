@@ -6,6 +6,7 @@
 #include <AL/alc.h>
 #include <AL/alext.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 
@@ -45,9 +46,11 @@ public:
     /// Takes back the blocks that have been played. Once before filling up, not in between: in a source that ran dry
     /// each block counts as played as soon as it is queued.
     void reclaim();
-    [[nodiscard]] bool hasRoom() const { return freeCount_ > 0; }
+    [[nodiscard]] bool hasRoom() const { return kLongestQueue - freeCount_ < queueLength_; }
     /// Blocks that the queue holds: what the device takes at a time, and enough more for a thread that is woken late.
     [[nodiscard]] int queueLength() const { return queueLength_; }
+    /// Holds one block more from now on, for a thread that is woken later than was thought.
+    void lengthenQueue() { queueLength_ = std::min(queueLength_ + 1, kLongestQueue); }
     /// Appends a block for each place. Needs room.
     void queue(const SoundBlock& block);
     /// How long a sample that is queued now waits until it is heard, s: for what is before it in the queue, and for the
