@@ -33,13 +33,14 @@ private:
     Pole low_[4], high_[2];
 };
 
-/// Protects the ear over a long session: keeps the A-weighted mean of about a minute at or below kCap by turning
-/// everything down slowly. What a steady cut sounds like is below it; a whole minute of full power, or recordings that
-/// are too loud, are not. How loud full scale is, only the listener's volume knob knows: players sold in Europe give at
-/// most 100 dB(A) at -10 dB of full scale (EN 50332-1), where kCap is 90 dB(A), and 80 dB(A) with the knob at half.
+/// Protects the ear over a long session: keeps the A-weighted mean of about a minute at or below kCapDecibel by turning
+/// everything down slowly. A steady cut at 4 W stays just below it; a whole minute of full power, or recordings that are
+/// too loud, do not. How loud full scale is, only the listener's volume knob knows: a player that keeps to EN 50332-1
+/// gives at most 100 dB(A) at -10 dB of full scale, so 95 dB(A) at the cap with its knob at the top, and the 80 dB(A) of
+/// a real turbine 15 dB below the top.
 class ExposureCap {
 public:
-    static constexpr double kCapDecibel = -20.0;  ///< of full scale, A-weighted
+    static constexpr double kCapDecibel = -15.0;  ///< of full scale, A-weighted
     static constexpr double kSeconds = 60.0;      ///< time constant of the mean
 
     ExposureCap() { ramp_.jumpTo(1.0f); }
