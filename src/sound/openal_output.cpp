@@ -24,7 +24,7 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-constexpr auto kPoll = 1500us;          // under a third of a block: each played block is replaced in time
+constexpr auto kPoll = 2500us;          // a block: what a period took is replaced before the next one
 constexpr auto kRetryAfter = 3s;        // for a sound card that is plugged in later
 constexpr double kMostLatency = 0.030;  // s: up to here a queue that ran dry is made longer
 constexpr int kStaleBlocks = 80;        // 0.2 s without a new state: the simulation is paused or gone
