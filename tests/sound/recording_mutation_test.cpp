@@ -14,6 +14,10 @@
 #include "support/test_data.h"
 #include "support/text_file.h"
 
+// libsndfile 1.2 gives up on a damaged Ogg head without giving back what libvorbis took. Read by the leak sanitizer.
+extern "C" const char* __lsan_default_suppressions();  // NOLINT(bugprone-reserved-identifier): the sanitizer's name
+extern "C" const char* __lsan_default_suppressions() { return "leak:vorbis_info_init\n"; }
+
 namespace tactooth {
 namespace {
 
@@ -25,7 +29,7 @@ std::vector<std::string> seeds() {
                                             {SF_FORMAT_WAVEX | SF_FORMAT_PCM_24, 8000, 1},
                                             {SF_FORMAT_WAV | SF_FORMAT_IMA_ADPCM, 8000, 1},
                                             {SF_FORMAT_FLAC | SF_FORMAT_PCM_16, 8000, 1},
-                                            {SF_FORMAT_OGG | SF_FORMAT_VORBIS, 8000, 1}}) {  // the last, see below
+                                            {SF_FORMAT_OGG | SF_FORMAT_VORBIS, 8000, 1}}) {
         test::writeTone(folder / "seed", 500, 0.1, kind);
         result.push_back(test::readText(folder / "seed"));
     }
@@ -78,10 +82,7 @@ TEST(RecordingMutation, EverySeedIsTaken) {
 }
 
 TEST(RecordingMutation, ADamagedFileIsRefusedWithASentenceOrPlaysFiniteSamples) {
-    std::vector<std::string> good = seeds();
-    // libsndfile 1.2 gives up on a damaged Ogg head without giving back what libvorbis took: theirs, but it would be
-    // told as a leak of ours.
-    if (test::isSanitized()) good.pop_back();
+    const std::vector<std::string> good = seeds();
     std::mt19937 random(20261121);
     const int count = test::cases(20000, 1000);
     int accepted = 0;
