@@ -43,11 +43,14 @@ std::string joined(std::span<const std::string_view> words) {
 /// Reads a CSV text line by line and remembers where it is for messages.
 class CsvParser {
 public:
-    CsvParser(std::string_view text, std::string_view name, std::span<const std::string_view> columns)
-        : rest_(text), columns_(columns) {
+    CsvParser(std::string_view text, std::string_view name, std::span<const std::string_view> columns,
+              std::span<const std::string_view> wordColumns)
+        : rest_(text), columns_(columns.begin(), columns.end()) {
+        columns_.insert(columns_.end(), wordColumns.begin(), wordColumns.end());
         if (rest_.starts_with("\xEF\xBB\xBF")) rest_.remove_prefix(3);  // byte order mark of a spreadsheet program
         table_.name_ = name;
         table_.columns_ = columns.size();
+        table_.wordColumns_ = wordColumns.size();
     }
 
     Expected<CsvTable> parse() {
@@ -101,6 +104,10 @@ private:
         }
         for (std::size_t column = 0; column < columns_.size(); ++column) {
             const std::string_view field = fields_[positions_[column]];
+            if (column >= table_.columns_) {
+                table_.words_.emplace_back(field);
+                continue;
+            }
             const std::optional<double> value = toNumber<double>(field);
             if (!value || !std::isfinite(*value)) {
                 return fail("column '" + std::string(columns_[column]) +
@@ -118,7 +125,7 @@ private:
     }
 
     std::string_view rest_;
-    std::span<const std::string_view> columns_;
+    std::vector<std::string_view> columns_;  ///< numbers first, then words
     std::vector<std::string_view> fields_;
     std::vector<std::size_t> positions_;  ///< of each wanted column among the fields
     std::size_t width_ = 0;
@@ -129,14 +136,17 @@ private:
 
 std::string CsvTable::where(std::size_t row) const { return name_ + ", line " + std::to_string(lines_[row]); }
 
-Expected<CsvTable> parseCsv(std::string_view text, std::string_view name, std::span<const std::string_view> columns) {
-    return CsvParser(text, name, columns).parse();
+Expected<CsvTable> parseCsv(std::string_view text, std::string_view name, std::span<const std::string_view> columns,
+                            std::span<const std::string_view> wordColumns) {
+    return CsvParser(text, name, columns, wordColumns).parse();
 }
 
-Expected<CsvTable> readCsv(const std::filesystem::path& path, std::span<const std::string_view> columns) {
+Expected<CsvTable> readCsv(const std::filesystem::path& path, std::span<const std::string_view> columns,
+                           std::span<const std::string_view> wordColumns) {
     const Expected<FileBytes> file = readFile(path);
     if (!file) return Unexpected{file.error()};
-    return parseCsv({reinterpret_cast<const char*>(file->bytes().data()), file->size()}, shownName(path), columns);
+    return parseCsv({reinterpret_cast<const char*>(file->bytes().data()), file->size()}, shownName(path), columns,
+                    wordColumns);
 }
 
 Expected<CsvWriter> CsvWriter::create(const std::filesystem::path& path, std::span<const std::string_view> columns) {

@@ -14,7 +14,7 @@
 
 namespace tactooth {
 
-/// The numbers of a CSV file: the columns that were asked for, in the order in which they were asked for.
+/// The numbers and words of a CSV file: the columns that were asked for, in the order in which they were asked for.
 class CsvTable {
 public:
     [[nodiscard]] std::size_t rows() const { return lines_.size(); }
@@ -22,6 +22,10 @@ public:
     [[nodiscard]] double at(std::size_t row, std::size_t column) const { return values_[row * columns_ + column]; }
     [[nodiscard]] std::span<const double> row(std::size_t row) const {
         return std::span(values_).subspan(row * columns_, columns_);
+    }
+    /// In a column of words. `column` counts in the order of the request for words.
+    [[nodiscard]] const std::string& wordAt(std::size_t row, std::size_t column) const {
+        return words_[row * wordColumns_ + column];
     }
     /// "poses.csv, line 12": where a row stands, to begin a message about it with.
     [[nodiscard]] std::string where(std::size_t row) const;
@@ -31,21 +35,25 @@ private:
 
     std::string name_;
     std::size_t columns_ = 0;
+    std::size_t wordColumns_ = 0;
     std::vector<double> values_;
+    std::vector<std::string> words_;
     std::vector<std::size_t> lines_;  ///< of each row in the file, the first line is 1
 };
 
 /// Reads `columns` of a CSV file whose first line names its columns. Fields are separated by commas; blanks around
 /// them, Windows line ends, empty lines and lines that begin with '#' do not matter; '.' is the decimal point whatever
-/// the locale; other columns may be there and hold anything.
+/// the locale; other columns may be there and hold anything. `wordColumns` are read as they are written.
 ///
 /// Fails with one sentence with file and line: no header or no row, a column missing or named twice, too few or too
 /// many fields, a field that is not a finite number.
-[[nodiscard]] Expected<CsvTable> readCsv(const std::filesystem::path& path, std::span<const std::string_view> columns);
+[[nodiscard]] Expected<CsvTable> readCsv(const std::filesystem::path& path, std::span<const std::string_view> columns,
+                                         std::span<const std::string_view> wordColumns = {});
 
 /// The same from memory; `name` stands for the file in messages.
 [[nodiscard]] Expected<CsvTable> parseCsv(std::string_view text, std::string_view name,
-                                          std::span<const std::string_view> columns);
+                                          std::span<const std::string_view> columns,
+                                          std::span<const std::string_view> wordColumns = {});
 
 /// Writes a CSV file that appears under its name when it is complete (see AtomicFile). Numbers are written in the
 /// shortest form that reads back as the same double.

@@ -54,7 +54,7 @@ Demonstration playDemonstration(WorkPiece& piece, const Instrument& instrument, 
             simulation.setSurface(piece.surface());
             ++result.surfaceUpdates;
         }
-        result.sound.push_back({tick.time, soundOf(tick, settings.spindle), {}});
+        result.sound.push_back({tick.time, soundOf(tick, settings.spindle, settings.materials), {}});
         progress(static_cast<double>(i) / static_cast<double>(count));
     }
     progress(1);

@@ -9,14 +9,14 @@ namespace {
 
 constexpr double kTurbineFromRpm = 100000;  // air drives: turbines run at 200,000 and more, air motors below 40,000
 
+}  // namespace
+
 MotorKind motorOf(const SpindlePreset& spindle) {
     if (spindle.pedalCurve == PedalCurve::electric) return MotorKind::Electric;
     return spindle.freeSpeedRpm >= kTurbineFromRpm ? MotorKind::AirTurbine : MotorKind::LowSpeed;
 }
 
-}  // namespace
-
-DrillSoundState soundOf(const Tick& tick, const SpindlePreset& spindle) {
+DrillSoundState soundOf(const Tick& tick, const SpindlePreset& spindle, const MaterialTable& materials) {
     DrillSoundState state;
     state.motor = motorOf(spindle);
     state.speedRpm = tick.speedRpm;
@@ -25,8 +25,12 @@ DrillSoundState soundOf(const Tick& tick, const SpindlePreset& spindle) {
     state.load = std::clamp(tick.load / spindle.stallTorque, 0.0, 1.0);
     state.removalWatt = tick.removalWatt;
     state.material = soundCharacterOf(materialName(tick.material));
+    state.material.bandCentreHz = materials[tick.material].soundCentre;
+    state.material.level = materials[tick.material].soundBrightness;
     state.contactCount = tick.landings;
     state.contactSpeed = tick.landingSpeed;
+    state.water = state.pedal;
+    state.suction = tick.cutting ? 1 : 0;
     return state;
 }
 

@@ -26,8 +26,11 @@ void ignoreAlsaError(const char*, int, const char*, int, const char*, ...) {}
 // and $ALSOFT_CONF names one more of these. Ours lives in memory, so that nothing is left behind on the disk.
 void askForShortPeriods() {
     if (std::getenv("ALSOFT_CONF") != nullptr) return;
-    const std::string rate = std::to_string(kSoundRate), block = std::to_string(kSoundBlock);
-    const std::string settings = "[general]\nfrequency = " + rate + "\nperiod_size = " + block + "\n";
+    const std::string rate = std::to_string(kSoundRate), period = std::to_string(kDevicePeriod);
+    // rt-prio: the mixer comes before other programs where the system allows it.
+    // A sound server may move the stream when another device becomes the usual one: headphones that are plugged in.
+    const std::string settings = "[general]\nfrequency = " + rate + "\nperiod_size = " + period +
+                                 "\nperiods = 2\nrt-prio = 1\n[pulse]\nallow-moves = true\n";
     const int file = memfd_create("alsoft.conf", MFD_CLOEXEC);
     if (file < 0) return;
     if (write(file, settings.data(), settings.size()) != static_cast<ssize_t>(settings.size())) {

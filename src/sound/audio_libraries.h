@@ -6,7 +6,7 @@ namespace tactooth {
 
 /// Sets OpenAL and ALSA up for this process. Call it at the start of a program, before it has threads and before any
 /// sound; without it everything works, but later and noisier. What the user has set by himself is respected.
-/// - Short mixing periods (5 ms): OpenAL Soft's default of 21 ms, three of them, is late for a hand that feels the cut.
+/// - Two short mixing periods (5 ms): OpenAL Soft's three of 21 ms are late for a hand that feels the cut.
 /// - No page of errors on the error stream where there is no sound card, since going on silently is all that there is
 ///   to do.
 void prepareAudioLibraries();

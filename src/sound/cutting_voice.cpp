@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sound/cutting_voice.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace tactooth {
@@ -23,6 +24,12 @@ constexpr double kGrindingRpm = 500.0;
 constexpr double kSlowThrob = 0.6, kFastThrob = 0.15;
 constexpr double kThrobFadesHz = 800.0;
 
+// Chatter: what the eye sees as a trembling handpiece, from half of the load that stalls it on. Tens of times a second,
+// as the hand and the handpiece's arm swing; the depth was chosen by ear.
+constexpr double kChatterFromLoad = 0.5, kMostChatter = 0.75;
+constexpr double kGripsPerSecond = 80.0;   // new random grips: swings of up to 40 Hz
+constexpr double kGripMeanSquare = 0.247;  // of SlowWander: 1/3 at its places, eased between them
+
 constexpr float kGrainsPerFrame = 1800.0f / kSoundRate;  // some grains at each of a few hundred turns a second
 constexpr double kGrainSeconds = 0.00035;
 const auto kGrainKeep = static_cast<float>(std::exp(-1.0 / (kGrainSeconds * kSoundRate)));
@@ -38,7 +45,14 @@ double throbAt(double turnsPerSecond) {
     return kFastThrob + (kSlowThrob - kFastThrob) * slow;
 }
 
+double chatterAt(double load) {
+    return kMostChatter * std::clamp((load - kChatterFromLoad) / (1.0 - kChatterFromLoad), 0.0, 1.0);
+}
+
 }  // namespace
+
+CuttingVoice::CuttingVoice(std::uint64_t seed)
+    : noise_(seed + 1), grains_(seed + 2), grip_(seed + 3, kGripsPerSecond) {}
 
 void GrainEnvelope::setGraininess(double graininess) {
     // Campbell's theorem for random pulses that fall by `keep` a sample: mean and variance of their sum.
@@ -62,7 +76,13 @@ void CuttingVoice::addTo(std::span<float> out, const DrillSoundState& state, dou
     const int frames = static_cast<int>(out.size());
     const float share = glideShare(kLagSeconds, frames);
     const double throb = throbAt(turnsPerFrame.back() * kSoundRate);
-    gain_.aim(static_cast<float>(amplitudeOf(state) * volume / std::sqrt(1.0 + 0.5 * throb * throb)), share, frames);
+    const double amplitude = amplitudeOf(state) * volume;
+    if (kit_ != nullptr) addRecorded(out, state.material.kind, amplitude, turnsPerFrame);
+    const bool isRecorded = kit_ != nullptr && kit_->cutting[state.material.kind];
+    const double chatter = chatterAt(state.load);
+    const double power = (1.0 + 0.5 * throb * throb) * (1.0 + kGripMeanSquare * chatter * chatter);
+    gain_.aim(static_cast<float>((isRecorded ? 0.0 : amplitude) / std::sqrt(power)), share, frames);
+    chatter_.aim(static_cast<float>(1.0 + chatter * static_cast<double>(grip_.advance(frames))), 1.0f, frames);
     throb_.aim(static_cast<float>(throb), share, frames);
     if (gain_.isZero()) return;
 
@@ -71,7 +91,16 @@ void CuttingVoice::addTo(std::span<float> out, const DrillSoundState& state, dou
         static_cast<double>(graininess_.towards(static_cast<float>(state.material.graininess), share)));
     for (std::size_t i = 0; i < out.size(); ++i) {
         const float swing = 1.0f + throb_.next() * sineOfTurns(rotation_.advance(turnsPerFrame[i]));
-        out[i] += gain_.next() * noise_.next(swing * grains_.next());
+        out[i] += gain_.next() * chatter_.next() * noise_.next(swing * grains_.next());
+    }
+}
+
+void CuttingVoice::addRecorded(std::span<float> out, std::size_t kind, double amplitude,
+                               std::span<const double> turnsPerFrame) {
+    const float share = glideShare(kLagSeconds, static_cast<int>(out.size()));
+    for (std::size_t i = 0; i < kSoundMaterials; ++i) {
+        const auto& part = kit_->cutting[i];
+        if (part) recorded_[i].addTo(out, *part, i == kind ? amplitude : 0.0, share, turnsPerFrame);
     }
 }
 

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 
 #include "sound/band_noise.h"
 #include "sound/drill_sound_state.h"
 #include "sound/glide.h"
+#include "sound/recorded_voice.h"
+#include "sound/rotation.h"
 #include "sound/sine.h"
 
 namespace tactooth {
@@ -28,21 +31,33 @@ private:
 };
 
 /// The noise of material being ground away. Its level follows the removal power, its band the material; it throbs
-/// with the rotation.
+/// with the rotation, and near the stall it chatters: the bur grabs, slips and grabs again.
 class CuttingVoice {
 public:
-    explicit CuttingVoice(std::uint64_t seed) : noise_(seed + 1), grains_(seed + 2) {}
+    explicit CuttingVoice(std::uint64_t seed);
 
     /// Adds its sound to `out` (at most kControlFrames samples) while the bur makes `turnsPerFrame`; `volume` 0..1.
     void addTo(std::span<float> out, const DrillSoundState& state, double volume,
                std::span<const double> turnsPerFrame);
 
+    /// Plays the recordings of a kit where it has them, from their beginnings; null: all of it synthesised again. `kit`
+    /// stays where it is as long as it is played.
+    void use(const SoundKit* kit) {
+        kit_ = kit;
+        recorded_ = {};
+    }
+
 private:
+    void addRecorded(std::span<float> out, std::size_t kind, double amplitude, std::span<const double> turnsPerFrame);
+
     BandNoise noise_;
     GrainEnvelope grains_;
     Lag graininess_;
     Phase rotation_;
-    Glide gain_, throb_;
+    SlowWander grip_;
+    Glide gain_, throb_, chatter_;
+    const SoundKit* kit_ = nullptr;
+    std::array<RecordedVoice, kSoundMaterials> recorded_;
 };
 
 }  // namespace tactooth

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <string_view>
 
 namespace tactooth {
@@ -16,10 +19,17 @@ struct SoundCharacter {
     double tapHz = 2200.0;         ///< lowest tone of the ring when something knocks on it
     double tapDecay = 0.004;       ///< time in which that ring falls to 1/e, s
     double tapBrightness = 0.5;    ///< 0: that lowest tone alone ("thud"); 1: two higher ones as strong ("tick")
+    std::size_t kind = 1;          ///< which of soundMaterialNames(): a recording may stand in for it
 };
 
-/// The characters of the usual materials. An unknown name sounds like dentin.
-/// Names: "enamel", "dentin", "pulp", "caries", "amalgam", "composite" and "restoration" (which sounds as composite).
+/// The materials that the sound knows: "enamel", "dentin", "pulp", "caries", "amalgam", "restoration", "composite"
+/// (which sounds as a restoration) and "other" (as dentin).
+inline constexpr std::size_t kSoundMaterials = 8;
+[[nodiscard]] std::span<const std::string_view, kSoundMaterials> soundMaterialNames();
+
+/// The character of a material; none for an unknown name.
+[[nodiscard]] std::optional<SoundCharacter> findSoundCharacter(std::string_view material);
+/// The same, but an unknown name sounds like dentin.
 [[nodiscard]] SoundCharacter soundCharacterOf(std::string_view material);
 
 /// What drives the spindle: decides which tones accompany the rotation.
@@ -37,6 +47,8 @@ struct DrillSoundState {
     SoundCharacter material;         ///< of what is being cut or was touched
     std::uint32_t contactCount = 0;  ///< goes up by one each time the instrument lands on something
     double contactSpeed = 0.0;       ///< of the last landing, along the surface's normal, mm/s
+    double water = 0.0;              ///< flow of the cooling spray, 0 off .. 1 full
+    double suction = 0.0;            ///< of the tube in the mouth, 0 off .. 1 full
 };
 
 /// `state` with every number finite and within the range that the synthesis is made for.

@@ -20,7 +20,15 @@ DrillSynthesiser::DrillSynthesiser(std::uint64_t seed)
     : rotation_(seed * 16 + 1), motor_(seed * 16 + 2), cutting_(seed * 16 + 8) {}
 
 void DrillSynthesiser::setMixer(const SoundMixer& mixer) {
-    mixer_ = {volume(mixer.motor), volume(mixer.cutting), volume(mixer.master), mixer.muted};
+    mixer_ = {.motor = volume(mixer.motor),
+              .cutting = volume(mixer.cutting),
+              .master = volume(mixer.master),
+              .muted = mixer.muted};
+}
+
+void DrillSynthesiser::setKit(const SoundKit* kit) {
+    motor_.use(kit != nullptr && kit->motor ? &*kit->motor : nullptr);
+    cutting_.use(kit);
 }
 
 void DrillSynthesiser::render(const DrillSoundState& target, std::span<float> mono) {

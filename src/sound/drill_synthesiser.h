@@ -26,6 +26,9 @@ public:
     /// Volumes from the next block on; they change within some hundredths of a second.
     void setMixer(const SoundMixer& mixer);
 
+    /// Recordings to play; null: none. At once, so while it is silent. `kit` stays where it is as long as it is played.
+    void setKit(const SoundKit* kit);
+
     /// The next `mono.size()` samples. `target` is the state at their end: the speed gets there in a straight line,
     /// every loudness and colour within some milliseconds, so that no change clicks. Begins at standstill.
     void render(const DrillSoundState& target, std::span<float> mono);

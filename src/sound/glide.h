@@ -22,7 +22,12 @@ public:
         step_ = (target_ - value_) / static_cast<float>(frames);
     }
     float next() { return value_ += step_; }
+    void jumpTo(float value) {
+        value_ = target_ = value;
+        step_ = 0.0f;
+    }
     [[nodiscard]] bool isZero() const { return target_ == 0.0f && step_ == 0.0f; }
+    [[nodiscard]] bool isOne() const { return target_ == 1.0f && step_ == 0.0f; }
 
 private:
     float value_ = 0.0f;
@@ -58,6 +63,11 @@ public:
     void aim(float target, float share, int frames) { ramp_.aim(lag_.towards(target, share), frames); }
     float next() { return ramp_.next(); }
     [[nodiscard]] bool isZero() const { return ramp_.isZero(); }
+    [[nodiscard]] bool isOne() const { return ramp_.isOne(); }
+    void jumpTo(float value) {
+        lag_.jumpTo(value);
+        ramp_.jumpTo(value);
+    }
 
 private:
     Lag lag_;

@@ -11,8 +11,9 @@ namespace {
 // Amplitude of the rotation's own tone at free speed, as a share of full scale: -24 dB leaves room for the cut, which
 // is the louder part (handpieces measure 57-87 dB(A) at the dentist's ear, cutting above free running).
 constexpr double kRotationLevel = 0.06;
-constexpr double kLagSeconds = 0.008;  // of every tone's gain: too fast to notice, too slow to click
-constexpr double kAirSeconds = 0.03;   // of the drive air behind its valve
+constexpr double kRecordedLevel = 0.046;  // root mean square of all tones of the synthesis at free speed
+constexpr double kLagSeconds = 0.008;     // of every tone's gain: too fast to notice, too slow to click
+constexpr double kAirSeconds = 0.03;      // of the drive air behind its valve
 
 // Of the motor's tones one is the bearing's: its balls' cage turns at 0.4 of the speed and slips a little.
 constexpr int kCageTone = 4;
@@ -63,6 +64,11 @@ MotorVoice::MotorVoice(std::uint64_t seed) : cageSlip_(seed + 1, 2.0), breath_(s
 void MotorVoice::addTo(std::span<float> out, const DrillSoundState& state, double volume,
                        std::span<const double> turnsPerFrame) {
     const int frames = static_cast<int>(out.size());
+    if (part_ != nullptr) {
+        const double level = kRecordedLevel * volume * loudnessAt(state.speedRpm / state.freeSpeedRpm);
+        recorded_.addTo(out, *part_, level, glideShare(kLagSeconds, frames), turnsPerFrame);
+        return;
+    }
     aimTones(state, volume, frames);
     const MotorRecipe& recipe = recipeOf(state.motor);
     for (int i = 0; i < kTones; ++i) {

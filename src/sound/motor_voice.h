@@ -9,6 +9,7 @@
 #include "sound/band_noise.h"
 #include "sound/drill_sound_state.h"
 #include "sound/glide.h"
+#include "sound/recorded_voice.h"
 #include "sound/rotation.h"
 #include "sound/sine.h"
 
@@ -23,6 +24,13 @@ public:
     /// Adds its sound to `out` (at most kControlFrames samples) while the bur makes `turnsPerFrame`; `volume` 0..1.
     void addTo(std::span<float> out, const DrillSoundState& state, double volume,
                std::span<const double> turnsPerFrame);
+
+    /// Plays a recording instead, from its beginning; null: the synthesis again. `part` stays where it is as long as it
+    /// is played.
+    void use(const RecordedPart* part) {
+        part_ = part;
+        recorded_ = {};
+    }
 
     static constexpr int kTones = 6;
 
@@ -40,6 +48,8 @@ private:
     double cageTurns_ = 0.0;  // of the cage for each turn of the bur
     BandNoise hiss_;
     Glide hissGain_;
+    const RecordedPart* part_ = nullptr;
+    RecordedVoice recorded_;
 };
 
 }  // namespace tactooth

@@ -10,14 +10,11 @@
 #include <cmath>
 #include <string>
 
-#include "sound/drill_synthesiser.h"
 #include "sound/openal_stream.h"
 
 namespace tactooth {
 
 namespace {
-
-constexpr double kLongest = 3600.0;  // s: 1.4 GB of samples
 
 /// The loopback device's own entry points; all null where the implementation has none.
 struct LoopbackFunctions {
@@ -66,6 +63,8 @@ private:
         now.state.pedal = std::lerp(a.state.pedal, b.state.pedal, share);
         now.state.load = std::lerp(a.state.load, b.state.load, share);
         now.state.removalWatt = std::lerp(a.state.removalWatt, b.state.removalWatt, share);
+        now.state.water = std::lerp(a.state.water, b.state.water, share);
+        now.state.suction = std::lerp(a.state.suction, b.state.suction, share);
         now.placement.source += share * (b.placement.source - a.placement.source);
         return now;
     }
@@ -75,15 +74,16 @@ private:
 };
 
 Expected<void> check(std::span<const TimedSoundState> track, double seconds) {
-    if (!(seconds > 0.0 && seconds <= kLongest)) {
+    if (!(seconds > 0.0 && seconds <= kLongestSound)) {
         return unexpected("The length of the sound has to be more than 0 and at most " +
-                          std::to_string(static_cast<int>(kLongest)) + " s, but is " + std::to_string(seconds) + " s.");
+                          std::to_string(static_cast<int>(kLongestSound)) + " s, but is " + std::to_string(seconds) +
+                          " s.");
     }
     if (track.empty()) return unexpected("There is nothing to make a sound of: the session has no moment at all.");
     for (std::size_t i = 0; i < track.size(); ++i) {
-        const bool ascends = i == 0 || track[i].time > track[i - 1].time;
+        const bool ascends = i == 0 || track[i].time >= track[i - 1].time;
         if (std::isfinite(track[i].time) && ascends) continue;
-        return unexpected("The times of the sound's states have to ascend, but number " + std::to_string(i + 1) +
+        return unexpected("The times of the sound's states may not run backwards, but number " + std::to_string(i + 1) +
                           " is at " + std::to_string(track[i].time) + " s.");
     }
     return {};
@@ -101,23 +101,23 @@ Expected<StereoSamples> renderOffline(std::span<const TimedSoundState> track, do
     }
 
     const ThreadContext current(stream->context());
-    DrillSynthesiser synthesiser(settings.seed);
-    synthesiser.setMixer(settings.mixer);
+    Soundscape soundscape(settings.seed, settings.kit.get());
+    soundscape.setMixer(settings.mixer);
     TrackReader reader(track);
     const auto wanted = static_cast<std::size_t>(std::llround(seconds * kSoundRate));
-    const std::size_t blocks = (wanted + DrillSynthesiser::kDelay + kSoundBlock - 1) / kSoundBlock;
+    const std::size_t blocks = (wanted + Soundscape::kDelay + kSoundBlock - 1) / kSoundBlock;
     StereoSamples stereo(blocks * kSoundBlock * 2);
-    std::array<float, kSoundBlock> mono;
+    SoundBlock block;
     for (std::size_t i = 0; i < blocks; ++i) {
         const TimedSoundState now = reader.at(static_cast<double>((i + 1) * kSoundBlock) / kSoundRate);
-        synthesiser.render(now.state, mono);
+        soundscape.render(now.state, block);
         stream->place(now.placement);
         stream->reclaim();
-        stream->queue(mono);
+        stream->queue(block);
         stream->ensurePlaying();
         loopback.render(stream->device(), &stereo[i * kSoundBlock * 2], kSoundBlock);
     }
-    stereo.erase(stereo.begin(), stereo.begin() + 2 * DrillSynthesiser::kDelay);
+    stereo.erase(stereo.begin(), stereo.begin() + 2 * Soundscape::kDelay);
     stereo.resize(wanted * 2);
     return stereo;
 }

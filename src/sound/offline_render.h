@@ -3,11 +3,13 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "geometry/expected.h"
 #include "sound/drill_sound_state.h"
+#include "sound/sound_kit.h"
 #include "sound/sound_mixer.h"
 #include "sound/sound_placement.h"
 
@@ -23,16 +25,21 @@ struct TimedSoundState {
 struct OfflineSettings {
     SoundMixer mixer;
     std::uint64_t seed = 1;
-    bool headphones = false;  ///< HRTF instead of left-right balance
+    bool headphones = false;              ///< HRTF instead of left-right balance
+    std::shared_ptr<const SoundKit> kit;  ///< recordings instead of the synthesis; none: all of it synthesised
 };
 
 /// Two channels, left and right sample by turns, at kSoundRate.
 using StereoSamples = std::vector<float>;
 
+/// s: 1.4 GB of samples.
+inline constexpr double kLongestSound = 3600;
+
 /// What a listener would have heard in the `seconds` from time 0: rendered through OpenAL's loopback device, no sound
 /// card needed, as fast as the machine goes. Between two states numbers go in a straight line, and the rest is held; so
-/// it is before the first and after the last. Sample n belongs to the time n / kSoundRate, exactly. Errors: no state,
-/// times that do not ascend, a length that is not finite or over an hour, an OpenAL without loopback.
+/// it is before the first and after the last; of two states at one time the later one counts from then on. Sample n
+/// belongs to the time n / kSoundRate, exactly. Errors: no state, times that run backwards, a length that is not finite
+/// or over kLongestSound, an OpenAL without loopback.
 [[nodiscard]] Expected<StereoSamples> renderOffline(std::span<const TimedSoundState> track, double seconds,
                                                     const OfflineSettings& settings = {});
 

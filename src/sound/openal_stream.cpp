@@ -19,7 +19,7 @@ ALCboolean makeCurrent(ALCcontext* context) {
     return perThread != nullptr ? perThread(context) : alcMakeContextCurrent(context);
 }
 
-constexpr int kSpareBlocks = 3;  // 15 ms
+constexpr int kSpareBlocks = 3;  // 7.5 ms for a thread that is woken late
 
 // Blocks in one period of the device's mixer.
 int blocksTakenAtOnce(ALCdevice* device) {
@@ -27,6 +27,11 @@ int blocksTakenAtOnce(ALCdevice* device) {
     alcGetIntegerv(device, ALC_REFRESH, 1, &periodsPerSecond);
     constexpr int kBlocksPerSecond = kSoundRate / kSoundBlock;
     return periodsPerSecond > 0 ? (kBlocksPerSecond + periodsPerSecond - 1) / periodsPerSecond : 1;
+}
+
+LPALGETSOURCEDVSOFT latencyQuestion() {
+    if (alIsExtensionPresent("AL_SOFT_source_latency") == AL_FALSE) return nullptr;
+    return reinterpret_cast<LPALGETSOURCEDVSOFT>(alGetProcAddress("alGetSourcedvSOFT"));
 }
 
 }  // namespace
@@ -43,65 +48,90 @@ std::unique_ptr<OpenAlStream> OpenAlStream::create(ALCdevice* device, const ALCi
     }
     std::unique_ptr<OpenAlStream> stream(new OpenAlStream(device, context));
     const ThreadContext current(context);
-    if (!stream->makeSource(gain)) return nullptr;
+    if (!stream->makeSources(gain)) return nullptr;
     return stream;
 }
 
-bool OpenAlStream::makeSource(float gain) {
+bool OpenAlStream::makeSources(float gain) {
     if (alIsExtensionPresent("AL_EXT_FLOAT32") == AL_FALSE) return false;
+    offsetAndLatency_ = latencyQuestion();
     alGetError();
-    alGenSources(1, &source_);
+    alGenSources(static_cast<ALsizei>(sources_.size()), sources_.data());
     queueLength_ = std::clamp(blocksTakenAtOnce(device_) + kSpareBlocks, 1, kLongestQueue);
-    alGenBuffers(queueLength_, buffers_.data());
+    for (std::size_t place = 0; place < sources_.size(); ++place) {
+        alGenBuffers(kLongestQueue, buffers_[place].data());
+        alSourcef(sources_[place], AL_GAIN, gain);
+        alSourcef(sources_[place], AL_ROLLOFF_FACTOR, 0.0f);  // direction only, see SoundPlacement
+    }
     free_ = buffers_;
-    freeCount_ = queueLength_;
-    alSourcef(source_, AL_GAIN, gain);
-    alSourcef(source_, AL_ROLLOFF_FACTOR, 0.0f);  // direction only, see SoundPlacement
+    freeCount_ = kLongestQueue;
     return alGetError() == AL_NO_ERROR;
 }
 
 OpenAlStream::~OpenAlStream() {
-    {
+    if (sources_[0] != 0) {
         const ThreadContext current(context_);
-        if (source_ != 0) {
-            alSourceStop(source_);
-            alDeleteSources(1, &source_);
-            alDeleteBuffers(queueLength_, buffers_.data());
-        }
+        const auto count = static_cast<ALsizei>(sources_.size());
+        alSourceStopv(count, sources_.data());
+        alDeleteSources(count, sources_.data());
+        for (const Buffers& buffers : buffers_) alDeleteBuffers(kLongestQueue, buffers.data());
     }
     alcDestroyContext(context_);
     alcCloseDevice(device_);
 }
 
 void OpenAlStream::reclaim() {
-    ALint played = 0;
-    alGetSourcei(source_, AL_BUFFERS_PROCESSED, &played);
-    for (; played > 0 && freeCount_ < queueLength_; --played) alSourceUnqueueBuffers(source_, 1, &free_[freeCount_++]);
+    // The mixer may come in between two of these questions: what all have played is the least of the answers.
+    ALint played = kLongestQueue - freeCount_;
+    for (const unsigned source : sources_) {
+        ALint own = 0;
+        alGetSourcei(source, AL_BUFFERS_PROCESSED, &own);
+        played = std::min(played, own);
+    }
+    for (std::size_t place = 0; place < sources_.size(); ++place) {
+        alSourceUnqueueBuffers(sources_[place], played, &free_[place][static_cast<std::size_t>(freeCount_)]);
+    }
+    freeCount_ += played;
 }
 
-void OpenAlStream::queue(std::span<const float> mono) {
+void OpenAlStream::queue(const SoundBlock& block) {
     assert(freeCount_ > 0);
-    const unsigned buffer = free_[--freeCount_];
-    alBufferData(buffer, AL_FORMAT_MONO_FLOAT32, mono.data(), static_cast<ALsizei>(mono.size_bytes()), kSoundRate);
-    alSourceQueueBuffers(source_, 1, &buffer);
+    --freeCount_;
+    for (std::size_t place = 0; place < sources_.size(); ++place) {
+        const unsigned buffer = free_[place][static_cast<std::size_t>(freeCount_)];
+        alBufferData(buffer, AL_FORMAT_MONO_FLOAT32, block[place].data(), static_cast<ALsizei>(sizeof(block[place])),
+                     kSoundRate);
+        alSourceQueueBuffers(sources_[place], 1, &buffer);
+    }
+}
+
+double OpenAlStream::delay() const {
+    const double queued = static_cast<double>((kLongestQueue - freeCount_) * kSoundBlock) / kSoundRate;
+    if (offsetAndLatency_ == nullptr) return queued;
+    std::array<ALdouble, 2> heard{};  // s: place within the queue that the mixer has reached, and its way to the ear
+    offsetAndLatency_(sources_[0], AL_SEC_OFFSET_LATENCY_SOFT, heard.data());
+    return queued - heard[0] + heard[1];
 }
 
 bool OpenAlStream::ensurePlaying() {
     ALint state = AL_PLAYING;
-    alGetSourcei(source_, AL_SOURCE_STATE, &state);
+    alGetSourcei(sources_[0], AL_SOURCE_STATE, &state);
     if (state == AL_PLAYING) return false;
-    alSourcePlay(source_);
+    alSourcePlayv(static_cast<ALsizei>(sources_.size()), sources_.data());
     return true;
 }
 
 void OpenAlStream::place(const SoundPlacement& placement) {
     constexpr double kMetresPerMm = 1e-3;
-    const Eigen::Vector3f source = (placement.source * kMetresPerMm).cast<float>();
     const Eigen::Vector3f ears = (placement.listenerInWorld.position * kMetresPerMm).cast<float>();
     const Eigen::Vector3f ahead = (placement.listenerInWorld.rotation * -Vec3::UnitZ()).cast<float>();
     const Eigen::Vector3f up = (placement.listenerInWorld.rotation * Vec3::UnitY()).cast<float>();
     const std::array<float, 6> facing{ahead.x(), ahead.y(), ahead.z(), up.x(), up.y(), up.z()};
-    alSource3f(source_, AL_POSITION, source.x(), source.y(), source.z());
+    const std::array<const Vec3*, kSoundPlaces> places{&placement.source, &placement.mouth, &placement.suction};
+    for (std::size_t place = 0; place < sources_.size(); ++place) {
+        const Eigen::Vector3f at = (*places[place] * kMetresPerMm).cast<float>();
+        alSource3f(sources_[place], AL_POSITION, at.x(), at.y(), at.z());
+    }
     alListener3f(AL_POSITION, ears.x(), ears.y(), ears.z());
     alListenerfv(AL_ORIENTATION, facing.data());
 }

@@ -2,14 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <AL/al.h>
 #include <AL/alc.h>
+#include <AL/alext.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
-#include <span>
 
-#include "sound/sound_format.h"
 #include "sound/sound_placement.h"
+#include "sound/soundscape.h"
 
 namespace tactooth {
 
@@ -27,11 +29,11 @@ public:
 /// times measured, cutting sound from the side), so that a source at its ceiling would clip.
 inline constexpr float kHeadphoneGain = 0.5f;
 
-/// An OpenAL device with one context and one source that plays a queue of short blocks. Every call but the destructor
-/// needs its context() to be current.
+/// An OpenAL device with one context and one source for each place of the soundscape, which play queues of short blocks
+/// in step. Every call but the destructor needs its context() to be current.
 class OpenAlStream {
 public:
-    /// Takes over `device`; none if it cannot make a context or a source. `attributes` as for alcCreateContext;
+    /// Takes over `device`; none if it cannot make a context or the sources. `attributes` as for alcCreateContext;
     /// `gain` multiplies the amplitude.
     static std::unique_ptr<OpenAlStream> create(ALCdevice* device, const ALCint* attributes, float gain);
     ~OpenAlStream();
@@ -44,28 +46,35 @@ public:
     /// Takes back the blocks that have been played. Once before filling up, not in between: in a source that ran dry
     /// each block counts as played as soon as it is queued.
     void reclaim();
-    [[nodiscard]] bool hasRoom() const { return freeCount_ > 0; }
+    [[nodiscard]] bool hasRoom() const { return kLongestQueue - freeCount_ < queueLength_; }
     /// Blocks that the queue holds: what the device takes at a time, and enough more for a thread that is woken late.
     [[nodiscard]] int queueLength() const { return queueLength_; }
-    /// Appends a block of one channel. Needs room.
-    void queue(std::span<const float> mono);
+    /// Holds one block more from now on, for a thread that is woken later than was thought.
+    void lengthenQueue() { queueLength_ = std::min(queueLength_ + 1, kLongestQueue); }
+    /// Appends a block for each place. Needs room.
+    void queue(const SoundBlock& block);
+    /// How long a sample that is queued now waits until it is heard, s: for what is before it in the queue, and for the
+    /// device, as far as that tells.
+    [[nodiscard]] double delay() const;
     /// Starts playing, again if it had run out of blocks; true if it was not playing.
     bool ensurePlaying();
     void place(const SoundPlacement& placement);
 
 private:
-    static constexpr int kLongestQueue = 16;
+    static constexpr int kLongestQueue = 32;
+    using Buffers = std::array<unsigned, kLongestQueue>;
 
     OpenAlStream(ALCdevice* device, ALCcontext* context) : device_(device), context_(context) {}
-    bool makeSource(float gain);
+    bool makeSources(float gain);
 
     ALCdevice* device_;
     ALCcontext* context_;
-    unsigned source_ = 0;
+    LPALGETSOURCEDVSOFT offsetAndLatency_ = nullptr;  // null where OpenAL cannot tell
+    std::array<unsigned, kSoundPlaces> sources_{};
     int queueLength_ = 0;
-    std::array<unsigned, kLongestQueue> buffers_{};
-    std::array<unsigned, kLongestQueue> free_{};
-    int freeCount_ = 0;
+    std::array<Buffers, kSoundPlaces> buffers_{};
+    std::array<Buffers, kSoundPlaces> free_{};
+    int freeCount_ = 0;  // as many of each
 };
 
 }  // namespace tactooth

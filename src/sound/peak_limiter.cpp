@@ -16,7 +16,7 @@ constexpr float kBackAtOne = 0.9999f;
 
 }  // namespace
 
-PeakLimiter::PeakLimiter() {
+PeakLimiter::PeakLimiter(float ceiling) : ceiling_(ceiling) {
     needed_.fill(1.0f);
     allowed_.fill(1.0f);
 }
@@ -28,7 +28,7 @@ float PeakLimiter::neededGain() const { return loud_ == 0 ? 1.0f : *std::min_ele
 void PeakLimiter::process(std::span<float> samples) {
     for (float& sample : samples) {
         const float peak = std::abs(sample);
-        const float needed = peak > kCeiling ? kCeiling / peak : 1.0f;
+        const float needed = peak > ceiling_ ? ceiling_ / peak : 1.0f;
         loud_ += static_cast<int>(needed < 1.0f) - static_cast<int>(needed_[place_] < 1.0f);
         needed_[place_] = needed;
         samples_[place_] = sample;

@@ -7,20 +7,21 @@
 
 namespace tactooth {
 
-/// Keeps every sample within +-kCeiling by turning the gain down shortly *before* a peak. Below the ceiling it only
+/// Keeps every sample within a ceiling by turning the gain down shortly *before* a peak. Below the ceiling it only
 /// delays, bit for bit: a curve that bends the wave (tanh and the like) would add overtones that fold back.
 class PeakLimiter {
 public:
     static constexpr int kWindow = 64;          ///< samples in which the gain comes down, 1.3 ms
     static constexpr int kDelay = kWindow - 1;  ///< samples from input to output
-    static constexpr float kCeiling = 0.89f;    ///< -1 dB of full scale: leaves room for the way to the ears
+    static constexpr float kCeiling = 0.89f;  ///< of the drill, -1 dB of full scale: leaves room for what is beside it
 
-    PeakLimiter();
+    explicit PeakLimiter(float ceiling = kCeiling);
     void process(std::span<float> samples);
 
 private:
     float neededGain() const;
 
+    float ceiling_;
     // Rings of the last kWindow samples, of the gain each of them needs, and of the gain that was allowed.
     std::array<float, kWindow> samples_{}, needed_, allowed_;
     int place_ = 0;

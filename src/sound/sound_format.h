@@ -8,8 +8,11 @@ namespace tactooth {
 /// 400 000 rev/min (6.7 kHz) and two harmonics below half the rate.
 inline constexpr int kSoundRate = 48000;
 
-/// Samples that are made and handed over together, 5 ms: short enough for a delay that nobody notices, long enough
-/// that one missed wake-up of the thread is covered by the queue.
-inline constexpr int kSoundBlock = 240;
+/// Samples that are made and handed over together, 2.5 ms.
+inline constexpr int kSoundBlock = 120;
+
+/// Samples that a sound card is asked to take at a time, 5 ms: shorter than the 30 ms after which hand and ear no
+/// longer seem to notice the same cut, longer than most late wake-ups of a thread.
+inline constexpr int kDevicePeriod = 2 * kSoundBlock;
 
 }  // namespace tactooth

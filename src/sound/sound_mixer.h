@@ -10,6 +10,7 @@ struct SoundMixer {
     double cutting = 1.0;  ///< grinding noise and taps
     double master = 1.0;
     bool muted = false;
+    double environment = 1.0;  ///< spray and suction
 };
 
 }  // namespace tactooth

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <string_view>
 
 #include "sound/drill_sound_state.h"
+#include "sound/sound_kit.h"
 #include "sound/sound_mixer.h"
 #include "sound/sound_placement.h"
 
@@ -40,6 +42,12 @@ public:
     /// One thread (the window's); wait-free.
     virtual void setMixer(const SoundMixer& mixer) = 0;
     virtual void setPlacement(const SoundPlacement& placement) = 0;
+    /// Whether the sound is placed by the ears' own filtering (HRTF), for headphones, or by left-right balance. The
+    /// sound stops for a moment at a change.
+    virtual void setHeadphones(bool headphones) = 0;
+
+    /// Recordings to play from now on; none: all of it synthesised.
+    virtual void setKit(std::shared_ptr<const SoundKit> kit) = 0;
 
     /// Any thread.
     [[nodiscard]] virtual SoundStatus status() const = 0;

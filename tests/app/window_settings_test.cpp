@@ -20,7 +20,9 @@ WindowSettings unusual() {
             .showsTurbine = false,
             .showsMirror = false,
             .force = {false, 0.75, 0.0125, 1.5, 2.2},
-            .sound = {.motor = 0.25, .cutting = 0.5, .master = 0.75, .muted = true}};
+            .sound = {.motor = 0.25, .cutting = 0.5, .master = 0.75, .muted = true, .environment = 0.125},
+            .headphones = true,
+            .ownSounds = "/home/someone/school.toml"};
 }
 
 void expectEqual(const WindowSettings& a, const WindowSettings& b) {
@@ -36,6 +38,9 @@ void expectEqual(const WindowSettings& a, const WindowSettings& b) {
     EXPECT_EQ(a.sound.cutting, b.sound.cutting);
     EXPECT_EQ(a.sound.master, b.sound.master);
     EXPECT_EQ(a.sound.muted, b.sound.muted);
+    EXPECT_EQ(a.sound.environment, b.sound.environment);
+    EXPECT_EQ(a.headphones, b.headphones);
+    EXPECT_EQ(a.ownSounds, b.ownSounds);
 }
 
 std::string refusal(std::string_view text) {

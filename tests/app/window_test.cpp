@@ -24,6 +24,7 @@
 #include "geometry/stl_writer.h"
 #include "sound/audio_libraries.h"
 #include "sound/openal_output.h"
+#include "sound/sound_files.h"
 #include "support/sanitizer.h"
 #include "support/shapes.h"
 #include "support/test_data.h"
@@ -55,6 +56,8 @@ private slots:
     void unusableFilesAreRefusedWithASentenceAndTheToothStays();
     void everyViewTurnsThePicture();
     void theMirrorCanBePutAway();
+    void ownRecordingsArePlayedAndPutAway();
+    void aRecordingThatCannotBeUsedIsRefusedWithASentence();
     void anotherWindowTakesOverTheSettings();
     void settingsThatMakeNoSenseChangeNothing();
     void cleanupTestCase();
@@ -311,13 +314,37 @@ void WindowTest::theMirrorCanBePutAway() {
     key(Qt::Key_M);
 }
 
+void WindowTest::ownRecordingsArePlayedAndPutAway() {
+    test::writeTone(folder_ / "mine.wav", 5000, 0.3);
+    window_->openSounds(QString::fromStdString(folder_ / "mine.wav"));
+    auto* sounds = window_->findChild<QComboBox*>("sounds");
+    QTRY_COMPARE(sounds->currentText(), QString("mine.wav"));
+    QCOMPARE(window_->settings().ownSounds, (folder_ / "mine.wav").string());
+    QTest::qWait(100);
+    sounds->setCurrentIndex(0);
+    emit sounds->activated(0);
+    QCOMPARE(sounds->currentText(), QString("Synthesised"));
+    QVERIFY(window_->settings().ownSounds.empty());
+    QCOMPARE(sound_->status(), SoundStatus::Playing);
+}
+
+void WindowTest::aRecordingThatCannotBeUsedIsRefusedWithASentence() {
+    std::ofstream(folder_ / "noise.wav") << "not a sound";
+    window_->openSounds(QString::fromStdString(folder_ / "noise.wav"));
+    QTRY_VERIFY(window_->findChild<QMessageBox*>() != nullptr);
+    const QString said = dismissMessage();
+    QVERIFY2(said.contains("noise.wav: this is neither WAV, FLAC nor Ogg"), qPrintable(said));
+    QCOMPARE(window_->findChild<QComboBox*>("sounds")->currentText(), QString("Synthesised"));
+}
+
 void WindowTest::anotherWindowTakesOverTheSettings() {
     WindowSettings settings = window_->settings();
     settings.bur = "58";
     settings.spindle = spindlePresets().back().name;
     settings.showsMirror = false;
     settings.force = {false, 0.8, 0.01, 1.5, 2};
-    settings.sound = {.motor = 0.2, .cutting = 0.4, .master = 0.6, .muted = true};
+    settings.sound = {.motor = 0.2, .cutting = 0.4, .master = 0.6, .muted = true, .environment = 0.3};
+    settings.headphones = true;
     settings.folder = "/somewhere";
     MainWindow other(*sound_);
     other.apply(settings);
@@ -331,6 +358,8 @@ void WindowTest::anotherWindowTakesOverTheSettings() {
     QCOMPARE(taken.sound.cutting, 0.4);
     QCOMPARE(taken.sound.master, 0.6);
     QVERIFY(taken.sound.muted);
+    QCOMPARE(taken.sound.environment, 0.3);
+    QVERIFY(taken.headphones);
     QCOMPARE(taken.folder, settings.folder);
     QCOMPARE(other.size(), window_->size());
     QCOMPARE(other.bench().controls.forceScale, 1.5);

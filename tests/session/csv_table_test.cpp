@@ -49,6 +49,17 @@ TEST(CsvTable, BlanksCommentsEmptyLinesAndWindowsLineEndsDoNotMatter) {
     EXPECT_EQ(table.where(1), "p.csv, line 7");
 }
 
+TEST(CsvTable, ReadsColumnsOfWordsAsTheyAreWritten) {
+    constexpr std::array<std::string_view, 1> kWords = {"name"};
+    const auto table = parseCsv("t,name,x\n0, soft caries ,1\n2,,3\n", "p.csv", kColumns, kWords);
+    ASSERT_TRUE(table) << table.error().message;
+    EXPECT_THAT(table->row(1), ElementsAre(2, 3));
+    EXPECT_EQ(table->wordAt(0, 0), "soft caries");
+    EXPECT_EQ(table->wordAt(1, 0), "");
+    EXPECT_EQ(parseCsv("t,x\n0,1\n", "p.csv", kColumns, kWords).error().message,
+              "p.csv, line 1: the column 'name' is missing; expected the columns t,x,name, separated by commas.");
+}
+
 TEST(CsvTable, RefusesAMissingColumn) {
     EXPECT_EQ(refusal("t,y\n0,1\n"),
               "p.csv, line 1: the column 'x' is missing; expected the columns t,x, separated by commas.");

@@ -39,6 +39,26 @@ TEST(TickSound, TakesTheCharacterOfTheMaterialThatHoldsTheTool) {
     EXPECT_NE(heard.bandCentreHz, soundCharacterOf("enamel").bandCentreHz);
 }
 
+TEST(TickSound, BandAndLevelAreThoseOfTheTableOfMaterials) {
+    MaterialTable materials;
+    materials[MaterialId::Caries].soundCentre = 1234;
+    materials[MaterialId::Caries].soundBrightness = 0.5;
+    const SoundCharacter heard = soundOf(cuttingTick(), spindlePresets().front(), materials).material;
+    EXPECT_EQ(heard.bandCentreHz, 1234);
+    EXPECT_EQ(heard.level, 0.5);
+}
+
+TEST(TickSound, SprayFollowsThePedalAndSuctionRunsWhileCuttingIsOn) {
+    Tick tick = cuttingTick();
+    EXPECT_EQ(soundOf(tick, spindlePresets().front()).water, 0.8);
+    EXPECT_EQ(soundOf(tick, spindlePresets().front()).suction, 1);
+    tick.pedal = 0;
+    EXPECT_EQ(soundOf(tick, spindlePresets().front()).water, 0);
+    EXPECT_EQ(soundOf(tick, spindlePresets().front()).suction, 1);
+    tick.cutting = false;
+    EXPECT_EQ(soundOf(tick, spindlePresets().front()).suction, 0);
+}
+
 TEST(TickSound, KnowsTheThreeKindsOfDrive) {
     EXPECT_EQ(soundOf({}, spindlePresets()[0]).motor, MotorKind::AirTurbine);
     EXPECT_EQ(soundOf({}, spindlePresets()[1]).motor, MotorKind::Electric);

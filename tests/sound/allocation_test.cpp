@@ -6,6 +6,7 @@
 #include "geometry/latest_value.h"
 #include "sound/drill_synthesiser.h"
 #include "sound/sound_format.h"
+#include "sound/soundscape.h"
 #include "spectrum.h"
 #include "support/heap_counter.h"
 
@@ -17,6 +18,20 @@ TEST(Allocation, CounterSeesAnAllocation) {
     std::vector<int> some(3);
     EXPECT_EQ(some.size(), 3u);
     EXPECT_GT(test::heapCalls(), before);
+}
+
+TEST(Allocation, TheWholeSoundscapeUsesNoHeap) {
+    Soundscape soundscape;
+    SoundBlock block;
+    DrillSoundState state = test::cutting("dentin", 10.0);
+    const long before = test::heapCalls();
+    for (int i = 0; i < 4000; ++i) {
+        state.water = 0.01 * (i % 100);
+        state.suction = i % 300 < 200 ? 1.0 : 0.0;
+        soundscape.setMixer({.environment = 0.001 * (i % 1000)});
+        soundscape.render(state, block);
+    }
+    EXPECT_EQ(test::heapCalls(), before);
 }
 
 TEST(Allocation, RenderingAndHandingOverUseNoHeap) {

@@ -28,6 +28,8 @@ TEST(DrillSoundState, SensibleValuesAreLeftAlone) {
     state.removalWatt = 4.5;
     state.material = soundCharacterOf("enamel");
     state.contactSpeed = 12.0;
+    state.water = 0.4;
+    state.suction = 1.0;
     const DrillSoundState safe = sanitised(state);
     EXPECT_EQ(safe.speedRpm, 312345.0);
     EXPECT_EQ(safe.pedal, 0.7);
@@ -35,6 +37,8 @@ TEST(DrillSoundState, SensibleValuesAreLeftAlone) {
     EXPECT_EQ(safe.removalWatt, 4.5);
     EXPECT_EQ(safe.material.bandCentreHz, state.material.bandCentreHz);
     EXPECT_EQ(safe.contactSpeed, 12.0);
+    EXPECT_EQ(safe.water, 0.4);
+    EXPECT_EQ(safe.suction, 1.0);
 }
 
 TEST(DrillSoundState, ReverseSoundsLikeForward) {

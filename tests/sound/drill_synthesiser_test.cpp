@@ -179,6 +179,33 @@ TEST(DrillSynthesiser, StallLeavesTheAirAlone) {
     EXPECT_GT(rms(steadySound(spinning(0.0), 0.5)), 0.005);
 }
 
+// How much the loudness swings some tens of times a second, over its mean.
+double chatterOf(double load) {
+    DrillSoundState state = cutting("enamel", 6.0);
+    state.load = load;
+    const auto sound = steadySound(state, 4.0);
+    constexpr std::size_t kPiece = 240;  // 5 ms
+    std::vector<float> loudness;
+    for (std::size_t i = 0; i + kPiece <= sound.size(); i += kPiece)
+        loudness.push_back(static_cast<float>(rms(std::span(sound).subspan(i, kPiece))));
+    double mean = 0.0;
+    for (const float value : loudness) mean += static_cast<double>(value) / static_cast<double>(loudness.size());
+    for (float& value : loudness) value -= static_cast<float>(mean);
+    return std::sqrt(averageSpectrum(loudness, 256).bandPower(1.0 * 240, 8.0 * 240)) / mean;
+}
+
+TEST(DrillSynthesiser, ChattersNearTheStallAndNotBefore) {
+    EXPECT_NEAR(chatterOf(0.4), chatterOf(0.0), 0.1 * chatterOf(0.0));
+    EXPECT_GT(chatterOf(1.0), 1.5 * chatterOf(0.4));
+}
+
+TEST(DrillSynthesiser, ChatterDoesNotChangeTheLevel) {
+    DrillSoundState calm = cutting("enamel", 6.0), strained = calm;
+    calm.load = 0.5;
+    strained.load = 1.0;
+    EXPECT_NEAR(rms(steadySound(strained, 6.0)) / rms(steadySound(calm, 6.0)), 1.0, 0.05);
+}
+
 TEST(DrillSynthesiser, LevelRisesWithRemovalPower) {
     for (const char* material : {"enamel", "dentin", "caries", "amalgam", "composite"}) {
         double last = rms(steadySound(spinning(300000.0), 3.0));

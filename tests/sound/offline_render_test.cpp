@@ -72,6 +72,39 @@ TEST(OfflineRender, SourceOnOneSideIsLouderThere) {
     }
 }
 
+TEST(OfflineRender, ABurThatPassesFromLeftToRightMovesTheEnergyAlong) {
+    for (const bool headphones : {false, true}) {
+        auto track = steady(cutting("dentin", 5.0), {-300.0, 0.0, -100.0});
+        track.push_back({4.0, track[0].state, {{300.0, 0.0, -100.0}, {}}});
+        const auto sound = renderOffline(track, 4.0, headphonesIf(headphones));
+        ASSERT_TRUE(sound) << sound.error().message;
+        double last = -1.0;
+        for (std::size_t part = 0; part < 8; ++part) {
+            const auto piece = std::span(*sound).subspan(part * kSoundRate, kSoundRate);
+            const StereoSamples both(piece.begin(), piece.end());
+            const double rightOverLeft = rms(channel(both, 1)) / rms(channel(both, 0));
+            EXPECT_GT(rightOverLeft, last) << "headphones " << headphones << ", part " << part;
+            last = rightOverLeft;
+        }
+        EXPECT_GT(last, 1.5) << "headphones " << headphones;
+    }
+}
+
+TEST(OfflineRender, SpraySuctionAndBurComeEachFromTheirOwnPlace) {
+    DrillSoundState state;
+    auto track = steady(state);
+    track[0].placement.mouth = {-200.0, 0.0, -100.0};
+    track[0].placement.suction = {200.0, 0.0, -100.0};
+    track[0].state.water = 1.0;
+    const auto spray = renderOffline(track, 1.0);
+    track[0].state = {};
+    track[0].state.suction = 1.0;
+    const auto suction = renderOffline(track, 1.0);
+    ASSERT_TRUE(spray && suction);
+    EXPECT_GT(rms(channel(*spray, 0)), 1.5 * rms(channel(*spray, 1)));
+    EXPECT_GT(rms(channel(*suction, 1)), 1.5 * rms(channel(*suction, 0)));
+}
+
 TEST(OfflineRender, ListenerThatTurnsHearsTheSourceMove) {
     auto track = steady(cutting("dentin", 5.0));
     track[0].placement.listenerInWorld.rotation = Eigen::AngleAxisd(-0.8, Vec3::UnitY());  // turned to the right

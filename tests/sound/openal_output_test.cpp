@@ -9,8 +9,11 @@
 #include <cstdlib>
 #include <thread>
 
+#include "sound/audio_libraries.h"
 #include "sound/sound_format.h"
 #include "spectrum.h"
+#include "support/heap_counter.h"
+#include "support/sanitizer.h"
 
 namespace tactooth {
 namespace {
@@ -18,7 +21,11 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-[[maybe_unused]] const int nullDriver = setenv("ALSOFT_DRIVERS", "null", 1);
+[[maybe_unused]] const bool isPrepared = [] {
+    setenv("ALSOFT_DRIVERS", "null", 1);
+    prepareAudioLibraries();
+    return true;
+}();
 
 void waitForBlocks(const OpenAlOutput& output, std::uint64_t blocks) {
     for (const auto start = Clock::now(); output.playedBlocks() < blocks && Clock::now() - start < 5s;) {
@@ -75,6 +82,47 @@ TEST(OpenAlOutput, TakesStatesVolumesAndPlacesFromTwoThreads) {
         before = output.playedBlocks();
     }
     EXPECT_GT(before, 50u);
+}
+
+TEST(OpenAlOutput, FromAParameterToItsSampleItTakesAtMostThirtyMilliseconds) {
+    OpenAlOutput output;
+    waitForBlocks(output, 20);
+    std::vector<double> latencies;
+    for (int i = 0; i < 1000; ++i) {
+        output.publish(test::cutting("enamel", 5.0));
+        latencies.push_back(output.latency());
+        std::this_thread::sleep_for(1ms);
+    }
+    std::sort(latencies.begin(), latencies.end());
+    EXPECT_GT(latencies.front(), 0.005);  // less than the device holds would be a wrong measure
+    EXPECT_LT(latencies[latencies.size() / 2], 0.030);
+    if (test::isSanitized()) return;  // its threads come late
+    EXPECT_LT(latencies[latencies.size() * 95 / 100], 0.030);
+}
+
+TEST(OpenAlOutput, PlayingUsesNoHeapOfOurs) {
+    OpenAlOutput output;
+    waitForBlocks(output, 50);
+    const long before = test::heapCalls();
+    const std::uint64_t played = output.playedBlocks();
+    for (int i = 0; i < 300; ++i) {
+        output.publish(test::cutting(i % 2 == 0 ? "enamel" : "caries", 0.1 * i));
+        output.setMixer({.master = 0.001 * i});
+        output.setPlacement({{0.1 * i, 0.0, -100.0}, {}});
+        std::this_thread::sleep_for(1ms);
+    }
+    EXPECT_GT(output.playedBlocks(), played + 50);
+    EXPECT_EQ(test::heapCalls(), before);
+}
+
+TEST(OpenAlOutput, ChangesToHeadphonesAndBackWhilePlaying) {
+    OpenAlOutput output;
+    for (const bool headphones : {true, false}) {
+        output.setHeadphones(headphones);
+        waitForBlocks(output, output.playedBlocks() + 50);
+        EXPECT_EQ(output.status(), SoundStatus::Playing);
+    }
+    EXPECT_GE(output.playedBlocks(), 100u);
 }
 
 TEST(OpenAlOutput, TwoOutputsDoNotDisturbEachOther) {

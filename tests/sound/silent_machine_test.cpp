@@ -5,8 +5,8 @@
 #include <chrono>
 #include <thread>
 
-#include "sound/openal_output.h"
 #include "sound/audio_libraries.h"
+#include "sound/openal_output.h"
 #include "spectrum.h"
 
 namespace tactooth {

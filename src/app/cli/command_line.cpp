@@ -13,6 +13,7 @@
 #include "app/cli/exit_code.h"
 #include "app/cli/feel_command.h"
 #include "app/cli/info_command.h"
+#include "app/cli/sound_command.h"
 #include "app/gui/run_window.h"
 
 namespace tactooth {
@@ -153,6 +154,38 @@ void addDemo(CLI::App& program, Chosen& chosen) {
         ->type_name("FILE");
 }
 
+void addSound(CLI::App& program, Chosen& chosen) {
+    const auto options = std::make_shared<SoundOptions>();
+    CLI::App* command =
+        addCommand(program, chosen, "sound",
+                   "What a bur sounds like whose speed, removal power and material a file tells over time; needs no "
+                   "sound card.",
+                   options, runSound);
+    command
+        ->add_option("--profile", options->profile,
+                     "CSV file t,speed_rpm,power,material: s, rev/min, W, and enamel, dentin, pulp, caries, amalgam, "
+                     "composite, restoration, other or none")
+        ->required()
+        ->type_name("FILE");
+    command->add_option("--out", options->out, "WAV file to write: 48 kHz, 16 bits, stereo")
+        ->required()
+        ->type_name("FILE");
+    command->add_option("--spectrogram", options->spectrogram, "PNG file to write: the frequencies over time")
+        ->type_name("FILE");
+    command->add_option("--drive", options->drive, "turbine (default), electric (1:5) or low-speed (contra-angle)")
+        ->check(CLI::IsMember({"turbine", "electric", "low-speed"}))
+        ->type_name("DRIVE");
+    command
+        ->add_option("--sounds", options->sounds,
+                     "Your own sounds: a recording (WAV, FLAC, Ogg) of the drive running free, or a TOML preset that "
+                     "names a recording for each part (pattern: docs/sound.md)")
+        ->type_name("FILE");
+    command->add_flag("--water", options->water, "Add the cooling spray, as long as the drive has air or current");
+    command->add_flag("--suction", options->suction, "Add the suction in the mouth");
+    command->add_flag("--headphones", options->headphones,
+                      "Place the sound by the ears' own filtering (HRTF) instead of by left-right balance");
+}
+
 /// The files that the window opens with.
 struct WindowFiles {
     std::string tooth;
@@ -222,6 +255,7 @@ int runCommandLine(int argc, const char* const* argv) {
     addFeel(program, chosen);
     addCut(program, chosen);
     addDemo(program, chosen);
+    addSound(program, chosen);
     addMeshCommands(program, chosen);
     addMeasuringCommands(program, chosen);
     try {

@@ -216,12 +216,14 @@ void MainWindow::connectPanels() {
     connect(force_, &ForcePanel::pressDepthChanged, this, [this](double mm) { bench_.hand().setPressDepth(mm); });
     connect(view_, &ToothView::pressDepthChanged, force_, &ForcePanel::setPressDepth);
     connect(view_, &ToothView::failed, this, &MainWindow::graphicsFailed, Qt::QueuedConnection);
-    connect(volumes_, &SoundPanel::changed, this, [this] { sound_.setMixer(volumes_->mixer()); });
+    connectSound();
 }
 
 void MainWindow::step() {
     const double dt = sinceStep_.isValid() ? static_cast<double>(sinceStep_.restart()) / 1000 : (sinceStep_.start(), 0);
     takeNews(bench_.step(std::min(dt, kLongestStep)));
+    takeSounds();
+    placeSounds();
     trace_.add(bench_.ticks());
     busy_->setVisible(bench_.isBusy());
     view_->refresh();
@@ -257,6 +259,8 @@ void MainWindow::apply(const WindowSettings& settings) {
     turbineSwitch_->setChecked(settings.showsTurbine);
     force_->set(settings.force);
     volumes_->setMixer(settings.sound);
+    volumes_->setHeadphones(settings.headphones);
+    if (!settings.ownSounds.empty()) openSounds(QString::fromStdString(settings.ownSounds));
 }
 
 WindowSettings MainWindow::settings() const {
@@ -268,7 +272,9 @@ WindowSettings MainWindow::settings() const {
             .showsTurbine = turbineSwitch_->isChecked(),
             .showsMirror = mirrorSwitch_->isChecked(),
             .force = force_->settings(),
-            .sound = volumes_->mixer()};
+            .sound = volumes_->mixer(),
+            .headphones = volumes_->headphones(),
+            .ownSounds = soundsFile_.toStdString()};
 }
 
 void MainWindow::showNumbers() {

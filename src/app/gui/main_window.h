@@ -7,6 +7,7 @@
 #include <QProgressBar>
 #include <QTimer>
 
+#include "app/gui/errand.h"
 #include "app/gui/tick_trace.h"
 #include "app/gui/window_settings.h"
 #include "app/gui/workbench.h"
@@ -43,6 +44,8 @@ public:
     [[nodiscard]] WindowSettings settings() const;
     /// A message that does not stop the simulation.
     void complain(const QString& sentence);
+    /// Plays the user's own sounds (see readSoundKit) as soon as they are read.
+    void openSounds(const QString& file);
     /// Writes the tooth as it is now; says so if that fails.
     void exportTooth(const QString& file);
 
@@ -63,17 +66,26 @@ private:
     void addHelpMenu();
     QDockWidget* addDock(QWidget& panel, const QString& title, Qt::DockWidgetArea area);
     void connectPanels();
+    void connectSound();
     QAction* addViewAction(const QString& text, const QString& keys, void (ToothView::*act)());
 
     void step();
     void showNumbers();
     void showUsualHint();
     void takeNews(const Workbench::News& news);
+    void takeSounds();
+    void placeSounds();
     void askForTooth();
     void askForBur();
     void askForExport();
+    void askForSounds();
     void showMouseAndKeys();
     void showAbout();
+
+    struct OwnSounds {
+        std::string file;
+        std::shared_ptr<const SoundKit> kit;
+    };
 
     SoundOutput& sound_;
     Workbench bench_;
@@ -91,7 +103,9 @@ private:
     QMenu* viewMenu_ = nullptr;
     QAction* mirrorSwitch_ = nullptr;
     QAction* turbineSwitch_ = nullptr;
-    QString folder_;  // of the last file
+    QString folder_;      // of the last file
+    QString soundsFile_;  // that is played; empty: the synthesised sounds
+    Errand<OwnSounds> comingSounds_;
     QTimer stepTimer_, numbersTimer_, statusTimer_;
     QElapsedTimer sinceStep_;
 };

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QSlider>
 #include <QWidget>
 
@@ -10,7 +11,7 @@
 
 namespace tactooth {
 
-/// The three volumes and the mute switch.
+/// The volumes, the mute switch, headphones, and whose sounds are played.
 class SoundPanel final : public QWidget {
     Q_OBJECT
 
@@ -20,16 +21,30 @@ public:
     [[nodiscard]] SoundMixer mixer() const;
     void setMixer(const SoundMixer& mixer);
     void setMuted(bool muted) { mute_->setChecked(muted); }
+    [[nodiscard]] bool headphones() const { return headphones_->isChecked(); }
+    void setHeadphones(bool headphones) { headphones_->setChecked(headphones); }
+    /// Shows which file's sounds are played; empty: the synthesised ones.
+    void showSounds(const QString& file);
 
 signals:
     void changed();
     void mutedChanged(bool muted);
+    void headphonesChanged(bool headphones);
+    void synthesisChosen();
+    /// The user wants to choose a file.
+    void ownSoundsWanted();
 
 private:
+    void chooseSounds(int index);
+
     QSlider* motor_;
     QSlider* cutting_;
+    QSlider* environment_;
     QSlider* master_;
     QCheckBox* mute_;
+    QCheckBox* headphones_;
+    QComboBox* sounds_;
+    QString shownFile_;
 };
 
 }  // namespace tactooth

@@ -32,6 +32,7 @@ public:
     void lookAsUsual();
     void setShowsTurbine(bool shows);
     void setShowsMirror(bool shows);
+    [[nodiscard]] Camera camera() const { return camera_.camera(); }
     [[nodiscard]] bool showsTurbine() const { return showsTurbine_; }
     [[nodiscard]] bool showsMirror() const { return showsMirror_; }
 

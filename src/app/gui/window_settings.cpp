@@ -94,6 +94,9 @@ Expected<WindowSettings> settingsFrom(const toml::table& root, std::string_view 
     reader.number("sound", "cutting", 1, settings.sound.cutting);
     reader.number("sound", "all", 1, settings.sound.master);
     reader.yesOrNo("sound", "muted", settings.sound.muted);
+    reader.number("sound", "water", 1, settings.sound.environment);
+    reader.yesOrNo("sound", "headphones", settings.headphones);
+    reader.text("sound", "recordings", settings.ownSounds);
     if (reader.error()) return Unexpected{*reader.error()};
     return settings;
 }
@@ -130,7 +133,10 @@ std::string windowSettingsText(const WindowSettings& settings) {
     root.insert("sound", toml::table{{"turbine", settings.sound.motor},
                                      {"cutting", settings.sound.cutting},
                                      {"all", settings.sound.master},
-                                     {"muted", settings.sound.muted}});
+                                     {"muted", settings.sound.muted},
+                                     {"water", settings.sound.environment},
+                                     {"headphones", settings.headphones},
+                                     {"recordings", settings.ownSounds}});
     std::ostringstream text;
     text << "# What the window of Tactooth remembers. Without this file it starts with its defaults.\n" << root << "\n";
     return text.str();

@@ -39,6 +39,8 @@ struct WindowSettings {
     bool showsMirror = true;
     ForceSettings force;
     SoundMixer sound;
+    bool headphones = false;
+    std::string ownSounds;  ///< file of the recordings that are played; empty: all synthesised
 };
 
 /// `window.toml` in the user's folder for settings.

@@ -62,9 +62,10 @@ void Workbench::startSimulator(News& news) {
     hand_.release();
     device_.moveTo({hand_.hand(), 0, 0, true});
     simulator_.reset();  // its threads end before the new one's begin: they share the work piece and the device
-    simulator_ = std::make_unique<Simulator>(
-        tooth_->piece, bur_->instrument, settings_, device_,
-        [&sound = sound_, spindle = settings_.spindle](const Tick& tick) { sound.publish(soundOf(tick, spindle)); });
+    simulator_ = std::make_unique<Simulator>(tooth_->piece, bur_->instrument, settings_, device_,
+                                             [&sound = sound_, settings = settings_](const Tick& tick) {
+                                                 sound.publish(soundOf(tick, settings.spindle, settings.materials));
+                                             });
     newest_ = Tick();
     newest_.proxy = newest_.hand = hand_.hand();
     news.newSimulator = true;

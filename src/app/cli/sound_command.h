@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace tactooth {
+
+struct SoundOptions {
+    std::filesystem::path profile;
+    std::filesystem::path out;
+    std::filesystem::path spectrogram;  ///< empty: not written
+    std::filesystem::path sounds;       ///< preset or recording; empty: all synthesised
+    std::string drive = "turbine";      ///< or "electric", "low-speed"
+    bool headphones = false;
+    bool water = false;
+    bool suction = false;
+};
+
+/// Renders what a bur sounds like whose speed, removal power and material a file tells over time.
+[[nodiscard]] int runSound(const SoundOptions& options);
+
+}  // namespace tactooth

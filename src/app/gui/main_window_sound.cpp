@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The window's ear: volumes, places and the user's own sounds.
+#include <QFileDialog>
+#include <QFileInfo>
+
+#include "app/gui/drill_bar.h"
+#include "app/gui/main_window.h"
+#include "app/gui/sound_panel.h"
+#include "app/gui/status_line.h"
+#include "app/gui/tooth_view.h"
+#include "session/sound_places.h"
+#include "session/sound_preset.h"
+
+namespace tactooth {
+
+void MainWindow::connectSound() {
+    connect(volumes_, &SoundPanel::changed, this, [this] { sound_.setMixer(volumes_->mixer()); });
+    connect(volumes_, &SoundPanel::headphonesChanged, this, [this](bool on) { sound_.setHeadphones(on); });
+    connect(volumes_, &SoundPanel::ownSoundsWanted, this, &MainWindow::askForSounds);
+    connect(volumes_, &SoundPanel::synthesisChosen, this, [this] {
+        soundsFile_.clear();
+        sound_.setKit(nullptr);
+    });
+}
+
+void MainWindow::askForSounds() {
+    auto* dialog = new QFileDialog(this, tr("Own sounds: a recording of the free-running drive, or a preset"), folder_,
+                                   tr("Recordings and presets (*.wav *.flac *.ogg *.toml);;All files (*)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
+        folder_ = QFileInfo(file).absolutePath();
+        openSounds(file);
+    });
+    dialog->open();
+}
+
+void MainWindow::openSounds(const QString& file) {
+    comingSounds_.start([file = file.toStdString(), drive = bench_.spindle()]() -> Expected<OwnSounds> {
+        auto kit = readSoundKit(file, drive);
+        if (!kit) return Unexpected{kit.error()};
+        return OwnSounds{file, std::move(*kit)};
+    });
+}
+
+/// A file that cannot be used leaves what was played before.
+void MainWindow::takeSounds() {
+    auto sounds = comingSounds_.poll();
+    if (!sounds) return;
+    if (!*sounds) return complain(QString::fromStdString(sounds->error().message));
+    soundsFile_ = QString::fromStdString((*sounds)->file);
+    volumes_->showSounds(soundsFile_);
+    sound_.setKit((*sounds)->kit);
+}
+
+void MainWindow::placeSounds() {
+    if (bench_.simulator() == nullptr) return;
+    sound_.setPlacement(placesAround(bench_.tooth()->box(), bench_.mesialX(), bench_.newest().proxy.position,
+                                     view_->camera().cameraInWorld));
+}
+
+}  // namespace tactooth

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "geometry/expected.h"
+#include "instruments/spindle.h"
+#include "sound/sound_kit.h"
+
+namespace tactooth {
+
+/// Reads the user's own sounds: a preset (TOML, pattern: docs/sound.md) that says which recording stands for what, or a
+/// recording alone (any other file), which then is `drive` running free.
+///
+/// Fails with one sentence with file and line on a preset that is not TOML, a part, key or material that there is not,
+/// a number that cannot be meant, a missing `file`; and on everything that readRecording refuses.
+[[nodiscard]] Expected<std::shared_ptr<const SoundKit>> readSoundKit(const std::filesystem::path& path,
+                                                                     const SpindlePreset& drive);
+
+}  // namespace tactooth

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace tactooth {
+
+/// How loud each frequency is over time: a sine of full scale has 0 dB.
+struct Spectrogram {
+    std::size_t times = 0;
+    std::size_t bins = 0;      ///< frequencies, from 0 to half of kSoundRate, evenly
+    std::vector<float> level;  ///< dB of full scale, at least kSilence; the frequencies of a time stand together
+
+    static constexpr float kSilence = -120.0f;
+
+    [[nodiscard]] float at(std::size_t time, std::size_t bin) const { return level[time * bins + bin]; }
+};
+
+/// Of the mean of left and right samples by turns, cut into `times` (at least 1) pieces of equal length. Of a piece
+/// that is longer than one window, the loudest of its windows counts for each frequency, so that no click is missed.
+[[nodiscard]] Spectrogram spectrogramOf(std::span<const float> stereo, std::size_t times);
+
+}  // namespace tactooth
