@@ -40,6 +40,9 @@ public:
     /// Of all that has been cut (CutVolume::hash): equal bits for equal cuts.
     [[nodiscard]] std::uint64_t hash() const { return volume_.hash(); }
 
+    /// Memory of the cut volume.
+    [[nodiscard]] std::size_t bytes() const { return volume_.bytes(); }
+
     /// The whole tooth again.
     void reset();
 
