@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "collision/closest_point.h"
+#include "collision/triangle_point.h"
 
 namespace tactooth {
 namespace {
@@ -63,16 +64,25 @@ private:
 
     void visit(int x, int y, int z) {
         const Vec3 point = corner_ + spacing_ * Vec3(x, y, z);
-        const double reach = std::min(band_, previous_ + spacing_ * (1 + 1e-6));
-        const auto hit = closestPoint(part_, point, reach);
+        const auto hit = closestPoint(part_, point, reachAt(point));
         const double distance = hit ? std::min(hit->distance, band_) : band_;
         const Vec3 away = hit ? Vec3(point - hit->point) : Vec3::UnitZ();
         if (previous_ + distance <= spacing_ * (1 + 1e-6) || first_) inside_ = isInsideNear(point, away, hit);
         first_ = false;
         previous_ = distance;
+        if (hit) nearest_ = hit->triangle;
         const int node = nodeIndex(x, y, z);
         field_.distance[node] = static_cast<float>(inside_ ? -distance : distance);
         field_.gradient[node] = PackedDirection(inside_ ? Vec3(-away) : away);
+    }
+
+    /// The triangle that was nearest to the node before is near this one, too.
+    [[nodiscard]] double reachAt(const Vec3& point) {
+        if (!nearest_) return std::min(band_, previous_ + spacing_ * (1 + 1e-6));
+        const TriangleMesh& mesh = part_.mesh();
+        const Vec3 there =
+            closestOnTriangle(point, mesh.corner(*nearest_, 0), mesh.corner(*nearest_, 1), mesh.corner(*nearest_, 2));
+        return std::min(band_, (there - point).norm() * (1 + 1e-12));
     }
 
     [[nodiscard]] bool isInsideNear(const Vec3& point, const Vec3& away, const std::optional<ClosestPoint>& hit) const {
@@ -91,6 +101,7 @@ private:
     bool first_ = true;
     bool inside_ = false;
     double previous_ = std::numeric_limits<double>::infinity();
+    std::optional<std::uint32_t> nearest_;  // triangle
 };
 
 void fillMaterials(Brick& brick, const LayeredTooth& tooth, const Lattice& lattice, const BrickKey& key) {

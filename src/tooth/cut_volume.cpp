@@ -72,20 +72,23 @@ void CutVolume::makeMissing(const std::vector<BrickKey>& keys) {
 
 CarveResult CutVolume::carve(const RevolutionEnvelope& envelope, const Pose& fromInTooth, const Pose& toInTooth,
                              double clearance) {
-    const auto steps = sweepSteps(envelope, fromInTooth, toInTooth, clearance, kLongestStep * lattice_.spacing());
-    const std::vector<BrickKey> keys = bricksInReach(steps);
-    makeMissing(keys);
+    return carve(removable(envelope, fromInTooth, toInTooth, clearance));
+}
+
+CarveResult CutVolume::carve(const Removable& removable) {
+    assert(removable.afterCarve == carves_);
     ++carves_;
-    std::vector<BrickCarve> carved(keys.size());
-    parallelFor(keys.size(), [&](std::size_t i) {
-        if (Brick* brick = bricks_.find(keys[i])) carved[i] = carveBrick(*brick, keys[i], lattice_, steps, carves_);
+    std::vector<BrickCarve> carved(removable.where.size());
+    parallelFor(carved.size(), [&](std::size_t i) {
+        const RemovableInBrick& found = removable.where[i];
+        carved[i] = carveBrick(*bricks_.find(found.key), found, lattice_, carves_);
     });
     CarveResult result;
+    result.removed = removable.volumes;
     for (const BrickCarve& part : carved) {
-        for (std::size_t m = 0; m < kMaterialCount; ++m) result.removed[m] += part.removed[m];
         if (part.hasChanged()) result.changed.push_back(part.changed);
     }
-    traceBorder(result.changed, steps);
+    traceBorder(result.changed, removable.steps);
     return result;
 }
 
@@ -105,20 +108,21 @@ void CutVolume::traceBorder(const std::vector<ChangedBrick>& changed, const std:
 
 Removable CutVolume::removable(const RevolutionEnvelope& envelope, const Pose& fromInTooth, const Pose& toInTooth,
                                double clearance) {
-    const auto steps = sweepSteps(envelope, fromInTooth, toInTooth, clearance, kLongestStep * lattice_.spacing());
-    const std::vector<BrickKey> keys = bricksInReach(steps);
+    Removable result;
+    result.clearance = clearance;
+    result.afterCarve = carves_;
+    result.steps = sweepSteps(envelope, fromInTooth, toInTooth, clearance, kLongestStep * lattice_.spacing());
+    const std::vector<BrickKey> keys = bricksInReach(result.steps);
     makeMissing(keys);
     std::vector<RemovableInBrick> parts(keys.size());
     parallelFor(keys.size(), [&](std::size_t i) {
         if (const Brick* brick = std::as_const(bricks_).find(keys[i])) {
-            parts[i] = removableFromBrick(*brick, keys[i], lattice_, steps);
+            parts[i] = removableFromBrick(*brick, keys[i], lattice_, result.steps);
         }
     });
-    Removable result;
-    result.clearance = clearance;
     for (RemovableInBrick& part : parts) {
         for (std::size_t m = 0; m < kMaterialCount; ++m) result.volumes[m] += part.volumes[m];
-        if (!part.nodes.nodes.empty()) result.where.push_back(std::move(part.nodes));
+        if (!part.lowered.empty()) result.where.push_back(std::move(part));
     }
     return result;
 }

@@ -31,17 +31,25 @@ struct CarveResult {
     std::vector<ChangedBrick> changed;  ///< in ascending order of their keys
 };
 
-/// Some nodes of one brick, by nodeIndex.
-struct NodesInBrick {
-    BrickKey key;
-    std::vector<std::uint16_t> nodes;
+/// What a move of the bur would remove from one brick, and what the cut field would become.
+struct RemovableInBrick {
+    struct Sample {
+        std::uint16_t node;  ///< nodeIndex
+        float distance;      ///< of the cut field, mm
+        PackedDirection normal;
+    };
+    BrickKey key{};
+    MaterialVolumes volumes{};
+    std::vector<Sample> lowered;
 };
 
-/// What a move of the bur would remove.
+/// What a move of the bur would remove, with all that is needed to remove it.
 struct Removable {
     MaterialVolumes volumes{};
-    std::vector<NodesInBrick> where;  ///< the nodes that it would come from
-    double clearance = 0;             ///< that it was asked with, mm
+    std::vector<RemovableInBrick> where;  ///< in ascending order of the keys
+    std::vector<SweepStep> steps;
+    double clearance = 0;          ///< that it was asked with, mm
+    std::uint64_t afterCarve = 0;  ///< it holds until the next one
 };
 
 /// How much wider than the bur the cut is by default, in voxels: room for the chords of the extracted surface, so that
@@ -64,13 +72,16 @@ public:
         return carve(envelope, fromInTooth, toInTooth, kDefaultClearance * lattice_.spacing());
     }
 
-    /// What the same `carve` would remove. Changes nothing (bricks that are needed for the answer are kept).
+    /// What the same `carve` would remove. Changes nothing (bricks that are needed for the answer are kept). The
+    /// envelope outlives the answer.
     [[nodiscard]] Removable removable(const RevolutionEnvelope& envelope, const Pose& fromInTooth,
                                       const Pose& toInTooth, double clearance);
     [[nodiscard]] Removable removable(const RevolutionEnvelope& envelope, const Pose& fromInTooth,
                                       const Pose& toInTooth) {
         return removable(envelope, fromInTooth, toInTooth, kDefaultClearance * lattice_.spacing());
     }
+    /// Does it, unless something was carved meanwhile.
+    CarveResult carve(const Removable& removable);
     /// What the first part of that move, up to `partWay`, would remove, to about 1e-4 of a voxel: looks nowhere but at
     /// the nodes that the whole move reaches.
     [[nodiscard]] MaterialVolumes removableOnTheWay(const Removable& whole, const RevolutionEnvelope& envelope,
