@@ -139,12 +139,7 @@ std::unique_ptr<Brick> makeBrick(const LayeredTooth& tooth, const Lattice& latti
                                    [&](float d) { return d > static_cast<float>(kAirMargin * spacing); });
     if (isAir) return nullptr;
     auto brick = std::make_unique<Brick>();
-    brick->cut.fill(static_cast<float>(kCutBand * spacing));
-    brick->cutNormal.fill(PackedDirection(Vec3::UnitZ()));
-    for (int axis = 0; axis < 3; ++axis) {
-        brick->borderPlace[axis].fill(0);
-        brick->borderNormal[axis].fill(PackedDirection(Vec3::UnitZ()));
-    }
+    static_cast<CutField&>(*brick) = CutField::untouched(spacing);
     brick->tooth = distance;
     brick->toothNormal = outer.field().gradient;
     brick->hasSurface = !outer.field().uniform;

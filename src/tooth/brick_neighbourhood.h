@@ -50,8 +50,8 @@ private:
     static constexpr int local(int place) { return (place + kBrickSide) % kBrickSide; }
 
     /// One field of all nodes, row by row along x.
-    template <class Value>
-    void gather(std::array<Value, kBrickNodes> Brick::*field, Value missing, std::array<Value, kCount>& to) const {
+    template <class Field, class Value>
+    void gather(Field field, Value missing, std::array<Value, kCount>& to) const {
         for (int z = -1; z <= kBrickSide; ++z) {
             for (int y = -1; y <= kBrickSide; ++y) {
                 const Brick* const* bricks = &near_[3 * part(y) + 9 * part(z)];

@@ -78,6 +78,7 @@ CarveResult CutVolume::carve(const RevolutionEnvelope& envelope, const Pose& fro
 CarveResult CutVolume::carve(const Removable& removable) {
     assert(removable.afterCarve == carves_);
     ++carves_;
+    for (const RemovableInBrick& found : removable.where) journal_.keep(found.key, *bricks_.find(found.key));
     std::vector<BrickCarve> carved(removable.where.size());
     parallelFor(carved.size(), [&](std::size_t i) {
         const RemovableInBrick& found = removable.where[i];
@@ -103,6 +104,7 @@ void CutVolume::traceBorder(const std::vector<ChangedBrick>& changed, const std:
     }
     std::sort(keys.begin(), keys.end());
     keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+    for (const BrickKey& key : keys) journal_.keep(key, *bricks_.find(key));
     parallelFor(keys.size(), [&](std::size_t i) { traceBorderInBrick(bricks_, keys[i], lattice_, steps, carves_); });
 }
 
@@ -135,6 +137,36 @@ MaterialVolumes CutVolume::removableOnTheWay(const Removable& whole, const Revol
         parts[i] = removableFromNodes(*bricks_.find(whole.where[i].key), whole.where[i], lattice_, steps);
     });
     return sum(parts);
+}
+
+std::vector<ChangedBrick> CutVolume::undo() {
+    std::vector<ChangedBrick> changed;
+    ++carves_;  // what was found removable holds no more
+    for (const auto& [key, before] : journal_.takeBack()) {
+        static_cast<CutField&>(*bricks_.find(key)) = before;
+        changed.push_back(ChangedBrick::all(key));
+    }
+    return changed;
+}
+
+std::vector<BrickKey> CutVolume::cutBricks() const {
+    std::vector<BrickKey> keys = bricks_.keys();
+    std::erase_if(keys, [&](const BrickKey& key) { return !bricks_.find(key)->isCut; });
+    return keys;
+}
+
+std::vector<ChangedBrick> CutVolume::adopt(const std::map<BrickKey, CutField>& fields) {
+    std::vector<BrickKey> keys;
+    for (const auto& [key, field] : fields) keys.push_back(key);
+    makeMissing(keys);
+    std::vector<ChangedBrick> changed;
+    for (const auto& [key, field] : fields) {
+        Brick* brick = bricks_.find(key);
+        if (brick == nullptr) continue;
+        static_cast<CutField&>(*brick) = field;
+        changed.push_back(ChangedBrick::all(key));
+    }
+    return changed;
 }
 
 MaterialVolumes CutVolume::removedVolume() const {

@@ -4,10 +4,12 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <vector>
 
 #include "tooth/brick_map.h"
+#include "tooth/cut_journal.h"
 #include "tooth/layered_tooth.h"
 #include "tooth/revolution_envelope.h"
 #include "tooth/swept_envelope.h"
@@ -24,6 +26,10 @@ struct ChangedBrick {
     BrickKey key;
     std::array<std::uint8_t, 3> low = {kBrickSide, kBrickSide, kBrickSide};  ///< first changed node on each axis
     std::array<std::uint8_t, 3> high = {0, 0, 0};                            ///< last changed node on each axis
+
+    [[nodiscard]] static ChangedBrick all(const BrickKey& key) {
+        return {key, {0, 0, 0}, {kBrickSide - 1, kBrickSide - 1, kBrickSide - 1}};
+    }
 };
 
 struct CarveResult {
@@ -87,8 +93,24 @@ public:
     [[nodiscard]] MaterialVolumes removableOnTheWay(const Removable& whole, const RevolutionEnvelope& envelope,
                                                     const Pose& fromInTooth, const Pose& partWay) const;
 
-    /// The whole tooth again.
-    void reset() { bricks_.clear(); }
+    /// Sets a mark that `undo` goes back to.
+    void mark() { journal_.mark(); }
+    /// How many times `undo` can go back: as many as marks were set, and CutJournal::kMostMarks at most.
+    [[nodiscard]] std::size_t marks() const { return journal_.marks(); }
+    /// Everything as it was at the last mark, bit for bit, and forgets that mark. Returns the bricks that changed.
+    std::vector<ChangedBrick> undo();
+
+    /// The whole tooth again; no mark is left.
+    void reset() {
+        bricks_.clear();
+        journal_.clear();
+    }
+
+    /// The bricks that a bur has reached, in ascending order of their keys.
+    [[nodiscard]] std::vector<BrickKey> cutBricks() const;
+    /// Takes over the removed region of another volume of the same spacing, or from a file, brick by brick: nothing may
+    /// have been cut here. Returns the bricks that changed. Bricks that lie clear of this tooth are left out.
+    std::vector<ChangedBrick> adopt(const std::map<BrickKey, CutField>& fields);
 
     /// Everything removed so far, summed anew over all bricks.
     [[nodiscard]] MaterialVolumes removedVolume() const;
@@ -101,7 +123,7 @@ public:
     [[nodiscard]] const BrickMap& bricks() const { return bricks_; }
     [[nodiscard]] const Lattice& lattice() const { return lattice_; }
     [[nodiscard]] const std::shared_ptr<const LayeredTooth>& tooth() const { return tooth_; }
-    [[nodiscard]] std::size_t bytes() const { return bricks_.keys().size() * sizeof(Brick); }
+    [[nodiscard]] std::size_t bytes() const { return bricks_.keys().size() * sizeof(Brick) + journal_.bytes(); }
 
 private:
     [[nodiscard]] std::vector<BrickKey> bricksInReach(const std::vector<SweepStep>& steps) const;
@@ -111,6 +133,7 @@ private:
     std::shared_ptr<const LayeredTooth> tooth_;
     Lattice lattice_;
     BrickMap bricks_;
+    CutJournal journal_;
     std::uint64_t carves_ = 0;
 };
 
