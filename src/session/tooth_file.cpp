@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "session/tooth_file.h"
 
+#include <cmath>
+
 #include "geometry/atomic_file.h"
 #include "geometry/file_bytes.h"
 #include "session/experiments/run_facts.h"
@@ -26,6 +28,29 @@ Expected<OpenedTooth> openTooth(const std::filesystem::path& path) {
     auto piece = std::make_shared<WorkPiece>(std::make_shared<const LayeredTooth>(std::move(*tooth)), saved->voxel);
     piece->adopt(saved->cuts, saved->removed);
     return OpenedTooth{std::move(piece), std::move(saved->provenance)};
+}
+
+Expected<OpenedTooth> loadTooth(const ToothSource& source, std::optional<double> voxel, double usualVoxel) {
+    if (isToothFile(source.outer)) {
+        const std::string name = shownName(source.outer);
+        if (!source.layers.empty()) return unexpected(name + ": a saved tooth has its own layers; give no others.");
+        auto opened = openTooth(source.outer);
+        if (opened && voxel && *voxel != opened->piece->volume().lattice().spacing()) {
+            return unexpected(name + ": a saved tooth keeps the spacing that it was cut with, " +
+                              std::to_string(std::lround(1e3 * opened->piece->volume().lattice().spacing())) +
+                              " um; give no other.");
+        }
+        return opened;
+    }
+    auto tooth = loadLayeredTooth(source);
+    if (!tooth) return Unexpected{tooth.error()};
+    OpenedTooth opened;
+    opened.provenance.emplace_back("tooth", source.outer.string());
+    for (const ToothSource::Layer& layer : source.layers) {
+        opened.provenance.emplace_back("layer " + layer.material, layer.file.string());
+    }
+    opened.piece = std::make_shared<WorkPiece>(std::move(*tooth), voxel.value_or(usualVoxel));
+    return opened;
 }
 
 bool isToothFile(const std::filesystem::path& path) { return path.extension() == kToothFileEnding; }

@@ -4,9 +4,11 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <vector>
 
+#include "session/tooth_source.h"
 #include "session/work_piece.h"
 #include "tooth/saved_tooth.h"
 
@@ -27,6 +29,11 @@ struct OpenedTooth {
     Provenance provenance;
 };
 [[nodiscard]] Expected<OpenedTooth> openTooth(const std::filesystem::path& path);
+
+/// A tooth for the bench: from surfaces, or a saved one if the source's outer surface names such a file. `voxel`:
+/// spacing of the cut volume, mm; without it a saved tooth keeps its own, and another takes `usualVoxel`.
+[[nodiscard]] Expected<OpenedTooth> loadTooth(const ToothSource& source, std::optional<double> voxel,
+                                              double usualVoxel);
 
 /// Whether a file's name says that it holds a saved tooth.
 [[nodiscard]] bool isToothFile(const std::filesystem::path& path);

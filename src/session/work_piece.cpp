@@ -84,17 +84,17 @@ void WorkPiece::adopt(const std::map<BrickKey, CutField>& fields, const Material
 }
 
 void WorkPiece::mark() {
-    volume_.mark();
+    if (!volume_.mark()) return;
+    if (removedAt_.size() == volume_.marks()) removedAt_.erase(removedAt_.begin());  // the oldest was forgotten
     removedAt_.push_back(removed_);
-    if (removedAt_.size() > volume_.marks()) removedAt_.erase(removedAt_.begin());
 }
 
 bool WorkPiece::undo() {
     if (marks() == 0) return false;
     const std::vector<ChangedBrick> changed = volume_.undo();
     changed_.insert(changed_.end(), changed.begin(), changed.end());
-    removed_ = removedAt_.back();
-    removedAt_.pop_back();
+    removed_ = removedAt_[marks()];
+    removedAt_.resize(marks());
     refreshSurface();
     return true;
 }

@@ -7,13 +7,16 @@
 
 namespace tactooth {
 
-void CutJournal::mark() {
+bool CutJournal::mark() {
+    if (!pages_.empty() && pages_.back().empty()) return false;
     if (pages_.size() == kMostMarks) pages_.erase(pages_.begin());
     pages_.emplace_back();
+    return true;
 }
 
 std::map<BrickKey, CutField> CutJournal::takeBack() {
     assert(!pages_.empty());
+    if (pages_.back().empty() && pages_.size() > 1) pages_.pop_back();
     std::map<BrickKey, CutField> page = std::move(pages_.back());
     pages_.pop_back();
     return page;

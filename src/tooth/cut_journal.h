@@ -17,7 +17,8 @@ public:
     /// How many marks are kept; the oldest one goes when another is set.
     static constexpr std::size_t kMostMarks = 24;
 
-    void mark();
+    /// Does nothing, and says false, if nothing has changed since the last one.
+    bool mark();
     [[nodiscard]] std::size_t marks() const { return pages_.size(); }
 
     /// To be called before a brick is changed.
@@ -25,7 +26,8 @@ public:
         if (!pages_.empty()) pages_.back().try_emplace(key, before);
     }
 
-    /// The bricks changed since the last mark, as they were then; forgets the mark. There must be one.
+    /// The bricks changed since the last mark before any change, as they were then; forgets the mark. There must be
+    /// one.
     [[nodiscard]] std::map<BrickKey, CutField> takeBack();
 
     void clear() { pages_.clear(); }

@@ -93,11 +93,12 @@ public:
     [[nodiscard]] MaterialVolumes removableOnTheWay(const Removable& whole, const RevolutionEnvelope& envelope,
                                                     const Pose& fromInTooth, const Pose& partWay) const;
 
-    /// Sets a mark that `undo` goes back to.
-    void mark() { journal_.mark(); }
+    /// Sets a mark that `undo` goes back to; false if nothing has changed since the last one, which then serves.
+    bool mark() { return journal_.mark(); }
     /// How many times `undo` can go back: as many as marks were set, and CutJournal::kMostMarks at most.
     [[nodiscard]] std::size_t marks() const { return journal_.marks(); }
-    /// Everything as it was at the last mark, bit for bit, and forgets that mark. Returns the bricks that changed.
+    /// Everything as it was at the last mark that anything came after, bit for bit; forgets that mark. Returns the
+    /// bricks that changed.
     std::vector<ChangedBrick> undo();
 
     /// The whole tooth again; no mark is left.

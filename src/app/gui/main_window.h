@@ -45,6 +45,8 @@ public:
     void complain(const QString& sentence);
     /// Writes the tooth as it is now; says so if that fails.
     void exportTooth(const QString& file);
+    /// Saves the tooth with its layers and all that was cut, to go on later; says so if that fails.
+    void saveTooth(const QString& file);
 
 signals:
     /// The graphics system cannot draw; a sentence. The window is of no use then.
@@ -72,6 +74,7 @@ private:
     void askForTooth();
     void askForBur();
     void askForExport();
+    void askForSave();
     void showMouseAndKeys();
     void showAbout();
 
