@@ -92,6 +92,8 @@ struct Brick : CutField {
     std::array<float, kBrickNodes> tooth;                  ///< to the tooth's own surface, mm, negative inside
     std::array<PackedDirection, kBrickNodes> toothNormal;  ///< gradient of `tooth`, out of the tooth
     std::array<MaterialId, kBrickNodes> material;
+    std::array<MaterialId, kBrickNodes> neighbour;         ///< the material beyond a layer's border in the node's voxel
+    std::array<std::uint8_t, kBrickNodes> neighbourShare;  ///< its share of the voxel, in 255ths
 
     std::uint64_t lastCarve = 0;       ///< number of the carve that the two sets below belong to
     std::bitset<kBrickNodes> lowered;  ///< nodes whose `cut` that carve has changed

@@ -134,6 +134,13 @@ double removableAt(const Brick& brick, const CutSample& lowered, double spacing)
     return (removedShare(brick, lowered, spacing) - before) * spacing * spacing * spacing;
 }
 
+/// Shares a removed volume among the materials of a node's voxel.
+void book(MaterialVolumes& volumes, const Brick& brick, int node, double volume) {
+    const double beyond = volume * brick.neighbourShare[node] / 255;
+    volumes[static_cast<std::size_t>(brick.material[node])] += volume - beyond;
+    volumes[static_cast<std::size_t>(brick.neighbour[node])] += beyond;
+}
+
 }  // namespace
 
 RemovableInBrick removableFromBrick(const Brick& brick, const BrickKey& key, const Lattice& lattice,
@@ -144,8 +151,7 @@ RemovableInBrick removableFromBrick(const Brick& brick, const BrickKey& key, con
     BlockSweep sweep(brick, key, lattice, steps);
     for (int block = 0; block < kBrickNodes / kBlockNodes; ++block) {
         sweep.forEachLowered(block, [&](const CutSample& lowered) {
-            result.volumes[static_cast<std::size_t>(brick.material[lowered.node])] +=
-                removableAt(brick, lowered, spacing);
+            book(result.volumes, brick, lowered.node, removableAt(brick, lowered, spacing));
             result.lowered.push_back(lowered);
         });
     }
@@ -168,7 +174,7 @@ MaterialVolumes removableFromNodes(const Brick& brick, const RemovableInBrick& w
         const auto lowered =
             loweredAt(brick, node, pointOf(lattice, corner, node), static_cast<float>(reach), kCutBand * spacing, near);
         if (!lowered) continue;
-        volumes[static_cast<std::size_t>(brick.material[node])] += removableAt(brick, *lowered, spacing);
+        book(volumes, brick, node, removableAt(brick, *lowered, spacing));
     }
     return volumes;
 }
@@ -203,7 +209,7 @@ MaterialVolumes removedFromBrick(const Brick& brick, double spacing) {
     MaterialVolumes volumes{};
     for (std::uint16_t node = 0; node < kBrickNodes; ++node) {
         const double share = removedShare(brick, {node, brick.cut[node], brick.cutNormal[node]}, spacing);
-        volumes[static_cast<std::size_t>(brick.material[node])] += share * spacing * spacing * spacing;
+        book(volumes, brick, node, share * spacing * spacing * spacing);
     }
     return volumes;
 }

@@ -7,6 +7,7 @@
 
 #include "collision/closest_point.h"
 #include "collision/triangle_point.h"
+#include "tooth/voxel_fraction.h"
 
 namespace tactooth {
 namespace {
@@ -104,8 +105,19 @@ private:
     std::optional<std::uint32_t> nearest_;  // triangle
 };
 
+/// The border of a layer that runs through a node's voxel leaves a part of it to what is there without the layer.
+void shareVoxel(Brick& brick, int node, MaterialId layer, const SignedField& field, double spacing) {
+    const double distance = field.distance[node];
+    const double within = cubeFraction({distance / spacing, field.gradient[node].unpack()});
+    if (within == 0) return;
+    brick.neighbour[node] = distance < 0 ? brick.material[node] : layer;
+    brick.neighbourShare[node] = static_cast<std::uint8_t>(std::lround(255 * (distance < 0 ? 1 - within : within)));
+}
+
 void fillMaterials(Brick& brick, const LayeredTooth& tooth, const Lattice& lattice, const BrickKey& key) {
     brick.material.fill(tooth.body());
+    brick.neighbour.fill(tooth.body());
+    brick.neighbourShare.fill(0);
     if (tooth.layers().empty()) return;
     const double band = kLayerBand * lattice.spacing();
     const auto bandFloat = static_cast<float>(band);
@@ -115,6 +127,7 @@ void fillMaterials(Brick& brick, const LayeredTooth& tooth, const Lattice& latti
         const SignedSampler sampler(*layer.part, lattice, key, band);
         for (int node = 0; node < kBrickNodes; ++node) {
             const float distance = sampler.field().distance[node];
+            if (nearest[node] < bandFloat) shareVoxel(brick, node, layer.material, sampler.field(), lattice.spacing());
             if (distance >= 0 && distance >= nearest[node]) continue;
             brick.material[node] = layer.material;
             nearest[node] = distance < 0 ? 0 : distance;
