@@ -88,6 +88,25 @@ TEST_F(CutCommand, ByLawAStillBurCutsNothingAndATurningOneLessThanTheHandGoes) {
     EXPECT_GT(table().at(50, "fz"), 0.05) << "the tooth pushes back";
 }
 
+TEST_F(CutCommand, TellsWhenATissueWasReached) {
+    EXPECT_TRUE(writeStl(test::box(Vec3(-1.5, -1.5, -2.5), Vec3(1.5, 1.5, -0.4)), file("core.stl")));
+    const ProgramRun run = cut(block(), drillAt(0, 0.8),
+                               {"--feed", "rigid", "--events", out(), "--layer", "enamel=" + block(), "--layer",
+                                "dentin=" + file("core.stl")});
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    std::ifstream events(out());
+    std::string head;
+    std::string contact;
+    std::string dentin;
+    std::getline(events, head);
+    std::getline(events, contact);
+    std::getline(events, dentin);
+    EXPECT_EQ(head, "t,event,x,y,z");
+    EXPECT_THAT(contact, HasSubstr(",first contact,0,0.01,"));
+    EXPECT_THAT(dentin, AllOf(::testing::StartsWith("0.3"), HasSubstr(",dentin reached,")));
+    EXPECT_FALSE(std::getline(events, head)) << head;
+}
+
 TEST_F(CutCommand, RefusesWhatItCannotCutOrSave) {
     const std::string path = drillAt(0, 0.3);
     expectRefused(cut(file("missing.tactooth"), path), "missing.tactooth: there is no such file");

@@ -12,6 +12,7 @@
 #include "geometry/atomic_file.h"
 #include "geometry/mesh_file.h"
 #include "geometry/stl_writer.h"
+#include "session/cut_events.h"
 #include "session/cut_run.h"
 #include "session/material_file.h"
 #include "session/tick_csv.h"
@@ -53,12 +54,18 @@ public:
             if (!file) return Unexpected{file.error()};
             removed_.emplace(std::move(*file));
         }
+        if (!options.events.empty()) {
+            auto file = AtomicFile::create(options.events);
+            if (!file) return Unexpected{file.error()};
+            events_.emplace(std::move(*file));
+        }
         return {};
     }
 
     void row(double time, const Tick& tick, const MaterialVolumes& removed) {
         if (forces_) forces_->write(time, tick);
         if (removed_) removed_->row(removedRow(time, removed));
+        watched_.watch(time, tick, removed);
     }
 
     [[nodiscard]] Expected<void> finish(const TriangleMesh& mesh) {
@@ -67,13 +74,23 @@ public:
         if (forces_) {
             if (auto done = forces_->commit(); !done) return done;
         }
-        return removed_ ? removed_->commit() : Expected<void>{};
+        if (removed_) {
+            if (auto done = removed_->commit(); !done) return done;
+        }
+        if (!events_) return {};
+        events_->write("t,event,x,y,z\n");
+        for (const auto& [kind, time, place] : watched_.all()) {
+            events_->write(fmt::format("{},{},{},{},{}\n", time, cutEventName(kind), place.x(), place.y(), place.z()));
+        }
+        return events_->commit();
     }
 
 private:
     std::optional<AtomicFile> surface_;
     std::optional<TickCsv> forces_;
     std::optional<CsvWriter> removed_;
+    std::optional<AtomicFile> events_;
+    CutEvents watched_;
 };
 
 Expected<ToothSource> toothSource(const CutOptions& options) {

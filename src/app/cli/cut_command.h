@@ -22,6 +22,7 @@ struct CutOptions {
     std::filesystem::path out;
     std::filesystem::path forces;   ///< empty: not written
     std::filesystem::path removed;  ///< empty: not written
+    std::filesystem::path events;   ///< empty: not written
     std::filesystem::path save;     ///< empty: not saved
 };
 
