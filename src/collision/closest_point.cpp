@@ -31,6 +31,18 @@ std::array<float, 8> squaredBoxDistances(const AabbTree::Node& node, const Vec3x
     return result;
 }
 
+/// The same to the boxes of the eight triangles of a leaf.
+std::array<float, 8> squaredBoxDistances(const AabbTree::Leaf& leaf, const Vec3x8& query) {
+    const Vec3x8 a = Vec3x8::load(leaf.corner[0]);
+    const Vec3x8 b = Vec3x8::load(leaf.corner[1]);
+    const Vec3x8 c = Vec3x8::load(leaf.corner[2]);
+    const Vec3x8 zero = Vec3x8::all(0, 0, 0);
+    const Vec3x8 gap = max(max(min(min(a, b), c) - query, query - max(max(a, b), c)), zero);
+    std::array<float, 8> result;
+    dot(gap, gap).store(result.data());
+    return result;
+}
+
 Vec3 leafCorner(const AabbTree::Leaf& leaf, int corner, std::uint32_t lane) {
     return {leaf.corner[corner][0][lane], leaf.corner[corner][1][lane], leaf.corner[corner][2][lane]};
 }
@@ -136,7 +148,9 @@ std::optional<ClosestPoint> closestPoint(const SurfacePart& part, const Vec3& qu
         if (visit.squaredDistance > reach * reach) continue;
         if (visit.link.isLeaf()) {
             const AabbTree::Leaf& leaf = tree.leaf(visit.link);
+            const std::array<float, 8> distances = squaredBoxDistances(leaf, query8);
             for (std::uint32_t lane = 0; lane < leaf.count; ++lane) {
+                if (!(distances[lane] <= reach * reach)) continue;
                 const Vec3 point = closestOnTriangle(query, leafCorner(leaf, 0, lane), leafCorner(leaf, 1, lane),
                                                      leafCorner(leaf, 2, lane));
                 const double squared = (point - query).squaredNorm();

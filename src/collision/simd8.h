@@ -39,6 +39,10 @@ struct Float8 {
     friend std::uint32_t lessEqual(Float8 a, Float8 b) {
         return static_cast<std::uint32_t>(_mm256_movemask_ps(_mm256_cmp_ps(a.lanes, b.lanes, _CMP_LE_OQ)));
     }
+    /// Lane by lane: a < b ? yes : no.
+    friend Float8 whereLess(Float8 a, Float8 b, Float8 yes, Float8 no) {
+        return {_mm256_blendv_ps(no.lanes, yes.lanes, _mm256_cmp_ps(a.lanes, b.lanes, _CMP_LT_OQ))};
+    }
 };
 
 #elif defined(TACTOOTH_SIMD_SSE2)
@@ -60,6 +64,13 @@ struct Float8 {
     friend std::uint32_t lessEqual(Float8 a, Float8 b) {
         return static_cast<std::uint32_t>(_mm_movemask_ps(_mm_cmple_ps(a.low, b.low))) |
                static_cast<std::uint32_t>(_mm_movemask_ps(_mm_cmple_ps(a.high, b.high))) << 4;
+    }
+    friend Float8 whereLess(Float8 a, Float8 b, Float8 yes, Float8 no) {
+        const auto half = [](__m128 x, __m128 y, __m128 ifLess, __m128 otherwise) {
+            const __m128 less = _mm_cmplt_ps(x, y);
+            return _mm_or_ps(_mm_and_ps(less, ifLess), _mm_andnot_ps(less, otherwise));
+        };
+        return {half(a.low, b.low, yes.low, no.low), half(a.high, b.high, yes.high, no.high)};
     }
 };
 
@@ -108,6 +119,9 @@ struct Float8 {
         std::uint32_t mask = 0;
         for (int i = 0; i < 8; ++i) mask |= static_cast<std::uint32_t>(a.lanes[i] <= b.lanes[i]) << i;
         return mask;
+    }
+    friend Float8 whereLess(const Float8& a, const Float8& b, const Float8& yes, const Float8& no) {
+        return each([&](int i) { return a.lanes[i] < b.lanes[i] ? yes.lanes[i] : no.lanes[i]; });
     }
 };
 

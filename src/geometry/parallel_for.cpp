@@ -4,13 +4,24 @@
 // half of the scheduler stands in these headers, the other half in a library that the sanitizer does not see.
 #include "geometry/parallel_for.h"
 
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 
-namespace tactooth::detail {
+namespace tactooth {
+namespace detail {
 
 void runBlocks(std::size_t count, std::size_t grain, LoopBlock block, void* loop) {
     using Block = tbb::blocked_range<std::size_t>;
     tbb::parallel_for(Block(0, count, grain), [&](const Block& range) { block(loop, range.begin(), range.end()); });
 }
 
-}  // namespace tactooth::detail
+}  // namespace detail
+
+struct OneThread::Limit {
+    tbb::global_control control{tbb::global_control::max_allowed_parallelism, 1};
+};
+
+OneThread::OneThread() : limit_(std::make_unique<Limit>()) {}
+OneThread::~OneThread() = default;
+
+}  // namespace tactooth

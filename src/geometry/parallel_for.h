@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 
 #if defined(__SANITIZE_THREAD__)  // GCC; asked first, since Eigen gives GCC a __has_feature that knows nothing
 #define TACTOOTH_THREAD_SANITIZER
@@ -64,5 +65,19 @@ void parallelFor(std::size_t count, const Function& function, std::size_t grain 
     detail::runBlocks(count, grain, block, &loop);
     loop.order.endLoop();
 }
+
+/// While one of these lives, loops of this process use no thread but the one that calls them: for measuring what work
+/// costs on one processor. Results never depend on it.
+class OneThread {
+public:
+    OneThread();
+    ~OneThread();
+    OneThread(const OneThread&) = delete;
+    OneThread& operator=(const OneThread&) = delete;
+
+private:
+    struct Limit;
+    std::unique_ptr<Limit> limit_;
+};
 
 }  // namespace tactooth

@@ -12,6 +12,8 @@ namespace {
 
 constexpr auto kCutterPause = std::chrono::milliseconds(1);  // a tick: there is nothing new before it
 
+constexpr double kPauseBetweenCuts = 0.4;  // s without contact: the bur was lifted, a new cut begins (mark for undo)
+
 }  // namespace
 
 Simulator::Simulator(std::shared_ptr<WorkPiece> piece, Instrument instrument, const HapticSettings& settings,
@@ -96,18 +98,42 @@ void Simulator::freeReturnedSurfaces() {
     std::erase_if(lent_, [](const std::shared_ptr<const Surface>& surface) { return surface.use_count() == 1; });
 }
 
+std::vector<std::byte> Simulator::toothFile(const Provenance& provenance) const {
+    const std::lock_guard lock(pieceInUse_);
+    return toothFileBytes(*piece_, provenance);
+}
+
+bool Simulator::undoAsAsked() {
+    bool changed = false;
+    for (int left = undosRequested_.exchange(0); left > 0; --left) changed |= piece_->undo();
+    lastCut_ = -std::numeric_limits<double>::infinity();  // what comes next is a cut of its own
+    return changed;
+}
+
+bool Simulator::cutAsAsked() {
+    const Tick& tick = tickForCutter_.value();
+    if (tick.contacts > 0 && tick.speedRpm > 0 && tick.time > lastCut_ + kPauseBetweenCuts) piece_->mark();
+    if (tick.contacts > 0 && tick.speedRpm > 0) lastCut_ = tick.time;
+    return piece_->feed(instrument_.cutting, tick, settings_.materials);
+}
+
+/// One turn of the cutter. True if the surface has changed.
+bool Simulator::workOnPiece() {
+    const std::lock_guard lock(pieceInUse_);
+    if (resetRequested_.exchange(false)) {
+        piece_->reset();
+        return true;
+    }
+    if (undosRequested_.load() > 0) return undoAsAsked();
+    return tickForCutter_.refresh() && tickForCutter_.value().cutting && cutAsAsked();
+}
+
 void Simulator::runCutter(const std::stop_token& stop) {
     pthread_setname_np(pthread_self(), "cutter");  // for debuggers and profilers
     bool unsent = false;
     while (!stop.stop_requested()) {
         freeReturnedSurfaces();
-        bool changed = false;
-        if (resetRequested_.exchange(false)) {
-            piece_->reset();
-            changed = true;
-        } else if (tickForCutter_.refresh() && tickForCutter_.value().cutting) {
-            changed = piece_->feed(instrument_.cutting, tickForCutter_.value(), settings_.materials);
-        }
+        const bool changed = workOnPiece();
         if (changed) publishSurface();
         unsent = (unsent || changed) && !fresh_.push(piece_->surface());
         if (!changed) std::this_thread::sleep_for(kCutterPause);

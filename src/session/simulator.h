@@ -16,6 +16,7 @@
 #include "geometry/latest_value.h"
 #include "haptics/haptic_simulation.h"
 #include "haptics/servo_loop.h"
+#include "session/tooth_file.h"
 #include "session/work_piece.h"
 
 namespace tactooth {
@@ -66,6 +67,11 @@ public:
     [[nodiscard]] std::uint64_t surfaceUpdates() const { return surfaceUpdates_.load(std::memory_order_relaxed); }
     /// Puts the tooth back as it was. Any thread; done by the cutter thread at its next turn.
     void requestReset() { resetRequested_.store(true); }
+    /// Takes back what was cut since the bur last began to cut after a pause. Any thread; done like a reset. Nothing
+    /// happens if nothing was cut.
+    void requestUndo() { undosRequested_.fetch_add(1); }
+    /// The tooth as it is now, as the bytes of a file. Any thread but the servo's; waits for one cut at most.
+    [[nodiscard]] std::vector<std::byte> toothFile(const Provenance& provenance) const;
 
 private:
     using SurfaceQueue = boost::lockfree::spsc_queue<std::shared_ptr<const Surface>, boost::lockfree::capacity<8>>;
@@ -74,6 +80,9 @@ private:
     void servoTick(double elapsed);
     void takeNewSurface();
     void runCutter(const std::stop_token& stop);
+    [[nodiscard]] bool workOnPiece();
+    [[nodiscard]] bool undoAsAsked();
+    [[nodiscard]] bool cutAsAsked();
     void publishSurface();
     void freeReturnedSurfaces();
 
@@ -95,10 +104,15 @@ private:
     boost::lockfree::spsc_queue<Tick, boost::lockfree::capacity<kKeptTicks>> ticksForWatcher_;
     SurfaceQueue fresh_;  // cutter -> servo
     std::atomic<bool> resetRequested_{false};
+    std::atomic<int> undosRequested_{0};
     std::atomic<std::uint64_t> surfaceUpdates_{0};
 
     /// Cutter's. All surfaces that anyone else may hold: it lets go last, so that the servo never frees one.
     std::vector<std::shared_ptr<const Surface>> lent_;
+    double lastCut_ = -std::numeric_limits<double>::infinity();  ///< Tick::time, s
+
+    /// The cutter's while it works, and that of anyone who looks at the work piece; never the servo's.
+    mutable std::mutex pieceInUse_;
 
     // Cutter and watchers; never the servo.
     mutable std::mutex watched_;

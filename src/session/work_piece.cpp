@@ -77,10 +77,33 @@ void WorkPiece::refreshSurface() {
     changed_.clear();
 }
 
+void WorkPiece::adopt(const std::map<BrickKey, CutField>& fields, const MaterialVolumes& removed) {
+    changed_ = volume_.adopt(fields);
+    removed_ = removed;
+    refreshSurface();
+}
+
+void WorkPiece::mark() {
+    if (!volume_.mark()) return;
+    if (removedAt_.size() == volume_.marks()) removedAt_.erase(removedAt_.begin());  // the oldest was forgotten
+    removedAt_.push_back(removed_);
+}
+
+bool WorkPiece::undo() {
+    if (marks() == 0) return false;
+    const std::vector<ChangedBrick> changed = volume_.undo();
+    changed_.insert(changed_.end(), changed.begin(), changed.end());
+    removed_ = removedAt_[marks()];
+    removedAt_.resize(marks());
+    refreshSurface();
+    return true;
+}
+
 void WorkPiece::reset() {
     volume_.reset();
     live_.reset();
     removed_ = {};
+    removedAt_.clear();
     changed_.clear();
 }
 

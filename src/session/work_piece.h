@@ -26,6 +26,7 @@ public:
     [[nodiscard]] const std::shared_ptr<const Surface>& surface() const { return live_.snapshot(); }
     [[nodiscard]] const MaterialVolumes& removed() const { return removed_; }
     [[nodiscard]] const LayeredTooth& tooth() const { return *tooth_; }
+    [[nodiscard]] const CutVolume& volume() const { return volume_; }
 
     /// Removes all that the bur sweeps between two poses, whatever it takes. Returns what was removed.
     MaterialVolumes sweep(const CuttingTool& tool, const Pose& from, const Pose& to);
@@ -40,7 +41,20 @@ public:
     /// Of all that has been cut (CutVolume::hash): equal bits for equal cuts.
     [[nodiscard]] std::uint64_t hash() const { return volume_.hash(); }
 
-    /// The whole tooth again.
+    /// Memory of the cut volume.
+    [[nodiscard]] std::size_t bytes() const { return volume_.bytes(); }
+
+    /// Takes over what was cut from the same tooth before (CutVolume::adopt).
+    void adopt(const std::map<BrickKey, CutField>& fields, const MaterialVolumes& removed);
+
+    /// Sets a mark that `undo` goes back to.
+    void mark();
+    /// How many times `undo` can go back.
+    [[nodiscard]] std::size_t marks() const { return volume_.marks(); }
+    /// The tooth as it was at the last mark, bit for bit; false if there is none.
+    bool undo();
+
+    /// The whole tooth again; no mark is left.
     void reset();
 
 private:
@@ -50,9 +64,10 @@ private:
     CutVolume volume_;
     LiveSurface live_;
     MaterialVolumes removed_{};
-    std::vector<ChangedBrick> changed_;  // since the last refresh
-    double workSpent_ = 0;               // of Tick::cutWork, N*m
-    double workSeen_ = 0;                // Tick::cutWork at the last feed, N*m
+    std::vector<ChangedBrick> changed_;       // since the last refresh
+    std::vector<MaterialVolumes> removedAt_;  // the marks
+    double workSpent_ = 0;                    // of Tick::cutWork, N*m
+    double workSeen_ = 0;                     // Tick::cutWork at the last feed, N*m
 };
 
 }  // namespace tactooth

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tooth/border_tracer.h"
 
+#include <bit>
 #include <limits>
 
 namespace tactooth {
@@ -44,13 +45,13 @@ Border exitOf(const SweepStep& step, const DirectedEdge& edge, double from) {
     return {place, step.sample(edge.at(place + kNormalOffset * edge.length), kNoBound).gradient};
 }
 
-/// Carries the border outward as long as one of the steps holds it.
+/// Carries the border outward as long as one of the steps holds it. The last step reaches farthest as a rule.
 void extend(Border& border, const DirectedEdge& edge, const std::vector<const SweepStep*>& steps) {
     for (int round = 0; round < kExtensions; ++round) {
         bool moved = false;
-        for (const SweepStep* step : steps) {
-            if (step->sample(edge.at(border.place), kNoBound).distance > -kOnBorder) continue;
-            const Border exit = exitOf(*step, edge, border.place);
+        for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
+            if ((*step)->sample(edge.at(border.place), -kOnBorder).distance >= -kOnBorder) continue;
+            const Border exit = exitOf(**step, edge, border.place);
             if (exit.place > border.place) border = exit, moved = true;
         }
         if (!moved) return;
@@ -71,9 +72,12 @@ public:
     void run() {
         for (int z = 0; z < kBrickSide; ++z) {
             for (int y = 0; y < kBrickSide; ++y) {
-                for (int x = 0; x < kBrickSide; ++x) {
-                    for (int axis = 0; axis < 3; ++axis) trace({x, y, z}, axis);
-                }
+                const unsigned row = removedRow(&brick_, y, z);
+                traceCrossed((row ^ (row >> 1 | removedAt(next_[0], 0, y, z) << (kBrickSide - 1))), y, z, 0);
+                const bool lastY = y + 1 == kBrickSide;
+                traceCrossed(row ^ removedRow(lastY ? next_[1] : &brick_, lastY ? 0 : y + 1, z), y, z, 1);
+                const bool lastZ = z + 1 == kBrickSide;
+                traceCrossed(row ^ removedRow(lastZ ? next_[2] : &brick_, y, lastZ ? 0 : z + 1), y, z, 2);
             }
         }
     }
@@ -91,13 +95,28 @@ private:
         }
     };
 
+    /// Which nodes of a row along x are removed, one bit each.
+    static unsigned removedRow(const Brick* brick, int y, int z) {
+        unsigned bits = 0;
+        for (int x = 0; brick != nullptr && x < kBrickSide; ++x) bits |= removedAt(brick, x, y, z) << x;
+        return bits;
+    }
+    static unsigned removedAt(const Brick* brick, int x, int y, int z) {
+        return brick != nullptr && brick->cut[nodeIndex(x, y, z)] < 0 ? 1U : 0U;
+    }
+
+    /// The edges of a row on one axis whose two ends are on different sides, one bit each.
+    void traceCrossed(unsigned crossed, int y, int z, int axis) {
+        for (; crossed != 0; crossed &= crossed - 1) trace({std::countr_zero(crossed), y, z}, axis);
+    }
+
     void trace(std::array<int, 3> place, int axis) {
         const End low{&brick_, nodeIndex(place[0], place[1], place[2])};
         const Vec3 lowPoint = corner_ + spacing_ * Vec3(place[0], place[1], place[2]);
         const bool isBeyond = ++place[axis] == kBrickSide;
         place[axis] %= kBrickSide;
         const End high{isBeyond ? next_[axis] : &brick_, nodeIndex(place[0], place[1], place[2])};
-        if (high.brick == nullptr || low.isRemoved() == high.isRemoved()) return;
+        if (high.brick == nullptr) return;
         if (!low.wasLowered(carve_) && !high.wasLowered(carve_)) return;
 
         const double sign = low.isRemoved() ? 1 : -1;

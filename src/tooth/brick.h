@@ -62,23 +62,42 @@ inline constexpr int kBrickNodes = kBrickSide * kBrickSide * kBrickSide;
 inline constexpr double kCutBand = 2.0;
 inline constexpr double kToothBand = 4.0;
 
-/// 8x8x8 nodes of the two distance fields that make a cut tooth: the solid is where `tooth < 0` and `cut > 0`.
-struct Brick {
-    std::array<float, kBrickNodes> cut;                    ///< to the region that burs have swept, mm, negative inside
-    std::array<PackedDirection, kBrickNodes> cutNormal;    ///< gradient of `cut`, out of the removed region
-    std::array<float, kBrickNodes> tooth;                  ///< to the tooth's own surface, mm, negative inside
-    std::array<PackedDirection, kBrickNodes> toothNormal;  ///< gradient of `tooth`, out of the tooth
-    std::array<MaterialId, kBrickNodes> material;
+/// What burs have done to one brick: the part of it that changes.
+struct CutField {
+    std::array<float, kBrickNodes> cut;                  ///< to the region that burs have swept, mm, negative inside
+    std::array<PackedDirection, kBrickNodes> cutNormal;  ///< gradient of `cut`, out of the removed region
 
     /// For the lattice edge from each node to the next one on each axis, if just one of the two is removed: where the
     /// border of the removed region crosses it (0 at the node, 1 at the next), and its normal there.
     std::array<std::array<float, kBrickNodes>, 3> borderPlace;
     std::array<std::array<PackedDirection, kBrickNodes>, 3> borderNormal;
 
+    bool isCut = false;  ///< some node has been reached by a sweep
+
+    /// As long as no bur has come near.
+    static CutField untouched(double spacing) {
+        CutField field;
+        field.cut.fill(static_cast<float>(kCutBand * spacing));
+        field.cutNormal.fill(PackedDirection(Vec3::UnitZ()));
+        for (int axis = 0; axis < 3; ++axis) {
+            field.borderPlace[axis].fill(0);
+            field.borderNormal[axis].fill(PackedDirection(Vec3::UnitZ()));
+        }
+        return field;
+    }
+};
+
+/// 8x8x8 nodes of the two distance fields that make a cut tooth: the solid is where `tooth < 0` and `cut > 0`.
+struct Brick : CutField {
+    std::array<float, kBrickNodes> tooth;                  ///< to the tooth's own surface, mm, negative inside
+    std::array<PackedDirection, kBrickNodes> toothNormal;  ///< gradient of `tooth`, out of the tooth
+    std::array<MaterialId, kBrickNodes> material;
+    std::array<MaterialId, kBrickNodes> neighbour;         ///< the material beyond a layer's border in the node's voxel
+    std::array<std::uint8_t, kBrickNodes> neighbourShare;  ///< its share of the voxel, in 255ths
+
     std::uint64_t lastCarve = 0;       ///< number of the carve that the two sets below belong to
     std::bitset<kBrickNodes> lowered;  ///< nodes whose `cut` that carve has changed
     std::bitset<kBrickNodes> opened;   ///< nodes that it has removed
-    bool isCut = false;                ///< some node has been reached by a sweep
     bool hasSurface = true;            ///< the tooth's own surface may pass through the brick or the cells around it
 };
 

@@ -10,24 +10,20 @@
 namespace tactooth {
 namespace {
 
-/// Nodes along one side of the blocks that are skipped together when a sweep cannot reach any of them.
-constexpr int kBlockSide = 4;
 /// Voxels; a change of the cut field above this cannot move its border (a cell's diagonal, and rounding).
 constexpr double kMattersBelow = 1.75;
 
 /// mm; a smaller change of the cut field is rounding (of a wall that a bur passes along), not cutting.
-constexpr float kLeastChange = 1e-6F;
+constexpr float kLeastChange = 2e-5F;
 
 /// Voxels; half the diagonal of a unit cube: no plane farther from a node than this cuts its voxel.
 constexpr double kVoxelReach = 0.8660254037844386;
 
-struct CutSample {
-    float distance;
-    PackedDirection normal;
-};
+using CutSample = RemovableInBrick::Sample;
 
 /// Share of a node's voxel that lies in the tooth and in the removed region.
-double removedShare(const Brick& brick, int node, const CutSample& cut, double spacing) {
+double removedShare(const Brick& brick, const CutSample& cut, double spacing) {
+    const std::uint16_t node = cut.node;
     const double tooth = brick.tooth[node] / spacing;
     const double removed = cut.distance / spacing;
     if (tooth >= kVoxelReach || removed >= kVoxelReach) return 0;
@@ -39,13 +35,16 @@ double removedShare(const Brick& brick, int node, const CutSample& cut, double s
 std::optional<CutSample> loweredAt(const Brick& brick, int node, const Vec3& point, float limit, double band,
                                    const std::vector<const SweepStep*>& steps) {
     std::optional<CutSample> lowered;
-    float bound = std::min(brick.cut[node], limit);
+    double bound = std::min(brick.cut[node] - kLeastChange, limit);
+    Vec3 gradient;
     for (const SweepStep* step : steps) {
         const FieldSample sample = step->sample(point, bound);
-        const auto distance = static_cast<float>(std::max(sample.distance, -band));
-        if (distance < bound) lowered = {distance, PackedDirection(sample.gradient)}, bound = distance;
+        if (sample.distance >= bound) continue;
+        bound = sample.distance;
+        gradient = sample.gradient;
+        lowered = CutSample{static_cast<std::uint16_t>(node), static_cast<float>(std::max(bound, -band)), {}};
     }
-    if (lowered && lowered->distance >= brick.cut[node] - kLeastChange) return std::nullopt;
+    if (lowered) lowered->normal = PackedDirection(gradient);
     return lowered;
 }
 
@@ -63,58 +62,138 @@ Vec3 pointOf(const Lattice& lattice, const Vec3& corner, int node) {
                         Vec3(node % kBrickSide, node / kBrickSide % kBrickSide, node / (kBrickSide * kBrickSide));
 }
 
-/// Calls `visit(node, sample)` for each node whose cut distance the steps lower to below `limit`, except those that
-/// `isIdle(node)` passes over.
-template <class IsIdle, class Visit>
-void forEachLowered(const Brick& brick, const BrickKey& key, const Lattice& lattice,
-                    const std::vector<SweepStep>& steps, double limit, const IsIdle& isIdle, const Visit& visit) {
-    const double spacing = lattice.spacing();
-    const double band = kCutBand * spacing;
-    const double blockReach = 0.5 * (kBlockSide - 1) * spacing * std::sqrt(3.0);
-    const Vec3 corner = lattice.corner(key);
-    std::vector<const SweepStep*> near;
-    for (int block = 0; block < 8; ++block) {
-        const int x0 = kBlockSide * (block & 1);
-        const int y0 = kBlockSide * (block >> 1 & 1);
-        const int z0 = kBlockSide * (block >> 2);
-        const Vec3 middle = corner + spacing * (Vec3(x0, y0, z0) + Vec3::Constant(0.5 * (kBlockSide - 1)));
-        findNear(steps, middle, limit + blockReach, near);
-        if (near.empty()) continue;
-        for (int i = 0; i < kBlockSide * kBlockSide * kBlockSide; ++i) {
-            const int node =
-                nodeIndex(x0 + i % kBlockSide, y0 + i / kBlockSide % kBlockSide, z0 + i / (kBlockSide * kBlockSide));
-            if (brick.cut[node] <= static_cast<float>(-band) || isIdle(node)) continue;
+/// A block of a brick's nodes, and which steps of a sweep can lower them.
+class BlockSweep {
+public:
+    BlockSweep(const Brick& brick, const BrickKey& key, const Lattice& lattice, const std::vector<SweepStep>& steps)
+        : brick_(brick), corner_(lattice.corner(key)), lattice_(lattice), steps_(steps) {}
+
+    /// Calls `visit(sample)` for each node of a block (0..7) that the steps lower.
+    template <class Visit>
+    void forEachLowered(int block, const Visit& visit) {
+        const std::array<int, 3> first = {kBlockSide * (block & 1), kBlockSide * (block >> 1 & 1),
+                                          kBlockSide * (block >> 2)};
+        if (!boundAll(first)) return;
+        const double band = kCutBand * lattice_.spacing();
+        for (int i = 0; i < kBlockNodes; ++i) {
+            const int node = nodeOf(first, i);
+            if (brick_.cut[node] <= lowest_) continue;
+            chosen_.clear();
+            for (std::size_t s = near_.size(); s-- > 0;) {
+                if (bounds_[s].lower[i] < limit_[i]) chosen_.push_back(near_[s]);
+            }
+            if (chosen_.empty()) continue;
             const auto lowered =
-                loweredAt(brick, node, pointOf(lattice, corner, node), static_cast<float>(limit), band, near);
-            if (lowered) visit(node, *lowered);
+                loweredAt(brick_, node, pointOf(lattice_, corner_, node), static_cast<float>(band), band, chosen_);
+            if (lowered) visit(*lowered);
         }
     }
+
+private:
+    static int nodeOf(const std::array<int, 3>& first, int i) {
+        return nodeIndex(first[0] + i % kBlockSide, first[1] + i / kBlockSide % kBlockSide,
+                         first[2] + i / (kBlockSide * kBlockSide));
+    }
+
+    /// Bounds of all steps that come near; false if none does.
+    bool boundAll(const std::array<int, 3>& first) {
+        const double spacing = lattice_.spacing();
+        lowest_ = static_cast<float>(-kCutBand * spacing);
+        float highest = lowest_;
+        for (int i = 0; i < kBlockNodes; ++i) {
+            const float cut = brick_.cut[nodeOf(first, i)];
+            limit_[i] = cut - kLeastChange;
+            highest = std::max(highest, cut);
+        }
+        if (highest <= lowest_) return false;
+        const Vec3 corner = corner_ + spacing * Vec3(first[0], first[1], first[2]);
+        const double toMiddle = 0.5 * (kBlockSide - 1) * spacing;
+        findNear(steps_, corner + Vec3::Constant(toMiddle), highest + toMiddle * std::sqrt(3.0), near_);
+        bounds_.resize(near_.size());
+        for (std::size_t s = 0; s < near_.size(); ++s) near_[s]->boundBlock(corner, spacing, bounds_[s]);
+        for (const BlockBounds& bounds : bounds_) {
+            for (int i = 0; i < kBlockNodes; ++i) limit_[i] = std::min(limit_[i], bounds.upper[i]);
+        }
+        return !near_.empty();
+    }
+
+    const Brick& brick_;
+    const Vec3 corner_;
+    const Lattice& lattice_;
+    const std::vector<SweepStep>& steps_;
+    std::vector<const SweepStep*> near_;
+    std::vector<BlockBounds> bounds_;
+    std::vector<const SweepStep*> chosen_;
+    std::array<float, kBlockNodes> limit_;  ///< what a step must come below to count
+    float lowest_ = 0;                      ///< of the cut field: a node that is there has nothing more to lose
+};
+
+double removableAt(const Brick& brick, const CutSample& lowered, double spacing) {
+    const std::uint16_t node = lowered.node;
+    const double before = removedShare(brick, {node, brick.cut[node], brick.cutNormal[node]}, spacing);
+    return (removedShare(brick, lowered, spacing) - before) * spacing * spacing * spacing;
 }
 
-double removableAt(const Brick& brick, int node, const CutSample& lowered, double spacing) {
-    const double before = removedShare(brick, node, {brick.cut[node], brick.cutNormal[node]}, spacing);
-    return (removedShare(brick, node, lowered, spacing) - before) * spacing * spacing * spacing;
+/// Shares a removed volume among the materials of a node's voxel.
+void book(MaterialVolumes& volumes, const Brick& brick, int node, double volume) {
+    const double beyond = volume * brick.neighbourShare[node] / 255;
+    volumes[static_cast<std::size_t>(brick.material[node])] += volume - beyond;
+    volumes[static_cast<std::size_t>(brick.neighbour[node])] += beyond;
 }
 
 }  // namespace
 
-BrickCarve carveBrick(Brick& brick, const BrickKey& key, const Lattice& lattice, const std::vector<SweepStep>& steps,
-                      std::uint64_t carve) {
+RemovableInBrick removableFromBrick(const Brick& brick, const BrickKey& key, const Lattice& lattice,
+                                    const std::vector<SweepStep>& steps) {
     const double spacing = lattice.spacing();
+    RemovableInBrick result;
+    result.key = key;
+    BlockSweep sweep(brick, key, lattice, steps);
+    for (int block = 0; block < kBrickNodes / kBlockNodes; ++block) {
+        sweep.forEachLowered(block, [&](const CutSample& lowered) {
+            book(result.volumes, brick, lowered.node, removableAt(brick, lowered, spacing));
+            result.lowered.push_back(lowered);
+        });
+    }
+    return result;
+}
+
+MaterialVolumes removableFromNodes(const Brick& brick, const RemovableInBrick& whole, const Lattice& lattice,
+                                   const std::vector<SweepStep>& steps) {
+    const double spacing = lattice.spacing();
+    const double reach = kVoxelReach * spacing;
+    const Vec3 corner = lattice.corner(whole.key);
+    std::vector<const SweepStep*> near;
+    findNear(steps, lattice.centre(whole.key), lattice.halfDiagonal() + reach, near);
+    MaterialVolumes volumes{};
+    if (near.empty()) return volumes;
+    for (const CutSample& most : whole.lowered) {
+        const int node = most.node;
+        // What is lowered less far away, in the air, or where all is gone already, has nothing to give.
+        if (most.distance >= reach || brick.tooth[node] >= reach || brick.cut[node] <= -reach) continue;
+        const auto lowered =
+            loweredAt(brick, node, pointOf(lattice, corner, node), static_cast<float>(reach), kCutBand * spacing, near);
+        if (!lowered) continue;
+        book(volumes, brick, node, removableAt(brick, *lowered, spacing));
+    }
+    return volumes;
+}
+
+BrickCarve carveBrick(Brick& brick, const RemovableInBrick& found, const Lattice& lattice, std::uint64_t carve) {
     BrickCarve result;
-    result.changed.key = key;
+    result.removed = found.volumes;
+    result.changed.key = found.key;
     brick.lastCarve = carve;
     brick.lowered.reset();
     brick.opened.reset();
-    const auto isIdle = [](int) { return false; };
-    forEachLowered(brick, key, lattice, steps, kCutBand * spacing, isIdle, [&](int node, const CutSample& lowered) {
-        result.removed[static_cast<std::size_t>(brick.material[node])] += removableAt(brick, node, lowered, spacing);
+    for (const CutSample& lowered : found.lowered) {
+        const int node = lowered.node;
         brick.lowered.set(node);
         brick.opened.set(node, brick.cut[node] >= 0 && lowered.distance < 0);
         brick.cut[node] = lowered.distance;
         brick.cutNormal[node] = lowered.normal;
         brick.isCut = true;
-        if (lowered.distance > kMattersBelow * spacing) return;
+        if (lowered.distance > kMattersBelow * lattice.spacing()) continue;
         const std::array<int, 3> place = {node % kBrickSide, node / kBrickSide % kBrickSide,
                                           node / (kBrickSide * kBrickSide)};
         for (int axis = 0; axis < 3; ++axis) {
@@ -122,48 +201,15 @@ BrickCarve carveBrick(Brick& brick, const BrickKey& key, const Lattice& lattice,
             result.changed.low[axis] = std::min(result.changed.low[axis], layer);
             result.changed.high[axis] = std::max(result.changed.high[axis], layer);
         }
-    });
-    return result;
-}
-
-RemovableInBrick removableFromBrick(const Brick& brick, const BrickKey& key, const Lattice& lattice,
-                                    const std::vector<SweepStep>& steps) {
-    const double spacing = lattice.spacing();
-    const double reach = kVoxelReach * spacing;
-    RemovableInBrick result;
-    result.nodes.key = key;
-    // Voxels in the air, and those that are gone already, have nothing to give.
-    const auto isIdle = [&](int node) { return brick.tooth[node] >= reach || brick.cut[node] <= -reach; };
-    forEachLowered(brick, key, lattice, steps, reach, isIdle, [&](int node, const CutSample& lowered) {
-        result.volumes[static_cast<std::size_t>(brick.material[node])] += removableAt(brick, node, lowered, spacing);
-        result.nodes.nodes.push_back(static_cast<std::uint16_t>(node));
-    });
-    return result;
-}
-
-MaterialVolumes removableFromNodes(const Brick& brick, const NodesInBrick& where, const Lattice& lattice,
-                                   const std::vector<SweepStep>& steps) {
-    const double spacing = lattice.spacing();
-    const double reach = kVoxelReach * spacing;
-    const Vec3 corner = lattice.corner(where.key);
-    std::vector<const SweepStep*> near;
-    findNear(steps, lattice.centre(where.key), lattice.halfDiagonal() + reach, near);
-    MaterialVolumes volumes{};
-    if (near.empty()) return volumes;
-    for (const std::uint16_t node : where.nodes) {
-        const auto lowered =
-            loweredAt(brick, node, pointOf(lattice, corner, node), static_cast<float>(reach), kCutBand * spacing, near);
-        if (!lowered) continue;
-        volumes[static_cast<std::size_t>(brick.material[node])] += removableAt(brick, node, *lowered, spacing);
     }
-    return volumes;
+    return result;
 }
 
 MaterialVolumes removedFromBrick(const Brick& brick, double spacing) {
     MaterialVolumes volumes{};
-    for (int node = 0; node < kBrickNodes; ++node) {
-        const double share = removedShare(brick, node, {brick.cut[node], brick.cutNormal[node]}, spacing);
-        volumes[static_cast<std::size_t>(brick.material[node])] += share * spacing * spacing * spacing;
+    for (std::uint16_t node = 0; node < kBrickNodes; ++node) {
+        const double share = removedShare(brick, {node, brick.cut[node], brick.cutNormal[node]}, spacing);
+        book(volumes, brick, node, share * spacing * spacing * spacing);
     }
     return volumes;
 }

@@ -15,22 +15,16 @@ struct BrickCarve {
     [[nodiscard]] bool hasChanged() const { return changed.low[0] <= changed.high[0]; }
 };
 
-/// Lowers the cut field of `brick` to the distance to the swept steps. `carve` numbers the whole carve.
-[[nodiscard]] BrickCarve carveBrick(Brick& brick, const BrickKey& key, const Lattice& lattice,
-                                    const std::vector<SweepStep>& steps, std::uint64_t carve);
-
-/// What a carve would remove from one brick, and at which nodes.
-struct RemovableInBrick {
-    MaterialVolumes volumes{};
-    NodesInBrick nodes;
-};
-
-/// What carveBrick would remove, without doing it.
+/// Finds what lowering the cut field of `brick` to the distance to the swept steps would do. Changes nothing.
 [[nodiscard]] RemovableInBrick removableFromBrick(const Brick& brick, const BrickKey& key, const Lattice& lattice,
                                                   const std::vector<SweepStep>& steps);
-/// The same where only the given nodes can have something to give.
-[[nodiscard]] MaterialVolumes removableFromNodes(const Brick& brick, const NodesInBrick& where, const Lattice& lattice,
-                                                 const std::vector<SweepStep>& steps);
+/// The volumes alone, for steps that reach no other nodes than those found for `whole`.
+[[nodiscard]] MaterialVolumes removableFromNodes(const Brick& brick, const RemovableInBrick& whole,
+                                                 const Lattice& lattice, const std::vector<SweepStep>& steps);
+
+/// Does what was found. `carve` numbers the whole carve.
+[[nodiscard]] BrickCarve carveBrick(Brick& brick, const RemovableInBrick& found, const Lattice& lattice,
+                                    std::uint64_t carve);
 
 /// What has been removed from the tooth within one brick.
 [[nodiscard]] MaterialVolumes removedFromBrick(const Brick& brick, double spacing);

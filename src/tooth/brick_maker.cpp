@@ -6,6 +6,8 @@
 #include <limits>
 
 #include "collision/closest_point.h"
+#include "collision/triangle_point.h"
+#include "tooth/voxel_fraction.h"
 
 namespace tactooth {
 namespace {
@@ -63,16 +65,25 @@ private:
 
     void visit(int x, int y, int z) {
         const Vec3 point = corner_ + spacing_ * Vec3(x, y, z);
-        const double reach = std::min(band_, previous_ + spacing_ * (1 + 1e-6));
-        const auto hit = closestPoint(part_, point, reach);
+        const auto hit = closestPoint(part_, point, reachAt(point));
         const double distance = hit ? std::min(hit->distance, band_) : band_;
         const Vec3 away = hit ? Vec3(point - hit->point) : Vec3::UnitZ();
         if (previous_ + distance <= spacing_ * (1 + 1e-6) || first_) inside_ = isInsideNear(point, away, hit);
         first_ = false;
         previous_ = distance;
+        if (hit) nearest_ = hit->triangle;
         const int node = nodeIndex(x, y, z);
         field_.distance[node] = static_cast<float>(inside_ ? -distance : distance);
         field_.gradient[node] = PackedDirection(inside_ ? Vec3(-away) : away);
+    }
+
+    /// The triangle that was nearest to the node before is near this one, too.
+    [[nodiscard]] double reachAt(const Vec3& point) {
+        if (!nearest_) return std::min(band_, previous_ + spacing_ * (1 + 1e-6));
+        const TriangleMesh& mesh = part_.mesh();
+        const Vec3 there =
+            closestOnTriangle(point, mesh.corner(*nearest_, 0), mesh.corner(*nearest_, 1), mesh.corner(*nearest_, 2));
+        return std::min(band_, (there - point).norm() * (1 + 1e-12));
     }
 
     [[nodiscard]] bool isInsideNear(const Vec3& point, const Vec3& away, const std::optional<ClosestPoint>& hit) const {
@@ -91,10 +102,22 @@ private:
     bool first_ = true;
     bool inside_ = false;
     double previous_ = std::numeric_limits<double>::infinity();
+    std::optional<std::uint32_t> nearest_;  // triangle
 };
+
+/// The border of a layer that runs through a node's voxel leaves a part of it to what is there without the layer.
+void shareVoxel(Brick& brick, int node, MaterialId layer, const SignedField& field, double spacing) {
+    const double distance = field.distance[node];
+    const double within = cubeFraction({distance / spacing, field.gradient[node].unpack()});
+    if (within == 0) return;
+    brick.neighbour[node] = distance < 0 ? brick.material[node] : layer;
+    brick.neighbourShare[node] = static_cast<std::uint8_t>(std::lround(255 * (distance < 0 ? 1 - within : within)));
+}
 
 void fillMaterials(Brick& brick, const LayeredTooth& tooth, const Lattice& lattice, const BrickKey& key) {
     brick.material.fill(tooth.body());
+    brick.neighbour.fill(tooth.body());
+    brick.neighbourShare.fill(0);
     if (tooth.layers().empty()) return;
     const double band = kLayerBand * lattice.spacing();
     const auto bandFloat = static_cast<float>(band);
@@ -104,6 +127,7 @@ void fillMaterials(Brick& brick, const LayeredTooth& tooth, const Lattice& latti
         const SignedSampler sampler(*layer.part, lattice, key, band);
         for (int node = 0; node < kBrickNodes; ++node) {
             const float distance = sampler.field().distance[node];
+            if (nearest[node] < bandFloat) shareVoxel(brick, node, layer.material, sampler.field(), lattice.spacing());
             if (distance >= 0 && distance >= nearest[node]) continue;
             brick.material[node] = layer.material;
             nearest[node] = distance < 0 ? 0 : distance;
@@ -128,12 +152,7 @@ std::unique_ptr<Brick> makeBrick(const LayeredTooth& tooth, const Lattice& latti
                                    [&](float d) { return d > static_cast<float>(kAirMargin * spacing); });
     if (isAir) return nullptr;
     auto brick = std::make_unique<Brick>();
-    brick->cut.fill(static_cast<float>(kCutBand * spacing));
-    brick->cutNormal.fill(PackedDirection(Vec3::UnitZ()));
-    for (int axis = 0; axis < 3; ++axis) {
-        brick->borderPlace[axis].fill(0);
-        brick->borderNormal[axis].fill(PackedDirection(Vec3::UnitZ()));
-    }
+    static_cast<CutField&>(*brick) = CutField::untouched(spacing);
     brick->tooth = distance;
     brick->toothNormal = outer.field().gradient;
     brick->hasSurface = !outer.field().uniform;

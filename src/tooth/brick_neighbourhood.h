@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "tooth/brick_map.h"
@@ -16,14 +17,12 @@ public:
 
     BrickNeighbourhood(const BrickMap& bricks, const BrickKey& key, double spacing) {
         for (int i = 0; i < 27; ++i) near_[i] = bricks.find(key.moved(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1));
-        for (int z = -1; z <= kBrickSide; ++z) {
-            for (int y = -1; y <= kBrickSide; ++y) {
-                for (int x = -1; x <= kBrickSide; ++x) {
-                    const Brick* brick = near_[part(x) + 3 * part(y) + 9 * part(z)];
-                    gather(brick, nodeIndex(local(x), local(y), local(z)), index(x, y, z), spacing);
-                }
-            }
-        }
+        gather(&Brick::cut, static_cast<float>(kCutBand * spacing), cut_);
+        const auto [lowest, highest] = std::minmax_element(cut_.begin(), cut_.end());
+        hasBorder_ = *lowest < 0 && *highest >= 0;
+        if (!hasBorder_) return;
+        gather(&Brick::tooth, static_cast<float>(kToothBand * spacing), tooth_);
+        gather(&Brick::material, MaterialId{}, material_);
     }
 
     [[nodiscard]] static constexpr int index(int x, int y, int z) { return x + 1 + kSide * (y + 1 + kSide * (z + 1)); }
@@ -42,33 +41,38 @@ public:
         return {brick->borderPlace[axis][node], brick->borderNormal[axis][node].unpack()};
     }
     [[nodiscard]] MaterialId material(int node) const { return material_[node]; }
-    /// Whether some gathered nodes are removed and others are not.
-    [[nodiscard]] bool hasBorder() const { return hasRemoved_ && hasSolid_; }
+    /// Whether some gathered nodes are removed and others are not; else nothing but `cut` may be asked for.
+    [[nodiscard]] bool hasBorder() const { return hasBorder_; }
 
 private:
     static constexpr int kCount = kSide * kSide * kSide;
     static constexpr int part(int place) { return place < 0 ? 0 : place < kBrickSide ? 1 : 2; }
     static constexpr int local(int place) { return (place + kBrickSide) % kBrickSide; }
 
-    void gather(const Brick* brick, int from, int to, double spacing) {
-        if (brick != nullptr) {
-            cut_[to] = brick->cut[from];
-            tooth_[to] = brick->tooth[from];
-            material_[to] = brick->material[from];
-        } else {
-            cut_[to] = static_cast<float>(kCutBand * spacing);
-            tooth_[to] = static_cast<float>(kToothBand * spacing);
-            material_[to] = MaterialId{};
+    /// One field of all nodes, row by row along x.
+    template <class Field, class Value>
+    void gather(Field field, Value missing, std::array<Value, kCount>& to) const {
+        for (int z = -1; z <= kBrickSide; ++z) {
+            for (int y = -1; y <= kBrickSide; ++y) {
+                const Brick* const* bricks = &near_[3 * part(y) + 9 * part(z)];
+                const int from = nodeIndex(0, local(y), local(z));
+                Value* row = &to[index(-1, y, z)];
+                row[0] = bricks[0] != nullptr ? (bricks[0]->*field)[from + kBrickSide - 1] : missing;
+                if (bricks[1] != nullptr) {
+                    std::copy_n((bricks[1]->*field).begin() + from, kBrickSide, row + 1);
+                } else {
+                    std::fill_n(row + 1, kBrickSide, missing);
+                }
+                row[kSide - 1] = bricks[2] != nullptr ? (bricks[2]->*field)[from] : missing;
+            }
         }
-        (cut_[to] < 0 ? hasRemoved_ : hasSolid_) = true;
     }
 
     std::array<float, kCount> cut_;
     std::array<float, kCount> tooth_;
     std::array<const Brick*, 27> near_;
     std::array<MaterialId, kCount> material_;
-    bool hasRemoved_ = false;
-    bool hasSolid_ = false;
+    bool hasBorder_ = false;
 };
 
 }  // namespace tactooth

@@ -62,7 +62,7 @@ FeedResult feedBur(CutVolume& volume, const RevolutionEnvelope& envelope, const 
         result.wanted = highCost;
         return result;
     }
-    result.carve = volume.carve(envelope, from, between(from, to, low));
+    result.carve = low < 1 ? volume.carve(envelope, from, between(from, to, low)) : volume.carve(removable);
     result.work = workFor(result.carve.removed, materials, sharpness);
     return result;
 }

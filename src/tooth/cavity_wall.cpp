@@ -4,6 +4,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "tooth/brick_neighbourhood.h"
@@ -75,18 +76,21 @@ private:
 class WallExtractor {
 public:
     WallExtractor(const BrickMap& bricks, const Lattice& lattice, const BrickKey& key)
-        : nodes_(bricks, key, lattice.spacing()), key_(key), corner_(lattice.corner(key)), spacing_(lattice.spacing()) {
-        cellVertex_.fill(kNoVertex);
-        edgeCrossing_.fill(kNoCrossing);
-    }
+        : nodes_(bricks, key, lattice.spacing()),
+          key_(key),
+          corner_(lattice.corner(key)),
+          spacing_(lattice.spacing()) {}
 
     CavityWall run() {
         if (!nodes_.hasBorder()) return {};
+        cellVertex_.fill(kNoVertex);
+        edgeCrossing_.fill(kNoCrossing);
         for (int z = 0; z < kBrickSide; ++z) {
             for (int y = 0; y < kBrickSide; ++y) {
-                for (int x = 0; x < kBrickSide; ++x) {
-                    for (int axis = 0; axis < 3; ++axis) addPolygon({x, y, z}, axis);
-                }
+                const unsigned row = removedRow(y, z);
+                addCrossed(row ^ row >> 1, y, z, 0);
+                addCrossed(row ^ removedRow(y + 1, z), y, z, 1);
+                addCrossed(row ^ removedRow(y, z + 1), y, z, 2);
             }
         }
         return std::move(wall_);
@@ -97,6 +101,19 @@ private:
     static constexpr std::uint16_t kNoCrossing = 0xFFFF;
     static constexpr int kCellSide = kBrickSide + 1;
     static constexpr int kRounds = 4;  ///< at most, in one cell
+
+    /// Which nodes of a row along x are removed, one bit each: the brick's own and the one after.
+    [[nodiscard]] unsigned removedRow(int y, int z) const {
+        unsigned bits = 0;
+        for (int x = 0; x <= kBrickSide; ++x) bits |= static_cast<unsigned>(isRemoved({x, y, z})) << x;
+        return bits;
+    }
+    /// The polygons around those edges of a row on one axis that the border crosses, one bit each.
+    void addCrossed(unsigned crossed, int y, int z, int axis) {
+        for (crossed &= (1U << kBrickSide) - 1; crossed != 0; crossed &= crossed - 1) {
+            addPolygon({std::countr_zero(crossed), y, z}, axis);
+        }
+    }
 
     static int nodeAt(const Place& p) { return BrickNeighbourhood::index(p[0], p[1], p[2]); }
     [[nodiscard]] bool isRemoved(const Place& p) const { return nodes_.cut(nodeAt(p)) < 0; }
@@ -209,7 +226,6 @@ private:
     /// The polygon around one lattice edge that the border crosses.
     void addPolygon(const Place& a, int axis) {
         const Place b = moved(a, axis, 1);
-        if (isRemoved(a) == isRemoved(b)) return;
         const double toothA = nodes_.tooth(nodeAt(a)) / spacing_;
         const double toothB = nodes_.tooth(nodeAt(b)) / spacing_;
         if (std::min(toothA, toothB) > kNearerReach || std::max(toothA, toothB) > kTriangleReach) return;

@@ -72,20 +72,24 @@ void CutVolume::makeMissing(const std::vector<BrickKey>& keys) {
 
 CarveResult CutVolume::carve(const RevolutionEnvelope& envelope, const Pose& fromInTooth, const Pose& toInTooth,
                              double clearance) {
-    const auto steps = sweepSteps(envelope, fromInTooth, toInTooth, clearance, kLongestStep * lattice_.spacing());
-    const std::vector<BrickKey> keys = bricksInReach(steps);
-    makeMissing(keys);
+    return carve(removable(envelope, fromInTooth, toInTooth, clearance));
+}
+
+CarveResult CutVolume::carve(const Removable& removable) {
+    assert(removable.afterCarve == carves_);
     ++carves_;
-    std::vector<BrickCarve> carved(keys.size());
-    parallelFor(keys.size(), [&](std::size_t i) {
-        if (Brick* brick = bricks_.find(keys[i])) carved[i] = carveBrick(*brick, keys[i], lattice_, steps, carves_);
+    for (const RemovableInBrick& found : removable.where) journal_.keep(found.key, *bricks_.find(found.key));
+    std::vector<BrickCarve> carved(removable.where.size());
+    parallelFor(carved.size(), [&](std::size_t i) {
+        const RemovableInBrick& found = removable.where[i];
+        carved[i] = carveBrick(*bricks_.find(found.key), found, lattice_, carves_);
     });
     CarveResult result;
+    result.removed = removable.volumes;
     for (const BrickCarve& part : carved) {
-        for (std::size_t m = 0; m < kMaterialCount; ++m) result.removed[m] += part.removed[m];
         if (part.hasChanged()) result.changed.push_back(part.changed);
     }
-    traceBorder(result.changed, steps);
+    traceBorder(result.changed, removable.steps);
     return result;
 }
 
@@ -100,25 +104,27 @@ void CutVolume::traceBorder(const std::vector<ChangedBrick>& changed, const std:
     }
     std::sort(keys.begin(), keys.end());
     keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+    for (const BrickKey& key : keys) journal_.keep(key, *bricks_.find(key));
     parallelFor(keys.size(), [&](std::size_t i) { traceBorderInBrick(bricks_, keys[i], lattice_, steps, carves_); });
 }
 
 Removable CutVolume::removable(const RevolutionEnvelope& envelope, const Pose& fromInTooth, const Pose& toInTooth,
                                double clearance) {
-    const auto steps = sweepSteps(envelope, fromInTooth, toInTooth, clearance, kLongestStep * lattice_.spacing());
-    const std::vector<BrickKey> keys = bricksInReach(steps);
+    Removable result;
+    result.clearance = clearance;
+    result.afterCarve = carves_;
+    result.steps = sweepSteps(envelope, fromInTooth, toInTooth, clearance, kLongestStep * lattice_.spacing());
+    const std::vector<BrickKey> keys = bricksInReach(result.steps);
     makeMissing(keys);
     std::vector<RemovableInBrick> parts(keys.size());
     parallelFor(keys.size(), [&](std::size_t i) {
         if (const Brick* brick = std::as_const(bricks_).find(keys[i])) {
-            parts[i] = removableFromBrick(*brick, keys[i], lattice_, steps);
+            parts[i] = removableFromBrick(*brick, keys[i], lattice_, result.steps);
         }
     });
-    Removable result;
-    result.clearance = clearance;
     for (RemovableInBrick& part : parts) {
         for (std::size_t m = 0; m < kMaterialCount; ++m) result.volumes[m] += part.volumes[m];
-        if (!part.nodes.nodes.empty()) result.where.push_back(std::move(part.nodes));
+        if (!part.lowered.empty()) result.where.push_back(std::move(part));
     }
     return result;
 }
@@ -131,6 +137,36 @@ MaterialVolumes CutVolume::removableOnTheWay(const Removable& whole, const Revol
         parts[i] = removableFromNodes(*bricks_.find(whole.where[i].key), whole.where[i], lattice_, steps);
     });
     return sum(parts);
+}
+
+std::vector<ChangedBrick> CutVolume::undo() {
+    std::vector<ChangedBrick> changed;
+    ++carves_;  // what was found removable holds no more
+    for (const auto& [key, before] : journal_.takeBack()) {
+        static_cast<CutField&>(*bricks_.find(key)) = before;
+        changed.push_back(ChangedBrick::all(key));
+    }
+    return changed;
+}
+
+std::vector<BrickKey> CutVolume::cutBricks() const {
+    std::vector<BrickKey> keys = bricks_.keys();
+    std::erase_if(keys, [&](const BrickKey& key) { return !bricks_.find(key)->isCut; });
+    return keys;
+}
+
+std::vector<ChangedBrick> CutVolume::adopt(const std::map<BrickKey, CutField>& fields) {
+    std::vector<BrickKey> keys;
+    for (const auto& [key, field] : fields) keys.push_back(key);
+    makeMissing(keys);
+    std::vector<ChangedBrick> changed;
+    for (const auto& [key, field] : fields) {
+        Brick* brick = bricks_.find(key);
+        if (brick == nullptr) continue;
+        static_cast<CutField&>(*brick) = field;
+        changed.push_back(ChangedBrick::all(key));
+    }
+    return changed;
 }
 
 MaterialVolumes CutVolume::removedVolume() const {

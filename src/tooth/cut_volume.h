@@ -4,10 +4,12 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <vector>
 
 #include "tooth/brick_map.h"
+#include "tooth/cut_journal.h"
 #include "tooth/layered_tooth.h"
 #include "tooth/revolution_envelope.h"
 #include "tooth/swept_envelope.h"
@@ -24,6 +26,10 @@ struct ChangedBrick {
     BrickKey key;
     std::array<std::uint8_t, 3> low = {kBrickSide, kBrickSide, kBrickSide};  ///< first changed node on each axis
     std::array<std::uint8_t, 3> high = {0, 0, 0};                            ///< last changed node on each axis
+
+    [[nodiscard]] static ChangedBrick all(const BrickKey& key) {
+        return {key, {0, 0, 0}, {kBrickSide - 1, kBrickSide - 1, kBrickSide - 1}};
+    }
 };
 
 struct CarveResult {
@@ -31,17 +37,25 @@ struct CarveResult {
     std::vector<ChangedBrick> changed;  ///< in ascending order of their keys
 };
 
-/// Some nodes of one brick, by nodeIndex.
-struct NodesInBrick {
-    BrickKey key;
-    std::vector<std::uint16_t> nodes;
+/// What a move of the bur would remove from one brick, and what the cut field would become.
+struct RemovableInBrick {
+    struct Sample {
+        std::uint16_t node;  ///< nodeIndex
+        float distance;      ///< of the cut field, mm
+        PackedDirection normal;
+    };
+    BrickKey key{};
+    MaterialVolumes volumes{};
+    std::vector<Sample> lowered;
 };
 
-/// What a move of the bur would remove.
+/// What a move of the bur would remove, with all that is needed to remove it.
 struct Removable {
     MaterialVolumes volumes{};
-    std::vector<NodesInBrick> where;  ///< the nodes that it would come from
-    double clearance = 0;             ///< that it was asked with, mm
+    std::vector<RemovableInBrick> where;  ///< in ascending order of the keys
+    std::vector<SweepStep> steps;
+    double clearance = 0;          ///< that it was asked with, mm
+    std::uint64_t afterCarve = 0;  ///< it holds until the next one
 };
 
 /// How much wider than the bur the cut is by default, in voxels: room for the chords of the extracted surface, so that
@@ -64,20 +78,40 @@ public:
         return carve(envelope, fromInTooth, toInTooth, kDefaultClearance * lattice_.spacing());
     }
 
-    /// What the same `carve` would remove. Changes nothing (bricks that are needed for the answer are kept).
+    /// What the same `carve` would remove. Changes nothing (bricks that are needed for the answer are kept). The
+    /// envelope outlives the answer.
     [[nodiscard]] Removable removable(const RevolutionEnvelope& envelope, const Pose& fromInTooth,
                                       const Pose& toInTooth, double clearance);
     [[nodiscard]] Removable removable(const RevolutionEnvelope& envelope, const Pose& fromInTooth,
                                       const Pose& toInTooth) {
         return removable(envelope, fromInTooth, toInTooth, kDefaultClearance * lattice_.spacing());
     }
+    /// Does it, unless something was carved meanwhile.
+    CarveResult carve(const Removable& removable);
     /// What the first part of that move, up to `partWay`, would remove, to about 1e-4 of a voxel: looks nowhere but at
     /// the nodes that the whole move reaches.
     [[nodiscard]] MaterialVolumes removableOnTheWay(const Removable& whole, const RevolutionEnvelope& envelope,
                                                     const Pose& fromInTooth, const Pose& partWay) const;
 
-    /// The whole tooth again.
-    void reset() { bricks_.clear(); }
+    /// Sets a mark that `undo` goes back to; false if nothing has changed since the last one, which then serves.
+    bool mark() { return journal_.mark(); }
+    /// How many times `undo` can go back: as many as marks were set, and CutJournal::kMostMarks at most.
+    [[nodiscard]] std::size_t marks() const { return journal_.marks(); }
+    /// Everything as it was at the last mark that anything came after, bit for bit; forgets that mark. Returns the
+    /// bricks that changed.
+    std::vector<ChangedBrick> undo();
+
+    /// The whole tooth again; no mark is left.
+    void reset() {
+        bricks_.clear();
+        journal_.clear();
+    }
+
+    /// The bricks that a bur has reached, in ascending order of their keys.
+    [[nodiscard]] std::vector<BrickKey> cutBricks() const;
+    /// Takes over the removed region of another volume of the same spacing, or from a file, brick by brick: nothing may
+    /// have been cut here. Returns the bricks that changed. Bricks that lie clear of this tooth are left out.
+    std::vector<ChangedBrick> adopt(const std::map<BrickKey, CutField>& fields);
 
     /// Everything removed so far, summed anew over all bricks.
     [[nodiscard]] MaterialVolumes removedVolume() const;
@@ -90,7 +124,7 @@ public:
     [[nodiscard]] const BrickMap& bricks() const { return bricks_; }
     [[nodiscard]] const Lattice& lattice() const { return lattice_; }
     [[nodiscard]] const std::shared_ptr<const LayeredTooth>& tooth() const { return tooth_; }
-    [[nodiscard]] std::size_t bytes() const { return bricks_.keys().size() * sizeof(Brick); }
+    [[nodiscard]] std::size_t bytes() const { return bricks_.keys().size() * sizeof(Brick) + journal_.bytes(); }
 
 private:
     [[nodiscard]] std::vector<BrickKey> bricksInReach(const std::vector<SweepStep>& steps) const;
@@ -100,6 +134,7 @@ private:
     std::shared_ptr<const LayeredTooth> tooth_;
     Lattice lattice_;
     BrickMap bricks_;
+    CutJournal journal_;
     std::uint64_t carves_ = 0;
 };
 

@@ -73,6 +73,10 @@ Expected<void> checkClosed(const TriangleMesh& mesh, const std::string& what) {
     return {};
 }
 
+std::string outsideSentence(const std::string& what) {
+    return what + " lies outside the tooth: give all layers in the frame of the outer surface";
+}
+
 Expected<void> checkLayers(const TriangleMesh& outer, const std::vector<LayerMesh>& layers) {
     const Box3 toothBox = boundingBox(outer);
     for (std::size_t i = 0; i < layers.size(); ++i) {
@@ -84,10 +88,26 @@ Expected<void> checkLayers(const TriangleMesh& outer, const std::vector<LayerMes
         }
         if (auto closed = checkClosed(layers[i].mesh, what); !closed) return unexpected(closed.error().message);
         if (!toothBox.intersects(boundingBox(layers[i].mesh))) {
-            return unexpected(what + " lies outside the tooth: give all layers in the frame of the outer surface");
+            return unexpected(outsideSentence(what));
         }
     }
     return {};
+}
+
+/// Whether some vertices of `mesh` lie within `body` or on its surface.
+bool reachesInto(const SurfacePart& body, const TriangleMesh& mesh) {
+    constexpr std::size_t kLooks = 200;
+    const std::size_t stride = std::max<std::size_t>(1, mesh.vertices.size() / kLooks);
+    for (std::size_t v = 0; v < mesh.vertices.size(); v += stride) {
+        const Vec3 point = mesh.vertices[v].cast<double>();
+        if (closestPoint(body, point, kBehindSurface) || contains(body, point)) return true;
+    }
+    return false;
+}
+
+/// Two bodies whose boxes meet may still be apart: a layer of the tooth beside this one.
+bool areApart(const SurfacePart& a, const SurfacePart& b) {
+    return !reachesInto(a, b.mesh()) && !reachesInto(b, a.mesh());
 }
 
 }  // namespace
@@ -105,6 +125,9 @@ Expected<LayeredTooth> LayeredTooth::make(TriangleMesh outer, std::vector<LayerM
     }
     std::vector<SurfaceTag> tags = tooth.tagsOf(outer);
     tooth.outer_ = std::make_shared<const SurfacePart>(std::move(outer), std::move(tags));
+    for (const Layer& layer : tooth.layers_) {
+        if (areApart(*tooth.outer_, *layer.part)) return unexpected(outsideSentence("layer '" + layer.name + "'"));
+    }
     return tooth;
 }
 

@@ -121,4 +121,28 @@ FieldSample RevolutionEnvelope::sample(const Vec3& pointInTool) const {
     return {inside ? -distance : distance, Vec3(slopeR * outward.x(), slopeR * outward.y(), slopeZ)};
 }
 
+bool RevolutionEnvelope::findPart(const Vec3& pointInTool, double reach, ProfilePart& part) const {
+    const double radius = std::hypot(pointInTool.x(), pointInTool.y());
+    const double z = pointInTool.z();
+    const double farthest = std::sqrt(nearest(radius, z).squaredDistance) + 2 * reach;
+    part.pieceCount = part.spanCount = 0;
+    for (std::uint16_t i = 0; i < segments_.size(); ++i) {
+        const Segment& s = segments_[i];
+        const double top = s.start.z + s.length * s.directionZ;  // a profile never falls
+        if (s.start.z > z + farthest || top < z - farthest) continue;
+        if (nearest(radius, z, &i, &i + 1).squaredDistance <= farthest * farthest) {
+            if (part.pieceCount == static_cast<int>(part.pieces.size())) return false;
+            part.pieces[part.pieceCount++] = {static_cast<float>(s.start.radius), static_cast<float>(s.start.z),
+                                              static_cast<float>(s.directionR), static_cast<float>(s.directionZ),
+                                              static_cast<float>(s.length)};
+        }
+        if (s.start.z > z + reach || top < z - reach || !(top > s.start.z)) continue;
+        if (part.spanCount == static_cast<int>(part.spans.size())) return false;
+        part.spans[part.spanCount++] = {static_cast<float>(s.start.z), static_cast<float>(top),
+                                        static_cast<float>(s.start.radius),
+                                        static_cast<float>(s.directionR / s.directionZ)};
+    }
+    return true;
+}
+
 }  // namespace tactooth

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -14,6 +15,24 @@ namespace tactooth {
 struct FieldSample {
     double distance;  ///< mm, negative inside
     Vec3 gradient;    ///< unit
+};
+
+/// The pieces of a profile that points of one small region can be nearest to, and those at their heights, in single
+/// precision for eight points at a time.
+struct ProfilePart {
+    struct Piece {
+        float radius, z;               ///< of its start, mm
+        float directionR, directionZ;  ///< unit
+        float length;
+    };
+    /// The outside at the heights from `low` to `high`: radius at `low` and its growth.
+    struct Span {
+        float low, high, radius, growth;
+    };
+    std::array<Piece, 48> pieces;
+    std::array<Span, 48> spans;
+    int pieceCount = 0;
+    int spanCount = 0;
 };
 
 /// The solid that a bur fills while it spins about its axis (z of the tool frame, tip at the bottom): a solid of
@@ -32,6 +51,9 @@ public:
     /// Exact distance from a point of the tool frame to the surface of revolution, negative inside, with its gradient.
     [[nodiscard]] FieldSample sample(const Vec3& pointInTool) const;
     [[nodiscard]] double signedDistance(const Vec3& pointInTool) const { return sample(pointInTool).distance; }
+
+    /// The part that matters within `reach` (mm) of a point of the tool frame. False if it has too many pieces.
+    [[nodiscard]] bool findPart(const Vec3& pointInTool, double reach, ProfilePart& part) const;
 
     /// From the axis at the bottom, along the outside, to the axis at the top.
     [[nodiscard]] const std::vector<ProfilePoint>& profile() const { return profile_; }

@@ -49,15 +49,18 @@ double SweepStep::lowerBound(const Vec3& point) const {
     return envelope_->signedDistance(to_.toTool(point)) - travel_ - clearance_;
 }
 
-// Along the straight path q(s), s in [0, 1], f(s) = distance(q(s)) is convex for a convex envelope. Two tangents meet
-// below the minimum (Kelley's cutting planes on an interval): look where they meet, keep the side that falls.
+// Along the straight path q(s), s in [0, 1], f(s) = distance(q(s)) is convex for a convex envelope: no tangent lies
+// above it, and two tangents meet below the minimum (Kelley's cutting planes on an interval): look where they meet,
+// keep the side that falls.
 FieldSample SweepStep::sample(const Vec3& point, double atLeast) const {
+    const FieldSample none{atLeast, Vec3::UnitZ()};
     const Vec3 end = to_.toTool(point);
     FieldSample right = envelope_->sample(end);
-    if (right.distance - travel_ - clearance_ >= atLeast) return {atLeast, Vec3::UnitZ()};
+    if (right.distance - travel_ - clearance_ >= atLeast) return none;
     const Vec3 start = from_.toTool(point);
     const Vec3 path = end - start;
     double rightSlope = right.gradient.dot(path);
+    if (right.distance - std::max(0.0, rightSlope) - clearance_ >= atLeast) return none;
     FieldSample best = right;
     double bestMoment = 1;
     if (rightSlope > 0) {
@@ -70,6 +73,7 @@ FieldSample SweepStep::sample(const Vec3& point, double atLeast) const {
             const double moment =
                 (right.distance - left.distance + leftSlope * a - rightSlope * b) / (leftSlope - rightSlope);
             const double bound = left.distance + leftSlope * (moment - a);
+            if (bound - clearance_ >= atLeast) return none;
             if (!(moment > a && moment < b) || best.distance - bound < kDistanceError) break;
             const FieldSample middle = envelope_->sample(start + moment * path);
             const double slope = middle.gradient.dot(path);

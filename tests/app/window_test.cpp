@@ -22,6 +22,7 @@
 #include "geometry/mesh_file.h"
 #include "geometry/mesh_report.h"
 #include "geometry/stl_writer.h"
+#include "session/tooth_file.h"
 #include "sound/audio_libraries.h"
 #include "sound/openal_output.h"
 #include "sound/sound_files.h"
@@ -49,6 +50,7 @@ private slots:
     void atRestNothingIsDrawnAndASpinningBurIs();
     void theCutToothIsExportedClosed();
     void anExportThatFailsSaysWhy();
+    void theToothIsSavedAndUndoTakesBackACut();
     void resetPutsEverythingBack();
     void anotherBurIsTaken();
     void aToothIsOpenedFromAFile();
@@ -228,6 +230,19 @@ void WindowTest::theCutToothIsExportedClosed() {
 void WindowTest::anExportThatFailsSaysWhy() {
     window_->exportTooth(QString::fromStdString((folder_ / "no such folder/cut.stl").string()));
     QVERIFY(dismissMessage().contains("no such folder"));
+}
+
+void WindowTest::theToothIsSavedAndUndoTakesBackACut() {
+    const double cut = removed();
+    QVERIFY(cut > 0);
+    const auto file = folder_ / "cut.tactooth";
+    window_->saveTooth(QString::fromStdString(file.string()));
+    const Expected<OpenedTooth> saved = openTooth(file);
+    QVERIFY2(saved.has_value(), saved ? "" : saved.error().message.c_str());
+    QCOMPARE(total(saved->piece->removed()), cut);
+    QVERIFY(!saved->provenance.empty());
+    key(Qt::Key_Z, Qt::ControlModifier);
+    QTRY_VERIFY_WITH_TIMEOUT(removed() < cut, 10000);
 }
 
 void WindowTest::resetPutsEverythingBack() {

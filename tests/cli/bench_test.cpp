@@ -62,5 +62,33 @@ TEST_F(BenchCommand, RefusesWhatItCannotMeasure) {
     expectRefused(runTactooth({"bench"}), "see 'tactooth bench --help'");
 }
 
+TEST_F(BenchCommand, CutSaysWhatATickAndANewSurfaceCost) {
+    const ProgramRun run = runTactooth(
+        {"bench", "cut", "--tooth", plate(), "--voxel", "100", "--diameter", "0.5", "--diameter", "1", "--json"});
+    EXPECT_EQ(run.exitCode, 0);
+    const auto json = nlohmann::json::parse(run.out);
+    for (const char* key : {"machine", "compiler", "commit", "command", "date"}) EXPECT_NE(json.at(key), "");
+    ASSERT_EQ(json.at("cases").size(), 2U);
+    EXPECT_EQ(json["cases"][0].at("diameter_mm"), 0.5);
+    EXPECT_EQ(json["cases"][1].at("voxel_um"), 100);
+    for (const auto& one : json["cases"]) {
+        EXPECT_GT(one.at("removed_mm3"), 0.5);
+        EXPECT_GT(one.at("updates"), 20);
+        EXPECT_GT(one.at("tick_p50_us"), 0);
+        EXPECT_LE(one.at("tick_p50_us"), one.at("tick_p999_us"));
+        EXPECT_GE(one.at("felt_p50_ms"), 1) << "a tick cannot feel what it has asked for itself";
+        EXPECT_LE(one.at("update_p50_ms"), one.at("update_max_ms"));
+    }
+}
+
+TEST_F(BenchCommand, CutRefusesAToothWithoutAnInside) {
+    TriangleMesh open = test::box(Vec3(-9, -9, -5), Vec3(9, 9, 0));
+    open.triangles.pop_back();
+    const std::string file = text("open.stl", "");
+    ASSERT_TRUE(writeStl(open, file));
+    expectRefused(runTactooth({"bench", "cut", "--tooth", file}), "is open (3 edges");
+    expectRefused(runTactooth({"bench", "cut", "--voxel", "0"}), "see 'tactooth bench cut --help'");
+}
+
 }  // namespace
 }  // namespace tactooth

@@ -47,6 +47,7 @@ protected:
     }
     std::string missing() { return folder_ / "missing"; }
     std::string out() { return folder_ / "out.csv"; }
+    std::string file(const std::string& name) { return folder_ / name; }
 
     std::string text(const std::string& name, const std::string& content) {
         std::ofstream(folder_ / name, std::ios::binary) << content;

@@ -195,6 +195,41 @@ TEST(Simulator, AResetPutsTheToothBackWhileItRuns) {
     EXPECT_TRUE(simulator.surface()->patches.empty());
 }
 
+TEST(Simulator, UndoTakesBackTheCutsSinceTheBurWasLiftedWhileItRuns) {
+    const auto piece = test::blockOnTheBench(MaterialId::Caries);
+    // Two cuts, with the bur in the air for 0.8 s between them, and then a rest in the air.
+    WatchedDevice device({moment(0, at(-0.5, 0, 0.3), 1), moment(0.3, at(-0.5, 0, -0.3), 1),
+                          moment(0.6, at(-0.5, 0, 0.3), 1), moment(1.4, at(0.5, 0, 0.3), 1),
+                          moment(1.7, at(0.5, 0, -0.4), 1), moment(2.0, at(0.5, 0, 0.5), 1)});
+    Simulator simulator(piece, test::flatBur(), HapticSettings(), device, {});
+    simulator.setControls(cutting());
+    ASSERT_TRUE(soon([&] { return simulator.surface()->patches.empty() == false; }));
+    std::this_thread::sleep_for(2500ms);
+    const double both = total(simulator.removed());
+    simulator.requestUndo();
+    ASSERT_TRUE(soon([&] { return total(simulator.removed()) < both; }));
+    const double one = total(simulator.removed());
+    EXPECT_GT(one, 0.1 * both);
+    simulator.requestUndo();
+    EXPECT_TRUE(soon([&] { return total(simulator.removed()) == 0; }));
+    simulator.requestUndo();
+    std::this_thread::sleep_for(50ms);
+    EXPECT_EQ(total(simulator.removed()), 0);
+    EXPECT_EQ(visibleMesh(*simulator.surface()).mesh.triangles.size(), 12U) << "the block as it came";
+}
+
+TEST(Simulator, TheToothCanBeSavedWhileItIsCut) {
+    const auto piece = test::blockOnTheBench(MaterialId::Caries);
+    WatchedDevice device(stroking());
+    Simulator simulator(piece, test::flatBur(), HapticSettings(), device, {});
+    simulator.setControls(cutting());
+    ASSERT_TRUE(soon([&] { return total(simulator.removed()) > 0.01; }));
+    const auto saved = parseSavedTooth(simulator.toothFile({}), "saved");
+    ASSERT_TRUE(saved) << saved.error().message;
+    EXPECT_GT(saved->removed[static_cast<std::size_t>(MaterialId::Caries)], 0.01);
+    EXPECT_FALSE(saved->cuts.empty());
+}
+
 TEST(Simulator, AWorkPieceGoesOnFromOneSimulatorToTheNext) {
     const auto piece = test::blockOnTheBench(MaterialId::Caries);
     for (int round = 0; round < 3; ++round) {

@@ -191,5 +191,75 @@ TEST(WorkPiece, TheSurfaceKeepsUpWithEachCut) {
     EXPECT_TRUE(before->patches.empty());  // a snapshot never changes
 }
 
+/// Every bit of what can be seen.
+void expectSameSurface(const Surface& surface, const TaggedMesh& expected) {
+    const TaggedMesh mesh = visibleMesh(surface);
+    ASSERT_EQ(mesh.mesh.triangles, expected.mesh.triangles);
+    ASSERT_EQ(mesh.mesh.vertices, expected.mesh.vertices);
+    ASSERT_EQ(mesh.tags, expected.tags);
+}
+
+TEST(WorkPiece, UndoGoesBackMarkByMarkToTheLastBit) {
+    const auto piece = blockOnTheBench();
+    const CuttingTool& bur = test::flatBur().cutting;
+    struct State {
+        std::uint64_t hash;
+        MaterialVolumes removed;
+        TaggedMesh mesh;
+    };
+    std::vector<State> states;
+    for (int i = 0; i < 4; ++i) {
+        states.push_back({piece->hash(), piece->removed(), visibleMesh(*piece->surface())});
+        piece->mark();
+        piece->sweep(bur, at(0.3 * i, 0, 0.2), at(0.3 * i, 0.1, -0.3));
+        piece->refreshSurface();
+        piece->sweep(bur, at(0.3 * i, 0.1, -0.3), at(0.3 * i, 0.4, -0.4));
+        if (i < 3) piece->refreshSurface();  // the last cut was not shown yet
+    }
+    EXPECT_EQ(piece->marks(), 4U);
+    for (auto state = states.rbegin(); state != states.rend(); ++state) {
+        ASSERT_TRUE(piece->undo());
+        EXPECT_EQ(piece->hash(), state->hash);
+        EXPECT_EQ(piece->removed(), state->removed);
+        expectSameSurface(*piece->surface(), state->mesh);
+    }
+    EXPECT_FALSE(piece->undo());
+}
+
+TEST(WorkPiece, AfterUndoTheSameCutRemovesTheSameAgain) {
+    const auto piece = blockOnTheBench();
+    const auto cut = [&] { return total(piece->sweep(test::flatBur().cutting, at(0, 0, 0.2), at(0.2, 0, -0.4))); };
+    piece->mark();
+    const double first = cut();
+    const std::uint64_t hash = piece->hash();
+    EXPECT_EQ(cut(), 0);
+    ASSERT_TRUE(piece->undo());
+    EXPECT_EQ(cut(), first);
+    EXPECT_EQ(piece->hash(), hash);
+}
+
+TEST(WorkPiece, OfManyMarksTheOldestAreForgotten) {
+    const auto piece = blockOnTheBench();
+    std::vector<std::uint64_t> hashes;
+    for (std::size_t i = 0; i < CutJournal::kMostMarks + 3; ++i) {
+        hashes.push_back(piece->hash());
+        piece->mark();
+        piece->sweep(test::flatBur().cutting, at(0, 0, 0.2), at(0, 0, -0.02 * static_cast<double>(i + 1)));
+    }
+    EXPECT_EQ(piece->marks(), CutJournal::kMostMarks);
+    while (piece->undo()) continue;
+    EXPECT_EQ(piece->hash(), hashes[3]);
+    EXPECT_EQ(piece->marks(), 0U);
+}
+
+TEST(WorkPiece, ResetForgetsTheMarks) {
+    const auto piece = blockOnTheBench();
+    piece->mark();
+    piece->sweep(test::flatBur().cutting, at(0, 0, 0.2), at(0, 0, -0.3));
+    piece->reset();
+    EXPECT_FALSE(piece->undo());
+    EXPECT_EQ(total(piece->removed()), 0);
+}
+
 }  // namespace
 }  // namespace tactooth

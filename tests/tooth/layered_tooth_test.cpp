@@ -96,5 +96,14 @@ TEST(LayeredTooth, RepeatedNamesAndLayersElsewhereAreRefused) {
     EXPECT_NE(failure(test::box(kLow, kHigh), {away}).find("lies outside the tooth"), std::string::npos);
 }
 
+TEST(LayeredTooth, ALayerBesideTheToothIsRefusedThoughItsBoxMeetsTheTooths) {
+    // A ball's box has room for a small ball in each corner.
+    LayerMesh corner{"pulp", MaterialId::Pulp, test::sphere(Vec3(1.7, 1.7, 1.7), 0.2, 12, 8)};
+    EXPECT_NE(failure(test::sphere(Vec3::Zero(), 2, 48, 32), {corner}).find("'pulp' lies outside the tooth"),
+              std::string::npos);
+    LayerMesh around{"enamel", MaterialId::Enamel, test::sphere(Vec3::Zero(), 3, 48, 32)};
+    EXPECT_TRUE(LayeredTooth::make(test::sphere(Vec3::Zero(), 2, 48, 32), {around}));
+}
+
 }  // namespace
 }  // namespace tactooth

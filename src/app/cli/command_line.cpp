@@ -90,7 +90,9 @@ void addCut(CLI::App& program, Chosen& chosen) {
     const auto options = std::make_shared<CutOptions>();
     CLI::App* command =
         addCommand(program, chosen, "cut", "Cuts a tooth with a spinning bur along a trajectory.", options, runCut);
-    command->add_option("--tooth", options->tooth, "The tooth's outer surface, a closed STL file, mm")
+    command
+        ->add_option("--tooth", options->tooth,
+                     "The tooth's outer surface, a closed STL file, mm, or a tooth that --save has saved")
         ->required()
         ->type_name("FILE");
     command
@@ -113,7 +115,9 @@ void addCut(CLI::App& program, Chosen& chosen) {
         ->required()
         ->check(CLI::Range(0.0, 1e6))
         ->type_name("N");
-    command->add_option("--voxel", options->voxel, "Spacing of the cut volume, mm (default: 0.05)")
+    command
+        ->add_option("--voxel", options->voxel,
+                     "Spacing of the cut volume, mm (default: 0.025, or that of a saved tooth)")
         ->check(CLI::Range(0.005, 0.5))
         ->type_name("MM");
     command
@@ -121,7 +125,16 @@ void addCut(CLI::App& program, Chosen& chosen) {
         ->check(CLI::IsMember({"law", "rigid"}))
         ->type_name("FEED");
     command->add_option("--out", options->out, "STL file to write: the cut tooth")->required()->type_name("FILE");
+    command
+        ->add_option("--save", options->save,
+                     "File to save the tooth to, with its layers and all that was cut: --tooth takes it to cut on; "
+                     "name it *.tactooth")
+        ->type_name("FILE");
     command->add_option("--forces", options->forces, "CSV file to write, one row a tick, as 'feel' does")
+        ->type_name("FILE");
+    command
+        ->add_option("--events", options->events,
+                     "CSV file to write: t,event,x,y,z for first contact, dentin reached, pulp exposed, bur stalled")
         ->type_name("FILE");
     command
         ->add_option("--removed", options->removed,
@@ -195,7 +208,7 @@ struct WindowFiles {
 
 void addWindowOptions(CLI::App& program, WindowFiles& files) {
     const char* const group = "Window";
-    CLI::Option* tooth = program.add_option("--tooth", files.tooth, "Your own tooth: an STL file, mm");
+    CLI::Option* tooth = program.add_option("--tooth", files.tooth, "Your own tooth: an STL file, mm, or a saved one");
     tooth->type_name("FILE")->group(group);
     program.add_option("--layer", files.layers, "A closed surface inside it; NAME is enamel, dentin, pulp or caries")
         ->type_name("NAME=FILE")

@@ -12,13 +12,16 @@
 #include "geometry/atomic_file.h"
 #include "geometry/mesh_file.h"
 #include "geometry/stl_writer.h"
+#include "session/cut_events.h"
 #include "session/cut_run.h"
 #include "session/material_file.h"
 #include "session/tick_csv.h"
-#include "session/tooth_source.h"
+#include "session/tooth_file.h"
 
 namespace tactooth {
 namespace {
+
+constexpr double kUsualVoxel = 0.025;  // mm: walls true to a micrometre, and still hours of cutting in 600 MB
 
 constexpr std::array<std::string_view, 6> kRemovedColumns = {"t", "enamel", "dentin", "pulp", "caries", "other"};
 
@@ -51,12 +54,18 @@ public:
             if (!file) return Unexpected{file.error()};
             removed_.emplace(std::move(*file));
         }
+        if (!options.events.empty()) {
+            auto file = AtomicFile::create(options.events);
+            if (!file) return Unexpected{file.error()};
+            events_.emplace(std::move(*file));
+        }
         return {};
     }
 
     void row(double time, const Tick& tick, const MaterialVolumes& removed) {
         if (forces_) forces_->write(time, tick);
         if (removed_) removed_->row(removedRow(time, removed));
+        watched_.watch(time, tick, removed);
     }
 
     [[nodiscard]] Expected<void> finish(const TriangleMesh& mesh) {
@@ -65,13 +74,23 @@ public:
         if (forces_) {
             if (auto done = forces_->commit(); !done) return done;
         }
-        return removed_ ? removed_->commit() : Expected<void>{};
+        if (removed_) {
+            if (auto done = removed_->commit(); !done) return done;
+        }
+        if (!events_) return {};
+        events_->write("t,event,x,y,z\n");
+        for (const auto& [kind, time, place] : watched_.all()) {
+            events_->write(fmt::format("{},{},{},{},{}\n", time, cutEventName(kind), place.x(), place.y(), place.z()));
+        }
+        return events_->commit();
     }
 
 private:
     std::optional<AtomicFile> surface_;
     std::optional<TickCsv> forces_;
     std::optional<CsvWriter> removed_;
+    std::optional<AtomicFile> events_;
+    CutEvents watched_;
 };
 
 Expected<ToothSource> toothSource(const CutOptions& options) {
@@ -102,14 +121,15 @@ int runCut(const CutOptions& options) {
     if (!bur) return refuse(bur.error());
     const auto tool = makeCuttingTool(*bur);
     if (!tool) return refuse({options.tool.string() + ": " + tool.error().message});
-    const auto tooth = loadLayeredTooth(*source);
+    const auto tooth = loadTooth(*source, options.voxel, kUsualVoxel);
     if (!tooth) return refuse(tooth.error());
+    WorkPiece& piece = *tooth->piece;
+    const MaterialVolumes before = piece.removed();
     const auto materials = materialsFrom(options.materials);
     if (!materials) return refuse(materials.error());
     CutFiles files;
     if (const auto opened = files.open(options); !opened) return refuse(opened.error());
 
-    WorkPiece piece(*tooth, options.voxel);
     const auto visit = [&](double time, const Tick& tick, const MaterialVolumes& removed) {
         files.row(time, tick, removed);
     };
@@ -125,7 +145,12 @@ int runCut(const CutOptions& options) {
     }
     const TaggedMesh cut = visibleMesh(*piece.surface());
     if (const auto done = files.finish(cut.mesh); !done) return refuse(done.error());
+    if (!options.save.empty()) {
+        const auto saved = saveTooth(piece, savedNow(tooth->provenance), options.save);
+        if (!saved) return refuse(saved.error());
+    }
     printRemoved(piece.removed());
+    if (total(before) > 0) fmt::print("of which before:      {:8.3f} mm^3\n", total(before));
     fmt::print("{} triangles written to {}\n", cut.mesh.triangles.size(), options.out.string());
     return kExitOk;
 }

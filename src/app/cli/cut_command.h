@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,11 +17,13 @@ struct CutOptions {
     std::filesystem::path tool;
     std::filesystem::path trajectory;
     double speedRpm = 0;
-    double voxel = 0.05;       ///< mm
-    std::string feed = "law";  ///< or "rigid"
+    std::optional<double> voxel;  ///< mm
+    std::string feed = "law";     ///< or "rigid"
     std::filesystem::path out;
     std::filesystem::path forces;   ///< empty: not written
     std::filesystem::path removed;  ///< empty: not written
+    std::filesystem::path events;   ///< empty: not written
+    std::filesystem::path save;     ///< empty: not saved
 };
 
 /// Cuts a tooth with a spinning bur along a trajectory.

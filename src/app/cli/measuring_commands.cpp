@@ -1,18 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/bench_contact_command.h"
+#include "app/cli/bench_cut_command.h"
 #include "app/cli/command_registry.h"
 #include "app/cli/reproduce_command.h"
 
 namespace tactooth {
 namespace {
 
-void addBench(CLI::App& program, Chosen& chosen) {
-    CLI::App* bench = program.add_subcommand("bench", "Measures how long things take on this machine.");
-    bench->group("Commands")->footer("")->require_subcommand(1);
-    bench->get_formatter()->label("SUBCOMMAND", "WHAT");
+void addBenchContact(CLI::App& bench, Chosen& chosen) {
     const auto options = std::make_shared<BenchContactOptions>();
-    CLI::App* command = addCommand(*bench, chosen, "contact",
+    CLI::App* command = addCommand(bench, chosen, "contact",
                                    "Time of a tick of contact while a bur comes down on a tooth, is pressed in, slides "
                                    "and leaves, at 1 and 10 cm/s, for several teeth and resolutions.",
                                    options, runBenchContact);
@@ -37,6 +35,38 @@ void addBench(CLI::App& program, Chosen& chosen) {
         ->check(CLI::Range(1, 100))
         ->type_name("N");
     command->add_flag("--json", options->json, "Write one JSON object instead of a table");
+}
+
+void addBenchCut(CLI::App& bench, Chosen& chosen) {
+    const auto options = std::make_shared<BenchCutOptions>();
+    CLI::App* command = addCommand(bench, chosen, "cut",
+                                   "Time of ticks and of new surfaces while a bur mills slots into a tooth, its whole "
+                                   "head deep, for burs of 0.5 to 2.3 mm and voxels of 100 to 15 um.",
+                                   options, runBenchCut);
+    command
+        ->add_option("--tooth", options->tooth,
+                     "A closed STL file, mm, crown up (default: a tooth of 325,312 triangles: a real one from "
+                     "$TACTOOTH_DATA or ../shared/data, else a built-in one)")
+        ->type_name("FILE");
+    command->add_option("--voxel", options->voxels, "Spacing of the cut volume, um; may be given several times")
+        ->check(CLI::Range(5.0, 500.0))
+        ->type_name("UM")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    command->add_option("--diameter", options->diameters, "Of a round bur, mm; may be given several times")
+        ->check(CLI::Range(0.3, 5.0))
+        ->type_name("MM")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    command->add_flag("--json", options->json, "Write one JSON object instead of a table");
+}
+
+void addBench(CLI::App& program, Chosen& chosen) {
+    CLI::App* bench = program.add_subcommand("bench", "Measures how long things take on this machine.");
+    bench->group("Commands")->footer("")->require_subcommand(1);
+    bench->get_formatter()->label("SUBCOMMAND", "WHAT");
+    addBenchContact(*bench, chosen);
+    addBenchCut(*bench, chosen);
 }
 
 void addReproduce(CLI::App& program, Chosen& chosen) {

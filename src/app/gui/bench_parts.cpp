@@ -19,13 +19,16 @@ Expected<BenchTooth> makeBenchTooth(const BuiltinToothEntry& entry) {
     Expected<LayeredTooth> layered = LayeredTooth::make(tooth.outer, layersOf(tooth));
     if (!layered) return Unexpected{layered.error()};
     auto shared = std::make_shared<const LayeredTooth>(std::move(*layered));
-    return BenchTooth{entry.name, std::make_shared<WorkPiece>(std::move(shared), kVoxel), mesialX(tooth.fdi)};
+    return BenchTooth{entry.name,
+                      std::make_shared<WorkPiece>(std::move(shared), kVoxel),
+                      mesialX(tooth.fdi),
+                      {{"tooth", "built in: " + tooth.name}}};
 }
 
 Expected<BenchTooth> loadBenchTooth(const ToothSource& source) {
-    Expected<std::shared_ptr<const LayeredTooth>> layered = loadLayeredTooth(source);
-    if (!layered) return Unexpected{layered.error()};
-    return BenchTooth{source.outer.filename().string(), std::make_shared<WorkPiece>(std::move(*layered), kVoxel)};
+    Expected<OpenedTooth> opened = loadTooth(source, std::nullopt, kVoxel);
+    if (!opened) return Unexpected{opened.error()};
+    return BenchTooth{source.outer.filename().string(), std::move(opened->piece), 1, std::move(opened->provenance)};
 }
 
 Expected<BenchBur> makeBenchBur(const BurSpec& spec) {

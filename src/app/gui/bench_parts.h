@@ -9,6 +9,7 @@
 #include "app/common/scene_builder.h"
 #include "instruments/builtin_tooth.h"
 #include "session/simulator.h"
+#include "session/tooth_file.h"
 #include "session/tooth_source.h"
 
 namespace tactooth {
@@ -18,6 +19,7 @@ struct BenchTooth {
     std::string name;  ///< for people
     std::shared_ptr<WorkPiece> piece;
     double mesialX = 1;  ///< direction of mesial along x; a file's frame is taken to have it at +x
+    Provenance provenance;
 
     [[nodiscard]] Box3 box() const { return piece->tooth().outer()->tree().box(); }
 };

@@ -52,6 +52,9 @@ void DrillBar::addModes() {
     addActions(modes->actions());
     connect(cut_, &QAction::toggled, this, &DrillBar::cuttingChanged);
     addSeparator();
+    undo_ = addAction(style()->standardIcon(QStyle::SP_ArrowBack), tr("Undo cut"));
+    undo_->setToolTip(tr("Takes back the last cut (Ctrl+Z)"));
+    undo_->setShortcut(QKeySequence::Undo);
     reset_ = addAction(style()->standardIcon(QStyle::SP_BrowserReload), tr("Reset tooth"));
     reset_->setToolTip(tr("Puts back all that was cut (Ctrl+R)"));
     reset_->setShortcut(QKeySequence("Ctrl+R"));

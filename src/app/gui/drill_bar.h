@@ -20,6 +20,7 @@ public:
 
     [[nodiscard]] QAction* touchAction() { return touch_; }
     [[nodiscard]] QAction* cutAction() { return cut_; }
+    [[nodiscard]] QAction* undoAction() { return undo_; }
     [[nodiscard]] QAction* resetAction() { return reset_; }
     [[nodiscard]] bool isCutting() const { return cut_->isChecked(); }
     /// In the catalogue; empty for a bur from a file.
@@ -43,6 +44,7 @@ private:
     QComboBox* spindles_;
     QAction* touch_;
     QAction* cut_;
+    QAction* undo_;
     QAction* reset_;
 };
 

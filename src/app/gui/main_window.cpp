@@ -113,6 +113,7 @@ void MainWindow::addFileMenu() {
         builtin->addAction(tr(entry.name), this, [this, &entry] { bringBuiltinTooth(entry); });
     }
     menu->addAction(tr("Open &bur…"), this, &MainWindow::askForBur);
+    menu->addAction(tr("&Save tooth…"), this, &MainWindow::askForSave)->setShortcut(QKeySequence::Save);
     QAction* save = menu->addAction(style()->standardIcon(QStyle::SP_DialogSaveButton), tr("&Export cut tooth…"), this,
                                     &MainWindow::askForExport);
     save->setShortcut(QKeySequence::SaveAs);
@@ -174,7 +175,7 @@ void MainWindow::addDrillAndSoundMenus() {
     menu->addAction(tr("Turn the handle &right"), this, [this] { bench_.hand().turnHandle(-kTurn); })
         ->setShortcut(QKeySequence("E"));
     menu->addSeparator();
-    menu->addAction(drill_->resetAction());
+    menu->addActions({drill_->undoAction(), drill_->resetAction()});
 
     QAction* mute = menuBar()->addMenu(tr("&Sound"))->addAction(tr("&Mute"));
     mute->setCheckable(true);
@@ -202,6 +203,9 @@ void MainWindow::connectPanels() {
     });
     connect(drill_->resetAction(), &QAction::triggered, this, [this] {
         if (bench_.simulator() != nullptr) bench_.simulator()->requestReset();
+    });
+    connect(drill_->undoAction(), &QAction::triggered, this, [this] {
+        if (bench_.simulator() != nullptr) bench_.simulator()->requestUndo();
     });
     connect(drive_, &DrivePanel::pedalChanged, this, [this](double pedal) {
         bench_.controls.pedal = pedal;

@@ -48,6 +48,8 @@ public:
     void openSounds(const QString& file);
     /// Writes the tooth as it is now; says so if that fails.
     void exportTooth(const QString& file);
+    /// Saves the tooth with its layers and all that was cut, to go on later; says so if that fails.
+    void saveTooth(const QString& file);
 
 signals:
     /// The graphics system cannot draw; a sentence. The window is of no use then.
@@ -79,6 +81,7 @@ private:
     void askForBur();
     void askForExport();
     void askForSounds();
+    void askForSave();
     void showMouseAndKeys();
     void showAbout();
 

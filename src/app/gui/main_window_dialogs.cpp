@@ -12,11 +12,13 @@
 #include "app/gui/main_window.h"
 #include "app/gui/open_tooth_dialog.h"
 #include "app/gui/status_line.h"
+#include "geometry/atomic_file.h"
 #include "geometry/stl_writer.h"
 
 namespace tactooth {
 namespace {
 
+const char* const kToothFilter = QT_TRANSLATE_NOOP("tactooth::MainWindow", "Saved teeth (*.tactooth);;All files (*)");
 const char* const kStlFilter = QT_TRANSLATE_NOOP("tactooth::MainWindow", "STL surfaces (*.stl *.STL);;All files (*)");
 
 /// A message that does not stop the simulation.
@@ -65,6 +67,15 @@ void MainWindow::exportTooth(const QString& file) {
     status_->setHint(tr("The tooth was written to %1").arg(file));
 }
 
+void MainWindow::saveTooth(const QString& file) {
+    if (bench_.simulator() == nullptr) return;
+    folder_ = folderOf(file);
+    const auto bytes = bench_.simulator()->toothFile(savedNow(bench_.tooth()->provenance));
+    const Expected<void> written = writeFile(file.toStdString(), bytes);
+    if (!written) return complain(QString::fromStdString(written.error().message));
+    status_->setHint(tr("The tooth was saved to %1").arg(file));
+}
+
 void MainWindow::complain(const QString& sentence) {
     status_->setHint(sentence);
     say(this, QMessageBox::Warning, tr("Tactooth"), sentence);
@@ -90,6 +101,15 @@ void MainWindow::askForExport() {
     dialog->setDefaultSuffix("stl");
     dialog->selectFile("cut.stl");
     connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::exportTooth);
+    dialog->open();
+}
+
+void MainWindow::askForSave() {
+    QFileDialog* dialog = fileDialog(this, tr("Save tooth"), folder_, tr(kToothFilter));
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix(kToothFileEnding.substr(1).data());
+    dialog->selectFile("tooth.tactooth");
+    connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::saveTooth);
     dialog->open();
 }
 
@@ -132,6 +152,7 @@ void MainWindow::showMouseAndKeys() {
     text += row(tr("0 to 5, F"), tr("views; show the whole crown"));
     text += row(tr("Q, E, U"), tr("turn the handle; stand the bur upright"));
     text += row(tr("M, H"), tr("mirror, turbine on and off"));
+    text += row(tr("Ctrl + Z"), tr("take back the last cut"));
     say(this, QMessageBox::NoIcon, tr("Mouse and keys"), text + "</table>");
 }
 

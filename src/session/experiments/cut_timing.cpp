@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "session/experiments/cut_timing.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <deque>
+#include <fstream>
+
+#include "geometry/parallel_for.h"
+#include "instruments/bur_shape.h"
+#include "instruments/hand_path.h"
+#include "session/cut_run.h"
+#include "session/experiments/quantile.h"
+#include "session/experiments/thread_clock.h"
+#include "session/material_file.h"
+
+namespace tactooth {
+namespace {
+
+constexpr double kTick = 1e-3;            // s
+constexpr double kRimSpeed = 300'000;     // rev/min: an air turbine that cuts
+constexpr double kTurn = 20;              // degrees/s that the hand turns the bur, to and fro
+constexpr double kGreatestTurn = 5;       // degrees: a hand that mills a slot
+constexpr double kRoundHeadLength = 0.8;  // diameters: where a round bur's neck begins
+
+double residentMegabytes() {
+    std::ifstream file("/proc/self/statm");
+    double all = 0;
+    double resident = 0;
+    file >> all >> resident;
+    return 1e-6 * resident * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+MaterialTable softened(double factor) {
+    MaterialTable materials = defaultMaterials();
+    for (std::size_t i = 0; i < kMaterialCount; ++i) materials[static_cast<MaterialId>(i)].removal *= factor;
+    return materials;
+}
+
+/// The two threads of a simulator, played one after the other on a clock of their own.
+class CutPlay {
+public:
+    CutPlay(const std::shared_ptr<const LayeredTooth>& tooth, const CutCase& cut)
+        : materials_(softened(cut.removal)), piece_(tooth, cut.voxel), voxel_(cut.voxel) {
+        TriangleMesh bur = makeBur(cut.bur).surface;
+        tool_.emplace(CuttingTool{std::move(*RevolutionEnvelope::make(bur)), cut.bur.sharpness});
+        HapticSettings settings;
+        settings.materials = materials_;
+        settings.spindle = constantSpeed(kRimSpeed);
+        simulation_.emplace(std::make_shared<const ToolShape>(std::move(bur)), tool_->envelope.maxRadius(),
+                            piece_.surface(), settings);
+    }
+
+    CutTiming run(std::span<const Pose> hand) {
+        for (std::size_t i = 0; i < hand.size(); ++i) play(static_cast<double>(i) * kTick, hand[i]);
+        return result();
+    }
+
+private:
+    void play(double now, const Pose& hand) {
+        if (coming_ && comingAt_ <= now) feelNewSurface(now);
+        const double start = threadMicros();
+        const Tick tick = simulation_->step({hand, 1, true}, kTick);
+        const double micros = threadMicros() - start;
+        if (tick.contacts > 0) tickMicros_.push_back(micros);
+        timing_.deepest = std::max(timing_.deepest, tick.depth);
+        if (tick.contacts > 0) working_.push_back(now);
+        if (now >= cutterFreeAt_) letCutterWork(now, tick);
+    }
+
+    void letCutterWork(double now, const Tick& tick) {
+        const double start = threadMicros();
+        const bool changed = piece_.feed(*tool_, tick, materials_);
+        const double took = 1e-3 * (threadMicros() - start);
+        cutterMillis_ += took;
+        cutterFreeAt_ = now + 1e-3 * took;
+        if (!changed) return working_.clear();
+        updateMillis_.push_back(took);
+        coming_ = piece_.surface();
+        comingAt_ = cutterFreeAt_;
+        cutAt_ = now;
+    }
+
+    void feelNewSurface(double now) {
+        simulation_->setSurface(std::move(coming_));
+        coming_ = nullptr;
+        while (!working_.empty() && working_.front() <= cutAt_) {
+            feltMillis_.push_back(1e3 * (now - working_.front()));
+            working_.pop_front();
+        }
+    }
+
+    CutTiming result() {
+        timing_.ticks = tickMicros_.size();
+        timing_.updates = updateMillis_.size();
+        timing_.firstUpdate = updateMillis_.empty() ? 0 : updateMillis_.front();
+        timing_.largest = quantile(tickMicros_, 1);
+        timing_.p50 = quantile(tickMicros_, 0.5);
+        timing_.p99 = quantile(tickMicros_, 0.99);
+        timing_.p999 = quantile(tickMicros_, 0.999);
+        timing_.feltP50 = quantile(feltMillis_, 0.5);
+        timing_.feltP99 = quantile(feltMillis_, 0.99);
+        timing_.updateP50 = quantile(updateMillis_, 0.5);
+        timing_.updateP99 = quantile(updateMillis_, 0.99);
+        timing_.updateLargest = quantile(updateMillis_, 1);
+        timing_.updatesPerSecond = static_cast<double>(timing_.updates) / (kTick * static_cast<double>(timing_.ticks));
+        timing_.removed = total(piece_.removed());
+        timing_.nanosPerVoxel = 1e6 * cutterMillis_ / (timing_.removed / (voxel_ * voxel_ * voxel_));
+        timing_.brickMegabytes = 1e-6 * static_cast<double>(piece_.bytes());
+        timing_.residentMegabytes = residentMegabytes();
+        return timing_;
+    }
+
+    MaterialTable materials_;
+    WorkPiece piece_;
+    double voxel_;
+    std::optional<CuttingTool> tool_;
+    std::optional<HapticSimulation> simulation_;
+
+    double cutterFreeAt_ = 0;                // s
+    std::shared_ptr<const Surface> coming_;  // finished at comingAt_, made of the cuts up to cutAt_
+    double comingAt_ = 0;
+    double cutAt_ = 0;
+    std::deque<double> working_;  // ticks in which the bur worked and that have not been felt yet
+
+    std::vector<double> tickMicros_, feltMillis_, updateMillis_;
+    double cutterMillis_ = 0;
+    CutTiming timing_;
+};
+
+}  // namespace
+
+BurSpec roundBur(double diameter) {
+    return {"round", "Round bur", BurKind::round, BurMaterial::carbide, diameter, kRoundHeadLength * diameter, 0, 6, 1};
+}
+
+CutTiming timeCutting(const std::shared_ptr<const LayeredTooth>& tooth, const CutCase& cut) {
+    HandPath path;
+    path.speed = cut.speed;
+    path.press = cut.engagement * cut.bur.headLength;
+    path.approach = 0.2;
+    path.stroke = cut.stroke;
+    path.strokes = cut.strokes;
+    path.turn = kTurn;
+    path.greatestTurn = kGreatestTurn;
+    const std::vector<Pose> hand = handPath(tooth->outer()->mesh(), path);
+    const OneThread oneCore;
+    return CutPlay(tooth, cut).run(hand);
+}
+
+}  // namespace tactooth

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+namespace tactooth {
+
+static_assert(std::endian::native == std::endian::little, "files are little-endian, and written as memory is");
+
+/// Tells a damaged file from a whole one (FNV-1a, 64 bit).
+[[nodiscard]] inline std::uint64_t checksum(std::span<const std::byte> bytes) {
+    std::uint64_t hash = 0xcbf29ce484222325ULL;
+    for (const std::byte byte : bytes) hash = (hash ^ static_cast<std::uint64_t>(byte)) * 0x100000001b3ULL;
+    return hash;
+}
+
+/// Bytes of a file that is being made.
+class ByteWriter {
+public:
+    template <class Value>
+    void put(const Value& value) {
+        static_assert(std::is_trivially_copyable_v<Value>);
+        const auto* first = reinterpret_cast<const std::byte*>(&value);
+        bytes_.insert(bytes_.end(), first, first + sizeof(Value));
+    }
+    template <class Value>
+    void putAll(std::span<const Value> values) {
+        const std::span<const std::byte> raw = std::as_bytes(values);
+        bytes_.insert(bytes_.end(), raw.begin(), raw.end());
+    }
+    void putText(std::string_view text) {
+        put(static_cast<std::uint32_t>(text.size()));
+        putAll(std::span(text.data(), text.size()));
+    }
+
+    [[nodiscard]] std::span<const std::byte> bytes() const { return bytes_; }
+    [[nodiscard]] std::vector<std::byte> take() { return std::move(bytes_); }
+
+private:
+    std::vector<std::byte> bytes_;
+};
+
+/// Reads what a ByteWriter wrote, from bytes that nobody vouches for. After the first read that goes beyond the end
+/// every read gives zeros, and `ok` stays false.
+class ByteReader {
+public:
+    explicit ByteReader(std::span<const std::byte> bytes) : bytes_(bytes) {}
+
+    template <class Value>
+    Value get() {
+        static_assert(std::is_trivially_copyable_v<Value>);
+        Value value{};
+        const std::span<const std::byte> raw = getBytes(sizeof(Value));
+        if (!raw.empty()) std::memcpy(&value, raw.data(), sizeof(Value));
+        return value;
+    }
+    /// `count` values; none if there are not so many.
+    template <class Value>
+    std::vector<Value> getAll(std::uint64_t count) {
+        if (count > left() / sizeof(Value)) ok_ = false;
+        if (!ok_ || count == 0) return {};
+        std::vector<Value> values(count);
+        std::memcpy(values.data(), getBytes(count * sizeof(Value)).data(), count * sizeof(Value));
+        return values;
+    }
+    std::string getText() {
+        const std::vector<char> text = getAll<char>(get<std::uint32_t>());
+        return {text.begin(), text.end()};
+    }
+    std::span<const std::byte> getBytes(std::uint64_t count) {
+        if (count > left()) ok_ = false;
+        if (!ok_) return {};
+        const auto part = bytes_.subspan(at_, count);
+        at_ += count;
+        return part;
+    }
+
+    [[nodiscard]] bool ok() const { return ok_; }
+    [[nodiscard]] std::size_t at() const { return at_; }
+    [[nodiscard]] std::size_t left() const { return bytes_.size() - at_; }
+
+private:
+    std::span<const std::byte> bytes_;
+    std::size_t at_ = 0;
+    bool ok_ = true;
+};
+
+}  // namespace tactooth

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "session/cut_events.h"
+
+#include <gtest/gtest.h>
+
+#include "bench_scene.h"
+
+namespace tactooth {
+namespace {
+
+using test::at;
+
+Tick tickAt(double z, int contacts, double speedRpm = 200000, double pedal = 1) {
+    Tick tick;
+    tick.proxy = at(0, 0, z);
+    tick.contacts = contacts;
+    tick.speedRpm = speedRpm;
+    tick.pedal = pedal;
+    return tick;
+}
+
+MaterialVolumes gone(double enamel, double dentin, double pulp) {
+    MaterialVolumes volumes{};
+    volumes[static_cast<std::size_t>(MaterialId::Enamel)] = enamel;
+    volumes[static_cast<std::size_t>(MaterialId::Dentin)] = dentin;
+    volumes[static_cast<std::size_t>(MaterialId::Pulp)] = pulp;
+    return volumes;
+}
+
+TEST(CutEvents, AreToldOnceInTheirOrderWithTimeAndPlace) {
+    CutEvents events;
+    events.watch(0.0, tickAt(0.2, 0), gone(0, 0, 0));
+    EXPECT_TRUE(events.all().empty());
+    events.watch(0.1, tickAt(0, 1), gone(0, 0, 0));
+    events.watch(0.2, tickAt(-0.5, 1), gone(0.3, 1e-5, 0));
+    events.watch(0.3, tickAt(-1, 1), gone(0.5, 0.1, 0));
+    events.watch(0.4, tickAt(-2, 1), gone(0.5, 0.4, 0.01));
+    events.watch(0.5, tickAt(-3, 1), gone(0.5, 0.5, 0.1));
+    const std::vector<CutEventKind> kinds = {CutEventKind::FirstContact, CutEventKind::DentinReached,
+                                             CutEventKind::PulpExposed};
+    ASSERT_EQ(events.all().size(), kinds.size());
+    for (std::size_t i = 0; i < kinds.size(); ++i) EXPECT_EQ(events.all()[i].kind, kinds[i]);
+    EXPECT_EQ(events.all()[1].time, 0.3);
+    EXPECT_EQ(events.all()[2].place, Vec3(0, 0, -2));
+    EXPECT_EQ(cutEventName(events.all()[2].kind), "pulp exposed");
+}
+
+TEST(CutEvents, WhatWasCutBeforeIsNoNews) {
+    CutEvents events;
+    events.watch(0.0, tickAt(1, 0), gone(1, 1, 1));
+    events.watch(0.1, tickAt(1, 0), gone(1, 1, 1));
+    EXPECT_TRUE(events.all().empty());
+    events.watch(0.2, tickAt(0, 1), gone(1, 1, 1.1));
+    EXPECT_EQ(events.all().size(), 2U);
+}
+
+TEST(CutEvents, ABurStallsEachTimeThatItHadRunUpAndTheFootStaysDown) {
+    CutEvents events;
+    events.watch(0.0, tickAt(0, 1, 0), {});  // has not run up yet
+    EXPECT_EQ(events.all().size(), 1U);      // the contact
+    events.watch(0.1, tickAt(0, 1), {});
+    events.watch(0.2, tickAt(0, 1, 100), {});
+    events.watch(0.3, tickAt(0, 1, 0), {});
+    EXPECT_EQ(events.all().size(), 2U);
+    EXPECT_EQ(events.all().back().kind, CutEventKind::BurStalled);
+    EXPECT_EQ(events.all().back().time, 0.2);
+    events.watch(0.4, tickAt(0, 1), {});
+    events.watch(0.5, tickAt(0, 1, 0, 0), {});  // the foot has let it run down
+    events.watch(0.6, tickAt(0, 1), {});
+    events.watch(0.7, tickAt(0, 1, 0), {});
+    EXPECT_EQ(events.all().size(), 3U);
+}
+
+TEST(CutEvents, TooMuchLoadStallsTheTurbine) {
+    const auto piece = test::blockOnTheBench(MaterialId::Enamel);
+    HapticSettings settings;  // the air turbine
+    settings.force = {.stiffness = 20.0, .damping = 0.0, .friction = 0.0};
+    const Instrument bur = test::flatBur();
+    HapticSimulation simulation(bur.shape, bur.cutting.envelope.maxRadius(), piece->surface(), settings);
+    CutEvents events;
+    double slowest = 1e9;
+    for (int i = 0; i < 4000; ++i) {
+        const double z = i < 2000 ? 0.2 : 0.2 - 0.001 * std::min(i - 2000, 800);  // runs up, then is pressed by 12 N
+        const Tick tick = simulation.step({at(0, 0, z), 1, true}, 0.001);
+        if (i >= 2000) slowest = std::min(slowest, tick.speedRpm);
+        events.watch(tick.time, tick, {});
+    }
+    EXPECT_EQ(slowest, 0);
+    ASSERT_EQ(events.all().size(), 2U);
+    EXPECT_EQ(events.all()[1].kind, CutEventKind::BurStalled);
+    EXPECT_GT(events.all()[1].time, events.all()[0].time);
+}
+
+}  // namespace
+}  // namespace tactooth
