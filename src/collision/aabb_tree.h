@@ -68,6 +68,7 @@ public:
     }
     /// All leaves by index, of a tree from which nothing was taken.
     [[nodiscard]] std::span<const Leaf> leaves() const { return {wholeLeaf_, wholeLeaves_}; }
+    [[nodiscard]] std::span<const Node> nodes() const { return {wholeNode_, wholeNodes_}; }
     [[nodiscard]] const Box3& box() const { return box_; }
     [[nodiscard]] std::size_t bytes() const {
         return (wholeNodes_ + nodes_.size()) * sizeof(Node) + (wholeLeaves_ + leaves_.size()) * sizeof(Leaf);

@@ -3,6 +3,7 @@
 #include "collision/contact_query.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numbers>
 
@@ -60,7 +61,7 @@ bool intersects(const Surface& surface, const ToolShape& tool, const Pose& toolI
 }  // namespace
 
 ContactQuery::ContactQuery(std::shared_ptr<const ToolShape> tool, std::shared_ptr<const Surface> surface)
-    : tool_(std::move(tool)), surface_(std::move(surface)), body_(tool_), found_(kFirstCapacity) {
+    : tool_(std::move(tool)), surface_(std::move(surface)), body_(tool_), list_(*tool_, kFirstCapacity) {
     body_.setSurface(surface_);
     overlap_.pairs.reserve(kFirstCapacity);
     probe_.pairs.reserve(1);
@@ -74,15 +75,15 @@ std::shared_ptr<const Surface> ContactQuery::setSurface(std::shared_ptr<const Su
 void ContactQuery::findOverlap(const Pose& toolInTooth, Overlap& overlap, bool stopAtFirst) {
     overlap.pairs.clear();
     overlap.swallowed = false;
-    NearPairsFound found = findNearPairs(*surface_, *tool_, toolInTooth, 0, found_);
-    while (!found.complete) {
-        found_.resize(found_.size() * 4);
-        found = findNearPairs(*surface_, *tool_, toolInTooth, 0, found_);
-    }
-    for (std::size_t i = 0; i < found.count; ++i) {
-        if (!intersects(*surface_, *tool_, toolInTooth, found_[i])) continue;
-        overlap.pairs.push_back(found_[i]);
-        if (stopAtFirst) return;
+    list_.makeAll(*surface_, toolInTooth, {});
+    const Excursion still = list_.excursion(toolInTooth, toolInTooth, 0, {});
+    for (std::size_t cluster = 0; cluster < list_.clusters(); ++cluster) {
+        for (std::uint32_t doubt = list_.pairsInDoubt(cluster, still); doubt != 0; doubt &= doubt - 1) {
+            const NearPair pair = list_[PairList::placeOf(cluster, std::countr_zero(doubt))];
+            if (!intersects(*surface_, *tool_, toolInTooth, pair)) continue;
+            overlap.pairs.push_back(pair);
+            if (stopAtFirst) return;
+        }
     }
     if (overlap.pairs.empty() && surface_->closed)
         overlap.swallowed = contains(*surface_, toolInTooth * tool_->mesh().corner(0, 0));

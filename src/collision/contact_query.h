@@ -68,7 +68,7 @@ private:
     std::shared_ptr<const ToolShape> tool_;
     std::shared_ptr<const Surface> surface_;
     SlidingBody body_;
-    std::vector<NearPair> found_;
+    PairList list_;
     Overlap overlap_;
     Overlap probe_;
     Pose freePose_;

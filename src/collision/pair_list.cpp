@@ -3,131 +3,322 @@
 #include "collision/pair_list.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 // Pair list with a skin: L. Verlet, "Computer Experiments on Classical Fluids", Phys. Rev. 159, 1967. Differs from the
-// paper: a pair carries a separating direction with its gap, so a move along the surface, or away from it, does not
-// use the gap up.
+// paper: what is listed carries a separating direction with its gap, so a move along the surface, or away from it, does
+// not use the gap up; a turn counts by its lever arm; and there are two levels, the second filled in where it is asked.
 
 namespace tactooth {
 namespace {
 
-constexpr std::size_t kMaxPairs = 1 << 15;    // a bur that fills its own slot in a 25 um mesh lists some 20,000
-constexpr std::size_t kPlentyOfPairs = 3072;  // a longer list costs more to walk than listing twice
-constexpr double kLeastReach = 0.002;         // of the tool's radius: 20 um for a bur of 20 mm with its shank
-constexpr double kGreatestReach = 1.0;        // of the tool's radius
-constexpr double kRounding = 1e-6;            // of a length computed in single precision by a few operations
+constexpr std::size_t kPlentyOfClusters = 1024;  // a longer list costs more to make and walk than listing twice
+constexpr double kLeastReach = 0.001;            // of the tool's radius: 10 um for a bur of 20 mm with its shank
+constexpr double kGreatestReach = 1.0;           // of the tool's radius
+constexpr std::uint32_t kClosed = ~0U;
 
-}  // namespace
-
-PairList::PairList(const ToolShape& tool)
-    : found_(kMaxPairs),
-      order_(kMaxPairs),
-      certificates_(kMaxPairs / 8),
-      reachCap_(kGreatestReach * tool.radius()),
-      centre_(tool.centre()),
-      radius_(tool.radius()) {}
-
-double PairList::leastReach() const { return kLeastReach * radius_; }
-
-void PairList::make(const Surface& surface, const ToolShape& tool, const Pose& toolInTooth, double wantedReach) {
-    const double least = leastReach();
-    const double greatest = kGreatestReach * radius_;
-    const std::span<NearPair> plenty = std::span(found_).first(kPlentyOfPairs);
-    reach_ = std::clamp(wantedReach, least, std::max(least, reachCap_));
-    reachCap_ = std::min(2 * reachCap_, greatest);
-    NearPairsFound found;
-    while (true) {
-        const bool shortest = reach_ <= least;
-        found = findNearPairs(surface, tool, toolInTooth, reach_, shortest ? std::span(found_) : plenty);
-        if (found.complete || shortest) break;
-        reachCap_ = reach_ = std::max(least, reach_ / 2);
+/// The first in lanes 0-3, the second in lanes 4-7.
+Vec3x8 sideBySide(const Vec3f& a, const Vec3f& b) {
+    float lanes[3][8];
+    for (int axis = 0; axis < 3; ++axis) {
+        std::fill_n(lanes[axis], 4, a[axis]);
+        std::fill_n(lanes[axis] + 4, 4, b[axis]);
     }
-    if (4 * found.count > kPlentyOfPairs) reachCap_ = std::min(reachCap_, reach_);  // the next list may be as dense
-    at_ = toolInTooth;
-    rotation_ = at_.rotation.toRotationMatrix();
-    sortByDistance(tool, found.count);
-    if (!found.complete) reach_ = 0;
-    made_ = true;
+    return Vec3x8::load(lanes);
 }
 
-void PairList::sortByDistance(const ToolShape& tool, std::size_t count) {
-    count_ = count;
-    bucketStart_.fill(0);
-    const auto scale = static_cast<float>(kBuckets / reach_);
-    const auto bucketOf = [scale](const NearPair& pair) {
-        return std::min(kBuckets - 1, static_cast<int>(pair.distanceAtLeast * scale));
-    };
-    for (std::size_t i = 0; i < count; ++i) ++bucketStart_[bucketOf(found_[i]) + 1];
-    for (int i = 0; i < kBuckets; ++i) bucketStart_[i + 1] += bucketStart_[i];
-    std::array<std::uint32_t, kBuckets + 1> next = bucketStart_;
-    for (std::size_t i = 0; i < count; ++i) {
-        const NearPair& pair = found_[i];
-        const std::uint32_t place = next[bucketOf(pair)]++;
-        order_[place] = static_cast<std::uint32_t>(i);
-        const ToolShape::Ball& ball = tool.ball(pair.tool);
-        Certificates& eight = certificates_[place / 8];
-        const std::uint32_t lane = place % 8;
-        for (int axis = 0; axis < 3; ++axis) {
-            eight.normal[axis][lane] = pair.normal[axis];
-            eight.centre[axis][lane] = ball.centre[axis];
-        }
-        eight.gap[lane] = pair.distanceAtLeast;
-        eight.radius[lane] = ball.radius;
+/// The least of three points' dot products with eight directions.
+Float8 lowestOf(const std::array<Vec3f, 3>& points, const Vec3x8& directions) {
+    return min(min(dot(directions, everywhere(points[0])), dot(directions, everywhere(points[1]))),
+               dot(directions, everywhere(points[2])));
+}
+
+/// The greatest dot product of eight triangles' corners with eight directions.
+Float8 highestOf(const float (&corner)[3][3][8], const Vec3x8& directions) {
+    return max(max(dot(directions, Vec3x8::load(corner[0])), dot(directions, Vec3x8::load(corner[1]))),
+               dot(directions, Vec3x8::load(corner[2])));
+}
+
+float lowestAlong(const std::array<Vec3f, 3>& points, const Vec3f& direction) {
+    return std::min({direction.dot(points[0]), direction.dot(points[1]), direction.dot(points[2])});
+}
+
+Vec3x8 opposite(const Vec3x8& v) { return Vec3x8::all(0, 0, 0) - v; }
+
+/// Eight directions, each with the slab found along it: the greatest point of the tooth and the width.
+struct Slabs {
+    Vec3x8 normal;
+    Float8 high;
+    Float8 width;
+
+    Slabs(const Vec3x8& along, const float (&tooth)[3][3][8], const std::array<Vec3f, 3>& tool)
+        : normal(along), high(highestOf(tooth, along)), width(lowestOf(tool, along) - high) {}
+
+    void takeWider(const Slabs& other) {
+        const auto wider = [&](Float8 mine, Float8 its) { return whereLess(width, other.width, its, mine); };
+        normal = {wider(normal.x, other.normal.x), wider(normal.y, other.normal.y), wider(normal.z, other.normal.z)};
+        high = wider(high, other.high);
+        width = wider(width, other.width);
     }
+};
+
+/// Unit normals; a triangle without area gets a short vector, whose slabs are narrow: still a bound. (Squares of what
+/// is longer than the least length do not underflow.)
+Vec3x8 unitNormals(const float (&corner)[3][3][8]) {
+    const Vec3x8 a = Vec3x8::load(corner[0]);
+    const Vec3x8 normal = cross(Vec3x8::load(corner[1]) - a, Vec3x8::load(corner[2]) - a);
+    const Float8 length = max(sqrt(dot(normal, normal)), Float8::all(1e-18F));
+    return {normal.x / length, normal.y / length, normal.z / length};
 }
 
-double PairList::travelTo(const Quat& rotation, const Vec3& position) const {
-    const Vec3 centre = rotation * centre_ + position;
-    return (centre - at_ * centre_).norm() + 2 * sineOfHalfAngle(rotation, at_.rotation) * radius_;
+/// From the box of each tooth triangle to the tool triangle's; zero where they meet.
+Vec3x8 betweenBoxes(const float (&tooth)[3][3][8], const std::array<Vec3f, 3>& tool) {
+    const Vec3x8 a = Vec3x8::load(tooth[0]), b = Vec3x8::load(tooth[1]), c = Vec3x8::load(tooth[2]);
+    const Vec3f low = tool[0].cwiseMin(tool[1]).cwiseMin(tool[2]);
+    const Vec3f high = tool[0].cwiseMax(tool[1]).cwiseMax(tool[2]);
+    const Vec3x8 zero = Vec3x8::all(0, 0, 0);
+    const Vec3x8 between =
+        max(everywhere(low) - max(max(a, b), c), zero) - max(min(min(a, b), c) - everywhere(high), zero);
+    const Float8 length = max(sqrt(dot(between, between)), Float8::all(1e-18F));
+    return {between.x / length, between.y / length, between.z / length};
 }
 
-Excursion::Way PairList::wayTo(const Pose& pose, double spare) const {
-    const Mat3 turn = rotation_.transpose() * pose.rotation.toRotationMatrix() - Mat3::Identity();
-    const Vec3 shift = rotation_.transpose() * (pose.position - at_.position);
-    const double perLength = 2 * sineOfHalfAngle(pose.rotation, at_.rotation);
-    const double reach = centre_.norm() + radius_;
-    const double rounding = kRounding * (reach_ + shift.norm() + perLength * reach);
-    return {turn.cast<float>(), shift.cast<float>(), static_cast<float>(perLength * (1 + kRounding)),
-            static_cast<float>(spare + rounding)};
-}
-
-Excursion PairList::excursion(const Pose& start, const Pose& end, double margin) const {
-    return {wayTo(start, 0), wayTo(end, margin),
-            std::max(travelTo(start.rotation, start.position), travelTo(end.rotation, end.position)) + margin};
-}
-
-std::size_t PairList::withinReachOf(const Excursion& excursion) const {
-    const double bucket = std::floor(excursion.greatest * kBuckets / reach_ * (1 + kRounding)) + 1;
-    return bucket >= kBuckets ? count_ : bucketStart_[static_cast<int>(bucket)];
-}
-
-/// One bit for each of eight certificates that leaves what it must with the tool moved by `way`.
-std::uint32_t PairList::holds(std::size_t first, const Excursion::Way& way) const {
-    const Certificates& eight = certificates_[first / 8];
+/// One bit for each of eight clusters whose slab leaves what it must with the tool moved by `way`.
+std::uint32_t slabsHold(const EightClusters& eight, const Excursion::Way& way) {
     const Vec3x8 n = Vec3x8::load(eight.normal);
-    const auto column = [&](int i) { return Vec3x8::all(way.turn(0, i), way.turn(1, i), way.turn(2, i)); };
-    const Vec3x8 turned = {dot(n, column(0)), dot(n, column(1)), dot(n, column(2))};
-    const Float8 moved = dot(n, Vec3x8::all(way.shift.x(), way.shift.y(), way.shift.z()));
-    const Float8 left = Float8::load(eight.gap) + moved + dot(turned, Vec3x8::load(eight.centre));
+    const Vec3x8 turned = {dot(n, everywhere(way.turn.col(0))), dot(n, everywhere(way.turn.col(1))),
+                           dot(n, everywhere(way.turn.col(2)))};
+    const Float8 left =
+        Float8::load(eight.gap) + dot(n, everywhere(way.shift)) + dot(turned, Vec3x8::load(eight.centre));
     return lessEqual(Float8::load(eight.radius) * Float8::all(way.perLength) + Float8::all(way.spare), left);
 }
 
-std::uint32_t PairList::inDoubt(std::size_t first, const Excursion& excursion) const {
-    const std::size_t rest = count_ - first;
-    return ~(holds(first, excursion.start) & holds(first, excursion.end)) & (rest >= 8 ? 0xFFU : (1U << rest) - 1U);
+}  // namespace
+
+PairList::PairList(const ToolShape& tool, std::size_t capacity)
+    : tool_(&tool), near_(0), cap_(kGreatestReach * tool.radius()) {
+    reserve(capacity);
 }
 
-Vec3 PairList::direction(std::size_t i) const {
-    const auto& n = certificates_[i / 8].normal;
-    return rotation_ * Vec3(n[0][i % 8], n[1][i % 8], n[2][i % 8]);
+double PairList::leastAround() const { return kLeastReach * tool_->radius(); }
+
+double PairList::leastTurn() { return kLeastReach; }
+
+void PairList::make(const Surface& surface, const Pose& toolInTooth, const Skin& wanted) {
+    skin_ = {wanted.along, std::max(wanted.around, leastAround()), std::max(wanted.turn, leastTurn())};
+    shortenTo(cap_);
+    cap_ = std::min(2 * cap_, kGreatestReach * tool_->radius());
+    while (true) {
+        const bool shortest = skin_.along.isZero() && skin_.around <= leastAround() && skin_.turn <= leastTurn();
+        list(surface, toolInTooth, shortest ? near_.capacity() : kPlentyOfClusters);
+        if (near_.complete || shortest) break;
+        cap_ = (skin_.along.norm() + skin_.around) / 2;
+        shortenTo(cap_);
+        skin_.turn = std::max(leastTurn(), skin_.turn / 2);
+    }
+    if (4 * near_.count > kPlentyOfClusters)
+        cap_ = std::min(cap_, skin_.along.norm() + skin_.around);  // it may stay so
+    if (!near_.complete) skin_ = {};
 }
 
-void PairList::certify(std::size_t i, const Triangle3& tool, const Vec3& normal, double offset) {
+/// Makes the skin as short as that, or the least.
+void PairList::shortenTo(double length) {
+    const double now = skin_.along.norm() + skin_.around;
+    if (now <= length) return;
+    skin_.along *= length / now;
+    skin_.around = std::max(leastAround(), skin_.around * length / now);
+    if (skin_.along.norm() < leastAround()) skin_.along.setZero();
+}
+
+void PairList::makeAll(const Surface& surface, const Pose& toolInTooth, const Skin& skin) {
+    skin_ = skin;
+    list(surface, toolInTooth, near_.capacity());
+    while (!near_.complete) {
+        reserve(4 * near_.capacity());
+        list(surface, toolInTooth, near_.capacity());
+    }
+}
+
+void PairList::reserve(std::size_t capacity) {
+    near_ = NearClusters(capacity);
+    pairs_.resize(capacity / 4);
+    opened_.resize(capacity);
+}
+
+void PairList::list(const Surface& surface, const Pose& toolInTooth, std::size_t limit) {
+    at_ = toolInTooth;
+    rotation_ = at_.rotation.toRotationMatrix();
+    findNearClusters(surface, *tool_, at_, skin_, limit, near_);
+    std::fill_n(opened_.begin(), near_.count, kClosed);
+    openedCount_ = 0;
+    made_ = true;
+}
+
+Excursion PairList::excursion(const Pose& start, const Pose& end, double margin, std::span<const Vec3> known) const {
+    const double rounding =
+        kFewRoundings * (skin_.along.norm() + skin_.around + skin_.turn * (tool_->centre().norm() + tool_->radius()));
+    const auto way = [&](const Pose& pose, double spare) {
+        const Mat3 turn = rotation_.transpose() * pose.rotation.toRotationMatrix() - Mat3::Identity();
+        const Vec3 shift = rotation_.transpose() * (pose.position - at_.position);
+        const double perLength = 2 * sineOfHalfAngle(pose.rotation, at_.rotation) * (1 + kFewRoundings);
+        return Excursion::Way{turn.cast<float>(), shift.cast<float>(), static_cast<float>(perLength),
+                              static_cast<float>(spare + rounding)};
+    };
+    Excursion result;
+    result.start = way(start, 0);
+    result.end = way(end, margin);
+    result.knownCount = static_cast<int>(known.size());
+    for (int i = 0; i < 3; ++i) result.column[i] = sideBySide(result.start.turn.col(i), result.end.turn.col(i));
+    result.column[0].x = result.column[0].x + Float8::all(1);
+    result.column[1].y = result.column[1].y + Float8::all(1);
+    result.column[2].z = result.column[2].z + Float8::all(1);
+    result.shift = sideBySide(result.start.shift, result.end.shift);
+    for (std::size_t i = 0; i < known.size(); ++i) result.known[i] = (rotation_.transpose() * known[i]).cast<float>();
+    return result;
+}
+
+std::uint32_t PairList::clustersInDoubt(std::size_t first, const Excursion& excursion) const {
+    const std::size_t rest = near_.count - first;
+    const EightClusters& eight = near_.eights[first / 8];
+    return ~(slabsHold(eight, excursion.start) & slabsHold(eight, excursion.end)) &
+           (rest >= 8 ? 0xFFU : (1U << rest) - 1U);
+}
+
+/// The slabs of a cluster's pairs; null where there is no room for more of them.
+PairList::EightPairs* PairList::open(std::size_t cluster) {
+    std::uint32_t& place = opened_[cluster];
+    if (place != kClosed) return &pairs_[place];
+    if (openedCount_ == pairs_.size()) return nullptr;
+    place = static_cast<std::uint32_t>(openedCount_++);
+    const EightClusters& eight = eightOf(cluster);
+    fill(pairs_[place], near_.leaves[eight.leaf[cluster % 8]], eight.tool[cluster % 8]);
+    return &pairs_[place];
+}
+
+/// Finds for each pair the widest slab along the normals of the two triangles and from box to box.
+void PairList::fill(EightPairs& pairs, const NearLeaf& leaf, std::uint32_t tool) const {
+    const std::array<Vec3f, 3>& corners = tool_->floatCorners(tool);
+    const Vec3x8 toolNormal = everywhere(tool_->normal(tool));
+    const Vec3x8 toothNormals = unitNormals(leaf.corner);
+    Slabs best(toolNormal, leaf.corner, corners);
+    best.takeWider(Slabs(opposite(toolNormal), leaf.corner, corners));
+    best.takeWider(Slabs(toothNormals, leaf.corner, corners));
+    best.takeWider(Slabs(opposite(toothNormals), leaf.corner, corners));
+    best.takeWider(Slabs(betweenBoxes(leaf.corner, corners), leaf.corner, corners));
+    best.normal.store(pairs.normal);
+    best.high.store(pairs.high);
+    pairs.stubborn = 0;
+}
+
+/// A triangle of the tool at the start and the end of a step, and what it must keep from the tooth.
+struct PairList::Swept {
+    float corner[3][8];  // axis by axis: lanes 0-2 at the start, 4-6 at the end
+    Float8 startSpare, endSpare;
+
+    /// How far up a tooth may reach along each of eight directions.
+    [[nodiscard]] Float8 room(const Vec3x8& directions) const {
+        const auto along = [&](int lane) {
+            return dot(directions, Vec3x8::all(corner[0][lane], corner[1][lane], corner[2][lane]));
+        };
+        return min(min(min(along(0), along(1)), along(2)) - startSpare,
+                   min(min(along(4), along(5)), along(6)) - endSpare);
+    }
+};
+
+PairList::Swept PairList::sweep(std::uint32_t tool, const Excursion& excursion) const {
+    const auto slack = static_cast<float>(2 * near_.slack);
+    Swept swept{{}, Float8::all(excursion.start.spare + slack), Float8::all(excursion.end.spare + slack)};
+    const Vec3x8 p = Vec3x8::load(tool_->cornerLanes(tool).axis);
+    const auto times = [](const Vec3x8& column, Float8 by) {
+        return Vec3x8{column.x * by, column.y * by, column.z * by};
+    };
+    const Vec3x8 turned =
+        times(excursion.column[0], p.x) + times(excursion.column[1], p.y) + times(excursion.column[2], p.z);
+    (turned + excursion.shift).store(swept.corner);
+    return swept;
+}
+
+/// Takes these directions for the pairs in doubt that they part the whole way. Returns the pairs left in doubt.
+std::uint32_t PairList::part(const Vec3x8& directions, const NearLeaf& leaf, const Swept& tool, std::uint32_t doubt,
+                             EightPairs& pairs) {
+    const Float8 high = highestOf(leaf.corner, directions);
+    const std::uint32_t parted = lessEqual(high, tool.room(directions)) & doubt;
+    if (parted == 0) return doubt;
+    EightPairs found;
+    directions.store(found.normal);
+    high.store(found.high);
+    for (std::uint32_t rest = parted; rest != 0; rest &= rest - 1) {
+        const int lane = std::countr_zero(rest);
+        for (int axis = 0; axis < 3; ++axis) pairs.normal[axis][lane] = found.normal[axis][lane];
+        pairs.high[lane] = found.high[lane];
+    }
+    return doubt & ~parted;
+}
+
+/// Takes a plane that holds the tool for the slab of a whole cluster, if it parts that the whole way: what touches
+/// separates its neighbourhood too.
+bool PairList::partCluster(std::size_t cluster, const Excursion& excursion, const Swept& swept) {
+    EightClusters& eight = near_.eights[cluster / 8];
+    const std::size_t lane = cluster % 8;
+    const NearLeaf& leaf = near_.leaves[eight.leaf[lane]];
+    for (int i = 0; i < excursion.knownCount; ++i) {
+        const Vec3f& known = excursion.known[i];
+        const Vec3x8 directions = everywhere(known);
+        const Float8 high = highestOf(leaf.corner, directions);
+        if (lessEqual(high, swept.room(directions)) != 0xFF) continue;
+        for (int axis = 0; axis < 3; ++axis) eight.normal[axis][lane] = known[axis];
+        const std::array<Vec3f, 3>& corners = tool_->floatCorners(eight.tool[lane]);
+        eight.gap[lane] = lowestAlong(corners, known) - highest(high) - static_cast<float>(near_.slack);
+        return true;
+    }
+    return false;
+}
+
+std::uint32_t PairList::pairsInDoubt(std::size_t cluster, const Excursion& excursion) {
+    const EightClusters& eight = eightOf(cluster);
+    const NearLeaf& leaf = near_.leaves[eight.leaf[cluster % 8]];
+    const std::uint32_t tool = eight.tool[cluster % 8];
+    const Swept swept = sweep(tool, excursion);
+    if (partCluster(cluster, excursion, swept)) return 0;
+    EightPairs* pairs = open(cluster);
+    if (pairs == nullptr) return leaf.present;
+    const Float8 room = swept.room(Vec3x8::load(pairs->normal));
+    std::uint32_t doubt = leaf.present & ~lessEqual(Float8::load(pairs->high), room);
+    for (int i = 0; i < excursion.knownCount && doubt != 0; ++i)
+        doubt = part(everywhere(excursion.known[i]), leaf, swept, doubt, *pairs);
+    if ((doubt & ~pairs->stubborn) == 0) return doubt;
+    const Vec3x8 toothNormals = unitNormals(leaf.corner);
+    doubt = part(toothNormals, leaf, swept, doubt, *pairs);
+    if (doubt != 0) doubt = part(opposite(toothNormals), leaf, swept, doubt, *pairs);
+    const Vec3x8 toolNormal = everywhere(tool_->normal(tool));
+    if (doubt != 0) doubt = part(opposite(toolNormal), leaf, swept, doubt, *pairs);
+    if (doubt != 0) doubt = part(toolNormal, leaf, swept, doubt, *pairs);
+    pairs->stubborn = doubt;
+    return doubt;
+}
+
+NearPair PairList::operator[](std::size_t place) const {
+    const EightClusters& eight = eightOf(place / 8);
+    const std::size_t lane = place / 8 % 8;
+    const NearLeaf& leaf = near_.leaves[eight.leaf[lane]];
+    return {leaf.part, leaf.triangle[place % 8], eight.tool[lane]};
+}
+
+Vec3 PairList::direction(std::size_t place) const {
+    const std::uint32_t opened = opened_[place / 8];
+    if (opened == kClosed) return Vec3::Zero();
+    const auto& n = pairs_[opened].normal;
+    return rotation_ * Vec3(n[0][place % 8], n[1][place % 8], n[2][place % 8]);
+}
+
+void PairList::certify(std::size_t place, const Vec3& normal, double offset) {
+    const std::uint32_t opened = opened_[place / 8];
+    if (opened == kClosed) return;
     const Vec3 inTool = rotation_.transpose() * normal;
-    Certificates& eight = certificates_[i / 8];
-    for (int axis = 0; axis < 3; ++axis) eight.normal[axis][i % 8] = static_cast<float>(inTool[axis]);
-    eight.gap[i % 8] = static_cast<float>(lowestAlong(tool, inTool) + normal.dot(at_.position) - offset);
+    for (int axis = 0; axis < 3; ++axis) pairs_[opened].normal[axis][place % 8] = static_cast<float>(inTool[axis]);
+    pairs_[opened].high[place % 8] = static_cast<float>(offset - normal.dot(at_.position));
+    pairs_[opened].stubborn &= ~(1U << (place % 8));
 }
 
 }  // namespace tactooth

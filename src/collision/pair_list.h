@@ -2,87 +2,119 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
-#include "collision/near_pairs.h"
+#include "collision/near_clusters.h"
+#include "collision/triangle3.h"
 
 namespace tactooth {
 
 /// Sine of half the angle between two orientations.
 [[nodiscard]] inline double sineOfHalfAngle(const Quat& a, const Quat& b) { return (a * b.conjugate()).vec().norm(); }
 
-/// How a tool stands at the start and the end of a step, against the pose at which its near pairs were listed.
+/// A triangle of the tooth and one of the tool.
+struct NearPair {
+    std::uint32_t part;   ///< see partOf
+    std::uint32_t tooth;  ///< triangle of that part
+    std::uint32_t tool;   ///< triangle of the tool
+
+    friend bool operator==(const NearPair&, const NearPair&) = default;
+};
+
+/// How a tool stands at the start and the end of a step, in its own frame at the listing.
 struct Excursion {
-    /// The way of point p of the tool (in the tool's frame) is turn * p + shift, in the tool's frame at the listing.
+    /// The way of point p of the tool (in the tool's frame) is turn * p + shift.
     struct Way {
         Eigen::Matrix3f turn;
         Vec3f shift;
         float perLength;  ///< two points of the tool 1 mm apart differ in their ways by this much at most
-        float spare;      ///< what a certificate must leave, mm
+        float spare;      ///< what a slab must leave, mm
     };
     Way start, end;
-    double greatest;  ///< no point of the tool gets further than this, mm
+    /// The same side by side: lanes 0-3 of the start, 4-7 of the end, with the point itself added to its way.
+    Vec3x8 column[3];
+    Vec3x8 shift;
+    /// Directions worth a try for every pair: those of the planes that hold the tool.
+    std::array<Vec3f, 3> known;
+    int knownCount = 0;
 };
 
-/// The pairs of triangles near a tool, kept while the tool moves within a skin. Each pair has a certificate: a
-/// direction along which its two triangles were a known gap apart when the list was made. Eight certificates at a time
-/// tell which pairs a step could bring together; only those deserve an exact look.
+/// The pairs of triangles near a tool, kept while the tool moves within a skin, on two levels. A cluster (a leaf of the
+/// tooth against a triangle of the tool) has a slab that was free when the list was made; eight at a time tell which
+/// clusters a step could bring together. Only those are opened: then each pair has a slab of its own.
 class PairList {
 public:
-    explicit PairList(const ToolShape& tool);
+    PairList(const ToolShape& tool, std::size_t capacity);
 
-    /// Lists the pairs within `wantedReach` mm, or within less where they are too many. Allocates nothing.
-    void make(const Surface& surface, const ToolShape& tool, const Pose& toolInTooth, double wantedReach);
+    /// Lists what is within `wanted`, or within less where that is too much. Allocates nothing.
+    void make(const Surface& surface, const Pose& toolInTooth, const Skin& wanted);
+    /// Lists what is within `skin`, however much it is: allocates where there is no room.
+    void makeAll(const Surface& surface, const Pose& toolInTooth, const Skin& skin);
     void clear() { made_ = false; }
 
     [[nodiscard]] bool made() const { return made_; }
-    /// Every pair nearer than this was listed, mm.
-    [[nodiscard]] double reach() const { return reach_; }
-    /// No list reaches less far, however many pairs there are, mm.
-    [[nodiscard]] double leastReach() const;
-    [[nodiscard]] std::size_t size() const { return count_; }
-    [[nodiscard]] const NearPair& operator[](std::size_t i) const { return found_[order_[i]]; }
-    /// No point of the tool has moved further than this since the pairs were listed.
-    [[nodiscard]] double travelTo(const Quat& rotation, const Vec3& position) const;
-    [[nodiscard]] Excursion excursion(const Pose& start, const Pose& end, double margin) const;
+    /// Everything within this was listed.
+    [[nodiscard]] const Skin& skin() const { return skin_; }
+    /// No list covers less around its segment, however much is near (but where there is no room at all: then 0), mm.
+    [[nodiscard]] double leastAround() const;
+    /// No list covers less of a turn.
+    [[nodiscard]] static double leastTurn();
+    [[nodiscard]] std::size_t clusters() const { return near_.count; }
+    /// How far a pose of the tool's origin strays from where the list was made for, mm.
+    [[nodiscard]] double stray(const Vec3& position) const { return skin_.stray(position - at_.position); }
+    /// How far an orientation is from that at the listing (a chord, as in Skin).
+    [[nodiscard]] double turnTo(const Quat& rotation) const { return 2 * sineOfHalfAngle(rotation, at_.rotation); }
+    [[nodiscard]] Excursion excursion(const Pose& start, const Pose& end, double margin,
+                                      std::span<const Vec3> known) const;
 
-    /// How many pairs, from the nearest on, the step could matter to; the rest is too far away.
-    [[nodiscard]] std::size_t withinReachOf(const Excursion& excursion) const;
-    /// Of the eight pairs from number `first` on (a multiple of eight), one bit for each whose certificate does not
-    /// hold at both ends of the step.
-    [[nodiscard]] std::uint32_t inDoubt(std::size_t first, const Excursion& excursion) const;
-    /// The certificate's direction in the tooth's frame, of length 1 or almost; zero: none is known.
-    [[nodiscard]] Vec3 direction(std::size_t i) const;
-    /// Takes the plane with this unit normal and offset (of the tooth's frame) for the pair's certificate.
-    void certify(std::size_t i, const Triangle3& tool, const Vec3& normal, double offset);
+    /// Of the eight clusters from number `first` on (a multiple of eight), one bit for each whose slab does not hold
+    /// at both ends of the step.
+    [[nodiscard]] std::uint32_t clustersInDoubt(std::size_t first, const Excursion& excursion) const;
+    /// The same of the pairs of one cluster. They are numbered from placeOf(cluster, 0) on.
+    [[nodiscard]] std::uint32_t pairsInDoubt(std::size_t cluster, const Excursion& excursion);
+    [[nodiscard]] static std::size_t placeOf(std::size_t cluster, int lane) {
+        return cluster * 8 + static_cast<std::size_t>(lane);
+    }
+
+    [[nodiscard]] NearPair operator[](std::size_t place) const;
+    /// The direction of the pair's slab in the tooth's frame, of length 1 or almost; zero: none is known.
+    [[nodiscard]] Vec3 direction(std::size_t place) const;
+    /// Takes the plane with this unit normal and offset (of the tooth's frame) for the pair's slab.
+    void certify(std::size_t place, const Vec3& normal, double offset);
 
 private:
-    static constexpr int kBuckets = 32;
-
-    void sortByDistance(const ToolShape& tool, std::size_t count);
-    [[nodiscard]] Excursion::Way wayTo(const Pose& pose, double spare) const;
-    [[nodiscard]] std::uint32_t holds(std::size_t first, const Excursion::Way& way) const;
-
-    std::vector<NearPair> found_;       // as the walk writes them
-    std::vector<std::uint32_t> order_;  // numbers of pairs, sorted by bucket of distanceAtLeast
-    std::array<std::uint32_t, kBuckets + 1> bucketStart_{};
-    /// Certificates of eight pairs in the sorted order, in the tool's frame at the listing.
-    struct alignas(32) Certificates {
+    /// Slabs of a cluster's eight pairs, in the tool's frame at the listing.
+    struct alignas(32) EightPairs {
         float normal[3][8];
-        float gap[8];
-        float centre[3][8];  // ball around the tool's triangle
-        float radius[8];
+        float high[8];           // no point of the tooth's triangle is further along the normal, mm
+        std::uint32_t stubborn;  // one bit for each pair that none of its triangles' normals has parted
     };
-    std::vector<Certificates> certificates_;
-    std::size_t count_ = 0;
+    struct Swept;
+
+    void reserve(std::size_t capacity);
+    void shortenTo(double length);
+    void list(const Surface& surface, const Pose& toolInTooth, std::size_t limit);
+    EightPairs* open(std::size_t cluster);
+    void fill(EightPairs& pairs, const NearLeaf& leaf, std::uint32_t tool) const;
+    [[nodiscard]] Swept sweep(std::uint32_t tool, const Excursion& excursion) const;
+    [[nodiscard]] bool partCluster(std::size_t cluster, const Excursion& excursion, const Swept& swept);
+    [[nodiscard]] static std::uint32_t part(const Vec3x8& directions, const NearLeaf& leaf, const Swept& tool,
+                                            std::uint32_t doubt, EightPairs& pairs);
+    [[nodiscard]] const EightClusters& eightOf(std::size_t cluster) const { return near_.eights[cluster / 8]; }
+
+    const ToolShape* tool_;
+    NearClusters near_;
+    std::vector<EightPairs> pairs_;
+    std::vector<std::uint32_t> opened_;  // place in pairs_ of each cluster; kClosed: not opened
+    std::size_t openedCount_ = 0;
     bool made_ = false;
     Pose at_;
     Mat3 rotation_;  // of at_
-    double reach_ = 0;
-    double reachCap_ = 0;  // of the next list, mm: where the last one met many pairs, it stays short
-    Vec3 centre_;          // of the tool, in its own frame
-    double radius_ = 0;
+    Skin skin_;
+    double cap_ = 0;  // of the next skin's length, mm: where the last list met much, it stays short
 };
 
 }  // namespace tactooth

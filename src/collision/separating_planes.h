@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "collision/near_pairs.h"
+#include "collision/pair_list.h"
 
 namespace tactooth {
 
@@ -21,6 +21,28 @@ struct SeparatingPlane {
 struct WatchedPair {
     NearPair pair;
     SeparatingPlane plane;
+};
+
+/// The few pairs that were in the way last, the latest first.
+class RecentPairs {
+public:
+    void add(const NearPair& pair) {
+        const auto end = pairs_.begin() + static_cast<std::ptrdiff_t>(count_);
+        auto place = std::find(pairs_.begin(), end, pair);
+        if (place == end) {
+            count_ = std::min(count_ + 1, pairs_.size());
+            place = pairs_.begin() + static_cast<std::ptrdiff_t>(count_) - 1;
+        }
+        std::move_backward(pairs_.begin(), place, place + 1);
+        pairs_.front() = pair;
+    }
+    void clear() { count_ = 0; }
+    [[nodiscard]] std::size_t size() const { return count_; }
+    [[nodiscard]] const NearPair& operator[](std::size_t i) const { return pairs_[i]; }
+
+private:
+    std::array<NearPair, 6> pairs_{};  // 3 hold a tool, twice as many for an edge that is just being crossed
+    std::size_t count_ = 0;
 };
 
 /// Remembers separating planes of pairs from one list of near pairs to the next: most pairs are told apart by the plane
@@ -38,8 +60,10 @@ public:
         return same ? &entry.plane : nullptr;
     }
 
-    void store(std::uint64_t partId, const NearPair& pair, const SeparatingPlane& plane) {
-        entries_[slot(pair)] = {partId, pair.tooth, pair.tool, plane};
+    const SeparatingPlane* store(std::uint64_t partId, const NearPair& pair, const SeparatingPlane& plane) {
+        Entry& entry = entries_[slot(pair)];
+        entry = {partId, pair.tooth, pair.tool, plane};
+        return &entry.plane;
     }
 
     void clear() { std::fill(entries_.begin(), entries_.end(), Entry{}); }

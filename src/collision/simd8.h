@@ -43,6 +43,18 @@ struct Float8 {
     friend Float8 whereLess(Float8 a, Float8 b, Float8 yes, Float8 no) {
         return {_mm256_blendv_ps(no.lanes, yes.lanes, _mm256_cmp_ps(a.lanes, b.lanes, _CMP_LT_OQ))};
     }
+    /// The least of the lanes.
+    friend float lowest(Float8 a) {
+        const __m128 four = _mm_min_ps(_mm256_castps256_ps128(a.lanes), _mm256_extractf128_ps(a.lanes, 1));
+        const __m128 two = _mm_min_ps(four, _mm_movehl_ps(four, four));
+        return _mm_cvtss_f32(_mm_min_ss(two, _mm_shuffle_ps(two, two, 1)));
+    }
+    /// The greatest of the lanes.
+    friend float highest(Float8 a) {
+        const __m128 four = _mm_max_ps(_mm256_castps256_ps128(a.lanes), _mm256_extractf128_ps(a.lanes, 1));
+        const __m128 two = _mm_max_ps(four, _mm_movehl_ps(four, four));
+        return _mm_cvtss_f32(_mm_max_ss(two, _mm_shuffle_ps(two, two, 1)));
+    }
 };
 
 #elif defined(TACTOOTH_SIMD_SSE2)
@@ -71,6 +83,16 @@ struct Float8 {
             return _mm_or_ps(_mm_and_ps(less, ifLess), _mm_andnot_ps(less, otherwise));
         };
         return {half(a.low, b.low, yes.low, no.low), half(a.high, b.high, yes.high, no.high)};
+    }
+    friend float lowest(Float8 a) {
+        const __m128 four = _mm_min_ps(a.low, a.high);
+        const __m128 two = _mm_min_ps(four, _mm_movehl_ps(four, four));
+        return _mm_cvtss_f32(_mm_min_ss(two, _mm_shuffle_ps(two, two, 1)));
+    }
+    friend float highest(Float8 a) {
+        const __m128 four = _mm_max_ps(a.low, a.high);
+        const __m128 two = _mm_max_ps(four, _mm_movehl_ps(four, four));
+        return _mm_cvtss_f32(_mm_max_ss(two, _mm_shuffle_ps(two, two, 1)));
     }
 };
 
@@ -123,6 +145,8 @@ struct Float8 {
     friend Float8 whereLess(const Float8& a, const Float8& b, const Float8& yes, const Float8& no) {
         return each([&](int i) { return a.lanes[i] < b.lanes[i] ? yes.lanes[i] : no.lanes[i]; });
     }
+    friend float lowest(const Float8& a) { return *std::min_element(a.lanes, a.lanes + 8); }
+    friend float highest(const Float8& a) { return *std::max_element(a.lanes, a.lanes + 8); }
 };
 
 #endif
@@ -133,6 +157,7 @@ struct Vec3x8 {
 
     static Vec3x8 load(const float (*p)[8]) { return {Float8::load(p[0]), Float8::load(p[1]), Float8::load(p[2])}; }
     static Vec3x8 all(float x, float y, float z) { return {Float8::all(x), Float8::all(y), Float8::all(z)}; }
+    void store(float (*p)[8]) const { x.store(p[0]), y.store(p[1]), z.store(p[2]); }
 
     friend Vec3x8 operator+(const Vec3x8& a, const Vec3x8& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
     friend Vec3x8 operator-(const Vec3x8& a, const Vec3x8& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }

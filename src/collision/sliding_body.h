@@ -66,24 +66,34 @@ public:
     /// The distance that the body keeps from the tooth, mm: far below what any device or eye resolves, far above the
     /// rounding of doubles.
     [[nodiscard]] double margin() const { return margin_; }
-    /// Length of the list of near pairs that the last move went by.
-    [[nodiscard]] std::size_t listedPairs() const { return list_.size(); }
 
 private:
     struct Attempt;
-    struct SweptPair;
+    struct SweptTool;
     enum class Offence { None, Found, Overlapping };
 
-    [[nodiscard]] bool plan(const Pose& goal, Attempt& attempt);
+    [[nodiscard]] bool plan(const Pose& goal, bool isFirst, double trust, Attempt& attempt);
+    [[nodiscard]] Vec3 expectedWay(const Pose& goal);
+    [[nodiscard]] bool runsShort(const Vec3& way, double turn) const;
+    void renewList(const Vec3& way, double turn);
+    [[nodiscard]] bool isListed(const Vec3& position) const;
+    [[nodiscard]] double shareWithinSkin(const Vec3& step) const;
     [[nodiscard]] bool findSafeStep(Attempt& attempt, bool& overlapping);
     [[nodiscard]] bool solve(Attempt& attempt);
-    [[nodiscard]] WatchedPair watch(std::size_t place) const;
+    [[nodiscard]] WatchedPair watch(const NearPair& pair, const Vec3& guess) const;
     [[nodiscard]] bool refreshPlane(WatchedPair& watched);
     void preferFace(const Triangle3& tooth, const Triangle3& tool, SeparatingPlane& plane) const;
     [[nodiscard]] double gapAt(const WatchedPair& watched, const Mat3& rotation, const Vec3& position) const;
-    [[nodiscard]] SweptPair sweep(const NearPair& pair, const Attempt& attempt) const;
-    [[nodiscard]] bool provenSafe(std::size_t place, const Attempt& attempt);
-    [[nodiscard]] Offence violation(const Attempt& attempt, WatchedPair& worst);
+    void sweep(std::uint32_t triangle, const Attempt& attempt, SweptTool& swept) const;
+    [[nodiscard]] bool provenSafe(const NearPair& pair, const Attempt& attempt, SweptTool& swept,
+                                  const SeparatingPlane** own);
+    [[nodiscard]] Offence offends(const NearPair& pair, const Vec3& guess, const Attempt& attempt,
+                                  WatchedPair& watched);
+    [[nodiscard]] Offence recentViolation(const Attempt& attempt, WatchedPair& offender);
+    [[nodiscard]] Offence violation(const Attempt& attempt, WatchedPair& offender);
+    [[nodiscard]] Offence violationIn(std::size_t cluster, const Excursion& excursion, const Attempt& attempt,
+                                      SweptTool& swept, WatchedPair& offender);
+    [[nodiscard]] bool findWayOn(const Pose& goal);
     void addConstraint(Attempt& attempt, const WatchedPair& watched) const;
     void restart(Attempt& attempt);
     void accept(const Attempt& attempt, MoveResult& result);
@@ -95,10 +105,14 @@ private:
     double margin_ = 0;
 
     PairList list_;
-    Vec3 lastGoalCentre_ = Vec3::Zero();
-    double handTravel_ = 0;  // of the goal since the last move, mm
+    Pose lastGoal_;
+    bool isBehind_ = false;  // the last move ran out of rounds
+    double handWay_ = 0;     // to go in this move: of the goal since the last move, mm
+    double handTurn_ = 0;    // a chord, as in Skin
+    double growth_ = 1;      // of the next list over the first of a move
 
     SeparatingPlanes planes_;
+    RecentPairs recent_;
     std::array<WatchedPair, 3> held_{};  // pairs active at the end of the last round
     int heldCount_ = 0;
     int distances_ = 0;

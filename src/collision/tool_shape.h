@@ -22,6 +22,15 @@ public:
         const std::array<Vec3f, 3>& c = corners_[triangle];
         return {c[0].cast<double>(), c[1].cast<double>(), c[2].cast<double>()};
     }
+    /// The same in single precision, as the mesh has them.
+    [[nodiscard]] const std::array<Vec3f, 3>& floatCorners(std::uint32_t triangle) const { return corners_[triangle]; }
+    /// The corners of a triangle axis by axis, twice over: lanes 0-2 and 4-6.
+    struct alignas(32) CornerLanes {
+        float axis[3][8];
+    };
+    [[nodiscard]] const CornerLanes& cornerLanes(std::uint32_t triangle) const { return cornerLanes_[triangle]; }
+    /// Unit and outward; zero for a triangle without area.
+    [[nodiscard]] const Vec3f& normal(std::uint32_t triangle) const { return normals_[triangle]; }
     /// A ball around the corners of a triangle.
     struct Ball {
         Vec3f centre;
@@ -35,8 +44,20 @@ public:
         float highOffset[AabbTree::kWidth];
         float low[3][AabbTree::kWidth];  // box
         float high[3][AabbTree::kWidth];
+        float far[AabbTree::kWidth];  // distance of the farthest corner from the origin: what a turn moves it by
     };
     [[nodiscard]] const Faces& faces(AabbTree::Link leaf) const { return faces_[leaf.index()]; }
+    /// For each child of a node of the tree: no point of it is further from the origin, mm.
+    using Far = std::array<float, AabbTree::kWidth>;
+    [[nodiscard]] const Far& far(AabbTree::Link node) const { return far_[node.index()]; }
+    struct Boxf {
+        float low[3], high[3];
+    };
+    /// The box of a node of the tree.
+    struct Bound : Boxf {
+        float far;  ///< no point of it is further from the origin, mm
+    };
+    [[nodiscard]] const Bound& bound(AabbTree::Link node) const { return bounds_[node.index()]; }
     /// Centre of the bounding box in the tool frame, mm.
     [[nodiscard]] const Vec3& centre() const { return centre_; }
     /// Every vertex lies within this distance of the centre, mm.
@@ -45,8 +66,12 @@ public:
 private:
     SurfacePart part_;
     std::vector<std::array<Vec3f, 3>> corners_;
+    std::vector<CornerLanes> cornerLanes_;
+    std::vector<Vec3f> normals_;
     std::vector<Ball> balls_;
     std::vector<Faces> faces_;
+    std::vector<Far> far_;
+    std::vector<Bound> bounds_;
     Vec3 centre_ = Vec3::Zero();
     double radius_ = 0;
 };

@@ -1,0 +1,332 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "collision/near_clusters.h"
+
+#include <bit>
+#include <span>
+
+#include "collision/turned_leaf.h"
+
+// Simultaneous descent of two trees: G. van den Bergen, "Efficient Collision Detection of Complex Deformable Models
+// using AABB Trees", J. Graphics Tools 2(4), 1997. Differs from the paper: the walk happens in the tool's frame, into
+// which only those tooth boxes and triangles are turned that it reaches, eight at a time; the tool's own boxes, which
+// turn with the hand at every tick, are never touched. No tooth node is visited twice: it carries along all of the
+// tool's nodes that are in question, each level of the tooth narrowing them. And the walk ends at a leaf of the tooth
+// against a triangle of the tool: what goes on between their triangles is asked later, and of few (see PairList).
+
+namespace tactooth {
+namespace {
+
+using namespace walk;
+
+constexpr std::size_t kStackSize = 1024;  // of parts of the tool: one of 3,000 triangles needs some 200
+
+class Walk {
+public:
+    Walk(const ToolShape& tool, const Pose& toolInTooth, const Skin& skin, std::size_t limit, NearClusters& out)
+        : tool_(tool),
+          toolTree_(tool.part().tree()),
+          turn_(toolInTooth),
+          shifts_(skin, toolInTooth, out.slack),
+          spin_(Float8::all(static_cast<float>(skin.turn))),
+          limit_(std::min(limit, out.capacity())),
+          out_(out) {}
+
+    void run(std::uint32_t part, const AabbTree& tooth, const TriangleMask* hidden) {
+        part_ = part;
+        toothTree_ = &tooth;
+        hidden_ = hidden;
+        if (toothTree_->empty() || toolTree_.empty()) return;
+        const Suspects all{toolTree_.rootLink().index(), 0xFF};
+        descend(toothTree_->root(), {&all, 1});
+    }
+
+private:
+    /// Boxes of a tooth node in the tool's frame, grown by the skin's shifts.
+    [[nodiscard]] Box8 turned(const AabbTree::Node& node) const {
+        const Vec3x8 low = Vec3x8::load(node.low);
+        const Vec3x8 high = Vec3x8::load(node.high);
+        const Float8 half = Float8::all(0.5F);
+        const Vec3x8 sum = low + high;
+        const Vec3x8 difference = high - low;
+        const Vec3x8 centre = turn_.point({sum.x * half, sum.y * half, sum.z * half});
+        const Vec3x8 halfSize = {difference.x * half, difference.y * half, difference.z * half};
+        const Vec3x8 extent = {dot(turn_.absolute[0], halfSize), dot(turn_.absolute[1], halfSize),
+                               dot(turn_.absolute[2], halfSize)};
+        return {centre - extent - everywhere(shifts_.high), centre + extent - everywhere(shifts_.low)};
+    }
+
+    /// Children of one of the tool's nodes that may be near.
+    struct Suspects {
+        std::uint32_t node;
+        std::uint32_t children;  // one bit each
+    };
+    using Front = std::span<const Suspects>;
+
+    /// Tooth node against the part of the tool that `front` names.
+    void descend(const AabbTree::Node& node, Front front) {
+        const Box8 boxes = turned(node);
+        const Spilled spilled(boxes);
+        std::array<std::uint8_t, kStackSize> childrenNear;  // of the tooth node, to each of the front
+        std::uint32_t any = 0;
+        for (std::size_t i = 0; i < front.size(); ++i) {
+            const ToolShape::Bound& bound = tool_.bound(AabbTree::Link::toNode(front[i].node));
+            childrenNear[i] = static_cast<std::uint8_t>(overlaps(boxes, Float8::all(bound.far) * spin_, bound));
+            any |= childrenNear[i];
+        }
+        for (; any != 0 && out_.complete; any &= any - 1) {
+            const int i = std::countr_zero(any);
+            const std::size_t mark = used_;
+            const Front near = narrowed(front, childrenNear.data(), i, spilled.pick(i));
+            if (near.empty()) continue;
+            if (node.child[i].isLeaf()) {
+                meetLeaf(node.child[i], near);
+            } else {
+                descend(toothTree_->node(node.child[i]), near);
+            }
+            used_ = mark;
+        }
+    }
+
+    /// One bit for each child of a node of the tool that meets the box.
+    [[nodiscard]] std::uint32_t meeting(AabbTree::Link link, const AabbTree::Node& node, const Boxf& box) const {
+        const Float8 grow = Float8::load(tool_.far(link).data()) * spin_;
+        return overlaps({Vec3x8::load(node.low), Vec3x8::load(node.high)}, grow, box);
+    }
+
+    /// What of `front` meets the box of child `i`, one level further down the tool. If the stack is full, `front`
+    /// itself.
+    Front narrowed(Front front, const std::uint8_t* childrenNear, int i, const Boxf& box) {
+        const std::size_t first = used_;
+        for (std::size_t s = 0; s < front.size(); ++s) {
+            if (((childrenNear[s] >> i) & 1U) == 0) continue;
+            if (used_ + 1 + AabbTree::kWidth > stack_.size()) return front;
+            const Suspects& suspects = front[s];
+            const AabbTree::Link link = AabbTree::Link::toNode(suspects.node);
+            const AabbTree::Node& node = toolTree_.node(link);
+            std::uint32_t leaves = meeting(link, node, box) & suspects.children;
+            for (std::uint32_t rest = leaves; rest != 0; rest &= rest - 1) {
+                const int k = std::countr_zero(rest);
+                if (node.child[k].isLeaf()) continue;
+                stack_[used_++] = {node.child[k].index(), 0xFF};
+                leaves &= ~(1U << k);
+            }
+            if (leaves != 0) stack_[used_++] = {suspects.node, leaves};
+        }
+        return Front(stack_).subspan(first, used_ - first);
+    }
+
+    void meetLeaf(AabbTree::Link toothLink, Front front) {
+        TurnedLeaf tooth(toothTree_->leaf(toothLink), turn_, shifts_);
+        for (const Suspects& suspects : front) meetBelow(tooth, suspects);
+    }
+
+    void meetBelow(TurnedLeaf& tooth, const Suspects& suspects) {
+        const AabbTree::Link link = AabbTree::Link::toNode(suspects.node);
+        const AabbTree::Node& node = toolTree_.node(link);
+        std::uint32_t hits = meeting(link, node, tooth.grown) & suspects.children;
+        for (; hits != 0; hits &= hits - 1) {
+            const AabbTree::Link child = node.child[std::countr_zero(hits)];
+            if (child.isLeaf()) {
+                meet(tooth, child);
+            } else {
+                meetBelow(tooth, {child.index(), 0xFF});
+            }
+        }
+    }
+
+    /// Writes the clusters of a leaf of the tooth with the triangles of a leaf of the tool: cheapest tests first.
+    void meet(TurnedLeaf& tooth, AabbTree::Link toolLink) {
+        const AabbTree::Leaf& toolLeaf = toolTree_.leaf(toolLink);
+        const ToolShape::Faces& faces = tool_.faces(toolLink);
+        std::uint32_t near = facesNear(tooth, faces) & ((1U << toolLeaf.count) - 1U);
+        if (near == 0) return;
+        if (!tooth.isKept && !keep(tooth)) return;
+        const Extent& mean = tooth.bySum;
+        const Vec3x8 n = Vec3x8::all(mean.direction.x(), mean.direction.y(), mean.direction.z());
+        const Float8 a = dot(n, Vec3x8::load(toolLeaf.corner[0]));
+        const Float8 b = dot(n, Vec3x8::load(toolLeaf.corner[1]));
+        const Float8 c = dot(n, Vec3x8::load(toolLeaf.corner[2]));
+        float front[8], behind[8], spun[8];
+        const Float8 spun8 = Float8::load(faces.far) * spin_;
+        const Float8 front8 = min(min(a, b), c) - Float8::all(mean.high);
+        const Float8 behind8 = Float8::all(mean.low) - max(max(a, b), c);
+        near &= ~(lessEqual(Float8::all(shifts_.closing(mean.direction)) + spun8, front8) |
+                  lessEqual(Float8::all(shifts_.closing(-mean.direction)) + spun8, behind8));
+        if (near == 0) return;
+        front8.store(front), behind8.store(behind), spun8.store(spun);
+        for (; near != 0; near &= near - 1) {
+            const int k = std::countr_zero(near);
+            Slab slab{mean.direction, front[k]};
+            if (behind[k] > slab.gap) slab = {-mean.direction, behind[k]};
+            const Slab byTool = byFace(tooth, faces, k);
+            if (staysOpen(byTool, spun[k])) continue;
+            const Slab apart = byBoxes(tooth.box, faces, k);
+            if (staysOpen(apart, spun[k]) || !isAnyNear(tooth, toolLeaf, faces, k, spun[k])) continue;
+            widen(slab, byTool);
+            widen(slab, apart);
+            write(slab, toolLeaf.triangle[k]);
+        }
+    }
+
+    /// One bit for each of the tool's triangles whose box and plane both may meet those of the leaf.
+    [[nodiscard]] std::uint32_t facesNear(const TurnedLeaf& tooth, const ToolShape::Faces& faces) const {
+        const Float8 spun = Float8::load(faces.far) * spin_;
+        const std::uint32_t boxes = overlaps({Vec3x8::load(faces.low), Vec3x8::load(faces.high)}, spun, tooth.grown);
+        if (boxes == 0) return 0;
+        const Vec3x8 low = Vec3x8::all(tooth.box.low[0], tooth.box.low[1], tooth.box.low[2]);
+        const Vec3x8 high = Vec3x8::all(tooth.box.high[0], tooth.box.high[1], tooth.box.high[2]);
+        const Vec3x8 n = Vec3x8::load(faces.normal);
+        const Float8 ax = n.x * low.x, bx = n.x * high.x;
+        const Float8 ay = n.y * low.y, by = n.y * high.y;
+        const Float8 az = n.z * low.z, bz = n.z * high.z;
+        const Float8 nearest = min(ax, bx) + min(ay, by) + min(az, bz);
+        const Float8 farthest = max(ax, bx) + max(ay, by) + max(az, bz);
+        const Float8 along = dot(n, everywhere(shifts_.along));
+        const Float8 around = Float8::all(shifts_.around) + spun;
+        const Float8 zero = Float8::all(0);
+        return boxes & lessEqual(nearest, Float8::load(faces.highOffset) + max(along, zero) + around) &
+               lessEqual(Float8::load(faces.lowOffset) + min(along, zero) - around, farthest);
+    }
+
+    struct Slab {
+        Vec3f normal;
+        float gap;
+    };
+
+    /// Whether no move within the skin can close the slab.
+    [[nodiscard]] bool staysOpen(const Slab& slab, float spun) const {
+        return slab.gap > shifts_.closing(slab.normal) + spun;
+    }
+
+    static void widen(Slab& slab, const Slab& other) {
+        if (other.gap > slab.gap) slab = other;
+    }
+
+    /// Whether any triangle of the tooth's leaf may meet the tool's triangle `k`. Asked where the leaf as a whole may:
+    /// one that is not flat, as in a groove, fills far more space than its triangles.
+    [[nodiscard]] bool isAnyNear(const TurnedLeaf& tooth, const AabbTree::Leaf& toolLeaf, const ToolShape::Faces& faces,
+                                 int k, float spun) const {
+        const Vec3x8 &p = tooth.corner[0], &q = tooth.corner[1], &r = tooth.corner[2];
+        const auto boxes =
+            Box8{min(min(p, q), r) - everywhere(shifts_.high), max(max(p, q), r) - everywhere(shifts_.low)};
+        const Boxf box{{faces.low[0][k], faces.low[1][k], faces.low[2][k]},
+                       {faces.high[0][k], faces.high[1][k], faces.high[2][k]}};
+        std::uint32_t near = tooth.present & overlaps(boxes, Float8::all(spun), box);
+        if (near == 0) return false;
+        const Float8 around = Float8::all(shifts_.around + spun);
+        const auto parted = [&](const Vec3x8& n, Float8 toolLow, Float8 toolHigh) {
+            const Float8 a = dot(n, p), b = dot(n, q), c = dot(n, r);
+            const Float8 along = dot(n, everywhere(shifts_.along));
+            const Float8 zero = Float8::all(0);
+            return lessEqual(max(max(a, b), c) + around, toolLow + min(along, zero)) |
+                   lessEqual(toolHigh + max(along, zero) + around, min(min(a, b), c));
+        };
+        const Vec3x8 face = Vec3x8::all(faces.normal[0][k], faces.normal[1][k], faces.normal[2][k]);
+        near &= ~parted(face, Float8::all(faces.lowOffset[k]), Float8::all(faces.highOffset[k]));
+        const auto lane = [&](int i) {
+            return Vec3x8::all(toolLeaf.corner[i][0][k], toolLeaf.corner[i][1][k], toolLeaf.corner[i][2][k]);
+        };
+        const Float8 a = dot(tooth.normal, lane(0)), b = dot(tooth.normal, lane(1)), c = dot(tooth.normal, lane(2));
+        return (near & ~parted(tooth.normal, min(min(a, b), c), max(max(a, b), c))) != 0;
+    }
+
+    static Slab byFace(const TurnedLeaf& tooth, const ToolShape::Faces& faces, int k) {
+        const Vec3f normal(faces.normal[0][k], faces.normal[1][k], faces.normal[2][k]);
+        const Extent extent = extentOf(tooth.corner, normal);
+        const float front = faces.lowOffset[k] - extent.high;
+        const float behind = extent.low - faces.highOffset[k];
+        return front >= behind ? Slab{normal, front} : Slab{-normal, behind};
+    }
+
+    /// The slab between two boxes that are apart.
+    static Slab byBoxes(const Boxf& box, const ToolShape::Faces& faces, int k) {
+        Vec3f between;
+        for (int axis = 0; axis < 3; ++axis) {
+            between[axis] = std::max(faces.low[axis][k] - box.high[axis], 0.0F) -
+                            std::max(box.low[axis] - faces.high[axis][k], 0.0F);
+        }
+        const float gap = between.norm();
+        return gap > 0 ? Slab{between / gap, gap} : Slab{Vec3f::Zero(), 0};
+    }
+
+    /// Writes the leaf. False where there is no room for it, or nothing of it to be felt.
+    bool keep(TurnedLeaf& tooth) {
+        std::uint32_t& present = tooth.present = (1U << tooth.leaf->count) - 1U;
+        for (std::uint32_t i = 0; hidden_ != nullptr && i < tooth.leaf->count; ++i) {
+            if (isHidden(*hidden_, tooth.leaf->triangle[i])) present &= ~(1U << i);
+        }
+        if (present == 0) return false;
+        if (out_.leafCount == out_.leaves.size()) return out_.complete = false;
+        NearLeaf& kept = out_.leaves[out_.leafCount++];
+        for (int i = 0; i < 3; ++i) tooth.corner[i].store(kept.corner[i]);
+        std::copy_n(tooth.leaf->triangle, AabbTree::kWidth, kept.triangle);
+        kept.part = part_;
+        kept.present = present;
+        tooth.findNormals();
+        return tooth.isKept = true;
+    }
+
+    void write(const Slab& slab, std::uint32_t tool) {
+        if (out_.count == limit_) {
+            out_.complete = false;
+            return;
+        }
+        EightClusters& eight = out_.eights[out_.count / 8];
+        const std::size_t lane = out_.count++ % 8;
+        const ToolShape::Ball& ball = tool_.ball(tool);
+        for (int axis = 0; axis < 3; ++axis) {
+            eight.normal[axis][lane] = slab.normal[axis];
+            eight.centre[axis][lane] = ball.centre[axis];
+        }
+        eight.gap[lane] = slab.gap - static_cast<float>(out_.slack);
+        eight.radius[lane] = ball.radius;
+        eight.leaf[lane] = static_cast<std::uint32_t>(out_.leafCount - 1);
+        eight.tool[lane] = tool;
+    }
+
+    const ToolShape& tool_;
+    const AabbTree& toolTree_;
+    const AabbTree* toothTree_ = nullptr;
+    const TriangleMask* hidden_ = nullptr;
+    std::uint32_t part_ = 0;
+    Turn turn_;
+    Shifts shifts_;
+    Float8 spin_;
+    std::size_t limit_;
+    NearClusters& out_;
+    std::array<Suspects, kStackSize> stack_;
+    std::size_t used_ = 0;
+};
+
+/// What single precision can hide: a few rounding steps of the largest number that a walk handles, mm.
+double roundingSlack(const SurfacePart& tooth, const ToolShape& tool, const Pose& toolInTooth) {
+    const Box3& box = tooth.tree().box();
+    const double largest = std::max({box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff(),
+                                     toolInTooth.position.cwiseAbs().maxCoeff(), tool.radius()});
+    return 8 * std::numeric_limits<float>::epsilon() * largest;
+}
+
+}  // namespace
+
+void findNearClusters(const Surface& surface, const ToolShape& tool, const Pose& toolInTooth, const Skin& skin,
+                      std::size_t limit, NearClusters& out) {
+    out.leafCount = out.count = 0;
+    out.complete = true;
+    if (surface.base->tree().empty()) return;
+    out.slack = roundingSlack(*surface.base, tool, toolInTooth);
+    Walk walk(tool, toolInTooth, skin, limit, out);
+    const VisibleBase base = visibleBase(surface);
+    walk.run(0, base.tree, base.hidden);
+    // A cheap ball test first: cutting leaves hundreds of patches, of which the tool is near a handful.
+    const Vec3 centre = toolInTooth * tool.centre();
+    const double ball = tool.radius() + skin.along.norm() + skin.around +
+                        skin.turn * (tool.centre().norm() + tool.radius()) + out.slack;
+    for (std::size_t i = 0; i < surface.patches.size(); ++i) {
+        const AabbTree& tree = surface.patches[i]->tree();
+        if (tree.empty() || tree.box().squaredExteriorDistance(centre) > ball * ball) continue;
+        walk.run(static_cast<std::uint32_t>(i + 1), tree, nullptr);
+    }
+}
+
+}  // namespace tactooth

@@ -1,0 +1,237 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include <bit>
+#include <cmath>
+
+#include "collision/gjk.h"
+#include "collision/sliding_body_round.h"
+
+// The planes that part pairs of triangles: how they are found, remembered and chosen, and which pairs a step would
+// bring together. A swept triangle is the hull of its corners at both ends of the step (continuous collision by
+// conservative bounds as in S. Redon, A. Kheddar, S. Coquillart, "Fast Continuous Collision Detection between Rigid
+// Bodies", Computer Graphics Forum 21(3), 2002; differs: a plane for the whole way is sought instead of a time of
+// impact).
+
+namespace tactooth {
+namespace {
+
+constexpr std::uint64_t kGuessed = 1;     // stamp of a plane that GJK has not seen; poses are numbered from 2
+constexpr double kStillNear = 0.995;      // of a gap below the margin: what staying put leaves of it, less rounding
+constexpr double kTouchingMargins = 10;   // nearer than this, a triangle's own plane is looked at
+constexpr double kAsWell = 0.9;           // of what GJK's plane leaves
+constexpr double kSamePlane = 1 - 1e-12;  // cosine: a milliradian apart
+constexpr double kWorthMargins = 20;      // a way on that is shorter is none
+
+/// The directions across which two triangles may touch: along the normals of either, and of each pair of edges.
+struct TouchingDirections {
+    std::array<Vec3, 22> unit;
+    int count = 0;
+
+    TouchingDirections(const Triangle3& a, const Triangle3& b) {
+        std::array<Vec3, 3> ofA, ofB;
+        for (int i = 0; i < 3; ++i) ofA[i] = a[(i + 1) % 3] - a[i], ofB[i] = b[(i + 1) % 3] - b[i];
+        add(ofA[0].cross(ofA[1]));
+        add(ofB[0].cross(ofB[1]));
+        for (const Vec3& edge : ofA) {
+            for (const Vec3& other : ofB) add(edge.cross(other));
+        }
+    }
+
+private:
+    void add(const Vec3& direction) {
+        const double length = direction.norm();
+        if (!(length > 0)) return;
+        unit[count++] = direction / length;
+        unit[count++] = direction / -length;
+    }
+};
+
+}  // namespace
+
+/// A pair with the plane remembered for it, or with a direction for GJK to begin with.
+WatchedPair SlidingBody::watch(const NearPair& pair, const Vec3& guess) const {
+    const SeparatingPlane* known = planes_.find(partOf(*surface_, pair.part).id(), pair);
+    return {pair, known != nullptr ? *known : SeparatingPlane{guess, 0, kGuessed}};
+}
+
+/// Takes the plane of one of the triangles themselves, if it parts them as well. Where the tool slides toward a concave
+/// edge of the tooth, GJK's plane stands across the way, a margin in front of it; that of the triangle behind the edge
+/// lets the tool slide on.
+void SlidingBody::preferFace(const Triangle3& tooth, const Triangle3& tool, SeparatingPlane& plane) const {
+    const double needed = kAsWell * std::min(margin_, lowestAlong(tool, plane.normal) - plane.offset);
+    for (const Triangle3* face : {&tooth, &tool}) {
+        const Vec3 area = ((*face)[1] - (*face)[0]).cross((*face)[2] - (*face)[0]);
+        const double length = area.norm();
+        if (!(length > 0)) continue;
+        for (const Vec3& normal : {Vec3(area / length), Vec3(area / -length)}) {
+            const double back = highestAlong(tooth, normal);
+            if (lowestAlong(tool, normal) - back < needed) continue;
+            plane.normal = normal;
+            plane.offset = back;
+            return;
+        }
+    }
+}
+
+/// Finds the plane that separates the pair best at the present pose. False if nothing separates it.
+bool SlidingBody::refreshPlane(WatchedPair& watched) {
+    const SurfacePart& part = partOf(*surface_, watched.pair.part);
+    const Triangle3 tooth = cornersOf(part.mesh(), watched.pair.tooth);
+    Triangle3 tool = tool_->corners(watched.pair.tool);
+    for (Vec3& corner : tool) corner = pose_ * corner;
+    SeparatingPlane& plane = watched.plane;
+    const GjkResult result =
+        distanceBetween(tooth, tool, plane.normal.isZero() ? Vec3(tool[0] - tooth[0]) : plane.normal);
+    ++distances_;
+    if (!result.separated) return false;
+    plane = {result.normal, highestAlong(tooth, result.normal), poseStamp_};
+    if (result.distance < kTouchingMargins * margin_) preferFace(tooth, tool, plane);
+    planes_.store(part.id(), watched.pair, plane);
+    return true;
+}
+
+/// Width of the slab between the pair along its plane, with the tool at the pose given, mm.
+double SlidingBody::gapAt(const WatchedPair& watched, const Mat3& rotation, const Vec3& position) const {
+    const Vec3& normal = watched.plane.normal;
+    const Vec3 inTool = rotation.transpose() * normal;
+    return lowestAlong(tool_->corners(watched.pair.tool), inTool) + normal.dot(position) - watched.plane.offset;
+}
+
+void SlidingBody::sweep(std::uint32_t triangle, const Attempt& attempt, SweptTool& swept) const {
+    if (swept.triangle == triangle) return;
+    swept.triangle = triangle;
+    const Triangle3 tool = tool_->corners(triangle);
+    const Vec3 position = pose_.position + attempt.step;
+    for (int corner = 0; corner < 3; ++corner) {
+        swept.corners[corner] = attempt.startMatrix * tool[corner] + pose_.position;
+        swept.corners[corner + 3] = attempt.matrix * tool[corner] + position;
+    }
+    for (int i = 0; i < attempt.answer.activeCount; ++i) {
+        swept.startLow[i] = swept.lowAtStart(attempt.activeNormal(i));
+        swept.endLow[i] = swept.lowAtEnd(attempt.activeNormal(i));
+    }
+}
+
+/// Whether a plane is found that keeps the pair apart during the whole attempted step. Tried are those that hold the
+/// tool already (what touches separates its neighbourhood too), the plane remembered, then GJK on the swept triangle of
+/// the tool. A plane of the pair's own is remembered, and left in `own`.
+bool SlidingBody::provenSafe(const NearPair& pair, const Attempt& attempt, SweptTool& swept,
+                             const SeparatingPlane** own) {
+    sweep(pair.tool, attempt, swept);
+    const double margin = margin_ / 2;
+    const SurfacePart& part = partOf(*surface_, pair.part);
+    const Triangle3 tooth = cornersOf(part.mesh(), pair.tooth);
+    for (int i = 0; i < attempt.answer.activeCount; ++i) {
+        const double back = highestAlong(tooth, attempt.activeNormal(i));
+        if (swept.startLow[i] > back && swept.endLow[i] - back >= margin) return true;
+    }
+    const SeparatingPlane* known = planes_.find(part.id(), pair);
+    *own = known;
+    if (known != nullptr && swept.lowAtStart(known->normal) > known->offset &&
+        swept.lowAtEnd(known->normal) - known->offset >= margin) {
+        return true;
+    }
+    const Vec3 between = swept.corners[0] - tooth[0];
+    const GjkResult result = distanceBetween(tooth, swept.corners, known != nullptr ? known->normal : between);
+    ++distances_;
+    if (result.gap < margin) return false;
+    *own = planes_.store(part.id(), pair, {result.normal, highestAlong(tooth, result.normal), kGuessed});
+    return true;
+}
+
+/// Whether the attempted step would bring a pair together, of which no plane could prove that it would not.
+SlidingBody::Offence SlidingBody::offends(const NearPair& pair, const Vec3& guess, const Attempt& attempt,
+                                          WatchedPair& watched) {
+    watched = watch(pair, guess);
+    if (watched.plane.stamp != poseStamp_ && !refreshPlane(watched)) return Offence::Overlapping;
+    // A tool that stands nearer than the margin (a new surface under it, another margin) may stay as near.
+    const double start = gapAt(watched, attempt.startMatrix, pose_.position);
+    const double gap = gapAt(watched, attempt.matrix, pose_.position + attempt.step);
+    return gap >= std::min(margin_ / 2, kStillNear * start) ? Offence::None : Offence::Found;
+}
+
+/// Looks first at the pairs that were in the way lately: nearly always they still are.
+SlidingBody::Offence SlidingBody::recentViolation(const Attempt& attempt, WatchedPair& offender) {
+    SweptTool swept;
+    for (std::size_t i = 0; i < recent_.size(); ++i) {
+        const SeparatingPlane* own = nullptr;
+        if (provenSafe(recent_[i], attempt, swept, &own)) continue;
+        const Offence offence = offends(recent_[i], Vec3::Zero(), attempt, offender);
+        if (offence != Offence::None) return offence;
+    }
+    return Offence::None;
+}
+
+/// A pair that the attempted step would bring together: the first met.
+SlidingBody::Offence SlidingBody::violation(const Attempt& attempt, WatchedPair& offender) {
+    const Pose end{pose_.position + attempt.step, attempt.rotation};
+    std::array<Vec3, 3> known;
+    for (int i = 0; i < attempt.answer.activeCount; ++i) known[i] = attempt.activeNormal(i);
+    const Excursion excursion = list_.excursion(
+        pose_, end, margin_, std::span(known).first(static_cast<std::size_t>(attempt.answer.activeCount)));
+    SweptTool swept;
+    for (std::size_t first = 0; first < list_.clusters(); first += 8) {
+        for (std::uint32_t near = list_.clustersInDoubt(first, excursion); near != 0; near &= near - 1) {
+            const std::size_t cluster = first + static_cast<std::size_t>(std::countr_zero(near));
+            const Offence offence = violationIn(cluster, excursion, attempt, swept, offender);
+            if (offence != Offence::None) return offence;
+        }
+    }
+    return Offence::None;
+}
+
+SlidingBody::Offence SlidingBody::violationIn(std::size_t cluster, const Excursion& excursion, const Attempt& attempt,
+                                              SweptTool& swept, WatchedPair& offender) {
+    for (std::uint32_t doubt = list_.pairsInDoubt(cluster, excursion); doubt != 0; doubt &= doubt - 1) {
+        const std::size_t place = PairList::placeOf(cluster, std::countr_zero(doubt));
+        const NearPair pair = list_[place];
+        const SeparatingPlane* own = nullptr;
+        if (provenSafe(pair, attempt, swept, &own)) {
+            if (own != nullptr) list_.certify(place, own->normal, own->offset);
+            continue;
+        }
+        const Offence offence = offends(pair, list_.direction(place), attempt, offender);
+        if (offence != Offence::None) return offence;
+    }
+    return Offence::None;
+}
+
+/// Where two triangles touch at an edge or a corner, many planes part them, and the one at hand may forbid what they
+/// allow. Looks among the others of each contact for one that lets the settled tool go on, and takes it.
+bool SlidingBody::findWayOn(const Pose& goal) {
+    std::array<HalfSpace, 3> halfSpaces;
+    const auto planes = std::span(halfSpaces).first(static_cast<std::size_t>(heldCount_));
+    const Mat3 rotation = pose_.rotation.toRotationMatrix();
+    for (int i = 0; i < heldCount_; ++i) {
+        if (held_[i].plane.stamp != poseStamp_ && !refreshPlane(held_[i])) return false;
+        halfSpaces[i] = {held_[i].plane.normal, std::min(0.0, margin_ - gapAt(held_[i], rotation, pose_.position))};
+    }
+    const Vec3 toGoal = goal.position - pose_.position;
+    for (int i = 0; i < heldCount_; ++i) {
+        const HalfSpace own = halfSpaces[i];
+        const SurfacePart& part = partOf(*surface_, held_[i].pair.part);
+        const Triangle3 tooth = cornersOf(part.mesh(), held_[i].pair.tooth);
+        Triangle3 tool = tool_->corners(held_[i].pair.tool);
+        for (Vec3& corner : tool) corner = pose_ * corner;
+        const double needed = kAsWell * std::min(margin_, lowestAlong(tool, own.normal) - held_[i].plane.offset);
+        const TouchingDirections directions(tooth, tool);
+        for (int k = 0; k < directions.count; ++k) {
+            const Vec3& normal = directions.unit[k];
+            if (normal.dot(own.normal) > kSamePlane) continue;
+            const double back = highestAlong(tooth, normal);
+            const double gap = lowestAlong(tool, normal) - back;
+            if (gap < needed) continue;
+            halfSpaces[i] = {normal, std::min(0.0, margin_ - gap)};
+            const NearestInPolyhedron answer = nearestInPolyhedron(planes, toGoal, margin_ * 1e-3);
+            if (answer.feasible && answer.point.norm() > kWorthMargins * margin_) {
+                held_[i].plane = {normal, back, poseStamp_};
+                planes_.store(part.id(), held_[i].pair, held_[i].plane);
+                return true;
+            }
+        }
+        halfSpaces[i] = own;
+    }
+    return false;
+}
+
+}  // namespace tactooth

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Private to SlidingBody: what its two source files share.
+
+#include <limits>
+
+#include "collision/sliding_body.h"
+
+namespace tactooth {
+
+inline constexpr int kMaxPlanesPerRound = 32;  // 3-6 are usual; more means that the step is long for its surroundings
+
+/// One round in the making.
+struct SlidingBody::Attempt {
+    Pose goal;
+    double turnFraction = 1;  // of the turn still to make
+    bool turnsFully = true;
+    double allowance = 0;  // how far any point of the tool may travel, mm
+    Quat rotation;         // at the end of the round
+    Mat3 matrix;
+    Mat3 startMatrix;
+    Vec3 step = Vec3::Zero();
+    bool clipped = false;       // the step was shortened to the allowance
+    bool turnOutgrown = false;  // the turn was shortened since the list ends there
+    bool outgrown = false;      // the turn or the step was
+    NearestInPolyhedron answer;
+    int planeCount = 0;
+    std::array<WatchedPair, kMaxPlanesPerRound> watched;
+    std::array<HalfSpace, kMaxPlanesPerRound> halfSpaces;
+
+    [[nodiscard]] const Vec3& activeNormal(int i) const { return halfSpaces[answer.active[i]].normal; }
+
+    void turnBy(const Quat& from, double fraction) {
+        turnFraction = fraction;
+        rotation = fraction <= 0   ? from
+                   : fraction >= 1 ? goal.rotation
+                                   : from.slerp(fraction, goal.rotation).normalized();
+        matrix = rotation.toRotationMatrix();
+        startMatrix = from.toRotationMatrix();
+    }
+};
+
+/// A triangle of the tool at the start (three corners) and the end of an attempted step, and how far it reaches toward
+/// each plane that holds the tool.
+struct SlidingBody::SweptTool {
+    std::uint32_t triangle = kNone;
+    std::array<Vec3, 6> corners;
+    std::array<double, 3> startLow, endLow;
+
+    static constexpr std::uint32_t kNone = ~0U;
+
+    [[nodiscard]] double lowAtStart(const Vec3& normal) const {
+        return lowestAlong(std::span<const Vec3>(corners).first(3), normal);
+    }
+    [[nodiscard]] double lowAtEnd(const Vec3& normal) const {
+        return lowestAlong(std::span<const Vec3>(corners).last(3), normal);
+    }
+};
+
+}  // namespace tactooth

@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "collision/pair_list.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <random>
+#include <set>
+#include <tuple>
+
+#include "collision/gjk.h"
+#include "collision/judged.h"
+#include "support/shapes.h"
+
+namespace tactooth {
+namespace {
+
+using PairKey = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>;
+
+constexpr std::size_t kCapacity = 1 << 14;
+constexpr double kMargin = 1e-6;
+
+PairKey keyOf(const NearPair& pair) { return {pair.part, pair.tooth, pair.tool}; }
+
+Triangle3 toolCorners(const ToolShape& tool, const Pose& pose, std::uint32_t triangle) {
+    Triangle3 corners = tool.corners(triangle);
+    for (Vec3& corner : corners) corner = pose * corner;
+    return corners;
+}
+
+/// Every pair that lies within `distance`, of all that there are.
+std::set<PairKey> pairsWithin(const TriangleMesh& tooth, const ToolShape& tool, const Pose& pose, double distance) {
+    std::set<PairKey> pairs;
+    for (std::uint32_t k = 0; k < tool.mesh().triangles.size(); ++k) {
+        const Triangle3 moved = toolCorners(tool, pose, k);
+        for (std::uint32_t i = 0; i < tooth.triangles.size(); ++i) {
+            const GjkResult gjk = distanceBetween(cornersOf(tooth, i), moved, moved[0] - tooth.corner(i, 0));
+            if (!gjk.separated || gjk.distance < distance) pairs.insert({0, i, k});
+        }
+    }
+    return pairs;
+}
+
+/// All that the list has doubts about, for a step between two poses.
+std::set<PairKey> doubts(PairList& list, const Pose& start, const Pose& end, std::span<const Vec3> known = {}) {
+    const Excursion excursion = list.excursion(start, end, kMargin, known);
+    std::set<PairKey> pairs;
+    for (std::size_t first = 0; first < list.clusters(); first += 8) {
+        for (std::uint32_t near = list.clustersInDoubt(first, excursion); near != 0; near &= near - 1) {
+            const std::size_t cluster = first + static_cast<std::size_t>(std::countr_zero(near));
+            for (std::uint32_t doubt = list.pairsInDoubt(cluster, excursion); doubt != 0; doubt &= doubt - 1)
+                pairs.insert(keyOf(list[PairList::placeOf(cluster, std::countr_zero(doubt))]));
+        }
+    }
+    return pairs;
+}
+
+Vec3 randomVector(std::mt19937& random, double length) {
+    std::normal_distribution<double> normal;
+    const double x = normal(random);
+    const double y = normal(random);
+    return length * Vec3(x, y, normal(random)).normalized();
+}
+
+Quat turned(const Quat& rotation, std::mt19937& random, double chord) {
+    return (Quat(Eigen::AngleAxisd(2 * std::asin(chord / 2), randomVector(random, 1))) * rotation).normalized();
+}
+
+struct Scene {
+    TriangleMesh tooth = test::sphere(Vec3::Zero(), 3, 60, 40);
+    std::shared_ptr<const Surface> surface = test::surfaceOf(tooth);
+    std::shared_ptr<const ToolShape> tool = test::toolOf(test::sphere(Vec3(0, 0, 0.6), 0.6, 16, 10));
+
+    [[nodiscard]] Pose poseAbove(std::mt19937& random, double height) const {
+        const Vec3 up = randomVector(random, 1);
+        return {(3 + height) * up, Quat::FromTwoVectors(Vec3::UnitZ(), up)};
+    }
+};
+
+}  // namespace
+
+TEST(PairList, DoubtsEveryPairThatAMoveWithinItsSkinBringsTogether) {
+    const Scene scene;
+    PairList list(*scene.tool, kCapacity);
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> unit(0, 1);
+    int met = 0;
+    for (int i = 0; i < 60; ++i) {
+        const Pose at = scene.poseAbove(random, 0.05 * unit(random));
+        list.make(*scene.surface, at, {randomVector(random, 0.15 * unit(random)), 0.05, 0.1 * unit(random)});
+        const Skin& skin = list.skin();  // shortened where much is near
+        ASSERT_GT(skin.around, 0.01);
+        const double share = unit(random);
+        const Vec3 shift = share * skin.along + randomVector(random, 0.99 * skin.around);
+        const Pose end{at.position + shift, turned(at.rotation, random, 0.99 * skin.turn)};
+        EXPECT_LE(list.stray(end.position), skin.around);
+        EXPECT_LE(list.turnTo(end.rotation), skin.turn);
+        const std::set<PairKey> doubted = doubts(list, at, end);
+        for (const PairKey& pair : pairsWithin(scene.tooth, *scene.tool, end, kMargin)) {
+            EXPECT_TRUE(doubted.contains(pair)) << i;
+            ++met;
+        }
+    }
+    EXPECT_GT(met, 200);
+}
+
+TEST(PairList, APlaneThatHoldsTheToolClearsAllThatItParts) {
+    const TriangleMesh plate = test::box(Vec3(-5, -5, -1), Vec3(5, 5, 0));
+    const auto tool = test::toolOf(test::sphere(Vec3(0, 0, 0.6), 0.6, 16, 10));
+    PairList list(*tool, kCapacity);
+    const Pose at{Vec3(0.3, 0.2, 1e-3), Quat::Identity()};
+    list.make(*test::surfaceOf(plate), at, {Vec3(0.1, 0, 0), 0.05, 0});
+    const Pose end{at.position + Vec3(0.08, 0, 0), at.rotation};
+    const Vec3 up = Vec3::UnitZ();
+    EXPECT_GT(list.clusters(), 0U);
+    EXPECT_TRUE(doubts(list, at, end, {&up, 1}).empty());
+    EXPECT_FALSE(doubts(list, at, {at.position - 0.04 * up, at.rotation}, {&up, 1}).empty());
+}
+
+TEST(PairList, ACertifiedPairIsDoubtedNoMoreWhereItsPlaneHolds) {
+    const TriangleMesh plate = test::box(Vec3(-5, -5, -1), Vec3(5, 5, 0));
+    const auto tool = test::toolOf(test::box(Vec3(0, -0.5, 0), Vec3(1, 0.5, 1)));
+    PairList list(*tool, kCapacity);
+    const Pose at{Vec3(0, 0, 0.01), Quat(Eigen::AngleAxisd(0.3, Vec3::UnitY()))};
+    const Pose above{Vec3(0, 0, 0.5), at.rotation};
+    list.make(*test::surfaceOf(plate), above, {Vec3(0, 0, -0.6), 0.05, 0});
+    const Excursion excursion = list.excursion(above, {Vec3(0, 0, -0.05), at.rotation}, kMargin, {});
+    int certified = 0;
+    for (std::size_t cluster = 0; cluster < list.clusters(); ++cluster) {
+        const std::uint32_t doubt = list.pairsInDoubt(cluster, excursion);
+        if (doubt == 0) continue;
+        const int lane = std::countr_zero(doubt);
+        list.certify(PairList::placeOf(cluster, lane), Vec3::UnitZ(), -2);  // as if the tooth were far below
+        EXPECT_EQ(list.pairsInDoubt(cluster, excursion), doubt & ~(1U << lane));
+        EXPECT_NEAR((list.direction(PairList::placeOf(cluster, lane)) - Vec3::UnitZ()).norm(), 0, 1e-6);
+        ++certified;
+    }
+    EXPECT_GT(certified, 0);
+}
+
+TEST(PairList, HiddenTrianglesAreNotListed) {
+    const Scene scene;
+    auto surface = std::make_shared<Surface>(*scene.surface);
+    surface->hidden = std::make_shared<const TriangleMask>(scene.tooth.triangles.size() / 64 + 1, ~std::uint64_t{0});
+    PairList list(*scene.tool, kCapacity);
+    list.make(*surface, {Vec3(0, 0, 3), Quat::Identity()}, {Vec3::Zero(), 0.1, 0});
+    EXPECT_EQ(list.clusters(), 0U);
+}
+
+TEST(PairList, ShortensItsSkinWhereTooMuchIsNear) {
+    const TriangleMesh fine = test::sphere(Vec3::Zero(), 1, 400, 200);
+    const auto tool = test::toolOf(test::sphere(Vec3::Zero(), 0.9, 100, 50));
+    const auto inside = test::surfaceOf(fine);
+    PairList list(*tool, kCapacity);
+    list.make(*inside, {Vec3(0, 0, 0.05), Quat::Identity()}, {Vec3(0.3, 0, 0), 0.3, 0.1});
+    EXPECT_LT(list.skin().around, 0.3);
+    EXPECT_GT(list.skin().around, 0);
+    EXPECT_LT(list.skin().along.norm(), 0.3);
+}
+
+TEST(PairList, ListsAllThatIsAskedForHoweverMuch) {
+    const Scene scene;
+    PairList list(*scene.tool, 64);
+    const Pose inside{Vec3(0, 0, 2.4), Quat::Identity()};
+    list.makeAll(*scene.surface, inside, {});
+    const std::set<PairKey> doubted = doubts(list, inside, inside);
+    const std::set<PairKey> touching = pairsWithin(scene.tooth, *scene.tool, inside, 0);
+    EXPECT_GT(touching.size(), 64U);
+    for (const PairKey& pair : touching) EXPECT_TRUE(doubted.contains(pair));
+}
+
+}  // namespace tactooth
