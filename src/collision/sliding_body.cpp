@@ -19,6 +19,7 @@ namespace tactooth {
 namespace {
 
 constexpr int kMaxRounds = 20;               // 2-3 at 1 cm/s, 4-5 at 10 cm/s; a jump into contact takes some 15
+constexpr int kMaxSolutions = 400;           // of a round's planes: more than they can be with planes alone
 constexpr int kMaxPlanesChanged = 4;         // in a move, where it had settled
 constexpr int kFewestToLookAfresh = 2;       // planes: together they may stop what other ones would let go on
 constexpr double kMarginOfRadius = 1e-7;     // 0.3 nm for a 6 mm bur
@@ -40,7 +41,8 @@ constexpr double kLeastTrustMargins = 200;  // 0.2 um for a bur of 20 mm
 
 }  // namespace
 
-SlidingBody::SlidingBody(std::shared_ptr<const ToolShape> tool) : tool_(std::move(tool)), list_(*tool_, kMaxClusters) {}
+SlidingBody::SlidingBody(std::shared_ptr<const ToolShape> tool, Freedom freedom)
+    : tool_(std::move(tool)), freedom_(freedom), list_(*tool_, kMaxClusters) {}
 
 std::shared_ptr<const Surface> SlidingBody::setSurface(std::shared_ptr<const Surface> surface) {
     std::swap(surface_, surface);
@@ -76,16 +78,18 @@ bool SlidingBody::plan(const Pose& goal, bool isFirst, double trust, Attempt& at
     const double turnLeft = list_.skin().turn * kTrusted - list_.turnTo(pose_.rotation);
     if (!isListed(pose_.position) || turnLeft < 0) return false;
     const double fraction = turn > turnLeft ? turnLeft / turn : 1;
-    attempt.turnsFully = fraction >= 1;
+    const bool isSolvedFor = freedom_ == Freedom::ShiftAndTurn;
+    attempt.turnLeft = turnLeft;
+    attempt.turnsFully = isSolvedFor || fraction >= 1;
     attempt.turnOutgrown = !attempt.turnsFully;
-    attempt.turnBy(pose_.rotation, turn > 0 ? fraction : 0);
+    attempt.turnBy(pose_.rotation, turn > 0 && !isSolvedFor ? fraction : 0);
     attempt.allowance = std::max(trust, kLeastTrustMargins * margin_);
     return true;
 }
 
 /// Where the tool will go in this tick, more or less: to the goal as far as the contacts of the last tick let it.
 Vec3 SlidingBody::expectedWay(const Pose& goal) {
-    std::array<HalfSpace, 3> halfSpaces;
+    std::array<HalfSpace, kMaxHeld> halfSpaces;
     const Mat3 rotation = pose_.rotation.toRotationMatrix();
     int count = 0;
     for (int i = 0; i < heldCount_; ++i) {
@@ -137,6 +141,7 @@ double SlidingBody::shareWithinSkin(const Vec3& step) const {
 }
 
 void SlidingBody::addConstraint(Attempt& attempt, const WatchedPair& watched) const {
+    if (freedom_ == Freedom::ShiftAndTurn) return addTurningConstraint(attempt, watched);
     const double gap = gapAt(watched, attempt.matrix, pose_.position);
     // Without a turn, staying put is always allowed: a gap that rounding has left below the margin may stay so.
     const double offset = attempt.turnFraction == 0 ? std::min(0.0, margin_ - gap) : margin_ - gap;
@@ -147,6 +152,7 @@ void SlidingBody::addConstraint(Attempt& attempt, const WatchedPair& watched) co
 /// Begins with the contacts of the round before: nearly always they are still the ones.
 void SlidingBody::restart(Attempt& attempt) {
     attempt.planeCount = 0;
+    if (freedom_ == Freedom::ShiftAndTurn) moveTo(Vec3::Zero(), Vec3::Zero(), attempt);
     for (int i = 0; i < heldCount_; ++i) {
         if (hasPlane(held_[i])) addConstraint(attempt, held_[i]);
     }
@@ -154,12 +160,15 @@ void SlidingBody::restart(Attempt& attempt) {
 
 /// The step nearest to the goal under the planes met so far, shortened to the allowance.
 bool SlidingBody::solve(Attempt& attempt) {
+    if (freedom_ == Freedom::ShiftAndTurn) return solveTurning(attempt);
     const std::span<const HalfSpace> halfSpaces(attempt.halfSpaces.data(),
                                                 static_cast<std::size_t>(attempt.planeCount));
     const double tolerance = margin_ * kSolved;
-    attempt.answer = nearestInPolyhedron(halfSpaces, attempt.goal.position - pose_.position, tolerance);
-    if (!attempt.answer.feasible) return false;
-    attempt.step = attempt.answer.point;
+    const NearestInPolyhedron answer =
+        nearestInPolyhedron(halfSpaces, attempt.goal.position - pose_.position, tolerance);
+    if (!answer.feasible) return false;
+    attempt.setActive(answer);
+    attempt.step = answer.point;
     attempt.clipped = false;
     attempt.outgrown = attempt.turnOutgrown;
     const double length = attempt.step.norm();
@@ -177,7 +186,7 @@ bool SlidingBody::solve(Attempt& attempt) {
 /// Collects planes until the step that they leave is safe. False if there is none within the fixed budget.
 bool SlidingBody::findSafeStep(Attempt& attempt, bool& overlapping) {
     restart(attempt);
-    while (true) {
+    for (int i = 0; i < kMaxSolutions; ++i) {
         if (!solve(attempt)) {
             if (attempt.turnFraction == 0) return false;
             attempt.turnsFully = false;
@@ -201,24 +210,32 @@ bool SlidingBody::findSafeStep(Attempt& attempt, bool& overlapping) {
             return false;
         }
     }
+    return false;
+}
+
+/// The corner of the tool's triangle by which a contact holds the tool, in the tooth's frame.
+Vec3 SlidingBody::heldPoint(const WatchedPair& held) const {
+    const Triangle3 tool = tool_->corners(held.pair.tool);
+    if (freedom_ == Freedom::ShiftAndTurn) return pose_ * tool[held.corner];
+    Vec3 deepest = pose_ * tool[0];
+    for (const Vec3& corner : tool) {
+        if (const Vec3 point = pose_ * corner; held.plane.normal.dot(point) < held.plane.normal.dot(deepest))
+            deepest = point;
+    }
+    return deepest;
 }
 
 void SlidingBody::accept(const Attempt& attempt, MoveResult& result) {
     pose_.rotation = attempt.rotation;
     pose_.position += attempt.step;
     ++poseStamp_;
-    heldCount_ = attempt.answer.activeCount;
+    heldCount_ = attempt.activeCount;
     result.contactCount = heldCount_;
     for (int i = 0; i < heldCount_; ++i) {
-        const int plane = attempt.answer.active[i];
+        const int plane = attempt.active[i];
         held_[i] = attempt.watched[plane];
-        const Vec3& normal = held_[i].plane.normal;
-        const Triangle3 tool = tool_->corners(held_[i].pair.tool);
-        Vec3 deepest = pose_ * tool[0];
-        for (const Vec3& corner : tool) {
-            if (const Vec3 point = pose_ * corner; normal.dot(point) < normal.dot(deepest)) deepest = point;
-        }
-        result.contacts[i] = {normal, deepest, attempt.answer.multiplier[i], held_[i].pair.part, held_[i].pair.tooth};
+        result.contacts[i] = {held_[i].plane.normal, heldPoint(held_[i]), attempt.multiplier[i], held_[i].pair.part,
+                              held_[i].pair.tooth};
     }
 }
 
@@ -258,7 +275,7 @@ MoveResult SlidingBody::moveToward(const Pose& goal) {
             result.status = MoveStatus::Reached;
         } else if (moved + turned <= kSettledMargins * margin_) {
             trust = kTrustInHand * handWay_;
-            if (planesChanged++ < kMaxPlanesChanged && findWayOn(goal)) continue;
+            if (freedom_ == Freedom::Shift && planesChanged++ < kMaxPlanesChanged && findWayOn(goal)) continue;
             if (lookedAfresh || heldCount_ < kFewestToLookAfresh) {
                 result.status = MoveStatus::Held;
             } else {

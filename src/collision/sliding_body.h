@@ -23,11 +23,21 @@ enum class MoveStatus {
     Overlapping,  ///< the pose to start from was not free (a surface was changed under it)
 };
 
+/// In what a tool may differ from the hand's pose while contacts hold it.
+enum class Freedom {
+    Shift,         ///< in its place alone (3 degrees): it turns as the hand does, as far as the tooth lets it
+    ShiftAndTurn,  ///< in its place and its orientation (6 degrees): for devices that render torque
+};
+
+/// The most contacts that can hold a body at once: as many as it has degrees of freedom.
+inline constexpr int kMaxHeld = 6;
+
 /// A pair of triangles that holds the body.
 struct BodyContact {
     Vec3 normal;          ///< unit, from the tooth to the tool
     Vec3 point;           ///< on the tool, in the tooth's frame, mm
-    double share;         ///< of the push along `normal`, mm: pose - goal = sum of share * normal
+    double share;         ///< of the push along `normal`, mm: shift = sum of share * normal, where the shift is that
+                          ///< of the tool's centre from goal to pose
     std::uint32_t part;   ///< 0 = base of the surface, i + 1 = patch i
     std::uint32_t tooth;  ///< triangle of that part
 };
@@ -37,18 +47,21 @@ struct MoveResult {
     int rounds = 0;     ///< linearisations
     int distances = 0;  ///< GJK runs
     int contactCount = 0;
-    std::array<BodyContact, 3> contacts{};
+    std::array<BodyContact, kMaxHeld> contacts{};
 };
 
 /// A rigid tool that moves among the triangles of a tooth and never enters them. Each move goes toward a goal pose;
 /// what stands in the way is slid along, so the body ends where the distance to the goal is locally least. This is
-/// the "god object" of haptics with the tool's own STL for a shape. The orientation follows the goal as far as the
-/// tooth lets it.
+/// the "god object" of haptics with the tool's own STL for a shape.
+///
+/// With six degrees of freedom the distance is that of Gauss' principle of least constraint: the square of the shift of
+/// the tool's centre, and that of the turn (as a rotation vector) times `turnLength`; so with turn = from goal to pose,
+/// turnLength^2 * turn = sum over the contacts of share * lever x normal, the lever from the centre to the contact.
 ///
 /// Fixed memory: moving allocates nothing. One thread at a time.
 class SlidingBody {
 public:
-    explicit SlidingBody(std::shared_ptr<const ToolShape> tool);
+    explicit SlidingBody(std::shared_ptr<const ToolShape> tool, Freedom freedom = Freedom::Shift);
 
     /// Puts the body among the triangles of `surface`. Returns the surface that it stood in before, so that the caller
     /// decides where that is freed.
@@ -70,6 +83,8 @@ public:
     /// The distance that the body keeps from the tooth, mm: far below what any device or eye resolves, far above the
     /// rounding of doubles.
     [[nodiscard]] double margin() const { return margin_; }
+    /// What a turn counts against a shift: the radius of gyration of a rod as long as the tool, mm.
+    [[nodiscard]] double turnLength() const;
 
 private:
     struct Attempt;
@@ -84,6 +99,9 @@ private:
     [[nodiscard]] double shareWithinSkin(const Vec3& step) const;
     [[nodiscard]] bool findSafeStep(Attempt& attempt, bool& overlapping);
     [[nodiscard]] bool solve(Attempt& attempt);
+    [[nodiscard]] bool solveTurning(Attempt& attempt) const;
+    void moveTo(const Vec3& shift, const Vec3& turn, Attempt& attempt) const;
+    [[nodiscard]] double shareAllowed(const Vec3& shift, const Vec3& turn, Attempt& attempt) const;
     [[nodiscard]] WatchedPair watch(const NearPair& pair, const Vec3& guess) const;
     [[nodiscard]] bool hasPlane(WatchedPair& watched);
     [[nodiscard]] bool refreshPlane(WatchedPair& watched);
@@ -101,10 +119,13 @@ private:
     [[nodiscard]] bool findWayOn(const Pose& goal);
     [[nodiscard]] bool takeOtherPlane(int contact, std::span<HalfSpace> planes, const Vec3& toGoal);
     void addConstraint(Attempt& attempt, const WatchedPair& watched) const;
+    void addTurningConstraint(Attempt& attempt, const WatchedPair& watched) const;
     void restart(Attempt& attempt);
+    [[nodiscard]] Vec3 heldPoint(const WatchedPair& held) const;
     void accept(const Attempt& attempt, MoveResult& result);
 
     std::shared_ptr<const ToolShape> tool_;
+    Freedom freedom_;
     std::shared_ptr<const Surface> surface_;
     Pose pose_;
     std::uint64_t poseStamp_ = 2;
@@ -119,7 +140,7 @@ private:
 
     SeparatingPlanes planes_;
     RecentPairs recent_;
-    std::array<WatchedPair, 3> held_{};  // pairs active at the end of the last round
+    std::array<WatchedPair, kMaxHeld> held_{};  // pairs active at the end of the last round
     int heldCount_ = 0;
     int distances_ = 0;
 };

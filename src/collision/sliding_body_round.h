@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Private to SlidingBody: what its two source files share.
+// Private to SlidingBody: what its source files share.
 
+#include "collision/nearest_in_polyhedron6.h"
 #include "collision/sliding_body.h"
 
 namespace tactooth {
@@ -25,12 +26,25 @@ struct SlidingBody::Attempt {
     bool clipped = false;       // the step was shortened to the allowance
     bool turnOutgrown = false;  // the turn was shortened since the list ends there
     bool outgrown = false;      // the turn or the step was
-    NearestInPolyhedron answer;
     int planeCount = 0;
     std::array<WatchedPair, kMaxPlanesPerRound> watched;
-    std::array<HalfSpace, kMaxPlanesPerRound> halfSpaces;
+    std::array<HalfSpace, kMaxPlanesPerRound> halfSpaces;   // of the steps
+    std::array<HalfSpace6, kMaxPlanesPerRound> turnSpaces;  // of the shifts and turns, in their place
+    Vec3 shift = Vec3::Zero();                              // of the tool's centre
+    Vec3 turn = Vec3::Zero();                               // rotation vector
+    double turnLeft = 0;                                    // that the list covers, a chord
+    // The planes that the step runs into.
+    int activeCount = 0;
+    std::array<int, kMaxHeld> active;
+    std::array<double, kMaxHeld> multiplier;
 
-    [[nodiscard]] const Vec3& activeNormal(int i) const { return halfSpaces[answer.active[i]].normal; }
+    [[nodiscard]] const Vec3& activeNormal(int i) const { return watched[active[i]].plane.normal; }
+    template <class Answer>
+    void setActive(const Answer& answer) {
+        activeCount = answer.activeCount;
+        std::copy_n(answer.active.begin(), activeCount, active.begin());
+        std::copy_n(answer.multiplier.begin(), activeCount, multiplier.begin());
+    }
 
     void turnBy(const Quat& from, double fraction) {
         turnFraction = fraction;
@@ -47,7 +61,7 @@ struct SlidingBody::Attempt {
 struct SlidingBody::SweptTool {
     std::uint32_t triangle = kNone;
     std::array<Vec3, 6> corners;
-    std::array<double, 3> startLow, endLow;
+    std::array<double, kMaxHeld> startLow, endLow;
 
     static constexpr std::uint32_t kNone = ~0U;
 
