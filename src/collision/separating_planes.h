@@ -21,7 +21,6 @@ struct SeparatingPlane {
 struct WatchedPair {
     NearPair pair;
     SeparatingPlane plane;
-    int corner = 0;  ///< of the tool's triangle, that the plane holds: only where the tool may turn under its contacts
 };
 
 /// The few pairs that were in the way last, the latest first.

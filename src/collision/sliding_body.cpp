@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 // God object: C. B. Zilles, J. K. Salisbury, "A Constraint-based God-object Method for Haptic Display", IROS 1995; for
 // a body with a shape: M. Ortega, S. Redon, S. Coquillart, "A Six Degree-of-Freedom God-Object Method for Haptic
@@ -18,8 +19,9 @@
 namespace tactooth {
 namespace {
 
-constexpr int kMaxRounds = 20;               // 2-3 at 1 cm/s, 4-5 at 10 cm/s; a jump into contact takes some 15
-constexpr int kMaxSolutions = 400;           // of a round's planes: more than they can be with planes alone
+constexpr int kMaxRounds = 20;  // 2-3 at 1 cm/s, 4-5 at 10 cm/s; a jump into contact takes some 15
+constexpr int kManySolutions = kMaxPlanesPerRound + 1;  // of a round: more come of a turn that does not settle
+constexpr int kMaxSolutions = 8 * kManySolutions;
 constexpr int kMaxPlanesChanged = 4;         // in a move, where it had settled
 constexpr int kFewestToLookAfresh = 2;       // planes: together they may stop what other ones would let go on
 constexpr double kMarginOfRadius = 1e-7;     // 0.3 nm for a 6 mm bur
@@ -33,6 +35,8 @@ constexpr double kStride = 1.2;                // ways of the hand that a list s
 constexpr double kAhead = 6;                   // of the least skin
 constexpr double kStray = 0.25;                // of both: how far the tool may leave the way expected
 constexpr double kTrusted = 0.95;              // of the skin: leaves room for rounding
+
+constexpr double kGreatestGrowth = 128;  // the eighth list of a move is the last: the rest of the way waits for a tick
 
 // The longest step of a round. It need not be right: a step that was cut short is followed by a longer one.
 constexpr double kTrustInHand = 2;          // ways of the hand
@@ -70,10 +74,13 @@ void SlidingBody::forget() {
 /// Sets up a round: makes sure of the pair list and bounds turn and step by what the list covers.
 bool SlidingBody::plan(const Pose& goal, bool isFirst, double trust, Attempt& attempt) {
     attempt.goal = goal;
-    const double turn = chordBetween(goal.rotation, pose_.rotation);
+    double turn = chordBetween(goal.rotation, pose_.rotation);
     if (isFirst || !list_.made() || attempt.outgrown) {
-        const Vec3 way = expectedWay(goal);
-        if (!list_.made() || attempt.outgrown || runsShort(way, turn)) renewList(way, turn);
+        const Vec3 way = freedom_ == Freedom::Shift ? expectedWay(goal) : expectedWay(attempt, turn);
+        if (!list_.made() || attempt.outgrown || runsShort(way, turn)) {
+            if (growth_ > kGreatestGrowth) return false;
+            renewList(way, turn);
+        }
     }
     const double turnLeft = list_.skin().turn * kTrusted - list_.turnTo(pose_.rotation);
     if (!isListed(pose_.position) || turnLeft < 0) return false;
@@ -83,6 +90,7 @@ bool SlidingBody::plan(const Pose& goal, bool isFirst, double trust, Attempt& at
     attempt.turnsFully = isSolvedFor || fraction >= 1;
     attempt.turnOutgrown = !attempt.turnsFully;
     attempt.turnBy(pose_.rotation, turn > 0 && !isSolvedFor ? fraction : 0);
+    attempt.turnBound = std::numeric_limits<double>::infinity();
     attempt.allowance = std::max(trust, kLeastTrustMargins * margin_);
     return true;
 }
@@ -154,7 +162,12 @@ void SlidingBody::restart(Attempt& attempt) {
     attempt.planeCount = 0;
     if (freedom_ == Freedom::ShiftAndTurn) moveTo(Vec3::Zero(), Vec3::Zero(), attempt);
     for (int i = 0; i < heldCount_; ++i) {
-        if (hasPlane(held_[i])) addConstraint(attempt, held_[i]);
+        if (!hasPlane(held_[i])) continue;
+        if (freedom_ == Freedom::Shift) {
+            addConstraint(attempt, held_[i]);
+        } else if (stillTouch(held_[i], heldFeatures_[i])) {
+            keepApart(attempt, held_[i], heldFeatures_[i]);
+        }
     }
 }
 
@@ -201,7 +214,8 @@ bool SlidingBody::findSafeStep(Attempt& attempt, bool& overlapping) {
         if (overlapping) return false;
         if (offence == Offence::None) return true;
         recent_.add(offender.pair);
-        if (attempt.planeCount < kMaxPlanesPerRound) {
+        const bool isLong = attempt.planeCount == kMaxPlanesPerRound || i % kManySolutions == kManySolutions - 1;
+        if (!isLong) {
             addConstraint(attempt, offender);
         } else if (attempt.allowance > kSettledMargins * margin_) {
             attempt.allowance /= 8;
@@ -213,10 +227,9 @@ bool SlidingBody::findSafeStep(Attempt& attempt, bool& overlapping) {
     return false;
 }
 
-/// The corner of the tool's triangle by which a contact holds the tool, in the tooth's frame.
-Vec3 SlidingBody::heldPoint(const WatchedPair& held) const {
+/// The corner of a held triangle that stands lowest over its plane, in the tooth's frame.
+Vec3 SlidingBody::deepestPoint(const WatchedPair& held) const {
     const Triangle3 tool = tool_->corners(held.pair.tool);
-    if (freedom_ == Freedom::ShiftAndTurn) return pose_ * tool[held.corner];
     Vec3 deepest = pose_ * tool[0];
     for (const Vec3& corner : tool) {
         if (const Vec3 point = pose_ * corner; held.plane.normal.dot(point) < held.plane.normal.dot(deepest))
@@ -234,8 +247,11 @@ void SlidingBody::accept(const Attempt& attempt, MoveResult& result) {
     for (int i = 0; i < heldCount_; ++i) {
         const int plane = attempt.active[i];
         held_[i] = attempt.watched[plane];
-        result.contacts[i] = {held_[i].plane.normal, heldPoint(held_[i]), attempt.multiplier[i], held_[i].pair.part,
-                              held_[i].pair.tooth};
+        const bool turns = freedom_ == Freedom::ShiftAndTurn;
+        if (turns) heldFeatures_[i] = attempt.touches[plane].features;
+        const Vec3 normal = turns ? attempt.touches[plane].normal : held_[i].plane.normal;
+        const Vec3 point = turns ? attempt.touches[plane].point : deepestPoint(held_[i]);
+        result.contacts[i] = {normal, point, attempt.multiplier[i], held_[i].pair.part, held_[i].pair.tooth};
     }
 }
 
@@ -276,7 +292,8 @@ MoveResult SlidingBody::moveToward(const Pose& goal) {
         } else if (moved + turned <= kSettledMargins * margin_) {
             trust = kTrustInHand * handWay_;
             if (freedom_ == Freedom::Shift && planesChanged++ < kMaxPlanesChanged && findWayOn(goal)) continue;
-            if (lookedAfresh || heldCount_ < kFewestToLookAfresh) {
+            const int fewest = freedom_ == Freedom::Shift ? kFewestToLookAfresh : 1;
+            if (lookedAfresh || heldCount_ < fewest) {
                 result.status = MoveStatus::Held;
             } else {
                 lookedAfresh = true;

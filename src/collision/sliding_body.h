@@ -8,9 +8,11 @@
 #include <vector>
 
 #include "collision/nearest_in_polyhedron.h"
+#include "collision/nearest_in_polyhedron6.h"
 #include "collision/pair_list.h"
 #include "collision/separating_planes.h"
 #include "collision/tool_shape.h"
+#include "collision/touching_features.h"
 #include "geometry/pose.h"
 
 namespace tactooth {
@@ -89,10 +91,12 @@ public:
 private:
     struct Attempt;
     struct SweptTool;
+    struct Touch;
     enum class Offence { None, Found, Overlapping };
 
     [[nodiscard]] bool plan(const Pose& goal, bool isFirst, double trust, Attempt& attempt);
     [[nodiscard]] Vec3 expectedWay(const Pose& goal);
+    [[nodiscard]] Vec3 expectedWay(Attempt& attempt, double& turn);
     [[nodiscard]] bool runsShort(const Vec3& way, double turn) const;
     void renewList(const Vec3& way, double turn);
     [[nodiscard]] bool isListed(const Vec3& position) const;
@@ -100,6 +104,7 @@ private:
     [[nodiscard]] bool findSafeStep(Attempt& attempt, bool& overlapping);
     [[nodiscard]] bool solve(Attempt& attempt);
     [[nodiscard]] bool solveTurning(Attempt& attempt) const;
+    [[nodiscard]] NearestInPolyhedron6 nearestTurning(const Attempt& attempt) const;
     void moveTo(const Vec3& shift, const Vec3& turn, Attempt& attempt) const;
     [[nodiscard]] double shareAllowed(const Vec3& shift, const Vec3& turn, Attempt& attempt) const;
     [[nodiscard]] WatchedPair watch(const NearPair& pair, const Vec3& guess) const;
@@ -110,6 +115,7 @@ private:
     void sweep(std::uint32_t triangle, const Attempt& attempt, SweptTool& swept) const;
     [[nodiscard]] bool provenSafe(const NearPair& pair, const Attempt& attempt, SweptTool& swept,
                                   const SeparatingPlane** own);
+    [[nodiscard]] bool partedByTurningPlane(const Triangle3& tooth, const SweptTool& swept);
     [[nodiscard]] Offence offends(const NearPair& pair, const Vec3& guess, const Attempt& attempt,
                                   WatchedPair& watched);
     [[nodiscard]] Offence recentViolation(const Attempt& attempt, WatchedPair& offender);
@@ -120,8 +126,16 @@ private:
     [[nodiscard]] bool takeOtherPlane(int contact, std::span<HalfSpace> planes, const Vec3& toGoal);
     void addConstraint(Attempt& attempt, const WatchedPair& watched) const;
     void addTurningConstraint(Attempt& attempt, const WatchedPair& watched) const;
+    void keepApart(Attempt& attempt, const WatchedPair& watched, const FeaturePair& features) const;
+    [[nodiscard]] FeaturePair featuresToKeepApart(const Attempt& attempt, const WatchedPair& watched) const;
+    [[nodiscard]] std::optional<FeaturePair> featuresInTheWay(const Attempt& attempt, const WatchedPair& watched) const;
+    [[nodiscard]] bool stillTouch(const WatchedPair& watched, const FeaturePair& features) const;
+    [[nodiscard]] static int placeOf(const Attempt& attempt, const WatchedPair& watched, const FeaturePair& features);
+    [[nodiscard]] FeaturePair lowestCorner(const Attempt& attempt, const WatchedPair& watched) const;
+    [[nodiscard]] FeatureGap gapOf(const WatchedPair& watched, const FeaturePair& features,
+                                   const Pose& toolInTooth) const;
     void restart(Attempt& attempt);
-    [[nodiscard]] Vec3 heldPoint(const WatchedPair& held) const;
+    [[nodiscard]] Vec3 deepestPoint(const WatchedPair& held) const;
     void accept(const Attempt& attempt, MoveResult& result);
 
     std::shared_ptr<const ToolShape> tool_;
@@ -141,6 +155,7 @@ private:
     SeparatingPlanes planes_;
     RecentPairs recent_;
     std::array<WatchedPair, kMaxHeld> held_{};  // pairs active at the end of the last round
+    std::array<FeaturePair, kMaxHeld> heldFeatures_{};
     int heldCount_ = 0;
     int distances_ = 0;
 };

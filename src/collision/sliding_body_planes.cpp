@@ -136,7 +136,7 @@ bool SlidingBody::provenSafe(const NearPair& pair, const Attempt& attempt, Swept
     const Vec3 between = swept.corners[0] - tooth[0];
     const GjkResult result = distanceBetween(tooth, swept.corners, known != nullptr ? known->normal : between);
     ++distances_;
-    if (result.gap < margin) return false;
+    if (result.gap < margin) return freedom_ == Freedom::ShiftAndTurn && partedByTurningPlane(tooth, swept);
     *own = planes_.store(part.id(), pair, {result.normal, highestAlong(tooth, result.normal), kGuessed});
     return true;
 }

@@ -4,14 +4,22 @@
 
 // Private to SlidingBody: what its source files share.
 
-#include "collision/nearest_in_polyhedron6.h"
 #include "collision/sliding_body.h"
+#include "collision/touching_features.h"
 
 namespace tactooth {
 
 inline constexpr int kMaxPlanesPerRound = 32;  // 3-6 are usual; more means that the step is long for its surroundings
 
 inline constexpr double kSolved = 1e-3;  // of the margin: how exactly a round's planes are solved for
+
+/// What keeps a tool that may turn from a triangle.
+struct SlidingBody::Touch {
+    FeaturePair features;
+    int tries = 0;  // how often they have been made linear in this round
+    Vec3 normal = Vec3::Zero();
+    Vec3 point = Vec3::Zero();
+};
 
 /// One round in the making.
 struct SlidingBody::Attempt {
@@ -30,9 +38,11 @@ struct SlidingBody::Attempt {
     std::array<WatchedPair, kMaxPlanesPerRound> watched;
     std::array<HalfSpace, kMaxPlanesPerRound> halfSpaces;   // of the steps
     std::array<HalfSpace6, kMaxPlanesPerRound> turnSpaces;  // of the shifts and turns, in their place
+    std::array<Touch, kMaxPlanesPerRound> touches;          // what they keep apart
     Vec3 shift = Vec3::Zero();                              // of the tool's centre
     Vec3 turn = Vec3::Zero();                               // rotation vector
     double turnLeft = 0;                                    // that the list covers, a chord
+    double turnBound = 0;                                   // no turn is longer, rad
     // The planes that the step runs into.
     int activeCount = 0;
     std::array<int, kMaxHeld> active;

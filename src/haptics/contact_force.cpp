@@ -53,9 +53,14 @@ Wrench ContactForce::at(const ContactState& contact, const MaterialTable& materi
     const double frictionCoefficient = overrides_.friction.value_or(feel_->friction);
 
     const Vec3 normal = contact.offset / depth;
-    const double sinking = -contact.velocity.dot(normal);
+    Vec3 moment = Vec3::Zero();  // what the push does to a turn, as `normal` is what it does to a shift
+    for (const HeldAt& held : contact.held) {
+        moment += held.share / depth * (held.point - contact.device - contact.offset).cross(held.normal);
+    }
+    const double approach = -contact.velocity.dot(normal);
+    const double sinking = approach - contact.spin.dot(moment);
     normalForce_ = scale_ * std::max(0.0, stiffness * depth + damping * sinking);
-    const Vec3 sliding = contact.velocity + sinking * normal;
+    const Vec3 sliding = contact.velocity + approach * normal;
     const Vec3 friction = -frictionCoefficient * normalForce_ * sliding / (sliding.norm() + kFrictionSpeed);
 
     Wrench wrench;

@@ -22,11 +22,12 @@ struct HeldAt {
 
 /// What the force is computed from, all in the tooth's frame.
 struct ContactState {
-    Vec3 device;        ///< where the hand holds the tool's tip, mm
+    Vec3 device;        ///< where the hand holds the tool's tip, mm; turned with the proxy, if that turns on its own
     Vec3 offset;        ///< from there to the proxy's tip, mm; its length is the depth
-    Vec3 velocity;      ///< of the hand, mm/s
+    Vec3 velocity;      ///< of the hand's tip, mm/s
     double travel = 0;  ///< of the proxy since the last tick, mm
     std::span<const HeldAt> held;
+    Vec3 spin = Vec3::Zero();  ///< of the hand, rad/s, if the proxy turns on its own; else zero
 };
 
 /// Instead of the materials' own numbers, for experiments. They hold at once, without a blend.

@@ -29,23 +29,29 @@ bool isSomewhere(const Pose& hand) {
 
 HapticSimulation::HapticSimulation(std::shared_ptr<const ToolShape> tool, double burRadius,
                                    std::shared_ptr<const Surface> surface, const HapticSettings& settings)
-    : proxy_(std::move(tool), std::move(surface), settings.mode),
+    : proxy_(std::move(tool), std::move(surface), settings.mode, settings.freedom),
       materials_(settings.materials),
       spindle_(settings.spindle),
-      burRadius_(burRadius) {
+      burRadius_(burRadius),
+      freedom_(settings.freedom) {
     force_.setOverrides(settings.force);
 }
 
-void HapticSimulation::filterVelocity(const Vec3& position, double dt) {
+void HapticSimulation::filterVelocity(const Pose& hand, double dt) {
     if (!following_ || dt <= 0) {
         velocity_.setZero();
-        lastPosition_ = position;
+        spin_.setZero();
+        lastHand_ = hand;
         following_ = true;
         return;
     }
-    const Vec3 raw = (position - lastPosition_) / dt;
-    velocity_ += (1 - std::exp(-2 * std::numbers::pi * kVelocityCutoff * dt)) * (raw - velocity_);
-    lastPosition_ = position;
+    const double newShare = 1 - std::exp(-2 * std::numbers::pi * kVelocityCutoff * dt);
+    velocity_ += newShare * ((hand.position - lastHand_.position) / dt - velocity_);
+    if (freedom_ == Freedom::ShiftAndTurn) {
+        const Quat turn = hand.rotation * lastHand_.rotation.conjugate();
+        spin_ += newShare * ((turn.w() < 0 ? -2 : 2) / dt * turn.vec() - spin_);  // for small angles
+    }
+    lastHand_ = hand;
 }
 
 /// Turns the spindle one step under the load of the cut, and books the work that the cut may spend.
@@ -63,8 +69,8 @@ void HapticSimulation::turnBur(const HandInput& input, double dt, Tick& tick) {
 /// Follows the hand and makes the force.
 void HapticSimulation::touch(const HandInput& input, double dt, Tick& tick) {
     tick.hand = input.handInTooth;
-    tick.speed = following_ && dt > 0 ? (input.handInTooth.position - lastPosition_).norm() / dt : 0;
-    filterVelocity(input.handInTooth.position, dt);
+    tick.speed = following_ && dt > 0 ? (input.handInTooth.position - lastHand_.position).norm() / dt : 0;
+    filterVelocity(input.handInTooth, dt);
 
     const ProxyState state = proxy_.follow(input.handInTooth);
     tick.placed = state.placed;
@@ -75,8 +81,7 @@ void HapticSimulation::touch(const HandInput& input, double dt, Tick& tick) {
         tick.normal = state.offset / tick.depth;
         tick.material = std::ranges::max_element(state.heldAt(), {}, &HeldAt::share)->material;
     }
-    tick.wrench =
-        force_.at({input.handInTooth.position, state.offset, velocity_, state.travel, state.heldAt()}, materials_);
+    tick.wrench = force_.at({state.handTip, state.offset, velocity_, state.travel, state.heldAt(), spin_}, materials_);
 }
 
 Tick HapticSimulation::step(const HandInput& input, double dt) {

@@ -44,6 +44,7 @@ struct HapticSettings {
     MaterialTable materials;
     ForceOverrides force;
     ContactMode mode = ContactMode::Proxy;
+    Freedom freedom = Freedom::Shift;
     SpindlePreset spindle = spindlePresets().front();
 };
 
@@ -65,7 +66,7 @@ public:
     [[nodiscard]] ContactForce& force() { return force_; }
 
 private:
-    void filterVelocity(const Vec3& position, double dt);
+    void filterVelocity(const Pose& hand, double dt);
     void touch(const HandInput& input, double dt, Tick& tick);
     void turnBur(const HandInput& input, double dt, Tick& tick);
 
@@ -78,8 +79,10 @@ private:
     bool started_ = false;    // there is a tick to count time from
     bool following_ = false;  // there is a position to take the speed from
     bool touching_ = false;
-    Vec3 lastPosition_ = Vec3::Zero();
+    Freedom freedom_;
+    Pose lastHand_;
     Vec3 velocity_ = Vec3::Zero();  // low-passed, mm/s
+    Vec3 spin_ = Vec3::Zero();      // low-passed, rad/s
     Tick last_;
 };
 

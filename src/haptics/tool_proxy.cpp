@@ -8,8 +8,9 @@
 
 namespace tactooth {
 
-ToolProxy::ToolProxy(std::shared_ptr<const ToolShape> tool, std::shared_ptr<const Surface> surface, ContactMode mode)
-    : surface_(surface), mode_(mode), body_(tool), query_(tool, surface) {
+ToolProxy::ToolProxy(std::shared_ptr<const ToolShape> tool, std::shared_ptr<const Surface> surface, ContactMode mode,
+                     Freedom freedom)
+    : surface_(surface), mode_(mode), freedom_(freedom), body_(tool, freedom), query_(tool, surface) {
     body_.setSurface(std::move(surface));
     for (const Vec3f& vertex : body_.tool().mesh().vertices) {
         if (vertex.z() > farEnd_.z()) farEnd_ = vertex.cast<double>();
@@ -61,6 +62,13 @@ bool ToolProxy::stepOutOfSurface() {
 /// Its far end tells: it is the last to touch anything.
 bool ToolProxy::isSwallowed() const { return surface_->closed && contains(*surface_, body_.pose() * farEnd_); }
 
+/// See ProxyState::handTip. A tool turns under its contacts about its centre.
+Vec3 ToolProxy::handTip(const Pose& handInTooth) const {
+    if (freedom_ == Freedom::Shift) return handInTooth.position;
+    const Vec3 centre = body_.tool().centre();
+    return handInTooth * centre - body_.pose().rotation * centre;
+}
+
 ProxyState ToolProxy::follow(const Pose& handInTooth) {
     if (mode_ == ContactMode::Penalty) return followAsPenalty(handInTooth);
     ProxyState state;
@@ -79,7 +87,8 @@ ProxyState ToolProxy::follow(const Pose& handInTooth) {
     }
     state.placed = true;
     state.proxy = body_.pose();
-    state.offset = body_.pose().position - handInTooth.position;
+    state.handTip = handTip(handInTooth);
+    state.offset = body_.pose().position - state.handTip;
     state.travel = (body_.pose().position - before).norm();
     state.contacts = state.heldCount = move.contactCount;
     const bool stuck = move.status == MoveStatus::OutOfRounds && move.contactCount == 0;
@@ -109,6 +118,7 @@ ProxyState ToolProxy::followAsPenalty(const Pose& handInTooth) {
     ProxyState state;
     const Contact contact = query_.deepestPairAt(handInTooth);
     state.placed = true;
+    state.handTip = handInTooth.position;
     state.offset = contact.depth * contact.normal;
     state.proxy = {handInTooth.position + state.offset, handInTooth.rotation};
     state.contacts = contact.contacts;

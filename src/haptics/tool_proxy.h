@@ -19,13 +19,16 @@ enum class ContactMode {
 
 /// What the hand meets at one tick.
 struct ProxyState {
-    Pose proxy;                  ///< of the tool in the tooth; in penalty mode the hand's pose moved out by the depth
-    Vec3 offset = Vec3::Zero();  ///< from the hand's tip to the proxy's, mm
+    Pose proxy;  ///< of the tool in the tooth; in penalty mode the hand's pose moved out by the depth
+    /// Where the hand would hold the tip if it had turned with the proxy, mm: with three degrees of freedom, where it
+    /// holds it.
+    Vec3 handTip = Vec3::Zero();
+    Vec3 offset = Vec3::Zero();  ///< from there to the proxy's tip, mm
     double travel = 0;           ///< of the proxy since the last tick, mm
     bool placed = false;         ///< false: no free pose is known, and no force may be made from this
     int contacts = 0;            ///< triangles that hold the proxy (penalty: pairs that intersect)
     int heldCount = 0;
-    std::array<HeldAt, 3> held{};
+    std::array<HeldAt, kMaxHeld> held{};
 
     [[nodiscard]] std::span<const HeldAt> heldAt() const { return {held.data(), static_cast<std::size_t>(heldCount)}; }
 };
@@ -34,7 +37,8 @@ struct ProxyState {
 /// and when cutting changes the surface under the tool.
 class ToolProxy {
 public:
-    ToolProxy(std::shared_ptr<const ToolShape> tool, std::shared_ptr<const Surface> surface, ContactMode mode);
+    ToolProxy(std::shared_ptr<const ToolShape> tool, std::shared_ptr<const Surface> surface, ContactMode mode,
+              Freedom freedom = Freedom::Shift);
 
     ProxyState follow(const Pose& handInTooth);
 
@@ -48,12 +52,14 @@ private:
     [[nodiscard]] ProxyState followAsPenalty(const Pose& handInTooth);
     void placeNear(const Pose& handInTooth);
     [[nodiscard]] bool stepOutOfSurface();
+    [[nodiscard]] Vec3 handTip(const Pose& handInTooth) const;
     [[nodiscard]] bool isSwallowed() const;
     void holdWithoutContact(ProxyState& state);
     [[nodiscard]] MaterialId materialOf(std::uint32_t part, std::uint32_t triangle) const;
 
     std::shared_ptr<const Surface> surface_;
     ContactMode mode_;
+    Freedom freedom_;
     SlidingBody body_;
     ContactQuery query_;
     bool placed_ = false;

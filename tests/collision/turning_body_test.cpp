@@ -103,6 +103,38 @@ TEST(TurningBody, PressedOnAPlateLiesWhereGaussWouldHaveIt) {
     for (int count = 1; count <= 3; ++count) EXPECT_GT(held[count], 10) << count;  // corner, edge and face
 }
 
+/// A tool whose planes stayed where they are while it turns would be held by its corners in the air.
+TEST(TurningBody, OverEdgesAndCornersIsHeldByWhatItTouchesAlone) {
+    const Vec3 low(-9, -9, -5), high(0, 0, 0);
+    SlidingBody body = turningBody(test::box(Vec3(-1, -0.5, 0), Vec3(1, 0.5, 6)), test::box(low, high));
+    std::mt19937 random(6);
+    std::uniform_real_distribution<double> share(-1, 1);
+    std::array<int, 7> held{};
+    int turned = 0;
+    for (int i = 0; i < 300; ++i) {
+        const Quat rotation(Eigen::AngleAxisd(0.1 * share(random), Vec3::UnitX()) *
+                            Eigen::AngleAxisd(0.1 * share(random), Vec3::UnitY()) *
+                            Eigen::AngleAxisd(3 * share(random), Vec3::UnitZ()));
+        const Pose goal{Vec3(0.8 * share(random), i % 2 == 0 ? -3 : 0.6 * share(random), -0.05), rotation};
+        body.placeAt({goal.position + Vec3(0, 0, 1), rotation});
+        const MoveResult move = settle(body, goal);
+        SCOPED_TRACE(i);
+        if (move.status == MoveStatus::Reached) continue;
+        ASSERT_EQ(move.status, MoveStatus::Held);
+        ++held[move.contactCount];
+        for (int k = 0; k < move.contactCount; ++k) {
+            const Vec3 point = move.contacts[k].point;
+            EXPECT_LT((point - point.cwiseMax(low).cwiseMin(high)).norm(), 20 * body.margin()) << point.transpose();
+        }
+        const Imbalance left = imbalance(body, goal, move);
+        EXPECT_LT(left.shift, 1e-5);
+        EXPECT_LT(left.turn, 1e-5);
+        if (turnBetween(goal.rotation, body.pose().rotation).norm() > 1e-3) ++turned;
+    }
+    for (int count = 1; count <= 2; ++count) EXPECT_GT(held[count], 10) << count;
+    EXPECT_GT(turned, 100);
+}
+
 TEST(TurningBody, InASlotTurnsUntilItsCornersMeetBothWalls) {
     constexpr double kWidth = 1.0, kHeight = 4.0, kGap = 1.2;
     TriangleMesh slot = test::box(Vec3(-kGap / 2 - 2, -9, -9), Vec3(-kGap / 2, 9, 9));

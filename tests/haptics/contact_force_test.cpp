@@ -142,6 +142,17 @@ TEST(ContactForce, AnOffCentreContactTurnsTheTool) {
     EXPECT_GT(wrench.torque.norm(), 0.05);
 }
 
+TEST(ContactForce, AHandThatTurnsIntoAContactIsDampedAsOneThatMovesIntoIt) {
+    const Vec3 tip(3, 4, 5);
+    const HeldAt held = heldBy(MaterialId::Enamel, 0.2, tip + Vec3(2, 0, 0.2));
+    const Vec3 offset(0, 0, 0.2);
+    ContactForce moving, turning;
+    const Wrench moved = moving.at({tip, offset, Vec3(0, 0, -6), 0, {&held, 1}}, kMaterials);
+    const Wrench turned = turning.at({tip, offset, Vec3::Zero(), 0, {&held, 1}, Vec3(0, 3, 0)}, kMaterials);
+    EXPECT_NEAR(turned.force.z(), moved.force.z(), 1e-12);
+    EXPECT_NEAR(turned.force.z(), 0.2 * kEnamel.stiffness + 6 * kEnamel.damping, 1e-12);
+}
+
 TEST(ContactForce, EqualContactsOnBothSidesDoNotTurnTheTool) {
     ContactForce law;
     const Vec3 offset(0, 0, 0.2);

@@ -73,6 +73,12 @@ void addFeel(CLI::App& program, Chosen& chosen) {
                      "proxy: never enters the tooth (default); penalty: deepest pair of triangles, for comparison")
         ->check(CLI::IsMember({"proxy", "penalty"}))
         ->type_name("MODE");
+    command
+        ->add_option("--freedom", options->freedom,
+                     "3: the proxy turns as the hand does (default); 6: it also gives way by turning, as for a device "
+                     "that renders torque")
+        ->check(CLI::IsMember({3, 6}))
+        ->type_name("DEGREES");
     command->add_option("--stiffness", options->stiffness, "Spring, N/mm (default: the material's)")
         ->check(CLI::NonNegativeNumber)
         ->type_name("K");
