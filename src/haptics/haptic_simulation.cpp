@@ -36,6 +36,19 @@ HapticSimulation::HapticSimulation(std::shared_ptr<const ToolShape> tool, double
     force_.setOverrides(settings.force);
 }
 
+void HapticSimulation::setSurface(FeltSurface& felt) {
+    pace_.grant((felt.reach - proxy_.pose().position).norm());
+    proxy_.setSurface(felt);
+}
+
+/// A bur that cuts goes on at the pace of its cut.
+Pose HapticSimulation::goalOf(const HandInput& input, double dt) {
+    pace_.pass(dt);
+    const bool cuts = input.cutting && last_.contacts > 0 && last_.speedRpm > kCuttingSpeedRpm && following_;
+    const Pose& hand = input.handInTooth;
+    return cuts ? pace_.goal(hand, proxy_.pose(), hand.position - lastPosition_, dt) : hand;
+}
+
 void HapticSimulation::filterVelocity(const Vec3& position, double dt) {
     if (!following_ || dt <= 0) {
         velocity_.setZero();
@@ -64,9 +77,10 @@ void HapticSimulation::turnBur(const HandInput& input, double dt, Tick& tick) {
 void HapticSimulation::touch(const HandInput& input, double dt, Tick& tick) {
     tick.hand = input.handInTooth;
     tick.speed = following_ && dt > 0 ? (input.handInTooth.position - lastPosition_).norm() / dt : 0;
+    const Pose goal = goalOf(input, dt);
     filterVelocity(input.handInTooth.position, dt);
 
-    const ProxyState state = proxy_.follow(input.handInTooth);
+    const ProxyState state = proxy_.follow(input.handInTooth, goal);
     tick.placed = state.placed;
     tick.proxy = state.placed ? state.proxy : input.handInTooth;
     tick.contacts = state.contacts;

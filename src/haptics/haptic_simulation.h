@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "haptics/contact_force.h"
+#include "haptics/cut_pace.h"
 #include "haptics/tool_proxy.h"
 #include "instruments/spindle.h"
 
@@ -62,16 +63,21 @@ public:
     std::shared_ptr<const Surface> setSurface(std::shared_ptr<const Surface> surface) {
         return proxy_.setSurface(std::move(surface));
     }
+    /// Takes a surface with the list that belongs to it; the old ones stay in `felt`.
+    void setSurface(FeltSurface& felt);
+    [[nodiscard]] const ToolShape& tool() const { return proxy_.tool(); }
     [[nodiscard]] ContactForce& force() { return force_; }
 
 private:
     void filterVelocity(const Vec3& position, double dt);
     void touch(const HandInput& input, double dt, Tick& tick);
+    [[nodiscard]] Pose goalOf(const HandInput& input, double dt);
     void turnBur(const HandInput& input, double dt, Tick& tick);
 
     ToolProxy proxy_;
     MaterialTable materials_;
     ContactForce force_;
+    CutPace pace_;
     SpindlePreset spindle_;
     SpindleState bur_;
     double burRadius_;
