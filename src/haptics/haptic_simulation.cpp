@@ -7,14 +7,13 @@
 #include <numbers>
 
 // Removal law: dV = k * F_n * v_rim * dt with k of the material (volume per force and rim travel); the tangential force
-// that loads the spindle is about half the normal one (measured on glass ceramic: 0.4 to 0.6 between 0.6 and 2.9 N).
+// that loads the spindle is about half the normal one (see cutting_force.h).
 
 namespace tactooth {
 namespace {
 
 constexpr double kVelocityCutoff =
     100;  // Hz: above the hand's 10 Hz, below what an encoder step of 55 um makes of 1 kHz
-constexpr double kTangentialShare = 0.5;  // of the normal force
 constexpr double kCuttingSpeedRpm = 300;  // a bur slower than this rubs and does not cut
 constexpr double kFurthest = 1e6;         // mm from the tooth: a hand beyond is a fault of the device
 constexpr double kUnitTolerance = 1e-3;   // of a quaternion's squared length
@@ -70,6 +69,11 @@ void HapticSimulation::turnBur(const HandInput& input, double dt, Tick& tick) {
     const double rimSpeed = bur_.speedRpm / 60 * 2 * std::numbers::pi * burRadius_ * 1e-3;  // m/s
     tick.speedRpm = bur_.speedRpm;
     tick.removalWatt = tangential * rimSpeed;
+    const Vec3 axis = tick.proxy.rotation * Vec3::UnitZ();
+    const double force = bites ? force_.normalForce() : 0;
+    const Vec3 pull = cuttingForce_.at({tick.normal, axis, force, bur_.speedRpm, spindle_.freeSpeedRpm}, dt);
+    tick.wrench.force += pull;
+    tick.wrench.torque += lever_.cross(pull);
     tick.cutWork = last_.cutWork + (bites ? force_.normalForce() * rimSpeed * dt : 0);
 }
 
@@ -90,7 +94,14 @@ void HapticSimulation::touch(const HandInput& input, double dt, Tick& tick) {
         tick.material = std::ranges::max_element(state.heldAt(), {}, &HeldAt::share)->material;
     }
     tick.wrench =
-        force_.at({input.handInTooth.position, state.offset, velocity_, state.travel, state.heldAt()}, materials_);
+        force_.at({input.handInTooth.position, state.offset, velocity_, state.travel, state.heldAt(), dt}, materials_);
+    lever_.setZero();
+    double shares = 0;
+    for (const HeldAt& held : state.heldAt()) {
+        lever_ += held.share * (held.point - state.proxy.position);
+        shares += held.share;
+    }
+    if (shares > 0) lever_ /= shares;
 }
 
 Tick HapticSimulation::step(const HandInput& input, double dt) {

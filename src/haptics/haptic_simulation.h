@@ -6,6 +6,7 @@
 
 #include "haptics/contact_force.h"
 #include "haptics/cut_pace.h"
+#include "haptics/cutting_force.h"
 #include "haptics/tool_proxy.h"
 #include "instruments/spindle.h"
 
@@ -78,12 +79,14 @@ private:
     MaterialTable materials_;
     ContactForce force_;
     CutPace pace_;
+    CuttingForce cuttingForce_;
     SpindlePreset spindle_;
     SpindleState bur_;
     double burRadius_;
     bool started_ = false;    // there is a tick to count time from
     bool following_ = false;  // there is a position to take the speed from
     bool touching_ = false;
+    Vec3 lever_ = Vec3::Zero();  // from the tool's tip to where it is held, mm
     Vec3 lastPosition_ = Vec3::Zero();
     Vec3 velocity_ = Vec3::Zero();  // low-passed, mm/s
     Tick last_;
