@@ -186,7 +186,7 @@ MaterialVolumes removableFromNodes(const Brick& brick, const RemovableInBrick& w
     return volumes;
 }
 
-BrickCarve carveBrick(Brick& brick, const RemovableInBrick& found, const Lattice& lattice, std::uint64_t carve) {
+BrickCarve carveBrick(Brick& brick, const RemovableInBrick& found, std::uint64_t carve) {
     BrickCarve result;
     result.removed = found.volumes;
     result.changed.key = found.key;
