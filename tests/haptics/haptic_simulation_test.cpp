@@ -190,8 +190,8 @@ TEST(HapticSimulation, BooksNormalForceTimesRimTravel) {
         booked += normalForce * rimSpeed(tick.speedRpm) * kTick;
         ASSERT_NEAR(tick.cutWork, booked, 1e-6 * (1 + booked));
         // The shaking stands across the axis, and the normal is not along it to the last bit.
-        ASSERT_NEAR(tick.removalWatt, 0.5 * normalForce * rimSpeed(tick.speedRpm), 5e-5);
-        ASSERT_NEAR(tick.load, 0.5 * normalForce * test::kBallRadius, 5e-6);
+        ASSERT_NEAR(tick.removalWatt, 0.5 * normalForce * rimSpeed(tick.speedRpm), 3e-4);
+        ASSERT_NEAR(tick.load, 0.5 * normalForce * test::kBallRadius, 2e-5);
     }
     EXPECT_GT(booked, 0.5);
     const Tick lifted = simulation.step(cutting(at(x, 0, 0.2)), kTick);
