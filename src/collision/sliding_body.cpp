@@ -56,6 +56,12 @@ std::shared_ptr<const Surface> SlidingBody::setSurface(std::shared_ptr<const Sur
     return surface;
 }
 
+std::shared_ptr<const Surface> SlidingBody::setSurface(std::shared_ptr<const Surface> surface, PairList& near) {
+    surface = setSurface(std::move(surface));
+    std::swap(list_, near);
+    return surface;
+}
+
 void SlidingBody::placeAt(const Pose& toolInTooth) {
     pose_ = toolInTooth;
     ++poseStamp_;

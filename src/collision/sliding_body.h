@@ -68,6 +68,9 @@ public:
     /// Puts the body among the triangles of `surface`. Returns the surface that it stood in before, so that the caller
     /// decides where that is freed.
     std::shared_ptr<const Surface> setSurface(std::shared_ptr<const Surface> surface);
+    /// The same with a list made ahead of need (by another thread), of this surface and this tool: the next move need
+    /// not look for what is near, as long as it stays where the list was made for. `near` holds the old list after it.
+    std::shared_ptr<const Surface> setSurface(std::shared_ptr<const Surface> surface, PairList& near);
 
     /// Puts the body at a pose that is free of contact (the caller knows; see isFree in contact_query.h).
     void placeAt(const Pose& toolInTooth);

@@ -7,14 +7,13 @@
 #include <numbers>
 
 // Removal law: dV = k * F_n * v_rim * dt with k of the material (volume per force and rim travel); the tangential force
-// that loads the spindle is about half the normal one (measured on glass ceramic: 0.4 to 0.6 between 0.6 and 2.9 N).
+// that loads the spindle is about half the normal one (see cutting_force.h).
 
 namespace tactooth {
 namespace {
 
 constexpr double kVelocityCutoff =
     100;  // Hz: above the hand's 10 Hz, below what an encoder step of 55 um makes of 1 kHz
-constexpr double kTangentialShare = 0.5;  // of the normal force
 constexpr double kCuttingSpeedRpm = 300;  // a bur slower than this rubs and does not cut
 constexpr double kFurthest = 1e6;         // mm from the tooth: a hand beyond is a fault of the device
 constexpr double kUnitTolerance = 1e-3;   // of a quaternion's squared length
@@ -35,6 +34,19 @@ HapticSimulation::HapticSimulation(std::shared_ptr<const ToolShape> tool, double
       burRadius_(burRadius),
       freedom_(settings.freedom) {
     force_.setOverrides(settings.force);
+}
+
+void HapticSimulation::setSurface(FeltSurface& felt) {
+    pace_.grant((felt.reach - proxy_.pose().position).norm());
+    proxy_.setSurface(felt);
+}
+
+/// A bur that cuts goes on at the pace of its cut.
+Pose HapticSimulation::goalOf(const HandInput& input, double dt) {
+    pace_.pass(dt);
+    const bool cuts = input.cutting && last_.contacts > 0 && last_.speedRpm > kCuttingSpeedRpm && following_;
+    const Pose& hand = input.handInTooth;
+    return cuts ? pace_.goal(hand, proxy_.pose(), hand.position - lastHand_.position, dt) : hand;
 }
 
 void HapticSimulation::filterVelocity(const Pose& hand, double dt) {
@@ -63,6 +75,11 @@ void HapticSimulation::turnBur(const HandInput& input, double dt, Tick& tick) {
     const double rimSpeed = bur_.speedRpm / 60 * 2 * std::numbers::pi * burRadius_ * 1e-3;  // m/s
     tick.speedRpm = bur_.speedRpm;
     tick.removalWatt = tangential * rimSpeed;
+    const Vec3 axis = tick.proxy.rotation * Vec3::UnitZ();
+    const double force = bites ? force_.normalForce() : 0;
+    const Vec3 pull = cuttingForce_.at({tick.normal, axis, force, bur_.speedRpm, spindle_.freeSpeedRpm}, dt);
+    tick.wrench.force += pull;
+    tick.wrench.torque += lever_.cross(pull);
     tick.cutWork = last_.cutWork + (bites ? force_.normalForce() * rimSpeed * dt : 0);
 }
 
@@ -70,9 +87,10 @@ void HapticSimulation::turnBur(const HandInput& input, double dt, Tick& tick) {
 void HapticSimulation::touch(const HandInput& input, double dt, Tick& tick) {
     tick.hand = input.handInTooth;
     tick.speed = following_ && dt > 0 ? (input.handInTooth.position - lastHand_.position).norm() / dt : 0;
+    const Pose goal = goalOf(input, dt);
     filterVelocity(input.handInTooth, dt);
 
-    const ProxyState state = proxy_.follow(input.handInTooth);
+    const ProxyState state = proxy_.follow(input.handInTooth, goal);
     tick.placed = state.placed;
     tick.proxy = state.placed ? state.proxy : input.handInTooth;
     tick.contacts = state.contacts;
@@ -81,7 +99,15 @@ void HapticSimulation::touch(const HandInput& input, double dt, Tick& tick) {
         tick.normal = state.offset / tick.depth;
         tick.material = std::ranges::max_element(state.heldAt(), {}, &HeldAt::share)->material;
     }
-    tick.wrench = force_.at({state.handTip, state.offset, velocity_, state.travel, state.heldAt(), spin_}, materials_);
+    tick.wrench =
+        force_.at({state.handTip, state.offset, velocity_, state.travel, state.heldAt(), spin_, dt}, materials_);
+    lever_.setZero();
+    double shares = 0;
+    for (const HeldAt& held : state.heldAt()) {
+        lever_ += held.share * (held.point - state.proxy.position);
+        shares += held.share;
+    }
+    if (shares > 0) lever_ /= shares;
 }
 
 Tick HapticSimulation::step(const HandInput& input, double dt) {

@@ -24,6 +24,13 @@ std::shared_ptr<const Surface> ToolProxy::setSurface(std::shared_ptr<const Surfa
     return body_.setSurface(std::move(surface));
 }
 
+void ToolProxy::setSurface(FeltSurface& felt) {
+    surface_ = felt.surface;
+    newSurface_ = true;
+    query_.setSurface(felt.surface);
+    felt.surface = body_.setSurface(std::move(felt.surface), felt.near);
+}
+
 MaterialId ToolProxy::materialOf(std::uint32_t part, std::uint32_t triangle) const {
     return static_cast<MaterialId>(partOf(*surface_, part).tag(triangle));
 }
@@ -69,7 +76,7 @@ Vec3 ToolProxy::handTip(const Pose& handInTooth) const {
     return handInTooth * centre - body_.pose().rotation * centre;
 }
 
-ProxyState ToolProxy::follow(const Pose& handInTooth) {
+ProxyState ToolProxy::follow(const Pose& handInTooth, const Pose& goal) {
     if (mode_ == ContactMode::Penalty) return followAsPenalty(handInTooth);
     ProxyState state;
     if (!placed_) placeNear(handInTooth);
@@ -79,8 +86,8 @@ ProxyState ToolProxy::follow(const Pose& handInTooth) {
         placed_ = false;
         return state;
     }
-    MoveResult move = body_.moveToward(handInTooth);
-    if (move.status == MoveStatus::Overlapping && stepOutOfSurface()) move = body_.moveToward(handInTooth);
+    MoveResult move = body_.moveToward(goal);
+    if (move.status == MoveStatus::Overlapping && stepOutOfSurface()) move = body_.moveToward(goal);
     if (move.status == MoveStatus::Overlapping) {
         placed_ = false;
         return state;
@@ -92,7 +99,8 @@ ProxyState ToolProxy::follow(const Pose& handInTooth) {
     state.travel = (body_.pose().position - before).norm();
     state.contacts = state.heldCount = move.contactCount;
     const bool stuck = move.status == MoveStatus::OutOfRounds && move.contactCount == 0;
-    if (stuck && (touching_ || state.travel == 0)) holdWithoutContact(state);
+    const bool paused = move.status == MoveStatus::Reached && goal.position != handInTooth.position;
+    if (paused || (stuck && (touching_ || state.travel == 0))) holdWithoutContact(state);
     for (int i = 0; i < move.contactCount; ++i) {
         const BodyContact& contact = move.contacts[i];
         state.held[i] = {contact.point, contact.normal, contact.share, materialOf(contact.part, contact.tooth)};
@@ -105,8 +113,8 @@ ProxyState ToolProxy::follow(const Pose& handInTooth) {
     return state;
 }
 
-/// The fixed budget ran out between two contacts, or before the first: what stands between hand and proxy goes on
-/// holding, or the force would drop out while the hand presses.
+/// The fixed budget ran out between two contacts, or before the first, or the tool shall not go all the way to the
+/// hand: what stands between hand and proxy goes on holding, or the force would drop out while the hand presses.
 void ToolProxy::holdWithoutContact(ProxyState& state) {
     const double depth = state.offset.norm();
     if (!(depth > 0)) return;

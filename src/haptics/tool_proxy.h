@@ -9,6 +9,7 @@
 #include "collision/contact_query.h"
 #include "collision/sliding_body.h"
 #include "haptics/contact_force.h"
+#include "haptics/felt_surface.h"
 
 namespace tactooth {
 
@@ -40,10 +41,17 @@ public:
     ToolProxy(std::shared_ptr<const ToolShape> tool, std::shared_ptr<const Surface> surface, ContactMode mode,
               Freedom freedom = Freedom::Shift);
 
-    ProxyState follow(const Pose& handInTooth);
+    /// `goal`: how far the tool shall go in this tick where that is not all the way to the hand.
+    ProxyState follow(const Pose& handInTooth, const Pose& goal);
+    ProxyState follow(const Pose& handInTooth) { return follow(handInTooth, handInTooth); }
+
+    [[nodiscard]] const Pose& pose() const { return body_.pose(); }
+    [[nodiscard]] const ToolShape& tool() const { return body_.tool(); }
 
     /// Takes the newest surface. Returns the old one, so that the caller frees it away from the servo thread.
     std::shared_ptr<const Surface> setSurface(std::shared_ptr<const Surface> surface);
+    /// The same with what FeltSurfaces has found near the tool. The old surface and list stay in `felt`.
+    void setSurface(FeltSurface& felt);
 
     /// Forgets the history: the next tick places the tool anew.
     void release() { placed_ = false; }

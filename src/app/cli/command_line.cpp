@@ -146,6 +146,10 @@ void addCut(CLI::App& program, Chosen& chosen) {
         ->add_option("--removed", options->removed,
                      "CSV file to write: t,enamel,dentin,pulp,caries,other, mm^3 since the start")
         ->type_name("FILE");
+    command
+        ->add_option("--export-layers", options->layersOut,
+                     "Folder to write what is left of each layer to, one closed STL file a layer, named after it")
+        ->type_name("DIR");
 }
 
 void addDemo(CLI::App& program, Chosen& chosen) {
