@@ -77,6 +77,7 @@ void HapticSimulation::touch(const HandInput& input, double dt, Tick& tick) {
     }
     tick.wrench =
         force_.at({input.handInTooth.position, state.offset, velocity_, state.travel, state.heldAt()}, materials_);
+    tick.stiffness = force_.stiffness();
 }
 
 Tick HapticSimulation::step(const HandInput& input, double dt) {
