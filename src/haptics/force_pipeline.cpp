@@ -33,7 +33,7 @@ WantedForce wantedFrom(const Tick& tick) {
 }
 
 ForcePipeline::ForcePipeline(const ForceLimits& limits)
-    : limiter_(limits), heat_(limits.force, limits.continuousForce) {}
+    : limiter_(limits), heat_(limits.force, limits.continuousForce), passivity_(limits.friction) {}
 
 bool ForcePipeline::isFault(const WantedForce& wanted, double elapsed) const {
     if (!wanted.connected || !wanted.hand.allFinite()) return true;

@@ -3,6 +3,7 @@
 #include "haptics/passivity_controller.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 // B. Hannaford, J.-H. Ryu, "Time-Domain Passivity Control of Haptic Interfaces", IEEE Transactions on Robotics and
@@ -10,15 +11,19 @@
 // J.-H. Ryu, C. Preusche, B. Hannaford, G. Hirzinger, "Time Domain Passivity Control with Reference Energy Following",
 // IEEE Transactions on Control Systems Technology 13, 2005, the sum is held against the energy that the spring stores,
 // so that it acts at the first tick that gives too much and not when all of the stored energy is gone. Differs: credit
-// is bounded, the spring is cut off where the device's force ends, and a damper that is needed goes off slowly.
+// is bounded, the spring is cut off where the device's force ends, the device's dry friction pays (J. J. Abbott, A. M.
+// Okamura, "Effects of Position Quantization and Sampling Rate on Virtual-Wall Passivity", IEEE Transactions on
+// Robotics 21, 2005: without it no wall that is read in steps is passive), and a damper that is needed goes off slowly.
 
 namespace tactooth {
 namespace {
 
-constexpr double kMostCredit = 0.02;    // N*mm: rubbing for minutes must not pay for a shake later
-constexpr double kMostDamping = 0.005;  // N*s/mm: ten times what sampling 1 N/mm at 1 kHz gives (k * T / 2)
-constexpr double kStill = 1e-6;         // mm in a tick: less is no motion to damp
-constexpr double kRelease = 0.98;       // of the damping is left a tick later: a damper that flickers would be felt
+constexpr double kMostCredit = 0.02;      // N*mm: rubbing for minutes must not pay for a shake later
+constexpr double kMostDamping = 0.005;    // N*s/mm: ten times what sampling 1 N/mm at 1 kHz gives (k * T / 2)
+constexpr double kTrustedFriction = 0.5;  // of what the maker says: it differs from place to place
+constexpr double kSpeedLag = 0.005;       // s: an encoder's single step is no speed
+constexpr double kStill = 1e-6;           // mm in a tick: less is no motion to damp
+constexpr double kRelease = 0.98;         // of the damping is left a tick later: a damper that flickers would be felt
 
 /// Energy of the spring, N*mm; its force is cut off at a bound.
 double stored(const SpringState& spring, double depth, double stiffness) {
@@ -32,6 +37,7 @@ double stored(const SpringState& spring, double depth, double stiffness) {
 void PassivityController::reset() {
     started_ = false;
     energy_ = damping_ = 0;
+    speed_.setZero();
 }
 
 Vec3 PassivityController::damp(const Vec3& hand, const Vec3& rendered, const SpringState& spring, double elapsed) {
@@ -45,16 +51,17 @@ Vec3 PassivityController::damp(const Vec3& hand, const Vec3& rendered, const Spr
     // Both states of the spring under today's bound and strength: what a ramp does is meant, and no leak.
     energy_ += -rendered.dot(way) -
                (stored(spring, spring.depth, spring.stiffness) - stored(spring, lastDepth_, lastStiffness_));
-    energy_ = std::min(energy_, kMostCredit);
     lastHand_ = hand;
     lastDepth_ = spring.depth;
     lastStiffness_ = spring.stiffness;
 
     const double length = way.norm();
+    energy_ = std::min(energy_ + kTrustedFriction * friction_ * length, kMostCredit);
+    speed_ += (1 - std::exp(-elapsed / kSpeedLag)) * (way / elapsed - speed_);
     damping_ *= kRelease;
     if (energy_ < 0 && length > kStill) damping_ = std::max(damping_, -energy_ * elapsed / (length * length));
     damping_ = std::min(damping_, kMostDamping);
-    return -damping_ / elapsed * way;
+    return -damping_ * speed_;
 }
 
 }  // namespace tactooth

@@ -21,6 +21,9 @@ struct SpringState {
 /// difference.
 class PassivityController {
 public:
+    /// `friction`: of the device's own mechanics, N; what it eats pays for a part of the leak.
+    explicit PassivityController(double friction = 0) : friction_(friction) {}
+
     /// One tick in contact. `hand`: where it is now, mm; `rendered`: the force since the last tick, N. Gives the force
     /// to add, N.
     [[nodiscard]] Vec3 damp(const Vec3& hand, const Vec3& rendered, const SpringState& spring, double elapsed);
@@ -32,9 +35,11 @@ public:
     [[nodiscard]] double energy() const { return energy_; }
 
 private:
+    double friction_;
     bool started_ = false;
     double energy_ = 0;
-    double damping_ = 0;  // N*s/mm, of the last tick
+    Vec3 speed_ = Vec3::Zero();  // low-passed, mm/s
+    double damping_ = 0;         // N*s/mm, of the last tick
     double lastDepth_ = 0;
     double lastStiffness_ = 0;
     Vec3 lastHand_ = Vec3::Zero();

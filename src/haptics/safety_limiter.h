@@ -18,6 +18,7 @@ struct ForceLimits {
     double stallTime = 0.003;  ///< s without a tick after which the force starts from zero again
     double torqueSlew = 3000;  ///< N*mm/s: a force's slew on a lever of 10 mm, from the bur's tip to the fingers
     double continuousForce = std::numeric_limits<double>::infinity();  ///< N that the motors bear for ever
+    double friction = 0;                                               ///< N, dry, of the device's own mechanics
 };
 
 /// A wrench that has passed the limiter: the only kind that a device accepts. Nothing else can make one.
