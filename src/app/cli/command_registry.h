@@ -23,7 +23,7 @@ CLI::App* addCommand(CLI::App& program, Chosen& chosen, const std::string& name,
 
 /// simplify and subdivide.
 void addMeshCommands(CLI::App& program, Chosen& chosen);
-/// bench and reproduce.
+/// bench, realtime, devices, doctor and reproduce.
 void addMeasuringCommands(CLI::App& program, Chosen& chosen);
 
 }  // namespace tactooth
