@@ -15,7 +15,7 @@
 namespace tactooth {
 namespace {
 
-constexpr std::uint64_t kGolden = 0x1c2307eb9c78ad34ULL;
+constexpr std::uint64_t kGolden = 0xfb983b38340e0421ULL;
 
 constexpr double kTick = 0.001;
 constexpr double kVoxel = 0.05;

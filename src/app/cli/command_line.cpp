@@ -269,6 +269,7 @@ int runCommandLine(int argc, const char* const* argv) {
     addCut(program, chosen);
     addDemo(program, chosen);
     addSound(program, chosen);
+    addMouthCommands(program, chosen);
     addMeshCommands(program, chosen);
     addMeasuringCommands(program, chosen);
     try {

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "instruments/bur_shape.h"
+
+namespace tactooth {
+
+/// Either `list`, or `number` with `out`.
+struct BurOptions {
+    std::string number;
+    std::filesystem::path out;
+    int triangles = kContactBurTriangles;
+    bool list = false;
+};
+
+/// Writes a bur of the catalogue as STL, or lists the catalogue.
+[[nodiscard]] int runBur(const BurOptions& options);
+
+}  // namespace tactooth
