@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/bur_command.h"
 #include "app/cli/command_registry.h"
+#include "app/cli/gallery_command.h"
+#include "app/cli/tooth_command.h"
 
 namespace tactooth {
 namespace {
@@ -23,8 +25,57 @@ void addBur(CLI::App& program, Chosen& chosen) {
         ->type_name("N");
 }
 
+void addTooth(CLI::App& program, Chosen& chosen) {
+    const auto options = std::make_shared<ToothOptions>();
+    CLI::App* command = addCommand(program, chosen, "tooth",
+                                   "Makes a permanent tooth with enamel, dentin and pulp and writes its layers as "
+                                   "closed STL surfaces, mm.",
+                                   options, runTooth);
+    command->add_option("FDI", options->fdi, "Tooth number: 11-18, 21-28, 31-38, 41-48")->required()->type_name("");
+    command->add_option("--out", options->out, "Folder for outer.stl, enamel.stl, dentin.stl, pulp.stl, caries.stl")
+        ->required()
+        ->type_name("DIR");
+    command->add_option("--triangles", options->triangles, "Of the outer surface, about (default: 20000)")
+        ->check(CLI::Range(1000, 2'000'000))
+        ->type_name("N");
+    command->add_option("--seed", options->seed, "Another patient for each number (default: 0, the average tooth)")
+        ->type_name("N");
+    CLI::Option* caries = command->add_option("--caries", options->caries,
+                                              "Decay that begins there: occlusal, mesial, distal, buccal, lingual");
+    caries->check(CLI::IsMember({"occlusal", "mesial", "distal", "buccal", "lingual"}))->type_name("SITE");
+    command->add_option("--caries-width", options->cariesWidth, "Where it spreads in the dentin, mm (default: 2.4)")
+        ->check(CLI::Range(0.4, 4.0))
+        ->needs(caries)
+        ->type_name("MM");
+    command
+        ->add_option("--caries-depth", options->cariesDepth, "Below the surface, mm (default: as its width suggests)")
+        ->check(CLI::Range(0.3, 6.0))
+        ->needs(caries)
+        ->type_name("MM");
+}
+
+void addGallery(CLI::App& program, Chosen& chosen) {
+    const auto options = std::make_shared<GalleryOptions>();
+    CLI::App* command = addCommand(program, chosen, "gallery",
+                                   "Draws the built-in teeth and instruments as contact sheets, teeth.png and "
+                                   "instruments.png; needs no display.",
+                                   options, runGallery);
+    command->add_option("--out", options->out, "Folder for the sheets")->required()->type_name("DIR");
+    command->add_option("--triangles", options->triangles, "Of each tooth, about (default: 20000)")
+        ->check(CLI::Range(1000, 2'000'000))
+        ->type_name("N");
+    command->add_option("--seed", options->seed, "The teeth of another patient (default: 0, average teeth)")
+        ->type_name("N");
+    command->add_option("--teeth", options->teeth, "Only these teeth (FDI numbers), larger, and no instruments")
+        ->type_name("N");
+}
+
 }  // namespace
 
-void addMouthCommands(CLI::App& program, Chosen& chosen) { addBur(program, chosen); }
+void addMouthCommands(CLI::App& program, Chosen& chosen) {
+    addBur(program, chosen);
+    addTooth(program, chosen);
+    addGallery(program, chosen);
+}
 
 }  // namespace tactooth
