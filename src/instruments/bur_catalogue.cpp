@@ -18,17 +18,19 @@ constexpr double kMediumGrit = 107;  // um, ISO 6360 code 524
 constexpr int kOperativeBlades = 6, kLargeRoundBlades = 8, kFinishingBlades = 12;
 
 /// "Round diamond 801-014, 1.4 mm".
-std::string nameOf(const char* shape, const std::string& article, double diameter) {
+std::string nameOf(const char* shape, const char* material, const char* number, double diameter) {
     std::array<char, 16> digits{};
     const auto end = std::to_chars(digits.begin(), digits.end(), diameter, std::chars_format::fixed, 1).ptr;
-    return std::string(shape) + " " + article + ", " + std::string(digits.begin(), end) + " mm";
+    std::string name = shape;
+    name.append(material).append(number).append(", ").append(digits.begin(), end).append(" mm");
+    return name;
 }
 
 BurSpec carbide(const char* number, const char* shape, BurKind kind, int iso, double diameter, double length,
                 double taper = 0, int flutes = kOperativeBlades) {
     BurSpec spec;
     spec.number = number;
-    spec.name = nameOf(shape, "carbide No. " + spec.number, diameter);
+    spec.name = nameOf(shape, " carbide No. ", number, diameter);
     spec.kind = kind;
     spec.isoShape = iso;
     spec.headDiameter = diameter;
@@ -46,7 +48,7 @@ BurSpec crossCut(BurSpec spec) {
 BurSpec diamond(const char* number, const char* shape, BurKind kind, int iso, double diameter, double length,
                 double taper = 0) {
     BurSpec spec = carbide(number, shape, kind, iso, diameter, length, taper, 0);
-    spec.name = nameOf(shape, "diamond " + spec.number, diameter);
+    spec.name = nameOf(shape, " diamond ", number, diameter);
     spec.material = BurMaterial::diamond;
     spec.gritMicrometres = kMediumGrit;
     return spec;

@@ -40,7 +40,8 @@ int toothingCode(const BurSpec& spec) {
 
 std::string threeDigits(long number) {
     const std::string digits = std::to_string(number);
-    return std::string(digits.size() < 3 ? 3 - digits.size() : 0, '0') + digits;
+    std::string padded(digits.size() < 3 ? 3 - digits.size() : 0, '0');
+    return padded.append(digits);
 }
 
 std::string digitsOf(std::string_view text) {
@@ -80,7 +81,7 @@ std::string isoNumber(const BurSpec& spec) {
     std::string number = threeDigits(material);
     for (const long group :
          {long{kFrictionGrip}, long{spec.isoShape}, long{toothingCode(spec)}, std::lround(10 * spec.headDiameter)}) {
-        number += " " + threeDigits(group);
+        number.append(" ").append(threeDigits(group));
     }
     return number;
 }

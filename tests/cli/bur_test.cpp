@@ -47,5 +47,15 @@ TEST(BurCommand, RefusesAnUnknownNumberAndNamesTheList) {
     EXPECT_THAT(run.err, HasSubstr("no bur '99'; 'tactooth bur --list'"));
 }
 
+TEST(InstrumentCommand, WritesClosedInstruments) {
+    const test::TemporaryFolder folder;
+    for (const char* const name : {"mirror-24", "explorer", "probe"}) {
+        const std::string out = folder / "i.stl";
+        EXPECT_EQ(runTactooth({"instrument", name, "--out", out}).exitCode, 0) << name;
+        EXPECT_TRUE(reportOn(readStl(out).value()).watertight()) << name;
+    }
+    EXPECT_EQ(runTactooth({"instrument", "hammer", "--out", "x.stl"}).exitCode, 2);
+}
+
 }  // namespace
 }  // namespace tactooth

@@ -7,6 +7,9 @@
 #include "app/cli/exit_code.h"
 #include "app/cli/mesh_summary.h"
 #include "geometry/stl_writer.h"
+#include "instruments/hand_instruments.h"
+#include "instruments/mirror.h"
+#include "instruments/turbine.h"
 
 namespace tactooth {
 namespace {
@@ -41,6 +44,18 @@ int runBur(const BurOptions& options) {
     if (const auto done = writeStl(bur.surface, options.out); !done) return refuse(done.error());
     fmt::print("{} (ISO {}), head {:.2f} x {:.2f} mm\n{}: {}\n", spec->name, isoNumber(*spec), spec->headDiameter,
                spec->headLength, options.out.string(), meshSummary(reportOn(bur.surface)));
+    return kExitOk;
+}
+
+int runInstrument(const InstrumentOptions& options) {
+    TriangleMesh mesh;
+    if (options.name == "turbine") mesh = makeTurbine(options.triangles);
+    if (options.name == "mirror-22") mesh = makeMirror(22).surface;
+    if (options.name == "mirror-24") mesh = makeMirror(24).surface;
+    if (options.name == "explorer") mesh = makeExplorer();
+    if (options.name == "probe") mesh = makePeriodontalProbe();
+    if (const auto done = writeStl(mesh, options.out); !done) return refuse(done.error());
+    fmt::print("{}: {}\n", options.out.string(), meshSummary(reportOn(mesh)));
     return kExitOk;
 }
 

@@ -20,4 +20,13 @@ struct BurOptions {
 /// Writes a bur of the catalogue as STL, or lists the catalogue.
 [[nodiscard]] int runBur(const BurOptions& options);
 
+struct InstrumentOptions {
+    std::string name;
+    std::filesystem::path out;
+    int triangles = 16000;  ///< of the turbine
+};
+
+/// Writes another of the program's own instruments as STL.
+[[nodiscard]] int runInstrument(const InstrumentOptions& options);
+
 }  // namespace tactooth

@@ -25,6 +25,23 @@ void addBur(CLI::App& program, Chosen& chosen) {
         ->type_name("N");
 }
 
+void addInstrument(CLI::App& program, Chosen& chosen) {
+    const auto options = std::make_shared<InstrumentOptions>();
+    CLI::App* command =
+        addCommand(program, chosen, "instrument", "Writes a handpiece or hand instrument as a closed STL surface, mm.",
+                   options, runInstrument);
+    command
+        ->add_option("NAME", options->name,
+                     "turbine, mirror-22, mirror-24 (head, mm), explorer (No. 23) or probe (periodontal, mm marks)")
+        ->required()
+        ->check(CLI::IsMember({"turbine", "mirror-22", "mirror-24", "explorer", "probe"}))
+        ->type_name("");
+    command->add_option("--out", options->out, "STL file to write")->required()->type_name("FILE");
+    command->add_option("--triangles", options->triangles, "Of the turbine (default: 16000)")
+        ->check(CLI::Range(2000, 24000))
+        ->type_name("N");
+}
+
 void addTooth(CLI::App& program, Chosen& chosen) {
     const auto options = std::make_shared<ToothOptions>();
     CLI::App* command = addCommand(program, chosen, "tooth",
@@ -74,6 +91,7 @@ void addGallery(CLI::App& program, Chosen& chosen) {
 
 void addMouthCommands(CLI::App& program, Chosen& chosen) {
     addBur(program, chosen);
+    addInstrument(program, chosen);
     addTooth(program, chosen);
     addGallery(program, chosen);
 }

@@ -86,7 +86,7 @@ private:
 
     /// The roots, which begin within the trunk. Their broad sides are hollowed.
     [[nodiscard]] double roots(const Vec3& p) const {
-        constexpr double kTop = -0.8, kApexRound = 0.25, kTopRound = 1.2;  // mm
+        constexpr double kApexRound = 0.25;  // mm
         const double heights = smoothStep(-1.5, -4.5, p.z()) * smoothStep(-13.0, -10.0, p.z());
         double all = 0;
         for (std::size_t i = 0; i < roots_.size(); ++i) {
@@ -95,7 +95,7 @@ private:
             const double root = smoothIntersection(roots_[i](p) + hollow, plan.apex - p.z(), kApexRound);
             all = i == 0 ? root : smoothUnion(all, root, kFillet);
         }
-        return smoothIntersection(all, p.z() - kTop, kTopRound);
+        return smoothIntersection(all, p.z() - plan_.rootTop, plan_.rootTopRound);
     }
 
     /// Thickness of the enamel at a height above the cervical line: a feather edge, 1.3 mm at the sides, more on top.

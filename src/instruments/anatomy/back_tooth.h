@@ -60,7 +60,8 @@ struct BackToothPlan {
     std::vector<OcclusalGroove> grooves;
     std::vector<OcclusalPit> pits;  ///< the first one is where fissure caries begins
     std::vector<WallGroove> wallGrooves;
-    double neckFillet = 0.9;  ///< over which the trunk runs into the roots
+    double neckFillet = 0.9;                    ///< over which the trunk runs into the roots
+    double rootTop = -0.8, rootTopRound = 1.2;  ///< where the roots end within the trunk, and how softly
     double trunkEnd = -2.9;  ///< height at which the roots' common trunk ends; with its rounding, lower
     std::vector<RootPlan> roots;
     double mesialRise = 1.0, distalRise = 0.3, spur = 0.25;  ///< of the cervical line; the spur dips to the furcation

@@ -20,7 +20,7 @@ BackToothPlan lowerMolar(const char* name, int fdi, const CrownForm& crown, doub
     plan.fdi = fdi;
     plan.bounds = Box3(Vec3(-7, -6.5, -root - 0.8), Vec3(7, 6.5, crown.length + 0.9));
     plan.crown = crownSections(crown);
-    plan.neckFillet = 0.5;
+    plan.neckFillet = 0.7;
     plan.cervicalHalfWidth = crown.cervixMesiodistal / 2;
     return plan;
 }
@@ -32,7 +32,7 @@ ToothShape lowerSecondMolar() {
                     .mesiodistal = 10.5,
                     .buccolingual = 10.0,
                     .cervixMesiodistal = 7.85,
-                    .cervixBuccolingual = 9.45,
+                    .cervixBuccolingual = 9.3,
                     .mesialContact = 0.66,
                     .distalContact = 0.60,
                     .buccalCrest = 0.28,
@@ -70,7 +70,7 @@ ToothShape lowerSecondMolar() {
              .apexX = 0.5,
              .apexY = 0,
              .halfMesiodistal = 1.85,
-             .halfBuccolingual = 4.0,
+             .halfBuccolingual = 4.25,
              .squareness = 2.6},
             {{1.5, 0.34, 0.36}, {-1.5, 0.34, 0.36}}, 0.35);
     addRoot(plan,
@@ -95,7 +95,7 @@ ToothShape lowerThirdMolar() {
                     .mesiodistal = 10.0,
                     .buccolingual = 9.5,
                     .cervixMesiodistal = 7.5,
-                    .cervixBuccolingual = 9.3,
+                    .cervixBuccolingual = 9.5,
                     .mesialContact = 0.64,
                     .distalContact = 0.56,
                     .buccalCrest = 0.30,
@@ -135,7 +135,7 @@ ToothShape lowerThirdMolar() {
              .apexX = -1.6,
              .apexY = 0.2,
              .halfMesiodistal = 1.95,
-             .halfBuccolingual = 3.8,
+             .halfBuccolingual = 4.2,
              .squareness = 2.4},
             {{1.1, 0.32, 0.36}, {-1.1, 0.32, 0.36}}, 0.3);
     addRoot(plan,

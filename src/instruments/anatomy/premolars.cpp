@@ -27,6 +27,8 @@ BackToothPlan premolar(const char* name, int fdi, const CrownForm& crown, double
     plan.distalRise = 0.3;
     plan.cervicalHalfWidth = crown.cervixMesiodistal / 2;
     plan.neckFillet = 0.2;
+    plan.rootTop = 0.25;  // one root is as wide as the neck
+    plan.rootTopRound = 0.3;
     plan.trunkEnd = -2.2;
     plan.chamberRound = 0.45;
     plan.hornBase = 0.42;
@@ -40,7 +42,7 @@ ToothShape upperFirstPremolar() {
     CrownForm crown{.length = 8.5,
                     .mesiodistal = 7.0,
                     .buccolingual = 9.0,
-                    .cervixMesiodistal = 5.0,
+                    .cervixMesiodistal = 4.82,
                     .cervixBuccolingual = 8.35,
                     .mesialContact = 0.62,
                     .distalContact = 0.56,
@@ -71,7 +73,7 @@ ToothShape upperFirstPremolar() {
              .bendY = 2.2,
              .apexX = -0.5,
              .apexY = 2.3,
-             .halfMesiodistal = 2.42,
+             .halfMesiodistal = 2.33,
              .halfBuccolingual = 2.3},
             {{0, 0.32, 0.40}});
     addRoot(plan,
@@ -171,7 +173,7 @@ ToothShape lowerFirstPremolar() {
              .bendY = 0,
              .apexX = -0.5,
              .apexY = 0,
-             .halfMesiodistal = 2.38,
+             .halfMesiodistal = 2.27,
              .halfBuccolingual = 3.3,
              .squareness = 2.1},
             {{0, 0.36, 0.72}}, 0.15);

@@ -13,7 +13,7 @@ namespace tactooth {
 namespace {
 
 constexpr FrontToothSize kUpperCentral{10.5, 13.0, 8.5, 7.0, 7.0, 6.0},
-    kUpperLateral{9.0, 13.0, 6.5, 4.9, 6.0, 5.0};  // as wide at the neck as the table says, once its line is curved
+    kUpperLateral{9.0, 13.0, 6.5, 4.82, 6.0, 5.0};  // as wide at the neck as the table says, once its line is curved
 constexpr FrontToothSize kUpperCanine{10.0, 17.0, 7.5, 5.5, 8.0, 7.0}, kLowerCanine{11.0, 16.0, 7.0, 5.5, 7.5, 7.0};
 
 FrontToothPlan upperCentral() {

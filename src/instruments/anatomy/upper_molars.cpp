@@ -23,7 +23,6 @@ BackToothPlan upperMolar(const char* name, int fdi, const CrownForm& crown) {
     plan.narrowsDistally = 0.012;
     plan.tip = 0.40;
     plan.functionalSide = -1;
-    plan.neckFillet = 0.6;
     plan.trunkEnd = -3.0;
     plan.mesialRise = 1.0;
     plan.distalRise = 0.2;
