@@ -39,10 +39,14 @@ Box3 crownBox(const TriangleMesh& mesh) {
     return box;
 }
 
+/// Extent of the cut at a height.
 Box3 sliceAt(const TriangleMesh& mesh, double z) {
     Box3 box;
-    for (const Vec3f& v : mesh.vertices) {
-        if (std::abs(v.z() - z) < 0.2) box.extend(v.cast<double>());
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        for (int corner = 0; corner < 3; ++corner) {
+            const Vec3 from = mesh.corner(i, corner), to = mesh.corner(i, (corner + 1) % 3);
+            if ((from.z() < z) != (to.z() < z)) box.extend(from + (z - from.z()) / (to.z() - from.z()) * (to - from));
+        }
     }
     return box;
 }

@@ -87,10 +87,12 @@ private:
     /// The roots, which begin within the trunk. Their broad sides are hollowed.
     [[nodiscard]] double roots(const Vec3& p) const {
         constexpr double kApexRound = 0.25;  // mm
-        const double heights = smoothStep(-1.5, -4.5, p.z()) * smoothStep(-13.0, -10.0, p.z());
         double all = 0;
         for (std::size_t i = 0; i < roots_.size(); ++i) {
             const RootPlan& plan = plan_.roots[i];
+            constexpr double kFade = 3.0;  // mm
+            const double heights =
+                smoothStep(-1.5, -4.5, p.z()) * smoothStep(plan.hollowEnd, plan.hollowEnd + kFade, p.z());
             const double hollow = plan.hollow * bump(p.y() - plan.hollowAtY, 1.4) * heights;
             const double root = smoothIntersection(roots_[i](p) + hollow, plan.apex - p.z(), kApexRound);
             all = i == 0 ? root : smoothUnion(all, root, kFillet);

@@ -39,9 +39,10 @@ struct WallGroove {
 /// A root: outlines from its apex to within the crown.
 struct RootPlan {
     std::vector<Section> sections;
-    double apex = 0;       ///< height of its end
-    double hollow = 0;     ///< depth of the furrows on its mesial and distal side
-    double hollowAtY = 0;  ///< where they are
+    double apex = 0;         ///< height of its end
+    double hollow = 0;       ///< depth of the furrows on its mesial and distal side
+    double hollowAtY = 0;    ///< where they are
+    double hollowEnd = -13;  ///< height below which they have run out
 };
 
 /// Everything that makes one premolar or molar different from another; mm. +x mesial, +y buccal.

@@ -10,7 +10,7 @@ namespace tactooth {
 namespace {
 
 void addRoot(BackToothPlan& plan, const RootForm& form, std::initializer_list<CanalForm> canals, double hollow) {
-    plan.roots.push_back({rootSections(form), -form.length - 0.05, hollow, form.bendY});
+    plan.roots.push_back({rootSections(form), -form.length - 0.05, hollow, form.bendY, 1 - form.length});
     for (const CanalForm& canal : canals) plan.canals.push_back(canalSections(form, canal));
 }
 

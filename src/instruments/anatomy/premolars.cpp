@@ -10,7 +10,7 @@ namespace tactooth {
 namespace {
 
 void addRoot(BackToothPlan& plan, const RootForm& form, std::initializer_list<CanalForm> canals, double hollow = 0) {
-    plan.roots.push_back({rootSections(form), -form.length - 0.05, hollow, form.bendY});
+    plan.roots.push_back({rootSections(form), -form.length - 0.05, hollow, form.bendY, 1 - form.length});
     for (const CanalForm& canal : canals) plan.canals.push_back(canalSections(form, canal));
 }
 
@@ -84,7 +84,7 @@ ToothShape upperFirstPremolar() {
              .bendY = -2.3,
              .apexX = -0.3,
              .apexY = -2.2,
-             .halfMesiodistal = 2.2,
+             .halfMesiodistal = 2.0,
              .halfBuccolingual = 2.2},
             {{0, 0.32, 0.40}});
     plan.chamber = Vec3(0, 0.1, 0.7);

@@ -35,7 +35,7 @@ BackToothPlan upperMolar(const char* name, int fdi, const CrownForm& crown) {
 }
 
 void addRoot(BackToothPlan& plan, const RootForm& form, std::initializer_list<CanalForm> canals, double hollow = 0) {
-    plan.roots.push_back({rootSections(form), -form.length - 0.05, hollow, form.bendY});
+    plan.roots.push_back({rootSections(form), -form.length - 0.05, hollow, form.bendY, 1 - form.length});
     for (const CanalForm& canal : canals) plan.canals.push_back(canalSections(form, canal));
 }
 
@@ -89,7 +89,7 @@ ToothShape upperFirstMolar() {
             {{1.0, 0.32, 0.38}, {-0.85, 0.26, 0.30}}, 0.25);
     addRoot(plan,
             {.length = 11.6,
-             .neckX = -2.0,
+             .neckX = -1.6,
              .neckY = 2.3,
              .bendX = -2.9,
              .bendY = 3.3,
@@ -164,7 +164,7 @@ ToothShape upperSecondMolar() {
             {{0.6, 0.32, 0.45}}, 0.2);
     addRoot(plan,
             {.length = 10.7,
-             .neckX = -1.7,
+             .neckX = -1.25,
              .neckY = 2.2,
              .bendX = -2.7,
              .bendY = 2.8,
@@ -236,7 +236,7 @@ ToothShape upperThirdMolar() {
             {{0.3, 0.32, 0.42}}, 0.15);
     addRoot(plan,
             {.length = 10.2,
-             .neckX = -1.5,
+             .neckX = -1.2,
              .neckY = 1.7,
              .bendX = -2.2,
              .bendY = 2.1,
