@@ -33,7 +33,7 @@ Expected<std::shared_ptr<const Surface>> surfaceOf(int fdi, const GalleryOptions
 /// one's first, as the arches face each other.
 Expected<void> placeTooth(ContactSheet& sheet, OffscreenRenderer& renderer, const GalleryOptions& options, int fdi,
                           int column, int firstRow, PictureSize tile) {
-    constexpr double kHeight = 27.5, kAcross = 14;  // mm: the longest tooth, the widest crown
+    constexpr double kHeight = 27.5, kAcross = 15.5;  // mm: the longest tooth, the widest crown
     const auto surface = surfaceOf(fdi, options);
     if (!surface) return Unexpected{surface.error()};
     for (int i = 0; i < static_cast<int>(kViews.size()); ++i) {

@@ -86,7 +86,7 @@ std::vector<Section> rootSections(const RootForm& form) {
 }
 
 std::vector<Section> canalSections(const RootForm& root, const CanalForm& form) {
-    constexpr double kEnd = 0.945, kEndRadius = 0.13;  // of the root's length; mm
+    constexpr double kEnd = 0.945, kEndRadius = 0.16;  // of the root's length; mm
     constexpr std::array<double, 5> kDown = {kEnd, 0.75, 0.5, 0.25, 0.0};
     std::vector<Section> sections;
     for (const double down : kDown) {
