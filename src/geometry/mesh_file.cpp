@@ -27,7 +27,7 @@ std::string lowerExtension(const std::filesystem::path& path) {
 
 /// Mesh and volume formats that a dental scanner or its program may write.
 bool isOtherFormat(std::string_view extension) {
-    static constexpr std::array<std::string_view, 9> kOthers = {".off", ".3mf", ".glb", ".gltf", ".dcm",
+    static constexpr std::array<std::string_view, 9> kOthers = {".off",  ".3mf", ".glb", ".gltf", ".dcm",
                                                                 ".step", ".stp", ".amf", ".nii"};
     return std::find(kOthers.begin(), kOthers.end(), extension) != kOthers.end();
 }
