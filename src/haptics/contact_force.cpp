@@ -16,6 +16,9 @@ namespace {
 // Travel in which what is left of the old material's feel falls to 1/e, mm: to 5 % within 50 um. An exponential,
 // because it blends by the way alone: the same for one long tick as for many short ones.
 constexpr double kBlendTravel = 0.05 / 3;
+// A hand that crosses a border fast, or deep, shall not feel a step: N/s that the blend may change the force by, half
+// of what a hand just feels at 10 Hz and more (0.03 to 0.05 N) a millisecond.
+constexpr double kBlendSlew = 50;
 constexpr double kFrictionSpeed = 5.0;  // mm/s at which friction reaches its full size: above tremor, below a stroke
 
 }  // namespace
@@ -42,8 +45,10 @@ Wrench ContactForce::at(const ContactState& contact, const MaterialTable& materi
         return {};
     }
     const Feel target = feelOf(contact, materials);
-    const double blend = feel_ ? 1 - std::exp(-contact.travel / kBlendTravel) : 1.0;
     const Feel old = feel_.value_or(target);
+    const double byTravel = 1 - std::exp(-contact.travel / kBlendTravel);
+    const double step = std::abs(target.stiffness - old.stiffness) * depth * scale_;  // N, of the whole blend
+    const double blend = step > 0 ? std::min(byTravel, kBlendSlew * contact.dt / step) : byTravel;
     feel_ = Feel{old.stiffness + blend * (target.stiffness - old.stiffness),
                  old.damping + blend * (target.damping - old.damping),
                  old.friction + blend * (target.friction - old.friction)};
@@ -53,9 +58,14 @@ Wrench ContactForce::at(const ContactState& contact, const MaterialTable& materi
     const double frictionCoefficient = overrides_.friction.value_or(feel_->friction);
 
     const Vec3 normal = contact.offset / depth;
-    const double sinking = -contact.velocity.dot(normal);
+    Vec3 moment = Vec3::Zero();  // what the push does to a turn, as `normal` is what it does to a shift
+    for (const HeldAt& held : contact.held) {
+        moment += held.share / depth * (held.point - contact.device - contact.offset).cross(held.normal);
+    }
+    const double approach = -contact.velocity.dot(normal);
+    const double sinking = approach - contact.spin.dot(moment);
     normalForce_ = scale_ * std::max(0.0, stiffness * depth + damping * sinking);
-    const Vec3 sliding = contact.velocity + sinking * normal;
+    const Vec3 sliding = contact.velocity + approach * normal;
     const Vec3 friction = -frictionCoefficient * normalForce_ * sliding / (sliding.norm() + kFrictionSpeed);
 
     Wrench wrench;

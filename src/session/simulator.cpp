@@ -26,7 +26,7 @@ Simulator::Simulator(std::shared_ptr<WorkPiece> piece, Instrument instrument, co
       simulation_(instrument_.shape, instrument_.cutting.envelope.maxRadius(), piece_->surface(), settings),
       limiter_(device.info().limits),
       controls_(SimulatorControls{.force = settings.force}),
-      lent_{piece_->surface()},
+      surfaces_(simulation_.tool()),
       watchedSurface_(piece_->surface()),
       watchedRemoved_(piece_->removed()) {
     loop_ = std::make_unique<ServoLoop>(rateHz, [this](double elapsed) { servoTick(elapsed); });
@@ -37,14 +37,14 @@ Simulator::~Simulator() {
     cutter_ = {};  // joins: after this nobody fills the queues
     loop_.reset();
     device_.write(SafeWrench());
-    // The queue has room for a fixed number and does not destroy what is left in it.
-    fresh_.consume_all([](const std::shared_ptr<const Surface>&) {});
 }
 
-/// Swaps in the next surface. The cutter holds the old one, too, so nothing is freed here: that would stall the servo.
+/// Swaps in the next surface. The old one goes back to the cutter: to free it would stall the servo.
 void Simulator::takeNewSurface() {
-    std::shared_ptr<const Surface> surface;
-    if (fresh_.pop(surface)) simulation_.setSurface(std::move(surface));
+    FeltSurface* felt = nullptr;
+    if (!fresh_.pop(felt)) return;
+    simulation_.setSurface(*felt);
+    returned_.push(felt);
 }
 
 void Simulator::servoTick(double elapsed) {
@@ -84,7 +84,6 @@ MaterialVolumes Simulator::removed() const {
 }
 
 void Simulator::publishSurface() {
-    lent_.push_back(piece_->surface());
     {
         const std::lock_guard lock(watched_);
         watchedSurface_ = piece_->surface();
@@ -93,9 +92,13 @@ void Simulator::publishSurface() {
     surfaceUpdates_.fetch_add(1, std::memory_order_relaxed);
 }
 
-/// What nobody else holds, nobody else can get hold of again.
-void Simulator::freeReturnedSurfaces() {
-    std::erase_if(lent_, [](const std::shared_ptr<const Surface>& surface) { return surface.use_count() == 1; });
+/// Hands the newest surface to the servo; false if it has not taken the last ones yet.
+bool Simulator::sendSurface() {
+    const Tick& tick = tickForCutter_.value();
+    FeltSurface* felt = surfaces_.make(piece_->surface(), tick.proxy, piece_->reached().value_or(tick.proxy));
+    if (fresh_.push(felt)) return true;
+    surfaces_.giveBack(felt);
+    return false;
 }
 
 std::vector<std::byte> Simulator::toothFile(const Provenance& provenance) const {
@@ -132,10 +135,10 @@ void Simulator::runCutter(const std::stop_token& stop) {
     pthread_setname_np(pthread_self(), "cutter");  // for debuggers and profilers
     bool unsent = false;
     while (!stop.stop_requested()) {
-        freeReturnedSurfaces();
+        returned_.consume_all([this](FeltSurface* felt) { surfaces_.giveBack(felt); });
         const bool changed = workOnPiece();
         if (changed) publishSurface();
-        unsent = (unsent || changed) && !fresh_.push(piece_->surface());
+        unsent = (unsent || changed) && !sendSurface();
         if (!changed) std::this_thread::sleep_for(kCutterPause);
     }
 }

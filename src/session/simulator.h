@@ -74,7 +74,7 @@ public:
     [[nodiscard]] std::vector<std::byte> toothFile(const Provenance& provenance) const;
 
 private:
-    using SurfaceQueue = boost::lockfree::spsc_queue<std::shared_ptr<const Surface>, boost::lockfree::capacity<8>>;
+    using SurfaceQueue = boost::lockfree::spsc_queue<FeltSurface*, boost::lockfree::capacity<8>>;
     static constexpr std::size_t kKeptTicks = 2048;
 
     void servoTick(double elapsed);
@@ -84,7 +84,7 @@ private:
     [[nodiscard]] bool undoAsAsked();
     [[nodiscard]] bool cutAsAsked();
     void publishSurface();
-    void freeReturnedSurfaces();
+    [[nodiscard]] bool sendSurface();
 
     std::shared_ptr<WorkPiece> piece_;
     Instrument instrument_;
@@ -102,13 +102,14 @@ private:
     LatestValue<SimulatorControls> controls_;
     LatestValue<Tick> tickForCutter_;
     boost::lockfree::spsc_queue<Tick, boost::lockfree::capacity<kKeptTicks>> ticksForWatcher_;
-    SurfaceQueue fresh_;  // cutter -> servo
+    SurfaceQueue fresh_;     // cutter -> servo
+    SurfaceQueue returned_;  // and back, with the surface felt before: the servo never frees one
     std::atomic<bool> resetRequested_{false};
     std::atomic<int> undosRequested_{0};
     std::atomic<std::uint64_t> surfaceUpdates_{0};
 
-    /// Cutter's. All surfaces that anyone else may hold: it lets go last, so that the servo never frees one.
-    std::vector<std::shared_ptr<const Surface>> lent_;
+    // Cutter's.
+    FeltSurfaces surfaces_;
     double lastCut_ = -std::numeric_limits<double>::infinity();  ///< Tick::time, s
 
     /// The cutter's while it works, and that of anyone who looks at the work piece; never the servo's.

@@ -76,6 +76,12 @@ void addFeel(CLI::App& program, Chosen& chosen) {
                      "proxy: never enters the tooth (default); penalty: deepest pair of triangles, for comparison")
         ->check(CLI::IsMember({"proxy", "penalty"}))
         ->type_name("MODE");
+    command
+        ->add_option("--freedom", options->freedom,
+                     "3: the proxy turns as the hand does (default); 6: it also gives way by turning, as for a device "
+                     "that renders torque")
+        ->check(CLI::IsMember({3, 6}))
+        ->type_name("DEGREES");
     command->add_option("--stiffness", options->stiffness, "Spring, N/mm (default: the material's)")
         ->check(CLI::NonNegativeNumber)
         ->type_name("K");
@@ -143,6 +149,10 @@ void addCut(CLI::App& program, Chosen& chosen) {
         ->add_option("--removed", options->removed,
                      "CSV file to write: t,enamel,dentin,pulp,caries,other, mm^3 since the start")
         ->type_name("FILE");
+    command
+        ->add_option("--export-layers", options->layersOut,
+                     "Folder to write what is left of each layer to, one closed STL file a layer, named after it")
+        ->type_name("DIR");
 }
 
 void addDemo(CLI::App& program, Chosen& chosen) {

@@ -31,6 +31,11 @@ void addBenchContact(CLI::App& bench, Chosen& chosen) {
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     command
+        ->add_option("--freedom", options->freedom,
+                     "Degrees of freedom of the bur under its contacts: 3 (default) or 6")
+        ->check(CLI::IsMember({3, 6}))
+        ->type_name("DEGREES");
+    command
         ->add_option("--repeat", options->repeat, "Runs of each case, the least time of each tick counts (default: 3)")
         ->check(CLI::Range(1, 100))
         ->type_name("N");
