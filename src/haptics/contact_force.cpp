@@ -37,8 +37,20 @@ ContactForce::Feel ContactForce::feelOf(const ContactState& contact, const Mater
     return {feel.stiffness / weight, feel.damping / weight, feel.friction / weight};
 }
 
+/// The spring that is rendered, before `scale_`.
+double ContactForce::springOf(const Feel& feel, const MaterialTable& materials) const {
+    if (!std::isfinite(stiffest_)) return overrides_.stiffness.value_or(feel.stiffness);
+    double hardest = 0;
+    for (std::size_t i = 0; i < kMaterialCount; ++i) {
+        hardest = std::max(hardest, materials[static_cast<MaterialId>(i)].stiffness);
+    }
+    const double softened = hardest > stiffest_ ? feel.stiffness * stiffest_ / hardest : feel.stiffness;
+    const double spring = overrides_.stiffness.value_or(softened);
+    return scale_ > 0 ? std::min(spring, stiffest_ / scale_) : spring;
+}
+
 Wrench ContactForce::at(const ContactState& contact, const MaterialTable& materials) {
-    normalForce_ = 0;
+    normalForce_ = stiffness_ = 0;
     const double depth = contact.offset.norm();
     if (contact.held.empty() || !(depth > 0)) {
         feel_.reset();
@@ -53,7 +65,8 @@ Wrench ContactForce::at(const ContactState& contact, const MaterialTable& materi
                  old.damping + blend * (target.damping - old.damping),
                  old.friction + blend * (target.friction - old.friction)};
 
-    const double stiffness = overrides_.stiffness.value_or(feel_->stiffness);
+    const double stiffness = springOf(*feel_, materials);
+    stiffness_ = scale_ * stiffness;
     const double damping = overrides_.damping.value_or(feel_->damping);
     const double frictionCoefficient = overrides_.friction.value_or(feel_->friction);
 

@@ -49,21 +49,30 @@ public:
     void setOverrides(const ForceOverrides& overrides) { overrides_ = overrides; }
     void setScale(double scale) { scale_ = scale; }
 
+    /// The stiffest spring that the device renders without shaking, N/mm. Materials are softened together, so that the
+    /// harder one stays the harder one.
+    void setStiffest(double stiffest) { stiffest_ = stiffest; }
+
     [[nodiscard]] Wrench at(const ContactState& contact, const MaterialTable& materials);
 
     /// Length of the force along the proxy's normal at the last call, N.
     [[nodiscard]] double normalForce() const { return normalForce_; }
+    /// Of the spring at the last call, N/mm; 0 without contact.
+    [[nodiscard]] double stiffness() const { return stiffness_; }
 
 private:
     struct Feel {
         double stiffness, damping, friction;
     };
+    [[nodiscard]] double springOf(const Feel& feel, const MaterialTable& materials) const;
     [[nodiscard]] static Feel feelOf(const ContactState& contact, const MaterialTable& materials);
 
     ForceOverrides overrides_;
     double scale_ = 1;
+    double stiffest_ = std::numeric_limits<double>::infinity();
     std::optional<Feel> feel_;  // none while nothing is touched
     double normalForce_ = 0;
+    double stiffness_ = 0;
 };
 
 }  // namespace tactooth

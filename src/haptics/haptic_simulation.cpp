@@ -101,6 +101,7 @@ void HapticSimulation::touch(const HandInput& input, double dt, Tick& tick) {
     }
     tick.wrench =
         force_.at({state.handTip, state.offset, velocity_, state.travel, state.heldAt(), spin_, dt}, materials_);
+    tick.stiffness = force_.stiffness();
     lever_.setZero();
     double shares = 0;
     for (const HeldAt& held : state.heldAt()) {

@@ -27,7 +27,8 @@ struct Tick {
     double depth = 0;
     Vec3 normal = Vec3::Zero();  ///< unit, out of the tooth; zero without contact
     double speed = 0;            ///< of the hand's tip, mm/s
-    Wrench wrench;               ///< wanted; the limiter comes after
+    Wrench wrench;               ///< wanted; the force pipeline comes after
+    double stiffness = 0;        ///< of the spring in it, N/mm; 0 without contact
     int contacts = 0;
     bool placed = false;
     bool cutting = false;

@@ -12,28 +12,42 @@ namespace {
 
 constexpr auto kCutterPause = std::chrono::milliseconds(1);  // a tick: there is nothing new before it
 
+constexpr auto kLongestFade = std::chrono::milliseconds(100);  // 20 N take 67 ms; a device that hangs has no more
 constexpr double kPauseBetweenCuts = 0.4;  // s without contact: the bur was lifted, a new cut begins (mark for undo)
 
 }  // namespace
 
 Simulator::Simulator(std::shared_ptr<WorkPiece> piece, Instrument instrument, const HapticSettings& settings,
-                     HapticDevice& device, TickListener onTick, double rateHz)
+                     HapticDevice& device, TickListener onTick, double rateHz, std::optional<Seat> seat)
     : piece_(std::move(piece)),
       instrument_(std::move(instrument)),
       settings_(settings),
       device_(device),
       onTick_(std::move(onTick)),
       simulation_(instrument_.shape, instrument_.cutting.envelope.maxRadius(), piece_->surface(), settings),
-      limiter_(device.info().limits),
+      pipeline_(device.info().limits),
+      frame_(seat),
       controls_(SimulatorControls{.force = settings.force}),
       surfaces_(simulation_.tool()),
       watchedSurface_(piece_->surface()),
       watchedRemoved_(piece_->removed()) {
-    loop_ = std::make_unique<ServoLoop>(rateHz, [this](double elapsed) { servoTick(elapsed); });
+    simulation_.force().setStiffest(device.info().stiffness);
+    std::function<void(double)> pace;
+    if (device.setsPace()) pace = [&device](double longest) { device.waitForTick(longest); };
+    loop_ = std::make_unique<ServoLoop>(
+        rateHz, [this](double elapsed) { servoTick(elapsed); }, std::move(pace));
     cutter_ = std::jthread([this](const std::stop_token& stop) { runCutter(stop); });
 }
 
+/// A force that ends within one tick is a kick: the servo takes it back as fast as any force may change.
+void Simulator::fadeOut() {
+    leaving_.store(true);
+    const auto end = std::chrono::steady_clock::now() + kLongestFade;
+    while (!silent_.load() && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(kCutterPause);
+}
+
 Simulator::~Simulator() {
+    fadeOut();
     cutter_ = {};  // joins: after this nobody fills the queues
     loop_.reset();
     device_.write(SafeWrench());
@@ -47,6 +61,34 @@ void Simulator::takeNewSurface() {
     returned_.push(felt);
 }
 
+/// A lost device's hand stays where it was, and its foot is off.
+void Simulator::moveHand(const DeviceSample& sample, const SimulatorControls& controls) {
+    if (!sample.connected) return;
+    buttons_.press(sample.buttons, controls.buttons);
+    frame_.setFineness(controls.fineness);
+    mirrorFrame_.setFineness(controls.fineness);
+    const bool clutch = controls.clutch || buttons_.clutchHeld();
+    frame_.setClutch(clutch || buttons_.swapToggled());
+    mirrorFrame_.setClutch(clutch || !buttons_.swapToggled());
+    hand_ = frame_.toolFor(sample.hand);
+    mirrorForWatcher_.write(mirrorFrame_.toolFor(sample.hand));
+}
+
+SafeWrench Simulator::forceFor(const Tick& tick, const DeviceSample& sample, bool enabled, double elapsed) {
+    WantedForce wanted = wantedFrom(tick);
+    wanted.wrench = frame_.toDevice(tick.wrench);
+    wanted.hand = sample.hand.position;
+    wanted.depth *= frame_.fineness();
+    wanted.stiffness /= frame_.fineness();
+    wanted.allowed &= enabled && !frame_.isHeld() && !leaving_.load(std::memory_order_relaxed);
+    wanted.connected = sample.connected;
+    wanted.motorHeat = sample.motorHeat;
+    const SafeWrench safe = pipeline_.pass(wanted, elapsed);
+    forceState_.store(pipeline_.state(), std::memory_order_relaxed);
+    silent_.store(safe.force().isZero(0) && safe.torque().isZero(0), std::memory_order_relaxed);
+    return safe;
+}
+
 void Simulator::servoTick(double elapsed) {
     const auto start = std::chrono::steady_clock::now();
     controls_.refresh();
@@ -56,14 +98,13 @@ void Simulator::servoTick(double elapsed) {
     simulation_.force().setScale(controls.forceScale);
 
     const DeviceSample sample = device_.read(elapsed);
-    if (sample.connected) hand_ = sample.hand;  // a lost device's hand stays where it was, and its foot is off
+    moveHand(sample, controls);
     const double pedal = std::max(controls.pedal, sample.connected ? sample.pedal : 0.0);
-    const HandInput input{hand_, pedal, controls.cutting};
-    Tick tick = simulation_.step(input, elapsed);
-    const bool enabled = controls.forceEnabled && sample.connected && tick.placed;
-    device_.write(limiter_.limit(tick.wrench, elapsed, enabled));
+    Tick tick = simulation_.step({hand_, pedal, controls.cutting != buttons_.cutToggled()}, elapsed);
+    device_.write(forceFor(tick, sample, controls.forceEnabled, elapsed));
 
     tick.micros = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
+    deviceToForce_.add(1e6 * sample.age + tick.micros);
     tickForCutter_.write(tick);
     ticksForWatcher_.push(tick);
     if (onTick_) onTick_(tick);

@@ -172,7 +172,7 @@ TEST(ContactForce, NeverStepsByMoreThanATwentiethOfANewtonAMillisecondAtABorder)
             for (int i = 0; i < 300; ++i) {
                 const HeldAt held = heldBy(i < 100 ? MaterialId::Caries : MaterialId::Enamel, depth);
                 const ContactState contact{
-                    Vec3(0, 0, -depth), Vec3(0, 0, depth), Vec3::Zero(), travel, {&held, 1}, kTick};
+                    Vec3(0, 0, -depth), Vec3(0, 0, depth), Vec3::Zero(), travel, {&held, 1}, Vec3::Zero(), kTick};
                 const double force = law.at(contact, kMaterials).force.z();
                 if (i > 0) {
                     EXPECT_LE(std::abs(force - last), 0.05 + 1e-12);

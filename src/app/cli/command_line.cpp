@@ -217,6 +217,7 @@ struct WindowFiles {
     std::string tooth;
     std::vector<std::string> layers;
     std::string bur;
+    std::string device = "mouse";
 };
 
 void addWindowOptions(CLI::App& program, WindowFiles& files) {
@@ -227,6 +228,11 @@ void addWindowOptions(CLI::App& program, WindowFiles& files) {
         ->type_name("NAME=FILE")
         ->allow_extra_args(false)
         ->needs(tooth)
+        ->group(group);
+    program
+        .add_option("--device", files.device,
+                    "What moves the bur: mouse (default), pen, or pen:NAME for a second one (docs/haptics.md)")
+        ->type_name("NAME")
         ->group(group);
     program.add_option("--bur", files.bur, "Your own bur: an STL file, tip at the origin, +z along the shaft")
         ->type_name("FILE")
@@ -243,6 +249,7 @@ int runWithoutCommand(const WindowFiles& files) {
         options.tooth->layers.push_back(std::move(*layer));
     }
     if (!files.bur.empty()) options.bur = files.bur;
+    options.device = files.device;
     return runWindow(options);
 }
 

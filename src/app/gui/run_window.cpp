@@ -11,6 +11,7 @@
 #include "app/cli/exit_code.h"
 #include "app/gui/main_window.h"
 #include "app/gui/window_setup.h"
+#include "devices/open_device.h"
 #include "sound/audio_libraries.h"
 #include "sound/openal_output.h"
 
@@ -86,6 +87,11 @@ int runWindow(const WindowOptions& options) {
     if (!settings) {
         window.complain(QString::fromStdString(settings.error().message) +
                         " The window starts with its defaults and writes the file anew when it is closed.");
+    }
+    if (options.device != "mouse") {
+        auto device = openDevice(options.device);
+        device ? window.bench().put(std::move(*device))
+               : window.complain(QString::fromStdString(device.error().message));
     }
     QApplication::exec();
     if (const auto written = writeWindowSettings(window.settings(), settingsFile); !written) {

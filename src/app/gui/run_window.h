@@ -13,6 +13,7 @@ namespace tactooth {
 struct WindowOptions {
     std::optional<ToothSource> tooth;
     std::optional<std::filesystem::path> bur;
+    std::string device = "mouse";  ///< see openDevice; one that does not open leaves the mouse, and the window says why
 };
 
 /// Opens the simulator's window and returns when it is closed: an ExitCode. Without a display or OpenGL 4.1, or with
