@@ -8,6 +8,9 @@
 #include <string_view>
 
 #include "geometry/file_bytes.h"
+#include "geometry/obj_reader.h"
+#include "geometry/ply_header.h"
+#include "geometry/ply_reader.h"
 #include "geometry/stl_reader.h"
 #include "geometry/stl_sniffer.h"
 
@@ -24,8 +27,8 @@ std::string lowerExtension(const std::filesystem::path& path) {
 
 /// Mesh and volume formats that a dental scanner or its program may write.
 bool isOtherFormat(std::string_view extension) {
-    static constexpr std::array<std::string_view, 11> kOthers = {".obj", ".ply",  ".off", ".3mf", ".glb", ".gltf",
-                                                                 ".dcm", ".step", ".stp", ".amf", ".nii"};
+    static constexpr std::array<std::string_view, 9> kOthers = {".off",  ".3mf", ".glb", ".gltf", ".dcm",
+                                                                ".step", ".stp", ".amf", ".nii"};
     return std::find(kOthers.begin(), kOthers.end(), extension) != kOthers.end();
 }
 
@@ -35,8 +38,14 @@ Expected<TriangleMesh> loadMesh(const std::filesystem::path& path) {
     const Expected<FileBytes> file = readFile(path);
     if (!file) return Unexpected{file.error()};
     const std::string extension = lowerExtension(path);
-    if (stl::sniff(file->bytes()) == stl::Kind::Neither && isOtherFormat(extension)) {
-        return unexpected(shownName(path) + ": " + extension + " files cannot be read; export the surface as STL.");
+    const std::string_view text(reinterpret_cast<const char*>(file->bytes().data()), file->bytes().size());
+    if (ply::looksLikePly(text)) return parsePly(file->bytes(), shownName(path));
+    if (stl::sniff(file->bytes()) == stl::Kind::Neither) {
+        if (extension == ".obj") return parseObj(file->bytes(), shownName(path));
+        if (isOtherFormat(extension)) {
+            return unexpected(shownName(path) + ": " + extension +
+                              " files cannot be read; export the surface as STL, OBJ or PLY.");
+        }
     }
     return parseStl(file->bytes(), shownName(path));
 }

@@ -6,23 +6,26 @@
 #include <cassert>
 #include <cmath>
 
-#include "instruments/anatomy/tooth_shape.h"
-#include "instruments/modelling/blend.h"
+#include "instruments/anatomy/lesion.h"
+#include "instruments/anatomy/variation.h"
 
 namespace tactooth {
 namespace {
 
-ToothShape shapeOf(BuiltinToothKind kind) {
+int numberOf(BuiltinToothKind kind) {
     switch (kind) {
         case BuiltinToothKind::lowerFirstMolar:
-            return lowerFirstMolar();
+            return 46;
         case BuiltinToothKind::upperCentralIncisor:
-            return upperCentralIncisor();
+            return 11;
         case BuiltinToothKind::upperCanine:
             break;
     }
-    return upperCanine();
+    return 13;
 }
+
+constexpr int kRelaxations = 3;
+constexpr double kCanalCell = 0.14;  // mm: the narrowest canal is 0.25 mm wide
 
 /// The root is smooth and mostly out of reach: below the neck, heights are stretched, up to this many times, so that
 /// its triangles are longer and more of them are left for the crown.
@@ -56,27 +59,10 @@ void mirror(TriangleMesh& mesh) {
     for (Triangle& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
 }
 
-/// Decay in a body's frame of its own: narrow through the enamel, then spreading along the dentin's border and toward
-/// the pulp, as fissure and contact lesions do.
-double lesion(const ToothShape& shape, const Vec3& point, double width) {
-    const Vec3 from = point - shape.lesionSite;
-    const double deep = from.dot(shape.lesionInward), aside = (from - deep * shape.lesionInward).norm();
-    const double mouth = taperedCapsule(Vec3(aside, 0, deep), Vec3(0, 0, -0.5), 0.22 * width,
-                                        Vec3(0, 0, shape.lesionEnamel), 0.34 * width);
-    const Vec3 spread(0.5 * width, 0.5 * width, 0.36 * width);
-    const double body = ellipsoid(Vec3(aside, 0, deep - shape.lesionEnamel - 0.10 * width), spread);
-    return smoothUnion(mouth, body, 0.15 * width);
-}
-
-}  // namespace
-
-BuiltinTooth makeBuiltinTooth(BuiltinToothKind kind, int triangles, double lesionWidth) {
-    assert(triangles > 0 && lesionWidth >= 0 && lesionWidth <= 4);
-    const ToothShape shape = shapeOf(kind);
+/// The tooth's layers as meshes, with +x mesial.
+BuiltinTooth meshed(const ToothShape& shape, int triangles) {
     const double cellSize = cellSizeFor(shape, triangles);
-    constexpr int kRelaxations = 3;
     const auto mesh = [&](const ScalarField& body) { return meshOf(body, shape.bounds, cellSize, kRelaxations); };
-
     BuiltinTooth tooth;
     tooth.name = shape.name;
     tooth.fdi = shape.fdi;
@@ -85,14 +71,24 @@ BuiltinTooth makeBuiltinTooth(BuiltinToothKind kind, int triangles, double lesio
     constexpr double kOverlap = 0.3;
     tooth.enamel = mesh([&](const Vec3& p) { return std::max(shape.outer(p), -shape.cervical(p) - kOverlap); });
     tooth.dentin = mesh(shape.core);
+    tooth.pulp = meshOf(shape.pulp, shape.bounds, std::min(cellSize, kCanalCell), kRelaxations);
+    return tooth;
+}
 
-    constexpr double kCanalCell = 0.14;  // mm: the narrowest canal is 0.25 mm wide
-    const double smallCell = std::min(cellSize, kCanalCell);
-    const auto small = [&](const ScalarField& body) { return meshOf(body, shape.bounds, smallCell, kRelaxations); };
-    tooth.pulp = small(shape.pulp);
-    if (lesionWidth > 0) {
-        tooth.caries = small([&](const Vec3& p) { return std::max(shape.outer(p), lesion(shape, p, lesionWidth)); });
-    }
+TriangleMesh lesionMesh(const ToothShape& shape, const Lesion& lesion, int triangles) {
+    const double cellSize = std::min(cellSizeFor(shape, triangles), kCanalCell);
+    const ScalarField body = lesionBody(shape, lesion);
+    return meshOf([&](const Vec3& p) { return std::max(shape.outer(p), body(p)); }, shape.bounds, cellSize,
+                  kRelaxations);
+}
+
+}  // namespace
+
+BuiltinTooth makeTooth(const ToothRequest& request) {
+    assert(isPermanentTooth(request.fdi) && request.triangles > 0);
+    const ToothShape shape = varied(toothShape(request.fdi), request.seed);
+    BuiltinTooth tooth = meshed(shape, request.triangles);
+    if (request.lesion) tooth.caries = lesionMesh(shape, *request.lesion, request.triangles);
     if (mesialX(tooth.fdi) < 0) {
         for (TriangleMesh* layer : {&tooth.outer, &tooth.enamel, &tooth.dentin, &tooth.pulp, &tooth.caries}) {
             mirror(*layer);
@@ -100,6 +96,15 @@ BuiltinTooth makeBuiltinTooth(BuiltinToothKind kind, int triangles, double lesio
     }
     return tooth;
 }
+
+BuiltinTooth makeBuiltinTooth(BuiltinToothKind kind, int triangles, double lesionWidth) {
+    assert(lesionWidth >= 0 && lesionWidth <= 4);
+    ToothRequest request{.fdi = numberOf(kind), .triangles = triangles, .seed = 0, .lesion = {}};
+    if (lesionWidth > 0) request.lesion = Lesion{LesionSite::usual, lesionWidth, {}};
+    return makeTooth(request);
+}
+
+std::string toothName(int fdi) { return toothShape(fdi).name; }
 
 std::vector<LayerMesh> layersOf(const BuiltinTooth& tooth) {
     std::vector<LayerMesh> layers;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,6 +44,39 @@ inline constexpr double kDefaultLesionWidth = 2.4;
 /// The same arguments give the same bits, on any number of threads.
 [[nodiscard]] BuiltinTooth makeBuiltinTooth(BuiltinToothKind kind, int triangles = 20000,
                                             double lesionWidth = kDefaultLesionWidth);
+
+/// Where decay begins. `usual`: in the central fissure of a back tooth, on an incisor's mesial contact, at a canine's
+/// buccal neck.
+enum class LesionSite { usual, occlusal, mesial, distal, buccal, lingual };
+
+struct Lesion {
+    LesionSite site = LesionSite::usual;
+    double width = kDefaultLesionWidth;  ///< mm across where it spreads in the dentin, at most 4
+    std::optional<double> depth;         ///< mm below the surface; none: as far as its width suggests
+};
+
+/// One tooth of the built-in mouth.
+struct ToothRequest {
+    int fdi = 46;            ///< permanent tooth: isPermanentTooth(fdi)
+    int triangles = 20000;   ///< of `outer`, about; the other layers are as fine
+    std::uint32_t seed = 0;  ///< 0: the average tooth; any other number: the same tooth of another patient
+    std::optional<Lesion> lesion;
+};
+
+/// 11-18, 21-28, 31-38, 41-48.
+[[nodiscard]] constexpr bool isPermanentTooth(int fdi) {
+    return fdi / 10 >= 1 && fdi / 10 <= 4 && fdi % 10 >= 1 && fdi % 10 <= 8;
+}
+
+/// Incisors and canines have an edge instead of a chewing surface: they have no occlusal lesion.
+[[nodiscard]] constexpr bool isFrontTooth(int fdi) { return fdi % 10 <= 3; }
+
+/// "Upper right first molar".
+[[nodiscard]] std::string toothName(int fdi);
+
+/// Makes a tooth of the built-in mouth. The same request gives the same bits, on any number of threads; teeth of the
+/// two sides of the mouth are mirror images.
+[[nodiscard]] BuiltinTooth makeTooth(const ToothRequest& request);
 
 /// The layers as LayeredTooth::make takes them beside `outer`.
 [[nodiscard]] std::vector<LayerMesh> layersOf(const BuiltinTooth& tooth);

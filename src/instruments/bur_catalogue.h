@@ -9,33 +9,49 @@
 
 namespace tactooth {
 
-/// The shape of a bur's head.
+/// The shape of a bur's head. "Taper" widens toward the shank.
 enum class BurKind {
-    round,            ///< a ball
+    round,            ///< a ball, cut off where the blades end
+    invertedCone,     ///< a flat end, narrowing toward the shank
     straightFissure,  ///< a cylinder with a flat end
+    domeFissure,      ///< a cylinder with a round end
+    taperedFissure,   ///< a flat-ended taper
+    roundEndTaper,    ///< a round-ended taper
     pear,             ///< a rounded end, narrowing toward the shank
-    roundEndTaper     ///< a rounded end, widening toward the shank
+    flame,            ///< a pointed bud
+    football,         ///< an egg
+    torpedo,          ///< a cylinder, or a slight taper, with a pointed arch for its end
+    needle,           ///< a long cone with a fine rounded point
+    wheel             ///< a disc with rounded edges
 };
 
 enum class BurMaterial { carbide, diamond };
 
 /// One line of the catalogue: what a dentist orders. Lengths in mm.
 struct BurSpec {
-    std::string number;  ///< US number ("4"), or the ISO shape and size of a diamond ("856-016")
+    std::string number;  ///< US number ("4"), or the makers' shape and ISO size of a diamond ("856-016")
     std::string name;    ///< for people
     BurKind kind = BurKind::round;
     BurMaterial material = BurMaterial::carbide;
-    double headDiameter = 1;  ///< the largest diameter of the head
-    double headLength = 1;    ///< from the tip to the end of the blades
-    double taperDegrees = 0;  ///< full cone angle, positive where the head widens toward the shank
-    int flutes = 6;           ///< number of blades; 0 for a diamond
-    double sharpness = 1;     ///< cutting ability: 1 as new, 0 does not cut
+    double headDiameter = 1;     ///< the largest diameter of the head
+    double headLength = 1;       ///< from the tip to the end of the blades or the grit
+    double taperDegrees = 0;     ///< full cone angle, positive where the head widens toward the shank
+    int flutes = 6;              ///< number of blades; 0 for a diamond
+    double sharpness = 1;        ///< cutting ability: 1 as new, 0 does not cut
+    int isoShape = 1;            ///< third group of the ISO 6360 number
+    bool crossCut = false;       ///< blades with notches
+    double gritMicrometres = 0;  ///< of a diamond: mean grain; 0 for a carbide
 };
 
 /// Every bur that the program makes by itself, in the order in which a list shows them.
 [[nodiscard]] const std::vector<BurSpec>& burCatalogue();
 
-/// The bur with this number, if the catalogue has it.
+/// The bur with this number, if the catalogue has it: a US or makers' number as `BurSpec::number`, or an ISO 6360
+/// number of 15 digits, with or without spaces. The grit of a diamond's ISO number (494 super-fine to 544 super-coarse)
+/// may be another than the catalogue's medium.
 [[nodiscard]] std::optional<BurSpec> findBur(std::string_view number);
+
+/// The bur's ISO 6360 number, "500 314 001 001 014": material, shank and length, shape, toothing or grit, diameter.
+[[nodiscard]] std::string isoNumber(const BurSpec& spec);
 
 }  // namespace tactooth

@@ -8,6 +8,8 @@
 #include <numbers>
 #include <span>
 
+#include "instruments/bur_outline.h"
+
 namespace tactooth {
 namespace {
 
@@ -19,6 +21,8 @@ struct Ring {
     double radius = 0;       ///< of the surface of revolution, where the blade edges are
     double gulletDepth = 0;  ///< depth of the gullets between the blades, as a part of the radius
     double twist = 0;        ///< turn of the blades, rad
+    int notched = -1;        ///< 0: every second blade has a notch here, 1: the others, -1: none
+    double grain = 0;        ///< mm between the highest and the lowest grain of a diamond
 };
 
 /// A corner of the section of one blade: where it lies within the blade's share of the turn (0: edge, toward 1: the
@@ -35,9 +39,13 @@ constexpr BladeCorner kBlade3[] = {{0, 0}, {0.30, 0.42}, {0.84, 1}};
 constexpr BladeCorner kBlade6[] = {{0, 0}, {0.10, 0.10}, {0.30, 0.45}, {0.55, 0.88}, {0.78, 1}, {0.90, 0.80}};
 
 constexpr double kGulletDepth = 0.30;          // of the radius: a carbide's core is about two thirds of its head
+constexpr double kFinishingDepth = 0.12;       // of the radius, of the many small gullets of a finishing bur
+constexpr int kManyBlades = 12;                // a finishing bur
+constexpr double kNotchDepth = 0.10;           // of the radius, of a cross-cut blade's notches
 constexpr double kRoundTwist = 0.9;            // rad from tip to neck of a ball
+constexpr double kMostTwist = 0.12;            // rad from ring to ring: edges sink below the outline by 0.2 % at most
 constexpr double kHelixAngle = 15 * pi / 180;  // of a fissure bur's blades, right-handed: lifts the chips
-constexpr double kNeckPart = 0.62;             // neck radius as a part of the head's end radius
+constexpr double kNeckPart = 0.62;             // neck radius of a ball as a part of its radius
 constexpr double kNeckLength = 1.2;            // mm, from the head to where the neck begins to widen
 constexpr double kNeckAngle = 12 * pi / 180;   // half angle of the cone from neck to shank
 constexpr double kVisibleLength = 11.0;        // mm from the tip to the end that is hidden in the handpiece
@@ -51,86 +59,65 @@ std::span<const BladeCorner> bladeSection(int triangles) {
     return kBlade6;
 }
 
-/// The arc that ends a head: an ellipse around the axis from the tip over `angle` (beyond pi/2: past the equator).
-struct Cap {
-    double radius = 0;
-    double height = 0;
-    double angle = pi / 2;
-};
-
-double headEndRadius(const BurSpec& spec) {
-    const double radius = spec.headDiameter / 2;
-    if (spec.kind == BurKind::round) return kNeckPart * radius;
-    const double slope = std::tan(spec.taperDegrees * pi / 360);
-    return slope < 0 ? radius + slope * spec.headLength : radius;
-}
-
-Cap capOf(const BurSpec& spec) {
-    const double radius = spec.headDiameter / 2;
-    switch (spec.kind) {
-        case BurKind::round:
-            return {radius, radius, pi - std::asin(kNeckPart)};
-        case BurKind::straightFissure:
-            return {radius, 0, pi / 2};
-        case BurKind::pear:
-            return {radius, 0.8 * radius, pi / 2};  // flatter than a ball, as a pear's end is
-        case BurKind::roundEndTaper:
-            break;
-    }
-    const double slope = std::tan(spec.taperDegrees * pi / 360);
-    const double tip = (radius - slope * spec.headLength) / (1 - slope);
-    return {tip, tip, pi / 2};
-}
-
-/// Rings over the cap. Its widest place is always one of them, so that the head has its exact diameter.
-void addCapRings(std::vector<Ring>& rings, const Cap& cap, int count) {
-    const auto ringAt = [&](double angle) {
-        rings.push_back({cap.height * (1 - std::cos(angle)), cap.radius * std::sin(angle)});
-    };
-    const int toEquator = std::max(1, static_cast<int>(std::lround(count * (pi / 2) / cap.angle)));
-    for (int i = 1; i <= toEquator; ++i) ringAt(pi / 2 * i / toEquator);
-    for (int i = 1; i <= count - toEquator; ++i) {
-        ringAt(pi / 2 + (cap.angle - pi / 2) * i / (count - toEquator));
-    }
-}
-
-void addSideRings(std::vector<Ring>& rings, double headLength, double endRadius, int count) {
-    const Ring from = rings.back();
-    for (int i = 1; i <= count; ++i) {
-        const double part = static_cast<double>(i) / count;
-        rings.push_back({std::lerp(from.z, headLength, part), std::lerp(from.radius, endRadius, part)});
-    }
+double longestStep(const std::vector<Ring>& rings) {
+    double step = 0;
+    for (std::size_t i = 1; i < rings.size(); ++i) step = std::max(step, rings[i].z - rings[i - 1].z);
+    return step;
 }
 
 /// Gullets run out toward the end of the head, and the blades wind around it.
 void cutBlades(std::vector<Ring>& rings, const BurSpec& spec) {
-    if (spec.flutes == 0) return;
     const double end = rings.back().z;
-    const double twistPerLength =
+    const double helix =
         spec.kind == BurKind::round ? kRoundTwist / spec.headDiameter : std::tan(kHelixAngle) / (spec.headDiameter / 2);
+    const double twistPerLength = std::min(helix, kMostTwist / std::max(longestStep(rings), 1e-6));
     for (Ring& ring : rings) {
         constexpr double kRunOut = 0.2;  // of the head's length
         const double left = std::clamp((end - ring.z) / (kRunOut * end), 0.0, 1.0);
-        ring.gulletDepth = kGulletDepth * std::sqrt(left);
+        ring.gulletDepth = (spec.flutes >= kManyBlades ? kFinishingDepth : kGulletDepth) * std::sqrt(left);
         ring.twist = twistPerLength * ring.z;
     }
 }
 
-std::vector<Ring> headRings(const BurSpec& spec, int count) {
-    std::vector<Ring> rings;
-    const Cap cap = capOf(spec);
-    if (spec.kind == BurKind::round) {
-        addCapRings(rings, cap, count);
-    } else {
-        const double arc = cap.height > 0 ? (cap.height + cap.radius) / 1.3 : 0;  // near enough to share out the rings
-        const double side = spec.headLength - cap.height;
-        const int capRings =
-            cap.height > 0 ? std::clamp(static_cast<int>(std::lround(count * arc / (arc + side))), 2, count - 2) : 1;
-        addCapRings(rings, cap, capRings);
-        addSideRings(rings, spec.headLength, headEndRadius(spec), count - capRings);
+/// Notches of a cross-cut bur, if the rings are near enough to each other to show them. Neighbouring blades have
+/// theirs at other heights, so that together they still sweep the whole outline.
+void cutNotches(std::vector<Ring>& rings) {
+    constexpr double kFineEnough = 0.12, kSpacing = 0.45;  // mm; between the notches of a blade
+    const double step = longestStep(rings);
+    if (step > kFineEnough) return;
+    const auto half = static_cast<std::size_t>(std::max(2L, std::lround(kSpacing / step / 2)));  // in rings
+    for (std::size_t i = half; i + half < rings.size(); ++i) {
+        const std::size_t place = i % half;  // the middle third of a half spacing is notched
+        if (3 * place >= half && 3 * place < 2 * half) rings[i].notched = static_cast<int>(i / half % 2);
     }
-    cutBlades(rings, spec);
+}
+
+/// Grains of a diamond, if the triangles are small enough to show them.
+void setGrains(std::vector<Ring>& rings, const BurSpec& spec, int sectors) {
+    constexpr double kMillimetres = 1e-3;  // in a micrometre
+    constexpr double kExposed = 0.4;       // of a grain, above the bond
+    const double grit = kMillimetres * spec.gritMicrometres, fineEnough = 1.5 * grit;
+    const double side = pi * spec.headDiameter / sectors;
+    if (std::max(side, longestStep(rings)) > fineEnough) return;
+    for (Ring& ring : rings) ring.grain = std::min(kExposed * grit, 0.2 * ring.radius);
+}
+
+std::vector<Ring> headRings(const BurSpec& spec, int count, int sectors) {
+    std::vector<Ring> rings;
+    for (const auto& [radius, z] : burOutline(spec, count)) rings.push_back({.z = z, .radius = radius});
+    if (spec.flutes > 0) cutBlades(rings, spec);
+    if (spec.crossCut) cutNotches(rings);
+    if (spec.gritMicrometres > 0) setGrains(rings, spec, sectors);
     return rings;
+}
+
+/// A number from 0 to 1 that looks random: the same for the same grain.
+double grainDepth(int ring, int sector) {
+    std::uint32_t bits =
+        0x9E3779B9u * static_cast<std::uint32_t>(ring + 1) ^ 0x85EBCA6Bu * static_cast<std::uint32_t>(sector + 1);
+    bits = (bits ^ bits >> 15) * 0x2C1B3C6Du;
+    bits = (bits ^ bits >> 12) * 0x297A2D39u;
+    return static_cast<double>((bits ^ bits >> 15) & 0xFFFFu) / 0xFFFF;
 }
 
 constexpr int kShaftRings = 4;
@@ -139,15 +126,16 @@ constexpr int kShaftRings = 4;
 void addShaftRings(std::vector<Ring>& rings, const BurSpec& spec) {
     const Ring head = rings.back();
     const double shank = kShankDiameter / 2;
-    const double neck = spec.kind == BurKind::round ? head.radius * 0.95 : std::min(head.radius * 0.8, shank);
-    const double shoulder = head.z + std::abs(head.radius - neck) + 0.1;
+    const double neck = spec.kind == BurKind::round ? std::min(kNeckPart * spec.headDiameter / 2, shank)
+                                                    : std::min(head.radius * 0.8, shank);
+    const double shoulder = spec.kind == BurKind::wheel ? head.z + 0.02 : head.z + std::abs(head.radius - neck) + 0.1;
     const double neckEnd = shoulder + (spec.kind == BurKind::round ? kNeckLength : kNeckLength / 2);
-    const double shankStart = std::min(neckEnd + (shank - neck) / std::tan(kNeckAngle), kVisibleLength - 1);
+    const double shankStart = std::min(neckEnd + 0.1 + (shank - neck) / std::tan(kNeckAngle), kVisibleLength - 1);
     const double twist = head.twist;
-    rings.push_back({shoulder, neck, 0, twist});
-    rings.push_back({neckEnd, neck, 0, twist});
-    rings.push_back({shankStart, shank, 0, twist});
-    rings.push_back({kVisibleLength, shank, 0, twist});
+    for (const auto& [z, radius] : {std::pair(shoulder, neck), std::pair(neckEnd, neck), std::pair(shankStart, shank),
+                                    std::pair(kVisibleLength, shank)}) {
+        rings.push_back({.z = z, .radius = radius, .twist = twist});
+    }
 }
 
 class Lathe {
@@ -159,7 +147,7 @@ public:
     [[nodiscard]] TriangleMesh turn(const std::vector<Ring>& rings) const {
         TriangleMesh mesh;
         mesh.vertices.emplace_back(0.f, 0.f, 0.f);
-        for (const Ring& ring : rings) addRing(mesh, ring);
+        for (int ring = 0; ring < static_cast<int>(rings.size()); ++ring) addRing(mesh, rings[ring], ring);
         mesh.vertices.push_back(Vec3(0, 0, rings.back().z).cast<float>());
         const int last = static_cast<int>(rings.size()) - 1;
         for (int sector = 0; sector < sectors(); ++sector) {
@@ -176,15 +164,20 @@ private:
         return static_cast<std::uint32_t>(1 + ring * sectors() + sector % sectors());
     }
 
-    void addRing(TriangleMesh& mesh, const Ring& ring) const {
+    void addRing(TriangleMesh& mesh, const Ring& ring, int number) const {
         const auto corners = static_cast<int>(blade_.size());
+        const double bladed = std::min(ring.gulletDepth / kFinishingDepth, 1.0);
         for (int sector = 0; sector < sectors(); ++sector) {
             const BladeCorner& corner = blade_[sector % corners];
             // Without gullets the vertices stand evenly, for the roundest neck and shank.
             const double even = static_cast<double>(sector % corners) / corners;
-            const double turn = std::lerp(even, corner.turn, ring.gulletDepth / kGulletDepth);
+            const double turn = std::lerp(even, corner.turn, bladed);
             const double angle = 2 * pi * (sector / corners + turn) / flutes_ + ring.twist;
-            const double radius = ring.radius * (1 - ring.gulletDepth * corner.drop);
+            const bool notched = sector / corners % 2 == ring.notched;
+            const double drop = std::max(ring.gulletDepth * corner.drop, notched ? kNotchDepth : 0.0);
+            // One row of grains stands as high as the outline: it is what the turning bur sweeps.
+            const double grain = sector == 0 ? 0 : ring.grain * grainDepth(number, sector);
+            const double radius = ring.radius * (1 - drop) - grain;
             mesh.vertices.push_back(Vec3(radius * std::cos(angle), radius * std::sin(angle), ring.z).cast<float>());
         }
     }
@@ -209,15 +202,24 @@ private:
     std::span<const BladeCorner> blade_;
 };
 
+/// How many times what pattern goes around.
+Lathe latheFor(const BurSpec& spec, int triangles) {
+    constexpr int kFine = 8000;
+    constexpr int kSmooth = 6;         // a diamond is as round as the vertices of a six-blade bur make it
+    constexpr int kBladesShown = 700;  // triangles that many blades need at least
+    const bool bladed = spec.flutes > 0 && (spec.flutes < kManyBlades || triangles >= kBladesShown);
+    const int around = bladed ? spec.flutes : triangles < kFine ? kSmooth : 2 * kSmooth;
+    return {around, bladeSection(spec.flutes < kManyBlades ? triangles : triangles / 2)};
+}
+
 }  // namespace
 
 Bur makeBur(const BurSpec& spec, int triangles) {
     assert(spec.headDiameter > 0 && spec.headLength > 0 && spec.headLength <= kLongestHead);
-    constexpr int kSmoothFlutes = 6;  // a diamond is as round as the vertices of a six-blade bur make it
-    const Lathe lathe(spec.flutes > 0 ? spec.flutes : kSmoothFlutes, bladeSection(triangles));
+    const Lathe lathe = latheFor(spec, triangles);
     constexpr int kFewestHeadRings = 5;
     const int rings = std::max(kFewestHeadRings, triangles / (2 * lathe.sectors()) - kShaftRings);
-    std::vector<Ring> outline = headRings(spec, rings);
+    std::vector<Ring> outline = headRings(spec, rings, lathe.sectors());
     addShaftRings(outline, spec);
     return {spec, lathe.turn(outline)};
 }

@@ -31,11 +31,20 @@ TEST(LoadMesh, TheContentDecidesNotTheName) {
 
 TEST(LoadMesh, AnotherMeshFormatIsNamed) {
     const test::TemporaryFolder folder;
-    write(folder / "a.OBJ", "v 0 0 0\n");
-    EXPECT_THAT(loadMesh(folder / "a.OBJ").error().message,
-                HasSubstr(".obj files cannot be read; export the surface as STL"));
-    write(folder / "a.stl", "ply\nformat ascii 1.0\n");
-    EXPECT_THAT(loadMesh(folder / "a.stl").error().message, HasSubstr("this is a PLY mesh"));
+    write(folder / "a.OFF", "OFF\n0 0 0\n");
+    EXPECT_THAT(loadMesh(folder / "a.OFF").error().message,
+                HasSubstr(".off files cannot be read; export the surface as STL, OBJ or PLY"));
+}
+
+TEST(LoadMesh, ReadsObjByItsNameAndPlyByItsContent) {
+    const test::TemporaryFolder folder;
+    write(folder / "a.OBJ", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    EXPECT_EQ(loadMesh(folder / "a.OBJ")->triangles.size(), 1U);
+    write(folder / "a.stl",
+          "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+          "property float z\nelement face 1\nproperty list uchar int vertex_index\nend_header\n"
+          "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    EXPECT_EQ(loadMesh(folder / "a.stl")->triangles.size(), 1U);
 }
 
 TEST(LoadMesh, AMissingFileIsToldBeforeItsFormat) {

@@ -15,7 +15,7 @@
 namespace tactooth {
 namespace {
 
-constexpr std::uint64_t kGolden = 0x299089384d333c8dULL;
+constexpr std::uint64_t kGolden = 0xbe3023d46f560b77ULL;
 
 constexpr double kTick = 0.001;
 constexpr double kVoxel = 0.05;

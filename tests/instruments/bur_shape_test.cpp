@@ -6,9 +6,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "instruments/bur_outline.h"
 #include "instruments/mesh_checks.h"
 #include "support/mesh_checks.h"
+#include "tooth/revolution_envelope.h"
 
 namespace tactooth {
 namespace {
@@ -43,6 +46,55 @@ TEST_P(EveryBur, HasItsHeadDiameterWithinTenMicrometres) {
     EXPECT_NEAR(2 * widestBelow(surface, spec_.headLength + 1e-4), spec_.headDiameter, 0.010);
 }
 
+/// Radius of an outline at a height between its ends; the outline begins on the axis.
+double radiusAt(const std::vector<OutlinePoint>& outline, double z) {
+    OutlinePoint before{0, 0};
+    for (const OutlinePoint& point : outline) {
+        if (z <= point.z && point.z > before.z) {
+            return std::lerp(before.radius, point.radius, (z - before.z) / (point.z - before.z));
+        }
+        before = point;
+    }
+    return before.radius;
+}
+
+TEST_P(EveryBur, ItsHeadEndsWhereTheCatalogueSays) {
+    EXPECT_NEAR(burOutline(spec_, 12).back().z, spec_.headLength, 1e-9);
+    const TriangleMesh surface = makeBur(spec_, 5000).surface;
+    const bool hasEnd = std::ranges::any_of(
+        surface.vertices, [&](const Vec3f& v) { return std::abs(v.z() - spec_.headLength) < 1e-5 && radiusOf(v) > 0; });
+    EXPECT_TRUE(hasEnd);
+}
+
+TEST_P(EveryBur, SweepsItsOutlineWithinTwoMicrometres) {
+    // Sampled where the mesh has its rings; between them the mesh is as straight as the outline through the rings.
+    for (const int triangles : {kContactBurTriangles, 5000, 20000}) {
+        const Bur bur = makeBur(spec_, triangles);
+        std::vector<OutlinePoint> swept;
+        for (const auto& [radius, z] : revolutionProfile(bur.surface)) swept.push_back({radius, z});
+        const std::vector<OutlinePoint> fine = burOutline(spec_, 4000);
+        for (std::size_t i = 0; i < bur.surface.vertices.size(); i += 7) {
+            const double z = bur.surface.vertices[i].z();
+            if (z < 0.01 || z > spec_.headLength - 1e-3) continue;  // a pole has no slope to compare by
+            ASSERT_NEAR(radiusAt(swept, z), radiusAt(fine, z), 0.002) << "at " << z << " of " << triangles;
+        }
+    }
+}
+
+TEST_P(EveryBur, NeverStandsOutOfItsOutline) {
+    const std::vector<OutlinePoint> fine = burOutline(spec_, 4000);
+    for (const Vec3f& vertex : makeBur(spec_, 20000).surface.vertices) {
+        if (vertex.z() < 1e-3 || vertex.z() > spec_.headLength - 1e-3) continue;
+        ASSERT_LE(radiusOf(vertex), radiusAt(fine, vertex.z()) + 1e-4);
+    }
+}
+
+TEST_P(EveryBur, IsFoundByItsIsoNumber) {
+    const auto found = findBur(isoNumber(spec_));
+    ASSERT_TRUE(found.has_value());
+    EXPECT_EQ(found->number, spec_.number);
+}
+
 TEST_P(EveryBur, StandsOnItsTipAndEndsInAFrictionGripShank) {
     const TriangleMesh surface = makeBur(spec_).surface;
     const Box3 box = boundingBox(surface);
@@ -72,6 +124,7 @@ std::vector<std::string> allNumbers() {
 INSTANTIATE_TEST_SUITE_P(Catalogue, EveryBur, testing::ValuesIn(allNumbers()), [](const auto& instance) {
     std::string name = "No" + instance.param;
     std::ranges::replace(name, '-', '_');
+    std::ranges::replace(name, '/', '_');
     return name;
 });
 
@@ -119,6 +172,46 @@ double deepestGullet(const BurSpec& spec) {
 TEST(BurShape, CarbideHasGulletsAndDiamondIsRound) {
     EXPECT_LT(deepestGullet(findBur("4").value()), 0.8);
     EXPECT_NEAR(deepestGullet(findBur("801-014").value()), 1, 1e-6);
+}
+
+int verticesBelowTheOutline(const BurSpec& spec, int triangles) {
+    const std::vector<OutlinePoint> fine = burOutline(spec, 4000);
+    int below = 0;
+    for (const Vec3f& v : makeBur(spec, triangles).surface.vertices) {
+        const bool onSide = v.z() > 0.5 && v.z() < 0.7 * spec.headLength;
+        if (onSide && radiusOf(v) < radiusAt(fine, v.z()) - 0.005) ++below;
+    }
+    return below;
+}
+
+TEST(BurShape, FineDiamondsShowTheirGrains) {
+    const BurSpec spec = findBur("856-016").value();
+    EXPECT_GT(verticesBelowTheOutline(spec, 20000), 1000);
+    EXPECT_EQ(verticesBelowTheOutline(spec, kContactBurTriangles), 0);
+}
+
+TEST(BurShape, CrossCutBladesHaveNotches) {
+    const int plain = verticesBelowTheOutline(findBur("57").value(), 20000);
+    EXPECT_GT(verticesBelowTheOutline(findBur("557").value(), 20000), plain + 100);
+}
+
+TEST(BurShape, TapersHaveTheirAngle) {
+    const std::vector<OutlinePoint> outline = burOutline(findBur("700").value(), 20);
+    const double widening = outline.back().radius - outline.front().radius;
+    EXPECT_NEAR(std::atan2(widening, outline.back().z), 3 * std::numbers::pi / 180, 1e-9);
+}
+
+TEST(BurCatalogue, IsoNumbersAreThoseOnTheBox) {
+    EXPECT_EQ(isoNumber(*findBur("4")), "500 314 001 001 014");
+    EXPECT_EQ(isoNumber(*findBur("801-014")), "806 314 001 524 014");
+    EXPECT_EQ(findBur("806314001524014")->number, "801-014");
+}
+
+TEST(BurCatalogue, ADiamondComesInEveryGrit) {
+    EXPECT_EQ(findBur("806 314 198 504 016")->gritMicrometres, 30);
+    EXPECT_EQ(findBur("806 314 198 544 016")->gritMicrometres, 180);
+    EXPECT_FALSE(findBur("806 314 198 999 016").has_value());
+    EXPECT_FALSE(findBur("806 314 198 524 0165").has_value());
 }
 
 TEST(BurCatalogue, FindsByNumberAndKnowsWhatItLacks) {

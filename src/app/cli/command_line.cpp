@@ -21,10 +21,13 @@ namespace {
 
 void addInfo(CLI::App& program, Chosen& chosen) {
     const auto options = std::make_shared<InfoOptions>();
-    CLI::App* command = addCommand(
-        program, chosen, "info",
-        "Shows what the surfaces in STL files are like: size, closed or not, volume, findings.", options, runInfo);
-    command->add_option("FILE", options->files, "STL files, binary or ASCII, in mm")->required()->type_name("");
+    CLI::App* command =
+        addCommand(program, chosen, "info",
+                   "Shows what the surfaces in STL, OBJ and PLY files are like: size, closed or not, volume, findings.",
+                   options, runInfo);
+    command->add_option("FILE", options->files, "STL (binary or ASCII), OBJ or PLY files, in mm")
+        ->required()
+        ->type_name("");
     command->add_flag("--json", options->json, "Write one JSON object for each file, one a line");
 }
 
@@ -286,6 +289,7 @@ int runCommandLine(int argc, const char* const* argv) {
     addCut(program, chosen);
     addDemo(program, chosen);
     addSound(program, chosen);
+    addMouthCommands(program, chosen);
     addMeshCommands(program, chosen);
     addMeasuringCommands(program, chosen);
     try {

@@ -59,8 +59,9 @@ QLineEdit* OpenToothDialog::addRow(QGridLayout& grid, const QString& label, cons
     grid.addWidget(edit, row, 1);
     grid.addWidget(browse, row, 2);
     connect(browse, &QPushButton::clicked, this, [this, edit, label] {
-        auto* files = new QFileDialog(this, label, folder_,
-                                      tr("Surfaces and saved teeth (*.stl *.STL *.tactooth);;All files (*)"));
+        auto* files = new QFileDialog(
+            this, label, folder_,
+            tr("Surfaces and saved teeth (*.stl *.STL *.obj *.OBJ *.ply *.PLY *.tactooth);;All files (*)"));
         files->setAttribute(Qt::WA_DeleteOnClose);
         files->setFileMode(QFileDialog::ExistingFile);
         connect(files, &QFileDialog::fileSelected, this, [this, edit](const QString& file) {

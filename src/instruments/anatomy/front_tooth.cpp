@@ -92,6 +92,41 @@ Vec3 surfacePoint(const ScalarField& body, Vec3 inside, Vec3 outside) {
 
 }  // namespace
 
+FrontToothPlan resized(FrontToothPlan plan, const FrontToothSize& from, const FrontToothSize& to) {
+    const double crown = to.crown / from.crown, root = to.root / from.root;
+    const double neckX = to.cervixMesiodistal / from.cervixMesiodistal, wideX = to.mesiodistal / from.mesiodistal;
+    const double neckY = to.cervixLabiolingual / from.cervixLabiolingual, wideY = to.labiolingual / from.labiolingual;
+    // Mesiodistally a front tooth is widest near its edge, labiolingually just above its neck.
+    constexpr double kWideX = 0.6, kWideY = 0.15;  // of the crown's length
+    const auto alongX = [&](double z) { return std::lerp(neckX, wideX, smoothStep(0, kWideX * from.crown, z)); };
+    const auto alongY = [&](double z) { return std::lerp(neckY, wideY, smoothStep(0, kWideY * from.crown, z)); };
+    const auto resize = [&](Section& s) {
+        const double x = alongX(s.z), y = alongY(s.z);
+        s = {s.z * (s.z > 0 ? crown : root),
+             x * s.plusX,
+             x * s.minusX,
+             y * s.plusY,
+             y * s.minusY,
+             s.squareness,
+             x * s.x,
+             y * s.y};
+    };
+    for (Section& s : plan.body) resize(s);
+    for (Section& s : plan.pulp) resize(s);
+    for (std::vector<Furrow>* furrows : {&plan.labial, &plan.lingual}) {
+        for (Furrow& f : *furrows) f = {f.x * wideX, f.width * wideX, f.from * crown, f.to * crown, f.depth * wideX};
+    }
+    plan.apex *= root;
+    plan.edgeX *= wideX;
+    plan.edgeZ *= crown;
+    plan.edgeRoundness *= wideX;
+    plan.cervicalHalfWidth *= neckX;
+    for (Vec3* point : {&plan.lesionFrom, &plan.lesionToward}) {
+        *point = point->cwiseProduct(Vec3(alongX(point->z()), alongY(point->z()), crown));
+    }
+    return plan;
+}
+
 ToothShape frontTooth(const FrontToothPlan& plan) {
     const auto tooth = std::make_shared<const FrontTooth>(plan);
     constexpr double kMargin = 0.8;

@@ -35,6 +35,15 @@ struct FrontToothPlan {
     Vec3 lesionFrom, lesionToward;  ///< a line from within the tooth to where the lesion breaks the surface
 };
 
+/// The lengths by which a table tells front teeth apart, mm.
+struct FrontToothSize {
+    double crown = 10, root = 13;
+    double mesiodistal = 8, cervixMesiodistal = 6, labiolingual = 7, cervixLabiolingual = 6;
+};
+
+/// The same tooth in another size: each length in its proportion, the neck and the crown apart.
+[[nodiscard]] FrontToothPlan resized(FrontToothPlan plan, const FrontToothSize& from, const FrontToothSize& to);
+
 [[nodiscard]] ToothShape frontTooth(const FrontToothPlan& plan);
 
 }  // namespace tactooth

@@ -23,8 +23,25 @@ struct ToothShape {
     double lesionEnamel = 1;  ///< thickness of the enamel there, mm
 };
 
-[[nodiscard]] ToothShape lowerFirstMolar();
+// Right-side teeth; those of the left side are their mirror images.
 [[nodiscard]] ToothShape upperCentralIncisor();
+[[nodiscard]] ToothShape upperLateralIncisor();
 [[nodiscard]] ToothShape upperCanine();
+[[nodiscard]] ToothShape upperFirstPremolar();
+[[nodiscard]] ToothShape upperSecondPremolar();
+[[nodiscard]] ToothShape upperFirstMolar();
+[[nodiscard]] ToothShape upperSecondMolar();
+[[nodiscard]] ToothShape upperThirdMolar();
+[[nodiscard]] ToothShape lowerCentralIncisor();
+[[nodiscard]] ToothShape lowerLateralIncisor();
+[[nodiscard]] ToothShape lowerCanine();
+[[nodiscard]] ToothShape lowerFirstPremolar();
+[[nodiscard]] ToothShape lowerSecondPremolar();
+[[nodiscard]] ToothShape lowerFirstMolar();
+[[nodiscard]] ToothShape lowerSecondMolar();
+[[nodiscard]] ToothShape lowerThirdMolar();
+
+/// The shape of a permanent tooth (FDI 11-18, 21-28, 31-38, 41-48): that of the right side, with its own number.
+[[nodiscard]] ToothShape toothShape(int fdi);
 
 }  // namespace tactooth

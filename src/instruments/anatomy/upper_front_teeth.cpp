@@ -1,15 +1,22 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Upper right central incisor (11) and canine (13). Lengths, diameters and cervical curves: Wheeler's table of average
-// teeth; the outlines between are modelled after textbook drawings.
+// Upper right incisors (11, 12) and canine (13); the lower right canine (43), which is made from the upper one.
+// Lengths, diameters and cervical curves: Wheeler's table of average teeth; the outlines between are modelled after
+// textbook drawings.
 #include "instruments/anatomy/front_tooth.h"
 
 namespace tactooth {
 
 // Columns of a section: z, mesial, distal, buccal, lingual, squareness, x, y.
 
-ToothShape upperCentralIncisor() {
+namespace {
+
+constexpr FrontToothSize kUpperCentral{10.5, 13.0, 8.5, 7.0, 7.0, 6.0},
+    kUpperLateral{9.0, 13.0, 6.5, 4.82, 6.0, 5.0};  // as wide at the neck as the table says, once its line is curved
+constexpr FrontToothSize kUpperCanine{10.0, 17.0, 7.5, 5.5, 8.0, 7.0}, kLowerCanine{11.0, 16.0, 7.0, 5.5, 7.5, 7.0};
+
+FrontToothPlan upperCentral() {
     FrontToothPlan plan;
     plan.name = "Upper right central incisor";
     plan.fdi = 11;
@@ -39,10 +46,10 @@ ToothShape upperCentralIncisor() {
                  {3.5, 1.55, 1.55, 0.60, 0.60, 2.3, 0.0, 0.65},    {6.2, 1.75, 1.75, 0.22, 0.22, 2.5, 0.0, 0.95}};
     plan.lesionFrom = Vec3(1.0, 0.8, 7.0);
     plan.lesionToward = Vec3(6.0, 0.8, 7.0);
-    return frontTooth(plan);
+    return plan;
 }
 
-ToothShape upperCanine() {
+FrontToothPlan canine() {
     FrontToothPlan plan;
     plan.name = "Upper right canine";
     plan.fdi = 13;
@@ -72,6 +79,47 @@ ToothShape upperCanine() {
                  {3.5, 0.80, 0.80, 0.95, 0.85, 2.1, 0.05, 0.45},   {6.6, 0.30, 0.30, 0.28, 0.28, 2.0, 0.15, 0.85}};
     plan.lesionFrom = Vec3(0.0, 0.0, 1.5);
     plan.lesionToward = Vec3(0.0, 6.0, 1.5);
+    return plan;
+}
+
+}  // namespace
+
+ToothShape upperCentralIncisor() { return frontTooth(upperCentral()); }
+
+/// As the central one, but with rounder corners, a deeper fossa and a root that bends to distal.
+ToothShape upperLateralIncisor() {
+    FrontToothPlan plan = resized(upperCentral(), kUpperCentral, kUpperLateral);
+    plan.name = "Upper right lateral incisor";
+    plan.fdi = 12;
+    plan.edgeX = 0.8;
+    plan.mesialFall = 0.20;
+    plan.distalFall = 0.42;
+    plan.edgeRoundness = 0.9;
+    plan.lingual.front().depth = 0.55;
+    plan.mesialRise = 3.0;
+    plan.distalRise = 2.0;
+    for (std::vector<Section>* sections : {&plan.body, &plan.pulp}) {
+        for (Section& s : *sections) {
+            constexpr double kBend = 0.9;  // mm at the apex
+            if (s.z < 0) s.x -= kBend * s.z * s.z / (kUpperLateral.root * kUpperLateral.root);
+        }
+    }
+    return frontTooth(plan);
+}
+
+ToothShape upperCanine() { return frontTooth(canine()); }
+
+/// Narrower and longer than the upper one, its lingual ridges faint, its mesial side straight.
+ToothShape lowerCanine() {
+    FrontToothPlan plan = resized(canine(), kUpperCanine, kLowerCanine);
+    plan.name = "Lower right canine";
+    plan.fdi = 43;
+    plan.edgeX = 0.45;
+    plan.mesialFall = 0.42;
+    plan.distalFall = 0.66;
+    plan.bevel = 0.55;
+    for (Furrow& furrow : plan.lingual) furrow.depth *= 0.5;
+    plan.distalRise = 1.0;
     return frontTooth(plan);
 }
 

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "instruments/anatomy/lesion.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "instruments/modelling/blend.h"
+
+namespace tactooth {
+namespace {
+
+/// Where a lesion breaks the surface, which way it grows, and how thick the enamel is there.
+struct LesionPlace {
+    Vec3 site, inward;
+    double enamel = 1;
+};
+
+constexpr double kStep = 0.02;  // mm, of a search along a line
+
+/// The middle of the tooth between its buccal and lingual side at a height.
+Vec3 middleAt(const ToothShape& shape, double z) {
+    double sum = 0;
+    int inside = 0;
+    for (double y = shape.bounds.min().y(); y < shape.bounds.max().y(); y += kStep) {
+        if (shape.outer(Vec3(0, y, z)) >= 0) continue;
+        sum += y;
+        ++inside;
+    }
+    return {0, inside > 0 ? sum / inside : 0, z};
+}
+
+double crownHeight(const ToothShape& shape) {
+    double z = shape.bounds.max().z();
+    while (z > 0 && shape.outer(middleAt(shape, z)) >= 0) z -= 0.1;
+    return z;
+}
+
+LesionPlace placeAlong(const ToothShape& shape, const Vec3& from, const Vec3& outward) {
+    LesionPlace place;
+    place.inward = -outward;
+    double way = 0;
+    while (shape.outer(from + way * outward) < 0) way += kStep;
+    place.site = from + way * outward;
+    double enamel = 0;
+    while (enamel < way && shape.core(place.site - enamel * outward) >= 0) enamel += kStep;
+    place.enamel = enamel;
+    return place;
+}
+
+LesionPlace placeOf(const ToothShape& shape, LesionSite site) {
+    constexpr double kContact = 0.60;  // of the crown's height: just below the contact, where plaque stays
+    constexpr double kNeck = 1.4;      // mm above the cervical line
+    const double contact = kContact * crownHeight(shape);
+    switch (site) {
+        case LesionSite::usual:
+        case LesionSite::occlusal:
+            break;
+        case LesionSite::mesial:
+            return placeAlong(shape, middleAt(shape, contact), Vec3::UnitX());
+        case LesionSite::distal:
+            return placeAlong(shape, middleAt(shape, contact), -Vec3::UnitX());
+        case LesionSite::buccal:
+            return placeAlong(shape, Vec3(0, 0, kNeck), Vec3::UnitY());
+        case LesionSite::lingual:
+            return placeAlong(shape, Vec3(0, 0, kNeck), -Vec3::UnitY());
+    }
+    return {shape.lesionSite, shape.lesionInward, shape.lesionEnamel};
+}
+
+}  // namespace
+
+ScalarField lesionBody(const ToothShape& shape, const Lesion& lesion) {
+    const LesionPlace place = placeOf(shape, lesion.site);
+    const double width = lesion.width;
+    // How far the middle of what spreads in the dentin lies below the enamel, and its half height.
+    double middle = 0.10 * width, half = 0.36 * width;
+    double throat = place.enamel;
+    if (lesion.depth) {
+        const double inDentin = std::max(0.0, *lesion.depth - place.enamel);
+        middle *= inDentin / (0.46 * width);
+        half *= inDentin / (0.46 * width);
+        throat = std::min(throat, *lesion.depth - 0.34 * width);  // the throat's end is round
+    }
+    return [place, width, middle, half, throat](const Vec3& point) {
+        const Vec3 from = point - place.site;
+        const double deep = from.dot(place.inward), aside = (from - deep * place.inward).norm();
+        const double mouth = taperedCapsule(Vec3(aside, 0, deep), Vec3(0, 0, -0.5), 0.22 * width,
+                                            Vec3(0, 0, std::max(throat, 0.0)), 0.34 * width);
+        constexpr double kThinnest = 0.05;  // mm; less stays in the enamel
+        if (half < kThinnest) return mouth;
+        const Vec3 spread(0.5 * width, 0.5 * width, half);
+        const double body = ellipsoid(Vec3(aside, 0, deep - place.enamel - middle), spread);
+        return smoothUnion(mouth, body, 0.15 * width);
+    };
+}
+
+}  // namespace tactooth

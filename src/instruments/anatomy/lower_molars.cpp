@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Lower right second and third molar (47, 48). Lengths and diameters: Wheeler's table of average teeth. Everything else
+// is modelled after textbook drawings.
+#include "instruments/anatomy/back_tooth.h"
+#include "instruments/anatomy/tooth_form.h"
+
+namespace tactooth {
+namespace {
+
+void addRoot(BackToothPlan& plan, const RootForm& form, std::initializer_list<CanalForm> canals, double hollow) {
+    plan.roots.push_back({rootSections(form), -form.length - 0.05, hollow, form.bendY, 1 - form.length});
+    for (const CanalForm& canal : canals) plan.canals.push_back(canalSections(form, canal));
+}
+
+BackToothPlan lowerMolar(const char* name, int fdi, const CrownForm& crown, double root) {
+    BackToothPlan plan;
+    plan.name = name;
+    plan.fdi = fdi;
+    plan.bounds = Box3(Vec3(-7, -6.5, -root - 0.8), Vec3(7, 6.5, crown.length + 0.9));
+    plan.crown = crownSections(crown);
+    plan.neckFillet = 0.7;
+    plan.cervicalHalfWidth = crown.cervixMesiodistal / 2;
+    return plan;
+}
+
+}  // namespace
+
+ToothShape lowerSecondMolar() {
+    CrownForm crown{.length = 7.0,
+                    .mesiodistal = 10.5,
+                    .buccolingual = 10.0,
+                    .cervixMesiodistal = 7.85,
+                    .cervixBuccolingual = 9.3,
+                    .mesialContact = 0.66,
+                    .distalContact = 0.60,
+                    .buccalCrest = 0.28,
+                    .lingualCrest = 0.52,
+                    .mesialTop = 0.84,
+                    .distalTop = 0.82,
+                    .buccalTop = 0.58,
+                    .lingualTop = 0.74,
+                    .topSquareness = 2.6};
+    BackToothPlan plan = lowerMolar("Lower right second molar", 47, crown, 13.0);
+    plan.narrowsLingually = 0.006;
+    plan.narrowsDistally = 0.014;
+    plan.fossa = 4.35;
+    plan.cusps = {{2.30, 2.45, 6.75, -0.15, -0.99, 0.84, 1.10, 0.66},   // mesiobuccal
+                  {-2.05, 2.35, 6.50, 0.15, -0.99, 0.82, 1.10, 0.70},   // distobuccal
+                  {2.25, -2.65, 7.10, -0.15, 0.99, 0.86, 1.35, 0.64},   // mesiolingual
+                  {-2.05, -2.55, 6.80, 0.15, 0.99, 0.84, 1.35, 0.68}};  // distolingual
+    plan.ridges = {{4.25, 1.3, 4.25, -1.4, 5.50, 0.95}, {-4.15, 1.2, -4.10, -1.4, 5.25, 0.95}};
+    // A cross: the central groove and one groove to either side.
+    plan.grooves = {{3.20, -0.10, 0.10, 0.00, 0.37, 0.42},  {0.10, 0.00, -3.05, -0.10, 0.37, 0.42},
+                    {0.10, 0.00, 0.15, 4.6, 0.38, 0.44},    {0.10, 0.00, 0.05, -4.8, 0.36, 0.44},
+                    {3.20, -0.10, 3.75, 0.9, 0.24, 0.36},   {3.20, -0.10, 3.75, -1.1, 0.24, 0.36},
+                    {-3.05, -0.10, -3.60, 0.9, 0.24, 0.36}, {-3.05, -0.10, -3.60, -1.1, 0.24, 0.36},
+                    {1.7, -0.1, 2.6, 1.8, 0.13, 0.34},      {1.4, 0.0, 1.2, 1.9, 0.12, 0.32},
+                    {-1.5, 0.0, -1.3, 1.8, 0.12, 0.32},     {1.7, -0.1, 2.6, -1.8, 0.13, 0.34},
+                    {-1.5, -0.1, -1.4, -1.9, 0.12, 0.32},   {-2.2, -0.1, -2.9, 1.6, 0.12, 0.32}};
+    plan.pits = {{0.10, 0.00, 0.24, 0.50}, {3.20, -0.10, 0.22, 0.44}, {-3.05, -0.10, 0.22, 0.44}};
+    plan.wallGrooves = {{true, 0.15, 0.40, 0.58}, {false, 0.05, 0.32, 0.58}};
+    addRoot(plan,
+            {.length = 13.0,
+             .neckX = 1.9,
+             .neckY = 0,
+             .bendX = 2.6,
+             .bendY = 0,
+             .apexX = 0.5,
+             .apexY = 0,
+             .halfMesiodistal = 1.85,
+             .halfBuccolingual = 4.25,
+             .squareness = 2.6},
+            {{1.5, 0.34, 0.36}, {-1.5, 0.34, 0.36}}, 0.35);
+    addRoot(plan,
+            {.length = 12.4,
+             .neckX = -2.0,
+             .neckY = 0,
+             .bendX = -2.7,
+             .bendY = 0,
+             .apexX = -3.1,
+             .apexY = 0,
+             .halfMesiodistal = 1.75,
+             .halfBuccolingual = 3.8,
+             .squareness = 2.5},
+            {{0, 0.45, 0.95}}, 0.2);
+    plan.chamber = Vec3(-0.1, 0, 0.25);
+    plan.chamberHalf = Vec3(2.35, 1.9, 0.78);
+    return backTooth(plan);
+}
+
+ToothShape lowerThirdMolar() {
+    CrownForm crown{.length = 7.0,
+                    .mesiodistal = 10.0,
+                    .buccolingual = 9.5,
+                    .cervixMesiodistal = 7.5,
+                    .cervixBuccolingual = 9.2,
+                    .mesialContact = 0.64,
+                    .distalContact = 0.56,
+                    .buccalCrest = 0.30,
+                    .lingualCrest = 0.52,
+                    .mesialTop = 0.80,
+                    .distalTop = 0.74,
+                    .buccalTop = 0.58,
+                    .lingualTop = 0.70,
+                    .cervixSquareness = 2.3,
+                    .topSquareness = 2.2};
+    BackToothPlan plan = lowerMolar("Lower right third molar", 48, crown, 11.0);
+    plan.narrowsLingually = 0.012;
+    plan.narrowsDistally = 0.028;
+    plan.fossa = 4.45;
+    plan.tip = 0.5;
+    plan.cusps = {{2.30, 2.30, 6.70, -0.20, -0.98, 0.80, 1.05, 0.66},
+                  {-1.00, 2.20, 6.40, 0.15, -0.99, 0.80, 1.05, 0.74},
+                  {-2.95, 0.80, 5.85, 0.90, -0.43, 0.70, 1.00, 0.80},
+                  {2.05, -2.35, 7.05, -0.20, 0.98, 0.84, 1.25, 0.66},
+                  {-1.70, -2.20, 6.60, 0.25, 0.97, 0.82, 1.25, 0.70}};
+    plan.ridges = {{4.05, 1.2, 4.00, -1.3, 5.55, 0.95}, {-4.00, 0.2, -3.75, -1.3, 5.25, 0.95}};
+    plan.grooves = {{2.95, -0.05, 0.85, -0.30, 0.34, 0.42},  {0.85, -0.30, -0.65, 0.20, 0.36, 0.42},
+                    {-0.65, 0.20, -2.70, -0.50, 0.32, 0.42}, {0.85, -0.30, 0.75, 4.3, 0.34, 0.44},
+                    {-1.75, -0.2, -2.25, 3.4, 0.28, 0.40},   {0.10, -0.05, 0.20, -4.6, 0.32, 0.44},
+                    {2.95, -0.05, 3.45, 1.0, 0.22, 0.34},    {2.95, -0.05, 3.45, -1.1, 0.22, 0.34},
+                    {1.6, -0.2, 2.3, 1.7, 0.16, 0.34},       {0.1, 0.0, -0.3, 1.7, 0.16, 0.34},
+                    {1.4, -0.2, 1.2, -1.7, 0.16, 0.34},      {-1.2, 0.0, -1.0, -1.7, 0.16, 0.34},
+                    {2.0, -0.2, 2.9, -1.5, 0.14, 0.32}};
+    plan.pits = {{0.80, -0.25, 0.22, 0.48}, {2.95, -0.05, 0.20, 0.42}, {-2.60, -0.45, 0.20, 0.42}};
+    plan.wallGrooves = {{true, 0.80, 0.30, 0.58}, {false, 0.20, 0.26, 0.58}};
+    addRoot(plan,
+            {.length = 11.0,
+             .neckX = 1.5,
+             .neckY = 0,
+             .bendX = 1.9,
+             .bendY = 0.1,
+             .apexX = -0.7,
+             .apexY = 0.2,
+             .halfMesiodistal = 1.95,
+             .halfBuccolingual = 4.2,
+             .squareness = 2.4},
+            {{1.1, 0.32, 0.36}, {-1.1, 0.32, 0.36}}, 0.3);
+    addRoot(plan,
+            {.length = 10.2,
+             .neckX = -1.7,
+             .neckY = 0,
+             .bendX = -2.3,
+             .bendY = 0,
+             .apexX = -3.3,
+             .apexY = 0,
+             .halfMesiodistal = 1.75,
+             .halfBuccolingual = 3.5,
+             .squareness = 2.4},
+            {{0, 0.42, 0.85}}, 0.2);
+    plan.chamber = Vec3(-0.1, 0, 0.25);
+    plan.chamberHalf = Vec3(2.1, 1.8, 0.75);
+    return backTooth(plan);
+}
+
+}  // namespace tactooth

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "instruments/anatomy/back_tooth.h"
+
+namespace tactooth {
+
+/// Height of a back tooth's chewing surface over (x, y), without its grooves.
+[[nodiscard]] double occlusalHeight(const BackToothPlan& plan, double x, double y);
+
+/// How deep grooves and pits are cut into it at (x, y).
+[[nodiscard]] double grooveDepth(const BackToothPlan& plan, double x, double y);
+
+}  // namespace tactooth

@@ -1,0 +1,231 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Upper right and lower right premolars (14, 15, 44, 45). Lengths and diameters: Wheeler's table of average teeth.
+// Everything else is modelled after textbook drawings.
+#include "instruments/anatomy/back_tooth.h"
+#include "instruments/anatomy/tooth_form.h"
+
+namespace tactooth {
+namespace {
+
+void addRoot(BackToothPlan& plan, const RootForm& form, std::initializer_list<CanalForm> canals, double hollow = 0) {
+    plan.roots.push_back({rootSections(form), -form.length - 0.05, hollow, form.bendY, 1 - form.length});
+    for (const CanalForm& canal : canals) plan.canals.push_back(canalSections(form, canal));
+}
+
+BackToothPlan premolar(const char* name, int fdi, const CrownForm& crown, double root) {
+    BackToothPlan plan;
+    plan.name = name;
+    plan.fdi = fdi;
+    plan.bounds = Box3(Vec3(-5, -6, -root - 0.8), Vec3(5, 6, crown.length + 0.9));
+    plan.crown = crownSections(crown);
+    plan.tip = 0.30;
+    plan.enamel = 1.35;
+    plan.spur = 0;
+    plan.mesialRise = 1.0;
+    plan.distalRise = 0.3;
+    plan.cervicalHalfWidth = crown.cervixMesiodistal / 2;
+    plan.neckFillet = 0.2;
+    plan.rootTop = 0.25;  // one root is as wide as the neck
+    plan.rootTopRound = 0.3;
+    plan.trunkEnd = -2.2;
+    plan.chamberRound = 0.45;
+    plan.hornBase = 0.42;
+    plan.hornRise = 4.9;
+    return plan;
+}
+
+}  // namespace
+
+ToothShape upperFirstPremolar() {
+    CrownForm crown{.length = 8.5,
+                    .mesiodistal = 7.0,
+                    .buccolingual = 9.0,
+                    .cervixMesiodistal = 4.82,
+                    .cervixBuccolingual = 8.35,
+                    .mesialContact = 0.62,
+                    .distalContact = 0.56,
+                    .buccalCrest = 0.28,
+                    .lingualCrest = 0.45,
+                    .mesialTop = 0.74,
+                    .distalTop = 0.74,
+                    .buccalTop = 0.62,
+                    .lingualTop = 0.60,
+                    .cervixSquareness = 2.2,
+                    .topSquareness = 2.1};
+    BackToothPlan plan = premolar("Upper right first premolar", 14, crown, 14.0);
+    plan.functionalSide = -1;
+    plan.narrowsLingually = 0.035;
+    plan.fossa = 5.3;
+    plan.cusps = {{-0.25, 2.65, 8.62, 0.0, -1.0, 0.92, 1.25, 0.72}, {0.35, -2.35, 7.60, 0.0, 1.0, 0.84, 1.05, 0.62}};
+    plan.ridges = {{2.55, 1.3, 2.35, -1.1, 6.45, 1.1}, {-2.55, 1.3, -2.35, -1.1, 6.35, 1.1}};
+    plan.grooves = {{1.75, 0.05, -1.80, 0.05, 0.42, 0.40}, {1.75, 0.05, 3.6, -0.15, 0.30, 0.36},
+                    {1.75, 0.05, 2.05, 1.25, 0.24, 0.34},  {-1.80, 0.05, -2.05, 1.25, 0.24, 0.34},
+                    {1.75, 0.05, 1.95, -1.0, 0.18, 0.32},  {-1.80, 0.05, -1.95, -1.0, 0.18, 0.32}};
+    plan.pits = {{0.0, 0.05, 0.12, 0.5}, {1.75, 0.05, 0.20, 0.42}, {-1.80, 0.05, 0.20, 0.42}};
+    plan.trunkEnd = -2.6;
+    addRoot(plan,
+            {.length = 14.0,
+             .neckX = 0,
+             .neckY = 1.55,
+             .bendX = 0.1,
+             .bendY = 2.2,
+             .apexX = -0.5,
+             .apexY = 2.3,
+             .halfMesiodistal = 2.33,
+             .halfBuccolingual = 2.3},
+            {{0, 0.32, 0.40}});
+    addRoot(plan,
+            {.length = 13.2,
+             .neckX = 0,
+             .neckY = -1.6,
+             .bendX = 0.1,
+             .bendY = -2.3,
+             .apexX = -0.3,
+             .apexY = -2.2,
+             .halfMesiodistal = 2.0,
+             .halfBuccolingual = 2.2},
+            {{0, 0.32, 0.40}});
+    plan.chamber = Vec3(0, 0.1, 0.7);
+    plan.chamberHalf = Vec3(0.75, 2.25, 1.0);
+    return backTooth(plan);
+}
+
+ToothShape upperSecondPremolar() {
+    CrownForm crown{.length = 8.5,
+                    .mesiodistal = 7.0,
+                    .buccolingual = 9.0,
+                    .cervixMesiodistal = 5.0,
+                    .cervixBuccolingual = 8.12,
+                    .mesialContact = 0.60,
+                    .distalContact = 0.56,
+                    .buccalCrest = 0.28,
+                    .lingualCrest = 0.45,
+                    .mesialTop = 0.76,
+                    .distalTop = 0.76,
+                    .buccalTop = 0.62,
+                    .lingualTop = 0.64,
+                    .cervixSquareness = 2.1,
+                    .topSquareness = 2.1};
+    BackToothPlan plan = premolar("Upper right second premolar", 15, crown, 14.0);
+    plan.functionalSide = -1;
+    plan.narrowsLingually = 0.012;
+    plan.fossa = 5.5;
+    plan.cusps = {{0.15, 2.55, 8.58, 0.0, -1.0, 0.86, 1.20, 0.64}, {0.25, -2.45, 8.20, 0.0, 1.0, 0.84, 1.10, 0.60}};
+    plan.ridges = {{2.55, 1.3, 2.45, -1.3, 6.65, 1.1}, {-2.55, 1.3, -2.45, -1.3, 6.55, 1.1}};
+    plan.grooves = {{1.15, 0.05, -1.20, 0.05, 0.38, 0.40},   {1.15, 0.05, 1.95, 1.35, 0.26, 0.34},
+                    {1.15, 0.05, 1.95, -1.25, 0.26, 0.34},   {-1.20, 0.05, -1.95, 1.35, 0.26, 0.34},
+                    {-1.20, 0.05, -1.95, -1.25, 0.26, 0.34}, {0.7, 0.05, 0.95, 1.5, 0.14, 0.30},
+                    {-0.7, 0.05, -0.95, 1.5, 0.14, 0.30},    {0.6, 0.05, 0.9, -1.4, 0.14, 0.30},
+                    {-0.6, 0.05, -0.9, -1.4, 0.14, 0.30}};
+    plan.pits = {{0.0, 0.05, 0.10, 0.5}, {1.15, 0.05, 0.18, 0.40}, {-1.20, 0.05, 0.18, 0.40}};
+    addRoot(plan,
+            {.length = 14.0,
+             .neckX = 0,
+             .neckY = 0,
+             .bendX = 0.15,
+             .bendY = 0,
+             .apexX = -0.8,
+             .apexY = 0,
+             .halfMesiodistal = 2.42,
+             .halfBuccolingual = 3.95,
+             .squareness = 2.2},
+            {{0, 0.38, 0.95}}, 0.3);
+    plan.chamber = Vec3(0, 0.05, 0.7);
+    plan.chamberHalf = Vec3(0.72, 2.15, 1.0);
+    return backTooth(plan);
+}
+
+ToothShape lowerFirstPremolar() {
+    CrownForm crown{.length = 8.5,
+                    .mesiodistal = 7.0,
+                    .buccolingual = 7.5,
+                    .cervixMesiodistal = 4.7,
+                    .cervixBuccolingual = 6.85,
+                    .mesialContact = 0.60,
+                    .distalContact = 0.56,
+                    .buccalCrest = 0.30,
+                    .lingualCrest = 0.58,
+                    .mesialTop = 0.66,
+                    .distalTop = 0.66,
+                    .buccalTop = 0.20,
+                    .lingualTop = 0.96,
+                    .buccalShift = -0.05,
+                    .cervixSquareness = 2.1,
+                    .topSquareness = 2.05};
+    BackToothPlan plan = premolar("Lower right first premolar", 44, crown, 14.0);
+    plan.narrowsLingually = 0.055;
+    plan.fossa = 5.0;
+    plan.cusps = {{0.05, 0.75, 8.62, 0.0, -1.0, 0.80, 0.85, 0.70}, {0.15, -2.95, 6.35, 0.0, 1.0, 0.45, 1.10, 0.70}};
+    plan.ridges = {{2.60, 0.9, 1.75, -2.1, 6.35, 1.15}, {-2.60, 0.9, -1.75, -2.1, 6.45, 1.15}};
+    plan.grooves = {{1.45, -0.95, 0.30, -1.75, 0.26, 0.36},
+                    {-1.45, -0.95, -0.30, -1.75, 0.26, 0.36},
+                    {1.45, -0.95, 1.75, 0.6, 0.24, 0.36},
+                    {-1.45, -0.95, -1.75, 0.6, 0.24, 0.36},
+                    {1.45, -0.95, 1.60, -3.9, 0.28, 0.38}};  // the mesiolingual groove
+    plan.pits = {{1.45, -0.95, 0.28, 0.44}, {-1.45, -0.95, 0.28, 0.44}};
+    addRoot(plan,
+            {.length = 14.0,
+             .neckX = 0,
+             .neckY = 0,
+             .bendX = 0.1,
+             .bendY = 0,
+             .apexX = -0.5,
+             .apexY = 0,
+             .halfMesiodistal = 2.27,
+             .halfBuccolingual = 3.3,
+             .squareness = 2.1},
+            {{0, 0.36, 0.72}}, 0.15);
+    plan.chamber = Vec3(0, 0.1, 0.8);
+    plan.chamberHalf = Vec3(0.68, 1.35, 1.1);
+    return backTooth(plan);
+}
+
+ToothShape lowerSecondPremolar() {
+    CrownForm crown{.length = 8.0,
+                    .mesiodistal = 7.0,
+                    .buccolingual = 8.0,
+                    .cervixMesiodistal = 5.0,
+                    .cervixBuccolingual = 7.2,
+                    .mesialContact = 0.62,
+                    .distalContact = 0.58,
+                    .buccalCrest = 0.30,
+                    .lingualCrest = 0.55,
+                    .mesialTop = 0.78,
+                    .distalTop = 0.78,
+                    .buccalTop = 0.40,
+                    .lingualTop = 0.82,
+                    .cervixSquareness = 2.1,
+                    .topSquareness = 2.4};
+    BackToothPlan plan = premolar("Lower right second premolar", 45, crown, 14.5);
+    plan.fossa = 5.2;
+    plan.cusps = {{0.10, 1.55, 8.15, 0.0, -1.0, 0.78, 0.90, 0.62},      // buccal
+                  {1.15, -2.45, 7.10, -0.25, 0.97, 0.80, 1.15, 0.68},   // mesiolingual
+                  {-1.45, -2.30, 6.75, 0.35, 0.94, 0.80, 1.15, 0.72}};  // distolingual
+    plan.ridges = {{2.65, 1.0, 2.55, -1.3, 6.25, 1.1}, {-2.65, 1.0, -2.55, -1.3, 6.10, 1.1}};
+    // A Y: from the central pit to both fossae and between the lingual cusps.
+    plan.grooves = {{1.65, 0.05, -0.30, -0.75, 0.36, 0.38},  {-0.30, -0.75, -1.75, 0.0, 0.36, 0.38},
+                    {-0.30, -0.75, -0.25, -4.2, 0.36, 0.40}, {1.65, 0.05, 2.05, 1.05, 0.22, 0.34},
+                    {1.65, 0.05, 2.05, -0.9, 0.20, 0.32},    {-1.75, 0.0, -2.05, 1.0, 0.22, 0.34},
+                    {-1.75, 0.0, -2.05, -0.9, 0.20, 0.32},   {0.6, -0.3, 1.0, 1.3, 0.12, 0.30},
+                    {-0.8, -0.3, -1.0, 1.3, 0.12, 0.30}};
+    plan.pits = {{-0.30, -0.75, 0.22, 0.44}, {1.65, 0.05, 0.20, 0.40}, {-1.75, 0.0, 0.20, 0.40}};
+    addRoot(plan,
+            {.length = 14.5,
+             .neckX = 0,
+             .neckY = 0,
+             .bendX = 0.1,
+             .bendY = 0,
+             .apexX = -0.7,
+             .apexY = 0,
+             .halfMesiodistal = 2.42,
+             .halfBuccolingual = 3.5,
+             .squareness = 2.15},
+            {{0, 0.38, 0.80}}, 0.15);
+    plan.chamber = Vec3(0, 0, 0.7);
+    plan.chamberHalf = Vec3(0.75, 1.6, 1.0);
+    return backTooth(plan);
+}
+
+}  // namespace tactooth

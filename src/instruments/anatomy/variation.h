@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include "instruments/anatomy/tooth_shape.h"
+
+namespace tactooth {
+
+/// The same tooth in another mouth: a little larger or smaller as all teeth of that mouth are, its crown and roots of
+/// other proportions, leaning, twisted and rounded otherwise. Seed 0 is the average tooth, unchanged. Mirror images
+/// (16 and 26) of one seed stay mirror images.
+[[nodiscard]] ToothShape varied(const ToothShape& average, std::uint32_t seed);
+
+}  // namespace tactooth

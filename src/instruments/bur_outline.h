@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "instruments/bur_catalogue.h"
+#include "instruments/modelling/lathe.h"
+
+namespace tactooth {
+
+/// The outline of a bur's head: what its blade edges or grains sweep as it turns, from the first ring around the tip
+/// to the end of the head; the tip itself is at (0, 0). About `count` corners (a few more where the shape has more
+/// pieces), all exactly on the shape; its widest place and its end are always among them.
+[[nodiscard]] std::vector<OutlinePoint> burOutline(const BurSpec& spec, int count);
+
+}  // namespace tactooth
