@@ -23,6 +23,8 @@ CLI::App* addCommand(CLI::App& program, Chosen& chosen, const std::string& name,
 
 /// simplify and subdivide.
 void addMeshCommands(CLI::App& program, Chosen& chosen);
+/// render.
+void addPictureCommands(CLI::App& program, Chosen& chosen);
 /// bench and reproduce.
 void addMeasuringCommands(CLI::App& program, Chosen& chosen);
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/bench_contact_command.h"
 #include "app/cli/bench_cut_command.h"
+#include "app/cli/bench_view_command.h"
 #include "app/cli/command_registry.h"
 #include "app/cli/reproduce_command.h"
 
@@ -61,12 +62,31 @@ void addBenchCut(CLI::App& bench, Chosen& chosen) {
     command->add_flag("--json", options->json, "Write one JSON object instead of a table");
 }
 
+void addBenchView(CLI::App& bench, Chosen& chosen) {
+    const auto options = std::make_shared<BenchViewOptions>();
+    CLI::App* command = addCommand(bench, chosen, "view",
+                                   "Time of a picture of a large tooth and of a whole mouth with mirror, against the "
+                                   "same triangles in one colour; needs no display.",
+                                   options, runBenchView);
+    command
+        ->add_option("--tooth", options->tooth,
+                     "An STL file, mm (default: a tooth of 325,312 triangles: a real one from $TACTOOTH_DATA or "
+                     "../shared/data, else a built-in one)")
+        ->type_name("FILE");
+    command->add_option("--size", options->size, "Pixels (default: 1280x800)")->type_name("WxH");
+    command->add_option("--frames", options->frames, "Pictures of each case (default: 60)")
+        ->check(CLI::Range(1, 10000))
+        ->type_name("N");
+    command->add_flag("--json", options->json, "Write one JSON object instead of a table");
+}
+
 void addBench(CLI::App& program, Chosen& chosen) {
     CLI::App* bench = program.add_subcommand("bench", "Measures how long things take on this machine.");
     bench->group("Commands")->footer("")->require_subcommand(1);
     bench->get_formatter()->label("SUBCOMMAND", "WHAT");
     addBenchContact(*bench, chosen);
     addBenchCut(*bench, chosen);
+    addBenchView(*bench, chosen);
 }
 
 void addReproduce(CLI::App& program, Chosen& chosen) {
