@@ -46,15 +46,9 @@ const std::array<Vec3, 26> kAroundACube = [] {
     return directions;
 }();
 
-Triangle3 movedTriangle(const ToolShape& tool, const Pose& toolInTooth, std::uint32_t triangle) {
-    Triangle3 moved = tool.corners(triangle);
-    for (Vec3& corner : moved) corner = toolInTooth * corner;
-    return moved;
-}
-
 bool intersects(const Surface& surface, const ToolShape& tool, const Pose& toolInTooth, const NearPair& pair) {
     const Triangle3 tooth = cornersOf(partOf(surface, pair.part).mesh(), pair.tooth);
-    const Triangle3 moved = movedTriangle(tool, toolInTooth, pair.tool);
+    const Triangle3 moved = tool.cornersAt(toolInTooth, pair.tool);
     return !distanceBetween(tooth, moved, moved[0] - tooth[0]).separated;
 }
 
@@ -97,7 +91,7 @@ Contact ContactQuery::deepestPairAt(const Pose& toolInTooth) {
     result.touching = result.contacts > 0;
     for (const NearPair& pair : overlap_.pairs) {
         const Triangle3 tooth = cornersOf(partOf(*surface_, pair.part).mesh(), pair.tooth);
-        const Triangle3 tool = movedTriangle(*tool_, toolInTooth, pair.tool);
+        const Triangle3 tool = tool_->cornersAt(toolInTooth, pair.tool);
         const TrianglePenetration penetration = penetrationOf(tooth, tool);
         if (!std::isfinite(penetration.depth) || penetration.depth <= result.depth) continue;
         result.depth = penetration.depth;
@@ -255,6 +249,7 @@ Contact ContactQuery::at(const Pose& toolInTooth) {
     if (!overlap_.any()) return result;
     result.touching = true;
     result.contacts = static_cast<int>(overlap_.pairs.size());
+    body_.forget();  // the answer is to depend on this pose alone
     const double everything = 2 * (surface_->base->tree().box().diagonal().norm() + 2 * tool_->radius());
     for (const Vec3& direction : waysOut(toolInTooth, overlap_)) {
         const double limit = result.depth > 0 ? 4 * result.depth : everything;

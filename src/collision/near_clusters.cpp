@@ -264,6 +264,7 @@ private:
         kept.part = part_;
         kept.present = present;
         tooth.findNormals();
+        tooth.normal.store(kept.normal);
         return tooth.isKept = true;
     }
 

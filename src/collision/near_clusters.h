@@ -42,6 +42,7 @@ struct Skin {
 /// Up to eight triangles of a tooth, a leaf of its tree, in the tool's frame.
 struct alignas(32) NearLeaf {
     float corner[3][3][AabbTree::kWidth];  ///< corner by corner, axis by axis, mm
+    float normal[3][AabbTree::kWidth];     ///< unit; shorter where a triangle has no area
     std::uint32_t triangle[AabbTree::kWidth];
     std::uint32_t part;
     std::uint32_t present;  ///< one bit for each triangle that is there

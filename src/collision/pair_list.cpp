@@ -63,15 +63,6 @@ struct Slabs {
     }
 };
 
-/// Unit normals; a triangle without area gets a short vector, whose slabs are narrow: still a bound. (Squares of what
-/// is longer than the least length do not underflow.)
-Vec3x8 unitNormals(const float (&corner)[3][3][8]) {
-    const Vec3x8 a = Vec3x8::load(corner[0]);
-    const Vec3x8 normal = cross(Vec3x8::load(corner[1]) - a, Vec3x8::load(corner[2]) - a);
-    const Float8 length = max(sqrt(dot(normal, normal)), Float8::all(1e-18F));
-    return {normal.x / length, normal.y / length, normal.z / length};
-}
-
 /// From the box of each tooth triangle to the tool triangle's; zero where they meet.
 Vec3x8 betweenBoxes(const float (&tooth)[3][3][8], const std::array<Vec3f, 3>& tool) {
     const Vec3x8 a = Vec3x8::load(tooth[0]), b = Vec3x8::load(tooth[1]), c = Vec3x8::load(tooth[2]);
@@ -96,9 +87,14 @@ std::uint32_t slabsHold(const EightClusters& eight, const Excursion::Way& way) {
 
 }  // namespace
 
-PairList::PairList(const ToolShape& tool, std::size_t capacity)
-    : tool_(&tool), near_(0), cap_(kGreatestReach * tool.radius()) {
+PairList::PairList(const ToolShape& tool, std::size_t capacity) : tool_(&tool), near_(0) {
     reserve(capacity);
+    forget();
+}
+
+void PairList::forget() {
+    clear();
+    cap_ = kGreatestReach * tool_->radius();
 }
 
 double PairList::leastAround() const { return kLeastReach * tool_->radius(); }
@@ -161,7 +157,7 @@ Excursion PairList::excursion(const Pose& start, const Pose& end, double margin,
     const auto way = [&](const Pose& pose, double spare) {
         const Mat3 turn = rotation_.transpose() * pose.rotation.toRotationMatrix() - Mat3::Identity();
         const Vec3 shift = rotation_.transpose() * (pose.position - at_.position);
-        const double perLength = 2 * sineOfHalfAngle(pose.rotation, at_.rotation) * (1 + kFewRoundings);
+        const double perLength = chordBetween(pose.rotation, at_.rotation) * (1 + kFewRoundings);
         return Excursion::Way{turn.cast<float>(), shift.cast<float>(), static_cast<float>(perLength),
                               static_cast<float>(spare + rounding)};
     };
@@ -200,7 +196,7 @@ PairList::EightPairs* PairList::open(std::size_t cluster) {
 void PairList::fill(EightPairs& pairs, const NearLeaf& leaf, std::uint32_t tool) const {
     const std::array<Vec3f, 3>& corners = tool_->floatCorners(tool);
     const Vec3x8 toolNormal = everywhere(tool_->normal(tool));
-    const Vec3x8 toothNormals = unitNormals(leaf.corner);
+    const Vec3x8 toothNormals = Vec3x8::load(leaf.normal);
     Slabs best(toolNormal, leaf.corner, corners);
     best.takeWider(Slabs(opposite(toolNormal), leaf.corner, corners));
     best.takeWider(Slabs(toothNormals, leaf.corner, corners));
@@ -288,7 +284,7 @@ std::uint32_t PairList::pairsInDoubt(std::size_t cluster, const Excursion& excur
     for (int i = 0; i < excursion.knownCount && doubt != 0; ++i)
         doubt = part(everywhere(excursion.known[i]), leaf, swept, doubt, *pairs);
     if ((doubt & ~pairs->stubborn) == 0) return doubt;
-    const Vec3x8 toothNormals = unitNormals(leaf.corner);
+    const Vec3x8 toothNormals = Vec3x8::load(leaf.normal);
     doubt = part(toothNormals, leaf, swept, doubt, *pairs);
     if (doubt != 0) doubt = part(opposite(toothNormals), leaf, swept, doubt, *pairs);
     const Vec3x8 toolNormal = everywhere(tool_->normal(tool));

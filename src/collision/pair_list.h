@@ -12,8 +12,9 @@
 
 namespace tactooth {
 
-/// Sine of half the angle between two orientations.
-[[nodiscard]] inline double sineOfHalfAngle(const Quat& a, const Quat& b) { return (a * b.conjugate()).vec().norm(); }
+/// The turn from one orientation to another as a chord: twice the sine of half the angle. A point at distance r from
+/// the origin moves by r times as much at most.
+[[nodiscard]] inline double chordBetween(const Quat& a, const Quat& b) { return 2 * (a * b.conjugate()).vec().norm(); }
 
 /// A triangle of the tooth and one of the tool.
 struct NearPair {
@@ -54,6 +55,8 @@ public:
     /// Lists what is within `skin`, however much it is: allocates where there is no room.
     void makeAll(const Surface& surface, const Pose& toolInTooth, const Skin& skin);
     void clear() { made_ = false; }
+    /// Clears it, and forgets how long a list may well be.
+    void forget();
 
     [[nodiscard]] bool made() const { return made_; }
     /// Everything within this was listed.
@@ -66,7 +69,7 @@ public:
     /// How far a pose of the tool's origin strays from where the list was made for, mm.
     [[nodiscard]] double stray(const Vec3& position) const { return skin_.stray(position - at_.position); }
     /// How far an orientation is from that at the listing (a chord, as in Skin).
-    [[nodiscard]] double turnTo(const Quat& rotation) const { return 2 * sineOfHalfAngle(rotation, at_.rotation); }
+    [[nodiscard]] double turnTo(const Quat& rotation) const { return chordBetween(rotation, at_.rotation); }
     [[nodiscard]] Excursion excursion(const Pose& start, const Pose& end, double margin,
                                       std::span<const Vec3> known) const;
 

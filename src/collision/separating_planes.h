@@ -56,22 +56,25 @@ public:
     /// The plane last stored for the pair, or null.
     [[nodiscard]] const SeparatingPlane* find(std::uint64_t partId, const NearPair& pair) const {
         const Entry& entry = entries_[slot(pair)];
-        const bool same = entry.partId == partId && entry.tooth == pair.tooth && entry.tool == pair.tool;
+        const bool same =
+            entry.epoch == epoch_ && entry.partId == partId && entry.tooth == pair.tooth && entry.tool == pair.tool;
         return same ? &entry.plane : nullptr;
     }
 
     const SeparatingPlane* store(std::uint64_t partId, const NearPair& pair, const SeparatingPlane& plane) {
         Entry& entry = entries_[slot(pair)];
-        entry = {partId, pair.tooth, pair.tool, plane};
+        entry = {epoch_, partId, pair.tooth, pair.tool, plane};
         return &entry.plane;
     }
 
-    void clear() { std::fill(entries_.begin(), entries_.end(), Entry{}); }
+    /// Forgets all of them.
+    void clear() { ++epoch_; }
 
 private:
     static constexpr std::size_t kEntries = 1 << 12;  // 256 kB: more would push the tooth out of the cache
 
     struct alignas(64) Entry {  // one cache line
+        std::uint64_t epoch = 0;
         std::uint64_t partId = 0;
         std::uint32_t tooth = 0;
         std::uint32_t tool = 0;
@@ -85,6 +88,7 @@ private:
     }
 
     std::vector<Entry> entries_;
+    std::uint64_t epoch_ = 1;  // of the entries that count
 };
 
 }  // namespace tactooth

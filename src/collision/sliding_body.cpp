@@ -60,10 +60,15 @@ void SlidingBody::placeAt(const Pose& toolInTooth) {
     list_.clear();
 }
 
+void SlidingBody::forget() {
+    planes_.clear();
+    list_.forget();
+}
+
 /// Sets up a round: makes sure of the pair list and bounds turn and step by what the list covers.
 bool SlidingBody::plan(const Pose& goal, bool isFirst, double trust, Attempt& attempt) {
     attempt.goal = goal;
-    const double turn = 2 * sineOfHalfAngle(goal.rotation, pose_.rotation);
+    const double turn = chordBetween(goal.rotation, pose_.rotation);
     if (isFirst || !list_.made() || attempt.outgrown) {
         const Vec3 way = expectedWay(goal);
         if (!list_.made() || attempt.outgrown || runsShort(way, turn)) renewList(way, turn);
@@ -84,11 +89,11 @@ Vec3 SlidingBody::expectedWay(const Pose& goal) {
     const Mat3 rotation = pose_.rotation.toRotationMatrix();
     int count = 0;
     for (int i = 0; i < heldCount_; ++i) {
-        if (held_[i].plane.stamp == poseStamp_ || refreshPlane(held_[i]))
+        if (hasPlane(held_[i]))
             halfSpaces[count++] = {held_[i].plane.normal, std::min(0.0, -gapAt(held_[i], rotation, pose_.position))};
     }
     const auto answer = nearestInPolyhedron(std::span(halfSpaces).first(static_cast<std::size_t>(count)),
-                                            goal.position - pose_.position, margin_ * 1e-3);
+                                            goal.position - pose_.position, margin_ * kSolved);
     return answer.feasible ? answer.point : Vec3(Vec3::Zero());
 }
 
@@ -143,7 +148,7 @@ void SlidingBody::addConstraint(Attempt& attempt, const WatchedPair& watched) co
 void SlidingBody::restart(Attempt& attempt) {
     attempt.planeCount = 0;
     for (int i = 0; i < heldCount_; ++i) {
-        if (held_[i].plane.stamp == poseStamp_ || refreshPlane(held_[i])) addConstraint(attempt, held_[i]);
+        if (hasPlane(held_[i])) addConstraint(attempt, held_[i]);
     }
 }
 
@@ -151,7 +156,7 @@ void SlidingBody::restart(Attempt& attempt) {
 bool SlidingBody::solve(Attempt& attempt) {
     const std::span<const HalfSpace> halfSpaces(attempt.halfSpaces.data(),
                                                 static_cast<std::size_t>(attempt.planeCount));
-    const double tolerance = margin_ * 1e-3;
+    const double tolerance = margin_ * kSolved;
     attempt.answer = nearestInPolyhedron(halfSpaces, attempt.goal.position - pose_.position, tolerance);
     if (!attempt.answer.feasible) return false;
     attempt.step = attempt.answer.point;
@@ -229,7 +234,7 @@ MoveResult SlidingBody::moveToward(const Pose& goal) {
     // A tool that lags behind has its own way to go as well as that of the hand.
     const Pose& from = isBehind_ ? pose_ : lastGoal_;
     handWay_ = (goal.position - from.position).norm();
-    handTurn_ = 2 * sineOfHalfAngle(goal.rotation, from.rotation);
+    handTurn_ = chordBetween(goal.rotation, from.rotation);
     lastGoal_ = goal;
     growth_ = 1;
     result.status = MoveStatus::OutOfRounds;
@@ -244,7 +249,7 @@ MoveResult SlidingBody::moveToward(const Pose& goal) {
             if (overlapping) result.status = MoveStatus::Overlapping;
             break;
         }
-        const double turned = 2 * sineOfHalfAngle(attempt.rotation, pose_.rotation) * tool_->radius();
+        const double turned = chordBetween(attempt.rotation, pose_.rotation) * tool_->radius();
         const double moved = attempt.step.norm();
         accept(attempt, result);
         trust = kTrustGrowth * (attempt.clipped ? attempt.allowance : moved);

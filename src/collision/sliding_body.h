@@ -57,6 +57,10 @@ public:
     /// Puts the body at a pose that is free of contact (the caller knows; see isFree in contact_query.h).
     void placeAt(const Pose& toolInTooth);
 
+    /// Forgets what earlier moves have found out: after placeAt, the moves to come do not depend on them to the last
+    /// bit.
+    void forget();
+
     /// Moves toward `goal`, sweeping the way: nothing is passed through, whatever the length of the move.
     MoveResult moveToward(const Pose& goal);
 
@@ -81,6 +85,7 @@ private:
     [[nodiscard]] bool findSafeStep(Attempt& attempt, bool& overlapping);
     [[nodiscard]] bool solve(Attempt& attempt);
     [[nodiscard]] WatchedPair watch(const NearPair& pair, const Vec3& guess) const;
+    [[nodiscard]] bool hasPlane(WatchedPair& watched);
     [[nodiscard]] bool refreshPlane(WatchedPair& watched);
     void preferFace(const Triangle3& tooth, const Triangle3& tool, SeparatingPlane& plane) const;
     [[nodiscard]] double gapAt(const WatchedPair& watched, const Mat3& rotation, const Vec3& position) const;
@@ -94,6 +99,7 @@ private:
     [[nodiscard]] Offence violationIn(std::size_t cluster, const Excursion& excursion, const Attempt& attempt,
                                       SweptTool& swept, WatchedPair& offender);
     [[nodiscard]] bool findWayOn(const Pose& goal);
+    [[nodiscard]] bool takeOtherPlane(int contact, std::span<HalfSpace> planes, const Vec3& toGoal);
     void addConstraint(Attempt& attempt, const WatchedPair& watched) const;
     void restart(Attempt& attempt);
     void accept(const Attempt& attempt, MoveResult& result);

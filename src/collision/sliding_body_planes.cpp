@@ -19,7 +19,7 @@ constexpr std::uint64_t kGuessed = 1;     // stamp of a plane that GJK has not s
 constexpr double kStillNear = 0.995;      // of a gap below the margin: what staying put leaves of it, less rounding
 constexpr double kTouchingMargins = 10;   // nearer than this, a triangle's own plane is looked at
 constexpr double kAsWell = 0.9;           // of what GJK's plane leaves
-constexpr double kSamePlane = 1 - 1e-12;  // cosine: a milliradian apart
+constexpr double kSamePlane = 1 - 1e-12;  // cosine: 1.4 microradians apart
 constexpr double kWorthMargins = 20;      // a way on that is shorter is none
 
 /// The directions across which two triangles may touch: along the normals of either, and of each pair of edges.
@@ -73,12 +73,14 @@ void SlidingBody::preferFace(const Triangle3& tooth, const Triangle3& tool, Sepa
     }
 }
 
+/// Makes sure that a pair has a plane that was found at the present pose. False if nothing separates it.
+bool SlidingBody::hasPlane(WatchedPair& watched) { return watched.plane.stamp == poseStamp_ || refreshPlane(watched); }
+
 /// Finds the plane that separates the pair best at the present pose. False if nothing separates it.
 bool SlidingBody::refreshPlane(WatchedPair& watched) {
     const SurfacePart& part = partOf(*surface_, watched.pair.part);
     const Triangle3 tooth = cornersOf(part.mesh(), watched.pair.tooth);
-    Triangle3 tool = tool_->corners(watched.pair.tool);
-    for (Vec3& corner : tool) corner = pose_ * corner;
+    const Triangle3 tool = tool_->cornersAt(pose_, watched.pair.tool);
     SeparatingPlane& plane = watched.plane;
     const GjkResult result =
         distanceBetween(tooth, tool, plane.normal.isZero() ? Vec3(tool[0] - tooth[0]) : plane.normal);
@@ -143,7 +145,7 @@ bool SlidingBody::provenSafe(const NearPair& pair, const Attempt& attempt, Swept
 SlidingBody::Offence SlidingBody::offends(const NearPair& pair, const Vec3& guess, const Attempt& attempt,
                                           WatchedPair& watched) {
     watched = watch(pair, guess);
-    if (watched.plane.stamp != poseStamp_ && !refreshPlane(watched)) return Offence::Overlapping;
+    if (!hasPlane(watched)) return Offence::Overlapping;
     // A tool that stands nearer than the margin (a new surface under it, another margin) may stay as near.
     const double start = gapAt(watched, attempt.startMatrix, pose_.position);
     const double gap = gapAt(watched, attempt.matrix, pose_.position + attempt.step);
@@ -200,37 +202,43 @@ SlidingBody::Offence SlidingBody::violationIn(std::size_t cluster, const Excursi
 /// allow. Looks among the others of each contact for one that lets the settled tool go on, and takes it.
 bool SlidingBody::findWayOn(const Pose& goal) {
     std::array<HalfSpace, 3> halfSpaces;
-    const auto planes = std::span(halfSpaces).first(static_cast<std::size_t>(heldCount_));
     const Mat3 rotation = pose_.rotation.toRotationMatrix();
     for (int i = 0; i < heldCount_; ++i) {
-        if (held_[i].plane.stamp != poseStamp_ && !refreshPlane(held_[i])) return false;
+        if (!hasPlane(held_[i])) return false;
         halfSpaces[i] = {held_[i].plane.normal, std::min(0.0, margin_ - gapAt(held_[i], rotation, pose_.position))};
     }
+    const auto planes = std::span(halfSpaces).first(static_cast<std::size_t>(heldCount_));
     const Vec3 toGoal = goal.position - pose_.position;
     for (int i = 0; i < heldCount_; ++i) {
-        const HalfSpace own = halfSpaces[i];
-        const SurfacePart& part = partOf(*surface_, held_[i].pair.part);
-        const Triangle3 tooth = cornersOf(part.mesh(), held_[i].pair.tooth);
-        Triangle3 tool = tool_->corners(held_[i].pair.tool);
-        for (Vec3& corner : tool) corner = pose_ * corner;
-        const double needed = kAsWell * std::min(margin_, lowestAlong(tool, own.normal) - held_[i].plane.offset);
-        const TouchingDirections directions(tooth, tool);
-        for (int k = 0; k < directions.count; ++k) {
-            const Vec3& normal = directions.unit[k];
-            if (normal.dot(own.normal) > kSamePlane) continue;
-            const double back = highestAlong(tooth, normal);
-            const double gap = lowestAlong(tool, normal) - back;
-            if (gap < needed) continue;
-            halfSpaces[i] = {normal, std::min(0.0, margin_ - gap)};
-            const NearestInPolyhedron answer = nearestInPolyhedron(planes, toGoal, margin_ * 1e-3);
-            if (answer.feasible && answer.point.norm() > kWorthMargins * margin_) {
-                held_[i].plane = {normal, back, poseStamp_};
-                planes_.store(part.id(), held_[i].pair, held_[i].plane);
-                return true;
-            }
-        }
-        halfSpaces[i] = own;
+        if (takeOtherPlane(i, planes, toGoal)) return true;
     }
+    return false;
+}
+
+/// The same for one contact. `planes` are those that hold the tool now.
+bool SlidingBody::takeOtherPlane(int contact, std::span<HalfSpace> planes, const Vec3& toGoal) {
+    WatchedPair& held = held_[contact];
+    HalfSpace& plane = planes[static_cast<std::size_t>(contact)];
+    const HalfSpace own = plane;
+    const SurfacePart& part = partOf(*surface_, held.pair.part);
+    const Triangle3 tooth = cornersOf(part.mesh(), held.pair.tooth);
+    const Triangle3 tool = tool_->cornersAt(pose_, held.pair.tool);
+    const double needed = kAsWell * std::min(margin_, lowestAlong(tool, own.normal) - held.plane.offset);
+    const TouchingDirections directions(tooth, tool);
+    for (int i = 0; i < directions.count; ++i) {
+        const Vec3& normal = directions.unit[i];
+        if (normal.dot(own.normal) > kSamePlane) continue;
+        const double back = highestAlong(tooth, normal);
+        const double gap = lowestAlong(tool, normal) - back;
+        if (gap < needed) continue;
+        plane = {normal, std::min(0.0, margin_ - gap)};
+        const NearestInPolyhedron answer = nearestInPolyhedron(planes, toGoal, margin_ * kSolved);
+        if (!answer.feasible || answer.point.norm() <= kWorthMargins * margin_) continue;
+        held.plane = {normal, back, poseStamp_};
+        planes_.store(part.id(), held.pair, held.plane);
+        return true;
+    }
+    plane = own;
     return false;
 }
 

@@ -4,20 +4,20 @@
 
 // Private to SlidingBody: what its two source files share.
 
-#include <limits>
-
 #include "collision/sliding_body.h"
 
 namespace tactooth {
 
 inline constexpr int kMaxPlanesPerRound = 32;  // 3-6 are usual; more means that the step is long for its surroundings
 
+inline constexpr double kSolved = 1e-3;  // of the margin: how exactly a round's planes are solved for
+
 /// One round in the making.
 struct SlidingBody::Attempt {
     Pose goal;
     double turnFraction = 1;  // of the turn still to make
     bool turnsFully = true;
-    double allowance = 0;  // how far any point of the tool may travel, mm
+    double allowance = 0;  // how far the tool may be shifted, mm
     Quat rotation;         // at the end of the round
     Mat3 matrix;
     Mat3 startMatrix;

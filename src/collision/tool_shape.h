@@ -7,6 +7,7 @@
 
 #include "collision/surface.h"
 #include "collision/triangle3.h"
+#include "geometry/pose.h"
 
 namespace tactooth {
 
@@ -22,7 +23,13 @@ public:
         const std::array<Vec3f, 3>& c = corners_[triangle];
         return {c[0].cast<double>(), c[1].cast<double>(), c[2].cast<double>()};
     }
-    /// The same in single precision, as the mesh has them.
+    /// The corners of a triangle of the tool standing at `toolInTooth`, in the tooth's frame.
+    [[nodiscard]] Triangle3 cornersAt(const Pose& toolInTooth, std::uint32_t triangle) const {
+        Triangle3 moved = corners(triangle);
+        for (Vec3& corner : moved) corner = toolInTooth * corner;
+        return moved;
+    }
+    /// The corners in single precision, as the mesh has them.
     [[nodiscard]] const std::array<Vec3f, 3>& floatCorners(std::uint32_t triangle) const { return corners_[triangle]; }
     /// The corners of a triangle axis by axis, twice over: lanes 0-2 and 4-6.
     struct alignas(32) CornerLanes {

@@ -112,7 +112,8 @@ struct TurnedLeaf {
     /// along.
     void findNormals() {
         const Vec3x8 area8 = cross(corner[1] - corner[0], corner[2] - corner[0]);
-        // A triangle without area gets a short normal. (Squares of what is longer than the least do not underflow.)
+        // A triangle without area gets a short normal, whose slabs are narrow: still a bound. (Squares of what is
+        // longer than the least do not underflow.)
         const Float8 length8 = max(sqrt(dot(area8, area8)), Float8::all(1e-18F));
         normal = {area8.x / length8, area8.y / length8, area8.z / length8};
         float area[3][8];

@@ -118,6 +118,26 @@ TEST(ContactQuery, DetectsMovementsDownToANanometreInOrder) {
     }
 }
 
+TEST(ContactQuery, AnAnswerDoesNotDependOnTheOnesBefore) {
+    const auto tool = test::toolOf(test::judgedTools()[1].mesh);
+    const auto tooth = test::surfaceOf(test::judgedTeeth()[2].mesh);
+    std::mt19937 random(5);
+    std::vector<Pose> poses;
+    for (int i = 0; i < test::cases(30, 6); ++i)
+        poses.push_back(test::randomPoseNear(test::judgedTeeth()[2].mesh, 0.5, random));
+    ContactQuery query(tool, tooth);
+    std::vector<Contact> answers;
+    for (const Pose& pose : poses) answers.push_back(query.at(pose));
+    for (std::size_t i = poses.size(); i-- > 0;) {
+        SCOPED_TRACE(i);
+        const Contact again = query.at(poses[i]);
+        EXPECT_EQ(again.depth, answers[i].depth);
+        EXPECT_EQ(again.normal, answers[i].normal);
+        EXPECT_EQ(again.point, answers[i].point);
+        EXPECT_EQ(ContactQuery(tool, tooth).at(poses[i]).depth, answers[i].depth);
+    }
+}
+
 TEST(ContactQuery, AnOpenSurfaceHasNoInside) {
     TriangleMesh plate = test::box(Vec3(-9, -9, -5), Vec3(9, 9, 0));
     ContactQuery open(test::toolOf(test::sphere(Vec3(0, 0, 0), 0.5, 12, 6)), test::surfaceOf(plate, false));

@@ -23,17 +23,11 @@ constexpr double kMargin = 1e-6;
 
 PairKey keyOf(const NearPair& pair) { return {pair.part, pair.tooth, pair.tool}; }
 
-Triangle3 toolCorners(const ToolShape& tool, const Pose& pose, std::uint32_t triangle) {
-    Triangle3 corners = tool.corners(triangle);
-    for (Vec3& corner : corners) corner = pose * corner;
-    return corners;
-}
-
 /// Every pair that lies within `distance`, of all that there are.
 std::set<PairKey> pairsWithin(const TriangleMesh& tooth, const ToolShape& tool, const Pose& pose, double distance) {
     std::set<PairKey> pairs;
     for (std::uint32_t k = 0; k < tool.mesh().triangles.size(); ++k) {
-        const Triangle3 moved = toolCorners(tool, pose, k);
+        const Triangle3 moved = tool.cornersAt(pose, k);
         for (std::uint32_t i = 0; i < tooth.triangles.size(); ++i) {
             const GjkResult gjk = distanceBetween(cornersOf(tooth, i), moved, moved[0] - tooth.corner(i, 0));
             if (!gjk.separated || gjk.distance < distance) pairs.insert({0, i, k});

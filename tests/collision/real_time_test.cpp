@@ -9,6 +9,7 @@
 #include "collision/sliding_body.h"
 #include "support/heap_counter.h"
 #include "support/sanitizer.h"
+#include "support/shapes.h"
 
 namespace tactooth {
 namespace {
@@ -41,12 +42,7 @@ TriangleMesh bumps() {
         const double height = 0.05 * x * x * (x * x - 6) + 0.04 * y * y * y - 0.3 * y;
         mesh.vertices.push_back(Vec3(x, y, 0.2 * height).cast<float>());
     }
-    for (std::uint32_t row = 0; row + 1 < kSide; ++row) {
-        for (std::uint32_t i = row * kSide; i + 1 < row * kSide + kSide; ++i) {
-            mesh.triangles.push_back({i, i + 1, i + kSide + 1});
-            mesh.triangles.push_back({i, i + kSide + 1, i + kSide});
-        }
-    }
+    mesh.triangles = test::gridTriangles(kSide);
     return mesh;
 }
 

@@ -13,6 +13,7 @@
 
 #include "fuzz/fuzz_target.h"
 #include "geometry/stl_reader.h"
+#include "support/mutation.h"
 
 namespace tactooth {
 namespace {
@@ -35,35 +36,6 @@ void tryTarget(const std::string& bytes) {
     LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
 }
 
-std::size_t below(std::mt19937& random, std::size_t limit) { return random() % std::max<std::size_t>(limit, 1); }
-
-/// Changes a byte, flips a bit, cuts, repeats, or moves a piece from another seed in.
-void mutate(std::string& bytes, const std::vector<std::string>& seeds, std::mt19937& random) {
-    const std::size_t at = below(random, bytes.size());
-    const std::size_t length = below(random, 60);
-    const std::string& other = seeds[below(random, seeds.size())];
-    switch (random() % 6) {
-        case 0:
-            bytes[at] = static_cast<char>(random());
-            break;
-        case 1:
-            bytes[at] = static_cast<char>(bytes[at] ^ (1 << random() % 8));
-            break;
-        case 2:
-            bytes.erase(at, length);
-            break;
-        case 3:
-            bytes.insert(at, bytes.substr(at, length));
-            break;
-        case 4:
-            bytes.resize(at + 1);
-            break;
-        default:
-            bytes.insert(at, other.substr(below(random, other.size()), length));
-    }
-    if (bytes.empty()) bytes = other;
-}
-
 TEST(StlReaderFuzz, TheCorpusHoldsGoodAndBadFiles) {
     const std::vector<std::string> seeds = corpus();
     const auto accepted = std::count_if(seeds.begin(), seeds.end(), isAccepted);
@@ -81,9 +53,9 @@ TEST(StlReaderFuzz, MutatedSeedsKeepThePromises) {
     int accepted = 0;
     constexpr int kRounds = 2000;
     for (int round = 0; round < kRounds; ++round) {
-        std::string bytes = seeds[below(random, seeds.size())];
-        const std::size_t changes = 1 + below(random, 2);
-        for (std::size_t change = 0; change < changes; ++change) mutate(bytes, seeds, random);
+        std::string bytes = seeds[test::below(random, seeds.size())];
+        const std::size_t changes = 1 + test::below(random, 2);
+        for (std::size_t change = 0; change < changes; ++change) test::damage(bytes, seeds, random);
         accepted += isAccepted(bytes);
         tryTarget(bytes);
     }

@@ -9,6 +9,7 @@
 #include "felt_path.h"
 #include "geometry/simplify.h"
 #include "geometry/subdivide.h"
+#include "support/shapes.h"
 
 namespace tactooth {
 namespace {
@@ -26,12 +27,7 @@ TriangleMesh ballTop(double radius) {
         const Vec3 outward = Vec3(std::tan(a), std::tan(b), 1).normalized();
         mesh.vertices.push_back((radius * outward - radius * Vec3::UnitZ()).cast<float>());
     }
-    for (std::uint32_t row = 0; row + 1 < kSide; ++row) {
-        for (std::uint32_t i = row * kSide; i + 1 < row * kSide + kSide; ++i) {
-            mesh.triangles.push_back({i, i + 1, i + kSide + 1});
-            mesh.triangles.push_back({i, i + kSide + 1, i + kSide});
-        }
-    }
+    mesh.triangles = test::gridTriangles(kSide);
     return mesh;
 }
 

@@ -10,6 +10,7 @@
 #include "sound/loop_player.h"
 #include "sound/recording_file.h"
 #include "sound_files.h"
+#include "support/mutation.h"
 #include "support/sanitizer.h"
 #include "support/test_data.h"
 #include "support/text_file.h"
@@ -36,33 +37,6 @@ std::vector<std::string> seeds() {
     return result;
 }
 
-std::size_t below(std::mt19937& random, std::size_t limit) { return random() % std::max<std::size_t>(limit, 1); }
-
-/// Changes bytes of the head more often than others, cuts, repeats or puts in what a hostile head would hold.
-void mutate(std::string& bytes, std::mt19937& random) {
-    const std::size_t at = below(random, random() % 2 == 0 ? std::min<std::size_t>(bytes.size(), 100) : bytes.size());
-    switch (random() % 6) {
-        case 0:
-            bytes[at] = static_cast<char>(random());
-            break;
-        case 1:
-            bytes[at] = static_cast<char>(bytes[at] ^ (1 << random() % 8));
-            break;
-        case 2:
-            bytes.erase(at, below(random, 60));
-            break;
-        case 3:
-            bytes.insert(at, bytes.substr(at, below(random, 60)));
-            break;
-        case 4:
-            bytes.resize(at + 1);
-            break;
-        default:
-            bytes.replace(at, std::min<std::size_t>(4, bytes.size() - at), 4, random() % 2 == 0 ? '\xff' : '\0');
-    }
-    if (bytes.empty()) bytes = "RIFF";
-}
-
 /// Whether the bytes were taken as a recording.
 bool keepsThePromises(const std::string& bytes) {
     const auto recording = parseRecording(std::as_bytes(std::span(bytes)), "mine.wav");
@@ -87,8 +61,8 @@ TEST(RecordingMutation, ADamagedFileIsRefusedWithASentenceOrPlaysFiniteSamples) 
     const int count = test::cases(20000, 1000);
     int accepted = 0;
     for (int round = 0; round < count; ++round) {
-        std::string bytes = good[below(random, good.size())];
-        for (std::size_t change = 1 + below(random, 3); change > 0; --change) mutate(bytes, random);
+        std::string bytes = good[test::below(random, good.size())];
+        for (std::size_t change = 1 + test::below(random, 3); change > 0; --change) test::damage(bytes, good, random);
         accepted += keepsThePromises(bytes) ? 1 : 0;
     }
     EXPECT_GT(accepted, count / 20);

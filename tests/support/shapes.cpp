@@ -69,4 +69,15 @@ TriangleMesh cylinder(const Vec3& base, double radius, double height, int sector
     return mesh;
 }
 
+std::vector<Triangle> gridTriangles(std::uint32_t side) {
+    std::vector<Triangle> triangles;
+    for (std::uint32_t row = 0; row + 1 < side; ++row) {
+        for (std::uint32_t i = row * side; i + 1 < row * side + side; ++i) {
+            triangles.push_back({i, i + 1, i + side + 1});
+            triangles.push_back({i, i + side + 1, i + side});
+        }
+    }
+    return triangles;
+}
+
 }  // namespace tactooth::test

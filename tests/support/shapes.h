@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <vector>
+
 #include "geometry/triangle_mesh.h"
 
 namespace tactooth::test {
@@ -15,5 +17,9 @@ namespace tactooth::test {
 
 /// A closed cylinder along +z with its base at `base`: `sectors` sides, vertices on the cylinder.
 [[nodiscard]] TriangleMesh cylinder(const Vec3& base, double radius, double height, int sectors);
+
+/// The triangles of a square grid of `side` x `side` vertices that are numbered row by row: two a square, seen
+/// counter-clockwise from where columns run to the right and rows upward.
+[[nodiscard]] std::vector<Triangle> gridTriangles(std::uint32_t side);
 
 }  // namespace tactooth::test
