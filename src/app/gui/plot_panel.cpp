@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/plot_panel.h"
 
+#include <QApplication>
 #include <QChart>
 #include <QChartView>
 #include <QGraphicsLayout>
@@ -21,9 +22,9 @@ void styleAxis(QValueAxis& axis, const QWidget& like) {
     QFont small = like.font();
     small.setPointSizeF(small.pointSizeF() * 0.85);
     axis.setLabelsFont(small);
-    axis.setGridLineColor(like.palette().color(QPalette::Midlight));
-    axis.setLinePenColor(like.palette().color(QPalette::Mid));
-    axis.setLabelsColor(like.palette().color(QPalette::WindowText));
+    axis.setGridLineColor(QApplication::palette().color(QPalette::Midlight));
+    axis.setLinePenColor(QApplication::palette().color(QPalette::Mid));
+    axis.setLabelsColor(QApplication::palette().color(QPalette::WindowText));
 }
 
 /// The next of 1, 2, 5, 10, ... that is not smaller: an axis that rests instead of trembling.
@@ -90,12 +91,13 @@ void PlotPanel::setStretch(int seconds) {
     }
 }
 
+/// By the program's palette: a widget that is not shown yet has not heard of a change.
 void PlotPanel::setColours() {
     for (const Plot& plot : {depth_, speed_, force_}) {
         styleAxis(*plot.time, *this);
         styleAxis(*plot.value, *this);
-        plot.chart->setTitleBrush(palette().color(QPalette::WindowText));
-        plot.chart->setBackgroundBrush(palette().color(QPalette::Base));
+        plot.chart->setTitleBrush(QApplication::palette().color(QPalette::WindowText));
+        plot.chart->setBackgroundBrush(QApplication::palette().color(QPalette::Base));
     }
 }
 
