@@ -111,7 +111,6 @@ void PairList::make(const Surface& surface, const Pose& toolInTooth, const Skin&
         if (near_.complete || shortest) break;
         cap_ = (skin_.along.norm() + skin_.around) / 2;
         shortenTo(cap_);
-        skin_.turn = std::max(leastTurn(), skin_.turn / 2);
     }
     if (4 * near_.count > kPlentyOfClusters)
         cap_ = std::min(cap_, skin_.along.norm() + skin_.around);  // it may stay so
@@ -124,6 +123,7 @@ void PairList::shortenTo(double length) {
     if (now <= length) return;
     skin_.along *= length / now;
     skin_.around = std::max(leastAround(), skin_.around * length / now);
+    skin_.turn = std::max(leastTurn(), skin_.turn * length / now);
     if (skin_.along.norm() < leastAround()) skin_.along.setZero();
 }
 

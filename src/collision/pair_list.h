@@ -39,7 +39,7 @@ struct Excursion {
     Vec3x8 column[3];
     Vec3x8 shift;
     /// Directions worth a try for every pair: those of the planes that hold the tool.
-    std::array<Vec3f, 3> known;
+    std::array<Vec3f, 6> known;
     int knownCount = 0;
 };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 // God object: C. B. Zilles, J. K. Salisbury, "A Constraint-based God-object Method for Haptic Display", IROS 1995; for
 // a body with a shape: M. Ortega, S. Redon, S. Coquillart, "A Six Degree-of-Freedom God-Object Method for Haptic
@@ -18,7 +19,9 @@
 namespace tactooth {
 namespace {
 
-constexpr int kMaxRounds = 20;               // 2-3 at 1 cm/s, 4-5 at 10 cm/s; a jump into contact takes some 15
+constexpr int kMaxRounds = 20;  // 2-3 at 1 cm/s, 4-5 at 10 cm/s; a jump into contact takes some 15
+constexpr int kManySolutions = kMaxPlanesPerRound + 1;  // of a round: more come of a turn that does not settle
+constexpr int kMaxSolutions = 8 * kManySolutions;
 constexpr int kMaxPlanesChanged = 4;         // in a move, where it had settled
 constexpr int kFewestToLookAfresh = 2;       // planes: together they may stop what other ones would let go on
 constexpr double kMarginOfRadius = 1e-7;     // 0.3 nm for a 6 mm bur
@@ -33,6 +36,8 @@ constexpr double kAhead = 6;                   // of the least skin
 constexpr double kStray = 0.25;                // of both: how far the tool may leave the way expected
 constexpr double kTrusted = 0.95;              // of the skin: leaves room for rounding
 
+constexpr double kGreatestGrowth = 128;  // the eighth list of a move is the last: the rest of the way waits for a tick
+
 // The longest step of a round. It need not be right: a step that was cut short is followed by a longer one.
 constexpr double kTrustInHand = 2;          // ways of the hand
 constexpr double kTrustGrowth = 8;          // steps of the round before
@@ -40,13 +45,20 @@ constexpr double kLeastTrustMargins = 200;  // 0.2 um for a bur of 20 mm
 
 }  // namespace
 
-SlidingBody::SlidingBody(std::shared_ptr<const ToolShape> tool) : tool_(std::move(tool)), list_(*tool_, kMaxClusters) {}
+SlidingBody::SlidingBody(std::shared_ptr<const ToolShape> tool, Freedom freedom)
+    : tool_(std::move(tool)), freedom_(freedom), list_(*tool_, kMaxClusters) {}
 
 std::shared_ptr<const Surface> SlidingBody::setSurface(std::shared_ptr<const Surface> surface) {
     std::swap(surface_, surface);
     heldCount_ = 0;
     recent_.clear();
     list_.clear();
+    return surface;
+}
+
+std::shared_ptr<const Surface> SlidingBody::setSurface(std::shared_ptr<const Surface> surface, PairList& near) {
+    surface = setSurface(std::move(surface));
+    std::swap(list_, near);
     return surface;
 }
 
@@ -68,24 +80,30 @@ void SlidingBody::forget() {
 /// Sets up a round: makes sure of the pair list and bounds turn and step by what the list covers.
 bool SlidingBody::plan(const Pose& goal, bool isFirst, double trust, Attempt& attempt) {
     attempt.goal = goal;
-    const double turn = chordBetween(goal.rotation, pose_.rotation);
+    double turn = chordBetween(goal.rotation, pose_.rotation);
     if (isFirst || !list_.made() || attempt.outgrown) {
-        const Vec3 way = expectedWay(goal);
-        if (!list_.made() || attempt.outgrown || runsShort(way, turn)) renewList(way, turn);
+        const Vec3 way = freedom_ == Freedom::Shift ? expectedWay(goal) : expectedWay(attempt, turn);
+        if (!list_.made() || attempt.outgrown || runsShort(way, turn)) {
+            if (growth_ > kGreatestGrowth) return false;
+            renewList(way, turn);
+        }
     }
     const double turnLeft = list_.skin().turn * kTrusted - list_.turnTo(pose_.rotation);
     if (!isListed(pose_.position) || turnLeft < 0) return false;
     const double fraction = turn > turnLeft ? turnLeft / turn : 1;
-    attempt.turnsFully = fraction >= 1;
+    const bool isSolvedFor = freedom_ == Freedom::ShiftAndTurn;
+    attempt.turnLeft = turnLeft;
+    attempt.turnsFully = isSolvedFor || fraction >= 1;
     attempt.turnOutgrown = !attempt.turnsFully;
-    attempt.turnBy(pose_.rotation, turn > 0 ? fraction : 0);
+    attempt.turnBy(pose_.rotation, turn > 0 && !isSolvedFor ? fraction : 0);
+    attempt.turnBound = std::numeric_limits<double>::infinity();
     attempt.allowance = std::max(trust, kLeastTrustMargins * margin_);
     return true;
 }
 
 /// Where the tool will go in this tick, more or less: to the goal as far as the contacts of the last tick let it.
 Vec3 SlidingBody::expectedWay(const Pose& goal) {
-    std::array<HalfSpace, 3> halfSpaces;
+    std::array<HalfSpace, kMaxHeld> halfSpaces;
     const Mat3 rotation = pose_.rotation.toRotationMatrix();
     int count = 0;
     for (int i = 0; i < heldCount_; ++i) {
@@ -137,6 +155,7 @@ double SlidingBody::shareWithinSkin(const Vec3& step) const {
 }
 
 void SlidingBody::addConstraint(Attempt& attempt, const WatchedPair& watched) const {
+    if (freedom_ == Freedom::ShiftAndTurn) return addTurningConstraint(attempt, watched);
     const double gap = gapAt(watched, attempt.matrix, pose_.position);
     // Without a turn, staying put is always allowed: a gap that rounding has left below the margin may stay so.
     const double offset = attempt.turnFraction == 0 ? std::min(0.0, margin_ - gap) : margin_ - gap;
@@ -147,19 +166,28 @@ void SlidingBody::addConstraint(Attempt& attempt, const WatchedPair& watched) co
 /// Begins with the contacts of the round before: nearly always they are still the ones.
 void SlidingBody::restart(Attempt& attempt) {
     attempt.planeCount = 0;
+    if (freedom_ == Freedom::ShiftAndTurn) moveTo(Vec3::Zero(), Vec3::Zero(), attempt);
     for (int i = 0; i < heldCount_; ++i) {
-        if (hasPlane(held_[i])) addConstraint(attempt, held_[i]);
+        if (!hasPlane(held_[i])) continue;
+        if (freedom_ == Freedom::Shift) {
+            addConstraint(attempt, held_[i]);
+        } else if (stillTouch(held_[i], heldFeatures_[i])) {
+            keepApart(attempt, held_[i], heldFeatures_[i]);
+        }
     }
 }
 
 /// The step nearest to the goal under the planes met so far, shortened to the allowance.
 bool SlidingBody::solve(Attempt& attempt) {
+    if (freedom_ == Freedom::ShiftAndTurn) return solveTurning(attempt);
     const std::span<const HalfSpace> halfSpaces(attempt.halfSpaces.data(),
                                                 static_cast<std::size_t>(attempt.planeCount));
     const double tolerance = margin_ * kSolved;
-    attempt.answer = nearestInPolyhedron(halfSpaces, attempt.goal.position - pose_.position, tolerance);
-    if (!attempt.answer.feasible) return false;
-    attempt.step = attempt.answer.point;
+    const NearestInPolyhedron answer =
+        nearestInPolyhedron(halfSpaces, attempt.goal.position - pose_.position, tolerance);
+    if (!answer.feasible) return false;
+    attempt.setActive(answer);
+    attempt.step = answer.point;
     attempt.clipped = false;
     attempt.outgrown = attempt.turnOutgrown;
     const double length = attempt.step.norm();
@@ -177,7 +205,7 @@ bool SlidingBody::solve(Attempt& attempt) {
 /// Collects planes until the step that they leave is safe. False if there is none within the fixed budget.
 bool SlidingBody::findSafeStep(Attempt& attempt, bool& overlapping) {
     restart(attempt);
-    while (true) {
+    for (int i = 0; i < kMaxSolutions; ++i) {
         if (!solve(attempt)) {
             if (attempt.turnFraction == 0) return false;
             attempt.turnsFully = false;
@@ -192,7 +220,8 @@ bool SlidingBody::findSafeStep(Attempt& attempt, bool& overlapping) {
         if (overlapping) return false;
         if (offence == Offence::None) return true;
         recent_.add(offender.pair);
-        if (attempt.planeCount < kMaxPlanesPerRound) {
+        const bool isLong = attempt.planeCount == kMaxPlanesPerRound || i % kManySolutions == kManySolutions - 1;
+        if (!isLong) {
             addConstraint(attempt, offender);
         } else if (attempt.allowance > kSettledMargins * margin_) {
             attempt.allowance /= 8;
@@ -201,24 +230,34 @@ bool SlidingBody::findSafeStep(Attempt& attempt, bool& overlapping) {
             return false;
         }
     }
+    return false;
+}
+
+/// The corner of a held triangle that stands lowest over its plane, in the tooth's frame.
+Vec3 SlidingBody::deepestPoint(const WatchedPair& held) const {
+    const Triangle3 tool = tool_->corners(held.pair.tool);
+    Vec3 deepest = pose_ * tool[0];
+    for (const Vec3& corner : tool) {
+        if (const Vec3 point = pose_ * corner; held.plane.normal.dot(point) < held.plane.normal.dot(deepest))
+            deepest = point;
+    }
+    return deepest;
 }
 
 void SlidingBody::accept(const Attempt& attempt, MoveResult& result) {
     pose_.rotation = attempt.rotation;
     pose_.position += attempt.step;
     ++poseStamp_;
-    heldCount_ = attempt.answer.activeCount;
+    heldCount_ = attempt.activeCount;
     result.contactCount = heldCount_;
     for (int i = 0; i < heldCount_; ++i) {
-        const int plane = attempt.answer.active[i];
+        const int plane = attempt.active[i];
         held_[i] = attempt.watched[plane];
-        const Vec3& normal = held_[i].plane.normal;
-        const Triangle3 tool = tool_->corners(held_[i].pair.tool);
-        Vec3 deepest = pose_ * tool[0];
-        for (const Vec3& corner : tool) {
-            if (const Vec3 point = pose_ * corner; normal.dot(point) < normal.dot(deepest)) deepest = point;
-        }
-        result.contacts[i] = {normal, deepest, attempt.answer.multiplier[i], held_[i].pair.part, held_[i].pair.tooth};
+        const bool turns = freedom_ == Freedom::ShiftAndTurn;
+        if (turns) heldFeatures_[i] = attempt.touches[plane].features;
+        const Vec3 normal = turns ? attempt.touches[plane].normal : held_[i].plane.normal;
+        const Vec3 point = turns ? attempt.touches[plane].point : deepestPoint(held_[i]);
+        result.contacts[i] = {normal, point, attempt.multiplier[i], held_[i].pair.part, held_[i].pair.tooth};
     }
 }
 
@@ -258,8 +297,9 @@ MoveResult SlidingBody::moveToward(const Pose& goal) {
             result.status = MoveStatus::Reached;
         } else if (moved + turned <= kSettledMargins * margin_) {
             trust = kTrustInHand * handWay_;
-            if (planesChanged++ < kMaxPlanesChanged && findWayOn(goal)) continue;
-            if (lookedAfresh || heldCount_ < kFewestToLookAfresh) {
+            if (freedom_ == Freedom::Shift && planesChanged++ < kMaxPlanesChanged && findWayOn(goal)) continue;
+            const int fewest = freedom_ == Freedom::Shift ? kFewestToLookAfresh : 1;
+            if (lookedAfresh || heldCount_ < fewest) {
                 result.status = MoveStatus::Held;
             } else {
                 lookedAfresh = true;

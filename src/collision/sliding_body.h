@@ -8,9 +8,11 @@
 #include <vector>
 
 #include "collision/nearest_in_polyhedron.h"
+#include "collision/nearest_in_polyhedron6.h"
 #include "collision/pair_list.h"
 #include "collision/separating_planes.h"
 #include "collision/tool_shape.h"
+#include "collision/touching_features.h"
 #include "geometry/pose.h"
 
 namespace tactooth {
@@ -23,11 +25,21 @@ enum class MoveStatus {
     Overlapping,  ///< the pose to start from was not free (a surface was changed under it)
 };
 
+/// In what a tool may differ from the hand's pose while contacts hold it.
+enum class Freedom {
+    Shift,         ///< in its place alone (3 degrees): it turns as the hand does, as far as the tooth lets it
+    ShiftAndTurn,  ///< in its place and its orientation (6 degrees): for devices that render torque
+};
+
+/// The most contacts that can hold a body at once: as many as it has degrees of freedom.
+inline constexpr int kMaxHeld = 6;
+
 /// A pair of triangles that holds the body.
 struct BodyContact {
     Vec3 normal;          ///< unit, from the tooth to the tool
     Vec3 point;           ///< on the tool, in the tooth's frame, mm
-    double share;         ///< of the push along `normal`, mm: pose - goal = sum of share * normal
+    double share;         ///< of the push along `normal`, mm: shift = sum of share * normal, where the shift is that
+                          ///< of the tool's centre from goal to pose
     std::uint32_t part;   ///< 0 = base of the surface, i + 1 = patch i
     std::uint32_t tooth;  ///< triangle of that part
 };
@@ -37,22 +49,28 @@ struct MoveResult {
     int rounds = 0;     ///< linearisations
     int distances = 0;  ///< GJK runs
     int contactCount = 0;
-    std::array<BodyContact, 3> contacts{};
+    std::array<BodyContact, kMaxHeld> contacts{};
 };
 
 /// A rigid tool that moves among the triangles of a tooth and never enters them. Each move goes toward a goal pose;
 /// what stands in the way is slid along, so the body ends where the distance to the goal is locally least. This is
-/// the "god object" of haptics with the tool's own STL for a shape. The orientation follows the goal as far as the
-/// tooth lets it.
+/// the "god object" of haptics with the tool's own STL for a shape.
+///
+/// With six degrees of freedom the distance is that of Gauss' principle of least constraint: the square of the shift of
+/// the tool's centre, and that of the turn (as a rotation vector) times `turnLength`; so with turn = from goal to pose,
+/// turnLength^2 * turn = sum over the contacts of share * lever x normal, the lever from the centre to the contact.
 ///
 /// Fixed memory: moving allocates nothing. One thread at a time.
 class SlidingBody {
 public:
-    explicit SlidingBody(std::shared_ptr<const ToolShape> tool);
+    explicit SlidingBody(std::shared_ptr<const ToolShape> tool, Freedom freedom = Freedom::Shift);
 
     /// Puts the body among the triangles of `surface`. Returns the surface that it stood in before, so that the caller
     /// decides where that is freed.
     std::shared_ptr<const Surface> setSurface(std::shared_ptr<const Surface> surface);
+    /// The same with a list made ahead of need (by another thread), of this surface and this tool: the next move need
+    /// not look for what is near, as long as it stays where the list was made for. `near` holds the old list after it.
+    std::shared_ptr<const Surface> setSurface(std::shared_ptr<const Surface> surface, PairList& near);
 
     /// Puts the body at a pose that is free of contact (the caller knows; see isFree in contact_query.h).
     void placeAt(const Pose& toolInTooth);
@@ -70,20 +88,28 @@ public:
     /// The distance that the body keeps from the tooth, mm: far below what any device or eye resolves, far above the
     /// rounding of doubles.
     [[nodiscard]] double margin() const { return margin_; }
+    /// What a turn counts against a shift: the radius of gyration of a rod as long as the tool, mm.
+    [[nodiscard]] double turnLength() const;
 
 private:
     struct Attempt;
     struct SweptTool;
+    struct Touch;
     enum class Offence { None, Found, Overlapping };
 
     [[nodiscard]] bool plan(const Pose& goal, bool isFirst, double trust, Attempt& attempt);
     [[nodiscard]] Vec3 expectedWay(const Pose& goal);
+    [[nodiscard]] Vec3 expectedWay(Attempt& attempt, double& turn);
     [[nodiscard]] bool runsShort(const Vec3& way, double turn) const;
     void renewList(const Vec3& way, double turn);
     [[nodiscard]] bool isListed(const Vec3& position) const;
     [[nodiscard]] double shareWithinSkin(const Vec3& step) const;
     [[nodiscard]] bool findSafeStep(Attempt& attempt, bool& overlapping);
     [[nodiscard]] bool solve(Attempt& attempt);
+    [[nodiscard]] bool solveTurning(Attempt& attempt) const;
+    [[nodiscard]] NearestInPolyhedron6 nearestTurning(const Attempt& attempt) const;
+    void moveTo(const Vec3& shift, const Vec3& turn, Attempt& attempt) const;
+    [[nodiscard]] double shareAllowed(const Vec3& shift, const Vec3& turn, Attempt& attempt) const;
     [[nodiscard]] WatchedPair watch(const NearPair& pair, const Vec3& guess) const;
     [[nodiscard]] bool hasPlane(WatchedPair& watched);
     [[nodiscard]] bool refreshPlane(WatchedPair& watched);
@@ -92,6 +118,7 @@ private:
     void sweep(std::uint32_t triangle, const Attempt& attempt, SweptTool& swept) const;
     [[nodiscard]] bool provenSafe(const NearPair& pair, const Attempt& attempt, SweptTool& swept,
                                   const SeparatingPlane** own);
+    [[nodiscard]] bool partedByTurningPlane(const Triangle3& tooth, const SweptTool& swept);
     [[nodiscard]] Offence offends(const NearPair& pair, const Vec3& guess, const Attempt& attempt,
                                   WatchedPair& watched);
     [[nodiscard]] Offence recentViolation(const Attempt& attempt, WatchedPair& offender);
@@ -101,10 +128,21 @@ private:
     [[nodiscard]] bool findWayOn(const Pose& goal);
     [[nodiscard]] bool takeOtherPlane(int contact, std::span<HalfSpace> planes, const Vec3& toGoal);
     void addConstraint(Attempt& attempt, const WatchedPair& watched) const;
+    void addTurningConstraint(Attempt& attempt, const WatchedPair& watched) const;
+    void keepApart(Attempt& attempt, const WatchedPair& watched, const FeaturePair& features) const;
+    [[nodiscard]] FeaturePair featuresToKeepApart(const Attempt& attempt, const WatchedPair& watched) const;
+    [[nodiscard]] std::optional<FeaturePair> featuresInTheWay(const Attempt& attempt, const WatchedPair& watched) const;
+    [[nodiscard]] bool stillTouch(const WatchedPair& watched, const FeaturePair& features) const;
+    [[nodiscard]] static int placeOf(const Attempt& attempt, const WatchedPair& watched, const FeaturePair& features);
+    [[nodiscard]] FeaturePair lowestCorner(const Attempt& attempt, const WatchedPair& watched) const;
+    [[nodiscard]] FeatureGap gapOf(const WatchedPair& watched, const FeaturePair& features,
+                                   const Pose& toolInTooth) const;
     void restart(Attempt& attempt);
+    [[nodiscard]] Vec3 deepestPoint(const WatchedPair& held) const;
     void accept(const Attempt& attempt, MoveResult& result);
 
     std::shared_ptr<const ToolShape> tool_;
+    Freedom freedom_;
     std::shared_ptr<const Surface> surface_;
     Pose pose_;
     std::uint64_t poseStamp_ = 2;
@@ -119,7 +157,8 @@ private:
 
     SeparatingPlanes planes_;
     RecentPairs recent_;
-    std::array<WatchedPair, 3> held_{};  // pairs active at the end of the last round
+    std::array<WatchedPair, kMaxHeld> held_{};  // pairs active at the end of the last round
+    std::array<FeaturePair, kMaxHeld> heldFeatures_{};
     int heldCount_ = 0;
     int distances_ = 0;
 };

@@ -108,7 +108,7 @@ void SlidingBody::sweep(std::uint32_t triangle, const Attempt& attempt, SweptToo
         swept.corners[corner] = attempt.startMatrix * tool[corner] + pose_.position;
         swept.corners[corner + 3] = attempt.matrix * tool[corner] + position;
     }
-    for (int i = 0; i < attempt.answer.activeCount; ++i) {
+    for (int i = 0; i < attempt.activeCount; ++i) {
         swept.startLow[i] = swept.lowAtStart(attempt.activeNormal(i));
         swept.endLow[i] = swept.lowAtEnd(attempt.activeNormal(i));
     }
@@ -123,7 +123,7 @@ bool SlidingBody::provenSafe(const NearPair& pair, const Attempt& attempt, Swept
     const double margin = margin_ / 2;
     const SurfacePart& part = partOf(*surface_, pair.part);
     const Triangle3 tooth = cornersOf(part.mesh(), pair.tooth);
-    for (int i = 0; i < attempt.answer.activeCount; ++i) {
+    for (int i = 0; i < attempt.activeCount; ++i) {
         const double back = highestAlong(tooth, attempt.activeNormal(i));
         if (swept.startLow[i] > back && swept.endLow[i] - back >= margin) return true;
     }
@@ -136,7 +136,7 @@ bool SlidingBody::provenSafe(const NearPair& pair, const Attempt& attempt, Swept
     const Vec3 between = swept.corners[0] - tooth[0];
     const GjkResult result = distanceBetween(tooth, swept.corners, known != nullptr ? known->normal : between);
     ++distances_;
-    if (result.gap < margin) return false;
+    if (result.gap < margin) return freedom_ == Freedom::ShiftAndTurn && partedByTurningPlane(tooth, swept);
     *own = planes_.store(part.id(), pair, {result.normal, highestAlong(tooth, result.normal), kGuessed});
     return true;
 }
@@ -167,10 +167,10 @@ SlidingBody::Offence SlidingBody::recentViolation(const Attempt& attempt, Watche
 /// A pair that the attempted step would bring together: the first met.
 SlidingBody::Offence SlidingBody::violation(const Attempt& attempt, WatchedPair& offender) {
     const Pose end{pose_.position + attempt.step, attempt.rotation};
-    std::array<Vec3, 3> known;
-    for (int i = 0; i < attempt.answer.activeCount; ++i) known[i] = attempt.activeNormal(i);
-    const Excursion excursion = list_.excursion(
-        pose_, end, margin_, std::span(known).first(static_cast<std::size_t>(attempt.answer.activeCount)));
+    std::array<Vec3, kMaxHeld> known;
+    for (int i = 0; i < attempt.activeCount; ++i) known[i] = attempt.activeNormal(i);
+    const Excursion excursion =
+        list_.excursion(pose_, end, margin_, std::span(known).first(static_cast<std::size_t>(attempt.activeCount)));
     SweptTool swept;
     for (std::size_t first = 0; first < list_.clusters(); first += 8) {
         for (std::uint32_t near = list_.clustersInDoubt(first, excursion); near != 0; near &= near - 1) {
@@ -201,7 +201,7 @@ SlidingBody::Offence SlidingBody::violationIn(std::size_t cluster, const Excursi
 /// Where two triangles touch at an edge or a corner, many planes part them, and the one at hand may forbid what they
 /// allow. Looks among the others of each contact for one that lets the settled tool go on, and takes it.
 bool SlidingBody::findWayOn(const Pose& goal) {
-    std::array<HalfSpace, 3> halfSpaces;
+    std::array<HalfSpace, kMaxHeld> halfSpaces;
     const Mat3 rotation = pose_.rotation.toRotationMatrix();
     for (int i = 0; i < heldCount_; ++i) {
         if (!hasPlane(held_[i])) return false;

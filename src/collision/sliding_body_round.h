@@ -2,15 +2,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Private to SlidingBody: what its two source files share.
+// Private to SlidingBody: what its source files share.
 
 #include "collision/sliding_body.h"
+#include "collision/touching_features.h"
 
 namespace tactooth {
 
 inline constexpr int kMaxPlanesPerRound = 32;  // 3-6 are usual; more means that the step is long for its surroundings
 
 inline constexpr double kSolved = 1e-3;  // of the margin: how exactly a round's planes are solved for
+
+/// What keeps a tool that may turn from a triangle.
+struct SlidingBody::Touch {
+    FeaturePair features;
+    int tries = 0;  // how often they have been made linear in this round
+    Vec3 normal = Vec3::Zero();
+    Vec3 point = Vec3::Zero();
+};
 
 /// One round in the making.
 struct SlidingBody::Attempt {
@@ -25,12 +34,27 @@ struct SlidingBody::Attempt {
     bool clipped = false;       // the step was shortened to the allowance
     bool turnOutgrown = false;  // the turn was shortened since the list ends there
     bool outgrown = false;      // the turn or the step was
-    NearestInPolyhedron answer;
     int planeCount = 0;
     std::array<WatchedPair, kMaxPlanesPerRound> watched;
-    std::array<HalfSpace, kMaxPlanesPerRound> halfSpaces;
+    std::array<HalfSpace, kMaxPlanesPerRound> halfSpaces;   // of the steps
+    std::array<HalfSpace6, kMaxPlanesPerRound> turnSpaces;  // of the shifts and turns, in their place
+    std::array<Touch, kMaxPlanesPerRound> touches;          // what they keep apart
+    Vec3 shift = Vec3::Zero();                              // of the tool's centre
+    Vec3 turn = Vec3::Zero();                               // rotation vector
+    double turnLeft = 0;                                    // that the list covers, a chord
+    double turnBound = 0;                                   // no turn is longer, rad
+    // The planes that the step runs into.
+    int activeCount = 0;
+    std::array<int, kMaxHeld> active;
+    std::array<double, kMaxHeld> multiplier;
 
-    [[nodiscard]] const Vec3& activeNormal(int i) const { return halfSpaces[answer.active[i]].normal; }
+    [[nodiscard]] const Vec3& activeNormal(int i) const { return watched[active[i]].plane.normal; }
+    template <class Answer>
+    void setActive(const Answer& answer) {
+        activeCount = answer.activeCount;
+        std::copy_n(answer.active.begin(), activeCount, active.begin());
+        std::copy_n(answer.multiplier.begin(), activeCount, multiplier.begin());
+    }
 
     void turnBy(const Quat& from, double fraction) {
         turnFraction = fraction;
@@ -47,7 +71,7 @@ struct SlidingBody::Attempt {
 struct SlidingBody::SweptTool {
     std::uint32_t triangle = kNone;
     std::array<Vec3, 6> corners;
-    std::array<double, 3> startLow, endLow;
+    std::array<double, kMaxHeld> startLow, endLow;
 
     static constexpr std::uint32_t kNone = ~0U;
 

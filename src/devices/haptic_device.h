@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 
 #include "geometry/expected.h"
@@ -19,7 +20,9 @@ struct DeviceInfo {
     bool sensesRotation = false;
     int buttonCount = 0;
     bool hasPedal = false;
-    ForceLimits limits;  ///< that the safety limiter keeps to
+    ForceLimits limits;             ///< that the safety limiter keeps to
+    Vec3 workspace = Vec3::Zero();  ///< size of the room that the hand can reach, mm; zero: not bounded
+    double stiffness = std::numeric_limits<double>::infinity();  ///< N/mm: the stiffest wall that does not shake
 };
 
 /// The hand and the foot at one moment.
@@ -28,6 +31,8 @@ struct DeviceSample {
     double pedal = 0;  ///< 0 up .. 1 down
     std::uint32_t buttons = 0;  ///< bit i: button i is pressed. Pens: 0 = turbine or mirror, 1 = touch or cut
     bool connected = true;      ///< false: the other fields mean nothing, and no force may be made
+    double age = 0;             ///< s since the device measured it
+    double motorHeat = 0;       ///< as the device reports it, 0 cold .. 1 hot; 0 if it reports none
 };
 
 /// One device for one hand. Two hands are two objects, each paired with an instrument.
@@ -50,6 +55,14 @@ public:
 
     /// `elapsed`: since the last read, s.
     [[nodiscard]] virtual DeviceSample read(double elapsed) = 0;
+    /// Whether the device sets the pace; waitForTick then returns when it has a new sample, or after `longest` s.
+    [[nodiscard]] virtual bool setsPace() const { return false; }
+    virtual void waitForTick(double /*longest*/) {}
+
+    /// What is wrong at the moment and what to do about it, one sentence; nullptr if nothing is. Any thread. The text
+    /// lives as long as the program.
+    [[nodiscard]] virtual const char* trouble() const { return nullptr; }
+
     /// Takes only what has passed the safety limiter. Force in the device's frame.
     virtual void write(const SafeWrench& wrench) = 0;
 };

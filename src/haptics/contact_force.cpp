@@ -16,6 +16,9 @@ namespace {
 // Travel in which what is left of the old material's feel falls to 1/e, mm: to 5 % within 50 um. An exponential,
 // because it blends by the way alone: the same for one long tick as for many short ones.
 constexpr double kBlendTravel = 0.05 / 3;
+// A hand that crosses a border fast, or deep, shall not feel a step: N/s that the blend may change the force by, half
+// of what a hand just feels at 10 Hz and more (0.03 to 0.05 N) a millisecond.
+constexpr double kBlendSlew = 50;
 constexpr double kFrictionSpeed = 5.0;  // mm/s at which friction reaches its full size: above tremor, below a stroke
 
 }  // namespace
@@ -34,28 +37,48 @@ ContactForce::Feel ContactForce::feelOf(const ContactState& contact, const Mater
     return {feel.stiffness / weight, feel.damping / weight, feel.friction / weight};
 }
 
+/// The spring that is rendered, before `scale_`.
+double ContactForce::springOf(const Feel& feel, const MaterialTable& materials) const {
+    if (!std::isfinite(stiffest_)) return overrides_.stiffness.value_or(feel.stiffness);
+    double hardest = 0;
+    for (std::size_t i = 0; i < kMaterialCount; ++i) {
+        hardest = std::max(hardest, materials[static_cast<MaterialId>(i)].stiffness);
+    }
+    const double softened = hardest > stiffest_ ? feel.stiffness * stiffest_ / hardest : feel.stiffness;
+    const double spring = overrides_.stiffness.value_or(softened);
+    return scale_ > 0 ? std::min(spring, stiffest_ / scale_) : spring;
+}
+
 Wrench ContactForce::at(const ContactState& contact, const MaterialTable& materials) {
-    normalForce_ = 0;
+    normalForce_ = stiffness_ = 0;
     const double depth = contact.offset.norm();
     if (contact.held.empty() || !(depth > 0)) {
         feel_.reset();
         return {};
     }
     const Feel target = feelOf(contact, materials);
-    const double blend = feel_ ? 1 - std::exp(-contact.travel / kBlendTravel) : 1.0;
     const Feel old = feel_.value_or(target);
+    const double byTravel = 1 - std::exp(-contact.travel / kBlendTravel);
+    const double step = std::abs(target.stiffness - old.stiffness) * depth * scale_;  // N, of the whole blend
+    const double blend = step > 0 ? std::min(byTravel, kBlendSlew * contact.dt / step) : byTravel;
     feel_ = Feel{old.stiffness + blend * (target.stiffness - old.stiffness),
                  old.damping + blend * (target.damping - old.damping),
                  old.friction + blend * (target.friction - old.friction)};
 
-    const double stiffness = overrides_.stiffness.value_or(feel_->stiffness);
+    const double stiffness = springOf(*feel_, materials);
+    stiffness_ = scale_ * stiffness;
     const double damping = overrides_.damping.value_or(feel_->damping);
     const double frictionCoefficient = overrides_.friction.value_or(feel_->friction);
 
     const Vec3 normal = contact.offset / depth;
-    const double sinking = -contact.velocity.dot(normal);
+    Vec3 moment = Vec3::Zero();  // what the push does to a turn, as `normal` is what it does to a shift
+    for (const HeldAt& held : contact.held) {
+        moment += held.share / depth * (held.point - contact.device - contact.offset).cross(held.normal);
+    }
+    const double approach = -contact.velocity.dot(normal);
+    const double sinking = approach - contact.spin.dot(moment);
     normalForce_ = scale_ * std::max(0.0, stiffness * depth + damping * sinking);
-    const Vec3 sliding = contact.velocity + sinking * normal;
+    const Vec3 sliding = contact.velocity + approach * normal;
     const Vec3 friction = -frictionCoefficient * normalForce_ * sliding / (sliding.norm() + kFrictionSpeed);
 
     Wrench wrench;

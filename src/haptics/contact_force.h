@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <span>
 
@@ -22,11 +23,13 @@ struct HeldAt {
 
 /// What the force is computed from, all in the tooth's frame.
 struct ContactState {
-    Vec3 device;        ///< where the hand holds the tool's tip, mm
+    Vec3 device;        ///< where the hand holds the tool's tip, mm; turned with the proxy, if that turns on its own
     Vec3 offset;        ///< from there to the proxy's tip, mm; its length is the depth
-    Vec3 velocity;      ///< of the hand, mm/s
+    Vec3 velocity;      ///< of the hand's tip, mm/s
     double travel = 0;  ///< of the proxy since the last tick, mm
     std::span<const HeldAt> held;
+    Vec3 spin = Vec3::Zero();  ///< of the hand, rad/s, if the proxy turns on its own; else zero
+    double dt = std::numeric_limits<double>::infinity();  ///< since the last tick, s
 };
 
 /// Instead of the materials' own numbers, for experiments. They hold at once, without a blend.
@@ -38,28 +41,38 @@ struct ForceOverrides {
 
 /// The force law: a spring and a damper side by side (Kelvin-Voigt) between hand and proxy, which never pull, and dry
 /// friction against sliding. Stiffness, damping and friction are those of the material that holds the tool, blended
-/// while the tool travels across a border: after 50 um the new material has 95 %.
+/// while the tool travels across a border: after 50 um the new material has 95 %, but never faster than by 0.05 N a
+/// millisecond.
 class ContactForce {
 public:
     /// `scale` multiplies the whole force.
     void setOverrides(const ForceOverrides& overrides) { overrides_ = overrides; }
     void setScale(double scale) { scale_ = scale; }
 
+    /// The stiffest spring that the device renders without shaking, N/mm. Materials are softened together, so that the
+    /// harder one stays the harder one.
+    void setStiffest(double stiffest) { stiffest_ = stiffest; }
+
     [[nodiscard]] Wrench at(const ContactState& contact, const MaterialTable& materials);
 
     /// Length of the force along the proxy's normal at the last call, N.
     [[nodiscard]] double normalForce() const { return normalForce_; }
+    /// Of the spring at the last call, N/mm; 0 without contact.
+    [[nodiscard]] double stiffness() const { return stiffness_; }
 
 private:
     struct Feel {
         double stiffness, damping, friction;
     };
+    [[nodiscard]] double springOf(const Feel& feel, const MaterialTable& materials) const;
     [[nodiscard]] static Feel feelOf(const ContactState& contact, const MaterialTable& materials);
 
     ForceOverrides overrides_;
     double scale_ = 1;
+    double stiffest_ = std::numeric_limits<double>::infinity();
     std::optional<Feel> feel_;  // none while nothing is touched
     double normalForce_ = 0;
+    double stiffness_ = 0;
 };
 
 }  // namespace tactooth

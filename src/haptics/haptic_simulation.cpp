@@ -7,14 +7,13 @@
 #include <numbers>
 
 // Removal law: dV = k * F_n * v_rim * dt with k of the material (volume per force and rim travel); the tangential force
-// that loads the spindle is about half the normal one (measured on glass ceramic: 0.4 to 0.6 between 0.6 and 2.9 N).
+// that loads the spindle is about half the normal one (see cutting_force.h).
 
 namespace tactooth {
 namespace {
 
 constexpr double kVelocityCutoff =
     100;  // Hz: above the hand's 10 Hz, below what an encoder step of 55 um makes of 1 kHz
-constexpr double kTangentialShare = 0.5;  // of the normal force
 constexpr double kCuttingSpeedRpm = 300;  // a bur slower than this rubs and does not cut
 constexpr double kFurthest = 1e6;         // mm from the tooth: a hand beyond is a fault of the device
 constexpr double kUnitTolerance = 1e-3;   // of a quaternion's squared length
@@ -29,23 +28,42 @@ bool isSomewhere(const Pose& hand) {
 
 HapticSimulation::HapticSimulation(std::shared_ptr<const ToolShape> tool, double burRadius,
                                    std::shared_ptr<const Surface> surface, const HapticSettings& settings)
-    : proxy_(std::move(tool), std::move(surface), settings.mode),
+    : proxy_(std::move(tool), std::move(surface), settings.mode, settings.freedom),
       materials_(settings.materials),
       spindle_(settings.spindle),
-      burRadius_(burRadius) {
+      burRadius_(burRadius),
+      freedom_(settings.freedom) {
     force_.setOverrides(settings.force);
 }
 
-void HapticSimulation::filterVelocity(const Vec3& position, double dt) {
+void HapticSimulation::setSurface(FeltSurface& felt) {
+    pace_.grant((felt.reach - proxy_.pose().position).norm());
+    proxy_.setSurface(felt);
+}
+
+/// A bur that cuts goes on at the pace of its cut.
+Pose HapticSimulation::goalOf(const HandInput& input, double dt) {
+    pace_.pass(dt);
+    const bool cuts = input.cutting && last_.contacts > 0 && last_.speedRpm > kCuttingSpeedRpm && following_;
+    const Pose& hand = input.handInTooth;
+    return cuts ? pace_.goal(hand, proxy_.pose(), hand.position - lastHand_.position, dt) : hand;
+}
+
+void HapticSimulation::filterVelocity(const Pose& hand, double dt) {
     if (!following_ || dt <= 0) {
         velocity_.setZero();
-        lastPosition_ = position;
+        spin_.setZero();
+        lastHand_ = hand;
         following_ = true;
         return;
     }
-    const Vec3 raw = (position - lastPosition_) / dt;
-    velocity_ += (1 - std::exp(-2 * std::numbers::pi * kVelocityCutoff * dt)) * (raw - velocity_);
-    lastPosition_ = position;
+    const double newShare = 1 - std::exp(-2 * std::numbers::pi * kVelocityCutoff * dt);
+    velocity_ += newShare * ((hand.position - lastHand_.position) / dt - velocity_);
+    if (freedom_ == Freedom::ShiftAndTurn) {
+        const Quat turn = hand.rotation * lastHand_.rotation.conjugate();
+        spin_ += newShare * ((turn.w() < 0 ? -2 : 2) / dt * turn.vec() - spin_);  // for small angles
+    }
+    lastHand_ = hand;
 }
 
 /// Turns the spindle one step under the load of the cut, and books the work that the cut may spend.
@@ -57,16 +75,22 @@ void HapticSimulation::turnBur(const HandInput& input, double dt, Tick& tick) {
     const double rimSpeed = bur_.speedRpm / 60 * 2 * std::numbers::pi * burRadius_ * 1e-3;  // m/s
     tick.speedRpm = bur_.speedRpm;
     tick.removalWatt = tangential * rimSpeed;
+    const Vec3 axis = tick.proxy.rotation * Vec3::UnitZ();
+    const double force = bites ? force_.normalForce() : 0;
+    const Vec3 pull = cuttingForce_.at({tick.normal, axis, force, bur_.speedRpm, spindle_.freeSpeedRpm}, dt);
+    tick.wrench.force += pull;
+    tick.wrench.torque += lever_.cross(pull);
     tick.cutWork = last_.cutWork + (bites ? force_.normalForce() * rimSpeed * dt : 0);
 }
 
 /// Follows the hand and makes the force.
 void HapticSimulation::touch(const HandInput& input, double dt, Tick& tick) {
     tick.hand = input.handInTooth;
-    tick.speed = following_ && dt > 0 ? (input.handInTooth.position - lastPosition_).norm() / dt : 0;
-    filterVelocity(input.handInTooth.position, dt);
+    tick.speed = following_ && dt > 0 ? (input.handInTooth.position - lastHand_.position).norm() / dt : 0;
+    const Pose goal = goalOf(input, dt);
+    filterVelocity(input.handInTooth, dt);
 
-    const ProxyState state = proxy_.follow(input.handInTooth);
+    const ProxyState state = proxy_.follow(input.handInTooth, goal);
     tick.placed = state.placed;
     tick.proxy = state.placed ? state.proxy : input.handInTooth;
     tick.contacts = state.contacts;
@@ -76,7 +100,15 @@ void HapticSimulation::touch(const HandInput& input, double dt, Tick& tick) {
         tick.material = std::ranges::max_element(state.heldAt(), {}, &HeldAt::share)->material;
     }
     tick.wrench =
-        force_.at({input.handInTooth.position, state.offset, velocity_, state.travel, state.heldAt()}, materials_);
+        force_.at({state.handTip, state.offset, velocity_, state.travel, state.heldAt(), spin_, dt}, materials_);
+    tick.stiffness = force_.stiffness();
+    lever_.setZero();
+    double shares = 0;
+    for (const HeldAt& held : state.heldAt()) {
+        lever_ += held.share * (held.point - state.proxy.position);
+        shares += held.share;
+    }
+    if (shares > 0) lever_ /= shares;
 }
 
 Tick HapticSimulation::step(const HandInput& input, double dt) {

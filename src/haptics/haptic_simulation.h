@@ -5,6 +5,8 @@
 #include <memory>
 
 #include "haptics/contact_force.h"
+#include "haptics/cut_pace.h"
+#include "haptics/cutting_force.h"
 #include "haptics/tool_proxy.h"
 #include "instruments/spindle.h"
 
@@ -25,7 +27,8 @@ struct Tick {
     double depth = 0;
     Vec3 normal = Vec3::Zero();  ///< unit, out of the tooth; zero without contact
     double speed = 0;            ///< of the hand's tip, mm/s
-    Wrench wrench;               ///< wanted; the limiter comes after
+    Wrench wrench;               ///< wanted; the force pipeline comes after
+    double stiffness = 0;        ///< of the spring in it, N/mm; 0 without contact
     int contacts = 0;
     bool placed = false;
     bool cutting = false;
@@ -44,6 +47,7 @@ struct HapticSettings {
     MaterialTable materials;
     ForceOverrides force;
     ContactMode mode = ContactMode::Proxy;
+    Freedom freedom = Freedom::Shift;
     SpindlePreset spindle = spindlePresets().front();
 };
 
@@ -62,24 +66,33 @@ public:
     std::shared_ptr<const Surface> setSurface(std::shared_ptr<const Surface> surface) {
         return proxy_.setSurface(std::move(surface));
     }
+    /// Takes a surface with the list that belongs to it; the old ones stay in `felt`.
+    void setSurface(FeltSurface& felt);
+    [[nodiscard]] const ToolShape& tool() const { return proxy_.tool(); }
     [[nodiscard]] ContactForce& force() { return force_; }
 
 private:
-    void filterVelocity(const Vec3& position, double dt);
+    void filterVelocity(const Pose& hand, double dt);
     void touch(const HandInput& input, double dt, Tick& tick);
+    [[nodiscard]] Pose goalOf(const HandInput& input, double dt);
     void turnBur(const HandInput& input, double dt, Tick& tick);
 
     ToolProxy proxy_;
     MaterialTable materials_;
     ContactForce force_;
+    CutPace pace_;
+    CuttingForce cuttingForce_;
     SpindlePreset spindle_;
     SpindleState bur_;
     double burRadius_;
     bool started_ = false;    // there is a tick to count time from
     bool following_ = false;  // there is a position to take the speed from
     bool touching_ = false;
-    Vec3 lastPosition_ = Vec3::Zero();
+    Vec3 lever_ = Vec3::Zero();  // from the tool's tip to where it is held, mm
+    Freedom freedom_;
+    Pose lastHand_;
     Vec3 velocity_ = Vec3::Zero();  // low-passed, mm/s
+    Vec3 spin_ = Vec3::Zero();      // low-passed, rad/s
     Tick last_;
 };
 

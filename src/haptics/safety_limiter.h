@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 #include "haptics/wrench.h"
 
@@ -16,6 +17,8 @@ struct ForceLimits {
     double rampTime = 0.5;     ///< s from zero to full strength after switching on
     double stallTime = 0.003;  ///< s without a tick after which the force starts from zero again
     double torqueSlew = 3000;  ///< N*mm/s: a force's slew on a lever of 10 mm, from the bur's tip to the fingers
+    double continuousForce = std::numeric_limits<double>::infinity();  ///< N that the motors bear for ever
+    double friction = 0;                                               ///< N, dry, of the device's own mechanics
 };
 
 /// A wrench that has passed the limiter: the only kind that a device accepts. Nothing else can make one.
@@ -43,6 +46,8 @@ public:
     /// Ticks on which something other than the usual bounds was wrong: not a number, or too late.
     [[nodiscard]] std::uint64_t faults() const { return faults_; }
     [[nodiscard]] const ForceLimits& limits() const { return limits_; }
+    /// How far the ramp has come, 0..1.
+    [[nodiscard]] double strength() const { return strength_; }
 
 private:
     ForceLimits limits_;

@@ -3,16 +3,17 @@
 #include "haptics/servo_loop.h"
 
 #include <pthread.h>
-#include <sched.h>
 
-#include <chrono>
+#include <cmath>
 #include <ctime>
+
+#include "haptics/real_time.h"
 
 namespace tactooth {
 namespace {
 
 constexpr long kNanosPerSecond = 1'000'000'000L;
-constexpr int kPriority = 60;  // above everything ordinary, below the kernel's own interrupt threads
+constexpr double kLongestWait = 0.004;  // s for a device's next tick: a lost one is limp within 5 ms
 
 double seconds(const timespec& later, const timespec& earlier) {
     return static_cast<double>(later.tv_sec - earlier.tv_sec) +
@@ -31,15 +32,10 @@ void advance(timespec& time, long nanos) {
     time.tv_nsec %= kNanosPerSecond;
 }
 
-bool askForRealTime() {
-    sched_param parameters{};
-    parameters.sched_priority = kPriority;
-    return pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters) == 0;
-}
-
 }  // namespace
 
-ServoLoop::ServoLoop(double rateHz, std::function<void(double)> tick) : rateHz_(rateHz), tick_(std::move(tick)) {
+ServoLoop::ServoLoop(double rateHz, std::function<void(double)> tick, std::function<void(double)> pace)
+    : rateHz_(rateHz), tick_(std::move(tick)), pace_(std::move(pace)) {
     thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }
 
@@ -47,21 +43,27 @@ ServoLoop::~ServoLoop() = default;
 
 void ServoLoop::run(const std::stop_token& stop) {
     pthread_setname_np(pthread_self(), "servo");  // for debuggers and profilers
-    realTime_.store(askForRealTime(), std::memory_order_relaxed);
+    realTime_.store(takeRealTimePriority(), std::memory_order_relaxed);
     const long period = static_cast<long>(static_cast<double>(kNanosPerSecond) / rateHz_);
     timespec due = now();
     timespec last = due;
     while (!stop.stop_requested()) {
         advance(due, period);
-        while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &due, nullptr) != 0 && !stop.stop_requested()) {
+        if (pace_) {
+            pace_(kLongestWait);
+        } else {
+            while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &due, nullptr) != 0 && !stop.stop_requested()) {
+            }
         }
         const timespec started = now();
-        timing_.lateness.add(1e6 * seconds(started, due));
+        if (!pace_) timing_.lateness.add(1e6 * seconds(started, due));
+        timing_.jitter.add(1e6 * std::abs(seconds(started, last) - 1 / rateHz_));
         tick_(seconds(started, last));
         last = started;
         const timespec done = now();
         timing_.tick.add(1e6 * seconds(done, started));
         timing_.ticks.fetch_add(1, std::memory_order_relaxed);
+        if (pace_) due = done;  // the device counts its own time
         while (seconds(done, due) * rateHz_ > 1) {
             advance(due, period);
             timing_.missed.fetch_add(1, std::memory_order_relaxed);

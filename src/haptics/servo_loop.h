@@ -13,17 +13,20 @@ namespace tactooth {
 /// What the servo thread has seen of its own timing. Any thread reads.
 struct ServoTiming {
     LatencyHistogram tick;      ///< duration of the work of a tick, us
-    LatencyHistogram lateness;  ///< of waking up, us
+    LatencyHistogram lateness;  ///< of waking up, us; none where a device sets the pace
+    LatencyHistogram jitter;    ///< how much longer or shorter than the period the time between two ticks was, us
     std::atomic<std::uint64_t> ticks{0};
     std::atomic<std::uint64_t> missed{0};  ///< periods that passed without a tick
 };
 
-/// Calls a function at a fixed rate from a thread of its own, at real-time priority where the system allows it. A tick
-/// that comes too late is skipped, not caught up: simulated time stands still rather than the loop falling behind.
+/// Calls a function at a fixed rate, or at a device's own pace, from a thread of its own, at real-time priority where
+/// the system allows it. A tick that comes too late is skipped, not caught up: simulated time stands still rather than
+/// the loop falling behind.
 class ServoLoop {
 public:
-    /// `tick(elapsed)` gets the time since the last tick, s; it must not block.
-    ServoLoop(double rateHz, std::function<void(double)> tick);
+    /// `tick(elapsed)` gets the time since the last tick, s; it must not block. `pace(longest)` returns when the device
+    /// is ready for the next tick or when `longest` s have passed; without it the clock sets the pace.
+    ServoLoop(double rateHz, std::function<void(double)> tick, std::function<void(double)> pace = {});
     ~ServoLoop();
     ServoLoop(const ServoLoop&) = delete;
     ServoLoop& operator=(const ServoLoop&) = delete;
@@ -38,6 +41,7 @@ private:
 
     double rateHz_;
     std::function<void(double)> tick_;
+    std::function<void(double)> pace_;
     ServoTiming timing_;
     std::atomic<bool> realTime_{false};
     std::jthread thread_;  // last: it uses all of the above

@@ -8,8 +8,9 @@
 
 namespace tactooth {
 
-ToolProxy::ToolProxy(std::shared_ptr<const ToolShape> tool, std::shared_ptr<const Surface> surface, ContactMode mode)
-    : surface_(surface), mode_(mode), body_(tool), query_(tool, surface) {
+ToolProxy::ToolProxy(std::shared_ptr<const ToolShape> tool, std::shared_ptr<const Surface> surface, ContactMode mode,
+                     Freedom freedom)
+    : surface_(surface), mode_(mode), freedom_(freedom), body_(tool, freedom), query_(tool, surface) {
     body_.setSurface(std::move(surface));
     for (const Vec3f& vertex : body_.tool().mesh().vertices) {
         if (vertex.z() > farEnd_.z()) farEnd_ = vertex.cast<double>();
@@ -21,6 +22,13 @@ std::shared_ptr<const Surface> ToolProxy::setSurface(std::shared_ptr<const Surfa
     newSurface_ = true;
     query_.setSurface(surface);
     return body_.setSurface(std::move(surface));
+}
+
+void ToolProxy::setSurface(FeltSurface& felt) {
+    surface_ = felt.surface;
+    newSurface_ = true;
+    query_.setSurface(felt.surface);
+    felt.surface = body_.setSurface(std::move(felt.surface), felt.near);
 }
 
 MaterialId ToolProxy::materialOf(std::uint32_t part, std::uint32_t triangle) const {
@@ -61,7 +69,14 @@ bool ToolProxy::stepOutOfSurface() {
 /// Its far end tells: it is the last to touch anything.
 bool ToolProxy::isSwallowed() const { return surface_->closed && contains(*surface_, body_.pose() * farEnd_); }
 
-ProxyState ToolProxy::follow(const Pose& handInTooth) {
+/// See ProxyState::handTip. A tool turns under its contacts about its centre.
+Vec3 ToolProxy::handTip(const Pose& handInTooth) const {
+    if (freedom_ == Freedom::Shift) return handInTooth.position;
+    const Vec3 centre = body_.tool().centre();
+    return handInTooth * centre - body_.pose().rotation * centre;
+}
+
+ProxyState ToolProxy::follow(const Pose& handInTooth, const Pose& goal) {
     if (mode_ == ContactMode::Penalty) return followAsPenalty(handInTooth);
     ProxyState state;
     if (!placed_) placeNear(handInTooth);
@@ -71,19 +86,21 @@ ProxyState ToolProxy::follow(const Pose& handInTooth) {
         placed_ = false;
         return state;
     }
-    MoveResult move = body_.moveToward(handInTooth);
-    if (move.status == MoveStatus::Overlapping && stepOutOfSurface()) move = body_.moveToward(handInTooth);
+    MoveResult move = body_.moveToward(goal);
+    if (move.status == MoveStatus::Overlapping && stepOutOfSurface()) move = body_.moveToward(goal);
     if (move.status == MoveStatus::Overlapping) {
         placed_ = false;
         return state;
     }
     state.placed = true;
     state.proxy = body_.pose();
-    state.offset = body_.pose().position - handInTooth.position;
+    state.handTip = handTip(handInTooth);
+    state.offset = body_.pose().position - state.handTip;
     state.travel = (body_.pose().position - before).norm();
     state.contacts = state.heldCount = move.contactCount;
     const bool stuck = move.status == MoveStatus::OutOfRounds && move.contactCount == 0;
-    if (stuck && (touching_ || state.travel == 0)) holdWithoutContact(state);
+    const bool paused = move.status == MoveStatus::Reached && goal.position != handInTooth.position;
+    if (paused || (stuck && (touching_ || state.travel == 0))) holdWithoutContact(state);
     for (int i = 0; i < move.contactCount; ++i) {
         const BodyContact& contact = move.contacts[i];
         state.held[i] = {contact.point, contact.normal, contact.share, materialOf(contact.part, contact.tooth)};
@@ -96,8 +113,8 @@ ProxyState ToolProxy::follow(const Pose& handInTooth) {
     return state;
 }
 
-/// The fixed budget ran out between two contacts, or before the first: what stands between hand and proxy goes on
-/// holding, or the force would drop out while the hand presses.
+/// The fixed budget ran out between two contacts, or before the first, or the tool shall not go all the way to the
+/// hand: what stands between hand and proxy goes on holding, or the force would drop out while the hand presses.
 void ToolProxy::holdWithoutContact(ProxyState& state) {
     const double depth = state.offset.norm();
     if (!(depth > 0)) return;
@@ -109,6 +126,7 @@ ProxyState ToolProxy::followAsPenalty(const Pose& handInTooth) {
     ProxyState state;
     const Contact contact = query_.deepestPairAt(handInTooth);
     state.placed = true;
+    state.handTip = handInTooth.position;
     state.offset = contact.depth * contact.normal;
     state.proxy = {handInTooth.position + state.offset, handInTooth.rotation};
     state.contacts = contact.contacts;

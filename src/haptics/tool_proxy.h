@@ -9,6 +9,7 @@
 #include "collision/contact_query.h"
 #include "collision/sliding_body.h"
 #include "haptics/contact_force.h"
+#include "haptics/felt_surface.h"
 
 namespace tactooth {
 
@@ -19,13 +20,16 @@ enum class ContactMode {
 
 /// What the hand meets at one tick.
 struct ProxyState {
-    Pose proxy;                  ///< of the tool in the tooth; in penalty mode the hand's pose moved out by the depth
-    Vec3 offset = Vec3::Zero();  ///< from the hand's tip to the proxy's, mm
+    Pose proxy;  ///< of the tool in the tooth; in penalty mode the hand's pose moved out by the depth
+    /// Where the hand would hold the tip if it had turned with the proxy, mm: with three degrees of freedom, where it
+    /// holds it.
+    Vec3 handTip = Vec3::Zero();
+    Vec3 offset = Vec3::Zero();  ///< from there to the proxy's tip, mm
     double travel = 0;           ///< of the proxy since the last tick, mm
     bool placed = false;         ///< false: no free pose is known, and no force may be made from this
     int contacts = 0;            ///< triangles that hold the proxy (penalty: pairs that intersect)
     int heldCount = 0;
-    std::array<HeldAt, 3> held{};
+    std::array<HeldAt, kMaxHeld> held{};
 
     [[nodiscard]] std::span<const HeldAt> heldAt() const { return {held.data(), static_cast<std::size_t>(heldCount)}; }
 };
@@ -34,12 +38,20 @@ struct ProxyState {
 /// and when cutting changes the surface under the tool.
 class ToolProxy {
 public:
-    ToolProxy(std::shared_ptr<const ToolShape> tool, std::shared_ptr<const Surface> surface, ContactMode mode);
+    ToolProxy(std::shared_ptr<const ToolShape> tool, std::shared_ptr<const Surface> surface, ContactMode mode,
+              Freedom freedom = Freedom::Shift);
 
-    ProxyState follow(const Pose& handInTooth);
+    /// `goal`: how far the tool shall go in this tick where that is not all the way to the hand.
+    ProxyState follow(const Pose& handInTooth, const Pose& goal);
+    ProxyState follow(const Pose& handInTooth) { return follow(handInTooth, handInTooth); }
+
+    [[nodiscard]] const Pose& pose() const { return body_.pose(); }
+    [[nodiscard]] const ToolShape& tool() const { return body_.tool(); }
 
     /// Takes the newest surface. Returns the old one, so that the caller frees it away from the servo thread.
     std::shared_ptr<const Surface> setSurface(std::shared_ptr<const Surface> surface);
+    /// The same with what FeltSurfaces has found near the tool. The old surface and list stay in `felt`.
+    void setSurface(FeltSurface& felt);
 
     /// Forgets the history: the next tick places the tool anew.
     void release() { placed_ = false; }
@@ -48,12 +60,14 @@ private:
     [[nodiscard]] ProxyState followAsPenalty(const Pose& handInTooth);
     void placeNear(const Pose& handInTooth);
     [[nodiscard]] bool stepOutOfSurface();
+    [[nodiscard]] Vec3 handTip(const Pose& handInTooth) const;
     [[nodiscard]] bool isSwallowed() const;
     void holdWithoutContact(ProxyState& state);
     [[nodiscard]] MaterialId materialOf(std::uint32_t part, std::uint32_t triangle) const;
 
     std::shared_ptr<const Surface> surface_;
     ContactMode mode_;
+    Freedom freedom_;
     SlidingBody body_;
     ContactQuery query_;
     bool placed_ = false;

@@ -56,8 +56,15 @@ void cutRigidly(std::span<const TimedPose> path, const CuttingTool& tool, double
     piece.refreshSurface();
 }
 
+void feelCut(const WorkPiece& piece, const Tick& tick, FeltSurfaces& surfaces, HapticSimulation& simulation) {
+    FeltSurface* felt = surfaces.make(piece.surface(), tick.proxy, piece.reached().value_or(tick.proxy));
+    simulation.setSurface(*felt);
+    surfaces.giveBack(felt);
+}
+
 void cutByLaw(std::span<const TimedPose> path, const CuttingTool& tool, const MaterialTable& materials,
               HapticSimulation& simulation, WorkPiece& piece, const CutVisitor& visit) {
+    FeltSurfaces surfaces(simulation.tool());
     double last = path.empty() ? 0 : path.front().time;
     double lastCut = last;
     for (const TimedPose& row : path) {
@@ -67,7 +74,7 @@ void cutByLaw(std::span<const TimedPose> path, const CuttingTool& tool, const Ma
         last = row.time;
         if (row.time - lastCut >= kSurfaceDelay - 1e-9) {
             lastCut = row.time;
-            if (piece.feed(tool, tick, materials)) simulation.setSurface(piece.surface());
+            if (piece.feed(tool, tick, materials)) feelCut(piece, tick, surfaces, simulation);
         }
         visit(row.time, tick, piece.removed());
     }

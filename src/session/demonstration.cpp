@@ -4,6 +4,7 @@
 
 #include <chrono>
 
+#include "session/cut_run.h"
 #include "session/practised_hand.h"
 #include "session/tick_sound.h"
 
@@ -36,6 +37,7 @@ Demonstration playDemonstration(WorkPiece& piece, const Instrument& instrument, 
     PractisedHand hand(Vec3(middle.x() - reach, middle.y(), box.max().z() + kHeadroom), grip,
                        lesson(middle, reach, seconds));
     HapticSimulation simulation(instrument.shape, instrument.cutting.envelope.maxRadius(), piece.surface(), settings);
+    FeltSurfaces surfaces(simulation.tool());
     SafetyLimiter limiter(hand.info().limits);
 
     Demonstration result;
@@ -51,7 +53,7 @@ Demonstration playDemonstration(WorkPiece& piece, const Instrument& instrument, 
         result.ticks.push_back(tick);
         if (i % kTicksPerCut != 0) continue;
         if (tick.cutting && piece.feed(instrument.cutting, tick, settings.materials)) {
-            simulation.setSurface(piece.surface());
+            feelCut(piece, tick, surfaces, simulation);
             ++result.surfaceUpdates;
         }
         result.sound.push_back({tick.time, soundOf(tick, settings.spindle, settings.materials), {}});

@@ -12,39 +12,81 @@ namespace {
 
 constexpr auto kCutterPause = std::chrono::milliseconds(1);  // a tick: there is nothing new before it
 
+constexpr auto kLongestFade = std::chrono::milliseconds(100);  // 20 N take 67 ms; a device that hangs has no more
 constexpr double kPauseBetweenCuts = 0.4;  // s without contact: the bur was lifted, a new cut begins (mark for undo)
 
 }  // namespace
 
 Simulator::Simulator(std::shared_ptr<WorkPiece> piece, Instrument instrument, const HapticSettings& settings,
-                     HapticDevice& device, TickListener onTick, double rateHz)
+                     HapticDevice& device, TickListener onTick, double rateHz, std::optional<Seat> seat)
     : piece_(std::move(piece)),
       instrument_(std::move(instrument)),
       settings_(settings),
       device_(device),
       onTick_(std::move(onTick)),
       simulation_(instrument_.shape, instrument_.cutting.envelope.maxRadius(), piece_->surface(), settings),
-      limiter_(device.info().limits),
+      pipeline_(device.info().limits),
+      frame_(seat),
       controls_(SimulatorControls{.force = settings.force}),
-      lent_{piece_->surface()},
+      surfaces_(simulation_.tool()),
       watchedSurface_(piece_->surface()),
       watchedRemoved_(piece_->removed()) {
-    loop_ = std::make_unique<ServoLoop>(rateHz, [this](double elapsed) { servoTick(elapsed); });
+    simulation_.force().setStiffest(device.info().stiffness);
+    std::function<void(double)> pace;
+    if (device.setsPace()) pace = [&device](double longest) { device.waitForTick(longest); };
+    loop_ = std::make_unique<ServoLoop>(
+        rateHz, [this](double elapsed) { servoTick(elapsed); }, std::move(pace));
     cutter_ = std::jthread([this](const std::stop_token& stop) { runCutter(stop); });
 }
 
+/// A force that ends within one tick is a kick: the servo takes it back as fast as any force may change.
+void Simulator::fadeOut() {
+    leaving_.store(true);
+    const auto end = std::chrono::steady_clock::now() + kLongestFade;
+    while (!silent_.load() && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(kCutterPause);
+}
+
 Simulator::~Simulator() {
+    fadeOut();
     cutter_ = {};  // joins: after this nobody fills the queues
     loop_.reset();
     device_.write(SafeWrench());
-    // The queue has room for a fixed number and does not destroy what is left in it.
-    fresh_.consume_all([](const std::shared_ptr<const Surface>&) {});
 }
 
-/// Swaps in the next surface. The cutter holds the old one, too, so nothing is freed here: that would stall the servo.
+/// Swaps in the next surface. The old one goes back to the cutter: to free it would stall the servo.
 void Simulator::takeNewSurface() {
-    std::shared_ptr<const Surface> surface;
-    if (fresh_.pop(surface)) simulation_.setSurface(std::move(surface));
+    FeltSurface* felt = nullptr;
+    if (!fresh_.pop(felt)) return;
+    simulation_.setSurface(*felt);
+    returned_.push(felt);
+}
+
+/// A lost device's hand stays where it was, and its foot is off.
+void Simulator::moveHand(const DeviceSample& sample, const SimulatorControls& controls) {
+    if (!sample.connected) return;
+    buttons_.press(sample.buttons, controls.buttons);
+    frame_.setFineness(controls.fineness);
+    mirrorFrame_.setFineness(controls.fineness);
+    const bool clutch = controls.clutch || buttons_.clutchHeld();
+    frame_.setClutch(clutch || buttons_.swapToggled());
+    mirrorFrame_.setClutch(clutch || !buttons_.swapToggled());
+    hand_ = frame_.toolFor(sample.hand);
+    mirrorForWatcher_.write(mirrorFrame_.toolFor(sample.hand));
+}
+
+SafeWrench Simulator::forceFor(const Tick& tick, const DeviceSample& sample, bool enabled, double elapsed) {
+    WantedForce wanted = wantedFrom(tick);
+    wanted.wrench = frame_.toDevice(tick.wrench);
+    wanted.hand = sample.hand.position;
+    wanted.depth *= frame_.fineness();
+    wanted.stiffness /= frame_.fineness();
+    wanted.allowed &= enabled && !frame_.isHeld() && !leaving_.load(std::memory_order_relaxed);
+    wanted.connected = sample.connected;
+    wanted.motorHeat = sample.motorHeat;
+    const SafeWrench safe = pipeline_.pass(wanted, elapsed);
+    forceState_.store(pipeline_.state(), std::memory_order_relaxed);
+    silent_.store(safe.force().isZero(0) && safe.torque().isZero(0), std::memory_order_relaxed);
+    return safe;
 }
 
 void Simulator::servoTick(double elapsed) {
@@ -56,14 +98,13 @@ void Simulator::servoTick(double elapsed) {
     simulation_.force().setScale(controls.forceScale);
 
     const DeviceSample sample = device_.read(elapsed);
-    if (sample.connected) hand_ = sample.hand;  // a lost device's hand stays where it was, and its foot is off
+    moveHand(sample, controls);
     const double pedal = std::max(controls.pedal, sample.connected ? sample.pedal : 0.0);
-    const HandInput input{hand_, pedal, controls.cutting};
-    Tick tick = simulation_.step(input, elapsed);
-    const bool enabled = controls.forceEnabled && sample.connected && tick.placed;
-    device_.write(limiter_.limit(tick.wrench, elapsed, enabled));
+    Tick tick = simulation_.step({hand_, pedal, controls.cutting != buttons_.cutToggled()}, elapsed);
+    device_.write(forceFor(tick, sample, controls.forceEnabled, elapsed));
 
     tick.micros = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
+    deviceToForce_.add(1e6 * sample.age + tick.micros);
     tickForCutter_.write(tick);
     ticksForWatcher_.push(tick);
     if (onTick_) onTick_(tick);
@@ -84,7 +125,6 @@ MaterialVolumes Simulator::removed() const {
 }
 
 void Simulator::publishSurface() {
-    lent_.push_back(piece_->surface());
     {
         const std::lock_guard lock(watched_);
         watchedSurface_ = piece_->surface();
@@ -93,9 +133,13 @@ void Simulator::publishSurface() {
     surfaceUpdates_.fetch_add(1, std::memory_order_relaxed);
 }
 
-/// What nobody else holds, nobody else can get hold of again.
-void Simulator::freeReturnedSurfaces() {
-    std::erase_if(lent_, [](const std::shared_ptr<const Surface>& surface) { return surface.use_count() == 1; });
+/// Hands the newest surface to the servo; false if it has not taken the last ones yet.
+bool Simulator::sendSurface() {
+    const Tick& tick = tickForCutter_.value();
+    FeltSurface* felt = surfaces_.make(piece_->surface(), tick.proxy, piece_->reached().value_or(tick.proxy));
+    if (fresh_.push(felt)) return true;
+    surfaces_.giveBack(felt);
+    return false;
 }
 
 std::vector<std::byte> Simulator::toothFile(const Provenance& provenance) const {
@@ -132,10 +176,10 @@ void Simulator::runCutter(const std::stop_token& stop) {
     pthread_setname_np(pthread_self(), "cutter");  // for debuggers and profilers
     bool unsent = false;
     while (!stop.stop_requested()) {
-        freeReturnedSurfaces();
+        returned_.consume_all([this](FeltSurface* felt) { surfaces_.giveBack(felt); });
         const bool changed = workOnPiece();
         if (changed) publishSurface();
-        unsent = (unsent || changed) && !fresh_.push(piece_->surface());
+        unsent = (unsent || changed) && !sendSurface();
         if (!changed) std::this_thread::sleep_for(kCutterPause);
     }
 }

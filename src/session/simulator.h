@@ -9,11 +9,15 @@
 #include <limits>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <vector>
 
+#include "devices/button_actions.h"
+#include "devices/hand_frame.h"
 #include "devices/haptic_device.h"
 #include "geometry/latest_value.h"
+#include "haptics/force_pipeline.h"
 #include "haptics/haptic_simulation.h"
 #include "haptics/servo_loop.h"
 #include "session/tooth_file.h"
@@ -34,6 +38,9 @@ struct SimulatorControls {
     double pedal = 0;          ///< 0..1, from a slider or key; the larger of this and the device's own pedal counts
     bool cutting = false;      ///< touch or cut
     bool forceEnabled = true;  ///< off: the device is limp, everything else goes on
+    bool clutch = false;       ///< the tool stays where it is while the hand moves on
+    double fineness = 1;       ///< mm that the hand moves for each mm of the tool: 3 for fine work
+    ButtonMap buttons = {};
 };
 
 /// A running simulation: the servo thread moves the tool and makes the force, the cutter thread carves behind it, and
@@ -45,8 +52,9 @@ public:
 
     /// `device` is open and outlives the simulator. `onTick` runs on the servo thread after every tick: it must not
     /// block (publish to the sound, for example). The work piece may bring cuts from an earlier simulator.
+    /// `seat`: for a device whose frame has nothing to do with the tooth; without it the device's frame is the tooth's.
     Simulator(std::shared_ptr<WorkPiece> piece, Instrument instrument, const HapticSettings& settings,
-              HapticDevice& device, TickListener onTick, double rateHz = 1000);
+              HapticDevice& device, TickListener onTick, double rateHz = 1000, std::optional<Seat> seat = {});
     ~Simulator();
     Simulator(const Simulator&) = delete;
     Simulator& operator=(const Simulator&) = delete;
@@ -62,6 +70,12 @@ public:
     [[nodiscard]] std::shared_ptr<const Surface> surface() const;
     [[nodiscard]] MaterialVolumes removed() const;
     [[nodiscard]] const ServoTiming& timing() const { return loop_->timing(); }
+    /// One thread (the window's): how the hand has moved the mirror since the start, in the tooth's frame.
+    [[nodiscard]] const Pose& mirrorMotion() { return mirrorForWatcher_.refresh(), mirrorForWatcher_.value(); }
+    /// From the device's reading of a hand to the force that answers it, us.
+    [[nodiscard]] const LatencyHistogram& deviceToForce() const { return deviceToForce_; }
+    /// Why the hand feels what it feels.
+    [[nodiscard]] ForceState forceState() const { return forceState_.load(std::memory_order_relaxed); }
     [[nodiscard]] bool isRealTime() const { return loop_->isRealTime(); }
     /// Surfaces published by the cutter so far.
     [[nodiscard]] std::uint64_t surfaceUpdates() const { return surfaceUpdates_.load(std::memory_order_relaxed); }
@@ -74,17 +88,20 @@ public:
     [[nodiscard]] std::vector<std::byte> toothFile(const Provenance& provenance) const;
 
 private:
-    using SurfaceQueue = boost::lockfree::spsc_queue<std::shared_ptr<const Surface>, boost::lockfree::capacity<8>>;
+    using SurfaceQueue = boost::lockfree::spsc_queue<FeltSurface*, boost::lockfree::capacity<8>>;
     static constexpr std::size_t kKeptTicks = 2048;
 
     void servoTick(double elapsed);
+    [[nodiscard]] SafeWrench forceFor(const Tick& tick, const DeviceSample& sample, bool enabled, double elapsed);
+    void moveHand(const DeviceSample& sample, const SimulatorControls& controls);
+    void fadeOut();
     void takeNewSurface();
     void runCutter(const std::stop_token& stop);
     [[nodiscard]] bool workOnPiece();
     [[nodiscard]] bool undoAsAsked();
     [[nodiscard]] bool cutAsAsked();
     void publishSurface();
-    void freeReturnedSurfaces();
+    [[nodiscard]] bool sendSurface();
 
     std::shared_ptr<WorkPiece> piece_;
     Instrument instrument_;
@@ -94,7 +111,10 @@ private:
 
     // Servo thread's.
     HapticSimulation simulation_;
-    SafetyLimiter limiter_;
+    ForcePipeline pipeline_;
+    HandFrame frame_;
+    HandFrame mirrorFrame_{Seat{}};
+    ButtonActions buttons_;
     /// Nowhere, until the device has been read once.
     Pose hand_{Vec3::Constant(std::numeric_limits<double>::quiet_NaN()), Quat::Identity()};
 
@@ -102,13 +122,19 @@ private:
     LatestValue<SimulatorControls> controls_;
     LatestValue<Tick> tickForCutter_;
     boost::lockfree::spsc_queue<Tick, boost::lockfree::capacity<kKeptTicks>> ticksForWatcher_;
-    SurfaceQueue fresh_;  // cutter -> servo
+    SurfaceQueue fresh_;     // cutter -> servo
+    SurfaceQueue returned_;  // and back, with the surface felt before: the servo never frees one
+    LatestValue<Pose> mirrorForWatcher_;
+    LatencyHistogram deviceToForce_;
+    std::atomic<ForceState> forceState_{ForceState::Off};
+    std::atomic<bool> leaving_{false};  // the force fades out
+    std::atomic<bool> silent_{true};    // it has
     std::atomic<bool> resetRequested_{false};
     std::atomic<int> undosRequested_{0};
     std::atomic<std::uint64_t> surfaceUpdates_{0};
 
-    /// Cutter's. All surfaces that anyone else may hold: it lets go last, so that the servo never frees one.
-    std::vector<std::shared_ptr<const Surface>> lent_;
+    // Cutter's.
+    FeltSurfaces surfaces_;
     double lastCut_ = -std::numeric_limits<double>::infinity();  ///< Tick::time, s
 
     /// The cutter's while it works, and that of anyone who looks at the work piece; never the servo's.

@@ -50,18 +50,30 @@ MaterialVolumes WorkPiece::sweep(const CuttingTool& tool, const Pose& from, cons
     return carve.removed;
 }
 
+/// Where the cut goes on: at the bur, or where the last cut lets it go to, if it is still on its way there.
+Pose WorkPiece::startOf(const Tick& tick) const {
+    if (!reached_) return tick.proxy;
+    const Vec3 left = reached_->position - tick.proxy.position;
+    const Vec3 toHand = tick.hand.position - tick.proxy.position;
+    const bool isOnTheWay = left.norm() <= kLongestFeed && left.dot(toHand) >= left.squaredNorm();
+    return isOnTheWay ? *reached_ : tick.proxy;
+}
+
 bool WorkPiece::feed(const CuttingTool& tool, const Tick& tick, const MaterialTable& materials) {
     const double work = tick.cutWork - workSpent_;
     const bool hasWorked = tick.cutWork > workSeen_;  // else what was too dear the last time still is
     workSeen_ = tick.cutWork;
     if (tick.contacts == 0 || !(work > 0)) {
         workSpent_ = tick.cutWork;
+        reached_.reset();
         return false;
     }
     if (!hasWorked) return false;
-    const double way = (tick.hand.position - tick.proxy.position).norm();
-    const Pose goal = between(tick.proxy, tick.hand, way > kLongestFeed ? kLongestFeed / way : 1);
-    const FeedResult result = feedBur(volume_, tool.envelope, tick.proxy, goal, work, materials, tool.sharpness);
+    const Pose start = startOf(tick);
+    const double way = (tick.hand.position - start.position).norm();
+    const Pose goal = between(start, tick.hand, way > kLongestFeed ? kLongestFeed / way : 1);
+    const FeedResult result = feedBur(volume_, tool.envelope, start, goal, work, materials, tool.sharpness);
+    reached_ = between(start, goal, result.fraction);
     // A broad bur in hard enamel must save up for its smallest step, which the clearance of the cut gives.
     const double kept = std::isfinite(result.wanted) ? std::max(kKeptWork, result.wanted) : kKeptWork;
     workSpent_ = std::max(workSpent_ + result.work, tick.cutWork - kept);
@@ -91,6 +103,7 @@ void WorkPiece::mark() {
 
 bool WorkPiece::undo() {
     if (marks() == 0) return false;
+    reached_.reset();
     const std::vector<ChangedBrick> changed = volume_.undo();
     changed_.insert(changed_.end(), changed.begin(), changed.end());
     removed_ = removedAt_[marks()];
@@ -105,6 +118,7 @@ void WorkPiece::reset() {
     removed_ = {};
     removedAt_.clear();
     changed_.clear();
+    reached_.reset();
 }
 
 }  // namespace tactooth

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "haptics/haptic_simulation.h"
 #include "tooth/bur_feed.h"
@@ -35,6 +36,9 @@ public:
     /// for. True if the surface has changed.
     bool feed(const CuttingTool& tool, const Tick& tick, const MaterialTable& materials);
 
+    /// Where the last `feed` lets the bur go to; nothing before the first, and after the bur was lifted.
+    [[nodiscard]] const std::optional<Pose>& reached() const { return reached_; }
+
     /// Brings `surface()` up to date with the cuts made by `sweep`.
     void refreshSurface();
 
@@ -58,6 +62,7 @@ public:
     void reset();
 
 private:
+    [[nodiscard]] Pose startOf(const Tick& tick) const;
     void book(const CarveResult& carve);
 
     std::shared_ptr<const LayeredTooth> tooth_;
@@ -66,8 +71,9 @@ private:
     MaterialVolumes removed_{};
     std::vector<ChangedBrick> changed_;       // since the last refresh
     std::vector<MaterialVolumes> removedAt_;  // the marks
-    double workSpent_ = 0;                    // of Tick::cutWork, N*m
-    double workSeen_ = 0;                     // Tick::cutWork at the last feed, N*m
+    std::optional<Pose> reached_;
+    double workSpent_ = 0;  // of Tick::cutWork, N*m
+    double workSeen_ = 0;   // Tick::cutWork at the last feed, N*m
 };
 
 }  // namespace tactooth

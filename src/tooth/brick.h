@@ -56,10 +56,11 @@ inline constexpr int kBrickNodes = kBrickSide * kBrickSide * kBrickSide;
 
 [[nodiscard]] constexpr int nodeIndex(int x, int y, int z) { return x + kBrickSide * (y + kBrickSide * z); }
 
-/// How far the two distances of a node are kept, in voxels; farther values are clamped. Removed region: a cell
-/// with a change of sign has all its corners within sqrt(3), and the accounting needs less. Tooth: two more, so that
-/// what lies clear of the surface is known to do so.
-inline constexpr double kCutBand = 2.0;
+/// How far the two distances of a node are kept, in voxels; farther values are clamped. Removed region: a node next to
+/// one across the border lies within 1 of it and must be known to have been reached, and the accounting needs less; what
+/// every move must look at anew grows with this. Tooth: far enough that what lies clear of the surface is known to do
+/// so.
+inline constexpr double kCutBand = 1.25;
 inline constexpr double kToothBand = 4.0;
 
 /// What burs have done to one brick: the part of it that changes.

@@ -10,9 +10,6 @@
 namespace tactooth {
 namespace {
 
-/// Voxels; a change of the cut field above this cannot move its border (a cell's diagonal, and rounding).
-constexpr double kMattersBelow = 1.75;
-
 /// mm; a smaller change of the cut field is rounding (of a wall that a bur passes along), not cutting.
 constexpr float kLeastChange = 2e-5F;
 
@@ -36,7 +33,7 @@ std::optional<CutSample> loweredAt(const Brick& brick, int node, const Vec3& poi
                                    const std::vector<const SweepStep*>& steps) {
     std::optional<CutSample> lowered;
     double bound = std::min(brick.cut[node] - kLeastChange, limit);
-    Vec3 gradient;
+    Vec3 gradient = Vec3::Zero();
     for (const SweepStep* step : steps) {
         const FieldSample sample = step->sample(point, bound);
         if (sample.distance >= bound) continue;
@@ -56,6 +53,13 @@ void findNear(const std::vector<SweepStep>& steps, const Vec3& point, double rea
         if (step.lowerBound(point) < reach) near.push_back(&step);
     }
 }
+void findNear(const std::vector<const SweepStep*>& steps, const Vec3& point, double reach,
+              std::vector<const SweepStep*>& near) {
+    near.clear();
+    for (const SweepStep* step : steps) {
+        if (step->lowerBound(point) < reach) near.push_back(step);
+    }
+}
 
 Vec3 pointOf(const Lattice& lattice, const Vec3& corner, int node) {
     return corner + lattice.spacing() *
@@ -66,7 +70,10 @@ Vec3 pointOf(const Lattice& lattice, const Vec3& corner, int node) {
 class BlockSweep {
 public:
     BlockSweep(const Brick& brick, const BrickKey& key, const Lattice& lattice, const std::vector<SweepStep>& steps)
-        : brick_(brick), corner_(lattice.corner(key)), lattice_(lattice), steps_(steps) {}
+        : brick_(brick), corner_(lattice.corner(key)), lattice_(lattice) {
+        const double reach = lattice.halfDiagonal() + kCutBand * lattice.spacing();
+        findNear(steps, lattice.centre(key), reach, steps_);
+    }
 
     /// Calls `visit(sample)` for each node of a block (0..7) that the steps lower.
     template <class Visit>
@@ -120,8 +127,8 @@ private:
     const Brick& brick_;
     const Vec3 corner_;
     const Lattice& lattice_;
-    const std::vector<SweepStep>& steps_;
-    std::vector<const SweepStep*> near_;
+    std::vector<const SweepStep*> steps_;  // that come near the brick
+    std::vector<const SweepStep*> near_;   // and the block
     std::vector<BlockBounds> bounds_;
     std::vector<const SweepStep*> chosen_;
     std::array<float, kBlockNodes> limit_;  ///< what a step must come below to count
@@ -179,7 +186,7 @@ MaterialVolumes removableFromNodes(const Brick& brick, const RemovableInBrick& w
     return volumes;
 }
 
-BrickCarve carveBrick(Brick& brick, const RemovableInBrick& found, const Lattice& lattice, std::uint64_t carve) {
+BrickCarve carveBrick(Brick& brick, const RemovableInBrick& found, std::uint64_t carve) {
     BrickCarve result;
     result.removed = found.volumes;
     result.changed.key = found.key;
@@ -193,7 +200,6 @@ BrickCarve carveBrick(Brick& brick, const RemovableInBrick& found, const Lattice
         brick.cut[node] = lowered.distance;
         brick.cutNormal[node] = lowered.normal;
         brick.isCut = true;
-        if (lowered.distance > kMattersBelow * lattice.spacing()) continue;
         const std::array<int, 3> place = {node % kBrickSide, node / kBrickSide % kBrickSide,
                                           node / (kBrickSide * kBrickSide)};
         for (int axis = 0; axis < 3; ++axis) {

@@ -23,8 +23,7 @@ struct BrickCarve {
                                                  const Lattice& lattice, const std::vector<SweepStep>& steps);
 
 /// Does what was found. `carve` numbers the whole carve.
-[[nodiscard]] BrickCarve carveBrick(Brick& brick, const RemovableInBrick& found, const Lattice& lattice,
-                                    std::uint64_t carve);
+[[nodiscard]] BrickCarve carveBrick(Brick& brick, const RemovableInBrick& found, std::uint64_t carve);
 
 /// What has been removed from the tooth within one brick.
 [[nodiscard]] MaterialVolumes removedFromBrick(const Brick& brick, double spacing);

@@ -47,11 +47,17 @@ public:
     void add(const Vec3& point, const Vec3& normal) {
         normals_ += normal * normal.transpose();
         offsets_ += normal * normal.dot(point - centre_);
+        sum_ += normal;
     }
 
     /// The point nearest to all planes and then to the centre, directions without an edge left out. A point beyond
     /// `cell` belongs to a neighbour: then the weakest direction is left out, too, until it fits.
     [[nodiscard]] Vec3 nearestPoint(const Box3& cell) const {
+        if (isFlat()) {
+            const Vec3 mean = sum_.normalized();
+            const Vec3 point = centre_ + mean * (mean.dot(offsets_) / mean.dot(normals_ * mean));
+            return cell.contains(point) ? point : centre_;
+        }
         Eigen::SelfAdjointEigenSolver<Mat3> solver;
         solver.computeDirect(normals_);
         const double largest = solver.eigenvalues()[2];
@@ -68,7 +74,15 @@ public:
     }
 
 private:
+    /// Whether the normals agree so well that the mean one alone counts: the weight in all other directions together is
+    /// what it leaves of theirs.
+    [[nodiscard]] bool isFlat() const {
+        const double along = sum_.dot(normals_ * sum_) / sum_.squaredNorm();
+        return normals_.trace() - along < kFlat * along;
+    }
+
     Vec3 centre_;
+    Vec3 sum_ = Vec3::Zero();
     Mat3 normals_ = Mat3::Zero();
     Vec3 offsets_ = Vec3::Zero();
 };

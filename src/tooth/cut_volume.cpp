@@ -82,7 +82,7 @@ CarveResult CutVolume::carve(const Removable& removable) {
     std::vector<BrickCarve> carved(removable.where.size());
     parallelFor(carved.size(), [&](std::size_t i) {
         const RemovableInBrick& found = removable.where[i];
-        carved[i] = carveBrick(*bricks_.find(found.key), found, lattice_, carves_);
+        carved[i] = carveBrick(*bricks_.find(found.key), found, carves_);
     });
     CarveResult result;
     result.removed = removable.volumes;

@@ -66,16 +66,17 @@ void RevolutionEnvelope::buildGrid() {
 
 RevolutionEnvelope::Nearest RevolutionEnvelope::nearest(double radius, double z, const std::uint16_t* first,
                                                         const std::uint16_t* last) const {
-    Nearest best{std::numeric_limits<double>::infinity(), 0, 0, 0};
+    Nearest best{std::numeric_limits<double>::infinity(), 0, 0, 0, false};
     for (const std::uint16_t* index = first; index != last; ++index) {
         const Segment& segment = segments_[*index];
         const double dr = radius - segment.start.radius;
         const double dz = z - segment.start.z;
-        const double along = std::clamp(dr * segment.directionR + dz * segment.directionZ, 0.0, segment.length);
+        const double place = dr * segment.directionR + dz * segment.directionZ;
+        const double along = std::clamp(place, 0.0, segment.length);
         const double offsetR = dr - along * segment.directionR;
         const double offsetZ = dz - along * segment.directionZ;
         const double squared = offsetR * offsetR + offsetZ * offsetZ;
-        if (squared < best.squaredDistance - kTieTolerance) best = {squared, offsetR, offsetZ, *index};
+        if (squared < best.squaredDistance - kTieTolerance) best = {squared, offsetR, offsetZ, *index, along == place};
     }
     return best;
 }
@@ -106,7 +107,11 @@ FieldSample RevolutionEnvelope::sample(const Vec3& pointInTool) const {
     const double radius = std::sqrt(pointInTool.x() * pointInTool.x() + pointInTool.y() * pointInTool.y());
     const Nearest hit = nearest(radius, pointInTool.z());
     const double distance = std::sqrt(hit.squaredDistance);
-    const bool inside = isInside(radius, pointInTool.z());
+    const Segment& segment = segments_[hit.segment];
+    // Nearest within a segment, a point lies on the side to which its offset points.
+    const bool inside = hit.isWithin && distance > kOnSurface
+                            ? hit.offsetR * segment.directionZ - hit.offsetZ * segment.directionR < 0
+                            : isInside(radius, pointInTool.z());
     double slopeR;
     double slopeZ;
     if (distance > kOnSurface) {
@@ -114,8 +119,8 @@ FieldSample RevolutionEnvelope::sample(const Vec3& pointInTool) const {
         slopeR = hit.offsetR * scale;
         slopeZ = hit.offsetZ * scale;
     } else {  // the profile runs upward on the outside, so its outward normal is the direction turned to the right
-        slopeR = segments_[hit.segment].directionZ;
-        slopeZ = -segments_[hit.segment].directionR;
+        slopeR = segment.directionZ;
+        slopeZ = -segment.directionR;
     }
     const Vec3 outward = radius > 0 ? Vec3(pointInTool.x() / radius, pointInTool.y() / radius, 0) : Vec3::UnitX();
     return {inside ? -distance : distance, Vec3(slopeR * outward.x(), slopeR * outward.y(), slopeZ)};

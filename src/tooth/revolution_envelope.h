@@ -70,6 +70,7 @@ private:
     struct Nearest {
         double squaredDistance, offsetR, offsetZ;
         std::uint32_t segment;
+        bool isWithin;  ///< the segment, not at an end of it
     };
 
     explicit RevolutionEnvelope(std::vector<ProfilePoint> profile);

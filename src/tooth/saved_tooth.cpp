@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tooth/saved_tooth.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "tooth/byte_stream.h"
@@ -11,6 +12,7 @@ namespace {
 
 constexpr std::string_view kMagic = "TACTOOTH";
 constexpr std::uint32_t kVersion = 1;
+constexpr double kWidestBand = 2;        // voxels: files of the first months kept the cut distance farther
 constexpr double kFinestVoxel = 0.005;   // mm, as on the command line
 constexpr double kCoarsestVoxel = 0.5;   // mm
 constexpr int kFarthestBrick = 1 << 16;  // from the origin: 13 m at the default voxel
@@ -155,7 +157,9 @@ private:
         CutField field = untouched;
         field.isCut = true;
         const float band = untouched.cut[0];
-        readField(field.cut, [&](float distance) { return distance >= -band && distance <= band; });
+        const auto widest = static_cast<float>(kWidestBand * tooth_.voxel);
+        readField(field.cut, [&](float distance) { return distance >= -widest && distance <= widest; });
+        for (float& distance : field.cut) distance = std::clamp(distance, -band, band);
         const auto anyDirection = [](const PackedDirection&) { return true; };
         readField(field.cutNormal, anyDirection);
         for (int axis = 0; axis < 3; ++axis) {

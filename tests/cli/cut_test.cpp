@@ -60,6 +60,21 @@ TEST_F(CutCommand, ARigidFeedLeavesTheHoleOfTheBur) {
     EXPECT_NEAR(removed.rows.back()[1], hole, 0.003 * hole);
 }
 
+TEST_F(CutCommand, WritesWhatIsLeftOfEachLayer) {
+    EXPECT_TRUE(writeStl(test::box(Vec3(-1, -1, -2), Vec3(1, 1, -0.5)), file("core.stl")));
+    const std::string core = "dentin=" + file("core.stl");
+    const ProgramRun run = cut(block(), drillAt(0, 0.8),
+                               {"--feed", "rigid", "--layer", "enamel=" + file("block.stl"), "--layer", core,
+                                "--export-layers", file("layers")});
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_THAT(run.out, AllOf(HasSubstr("of layer 'enamel' written"), HasSubstr("of layer 'dentin' written")));
+    for (const char* name : {"layers/enamel.stl", "layers/dentin.stl"}) {
+        EXPECT_TRUE(reportOn(*loadMesh(file(name))).watertight()) << name;
+    }
+    const double hole = kPi * 0.25 * 0.3;
+    EXPECT_NEAR(6 - volumeOf("layers/dentin.stl"), hole, 0.004 * hole);
+}
+
 TEST_F(CutCommand, ASavedToothIsCutOnAsIfNothingHadBeen) {
     EXPECT_EQ(cut(block(), drillAt(-0.4, 0.5), {"--feed", "rigid", "--save", file("half.tactooth")}).exitCode, 0);
     const ProgramRun run = cut(file("half.tactooth"), drillAt(0.3, 0.6), {"--feed", "rigid"});

@@ -44,6 +44,26 @@ TEST_F(FeelCommand, WritesTheColumnsOfItsContract) {
     EXPECT_EQ(table().rows.size(), 600U);
 }
 
+TEST_F(FeelCommand, WithSixDegreesOfFreedomTheProxyAlsoTurnsAwayOverAnEdge) {
+    const std::string plank = file("plank.stl");
+    ASSERT_TRUE(writeStl(test::box(Vec3(-1, -0.5, 0), Vec3(1, 0.5, 6)), plank));
+    std::vector<Row> rows;  // half of the plank stands beyond the plate's edge
+    for (int tick = 0; tick < 300; ++tick) rows.push_back({1e-3 * tick, 9.4, 0, 0.2 - 0.002 * tick});
+    const std::string path = trajectory(rows);
+    expectRefused(feel(path, {"--freedom", "5"}), "--freedom");
+    for (const std::string freedom : {"3", "6"}) {
+        SCOPED_TRACE(freedom);
+        const ProgramRun run = runTactooth(
+            {"feel", "--tooth", plate(), "--tool", plank, "--trajectory", path, "--out", out(), "--freedom", freedom});
+        ASSERT_EQ(run.exitCode, 0) << run.err;
+        const CsvContent csv = table();
+        ASSERT_EQ(csv.rows.size(), 300U);
+        EXPECT_GT(csv.at(299, "fz"), 0.1);
+        const double turn = csv.at(299, "proxy_qy");  // about +y: its free side goes down
+        EXPECT_TRUE(freedom == "3" ? turn == 0 : turn > 0.01) << turn;
+    }
+}
+
 TEST_F(FeelCommand, TheProxyStaysOnTheSurfaceAndDepthIsItsDistanceToTheHand) {
     feel(pressDown(2));
     const CsvContent csv = table();

@@ -10,12 +10,12 @@
 #include "devices/scripted_device.h"
 #include "instruments/builtin_tooth.h"
 #include "instruments/bur_shape.h"
-#include "session/work_piece.h"
+#include "session/cut_run.h"
 
 namespace tactooth {
 namespace {
 
-constexpr std::uint64_t kGolden = 0x1c2307eb9c78ad34ULL;
+constexpr std::uint64_t kGolden = 0x299089384d333c8dULL;
 
 constexpr double kTick = 0.001;
 constexpr double kVoxel = 0.05;
@@ -81,6 +81,7 @@ Outcome replay(const BuiltinTooth& molar) {
     const CuttingTool cutting{*RevolutionEnvelope::make(bur.surface), bur.spec.sharpness};
     HapticSimulation simulation(std::make_shared<const ToolShape>(bur.surface), cutting.envelope.maxRadius(),
                                 piece.surface(), HapticSettings());
+    FeltSurfaces surfaces(simulation.tool());
     const std::vector<ScriptedMoment> moments = script(top);
     ScriptedDevice hand(moments);
 
@@ -92,7 +93,7 @@ Outcome replay(const BuiltinTooth& molar) {
         const DeviceSample sample = hand.read(kTick);
         const bool cuts = sample.buttons == kCutButton;
         const Tick tick = simulation.step({sample.hand, sample.pedal, cuts}, kTick);
-        if (cuts && piece.feed(cutting, tick, MaterialTable())) (void)simulation.setSurface(piece.surface());
+        if (cuts && piece.feed(cutting, tick, MaterialTable())) feelCut(piece, tick, surfaces, simulation);
         fingerprint.add(tick.wrench.force);
         fingerprint.add(tick.wrench.torque);
         fingerprint.add(tick.proxy.position);

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "haptics/force_pipeline.h"
 #include "haptics/haptic_simulation.h"
-#include "haptics/safety_limiter.h"
 #include "instruments/bur_shape.h"
 #include "scene.h"
 #include "support/heap_counter.h"
@@ -65,13 +65,13 @@ TEST(Allocation, CounterSeesAnAllocation) {
 TEST(Allocation, TouchingUsesNoHeap) {
     for (const ContactMode mode : {ContactMode::Proxy, ContactMode::Penalty}) {
         HapticSimulation simulation = simulationOn(test::block(), mode);
-        SafetyLimiter limiter{ForceLimits{}};
+        ForcePipeline pipeline{ForceLimits{}};
         simulation.step(circling(0, false), kTick);
         int touched = 0;
         const long before = test::heapCalls();
         for (int i = 1; i <= kSteps; ++i) {
             const Tick tick = simulation.step(circling(i, false), kTick);
-            (void)limiter.limit(tick.wrench, kTick, tick.placed);
+            (void)pipeline.pass(wantedFrom(tick), kTick);
             touched += tick.contacts > 0;
         }
         EXPECT_EQ(test::heapCalls(), before);

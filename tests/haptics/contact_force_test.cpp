@@ -142,6 +142,17 @@ TEST(ContactForce, AnOffCentreContactTurnsTheTool) {
     EXPECT_GT(wrench.torque.norm(), 0.05);
 }
 
+TEST(ContactForce, AHandThatTurnsIntoAContactIsDampedAsOneThatMovesIntoIt) {
+    const Vec3 tip(3, 4, 5);
+    const HeldAt held = heldBy(MaterialId::Enamel, 0.2, tip + Vec3(2, 0, 0.2));
+    const Vec3 offset(0, 0, 0.2);
+    ContactForce moving, turning;
+    const Wrench moved = moving.at({tip, offset, Vec3(0, 0, -6), 0, {&held, 1}}, kMaterials);
+    const Wrench turned = turning.at({tip, offset, Vec3::Zero(), 0, {&held, 1}, Vec3(0, 3, 0)}, kMaterials);
+    EXPECT_NEAR(turned.force.z(), moved.force.z(), 1e-12);
+    EXPECT_NEAR(turned.force.z(), 0.2 * kEnamel.stiffness + 6 * kEnamel.damping, 1e-12);
+}
+
 TEST(ContactForce, EqualContactsOnBothSidesDoNotTurnTheTool) {
     ContactForce law;
     const Vec3 offset(0, 0, 0.2);
@@ -150,6 +161,29 @@ TEST(ContactForce, EqualContactsOnBothSidesDoNotTurnTheTool) {
     const Wrench wrench = law.at({Vec3::Zero(), offset, Vec3::Zero(), 0, held}, kMaterials);
     EXPECT_LT(wrench.torque.norm(), 1e-15);
     EXPECT_DOUBLE_EQ(wrench.force.z(), 0.2 * kEnamel.stiffness);
+}
+
+TEST(ContactForce, NeverStepsByMoreThanATwentiethOfANewtonAMillisecondAtABorder) {
+    constexpr double kTick = 0.001;
+    for (const double depth : {0.1, 1.0, 3.0}) {
+        for (const double travel : {0.001, 0.01, 0.1}) {
+            ContactForce law;
+            double last = 0;
+            for (int i = 0; i < 300; ++i) {
+                const HeldAt held = heldBy(i < 100 ? MaterialId::Caries : MaterialId::Enamel, depth);
+                const ContactState contact{
+                    Vec3(0, 0, -depth), Vec3(0, 0, depth), Vec3::Zero(), travel, {&held, 1}, Vec3::Zero(), kTick};
+                const double force = law.at(contact, kMaterials).force.z();
+                if (i > 0) {
+                    EXPECT_LE(std::abs(force - last), 0.05 + 1e-12);
+                }
+                last = force;
+            }
+            if (travel > 0.005) {
+                EXPECT_NEAR(last, kEnamel.stiffness * depth, 0.01);
+            }
+        }
+    }
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <random>
 
 #include "scene.h"
+#include "support/shapes.h"
 
 namespace tactooth {
 namespace {
@@ -188,13 +189,14 @@ TEST(HapticSimulation, BooksNormalForceTimesRimTravel) {
         const Tick tick = simulation.step(cutting(at(x, 0, -0.3)), kTick);
         const double normalForce = tick.wrench.force.dot(tick.normal);
         booked += normalForce * rimSpeed(tick.speedRpm) * kTick;
-        ASSERT_NEAR(tick.cutWork, booked, 1e-6 * (1 + booked));
-        ASSERT_NEAR(tick.removalWatt, 0.5 * normalForce * rimSpeed(tick.speedRpm), 1e-6);
-        ASSERT_NEAR(tick.load, 0.5 * normalForce * test::kBallRadius, 1e-6);
+        // The shaking, 4 % of the force, stands across the axis, from which the normal strays by a few hundredths.
+        ASSERT_NEAR(tick.cutWork, booked, 2e-3 * (1 + booked));
+        ASSERT_NEAR(tick.removalWatt, 0.5 * normalForce * rimSpeed(tick.speedRpm), 2e-3 * tick.removalWatt);
+        ASSERT_NEAR(tick.load, 0.5 * normalForce * test::kBallRadius, 2e-3 * tick.load);
     }
     EXPECT_GT(booked, 0.5);
     const Tick lifted = simulation.step(cutting(at(x, 0, 0.2)), kTick);
-    EXPECT_NEAR(lifted.cutWork, booked, 1e-6);
+    EXPECT_NEAR(lifted.cutWork, booked, 2e-3);
 }
 
 TEST(HapticSimulation, AStillBurDoesNoWork) {
@@ -270,6 +272,30 @@ TEST(HapticSimulation, TheMaterialIsThatOfTheSurfaceTouched) {
         EXPECT_EQ(tick.material, material);
         EXPECT_NEAR(tick.wrench.force.z(), 0.1 * kMaterials[material].stiffness, 2 * kRounding);
     }
+}
+
+TEST(HapticSimulation, AToolThatMayTurnGivesTheTorqueOfItsTurn) {
+    const auto plank = std::make_shared<const ToolShape>(test::box(Vec3(-1, -0.5, 0), Vec3(1, 0.5, 6)));
+    HapticSettings settings;
+    settings.freedom = Freedom::ShiftAndTurn;
+    settings.force.friction = 0;
+    HapticSimulation simulation(plank, 1, test::block(), settings);
+    const double turnLength = SlidingBody(plank, Freedom::ShiftAndTurn).turnLength();
+    const double stiffness = kMaterials[MaterialId::Enamel].stiffness;
+    Tick tick;
+    for (int i = 0; i <= 300; ++i) {
+        const double tilt = std::min(i, 200) * 1e-4;
+        const Pose hand{Vec3(0, 0, 0.1 - 0.001 * std::min(i, 200)), Quat(Eigen::AngleAxisd(tilt, Vec3::UnitY()))};
+        tick = simulation.step(touching(hand), kTick);
+    }
+    const Vec3 centre = tick.proxy * plank->centre();
+    const Eigen::AngleAxisd turn(tick.proxy.rotation * tick.hand.rotation.conjugate());
+    const Vec3 shift = centre - tick.hand * plank->centre();
+    ASSERT_GT(turn.angle(), 0.005);  // it lies down on the block, in part
+    EXPECT_NEAR((tick.wrench.force - stiffness * shift).norm(), 0, 1e-4);
+    const Vec3 aboutCentre = tick.wrench.torque - (centre - tick.proxy.position).cross(tick.wrench.force);
+    const Vec3 expected = stiffness * turnLength * turnLength * turn.angle() * turn.axis();
+    EXPECT_NEAR((aboutCentre - expected).norm(), 0, 1e-3 * expected.norm());
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <numbers>
 
 #include "bench_scene.h"
 #include "devices/null_device.h"
@@ -33,6 +34,7 @@ public:
     }
     void write(const SafeWrench& wrench) override {
         const double force = wrench.force().norm();
+        forceBefore_ = force_.load();
         force_ = force;
         if (!(force <= info_.limits.force + 1e-9) || !wrench.torque().isZero(0)) tooStrong_ = true;
         if (force > strongest_) strongest_ = force;
@@ -40,6 +42,7 @@ public:
 
     void plugIn(bool connected) { connected_ = connected; }
     [[nodiscard]] double force() const { return force_; }
+    [[nodiscard]] double forceBefore() const { return forceBefore_; }
     [[nodiscard]] double strongest() const { return strongest_; }
     [[nodiscard]] bool wasTooStrong() const { return tooStrong_; }
 
@@ -48,6 +51,7 @@ private:
     DeviceInfo info_;
     std::atomic<bool> connected_{true};
     std::atomic<double> force_{0};
+    std::atomic<double> forceBefore_{0};
     std::atomic<double> strongest_{0};
     std::atomic<bool> tooStrong_{false};
 };
@@ -62,6 +66,19 @@ std::vector<ScriptedMoment> stroking() {
 }
 
 std::vector<ScriptedMoment> resting(double z) { return {moment(0, at(0, 0, z), 1)}; }
+
+/// Comes down on the block, rests there and lifts off again, over and over: after a stall of the machine the force
+/// waits until the bur was free.
+std::vector<ScriptedMoment> dipping() {
+    std::vector<ScriptedMoment> script;
+    for (int i = 0; i < 60; ++i) {
+        const double start = 0.8 * i;
+        script.push_back(moment(start, at(0, 0, 0.3), 1));
+        script.push_back(moment(start + 0.1, at(0, 0, -0.5), 1));
+        script.push_back(moment(start + 0.7, at(0, 0, -0.5), 1));
+    }
+    return script;
+}
 
 SimulatorControls cutting() {
     SimulatorControls controls;
@@ -121,7 +138,7 @@ TEST(Simulator, InTouchModeNothingIsCut) {
 }
 
 TEST(Simulator, ForceSwitchedOffLeavesTheDeviceLimp) {
-    WatchedDevice device(resting(-0.5));
+    WatchedDevice device(dipping());
     Simulator simulator(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device, {});
     EXPECT_TRUE(soon([&] { return device.force() > 0.01; }));
     SimulatorControls off;
@@ -133,8 +150,67 @@ TEST(Simulator, ForceSwitchedOffLeavesTheDeviceLimp) {
     EXPECT_EQ(device.force(), 0);
 }
 
-TEST(Simulator, ALostDeviceGetsNoForceAndComesBackWithARamp) {
+TEST(Simulator, StartingInsideTheToothGivesNoForce) {
     WatchedDevice device(resting(-0.5));
+    Simulator simulator(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device, {});
+    EXPECT_TRUE(soon([&] { return simulator.timing().ticks > 300; }));
+    EXPECT_EQ(device.strongest(), 0);
+    EXPECT_EQ(simulator.forceState(), ForceState::WaitsForFree);
+}
+
+TEST(Simulator, EndingMidPressFadesTheForceOutFirst) {
+    for (int i = 0; i < 5; ++i) {
+        WatchedDevice device(dipping());
+        {
+            Simulator simulator(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device, {});
+            EXPECT_TRUE(soon([&] { return device.force() > 0.05; }));
+        }
+        EXPECT_EQ(device.force(), 0);
+        EXPECT_EQ(device.forceBefore(), 0) << "the last zero came after others";
+    }
+}
+
+TEST(Simulator, ASeatedHandStartsWhereTheToolIsAndMovesItFinely) {
+    WatchedDevice device(
+        {moment(0, at(100, 50, -30), 0), moment(0.2, at(100, 50, -30), 0), moment(0.3, at(103, 50, -30), 0)});
+    std::vector<Tick> ticks;
+    const Seat seat{at(1, 2, 5), Quat(Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitZ()))};
+    Simulator simulator(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device, {}, 1000, seat);
+    SimulatorControls controls;
+    controls.fineness = 3;
+    simulator.setControls(controls);
+    EXPECT_TRUE(soon([&] {
+        simulator.fetchTicks(ticks);
+        return !ticks.empty() && (ticks.back().hand.position - Vec3(1, 3, 5)).norm() < 1e-9;
+    }));
+    EXPECT_LT((ticks.front().hand.position - Vec3(1, 2, 5)).norm(), 1e-9);
+}
+
+TEST(Simulator, AButtonOfTheDeviceTurnsTouchIntoCut) {
+    std::vector<ScriptedMoment> script = {moment(0, at(0, 0, 3), 1), moment(0.3, at(0, 0, 3), 1),
+                                          moment(0.4, at(0, 0, 3), 1)};
+    script[1].sample.buttons = 2;
+    WatchedDevice device(script);
+    std::atomic<bool> cutting{false};
+    Simulator simulator(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device,
+                        [&](const Tick& tick) { cutting = tick.cutting; });
+    EXPECT_TRUE(soon([&] { return cutting.load(); }));
+}
+
+TEST(Simulator, AButtonHandsOverToTheMirrorWhileTheToolStays) {
+    std::vector<ScriptedMoment> script = {moment(0, at(0, 0, 3), 1), moment(0.3, at(0, 0, 3), 1),
+                                          moment(0.4, at(0, 0, 3), 1), moment(0.6, at(4, 0, 3), 1)};
+    script[1].sample.buttons = 1;
+    WatchedDevice device(script);
+    std::vector<Tick> ticks;
+    Simulator simulator(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device, {});
+    EXPECT_TRUE(soon([&] { return std::abs(simulator.mirrorMotion().position.x() - 4) < 1e-9; }));
+    simulator.fetchTicks(ticks);
+    EXPECT_EQ(ticks.back().hand.position, Vec3(0, 0, 3));
+}
+
+TEST(Simulator, ALostDeviceGetsNoForceAndComesBackWithARamp) {
+    WatchedDevice device(dipping());
     Simulator simulator(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device, {});
     EXPECT_TRUE(soon([&] { return device.force() > 0.01; }));
     device.plugIn(false);
@@ -162,7 +238,7 @@ TEST(Simulator, TheForceOverridesOfTheSettingsHoldUntilTheControlsSayOtherwise) 
     HapticSettings soft;
     soft.force.stiffness = 0.0;
     soft.force.damping = 0.0;
-    WatchedDevice device(resting(-0.5));
+    WatchedDevice device(dipping());
     Simulator simulator(test::blockOnTheBench(), test::flatBur(), soft, device, {});
     EXPECT_TRUE(soon([&] { return simulator.timing().ticks > 100; }));
     EXPECT_EQ(device.strongest(), 0);

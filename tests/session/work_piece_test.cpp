@@ -182,6 +182,22 @@ TEST(WorkPiece, WorkThatFindsNothingToCutIsNotSavedUp) {
     EXPECT_LE(total(piece->removed()) - removed, 0.31 * MaterialTable{}[MaterialId::Dentin].removal);
 }
 
+TEST(WorkPiece, TheNextCutGoesOnWhereTheLastOneEndsWhileTheBurIsOnItsWayThere) {
+    const auto piece = blockOnTheBench();
+    const CuttingTool bur = test::flatBur().cutting;
+    EXPECT_FALSE(piece->reached());
+    piece->feed(bur, pressing(1000), {});
+    ASSERT_TRUE(piece->reached());
+    EXPECT_NEAR(piece->reached()->position.z(), -0.1, 1e-9);
+    piece->feed(bur, pressing(2000), {});
+    EXPECT_NEAR(piece->reached()->position.z(), -0.2, 1e-9);
+    for (int i = 3; i < 8; ++i)
+        piece->feed(bur, pressing(1000 * i), {});  // it does not run away from a bur that is held
+    EXPECT_NEAR(total(piece->removed()), holeOf(0.2), 0.02 * holeOf(0.2));
+    piece->feed(bur, pressing(9000, 0.5, 0), {});
+    EXPECT_FALSE(piece->reached());
+}
+
 TEST(WorkPiece, TheSurfaceKeepsUpWithEachCut) {
     const auto piece = blockOnTheBench();
     const auto before = piece->surface();

@@ -31,7 +31,8 @@ struct Case {
 /// Writes the cases as they come (a table) or all at the end (JSON).
 class BenchOutput {
 public:
-    BenchOutput(bool json, const std::string& tool, std::size_t toolTriangles, int repeat) : isJson_(json) {
+    BenchOutput(const BenchContactOptions& options, const std::string& tool, std::size_t toolTriangles)
+        : isJson_(options.json) {
         const RunFacts facts = currentRunFacts();
         if (isJson_) {
             json_ = {{"machine", facts.machine},
@@ -42,7 +43,8 @@ public:
                      {"clock", "processor time of the thread"},
                      {"tool", tool},
                      {"tool_triangles", toolTriangles},
-                     {"repeat", repeat},
+                     {"degrees_of_freedom", options.freedom},
+                     {"repeat", options.repeat},
                      {"turning_degrees_per_s", HandPath{}.turn},
                      {"cases", Json::array()}};
             return;
@@ -52,8 +54,9 @@ public:
         fmt::print("tool:     {}, {} triangles\n", tool, toolTriangles);
         fmt::print(
             "Microseconds of processor time a tick of 1 ms, least of {} runs; p50 to p99.9 of the ticks in contact, "
-            "max of all.\nThe hand turns the tool {:.0f} degrees/s about its tip.\n\n",
-            repeat, HandPath{}.turn);
+            "max of all.\nThe hand turns the tool {:.0f} degrees/s about its tip; the tool has {} degrees of "
+            "freedom.\n\n",
+            options.repeat, HandPath{}.turn, options.freedom);
         fmt::print("{:<14} {:>4} {:>9} {:>5} {:>6} {:>7} {:>7} {:>7} {:>7} {:>8} {:>6} {:>5}\n", "tooth", "%",
                    "triangles", "cm/s", "ticks", "p50", "p99", "p99.9", "max", "contacts", "rounds", "gjk");
     }
@@ -98,12 +101,14 @@ private:
 void benchTooth(const StandardTooth& tooth, const std::shared_ptr<const ToolShape>& tool,
                 const BenchContactOptions& options, std::span<const int> percents, BenchOutput& output) {
     fmt::print(options.json ? stderr : stdout, "{}: {}\n", tooth.name, tooth.source);
+    const Freedom freedom = options.freedom == 6 ? Freedom::ShiftAndTurn : Freedom::Shift;
     for (Resolution& resolution : resolutionLadder(tooth.mesh, percents)) {
         const std::size_t triangles = resolution.mesh.triangles.size();
         const auto surface = plainSurface(std::move(resolution.mesh));
         for (const double speed : {kSlowHand, kFastHand}) {
             const std::vector<Pose> hand = handPath(surface->base->mesh(), standardHand(speed));
-            output.add({tooth, resolution.percent, triangles, speed, timeContact(surface, tool, hand, options.repeat)});
+            output.add({tooth, resolution.percent, triangles, speed,
+                        timeContact(surface, tool, hand, options.repeat, freedom)});
         }
     }
 }
@@ -142,7 +147,7 @@ int runBenchContact(const BenchContactOptions& options) {
                        " is not closed, so its triangles cannot be made fewer; measure it with --resolution 100."});
     }
     const auto tool = std::make_shared<const ToolShape>(std::move(bur));
-    BenchOutput output(options.json, burName, tool->mesh().triangles.size(), options.repeat);
+    BenchOutput output(options, burName, tool->mesh().triangles.size());
     if (own) {
         benchTooth(*own, tool, options, percents, output);
     } else {

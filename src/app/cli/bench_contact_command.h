@@ -12,6 +12,7 @@ struct BenchContactOptions {
     std::filesystem::path tool;    ///< empty: the standard bur
     std::vector<int> resolutions;  ///< percent of the triangles; empty: all of the ladder
     int repeat = 3;
+    int freedom = 3;  ///< degrees of freedom of the body: 3 or 6
     bool json = false;
 };
 

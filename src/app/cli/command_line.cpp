@@ -75,6 +75,12 @@ void addFeel(CLI::App& program, Chosen& chosen) {
                      "proxy: never enters the tooth (default); penalty: deepest pair of triangles, for comparison")
         ->check(CLI::IsMember({"proxy", "penalty"}))
         ->type_name("MODE");
+    command
+        ->add_option("--freedom", options->freedom,
+                     "3: the proxy turns as the hand does (default); 6: it also gives way by turning, as for a device "
+                     "that renders torque")
+        ->check(CLI::IsMember({3, 6}))
+        ->type_name("DEGREES");
     command->add_option("--stiffness", options->stiffness, "Spring, N/mm (default: the material's)")
         ->check(CLI::NonNegativeNumber)
         ->type_name("K");
@@ -142,6 +148,10 @@ void addCut(CLI::App& program, Chosen& chosen) {
         ->add_option("--removed", options->removed,
                      "CSV file to write: t,enamel,dentin,pulp,caries,other, mm^3 since the start")
         ->type_name("FILE");
+    command
+        ->add_option("--export-layers", options->layersOut,
+                     "Folder to write what is left of each layer to, one closed STL file a layer, named after it")
+        ->type_name("DIR");
 }
 
 void addDemo(CLI::App& program, Chosen& chosen) {
@@ -207,6 +217,7 @@ struct WindowFiles {
     std::vector<std::string> layers;
     std::string bur;
     std::map<std::string, std::string> settings;  ///< by flag
+    std::string device = "mouse";
 };
 
 void addWindowOptions(CLI::App& program, WindowFiles& files) {
@@ -217,6 +228,11 @@ void addWindowOptions(CLI::App& program, WindowFiles& files) {
         ->type_name("NAME=FILE")
         ->allow_extra_args(false)
         ->needs(tooth)
+        ->group(group);
+    program
+        .add_option("--device", files.device,
+                    "What moves the bur: mouse (default), pen, or pen:NAME for a second one (docs/haptics.md)")
+        ->type_name("NAME")
         ->group(group);
     program.add_option("--bur", files.bur, "Your own bur: an STL file, tip at the origin, +z along the shaft")
         ->type_name("FILE")
@@ -247,6 +263,7 @@ int runWithoutCommand(const WindowFiles& files) {
     }
     if (!files.bur.empty()) options.bur = files.bur;
     options.settings = files.settings;
+    options.device = files.device;
     return runWindow(options);
 }
 

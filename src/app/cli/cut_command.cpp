@@ -17,6 +17,7 @@
 #include "session/material_file.h"
 #include "session/tick_csv.h"
 #include "session/tooth_file.h"
+#include "tooth/layer_remains.h"
 
 namespace tactooth {
 namespace {
@@ -103,6 +104,24 @@ Expected<ToothSource> toothSource(const CutOptions& options) {
     return source;
 }
 
+/// One STL file a layer, named after it, in a folder that is made if it is not there.
+Expected<void> writeLayers(const CutVolume& volume, const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) return unexpected(folder.string() + ": the folder cannot be made (" + error.message() + ")");
+    for (const LayerRemains& layer : remainsOfLayers(volume)) {
+        const std::filesystem::path file = folder / (layer.name + ".stl");
+        if (layer.mesh.empty()) {
+            fmt::print("nothing is left of layer '{}'\n", layer.name);
+            continue;
+        }
+        if (auto written = writeStl(layer.mesh, file); !written) return unexpected(written.error().message);
+        fmt::print("{} triangles of layer '{}' written to {}\n", layer.mesh.triangles.size(), layer.name,
+                   file.string());
+    }
+    return {};
+}
+
 void printRemoved(const MaterialVolumes& removed) {
     for (std::size_t i = 0; i < kMaterialCount; ++i) {
         if (removed[i] > 0)
@@ -148,6 +167,10 @@ int runCut(const CutOptions& options) {
     if (!options.save.empty()) {
         const auto saved = saveTooth(piece, savedNow(tooth->provenance), options.save);
         if (!saved) return refuse(saved.error());
+    }
+    if (!options.layersOut.empty()) {
+        if (const auto written = writeLayers(piece.volume(), options.layersOut); !written)
+            return refuse(written.error());
     }
     printRemoved(piece.removed());
     if (total(before) > 0) fmt::print("of which before:      {:8.3f} mm^3\n", total(before));

@@ -20,10 +20,11 @@ struct CutOptions {
     std::optional<double> voxel;  ///< mm
     std::string feed = "law";     ///< or "rigid"
     std::filesystem::path out;
-    std::filesystem::path forces;   ///< empty: not written
-    std::filesystem::path removed;  ///< empty: not written
-    std::filesystem::path events;   ///< empty: not written
-    std::filesystem::path save;     ///< empty: not saved
+    std::filesystem::path forces;     ///< empty: not written
+    std::filesystem::path removed;    ///< empty: not written
+    std::filesystem::path events;     ///< empty: not written
+    std::filesystem::path save;       ///< empty: not saved
+    std::filesystem::path layersOut;  ///< a folder; empty: not written
 };
 
 /// Cuts a tooth with a spinning bur along a trajectory.

@@ -30,6 +30,7 @@ int runFeel(const FeelOptions& options) {
     HapticSettings settings;
     settings.materials = *materials;
     settings.mode = options.mode == "penalty" ? ContactMode::Penalty : ContactMode::Proxy;
+    settings.freedom = options.freedom == 6 ? Freedom::ShiftAndTurn : Freedom::Shift;
     settings.force = {options.stiffness, options.damping, options.friction};
     HapticSimulation simulation(*tool, (*tool)->radius(), *tooth, settings);
     LatencyHistogram micros;

@@ -14,6 +14,7 @@ struct FeelOptions {
     std::filesystem::path trajectory;
     std::filesystem::path out;
     std::string mode = "proxy";       ///< or "penalty"
+    int freedom = 3;                  ///< degrees of freedom of the proxy: 3 or 6
     std::optional<double> stiffness;  ///< N/mm
     std::optional<double> damping;    ///< N*s/mm
     double friction = 0;              ///< Coulomb coefficient

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/bench_contact_command.h"
 #include "app/cli/bench_cut_command.h"
+#include "app/cli/bench_stability_command.h"
 #include "app/cli/bench_view_command.h"
 #include "app/cli/command_registry.h"
+#include "app/cli/doctor_command.h"
+#include "app/cli/realtime_command.h"
 #include "app/cli/reproduce_command.h"
 
 namespace tactooth {
@@ -31,6 +34,11 @@ void addBenchContact(CLI::App& bench, Chosen& chosen) {
         ->type_name("PERCENT")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    command
+        ->add_option("--freedom", options->freedom,
+                     "Degrees of freedom of the bur under its contacts: 3 (default) or 6")
+        ->check(CLI::IsMember({3, 6}))
+        ->type_name("DEGREES");
     command
         ->add_option("--repeat", options->repeat, "Runs of each case, the least time of each tick counts (default: 3)")
         ->check(CLI::Range(1, 100))
@@ -80,6 +88,36 @@ void addBenchView(CLI::App& bench, Chosen& chosen) {
     command->add_flag("--json", options->json, "Write one JSON object instead of a table");
 }
 
+void addBenchStability(CLI::App& bench, Chosen& chosen) {
+    const auto options = std::make_shared<BenchStabilityOptions>();
+    CLI::App* command = addCommand(
+        bench, chosen, "stability",
+        "Whether the force stays steady: simulated devices and hands tap, press, slide and let go in the closed loop. "
+        "Exit code 1 if a run shakes.",
+        options, runBenchStability);
+    const auto addNames = [&](const char* name, std::vector<std::string>& into, const char* help,
+                              const std::set<std::string>& known) {
+        command->add_option(name, into, help)
+            ->check(CLI::IsMember(known))
+            ->type_name("NAME")
+            ->expected(1)
+            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    };
+    addNames("--device", options->devices, "omni, touch, touch-x, omega or inverse3; may be given several times",
+             {"omni", "touch", "touch-x", "omega", "inverse3"});
+    addNames("--hand", options->hands, "loose, nominal or firm", {"loose", "nominal", "firm"});
+    addNames("--material", options->materials,
+             "enamel, dentin, caries, pulp, or stiffest: a spring as stiff as the device bears",
+             {"enamel", "dentin", "caries", "pulp", "stiffest"});
+    addNames("--situation", options->situations, "tap, press (1 N), limit, cusp, fissure, slot or let-go",
+             {"tap", "press", "limit", "cusp", "fissure", "slot", "let-go"});
+    command->add_option("--rate", options->rateHz, "Ticks a second (default: 1000)")
+        ->check(CLI::Range(500.0, 4000.0))
+        ->type_name("HZ");
+    command->add_flag("--all", options->all, "A line for each run instead of one for each device and hand");
+    command->add_flag("--json", options->json, "Write one JSON object instead of a table");
+}
+
 void addBench(CLI::App& program, Chosen& chosen) {
     CLI::App* bench = program.add_subcommand("bench", "Measures how long things take on this machine.");
     bench->group("Commands")->footer("")->require_subcommand(1);
@@ -87,6 +125,35 @@ void addBench(CLI::App& program, Chosen& chosen) {
     addBenchContact(*bench, chosen);
     addBenchCut(*bench, chosen);
     addBenchView(*bench, chosen);
+    addBenchStability(*bench, chosen);
+}
+
+void addRealtime(CLI::App& program, Chosen& chosen) {
+    const auto options = std::make_shared<RealtimeOptions>();
+    CLI::App* command = addCommand(program, chosen, "realtime",
+                                   "How well this machine keeps time while a simulated hand touches and cuts the "
+                                   "built-in molar. Exit code 1 if more than one deadline in a hundred is missed.",
+                                   options, runRealtime);
+    command->add_option("--seconds", options->seconds, "Length of the run, s (default: 20)")
+        ->check(CLI::Range(1.0, 3600.0))
+        ->type_name("S");
+    command->add_option("--rate", options->rateHz, "Ticks a second (default: 1000)")
+        ->check(CLI::Range(500.0, 4000.0))
+        ->type_name("HZ");
+    command->add_flag("--load", options->load, "Keep all other cores busy meanwhile");
+    command->add_flag("--json", options->json, "Write one JSON object instead of a table");
+}
+
+void addDevices(CLI::App& program, Chosen& chosen) {
+    const auto devices = std::make_shared<DevicesOptions>();
+    addCommand(program, chosen, "devices", "Which devices are there, and what each can do.", devices, runDevices)
+        ->add_flag("--json", devices->json, "Write one JSON array instead of lines");
+    const auto doctor = std::make_shared<DoctorOptions>();
+    addCommand(program, chosen, "doctor",
+               "Looks at display, OpenGL, sound, real-time rights and devices, and says what to do about what is "
+               "missing. Exit code 1 if the window cannot open.",
+               doctor, runDoctor)
+        ->add_flag("--json", doctor->json, "Write one JSON array instead of lines");
 }
 
 void addReproduce(CLI::App& program, Chosen& chosen) {
@@ -115,6 +182,8 @@ void addReproduce(CLI::App& program, Chosen& chosen) {
 
 void addMeasuringCommands(CLI::App& program, Chosen& chosen) {
     addBench(program, chosen);
+    addRealtime(program, chosen);
+    addDevices(program, chosen);
     addReproduce(program, chosen);
 }
 

@@ -11,6 +11,7 @@
 #include "app/cli/exit_code.h"
 #include "app/gui/main_window.h"
 #include "app/gui/window_setup.h"
+#include "devices/open_device.h"
 #include "sound/audio_libraries.h"
 #include "sound/openal_output.h"
 
@@ -101,6 +102,11 @@ int runWindow(const WindowOptions& options) {
                         " The window starts with its defaults and writes the file anew when it is closed.");
     }
     if (isFirstTime && !options.tooth) window.welcome();
+    if (options.device != "mouse") {
+        auto device = openDevice(options.device);
+        device ? window.bench().put(std::move(*device))
+               : window.complain(QString::fromStdString(device.error().message));
+    }
     QApplication::exec();
     if (const auto written = writeWindowSettings(window.settings(), settingsFile); !written) {
         (void)refuse(written.error());  // a word about it; the session itself went well

@@ -11,11 +11,12 @@ namespace tactooth {
 namespace {
 
 const Box3 kNoTooth(Vec3(-5, -5, -5), Vec3(5, 5, 5));       // where the hand rests before there is a tooth, mm
+constexpr double kServoRate = 1000;                         // Hz
 constexpr double kEyeAzimuth = 1.25, kEyeElevation = 0.62;  // rad, for a tooth with +x mesial
 
 }  // namespace
 
-Workbench::Workbench(SoundOutput& sound) : sound_(sound), hand_(kNoTooth, 1), device_(hand_.hand()) {
+Workbench::Workbench(SoundOutput& sound) : sound_(sound), hand_(kNoTooth, 1), mouse_(hand_.hand()) {
     furniture_.start([] { return Expected<BenchFurniture>(makeFurniture()); });
 }
 
@@ -39,6 +40,18 @@ void Workbench::setSpindle(const SpindlePreset& spindle) {
     simulatorIsOld_ = true;
 }
 
+void Workbench::put(std::unique_ptr<HapticDevice> device) {
+    simulator_.reset();  // it uses the old one
+    device_ = std::move(device);
+    simulatorIsOld_ = true;
+}
+
+void Workbench::reportTrouble(News& news) {
+    const char* const trouble = device_ ? device_->trouble() : nullptr;
+    if (trouble != nullptr && trouble != trouble_) news.failure = trouble;
+    trouble_ = trouble;
+}
+
 void Workbench::takeDeliveries(News& news) {
     if (auto tooth = comingTooth_.poll()) {
         if (*tooth) {
@@ -60,12 +73,20 @@ void Workbench::takeDeliveries(News& news) {
 void Workbench::startSimulator(News& news) {
     simulatorIsOld_ = false;
     hand_.release();
-    device_.moveTo({hand_.hand(), 0, 0, true});
+    mouse_.moveTo({hand_.hand(), 0, 0, true});
     simulator_.reset();  // its threads end before the new one's begin: they share the work piece and the device
-    simulator_ = std::make_unique<Simulator>(tooth_->piece, bur_->instrument, settings_, device_,
-                                             [&sound = sound_, settings = settings_](const Tick& tick) {
-                                                 sound.publish(soundOf(tick, settings.spindle, settings.materials));
-                                             });
+    HapticDevice& device = device_ ? *device_ : mouse_;
+    std::optional<Seat> seat;
+    if (device_) {  // its "away" is the way that one looks at the tooth
+        const double turn = usualView().azimuth + std::numbers::pi / 2;
+        seat = Seat{hand_.hand(), Quat(Eigen::AngleAxisd(turn, Vec3::UnitZ()))};
+    }
+    simulator_ = std::make_unique<Simulator>(
+        tooth_->piece, bur_->instrument, settings_, device,
+        [&sound = sound_, settings = settings_](const Tick& tick) {
+            sound.publish(soundOf(tick, settings.spindle, settings.materials));
+        },
+        kServoRate, seat);
     newest_ = Tick();
     newest_.proxy = newest_.hand = hand_.hand();
     news.newSimulator = true;
@@ -82,8 +103,9 @@ Workbench::News Workbench::step(double dt) {
     if (simulator_ == nullptr) return news;
     simulator_->fetchTicks(ticks_);
     if (!ticks_.empty()) newest_ = ticks_.back();
+    reportTrouble(news);
     hand_.advance(dt, newest_.proxy.position, newest_.depth);
-    device_.moveTo({hand_.hand(), 0, 0, true});
+    mouse_.moveTo({hand_.hand(), 0, 0, true});
     simulator_->setControls(controls);
     spin_ = std::remainder(spin_ + newest_.speedRpm / 60 * 2 * std::numbers::pi * dt, 2 * std::numbers::pi);
     return news;
@@ -108,8 +130,10 @@ SceneContents Workbench::contents(bool withTurbine, bool withMirror) const {
         const auto [azimuth, elevation] = usualView();
         const Vec3 toEye(std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
                          std::sin(elevation));
-        contents.mirror = ShownMirror{around_->mirror, around_->disc,
-                                      parkedMirror(tooth_->box(), around_->disc, toEye, tooth_->mesialX)};
+        Pose mirror = parkedMirror(tooth_->box(), around_->disc, toEye, tooth_->mesialX);
+        const Pose& moved = simulator_->mirrorMotion();
+        mirror = {mirror.position + moved.position, (moved.rotation * mirror.rotation).normalized()};
+        contents.mirror = ShownMirror{around_->mirror, around_->disc, mirror};
     }
     return contents;
 }

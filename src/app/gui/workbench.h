@@ -31,6 +31,8 @@ public:
     void put(BenchTooth tooth);
     void put(BenchBur bur);
     void setSpindle(const SpindlePreset& spindle);
+    /// An open device that moves the tool from now on, instead of the mouse.
+    void put(std::unique_ptr<HapticDevice> device);
     [[nodiscard]] const SpindlePreset& spindle() const { return settings_.spindle; }
     [[nodiscard]] const MaterialTable& materials() const { return settings_.materials; }
 
@@ -66,6 +68,7 @@ public:
 private:
     void startSimulator(News& news);
     void takeDeliveries(News& news);
+    void reportTrouble(News& news);
 
     SoundOutput& sound_;
     HapticSettings settings_;
@@ -78,7 +81,9 @@ private:
     bool simulatorIsOld_ = false;
     bool toothIsNew_ = false;
     HandControl hand_;
-    MouseDevice device_;
+    MouseDevice mouse_;
+    std::unique_ptr<HapticDevice> device_;  // none: the mouse
+    const char* trouble_ = nullptr;         // of the device, as it was reported last
     std::vector<Tick> ticks_;
     Tick newest_;
     double spin_ = 0;                       // rad

@@ -24,11 +24,11 @@ std::shared_ptr<const Surface> plainSurface(TriangleMesh mesh) {
 }
 
 ContactTiming timeContact(const std::shared_ptr<const Surface>& surface, const std::shared_ptr<const ToolShape>& tool,
-                          std::span<const Pose> hand, int repeat) {
+                          std::span<const Pose> hand, int repeat, Freedom freedom) {
     std::vector<double> micros(hand.size(), std::numeric_limits<double>::infinity());
     std::vector<MoveResult> results(hand.size());
     for (int run = 0; run < repeat; ++run) {
-        SlidingBody body(tool);
+        SlidingBody body(tool, freedom);
         body.setSurface(surface);
         body.placeAt(hand.front());
         for (std::size_t i = 0; i < hand.size(); ++i) {

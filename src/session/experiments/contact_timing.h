@@ -36,7 +36,7 @@ struct ContactTiming {
 /// each tick, so that an interruption does not count as work.
 [[nodiscard]] ContactTiming timeContact(const std::shared_ptr<const Surface>& surface,
                                         const std::shared_ptr<const ToolShape>& tool, std::span<const Pose> hand,
-                                        int repeat);
+                                        int repeat, Freedom freedom = Freedom::Shift);
 
 /// A surface of one part, without tags.
 [[nodiscard]] std::shared_ptr<const Surface> plainSurface(TriangleMesh mesh);

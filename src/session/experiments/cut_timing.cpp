@@ -51,6 +51,7 @@ public:
         settings.spindle = constantSpeed(kRimSpeed);
         simulation_.emplace(std::make_shared<const ToolShape>(std::move(bur)), tool_->envelope.maxRadius(),
                             piece_.surface(), settings);
+        felt_.emplace(simulation_->tool());
     }
 
     CutTiming run(std::span<const Pose> hand) {
@@ -73,19 +74,19 @@ private:
     void letCutterWork(double now, const Tick& tick) {
         const double start = threadMicros();
         const bool changed = piece_.feed(*tool_, tick, materials_);
+        if (changed) coming_ = felt_->make(piece_.surface(), tick.proxy, *piece_.reached());
         const double took = 1e-3 * (threadMicros() - start);
         cutterMillis_ += took;
         cutterFreeAt_ = now + 1e-3 * took;
         if (!changed) return working_.clear();
         updateMillis_.push_back(took);
-        coming_ = piece_.surface();
         comingAt_ = cutterFreeAt_;
         cutAt_ = now;
     }
 
     void feelNewSurface(double now) {
-        simulation_->setSurface(std::move(coming_));
-        coming_ = nullptr;
+        simulation_->setSurface(*coming_);
+        felt_->giveBack(std::exchange(coming_, nullptr));
         while (!working_.empty() && working_.front() <= cutAt_) {
             feltMillis_.push_back(1e3 * (now - working_.front()));
             working_.pop_front();
@@ -118,9 +119,10 @@ private:
     double voxel_;
     std::optional<CuttingTool> tool_;
     std::optional<HapticSimulation> simulation_;
+    std::optional<FeltSurfaces> felt_;
 
-    double cutterFreeAt_ = 0;                // s
-    std::shared_ptr<const Surface> coming_;  // finished at comingAt_, made of the cuts up to cutAt_
+    double cutterFreeAt_ = 0;        // s
+    FeltSurface* coming_ = nullptr;  // finished at comingAt_, made of the cuts up to cutAt_
     double comingAt_ = 0;
     double cutAt_ = 0;
     std::deque<double> working_;  // ticks in which the bur worked and that have not been felt yet

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace tactooth {
+
+struct DevicesOptions {
+    bool json = false;
+};
+
+/// Lists the devices that are there and what each can do: an ExitCode.
+[[nodiscard]] int runDevices(const DevicesOptions& options);
+
+struct DoctorOptions {
+    bool json = false;
+};
+
+/// Looks at everything that the program needs from this computer and says what to do about what is missing: an
+/// ExitCode, negative if the window cannot open.
+[[nodiscard]] int runDoctor(const DoctorOptions& options);
+
+}  // namespace tactooth

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace tactooth {
+
+struct RealtimeOptions {
+    double seconds = 20;
+    double rateHz = 1000;
+    bool load = false;  ///< keep all other cores busy meanwhile
+    bool json = false;
+};
+
+/// Lets a simulated hand touch and cut the built-in molar in real time and says how well this machine kept time: an
+/// ExitCode, negative if the force was not computed in time.
+[[nodiscard]] int runRealtime(const RealtimeOptions& options);
+
+}  // namespace tactooth

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "devices/haptic_device.h"
+
+namespace tactooth {
+
+/// A kind of haptic device: what it can do and what its mechanics do to the hand.
+struct DevicePreset {
+    std::string_view name;   ///< on the command line
+    std::string_view title;  ///< for people
+    double peakForce;        ///< N
+    double continuousForce;  ///< N that its motors bear for ever
+    double stiffness;        ///< N/mm: the stiffest wall that it renders at 1 kHz without shaking
+    double inertia;          ///< N*s^2/mm (1e-3 of its kilograms) at the tip
+    double friction;         ///< N, dry
+    double damping;          ///< N*s/mm
+    double encoderStep;      ///< mm at the tip
+    int delayTicks;          ///< that its link holds a force back
+    Vec3 workspace;          ///< mm
+};
+
+/// omni, touch, touch-x, omega, inverse3.
+[[nodiscard]] std::span<const DevicePreset> devicePresets();
+/// The preset of that name; nullptr if there is none.
+[[nodiscard]] const DevicePreset* findDevicePreset(std::string_view name);
+
+/// What the safety limiter keeps to for such a device.
+[[nodiscard]] ForceLimits limitsOf(const DevicePreset& preset);
+
+/// How a hand holds the pen: a mass on a spring and a damper, whose other end goes where the person wants.
+struct HandPreset {
+    std::string_view name;
+    double mass;       ///< N*s^2/mm
+    double damping;    ///< N*s/mm
+    double stiffness;  ///< N/mm
+};
+
+/// loose, nominal, firm.
+[[nodiscard]] std::span<const HandPreset> handPresets();
+[[nodiscard]] const HandPreset* findHandPreset(std::string_view name);
+
+}  // namespace tactooth

@@ -1,0 +1,226 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "devices/openhaptics/hd_driver.h"
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+
+#include "devices/device_presets.h"
+
+namespace tactooth {
+namespace {
+
+constexpr unsigned kStaleTicks = 2;       // of the driver without a new force: the servo hangs, so nothing is rendered
+constexpr unsigned kLookEvery = 100;      // ticks between two looks at temperature and calibration
+constexpr unsigned kTroubleTicks = 3000;  // that a passing trouble is shown for
+constexpr int kMostErrors = 16;           // in a tick: the list is the driver's, and it may be broken
+constexpr auto kRetry = std::chrono::seconds(1);
+constexpr const char* kDockPen = "Put the pen into its inkwell for a moment, so that the device learns where it is.";
+
+double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+std::string titleOf(const std::string& name) {
+    return name.empty() ? "the default device" : "the device '" + name + "'";
+}
+
+double sane(double value, double least, double most, double otherwise) {
+    return value >= least && value <= most ? value : otherwise;
+}
+
+/// The preset whose mechanics a model has; a Touch is the one that needs most care.
+const DevicePreset& presetFor(const std::string& model) {
+    const bool fine = model.find("Touch X") != std::string::npos || model.find("Desktop") != std::string::npos ||
+                      model.find("Premium") != std::string::npos;
+    return *findDevicePreset(fine ? "touch-x" : "touch");
+}
+
+}  // namespace
+
+Expected<std::shared_ptr<HdDriver>> HdDriver::shared(const std::string& library, double rateHz) {
+    static std::mutex mutex;
+    static std::weak_ptr<HdDriver> running;
+    const std::lock_guard lock(mutex);
+    if (auto driver = running.lock()) return driver;
+    auto loaded = HdLibrary::load(library);
+    if (!loaded) return Unexpected{loaded.error()};
+    auto driver = std::make_shared<HdDriver>(std::move(*loaded), rateHz);
+    running = driver;
+    return driver;
+}
+
+HdDriver::HdDriver(std::shared_ptr<const HdLibrary> library, double rateHz)
+    : library_(std::move(library)), call_(library_->call()) {
+    call_.setSchedulerRate(static_cast<unsigned long>(rateHz));
+    maintenance_ = std::jthread([this](const std::stop_token& stop) { maintain(stop); });
+}
+
+HdDriver::~HdDriver() {
+    maintenance_ = {};
+    pause();
+}
+
+/// After this no callback runs.
+void HdDriver::pause() {
+    if (!std::exchange(running_, false)) return;
+    call_.stopScheduler();
+    call_.unschedule(task_);
+}
+
+void HdDriver::resume() {
+    if (std::ranges::none_of(pens_, &HdPen::active) || std::exchange(running_, true)) return;
+    task_ = call_.schedule(&HdDriver::onTick, this, hd::kDefaultPriority);
+    call_.startScheduler();
+}
+
+Expected<HdHandle> HdDriver::startDevice(const std::string& name) {
+    while (call_.getError().code != 0) {
+    }
+    const HdHandle handle = call_.initDevice(name.empty() ? nullptr : name.c_str());
+    if (const HdErrorRecord error = call_.getError(); error.code != 0) {
+        return unexpected("OpenHaptics, " + titleOf(name) + ": " + hdErrorText(error.code));
+    }
+    if (handle > hd::kLargestHandle) {
+        return unexpected("OpenHaptics knows no device for " + titleOf(name) +
+                          ": look its name up in the vendor's setup program.");
+    }
+    call_.makeCurrent(handle);
+    call_.enable(hd::kForceOutput);
+    call_.enable(hd::kForceClamping);
+    return handle;
+}
+
+void HdDriver::describe(HdPen& pen, DeviceInfo& info) {
+    const char* const model = call_.getText(hd::kModel);
+    const DevicePreset& preset = presetFor(model != nullptr ? model : "");
+    info.name = model != nullptr && *model != 0 ? model : std::string(preset.title);
+    info.limits = limitsOf(preset);
+    double force = 0;
+    call_.getDoubles(hd::kMaxForce, &force);
+    info.limits.force = sane(force, 0.5, 50, preset.peakForce);
+    double continuous = 0;
+    call_.getDoubles(hd::kContinuousForce, &continuous);
+    info.limits.continuousForce = std::min(sane(continuous, 0.1, 50, preset.continuousForce), info.limits.force);
+    std::array<double, 6> room{};
+    call_.getDoubles(hd::kUsableWorkspace, room.data());
+    info.workspace = Vec3(room[3] - room[0], room[5] - room[2], room[4] - room[1]);
+    if (!info.workspace.allFinite() || info.workspace.minCoeff() <= 0) info.workspace = preset.workspace;
+    info.stiffness = preset.stiffness;
+    info.rendersForce = info.sensesRotation = true;
+    info.buttonCount = 2;
+    call_.getIntegers(hd::kCalibrationStyle, &pen.calibrationStyle);
+    while (call_.getError().code != 0) {  // a question that this model does not answer is no fault
+    }
+}
+
+Expected<HdPen*> HdDriver::start(const std::string& name, DeviceInfo& info) {
+    const std::lock_guard lock(mutex_);
+    const auto pen = std::ranges::find(pens_, false, &HdPen::active);
+    if (pen == pens_.end()) return unexpected("OpenHaptics: four devices are in use already; close one of them.");
+    pause();
+    const Expected<HdHandle> handle = startDevice(name);
+    if (handle) {
+        pen->name = name;
+        pen->handle = *handle;
+        pen->ticks = pen->forceAge = pen->troubleTicks = 0;
+        pen->motorHeat = 0;
+        pen->calibrated = false;
+        pen->trouble = nullptr;
+        pen->lost = false;
+        pen->force.write(Vec3::Zero());
+        describe(*pen, info);
+        pen->active = true;
+    }
+    resume();
+    if (!handle) return Unexpected{handle.error()};
+    return &*pen;
+}
+
+void HdDriver::stop(HdPen& pen) {
+    const std::lock_guard lock(mutex_);
+    pause();
+    pen.active = false;
+    call_.makeCurrent(pen.handle);
+    call_.disableDevice(pen.handle);
+    resume();
+}
+
+std::uint32_t HdDriver::onTick(void* driver) {
+    auto* const self = static_cast<HdDriver*>(driver);
+    for (HdPen& pen : self->pens_) {
+        if (pen.active && !pen.lost.load(std::memory_order_relaxed)) self->exchange(pen);
+    }
+    return kHdContinue;
+}
+
+void HdDriver::exchange(HdPen& pen) {
+    call_.makeCurrent(pen.handle);
+    call_.beginFrame(pen.handle);
+    HdReading reading;
+    call_.getDoubles(hd::kTransform, reading.transform.data());
+    std::int32_t buttons = 0;
+    call_.getIntegers(hd::kButtons, &buttons);
+    reading.buttons = static_cast<std::uint32_t>(buttons);
+    if (pen.ticks++ % kLookEvery == 0) lookAfter(pen);
+    pen.forceAge = pen.force.refresh() ? 0 : pen.forceAge + 1;
+    const Vec3 force = pen.forceAge < kStaleTicks ? pen.force.value() : Vec3::Zero();
+    call_.setDoubles(hd::kForce, force.data());
+    call_.endFrame(pen.handle);
+    takeErrors(pen);
+    reading.motorHeat = pen.motorHeat;
+    reading.calibrated = pen.calibrated;
+    reading.time = now();
+    pen.reading.write(reading);
+    sem_post(&pen.ready);
+}
+
+void HdDriver::lookAfter(HdPen& pen) {
+    std::array<double, 6> temperature{};
+    call_.getDoubles(hd::kMotorTemperature, temperature.data());
+    pen.motorHeat = 0;
+    for (const double motor : temperature) pen.motorHeat = std::max(pen.motorHeat, sane(motor, 0, 1, 0));
+    const HdEnum state = call_.checkCalibration();
+    if (state == hd::kNeedsUpdate) call_.updateCalibration(static_cast<HdEnum>(pen.calibrationStyle));
+    pen.calibrated = state == hd::kCalibrated;
+    if (pen.calibrated) {
+        const char* docked = kDockPen;
+        pen.trouble.compare_exchange_strong(docked, nullptr);
+    } else {
+        pen.trouble.store(kDockPen);
+    }
+}
+
+void HdDriver::takeErrors(HdPen& pen) {
+    if (pen.troubleTicks > 0 && --pen.troubleTicks == 0) pen.trouble.store(nullptr);
+    for (int i = 0; i < kMostErrors; ++i) {
+        const std::uint32_t code = call_.getError().code;
+        if (code == 0) return;
+        pen.trouble.store(hdErrorText(code));
+        pen.troubleTicks = kTroubleTicks;
+        if (code == hd::kWarmMotors) pen.motorHeat = 1;
+        if (!isHdErrorPassing(code)) pen.lost.store(true);
+    }
+}
+
+/// Tries lost pens again.
+void HdDriver::maintain(const std::stop_token& stop) {
+    std::condition_variable_any wake;
+    std::unique_lock lock(mutex_);
+    while (!wake.wait_for(lock, stop, kRetry, [] { return false; }) && !stop.stop_requested()) {
+        for (HdPen& pen : pens_) {
+            if (!pen.active || !pen.lost.load()) continue;
+            pause();
+            call_.disableDevice(pen.handle);
+            if (const Expected<HdHandle> handle = startDevice(pen.name)) {
+                pen.handle = *handle;
+                pen.calibrated = false;
+                pen.ticks = pen.troubleTicks = 0;
+                pen.trouble.store(nullptr);
+                pen.lost.store(false);
+            }
+            resume();
+        }
+    }
+}
+
+}  // namespace tactooth

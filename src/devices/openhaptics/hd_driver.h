@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <semaphore.h>
+
+#include <array>
+#include <atomic>
+#include <mutex>
+#include <thread>
+
+#include "devices/haptic_device.h"
+#include "devices/openhaptics/hd_library.h"
+#include "geometry/latest_value.h"
+
+namespace tactooth {
+
+/// What the driver's callback has read of a pen.
+struct HdReading {
+    std::array<double, 16> transform{};  // as HDAPI gives it
+    std::uint32_t buttons = 0;
+    double motorHeat = 0;
+    bool calibrated = false;
+    double time = 0;  // s of the monotonic clock
+};
+
+/// A pen between the driver's callback and the servo thread.
+struct HdPen {
+    HdPen() { sem_init(&ready, 0, 0); }
+    ~HdPen() { sem_destroy(&ready); }
+    HdPen(const HdPen&) = delete;
+    HdPen& operator=(const HdPen&) = delete;
+
+    LatestValue<HdReading> reading;         // callback -> servo
+    LatestValue<Vec3> force{Vec3::Zero()};  // servo -> callback; N, in HDAPI's frame
+    sem_t ready;                            // posted by the callback after each reading
+    std::atomic<const char*> trouble{nullptr};
+    std::atomic<bool> lost{false};
+
+    // The callback's, or the maintenance's while no callback is scheduled.
+    std::string name;
+    HdHandle handle = 0;
+    bool active = false;
+    std::int32_t calibrationStyle = 0;
+    unsigned forceAge = 0;  // ticks since the servo's last force
+    unsigned ticks = 0;
+    unsigned troubleTicks = 0;  // left for a trouble that passes
+    double motorHeat = 0;
+    bool calibrated = false;
+};
+
+/// The vendor's scheduler with all pens of this process: one callback serves them all.
+class HdDriver {
+public:
+    static constexpr std::size_t kMostPens = 4;
+
+    /// The one of this process; made when there is none.
+    [[nodiscard]] static Expected<std::shared_ptr<HdDriver>> shared(const std::string& library, double rateHz);
+    HdDriver(std::shared_ptr<const HdLibrary> library, double rateHz);
+    ~HdDriver();
+    HdDriver(const HdDriver&) = delete;
+    HdDriver& operator=(const HdDriver&) = delete;
+
+    /// Starts the pen `name` (empty: the default one) and fills in what it can do.
+    [[nodiscard]] Expected<HdPen*> start(const std::string& name, DeviceInfo& info);
+    void stop(HdPen& pen);
+
+private:
+    static std::uint32_t onTick(void* driver);
+    void exchange(HdPen& pen);
+    void lookAfter(HdPen& pen);
+    void takeErrors(HdPen& pen);
+    [[nodiscard]] Expected<HdHandle> startDevice(const std::string& name);
+    void describe(HdPen& pen, DeviceInfo& info);
+    void pause();
+    void resume();
+    void maintain(const std::stop_token& stop);
+
+    std::shared_ptr<const HdLibrary> library_;
+    const HdFunctions& call_;
+    std::mutex mutex_;  // of everything but the callback
+    std::array<HdPen, kMostPens> pens_;
+    bool running_ = false;
+    unsigned long task_ = 0;
+    std::jthread maintenance_;  // last: it uses all of the above
+};
+
+}  // namespace tactooth

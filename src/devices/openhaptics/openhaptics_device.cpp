@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "devices/openhaptics/openhaptics_device.h"
+
+#include <chrono>
+#include <cmath>
+#include <ctime>
+
+#include "devices/openhaptics/hd_driver.h"
+
+namespace tactooth {
+namespace {
+
+constexpr double kLongestSilence = 0.0025;  // s: two ticks were left out, so the pen counts as lost
+constexpr const char* kSilent =
+    "The device has stopped answering: check its cable and power supply; the session goes on when it is back.";
+
+double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+// HDAPI: +x right, +y up, +z toward the user. Here: +x right, +y away from the user, +z up.
+Vec3 fromHd(const Vec3& v) { return {v.x(), -v.z(), v.y()}; }
+Vec3 toHd(const Vec3& v) { return {v.x(), v.z(), -v.y()}; }
+
+Pose poseOf(const std::array<double, 16>& transform) {
+    Eigen::Matrix3d rotation;
+    for (int column = 0; column < 3; ++column) {
+        const double* const axis = &transform[static_cast<std::size_t>(4 * column)];
+        rotation.col(column) = fromHd(Vec3(axis[0], axis[1], axis[2]));
+    }
+    return {fromHd(Vec3(transform[12], transform[13], transform[14])), Quat(rotation).normalized()};
+}
+
+}  // namespace
+
+OpenHapticsDevice::OpenHapticsDevice(std::string device, std::string library, double rateHz)
+    : name_(std::move(device)), library_(std::move(library)), rateHz_(rateHz) {
+    info_.name = "OpenHaptics pen";
+    info_.rendersForce = info_.sensesRotation = true;
+    info_.buttonCount = 2;
+}
+
+OpenHapticsDevice::~OpenHapticsDevice() { close(); }
+
+Expected<void> OpenHapticsDevice::open() {
+    close();
+    auto driver = HdDriver::shared(library_, rateHz_);
+    if (!driver) return Unexpected{driver.error()};
+    const Expected<HdPen*> pen = (*driver)->start(name_, info_);
+    if (!pen) return Unexpected{pen.error()};
+    driver_ = std::move(*driver);
+    pen_ = *pen;
+    silence_ = 1;  // lost until the first reading
+    return {};
+}
+
+void OpenHapticsDevice::close() {
+    if (pen_ == nullptr) return;
+    pen_->force.write(Vec3::Zero());
+    driver_->stop(*pen_);
+    pen_ = nullptr;
+    driver_.reset();
+}
+
+void OpenHapticsDevice::waitForTick(double longest) {
+    timespec end{};
+    clock_gettime(CLOCK_MONOTONIC, &end);
+    constexpr long kNanos = 1'000'000'000;
+    end.tv_nsec += static_cast<long>(longest * kNanos);
+    end.tv_sec += end.tv_nsec / kNanos;
+    end.tv_nsec %= kNanos;
+    (void)sem_clockwait(&pen_->ready, CLOCK_MONOTONIC, &end);
+    while (sem_trywait(&pen_->ready) == 0) {  // readings that came while the last one was worked on
+    }
+}
+
+DeviceSample OpenHapticsDevice::read(double elapsed) {
+    silence_ = pen_->reading.refresh() ? 0 : silence_ + elapsed;
+    const HdReading& reading = pen_->reading.value();
+    const bool silent = silence_ > kLongestSilence;
+    silent_.store(silent, std::memory_order_relaxed);
+    DeviceSample sample;
+    sample.connected = !silent && reading.calibrated && !pen_->lost.load(std::memory_order_relaxed);
+    sample.hand = poseOf(reading.transform);
+    sample.buttons = reading.buttons;
+    sample.motorHeat = reading.motorHeat;
+    sample.age = reading.time > 0 ? now() - reading.time : 0;
+    return sample;
+}
+
+void OpenHapticsDevice::write(const SafeWrench& wrench) { pen_->force.write(toHd(wrench.force())); }
+
+const char* OpenHapticsDevice::trouble() const {
+    if (pen_ == nullptr) return nullptr;
+    if (const char* const text = pen_->trouble.load(std::memory_order_relaxed)) return text;
+    return silent_.load(std::memory_order_relaxed) ? kSilent : nullptr;
+}
+
+}  // namespace tactooth

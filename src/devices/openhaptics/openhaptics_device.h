@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <string>
+
+#include "devices/haptic_device.h"
+
+namespace tactooth {
+
+class HdDriver;
+struct HdPen;
+
+/// A pen of the PHANToM and Touch family, through the vendor's own library (HDAPI), which is loaded at run time.
+///
+/// The driver's callback only exchanges a reading for a force; the servo thread does the work in between and follows
+/// the driver's pace. If the servo is late by two ticks, the callback itself renders nothing; if the driver is late,
+/// the device counts as lost. A pen that was lost is tried again every second and comes back by itself.
+class OpenHapticsDevice final : public HapticDevice {
+public:
+    /// `device`: its name in the vendor's setup program; empty for the default one. `library`: see HdLibrary::load.
+    OpenHapticsDevice(std::string device, std::string library, double rateHz = 1000);
+    ~OpenHapticsDevice() override;
+
+    [[nodiscard]] const DeviceInfo& info() const override { return info_; }
+    [[nodiscard]] Expected<void> open() override;
+    void close() override;
+    [[nodiscard]] bool setsPace() const override { return true; }
+    void waitForTick(double longest) override;
+    [[nodiscard]] DeviceSample read(double elapsed) override;
+    void write(const SafeWrench& wrench) override;
+    [[nodiscard]] const char* trouble() const override;
+
+private:
+    std::string name_;
+    std::string library_;
+    double rateHz_;
+    DeviceInfo info_;
+    std::shared_ptr<HdDriver> driver_;
+    HdPen* pen_ = nullptr;  // of the driver
+    double silence_ = 0;    // s since the last reading
+    std::atomic<bool> silent_{false};
+};
+
+}  // namespace tactooth

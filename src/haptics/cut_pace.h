@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/pose.h"
+
+namespace tactooth {
+
+/// Lets a cutting bur go on at the pace of its cut. A new surface gives way by what was cut since the last one, all at
+/// once: a bur that leapt into that room would knock at the rate of the surfaces. It takes about as long over
+/// it as the cut did, so that force and feed are steady.
+class CutPace {
+public:
+    /// A new surface leaves the bur `way` (mm) to go.
+    void grant(double way);
+
+    /// To be called each tick: seconds go by.
+    void pass(double dt) { sinceGrant_ += dt; }
+
+    /// Where a bur that cuts shall go in a tick of `dt` seconds: toward the hand at the pace of the cut, or as fast as
+    /// the hand itself; across that direction as the hand does. `handStep`: of the hand in this tick, mm.
+    [[nodiscard]] Pose goal(const Pose& hand, const Pose& bur, const Vec3& handStep, double dt) const;
+
+private:
+    double sinceGrant_ = 0;  // s
+    double pace_ = 0;        // mm/s
+};
+
+}  // namespace tactooth

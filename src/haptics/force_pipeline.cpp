@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "haptics/force_pipeline.h"
+
+#include <cmath>
+
+// The bound on turning: a force whose direction jumps at a sharp edge shakes the hand (J. Hernantes et al., "Effective
+// haptic rendering method for complex interactions", 2007): across the force of the last tick, it grows slower than
+// along it.
+
+namespace tactooth {
+namespace {
+
+constexpr double kTurnSlew = 150;       // N/s across the last force: 1 N turns by a right angle in 10 ms
+constexpr double kFastestHand = 5000;   // mm/s: three times the quickest of hands; more is a jump of the reading
+constexpr double kSmallestJump = 5;     // mm: less is no jump, however short the tick
+constexpr double kLongestPause = 0.25;  // s: as quick as a hand reacts; after a longer one it may be anywhere
+constexpr double kDeepest = 1000;       // mm: no tooth is
+constexpr double kStiffest = 1e6;       // N/mm: steel is not
+constexpr double kFaintForce = 0.02;    // N: below, a force has no direction that the hand could feel
+
+}  // namespace
+
+WantedForce wantedFrom(const Tick& tick) {
+    WantedForce wanted;
+    wanted.wrench = tick.wrench;
+    wanted.hand = tick.hand.position;
+    wanted.depth = tick.depth;
+    wanted.stiffness = tick.stiffness;
+    wanted.touching = tick.contacts > 0;
+    wanted.allowed = tick.placed;
+    return wanted;
+}
+
+ForcePipeline::ForcePipeline(const ForceLimits& limits)
+    : limiter_(limits), heat_(limits.force, limits.continuousForce), passivity_(limits.friction) {}
+
+bool ForcePipeline::isFault(const WantedForce& wanted, double elapsed) const {
+    if (!wanted.connected || !wanted.hand.allFinite()) return true;
+    if (!wanted.wrench.force.allFinite() || !wanted.wrench.torque.allFinite()) return true;
+    if (!(elapsed >= 0) || !(elapsed <= kLongestPause)) return true;
+    if (!(wanted.depth <= kDeepest) || !(wanted.stiffness <= kStiffest)) return true;
+    const double furthest = kSmallestJump + kFastestHand * elapsed;
+    return following_ && !((wanted.hand - lastHand_).norm() < furthest);
+}
+
+/// Nothing, at once; and nothing later until the tool has been free.
+SafeWrench ForcePipeline::stop(const WantedForce& wanted, double elapsed) {
+    ++faults_;
+    state_ = ForceState::Fault;
+    waitsForFree_ = true;
+    following_ = false;
+    passivity_.reset();
+    if (elapsed > 0 && std::isfinite(elapsed)) heat_.add(0, elapsed, wanted.connected ? wanted.motorHeat : 0);
+    sent_ = limiter_.limit({}, elapsed, false);
+    return sent_;
+}
+
+/// Switched off, after the force has faded out.
+SafeWrench ForcePipeline::rest(const WantedForce& wanted, double elapsed) {
+    state_ = ForceState::Off;
+    waitsForFree_ = true;
+    passivity_.reset();
+    heat_.add(0, elapsed, wanted.motorHeat);
+    sent_ = limiter_.limit({}, elapsed, false);
+    return sent_;
+}
+
+Vec3 ForcePipeline::turned(const Vec3& force, double elapsed) const {
+    const double last = sent_.force().norm();
+    if (last < kFaintForce) return force;
+    const Vec3 along = sent_.force() / last;
+    const Vec3 across = force - force.dot(along) * along;
+    const double most = kTurnSlew * elapsed;
+    return across.norm() > most ? Vec3(force - (1 - most / across.norm()) * across) : force;
+}
+
+/// What the passivity controller adds to a force; it takes no more from it than there is, because a tooth does not
+/// pull.
+Vec3 ForcePipeline::damping(const Vec3& force, const WantedForce& wanted, double elapsed) {
+    const SpringState spring{wanted.depth, wanted.stiffness, heat_.bound(), limiter_.strength()};
+    const Vec3 added = passivity_.damp(wanted.hand, sent_.force(), spring, elapsed);
+    const double length = force.norm();
+    if (!(length > 0)) return Vec3::Zero();
+    const double along = added.dot(force) / length;
+    return along < -length ? Vec3(added * (length / -along)) : added;
+}
+
+SafeWrench ForcePipeline::send(const Wrench& wrench, const WantedForce& wanted, double elapsed) {
+    sent_ = limiter_.limit(wrench, elapsed, true);
+    heat_.add(sent_.force().norm(), elapsed, wanted.motorHeat);
+    following_ = true;
+    lastHand_ = wanted.hand;
+    return sent_;
+}
+
+SafeWrench ForcePipeline::pass(const WantedForce& wanted, double elapsed) {
+    if (isFault(wanted, elapsed)) return stop(wanted, elapsed);
+    if (!wanted.allowed && sent_.force().isZero(0) && sent_.torque().isZero(0)) {
+        following_ = true;
+        lastHand_ = wanted.hand;
+        return rest(wanted, elapsed);
+    }
+    if (wanted.allowed && !wanted.touching) waitsForFree_ = false;
+    if (!wanted.allowed || waitsForFree_) {
+        state_ = wanted.allowed ? ForceState::WaitsForFree : ForceState::Off;
+        passivity_.reset();
+        return send({}, wanted, elapsed);
+    }
+    Wrench wrench = wanted.wrench;
+    // A number near the largest double would overflow when its length is taken.
+    const double most = 2 * limiter_.limits().force;
+    wrench.force = wrench.force.cwiseMax(-most).cwiseMin(most);
+    if (wanted.touching) {
+        wrench.force += damping(wrench.force, wanted, elapsed);
+    } else {
+        passivity_.reset();
+    }
+    const double bound = heat_.bound();
+    const double length = wrench.force.norm();
+    state_ = length > bound && bound < limiter_.limits().force ? ForceState::Warm : ForceState::On;
+    if (length > bound) wrench.force *= bound / length;
+    wrench.force = turned(wrench.force, elapsed);
+    return send(wrench, wanted, elapsed);
+}
+
+}  // namespace tactooth

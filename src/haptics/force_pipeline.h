@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "haptics/haptic_simulation.h"
+#include "haptics/motor_heat.h"
+#include "haptics/passivity_controller.h"
+#include "haptics/safety_limiter.h"
+
+namespace tactooth {
+
+/// What the simulation wants the hand to feel at one tick, in the device's frame.
+struct WantedForce {
+    Wrench wrench;
+    Vec3 hand = Vec3::Zero();  ///< of the device's tip, mm
+    double depth = 0;          ///< of the hand beyond the proxy, mm; 0 without contact
+    double stiffness = 0;      ///< of the spring that pushes, N/mm
+    bool touching = false;
+    bool allowed = true;    ///< false: fade out, as a person or the loss of the proxy asks for
+    bool connected = true;  ///< false: the device is gone or its reading is wrong; nothing at once
+    double motorHeat = 0;   ///< as the device reports it, 0..1
+};
+
+/// What a tick wants, for a device whose frame is the tooth's.
+[[nodiscard]] WantedForce wantedFrom(const Tick& tick);
+
+/// Why the hand feels what it feels.
+enum class ForceState {
+    On,
+    Off,           ///< switched off, or no place of the tool is known
+    WaitsForFree,  ///< came on inside the tooth: nothing until the tool has left it
+    Warm,          ///< the motors are warm, and strong forces are cut to what they bear
+    Fault,         ///< the device is lost, or its pose jumped or was no number
+};
+
+/// The way from the simulation's force to the motors, tick by tick: nothing while the hand came into the tooth without
+/// a force, then the passivity controller, the motors' heat, a bound on how fast the force may turn, and last, alone
+/// before the motors, the safety limiter. Equal calls give equal results; allocates, locks and logs nothing.
+class ForcePipeline {
+public:
+    explicit ForcePipeline(const ForceLimits& limits);
+
+    /// `elapsed`: since the call before, s.
+    [[nodiscard]] SafeWrench pass(const WantedForce& wanted, double elapsed);
+
+    [[nodiscard]] ForceState state() const { return state_; }
+    [[nodiscard]] const PassivityController& passivity() const { return passivity_; }
+    [[nodiscard]] const MotorHeat& heat() const { return heat_; }
+    /// Ticks at which the device or the clock was at fault.
+    [[nodiscard]] std::uint64_t faults() const { return limiter_.faults() + faults_; }
+
+private:
+    [[nodiscard]] bool isFault(const WantedForce& wanted, double elapsed) const;
+    [[nodiscard]] SafeWrench stop(const WantedForce& wanted, double elapsed);
+    [[nodiscard]] SafeWrench rest(const WantedForce& wanted, double elapsed);
+    [[nodiscard]] SafeWrench send(const Wrench& wrench, const WantedForce& wanted, double elapsed);
+    [[nodiscard]] Vec3 damping(const Vec3& force, const WantedForce& wanted, double elapsed);
+    [[nodiscard]] Vec3 turned(const Vec3& force, double elapsed) const;
+
+    SafetyLimiter limiter_;
+    MotorHeat heat_;
+    PassivityController passivity_;
+    ForceState state_ = ForceState::Off;
+    bool waitsForFree_ = true;
+    bool following_ = false;  // lastHand_ means something
+    Vec3 lastHand_ = Vec3::Zero();
+    SafeWrench sent_;
+    std::uint64_t faults_ = 0;
+};
+
+}  // namespace tactooth

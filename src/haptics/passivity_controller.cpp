@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "haptics/passivity_controller.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+// B. Hannaford, J.-H. Ryu, "Time-Domain Passivity Control of Haptic Interfaces", IEEE Transactions on Robotics and
+// Automation 18, 2002: an observer adds up force times way, a controller damps as soon as the sum is negative. As in
+// J.-H. Ryu, C. Preusche, B. Hannaford, G. Hirzinger, "Time Domain Passivity Control with Reference Energy Following",
+// IEEE Transactions on Control Systems Technology 13, 2005, the sum is held against the energy that the spring stores,
+// so that it acts at the first tick that gives too much and not when all of the stored energy is gone. Differs: credit
+// is bounded, the spring is cut off where the device's force ends, the device's dry friction pays (J. J. Abbott, A. M.
+// Okamura, "Effects of Position Quantization and Sampling Rate on Virtual-Wall Passivity", IEEE Transactions on
+// Robotics 21, 2005: without it no wall that is read in steps is passive), and a damper that is needed goes off slowly.
+
+namespace tactooth {
+namespace {
+
+constexpr double kMostCredit = 0.02;      // N*mm: rubbing for minutes must not pay for a shake later
+constexpr double kMostDamping = 0.005;    // N*s/mm: ten times what sampling 1 N/mm at 1 kHz gives (k * T / 2)
+constexpr double kTrustedFriction = 0.5;  // of what the maker says: it differs from place to place
+constexpr double kSpeedLag = 0.005;       // s: an encoder's single step is no speed
+constexpr double kStill = 1e-6;           // mm in a tick: less is no motion to damp
+constexpr double kRelease = 0.98;         // of the damping is left a tick later: a damper that flickers would be felt
+
+/// Energy of the spring, N*mm; its force is cut off at a bound.
+double stored(const SpringState& spring, double depth, double stiffness) {
+    if (!(stiffness > 0) || !(depth > 0)) return 0;
+    const double soft = std::min(depth, spring.bound / stiffness);
+    return spring.strength * (0.5 * stiffness * soft * soft + spring.bound * (depth - soft));
+}
+
+}  // namespace
+
+void PassivityController::reset() {
+    started_ = false;
+    energy_ = damping_ = 0;
+    speed_.setZero();
+}
+
+Vec3 PassivityController::damp(const Vec3& hand, const Vec3& rendered, const SpringState& spring, double elapsed) {
+    if (!std::exchange(started_, true) || !(elapsed > 0)) {
+        lastHand_ = hand;
+        lastDepth_ = spring.depth;
+        lastStiffness_ = spring.stiffness;
+        return Vec3::Zero();
+    }
+    const Vec3 way = hand - lastHand_;
+    // Both states of the spring under today's bound and strength: what a ramp does is meant, and no leak.
+    energy_ += -rendered.dot(way) -
+               (stored(spring, spring.depth, spring.stiffness) - stored(spring, lastDepth_, lastStiffness_));
+    lastHand_ = hand;
+    lastDepth_ = spring.depth;
+    lastStiffness_ = spring.stiffness;
+
+    const double length = way.norm();
+    energy_ = std::min(energy_ + kTrustedFriction * friction_ * length, kMostCredit);
+    speed_ += (1 - std::exp(-elapsed / kSpeedLag)) * (way / elapsed - speed_);
+    damping_ *= kRelease;
+    if (energy_ < 0 && length > kStill) damping_ = std::max(damping_, -energy_ * elapsed / (length * length));
+    damping_ = std::min(damping_, kMostDamping);
+    return -damping_ * speed_;
+}
+
+}  // namespace tactooth

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tooth/layer_remains.h"
+
+#include "tooth/live_surface.h"
+
+namespace tactooth {
+namespace {
+
+/// A layer is cut as a tooth of its own, by what was removed from the whole one.
+TriangleMesh remainsOf(const TriangleMesh& layer, double voxel, const std::map<BrickKey, CutField>& cuts) {
+    auto tooth = LayeredTooth::make(layer);
+    if (!tooth) return {};  // cannot be: the layer was looked at when the tooth was made
+    CutVolume volume(std::make_shared<const LayeredTooth>(std::move(*tooth)), voxel);
+    LiveSurface surface(volume);
+    surface.update(volume, volume.adopt(cuts));
+    return visibleMesh(*surface.snapshot()).mesh;
+}
+
+}  // namespace
+
+std::vector<LayerRemains> remainsOfLayers(const CutVolume& volume) {
+    std::map<BrickKey, CutField> cuts;
+    for (const BrickKey& key : volume.cutBricks()) cuts.emplace_hint(cuts.end(), key, *volume.bricks().find(key));
+    const LayeredTooth& tooth = *volume.tooth();
+    const double voxel = volume.lattice().spacing();
+    std::vector<LayerRemains> remains;
+    for (const LayeredTooth::Layer& layer : tooth.layers()) {
+        remains.push_back({layer.name, remainsOf(layer.part->mesh(), voxel, cuts)});
+    }
+    if (remains.empty()) {
+        const std::string name(materialName(tooth.body()));
+        remains.push_back({name, remainsOf(tooth.outer()->mesh(), voxel, cuts)});
+    }
+    return remains;
+}
+
+}  // namespace tactooth

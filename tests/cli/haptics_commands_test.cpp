@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/run_program.h"
+
+namespace tactooth {
+namespace {
+
+using test::ProgramRun;
+using test::runTactooth;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+TEST(HapticsCommands, StabilityTellsEachRunAsJson) {
+    const ProgramRun run = runTactooth({"bench", "stability", "--device", "touch-x", "--hand", "loose", "--material",
+                                        "enamel", "--situation", "press", "--situation", "fissure", "--json"});
+    EXPECT_EQ(run.exitCode, 0);
+    const auto json = nlohmann::json::parse(run.out);
+    EXPECT_EQ(json.at("stable"), true);
+    ASSERT_EQ(json.at("cases").size(), 2U);
+    EXPECT_EQ(json["cases"][0].at("device"), "touch-x");
+    EXPECT_EQ(json["cases"][1].at("situation"), "fissure");
+    EXPECT_NEAR(json["cases"][0].at("stiffness_n_per_mm").get<double>(), 1.0, 1e-9);
+    EXPECT_LT(json["cases"][0].at("ripple_percent"), 3);
+}
+
+TEST(HapticsCommands, StabilityHasALineForEachDeviceAndHandOrForEachRun) {
+    const std::vector<std::string> few = {"bench", "stability",  "--device", "omni",        "--hand",
+                                          "firm",  "--material", "pulp",     "--situation", "press"};
+    EXPECT_THAT(runTactooth(few).out, HasSubstr("1 of 1 stable"));
+    std::vector<std::string> all = few;
+    all.emplace_back("--all");
+    EXPECT_THAT(runTactooth(all).out, AllOf(HasSubstr("omni       firm     pulp      press"), HasSubstr("command:")));
+}
+
+TEST(HapticsCommands, StabilityKnowsItsDevices) {
+    const ProgramRun run = runTactooth({"bench", "stability", "--device", "joystick"});
+    EXPECT_EQ(run.exitCode, 2);
+    EXPECT_THAT(run.err, HasSubstr("see 'tactooth bench stability --help'"));
+}
+
+TEST(HapticsCommands, RealtimeTellsHowTheMachineKeptTime) {
+    const ProgramRun run = runTactooth({"realtime", "--seconds", "1", "--json"});
+    const auto json = nlohmann::json::parse(run.out);
+    EXPECT_GT(json.at("ticks"), 50);
+    for (const char* line : {"period_jitter", "tick", "lateness", "device_to_force"}) {
+        EXPECT_GT(json.at(line).at("p50_us"), 0) << line;
+        EXPECT_LE(json.at(line).at("p50_us"), json.at(line).at("max_us")) << line;
+    }
+    EXPECT_THAT(runTactooth({"realtime", "--seconds", "1", "--rate", "2000", "--load"}).out,
+                AllOf(HasSubstr("2000 Hz, with all other cores busy"), HasSubstr("deadlines missed")));
+    EXPECT_EQ(runTactooth({"realtime", "--rate", "100"}).exitCode, 2);
+}
+
+TEST(HapticsCommands, DevicesAlwaysHaveTheMouse) {
+    const ProgramRun run = runTactooth({"devices", "--json"});
+    EXPECT_EQ(run.exitCode, 0);
+    const auto json = nlohmann::json::parse(run.out);
+    EXPECT_EQ(json.at(0).at("name"), "mouse");
+    EXPECT_EQ(json.at(0).at("ready"), true);
+    EXPECT_EQ(json.at(1).at("name"), "pen");
+    EXPECT_THAT(runTactooth({"devices"}).out, HasSubstr("mouse and keyboard"));
+}
+
+TEST(HapticsCommands, TheDoctorLooksAtEverything) {
+    const ProgramRun run = runTactooth({"doctor", "--json"});
+    const auto json = nlohmann::json::parse(run.out);
+    std::vector<std::string> areas;
+    bool missing = false;
+    for (const auto& finding : json) {
+        areas.push_back(finding.at("area"));
+        missing |= finding.at("verdict") == "missing";
+        EXPECT_NE(finding.at("text"), "");
+    }
+    EXPECT_THAT(areas, ::testing::ElementsAre("display", "OpenGL", "sound", "real time", "device", "device"));
+    EXPECT_EQ(run.exitCode, missing ? 1 : 0);
+}
+
+}  // namespace
+}  // namespace tactooth

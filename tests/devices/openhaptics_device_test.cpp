@@ -1,0 +1,285 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "devices/openhaptics/openhaptics_device.h"
+
+#include <dlfcn.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+#include "devices/openhaptics/hd_library.h"
+#include "haptics/force_pipeline.h"
+#include "haptics/servo_loop.h"
+#include "standin/standin_hd.h"
+
+namespace tactooth {
+namespace {
+
+using namespace std::chrono_literals;
+using test::HdFault;
+using ::testing::HasSubstr;
+using Clock = std::chrono::steady_clock;
+
+constexpr double kWall = -2;  // mm, height of a plane of 0.4 N/mm in the device's frame
+
+const test::HdStandinControl& standin() {
+    static const auto* const control = static_cast<const test::HdStandinControl*>(
+        dlsym(dlopen(TACTOOTH_STANDIN_HD, RTLD_LAZY | RTLD_GLOBAL), "standinControl"));
+    return *control;
+}
+
+template <class Condition>
+bool soon(const Condition& condition, std::chrono::seconds limit = 20s) {
+    const auto end = Clock::now() + limit;
+    while (!condition()) {
+        if (Clock::now() > end) return false;
+        std::this_thread::sleep_for(2ms);
+    }
+    return true;
+}
+
+/// A servo that lets the pen touch a plane.
+class Servo {
+public:
+    explicit Servo(HapticDevice& device)
+        : device_(device),
+          pipeline_(device.info().limits),
+          loop_(
+              1000, [this](double elapsed) { tick(elapsed); },
+              [&device](double longest) { device.waitForTick(longest); }) {}
+
+    [[nodiscard]] ForceState state() const { return state_; }
+    [[nodiscard]] std::uint32_t buttons() const { return buttons_; }
+    [[nodiscard]] std::uint64_t faults() const { return faults_; }
+    [[nodiscard]] long ticks() const { return static_cast<long>(loop_.timing().ticks.load()); }
+    void hang(std::chrono::milliseconds time) { pause_ = static_cast<int>(time.count()); }
+
+private:
+    void tick(double elapsed) {
+        if (const int pause = pause_.exchange(0); pause > 0) std::this_thread::sleep_for(pause * 1ms);
+        const DeviceSample sample = device_.read(elapsed);
+        WantedForce wanted;
+        wanted.connected = sample.connected;
+        wanted.hand = sample.hand.position;
+        wanted.motorHeat = sample.motorHeat;
+        wanted.depth = std::max(0.0, kWall - sample.hand.position.z());
+        wanted.stiffness = wanted.depth > 0 ? 0.4 : 0;
+        wanted.touching = wanted.depth > 0;
+        wanted.wrench.force = Vec3(0, 0, 0.4 * wanted.depth);
+        device_.write(pipeline_.pass(wanted, elapsed));
+        state_ = pipeline_.state();
+        faults_ = pipeline_.faults();
+        buttons_ = sample.buttons;
+    }
+
+    HapticDevice& device_;
+    ForcePipeline pipeline_;
+    std::atomic<ForceState> state_{ForceState::Off};
+    std::atomic<std::uint32_t> buttons_{0};
+    std::atomic<std::uint64_t> faults_{0};
+    std::atomic<int> pause_{0};
+    ServoLoop loop_;
+};
+
+class OpenHaptics : public ::testing::Test {
+protected:
+    void SetUp() override { standin().reset(); }
+    void TearDown() override { standin().reset(); }
+
+    static double force() {
+        double xyz[3];
+        standin().lastForce(xyz);
+        return std::hypot(xyz[0], xyz[1], xyz[2]);
+    }
+    static void set(HdFault fault) { standin().setFault(static_cast<int>(fault)); }
+    static std::string openError(const std::string& name = {}, const std::string& library = TACTOOTH_STANDIN_HD) {
+        OpenHapticsDevice device(name, library);
+        const auto opened = device.open();
+        return opened ? "" : opened.error().message;
+    }
+    /// Lifts off and leans on the plane, as often as it takes until it is felt; down is -y in HDAPI's frame.
+    static bool lean() {
+        return soon([] {
+            standin().wantPosition(0, 5, 0);
+            std::this_thread::sleep_for(300ms);
+            standin().wantPosition(0, kWall - 4, 0);
+            std::this_thread::sleep_for(700ms);
+            return force() > 0.3;
+        });
+    }
+};
+
+TEST_F(OpenHaptics, TellsWhatTheDeviceIs) {
+    OpenHapticsDevice device("", TACTOOTH_STANDIN_HD);
+    ASSERT_TRUE(device.open());
+    EXPECT_EQ(device.info().name, "Touch (stand-in)");
+    EXPECT_EQ(device.info().limits.force, 3.3);
+    EXPECT_EQ(device.info().limits.continuousForce, 0.88);
+    EXPECT_EQ(device.info().workspace, Vec3(160, 70, 120));
+    EXPECT_EQ(device.info().stiffness, 0.5);
+    EXPECT_TRUE(device.setsPace());
+    EXPECT_EQ(standin().startedPens(), 1);
+    device.close();
+    EXPECT_EQ(standin().startedPens(), 0);
+}
+
+TEST_F(OpenHaptics, TouchesAPlaneAndStops) {
+    {
+        OpenHapticsDevice device("", TACTOOTH_STANDIN_HD);
+        ASSERT_TRUE(device.open());
+        const Servo servo(device);
+        ASSERT_TRUE(lean());
+        // Hand (0.5 N/mm) and wall (0.4 N/mm) one behind the other over 4 mm.
+        EXPECT_TRUE(soon([] { return std::abs(force() - 4 / (1 / 0.5 + 1 / 0.4)) < 0.15; }));
+        standin().setButtons(3);
+        EXPECT_TRUE(soon([&] { return servo.buttons() == 3; }));
+        EXPECT_EQ(device.trouble(), nullptr);
+    }
+    EXPECT_EQ(force(), 0);
+    EXPECT_LE(standin().strongestForce(), 3.3);
+}
+
+TEST_F(OpenHaptics, EachFailureToStartHasItsSentence) {
+    EXPECT_THAT(openError("", "libNoSuchHD.so"), HasSubstr("install the device's driver and OpenHaptics"));
+    EXPECT_THAT(openError("", TACTOOTH_LACKING_HD), HasSubstr("has no function hdDisableDevice"));
+    EXPECT_THAT(openError("Third"), HasSubstr("look its name up in the vendor's setup program"));
+    set(HdFault::InitError);
+    EXPECT_THAT(openError(), HasSubstr("reports a fault"));
+    set(HdFault::InUse);
+    EXPECT_THAT(openError(), HasSubstr("close the other program"));
+    set(HdFault::GarbageHandle);
+    EXPECT_THAT(openError(), HasSubstr("look its name up"));
+    set(HdFault::None);
+    EXPECT_EQ(openError(), "") << "and after that it starts";
+}
+
+TEST_F(OpenHaptics, TwoPensAreTwoDevicesAndOneCannotBeStartedTwice) {
+    OpenHapticsDevice right("Right", TACTOOTH_STANDIN_HD);
+    OpenHapticsDevice left("Left", TACTOOTH_STANDIN_HD);
+    OpenHapticsDevice again("Left", TACTOOTH_STANDIN_HD);
+    ASSERT_TRUE(right.open());
+    ASSERT_TRUE(left.open());
+    EXPECT_EQ(standin().startedPens(), 2);
+    const auto opened = again.open();
+    ASSERT_FALSE(opened);
+    EXPECT_THAT(opened.error().message, HasSubstr("the device 'Left': The device is in use"));
+    const Servo servo(right);
+    const Servo other(left);
+    EXPECT_TRUE(lean());
+    EXPECT_TRUE(soon([&] { return other.ticks() > 50; }));
+}
+
+/// A fault that takes the pen away: nothing is rendered from 5 ms on, it is said, and the pen comes back.
+void expectLossAndReturn(OpenHapticsDevice& device, HdFault fault, const char* sentence) {
+    standin().setFault(static_cast<int>(fault));
+    EXPECT_TRUE(soon([&] { return device.trouble() != nullptr; }));
+    std::this_thread::sleep_for(100ms);
+    EXPECT_EQ(standin().strongestWhileFaulty(), 0);
+    if (device.trouble() != nullptr) {
+        EXPECT_THAT(device.trouble(), HasSubstr(sentence));
+    }
+    standin().setFault(0);
+    EXPECT_TRUE(soon([&] { return device.trouble() == nullptr; }));
+}
+
+TEST_F(OpenHaptics, ALinkFaultMidPressGivesNoForceAndThePenComesBack) {
+    OpenHapticsDevice device("", TACTOOTH_STANDIN_HD);
+    ASSERT_TRUE(device.open());
+    const Servo servo(device);
+    ASSERT_TRUE(lean());
+    expectLossAndReturn(device, HdFault::LinkFault, "does not answer");
+    EXPECT_TRUE(lean());
+}
+
+TEST_F(OpenHaptics, AnUnpluggedPenGivesNoForceAndComesBack) {
+    OpenHapticsDevice device("", TACTOOTH_STANDIN_HD);
+    ASSERT_TRUE(device.open());
+    const Servo servo(device);
+    ASSERT_TRUE(lean());
+    expectLossAndReturn(device, HdFault::Unplugged, "has stopped answering");
+    EXPECT_TRUE(lean());
+}
+
+TEST_F(OpenHaptics, AReadingThatIsNoNumberOrJumpsGivesNoForce) {
+    for (const HdFault fault : {HdFault::NanPose, HdFault::Jump}) {
+        standin().reset();
+        OpenHapticsDevice device("", TACTOOTH_STANDIN_HD);
+        ASSERT_TRUE(device.open());
+        const Servo servo(device);
+        ASSERT_TRUE(lean());
+        set(fault);
+        std::this_thread::sleep_for(100ms);
+        EXPECT_EQ(standin().strongestWhileFaulty(), 0);
+        set(HdFault::None);
+        EXPECT_TRUE(lean());
+    }
+}
+
+TEST_F(OpenHaptics, APenThatIsNotCalibratedIsLimpAndSaysWhatToDo) {
+    set(HdFault::NeedsInkwell);
+    OpenHapticsDevice device("", TACTOOTH_STANDIN_HD);
+    ASSERT_TRUE(device.open());
+    const Servo servo(device);
+    standin().wantPosition(0, kWall - 4, 0);
+    ASSERT_TRUE(soon([&] { return device.trouble() != nullptr; }));
+    EXPECT_THAT(device.trouble(), HasSubstr("into its inkwell"));
+    std::this_thread::sleep_for(200ms);
+    EXPECT_EQ(force(), 0);
+    set(HdFault::None);
+    EXPECT_TRUE(soon([&] { return device.trouble() == nullptr; }));
+    EXPECT_TRUE(lean());
+}
+
+TEST_F(OpenHaptics, WarmMotorsAreSpared) {
+    OpenHapticsDevice device("", TACTOOTH_STANDIN_HD);
+    ASSERT_TRUE(device.open());
+    const Servo servo(device);
+    ASSERT_TRUE(lean());
+    standin().wantPosition(0, kWall - 9, 0);
+    ASSERT_TRUE(soon([] { return force() > 1.5; }));
+    set(HdFault::WarmMotors);
+    EXPECT_TRUE(soon([&] { return servo.state() == ForceState::Warm && force() < 0.9; }));
+    ASSERT_NE(device.trouble(), nullptr);
+    EXPECT_THAT(device.trouble(), HasSubstr("motors are warm"));
+}
+
+TEST_F(OpenHaptics, ACutForceIsSaidAndTheSessionGoesOn) {
+    OpenHapticsDevice device("", TACTOOTH_STANDIN_HD);
+    ASSERT_TRUE(device.open());
+    const Servo servo(device);
+    ASSERT_TRUE(lean());
+    set(HdFault::TooMuchForce);
+    ASSERT_TRUE(soon([&] { return device.trouble() != nullptr; }));
+    EXPECT_THAT(device.trouble(), HasSubstr("press more gently"));
+    EXPECT_TRUE(soon([] { return force() > 0.3; }));
+    EXPECT_TRUE(soon([&] { return device.trouble() == nullptr; })) << "it is not shown for ever";
+}
+
+TEST_F(OpenHaptics, AStallOfTheDriverStartsTheForceFromZeroAgain) {
+    OpenHapticsDevice device("", TACTOOTH_STANDIN_HD);
+    ASSERT_TRUE(device.open());
+    const Servo servo(device);
+    ASSERT_TRUE(lean());
+    const std::uint64_t before = servo.faults();
+    set(HdFault::Stall);
+    EXPECT_TRUE(soon([&] { return servo.faults() > before; }));
+    EXPECT_TRUE(lean());
+}
+
+TEST_F(OpenHaptics, AServoThatHangsRendersNothing) {
+    OpenHapticsDevice device("", TACTOOTH_STANDIN_HD);
+    ASSERT_TRUE(device.open());
+    Servo servo(device);
+    ASSERT_TRUE(lean());
+    const long before = standin().ticks();
+    servo.hang(300ms);
+    EXPECT_TRUE(soon([] { return force() == 0; }));
+    EXPECT_LT(standin().ticks() - before, 200) << "the driver's callback did it, not the servo";
+    EXPECT_TRUE(lean());
+}
+
+}  // namespace
+}  // namespace tactooth

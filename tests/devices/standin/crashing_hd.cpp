@@ -1,0 +1,8 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+// A library that takes its program down while it is loaded.
+#include <csignal>
+
+namespace {
+[[maybe_unused]] const int crashed = std::raise(SIGSEGV);
+}

@@ -1,0 +1,258 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+// A library with the binary interface of HDAPI and no device: a hand on a spring, a scheduler of its own, and faults
+// that a test switches on.
+#include "standin_hd.h"
+
+#include <pthread.h>
+#include <sched.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <deque>
+#include <limits>
+#include <mutex>
+#include <string>
+#include <thread>
+
+namespace {
+
+using tactooth::test::HdFault;
+using Callback = std::uint32_t (*)(void*);
+using Clock = std::chrono::steady_clock;
+
+struct ErrorRecord {
+    std::uint32_t code;
+    std::int32_t internal;
+    std::uint32_t device;
+};
+
+constexpr std::uint32_t kMostPens = 2;
+constexpr double kTick = 0.001;
+constexpr double kMass = 2e-4, kSpring = 0.5, kDamper = 0.02;  // N*s^2/mm, N/mm, N*s/mm: a hand with its pen
+
+struct Pen {
+    bool started = false;
+    std::array<double, 3> position{}, speed{}, force{};
+};
+
+std::mutex guard;  // of everything below
+std::array<Pen, kMostPens> pens;
+std::deque<std::uint32_t> errors;
+std::array<double, 3> wanted{};
+int buttons = 0;
+HdFault fault = HdFault::None;
+Clock::time_point faultSince;
+bool calibrated = true;
+double strongest = 0, strongestFaulty = 0;
+
+std::uint32_t current = 0;
+std::atomic<Callback> task{nullptr};
+void* taskUser = nullptr;
+std::atomic<long> tickCount{0};
+std::jthread scheduler;
+
+double lengthOf(const std::array<double, 3>& v) { return std::hypot(v[0], v[1], v[2]); }
+
+void moveHands() {
+    const std::lock_guard lock(guard);
+    for (Pen& pen : pens) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double push = pen.force[i] + kSpring * (wanted[i] - pen.position[i]) - kDamper * pen.speed[i];
+            pen.speed[i] += kTick / kMass * push;
+            pen.position[i] += kTick * pen.speed[i];
+        }
+    }
+    const double force = lengthOf(pens[0].force);
+    strongest = std::max(strongest, force);
+    if (fault != HdFault::None && Clock::now() - faultSince > std::chrono::milliseconds(5)) {
+        strongestFaulty = std::max(strongestFaulty, force);
+    }
+}
+
+HdFault faultNow() {
+    const std::lock_guard lock(guard);
+    return fault;
+}
+
+void run(const std::stop_token& stop) {
+    sched_param priority{};
+    priority.sched_priority = 70;  // as a vendor's driver, where the system allows it
+    pthread_setschedparam(pthread_self(), SCHED_FIFO, &priority);
+    auto due = Clock::now();
+    while (!stop.stop_requested()) {
+        due += std::chrono::milliseconds(1);
+        std::this_thread::sleep_until(due);
+        if (Clock::now() - due > std::chrono::milliseconds(20)) due = Clock::now();
+        if (faultNow() == HdFault::Unplugged) {
+            const std::lock_guard lock(guard);  // a pen without current has no force
+            for (Pen& pen : pens) pen.force = {};
+            continue;
+        }
+        moveHands();
+        if (const Callback callback = task.load()) (void)callback(taskUser);
+        ++tickCount;
+        if (faultNow() == HdFault::Stall) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+            const std::lock_guard lock(guard);
+            fault = HdFault::None;
+        }
+    }
+}
+
+void reset() {
+    const std::lock_guard lock(guard);
+    errors.clear();
+    wanted = {};
+    for (Pen& pen : pens) pen = Pen{pen.started, {}, {}, {}};
+    buttons = 0;
+    fault = HdFault::None;
+    calibrated = true;
+    strongest = strongestFaulty = 0;
+}
+
+void setFault(int number) {
+    const std::lock_guard lock(guard);
+    fault = static_cast<HdFault>(number);
+    faultSince = Clock::now();
+    strongestFaulty = 0;
+    calibrated = fault != HdFault::NeedsInkwell;
+    if (fault == HdFault::TooMuchForce) errors.push_back(0x0201);
+}
+
+void wantPosition(double x, double y, double z) {
+    const std::lock_guard lock(guard);
+    wanted = {x, y, z};
+}
+
+void setButtons(int down) {
+    const std::lock_guard lock(guard);
+    buttons = down;
+}
+
+void lastForce(double* xyz) {
+    const std::lock_guard lock(guard);
+    std::copy(pens[0].force.begin(), pens[0].force.end(), xyz);
+}
+
+double strongestForce() {
+    const std::lock_guard lock(guard);
+    return strongest;
+}
+
+double strongestWhileFaulty() {
+    const std::lock_guard lock(guard);
+    return strongestFaulty;
+}
+
+long ticks() { return tickCount.load(); }
+
+int startedPens() {
+    const std::lock_guard lock(guard);
+    return static_cast<int>(std::ranges::count(pens, true, &Pen::started));
+}
+
+void readTransform(double* out) {
+    std::fill(out, out + 16, 0.0);
+    out[0] = out[5] = out[10] = out[15] = 1;
+    const Pen& pen = pens[std::min(current, kMostPens - 1)];
+    for (std::size_t i = 0; i < 3; ++i) out[12 + i] = pen.position[i];
+    if (fault == HdFault::NanPose) out[13] = std::numeric_limits<double>::quiet_NaN();
+    if (fault == HdFault::Jump) out[12] += 50;
+}
+
+}  // namespace
+
+extern "C" {
+
+tactooth::test::HdStandinControl standinControl = {
+    reset, setFault, wantPosition, setButtons, lastForce, strongestForce, strongestWhileFaulty, ticks, startedPens};
+
+std::uint32_t hdInitDevice(const char* name) {
+    const std::lock_guard lock(guard);
+    if (fault == HdFault::InitError) errors.push_back(0x0300);
+    if (fault == HdFault::LinkFault || fault == HdFault::Unplugged) errors.push_back(0x0302);
+    const std::uint32_t pen = name != nullptr && std::strcmp(name, "Left") == 0 ? 1 : 0;
+    if (fault == HdFault::InUse || pens[pen].started) errors.push_back(0x0301);
+    if (fault == HdFault::GarbageHandle) return 0x7F3A9C10;
+    if (name != nullptr && std::strcmp(name, "Left") != 0 && std::strcmp(name, "Right") != 0) return 0xFFFFFFFF;
+    if (!errors.empty()) return 0xFFFFFFFF;
+    pens[pen].started = true;
+    current = pen;
+    return pen;
+}
+
+void hdDisableDevice(std::uint32_t pen) {
+    const std::lock_guard lock(guard);
+    if (pen < kMostPens) pens[pen].started = false;
+}
+
+void hdMakeCurrentDevice(std::uint32_t pen) { current = pen; }
+void hdBeginFrame(std::uint32_t) {}
+
+void hdEndFrame(std::uint32_t) {
+    const std::lock_guard lock(guard);
+    if (fault == HdFault::LinkFault) {
+        errors.push_back(0x0302);
+        for (Pen& pen : pens) pen.force = {};  // the amplifiers switch off
+    }
+    if (fault == HdFault::WarmMotors) errors.push_back(0x0200);
+}
+
+ErrorRecord hdGetError() {
+    const std::lock_guard lock(guard);
+    if (errors.empty()) return {0, 0, 0xFFFFFFFF};
+    const std::uint32_t code = errors.back();  // newest first
+    errors.pop_back();
+    return {code, -1, current};
+}
+
+void hdEnable(std::uint32_t) {}
+
+void hdGetIntegerv(std::uint32_t what, std::int32_t* out) {
+    const std::lock_guard lock(guard);
+    if (what == 0x2000) *out = buttons;
+    if (what == 0x2555) *out = 4;
+}
+
+void hdGetDoublev(std::uint32_t what, double* out) {
+    const std::lock_guard lock(guard);
+    if (what == 0x2052) readTransform(out);
+    if (what == 0x2603) *out = 3.3;
+    if (what == 0x2604) *out = 0.88;
+    if (what == 0x2605) std::fill(out, out + 3, fault == HdFault::WarmMotors ? 0.95 : 0.1);
+    constexpr std::array<double, 6> kRoom = {-80, -60, -35, 80, 60, 35};
+    if (what == 0x2551) std::copy(kRoom.begin(), kRoom.end(), out);
+}
+
+void hdSetDoublev(std::uint32_t what, const double* in) {
+    const std::lock_guard lock(guard);
+    if (what == 0x2700 && current < kMostPens) std::copy(in, in + 3, pens[current].force.begin());
+}
+
+const char* hdGetString(std::uint32_t what) { return what == 0x2501 ? "Touch (stand-in)" : ""; }
+
+std::uint32_t hdCheckCalibration() {
+    const std::lock_guard lock(guard);
+    return calibrated ? 0x5000 : 0x5002;
+}
+
+void hdUpdateCalibration(std::uint32_t) {}
+
+void hdStartScheduler() { scheduler = std::jthread(run); }
+void hdStopScheduler() { scheduler = {}; }
+void hdSetSchedulerRate(unsigned long) {}
+
+unsigned long hdScheduleAsynchronous(Callback callback, void* user, std::uint16_t) {
+    taskUser = user;
+    task = callback;
+    return 1;
+}
+
+void hdUnschedule(unsigned long) { task = nullptr; }
+
+}  // extern "C"

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+namespace tactooth::test {
+
+/// What goes wrong in the stand-in library.
+enum class HdFault : int {
+    None,
+    InitError,      ///< the device reports a fault when it is started
+    InUse,          ///< another program holds it
+    GarbageHandle,  ///< a handle that is none, and no error
+    LinkFault,      ///< an error of the link at every frame, until it is mended
+    Unplugged,      ///< no callback comes any more
+    WarmMotors,     ///< one error a frame
+    TooMuchForce,   ///< one error
+    NeedsInkwell,   ///< the pen has to be docked
+    Stall,          ///< one pause of the callbacks of 5 ms
+    NanPose,
+    Jump,  ///< of 50 mm
+};
+
+/// The stand-in's own door, beside HDAPI's functions: found by dlsym as "standinControl".
+struct HdStandinControl {
+    void (*reset)();
+    void (*setFault)(int fault);
+    void (*wantPosition)(double x, double y, double z);  ///< where its hand wants to be, mm, HDAPI's frame
+    void (*setButtons)(int buttons);
+    void (*lastForce)(double* xyz);    ///< N, HDAPI's frame, of the first pen
+    double (*strongestForce)();        ///< N, since the reset
+    double (*strongestWhileFaulty)();  ///< N, later than 5 ms after a fault was set
+    long (*ticks)();
+    int (*startedPens)();
+};
+
+}  // namespace tactooth::test

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "haptics/cut_pace.h"
+
+#include <gtest/gtest.h>
+
+namespace tactooth {
+namespace {
+
+constexpr double kTick = 0.001;
+
+Pose at(const Vec3& position) { return {position, Quat::Identity()}; }
+
+TEST(CutPace, TakesAsLongOverANewRoomAsItsCutDid) {
+    CutPace pace;
+    for (int i = 0; i < 10; ++i) pace.pass(kTick);
+    pace.grant(0.1);
+    const Pose goal = pace.goal(at(Vec3(0, 0, -1)), at(Vec3::Zero()), Vec3::Zero(), kTick);
+    EXPECT_NEAR(goal.position.z(), -0.011, 1e-12);  // a tenth of the room and a little
+    EXPECT_EQ(goal.position.head<2>().norm(), 0);
+}
+
+TEST(CutPace, NeverGoesBeyondTheHand) {
+    CutPace pace;
+    pace.pass(kTick);
+    pace.grant(1);
+    const Pose hand = at(Vec3(0, 0, -0.003));
+    EXPECT_EQ(pace.goal(hand, at(Vec3::Zero()), Vec3::Zero(), kTick).position, hand.position);
+    EXPECT_EQ(pace.goal(hand, hand, Vec3::Zero(), kTick).position, hand.position);
+}
+
+TEST(CutPace, FollowsTheHandAcrossAndTurnsWithIt) {
+    const CutPace pace;
+    const Pose hand{Vec3(0.02, 0, -1), Quat(Eigen::AngleAxisd(0.1, Vec3::UnitX()))};
+    const Pose goal = pace.goal(hand, at(Vec3(0.02, 0, 0)), Vec3(0.005, 0, 0), kTick);
+    EXPECT_NEAR(goal.position.x(), 0.025, 1e-12);
+    EXPECT_EQ(goal.rotation.coeffs(), hand.rotation.coeffs());
+}
+
+TEST(CutPace, IsNoSlowerThanTheHand) {
+    const CutPace pace;
+    const Pose goal = pace.goal(at(Vec3(0, 0, -1)), at(Vec3::Zero()), Vec3(0, 0, -0.01), kTick);
+    EXPECT_NEAR(goal.position.z(), -0.01, 1e-12);
+}
+
+TEST(CutPace, CountsALongPauseAsAnewCut) {
+    CutPace pace;
+    pace.pass(60);
+    pace.grant(0.03);
+    EXPECT_NEAR(pace.goal(at(Vec3(0, 0, -1)), at(Vec3::Zero()), Vec3::Zero(), kTick).position.z(), -0.002, 1e-12);
+    pace.pass(kTick);
+    pace.grant(0.003);
+    EXPECT_NEAR(pace.goal(at(Vec3(0, 0, -1)), at(Vec3::Zero()), Vec3::Zero(), kTick).position.z(), -0.0033, 1e-12);
+}
+
+}  // namespace
+}  // namespace tactooth

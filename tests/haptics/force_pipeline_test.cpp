@@ -1,0 +1,278 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "haptics/force_pipeline.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace tactooth {
+namespace {
+
+constexpr double kTick = 0.001;
+constexpr double kStep = 0.3;  // N: the most that a force changes in a tick
+constexpr double kRounding = 1e-9;
+const double kNan = std::nan("");
+
+ForceLimits touchLimits() {
+    ForceLimits limits;
+    limits.continuousForce = 0.88;
+    return limits;
+}
+
+WantedForce inAir() { return {}; }
+
+/// A hand at rest that a spring of 1 N/mm pushes along `way`.
+WantedForce pushed(const Vec3& force) {
+    WantedForce wanted;
+    wanted.wrench.force = force;
+    wanted.depth = force.norm();
+    wanted.stiffness = 1;
+    wanted.touching = true;
+    return wanted;
+}
+
+WantedForce pushed(double newton) { return pushed(Vec3(0, 0, newton)); }
+
+/// A pipeline that has been on in the air for a second: at full strength.
+ForcePipeline ready(const ForceLimits& limits = touchLimits()) {
+    ForcePipeline pipeline(limits);
+    for (int i = 0; i < 1000; ++i) (void)pipeline.pass(inAir(), kTick);
+    return pipeline;
+}
+
+double settled(ForcePipeline& pipeline, const WantedForce& wanted, int ticks = 50) {
+    double force = 0;
+    for (int i = 0; i < ticks; ++i) force = pipeline.pass(wanted, kTick).force().norm();
+    return force;
+}
+
+TEST(ForcePipeline, AHandThatRestsFeelsWhatIsWanted) {
+    ForcePipeline pipeline = ready();
+    EXPECT_NEAR(settled(pipeline, pushed(1.2)), 1.2, kRounding);
+    EXPECT_EQ(pipeline.state(), ForceState::On);
+    EXPECT_EQ(pipeline.faults(), 0U);
+}
+
+TEST(ForcePipeline, StartingInsideTheToothGivesNothingUntilTheToolWasFree) {
+    ForcePipeline pipeline(touchLimits());
+    EXPECT_EQ(settled(pipeline, pushed(2), 3000), 0);
+    EXPECT_EQ(pipeline.state(), ForceState::WaitsForFree);
+    (void)pipeline.pass(inAir(), kTick);
+    EXPECT_NEAR(settled(pipeline, pushed(2)), 2, kRounding);
+    EXPECT_EQ(pipeline.state(), ForceState::On);
+}
+
+TEST(ForcePipeline, SwitchingOffMidPressFadesOutAndOnAgainWaitsUntilFree) {
+    ForcePipeline pipeline = ready();
+    double last = settled(pipeline, pushed(2));
+    WantedForce off = pushed(2);
+    off.allowed = false;
+    int ticks = 0;
+    while (last > 0) {
+        const double force = pipeline.pass(off, kTick).force().norm();
+        ASSERT_LE(last - force, kStep + kRounding);
+        last = force;
+        ASSERT_LT(++ticks, 10);
+    }
+    EXPECT_EQ(settled(pipeline, off, 10), 0);
+    EXPECT_EQ(pipeline.state(), ForceState::Off);
+    EXPECT_EQ(settled(pipeline, pushed(2), 1000), 0);
+    EXPECT_EQ(settled(pipeline, inAir(), 1), 0);
+    for (int i = 0; i < 1000; ++i) {
+        const double force = pipeline.pass(pushed(2), kTick).force().norm();
+        ASSERT_LE(force - last, kStep + kRounding);
+        last = force;
+    }
+    EXPECT_NEAR(last, 2, kRounding);
+}
+
+TEST(ForcePipeline, ALostDeviceOrAHandThatIsNoNumberGivesNothingInTheSameTick) {
+    std::vector<WantedForce> broken(5, pushed(2));
+    broken[0].connected = false;
+    broken[1].hand.y() = kNan;
+    broken[2].wrench.force.x() = kNan;
+    broken[3].depth = kNan;
+    broken[4].stiffness = std::numeric_limits<double>::infinity();
+    for (const WantedForce& wanted : broken) {
+        ForcePipeline pipeline = ready();
+        settled(pipeline, pushed(2));
+        EXPECT_EQ(pipeline.pass(wanted, kTick).force(), Vec3::Zero());
+        EXPECT_EQ(pipeline.state(), ForceState::Fault);
+        EXPECT_EQ(pipeline.faults(), 1U);
+        EXPECT_EQ(settled(pipeline, pushed(2), 1000), 0) << "waits until the tool was free";
+        (void)pipeline.pass(inAir(), kTick);
+        EXPECT_GT(settled(pipeline, pushed(2), 600), 1.9);
+    }
+}
+
+TEST(ForcePipeline, AHandThatJumpsIsAFault) {
+    for (const double jump : {12.0, 50.0, 1e300, std::numeric_limits<double>::infinity()}) {
+        ForcePipeline pipeline = ready();
+        settled(pipeline, pushed(2));
+        WantedForce wanted = pushed(2);
+        wanted.hand = Vec3(0, jump, 0);
+        EXPECT_EQ(pipeline.pass(wanted, kTick).force(), Vec3::Zero()) << jump;
+        EXPECT_EQ(pipeline.state(), ForceState::Fault);
+        EXPECT_EQ(settled(pipeline, wanted, 100), 0);
+    }
+}
+
+TEST(ForcePipeline, TheQuickestHandIsNoFault) {
+    ForcePipeline pipeline = ready();
+    WantedForce wanted = inAir();
+    for (int i = 0; i < 100; ++i) {
+        wanted.hand.x() += 2.0;  // 2 m/s
+        (void)pipeline.pass(wanted, kTick);
+    }
+    EXPECT_EQ(pipeline.faults(), 0U);
+}
+
+TEST(ForcePipeline, AStallGivesNothingAndThenTheRamp) {
+    ForcePipeline pipeline = ready();
+    settled(pipeline, pushed(2));
+    EXPECT_EQ(pipeline.pass(pushed(2), 0.005).force(), Vec3::Zero());
+    EXPECT_NEAR(pipeline.pass(pushed(2), kTick).force().norm(), 2 * kTick / 0.5, kRounding);
+    EXPECT_GT(settled(pipeline, pushed(2), 600), 1.9);
+    EXPECT_EQ(pipeline.pass(pushed(2), 0.3).force(), Vec3::Zero());
+    EXPECT_EQ(settled(pipeline, pushed(2), 600), 0) << "after a long pause the hand may be anywhere";
+}
+
+TEST(ForcePipeline, AForceThatTurnsAtAnEdgeTakesTenTicksForARightAngle) {
+    ForcePipeline pipeline = ready();
+    settled(pipeline, pushed(Vec3(0, 0, 1)));
+    Vec3 last(0, 0, 1);
+    int ticks = 0;
+    while (last.normalized().x() < 0.99) {
+        const Vec3 force = pipeline.pass(pushed(Vec3(1, 0, 0)), kTick).force();
+        const Vec3 along = last.normalized();
+        const Vec3 change = force - last;
+        ASSERT_LE((change - change.dot(along) * along).norm(), 0.15 + kRounding);
+        last = force;
+        ASSERT_LT(++ticks, 20);
+    }
+    EXPECT_GE(ticks, 5);
+}
+
+TEST(ForcePipeline, ALongPressGoesDownToWhatTheMotorsBear) {
+    ForcePipeline pipeline = ready();
+    EXPECT_NEAR(settled(pipeline, pushed(3.3), 2000), 3.3, kRounding);
+    EXPECT_NEAR(settled(pipeline, pushed(3.3), 120'000), 0.88, 0.05);
+    EXPECT_EQ(pipeline.state(), ForceState::Warm);
+    EXPECT_NEAR(settled(pipeline, pushed(0.5), 1000), 0.5, kRounding);
+    EXPECT_EQ(pipeline.state(), ForceState::On);
+}
+
+TEST(ForcePipeline, MotorsThatReportHeatGetTheContinuousForceOnly) {
+    ForcePipeline pipeline = ready();
+    WantedForce hot = pushed(3);
+    hot.motorHeat = 1;
+    EXPECT_NEAR(settled(pipeline, hot), 0.88, kRounding);
+    EXPECT_EQ(pipeline.state(), ForceState::Warm);
+}
+
+TEST(ForcePipeline, DampingNeverTurnsAPushIntoAPull) {
+    ForcePipeline pipeline = ready();
+    double z = 0;
+    for (int i = 0; i < 2000; ++i) {
+        z = -0.2 + 0.2 * std::cos(0.9 * i);  // far quicker than a hand: the spring leaks at every tick
+        WantedForce wanted = pushed(-z);
+        wanted.hand = Vec3(0, 0, z);
+        ASSERT_GE(pipeline.pass(wanted, kTick).force().z(), -kRounding);
+    }
+}
+
+TEST(ForcePipeline, EqualCallsGiveEqualBits) {
+    ForcePipeline first = ready();
+    ForcePipeline second = ready();
+    std::mt19937 random(20261121);
+    std::normal_distribution<double> some;
+    Vec3 hand = Vec3::Zero();
+    for (int i = 0; i < 20'000; ++i) {
+        hand += 0.02 * Vec3(some(random), some(random), some(random));
+        WantedForce wanted = pushed(Vec3(some(random), some(random), some(random)));
+        wanted.hand = hand;
+        wanted.touching = i % 300 != 0;
+        ASSERT_EQ(first.pass(wanted, kTick).force(), second.pass(wanted, kTick).force());
+    }
+}
+
+/// Numbers that break arithmetic, in turn with ordinary ones.
+class Adversary {
+public:
+    double number() {
+        switch (random_() % 12) {
+            case 0:
+                return kOdd[random_() % std::size(kOdd)];
+            case 1:
+                return std::ldexp(part_(random_), static_cast<int>(random_() % 2100) - 1074);
+            default:
+                return 5 * part_(random_);
+        }
+    }
+    Vec3 vector() { return {number(), number(), number()}; }
+    bool oneIn(unsigned n) { return random_() % n == 0; }
+
+    /// Mostly a hand that wanders in and out of a tooth; now and then something is broken.
+    WantedForce wanted() {
+        hand_ += 0.05 * Vec3(part_(random_), part_(random_), part_(random_));
+        WantedForce wanted = pushed(4 * Vec3(part_(random_), part_(random_), 1 + part_(random_)));
+        wanted.hand = hand_;
+        wanted.touching = !oneIn(50);
+        wanted.allowed = !oneIn(2000);
+        wanted.connected = !oneIn(5000);
+        if (oneIn(1000)) wanted.wrench = {vector(), vector()};
+        if (oneIn(5000)) wanted.hand = vector();
+        if (oneIn(5000)) wanted.depth = number();
+        if (oneIn(5000)) wanted.stiffness = number();
+        if (oneIn(2000)) wanted.motorHeat = number();
+        return wanted;
+    }
+    double elapsed() {
+        if (!oneIn(2000)) return oneIn(10) ? 0.003 * std::abs(part_(random_)) : kTick;
+        return kOddTimes[random_() % std::size(kOddTimes)];
+    }
+
+private:
+    static constexpr double kOdd[] = {std::numeric_limits<double>::infinity(),
+                                      -std::numeric_limits<double>::infinity(),
+                                      std::numeric_limits<double>::quiet_NaN(),
+                                      std::numeric_limits<double>::max(),
+                                      std::numeric_limits<double>::lowest(),
+                                      std::numeric_limits<double>::denorm_min(),
+                                      -0.0,
+                                      0.0};
+    static constexpr double kOddTimes[] = {0.0, -0.001, 1e-300, 0.02, 3600, std::numeric_limits<double>::infinity()};
+    std::mt19937_64 random_{20261121};
+    std::uniform_real_distribution<double> part_{-1, 1};
+    Vec3 hand_ = Vec3::Zero();
+};
+
+TEST(ForcePipeline, AMillionHostileTicksStayWithinForceAndSlewAndAreNumbers) {
+    const ForceLimits allowed = touchLimits();
+    ForcePipeline pipeline(allowed);
+    Adversary adversary;
+    Vec3 last = Vec3::Zero();
+    long strong = 0;
+    long stopped = 0;
+    for (int i = 0; i < 1'000'000; ++i) {
+        const WantedForce wanted = adversary.wanted();
+        const double elapsed = adversary.elapsed();
+        const Vec3 force = pipeline.pass(wanted, elapsed).force();
+        ASSERT_TRUE(force.allFinite()) << i;
+        ASSERT_LE(force.norm(), allowed.force * (1 + 1e-12)) << i;
+        const bool zeroed = force.isZero(0);  // a fault's or a late tick's: the one step that may be steep
+        ASSERT_TRUE(zeroed || (force - last).norm() <= allowed.slew * elapsed + 1e-12) << i;
+        strong += force.norm() > 0.5;
+        stopped += pipeline.state() == ForceState::Fault;
+        last = force;
+    }
+    EXPECT_GT(strong, 100'000);  // the sample means something
+    EXPECT_GT(stopped, 300);
+    EXPECT_LE(pipeline.heat().heat(), 1e300);
+}
+
+}  // namespace
+}  // namespace tactooth

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "haptics/passivity_controller.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace tactooth {
+namespace {
+
+constexpr double kTick = 0.001;
+constexpr double kStiffness = 1;  // N/mm
+constexpr double kBound = 100;    // N: far away
+
+Vec3 at(double z) { return {0, 0, z}; }
+
+SpringState springAt(double z, double stiffness = kStiffness, double bound = kBound) {
+    return {std::max(0.0, -z), stiffness, bound, 1};
+}
+
+TEST(PassivityController, TheSumIsTheWorkOfTheHandLessWhatTheSpringHolds) {
+    PassivityController controller;
+    (void)controller.damp(at(0), Vec3::Zero(), springAt(0), kTick);
+    // Half a tick's force is missing on the way in: k * dx^2 / 2 a tick.
+    double z = 0;
+    for (int i = 0; i < 5; ++i) {
+        const Vec3 held(0, 0, kStiffness * -z);
+        z -= 0.05;
+        (void)controller.damp(at(z), held, springAt(z), kTick);
+    }
+    EXPECT_NEAR(controller.energy(), -5 * 0.5 * kStiffness * 0.05 * 0.05, 1e-12);
+}
+
+TEST(PassivityController, AForceThatTakesWorkGivesBoundedCredit) {
+    PassivityController controller;
+    (void)controller.damp(at(0), Vec3::Zero(), springAt(0), kTick);
+    for (int i = 1; i < 5000; ++i) {
+        const Vec3 added = controller.damp(Vec3(0.01 * i, 0, 0), Vec3(-0.5, 0, 0), springAt(0), kTick);
+        ASSERT_EQ(added, Vec3::Zero()) << "there is nothing to take out";
+    }
+    EXPECT_EQ(controller.energy(), 0.02);
+}
+
+TEST(PassivityController, WhatIsMissingIsTakenOutByDampingAgainstTheMotion) {
+    PassivityController controller;
+    (void)controller.damp(at(0), Vec3::Zero(), springAt(0), kTick);
+    const Vec3 added = controller.damp(at(-0.02), Vec3::Zero(), springAt(-0.02), kTick);
+    // At the same speed, the damper eats in one tick what is missing.
+    const double speedShare = 1 - std::exp(-kTick / 0.005);  // of the low-pass after one tick
+    EXPECT_NEAR(added.z() * 0.02, speedShare * 0.5 * kStiffness * 0.02 * 0.02, 1e-12);
+    EXPECT_EQ(added.x(), 0);
+}
+
+TEST(PassivityController, TheDamperIsBounded) {
+    PassivityController controller;
+    (void)controller.damp(at(0), Vec3::Zero(), springAt(0), kTick);
+    const Vec3 added = controller.damp(at(-0.02), Vec3(0, 0, -50), springAt(-0.02), kTick);
+    EXPECT_NEAR(added.norm(), (1 - std::exp(-kTick / 0.005)) * 0.005 * 0.02 / kTick, 1e-12);
+}
+
+TEST(PassivityController, TheDevicesFrictionPaysForSmallSteps) {
+    PassivityController controller(0.06);
+    double z = 0;
+    (void)controller.damp(at(z), Vec3::Zero(), springAt(z), kTick);
+    for (int i = 0; i < 20; ++i) {
+        const Vec3 held(0, 0, kStiffness * -z);
+        z -= 0.023;  // an encoder's step: leaks 0.00026 N*mm, and friction eats 0.00069
+        ASSERT_EQ(controller.damp(at(z), held, springAt(z), kTick), Vec3::Zero());
+    }
+    EXPECT_GT(controller.energy(), 0);
+}
+
+TEST(PassivityController, ASpringThatIsCutOffHoldsNoMoreThanItGives) {
+    PassivityController controller;
+    const double bound = 1;
+    (void)controller.damp(at(-2), Vec3::Zero(), springAt(-2, kStiffness, bound), kTick);
+    (void)controller.damp(at(-2.1), Vec3(0, 0, bound), springAt(-2.1, kStiffness, bound), kTick);
+    EXPECT_NEAR(controller.energy(), 0, 1e-12) << "0.1 mm against 1 N, and as much is held";
+}
+
+TEST(PassivityController, ASpringThatGrowsStifferUnderTheHandIsALeak) {
+    PassivityController controller;
+    (void)controller.damp(at(-1), Vec3::Zero(), springAt(-1, 0.5), kTick);
+    (void)controller.damp(at(-1), Vec3(0, 0, 0.5), springAt(-1, 0.8), kTick);
+    EXPECT_NEAR(controller.energy(), -0.15, 1e-12);
+}
+
+/// A mass on a sampled spring: without damping it swings wider and wider.
+double widestSwing(bool controlled) {
+    PassivityController controller;
+    const double mass = 1e-4;  // N*s^2/mm: 100 g
+    double z = -1.0;
+    double speed = 0;
+    double widest = 0;
+    Vec3 force = Vec3::Zero();
+    for (int tick = 0; tick < 3000; ++tick) {
+        const Vec3 added = controller.damp(at(z), force, springAt(z), kTick);
+        force = at(kStiffness * -z - 1);  // the hand leans on it with 1 N
+        if (controlled) force += added;
+        force.z() += 1;  // what the observer sees is the tooth's part
+        constexpr int kParts = 20;
+        for (int part = 0; part < kParts; ++part) {
+            speed += (force.z() - 1) / mass * kTick / kParts;
+            z += speed * kTick / kParts;
+        }
+        if (tick == 0) speed += 5;
+        if (tick > 2500) widest = std::max(widest, std::abs(z + 1));
+        if (widest > 0.9) break;
+    }
+    return widest;
+}
+
+TEST(PassivityController, StopsTheSwingingThatSamplingFeeds) {
+    EXPECT_GT(widestSwing(false), 0.1);
+    EXPECT_LT(widestSwing(true), 0.06);
+}
+
+TEST(PassivityController, ResettingForgetsDebtAndDamper) {
+    PassivityController controller;
+    (void)controller.damp(at(0), Vec3::Zero(), springAt(0), kTick);
+    (void)controller.damp(at(-0.1), Vec3::Zero(), springAt(-0.1), kTick);
+    EXPECT_LT(controller.energy(), 0);
+    controller.reset();
+    EXPECT_EQ(controller.energy(), 0);
+    EXPECT_EQ(controller.damp(at(5), Vec3::Zero(), springAt(0), kTick), Vec3::Zero());
+}
+
+}  // namespace
+}  // namespace tactooth
