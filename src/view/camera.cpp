@@ -22,6 +22,7 @@ Mat4 projectionMatrix(const Camera& camera, double aspect) {
     Mat4 matrix = Mat4::Zero();
     matrix(0, 0) = scale / aspect;
     matrix(1, 1) = scale;
+    matrix(0, 2) = camera.lensShift / aspect;
     matrix(2, 2) = -(camera.farDistance + camera.nearDistance) / depth;
     matrix(2, 3) = -2 * camera.farDistance * camera.nearDistance / depth;
     matrix(3, 2) = -1;
@@ -37,7 +38,7 @@ Mat4 reflectionMatrix(const Plane& plane) {
 
 Ray rayThrough(const Camera& camera, PictureSize size, const Vec2& pixel) {
     const double halfHeight = std::tan(camera.fieldOfView / 2);
-    const Vec3 inCamera((2 * pixel.x() / size.width - 1) * halfHeight * size.aspect(),
+    const Vec3 inCamera(((2 * pixel.x() / size.width - 1) * size.aspect() + camera.lensShift) * halfHeight,
                         (1 - 2 * pixel.y() / size.height) * halfHeight, -1);
     return {camera.cameraInWorld.position, (camera.cameraInWorld.rotation * inCamera).normalized()};
 }
@@ -46,7 +47,8 @@ std::optional<Vec2> project(const Camera& camera, PictureSize size, const Vec3& 
     const Vec3 inCamera = camera.cameraInWorld.inverse() * point;
     if (inCamera.z() >= 0) return std::nullopt;
     const double scale = size.height / (2 * std::tan(camera.fieldOfView / 2) * -inCamera.z());
-    return Vec2(size.width / 2.0 + inCamera.x() * scale, size.height / 2.0 - inCamera.y() * scale);
+    const double middle = size.width / 2.0 - camera.lensShift * size.height / 2.0;
+    return Vec2(middle + inCamera.x() * scale, size.height / 2.0 - inCamera.y() * scale);
 }
 
 }  // namespace tactooth

@@ -40,6 +40,8 @@ struct Camera {
     double fieldOfView = 0.44;    ///< full vertical angle, rad; 25 degrees is what a loupe-wearing dentist's eye sees
     double nearDistance = 1.0;    ///< mm; nothing nearer is drawn
     double farDistance = 1000.0;  ///< mm; nothing farther is drawn
+    /// How far the picture's middle stands aside from straight ahead, in half picture heights: an eye of a stereo pair.
+    double lensShift = 0;
 };
 
 /// World coordinates to camera coordinates.

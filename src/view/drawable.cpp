@@ -2,7 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "view/drawable.h"
 
+#include <algorithm>
+
 namespace tactooth {
+
+bool Drawable::isTransparent() const {
+    return std::any_of(object->looks.begin(), object->looks.end(), [](const Look& look) { return look.opacity < 1; });
+}
+
+bool Drawable::hidesItsBack(bool inSection) const {
+    return object->closed && (!inSection || !object->sectioned || object->filling);
+}
 
 Mat4 matrixOf(const Pose& pose) {
     Mat4 matrix = Mat4::Identity();

@@ -11,6 +11,11 @@ struct Drawable {
     const SceneObject* object = nullptr;
     SurfaceBuffers* buffers = nullptr;
     Mat4 objectToWorld = Mat4::Identity();
+
+    /// Whether light passes: it is blended over all that is opaque.
+    [[nodiscard]] bool isTransparent() const;
+    /// Whether faces that look away from the eye cannot be seen.
+    [[nodiscard]] bool hidesItsBack(bool inSection) const;
 };
 
 /// `pose` as a matrix on points.

@@ -20,6 +20,7 @@ FrameBlock frameBlock(const PassView& view, const Lighting& lighting, const Back
             .worldToShadow = shadow.worldToShadow.cast<float>(),
             .eye = extended(view.eye),
             .clipPlane = view.clipPlane.cast<float>(),
+            .section = view.section.cast<float>(),
             .toKey = extended(lighting.toKey),
             .keyColour = extended(lighting.keyColour),
             .toFill = extended(lighting.toFill),

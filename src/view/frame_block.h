@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+
 #include "view/gl_objects.h"
 #include "view/scene.h"
 
@@ -14,6 +16,7 @@ struct PassView {
     Vec3 eye = Vec3::Zero();  ///< world, mm
     bool mirrored = false;    ///< worldToView contains a reflection, which turns triangles around
     Eigen::Vector4d clipPlane = Eigen::Vector4d(0, 0, 0, 1);  ///< world; only points on its positive side are drawn
+    Eigen::Vector4d section = Eigen::Vector4d(0, 0, 0, 1);    ///< likewise, for sectioned objects
 
     [[nodiscard]] Mat4 worldToClip() const { return viewToClip * worldToView; }
 };
@@ -25,6 +28,7 @@ struct FrameBlock {
     Eigen::Matrix4f worldToShadow;
     Eigen::Vector4f eye;
     Eigen::Vector4f clipPlane;
+    Eigen::Vector4f section;
     Eigen::Vector4f toKey;
     Eigen::Vector4f keyColour;
     Eigen::Vector4f toFill;
@@ -36,7 +40,7 @@ struct FrameBlock {
     Eigen::Vector4f pictureSize;
     Eigen::Vector4f shadowTexel;
 };
-static_assert(sizeof(FrameBlock) == 3 * 64 + 12 * 16);
+static_assert(offsetof(FrameBlock, shadowTexel) == 3 * 64 + 12 * 16);
 
 /// What the shaders need to look a point up in the shadow map.
 struct ShadowLookup {

@@ -28,6 +28,8 @@ std::pair<GLenum, GLenum> transferFormat(GLenum internalFormat) {
     switch (internalFormat) {
         case GL_DEPTH_COMPONENT24:
             return {GL_DEPTH_COMPONENT, GL_UNSIGNED_INT};
+        case GL_DEPTH24_STENCIL8:
+            return {GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8};
         case GL_R8:
             return {GL_RED, GL_UNSIGNED_BYTE};
         default:

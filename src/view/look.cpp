@@ -2,7 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "view/look.h"
 
-namespace tactooth::looks {
+#include <cmath>
+
+namespace tactooth {
+
+Vec3f linearColour(const Vec3f& srgb) {
+    return srgb.unaryExpr([](float c) { return c <= 0.04045F ? c / 12.92F : std::pow((c + 0.055F) / 1.055F, 2.4F); });
+}
+
+namespace looks {
 
 // Enamel follows shade A1-A2 of the common tooth shade guides, dentin the two shades below (A3-A3.5); the others were
 // chosen by eye against clinical photographs.
@@ -29,4 +37,6 @@ Look steel() { return {.colour = {0.83F, 0.84F, 0.86F}, .roughness = 0.14F, .met
 Look carbide() { return {.colour = {0.74F, 0.75F, 0.77F}, .roughness = 0.20F, .metalness = 1.0F, .grain = 0.06F}; }
 Look diamond() { return {.colour = {0.60F, 0.59F, 0.57F}, .roughness = 0.5F, .metalness = 0.85F, .grain = 1.0F}; }
 
-}  // namespace tactooth::looks
+}  // namespace looks
+
+}  // namespace tactooth

@@ -14,7 +14,11 @@ struct Look {
     float translucency = 0;                  ///< 0..1: how far light creeps around edges inside the material
     float wetness = 0;                       ///< 0..1: cover of saliva or water, which gives sharp highlights
     float grain = 0;                         ///< 0..1: fine unevenness of surface and colour
+    float opacity = 1;                       ///< 0..1: below 1 shows what is behind, most where seen square on
 };
+
+/// sRGB to linear light, channel by channel.
+[[nodiscard]] Vec3f linearColour(const Vec3f& srgb);
 
 /// The materials of this simulator, in one place so that every picture agrees.
 namespace looks {

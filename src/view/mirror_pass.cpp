@@ -73,7 +73,8 @@ Expected<MirrorPass> MirrorPass::create() {
     return pass;
 }
 
-void MirrorPass::draw(const SceneMirror& mirror, const FrameBlock& frame, const RenderTarget& reflection) const {
+void MirrorPass::draw(const SceneMirror& mirror, const FrameBlock& frame, const RenderTarget& reflection,
+                      const PixelRectangle& covered) const {
     glBindBuffer(GL_UNIFORM_BUFFER, frameBuffer_.name());
     glBufferData(GL_UNIFORM_BUFFER, sizeof frame, &frame, GL_STREAM_DRAW);
     glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBinding, frameBuffer_.name());
@@ -86,6 +87,11 @@ void MirrorPass::draw(const SceneMirror& mirror, const FrameBlock& frame, const 
     program_.set("sectors", kSectors);
     program_.set("reflection", 0);
     program_.set("reflectance", std::pow(mirror.reflectance, 1 / 2.2F));
+    program_.set("fog", mirror.fog);
+    program_.set("drops", mirror.drops);
+    Eigen::Vector4i corners;
+    corners << covered.low, covered.high.array() - 1;
+    program_.set("covered", Eigen::Vector4f(corners.cast<float>()));
     glBindTexture(GL_TEXTURE_2D, reflection.colourTexture());
     glEnable(GL_CULL_FACE);
     // The disc lies in the face of the mirror's own mesh and must win over it.

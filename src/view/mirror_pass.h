@@ -16,11 +16,12 @@ namespace tactooth {
 /// Shrinks the clip volume of `worldToClip` to `rectangle` of the picture.
 [[nodiscard]] Mat4 cropped(const Mat4& worldToClip, const PixelRectangle& rectangle, PictureSize size);
 
-/// Draws the mirror's disc with the reflected picture on it, into the bound framebuffer.
+/// Draws the mirror's disc with the reflected picture on it (drawn in `covered`), into the bound framebuffer.
 class MirrorPass {
 public:
     [[nodiscard]] static Expected<MirrorPass> create();
-    void draw(const SceneMirror& mirror, const FrameBlock& frame, const RenderTarget& reflection) const;
+    void draw(const SceneMirror& mirror, const FrameBlock& frame, const RenderTarget& reflection,
+              const PixelRectangle& covered) const;
 
 private:
     ShaderProgram program_;

@@ -15,11 +15,11 @@ Expected<RenderTarget> RenderTarget::create(PictureSize size, int samples) {
     target.colour_ = gl::Texture::make();
     gl::allocateTexture(target.colour_, GL_RGBA8, size.width, size.height, GL_NEAREST);
     target.depth_ = gl::Texture::make();
-    gl::allocateTexture(target.depth_, GL_DEPTH_COMPONENT24, size.width, size.height, GL_NEAREST);
+    gl::allocateTexture(target.depth_, GL_DEPTH24_STENCIL8, size.width, size.height, GL_NEAREST);
     target.framebuffer_ = gl::Framebuffer::make();
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer_.name());
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target.colour_.name(), 0);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, target.depth_.name(), 0);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_TEXTURE_2D, target.depth_.name(), 0);
     if (target.samples_ > 0) target.makeMultisampled();
     const auto problem = gl::checkErrors("making a picture of " + std::to_string(size.width) + " x " +
                                          std::to_string(size.height) + " pixels");
@@ -37,11 +37,11 @@ void RenderTarget::makeMultisampled() {
     glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples_, GL_RGBA8, size_.width, size_.height);
     sampledDepth_ = gl::Renderbuffer::make();
     glBindRenderbuffer(GL_RENDERBUFFER, sampledDepth_.name());
-    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples_, GL_DEPTH_COMPONENT24, size_.width, size_.height);
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples_, GL_DEPTH24_STENCIL8, size_.width, size_.height);
     sampledFramebuffer_ = gl::Framebuffer::make();
     glBindFramebuffer(GL_FRAMEBUFFER, sampledFramebuffer_.name());
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, sampledColour_.name());
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, sampledDepth_.name());
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, sampledDepth_.name());
 }
 
 void RenderTarget::bindForDrawing() const {

@@ -17,8 +17,8 @@ struct PixelRectangle {
     [[nodiscard]] Eigen::Vector2i extent() const { return high - low; }
 };
 
-/// Colour and depth to draw into, readable as textures afterwards. With `samples` > 0 drawing goes to multisampled
-/// buffers, and `resolve` brings the means over into the textures.
+/// Colour, depth and stencil to draw into, colour and depth readable as textures afterwards. With `samples` > 0 drawing
+/// goes to multisampled buffers, and `resolve` brings the means over into the textures.
 class RenderTarget {
 public:
     RenderTarget() = default;

@@ -4,7 +4,9 @@
 
 #include "view/mirror_pass.h"
 #include "view/occlusion_pass.h"
+#include "view/particle_pass.h"
 #include "view/shape_cache.h"
+#include "view/stereo_pass.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,6 +39,8 @@ void setKnownState() {
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_STENCIL_TEST);
     glDisable(GL_CLIP_DISTANCE0);
+    glDisable(GL_CLIP_DISTANCE1);
+    glStencilMask(~0U);
     glDisable(GL_POLYGON_OFFSET_FILL);
     glDisable(GL_FRAMEBUFFER_SRGB);
     glEnable(GL_DEPTH_TEST);
@@ -58,8 +62,17 @@ void leaveCleanState(GLuint target) {
     glBindFramebuffer(GL_FRAMEBUFFER, target);
 }
 
-PassView directView(const Camera& camera, PictureSize size) {
+/// The half space in which sectioned objects are drawn; all of space without a section.
+Eigen::Vector4d keptSide(const Scene& scene) {
+    if (!scene.section) return {0, 0, 0, 1};
+    Eigen::Vector4d kept;
+    kept << -scene.section->plane.normal, scene.section->plane.offset;
+    return kept;
+}
+
+PassView directView(const Scene& scene, const Camera& camera, PictureSize size) {
     PassView view;
+    view.section = keptSide(scene);
     view.worldToView = viewMatrix(camera);
     view.viewToClip = projectionMatrix(camera, size.aspect());
     view.eye = camera.cameraInWorld.position;
@@ -85,57 +98,115 @@ struct Renderer::Parts {
     SolidPass solid;
     MirrorPass mirror;
     OcclusionPass occlusion;
+    ParticlePass particles;
+    StereoPass stereo;
     ShadowMap shadows;
     ShapeCache shapes;
-    ReusedTarget picture;
+    FieldTextures fields;
+    std::array<ReusedTarget, 2> pictures;  ///< one an eye
     ReusedTarget reflection;
+    ReusedTarget shell;
     std::size_t lastUpload = 0;
 
+    /// What stays the same for all views of one picture.
+    struct Job {
+        const Scene& scene;
+        const ShapeCache::Result& shapes;
+        const RenderSettings& settings;
+        PictureSize size;
+    };
+    void updateShapes(const Scene& scene, const ShapeCache::Result& result, const RenderSettings& settings);
+    /// The scene through `camera` into `into`.
+    Expected<void> drawEye(const Job& job, const Camera& camera, const RenderTarget& into);
     /// Draws what the mirror shows; nothing if it shows nothing.
-    Expected<const RenderTarget*> drawReflection(const Scene& scene, const std::vector<Drawable>& drawables,
-                                                 const PassView& direct, PictureSize size,
-                                                 const RenderSettings& settings);
-    Expected<void> drawScene(const Scene& scene, const std::vector<Drawable>& drawables, const PassView& view,
-                             const RenderTarget& into, const RenderTarget* mirrored, const RenderSettings& settings);
+    Expected<const RenderTarget*> drawReflection(const Job& job, const Camera& camera);
+    Expected<void> drawScene(const Job& job, const Camera& camera, const RenderTarget& into,
+                             const RenderTarget* mirrored);
+    [[nodiscard]] SolidInputs inputsFor(const Job& job, const PassView& view, const Background& background,
+                                        const Mat4& cullMatrix) const;
+    /// The depth of the body around inner objects; nothing if there are none.
+    Expected<const RenderTarget*> drawShell(const Job& job, const SolidInputs& inputs);
 };
 
-Expected<const RenderTarget*> Renderer::Parts::drawReflection(const Scene& scene,
-                                                              const std::vector<Drawable>& drawables,
-                                                              const PassView& direct, PictureSize size,
-                                                              const RenderSettings& settings) {
-    const PixelRectangle covered = scene.mirror ? coveredPixels(*scene.mirror, scene.camera, size) : PixelRectangle{};
+SolidInputs Renderer::Parts::inputsFor(const Job& job, const PassView& view, const Background& background,
+                                       const Mat4& cullMatrix) const {
+    return {.drawables = job.shapes.drawables,
+            .filled = job.shapes.filled,
+            .view = view,
+            .frame = frameBlock(view, job.scene.lighting, background, shadows.lookup(), job.size),
+            .cullMatrix = cullMatrix,
+            .shadows = job.settings.shadows,
+            .shadowMap = shadows,
+            .fields = fields};
+}
+
+Expected<const RenderTarget*> Renderer::Parts::drawShell(const Job& job, const SolidInputs& inputs) {
+    const auto isInner = [](const Drawable& drawable) { return drawable.object->inner; };
+    if (std::none_of(inputs.drawables.begin(), inputs.drawables.end(), isInner)) return nullptr;
+    const auto target = shell.fit(job.size, 0);
+    if (target) solid.drawShell(inputs, **target);
+    return target;
+}
+
+Expected<const RenderTarget*> Renderer::Parts::drawReflection(const Job& job, const Camera& camera) {
+    const auto& disc = job.scene.mirror;
+    const PixelRectangle covered = disc ? coveredPixels(*disc, camera, job.size) : PixelRectangle{};
     if (covered.empty()) return nullptr;
-    const auto target = reflection.fit(size, settings.samples);
+    const auto target = reflection.fit(job.size, job.settings.samples);
     if (!target) return target;
-    const PassView view = reflectedView(direct, scene.mirror->planeInWorld());
-    Background surgery = scene.background;
+    const PassView view = reflectedView(directView(job.scene, camera, job.size), disc->planeInWorld());
+    Background surgery = job.scene.background;
     surgery.kind = Background::Kind::Environment;
-    (*target)->bindForDrawing();
     glEnable(GL_SCISSOR_TEST);
     glScissor(covered.low.x(), covered.low.y(), covered.extent().x(), covered.extent().y());
     glEnable(GL_CLIP_DISTANCE0);
-    solid.draw(drawables, view, frameBlock(view, scene.lighting, surgery, shadows.lookup(), size),
-               cropped(view.worldToClip(), covered, size), settings.shadows, shadows);
+    SolidInputs inputs = inputsFor(job, view, surgery, cropped(view.worldToClip(), covered, job.size));
+    const auto around = drawShell(job, inputs);
+    if (!around) return around;
+    inputs.shell = *around;
+    (*target)->bindForDrawing();
+    solid.draw(inputs);
+    particles.draw(job.scene.particles, view, job.size);
     glDisable(GL_CLIP_DISTANCE0);
     (*target)->resolve();
     glDisable(GL_SCISSOR_TEST);
-    if (settings.ambientOcclusion) {
-        if (const auto done = occlusion.apply(**target, covered, scene.camera); !done) return Unexpected{done.error()};
+    if (job.settings.ambientOcclusion) {
+        if (const auto done = occlusion.apply(**target, covered, camera); !done) return Unexpected{done.error()};
     }
     return target;
 }
 
-Expected<void> Renderer::Parts::drawScene(const Scene& scene, const std::vector<Drawable>& drawables,
-                                          const PassView& view, const RenderTarget& into, const RenderTarget* mirrored,
-                                          const RenderSettings& settings) {
-    const FrameBlock frame = frameBlock(view, scene.lighting, scene.background, shadows.lookup(), into.size());
+Expected<void> Renderer::Parts::drawScene(const Job& job, const Camera& camera, const RenderTarget& into,
+                                          const RenderTarget* mirrored) {
+    const PassView view = directView(job.scene, camera, job.size);
     glEnable(GL_DEPTH_TEST);
+    SolidInputs inputs = inputsFor(job, view, job.scene.background, view.worldToClip());
+    const auto around = drawShell(job, inputs);
+    if (!around) return Unexpected{around.error()};
+    inputs.shell = *around;
     into.bindForDrawing();
-    solid.draw(drawables, view, frame, view.worldToClip(), settings.shadows, shadows);
-    if (mirrored != nullptr) mirror.draw(*scene.mirror, frame, *mirrored);
+    solid.draw(inputs);
+    if (mirrored != nullptr) {
+        mirror.draw(*job.scene.mirror, inputs.frame, *mirrored, coveredPixels(*job.scene.mirror, camera, job.size));
+    }
+    particles.draw(job.scene.particles, view, job.size);
     into.resolve();
-    if (!settings.ambientOcclusion) return {};
-    return occlusion.apply(into, PixelRectangle::whole(into.size()), scene.camera);
+    if (!job.settings.ambientOcclusion) return {};
+    return occlusion.apply(into, PixelRectangle::whole(into.size()), camera);
+}
+
+Expected<void> Renderer::Parts::drawEye(const Job& job, const Camera& camera, const RenderTarget& into) {
+    const auto mirrored = drawReflection(job, camera);
+    if (!mirrored) return Unexpected{mirrored.error()};
+    return drawScene(job, camera, into, *mirrored);
+}
+
+void Renderer::Parts::updateShapes(const Scene& scene, const ShapeCache::Result& result,
+                                   const RenderSettings& settings) {
+    lastUpload = result.uploadedTriangles;
+    fields.update(result.drawables);
+    if (settings.shadows == Shadows::None) return;
+    shadows.update(result.drawables, result.stillShapesChanged, scene.lighting.toKey, keptSide(scene));
 }
 
 Expected<Renderer> Renderer::create() {
@@ -151,12 +222,26 @@ Expected<Renderer> Renderer::create() {
     if (!mirror) return Unexpected{mirror.error()};
     auto occlusion = OcclusionPass::create();
     if (!occlusion) return Unexpected{occlusion.error()};
+    auto particles = ParticlePass::create();
+    if (!particles) return Unexpected{particles.error()};
+    auto stereo = StereoPass::create();
+    if (!stereo) return Unexpected{stereo.error()};
     auto shadows = ShadowMap::create();
     if (!shadows) return Unexpected{shadows.error()};
     const auto problem = gl::checkErrors("starting the renderer");
     if (!problem) return Unexpected{problem.error()};
-    return Renderer(std::unique_ptr<Parts>(
-        new Parts{std::move(*solid), std::move(*mirror), std::move(*occlusion), std::move(*shadows), {}, {}, {}, 0}));
+    return Renderer(std::unique_ptr<Parts>(new Parts{std::move(*solid),
+                                                     std::move(*mirror),
+                                                     std::move(*occlusion),
+                                                     std::move(*particles),
+                                                     std::move(*stereo),
+                                                     std::move(*shadows),
+                                                     {},
+                                                     {},
+                                                     {},
+                                                     {},
+                                                     {},
+                                                     0}));
 }
 
 Renderer::Renderer(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -170,19 +255,25 @@ Expected<void> Renderer::render(const Scene& scene, unsigned target, PictureSize
     if (size.width <= 0 || size.height <= 0) return {};
     setKnownState();
     const ShapeCache::Result shapes = parts_->shapes.update(scene);
-    parts_->lastUpload = shapes.uploadedTriangles;
-    if (settings.shadows != Shadows::None) {
-        parts_->shadows.update(shapes.drawables, shapes.stillShapesChanged, scene.lighting.toKey);
+    parts_->updateShapes(scene, shapes, settings);
+    const PictureSize ofEye =
+        scene.stereo.mode == Stereo::Mode::SideBySide ? PictureSize{(size.width + 1) / 2, size.height} : size;
+    const Parts::Job job{scene, shapes, settings, scaled(ofEye, settings.resolution)};
+    const bool isStereo = scene.stereo.mode != Stereo::Mode::Off;
+    const auto eyes = eyesOf(scene.camera, scene.stereo);
+    std::array<const RenderTarget*, 2> drawn = {};
+    for (std::size_t i = 0; i < (isStereo ? 2 : 1); ++i) {
+        const auto picture = parts_->pictures[i].fit(job.size, settings.samples);
+        if (!picture) return Unexpected{picture.error()};
+        drawn[i] = *picture;
+        auto done = parts_->drawEye(job, isStereo ? eyes[i] : scene.camera, **picture);
+        if (!done) return done;
     }
-    const PictureSize drawn = scaled(size, settings.resolution);
-    const PassView view = directView(scene.camera, drawn);
-    const auto picture = parts_->picture.fit(drawn, settings.samples);
-    if (!picture) return Unexpected{picture.error()};
-    const auto mirrored = parts_->drawReflection(scene, shapes.drawables, view, drawn, settings);
-    if (!mirrored) return Unexpected{mirrored.error()};
-    if (auto done = parts_->drawScene(scene, shapes.drawables, view, **picture, *mirrored, settings); !done)
-        return done;
-    copyPicture(**picture, target, size);
+    if (isStereo) {
+        parts_->stereo.draw(*drawn[0], *drawn[1], scene.stereo.mode, target, size);
+    } else {
+        copyPicture(*drawn[0], target, size);
+    }
     leaveCleanState(target);
     return gl::checkErrors("drawing the picture");
 }

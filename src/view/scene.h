@@ -11,7 +11,10 @@
 #include "collision/surface.h"
 #include "geometry/triangle_mesh.h"
 #include "view/camera.h"
+#include "view/distance_grid.h"
 #include "view/look.h"
+#include "view/particle.h"
+#include "view/stereo.h"
 
 namespace tactooth {
 
@@ -26,8 +29,14 @@ struct SceneObject {
     double spin = 0;                     ///< rad, about the object's own z axis, before objectInWorld: a turning bur
     std::vector<Look> looks = {Look{}};  ///< one a surface tag; tags beyond the last use the last. At most kMaxLooks
     bool visible = true;
-    bool closed = true;  ///< the surface has no holes, so that what looks away need not be drawn
-    bool moves = false;  ///< a tool: its shadow is drawn anew in each picture, that of the others only on change
+    bool closed = true;      ///< the surface has no holes, so that what looks away need not be drawn
+    bool moves = false;      ///< a tool: its shadow is drawn anew in each picture, that of the others only on change
+    bool sectioned = false;  ///< the scene's section takes its part of it away
+    std::optional<Look> filling;  ///< what a section through it shows; without one it is hollow. Needs `closed`
+    /// What fills a body from inside, a layer of a tooth: seen only where that body (the first sectioned object) still
+    /// is, so that nothing of it stands in a cavity. One that is not visible still shows in the section.
+    bool inner = false;
+    std::optional<ColourByDistance> distances;  ///< replaces the colours of the looks
 };
 inline constexpr std::size_t kMaxLooks = 8;
 
@@ -38,8 +47,15 @@ struct SceneMirror {
     Vec3 normal = Vec3::UnitZ();  ///< mirror frame, unit; the side that reflects
     double radius = 11;           ///< mm; 11 is the usual mirror size 4 (22 mm)
     float reflectance = 0.93F;    ///< 0..1, of rhodium front coating
+    float fog = 0;                ///< 0..1: breath on the glass
+    float drops = 0;              ///< 0..1: share of the glass where drops of spray stand
 
     [[nodiscard]] Plane planeInWorld() const;
+};
+
+/// A look inside: what lies on the positive side of `plane` (world) is taken away from the sectioned objects.
+struct Section {
+    Plane plane;
 };
 
 /// Light of the dental unit. Directions point from the scene to the light, world frame, unit. Colours are linear.
@@ -70,8 +86,11 @@ struct Background {
 
 /// All that a picture shows. Plain data, filled by the caller and only read by the renderer.
 struct Scene {
-    std::vector<SceneObject> objects;
+    std::vector<SceneObject> objects;  ///< of those that are transparent, outer ones before what is inside them
     std::optional<SceneMirror> mirror;
+    std::optional<Section> section;
+    std::vector<Particle> particles;  ///< water, chips; drawn over what is behind them, never in the mirror's plane
+    Stereo stereo;
     Camera camera;
     Lighting lighting;
     Background background;

@@ -32,6 +32,9 @@ public:
     void setAll(const char* uniform, const Eigen::Vector4f* values, int count) const {
         glUniform4fv(location(uniform), count, values->data());
     }
+    void setAll(const char* uniform, const float* values, int count) const {
+        glUniform1fv(location(uniform), count, values);
+    }
 
 private:
     [[nodiscard]] GLint location(const char* uniform) const { return glGetUniformLocation(program_.name(), uniform); }

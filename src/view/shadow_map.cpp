@@ -84,7 +84,8 @@ void ShadowMap::aim(const std::vector<Drawable>& drawables, const Vec3& toLight)
     lookup_ = {clipToTexture * worldToClip_, 1.0 / kResolution, 2 * halfWidth / kResolution};
 }
 
-void ShadowMap::update(const std::vector<Drawable>& drawables, bool stillShapesChanged, const Vec3& toLight) {
+void ShadowMap::update(const std::vector<Drawable>& drawables, bool stillShapesChanged, const Vec3& toLight,
+                       const Eigen::Vector4d& section) {
     if (drawables.empty()) return;
     aim(drawables, toLight);
     std::vector<Mat4> poses;
@@ -95,7 +96,8 @@ void ShadowMap::update(const std::vector<Drawable>& drawables, bool stillShapesC
     }
     glViewport(0, 0, kResolution, kResolution);
     program_.use();
-    if (stillShapesChanged || stillAim_ != worldToClip_ || poses != stillPoses_) {
+    const bool moved = std::exchange(section_, section) != section;
+    if (stillShapesChanged || moved || stillAim_ != worldToClip_ || poses != stillPoses_) {
         glBindFramebuffer(GL_FRAMEBUFFER, stillFramebuffer_.name());
         glClear(GL_DEPTH_BUFFER_BIT);
         draw(drawables, false);
@@ -111,6 +113,8 @@ void ShadowMap::update(const std::vector<Drawable>& drawables, bool stillShapesC
 }
 
 void ShadowMap::draw(const std::vector<Drawable>& drawables, bool tools) const {
+    // The back of what a section has opened throws its shadow, too.
+    const bool inSection = !section_.head<3>().isZero();
     // Facets steep to the light span a depth range within one texel: push them back by it.
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(1.5F, 4.0F);
@@ -118,13 +122,18 @@ void ShadowMap::draw(const std::vector<Drawable>& drawables, bool tools) const {
         if (drawable.object->moves != tools) continue;
         const Mat4 objectToClip = worldToClip_ * drawable.objectToWorld;
         const Vec3 toLightInObject = drawable.objectToWorld.topLeftCorner<3, 3>().transpose() * toLight_;
-        const bool closed = drawable.object->closed;
+        const bool closed = drawable.object->closed && !(inSection && drawable.object->sectioned);
         closed ? glEnable(GL_CULL_FACE) : glDisable(GL_CULL_FACE);
-        program_.set("objectToShadow", objectToClip);
+        program_.set("objectToClip", objectToClip);
+        const Eigen::Vector4d sectionInObject = drawable.objectToWorld.transpose() * section_;
+        program_.set("sectionInObject", Eigen::Vector4f(sectionInObject.cast<float>()));
+        const bool cut = inSection && drawable.object->sectioned;
+        cut ? glEnable(GL_CLIP_DISTANCE1) : glDisable(GL_CLIP_DISTANCE1);
         drawable.buffers->draw(
             {objectToClip, Eigen::Vector4d(toLightInObject.x(), toLightInObject.y(), toLightInObject.z(), 0), closed});
     }
     glDisable(GL_POLYGON_OFFSET_FILL);
+    glDisable(GL_CLIP_DISTANCE1);
 }
 
 }  // namespace tactooth

@@ -14,7 +14,9 @@ class ShadowMap {
 public:
     [[nodiscard]] static Expected<ShadowMap> create();
 
-    void update(const std::vector<Drawable>& drawables, bool stillShapesChanged, const Vec3& toLight);
+    /// `section`: what lies on the negative side of this plane throws no shadow, if it is of a sectioned object.
+    void update(const std::vector<Drawable>& drawables, bool stillShapesChanged, const Vec3& toLight,
+                const Eigen::Vector4d& section);
     [[nodiscard]] GLuint texture() const { return withTools_.name(); }
     [[nodiscard]] const ShadowLookup& lookup() const { return lookup_; }
 
@@ -32,6 +34,7 @@ private:
     ShadowLookup lookup_;
     std::vector<Mat4> stillPoses_;
     Mat4 stillAim_ = Mat4::Zero();
+    Eigen::Vector4d section_ = Eigen::Vector4d(0, 0, 0, 1);
 };
 
 }  // namespace tactooth

@@ -22,11 +22,15 @@ ShapeCache::Result ShapeCache::update(const Scene& scene) {
         Entry& entry = entryFor(object);
         entry.used = true;
         entry.moves = object.moves;
-        if (!object.visible) continue;
+        const bool onlyInSection = !object.visible && object.filling && scene.section;
+        if (!object.visible && !onlyInSection) continue;
         const bool changed = entry.buffers.update(object.shape);
         if (changed) result.uploadedTriangles += entry.buffers.lastUpload();
+        const Drawable drawable{&object, &entry.buffers, objectToWorld(object)};
+        if (object.filling && scene.section) result.filled.push_back(drawable);
+        if (onlyInSection) continue;
         result.stillShapesChanged |= changed && !object.moves;
-        result.drawables.push_back({&object, &entry.buffers, objectToWorld(object)});
+        result.drawables.push_back(drawable);
     }
     std::erase_if(entries_, [&](const Entry& entry) {
         result.stillShapesChanged |= !entry.used && !entry.moves;

@@ -13,6 +13,7 @@ class ShapeCache {
 public:
     struct Result {
         std::vector<Drawable> drawables;  ///< the visible objects of the scene, in its order
+        std::vector<Drawable> filled;     ///< those that a section shows filled; empty without a section
         bool stillShapesChanged = false;  ///< a shape that does not move was added, removed or altered
         std::size_t uploadedTriangles = 0;
     };

@@ -3,34 +3,59 @@
 #pragma once
 
 #include "view/drawable.h"
+#include "view/field_textures.h"
 #include "view/frame_block.h"
 #include "view/render_settings.h"
+#include "view/render_target.h"
 #include "view/shader_program.h"
 #include "view/shadow_map.h"
 
 namespace tactooth {
 
-/// Draws the background and the lit objects into whatever framebuffer is bound.
+/// What one drawing of the scene takes.
+struct SolidInputs {
+    const std::vector<Drawable>& drawables;
+    const std::vector<Drawable>& filled;  ///< ShapeCache::Result::filled
+    const PassView& view;
+    FrameBlock frame;
+    Mat4 cullMatrix;  ///< sees at most what the pass shows; runs of triangles outside it are skipped
+    Shadows shadows;
+    const ShadowMap& shadowMap;
+    const FieldTextures& fields;
+    const RenderTarget* shell = nullptr;  ///< the body's depth in this view, for inner objects
+};
+
+/// Draws the background, the lit objects, the faces of a section and what is transparent into whatever framebuffer is
+/// bound.
 class SolidPass {
 public:
     [[nodiscard]] static Expected<SolidPass> create();
 
-    /// `cullMatrix` sees at most what the pass shows; runs of triangles outside it are skipped.
-    void draw(const std::vector<Drawable>& drawables, const PassView& view, const FrameBlock& frame,
-              const Mat4& cullMatrix, Shadows shadows, const ShadowMap& shadowMap) const;
+    void draw(const SolidInputs& inputs) const;
+    /// Depth alone of the first sectioned object, into `into`.
+    void drawShell(const SolidInputs& inputs, const RenderTarget& into) const;
 
 private:
-    void drawObject(const ShaderProgram& program, const Drawable& drawable, const PassView& view,
-                    const Mat4& cullMatrix) const;
+    struct Variant {
+        ShaderProgram plain;  ///< opaque, in the looks' colours
+        ShaderProgram rich;   ///< transparent, inner, coloured by distance
+        ShaderProgram section;
+    };
+    void prepare(const SolidInputs& inputs) const;
+    void drawBackground() const;
+    void drawObject(const SolidInputs& inputs, const Drawable& drawable) const;
+    void drawBlended(const SolidInputs& inputs, const Drawable& drawable) const;
+    void setRichUniforms(const ShaderProgram& program, const SolidInputs& inputs, const Drawable& drawable) const;
+    void drawSectionFaces(const SolidInputs& inputs) const;
+    void markInside(const SolidInputs& inputs, const Drawable& drawable, GLuint bit) const;
+    void drawFace(const SolidInputs& inputs, const Box3& around, const Look& look) const;
 
-    std::array<ShaderProgram, 3> programs_;  ///< by Shadows
+    std::array<Variant, 3> variants_;  ///< by Shadows
     ShaderProgram background_;
+    ShaderProgram depth_;
     gl::Texture grain_;
     gl::Buffer frameBuffer_;
     gl::VertexArray noVertices_;
 };
-
-/// sRGB to linear light, channel by channel.
-[[nodiscard]] Vec3f linearColour(const Vec3f& srgb);
 
 }  // namespace tactooth

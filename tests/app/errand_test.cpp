@@ -46,5 +46,21 @@ TEST(Errand, OfWishesDuringTheWorkOnlyTheLastCounts) {
     EXPECT_EQ(done, 2);
 }
 
+TEST(Errand, WhatWasForgottenIsNotDelivered) {
+    Errand<int> errand;
+    errand.start([] { return Expected<int>(1); });
+    errand.forget();
+    while (errand.isBusy()) EXPECT_FALSE(errand.poll().has_value());
+    EXPECT_FALSE(errand.poll().has_value());
+}
+
+TEST(Errand, AWishAfterForgettingIsDelivered) {
+    Errand<int> errand;
+    errand.start([] { return Expected<int>(1); });
+    errand.forget();
+    errand.start([] { return Expected<int>(2); });
+    EXPECT_EQ(resultOf(errand).value(), 2);
+}
+
 }  // namespace
 }  // namespace tactooth

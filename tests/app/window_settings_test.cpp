@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "support/test_data.h"
@@ -22,7 +23,10 @@ WindowSettings unusual() {
             .force = {false, 0.75, 0.0125, 1.5, 2.2},
             .sound = {.motor = 0.25, .cutting = 0.5, .master = 0.75, .muted = true, .environment = 0.125},
             .headphones = true,
-            .ownSounds = "/home/someone/school.toml"};
+            .ownSounds = "/home/someone/school.toml",
+            .language = "ja",
+            .dark = true,
+            .recent = "/a.stl\n/b.tactooth"};
 }
 
 void expectEqual(const WindowSettings& a, const WindowSettings& b) {
@@ -41,6 +45,9 @@ void expectEqual(const WindowSettings& a, const WindowSettings& b) {
     EXPECT_EQ(a.sound.environment, b.sound.environment);
     EXPECT_EQ(a.headphones, b.headphones);
     EXPECT_EQ(a.ownSounds, b.ownSounds);
+    EXPECT_EQ(a.language, b.language);
+    EXPECT_EQ(a.dark, b.dark);
+    EXPECT_EQ(a.recent, b.recent);
 }
 
 std::string refusal(std::string_view text) {
@@ -100,6 +107,35 @@ TEST(WindowSettings, AnyTruncatedFileGivesSettingsOrASentence) {
             EXPECT_TRUE(settings.error().message.starts_with("window.toml, line ")) << settings.error().message;
         }
     }
+}
+
+const WindowOption& optionCalled(const std::string& flag) {
+    const auto all = windowOptions();
+    return *std::find_if(all.begin(), all.end(), [&](const WindowOption& option) { return flagOf(option) == flag; });
+}
+
+std::string setOption(WindowSettings& settings, const std::string& flag, const std::string& text) {
+    const auto done = setWindowOption(settings, optionCalled(flag), text);
+    return done ? "" : done.error().message;
+}
+
+TEST(WindowSettings, EachIsAFlagToo) {
+    WindowSettings settings;
+    EXPECT_EQ(setOption(settings, "--force-spring", "0.5"), "");
+    EXPECT_EQ(setOption(settings, "--force-from-material", "no"), "");
+    EXPECT_EQ(setOption(settings, "--window-language", "ja"), "");
+    EXPECT_EQ(settings.force.spring, 0.5);
+    EXPECT_FALSE(settings.force.fromMaterial);
+    EXPECT_EQ(settings.language, "ja");
+}
+
+TEST(WindowSettings, AFlagThatCannotBeMeantIsRefused) {
+    WindowSettings settings;
+    EXPECT_EQ(setOption(settings, "--force-spring", "4"), "--force-spring takes a number from 0 to 3, not '4'.");
+    EXPECT_EQ(setOption(settings, "--force-damper", "x"), "--force-damper takes a number from 0 to 0.02, not 'x'.");
+    EXPECT_EQ(setOption(settings, "--window-dark", "1"), "--window-dark takes yes or no, not '1'.");
+    EXPECT_EQ(settings.force.spring, WindowSettings().force.spring);
+    EXPECT_FALSE(settings.dark);
 }
 
 }  // namespace

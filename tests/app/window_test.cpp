@@ -427,7 +427,7 @@ int main(int argc, char** argv) {
     tactooth::prepareAudioLibraries();
     tactooth::prepareWindowSystem();
     QApplication application(argc, argv);
-    tactooth::applyLook(application);
+    tactooth::applyLook();
     tactooth::WindowTest test;
     const QStringList arguments = QApplication::arguments();
     if (arguments.value(1) == "--screenshot") return test.saveScreenshot(arguments.value(2)) ? 0 : 1;

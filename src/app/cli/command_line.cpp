@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <map>
 #include <string>
 
 #include "app/cli/command_registry.h"
@@ -15,6 +16,7 @@
 #include "app/cli/info_command.h"
 #include "app/cli/sound_command.h"
 #include "app/gui/run_window.h"
+#include "app/gui/window_settings.h"
 
 namespace tactooth {
 namespace {
@@ -217,6 +219,7 @@ struct WindowFiles {
     std::string tooth;
     std::vector<std::string> layers;
     std::string bur;
+    std::map<std::string, std::string> settings;  ///< by flag
     std::string device = "mouse";
 };
 
@@ -237,6 +240,19 @@ void addWindowOptions(CLI::App& program, WindowFiles& files) {
     program.add_option("--bur", files.bur, "Your own bur: an STL file, tip at the origin, +z along the shaft")
         ->type_name("FILE")
         ->group(group);
+    for (const WindowOption& option : windowOptions()) {
+        if (option.help == nullptr) continue;
+        const bool isSwitch = std::holds_alternative<WindowOption::Switch>(option.value);
+        const bool isNumber = std::holds_alternative<WindowOption::Number>(option.value);
+        const std::string flag = flagOf(option);
+        program
+            .add_option_function<std::string>(
+                flag, [&files, flag](const std::string& text) { files.settings[flag] = text; }, option.help)
+            ->type_name(isSwitch   ? "yes|no"
+                        : isNumber ? "NUMBER"
+                                   : "TEXT")
+            ->group("Window settings (kept in window.toml)");
+    }
 }
 
 /// The program without a command.
@@ -249,6 +265,7 @@ int runWithoutCommand(const WindowFiles& files) {
         options.tooth->layers.push_back(std::move(*layer));
     }
     if (!files.bur.empty()) options.bur = files.bur;
+    options.settings = files.settings;
     options.device = files.device;
     return runWindow(options);
 }
@@ -290,6 +307,7 @@ int runCommandLine(int argc, const char* const* argv) {
     addDemo(program, chosen);
     addSound(program, chosen);
     addMouthCommands(program, chosen);
+    addPictureCommands(program, chosen);
     addMeshCommands(program, chosen);
     addMeasuringCommands(program, chosen);
     try {

@@ -25,6 +25,8 @@ CLI::App* addCommand(CLI::App& program, Chosen& chosen, const std::string& name,
 void addMeshCommands(CLI::App& program, Chosen& chosen);
 /// bur, instrument, tooth and gallery: what the program makes by itself.
 void addMouthCommands(CLI::App& program, Chosen& chosen);
+/// render.
+void addPictureCommands(CLI::App& program, Chosen& chosen);
 /// bench, realtime, devices, doctor and reproduce.
 void addMeasuringCommands(CLI::App& program, Chosen& chosen);
 

@@ -3,6 +3,7 @@
 #include "app/cli/bench_contact_command.h"
 #include "app/cli/bench_cut_command.h"
 #include "app/cli/bench_stability_command.h"
+#include "app/cli/bench_view_command.h"
 #include "app/cli/command_registry.h"
 #include "app/cli/doctor_command.h"
 #include "app/cli/realtime_command.h"
@@ -69,6 +70,24 @@ void addBenchCut(CLI::App& bench, Chosen& chosen) {
     command->add_flag("--json", options->json, "Write one JSON object instead of a table");
 }
 
+void addBenchView(CLI::App& bench, Chosen& chosen) {
+    const auto options = std::make_shared<BenchViewOptions>();
+    CLI::App* command = addCommand(bench, chosen, "view",
+                                   "Time of a picture of a large tooth and of a whole mouth with mirror, against the "
+                                   "same triangles in one colour; needs no display.",
+                                   options, runBenchView);
+    command
+        ->add_option("--tooth", options->tooth,
+                     "An STL file, mm (default: a tooth of 325,312 triangles: a real one from $TACTOOTH_DATA or "
+                     "../shared/data, else a built-in one)")
+        ->type_name("FILE");
+    command->add_option("--size", options->size, "Pixels (default: 1280x800)")->type_name("WxH");
+    command->add_option("--frames", options->frames, "Pictures of each case (default: 60)")
+        ->check(CLI::Range(1, 10000))
+        ->type_name("N");
+    command->add_flag("--json", options->json, "Write one JSON object instead of a table");
+}
+
 void addBenchStability(CLI::App& bench, Chosen& chosen) {
     const auto options = std::make_shared<BenchStabilityOptions>();
     CLI::App* command = addCommand(
@@ -105,6 +124,7 @@ void addBench(CLI::App& program, Chosen& chosen) {
     bench->get_formatter()->label("SUBCOMMAND", "WHAT");
     addBenchContact(*bench, chosen);
     addBenchCut(*bench, chosen);
+    addBenchView(*bench, chosen);
     addBenchStability(*bench, chosen);
 }
 

@@ -6,20 +6,25 @@
 #include <QLabel>
 #include <QStyle>
 
+#include "app/gui/words.h"
+
 namespace tactooth {
 namespace {
 
 constexpr int kFileRole = Qt::UserRole + 1;  // beside the number in the catalogue
-
-/// "No. 4 Round bur, 1.4 mm" as the catalogue orders it.
-QString lineOf(const BurSpec& spec) { return QString::fromStdString(spec.name); }
+constexpr int kNameRole = Qt::UserRole + 2;  // not translated
 
 }  // namespace
 
 DrillBar::DrillBar(QWidget* parent) : QToolBar(tr("Drill"), parent), burs_(new QComboBox), spindles_(new QComboBox) {
     setObjectName("drillBar");
-    for (const BurSpec& spec : burCatalogue()) burs_->addItem(lineOf(spec), QString::fromStdString(spec.number));
-    for (const SpindlePreset& spindle : spindlePresets()) spindles_->addItem(QString::fromStdString(spindle.name));
+    for (const BurSpec& spec : burCatalogue()) {
+        burs_->addItem(translated(spec.name), QString::fromStdString(spec.number));
+        burs_->setItemData(burs_->count() - 1, QString::fromStdString(spec.name), kNameRole);
+    }
+    for (const SpindlePreset& spindle : spindlePresets()) {
+        spindles_->addItem(translated(spindle.name), QString::fromStdString(spindle.name));
+    }
     burs_->setObjectName("burs");
     burs_->setToolTip(tr("The bur in the handpiece"));
     burs_->setCurrentIndex(burs_->findData("4"));
@@ -63,12 +68,12 @@ void DrillBar::addModes() {
 void DrillBar::choose(const QString& burNumber, const QString& spindleName) {
     const int bur = burNumber.isEmpty() ? -1 : burs_->findData(burNumber);
     if (bur >= 0) burs_->setCurrentIndex(bur), emit burs_->activated(bur);
-    const int spindle = spindles_->findText(spindleName);
+    const int spindle = spindles_->findData(spindleName);
     if (spindle >= 0) spindles_->setCurrentIndex(spindle), emit spindles_->activated(spindle);
 }
 
 void DrillBar::show(const QString& name, const QString& file) {
-    int place = file.isEmpty() ? burs_->findText(name) : burs_->findData(file, kFileRole);
+    int place = file.isEmpty() ? burs_->findData(name, kNameRole) : burs_->findData(file, kFileRole);
     if (place < 0) {
         place = burs_->count();
         burs_->addItem(name);

@@ -25,7 +25,7 @@ public:
     [[nodiscard]] bool isCutting() const { return cut_->isChecked(); }
     /// In the catalogue; empty for a bur from a file.
     [[nodiscard]] QString burNumber() const { return burs_->currentData().toString(); }
-    [[nodiscard]] QString spindleName() const { return spindles_->currentText(); }
+    [[nodiscard]] QString spindleName() const { return spindles_->currentData().toString(); }
     /// As if a person had chosen them; what is not in the lists is passed over.
     void choose(const QString& burNumber, const QString& spindleName);
     /// The list shows what is in the handpiece: a bur of the catalogue or, below them, the one of a file.

@@ -28,18 +28,29 @@ public:
 
     [[nodiscard]] bool isBusy() const { return running_.valid(); }
 
+    /// Nobody wants what is being done any more: its result will not be delivered.
+    void forget() {
+        next_ = nullptr;
+        isUnwanted_ = isBusy();
+    }
+
     /// The result, once, when the last wish is done.
     [[nodiscard]] std::optional<Expected<T>> poll() {
         if (!isBusy() || running_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return std::nullopt;
         Expected<T> result = running_.get();
-        if (!next_) return result;
-        start(std::exchange(next_, nullptr));
-        return std::nullopt;
+        const bool isUnwanted = std::exchange(isUnwanted_, false);
+        if (next_) {
+            start(std::exchange(next_, nullptr));
+            return std::nullopt;
+        }
+        if (isUnwanted) return std::nullopt;
+        return result;
     }
 
 private:
     std::future<Expected<T>> running_;
     Work next_;
+    bool isUnwanted_ = false;  // what is running
 };
 
 }  // namespace tactooth

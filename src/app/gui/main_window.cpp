@@ -15,11 +15,14 @@
 #include "app/gui/drill_bar.h"
 #include "app/gui/drive_panel.h"
 #include "app/gui/force_panel.h"
+#include "app/gui/guided_tour.h"
+#include "app/gui/inside_panel.h"
 #include "app/gui/open_tooth_dialog.h"
 #include "app/gui/plot_panel.h"
 #include "app/gui/sound_panel.h"
 #include "app/gui/status_line.h"
 #include "app/gui/tooth_view.h"
+#include "app/gui/words.h"
 #include "geometry/stl_writer.h"
 
 namespace tactooth {
@@ -39,6 +42,8 @@ MainWindow::MainWindow(SoundOutput& sound)
       drill_(new DrillBar),
       drive_(new DrivePanel),
       force_(new ForcePanel),
+      inside_(new InsidePanel),
+      tour_(new GuidedTour(bench_, *view_, *drill_, *drive_, this)),
       volumes_(new SoundPanel),
       plots_(new PlotPanel),
       status_(new StatusLine),
@@ -89,12 +94,15 @@ void MainWindow::addPanels() {
     QDockWidget* drill = addDock(*drive_, tr("Drill"), Qt::RightDockWidgetArea);
     QDockWidget* force = addDock(*force_, tr("Force"), Qt::RightDockWidgetArea);
     QDockWidget* sound = addDock(*volumes_, tr("Sound"), Qt::RightDockWidgetArea);
+    QDockWidget* inside = addDock(*inside_, tr("Look inside"), Qt::RightDockWidgetArea);
     addDock(*plots_, tr("Last ten seconds"), Qt::BottomDockWidgetArea);
-    // The first two need no more than their contents; the lowest takes what is left.
-    for (QWidget* panel : {static_cast<QWidget*>(drive_), static_cast<QWidget*>(force_)}) {
+    // All but the lowest need no more than their contents; that takes what is left.
+    for (QWidget* panel :
+         {static_cast<QWidget*>(drive_), static_cast<QWidget*>(force_), static_cast<QWidget*>(volumes_)}) {
         panel->setMaximumHeight(panel->sizeHint().height());
     }
-    resizeDocks({drill, force, sound}, {drive_->sizeHint().height(), force_->sizeHint().height(), 2 * height()},
+    resizeDocks({drill, force, sound, inside},
+                {drive_->sizeHint().height(), force_->sizeHint().height(), volumes_->sizeHint().height(), 2 * height()},
                 Qt::Vertical);
     busy_->setRange(0, 0);
     busy_->setMaximumWidth(120);
@@ -110,8 +118,11 @@ void MainWindow::addFileMenu() {
     open->setShortcut(QKeySequence::Open);
     QMenu* builtin = menu->addMenu(tr("&Built-in teeth"));
     for (const BuiltinToothEntry& entry : kBuiltinTeeth) {
-        builtin->addAction(tr(entry.name), this, [this, &entry] { bringBuiltinTooth(entry); });
+        builtin->addAction(translated(entry.name), this, [this, &entry] { bringBuiltinTooth(entry); });
     }
+    recentMenu_ = menu->addMenu(tr("Open &recent"));
+    recentMenu_->setObjectName("recent");
+    connect(recentMenu_, &QMenu::aboutToShow, this, &MainWindow::fillRecentMenu);
     menu->addAction(tr("Open &bur…"), this, &MainWindow::askForBur);
     menu->addAction(tr("&Save tooth…"), this, &MainWindow::askForSave)->setShortcut(QKeySequence::Save);
     QAction* save = menu->addAction(style()->standardIcon(QStyle::SP_DialogSaveButton), tr("&Export cut tooth…"), this,
@@ -122,45 +133,6 @@ void MainWindow::addFileMenu() {
     fileBar_->addAction(open);
     fileBar_->addAction(builtin->menuAction());
     fileBar_->addAction(save);
-}
-
-QAction* MainWindow::addViewAction(const QString& text, const QString& keys, void (ToothView::*act)()) {
-    QAction* action = viewMenu_->addAction(text, view_, act);
-    action->setShortcut(QKeySequence(keys));
-    viewBar_->addAction(action);
-    return action;
-}
-
-void MainWindow::addViewMenu() {
-    viewMenu_ = menuBar()->addMenu(tr("&View"));
-    addViewAction(tr("Dentist's view"), "0", &ToothView::lookAsUsual);
-    const std::array<std::pair<QString, StandardView>, 5> views = {{{tr("Occlusal"), StandardView::Occlusal},
-                                                                    {tr("Buccal"), StandardView::Buccal},
-                                                                    {tr("Lingual"), StandardView::Lingual},
-                                                                    {tr("Mesial"), StandardView::Mesial},
-                                                                    {tr("Distal"), StandardView::Distal}}};
-    int key = 1;
-    for (const auto& [name, view] : views) {
-        QAction* action = viewMenu_->addAction(name, this, [this, view = view] { view_->look(view); });
-        action->setShortcut(QKeySequence(QString::number(key++)));
-        viewBar_->addAction(action);
-    }
-    addViewAction(tr("Fit"), "F", &ToothView::fit);
-    viewMenu_->addSeparator();
-    viewBar_->addSeparator();
-    const auto addSwitch = [this](const QString& text, const QString& keys, void (ToothView::*set)(bool)) {
-        QAction* action = viewMenu_->addAction(text);
-        action->setCheckable(true);
-        action->setChecked(true);
-        action->setShortcut(QKeySequence(keys));
-        connect(action, &QAction::toggled, view_, set);
-        viewBar_->addAction(action);
-        return action;
-    };
-    mirrorSwitch_ = addSwitch(tr("Mirror"), "M", &ToothView::setShowsMirror);
-    turbineSwitch_ = addSwitch(tr("Turbine"), "H", &ToothView::setShowsTurbine);
-    viewMenu_->addSeparator();
-    for (QDockWidget* dock : findChildren<QDockWidget*>()) viewMenu_->addAction(dock->toggleViewAction());
 }
 
 void MainWindow::addDrillAndSoundMenus() {
@@ -186,6 +158,8 @@ void MainWindow::addDrillAndSoundMenus() {
 
 void MainWindow::addHelpMenu() {
     QMenu* menu = menuBar()->addMenu(tr("&Help"));
+    menu->addAction(tr("&Welcome"), this, &MainWindow::welcome);
+    menu->addAction(tr("Watch the &demonstration"), this, &MainWindow::showDemonstration);
     menu->addAction(tr("&Mouse and keys"), this, &MainWindow::showMouseAndKeys)->setShortcut(QKeySequence("F1"));
     menu->addAction(tr("&About Tactooth"), this, &MainWindow::showAbout);
 }
@@ -221,12 +195,14 @@ void MainWindow::connectPanels() {
     connect(view_, &ToothView::pressDepthChanged, force_, &ForcePanel::setPressDepth);
     connect(view_, &ToothView::failed, this, &MainWindow::graphicsFailed, Qt::QueuedConnection);
     connectSound();
+    connectInside();
 }
 
 void MainWindow::step() {
     const double dt = sinceStep_.isValid() ? static_cast<double>(sinceStep_.restart()) / 1000 : (sinceStep_.start(), 0);
     takeNews(bench_.step(std::min(dt, kLongestStep)));
     takeSounds();
+    takeTarget();
     placeSounds();
     trace_.add(bench_.ticks());
     busy_->setVisible(bench_.isBusy());
@@ -245,10 +221,11 @@ void MainWindow::takeNews(const Workbench::News& news) {
         drill_->show(QString::fromStdString(bench_.bur()->name), QString::fromStdString(bench_.bur()->file.string()));
     }
     if (!news.newTooth) return;
-    setWindowTitle(tr("%1 — Tactooth").arg(QString::fromStdString(bench_.tooth()->name)));
+    setWindowTitle(tr("%1 — Tactooth").arg(translated(bench_.tooth()->name)));
     showUsualHint();
     view_->lookAsUsual();
     view_->fit();
+    inside_->setTarget(nullptr, {});
 }
 
 void MainWindow::apply(const WindowSettings& settings) {
@@ -261,6 +238,9 @@ void MainWindow::apply(const WindowSettings& settings) {
     drill_->choose(QString::fromStdString(settings.bur), QString::fromStdString(settings.spindle));
     mirrorSwitch_->setChecked(settings.showsMirror);
     turbineSwitch_->setChecked(settings.showsTurbine);
+    darkSwitch_->setChecked(settings.dark);
+    setLanguage(QString::fromStdString(settings.language));
+    recent_ = QString::fromStdString(settings.recent).split('\n', Qt::SkipEmptyParts);
     force_->set(settings.force);
     volumes_->setMixer(settings.sound);
     volumes_->setHeadphones(settings.headphones);
@@ -278,7 +258,10 @@ WindowSettings MainWindow::settings() const {
             .force = force_->settings(),
             .sound = volumes_->mixer(),
             .headphones = volumes_->headphones(),
-            .ownSounds = soundsFile_.toStdString()};
+            .ownSounds = soundsFile_.toStdString(),
+            .language = language_.toStdString(),
+            .dark = darkSwitch_->isChecked(),
+            .recent = recent_.join('\n').toStdString()};
 }
 
 void MainWindow::showNumbers() {

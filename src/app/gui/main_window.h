@@ -12,7 +12,9 @@
 #include "app/gui/window_settings.h"
 #include "app/gui/workbench.h"
 #include "sound/sound_output.h"
+#include "view/distance_grid.h"
 
+class QActionGroup;
 class QDockWidget;
 
 namespace tactooth {
@@ -20,6 +22,8 @@ namespace tactooth {
 class DrillBar;
 class DrivePanel;
 class ForcePanel;
+class GuidedTour;
+class InsidePanel;
 class PlotPanel;
 class SoundPanel;
 class StatusLine;
@@ -50,6 +54,12 @@ public:
     void exportTooth(const QString& file);
     /// Saves the tooth with its layers and all that was cut, to go on later; says so if that fails.
     void saveTooth(const QString& file);
+    /// Three ways to begin, for who starts the program for the first time.
+    void welcome();
+    /// Colours the tooth by its distance to the closed surface in `file`.
+    void openTarget(const QString& file);
+    /// Writes what the plots show; says so if that fails.
+    void exportPlotsTo(const QString& file);
 
 signals:
     /// The graphics system cannot draw; a sentence. The window is of no use then.
@@ -64,11 +74,21 @@ private:
     void addPanels();
     void addFileMenu();
     void addViewMenu();
+    void addAppearanceMenu();
+    void addLanguageMenu();
+    void setLanguage(const QString& code);
     void addDrillAndSoundMenus();
     void addHelpMenu();
     QDockWidget* addDock(QWidget& panel, const QString& title, Qt::DockWidgetArea area);
     void connectPanels();
     void connectSound();
+    void connectInside();
+    void inspectAnew();
+    void takeTarget();
+    void setDark(bool dark);
+    void showDemonstration();
+    void remember(const QString& file);
+    void fillRecentMenu();
     QAction* addViewAction(const QString& text, const QString& keys, void (ToothView::*act)());
 
     void step();
@@ -82,12 +102,19 @@ private:
     void askForExport();
     void askForSounds();
     void askForSave();
+    void askForTarget();
+    void askForPlotFile();
     void showMouseAndKeys();
     void showAbout();
 
     struct OwnSounds {
         std::string file;
         std::shared_ptr<const SoundKit> kit;
+    };
+
+    struct Target {
+        std::string name;
+        std::shared_ptr<const DistanceGrid> grid;
     };
 
     SoundOutput& sound_;
@@ -97,6 +124,8 @@ private:
     DrillBar* drill_;
     DrivePanel* drive_;
     ForcePanel* force_;
+    InsidePanel* inside_;
+    GuidedTour* tour_;
     SoundPanel* volumes_;
     PlotPanel* plots_;
     StatusLine* status_;
@@ -104,11 +133,17 @@ private:
     QToolBar* fileBar_;
     QToolBar* viewBar_;
     QMenu* viewMenu_ = nullptr;
+    QMenu* recentMenu_ = nullptr;
+    QAction* darkSwitch_ = nullptr;
+    QStringList recent_;  // newest first
+    QActionGroup* languages_ = nullptr;
+    QString language_;  // chosen; empty: the system's
     QAction* mirrorSwitch_ = nullptr;
     QAction* turbineSwitch_ = nullptr;
     QString folder_;      // of the last file
     QString soundsFile_;  // that is played; empty: the synthesised sounds
     Errand<OwnSounds> comingSounds_;
+    Errand<Target> comingTarget_;
     QTimer stepTimer_, numbersTimer_, statusTimer_;
     QElapsedTimer sinceStep_;
 };

@@ -4,14 +4,20 @@
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
 
 #include "app/gui/drill_bar.h"
 #include "app/gui/drive_panel.h"
+#include "app/gui/guided_tour.h"
 #include "app/gui/main_window.h"
 #include "app/gui/open_tooth_dialog.h"
+#include "app/gui/plot_export.h"
+#include "app/gui/plot_panel.h"
 #include "app/gui/status_line.h"
+#include "app/gui/welcome_dialog.h"
+#include "app/gui/words.h"
 #include "geometry/atomic_file.h"
 #include "geometry/stl_writer.h"
 
@@ -40,13 +46,14 @@ QString folderOf(const QString& file) { return QFileInfo(file).absolutePath(); }
 }  // namespace
 
 void MainWindow::bringBuiltinTooth(const BuiltinToothEntry& entry) {
-    status_->setHint(tr("Making the tooth: %1…").arg(tr(entry.name)));
+    status_->setHint(tr("Making the tooth: %1…").arg(translated(entry.name)));
     bench_.bring([entry] { return makeBenchTooth(entry); });
 }
 
 void MainWindow::openTooth(const ToothSource& source) {
     status_->setHint(tr("Opening %1…").arg(QString::fromStdString(source.outer.filename().string())));
     folder_ = folderOf(QString::fromStdString(source.outer.string()));
+    remember(QString::fromStdString(source.outer.string()));
     bench_.bring(Errand<BenchTooth>::Work([source] { return loadBenchTooth(source); }));
 }
 
@@ -113,6 +120,49 @@ void MainWindow::askForSave() {
     dialog->open();
 }
 
+void MainWindow::askForPlotFile() {
+    QFileDialog* dialog = fileDialog(this, tr("Export plots: a table or a picture"), folder_,
+                                     tr("Table (*.csv);;Picture (*.png);;Drawing (*.svg)"));
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix("csv");
+    dialog->selectFile("plots.csv");
+    connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::exportPlotsTo);
+    dialog->open();
+}
+
+void MainWindow::exportPlotsTo(const QString& file) {
+    folder_ = folderOf(file);
+    const Expected<void> written = exportPlots(plots_->shown(), plots_->plots(), file.toStdString());
+    if (!written) return complain(QString::fromStdString(written.error().message));
+    status_->setHint(tr("The plots were written to %1").arg(file));
+}
+
+void MainWindow::remember(const QString& file) {
+    constexpr qsizetype kMost = 8;  // a menu that is read at one glance
+    recent_.removeAll(file);
+    recent_.prepend(file);
+    recent_ = recent_.mid(0, kMost);
+}
+
+void MainWindow::fillRecentMenu() {
+    recentMenu_->clear();
+    for (const QString& file : recent_) {
+        QAction* action = recentMenu_->addAction(QFileInfo(file).fileName());
+        action->setStatusTip(file);
+        action->setToolTip(file);
+        connect(action, &QAction::triggered, this,
+                [this, file] { openTooth({.outer = file.toStdString(), .layers = {}}); });
+    }
+    if (recent_.isEmpty()) recentMenu_->addAction(tr("Nothing yet"))->setEnabled(false);
+}
+
+void MainWindow::welcome() {
+    auto* dialog = new WelcomeDialog(this);
+    connect(dialog, &WelcomeDialog::toothWanted, this, &MainWindow::askForTooth);
+    connect(dialog, &WelcomeDialog::demonstrationWanted, this, &MainWindow::showDemonstration);
+    dialog->open();
+}
+
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
     if (event->mimeData()->hasUrls()) event->acceptProposedAction();
 }
@@ -123,9 +173,11 @@ void MainWindow::dropEvent(QDropEvent* event) {
     openTooth(source);
 }
 
-/// The space key is the pedal, whatever has the focus, as long as no dialog is in front.
+/// The space key is the pedal, whatever has the focus, as long as no dialog is in front. A key or a click ends the
+/// demonstration.
 bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
     const bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease;
+    if (event->type() == QEvent::KeyPress || event->type() == QEvent::MouseButtonPress) tour_->stop();
     if (!isKey || !watched->isWidgetType() || static_cast<QWidget*>(watched)->window() != this) {
         return QMainWindow::eventFilter(watched, event);
     }
@@ -153,6 +205,9 @@ void MainWindow::showMouseAndKeys() {
     text += row(tr("Q, E, U"), tr("turn the handle; stand the bur upright"));
     text += row(tr("M, H"), tr("mirror, turbine on and off"));
     text += row(tr("Ctrl + Z"), tr("take back the last cut"));
+    text += row(tr("Ctrl + R"), tr("put back all that was cut"));
+    text += row(tr("Ctrl + O, S, Shift + S"), tr("open a tooth, save it, export its surface"));
+    text += row(tr("Ctrl + D"), tr("dark colours"));
     say(this, QMessageBox::NoIcon, tr("Mouse and keys"), text + "</table>");
 }
 

@@ -20,6 +20,7 @@ void MainWindow::connectSound() {
     connect(volumes_, &SoundPanel::headphonesChanged, this, [this](bool on) { sound_.setHeadphones(on); });
     connect(volumes_, &SoundPanel::ownSoundsWanted, this, &MainWindow::askForSounds);
     connect(volumes_, &SoundPanel::synthesisChosen, this, [this] {
+        comingSounds_.forget();  // a recording that is still being read must not win
         soundsFile_.clear();
         sound_.setKit(nullptr);
     });

@@ -10,6 +10,8 @@
 #include <QPushButton>
 #include <array>
 
+#include "app/gui/words.h"
+
 namespace tactooth {
 namespace {
 
@@ -33,7 +35,7 @@ OpenToothDialog::OpenToothDialog(QString folder, QWidget* parent) : QDialog(pare
     outer_->setObjectName("outerSurface");
     for (const MaterialId id : kLayers) {
         const std::string name(materialName(id));
-        QString label = QString::fromStdString(name);
+        QString label = translated(name);
         label[0] = label[0].toUpper();
         layers_[name] = addRow(*grid, label, tr("Optional"));
     }

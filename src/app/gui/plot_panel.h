@@ -6,7 +6,10 @@
 
 #include "app/gui/tick_trace.h"
 
+class QChart;
 class QLineSeries;
+class QSpinBox;
+class QToolButton;
 class QValueAxis;
 
 namespace tactooth {
@@ -17,9 +20,20 @@ class PlotPanel final : public QWidget {
 
 public:
     explicit PlotPanel(QWidget* parent = nullptr);
-    /// Costs nothing while nothing happens: flat lines are drawn once.
+    /// Costs nothing while nothing happens: flat lines are drawn once. While it is paused, nothing is drawn.
     void show(const TickTrace& trace);
+    /// What is drawn.
+    [[nodiscard]] const TickTrace& shown() const { return shown_; }
+    [[nodiscard]] QWidget& plots() { return *plots_; }
+    /// Takes over the palette, which has changed.
+    void setColours();
     [[nodiscard]] QSize sizeHint() const override { return {900, 170}; }
+
+signals:
+    void exportWanted();
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     struct Plot {
@@ -27,11 +41,18 @@ private:
         QValueAxis* time;
         QValueAxis* value;
         double smallestRange;  // of the value axis: noise must not fill the plot
+        QChart* chart = nullptr;
     };
+    QWidget* makeButtons();
+    void setStretch(int seconds);
     Plot addPlot(const QString& title, const QColor& colour, double smallestRange);
     static void draw(Plot& plot, const TickTrace& trace, double TickTrace::Point::*what);
 
+    QWidget* plots_;
+    QToolButton* pause_;
+    QSpinBox* stretch_;  // s
     Plot depth_, speed_, force_;
+    TickTrace shown_;
     bool quiet_ = false;  // what is drawn
 };
 

@@ -43,9 +43,25 @@ Expected<void> checkOpenGl() {
         "software renderer (package libgl1-mesa-dri).");
 }
 
+/// The settings with those of the command line in their place.
+Expected<WindowSettings> withFlags(WindowSettings settings, const WindowOptions& options) {
+    for (const WindowOption& option : windowOptions()) {
+        const auto given = options.settings.find(flagOf(option));
+        if (given == options.settings.end()) continue;
+        if (auto done = setWindowOption(settings, option, given->second); !done) return Unexpected{done.error()};
+    }
+    if (settings.bur.empty()) settings.bur = std::string(kFirstBur);
+    return settings;
+}
+
 }  // namespace
 
 int runWindow(const WindowOptions& options) {
+    const std::filesystem::path settingsFile = windowSettingsFile();
+    const bool isFirstTime = !std::filesystem::exists(settingsFile);
+    const Expected<WindowSettings> settings = readWindowSettings(settingsFile);
+    Expected<WindowSettings> start = withFlags(settings ? *settings : WindowSettings(), options);
+    if (!start) return refuse(start.error());
     std::optional<BenchTooth> tooth;
     if (options.tooth) {
         Expected<BenchTooth> loaded = loadBenchTooth(*options.tooth);
@@ -65,7 +81,8 @@ int runWindow(const WindowOptions& options) {
     char name[] = "tactooth";
     char* argv[] = {name, nullptr};
     QApplication application(argc, argv);
-    applyLook(application);
+    applyLook();
+    applyLanguage(application, QString::fromStdString(start->language));
     if (const auto openGl = checkOpenGl(); !openGl) return refuse(openGl.error());
 
     OpenAlOutput sound;
@@ -75,12 +92,8 @@ int runWindow(const WindowOptions& options) {
         exitCode = refuse({sentence.toStdString()});
         QApplication::exit(exitCode);
     });
-    const std::filesystem::path settingsFile = windowSettingsFile();
-    const Expected<WindowSettings> settings = readWindowSettings(settingsFile);
-    WindowSettings start = settings ? *settings : WindowSettings();
-    if (start.bur.empty()) start.bur = std::string(kFirstBur);
-    if (bur) start.bur.clear();  // the one of the command line counts
-    window.apply(start);
+    if (bur) start->bur.clear();  // the one of the command line counts
+    window.apply(*start);
     tooth ? window.bench().put(std::move(*tooth)) : window.bringBuiltinTooth(kBuiltinTeeth.front());
     if (bur) window.bench().put(std::move(*bur));
     window.show();
@@ -88,6 +101,7 @@ int runWindow(const WindowOptions& options) {
         window.complain(QString::fromStdString(settings.error().message) +
                         " The window starts with its defaults and writes the file anew when it is closed.");
     }
+    if (isFirstTime && !options.tooth) window.welcome();
     if (options.device != "mouse") {
         auto device = openDevice(options.device);
         device ? window.bench().put(std::move(*device))

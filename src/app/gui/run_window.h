@@ -3,7 +3,9 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
+#include <string>
 
 #include "session/tooth_source.h"
 
@@ -13,6 +15,7 @@ namespace tactooth {
 struct WindowOptions {
     std::optional<ToothSource> tooth;
     std::optional<std::filesystem::path> bur;
+    std::map<std::string, std::string> settings;  ///< by their flag (see windowOptions); they win over the file's
     std::string device = "mouse";  ///< see openDevice; one that does not open leaves the mouse, and the window says why
 };
 

@@ -5,6 +5,8 @@
 #include <QLocale>
 #include <cmath>
 
+#include "app/gui/words.h"
+
 namespace tactooth {
 namespace {
 
@@ -14,11 +16,10 @@ QString removedText(const MaterialVolumes& removed) {
         constexpr double kShown = 0.005;  // mm^3: less would be shown as 0.00
         if (removed[i] < kShown) continue;
         const std::string_view name = materialName(static_cast<MaterialId>(i));
-        parts += QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())) + ' ' +
-                 QLocale().toString(removed[i], 'f', 2);
+        parts += translated(name) + ' ' + QLocale().toString(removed[i], 'f', 2);
     }
-    if (parts.isEmpty()) return QObject::tr("Nothing removed yet");
-    return QObject::tr("Removed: %1 mm³").arg(parts.join(", "));
+    if (parts.isEmpty()) return StatusLine::tr("Nothing removed yet");
+    return StatusLine::tr("Removed: %1 mm³").arg(parts.join(", "));
 }
 
 }  // namespace
@@ -56,7 +57,7 @@ void StatusLine::show(const Simulator& simulator, SoundStatus sound) {
     servo_->setMinimumWidth(servo_->sizeHint().width());  // the bar would lay out a longer text too late
     removed_->setText(removedText(simulator.removed()));
     const std::string_view text = statusText(sound);
-    sound_->setText(QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())));
+    sound_->setText(translated(text));
 }
 
 }  // namespace tactooth

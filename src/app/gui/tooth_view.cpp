@@ -98,11 +98,21 @@ void ToothView::paintGL() {
         settings.resolution = pace_.resolution(change);
         rest_.start(kRestMs);
     }
-    auto done = renderer_->render(makeScene(contents), defaultFramebufferObject(), pictureSize(), settings);
+    auto done = renderer_->render(sceneFor(contents), defaultFramebufferObject(), pictureSize(), settings);
     if (!done) report(done.error());
     context()->functions()->glFinish();  // a software renderer works after the last call, too
     if (!careful) pace_.drew(change, 1e-6 * static_cast<double>(sinceDrawn_.nsecsElapsed()));
     ++pictures_;
+}
+
+Scene ToothView::sceneFor(const SceneContents& contents) const {
+    Scene scene = makeScene(contents);
+    if (contents.tooth != nullptr && inspection_ != Inspection()) {
+        inspect(scene, bench_.tooth()->piece->tooth(), inspection_);
+    }
+    constexpr double kEyesPerFocus = 1.0 / 30;  // eye distance by that of the tooth: easy to look at
+    scene.stereo = {stereo_, camera_.distance(), kEyesPerFocus * camera_.distance()};
+    return scene;
 }
 
 PicturePace::Change ToothView::changeTo(const SceneContents& now) const {
@@ -167,9 +177,15 @@ void ToothView::setShowsMirror(bool shows) {
     update();
 }
 
+void ToothView::setInspection(const Inspection& inspection, Stereo::Mode stereo) {
+    inspection_ = inspection;
+    stereo_ = stereo;
+    update();
+}
+
 void ToothView::mousePressEvent(QMouseEvent* event) {
     mouse_ = toPixel(event->position());
-    if (event->button() == Qt::LeftButton) bench_.hand().press(picture(), mouse_);
+    if (event->button() == Qt::LeftButton) bench_.hand().press(pointedPicture(), mouse_);
 }
 
 void ToothView::mouseReleaseEvent(QMouseEvent* event) {
@@ -192,11 +208,11 @@ void ToothView::mouseMoveEvent(QMouseEvent* event) {
     if (event->buttons() & (Qt::RightButton | Qt::MiddleButton)) return moveCamera(way, event->buttons());
     if (bench_.simulator() == nullptr) return;
     if (event->modifiers() & Qt::ShiftModifier) {
-        bench_.hand().lean(picture(), way);
+        bench_.hand().lean(pointedPicture(), way);
     } else if (bench_.hand().isPressing()) {
-        bench_.hand().drag(picture(), now);
+        bench_.hand().drag(pointedPicture(), now);
     } else {
-        bench_.hand().aim(picture(), now, *bench_.simulator()->surface());
+        bench_.hand().aim(pointedPicture(), now, *bench_.simulator()->surface());
     }
 }
 

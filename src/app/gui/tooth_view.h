@@ -6,6 +6,7 @@
 #include <QOpenGLWidget>
 #include <QTimer>
 
+#include "app/common/inspection.h"
 #include "app/gui/picture_pace.h"
 #include "app/gui/workbench.h"
 #include "view/orbit_camera.h"
@@ -32,6 +33,10 @@ public:
     void lookAsUsual();
     void setShowsTurbine(bool shows);
     void setShowsMirror(bool shows);
+    /// How one looks into the tooth.
+    void setInspection(const Inspection& inspection, Stereo::Mode stereo);
+    /// What the mouse points into.
+    [[nodiscard]] PointedPicture pointedPicture() const { return {camera_.camera(), pictureSize()}; }
     [[nodiscard]] Camera camera() const { return camera_.camera(); }
     [[nodiscard]] bool showsTurbine() const { return showsTurbine_; }
     [[nodiscard]] bool showsMirror() const { return showsMirror_; }
@@ -52,9 +57,9 @@ protected:
 
 private:
     [[nodiscard]] PictureSize pictureSize() const;
-    [[nodiscard]] PointedPicture picture() const { return {camera_.camera(), pictureSize()}; }
     [[nodiscard]] Vec2 toPixel(const QPointF& position) const;
     [[nodiscard]] PicturePace::Change changeTo(const SceneContents& now) const;
+    [[nodiscard]] Scene sceneFor(const SceneContents& contents) const;
     [[nodiscard]] bool seesTip(const SceneContents& now) const;
     void moveCamera(const Vec2& way, Qt::MouseButtons buttons);
     void report(const Error& error);
@@ -66,6 +71,8 @@ private:
     bool failed_ = false;
     bool showsTurbine_ = true;
     bool showsMirror_ = true;
+    Inspection inspection_;
+    Stereo::Mode stereo_ = Stereo::Mode::Off;
     SceneContents drawn_;
     bool careful_ = false;  // the next picture
     PicturePace pace_;

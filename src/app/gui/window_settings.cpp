@@ -7,10 +7,8 @@
 #include <QStandardPaths>
 #include <cmath>
 #include <optional>
-#include <span>
 #include <sstream>
 
-#include "app/gui/hand_control.h"
 #include "geometry/atomic_file.h"
 #include "geometry/file_bytes.h"
 
@@ -78,25 +76,16 @@ private:
 Expected<WindowSettings> settingsFrom(const toml::table& root, std::string_view name) {
     SettingsReader reader(root, name);
     WindowSettings settings;
-    reader.text("window", "geometry", settings.geometry);
-    reader.text("window", "docks", settings.docks);
-    reader.text("window", "folder", settings.folder);
-    reader.yesOrNo("window", "turbine", settings.showsTurbine);
-    reader.yesOrNo("window", "mirror", settings.showsMirror);
-    reader.text("drill", "bur", settings.bur);
-    reader.text("drill", "drive", settings.spindle);
-    reader.yesOrNo("force", "from_material", settings.force.fromMaterial);
-    reader.number("force", "spring", kMostSpring, settings.force.spring);
-    reader.number("force", "damper", kMostDamper, settings.force.damper);
-    reader.number("force", "scale", kMostForceScale, settings.force.scale);
-    reader.number("force", "press", HandControl::kMostPressDepth, settings.force.press);
-    reader.number("sound", "turbine", 1, settings.sound.motor);
-    reader.number("sound", "cutting", 1, settings.sound.cutting);
-    reader.number("sound", "all", 1, settings.sound.master);
-    reader.yesOrNo("sound", "muted", settings.sound.muted);
-    reader.number("sound", "water", 1, settings.sound.environment);
-    reader.yesOrNo("sound", "headphones", settings.headphones);
-    reader.text("sound", "recordings", settings.ownSounds);
+    for (const WindowOption& option : windowOptions()) {
+        if (const auto* text = std::get_if<WindowOption::Text>(&option.value)) {
+            reader.text(option.table, option.key, (*text)(settings));
+        } else if (const auto* on = std::get_if<WindowOption::Switch>(&option.value)) {
+            reader.yesOrNo(option.table, option.key, (*on)(settings));
+        } else {
+            reader.number(option.table, option.key, option.highest,
+                          std::get<WindowOption::Number>(option.value)(settings));
+        }
+    }
     if (reader.error()) return Unexpected{*reader.error()};
     return settings;
 }
@@ -118,25 +107,12 @@ Expected<WindowSettings> parseWindowSettings(std::string_view text, std::string_
 }
 
 std::string windowSettingsText(const WindowSettings& settings) {
+    WindowSettings values = settings;
     toml::table root;
-    root.insert("window", toml::table{{"geometry", settings.geometry},
-                                      {"docks", settings.docks},
-                                      {"folder", settings.folder},
-                                      {"turbine", settings.showsTurbine},
-                                      {"mirror", settings.showsMirror}});
-    root.insert("drill", toml::table{{"bur", settings.bur}, {"drive", settings.spindle}});
-    root.insert("force", toml::table{{"from_material", settings.force.fromMaterial},
-                                     {"spring", settings.force.spring},
-                                     {"damper", settings.force.damper},
-                                     {"scale", settings.force.scale},
-                                     {"press", settings.force.press}});
-    root.insert("sound", toml::table{{"turbine", settings.sound.motor},
-                                     {"cutting", settings.sound.cutting},
-                                     {"all", settings.sound.master},
-                                     {"muted", settings.sound.muted},
-                                     {"water", settings.sound.environment},
-                                     {"headphones", settings.headphones},
-                                     {"recordings", settings.ownSounds}});
+    for (const WindowOption& option : windowOptions()) {
+        toml::table& table = *root.insert(option.table, toml::table{}).first->second.as_table();
+        std::visit([&](auto value) { table.insert(option.key, value(values)); }, option.value);
+    }
     std::ostringstream text;
     text << "# What the window of Tactooth remembers. Without this file it starts with its defaults.\n" << root << "\n";
     return text.str();

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
+#include <variant>
 
 #include "geometry/expected.h"
 #include "sound/sound_mixer.h"
@@ -41,7 +43,32 @@ struct WindowSettings {
     SoundMixer sound;
     bool headphones = false;
     std::string ownSounds;  ///< file of the recordings that are played; empty: all synthesised
+    std::string language;   ///< "en" or "ja"; empty: that of the system
+    bool dark = false;
+    std::string recent;  ///< the teeth that were opened last, one path a line, newest first
 };
+
+/// One setting: how it is called in the file ([table] key) and on the command line (--table-key), and what it may be.
+/// This table is the only list of them.
+struct WindowOption {
+    using Text = std::string& (*)(WindowSettings&);
+    using Switch = bool& (*)(WindowSettings&);
+    using Number = double& (*)(WindowSettings&);
+
+    const char* table;
+    const char* key;
+    std::variant<Text, Switch, Number> value;
+    double highest;    ///< of a number, which starts at 0
+    const char* help;  ///< null: of no use on a command line
+};
+[[nodiscard]] std::span<const WindowOption> windowOptions();
+
+/// "--force-spring"
+[[nodiscard]] std::string flagOf(const WindowOption& option);
+
+/// Sets one setting from the text of a command line. Fails with a sentence that names the flag.
+[[nodiscard]] Expected<void> setWindowOption(WindowSettings& settings, const WindowOption& option,
+                                             const std::string& text);
 
 /// `window.toml` in the user's folder for settings.
 [[nodiscard]] std::filesystem::path windowSettingsFile();

@@ -3,9 +3,12 @@
 #include "app/gui/window_setup.h"
 
 #include <QApplication>
+#include <QLibraryInfo>
+#include <QLocale>
 #include <QPalette>
 #include <QStyleFactory>
 #include <QSurfaceFormat>
+#include <QTranslator>
 
 namespace tactooth {
 
@@ -18,18 +21,46 @@ void prepareWindowSystem() {
     QSurfaceFormat::setDefaultFormat(format);
 }
 
-void applyLook(QApplication& application) {
-    QApplication::setStyle(QStyleFactory::create("Fusion"));
+void applyColours(bool dark) {
     QPalette palette;
-    palette.setColor(QPalette::Window, QColor(240, 242, 244));
-    palette.setColor(QPalette::Base, Qt::white);
-    palette.setColor(QPalette::Button, QColor(232, 235, 238));
-    palette.setColor(QPalette::Highlight, QColor(0, 106, 153));
+    const QColor text = dark ? QColor(226, 230, 234) : Qt::black;
+    palette.setColor(QPalette::Window, dark ? QColor(38, 42, 47) : QColor(240, 242, 244));
+    palette.setColor(QPalette::Base, dark ? QColor(28, 31, 35) : Qt::white);
+    palette.setColor(QPalette::AlternateBase, dark ? QColor(34, 38, 42) : QColor(246, 247, 248));
+    palette.setColor(QPalette::Button, dark ? QColor(52, 57, 63) : QColor(232, 235, 238));
+    palette.setColor(QPalette::ToolTipBase, dark ? QColor(52, 57, 63) : QColor(255, 255, 238));
+    for (const QPalette::ColorRole role :
+         {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::ToolTipText}) {
+        palette.setColor(role, text);
+    }
+    for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
+        palette.setColor(QPalette::Disabled, role, QColor(130, 136, 142));
+    }
+    palette.setColor(QPalette::PlaceholderText, QColor(130, 136, 142));
+    palette.setColor(QPalette::Highlight, dark ? QColor(40, 140, 190) : QColor(0, 106, 153));
     palette.setColor(QPalette::HighlightedText, Qt::white);
-    palette.setColor(QPalette::Midlight, QColor(215, 220, 225));
-    application.setPalette(palette);
+    palette.setColor(QPalette::Midlight, dark ? QColor(66, 72, 79) : QColor(215, 220, 225));
+    palette.setColor(QPalette::Mid, dark ? QColor(96, 103, 110) : QColor(160, 166, 172));
+    palette.setColor(QPalette::Link, dark ? QColor(110, 190, 235) : QColor(0, 106, 153));
+    QApplication::setPalette(palette);
+}
+
+void applyLook() {
+    QApplication::setStyle(QStyleFactory::create("Fusion"));
+    applyColours(false);
     QApplication::setApplicationName("Tactooth");
     QApplication::setApplicationDisplayName(QString());
+}
+
+void applyLanguage(QApplication& application, const QString& language) {
+    const QLocale locale = language.isEmpty() ? QLocale::system() : QLocale(language);
+    QLocale::setDefault(locale);
+    const std::pair<QString, QString> catalogues[] = {{"tactooth", ":/translations"},
+                                                      {"qtbase", QLibraryInfo::path(QLibraryInfo::TranslationsPath)}};
+    for (const auto& [name, folder] : catalogues) {
+        auto* translator = new QTranslator(&application);
+        if (translator->load(locale, name, "_", folder)) QApplication::installTranslator(translator);
+    }
 }
 
 }  // namespace tactooth

@@ -3,6 +3,7 @@
 #pragma once
 
 class QApplication;
+class QString;
 
 namespace tactooth {
 
@@ -10,6 +11,12 @@ namespace tactooth {
 void prepareWindowSystem();
 
 /// The same quiet look on every desktop.
-void applyLook(QApplication& application);
+void applyLook();
+
+/// Light or dark, for all windows, at once.
+void applyColours(bool dark);
+
+/// Windows made from now on speak `language` ("en", "ja"; empty: the system's) and write its numbers.
+void applyLanguage(QApplication& application, const QString& language);
 
 }  // namespace tactooth

@@ -2,6 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 layout(location = 0) in vec3 position;
 
-uniform mat4 objectToShadow;
+uniform mat4 objectToClip;
+uniform vec4 clipInObject;     // what lies on the negative side of these planes is left out
+uniform vec4 sectionInObject;
 
-void main() { gl_Position = objectToShadow * vec4(position, 1.0); }
+out float gl_ClipDistance[2];
+
+void main() {
+    gl_Position = objectToClip * vec4(position, 1.0);
+    gl_ClipDistance[0] = dot(clipInObject, vec4(position, 1.0));
+    gl_ClipDistance[1] = dot(sectionInObject, vec4(position, 1.0));
+}

@@ -7,6 +7,7 @@ layout(std140) uniform Frame {
     mat4 worldToShadow;  // to texture coordinates and depth of the shadow map
     vec4 eye;
     vec4 clipPlane;      // what lies on its negative side is not drawn (mirror pass)
+    vec4 section;        // the same for sectioned objects
     vec4 toKey;
     vec4 keyColour;
     vec4 toFill;

@@ -7,6 +7,15 @@ in vec4 surfaceLook;
 in vec4 materialLook;
 
 uniform sampler3D grainTexture;
+#if RICH
+in float lookOpacity;
+uniform sampler2D shellDepth;      // of the body around an inner object
+uniform int inner;                 // 1: only what lies behind the shell is seen
+uniform sampler3D distanceField;   // object frame, mm
+uniform mat4 objectToField;        // to texture coordinates
+uniform sampler2D distanceColours; // linear, from -range to range
+uniform float distanceRange;       // mm; 0: the looks' own colours
+#endif
 uniform sampler2DShadow shadowMap;
 
 layout(location = 0) out vec4 fragment;
@@ -79,6 +88,13 @@ void main() {
     float wetness = materialLook.z;
     float grain = materialLook.w;
 
+#if RICH
+    if (inner == 1 && gl_FragCoord.z < texelFetch(shellDepth, ivec2(gl_FragCoord.xy), 0).r) discard;
+    if (distanceRange > 0.0) {
+        float away = texture(distanceField, (objectToField * vec4(objectPosition, 1.0)).xyz).r;
+        colour = texture(distanceColours, vec2(0.5 + 0.5 * away / distanceRange, 0.5)).rgb;
+    }
+#endif
     vec3 toEye = normalize(eye.xyz - worldPosition);
     vec3 smoothNormal = normalize(worldNormal);
     if (!gl_FrontFacing) smoothNormal = -smoothNormal;
@@ -133,5 +149,11 @@ void main() {
     vec3 softRoom = mix(groundColour.rgb, skyColour.rgb, reflected.z * 0.5 + 0.5);
     light += mix(film * room + softRoom * roomShare, 1.9 * room * roomShare, metalness);
 
-    fragment = vec4(toSrgb(compress(light)) + dither(), 1.0);
+#if RICH
+    // Glass-like: a rim seen edge on hides more than a face seen square on.
+    float opacity = mix(lookOpacity, 1.0, 0.75 * edgeOn * edgeOn * step(lookOpacity, 0.999));
+#else
+    const float opacity = 1.0;
+#endif
+    fragment = vec4(toSrgb(compress(light)) + dither(), opacity);
 }

@@ -6,6 +6,10 @@ layout(location = 2) in uint lookMix;  // first look, second look, share of the 
 
 uniform mat4 objectToWorld;
 uniform vec4 looks[2 * MAX_LOOKS];  // (linear colour, roughness), (metalness, translucency, wetness, grain)
+#if RICH
+uniform float opacities[MAX_LOOKS];
+out float lookOpacity;
+#endif
 uniform int lookCount;
 
 out vec3 worldPosition;
@@ -13,7 +17,7 @@ out vec3 worldNormal;
 out vec3 objectPosition;
 out vec4 surfaceLook;    // linear colour, roughness
 out vec4 materialLook;   // metalness, translucency, wetness, grain
-out float gl_ClipDistance[1];
+out float gl_ClipDistance[2];
 
 void main() {
     vec4 world = objectToWorld * vec4(position, 1.0);
@@ -27,4 +31,8 @@ void main() {
     materialLook = mix(looks[first + 1], looks[second + 1], share);
     gl_Position = worldToClip * world;
     gl_ClipDistance[0] = dot(clipPlane, world);
+    gl_ClipDistance[1] = dot(section, world);
+#if RICH
+    lookOpacity = mix(opacities[first / 2], opacities[second / 2], share);
+#endif
 }

@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/render_command.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "app/cli/exit_code.h"
+#include "app/cli/render_words.h"
+#include "app/common/distance_legend.h"
+#include "app/common/inspection.h"
+#include "app/gui/bench_parts.h"
+#include "geometry/mesh_file.h"
+#include "session/material_file.h"
+#include "view/offscreen.h"
+
+namespace tactooth {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kEyesPerFocus = 1.0 / 30;  // eye distance by the distance of what is looked at: easy to fuse
+
+Expected<BenchTooth> toothOf(const RenderOptions& options) {
+    if (options.tooth.empty()) return makeBenchTooth(kBuiltinTeeth.front());
+    ToothSource source{.outer = options.tooth, .layers = {}};
+    for (const std::string& text : options.layers) {
+        Expected<ToothSource::Layer> layer = parseLayer(text);
+        if (!layer) return Unexpected{layer.error()};
+        source.layers.push_back(std::move(*layer));
+    }
+    return loadBenchTooth(source);
+}
+
+Expected<ColourByDistance> distancesFor(const RenderOptions& options, const Box3& box) {
+    auto mesh = loadMesh(options.target);
+    if (!mesh) return Unexpected{mesh.error()};
+    const SurfacePart target(std::move(*mesh));
+    constexpr double kMargin = 0.1;  // mm: the grid reaches beyond the surface that looks it up
+    const Box3 around(box.min().array() - kMargin, box.max().array() + kMargin);
+    return ColourByDistance{std::make_shared<const DistanceGrid>(distancesTo(target, around)), options.range};
+}
+
+Expected<Inspection> inspectionOf(const RenderOptions& options, const BenchTooth& tooth) {
+    Inspection inspection;
+    if (!options.clip.empty()) {
+        const auto clip = parseClip(options.clip);
+        if (!clip) return Unexpected{clip.error()};
+        inspection.section = sectionAt(clip->side, tooth.mesialX, tooth.box(), clip->fromMiddle);
+    }
+    for (const std::string& text : options.transparent) {
+        const auto layer = parseOpacity(text);
+        if (!layer) return Unexpected{layer.error()};
+        inspection.opacity[static_cast<std::size_t>(layer->material)] = layer->opacity;
+    }
+    if (!options.target.empty()) {
+        auto distances = distancesFor(options, tooth.box());
+        if (!distances) return Unexpected{distances.error()};
+        inspection.distances = std::move(*distances);
+    }
+    return inspection;
+}
+
+/// The eye that the options ask for.
+Expected<OrbitCamera> eyeOf(const RenderOptions& options, const BenchTooth& tooth, PictureSize size) {
+    const auto direction = parseView(options.view);
+    if (!direction) return Unexpected{direction.error()};
+    OrbitCamera camera;
+    camera.fit(tooth.box(), size.aspect());
+    if (direction->standard) {
+        camera.look(*direction->standard, tooth.mesialX);
+    } else {
+        camera.look(tooth.mesialX < 0 ? mirroredInX(direction->free) : direction->free);
+    }
+    if (!options.at.empty()) {
+        const auto middle = parsePoint(options.at);
+        if (!middle) return Unexpected{middle.error()};
+        camera.fit(Box3(middle->array() - 5, middle->array() + 5), size.aspect());
+    }
+    if (options.span > 0) {
+        const double shown = camera.pixelPitch(size) * size.height;
+        camera.zoom(options.span / shown, Vec2(size.width / 2.0, size.height / 2.0), size);
+    }
+    return camera;
+}
+
+Stereo::Mode stereoOf(const std::string& name) {
+    if (name == "side-by-side") return Stereo::Mode::SideBySide;
+    return name == "anaglyph" ? Stereo::Mode::Anaglyph : Stereo::Mode::Off;
+}
+
+/// All that stays the same in the pictures of one run.
+struct Studio {
+    const RenderOptions& options;
+    BenchTooth tooth;
+    MaterialTable materials;
+    Inspection inspection;
+    std::optional<DentalMirror> mirror;
+    PictureSize size;
+    OffscreenRenderer renderer;
+};
+
+Scene sceneFor(const Studio& studio, const OrbitCamera& eye) {
+    SceneContents contents;
+    contents.tooth = studio.tooth.piece->surface();
+    contents.materials = studio.materials;
+    contents.camera = eye.camera();
+    if (studio.mirror) {
+        const Vec3 toEye = (contents.camera.cameraInWorld.position - studio.tooth.box().center()).normalized();
+        contents.mirror =
+            ShownMirror{std::make_shared<const TriangleMesh>(studio.mirror->surface), studio.mirror->disc,
+                        parkedMirror(studio.tooth.box(), studio.mirror->disc, toEye, studio.tooth.mesialX)};
+    }
+    Scene scene = makeScene(contents);
+    inspect(scene, studio.tooth.piece->tooth(), studio.inspection);
+    if (scene.mirror) {
+        scene.mirror->fog = static_cast<float>(studio.options.fog);
+        scene.mirror->drops = static_cast<float>(studio.options.drops);
+    }
+    if (studio.options.noBackground) scene.background.kind = Background::Kind::Transparent;
+    scene.stereo = {stereoOf(studio.options.stereo), eye.distance(), kEyesPerFocus * eye.distance()};
+    return scene;
+}
+
+Expected<void> takePicture(Studio& studio, const OrbitCamera& eye, const std::filesystem::path& file) {
+    Expected<Image> image = studio.renderer.render(sceneFor(studio, eye), studio.size);
+    if (!image) return Unexpected{image.error()};
+    if (studio.inspection.distances) drawDistanceLegend(*image, studio.inspection.distances->range);
+    if (auto written = writePng(*image, file); !written) return written;
+    fmt::print("{}: {}, {} x {}\n", file.string(), studio.tooth.name, studio.size.width, studio.size.height);
+    return {};
+}
+
+Expected<void> takeTurn(Studio& studio, OrbitCamera eye) {
+    const int count = studio.options.turntable;
+    for (int i = 0; i < count; ++i) {
+        OrbitCamera turned = eye;
+        turned.look({eye.direction().azimuth + 360 * kDegree * i / count, eye.direction().elevation});
+        auto done = takePicture(studio, turned, numberedFile(studio.options.out, i));
+        if (!done) return done;
+    }
+    return {};
+}
+
+Expected<void> render(const RenderOptions& options) {
+    const auto size = parseSize(options.size);
+    if (!size) return Unexpected{size.error()};
+    auto tooth = toothOf(options);
+    if (!tooth) return Unexpected{tooth.error()};
+    const auto materials = materialsFrom(options.materials);
+    if (!materials) return Unexpected{materials.error()};
+    auto inspection = inspectionOf(options, *tooth);
+    if (!inspection) return Unexpected{inspection.error()};
+    const auto eye = eyeOf(options, *tooth, *size);
+    if (!eye) return Unexpected{eye.error()};
+    auto renderer = OffscreenRenderer::create();
+    if (!renderer) return Unexpected{renderer.error()};
+    Studio studio{options, std::move(*tooth), *materials, std::move(*inspection), {}, *size, std::move(*renderer)};
+    if (options.mirror) studio.mirror = makeMirror(*options.mirror);
+    return options.turntable > 0 ? takeTurn(studio, *eye) : takePicture(studio, *eye, options.out);
+}
+
+}  // namespace
+
+int runRender(const RenderOptions& options) {
+    const auto done = render(options);
+    return done ? kExitOk : refuse(done.error());
+}
+
+}  // namespace tactooth

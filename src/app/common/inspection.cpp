@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/common/inspection.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace tactooth {
+namespace {
+
+/// Colours must be compared over the whole tooth: no gloss, no light from inside.
+Look mat(const Look& look) {
+    Look result = look;
+    result.roughness = 0.8F;
+    result.translucency = 0;
+    result.wetness = 0;
+    result.grain = 0;
+    return result;
+}
+
+SceneObject layerObject(const LayeredTooth::Layer& layer, const Look& look) {
+    SceneObject object;
+    object.shape = std::shared_ptr<const TriangleMesh>(layer.part, &layer.part->mesh());
+    object.looks = {look};
+    object.filling = look;
+    object.filling->opacity = 1;
+    object.sectioned = true;
+    object.inner = true;
+    return object;
+}
+
+}  // namespace
+
+bool Inspection::operator==(const Inspection& other) const {
+    const bool sameSection =
+        section.has_value() == other.section.has_value() &&
+        (!section || (section->normal == other.section->normal && section->offset == other.section->offset));
+    return sameSection && opacity == other.opacity && distances == other.distances;
+}
+
+Vec3 sideOf(StandardView side, double mesialX) {
+    switch (side) {
+        case StandardView::Occlusal:
+            return Vec3::UnitZ();
+        case StandardView::Buccal:
+            return Vec3::UnitY();
+        case StandardView::Lingual:
+            return -Vec3::UnitY();
+        case StandardView::Mesial:
+            return mesialX * Vec3::UnitX();
+        case StandardView::Distal:
+            return -mesialX * Vec3::UnitX();
+    }
+    return Vec3::UnitZ();
+}
+
+Plane sectionAt(StandardView side, double mesialX, const Box3& box, double fromMiddle) {
+    const Vec3 normal = sideOf(side, mesialX);
+    return {normal, normal.dot(box.center()) + fromMiddle};
+}
+
+void inspect(Scene& scene, const LayeredTooth& tooth, const Inspection& inspection) {
+    assert(!scene.objects.empty() && scene.objects.front().looks.size() == kMaterialCount);
+    SceneObject& body = scene.objects.front();
+    if (inspection.section) scene.section = Section{*inspection.section};
+    const std::vector<Look> solid = body.looks;
+    for (std::size_t i = 0; i < kMaterialCount; ++i) {
+        body.looks[i].opacity = inspection.opacity[i];
+        if (inspection.distances) body.looks[i] = mat(body.looks[i]);
+    }
+    body.distances = inspection.distances;
+    body.sectioned = true;
+    body.filling = solid[static_cast<std::size_t>(tooth.body())];
+    const bool seesInside =
+        std::any_of(inspection.opacity.begin(), inspection.opacity.end(), [](float opacity) { return opacity < 1; });
+    if (!seesInside && !inspection.section) return;
+    std::vector<SceneObject> layers;
+    for (const LayeredTooth::Layer& layer : tooth.layers()) {
+        const auto material = static_cast<std::size_t>(layer.material);
+        Look look = solid[material];
+        look.opacity = inspection.opacity[material];
+        layers.push_back(layerObject(layer, look));
+        // Enamel is the outermost: its own outside is the body's.
+        layers.back().visible = seesInside && layer.material != MaterialId::Enamel && look.opacity > 0;
+    }
+    scene.objects.insert(scene.objects.begin() + 1, layers.begin(), layers.end());
+}
+
+}  // namespace tactooth

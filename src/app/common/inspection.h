@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "tooth/layered_tooth.h"
+#include "view/orbit_camera.h"
+#include "view/scene.h"
+
+namespace tactooth {
+
+/// The five standard views by the names that users give them: occlusal, buccal, lingual, mesial, distal.
+inline constexpr std::array<std::pair<std::string_view, StandardView>, 5> kStandardViews = {
+    {{"occlusal", StandardView::Occlusal},
+     {"buccal", StandardView::Buccal},
+     {"lingual", StandardView::Lingual},
+     {"mesial", StandardView::Mesial},
+     {"distal", StandardView::Distal}}};
+
+/// How one looks into a tooth. Nothing of it changes the tooth.
+struct Inspection {
+    std::optional<Plane> section;  ///< tooth frame; takes away what lies on its positive side
+    std::array<float, kMaterialCount> opacity = {1, 1, 1, 1, 1, 1};  ///< by MaterialId, 0..1
+    std::optional<ColourByDistance> distances;
+
+    bool operator==(const Inspection& other) const;
+};
+
+/// The unit vector toward the eye of a standard view, tooth frame.
+[[nodiscard]] Vec3 sideOf(StandardView side, double mesialX);
+
+/// The plane square to `side`, `fromMiddle` mm from the middle of `box` toward that side.
+[[nodiscard]] Plane sectionAt(StandardView side, double mesialX, const Box3& box, double fromMiddle);
+
+/// Lets `scene`, whose first object is the tooth, show what `inspection` asks for: adds the layers, which fill a
+/// section and appear where the tissue around them is transparent.
+void inspect(Scene& scene, const LayeredTooth& tooth, const Inspection& inspection);
+
+}  // namespace tactooth

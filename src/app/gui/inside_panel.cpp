@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/inside_panel.h"
+
+#include <QFormLayout>
+#include <QHBoxLayout>
+
+namespace tactooth {
+namespace {
+
+constexpr int kFull = 100;            // percent
+constexpr int kFarthest = 60;         // tenths of a mm: half a molar
+constexpr double kTenth = 0.1;        // mm
+constexpr double kColourRange = 0.5;  // mm: what an examiner calls too deep or too shallow
+
+QSlider* slider(int low, int high, int value, const QString& tip, const char* name) {
+    auto* result = new QSlider(Qt::Horizontal);
+    result->setRange(low, high);
+    result->setValue(value);
+    result->setToolTip(tip);
+    result->setObjectName(name);
+    return result;
+}
+
+}  // namespace
+
+InsidePanel::InsidePanel(QWidget* parent)
+    : QWidget(parent),
+      section_(new QComboBox),
+      place_(slider(-kFarthest, kFarthest, 0, tr("Where the section runs: from the far to the near side"),
+                    "sectionPlace")),
+      enamel_(
+          slider(0, kFull, kFull, tr("Look through the enamel at the dentin and the caries in it"), "enamelOpacity")),
+      dentin_(slider(0, kFull, kFull, tr("Look through the dentin at the pulp"), "dentinOpacity")),
+      stereo_(new QComboBox),
+      choose_(new QPushButton(tr("Target…"))),
+      coloured_(new QCheckBox(tr("Show distance"))) {
+    section_->addItem(tr("None"));
+    for (const QString& name : {tr("Occlusal"), tr("Buccal"), tr("Lingual"), tr("Mesial"), tr("Distal")}) {
+        section_->addItem(name);
+    }
+    section_->setObjectName("section");
+    section_->setToolTip(tr("Takes this side of the tooth out of the picture; the tooth itself stays whole"));
+    stereo_->addItems({tr("One eye"), tr("Side by side"), tr("Red and cyan")});
+    stereo_->setObjectName("stereo");
+    stereo_->setToolTip(tr("Shows depth: side by side for goggles, red and cyan for coloured glasses"));
+    choose_->setToolTip(tr("An STL file of the ideal shape, in the frame of the tooth"));
+    coloured_->setEnabled(false);
+    coloured_->setObjectName("coloured");
+    coloured_->setToolTip(tr("Blue: still to cut. White: as the target. Orange: cut too deep. Strongest at 0.5 mm."));
+    auto* colours = new QHBoxLayout;
+    colours->addWidget(coloured_);
+    colours->addStretch();
+    colours->addWidget(choose_);
+    auto* form = new QFormLayout(this);
+    form->addRow(tr("Section"), section_);
+    form->addRow(tr("Place"), place_);
+    form->addRow(tr("Enamel"), enamel_);
+    form->addRow(tr("Dentin"), dentin_);
+    form->addRow(tr("Depth"), stereo_);
+    form->addRow(colours);
+    place_->setEnabled(false);
+    connect(section_, &QComboBox::currentIndexChanged, this, [this](int index) { place_->setEnabled(index > 0); });
+    for (QComboBox* box : {section_, stereo_})
+        connect(box, &QComboBox::currentIndexChanged, this, &InsidePanel::changed);
+    for (QSlider* each : {place_, enamel_, dentin_}) connect(each, &QSlider::valueChanged, this, &InsidePanel::changed);
+    connect(coloured_, &QCheckBox::toggled, this, &InsidePanel::changed);
+    connect(choose_, &QPushButton::clicked, this, &InsidePanel::targetWanted);
+}
+
+Inspection InsidePanel::inspection(const Box3& box, double mesialX) const {
+    Inspection result;
+    if (section_->currentIndex() > 0) {
+        const auto side = static_cast<StandardView>(section_->currentIndex() - 1);
+        result.section = sectionAt(side, mesialX, box, kTenth * place_->value());
+    }
+    const auto share = [](const QSlider* from) { return static_cast<float>(from->value()) / kFull; };
+    result.opacity[static_cast<std::size_t>(MaterialId::Enamel)] = share(enamel_);
+    result.opacity[static_cast<std::size_t>(MaterialId::Dentin)] = share(dentin_);
+    if (target_ != nullptr && coloured_->isChecked()) result.distances = ColourByDistance{target_, kColourRange};
+    return result;
+}
+
+Stereo::Mode InsidePanel::stereo() const { return static_cast<Stereo::Mode>(stereo_->currentIndex()); }
+
+void InsidePanel::setTarget(std::shared_ptr<const DistanceGrid> grid, const QString& name) {
+    target_ = std::move(grid);
+    coloured_->setEnabled(target_ != nullptr);
+    coloured_->setChecked(target_ != nullptr);
+    choose_->setText(target_ != nullptr ? name : tr("Target…"));
+    emit changed();
+}
+
+}  // namespace tactooth

@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The window's eye: views, looking inside, colours and language.
+#include <QActionGroup>
+#include <QApplication>
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenuBar>
+#include <QToolBar>
+
+#include "app/gui/guided_tour.h"
+#include "app/gui/inside_panel.h"
+#include "app/gui/main_window.h"
+#include "app/gui/plot_panel.h"
+#include "app/gui/status_line.h"
+#include "app/gui/tooth_view.h"
+#include "app/gui/window_setup.h"
+#include "geometry/mesh_file.h"
+
+namespace tactooth {
+
+QAction* MainWindow::addViewAction(const QString& text, const QString& keys, void (ToothView::*act)()) {
+    QAction* action = viewMenu_->addAction(text, view_, act);
+    action->setShortcut(QKeySequence(keys));
+    viewBar_->addAction(action);
+    return action;
+}
+
+void MainWindow::addViewMenu() {
+    viewMenu_ = menuBar()->addMenu(tr("&View"));
+    addViewAction(tr("Dentist's view"), "0", &ToothView::lookAsUsual);
+    const std::array<std::pair<QString, StandardView>, 5> views = {{{tr("Occlusal"), StandardView::Occlusal},
+                                                                    {tr("Buccal"), StandardView::Buccal},
+                                                                    {tr("Lingual"), StandardView::Lingual},
+                                                                    {tr("Mesial"), StandardView::Mesial},
+                                                                    {tr("Distal"), StandardView::Distal}}};
+    int key = 1;
+    for (const auto& [name, view] : views) {
+        QAction* action = viewMenu_->addAction(name, this, [this, view = view] { view_->look(view); });
+        action->setShortcut(QKeySequence(QString::number(key++)));
+        viewBar_->addAction(action);
+    }
+    addViewAction(tr("Fit"), "F", &ToothView::fit);
+    viewMenu_->addSeparator();
+    viewBar_->addSeparator();
+    const auto addSwitch = [this](const QString& text, const QString& keys, void (ToothView::*set)(bool)) {
+        QAction* action = viewMenu_->addAction(text);
+        action->setCheckable(true);
+        action->setChecked(true);
+        action->setShortcut(QKeySequence(keys));
+        connect(action, &QAction::toggled, view_, set);
+        viewBar_->addAction(action);
+        return action;
+    };
+    mirrorSwitch_ = addSwitch(tr("Mirror"), "M", &ToothView::setShowsMirror);
+    turbineSwitch_ = addSwitch(tr("Turbine"), "H", &ToothView::setShowsTurbine);
+    viewMenu_->addSeparator();
+    addAppearanceMenu();
+    for (QDockWidget* dock : findChildren<QDockWidget*>()) viewMenu_->addAction(dock->toggleViewAction());
+}
+
+void MainWindow::addAppearanceMenu() {
+    darkSwitch_ = viewMenu_->addAction(tr("&Dark colours"));
+    darkSwitch_->setCheckable(true);
+    darkSwitch_->setShortcut(QKeySequence("Ctrl+D"));
+    connect(darkSwitch_, &QAction::toggled, this, &MainWindow::setDark);
+    addLanguageMenu();
+    viewMenu_->addSeparator();
+}
+
+void MainWindow::setDark(bool dark) {
+    applyColours(dark);
+    plots_->setColours();
+}
+
+/// Languages by their own names, which are the same in every language.
+void MainWindow::addLanguageMenu() {
+    QMenu* menu = viewMenu_->addMenu(tr("&Language"));
+    menu->setObjectName("language");
+    languages_ = new QActionGroup(menu);
+    const std::pair<QString, const char*> languages[] = {
+        {tr("As the system"), ""}, {"English", "en"}, {QStringLiteral("\u65e5\u672c\u8a9e"), "ja"}};
+    for (const auto& [name, code] : languages) {
+        QAction* action = menu->addAction(name);
+        action->setCheckable(true);
+        action->setData(code);
+        languages_->addAction(action);
+    }
+    setLanguage({});
+    connect(languages_, &QActionGroup::triggered, this, [this](QAction* chosen) {
+        language_ = chosen->data().toString();
+        status_->setHint(tr("The language changes when Tactooth is started again"));
+    });
+}
+
+void MainWindow::setLanguage(const QString& code) {
+    language_ = code;
+    for (QAction* action : languages_->actions()) action->setChecked(action->data().toString() == code);
+}
+
+void MainWindow::connectInside() {
+    connect(inside_, &InsidePanel::changed, this, &MainWindow::inspectAnew);
+    connect(inside_, &InsidePanel::targetWanted, this, &MainWindow::askForTarget);
+    connect(tour_, &GuidedTour::says, status_, &StatusLine::setHint);
+    connect(tour_, &GuidedTour::ended, this, &MainWindow::showUsualHint);
+    connect(plots_, &PlotPanel::exportWanted, this, &MainWindow::askForPlotFile);
+}
+
+void MainWindow::inspectAnew() {
+    if (!bench_.tooth()) return;
+    view_->setInspection(inside_->inspection(bench_.tooth()->box(), bench_.mesialX()), inside_->stereo());
+}
+
+void MainWindow::openTarget(const QString& file) {
+    if (!bench_.tooth()) return;
+    folder_ = QFileInfo(file).absolutePath();
+    status_->setHint(tr("Measuring the distance to %1…").arg(QFileInfo(file).fileName()));
+    comingTarget_.start([path = file.toStdString(), box = bench_.tooth()->box()]() -> Expected<Target> {
+        auto mesh = loadMesh(path);
+        if (!mesh) return Unexpected{mesh.error()};
+        auto grid = std::make_shared<const DistanceGrid>(distancesTo(SurfacePart(std::move(*mesh)), box));
+        return Target{std::filesystem::path(path).filename().string(), std::move(grid)};
+    });
+}
+
+void MainWindow::takeTarget() {
+    auto target = comingTarget_.poll();
+    if (!target) return;
+    if (!*target) return complain(QString::fromStdString(target->error().message));
+    inside_->setTarget((*target)->grid, QString::fromStdString((*target)->name));
+    status_->setHint(tr("Blue: still to cut. White: as the target. Orange: cut too deep. Strongest at 0.5 mm."));
+}
+
+void MainWindow::askForTarget() {
+    auto* dialog = new QFileDialog(this, tr("Target: the ideal shape, in the frame of the tooth"), folder_,
+                                   tr("STL surfaces (*.stl *.STL);;All files (*)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::openTarget);
+    dialog->open();
+}
+
+void MainWindow::showDemonstration() { tour_->start(); }
+
+}  // namespace tactooth

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDialog>
+
+namespace tactooth {
+
+/// Greets who starts the program for the first time with three ways to go on. Closing it is one of them: practise.
+class WelcomeDialog final : public QDialog {
+    Q_OBJECT
+
+public:
+    explicit WelcomeDialog(QWidget* parent = nullptr);
+
+signals:
+    void toothWanted();
+    void demonstrationWanted();
+
+private:
+    void addChoice(const QString& title, const QString& what, const char* name, void (WelcomeDialog::*wanted)());
+};
+
+}  // namespace tactooth

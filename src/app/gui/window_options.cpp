@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The table of what the window remembers.
+#include <array>
+
+#include "app/gui/hand_control.h"
+#include "app/gui/window_settings.h"
+#include "geometry/number_text.h"
+
+namespace tactooth {
+namespace {
+
+using S = WindowSettings;
+using Text = WindowOption::Text;
+using Switch = WindowOption::Switch;
+using Number = WindowOption::Number;
+
+constexpr std::array kOptions = {
+    WindowOption{"window", "geometry", Text([](S& s) -> std::string& { return s.geometry; }), 0, nullptr},
+    WindowOption{"window", "docks", Text([](S& s) -> std::string& { return s.docks; }), 0, nullptr},
+    WindowOption{"window", "folder", Text([](S& s) -> std::string& { return s.folder; }), 0,
+                 "Folder in which the search for files begins"},
+    WindowOption{"window", "recent", Text([](S& s) -> std::string& { return s.recent; }), 0, nullptr},
+    WindowOption{"window", "language", Text([](S& s) -> std::string& { return s.language; }), 0,
+                 "en or ja (default: the system's)"},
+    WindowOption{"window", "dark", Switch([](S& s) -> bool& { return s.dark; }), 0, "Dark colours"},
+    WindowOption{"window", "turbine", Switch([](S& s) -> bool& { return s.showsTurbine; }), 0, "Show the handpiece"},
+    WindowOption{"window", "mirror", Switch([](S& s) -> bool& { return s.showsMirror; }), 0, "Show the mirror"},
+    WindowOption{"drill", "bur", Text([](S& s) -> std::string& { return s.bur; }), 0,
+                 "Number of a bur of the catalogue"},
+    WindowOption{"drill", "drive", Text([](S& s) -> std::string& { return s.spindle; }), 0,
+                 "Name of a drive, as the window lists it"},
+    WindowOption{"force", "from_material", Switch([](S& s) -> bool& { return s.force.fromMaterial; }), 0,
+                 "Spring and damper are those of the material"},
+    WindowOption{"force", "spring", Number([](S& s) -> double& { return s.force.spring; }), kMostSpring, "N/mm"},
+    WindowOption{"force", "damper", Number([](S& s) -> double& { return s.force.damper; }), kMostDamper, "N*s/mm"},
+    WindowOption{"force", "scale", Number([](S& s) -> double& { return s.force.scale; }), kMostForceScale,
+                 "Multiplies the force"},
+    WindowOption{"force", "press", Number([](S& s) -> double& { return s.force.press; }), HandControl::kMostPressDepth,
+                 "How deep the mouse presses, mm"},
+    WindowOption{"sound", "turbine", Number([](S& s) -> double& { return s.sound.motor; }), 1, "Volume"},
+    WindowOption{"sound", "cutting", Number([](S& s) -> double& { return s.sound.cutting; }), 1, "Volume"},
+    WindowOption{"sound", "water", Number([](S& s) -> double& { return s.sound.environment; }), 1, "Volume"},
+    WindowOption{"sound", "all", Number([](S& s) -> double& { return s.sound.master; }), 1, "Volume"},
+    WindowOption{"sound", "muted", Switch([](S& s) -> bool& { return s.sound.muted; }), 0, "No sound"},
+    WindowOption{"sound", "headphones", Switch([](S& s) -> bool& { return s.headphones; }), 0,
+                 "Places the sounds around the head"},
+    WindowOption{"sound", "recordings", Text([](S& s) -> std::string& { return s.ownSounds; }), 0,
+                 "File of your own sounds"},
+};
+
+}  // namespace
+
+std::span<const WindowOption> windowOptions() { return kOptions; }
+
+std::string flagOf(const WindowOption& option) {
+    std::string flag = std::string("--") + option.table + "-" + option.key;
+    for (char& c : flag) c = c == '_' ? '-' : c;
+    return flag;
+}
+
+Expected<void> setWindowOption(WindowSettings& settings, const WindowOption& option, const std::string& text) {
+    if (const auto* value = std::get_if<Text>(&option.value)) {
+        (*value)(settings) = text;
+        return {};
+    }
+    if (const auto* value = std::get_if<Switch>(&option.value)) {
+        if (text != "yes" && text != "no") return unexpected(flagOf(option) + " takes yes or no, not '" + text + "'.");
+        (*value)(settings) = text == "yes";
+        return {};
+    }
+    const auto number = toNumber<double>(text);
+    if (!number || !(*number >= 0) || *number > option.highest) {
+        std::string highest = std::to_string(option.highest);
+        highest.erase(highest.find_last_not_of("0.") + 1);
+        return unexpected(flagOf(option) + " takes a number from 0 to " + highest + ", not '" + text + "'.");
+    }
+    std::get<Number>(option.value)(settings) = *number;
+    return {};
+}
+
+}  // namespace tactooth

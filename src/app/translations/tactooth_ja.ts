@@ -1,0 +1,978 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="ja_JP" sourcelanguage="en">
+<context>
+    <name>Words</name>
+    <message>
+        <source>Lower first molar (46)</source>
+        <translation>下顎第一大臼歯（46）</translation>
+    </message>
+    <message>
+        <source>Upper central incisor (11)</source>
+        <translation>上顎中切歯（11）</translation>
+    </message>
+    <message>
+        <source>Upper canine (13)</source>
+        <translation>上顎犬歯（13）</translation>
+    </message>
+    <message>
+        <source>Round carbide No. 2, 1.0 mm</source>
+        <translation>ラウンドカーバイド No. 2、1.0 mm</translation>
+    </message>
+    <message>
+        <source>Round carbide No. 4, 1.4 mm</source>
+        <translation>ラウンドカーバイド No. 4、1.4 mm</translation>
+    </message>
+    <message>
+        <source>Round carbide No. 6, 1.8 mm</source>
+        <translation>ラウンドカーバイド No. 6、1.8 mm</translation>
+    </message>
+    <message>
+        <source>Straight fissure carbide No. 57, 1.0 mm</source>
+        <translation>ストレートフィッシャーカーバイド No. 57、1.0 mm</translation>
+    </message>
+    <message>
+        <source>Straight fissure carbide No. 58, 1.2 mm</source>
+        <translation>ストレートフィッシャーカーバイド No. 58、1.2 mm</translation>
+    </message>
+    <message>
+        <source>Pear carbide No. 330, 0.8 mm</source>
+        <translation>ペアーシェイプカーバイド No. 330、0.8 mm</translation>
+    </message>
+    <message>
+        <source>Long pear carbide No. 245, 0.8 mm</source>
+        <translation>ロングペアーシェイプカーバイド No. 245、0.8 mm</translation>
+    </message>
+    <message>
+        <source>Round diamond 801-014, 1.4 mm</source>
+        <translation>ラウンドダイヤモンド 801-014、1.4 mm</translation>
+    </message>
+    <message>
+        <source>Round-end taper diamond 856-016, 1.6 mm</source>
+        <translation>ラウンドエンドテーパーダイヤモンド 856-016、1.6 mm</translation>
+    </message>
+    <message>
+        <source>Air turbine, 400,000 rev/min</source>
+        <translation>エアタービン、400,000 回転/分</translation>
+    </message>
+    <message>
+        <source>Electric 1:5, 200,000 rev/min</source>
+        <translation>5倍速電動、200,000 回転/分</translation>
+    </message>
+    <message>
+        <source>Low-speed contra-angle, 25,000 rev/min</source>
+        <translation>低速コントラアングル、25,000 回転/分</translation>
+    </message>
+    <message>
+        <source>enamel</source>
+        <translation>エナメル質</translation>
+    </message>
+    <message>
+        <source>dentin</source>
+        <translation>象牙質</translation>
+    </message>
+    <message>
+        <source>pulp</source>
+        <translation>歯髄</translation>
+    </message>
+    <message>
+        <source>caries</source>
+        <translation>う蝕</translation>
+    </message>
+    <message>
+        <source>restoration</source>
+        <translation>修復物</translation>
+    </message>
+    <message>
+        <source>other</source>
+        <translation>その他</translation>
+    </message>
+    <message>
+        <source>sound starting</source>
+        <translation>音を準備中</translation>
+    </message>
+    <message>
+        <source>sound on</source>
+        <translation>音あり</translation>
+    </message>
+    <message>
+        <source>no sound card: silent</source>
+        <translation>サウンドカードなし：無音</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::DrillBar</name>
+    <message>
+        <source>Drill</source>
+        <translation>ドリル</translation>
+    </message>
+    <message>
+        <source>The bur in the handpiece</source>
+        <translation>ハンドピースに付いているバー</translation>
+    </message>
+    <message>
+        <source>What turns the bur</source>
+        <translation>バーを回す駆動装置</translation>
+    </message>
+    <message>
+        <source> Bur </source>
+        <translation> バー </translation>
+    </message>
+    <message>
+        <source>  Drive </source>
+        <translation>  駆動 </translation>
+    </message>
+    <message>
+        <source>Touch</source>
+        <translation>触診</translation>
+    </message>
+    <message>
+        <source>Touch (T): the bur stands still and feels the tooth</source>
+        <translation>触診（T）：バーは止まったまま歯に触れます</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>切削</translation>
+    </message>
+    <message>
+        <source>Cut (C): with the pedal down the bur turns and cuts</source>
+        <translation>切削（C）：ペダルを踏むとバーが回り、歯を削ります</translation>
+    </message>
+    <message>
+        <source>Undo cut</source>
+        <translation>切削を戻す</translation>
+    </message>
+    <message>
+        <source>Takes back the last cut (Ctrl+Z)</source>
+        <translation>最後の切削を取り消します（Ctrl+Z）</translation>
+    </message>
+    <message>
+        <source>Reset tooth</source>
+        <translation>歯を元に戻す</translation>
+    </message>
+    <message>
+        <source>Puts back all that was cut (Ctrl+R)</source>
+        <translation>削ったところをすべて元に戻します（Ctrl+R）</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::DrivePanel</name>
+    <message>
+        <source>Bur speed</source>
+        <translation>バーの回転数</translation>
+    </message>
+    <message>
+        <source>× 1000 rev/min</source>
+        <translation>× 1000 回転/分</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>力</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>Keep down</source>
+        <translation>踏んだまま</translation>
+    </message>
+    <message>
+        <source>Pedal</source>
+        <translation>ペダル</translation>
+    </message>
+    <message>
+        <source>The foot pedal. Let go and it springs back; the space key presses it fully.</source>
+        <translation>フットペダル。放すと戻ります。スペースキーでいっぱいに踏めます。</translation>
+    </message>
+    <message>
+        <source>The pedal stays where it is, so that the hand is free for the bur.</source>
+        <translation>ペダルがその位置に留まり、手をバーの操作に使えます。</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::ForcePanel</name>
+    <message>
+        <source>From the material</source>
+        <translation>材質に合わせる</translation>
+    </message>
+    <message>
+        <source>Spring and damper are those of the tissue under the bur:
+enamel is hard, dentin softer, caries soft. Switch off to set them yourself.</source>
+        <translation>ばねと減衰はバーの下の組織の値です：
+エナメル質は硬く、象牙質はやや軟らかく、う蝕は軟らかい。自分で決めるにはオフにします。</translation>
+    </message>
+    <message>
+        <source>Spring</source>
+        <translation>ばね</translation>
+    </message>
+    <message>
+        <source> N/mm</source>
+        <translation> N/mm</translation>
+    </message>
+    <message>
+        <source>How hard the tooth feels: force for each millimetre pressed in</source>
+        <translation>歯の硬さ：1 mm 押し込むごとの力</translation>
+    </message>
+    <message>
+        <source>Damper</source>
+        <translation>減衰</translation>
+    </message>
+    <message>
+        <source> N·s/mm</source>
+        <translation> N·s/mm</translation>
+    </message>
+    <message>
+        <source>Force against moving into the tooth, for each mm/s</source>
+        <translation>歯に入る動きに逆らう力（1 mm/s ごと）</translation>
+    </message>
+    <message>
+        <source>Force scale</source>
+        <translation>力の倍率</translation>
+    </message>
+    <message>
+        <source> ×</source>
+        <translation> 倍</translation>
+    </message>
+    <message>
+        <source>Multiplies the whole force</source>
+        <translation>力全体に掛ける倍率</translation>
+    </message>
+    <message>
+        <source>Mouse presses</source>
+        <translation>マウスの押し込み</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>How deep the mouse hand presses beyond the surface.
+The mouse wheel in the picture changes it too.</source>
+        <translation>マウスの手が表面よりどれだけ深く押すか。
+画面上のマウスホイールでも変えられます。</translation>
+    </message>
+    <message>
+        <source>Defaults</source>
+        <translation>初期値</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::GuidedTour</name>
+    <message>
+        <source>Demonstration: the bur hovers where the mouse points</source>
+        <translation>デモ：マウスが指すところにバーが浮きます</translation>
+    </message>
+    <message>
+        <source>Left button: the bur presses; the gauge shows the force</source>
+        <translation>左ボタン：バーが押します。力は計器に出ます</translation>
+    </message>
+    <message>
+        <source>Button up: the bur lifts</source>
+        <translation>ボタンを放す：バーが離れます</translation>
+    </message>
+    <message>
+        <source>Cut (C) and the pedal (space): the bur turns and removes what it presses on</source>
+        <translation>切削（C）とペダル（スペース）：バーが回り、押したところを削ります</translation>
+    </message>
+    <message>
+        <source>Button up, pedal up</source>
+        <translation>ボタンとペダルを放します</translation>
+    </message>
+    <message>
+        <source>Ctrl+Z takes the cut back. Now it is your turn</source>
+        <translation>Ctrl+Z で切削を取り消します。次はあなたの番です</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::InsidePanel</name>
+    <message>
+        <source>Where the section runs: from the far to the near side</source>
+        <translation>断面の位置：奥側から手前側まで</translation>
+    </message>
+    <message>
+        <source>Look through the enamel at the dentin and the caries in it</source>
+        <translation>エナメル質を透かして象牙質とう蝕を見ます</translation>
+    </message>
+    <message>
+        <source>Look through the dentin at the pulp</source>
+        <translation>象牙質を透かして歯髄を見ます</translation>
+    </message>
+    <message>
+        <source>Target…</source>
+        <translation>目標…</translation>
+    </message>
+    <message>
+        <source>Show distance</source>
+        <translation>距離を表示</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>Occlusal</source>
+        <translation>咬合面</translation>
+    </message>
+    <message>
+        <source>Buccal</source>
+        <translation>頬側</translation>
+    </message>
+    <message>
+        <source>Lingual</source>
+        <translation>舌側</translation>
+    </message>
+    <message>
+        <source>Mesial</source>
+        <translation>近心</translation>
+    </message>
+    <message>
+        <source>Distal</source>
+        <translation>遠心</translation>
+    </message>
+    <message>
+        <source>Takes this side of the tooth out of the picture; the tooth itself stays whole</source>
+        <translation>歯のこの側を表示から取り除きます。歯そのものは変わりません</translation>
+    </message>
+    <message>
+        <source>One eye</source>
+        <translation>単眼</translation>
+    </message>
+    <message>
+        <source>Side by side</source>
+        <translation>左右並べ</translation>
+    </message>
+    <message>
+        <source>Red and cyan</source>
+        <translation>赤青メガネ</translation>
+    </message>
+    <message>
+        <source>Shows depth: side by side for goggles, red and cyan for coloured glasses</source>
+        <translation>立体表示：左右並べはゴーグル用、赤青は色メガネ用</translation>
+    </message>
+    <message>
+        <source>An STL file of the ideal shape, in the frame of the tooth</source>
+        <translation>理想形の STL ファイル（歯と同じ座標系）</translation>
+    </message>
+    <message>
+        <source>Blue: still to cut. White: as the target. Orange: cut too deep. Strongest at 0.5 mm.</source>
+        <translation>青：削り残し。白：目標どおり。橙：削りすぎ。0.5 mm で最も濃くなります。</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>断面</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Enamel</source>
+        <translation>エナメル質</translation>
+    </message>
+    <message>
+        <source>Dentin</source>
+        <translation>象牙質</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>立体視</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::MainWindow</name>
+    <message>
+        <source>File</source>
+        <translation>ファイル</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>表示</translation>
+    </message>
+    <message>
+        <source>Tactooth</source>
+        <translation>Tactooth</translation>
+    </message>
+    <message>
+        <source>Drill</source>
+        <translation>ドリル</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>力</translation>
+    </message>
+    <message>
+        <source>Sound</source>
+        <translation>音</translation>
+    </message>
+    <message>
+        <source>Look inside</source>
+        <translation>内部を見る</translation>
+    </message>
+    <message>
+        <source>Last ten seconds</source>
+        <translation>直近の10秒</translation>
+    </message>
+    <message>
+        <source>Preparing the tooth…</source>
+        <translation>歯を準備しています…</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>ファイル(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Open tooth…</source>
+        <translation>歯を開く(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>&amp;Built-in teeth</source>
+        <translation>内蔵の歯(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>最近使った歯(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Open &amp;bur…</source>
+        <translation>バーを開く(&amp;B)…</translation>
+    </message>
+    <message>
+        <source>&amp;Save tooth…</source>
+        <translation>歯を保存(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>&amp;Export cut tooth…</source>
+        <translation>削った歯を書き出す(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>終了(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>&amp;Drill</source>
+        <translation>ドリル(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Stand the bur &amp;upright</source>
+        <translation>バーを垂直に立てる(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Turn the handle &amp;left</source>
+        <translation>柄を左に回す(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Turn the handle &amp;right</source>
+        <translation>柄を右に回す(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Sound</source>
+        <translation>音(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Mute</source>
+        <translation>消音(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>ヘルプ(&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;Welcome</source>
+        <translation>ようこそ(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Watch the &amp;demonstration</source>
+        <translation>デモを見る(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Mouse and keys</source>
+        <translation>マウスとキー(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;About Tactooth</source>
+        <translation>Tactooth について(&amp;A)</translation>
+    </message>
+    <message>
+        <source>In Touch the bur stands still: choose Cut (C), and the pedal turns it</source>
+        <translation>触診ではバーは回りません：切削（C）を選ぶとペダルで回ります</translation>
+    </message>
+    <message>
+        <source>Left button: press the bur on the tooth · wheel: harder, softer · right: turn · space: pedal</source>
+        <translation>左ボタン：バーを歯に押す・ホイール：強く／弱く・右：回す・スペース：ペダル</translation>
+    </message>
+    <message>
+        <source>%1 — Tactooth</source>
+        <translation>%1 — Tactooth</translation>
+    </message>
+    <message>
+        <source>Saved teeth (*.tactooth);;All files (*)</source>
+        <translation>保存した歯 (*.tactooth);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>STL surfaces (*.stl *.STL);;All files (*)</source>
+        <translation>STL 表面 (*.stl *.STL);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>Making the tooth: %1…</source>
+        <translation>歯を作成中：%1…</translation>
+    </message>
+    <message>
+        <source>Opening %1…</source>
+        <translation>%1 を開いています…</translation>
+    </message>
+    <message>
+        <source>The tooth was written to %1</source>
+        <translation>歯を %1 に書き出しました</translation>
+    </message>
+    <message>
+        <source>The tooth was saved to %1</source>
+        <translation>歯を %1 に保存しました</translation>
+    </message>
+    <message>
+        <source>Open bur: tip at the origin, shaft along +z, mm</source>
+        <translation>バーを開く：先端が原点、軸が +z、単位 mm</translation>
+    </message>
+    <message>
+        <source>Export cut tooth</source>
+        <translation>削った歯を書き出す</translation>
+    </message>
+    <message>
+        <source>Save tooth</source>
+        <translation>歯を保存</translation>
+    </message>
+    <message>
+        <source>Export plots: a table or a picture</source>
+        <translation>グラフを書き出す：表または画像</translation>
+    </message>
+    <message>
+        <source>Table (*.csv);;Picture (*.png);;Drawing (*.svg)</source>
+        <translation>表 (*.csv);;画像 (*.png);;図面 (*.svg)</translation>
+    </message>
+    <message>
+        <source>The plots were written to %1</source>
+        <translation>グラフを %1 に書き出しました</translation>
+    </message>
+    <message>
+        <source>Nothing yet</source>
+        <translation>まだありません</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>移動</translation>
+    </message>
+    <message>
+        <source>the bur hovers over the point under the mouse</source>
+        <translation>マウスの下の点の上にバーが浮きます</translation>
+    </message>
+    <message>
+        <source>Left button</source>
+        <translation>左ボタン</translation>
+    </message>
+    <message>
+        <source>the bur goes down and presses; drag to stroke or cut</source>
+        <translation>バーが下りて押します。ドラッグでなでる・削る</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>ホイール</translation>
+    </message>
+    <message>
+        <source>press harder or softer</source>
+        <translation>強く／弱く押す</translation>
+    </message>
+    <message>
+        <source>Shift + move</source>
+        <translation>Shift + 移動</translation>
+    </message>
+    <message>
+        <source>lean the bur</source>
+        <translation>バーを傾ける</translation>
+    </message>
+    <message>
+        <source>Right button</source>
+        <translation>右ボタン</translation>
+    </message>
+    <message>
+        <source>turn the tooth</source>
+        <translation>歯を回す</translation>
+    </message>
+    <message>
+        <source>Middle button</source>
+        <translation>中ボタン</translation>
+    </message>
+    <message>
+        <source>shift the picture</source>
+        <translation>画面をずらす</translation>
+    </message>
+    <message>
+        <source>Ctrl + wheel</source>
+        <translation>Ctrl + ホイール</translation>
+    </message>
+    <message>
+        <source>nearer or farther</source>
+        <translation>近づく／離れる</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>スペース</translation>
+    </message>
+    <message>
+        <source>the pedal, as long as you hold it</source>
+        <translation>押している間ペダルを踏む</translation>
+    </message>
+    <message>
+        <source>T, C</source>
+        <translation>T、C</translation>
+    </message>
+    <message>
+        <source>touch, cut</source>
+        <translation>触診、切削</translation>
+    </message>
+    <message>
+        <source>0 to 5, F</source>
+        <translation>0～5、F</translation>
+    </message>
+    <message>
+        <source>views; show the whole crown</source>
+        <translation>視点；歯冠全体を表示</translation>
+    </message>
+    <message>
+        <source>Q, E, U</source>
+        <translation>Q、E、U</translation>
+    </message>
+    <message>
+        <source>turn the handle; stand the bur upright</source>
+        <translation>柄を回す；バーを垂直に</translation>
+    </message>
+    <message>
+        <source>M, H</source>
+        <translation>M、H</translation>
+    </message>
+    <message>
+        <source>mirror, turbine on and off</source>
+        <translation>ミラー、タービンの表示切替</translation>
+    </message>
+    <message>
+        <source>Ctrl + Z</source>
+        <translation>Ctrl + Z</translation>
+    </message>
+    <message>
+        <source>take back the last cut</source>
+        <translation>最後の切削を取り消す</translation>
+    </message>
+    <message>
+        <source>Ctrl + R</source>
+        <translation>Ctrl + R</translation>
+    </message>
+    <message>
+        <source>put back all that was cut</source>
+        <translation>削ったところをすべて戻す</translation>
+    </message>
+    <message>
+        <source>Ctrl + O, S, Shift + S</source>
+        <translation>Ctrl + O、S、Shift + S</translation>
+    </message>
+    <message>
+        <source>open a tooth, save it, export its surface</source>
+        <translation>歯を開く、保存、表面を書き出す</translation>
+    </message>
+    <message>
+        <source>Ctrl + D</source>
+        <translation>Ctrl + D</translation>
+    </message>
+    <message>
+        <source>dark colours</source>
+        <translation>暗い配色</translation>
+    </message>
+    <message>
+        <source>Mouse and keys</source>
+        <translation>マウスとキー</translation>
+    </message>
+    <message>
+        <source>About Tactooth</source>
+        <translation>Tactooth について</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Tactooth&lt;/b&gt;&lt;br&gt;See, feel and hear a dental bur touch and cut a tooth.&lt;br&gt;&lt;br&gt;Free software under the GNU General Public License, version 3 or later;&lt;br&gt;its simulation library under the Apache License 2.0.</source>
+        <translation>&lt;b&gt;Tactooth&lt;/b&gt;&lt;br&gt;歯科用バーが歯に触れ、削るのを見て、感じて、聞く。&lt;br&gt;&lt;br&gt;GNU General Public License バージョン 3 以降によるフリーソフトウェア。&lt;br&gt;シミュレーションのライブラリは Apache License 2.0。</translation>
+    </message>
+    <message>
+        <source>Own sounds: a recording of the free-running drive, or a preset</source>
+        <translation>自分の音：空転の録音、またはプリセット</translation>
+    </message>
+    <message>
+        <source>Recordings and presets (*.wav *.flac *.ogg *.toml);;All files (*)</source>
+        <translation>録音とプリセット (*.wav *.flac *.ogg *.toml);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>表示(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Dentist&apos;s view</source>
+        <translation>術者の視点</translation>
+    </message>
+    <message>
+        <source>Occlusal</source>
+        <translation>咬合面</translation>
+    </message>
+    <message>
+        <source>Buccal</source>
+        <translation>頬側</translation>
+    </message>
+    <message>
+        <source>Lingual</source>
+        <translation>舌側</translation>
+    </message>
+    <message>
+        <source>Mesial</source>
+        <translation>近心</translation>
+    </message>
+    <message>
+        <source>Distal</source>
+        <translation>遠心</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>全体表示</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>ミラー</translation>
+    </message>
+    <message>
+        <source>Turbine</source>
+        <translation>タービン</translation>
+    </message>
+    <message>
+        <source>&amp;Dark colours</source>
+        <translation>暗い配色(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>言語(&amp;L)</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>システムに従う</translation>
+    </message>
+    <message>
+        <source>The language changes when Tactooth is started again</source>
+        <translation>言語は次回の起動から変わります</translation>
+    </message>
+    <message>
+        <source>Measuring the distance to %1…</source>
+        <translation>%1 までの距離を測っています…</translation>
+    </message>
+    <message>
+        <source>Blue: still to cut. White: as the target. Orange: cut too deep. Strongest at 0.5 mm.</source>
+        <translation>青：削り残し。白：目標どおり。橙：削りすぎ。0.5 mm で最も濃くなります。</translation>
+    </message>
+    <message>
+        <source>Target: the ideal shape, in the frame of the tooth</source>
+        <translation>目標：理想形（歯と同じ座標系）</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::OpenToothDialog</name>
+    <message>
+        <source>Open tooth</source>
+        <translation>歯を開く</translation>
+    </message>
+    <message>
+        <source>The tooth&apos;s outer surface is felt and seen. Closed surfaces inside it say where each tissue is; without them the whole tooth is enamel. STL files in millimetres, or a saved tooth, which has all of these.</source>
+        <translation>歯の外面が触れられ、表示されます。内側の閉じた面は各組織の場所を示します。なければ歯全体がエナメル質になります。ミリメートル単位の STL ファイル、またはすべてを含む保存した歯を選びます。</translation>
+    </message>
+    <message>
+        <source>Outer surface</source>
+        <translation>外面</translation>
+    </message>
+    <message>
+        <source>The whole tooth or a saved one, needed</source>
+        <translation>歯全体または保存した歯（必須）</translation>
+    </message>
+    <message>
+        <source>Optional</source>
+        <translation>任意</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>参照…</translation>
+    </message>
+    <message>
+        <source>Surfaces and saved teeth (*.stl *.STL *.tactooth);;All files (*)</source>
+        <translation>表面と保存した歯 (*.stl *.STL *.tactooth);;すべてのファイル (*)</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::PlotPanel</name>
+    <message>
+        <source>Depth, mm</source>
+        <translation>深さ mm</translation>
+    </message>
+    <message>
+        <source>Speed, mm/s</source>
+        <translation>速度 mm/s</translation>
+    </message>
+    <message>
+        <source>Force, N</source>
+        <translation>力 N</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>一時停止</translation>
+    </message>
+    <message>
+        <source>Holds the plots still, to look at them or to export them; the simulation goes on</source>
+        <translation>グラフを止めて見たり書き出したりできます。シミュレーションは続きます</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>書き出す…</translation>
+    </message>
+    <message>
+        <source>Writes what is shown: a table (CSV) or a picture (PNG, SVG)</source>
+        <translation>表示中の内容を表（CSV）または画像（PNG、SVG）に書き出します</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> 秒</translation>
+    </message>
+    <message>
+        <source>How much time is shown; the mouse wheel over a plot changes it too</source>
+        <translation>表示する時間の長さ。グラフ上のホイールでも変えられます</translation>
+    </message>
+    <message>
+        <source>Time shown</source>
+        <translation>表示時間</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::SoundPanel</name>
+    <message>
+        <source>The turbine&apos;s own tone and its air</source>
+        <translation>タービンの音と空気音</translation>
+    </message>
+    <message>
+        <source>The bur in the tooth</source>
+        <translation>歯を削る音</translation>
+    </message>
+    <message>
+        <source>Spray and suction</source>
+        <translation>注水とバキューム</translation>
+    </message>
+    <message>
+        <source>Everything</source>
+        <translation>すべての音</translation>
+    </message>
+    <message>
+        <source>Mute</source>
+        <translation>消音</translation>
+    </message>
+    <message>
+        <source>Headphones</source>
+        <translation>ヘッドホン</translation>
+    </message>
+    <message>
+        <source>Places the sounds around the head, as two ears hear them; for loudspeakers leave it off</source>
+        <translation>両耳で聞くように音を頭の周りに配置します。スピーカーではオフにします</translation>
+    </message>
+    <message>
+        <source>Turbine</source>
+        <translation>タービン</translation>
+    </message>
+    <message>
+        <source>Cutting</source>
+        <translation>切削音</translation>
+    </message>
+    <message>
+        <source>Water</source>
+        <translation>水</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>全体</translation>
+    </message>
+    <message>
+        <source>Sounds</source>
+        <translation>音源</translation>
+    </message>
+    <message>
+        <source>Synthesised</source>
+        <translation>合成音</translation>
+    </message>
+    <message>
+        <source>Own recordings…</source>
+        <translation>自分の録音…</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::StatusLine</name>
+    <message>
+        <source>Nothing removed yet</source>
+        <translation>まだ何も削っていません</translation>
+    </message>
+    <message>
+        <source>Removed: %1 mm³</source>
+        <translation>切削量：%1 mm³</translation>
+    </message>
+    <message>
+        <source>The force is computed by a thread of its own, 1000 times a second.
+p99: 99 % of the ticks take less. Missed: ticks that the system gave no time for.</source>
+        <translation>力は専用スレッドが毎秒1000回計算します。
+p99：99 % の周期はこれより短い。欠落：システムが時間を与えなかった周期。</translation>
+    </message>
+    <message>
+        <source>Servo %1 Hz, p99 %2 µs, missed %3, %4  |  surface %5/s</source>
+        <translation>サーボ %1 Hz、p99 %2 µs、欠落 %3、%4  |  表面 %5/秒</translation>
+    </message>
+    <message>
+        <source>real-time</source>
+        <translation>リアルタイム</translation>
+    </message>
+    <message>
+        <source>not real-time</source>
+        <translation>リアルタイムでない</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::WelcomeDialog</name>
+    <message>
+        <source>Welcome to Tactooth</source>
+        <translation>Tactooth へようこそ</translation>
+    </message>
+    <message>
+        <source>See, feel and hear a bur touch and cut a tooth. What would you like to do?</source>
+        <translation>バーが歯に触れ、削るのを見て、感じて、聞いてください。何をしますか？</translation>
+    </message>
+    <message>
+        <source>Practise</source>
+        <translation>練習する</translation>
+    </message>
+    <message>
+        <source>A lower molar with a carious lesion is ready: move the mouse over it and press.</source>
+        <translation>う蝕のある下顎大臼歯が用意されています：マウスを重ねて押してください。</translation>
+    </message>
+    <message>
+        <source>Open my tooth</source>
+        <translation>自分の歯を開く</translation>
+    </message>
+    <message>
+        <source>An STL file of your own, in millimetres, with the crown up.</source>
+        <translation>自分の STL ファイル（ミリメートル単位、歯冠が上）。</translation>
+    </message>
+    <message>
+        <source>Watch the demonstration</source>
+        <translation>デモを見る</translation>
+    </message>
+    <message>
+        <source>Twenty seconds: touching, cutting, taking back.</source>
+        <translation>20秒：触れる、削る、取り消す。</translation>
+    </message>
+    <message>
+        <source>All of this is in the menus, too; F1 shows mouse and keys.</source>
+        <translation>これらはメニューにもあります。F1 でマウスとキーを表示します。</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "geometry/expected.h"
+#include "view/render_settings.h"
+#include "view/scene.h"
+
+namespace tactooth {
+
+/// What pictures cost, ms: the middle one and the slowest of a hundred. Where the processor draws, its time counts what
+/// the computer has to spend, whoever else uses it.
+struct FrameTimes {
+    double wall = 0;
+    double wallP99 = 0;
+    double processor = 0;  ///< of all threads of this program together
+};
+
+/// Measures pictures that are drawn without a screen. Used on the thread that made it, which may hold no other OpenGL
+/// context meanwhile.
+class FrameTimer {
+public:
+    /// The scene for picture number i.
+    using Film = std::function<Scene(int i)>;
+
+    [[nodiscard]] static Expected<FrameTimer> create(PictureSize size);
+    FrameTimer(FrameTimer&&) noexcept;
+    FrameTimer& operator=(FrameTimer&&) noexcept;
+    ~FrameTimer();
+
+    /// `frames` pictures as the window draws them; two more come before them unmeasured.
+    [[nodiscard]] Expected<FrameTimes> full(const Film& film, int frames, const RenderSettings& settings);
+    /// The same triangles in one colour, without light, mirror and culling: the least that drawing them can cost.
+    [[nodiscard]] Expected<FrameTimes> bare(const Film& film, int frames);
+    /// What draws, as the driver names itself.
+    [[nodiscard]] std::string device() const;
+
+private:
+    struct Parts;
+    explicit FrameTimer(std::unique_ptr<Parts> parts);
+    std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace tactooth

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+// The cut face: a square on the section's plane, shaded as a surface of one look.
+uniform vec4 centre;  // world, mm
+uniform vec4 right;   // world, along the plane, half as long as the square
+uniform vec4 up;
+uniform vec4 looks[2];
+
+out vec3 worldPosition;
+out vec3 worldNormal;
+out vec3 objectPosition;
+out vec4 surfaceLook;
+out vec4 materialLook;
+out float gl_ClipDistance[2];
+
+void main() {
+    vec2 corner = 2.0 * vec2(gl_VertexID & 1, gl_VertexID >> 1) - 1.0;
+    worldPosition = centre.xyz + corner.x * right.xyz + corner.y * up.xyz;
+    worldNormal = -section.xyz;
+    objectPosition = worldPosition;
+    surfaceLook = looks[0];
+    materialLook = looks[1];
+    gl_Position = worldToClip * vec4(worldPosition, 1.0);
+    gl_ClipDistance[0] = dot(clipPlane, vec4(worldPosition, 1.0));
+    gl_ClipDistance[1] = 1.0;
+}

@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+// Ways of looking into a tooth, and what is in the air around it, against stored pictures.
+#include "image/pictures_fixture.h"
+#include "instruments/builtin_tooth.h"
+#include "session/work_piece.h"
+#include "support/shapes.h"
+
+namespace tactooth {
+namespace {
+
+using test::objectOf;
+
+/// The built-in molar with its layers, as a tooth that can be cut; made once.
+class InsightPictures : public test::Pictures {
+protected:
+    static void SetUpTestSuite() {
+        Pictures::SetUpTestSuite();
+        const BuiltinTooth molar = makeBuiltinTooth(BuiltinToothKind::lowerFirstMolar, 8000);
+        auto layered = LayeredTooth::make(molar.outer, layersOf(molar));
+        ASSERT_TRUE(layered) << layered.error().message;
+        tooth_ = std::make_shared<const LayeredTooth>(std::move(*layered));
+        mesialX_ = mesialX(molar.fdi);
+    }
+    static void TearDownTestSuite() {
+        tooth_.reset();
+        Pictures::TearDownTestSuite();
+    }
+
+    static std::vector<Look> materialLooks() {
+        return {looks::enamel(), looks::dentin(), looks::pulp(), looks::bone(), looks::bone(), looks::caries()};
+    }
+    static Look lookOf(MaterialId id) { return materialLooks()[static_cast<std::size_t>(id)]; }
+
+    static SceneObject body(std::shared_ptr<const Surface> surface) {
+        SceneObject object;
+        object.shape = std::move(surface);
+        object.looks = materialLooks();
+        object.sectioned = true;
+        object.filling = lookOf(tooth_->body());
+        return object;
+    }
+    static SceneObject layer(const LayeredTooth::Layer& from) {
+        SceneObject object;
+        object.shape = std::shared_ptr<const TriangleMesh>(from.part, &from.part->mesh());
+        object.looks = {lookOf(from.material)};
+        object.filling = object.looks.front();
+        object.sectioned = object.inner = true;
+        object.visible = false;
+        return object;
+    }
+    /// The tooth, whole or with a slot of 0.8 mm radius across its fossa, and its layers.
+    static std::vector<SceneObject> molar(bool cut) {
+        WorkPiece piece(tooth_, 0.05);
+        if (cut) {
+            const TriangleMesh bur = test::cylinder(Vec3::Zero(), 0.8, 6, 32);
+            const double top = tooth_->outer()->tree().box().max().z();
+            const Pose from{Vec3(-1.5, 0, top - 3.2), Quat::Identity()};
+            const Pose to{Vec3(1.5, 0, top - 3.2), Quat::Identity()};
+            piece.sweep({*RevolutionEnvelope::make(bur), 1}, from, to);
+            piece.refreshSurface();
+        }
+        std::vector<SceneObject> objects{body(piece.surface())};
+        for (const LayeredTooth::Layer& from : tooth_->layers()) objects.push_back(layer(from));
+        return objects;
+    }
+    static Scene seenFrom(std::vector<SceneObject> objects, OrbitCamera::Direction direction) {
+        Scene scene = lit(std::move(objects), direction);
+        OrbitCamera camera;
+        Box3 crown = tooth_->outer()->tree().box();
+        crown.min().z() = crown.max().z() - 8;
+        camera.fit(crown, test::kTestSize.aspect());
+        camera.look(direction);
+        scene.camera = camera.camera();
+        scene.lighting = operatingLight(scene.camera);
+        return scene;
+    }
+    static Scene openedFromBuccal(bool cut) {
+        Scene scene = seenFrom(molar(cut), {1.3, 0.35});
+        scene.section = Section{{Vec3::UnitY(), 0}};
+        return scene;
+    }
+    static Scene glassy(bool cut) {
+        Scene scene = seenFrom(molar(cut), {1.3, 0.7});
+        scene.objects.front().looks.front().opacity = 0.35F;
+        for (SceneObject& object : scene.objects) object.visible = true;
+        scene.objects[1].visible = false;  // enamel: its outside is the body's
+        return scene;
+    }
+
+    static inline std::shared_ptr<const LayeredTooth> tooth_;
+    static inline double mesialX_ = 1;
+};
+
+TEST_F(InsightPictures, FiveStandardViews) {
+    const std::pair<const char*, StandardView> views[] = {{"view-occlusal", StandardView::Occlusal},
+                                                          {"view-buccal", StandardView::Buccal},
+                                                          {"view-lingual", StandardView::Lingual},
+                                                          {"view-mesial", StandardView::Mesial},
+                                                          {"view-distal", StandardView::Distal}};
+    const std::vector<SceneObject> whole = molar(false);
+    for (const auto& [name, view] : views) {
+        OrbitCamera camera;
+        camera.look(view, mesialX_);
+        expectBaseline(name, seenFrom({whole.front()}, camera.direction()));
+    }
+}
+
+TEST_F(InsightPictures, CutSurfaceShowsItsLayers) {
+    expectBaseline("cut", seenFrom({molar(true).front()}, {1.5, 1.2}));
+}
+
+TEST_F(InsightPictures, SectionShowsTheLayersFilled) { expectBaseline("section", openedFromBuccal(false)); }
+
+TEST_F(InsightPictures, SectionOfACutToothIsEmptyWhereItWasCut) {
+    expectBaseline("section-cut", openedFromBuccal(true));
+}
+
+TEST_F(InsightPictures, SectionInTheMirror) {
+    Scene scene = openedFromBuccal(false);
+    SceneMirror mirror;
+    mirror.radius = 7;
+    const Vec3 crown = tooth_->outer()->tree().box().center() + Vec3(0, 0, 6);
+    mirror.mirrorInWorld.position = crown + Vec3(-9, 10, 0);
+    const Vec3 toEye = (scene.camera.cameraInWorld.position - mirror.mirrorInWorld.position).normalized();
+    const Vec3 toCrown = (crown - mirror.mirrorInWorld.position).normalized();
+    mirror.mirrorInWorld.rotation = Quat::FromTwoVectors(Vec3::UnitZ(), (toEye + toCrown).normalized());
+    scene.mirror = mirror;
+    expectBaseline("section-mirror", scene);
+}
+
+TEST_F(InsightPictures, GlassyEnamelShowsDentinAndCaries) { expectBaseline("transparent", glassy(false)); }
+
+TEST_F(InsightPictures, NothingOfALayerStandsInACavity) { expectBaseline("transparent-cut", glassy(true)); }
+
+TEST_F(InsightPictures, ColoursByDistance) {
+    Scene scene = seenFrom({molar(true).front()}, {1.4, 0.9});
+    const SurfacePart target(test::sphere(Vec3(0, 0, 2), 5, 64, 32));
+    const Box3 box = tooth_->outer()->tree().box();
+    scene.objects.front().distances =
+        ColourByDistance{std::make_shared<const DistanceGrid>(distancesTo(target, box, 48)), 2};
+    expectBaseline("distances", scene);
+}
+
+TEST_F(InsightPictures, TwoEyes) {
+    Scene scene = seenFrom({molar(false).front()}, {1.3, 0.7});
+    scene.stereo = {Stereo::Mode::SideBySide, 60, 2};
+    expectBaseline("stereo-side-by-side", scene);
+    scene.stereo.mode = Stereo::Mode::Anaglyph;
+    expectBaseline("stereo-anaglyph", scene);
+}
+
+TEST_F(InsightPictures, FogAndDropsOnTheMirror) {
+    Scene scene = seenFrom({molar(false).front()}, {1.3, 0.4});
+    SceneMirror mirror;
+    mirror.radius = 8;
+    const Vec3 crown = tooth_->outer()->tree().box().center() + Vec3(0, 0, 6);
+    mirror.mirrorInWorld.position = crown + Vec3(4, -10, 1);
+    const Vec3 toEye = (scene.camera.cameraInWorld.position - mirror.mirrorInWorld.position).normalized();
+    mirror.mirrorInWorld.rotation = Quat::FromTwoVectors(
+        Vec3::UnitZ(), (toEye + (crown - mirror.mirrorInWorld.position).normalized()).normalized());
+    mirror.fog = 0.8F;
+    scene.mirror = mirror;
+    expectBaseline("mirror-fog", scene);
+    scene.mirror->fog = 0;
+    scene.mirror->drops = 0.5F;
+    expectBaseline("mirror-drops", scene);
+}
+
+TEST_F(InsightPictures, DropsAndChipsInTheAir) {
+    Scene scene = seenFrom({molar(false).front()}, {1.3, 0.5});
+    const Vec3f top = tooth_->outer()->tree().box().center().cast<float>() + Vec3f(0, 0, 10);
+    for (int i = 0; i < 120; ++i) {
+        const float angle = 2.4F * static_cast<float>(i);
+        const float away = 0.35F * std::sqrt(static_cast<float>(i));
+        const bool chip = i % 4 == 0;
+        scene.particles.push_back({top + away * Vec3f(std::cos(angle), std::sin(angle), 0.3F * std::sin(3 * angle)),
+                                   chip ? 0.08F : 0.16F, chip ? Vec3f(0.93F, 0.9F, 0.82F) : Vec3f(0.85F, 0.92F, 1.0F),
+                                   chip ? 1.0F : 0.4F});
+    }
+    expectBaseline("spray", scene);
+}
+
+}  // namespace
+}  // namespace tactooth
