@@ -132,7 +132,7 @@ int main(int argc, char** argv) {
     tactooth::prepareAudioLibraries();
     tactooth::prepareWindowSystem();
     QApplication application(argc, argv);
-    tactooth::applyLook(application);
+    tactooth::applyLook();
     const QStringList arguments = QApplication::arguments();
     return tactooth::run(std::max(1.0, arguments.value(1, "6").toDouble()), arguments.value(2));
 }

@@ -84,11 +84,9 @@ Expected<ClipWord> parseClip(const std::string& text) {
 
 Expected<OpacityWord> parseOpacity(const std::string& text) {
     const auto parts = split(text, '=');
-    const std::optional<double> opacity = parts.size() == 2 ? toNumber<double>(parts[1]) : std::nullopt;
+    const double opacity = parts.size() == 2 ? toNumber<double>(parts[1]).value_or(-1) : -1;
     const std::optional<MaterialId> material = materialFromName(parts.front());
-    if (material && opacity && *opacity >= 0 && *opacity <= 1) {
-        return OpacityWord{*material, static_cast<float>(*opacity)};
-    }
+    if (material && opacity >= 0 && opacity <= 1) return OpacityWord{*material, static_cast<float>(opacity)};
     return unexpected("'" + text +
                       "' makes nothing transparent: write a material and its opacity from 0 to 1, as enamel=0.3.");
 }

@@ -801,8 +801,8 @@ The mouse wheel in the picture changes it too.</source>
         <translation>参照…</translation>
     </message>
     <message>
-        <source>Surfaces and saved teeth (*.stl *.STL *.tactooth);;All files (*)</source>
-        <translation>表面と保存した歯 (*.stl *.STL *.tactooth);;すべてのファイル (*)</translation>
+        <source>Surfaces and saved teeth (*.stl *.STL *.obj *.OBJ *.ply *.PLY *.tactooth);;All files (*)</source>
+        <translation>表面と保存した歯 (*.stl *.STL *.obj *.OBJ *.ply *.PLY *.tactooth);;すべてのファイル (*)</translation>
     </message>
 </context>
 <context>
