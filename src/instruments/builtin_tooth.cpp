@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <span>
 
+#include "geometry/mesh_edges.h"
 #include "instruments/anatomy/lesion.h"
 #include "instruments/anatomy/variation.h"
 
@@ -59,9 +61,20 @@ void mirror(TriangleMesh& mesh) {
     for (Triangle& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
 }
 
-/// The tooth's layers as meshes, with +x mesial.
-BuiltinTooth meshed(const ToothShape& shape, int triangles) {
-    const double cellSize = cellSizeFor(shape, triangles);
+/// Whether two triangles lie back to back: where a body is thinner than a cell, its two sides may have crossed.
+bool isFolded(const TriangleMesh& mesh) {
+    constexpr double kBackToBack = -0.9;  // cosine between normals; the sharpest edge of a tooth stays above -0.85
+    bool folded = false;
+    MeshEdges(mesh).forEachEdge([&](std::span<const EdgeUse> uses) {
+        if (uses.size() != 2) return;
+        const Vec3 a = mesh.areaVector(uses[0].corner / 3), b = mesh.areaVector(uses[1].corner / 3);
+        folded |= a.dot(b) < kBackToBack * a.norm() * b.norm();
+    });
+    return folded;
+}
+
+/// The tooth's layers as meshes, with +x mesial. All on one grid, so that layers that share a surface share triangles.
+BuiltinTooth meshed(const ToothShape& shape, double cellSize) {
     const auto mesh = [&](const ScalarField& body) { return meshOf(body, shape.bounds, cellSize, kRelaxations); };
     BuiltinTooth tooth;
     tooth.name = shape.name;
@@ -87,7 +100,13 @@ TriangleMesh lesionMesh(const ToothShape& shape, const Lesion& lesion, int trian
 BuiltinTooth makeTooth(const ToothRequest& request) {
     assert(isPermanentTooth(request.fdi) && request.triangles > 0);
     const ToothShape shape = varied(toothShape(request.fdi), request.seed);
-    BuiltinTooth tooth = meshed(shape, request.triangles);
+    double cellSize = cellSizeFor(shape, request.triangles);
+    BuiltinTooth tooth = meshed(shape, cellSize);
+    constexpr int kTries = 5;  // one is enough for nearly every tooth
+    for (int i = 1; i < kTries && (isFolded(tooth.outer) || isFolded(tooth.enamel) || isFolded(tooth.dentin)); ++i) {
+        cellSize *= 0.97;
+        tooth = meshed(shape, cellSize);
+    }
     if (request.lesion) tooth.caries = lesionMesh(shape, *request.lesion, request.triangles);
     if (mesialX(tooth.fdi) < 0) {
         for (TriangleMesh* layer : {&tooth.outer, &tooth.enamel, &tooth.dentin, &tooth.pulp, &tooth.caries}) {
