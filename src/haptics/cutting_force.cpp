@@ -9,7 +9,6 @@
 namespace tactooth {
 namespace {
 
-constexpr double kRubsRpm = 300;   // rev/min; a slower bur rubs and does not cut
 constexpr double kCutsRpm = 3000;  // rev/min; a faster one cuts with all its force
 constexpr double kFade = 0.02;     // s; of the bite: 1 N of normal force brings the pull by 0.025 N a millisecond
 

@@ -10,6 +10,9 @@ namespace tactooth {
 /// between 0.6 and 2.9 N).
 inline constexpr double kTangentialShare = 0.5;
 
+/// A bur that turns slower, rev/min, rubs and does not cut.
+inline constexpr double kRubsRpm = 300;
+
 /// A turning bur in contact, in the tooth's frame.
 struct CuttingContact {
     Vec3 normal;          ///< unit, out of the tooth

@@ -13,10 +13,9 @@ namespace tactooth {
 namespace {
 
 constexpr double kVelocityCutoff =
-    100;  // Hz: above the hand's 10 Hz, below what an encoder step of 55 um makes of 1 kHz
-constexpr double kCuttingSpeedRpm = 300;  // a bur slower than this rubs and does not cut
-constexpr double kFurthest = 1e6;         // mm from the tooth: a hand beyond is a fault of the device
-constexpr double kUnitTolerance = 1e-3;   // of a quaternion's squared length
+    100;                           // Hz: above the hand's 10 Hz, below what an encoder step of 55 um makes of 1 kHz
+constexpr double kFurthest = 1e6;  // mm from the tooth: a hand beyond is a fault of the device
+constexpr double kUnitTolerance = 1e-3;  // of a quaternion's squared length
 
 /// False also for everything that is not a number.
 bool isSomewhere(const Pose& hand) {
@@ -44,7 +43,7 @@ void HapticSimulation::setSurface(FeltSurface& felt) {
 /// A bur that cuts goes on at the pace of its cut.
 Pose HapticSimulation::goalOf(const HandInput& input, double dt) {
     pace_.pass(dt);
-    const bool cuts = input.cutting && last_.contacts > 0 && last_.speedRpm > kCuttingSpeedRpm && following_;
+    const bool cuts = input.cutting && last_.contacts > 0 && last_.speedRpm > kRubsRpm && following_;
     const Pose& hand = input.handInTooth;
     return cuts ? pace_.goal(hand, proxy_.pose(), hand.position - lastHand_.position, dt) : hand;
 }
@@ -68,7 +67,7 @@ void HapticSimulation::filterVelocity(const Pose& hand, double dt) {
 
 /// Turns the spindle one step under the load of the cut, and books the work that the cut may spend.
 void HapticSimulation::turnBur(const HandInput& input, double dt, Tick& tick) {
-    const bool bites = input.cutting && tick.contacts > 0 && bur_.speedRpm > kCuttingSpeedRpm;
+    const bool bites = input.cutting && tick.contacts > 0 && bur_.speedRpm > kRubsRpm;
     const double tangential = bites ? kTangentialShare * force_.normalForce() : 0;
     tick.load = tangential * burRadius_;
     bur_ = stepSpindle(spindle_, bur_, input.cutting ? tick.pedal : 0, tick.load, dt);

@@ -4,11 +4,12 @@
 
 #include <algorithm>
 
+#include "haptics/cutting_force.h"
+
 namespace tactooth {
 namespace {
 
 constexpr double kReached = 1e-4;   // mm^3; less of a tissue, a cube of 46 um, may be the rounding of its border
-constexpr double kStandsRpm = 300;  // rev/min; slower, a bur does not cut
 constexpr double kTurnsRpm = 3000;  // rev/min; faster, it has run up
 constexpr double kPedalDown = 0.1;  // a foot that asks for a turning bur, beyond any pedal's dead band
 
@@ -42,7 +43,7 @@ void CutEvents::watch(double time, const Tick& tick, const MaterialVolumes& remo
     tellOnce(CutEventKind::DentinReached, gone(MaterialId::Dentin) > kReached, time, tick);
     tellOnce(CutEventKind::PulpExposed, gone(MaterialId::Pulp) > kReached, time, tick);
     turned_ = turned_ || tick.speedRpm > kTurnsRpm;
-    if (turned_ && tick.speedRpm < kStandsRpm && tick.pedal > kPedalDown && tick.contacts > 0) {
+    if (turned_ && tick.speedRpm < kRubsRpm && tick.pedal > kPedalDown && tick.contacts > 0) {
         events_.push_back({CutEventKind::BurStalled, time, tick.proxy.position});
         turned_ = false;
     }
