@@ -24,7 +24,7 @@ constexpr double kEyesPerFocus = 1.0 / 30;  // eye distance by the distance of w
 
 Expected<BenchTooth> toothOf(const RenderOptions& options) {
     if (options.tooth.empty()) return makeBenchTooth(kBuiltinTeeth.front());
-    ToothSource source{.outer = options.tooth, .layers = {}};
+    ToothSource source{.outer = options.tooth, .layers = {}, .workOn = options.workOn};
     for (const std::string& text : options.layers) {
         Expected<ToothSource::Layer> layer = parseLayer(text);
         if (!layer) return Unexpected{layer.error()};
@@ -67,7 +67,8 @@ Expected<OrbitCamera> eyeOf(const RenderOptions& options, const BenchTooth& toot
     const auto direction = parseView(options.view);
     if (!direction) return Unexpected{direction.error()};
     OrbitCamera camera;
-    camera.fit(tooth.box(), size.aspect());
+    // Of a case all is shown, unless one of its teeth was asked for.
+    camera.fit(options.workOn.empty() ? tooth.piece->tooth().outer()->tree().box() : tooth.box(), size.aspect());
     if (direction->standard) {
         camera.look(*direction->standard, tooth.mesialX);
     } else {
@@ -148,7 +149,8 @@ Expected<void> render(const RenderOptions& options) {
     if (!size) return Unexpected{size.error()};
     auto tooth = toothOf(options);
     if (!tooth) return Unexpected{tooth.error()};
-    const auto materials = materialsFrom(options.materials);
+    const auto materials =
+        options.materials.empty() && tooth->materials ? *tooth->materials : materialsFrom(options.materials);
     if (!materials) return Unexpected{materials.error()};
     auto inspection = inspectionOf(options, *tooth);
     if (!inspection) return Unexpected{inspection.error()};

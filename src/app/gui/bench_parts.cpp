@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/bench_parts.h"
 
-#include "geometry/mesh_file.h"
 #include "instruments/bur_shape.h"
 #include "instruments/turbine.h"
 
@@ -11,6 +10,18 @@ namespace {
 
 constexpr double kVoxel = 0.05;           // mm: a twentieth of a small bur's width; the cut itself is finer
 constexpr int kShownBurTriangles = 6000;  // blades look round at full zoom
+
+/// `file`: that it came from; empty for one of a case.
+Expected<BenchBur> benchBurOf(OwnBur own, const std::filesystem::path& file) {
+    Expected<CuttingTool> cutting = makeCuttingTool(own.surface, own.sharpness);
+    if (!cutting) return unexpected((file.empty() ? own.name : file.string()) + ": " + cutting.error().message);
+    auto shown = std::make_shared<const TriangleMesh>(own.surface);
+    return BenchBur{own.name,
+                    {std::make_shared<const ToolShape>(std::move(own.surface)), std::move(*cutting)},
+                    std::move(shown),
+                    own.material,
+                    file};
+}
 
 }  // namespace
 
@@ -28,7 +39,28 @@ Expected<BenchTooth> makeBenchTooth(const BuiltinToothEntry& entry) {
 Expected<BenchTooth> loadBenchTooth(const ToothSource& source) {
     Expected<OpenedTooth> opened = loadTooth(source, std::nullopt, kVoxel);
     if (!opened) return Unexpected{opened.error()};
-    return BenchTooth{source.outer.filename().string(), std::move(opened->piece), 1, std::move(opened->provenance)};
+    BenchTooth tooth{opened->name,
+                     std::move(opened->piece),
+                     opened->mesialX,
+                     std::move(opened->provenance),
+                     opened->box,
+                     std::move(opened->materials),
+                     std::move(opened->teethOfCase)};
+    if (opened->bur) {
+        Expected<BenchBur> bur = benchBurOf(std::move(*opened->bur), {});
+        if (!bur) return Unexpected{bur.error()};
+        tooth.bur = std::move(*bur);
+    }
+    return tooth;
+}
+
+Expected<BenchTooth> makeBenchTooth(const ExaminedScan& scan) {
+    Expected<LayeredTooth> layered = LayeredTooth::make(scan.outer, scan.layers);
+    if (!layered) return unexpected(scan.name + ": " + layered.error().message + ".");
+    auto shared = std::make_shared<const LayeredTooth>(std::move(*layered));
+    BenchTooth tooth{scan.name, std::make_shared<WorkPiece>(std::move(shared), kVoxel), 1, {{"tooth", scan.name}}};
+    for (const Remark& remark : scan.remarks) tooth.provenance.emplace_back("assumed", inWords(remark));
+    return tooth;
 }
 
 Expected<BenchBur> makeBenchBur(const BurSpec& spec) {
@@ -43,16 +75,9 @@ Expected<BenchBur> makeBenchBur(const BurSpec& spec) {
 }
 
 Expected<BenchBur> loadBenchBur(const std::filesystem::path& path) {
-    Expected<TriangleMesh> mesh = loadMesh(path);
-    if (!mesh) return Unexpected{mesh.error()};
-    Expected<CuttingTool> cutting = makeCuttingTool(*mesh);
-    if (!cutting) return unexpected(path.string() + ": " + cutting.error().message);
-    auto shown = std::make_shared<const TriangleMesh>(*mesh);
-    return BenchBur{path.filename().string(),
-                    {std::make_shared<const ToolShape>(std::move(*mesh)), std::move(*cutting)},
-                    std::move(shown),
-                    BurMaterial::carbide,
-                    path};
+    Expected<OwnBur> own = readOwnBur(path);
+    if (!own) return Unexpected{own.error()};
+    return benchBurOf(std::move(*own), path);
 }
 
 BenchFurniture makeFurniture() {
