@@ -148,10 +148,18 @@ Expected<ExaminedScan> finishScan(ExaminedScan scan, const ImportChoices& choice
         auto model = modelLayers(scan.outer, progress);
         if (!model) return Unexpected{model.error()};
         scan.layers = std::move(model->layers);
-        scan.layersAreModelled = true;
+        scan.layersAreModelled = scan.enamelIsOuter = true;
         std::ranges::move(model->how, std::back_inserter(scan.remarks));
     } else if (scan.layers.empty()) {
         scan.remarks.push_back({RemarkTopic::Layers, "The whole tooth is taken as enamel, as chosen."});
+    }
+    const bool hasEnamel =
+        std::ranges::any_of(scan.layers, [](const LayerMesh& layer) { return layer.material == MaterialId::Enamel; });
+    if (!scan.layers.empty() && !hasEnamel) {
+        scan.layers.insert(scan.layers.begin(), {"enamel", MaterialId::Enamel, scan.outer});
+        scan.enamelIsOuter = true;
+        scan.remarks.push_back(
+            {RemarkTopic::Layers, "No enamel is given: what no other layer holds is taken as enamel."});
     }
     const auto tooth = LayeredTooth::make(scan.outer, scan.layers);
     if (!tooth) return unexpected(scan.name + ": " + tooth.error().message + ".");

@@ -37,14 +37,15 @@ struct ExaminedScan {
     Pose toothInFile;  ///< the file's frame scaled to mm
     std::vector<Remark> remarks;
     bool layersAreModelled = false;
+    bool enamelIsOuter = false;  ///< the enamel is what the other layers leave of the outer surface
 };
 
 /// Mends, scales and turns. Fails with one sentence, which begins with the scan's name, if the surfaces are empty or
 /// cannot be closed.
 [[nodiscard]] Expected<ExaminedScan> examineScan(const Scan& scan, const ImportChoices& choices);
 
-/// Gives a scan without layers those of a model (if `choices` want that) and looks whether it is a tooth that can be
-/// cut. Takes some seconds; fails with "stopped" when `progress` says stop.
+/// Gives a scan without layers those of a model (if `choices` want that), takes what no layer holds as enamel, and
+/// looks whether it is a tooth that can be cut. Takes some seconds; fails with "stopped" when `progress` says stop.
 [[nodiscard]] Expected<ExaminedScan> finishScan(ExaminedScan scan, const ImportChoices& choices,
                                                 const Progress& progress = {});
 

@@ -42,6 +42,7 @@ TEST(RemarkWords, EveryRemarkIsKnown) {
     const std::vector<LayerMesh> layers = {{"dentin", MaterialId::Dentin, test::box(Vec3(-3, -3, -12), Vec3(3, 3, 0))},
                                            {"enamel", MaterialId::Enamel, test::box(Vec3(-3, -3, 0), Vec3(3, 3, 8))}};
     expectAllKnown({"a", {}, layers}, {});
+    expectAllKnown({"a", block, {layers.front()}}, {});
 }
 
 TEST(RemarkWords, ValuesStandInTheirPlaces) {

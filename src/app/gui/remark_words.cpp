@@ -45,6 +45,7 @@ constexpr const char* kRemarks[] = {
     QT_TRANSLATE_NOOP("Remarks", "%1: closed and sound as it came, %2 triangles."),
     QT_TRANSLATE_NOOP("Remarks", "%1: consists of %2 separate shells."),
     QT_TRANSLATE_NOOP("Remarks", "The whole tooth is taken as enamel, as chosen."),
+    QT_TRANSLATE_NOOP("Remarks", "No enamel is given: what no other layer holds is taken as enamel."),
     QT_TRANSLATE_NOOP("Remarks",
                       "Only the outer surface is known: enamel and dentin are a model, with enamel up to %1 mm thick "
                       "that thins to nothing at the neck. They are no measurement of this tooth."),

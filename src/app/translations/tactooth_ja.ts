@@ -1098,6 +1098,10 @@ p99：99 % の周期はこれより短い。欠落：システムが時間を与
         <translation>%1：%2 個の独立した殻からなります。</translation>
     </message>
     <message>
+        <source>No enamel is given: what no other layer holds is taken as enamel.</source>
+        <translation>エナメル質が与えられていません。どの層にも含まれない部分をエナメル質とします。</translation>
+    </message>
+    <message>
         <source>The whole tooth is taken as enamel, as chosen.</source>
         <translation>指定により歯全体をエナメル質とします。</translation>
     </message>

@@ -203,7 +203,7 @@ private:
         entry.outer = folder + "outer.stl";
         made_.files.push_back({entry.outer, stlBytes(tooth.outer)});
         for (const LayerMesh& layer : tooth.layers) {
-            const bool isOuter = tooth.layersAreModelled && layer.material == MaterialId::Enamel;
+            const bool isOuter = tooth.enamelIsOuter && layer.material == MaterialId::Enamel;
             const std::string file =
                 isOuter ? entry.outer : folder + std::string(materialName(layer.material)) + ".stl";
             if (!isOuter) made_.files.push_back({file, stlBytes(layer.mesh)});
