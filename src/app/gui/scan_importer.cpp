@@ -1,4 +1,5 @@
-
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/scan_importer.h"
 
 #include <QString>
