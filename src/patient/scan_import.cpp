@@ -3,6 +3,7 @@
 #include "patient/scan_import.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "geometry/mesh_report.h"
 #include "patient/joined_layers.h"

@@ -3,6 +3,7 @@
 #include "patient/tooth_frame.h"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>

@@ -117,7 +117,7 @@ void ImportDialog::showLooking(bool isReading) {
     buttons_->button(QDialogButtonBox::Ok)->setEnabled(false);
 }
 
-void ImportDialog::show(const Expected<ExaminedScan>& scan) {
+void ImportDialog::showFindings(const Expected<ExaminedScan>& scan) {
     progress_->setVisible(false);
     setEnabledAll(true);
     buttons_->button(QDialogButtonBox::Ok)->setEnabled(scan.has_value());

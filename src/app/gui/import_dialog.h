@@ -34,7 +34,7 @@ public:
     /// The scan is being looked at.
     void showLooking(bool isReading);
     /// What was found, or why it cannot be taken with these choices.
-    void show(const Expected<ExaminedScan>& scan);
+    void showFindings(const Expected<ExaminedScan>& scan);
     /// The layers are being made; `part` of it is done.
     void showBuilding(double part);
 

@@ -58,9 +58,9 @@ void ScanImporter::begin(const std::vector<fs::path>& files, QWidget* parent) {
     examined_ = nullptr;
     dialog_ = new ImportDialog(QString::fromStdString(files.front().filename().string()),
                                QString::fromStdString(caseFileOf(files).string()), parent);
-    connect(dialog_, &ImportDialog::choicesChanged, this, &ScanImporter::look);
-    connect(dialog_, &ImportDialog::taken, this, &ScanImporter::build);
-    connect(dialog_, &QDialog::rejected, this, &ScanImporter::stop);
+    connect(dialog_.data(), &ImportDialog::choicesChanged, this, &ScanImporter::look);
+    connect(dialog_.data(), &ImportDialog::taken, this, &ScanImporter::build);
+    connect(dialog_.data(), &QDialog::rejected, this, &ScanImporter::stop);
     dialog_->open();
     look();
 }
@@ -111,7 +111,7 @@ void ScanImporter::poll() {
         } else {
             scan_ = (*looked)->scan;
             if ((*looked)->examined) examined_ = std::make_shared<const ExaminedScan>(*(*looked)->examined);
-            dialog_->show((*looked)->examined);
+            dialog_->showFindings((*looked)->examined);
         }
     }
     if (building_.isBusy() && dialog_) dialog_->showBuilding(control_->part);

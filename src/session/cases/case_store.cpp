@@ -41,8 +41,8 @@ Expected<std::vector<std::string>> filesBelow(const fs::path& folder) {
 bool isInside(const fs::path& folder, const fs::path& file) {
     std::error_code error;
     const fs::path home = fs::canonical(folder, error), place = fs::canonical(file, error);
-    const auto [rest, unused] = std::ranges::mismatch(home, place);
-    return !error && rest == home.end();
+    if (error) return false;
+    return std::mismatch(home.begin(), home.end(), place.begin(), place.end()).first == home.end();
 }
 
 }  // namespace

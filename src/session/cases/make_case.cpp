@@ -190,7 +190,8 @@ private:
             std::erase_if(tooth->remarks, [](const Remark& remark) { return remark.topic == RemarkTopic::Units; });
             tooth->remarks.insert(tooth->remarks.begin(), shared_.begin(), shared_.end());
         }
-        addTooth(*tooth, scans_.size() > 1 ? tooth->toothInFile : Pose());
+        const bool isAlone = scans_.size() == 1 && around_.empty();
+        addTooth(*tooth, isAlone ? Pose() : tooth->toothInFile);
         if (mmPerUnit_ == 0) mmPerUnit_ = tooth->mmPerUnit;
         return {};
     }

@@ -52,7 +52,7 @@ Expected<OwnBur> parseOwnBur(std::string_view text, const std::string& name, con
     const auto bytes = readBeside(file);
     if (!bytes) return Unexpected{bytes.error()};
     auto mesh = parseMesh(*bytes, file);
-    if (!mesh) return Unexpected{mesh.error()};
+    if (!mesh) return unexpected(name + ": " + mesh.error().message);
     bur.surface = std::move(*mesh);
     return bur;
 }

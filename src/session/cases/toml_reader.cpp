@@ -138,7 +138,7 @@ std::vector<const toml::table*> TomlReader::tables(const toml::table& table, std
     if (node == nullptr) return result;
     const toml::array* list = node->as_array();
     for (std::size_t i = 0; list != nullptr && i < list->size(); ++i) result.push_back(list->get(i)->as_table());
-    if (list == nullptr || std::ranges::find(result, nullptr) != result.end()) {
+    if (list == nullptr || std::find(result.begin(), result.end(), nullptr) != result.end()) {
         fail(*node, "begin each " + std::string(key) + " with a line [[" + std::string(key) + "]]");
         return {};
     }

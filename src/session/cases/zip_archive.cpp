@@ -122,7 +122,10 @@ Expected<std::vector<std::byte>> packedCase(std::vector<CaseFile> files) {
     zip_source_t* target = zip_source_buffer_create(nullptr, 0, 0, &error);
     zip_t* archive = target == nullptr ? nullptr : zip_open_from_source(target, ZIP_TRUNCATE, &error);
     zip_error_fini(&error);
-    if (archive == nullptr) return failed();
+    if (archive == nullptr) {
+        zip_source_free(target);
+        return failed();
+    }
     zip_source_keep(target);
     bool isDone = true;
     for (const CaseFile& file : files) {
