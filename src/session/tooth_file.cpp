@@ -27,9 +27,7 @@ Expected<OpenedTooth> openTooth(const std::filesystem::path& path) {
     if (!tooth) return unexpected(shownName(path) + ": " + tooth.error().message);
     auto piece = std::make_shared<WorkPiece>(std::make_shared<const LayeredTooth>(std::move(*tooth)), saved->voxel);
     piece->adopt(saved->cuts, saved->removed);
-    OpenedTooth opened{std::move(piece), std::move(saved->provenance), path.filename().string()};
-    opened.box = opened.piece->tooth().outer()->tree().box();
-    return opened;
+    return OpenedTooth{std::move(piece), std::move(saved->provenance)};
 }
 
 Expected<OpenedTooth> loadTooth(const ToothSource& source, std::optional<double> voxel, double usualVoxel) {
@@ -44,16 +42,15 @@ Expected<OpenedTooth> loadTooth(const ToothSource& source, std::optional<double>
         }
         return opened;
     }
-    auto placed = loadPlacedTooth(source);
-    if (!placed) return Unexpected{placed.error()};
-    return OpenedTooth{std::make_shared<WorkPiece>(std::move(placed->tooth), voxel.value_or(usualVoxel)),
-                       std::move(placed->provenance),
-                       std::move(placed->name),
-                       placed->box,
-                       placed->mesialX,
-                       std::move(placed->materials),
-                       std::move(placed->bur),
-                       std::move(placed->teethOfCase)};
+    auto tooth = loadLayeredTooth(source);
+    if (!tooth) return Unexpected{tooth.error()};
+    OpenedTooth opened;
+    opened.provenance.emplace_back("tooth", source.outer.string());
+    for (const ToothSource::Layer& layer : source.layers) {
+        opened.provenance.emplace_back("layer " + layer.material, layer.file.string());
+    }
+    opened.piece = std::make_shared<WorkPiece>(std::move(*tooth), voxel.value_or(usualVoxel));
+    return opened;
 }
 
 bool isToothFile(const std::filesystem::path& path) { return path.extension() == kToothFileEnding; }

@@ -27,17 +27,11 @@ inline constexpr std::string_view kToothFileEnding = ".tactooth";
 struct OpenedTooth {
     std::shared_ptr<WorkPiece> piece;
     Provenance provenance;
-    std::string name = {};                        ///< for people
-    Box3 box = {};                                ///< of what is worked on, mm
-    double mesialX = 1;                           ///< direction of mesial along x
-    std::optional<MaterialTable> materials = {};  ///< that a case brings
-    std::optional<OwnBur> bur = {};               ///< that a case brings
-    std::vector<std::string> teethOfCase = {};    ///< names; empty: it is no case
 };
 [[nodiscard]] Expected<OpenedTooth> openTooth(const std::filesystem::path& path);
 
-/// A tooth for the bench: from surfaces or a case, or a saved one if the source's outer surface names such a file.
-/// `voxel`: spacing of the cut volume, mm; without it a saved tooth keeps its own, and another takes `usualVoxel`.
+/// A tooth for the bench: from surfaces, or a saved one if the source's outer surface names such a file. `voxel`:
+/// spacing of the cut volume, mm; without it a saved tooth keeps its own, and another takes `usualVoxel`.
 [[nodiscard]] Expected<OpenedTooth> loadTooth(const ToothSource& source, std::optional<double> voxel,
                                               double usualVoxel);
 

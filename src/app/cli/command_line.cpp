@@ -289,7 +289,8 @@ int runWithoutCommand(const WindowFiles& files) {
         if (!file.has_extension() && !std::filesystem::exists(file, unused)) {
             return refuse({"there is no command and no case '" + files.tooth + "'; see 'tactooth --help'."});
         }
-        options.tooth = ToothSource{.outer = file, .layers = {}, .workOn = files.workOn};
+        options.tooth = ToothSource{.outer = file, .layers = {}};
+        options.workOn = files.workOn;
     }
     for (const std::string& text : files.layers) {
         Expected<ToothSource::Layer> layer = parseLayer(text);

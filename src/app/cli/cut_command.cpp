@@ -11,6 +11,7 @@
 #include "collision/surface.h"
 #include "geometry/atomic_file.h"
 #include "geometry/stl_writer.h"
+#include "session/cases/placed_tooth.h"
 #include "session/cut_events.h"
 #include "session/cut_run.h"
 #include "session/material_file.h"
@@ -94,7 +95,7 @@ private:
 };
 
 Expected<ToothSource> toothSource(const CutOptions& options) {
-    ToothSource source{options.tooth, {}, options.material, options.workOn};
+    ToothSource source{options.tooth, {}, options.material};
     for (const std::string& text : options.layers) {
         auto layer = parseLayer(text);
         if (!layer) return Unexpected{layer.error()};
@@ -122,9 +123,9 @@ Expected<void> writeLayers(const CutVolume& volume, const std::filesystem::path&
 }
 
 /// The bur that is named, else the one that the case brings.
-Expected<OwnBur> burOf(const CutOptions& options, const OpenedTooth& tooth) {
+Expected<OwnBur> burOf(const CutOptions& options, const ToothPlace& place) {
     if (!options.tool.empty()) return readOwnBur(options.tool);
-    if (tooth.bur) return *tooth.bur;
+    if (place.bur) return *place.bur;
     return unexpected("there is no bur: give --tool, or a case that brings one.");
 }
 
@@ -142,16 +143,16 @@ int runCut(const CutOptions& options) {
     if (!source) return refuse(source.error());
     const auto path = readTrajectory(options.trajectory);
     if (!path) return refuse(path.error());
-    const auto tooth = loadTooth(*source, options.voxel, kUsualVoxel);
+    const auto tooth = loadPlacedWork(*source, options.workOn, options.voxel, kUsualVoxel);
     if (!tooth) return refuse(tooth.error());
-    auto bur = burOf(options, *tooth);
+    auto bur = burOf(options, tooth->place);
     if (!bur) return refuse(bur.error());
     const auto tool = makeCuttingTool(bur->surface, bur->sharpness);
     if (!tool) return refuse({bur->name + ": " + tool.error().message});
     WorkPiece& piece = *tooth->piece;
     const MaterialVolumes before = piece.removed();
-    const auto materials =
-        options.materials.empty() && tooth->materials ? *tooth->materials : materialsFrom(options.materials);
+    const auto materials = options.materials.empty() && tooth->place.materials ? *tooth->place.materials
+                                                                               : materialsFrom(options.materials);
     if (!materials) return refuse(materials.error());
     CutFiles files;
     if (const auto opened = files.open(options); !opened) return refuse(opened.error());

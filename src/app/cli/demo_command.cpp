@@ -15,7 +15,7 @@
 #include "instruments/builtin_tooth.h"
 #include "instruments/bur_shape.h"
 #include "instruments/turbine.h"
-#include "session/cases/open_case.h"
+#include "session/cases/placed_tooth.h"
 #include "session/material_file.h"
 #include "session/tick_csv.h"
 #include "session/tooth_source.h"
@@ -43,20 +43,21 @@ struct Cast {
 
 Expected<void> castTooth(const DemoOptions& options, Cast& cast) {
     if (!options.tooth.empty()) {
-        ToothSource source{options.tooth, {}, "enamel", options.workOn};
+        ToothSource source{options.tooth, {}, "enamel"};
         for (const std::string& text : options.layers) {
             auto layer = parseLayer(text);
             if (!layer) return Unexpected{layer.error()};
             source.layers.push_back(std::move(*layer));
         }
-        auto placed = loadPlacedTooth(source);
+        auto placed = loadPlacedTooth(source, options.workOn);
         if (!placed) return Unexpected{placed.error()};
-        cast.toothName = isCase(options.tooth) ? placed->name : options.tooth.string();
+        ToothPlace& place = placed->place;
+        cast.toothName = place.teethOfCase.empty() ? options.tooth.string() : place.name;
         cast.tooth = std::move(placed->tooth);
-        cast.box = placed->box;
-        cast.props.mesialX = placed->mesialX;
-        cast.materials = std::move(placed->materials);
-        cast.ownBur = std::move(placed->bur);
+        cast.box = place.box;
+        cast.props.mesialX = place.mesialX;
+        cast.materials = std::move(place.materials);
+        cast.ownBur = std::move(place.bur);
         return {};
     }
     const BuiltinTooth molar = makeBuiltinTooth(BuiltinToothKind::lowerFirstMolar);

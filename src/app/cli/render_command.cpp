@@ -24,13 +24,13 @@ constexpr double kEyesPerFocus = 1.0 / 30;  // eye distance by the distance of w
 
 Expected<BenchTooth> toothOf(const RenderOptions& options) {
     if (options.tooth.empty()) return makeBenchTooth(kBuiltinTeeth.front());
-    ToothSource source{.outer = options.tooth, .layers = {}, .workOn = options.workOn};
+    ToothSource source{.outer = options.tooth, .layers = {}};
     for (const std::string& text : options.layers) {
         Expected<ToothSource::Layer> layer = parseLayer(text);
         if (!layer) return Unexpected{layer.error()};
         source.layers.push_back(std::move(*layer));
     }
-    return loadBenchTooth(source);
+    return loadBenchTooth(source, options.workOn);
 }
 
 Expected<ColourByDistance> distancesFor(const RenderOptions& options, const Box3& box) {

@@ -4,6 +4,7 @@
 
 #include "instruments/bur_shape.h"
 #include "instruments/turbine.h"
+#include "session/cases/placed_tooth.h"
 
 namespace tactooth {
 namespace {
@@ -36,18 +37,15 @@ Expected<BenchTooth> makeBenchTooth(const BuiltinToothEntry& entry) {
                       {{"tooth", "built in: " + tooth.name}}};
 }
 
-Expected<BenchTooth> loadBenchTooth(const ToothSource& source) {
-    Expected<OpenedTooth> opened = loadTooth(source, std::nullopt, kVoxel);
-    if (!opened) return Unexpected{opened.error()};
-    BenchTooth tooth{opened->name,
-                     std::move(opened->piece),
-                     opened->mesialX,
-                     std::move(opened->provenance),
-                     opened->box,
-                     std::move(opened->materials),
-                     std::move(opened->teethOfCase)};
-    if (opened->bur) {
-        Expected<BenchBur> bur = benchBurOf(std::move(*opened->bur), {});
+Expected<BenchTooth> loadBenchTooth(const ToothSource& source, const std::string& workOn) {
+    Expected<PlacedWork> work = loadPlacedWork(source, workOn, std::nullopt, kVoxel);
+    if (!work) return Unexpected{work.error()};
+    ToothPlace& place = work->place;
+    BenchTooth tooth{
+        std::move(place.name),      std::move(work->piece),      place.mesialX, std::move(work->provenance), place.box,
+        std::move(place.materials), std::move(place.teethOfCase)};
+    if (place.bur) {
+        Expected<BenchBur> bur = benchBurOf(std::move(*place.bur), {});
         if (!bur) return Unexpected{bur.error()};
         tooth.bur = std::move(*bur);
     }

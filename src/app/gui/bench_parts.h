@@ -59,7 +59,7 @@ inline constexpr std::array<BuiltinToothEntry, 3> kBuiltinTeeth = {{
 
 // All of these take a second or so: they belong into an Errand. Failing gives a sentence for the user.
 [[nodiscard]] Expected<BenchTooth> makeBenchTooth(const BuiltinToothEntry& entry);
-[[nodiscard]] Expected<BenchTooth> loadBenchTooth(const ToothSource& source);
+[[nodiscard]] Expected<BenchTooth> loadBenchTooth(const ToothSource& source, const std::string& workOn = {});
 [[nodiscard]] Expected<BenchBur> makeBenchBur(const BurSpec& spec);
 /// `scan` with layers, as scan_import.h finishes it.
 [[nodiscard]] Expected<BenchTooth> makeBenchTooth(const ExaminedScan& scan);

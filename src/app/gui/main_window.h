@@ -43,7 +43,7 @@ public:
 
     [[nodiscard]] Workbench& bench() { return bench_; }
     void bringBuiltinTooth(const BuiltinToothEntry& entry);
-    void openTooth(const ToothSource& source);
+    void openTooth(const ToothSource& source, const std::string& workOn = {});
     /// Surfaces of one tooth in whatever unit and position: shows what was assumed before it takes them.
     void importScan(const std::vector<std::filesystem::path>& files);
     void bringBur(const BurSpec& spec);

@@ -54,12 +54,12 @@ void MainWindow::bringBuiltinTooth(const BuiltinToothEntry& entry) {
     bench_.bring([entry] { return makeBenchTooth(entry); });
 }
 
-void MainWindow::openTooth(const ToothSource& source) {
+void MainWindow::openTooth(const ToothSource& source, const std::string& workOn) {
     status_->setHint(tr("Opening %1…").arg(QString::fromStdString(source.outer.filename().string())));
     folder_ = folderOf(QString::fromStdString(source.outer.string()));
     remember(QString::fromStdString(source.outer.string()));
     source_ = source;
-    bench_.bring(Errand<BenchTooth>::Work([source] { return loadBenchTooth(source); }));
+    bench_.bring(Errand<BenchTooth>::Work([source, workOn] { return loadBenchTooth(source, workOn); }));
 }
 
 void MainWindow::importScan(const std::vector<std::filesystem::path>& files) {
@@ -100,7 +100,7 @@ void MainWindow::complain(const QString& sentence) {
 
 void MainWindow::askForTooth() {
     auto* dialog = new OpenToothDialog(folder_, this);
-    connect(dialog, &OpenToothDialog::chosen, this, &MainWindow::openTooth);
+    connect(dialog, &OpenToothDialog::chosen, this, [this](const ToothSource& source) { openTooth(source); });
     dialog->open();
 }
 
@@ -121,11 +121,7 @@ void MainWindow::fillCaseMenu() {
     caseMenu_->clear();
     const std::vector<std::string> teeth = bench_.tooth() ? bench_.tooth()->teethOfCase : std::vector<std::string>();
     for (const std::string& name : teeth) {
-        caseMenu_->addAction(QString::fromStdString(name), this, [this, name] {
-            ToothSource source = source_;
-            source.workOn = name;
-            openTooth(source);
-        });
+        caseMenu_->addAction(QString::fromStdString(name), this, [this, name] { openTooth(source_, name); });
     }
     if (teeth.empty()) caseMenu_->addAction(tr("Nothing yet"))->setEnabled(false);
 }

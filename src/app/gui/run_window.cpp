@@ -64,7 +64,7 @@ int runWindow(const WindowOptions& options) {
     if (!start) return refuse(start.error());
     std::optional<BenchTooth> tooth;
     if (options.tooth) {
-        Expected<BenchTooth> loaded = loadBenchTooth(*options.tooth);
+        Expected<BenchTooth> loaded = loadBenchTooth(*options.tooth, options.workOn);
         if (!loaded) return refuse(loaded.error());
         tooth = std::move(*loaded);
     }

@@ -7,7 +7,7 @@
 #include "geometry/atomic_file.h"
 #include "geometry/mesh_report.h"
 #include "session/cases/block_case.h"
-#include "session/tooth_file.h"
+#include "session/cases/placed_tooth.h"
 #include "support/test_data.h"
 
 namespace tactooth {
@@ -112,10 +112,10 @@ TEST(OpenCase, EveryToothOfACaseCanBeCut) {
     const test::TemporaryFolder folder;
     const auto bytes = packedCase(test::blockCase()).value();
     ASSERT_TRUE(writeFile(folder / "x.ttcase", bytes));
-    const auto tooth = loadTooth({.outer = folder / "x.ttcase", .layers = {}, .workOn = "37"}, 0.1, 0.1);
+    const auto tooth = loadPlacedWork({.outer = folder / "x.ttcase", .layers = {}}, "37", 0.1, 0.1);
     ASSERT_TRUE(tooth) << tooth.error().message;
-    EXPECT_EQ(tooth->name, "Two blocks, 37");
-    EXPECT_EQ(tooth->teethOfCase, (std::vector<std::string>{"36", "37"}));
+    EXPECT_EQ(tooth->place.name, "Two blocks, 37");
+    EXPECT_EQ(tooth->place.teethOfCase, (std::vector<std::string>{"36", "37"}));
     const auto tool = makeCuttingTool(test::cylinder(Vec3::Zero(), 0.5, 6, 24));
     ASSERT_TRUE(tool);
     for (const Vec3& top : {Vec3(0, 0, 4), Vec3(-10, 0, 3)}) {
