@@ -21,6 +21,8 @@ CLI::App* addCommand(CLI::App& program, Chosen& chosen, const std::string& name,
     return command;
 }
 
+/// case new, check, info and pack.
+void addCaseCommands(CLI::App& program, Chosen& chosen);
 /// simplify and subdivide.
 void addMeshCommands(CLI::App& program, Chosen& chosen);
 /// bur, instrument, tooth and gallery: what the program makes by itself.

@@ -8,8 +8,12 @@ namespace {
 
 void addSubject(CLI::App& command, RenderOptions& options) {
     command
-        .add_option("--tooth", options.tooth, "STL file, mm, crown up (+z), or a saved tooth (default: built-in molar)")
+        .add_option("--tooth,--case,FILE", options.tooth,
+                    "STL file, mm, crown up (+z), a case, or a saved tooth (default: built-in molar)")
         ->type_name("FILE");
+    command.add_option("--work-on", options.workOn, "The tooth of a case to look at (default: all of it)")
+        ->type_name("NAME")
+        ->needs("--tooth");
     command.add_option("--layer", options.layers, "What is inside --tooth, as for 'cut'")
         ->type_name("NAME=FILE")
         ->expected(1)

@@ -30,7 +30,7 @@ Expected<BenchTooth> toothOf(const RenderOptions& options) {
         if (!layer) return Unexpected{layer.error()};
         source.layers.push_back(std::move(*layer));
     }
-    return loadBenchTooth(source);
+    return loadBenchTooth(source, options.workOn);
 }
 
 Expected<ColourByDistance> distancesFor(const RenderOptions& options, const Box3& box) {
@@ -67,7 +67,8 @@ Expected<OrbitCamera> eyeOf(const RenderOptions& options, const BenchTooth& toot
     const auto direction = parseView(options.view);
     if (!direction) return Unexpected{direction.error()};
     OrbitCamera camera;
-    camera.fit(tooth.box(), size.aspect());
+    // Of a case all is shown, unless one of its teeth was asked for.
+    camera.fit(options.workOn.empty() ? tooth.piece->tooth().outer()->tree().box() : tooth.box(), size.aspect());
     if (direction->standard) {
         camera.look(*direction->standard, tooth.mesialX);
     } else {
@@ -148,7 +149,8 @@ Expected<void> render(const RenderOptions& options) {
     if (!size) return Unexpected{size.error()};
     auto tooth = toothOf(options);
     if (!tooth) return Unexpected{tooth.error()};
-    const auto materials = materialsFrom(options.materials);
+    const auto materials =
+        options.materials.empty() && tooth->materials ? *tooth->materials : materialsFrom(options.materials);
     if (!materials) return Unexpected{materials.error()};
     auto inspection = inspectionOf(options, *tooth);
     if (!inspection) return Unexpected{inspection.error()};

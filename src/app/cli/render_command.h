@@ -10,8 +10,9 @@
 namespace tactooth {
 
 struct RenderOptions {
-    std::filesystem::path tooth;  ///< STL or saved tooth; empty: the built-in molar
+    std::filesystem::path tooth;  ///< STL, case or saved tooth; empty: the built-in molar
     std::vector<std::string> layers;
+    std::string workOn;  ///< tooth of a case, shown alone; empty: all of it
     std::filesystem::path materials;
     std::string view = "dentist";  ///< a name of kStandardViews, "dentist", or "AZIMUTH,ELEVATION" in degrees
     std::string size = "1600x1000";

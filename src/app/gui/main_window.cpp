@@ -19,6 +19,7 @@
 #include "app/gui/inside_panel.h"
 #include "app/gui/open_tooth_dialog.h"
 #include "app/gui/plot_panel.h"
+#include "app/gui/scan_importer.h"
 #include "app/gui/sound_panel.h"
 #include "app/gui/status_line.h"
 #include "app/gui/tooth_view.h"
@@ -46,6 +47,7 @@ MainWindow::MainWindow(SoundOutput& sound)
       tour_(new GuidedTour(bench_, *view_, *drill_, *drive_, this)),
       volumes_(new SoundPanel),
       plots_(new PlotPanel),
+      importer_(new ScanImporter(this)),
       status_(new StatusLine),
       busy_(new QProgressBar),
       fileBar_(addToolBar(tr("File"))),
@@ -123,6 +125,10 @@ void MainWindow::addFileMenu() {
     recentMenu_ = menu->addMenu(tr("Open &recent"));
     recentMenu_->setObjectName("recent");
     connect(recentMenu_, &QMenu::aboutToShow, this, &MainWindow::fillRecentMenu);
+    caseMenu_ = menu->addMenu(tr("Tooth of the &case"));
+    caseMenu_->setObjectName("teethOfCase");
+    connect(caseMenu_, &QMenu::aboutToShow, this, &MainWindow::fillCaseMenu);
+    menu->addAction(tr("&Import scan…"), this, &MainWindow::askForScan)->setShortcut(QKeySequence("Ctrl+I"));
     menu->addAction(tr("Open &bur…"), this, &MainWindow::askForBur);
     menu->addAction(tr("&Save tooth…"), this, &MainWindow::askForSave)->setShortcut(QKeySequence::Save);
     QAction* save = menu->addAction(style()->standardIcon(QStyle::SP_DialogSaveButton), tr("&Export cut tooth…"), this,
@@ -194,6 +200,11 @@ void MainWindow::connectPanels() {
     connect(force_, &ForcePanel::pressDepthChanged, this, [this](double mm) { bench_.hand().setPressDepth(mm); });
     connect(view_, &ToothView::pressDepthChanged, force_, &ForcePanel::setPressDepth);
     connect(view_, &ToothView::failed, this, &MainWindow::graphicsFailed, Qt::QueuedConnection);
+    connect(importer_, &ScanImporter::failed, this, &MainWindow::complain);
+    connect(importer_, &ScanImporter::imported, this, [this](const BenchTooth& tooth) {
+        status_->setHint(tr("%1 was imported").arg(QString::fromStdString(tooth.name)));
+        bench_.put(tooth);
+    });
     connectSound();
     connectInside();
 }
@@ -203,9 +214,10 @@ void MainWindow::step() {
     takeNews(bench_.step(std::min(dt, kLongestStep)));
     takeSounds();
     takeTarget();
+    importer_->poll();
     placeSounds();
     trace_.add(bench_.ticks());
-    busy_->setVisible(bench_.isBusy());
+    busy_->setVisible(bench_.isBusy() || importer_->isBusy());
     view_->refresh();
 }
 

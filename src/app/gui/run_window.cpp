@@ -64,7 +64,7 @@ int runWindow(const WindowOptions& options) {
     if (!start) return refuse(start.error());
     std::optional<BenchTooth> tooth;
     if (options.tooth) {
-        Expected<BenchTooth> loaded = loadBenchTooth(*options.tooth);
+        Expected<BenchTooth> loaded = loadBenchTooth(*options.tooth, options.workOn);
         if (!loaded) return refuse(loaded.error());
         tooth = std::move(*loaded);
     }
@@ -92,7 +92,7 @@ int runWindow(const WindowOptions& options) {
         exitCode = refuse({sentence.toStdString()});
         QApplication::exit(exitCode);
     });
-    if (bur) start->bur.clear();  // the one of the command line counts
+    if (bur || (tooth && tooth->bur)) start->bur.clear();  // the one of the command line counts, or of the case
     window.apply(*start);
     tooth ? window.bench().put(std::move(*tooth)) : window.bringBuiltinTooth(kBuiltinTeeth.front());
     if (bur) window.bench().put(std::move(*bur));

@@ -14,6 +14,7 @@ namespace tactooth {
 /// What the window opens with; whatever is not given is the built-in one.
 struct WindowOptions {
     std::optional<ToothSource> tooth;
+    std::string workOn;  ///< tooth of a case; empty: the first
     std::optional<std::filesystem::path> bur;
     std::map<std::string, std::string> settings;  ///< by their flag (see windowOptions); they win over the file's
     std::string device = "mouse";  ///< see openDevice; one that does not open leaves the mouse, and the window says why

@@ -27,6 +27,8 @@ void Workbench::put(BenchTooth tooth) {
     const double pressDepth = hand_.pressDepth();
     hand_ = HandControl(tooth_->box(), tooth_->mesialX);
     hand_.setPressDepth(pressDepth);
+    settings_.materials = tooth_->materials.value_or(MaterialTable());
+    if (tooth_->bur) bur_ = tooth_->bur;
     simulatorIsOld_ = toothIsNew_ = true;
 }
 
