@@ -3,6 +3,7 @@
 #include "instruments/builtin_tooth.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <span>
@@ -61,6 +62,10 @@ void mirror(TriangleMesh& mesh) {
     for (Triangle& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
 }
 
+void mirrorLayers(BuiltinTooth& tooth) {
+    for (TriangleMesh* layer : {&tooth.outer, &tooth.enamel, &tooth.dentin, &tooth.pulp, &tooth.caries}) mirror(*layer);
+}
+
 /// Whether two triangles lie back to back: where a body is thinner than a cell, its two sides may have crossed.
 bool isFolded(const TriangleMesh& mesh) {
     constexpr double kBackToBack = -0.9;  // cosine between normals; the sharpest edge of a tooth stays above -0.85
@@ -108,11 +113,7 @@ BuiltinTooth makeTooth(const ToothRequest& request) {
         tooth = meshed(shape, cellSize);
     }
     if (request.lesion) tooth.caries = lesionMesh(shape, *request.lesion, request.triangles);
-    if (mesialX(tooth.fdi) < 0) {
-        for (TriangleMesh* layer : {&tooth.outer, &tooth.enamel, &tooth.dentin, &tooth.pulp, &tooth.caries}) {
-            mirror(*layer);
-        }
-    }
+    if (mesialX(tooth.fdi) < 0) mirrorLayers(tooth);
     return tooth;
 }
 
@@ -121,6 +122,14 @@ BuiltinTooth makeBuiltinTooth(BuiltinToothKind kind, int triangles, double lesio
     ToothRequest request{.fdi = numberOf(kind), .triangles = triangles, .seed = 0, .lesion = {}};
     if (lesionWidth > 0) request.lesion = Lesion{LesionSite::usual, lesionWidth, {}};
     return makeTooth(request);
+}
+
+BuiltinTooth otherSide(BuiltinTooth tooth) {
+    constexpr std::array<int, 4> kOther = {2, 1, 4, 3};  // quadrant
+    mirrorLayers(tooth);
+    tooth.fdi = 10 * kOther[static_cast<std::size_t>(tooth.fdi / 10 - 1)] + tooth.fdi % 10;
+    tooth.name = toothName(tooth.fdi);
+    return tooth;
 }
 
 std::string toothName(int fdi) { return toothShape(fdi).name; }
