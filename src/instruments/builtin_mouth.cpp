@@ -8,6 +8,7 @@
 #include <cmath>
 #include <optional>
 
+#include "geometry/disjoint_sets.h"
 #include "geometry/parallel_for.h"
 #include "instruments/mouth/gingiva.h"
 #include "instruments/mouth/tooth_places.h"
@@ -17,13 +18,37 @@ namespace {
 
 /// A gum's triangles are longer than those of its teeth, within what its thin margins need and what is of use.
 double gumCell(int triangles) {
-    constexpr double kOf20000 = 0.36, kFinest = 0.2, kCoarsest = 0.5;  // mm
+    constexpr double kOf20000 = 0.42, kFinest = 0.2, kCoarsest = 0.5;  // mm
     return std::clamp(kOf20000 * std::sqrt(20000.0 / triangles), kFinest, kCoarsest);
+}
+
+/// Of all pieces the one with the most triangles: crumbs between two roots are no gum.
+TriangleMesh largestPiece(const TriangleMesh& mesh) {
+    DisjointSets pieces(mesh.vertices.size());
+    for (const Triangle& t : mesh.triangles) {
+        pieces.join(t[0], t[1]);
+        pieces.join(t[0], t[2]);
+    }
+    std::vector<std::size_t> triangles(mesh.vertices.size(), 0);
+    for (const Triangle& t : mesh.triangles) ++triangles[pieces.find(t[0])];
+    const auto largest = static_cast<std::uint32_t>(std::ranges::max_element(triangles) - triangles.begin());
+    TriangleMesh piece;
+    std::vector<std::uint32_t> renumbered(mesh.vertices.size());
+    for (std::uint32_t i = 0; i < mesh.vertices.size(); ++i) {
+        renumbered[i] = static_cast<std::uint32_t>(piece.vertices.size());
+        if (pieces.find(i) == largest) piece.vertices.push_back(mesh.vertices[i]);
+    }
+    for (const Triangle& t : mesh.triangles) {
+        if (pieces.find(t[0]) == largest)
+            piece.triangles.push_back({renumbered[t[0]], renumbered[t[1]], renumbered[t[2]]});
+    }
+    return piece;
 }
 
 TriangleMesh gumMesh(const ToothPlaces& places, bool upper, const MouthRequest& request) {
     const GingivaBody body = gingivaBody(places, upper, request.missing);
-    return isosurface(body.field, body.bounds, {.cellSize = gumCell(request.triangles), .steepest = 1.6});
+    constexpr double kSteepest = 1.6;
+    return largestPiece(isosurface(body.field, body.bounds, {gumCell(request.triangles), kSteepest}));
 }
 
 struct Pair {
@@ -60,8 +85,8 @@ Pose lowerJawPose(JawPose jaw) {
     if (jaw == JawPose::closed) return {};
     // Between the condyles: Bonwill's triangle of four inches, and 35 mm above the occlusal plane.
     const Vec3 hinge(0, -88, 35);
-    constexpr double kOpening = 0.435;        // rad: 40 mm between the edges, a usual opening for work
-    const Vec3 slide(0, 5, -3);               // mm that the condyles go forward and down as the mouth opens
+    constexpr double kOpening = 0.435;  // rad: 40 mm between the edges, a usual opening for work
+    const Vec3 slide(0, 5, -3);         // mm that the condyles go forward and down as the mouth opens
     const Quat turn(Eigen::AngleAxisd(-kOpening, Vec3::UnitX()));
     return {hinge + slide - turn * hinge, turn};
 }

@@ -18,8 +18,8 @@ enum class JawPose {
 };
 
 struct MouthRequest {
-    int triangles = 20000;     ///< of each tooth's outer surface, about; the gingiva is as fine in proportion
-    std::uint32_t seed = 0;    ///< 0: average teeth; any other number: another patient
+    int triangles = 20000;   ///< of each tooth's outer surface, about; the gingiva is as fine in proportion
+    std::uint32_t seed = 0;  ///< 0: average teeth; any other number: another patient
     JawPose jaw = JawPose::closed;
     std::vector<int> missing;  ///< FDI numbers; their places have healed over
 };
@@ -33,10 +33,10 @@ struct MouthTooth {
 /// A whole mouth. Mouth frame: the upper jaw's; +x to the patient's right, +y forward, +z up; origin between the edges
 /// of the lower central incisors when the mouth is closed; mm. The two sides are mirror images.
 struct BuiltinMouth {
-    std::vector<MouthTooth> teeth;   ///< 18 to 11, 21 to 28, 38 to 31, 41 to 48; missing ones left out
-    TriangleMesh upperGingiva;       ///< with palate and ridge, closed, with a socket for each tooth; mouth frame
-    TriangleMesh lowerGingiva;       ///< likewise; mouth frame, with the mouth closed
-    Pose lowerJaw;                   ///< leads what belongs to the lower jaw from its closed place to where it is
+    std::vector<MouthTooth> teeth;  ///< 18 to 11, 21 to 28, 38 to 31, 41 to 48; missing ones left out
+    TriangleMesh upperGingiva;      ///< with palate and ridge, closed, with a socket for each tooth; mouth frame
+    TriangleMesh lowerGingiva;      ///< likewise; mouth frame, with the mouth closed
+    Pose lowerJaw;                  ///< leads what belongs to the lower jaw from its closed place to where it is
 
     /// Where a tooth stands with the jaw as it was asked for.
     [[nodiscard]] Pose poseOf(const MouthTooth& tooth) const {

@@ -11,6 +11,7 @@
 #include "geometry/mesh_edges.h"
 #include "instruments/anatomy/lesion.h"
 #include "instruments/anatomy/variation.h"
+#include "tooth/byte_stream.h"
 
 namespace tactooth {
 namespace {
@@ -122,6 +123,25 @@ BuiltinTooth makeBuiltinTooth(BuiltinToothKind kind, int triangles, double lesio
     ToothRequest request{.fdi = numberOf(kind), .triangles = triangles, .seed = 0, .lesion = {}};
     if (lesionWidth > 0) request.lesion = Lesion{LesionSite::usual, lesionWidth, {}};
     return makeTooth(request);
+}
+
+std::uint64_t toothFingerprint(const ToothRequest& request) {
+    constexpr std::uint32_t kMeshing = 2;  // grows whenever the same anatomy is meshed otherwise
+    ByteWriter facts;
+    facts.put(kMeshing);
+    facts.put(request.fdi);
+    facts.put(request.triangles);
+    facts.put(request.seed);
+    const ToothShape shape = varied(toothShape(request.fdi), request.seed);
+    std::vector<ScalarField> fields = {shape.outer, shape.core, shape.cervical, shape.pulp};
+    if (request.lesion) fields.push_back(lesionBody(shape, *request.lesion));
+    constexpr int kProbes = 7;  // places along each side of the tooth's box: a change of the anatomy changes some value
+    for (int i = 0; i < kProbes * kProbes * kProbes; ++i) {
+        const Vec3 part = Vec3(i % kProbes + 0.5, i / kProbes % kProbes + 0.5, i / (kProbes * kProbes) + 0.5) / kProbes;
+        const Vec3 point = shape.bounds.min() + part.cwiseProduct(shape.bounds.sizes());
+        for (const ScalarField& field : fields) facts.put(field(point));
+    }
+    return checksum(facts.bytes());
 }
 
 BuiltinTooth otherSide(BuiltinTooth tooth) {

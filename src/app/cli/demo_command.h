@@ -14,6 +14,7 @@ struct DemoOptions {
     std::filesystem::path tooth;      ///< empty: the built-in lower first molar
     std::vector<std::string> layers;  ///< NAME=FILE, inside `tooth`
     std::filesystem::path materials;  ///< TOML; empty: the built-in table
+    bool mouth = false;               ///< the built-in tooth in its mouth
     std::filesystem::path bur;        ///< empty: the built-in round bur
 };
 

@@ -106,6 +106,13 @@ Scene makeScene(const SceneContents& contents) {
     }
     if (contents.tool) addTool(scene, *contents.tool);
     if (contents.mirror) addMirror(scene, *contents.mirror);
+    for (const ShownBody& body : contents.around) {
+        SceneObject object;
+        object.shape = body.mesh;
+        object.objectInWorld = body.bodyInTooth;
+        object.looks = {body.look};
+        scene.objects.push_back(std::move(object));
+    }
     if (contents.mirror && contents.tooth != nullptr) lightByMirror(scene, crownOf(*contents.tooth));
     return scene;
 }

@@ -25,12 +25,20 @@ struct ShownMirror {
     Pose mirrorInTooth;
 };
 
+/// A body that stands around the tooth: a neighbour, the gum.
+struct ShownBody {
+    std::shared_ptr<const TriangleMesh> mesh;
+    Pose bodyInTooth;
+    Look look;
+};
+
 /// All that a picture of the bench shows, in the tooth's frame. Whatever is empty is not there.
 struct SceneContents {
     std::shared_ptr<const Surface> tooth;  ///< tagged by MaterialId
     MaterialTable materials;               ///< for the tooth's colours
     std::optional<ShownTool> tool;
     std::optional<ShownMirror> mirror;
+    std::vector<ShownBody> around;
     Camera camera;
 };
 

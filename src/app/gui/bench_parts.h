@@ -20,6 +20,7 @@ struct BenchTooth {
     std::shared_ptr<WorkPiece> piece;
     double mesialX = 1;  ///< direction of mesial along x; a file's frame is taken to have it at +x
     Provenance provenance;
+    std::vector<ShownBody> around = {};  ///< the rest of the mouth, which is felt and drawn
 
     [[nodiscard]] Box3 box() const { return piece->tooth().outer()->tree().box(); }
 };
@@ -51,8 +52,15 @@ inline constexpr std::array<BuiltinToothEntry, 3> kBuiltinTeeth = {{
     {BuiltinToothKind::upperCanine, "Upper canine (13)"},
 }};
 
+/// The mouth that a tooth stands in: average teeth, open as for work.
+struct BenchMouth {
+    int fdi = 46;  ///< of the tooth that is worked on
+    bool cached = true;
+};
+
 // All of these take a second or so: they belong into an Errand. Failing gives a sentence for the user.
 [[nodiscard]] Expected<BenchTooth> makeBenchTooth(const BuiltinToothEntry& entry);
+[[nodiscard]] Expected<BenchTooth> makeBenchTooth(const BenchMouth& mouth);
 [[nodiscard]] Expected<BenchTooth> loadBenchTooth(const ToothSource& source);
 [[nodiscard]] Expected<BenchBur> makeBenchBur(const BurSpec& spec);
 [[nodiscard]] Expected<BenchBur> loadBenchBur(const std::filesystem::path& path);

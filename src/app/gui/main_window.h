@@ -40,6 +40,8 @@ public:
 
     [[nodiscard]] Workbench& bench() { return bench_; }
     void bringBuiltinTooth(const BuiltinToothEntry& entry);
+    /// A tooth among its neighbours and gums.
+    void bringMouth(const BenchMouth& mouth);
     void openTooth(const ToothSource& source);
     void bringBur(const BurSpec& spec);
     void openBur(const QString& file);
@@ -73,6 +75,7 @@ protected:
 private:
     void addPanels();
     void addFileMenu();
+    void addMouthMenu(QMenu& menu);
     void addViewMenu();
     void addAppearanceMenu();
     void addLanguageMenu();

@@ -66,8 +66,8 @@ ArchCurve::Coordinates ArchCurve::of(double x, double y) const {
     }
     // The last part of the way at one stroke: the function is almost straight there.
     const double fromLow = ahead(low), fromHigh = ahead(high);
-    const double t = fromHigh > fromLow ? std::clamp(low - fromLow / (fromHigh - fromLow) * (high - low), low, high)
-                                        : low;
+    const double t =
+        fromHigh > fromLow ? std::clamp(low - fromLow / (fromHigh - fromLow) * (high - low), low, high) : low;
     const double dx = aside - t, dy = y + depth(t);
     const double out = dx * slope(t) + dy;
     const double s = length(t);

@@ -22,11 +22,11 @@ constexpr double kBehind = 8.5;  // mm that the jaw goes on behind the last toot
 
 /// The margin at one tooth: where it runs lowest on the facial and the lingual side.
 struct ToothMargin {
-    double s = 0;            ///< along the line
-    double facial = 0;       ///< height toward the crowns
-    double lingual = 0;      ///< likewise
-    double middle = 0;       ///< outward from the line: the tooth's axis at the neck
-    double half = 0;         ///< half the width of the neck, facial to lingual
+    double s = 0;        ///< along the line
+    double facial = 0;   ///< height toward the crowns
+    double lingual = 0;  ///< likewise
+    double middle = 0;   ///< outward from the line: the tooth's axis at the neck
+    double half = 0;     ///< half the width of the neck, facial to lingual
     bool missing = false;
 };
 
@@ -38,9 +38,9 @@ struct Papilla {
 /// A tooth that the gum stands around.
 struct Rooted {
     ScalarField outer;
-    Box3 bounds;     ///< of its shape
+    Box3 bounds;  ///< of its shape
     Pose mouthInShape;
-    bool mirrored;   ///< it stands on the other side of the mouth
+    bool mirrored;  ///< it stands on the other side of the mouth
     double s;
 };
 
@@ -64,7 +64,7 @@ private:
     [[nodiscard]] Line ridgeAt(double s) const;
     [[nodiscard]] Line lookUp(double s) const;
     [[nodiscard]] double toTeeth(const Vec3& p, double s, double& second) const;
-    [[nodiscard]] double ridge(double out, double crownward, const Line& line) const;
+    [[nodiscard]] double ridge(double along, double out, double crownward, const Line& line) const;
     [[nodiscard]] double palate(const Vec3& p) const;
 
     ArchCurve line_;
@@ -169,8 +169,8 @@ void Gingiva::addSide(const JawSide& side, bool right, const std::vector<int>& m
 
 /// The margin: an arch around each tooth, between its papillae.
 Gingiva::Line Gingiva::marginAt(double s) const {
-    const auto after = static_cast<std::size_t>(
-        std::ranges::upper_bound(margins_, s, {}, &ToothMargin::s) - margins_.begin());
+    const auto after =
+        static_cast<std::size_t>(std::ranges::upper_bound(margins_, s, {}, &ToothMargin::s) - margins_.begin());
     const Papilla& between = papillae_[after];
     const bool nearsBefore = after == margins_.size() || (after > 0 && s < between.s);
     const ToothMargin& tooth = margins_[nearsBefore ? after - 1 : after];
@@ -220,10 +220,13 @@ double Gingiva::toTeeth(const Vec3& p, double s, double& second) const {
 }
 
 /// The alveolar process: as wide as the teeth's necks at the margin, wider toward its base.
-double Gingiva::ridge(double out, double crownward, const Line& line) const {
+double Gingiva::ridge(double along, double out, double crownward, const Line& line) const {
     const double widening = smoothStep(0, 14, facial_ - crownward);
     constexpr double kCover = 0.55;  // mm
-    const double facial = line.half + kCover + (upper_ ? 0.8 : 1.2) * widening,
+    // The lower molars' roots lean to the cheek: the oblique line of the mandible covers them.
+    const double oblique =
+        upper_ ? 0 : 2.6 * smoothStep(28, 50, std::abs(along)) * smoothStep(0, 9, facial_ - crownward);
+    const double facial = line.half + kCover + oblique + (upper_ ? 0.8 : 1.2) * widening,
                  lingual = line.half + kCover + (upper_ ? 2.5 : 1.2) * widening;
     const double half = (facial + lingual) / 2, middle = line.middle + (facial - lingual) / 2;
     return std::abs(out - middle) - half;
@@ -231,7 +234,7 @@ double Gingiva::ridge(double out, double crownward, const Line& line) const {
 
 /// The vault, with incisive papilla, raphe and rugae.
 double Gingiva::palate(const Vec3& p) const {
-    constexpr double kHigh = 13, kWall = 4.5;                  // mm; from the line to the vault's foot
+    constexpr double kHigh = 13, kWall = 4.5;                     // mm; from the line to the vault's foot
     constexpr double kFront = 7, kBack = 30, kBelowMargin = 1.5;  // mm behind the line's front; below the margins
     const double depth = -p.y(), aside = std::abs(p.x());
     const double half = std::max(line_.halfWidth(depth) - kWall, 2.0);
@@ -259,12 +262,12 @@ double Gingiva::operator()(const Vec3& p) const {
     const double depth = margin - crownward;
     double second = 0;
     const double tooth = toTeeth(p, at.s, second);
-    constexpr double kThin = 0.5, kThick = 1.1, kDeep = 5;   // mm: thickness at the margin, and that deep below it
-    constexpr double kJuga = 2, kNoJuga = 14, kFlat = 4;      // mm: depths between which the roots' ridges fade
-    const double cover = tooth - std::lerp(kThin, kThick, smoothStep(0, kDeep, depth)) +
-                         kFlat * smoothStep(kJuga, kNoJuga, depth);
+    constexpr double kThin = 0.5, kThick = 1.1, kDeep = 5;  // mm: thickness at the margin, and that deep below it
+    constexpr double kJuga = 2, kNoJuga = 14, kFlat = 4;    // mm: depths between which the roots' ridges fade
+    const double cover =
+        tooth - std::lerp(kThin, kThick, smoothStep(0, kDeep, depth)) + kFlat * smoothStep(kJuga, kNoJuga, depth);
     constexpr double kFillet = 2.2;
-    double body = smoothUnion(ridge(at.outward, crownward, line), cover, kFillet);
+    double body = smoothUnion(ridge(at.s, at.outward, crownward, line), cover, kFillet);
     if (upper_) {
         constexpr double kFoot = 5;
         const double inside = (at.outward - line.middle) / 1.2;  // the vault ends within the ridge
@@ -275,7 +278,7 @@ double Gingiva::operator()(const Vec3& p) const {
     body = smoothIntersection(body, std::abs(at.s) - end_ - kBehind, kEndRound);
     body = smoothIntersection(body, back_ - p.y(), kBaseRound);
     body = smoothIntersection(body, base_ - crownward, kBaseRound);
-    constexpr double kGap = 0.15;       // mm: the periodontal ligament's
+    constexpr double kGap = 0.15;      // mm: the periodontal ligament's
     constexpr double kThinnest = 0.6;  // mm between two teeth, below which no tissue stands
     body = smoothIntersection(body, kThinnest - (tooth + second), kSocketRound);
     return smoothIntersection(body, kGap - tooth, kSocketRound);

@@ -9,8 +9,8 @@
 
 namespace tactooth {
 
-/// The soft tissue of one jaw with the ridge below it, as a body with a socket for each tooth; in the upper jaw with the
-/// palate. Mouth frame, mouth closed.
+/// The soft tissue of one jaw with the ridge below it, as a body with a socket for each tooth; in the upper jaw with
+/// the palate. Mouth frame, mouth closed.
 struct GingivaBody {
     ScalarField field;
     Box3 bounds;

@@ -112,10 +112,12 @@ void measureFrom(const SurfacePart& from, const SurfacePart& to, const ToFrame& 
 Nearest nearestBetween(const Stand& a, const Pose& aInMouth, const Stand& b, const Pose& bInMouth, double far) {
     const Pose bInA = aInMouth.inverse() * bInMouth, aInB = bInA.inverse();
     Nearest nearest{far};
-    measureFrom(b.surface, a.surface, [&](const Vec3& p) { return bInA * p; }, nearest);
+    measureFrom(
+        b.surface, a.surface, [&](const Vec3& p) { return bInA * p; }, nearest);
     nearest.at = aInMouth * nearest.at;
     Nearest other{nearest.distance};
-    measureFrom(a.surface, b.surface, [&](const Vec3& p) { return aInB * p; }, other);
+    measureFrom(
+        a.surface, b.surface, [&](const Vec3& p) { return aInB * p; }, other);
     if (other.distance < nearest.distance) nearest = {other.distance, bInMouth * other.at};
     return nearest;
 }
@@ -158,7 +160,8 @@ Pose poseAt(const ArchCurve& line, double s, bool upper, const Stance& stance, c
                       Quat(Eigen::AngleAxisd(stance.tip * kDegree + back, Vec3::UnitY())) *
                       Quat(Eigen::AngleAxisd(-stance.torque * kDegree, Vec3::UnitX()));
     const Quat rotation = (Quat(axes) * lean).normalized();
-    // The upper arch stands so far forward that the mesiobuccal cusps of its first molars meet the buccal grooves below.
+    // The upper arch stands so far forward that the mesiobuccal cusps of its first molars meet the buccal grooves
+    // below.
     const Vec3 forward = (upper ? 1.5 : 0.0) * Vec3::UnitY();
     const Vec3 point = place.point + forward + stance.outward * place.outward + occlusalPlane(depth) * Vec3::UnitZ();
     return {point - rotation * onLine, rotation};
@@ -182,9 +185,8 @@ using Heights = std::array<double, kTeethOfSide>;  // mm above the usual place
 Stands standsOf(int quadrant, std::uint32_t seed) {
     std::array<std::optional<Stand>, kTeethOfSide> made;
     parallelFor(kTeethOfSide, [&](std::size_t i) { made[i] = standOf(10 * quadrant + static_cast<int>(i) + 1, seed); });
-    return [&]<std::size_t... I>(std::index_sequence<I...>) {
-        return Stands{std::move(*made[I])...};
-    }(std::make_index_sequence<kTeethOfSide>());
+    return [&]<std::size_t... I>(std::index_sequence<I...>) { return Stands{std::move(*made[I])...}; }
+    (std::make_index_sequence<kTeethOfSide>());
 }
 
 /// A central incisor and its mirror image.
@@ -215,7 +217,8 @@ void placeAlong(const ArchCurve& line, const Stands& stands, const Stances& stan
         };
         constexpr double kLeast = 0.5, kMost = 1.35;  // of the step that two straight teeth side by side would need
         const double step = i > 0 ? stands[i - 1].halfWidth + stand.halfWidth : stand.halfWidth;
-        s = firstWith(kContactGap, s + kLeast * step, s + kMost * step, [&](double at) { return nearest(at).distance; });
+        s = firstWith(kContactGap, s + kLeast * step, s + kMost * step,
+                      [&](double at) { return nearest(at).distance; });
         side.teeth[i] = {stand.shape, pose(s)};
         const Nearest contact = nearest(s);
         side.contacts[i] = {contact.at, contact.distance};

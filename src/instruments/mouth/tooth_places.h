@@ -39,8 +39,8 @@ struct ToothPlaces {
     JawSide upper, lower;
 };
 
-// Between neighbours, and between a tooth and those that it bites on, as the gap of meshes that stand for the teeth; the
-// surfaces themselves may be 0.02 mm nearer. Floss of 0.05 mm passes.
+// Between neighbours, and between a tooth and those that it bites on, as the gap of meshes that stand for the teeth;
+// the surfaces themselves may be 0.02 mm nearer. Floss of 0.05 mm passes.
 inline constexpr double kContactGap = 0.05;  ///< mm
 inline constexpr double kBiteGap = 0.06;     ///< mm
 
