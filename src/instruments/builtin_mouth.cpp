@@ -18,7 +18,7 @@ namespace {
 
 /// A gum's triangles are longer than those of its teeth, within what its thin margins need and what is of use.
 double gumCell(int triangles) {
-    constexpr double kOf20000 = 0.42, kFinest = 0.2, kCoarsest = 0.5;  // mm
+    constexpr double kOf20000 = 0.45, kFinest = 0.2, kCoarsest = 0.5;  // mm
     return std::clamp(kOf20000 * std::sqrt(20000.0 / triangles), kFinest, kCoarsest);
 }
 
@@ -47,8 +47,19 @@ TriangleMesh largestPiece(const TriangleMesh& mesh) {
 
 TriangleMesh gumMesh(const ToothPlaces& places, bool upper, const MouthRequest& request) {
     const GingivaBody body = gingivaBody(places, upper, request.missing);
+    const double up = upper ? -1 : 1;
+    // Away from the margins heights are stretched, up to this many times: longer triangles, and fewer.
+    constexpr double kStretch = 2.5, kOnset = 3;
+    const auto stretched = [&](const Vec3& p) -> Vec3 {
+        const double below = body.smoothBelow - up * p.z();
+        if (below <= 0) return p;
+        return {p.x(), p.y(), p.z() - up * (kStretch - 1) * below * below / (below + kOnset)};
+    };
     constexpr double kSteepest = 1.6;
-    return largestPiece(isosurface(body.field, body.bounds, {gumCell(request.triangles), kSteepest}));
+    const auto field = [&](const Vec3& p) { return body.field(stretched(p)); };
+    TriangleMesh mesh = isosurface(field, body.bounds, {gumCell(request.triangles), kSteepest * kStretch});
+    for (Vec3f& vertex : mesh.vertices) vertex = stretched(vertex.cast<double>()).cast<float>();
+    return largestPiece(mesh);
 }
 
 struct Pair {

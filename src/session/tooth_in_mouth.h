@@ -13,7 +13,8 @@ namespace tactooth {
 struct ToothInMouth {
     BuiltinTooth tooth;
     struct Body {
-        std::shared_ptr<const SurfacePart> part;  ///< in the frame of `tooth`, tagged by MaterialId
+        std::shared_ptr<const SurfacePart> part;    ///< in the frame of `tooth`, tagged by MaterialId
+        std::shared_ptr<const TriangleMesh> shown;  ///< what of it can be seen
         bool isGum = false;
     };
     std::vector<Body> around;
@@ -23,6 +24,9 @@ struct ToothInMouth {
 /// a mouth takes.
 [[nodiscard]] ToothInMouth toothInMouth(int fdi, const std::optional<Lesion>& lesion, const MouthRequest& mouth,
                                         const ToothMaker& maker = makeTooth);
+
+/// A tooth without what is sure to lie below the gum, to be drawn: open at its end.
+[[nodiscard]] TriangleMesh aboveTheGum(const TriangleMesh& tooth);
 
 [[nodiscard]] Surroundings surroundingsOf(const ToothInMouth& tooth);
 

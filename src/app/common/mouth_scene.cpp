@@ -17,23 +17,21 @@ Look toothLook() {
 std::vector<ShownBody> shownAround(const ToothInMouth& tooth) {
     std::vector<ShownBody> bodies;
     for (const ToothInMouth::Body& body : tooth.around) {
-        bodies.push_back({std::shared_ptr<const TriangleMesh>(body.part, &body.part->mesh()),
-                          {},
-                          body.isGum ? looks::gingiva() : toothLook()});
+        bodies.push_back({body.shown, {}, body.isGum ? looks::gingiva() : toothLook()});
     }
     return bodies;
 }
 
 std::vector<ShownBody> shownMouth(const BuiltinMouth& mouth, ShownJaws jaws) {
     std::vector<ShownBody> bodies;
-    const auto add = [&](const TriangleMesh& mesh, const Pose& pose, const Look& look) {
-        bodies.push_back({std::make_shared<const TriangleMesh>(mesh), pose, look});
+    const auto add = [&](TriangleMesh mesh, const Pose& pose, const Look& look) {
+        bodies.push_back({std::make_shared<const TriangleMesh>(std::move(mesh)), pose, look});
     };
     const bool upper = jaws != ShownJaws::lower, lower = jaws != ShownJaws::upper;
     if (upper) add(mouth.upperGingiva, {}, looks::gingiva());
     if (lower) add(mouth.lowerGingiva, mouth.lowerJaw, looks::gingiva());
     for (const MouthTooth& tooth : mouth.teeth) {
-        if (tooth.tooth.fdi < 30 ? upper : lower) add(tooth.tooth.outer, mouth.poseOf(tooth), toothLook());
+        if (tooth.tooth.fdi < 30 ? upper : lower) add(aboveTheGum(tooth.tooth.outer), mouth.poseOf(tooth), toothLook());
     }
     return bodies;
 }

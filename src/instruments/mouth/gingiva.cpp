@@ -50,6 +50,7 @@ public:
 
     [[nodiscard]] double operator()(const Vec3& p) const;
     [[nodiscard]] Box3 bounds() const;
+    [[nodiscard]] double smoothBelow() const { return std::min(facial_, lingual_) - 3; }
 
 private:
     /// What the gum is like at a place along the line; heights toward the crowns, mm.
@@ -295,7 +296,7 @@ Box3 Gingiva::bounds() const {
 
 GingivaBody gingivaBody(const ToothPlaces& places, bool upper, const std::vector<int>& missing) {
     const auto gingiva = std::make_shared<const Gingiva>(places, upper, missing);
-    return {[gingiva](const Vec3& p) { return (*gingiva)(p); }, gingiva->bounds()};
+    return {[gingiva](const Vec3& p) { return (*gingiva)(p); }, gingiva->bounds(), gingiva->smoothBelow()};
 }
 
 }  // namespace tactooth

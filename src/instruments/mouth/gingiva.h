@@ -14,6 +14,7 @@ namespace tactooth {
 struct GingivaBody {
     ScalarField field;
     Box3 bounds;
+    double smoothBelow = 0;  ///< height toward the crowns below which there is no fine detail
 };
 
 /// `missing`: FDI numbers of teeth whose places have healed over.

@@ -73,7 +73,8 @@ Stand standOf(int fdi, std::uint32_t seed) {
         for (const Vec3f& v : stand.surface.mesh().vertices) {
             if ((front || v.y() > 0) && v.z() > top.z()) top = v.cast<double>();
         }
-        stand.onLine = Vec3(0, top.y(), top.z());
+        constexpr double kCanine = 0.9;  // mm that the canines' tips stand above the other edges
+        stand.onLine = Vec3(0, top.y(), top.z() - (fdi % 10 == 3 ? kCanine : 0));
     } else if (front) {  // the palatal face, an overbite above the edge
         constexpr double kOverbite = 2.6, kStep = 0.02;
         Vec3 point(0, crown.min().y() - 1, crown.max().z() - kOverbite);
