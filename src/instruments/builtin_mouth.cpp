@@ -10,6 +10,7 @@
 
 #include "geometry/disjoint_sets.h"
 #include "geometry/parallel_for.h"
+#include "instruments/modelling/folds.h"
 #include "instruments/mouth/gingiva.h"
 #include "instruments/mouth/tooth_places.h"
 
@@ -45,8 +46,7 @@ TriangleMesh largestPiece(const TriangleMesh& mesh) {
     return piece;
 }
 
-TriangleMesh gumMesh(const ToothPlaces& places, bool upper, const MouthRequest& request) {
-    const GingivaBody body = gingivaBody(places, upper, request.missing);
+TriangleMesh gumMesh(const GingivaBody& body, bool upper, double cell) {
     const double up = upper ? -1 : 1;
     // Away from the margins heights are stretched, up to this many times: longer triangles, and fewer.
     constexpr double kStretch = 2.5, kOnset = 3;
@@ -57,9 +57,21 @@ TriangleMesh gumMesh(const ToothPlaces& places, bool upper, const MouthRequest& 
     };
     constexpr double kSteepest = 1.6;
     const auto field = [&](const Vec3& p) { return body.field(stretched(p)); };
-    TriangleMesh mesh = isosurface(field, body.bounds, {gumCell(request.triangles), kSteepest * kStretch});
+    TriangleMesh mesh = isosurface(field, body.bounds, {cell, kSteepest * kStretch});
     for (Vec3f& vertex : mesh.vertices) vertex = stretched(vertex.cast<double>()).cast<float>();
     return largestPiece(mesh);
+}
+
+TriangleMesh gumOf(const ToothPlaces& places, bool upper, const MouthRequest& request) {
+    const GingivaBody body = gingivaBody(places, upper, request.missing);
+    double cell = gumCell(request.triangles);
+    TriangleMesh mesh = gumMesh(body, upper, cell);
+    constexpr int kTries = 5;  // the tip of a papilla may be thinner than a cell
+    for (int i = 1; i < kTries && isFolded(mesh); ++i) {
+        cell *= 0.97;
+        mesh = gumMesh(body, upper, cell);
+    }
+    return mesh;
 }
 
 struct Pair {
@@ -96,7 +108,7 @@ Pose lowerJawPose(JawPose jaw) {
     if (jaw == JawPose::closed) return {};
     // Between the condyles: Bonwill's triangle of four inches, and 35 mm above the occlusal plane.
     const Vec3 hinge(0, -88, 35);
-    constexpr double kOpening = 0.435;  // rad: 40 mm between the edges, a usual opening for work
+    constexpr double kOpening = 0.507;  // rad: 40 mm between the edges, a usual opening for work
     const Vec3 slide(0, 5, -3);         // mm that the condyles go forward and down as the mouth opens
     const Quat turn(Eigen::AngleAxisd(-kOpening, Vec3::UnitX()));
     return {hinge + slide - turn * hinge, turn};
@@ -122,7 +134,7 @@ BuiltinMouth makeMouth(const MouthRequest& request, const ToothMaker& maker) {
     };
     parallelFor(pairs.size() + 2, [&](std::size_t i) {
         if (i < 2) {
-            (i == 0 ? mouth.upperGingiva : mouth.lowerGingiva) = gumMesh(places, i == 0, request);
+            (i == 0 ? mouth.upperGingiva : mouth.lowerGingiva) = gumOf(places, i == 0, request);
             return;
         }
         const Pair& pair = pairs[i - 2];

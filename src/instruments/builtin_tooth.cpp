@@ -6,11 +6,10 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <span>
 
-#include "geometry/mesh_edges.h"
 #include "instruments/anatomy/lesion.h"
 #include "instruments/anatomy/variation.h"
+#include "instruments/modelling/folds.h"
 #include "tooth/byte_stream.h"
 
 namespace tactooth {
@@ -65,18 +64,6 @@ void mirror(TriangleMesh& mesh) {
 
 void mirrorLayers(BuiltinTooth& tooth) {
     for (TriangleMesh* layer : {&tooth.outer, &tooth.enamel, &tooth.dentin, &tooth.pulp, &tooth.caries}) mirror(*layer);
-}
-
-/// Whether two triangles lie back to back: where a body is thinner than a cell, its two sides may have crossed.
-bool isFolded(const TriangleMesh& mesh) {
-    constexpr double kBackToBack = -0.9;  // cosine between normals; the sharpest edge of a tooth stays above -0.85
-    bool folded = false;
-    MeshEdges(mesh).forEachEdge([&](std::span<const EdgeUse> uses) {
-        if (uses.size() != 2) return;
-        const Vec3 a = mesh.areaVector(uses[0].corner / 3), b = mesh.areaVector(uses[1].corner / 3);
-        folded |= a.dot(b) < kBackToBack * a.norm() * b.norm();
-    });
-    return folded;
 }
 
 /// The tooth's layers as meshes, with +x mesial. All on one grid, so that layers that share a surface share triangles.

@@ -143,14 +143,22 @@ TEST(BuiltinMouth, GumsKeepClearOfTheTeethAndCoverTheirNecks) {
     }
 }
 
-TEST(BuiltinMouth, PapillaeStandHigherThanTheMarginBesideThem) {
+/// Where the upper gum ends toward the crowns, along a vertical line through any of `ys` at `x`.
+double marginOf(const SurfacePart& gum, double x, double fromY, double toY) {
+    for (double z = -4; z < 15; z += 0.05) {
+        for (double y = fromY; y < toY; y += 0.1) {
+            if (contains(gum, Vec3(x, y, z))) return z;
+        }
+    }
+    return 15;
+}
+
+TEST(BuiltinMouth, PapillaeReachFartherDownThanTheMarginsBesideThem) {
     const SurfacePart gum(mouth().upperGingiva);
-    const Vec3 below = mouth().find(11)->toothInMouth * Vec3(0, 0, 4.2);
-    const double height = below.z();
-    EXPECT_FALSE(contains(gum, mouth().find(11)->toothInMouth * Vec3(0, 4.2, 3.2)));
-    bool between = false;  // at the midline, as far up, there is gum
-    for (double y = -6; y < 3; y += 0.1) between |= contains(gum, Vec3(0, y, height + 0.8));
-    EXPECT_TRUE(between);
+    const double middle = boundingBox(placed(mouth(), 11)).center().x();
+    const double papilla = marginOf(gum, 0, -6, 3), margin = marginOf(gum, middle, -1, 5);
+    EXPECT_GT(margin - papilla, 1.2);
+    EXPECT_LT(margin - papilla, 4.5);
 }
 
 TEST(BuiltinMouth, MissingTeethLeaveAHealedPlace) {

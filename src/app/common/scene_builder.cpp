@@ -93,10 +93,13 @@ std::vector<Look> looksOf(const MaterialTable& materials) {
     return result;
 }
 
+Vec3 toLoupeLamp(const Camera& camera) { return camera.cameraInWorld.rotation * Vec3(-0.19, 0.19, 0.96).normalized(); }
+
 Scene makeScene(const SceneContents& contents) {
     Scene scene;
     scene.camera = contents.camera;
     scene.lighting = operatingLight(contents.camera);
+    if (!contents.around.empty()) scene.lighting.toKey = toLoupeLamp(contents.camera);
     if (contents.tooth != nullptr) {
         SceneObject tooth;
         tooth.shape = contents.tooth;
