@@ -36,7 +36,7 @@ Demonstration playDemonstration(WorkPiece& piece, const Box3& box, const Instrum
     constexpr double kHeadroom = 6.0;  // mm above the highest cusp: the cavity can be seen under the waiting bur
     PractisedHand hand(Vec3(middle.x() - reach, middle.y(), box.max().z() + kHeadroom), grip,
                        lesson(middle, reach, seconds));
-    HapticSimulation simulation(instrument.shape, instrument.cutting.envelope.maxRadius(), piece.surface(), settings);
+    HapticSimulation simulation(instrument.shape, instrument.cutting.envelope.maxRadius(), piece.felt(), settings);
     FeltSurfaces surfaces(simulation.tool());
     SafetyLimiter limiter(hand.info().limits);
 

@@ -24,7 +24,7 @@ Simulator::Simulator(std::shared_ptr<WorkPiece> piece, Instrument instrument, co
       settings_(settings),
       device_(device),
       onTick_(std::move(onTick)),
-      simulation_(instrument_.shape, instrument_.cutting.envelope.maxRadius(), piece_->surface(), settings),
+      simulation_(instrument_.shape, instrument_.cutting.envelope.maxRadius(), piece_->felt(), settings),
       pipeline_(device.info().limits),
       frame_(seat),
       controls_(SimulatorControls{.force = settings.force}),
@@ -136,7 +136,7 @@ void Simulator::publishSurface() {
 /// Hands the newest surface to the servo; false if it has not taken the last ones yet.
 bool Simulator::sendSurface() {
     const Tick& tick = tickForCutter_.value();
-    FeltSurface* felt = surfaces_.make(piece_->surface(), tick.proxy, piece_->reached().value_or(tick.proxy));
+    FeltSurface* felt = surfaces_.make(piece_->felt(), tick.proxy, piece_->reached().value_or(tick.proxy));
     if (fresh_.push(felt)) return true;
     surfaces_.giveBack(felt);
     return false;

@@ -17,6 +17,7 @@
 #include "app/cli/sound_command.h"
 #include "app/gui/run_window.h"
 #include "app/gui/window_settings.h"
+#include "geometry/number_text.h"
 
 namespace tactooth {
 namespace {
@@ -191,6 +192,8 @@ void addDemo(CLI::App& program, Chosen& chosen) {
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
         ->needs("--tooth");
+    command->add_flag("--mouth", options->mouth, "The built-in molar in the whole mouth, with neighbours and gums")
+        ->excludes("--tooth");
     command
         ->add_option(
             "--bur", options->bur,
@@ -239,6 +242,8 @@ struct WindowFiles {
     std::string bur;
     std::map<std::string, std::string> settings;  ///< by flag
     std::string device = "mouse";
+    std::optional<int> mouth;  ///< tooth number
+    bool noCache = false;
 };
 
 void addWindowOptions(CLI::App& program, WindowFiles& files) {
@@ -259,6 +264,16 @@ void addWindowOptions(CLI::App& program, WindowFiles& files) {
         .add_option("--device", files.device,
                     "What moves the bur: mouse (default), pen, or pen:NAME for a second one (docs/haptics.md)")
         ->type_name("NAME")
+        ->group(group);
+    CLI::Option* mouth = program.add_option_function<std::string>(
+        "--mouth",
+        [&files](const std::string& fdi) {
+            files.mouth = fdi.empty() ? BenchMouth().fdi : toNumber<int>(fdi).value_or(0);
+        },
+        "The whole built-in mouth, to work on this tooth of it (default: 46)");
+    mouth->type_name("[FDI]")->expected(0, 1)->excludes(tooth)->group(group);
+    program.add_flag("--no-cache", files.noCache, "Make the mouth's teeth anew, and do not keep them")
+        ->needs(mouth)
         ->group(group);
     program
         .add_option("--bur", files.bur,
@@ -291,6 +306,13 @@ int runWithoutCommand(const WindowFiles& files) {
         }
         options.tooth = ToothSource{.outer = file, .layers = {}};
         options.workOn = files.workOn;
+    }
+    if (files.mouth) {
+        if (!isPermanentTooth(*files.mouth)) {
+            return refuse(
+                {"what follows --mouth must be the number of a permanent tooth: 11-18, 21-28, 31-38 or 41-48."});
+        }
+        options.mouth = BenchMouth{*files.mouth, !files.noCache};
     }
     for (const std::string& text : files.layers) {
         Expected<ToothSource::Layer> layer = parseLayer(text);

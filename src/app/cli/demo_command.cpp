@@ -9,6 +9,7 @@
 #include "app/cli/demo_pictures.h"
 #include "app/cli/demo_summary.h"
 #include "app/cli/exit_code.h"
+#include "app/common/mouth_scene.h"
 #include "app/common/plot_image.h"
 #include "geometry/atomic_file.h"
 #include "geometry/stl_writer.h"
@@ -18,6 +19,8 @@
 #include "session/cases/placed_tooth.h"
 #include "session/material_file.h"
 #include "session/tick_csv.h"
+#include "session/tooth_cache.h"
+#include "session/tooth_in_mouth.h"
 #include "session/tooth_source.h"
 #include "sound/wav_file.h"
 
@@ -37,9 +40,20 @@ struct Cast {
     Box3 box;  // of the tooth that is worked on
     std::optional<MaterialTable> materials;
     std::optional<OwnBur> ownBur;
+    Surroundings surroundings;
     std::optional<Instrument> instrument;
     DemoProps props;
 };
+
+/// The lower first molar in an open mouth.
+BuiltinTooth castMouth(Cast& cast) {
+    const ToothCache cache(usualCacheFolder());
+    ToothInMouth made = toothInMouth(46, Lesion{}, {.jaw = JawPose::open, .missing = {}},
+                                     [&](const ToothRequest& tooth) { return cache.make(tooth); });
+    cast.props.around = shownAround(made);
+    cast.surroundings = surroundingsOf(made);
+    return std::move(made.tooth);
+}
 
 Expected<void> castTooth(const DemoOptions& options, Cast& cast) {
     if (!options.tooth.empty()) {
@@ -60,7 +74,7 @@ Expected<void> castTooth(const DemoOptions& options, Cast& cast) {
         cast.ownBur = std::move(place.bur);
         return {};
     }
-    const BuiltinTooth molar = makeBuiltinTooth(BuiltinToothKind::lowerFirstMolar);
+    const BuiltinTooth molar = options.mouth ? castMouth(cast) : makeBuiltinTooth(BuiltinToothKind::lowerFirstMolar);
     auto tooth = LayeredTooth::make(molar.outer, layersOf(molar));
     if (!tooth) return Unexpected{tooth.error()};
     cast.tooth = std::make_shared<const LayeredTooth>(std::move(*tooth));
@@ -159,6 +173,7 @@ int runDemo(const DemoOptions& options) {
 
     fmt::print("tooth: {}\nbur:   {}\n", cast.toothName, cast.burName);
     WorkPiece piece(cast.tooth, kVoxel);
+    piece.surroundBy(cast.surroundings);
     const std::shared_ptr<const Surface> uncut = piece.surface();
     int told = 0;
     const auto progress = [&](double part) {

@@ -15,6 +15,7 @@ struct DemoOptions {
     std::vector<std::string> layers;  ///< NAME=FILE, inside `tooth`
     std::string workOn;               ///< tooth of a case; empty: the first
     std::filesystem::path materials;  ///< TOML; empty: the built-in table
+    bool mouth = false;               ///< the built-in tooth in its mouth
     std::filesystem::path bur;        ///< empty: the built-in round bur
 };
 

@@ -85,6 +85,7 @@ void addBenchView(CLI::App& bench, Chosen& chosen) {
     command->add_option("--frames", options->frames, "Pictures of each case (default: 60)")
         ->check(CLI::Range(1, 10000))
         ->type_name("N");
+    command->add_flag("--mouth", options->mouth, "The mouth alone: 32 teeth, gums, and a mirror")->excludes("--tooth");
     command->add_flag("--json", options->json, "Write one JSON object instead of a table");
 }
 

@@ -36,6 +36,17 @@ void addSubject(CLI::App& command, RenderOptions& options) {
         ->type_name("SHARE");
 }
 
+void addMouth(CLI::App& command, RenderOptions& options) {
+    CLI::Option* mouth = command.add_flag("--mouth", options.mouth,
+                                          "The whole built-in mouth; then --view is front, right, left, upper, lower, "
+                                          "dentist, or AZIMUTH,ELEVATION (90,0 from the front)");
+    addMouthWishes(command, options.mouthWishes, mouth);
+    for (const char* other :
+         {"--tooth", "--layer", "--materials", "--mirror", "--clip", "--transparent", "--target", "--stereo"}) {
+        mouth->excludes(other);
+    }
+}
+
 void addEye(CLI::App& command, RenderOptions& options) {
     command
         .add_option(
@@ -89,6 +100,7 @@ void addPictureCommands(CLI::App& program, Chosen& chosen) {
     addSubject(*command, *options);
     addEye(*command, *options);
     addInsight(*command, *options);
+    addMouth(*command, *options);
     command->add_option("--size", options->size, "Pixels (default: 1600x1000)")->type_name("WxH");
     command->add_flag("--no-background", options->noBackground, "Leave the background transparent");
     command->add_option("--out", options->out, "PNG file to write")->required()->type_name("FILE");

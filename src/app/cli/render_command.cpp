@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "app/cli/exit_code.h"
+#include "app/cli/render_mouth.h"
 #include "app/cli/render_words.h"
 #include "app/common/distance_legend.h"
 #include "app/common/inspection.h"
@@ -166,7 +167,7 @@ Expected<void> render(const RenderOptions& options) {
 }  // namespace
 
 int runRender(const RenderOptions& options) {
-    const auto done = render(options);
+    const auto done = options.mouth ? renderMouth(options) : render(options);
     return done ? kExitOk : refuse(done.error());
 }
 

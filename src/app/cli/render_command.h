@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/mouth_command.h"
+
 namespace tactooth {
 
 struct RenderOptions {
@@ -29,6 +31,8 @@ struct RenderOptions {
     double fog = 0;
     double drops = 0;
     bool noBackground = false;
+    bool mouth = false;  ///< the whole built-in mouth instead of a tooth
+    MouthWishes mouthWishes;
 };
 
 /// Writes a picture of a tooth, or the pictures of a turn around it.

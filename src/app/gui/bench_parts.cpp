@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/bench_parts.h"
 
+#include "app/common/mouth_scene.h"
 #include "instruments/bur_shape.h"
 #include "instruments/turbine.h"
 #include "session/cases/placed_tooth.h"
+#include "session/tooth_cache.h"
+#include "session/tooth_in_mouth.h"
 
 namespace tactooth {
 namespace {
@@ -35,6 +38,23 @@ Expected<BenchTooth> makeBenchTooth(const BuiltinToothEntry& entry) {
                       std::make_shared<WorkPiece>(std::move(shared), kVoxel),
                       mesialX(tooth.fdi),
                       {{"tooth", "built in: " + tooth.name}}};
+}
+
+Expected<BenchTooth> makeBenchTooth(const BenchMouth& mouth) {
+    constexpr int kNeighbourTriangles = 20000;
+    const MouthRequest request{.triangles = kNeighbourTriangles, .seed = 0, .jaw = JawPose::open, .missing = {}};
+    const ToothCache cache(mouth.cached ? usualCacheFolder() : std::filesystem::path());
+    const ToothInMouth made =
+        toothInMouth(mouth.fdi, Lesion{}, request, [&](const ToothRequest& tooth) { return cache.make(tooth); });
+    Expected<LayeredTooth> layered = LayeredTooth::make(made.tooth.outer, layersOf(made.tooth));
+    if (!layered) return Unexpected{layered.error()};
+    BenchTooth tooth{std::to_string(made.tooth.fdi),  // a number needs no translation
+                     std::make_shared<WorkPiece>(std::make_shared<const LayeredTooth>(std::move(*layered)), kVoxel),
+                     mesialX(made.tooth.fdi),
+                     {{"tooth", "built in: " + made.tooth.name + ", in the whole mouth"}}};
+    tooth.around = shownAround(made);
+    tooth.piece->surroundBy(surroundingsOf(made));
+    return tooth;
 }
 
 Expected<BenchTooth> loadBenchTooth(const ToothSource& source, const std::string& workOn) {

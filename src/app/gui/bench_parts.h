@@ -35,6 +35,7 @@ struct BenchTooth {
     std::optional<MaterialTable> materials = {};  ///< that a case brings
     std::vector<std::string> teethOfCase = {};    ///< names; empty: it is no case
     std::optional<BenchBur> bur = {};             ///< that a case brings
+    std::vector<ShownBody> around = {};           ///< the rest of the mouth, which is felt and drawn
 
     [[nodiscard]] Box3 box() const { return workBox.isEmpty() ? piece->tooth().outer()->tree().box() : workBox; }
 };
@@ -57,8 +58,15 @@ inline constexpr std::array<BuiltinToothEntry, 3> kBuiltinTeeth = {{
     {BuiltinToothKind::upperCanine, "Upper canine (13)"},
 }};
 
+/// The mouth that a tooth stands in: average teeth, open as for work.
+struct BenchMouth {
+    int fdi = 46;  ///< of the tooth that is worked on
+    bool cached = true;
+};
+
 // All of these take a second or so: they belong into an Errand. Failing gives a sentence for the user.
 [[nodiscard]] Expected<BenchTooth> makeBenchTooth(const BuiltinToothEntry& entry);
+[[nodiscard]] Expected<BenchTooth> makeBenchTooth(const BenchMouth& mouth);
 [[nodiscard]] Expected<BenchTooth> loadBenchTooth(const ToothSource& source, const std::string& workOn = {});
 [[nodiscard]] Expected<BenchBur> makeBenchBur(const BurSpec& spec);
 /// `scan` with layers, as scan_import.h finishes it.

@@ -11,6 +11,7 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QStyle>
+#include <array>
 
 #include "app/gui/drill_bar.h"
 #include "app/gui/drive_panel.h"
@@ -122,6 +123,7 @@ void MainWindow::addFileMenu() {
     for (const BuiltinToothEntry& entry : kBuiltinTeeth) {
         builtin->addAction(translated(entry.name), this, [this, &entry] { bringBuiltinTooth(entry); });
     }
+    addMouthMenu(*menu);
     recentMenu_ = menu->addMenu(tr("Open &recent"));
     recentMenu_->setObjectName("recent");
     connect(recentMenu_, &QMenu::aboutToShow, this, &MainWindow::fillRecentMenu);
@@ -139,6 +141,19 @@ void MainWindow::addFileMenu() {
     fileBar_->addAction(open);
     fileBar_->addAction(builtin->menuAction());
     fileBar_->addAction(save);
+}
+
+/// Each tooth by its number, the quadrants as on a dentist's chart.
+void MainWindow::addMouthMenu(QMenu& menu) {
+    QMenu* mouth = menu.addMenu(tr("&Whole mouth"));
+    mouth->setObjectName("mouth");
+    const std::array quadrants = {tr("Upper right"), tr("Upper left"), tr("Lower left"), tr("Lower right")};
+    for (int quadrant = 1; quadrant <= 4; ++quadrant) {
+        QMenu* side = mouth->addMenu(quadrants[static_cast<std::size_t>(quadrant - 1)]);
+        for (int fdi = 10 * quadrant + 1; isPermanentTooth(fdi); ++fdi) {
+            side->addAction(QString::number(fdi), this, [this, fdi] { bringMouth({.fdi = fdi}); });
+        }
+    }
 }
 
 void MainWindow::addDrillAndSoundMenus() {

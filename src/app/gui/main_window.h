@@ -43,6 +43,8 @@ public:
 
     [[nodiscard]] Workbench& bench() { return bench_; }
     void bringBuiltinTooth(const BuiltinToothEntry& entry);
+    /// A tooth among its neighbours and gums.
+    void bringMouth(const BenchMouth& mouth);
     void openTooth(const ToothSource& source, const std::string& workOn = {});
     /// Surfaces of one tooth in whatever unit and position: shows what was assumed before it takes them.
     void importScan(const std::vector<std::filesystem::path>& files);
@@ -78,6 +80,7 @@ protected:
 private:
     void addPanels();
     void addFileMenu();
+    void addMouthMenu(QMenu& menu);
     void addViewMenu();
     void addAppearanceMenu();
     void addLanguageMenu();

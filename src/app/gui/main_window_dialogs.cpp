@@ -54,6 +54,11 @@ void MainWindow::bringBuiltinTooth(const BuiltinToothEntry& entry) {
     bench_.bring([entry] { return makeBenchTooth(entry); });
 }
 
+void MainWindow::bringMouth(const BenchMouth& mouth) {
+    status_->setHint(tr("Making the whole mouth around tooth %1…").arg(mouth.fdi));
+    bench_.bring([mouth] { return makeBenchTooth(mouth); });
+}
+
 void MainWindow::openTooth(const ToothSource& source, const std::string& workOn) {
     status_->setHint(tr("Opening %1…").arg(QString::fromStdString(source.outer.filename().string())));
     folder_ = folderOf(QString::fromStdString(source.outer.string()));

@@ -94,14 +94,20 @@ int runWindow(const WindowOptions& options) {
     });
     if (bur || (tooth && tooth->bur)) start->bur.clear();  // the one of the command line counts, or of the case
     window.apply(*start);
-    tooth ? window.bench().put(std::move(*tooth)) : window.bringBuiltinTooth(kBuiltinTeeth.front());
+    if (tooth) {
+        window.bench().put(std::move(*tooth));
+    } else if (options.mouth) {
+        window.bringMouth(*options.mouth);
+    } else {
+        window.bringBuiltinTooth(kBuiltinTeeth.front());
+    }
     if (bur) window.bench().put(std::move(*bur));
     window.show();
     if (!settings) {
         window.complain(QString::fromStdString(settings.error().message) +
                         " The window starts with its defaults and writes the file anew when it is closed.");
     }
-    if (isFirstTime && !options.tooth) window.welcome();
+    if (isFirstTime && !options.tooth && !options.mouth) window.welcome();
     if (options.device != "mouse") {
         auto device = openDevice(options.device);
         device ? window.bench().put(std::move(*device))

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "app/gui/bench_parts.h"
 #include "session/tooth_source.h"
 
 namespace tactooth {
@@ -15,6 +16,7 @@ namespace tactooth {
 struct WindowOptions {
     std::optional<ToothSource> tooth;
     std::string workOn;  ///< tooth of a case; empty: the first
+    std::optional<BenchMouth> mouth;  ///< the whole mouth around one of its teeth; `tooth` is not given then
     std::optional<std::filesystem::path> bur;
     std::map<std::string, std::string> settings;  ///< by their flag (see windowOptions); they win over the file's
     std::string device = "mouse";  ///< see openDevice; one that does not open leaves the mouse, and the window says why

@@ -113,6 +113,10 @@ Workbench::News Workbench::step(double dt) {
     return news;
 }
 
+std::shared_ptr<const Surface> Workbench::felt() const {
+    return surrounded(simulator_->surface(), tooth_->piece->surroundings());
+}
+
 OrbitCamera::Direction Workbench::usualView() const {
     const OrbitCamera::Direction view{kEyeAzimuth, kEyeElevation};
     return mesialX() < 0 ? mirroredInX(view) : view;
@@ -123,6 +127,7 @@ SceneContents Workbench::contents(bool withTurbine, bool withMirror) const {
     contents.materials = settings_.materials;
     if (simulator_ == nullptr) return contents;
     contents.tooth = simulator_->surface();
+    contents.around = tooth_->around;
     contents.tool = ShownTool{.bur = bur_->shown,
                               .turbine = withTurbine && around_ ? around_->turbine : nullptr,
                               .material = bur_->material,

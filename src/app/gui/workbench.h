@@ -51,6 +51,9 @@ public:
     /// None until there are a tooth and a bur.
     [[nodiscard]] Simulator* simulator() { return simulator_.get(); }
 
+    /// All that the bur can touch now. Needs a simulator.
+    [[nodiscard]] std::shared_ptr<const Surface> felt() const;
+
     /// Taken over by the simulator at the next step.
     SimulatorControls controls;
     HandControl& hand() { return hand_; }

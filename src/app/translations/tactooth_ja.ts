@@ -434,6 +434,30 @@ The mouse wheel in the picture changes it too.</source>
         <translation>内蔵の歯(&amp;B)</translation>
     </message>
     <message>
+        <source>&amp;Whole mouth</source>
+        <translation>口全体(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Upper right</source>
+        <translation>右上</translation>
+    </message>
+    <message>
+        <source>Upper left</source>
+        <translation>左上</translation>
+    </message>
+    <message>
+        <source>Lower left</source>
+        <translation>左下</translation>
+    </message>
+    <message>
+        <source>Lower right</source>
+        <translation>右下</translation>
+    </message>
+    <message>
+        <source>Making the whole mouth around tooth %1…</source>
+        <translation>歯%1のまわりに口全体を作成中…</translation>
+    </message>
+    <message>
         <source>Open &amp;recent</source>
         <translation>最近使った歯(&amp;R)</translation>
     </message>

@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/triangle_mesh.h"
+
+namespace tactooth {
+
+/// Whether two triangles of a closed surface lie back to back: where a body is thinner than the cells that it was
+/// meshed with, its two sides may have crossed.
+[[nodiscard]] bool isFolded(const TriangleMesh& mesh);
+
+}  // namespace tactooth
