@@ -10,19 +10,23 @@
 namespace tactooth {
 namespace {
 
+bool isUpper(int fdi) { return fdi < 30; }
+
 struct Placed {
     const TriangleMesh* mesh;
     Pose bodyInTooth;
     MaterialId material;
+    bool isUpper;
 };
 
 std::vector<Placed> placedAround(const BuiltinMouth& mouth, const MouthTooth& worked) {
     const Pose mouthInTooth = mouth.poseOf(worked).inverse();
-    std::vector<Placed> bodies = {{&mouth.upperGingiva, mouthInTooth, MaterialId::Other},
-                                  {&mouth.lowerGingiva, mouthInTooth * mouth.lowerJaw, MaterialId::Other}};
+    std::vector<Placed> bodies = {{&mouth.upperGingiva, mouthInTooth, MaterialId::Other, true},
+                                  {&mouth.lowerGingiva, mouthInTooth * mouth.lowerJaw, MaterialId::Other, false}};
     for (const MouthTooth& tooth : mouth.teeth) {
         if (&tooth == &worked) continue;
-        bodies.push_back({&tooth.tooth.outer, mouthInTooth * mouth.poseOf(tooth), MaterialId::Enamel});
+        bodies.push_back(
+            {&tooth.tooth.outer, mouthInTooth * mouth.poseOf(tooth), MaterialId::Enamel, isUpper(tooth.tooth.fdi)});
     }
     return bodies;
 }
@@ -38,13 +42,13 @@ ToothInMouth toothInMouth(int fdi, const std::optional<Lesion>& lesion, const Mo
     ToothInMouth result;
     result.around.resize(bodies.size());
     parallelFor(bodies.size(), [&](std::size_t i) {
-        const auto& [mesh, pose, material] = bodies[i];
+        const auto& [mesh, pose, material, upper] = bodies[i];
         std::vector<SurfaceTag> tags(mesh->triangles.size(), static_cast<SurfaceTag>(material));
         auto part = std::make_shared<const SurfacePart>(moved(*mesh, pose), std::move(tags));
         const bool isGum = material == MaterialId::Other;
         auto shown = isGum ? std::shared_ptr<const TriangleMesh>(part, &part->mesh())
                            : std::make_shared<const TriangleMesh>(moved(aboveTheGum(*mesh), pose));
-        result.around[i] = {std::move(part), std::move(shown), isGum};
+        result.around[i] = {std::move(part), std::move(shown), isGum, upper != isUpper(fdi)};
     });
     result.tooth = lesion ? maker({fdi, request.triangles, request.seed, lesion}) : worked->tooth;
     return result;

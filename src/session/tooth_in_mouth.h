@@ -16,6 +16,7 @@ struct ToothInMouth {
         std::shared_ptr<const SurfacePart> part;    ///< in the frame of `tooth`, tagged by MaterialId
         std::shared_ptr<const TriangleMesh> shown;  ///< what of it can be seen
         bool isGum = false;
+        bool isOpposite = false;  ///< of the other jaw
     };
     std::vector<Body> around;
 };

@@ -5,15 +5,18 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <map>
 
 #include "collision/closest_point.h"
 #include "geometry/mesh_report.h"
 #include "instruments/mesh_checks.h"
+#include "instruments/mouth_checks.h"
 #include "support/mesh_checks.h"
 
 namespace tactooth {
 namespace {
+
+using test::between;
+using test::placed;
 
 constexpr int kTriangles = 4000;
 
@@ -21,31 +24,6 @@ const BuiltinMouth& mouth() {
     static const BuiltinMouth made = makeMouth({.triangles = kTriangles, .missing = {}});
     return made;
 }
-
-TriangleMesh placed(const BuiltinMouth& in, int fdi) {
-    const MouthTooth* tooth = in.find(fdi);
-    return moved(tooth->tooth.outer, in.poseOf(*tooth));
-}
-
-/// Smallest distance of a vertex of `a` from `b`, negative if one lies inside.
-double clearance(const TriangleMesh& a, const TriangleMesh& b) {
-    const SurfacePart part(b);
-    constexpr double kFar = 1.0;
-    Box3 near = part.tree().box();
-    near.min().array() -= kFar;
-    near.max().array() += kFar;
-    double least = kFar;
-    for (const Vec3f& v : a.vertices) {
-        const Vec3 point = v.cast<double>();
-        if (!near.contains(point)) continue;
-        const auto found = closestPoint(part, point, kFar);
-        if (!found) continue;
-        least = std::min(least, contains(part, point) ? -found->distance : found->distance);
-    }
-    return least;
-}
-
-double between(const TriangleMesh& a, const TriangleMesh& b) { return std::min(clearance(a, b), clearance(b, a)); }
 
 TEST(BuiltinMouth, HasAllTeethInTheOrderOfADentistsChart) {
     ASSERT_EQ(mouth().teeth.size(), 32u);
@@ -179,20 +157,6 @@ TEST(BuiltinMouth, TheOpenJawParts40MillimetresAtTheIncisors) {
     const double upper = boundingBox(placed(open, 11)).min().z(), lower = boundingBox(placed(open, 41)).max().z();
     EXPECT_NEAR(upper - lower, 40, 2.5);
     EXPECT_GT(between(placed(open, 18), placed(open, 48)), 0.9);
-}
-
-TEST(BuiltinMouth, OtherPatientsMouthsFitTogetherToo) {
-    for (const std::uint32_t seed : {3U, 11U}) {
-        const BuiltinMouth other = makeMouth({.triangles = 2000, .seed = seed, .missing = {}});
-        for (const int fdi : {12, 15, 17, 33, 36, 38}) {
-            EXPECT_GT(between(placed(other, fdi - 1), placed(other, fdi)), 0) << seed << " " << fdi;
-        }
-        EXPECT_GT(between(placed(other, 16), placed(other, 46)), 0) << seed;
-        for (const TriangleMesh* gum : {&other.upperGingiva, &other.lowerGingiva}) {
-            EXPECT_TRUE(reportOn(*gum).watertight()) << seed;
-            EXPECT_EQ(reportOn(*gum).shells.size(), 1u) << seed;
-        }
-    }
 }
 
 TEST(BuiltinMouth, TheSameRequestGivesTheSameBits) {

@@ -60,6 +60,8 @@ Expected<OrbitCamera> eyeOf(const RenderOptions& options, const MouthView& view,
     OrbitCamera eye;
     eye.fit(box, size.aspect());
     eye.look(view.direction);
+    constexpr double kNearer = 0.75;  // the box fits from every side; from one side the mouth is smaller
+    eye.zoom(kNearer, Vec2(size.width / 2.0, size.height / 2.0), size);
     if (!options.at.empty()) {
         const auto middle = parsePoint(options.at);
         if (!middle) return Unexpected{middle.error()};

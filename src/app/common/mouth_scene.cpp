@@ -17,7 +17,7 @@ Look toothLook() {
 std::vector<ShownBody> shownAround(const ToothInMouth& tooth) {
     std::vector<ShownBody> bodies;
     for (const ToothInMouth::Body& body : tooth.around) {
-        bodies.push_back({body.shown, {}, body.isGum ? looks::gingiva() : toothLook()});
+        bodies.push_back({body.shown, {}, body.isGum ? looks::gingiva() : toothLook(), body.isOpposite});
     }
     return bodies;
 }
@@ -25,7 +25,7 @@ std::vector<ShownBody> shownAround(const ToothInMouth& tooth) {
 std::vector<ShownBody> shownMouth(const BuiltinMouth& mouth, ShownJaws jaws) {
     std::vector<ShownBody> bodies;
     const auto add = [&](TriangleMesh mesh, const Pose& pose, const Look& look) {
-        bodies.push_back({std::make_shared<const TriangleMesh>(std::move(mesh)), pose, look});
+        bodies.push_back({std::make_shared<const TriangleMesh>(std::move(mesh)), pose, look, false});
     };
     const bool upper = jaws != ShownJaws::lower, lower = jaws != ShownJaws::upper;
     if (upper) add(mouth.upperGingiva, {}, looks::gingiva());

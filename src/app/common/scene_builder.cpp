@@ -109,7 +109,10 @@ Scene makeScene(const SceneContents& contents) {
     }
     if (contents.tool) addTool(scene, *contents.tool);
     if (contents.mirror) addMirror(scene, *contents.mirror);
+    constexpr double kSteep = 0.65;  // sine of the angle from which on one looks through the other jaw
+    const bool isSteep = (contents.camera.cameraInWorld.rotation * Vec3::UnitZ()).z() > kSteep;
     for (const ShownBody& body : contents.around) {
+        if (body.opposite && isSteep) continue;
         SceneObject object;
         object.shape = body.mesh;
         object.objectInWorld = body.bodyInTooth;

@@ -30,6 +30,7 @@ struct ShownBody {
     std::shared_ptr<const TriangleMesh> mesh;
     Pose bodyInTooth;
     Look look;
+    bool opposite = false;  ///< of the other jaw: left out where it would stand between the eye and the tooth
 };
 
 /// All that a picture of the bench shows, in the tooth's frame. Whatever is empty is not there.
@@ -45,8 +46,8 @@ struct SceneContents {
 /// One look for each MaterialId, in their order: colour and roughness from the table.
 [[nodiscard]] std::vector<Look> looksOf(const MaterialTable& materials);
 
-/// Towards a lamp 15 degrees above the eye and to its left: it lights what the eye sees, and leaves it a little shadow to
-/// show its depth.
+/// Towards a lamp 15 degrees above the eye and to its left: it lights what the eye sees, and leaves it a little shadow
+/// to show its depth.
 [[nodiscard]] Vec3 toLoupeLamp(const Camera& camera);
 
 /// The picture under the operating light; inside a mouth, where the other jaw stands in that light, by the lamp on the
