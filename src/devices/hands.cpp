@@ -58,17 +58,15 @@ void Hands::move(std::size_t instrument, const HandControls& controls) {
     if (isNew && instruments_[instrument].position.allFinite()) frame.takeOver(instruments_[instrument]);
     if (!hand.sample.connected) return;
     frame.setFineness(controls.fineness);
-    frame.setClutch(clutch_);
+    frame.setClutch(controls.clutch || hand.buttons.clutchHeld());
     instruments_[instrument] = frame.toolFor(hand.sample.hand);
 }
 
 void Hands::read(double elapsed, const HandControls& controls) {
-    clutch_ = controls.clutch;
     for (Hand* const hand : hands_) {
         if (hand == nullptr) continue;
         hand->sample = hand->device->read(elapsed);
         if (hand->sample.connected) hand->buttons.press(hand->sample.buttons, controls.buttons);
-        clutch_ |= hand->buttons.clutchHeld();
     }
     move(kTurbine, controls);
     move(kMirror, controls);
@@ -84,7 +82,7 @@ WantedForce Hands::wantedFor(const Hand& hand, const Tick& tick, bool enabled) c
     wanted.hand = hand.sample.hand.position;
     wanted.depth *= frame.fineness();
     wanted.stiffness /= frame.fineness();
-    wanted.allowed &= enabled && holds && !clutch_;
+    wanted.allowed &= enabled && holds && !frame.isHeld();
     wanted.connected = hand.sample.connected;
     wanted.motorHeat = hand.sample.motorHeat;
     return wanted;

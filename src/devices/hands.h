@@ -82,7 +82,6 @@ private:
     /// Nowhere, until a hand was read; the mirror where it was parked.
     std::array<Pose, 2> instruments_{Pose{Vec3::Constant(std::numeric_limits<double>::quiet_NaN()), Quat::Identity()},
                                      Pose{}};
-    bool clutch_ = false;
     bool silent_ = true;
 };
 
