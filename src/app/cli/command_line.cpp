@@ -262,7 +262,14 @@ void addWindowOptions(CLI::App& program, WindowFiles& files) {
         ->group(group);
     program
         .add_option("--device", files.device,
-                    "What moves the bur: mouse (default), pen, or pen:NAME for a second one (docs/haptics.md)")
+                    "What moves the bur: mouse (default), pen, inverse3, or pen:NAME or inverse3:ID for one of several "
+                    "(docs/haptics.md)")
+        ->type_name("NAME")
+        ->group(group);
+    program
+        .add_option_function<std::string>(
+            "--second-device", [&files](const std::string& name) { files.settings["--hand-second-device"] = name; },
+            "Device of the other hand, which holds the mirror; is remembered; none: one hand alone again")
         ->type_name("NAME")
         ->group(group);
     CLI::Option* mouth = program.add_option_function<std::string>(

@@ -54,6 +54,10 @@ Expected<WindowSettings> withFlags(WindowSettings settings, const WindowOptions&
     return settings;
 }
 
+bool hasSecondHand(const WindowSettings& settings) {
+    return !settings.secondDevice.empty() && settings.secondDevice != "none";
+}
+
 }  // namespace
 
 int runWindow(const WindowOptions& options) {
@@ -113,8 +117,15 @@ int runWindow(const WindowOptions& options) {
         device ? window.bench().put(std::move(*device))
                : window.complain(QString::fromStdString(device.error().message));
     }
+    if (hasSecondHand(*start)) {
+        auto device = openDevice(start->secondDevice);
+        device ? window.bench().putSecond(std::move(*device))
+               : window.complain(QString::fromStdString(device.error().message));
+    }
     QApplication::exec();
-    if (const auto written = writeWindowSettings(window.settings(), settingsFile); !written) {
+    WindowSettings last = window.settings();
+    last.secondDevice = start->secondDevice;
+    if (const auto written = writeWindowSettings(last, settingsFile); !written) {
         (void)refuse(written.error());  // a word about it; the session itself went well
     }
     return exitCode;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "haptics/scene_load.h"
 #include "session/tick_sound.h"
 
 namespace tactooth {
@@ -48,10 +49,20 @@ void Workbench::put(std::unique_ptr<HapticDevice> device) {
     simulatorIsOld_ = true;
 }
 
+void Workbench::putSecond(std::unique_ptr<HapticDevice> device) {
+    simulator_.reset();  // it may use an old one
+    second_ = std::move(device);
+    simulatorIsOld_ = true;
+}
+
 void Workbench::reportTrouble(News& news) {
-    const char* const trouble = device_ ? device_->trouble() : nullptr;
+    const char* trouble = device_ ? device_->trouble() : nullptr;
+    if (trouble == nullptr && second_) trouble = second_->trouble();
     if (trouble != nullptr && trouble != trouble_) news.failure = trouble;
     trouble_ = trouble;
+    if (saidHeavy_ || !isSceneHeavy(simulator_->timing(), kServoRate)) return;
+    saidHeavy_ = true;  // once for each tooth, bur and device
+    news.failure = heavySceneAdvice(simulator_->timing(), kServoRate);
 }
 
 void Workbench::takeDeliveries(News& news) {
@@ -88,7 +99,8 @@ void Workbench::startSimulator(News& news) {
         [&sound = sound_, settings = settings_](const Tick& tick) {
             sound.publish(soundOf(tick, settings.spindle, settings.materials));
         },
-        kServoRate, seat);
+        kServoRate, seat, second_.get());
+    saidHeavy_ = false;
     newest_ = Tick();
     newest_.proxy = newest_.hand = hand_.hand();
     news.newSimulator = true;
