@@ -44,8 +44,8 @@ TEST(ToothInMouth, NeighboursAreInItsFrameAndTaggedByWhatTheyAreMadeOf) {
 TEST(ToothInMouth, OnlyWhatStandsOutOfTheGumIsDrawn) {
     const TriangleMesh shown = aboveTheGum(premolar().tooth.outer);
     EXPECT_LT(shown.triangles.size(), premolar().tooth.outer.triangles.size());
-    EXPECT_LT(boundingBox(shown).min().z(), -2.4);
-    EXPECT_GT(boundingBox(shown).min().z(), -6);
+    EXPECT_LT(boundingBox(shown).min().z(), -0.9);
+    EXPECT_GT(boundingBox(shown).min().z(), -4);
     EXPECT_EQ(boundingBox(shown).max().z(), boundingBox(premolar().tooth.outer).max().z());
 }
 
