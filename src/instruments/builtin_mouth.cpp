@@ -66,8 +66,9 @@ TriangleMesh gumOf(const ToothPlaces& places, bool upper, const MouthRequest& re
     const GingivaBody body = gingivaBody(places, upper, request.missing);
     double cell = gumCell(request.triangles);
     TriangleMesh mesh = gumMesh(body, upper, cell);
-    constexpr int kTries = 5;  // the tip of a papilla may be thinner than a cell
-    for (int i = 1; i < kTries && isFolded(mesh); ++i) {
+    constexpr int kTries = 6;           // the tip of a papilla may be thinner than a cell
+    constexpr double kSharpest = -0.6;  // cosine between normals: all of a gum is rounded
+    for (int i = 1; i < kTries && isFolded(mesh, kSharpest); ++i) {
         cell *= 0.97;
         mesh = gumMesh(body, upper, cell);
     }

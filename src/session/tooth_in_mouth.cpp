@@ -55,7 +55,7 @@ ToothInMouth toothInMouth(int fdi, const std::optional<Lesion>& lesion, const Mo
 }
 
 TriangleMesh aboveTheGum(const TriangleMesh& tooth) {
-    constexpr float kBelowNeck = -2.5F;  // mm: the gum's margin stands above the neck all around
+    constexpr float kBelowNeck = -1.0F;  // mm: the gum's margin stands above the neck all around
     TriangleMesh shown;
     std::vector<std::uint32_t> renumbered(tooth.vertices.size(), UINT32_MAX);
     for (const Triangle& triangle : tooth.triangles) {

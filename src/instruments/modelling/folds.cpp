@@ -8,13 +8,12 @@
 
 namespace tactooth {
 
-bool isFolded(const TriangleMesh& mesh) {
-    constexpr double kBackToBack = -0.9;  // cosine between normals; the sharpest edge of a tooth stays above -0.85
+bool isFolded(const TriangleMesh& mesh, double sharpest) {
     bool folded = false;
     MeshEdges(mesh).forEachEdge([&](std::span<const EdgeUse> uses) {
         if (uses.size() != 2) return;
         const Vec3 a = mesh.areaVector(uses[0].corner / 3), b = mesh.areaVector(uses[1].corner / 3);
-        folded |= a.dot(b) < kBackToBack * a.norm() * b.norm();
+        folded |= a.dot(b) < sharpest * a.norm() * b.norm();
     });
     return folded;
 }

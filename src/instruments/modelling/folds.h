@@ -7,7 +7,8 @@
 namespace tactooth {
 
 /// Whether two triangles of a closed surface lie back to back: where a body is thinner than the cells that it was
-/// meshed with, its two sides may have crossed.
-[[nodiscard]] bool isFolded(const TriangleMesh& mesh);
+/// meshed with, its two sides may have crossed. `sharpest`: cosine between the normals of two triangles at the sharpest
+/// edge that the body has; no edge of a tooth is below -0.85.
+[[nodiscard]] bool isFolded(const TriangleMesh& mesh, double sharpest = -0.9);
 
 }  // namespace tactooth
