@@ -270,7 +270,7 @@ INSTANTIATE_TEST_SUITE_P(
                              [](Rig& rig) {
                                  rig.simulation.force().setOverrides({rig.spring = 3.2 - rig.spring, {}, {}});
                              }}),
-    [](const auto& info) { return info.param.name; });
+    [](const auto& one) { return one.param.name; });
 
 }  // namespace
 }  // namespace tactooth

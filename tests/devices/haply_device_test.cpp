@@ -162,7 +162,7 @@ INSTANTIATE_TEST_SUITE_P(All, HaplyFaults,
                                            Fault{HaplyFault::NoNumber, "NoNumber", "does not know where it is", false},
                                            Fault{HaplyFault::Jump, "Jump", "has jumped", false},
                                            Fault{HaplyFault::NoPower, "NoPower", "plug in its power supply", false}),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& one) { return one.param.name; });
 
 TEST(HaplyDevice, ATroubleThatIsOverIsNotShownForEver) {
     StandinHaply service;
