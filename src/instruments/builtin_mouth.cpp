@@ -19,7 +19,7 @@ namespace {
 
 /// A gum's triangles are longer than those of its teeth, within what its thin margins need and what is of use.
 double gumCell(int triangles) {
-    constexpr double kOf20000 = 0.45, kFinest = 0.2, kCoarsest = 0.5;  // mm
+    constexpr double kOf20000 = 0.45, kFinest = 0.2, kCoarsest = 0.45;  // mm
     return std::clamp(kOf20000 * std::sqrt(20000.0 / triangles), kFinest, kCoarsest);
 }
 
@@ -66,8 +66,8 @@ TriangleMesh gumOf(const ToothPlaces& places, bool upper, const MouthRequest& re
     const GingivaBody body = gingivaBody(places, upper, request.missing);
     double cell = gumCell(request.triangles);
     TriangleMesh mesh = gumMesh(body, upper, cell);
-    constexpr int kTries = 6;           // the tip of a papilla may be thinner than a cell
-    constexpr double kSharpest = -0.6;  // cosine between normals: all of a gum is rounded
+    constexpr int kTries = 4;           // the tip of a papilla may be thinner than a cell
+    constexpr double kSharpest = -0.85;  // cosine between normals: all of a gum is rounded
     for (int i = 1; i < kTries && isFolded(mesh, kSharpest); ++i) {
         cell *= 0.97;
         mesh = gumMesh(body, upper, cell);

@@ -269,6 +269,8 @@ double Gingiva::operator()(const Vec3& p) const {
         tooth - std::lerp(kThin, kThick, smoothStep(0, kDeep, depth)) + kFlat * smoothStep(kJuga, kNoJuga, depth);
     constexpr double kFillet = 2.2;
     double body = smoothUnion(ridge(at.s, at.outward, crownward, line), cover, kFillet);
+    constexpr double kLeastWall = 0.85, kWallRound = 0.5;  // mm: nowhere is a root covered by less
+    body = smoothUnion(body, tooth - kLeastWall, kWallRound);
     if (upper_) {
         constexpr double kFoot = 5;
         const double inside = (at.outward - line.middle) / 1.2;  // the vault ends within the ridge
