@@ -6,6 +6,7 @@
 
 #include "geometry/atomic_file.h"
 #include "geometry/mesh_report.h"
+#include "geometry/stl_reader.h"
 #include "session/cases/block_case.h"
 #include "session/cases/placed_tooth.h"
 #include "support/test_data.h"
@@ -125,7 +126,9 @@ TEST(OpenCase, EveryToothOfACaseCanBeCut) {
         EXPECT_NEAR(removed[static_cast<std::size_t>(MaterialId::Dentin)], 3.14159 * 0.25 * 1, 0.1);
     }
     tooth->piece->refreshSurface();
-    EXPECT_TRUE(reportOn(visibleMesh(*tooth->piece->surface()).mesh).watertight());
+    const auto cut = parseStl(stlBytes(visibleMesh(*tooth->piece->surface()).mesh), "cut");
+    ASSERT_TRUE(cut);
+    EXPECT_TRUE(reportOn(*cut).watertight());
 }
 
 }  // namespace

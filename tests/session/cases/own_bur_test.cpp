@@ -47,9 +47,9 @@ TEST_F(OwnBurFiles, TheDescriptionBesideItCounts) {
 TEST_F(OwnBurFiles, MistakesAreSaid) {
     for (const auto& [text, said] :
          {std::pair("material = \"wood\"", "'material' must be carbide or diamond"),
-          std::pair("sharpness = -1", "\"sharpness\" must be a number from"),
-          std::pair("flutes = 1.5", "\"flutes\" must be a whole number"),
-          std::pair("colour = 1", "a bur has no key \"colour\""),
+          std::pair("sharpness = -1", "'sharpness' must be a number from 0 to 10"),
+          std::pair("flutes = 1.5", "'flutes' must be a whole number"),
+          std::pair("colour = 1", "a bur has no key 'colour'"),
           std::pair("surface = \"../../other.stl\"", "must lie beside this file"),
           std::pair("surface = \"none.stl\"", "none.stl"), std::pair("= 3", "this is not TOML")}) {
         describe(text);
