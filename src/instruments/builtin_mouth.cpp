@@ -66,7 +66,7 @@ TriangleMesh gumOf(const ToothPlaces& places, bool upper, const MouthRequest& re
     const GingivaBody body = gingivaBody(places, upper, request.missing);
     double cell = gumCell(request.triangles);
     TriangleMesh mesh = gumMesh(body, upper, cell);
-    constexpr int kTries = 4;           // the tip of a papilla may be thinner than a cell
+    constexpr int kTries = 4;            // the tip of a papilla may be thinner than a cell
     constexpr double kSharpest = -0.85;  // cosine between normals: all of a gum is rounded
     for (int i = 1; i < kTries && isFolded(mesh, kSharpest); ++i) {
         cell *= 0.97;

@@ -276,7 +276,8 @@ double Gingiva::operator()(const Vec3& p) const {
         const double inside = (at.outward - line.middle) / 1.2;  // the vault ends within the ridge
         body = smoothUnion(body, std::max(palate(p), inside), kFoot);
     }
-    constexpr double kMarginRound = 0.55, kSlope = 1.3, kEndRound = 6, kBaseRound = 1.5, kSocketRound = 0.3, kTipRound = 0.5;
+    constexpr double kMarginRound = 0.55, kSlope = 1.3, kEndRound = 6, kBaseRound = 1.5, kSocketRound = 0.3,
+                     kTipRound = 0.5;
     body = smoothIntersection(body, -depth / kSlope, kMarginRound);
     body = smoothIntersection(body, std::abs(at.s) - end_ - kBehind, kEndRound);
     body = smoothIntersection(body, back_ - p.y(), kBaseRound);
