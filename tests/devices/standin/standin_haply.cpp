@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-#include "standin/standin_haply.h"
+#include "standin_haply.h"
 
 #include <arpa/inet.h>
 #include <netinet/in.h>
@@ -14,7 +14,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "standin/web_socket_server.h"
+#include "web_socket_server.h"
 
 namespace tactooth::test {
 namespace {

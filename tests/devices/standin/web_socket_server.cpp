@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-#include "standin/web_socket_server.h"
+#include "web_socket_server.h"
 
 #include <sys/socket.h>
 
