@@ -265,7 +265,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Switch{"Fineness", false, [](Rig& rig) { rig.controls.fineness = 4 - rig.controls.fineness; }},
                       Switch{"ForceOff", true, [](Rig& rig) { rig.enabled = !rig.enabled; }},
                       Switch{"ForceScale", true,
-                             [](Rig& rig) { rig.simulation.force().setScale(rig.scale = 4 - rig.scale); }},
+                             [](Rig& rig) { rig.simulation.force().setScale(rig.scale = 1.3 - rig.scale); }},
                       Switch{"Spring", true,
                              [](Rig& rig) {
                                  rig.simulation.force().setOverrides({rig.spring = 3.2 - rig.spring, {}, {}});
