@@ -2,21 +2,48 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "devices/open_device.h"
 
+#include <algorithm>
+#include <array>
+
 #include "devices/openhaptics/hd_library.h"
 #include "devices/openhaptics/openhaptics_device.h"
+#include "devices/sdl/gamepad_device.h"
+#include "devices/spacemouse/space_mouse_device.h"
 
 namespace tactooth {
+namespace {
 
-Expected<std::unique_ptr<HapticDevice>> openDevice(const std::string& name) {
+constexpr std::array<DeviceKind, 4> kKinds = {{
+    {"mouse", "Mouse and keyboard"},
+    {"pen", "Haptic pen (OpenHaptics)"},
+    {"gamepad", "Gamepad"},
+    {"spacemouse", "SpaceMouse"},
+}};
+
+/// `own`: what stands behind the colon.
+std::unique_ptr<HapticDevice> makeDevice(const std::string& kind, const std::string& own, bool leftHanded) {
+    if (kind == "pen") return std::make_unique<OpenHapticsDevice>(own, HdLibrary::usualPath());
+    if (kind == "gamepad") return std::make_unique<GamepadDevice>(own, leftHanded);
+    if (kind == "spacemouse" && own.empty()) return std::make_unique<SpaceMouseDevice>();
+    return nullptr;
+}
+
+}  // namespace
+
+std::span<const DeviceKind> deviceKinds() { return kKinds; }
+
+Expected<std::unique_ptr<HapticDevice>> openDevice(const std::string& name, bool leftHanded) {
     const std::string kind = name.substr(0, name.find(':'));
     const std::string own = name.size() > kind.size() ? name.substr(kind.size() + 1) : std::string();
-    if (kind != "pen") {
-        return unexpected("there is no device '" + name +
-                          "': --device takes 'mouse', 'pen' or 'pen:NAME'; 'tactooth devices' shows what is there.");
+    std::unique_ptr<HapticDevice> device = makeDevice(kind, own, leftHanded);
+    if (device == nullptr) {
+        std::string kinds;
+        for (const DeviceKind& each : kKinds) kinds += (kinds.empty() ? "" : ", ") + std::string(each.name);
+        return unexpected("there is no device '" + name + "': --device takes " + kinds +
+                          ", or pen:NAME and gamepad:NAME for one of several; 'tactooth devices' shows what is there.");
     }
-    auto pen = std::make_unique<OpenHapticsDevice>(own, HdLibrary::usualPath());
-    if (const auto opened = pen->open(); !opened) return Unexpected{opened.error()};
-    return std::unique_ptr<HapticDevice>(std::move(pen));
+    if (const auto opened = device->open(); !opened) return Unexpected{opened.error()};
+    return device;
 }
 
 }  // namespace tactooth

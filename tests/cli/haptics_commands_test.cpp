@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "cli/run_program.h"
@@ -62,7 +63,9 @@ TEST(HapticsCommands, DevicesAlwaysHaveTheMouse) {
     const auto json = nlohmann::json::parse(run.out);
     EXPECT_EQ(json.at(0).at("name"), "mouse");
     EXPECT_EQ(json.at(0).at("ready"), true);
-    EXPECT_EQ(json.at(1).at("name"), "pen");
+    std::vector<std::string> names;
+    for (const auto& device : json) names.push_back(device.at("name"));
+    for (const char* name : {"pen", "gamepad", "spacemouse", "pedal"}) EXPECT_THAT(names, ::testing::Contains(name));
     EXPECT_THAT(runTactooth({"devices"}).out, HasSubstr("mouse and keyboard"));
 }
 
@@ -76,7 +79,11 @@ TEST(HapticsCommands, TheDoctorLooksAtEverything) {
         missing |= finding.at("verdict") == "missing";
         EXPECT_NE(finding.at("text"), "");
     }
-    EXPECT_THAT(areas, ::testing::ElementsAre("display", "OpenGL", "sound", "real time", "device", "device"));
+    const std::vector<std::string> first = {"display", "OpenGL", "sound", "real time"};
+    ASSERT_GT(areas.size(), first.size());
+    EXPECT_TRUE(std::equal(first.begin(), first.end(), areas.begin()));
+    const auto devices = nlohmann::json::parse(runTactooth({"devices", "--json"}).out);
+    EXPECT_EQ(std::count(areas.begin(), areas.end(), "device"), static_cast<long>(devices.size()));
     EXPECT_EQ(run.exitCode, missing ? 1 : 0);
 }
 

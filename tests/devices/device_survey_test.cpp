@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 namespace tactooth {
@@ -12,15 +13,18 @@ namespace {
 
 using ::testing::HasSubstr;
 
+SurveyedDevice named(const std::string& name, const std::vector<SurveyedDevice>& devices) {
+    const auto found = std::ranges::find(devices, name, &SurveyedDevice::name);
+    return found == devices.end() ? SurveyedDevice{} : *found;
+}
+
 SurveyedDevice penWith(const char* library) {
     setenv("TACTOOTH_LIBHD", library, 1);
     const auto devices = surveyDevices();
     unsetenv("TACTOOTH_LIBHD");
-    EXPECT_EQ(devices.size(), 2U);
-    EXPECT_EQ(devices[0].name, "mouse");
-    EXPECT_TRUE(devices[0].ready);
-    EXPECT_EQ(devices[1].name, "pen");
-    return devices[1];
+    EXPECT_EQ(devices.front().name, "mouse");
+    EXPECT_TRUE(devices.front().ready);
+    return named("pen", devices);
 }
 
 TEST(DeviceSurvey, TellsWhatAPenCanDo) {
@@ -45,6 +49,17 @@ TEST(DeviceSurvey, NoLibraryIsNoPenAndSaysWhatToInstall) {
     const SurveyedDevice pen = penWith("libNoSuchHD.so");
     EXPECT_FALSE(pen.ready);
     EXPECT_THAT(pen.text, HasSubstr("install the device's driver"));
+}
+
+TEST(DeviceSurvey, WhatIsNotPluggedInSaysWhatToDo) {
+    setenv("SPNAV_SOCKET", "/no/such/socket", 1);
+    const auto devices = surveyDevices();
+    unsetenv("SPNAV_SOCKET");
+    EXPECT_THAT(named("spacemouse", devices).text, HasSubstr("install spacenavd"));
+    for (const char* name : {"gamepad", "pedal"}) {
+        const SurveyedDevice device = named(name, devices);
+        EXPECT_TRUE(device.ready || device.text.starts_with("There is no")) << device.text;
+    }
 }
 
 }  // namespace

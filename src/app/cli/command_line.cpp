@@ -233,8 +233,10 @@ void addWindowOptions(CLI::App& program, WindowFiles& files) {
         ->needs(tooth)
         ->group(group);
     program
-        .add_option("--device", files.device,
-                    "What moves the bur: mouse (default), pen, or pen:NAME for a second one (docs/haptics.md)")
+        .add_option(
+            "--device", files.device,
+            "What moves the bur: mouse (default), pen, gamepad or spacemouse; pen:NAME and gamepad:NAME for one of "
+            "several (docs/haptics.md)")
         ->type_name("NAME")
         ->group(group);
     program.add_option("--bur", files.bur, "Your own bur: an STL file, tip at the origin, +z along the shaft")
