@@ -3,12 +3,15 @@
 #include "devices/device_survey.h"
 
 #include <cmath>
+#include <functional>
 
 #include "devices/child_probe.h"
 #include "devices/haply/haply_device.h"
 #include "devices/haply/haply_survey.h"
 #include "devices/openhaptics/hd_library.h"
 #include "devices/openhaptics/openhaptics_device.h"
+#include "devices/sdl/joysticks.h"
+#include "devices/spacemouse/space_mouse_device.h"
 
 namespace tactooth {
 namespace {
@@ -64,6 +67,35 @@ std::vector<SurveyedDevice> surveyInverse3() {
     return devices;
 }
 
+std::string describe(const JoystickState& joystick) {
+    return joystick.name + " (" + std::to_string(joystick.axes.size()) + " axes, " +
+           std::to_string(joystick.buttons.size()) + " buttons" + (joystick.rumbles ? ", rumbles" : "") + ")";
+}
+
+/// The child's answer: '+' and the joysticks of the kind that is asked for, or '-' and what to do.
+std::string tryJoysticks(bool padsOnly, const std::string& none) {
+    const auto joysticks = SdlJoysticks::shared();
+    if (!joysticks) return '-' + joysticks.error().message;
+    std::string found;
+    for (const JoystickState& joystick : (*joysticks)->states()) {
+        if (padsOnly && !joystick.isPad) continue;
+        found += (found.empty() ? "" : "; ") + describe(joystick);
+    }
+    return found.empty() ? '-' + none : '+' + found;
+}
+
+std::string trySpaceMouse() {
+    SpaceMouseDevice device;
+    const auto opened = device.open();
+    return opened ? "+the driver runs; six axes steer by speed, no force" : '-' + opened.error().message;
+}
+
+SurveyedDevice survey(const char* name, const char* backend, const std::function<std::string()>& probe) {
+    const auto answer = inChildProcess(probe, kPatience);
+    if (!answer) return {name, backend, false, "its system library is broken, " + answer.error().message + "."};
+    return {name, backend, !answer->empty() && answer->front() == '+', answer->empty() ? "" : answer->substr(1)};
+}
+
 }  // namespace
 
 std::vector<SurveyedDevice> surveyDevices() {
@@ -71,6 +103,14 @@ std::vector<SurveyedDevice> surveyDevices() {
         {"mouse", "mouse and keyboard", true, "always there; no force: what the hand would feel is shown"},
         surveyPen()};
     for (SurveyedDevice& device : surveyInverse3()) devices.push_back(std::move(device));
+    devices.push_back(survey("gamepad", "gamepad (SDL)", [] {
+        return tryJoysticks(true,
+                            "There is no gamepad: plug one in or switch it on, and see that you may read /dev/input.");
+    }));
+    devices.push_back(survey("spacemouse", "SpaceMouse (spacenavd)", trySpaceMouse));
+    devices.push_back(survey("pedal", "foot pedal (any joystick, SDL)", [] {
+        return tryJoysticks(false, "There is no joystick or pedal: the space key and the slider are the pedal.");
+    }));
     return devices;
 }
 

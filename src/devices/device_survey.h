@@ -9,7 +9,7 @@ namespace tactooth {
 
 /// A device that is there, or the reason why one is not.
 struct SurveyedDevice {
-    std::string name;     ///< as --device takes it
+    std::string name;     ///< as --device takes it; "pedal": a foot pedal
     std::string backend;  ///< for people
     bool ready = false;
     std::string text;  ///< what it can do; if not ready, one sentence that says why and what to do

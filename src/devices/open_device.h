@@ -3,15 +3,26 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 
 #include "devices/haptic_device.h"
 
 namespace tactooth {
 
-/// Opens the device that a person has named: "pen" is the default one of OpenHaptics, "pen:NAME" the one of that name
-/// in the vendor's setup program, "inverse3" the first Haply Inverse3, "inverse3:ID" the one of that name. Fails with
-/// one sentence that says what to do.
-[[nodiscard]] Expected<std::unique_ptr<HapticDevice>> openDevice(const std::string& name);
+/// A kind of device that can move the tool.
+struct DeviceKind {
+    const char* name;   ///< as openDevice takes it
+    const char* title;  ///< for people
+};
+/// The mouse, which is always there and needs no opening, comes first.
+[[nodiscard]] std::span<const DeviceKind> deviceKinds();
+
+/// Opens the device that a person has named: one of deviceKinds() but the mouse. "pen" is the default pen of
+/// OpenHaptics, "pen:NAME" the one of that name in the vendor's setup program; "gamepad" the first gamepad,
+/// "gamepad:NAME" the first whose name holds NAME; "inverse3" the first Haply Inverse3, "inverse3:ID" the one of that
+/// name. Fails with one sentence that says what to do. May take seconds. `leftHanded`: for devices that are not the
+/// same for both hands.
+[[nodiscard]] Expected<std::unique_ptr<HapticDevice>> openDevice(const std::string& name, bool leftHanded = false);
 
 }  // namespace tactooth

@@ -75,7 +75,9 @@ TEST(HapticsCommands, DevicesAlwaysHaveTheMouse) {
     const auto json = nlohmann::json::parse(run.out);
     EXPECT_EQ(json.at(0).at("name"), "mouse");
     EXPECT_EQ(json.at(0).at("ready"), true);
-    EXPECT_EQ(json.at(1).at("name"), "pen");
+    std::vector<std::string> names;
+    for (const auto& device : json) names.push_back(device.at("name"));
+    for (const char* name : {"pen", "gamepad", "spacemouse", "pedal"}) EXPECT_THAT(names, ::testing::Contains(name));
     EXPECT_TRUE(std::ranges::any_of(
         json, [](const auto& device) { return device.at("backend") == "Haply Inverse3" && device.at("text") != ""; }));
     EXPECT_THAT(runTactooth({"devices"}).out, HasSubstr("mouse and keyboard"));
@@ -91,9 +93,11 @@ TEST(HapticsCommands, TheDoctorLooksAtEverything) {
         missing |= finding.at("verdict") == "missing";
         EXPECT_NE(finding.at("text"), "");
     }
-    ASSERT_GT(areas.size(), 6U);
-    EXPECT_THAT(std::span(areas).first(4), ::testing::ElementsAre("display", "OpenGL", "sound", "real time"));
-    EXPECT_THAT(std::span(areas).subspan(4), ::testing::Each("device"));
+    const std::vector<std::string> first = {"display", "OpenGL", "sound", "real time"};
+    ASSERT_GT(areas.size(), first.size());
+    EXPECT_TRUE(std::equal(first.begin(), first.end(), areas.begin()));
+    const auto devices = nlohmann::json::parse(runTactooth({"devices", "--json"}).out);
+    EXPECT_EQ(std::count(areas.begin(), areas.end(), "device"), static_cast<long>(devices.size()));
     EXPECT_EQ(run.exitCode, missing ? 1 : 0);
 }
 

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "standin/standin_haply.h"
@@ -14,20 +15,22 @@ namespace {
 
 using ::testing::HasSubstr;
 
+SurveyedDevice named(const std::string& name, const std::vector<SurveyedDevice>& devices) {
+    const auto found = std::ranges::find(devices, name, &SurveyedDevice::name);
+    return found == devices.end() ? SurveyedDevice{} : *found;
+}
+
 SurveyedDevice penWith(const char* library) {
     setenv("TACTOOTH_LIBHD", library, 1);
     setenv("TACTOOTH_HAPLY", "localhost:1", 1);  // where nobody listens
     const auto devices = surveyDevices();
     unsetenv("TACTOOTH_LIBHD");
     unsetenv("TACTOOTH_HAPLY");
-    EXPECT_EQ(devices.size(), 3U);
-    EXPECT_EQ(devices[0].name, "mouse");
-    EXPECT_TRUE(devices[0].ready);
-    EXPECT_EQ(devices[1].name, "pen");
-    EXPECT_EQ(devices[2].name, "inverse3");
-    EXPECT_FALSE(devices[2].ready);
-    EXPECT_THAT(devices[2].text, HasSubstr("install and start it"));
-    return devices[1];
+    EXPECT_EQ(devices.front().name, "mouse");
+    EXPECT_TRUE(devices.front().ready);
+    EXPECT_FALSE(named("inverse3", devices).ready);
+    EXPECT_THAT(named("inverse3", devices).text, HasSubstr("install and start it"));
+    return named("pen", devices);
 }
 
 TEST(DeviceSurvey, TellsWhatAPenCanDo) {
@@ -61,15 +64,24 @@ TEST(DeviceSurvey, HasALineForEachInverse3) {
     const auto devices = surveyDevices();
     unsetenv("TACTOOTH_LIBHD");
     unsetenv("TACTOOTH_HAPLY");
-    ASSERT_EQ(devices.size(), 4U);
-    EXPECT_EQ(devices[2].name, "inverse3:049D");
-    EXPECT_TRUE(devices[2].ready);
+    const SurveyedDevice first = named("inverse3:049D", devices);
+    EXPECT_TRUE(first.ready);
     EXPECT_EQ(
-        devices[2].text,
+        first.text,
         "Haply Inverse3 049D: force 10.0 N, 2.5 N for ever; workspace 300.0 x 200.0 x 300.0 mm; stiffest wall 0.8 "
         "N/mm; 3 buttons");
-    EXPECT_EQ(devices[3].name, "inverse3:0B1C");
-    EXPECT_THAT(devices[3].text, HasSubstr("0 buttons"));
+    EXPECT_THAT(named("inverse3:0B1C", devices).text, HasSubstr("0 buttons"));
+}
+
+TEST(DeviceSurvey, WhatIsNotPluggedInSaysWhatToDo) {
+    setenv("SPNAV_SOCKET", "/no/such/socket", 1);
+    const auto devices = surveyDevices();
+    unsetenv("SPNAV_SOCKET");
+    EXPECT_THAT(named("spacemouse", devices).text, HasSubstr("install spacenavd"));
+    for (const char* name : {"gamepad", "pedal"}) {
+        const SurveyedDevice device = named(name, devices);
+        EXPECT_TRUE(device.ready || device.text.starts_with("There is no")) << device.text;
+    }
 }
 
 }  // namespace

@@ -261,9 +261,10 @@ void addWindowOptions(CLI::App& program, WindowFiles& files) {
         ->needs(tooth)
         ->group(group);
     program
-        .add_option("--device", files.device,
-                    "What moves the bur: mouse (default), pen, inverse3, or pen:NAME or inverse3:ID for one of several "
-                    "(docs/haptics.md)")
+        .add_option(
+            "--device", files.device,
+            "What moves the bur: mouse (default), pen, inverse3, gamepad or spacemouse; pen:NAME, inverse3:ID or "
+            "gamepad:NAME for one of several (docs/haptics.md)")
         ->type_name("NAME")
         ->group(group);
     program

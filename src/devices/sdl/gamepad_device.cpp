@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "devices/sdl/gamepad_device.h"
+
+#include <algorithm>
+
+namespace tactooth {
+namespace {
+
+constexpr double kFullForce = 3;     // N at which the heavy motor runs as strongly as it can: the most a hand presses
+constexpr double kFullShake = 0.08;  // N at which the light one does: a bur that cuts under 2 N
+constexpr double kStiffness = 2;     // N/mm: the hand gives way 8 mm/s a newton, so a stiffer wall is no stronger
+constexpr const char* kLost = "The gamepad has been unplugged: plug it in again, and the session goes on.";
+
+}  // namespace
+
+GamepadDevice::GamepadDevice(std::string name, bool leftHanded) : name_(std::move(name)), leftHanded_(leftHanded) {
+    info_.name = "gamepad";
+    info_.sensesRotation = info_.hasPedal = true;
+    info_.buttonCount = 5;
+    info_.stiffness = kStiffness;
+    info_.workspace = Vec3::Constant(2 * RateHand::kReach);
+}
+
+GamepadDevice::~GamepadDevice() { close(); }
+
+Expected<void> GamepadDevice::open() {
+    close();
+    auto joysticks = SdlJoysticks::shared();
+    if (!joysticks) return Unexpected{joysticks.error()};
+    const std::vector<JoystickState> states = (*joysticks)->states();
+    const auto pad = std::ranges::find_if(states, [this](const JoystickState& state) {
+        return state.isPad && state.name.find(name_) != std::string::npos;
+    });
+    if (pad == states.end()) {
+        return unexpected("There is no gamepad" + (name_.empty() ? std::string() : " named '" + name_ + "'") +
+                          ": plug one in or switch it on, and see that you may read /dev/input.");
+    }
+    PadState atRest;
+    atRest.connected = true;
+    port_.state.write(atRest);  // it is there: until its first reading comes it is not lost
+    if (auto fed = (*joysticks)->feed(&port_, name_); !fed) return fed;
+    joysticks_ = std::move(*joysticks);
+    info_.name = pad->name;
+    hand_ = RateHand();
+    sense_ = RumbleSense();
+    return {};
+}
+
+void GamepadDevice::close() {
+    if (joysticks_ == nullptr) return;
+    (void)joysticks_->feed(nullptr, {});
+    joysticks_.reset();
+}
+
+DeviceSample GamepadDevice::read(double elapsed) {
+    elapsed_ = elapsed;
+    port_.state.refresh();
+    const PadState& pad = port_.state.value();
+    lost_.store(!pad.connected, std::memory_order_relaxed);
+    const PadWish wish = wishOf(pad, leftHanded_);
+    DeviceSample sample;
+    sample.connected = pad.connected;
+    sample.hand = hand_.advance(wish.rate, elapsed);
+    sample.pedal = wish.pedal;
+    sample.buttons = pad.buttons;
+    return sample;
+}
+
+void GamepadDevice::write(const SafeWrench& wrench) {
+    hand_.feel(wrench.force());
+    sense_.add(wrench.force(), elapsed_);
+    port_.rumble.write({sense_.steady() / kFullForce, sense_.shaking() / kFullShake});
+}
+
+const char* GamepadDevice::trouble() const { return lost_.load(std::memory_order_relaxed) ? kLost : nullptr; }
+
+}  // namespace tactooth

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <string>
+
+#include "devices/haptic_device.h"
+#include "devices/rate_hand.h"
+#include "devices/rumble_sense.h"
+#include "devices/sdl/joysticks.h"
+
+namespace tactooth {
+
+/// A gamepad that steers the tool by speed (see wishOf) and renders the force by its two motors. One that is plugged
+/// out is lost and comes back by itself when it, or another that fits, is plugged in.
+class GamepadDevice final : public HapticDevice {
+public:
+    /// `name`: a part of the pad's name; empty for the first one.
+    explicit GamepadDevice(std::string name, bool leftHanded = false);
+    ~GamepadDevice() override;
+
+    [[nodiscard]] const DeviceInfo& info() const override { return info_; }
+    /// Fails if no such pad is plugged in.
+    [[nodiscard]] Expected<void> open() override;
+    void close() override;
+    [[nodiscard]] DeviceSample read(double elapsed) override;
+    void write(const SafeWrench& wrench) override;
+    [[nodiscard]] const char* trouble() const override;
+
+private:
+    std::string name_;
+    bool leftHanded_;
+    DeviceInfo info_;
+    std::shared_ptr<SdlJoysticks> joysticks_;  // while open
+    PadPort port_;
+    RateHand hand_;
+    RumbleSense sense_;
+    double elapsed_ = 0;  // of the last read, s
+    std::atomic<bool> lost_{false};
+};
+
+}  // namespace tactooth

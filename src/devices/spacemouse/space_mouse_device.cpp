@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "devices/spacemouse/space_mouse_device.h"
+
+#include <poll.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <condition_variable>
+
+#include <spnav.h>  // last: it brings X11's macros
+
+namespace tactooth {
+namespace {
+
+constexpr double kFullAxis = 350;     // counts of a cap that is pushed as far as it goes
+constexpr double kSlack = 0.05;       // of that: a cap comes back to within this
+constexpr double kFastest = 25;       // mm/s, as with a gamepad
+constexpr double kFastestTurn = 1.2;  // rad/s
+constexpr double kStiffness = 2;      // N/mm: the hand gives way, so a stiffer wall is no stronger
+constexpr int kPatienceMs = 100;      // for the next event: closing takes no longer
+constexpr auto kRetry = std::chrono::seconds(1);
+constexpr const char* kNoDriver =
+    "The SpaceMouse's driver does not run: install spacenavd, start it (sudo systemctl start spacenavd) and plug the "
+    "SpaceMouse in.";
+constexpr const char* kLost =
+    "The SpaceMouse's driver has stopped: start it again (sudo systemctl start spacenavd), and the session goes on.";
+
+std::atomic<bool> libraryInUse{false};
+
+double part(int count) {
+    const double way = std::clamp(count / kFullAxis, -1.0, 1.0);
+    return std::copysign(std::max(0.0, std::abs(way) - kSlack) / (1 - kSlack), way);
+}
+
+void take(const spnav_event& event, SpaceMouseState& state) {
+    if (event.type == SPNAV_EVENT_MOTION) {
+        const spnav_event_motion& motion = event.motion;
+        state.axes = {motion.x, motion.y, motion.z, motion.rx, motion.ry, motion.rz};
+    } else if (event.type == SPNAV_EVENT_BUTTON && event.button.bnum >= 0 && event.button.bnum < 32) {
+        const std::uint32_t bit = 1U << event.button.bnum;
+        state.buttons = event.button.press != 0 ? state.buttons | bit : state.buttons & ~bit;
+    }
+}
+
+/// Whether the connection to the driver still stands; waits for its next word.
+bool waitForEvent() {
+    pollfd waiting{spnav_fd(), POLLIN, 0};
+    return poll(&waiting, 1, kPatienceMs) >= 0 && (waiting.revents & (POLLHUP | POLLERR | POLLNVAL)) == 0;
+}
+
+}  // namespace
+
+HandRate rateOf(const SpaceMouseState& state) {
+    const auto& [x, y, z, rx, ry, rz] = state.axes;
+    // The driver counts right, up, away, and its turns are right-handed about these (libspnav, spnav_posrot_moveobj).
+    return {kFastest * Vec3(part(x), part(z), part(y)), kFastestTurn * Vec3(part(rx), part(rz), part(ry))};
+}
+
+SpaceMouseDevice::SpaceMouseDevice() {
+    info_.name = "SpaceMouse";
+    info_.sensesRotation = true;
+    info_.buttonCount = 2;
+    info_.stiffness = kStiffness;
+    info_.workspace = Vec3::Constant(2 * RateHand::kReach);
+}
+
+SpaceMouseDevice::~SpaceMouseDevice() { close(); }
+
+Expected<void> SpaceMouseDevice::open() {
+    close();
+    if (libraryInUse.exchange(true)) return unexpected("A SpaceMouse steers already; there is one for each program.");
+    if (spnav_open() != 0) {
+        libraryInUse.store(false);
+        return unexpected(kNoDriver);
+    }
+    open_ = true;
+    hand_ = RateHand();
+    SpaceMouseState atRest;
+    atRest.connected = true;
+    state_.write(atRest);
+    listener_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
+    return {};
+}
+
+void SpaceMouseDevice::close() {
+    if (!std::exchange(open_, false)) return;
+    listener_ = {};
+    spnav_close();
+    libraryInUse.store(false);
+}
+
+void SpaceMouseDevice::run(const std::stop_token& stop) {
+    std::condition_variable_any wake;
+    std::mutex none;
+    std::unique_lock sleeping(none);
+    SpaceMouseState state;
+    state.connected = true;
+    while (!stop.stop_requested()) {
+        const bool there = state.connected ? waitForEvent() : spnav_open() == 0;
+        if (there) {
+            state.connected = true;
+            spnav_event event{};
+            while (spnav_poll_event(&event) != 0) take(event, state);
+        } else if (std::exchange(state, {}).connected) {
+            spnav_close();
+        }
+        state_.write(state);
+        if (!there) wake.wait_for(sleeping, stop, kRetry, [] { return false; });
+    }
+}
+
+DeviceSample SpaceMouseDevice::read(double elapsed) {
+    state_.refresh();
+    const SpaceMouseState& state = state_.value();
+    lost_.store(!state.connected, std::memory_order_relaxed);
+    DeviceSample sample;
+    sample.connected = state.connected;
+    sample.hand = hand_.advance(rateOf(state), elapsed);
+    sample.buttons = state.buttons;
+    return sample;
+}
+
+const char* SpaceMouseDevice::trouble() const { return lost_.load(std::memory_order_relaxed) ? kLost : nullptr; }
+
+}  // namespace tactooth
