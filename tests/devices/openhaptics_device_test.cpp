@@ -213,6 +213,8 @@ TEST_F(OpenHaptics, AReadingThatIsNoNumberOrJumpsGivesNoForce) {
         set(fault);
         std::this_thread::sleep_for(100ms);
         EXPECT_EQ(standin().strongestWhileFaulty(), 0);
+        EXPECT_LT(standin().lastFrameWithForce(), 2) << "limp within two ticks of the driver, 2 ms";
+        RecordProperty("force_ms_after_fault", std::to_string(standin().forceMsAfterFault()));
         set(HdFault::None);
         EXPECT_TRUE(lean());
     }

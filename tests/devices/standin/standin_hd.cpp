@@ -49,6 +49,9 @@ HdFault fault = HdFault::None;
 Clock::time_point faultSince;
 bool calibrated = true;
 double strongest = 0, strongestFaulty = 0;
+int framesSinceFault = -1, lastWithForce = -1;
+Clock::time_point faultRead;
+double msOfForce = 0;
 
 std::uint32_t current = 0;
 std::atomic<Callback> task{nullptr};
@@ -120,6 +123,8 @@ void setFault(int number) {
     fault = static_cast<HdFault>(number);
     faultSince = Clock::now();
     strongestFaulty = 0;
+    framesSinceFault = lastWithForce = -1;
+    msOfForce = 0;
     calibrated = fault != HdFault::NeedsInkwell;
     if (fault == HdFault::TooMuchForce) errors.push_back(0x0201);
 }
@@ -149,6 +154,26 @@ double strongestWhileFaulty() {
     return strongestFaulty;
 }
 
+int lastFrameWithForce() {
+    const std::lock_guard lock(guard);
+    return lastWithForce;
+}
+
+double forceMsAfterFault() {
+    const std::lock_guard lock(guard);
+    return msOfForce;
+}
+
+/// Called at the end of a frame of the first pen.
+void watchForce() {
+    if (framesSinceFault < 0) return;
+    if (lengthOf(pens[0].force) > 0) {
+        lastWithForce = framesSinceFault;
+        msOfForce = std::chrono::duration<double, std::milli>(Clock::now() - faultRead).count();
+    }
+    ++framesSinceFault;
+}
+
 long ticks() { return tickCount.load(); }
 
 int startedPens() {
@@ -163,14 +188,27 @@ void readTransform(double* out) {
     for (std::size_t i = 0; i < 3; ++i) out[12 + i] = pen.position[i];
     if (fault == HdFault::NanPose) out[13] = std::numeric_limits<double>::quiet_NaN();
     if (fault == HdFault::Jump) out[12] += 50;
+    if ((fault == HdFault::NanPose || fault == HdFault::Jump) && current == 0 && framesSinceFault < 0) {
+        framesSinceFault = 0;
+        faultRead = Clock::now();
+    }
 }
 
 }  // namespace
 
 extern "C" {
 
-tactooth::test::HdStandinControl standinControl = {
-    reset, setFault, wantPosition, setButtons, lastForce, strongestForce, strongestWhileFaulty, ticks, startedPens};
+tactooth::test::HdStandinControl standinControl = {reset,
+                                                   setFault,
+                                                   wantPosition,
+                                                   setButtons,
+                                                   lastForce,
+                                                   strongestForce,
+                                                   strongestWhileFaulty,
+                                                   lastFrameWithForce,
+                                                   forceMsAfterFault,
+                                                   ticks,
+                                                   startedPens};
 
 std::uint32_t hdInitDevice(const char* name) {
     const std::lock_guard lock(guard);
@@ -201,6 +239,7 @@ void hdEndFrame(std::uint32_t) {
         for (Pen& pen : pens) pen.force = {};  // the amplifiers switch off
     }
     if (fault == HdFault::WarmMotors) errors.push_back(0x0200);
+    if (current == 0) watchForce();
 }
 
 ErrorRecord hdGetError() {

@@ -31,6 +31,10 @@ struct HdStandinControl {
     void (*lastForce)(double* xyz);    ///< N, HDAPI's frame, of the first pen
     double (*strongestForce)();        ///< N, since the reset
     double (*strongestWhileFaulty)();  ///< N, later than 5 ms after a fault was set
+    /// Of the frames since a faulty reading was given (0: that reading's own), the last that still set a force on the
+    /// first pen; -1: none did. One frame is one millisecond.
+    int (*lastFrameWithForce)();
+    double (*forceMsAfterFault)();  ///< from the faulty reading to the last force, as the clock saw it
     long (*ticks)();
     int (*startedPens)();
 };
