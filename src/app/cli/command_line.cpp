@@ -220,7 +220,7 @@ struct WindowFiles {
     std::vector<std::string> layers;
     std::string bur;
     std::map<std::string, std::string> settings;  ///< by flag
-    std::string device = "mouse";
+    std::optional<std::string> device;
 };
 
 void addWindowOptions(CLI::App& program, WindowFiles& files) {
@@ -233,10 +233,9 @@ void addWindowOptions(CLI::App& program, WindowFiles& files) {
         ->needs(tooth)
         ->group(group);
     program
-        .add_option(
-            "--device", files.device,
-            "What moves the bur: mouse (default), pen, gamepad or spacemouse; pen:NAME and gamepad:NAME for one of "
-            "several (docs/haptics.md)")
+        .add_option("--device", files.device,
+                    "What moves the bur: mouse, pen, gamepad or spacemouse; pen:NAME and gamepad:NAME for one of "
+                    "several (default: the one of the last time; docs/haptics.md)")
         ->type_name("NAME")
         ->group(group);
     program.add_option("--bur", files.bur, "Your own bur: an STL file, tip at the origin, +z along the shaft")

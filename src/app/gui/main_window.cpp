@@ -16,6 +16,7 @@
 #include "app/gui/drive_panel.h"
 #include "app/gui/force_panel.h"
 #include "app/gui/guided_tour.h"
+#include "app/gui/hand_panel.h"
 #include "app/gui/inside_panel.h"
 #include "app/gui/open_tooth_dialog.h"
 #include "app/gui/plot_panel.h"
@@ -43,6 +44,7 @@ MainWindow::MainWindow(SoundOutput& sound)
       drive_(new DrivePanel),
       force_(new ForcePanel),
       inside_(new InsidePanel),
+      handPanel_(new HandPanel),
       tour_(new GuidedTour(bench_, *view_, *drill_, *drive_, this)),
       volumes_(new SoundPanel),
       plots_(new PlotPanel),
@@ -93,6 +95,9 @@ void MainWindow::addPanels() {
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     QDockWidget* drill = addDock(*drive_, tr("Drill"), Qt::RightDockWidgetArea);
     QDockWidget* force = addDock(*force_, tr("Force"), Qt::RightDockWidgetArea);
+    QDockWidget* hand = addDock(*handPanel_, tr("Hand"), Qt::RightDockWidgetArea);
+    tabifyDockWidget(force, hand);
+    force->raise();
     QDockWidget* sound = addDock(*volumes_, tr("Sound"), Qt::RightDockWidgetArea);
     QDockWidget* inside = addDock(*inside_, tr("Look inside"), Qt::RightDockWidgetArea);
     addDock(*plots_, tr("Last ten seconds"), Qt::BottomDockWidgetArea);
@@ -172,7 +177,7 @@ void MainWindow::connectPanels() {
         drive_->setSpindle(spindle);
     });
     connect(drill_, &DrillBar::cuttingChanged, this, [this](bool cutting) {
-        bench_.controls.cutting = cutting;
+        bench_.setCutting(cutting);
         showUsualHint();
     });
     connect(drill_->resetAction(), &QAction::triggered, this, [this] {
@@ -182,7 +187,6 @@ void MainWindow::connectPanels() {
         if (bench_.simulator() != nullptr) bench_.simulator()->requestUndo();
     });
     connect(drive_, &DrivePanel::pedalChanged, this, [this](double pedal) {
-        bench_.controls.pedal = pedal;
         if (pedal > 0 && !drill_->isCutting()) {
             status_->setHint(tr("In Touch the bur stands still: choose Cut (C), and the pedal turns it"));
         }
@@ -196,11 +200,15 @@ void MainWindow::connectPanels() {
     connect(view_, &ToothView::failed, this, &MainWindow::graphicsFailed, Qt::QueuedConnection);
     connectSound();
     connectInside();
+    connectHand();
 }
 
 void MainWindow::step() {
     const double dt = sinceStep_.isValid() ? static_cast<double>(sinceStep_.restart()) / 1000 : (sinceStep_.start(), 0);
+    stepPedal();
+    takeDevice();
     takeNews(bench_.step(std::min(dt, kLongestStep)));
+    followButtons();
     takeSounds();
     takeTarget();
     placeSounds();
@@ -210,12 +218,20 @@ void MainWindow::step() {
 }
 
 void MainWindow::showUsualHint() {
-    status_->setHint(
-        tr("Left button: press the bur on the tooth · wheel: harder, softer · right: turn · space: pedal"));
+    if (bench_.device() == nullptr) {
+        status_->setHint(
+            tr("Left button: press the bur on the tooth · wheel: harder, softer · right: turn · space: pedal"));
+    } else if (handPanel_->settings().device.starts_with("gamepad")) {
+        status_->setHint(
+            tr("Left stick: move · left trigger: press · left shoulder: lift · right stick: lean · right trigger: "
+               "pedal · A: touch or cut"));
+    } else {
+        status_->setHint(tr("Move the device: the bur follows it · space: pedal · C: cut, T: touch"));
+    }
 }
 
 void MainWindow::takeNews(const Workbench::News& news) {
-    if (news.failure) complain(QString::fromStdString(*news.failure));
+    if (news.failure) complain(translated(*news.failure));
     if (news.newSimulator) {
         trace_.clear();
         drill_->show(QString::fromStdString(bench_.bur()->name), QString::fromStdString(bench_.bur()->file.string()));
@@ -242,6 +258,7 @@ void MainWindow::apply(const WindowSettings& settings) {
     setLanguage(QString::fromStdString(settings.language));
     recent_ = QString::fromStdString(settings.recent).split('\n', Qt::SkipEmptyParts);
     force_->set(settings.force);
+    applyHand(settings.hand);
     volumes_->setMixer(settings.sound);
     volumes_->setHeadphones(settings.headphones);
     if (!settings.ownSounds.empty()) openSounds(QString::fromStdString(settings.ownSounds));
@@ -256,6 +273,7 @@ WindowSettings MainWindow::settings() const {
             .showsTurbine = turbineSwitch_->isChecked(),
             .showsMirror = mirrorSwitch_->isChecked(),
             .force = force_->settings(),
+            .hand = handPanel_->settings(),
             .sound = volumes_->mixer(),
             .headphones = volumes_->headphones(),
             .ownSounds = soundsFile_.toStdString(),
@@ -267,6 +285,7 @@ WindowSettings MainWindow::settings() const {
 void MainWindow::showNumbers() {
     drive_->show(bench_.newest());
     plots_->show(trace_);
+    showHand();
 }
 
 }  // namespace tactooth

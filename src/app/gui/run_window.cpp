@@ -11,7 +11,6 @@
 #include "app/cli/exit_code.h"
 #include "app/gui/main_window.h"
 #include "app/gui/window_setup.h"
-#include "devices/open_device.h"
 #include "sound/audio_libraries.h"
 #include "sound/openal_output.h"
 
@@ -93,6 +92,7 @@ int runWindow(const WindowOptions& options) {
         QApplication::exit(exitCode);
     });
     if (bur) start->bur.clear();  // the one of the command line counts
+    if (options.device) start->hand.device = *options.device;
     window.apply(*start);
     tooth ? window.bench().put(std::move(*tooth)) : window.bringBuiltinTooth(kBuiltinTeeth.front());
     if (bur) window.bench().put(std::move(*bur));
@@ -102,11 +102,6 @@ int runWindow(const WindowOptions& options) {
                         " The window starts with its defaults and writes the file anew when it is closed.");
     }
     if (isFirstTime && !options.tooth) window.welcome();
-    if (options.device != "mouse") {
-        auto device = openDevice(options.device);
-        device ? window.bench().put(std::move(*device))
-               : window.complain(QString::fromStdString(device.error().message));
-    }
     QApplication::exec();
     if (const auto written = writeWindowSettings(window.settings(), settingsFile); !written) {
         (void)refuse(written.error());  // a word about it; the session itself went well

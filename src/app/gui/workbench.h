@@ -33,6 +33,15 @@ public:
     void setSpindle(const SpindlePreset& spindle);
     /// An open device that moves the tool from now on, instead of the mouse.
     void put(std::unique_ptr<HapticDevice> device);
+    /// The mouse moves it again; the device is closed.
+    void useMouse();
+    /// None: the mouse.
+    [[nodiscard]] const HapticDevice* device() const { return device_.get(); }
+    /// Handles leave to the other side.
+    void setLeftHanded(bool leftHanded);
+    [[nodiscard]] bool isLeftHanded() const { return leftHanded_; }
+    /// Touch or cut, as a person chooses it on the screen; a button of the device may have chosen before.
+    void setCutting(bool cutting);
     [[nodiscard]] const SpindlePreset& spindle() const { return settings_.spindle; }
     [[nodiscard]] const MaterialTable& materials() const { return settings_.materials; }
 
@@ -51,7 +60,7 @@ public:
     /// None until there are a tooth and a bur.
     [[nodiscard]] Simulator* simulator() { return simulator_.get(); }
 
-    /// Taken over by the simulator at the next step.
+    /// Taken over by the simulator at the next step. Fineness and clutch are a device's alone: the mouse points.
     SimulatorControls controls;
     HandControl& hand() { return hand_; }
     [[nodiscard]] const Tick& newest() const { return newest_; }
@@ -67,6 +76,8 @@ public:
 
 private:
     void startSimulator(News& news);
+    void takeHand();
+    [[nodiscard]] double handleX() const { return leftHanded_ ? -mesialX() : mesialX(); }
     void takeDeliveries(News& news);
     void reportTrouble(News& news);
 
@@ -80,6 +91,7 @@ private:
     std::optional<BenchFurniture> around_;
     bool simulatorIsOld_ = false;
     bool toothIsNew_ = false;
+    bool leftHanded_ = false;
     HandControl hand_;
     MouseDevice mouse_;
     std::unique_ptr<HapticDevice> device_;  // none: the mouse
