@@ -6,6 +6,8 @@
 #include <functional>
 
 #include "devices/child_probe.h"
+#include "devices/haply/haply_device.h"
+#include "devices/haply/haply_survey.h"
 #include "devices/openhaptics/hd_library.h"
 #include "devices/openhaptics/openhaptics_device.h"
 #include "devices/sdl/joysticks.h"
@@ -50,6 +52,21 @@ SurveyedDevice surveyPen() {
     return pen;
 }
 
+/// One line for each Inverse3; one that says why not if there is none.
+std::vector<SurveyedDevice> surveyInverse3() {
+    constexpr const char* kBackend = "Haply Inverse3";
+    const auto found = surveyHaply(HaplyDevice::usualAddress());
+    if (!found) return {{"inverse3", kBackend, false, found.error().message}};
+    std::vector<SurveyedDevice> devices;
+    for (const HaplyNames& names : *found) {
+        HaplyDevice device(names.device);
+        const auto opened = device.open();
+        devices.push_back({"inverse3:" + names.device, kBackend, opened.has_value(),
+                           opened ? abilitiesOf(device.info()) : opened.error().message});
+    }
+    return devices;
+}
+
 std::string describe(const JoystickState& joystick) {
     return joystick.name + " (" + std::to_string(joystick.axes.size()) + " axes, " +
            std::to_string(joystick.buttons.size()) + " buttons" + (joystick.rumbles ? ", rumbles" : "") + ")";
@@ -82,19 +99,19 @@ SurveyedDevice survey(const char* name, const char* backend, const std::function
 }  // namespace
 
 std::vector<SurveyedDevice> surveyDevices() {
-    return {{"mouse", "mouse and keyboard", true, "always there; no force: what the hand would feel is shown"},
-            surveyPen(),
-            survey("gamepad", "gamepad (SDL)",
-                   [] {
-                       return tryJoysticks(true,
-                                           "There is no gamepad: plug one in or switch it on, and see that you "
-                                           "may read /dev/input.");
-                   }),
-            survey("spacemouse", "SpaceMouse (spacenavd)", trySpaceMouse),
-            survey("pedal", "foot pedal (any joystick, SDL)", [] {
-                return tryJoysticks(false,
-                                    "There is no joystick or pedal: the space key and the slider are the pedal.");
-            })};
+    std::vector<SurveyedDevice> devices = {
+        {"mouse", "mouse and keyboard", true, "always there; no force: what the hand would feel is shown"},
+        surveyPen()};
+    for (SurveyedDevice& device : surveyInverse3()) devices.push_back(std::move(device));
+    devices.push_back(survey("gamepad", "gamepad (SDL)", [] {
+        return tryJoysticks(true,
+                            "There is no gamepad: plug one in or switch it on, and see that you may read /dev/input.");
+    }));
+    devices.push_back(survey("spacemouse", "SpaceMouse (spacenavd)", trySpaceMouse));
+    devices.push_back(survey("pedal", "foot pedal (any joystick, SDL)", [] {
+        return tryJoysticks(false, "There is no joystick or pedal: the space key and the slider are the pedal.");
+    }));
+    return devices;
 }
 
 }  // namespace tactooth

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "devices/haply/haply_device.h"
 #include "devices/openhaptics/hd_library.h"
 #include "devices/openhaptics/openhaptics_device.h"
 #include "devices/sdl/gamepad_device.h"
@@ -13,9 +14,10 @@
 namespace tactooth {
 namespace {
 
-constexpr std::array<DeviceKind, 4> kKinds = {{
+constexpr std::array<DeviceKind, 5> kKinds = {{
     {"mouse", "Mouse and keyboard"},
     {"pen", "Haptic pen (OpenHaptics)"},
+    {"inverse3", "Haply Inverse3"},
     {"gamepad", "Gamepad"},
     {"spacemouse", "SpaceMouse"},
 }};
@@ -23,6 +25,7 @@ constexpr std::array<DeviceKind, 4> kKinds = {{
 /// `own`: what stands behind the colon.
 std::unique_ptr<HapticDevice> makeDevice(const std::string& kind, const std::string& own, bool leftHanded) {
     if (kind == "pen") return std::make_unique<OpenHapticsDevice>(own, HdLibrary::usualPath());
+    if (kind == "inverse3") return std::make_unique<HaplyDevice>(own);
     if (kind == "gamepad") return std::make_unique<GamepadDevice>(own, leftHanded);
     if (kind == "spacemouse" && own.empty()) return std::make_unique<SpaceMouseDevice>();
     return nullptr;
@@ -39,8 +42,9 @@ Expected<std::unique_ptr<HapticDevice>> openDevice(const std::string& name, bool
     if (device == nullptr) {
         std::string kinds;
         for (const DeviceKind& each : kKinds) kinds += (kinds.empty() ? "" : ", ") + std::string(each.name);
-        return unexpected("there is no device '" + name + "': --device takes " + kinds +
-                          ", or pen:NAME and gamepad:NAME for one of several; 'tactooth devices' shows what is there.");
+        return unexpected(
+            "there is no device '" + name + "': --device takes " + kinds +
+            ", or pen:NAME, inverse3:ID and gamepad:NAME for one of several; 'tactooth devices' shows what is there.");
     }
     if (const auto opened = device->open(); !opened) return Unexpected{opened.error()};
     return device;

@@ -20,8 +20,9 @@ struct DeviceKind {
 
 /// Opens the device that a person has named: one of deviceKinds() but the mouse. "pen" is the default pen of
 /// OpenHaptics, "pen:NAME" the one of that name in the vendor's setup program; "gamepad" the first gamepad,
-/// "gamepad:NAME" the first whose name holds NAME. Fails with one sentence that says what to do. May take seconds.
-/// `leftHanded`: for devices that are not the same for both hands.
+/// "gamepad:NAME" the first whose name holds NAME; "inverse3" the first Haply Inverse3, "inverse3:ID" the one of that
+/// name. Fails with one sentence that says what to do. May take seconds. `leftHanded`: for devices that are not the
+/// same for both hands.
 [[nodiscard]] Expected<std::unique_ptr<HapticDevice>> openDevice(const std::string& name, bool leftHanded = false);
 
 }  // namespace tactooth

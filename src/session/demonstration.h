@@ -21,8 +21,8 @@ struct Demonstration {
 
 /// Plays a session without clock, device or display: a practised hand touches the tooth from above (+z), strokes it,
 /// lifts, starts the turbine and cuts to and fro, with the tool turned by `grip` all the time. Equal inputs give equal
-/// results. `progress` is called with 0..1.
-[[nodiscard]] Demonstration playDemonstration(WorkPiece& piece, const Instrument& instrument,
+/// results. `box`: of the tooth in `piece` that is worked on, mm. `progress` is called with 0..1.
+[[nodiscard]] Demonstration playDemonstration(WorkPiece& piece, const Box3& box, const Instrument& instrument,
                                               const HapticSettings& settings, const Quat& grip, double seconds,
                                               const std::function<void(double)>& progress);
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "cli/run_program.h"
 
@@ -38,6 +39,16 @@ TEST(HapticsCommands, StabilityHasALineForEachDeviceAndHandOrForEachRun) {
     EXPECT_THAT(runTactooth(all).out, AllOf(HasSubstr("omni       firm     pulp      press"), HasSubstr("command:")));
 }
 
+TEST(HapticsCommands, StabilityCutsAndTrembles) {
+    const ProgramRun run = runTactooth({"bench", "stability", "--device", "touch-x", "--hand", "nominal", "--material",
+                                        "dentin", "--situation", "cut", "--situation", "tremor", "--json"});
+    EXPECT_EQ(run.exitCode, 0) << run.out;
+    const auto json = nlohmann::json::parse(run.out);
+    ASSERT_EQ(json.at("cases").size(), 2U);
+    EXPECT_NEAR(json["cases"][0].at("most_ripple_percent").get<double>(), 7, 1e-9);
+    EXPECT_GT(json["cases"][1].at("ripple_percent"), 0.5) << "a tremor is felt";
+}
+
 TEST(HapticsCommands, StabilityKnowsItsDevices) {
     const ProgramRun run = runTactooth({"bench", "stability", "--device", "joystick"});
     EXPECT_EQ(run.exitCode, 2);
@@ -55,6 +66,7 @@ TEST(HapticsCommands, RealtimeTellsHowTheMachineKeptTime) {
     EXPECT_THAT(runTactooth({"realtime", "--seconds", "1", "--rate", "2000", "--load"}).out,
                 AllOf(HasSubstr("2000 Hz, with all other cores busy"), HasSubstr("deadlines missed")));
     EXPECT_EQ(runTactooth({"realtime", "--rate", "100"}).exitCode, 2);
+    EXPECT_TRUE(json.at("heavy_scene").is_boolean());
 }
 
 TEST(HapticsCommands, DevicesAlwaysHaveTheMouse) {
@@ -66,6 +78,8 @@ TEST(HapticsCommands, DevicesAlwaysHaveTheMouse) {
     std::vector<std::string> names;
     for (const auto& device : json) names.push_back(device.at("name"));
     for (const char* name : {"pen", "gamepad", "spacemouse", "pedal"}) EXPECT_THAT(names, ::testing::Contains(name));
+    EXPECT_TRUE(std::ranges::any_of(
+        json, [](const auto& device) { return device.at("backend") == "Haply Inverse3" && device.at("text") != ""; }));
     EXPECT_THAT(runTactooth({"devices"}).out, HasSubstr("mouse and keyboard"));
 }
 

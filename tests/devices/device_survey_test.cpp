@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "standin/standin_haply.h"
+
 namespace tactooth {
 namespace {
 
@@ -20,10 +22,14 @@ SurveyedDevice named(const std::string& name, const std::vector<SurveyedDevice>&
 
 SurveyedDevice penWith(const char* library) {
     setenv("TACTOOTH_LIBHD", library, 1);
+    setenv("TACTOOTH_HAPLY", "localhost:1", 1);  // where nobody listens
     const auto devices = surveyDevices();
     unsetenv("TACTOOTH_LIBHD");
+    unsetenv("TACTOOTH_HAPLY");
     EXPECT_EQ(devices.front().name, "mouse");
     EXPECT_TRUE(devices.front().ready);
+    EXPECT_FALSE(named("inverse3", devices).ready);
+    EXPECT_THAT(named("inverse3", devices).text, HasSubstr("install and start it"));
     return named("pen", devices);
 }
 
@@ -49,6 +55,22 @@ TEST(DeviceSurvey, NoLibraryIsNoPenAndSaysWhatToInstall) {
     const SurveyedDevice pen = penWith("libNoSuchHD.so");
     EXPECT_FALSE(pen.ready);
     EXPECT_THAT(pen.text, HasSubstr("install the device's driver"));
+}
+
+TEST(DeviceSurvey, HasALineForEachInverse3) {
+    const test::StandinHaply service;
+    setenv("TACTOOTH_LIBHD", "libNoSuchHD.so", 1);
+    setenv("TACTOOTH_HAPLY", service.address().c_str(), 1);
+    const auto devices = surveyDevices();
+    unsetenv("TACTOOTH_LIBHD");
+    unsetenv("TACTOOTH_HAPLY");
+    const SurveyedDevice first = named("inverse3:049D", devices);
+    EXPECT_TRUE(first.ready);
+    EXPECT_EQ(
+        first.text,
+        "Haply Inverse3 049D: force 10.0 N, 2.5 N for ever; workspace 300.0 x 200.0 x 300.0 mm; stiffest wall 0.8 "
+        "N/mm; 3 buttons");
+    EXPECT_THAT(named("inverse3:0B1C", devices).text, HasSubstr("0 buttons"));
 }
 
 TEST(DeviceSurvey, WhatIsNotPluggedInSaysWhatToDo) {

@@ -108,7 +108,7 @@ int runDevices(const DevicesOptions& options) {
             json.push_back(
                 {{"name", device.name}, {"backend", device.backend}, {"ready", device.ready}, {"text", device.text}});
         } else {
-            fmt::print("{:<8} {:<30} {:<10} {}\n", device.name, device.backend, device.ready ? "ready" : "not there",
+            fmt::print("{:<11} {:<30} {:<10} {}\n", device.name, device.backend, device.ready ? "ready" : "not there",
                        device.text);
         }
     }

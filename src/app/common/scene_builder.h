@@ -25,19 +25,33 @@ struct ShownMirror {
     Pose mirrorInTooth;
 };
 
+/// A body that stands around the tooth: a neighbour, the gum.
+struct ShownBody {
+    std::shared_ptr<const TriangleMesh> mesh;
+    Pose bodyInTooth;
+    Look look;
+    bool opposite = false;  ///< of the other jaw: left out where it would stand between the eye and the tooth
+};
+
 /// All that a picture of the bench shows, in the tooth's frame. Whatever is empty is not there.
 struct SceneContents {
     std::shared_ptr<const Surface> tooth;  ///< tagged by MaterialId
     MaterialTable materials;               ///< for the tooth's colours
     std::optional<ShownTool> tool;
     std::optional<ShownMirror> mirror;
+    std::vector<ShownBody> around;
     Camera camera;
 };
 
 /// One look for each MaterialId, in their order: colour and roughness from the table.
 [[nodiscard]] std::vector<Look> looksOf(const MaterialTable& materials);
 
-/// The picture under the operating light. World frame = tooth frame.
+/// Towards a lamp 15 degrees above the eye and to its left: it lights what the eye sees, and leaves it a little shadow
+/// to show its depth.
+[[nodiscard]] Vec3 toLoupeLamp(const Camera& camera);
+
+/// The picture under the operating light; inside a mouth, where the other jaw stands in that light, by the lamp on the
+/// loupe. World frame = tooth frame.
 [[nodiscard]] Scene makeScene(const SceneContents& contents);
 
 /// How a tool is held upright: its handle (+x of the tool frame) leaves the mouth mesially, turned `towardLingual` rad

@@ -212,7 +212,7 @@ void ToothView::mouseMoveEvent(QMouseEvent* event) {
     } else if (bench_.hand().isPressing()) {
         bench_.hand().drag(pointedPicture(), now);
     } else {
-        bench_.hand().aim(pointedPicture(), now, *bench_.simulator()->surface());
+        bench_.hand().aim(pointedPicture(), now, *bench_.felt());
     }
 }
 

@@ -63,7 +63,8 @@ struct WindowSettings {
     std::string ownSounds;  ///< file of the recordings that are played; empty: all synthesised
     std::string language;   ///< "en" or "ja"; empty: that of the system
     bool dark = false;
-    std::string recent;  ///< the teeth that were opened last, one path a line, newest first
+    std::string secondDevice;  ///< of the other hand, see openDevice; empty or "none": there is none
+    std::string recent;        ///< the teeth that were opened last, one path a line, newest first
 };
 
 /// One setting: how it is called in the file ([table] key) and on the command line (--table-key), and what it may be.

@@ -60,6 +60,7 @@ constexpr const char* kWords[] = {
     QT_TRANSLATE_NOOP("Words",
                       "The SpaceMouse's driver has stopped: start it again (sudo systemctl start spacenavd), and the "
                       "session goes on."),
+    QT_TRANSLATE_NOOP("Words", "outer"),
     QT_TRANSLATE_NOOP("Words", "sound starting"),
     QT_TRANSLATE_NOOP("Words", "sound on"),
     QT_TRANSLATE_NOOP("Words", "no sound card: silent"),

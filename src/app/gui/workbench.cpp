@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "haptics/scene_load.h"
 #include "session/tick_sound.h"
 
 namespace tactooth {
@@ -25,6 +26,8 @@ Workbench::~Workbench() = default;
 void Workbench::put(BenchTooth tooth) {
     tooth_ = std::move(tooth);
     takeHand();
+    settings_.materials = tooth_->materials.value_or(MaterialTable());
+    if (tooth_->bur) bur_ = tooth_->bur;
     simulatorIsOld_ = toothIsNew_ = true;
 }
 
@@ -68,10 +71,20 @@ void Workbench::setCutting(bool cutting) {
     controls.cutting = cutting != (device_ && chosenByButton);
 }
 
+void Workbench::putSecond(std::unique_ptr<HapticDevice> device) {
+    simulator_.reset();  // it may use an old one
+    second_ = std::move(device);
+    simulatorIsOld_ = true;
+}
+
 void Workbench::reportTrouble(News& news) {
-    const char* const trouble = device_ ? device_->trouble() : nullptr;
+    const char* trouble = device_ ? device_->trouble() : nullptr;
+    if (trouble == nullptr && second_) trouble = second_->trouble();
     if (trouble != nullptr && trouble != trouble_) news.failure = trouble;
     trouble_ = trouble;
+    if (saidHeavy_ || !isSceneHeavy(simulator_->timing(), kServoRate)) return;
+    saidHeavy_ = true;  // once for each tooth, bur and device
+    news.failure = heavySceneAdvice(simulator_->timing(), kServoRate);
 }
 
 void Workbench::takeDeliveries(News& news) {
@@ -108,7 +121,8 @@ void Workbench::startSimulator(News& news) {
         [&sound = sound_, settings = settings_](const Tick& tick) {
             sound.publish(soundOf(tick, settings.spindle, settings.materials));
         },
-        kServoRate, seat);
+        kServoRate, seat, second_.get());
+    saidHeavy_ = false;
     newest_ = Tick();
     newest_.cutting = controls.cutting;
     newest_.proxy = newest_.hand = hand_.hand();
@@ -139,6 +153,10 @@ Workbench::News Workbench::step(double dt) {
     return news;
 }
 
+std::shared_ptr<const Surface> Workbench::felt() const {
+    return surrounded(simulator_->surface(), tooth_->piece->surroundings());
+}
+
 OrbitCamera::Direction Workbench::usualView() const {
     const OrbitCamera::Direction view{kEyeAzimuth, kEyeElevation};
     return mesialX() < 0 ? mirroredInX(view) : view;
@@ -149,6 +167,7 @@ SceneContents Workbench::contents(bool withTurbine, bool withMirror) const {
     contents.materials = settings_.materials;
     if (simulator_ == nullptr) return contents;
     contents.tooth = simulator_->surface();
+    contents.around = tooth_->around;
     contents.tool = ShownTool{.bur = bur_->shown,
                               .turbine = withTurbine && around_ ? around_->turbine : nullptr,
                               .material = bur_->material,

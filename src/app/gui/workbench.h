@@ -42,6 +42,8 @@ public:
     [[nodiscard]] bool isLeftHanded() const { return leftHanded_; }
     /// Touch or cut, as a person chooses it on the screen; a button of the device may have chosen before.
     void setCutting(bool cutting);
+    /// An open device for the other hand, which begins with the mirror.
+    void putSecond(std::unique_ptr<HapticDevice> device);
     [[nodiscard]] const SpindlePreset& spindle() const { return settings_.spindle; }
     [[nodiscard]] const MaterialTable& materials() const { return settings_.materials; }
 
@@ -59,6 +61,9 @@ public:
     [[nodiscard]] const std::optional<BenchBur>& bur() const { return bur_; }
     /// None until there are a tooth and a bur.
     [[nodiscard]] Simulator* simulator() { return simulator_.get(); }
+
+    /// All that the bur can touch now. Needs a simulator.
+    [[nodiscard]] std::shared_ptr<const Surface> felt() const;
 
     /// Taken over by the simulator at the next step. Fineness and clutch are a device's alone: the mouse points.
     SimulatorControls controls;
@@ -95,7 +100,9 @@ private:
     HandControl hand_;
     MouseDevice mouse_;
     std::unique_ptr<HapticDevice> device_;  // none: the mouse
-    const char* trouble_ = nullptr;         // of the device, as it was reported last
+    std::unique_ptr<HapticDevice> second_;  // none: one hand alone
+    const char* trouble_ = nullptr;         // of the devices, as it was reported last
+    bool saidHeavy_ = false;                // that the scene is
     std::vector<Tick> ticks_;
     Tick newest_;
     double spin_ = 0;                       // rad
