@@ -37,6 +37,7 @@ private slots:
     void itsBlueButtonCutsAndThePedalTurnsTheBur();
     void itsWhiteButtonTakesTheMirror();
     void theClutchHoldsTheBur();
+    void theOtherPenHoldsTheMirror();
     void aLostPenIsLimpSaysWhyAndKeepsTheSession();
     void backToTheMouseThePenIsClosedAndLimp();
     void aPenThatIsNotThereLeavesTheMouseAndSaysWhatToDo();
@@ -201,6 +202,24 @@ void PenSessionTest::theClutchHoldsTheBur() {
     QTest::qWait(200);
     standin_->wantPosition(0, 4, 0);
     QTRY_VERIFY_WITH_TIMEOUT((window_->bench().newest().hand.position - tool).norm() > 4, 10000);
+}
+
+void PenSessionTest::theOtherPenHoldsTheMirror() {
+    liftOff();
+    const double before = removed();
+    auto* seconds = window_->findChild<QComboBox*>("secondDevices");
+    window_->holdMirrorBy("pen:Left");
+    QCOMPARE(seconds->currentText(), "pen:Left");
+    QTRY_COMPARE_WITH_TIMEOUT(standin_->startedPens(), 2, 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->bench().simulator() != nullptr, 10000);
+    lean();
+    QCOMPARE(standin_->forceOf(1), 0.0);
+    QCOMPARE(removed(), before);
+    liftOff();
+    seconds->setCurrentIndex(0);
+    emit seconds->activated(0);
+    QTRY_COMPARE_WITH_TIMEOUT(standin_->startedPens(), 1, 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->bench().simulator() != nullptr, 10000);
 }
 
 void PenSessionTest::aLostPenIsLimpSaysWhyAndKeepsTheSession() {

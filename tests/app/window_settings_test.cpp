@@ -21,7 +21,7 @@ WindowSettings unusual() {
             .showsTurbine = false,
             .showsMirror = false,
             .force = {false, 0.75, 0.0125, 1.5, 2.2},
-            .hand = {"gamepad:Wireless", 2.5, true, 3, 0, 5, "axis:2:Foot", 0.25, 0.75, "F5"},
+            .hand = {"gamepad:Wireless", "pen:Left", 2.5, true, 3, 0, 5, "axis:2:Foot", 0.25, 0.75, "F5"},
             .sound = {.motor = 0.25, .cutting = 0.5, .master = 0.75, .muted = true, .environment = 0.125},
             .headphones = true,
             .ownSounds = "/home/someone/school.toml",

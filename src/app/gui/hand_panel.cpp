@@ -41,6 +41,7 @@ QString forceStateText(ForceState state) {
 HandPanel::HandPanel(QWidget* parent)
     : QWidget(parent),
       devices_(new QComboBox),
+      seconds_(new QComboBox),
       state_(new QLabel),
       clutch_(new QPushButton(tr("Hold the bur"))),
       leftHanded_(new QCheckBox(tr("Left-handed"))),
@@ -48,7 +49,8 @@ HandPanel::HandPanel(QWidget* parent)
       teach_(new QPushButton(tr("Teach…"))),
       key_(new QKeySequenceEdit(QKeySequence(Qt::Key_Space))) {
     auto* grid = new QGridLayout(this);
-    addDevice(*grid);
+    addDevices(*grid);
+    addHold(*grid);
     fineness_ = new NumberRow(*grid, tr("Fineness"), {1, kFinest, 0.1, 1, tr(" : 1")}, 1,
                               tr("How far a device's hand moves for each millimetre of the bur: 3 : 1 for fine work"));
     addButtons(*grid);
@@ -61,11 +63,19 @@ HandPanel::HandPanel(QWidget* parent)
     connect(teach_, &QPushButton::toggled, this, &HandPanel::teachingChanged);
     connect(devices_, &QComboBox::activated, this,
             [this](int index) { emit deviceChosen(devices_->itemData(index).toString()); });
+    connect(seconds_, &QComboBox::activated, this,
+            [this](int index) { emit secondDeviceChosen(seconds_->itemData(index).toString()); });
     set({});
 }
 
-void HandPanel::addDevice(QGridLayout& grid) {
-    for (const DeviceKind& kind : deviceKinds()) devices_->addItem(translated(kind.title), QString(kind.name));
+void HandPanel::addDevices(QGridLayout& grid) {
+    seconds_->addItem(tr("empty"), QString("none"));
+    for (const DeviceKind& kind : deviceKinds()) {
+        devices_->addItem(translated(kind.title), QString(kind.name));
+        if (&kind != &deviceKinds().front()) seconds_->addItem(translated(kind.title), QString(kind.name));
+    }
+    seconds_->setObjectName("secondDevices");
+    seconds_->setToolTip(tr("A second device, which begins with the mirror; a button exchanges what the hands hold"));
     devices_->setObjectName("devices");
     devices_->setToolTip(tr("What moves the bur. Plug it in before you choose it."));
     state_->setObjectName("deviceState");
@@ -74,6 +84,11 @@ void HandPanel::addDevice(QGridLayout& grid) {
     grid.addWidget(new QLabel(tr("Device")), 0, 0);
     grid.addWidget(devices_, 0, 1, 1, 2);
     grid.addWidget(state_, 1, 0, 1, 3);
+    grid.addWidget(new QLabel(tr("Other hand")), 2, 0);
+    grid.addWidget(seconds_, 2, 1, 1, 2);
+}
+
+void HandPanel::addHold(QGridLayout& grid) {
     clutch_->setCheckable(true);
     clutch_->setObjectName("clutch");
     clutch_->setShortcut(QKeySequence(Qt::Key_X));
@@ -81,8 +96,9 @@ void HandPanel::addDevice(QGridLayout& grid) {
         tr("The bur stays while the hand goes back to a comfortable place (X, or a button of the device)"));
     leftHanded_->setObjectName("leftHanded");
     leftHanded_->setToolTip(tr("Handles leave to the other side, and a gamepad's halves change places"));
-    grid.addWidget(clutch_, 2, 1);
-    grid.addWidget(leftHanded_, 2, 2);
+    const int row = grid.rowCount();
+    grid.addWidget(clutch_, row, 1);
+    grid.addWidget(leftHanded_, row, 2);
 }
 
 void HandPanel::addButtons(QGridLayout& grid) {
@@ -121,6 +137,7 @@ HandSettings HandPanel::settings() const {
     const QKeySequence keys = key_->keySequence();
     const QKeySequence first = keys.isEmpty() ? QKeySequence(Qt::Key_Space) : QKeySequence(keys[0]);
     return {.device = devices_->currentData().toString().toStdString(),
+            .secondDevice = seconds_->currentData().toString().toStdString(),
             .fineness = fineness_->value(),
             .leftHanded = leftHanded_->isChecked(),
             .swapButton = button(0),
@@ -136,6 +153,7 @@ void HandPanel::set(const HandSettings& settings) {
     {
         const QSignalBlocker quiet(this);  // one change, not nine
         showDevice(QString::fromStdString(settings.device));
+        showSecondDevice(QString::fromStdString(settings.secondDevice));
         fineness_->setValue(settings.fineness);
         leftHanded_->setChecked(settings.leftHanded);
         const std::array<double, 3> numbers = {settings.swapButton, settings.cutButton, settings.clutchButton};
@@ -147,13 +165,13 @@ void HandPanel::set(const HandSettings& settings) {
 }
 
 /// One of several of its kind ("pen:Left") gets an entry of its own.
-void HandPanel::showDevice(const QString& name) {
-    int place = devices_->findData(name);
+void HandPanel::showChosen(QComboBox& box, const QString& name) {
+    int place = box.findData(name);
     if (place < 0 && name.contains(':')) {
-        place = devices_->count();
-        devices_->addItem(name, name);
+        place = box.count();
+        box.addItem(name, name);
     }
-    devices_->setCurrentIndex(std::max(place, 0));
+    box.setCurrentIndex(std::max(place, 0));
 }
 
 void HandPanel::showPedal(const std::string& pedal, double up, double down) {

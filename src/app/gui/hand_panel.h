@@ -27,7 +27,9 @@ public:
     [[nodiscard]] HandSettings settings() const;
     void set(const HandSettings& settings);
     /// The device that is chosen, as openDevice takes it; emits nothing.
-    void showDevice(const QString& name);
+    void showDevice(const QString& name) { showChosen(*devices_, name); }
+    /// The same for the other hand; "none" is an empty one.
+    void showSecondDevice(const QString& name) { showChosen(*seconds_, name); }
     void showPedal(const std::string& pedal, double up, double down);
     void setTeaching(bool teaching) { teach_->setChecked(teaching); }
 
@@ -39,15 +41,19 @@ public:
 
 signals:
     void deviceChosen(const QString& name);
+    void secondDeviceChosen(const QString& name);
     void changed();
     void teachingChanged(bool teaching);
 
 private:
-    void addDevice(QGridLayout& grid);
+    static void showChosen(QComboBox& box, const QString& name);
+    void addDevices(QGridLayout& grid);
+    void addHold(QGridLayout& grid);
     void addButtons(QGridLayout& grid);
     void addPedal(QGridLayout& grid);
 
     QComboBox* devices_;
+    QComboBox* seconds_;
     QLabel* state_;
     NumberRow* fineness_;
     QPushButton* clutch_;

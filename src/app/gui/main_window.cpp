@@ -232,7 +232,7 @@ void MainWindow::connectPanels() {
 void MainWindow::step() {
     const double dt = sinceStep_.isValid() ? static_cast<double>(sinceStep_.restart()) / 1000 : (sinceStep_.start(), 0);
     stepPedal();
-    takeDevice();
+    takeDevices();
     takeNews(bench_.step(std::min(dt, kLongestStep)));
     followButtons();
     takeSounds();

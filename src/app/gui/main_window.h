@@ -72,6 +72,8 @@ public:
     /// Opens a device (see openDevice), which then moves the bur; "mouse" for none. Says so if that fails, and the
     /// mouse goes on.
     void steerBy(const QString& name);
+    /// The same for the other hand, which begins with the mirror; "none" leaves it empty.
+    void holdMirrorBy(const QString& name);
 
 signals:
     /// The graphics system cannot draw; a sentence. The window is of no use then.
@@ -99,7 +101,7 @@ private:
     void connectHand();
     void takeHandSettings();
     void applyHand(const HandSettings& settings);
-    void takeDevice();
+    void takeDevices();
     void stepPedal();
     void followButtons();
     void showHand();
@@ -170,7 +172,7 @@ private:
     QString soundsFile_;  // that is played; empty: the synthesised sounds
     Errand<OwnSounds> comingSounds_;
     Errand<Target> comingTarget_;
-    Errand<std::unique_ptr<HapticDevice>> comingDevice_;
+    Errand<std::unique_ptr<HapticDevice>> comingDevice_, comingSecond_;
     FootPedal pedal_;
     Qt::Key pedalKey_ = Qt::Key_Space;
     double disagreesSince_ = 0;  // tick's time, s: bar and device about touch or cut

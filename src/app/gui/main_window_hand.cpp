@@ -15,12 +15,14 @@ namespace tactooth {
 namespace {
 
 constexpr const char* kMouse = "mouse";
+constexpr const char* kNoDevice = "none";
 constexpr double kButtonTime = 0.3;  // s after which the bar shows what a button of the device has chosen
 
 }  // namespace
 
 void MainWindow::connectHand() {
     connect(handPanel_, &HandPanel::deviceChosen, this, &MainWindow::steerBy);
+    connect(handPanel_, &HandPanel::secondDeviceChosen, this, &MainWindow::holdMirrorBy);
     connect(handPanel_, &HandPanel::changed, this, &MainWindow::takeHandSettings);
     connect(handPanel_, &HandPanel::teachingChanged, this, [this](bool teaching) {
         if (teaching == pedal_.isTeaching()) return;
@@ -61,6 +63,7 @@ void MainWindow::applyHand(const HandSettings& settings) {
         if (!done) complain(QString::fromStdString(done.error().message));
     }
     steerBy(QString::fromStdString(settings.device));
+    holdMirrorBy(QString::fromStdString(settings.secondDevice));
 }
 
 void MainWindow::steerBy(const QString& name) {
@@ -74,16 +77,33 @@ void MainWindow::steerBy(const QString& name) {
     }
 }
 
-void MainWindow::takeDevice() {
-    auto device = comingDevice_.poll();
-    if (!device) return;
-    if (!*device) {
-        handPanel_->showDevice(kMouse);
-        complain(QString::fromStdString(device->error().message));
-        return;
+void MainWindow::holdMirrorBy(const QString& name) {
+    handPanel_->showSecondDevice(name);
+    comingSecond_.forget();
+    bench_.putSecond(nullptr);
+    if (name.isEmpty() || name == kNoDevice) return;
+    comingSecond_.start(
+        [wanted = name.toStdString(), left = bench_.isLeftHanded()] { return openDevice(wanted, left); });
+}
+
+void MainWindow::takeDevices() {
+    if (auto device = comingDevice_.poll()) {
+        if (*device) {
+            bench_.put(std::move(**device));
+            showUsualHint();
+        } else {
+            handPanel_->showDevice(kMouse);
+            complain(QString::fromStdString(device->error().message));
+        }
     }
-    bench_.put(std::move(**device));
-    showUsualHint();
+    if (auto second = comingSecond_.poll()) {
+        if (*second) {
+            bench_.putSecond(std::move(**second));
+        } else {
+            handPanel_->showSecondDevice(kNoDevice);
+            complain(QString::fromStdString(second->error().message));
+        }
+    }
 }
 
 /// The foot, the space key and the slider: whichever is furthest down.

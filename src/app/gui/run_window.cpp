@@ -53,10 +53,6 @@ Expected<WindowSettings> withFlags(WindowSettings settings, const WindowOptions&
     return settings;
 }
 
-bool hasSecondHand(const WindowSettings& settings) {
-    return !settings.secondDevice.empty() && settings.secondDevice != "none";
-}
-
 }  // namespace
 
 int runWindow(const WindowOptions& options) {
@@ -112,15 +108,8 @@ int runWindow(const WindowOptions& options) {
                         " The window starts with its defaults and writes the file anew when it is closed.");
     }
     if (isFirstTime && !options.tooth && !options.mouth) window.welcome();
-    if (hasSecondHand(*start)) {
-        auto device = openDevice(start->secondDevice);
-        device ? window.bench().putSecond(std::move(*device))
-               : window.complain(QString::fromStdString(device.error().message));
-    }
     QApplication::exec();
-    WindowSettings last = window.settings();
-    last.secondDevice = start->secondDevice;
-    if (const auto written = writeWindowSettings(last, settingsFile); !written) {
+    if (const auto written = writeWindowSettings(window.settings(), settingsFile); !written) {
         (void)refuse(written.error());  // a word about it; the session itself went well
     }
     return exitCode;

@@ -39,7 +39,7 @@ constexpr std::array kOptions = {
     WindowOption{"force", "press", Number([](S& s) -> double& { return s.force.press; }), HandControl::kMostPressDepth,
                  "How deep the mouse presses, mm"},
     WindowOption{"hand", "device", Text([](S& s) -> std::string& { return s.hand.device; }), 0, nullptr},
-    WindowOption{"hand", "second_device", Text([](S& s) -> std::string& { return s.secondDevice; }), 0, nullptr},
+    WindowOption{"hand", "second_device", Text([](S& s) -> std::string& { return s.hand.secondDevice; }), 0, nullptr},
     WindowOption{"hand", "fineness", Number([](S& s) -> double& { return s.hand.fineness; }), kMostFineness,
                  "mm that a device's hand moves for each mm of the bur, 1 to 3"},
     WindowOption{"hand", "left_handed", Switch([](S& s) -> bool& { return s.hand.leftHanded; }), 0,

@@ -26,8 +26,9 @@ struct ForceSettings {
 };
 /// Which device steers and how, as it was set.
 struct HandSettings {
-    std::string device = "mouse";  ///< see openDevice
-    double fineness = 1;           ///< mm of the hand for each mm of the tool
+    std::string device = "mouse";       ///< see openDevice
+    std::string secondDevice = "none";  ///< of the other hand, likewise
+    double fineness = 1;                ///< mm of the hand for each mm of the tool
     bool leftHanded = false;
     double swapButton = 1;  ///< turbine or mirror; buttons are counted from 1, 0 is none
     double cutButton = 2;   ///< touch or cut
@@ -63,8 +64,7 @@ struct WindowSettings {
     std::string ownSounds;  ///< file of the recordings that are played; empty: all synthesised
     std::string language;   ///< "en" or "ja"; empty: that of the system
     bool dark = false;
-    std::string secondDevice;  ///< of the other hand, see openDevice; empty or "none": there is none
-    std::string recent;        ///< the teeth that were opened last, one path a line, newest first
+    std::string recent;  ///< the teeth that were opened last, one path a line, newest first
 };
 
 /// One setting: how it is called in the file ([table] key) and on the command line (--table-key), and what it may be.

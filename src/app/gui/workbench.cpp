@@ -72,6 +72,7 @@ void Workbench::setCutting(bool cutting) {
 }
 
 void Workbench::putSecond(std::unique_ptr<HapticDevice> device) {
+    if (device == nullptr && second_ == nullptr) return;
     simulator_.reset();  // it may use an old one
     second_ = std::move(device);
     simulatorIsOld_ = true;

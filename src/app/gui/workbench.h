@@ -42,7 +42,7 @@ public:
     [[nodiscard]] bool isLeftHanded() const { return leftHanded_; }
     /// Touch or cut, as a person chooses it on the screen; a button of the device may have chosen before.
     void setCutting(bool cutting);
-    /// An open device for the other hand, which begins with the mirror.
+    /// An open device for the other hand, which begins with the mirror; null: that hand is empty.
     void putSecond(std::unique_ptr<HapticDevice> device);
     [[nodiscard]] const SpindlePreset& spindle() const { return settings_.spindle; }
     [[nodiscard]] const MaterialTable& materials() const { return settings_.materials; }

@@ -184,6 +184,66 @@
         <translation>SpaceMouseのドライバーが止まりました。もう一度起動すれば（sudo systemctl start spacenavd）、そのまま続けられます。</translation>
     </message>
     <message>
+        <source>Haply Inverse3</source>
+        <translation>Haply Inverse3</translation>
+    </message>
+    <message>
+        <source>The Haply Inverse Service answers too slowly: close other programs that keep this machine busy.</source>
+        <translation>Haply Inverse Serviceの応答が遅すぎます。コンピューターに負荷をかけている他のプログラムを閉じてください。</translation>
+    </message>
+    <message>
+        <source>The Haply Inverse Service has closed the connection: start it again; it is tried again every second.</source>
+        <translation>Haply Inverse Serviceが接続を閉じました。もう一度起動してください。1秒ごとに再試行します。</translation>
+    </message>
+    <message>
+        <source>The Haply Inverse Service has stopped answering: restart it; it is tried again every second.</source>
+        <translation>Haply Inverse Serviceの応答が止まりました。再起動してください。1秒ごとに再試行します。</translation>
+    </message>
+    <message>
+        <source>The Haply Inverse Service sends what is no message: restart it; if that does not help, install it anew.</source>
+        <translation>Haply Inverse Serviceから正しくない通信が届きました。再起動し、それでも直らなければ再インストールしてください。</translation>
+    </message>
+    <message>
+        <source>The Haply Inverse Service speaks another version of its language: install version 3.</source>
+        <translation>Haply Inverse Serviceの通信のバージョンが違います。バージョン3をインストールしてください。</translation>
+    </message>
+    <message>
+        <source>The Haply Inverse Service tells places that are not in metres: install version 3 of it.</source>
+        <translation>Haply Inverse Serviceの位置の単位がメートルではありません。バージョン3をインストールしてください。</translation>
+    </message>
+    <message>
+        <source>The Inverse3 does not know where it is: put its arms into their rest position and switch it off and on again.</source>
+        <translation>Inverse3の位置が分かりません。アームを休止位置に置き、電源を入れ直してください。</translation>
+    </message>
+    <message>
+        <source>The Inverse3 is gone: check its cable and power supply; the session goes on when it is back.</source>
+        <translation>Inverse3が見つからなくなりました。ケーブルと電源を確かめてください。戻ればそのまま続けられます。</translation>
+    </message>
+    <message>
+        <source>The Inverse3 has no power: plug in its power supply.</source>
+        <translation>Inverse3に電源が来ていません。電源をつないでください。</translation>
+    </message>
+    <message>
+        <source>The Inverse3 is not calibrated: hold its arms in their rest position until its light stays on.</source>
+        <translation>Inverse3が校正されていません。ランプが点灯したままになるまでアームを休止位置に保ってください。</translation>
+    </message>
+    <message>
+        <source>The Inverse3 is not ready: wait for its light, or switch it off and on again.</source>
+        <translation>Inverse3の準備ができていません。ランプを待つか、電源を入れ直してください。</translation>
+    </message>
+    <message>
+        <source>The VerseGrip is asleep: press one of its buttons.</source>
+        <translation>VerseGripがスリープしています。ボタンを一つ押してください。</translation>
+    </message>
+    <message>
+        <source>The device tells a place that is no number: switch it off and on again if this comes again.</source>
+        <translation>装置の位置が数値になっていません。繰り返すときは電源を入れ直してください。</translation>
+    </message>
+    <message>
+        <source>The device&apos;s place has jumped: check its cable, and let it calibrate if this comes again.</source>
+        <translation>装置の位置が飛びました。ケーブルを確かめ、繰り返すときは校正してください。</translation>
+    </message>
+    <message>
         <source>outer</source>
         <translation>外表面</translation>
     </message>
@@ -1214,6 +1274,18 @@ More than 1 % is felt: close other programs, or take a tooth with fewer triangle
     <message>
         <source>No force: the device is not there or its reading is wrong.</source>
         <translation>力なし：装置がないか、読み取り値が正しくありません。</translation>
+    </message>
+    <message>
+        <source>Other hand</source>
+        <translation>もう一方の手</translation>
+    </message>
+    <message>
+        <source>empty</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>A second device, which begins with the mirror; a button exchanges what the hands hold</source>
+        <translation>2台目の装置。最初はミラーを持ち、ボタンで両手の持ち物を入れ替えます</translation>
     </message>
     <message>
         <source>Hold the bur</source>
