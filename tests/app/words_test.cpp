@@ -44,8 +44,8 @@ TEST_F(Words, EachTroubleOfAnInverse3HasATranslation) {
         ASSERT_NE(reading->trouble, nullptr) << lack;
         EXPECT_TRUE(isTranslated(reading->trouble)) << reading->trouble;
     }
-    const Expected<HaplyReading> nowhere =
-        readHaply(R"({"version":"3.1","inverse3":[{"device_id":"049D","state":{}}]})", {"049D", ""});
+    const Expected<HaplyReading> nowhere = readHaply(
+        R"({"version":"3.1","inverse3":[{"device_id":"049D","state":{"cursor_position":{"x":null}}}]})", {"049D", ""});
     ASSERT_TRUE(nowhere) << nowhere.error().message;
     ASSERT_NE(nowhere->trouble, nullptr);
     EXPECT_TRUE(isTranslated(nowhere->trouble)) << nowhere->trouble;

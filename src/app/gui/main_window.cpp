@@ -99,19 +99,21 @@ void MainWindow::addPanels() {
     QDockWidget* drill = addDock(*drive_, tr("Drill"), Qt::RightDockWidgetArea);
     QDockWidget* force = addDock(*force_, tr("Force"), Qt::RightDockWidgetArea);
     QDockWidget* hand = addDock(*handPanel_, tr("Hand"), Qt::RightDockWidgetArea);
-    tabifyDockWidget(force, hand);
-    force->raise();
     QDockWidget* sound = addDock(*volumes_, tr("Sound"), Qt::RightDockWidgetArea);
+    tabifyDockWidget(force, hand);
+    tabifyDockWidget(hand, sound);  // what one sets once; all of them one below the other are higher than most screens
+    force->raise();
     QDockWidget* inside = addDock(*inside_, tr("Look inside"), Qt::RightDockWidgetArea);
     addDock(*plots_, tr("Last ten seconds"), Qt::BottomDockWidgetArea);
     // All but the lowest need no more than their contents; that takes what is left.
-    for (QWidget* panel :
-         {static_cast<QWidget*>(drive_), static_cast<QWidget*>(force_), static_cast<QWidget*>(volumes_)}) {
-        panel->setMaximumHeight(panel->sizeHint().height());
+    const int drillHeight = drive_->sizeHint().height();
+    const int handHeight = handPanel_->sizeHint().height();  // the highest of the tabs
+    drive_->setMaximumHeight(drillHeight);
+    for (QWidget* tab :
+         {static_cast<QWidget*>(force_), static_cast<QWidget*>(handPanel_), static_cast<QWidget*>(volumes_)}) {
+        tab->setMaximumHeight(handHeight);
     }
-    resizeDocks({drill, force, sound, inside},
-                {drive_->sizeHint().height(), force_->sizeHint().height(), volumes_->sizeHint().height(), 2 * height()},
-                Qt::Vertical);
+    resizeDocks({drill, force, inside}, {drillHeight, handHeight, 2 * height()}, Qt::Vertical);
     busy_->setRange(0, 0);
     busy_->setMaximumWidth(120);
     busy_->setObjectName("busy");
