@@ -34,6 +34,7 @@ namespace {
 constexpr int kStepMs = 16;      // the hand moves 60 times a second
 constexpr int kNumbersMs = 100;  // gauges and plots: ten times a second
 constexpr int kStatusMs = 1000;
+constexpr int kLayout = 1;  // counts the arrangements of docks: one that was saved with others of them is not taken
 constexpr double kLongestStep = 0.1;  // s: after a stall the hand goes on gently
 
 }  // namespace
@@ -278,7 +279,7 @@ void MainWindow::apply(const WindowSettings& settings) {
         return QByteArray::fromBase64(QByteArray::fromStdString(text));
     };
     restoreGeometry(unpacked(settings.geometry));
-    restoreState(unpacked(settings.docks));
+    restoreState(unpacked(settings.docks), kLayout);
     folder_ = QString::fromStdString(settings.folder);
     drill_->choose(QString::fromStdString(settings.bur), QString::fromStdString(settings.spindle));
     mirrorSwitch_->setChecked(settings.showsMirror);
@@ -295,7 +296,7 @@ void MainWindow::apply(const WindowSettings& settings) {
 
 WindowSettings MainWindow::settings() const {
     return {.geometry = saveGeometry().toBase64().toStdString(),
-            .docks = saveState().toBase64().toStdString(),
+            .docks = saveState(kLayout).toBase64().toStdString(),
             .folder = folder_.toStdString(),
             .bur = drill_->burNumber().toStdString(),
             .spindle = drill_->spindleName().toStdString(),
