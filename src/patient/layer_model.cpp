@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 #include "collision/closest_point.h"
 #include "geometry/isosurface.h"
 #include "geometry/mesh_repair.h"
+#include "patient/outer_skin.h"
 #include "patient/pulp_tree.h"
 #include "patient/tooth_sections.h"
 
@@ -61,44 +63,76 @@ TriangleMesh pulpFrom(const std::vector<PulpLimb>& limbs, const DepthField& dept
     return mesh.empty() ? mesh : piecesOf(mesh).front();
 }
 
-TriangleMesh dentinOf(const TriangleMesh& outer, const DepthField& depth) {
+/// A scanner that sees inside finds the pulp space itself: the surface then has walls that no enamel lies on.
+class EnamelDepth {
+public:
+    EnamelDepth(const SurfacePart& surface, const DepthField& depth) : depth_(depth) {
+        OuterSkin skin = outerSkin(surface);
+        constexpr double kSpecks = 10;  // mm^2: bottoms of deep fissures, no pulp space
+        if (skin.hollowArea > kSpecks) skin_ = std::make_unique<const SurfacePart>(std::move(skin.skin));
+    }
+
+    [[nodiscard]] bool hasHollow() const { return skin_ != nullptr; }
+    /// How much deeper than the enamel, mm: negative in the dentin.
+    [[nodiscard]] double above(const Vec3& point, double enamel) const {
+        const double depth = depth_(point);
+        if (!hasHollow()) return enamel - depth;
+        return std::max(enamel - closestPoint(*skin_, point)->distance, -depth - kBeyond);
+    }
+
+private:
+    const DepthField& depth_;
+    std::unique_ptr<const SurfacePart> skin_;  // none: all of the surface
+};
+
+TriangleMesh dentinOf(const TriangleMesh& outer, const EnamelDepth& depth) {
     const Box3 box = boundingBox(outer);
     const double thickest = thickestEnamel(outer), crown = std::max(box.max().z(), 1.0);
-    const ScalarField field = [&](const Vec3& point) { return enamelAt(point.z(), crown, thickest) - depth(point); };
+    const ScalarField field = [&](const Vec3& point) {
+        return depth.above(point, enamelAt(point.z(), crown, thickest));
+    };
     const Box3 around(box.min().array() - 1, box.max().array() + 1);
     // The enamel's edge at the neck is steep: a tenth of a millimetre up it is a quarter of one thick.
     return isosurface(field, around, {.cellSize = kDentinTriangles, .steepest = 4});
 }
 
+std::vector<Remark> wordsOn(double enamel, bool hasHollow, bool hasPulp) {
+    const char* const pulp = hasHollow ? "The surface encloses a hollow: it is taken as the pulp space, which is empty."
+                             : hasPulp ? "The pulp is a model, too: a chamber at the neck and a canal down each root."
+                                       : "There is no room for a pulp: the tooth has none.";
+    return {{RemarkTopic::Layers,
+             "Only the outer surface is known: enamel and dentin are a model, with enamel up to %1 mm thick "
+             "that thins to nothing at the neck. They are no measurement of this tooth.",
+             {rounded(enamel, 1)}},
+            {RemarkTopic::Layers, pulp}};
+}
+
 }  // namespace
 
 Expected<LayerModel> modelLayers(const TriangleMesh& outer, const Progress& progress) {
-    const auto goesOn = [&](double part) { return !progress || progress(part); };
+    bool isStopped = false;
+    const auto goesOn = [&](double part) {
+        isStopped = isStopped || (progress && !progress(part));
+        return !isStopped;
+    };
     const SurfacePart surface(outer);
     const DepthField depth = [&](const Vec3& point) { return -signedDistance(surface, point); };
     if (!goesOn(0.1)) return unexpected("stopped");
-    TriangleMesh dentin = dentinOf(outer, depth);
-    bool isStopped = false;
-    const auto limbs = pulpTree(depth, surface.tree().box(), [&](double part) {
-        isStopped = isStopped || !goesOn(0.4 + 0.4 * part);
-        return !isStopped;
-    });
-    if (isStopped || !goesOn(0.8)) return unexpected("stopped");
+    const EnamelDepth enamel(surface, depth);
+    if (!goesOn(0.3)) return unexpected("stopped");
+    TriangleMesh dentin = dentinOf(outer, enamel);
+    std::vector<PulpLimb> limbs;
+    if (!enamel.hasHollow()) {
+        limbs = pulpTree(depth, surface.tree().box(), [&](double part) { return goesOn(0.5 + 0.3 * part); });
+    }
+    if (!goesOn(0.8)) return unexpected("stopped");
     TriangleMesh pulp = pulpFrom(limbs, depth);
     if (!goesOn(1)) return unexpected("stopped");
     LayerModel model;
+    model.how = wordsOn(thickestEnamel(outer), enamel.hasHollow(), !pulp.empty());
     model.layers.push_back({"enamel", MaterialId::Enamel, outer});
     if (!dentin.empty()) model.layers.push_back({"dentin", MaterialId::Dentin, std::move(dentin)});
-    const bool hasPulp = !pulp.empty();
-    if (hasPulp) model.layers.push_back({"pulp", MaterialId::Pulp, std::move(pulp)});
-    model.how.push_back(
-        {RemarkTopic::Layers,
-         "Only the outer surface is known: enamel and dentin are a model, with enamel up to %1 mm thick "
-         "that thins to nothing at the neck. They are no measurement of this tooth.",
-         {rounded(thickestEnamel(outer), 1)}});
-    model.how.push_back(
-        {RemarkTopic::Layers, hasPulp ? "The pulp is a model, too: a chamber at the neck and a canal down each root."
-                                      : "There is no room for a pulp: the tooth has none."});
+    if (!pulp.empty()) model.layers.push_back({"pulp", MaterialId::Pulp, std::move(pulp)});
     return model;
 }
 

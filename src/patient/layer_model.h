@@ -25,7 +25,8 @@ struct LayerModel {
 /// The enamel is thickest over the biting surface and thins to nothing at the neck; its thickness goes with the crown's
 /// width, 0.6 to 1.5 mm (front tooth to molar). The root is dentin to its surface. The pulp is a chamber in the neck's
 /// height and a canal down the middle of each root, found as the places of the sections that lie deepest, at least
-/// 0.5 mm below the surface. Fails with the sentence "stopped" when told to stop.
+/// 0.5 mm below the surface; a surface with a hollow of its own keeps that as its pulp space. Fails with the sentence
+/// "stopped" when told to stop.
 [[nodiscard]] Expected<LayerModel> modelLayers(const TriangleMesh& outer, const Progress& progress = {});
 
 }  // namespace tactooth

@@ -19,9 +19,9 @@ constexpr double kLeastDepth = 0.65;  // mm: a place shallower than this has no 
 constexpr double kFloor = 2;          // mm that the chamber's floor lies above the place where roots part
 constexpr double kApex = 0.7;         // mm from the root's tip to the end of the canal (apical constriction 0.5 to 1)
 
-// Parts of the inscribed circle that pulp fills: a chamber is some 40 % as wide as the neck, a canal starts with 25 %
+// Parts of the inscribed circle that pulp fills: a chamber is some 30 % as wide as the neck, a canal starts with 25 %
 // and ends with 15 % of its root.
-constexpr double kChamber = 0.4, kCanalTop = 0.25, kCanalEnd = 0.15;
+constexpr double kChamber = 0.3, kCanalTop = 0.25, kCanalEnd = 0.15;
 constexpr double kThinnest = 0.2;  // mm, radius
 
 /// A place where a section is deepest.
@@ -136,7 +136,8 @@ std::vector<PulpLimb> limbsOf(const std::vector<Node>& nodes, double bottom) {
 }  // namespace
 
 std::vector<PulpLimb> pulpTree(const DepthField& depth, const Box3& box, const std::function<bool(double)>& progress) {
-    const double top = 0.45 * box.max().z();  // the chamber's roof stands at about half of the crown's height
+    // The chamber's roof stands at about half of the crown's height: the uppermost limb's round end reaches that far.
+    const double top = 0.3 * box.max().z();
     const double bottom = box.min().z() + kApex;
     std::vector<Node> nodes;
     std::size_t aboveBegin = 0;

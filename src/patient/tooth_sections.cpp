@@ -55,7 +55,9 @@ double neckHeight(const SectionProfile& profile) {
             const double height = profile.step * static_cast<double>(profile.areas.size());
             // A root is a third of a tooth at least; what is found lower belongs to a crown without a root.
             if (i * profile.step < height / 3) break;
-            return profile.bottom + (i + 0.5) * profile.step;
+            // Crowns are 30 to 45 % of a tooth (Wheeler): a neck found beyond that is a fork of the roots, or a bulge.
+            constexpr double kLowest = 0.52, kHighest = 0.75;
+            return profile.bottom + std::clamp((i + 0.5) * profile.step, kLowest * height, kHighest * height);
         }
     }
     return profile.bottom;

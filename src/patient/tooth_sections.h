@@ -19,7 +19,8 @@ struct SectionProfile {
 [[nodiscard]] SectionProfile sectionProfile(const TriangleMesh& closed, int sections = 60);
 
 /// Where the crown passes into the root of a tooth that stands crown up, mm: the height below the widest section at
-/// which the section has shrunk most of its way to the root's; the bottom for a crown without a root.
+/// which the section has shrunk most of its way to the root's, within what crowns have of a tooth's length; the bottom
+/// for a crown without a root.
 [[nodiscard]] double neckHeight(const SectionProfile& profile);
 
 }  // namespace tactooth

@@ -75,6 +75,24 @@ TEST(LayerModel, StopsWhenTold) {
     EXPECT_EQ(model.error().message, "stopped");
 }
 
+/// As a micro-CT shows it: the pulp space is a hollow, with a narrow way out at the apex.
+TEST(LayerModel, AHollowIsThePulpSpaceAndHasNoEnamel) {
+    const TriangleMesh shell = test::cylinder(Vec3(0, 0, -12), 5, 20, 48);
+    TriangleMesh hollow = test::cylinder(Vec3(0, 0, -8), 1.5, 12, 24);
+    for (Triangle& triangle : hollow.triangles) std::swap(triangle[0], triangle[1]);
+    TriangleMesh outer = shell;
+    append(outer, hollow);
+    const auto model = modelLayers(outer);
+    ASSERT_TRUE(model);
+    EXPECT_EQ(model->layers.size(), 2u);
+    EXPECT_EQ(inWords(model->how.back()),
+              "The surface encloses a hollow: it is taken as the pulp space, which is empty.");
+    const auto tooth = LayeredTooth::make(outer, model->layers);
+    ASSERT_TRUE(tooth);
+    EXPECT_EQ(tooth->materialAt(Vec3(1.7, 0, 3)), MaterialId::Dentin);
+    EXPECT_EQ(tooth->materialAt(Vec3(4.8, 0, 4)), MaterialId::Enamel);
+}
+
 TEST(LayerModel, AThinPlateHasNoPulp) {
     const auto model = modelLayers(test::box(Vec3(-4, -0.5, -8), Vec3(4, 0.5, 8)));
     ASSERT_TRUE(model);

@@ -51,6 +51,7 @@ constexpr const char* kRemarks[] = {
                       "that thins to nothing at the neck. They are no measurement of this tooth."),
     QT_TRANSLATE_NOOP("Remarks", "The pulp is a model, too: a chamber at the neck and a canal down each root."),
     QT_TRANSLATE_NOOP("Remarks", "There is no room for a pulp: the tooth has none."),
+    QT_TRANSLATE_NOOP("Remarks", "The surface encloses a hollow: it is taken as the pulp space, which is empty."),
 };
 
 }  // namespace

@@ -1475,6 +1475,10 @@ More than 1 % is felt: close other programs, or take a tooth with fewer triangle
         <translation>歯髄もモデルです。歯頸部の髄室と各歯根の根管からなります。</translation>
     </message>
     <message>
+        <source>The surface encloses a hollow: it is taken as the pulp space, which is empty.</source>
+        <translation>表面は空洞を囲んでいます。これを歯髄腔とみなし、空とします。</translation>
+    </message>
+    <message>
         <source>There is no room for a pulp: the tooth has none.</source>
         <translation>歯髄の入る余地がないため、この歯に歯髄はありません。</translation>
     </message>

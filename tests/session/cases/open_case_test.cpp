@@ -121,9 +121,9 @@ TEST(OpenCase, EveryToothOfACaseCanBeCut) {
     ASSERT_TRUE(tool);
     for (const Vec3& top : {Vec3(0, 0, 4), Vec3(-10, 0, 3)}) {
         const auto removed = tooth->piece->sweep(*tool, {top + Vec3(0, 0, 1), Quat::Identity()},
-                                                 {top - Vec3(0, 0, 3), Quat::Identity()});
+                                                 {top - Vec3(0, 0, 2.96), Quat::Identity()});
         EXPECT_NEAR(removed[static_cast<std::size_t>(MaterialId::Enamel)], 3.14159 * 0.25 * 2, 0.1);
-        EXPECT_NEAR(removed[static_cast<std::size_t>(MaterialId::Dentin)], 3.14159 * 0.25 * 1, 0.1);
+        EXPECT_NEAR(removed[static_cast<std::size_t>(MaterialId::Dentin)], 3.14159 * 0.25 * 0.96, 0.1);
     }
     tooth->piece->refreshSurface();
     const auto cut = parseStl(stlBytes(visibleMesh(*tooth->piece->surface()).mesh), "cut");
