@@ -44,6 +44,7 @@ HandPanel::HandPanel(QWidget* parent)
       seconds_(new QComboBox),
       state_(new QLabel),
       clutch_(new QPushButton(tr("Hold the bur"))),
+      clutchAction_(new QAction(tr("Hold the bur"), this)),
       leftHanded_(new QCheckBox(tr("Left-handed"))),
       pedal_(new QLabel),
       teach_(new QPushButton(tr("Teach…"))),
@@ -91,7 +92,10 @@ void HandPanel::addDevices(QGridLayout& grid) {
 void HandPanel::addHold(QGridLayout& grid) {
     clutch_->setCheckable(true);
     clutch_->setObjectName("clutch");
-    clutch_->setShortcut(QKeySequence(Qt::Key_X));
+    clutchAction_->setCheckable(true);
+    clutchAction_->setShortcut(QKeySequence(Qt::Key_X));
+    connect(clutchAction_, &QAction::toggled, clutch_, &QPushButton::setChecked);
+    connect(clutch_, &QPushButton::toggled, clutchAction_, &QAction::setChecked);
     clutch_->setToolTip(
         tr("The bur stays while the hand goes back to a comfortable place (X, or a button of the device)"));
     leftHanded_->setObjectName("leftHanded");

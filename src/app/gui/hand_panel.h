@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QKeySequenceEdit>
@@ -35,6 +36,8 @@ public:
 
     [[nodiscard]] ButtonMap buttons() const;
     [[nodiscard]] bool clutch() const { return clutch_->isChecked(); }
+    /// The clutch with its key, for a menu: a button that is not in sight has no key.
+    [[nodiscard]] QAction* clutchAction() { return clutchAction_; }
 
     /// How it goes with the device at the moment; an empty name is the mouse.
     void showState(const QString& device, ForceState force, const char* trouble);
@@ -57,6 +60,7 @@ private:
     QLabel* state_;
     NumberRow* fineness_;
     QPushButton* clutch_;
+    QAction* clutchAction_;
     QCheckBox* leftHanded_;
     std::array<QComboBox*, 3> buttons_{};  // turbine or mirror, touch or cut, clutch
     QLabel* pedal_;

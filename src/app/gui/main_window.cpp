@@ -166,7 +166,7 @@ void MainWindow::addMouthMenu(QMenu& menu) {
 
 void MainWindow::addDrillAndSoundMenus() {
     QMenu* menu = menuBar()->addMenu(tr("&Drill"));
-    menu->addActions({drill_->touchAction(), drill_->cutAction()});
+    menu->addActions({drill_->touchAction(), drill_->cutAction(), handPanel_->clutchAction()});
     menu->addSeparator();
     menu->addAction(tr("Stand the bur &upright"), this, [this] { bench_.hand().standUpright(); })
         ->setShortcut(QKeySequence("U"));
