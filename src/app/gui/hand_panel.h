@@ -36,7 +36,7 @@ public:
 
     [[nodiscard]] ButtonMap buttons() const;
     [[nodiscard]] bool clutch() const { return clutch_->isChecked(); }
-    /// The clutch with its key, for a menu: a button that is not in sight has no key.
+    /// The clutch with its key, for a menu: the key works wherever the panel is, or if it is closed.
     [[nodiscard]] QAction* clutchAction() { return clutchAction_; }
 
     /// How it goes with the device at the moment; an empty name is the mouse.
