@@ -20,13 +20,17 @@ WindowSettings unusual() {
             .spindle = "Micromotor, 1:1",
             .showsTurbine = false,
             .showsMirror = false,
-            .force = {false, 0.75, 0.0125, 1.5, 2.2},
+            .force = {false, 0.75, 0.0125, 1.5, 2.2, 0.35},
             .sound = {.motor = 0.25, .cutting = 0.5, .master = 0.75, .muted = true, .environment = 0.125},
             .headphones = true,
             .ownSounds = "/home/someone/school.toml",
             .language = "ja",
             .dark = true,
-            .recent = "/a.stl\n/b.tactooth"};
+            .recent = "/a.stl\n/b.tactooth",
+            .mirror = {"5", true, true},
+            .water = false,
+            .suction = false,
+            .textScale = 1.5};
 }
 
 void expectEqual(const WindowSettings& a, const WindowSettings& b) {
@@ -48,6 +52,10 @@ void expectEqual(const WindowSettings& a, const WindowSettings& b) {
     EXPECT_EQ(a.language, b.language);
     EXPECT_EQ(a.dark, b.dark);
     EXPECT_EQ(a.recent, b.recent);
+    EXPECT_EQ(a.mirror, b.mirror);
+    EXPECT_EQ(a.water, b.water);
+    EXPECT_EQ(a.suction, b.suction);
+    EXPECT_EQ(a.textScale, b.textScale);
 }
 
 std::string refusal(std::string_view text) {

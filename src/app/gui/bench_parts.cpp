@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/bench_parts.h"
 
+#include "app/common/spin_blur.h"
 #include "geometry/mesh_file.h"
 #include "instruments/bur_shape.h"
+#include "instruments/suction_tube.h"
 #include "instruments/turbine.h"
 
 namespace tactooth {
@@ -35,9 +37,11 @@ Expected<BenchBur> makeBenchBur(const BurSpec& spec) {
     const Bur felt = makeBur(spec);
     Expected<CuttingTool> cutting = makeCuttingTool(felt.surface, spec.sharpness);
     if (!cutting) return Unexpected{cutting.error()};
+    auto blurred = std::make_shared<const TriangleMesh>(spinningShape(cutting->envelope));
     return BenchBur{spec.name,
                     {std::make_shared<const ToolShape>(felt.surface), std::move(*cutting)},
                     std::make_shared<const TriangleMesh>(makeBur(spec, kShownBurTriangles).surface),
+                    std::move(blurred),
                     spec.material,
                     {}};
 }
@@ -48,17 +52,24 @@ Expected<BenchBur> loadBenchBur(const std::filesystem::path& path) {
     Expected<CuttingTool> cutting = makeCuttingTool(*mesh);
     if (!cutting) return unexpected(path.string() + ": " + cutting.error().message);
     auto shown = std::make_shared<const TriangleMesh>(*mesh);
-    return BenchBur{path.filename().string(),
-                    {std::make_shared<const ToolShape>(std::move(*mesh)), std::move(*cutting)},
-                    std::move(shown),
-                    BurMaterial::carbide,
-                    path};
+    auto blurred = std::make_shared<const TriangleMesh>(spinningShape(cutting->envelope));
+    return BenchBur{
+        path.filename().string(), {std::make_shared<const ToolShape>(std::move(*mesh)), std::move(*cutting)},
+        std::move(shown),         std::move(blurred),
+        BurMaterial::carbide,     path};
 }
 
 BenchFurniture makeFurniture() {
-    DentalMirror mirror = makeMirror();
-    return {std::make_shared<const TriangleMesh>(makeTurbine()),
-            std::make_shared<const TriangleMesh>(std::move(mirror.surface)), mirror.disc};
+    BenchFurniture furniture;
+    furniture.turbine = std::make_shared<const TriangleMesh>(makeTurbine());
+    furniture.suction = std::make_shared<const TriangleMesh>(makeSuctionTube());
+    return furniture;
+}
+
+void takeMirror(BenchFurniture& furniture, double diameter) {
+    DentalMirror mirror = makeMirror(diameter);
+    furniture.mirror = std::make_shared<const TriangleMesh>(std::move(mirror.surface));
+    furniture.disc = mirror.disc;
 }
 
 }  // namespace tactooth

@@ -10,6 +10,7 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QScrollArea>
 #include <QStyle>
 
 #include "app/gui/drill_bar.h"
@@ -32,6 +33,17 @@ constexpr int kStepMs = 16;      // the hand moves 60 times a second
 constexpr int kNumbersMs = 100;  // gauges and plots: ten times a second
 constexpr int kStatusMs = 1000;
 constexpr double kLongestStep = 0.1;  // s: after a stall the hand goes on gently
+
+/// With large text on a small screen everything can still be reached.
+QScrollArea* scrolling(QWidget& panel) {
+    auto* area = new QScrollArea;
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setFocusPolicy(Qt::NoFocus);  // its controls are stops of the Tab key, it is none
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setWidget(&panel);
+    return area;
+}
 
 }  // namespace
 
@@ -77,7 +89,7 @@ MainWindow::~MainWindow() = default;
 QDockWidget* MainWindow::addDock(QWidget& panel, const QString& title, Qt::DockWidgetArea area) {
     auto* dock = new QDockWidget(title);
     dock->setObjectName(title);
-    dock->setWidget(&panel);
+    dock->setWidget(area == Qt::RightDockWidgetArea ? scrolling(panel) : &panel);
     addDockWidget(area, dock);
     return dock;
 }
@@ -96,11 +108,7 @@ void MainWindow::addPanels() {
     QDockWidget* sound = addDock(*volumes_, tr("Sound"), Qt::RightDockWidgetArea);
     QDockWidget* inside = addDock(*inside_, tr("Look inside"), Qt::RightDockWidgetArea);
     addDock(*plots_, tr("Last ten seconds"), Qt::BottomDockWidgetArea);
-    // All but the lowest need no more than their contents; that takes what is left.
-    for (QWidget* panel :
-         {static_cast<QWidget*>(drive_), static_cast<QWidget*>(force_), static_cast<QWidget*>(volumes_)}) {
-        panel->setMaximumHeight(panel->sizeHint().height());
-    }
+    fitPanels();
     resizeDocks({drill, force, sound, inside},
                 {drive_->sizeHint().height(), force_->sizeHint().height(), volumes_->sizeHint().height(), 2 * height()},
                 Qt::Vertical);
@@ -109,6 +117,15 @@ void MainWindow::addPanels() {
     busy_->setObjectName("busy");
     status_->addPermanentWidget(busy_);
     status_->setHint(tr("Preparing the tooth…"));
+}
+
+/// All but the lowest need no more than their contents; that takes what is left.
+void MainWindow::fitPanels() {
+    for (auto* area : findChildren<QScrollArea*>()) {
+        QWidget& panel = *area->widget();
+        area->setMinimumWidth(panel.minimumSizeHint().width() + style()->pixelMetric(QStyle::PM_ScrollBarExtent));
+        if (&panel != inside_) area->setMaximumHeight(panel.sizeHint().height());
+    }
 }
 
 void MainWindow::addFileMenu() {
@@ -146,6 +163,8 @@ void MainWindow::addDrillAndSoundMenus() {
         ->setShortcut(QKeySequence("Q"));
     menu->addAction(tr("Turn the handle &right"), this, [this] { bench_.hand().turnHandle(-kTurn); })
         ->setShortcut(QKeySequence("E"));
+    menu->addSeparator();
+    addSpraySwitches(*menu);
     menu->addSeparator();
     menu->addActions({drill_->undoAction(), drill_->resetAction()});
 
@@ -240,8 +259,12 @@ void MainWindow::apply(const WindowSettings& settings) {
     turbineSwitch_->setChecked(settings.showsTurbine);
     darkSwitch_->setChecked(settings.dark);
     setLanguage(QString::fromStdString(settings.language));
+    setTextScale(settings.textScale);
     recent_ = QString::fromStdString(settings.recent).split('\n', Qt::SkipEmptyParts);
     force_->set(settings.force);
+    setMirror(settings.mirror);
+    waterSwitch_->setChecked(settings.water);
+    suctionSwitch_->setChecked(settings.suction);
     volumes_->setMixer(settings.sound);
     volumes_->setHeadphones(settings.headphones);
     if (!settings.ownSounds.empty()) openSounds(QString::fromStdString(settings.ownSounds));
@@ -261,7 +284,11 @@ WindowSettings MainWindow::settings() const {
             .ownSounds = soundsFile_.toStdString(),
             .language = language_.toStdString(),
             .dark = darkSwitch_->isChecked(),
-            .recent = recent_.join('\n').toStdString()};
+            .recent = recent_.join('\n').toStdString(),
+            .mirror = mirror(),
+            .water = waterSwitch_->isChecked(),
+            .suction = suctionSwitch_->isChecked(),
+            .textScale = textScale_};
 }
 
 void MainWindow::showNumbers() {

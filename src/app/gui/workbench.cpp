@@ -5,12 +5,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/common/spray_look.h"
 #include "session/tick_sound.h"
 
 namespace tactooth {
 namespace {
 
 const Box3 kNoTooth(Vec3(-5, -5, -5), Vec3(5, 5, 5));       // where the hand rests before there is a tooth, mm
+constexpr float kBreath = 0.6F, kWetness = 0.5F;            // share of the glass, 0..1: one still sees the crown in it
 constexpr double kServoRate = 1000;                         // Hz
 constexpr double kEyeAzimuth = 1.25, kEyeElevation = 0.62;  // rad, for a tooth with +x mesial
 
@@ -67,7 +69,10 @@ void Workbench::takeDeliveries(News& news) {
             news.failure = bur->error().message;
         }
     }
-    if (auto furniture = furniture_.poll()) around_ = std::move(**furniture);
+    if (auto furniture = furniture_.poll()) {
+        around_ = std::move(**furniture);
+        takeMirror(*around_, mirror_.diameter);
+    }
 }
 
 void Workbench::startSimulator(News& news) {
@@ -83,12 +88,17 @@ void Workbench::startSimulator(News& news) {
     }
     simulator_ = std::make_unique<Simulator>(
         tooth_->piece, bur_->instrument, settings_, device,
-        [&sound = sound_, settings = settings_](const Tick& tick) {
-            sound.publish(soundOf(tick, settings.spindle, settings.materials));
+        [this, settings = settings_](const Tick& tick) {
+            DrillSoundState heard = soundOf(tick, settings.spindle, settings.materials);
+            if (!water_) heard.water = 0;
+            if (!suction_) heard.suction = 0;
+            sound_.publish(heard);
         },
         kServoRate, seat);
     newest_ = Tick();
     newest_.proxy = newest_.hand = hand_.hand();
+    spray_ = SprayCloud(bur_->instrument.cutting.envelope.maxRadius(),
+                        parkedSuction(tooth_->box(), tooth_->mesialX).position);
     news.newSimulator = true;
 }
 
@@ -108,7 +118,24 @@ Workbench::News Workbench::step(double dt) {
     mouse_.moveTo({hand_.hand(), 0, 0, true});
     simulator_->setControls(controls);
     spin_ = std::remainder(spin_ + newest_.speedRpm / 60 * 2 * std::numbers::pi * dt, 2 * std::numbers::pi);
+    spray(dt);
     return news;
+}
+
+void Workbench::setMirror(double diameter, bool fogged, bool wet) {
+    const bool isAnother = diameter != mirror_.diameter;
+    mirror_ = {diameter, fogged, wet};
+    if (isAnother && around_) takeMirror(*around_, diameter);
+}
+
+void Workbench::spray(double dt) {
+    spray_.advance({.toolInTooth = newest_.proxy,
+                    .normal = newest_.normal,
+                    .speedRpm = newest_.speedRpm,
+                    .water = water_ && newest_.cutting ? newest_.pedal : 0,
+                    .suction = suction_,
+                    .removed = simulator_->removed()},
+                   dt);
 }
 
 OrbitCamera::Direction Workbench::usualView() const {
@@ -125,17 +152,29 @@ SceneContents Workbench::contents(bool withTurbine, bool withMirror) const {
                               .turbine = withTurbine && around_ ? around_->turbine : nullptr,
                               .material = bur_->material,
                               .toolInTooth = newest_.proxy,
-                              .spin = spin_};
-    if (withMirror && around_) {
+                              .spin = spin_,
+                              .speedRpm = newest_.speedRpm,
+                              .blurred = bur_->blurred};
+    contents.flying = particlesOf(spray_.bits(), settings_.materials);
+    if (around_) addSurroundings(contents, withMirror);
+    return contents;
+}
+
+void Workbench::addSurroundings(SceneContents& contents, bool withMirror) const {
+    if (suction_) contents.suction = ShownSuction{around_->suction, parkedSuction(tooth_->box(), tooth_->mesialX)};
+    if (withMirror) {
         const auto [azimuth, elevation] = usualView();
         const Vec3 toEye(std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
                          std::sin(elevation));
         Pose mirror = parkedMirror(tooth_->box(), around_->disc, toEye, tooth_->mesialX);
         const Pose& moved = simulator_->mirrorMotion();
         mirror = {mirror.position + moved.position, (moved.rotation * mirror.rotation).normalized()};
-        contents.mirror = ShownMirror{around_->mirror, around_->disc, mirror};
+        contents.mirror = ShownMirror{.mesh = around_->mirror,
+                                      .disc = around_->disc,
+                                      .mirrorInTooth = mirror,
+                                      .fog = mirror_.fogged ? kBreath : 0,
+                                      .drops = mirror_.wet ? kWetness : 0};
     }
-    return contents;
 }
 
 }  // namespace tactooth

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "app/gui/errand.h"
 #include "app/gui/hand_control.h"
 #include "devices/mouse_device.h"
+#include "session/spray_cloud.h"
 #include "sound/sound_output.h"
 #include "view/orbit_camera.h"
 
@@ -53,6 +55,12 @@ public:
 
     /// Taken over by the simulator at the next step.
     SimulatorControls controls;
+    /// Whether water flows with the pedal, and whether an assistant holds the suction tube: seen and heard.
+    void setWater(bool flows) { water_ = flows; }
+    void setSuction(bool draws) { suction_ = draws; }
+    /// The mouth mirror: `diameter` of its head (mm), and what is on the glass.
+    void setMirror(double diameter, bool fogged, bool wet);
+    [[nodiscard]] std::span<const FlyingBit> flying() const { return spray_.bits(); }
     HandControl& hand() { return hand_; }
     [[nodiscard]] const Tick& newest() const { return newest_; }
     /// The ticks of the last step, oldest first.
@@ -69,6 +77,8 @@ private:
     void startSimulator(News& news);
     void takeDeliveries(News& news);
     void reportTrouble(News& news);
+    void spray(double dt);
+    void addSurroundings(SceneContents& contents, bool withMirror) const;
 
     SoundOutput& sound_;
     HapticSettings settings_;
@@ -86,8 +96,14 @@ private:
     const char* trouble_ = nullptr;         // of the device, as it was reported last
     std::vector<Tick> ticks_;
     Tick newest_;
-    double spin_ = 0;                       // rad
-    std::unique_ptr<Simulator> simulator_;  // last: it uses all of the above
+    double spin_ = 0;  // rad
+    SprayCloud spray_;
+    struct {
+        double diameter = 22;  // mm
+        bool fogged = false, wet = false;
+    } mirror_;
+    std::atomic<bool> water_{true}, suction_{true};  // the servo reads them for the sound
+    std::unique_ptr<Simulator> simulator_;           // last: it uses all of the above
 };
 
 }  // namespace tactooth

@@ -193,13 +193,53 @@
 <context>
     <name>tactooth::ForcePanel</name>
     <message>
+        <source>Friction</source>
+        <translation>摩擦</translation>
+    </message>
+    <message>
+        <source>Force against sliding, as a share of the force into the tooth</source>
+        <translation>滑りに逆らう力（歯に押す力に対する割合）</translation>
+    </message>
+    <message>
+        <source>Feel like</source>
+        <translation>感触</translation>
+    </message>
+    <message>
+        <source>Lets the whole tooth feel like one tissue: fills in its spring, damper and friction</source>
+        <translation>歯全体を一つの組織の感触にします：そのばね、ダンパー、摩擦を入れます</translation>
+    </message>
+    <message>
+        <source>Feel like…</source>
+        <translation>感触を選ぶ…</translation>
+    </message>
+    <message>
+        <source>Enamel</source>
+        <translation>エナメル質</translation>
+    </message>
+    <message>
+        <source>Dentin</source>
+        <translation>象牙質</translation>
+    </message>
+    <message>
+        <source>Pulp</source>
+        <translation>歯髄</translation>
+    </message>
+    <message>
+        <source>Caries</source>
+        <translation>う蝕</translation>
+    </message>
+    <message>
+        <source>Restoration</source>
+        <translation>修復物</translation>
+    </message>
+    <message>
         <source>From the material</source>
         <translation>材質に合わせる</translation>
     </message>
     <message>
-        <source>Spring and damper are those of the tissue under the bur:
+        <source>Spring, damper and friction are those of the tissue under the bur:
 enamel is hard, dentin softer, caries soft. Switch off to set them yourself.</source>
-        <translation>ばねと減衰はバーの下の組織の値です：
+        <translation>ばね、減衰、摩擦はバーの下の組織の値です：
 エナメル質は硬く、象牙質はやや軟らかく、う蝕は軟らかい。自分で決めるにはオフにします。</translation>
     </message>
     <message>
@@ -381,6 +421,98 @@ The mouse wheel in the picture changes it too.</source>
 </context>
 <context>
     <name>tactooth::MainWindow</name>
+    <message>
+        <source>&amp;Water spray</source>
+        <translation>注水スプレー(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Su&amp;ction</source>
+        <translation>吸引(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Mirror &amp;glass</source>
+        <translation>ミラーの鏡面(&amp;G)</translation>
+    </message>
+    <message>
+        <source>No. %1, %2 mm</source>
+        <translation>No. %1、%2 mm</translation>
+    </message>
+    <message>
+        <source>&amp;Fogged</source>
+        <translation>曇り(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Drops of spray</source>
+        <translation>水滴(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Te&amp;xt size</source>
+        <translation>文字の大きさ(&amp;X)</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Arrow keys</source>
+        <translation>矢印キー</translation>
+    </message>
+    <message>
+        <source>move the bur; with Shift lean it, with Ctrl turn the tooth</source>
+        <translation>バーを動かす。Shift で傾け、Ctrl で歯を回す</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Enter</translation>
+    </message>
+    <message>
+        <source>the bur presses, as long as you hold it</source>
+        <translation>押している間、バーが押し付けられる</translation>
+    </message>
+    <message>
+        <source>+, -</source>
+        <translation>+、-</translation>
+    </message>
+    <message>
+        <source>B, D</source>
+        <translation>B、D</translation>
+    </message>
+    <message>
+        <source>breath and drops on the mirror</source>
+        <translation>ミラーの曇りと水滴</translation>
+    </message>
+    <message>
+        <source>W, S</source>
+        <translation>W、S</translation>
+    </message>
+    <message>
+        <source>water spray, suction on and off</source>
+        <translation>注水と吸引のオン・オフ</translation>
+    </message>
+    <message>
+        <source>Ctrl + M</source>
+        <translation>Ctrl + M</translation>
+    </message>
+    <message>
+        <source>mute</source>
+        <translation>消音</translation>
+    </message>
+    <message>
+        <source>Tab, Alt + letter</source>
+        <translation>Tab、Alt + 文字</translation>
+    </message>
+    <message>
+        <source>go on to the next control; open a menu</source>
+        <translation>次の項目へ移る。メニューを開く</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>leave a dialog</source>
+        <translation>ダイアログを閉じる</translation>
+    </message>
     <message>
         <source>File</source>
         <translation>ファイル</translation>
