@@ -16,15 +16,10 @@ class ClusterCuller {
 public:
     /// `objectToClip` maps points of the object to OpenGL clip coordinates; `eye` is in the object's frame, with w = 0
     /// for a parallel view (then the direction to the eye). Runs that look away are skipped only if `skipBackFaces`.
-    /// `coarseness`: how far what is drawn may stand off from the surface: mm, or mm for each mm of distance from an
-    /// eye with w = 1.
-    ClusterCuller(const Mat4& objectToClip, const Eigen::Vector4d& eye, bool skipBackFaces, double coarseness = 0);
+    ClusterCuller(const Mat4& objectToClip, const Eigen::Vector4d& eye, bool skipBackFaces);
 
     /// Whether any triangle of `cluster` could show. Never wrong when it says no.
     [[nodiscard]] bool mayShow(const TriangleCluster& cluster) const;
-
-    /// How far the surface in a ball may be off, mm.
-    [[nodiscard]] float allowedError(const Vec3f& centre, float radius) const;
 
 private:
     [[nodiscard]] bool looksAway(const TriangleCluster& cluster) const;
@@ -32,7 +27,6 @@ private:
     std::array<Eigen::Vector4f, 6> sides_;
     Eigen::Vector4f eye_;
     bool skipBackFaces_;
-    float coarseness_;
 };
 
 /// A run of triangles in drawing order.

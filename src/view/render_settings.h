@@ -16,13 +16,11 @@ struct RenderSettings {
     int samples = 0;  ///< per pixel against jagged edges, 0 or 2..8; less if the driver has less
     Shadows shadows = Shadows::Hard;
     bool ambientOcclusion = false;  ///< darkened fissures and contacts
-    /// How far the drawn surface may stand off from the true one, pixels; 0: each triangle is drawn.
-    double standOff = 0.35;
-    double resolution = 1;  ///< share of the pixels along each side that are drawn; the rest is filled in, 0..1
+    double resolution = 1;          ///< share of the pixels along each side that are drawn; the rest is filled in, 0..1
 
     bool operator==(const RenderSettings&) const = default;
 };
 inline constexpr RenderSettings kQuick{};  ///< while things move, on a computer without a graphics card
-inline constexpr RenderSettings kFine{.samples = 4, .shadows = Shadows::Soft, .ambientOcclusion = true, .standOff = 0};
+inline constexpr RenderSettings kFine{.samples = 4, .shadows = Shadows::Soft, .ambientOcclusion = true};
 
 }  // namespace tactooth

@@ -137,8 +137,7 @@ SolidInputs Renderer::Parts::inputsFor(const Job& job, const PassView& view, con
             .cullMatrix = cullMatrix,
             .shadows = job.settings.shadows,
             .shadowMap = shadows,
-            .fields = fields,
-            .coarseness = job.settings.standOff * 2 / (view.viewToClip(1, 1) * job.size.height)};
+            .fields = fields};
 }
 
 Expected<const RenderTarget*> Renderer::Parts::drawShell(const Job& job, const SolidInputs& inputs) {

@@ -11,6 +11,10 @@ namespace tactooth {
 
 namespace {
 
+/// Small enough that a run of a scanned tooth looks one way (about 0.5 mm across at 60 um per edge), large enough that
+/// testing runs costs nothing beside drawing them.
+constexpr std::size_t kTrianglesPerCluster = 128;
+
 constexpr std::uint32_t kUnset = 0xFFFFFFFF;
 
 /// Puts two zero bits behind each of the low ten bits.
@@ -78,28 +82,17 @@ private:
     std::vector<std::uint32_t> next_;   ///< of each shading vertex, the next of the same mesh vertex
 };
 
-}  // namespace
-
-std::uint32_t packNormal(const Vec3f& normal) {
-    const auto bits = [&](int axis) {
-        return static_cast<std::uint32_t>(std::lround(std::clamp(normal[axis], -1.0F, 1.0F) * 511.0F)) & 1023U;
-    };
-    return bits(0) | (bits(1) << 10U) | (bits(2) << 20U);
-}
-
-std::uint32_t packLooks(const LookMix& mix) {
-    return mix.first | (std::uint32_t{mix.second} << 8U) | (std::uint32_t{mix.share} << 16U);
-}
-
-TriangleCluster clusterOf(std::span<const ShadingVertex> vertices, std::span<const Triangle> triangles) {
-    const auto point = [&](std::uint32_t vertex) { return Vec3f(vertices[vertex].position.data()); };
+TriangleCluster clusterOf(const ShadingMesh& mesh, std::uint32_t first, std::uint32_t count) {
+    const auto point = [&](std::uint32_t vertex) { return Vec3f(mesh.vertices[vertex].position.data()); };
     TriangleCluster cluster;
-    cluster.triangles = static_cast<std::uint32_t>(triangles.size());
+    cluster.firstTriangle = first;
+    cluster.triangles = count;
     Eigen::AlignedBox3f box;
     std::vector<Vec3f> facets;
-    facets.reserve(triangles.size());
+    facets.reserve(count);
     Vec3f sum = Vec3f::Zero();
-    for (const Triangle& triangle : triangles) {
+    for (std::uint32_t t = first; t < first + count; ++t) {
+        const Triangle& triangle = mesh.triangles[t];
         for (const std::uint32_t vertex : triangle) box.extend(point(vertex));
         const Vec3f area = (point(triangle[1]) - point(triangle[0])).cross(point(triangle[2]) - point(triangle[0]));
         if (area.squaredNorm() == 0) continue;
@@ -113,6 +106,19 @@ TriangleCluster clusterOf(std::span<const ShadingVertex> vertices, std::span<con
     for (const Vec3f& facet : facets) cosine = std::min(cosine, facet.dot(cluster.axis));
     cluster.coneSine = cosine <= 0 ? 2.0F : std::sqrt(std::max(0.0F, 1 - cosine * cosine));
     return cluster;
+}
+
+}  // namespace
+
+std::uint32_t packNormal(const Vec3f& normal) {
+    const auto bits = [&](int axis) {
+        return static_cast<std::uint32_t>(std::lround(std::clamp(normal[axis], -1.0F, 1.0F) * 511.0F)) & 1023U;
+    };
+    return bits(0) | (bits(1) << 10U) | (bits(2) << 20U);
+}
+
+std::uint32_t packLooks(const LookMix& mix) {
+    return mix.first | (std::uint32_t{mix.second} << 8U) | (std::uint32_t{mix.share} << 16U);
 }
 
 ShadingMesh shadingMesh(const TriangleMesh& mesh, const CornerShading& shading) {
@@ -129,11 +135,10 @@ ShadingMesh shadingMesh(const TriangleMesh& mesh, const CornerShading& shading) 
             result.triangles[place][corner] = splitter.vertexFor(order[place], corner);
         }
     }
-    const std::span<const Triangle> sorted = result.triangles;
-    for (std::size_t first = 0; first < sorted.size(); first += kTrianglesPerCluster) {
-        const std::size_t count = std::min<std::size_t>(kTrianglesPerCluster, sorted.size() - first);
-        result.clusters.push_back(clusterOf(result.vertices, sorted.subspan(first, count)));
-        result.clusters.back().firstTriangle = static_cast<std::uint32_t>(first);
+    for (std::size_t first = 0; first < order.size(); first += kTrianglesPerCluster) {
+        const std::size_t count = std::min(kTrianglesPerCluster, order.size() - first);
+        result.clusters.push_back(
+            clusterOf(result, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count)));
     }
     return result;
 }

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <span>
-
 #include "collision/surface.h"
 #include "view/corner_shading.h"
 
@@ -26,10 +24,6 @@ struct TriangleCluster {
     float coneSine = 2;  ///< sine of the cone's half angle; above 1 = the normals point everywhere
 };
 
-/// Small enough that a run of a scanned tooth looks one way (about 0.5 mm across at 60 um per edge), large enough that
-/// testing runs costs nothing beside drawing them.
-inline constexpr std::uint32_t kTrianglesPerCluster = 128;
-
 /// A surface prepared for drawing: triangles sorted along a space-filling curve, so that runs of them are small
 /// patches; whole runs that look away or lie outside the picture are then skipped without touching their vertices.
 struct ShadingMesh {
@@ -42,9 +36,6 @@ struct ShadingMesh {
 
 /// `shading`: of the corners of `mesh` (cornerShading or patchShading).
 [[nodiscard]] ShadingMesh shadingMesh(const TriangleMesh& mesh, const CornerShading& shading);
-
-/// The run of these triangles, which are said to begin at 0.
-[[nodiscard]] TriangleCluster clusterOf(std::span<const ShadingVertex> vertices, std::span<const Triangle> triangles);
 
 /// A unit vector in 3 x 10 bits.
 [[nodiscard]] std::uint32_t packNormal(const Vec3f& normal);

@@ -10,9 +10,8 @@ namespace tactooth {
 
 namespace {
 
-constexpr int kResolution = 1024;   ///< texels a side: 25 um a texel on a molar
-constexpr double kStandOff = 0.35;  ///< texels that what throws the shadow may be off: less than the lookup stands off
-constexpr double kMargin = 1.02;    ///< room for the standing-off of the lookup
+constexpr int kResolution = 1024;  ///< texels a side: 25 um a texel on a molar
+constexpr double kMargin = 1.02;   ///< room for the standing-off of the lookup
 
 gl::Framebuffer framebufferFor(const gl::Texture& depth) {
     gl::Framebuffer framebuffer = gl::Framebuffer::make();
@@ -119,7 +118,6 @@ void ShadowMap::draw(const std::vector<Drawable>& drawables, bool tools) const {
     // Facets steep to the light span a depth range within one texel: push them back by it.
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(1.5F, 4.0F);
-    const double coarseness = kStandOff * lookup_.pitch;
     for (const Drawable& drawable : drawables) {
         if (drawable.object->moves != tools) continue;
         const Mat4 objectToClip = worldToClip_ * drawable.objectToWorld;
@@ -131,9 +129,8 @@ void ShadowMap::draw(const std::vector<Drawable>& drawables, bool tools) const {
         program_.set("sectionInObject", Eigen::Vector4f(sectionInObject.cast<float>()));
         const bool cut = inSection && drawable.object->sectioned;
         cut ? glEnable(GL_CLIP_DISTANCE1) : glDisable(GL_CLIP_DISTANCE1);
-        drawable.buffers->draw({objectToClip,
-                                Eigen::Vector4d(toLightInObject.x(), toLightInObject.y(), toLightInObject.z(), 0),
-                                closed, coarseness});
+        drawable.buffers->draw(
+            {objectToClip, Eigen::Vector4d(toLightInObject.x(), toLightInObject.y(), toLightInObject.z(), 0), closed});
     }
     glDisable(GL_POLYGON_OFFSET_FILL);
     glDisable(GL_CLIP_DISTANCE1);

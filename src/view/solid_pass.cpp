@@ -57,7 +57,7 @@ bool hasSection(const SolidInputs& inputs) { return !inputs.view.section.head<3>
 
 ClusterCuller cullerFor(const SolidInputs& inputs, const Drawable& drawable, bool skipBackFaces) {
     const Eigen::Vector4d eyeInObject = drawable.objectToWorld.inverse() * inputs.view.eye.homogeneous();
-    return {inputs.cullMatrix * drawable.objectToWorld, eyeInObject, skipBackFaces, inputs.coarseness};
+    return {inputs.cullMatrix * drawable.objectToWorld, eyeInObject, skipBackFaces};
 }
 
 }  // namespace

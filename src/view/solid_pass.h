@@ -22,7 +22,6 @@ struct SolidInputs {
     Shadows shadows;
     const ShadowMap& shadowMap;
     const FieldTextures& fields;
-    double coarseness = 0;                ///< ClusterCuller's
     const RenderTarget* shell = nullptr;  ///< the body's depth in this view, for inner objects
 };
 

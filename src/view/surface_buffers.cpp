@@ -62,18 +62,15 @@ SurfaceBuffers::SurfaceBuffers(const SceneShape& shape) : SurfaceBuffers(shape, 
 SurfaceBuffers::SurfaceBuffers(const SceneShape& shape, Prepared prepared)
     : shown_(shape),
       shading_(std::move(prepared.shading)),
-      levels_(prepared.mesh),
       triangles_(std::move(prepared.mesh.triangles)),
       placeOfTriangle_(std::move(prepared.mesh.placeOfTriangle)),
       clusters_(std::move(prepared.mesh.clusters)),
       box_(prepared.mesh.box),
       hidden_((triangles_.size() + 63) / 64),
-      hiddenInGroup_(levels_.groups()),
       buffers_(static_cast<std::uint32_t>(prepared.mesh.vertices.size()),
-               static_cast<std::uint32_t>(triangles_.size() + levels_.triangles().size())) {
+               static_cast<std::uint32_t>(triangles_.size())) {
     buffers_.writeVertices(0, prepared.mesh.vertices);
     buffers_.writeTriangles(0, triangles_);
-    buffers_.writeTriangles(static_cast<std::uint32_t>(triangles_.size()), levels_.triangles());
 }
 
 bool SurfaceBuffers::holds(const SceneShape& shape) const {
@@ -106,9 +103,6 @@ void SurfaceBuffers::hide(const TriangleMask& mask) {
     for (const std::uint32_t triangle : toggled) {
         const std::uint32_t place = placeOfTriangle_[triangle];
         const Triangle& shown = triangles_[place];
-        if (!hiddenInGroup_.empty()) {
-            hiddenInGroup_[DetailLevels::groupOf(place)] += isHidden(wanted, triangle) ? 1 : ~0U;  // one less
-        }
         changes.push_back({place, isHidden(wanted, triangle) ? Triangle{shown[0], shown[0], shown[0]} : shown});
     }
     std::sort(changes.begin(), changes.end(), [](const Change& a, const Change& b) { return a.place < b.place; });
@@ -125,7 +119,7 @@ void SurfaceBuffers::hide(const TriangleMask& mask) {
 
 void SurfaceBuffers::draw(const ClusterCuller& culler) {
     runs_.clear();
-    levels_.visibleRuns(culler, clusters_, hiddenInGroup_, runs_);
+    visibleRuns(culler, clusters_, runs_);
     buffers_.draw(runs_);
     patches_.draw(culler);
 }

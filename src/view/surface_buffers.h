@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "view/detail_levels.h"
 #include "view/patch_pool.h"
 #include "view/scene.h"
 
@@ -38,13 +37,11 @@ private:
     SceneShape shown_;  ///< held, so that its address names nothing else
     bool updated_ = false;
     CornerShading shading_;            ///< of the base
-    DetailLevels levels_;              ///< before `triangles_`, which it is made of
     std::vector<Triangle> triangles_;  ///< of the base in drawing order, none hidden
     std::vector<std::uint32_t> placeOfTriangle_;
     std::vector<TriangleCluster> clusters_;
     Box3 box_;
     TriangleMask hidden_;
-    std::vector<std::uint32_t> hiddenInGroup_;
     TriangleBuffers buffers_;
     PatchPool patches_;
     std::vector<TriangleRun> runs_;
