@@ -14,7 +14,7 @@ FOLDERS = ["src", "include", "tests", "bench", "examples", "cmake", ".ci"]
 ROOT_FILES = ["CMakeLists.txt", "run", "test"]
 SUFFIXES = {".h", ".cpp", ".in", ".glsl", ".vert", ".frag", ".cmake", ".py", ".sh", ".txt", ".supp", ".toml"}
 GPL_FOLDERS = ("src/app/", "tests/app/", "tests/cli/", "bench/app/")
-PURE_LAYERS = ("src/geometry/", "src/collision/", "src/tooth/", "src/haptics/")
+PURE_LAYERS = ("src/geometry/", "src/collision/", "src/tooth/", "src/patient/", "src/haptics/")
 # Screen, sound and device headers, which the pure layers may not know.
 IMPURE_INCLUDE = re.compile(r'#\s*include\s*[<"](Q[A-Z]|Qt|GL/|GLES|EGL/|epoxy/|AL/|sndfile|HD/|HL/)')
 UNFINISHED = re.compile(r"\b(TODO|FIXME|XXX|HACK)\b")

@@ -20,6 +20,8 @@ namespace tactooth {
 namespace {
 
 constexpr std::size_t kFirstCapacity = 4096;
+constexpr std::size_t kFirstLook =
+    64;                        // clusters: where a tool stands in the tooth, one of so many nearly always tells
 constexpr int kMaxMoves = 64;  // moves of a few rounds each until a pulled-out tool has settled
 constexpr std::size_t kMaxNormals = 6;
 constexpr double kClearance = 4e-5;  // of the tool's radius (0.12 um for a 6 mm bur): "free" means this much further
@@ -58,35 +60,45 @@ ContactQuery::ContactQuery(std::shared_ptr<const ToolShape> tool, std::shared_pt
     : tool_(std::move(tool)), surface_(std::move(surface)), body_(tool_), list_(*tool_, kFirstCapacity) {
     body_.setSurface(surface_);
     overlap_.pairs.reserve(kFirstCapacity);
-    probe_.pairs.reserve(1);
 }
 
 std::shared_ptr<const Surface> ContactQuery::setSurface(std::shared_ptr<const Surface> surface) {
     surface_ = std::move(surface);
+    blocking_.clear();
     return body_.setSurface(surface_);
 }
 
-void ContactQuery::findOverlap(const Pose& toolInTooth, Overlap& overlap, bool stopAtFirst) {
-    overlap.pairs.clear();
-    overlap.swallowed = false;
-    list_.makeAll(*surface_, toolInTooth, {});
+/// Calls `take` with each listed pair that intersects at this pose, until it answers false.
+template <class Take>
+void ContactQuery::forEachIntersecting(const Pose& toolInTooth, Take&& take) {
     const Excursion still = list_.excursion(toolInTooth, toolInTooth, 0, {});
     for (std::size_t cluster = 0; cluster < list_.clusters(); ++cluster) {
         for (std::uint32_t doubt = list_.pairsInDoubt(cluster, still); doubt != 0; doubt &= doubt - 1) {
             const NearPair pair = list_[PairList::placeOf(cluster, std::countr_zero(doubt))];
-            if (!intersects(*surface_, *tool_, toolInTooth, pair)) continue;
-            overlap.pairs.push_back(pair);
-            if (stopAtFirst) return;
+            if (intersects(*surface_, *tool_, toolInTooth, pair) && !take(pair)) return;
         }
     }
-    if (overlap.pairs.empty() && surface_->closed)
-        overlap.swallowed = contains(*surface_, toolInTooth * tool_->mesh().corner(0, 0));
+}
+
+/// Whether the tool, which crosses no triangle, is wholly inside.
+bool ContactQuery::isSwallowed(const Pose& toolInTooth) const {
+    return surface_->closed && contains(*surface_, toolInTooth * tool_->mesh().corner(0, 0));
+}
+
+void ContactQuery::findOverlap(const Pose& toolInTooth) {
+    overlap_.pairs.clear();
+    list_.makeAll(*surface_, toolInTooth, {});
+    forEachIntersecting(toolInTooth, [&](const NearPair& pair) {
+        overlap_.pairs.push_back(pair);
+        return true;
+    });
+    overlap_.swallowed = overlap_.pairs.empty() && isSwallowed(toolInTooth);
 }
 
 Contact ContactQuery::deepestPairAt(const Pose& toolInTooth) {
     Contact result;
     if (surface_->base->tree().empty() || tool_->mesh().empty()) return result;
-    findOverlap(toolInTooth, overlap_, false);
+    findOverlap(toolInTooth);
     result.contacts = static_cast<int>(overlap_.pairs.size());
     result.touching = result.contacts > 0;
     for (const NearPair& pair : overlap_.pairs) {
@@ -105,9 +117,22 @@ Contact ContactQuery::deepestPairAt(const Pose& toolInTooth) {
     return result;
 }
 
+/// Asks what blocked the tool lately first, and then ever more of what is near: one pair that intersects is enough.
 bool ContactQuery::isFree(const Pose& toolInTooth) {
-    findOverlap(toolInTooth, probe_, true);
-    return !probe_.any();
+    for (std::size_t i = 0; i < blocking_.size(); ++i) {
+        if (intersects(*surface_, *tool_, toolInTooth, blocking_[i])) return false;
+    }
+    bool complete = false;
+    for (std::size_t limit = kFirstLook; !complete; limit *= 8) {
+        complete = list_.makeUpTo(*surface_, toolInTooth, limit);
+        bool free = true;
+        forEachIntersecting(toolInTooth, [&](const NearPair& pair) {
+            blocking_.add(pair);
+            return free = false;
+        });
+        if (!free) return false;
+    }
+    return !isSwallowed(toolInTooth);
 }
 
 /// Directions worth trying: the mean normal of what is touched, the way from the tool's centre to the surface, single
@@ -129,18 +154,54 @@ std::vector<Vec3> ContactQuery::waysOut(const Pose& toolInTooth, const Overlap& 
     return directions;
 }
 
-/// The first free pose met by pulling the tool along `direction` in growing steps, if any within `limit`.
-std::optional<Pose> ContactQuery::pullOut(const Pose& toolInTooth, const Vec3& direction, double limit) {
-    for (double distance = 0.01 * tool_->radius(); distance < limit; distance *= 1.6) {
-        const Pose pulled{toolInTooth.position + distance * direction, toolInTooth.rotation};
-        if (isFree(pulled)) return pulled;
+/// How far the tool must be pulled along `direction` until it is free, more or less, if that is within `limit`.
+std::optional<double> ContactQuery::pullOut(const Pose& toolInTooth, const Vec3& direction, double limit) {
+    constexpr double kStretch = 1.6;  // of a step over the one before
+    constexpr int kHalvings = 5;      // of the last step: the way back to the tooth costs more than a few looks
+    const auto freeAt = [&](double distance) {
+        return isFree({toolInTooth.position + distance * direction, toolInTooth.rotation});
+    };
+    for (double distance = 0.01 * tool_->radius(); distance < limit; distance *= kStretch) {
+        if (!freeAt(distance)) continue;
+        double blocked = distance / kStretch;
+        for (int i = 0; i < kHalvings; ++i) {
+            const double middle = (distance + blocked) / 2;
+            (freeAt(middle) ? distance : blocked) = middle;
+        }
+        return distance;
     }
     return std::nullopt;
 }
 
+/// Back from where the tool is free along each of the ways out, the shortest first; from far more than the best there
+/// is, nothing better comes.
+void ContactQuery::followWaysOut(const Pose& toolInTooth, Contact& best) {
+    constexpr double kHopeless = 2;      // times the best depth
+    constexpr double kWorthPulling = 4;  // times the shortest pull
+    struct Way {
+        double distance;
+        Vec3 direction;
+    };
+    std::vector<Way> ways;
+    double limit = 2 * (surface_->base->tree().box().diagonal().norm() + 2 * tool_->radius());
+    for (const Vec3& direction : waysOut(toolInTooth, overlap_)) {
+        const std::optional<double> distance = pullOut(toolInTooth, direction, limit);
+        if (!distance) continue;
+        ways.push_back({*distance, direction});
+        limit = std::min(limit, kWorthPulling * *distance);
+    }
+    std::ranges::stable_sort(ways, {}, &Way::distance);
+    for (const auto& [distance, direction] : ways) {
+        if (best.depth > 0 && distance > kHopeless * best.depth) return;
+        keepShorter(toolInTooth, {toolInTooth.position + distance * direction, toolInTooth.rotation}, best);
+    }
+}
+
 void ContactQuery::keepShorter(const Pose& toolInTooth, const Pose& start, Contact& best) {
+    constexpr double kToTouch = 0.03;  // of the way: once the tool touches, it expects a short way and lists little
     body_.placeAt(start);
-    MoveResult move;
+    MoveResult move =
+        body_.moveToward({start.position + kToTouch * (toolInTooth.position - start.position), start.rotation});
     for (int i = 0; i < kMaxMoves; ++i) {
         move = body_.moveToward(toolInTooth);
         if (move.status != MoveStatus::OutOfRounds) break;
@@ -226,36 +287,37 @@ void ContactQuery::lookAround(const Pose& toolInTooth, Contact& best) {
 /// way out of its own, and they differ by little.
 void ContactQuery::lookBeside(const Pose& toolInTooth, Contact& best) {
     constexpr double kOutside = 1.01;  // of the depth: where the tool is likely to be free
+    constexpr double kSamePlace = 1e-3;
+    constexpr double kNoGain = 1e-6;
     constexpr int kSides = 8;
     for (int round = 0; round < 3; ++round) {
         const Contact found = best;
         const Vec3 aside = found.normal.unitOrthogonal();
-        for (const double tilt : {0.05, 0.15, 0.3, 0.5}) {  // rad: from within a facet to the one after next
-            for (int side = 0; side < kSides; ++side) {
+        for (int side = 0; side < kSides; ++side) {
+            // rad: from the facet after next to within the facet itself; from what lies nearer than a way that leads
+            // back here, the way leads back here too
+            for (const double tilt : {0.5, 0.3, 0.15, 0.05}) {
                 const Eigen::AngleAxisd around(2 * std::numbers::pi * (side + tilt) / kSides, found.normal);
                 const Vec3 out = kOutside * found.depth * (found.normal + tilt * (around * aside)).normalized();
                 const Pose start{toolInTooth.position + out, toolInTooth.rotation};
-                if (isFree(start)) keepShorter(toolInTooth, start, best);
+                if (!isFree(start)) continue;
+                keepShorter(toolInTooth, start, best);
+                if ((body_.pose().position - freePose_.position).norm() < kSamePlace * best.depth) break;
             }
         }
-        if (best.depth >= found.depth) return;
+        if (best.depth >= (1 - kNoGain) * found.depth) return;
     }
 }
 
 Contact ContactQuery::at(const Pose& toolInTooth) {
     Contact result;
     if (surface_->base->tree().empty() || tool_->mesh().empty()) return result;
-    findOverlap(toolInTooth, overlap_, false);
+    findOverlap(toolInTooth);
     if (!overlap_.any()) return result;
     result.touching = true;
     result.contacts = static_cast<int>(overlap_.pairs.size());
     body_.forget();  // the answer is to depend on this pose alone
-    const double everything = 2 * (surface_->base->tree().box().diagonal().norm() + 2 * tool_->radius());
-    for (const Vec3& direction : waysOut(toolInTooth, overlap_)) {
-        const double limit = result.depth > 0 ? 4 * result.depth : everything;
-        if (const std::optional<Pose> start = pullOut(toolInTooth, direction, limit))
-            keepShorter(toolInTooth, *start, result);
-    }
+    followWaysOut(toolInTooth, result);
     if (result.depth > 0) {
         lookAround(toolInTooth, result);
         lookBeside(toolInTooth, result);

@@ -54,9 +54,13 @@ private:
         [[nodiscard]] bool any() const { return swallowed || !pairs.empty(); }
     };
 
-    void findOverlap(const Pose& toolInTooth, Overlap& overlap, bool stopAtFirst);
+    template <class Take>
+    void forEachIntersecting(const Pose& toolInTooth, Take&& take);
+    [[nodiscard]] bool isSwallowed(const Pose& toolInTooth) const;
+    void findOverlap(const Pose& toolInTooth);
     [[nodiscard]] std::vector<Vec3> waysOut(const Pose& toolInTooth, const Overlap& overlap) const;
-    [[nodiscard]] std::optional<Pose> pullOut(const Pose& toolInTooth, const Vec3& direction, double limit);
+    [[nodiscard]] std::optional<double> pullOut(const Pose& toolInTooth, const Vec3& direction, double limit);
+    void followWaysOut(const Pose& toolInTooth, Contact& best);
     [[nodiscard]] bool leaves(const Pose& toolInTooth, const Vec3& direction, double distance);
     [[nodiscard]] double leastAlong(const Pose& toolInTooth, const Vec3& direction, double clear);
     [[nodiscard]] bool takeWay(const Pose& toolInTooth, const Vec3& out, Contact& best);
@@ -70,7 +74,7 @@ private:
     SlidingBody body_;
     PairList list_;
     Overlap overlap_;
-    Overlap probe_;
+    RecentPairs blocking_;  // intersected lately; each is asked anew
     Pose freePose_;
     Vec3 away_ = Vec3::Zero();  // sum of the normals that hold the free pose
 };

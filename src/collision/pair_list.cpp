@@ -136,6 +136,13 @@ void PairList::makeAll(const Surface& surface, const Pose& toolInTooth, const Sk
     }
 }
 
+bool PairList::makeUpTo(const Surface& surface, const Pose& toolInTooth, std::size_t limit) {
+    skin_ = {};
+    if (limit > near_.capacity()) reserve(limit);
+    list(surface, toolInTooth, limit);
+    return near_.complete;
+}
+
 void PairList::reserve(std::size_t capacity) {
     near_ = NearClusters(capacity);
     pairs_.resize(capacity / 4);

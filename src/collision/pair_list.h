@@ -54,6 +54,9 @@ public:
     void make(const Surface& surface, const Pose& toolInTooth, const Skin& wanted);
     /// Lists what is within `skin`, however much it is: allocates where there is no room.
     void makeAll(const Surface& surface, const Pose& toolInTooth, const Skin& skin);
+    /// Lists what the tool meets where it stands, and stops beyond `limit` clusters; allocates where there is no room
+    /// for so many. True if nothing was left out.
+    bool makeUpTo(const Surface& surface, const Pose& toolInTooth, std::size_t limit);
     void clear() { made_ = false; }
     /// Clears it, and forgets how long a list may well be.
     void forget();

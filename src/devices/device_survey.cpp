@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "devices/child_probe.h"
+#include "devices/haply/haply_device.h"
+#include "devices/haply/haply_survey.h"
 #include "devices/openhaptics/hd_library.h"
 #include "devices/openhaptics/openhaptics_device.h"
 
@@ -47,11 +49,29 @@ SurveyedDevice surveyPen() {
     return pen;
 }
 
+/// One line for each Inverse3; one that says why not if there is none.
+std::vector<SurveyedDevice> surveyInverse3() {
+    constexpr const char* kBackend = "Haply Inverse3";
+    const auto found = surveyHaply(HaplyDevice::usualAddress());
+    if (!found) return {{"inverse3", kBackend, false, found.error().message}};
+    std::vector<SurveyedDevice> devices;
+    for (const HaplyNames& names : *found) {
+        HaplyDevice device(names.device);
+        const auto opened = device.open();
+        devices.push_back({"inverse3:" + names.device, kBackend, opened.has_value(),
+                           opened ? abilitiesOf(device.info()) : opened.error().message});
+    }
+    return devices;
+}
+
 }  // namespace
 
 std::vector<SurveyedDevice> surveyDevices() {
-    return {{"mouse", "mouse and keyboard", true, "always there; no force: what the hand would feel is shown"},
-            surveyPen()};
+    std::vector<SurveyedDevice> devices = {
+        {"mouse", "mouse and keyboard", true, "always there; no force: what the hand would feel is shown"},
+        surveyPen()};
+    for (SurveyedDevice& device : surveyInverse3()) devices.push_back(std::move(device));
+    return devices;
 }
 
 }  // namespace tactooth

@@ -17,6 +17,11 @@ void HandFrame::sit(const Pose& hand, const Pose& tool) {
     seatedFineness_ = fineness_;
 }
 
+void HandFrame::takeOver(const Pose& tool) {
+    last_ = tool;
+    wasHeld_ = true;
+}
+
 Pose HandFrame::toolFor(const Pose& hand) {
     if (!hand.position.allFinite() || !hand.rotation.coeffs().allFinite()) return hand;
     if (!last_ && seat_) sit(hand, seat_->tool);

@@ -26,6 +26,9 @@ public:
     /// While held, the tool stays where it is.
     void setClutch(bool held) { held_ = held; }
     [[nodiscard]] bool isHeld() const { return held_; }
+    /// From the next reading on the hand holds the tool that is at `tool`, wherever the hand is: another one hands it
+    /// over.
+    void takeOver(const Pose& tool);
     /// mm of the hand for each mm of the tool; 1 for anything that is no such number.
     void setFineness(double fineness);
     [[nodiscard]] double fineness() const { return fineness_; }

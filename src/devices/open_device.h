@@ -10,7 +10,8 @@
 namespace tactooth {
 
 /// Opens the device that a person has named: "pen" is the default one of OpenHaptics, "pen:NAME" the one of that name
-/// in the vendor's setup program. Fails with one sentence that says what to do.
+/// in the vendor's setup program, "inverse3" the first Haply Inverse3, "inverse3:ID" the one of that name. Fails with
+/// one sentence that says what to do.
 [[nodiscard]] Expected<std::unique_ptr<HapticDevice>> openDevice(const std::string& name);
 
 }  // namespace tactooth

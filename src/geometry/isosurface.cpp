@@ -12,16 +12,20 @@
 namespace tactooth {
 namespace {
 
-/// One step of Newton's method along the field's gradient, not farther than `reach`.
-Vec3 projected(const ScalarField& field, const Vec3& point, double reach) {
+/// The field's slope, from values beside the point where it is `value`.
+Vec3 gradientAt(const ScalarField& field, const Vec3& point, double value, double reach) {
     const double step = 1e-3 * reach;  // far below a cell, far above rounding
-    const double value = field(point);
     Vec3 gradient;
     for (int axis = 0; axis < 3; ++axis) {
         Vec3 ahead = point;
         ahead[axis] += step;
         gradient[axis] = (field(ahead) - value) / step;
     }
+    return gradient;
+}
+
+/// One step of Newton's method along the gradient, not farther than `reach`.
+Vec3 projected(const Vec3& point, double value, const Vec3& gradient, double reach) {
     constexpr double kFlat = 1e-6;  // squared slope below which there is no direction to go
     const double squared = gradient.squaredNorm();
     if (squared < kFlat) return point;
@@ -73,33 +77,45 @@ private:
     std::vector<std::pair<std::uint32_t, std::uint32_t>> around_;
 };
 
-/// Evens out the vertices and puts them on the exact surface; none strays far from its cell.
-void relax(DualMesh& mesh, const ScalarField& field, const IsosurfaceOptions& options) {
+/// Evens out the vertices and puts them on the exact surface; none strays far from its cell. Returns the slopes there.
+std::vector<Vec3> relax(DualMesh& mesh, const ScalarField& field, const IsosurfaceOptions& options) {
     const Neighbours neighbours(mesh);
     const std::vector<Vec3> home = mesh.vertices;
-    std::vector<Vec3> moved(mesh.vertices.size());
-    const auto moveEach = [&](const auto& target) {
-        parallelFor(moved.size(), [&](std::size_t i) {
-            const Vec3 away = target(i) - home[i];
-            const double far = away.norm();
-            moved[i] = home[i] + (far > options.cellSize ? options.cellSize / far : 1.0) * away;
-        });
-        mesh.vertices.swap(moved);
+    std::vector<Vec3> moved(mesh.vertices.size()), gradients(mesh.vertices.size());
+    const auto nearHome = [&](std::size_t i, const Vec3& target) -> Vec3 {
+        const Vec3 away = target - home[i];
+        const double far = away.norm();
+        return home[i] + (far > options.cellSize ? options.cellSize / far : 1.0) * away;
     };
     for (int round = 0; round < options.relaxations; ++round) {
-        moveEach([&](std::size_t i) { return neighbours.evened(i, mesh.vertices); });
+        parallelFor(moved.size(), [&](std::size_t i) { moved[i] = nearHome(i, neighbours.evened(i, mesh.vertices)); });
+        mesh.vertices.swap(moved);
     }
-    constexpr int kNewtonSteps = 2;  // the first lands within a small part of a cell, the second on the surface
-    for (int step = 0; step < kNewtonSteps; ++step) {
-        moveEach([&](std::size_t i) { return projected(field, mesh.vertices[i], options.cellSize / 2); });
-    }
+    const double reach = options.cellSize / 2;
+    parallelFor(moved.size(), [&](std::size_t i) {
+        // The first step lands within a small part of a cell; the second, along the same slope, on the surface.
+        Vec3& at = mesh.vertices[i];
+        const double value = field(at);
+        gradients[i] = gradientAt(field, at, value, reach);
+        at = nearHome(i, projected(at, value, gradients[i], reach));
+        at = nearHome(i, projected(at, field(at), gradients[i], reach));
+    });
+    return gradients;
+}
+
+/// About how far the surface stands off the middle of the line between two points of it: that of a cubic arc with their
+/// normals (up to a factor that is the same for all lines of about this length).
+double sagBetween(const Vec3& a, const Vec3& slopeA, const Vec3& b, const Vec3& slopeB) {
+    const double lengths = std::sqrt(slopeA.squaredNorm() * slopeB.squaredNorm());
+    if (lengths == 0) return 0;
+    return std::abs((b - a).dot(slopeA / slopeA.norm() - slopeB / slopeB.norm()));
 }
 
 /// Splits a quad along the diagonal whose middle is nearer to the surface: ridges and valleys stay sharp.
 std::array<Triangle, 2> split(const std::array<std::uint32_t, 4>& q, const std::vector<Vec3>& at,
-                              const ScalarField& field) {
-    const double first = std::abs(field((at[q[0]] + at[q[2]]) / 2)),
-                 second = std::abs(field((at[q[1]] + at[q[3]]) / 2));
+                              const std::vector<Vec3>& slopes) {
+    const double first = sagBetween(at[q[0]], slopes[q[0]], at[q[2]], slopes[q[2]]),
+                 second = sagBetween(at[q[1]], slopes[q[1]], at[q[3]], slopes[q[3]]);
     if (first <= second) return {Triangle{q[0], q[1], q[2]}, Triangle{q[0], q[2], q[3]}};
     return {Triangle{q[0], q[1], q[3]}, Triangle{q[1], q[2], q[3]}};
 }
@@ -108,14 +124,14 @@ std::array<Triangle, 2> split(const std::array<std::uint32_t, 4>& q, const std::
 
 TriangleMesh isosurface(const ScalarField& field, const Box3& box, const IsosurfaceOptions& options) {
     DualMesh dual = DualMesher(SampledGrid(field, box, options)).mesh();
-    relax(dual, field, options);
+    const std::vector<Vec3> slopes = relax(dual, field, options);
 
     TriangleMesh mesh;
     mesh.vertices.reserve(dual.vertices.size());
     for (const Vec3& vertex : dual.vertices) mesh.vertices.push_back(vertex.cast<float>());
     mesh.triangles.resize(2 * dual.quads.size());
     parallelFor(dual.quads.size(), [&](std::size_t i) {
-        const auto halves = split(dual.quads[i], dual.vertices, field);
+        const auto halves = split(dual.quads[i], dual.vertices, slopes);
         std::ranges::copy(halves, mesh.triangles.begin() + static_cast<std::ptrdiff_t>(2 * i));
     });
     mesh.triangles.insert(mesh.triangles.end(), dual.triangles.begin(), dual.triangles.end());

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "geometry/file_bytes.h"
+#include "geometry/mesh_bytes.h"
 #include "geometry/obj_reader.h"
 #include "geometry/ply_header.h"
 #include "geometry/ply_reader.h"
@@ -34,20 +35,24 @@ bool isOtherFormat(std::string_view extension) {
 
 }  // namespace
 
-Expected<TriangleMesh> loadMesh(const std::filesystem::path& path) {
-    const Expected<FileBytes> file = readFile(path);
-    if (!file) return Unexpected{file.error()};
+Expected<TriangleMesh> parseMesh(std::span<const std::byte> bytes, const std::filesystem::path& path) {
     const std::string extension = lowerExtension(path);
-    const std::string_view text(reinterpret_cast<const char*>(file->bytes().data()), file->bytes().size());
-    if (ply::looksLikePly(text)) return parsePly(file->bytes(), shownName(path));
-    if (stl::sniff(file->bytes()) == stl::Kind::Neither) {
-        if (extension == ".obj") return parseObj(file->bytes(), shownName(path));
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    if (ply::looksLikePly(text)) return parsePly(bytes, shownName(path));
+    if (stl::sniff(bytes) == stl::Kind::Neither) {
+        if (extension == ".obj") return parseObj(bytes, shownName(path));
         if (isOtherFormat(extension)) {
             return unexpected(shownName(path) + ": " + extension +
                               " files cannot be read; export the surface as STL, OBJ or PLY.");
         }
     }
-    return parseStl(file->bytes(), shownName(path));
+    return parseStl(bytes, shownName(path));
+}
+
+Expected<TriangleMesh> loadMesh(const std::filesystem::path& path) {
+    const Expected<FileBytes> file = readFile(path);
+    if (!file) return Unexpected{file.error()};
+    return parseMesh(file->bytes(), path);
 }
 
 }  // namespace tactooth

@@ -33,36 +33,59 @@ Index3 SampledGrid::blockAt(std::size_t number) const {
     return {static_cast<int>(number % x), static_cast<int>(number / x % y), static_cast<int>(number / (x * y))};
 }
 
+/// From large cubes of blocks to single ones: what lies far from the surface is found out by few values.
 void SampledGrid::findActiveBlocks(const ScalarField& field, double steepest) {
     active_.assign(static_cast<std::size_t>(blocks_.x()) * blocks_.y() * blocks_.z(), 0);
-    const double reach = steepest * std::sqrt(3.0) / 2 * kBlock * size_;
-    parallelFor(active_.size(), [&](std::size_t number) {
-        const Vec3 centre = position(blockAt(number) * kBlock) + Vec3::Constant(0.5 * kBlock * size_);
-        active_[number] = std::abs(field(centre)) <= reach;
-    });
+    constexpr int kLargest = 8;  // blocks along a cube
+    std::vector<Index3> cubes;
+    for (int z = 0; z < blocks_.z(); z += kLargest) {
+        for (int y = 0; y < blocks_.y(); y += kLargest) {
+            for (int x = 0; x < blocks_.x(); x += kLargest) cubes.emplace_back(x, y, z);
+        }
+    }
+    for (int side = kLargest; side > 0; side /= 2) {
+        const double half = 0.5 * side * kBlock * size_, reach = steepest * std::sqrt(3.0) * half;
+        std::vector<std::uint8_t> isNear(cubes.size());
+        parallelFor(cubes.size(), [&](std::size_t i) {
+            isNear[i] = std::abs(field(position(cubes[i] * kBlock) + Vec3::Constant(half))) <= reach;
+        });
+        std::vector<Index3> next;
+        for (std::size_t i = 0; i < cubes.size(); ++i) {
+            if (isNear[i] == 0) continue;
+            if (side == 1) active_[blockNumber(cubes[i])] = 1;
+            for (int child = 0; side > 1 && child < 8; ++child) {
+                const Index3 at = cubes[i] + side / 2 * Index3(child & 1, (child >> 1) & 1, child >> 2);
+                if ((blocks_ - at).minCoeff() > 0) next.push_back(at);
+            }
+        }
+        cubes = std::move(next);
+    }
 }
 
-/// A point is needed by every block that it is a corner, edge or face point of.
-bool SampledGrid::isNeeded(const Index3& point) const {
-    const Index3 high = (point / kBlock).cwiseMin(blocks_ - Index3::Ones());
-    const Index3 low = (point - Index3::Ones()).cwiseMax(0) / kBlock;
-    for (int z = low.z(); z <= high.z(); ++z) {
-        for (int y = low.y(); y <= high.y(); ++y) {
-            for (int x = low.x(); x <= high.x(); ++x) {
-                if (isActive({x, y, z})) return true;
+/// The corners of all cells of active blocks.
+std::vector<std::uint8_t> SampledGrid::neededPoints() const {
+    std::vector<std::uint8_t> needed(values_.size(), 0);
+    for (std::size_t number = 0; number < active_.size(); ++number) {
+        if (active_[number] == 0) continue;
+        const Index3 low = blockAt(number) * kBlock;
+        for (int z = 0; z <= kBlock; ++z) {
+            for (int y = 0; y <= kBlock; ++y) {
+                const std::size_t row = pointNumber(low + Index3(0, y, z));
+                for (int x = 0; x <= kBlock; ++x) needed[row + static_cast<std::size_t>(x)] = 1;
             }
         }
     }
-    return false;
+    return needed;
 }
 
 void SampledGrid::sample(const ScalarField& field) {
+    const std::vector<std::uint8_t> needed = neededPoints();
     const int rows = points_.y();
     parallelFor(static_cast<std::size_t>(rows) * points_.z(), [&](std::size_t number) {
         const int row = static_cast<int>(number);
         for (Index3 point(0, row % rows, row / rows); point.x() < points_.x(); ++point.x()) {
-            float& value = values_[pointNumber(point)];
-            if (std::isnan(value) && isNeeded(point)) value = static_cast<float>(field(position(point)));
+            const std::size_t at = pointNumber(point);
+            if (needed[at] != 0 && std::isnan(values_[at])) values_[at] = static_cast<float>(field(position(point)));
         }
     });
 }

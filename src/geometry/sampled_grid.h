@@ -15,7 +15,7 @@ using Index3 = Eigen::Vector3i;  ///< of a cell, a corner point or a block of ce
 /// that the surface cannot reach is skipped as a whole.
 class SampledGrid {
 public:
-    static constexpr int kBlock = 4;  ///< cells along a block; small, since field values are dear
+    static constexpr int kBlock = 2;  ///< cells along a block; small, since field values are dear
 
     SampledGrid(const ScalarField& field, const Box3& box, const IsosurfaceOptions& options);
 
@@ -34,8 +34,8 @@ private:
         return (static_cast<std::size_t>(p.z()) * points_.y() + p.y()) * points_.x() + p.x();
     }
     [[nodiscard]] Index3 blockAt(std::size_t number) const;
-    [[nodiscard]] bool isNeeded(const Index3& point) const;
     void findActiveBlocks(const ScalarField& field, double steepest);
+    [[nodiscard]] std::vector<std::uint8_t> neededPoints() const;
     void sample(const ScalarField& field);
     [[nodiscard]] bool isCrossed(const Index3& block, int axis, int side) const;
     bool followSurface();

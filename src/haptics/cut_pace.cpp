@@ -12,6 +12,11 @@ constexpr double kLongest = 0.03;    // s: after a longer pause the cut begins a
 constexpr double kEager = 1.1;       // of the pace of the cut: rather there a little early than left behind
 constexpr double kLeastPace = 2.0;   // mm/s: what no cut holds any more gives way all the same
 
+// A bur that hangs back farther than a hand presses catches up as far as the cut has made room ...
+constexpr double kUsualLag = 0.5;  // mm: 1 N on 2 N/mm, as soft as a tooth is made to feel
+// ... by what is beyond that within so many seconds: a person sees no such lag, and no tick makes a leap of it.
+constexpr double kCatchUp = 0.05;
+
 }  // namespace
 
 void CutPace::grant(double way) {
@@ -24,7 +29,8 @@ Pose CutPace::goal(const Pose& hand, const Pose& bur, const Vec3& handStep, doub
     const double left = way.norm();
     if (!(left > 0)) return hand;
     const Vec3 inward = way / left;
-    const double step = std::max({pace_ * dt, kLeastPace * dt, handStep.norm()});
+    const double catchUp = (left - kUsualLag) / kCatchUp;  // mm/s
+    const double step = std::max({pace_ * dt, kLeastPace * dt, catchUp * dt, handStep.norm()});
     if (step >= left) return hand;
     const Vec3 across = handStep - handStep.dot(inward) * inward;
     return {bur.position + step * inward + across, hand.rotation};

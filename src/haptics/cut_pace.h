@@ -18,7 +18,8 @@ public:
     void pass(double dt) { sinceGrant_ += dt; }
 
     /// Where a bur that cuts shall go in a tick of `dt` seconds: toward the hand at the pace of the cut, or as fast as
-    /// the hand itself; across that direction as the hand does. `handStep`: of the hand in this tick, mm.
+    /// the hand itself, and faster where it hangs back by more than half a millimetre; across that direction as the
+    /// hand does. `handStep`: of the hand in this tick, mm.
     [[nodiscard]] Pose goal(const Pose& hand, const Pose& bur, const Vec3& handStep, double dt) const;
 
 private:

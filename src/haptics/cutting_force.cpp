@@ -12,8 +12,6 @@ namespace {
 constexpr double kCutsRpm = 3000;  // rev/min; a faster one cuts with all its force
 constexpr double kFade = 0.02;     // s; of the bite: 1 N of normal force brings the pull by 0.025 N a millisecond
 
-// Of the normal force: 40 mN at 1 N, about what a hand just feels as a shake.
-constexpr double kShake = 0.04;
 // Hz; where a fingertip feels shaking best (200 to 300), and four ticks of 1 kHz a turn.
 constexpr double kHighestShake = 250;
 

@@ -10,6 +10,9 @@ namespace tactooth {
 /// between 0.6 and 2.9 N).
 inline constexpr double kTangentialShare = 0.5;
 
+/// Of the normal force: how hard a cut shakes, 40 mN at 1 N, about what a hand just feels as a shake.
+inline constexpr double kShake = 0.04;
+
 /// A bur that turns slower, rev/min, rubs and does not cut.
 inline constexpr double kRubsRpm = 300;
 

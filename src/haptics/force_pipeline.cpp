@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "haptics/hand_jump.h"
+
 // The bound on turning: a force whose direction jumps at a sharp edge shakes the hand (J. Hernantes et al., "Effective
 // haptic rendering method for complex interactions", 2007): across the force of the last tick, it grows slower than
 // along it.
@@ -12,8 +14,6 @@ namespace tactooth {
 namespace {
 
 constexpr double kTurnSlew = 150;       // N/s across the last force: 1 N turns by a right angle in 10 ms
-constexpr double kFastestHand = 5000;   // mm/s: three times the quickest of hands; more is a jump of the reading
-constexpr double kSmallestJump = 5;     // mm: less is no jump, however short the tick
 constexpr double kLongestPause = 0.25;  // s: as quick as a hand reacts; after a longer one it may be anywhere
 constexpr double kDeepest = 1000;       // mm: no tooth is
 constexpr double kStiffest = 1e6;       // N/mm: steel is not
@@ -40,8 +40,7 @@ bool ForcePipeline::isFault(const WantedForce& wanted, double elapsed) const {
     if (!wanted.wrench.force.allFinite() || !wanted.wrench.torque.allFinite()) return true;
     if (!(elapsed >= 0) || !(elapsed <= kLongestPause)) return true;
     if (!(wanted.depth <= kDeepest) || !(wanted.stiffness <= kStiffest)) return true;
-    const double furthest = kSmallestJump + kFastestHand * elapsed;
-    return following_ && !((wanted.hand - lastHand_).norm() < furthest);
+    return following_ && isHandJump(wanted.hand - lastHand_, elapsed);
 }
 
 /// Nothing, at once; and nothing later until the tool has been free.

@@ -3,13 +3,14 @@
 #include "instruments/builtin_tooth.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
-#include <span>
 
-#include "geometry/mesh_edges.h"
 #include "instruments/anatomy/lesion.h"
 #include "instruments/anatomy/variation.h"
+#include "instruments/modelling/folds.h"
+#include "tooth/byte_stream.h"
 
 namespace tactooth {
 namespace {
@@ -61,16 +62,8 @@ void mirror(TriangleMesh& mesh) {
     for (Triangle& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
 }
 
-/// Whether two triangles lie back to back: where a body is thinner than a cell, its two sides may have crossed.
-bool isFolded(const TriangleMesh& mesh) {
-    constexpr double kBackToBack = -0.9;  // cosine between normals; the sharpest edge of a tooth stays above -0.85
-    bool folded = false;
-    MeshEdges(mesh).forEachEdge([&](std::span<const EdgeUse> uses) {
-        if (uses.size() != 2) return;
-        const Vec3 a = mesh.areaVector(uses[0].corner / 3), b = mesh.areaVector(uses[1].corner / 3);
-        folded |= a.dot(b) < kBackToBack * a.norm() * b.norm();
-    });
-    return folded;
+void mirrorLayers(BuiltinTooth& tooth) {
+    for (TriangleMesh* layer : {&tooth.outer, &tooth.enamel, &tooth.dentin, &tooth.pulp, &tooth.caries}) mirror(*layer);
 }
 
 /// The tooth's layers as meshes, with +x mesial. All on one grid, so that layers that share a surface share triangles.
@@ -108,11 +101,7 @@ BuiltinTooth makeTooth(const ToothRequest& request) {
         tooth = meshed(shape, cellSize);
     }
     if (request.lesion) tooth.caries = lesionMesh(shape, *request.lesion, request.triangles);
-    if (mesialX(tooth.fdi) < 0) {
-        for (TriangleMesh* layer : {&tooth.outer, &tooth.enamel, &tooth.dentin, &tooth.pulp, &tooth.caries}) {
-            mirror(*layer);
-        }
-    }
+    if (mesialX(tooth.fdi) < 0) mirrorLayers(tooth);
     return tooth;
 }
 
@@ -121,6 +110,33 @@ BuiltinTooth makeBuiltinTooth(BuiltinToothKind kind, int triangles, double lesio
     ToothRequest request{.fdi = numberOf(kind), .triangles = triangles, .seed = 0, .lesion = {}};
     if (lesionWidth > 0) request.lesion = Lesion{LesionSite::usual, lesionWidth, {}};
     return makeTooth(request);
+}
+
+std::uint64_t toothFingerprint(const ToothRequest& request) {
+    constexpr std::uint32_t kMeshing = 2;  // grows whenever the same anatomy is meshed otherwise
+    ByteWriter facts;
+    facts.put(kMeshing);
+    facts.put(request.fdi);
+    facts.put(request.triangles);
+    facts.put(request.seed);
+    const ToothShape shape = varied(toothShape(request.fdi), request.seed);
+    std::vector<ScalarField> fields = {shape.outer, shape.core, shape.cervical, shape.pulp};
+    if (request.lesion) fields.push_back(lesionBody(shape, *request.lesion));
+    constexpr int kProbes = 7;  // places along each side of the tooth's box: a change of the anatomy changes some value
+    for (int i = 0; i < kProbes * kProbes * kProbes; ++i) {
+        const Vec3 part = Vec3(i % kProbes + 0.5, i / kProbes % kProbes + 0.5, i / (kProbes * kProbes) + 0.5) / kProbes;
+        const Vec3 point = shape.bounds.min() + part.cwiseProduct(shape.bounds.sizes());
+        for (const ScalarField& field : fields) facts.put(field(point));
+    }
+    return checksum(facts.bytes());
+}
+
+BuiltinTooth otherSide(BuiltinTooth tooth) {
+    constexpr std::array<int, 4> kOther = {2, 1, 4, 3};  // quadrant
+    mirrorLayers(tooth);
+    tooth.fdi = 10 * kOther[static_cast<std::size_t>(tooth.fdi / 10 - 1)] + tooth.fdi % 10;
+    tooth.name = toothName(tooth.fdi);
+    return tooth;
 }
 
 std::string toothName(int fdi) { return toothShape(fdi).name; }

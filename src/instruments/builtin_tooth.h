@@ -78,6 +78,13 @@ struct ToothRequest {
 /// two sides of the mouth are mirror images.
 [[nodiscard]] BuiltinTooth makeTooth(const ToothRequest& request);
 
+/// A number for what makeTooth would make: another one where the request, the anatomy of the tooth or the way of
+/// meshing is another. Quick.
+[[nodiscard]] std::uint64_t toothFingerprint(const ToothRequest& request);
+
+/// The same tooth of the other side of the mouth, with its number and name; `tooth` is mirrored in x.
+[[nodiscard]] BuiltinTooth otherSide(BuiltinTooth tooth);
+
 /// The layers as LayeredTooth::make takes them beside `outer`.
 [[nodiscard]] std::vector<LayerMesh> layersOf(const BuiltinTooth& tooth);
 

@@ -57,7 +57,7 @@ void cutRigidly(std::span<const TimedPose> path, const CuttingTool& tool, double
 }
 
 void feelCut(const WorkPiece& piece, const Tick& tick, FeltSurfaces& surfaces, HapticSimulation& simulation) {
-    FeltSurface* felt = surfaces.make(piece.surface(), tick.proxy, piece.reached().value_or(tick.proxy));
+    FeltSurface* felt = surfaces.make(piece.felt(), tick.proxy, piece.reached().value_or(tick.proxy));
     simulation.setSurface(*felt);
     surfaces.giveBack(felt);
 }

@@ -36,15 +36,15 @@ SprayMoment sprayOf(const Tick& tick, const WorkPiece& piece) {
 
 }  // namespace
 
-Demonstration playDemonstration(WorkPiece& piece, const Instrument& instrument, const HapticSettings& settings,
-                                const Quat& grip, double seconds, const std::function<void(double)>& progress) {
-    const Box3 box = piece.surface()->base->tree().box();
+Demonstration playDemonstration(WorkPiece& piece, const Box3& box, const Instrument& instrument,
+                                const HapticSettings& settings, const Quat& grip, double seconds,
+                                const std::function<void(double)>& progress) {
     const Vec3 middle = box.center();
     const double reach = 0.12 * box.sizes().x();
     constexpr double kHeadroom = 6.0;  // mm above the highest cusp: the cavity can be seen under the waiting bur
     PractisedHand hand(Vec3(middle.x() - reach, middle.y(), box.max().z() + kHeadroom), grip,
                        lesson(middle, reach, seconds));
-    HapticSimulation simulation(instrument.shape, instrument.cutting.envelope.maxRadius(), piece.surface(), settings);
+    HapticSimulation simulation(instrument.shape, instrument.cutting.envelope.maxRadius(), piece.felt(), settings);
     FeltSurfaces surfaces(simulation.tool());
     SafetyLimiter limiter(hand.info().limits);
     SprayCloud spray(instrument.cutting.envelope.maxRadius());
@@ -68,7 +68,7 @@ Demonstration playDemonstration(WorkPiece& piece, const Instrument& instrument, 
             isCut = true;
         }
         spray.advance(sprayOf(tick, piece), kTicksPerCut * kTick);
-        if (isCut) result.work = {i, piece.surface(), {spray.bits().begin(), spray.bits().end()}};
+        if (isCut && tick.pedal > 0) result.work = {i, piece.surface(), {spray.bits().begin(), spray.bits().end()}};
         result.sound.push_back({tick.time, soundOf(tick, settings.spindle, settings.materials), {}});
         progress(static_cast<double>(i) / static_cast<double>(count));
     }

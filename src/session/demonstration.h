@@ -18,19 +18,19 @@ struct Demonstration {
     std::vector<TimedSoundState> sound;  ///< one every five
     std::size_t touchTick = 0;           ///< the last one of the touching part
     std::uint64_t surfaceUpdates = 0;
-    /// The bur at work: the last moment at which something was cut.
+    /// The bur at work: the last moment at which it cut with the pedal down, and so in its water.
     struct Work {
         std::size_t tick = 0;
         std::shared_ptr<const Surface> surface;
         std::vector<FlyingBit> flying;
     };
-    std::optional<Work> work;  ///< none if nothing was cut
+    std::optional<Work> work;  ///< none if nothing was cut so
 };
 
 /// Plays a session without clock, device or display: a practised hand touches the tooth from above (+z), strokes it,
 /// lifts, starts the turbine and cuts to and fro, with the tool turned by `grip` all the time. Equal inputs give equal
-/// results. `progress` is called with 0..1.
-[[nodiscard]] Demonstration playDemonstration(WorkPiece& piece, const Instrument& instrument,
+/// results. `box`: of the tooth in `piece` that is worked on, mm. `progress` is called with 0..1.
+[[nodiscard]] Demonstration playDemonstration(WorkPiece& piece, const Box3& box, const Instrument& instrument,
                                               const HapticSettings& settings, const Quat& grip, double seconds,
                                               const std::function<void(double)>& progress);
 

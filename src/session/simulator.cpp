@@ -18,20 +18,20 @@ constexpr double kPauseBetweenCuts = 0.4;  // s without contact: the bur was lif
 }  // namespace
 
 Simulator::Simulator(std::shared_ptr<WorkPiece> piece, Instrument instrument, const HapticSettings& settings,
-                     HapticDevice& device, TickListener onTick, double rateHz, std::optional<Seat> seat)
+                     HapticDevice& device, TickListener onTick, double rateHz, std::optional<Seat> seat,
+                     HapticDevice* second)
     : piece_(std::move(piece)),
       instrument_(std::move(instrument)),
       settings_(settings),
       device_(device),
+      second_(second),
       onTick_(std::move(onTick)),
-      simulation_(instrument_.shape, instrument_.cutting.envelope.maxRadius(), piece_->surface(), settings),
-      pipeline_(device.info().limits),
-      frame_(seat),
+      simulation_(instrument_.shape, instrument_.cutting.envelope.maxRadius(), piece_->felt(), settings),
+      hands_(device, second, seat),
       controls_(SimulatorControls{.force = settings.force}),
       surfaces_(simulation_.tool()),
       watchedSurface_(piece_->surface()),
       watchedRemoved_(piece_->removed()) {
-    simulation_.force().setStiffest(device.info().stiffness);
     std::function<void(double)> pace;
     if (device.setsPace()) pace = [&device](double longest) { device.waitForTick(longest); };
     loop_ = std::make_unique<ServoLoop>(
@@ -51,6 +51,7 @@ Simulator::~Simulator() {
     cutter_ = {};  // joins: after this nobody fills the queues
     loop_.reset();
     device_.write(SafeWrench());
+    if (second_ != nullptr) second_->write(SafeWrench());
 }
 
 /// Swaps in the next surface. The old one goes back to the cutter: to free it would stall the servo.
@@ -61,34 +62,6 @@ void Simulator::takeNewSurface() {
     returned_.push(felt);
 }
 
-/// A lost device's hand stays where it was, and its foot is off.
-void Simulator::moveHand(const DeviceSample& sample, const SimulatorControls& controls) {
-    if (!sample.connected) return;
-    buttons_.press(sample.buttons, controls.buttons);
-    frame_.setFineness(controls.fineness);
-    mirrorFrame_.setFineness(controls.fineness);
-    const bool clutch = controls.clutch || buttons_.clutchHeld();
-    frame_.setClutch(clutch || buttons_.swapToggled());
-    mirrorFrame_.setClutch(clutch || !buttons_.swapToggled());
-    hand_ = frame_.toolFor(sample.hand);
-    mirrorForWatcher_.write(mirrorFrame_.toolFor(sample.hand));
-}
-
-SafeWrench Simulator::forceFor(const Tick& tick, const DeviceSample& sample, bool enabled, double elapsed) {
-    WantedForce wanted = wantedFrom(tick);
-    wanted.wrench = frame_.toDevice(tick.wrench);
-    wanted.hand = sample.hand.position;
-    wanted.depth *= frame_.fineness();
-    wanted.stiffness /= frame_.fineness();
-    wanted.allowed &= enabled && !frame_.isHeld() && !leaving_.load(std::memory_order_relaxed);
-    wanted.connected = sample.connected;
-    wanted.motorHeat = sample.motorHeat;
-    const SafeWrench safe = pipeline_.pass(wanted, elapsed);
-    forceState_.store(pipeline_.state(), std::memory_order_relaxed);
-    silent_.store(safe.force().isZero(0) && safe.torque().isZero(0), std::memory_order_relaxed);
-    return safe;
-}
-
 void Simulator::servoTick(double elapsed) {
     const auto start = std::chrono::steady_clock::now();
     controls_.refresh();
@@ -97,14 +70,17 @@ void Simulator::servoTick(double elapsed) {
     simulation_.force().setOverrides(controls.force);
     simulation_.force().setScale(controls.forceScale);
 
-    const DeviceSample sample = device_.read(elapsed);
-    moveHand(sample, controls);
-    const double pedal = std::max(controls.pedal, sample.connected ? sample.pedal : 0.0);
-    Tick tick = simulation_.step({hand_, pedal, controls.cutting != buttons_.cutToggled()}, elapsed);
-    device_.write(forceFor(tick, sample, controls.forceEnabled, elapsed));
+    hands_.read(elapsed, {controls.clutch, controls.fineness, controls.buttons});
+    mirrorForWatcher_.write(hands_.mirror());
+    simulation_.force().setStiffest(hands_.stiffest());
+    const double pedal = std::max(controls.pedal, hands_.pedal());
+    Tick tick = simulation_.step({hands_.turbine(), pedal, controls.cutting != hands_.cutToggled()}, elapsed);
+    hands_.write(tick, controls.forceEnabled && !leaving_.load(std::memory_order_relaxed), elapsed);
+    forceState_.store(hands_.forceState(), std::memory_order_relaxed);
+    silent_.store(hands_.isSilent(), std::memory_order_relaxed);
 
     tick.micros = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
-    deviceToForce_.add(1e6 * sample.age + tick.micros);
+    deviceToForce_.add(1e6 * hands_.age() + tick.micros);
     tickForCutter_.write(tick);
     ticksForWatcher_.push(tick);
     if (onTick_) onTick_(tick);
@@ -136,7 +112,7 @@ void Simulator::publishSurface() {
 /// Hands the newest surface to the servo; false if it has not taken the last ones yet.
 bool Simulator::sendSurface() {
     const Tick& tick = tickForCutter_.value();
-    FeltSurface* felt = surfaces_.make(piece_->surface(), tick.proxy, piece_->reached().value_or(tick.proxy));
+    FeltSurface* felt = surfaces_.make(piece_->felt(), tick.proxy, piece_->reached().value_or(tick.proxy));
     if (fresh_.push(felt)) return true;
     surfaces_.giveBack(felt);
     return false;

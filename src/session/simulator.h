@@ -13,11 +13,8 @@
 #include <thread>
 #include <vector>
 
-#include "devices/button_actions.h"
-#include "devices/hand_frame.h"
-#include "devices/haptic_device.h"
+#include "devices/hands.h"
 #include "geometry/latest_value.h"
-#include "haptics/force_pipeline.h"
 #include "haptics/haptic_simulation.h"
 #include "haptics/servo_loop.h"
 #include "session/tooth_file.h"
@@ -44,8 +41,8 @@ struct SimulatorControls {
 };
 
 /// A running simulation: the servo thread moves the tool and makes the force, the cutter thread carves behind it, and
-/// any number of others watch. Built for one tooth, one instrument and one device; another of these is another
-/// simulator.
+/// any number of others watch. Built for one tooth, one instrument and the devices of one or two hands; another of
+/// these is another simulator.
 class Simulator {
 public:
     using TickListener = std::function<void(const Tick&)>;
@@ -53,8 +50,10 @@ public:
     /// `device` is open and outlives the simulator. `onTick` runs on the servo thread after every tick: it must not
     /// block (publish to the sound, for example). The work piece may bring cuts from an earlier simulator.
     /// `seat`: for a device whose frame has nothing to do with the tooth; without it the device's frame is the tooth's.
+    /// `second`: a device for the other hand, which begins with the mirror; open, and outlives the simulator as well.
     Simulator(std::shared_ptr<WorkPiece> piece, Instrument instrument, const HapticSettings& settings,
-              HapticDevice& device, TickListener onTick, double rateHz = 1000, std::optional<Seat> seat = {});
+              HapticDevice& device, TickListener onTick, double rateHz = 1000, std::optional<Seat> seat = {},
+              HapticDevice* second = nullptr);
     ~Simulator();
     Simulator(const Simulator&) = delete;
     Simulator& operator=(const Simulator&) = delete;
@@ -92,8 +91,6 @@ private:
     static constexpr std::size_t kKeptTicks = 2048;
 
     void servoTick(double elapsed);
-    [[nodiscard]] SafeWrench forceFor(const Tick& tick, const DeviceSample& sample, bool enabled, double elapsed);
-    void moveHand(const DeviceSample& sample, const SimulatorControls& controls);
     void fadeOut();
     void takeNewSurface();
     void runCutter(const std::stop_token& stop);
@@ -107,16 +104,12 @@ private:
     Instrument instrument_;
     HapticSettings settings_;
     HapticDevice& device_;
+    HapticDevice* second_;
     TickListener onTick_;
 
     // Servo thread's.
     HapticSimulation simulation_;
-    ForcePipeline pipeline_;
-    HandFrame frame_;
-    HandFrame mirrorFrame_{Seat{}};
-    ButtonActions buttons_;
-    /// Nowhere, until the device has been read once.
-    Pose hand_{Vec3::Constant(std::numeric_limits<double>::quiet_NaN()), Quat::Identity()};
+    Hands hands_;
 
     // Between threads.
     LatestValue<SimulatorControls> controls_;

@@ -35,6 +35,13 @@ std::vector<ChangedBrick> merged(const std::vector<ChangedBrick>& changes) {
 
 }  // namespace
 
+std::shared_ptr<const Surface> surrounded(std::shared_ptr<const Surface> surface, const Surroundings& bodies) {
+    if (bodies.empty()) return surface;
+    auto all = std::make_shared<Surface>(*surface);
+    all->patches.insert(all->patches.end(), bodies.begin(), bodies.end());
+    return all;
+}
+
 WorkPiece::WorkPiece(std::shared_ptr<const LayeredTooth> tooth, double voxel)
     : tooth_(tooth), volume_(std::move(tooth), voxel), live_(volume_) {}
 

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "haptics/haptic_simulation.h"
 #include "tooth/bur_feed.h"
@@ -17,6 +18,13 @@ struct CuttingTool {
     double sharpness = 1;
 };
 
+/// Bodies that are felt as they are and never cut: the neighbours of a tooth, the gums. In the tooth's frame.
+using Surroundings = std::vector<std::shared_ptr<const SurfacePart>>;
+
+/// `surface` with the bodies around it as further patches; the same one if there are none.
+[[nodiscard]] std::shared_ptr<const Surface> surrounded(std::shared_ptr<const Surface> surface,
+                                                        const Surroundings& bodies);
+
 /// A tooth on the bench: its volume, its surface and what has been removed from it. One thread cuts; the surface
 /// snapshots go anywhere.
 class WorkPiece {
@@ -25,9 +33,15 @@ public:
     WorkPiece(std::shared_ptr<const LayeredTooth> tooth, double voxel);
 
     [[nodiscard]] const std::shared_ptr<const Surface>& surface() const { return live_.snapshot(); }
+    /// What a hand feels: the surface, and the bodies around it as further patches.
+    [[nodiscard]] std::shared_ptr<const Surface> felt() const { return surrounded(surface(), surroundings_); }
     [[nodiscard]] const MaterialVolumes& removed() const { return removed_; }
     [[nodiscard]] const LayeredTooth& tooth() const { return *tooth_; }
     [[nodiscard]] const CutVolume& volume() const { return volume_; }
+
+    /// Puts the tooth among other bodies. To be called before anything is felt.
+    void surroundBy(Surroundings bodies) { surroundings_ = std::move(bodies); }
+    [[nodiscard]] const Surroundings& surroundings() const { return surroundings_; }
 
     /// Removes all that the bur sweeps between two poses, whatever it takes. Returns what was removed.
     MaterialVolumes sweep(const CuttingTool& tool, const Pose& from, const Pose& to);
@@ -68,6 +82,7 @@ private:
     std::shared_ptr<const LayeredTooth> tooth_;
     CutVolume volume_;
     LiveSurface live_;
+    Surroundings surroundings_;
     MaterialVolumes removed_{};
     std::vector<ChangedBrick> changed_;       // since the last refresh
     std::vector<MaterialVolumes> removedAt_;  // the marks

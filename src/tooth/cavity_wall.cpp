@@ -14,6 +14,9 @@
 // round of a cell (see cell_topology.h). Differs from the paper: crossings and normals of the lattice edges come from
 // the distance and the gradient that each node keeps from the bur that passed nearest, which are exact planes; and
 // where two rounds of one cell share a face, the border gets a vertex on that face, so that no edge has four triangles.
+// Two rounds of one cell are the two sides of a ridge or a gap thinner than a voxel, whose planes meet beyond it:
+// vertices placed by them would change sides and fold the wall over, so there each round has the mean of its own
+// crossings, which the nodes between keep apart.
 
 namespace tactooth {
 namespace {
@@ -186,6 +189,7 @@ private:
             mean += crossings[count++].point;
         }
         mean /= count;
+        if (rounds.count > 1) return mean;  // see the top: each round keeps to its own side
         Planes planes(mean);
         for (int i = 0; i < count; ++i) planes.add(crossings[i].point, crossings[i].normal);
         return planes.nearestPoint(grownCell(position(cell)));
@@ -226,10 +230,7 @@ private:
         const Place onV = moved(faceCorner, u, end & 1);
         const Crossing first = crossingAt(onU, u);
         const Crossing second = crossingAt(onV, v);
-        Planes lines(0.5 * (first.point + second.point));
-        for (const auto& [point, normal] : {first, second})
-            lines.add(point, normal - normal[faceAxis] * Vec3::Unit(faceAxis));
-        const Vec3 place = lines.nearestPoint(grownCell(position(faceCorner)));
+        const Vec3 place = 0.5 * (first.point + second.point);
         const std::uint64_t id = numberOf(faceCorner, kRounds + 2 * faceAxis + (end >= 2 ? 1 : 0));
         const auto known = std::find(wall_.vertexIds.begin(), wall_.vertexIds.end(), id);
         polygon_[polygonSize_++] = known != wall_.vertexIds.end()

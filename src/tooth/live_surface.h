@@ -31,8 +31,7 @@ public:
     void reset();
 
     /// Triangles whose cut lines did not fit together, in all updates: 0 unless the tooth's surface runs through
-    /// itself, or a ridge thinner than a voxel, left between two cuts, has folded over where it meets that surface
-    /// (about once in 500 random moves through one spot). Each leaves a gap or an overlap of its own size.
+    /// itself. Each leaves a gap or an overlap of its own size.
     [[nodiscard]] std::size_t failures() const { return failures_; }
 
 private:

@@ -12,6 +12,10 @@ namespace {
 
 using Points = std::vector<Eigen::Vector2d>;
 
+/// A triangle whose doubled area is less than this share of the square of its longer edge counts as flat: cut lines are
+/// some hundredths of a millimetre long, and rounding to floats moves their ends by some 1e-6 of a millimetre.
+constexpr double kFlat = 1e-4;
+
 double turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
     return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
@@ -90,27 +94,37 @@ private:
         return turn(points_[before(i)], points_[loop_[i]], points_[after(i)]);
     }
 
-    /// The next ear from `from` on; if rounding leaves none, the corner that turns left most.
+    /// The next ear from `from` on. Three corners on one line must not be left to one triangle, which would have no
+    /// area: what only just holds such a line is an ear where there is no other. If rounding leaves none at all, the
+    /// corner that turns left most.
     [[nodiscard]] std::size_t nextEar(std::size_t from) const {
-        std::size_t best = from;
-        double sharpest = -std::numeric_limits<double>::infinity();
-        for (std::size_t step = 0; step < loop_.size(); ++step) {
-            const std::size_t place = (from + step) % loop_.size();
-            const double corner = turnAt(place);
-            if (corner > 0 && isEmpty(place)) return place;
-            if (corner > sharpest) best = place, sharpest = corner;
+        for (const double tolerance : {kFlat, 0.0}) {
+            for (std::size_t step = 0; step < loop_.size(); ++step) {
+                const std::size_t place = (from + step) % loop_.size();
+                if (turnAt(place) > tolerance * squaredSizeAt(place) && isEmpty(place, tolerance)) return place;
+            }
         }
+        const auto sharpest = [&](std::size_t a, std::size_t b) { return turnAt(b) > turnAt(a) ? b : a; };
+        std::size_t best = from;
+        for (std::size_t step = 1; step < loop_.size(); ++step) best = sharpest(best, (from + step) % loop_.size());
         return best;
     }
 
-    [[nodiscard]] bool isEmpty(std::size_t ear) const {
+    /// Square of the longer of the two edges at a corner.
+    [[nodiscard]] double squaredSizeAt(std::size_t i) const {
+        const Eigen::Vector2d& corner = points_[loop_[i]];
+        return std::max((points_[before(i)] - corner).squaredNorm(), (points_[after(i)] - corner).squaredNorm());
+    }
+
+    [[nodiscard]] bool isEmpty(std::size_t ear, double tolerance) const {
         const Eigen::Vector2d& a = points_[before(ear)];
         const Eigen::Vector2d& b = points_[loop_[ear]];
         const Eigen::Vector2d& c = points_[after(ear)];
+        const double least = -tolerance * squaredSizeAt(ear);
         for (std::size_t i = 0; i < loop_.size(); ++i) {
             const Eigen::Vector2d& p = points_[loop_[i]];
-            if (p == a || p == b || p == c || turnAt(i) > 0) continue;
-            if (turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0) return false;
+            if (p == a || p == b || p == c || turnAt(i) > tolerance * squaredSizeAt(i)) continue;
+            if (turn(a, b, p) >= least && turn(b, c, p) >= least && turn(c, a, p) >= least) return false;
         }
         return true;
     }

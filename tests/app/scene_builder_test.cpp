@@ -102,6 +102,18 @@ TEST(SceneBuilder, EachMaterialIsDrawnInTheColourOfItsTable) {
     EXPECT_EQ(drawn[static_cast<std::size_t>(MaterialId::Pulp)].colour, Vec3f(0.25F, 0.5F, 0.75F));
 }
 
+TEST(SceneBuilder, WhatStandsAroundIsDrawnButTheOtherJawOnlyWhereItHidesNothing) {
+    const auto ball = std::make_shared<const TriangleMesh>(test::sphere(Vec3::Zero(), 1, 8, 8));
+    SceneContents contents;
+    contents.around = {{ball, {}, looks::enamel(), false}, {ball, {Vec3(0, 0, 20), Quat::Identity()}, {}, true}};
+    contents.camera.cameraInWorld = {Vec3(0, 0, 90), Quat::Identity()};  // from above
+    EXPECT_EQ(makeScene(contents).objects.size(), 1U);
+    contents.camera.cameraInWorld.rotation = Quat::FromTwoVectors(Vec3::UnitZ(), Vec3::UnitY());
+    const Scene scene = makeScene(contents);
+    ASSERT_EQ(scene.objects.size(), 2U);
+    EXPECT_EQ(scene.objects[1].objectInWorld.position, Vec3(0, 0, 20));
+}
+
 /// The law of reflection: the ray from the eye that meets the middle of the glass goes on to the lingual side.
 TEST(SceneBuilder, TheParkedMirrorShowsTheLingualSideToTheEye) {
     const Box3 tooth(Vec3(-5, -5, -10), Vec3(5, 5, 7));

@@ -26,6 +26,7 @@ WindowSettings unusual() {
             .ownSounds = "/home/someone/school.toml",
             .language = "ja",
             .dark = true,
+            .secondDevice = "pad",
             .recent = "/a.stl\n/b.tactooth",
             .mirror = {"5", true, true},
             .water = false,
@@ -49,6 +50,7 @@ void expectEqual(const WindowSettings& a, const WindowSettings& b) {
     EXPECT_EQ(a.sound.environment, b.sound.environment);
     EXPECT_EQ(a.headphones, b.headphones);
     EXPECT_EQ(a.ownSounds, b.ownSounds);
+    EXPECT_EQ(a.secondDevice, b.secondDevice);
     EXPECT_EQ(a.language, b.language);
     EXPECT_EQ(a.dark, b.dark);
     EXPECT_EQ(a.recent, b.recent);

@@ -8,6 +8,7 @@
 #include <QElapsedTimer>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <ctime>
 #include <fstream>
 
@@ -53,6 +54,7 @@ private slots:
     void theMirrorCanBePutAway();
     void ownRecordingsArePlayedAndPutAway();
     void aRecordingThatCannotBeUsedIsRefusedWithASentence();
+    void aToothOfTheWholeMouthIsChosenFromTheMenu();
     void anotherWindowTakesOverTheSettings();
     void settingsThatMakeNoSenseChangeNothing();
     void cleanupTestCase();
@@ -61,7 +63,10 @@ private:
     void openInDialog(const QString& file);
 };
 
-void WindowTest::initTestCase() { openWindow(); }
+void WindowTest::initTestCase() {
+    qputenv("XDG_CACHE_HOME", folder_.path().c_str());  // where the mouth's teeth are kept
+    openWindow();
+}
 
 void WindowTest::theBuiltInMolarComesByItself() {
     waitForTooth();
@@ -290,6 +295,19 @@ void WindowTest::aRecordingThatCannotBeUsedIsRefusedWithASentence() {
     const QString said = dismissMessage();
     QVERIFY2(said.contains("noise.wav: this is neither WAV, FLAC nor Ogg"), qPrintable(said));
     QCOMPARE(window_->findChild<QComboBox*>("sounds")->currentText(), QString("Synthesised"));
+}
+
+void WindowTest::aToothOfTheWholeMouthIsChosenFromTheMenu() {
+    const QList<QAction*> quadrants = window_->findChild<QMenu*>("mouth")->actions();
+    QCOMPARE(quadrants.size(), 4);
+    quadrants[2]->menu()->actions()[5]->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(window_->bench().tooth()->name, std::string("36"), 120000);
+    waitForTooth();
+    QCOMPARE(window_->bench().felt()->patches.size(), std::size_t{31 + 2});  // the other teeth, both gums
+    QVERIFY(surface().patches.empty());
+    pressBurOn(middle() + QPoint(0, 40));
+    QTRY_VERIFY_WITH_TIMEOUT(gauge("forceGauge") > 0.1, 10000);
+    liftBur(middle());
 }
 
 void WindowTest::anotherWindowTakesOverTheSettings() {

@@ -7,6 +7,8 @@
 
 #include <cstdlib>
 
+#include "standin/standin_haply.h"
+
 namespace tactooth {
 namespace {
 
@@ -14,12 +16,17 @@ using ::testing::HasSubstr;
 
 SurveyedDevice penWith(const char* library) {
     setenv("TACTOOTH_LIBHD", library, 1);
+    setenv("TACTOOTH_HAPLY", "localhost:1", 1);  // where nobody listens
     const auto devices = surveyDevices();
     unsetenv("TACTOOTH_LIBHD");
-    EXPECT_EQ(devices.size(), 2U);
+    unsetenv("TACTOOTH_HAPLY");
+    EXPECT_EQ(devices.size(), 3U);
     EXPECT_EQ(devices[0].name, "mouse");
     EXPECT_TRUE(devices[0].ready);
     EXPECT_EQ(devices[1].name, "pen");
+    EXPECT_EQ(devices[2].name, "inverse3");
+    EXPECT_FALSE(devices[2].ready);
+    EXPECT_THAT(devices[2].text, HasSubstr("install and start it"));
     return devices[1];
 }
 
@@ -45,6 +52,24 @@ TEST(DeviceSurvey, NoLibraryIsNoPenAndSaysWhatToInstall) {
     const SurveyedDevice pen = penWith("libNoSuchHD.so");
     EXPECT_FALSE(pen.ready);
     EXPECT_THAT(pen.text, HasSubstr("install the device's driver"));
+}
+
+TEST(DeviceSurvey, HasALineForEachInverse3) {
+    const test::StandinHaply service;
+    setenv("TACTOOTH_LIBHD", "libNoSuchHD.so", 1);
+    setenv("TACTOOTH_HAPLY", service.address().c_str(), 1);
+    const auto devices = surveyDevices();
+    unsetenv("TACTOOTH_LIBHD");
+    unsetenv("TACTOOTH_HAPLY");
+    ASSERT_EQ(devices.size(), 4U);
+    EXPECT_EQ(devices[2].name, "inverse3:049D");
+    EXPECT_TRUE(devices[2].ready);
+    EXPECT_EQ(
+        devices[2].text,
+        "Haply Inverse3 049D: force 10.0 N, 2.5 N for ever; workspace 300.0 x 200.0 x 300.0 mm; stiffest wall 0.8 "
+        "N/mm; 3 buttons");
+    EXPECT_EQ(devices[3].name, "inverse3:0B1C");
+    EXPECT_THAT(devices[3].text, HasSubstr("0 buttons"));
 }
 
 }  // namespace

@@ -11,8 +11,7 @@
 #include <thread>
 
 #include "devices/openhaptics/hd_library.h"
-#include "haptics/force_pipeline.h"
-#include "haptics/servo_loop.h"
+#include "standin/plane_servo.h"
 #include "standin/standin_hd.h"
 
 namespace tactooth {
@@ -20,10 +19,10 @@ namespace {
 
 using namespace std::chrono_literals;
 using test::HdFault;
+using test::kWall;
+using test::soon;
+using Servo = test::PlaneServo;
 using ::testing::HasSubstr;
-using Clock = std::chrono::steady_clock;
-
-constexpr double kWall = -2;  // mm, height of a plane of 0.4 N/mm in the device's frame
 
 const test::HdStandinControl& standin() {
     static const auto* const control = static_cast<const test::HdStandinControl*>(
@@ -31,58 +30,8 @@ const test::HdStandinControl& standin() {
     return *control;
 }
 
-template <class Condition>
-bool soon(const Condition& condition, std::chrono::seconds limit = 20s) {
-    const auto end = Clock::now() + limit;
-    while (!condition()) {
-        if (Clock::now() > end) return false;
-        std::this_thread::sleep_for(2ms);
-    }
-    return true;
-}
-
-/// A servo that lets the pen touch a plane.
-class Servo {
-public:
-    explicit Servo(HapticDevice& device)
-        : device_(device),
-          pipeline_(device.info().limits),
-          loop_(
-              1000, [this](double elapsed) { tick(elapsed); },
-              [&device](double longest) { device.waitForTick(longest); }) {}
-
-    [[nodiscard]] ForceState state() const { return state_; }
-    [[nodiscard]] std::uint32_t buttons() const { return buttons_; }
-    [[nodiscard]] std::uint64_t faults() const { return faults_; }
-    [[nodiscard]] long ticks() const { return static_cast<long>(loop_.timing().ticks.load()); }
-    void hang(std::chrono::milliseconds time) { pause_ = static_cast<int>(time.count()); }
-
-private:
-    void tick(double elapsed) {
-        if (const int pause = pause_.exchange(0); pause > 0) std::this_thread::sleep_for(pause * 1ms);
-        const DeviceSample sample = device_.read(elapsed);
-        WantedForce wanted;
-        wanted.connected = sample.connected;
-        wanted.hand = sample.hand.position;
-        wanted.motorHeat = sample.motorHeat;
-        wanted.depth = std::max(0.0, kWall - sample.hand.position.z());
-        wanted.stiffness = wanted.depth > 0 ? 0.4 : 0;
-        wanted.touching = wanted.depth > 0;
-        wanted.wrench.force = Vec3(0, 0, 0.4 * wanted.depth);
-        device_.write(pipeline_.pass(wanted, elapsed));
-        state_ = pipeline_.state();
-        faults_ = pipeline_.faults();
-        buttons_ = sample.buttons;
-    }
-
-    HapticDevice& device_;
-    ForcePipeline pipeline_;
-    std::atomic<ForceState> state_{ForceState::Off};
-    std::atomic<std::uint32_t> buttons_{0};
-    std::atomic<std::uint64_t> faults_{0};
-    std::atomic<int> pause_{0};
-    ServoLoop loop_;
-};
+constexpr long kLooks = 100;     // ticks between two looks at the calibration
+constexpr long kBadReading = 1;  // the tick after a fault was set
 
 class OpenHaptics : public ::testing::Test {
 protected:
@@ -178,6 +127,7 @@ void expectLossAndReturn(OpenHapticsDevice& device, HdFault fault, const char* s
     EXPECT_TRUE(soon([&] { return device.trouble() != nullptr; }));
     std::this_thread::sleep_for(100ms);
     EXPECT_EQ(standin().strongestWhileFaulty(), 0);
+    EXPECT_LE(standin().lastForceSinceFault(), kBadReading + 4) << "5 ms of the device's own time";
     if (device.trouble() != nullptr) {
         EXPECT_THAT(device.trouble(), HasSubstr(sentence));
     }
@@ -213,6 +163,10 @@ TEST_F(OpenHaptics, AReadingThatIsNoNumberOrJumpsGivesNoForce) {
         set(fault);
         std::this_thread::sleep_for(100ms);
         EXPECT_EQ(standin().strongestWhileFaulty(), 0);
+        EXPECT_LE(standin().lastForceSinceFault(), kBadReading + 2) << "2 ms of the device's own time";
+        EXPECT_LE(servo.oldestWithForce(), 0.005);
+        ASSERT_TRUE(soon([&] { return device.trouble() != nullptr; }));
+        EXPECT_THAT(device.trouble(), HasSubstr(fault == HdFault::Jump ? "has jumped" : "is no number"));
         set(HdFault::None);
         EXPECT_TRUE(lean());
     }
@@ -266,7 +220,45 @@ TEST_F(OpenHaptics, AStallOfTheDriverStartsTheForceFromZeroAgain) {
     const std::uint64_t before = servo.faults();
     set(HdFault::Stall);
     EXPECT_TRUE(soon([&] { return servo.faults() > before; }));
+    std::this_thread::sleep_for(20ms);
+    EXPECT_LE(standin().lastForceSinceFault(), kBadReading + 2) << "none in the ticks after the stall";
     EXPECT_TRUE(lean());
+}
+
+TEST_F(OpenHaptics, APenThatLosesItsCalibrationGoesLimpAtTheNextLook) {
+    OpenHapticsDevice device("", TACTOOTH_STANDIN_HD);
+    ASSERT_TRUE(device.open());
+    const Servo servo(device);
+    ASSERT_TRUE(lean());
+    set(HdFault::NeedsInkwell);
+    ASSERT_TRUE(soon([&] { return device.trouble() != nullptr; }));
+    EXPECT_THAT(device.trouble(), HasSubstr("into its inkwell"));
+    std::this_thread::sleep_for(20ms);
+    EXPECT_LE(standin().lastForceSinceFault(), kLooks + kBadReading + 2);
+    set(HdFault::None);
+    EXPECT_TRUE(lean());
+}
+
+TEST_F(OpenHaptics, ALostPenLeavesTheOtherHandAlone) {
+    OpenHapticsDevice right("Right", TACTOOTH_STANDIN_HD);
+    OpenHapticsDevice left("Left", TACTOOTH_STANDIN_HD);
+    ASSERT_TRUE(right.open());
+    ASSERT_TRUE(left.open());
+    const Servo servo(right);
+    const Servo other(left);
+    ASSERT_TRUE(lean());
+    const std::uint64_t before = servo.faults();
+    standin().setFaultyPen(1);
+    set(HdFault::LinkFault);
+    ASSERT_TRUE(soon([&] { return left.trouble() != nullptr; }));
+    EXPECT_THAT(left.trouble(), HasSubstr("does not answer"));
+    std::this_thread::sleep_for(2500ms);  // in which a lost pen is tried twice
+    EXPECT_GT(force(), 0.3);
+    EXPECT_EQ(servo.faults(), before);
+    EXPECT_EQ(right.trouble(), nullptr);
+    set(HdFault::None);
+    standin().wantPosition(0, 5, 0);  // a hand that presses nothing may be left alone for the time of a start
+    EXPECT_TRUE(soon([&] { return left.trouble() == nullptr; }));
 }
 
 TEST_F(OpenHaptics, AServoThatHangsRendersNothing) {

@@ -15,7 +15,7 @@
 namespace tactooth {
 namespace {
 
-constexpr std::uint64_t kGolden = 0xbe3023d46f560b77ULL;
+constexpr std::uint64_t kGolden = 0x979b4171253209fdULL;
 
 constexpr double kTick = 0.001;
 constexpr double kVoxel = 0.05;

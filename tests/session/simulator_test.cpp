@@ -27,6 +27,7 @@ public:
     [[nodiscard]] Expected<void> open() override { return script_.open(); }
     void close() override {}
     [[nodiscard]] DeviceSample read(double elapsed) override {
+        elapsed_ = elapsed;
         DeviceSample sample = script_.read(elapsed);
         sample.connected = connected_;
         if (!connected_) sample.hand.position.setConstant(std::nan(""));
@@ -34,6 +35,10 @@ public:
     }
     void write(const SafeWrench& wrench) override {
         const double force = wrench.force().norm();
+        const double step = (wrench.force() - lastForce_).norm();
+        const bool afterStall = elapsed_ > info_.limits.stallTime && force == 0;
+        if (step > info_.limits.slew * elapsed_ + 1e-9 && !afterStall) jumped_ = true;
+        lastForce_ = wrench.force();
         forceBefore_ = force_.load();
         force_ = force;
         if (!(force <= info_.limits.force + 1e-9) || !wrench.torque().isZero(0)) tooStrong_ = true;
@@ -45,6 +50,8 @@ public:
     [[nodiscard]] double forceBefore() const { return forceBefore_; }
     [[nodiscard]] double strongest() const { return strongest_; }
     [[nodiscard]] bool wasTooStrong() const { return tooStrong_; }
+    /// Whether the force has ever changed by more than 0.3 N a millisecond, but for a stall of the machine.
+    [[nodiscard]] bool hasJumped() const { return jumped_; }
 
 private:
     ScriptedDevice script_;
@@ -54,6 +61,9 @@ private:
     std::atomic<double> forceBefore_{0};
     std::atomic<double> strongest_{0};
     std::atomic<bool> tooStrong_{false};
+    std::atomic<bool> jumped_{false};
+    double elapsed_ = 0;  // of the servo's
+    Vec3 lastForce_ = Vec3::Zero();
 };
 
 ScriptedMoment moment(double time, const Pose& hand, double pedal) { return {time, {hand, pedal, 0, true}}; }
@@ -168,6 +178,53 @@ TEST(Simulator, EndingMidPressFadesTheForceOutFirst) {
         EXPECT_EQ(device.force(), 0);
         EXPECT_EQ(device.forceBefore(), 0) << "the last zero came after others";
     }
+}
+
+Instrument thickBur() {
+    const TriangleMesh mesh = test::cylinder(Vec3::Zero(), 1.5 * test::kBurRadius, 4, 32);
+    return {std::make_shared<const ToolShape>(mesh), {*RevolutionEnvelope::make(mesh), 1}};
+}
+
+/// What the window does for another bur, tooth or drive: one simulator ends, and the next begins with the same device.
+TEST(Simulator, AnotherBurToothOrDriveMidPressChangesTheForceGently) {
+    WatchedDevice device(dipping());
+    auto piece = test::blockOnTheBench();
+    Instrument bur = test::flatBur();
+    HapticSettings settings;
+    const std::function<void()> changes[] = {[] {}, [&] { piece = test::blockOnTheBench(); }, [&] { bur = thickBur(); },
+                                             [&] { settings.spindle = spindlePresets().back(); }};
+    for (const auto& change : changes) {
+        change();
+        Simulator simulator(piece, bur, settings, device, {});
+        simulator.setControls(cutting());
+        EXPECT_TRUE(soon([&] { return device.force() > 0.05; }));
+    }
+    EXPECT_EQ(device.force(), 0);
+    EXPECT_FALSE(device.hasJumped());
+}
+
+TEST(Simulator, TwoDevicesMoveTurbineAndMirror) {
+    WatchedDevice first(dipping());
+    WatchedDevice second(
+        {moment(0, at(10, 20, 30), 0), moment(0.2, at(10, 20, 30), 0), moment(0.3, at(12, 20, 30), 0)});
+    Simulator simulator(test::blockOnTheBench(), test::flatBur(), HapticSettings(), first, {}, 1000, {}, &second);
+    EXPECT_TRUE(soon([&] { return std::abs(simulator.mirrorMotion().position.x() - 2) < 1e-9; }));
+    EXPECT_TRUE(soon([&] { return first.force() > 0.01; }));
+    EXPECT_EQ(second.strongest(), 0);
+}
+
+TEST(Simulator, WhatWasCutIsKeptWhenTheDeviceIsLost) {
+    WatchedDevice device(stroking());
+    Simulator simulator(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device, {});
+    simulator.setControls(cutting());
+    ASSERT_TRUE(soon([&] { return total(simulator.removed()) > 0.01; }));
+    device.plugIn(false);
+    ASSERT_TRUE(soon([&] { return device.force() == 0; }));
+    std::this_thread::sleep_for(100ms);  // what was under way is cut
+    const double kept = total(simulator.removed());
+    EXPECT_GT(kept, 0.01);
+    device.plugIn(true);
+    EXPECT_TRUE(soon([&] { return total(simulator.removed()) > 1.2 * kept; })) << "and the session goes on";
 }
 
 TEST(Simulator, ASeatedHandStartsWhereTheToolIsAndMovesItFinely) {

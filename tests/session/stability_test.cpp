@@ -18,7 +18,8 @@ TEST(Stability, EveryDeviceAndHandStaysSteadyOnEnamelAndAtTheStiffestWall) {
     for (const DevicePreset& device : devicePresets()) {
         for (const HandPreset& hand : handPresets()) {
             for (const auto& material : {std::optional(MaterialId::Enamel), std::optional<MaterialId>()}) {
-                for (const Situation situation : {Situation::Tap, Situation::Fissure, Situation::LetGo}) {
+                for (const Situation situation :
+                     {Situation::Tap, Situation::Fissure, Situation::LetGo, Situation::Cut, Situation::Tremor}) {
                     const StabilityCase one{&device, &hand, material, situation, 1000};
                     const StabilityResult result = runStability(one);
                     EXPECT_TRUE(result.stable) << device.name << ' ' << hand.name << ' ' << materialNameOf(one) << ' '
@@ -35,6 +36,18 @@ TEST(Stability, ATouchXRendersOneNewtonAMillimetre) {
     EXPECT_TRUE(result.stable);
     EXPECT_NEAR(result.stiffness, 1.0, 1e-9);
     EXPECT_NEAR(result.restForce, 1.0, 0.1);
+}
+
+TEST(Stability, ACutPullsAsideAndATremorShakesTheForce) {
+    const StabilityResult still = runStability(caseOf("touch-x", "nominal", MaterialId::Enamel, Situation::Cusp));
+    const StabilityResult cut = runStability(caseOf("touch-x", "nominal", MaterialId::Enamel, Situation::Cut));
+    EXPECT_GT(cut.restForce, 1.05 * still.restForce) << "half of the normal force pulls along the rim";
+    EXPECT_GT(cut.ripple, still.ripple);
+    const StabilityResult press = runStability(caseOf("touch-x", "nominal", MaterialId::Enamel, Situation::Press));
+    const StabilityResult tremor = runStability(caseOf("touch-x", "nominal", MaterialId::Enamel, Situation::Tremor));
+    EXPECT_LT(press.ripple, kMostRipple);
+    EXPECT_GT(tremor.ripple, press.ripple);
+    EXPECT_NEAR(tremor.restForce, press.restForce, 0.1);
 }
 
 TEST(Stability, ASofterDeviceSoftensAllMaterialsTogether) {

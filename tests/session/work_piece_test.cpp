@@ -132,6 +132,39 @@ TEST(WorkPiece, HalfTheSharpnessIsHalfTheRate) {
     EXPECT_NEAR(rate(drillBlock(MaterialId::Dentin, 0.6, 1, 0.5)) / sharp, 0.5, 0.025);
 }
 
+/// A block beside the one on the bench, a hair's breadth away and as high.
+Surroundings neighbour() {
+    return {std::make_shared<const SurfacePart>(test::box(Vec3(1.55, -1.5, -3), Vec3(4.5, 1.5, 0)))};
+}
+
+TEST(WorkPiece, BodiesAroundItAreFeltAndBelongToNoOtherSurface) {
+    const auto piece = blockOnTheBench();
+    EXPECT_EQ(piece->felt(), piece->surface());
+    piece->surroundBy(neighbour());
+    EXPECT_EQ(piece->felt()->patches.size(), 1u);
+    EXPECT_TRUE(piece->surface()->patches.empty());  // neither drawn as this tooth nor exported with it
+    HapticSimulation simulation(test::flatBur().shape, test::kBurRadius, piece->felt(), electric());
+    (void)simulation.step({at(3, 0, 0.2), 0, false}, kTick);
+    const Tick tick = simulation.step({at(3, 0, -0.3), 0, false}, kTick);
+    EXPECT_NEAR(tick.depth, 0.3, 0.02);
+    EXPECT_GT(tick.wrench.force.z(), 0.2);
+}
+
+TEST(WorkPiece, BodiesAroundItAreNotCut) {
+    const auto piece = blockOnTheBench();
+    piece->surroundBy(neighbour());
+    const Instrument bur = test::flatBur();
+    HapticSimulation simulation(bur.shape, test::kBurRadius, piece->felt(), electric());
+    for (int i = 0; i < 400; ++i) simulation.step({at(3, 0, 0.1), 1, true}, kTick);
+    Tick tick;
+    for (int i = 0; i < 60; ++i) {
+        tick = simulation.step({at(3, 0, -0.5), 1, true}, kTick);
+        if (piece->feed(bur.cutting, tick, {})) (void)simulation.setSurface(piece->felt());
+    }
+    EXPECT_EQ(total(piece->removed()), 0);
+    EXPECT_NEAR(tick.proxy.position.z(), 0, 0.02);
+}
+
 TEST(WorkPiece, ABurWithoutEdgeLeavesTheToothWhole) {
     const auto piece = blockOnTheBench();
     const Drilled drilled = drill(*piece, test::flatBur(0), 1, 1, 50);

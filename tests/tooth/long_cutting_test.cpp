@@ -78,7 +78,8 @@ void cutAtRandom(TriangleMesh outer, unsigned seed, int strokes) {
     EXPECT_EQ(surface.failures(), 0U);
 }
 
-TEST(LongCutting, ABallStaysClosed) { cutAtRandom(test::sphere(Vec3(0.03, -0.02, -2), 2, 96, 64), 1, 40); }
+/// The strokes leave ridges thinner than a voxel at the ball's surface: the 45th, the 69th.
+TEST(LongCutting, ABallStaysClosed) { cutAtRandom(test::sphere(Vec3(0.03, -0.02, -2), 2, 96, 64), 1, 120); }
 
 TEST(LongCutting, AThinPlateFullOfHolesStaysClosed) {
     cutAtRandom(test::box(Vec3(-2.5, -2.5, -0.3), Vec3(2.5, 2.5, 0)), 2, 80);

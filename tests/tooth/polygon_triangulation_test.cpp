@@ -50,6 +50,21 @@ TEST(PolygonTriangulation, RandomStarsAreCoveredOnceByTrianglesThatFaceForward) 
     }
 }
 
+TEST(PolygonTriangulation, ThreeCornersOnOneLineAreNeverATriangle) {
+    const double tiny = 1e-15;
+    for (const double bend : {-tiny, 0.0, tiny}) {
+        const Points points = {{0, 0}, {0.5, bend}, {1, -bend}, {2, 0}, {2, 2}, {1, 2 + bend}, {0, 2}};
+        for (std::size_t first = 0; first < points.size(); ++first) {
+            PolygonLoop loop;
+            for (std::size_t i = 0; i < points.size(); ++i)
+                loop.push_back(static_cast<std::uint32_t>((first + i) % points.size()));
+            const auto triangles = triangulate(points, loop, {});
+            ASSERT_EQ(triangles.size(), 5U);
+            for (const auto& [a, b, c] : triangles) EXPECT_GT(doubledArea(points, {a, b, c}), 0.1);
+        }
+    }
+}
+
 TEST(PolygonTriangulation, HolesAreLeftOut) {
     std::mt19937 random(31);
     Points points = {{-10, -10}, {10, -10}, {10, 10}, {-10, 10}};

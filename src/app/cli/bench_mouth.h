@@ -6,8 +6,8 @@
 
 namespace tactooth {
 
-/// A whole mouth to be drawn: 32 teeth of about 20,000 triangles each on two arches, the gums around their necks, and a
-/// mouth mirror in front of the lower molars. What counts is how much there is to draw, not its anatomy.
+/// The whole built-in mouth to be drawn, open: 32 teeth of about 20,000 triangles each, the gums of both jaws, and a
+/// mouth mirror behind the lower right molars.
 [[nodiscard]] Scene benchMouth();
 
 }  // namespace tactooth

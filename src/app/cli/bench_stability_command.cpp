@@ -51,6 +51,7 @@ Json jsonOf(const StabilityCase& one, const StabilityResult& result) {
             {"stiffness_n_per_mm", result.stiffness},
             {"rest_force_n", result.restForce},
             {"ripple_percent", 100 * result.ripple},
+            {"most_ripple_percent", 100 * result.mostRipple},
             {"least_energy_n_mm", result.leastEnergy},
             {"strongest_n", result.strongest},
             {"steepest_n_per_ms", result.steepest},
@@ -59,11 +60,11 @@ Json jsonOf(const StabilityCase& one, const StabilityResult& result) {
 
 void printHead(double rateHz) {
     const RunFacts facts = currentRunFacts();
-    fmt::print("commit:   {}\ncommand:  {}\n", facts.commit, facts.command);
+    fmt::print("machine:  {}\ncommit:   {}\ncommand:  {}\n", facts.machine, facts.commit, facts.command);
     fmt::print(
-        "A simulated hand on a simulated device taps, presses, slides and lets go; the force that is computed at "
-        "{:.0f} "
-        "Hz moves it.\nk: stiffest spring, N/mm; rest: force while the hand rests, N; ripple of it, %; energy: least "
+        "A simulated hand on a simulated device taps, presses, slides, trembles, cuts and lets go; the force that is "
+        "computed at {:.0f} Hz moves it.\nk: stiffest spring, N/mm; rest: force while the hand rests, N; ripple of it, "
+        "%; energy: least "
         "of the observer, N*mm;\npeak: strongest force, N; step: most in a millisecond, N.\n\n",
         rateHz);
     fmt::print("{:<10} {:<8} {:<9} {:<10} {:>5} {:>6} {:>7} {:>8} {:>6} {:>6}\n", "device", "hand", "material",
@@ -79,13 +80,10 @@ void printRow(const StabilityCase& one, const StabilityResult& result) {
 
 /// The worst of several runs.
 StabilityResult worseOf(const StabilityResult& a, const StabilityResult& b) {
-    return {std::max(a.stiffness, b.stiffness),
-            std::max(a.restForce, b.restForce),
-            std::max(a.ripple, b.ripple),
-            std::min(a.leastEnergy, b.leastEnergy),
-            std::max(a.strongest, b.strongest),
-            std::max(a.steepest, b.steepest),
-            a.stable && b.stable};
+    return {std::max(a.stiffness, b.stiffness),     std::max(a.restForce, b.restForce),
+            std::max(a.ripple, b.ripple),           std::max(a.mostRipple, b.mostRipple),
+            std::min(a.leastEnergy, b.leastEnergy), std::max(a.strongest, b.strongest),
+            std::max(a.steepest, b.steepest),       a.stable && b.stable};
 }
 
 /// A line for each device and hand, over all materials and situations.

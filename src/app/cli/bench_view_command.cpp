@@ -51,9 +51,9 @@ Expected<StandardTooth> toothOf(const BenchViewOptions& options) {
     return StandardTooth{options.tooth.stem().string(), options.tooth.string(), std::move(*mesh)};
 }
 
-Scene toothScene(const StandardTooth& tooth) {
+Scene toothScene(const TriangleMesh& mesh) {
     SceneObject object;
-    object.shape = std::make_shared<const TriangleMesh>(tooth.mesh);
+    object.shape = std::make_shared<const TriangleMesh>(mesh);
     object.looks = {looks::enamel()};
     Scene scene;
     scene.objects.push_back(std::move(object));
@@ -72,8 +72,8 @@ std::vector<Case> casesOf(const Scene& tooth, const Scene& mouth, PictureSize si
     OrbitCamera atTooth, atMouth;
     atTooth.fit(boundingBox(tooth), size.aspect());
     atTooth.look({1.25, 0.62});
-    atMouth.fit(Box3(Vec3(-32, -5, -12), Vec3(32, 50, 40)), size.aspect());
-    atMouth.look({1.57, 0.5});
+    atMouth.fit(Box3(Vec3(-32, -52, -45), Vec3(32, 6, 12)), size.aspect());
+    atMouth.look({1.57, 0.4});
     return {{"tooth", "bare, in one colour", true, {}, &tooth, atTooth},
             {"tooth", "light and shadow", false, kQuick, &tooth, atTooth},
             {"tooth", "all of it", false, kFine, &tooth, atTooth},
@@ -84,7 +84,7 @@ std::vector<Case> casesOf(const Scene& tooth, const Scene& mouth, PictureSize si
 Expected<void> measure(const BenchViewOptions& options) {
     const auto size = parseSize(options.size);
     if (!size) return Unexpected{size.error()};
-    const auto tooth = toothOf(options);
+    const auto tooth = options.mouth ? Expected<StandardTooth>(StandardTooth()) : toothOf(options);
     if (!tooth) return Unexpected{tooth.error()};
     auto timer = FrameTimer::create(*size);
     if (!timer) return Unexpected{timer.error()};
@@ -100,10 +100,11 @@ Expected<void> measure(const BenchViewOptions& options) {
         fmt::print("{:<7} {:<22} {:>9} {:>9} {:>9} {:>10} {:>7} {:>10}\n", "scene", "drawn", "triangles", "wall", "p99",
                    "processor", "1/s", "of bare");
     }
-    const Scene oneTooth = toothScene(*tooth);
+    const Scene oneTooth = toothScene(tooth->mesh);
     const Scene mouth = benchMouth();
     double bare = 0;
     for (const Case& one : casesOf(oneTooth, mouth, *size)) {
+        if (options.mouth && one.scene != &mouth) continue;
         const auto times = one.bare ? timer->bare(filmOf(one), options.frames)
                                     : timer->full(filmOf(one), options.frames, one.settings);
         if (!times) return Unexpected{times.error()};

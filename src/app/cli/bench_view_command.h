@@ -11,6 +11,7 @@ struct BenchViewOptions {
     std::filesystem::path tooth;  ///< empty: the standard tooth of 325,312 triangles
     std::string size = "1280x800";
     int frames = 60;
+    bool mouth = false;  ///< the mouth alone
     bool json = false;
 };
 

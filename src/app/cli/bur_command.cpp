@@ -7,6 +7,7 @@
 #include "app/cli/exit_code.h"
 #include "app/cli/mesh_summary.h"
 #include "geometry/stl_writer.h"
+#include "instruments/contra_angle.h"
 #include "instruments/hand_instruments.h"
 #include "instruments/mirror.h"
 #include "instruments/turbine.h"
@@ -50,6 +51,7 @@ int runBur(const BurOptions& options) {
 int runInstrument(const InstrumentOptions& options) {
     TriangleMesh mesh;
     if (options.name == "turbine") mesh = makeTurbine(options.triangles);
+    if (options.name == "contra-angle") mesh = makeContraAngle(options.triangles);
     if (options.name == "mirror-22") mesh = makeMirror(22).surface;
     if (options.name == "mirror-24") mesh = makeMirror(24).surface;
     if (options.name == "explorer") mesh = makeExplorer();

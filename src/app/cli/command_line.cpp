@@ -17,6 +17,7 @@
 #include "app/cli/sound_command.h"
 #include "app/gui/run_window.h"
 #include "app/gui/window_settings.h"
+#include "geometry/number_text.h"
 
 namespace tactooth {
 namespace {
@@ -38,6 +39,12 @@ void addMaterials(CLI::App& command, std::filesystem::path& file) {
     command
         .add_option("--materials", file, "TOML file that changes the materials' numbers (pattern: data/materials.toml)")
         ->type_name("FILE");
+}
+
+/// The option that feel, cut and demo share.
+void addWorkOn(CLI::App& command, std::string& name) {
+    command.add_option("--work-on", name, "The tooth of a case to work on, by name or FDI number (default: the first)")
+        ->type_name("NAME");
 }
 
 void addContact(CLI::App& program, Chosen& chosen) {
@@ -62,7 +69,10 @@ void addFeel(CLI::App& program, Chosen& chosen) {
     const auto options = std::make_shared<FeelOptions>();
     CLI::App* command = addCommand(program, chosen, "feel",
                                    "What a hand that follows a trajectory feels, tick by tick.", options, runFeel);
-    command->add_option("--tooth", options->tooth, "The tooth's STL file, mm")->required()->type_name("FILE");
+    command->add_option("--tooth,--case", options->tooth, "The tooth's STL file, mm, or a case")
+        ->required()
+        ->type_name("FILE");
+    addWorkOn(*command, options->workOn);
     command->add_option("--tool", options->tool, "The tool's STL file, mm: tip at the origin, +z along the shaft")
         ->required()
         ->type_name("FILE");
@@ -102,10 +112,11 @@ void addCut(CLI::App& program, Chosen& chosen) {
     CLI::App* command =
         addCommand(program, chosen, "cut", "Cuts a tooth with a spinning bur along a trajectory.", options, runCut);
     command
-        ->add_option("--tooth", options->tooth,
-                     "The tooth's outer surface, a closed STL file, mm, or a tooth that --save has saved")
+        ->add_option("--tooth,--case", options->tooth,
+                     "The tooth's outer surface, a closed STL file, mm, a case, or a tooth that --save has saved")
         ->required()
         ->type_name("FILE");
+    addWorkOn(*command, options->workOn);
     command
         ->add_option("--layer", options->layers,
                      "What is inside: enamel, dentin, pulp, caries, restoration or other, each a closed STL file; may "
@@ -116,8 +127,10 @@ void addCut(CLI::App& program, Chosen& chosen) {
     addMaterials(*command, options->materials);
     command->add_option("--material", options->material, "What a tooth without layers is made of (default: enamel)")
         ->type_name("NAME");
-    command->add_option("--tool", options->tool, "The bur's STL file, mm: tip at the origin, +z along the shaft")
-        ->required()
+    command
+        ->add_option("--tool", options->tool,
+                     "The bur's STL file, mm: tip at the origin, +z along the shaft, or its TOML description "
+                     "(default: the case's own)")
         ->type_name("FILE");
     command->add_option("--trajectory", options->trajectory, "CSV file t,x,y,z,qw,qx,qy,qz: the hand's way, s and mm")
         ->required()
@@ -169,16 +182,23 @@ void addDemo(CLI::App& program, Chosen& chosen) {
         ->check(CLI::Range(1.0, 600.0))
         ->type_name("S");
     addMaterials(*command, options->materials);
-    command->add_option("--tooth", options->tooth, "A closed STL file, mm, crown up (+z) (default: the built-in molar)")
+    command
+        ->add_option("--tooth,--case", options->tooth,
+                     "A closed STL file, mm, crown up (+z), or a case (default: the built-in molar)")
         ->type_name("FILE");
+    addWorkOn(*command, options->workOn);
     command->add_option("--layer", options->layers, "What is inside --tooth, as for 'cut'")
         ->type_name("NAME=FILE")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
         ->needs("--tooth");
+    command->add_flag("--mouth", options->mouth, "The built-in molar in the whole mouth, with neighbours and gums")
+        ->excludes("--tooth");
     command
-        ->add_option("--bur", options->bur,
-                     "An STL file, mm: tip at the origin, +z along the shaft (default: the built-in fissure bur 57)")
+        ->add_option(
+            "--bur", options->bur,
+            "An STL file, mm: tip at the origin, +z along the shaft, or its TOML description (default: the case's own, "
+            "else the built-in fissure bur 57)")
         ->type_name("FILE");
 }
 
@@ -217,16 +237,24 @@ void addSound(CLI::App& program, Chosen& chosen) {
 /// The files that the window opens with.
 struct WindowFiles {
     std::string tooth;
+    std::string workOn;
     std::vector<std::string> layers;
     std::string bur;
     std::map<std::string, std::string> settings;  ///< by flag
     std::string device = "mouse";
+    std::optional<int> mouth;  ///< tooth number
+    bool noCache = false;
 };
 
 void addWindowOptions(CLI::App& program, WindowFiles& files) {
     const char* const group = "Window";
-    CLI::Option* tooth = program.add_option("--tooth", files.tooth, "Your own tooth: an STL file, mm, or a saved one");
+    CLI::Option* tooth = program.add_option("--tooth,--case,CASE", files.tooth,
+                                            "Your own tooth: a case, an STL file, mm, or a saved one");
     tooth->type_name("FILE")->group(group);
+    program.add_option("--work-on", files.workOn, "The tooth of a case to work on (default: the first)")
+        ->type_name("NAME")
+        ->needs(tooth)
+        ->group(group);
     program.add_option("--layer", files.layers, "A closed surface inside it; NAME is enamel, dentin, pulp or caries")
         ->type_name("NAME=FILE")
         ->allow_extra_args(false)
@@ -234,10 +262,29 @@ void addWindowOptions(CLI::App& program, WindowFiles& files) {
         ->group(group);
     program
         .add_option("--device", files.device,
-                    "What moves the bur: mouse (default), pen, or pen:NAME for a second one (docs/haptics.md)")
+                    "What moves the bur: mouse (default), pen, inverse3, or pen:NAME or inverse3:ID for one of several "
+                    "(docs/haptics.md)")
         ->type_name("NAME")
         ->group(group);
-    program.add_option("--bur", files.bur, "Your own bur: an STL file, tip at the origin, +z along the shaft")
+    program
+        .add_option_function<std::string>(
+            "--second-device", [&files](const std::string& name) { files.settings["--hand-second-device"] = name; },
+            "Device of the other hand, which holds the mirror; is remembered; none: one hand alone again")
+        ->type_name("NAME")
+        ->group(group);
+    CLI::Option* mouth = program.add_option_function<std::string>(
+        "--mouth",
+        [&files](const std::string& fdi) {
+            files.mouth = fdi.empty() ? BenchMouth().fdi : toNumber<int>(fdi).value_or(0);
+        },
+        "The whole built-in mouth, to work on this tooth of it (default: 46)");
+    mouth->type_name("[FDI]")->expected(0, 1)->excludes(tooth)->group(group);
+    program.add_flag("--no-cache", files.noCache, "Make the mouth's teeth anew, and do not keep them")
+        ->needs(mouth)
+        ->group(group);
+    program
+        .add_option("--bur", files.bur,
+                    "Your own bur: an STL file, tip at the origin, +z along the shaft, or its TOML description")
         ->type_name("FILE")
         ->group(group);
     for (const WindowOption& option : windowOptions()) {
@@ -258,7 +305,22 @@ void addWindowOptions(CLI::App& program, WindowFiles& files) {
 /// The program without a command.
 int runWithoutCommand(const WindowFiles& files) {
     WindowOptions options;
-    if (!files.tooth.empty()) options.tooth = ToothSource{.outer = files.tooth, .layers = {}};
+    if (!files.tooth.empty()) {
+        const std::filesystem::path file = files.tooth;
+        std::error_code unused;
+        if (!file.has_extension() && !std::filesystem::exists(file, unused)) {
+            return refuse({"there is no command and no case '" + files.tooth + "'; see 'tactooth --help'."});
+        }
+        options.tooth = ToothSource{.outer = file, .layers = {}};
+        options.workOn = files.workOn;
+    }
+    if (files.mouth) {
+        if (!isPermanentTooth(*files.mouth)) {
+            return refuse(
+                {"what follows --mouth must be the number of a permanent tooth: 11-18, 21-28, 31-38 or 41-48."});
+        }
+        options.mouth = BenchMouth{*files.mouth, !files.noCache};
+    }
     for (const std::string& text : files.layers) {
         Expected<ToothSource::Layer> layer = parseLayer(text);
         if (!layer) return refuse(layer.error());
@@ -306,6 +368,7 @@ int runCommandLine(int argc, const char* const* argv) {
     addCut(program, chosen);
     addDemo(program, chosen);
     addSound(program, chosen);
+    addCaseCommands(program, chosen);
     addMouthCommands(program, chosen);
     addPictureCommands(program, chosen);
     addMeshCommands(program, chosen);

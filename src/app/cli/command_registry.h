@@ -21,9 +21,16 @@ CLI::App* addCommand(CLI::App& program, Chosen& chosen, const std::string& name,
     return command;
 }
 
+/// case new, check, info and pack.
+void addCaseCommands(CLI::App& program, Chosen& chosen);
+struct MouthWishes;
+/// --triangles, --seed, --jaw, --missing and --no-cache. `needed`: the option without which these mean nothing; null if
+/// there is none.
+void addMouthWishes(CLI::App& command, MouthWishes& wishes, CLI::Option* needed);
+
 /// simplify and subdivide.
 void addMeshCommands(CLI::App& program, Chosen& chosen);
-/// bur, instrument, tooth and gallery: what the program makes by itself.
+/// bur, instrument, tooth, mouth and gallery: what the program makes by itself.
 void addMouthCommands(CLI::App& program, Chosen& chosen);
 /// render.
 void addPictureCommands(CLI::App& program, Chosen& chosen);

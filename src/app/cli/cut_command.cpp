@@ -10,8 +10,8 @@
 #include "app/cli/exit_code.h"
 #include "collision/surface.h"
 #include "geometry/atomic_file.h"
-#include "geometry/mesh_file.h"
 #include "geometry/stl_writer.h"
+#include "session/cases/placed_tooth.h"
 #include "session/cut_events.h"
 #include "session/cut_run.h"
 #include "session/material_file.h"
@@ -122,6 +122,13 @@ Expected<void> writeLayers(const CutVolume& volume, const std::filesystem::path&
     return {};
 }
 
+/// The bur that is named, else the one that the case brings.
+Expected<OwnBur> burOf(const CutOptions& options, const ToothPlace& place) {
+    if (!options.tool.empty()) return readOwnBur(options.tool);
+    if (place.bur) return *place.bur;
+    return unexpected("there is no bur: give --tool, or a case that brings one.");
+}
+
 void printRemoved(const MaterialVolumes& removed) {
     for (std::size_t i = 0; i < kMaterialCount; ++i) {
         if (removed[i] > 0)
@@ -136,15 +143,16 @@ int runCut(const CutOptions& options) {
     if (!source) return refuse(source.error());
     const auto path = readTrajectory(options.trajectory);
     if (!path) return refuse(path.error());
-    auto bur = loadMesh(options.tool);
-    if (!bur) return refuse(bur.error());
-    const auto tool = makeCuttingTool(*bur);
-    if (!tool) return refuse({options.tool.string() + ": " + tool.error().message});
-    const auto tooth = loadTooth(*source, options.voxel, kUsualVoxel);
+    const auto tooth = loadPlacedWork(*source, options.workOn, options.voxel, kUsualVoxel);
     if (!tooth) return refuse(tooth.error());
+    auto bur = burOf(options, tooth->place);
+    if (!bur) return refuse(bur.error());
+    const auto tool = makeCuttingTool(bur->surface, bur->sharpness);
+    if (!tool) return refuse({bur->name + ": " + tool.error().message});
     WorkPiece& piece = *tooth->piece;
     const MaterialVolumes before = piece.removed();
-    const auto materials = materialsFrom(options.materials);
+    const auto materials = options.materials.empty() && tooth->place.materials ? *tooth->place.materials
+                                                                               : materialsFrom(options.materials);
     if (!materials) return refuse(materials.error());
     CutFiles files;
     if (const auto opened = files.open(options); !opened) return refuse(opened.error());
@@ -158,8 +166,8 @@ int runCut(const CutOptions& options) {
         HapticSettings settings;
         settings.materials = *materials;
         settings.spindle = constantSpeed(options.speedRpm);
-        HapticSimulation simulation(std::make_shared<const ToolShape>(std::move(*bur)), tool->envelope.maxRadius(),
-                                    piece.surface(), settings);
+        HapticSimulation simulation(std::make_shared<const ToolShape>(std::move(bur->surface)),
+                                    tool->envelope.maxRadius(), piece.surface(), settings);
         cutByLaw(*path, *tool, *materials, simulation, piece, visit);
     }
     const TaggedMesh cut = visibleMesh(*piece.surface());

@@ -14,7 +14,8 @@ struct CutOptions {
     std::vector<std::string> layers;  ///< NAME=FILE
     std::string material = "enamel";  ///< of the tooth where it has no layers
     std::filesystem::path materials;  ///< TOML; empty: the built-in table
-    std::filesystem::path tool;
+    std::filesystem::path tool;       ///< surface or description; empty: the case's own
+    std::string workOn;               ///< tooth of a case; empty: the first
     std::filesystem::path trajectory;
     double speedRpm = 0;
     std::optional<double> voxel;  ///< mm

@@ -9,16 +9,19 @@
 #include "app/cli/demo_pictures.h"
 #include "app/cli/demo_summary.h"
 #include "app/cli/exit_code.h"
+#include "app/common/mouth_scene.h"
 #include "app/common/plot_image.h"
 #include "app/common/spin_blur.h"
 #include "geometry/atomic_file.h"
-#include "geometry/mesh_file.h"
 #include "geometry/stl_writer.h"
 #include "instruments/builtin_tooth.h"
 #include "instruments/bur_shape.h"
 #include "instruments/turbine.h"
+#include "session/cases/placed_tooth.h"
 #include "session/material_file.h"
 #include "session/tick_csv.h"
+#include "session/tooth_cache.h"
+#include "session/tooth_in_mouth.h"
 #include "session/tooth_source.h"
 #include "sound/wav_file.h"
 
@@ -35,9 +38,23 @@ struct Cast {
     std::string toothName;
     std::string burName;
     std::shared_ptr<const LayeredTooth> tooth;
+    Box3 box;  // of the tooth that is worked on
+    std::optional<MaterialTable> materials;
+    std::optional<OwnBur> ownBur;
+    Surroundings surroundings;
     std::optional<Instrument> instrument;
     DemoProps props;
 };
+
+/// The lower first molar in an open mouth.
+BuiltinTooth castMouth(Cast& cast) {
+    const ToothCache cache(usualCacheFolder());
+    ToothInMouth made = toothInMouth(46, Lesion{}, {.jaw = JawPose::open, .missing = {}},
+                                     [&](const ToothRequest& tooth) { return cache.make(tooth); });
+    cast.props.around = shownAround(made);
+    cast.surroundings = surroundingsOf(made);
+    return std::move(made.tooth);
+}
 
 Expected<void> castTooth(const DemoOptions& options, Cast& cast) {
     if (!options.tooth.empty()) {
@@ -47,16 +64,22 @@ Expected<void> castTooth(const DemoOptions& options, Cast& cast) {
             if (!layer) return Unexpected{layer.error()};
             source.layers.push_back(std::move(*layer));
         }
-        auto tooth = loadLayeredTooth(source);
-        if (!tooth) return Unexpected{tooth.error()};
-        cast.tooth = *tooth;
-        cast.toothName = options.tooth.string();
+        auto placed = loadPlacedTooth(source, options.workOn);
+        if (!placed) return Unexpected{placed.error()};
+        ToothPlace& place = placed->place;
+        cast.toothName = place.teethOfCase.empty() ? options.tooth.string() : place.name;
+        cast.tooth = std::move(placed->tooth);
+        cast.box = place.box;
+        cast.props.mesialX = place.mesialX;
+        cast.materials = std::move(place.materials);
+        cast.ownBur = std::move(place.bur);
         return {};
     }
-    const BuiltinTooth molar = makeBuiltinTooth(BuiltinToothKind::lowerFirstMolar);
+    const BuiltinTooth molar = options.mouth ? castMouth(cast) : makeBuiltinTooth(BuiltinToothKind::lowerFirstMolar);
     auto tooth = LayeredTooth::make(molar.outer, layersOf(molar));
     if (!tooth) return Unexpected{tooth.error()};
     cast.tooth = std::make_shared<const LayeredTooth>(std::move(*tooth));
+    cast.box = cast.tooth->outer()->tree().box();
     cast.props.mesialX = mesialX(molar.fdi);
     cast.toothName = fmt::format("built-in: {} (FDI {})", molar.name, molar.fdi);
     return {};
@@ -66,11 +89,16 @@ Expected<void> castBur(const DemoOptions& options, Cast& cast) {
     TriangleMesh felt;
     double sharpness = 1;
     if (!options.bur.empty()) {
-        auto mesh = loadMesh(options.bur);
-        if (!mesh) return Unexpected{mesh.error()};
-        felt = std::move(*mesh);
-        cast.burName = options.bur.string();
+        auto own = readOwnBur(options.bur);
+        if (!own) return Unexpected{own.error()};
+        cast.ownBur = std::move(*own);
+    }
+    if (cast.ownBur) {
+        felt = cast.ownBur->surface;
+        sharpness = cast.ownBur->sharpness;
+        cast.burName = cast.ownBur->name;
         cast.props.tool.bur = std::make_shared<const TriangleMesh>(felt);
+        cast.props.tool.material = cast.ownBur->material;
     } else {
         const BurSpec spec = findBur(kDefaultBur).value();
         felt = makeBur(spec).surface;
@@ -141,14 +169,17 @@ int runDemo(const DemoOptions& options) {
     Cast cast;
     if (const auto done = castTooth(options, cast); !done) return refuse(done.error());
     if (const auto done = castBur(options, cast); !done) return refuse(done.error());
-    const auto materials = materialsFrom(options.materials);
+    const auto materials =
+        options.materials.empty() && cast.materials ? *cast.materials : materialsFrom(options.materials);
     if (!materials) return refuse(materials.error());
     cast.props.materials = *materials;
     if (const auto done = makeFolder(options.out); !done) return refuse(done.error());
     castMirror(cast);
+    cast.props.box = cast.box;
 
     fmt::print("tooth: {}\nbur:   {}\n", cast.toothName, cast.burName);
     WorkPiece piece(cast.tooth, kVoxel);
+    piece.surroundBy(cast.surroundings);
     const std::shared_ptr<const Surface> uncut = piece.surface();
     int told = 0;
     const auto progress = [&](double part) {
@@ -161,7 +192,8 @@ int runDemo(const DemoOptions& options) {
     HapticSettings settings;
     settings.materials = cast.props.materials;
     const Quat grip = uprightGrip(cast.props.mesialX, 0);
-    const Demonstration played = playDemonstration(piece, *cast.instrument, settings, grip, options.seconds, progress);
+    const Demonstration played =
+        playDemonstration(piece, cast.box, *cast.instrument, settings, grip, options.seconds, progress);
     fmt::print("drawing, plotting, rendering the sound\n");
     const DemoMoment touch{uncut, played.ticks[played.touchTick]};
     if (const auto done = writeDemoPicture(options.out / "touch.png", DemoView::Touch, touch, cast.props); !done)

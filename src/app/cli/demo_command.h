@@ -13,7 +13,9 @@ struct DemoOptions {
     double seconds = 14;              ///< of the session
     std::filesystem::path tooth;      ///< empty: the built-in lower first molar
     std::vector<std::string> layers;  ///< NAME=FILE, inside `tooth`
+    std::string workOn;               ///< tooth of a case; empty: the first
     std::filesystem::path materials;  ///< TOML; empty: the built-in table
+    bool mouth = false;               ///< the built-in tooth in its mouth
     std::filesystem::path bur;        ///< empty: the built-in round bur
 };
 

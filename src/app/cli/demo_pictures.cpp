@@ -43,9 +43,6 @@ Vec3 subjectOf(const Surface& tooth, const Tick& tick) {
     return cavity.isEmpty() ? tick.proxy.position : Vec3(cavity.center().x(), cavity.center().y(), cavity.max().z());
 }
 
-/// Towards a lamp 15 degrees above the eye and to its left: what it lights keeps a little shadow to show its depth.
-Vec3 loupeLamp(const Camera& camera) { return camera.cameraInWorld.rotation * Vec3(-0.19, 0.19, 0.96).normalized(); }
-
 Camera cameraOf(const Shot& shot, const Vec3& subject, double mesialX) {
     const Vec3 middle = subject + shot.above * Vec3::UnitZ();
     OrbitCamera camera;
@@ -65,6 +62,7 @@ Expected<void> writeDemoPicture(const std::filesystem::path& path, DemoView view
     const Vec3 subject = subjectOf(*tooth, tick);
     SceneContents contents;
     contents.tooth = tooth;
+    contents.around = props.around;
     contents.materials = props.materials;
     contents.camera = cameraOf(shot, subject, props.mesialX);
     if (shot.tool) {
@@ -77,11 +75,10 @@ Expected<void> writeDemoPicture(const std::filesystem::path& path, DemoView view
     contents.mirror = props.mirror;
     if (contents.mirror) {
         const Vec3 toEye = (contents.camera.cameraInWorld.position - subject).normalized();
-        contents.mirror->mirrorInTooth =
-            parkedMirror(tooth->base->tree().box(), contents.mirror->disc, toEye, props.mesialX);
+        contents.mirror->mirrorInTooth = parkedMirror(props.box, contents.mirror->disc, toEye, props.mesialX);
     }
     Scene scene = makeScene(contents);
-    if (shot.loupeLamp) scene.lighting.toKey = loupeLamp(contents.camera);
+    if (shot.loupeLamp) scene.lighting.toKey = toLoupeLamp(contents.camera);
     const Expected<Image> image = renderer->render(scene, kSize);
     if (!image) return Unexpected{image.error()};
     return writePng(*image, path);

@@ -15,6 +15,8 @@ namespace tactooth {
 struct DemoProps {
     ShownTool tool;                     ///< its pose and spin are set for each picture
     std::optional<ShownMirror> mirror;  ///< its pose too
+    Box3 box;                           ///< of the tooth that is worked on, mm
+    std::vector<ShownBody> around;      ///< the tooth
     MaterialTable materials;
     double mesialX = 1;  ///< direction of mesial along x
 };

@@ -9,20 +9,45 @@
 #include "app/cli/exit_code.h"
 #include "haptics/latency_histogram.h"
 #include "haptics/load_surface.h"
+#include "session/cases/open_case.h"
 #include "session/feel_run.h"
 #include "session/material_file.h"
 #include "session/tick_csv.h"
 
 namespace tactooth {
+namespace {
+
+/// What is felt, and its materials' numbers.
+struct FeltTooth {
+    std::shared_ptr<const Surface> surface;
+    std::optional<MaterialTable> materials;
+};
+
+/// All of a case in the frame of one of its teeth, or a surface, which may be open.
+Expected<FeltTooth> toothOf(const FeelOptions& options) {
+    if (!isCase(options.tooth)) {
+        auto surface = loadSurface(options.tooth);
+        if (!surface) return Unexpected{surface.error()};
+        return FeltTooth{std::move(*surface), {}};
+    }
+    const auto opened = openCase(options.tooth, options.workOn);
+    if (!opened) return Unexpected{opened.error()};
+    auto surface = std::make_shared<Surface>();
+    surface->base = opened->teeth->outer();
+    return FeltTooth{std::move(surface), opened->materials};
+}
+
+}  // namespace
 
 int runFeel(const FeelOptions& options) {
     const auto trajectory = readTrajectory(options.trajectory);
     if (!trajectory) return refuse(trajectory.error());
-    const auto tooth = loadSurface(options.tooth);
+    const auto tooth = toothOf(options);
     if (!tooth) return refuse(tooth.error());
     const auto tool = loadTool(options.tool);
     if (!tool) return refuse(tool.error());
-    const auto materials = materialsFrom(options.materials);
+    const auto materials =
+        options.materials.empty() && tooth->materials ? *tooth->materials : materialsFrom(options.materials);
     if (!materials) return refuse(materials.error());
     auto file = TickCsv::create(options.out);
     if (!file) return refuse(file.error());
@@ -32,7 +57,7 @@ int runFeel(const FeelOptions& options) {
     settings.mode = options.mode == "penalty" ? ContactMode::Penalty : ContactMode::Proxy;
     settings.freedom = options.freedom == 6 ? Freedom::ShiftAndTurn : Freedom::Shift;
     settings.force = {options.stiffness, options.damping, options.friction};
-    HapticSimulation simulation(*tool, (*tool)->radius(), *tooth, settings);
+    HapticSimulation simulation(*tool, (*tool)->radius(), tooth->surface, settings);
     LatencyHistogram micros;
     double strongest = 0;
     feelAlong(*trajectory, simulation, [&](double time, const Tick& tick) {

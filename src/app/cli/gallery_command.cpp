@@ -11,6 +11,7 @@
 #include "app/cli/gallery_pictures.h"
 #include "app/common/contact_sheet.h"
 #include "app/common/picture_application.h"
+#include "instruments/contra_angle.h"
 #include "instruments/hand_instruments.h"
 #include "instruments/mirror.h"
 #include "instruments/turbine.h"
@@ -79,7 +80,8 @@ Expected<void> drawInstruments(OffscreenRenderer& renderer, const std::filesyste
         if (!picture) return Unexpected{picture.error()};
         sheet.place(i % kColumns, i / kColumns, *picture, burs[i].number);
     }
-    const std::array<std::pair<const char*, TriangleMesh>, 5> others = {{{"turbine", makeTurbine()},
+    const std::array<std::pair<const char*, TriangleMesh>, 6> others = {{{"turbine", makeTurbine()},
+                                                                         {"contra-angle", makeContraAngle()},
                                                                          {"mirror 22 mm", makeMirror(22).surface},
                                                                          {"mirror 24 mm", makeMirror(24).surface},
                                                                          {"explorer 23", makeExplorer()},

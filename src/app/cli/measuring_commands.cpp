@@ -85,6 +85,7 @@ void addBenchView(CLI::App& bench, Chosen& chosen) {
     command->add_option("--frames", options->frames, "Pictures of each case (default: 60)")
         ->check(CLI::Range(1, 10000))
         ->type_name("N");
+    command->add_flag("--mouth", options->mouth, "The mouth alone: 32 teeth, gums, and a mirror")->excludes("--tooth");
     command->add_flag("--json", options->json, "Write one JSON object instead of a table");
 }
 
@@ -92,7 +93,8 @@ void addBenchStability(CLI::App& bench, Chosen& chosen) {
     const auto options = std::make_shared<BenchStabilityOptions>();
     CLI::App* command = addCommand(
         bench, chosen, "stability",
-        "Whether the force stays steady: simulated devices and hands tap, press, slide and let go in the closed loop. "
+        "Whether the force stays steady: simulated devices and hands tap, press, slide, tremble, cut and let go in the "
+        "closed loop. "
         "Exit code 1 if a run shakes.",
         options, runBenchStability);
     const auto addNames = [&](const char* name, std::vector<std::string>& into, const char* help,
@@ -109,8 +111,8 @@ void addBenchStability(CLI::App& bench, Chosen& chosen) {
     addNames("--material", options->materials,
              "enamel, dentin, caries, pulp, or stiffest: a spring as stiff as the device bears",
              {"enamel", "dentin", "caries", "pulp", "stiffest"});
-    addNames("--situation", options->situations, "tap, press (1 N), limit, cusp, fissure, slot or let-go",
-             {"tap", "press", "limit", "cusp", "fissure", "slot", "let-go"});
+    addNames("--situation", options->situations, "tap, press (1 N), limit, cusp, fissure, slot, let-go, cut or tremor",
+             {"tap", "press", "limit", "cusp", "fissure", "slot", "let-go", "cut", "tremor"});
     command->add_option("--rate", options->rateHz, "Ticks a second (default: 1000)")
         ->check(CLI::Range(500.0, 4000.0))
         ->type_name("HZ");

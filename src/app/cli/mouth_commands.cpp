@@ -3,6 +3,7 @@
 #include "app/cli/bur_command.h"
 #include "app/cli/command_registry.h"
 #include "app/cli/gallery_command.h"
+#include "app/cli/mouth_command.h"
 #include "app/cli/tooth_command.h"
 
 namespace tactooth {
@@ -32,12 +33,13 @@ void addInstrument(CLI::App& program, Chosen& chosen) {
                    options, runInstrument);
     command
         ->add_option("NAME", options->name,
-                     "turbine, mirror-22, mirror-24 (head, mm), explorer (No. 23) or probe (periodontal, mm marks)")
+                     "turbine, contra-angle, mirror-22, mirror-24 (head, mm), explorer (No. 23) or probe (periodontal, "
+                     "mm marks)")
         ->required()
-        ->check(CLI::IsMember({"turbine", "mirror-22", "mirror-24", "explorer", "probe"}))
+        ->check(CLI::IsMember({"turbine", "contra-angle", "mirror-22", "mirror-24", "explorer", "probe"}))
         ->type_name("");
     command->add_option("--out", options->out, "STL file to write")->required()->type_name("FILE");
-    command->add_option("--triangles", options->triangles, "Of the turbine (default: 16000)")
+    command->add_option("--triangles", options->triangles, "Of the turbine or contra-angle (default: 16000)")
         ->check(CLI::Range(2000, 24000))
         ->type_name("N");
 }
@@ -57,6 +59,7 @@ void addTooth(CLI::App& program, Chosen& chosen) {
         ->type_name("N");
     command->add_option("--seed", options->seed, "Another patient for each number (default: 0, the average tooth)")
         ->type_name("N");
+    command->add_flag("--no-cache", options->noCache, "Make it anew, and do not keep it for the next time");
     CLI::Option* caries = command->add_option("--caries", options->caries,
                                               "Decay that begins there: occlusal, mesial, distal, buccal, lingual");
     caries->check(CLI::IsMember({"occlusal", "mesial", "distal", "buccal", "lingual"}))->type_name("SITE");
@@ -69,6 +72,18 @@ void addTooth(CLI::App& program, Chosen& chosen) {
         ->check(CLI::Range(0.3, 6.0))
         ->needs(caries)
         ->type_name("MM");
+}
+
+void addWholeMouth(CLI::App& program, Chosen& chosen) {
+    const auto options = std::make_shared<MouthOptions>();
+    CLI::App* command = addCommand(program, chosen, "mouth",
+                                   "Makes all teeth of a mouth, in place on two arches, with their layers and the "
+                                   "gingiva, and writes closed STL surfaces, mm.",
+                                   options, runMouth);
+    command->add_option("--out", options->out, "Folder for gingiva-upper.stl, gingiva-lower.stl and 46/outer.stl etc.")
+        ->required()
+        ->type_name("DIR");
+    addMouthWishes(*command, options->mouth, nullptr);
 }
 
 void addGallery(CLI::App& program, Chosen& chosen) {
@@ -89,10 +104,29 @@ void addGallery(CLI::App& program, Chosen& chosen) {
 
 }  // namespace
 
+void addMouthWishes(CLI::App& command, MouthWishes& wishes, CLI::Option* needed) {
+    const std::vector<CLI::Option*> all = {
+        command.add_option("--triangles", wishes.triangles, "Of each tooth, about (default: 20000)")
+            ->check(CLI::Range(1000, 2'000'000))
+            ->type_name("N"),
+        command.add_option("--seed", wishes.seed, "Another patient for each number (default: 0, average teeth)")
+            ->type_name("N"),
+        command.add_option("--jaw", wishes.jaw, "open (40 mm between the incisors) or closed (default)")
+            ->check(CLI::IsMember({"open", "closed"}))
+            ->type_name("POSE"),
+        command.add_option("--missing", wishes.missing, "Teeth that are lost, as 18,28,46; their places have healed")
+            ->delimiter(',')
+            ->type_name("FDI"),
+        command.add_flag("--no-cache", wishes.noCache, "Make all teeth anew, and do not keep them for the next time")};
+    if (needed == nullptr) return;
+    for (CLI::Option* option : all) option->needs(needed);
+}
+
 void addMouthCommands(CLI::App& program, Chosen& chosen) {
     addBur(program, chosen);
     addInstrument(program, chosen);
     addTooth(program, chosen);
+    addWholeMouth(program, chosen);
     addGallery(program, chosen);
 }
 

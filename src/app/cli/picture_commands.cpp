@@ -8,8 +8,12 @@ namespace {
 
 void addSubject(CLI::App& command, RenderOptions& options) {
     command
-        .add_option("--tooth", options.tooth, "STL file, mm, crown up (+z), or a saved tooth (default: built-in molar)")
+        .add_option("--tooth,--case,FILE", options.tooth,
+                    "STL file, mm, crown up (+z), a case, or a saved tooth (default: built-in molar)")
         ->type_name("FILE");
+    command.add_option("--work-on", options.workOn, "The tooth of a case to look at (default: all of it)")
+        ->type_name("NAME")
+        ->needs("--tooth");
     command.add_option("--layer", options.layers, "What is inside --tooth, as for 'cut'")
         ->type_name("NAME=FILE")
         ->expected(1)
@@ -30,6 +34,17 @@ void addSubject(CLI::App& command, RenderOptions& options) {
     command.add_option("--drops", options.drops, "Share of the mirror where drops of spray stand, 0 to 1")
         ->check(CLI::Range(0.0, 1.0))
         ->type_name("SHARE");
+}
+
+void addMouth(CLI::App& command, RenderOptions& options) {
+    CLI::Option* mouth = command.add_flag("--mouth", options.mouth,
+                                          "The whole built-in mouth; then --view is front, right, left, upper, lower, "
+                                          "dentist, or AZIMUTH,ELEVATION (90,0 from the front)");
+    addMouthWishes(command, options.mouthWishes, mouth);
+    for (const char* other :
+         {"--tooth", "--layer", "--materials", "--mirror", "--clip", "--transparent", "--target", "--stereo"}) {
+        mouth->excludes(other);
+    }
 }
 
 void addEye(CLI::App& command, RenderOptions& options) {
@@ -85,6 +100,7 @@ void addPictureCommands(CLI::App& program, Chosen& chosen) {
     addSubject(*command, *options);
     addEye(*command, *options);
     addInsight(*command, *options);
+    addMouth(*command, *options);
     command->add_option("--size", options->size, "Pixels (default: 1600x1000)")->type_name("WxH");
     command->add_flag("--no-background", options->noBackground, "Leave the background transparent");
     command->add_option("--out", options->out, "PNG file to write")->required()->type_name("FILE");

@@ -15,6 +15,7 @@
 #include "devices/scripted_hand.h"
 #include "geometry/triangle_mesh.h"
 #include "haptics/real_time.h"
+#include "haptics/scene_load.h"
 #include "instruments/builtin_tooth.h"
 #include "instruments/bur_shape.h"
 #include "session/experiments/run_facts.h"
@@ -30,7 +31,6 @@ constexpr double kVoxel = 0.05;       // mm
 constexpr double kStroke = 1.0;       // mm to each side
 constexpr double kStrokeTime = 0.25;  // s
 constexpr double kSink = 1.5;         // mm that the hand wants to be in the tooth: about 1 N
-constexpr double kSlowShare = 0.2;    // of the period that a tick may take at p99.9: the rest is the system's
 
 /// Comes down on the middle of the tooth and strokes to and fro, lifting now and then.
 std::vector<ScriptedMoment> strokes(const Box3& box, double seconds) {
@@ -101,7 +101,8 @@ Json jsonOf(const RealtimeOptions& options, const Simulator& simulator, std::spa
                  {"real_time_priority", simulator.isRealTime()},
                  {"memory_locked", locked},
                  {"ticks", simulator.timing().ticks.load()},
-                 {"missed", simulator.timing().missed.load()}};
+                 {"missed", simulator.timing().missed.load()},
+                 {"heavy_scene", isSceneHeavy(simulator.timing(), options.rateHz)}};
     for (const auto& [key, title, histogram] : lines) {
         json[key] = {{"p50_us", histogram->quantile(0.5)},
                      {"p99_us", histogram->quantile(0.99)},
@@ -112,13 +113,9 @@ Json jsonOf(const RealtimeOptions& options, const Simulator& simulator, std::spa
 }
 
 /// What to do about it, if the loop was late.
-void printAdvice(double slowest, double period) {
-    if (slowest > kSlowShare * period) {
-        fmt::print(
-            "The scene is heavy for this machine: one tick in a thousand takes {:.0f} us of {:.0f} us. Take fewer "
-            "triangles ('tactooth simplify') or a lower rate.\n",
-            slowest, period);
-    }
+void printAdvice(const ServoTiming& timing, double rateHz) {
+    const std::string advice = heavySceneAdvice(timing, rateHz);
+    if (!advice.empty()) fmt::print("{}\n", advice);
     const std::string hint = realTimeHint(realTimeRights());
     if (!hint.empty()) fmt::print("{}\n", hint);
 }
@@ -157,13 +154,12 @@ int runRealtime(const RealtimeOptions& options) {
          {"tick", "tick: time of its work", &timing.tick},
          {"lateness", "waking up: late by", &timing.lateness},
          {"device_to_force", "from the reading to its force", &simulator.deviceToForce()}}};
-    const double period = 1e6 / options.rateHz;
     if (options.json) {
         fmt::print("{}\n",
                    jsonOf(options, simulator, lines, locked).dump(1, ' ', false, Json::error_handler_t::replace));
     } else {
         printTable(options, simulator, lines, locked);
-        printAdvice(timing.tick.quantile(0.999), period);
+        printAdvice(timing, options.rateHz);
     }
     const auto all = static_cast<double>(timing.ticks + timing.missed);
     constexpr double kMostMissed = 0.01;  // of the deadlines: a hand feels more

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "app/cli/exit_code.h"
+#include "app/cli/render_mouth.h"
 #include "app/cli/render_words.h"
 #include "app/common/distance_legend.h"
 #include "app/common/inspection.h"
@@ -30,7 +31,7 @@ Expected<BenchTooth> toothOf(const RenderOptions& options) {
         if (!layer) return Unexpected{layer.error()};
         source.layers.push_back(std::move(*layer));
     }
-    return loadBenchTooth(source);
+    return loadBenchTooth(source, options.workOn);
 }
 
 Expected<ColourByDistance> distancesFor(const RenderOptions& options, const Box3& box) {
@@ -67,7 +68,8 @@ Expected<OrbitCamera> eyeOf(const RenderOptions& options, const BenchTooth& toot
     const auto direction = parseView(options.view);
     if (!direction) return Unexpected{direction.error()};
     OrbitCamera camera;
-    camera.fit(tooth.box(), size.aspect());
+    // Of a case all is shown, unless one of its teeth was asked for.
+    camera.fit(options.workOn.empty() ? tooth.piece->tooth().outer()->tree().box() : tooth.box(), size.aspect());
     if (direction->standard) {
         camera.look(*direction->standard, tooth.mesialX);
     } else {
@@ -148,7 +150,8 @@ Expected<void> render(const RenderOptions& options) {
     if (!size) return Unexpected{size.error()};
     auto tooth = toothOf(options);
     if (!tooth) return Unexpected{tooth.error()};
-    const auto materials = materialsFrom(options.materials);
+    const auto materials =
+        options.materials.empty() && tooth->materials ? *tooth->materials : materialsFrom(options.materials);
     if (!materials) return Unexpected{materials.error()};
     auto inspection = inspectionOf(options, *tooth);
     if (!inspection) return Unexpected{inspection.error()};
@@ -164,7 +167,7 @@ Expected<void> render(const RenderOptions& options) {
 }  // namespace
 
 int runRender(const RenderOptions& options) {
-    const auto done = render(options);
+    const auto done = options.mouth ? renderMouth(options) : render(options);
     return done ? kExitOk : refuse(done.error());
 }
 

@@ -7,11 +7,14 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/mouth_command.h"
+
 namespace tactooth {
 
 struct RenderOptions {
-    std::filesystem::path tooth;  ///< STL or saved tooth; empty: the built-in molar
+    std::filesystem::path tooth;  ///< STL, case or saved tooth; empty: the built-in molar
     std::vector<std::string> layers;
+    std::string workOn;  ///< tooth of a case, shown alone; empty: all of it
     std::filesystem::path materials;
     std::string view = "dentist";  ///< a name of kStandardViews, "dentist", or "AZIMUTH,ELEVATION" in degrees
     std::string size = "1600x1000";
@@ -28,6 +31,8 @@ struct RenderOptions {
     double fog = 0;
     double drops = 0;
     bool noBackground = false;
+    bool mouth = false;  ///< the whole built-in mouth instead of a tooth
+    MouthWishes mouthWishes;
 };
 
 /// Writes a picture of a tooth, or the pictures of a turn around it.

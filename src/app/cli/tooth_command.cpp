@@ -10,6 +10,7 @@
 #include "app/cli/exit_code.h"
 #include "app/cli/mesh_summary.h"
 #include "geometry/stl_writer.h"
+#include "session/tooth_cache.h"
 
 namespace tactooth {
 namespace {
@@ -55,7 +56,7 @@ int runTooth(const ToothOptions& options) {
     if (!options.caries.empty()) {
         request.lesion = Lesion{siteOf(options.caries), options.cariesWidth, options.cariesDepth};
     }
-    const BuiltinTooth tooth = makeTooth(request);
+    const BuiltinTooth tooth = options.noCache ? makeTooth(request) : ToothCache(usualCacheFolder()).make(request);
     printSize(tooth);
     for (const auto& [name, mesh] : {std::pair("outer.stl", &tooth.outer), std::pair("enamel.stl", &tooth.enamel),
                                      std::pair("dentin.stl", &tooth.dentin), std::pair("pulp.stl", &tooth.pulp),

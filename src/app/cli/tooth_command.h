@@ -19,6 +19,7 @@ struct ToothOptions {
     std::string caries;  ///< site; empty: a sound tooth
     double cariesWidth = kDefaultLesionWidth;
     std::optional<double> cariesDepth;
+    bool noCache = false;
 };
 
 /// Writes a tooth of the built-in mouth as STL layers into a folder.

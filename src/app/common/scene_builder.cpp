@@ -117,10 +117,13 @@ std::vector<Look> looksOf(const MaterialTable& materials) {
     return result;
 }
 
+Vec3 toLoupeLamp(const Camera& camera) { return camera.cameraInWorld.rotation * Vec3(-0.19, 0.19, 0.96).normalized(); }
+
 Scene makeScene(const SceneContents& contents) {
     Scene scene;
     scene.camera = contents.camera;
     scene.lighting = operatingLight(contents.camera);
+    if (!contents.around.empty()) scene.lighting.toKey = toLoupeLamp(contents.camera);
     if (contents.tooth != nullptr) {
         SceneObject tooth;
         tooth.shape = contents.tooth;
@@ -132,6 +135,16 @@ Scene makeScene(const SceneContents& contents) {
     if (contents.mirror) addMirror(scene, *contents.mirror);
     if (contents.suction) addSuction(scene, *contents.suction);
     scene.particles = contents.flying;
+    constexpr double kSteep = 0.65;  // sine of the angle from which on one looks through the other jaw
+    const bool isSteep = (contents.camera.cameraInWorld.rotation * Vec3::UnitZ()).z() > kSteep;
+    for (const ShownBody& body : contents.around) {
+        if (body.opposite && isSteep) continue;
+        SceneObject object;
+        object.shape = body.mesh;
+        object.objectInWorld = body.bodyInTooth;
+        object.looks = {body.look};
+        scene.objects.push_back(std::move(object));
+    }
     if (contents.mirror && contents.tooth != nullptr) lightByMirror(scene, crownOf(*contents.tooth));
     return scene;
 }

@@ -17,7 +17,8 @@ struct ShownTool {
     Pose toolInTooth;
     double spin = 0;  ///< of the bur about its axis, rad
     double speedRpm = 0;
-    std::shared_ptr<const TriangleMesh> blurred;  ///< the bur as the eye sees it turning fast (spinningShape), or null
+    std::shared_ptr<const TriangleMesh> blurred =
+        {};  ///< the bur as the eye sees it turning fast (spinningShape), or null
 };
 
 /// The mirror, as it is drawn.
@@ -34,6 +35,14 @@ struct ShownSuction {
     Pose tubeInTooth;
 };
 
+/// A body that stands around the tooth: a neighbour, the gum.
+struct ShownBody {
+    std::shared_ptr<const TriangleMesh> mesh;
+    Pose bodyInTooth;
+    Look look;
+    bool opposite = false;  ///< of the other jaw: left out where it would stand between the eye and the tooth
+};
+
 /// All that a picture of the bench shows, in the tooth's frame. Whatever is empty is not there.
 struct SceneContents {
     std::shared_ptr<const Surface> tooth;  ///< tagged by MaterialId
@@ -42,13 +51,19 @@ struct SceneContents {
     std::optional<ShownMirror> mirror;
     std::optional<ShownSuction> suction;
     std::vector<Particle> flying;  ///< water and chips (particlesOf)
+    std::vector<ShownBody> around;
     Camera camera;
 };
 
 /// One look for each MaterialId, in their order: colour and roughness from the table.
 [[nodiscard]] std::vector<Look> looksOf(const MaterialTable& materials);
 
-/// The picture under the operating light. World frame = tooth frame.
+/// Towards a lamp 15 degrees above the eye and to its left: it lights what the eye sees, and leaves it a little shadow
+/// to show its depth.
+[[nodiscard]] Vec3 toLoupeLamp(const Camera& camera);
+
+/// The picture under the operating light; inside a mouth, where the other jaw stands in that light, by the lamp on the
+/// loupe. World frame = tooth frame.
 [[nodiscard]] Scene makeScene(const SceneContents& contents);
 
 /// How a tool is held upright: its handle (+x of the tool frame) leaves the mouth mesially, turned `towardLingual` rad

@@ -2,17 +2,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/bench_parts.h"
 
+#include "app/common/mouth_scene.h"
 #include "app/common/spin_blur.h"
-#include "geometry/mesh_file.h"
 #include "instruments/bur_shape.h"
 #include "instruments/suction_tube.h"
 #include "instruments/turbine.h"
+#include "session/cases/placed_tooth.h"
+#include "session/tooth_cache.h"
+#include "session/tooth_in_mouth.h"
 
 namespace tactooth {
 namespace {
 
 constexpr double kVoxel = 0.05;           // mm: a twentieth of a small bur's width; the cut itself is finer
 constexpr int kShownBurTriangles = 6000;  // blades look round at full zoom
+
+/// `file`: that it came from; empty for one of a case.
+Expected<BenchBur> benchBurOf(OwnBur own, const std::filesystem::path& file) {
+    Expected<CuttingTool> cutting = makeCuttingTool(own.surface, own.sharpness);
+    if (!cutting) return unexpected((file.empty() ? own.name : file.string()) + ": " + cutting.error().message);
+    auto shown = std::make_shared<const TriangleMesh>(own.surface);
+    auto blurred = std::make_shared<const TriangleMesh>(spinningShape(cutting->envelope));
+    return BenchBur{own.name,         {std::make_shared<const ToolShape>(std::move(own.surface)), std::move(*cutting)},
+                    std::move(shown), std::move(blurred),
+                    own.material,     file};
+}
 
 }  // namespace
 
@@ -27,10 +41,45 @@ Expected<BenchTooth> makeBenchTooth(const BuiltinToothEntry& entry) {
                       {{"tooth", "built in: " + tooth.name}}};
 }
 
-Expected<BenchTooth> loadBenchTooth(const ToothSource& source) {
-    Expected<OpenedTooth> opened = loadTooth(source, std::nullopt, kVoxel);
-    if (!opened) return Unexpected{opened.error()};
-    return BenchTooth{source.outer.filename().string(), std::move(opened->piece), 1, std::move(opened->provenance)};
+Expected<BenchTooth> makeBenchTooth(const BenchMouth& mouth) {
+    constexpr int kNeighbourTriangles = 20000;
+    const MouthRequest request{.triangles = kNeighbourTriangles, .seed = 0, .jaw = JawPose::open, .missing = {}};
+    const ToothCache cache(mouth.cached ? usualCacheFolder() : std::filesystem::path());
+    const ToothInMouth made =
+        toothInMouth(mouth.fdi, Lesion{}, request, [&](const ToothRequest& tooth) { return cache.make(tooth); });
+    Expected<LayeredTooth> layered = LayeredTooth::make(made.tooth.outer, layersOf(made.tooth));
+    if (!layered) return Unexpected{layered.error()};
+    BenchTooth tooth{std::to_string(made.tooth.fdi),  // a number needs no translation
+                     std::make_shared<WorkPiece>(std::make_shared<const LayeredTooth>(std::move(*layered)), kVoxel),
+                     mesialX(made.tooth.fdi),
+                     {{"tooth", "built in: " + made.tooth.name + ", in the whole mouth"}}};
+    tooth.around = shownAround(made);
+    tooth.piece->surroundBy(surroundingsOf(made));
+    return tooth;
+}
+
+Expected<BenchTooth> loadBenchTooth(const ToothSource& source, const std::string& workOn) {
+    Expected<PlacedWork> work = loadPlacedWork(source, workOn, std::nullopt, kVoxel);
+    if (!work) return Unexpected{work.error()};
+    ToothPlace& place = work->place;
+    BenchTooth tooth{
+        std::move(place.name),      std::move(work->piece),      place.mesialX, std::move(work->provenance), place.box,
+        std::move(place.materials), std::move(place.teethOfCase)};
+    if (place.bur) {
+        Expected<BenchBur> bur = benchBurOf(std::move(*place.bur), {});
+        if (!bur) return Unexpected{bur.error()};
+        tooth.bur = std::move(*bur);
+    }
+    return tooth;
+}
+
+Expected<BenchTooth> makeBenchTooth(const ExaminedScan& scan) {
+    Expected<LayeredTooth> layered = LayeredTooth::make(scan.outer, scan.layers);
+    if (!layered) return unexpected(scan.name + ": " + layered.error().message + ".");
+    auto shared = std::make_shared<const LayeredTooth>(std::move(*layered));
+    BenchTooth tooth{scan.name, std::make_shared<WorkPiece>(std::move(shared), kVoxel), 1, {{"tooth", scan.name}}};
+    for (const Remark& remark : scan.remarks) tooth.provenance.emplace_back("assumed", inWords(remark));
+    return tooth;
 }
 
 Expected<BenchBur> makeBenchBur(const BurSpec& spec) {
@@ -47,16 +96,9 @@ Expected<BenchBur> makeBenchBur(const BurSpec& spec) {
 }
 
 Expected<BenchBur> loadBenchBur(const std::filesystem::path& path) {
-    Expected<TriangleMesh> mesh = loadMesh(path);
-    if (!mesh) return Unexpected{mesh.error()};
-    Expected<CuttingTool> cutting = makeCuttingTool(*mesh);
-    if (!cutting) return unexpected(path.string() + ": " + cutting.error().message);
-    auto shown = std::make_shared<const TriangleMesh>(*mesh);
-    auto blurred = std::make_shared<const TriangleMesh>(spinningShape(cutting->envelope));
-    return BenchBur{
-        path.filename().string(), {std::make_shared<const ToolShape>(std::move(*mesh)), std::move(*cutting)},
-        std::move(shown),         std::move(blurred),
-        BurMaterial::carbide,     path};
+    Expected<OwnBur> own = readOwnBur(path);
+    if (!own) return Unexpected{own.error()};
+    return benchBurOf(std::move(*own), path);
 }
 
 BenchFurniture makeFurniture() {

@@ -4,25 +4,17 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "app/common/scene_builder.h"
 #include "instruments/builtin_tooth.h"
+#include "patient/scan_import.h"
 #include "session/simulator.h"
 #include "session/tooth_file.h"
 #include "session/tooth_source.h"
 
 namespace tactooth {
-
-/// A tooth that is ready to be worked on.
-struct BenchTooth {
-    std::string name;  ///< for people
-    std::shared_ptr<WorkPiece> piece;
-    double mesialX = 1;  ///< direction of mesial along x; a file's frame is taken to have it at +x
-    Provenance provenance;
-
-    [[nodiscard]] Box3 box() const { return piece->tooth().outer()->tree().box(); }
-};
 
 /// A bur that is ready to work.
 struct BenchBur {
@@ -32,6 +24,21 @@ struct BenchBur {
     std::shared_ptr<const TriangleMesh> blurred;  ///< as it is seen turning fast
     BurMaterial material = BurMaterial::carbide;
     std::filesystem::path file;  ///< that it came from; empty for a bur of the catalogue
+};
+
+/// A tooth that is ready to be worked on.
+struct BenchTooth {
+    std::string name;  ///< for people
+    std::shared_ptr<WorkPiece> piece;
+    double mesialX = 1;  ///< direction of mesial along x; a file's frame is taken to have it at +x
+    Provenance provenance;
+    Box3 workBox = {};  ///< of the tooth of a case that is worked on, mm; empty: all of the piece
+    std::optional<MaterialTable> materials = {};  ///< that a case brings
+    std::vector<std::string> teethOfCase = {};    ///< names; empty: it is no case
+    std::optional<BenchBur> bur = {};             ///< that a case brings
+    std::vector<ShownBody> around = {};           ///< the rest of the mouth, which is felt and drawn
+
+    [[nodiscard]] Box3 box() const { return workBox.isEmpty() ? piece->tooth().outer()->tree().box() : workBox; }
 };
 
 /// What stands around: the same for every tooth. The mirror comes by takeMirror.
@@ -53,10 +60,19 @@ inline constexpr std::array<BuiltinToothEntry, 3> kBuiltinTeeth = {{
     {BuiltinToothKind::upperCanine, "Upper canine (13)"},
 }};
 
+/// The mouth that a tooth stands in: average teeth, open as for work.
+struct BenchMouth {
+    int fdi = 46;  ///< of the tooth that is worked on
+    bool cached = true;
+};
+
 // All of these take a second or so: they belong into an Errand. Failing gives a sentence for the user.
 [[nodiscard]] Expected<BenchTooth> makeBenchTooth(const BuiltinToothEntry& entry);
-[[nodiscard]] Expected<BenchTooth> loadBenchTooth(const ToothSource& source);
+[[nodiscard]] Expected<BenchTooth> makeBenchTooth(const BenchMouth& mouth);
+[[nodiscard]] Expected<BenchTooth> loadBenchTooth(const ToothSource& source, const std::string& workOn = {});
 [[nodiscard]] Expected<BenchBur> makeBenchBur(const BurSpec& spec);
+/// `scan` with layers, as scan_import.h finishes it.
+[[nodiscard]] Expected<BenchTooth> makeBenchTooth(const ExaminedScan& scan);
 [[nodiscard]] Expected<BenchBur> loadBenchBur(const std::filesystem::path& path);
 [[nodiscard]] BenchFurniture makeFurniture();
 /// A mirror with a head of this diameter (mm) in the place of the old one; a matter of a millisecond.

@@ -78,6 +78,7 @@ void DrillBar::show(const QString& name, const QString& file) {
         place = burs_->count();
         burs_->addItem(name);
         burs_->setItemData(place, file, kFileRole);
+        burs_->setItemData(place, name, kNameRole);
     }
     burs_->setCurrentIndex(place);
 }

@@ -87,7 +87,7 @@ void ForcePanel::addPresets(QGridLayout& grid) {
 }
 
 void ForcePanel::feelLike(MaterialId tissue) {
-    const Material& numbers = MaterialTable()[tissue];
+    const Material numbers = MaterialTable()[tissue];
     fromMaterial_->setChecked(false);
     spring_->setValue(numbers.stiffness);
     damper_->setValue(numbers.damping);

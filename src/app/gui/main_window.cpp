@@ -12,6 +12,7 @@
 #include <QMimeData>
 #include <QScrollArea>
 #include <QStyle>
+#include <array>
 
 #include "app/gui/drill_bar.h"
 #include "app/gui/drive_panel.h"
@@ -20,6 +21,7 @@
 #include "app/gui/inside_panel.h"
 #include "app/gui/open_tooth_dialog.h"
 #include "app/gui/plot_panel.h"
+#include "app/gui/scan_importer.h"
 #include "app/gui/sound_panel.h"
 #include "app/gui/status_line.h"
 #include "app/gui/tooth_view.h"
@@ -58,6 +60,7 @@ MainWindow::MainWindow(SoundOutput& sound)
       tour_(new GuidedTour(bench_, *view_, *drill_, *drive_, this)),
       volumes_(new SoundPanel),
       plots_(new PlotPanel),
+      importer_(new ScanImporter(this)),
       status_(new StatusLine),
       busy_(new QProgressBar),
       fileBar_(addToolBar(tr("File"))),
@@ -137,9 +140,14 @@ void MainWindow::addFileMenu() {
     for (const BuiltinToothEntry& entry : kBuiltinTeeth) {
         builtin->addAction(translated(entry.name), this, [this, &entry] { bringBuiltinTooth(entry); });
     }
+    addMouthMenu(*menu);
     recentMenu_ = menu->addMenu(tr("Open &recent"));
     recentMenu_->setObjectName("recent");
     connect(recentMenu_, &QMenu::aboutToShow, this, &MainWindow::fillRecentMenu);
+    caseMenu_ = menu->addMenu(tr("Tooth of the &case"));
+    caseMenu_->setObjectName("teethOfCase");
+    connect(caseMenu_, &QMenu::aboutToShow, this, &MainWindow::fillCaseMenu);
+    menu->addAction(tr("&Import scan…"), this, &MainWindow::askForScan)->setShortcut(QKeySequence("Ctrl+I"));
     menu->addAction(tr("Open &bur…"), this, &MainWindow::askForBur);
     menu->addAction(tr("&Save tooth…"), this, &MainWindow::askForSave)->setShortcut(QKeySequence::Save);
     QAction* save = menu->addAction(style()->standardIcon(QStyle::SP_DialogSaveButton), tr("&Export cut tooth…"), this,
@@ -150,6 +158,19 @@ void MainWindow::addFileMenu() {
     fileBar_->addAction(open);
     fileBar_->addAction(builtin->menuAction());
     fileBar_->addAction(save);
+}
+
+/// Each tooth by its number, the quadrants as on a dentist's chart.
+void MainWindow::addMouthMenu(QMenu& menu) {
+    QMenu* mouth = menu.addMenu(tr("&Whole mouth"));
+    mouth->setObjectName("mouth");
+    const std::array quadrants = {tr("Upper right"), tr("Upper left"), tr("Lower left"), tr("Lower right")};
+    for (int quadrant = 1; quadrant <= 4; ++quadrant) {
+        QMenu* side = mouth->addMenu(quadrants[static_cast<std::size_t>(quadrant - 1)]);
+        for (int fdi = 10 * quadrant + 1; isPermanentTooth(fdi); ++fdi) {
+            side->addAction(QString::number(fdi), this, [this, fdi] { bringMouth({.fdi = fdi}); });
+        }
+    }
 }
 
 void MainWindow::addDrillAndSoundMenus() {
@@ -213,6 +234,11 @@ void MainWindow::connectPanels() {
     connect(force_, &ForcePanel::pressDepthChanged, this, [this](double mm) { bench_.hand().setPressDepth(mm); });
     connect(view_, &ToothView::pressDepthChanged, force_, &ForcePanel::setPressDepth);
     connect(view_, &ToothView::failed, this, &MainWindow::graphicsFailed, Qt::QueuedConnection);
+    connect(importer_, &ScanImporter::failed, this, &MainWindow::complain);
+    connect(importer_, &ScanImporter::imported, this, [this](const BenchTooth& tooth) {
+        status_->setHint(tr("%1 was imported").arg(QString::fromStdString(tooth.name)));
+        bench_.put(tooth);
+    });
     connectSound();
     connectInside();
 }
@@ -222,9 +248,10 @@ void MainWindow::step() {
     takeNews(bench_.step(std::min(dt, kLongestStep)));
     takeSounds();
     takeTarget();
+    importer_->poll();
     placeSounds();
     trace_.add(bench_.ticks());
-    busy_->setVisible(bench_.isBusy());
+    busy_->setVisible(bench_.isBusy() || importer_->isBusy());
     view_->refresh();
 }
 

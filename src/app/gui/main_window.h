@@ -6,6 +6,8 @@
 #include <QMainWindow>
 #include <QProgressBar>
 #include <QTimer>
+#include <filesystem>
+#include <vector>
 
 #include "app/gui/errand.h"
 #include "app/gui/tick_trace.h"
@@ -25,6 +27,7 @@ class ForcePanel;
 class GuidedTour;
 class InsidePanel;
 class PlotPanel;
+class ScanImporter;
 class SoundPanel;
 class StatusLine;
 class ToothView;
@@ -40,7 +43,11 @@ public:
 
     [[nodiscard]] Workbench& bench() { return bench_; }
     void bringBuiltinTooth(const BuiltinToothEntry& entry);
-    void openTooth(const ToothSource& source);
+    /// A tooth among its neighbours and gums.
+    void bringMouth(const BenchMouth& mouth);
+    void openTooth(const ToothSource& source, const std::string& workOn = {});
+    /// Surfaces of one tooth in whatever unit and position: shows what was assumed before it takes them.
+    void importScan(const std::vector<std::filesystem::path>& files);
     void bringBur(const BurSpec& spec);
     void openBur(const QString& file);
     /// The window as it was the last time. Call before it is shown.
@@ -73,6 +80,7 @@ protected:
 private:
     void addPanels();
     void addFileMenu();
+    void addMouthMenu(QMenu& menu);
     void addViewMenu();
     void addAppearanceMenu();
     void addLanguageMenu();
@@ -106,6 +114,8 @@ private:
     void takeSounds();
     void placeSounds();
     void askForTooth();
+    void askForScan();
+    void fillCaseMenu();
     void askForBur();
     void askForExport();
     void askForSounds();
@@ -136,12 +146,15 @@ private:
     GuidedTour* tour_;
     SoundPanel* volumes_;
     PlotPanel* plots_;
+    ScanImporter* importer_;
     StatusLine* status_;
     QProgressBar* busy_;
     QToolBar* fileBar_;
     QToolBar* viewBar_;
     QMenu* viewMenu_ = nullptr;
     QMenu* recentMenu_ = nullptr;
+    QMenu* caseMenu_ = nullptr;
+    ToothSource source_;  // of the tooth that was opened last
     QAction* darkSwitch_ = nullptr;
     QStringList recent_;  // newest first
     QActionGroup* languages_ = nullptr;

@@ -15,16 +15,20 @@
 #include "app/gui/open_tooth_dialog.h"
 #include "app/gui/plot_export.h"
 #include "app/gui/plot_panel.h"
+#include "app/gui/scan_importer.h"
 #include "app/gui/status_line.h"
 #include "app/gui/welcome_dialog.h"
 #include "app/gui/words.h"
 #include "geometry/atomic_file.h"
 #include "geometry/stl_writer.h"
+#include "session/cases/case_store.h"
 
 namespace tactooth {
 namespace {
 
 const char* const kToothFilter = QT_TRANSLATE_NOOP("tactooth::MainWindow", "Saved teeth (*.tactooth);;All files (*)");
+const char* const kBurFilter =
+    QT_TRANSLATE_NOOP("tactooth::MainWindow", "Burs (*.stl *.STL *.obj *.ply *.toml);;All files (*)");
 const char* const kStlFilter = QT_TRANSLATE_NOOP("tactooth::MainWindow", "STL surfaces (*.stl *.STL);;All files (*)");
 
 /// A message that does not stop the simulation.
@@ -50,11 +54,22 @@ void MainWindow::bringBuiltinTooth(const BuiltinToothEntry& entry) {
     bench_.bring([entry] { return makeBenchTooth(entry); });
 }
 
-void MainWindow::openTooth(const ToothSource& source) {
+void MainWindow::bringMouth(const BenchMouth& mouth) {
+    status_->setHint(tr("Making the whole mouth around tooth %1…").arg(mouth.fdi));
+    bench_.bring([mouth] { return makeBenchTooth(mouth); });
+}
+
+void MainWindow::openTooth(const ToothSource& source, const std::string& workOn) {
     status_->setHint(tr("Opening %1…").arg(QString::fromStdString(source.outer.filename().string())));
     folder_ = folderOf(QString::fromStdString(source.outer.string()));
     remember(QString::fromStdString(source.outer.string()));
-    bench_.bring(Errand<BenchTooth>::Work([source] { return loadBenchTooth(source); }));
+    source_ = source;
+    bench_.bring(Errand<BenchTooth>::Work([source, workOn] { return loadBenchTooth(source, workOn); }));
+}
+
+void MainWindow::importScan(const std::vector<std::filesystem::path>& files) {
+    folder_ = folderOf(QString::fromStdString(files.front().string()));
+    importer_->begin(files, this);
 }
 
 void MainWindow::bringBur(const BurSpec& spec) {
@@ -90,13 +105,35 @@ void MainWindow::complain(const QString& sentence) {
 
 void MainWindow::askForTooth() {
     auto* dialog = new OpenToothDialog(folder_, this);
-    connect(dialog, &OpenToothDialog::chosen, this, &MainWindow::openTooth);
+    connect(dialog, &OpenToothDialog::chosen, this, [this](const ToothSource& source) { openTooth(source); });
     dialog->open();
+}
+
+void MainWindow::askForScan() {
+    QFileDialog* dialog = fileDialog(this, tr("Import a scan: surfaces of one tooth"), folder_,
+                                     tr("Surfaces (*.stl *.STL *.obj *.OBJ *.ply *.PLY);;All files (*)"));
+    dialog->setFileMode(QFileDialog::ExistingFiles);
+    connect(dialog, &QFileDialog::filesSelected, this, [this](const QStringList& names) {
+        std::vector<std::filesystem::path> files;
+        for (const QString& name : names) files.emplace_back(name.toStdString());
+        if (!files.empty()) importScan(files);
+    });
+    dialog->open();
+}
+
+/// Another tooth of the same case to work on.
+void MainWindow::fillCaseMenu() {
+    caseMenu_->clear();
+    const std::vector<std::string> teeth = bench_.tooth() ? bench_.tooth()->teethOfCase : std::vector<std::string>();
+    for (const std::string& name : teeth) {
+        caseMenu_->addAction(QString::fromStdString(name), this, [this, name] { openTooth(source_, name); });
+    }
+    if (teeth.empty()) caseMenu_->addAction(tr("Nothing yet"))->setEnabled(false);
 }
 
 void MainWindow::askForBur() {
     QFileDialog* dialog =
-        fileDialog(this, tr("Open bur: tip at the origin, shaft along +z, mm"), folder_, tr(kStlFilter));
+        fileDialog(this, tr("Open bur: tip at the origin, shaft along +z, mm"), folder_, tr(kBurFilter));
     dialog->setFileMode(QFileDialog::ExistingFile);
     connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::openBur);
     dialog->open();
@@ -167,10 +204,17 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
     if (event->mimeData()->hasUrls()) event->acceptProposedAction();
 }
 
+/// Cases and saved teeth are opened as they are, surfaces are looked at first.
 void MainWindow::dropEvent(QDropEvent* event) {
-    ToothSource source;
-    source.outer = event->mimeData()->urls().front().toLocalFile().toStdString();
-    openTooth(source);
+    std::vector<std::filesystem::path> files;
+    for (const QUrl& url : event->mimeData()->urls()) files.emplace_back(url.toLocalFile().toStdString());
+    if (files.empty()) return;
+    event->acceptProposedAction();
+    if (isCase(files.front()) || isToothFile(files.front())) {
+        openTooth({.outer = files.front(), .layers = {}});
+    } else {
+        importScan(files);
+    }
 }
 
 /// The space key is the pedal, whatever has the focus, as long as no dialog is in front. A key or a click ends the
@@ -212,6 +256,7 @@ void MainWindow::showMouseAndKeys() {
     text += row(tr("Ctrl + Z"), tr("take back the last cut"));
     text += row(tr("Ctrl + R"), tr("put back all that was cut"));
     text += row(tr("Ctrl + O, S, Shift + S"), tr("open a tooth, save it, export its surface"));
+    text += row(tr("Ctrl + I"), tr("import a scan"));
     text += row(tr("Ctrl + D"), tr("dark colours"));
     text += row(tr("Ctrl + M"), tr("mute"));
     text += row(tr("Tab, Alt + letter"), tr("go on to the next control; open a menu"));

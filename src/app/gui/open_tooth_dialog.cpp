@@ -27,11 +27,11 @@ OpenToothDialog::OpenToothDialog(QString folder, QWidget* parent) : QDialog(pare
     auto* grid = new QGridLayout(this);
     auto* intro =
         new QLabel(tr("The tooth's outer surface is felt and seen. Closed surfaces inside it say where each "
-                      "tissue is; without them the whole tooth is enamel. STL files in millimetres, or a saved "
-                      "tooth, which has all of these."));
+                      "tissue is; without them the whole tooth is enamel. STL files in millimetres, or a case or "
+                      "a saved tooth, which have all of these."));
     intro->setWordWrap(true);
     grid->addWidget(intro, 0, 0, 1, 3);
-    outer_ = addRow(*grid, tr("Outer surface"), tr("The whole tooth or a saved one, needed"));
+    outer_ = addRow(*grid, tr("Outer surface"), tr("The whole tooth, a case or a saved one, needed"));
     outer_->setObjectName("outerSurface");
     for (const MaterialId id : kLayers) {
         const std::string name(materialName(id));
@@ -63,7 +63,8 @@ QLineEdit* OpenToothDialog::addRow(QGridLayout& grid, const QString& label, cons
     connect(browse, &QPushButton::clicked, this, [this, edit, label] {
         auto* files = new QFileDialog(
             this, label, folder_,
-            tr("Surfaces and saved teeth (*.stl *.STL *.obj *.OBJ *.ply *.PLY *.tactooth);;All files (*)"));
+            tr("Surfaces, cases and saved teeth (*.stl *.STL *.obj *.OBJ *.ply *.PLY *.ttcase case.toml *.tactooth);;"
+               "All files (*)"));
         files->setAttribute(Qt::WA_DeleteOnClose);
         files->setFileMode(QFileDialog::ExistingFile);
         connect(files, &QFileDialog::fileSelected, this, [this, edit](const QString& file) {

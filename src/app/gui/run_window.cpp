@@ -54,6 +54,10 @@ Expected<WindowSettings> withFlags(WindowSettings settings, const WindowOptions&
     return settings;
 }
 
+bool hasSecondHand(const WindowSettings& settings) {
+    return !settings.secondDevice.empty() && settings.secondDevice != "none";
+}
+
 }  // namespace
 
 int runWindow(const WindowOptions& options) {
@@ -64,7 +68,7 @@ int runWindow(const WindowOptions& options) {
     if (!start) return refuse(start.error());
     std::optional<BenchTooth> tooth;
     if (options.tooth) {
-        Expected<BenchTooth> loaded = loadBenchTooth(*options.tooth);
+        Expected<BenchTooth> loaded = loadBenchTooth(*options.tooth, options.workOn);
         if (!loaded) return refuse(loaded.error());
         tooth = std::move(*loaded);
     }
@@ -92,23 +96,36 @@ int runWindow(const WindowOptions& options) {
         exitCode = refuse({sentence.toStdString()});
         QApplication::exit(exitCode);
     });
-    if (bur) start->bur.clear();  // the one of the command line counts
+    if (bur || (tooth && tooth->bur)) start->bur.clear();  // the one of the command line counts, or of the case
     window.apply(*start);
-    tooth ? window.bench().put(std::move(*tooth)) : window.bringBuiltinTooth(kBuiltinTeeth.front());
+    if (tooth) {
+        window.bench().put(std::move(*tooth));
+    } else if (options.mouth) {
+        window.bringMouth(*options.mouth);
+    } else {
+        window.bringBuiltinTooth(kBuiltinTeeth.front());
+    }
     if (bur) window.bench().put(std::move(*bur));
     window.show();
     if (!settings) {
         window.complain(QString::fromStdString(settings.error().message) +
                         " The window starts with its defaults and writes the file anew when it is closed.");
     }
-    if (isFirstTime && !options.tooth) window.welcome();
+    if (isFirstTime && !options.tooth && !options.mouth) window.welcome();
     if (options.device != "mouse") {
         auto device = openDevice(options.device);
         device ? window.bench().put(std::move(*device))
                : window.complain(QString::fromStdString(device.error().message));
     }
+    if (hasSecondHand(*start)) {
+        auto device = openDevice(start->secondDevice);
+        device ? window.bench().putSecond(std::move(*device))
+               : window.complain(QString::fromStdString(device.error().message));
+    }
     QApplication::exec();
-    if (const auto written = writeWindowSettings(window.settings(), settingsFile); !written) {
+    WindowSettings last = window.settings();
+    last.secondDevice = start->secondDevice;
+    if (const auto written = writeWindowSettings(last, settingsFile); !written) {
         (void)refuse(written.error());  // a word about it; the session itself went well
     }
     return exitCode;

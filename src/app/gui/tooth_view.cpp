@@ -235,7 +235,7 @@ void ToothView::moveHand(const Vec2& to, Qt::KeyboardModifiers with) {
     } else if (bench_.hand().isPressing()) {
         bench_.hand().drag(pointedPicture(), to);
     } else {
-        bench_.hand().aim(pointedPicture(), to, *bench_.simulator()->surface());
+        bench_.hand().aim(pointedPicture(), to, *bench_.felt());
     }
 }
 

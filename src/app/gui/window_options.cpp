@@ -48,6 +48,7 @@ constexpr std::array kOptions = {
                  "Multiplies the force"},
     WindowOption{"force", "press", Number([](S& s) -> double& { return s.force.press; }), HandControl::kMostPressDepth,
                  "How deep the mouse presses, mm"},
+    WindowOption{"hand", "second_device", Text([](S& s) -> std::string& { return s.secondDevice; }), 0, nullptr},
     WindowOption{"sound", "turbine", Number([](S& s) -> double& { return s.sound.motor; }), 1, "Volume"},
     WindowOption{"sound", "cutting", Number([](S& s) -> double& { return s.sound.cutting; }), 1, "Volume"},
     WindowOption{"sound", "water", Number([](S& s) -> double& { return s.sound.environment; }), 1, "Volume"},

@@ -63,7 +63,8 @@ struct WindowSettings {
     std::string ownSounds;  ///< file of the recordings that are played; empty: all synthesised
     std::string language;   ///< "en" or "ja"; empty: that of the system
     bool dark = false;
-    std::string recent;  ///< the teeth that were opened last, one path a line, newest first
+    std::string secondDevice = {};  ///< of the other hand, see openDevice; empty or "none": there is none
+    std::string recent;             ///< the teeth that were opened last, one path a line, newest first
     MirrorSettings mirror;
     bool water = true;     ///< the spray comes with the pedal
     bool suction = true;   ///< an assistant holds the tube

@@ -31,6 +31,7 @@ constexpr const char* kWords[] = {
     QT_TRANSLATE_NOOP("Words", "caries"),
     QT_TRANSLATE_NOOP("Words", "restoration"),
     QT_TRANSLATE_NOOP("Words", "other"),
+    QT_TRANSLATE_NOOP("Words", "outer"),
     QT_TRANSLATE_NOOP("Words", "sound starting"),
     QT_TRANSLATE_NOOP("Words", "sound on"),
     QT_TRANSLATE_NOOP("Words", "no sound card: silent"),

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "app/common/spray_look.h"
+#include "haptics/scene_load.h"
 #include "session/tick_sound.h"
 
 namespace tactooth {
@@ -29,6 +30,8 @@ void Workbench::put(BenchTooth tooth) {
     const double pressDepth = hand_.pressDepth();
     hand_ = HandControl(tooth_->box(), tooth_->mesialX);
     hand_.setPressDepth(pressDepth);
+    settings_.materials = tooth_->materials.value_or(MaterialTable());
+    if (tooth_->bur) bur_ = tooth_->bur;
     simulatorIsOld_ = toothIsNew_ = true;
 }
 
@@ -48,10 +51,20 @@ void Workbench::put(std::unique_ptr<HapticDevice> device) {
     simulatorIsOld_ = true;
 }
 
+void Workbench::putSecond(std::unique_ptr<HapticDevice> device) {
+    simulator_.reset();  // it may use an old one
+    second_ = std::move(device);
+    simulatorIsOld_ = true;
+}
+
 void Workbench::reportTrouble(News& news) {
-    const char* const trouble = device_ ? device_->trouble() : nullptr;
+    const char* trouble = device_ ? device_->trouble() : nullptr;
+    if (trouble == nullptr && second_) trouble = second_->trouble();
     if (trouble != nullptr && trouble != trouble_) news.failure = trouble;
     trouble_ = trouble;
+    if (saidHeavy_ || !isSceneHeavy(simulator_->timing(), kServoRate)) return;
+    saidHeavy_ = true;  // once for each tooth, bur and device
+    news.failure = heavySceneAdvice(simulator_->timing(), kServoRate);
 }
 
 void Workbench::takeDeliveries(News& news) {
@@ -94,7 +107,8 @@ void Workbench::startSimulator(News& news) {
             if (!suction_) heard.suction = 0;
             sound_.publish(heard);
         },
-        kServoRate, seat);
+        kServoRate, seat, second_.get());
+    saidHeavy_ = false;
     newest_ = Tick();
     newest_.proxy = newest_.hand = hand_.hand();
     spray_ = SprayCloud(bur_->instrument.cutting.envelope.maxRadius(),
@@ -138,6 +152,10 @@ void Workbench::spray(double dt) {
                    dt);
 }
 
+std::shared_ptr<const Surface> Workbench::felt() const {
+    return surrounded(simulator_->surface(), tooth_->piece->surroundings());
+}
+
 OrbitCamera::Direction Workbench::usualView() const {
     const OrbitCamera::Direction view{kEyeAzimuth, kEyeElevation};
     return mesialX() < 0 ? mirroredInX(view) : view;
@@ -148,6 +166,7 @@ SceneContents Workbench::contents(bool withTurbine, bool withMirror) const {
     contents.materials = settings_.materials;
     if (simulator_ == nullptr) return contents;
     contents.tooth = simulator_->surface();
+    contents.around = tooth_->around;
     contents.tool = ShownTool{.bur = bur_->shown,
                               .turbine = withTurbine && around_ ? around_->turbine : nullptr,
                               .material = bur_->material,

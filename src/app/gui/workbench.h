@@ -35,6 +35,8 @@ public:
     void setSpindle(const SpindlePreset& spindle);
     /// An open device that moves the tool from now on, instead of the mouse.
     void put(std::unique_ptr<HapticDevice> device);
+    /// An open device for the other hand, which begins with the mirror.
+    void putSecond(std::unique_ptr<HapticDevice> device);
     [[nodiscard]] const SpindlePreset& spindle() const { return settings_.spindle; }
     [[nodiscard]] const MaterialTable& materials() const { return settings_.materials; }
 
@@ -52,6 +54,9 @@ public:
     [[nodiscard]] const std::optional<BenchBur>& bur() const { return bur_; }
     /// None until there are a tooth and a bur.
     [[nodiscard]] Simulator* simulator() { return simulator_.get(); }
+
+    /// All that the bur can touch now. Needs a simulator.
+    [[nodiscard]] std::shared_ptr<const Surface> felt() const;
 
     /// Taken over by the simulator at the next step.
     SimulatorControls controls;
@@ -93,7 +98,9 @@ private:
     HandControl hand_;
     MouseDevice mouse_;
     std::unique_ptr<HapticDevice> device_;  // none: the mouse
-    const char* trouble_ = nullptr;         // of the device, as it was reported last
+    std::unique_ptr<HapticDevice> second_;  // none: one hand alone
+    const char* trouble_ = nullptr;         // of the devices, as it was reported last
+    bool saidHeavy_ = false;                // that the scene is
     std::vector<Tick> ticks_;
     Tick newest_;
     double spin_ = 0;  // rad

@@ -99,6 +99,10 @@
         <source>no sound card: silent</source>
         <translation>サウンドカードなし：無音</translation>
     </message>
+    <message>
+        <source>outer</source>
+        <translation>外表面</translation>
+    </message>
 </context>
 <context>
     <name>tactooth::DrillBar</name>
@@ -562,6 +566,30 @@ The mouse wheel in the picture changes it too.</source>
         <translation>内蔵の歯(&amp;B)</translation>
     </message>
     <message>
+        <source>&amp;Whole mouth</source>
+        <translation>口全体(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Upper right</source>
+        <translation>右上</translation>
+    </message>
+    <message>
+        <source>Upper left</source>
+        <translation>左上</translation>
+    </message>
+    <message>
+        <source>Lower left</source>
+        <translation>左下</translation>
+    </message>
+    <message>
+        <source>Lower right</source>
+        <translation>右下</translation>
+    </message>
+    <message>
+        <source>Making the whole mouth around tooth %1…</source>
+        <translation>歯%1のまわりに口全体を作成中…</translation>
+    </message>
+    <message>
         <source>Open &amp;recent</source>
         <translation>最近使った歯(&amp;R)</translation>
     </message>
@@ -905,6 +933,38 @@ The mouse wheel in the picture changes it too.</source>
         <source>Target: the ideal shape, in the frame of the tooth</source>
         <translation>目標：理想形（歯と同じ座標系）</translation>
     </message>
+    <message>
+        <source>%1 was imported</source>
+        <translation>%1 を取り込みました</translation>
+    </message>
+    <message>
+        <source>&amp;Import scan…</source>
+        <translation>スキャンの取り込み(&amp;I)…</translation>
+    </message>
+    <message>
+        <source>Import a scan: surfaces of one tooth</source>
+        <translation>スキャンの取り込み：一つの歯の表面</translation>
+    </message>
+    <message>
+        <source>Surfaces (*.stl *.STL *.obj *.OBJ *.ply *.PLY);;All files (*)</source>
+        <translation>表面 (*.stl *.STL *.obj *.OBJ *.ply *.PLY);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>Tooth of the &amp;case</source>
+        <translation>症例の歯(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Burs (*.stl *.STL *.obj *.ply *.toml);;All files (*)</source>
+        <translation>バー (*.stl *.STL *.obj *.ply *.toml);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>Ctrl + I</source>
+        <translation>Ctrl + I</translation>
+    </message>
+    <message>
+        <source>import a scan</source>
+        <translation>スキャンを取り込む</translation>
+    </message>
 </context>
 <context>
     <name>tactooth::OpenToothDialog</name>
@@ -913,16 +973,16 @@ The mouse wheel in the picture changes it too.</source>
         <translation>歯を開く</translation>
     </message>
     <message>
-        <source>The tooth&apos;s outer surface is felt and seen. Closed surfaces inside it say where each tissue is; without them the whole tooth is enamel. STL files in millimetres, or a saved tooth, which has all of these.</source>
-        <translation>歯の外面が触れられ、表示されます。内側の閉じた面は各組織の場所を示します。なければ歯全体がエナメル質になります。ミリメートル単位の STL ファイル、またはすべてを含む保存した歯を選びます。</translation>
+        <source>The tooth&apos;s outer surface is felt and seen. Closed surfaces inside it say where each tissue is; without them the whole tooth is enamel. STL files in millimetres, or a case or a saved tooth, which have all of these.</source>
+        <translation>歯の外表面は触れて見える面です。内部の閉じた表面が各組織の場所を示します。なければ歯全体をエナメル質とします。ミリメートル単位の STL ファイル、またはこれらをすべて含む症例か保存した歯を指定してください。</translation>
     </message>
     <message>
         <source>Outer surface</source>
         <translation>外面</translation>
     </message>
     <message>
-        <source>The whole tooth or a saved one, needed</source>
-        <translation>歯全体または保存した歯（必須）</translation>
+        <source>The whole tooth, a case or a saved one, needed</source>
+        <translation>歯全体、症例、または保存した歯（必須）</translation>
     </message>
     <message>
         <source>Optional</source>
@@ -933,8 +993,8 @@ The mouse wheel in the picture changes it too.</source>
         <translation>参照…</translation>
     </message>
     <message>
-        <source>Surfaces and saved teeth (*.stl *.STL *.obj *.OBJ *.ply *.PLY *.tactooth);;All files (*)</source>
-        <translation>表面と保存した歯 (*.stl *.STL *.obj *.OBJ *.ply *.PLY *.tactooth);;すべてのファイル (*)</translation>
+        <source>Surfaces, cases and saved teeth (*.stl *.STL *.obj *.OBJ *.ply *.PLY *.ttcase case.toml *.tactooth);;All files (*)</source>
+        <translation>表面・症例・保存した歯 (*.stl *.STL *.obj *.OBJ *.ply *.PLY *.ttcase case.toml *.tactooth);;すべてのファイル (*)</translation>
     </message>
 </context>
 <context>
@@ -1105,6 +1165,192 @@ p99：99 % の周期はこれより短い。欠落：システムが時間を与
     <message>
         <source>All of this is in the menus, too; F1 shows mouse and keys.</source>
         <translation>これらはメニューにもあります。F1 でマウスとキーを表示します。</translation>
+    </message>
+</context>
+<context>
+    <name>Remarks</name>
+    <message>
+        <source>Units taken as %1, because the longest side would be %2 mm, as that of a whole tooth.</source>
+        <translation>単位は %1 とみなしました。最も長い辺が %2 mm となり、歯全体の大きさに合うためです。</translation>
+    </message>
+    <message>
+        <source>Units taken as %1, because the longest side would be %2 mm, as that of a crown.</source>
+        <translation>単位は %1 とみなしました。最も長い辺が %2 mm となり、歯冠の大きさに合うためです。</translation>
+    </message>
+    <message>
+        <source>No unit of length makes this a tooth (longest side %1): scaled by %2 to the %3 mm of an average tooth.</source>
+        <translation>どの長さの単位でも歯の大きさになりません（最も長い辺 %1）。%2 倍して平均的な歯の長さ %3 mm にしました。</translation>
+    </message>
+    <message>
+        <source>There is one layer: its surface is the tooth&apos;s.</source>
+        <translation>層は一つだけです。その表面を歯の表面とします。</translation>
+    </message>
+    <message>
+        <source>The outer surface was welded from the layers: vertices within %1 mm became one, and faces in common fell away.</source>
+        <translation>外表面は層をつなぎ合わせて作りました。%1 mm 以内の頂点は一つにし、共有する面は取り除きました。</translation>
+    </message>
+    <message>
+        <source>The layers do not fit within %1 mm: the outer surface was made anew around all of them, with triangles of %2 mm.</source>
+        <translation>層は %1 mm 以内では合いません。全体を囲む外表面を %2 mm の三角形で作り直しました。</translation>
+    </message>
+    <message>
+        <source>The surface is about as long as wide: +z of the file is taken as the crown&apos;s side.</source>
+        <translation>長さと幅がほぼ同じです。ファイルの +z を歯冠の側とみなしました。</translation>
+    </message>
+    <message>
+        <source>The crown is where the enamel is.</source>
+        <translation>エナメル質のある側を歯冠としました。</translation>
+    </message>
+    <message>
+        <source>The thicker end of the long axis is taken as the crown.</source>
+        <translation>長軸の太い側を歯冠とみなしました。</translation>
+    </message>
+    <message>
+        <source>The cheek&apos;s side is the one that looks away from the middle of the arch.</source>
+        <translation>歯列弓の中央から外を向く側を頬側としました。</translation>
+    </message>
+    <message>
+        <source>It stands crown up as it came (%1 degrees from +z): its axes are kept, with the cheek at +y.</source>
+        <translation>もとのまま歯冠が上を向いています（+z から %1 度）。軸はそのままとし、+y を頬側とします。</translation>
+    </message>
+    <message>
+        <source>Turned by %1 degrees to stand crown up; the cheek&apos;s side cannot be seen from one surface and is taken to be +y of the file.</source>
+        <translation>歯冠が上を向くように %1 度回しました。頬側は一つの表面からは分からないため、ファイルの +y とみなしました。</translation>
+    </message>
+    <message>
+        <source>Turned upside down, as chosen.</source>
+        <translation>指定により上下を逆にしました。</translation>
+    </message>
+    <message>
+        <source>Turned by %1 degrees about the long axis, as chosen.</source>
+        <translation>指定により長軸のまわりに %1 度回しました。</translation>
+    </message>
+    <message>
+        <source>Scaled by %1, as chosen: the longest side is %2 mm.</source>
+        <translation>指定により %1 倍しました。最も長い辺は %2 mm です。</translation>
+    </message>
+    <message>
+        <source>%1: %2 empty or doubled triangles were dropped.</source>
+        <translation>%1：面積のない、または重複した三角形 %2 個を取り除きました。</translation>
+    </message>
+    <message>
+        <source>%1: %2 crumbs beside the surface were dropped.</source>
+        <translation>%1：表面から離れた小片 %2 個を取り除きました。</translation>
+    </message>
+    <message>
+        <source>%1: %2 triangles were turned to look outward.</source>
+        <translation>%1：三角形 %2 個を外向きに直しました。</translation>
+    </message>
+    <message>
+        <source>%1: %2 holes were filled, the largest with a rim of %3 mm.</source>
+        <translation>%1：穴 %2 個をふさぎました。最大の穴の縁は %3 mm です。</translation>
+    </message>
+    <message>
+        <source>%1: closed and sound as it came, %2 triangles.</source>
+        <translation>%1：もとから閉じていて問題ありません（三角形 %2 個）。</translation>
+    </message>
+    <message>
+        <source>%1: consists of %2 separate shells.</source>
+        <translation>%1：%2 個の独立した殻からなります。</translation>
+    </message>
+    <message>
+        <source>No enamel is given: what no other layer holds is taken as enamel.</source>
+        <translation>エナメル質が与えられていません。どの層にも含まれない部分をエナメル質とします。</translation>
+    </message>
+    <message>
+        <source>The whole tooth is taken as enamel, as chosen.</source>
+        <translation>指定により歯全体をエナメル質とします。</translation>
+    </message>
+    <message>
+        <source>Only the outer surface is known: enamel and dentin are a model, with enamel up to %1 mm thick that thins to nothing at the neck. They are no measurement of this tooth.</source>
+        <translation>外表面だけが分かっています。エナメル質と象牙質はモデルで、エナメル質は最大 %1 mm、歯頸部に向かって薄くなります。この歯の実測ではありません。</translation>
+    </message>
+    <message>
+        <source>The pulp is a model, too: a chamber at the neck and a canal down each root.</source>
+        <translation>歯髄もモデルです。歯頸部の髄室と各歯根の根管からなります。</translation>
+    </message>
+    <message>
+        <source>There is no room for a pulp: the tooth has none.</source>
+        <translation>歯髄の入る余地がないため、この歯に歯髄はありません。</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::ImportDialog</name>
+    <message>
+        <source>Import a scan</source>
+        <translation>スキャンの取り込み</translation>
+    </message>
+    <message>
+        <source>Reading the surface…</source>
+        <translation>表面を読み込んでいます…</translation>
+    </message>
+    <message>
+        <source>Looking at the surface…</source>
+        <translation>表面を調べています…</translation>
+    </message>
+    <message>
+        <source>Making the layers inside the tooth…</source>
+        <translation>歯の内部の層を作っています…</translation>
+    </message>
+    <message>
+        <source>What was assumed, and what was mended:</source>
+        <translation>仮定したことと修復したこと：</translation>
+    </message>
+    <message>
+        <source>Guessed</source>
+        <translation>推定</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>単位</translation>
+    </message>
+    <message>
+        <source>Crown and root the other way up</source>
+        <translation>歯冠と歯根を上下逆にする</translation>
+    </message>
+    <message>
+        <source>Turn about the long axis</source>
+        <translation>長軸まわりの回転</translation>
+    </message>
+    <message>
+        <source>Holes</source>
+        <translation>穴</translation>
+    </message>
+    <message>
+        <source>Fill small ones</source>
+        <translation>小さい穴をふさぐ</translation>
+    </message>
+    <message>
+        <source>Fill all of them</source>
+        <translation>すべての穴をふさぐ</translation>
+    </message>
+    <message>
+        <source>Leave them open</source>
+        <translation>開いたままにする</translation>
+    </message>
+    <message>
+        <source>Inside</source>
+        <translation>内部</translation>
+    </message>
+    <message>
+        <source>A model of enamel, dentin and pulp</source>
+        <translation>エナメル質・象牙質・歯髄のモデル</translation>
+    </message>
+    <message>
+        <source>Enamel all through</source>
+        <translation>全体をエナメル質とする</translation>
+    </message>
+    <message>
+        <source>Also keep it as a case: %1</source>
+        <translation>症例としても保存する：%1</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>取り込む</translation>
+    </message>
+    <message>
+        <source>%1 triangles, %2 x %3 x %4 mm</source>
+        <translation>三角形 %1 個、%2 × %3 × %4 mm</translation>
     </message>
 </context>
 </TS>

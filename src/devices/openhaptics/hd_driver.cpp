@@ -165,6 +165,7 @@ void HdDriver::exchange(HdPen& pen) {
     pen.forceAge = pen.force.refresh() ? 0 : pen.forceAge + 1;
     const Vec3 force = pen.forceAge < kStaleTicks ? pen.force.value() : Vec3::Zero();
     call_.setDoubles(hd::kForce, force.data());
+    pen.pushes.store(!force.isZero(0), std::memory_order_relaxed);
     call_.endFrame(pen.handle);
     takeErrors(pen);
     reading.motorHeat = pen.motorHeat;
@@ -202,13 +203,18 @@ void HdDriver::takeErrors(HdPen& pen) {
     }
 }
 
+/// To start a pen, the driver's ticks have to stop: not while another hand feels something.
+bool HdDriver::isAnyPushing() const {
+    return std::ranges::any_of(pens_, [](const HdPen& pen) { return pen.active && !pen.lost && pen.pushes; });
+}
+
 /// Tries lost pens again.
 void HdDriver::maintain(const std::stop_token& stop) {
     std::condition_variable_any wake;
     std::unique_lock lock(mutex_);
     while (!wake.wait_for(lock, stop, kRetry, [] { return false; }) && !stop.stop_requested()) {
         for (HdPen& pen : pens_) {
-            if (!pen.active || !pen.lost.load()) continue;
+            if (!pen.active || !pen.lost.load() || isAnyPushing()) continue;
             pause();
             call_.disableDevice(pen.handle);
             if (const Expected<HdHandle> handle = startDevice(pen.name)) {

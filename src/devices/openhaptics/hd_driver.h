@@ -36,6 +36,7 @@ struct HdPen {
     sem_t ready;                            // posted by the callback after each reading
     std::atomic<const char*> trouble{nullptr};
     std::atomic<bool> lost{false};
+    std::atomic<bool> pushes{false};  // its last force was one
 
     // The callback's, or the maintenance's while no callback is scheduled.
     std::string name;
@@ -71,6 +72,7 @@ private:
     void lookAfter(HdPen& pen);
     void takeErrors(HdPen& pen);
     [[nodiscard]] Expected<HdHandle> startDevice(const std::string& name);
+    [[nodiscard]] bool isAnyPushing() const;
     void describe(HdPen& pen, DeviceInfo& info);
     void pause();
     void resume();

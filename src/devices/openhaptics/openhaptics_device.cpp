@@ -50,6 +50,7 @@ Expected<void> OpenHapticsDevice::open() {
     driver_ = std::move(*driver);
     pen_ = *pen;
     silence_ = 1;  // lost until the first reading
+    watch_.reset();
     return {};
 }
 
@@ -74,7 +75,8 @@ void OpenHapticsDevice::waitForTick(double longest) {
 }
 
 DeviceSample OpenHapticsDevice::read(double elapsed) {
-    silence_ = pen_->reading.refresh() ? 0 : silence_ + elapsed;
+    const bool isFresh = pen_->reading.refresh();
+    silence_ = isFresh ? 0 : silence_ + elapsed;
     const HdReading& reading = pen_->reading.value();
     const bool silent = silence_ > kLongestSilence;
     silent_.store(silent, std::memory_order_relaxed);
@@ -84,6 +86,7 @@ DeviceSample OpenHapticsDevice::read(double elapsed) {
     sample.buttons = reading.buttons;
     sample.motorHeat = reading.motorHeat;
     sample.age = reading.time > 0 ? now() - reading.time : 0;
+    watch_.see(sample.hand.position, isFresh, elapsed);
     return sample;
 }
 
@@ -92,7 +95,7 @@ void OpenHapticsDevice::write(const SafeWrench& wrench) { pen_->force.write(toHd
 const char* OpenHapticsDevice::trouble() const {
     if (pen_ == nullptr) return nullptr;
     if (const char* const text = pen_->trouble.load(std::memory_order_relaxed)) return text;
-    return silent_.load(std::memory_order_relaxed) ? kSilent : nullptr;
+    return silent_.load(std::memory_order_relaxed) ? kSilent : watch_.trouble();
 }
 
 }  // namespace tactooth

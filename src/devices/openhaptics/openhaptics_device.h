@@ -7,6 +7,7 @@
 #include <string>
 
 #include "devices/haptic_device.h"
+#include "devices/pose_watch.h"
 
 namespace tactooth {
 
@@ -42,6 +43,7 @@ private:
     HdPen* pen_ = nullptr;  // of the driver
     double silence_ = 0;    // s since the last reading
     std::atomic<bool> silent_{false};
+    PoseWatch watch_;
 };
 
 }  // namespace tactooth

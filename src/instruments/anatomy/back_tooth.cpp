@@ -25,17 +25,20 @@ public:
     explicit BackTooth(BackToothPlan plan) : plan_(std::move(plan)), crown_(plan_.crown) {
         for (const RootPlan& root : plan_.roots) roots_.emplace_back(root.sections);
         for (const std::vector<Section>& canal : plan_.canals) canals_.emplace_back(canal);
+        for (const OcclusalGroove& groove : plan_.grooves) deepestGroove_ = std::max(deepestGroove_, groove.depth);
+        for (const OcclusalPit& pit : plan_.pits) deepestGroove_ += pit.depth;
     }
 
     [[nodiscard]] const BackToothPlan& plan() const { return plan_; }
-    [[nodiscard]] double outer(const Vec3& p) const { return body(p, true); }
+    [[nodiscard]] double outer(const Vec3& p) const { return body(p).grooved; }
 
     /// Enamel is thinner under a groove: the core does not follow it.
     [[nodiscard]] double core(const Vec3& p) const {
-        const double surface = body(p, true), height = cervical(p);
-        if (height <= 0) return surface;
+        const Body surface = body(p);
+        const double height = cervical(p);
+        if (height <= 0) return surface.grooved;
         const double thickness = enamel(p, height);
-        return std::max(body(p, false) + thickness, surface + kThinnest * thickness);
+        return std::max(surface.smooth + thickness, surface.grooved + kThinnest * thickness);
     }
 
     [[nodiscard]] double cervical(const Vec3& p) const {
@@ -47,11 +50,20 @@ public:
     [[nodiscard]] double pulp(const Vec3& p) const;
 
 private:
-    [[nodiscard]] double body(const Vec3& p, bool grooved) const {
-        if (p.z() < plan_.trunkEnd - kBelowTrunkEnd) return roots(p);
-        if (p.z() < kBelowCusps) return smoothUnion(trunk(p), roots(p), plan_.neckFillet);
-        return smoothIntersection(wall(p), occlusal(p, grooved ? grooveDepth(plan_, p.x(), p.y()) : 0), kFillet);
+    /// With the grooves of the chewing surface and without.
+    struct Body {
+        double grooved, smooth;
+    };
+    [[nodiscard]] Body body(const Vec3& p) const {
+        if (p.z() < plan_.trunkEnd - kBelowTrunkEnd) return both(roots(p));
+        if (p.z() < kBelowCusps) return both(smoothUnion(trunk(p), roots(p), plan_.neckFillet));
+        const double side = wall(p);
+        if (side > occlusal(p.z() - plan_.fossa + deepestGroove_) + kFillet) return both(side);
+        const double above = p.z() - occlusalHeight(plan_, p.x(), p.y());
+        return {smoothIntersection(side, occlusal(above + grooveDepth(plan_, p.x(), p.y())), kFillet),
+                smoothIntersection(side, occlusal(above), kFillet)};
     }
+    [[nodiscard]] static Body both(double distance) { return {distance, distance}; }
 
     /// Coordinates in which the crown is neither narrower to one side nor skew.
     [[nodiscard]] Vec3 straightened(const Vec3& p) const {
@@ -74,9 +86,10 @@ private:
         return distance + kStep * (1 - smoothStep(-0.15, 0.35, cervical(p)));
     }
 
-    [[nodiscard]] double occlusal(const Vec3& p, double groove) const {
+    /// About the distance to the chewing surface from a point so high above it.
+    [[nodiscard]] static double occlusal(double above) {
         constexpr double kSlope = 1.25;  // length of the height function's gradient, typically
-        return (p.z() - occlusalHeight(plan_, p.x(), p.y()) + groove) / kSlope;
+        return above / kSlope;
     }
 
     [[nodiscard]] double trunk(const Vec3& p) const {
@@ -110,6 +123,7 @@ private:
     BackToothPlan plan_;
     SectionLoft crown_;
     std::vector<SectionLoft> roots_, canals_;
+    double deepestGroove_ = 0;  // mm: no groove with its pits is deeper
 };
 
 double canalDistance(const SectionLoft& loft, const Vec3& p, double end) {

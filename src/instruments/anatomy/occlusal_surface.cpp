@@ -10,10 +10,11 @@
 namespace tactooth {
 namespace {
 
-double distanceToSegment(double x, double y, double ax, double ay, double bx, double by) {
+double squaredDistanceToSegment(double x, double y, double ax, double ay, double bx, double by) {
     const double dx = bx - ax, dy = by - ay;
     const double part = std::clamp(((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy), 0.0, 1.0);
-    return std::hypot(x - ax - part * dx, y - ay - part * dy);
+    const double fromX = x - ax - part * dx, fromY = y - ay - part * dy;
+    return fromX * fromX + fromY * fromY;
 }
 
 /// |x| without its kink: ridges are rounded.
@@ -22,10 +23,13 @@ double softened(double x) {
     return std::sqrt(x * x + kRound * kRound) - kRound;
 }
 
-double cuspHeight(const Cusp& cusp, double tip, double x, double y) {
+/// Height of a cusp at (x, y); what is sure to be below `least` need not be exact.
+double cuspHeight(const Cusp& cusp, double tip, double x, double y, double least) {
     const double dx = x - cusp.x, dy = y - cusp.y;
     const double in = dx * cusp.inX + dy * cusp.inY, beside = dx * cusp.inY - dy * cusp.inX;
     const double a = softened(in) * (in > 0 ? cusp.inward : cusp.outward), b = softened(beside) * cusp.along;
+    const double leastDrop = std::max(a, b), highest = cusp.z - std::sqrt(leastDrop * leastDrop + tip * tip) + tip;
+    if (highest < least) return highest;
     constexpr double kPyramid = 1.3;  // 1: four sharp ridges, 2: a round cone
     const double drop = std::pow(std::pow(a, kPyramid) + std::pow(b, kPyramid), 1 / kPyramid);
     return cusp.z - std::sqrt(drop * drop + tip * tip) + tip;
@@ -37,21 +41,28 @@ double occlusalHeight(const BackToothPlan& plan, double x, double y) {
     constexpr double kBlend = 0.55;      // mm, over which slopes run into each other
     constexpr double kRidgeRound = 0.4;  // mm, of a ridge's crest
     double height = plan.fossa;
-    for (const Cusp& cusp : plan.cusps) height = -smoothUnion(-height, -cuspHeight(cusp, plan.tip, x, y), kBlend);
+    for (const Cusp& cusp : plan.cusps) {
+        height = -smoothUnion(-height, -cuspHeight(cusp, plan.tip, x, y, height - kBlend), kBlend);
+    }
     for (const OcclusalRidge& ridge : plan.ridges) {
-        const double away = distanceToSegment(x, y, ridge.ax, ridge.ay, ridge.bx, ridge.by);
-        const double ridgeHeight = ridge.z - ridge.slope * (std::hypot(away, kRidgeRound) - kRidgeRound);
+        const double away = squaredDistanceToSegment(x, y, ridge.ax, ridge.ay, ridge.bx, ridge.by);
+        const double ridgeHeight = ridge.z - ridge.slope * (std::sqrt(away + kRidgeRound * kRidgeRound) - kRidgeRound);
         height = -smoothUnion(-height, -ridgeHeight, kBlend);
     }
     return height;
 }
 
 double grooveDepth(const BackToothPlan& plan, double x, double y) {
+    constexpr double kGone = 18;  // squared widths away from a groove's middle: less than a millionth of it is left
     double deepest = 0;
     for (const OcclusalGroove& g : plan.grooves) {
-        deepest = std::max(deepest, g.depth * bump(distanceToSegment(x, y, g.ax, g.ay, g.bx, g.by), g.width));
+        const double widths = squaredDistanceToSegment(x, y, g.ax, g.ay, g.bx, g.by) / (g.width * g.width);
+        if (widths < kGone) deepest = std::max(deepest, g.depth * std::exp(-widths));
     }
-    for (const OcclusalPit& pit : plan.pits) deepest += pit.depth * bump(std::hypot(x - pit.x, y - pit.y), pit.width);
+    for (const OcclusalPit& pit : plan.pits) {
+        const double dx = x - pit.x, dy = y - pit.y, widths = (dx * dx + dy * dy) / (pit.width * pit.width);
+        if (widths < kGone) deepest += pit.depth * std::exp(-widths);
+    }
     return deepest;
 }
 

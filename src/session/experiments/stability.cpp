@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "devices/scripted_hand.h"
+#include "haptics/cutting_force.h"
 #include "haptics/force_pipeline.h"
 #include "haptics/haptic_simulation.h"
 #include "session/experiments/stability_pieces.h"
@@ -15,8 +16,8 @@
 namespace tactooth {
 namespace {
 
-constexpr std::array<std::string_view, kSituationCount> kSituations = {"tap",     "press", "limit", "cusp",
-                                                                       "fissure", "slot",  "let-go"};
+constexpr std::array<std::string_view, kSituationCount> kSituations = {"tap",  "press",  "limit", "cusp",  "fissure",
+                                                                       "slot", "let-go", "cut",   "tremor"};
 constexpr double kHeadroom = 0.5;   // mm over the surface at the start
 constexpr double kSettled = 1.2;    // s at which all motion has been asked for
 constexpr double kEnd = 2.7;        // s
@@ -57,6 +58,7 @@ std::vector<ScriptedMoment> scriptFor(const StabilityCase& one) {
             const double most = pressedDepth(one, kOverLimit * one.device->peakForce);
             return {at(0, 0, kHeadroom), at(0.5, 0, kHeadroom), at(kSettled, 0, -most), at(kEnd, 0, -most)};
         }
+        case Situation::Cut:  // on a slope, where the bur pulls aside
         case Situation::Cusp:
             return {at(0, -1.5, kHeadroom),
                     at(0.5, -1.5, kHeadroom),
@@ -72,6 +74,7 @@ std::vector<ScriptedMoment> scriptFor(const StabilityCase& one) {
                     at(kSettled, 0.5 * depth, -kSlotDepth - depth), at(kEnd, 0.5 * depth, -kSlotDepth - depth)};
         case Situation::Press:
         case Situation::LetGo:
+        case Situation::Tremor:
             break;
     }
     return {at(0, 0, kHeadroom), at(0.5, 0, kHeadroom), at(kSettled, 0, -depth), at(kEnd, 0, -depth)};
@@ -81,6 +84,7 @@ std::shared_ptr<const Surface> pieceFor(const StabilityCase& one) {
     const MaterialId material = one.material.value_or(MaterialId::Enamel);
     switch (one.situation) {
         case Situation::Cusp:
+        case Situation::Cut:
             return ridgePiece(material);
         case Situation::Fissure:
             return groovePiece(material);
@@ -114,8 +118,15 @@ private:
 bool isStable(const StabilityCase& one, const StabilityResult& result, const ForceLimits& limits) {
     constexpr double kRounding = 1e-9;
     const bool rests = one.situation == Situation::LetGo || result.restForce > kFaint;
-    return rests && result.ripple < kMostRipple && result.leastEnergy >= kLeastEnergy &&
+    return rests && result.ripple < result.mostRipple && result.leastEnergy >= kLeastEnergy &&
            result.strongest <= limits.force + kRounding && result.steepest <= 1e-3 * limits.slew + kRounding;
+}
+
+/// A cut shakes by a part of its force, and a tremor moves the hand to and fro on the spring.
+double mostRippleOf(const StabilityCase& one, const StabilityResult& result) {
+    if (one.situation == Situation::Cut) return kMostRipple + kShake;
+    if (one.situation != Situation::Tremor || result.restForce < kFaint) return kMostRipple;
+    return kMostRipple + result.stiffness * kTremor / result.restForce;
 }
 
 }  // namespace
@@ -129,6 +140,8 @@ std::string_view materialNameOf(const StabilityCase& one) {
 StabilityResult runStability(const StabilityCase& one) {
     ScriptedHand::Habits habits;
     if (one.situation == Situation::LetGo) habits.letsGoAt = kSettled + 0.3;
+    if (one.situation == Situation::Tremor) habits.tremor = kTremor;
+    const bool cuts = one.situation == Situation::Cut;
     ScriptedHand hand(*one.device, *one.hand, scriptFor(one), habits);
     HapticSettings settings;
     if (!one.material) settings.force.stiffness = one.device->stiffness;
@@ -144,7 +157,7 @@ StabilityResult runStability(const StabilityCase& one) {
     const int ticks = static_cast<int>(kEnd * one.rateHz);
     for (int i = 0; i < ticks; ++i) {
         const DeviceSample sample = hand.read(dt);
-        const Tick tick = simulation.step({sample.hand, 0, false}, dt);
+        const Tick tick = simulation.step({sample.hand, cuts ? 1.0 : 0.0, cuts}, dt);
         WantedForce wanted = wantedFrom(tick);
         wanted.hand = sample.hand.position;
         const SafeWrench sent = pipeline.pass(wanted, dt);
@@ -159,6 +172,7 @@ StabilityResult runStability(const StabilityCase& one) {
     }
     result.restForce = rest.mean();
     result.ripple = rest.ripple();
+    result.mostRipple = mostRippleOf(one, result);
     result.stable = isStable(one, result, hand.info().limits);
     return result;
 }

@@ -12,9 +12,9 @@
 namespace tactooth {
 
 /// What the hand does with the tooth.
-enum class Situation { Tap, Press, PressToLimit, Cusp, Fissure, Slot, LetGo };
-inline constexpr int kSituationCount = 7;
-/// "tap", "press", "limit", "cusp", "fissure", "slot", "let-go".
+enum class Situation { Tap, Press, PressToLimit, Cusp, Fissure, Slot, LetGo, Cut, Tremor };
+inline constexpr int kSituationCount = 9;
+/// "tap", "press", "limit", "cusp", "fissure", "slot", "let-go", "cut", "tremor".
 [[nodiscard]] std::string_view situationName(Situation situation);
 
 /// A device, a hand, a material and what is done: one run of the closed loop.
@@ -33,6 +33,7 @@ struct StabilityResult {
     double stiffness = 0;    ///< N/mm, the largest rendered
     double restForce = 0;    ///< N, mean over the last half second, in which the hand wants to rest
     double ripple = 0;       ///< of that force, root mean square over mean; 0 if nothing is touched at rest
+    double mostRipple = 0;   ///< that a steady run may have: what a cut and a tremor shake on purpose comes on top
     double leastEnergy = 0;  ///< N*mm, of the passivity controller's observer
     double strongest = 0;    ///< N
     double steepest = 0;     ///< N/ms between two ticks
@@ -40,7 +41,8 @@ struct StabilityResult {
 };
 
 /// Bounds that a stable run keeps.
-inline constexpr double kMostRipple = 0.03;    // of the mean
+inline constexpr double kMostRipple = 0.03;    // of the mean, of a hand and a bur that are still
+inline constexpr double kTremor = 0.05;        // mm, root mean square: the top of what is measured on a surgeon's hand
 inline constexpr double kLeastEnergy = -0.01;  // N*mm: what a click of one encoder step of a Touch holds at 3 N/mm
                                                // is half of it; a hand does not notice less
 [[nodiscard]] StabilityResult runStability(const StabilityCase& one);

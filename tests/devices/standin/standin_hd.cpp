@@ -47,7 +47,9 @@ std::array<double, 3> wanted{};
 int buttons = 0;
 HdFault fault = HdFault::None;
 Clock::time_point faultSince;
+int faultyPen = -1;  // all
 bool calibrated = true;
+long ticksSinceFault = 0, lastForceTick = 0;
 double strongest = 0, strongestFaulty = 0;
 
 std::uint32_t current = 0;
@@ -94,6 +96,10 @@ void run(const std::stop_token& stop) {
             continue;
         }
         moveHands();
+        {
+            const std::lock_guard lock(guard);
+            ++ticksSinceFault;
+        }
         if (const Callback callback = task.load()) (void)callback(taskUser);
         ++tickCount;
         if (faultNow() == HdFault::Stall) {
@@ -111,8 +117,10 @@ void reset() {
     for (Pen& pen : pens) pen = Pen{pen.started, {}, {}, {}};
     buttons = 0;
     fault = HdFault::None;
+    faultyPen = -1;
     calibrated = true;
     strongest = strongestFaulty = 0;
+    ticksSinceFault = lastForceTick = 0;
 }
 
 void setFault(int number) {
@@ -120,9 +128,17 @@ void setFault(int number) {
     fault = static_cast<HdFault>(number);
     faultSince = Clock::now();
     strongestFaulty = 0;
+    ticksSinceFault = lastForceTick = 0;
     calibrated = fault != HdFault::NeedsInkwell;
     if (fault == HdFault::TooMuchForce) errors.push_back(0x0201);
 }
+
+void setFaultyPen(int pen) {
+    const std::lock_guard lock(guard);
+    faultyPen = pen;
+}
+
+bool isFaulty(std::uint32_t pen) { return faultyPen < 0 || faultyPen == static_cast<int>(pen); }
 
 void wantPosition(double x, double y, double z) {
     const std::lock_guard lock(guard);
@@ -139,6 +155,11 @@ void lastForce(double* xyz) {
     std::copy(pens[0].force.begin(), pens[0].force.end(), xyz);
 }
 
+double forceOf(int pen) {
+    const std::lock_guard lock(guard);
+    return lengthOf(pens.at(static_cast<std::size_t>(pen)).force);
+}
+
 double strongestForce() {
     const std::lock_guard lock(guard);
     return strongest;
@@ -150,6 +171,11 @@ double strongestWhileFaulty() {
 }
 
 long ticks() { return tickCount.load(); }
+
+long lastForceSinceFault() {
+    const std::lock_guard lock(guard);
+    return lastForceTick;
+}
 
 int startedPens() {
     const std::lock_guard lock(guard);
@@ -170,13 +196,14 @@ void readTransform(double* out) {
 extern "C" {
 
 tactooth::test::HdStandinControl standinControl = {
-    reset, setFault, wantPosition, setButtons, lastForce, strongestForce, strongestWhileFaulty, ticks, startedPens};
+    reset,   setFault,       setFaultyPen,         wantPosition, setButtons,          lastForce,
+    forceOf, strongestForce, strongestWhileFaulty, ticks,        lastForceSinceFault, startedPens};
 
 std::uint32_t hdInitDevice(const char* name) {
     const std::lock_guard lock(guard);
     if (fault == HdFault::InitError) errors.push_back(0x0300);
-    if (fault == HdFault::LinkFault || fault == HdFault::Unplugged) errors.push_back(0x0302);
     const std::uint32_t pen = name != nullptr && std::strcmp(name, "Left") == 0 ? 1 : 0;
+    if ((fault == HdFault::LinkFault && isFaulty(pen)) || fault == HdFault::Unplugged) errors.push_back(0x0302);
     if (fault == HdFault::InUse || pens[pen].started) errors.push_back(0x0301);
     if (fault == HdFault::GarbageHandle) return 0x7F3A9C10;
     if (name != nullptr && std::strcmp(name, "Left") != 0 && std::strcmp(name, "Right") != 0) return 0xFFFFFFFF;
@@ -196,9 +223,9 @@ void hdBeginFrame(std::uint32_t) {}
 
 void hdEndFrame(std::uint32_t) {
     const std::lock_guard lock(guard);
-    if (fault == HdFault::LinkFault) {
+    if (fault == HdFault::LinkFault && isFaulty(current)) {
         errors.push_back(0x0302);
-        for (Pen& pen : pens) pen.force = {};  // the amplifiers switch off
+        pens[std::min(current, kMostPens - 1)].force = {};  // its amplifier switches off
     }
     if (fault == HdFault::WarmMotors) errors.push_back(0x0200);
 }
@@ -215,7 +242,7 @@ void hdEnable(std::uint32_t) {}
 
 void hdGetIntegerv(std::uint32_t what, std::int32_t* out) {
     const std::lock_guard lock(guard);
-    if (what == 0x2000) *out = buttons;
+    if (what == 0x2000) *out = current == 0 ? buttons : 0;
     if (what == 0x2555) *out = 4;
 }
 
@@ -231,7 +258,9 @@ void hdGetDoublev(std::uint32_t what, double* out) {
 
 void hdSetDoublev(std::uint32_t what, const double* in) {
     const std::lock_guard lock(guard);
-    if (what == 0x2700 && current < kMostPens) std::copy(in, in + 3, pens[current].force.begin());
+    if (what != 0x2700 || current >= kMostPens) return;
+    std::copy(in, in + 3, pens[current].force.begin());
+    if (current == 0 && lengthOf(pens[0].force) > 0) lastForceTick = ticksSinceFault;
 }
 
 const char* hdGetString(std::uint32_t what) { return what == 0x2501 ? "Touch (stand-in)" : ""; }

@@ -26,12 +26,17 @@ enum class HdFault : int {
 struct HdStandinControl {
     void (*reset)();
     void (*setFault)(int fault);
+    void (*setFaultyPen)(int pen);                       ///< whose link a fault takes; -1: all
     void (*wantPosition)(double x, double y, double z);  ///< where its hand wants to be, mm, HDAPI's frame
-    void (*setButtons)(int buttons);
-    void (*lastForce)(double* xyz);    ///< N, HDAPI's frame, of the first pen
-    double (*strongestForce)();        ///< N, since the reset
-    double (*strongestWhileFaulty)();  ///< N, later than 5 ms after a fault was set
+    void (*setButtons)(int buttons);                     ///< of the first pen
+    void (*lastForce)(double* xyz);                      ///< N, HDAPI's frame, of the first pen
+    double (*forceOf)(int pen);                          ///< N; 0 the first, 1 the one called Left
+    double (*strongestForce)();                          ///< N, since the reset
+    double (*strongestWhileFaulty)();                    ///< N, later than 5 ms after a fault was set
     long (*ticks)();
+    /// Of the first pen: in which tick after a fault was set it was last asked for a force; the first such tick is the
+    /// one whose reading is bad. 0: in none.
+    long (*lastForceSinceFault)();
     int (*startedPens)();
 };
 

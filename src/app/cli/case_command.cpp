@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/case_command.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <numbers>
+#include <set>
+
+#include "app/cli/exit_code.h"
+#include "geometry/file_bytes.h"
+#include "geometry/mesh_report.h"
+#include "geometry/number_text.h"
+#include "patient/length_unit.h"
+#include "session/cases/make_case.h"
+#include "session/cases/open_case.h"
+
+namespace tactooth {
+namespace {
+
+Expected<ImportChoices> choicesOf(const CaseNewOptions& options) {
+    ImportChoices choices;
+    if (!options.units.empty()) {
+        if (const auto unit = lengthUnitFromName(options.units)) {
+            choices.mmPerUnit = unit->mm;
+        } else if (const auto factor = toNumber<double>(options.units); factor && *factor > 0 && *factor < 1e6) {
+            choices.mmPerUnit = *factor;
+        } else {
+            return unexpected("--units '" + options.units +
+                              "' is no unit; give mm, cm, inch, m, um, or how many mm one unit is.");
+        }
+    }
+    choices.holes = options.holes == "all"    ? HolesToFill::All
+                    : options.holes == "none" ? HolesToFill::None
+                                              : HolesToFill::Small;
+    choices.frame.isUpsideDown = options.upsideDown;
+    choices.frame.turn = options.turnDegrees * std::numbers::pi / 180;
+    choices.modelsLayers = !options.noModel;
+    return choices;
+}
+
+void printSentences(const std::vector<std::string>& sentences) {
+    for (const std::string& sentence : sentences) fmt::print("    {}\n", sentence);
+}
+
+/// "enamel, dentin and pulp (a model)".
+std::string layersOf(const CaseTooth& tooth) {
+    if (tooth.layers.empty()) return "all " + std::string(materialName(tooth.material));
+    std::string words;
+    for (const auto& [id, file] : tooth.layers) words.append(words.empty() ? "" : ", ").append(materialName(id));
+    return words + (tooth.isModelled ? " (a model)" : "");
+}
+
+void printBodies(const CaseDescription& description, bool withAssumptions) {
+    for (const CaseTooth& tooth : description.teeth) {
+        const Vec3& at = tooth.toothInCase.position;
+        fmt::print("  tooth {}{}: {}; at {:.1f}, {:.1f}, {:.1f} mm\n", tooth.name,
+                   tooth.fdi != 0 ? fmt::format(" (FDI {})", tooth.fdi) : "", layersOf(tooth), at.x(), at.y(), at.z());
+        if (withAssumptions) printSentences(tooth.assumed);
+    }
+    for (const CaseSurrounding& body : description.around) {
+        fmt::print("  around: {}, taken as {}\n", body.name, materialName(body.material));
+        if (withAssumptions) printSentences(body.assumed);
+    }
+    for (const std::string& bur : description.burs) fmt::print("  bur: {}\n", bur);
+}
+
+/// Files that the description does not name: they may be meant to be there, and do nothing.
+std::vector<std::string> unusedFiles(const CaseStore& store, const CaseDescription& description) {
+    std::set<std::string> used = {std::string(kCaseText), description.materials};
+    for (const CaseTooth& tooth : description.teeth) {
+        used.insert(tooth.outer);
+        for (const auto& [id, file] : tooth.layers) used.insert(file);
+    }
+    for (const CaseSurrounding& body : description.around) used.insert(body.surface);
+    std::vector<std::string> unused;
+    for (const std::string& entry : store.entries()) {
+        const bool isOfBur = std::ranges::any_of(description.burs, [&](const std::string& bur) {
+            return entry.starts_with(bur.substr(0, bur.rfind('/') + 1));
+        });
+        if (!used.contains(entry) && !isOfBur) unused.push_back(entry);
+    }
+    return unused;
+}
+
+/// Reads what a case packed of a folder would hold.
+Expected<std::vector<CaseFile>> filesOf(const CaseStore& store) {
+    std::vector<CaseFile> files;
+    for (const std::string& entry : store.entries()) {
+        auto bytes = store.read(entry);
+        if (!bytes) return Unexpected{bytes.error()};
+        files.push_back({entry, std::move(*bytes)});
+    }
+    return files;
+}
+
+}  // namespace
+
+int runCaseNew(const CaseNewOptions& options) {
+    const auto choices = choicesOf(options);
+    if (!choices) return refuse(choices.error());
+    const CaseRequest request{options.from,     options.title, options.licence, options.provenance,
+                              options.quadrant, *choices,      options.burs,    options.materials};
+    std::string last;
+    const auto made = makeCase(request, [&](const std::string& body, double /*part*/) {
+        if (body != last) fmt::print("importing {}\n", body);
+        last = body;
+        std::fflush(stdout);
+        return true;
+    });
+    if (!made) return refuse(made.error());
+    if (const auto written = writeCase(made->files, options.out); !written) return refuse(written.error());
+    printBodies(made->description, true);
+    fmt::print("{}: {} teeth and {} bodies around them; licence: {}\n", options.out.string(),
+               made->description.teeth.size(), made->description.around.size(), made->description.licence);
+    return kExitOk;
+}
+
+int runCaseCheck(const CaseCheckOptions& options) {
+    const auto store = CaseStore::open(options.path);
+    if (!store) return refuse(store.error());
+    const auto opened = openCase(*store);
+    if (!opened) {
+        refuse(opened.error());
+        return kExitNegative;
+    }
+    const auto bodies = caseBodies(*store, opened->description);
+    if (!bodies) return refuse(bodies.error());
+    for (const CaseBody& body : *bodies) {
+        const MeshReport report = reportOn(body.surface);
+        fmt::print("{}: {} triangles, closed\n", body.name, report.triangles);
+        for (const std::string& finding : findings(report)) fmt::print("    {}\n", finding);
+    }
+    for (const CaseOverlap& overlap : overlaps(*bodies)) {
+        fmt::print("{} and {} share room, {:.3f} mm deep: both cannot be cut truly there\n", overlap.first,
+                   overlap.second, overlap.deepest);
+    }
+    for (const std::string& entry : unusedFiles(*store, opened->description)) {
+        fmt::print("{}: case.toml does not name this file\n", shownName(entry));
+    }
+    fmt::print("{} can be opened\n", shownName(options.path));
+    return kExitOk;
+}
+
+int runCaseInfo(const CaseInfoOptions& options) {
+    const auto store = CaseStore::open(options.path);
+    if (!store) return refuse(store.error());
+    const auto description = readCaseDescription(*store);
+    if (!description) return refuse(description.error());
+    fmt::print("{}\nlicence: {}\n", description->title, description->licence);
+    for (const std::string& line : description->provenance) fmt::print("  {}\n", line);
+    printBodies(*description, true);
+    return kExitOk;
+}
+
+int runCasePack(const CasePackOptions& options) {
+    const auto store = CaseStore::open(options.folder);
+    if (!store) return refuse(store.error());
+    if (const auto opened = openCase(*store); !opened) return refuse(opened.error());
+    auto files = filesOf(*store);
+    if (!files) return refuse(files.error());
+    std::filesystem::path out = options.out;
+    if (out.empty()) {
+        std::error_code error;
+        const std::filesystem::path folder = std::filesystem::canonical(options.folder, error);
+        out = std::filesystem::is_directory(folder) ? folder : folder.parent_path();
+        out += kCaseEnding;
+    }
+    if (out.extension() != kCaseEnding) {
+        return refuse(
+            {shownName(out) + ": a packed case is a file whose name ends in " + std::string(kCaseEnding) + "."});
+    }
+    const std::size_t count = files->size();
+    if (const auto written = writeCase(*files, out); !written) return refuse(written.error());
+    fmt::print("{}: {} files\n", shownName(out), count);
+    return kExitOk;
+}
+
+}  // namespace tactooth

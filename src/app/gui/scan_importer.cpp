@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/scan_importer.h"
+
+#include <QString>
+
+#include "geometry/file_bytes.h"
+#include "geometry/mesh_file.h"
+#include "session/cases/make_case.h"
+
+namespace tactooth {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// One file is a tooth's surface, whatever its name says; of several the names tell.
+Expected<Scan> readScan(const std::vector<fs::path>& files) {
+    Scan scan{files.front().filename().string(), {}, {}};
+    for (const fs::path& file : files) {
+        auto mesh = loadMesh(file);
+        if (!mesh) return Unexpected{mesh.error()};
+        const NamedSurface named = surfaceNamed(file);
+        if (files.size() > 1 && named.material) {
+            scan.name = named.body;
+            scan.layers.push_back({std::string(materialName(*named.material)), *named.material, std::move(*mesh)});
+        } else if (scan.outer.empty()) {
+            scan.outer = std::move(*mesh);
+        } else {
+            return unexpected(
+                shownName(file) +
+                ": there is an outer surface already; drop the files of one tooth, its layers named as in "
+                "L6_enamel.stl.");
+        }
+    }
+    return scan;
+}
+
+fs::path caseFileOf(const std::vector<fs::path>& files) {
+    fs::path file = files.front();
+    return file.replace_extension(kCaseEnding);
+}
+
+}  // namespace
+
+ScanImporter::~ScanImporter() { stop(); }
+
+void ScanImporter::stop() {
+    if (control_) control_->stops = true;
+    looking_.forget();
+    building_.forget();
+}
+
+void ScanImporter::begin(const std::vector<fs::path>& files, QWidget* parent) {
+    if (dialog_) dialog_->close();
+    stop();
+    files_ = files;
+    scan_ = nullptr;
+    examined_ = nullptr;
+    dialog_ = new ImportDialog(QString::fromStdString(files.front().filename().string()),
+                               QString::fromStdString(caseFileOf(files).string()), parent);
+    connect(dialog_.data(), &ImportDialog::choicesChanged, this, &ScanImporter::look);
+    connect(dialog_.data(), &ImportDialog::taken, this, &ScanImporter::build);
+    connect(dialog_.data(), &QDialog::rejected, this, &ScanImporter::stop);
+    dialog_->open();
+    look();
+}
+
+void ScanImporter::look() {
+    examined_ = nullptr;
+    dialog_->showLooking(scan_ == nullptr);
+    looking_.start([files = files_, scan = scan_, choices = dialog_->choices()]() -> Expected<Looked> {
+        std::shared_ptr<const Scan> read = scan;
+        if (!read) {
+            auto fresh = readScan(files);
+            if (!fresh) return Unexpected{fresh.error()};
+            read = std::make_shared<const Scan>(std::move(*fresh));
+        }
+        return Looked{read, examineScan(*read, choices)};
+    });
+}
+
+void ScanImporter::build() {
+    if (!examined_) return;
+    control_ = std::make_shared<Control>();
+    dialog_->showBuilding(0);
+    const fs::path caseFile = dialog_->keepsCase() ? caseFileOf(files_) : fs::path();
+    building_.start([control = control_, scan = *examined_, choices = dialog_->choices(), caseFile,
+                     title = files_.front().stem().string()]() -> Expected<BenchTooth> {
+        const auto goesOn = [&](double part) {
+            control->part = part;
+            return !control->stops;
+        };
+        auto tooth = finishScan(scan, choices, goesOn);
+        if (!tooth) return Unexpected{tooth.error()};
+        if (!caseFile.empty()) {
+            CaseRequest request;
+            request.title = title;
+            const auto made = caseOf(*tooth, request);
+            if (!made) return Unexpected{made.error()};
+            if (auto written = writeCase(made->files, caseFile); !written) return Unexpected{written.error()};
+        }
+        return makeBenchTooth(*tooth);
+    });
+}
+
+void ScanImporter::poll() {
+    if (auto looked = looking_.poll(); looked && dialog_) {
+        if (!*looked) {  // the file itself cannot be read: no choice helps
+            dialog_->close();
+            emit failed(QString::fromStdString(looked->error().message));
+        } else {
+            scan_ = (*looked)->scan;
+            if ((*looked)->examined) examined_ = std::make_shared<const ExaminedScan>(*(*looked)->examined);
+            dialog_->showFindings((*looked)->examined);
+        }
+    }
+    if (building_.isBusy() && dialog_) dialog_->showBuilding(control_->part);
+    auto built = building_.poll();
+    if (!built || !dialog_) return;
+    dialog_->accept();
+    if (*built) {
+        emit imported(std::move(**built));
+    } else {
+        emit failed(QString::fromStdString(built->error().message));
+    }
+}
+
+}  // namespace tactooth

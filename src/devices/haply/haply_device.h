@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <semaphore.h>
+
+#include <atomic>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include "devices/haply/haply_link.h"
+#include "devices/haply/haply_message.h"
+#include "devices/haptic_device.h"
+#include "devices/pose_watch.h"
+#include "geometry/latest_value.h"
+
+namespace tactooth {
+
+/// A Haply Inverse3 with the VerseGrip on it, through the Haply Inverse Service of this machine.
+///
+/// A thread of its own talks to the service: one message with the newest force, one answer with the newest place. The
+/// servo thread follows its own clock and only exchanges the newest values with it. An answer that is late makes the
+/// device count as lost, and the thread sends a zero force of its own accord; so it does when the servo is late. A
+/// connection that broke is tried again every second.
+class HaplyDevice final : public HapticDevice {
+public:
+    /// `device`: its name with the service, four letters and digits; empty: the first. `address`: "host:port".
+    explicit HaplyDevice(std::string device, std::string address = usualAddress());
+    ~HaplyDevice() override;
+
+    /// $TACTOOTH_HAPLY, else the service's own: localhost:10001.
+    [[nodiscard]] static std::string usualAddress();
+
+    [[nodiscard]] const DeviceInfo& info() const override { return info_; }
+    [[nodiscard]] Expected<void> open() override;
+    void close() override;
+    [[nodiscard]] DeviceSample read(double elapsed) override;
+    void write(const SafeWrench& wrench) override;
+    [[nodiscard]] const char* trouble() const override;
+
+private:
+    [[nodiscard]] Expected<std::unique_ptr<HaplyLink>> meet(const std::string& wanted);
+    void describe();
+    void run(const std::stop_token& stop);
+    [[nodiscard]] bool exchange(const std::stop_token& stop);
+    [[nodiscard]] bool waitForLateAnswer(const std::stop_token& stop);
+    [[nodiscard]] bool waitForForce();
+    void hear();
+    void complain(const char* sentence);
+    void settle();
+
+    std::string wanted_;
+    std::string address_;
+    DeviceInfo info_;
+    HaplyNames names_;
+
+    // The thread's own.
+    std::unique_ptr<HaplyLink> link_;
+    std::string text_;
+    double complainedAt_ = 0;  // s
+
+    // Between the threads.
+    LatestValue<HaplyReading> reading_;      // to the servo
+    LatestValue<Vec3> force_{Vec3::Zero()};  // from the servo, N
+    sem_t wake_;                             // posted by the servo after each force
+    std::atomic<const char*> trouble_{nullptr};
+
+    PoseWatch watch_;      // the servo's
+    std::jthread thread_;  // last: it uses all of the above
+};
+
+}  // namespace tactooth

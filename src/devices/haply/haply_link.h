@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "geometry/expected.h"
+
+namespace tactooth {
+
+/// A WebSocket to a service on this machine, for text. All calls from one thread; none takes longer than it is told.
+class HaplyLink {
+public:
+    enum class Heard {
+        Message,
+        Nothing,  ///< within the time
+        Broken,   ///< the other side has closed it, or answers no more
+    };
+
+    /// `address`: "host:port". Fails with one sentence that says what to do.
+    [[nodiscard]] static Expected<std::unique_ptr<HaplyLink>> open(const std::string& address, double seconds);
+    ~HaplyLink();
+    HaplyLink(const HaplyLink&) = delete;
+    HaplyLink& operator=(const HaplyLink&) = delete;
+
+    /// False if it is broken.
+    [[nodiscard]] bool send(std::string_view text, double seconds);
+    /// Waits for the next message.
+    [[nodiscard]] Heard receive(std::string& text, double seconds);
+
+private:
+    class Socket;
+    explicit HaplyLink(std::unique_ptr<Socket> socket);
+    std::unique_ptr<Socket> socket_;
+};
+
+}  // namespace tactooth

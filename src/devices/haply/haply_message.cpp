@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "devices/haply/haply_message.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+namespace tactooth {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr double kMillimetres = 1000;   // in a metre
+constexpr double kFurthest = 1;         // m: an Inverse3 reaches 0.4 m; a number beyond is not in metres
+constexpr double kUnitTolerance = 0.1;  // of a quaternion's squared length: it comes as rounded text
+
+constexpr const char* kNoJson =
+    "The Haply Inverse Service sends what is no message: restart it; if that does not help, install it anew.";
+constexpr const char* kOtherVersion =
+    "The Haply Inverse Service speaks another version of its language: install version 3.";
+constexpr const char* kOtherUnits =
+    "The Haply Inverse Service tells places that are not in metres: install version 3 of it.";
+constexpr const char* kNoPlace =
+    "The Inverse3 does not know where it is: put its arms into their rest position and switch it off and on again.";
+constexpr const char* kGone =
+    "The Inverse3 is gone: check its cable and power supply; the session goes on when it is back.";
+constexpr const char* kNoPower = "The Inverse3 has no power: plug in its power supply.";
+constexpr const char* kNotCalibrated =
+    "The Inverse3 is not calibrated: hold its arms in their rest position until its light stays on.";
+constexpr const char* kNotReady = "The Inverse3 is not ready: wait for its light, or switch it off and on again.";
+constexpr const char* kGripAsleep = "The VerseGrip is asleep: press one of its buttons.";
+
+/// The member of an object; a null value where there is none.
+const Json& member(const Json& object, const char* key) {
+    static const Json kNone;
+    if (!object.is_object()) return kNone;
+    const auto found = object.find(key);
+    return found == object.end() ? kNone : *found;
+}
+
+std::string textOf(const Json& value) { return value.is_string() ? value.get<std::string>() : std::string(); }
+
+double numberOf(const Json& value) {
+    return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
+}
+
+Vec3 vectorOf(const Json& value) {
+    return {numberOf(member(value, "x")), numberOf(member(value, "y")), numberOf(member(value, "z"))};
+}
+
+/// A name that can be put between quotes as it is.
+bool isPlain(const std::string& id) {
+    return !id.empty() && std::ranges::all_of(id, [](unsigned char c) {
+        return c == '-' || c == '_' || c == ':' || (c < 128 && std::isalnum(c) != 0);
+    });
+}
+
+/// True only for a plain "no": a service that does not tell is taken to be content.
+bool isDenied(const Json& status, const char* key) {
+    const Json& value = member(status, key);
+    return value.is_boolean() && !value.get<bool>();
+}
+
+/// No rotation where the grip tells none, or one that is no rotation.
+Quat rotationOf(const Json& value) {
+    const Quat rotation(numberOf(member(value, "w")), numberOf(member(value, "x")), numberOf(member(value, "y")),
+                        numberOf(member(value, "z")));
+    const bool isOne = std::abs(rotation.squaredNorm() - 1) < kUnitTolerance;
+    return isOne ? rotation.normalized() : Quat::Identity();
+}
+
+/// a, b, c, or button_0, button_1, ... of other grips.
+std::uint32_t buttonsOf(const Json& value) {
+    constexpr std::array<std::array<const char*, 2>, 4> kNames = {
+        {{"a", "button_0"}, {"b", "button_1"}, {"c", "button_2"}, {"d", "button_3"}}};
+    std::uint32_t buttons = 0;
+    for (std::size_t i = 0; i < kNames.size(); ++i) {
+        for (const char* const name : kNames[i]) {
+            const Json& down = member(value, name);
+            if (down.is_boolean() && down.get<bool>()) buttons |= 1U << i;
+        }
+    }
+    return buttons;
+}
+
+const Json* findIn(const Json& list, const std::string& id) {
+    if (!list.is_array()) return nullptr;
+    for (const Json& device : list) {
+        if (textOf(member(device, "device_id")) == id) return &device;
+    }
+    return nullptr;
+}
+
+/// The whole message as a value. Every message of format 3 has a list of the devices.
+Expected<Json> parsed(std::string_view message) {
+    Json json = Json::parse(message, nullptr, false);
+    if (json.is_discarded() || !json.is_object()) return unexpected(kNoJson);
+    const std::string version = textOf(member(json, "version"));
+    if (!member(json, "inverse3").is_array() || (!version.empty() && version.substr(0, 2) != "3.")) {
+        return unexpected(kOtherVersion);
+    }
+    return json;
+}
+
+/// The `index`-th grip, those with a cable first; empty if there are fewer.
+std::string gripAt(const Json& json, std::size_t index) {
+    for (const char* const kind : {"verse_grip", "wireless_verse_grip"}) {
+        const Json& list = member(json, kind);
+        if (!list.is_array()) continue;
+        if (index < list.size()) return textOf(member(list[index], "device_id"));
+        index -= list.size();
+    }
+    return {};
+}
+
+const char* troubleIn(const Json& status) {
+    if (isDenied(status, "power_supply")) return kNoPower;
+    if (isDenied(status, "calibrated")) return kNotCalibrated;
+    return isDenied(status, "ready") ? kNotReady : nullptr;
+}
+
+void readGrip(const Json& json, const std::string& name, HaplyReading& reading) {
+    if (name.empty()) return;
+    const Json* grip = findIn(member(json, "verse_grip"), name);
+    if (grip == nullptr) grip = findIn(member(json, "wireless_verse_grip"), name);
+    if (grip == nullptr) return;
+    reading.hand.rotation = rotationOf(member(member(*grip, "state"), "orientation"));
+    reading.buttons = buttonsOf(member(member(*grip, "state"), "buttons"));
+    if (reading.trouble == nullptr && isDenied(member(*grip, "status"), "awake")) reading.trouble = kGripAsleep;
+}
+
+/// The shortest text that is this number, whatever the locale.
+std::string numberText(double value) {
+    std::array<char, 32> text;
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+    return {text.data(), end};
+}
+
+}  // namespace
+
+Expected<std::vector<HaplyNames>> haplyDevices(std::string_view firstMessage) {
+    const Expected<Json> json = parsed(firstMessage);
+    if (!json) return Unexpected{json.error()};
+    std::vector<HaplyNames> devices;
+    for (const Json& device : member(*json, "inverse3")) {
+        const std::string id = textOf(member(device, "device_id"));
+        if (!isPlain(id)) return unexpected(kOtherVersion);
+        devices.push_back({id, gripAt(*json, devices.size())});
+    }
+    if (devices.empty()) {
+        return unexpected("The Haply Inverse Service finds no Inverse3: check its cable and power supply.");
+    }
+    return devices;
+}
+
+Expected<HaplyNames> findHaply(std::string_view firstMessage, std::string_view wanted) {
+    const Expected<std::vector<HaplyNames>> devices = haplyDevices(firstMessage);
+    if (!devices) return Unexpected{devices.error()};
+    std::string others;
+    for (const HaplyNames& names : *devices) {
+        if (wanted.empty() || names.device == wanted) return names;
+        others += others.empty() ? names.device : ", " + names.device;
+    }
+    return unexpected("The Haply Inverse Service knows no Inverse3 '" + std::string(wanted) + "': it finds " + others +
+                      ".");
+}
+
+Expected<HaplyReading> readHaply(std::string_view message, const HaplyNames& names) {
+    const Expected<Json> json = parsed(message);
+    if (!json) return Unexpected{json.error()};
+    const Json* const device = findIn(member(*json, "inverse3"), names.device);
+    if (device == nullptr) return unexpected(kGone);
+    const Json& place = member(member(*device, "state"), "cursor_position");
+    if (!place.is_object()) return unexpected(kOtherVersion);
+    const Vec3 metres = vectorOf(place);
+    if (metres.allFinite() && metres.cwiseAbs().maxCoeff() > kFurthest) return unexpected(kOtherUnits);
+    HaplyReading reading;
+    reading.hand.position = kMillimetres * metres;
+    reading.trouble = metres.allFinite() ? troubleIn(member(*device, "status")) : kNoPlace;
+    reading.usable = reading.trouble == nullptr;
+    readGrip(*json, names.grip, reading);
+    return reading;
+}
+
+std::string haplyForce(const std::string& device, const Vec3& force) {
+    return R"({"inverse3":[{"device_id":")" + device + R"(","commands":{"set_cursor_force":{"values":{"x":)" +
+           numberText(force.x()) + R"(,"y":)" + numberText(force.y()) + R"(,"z":)" + numberText(force.z()) + "}}}}]}";
+}
+
+std::string haplyGreeting(const std::string& device) {
+    std::string text = haplyForce(device, Vec3::Zero());
+    text.replace(0, 1, R"({"session":{"configure":{"profile":{"name":"org.tactooth:tactooth"}}},)");
+    return text;
+}
+
+}  // namespace tactooth

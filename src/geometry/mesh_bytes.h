@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+
+#include "geometry/expected.h"
+#include "geometry/triangle_mesh.h"
+
+namespace tactooth {
+
+/// What `loadMesh` does, from memory; `path` gives the name for messages and the ending.
+[[nodiscard]] Expected<TriangleMesh> parseMesh(std::span<const std::byte> bytes, const std::filesystem::path& path);
+
+}  // namespace tactooth

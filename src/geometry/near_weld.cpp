@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/near_weld.h"
+
+#include <cassert>
+#include <cmath>
+#include <map>
+#include <vector>
+
+namespace tactooth {
+namespace {
+
+using Cell = std::array<std::int64_t, 3>;
+
+Cell cellOf(const Vec3f& point, double size) {
+    Cell cell;
+    for (int axis = 0; axis < 3; ++axis) cell[axis] = static_cast<std::int64_t>(std::floor(point[axis] / size));
+    return cell;
+}
+
+/// The vertices that stay, by the cells of a grid as wide as the tolerance: a near one is in a cell next to it.
+class Kept {
+public:
+    explicit Kept(double tolerance) : tolerance_(tolerance) {}
+
+    /// The vertex nearest to `point` within the tolerance, else `number`, which then stays.
+    std::uint32_t place(const Vec3f& point, std::uint32_t number, const std::vector<Vec3f>& vertices) {
+        const Cell here = cellOf(point, tolerance_);
+        double nearest = tolerance_;
+        std::uint32_t found = number;
+        Cell cell;
+        for (cell[0] = here[0] - 1; cell[0] <= here[0] + 1; ++cell[0]) {
+            for (cell[1] = here[1] - 1; cell[1] <= here[1] + 1; ++cell[1]) {
+                for (cell[2] = here[2] - 1; cell[2] <= here[2] + 1; ++cell[2]) {
+                    const auto there = cells_.find(cell);
+                    if (there == cells_.end()) continue;
+                    for (const std::uint32_t other : there->second) {
+                        const double distance = (vertices[other].cast<double>() - point.cast<double>()).norm();
+                        if (distance <= nearest) nearest = distance, found = other;
+                    }
+                }
+            }
+        }
+        if (found == number) cells_[here].push_back(number);
+        return found;
+    }
+
+private:
+    double tolerance_;
+    std::map<Cell, std::vector<std::uint32_t>> cells_;
+};
+
+}  // namespace
+
+TriangleMesh weldedWithin(const TriangleMesh& mesh, double tolerance, std::size_t* moved) {
+    assert(tolerance > 0);
+    Kept kept(tolerance);
+    std::vector<std::uint32_t> place(mesh.vertices.size());
+    std::vector<std::uint32_t> newNumber(mesh.vertices.size());
+    TriangleMesh result;
+    for (std::uint32_t v = 0; v < place.size(); ++v) {
+        place[v] = kept.place(mesh.vertices[v], v, mesh.vertices);
+        if (place[v] != v) continue;
+        newNumber[v] = static_cast<std::uint32_t>(result.vertices.size());
+        result.vertices.push_back(mesh.vertices[v]);
+    }
+    if (moved != nullptr) *moved = mesh.vertices.size() - result.vertices.size();
+    result.triangles.reserve(mesh.triangles.size());
+    for (const auto& [a, b, c] : mesh.triangles) {
+        result.triangles.push_back({newNumber[place[a]], newNumber[place[b]], newNumber[place[c]]});
+    }
+    return result;
+}
+
+}  // namespace tactooth

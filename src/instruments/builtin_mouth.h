@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "geometry/pose.h"
+#include "instruments/builtin_tooth.h"
+
+namespace tactooth {
+
+enum class JawPose {
+    closed,  ///< the teeth bite on each other
+    open,    ///< as wide as for work: 40 mm between the incisors' edges
+};
+
+struct MouthRequest {
+    int triangles = 20000;   ///< of each tooth's outer surface, about; the gingiva is as fine in proportion
+    std::uint32_t seed = 0;  ///< 0: average teeth; any other number: another patient
+    JawPose jaw = JawPose::closed;
+    std::vector<int> missing;  ///< FDI numbers; their places have healed over
+};
+
+/// One tooth of a mouth.
+struct MouthTooth {
+    BuiltinTooth tooth;
+    Pose toothInMouth;  ///< with the mouth closed
+};
+
+/// A whole mouth. Mouth frame: the upper jaw's; +x to the patient's right, +y forward, +z up; origin between the edges
+/// of the lower central incisors when the mouth is closed; mm. The two sides are mirror images.
+struct BuiltinMouth {
+    std::vector<MouthTooth> teeth;  ///< 18 to 11, 21 to 28, 38 to 31, 41 to 48; missing ones left out
+    TriangleMesh upperGingiva;      ///< with palate and ridge, closed, with a socket for each tooth; mouth frame
+    TriangleMesh lowerGingiva;      ///< likewise; mouth frame, with the mouth closed
+    Pose lowerJaw;                  ///< leads what belongs to the lower jaw from its closed place to where it is
+
+    /// Where a tooth stands with the jaw as it was asked for.
+    [[nodiscard]] Pose poseOf(const MouthTooth& tooth) const {
+        return tooth.tooth.fdi < 30 ? tooth.toothInMouth : lowerJaw * tooth.toothInMouth;
+    }
+    /// Null where the tooth is missing.
+    [[nodiscard]] const MouthTooth* find(int fdi) const;
+};
+
+/// Makes a tooth: makeTooth, or one that remembers.
+using ToothMaker = std::function<BuiltinTooth(const ToothRequest&)>;
+
+/// Makes a mouth. The same request gives the same bits, on any number of threads. `maker` is called from several
+/// threads at once.
+[[nodiscard]] BuiltinMouth makeMouth(const MouthRequest& request, const ToothMaker& maker = makeTooth);
+
+/// How the lower jaw stands.
+[[nodiscard]] Pose lowerJawPose(JawPose jaw);
+
+/// `mesh` moved to another frame.
+[[nodiscard]] TriangleMesh moved(TriangleMesh mesh, const Pose& pose);
+
+}  // namespace tactooth

@@ -1,0 +1,304 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The margin runs 1 mm above the cervical line (the depth of a healthy sulcus) and rises between two teeth to a papilla
+// of about 3 mm (Golestan: 3.1 mm), or to just below their contact. Thickness 1 mm at the margin, more below. The rest
+// is modelled after textbook drawings.
+#include "instruments/mouth/gingiva.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <utility>
+
+#include "instruments/modelling/blend.h"
+
+namespace tactooth {
+namespace {
+
+constexpr double kBehind = 8.5;  // mm that the jaw goes on behind the last tooth
+
+/// The margin at one tooth: where it runs lowest on the facial and the lingual side.
+struct ToothMargin {
+    double s = 0;        ///< along the line
+    double facial = 0;   ///< height toward the crowns
+    double lingual = 0;  ///< likewise
+    double middle = 0;   ///< outward from the line: the tooth's axis at the neck
+    double half = 0;     ///< half the width of the neck, facial to lingual
+    bool missing = false;
+};
+
+/// The place between two teeth.
+struct Papilla {
+    double s = 0, height = 0;
+};
+
+/// A tooth that the gum stands around.
+struct Rooted {
+    ScalarField outer;
+    Box3 bounds;  ///< of its shape
+    Pose mouthInShape;
+    bool mirrored;  ///< it stands on the other side of the mouth
+    double s;
+};
+
+class Gingiva {
+public:
+    Gingiva(const ToothPlaces& places, bool upper, const std::vector<int>& missing);
+
+    [[nodiscard]] double operator()(const Vec3& p) const;
+    [[nodiscard]] Box3 bounds() const;
+    [[nodiscard]] double smoothBelow() const { return std::min(facial_, lingual_) - 3; }
+
+private:
+    /// What the gum is like at a place along the line; heights toward the crowns, mm.
+    struct Line {
+        double facial = 0, lingual = 0;  ///< the margin
+        double middle = 0, half = 0;     ///< of the ridge: outward from the line; half its width at the margin
+    };
+    void addSide(const JawSide& side, bool right, const std::vector<int>& missing);
+    void addPapillae(const JawSide& side);
+    void fillTable();
+    [[nodiscard]] Line marginAt(double s) const;
+    [[nodiscard]] Line ridgeAt(double s) const;
+    [[nodiscard]] Line lookUp(double s) const;
+    [[nodiscard]] double toTeeth(const Vec3& p, double s, double& second) const;
+    [[nodiscard]] double ridge(double along, double out, double crownward, const Line& line) const;
+    [[nodiscard]] double palate(const Vec3& p) const;
+
+    ArchCurve line_;
+    bool upper_;
+    double end_ = 0;                    // of the teeth, along the line
+    double back_ = 0;                   // y of the jaw's flat hind end
+    double base_ = 0;                   // height of its flat far end, below all roots
+    double facial_ = 0, lingual_ = 0;   // mean heights of the margins
+    std::vector<ToothMargin> margins_;  // from the patient's left to the right
+    std::vector<Papilla> papillae_;     // one more than margins: before the first, between, after the last
+    std::vector<Rooted> teeth_;
+    std::vector<Line> table_;
+};
+
+constexpr double kTableStep = 0.2, kTableEnd = 90;  // mm along the line, to both sides
+
+Gingiva::Gingiva(const ToothPlaces& places, bool upper, const std::vector<int>& missing)
+    : line_(places.line), upper_(upper) {
+    const JawSide& side = upper ? places.upper : places.lower;
+    addSide(side, false, missing);
+    std::ranges::reverse(margins_);
+    addSide(side, true, missing);
+    for (const ToothMargin& margin : margins_) {
+        facial_ += margin.facial / static_cast<double>(margins_.size());
+        lingual_ += margin.lingual / static_cast<double>(margins_.size());
+    }
+    end_ = margins_.back().s + 5;
+    back_ = line_.at(end_ + kBehind - 3).point.y();
+    addPapillae(side);
+    fillTable();
+}
+
+void Gingiva::addPapillae(const JawSide& side) {
+    const double sign = upper_ ? -1 : 1;
+    std::vector<Papilla> right;
+    for (std::size_t i = 0; i < kTeethOfSide; ++i) {
+        const Vec3& contact = side.contacts[i].point;
+        constexpr double kBelowContact = 0.6, kPapilla = 3.4;  // mm
+        const double here = margins_[kTeethOfSide + i].facial;
+        const double before = i > 0 ? margins_[kTeethOfSide + i - 1].facial : here;
+        const double height = std::min(sign * contact.z() - kBelowContact, (here + before) / 2 + kPapilla);
+        right.push_back({i == 0 ? 0 : std::abs(line_.of(contact.x(), contact.y()).s), height});
+    }
+    constexpr double kLast = 1.2;  // mm: behind the last tooth it rises little
+    right.push_back({end_ + 1, margins_.back().facial + kLast});
+    for (std::size_t i = kTeethOfSide; i > 0; --i) papillae_.push_back({-right[i].s, right[i].height});
+    papillae_.insert(papillae_.end(), right.begin(), right.end());
+}
+
+void Gingiva::fillTable() {
+    for (double s = -kTableEnd; s <= kTableEnd + kTableStep; s += kTableStep) {
+        Line line = marginAt(s);
+        const Line ridge = ridgeAt(s);
+        line.middle = ridge.middle;
+        line.half = ridge.half;
+        table_.push_back(line);
+    }
+}
+
+Gingiva::Line Gingiva::lookUp(double s) const {
+    const double at = (std::clamp(s, -kTableEnd, kTableEnd) + kTableEnd) / kTableStep;
+    const auto i = static_cast<std::size_t>(at);
+    const double part = at - static_cast<double>(i);
+    const Line &a = table_[i], &b = table_[i + 1];
+    return {std::lerp(a.facial, b.facial, part), std::lerp(a.lingual, b.lingual, part),
+            std::lerp(a.middle, b.middle, part), std::lerp(a.half, b.half, part)};
+}
+
+void Gingiva::addSide(const JawSide& side, bool right, const std::vector<int>& missing) {
+    const double sign = upper_ ? -1 : 1;
+    const bool mirrored = right != upper_;  // the upper teeth of the right side, the lower ones of the left are given
+    for (const ToothPlace& place : side.teeth) {
+        const int quadrant = upper_ ? (right ? 1 : 2) : (right ? 4 : 3);
+        const int fdi = 10 * quadrant + place.shape.fdi % 10;
+        const bool isMissing = std::ranges::find(missing, fdi) != missing.end();
+        const ToothShape& shape = place.shape;
+        // The neck from its labial to its lingual side, in the middle of the tooth.
+        constexpr double kStep = 0.05;
+        const auto wallAt = [&](double direction, double z) {
+            double y = 0;
+            while (shape.outer(Vec3(0, y, z)) < 0) y += direction * kStep;
+            return Vec3(0, y, z);
+        };
+        constexpr double kSulcus = 1.0;  // mm
+        const double neck = -shape.cervical(Vec3::Zero());
+        const Vec3 facial = place.shapeInMouth * wallAt(1, neck + kSulcus);
+        const Vec3 lingual = place.shapeInMouth * wallAt(-1, neck + kSulcus);
+        const auto at = line_.of(facial.x(), facial.y()), in = line_.of(lingual.x(), lingual.y());
+        ToothMargin margin;
+        margin.s = (right ? 1 : -1) * (std::abs(at.s) + std::abs(in.s)) / 2;
+        margin.facial = sign * facial.z();
+        margin.lingual = sign * lingual.z();
+        margin.middle = (at.outward + in.outward) / 2;
+        margin.half = (at.outward - in.outward) / 2;
+        margin.missing = isMissing;
+        margins_.push_back(margin);
+        base_ = std::min(base_, sign * (place.shapeInMouth * Vec3(0, 0, shape.bounds.min().z())).z() - 1);
+        if (isMissing) continue;
+        teeth_.push_back({shape.outer, shape.bounds, place.shapeInMouth.inverse(), mirrored, margin.s});
+    }
+}
+
+/// The margin: an arch around each tooth, between its papillae.
+Gingiva::Line Gingiva::marginAt(double s) const {
+    const auto after =
+        static_cast<std::size_t>(std::ranges::upper_bound(margins_, s, {}, &ToothMargin::s) - margins_.begin());
+    const Papilla& between = papillae_[after];
+    const bool nearsBefore = after == margins_.size() || (after > 0 && s < between.s);
+    const ToothMargin& tooth = margins_[nearsBefore ? after - 1 : after];
+    constexpr double kHealed = 1.4;  // mm that the tissue over a lost tooth stands below the papillae
+    if (tooth.missing) return {between.height - kHealed, between.height - kHealed};
+    const double part = std::clamp((s - tooth.s) / (between.s - tooth.s), 0.0, 1.0);
+    constexpr double kScallop = 2.3;  // 1: a zigzag line, 2: arches
+    const double rise = std::pow(part, kScallop);
+    return {std::lerp(tooth.facial, between.height, rise), std::lerp(tooth.lingual, between.height, rise)};
+}
+
+/// The alveolar process follows the teeth's necks smoothly.
+Gingiva::Line Gingiva::ridgeAt(double s) const {
+    constexpr double kSmooth = 6;  // mm
+    Line line;
+    double weights = 0;
+    const double along = std::clamp(s, margins_.front().s, margins_.back().s);
+    for (const ToothMargin& tooth : margins_) {
+        const double weight = bump(along - tooth.s, kSmooth);
+        line.middle += weight * tooth.middle;
+        line.half += weight * tooth.half;
+        weights += weight;
+    }
+    line.middle /= weights;
+    line.half /= weights;
+    return line;
+}
+
+/// Distance to the nearest tooth, and to the next nearest; 4 mm and more are as far as any.
+double Gingiva::toTeeth(const Vec3& p, double s, double& second) const {
+    constexpr double kFar = 4, kAside = 9;  // mm; along the line
+    double first = kFar;
+    second = kFar;
+    for (const Rooted& tooth : teeth_) {
+        if (std::abs(tooth.s - s) > kAside) continue;
+        const Vec3 local = tooth.mouthInShape * (tooth.mirrored ? Vec3(-p.x(), p.y(), p.z()) : p);
+        if (tooth.bounds.squaredExteriorDistance(local) > kFar * kFar) continue;
+        const double distance = tooth.outer(local);
+        if (distance < first) {
+            second = first;
+            first = distance;
+        } else {
+            second = std::min(second, distance);
+        }
+    }
+    return first;
+}
+
+/// The alveolar process: as wide as the teeth's necks at the margin, wider toward its base.
+double Gingiva::ridge(double along, double out, double crownward, const Line& line) const {
+    const double widening = smoothStep(0, 14, facial_ - crownward);
+    constexpr double kCover = 0.55;  // mm
+    // The lower molars' roots lean to the cheek: the oblique line of the mandible covers them.
+    const double oblique =
+        upper_ ? 0 : 2.6 * smoothStep(28, 50, std::abs(along)) * smoothStep(0, 9, facial_ - crownward);
+    const double facial = line.half + kCover + oblique + (upper_ ? 0.8 : 1.2) * widening,
+                 lingual = line.half + kCover + (upper_ ? 2.5 : 1.2) * widening;
+    const double half = (facial + lingual) / 2, middle = line.middle + (facial - lingual) / 2;
+    return std::abs(out - middle) - half;
+}
+
+/// The vault, with incisive papilla, raphe and rugae.
+double Gingiva::palate(const Vec3& p) const {
+    constexpr double kHigh = 13, kWall = 4.5;                     // mm; from the line to the vault's foot
+    constexpr double kFront = 7, kBack = 30, kBelowMargin = 1.5;  // mm behind the line's front; below the margins
+    const double depth = -p.y(), aside = std::abs(p.x());
+    const double half = std::max(line_.halfWidth(depth) - kWall, 2.0);
+    const double across = std::max(0.0, 1 - std::pow(aside / half, 2.4));
+    const double vault = lingual_ - kBelowMargin - kHigh * across * smoothStep(kFront, kBack, depth);
+    const double raphe = 0.3 * bump(p.x(), 0.8) * smoothStep(12, 17, depth);
+    const double incisive = 1.0 * bump(std::hypot(p.x() / 1.5, (depth - 11) / 2.8), 1.0);
+    const double reach = smoothStep(0.9, 2.4, aside) * smoothStep(11.5, 8.5, aside) * smoothStep(10.5, 13, depth) *
+                         smoothStep(27, 22, depth);
+    constexpr double kRugae = 3.8;  // mm from one to the next
+    const double wave = std::cos(2 * std::numbers::pi * (depth - 0.3 * aside - 0.5 * std::sin(0.8 * aside)) / kRugae);
+    const double rugae = 0.4 * reach * std::max(0.0, wave);
+    constexpr double kSlope = 1.5;
+    return (-p.z() - vault - raphe - incisive - rugae) / kSlope;
+}
+
+double Gingiva::operator()(const Vec3& p) const {
+    const double crownward = upper_ ? -p.z() : p.z();
+    const ArchCurve::Coordinates at = line_.of(p.x(), p.y());
+    const Line line = lookUp(at.s);
+    const double across = smoothStep(-0.7 * line.half, 0.7 * line.half, at.outward - line.middle);
+    // Behind the last tooth the tissue falls to the ridge.
+    const double beyond = std::max(0.0, std::abs(at.s) - end_);
+    const double margin = std::lerp(line.lingual, line.facial, across) - 0.12 * beyond * beyond;
+    const double depth = margin - crownward;
+    double second = 0;
+    const double tooth = toTeeth(p, at.s, second);
+    constexpr double kThin = 0.5, kThick = 1.1, kDeep = 5;  // mm: thickness at the margin, and that deep below it
+    constexpr double kJuga = 2, kNoJuga = 14, kFlat = 4;    // mm: depths between which the roots' ridges fade
+    const double cover =
+        tooth - std::lerp(kThin, kThick, smoothStep(0, kDeep, depth)) + kFlat * smoothStep(kJuga, kNoJuga, depth);
+    constexpr double kFillet = 2.2;
+    double body = smoothUnion(ridge(at.s, at.outward, crownward, line), cover, kFillet);
+    constexpr double kLeastWall = 0.85, kWallRound = 0.5;  // mm: nowhere is a root covered by less
+    body = smoothUnion(body, tooth - kLeastWall, kWallRound);
+    if (upper_) {
+        constexpr double kFoot = 5;
+        const double inside = (at.outward - line.middle) / 1.2;  // the vault ends within the ridge
+        body = smoothUnion(body, std::max(palate(p), inside), kFoot);
+    }
+    constexpr double kMarginRound = 0.55, kSlope = 1.3, kEndRound = 6, kBaseRound = 1.5, kSocketRound = 0.3, kTipRound = 0.5;
+    body = smoothIntersection(body, -depth / kSlope, kMarginRound);
+    body = smoothIntersection(body, std::abs(at.s) - end_ - kBehind, kEndRound);
+    body = smoothIntersection(body, back_ - p.y(), kBaseRound);
+    body = smoothIntersection(body, base_ - crownward, kBaseRound);
+    constexpr double kGap = 0.15;      // mm: the periodontal ligament's
+    constexpr double kThinnest = 0.6;  // mm between two teeth, below which no tissue stands
+    body = smoothIntersection(body, kThinnest - (tooth + second), kTipRound);
+    return smoothIntersection(body, kGap - tooth, kSocketRound);
+}
+
+Box3 Gingiva::bounds() const {
+    const double back = line_.at(end_ + kBehind).point.y(), aside = line_.at(end_ + kBehind).point.x() + 10;
+    constexpr double kFront = 12, kAbove = 4;
+    const double low = upper_ ? -kAbove : base_ - 1, high = upper_ ? 1 - base_ : kAbove;
+    return {Vec3(-aside, back - 3, low), Vec3(aside, kFront, high)};
+}
+
+}  // namespace
+
+GingivaBody gingivaBody(const ToothPlaces& places, bool upper, const std::vector<int>& missing) {
+    const auto gingiva = std::make_shared<const Gingiva>(places, upper, missing);
+    return {[gingiva](const Vec3& p) { return (*gingiva)(p); }, gingiva->bounds(), gingiva->smoothBelow()};
+}
+
+}  // namespace tactooth

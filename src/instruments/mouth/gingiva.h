@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "geometry/isosurface.h"
+#include "instruments/mouth/tooth_places.h"
+
+namespace tactooth {
+
+/// The soft tissue of one jaw with the ridge below it, as a body with a socket for each tooth; in the upper jaw with
+/// the palate. Mouth frame, mouth closed.
+struct GingivaBody {
+    ScalarField field;
+    Box3 bounds;
+    double smoothBelow = 0;  ///< height toward the crowns below which there is no fine detail
+};
+
+/// `missing`: FDI numbers of teeth whose places have healed over.
+[[nodiscard]] GingivaBody gingivaBody(const ToothPlaces& places, bool upper, const std::vector<int>& missing);
+
+}  // namespace tactooth

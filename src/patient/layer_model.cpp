@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "patient/layer_model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "collision/closest_point.h"
+#include "geometry/isosurface.h"
+#include "geometry/mesh_repair.h"
+#include "patient/pulp_tree.h"
+#include "patient/tooth_sections.h"
+
+namespace tactooth {
+namespace {
+
+constexpr double kDentinTriangles = 0.25;  // mm
+constexpr double kPulpTriangles = 0.15;    // mm
+constexpr double kPulpWall = 0.5;          // mm
+constexpr double kBeyond = 0.02;  // mm: the root's dentin reaches beyond its surface, so no enamel is left on it
+
+/// Thickest enamel of a crown so wide, mm: 0.7 to 1 on front teeth, 1.3 to 1.6 at the sides of molars.
+double thickestEnamel(const TriangleMesh& outer) {
+    const SectionProfile profile = sectionProfile(outer);
+    const double widest = *std::ranges::max_element(profile.areas);
+    const double width = 2 * std::sqrt(widest / 3.14159);  // of the circle with that area
+    return std::clamp(0.14 * width, 0.6, 1.5);
+}
+
+/// How thick the enamel is at a height, mm; below the neck less than nothing.
+double enamelAt(double z, double crown, double thickest) {
+    const double up = z / crown;
+    constexpr double kFull = 0.6;  // of the crown's height: from there on it is as thick as it gets at the sides
+    return up <= 0 ? -kBeyond : -kBeyond + (thickest + kBeyond) * std::sqrt(std::min(up / kFull, 1.0));
+}
+
+/// Distance to a cone with round ends, about.
+double distanceTo(const PulpLimb& limb, const Vec3& point) {
+    const Vec3 along = limb.b - limb.a;
+    const double share = std::clamp(along.dot(point - limb.a) / std::max(along.squaredNorm(), 1e-9), 0.0, 1.0);
+    return (point - limb.a - share * along).norm() - (limb.radiusA + share * (limb.radiusB - limb.radiusA));
+}
+
+TriangleMesh pulpFrom(const std::vector<PulpLimb>& limbs, const DepthField& depth) {
+    if (limbs.empty()) return {};
+    Box3 box;
+    for (const PulpLimb& limb : limbs) {
+        const double radius = std::max(limb.radiusA, limb.radiusB) + 1;
+        for (const Vec3& end : {limb.a, limb.b}) {
+            box.extend(Vec3(end.array() - radius));
+            box.extend(Vec3(end.array() + radius));
+        }
+    }
+    const ScalarField field = [&](const Vec3& point) {
+        double nearest = std::numeric_limits<double>::infinity();
+        for (const PulpLimb& limb : limbs) nearest = std::min(nearest, distanceTo(limb, point));
+        return nearest > 1 ? nearest : std::max(nearest, kPulpWall - depth(point));
+    };
+    const TriangleMesh mesh = isosurface(field, box, {.cellSize = kPulpTriangles});
+    return mesh.empty() ? mesh : piecesOf(mesh).front();
+}
+
+TriangleMesh dentinOf(const TriangleMesh& outer, const DepthField& depth) {
+    const Box3 box = boundingBox(outer);
+    const double thickest = thickestEnamel(outer), crown = std::max(box.max().z(), 1.0);
+    const ScalarField field = [&](const Vec3& point) { return enamelAt(point.z(), crown, thickest) - depth(point); };
+    const Box3 around(box.min().array() - 1, box.max().array() + 1);
+    // The enamel's edge at the neck is steep: a tenth of a millimetre up it is a quarter of one thick.
+    return isosurface(field, around, {.cellSize = kDentinTriangles, .steepest = 4});
+}
+
+}  // namespace
+
+Expected<LayerModel> modelLayers(const TriangleMesh& outer, const Progress& progress) {
+    const auto goesOn = [&](double part) { return !progress || progress(part); };
+    const SurfacePart surface(outer);
+    const DepthField depth = [&](const Vec3& point) { return -signedDistance(surface, point); };
+    if (!goesOn(0.1)) return unexpected("stopped");
+    TriangleMesh dentin = dentinOf(outer, depth);
+    bool isStopped = false;
+    const auto limbs = pulpTree(depth, surface.tree().box(), [&](double part) {
+        isStopped = isStopped || !goesOn(0.4 + 0.4 * part);
+        return !isStopped;
+    });
+    if (isStopped || !goesOn(0.8)) return unexpected("stopped");
+    TriangleMesh pulp = pulpFrom(limbs, depth);
+    if (!goesOn(1)) return unexpected("stopped");
+    LayerModel model;
+    model.layers.push_back({"enamel", MaterialId::Enamel, outer});
+    if (!dentin.empty()) model.layers.push_back({"dentin", MaterialId::Dentin, std::move(dentin)});
+    const bool hasPulp = !pulp.empty();
+    if (hasPulp) model.layers.push_back({"pulp", MaterialId::Pulp, std::move(pulp)});
+    model.how.push_back(
+        {RemarkTopic::Layers,
+         "Only the outer surface is known: enamel and dentin are a model, with enamel up to %1 mm thick "
+         "that thins to nothing at the neck. They are no measurement of this tooth.",
+         {rounded(thickestEnamel(outer), 1)}});
+    model.how.push_back(
+        {RemarkTopic::Layers, hasPulp ? "The pulp is a model, too: a chamber at the neck and a canal down each root."
+                                      : "There is no room for a pulp: the tooth has none."});
+    return model;
+}
+
+}  // namespace tactooth

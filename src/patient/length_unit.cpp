@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "patient/length_unit.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace tactooth {
+namespace {
+
+// Whole permanent teeth are 19 to 27 mm long on average (Wheeler); variation, children and a root tip that is missing
+// widen that. Crowns are 7 to 11 mm high and as wide.
+struct Range {
+    double low, high;  // mm
+    [[nodiscard]] bool holds(double length) const { return low <= length && length <= high; }
+};
+constexpr Range kTooth = {12, 34};
+constexpr Range kCrown = {5, 12};
+constexpr double kAverageTooth = 21;  // mm: mean length of Wheeler's 32 teeth
+
+}  // namespace
+
+std::optional<LengthUnit> lengthUnitFromName(std::string_view name) {
+    const auto found = std::ranges::find(kLengthUnits, name, [](const LengthUnit& unit) { return unit.name; });
+    if (found == kLengthUnits.end()) return std::nullopt;
+    return *found;
+}
+
+ScaleGuess guessScale(double longest) {
+    assert(longest > 0);
+    const char* const tooth = "Units taken as %1, because the longest side would be %2 mm, as that of a whole tooth.";
+    const char* const crown = "Units taken as %1, because the longest side would be %2 mm, as that of a crown.";
+    if (kCrown.holds(longest)) return {1, {RemarkTopic::Units, crown, {"mm", rounded(longest, 1)}}};
+    for (const auto& [range, words] : {std::pair(kTooth, tooth), std::pair(kCrown, crown)}) {
+        for (const LengthUnit& unit : kLengthUnits) {
+            if (!range.holds(longest * unit.mm)) continue;
+            return {unit.mm, {RemarkTopic::Units, words, {unit.name, rounded(longest * unit.mm, 1)}}};
+        }
+    }
+    const double scale = kAverageTooth / longest;
+    return {scale,
+            {RemarkTopic::Units,
+             "No unit of length makes this a tooth (longest side %1): scaled by %2 to the %3 mm of an average tooth.",
+             {rounded(longest, 2), rounded(scale, 5), rounded(kAverageTooth, 0)}}};
+}
+
+}  // namespace tactooth

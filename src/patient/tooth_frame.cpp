@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "patient/tooth_frame.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "patient/tooth_sections.h"
+
+namespace tactooth {
+namespace {
+
+constexpr double kStandsUp = 30 * std::numbers::pi / 180;  // rad: teeth in a jaw lean by up to 20 degrees
+constexpr double kCube = 1.15;                             // a body that is longer than wide by less has no long axis
+
+struct LongAxis {
+    Vec3 middle;  ///< of the surface, mm
+    Vec3 axis;    ///< unit, either way
+    bool isClear;
+};
+
+LongAxis longAxisOf(const TriangleMesh& mesh) {
+    double area = 0;
+    Vec3 middle = Vec3::Zero();
+    Mat3 second = Mat3::Zero();
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const double weight = mesh.areaVector(t).norm();
+        const Vec3 centre = (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3;
+        area += weight;
+        middle += weight * centre;
+        second += weight * centre * centre.transpose();
+    }
+    middle /= area;
+    const Eigen::SelfAdjointEigenSolver<Mat3> moments(second / area - middle * middle.transpose());
+    const double ratio = std::sqrt(moments.eigenvalues()[2] / std::max(moments.eigenvalues()[1], 1e-12));
+    return {middle, moments.eigenvectors().col(2), ratio > kCube};
+}
+
+/// Positive if the upper half of the body along z is the thicker one.
+double thickerAbove(const TriangleMesh& mesh, const Quat& upright) {
+    const SectionProfile profile = sectionProfile(transformed(mesh, {Vec3::Zero(), upright}));
+    const auto half = profile.areas.begin() + static_cast<std::ptrdiff_t>(profile.areas.size() / 2);
+    return std::accumulate(half, profile.areas.end(), 0.0) - std::accumulate(profile.areas.begin(), half, 0.0);
+}
+
+/// The turn of the file's frame that brings `crown` up and, of all of those, `cheek` to +y.
+Quat uprightTurn(const Vec3& crown, const Vec3& cheek) {
+    const Vec3 x = cheek.cross(crown).normalized();
+    Mat3 rows;
+    rows.row(0) = x;
+    rows.row(1) = crown.cross(x);
+    rows.row(2) = crown;
+    return Quat(rows).normalized();
+}
+
+struct Standing {
+    Quat upright;  ///< turns the file's directions into the tooth's
+    std::vector<Remark> why;
+};
+
+Vec3 crownDirection(const TriangleMesh& outer, const FrameHints& hints, const LongAxis& shape,
+                    std::vector<Remark>& why) {
+    const auto add = [&](const char* text) { why.push_back({RemarkTopic::Orientation, text}); };
+    Vec3 axis = shape.isClear ? shape.axis : Vec3::UnitZ();
+    if (!shape.isClear) {
+        add("The surface is about as long as wide: +z of the file is taken as the crown's side.");
+    } else if (hints.crown) {
+        if (axis.dot(*hints.crown) < 0) axis = -axis;
+        add("The crown is where the enamel is.");
+    } else {
+        if (thickerAbove(outer, Quat::FromTwoVectors(axis, Vec3::UnitZ())) < 0) axis = -axis;
+        add("The thicker end of the long axis is taken as the crown.");
+    }
+    return axis;
+}
+
+Standing standingOf(const TriangleMesh& outer, const FrameHints& hints, const LongAxis& shape) {
+    Standing standing;
+    const auto add = [&](const char* text, std::vector<std::string> values = {}) {
+        standing.why.push_back({RemarkTopic::Orientation, text, std::move(values)});
+    };
+    const Vec3 crown = crownDirection(outer, hints, shape, standing.why);
+    const double tilt = std::acos(std::clamp(crown.z(), -1.0, 1.0));
+    if (hints.cheek) {
+        standing.upright = uprightTurn(crown, *hints.cheek);
+        add("The cheek's side is the one that looks away from the middle of the arch.");
+    } else if (tilt < kStandsUp) {
+        standing.upright = Quat::Identity();
+        add("It stands crown up as it came (%1 degrees from +z): its axes are kept, with the cheek at +y.",
+            {rounded(tilt * 180 / std::numbers::pi, 0)});
+    } else {
+        standing.upright = Quat::FromTwoVectors(crown, Vec3::UnitZ());
+        add("Turned by %1 degrees to stand crown up; the cheek's side cannot be seen from one surface and is taken to "
+            "be +y of the file.",
+            {rounded(tilt * 180 / std::numbers::pi, 0)});
+    }
+    return standing;
+}
+
+}  // namespace
+
+FrameGuess guessToothFrame(const TriangleMesh& outer, const FrameHints& hints) {
+    const LongAxis shape = longAxisOf(outer);
+    Standing standing = standingOf(outer, hints, shape);
+    Quat upright = standing.upright;
+    if (hints.isUpsideDown) {
+        upright = Quat(Eigen::AngleAxisd(std::numbers::pi, Vec3::UnitY())) * upright;
+        standing.why.push_back({RemarkTopic::Orientation, "Turned upside down, as chosen."});
+    }
+    if (hints.turn != 0) {
+        upright = Quat(Eigen::AngleAxisd(hints.turn, Vec3::UnitZ())) * upright;
+        standing.why.push_back({RemarkTopic::Orientation,
+                                "Turned by %1 degrees about the long axis, as chosen.",
+                                {rounded(hints.turn * 180 / std::numbers::pi, 0)}});
+    }
+    const TriangleMesh turned = transformed(outer, {Vec3::Zero(), upright});
+    Vec3 origin = upright * shape.middle;
+    origin.z() = neckHeight(sectionProfile(turned));
+    const Quat back = upright.conjugate();
+    return {{back * origin, back}, std::move(standing.why)};
+}
+
+}  // namespace tactooth

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "geometry/expected.h"
+#include "geometry/pose.h"
+#include "tooth/material.h"
+
+namespace tactooth {
+
+/// One tooth of a case. Files are named as in the case's folder.
+struct CaseTooth {
+    std::string name;   ///< unique in the case
+    int fdi = 0;        ///< two-digit tooth number; 0: not known
+    std::string outer;  ///< the surface that is touched, closed, mm, in the tooth frame
+    std::vector<std::pair<MaterialId, std::string>> layers = {};
+    MaterialId material = MaterialId::Enamel;  ///< of a tooth without layers
+    bool isModelled = false;                   ///< the layers are a model, no measurement
+    Pose toothInCase = {};
+    std::vector<std::string> assumed = {};  ///< what was assumed about the surfaces, one sentence each
+};
+
+/// What stands around the teeth (bone, gingiva): it is felt and can be cut.
+struct CaseSurrounding {
+    std::string name;  ///< unique in the case
+    std::string surface;
+    MaterialId material = MaterialId::Other;
+    Pose bodyInCase = {};
+    std::vector<std::string> assumed = {};
+};
+
+/// What case.toml says (docs/cases.md).
+struct CaseDescription {
+    std::string title;
+    std::string licence;
+    std::vector<std::string> provenance = {};
+    std::string materials = {};  ///< a file like data/materials.toml; empty: the program's own
+    std::vector<CaseTooth> teeth;
+    std::vector<CaseSurrounding> around = {};
+    std::vector<std::string> burs = {};  ///< files as readOwnBur takes them
+};
+
+/// Reads case.toml; `name` stands for it in messages. Fails with one sentence with file and line.
+[[nodiscard]] Expected<CaseDescription> parseCase(std::string_view text, std::string_view name);
+
+/// The text of case.toml: parseCase gives the same description back.
+[[nodiscard]] std::string caseText(const CaseDescription& description);
+
+/// `text` as TOML writes it, in quotes; control characters become '?'.
+[[nodiscard]] std::string tomlText(const std::string& text);
+
+}  // namespace tactooth

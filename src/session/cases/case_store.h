@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geometry/expected.h"
+
+namespace tactooth {
+
+/// Name of the text that describes a case, in its folder or archive.
+inline constexpr std::string_view kCaseText = "case.toml";
+/// Ending of an archive that holds a case.
+inline constexpr std::string_view kCaseEnding = ".ttcase";
+
+/// The most that a case may hold; more is refused before it is read. A mouth of 32 teeth with 325,000 triangles and
+/// three layers each takes 1.6 GB.
+struct CaseLimits {
+    std::size_t entries = 1000;
+    std::size_t entryBytes = std::size_t{1} << 30;
+    std::size_t allBytes = std::size_t{2} << 30;
+    double packed = 200;                           ///< bytes that may come out of one packed byte (surfaces: 2 to 10)
+    std::size_t textBytes = std::size_t{1} << 20;  ///< of a TOML file
+};
+inline constexpr CaseLimits kCaseLimits = {};
+
+/// Whether `path` (in a case, with '/') stays inside it: relative, no "..", no part that a system reads in another way.
+[[nodiscard]] bool isSafeEntry(std::string_view path);
+
+/// The files of a case: a folder, or a zip archive, which is read in memory and never unpacked to the disk. Whatever
+/// the bytes claim, no more memory is taken than `kCaseLimits` allows. Used from one thread.
+class CaseStore {
+public:
+    /// A folder or file on the disk. Fails with one sentence.
+    [[nodiscard]] static Expected<CaseStore> open(const std::filesystem::path& path);
+    /// An archive in memory, which stays there as long as the store; `name` stands for it in messages.
+    [[nodiscard]] static Expected<CaseStore> openArchive(std::span<const std::byte> bytes, std::string name);
+
+    CaseStore(CaseStore&&) noexcept;
+    CaseStore& operator=(CaseStore&&) noexcept;
+    ~CaseStore();
+
+    /// The bytes of one file. Fails with one sentence if it is not there, unsafe, too large or damaged.
+    [[nodiscard]] Expected<std::vector<std::byte>> read(const std::string& entry) const;
+    /// The files, sorted by name.
+    [[nodiscard]] const std::vector<std::string>& entries() const;
+    /// An entry as a message shows it: "mouth.ttcase: teeth/36.stl".
+    [[nodiscard]] std::string shown(const std::string& entry) const;
+
+private:
+    struct Content;
+    explicit CaseStore(std::unique_ptr<Content> content);
+    std::unique_ptr<Content> content_;
+};
+
+/// Packs files into a zip archive in memory: the same files give the same bytes. Names must be safe entries.
+struct CaseFile {
+    std::string entry;
+    std::vector<std::byte> bytes;
+};
+[[nodiscard]] Expected<std::vector<std::byte>> packedCase(std::vector<CaseFile> files);
+
+/// Whether a path is that of a case: an archive by its ending, a folder that holds the text, or that text itself.
+[[nodiscard]] bool isCase(const std::filesystem::path& path);
+
+}  // namespace tactooth

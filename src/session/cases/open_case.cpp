@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "session/cases/open_case.h"
+
+#include <algorithm>
+
+#include "collision/closest_point.h"
+#include "geometry/mesh_bytes.h"
+#include "instruments/builtin_tooth.h"
+#include "session/material_file.h"
+
+namespace tactooth {
+namespace {
+
+bool isSame(const Pose& pose) { return pose.position.isZero(0) && pose.rotation.vec().isZero(0); }
+
+std::string_view asText(const std::vector<std::byte>& bytes) {
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+/// The surface of a file, moved to another frame; one that stays where it is keeps every bit.
+Expected<TriangleMesh> readSurface(const CaseStore& store, const std::string& entry, const Pose& pose) {
+    const auto bytes = store.read(entry);
+    if (!bytes) return Unexpected{bytes.error()};
+    auto mesh = parseMesh(*bytes, store.shown(entry));
+    if (!mesh || isSame(pose)) return mesh;
+    return transformed(*mesh, pose);
+}
+
+/// Gathers the bodies of a case into one tooth.
+class Assembly {
+public:
+    Assembly(const CaseStore& store, const CaseDescription& description, const CaseTooth& chosen)
+        : store_(store), description_(description), chosen_(chosen), caseInTooth_(chosen.toothInCase.inverse()) {}
+
+    Expected<std::shared_ptr<const LayeredTooth>> assemble() {
+        // The chosen tooth first: its triangles keep their numbers.
+        if (auto done = add(chosen_); !done) return Unexpected{done.error()};
+        for (const CaseTooth& tooth : description_.teeth) {
+            if (&tooth == &chosen_) continue;
+            if (auto done = add(tooth); !done) return Unexpected{done.error()};
+        }
+        for (const CaseSurrounding& body : description_.around) {
+            auto mesh = readSurface(store_, body.surface, caseInTooth_ * body.bodyInCase);
+            if (!mesh) return Unexpected{mesh.error()};
+            append(outer_, *mesh);
+            layers_.push_back({body.name, body.material, std::move(*mesh)});
+        }
+        const bool isPlain = description_.teeth.size() == 1 && description_.around.empty() && chosen_.layers.empty();
+        if (isPlain) layers_.clear();
+        auto tooth = LayeredTooth::make(std::move(outer_), std::move(layers_), chosen_.material);
+        if (!tooth) return unexpected(store_.shown(std::string(kCaseText)) + ": " + tooth.error().message + ".");
+        return std::shared_ptr<const LayeredTooth>(std::make_shared<const LayeredTooth>(std::move(*tooth)));
+    }
+
+    [[nodiscard]] const Box3& chosenBox() const { return chosenBox_; }
+
+private:
+    Expected<void> add(const CaseTooth& tooth) {
+        const bool isChosen = &tooth == &chosen_;
+        const Pose pose = isChosen ? Pose() : caseInTooth_ * tooth.toothInCase;
+        const std::string prefix = isChosen ? "" : tooth.name + " ";
+        auto outer = readSurface(store_, tooth.outer, pose);
+        if (!outer) return Unexpected{outer.error()};
+        if (isChosen) chosenBox_ = boundingBox(*outer);
+        for (const auto& [id, file] : tooth.layers) {
+            auto mesh = file == tooth.outer ? Expected<TriangleMesh>(*outer) : readSurface(store_, file, pose);
+            if (!mesh) return Unexpected{mesh.error()};
+            layers_.push_back({prefix + std::string(materialName(id)), id, std::move(*mesh)});
+        }
+        if (tooth.layers.empty()) {
+            layers_.push_back({prefix + std::string(materialName(tooth.material)), tooth.material, *outer});
+        }
+        append(outer_, *outer);
+        return {};
+    }
+
+    const CaseStore& store_;
+    const CaseDescription& description_;
+    const CaseTooth& chosen_;
+    Pose caseInTooth_;
+    TriangleMesh outer_;
+    std::vector<LayerMesh> layers_;
+    Box3 chosenBox_;
+};
+
+Expected<const CaseTooth*> findTooth(const CaseDescription& description, const std::string& wanted,
+                                     const std::string& where) {
+    if (wanted.empty()) return &description.teeth.front();
+    std::string names;
+    for (const CaseTooth& tooth : description.teeth) {
+        if (tooth.name == wanted || (tooth.fdi != 0 && std::to_string(tooth.fdi) == wanted)) return &tooth;
+        names.append(names.empty() ? "" : ", ").append(tooth.name);
+    }
+    return unexpected(where + ": there is no tooth '" + wanted + "' in this case; it has " + names + ".");
+}
+
+Expected<void> readExtras(const CaseStore& store, OpenedCase& opened) {
+    if (!opened.description.materials.empty()) {
+        const auto bytes = store.read(opened.description.materials);
+        if (!bytes) return Unexpected{bytes.error()};
+        auto table = parseMaterials(asText(*bytes), store.shown(opened.description.materials), defaultMaterials());
+        if (!table) return Unexpected{table.error()};
+        opened.materials = *table;
+    }
+    for (const std::string& file : opened.description.burs) {
+        const auto bytes = store.read(file);
+        if (!bytes) return Unexpected{bytes.error()};
+        const std::string folder = file.substr(0, file.rfind('/') + 1);
+        auto bur = parseOwnBur(asText(*bytes), store.shown(file),
+                               [&](const std::string& beside) { return store.read(folder + beside); });
+        if (!bur) return Unexpected{bur.error()};
+        if (!opened.bur) opened.bur = std::move(*bur);
+    }
+    return {};
+}
+
+/// How deep corners of `a` lie within `b`, mm; 0 if none does.
+double deepestIn(const SurfacePart& b, const TriangleMesh& a) {
+    double deepest = 0;
+    for (const Vec3f& vertex : a.vertices) {
+        const Vec3 point = vertex.cast<double>();
+        if (b.tree().box().contains(point)) deepest = std::max(deepest, -signedDistance(b, point));
+    }
+    return deepest;
+}
+
+}  // namespace
+
+Expected<CaseDescription> readCaseDescription(const CaseStore& store) {
+    const std::string name(kCaseText);
+    const auto bytes = store.read(name);
+    if (!bytes) return Unexpected{bytes.error()};
+    return parseCase(asText(*bytes), store.shown(name));
+}
+
+Expected<OpenedCase> openCase(const CaseStore& store, const std::string& tooth) {
+    auto description = readCaseDescription(store);
+    if (!description) return Unexpected{description.error()};
+    OpenedCase opened;
+    opened.description = std::move(*description);
+    const auto chosen = findTooth(opened.description, tooth, store.shown(std::string(kCaseText)));
+    if (!chosen) return Unexpected{chosen.error()};
+    opened.tooth = (*chosen)->name;
+    if ((*chosen)->fdi != 0) opened.mesialX = mesialX((*chosen)->fdi);
+    Assembly assembly(store, opened.description, **chosen);
+    auto teeth = assembly.assemble();
+    if (!teeth) return Unexpected{teeth.error()};
+    opened.teeth = std::move(*teeth);
+    opened.box = assembly.chosenBox();
+    if (auto extras = readExtras(store, opened); !extras) return Unexpected{extras.error()};
+    return opened;
+}
+
+Expected<OpenedCase> openCase(const std::filesystem::path& path, const std::string& tooth) {
+    const auto store = CaseStore::open(path);
+    if (!store) return Unexpected{store.error()};
+    return openCase(*store, tooth);
+}
+
+Expected<std::vector<CaseBody>> caseBodies(const CaseStore& store, const CaseDescription& description) {
+    std::vector<CaseBody> bodies;
+    const auto add = [&](const std::string& name, const std::string& entry, const Pose& pose) -> Expected<void> {
+        auto mesh = readSurface(store, entry, pose);
+        if (!mesh) return Unexpected{mesh.error()};
+        bodies.push_back({name, std::move(*mesh)});
+        return {};
+    };
+    for (const CaseTooth& tooth : description.teeth) {
+        if (auto done = add(tooth.name, tooth.outer, tooth.toothInCase); !done) return Unexpected{done.error()};
+    }
+    for (const CaseSurrounding& body : description.around) {
+        if (auto done = add(body.name, body.surface, body.bodyInCase); !done) return Unexpected{done.error()};
+    }
+    return bodies;
+}
+
+std::vector<CaseOverlap> overlaps(const std::vector<CaseBody>& bodies) {
+    std::vector<SurfacePart> parts;
+    for (const CaseBody& body : bodies) parts.emplace_back(body.surface);
+    std::vector<CaseOverlap> found;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        for (std::size_t j = i + 1; j < parts.size(); ++j) {
+            if (!parts[i].tree().box().intersects(parts[j].tree().box())) continue;
+            const double deepest = std::max(deepestIn(parts[i], parts[j].mesh()), deepestIn(parts[j], parts[i].mesh()));
+            constexpr double kTouch = 0.001;  // mm: teeth touch each other
+            if (deepest > kTouch) found.push_back({bodies[i].name, bodies[j].name, deepest});
+        }
+    }
+    return found;
+}
+
+}  // namespace tactooth

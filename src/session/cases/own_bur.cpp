@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "session/cases/own_bur.h"
+
+#include "geometry/file_bytes.h"
+#include "geometry/mesh_bytes.h"
+#include "geometry/mesh_file.h"
+#include "session/cases/case_store.h"
+#include "session/cases/toml_reader.h"
+
+namespace tactooth {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kMostFlutes = 60;        // finishing burs have 30
+constexpr double kCoarsestGrit = 500;  // um: super-coarse diamonds have 180
+constexpr double kMostSharpness = 10;  // times a new bur
+
+std::string_view asText(std::span<const std::byte> bytes) {
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+}  // namespace
+
+Expected<OwnBur> parseOwnBur(std::string_view text, const std::string& name, const ReadBeside& readBeside,
+                             const std::string& surface) {
+    if (text.size() > kCaseLimits.textBytes)
+        return unexpected(name + ": the file is too large for a bur's description.");
+    TomlReader toml(name);
+    const toml::table root = toml.parse(text);
+    toml.allow(root, "a bur", {"name", "surface", "material", "flutes", "grit_um", "sharpness"});
+    OwnBur bur;
+    bur.name = toml.text(root, "name", false);
+    std::string file = toml.text(root, "surface", surface.empty());
+    if (file.empty()) file = surface;
+    const std::string material = toml.text(root, "material", false);
+    if (material == "diamond") {
+        bur.material = BurMaterial::diamond;
+        bur.flutes = 0;
+    } else if (!material.empty() && material != "carbide") {
+        toml.fail(*root.get("material"), "'material' must be carbide or diamond");
+    }
+    bur.flutes = toml.integer(root, "flutes", bur.flutes, 0, kMostFlutes);
+    bur.gritMicrometres = toml.number(root, "grit_um", 0, 0, kCoarsestGrit);
+    bur.sharpness = toml.number(root, "sharpness", 1, 0, kMostSharpness);
+    if (!file.empty() && !isSafeEntry(file)) {
+        toml.fail(root, "the surface must lie beside this file or below it, named with '/' and without '..'");
+    }
+    if (toml.error()) return Unexpected{*toml.error()};
+    if (bur.name.empty()) bur.name = fs::path(file).stem().string();
+    const auto bytes = readBeside(file);
+    if (!bytes) return Unexpected{bytes.error()};
+    auto mesh = parseMesh(*bytes, file);
+    if (!mesh) return unexpected(name + ": " + mesh.error().message);
+    bur.surface = std::move(*mesh);
+    return bur;
+}
+
+Expected<OwnBur> readOwnBur(const fs::path& path) {
+    const ReadBeside readBeside = [&](const std::string& entry) -> Expected<std::vector<std::byte>> {
+        const auto bytes = readFile(path.parent_path() / entry);
+        if (!bytes) return Unexpected{bytes.error()};
+        return std::vector<std::byte>(bytes->bytes().begin(), bytes->bytes().end());
+    };
+    const bool isDescription = path.extension() == ".toml";
+    fs::path description = path;
+    description.replace_extension(".toml");
+    if (!isDescription && !fs::exists(description)) {
+        auto mesh = loadMesh(path);
+        if (!mesh) return Unexpected{mesh.error()};
+        OwnBur bur;
+        bur.name = path.filename().string();
+        bur.surface = std::move(*mesh);
+        return bur;
+    }
+    const auto text = readFile(description);
+    if (!text) return Unexpected{text.error()};
+    return parseOwnBur(asText(text->bytes()), shownName(description), readBeside,
+                       isDescription ? std::string() : path.filename().string());
+}
+
+}  // namespace tactooth

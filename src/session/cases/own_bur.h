@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "geometry/expected.h"
+#include "geometry/triangle_mesh.h"
+#include "instruments/bur_catalogue.h"
+
+namespace tactooth {
+
+/// A bur of the user's own: a surface, and what a surface does not tell.
+struct OwnBur {
+    std::string name;
+    TriangleMesh surface;  ///< mm, tip at the origin, +z along the shaft
+    BurMaterial material = BurMaterial::carbide;
+    int flutes = 6;              ///< blades; 0 for a diamond
+    double gritMicrometres = 0;  ///< of a diamond: mean grain
+    double sharpness = 1;        ///< cutting ability: 1 as new, 0 does not cut
+};
+
+/// Reads a file that lies beside the description, by its path relative to it.
+using ReadBeside = std::function<Expected<std::vector<std::byte>>(const std::string&)>;
+
+/// Reads a bur's description: TOML with name, surface, material (carbide or diamond), flutes, grit_um and sharpness.
+/// `name` stands for the file in messages. `surface`, if the text names none. Fails with one sentence.
+[[nodiscard]] Expected<OwnBur> parseOwnBur(std::string_view text, const std::string& name, const ReadBeside& readBeside,
+                                           const std::string& surface = {});
+
+/// A bur from its surface (STL, OBJ, PLY) or its description. A surface takes the description of the same name beside
+/// it, "mine.toml" for "mine.stl", if there is one; without it is a sharp carbide bur.
+[[nodiscard]] Expected<OwnBur> readOwnBur(const std::filesystem::path& path);
+
+}  // namespace tactooth

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "session/cases/own_bur.h"
+#include "session/tooth_file.h"
+
+namespace tactooth {
+
+/// How a tooth stands that was loaded, and what its case brings with it.
+struct ToothPlace {
+    std::string name;                             ///< for people
+    Box3 box;                                     ///< of the tooth that is worked on, mm
+    double mesialX = 1;                           ///< direction of mesial along x; a surface is taken to have it at +x
+    std::optional<MaterialTable> materials = {};  ///< of the case
+    std::optional<OwnBur> bur = {};               ///< of the case
+    std::vector<std::string> teethOfCase = {};    ///< names; empty: it is no case
+};
+
+struct PlacedTooth {
+    std::shared_ptr<const LayeredTooth> tooth;  ///< of a case: all of it, in the frame of the one that is worked on
+    ToothPlace place;
+    Provenance provenance = {};
+};
+
+/// A tooth from surfaces, or from a case if the source's outer surface names one (docs/cases.md); `workOn` is then the
+/// tooth to work on, by name or FDI number, or the first if empty. Fails with one sentence.
+[[nodiscard]] Expected<PlacedTooth> loadPlacedTooth(const ToothSource& source, const std::string& workOn);
+
+/// A tooth ready to be cut.
+struct PlacedWork {
+    std::shared_ptr<WorkPiece> piece;
+    ToothPlace place;
+    Provenance provenance = {};
+};
+
+/// The same for the bench, and also a saved tooth; `voxel` and `usualVoxel` as for loadTooth.
+[[nodiscard]] Expected<PlacedWork> loadPlacedWork(const ToothSource& source, const std::string& workOn,
+                                                  std::optional<double> voxel, double usualVoxel);
+
+}  // namespace tactooth

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+#include "instruments/builtin_tooth.h"
+
+namespace tactooth {
+
+/// Built-in teeth that were made before, in a folder that may be deleted at any time: then, or where a file is damaged,
+/// they are made anew. May be used by several threads and programs at once.
+class ToothCache {
+public:
+    /// Most bytes that the folder keeps; the teeth that were not asked for the longest go first.
+    static constexpr std::uintmax_t kUsualLimit = 256ULL << 20;
+
+    explicit ToothCache(std::filesystem::path folder, std::uintmax_t limit = kUsualLimit);
+
+    /// makeTooth(request), bit for bit.
+    [[nodiscard]] BuiltinTooth make(const ToothRequest& request) const;
+
+    /// The file that keeps a tooth.
+    [[nodiscard]] std::filesystem::path fileOf(const ToothRequest& request) const;
+
+private:
+    void keep(const BuiltinTooth& tooth, const std::filesystem::path& file) const;
+    void removeOldest() const;
+
+    std::filesystem::path folder_;
+    std::uintmax_t limit_;
+};
+
+/// The user's folder for this: $XDG_CACHE_HOME/tactooth, ~/.cache/tactooth without it; empty if there is neither.
+[[nodiscard]] std::filesystem::path usualCacheFolder();
+
+}  // namespace tactooth

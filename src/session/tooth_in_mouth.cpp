@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "session/tooth_in_mouth.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "geometry/parallel_for.h"
+
+namespace tactooth {
+namespace {
+
+bool isUpper(int fdi) { return fdi < 30; }
+
+struct Placed {
+    const TriangleMesh* mesh;
+    Pose bodyInTooth;
+    MaterialId material;
+    bool isUpper;
+};
+
+std::vector<Placed> placedAround(const BuiltinMouth& mouth, const MouthTooth& worked) {
+    const Pose mouthInTooth = mouth.poseOf(worked).inverse();
+    std::vector<Placed> bodies = {{&mouth.upperGingiva, mouthInTooth, MaterialId::Other, true},
+                                  {&mouth.lowerGingiva, mouthInTooth * mouth.lowerJaw, MaterialId::Other, false}};
+    for (const MouthTooth& tooth : mouth.teeth) {
+        if (&tooth == &worked) continue;
+        bodies.push_back(
+            {&tooth.tooth.outer, mouthInTooth * mouth.poseOf(tooth), MaterialId::Enamel, isUpper(tooth.tooth.fdi)});
+    }
+    return bodies;
+}
+
+}  // namespace
+
+ToothInMouth toothInMouth(int fdi, const std::optional<Lesion>& lesion, const MouthRequest& request,
+                          const ToothMaker& maker) {
+    const BuiltinMouth mouth = makeMouth(request, maker);
+    const MouthTooth* worked = mouth.find(fdi);
+    assert(worked != nullptr);
+    const std::vector<Placed> bodies = placedAround(mouth, *worked);
+    ToothInMouth result;
+    result.around.resize(bodies.size());
+    parallelFor(bodies.size(), [&](std::size_t i) {
+        const auto& [mesh, pose, material, upper] = bodies[i];
+        std::vector<SurfaceTag> tags(mesh->triangles.size(), static_cast<SurfaceTag>(material));
+        auto part = std::make_shared<const SurfacePart>(moved(*mesh, pose), std::move(tags));
+        const bool isGum = material == MaterialId::Other;
+        auto shown = isGum ? std::shared_ptr<const TriangleMesh>(part, &part->mesh())
+                           : std::make_shared<const TriangleMesh>(moved(aboveTheGum(*mesh), pose));
+        result.around[i] = {std::move(part), std::move(shown), isGum, upper != isUpper(fdi)};
+    });
+    result.tooth = lesion ? maker({fdi, request.triangles, request.seed, lesion}) : worked->tooth;
+    return result;
+}
+
+TriangleMesh aboveTheGum(const TriangleMesh& tooth) {
+    constexpr float kBelowNeck = -1.0F;  // mm: the gum's margin stands above the neck all around
+    TriangleMesh shown;
+    std::vector<std::uint32_t> renumbered(tooth.vertices.size(), UINT32_MAX);
+    for (const Triangle& triangle : tooth.triangles) {
+        const bool isDeep = std::ranges::all_of(
+            triangle, [&](std::uint32_t vertex) { return tooth.vertices[vertex].z() < kBelowNeck; });
+        if (isDeep) continue;
+        Triangle kept;
+        for (int corner = 0; corner < 3; ++corner) {
+            std::uint32_t& vertex = renumbered[triangle[corner]];
+            if (vertex == UINT32_MAX) {
+                vertex = static_cast<std::uint32_t>(shown.vertices.size());
+                shown.vertices.push_back(tooth.vertices[triangle[corner]]);
+            }
+            kept[corner] = vertex;
+        }
+        shown.triangles.push_back(kept);
+    }
+    return shown;
+}
+
+Surroundings surroundingsOf(const ToothInMouth& tooth) {
+    Surroundings bodies;
+    for (const ToothInMouth::Body& body : tooth.around) bodies.push_back(body.part);
+    return bodies;
+}
+
+}  // namespace tactooth

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "instruments/builtin_mouth.h"
+#include "session/work_piece.h"
+
+namespace tactooth {
+
+/// A tooth that is to be worked on, and all of the mouth around it.
+struct ToothInMouth {
+    BuiltinTooth tooth;
+    struct Body {
+        std::shared_ptr<const SurfacePart> part;    ///< in the frame of `tooth`, tagged by MaterialId
+        std::shared_ptr<const TriangleMesh> shown;  ///< what of it can be seen
+        bool isGum = false;
+        bool isOpposite = false;  ///< of the other jaw
+    };
+    std::vector<Body> around;
+};
+
+/// `tooth.fdi` is a tooth of the mouth that is not missing; its fineness and seed are the mouth's. Takes the time that
+/// a mouth takes.
+[[nodiscard]] ToothInMouth toothInMouth(int fdi, const std::optional<Lesion>& lesion, const MouthRequest& mouth,
+                                        const ToothMaker& maker = makeTooth);
+
+/// A tooth without what is sure to lie below the gum, to be drawn: open at its end.
+[[nodiscard]] TriangleMesh aboveTheGum(const TriangleMesh& tooth);
+
+[[nodiscard]] Surroundings surroundingsOf(const ToothInMouth& tooth);
+
+}  // namespace tactooth

@@ -1,0 +1,239 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// As a teacher would: a surface is dropped on the real window, what was assumed is shown, changed and taken.
+#include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDropEvent>
+#include <QElapsedTimer>
+#include <QMenu>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QPushButton>
+#include <QTest>
+#include <fstream>
+
+#include "app/gui/import_dialog.h"
+#include "app/gui/main_window.h"
+#include "app/gui/window_setup.h"
+#include "geometry/stl_writer.h"
+#include "instruments/builtin_tooth.h"
+#include "session/cases/make_case.h"
+#include "session/cases/open_case.h"
+#include "sound/audio_libraries.h"
+#include "sound/openal_output.h"
+#include "support/shapes.h"
+#include "support/test_data.h"
+
+namespace tactooth {
+
+class ImportWindowTest : public QObject {
+    Q_OBJECT
+
+public:
+    /// Leaves a picture of the dialog in front of the window.
+    bool saveScreenshot(const QString& file, const QString& scan);
+
+private slots:
+    void initTestCase();
+    void aDroppedSurfaceIsShownBeforeItIsTaken();
+    void aChoiceIsFollowed();
+    void theWindowStaysAliveWhileTheLayersAreMade();
+    void theImportCanBeCancelled();
+    void aSurfaceThatCannotBeReadIsRefused();
+    void aWideHoleIsFilledWhenChosen();
+    void aDroppedCaseIsOpenedAndItsTeethCanBeChosen();
+    void cleanupTestCase();
+
+private:
+    void drop(const std::filesystem::path& file);
+    [[nodiscard]] ImportDialog* dialog() const { return window_->findChild<ImportDialog*>(); }
+    [[nodiscard]] QPushButton* importButton() const {
+        return dialog()->findChild<QDialogButtonBox*>("importButtons")->button(QDialogButtonBox::Ok);
+    }
+    [[nodiscard]] QString remarks() const { return dialog()->findChild<QTextBrowser*>("remarks")->toPlainText(); }
+    void waitForRemarks(const QString& words);
+    void waitForTooth(const std::string& name);
+
+    test::TemporaryFolder folder_;
+    std::filesystem::path scan_;
+    std::unique_ptr<OpenAlOutput> sound_;
+    std::unique_ptr<MainWindow> window_;
+};
+
+void ImportWindowTest::drop(const std::filesystem::path& file) {
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(QString::fromStdString(file.string()))});
+    const QPoint place = window_->rect().center();
+    QDragEnterEvent enter(place, Qt::CopyAction, &data, Qt::LeftButton, {});
+    QApplication::sendEvent(window_.get(), &enter);
+    QVERIFY(enter.isAccepted());
+    QDropEvent drop(place, Qt::CopyAction, &data, Qt::LeftButton, {});
+    QApplication::sendEvent(window_.get(), &drop);
+}
+
+void ImportWindowTest::waitForRemarks(const QString& words) {
+    QTRY_VERIFY_WITH_TIMEOUT(dialog() != nullptr && importButton()->isEnabled() && remarks().contains(words), 60000);
+}
+
+void ImportWindowTest::waitForTooth(const std::string& name) {
+    QTRY_VERIFY_WITH_TIMEOUT(
+        !window_->bench().isBusy() && window_->bench().simulator() != nullptr && window_->bench().tooth()->name == name,
+        120000);
+}
+
+void ImportWindowTest::initTestCase() {
+    // A molar in centimetres that lies on its side.
+    const BuiltinTooth molar = makeTooth({.fdi = 36, .triangles = 3000, .seed = 0, .lesion = {}});
+    const Quat lie(Eigen::AngleAxisd(1.5708, Vec3::UnitX()));
+    TriangleMesh mesh = transformed(molar.outer, {Vec3(20, 0, 5), lie});
+    for (Vec3f& vertex : mesh.vertices) vertex *= 0.1F;
+    scan_ = folder_ / "molar.stl";
+    QVERIFY(writeStl(mesh, scan_).has_value());
+    sound_ = std::make_unique<OpenAlOutput>();
+    window_ = std::make_unique<MainWindow>(*sound_);
+    window_->bringBuiltinTooth(kBuiltinTeeth.front());
+    window_->bringBur(*findBur("4"));
+    window_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+}
+
+void ImportWindowTest::aDroppedSurfaceIsShownBeforeItIsTaken() {
+    drop(scan_);
+    QVERIFY(dialog() != nullptr);
+    waitForRemarks("Units taken as cm");
+    QVERIFY2(remarks().contains("to stand crown up"), qPrintable(remarks()));
+    QVERIFY2(remarks().contains("closed and sound as it came"), qPrintable(remarks()));
+    QVERIFY(window_->bench().tooth() == std::nullopt || window_->bench().tooth()->name != "molar.stl");
+}
+
+void ImportWindowTest::aChoiceIsFollowed() {
+    dialog()->findChild<QCheckBox*>("upsideDown")->click();
+    waitForRemarks("Turned upside down, as chosen.");
+    dialog()->findChild<QCheckBox*>("upsideDown")->click();
+    QTRY_VERIFY_WITH_TIMEOUT(importButton()->isEnabled() && !remarks().contains("upside down"), 60000);
+    auto* units = dialog()->findChild<QComboBox*>("units");
+    units->setCurrentIndex(units->findText("inch"));
+    waitForRemarks("Scaled by 25.40000, as chosen");
+    units->setCurrentIndex(0);
+    waitForRemarks("Units taken as cm");
+}
+
+void ImportWindowTest::theWindowStaysAliveWhileTheLayersAreMade() {
+    auto* keep = dialog()->findChild<QCheckBox*>("keepCase");
+    keep->click();
+    importButton()->click();
+    int turns = 0;  // of the event loop: the work does not hold it up
+    double part = 0;
+    for (; dialog() != nullptr; ++turns) {
+        const auto* progress = dialog()->findChild<QProgressBar*>("importProgress");
+        part = std::max(part, static_cast<double>(progress->value()) / progress->maximum());
+        QTest::qWait(5);
+    }
+    QVERIFY(turns > 5);
+    QVERIFY(part > 0.05);
+    waitForTooth("molar.stl");
+    const BenchTooth& tooth = *window_->bench().tooth();
+    QVERIFY(tooth.box().sizes().z() > 15 && tooth.box().sizes().z() < 30);
+    QCOMPARE(tooth.piece->tooth().layers().size(), std::size_t{3});
+    const auto kept = openCase(folder_ / "molar.ttcase");
+    QVERIFY2(kept.has_value(), kept ? "" : kept.error().message.c_str());
+    QVERIFY(kept->description.teeth.front().isModelled);
+}
+
+void ImportWindowTest::theImportCanBeCancelled() {
+    window_->bringBuiltinTooth(kBuiltinTeeth.front());
+    waitForTooth(kBuiltinTeeth.front().name);
+    drop(scan_);
+    waitForRemarks("Units taken as cm");
+    importButton()->click();
+    dialog()->findChild<QDialogButtonBox*>("importButtons")->button(QDialogButtonBox::Cancel)->click();
+    QTRY_VERIFY_WITH_TIMEOUT(dialog() == nullptr, 10000);
+    QTest::qWait(1500);
+    QCOMPARE(window_->bench().tooth()->name, std::string(kBuiltinTeeth.front().name));
+    QVERIFY(window_->findChild<QMessageBox*>() == nullptr);
+}
+
+void ImportWindowTest::aSurfaceThatCannotBeReadIsRefused() {
+    const auto file = folder_ / "garbage.stl";
+    std::ofstream(file) << "this is no surface at all";
+    drop(file);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<QMessageBox*>() != nullptr, 30000);
+    auto* box = window_->findChild<QMessageBox*>();
+    QVERIFY2(box->text().contains("garbage.stl"), qPrintable(box->text()));
+    delete box;
+    QTRY_VERIFY(dialog() == nullptr);
+}
+
+void ImportWindowTest::aWideHoleIsFilledWhenChosen() {
+    TriangleMesh open = test::box(Vec3(-3, -3, -12), Vec3(3, 3, 8));
+    open.triangles.erase(open.triangles.begin(), open.triangles.begin() + 2);
+    const auto file = folder_ / "open.stl";
+    QVERIFY(writeStl(open, file).has_value());
+    drop(file);
+    QTRY_VERIFY_WITH_TIMEOUT(dialog() != nullptr && remarks().contains("too wide to be filled unasked"), 30000);
+    QVERIFY(!importButton()->isEnabled());
+    dialog()->findChild<QComboBox*>("holes")->setCurrentIndex(1);
+    waitForRemarks("1 holes were filled");
+    dialog()->reject();
+    QTRY_VERIFY(dialog() == nullptr);
+}
+
+void ImportWindowTest::aDroppedCaseIsOpenedAndItsTeethCanBeChosen() {
+    std::filesystem::create_directories(folder_ / "scans");
+    for (const auto& [name, x] : {std::pair("L6", 0.0), std::pair("L7", 10.0)}) {
+        const TriangleMesh block = test::box(Vec3(x - 4, -4, -12), Vec3(x + 4, 4, 8));
+        QVERIFY(writeStl(block, folder_ / ("scans/" + std::string(name) + "_outer.stl")).has_value());
+        const TriangleMesh core = test::box(Vec3(x - 3, -3, -11), Vec3(x + 3, 3, 5));
+        QVERIFY(writeStl(core, folder_ / ("scans/" + std::string(name) + "_dentin.stl")).has_value());
+    }
+    const auto made = makeCase({.from = {folder_ / "scans"}, .title = "Blocks", .quadrant = 3});
+    QVERIFY2(made.has_value(), made ? "" : made.error().message.c_str());
+    QVERIFY(writeCase(made->files, folder_ / "blocks.ttcase").has_value());
+    drop(folder_ / "blocks.ttcase");
+    waitForTooth("Blocks, L6");
+    QVERIFY(dialog() == nullptr);
+    auto* menu = window_->findChild<QMenu*>("teethOfCase");
+    emit menu->aboutToShow();
+    QCOMPARE(menu->actions().size(), 2);
+    menu->actions().back()->trigger();
+    waitForTooth("Blocks, L7");
+}
+
+void ImportWindowTest::cleanupTestCase() {
+    window_.reset();
+    sound_.reset();
+}
+
+bool ImportWindowTest::saveScreenshot(const QString& file, const QString& scan) {
+    initTestCase();
+    waitForTooth(kBuiltinTeeth.front().name);
+    drop(scan.isEmpty() ? scan_ : std::filesystem::path(scan.toStdString()));
+    QElapsedTimer since;
+    for (since.start(); since.elapsed() < 60000 && !importButton()->isEnabled();) QTest::qWait(50);
+    QPixmap picture = window_->grab();
+    dialog()->render(&picture, dialog()->pos() - window_->pos());
+    const bool saved = picture.save(file);
+    dialog()->reject();
+    cleanupTestCase();
+    return saved;
+}
+
+}  // namespace tactooth
+
+/// `import_window_tests --screenshot FILE.png [SCAN]` leaves a picture instead of testing.
+int main(int argc, char** argv) {
+    tactooth::prepareAudioLibraries();
+    tactooth::prepareWindowSystem();
+    QApplication application(argc, argv);
+    tactooth::applyLook();
+    tactooth::ImportWindowTest test;
+    const QStringList arguments = QApplication::arguments();
+    if (arguments.value(1) == "--screenshot")
+        return test.saveScreenshot(arguments.value(2), arguments.value(3)) ? 0 : 1;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "import_window_test.moc"

@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "devices/haply/haply_device.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "standin/plane_servo.h"
+#include "standin/standin_haply.h"
+
+namespace tactooth {
+namespace {
+
+using namespace std::chrono_literals;
+using test::HaplyFault;
+using test::kWall;
+using test::PlaneServo;
+using test::soon;
+using test::StandinHaply;
+using ::testing::HasSubstr;
+
+constexpr double kLoss = 0.005;       // s after which a lost device makes no force
+constexpr double kMillimetre = 1e-3;  // m
+
+/// Lifts off and leans on the plane until it is felt.
+bool lean(StandinHaply& service) {
+    return soon([&service] {
+        service.wantPosition(0, 0, 5 * kMillimetre);
+        std::this_thread::sleep_for(100ms);
+        service.wantPosition(0, 0, (kWall - 4) * kMillimetre);
+        std::this_thread::sleep_for(300ms);
+        return service.force() > 0.3;
+    });
+}
+
+std::string openError(const std::string& name, const std::string& address) {
+    HaplyDevice device(name, address);
+    const auto opened = device.open();
+    return opened ? "" : opened.error().message;
+}
+
+TEST(HaplyDevice, TellsWhatTheDeviceIs) {
+    StandinHaply service;
+    HaplyDevice device("", service.address());
+    ASSERT_TRUE(device.open());
+    EXPECT_EQ(device.info().name, "Haply Inverse3 049D");
+    EXPECT_EQ(device.info().limits.force, 10);
+    EXPECT_EQ(device.info().limits.continuousForce, 2.5);
+    EXPECT_EQ(device.info().stiffness, 0.8);
+    EXPECT_EQ(device.info().buttonCount, 3);
+    EXPECT_TRUE(device.info().sensesRotation);
+    EXPECT_FALSE(device.setsPace());
+    HaplyDevice second(StandinHaply::kSecond, service.address());
+    ASSERT_TRUE(second.open());
+    EXPECT_FALSE(second.info().sensesRotation) << "there is one grip, and the first arm has it";
+    EXPECT_EQ(service.connections(), 2);
+    device.close();
+    second.close();
+    EXPECT_TRUE(soon([&] { return service.connections() == 0; }));
+}
+
+TEST(HaplyDevice, TouchesAPlaneAndStops) {
+    StandinHaply service;
+    {
+        HaplyDevice device("", service.address());
+        ASSERT_TRUE(device.open());
+        const PlaneServo servo(device);
+        ASSERT_TRUE(lean(service));
+        // Hand (0.5 N/mm) and wall (0.4 N/mm) one behind the other over 4 mm.
+        EXPECT_TRUE(soon([&] { return std::abs(service.force() - 4 / (1 / 0.5 + 1 / 0.4)) < 0.15; }));
+        service.setGrip({0, 1, 0, 0}, 5);
+        EXPECT_TRUE(soon([&] { return servo.buttons() == 5; }));
+        EXPECT_EQ(device.trouble(), nullptr);
+    }
+    EXPECT_EQ(service.force(), 0);
+}
+
+TEST(HaplyDevice, ANoughtIsAForceThatIsSentToo) {
+    StandinHaply service;
+    HaplyDevice device("", service.address());
+    ASSERT_TRUE(device.open());
+    const long before = service.messages();
+    EXPECT_TRUE(soon([&] { return service.messages() > before + 50; })) << "also before there is a servo";
+    const PlaneServo servo(device);
+    service.setFault(HaplyFault::None);  // starts the count
+    EXPECT_TRUE(soon([&] { return service.messagesSinceFault() > 200; }));
+    EXPECT_EQ(service.lastForceSinceFault(), 0);
+}
+
+TEST(HaplyDevice, EachFailureToStartHasItsSentence) {
+    std::string nobody;
+    {
+        const StandinHaply gone;
+        nobody = gone.address();
+    }
+    EXPECT_THAT(openError("", nobody), HasSubstr("does not answer at " + nobody + ": install and start it"));
+    EXPECT_THAT(openError("", "no address"), HasSubstr("does not answer at no address"));
+    StandinHaply service;
+    EXPECT_THAT(openError("FFFF", service.address()), HasSubstr("knows no Inverse3 'FFFF': it finds 049D, 0B1C"));
+    service.setFirstMessage(R"({"session_id":1,"inverse3":[]})");
+    EXPECT_THAT(openError("", service.address()), HasSubstr("finds no Inverse3"));
+    service.setFirstMessage("");
+    service.setFault(HaplyFault::Malformed);
+    EXPECT_THAT(openError("", service.address()), HasSubstr("what is no message"));
+    service.setFault(HaplyFault::Version);
+    EXPECT_THAT(openError("", service.address()), HasSubstr("install version 3"));
+    service.setFault(HaplyFault::Units);
+    EXPECT_THAT(openError("", service.address()), HasSubstr("not in metres"));
+    service.setFault(HaplyFault::Mute);
+    EXPECT_THAT(openError("", service.address()), HasSubstr("has stopped answering"));
+    service.setFault(HaplyFault::None);
+    service.setForeign(true);
+    EXPECT_THAT(openError("", service.address()), HasSubstr("is not the Haply Inverse Service"));
+    service.setForeign(false);
+    EXPECT_EQ(openError("", service.address()), "") << "and after that it starts";
+}
+
+struct Fault {
+    HaplyFault fault;
+    const char* name;
+    const char* sentence;
+    bool isLoss;  ///< no new reading comes, or it is refused
+};
+
+class HaplyFaults : public ::testing::TestWithParam<Fault> {};
+
+TEST_P(HaplyFaults, MidPressGiveNoForceAndASentenceAndTheDeviceComesBack) {
+    const Fault& fault = GetParam();
+    StandinHaply service;
+    HaplyDevice device("", service.address());
+    ASSERT_TRUE(device.open());
+    const PlaneServo servo(device);
+    ASSERT_TRUE(lean(service));
+    service.setFault(fault.fault);
+    EXPECT_TRUE(soon([&] { return device.trouble() != nullptr; }));
+    EXPECT_THAT(device.trouble(), HasSubstr(fault.sentence));
+    EXPECT_TRUE(soon([&] { return service.force() == 0; }));
+    std::this_thread::sleep_for(50ms);
+    EXPECT_EQ(service.force(), 0);
+    EXPECT_LE(servo.oldestWithForce(), kLoss);
+    if (fault.isLoss) {
+        // A force that was made for the last good answer, and those that the servo made while its next one was awaited.
+        EXPECT_LE(service.lastForceSinceFault(), 6);
+    } else {
+        // One force was under way when the bad answer came, and one may have been made before it was read.
+        EXPECT_LE(service.lastForceSinceFault(), 3);
+    }
+    service.setFault(HaplyFault::None);
+    EXPECT_TRUE(lean(service)) << "the same device goes on";
+}
+
+INSTANTIATE_TEST_SUITE_P(All, HaplyFaults,
+                         ::testing::Values(Fault{HaplyFault::Drop, "Drop", "has closed the connection", true},
+                                           Fault{HaplyFault::Slow, "Slow", "answers too slowly", true},
+                                           Fault{HaplyFault::Mute, "Mute", "The Haply Inverse Service", true},
+                                           Fault{HaplyFault::Malformed, "Malformed", "what is no message", true},
+                                           Fault{HaplyFault::Version, "Version", "install version 3", true},
+                                           Fault{HaplyFault::Units, "Units", "not in metres", true},
+                                           Fault{HaplyFault::Gone, "Gone", "is gone", true},
+                                           Fault{HaplyFault::NoNumber, "NoNumber", "does not know where it is", false},
+                                           Fault{HaplyFault::Jump, "Jump", "has jumped", false},
+                                           Fault{HaplyFault::NoPower, "NoPower", "plug in its power supply", false}),
+                         [](const auto& one) { return one.param.name; });
+
+TEST(HaplyDevice, ATroubleThatIsOverIsNotShownForEver) {
+    StandinHaply service;
+    HaplyDevice device("", service.address());
+    ASSERT_TRUE(device.open());
+    const PlaneServo servo(device);
+    service.setFault(HaplyFault::NoPower);
+    ASSERT_TRUE(soon([&] { return device.trouble() != nullptr; }));
+    service.setFault(HaplyFault::None);
+    EXPECT_TRUE(soon([&] { return device.trouble() == nullptr; }));
+}
+
+TEST(HaplyDevice, AServoThatHangsRendersNothing) {
+    StandinHaply service;
+    HaplyDevice device("", service.address());
+    ASSERT_TRUE(device.open());
+    PlaneServo servo(device);
+    ASSERT_TRUE(lean(service));
+    service.setFault(HaplyFault::None);  // starts the count
+    servo.hang(300ms);
+    EXPECT_TRUE(soon([&] { return service.messagesSinceFault() > 50 && service.force() == 0; }))
+        << "the thread of the link did it, not the servo";
+    EXPECT_TRUE(lean(service));
+}
+
+}  // namespace
+}  // namespace tactooth

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <thread>
+
+#include "devices/haptic_device.h"
+#include "haptics/force_pipeline.h"
+#include "haptics/servo_loop.h"
+
+namespace tactooth::test {
+
+/// Whether something becomes true within a time that only a broken program takes.
+template <class Condition>
+bool soon(const Condition& condition, std::chrono::seconds limit = std::chrono::seconds(20)) {
+    const auto end = std::chrono::steady_clock::now() + limit;
+    while (!condition()) {
+        if (std::chrono::steady_clock::now() > end) return false;
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    return true;
+}
+
+inline constexpr double kWall = -2;            // mm, height of a plane in the device's frame
+inline constexpr double kWallStiffness = 0.4;  // N/mm
+
+/// A servo that lets a device touch the plane.
+class PlaneServo {
+public:
+    explicit PlaneServo(HapticDevice& device)
+        : device_(device),
+          pipeline_(device.info().limits),
+          loop_(
+              1000, [this](double elapsed) { tick(elapsed); },
+              device.setsPace()
+                  ? std::function<void(double)>([&device](double longest) { device.waitForTick(longest); })
+                  : std::function<void(double)>()) {}
+
+    [[nodiscard]] ForceState state() const { return state_; }
+    [[nodiscard]] std::uint32_t buttons() const { return buttons_; }
+    [[nodiscard]] std::uint64_t faults() const { return faults_; }
+    [[nodiscard]] long ticks() const { return static_cast<long>(loop_.timing().ticks.load()); }
+    /// s: the oldest reading at which a force was still made.
+    [[nodiscard]] double oldestWithForce() const { return oldestWithForce_; }
+    void hang(std::chrono::milliseconds time) { pause_ = static_cast<int>(time.count()); }
+
+private:
+    void tick(double elapsed) {
+        if (const int pause = pause_.exchange(0); pause > 0) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(pause));
+        }
+        const DeviceSample sample = device_.read(elapsed);
+        WantedForce wanted;
+        wanted.connected = sample.connected;
+        wanted.hand = sample.hand.position;
+        wanted.motorHeat = sample.motorHeat;
+        wanted.depth = std::max(0.0, kWall - sample.hand.position.z());
+        wanted.stiffness = wanted.depth > 0 ? kWallStiffness : 0;
+        wanted.touching = wanted.depth > 0;
+        wanted.wrench.force = Vec3(0, 0, kWallStiffness * wanted.depth);
+        const SafeWrench sent = pipeline_.pass(wanted, elapsed);
+        device_.write(sent);
+        if (!sent.force().isZero(0)) oldestWithForce_ = std::max(oldestWithForce_.load(), sample.age);
+        state_ = pipeline_.state();
+        faults_ = pipeline_.faults();
+        buttons_ = sample.buttons;
+    }
+
+    HapticDevice& device_;
+    ForcePipeline pipeline_;
+    std::atomic<ForceState> state_{ForceState::Off};
+    std::atomic<std::uint32_t> buttons_{0};
+    std::atomic<std::uint64_t> faults_{0};
+    std::atomic<double> oldestWithForce_{0};
+    std::atomic<int> pause_{0};
+    ServoLoop loop_;
+};
+
+}  // namespace tactooth::test

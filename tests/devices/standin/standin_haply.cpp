@@ -1,0 +1,207 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "standin_haply.h"
+
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "web_socket_server.h"
+
+namespace tactooth::test {
+namespace {
+
+constexpr double kTick = 0.001;                                // s that a message stands for
+constexpr double kMass = 2e-4, kSpring = 0.5, kDamper = 0.02;  // N*s^2/mm, N/mm, N*s/mm: a hand with its arm
+constexpr auto kSlowness = std::chrono::milliseconds(20);
+
+std::string numbers(const char* pattern, double a, double b, double c, double d = 0) {
+    char text[200];
+    std::snprintf(text, sizeof text, pattern, a, b, c, d);
+    return text;
+}
+
+bool hasInput(int socket) {
+    pollfd waiting{socket, POLLIN, 0};
+    return poll(&waiting, 1, 5) > 0;
+}
+
+}  // namespace
+
+StandinHaply::StandinHaply() {
+    listener_ = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    socklen_t length = sizeof address;
+    if (bind(listener_, reinterpret_cast<sockaddr*>(&address), length) != 0) std::perror("bind");
+    listen(listener_, 4);
+    getsockname(listener_, reinterpret_cast<sockaddr*>(&address), &length);
+    port_ = ntohs(address.sin_port);
+    acceptor_ = std::jthread([this](const std::stop_token& stop) { accept(stop); });
+}
+
+StandinHaply::~StandinHaply() {
+    acceptor_ = {};
+    servers_.clear();
+    ::close(listener_);
+}
+
+void StandinHaply::accept(const std::stop_token& stop) {
+    while (!stop.stop_requested()) {
+        if (!hasInput(listener_)) continue;
+        const int socket = ::accept(listener_, nullptr, nullptr);
+        if (socket < 0) continue;
+        const int yes = 1;
+        setsockopt(socket, IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
+        servers_.emplace_back([this, socket](const std::stop_token& end) {
+            serve(socket, end);
+            ::close(socket);
+        });
+    }
+}
+
+void StandinHaply::serve(int socket, const std::stop_token& stop) {
+    WebSocketServer web(socket);
+    bool foreign = false;
+    {
+        const std::lock_guard lock(guard_);
+        foreign = foreign_;
+    }
+    if (!(foreign ? web.refuseHandshake() : web.shakeHands())) return;
+    {
+        const std::lock_guard lock(guard_);
+        ++connections_;
+    }
+    bool open = web.send(state(true));
+    std::string message;
+    while (open && !stop.stop_requested() && fault() != HaplyFault::Drop) {
+        if (!hasInput(socket)) continue;
+        if (!web.receive(message)) break;
+        take(message);
+        if (fault() == HaplyFault::Drop) break;
+        if (fault() == HaplyFault::Slow) std::this_thread::sleep_for(kSlowness);
+        if (fault() != HaplyFault::Mute) open = web.send(state(false));
+    }
+    const std::lock_guard lock(guard_);
+    --connections_;
+    for (Hand& hand : hands_) hand.force = {};  // a device without commands makes no force
+}
+
+/// Takes the force of a message and lets the hand that feels it move.
+void StandinHaply::take(const std::string& message) {
+    const auto json = nlohmann::json::parse(message);
+    const std::lock_guard lock(guard_);
+    for (const auto& device : json.at("inverse3")) {
+        Hand& hand = hands_[device.at("device_id") == kFirst ? 0 : 1];
+        const auto& values = device.at("commands").at("set_cursor_force").at("values");
+        hand.force = {values.at("x"), values.at("y"), values.at("z")};
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double push = hand.force[i] + kSpring * (wanted_[i] - hand.position[i]) - kDamper * hand.speed[i];
+            hand.speed[i] += kTick / kMass * push;
+            hand.position[i] += kTick * hand.speed[i];
+        }
+        if (&hand != &hands_[0]) continue;
+        ++messages_;
+        ++sinceFault_;
+        if (hand.force != std::array<double, 3>{}) lastForce_ = sinceFault_;
+    }
+}
+
+std::string StandinHaply::placeOf(const Hand& hand) const {
+    const double scale = fault_ == HaplyFault::Units ? 1 : 1e-3;
+    // With units gone wrong a hand in the middle would still look near: it stands 3 mm aside, as a real one would.
+    const double aside = fault_ == HaplyFault::Units ? 3 : fault_ == HaplyFault::Jump ? 50 : 0;
+    if (fault_ == HaplyFault::NoNumber) return R"({"x":null,"y":0.0,"z":0.0})";
+    return numbers(R"({"x":%.9f,"y":%.9f,"z":%.9f})", scale * (hand.position[0] + aside), scale * hand.position[1],
+                   scale * hand.position[2]);
+}
+
+std::string StandinHaply::state(bool isFirst) {
+    const std::lock_guard lock(guard_);
+    if (isFirst && !firstMessage_.empty()) return firstMessage_;
+    if (fault_ == HaplyFault::Malformed) return R"({"inverse3":[{"device_id":"049D","state":{"cursor_)";
+    if (fault_ == HaplyFault::Version) return R"({"devices":[{"type":"inverse3","id":7,"pos":[0.1,0.2,0.3]}]})";
+    std::string arms;
+    for (const Hand& hand : hands_) {
+        if (fault_ == HaplyFault::Gone && &hand == hands_.data()) continue;
+        const bool power = fault_ != HaplyFault::NoPower;
+        arms += std::string(arms.empty() ? "" : ",") + R"({"device_id":")" + hand.id + R"(",)" +
+                (isFirst ? R"("config":{"handedness":"right"},)" : "") + R"("state":{"cursor_position":)" +
+                placeOf(hand) + R"(,"control_mode":"cursor_force"},"status":{"calibrated":true,"ready":true,)" +
+                R"("power_supply":)" + (power ? "true" : "false") + "}}";
+    }
+    const auto button = [&](unsigned i) { return (buttons_ >> i & 1U) != 0 ? "true" : "false"; };
+    return std::string(isFirst ? R"({"session_id":1,)" : "{") + R"("inverse3":[)" + arms +
+           R"(],"verse_grip":[],"wireless_verse_grip":[{"device_id":"61576","state":{"orientation":)" +
+           numbers(R"({"w":%.7f,"x":%.7f,"y":%.7f,"z":%.7f})", grip_[0], grip_[1], grip_[2], grip_[3]) +
+           R"(,"buttons":{"a":)" + button(0) + R"(,"b":)" + button(1) + R"(,"c":)" + button(2) +
+           R"(}},"status":{"awake":true}}]})";
+}
+
+HaplyFault StandinHaply::fault() const {
+    const std::lock_guard lock(guard_);
+    return fault_;
+}
+
+void StandinHaply::setFault(HaplyFault fault) {
+    const std::lock_guard lock(guard_);
+    fault_ = fault;
+    sinceFault_ = lastForce_ = 0;
+}
+
+void StandinHaply::wantPosition(double x, double y, double z) {
+    const std::lock_guard lock(guard_);
+    wanted_ = {1000 * x, 1000 * y, 1000 * z};
+}
+
+void StandinHaply::setGrip(std::array<double, 4> orientation, unsigned buttons) {
+    const std::lock_guard lock(guard_);
+    grip_ = orientation;
+    buttons_ = buttons;
+}
+
+void StandinHaply::setFirstMessage(std::string text) {
+    const std::lock_guard lock(guard_);
+    firstMessage_ = std::move(text);
+}
+
+void StandinHaply::setForeign(bool foreign) {
+    const std::lock_guard lock(guard_);
+    foreign_ = foreign;
+}
+
+double StandinHaply::force() const {
+    const std::lock_guard lock(guard_);
+    return std::hypot(hands_[0].force[0], hands_[0].force[1], hands_[0].force[2]);
+}
+
+long StandinHaply::messagesSinceFault() const {
+    const std::lock_guard lock(guard_);
+    return sinceFault_;
+}
+
+long StandinHaply::lastForceSinceFault() const {
+    const std::lock_guard lock(guard_);
+    return lastForce_;
+}
+
+long StandinHaply::messages() const {
+    const std::lock_guard lock(guard_);
+    return messages_;
+}
+
+int StandinHaply::connections() const {
+    const std::lock_guard lock(guard_);
+    return connections_;
+}
+
+}  // namespace tactooth::test

@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+// Two hands with devices of two backends, as far as the wires to the stand-ins.
+#include <dlfcn.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <thread>
+
+#include "devices/hands.h"
+#include "devices/haply/haply_device.h"
+#include "devices/openhaptics/openhaptics_device.h"
+#include "haptics/servo_loop.h"
+#include "standin/plane_servo.h"
+#include "standin/standin_haply.h"
+#include "standin/standin_hd.h"
+
+namespace tactooth {
+namespace {
+
+using namespace std::chrono_literals;
+using test::kWall;
+using test::soon;
+using test::StandinHaply;
+
+constexpr double kFelt = 0.3;  // N: surely felt
+
+const test::HdStandinControl& standin() {
+    static const auto* const control = static_cast<const test::HdStandinControl*>(
+        dlsym(dlopen(TACTOOTH_STANDIN_HD, RTLD_LAZY | RTLD_GLOBAL), "standinControl"));
+    return *control;
+}
+
+/// What a tick would find on a plane.
+Tick tickOnPlane(const Pose& tool) {
+    Tick tick;
+    tick.placed = tool.position.allFinite();
+    tick.depth = std::max(0.0, kWall - tool.position.z());
+    tick.contacts = tick.depth > 0 ? 1 : 0;
+    tick.stiffness = tick.depth > 0 ? test::kWallStiffness : 0;
+    if (tick.placed) tick.wrench.force = Vec3(0, 0, test::kWallStiffness * tick.depth);
+    return tick;
+}
+
+/// A servo for two hands over the plane.
+class HandsServo {
+public:
+    HandsServo(HapticDevice& first, HapticDevice& second)
+        : hands_(first, &second, {}),
+          loop_(
+              1000, [this](double elapsed) { tick(elapsed); },
+              [&first](double longest) { first.waitForTick(longest); }) {}
+
+private:
+    void tick(double elapsed) {
+        hands_.read(elapsed, {});
+        hands_.write(tickOnPlane(hands_.turbine()), true, elapsed);
+    }
+    Hands hands_;
+    ServoLoop loop_;
+};
+
+class TwoDevices : public ::testing::Test {
+protected:
+    void SetUp() override { standin().reset(); }
+    void TearDown() override { standin().reset(); }
+
+    static void swapByButton() {
+        standin().setButtons(0);
+        std::this_thread::sleep_for(30ms);
+        standin().setButtons(1);
+        std::this_thread::sleep_for(30ms);
+        standin().setButtons(0);
+    }
+    /// All hands of the pens go down together until one feels it.
+    static bool leanPens(int pen) {
+        return soon([pen] {
+            standin().wantPosition(0, 5, 0);
+            std::this_thread::sleep_for(200ms);
+            standin().wantPosition(0, kWall - 4, 0);
+            std::this_thread::sleep_for(500ms);
+            return standin().forceOf(pen) > kFelt;
+        });
+    }
+};
+
+TEST_F(TwoDevices, TwoPensExchangeTurbineAndMirror) {
+    OpenHapticsDevice right("Right", TACTOOTH_STANDIN_HD);
+    OpenHapticsDevice left("Left", TACTOOTH_STANDIN_HD);
+    ASSERT_TRUE(right.open());
+    ASSERT_TRUE(left.open());
+    const HandsServo servo(right, left);
+    ASSERT_TRUE(leanPens(0));
+    EXPECT_EQ(standin().forceOf(1), 0) << "a mirror touches nothing";
+    swapByButton();
+    EXPECT_TRUE(soon([] { return standin().forceOf(0) == 0; }));
+    EXPECT_EQ(standin().forceOf(1), 0) << "it took over a bur that is deep in the plane";
+    ASSERT_TRUE(leanPens(1));
+    EXPECT_EQ(standin().forceOf(0), 0);
+}
+
+TEST_F(TwoDevices, APenAndAnInverse3ExchangeTurbineAndMirror) {
+    StandinHaply service;
+    OpenHapticsDevice pen("", TACTOOTH_STANDIN_HD);
+    HaplyDevice arm("", service.address());
+    ASSERT_TRUE(pen.open());
+    ASSERT_TRUE(arm.open());
+    const HandsServo servo(pen, arm);
+    ASSERT_TRUE(leanPens(0));
+    EXPECT_EQ(service.force(), 0);
+    swapByButton();
+    EXPECT_TRUE(soon([] { return standin().forceOf(0) == 0; }));
+    EXPECT_EQ(service.force(), 0);
+    EXPECT_TRUE(soon([&] {  // the arm took over deep below: it lifts off and comes down again
+        service.wantPosition(0, 0, 0.012);
+        std::this_thread::sleep_for(200ms);
+        service.wantPosition(0, 0, 0);
+        std::this_thread::sleep_for(500ms);
+        return service.force() > kFelt;
+    }));
+    EXPECT_EQ(standin().forceOf(0), 0);
+}
+
+TEST_F(TwoDevices, AnInverse3ThatIsLostLeavesThePenAlone) {
+    StandinHaply service;
+    OpenHapticsDevice pen("", TACTOOTH_STANDIN_HD);
+    HaplyDevice arm("", service.address());
+    ASSERT_TRUE(pen.open());
+    ASSERT_TRUE(arm.open());
+    const HandsServo servo(pen, arm);
+    ASSERT_TRUE(leanPens(0));
+    service.setFault(test::HaplyFault::Drop);
+    ASSERT_TRUE(soon([&] { return arm.trouble() != nullptr; }));
+    std::this_thread::sleep_for(1500ms);
+    EXPECT_GT(standin().forceOf(0), kFelt);
+    EXPECT_EQ(pen.trouble(), nullptr);
+}
+
+}  // namespace
+}  // namespace tactooth

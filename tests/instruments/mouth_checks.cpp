@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "instruments/mouth_checks.h"
+
+#include <algorithm>
+
+#include "collision/closest_point.h"
+
+namespace tactooth::test {
+namespace {
+
+/// Smallest distance of a vertex of `a` from `b`, negative if one lies inside.
+double clearance(const TriangleMesh& a, const TriangleMesh& b) {
+    const SurfacePart part(b);
+    constexpr double kFar = 1.0;
+    Box3 near = part.tree().box();
+    near.min().array() -= kFar;
+    near.max().array() += kFar;
+    double least = kFar;
+    for (const Vec3f& v : a.vertices) {
+        const Vec3 point = v.cast<double>();
+        if (!near.contains(point)) continue;
+        const auto found = closestPoint(part, point, kFar);
+        if (!found) continue;
+        least = std::min(least, contains(part, point) ? -found->distance : found->distance);
+    }
+    return least;
+}
+
+}  // namespace
+
+TriangleMesh placed(const BuiltinMouth& in, int fdi) {
+    const MouthTooth* tooth = in.find(fdi);
+    return moved(tooth->tooth.outer, in.poseOf(*tooth));
+}
+
+double between(const TriangleMesh& a, const TriangleMesh& b) { return std::min(clearance(a, b), clearance(b, a)); }
+
+}  // namespace tactooth::test

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "patient/scan_import.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "geometry/mesh_report.h"
+#include "instruments/builtin_tooth.h"
+
+namespace tactooth {
+namespace {
+
+const BuiltinTooth& molar() {
+    static const BuiltinTooth tooth = makeTooth({.fdi = 36, .triangles = 3000, .seed = 0, .lesion = {}});
+    return tooth;
+}
+
+TriangleMesh scaled(TriangleMesh mesh, float factor) {
+    for (Vec3f& vertex : mesh.vertices) vertex *= factor;
+    return mesh;
+}
+
+std::string allWords(const ExaminedScan& scan) {
+    std::string words;
+    for (const Remark& remark : scan.remarks) words += inWords(remark) + "\n";
+    return words;
+}
+
+TEST(ScanImport, ASoundToothInMillimetresStaysAsItIs) {
+    const auto scan = examineScan({"t", molar().outer, {}}, {});
+    ASSERT_TRUE(scan);
+    EXPECT_EQ(scan->mmPerUnit, 1);
+    EXPECT_EQ(scan->outer.triangles, molar().outer.triangles);
+    EXPECT_NE(allWords(*scan).find("closed and sound as it came"), std::string::npos) << allWords(*scan);
+}
+
+TEST(ScanImport, EveryUnitGivesTheSameTooth) {
+    for (const float factor : {0.1F, 1000.0F, 0.001F, 23.0F}) {
+        const auto scan = examineScan({"t", scaled(molar().outer, factor), {}}, {});
+        ASSERT_TRUE(scan);
+        EXPECT_NEAR(boundingBox(scan->outer).sizes().z(), boundingBox(molar().outer).sizes().z(), 1) << factor;
+    }
+}
+
+TEST(ScanImport, ATurnedToothStandsUp) {
+    const Pose lying{Vec3(40, 0, 3), Quat(Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitX()))};
+    const auto scan = examineScan({"t", transformed(molar().outer, lying), {}}, {});
+    ASSERT_TRUE(scan);
+    EXPECT_NEAR(boundingBox(scan->outer).max().z(), boundingBox(molar().outer).max().z(), 2.5);
+}
+
+TEST(ScanImport, DamageIsMendedAndSaid) {
+    TriangleMesh damaged = molar().outer;
+    std::swap(damaged.triangles[7][0], damaged.triangles[7][1]);
+    damaged.triangles.push_back(damaged.triangles[20]);
+    damaged.triangles.erase(damaged.triangles.begin() + 500);
+    const auto scan = examineScan({"t", damaged, {}}, {});
+    ASSERT_TRUE(scan);
+    EXPECT_TRUE(reportOn(scan->outer).watertight());
+    const std::string words = allWords(*scan);
+    EXPECT_NE(words.find("1 empty or doubled triangles were dropped"), std::string::npos) << words;
+    EXPECT_NE(words.find("1 triangles were turned"), std::string::npos) << words;
+    EXPECT_NE(words.find("1 holes were filled"), std::string::npos) << words;
+}
+
+/// The crown alone, as a scanner in the mouth sees it: open where the gum begins.
+TriangleMesh crownOnly() {
+    TriangleMesh crown = molar().outer;
+    std::erase_if(crown.triangles, [&](const Triangle& t) {
+        return std::ranges::any_of(t, [&](std::uint32_t v) { return crown.vertices[v].z() < 0; });
+    });
+    return crown;
+}
+
+TEST(ScanImport, AWideHoleIsFilledOnlyWhenAskedFor) {
+    const auto refused = examineScan({"crown.stl", crownOnly(), {}}, {});
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().message.rfind("crown.stl: the surface 'outer' has 1 holes that are too wide", 0), 0u)
+        << refused.error().message;
+    ImportChoices all;
+    all.holes = HolesToFill::All;
+    const auto scan = examineScan({"crown.stl", crownOnly(), {}}, all);
+    ASSERT_TRUE(scan);
+    EXPECT_TRUE(reportOn(scan->outer).watertight());
+    const auto tooth = finishScan(*scan, all);
+    ASSERT_TRUE(tooth) << tooth.error().message;
+}
+
+TEST(ScanImport, LayersWithoutAnOuterSurfaceGetOne) {
+    // Of the built-in tooth the enamel is the whole crown: enamel and dentin overlap.
+    const auto scan = examineScan(
+        {"t", {}, {{"enamel", MaterialId::Enamel, molar().enamel}, {"dentin", MaterialId::Dentin, molar().dentin}}},
+        {});
+    ASSERT_TRUE(scan);
+    EXPECT_NEAR(reportOn(scan->outer).signedVolume / reportOn(molar().outer).signedVolume, 1, 0.1);
+    const auto tooth = finishScan(*scan, {});
+    ASSERT_TRUE(tooth);
+    EXPECT_FALSE(tooth->layersAreModelled);
+    EXPECT_EQ(tooth->layers.size(), 2u);
+}
+
+TEST(ScanImport, AModelIsCalledAModel) {
+    const auto scan = examineScan({"t", molar().outer, {}}, {});
+    ASSERT_TRUE(scan);
+    const auto tooth = finishScan(*scan, {});
+    ASSERT_TRUE(tooth);
+    EXPECT_TRUE(tooth->layersAreModelled);
+    EXPECT_NE(allWords(*tooth).find("no measurement of this tooth"), std::string::npos);
+}
+
+TEST(ScanImport, NothingIsRefused) {
+    EXPECT_EQ(examineScan({"void", {}, {}}, {}).error().message, "void: there is no surface.");
+}
+
+}  // namespace
+}  // namespace tactooth

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "patient/tooth_frame.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "instruments/builtin_tooth.h"
+
+namespace tactooth {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+const TriangleMesh& molar() {
+    static const TriangleMesh mesh = makeTooth({.fdi = 36, .triangles = 4000, .seed = 0, .lesion = {}}).outer;
+    return mesh;
+}
+
+Quat turn(double degrees, const Vec3& axis) { return Quat(Eigen::AngleAxisd(degrees * kDegree, axis.normalized())); }
+
+TEST(ToothFrame, AToothThatStandsKeepsItsAxes) {
+    const Quat lean = turn(12, Vec3(1, 1, 0));
+    const FrameGuess guess = guessToothFrame(transformed(molar(), {Vec3(30, -4, 9), lean}));
+    EXPECT_LT(guess.toothInFile.rotation.angularDistance(Quat::Identity()), 1e-9);
+    EXPECT_LT((guess.toothInFile.position - Vec3(30, -4, 9)).norm(), 4);
+}
+
+TEST(ToothFrame, AToothThatLiesIsTurnedCrownUp) {
+    for (const Vec3& axis : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(1, -1, 0.2)}) {
+        for (const double degrees : {60.0, 90.0, 150.0, 180.0}) {
+            const Quat lie = turn(degrees, axis);
+            const FrameGuess guess = guessToothFrame(transformed(molar(), {Vec3(5, 5, 5), lie}));
+            const Vec3 crown = guess.toothInFile.rotation * Vec3::UnitZ();
+            EXPECT_GT(crown.dot(lie * Vec3::UnitZ()), std::cos(12 * kDegree))
+                << degrees << " about " << axis.transpose();
+        }
+    }
+}
+
+TEST(ToothFrame, TheEnamelTellsTheCrown) {
+    // Of a body that is the same at both ends only the hint tells which one is up.
+    FrameHints hints;
+    hints.crown = Vec3(0, 0, -1);
+    const FrameGuess guess = guessToothFrame(molar(), hints);
+    EXPECT_LT((guess.toothInFile.rotation * Vec3::UnitZ()).z(), -0.9);
+}
+
+TEST(ToothFrame, TheCheekIsWhereTheArchSaysIt) {
+    FrameHints hints;
+    hints.cheek = Vec3(1, 0.1, 0.3);
+    const FrameGuess guess = guessToothFrame(molar(), hints);
+    EXPECT_GT((guess.toothInFile.rotation * Vec3::UnitY()).x(), 0.95);
+    EXPECT_GT((guess.toothInFile.rotation * Vec3::UnitZ()).z(), 0.95);
+}
+
+TEST(ToothFrame, WhatAPersonChoosesIsDone) {
+    FrameHints hints;
+    hints.isUpsideDown = true;
+    hints.turn = 90 * kDegree;
+    const FrameGuess guess = guessToothFrame(molar(), hints);
+    EXPECT_LT((guess.toothInFile.rotation * Vec3::UnitZ()).z(), -0.9);
+    EXPECT_EQ(inWords(guess.why.back()), "Turned by 90 degrees about the long axis, as chosen.");
+}
+
+TEST(ToothFrame, TheOriginIsAtTheNeck) {
+    const FrameGuess guess = guessToothFrame(molar());
+    EXPECT_NEAR(guess.toothInFile.position.z(), 0, 2.5);  // the built-in teeth have it there
+}
+
+}  // namespace
+}  // namespace tactooth

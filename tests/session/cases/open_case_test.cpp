@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "session/cases/open_case.h"
+
+#include <gtest/gtest.h>
+
+#include "geometry/atomic_file.h"
+#include "geometry/mesh_report.h"
+#include "geometry/stl_reader.h"
+#include "session/cases/block_case.h"
+#include "session/cases/placed_tooth.h"
+#include "support/test_data.h"
+
+namespace tactooth {
+namespace {
+
+/// The case with a piece of its text replaced.
+Expected<OpenedCase> openChanged(const std::string& from, const std::string& to, const std::string& tooth = {}) {
+    auto files = test::blockCase();
+    std::string text = test::textOf(files[0].bytes);
+    const std::size_t at = text.find(from);
+    if (at != std::string::npos) text.replace(at, from.size(), to);
+    files[0].bytes = test::bytesOf(text);
+    const auto bytes = packedCase(files).value();
+    const auto store = CaseStore::openArchive(bytes, "x.ttcase");
+    if (!store) return Unexpected{store.error()};
+    return openCase(*store, tooth);
+}
+
+TEST(OpenCase, AllStandsInItsPlace) {
+    const auto opened = openChanged("", "");
+    ASSERT_TRUE(opened) << opened.error().message;
+    EXPECT_EQ(opened->tooth, "36");
+    EXPECT_EQ(opened->mesialX, 1);
+    EXPECT_NEAR(opened->box.sizes().z(), 10, 1e-9);
+    const LayeredTooth& teeth = *opened->teeth;
+    EXPECT_EQ(teeth.outer()->mesh().triangles.size(), 36u);
+    EXPECT_EQ(teeth.materialAt(Vec3(2.5, 0, 3)), MaterialId::Enamel);
+    EXPECT_EQ(teeth.materialAt(Vec3(0, 0, 0)), MaterialId::Dentin);
+    EXPECT_EQ(teeth.materialAt(Vec3(10, 0, 1)), MaterialId::Dentin);
+    EXPECT_EQ(teeth.materialAt(Vec3(12.5, 0, 4)), MaterialId::Enamel);
+    EXPECT_EQ(teeth.materialAt(Vec3(-5, 0, -12)), MaterialId::Other);
+    EXPECT_EQ(teeth.layers().size(), 5u);
+}
+
+TEST(OpenCase, TheToothThatIsWorkedOnGivesTheFrame) {
+    const auto opened = openChanged("", "", "37");
+    ASSERT_TRUE(opened);
+    EXPECT_NEAR(opened->box.center().x(), 0, 1e-9);
+    EXPECT_EQ(opened->teeth->materialAt(Vec3(-10, 0, -1)), MaterialId::Dentin);
+    EXPECT_EQ(opened->teeth->materialAt(Vec3(-15, 0, -13)), MaterialId::Other);
+}
+
+TEST(OpenCase, ATurnedToothTurnsTheOthers) {
+    // A quarter turn about z: +x of the tooth is +y of the case.
+    const auto opened = openChanged("position = [10.0, 0.0, 1.0]",
+                                    "position = [10.0, 0.0, 1.0]\nrotation = [0.7071068, 0.0, 0.0, 0.7071068]", "37");
+    ASSERT_TRUE(opened);
+    EXPECT_EQ(opened->teeth->materialAt(Vec3(0, 10, -1)), MaterialId::Dentin);
+}
+
+TEST(OpenCase, ItsSurfaceIsThatOfTheFileBitForBit) {
+    const auto opened = openChanged("", "");
+    ASSERT_TRUE(opened);
+    const TriangleMesh& mesh = opened->teeth->outer()->mesh();
+    const TriangleMesh block = test::box(Vec3(-3, -3, -6), Vec3(3, 3, 4));
+    for (std::size_t t = 0; t < block.triangles.size(); ++t) {
+        for (int corner = 0; corner < 3; ++corner) EXPECT_EQ(mesh.corner(t, corner), block.corner(t, corner));
+    }
+}
+
+TEST(OpenCase, MistakesAreSaid) {
+    const auto expectSaid = [](const Expected<OpenedCase>& opened, const std::string& said) {
+        ASSERT_FALSE(opened);
+        EXPECT_NE(opened.error().message.find(said), std::string::npos) << opened.error().message;
+    };
+    expectSaid(openChanged("bone.stl", "none.stl"), "x.ttcase: none.stl: there is no such file in the case.");
+    expectSaid(openChanged("bone.stl", "case.toml"), "case.toml");
+    expectSaid(openChanged("", "", "48"), "there is no tooth '48' in this case; it has 36, 37.");
+}
+
+TEST(OpenCase, MaterialsAndBurOfTheCaseAreRead) {
+    auto files = test::blockCase();
+    std::string text = test::textOf(files[0].bytes);
+    text = "materials = \"m.toml\"\n" + text + "\n[[bur]]\nfile = \"burs/mine.toml\"\n";
+    files[0].bytes = test::bytesOf(text);
+    files.push_back({"m.toml", test::bytesOf("[enamel]\nstiffness = 0.9\n")});
+    files.push_back({"burs/mine.toml", test::bytesOf("surface = \"mine.stl\"\nmaterial = \"diamond\"\ngrit_um = 106\n"
+                                                     "sharpness = 0.5\n")});
+    files.push_back({"burs/mine.stl", stlBytes(test::cylinder(Vec3::Zero(), 0.5, 4, 24))});
+    const auto bytes = packedCase(files).value();
+    const auto opened = openCase(CaseStore::openArchive(bytes, "x.ttcase").value());
+    ASSERT_TRUE(opened) << opened.error().message;
+    EXPECT_EQ((*opened->materials)[MaterialId::Enamel].stiffness, 0.9);
+    ASSERT_TRUE(opened->bur);
+    EXPECT_EQ(opened->bur->material, BurMaterial::diamond);
+    EXPECT_EQ(opened->bur->flutes, 0);
+    EXPECT_EQ(opened->bur->gritMicrometres, 106);
+    EXPECT_EQ(opened->bur->sharpness, 0.5);
+}
+
+TEST(OpenCase, OverlapsAreFound) {
+    std::vector<CaseBody> bodies = {{"a", test::box(Vec3(0, 0, 0), Vec3(4, 4, 4))},
+                                    {"b", test::box(Vec3(3.5, 1, 1), Vec3(8, 3, 3))},
+                                    {"c", test::box(Vec3(4, 0, 10), Vec3(8, 4, 14))}};
+    const auto found = overlaps(bodies);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].first + found[0].second, "ab");
+    EXPECT_NEAR(found[0].deepest, 0.5, 1e-9);
+}
+
+TEST(OpenCase, EveryToothOfACaseCanBeCut) {
+    const test::TemporaryFolder folder;
+    const auto bytes = packedCase(test::blockCase()).value();
+    ASSERT_TRUE(writeFile(folder / "x.ttcase", bytes));
+    const auto tooth = loadPlacedWork({.outer = folder / "x.ttcase", .layers = {}}, "37", 0.1, 0.1);
+    ASSERT_TRUE(tooth) << tooth.error().message;
+    EXPECT_EQ(tooth->place.name, "Two blocks, 37");
+    EXPECT_EQ(tooth->place.teethOfCase, (std::vector<std::string>{"36", "37"}));
+    const auto tool = makeCuttingTool(test::cylinder(Vec3::Zero(), 0.5, 6, 24));
+    ASSERT_TRUE(tool);
+    for (const Vec3& top : {Vec3(0, 0, 4), Vec3(-10, 0, 3)}) {
+        const auto removed = tooth->piece->sweep(*tool, {top + Vec3(0, 0, 1), Quat::Identity()},
+                                                 {top - Vec3(0, 0, 3), Quat::Identity()});
+        EXPECT_NEAR(removed[static_cast<std::size_t>(MaterialId::Enamel)], 3.14159 * 0.25 * 2, 0.1);
+        EXPECT_NEAR(removed[static_cast<std::size_t>(MaterialId::Dentin)], 3.14159 * 0.25 * 1, 0.1);
+    }
+    tooth->piece->refreshSurface();
+    const auto cut = parseStl(stlBytes(visibleMesh(*tooth->piece->surface()).mesh), "cut");
+    ASSERT_TRUE(cut);
+    EXPECT_TRUE(reportOn(*cut).watertight());
+}
+
+}  // namespace
+}  // namespace tactooth
