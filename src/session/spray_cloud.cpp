@@ -12,13 +12,13 @@ namespace {
 // Jets: three holes under the head of the handpiece aim at the bur's tip. They are so fast (metres in a second) that an
 // eye sees lines: drops are laid anew along them at each call.
 constexpr int kJets = 3;
-constexpr int kDropsPerJet = 14;
+constexpr int kDropsPerJet = 40;
 constexpr double kHoleRadius = 2.9, kHoleHeight = 9.3;  // mm in the tool frame: beside the chuck's nose
 constexpr double kAimHeight = 0.8;                      // mm above the tip
 constexpr double kJetSpread = 0.22;                     // mm at its end
 
 // Mist: what 50 ml/min become is far more than can be drawn; this many balls a second stand for it.
-constexpr double kMistPerSecond = 700;
+constexpr double kMistPerSecond = 1600;
 constexpr double kMistLife = 0.32, kChipLife = 0.45;          // s, until they are too thin to be seen
 constexpr float kMistGrowth = 2.2F;                           // mm/s: eddies widen what a ball stands for
 constexpr double kLeastGrain = 0.008, kLargestGrain = 0.024;  // mm across
@@ -102,7 +102,7 @@ FlyingBit SprayCloud::thrown(const SprayMoment& now, double dt) {
     const Vec3 scatter{random(-0.5, 0.5), random(-0.5, 0.5), random(-0.2, 0.6)};  // braces: in this order
     Vec3 way = now.toolInTooth.rotation * (along + scatter);
     way += std::max(0.0, 0.15 - way.dot(now.normal)) * now.normal;
-    const double speed = std::min(kFastest, burRadius_ * kTwoPi * now.speedRpm / 60) * random(0.25, 1);
+    const double speed = std::min(kFastest, burRadius_ * kTwoPi * now.speedRpm / 60) * random(0.1, 1);
     const double grain = random(kLeastGrain, kLargestGrain);
     FlyingBit bit;
     bit.place = (now.toolInTooth * rim).cast<float>();
@@ -121,7 +121,7 @@ void SprayCloud::throwMist(const SprayMoment& now, double dt) {
     for (; mistDue_ >= 1; mistDue_ -= 1) {
         FlyingBit drop = thrown(now, dt);
         drop.kind = FlyingKind::Mist;
-        drop.radius = random(0.05, 0.3) + kMistGrowth * drop.age;
+        drop.radius = random(0.02, 0.12) + kMistGrowth * drop.age;
         drop.lifetime = static_cast<float>(kMistLife) * random(0.4, 1);
         bits_.push_back(drop);
     }

@@ -42,12 +42,23 @@ protected:
         Pictures::TearDownTestSuite();
     }
 
+    /// Where the bur bites when it comes down from `above`.
+    static Vec3 letDown(WorkPiece& piece, Vec3 above, const Quat& grip) {
+        constexpr double kStep = 0.05;  // mm
+        while (total(piece.removed()) == 0 && above.z() > 0) {
+            const Pose before{above, grip};
+            above.z() -= kStep;
+            (void)piece.sweep(*tool_, before, {above, grip});
+        }
+        return above;
+    }
+
     /// The scene after half a second of cutting.
     static Scene atWork(double water, bool suction) {
         WorkPiece piece(tooth_, 0.1);
         const Box3 box = tooth_->outer()->tree().box();
         const Quat grip = uprightGrip(mesialX_, 0.2);
-        const Vec3 start(box.center().x() + 1, box.center().y(), box.max().z() - 1.4);
+        const Vec3 start = letDown(piece, Vec3(box.center().x() + 1, box.center().y(), box.max().z()), grip);
         SprayCloud spray(tool_->envelope.maxRadius(), parkedSuction(box, mesialX_).position);
         SprayMoment now{.toolInTooth = {start, grip},
                         .normal = Vec3::UnitZ(),

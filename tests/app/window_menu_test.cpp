@@ -78,6 +78,7 @@ void WindowMenuTest::clickThrough(QMenu& menu, const std::function<void()>& open
             QTest::mouseClick(&menu, Qt::LeftButton, {}, menu.actionGeometry(entry).center());
         };
         if (!menu.isVisible()) open();
+        if (entry->menu() != nullptr && entry->menu()->objectName() == "mouth") continue;  // 32 mouths; see WindowTest
         if (entry->menu() != nullptr) {
             clickThrough(
                 *entry->menu(),

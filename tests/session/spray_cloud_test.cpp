@@ -41,8 +41,8 @@ TEST(SprayCloud, ThrowsAsManyChipsOfEachMaterialAsWereRemoved) {
     EXPECT_TRUE(cloud.bits().empty());
     const auto chip = SprayCloud::kChipVolume;
     for (int i = 0; i < 4; ++i) {
-        now.removed[0] += 10.75 * chip;
-        now.removed[1] += 2.5 * chip;
+        now.removed[0] += 10.8 * chip;
+        now.removed[1] += 2.6 * chip;
         cloud.advance(now, kFrame);
     }
     const auto bits = cloud.bits();
@@ -82,9 +82,9 @@ TEST(SprayCloud, ThrownBitsStartAtTheRim) {
     SprayCloud cloud(kRadius, kTube);
     SprayMoment now = drilling(0);
     cloud.advance(now, kFrame);
-    now.removed[0] = 0.1;
+    now.removed[0] = 200.5 * SprayCloud::kChipVolume;
     cloud.advance(now, 1e-9);
-    ASSERT_EQ(cloud.bits().size(), 199U + (0.1 / SprayCloud::kChipVolume >= 200 ? 1 : 0));
+    ASSERT_EQ(cloud.bits().size(), 200U);
     for (const FlyingBit& bit : cloud.bits()) {
         const Vec3 inTool = now.toolInTooth.inverse() * bit.place.cast<double>();
         EXPECT_NEAR(inTool.head<2>().norm(), kRadius, 1e-3);
@@ -140,12 +140,23 @@ TEST(SprayCloud, TheSuctionTubeDrawsTheMistAway) {
     }
     EXPECT_LT(count(drawn, FlyingKind::Mist), count(free, FlyingKind::Mist) / 2);
     EXPECT_GT(count(drawn, FlyingKind::Mist), 0U);
-    const auto middle = [](const SprayCloud& cloud) {
-        Vec3f sum = Vec3f::Zero();
-        for (const FlyingBit& bit : cloud.bits()) sum += bit.place;
-        return Vec3(sum.cast<double>() / static_cast<double>(cloud.bits().size()));
-    };
-    EXPECT_LT((middle(drawn) - kTube).norm(), (middle(free) - kTube).norm());
+}
+
+TEST(SprayCloud, EverythingThatFliesIsDrawnTowardsTheTube) {
+    const Vec3f tube(60, 0, 0);  // so far away that nothing arrives at once
+    SprayCloud free(kRadius, tube.cast<double>());
+    for (int i = 0; i < 10; ++i) free.advance(drilling(1), kFrame);
+    SprayCloud drawn = free;
+    SprayMoment off = drilling(0);
+    free.advance(off, 1e-3);
+    off.suction = true;
+    drawn.advance(off, 1e-3);
+    ASSERT_GT(free.bits().size(), 50U);
+    ASSERT_EQ(drawn.bits().size(), free.bits().size());
+    for (std::size_t i = 0; i < free.bits().size(); ++i) {
+        const float flow = 3.3e5F * 1e-3F / (6.2831853F * (free.bits()[i].place - tube).squaredNorm());  // mm
+        EXPECT_NEAR((free.bits()[i].place - tube).norm() - (drawn.bits()[i].place - tube).norm(), flow, 0.05 * flow);
+    }
 }
 
 TEST(SprayCloud, NeverHoldsMoreThanAPictureAffords) {

@@ -15,10 +15,10 @@ Particle particleOf(const FlyingBit& bit, const MaterialTable& materials) {
     Particle particle{bit.place, bit.radius, kWater, 1};
     switch (bit.kind) {
         case FlyingKind::Jet:
-            particle.opacity = 0.30F;
+            particle.opacity = 0.50F;
             break;
         case FlyingKind::Mist:  // the same water over a growing disc
-            particle.opacity = 0.30F * left * std::min(1.0F, 0.25F / bit.radius);
+            particle.opacity = 0.45F * left * std::min(1.0F, 0.25F / bit.radius);
             break;
         case FlyingKind::Chip: {
             const std::array<float, 3>& colour = materials[bit.material].colour;
