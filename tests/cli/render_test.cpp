@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "cli/run_program.h"
@@ -28,8 +29,8 @@ protected:
     }
     [[nodiscard]] std::string out() const { return folder_ / "out.png"; }
     ProgramRun render(const std::vector<std::string>& more) const {
-        std::vector<std::string> arguments{"render", "--tooth", folder_ / "ball.stl", "--size", "160x120",
-                                           "--out",  out()};
+        std::vector<std::string> arguments{"render", "--tooth", folder_ / "ball.stl", "--out", out()};
+        if (std::ranges::find(more, "--size") == more.end()) arguments.insert(arguments.end(), {"--size", "160x120"});
         arguments.insert(arguments.end(), more.begin(), more.end());
         return runTactooth(arguments);
     }
