@@ -176,7 +176,10 @@ void WindowLookTest::aJapaneseWindowSpeaksJapanese() {
         QCOMPARE(other.menuBar()->actions().front()->text(), QStringLiteral("ファイル(&F)"));
         QCOMPARE(other.findChild<QComboBox*>("section")->itemText(2), QStringLiteral("頬側"));
         const auto* burs = other.findChild<QComboBox*>("burs");
-        QVERIFY(burs->itemText(burs->findData("4")).contains(QStringLiteral("ラウンド")));
+        QCOMPARE(burs->itemText(burs->findData("4")), QStringLiteral("ラウンドカーバイド No. 4、1.4 mm"));
+        for (int i = 0; i < burs->count(); ++i) {
+            QVERIFY2(burs->itemText(i).contains(QStringLiteral("、")), qPrintable(burs->itemText(i)));
+        }
     }
     QApplication::removeTranslator(&japanese);
 }

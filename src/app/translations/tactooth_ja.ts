@@ -16,40 +16,112 @@
         <translation>上顎犬歯（13）</translation>
     </message>
     <message>
-        <source>Round carbide No. 2, 1.0 mm</source>
-        <translation>ラウンドカーバイド No. 2、1.0 mm</translation>
+        <source>Round</source>
+        <translation>ラウンド</translation>
     </message>
     <message>
-        <source>Round carbide No. 4, 1.4 mm</source>
-        <translation>ラウンドカーバイド No. 4、1.4 mm</translation>
+        <source>Inverted cone</source>
+        <translation>インバーテッドコーン</translation>
     </message>
     <message>
-        <source>Round carbide No. 6, 1.8 mm</source>
-        <translation>ラウンドカーバイド No. 6、1.8 mm</translation>
+        <source>Pear</source>
+        <translation>ペアーシェイプ</translation>
     </message>
     <message>
-        <source>Straight fissure carbide No. 57, 1.0 mm</source>
-        <translation>ストレートフィッシャーカーバイド No. 57、1.0 mm</translation>
+        <source>Long pear</source>
+        <translation>ロングペアーシェイプ</translation>
     </message>
     <message>
-        <source>Straight fissure carbide No. 58, 1.2 mm</source>
-        <translation>ストレートフィッシャーカーバイド No. 58、1.2 mm</translation>
+        <source>Straight fissure</source>
+        <translation>ストレートフィッシャー</translation>
     </message>
     <message>
-        <source>Pear carbide No. 330, 0.8 mm</source>
-        <translation>ペアーシェイプカーバイド No. 330、0.8 mm</translation>
+        <source>Cross-cut straight fissure</source>
+        <translation>クロスカットストレートフィッシャー</translation>
     </message>
     <message>
-        <source>Long pear carbide No. 245, 0.8 mm</source>
-        <translation>ロングペアーシェイプカーバイド No. 245、0.8 mm</translation>
+        <source>Dome-end fissure</source>
+        <translation>ドームエンドフィッシャー</translation>
     </message>
     <message>
-        <source>Round diamond 801-014, 1.4 mm</source>
-        <translation>ラウンドダイヤモンド 801-014、1.4 mm</translation>
+        <source>Tapered fissure</source>
+        <translation>テーパードフィッシャー</translation>
     </message>
     <message>
-        <source>Round-end taper diamond 856-016, 1.6 mm</source>
-        <translation>ラウンドエンドテーパーダイヤモンド 856-016、1.6 mm</translation>
+        <source>Cross-cut tapered fissure</source>
+        <translation>クロスカットテーパードフィッシャー</translation>
+    </message>
+    <message>
+        <source>Long tapered fissure</source>
+        <translation>ロングテーパードフィッシャー</translation>
+    </message>
+    <message>
+        <source>Round-end tapered fissure</source>
+        <translation>ラウンドエンドテーパードフィッシャー</translation>
+    </message>
+    <message>
+        <source>Dome-end tapered fissure</source>
+        <translation>ドームエンドテーパードフィッシャー</translation>
+    </message>
+    <message>
+        <source>Ball finishing</source>
+        <translation>ボール仕上げ用</translation>
+    </message>
+    <message>
+        <source>Egg finishing</source>
+        <translation>エッグ仕上げ用</translation>
+    </message>
+    <message>
+        <source>Needle finishing</source>
+        <translation>ニードル仕上げ用</translation>
+    </message>
+    <message>
+        <source>Football</source>
+        <translation>フットボール</translation>
+    </message>
+    <message>
+        <source>Flat-end cylinder</source>
+        <translation>フラットエンドシリンダー</translation>
+    </message>
+    <message>
+        <source>Flat-end taper</source>
+        <translation>フラットエンドテーパー</translation>
+    </message>
+    <message>
+        <source>Round-end taper</source>
+        <translation>ラウンドエンドテーパー</translation>
+    </message>
+    <message>
+        <source>Needle</source>
+        <translation>ニードル</translation>
+    </message>
+    <message>
+        <source>Flame</source>
+        <translation>フレーム</translation>
+    </message>
+    <message>
+        <source>Torpedo</source>
+        <translation>トーピード</translation>
+    </message>
+    <message>
+        <source>Torpedo taper</source>
+        <translation>トーピードテーパー</translation>
+    </message>
+    <message>
+        <source>Round-end cylinder</source>
+        <translation>ラウンドエンドシリンダー</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>ホイール</translation>
+    </message>
+    <message>
+        <source>%1 carbide No. %2, %3</source>
+        <translation>%1カーバイド No. %2、%3</translation>
+    </message>
+    <message>
+        <source>%1 diamond %2, %3</source>
+        <translation>%1ダイヤモンド %2、%3</translation>
     </message>
     <message>
         <source>Air turbine, 400,000 rev/min</source>
