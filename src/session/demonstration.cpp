@@ -26,6 +26,14 @@ std::vector<Passage> lesson(const Vec3& middle, double reach, double seconds) {
     };
 }
 
+SprayMoment sprayOf(const Tick& tick, const WorkPiece& piece) {
+    return {.toolInTooth = tick.proxy,
+            .normal = tick.normal,
+            .speedRpm = tick.speedRpm,
+            .water = tick.cutting ? tick.pedal : 0,
+            .removed = piece.removed()};
+}
+
 }  // namespace
 
 Demonstration playDemonstration(WorkPiece& piece, const Box3& box, const Instrument& instrument,
@@ -39,6 +47,7 @@ Demonstration playDemonstration(WorkPiece& piece, const Box3& box, const Instrum
     HapticSimulation simulation(instrument.shape, instrument.cutting.envelope.maxRadius(), piece.felt(), settings);
     FeltSurfaces surfaces(simulation.tool());
     ForcePipeline pipeline(hand.info().limits);
+    SprayCloud spray(instrument.cutting.envelope.maxRadius());
 
     Demonstration result;
     const auto count = static_cast<std::size_t>(seconds / kTick);
@@ -52,10 +61,14 @@ Demonstration playDemonstration(WorkPiece& piece, const Box3& box, const Instrum
         tick.micros = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
         result.ticks.push_back(tick);
         if (i % kTicksPerCut != 0) continue;
+        bool isCut = false;
         if (tick.cutting && piece.feed(instrument.cutting, tick, settings.materials)) {
             feelCut(piece, tick, surfaces, simulation);
             ++result.surfaceUpdates;
+            isCut = true;
         }
+        spray.advance(sprayOf(tick, piece), kTicksPerCut * kTick);
+        if (isCut && tick.pedal > 0) result.work = {i, piece.surface(), {spray.bits().begin(), spray.bits().end()}};
         result.sound.push_back({tick.time, soundOf(tick, settings.spindle, settings.materials), {}});
         progress(static_cast<double>(i) / static_cast<double>(count));
     }

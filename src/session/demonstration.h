@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "session/simulator.h"
+#include "session/spray_cloud.h"
 #include "sound/offline_render.h"
 
 namespace tactooth {
@@ -17,6 +18,13 @@ struct Demonstration {
     std::vector<TimedSoundState> sound;  ///< one every five
     std::size_t touchTick = 0;           ///< the last one of the touching part
     std::uint64_t surfaceUpdates = 0;
+    /// The bur at work: the last moment at which it cut with the pedal down, and so in its water.
+    struct Work {
+        std::size_t tick = 0;
+        std::shared_ptr<const Surface> surface;
+        std::vector<FlyingBit> flying;
+    };
+    std::optional<Work> work;  ///< none if nothing was cut so
 };
 
 /// Plays a session without clock, device or display: a practised hand touches the tooth from above (+z), strokes it,

@@ -34,19 +34,25 @@ struct CornersOfVertex {
     }
 };
 
+/// Twice the area of a facet 20 um wide, mm^2: what is finer is a splinter that cutting has left, and its direction
+/// tells nothing about the wall that it lies in.
+constexpr float kTrustedArea = 4e-4F;
+
 struct Facets {
     std::vector<Vec3f> normals;  ///< one a triangle; zero if it has no area
-    std::vector<float> angles;   ///< one a corner, rad
+    std::vector<float> weights;  ///< one a corner: its angle, rad, or less
 
-    explicit Facets(const TriangleMesh& mesh) : normals(mesh.triangles.size()), angles(3 * mesh.triangles.size()) {
+    explicit Facets(const TriangleMesh& mesh) : normals(mesh.triangles.size()), weights(3 * mesh.triangles.size()) {
         for (std::size_t t = 0; t < normals.size(); ++t) {
             const std::array<Vec3f, 3> p = {mesh.vertices[mesh.triangles[t][0]], mesh.vertices[mesh.triangles[t][1]],
                                             mesh.vertices[mesh.triangles[t][2]]};
-            normals[t] = (p[1] - p[0]).cross(p[2] - p[0]).stableNormalized();
+            const Vec3f doubleArea = (p[1] - p[0]).cross(p[2] - p[0]);
+            normals[t] = doubleArea.stableNormalized();
+            const float trust = std::min(1.0F, doubleArea.norm() / kTrustedArea);
             for (std::size_t c = 0; c < 3; ++c) {
                 const Vec3f a = p[(c + 1) % 3] - p[c];
                 const Vec3f b = p[(c + 2) % 3] - p[c];
-                angles[3 * t + c] = std::atan2(a.cross(b).norm(), a.dot(b));
+                weights[3 * t + c] = trust * std::atan2(a.cross(b).norm(), a.dot(b));
             }
         }
     }
@@ -109,8 +115,8 @@ private:
         shares_.clear();
         for (const std::uint32_t corner : corners) {
             if (groups_[corner] != group) continue;
-            sum += facets_.angles[corner] * facets_.normals[corner / 3];
-            shares_.add(tags_.empty() ? SurfaceTag{0} : tags_[corner / 3], facets_.angles[corner]);
+            sum += facets_.weights[corner] * facets_.normals[corner / 3];
+            shares_.add(tags_.empty() ? SurfaceTag{0} : tags_[corner / 3], facets_.weights[corner]);
         }
         const Vec3f normal = sum.squaredNorm() > 0 ? sum.normalized().eval() : Vec3f::UnitZ().eval();
         const LookMix mix = shares_.mix();

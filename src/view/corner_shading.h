@@ -30,9 +30,9 @@ struct CornerShading {
 };
 
 /// Smooth shading. Around a vertex, triangles joined by edges flatter than the crease angle share one normal and one
-/// mix of looks: the means of theirs, weighted by their angle at the vertex. Materials so pass into each other over one
-/// triangle instead of along its jagged edges, but never around the rim of a cavity. `tags` holds one tag a triangle,
-/// or nothing.
+/// mix of looks: the means of theirs, weighted by their angle at the vertex (splinters by less). Materials so pass into
+/// each other over one triangle instead of along its jagged edges, but never around the rim of a cavity. `tags` holds
+/// one tag a triangle, or nothing.
 ///
 /// Weights: G. Thuermer, C. A. Wuethrich, Computing vertex normals from polygonal facets, J. Graphics Tools 3(1), 1998.
 [[nodiscard]] CornerShading cornerShading(const TriangleMesh& mesh, std::span<const SurfaceTag> tags = {});

@@ -52,6 +52,14 @@ Corner interpolated(const TriangleMesh& base, const CornerShading& shading, std:
     return {sum.stableNormalized(), shares.mix()};
 }
 
+/// The looks of the base where a wall's vertex stands on it. A base triangle's tag stands for all of it, while a wall
+/// knows its material to a few micrometres: without this, a scratch would show as a stripe of another colour.
+std::optional<LookMix> looksOfRim(const SurfacePart& base, const CornerShading& shading, const Vec3& vertex) {
+    const auto nearest = closestPoint(base, vertex, kOnBase);
+    if (!nearest) return std::nullopt;
+    return interpolated(base.mesh(), shading, nearest->triangle, nearest->point).mix;
+}
+
 /// The walls of several patches as one mesh. Neighbours meet in vertices of equal bits.
 class JoinedWalls {
 public:
@@ -124,7 +132,8 @@ CornerShading patchShading(const ShadedPatch& patch, std::span<const ShadedPatch
             if (const auto& carried = patch.carriedOn[t]) {
                 corner = interpolated(base.mesh(), baseShading, *carried, mesh.corner(t, static_cast<int>(c)));
             } else {
-                corner = {joined.normals[3 * ofWall + c], joined.looks[3 * ofWall + c]};
+                const auto rim = looksOfRim(base, baseShading, mesh.corner(t, static_cast<int>(c)));
+                corner = {joined.normals[3 * ofWall + c], rim.value_or(joined.looks[3 * ofWall + c])};
             }
             shading.normals[3 * t + c] = corner.normal;
             shading.looks[3 * t + c] = corner.mix;

@@ -22,7 +22,8 @@ struct ShadedPatch {
 };
 
 /// Shading of a patch. Where it carries on the surface of `base`, it takes over the shading of `base` (`baseShading`),
-/// so that no seam shows. Its wall is shaded as one with the walls of `neighbours`, which share vertices with it.
+/// so that no seam shows, nor does one where its wall begins: there the wall has the looks of `base`. It is shaded as
+/// one with the walls of `neighbours`, which share vertices with it.
 [[nodiscard]] CornerShading patchShading(const ShadedPatch& patch, std::span<const ShadedPatch* const> neighbours,
                                          const SurfacePart& base, const CornerShading& baseShading);
 

@@ -54,6 +54,27 @@ TEST(Errand, WhatWasForgottenIsNotDelivered) {
     EXPECT_FALSE(errand.poll().has_value());
 }
 
+TEST(Errand, ForgettingDropsTheWishThatWaitsToo) {
+    Errand<int> errand;
+    std::atomic<bool> go{false}, second{false};
+    errand.start([&]() -> Expected<int> {
+        while (!go) std::this_thread::yield();
+        return 1;
+    });
+    errand.start([&]() -> Expected<int> { return second = true, 2; });
+    errand.forget();
+    go = true;
+    while (errand.isBusy()) EXPECT_FALSE(errand.poll().has_value());
+    EXPECT_FALSE(second);
+}
+
+TEST(Errand, ForgettingWhenNothingRunsDoesNotSwallowTheNextResult) {
+    Errand<int> errand;
+    errand.forget();
+    errand.start([] { return Expected<int>(3); });
+    EXPECT_EQ(resultOf(errand).value(), 3);
+}
+
 TEST(Errand, AWishAfterForgettingIsDelivered) {
     Errand<int> errand;
     errand.start([] { return Expected<int>(1); });

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/common/spray_look.h"
 #include "support/shapes.h"
 
 namespace tactooth {
@@ -34,6 +35,57 @@ TEST(SceneBuilder, ShowsToothBurTurbineAndMirror) {
     ASSERT_TRUE(scene.mirror.has_value());
     EXPECT_EQ(scene.mirror->radius, 9);
     EXPECT_EQ(scene.mirror->mirrorInWorld.position, Vec3(0, -12, 5));
+}
+
+TEST(SceneBuilder, AStillBurShowsItsBladesAndAFastOneTheBodyTheySweep) {
+    SceneContents contents = benchWithEverything();
+    contents.tool->blurred = std::make_shared<const TriangleMesh>(test::sphere(Vec3::Zero(), 1.1, 8, 8));
+    EXPECT_EQ(makeScene(contents).objects.size(), 4U);
+    contents.tool->speedRpm = 60;
+    const Scene slow = makeScene(contents);
+    ASSERT_EQ(slow.objects.size(), 5U);
+    contents.tool->speedRpm = 300000;
+    const Scene fast = makeScene(contents);
+    EXPECT_EQ(std::get<0>(fast.objects[2].shape), contents.tool->blurred);
+    EXPECT_GT(fast.objects[2].looks.front().opacity, 2 * slow.objects[2].looks.front().opacity);
+    EXPECT_LT(fast.objects[2].looks.front().opacity, 1);
+    // What is seen of the blades does not depend on the moment of the picture any more.
+    EXPECT_EQ(slow.objects[1].spin, 0.5);
+    EXPECT_EQ(fast.objects[1].spin, 0);
+}
+
+TEST(SceneBuilder, TheSuctionTubeOpensBesideTheCrownAndLeavesDistally) {
+    const Box3 tooth(Vec3(-5, -5, -10), Vec3(5, 5, 7));
+    for (const double mesialX : {1.0, -1.0}) {
+        const Pose tube = parkedSuction(tooth, mesialX);
+        EXPECT_GT(-mesialX * tube.position.x(), 5);
+        EXPECT_LT(-mesialX * tube.position.x(), 12);
+        EXPECT_NEAR(tube.position.z(), 7, 2);
+        const Vec3 away = tube.rotation * Vec3::UnitZ();
+        EXPECT_GT(-mesialX * away.x(), 0.5);
+        EXPECT_GT(away.z(), 0.3);
+    }
+}
+
+TEST(SceneBuilder, WaterAndChipsHaveTheirColours) {
+    MaterialTable materials;
+    materials[MaterialId::Dentin].colour = {0.5F, 0.25F, 0.1F};
+    FlyingBit chip, drop;
+    chip.kind = FlyingKind::Chip;
+    chip.material = MaterialId::Dentin;
+    chip.lifetime = drop.lifetime = 1;
+    chip.radius = drop.radius = 0.1F;
+    drop.place = Vec3f(1, 2, 3);
+    FlyingBit wet = chip, old = drop;
+    wet.wetness = 1;
+    old.age = 0.9F;
+    const FlyingBit all[] = {chip, wet, drop, old};
+    const std::vector<Particle> seen = particlesOf(all, materials);
+    ASSERT_EQ(seen.size(), 4U);
+    EXPECT_EQ(seen[0].colour, Vec3f(0.5F, 0.25F, 0.1F));
+    EXPECT_GT(seen[1].colour.z(), 2 * seen[0].colour.z());
+    EXPECT_EQ(seen[2].position, Vec3f(1, 2, 3));
+    EXPECT_LT(seen[3].opacity, 0.2 * seen[2].opacity);
 }
 
 TEST(SceneBuilder, WhatIsNotThereIsNotDrawn) {

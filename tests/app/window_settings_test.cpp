@@ -20,14 +20,18 @@ WindowSettings unusual() {
             .spindle = "Micromotor, 1:1",
             .showsTurbine = false,
             .showsMirror = false,
-            .force = {false, 0.75, 0.0125, 1.5, 2.2},
+            .force = {false, 0.75, 0.0125, 1.5, 2.2, 0.35},
             .hand = {"gamepad:Wireless", "pen:Left", 2.5, true, 3, 0, 5, "axis:2:Foot", 0.25, 0.75, "F5"},
             .sound = {.motor = 0.25, .cutting = 0.5, .master = 0.75, .muted = true, .environment = 0.125},
             .headphones = true,
             .ownSounds = "/home/someone/school.toml",
             .language = "ja",
             .dark = true,
-            .recent = "/a.stl\n/b.tactooth"};
+            .recent = "/a.stl\n/b.tactooth",
+            .mirror = {"5", true, true},
+            .water = false,
+            .suction = true,
+            .textScale = 1.5};
 }
 
 void expectEqual(const WindowSettings& a, const WindowSettings& b) {
@@ -50,6 +54,10 @@ void expectEqual(const WindowSettings& a, const WindowSettings& b) {
     EXPECT_EQ(a.language, b.language);
     EXPECT_EQ(a.dark, b.dark);
     EXPECT_EQ(a.recent, b.recent);
+    EXPECT_EQ(a.mirror, b.mirror);
+    EXPECT_EQ(a.water, b.water);
+    EXPECT_EQ(a.suction, b.suction);
+    EXPECT_EQ(a.textScale, b.textScale);
 }
 
 std::string refusal(std::string_view text) {

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A session with the real window: real mouse and key events, the real simulator, real files.
-#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -10,30 +9,24 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
-#include <QMessageBox>
-#include <QTest>
 #include <ctime>
 #include <fstream>
 
-#include "app/gui/dial_gauge.h"
-#include "app/gui/main_window.h"
 #include "app/gui/open_tooth_dialog.h"
-#include "app/gui/tooth_view.h"
 #include "app/gui/window_setup.h"
+#include "app/window_session.h"
 #include "geometry/mesh_file.h"
 #include "geometry/mesh_report.h"
 #include "geometry/stl_writer.h"
 #include "session/tooth_file.h"
 #include "sound/audio_libraries.h"
-#include "sound/openal_output.h"
 #include "sound/sound_files.h"
 #include "support/sanitizer.h"
 #include "support/shapes.h"
-#include "support/test_data.h"
 
 namespace tactooth {
 
-class WindowTest : public QObject {
+class WindowTest : public test::WindowSession {
     Q_OBJECT
 
 public:
@@ -67,61 +60,8 @@ private slots:
     void cleanupTestCase();
 
 private:
-    void openWindow();
-    void waitForTooth();
-    [[nodiscard]] QPoint middle() const { return view().rect().center(); }
-    [[nodiscard]] ToothView& view() const { return *window_->findChild<ToothView*>("toothView"); }
-    [[nodiscard]] double gauge(const char* name) const { return window_->findChild<DialGauge*>(name)->value(); }
-    [[nodiscard]] double removed() const { return total(window_->bench().simulator()->removed()); }
-    [[nodiscard]] const Surface& surface() const { return *window_->bench().simulator()->surface(); }
-    void key(Qt::Key which, Qt::KeyboardModifiers with = {}) const;
-    void pressBurOn(const QPoint& place) const;
-    void liftBur(const QPoint& place) const;
-    [[nodiscard]] QString dismissMessage() const;
     void openInDialog(const QString& file);
-
-    test::TemporaryFolder folder_;
-    std::unique_ptr<OpenAlOutput> sound_;
-    std::unique_ptr<MainWindow> window_;
 };
-
-void WindowTest::openWindow() {
-    sound_ = std::make_unique<OpenAlOutput>();
-    window_ = std::make_unique<MainWindow>(*sound_);
-    window_->bringBuiltinTooth(kBuiltinTeeth.front());
-    window_->bringBur(*findBur("4"));
-    window_->show();
-    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
-}
-
-void WindowTest::waitForTooth() {
-    QTRY_VERIFY_WITH_TIMEOUT(!window_->bench().isBusy() && window_->bench().simulator() != nullptr, 60000);
-}
-
-void WindowTest::key(Qt::Key which, Qt::KeyboardModifiers with) const {
-    QApplication::setActiveWindow(window_.get());  // a bare X server has no window manager that would do it
-    QTest::keyClick(window_.get(), which, with);
-}
-
-void WindowTest::pressBurOn(const QPoint& place) const {
-    QTest::mouseMove(&view(), place);
-    QTest::qWait(300);
-    QTest::mousePress(&view(), Qt::LeftButton, {}, place);
-}
-
-void WindowTest::liftBur(const QPoint& place) const {
-    QTest::mouseRelease(&view(), Qt::LeftButton, {}, place);
-    QTest::qWait(300);
-}
-
-/// The text of the message in front, which is closed; empty if there is none.
-QString WindowTest::dismissMessage() const {
-    auto* box = window_->findChild<QMessageBox*>();
-    if (box == nullptr) return {};
-    const QString text = box->text();
-    delete box;
-    return text;
-}
 
 void WindowTest::initTestCase() {
     qputenv("XDG_CACHE_HOME", folder_.path().c_str());  // where the mouth's teeth are kept

@@ -82,5 +82,16 @@ TEST(CornerShading, TriangleWithoutAreaGetsAUnitNormal) {
     for (const Vec3f& normal : cornerShading(sliver).normals) EXPECT_NEAR(normal.norm(), 1, 1e-6F);
 }
 
+TEST(CornerShading, ASplinterDoesNotTurnTheNormalOfTheWallThatItLiesIn) {
+    TriangleMesh mesh;  // a flat square, and below one of its edges a splinter 1 um high that leans by 39 degrees
+    const float lean = 0.00078F;
+    mesh.vertices = {Vec3f(0, 0, 0), Vec3f(1, 0, 0), Vec3f(1, 1, 0), Vec3f(0, 1, 0), Vec3f(0.5F, -0.001F, -lean)};
+    mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 4, 1}};
+    const CornerShading shading = cornerShading(mesh);
+    for (std::size_t corner = 0; corner < 6; ++corner) {
+        EXPECT_LT((shading.normals[corner] - Vec3f::UnitZ()).norm(), 0.01F) << corner;
+    }
+}
+
 }  // namespace
 }  // namespace tactooth

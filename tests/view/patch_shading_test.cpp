@@ -94,5 +94,19 @@ TEST(PatchShading, TheWallKeepsItsEdgeTowardThePiecesOfTheBase) {
     for (std::size_t corner = 3; corner < 9; ++corner) EXPECT_LT((shading.normals[corner] - wall).norm(), 1e-3F);
 }
 
+TEST(PatchShading, WhereTheWallBeginsItHasTheLooksOfTheBase) {
+    const TriangleMesh block = test::box(Vec3(0, 0, -5), Vec3(5, 5, 0));
+    const std::vector<SurfaceTag> tags(block.triangles.size(), 5);
+    const SurfacePart base(block, tags);
+    TriangleMesh wall;  // falls off from the top face
+    wall.vertices = {Vec3f(2, 1, 0), Vec3f(2, 3, 0), Vec3f(3, 1, -1), Vec3f(3, 3, -1)};
+    wall.triangles = {{0, 2, 3}, {0, 3, 1}};
+    const CornerShading shading = patchShading(patchOf(wall, base, {1, 1}), {}, base, cornerShading(block, tags));
+    const std::array<SurfaceTag, 6> wanted = {5, 1, 1, 5, 1, 5};
+    for (std::size_t corner = 0; corner < wanted.size(); ++corner) {
+        EXPECT_EQ(shading.looks[corner].first, wanted[corner]) << corner;
+    }
+}
+
 }  // namespace
 }  // namespace tactooth

@@ -11,6 +11,7 @@
 #include "app/cli/exit_code.h"
 #include "app/common/mouth_scene.h"
 #include "app/common/plot_image.h"
+#include "app/common/spin_blur.h"
 #include "geometry/atomic_file.h"
 #include "geometry/stl_writer.h"
 #include "instruments/builtin_tooth.h"
@@ -109,6 +110,7 @@ Expected<void> castBur(const DemoOptions& options, Cast& cast) {
     }
     auto cutting = makeCuttingTool(felt, sharpness);
     if (!cutting) return unexpected(cast.burName + ": " + cutting.error().message);
+    cast.props.tool.blurred = std::make_shared<const TriangleMesh>(spinningShape(cutting->envelope));
     cast.instrument = Instrument{std::make_shared<const ToolShape>(std::move(felt)), std::move(*cutting)};
     return {};
 }
@@ -136,8 +138,12 @@ Expected<void> writeText(const fs::path& path, const std::string& text) {
 Expected<void> writeResults(const fs::path& folder, const Demonstration& played, const WorkPiece& piece,
                             const Cast& cast, double seconds) {
     const Tick& last = played.ticks.back();
-    if (auto done = writeDemoPicture(folder / "cut.png", DemoView::Cut, piece.surface(), cast.props, last); !done)
-        return done;
+    if (const auto& work = played.work) {
+        const DemoMoment moment{work->surface, played.ticks[work->tick], work->flying};
+        if (auto done = writeDemoPicture(folder / "spray.png", DemoView::Work, moment, cast.props); !done) return done;
+    }
+    const DemoMoment end{piece.surface(), last};
+    if (auto done = writeDemoPicture(folder / "cut.png", DemoView::Cut, end, cast.props); !done) return done;
     if (auto done = writeForcePlot(folder / "forces.png", played.ticks); !done) return done;
     const auto samples = renderOffline(played.sound, seconds);
     if (!samples) return Unexpected{samples.error()};
@@ -189,14 +195,14 @@ int runDemo(const DemoOptions& options) {
     const Demonstration played =
         playDemonstration(piece, cast.box, *cast.instrument, settings, grip, options.seconds, progress);
     fmt::print("drawing, plotting, rendering the sound\n");
-    const Tick& touch = played.ticks[played.touchTick];
-    if (const auto done = writeDemoPicture(options.out / "touch.png", DemoView::Touch, uncut, cast.props, touch); !done)
+    const DemoMoment touch{uncut, played.ticks[played.touchTick]};
+    if (const auto done = writeDemoPicture(options.out / "touch.png", DemoView::Touch, touch, cast.props); !done)
         return refuse(done.error());
     if (const auto done = writeResults(options.out, played, piece, cast, options.seconds); !done)
         return refuse(done.error());
     fmt::print("removed {:.3f} mm^3 in {} surface updates\n", total(piece.removed()), played.surfaceUpdates);
-    fmt::print("touch.png, cut.png, forces.png, session.wav, forces.csv, cut.stl and summary.json are in {}\n",
-               options.out.string());
+    fmt::print("touch.png, {}cut.png, forces.png, session.wav, forces.csv, cut.stl and summary.json are in {}\n",
+               played.work ? "spray.png, " : "", options.out.string());
     return kExitOk;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/common/spray_look.h"
 #include "view/image.h"
 #include "view/offscreen.h"
 #include "view/orbit_camera.h"
@@ -27,6 +28,8 @@ Shot shotOf(DemoView view) {
     switch (view) {
         case DemoView::Touch:
             return {.direction = {1.80, 0.62}, .around = 5.0, .above = 1.2};  // over the cheek, as an assistant looks
+        case DemoView::Work:
+            return {.direction = {1.95, 0.70}, .around = 4.2, .above = 2.6};
         case DemoView::Cut:  // as the dentist looks down into the cavity, by the lamp on the loupe
             return {.direction = {1.65, 1.22}, .around = 1.75, .tool = false, .loupeLamp = true};
     }
@@ -50,8 +53,9 @@ Camera cameraOf(const Shot& shot, const Vec3& subject, double mesialX) {
 
 }  // namespace
 
-Expected<void> writeDemoPicture(const std::filesystem::path& path, DemoView view,
-                                const std::shared_ptr<const Surface>& tooth, const DemoProps& props, const Tick& tick) {
+Expected<void> writeDemoPicture(const std::filesystem::path& path, DemoView view, const DemoMoment& moment,
+                                const DemoProps& props) {
+    const auto& [tooth, tick, flying] = moment;
     Expected<OffscreenRenderer> renderer = OffscreenRenderer::create();
     if (!renderer) return Unexpected{renderer.error()};
     const Shot shot = shotOf(view);
@@ -64,8 +68,10 @@ Expected<void> writeDemoPicture(const std::filesystem::path& path, DemoView view
     if (shot.tool) {
         contents.tool = props.tool;
         contents.tool->toolInTooth = tick.proxy;
+        contents.tool->speedRpm = tick.speedRpm;
         contents.tool->spin = std::fmod(tick.time * tick.speedRpm / 60, 1.0) * 2 * std::numbers::pi;
     }
+    contents.flying = particlesOf(flying, props.materials);
     contents.mirror = props.mirror;
     if (contents.mirror) {
         const Vec3 toEye = (contents.camera.cameraInWorld.position - subject).normalized();

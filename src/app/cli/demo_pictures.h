@@ -7,6 +7,7 @@
 #include "app/common/scene_builder.h"
 #include "geometry/expected.h"
 #include "haptics/haptic_simulation.h"
+#include "session/spray_cloud.h"
 
 namespace tactooth {
 
@@ -23,12 +24,19 @@ struct DemoProps {
 /// What a picture is of.
 enum class DemoView {
     Touch,  ///< the bur on the tooth, from the buccal side and above
+    Work,   ///< the bur at work in its spray, nearer
     Cut,    ///< the cavity, nearer and steeper; the instrument, which would stand in its light, is taken away
 };
 
-/// Writes a picture (PNG, 1600 x 1000) of the tooth and the instrument at `tick`. Needs no display.
+/// What a picture shows of one moment.
+struct DemoMoment {
+    std::shared_ptr<const Surface> tooth;
+    const Tick& tick;
+    std::span<const FlyingBit> flying = {};
+};
+
+/// Writes a picture (PNG, 1600 x 1000) of the tooth and the instrument. Needs no display.
 [[nodiscard]] Expected<void> writeDemoPicture(const std::filesystem::path& path, DemoView view,
-                                              const std::shared_ptr<const Surface>& tooth, const DemoProps& props,
-                                              const Tick& tick);
+                                              const DemoMoment& moment, const DemoProps& props);
 
 }  // namespace tactooth

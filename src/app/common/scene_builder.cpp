@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/common/spin_blur.h"
+
 namespace tactooth {
 namespace {
 
@@ -28,14 +30,26 @@ Look characterOf(MaterialId id) {
     return {};
 }
 
-void addTool(Scene& scene, const ShownTool& tool) {
+/// The bur; while it turns, over it the body that its blades seem to fill.
+void addBur(Scene& scene, const ShownTool& tool) {
     SceneObject bur;
     bur.shape = tool.bur;
     bur.objectInWorld = tool.toolInTooth;
-    bur.spin = tool.spin;
     bur.looks = {tool.material == BurMaterial::diamond ? looks::diamond() : looks::carbide()};
     bur.moves = true;
+    const float blur = tool.blurred != nullptr ? blurOf(tool.speedRpm) : 0;
+    bur.spin = blur < 1 ? tool.spin : 0;
+    scene.objects.push_back(bur);
+    if (blur == 0) return;
+    constexpr float kCover = 0.86F;  // what lies between the blades shimmers through even at full speed
+    bur.shape = tool.blurred;
+    bur.spin = 0;
+    bur.looks.front().opacity = kCover * blur;
     scene.objects.push_back(std::move(bur));
+}
+
+void addTool(Scene& scene, const ShownTool& tool) {
+    addBur(scene, tool);
     if (tool.turbine == nullptr) return;
     SceneObject turbine;
     turbine.shape = tool.turbine;
@@ -54,7 +68,17 @@ void addMirror(Scene& scene, const ShownMirror& mirror) {
     scene.mirror = SceneMirror{.mirrorInWorld = mirror.mirrorInTooth,
                                .centre = mirror.disc.centre,
                                .normal = mirror.disc.normal,
-                               .radius = mirror.disc.radius};
+                               .radius = mirror.disc.radius,
+                               .fog = mirror.fog,
+                               .drops = mirror.drops};
+}
+
+void addSuction(Scene& scene, const ShownSuction& suction) {
+    SceneObject tube;
+    tube.shape = suction.mesh;
+    tube.objectInWorld = suction.tubeInTooth;
+    tube.looks = {Look{.colour = {0.62F, 0.78F, 0.86F}, .roughness = 0.3F, .translucency = 0.6F, .wetness = 0.4F}};
+    scene.objects.push_back(std::move(tube));
 }
 
 /// A mouth mirror throws the operating light on what it shows. That light takes the place of the weak fill light where
@@ -109,6 +133,8 @@ Scene makeScene(const SceneContents& contents) {
     }
     if (contents.tool) addTool(scene, *contents.tool);
     if (contents.mirror) addMirror(scene, *contents.mirror);
+    if (contents.suction) addSuction(scene, *contents.suction);
+    scene.particles = contents.flying;
     constexpr double kSteep = 0.65;  // sine of the angle from which on one looks through the other jaw
     const bool isSteep = (contents.camera.cameraInWorld.rotation * Vec3::UnitZ()).z() > kSteep;
     for (const ShownBody& body : contents.around) {
@@ -142,6 +168,14 @@ Pose parkedMirror(const Box3& tooth, const MirrorDisc& disc, const Vec3& toEye, 
     axes << handle, normal.cross(handle), normal;
     const Quat rotation(axes);
     return {centre - rotation * disc.centre, rotation};
+}
+
+Pose parkedSuction(const Box3& tooth, double mesialX) {
+    constexpr double kBeside = 3.5, kBuccal = 2.0, kBelowTop = 0.5;  // mm from the crown
+    const Vec3 opening(mesialX > 0 ? tooth.min().x() - kBeside : tooth.max().x() + kBeside,
+                       tooth.center().y() + kBuccal, tooth.max().z() - kBelowTop);
+    const Vec3 away = Vec3(-0.80 * mesialX, 0.25, 0.55).normalized();
+    return {opening, Quat::FromTwoVectors(Vec3::UnitZ(), away)};
 }
 
 }  // namespace tactooth

@@ -16,6 +16,9 @@ struct ShownTool {
     BurMaterial material = BurMaterial::carbide;
     Pose toolInTooth;
     double spin = 0;  ///< of the bur about its axis, rad
+    double speedRpm = 0;
+    std::shared_ptr<const TriangleMesh> blurred =
+        {};  ///< the bur as the eye sees it turning fast (spinningShape), or null
 };
 
 /// The mirror, as it is drawn.
@@ -23,6 +26,13 @@ struct ShownMirror {
     std::shared_ptr<const TriangleMesh> mesh;  ///< mirror frame
     MirrorDisc disc;
     Pose mirrorInTooth;
+    float fog = 0, drops = 0;  ///< on the glass, as SceneMirror
+};
+
+/// The suction tube, as it is drawn.
+struct ShownSuction {
+    std::shared_ptr<const TriangleMesh> mesh;  ///< as makeSuctionTube
+    Pose tubeInTooth;
 };
 
 /// A body that stands around the tooth: a neighbour, the gum.
@@ -39,6 +49,8 @@ struct SceneContents {
     MaterialTable materials;               ///< for the tooth's colours
     std::optional<ShownTool> tool;
     std::optional<ShownMirror> mirror;
+    std::optional<ShownSuction> suction;
+    std::vector<Particle> flying;  ///< water and chips (particlesOf)
     std::vector<ShownBody> around;
     Camera camera;
 };
@@ -62,5 +74,9 @@ struct SceneContents {
 /// behind the crown and level with it, a little to distal, where its handle leaves. `tooth` is the tooth's box,
 /// `mesialX` the direction of mesial along x.
 [[nodiscard]] Pose parkedMirror(const Box3& tooth, const MirrorDisc& disc, const Vec3& toEye, double mesialX);
+
+/// Where an assistant holds the suction tube: its opening beside the crown, distal and on the cheek's side, so that it
+/// is in the way of neither bur nor mirror.
+[[nodiscard]] Pose parkedSuction(const Box3& tooth, double mesialX);
 
 }  // namespace tactooth

@@ -3,7 +3,9 @@
 #include "app/gui/bench_parts.h"
 
 #include "app/common/mouth_scene.h"
+#include "app/common/spin_blur.h"
 #include "instruments/bur_shape.h"
+#include "instruments/suction_tube.h"
 #include "instruments/turbine.h"
 #include "session/cases/placed_tooth.h"
 #include "session/tooth_cache.h"
@@ -20,11 +22,10 @@ Expected<BenchBur> benchBurOf(OwnBur own, const std::filesystem::path& file) {
     Expected<CuttingTool> cutting = makeCuttingTool(own.surface, own.sharpness);
     if (!cutting) return unexpected((file.empty() ? own.name : file.string()) + ": " + cutting.error().message);
     auto shown = std::make_shared<const TriangleMesh>(own.surface);
-    return BenchBur{own.name,
-                    {std::make_shared<const ToolShape>(std::move(own.surface)), std::move(*cutting)},
-                    std::move(shown),
-                    own.material,
-                    file};
+    auto blurred = std::make_shared<const TriangleMesh>(spinningShape(cutting->envelope));
+    return BenchBur{own.name,         {std::make_shared<const ToolShape>(std::move(own.surface)), std::move(*cutting)},
+                    std::move(shown), std::move(blurred),
+                    own.material,     file};
 }
 
 }  // namespace
@@ -85,9 +86,11 @@ Expected<BenchBur> makeBenchBur(const BurSpec& spec) {
     const Bur felt = makeBur(spec);
     Expected<CuttingTool> cutting = makeCuttingTool(felt.surface, spec.sharpness);
     if (!cutting) return Unexpected{cutting.error()};
+    auto blurred = std::make_shared<const TriangleMesh>(spinningShape(cutting->envelope));
     return BenchBur{spec.name,
                     {std::make_shared<const ToolShape>(felt.surface), std::move(*cutting)},
                     std::make_shared<const TriangleMesh>(makeBur(spec, kShownBurTriangles).surface),
+                    std::move(blurred),
                     spec.material,
                     {}};
 }
@@ -99,9 +102,16 @@ Expected<BenchBur> loadBenchBur(const std::filesystem::path& path) {
 }
 
 BenchFurniture makeFurniture() {
-    DentalMirror mirror = makeMirror();
-    return {std::make_shared<const TriangleMesh>(makeTurbine()),
-            std::make_shared<const TriangleMesh>(std::move(mirror.surface)), mirror.disc};
+    BenchFurniture furniture;
+    furniture.turbine = std::make_shared<const TriangleMesh>(makeTurbine());
+    furniture.suction = std::make_shared<const TriangleMesh>(makeSuctionTube());
+    return furniture;
+}
+
+void takeMirror(BenchFurniture& furniture, double diameter) {
+    DentalMirror mirror = makeMirror(diameter);
+    furniture.mirror = std::make_shared<const TriangleMesh>(std::move(mirror.surface));
+    furniture.disc = mirror.disc;
 }
 
 }  // namespace tactooth

@@ -21,6 +21,7 @@ struct BenchBur {
     std::string name;  ///< for people
     Instrument instrument;
     std::shared_ptr<const TriangleMesh> shown;
+    std::shared_ptr<const TriangleMesh> blurred;  ///< as it is seen turning fast
     BurMaterial material = BurMaterial::carbide;
     std::filesystem::path file;  ///< that it came from; empty for a bur of the catalogue
 };
@@ -40,11 +41,12 @@ struct BenchTooth {
     [[nodiscard]] Box3 box() const { return workBox.isEmpty() ? piece->tooth().outer()->tree().box() : workBox; }
 };
 
-/// What stands around: the same for every tooth.
+/// What stands around: the same for every tooth. The mirror comes by takeMirror.
 struct BenchFurniture {
     std::shared_ptr<const TriangleMesh> turbine;
     std::shared_ptr<const TriangleMesh> mirror;
     MirrorDisc disc;
+    std::shared_ptr<const TriangleMesh> suction;
 };
 
 /// The built-in teeth as a list shows them.
@@ -73,5 +75,7 @@ struct BenchMouth {
 [[nodiscard]] Expected<BenchTooth> makeBenchTooth(const ExaminedScan& scan);
 [[nodiscard]] Expected<BenchBur> loadBenchBur(const std::filesystem::path& path);
 [[nodiscard]] BenchFurniture makeFurniture();
+/// A mirror with a head of this diameter (mm) in the place of the old one; a matter of a millisecond.
+void takeMirror(BenchFurniture& furniture, double diameter);
 
 }  // namespace tactooth

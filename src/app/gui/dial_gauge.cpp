@@ -21,6 +21,11 @@ DialGauge::DialGauge(Face face, QWidget* parent) : QWidget(parent), face_(std::m
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
+double DialGauge::grown() const {
+    constexpr double kUsualLine = 16;  // pixels
+    return std::max(1.0, fontMetrics().height() / kUsualLine);
+}
+
 void DialGauge::setLargest(double largest) {
     face_.largest = largest;
     update();
@@ -59,7 +64,8 @@ void DialGauge::paintEvent(QPaintEvent*) {
     painter.drawText(circle.adjusted(0, -6, 0, -6), Qt::AlignCenter, figures(value_, face_.decimals));
     painter.setFont(font());
     painter.setPen(palette().color(QPalette::PlaceholderText));
-    painter.drawText(circle.adjusted(0, 30, 0, 30), Qt::AlignCenter, face_.unit);
+    const double below = 0.5 * (QFontMetricsF(large).height() + painter.fontMetrics().height()) - 6;
+    painter.drawText(circle.translated(0, below), Qt::AlignCenter, face_.unit);
     painter.setPen(palette().color(QPalette::WindowText));
     painter.drawText(rect().adjusted(0, 0, 0, -2), Qt::AlignHCenter | Qt::AlignBottom, face_.name);
 }

@@ -23,13 +23,16 @@ public:
     void setLargest(double largest);
     void setValue(double value);
     [[nodiscard]] double value() const { return value_; }
-    [[nodiscard]] QSize sizeHint() const override { return {140, 128}; }
-    [[nodiscard]] QSize minimumSizeHint() const override { return {120, 110}; }
+    [[nodiscard]] QSize sizeHint() const override { return QSize(140, 128) * grown(); }
+    [[nodiscard]] QSize minimumSizeHint() const override { return QSize(120, 110) * grown(); }
 
 protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    /// With larger letters.
+    [[nodiscard]] double grown() const;
+
     Face face_;
     double value_ = 0;
 };

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QWidget>
 
 #include "app/gui/number_row.h"
@@ -11,8 +12,8 @@
 
 namespace tactooth {
 
-/// The box of force parameters: spring and damper (the materials' own, or one's own numbers), the scale of the force,
-/// and how hard the mouse presses.
+/// The box of force parameters: spring, damper and friction (the materials' own, those of one tissue everywhere, or
+/// one's own numbers), the scale of the force, and how hard the mouse presses.
 class ForcePanel final : public QWidget {
     Q_OBJECT
 
@@ -30,9 +31,14 @@ signals:
     void pressDepthChanged(double depth);
 
 private:
+    void addPresets(QGridLayout& grid);
+    void feelLike(MaterialId tissue);
+
     QCheckBox* fromMaterial_;
+    QComboBox* presets_;
     NumberRow* spring_;
     NumberRow* damper_;
+    NumberRow* friction_;
     NumberRow* scale_;
     NumberRow* press_;
 };

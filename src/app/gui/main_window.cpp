@@ -10,7 +10,9 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QScrollArea>
 #include <QStyle>
+#include <algorithm>
 #include <array>
 
 #include "app/gui/drill_bar.h"
@@ -36,6 +38,17 @@ constexpr int kNumbersMs = 100;  // gauges and plots: ten times a second
 constexpr int kStatusMs = 1000;
 constexpr int kLayout = 1;  // counts the arrangements of docks: one that was saved with others of them is not taken
 constexpr double kLongestStep = 0.1;  // s: after a stall the hand goes on gently
+
+/// With large text on a small screen everything can still be reached.
+QScrollArea* scrolling(QWidget& panel) {
+    auto* area = new QScrollArea;
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setFocusPolicy(Qt::NoFocus);  // its controls are stops of the Tab key, it is none
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setWidget(&panel);
+    return area;
+}
 
 }  // namespace
 
@@ -83,7 +96,7 @@ MainWindow::~MainWindow() = default;
 QDockWidget* MainWindow::addDock(QWidget& panel, const QString& title, Qt::DockWidgetArea area) {
     auto* dock = new QDockWidget(title);
     dock->setObjectName(title);
-    dock->setWidget(&panel);
+    dock->setWidget(area == Qt::RightDockWidgetArea ? scrolling(panel) : &panel);
     addDockWidget(area, dock);
     return dock;
 }
@@ -106,20 +119,28 @@ void MainWindow::addPanels() {
     force->raise();
     QDockWidget* inside = addDock(*inside_, tr("Look inside"), Qt::RightDockWidgetArea);
     addDock(*plots_, tr("Last ten seconds"), Qt::BottomDockWidgetArea);
-    // All but the lowest need no more than their contents; that takes what is left.
-    const int drillHeight = drive_->sizeHint().height();
-    const int handHeight = handPanel_->sizeHint().height();  // the highest of the tabs
-    drive_->setMaximumHeight(drillHeight);
-    for (QWidget* tab :
-         {static_cast<QWidget*>(force_), static_cast<QWidget*>(handPanel_), static_cast<QWidget*>(volumes_)}) {
-        tab->setMaximumHeight(handHeight);
-    }
-    resizeDocks({drill, force, inside}, {drillHeight, handHeight, 2 * height()}, Qt::Vertical);
+    fitPanels();
+    resizeDocks({drill, force, inside}, {drive_->sizeHint().height(), tabHeight(), 2 * height()}, Qt::Vertical);
     busy_->setRange(0, 0);
     busy_->setMaximumWidth(120);
     busy_->setObjectName("busy");
     status_->addPermanentWidget(busy_);
     status_->setHint(tr("Preparing the tooth…"));
+}
+
+/// All but the lowest need no more than their contents; that takes what is left.
+int MainWindow::tabHeight() const {
+    return std::max({force_->sizeHint().height(), handPanel_->sizeHint().height(), volumes_->sizeHint().height()});
+}
+
+/// All but the lowest need no more than their contents; that takes what is left.
+void MainWindow::fitPanels() {
+    for (auto* area : findChildren<QScrollArea*>()) {
+        QWidget& panel = *area->widget();
+        area->setMinimumWidth(panel.minimumSizeHint().width() + style()->pixelMetric(QStyle::PM_ScrollBarExtent));
+        if (&panel == inside_) continue;
+        area->setMaximumHeight(&panel == drive_ ? panel.sizeHint().height() : tabHeight());
+    }
 }
 
 void MainWindow::addFileMenu() {
@@ -175,6 +196,8 @@ void MainWindow::addDrillAndSoundMenus() {
         ->setShortcut(QKeySequence("Q"));
     menu->addAction(tr("Turn the handle &right"), this, [this] { bench_.hand().turnHandle(-kTurn); })
         ->setShortcut(QKeySequence("E"));
+    menu->addSeparator();
+    addSpraySwitches(*menu);
     menu->addSeparator();
     menu->addActions({drill_->undoAction(), drill_->resetAction()});
 
@@ -286,9 +309,13 @@ void MainWindow::apply(const WindowSettings& settings) {
     turbineSwitch_->setChecked(settings.showsTurbine);
     darkSwitch_->setChecked(settings.dark);
     setLanguage(QString::fromStdString(settings.language));
+    setTextScale(settings.textScale);
     recent_ = QString::fromStdString(settings.recent).split('\n', Qt::SkipEmptyParts);
     force_->set(settings.force);
     applyHand(settings.hand);
+    setMirror(settings.mirror);
+    waterSwitch_->setChecked(settings.water);
+    suctionSwitch_->setChecked(settings.suction);
     volumes_->setMixer(settings.sound);
     volumes_->setHeadphones(settings.headphones);
     if (!settings.ownSounds.empty()) openSounds(QString::fromStdString(settings.ownSounds));
@@ -309,7 +336,11 @@ WindowSettings MainWindow::settings() const {
             .ownSounds = soundsFile_.toStdString(),
             .language = language_.toStdString(),
             .dark = darkSwitch_->isChecked(),
-            .recent = recent_.join('\n').toStdString()};
+            .recent = recent_.join('\n').toStdString(),
+            .mirror = mirror(),
+            .water = waterSwitch_->isChecked(),
+            .suction = suctionSwitch_->isChecked(),
+            .textScale = textScale_};
 }
 
 void MainWindow::showNumbers() {

@@ -94,6 +94,11 @@ private:
     void setLanguage(const QString& code);
     void addDrillAndSoundMenus();
     void addHelpMenu();
+    void addSpraySwitches(QMenu& menu);
+    void addMirrorMenu();
+    void takeMirrorFromMenu();
+    void setMirror(const MirrorSettings& mirror);
+    [[nodiscard]] MirrorSettings mirror() const;
     QDockWidget* addDock(QWidget& panel, const QString& title, Qt::DockWidgetArea area);
     void connectPanels();
     void connectSound();
@@ -108,6 +113,10 @@ private:
     void inspectAnew();
     void takeTarget();
     void setDark(bool dark);
+    void addTextSizeMenu();
+    void setTextScale(double scale);
+    [[nodiscard]] int tabHeight() const;  ///< of the highest of those behind one another
+    void fitPanels();
     void showDemonstration();
     void remember(const QString& file);
     void fillRecentMenu();
@@ -165,9 +174,16 @@ private:
     QAction* darkSwitch_ = nullptr;
     QStringList recent_;  // newest first
     QActionGroup* languages_ = nullptr;
+    QActionGroup* textSizes_ = nullptr;
+    double textScale_ = 1;
     QString language_;  // chosen; empty: the system's
     QAction* mirrorSwitch_ = nullptr;
     QAction* turbineSwitch_ = nullptr;
+    QAction* waterSwitch_ = nullptr;
+    QAction* suctionSwitch_ = nullptr;
+    QActionGroup* mirrorSizes_ = nullptr;
+    QAction* fogSwitch_ = nullptr;
+    QAction* dropsSwitch_ = nullptr;
     QString folder_;      // of the last file
     QString soundsFile_;  // that is played; empty: the synthesised sounds
     Errand<OwnSounds> comingSounds_;

@@ -243,11 +243,16 @@ void MainWindow::showMouseAndKeys() {
     text += row(tr("Right button"), tr("turn the tooth"));
     text += row(tr("Middle button"), tr("shift the picture"));
     text += row(tr("Ctrl + wheel"), tr("nearer or farther"));
+    text += row(tr("Arrow keys"), tr("move the bur; with Shift lean it, with Ctrl turn the tooth"));
+    text += row(tr("Enter"), tr("the bur presses, as long as you hold it"));
+    text += row(tr("+, -"), tr("nearer or farther"));
     text += row(tr("Space"), tr("the pedal, as long as you hold it"));
     text += row(tr("T, C"), tr("touch, cut"));
     text += row(tr("0 to 5, F"), tr("views; show the whole crown"));
     text += row(tr("Q, E, U"), tr("turn the handle; stand the bur upright"));
     text += row(tr("M, H"), tr("mirror, turbine on and off"));
+    text += row(tr("B, D"), tr("breath and drops on the mirror"));
+    text += row(tr("W, S"), tr("water spray, suction on and off"));
     text += row(tr("Ctrl + Z"), tr("take back the last cut"));
     text += row(tr("Ctrl + R"), tr("put back all that was cut"));
     text += row(tr("Ctrl + O, S, Shift + S"), tr("open a tooth, save it, export its surface"));
@@ -258,6 +263,9 @@ void MainWindow::showMouseAndKeys() {
     text += row(tr("Gamepad: left trigger, shoulder"), tr("press, lift"));
     text += row(tr("Gamepad: right trigger, shoulder"), tr("pedal, hold"));
     text += row(tr("Gamepad: A, B"), tr("touch or cut, turbine or mirror"));
+    text += row(tr("Ctrl + M"), tr("mute"));
+    text += row(tr("Tab, Alt + letter"), tr("go on to the next control; open a menu"));
+    text += row(tr("Esc"), tr("leave a dialog"));
     say(this, QMessageBox::NoIcon, tr("Mouse and keys"), text + "</table>");
 }
 

@@ -8,6 +8,7 @@
 #include <QFileInfo>
 #include <QMenuBar>
 #include <QToolBar>
+#include <algorithm>
 
 #include "app/gui/guided_tour.h"
 #include "app/gui/inside_panel.h"
@@ -55,6 +56,7 @@ void MainWindow::addViewMenu() {
     };
     mirrorSwitch_ = addSwitch(tr("Mirror"), "M", &ToothView::setShowsMirror);
     turbineSwitch_ = addSwitch(tr("Turbine"), "H", &ToothView::setShowsTurbine);
+    addMirrorMenu();
     viewMenu_->addSeparator();
     addAppearanceMenu();
     for (QDockWidget* dock : findChildren<QDockWidget*>()) viewMenu_->addAction(dock->toggleViewAction());
@@ -65,8 +67,31 @@ void MainWindow::addAppearanceMenu() {
     darkSwitch_->setCheckable(true);
     darkSwitch_->setShortcut(QKeySequence("Ctrl+D"));
     connect(darkSwitch_, &QAction::toggled, this, &MainWindow::setDark);
+    addTextSizeMenu();
     addLanguageMenu();
     viewMenu_->addSeparator();
+}
+
+void MainWindow::addTextSizeMenu() {
+    QMenu* menu = viewMenu_->addMenu(tr("Te&xt size"));
+    menu->setObjectName("textSize");
+    textSizes_ = new QActionGroup(menu);
+    for (const int percent : {100, 125, 150, 200}) {
+        QAction* action = menu->addAction(tr("%1 %").arg(percent));
+        action->setCheckable(true);
+        action->setData(percent / 100.0);
+        textSizes_->addAction(action);
+    }
+    textSizes_->actions().front()->setChecked(true);
+    connect(textSizes_, &QActionGroup::triggered, this,
+            [this](QAction* chosen) { setTextScale(chosen->data().toDouble()); });
+}
+
+void MainWindow::setTextScale(double scale) {
+    textScale_ = std::clamp(scale, kLeastTextScale, kMostTextScale);
+    for (QAction* action : textSizes_->actions()) action->setChecked(action->data().toDouble() == textScale_);
+    applyTextScale(textScale_);
+    fitPanels();
 }
 
 void MainWindow::setDark(bool dark) {

@@ -2,21 +2,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/tooth_view.h"
 
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
+#include <array>
 #include <cmath>
 #include <numbers>
+
+#include "app/common/spin_blur.h"
 
 namespace tactooth {
 namespace {
 
 constexpr int kRestMs = 400;        // without a change until the careful picture is drawn
 constexpr double kPressStep = 0.1;  // mm for one notch of the wheel
-constexpr double kZoomStep = 0.88;  // for one notch
+constexpr double kZoomStep = 0.88;  // for one notch, or one press of a key
+constexpr double kKeyStep = 0.006;  // of the picture's height, for one press of an arrow key: 0.2 mm on a molar
+constexpr double kKeyTurn = 6;      // times that when the tooth is turned
 
 /// A twentieth of a pixel at a bur's rim; so the last creeping of a bur that runs down is not drawn.
 constexpr double kSeenSpin = 0.003;  // rad
+constexpr float kSeenBlur = 0.02F;   // of blurOf
 
 bool samePose(const Pose& a, const Pose& b) {
     constexpr double kSeen = 0.002;  // mm, and rad times a tool's length: a twentieth of a pixel
@@ -118,7 +125,12 @@ Scene ToothView::sceneFor(const SceneContents& contents) const {
 PicturePace::Change ToothView::changeTo(const SceneContents& now) const {
     using enum PicturePace::Change;
     if (now.tooth != drawn_.tooth || now.tool.has_value() != drawn_.tool.has_value() ||
-        now.mirror.has_value() != drawn_.mirror.has_value()) {
+        now.mirror.has_value() != drawn_.mirror.has_value() || now.suction.has_value() != drawn_.suction.has_value() ||
+        now.flying != drawn_.flying) {
+        return Motion;
+    }
+    if (now.mirror && (now.mirror->mesh != drawn_.mirror->mesh || now.mirror->fog != drawn_.mirror->fog ||
+                       now.mirror->drops != drawn_.mirror->drops)) {
         return Motion;
     }
     if (!now.tool) return None;
@@ -126,6 +138,9 @@ PicturePace::Change ToothView::changeTo(const SceneContents& now) const {
         !samePose(now.tool->toolInTooth, drawn_.tool->toolInTooth)) {
         return Motion;
     }
+    const float blur = blurOf(now.tool->speedRpm);
+    if (std::abs(blur - blurOf(drawn_.tool->speedRpm)) > kSeenBlur) return Spin;
+    if (blur == 1 && now.tool->blurred != nullptr) return None;  // the same at every turn
     const double turned = std::remainder(now.tool->spin - drawn_.tool->spin, 2 * std::numbers::pi);
     return std::abs(turned) > kSeenSpin && seesTip(now) ? Spin : None;
 }
@@ -203,17 +218,63 @@ void ToothView::moveCamera(const Vec2& way, Qt::MouseButtons buttons) {
 
 void ToothView::mouseMoveEvent(QMouseEvent* event) {
     const Vec2 now = toPixel(event->position());
-    const Vec2 way = now - mouse_;
-    mouse_ = now;
-    if (event->buttons() & (Qt::RightButton | Qt::MiddleButton)) return moveCamera(way, event->buttons());
+    if (event->buttons() & (Qt::RightButton | Qt::MiddleButton)) {
+        moveCamera(now - mouse_, event->buttons());
+        mouse_ = now;
+    } else {
+        moveHand(now, event->modifiers());
+    }
+}
+
+void ToothView::moveHand(const Vec2& to, Qt::KeyboardModifiers with) {
+    const Vec2 way = to - mouse_;
+    mouse_ = to;
     if (bench_.simulator() == nullptr) return;
-    if (event->modifiers() & Qt::ShiftModifier) {
+    if (with & Qt::ShiftModifier) {
         bench_.hand().lean(pointedPicture(), way);
     } else if (bench_.hand().isPressing()) {
-        bench_.hand().drag(pointedPicture(), now);
+        bench_.hand().drag(pointedPicture(), to);
     } else {
-        bench_.hand().aim(pointedPicture(), now, *bench_.felt());
+        bench_.hand().aim(pointedPicture(), to, *bench_.felt());
     }
+}
+
+/// Arrows move the hand as the mouse does, with Ctrl the tooth turns; Enter presses as long as it is held.
+bool ToothView::obeyKey(const QKeyEvent& key) {
+    const std::array<std::pair<int, Vec2>, 4> ways = {{{Qt::Key_Left, Vec2(-1, 0)},
+                                                       {Qt::Key_Right, Vec2(1, 0)},
+                                                       {Qt::Key_Up, Vec2(0, -1)},
+                                                       {Qt::Key_Down, Vec2(0, 1)}}};
+    const PictureSize size = pictureSize();
+    if (mouse_.x() < 0) mouse_ = Vec2(size.width / 2.0, size.height / 2.0);
+    for (const auto& [code, way] : ways) {
+        if (key.key() != code) continue;
+        const Vec2 pixels = kKeyStep * size.height * way;
+        if (key.modifiers() & Qt::ControlModifier) {
+            moveCamera(kKeyTurn * pixels, Qt::RightButton);
+        } else {
+            moveHand(mouse_ + pixels, key.modifiers());
+        }
+        return true;
+    }
+    if (key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter) {
+        if (!key.isAutoRepeat()) bench_.hand().press(pointedPicture(), mouse_);
+        return true;
+    }
+    if (key.key() != Qt::Key_Plus && key.key() != Qt::Key_Minus) return false;
+    camera_.zoom(key.key() == Qt::Key_Plus ? kZoomStep : 1 / kZoomStep, mouse_, size);
+    update();
+    return true;
+}
+
+void ToothView::keyPressEvent(QKeyEvent* event) {
+    if (!obeyKey(*event)) QOpenGLWidget::keyPressEvent(event);
+}
+
+void ToothView::keyReleaseEvent(QKeyEvent* event) {
+    const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (!isEnter) return QOpenGLWidget::keyReleaseEvent(event);
+    if (!event->isAutoRepeat()) bench_.hand().release();
 }
 
 void ToothView::wheelEvent(QWheelEvent* event) {

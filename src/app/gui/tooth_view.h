@@ -54,6 +54,8 @@ protected:
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
 
 private:
     [[nodiscard]] PictureSize pictureSize() const;
@@ -62,6 +64,8 @@ private:
     [[nodiscard]] Scene sceneFor(const SceneContents& contents) const;
     [[nodiscard]] bool seesTip(const SceneContents& now) const;
     void moveCamera(const Vec2& way, Qt::MouseButtons buttons);
+    void moveHand(const Vec2& to, Qt::KeyboardModifiers with);
+    [[nodiscard]] bool obeyKey(const QKeyEvent& key);
     void report(const Error& error);
     void forgetRenderer();
 
@@ -80,7 +84,7 @@ private:
     QTimer rest_;                                               // runs out when nothing has moved for a while
     QElapsedTimer sinceDrawn_;
     std::uint64_t pictures_ = 0;
-    Vec2 mouse_ = Vec2::Zero();
+    Vec2 mouse_ = Vec2::Constant(-1);  // or what the keys point at; outside until there is one
 };
 
 }  // namespace tactooth

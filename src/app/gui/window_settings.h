@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -21,6 +22,7 @@ struct ForceSettings {
     double damper = MaterialTable()[MaterialId::Enamel].damping;    ///< N*s/mm
     double scale = 1;
     double press = 1;  ///< how deep the mouse presses, mm
+    double friction = MaterialTable()[MaterialId::Enamel].friction;
 
     bool operator==(const ForceSettings&) const = default;
 };
@@ -47,6 +49,22 @@ inline constexpr double kMostButton = 8;
 inline constexpr double kMostSpring = 3;     ///< N/mm
 inline constexpr double kMostDamper = 0.02;  ///< N*s/mm
 inline constexpr double kMostForceScale = 3;
+inline constexpr double kMostFriction = 1;
+inline constexpr double kLeastTextScale = 1, kMostTextScale = 2;
+
+/// The mouth mirror in the window.
+struct MirrorSettings {
+    std::string number = "4";  ///< its size, as dealers count them: see mirrorSizes
+    bool fogged = false;
+    bool wet = false;
+
+    bool operator==(const MirrorSettings&) const = default;
+};
+struct MirrorSize {
+    const char* number;
+    double diameter;  ///< of its head, mm
+};
+inline constexpr std::array<MirrorSize, 3> kMirrorSizes = {{{"2", 18}, {"4", 22}, {"5", 24}}};
 
 /// What the window remembers from one start to the next. Empty texts stand for what the window chooses by itself.
 struct WindowSettings {
@@ -65,6 +83,10 @@ struct WindowSettings {
     std::string language;   ///< "en" or "ja"; empty: that of the system
     bool dark = false;
     std::string recent;  ///< the teeth that were opened last, one path a line, newest first
+    MirrorSettings mirror;
+    bool water = true;     ///< the spray comes with the pedal
+    bool suction = false;  ///< an assistant holds the tube
+    double textScale = 1;  ///< of all texts, kLeastTextScale..kMostTextScale
 };
 
 /// One setting: how it is called in the file ([table] key) and on the command line (--table-key), and what it may be.

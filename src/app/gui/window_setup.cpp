@@ -3,6 +3,7 @@
 #include "app/gui/window_setup.h"
 
 #include <QApplication>
+#include <QFont>
 #include <QLibraryInfo>
 #include <QLocale>
 #include <QPalette>
@@ -43,6 +44,13 @@ void applyColours(bool dark) {
     palette.setColor(QPalette::Mid, dark ? QColor(96, 103, 110) : QColor(160, 166, 172));
     palette.setColor(QPalette::Link, dark ? QColor(110, 190, 235) : QColor(0, 106, 153));
     QApplication::setPalette(palette);
+}
+
+void applyTextScale(double scale) {
+    static const QFont usual = QApplication::font();  // as it is before the first call
+    QFont font = usual;
+    font.setPointSizeF(scale * usual.pointSizeF());
+    QApplication::setFont(font);
 }
 
 void applyLook() {

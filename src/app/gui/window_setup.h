@@ -16,6 +16,9 @@ void applyLook();
 /// Light or dark, for all windows, at once.
 void applyColours(bool dark);
 
+/// The letters of all windows, as a multiple of their usual size, at once.
+void applyTextScale(double scale);
+
 /// Windows made from now on speak `language` ("en", "ja"; empty: the system's) and write its numbers.
 void applyLanguage(QApplication& application, const QString& language);
 

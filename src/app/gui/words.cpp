@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace tactooth {
 namespace {
@@ -13,15 +14,33 @@ constexpr const char* kWords[] = {
     QT_TRANSLATE_NOOP("Words", "Lower first molar (46)"),
     QT_TRANSLATE_NOOP("Words", "Upper central incisor (11)"),
     QT_TRANSLATE_NOOP("Words", "Upper canine (13)"),
-    QT_TRANSLATE_NOOP("Words", "Round carbide No. 2, 1.0 mm"),
-    QT_TRANSLATE_NOOP("Words", "Round carbide No. 4, 1.4 mm"),
-    QT_TRANSLATE_NOOP("Words", "Round carbide No. 6, 1.8 mm"),
-    QT_TRANSLATE_NOOP("Words", "Straight fissure carbide No. 57, 1.0 mm"),
-    QT_TRANSLATE_NOOP("Words", "Straight fissure carbide No. 58, 1.2 mm"),
-    QT_TRANSLATE_NOOP("Words", "Pear carbide No. 330, 0.8 mm"),
-    QT_TRANSLATE_NOOP("Words", "Long pear carbide No. 245, 0.8 mm"),
-    QT_TRANSLATE_NOOP("Words", "Round diamond 801-014, 1.4 mm"),
-    QT_TRANSLATE_NOOP("Words", "Round-end taper diamond 856-016, 1.6 mm"),
+    QT_TRANSLATE_NOOP("Words", "Round"),
+    QT_TRANSLATE_NOOP("Words", "Inverted cone"),
+    QT_TRANSLATE_NOOP("Words", "Pear"),
+    QT_TRANSLATE_NOOP("Words", "Long pear"),
+    QT_TRANSLATE_NOOP("Words", "Straight fissure"),
+    QT_TRANSLATE_NOOP("Words", "Cross-cut straight fissure"),
+    QT_TRANSLATE_NOOP("Words", "Dome-end fissure"),
+    QT_TRANSLATE_NOOP("Words", "Tapered fissure"),
+    QT_TRANSLATE_NOOP("Words", "Cross-cut tapered fissure"),
+    QT_TRANSLATE_NOOP("Words", "Long tapered fissure"),
+    QT_TRANSLATE_NOOP("Words", "Round-end tapered fissure"),
+    QT_TRANSLATE_NOOP("Words", "Dome-end tapered fissure"),
+    QT_TRANSLATE_NOOP("Words", "Ball finishing"),
+    QT_TRANSLATE_NOOP("Words", "Egg finishing"),
+    QT_TRANSLATE_NOOP("Words", "Needle finishing"),
+    QT_TRANSLATE_NOOP("Words", "Football"),
+    QT_TRANSLATE_NOOP("Words", "Flat-end cylinder"),
+    QT_TRANSLATE_NOOP("Words", "Flat-end taper"),
+    QT_TRANSLATE_NOOP("Words", "Round-end taper"),
+    QT_TRANSLATE_NOOP("Words", "Needle"),
+    QT_TRANSLATE_NOOP("Words", "Flame"),
+    QT_TRANSLATE_NOOP("Words", "Torpedo"),
+    QT_TRANSLATE_NOOP("Words", "Torpedo taper"),
+    QT_TRANSLATE_NOOP("Words", "Round-end cylinder"),
+    QT_TRANSLATE_NOOP("Words", "Wheel"),
+    QT_TRANSLATE_NOOP("Words", "%1 carbide No. %2, %3"),
+    QT_TRANSLATE_NOOP("Words", "%1 diamond %2, %3"),
     QT_TRANSLATE_NOOP("Words", "Air turbine, 400,000 rev/min"),
     QT_TRANSLATE_NOOP("Words", "Electric 1:5, 200,000 rev/min"),
     QT_TRANSLATE_NOOP("Words", "Low-speed contra-angle, 25,000 rev/min"),
@@ -94,13 +113,30 @@ constexpr const char* kWords[] = {
     QT_TRANSLATE_NOOP("Words", "no sound card: silent"),
 };
 
+QString plain(std::string_view word) { return QString::fromUtf8(word.data(), static_cast<qsizetype>(word.size())); }
+
+/// "Round carbide No. 4, 1.4 mm" of the catalogue by its parts: shape, number and width.
+QString translatedBur(std::string_view name) {
+    for (const auto& [between, pattern] :
+         {std::pair{" carbide No. ", "%1 carbide No. %2, %3"}, std::pair{" diamond ", "%1 diamond %2, %3"}}) {
+        const std::string_view material = between;
+        const std::size_t at = name.find(material);
+        const std::size_t comma = name.find(", ");
+        if (at == std::string_view::npos || comma == std::string_view::npos || comma < at) continue;
+        const std::string_view number = name.substr(at + material.size(), comma - at - material.size());
+        return QCoreApplication::translate("Words", pattern)
+            .arg(translated(name.substr(0, at)), plain(number), plain(name.substr(comma + 2)));
+    }
+    return plain(name);
+}
+
 }  // namespace
 
 QString translated(std::string_view word) {
     const auto* const known =
         std::find_if(std::begin(kWords), std::end(kWords), [&](const char* each) { return each == word; });
     if (known != std::end(kWords)) return QCoreApplication::translate("Words", *known);
-    return QString::fromUtf8(word.data(), static_cast<qsizetype>(word.size()));
+    return translatedBur(word);
 }
 
 }  // namespace tactooth

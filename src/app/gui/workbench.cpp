@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/common/spray_look.h"
 #include "haptics/scene_load.h"
 #include "session/tick_sound.h"
 
@@ -12,6 +13,7 @@ namespace tactooth {
 namespace {
 
 const Box3 kNoTooth(Vec3(-5, -5, -5), Vec3(5, 5, 5));       // where the hand rests before there is a tooth, mm
+constexpr float kBreath = 0.6F, kWetness = 0.5F;            // share of the glass, 0..1: one still sees the crown in it
 constexpr double kServoRate = 1000;                         // Hz
 constexpr double kEyeAzimuth = 1.25, kEyeElevation = 0.62;  // rad, for a tooth with +x mesial
 
@@ -103,7 +105,10 @@ void Workbench::takeDeliveries(News& news) {
             news.failure = bur->error().message;
         }
     }
-    if (auto furniture = furniture_.poll()) around_ = std::move(**furniture);
+    if (auto furniture = furniture_.poll()) {
+        around_ = std::move(**furniture);
+        takeMirror(*around_, mirror_.diameter);
+    }
 }
 
 void Workbench::startSimulator(News& news) {
@@ -119,14 +124,19 @@ void Workbench::startSimulator(News& news) {
     }
     simulator_ = std::make_unique<Simulator>(
         tooth_->piece, bur_->instrument, settings_, device,
-        [&sound = sound_, settings = settings_](const Tick& tick) {
-            sound.publish(soundOf(tick, settings.spindle, settings.materials));
+        [this, settings = settings_](const Tick& tick) {
+            DrillSoundState heard = soundOf(tick, settings.spindle, settings.materials);
+            if (!water_) heard.water = 0;
+            if (!suction_) heard.suction = 0;
+            sound_.publish(heard);
         },
         kServoRate, seat, second_.get());
     saidHeavy_ = false;
     newest_ = Tick();
     newest_.cutting = controls.cutting;
     newest_.proxy = newest_.hand = hand_.hand();
+    spray_ = SprayCloud(bur_->instrument.cutting.envelope.maxRadius(),
+                        parkedSuction(tooth_->box(), tooth_->mesialX).position);
     news.newSimulator = true;
 }
 
@@ -151,7 +161,24 @@ Workbench::News Workbench::step(double dt) {
     }
     simulator_->setControls(now);
     spin_ = std::remainder(spin_ + newest_.speedRpm / 60 * 2 * std::numbers::pi * dt, 2 * std::numbers::pi);
+    spray(dt);
     return news;
+}
+
+void Workbench::setMirror(double diameter, bool fogged, bool wet) {
+    const bool isAnother = diameter != mirror_.diameter;
+    mirror_ = {diameter, fogged, wet};
+    if (isAnother && around_) takeMirror(*around_, diameter);
+}
+
+void Workbench::spray(double dt) {
+    spray_.advance({.toolInTooth = newest_.proxy,
+                    .normal = newest_.normal,
+                    .speedRpm = newest_.speedRpm,
+                    .water = water_ && newest_.cutting ? newest_.pedal : 0,
+                    .suction = suction_,
+                    .removed = simulator_->removed()},
+                   dt);
 }
 
 std::shared_ptr<const Surface> Workbench::felt() const {
@@ -173,17 +200,29 @@ SceneContents Workbench::contents(bool withTurbine, bool withMirror) const {
                               .turbine = withTurbine && around_ ? around_->turbine : nullptr,
                               .material = bur_->material,
                               .toolInTooth = newest_.proxy,
-                              .spin = spin_};
-    if (withMirror && around_) {
+                              .spin = spin_,
+                              .speedRpm = newest_.speedRpm,
+                              .blurred = bur_->blurred};
+    contents.flying = particlesOf(spray_.bits(), settings_.materials);
+    if (around_) addSurroundings(contents, withMirror);
+    return contents;
+}
+
+void Workbench::addSurroundings(SceneContents& contents, bool withMirror) const {
+    if (suction_) contents.suction = ShownSuction{around_->suction, parkedSuction(tooth_->box(), tooth_->mesialX)};
+    if (withMirror) {
         const auto [azimuth, elevation] = usualView();
         const Vec3 toEye(std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
                          std::sin(elevation));
         Pose mirror = parkedMirror(tooth_->box(), around_->disc, toEye, handleX());
         const Pose& moved = simulator_->mirrorMotion();
         mirror = {mirror.position + moved.position, (moved.rotation * mirror.rotation).normalized()};
-        contents.mirror = ShownMirror{around_->mirror, around_->disc, mirror};
+        contents.mirror = ShownMirror{.mesh = around_->mirror,
+                                      .disc = around_->disc,
+                                      .mirrorInTooth = mirror,
+                                      .fog = mirror_.fogged ? kBreath : 0,
+                                      .drops = mirror_.wet ? kWetness : 0};
     }
-    return contents;
 }
 
 }  // namespace tactooth

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "app/gui/errand.h"
 #include "app/gui/hand_control.h"
 #include "devices/mouse_device.h"
+#include "session/spray_cloud.h"
 #include "sound/sound_output.h"
 #include "view/orbit_camera.h"
 
@@ -67,6 +69,12 @@ public:
 
     /// Taken over by the simulator at the next step. Fineness and clutch are a device's alone: the mouse points.
     SimulatorControls controls;
+    /// Whether water flows with the pedal, and whether an assistant holds the suction tube: seen and heard.
+    void setWater(bool flows) { water_ = flows; }
+    void setSuction(bool draws) { suction_ = draws; }
+    /// The mouth mirror: `diameter` of its head (mm), and what is on the glass.
+    void setMirror(double diameter, bool fogged, bool wet);
+    [[nodiscard]] std::span<const FlyingBit> flying() const { return spray_.bits(); }
     HandControl& hand() { return hand_; }
     [[nodiscard]] const Tick& newest() const { return newest_; }
     /// The ticks of the last step, oldest first.
@@ -85,6 +93,8 @@ private:
     [[nodiscard]] double handleX() const { return leftHanded_ ? -mesialX() : mesialX(); }
     void takeDeliveries(News& news);
     void reportTrouble(News& news);
+    void spray(double dt);
+    void addSurroundings(SceneContents& contents, bool withMirror) const;
 
     SoundOutput& sound_;
     HapticSettings settings_;
@@ -105,8 +115,14 @@ private:
     bool saidHeavy_ = false;                // that the scene is
     std::vector<Tick> ticks_;
     Tick newest_;
-    double spin_ = 0;                       // rad
-    std::unique_ptr<Simulator> simulator_;  // last: it uses all of the above
+    double spin_ = 0;  // rad
+    SprayCloud spray_;
+    struct {
+        double diameter = 22;  // mm
+        bool fogged = false, wet = false;
+    } mirror_;
+    std::atomic<bool> water_{true}, suction_{false};  // the servo reads them for the sound
+    std::unique_ptr<Simulator> simulator_;           // last: it uses all of the above
 };
 
 }  // namespace tactooth

@@ -16,40 +16,112 @@
         <translation>上顎犬歯（13）</translation>
     </message>
     <message>
-        <source>Round carbide No. 2, 1.0 mm</source>
-        <translation>ラウンドカーバイド No. 2、1.0 mm</translation>
+        <source>Round</source>
+        <translation>ラウンド</translation>
     </message>
     <message>
-        <source>Round carbide No. 4, 1.4 mm</source>
-        <translation>ラウンドカーバイド No. 4、1.4 mm</translation>
+        <source>Inverted cone</source>
+        <translation>インバーテッドコーン</translation>
     </message>
     <message>
-        <source>Round carbide No. 6, 1.8 mm</source>
-        <translation>ラウンドカーバイド No. 6、1.8 mm</translation>
+        <source>Pear</source>
+        <translation>ペアーシェイプ</translation>
     </message>
     <message>
-        <source>Straight fissure carbide No. 57, 1.0 mm</source>
-        <translation>ストレートフィッシャーカーバイド No. 57、1.0 mm</translation>
+        <source>Long pear</source>
+        <translation>ロングペアーシェイプ</translation>
     </message>
     <message>
-        <source>Straight fissure carbide No. 58, 1.2 mm</source>
-        <translation>ストレートフィッシャーカーバイド No. 58、1.2 mm</translation>
+        <source>Straight fissure</source>
+        <translation>ストレートフィッシャー</translation>
     </message>
     <message>
-        <source>Pear carbide No. 330, 0.8 mm</source>
-        <translation>ペアーシェイプカーバイド No. 330、0.8 mm</translation>
+        <source>Cross-cut straight fissure</source>
+        <translation>クロスカットストレートフィッシャー</translation>
     </message>
     <message>
-        <source>Long pear carbide No. 245, 0.8 mm</source>
-        <translation>ロングペアーシェイプカーバイド No. 245、0.8 mm</translation>
+        <source>Dome-end fissure</source>
+        <translation>ドームエンドフィッシャー</translation>
     </message>
     <message>
-        <source>Round diamond 801-014, 1.4 mm</source>
-        <translation>ラウンドダイヤモンド 801-014、1.4 mm</translation>
+        <source>Tapered fissure</source>
+        <translation>テーパードフィッシャー</translation>
     </message>
     <message>
-        <source>Round-end taper diamond 856-016, 1.6 mm</source>
-        <translation>ラウンドエンドテーパーダイヤモンド 856-016、1.6 mm</translation>
+        <source>Cross-cut tapered fissure</source>
+        <translation>クロスカットテーパードフィッシャー</translation>
+    </message>
+    <message>
+        <source>Long tapered fissure</source>
+        <translation>ロングテーパードフィッシャー</translation>
+    </message>
+    <message>
+        <source>Round-end tapered fissure</source>
+        <translation>ラウンドエンドテーパードフィッシャー</translation>
+    </message>
+    <message>
+        <source>Dome-end tapered fissure</source>
+        <translation>ドームエンドテーパードフィッシャー</translation>
+    </message>
+    <message>
+        <source>Ball finishing</source>
+        <translation>ボール仕上げ用</translation>
+    </message>
+    <message>
+        <source>Egg finishing</source>
+        <translation>エッグ仕上げ用</translation>
+    </message>
+    <message>
+        <source>Needle finishing</source>
+        <translation>ニードル仕上げ用</translation>
+    </message>
+    <message>
+        <source>Football</source>
+        <translation>フットボール</translation>
+    </message>
+    <message>
+        <source>Flat-end cylinder</source>
+        <translation>フラットエンドシリンダー</translation>
+    </message>
+    <message>
+        <source>Flat-end taper</source>
+        <translation>フラットエンドテーパー</translation>
+    </message>
+    <message>
+        <source>Round-end taper</source>
+        <translation>ラウンドエンドテーパー</translation>
+    </message>
+    <message>
+        <source>Needle</source>
+        <translation>ニードル</translation>
+    </message>
+    <message>
+        <source>Flame</source>
+        <translation>フレーム</translation>
+    </message>
+    <message>
+        <source>Torpedo</source>
+        <translation>トーピード</translation>
+    </message>
+    <message>
+        <source>Torpedo taper</source>
+        <translation>トーピードテーパー</translation>
+    </message>
+    <message>
+        <source>Round-end cylinder</source>
+        <translation>ラウンドエンドシリンダー</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>ホイール</translation>
+    </message>
+    <message>
+        <source>%1 carbide No. %2, %3</source>
+        <translation>%1カーバイド No. %2、%3</translation>
+    </message>
+    <message>
+        <source>%1 diamond %2, %3</source>
+        <translation>%1ダイヤモンド %2、%3</translation>
     </message>
     <message>
         <source>Air turbine, 400,000 rev/min</source>
@@ -341,13 +413,53 @@
 <context>
     <name>tactooth::ForcePanel</name>
     <message>
+        <source>Friction</source>
+        <translation>摩擦</translation>
+    </message>
+    <message>
+        <source>Force against sliding, as a share of the force into the tooth</source>
+        <translation>滑りに逆らう力（歯に押す力に対する割合）</translation>
+    </message>
+    <message>
+        <source>Feel like</source>
+        <translation>感触</translation>
+    </message>
+    <message>
+        <source>Lets the whole tooth feel like one tissue: fills in its spring, damper and friction</source>
+        <translation>歯全体を一つの組織の感触にします：そのばね、ダンパー、摩擦を入れます</translation>
+    </message>
+    <message>
+        <source>Feel like…</source>
+        <translation>感触を選ぶ…</translation>
+    </message>
+    <message>
+        <source>Enamel</source>
+        <translation>エナメル質</translation>
+    </message>
+    <message>
+        <source>Dentin</source>
+        <translation>象牙質</translation>
+    </message>
+    <message>
+        <source>Pulp</source>
+        <translation>歯髄</translation>
+    </message>
+    <message>
+        <source>Caries</source>
+        <translation>う蝕</translation>
+    </message>
+    <message>
+        <source>Restoration</source>
+        <translation>修復物</translation>
+    </message>
+    <message>
         <source>From the material</source>
         <translation>材質に合わせる</translation>
     </message>
     <message>
-        <source>Spring and damper are those of the tissue under the bur:
+        <source>Spring, damper and friction are those of the tissue under the bur:
 enamel is hard, dentin softer, caries soft. Switch off to set them yourself.</source>
-        <translation>ばねと減衰はバーの下の組織の値です：
+        <translation>ばね、減衰、摩擦はバーの下の組織の値です：
 エナメル質は硬く、象牙質はやや軟らかく、う蝕は軟らかい。自分で決めるにはオフにします。</translation>
     </message>
     <message>
@@ -529,6 +641,98 @@ The mouse wheel in the picture changes it too.</source>
 </context>
 <context>
     <name>tactooth::MainWindow</name>
+    <message>
+        <source>&amp;Water spray</source>
+        <translation>注水スプレー(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Su&amp;ction</source>
+        <translation>吸引(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Mirror &amp;glass</source>
+        <translation>ミラーの鏡面(&amp;G)</translation>
+    </message>
+    <message>
+        <source>No. %1, %2 mm</source>
+        <translation>No. %1、%2 mm</translation>
+    </message>
+    <message>
+        <source>&amp;Fogged</source>
+        <translation>曇り(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Drops of spray</source>
+        <translation>水滴(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Te&amp;xt size</source>
+        <translation>文字の大きさ(&amp;X)</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Arrow keys</source>
+        <translation>矢印キー</translation>
+    </message>
+    <message>
+        <source>move the bur; with Shift lean it, with Ctrl turn the tooth</source>
+        <translation>バーを動かす。Shift で傾け、Ctrl で歯を回す</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Enter</translation>
+    </message>
+    <message>
+        <source>the bur presses, as long as you hold it</source>
+        <translation>押している間、バーが押し付けられる</translation>
+    </message>
+    <message>
+        <source>+, -</source>
+        <translation>+、-</translation>
+    </message>
+    <message>
+        <source>B, D</source>
+        <translation>B、D</translation>
+    </message>
+    <message>
+        <source>breath and drops on the mirror</source>
+        <translation>ミラーの曇りと水滴</translation>
+    </message>
+    <message>
+        <source>W, S</source>
+        <translation>W、S</translation>
+    </message>
+    <message>
+        <source>water spray, suction on and off</source>
+        <translation>注水と吸引のオン・オフ</translation>
+    </message>
+    <message>
+        <source>Ctrl + M</source>
+        <translation>Ctrl + M</translation>
+    </message>
+    <message>
+        <source>mute</source>
+        <translation>消音</translation>
+    </message>
+    <message>
+        <source>Tab, Alt + letter</source>
+        <translation>Tab、Alt + 文字</translation>
+    </message>
+    <message>
+        <source>go on to the next control; open a menu</source>
+        <translation>次の項目へ移る。メニューを開く</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>leave a dialog</source>
+        <translation>ダイアログを閉じる</translation>
+    </message>
     <message>
         <source>File</source>
         <translation>ファイル</translation>

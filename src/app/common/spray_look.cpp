@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/common/spray_look.h"
+
+#include <algorithm>
+
+namespace tactooth {
+namespace {
+
+const Vec3f kWater(0.90F, 0.93F, 0.96F);  // sRGB: lit drops before a darker mouth
+constexpr float kPaling = 0.45F;          // share of the water in the colour of a wet chip
+
+Particle particleOf(const FlyingBit& bit, const MaterialTable& materials) {
+    const float left = bit.lifetime > 0 ? 1 - bit.age / bit.lifetime : 1;
+    Particle particle{bit.place, bit.radius, kWater, 1};
+    switch (bit.kind) {
+        case FlyingKind::Jet:
+            particle.opacity = 0.50F;
+            break;
+        case FlyingKind::Mist:  // the same water over a growing disc
+            particle.opacity = 0.45F * left * std::min(1.0F, 0.25F / bit.radius);
+            break;
+        case FlyingKind::Chip: {
+            const std::array<float, 3>& colour = materials[bit.material].colour;
+            particle.colour = Vec3f(colour[0], colour[1], colour[2]);
+            particle.colour += kPaling * bit.wetness * (kWater - particle.colour);
+            particle.opacity = std::min(1.0F, 2 * left);
+            break;
+        }
+    }
+    return particle;
+}
+
+}  // namespace
+
+std::vector<Particle> particlesOf(std::span<const FlyingBit> bits, const MaterialTable& materials) {
+    std::vector<Particle> particles;
+    particles.reserve(bits.size());
+    for (const FlyingBit& bit : bits) particles.push_back(particleOf(bit, materials));
+    return particles;
+}
+
+}  // namespace tactooth

@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The bur at work, from the simulation to the picture, against stored pictures (tests/image/README.md).
+#include <numbers>
+
+#include "app/common/scene_builder.h"
+#include "app/common/spin_blur.h"
+#include "app/common/spray_look.h"
+#include "image/pictures_fixture.h"
+#include "instruments/builtin_tooth.h"
+#include "instruments/bur_shape.h"
+#include "instruments/suction_tube.h"
+#include "instruments/turbine.h"
+#include "session/tooth_source.h"
+#include "session/work_piece.h"
+
+namespace tactooth {
+namespace {
+
+constexpr double kFrame = 0.016;  // s
+
+/// A round bur that sinks into the molar; made once.
+class SprayPictures : public test::Pictures {
+protected:
+    static void SetUpTestSuite() {
+        Pictures::SetUpTestSuite();
+        const BuiltinTooth molar = makeBuiltinTooth(BuiltinToothKind::lowerFirstMolar, 8000);
+        auto layered = LayeredTooth::make(molar.outer, layersOf(molar));
+        ASSERT_TRUE(layered) << layered.error().message;
+        tooth_ = std::make_shared<const LayeredTooth>(std::move(*layered));
+        mesialX_ = mesialX(molar.fdi);
+        bur_ = makeBur(*findBur("4"), 3000).surface;
+        auto cutting = makeCuttingTool(bur_);
+        ASSERT_TRUE(cutting) << cutting.error().message;
+        tool_.emplace(std::move(*cutting));
+        turbine_ = std::make_shared<const TriangleMesh>(makeTurbine(6000));
+    }
+    static void TearDownTestSuite() {
+        tooth_.reset();
+        turbine_.reset();
+        Pictures::TearDownTestSuite();
+    }
+
+    /// Where the bur bites when it comes down from `above`.
+    static Vec3 letDown(WorkPiece& piece, Vec3 above, const Quat& grip) {
+        constexpr double kStep = 0.05;  // mm
+        while (total(piece.removed()) == 0 && above.z() > 0) {
+            const Pose before{above, grip};
+            above.z() -= kStep;
+            (void)piece.sweep(*tool_, before, {above, grip});
+        }
+        return above;
+    }
+
+    /// The scene after half a second of cutting.
+    static Scene atWork(double water, bool suction) {
+        WorkPiece piece(tooth_, 0.1);
+        const Box3 box = tooth_->outer()->tree().box();
+        const Quat grip = uprightGrip(mesialX_, 0.2);
+        const Vec3 start = letDown(piece, Vec3(box.center().x() + 1, box.center().y(), box.max().z()), grip);
+        SprayCloud spray(tool_->envelope.maxRadius(), parkedSuction(box, mesialX_).position);
+        SprayMoment now{.toolInTooth = {start, grip},
+                        .normal = Vec3::UnitZ(),
+                        .speedRpm = 300000,
+                        .water = water,
+                        .suction = suction};
+        for (int i = 0; i < 30; ++i) {
+            const Pose before = now.toolInTooth;
+            now.toolInTooth.position -= Vec3(0, 0, 0.02);
+            (void)piece.sweep(*tool_, before, now.toolInTooth);
+            now.removed = piece.removed();
+            spray.advance(now, kFrame);
+        }
+        piece.refreshSurface();
+        SceneContents contents;
+        contents.tooth = piece.surface();
+        contents.tool = ShownTool{.bur = std::make_shared<const TriangleMesh>(bur_),
+                                  .turbine = turbine_,
+                                  .toolInTooth = now.toolInTooth,
+                                  .speedRpm = now.speedRpm,
+                                  .blurred = std::make_shared<const TriangleMesh>(spinningShape(tool_->envelope))};
+        if (suction) {
+            contents.suction =
+                ShownSuction{std::make_shared<const TriangleMesh>(makeSuctionTube()), parkedSuction(box, mesialX_)};
+        }
+        contents.flying = particlesOf(spray.bits(), contents.materials);
+        OrbitCamera camera;
+        camera.look(mesialX_ < 0 ? mirroredInX({1.9, 0.6}) : OrbitCamera::Direction{1.9, 0.6});
+        const Vec3 middle = start + Vec3(0, 0, 2);
+        camera.fit(Box3(middle.array() - 5, middle.array() + 5), test::kTestSize.aspect());
+        contents.camera = camera.camera();
+        return makeScene(contents);
+    }
+
+private:
+    static inline std::shared_ptr<const LayeredTooth> tooth_;
+    static inline TriangleMesh bur_;
+    static inline std::optional<CuttingTool> tool_;
+    static inline std::shared_ptr<const TriangleMesh> turbine_;
+    static inline double mesialX_ = 1;
+};
+
+TEST_F(SprayPictures, ABurAtWorkInItsSpray) { expectBaseline("at-work", atWork(1, false)); }
+
+TEST_F(SprayPictures, ABurThatCutsDryThrowsDust) { expectBaseline("at-work-dry", atWork(0, false)); }
+
+TEST_F(SprayPictures, TheSuctionTubeDrawsTheMistAway) { expectBaseline("at-work-suction", atWork(1, true)); }
+
+}  // namespace
+}  // namespace tactooth

@@ -1,0 +1,227 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The window beside the drilling: looking inside, plots, files, colours, languages, welcome.
+#include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QMenuBar>
+#include <QMimeData>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QToolButton>
+#include <QTranslator>
+#include <fstream>
+
+#include "app/gui/guided_tour.h"
+#include "app/gui/open_tooth_dialog.h"
+#include "app/gui/welcome_dialog.h"
+#include "app/gui/window_setup.h"
+#include "app/window_session.h"
+#include "geometry/stl_writer.h"
+#include "sound/audio_libraries.h"
+#include "sound/sound_files.h"
+#include "support/shapes.h"
+
+namespace tactooth {
+
+class WindowLookTest : public test::WindowSession {
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void synthesisedSoundsWinOverARecordingThatIsStillRead();
+    void theInsideOfTheToothIsShown();
+    void aTargetColoursTheTooth();
+    void thePlotsHoldStillZoomAndAreExported();
+    void openedTeethAreInTheRecentMenu();
+    void darkColoursAndBack();
+    void anotherLanguageIsKeptForTheNextStart();
+    void aJapaneseWindowSpeaksJapanese();
+    void theWelcomeOffersThreeWaysToBegin();
+    void theDemonstrationTouchesAndEndsWithAClick();
+    void cleanupTestCase();
+
+private:
+    [[nodiscard]] QAction* action(const QString& text) const;
+};
+
+void WindowLookTest::initTestCase() {
+    openWindow();
+    window_->apply(window_->settings());
+    waitForTooth();
+}
+
+void WindowLookTest::cleanupTestCase() { closeWindow(); }
+
+void WindowLookTest::synthesisedSoundsWinOverARecordingThatIsStillRead() {
+    test::writeTone(folder_ / "late.wav", 48000 * 5, 0.3);
+    auto* sounds = window_->findChild<QComboBox*>("sounds");
+    window_->openSounds(QString::fromStdString(folder_ / "late.wav"));
+    emit sounds->activated(0);  // before the window has had time to look for the result
+    QTest::qWait(1500);
+    QCOMPARE(sounds->currentText(), QString("Synthesised"));
+    QVERIFY(window_->settings().ownSounds.empty());
+}
+
+void WindowLookTest::theInsideOfTheToothIsShown() {
+    bringMolar();
+    const QImage whole = view().grabFramebuffer();
+    auto* section = window_->findChild<QComboBox*>("section");
+    section->setFocus();
+    QTest::keyClick(section, Qt::Key_Down);
+    QTest::keyClick(section, Qt::Key_Down);
+    QCOMPARE(section->currentText(), QString("Buccal"));
+    const QImage opened = view().grabFramebuffer();
+    QVERIFY(opened != whole);
+    window_->findChild<QSlider*>("sectionPlace")->setValue(20);
+    QVERIFY(view().grabFramebuffer() != opened);
+    section->setCurrentIndex(0);
+    auto* enamel = window_->findChild<QSlider*>("enamelOpacity");
+    enamel->setValue(30);
+    QVERIFY(view().grabFramebuffer() != whole);
+    enamel->setValue(100);
+    auto* eyes = window_->findChild<QComboBox*>("stereo");
+    eyes->setCurrentIndex(1);
+    QVERIFY(view().grabFramebuffer() != whole);
+    eyes->setCurrentIndex(0);
+}
+
+void WindowLookTest::aTargetColoursTheTooth() {
+    const auto file = folder_ / "target.stl";
+    QVERIFY(writeStl(test::sphere(Vec3(0, 0, 3), 4, 40, 30), file).has_value());
+    auto* coloured = window_->findChild<QCheckBox*>("coloured");
+    QVERIFY(!coloured->isEnabled());
+    const QImage before = view().grabFramebuffer();
+    window_->openTarget(QString::fromStdString(file.string()));
+    QTRY_VERIFY_WITH_TIMEOUT(coloured->isChecked(), 60000);
+    QVERIFY(view().grabFramebuffer() != before);
+    QTest::mouseClick(coloured, Qt::LeftButton, {}, QPoint(8, coloured->height() / 2));
+    QVERIFY(!coloured->isChecked());
+}
+
+void WindowLookTest::thePlotsHoldStillZoomAndAreExported() {
+    auto* pause = window_->findChild<QToolButton*>("pausePlots");
+    auto* stretch = window_->findChild<QSpinBox*>("plotStretch");
+    QTest::mouseClick(pause, Qt::LeftButton);
+    QVERIFY(pause->isChecked());
+    stretch->setValue(4);
+    for (const char* name : {"plots.csv", "plots.png", "plots.svg"}) {
+        window_->exportPlotsTo(QString::fromStdString((folder_ / name).string()));
+        QVERIFY2(std::filesystem::file_size(folder_ / name) > 100, name);
+    }
+    std::ifstream table(folder_ / "plots.csv");
+    std::string head;
+    std::getline(table, head);
+    QCOMPARE(head, std::string("t,depth,speed,force"));
+    window_->exportPlotsTo(QString::fromStdString((folder_ / "plots.doc").string()));
+    QVERIFY(dismissMessage().contains("end its name in .csv, .svg or .png"));
+    QTest::mouseClick(pause, Qt::LeftButton);
+    stretch->setValue(10);
+}
+
+QAction* WindowLookTest::action(const QString& text) const {
+    for (QAction* each : window_->findChildren<QAction*>()) {
+        if (each->text() == text) return each;
+    }
+    return nullptr;
+}
+
+void WindowLookTest::openedTeethAreInTheRecentMenu() {
+    const auto file = folder_ / "ball.stl";
+    QVERIFY(writeStl(test::sphere(Vec3(20, 0, 0), 5, 40, 30), file).has_value());
+    window_->openTooth({.outer = file, .layers = {}});
+    QTRY_COMPARE_WITH_TIMEOUT(window_->bench().tooth()->name, std::string("ball.stl"), 30000);
+    bringMolar();
+    auto* recent = window_->findChild<QMenu*>("recent");
+    emit recent->aboutToShow();
+    QVERIFY(!recent->actions().isEmpty());
+    QAction* ball = nullptr;
+    for (QAction* each : recent->actions()) ball = each->text() == "ball.stl" ? each : ball;
+    QVERIFY(ball != nullptr);
+    ball->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(window_->bench().tooth()->name, std::string("ball.stl"), 30000);
+    waitForTooth();
+    QVERIFY(window_->settings().recent.find("ball.stl") != std::string::npos);
+}
+
+void WindowLookTest::darkColoursAndBack() {
+    const auto lightness = [&] { return window_->palette().color(QPalette::Window).lightness(); };
+    QVERIFY(lightness() > 200);
+    key(Qt::Key_D, Qt::ControlModifier);
+    QTRY_VERIFY(lightness() < 80);
+    QVERIFY(window_->settings().dark);
+    key(Qt::Key_D, Qt::ControlModifier);
+    QTRY_VERIFY(lightness() > 200);
+}
+
+void WindowLookTest::anotherLanguageIsKeptForTheNextStart() {
+    MainWindow other(*sound_);
+    other.apply(window_->settings());
+    auto* menu = other.findChild<QMenu*>("language");
+    QVERIFY(menu != nullptr);
+    QCOMPARE(menu->actions().size(), 3);
+    menu->actions()[2]->trigger();
+    QCOMPARE(other.settings().language, std::string("ja"));
+    menu->actions()[0]->trigger();
+    QCOMPARE(other.settings().language, std::string());
+}
+
+void WindowLookTest::aJapaneseWindowSpeaksJapanese() {
+    QTranslator japanese;
+    QVERIFY(japanese.load(":/translations/tactooth_ja.qm"));
+    QApplication::installTranslator(&japanese);
+    {
+        MainWindow other(*sound_);
+        QCOMPARE(other.menuBar()->actions().front()->text(), QStringLiteral("ファイル(&F)"));
+        QCOMPARE(other.findChild<QComboBox*>("section")->itemText(2), QStringLiteral("頬側"));
+        const auto* burs = other.findChild<QComboBox*>("burs");
+        QCOMPARE(burs->itemText(burs->findData("4")), QStringLiteral("ラウンドカーバイド No. 4、1.4 mm"));
+        for (int i = 0; i < burs->count(); ++i) {
+            QVERIFY2(burs->itemText(i).contains(QStringLiteral("、")), qPrintable(burs->itemText(i)));
+        }
+    }
+    QApplication::removeTranslator(&japanese);
+}
+
+void WindowLookTest::theWelcomeOffersThreeWaysToBegin() {
+    const auto choose = [&](const char* name) {
+        window_->welcome();
+        auto* dialog = window_->findChild<WelcomeDialog*>();
+        QTest::mouseClick(dialog->findChild<QPushButton*>(name), Qt::LeftButton);
+        QTRY_VERIFY(window_->findChild<WelcomeDialog*>() == nullptr);
+    };
+    choose("practise");
+    choose("openMine");
+    auto* dialog = window_->findChild<OpenToothDialog*>();
+    QVERIFY(dialog != nullptr);
+    QTest::keyClick(dialog, Qt::Key_Escape);
+    QTRY_VERIFY(window_->findChild<OpenToothDialog*>() == nullptr);
+    window_->welcome();
+    QTest::keyClick(window_->findChild<WelcomeDialog*>(), Qt::Key_Escape);
+    QTRY_VERIFY(window_->findChild<WelcomeDialog*>() == nullptr);
+}
+
+void WindowLookTest::theDemonstrationTouchesAndEndsWithAClick() {
+    bringMolar();
+    action("Watch the &demonstration")->trigger();
+    auto* tour = window_->findChild<GuidedTour*>();
+    QVERIFY(tour->isRunning());
+    QTRY_VERIFY_WITH_TIMEOUT(gauge("forceGauge") > 0.1, 20000);
+    QTest::mouseClick(&view(), Qt::RightButton, {}, middle());
+    QVERIFY(!tour->isRunning());
+    QTRY_VERIFY_WITH_TIMEOUT(gauge("forceGauge") < 0.01, 10000);
+}
+
+}  // namespace tactooth
+
+int main(int argc, char** argv) {
+    tactooth::prepareAudioLibraries();
+    tactooth::prepareWindowSystem();
+    QApplication application(argc, argv);
+    tactooth::applyLook();
+    tactooth::WindowLookTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "window_look_test.moc"

@@ -1,0 +1,327 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Every entry of every menu by real clicks, and the whole window by keys alone.
+#include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialog>
+#include <QDoubleSpinBox>
+#include <QMenuBar>
+#include <QScrollArea>
+#include <set>
+
+#include "app/gui/window_setup.h"
+#include "app/window_session.h"
+#include "sound/audio_libraries.h"
+
+namespace tactooth {
+
+class WindowMenuTest : public test::WindowSession {
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void everyEntryOfEveryMenuCanBeClickedAndEveryDialogBeLeft();
+    void noKeyIsTakenTwice();
+    void theShortcutSheetNamesEveryKeyOfTheMenus();
+    void everyControlIsReachedByTab();
+    void theBurIsMovedAndPressedByKeys();
+    void aToothIsCutAndLookedAtByKeysAlone();
+    void waterAndSuctionAreSwitchedByKeys();
+    void theMirrorTakesItsSizeFogAndDrops();
+    void aTissueFillsInTheForceParameters();
+    void largeTextFitsIntoTheWindow();
+    void everySettingIsThereAfterARestart();
+    void cleanupTestCase();
+
+private:
+    void leaveDialogs(const QString& after) const;
+    void clickThrough(QMenu& menu, const std::function<void()>& open, const QString& path);
+    [[nodiscard]] std::vector<QAction*> leaves() const;
+    [[nodiscard]] QAction* action(const char* name) const { return window_->findChild<QAction*>(name); }
+    std::set<QString> clicked_;
+};
+
+void WindowMenuTest::initTestCase() {
+    openWindow();
+    window_->apply(window_->settings());
+    waitForTooth();
+}
+
+void WindowMenuTest::cleanupTestCase() { closeWindow(); }
+
+/// Escape has to be enough to leave whatever an entry has opened.
+void WindowMenuTest::leaveDialogs(const QString& after) const {
+    QTest::qWait(50);
+    for (int i = 0; i < 5; ++i) {
+        QDialog* front = nullptr;
+        for (QDialog* dialog : window_->findChildren<QDialog*>()) {
+            if (dialog->isVisible()) front = dialog;
+        }
+        if (front == nullptr) return;
+        QTest::keyClick(front, Qt::Key_Escape);
+        QTest::qWait(50);
+    }
+    QFAIL(qPrintable("a dialog stays open after " + after));
+}
+
+void WindowMenuTest::clickThrough(QMenu& menu, const std::function<void()>& open, const QString& path) {
+    open();
+    QTRY_VERIFY2(menu.isVisible(), qPrintable(path));
+    const QList<QAction*> entries = menu.actions();
+    for (QAction* entry : entries) {
+        if (entry->isSeparator() || !entry->isEnabled()) continue;
+        const QString here = path + " > " + entry->text();
+        if (here.contains("Quit")) continue;  // it would end the test
+        const auto clickEntry = [&menu, entry] {
+            QTest::mouseClick(&menu, Qt::LeftButton, {}, menu.actionGeometry(entry).center());
+        };
+        if (!menu.isVisible()) open();
+        if (entry->menu() != nullptr && entry->menu()->objectName() == "mouth") continue;  // 32 mouths; see WindowTest
+        if (entry->menu() != nullptr) {
+            clickThrough(
+                *entry->menu(),
+                [&] {
+                    if (!menu.isVisible()) open();
+                    clickEntry();
+                },
+                here);
+            continue;
+        }
+        int triggered = 0;
+        const auto counting = connect(entry, &QAction::triggered, this, [&] { ++triggered; });
+        clickEntry();
+        QTRY_VERIFY2(triggered == 1, qPrintable(here));
+        disconnect(counting);
+        leaveDialogs(here);
+        clicked_.insert(here);
+        waitForTooth();
+    }
+    while (QApplication::activePopupWidget() != nullptr) QApplication::activePopupWidget()->close();
+}
+
+void WindowMenuTest::everyEntryOfEveryMenuCanBeClickedAndEveryDialogBeLeft() {
+    const WindowSettings before = window_->settings();
+    QMenuBar& bar = *window_->menuBar();
+    for (QAction* top : bar.actions()) {
+        const auto open = [&] { QTest::mouseClick(&bar, Qt::LeftButton, {}, bar.actionGeometry(top).center()); };
+        clickThrough(*top->menu(), open, top->text());
+    }
+    QVERIFY2(clicked_.size() > 40, qPrintable(QString::number(clicked_.size())));
+    window_->apply(before);
+    bringMolar();
+}
+
+std::vector<QAction*> WindowMenuTest::leaves() const {
+    std::vector<QAction*> result;
+    const std::function<void(const QMenu&)> collect = [&](const QMenu& menu) {
+        for (QAction* entry : menu.actions()) {
+            if (entry->menu() != nullptr) collect(*entry->menu());
+            if (entry->menu() == nullptr && !entry->isSeparator()) result.push_back(entry);
+        }
+    };
+    for (QAction* top : window_->menuBar()->actions()) collect(*top->menu());
+    return result;
+}
+
+void WindowMenuTest::noKeyIsTakenTwice() {
+    std::set<QString> taken;
+    for (QAction* entry : leaves()) {
+        const QString keys = entry->shortcut().toString();
+        if (!keys.isEmpty()) QVERIFY2(taken.insert(keys).second, qPrintable(keys + ": " + entry->text()));
+    }
+    QVERIFY(taken.size() > 20);
+}
+
+void WindowMenuTest::theShortcutSheetNamesEveryKeyOfTheMenus() {
+    key(Qt::Key_F1);
+    QTRY_VERIFY(window_->findChild<QMessageBox*>() != nullptr);
+    const QString sheet = dismissMessage();
+    for (QAction* entry : leaves()) {
+        const QString keys = entry->shortcut().toString();
+        if (keys.isEmpty() || keys == "F1" || keys == "Ctrl+Q") continue;
+        const QString last = keys.section('+', -1);
+        const bool isDigit = last.size() == 1 && last[0].isDigit();
+        QVERIFY2(sheet.contains(isDigit ? QString("0 to 5") : last), qPrintable(keys + ": " + entry->text()));
+    }
+}
+
+void WindowMenuTest::everyControlIsReachedByTab() {
+    QApplication::setActiveWindow(window_.get());
+    view().setFocus();
+    std::set<QWidget*> reached;
+    for (int i = 0; i < 300; ++i) {
+        QWidget* now = QApplication::focusWidget();
+        QVERIFY(now != nullptr);
+        reached.insert(now);
+        QTest::keyClick(now, Qt::Key_Tab);
+    }
+    for (QWidget* widget : window_->findChildren<QWidget*>()) {
+        const bool isControl =
+            qobject_cast<QAbstractSlider*>(widget) != nullptr || qobject_cast<QAbstractButton*>(widget) != nullptr ||
+            qobject_cast<QComboBox*>(widget) != nullptr || qobject_cast<QAbstractSpinBox*>(widget) != nullptr;
+        if (!isControl || !widget->isVisible() || !widget->isEnabled() || widget->window() != window_.get()) continue;
+        if ((widget->focusPolicy() & Qt::TabFocus) == 0) continue;  // a part of another control, or a tool button
+        QVERIFY2(reached.contains(widget), qPrintable(widget->objectName() + " " + widget->metaObject()->className()));
+    }
+}
+
+void WindowMenuTest::theBurIsMovedAndPressedByKeys() {
+    view().setFocus();
+    const Vec3 before = window_->bench().hand().hand().position;
+    for (int i = 0; i < 6; ++i) QTest::keyClick(&view(), Qt::Key_Left);
+    QTest::qWait(300);
+    QVERIFY((window_->bench().hand().hand().position - before).norm() > 0.05);
+    QTest::keyPress(&view(), Qt::Key_Return);
+    QTRY_VERIFY_WITH_TIMEOUT(gauge("forceGauge") > 0.1, 10000);
+    QTest::keyRelease(&view(), Qt::Key_Return);
+    QTRY_COMPARE_WITH_TIMEOUT(gauge("forceGauge"), 0.0, 10000);
+}
+
+void WindowMenuTest::aToothIsCutAndLookedAtByKeysAlone() {
+    key(Qt::Key_0);
+    view().setFocus();
+    const QImage before = view().grabFramebuffer();
+    QTest::keyClick(&view(), Qt::Key_Left, Qt::ControlModifier);
+    const QImage turned = view().grabFramebuffer();
+    QVERIFY(turned != before);
+    QTest::keyClick(&view(), Qt::Key_Plus);
+    QVERIFY(view().grabFramebuffer() != turned);
+    key(Qt::Key_0);
+    key(Qt::Key_F);
+    key(Qt::Key_C);
+    QTest::keyPress(&view(), Qt::Key_Space);
+    QTRY_VERIFY_WITH_TIMEOUT(gauge("speedGauge") > 300, 20000);
+    QTest::keyPress(&view(), Qt::Key_Return);
+    QTRY_VERIFY_WITH_TIMEOUT(removed() > 0.01, 20000);
+    QTest::keyRelease(&view(), Qt::Key_Return);
+    QTest::keyRelease(&view(), Qt::Key_Space);
+    QTRY_VERIFY_WITH_TIMEOUT(gauge("speedGauge") < 1, 20000);  // until then it may still cut
+    const double cut = removed();
+    key(Qt::Key_Z, Qt::ControlModifier);
+    QTRY_VERIFY_WITH_TIMEOUT(removed() < cut, 10000);
+    key(Qt::Key_R, Qt::ControlModifier);
+    QTRY_COMPARE_WITH_TIMEOUT(removed(), 0.0, 10000);
+    key(Qt::Key_T);
+}
+
+void WindowMenuTest::waterAndSuctionAreSwitchedByKeys() {
+    const auto flying = [&] { return window_->bench().flying().size(); };
+    key(Qt::Key_C);
+    QTest::keyPress(&view(), Qt::Key_Space);
+    QTRY_VERIFY_WITH_TIMEOUT(flying() > 30, 20000);
+    key(Qt::Key_W);
+    QVERIFY(!action("water")->isChecked());
+    QTRY_COMPARE_WITH_TIMEOUT(flying(), std::size_t{0}, 20000);
+    key(Qt::Key_W);
+    QTRY_VERIFY_WITH_TIMEOUT(flying() > 30, 20000);
+    QTest::keyRelease(&view(), Qt::Key_Space);
+    key(Qt::Key_T);
+    const QImage without = view().grabFramebuffer();
+    key(Qt::Key_S);
+    QVERIFY(action("suction")->isChecked());
+    QVERIFY(view().grabFramebuffer() != without);
+    key(Qt::Key_S);
+}
+
+void WindowMenuTest::theMirrorTakesItsSizeFogAndDrops() {
+    QImage last = view().grabFramebuffer();
+    const auto looksNew = [&] {
+        const QImage now = view().grabFramebuffer();
+        return std::exchange(last, now) != now;
+    };
+    const QList<QAction*> sizes = window_->findChild<QMenu*>("mirrorGlass")->actions();
+    sizes[2]->trigger();
+    QVERIFY(looksNew());
+    QCOMPARE(window_->settings().mirror.number, std::string("5"));
+    key(Qt::Key_B);
+    QVERIFY(looksNew());
+    key(Qt::Key_D);
+    QVERIFY(looksNew());
+    QVERIFY(window_->settings().mirror == (MirrorSettings{"5", true, true}));
+    key(Qt::Key_B);
+    key(Qt::Key_D);
+    sizes[1]->trigger();
+    QVERIFY(window_->settings().mirror == MirrorSettings());
+}
+
+void WindowMenuTest::aTissueFillsInTheForceParameters() {
+    auto* presets = window_->findChild<QComboBox*>("forcePresets");
+    presets->setFocus();
+    const int caries = presets->findText("Caries");
+    QVERIFY(caries > 0);
+    presets->setCurrentIndex(caries);
+    emit presets->activated(caries);
+    const Material numbers = MaterialTable()[MaterialId::Caries];
+    QVERIFY(!window_->findChild<QCheckBox*>("fromMaterial")->isChecked());
+    QCOMPARE(window_->findChild<QDoubleSpinBox*>("spring")->value(), numbers.stiffness);
+    QCOMPARE(window_->findChild<QDoubleSpinBox*>("friction")->value(), numbers.friction);
+    QCOMPARE(window_->bench().controls.force.friction.value_or(-1), numbers.friction);
+    QCOMPARE(window_->bench().controls.force.stiffness.value_or(-1), numbers.stiffness);
+    window_->findChild<QCheckBox*>("fromMaterial")->setChecked(true);
+    QVERIFY(!window_->bench().controls.force.friction.has_value());
+}
+
+void WindowMenuTest::largeTextFitsIntoTheWindow() {
+    const int usual = window_->fontMetrics().height();
+    const QSize size = window_->size();
+    window_->findChild<QMenu*>("textSize")->actions().back()->trigger();
+    QTRY_VERIFY(window_->fontMetrics().height() > 1.8 * usual);
+    QTest::qWait(300);
+    QVERIFY(window_->width() <= 1400 && window_->height() <= 900);
+    for (auto* area : window_->findChildren<QScrollArea*>()) {
+        QVERIFY(area->viewport()->width() >= area->widget()->minimumSizeHint().width());
+    }
+    window_->grab().save(QString::fromStdString((folder_ / "large.png").string()));
+    window_->findChild<QMenu*>("textSize")->actions().front()->trigger();
+    QTRY_COMPARE(window_->fontMetrics().height(), usual);
+    window_->resize(size);
+}
+
+void WindowMenuTest::everySettingIsThereAfterARestart() {
+    WindowSettings wanted = window_->settings();
+    for (const WindowOption& option : windowOptions()) {
+        if (const auto* flag = std::get_if<WindowOption::Switch>(&option.value)) (*flag)(wanted) = !(*flag)(wanted);
+        if (const auto* number = std::get_if<WindowOption::Number>(&option.value)) {
+            (*number)(wanted) = option.highest == 1 ? 0.25 : 1.5 < option.highest ? 1.5 : 0.0125;
+        }
+    }
+    wanted.mirror.number = "2";
+    wanted.bur = "58";
+    const auto file = folder_ / "settings/window.toml";
+    QVERIFY(writeWindowSettings(wanted, file).has_value());
+    {
+        MainWindow again(*sound_);
+        again.apply(*readWindowSettings(file));
+        QVERIFY(writeWindowSettings(again.settings(), file).has_value());
+    }
+    const auto kept = readWindowSettings(file);
+    QVERIFY(kept.has_value());
+    WindowSettings got = *kept;
+    for (const WindowOption& option : windowOptions()) {
+        const QByteArray flag = QByteArray::fromStdString(flagOf(option));
+        if (const auto* on = std::get_if<WindowOption::Switch>(&option.value)) {
+            QVERIFY2((*on)(got) == (*on)(wanted), flag);
+        }
+        if (const auto* number = std::get_if<WindowOption::Number>(&option.value)) {
+            QVERIFY2(std::abs((*number)(got) - (*number)(wanted)) < 0.006, flag);
+        }
+    }
+    QCOMPARE(got.mirror.number, wanted.mirror.number);
+    QCOMPARE(got.bur, wanted.bur);
+    window_->apply(WindowSettings());
+}
+
+}  // namespace tactooth
+
+int main(int argc, char** argv) {
+    tactooth::prepareAudioLibraries();
+    tactooth::prepareWindowSystem();
+    QApplication application(argc, argv);
+    tactooth::applyLook();
+    tactooth::WindowMenuTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "window_menu_test.moc"

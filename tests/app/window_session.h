@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QMessageBox>
+#include <QTest>
+
+#include "app/gui/dial_gauge.h"
+#include "app/gui/main_window.h"
+#include "app/gui/tooth_view.h"
+#include "sound/openal_output.h"
+#include "support/test_data.h"
+
+namespace tactooth::test {
+
+/// The real window with the built-in molar and a round bur, and a person before it: real mouse and key events.
+class WindowSession : public QObject {
+protected:
+    void openWindow();
+    void closeWindow();
+    void waitForTooth();
+    /// Puts the built-in molar on the bench.
+    void bringMolar();
+    [[nodiscard]] QPoint middle() const { return view().rect().center(); }
+    [[nodiscard]] ToothView& view() const { return *window_->findChild<ToothView*>("toothView"); }
+    [[nodiscard]] double gauge(const char* name) const { return window_->findChild<DialGauge*>(name)->value(); }
+    [[nodiscard]] double removed() const { return total(window_->bench().simulator()->removed()); }
+    [[nodiscard]] const Surface& surface() const { return *window_->bench().simulator()->surface(); }
+    void key(Qt::Key which, Qt::KeyboardModifiers with = {}) const;
+    void pressBurOn(const QPoint& place) const;
+    void liftBur(const QPoint& place) const;
+    /// The text of the message in front, which is closed; empty if there is none.
+    [[nodiscard]] QString dismissMessage() const;
+
+    TemporaryFolder folder_;
+    std::unique_ptr<OpenAlOutput> sound_;
+    std::unique_ptr<MainWindow> window_;
+};
+
+}  // namespace tactooth::test
