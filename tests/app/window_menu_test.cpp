@@ -284,7 +284,8 @@ void WindowMenuTest::everySettingIsThereAfterARestart() {
     for (const WindowOption& option : windowOptions()) {
         if (const auto* flag = std::get_if<WindowOption::Switch>(&option.value)) (*flag)(wanted) = !(*flag)(wanted);
         if (const auto* number = std::get_if<WindowOption::Number>(&option.value)) {
-            (*number)(wanted) = option.highest == 1 ? 0.25 : 1.5 < option.highest ? 1.5 : 0.0125;
+            const bool counts = std::string_view(option.key).ends_with("button");
+            (*number)(wanted) = counts ? 4 : option.highest == 1 ? 0.25 : 1.5 < option.highest ? 1.5 : 0.0125;
         }
     }
     wanted.mirror.number = "2";
