@@ -186,12 +186,11 @@ void PenSessionTest::itsWhiteButtonTakesTheMirror() {
 void PenSessionTest::theClutchHoldsTheBur() {
     const Vec3 tool = window_->bench().newest().hand.position;
     auto* clutch = window_->findChild<QPushButton*>("clutch");
-    const auto isHeldByKey = [&] {
+    for (int tries = 0; tries < 100 && !clutch->isChecked(); ++tries) {
         QApplication::setActiveWindow(window_.get());  // a bare X server has no window manager that would do it
         QTest::keyClick(window_.get(), Qt::Key_X);     // which works behind another tab
-        return clutch->isChecked();
-    };
-    QTRY_VERIFY_WITH_TIMEOUT(isHeldByKey(), 10000);
+    }
+    QVERIFY(clutch->isChecked());
     QTest::qWait(100);
     standin_->wantPosition(0, 4, 0);
     QTest::qWait(800);

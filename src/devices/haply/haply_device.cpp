@@ -209,7 +209,7 @@ void HaplyDevice::hear() {
 }
 
 void HaplyDevice::complain(const char* sentence) {
-    trouble_.store(sentence, std::memory_order_relaxed);
+    trouble_.store(sentence, std::memory_order_release);
     complainedAt_ = now();
 }
 
@@ -239,7 +239,7 @@ void HaplyDevice::write(const SafeWrench& wrench) {
 }
 
 const char* HaplyDevice::trouble() const {
-    if (const char* const text = trouble_.load(std::memory_order_relaxed)) return text;
+    if (const char* const text = trouble_.load(std::memory_order_acquire)) return text;  // with the letters behind it
     return watch_.trouble();
 }
 
