@@ -120,7 +120,8 @@ void MainWindow::addPanels() {
     QDockWidget* inside = addDock(*inside_, tr("Look inside"), Qt::RightDockWidgetArea);
     addDock(*plots_, tr("Last ten seconds"), Qt::BottomDockWidgetArea);
     fitPanels();
-    resizeDocks({drill, force, inside}, {drive_->sizeHint().height(), tabHeight(), 2 * height()}, Qt::Vertical);
+    resizeDocks({drill, force, inside}, {drive_->sizeHint().height(), tabHeight(), inside_->sizeHint().height()},
+                Qt::Vertical);
     busy_->setRange(0, 0);
     busy_->setMaximumWidth(120);
     busy_->setObjectName("busy");
