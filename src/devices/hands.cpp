@@ -79,6 +79,7 @@ WantedForce Hands::wantedFor(const Hand& hand, const Tick& tick, bool enabled) c
     if (!holds) wanted = WantedForce{};
     const HandFrame& frame = hand.frames[kTurbine];
     wanted.wrench = frame.toDevice(wanted.wrench);
+    wanted.drivePull = frame.toDevice(Wrench{wanted.drivePull, Vec3::Zero()}).force;
     wanted.hand = hand.sample.hand.position;
     wanted.depth *= frame.fineness();
     wanted.stiffness /= frame.fineness();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "haptics/force_pipeline.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "haptics/hand_jump.h"
@@ -25,6 +26,7 @@ WantedForce wantedFrom(const Tick& tick) {
     WantedForce wanted;
     wanted.wrench = tick.wrench;
     wanted.hand = tick.hand.position;
+    wanted.drivePull = tick.drivePull;
     wanted.depth = tick.depth;
     wanted.stiffness = tick.stiffness;
     wanted.touching = tick.contacts > 0;
@@ -38,6 +40,7 @@ ForcePipeline::ForcePipeline(const ForceLimits& limits)
 bool ForcePipeline::isFault(const WantedForce& wanted, double elapsed) const {
     if (!wanted.connected || !wanted.hand.allFinite()) return true;
     if (!wanted.wrench.force.allFinite() || !wanted.wrench.torque.allFinite()) return true;
+    if (!wanted.drivePull.allFinite()) return true;
     if (!(elapsed >= 0) || !(elapsed <= kLongestPause)) return true;
     if (!(wanted.depth <= kDeepest) || !(wanted.stiffness <= kStiffest)) return true;
     return following_ && isHandJump(wanted.hand - lastHand_, elapsed);
@@ -74,11 +77,20 @@ Vec3 ForcePipeline::turned(const Vec3& force, double elapsed) const {
     return across.norm() > most ? Vec3(force - (1 - most / across.norm()) * across) : force;
 }
 
+/// What of the force sent is not the drive's pull, if the limits have cut both alike. The pull may do work on the hand:
+/// a spinning bur does climb and drag, and a controller that took this for a leak of the wall would damp it away.
+Vec3 ForcePipeline::sentOfWall(const Vec3& force, const Vec3& drivePull) const {
+    const double squared = force.squaredNorm();
+    if (!(squared > 0)) return sent_.force();
+    const double share = std::clamp(sent_.force().dot(force) / squared, 0.0, 1.0);
+    return sent_.force() - share * drivePull;
+}
+
 /// What the passivity controller adds to a force; it takes no more from it than there is, because a tooth does not
 /// pull.
 Vec3 ForcePipeline::damping(const Vec3& force, const WantedForce& wanted, double elapsed) {
     const SpringState spring{wanted.depth, wanted.stiffness, heat_.bound(), limiter_.strength()};
-    const Vec3 added = passivity_.damp(wanted.hand, sent_.force(), spring, elapsed);
+    const Vec3 added = passivity_.damp(wanted.hand, sentOfWall_, spring, elapsed);
     const double length = force.norm();
     if (!(length > 0)) return Vec3::Zero();
     const double along = added.dot(force) / length;
@@ -87,6 +99,7 @@ Vec3 ForcePipeline::damping(const Vec3& force, const WantedForce& wanted, double
 
 SafeWrench ForcePipeline::send(const Wrench& wrench, const WantedForce& wanted, double elapsed) {
     sent_ = limiter_.limit(wrench, elapsed, true);
+    sentOfWall_ = sent_.force();
     heat_.add(sent_.force().norm(), elapsed, wanted.motorHeat);
     following_ = true;
     lastHand_ = wanted.hand;
@@ -120,7 +133,9 @@ SafeWrench ForcePipeline::pass(const WantedForce& wanted, double elapsed) {
     state_ = length > bound && bound < limiter_.limits().force ? ForceState::Warm : ForceState::On;
     if (length > bound) wrench.force *= bound / length;
     wrench.force = turned(wrench.force, elapsed);
-    return send(wrench, wanted, elapsed);
+    send(wrench, wanted, elapsed);
+    sentOfWall_ = sentOfWall(wrench.force, wanted.drivePull);
+    return sent_;
 }
 
 }  // namespace tactooth

@@ -12,9 +12,10 @@ namespace tactooth {
 /// What the simulation wants the hand to feel at one tick, in the device's frame.
 struct WantedForce {
     Wrench wrench;
-    Vec3 hand = Vec3::Zero();  ///< of the device's tip, mm
-    double depth = 0;          ///< of the hand beyond the proxy, mm; 0 without contact
-    double stiffness = 0;      ///< of the spring that pushes, N/mm
+    Vec3 hand = Vec3::Zero();       ///< of the device's tip, mm
+    Vec3 drivePull = Vec3::Zero();  ///< that part of the force for which the drive pays, N: no energy of the wall's
+    double depth = 0;               ///< of the hand beyond the proxy, mm; 0 without contact
+    double stiffness = 0;           ///< of the spring that pushes, N/mm
     bool touching = false;
     bool allowed = true;    ///< false: fade out, as a person or the loss of the proxy asks for
     bool connected = true;  ///< false: the device is gone or its reading is wrong; nothing at once
@@ -53,8 +54,9 @@ private:
     [[nodiscard]] bool isFault(const WantedForce& wanted, double elapsed) const;
     [[nodiscard]] SafeWrench stop(const WantedForce& wanted, double elapsed);
     [[nodiscard]] SafeWrench rest(const WantedForce& wanted, double elapsed);
-    [[nodiscard]] SafeWrench send(const Wrench& wrench, const WantedForce& wanted, double elapsed);
+    SafeWrench send(const Wrench& wrench, const WantedForce& wanted, double elapsed);
     [[nodiscard]] Vec3 damping(const Vec3& force, const WantedForce& wanted, double elapsed);
+    [[nodiscard]] Vec3 sentOfWall(const Vec3& force, const Vec3& drivePull) const;
     [[nodiscard]] Vec3 turned(const Vec3& force, double elapsed) const;
 
     SafetyLimiter limiter_;
@@ -65,6 +67,7 @@ private:
     bool following_ = false;  // lastHand_ means something
     Vec3 lastHand_ = Vec3::Zero();
     SafeWrench sent_;
+    Vec3 sentOfWall_ = Vec3::Zero();  // without what the drive pulls, N
     std::uint64_t faults_ = 0;
 };
 

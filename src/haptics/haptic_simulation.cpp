@@ -77,6 +77,7 @@ void HapticSimulation::turnBur(const HandInput& input, double dt, Tick& tick) {
     const Vec3 axis = tick.proxy.rotation * Vec3::UnitZ();
     const double force = bites ? force_.normalForce() : 0;
     const Vec3 pull = cuttingForce_.at({tick.normal, axis, force, bur_.speedRpm, spindle_.freeSpeedRpm}, dt);
+    tick.drivePull = pull;
     tick.wrench.force += pull;
     tick.wrench.torque += lever_.cross(pull);
     tick.cutWork = last_.cutWork + (bites ? force_.normalForce() * rimSpeed * dt : 0);

@@ -25,10 +25,11 @@ struct Tick {
     Pose hand;
     Pose proxy;
     double depth = 0;
-    Vec3 normal = Vec3::Zero();  ///< unit, out of the tooth; zero without contact
-    double speed = 0;            ///< of the hand's tip, mm/s
-    Wrench wrench;               ///< wanted; the force pipeline comes after
-    double stiffness = 0;        ///< of the spring in it, N/mm; 0 without contact
+    Vec3 normal = Vec3::Zero();     ///< unit, out of the tooth; zero without contact
+    double speed = 0;               ///< of the hand's tip, mm/s
+    Wrench wrench;                  ///< wanted; the force pipeline comes after
+    Vec3 drivePull = Vec3::Zero();  ///< N, that part of it with which the spinning bur pulls: the drive pays for it
+    double stiffness = 0;           ///< of the spring in it, N/mm; 0 without contact
     int contacts = 0;
     bool placed = false;
     bool cutting = false;

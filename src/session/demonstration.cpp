@@ -38,7 +38,7 @@ Demonstration playDemonstration(WorkPiece& piece, const Box3& box, const Instrum
                        lesson(middle, reach, seconds));
     HapticSimulation simulation(instrument.shape, instrument.cutting.envelope.maxRadius(), piece.felt(), settings);
     FeltSurfaces surfaces(simulation.tool());
-    SafetyLimiter limiter(hand.info().limits);
+    ForcePipeline pipeline(hand.info().limits);
 
     Demonstration result;
     const auto count = static_cast<std::size_t>(seconds / kTick);
@@ -48,7 +48,7 @@ Demonstration playDemonstration(WorkPiece& piece, const Box3& box, const Instrum
         if (hand.passageNumber() < kTouchPassages) result.touchTick = i;
         const auto start = std::chrono::steady_clock::now();
         Tick tick = simulation.step({sample.hand, sample.pedal, hand.passage().cutting}, kTick);
-        hand.write(limiter.limit(tick.wrench, kTick, tick.placed));
+        hand.write(pipeline.pass(wantedFrom(tick), kTick));
         tick.micros = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
         result.ticks.push_back(tick);
         if (i % kTicksPerCut != 0) continue;

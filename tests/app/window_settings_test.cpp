@@ -21,6 +21,7 @@ WindowSettings unusual() {
             .showsTurbine = false,
             .showsMirror = false,
             .force = {false, 0.75, 0.0125, 1.5, 2.2},
+            .hand = {"gamepad:Wireless", "pen:Left", 2.5, true, 3, 0, 5, "axis:2:Foot", 0.25, 0.75, "F5"},
             .sound = {.motor = 0.25, .cutting = 0.5, .master = 0.75, .muted = true, .environment = 0.125},
             .headphones = true,
             .ownSounds = "/home/someone/school.toml",
@@ -38,6 +39,7 @@ void expectEqual(const WindowSettings& a, const WindowSettings& b) {
     EXPECT_EQ(a.showsTurbine, b.showsTurbine);
     EXPECT_EQ(a.showsMirror, b.showsMirror);
     EXPECT_EQ(a.force, b.force);
+    EXPECT_EQ(a.hand, b.hand);
     EXPECT_EQ(a.sound.motor, b.sound.motor);
     EXPECT_EQ(a.sound.cutting, b.sound.cutting);
     EXPECT_EQ(a.sound.master, b.sound.master);

@@ -117,6 +117,12 @@ TEST(HaplyDevice, EachFailureToStartHasItsSentence) {
     EXPECT_EQ(openError("", service.address()), "") << "and after that it starts";
 }
 
+/// A machine that stalls is a trouble of its own, and may be said before.
+bool says(const HapticDevice& device, const std::string& part) {
+    const char* const trouble = device.trouble();
+    return trouble != nullptr && std::string(trouble).find(part) != std::string::npos;
+}
+
 struct Fault {
     HaplyFault fault;
     const char* name;
@@ -134,8 +140,7 @@ TEST_P(HaplyFaults, MidPressGiveNoForceAndASentenceAndTheDeviceComesBack) {
     const PlaneServo servo(device);
     ASSERT_TRUE(lean(service));
     service.setFault(fault.fault);
-    EXPECT_TRUE(soon([&] { return device.trouble() != nullptr; }));
-    EXPECT_THAT(device.trouble(), HasSubstr(fault.sentence));
+    EXPECT_TRUE(soon([&] { return says(device, fault.sentence); }));
     EXPECT_TRUE(soon([&] { return service.force() == 0; }));
     std::this_thread::sleep_for(50ms);
     EXPECT_EQ(service.force(), 0);

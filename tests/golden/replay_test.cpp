@@ -15,7 +15,7 @@
 namespace tactooth {
 namespace {
 
-constexpr std::uint64_t kGolden = 0x979b4171253209fdULL;
+constexpr std::uint64_t kGolden = 0x611e093c890a6d9bULL;
 
 constexpr double kTick = 0.001;
 constexpr double kVoxel = 0.05;

@@ -8,6 +8,8 @@
 #include <limits>
 #include <random>
 
+#include "adversary.h"
+
 namespace tactooth {
 namespace {
 
@@ -199,61 +201,37 @@ TEST(ForcePipeline, EqualCallsGiveEqualBits) {
     }
 }
 
-/// Numbers that break arithmetic, in turn with ordinary ones.
-class Adversary {
+/// Mostly a hand that wanders in and out of a tooth; now and then something is broken.
+class HostileHand {
 public:
-    double number() {
-        switch (random_() % 12) {
-            case 0:
-                return kOdd[random_() % std::size(kOdd)];
-            case 1:
-                return std::ldexp(part_(random_), static_cast<int>(random_() % 2100) - 1074);
-            default:
-                return 5 * part_(random_);
-        }
-    }
-    Vec3 vector() { return {number(), number(), number()}; }
-    bool oneIn(unsigned n) { return random_() % n == 0; }
-
-    /// Mostly a hand that wanders in and out of a tooth; now and then something is broken.
     WantedForce wanted() {
-        hand_ += 0.05 * Vec3(part_(random_), part_(random_), part_(random_));
-        WantedForce wanted = pushed(4 * Vec3(part_(random_), part_(random_), 1 + part_(random_)));
+        hand_ += 0.05 * Vec3(from_.part(), from_.part(), from_.part());
+        WantedForce wanted = pushed(4 * Vec3(from_.part(), from_.part(), 1 + from_.part()));
         wanted.hand = hand_;
-        wanted.touching = !oneIn(50);
-        wanted.allowed = !oneIn(2000);
-        wanted.connected = !oneIn(5000);
-        if (oneIn(1000)) wanted.wrench = {vector(), vector()};
-        if (oneIn(5000)) wanted.hand = vector();
-        if (oneIn(5000)) wanted.depth = number();
-        if (oneIn(5000)) wanted.stiffness = number();
-        if (oneIn(2000)) wanted.motorHeat = number();
+        wanted.touching = !from_.oneIn(50);
+        wanted.allowed = !from_.oneIn(2000);
+        wanted.connected = !from_.oneIn(5000);
+        if (from_.oneIn(1000)) wanted.wrench = {from_.vector(), from_.vector()};
+        if (from_.oneIn(5000)) wanted.hand = from_.vector();
+        if (from_.oneIn(5000)) wanted.depth = from_.number();
+        if (from_.oneIn(5000)) wanted.stiffness = from_.number();
+        if (from_.oneIn(2000)) wanted.motorHeat = from_.number();
         return wanted;
     }
     double elapsed() {
-        if (!oneIn(2000)) return oneIn(10) ? 0.003 * std::abs(part_(random_)) : kTick;
-        return kOddTimes[random_() % std::size(kOddTimes)];
+        if (from_.oneIn(2000)) return from_.oddTime();
+        return from_.oneIn(10) ? 0.003 * std::abs(from_.part()) : kTick;
     }
 
 private:
-    static constexpr double kOdd[] = {std::numeric_limits<double>::infinity(),
-                                      -std::numeric_limits<double>::infinity(),
-                                      std::numeric_limits<double>::quiet_NaN(),
-                                      std::numeric_limits<double>::max(),
-                                      std::numeric_limits<double>::lowest(),
-                                      std::numeric_limits<double>::denorm_min(),
-                                      -0.0,
-                                      0.0};
-    static constexpr double kOddTimes[] = {0.0, -0.001, 1e-300, 0.02, 3600, std::numeric_limits<double>::infinity()};
-    std::mt19937_64 random_{20261121};
-    std::uniform_real_distribution<double> part_{-1, 1};
+    test::Adversary from_{20261121};
     Vec3 hand_ = Vec3::Zero();
 };
 
 TEST(ForcePipeline, AMillionHostileTicksStayWithinForceAndSlewAndAreNumbers) {
     const ForceLimits allowed = touchLimits();
     ForcePipeline pipeline(allowed);
-    Adversary adversary;
+    HostileHand adversary;
     Vec3 last = Vec3::Zero();
     long strong = 0;
     long stopped = 0;

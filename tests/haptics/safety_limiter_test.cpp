@@ -6,7 +6,8 @@
 
 #include <cmath>
 #include <limits>
-#include <random>
+
+#include "adversary.h"
 
 namespace tactooth {
 namespace {
@@ -128,57 +129,21 @@ TEST(SafetyLimiter, ATickThatIsLateOrHasNoTimeGivesZero) {
     EXPECT_DOUBLE_EQ(limiter.limit(push(3), 0.003, true).force().z(), 3);
 }
 
-/// Numbers that break arithmetic, in turn with ordinary ones.
-class Adversary {
-public:
-    double number() {
-        switch (random_() % 8) {
-            case 0:
-                return kOdd[random_() % std::size(kOdd)];
-            case 1:
-                return std::ldexp(part_(random_), static_cast<int>(random_() % 2100) - 1074);
-            default:
-                return 5 * part_(random_);
-        }
-    }
-    Vec3 vector() { return {number(), number(), number()}; }
-    double elapsed() {
-        switch (random_() % 16) {
-            case 0:
-                return kOddTimes[random_() % std::size(kOddTimes)];
-            case 1:
-                return 0.004 * std::abs(part_(random_));
-            default:
-                return kTick;
-        }
-    }
-    bool enabled() { return random_() % 500 != 0; }
-
-private:
-    static constexpr double kOdd[] = {kInfinity,
-                                      -kInfinity,
-                                      std::numeric_limits<double>::quiet_NaN(),
-                                      std::numeric_limits<double>::max(),
-                                      std::numeric_limits<double>::lowest(),
-                                      std::numeric_limits<double>::denorm_min(),
-                                      -0.0,
-                                      0.0};
-    static constexpr double kOddTimes[] = {0.0, -0.001, 1e-300, 0.003, 3600, kInfinity};
-    std::mt19937_64 random_{20260203};
-    std::uniform_real_distribution<double> part_{-1, 1};
-};
-
 TEST(SafetyLimiter, AMillionHostileWrenchesStayWithinMagnitudeAndSlew) {
     const ForceLimits allowed = limits();
     SafetyLimiter limiter(allowed);
-    Adversary adversary;
+    test::Adversary adversary(20260203);
+    const auto hostileTime = [&] {
+        if (adversary.oneIn(16)) return adversary.oddTime();
+        return adversary.oneIn(16) ? 0.004 * std::abs(adversary.part()) : kTick;
+    };
     SafeWrench last;
     long strong = 0;
     long zero = 0;
     for (int i = 0; i < 1'000'000; ++i) {
         const Wrench wanted = i % 64 < 40 ? push(10) : Wrench{adversary.vector(), adversary.vector()};
-        const double elapsed = i % 64 < 40 ? kTick : adversary.elapsed();
-        const bool enabled = adversary.enabled();
+        const double elapsed = i % 64 < 40 ? kTick : hostileTime();
+        const bool enabled = !adversary.oneIn(500);
         const SafeWrench got = limiter.limit(wanted, elapsed, enabled);
         const bool allowedToPush = wanted.force.allFinite() && wanted.torque.allFinite() && elapsed >= 0 &&
                                    elapsed <= allowed.stallTime && enabled;

@@ -241,7 +241,7 @@ struct WindowFiles {
     std::vector<std::string> layers;
     std::string bur;
     std::map<std::string, std::string> settings;  ///< by flag
-    std::string device = "mouse";
+    std::optional<std::string> device;
     std::optional<int> mouth;  ///< tooth number
     bool noCache = false;
 };
@@ -261,10 +261,9 @@ void addWindowOptions(CLI::App& program, WindowFiles& files) {
         ->needs(tooth)
         ->group(group);
     program
-        .add_option(
-            "--device", files.device,
-            "What moves the bur: mouse (default), pen, inverse3, gamepad or spacemouse; pen:NAME, inverse3:ID or "
-            "gamepad:NAME for one of several (docs/haptics.md)")
+        .add_option("--device", files.device,
+                    "What moves the bur: mouse, pen, inverse3, gamepad or spacemouse; pen:NAME, inverse3:ID or "
+                    "gamepad:NAME for one of several (default: the one of the last time; docs/haptics.md)")
         ->type_name("NAME")
         ->group(group);
     program

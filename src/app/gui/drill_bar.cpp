@@ -55,7 +55,9 @@ void DrillBar::addModes() {
     for (QAction* mode : {touch_, cut_}) mode->setCheckable(true);
     touch_->setChecked(true);
     addActions(modes->actions());
-    connect(cut_, &QAction::toggled, this, &DrillBar::cuttingChanged);
+    connect(cut_, &QAction::toggled, this, [this](bool cutting) {
+        if (!showing_) emit cuttingChanged(cutting);
+    });
     addSeparator();
     undo_ = addAction(style()->standardIcon(QStyle::SP_ArrowBack), tr("Undo cut"));
     undo_->setToolTip(tr("Takes back the last cut (Ctrl+Z)"));
@@ -63,6 +65,12 @@ void DrillBar::addModes() {
     reset_ = addAction(style()->standardIcon(QStyle::SP_BrowserReload), tr("Reset tooth"));
     reset_->setToolTip(tr("Puts back all that was cut (Ctrl+R)"));
     reset_->setShortcut(QKeySequence("Ctrl+R"));
+}
+
+void DrillBar::showCutting(bool cutting) {
+    showing_ = true;
+    (cutting ? cut_ : touch_)->setChecked(true);
+    showing_ = false;
 }
 
 void DrillBar::choose(const QString& burNumber, const QString& spindleName) {

@@ -22,6 +22,8 @@ public:
     [[nodiscard]] QAction* cutAction() { return cut_; }
     [[nodiscard]] QAction* undoAction() { return undo_; }
     [[nodiscard]] QAction* resetAction() { return reset_; }
+    /// Shows what a device's button has chosen; emits nothing.
+    void showCutting(bool cutting);
     [[nodiscard]] bool isCutting() const { return cut_->isChecked(); }
     /// In the catalogue; empty for a bur from a file.
     [[nodiscard]] QString burNumber() const { return burs_->currentData().toString(); }
@@ -46,6 +48,7 @@ private:
     QAction* cut_;
     QAction* undo_;
     QAction* reset_;
+    bool showing_ = false;  // a choice that was made elsewhere
 };
 
 }  // namespace tactooth

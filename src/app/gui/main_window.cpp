@@ -17,6 +17,7 @@
 #include "app/gui/drive_panel.h"
 #include "app/gui/force_panel.h"
 #include "app/gui/guided_tour.h"
+#include "app/gui/hand_panel.h"
 #include "app/gui/inside_panel.h"
 #include "app/gui/open_tooth_dialog.h"
 #include "app/gui/plot_panel.h"
@@ -33,6 +34,7 @@ namespace {
 constexpr int kStepMs = 16;      // the hand moves 60 times a second
 constexpr int kNumbersMs = 100;  // gauges and plots: ten times a second
 constexpr int kStatusMs = 1000;
+constexpr int kLayout = 1;  // counts the arrangements of docks: one that was saved with others of them is not taken
 constexpr double kLongestStep = 0.1;  // s: after a stall the hand goes on gently
 
 }  // namespace
@@ -45,6 +47,7 @@ MainWindow::MainWindow(SoundOutput& sound)
       drive_(new DrivePanel),
       force_(new ForcePanel),
       inside_(new InsidePanel),
+      handPanel_(new HandPanel),
       tour_(new GuidedTour(bench_, *view_, *drill_, *drive_, this)),
       volumes_(new SoundPanel),
       plots_(new PlotPanel),
@@ -96,17 +99,22 @@ void MainWindow::addPanels() {
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     QDockWidget* drill = addDock(*drive_, tr("Drill"), Qt::RightDockWidgetArea);
     QDockWidget* force = addDock(*force_, tr("Force"), Qt::RightDockWidgetArea);
+    QDockWidget* hand = addDock(*handPanel_, tr("Hand"), Qt::RightDockWidgetArea);
     QDockWidget* sound = addDock(*volumes_, tr("Sound"), Qt::RightDockWidgetArea);
+    tabifyDockWidget(force, hand);
+    tabifyDockWidget(hand, sound);  // what one sets once; all of them one below the other are higher than most screens
+    force->raise();
     QDockWidget* inside = addDock(*inside_, tr("Look inside"), Qt::RightDockWidgetArea);
     addDock(*plots_, tr("Last ten seconds"), Qt::BottomDockWidgetArea);
     // All but the lowest need no more than their contents; that takes what is left.
-    for (QWidget* panel :
-         {static_cast<QWidget*>(drive_), static_cast<QWidget*>(force_), static_cast<QWidget*>(volumes_)}) {
-        panel->setMaximumHeight(panel->sizeHint().height());
+    const int drillHeight = drive_->sizeHint().height();
+    const int handHeight = handPanel_->sizeHint().height();  // the highest of the tabs
+    drive_->setMaximumHeight(drillHeight);
+    for (QWidget* tab :
+         {static_cast<QWidget*>(force_), static_cast<QWidget*>(handPanel_), static_cast<QWidget*>(volumes_)}) {
+        tab->setMaximumHeight(handHeight);
     }
-    resizeDocks({drill, force, sound, inside},
-                {drive_->sizeHint().height(), force_->sizeHint().height(), volumes_->sizeHint().height(), 2 * height()},
-                Qt::Vertical);
+    resizeDocks({drill, force, inside}, {drillHeight, handHeight, 2 * height()}, Qt::Vertical);
     busy_->setRange(0, 0);
     busy_->setMaximumWidth(120);
     busy_->setObjectName("busy");
@@ -158,7 +166,7 @@ void MainWindow::addMouthMenu(QMenu& menu) {
 
 void MainWindow::addDrillAndSoundMenus() {
     QMenu* menu = menuBar()->addMenu(tr("&Drill"));
-    menu->addActions({drill_->touchAction(), drill_->cutAction()});
+    menu->addActions({drill_->touchAction(), drill_->cutAction(), handPanel_->clutchAction()});
     menu->addSeparator();
     menu->addAction(tr("Stand the bur &upright"), this, [this] { bench_.hand().standUpright(); })
         ->setShortcut(QKeySequence("U"));
@@ -193,7 +201,7 @@ void MainWindow::connectPanels() {
         drive_->setSpindle(spindle);
     });
     connect(drill_, &DrillBar::cuttingChanged, this, [this](bool cutting) {
-        bench_.controls.cutting = cutting;
+        bench_.setCutting(cutting);
         showUsualHint();
     });
     connect(drill_->resetAction(), &QAction::triggered, this, [this] {
@@ -203,7 +211,6 @@ void MainWindow::connectPanels() {
         if (bench_.simulator() != nullptr) bench_.simulator()->requestUndo();
     });
     connect(drive_, &DrivePanel::pedalChanged, this, [this](double pedal) {
-        bench_.controls.pedal = pedal;
         if (pedal > 0 && !drill_->isCutting()) {
             status_->setHint(tr("In Touch the bur stands still: choose Cut (C), and the pedal turns it"));
         }
@@ -222,11 +229,15 @@ void MainWindow::connectPanels() {
     });
     connectSound();
     connectInside();
+    connectHand();
 }
 
 void MainWindow::step() {
     const double dt = sinceStep_.isValid() ? static_cast<double>(sinceStep_.restart()) / 1000 : (sinceStep_.start(), 0);
+    stepPedal();
+    takeDevices();
     takeNews(bench_.step(std::min(dt, kLongestStep)));
+    followButtons();
     takeSounds();
     takeTarget();
     importer_->poll();
@@ -237,12 +248,20 @@ void MainWindow::step() {
 }
 
 void MainWindow::showUsualHint() {
-    status_->setHint(
-        tr("Left button: press the bur on the tooth · wheel: harder, softer · right: turn · space: pedal"));
+    if (bench_.device() == nullptr) {
+        status_->setHint(
+            tr("Left button: press the bur on the tooth · wheel: harder, softer · right: turn · space: pedal"));
+    } else if (handPanel_->settings().device.starts_with("gamepad")) {
+        status_->setHint(
+            tr("Left stick: move · left trigger: press · left shoulder: lift · right stick: lean · right trigger: "
+               "pedal · A: touch or cut"));
+    } else {
+        status_->setHint(tr("Move the device: the bur follows it · space: pedal · C: cut, T: touch"));
+    }
 }
 
 void MainWindow::takeNews(const Workbench::News& news) {
-    if (news.failure) complain(QString::fromStdString(*news.failure));
+    if (news.failure) complain(translated(*news.failure));
     if (news.newSimulator) {
         trace_.clear();
         drill_->show(QString::fromStdString(bench_.bur()->name), QString::fromStdString(bench_.bur()->file.string()));
@@ -260,7 +279,7 @@ void MainWindow::apply(const WindowSettings& settings) {
         return QByteArray::fromBase64(QByteArray::fromStdString(text));
     };
     restoreGeometry(unpacked(settings.geometry));
-    restoreState(unpacked(settings.docks));
+    restoreState(unpacked(settings.docks), kLayout);
     folder_ = QString::fromStdString(settings.folder);
     drill_->choose(QString::fromStdString(settings.bur), QString::fromStdString(settings.spindle));
     mirrorSwitch_->setChecked(settings.showsMirror);
@@ -269,6 +288,7 @@ void MainWindow::apply(const WindowSettings& settings) {
     setLanguage(QString::fromStdString(settings.language));
     recent_ = QString::fromStdString(settings.recent).split('\n', Qt::SkipEmptyParts);
     force_->set(settings.force);
+    applyHand(settings.hand);
     volumes_->setMixer(settings.sound);
     volumes_->setHeadphones(settings.headphones);
     if (!settings.ownSounds.empty()) openSounds(QString::fromStdString(settings.ownSounds));
@@ -276,13 +296,14 @@ void MainWindow::apply(const WindowSettings& settings) {
 
 WindowSettings MainWindow::settings() const {
     return {.geometry = saveGeometry().toBase64().toStdString(),
-            .docks = saveState().toBase64().toStdString(),
+            .docks = saveState(kLayout).toBase64().toStdString(),
             .folder = folder_.toStdString(),
             .bur = drill_->burNumber().toStdString(),
             .spindle = drill_->spindleName().toStdString(),
             .showsTurbine = turbineSwitch_->isChecked(),
             .showsMirror = mirrorSwitch_->isChecked(),
             .force = force_->settings(),
+            .hand = handPanel_->settings(),
             .sound = volumes_->mixer(),
             .headphones = volumes_->headphones(),
             .ownSounds = soundsFile_.toStdString(),
@@ -294,6 +315,7 @@ WindowSettings MainWindow::settings() const {
 void MainWindow::showNumbers() {
     drive_->show(bench_.newest());
     plots_->show(trace_);
+    showHand();
 }
 
 }  // namespace tactooth

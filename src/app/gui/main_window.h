@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/gui/errand.h"
+#include "app/gui/foot_pedal.h"
 #include "app/gui/tick_trace.h"
 #include "app/gui/window_settings.h"
 #include "app/gui/workbench.h"
@@ -25,6 +26,7 @@ class DrillBar;
 class DrivePanel;
 class ForcePanel;
 class GuidedTour;
+class HandPanel;
 class InsidePanel;
 class PlotPanel;
 class ScanImporter;
@@ -67,6 +69,11 @@ public:
     void openTarget(const QString& file);
     /// Writes what the plots show; says so if that fails.
     void exportPlotsTo(const QString& file);
+    /// Opens a device (see openDevice), which then moves the bur; "mouse" for none. Says so if that fails, and the
+    /// mouse goes on.
+    void steerBy(const QString& name);
+    /// The same for the other hand, which begins with the mirror; "none" leaves it empty.
+    void holdMirrorBy(const QString& name);
 
 signals:
     /// The graphics system cannot draw; a sentence. The window is of no use then.
@@ -91,6 +98,13 @@ private:
     void connectPanels();
     void connectSound();
     void connectInside();
+    void connectHand();
+    void takeHandSettings();
+    void applyHand(const HandSettings& settings);
+    void takeDevices();
+    void stepPedal();
+    void followButtons();
+    void showHand();
     void inspectAnew();
     void takeTarget();
     void setDark(bool dark);
@@ -135,6 +149,7 @@ private:
     DrivePanel* drive_;
     ForcePanel* force_;
     InsidePanel* inside_;
+    HandPanel* handPanel_;
     GuidedTour* tour_;
     SoundPanel* volumes_;
     PlotPanel* plots_;
@@ -157,6 +172,11 @@ private:
     QString soundsFile_;  // that is played; empty: the synthesised sounds
     Errand<OwnSounds> comingSounds_;
     Errand<Target> comingTarget_;
+    Errand<std::unique_ptr<HapticDevice>> comingDevice_, comingSecond_;
+    FootPedal pedal_;
+    Qt::Key pedalKey_ = Qt::Key_Space;
+    double disagreesSince_ = 0;  // tick's time, s: bar and device about touch or cut
+    bool forceWaits_ = false;    // and the hint says so
     QTimer stepTimer_, numbersTimer_, statusTimer_;
     QElapsedTimer sinceStep_;
 };

@@ -217,7 +217,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
     }
 }
 
-/// The space key is the pedal, whatever has the focus, as long as no dialog is in front. A key or a click ends the
+/// The pedal key is the pedal, whatever has the focus, as long as no dialog is in front. A key or a click ends the
 /// demonstration.
 bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
     const bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease;
@@ -226,7 +226,7 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
         return QMainWindow::eventFilter(watched, event);
     }
     const auto* key = static_cast<QKeyEvent*>(event);
-    if (key->key() != Qt::Key_Space) return QMainWindow::eventFilter(watched, event);
+    if (key->key() != pedalKey_) return QMainWindow::eventFilter(watched, event);
     if (!key->isAutoRepeat()) drive_->setKeyDown(event->type() == QEvent::KeyPress);
     return true;
 }
@@ -253,6 +253,11 @@ void MainWindow::showMouseAndKeys() {
     text += row(tr("Ctrl + O, S, Shift + S"), tr("open a tooth, save it, export its surface"));
     text += row(tr("Ctrl + I"), tr("import a scan"));
     text += row(tr("Ctrl + D"), tr("dark colours"));
+    text += row(tr("X"), tr("hold the bur while the hand of a device moves on"));
+    text += row(tr("Gamepad: sticks"), tr("left: move; right: lean the bur"));
+    text += row(tr("Gamepad: left trigger, shoulder"), tr("press, lift"));
+    text += row(tr("Gamepad: right trigger, shoulder"), tr("pedal, hold"));
+    text += row(tr("Gamepad: A, B"), tr("touch or cut, turbine or mirror"));
     say(this, QMessageBox::NoIcon, tr("Mouse and keys"), text + "</table>");
 }
 

@@ -11,7 +11,6 @@
 #include "app/cli/exit_code.h"
 #include "app/gui/main_window.h"
 #include "app/gui/window_setup.h"
-#include "devices/open_device.h"
 #include "sound/audio_libraries.h"
 #include "sound/openal_output.h"
 
@@ -54,10 +53,6 @@ Expected<WindowSettings> withFlags(WindowSettings settings, const WindowOptions&
     return settings;
 }
 
-bool hasSecondHand(const WindowSettings& settings) {
-    return !settings.secondDevice.empty() && settings.secondDevice != "none";
-}
-
 }  // namespace
 
 int runWindow(const WindowOptions& options) {
@@ -97,6 +92,7 @@ int runWindow(const WindowOptions& options) {
         QApplication::exit(exitCode);
     });
     if (bur || (tooth && tooth->bur)) start->bur.clear();  // the one of the command line counts, or of the case
+    if (options.device) start->hand.device = *options.device;
     window.apply(*start);
     if (tooth) {
         window.bench().put(std::move(*tooth));
@@ -112,20 +108,8 @@ int runWindow(const WindowOptions& options) {
                         " The window starts with its defaults and writes the file anew when it is closed.");
     }
     if (isFirstTime && !options.tooth && !options.mouth) window.welcome();
-    if (options.device != "mouse") {
-        auto device = openDevice(options.device);
-        device ? window.bench().put(std::move(*device))
-               : window.complain(QString::fromStdString(device.error().message));
-    }
-    if (hasSecondHand(*start)) {
-        auto device = openDevice(start->secondDevice);
-        device ? window.bench().putSecond(std::move(*device))
-               : window.complain(QString::fromStdString(device.error().message));
-    }
     QApplication::exec();
-    WindowSettings last = window.settings();
-    last.secondDevice = start->secondDevice;
-    if (const auto written = writeWindowSettings(last, settingsFile); !written) {
+    if (const auto written = writeWindowSettings(window.settings(), settingsFile); !written) {
         (void)refuse(written.error());  // a word about it; the session itself went well
     }
     return exitCode;

@@ -19,7 +19,7 @@ struct WindowOptions {
     std::optional<BenchMouth> mouth;  ///< the whole mouth around one of its teeth; `tooth` is not given then
     std::optional<std::filesystem::path> bur;
     std::map<std::string, std::string> settings;  ///< by their flag (see windowOptions); they win over the file's
-    std::string device = "mouse";  ///< see openDevice; one that does not open leaves the mouse, and the window says why
+    std::optional<std::string> device;  ///< see openDevice; one that does not open leaves the mouse, and it is said
 };
 
 /// Opens the simulator's window and returns when it is closed: an ExitCode. Without a display or OpenGL 4.1, or with

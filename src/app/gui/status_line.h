@@ -4,6 +4,7 @@
 
 #include <QElapsedTimer>
 #include <QLabel>
+#include <QProgressBar>
 #include <QStatusBar>
 
 #include "session/simulator.h"
@@ -24,12 +25,16 @@ public:
     void setHint(const QString& hint) { hint_->setText(hint); }
 
 private:
+    void showOverrun(std::uint64_t inTime, std::uint64_t missed);
+
     QLabel* hint_;
     QLabel* removed_;
     QLabel* servo_;
+    QProgressBar* overrun_;
     QLabel* sound_;
     QElapsedTimer since_;
     std::uint64_t ticks_ = 0;
+    std::uint64_t missed_ = 0;
     std::uint64_t updates_ = 0;
 };
 

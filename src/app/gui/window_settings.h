@@ -24,6 +24,24 @@ struct ForceSettings {
 
     bool operator==(const ForceSettings&) const = default;
 };
+/// Which device steers and how, as it was set.
+struct HandSettings {
+    std::string device = "mouse";       ///< see openDevice
+    std::string secondDevice = "none";  ///< of the other hand, likewise
+    double fineness = 1;                ///< mm of the hand for each mm of the tool
+    bool leftHanded = false;
+    double swapButton = 1;  ///< turbine or mirror; buttons are counted from 1, 0 is none
+    double cutButton = 2;   ///< touch or cut
+    double clutchButton = 3;
+    std::string pedal;  ///< see parsePedal
+    double pedalUp = 0, pedalDown = 1;
+    std::string pedalKey = "Space";  ///< as Qt writes keys in English
+
+    bool operator==(const HandSettings&) const = default;
+};
+inline constexpr double kMostFineness = 3;
+inline constexpr double kMostButton = 8;
+
 // Ranges: a desk-top device renders 1 N/mm cleanly and 3 N/mm with luck; 2 N*s/m is what a hand does not feel as
 // viscous, ten times that it does.
 inline constexpr double kMostSpring = 3;     ///< N/mm
@@ -40,13 +58,13 @@ struct WindowSettings {
     bool showsTurbine = true;
     bool showsMirror = true;
     ForceSettings force;
+    HandSettings hand;
     SoundMixer sound;
     bool headphones = false;
     std::string ownSounds;  ///< file of the recordings that are played; empty: all synthesised
     std::string language;   ///< "en" or "ja"; empty: that of the system
     bool dark = false;
-    std::string secondDevice;  ///< of the other hand, see openDevice; empty or "none": there is none
-    std::string recent;        ///< the teeth that were opened last, one path a line, newest first
+    std::string recent;  ///< the teeth that were opened last, one path a line, newest first
 };
 
 /// One setting: how it is called in the file ([table] key) and on the command line (--table-key), and what it may be.

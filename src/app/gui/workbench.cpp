@@ -25,12 +25,17 @@ Workbench::~Workbench() = default;
 
 void Workbench::put(BenchTooth tooth) {
     tooth_ = std::move(tooth);
-    const double pressDepth = hand_.pressDepth();
-    hand_ = HandControl(tooth_->box(), tooth_->mesialX);
-    hand_.setPressDepth(pressDepth);
+    takeHand();
     settings_.materials = tooth_->materials.value_or(MaterialTable());
     if (tooth_->bur) bur_ = tooth_->bur;
     simulatorIsOld_ = toothIsNew_ = true;
+}
+
+/// A fresh hand over the tooth, that presses as the one before.
+void Workbench::takeHand() {
+    const double pressDepth = hand_.pressDepth();
+    hand_ = HandControl(tooth_ ? tooth_->box() : kNoTooth, handleX());
+    hand_.setPressDepth(pressDepth);
 }
 
 void Workbench::put(BenchBur bur) {
@@ -49,7 +54,25 @@ void Workbench::put(std::unique_ptr<HapticDevice> device) {
     simulatorIsOld_ = true;
 }
 
+void Workbench::useMouse() {
+    simulator_.reset();  // it uses the device
+    device_.reset();
+    simulatorIsOld_ = true;
+}
+
+void Workbench::setLeftHanded(bool leftHanded) {
+    if (leftHanded == std::exchange(leftHanded_, leftHanded)) return;
+    takeHand();
+    if (device_) simulatorIsOld_ = true;  // the hand takes the tool anew
+}
+
+void Workbench::setCutting(bool cutting) {
+    const bool chosenByButton = newest_.cutting != controls.cutting;
+    controls.cutting = cutting != (device_ && chosenByButton);
+}
+
 void Workbench::putSecond(std::unique_ptr<HapticDevice> device) {
+    if (device == nullptr && second_ == nullptr) return;
     simulator_.reset();  // it may use an old one
     second_ = std::move(device);
     simulatorIsOld_ = true;
@@ -102,6 +125,7 @@ void Workbench::startSimulator(News& news) {
         kServoRate, seat, second_.get());
     saidHeavy_ = false;
     newest_ = Tick();
+    newest_.cutting = controls.cutting;
     newest_.proxy = newest_.hand = hand_.hand();
     news.newSimulator = true;
 }
@@ -120,7 +144,12 @@ Workbench::News Workbench::step(double dt) {
     reportTrouble(news);
     hand_.advance(dt, newest_.proxy.position, newest_.depth);
     mouse_.moveTo({hand_.hand(), 0, 0, true});
-    simulator_->setControls(controls);
+    SimulatorControls now = controls;
+    if (!device_) {
+        now.fineness = 1;
+        now.clutch = false;
+    }
+    simulator_->setControls(now);
     spin_ = std::remainder(spin_ + newest_.speedRpm / 60 * 2 * std::numbers::pi * dt, 2 * std::numbers::pi);
     return news;
 }
@@ -149,7 +178,7 @@ SceneContents Workbench::contents(bool withTurbine, bool withMirror) const {
         const auto [azimuth, elevation] = usualView();
         const Vec3 toEye(std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
                          std::sin(elevation));
-        Pose mirror = parkedMirror(tooth_->box(), around_->disc, toEye, tooth_->mesialX);
+        Pose mirror = parkedMirror(tooth_->box(), around_->disc, toEye, handleX());
         const Pose& moved = simulator_->mirrorMotion();
         mirror = {mirror.position + moved.position, (moved.rotation * mirror.rotation).normalized()};
         contents.mirror = ShownMirror{around_->mirror, around_->disc, mirror};

@@ -33,7 +33,16 @@ public:
     void setSpindle(const SpindlePreset& spindle);
     /// An open device that moves the tool from now on, instead of the mouse.
     void put(std::unique_ptr<HapticDevice> device);
-    /// An open device for the other hand, which begins with the mirror.
+    /// The mouse moves it again; the device is closed.
+    void useMouse();
+    /// None: the mouse.
+    [[nodiscard]] const HapticDevice* device() const { return device_.get(); }
+    /// Handles leave to the other side.
+    void setLeftHanded(bool leftHanded);
+    [[nodiscard]] bool isLeftHanded() const { return leftHanded_; }
+    /// Touch or cut, as a person chooses it on the screen; a button of the device may have chosen before.
+    void setCutting(bool cutting);
+    /// An open device for the other hand, which begins with the mirror; null: that hand is empty.
     void putSecond(std::unique_ptr<HapticDevice> device);
     [[nodiscard]] const SpindlePreset& spindle() const { return settings_.spindle; }
     [[nodiscard]] const MaterialTable& materials() const { return settings_.materials; }
@@ -56,7 +65,7 @@ public:
     /// All that the bur can touch now. Needs a simulator.
     [[nodiscard]] std::shared_ptr<const Surface> felt() const;
 
-    /// Taken over by the simulator at the next step.
+    /// Taken over by the simulator at the next step. Fineness and clutch are a device's alone: the mouse points.
     SimulatorControls controls;
     HandControl& hand() { return hand_; }
     [[nodiscard]] const Tick& newest() const { return newest_; }
@@ -72,6 +81,8 @@ public:
 
 private:
     void startSimulator(News& news);
+    void takeHand();
+    [[nodiscard]] double handleX() const { return leftHanded_ ? -mesialX() : mesialX(); }
     void takeDeliveries(News& news);
     void reportTrouble(News& news);
 
@@ -85,6 +96,7 @@ private:
     std::optional<BenchFurniture> around_;
     bool simulatorIsOld_ = false;
     bool toothIsNew_ = false;
+    bool leftHanded_ = false;
     HandControl hand_;
     MouseDevice mouse_;
     std::unique_ptr<HapticDevice> device_;  // none: the mouse

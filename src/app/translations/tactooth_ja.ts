@@ -100,6 +100,150 @@
         <translation>サウンドカードなし：無音</translation>
     </message>
     <message>
+        <source>Mouse and keyboard</source>
+        <translation>マウスとキーボード</translation>
+    </message>
+    <message>
+        <source>Haptic pen (OpenHaptics)</source>
+        <translation>力覚ペン（OpenHaptics）</translation>
+    </message>
+    <message>
+        <source>Gamepad</source>
+        <translation>ゲームパッド</translation>
+    </message>
+    <message>
+        <source>SpaceMouse</source>
+        <translation>SpaceMouse</translation>
+    </message>
+    <message>
+        <source>The motors are warm: rest the pen for a minute; until then the force is weaker.</source>
+        <translation>モーターが熱くなっています。ペンを1分ほど休ませてください。それまで力は弱くなります。</translation>
+    </message>
+    <message>
+        <source>The driver has cut a force that was too strong; press more gently.</source>
+        <translation>強すぎる力をドライバーが制限しました。もっと軽く押してください。</translation>
+    </message>
+    <message>
+        <source>The driver has cut a force that rose too fast; move the pen more slowly into the tooth.</source>
+        <translation>急すぎる力をドライバーが制限しました。ペンをもっとゆっくり歯に近づけてください。</translation>
+    </message>
+    <message>
+        <source>The pen was moved faster than its driver allows; the force comes back by itself.</source>
+        <translation>ドライバーが許すより速くペンが動かされました。力は自動的に戻ります。</translation>
+    </message>
+    <message>
+        <source>The driver reports a force error: switch the device off and on again.</source>
+        <translation>ドライバーが力のエラーを報告しています。装置の電源を入れ直してください。</translation>
+    </message>
+    <message>
+        <source>The device reports a fault: check its power supply and cable, then switch it off and on again.</source>
+        <translation>装置が故障を報告しています。電源とケーブルを確かめ、電源を入れ直してください。</translation>
+    </message>
+    <message>
+        <source>The device is in use: close the other program that holds it.</source>
+        <translation>装置は使用中です。装置を使っている他のプログラムを閉じてください。</translation>
+    </message>
+    <message>
+        <source>The device does not answer: check its cable and power supply; it is tried again every second.</source>
+        <translation>装置が応答しません。ケーブルと電源を確かめてください。1秒ごとに再試行します。</translation>
+    </message>
+    <message>
+        <source>The device is not set up: run the vendor&apos;s setup program and pair it.</source>
+        <translation>装置が設定されていません。メーカーの設定プログラムでペアリングしてください。</translation>
+    </message>
+    <message>
+        <source>The driver&apos;s timer does not run: start the vendor&apos;s service, or restart the computer.</source>
+        <translation>ドライバーのタイマーが動いていません。メーカーのサービスを起動するか、コンピューターを再起動してください。</translation>
+    </message>
+    <message>
+        <source>The driver takes no more work: close other programs that use the device.</source>
+        <translation>ドライバーがこれ以上受け付けません。装置を使う他のプログラムを閉じてください。</translation>
+    </message>
+    <message>
+        <source>The vendor&apos;s library finds no licence: install OpenHaptics with its licence.</source>
+        <translation>メーカーのライブラリにライセンスが見つかりません。OpenHapticsをライセンスとともにインストールしてください。</translation>
+    </message>
+    <message>
+        <source>The device&apos;s driver reports an error: switch the device off and on again and restart Tactooth.</source>
+        <translation>装置のドライバーがエラーを報告しています。装置の電源を入れ直し、Tactoothを再起動してください。</translation>
+    </message>
+    <message>
+        <source>Put the pen into its inkwell for a moment, so that the device learns where it is.</source>
+        <translation>装置が位置を覚えるように、ペンを少しの間インクウェルに差し込んでください。</translation>
+    </message>
+    <message>
+        <source>The device has stopped answering: check its cable and power supply; the session goes on when it is back.</source>
+        <translation>装置の応答が止まりました。ケーブルと電源を確かめてください。戻ればそのまま続けられます。</translation>
+    </message>
+    <message>
+        <source>The gamepad has been unplugged: plug it in again, and the session goes on.</source>
+        <translation>ゲームパッドが外れました。もう一度接続すれば、そのまま続けられます。</translation>
+    </message>
+    <message>
+        <source>The SpaceMouse&apos;s driver has stopped: start it again (sudo systemctl start spacenavd), and the session goes on.</source>
+        <translation>SpaceMouseのドライバーが止まりました。もう一度起動すれば（sudo systemctl start spacenavd）、そのまま続けられます。</translation>
+    </message>
+    <message>
+        <source>Haply Inverse3</source>
+        <translation>Haply Inverse3</translation>
+    </message>
+    <message>
+        <source>The Haply Inverse Service answers too slowly: close other programs that keep this machine busy.</source>
+        <translation>Haply Inverse Serviceの応答が遅すぎます。コンピューターに負荷をかけている他のプログラムを閉じてください。</translation>
+    </message>
+    <message>
+        <source>The Haply Inverse Service has closed the connection: start it again; it is tried again every second.</source>
+        <translation>Haply Inverse Serviceが接続を閉じました。もう一度起動してください。1秒ごとに再試行します。</translation>
+    </message>
+    <message>
+        <source>The Haply Inverse Service has stopped answering: restart it; it is tried again every second.</source>
+        <translation>Haply Inverse Serviceの応答が止まりました。再起動してください。1秒ごとに再試行します。</translation>
+    </message>
+    <message>
+        <source>The Haply Inverse Service sends what is no message: restart it; if that does not help, install it anew.</source>
+        <translation>Haply Inverse Serviceから正しくない通信が届きました。再起動し、それでも直らなければ再インストールしてください。</translation>
+    </message>
+    <message>
+        <source>The Haply Inverse Service speaks another version of its language: install version 3.</source>
+        <translation>Haply Inverse Serviceの通信のバージョンが違います。バージョン3をインストールしてください。</translation>
+    </message>
+    <message>
+        <source>The Haply Inverse Service tells places that are not in metres: install version 3 of it.</source>
+        <translation>Haply Inverse Serviceの位置の単位がメートルではありません。バージョン3をインストールしてください。</translation>
+    </message>
+    <message>
+        <source>The Inverse3 does not know where it is: put its arms into their rest position and switch it off and on again.</source>
+        <translation>Inverse3の位置が分かりません。アームを休止位置に置き、電源を入れ直してください。</translation>
+    </message>
+    <message>
+        <source>The Inverse3 is gone: check its cable and power supply; the session goes on when it is back.</source>
+        <translation>Inverse3が見つからなくなりました。ケーブルと電源を確かめてください。戻ればそのまま続けられます。</translation>
+    </message>
+    <message>
+        <source>The Inverse3 has no power: plug in its power supply.</source>
+        <translation>Inverse3に電源が来ていません。電源をつないでください。</translation>
+    </message>
+    <message>
+        <source>The Inverse3 is not calibrated: hold its arms in their rest position until its light stays on.</source>
+        <translation>Inverse3が校正されていません。ランプが点灯したままになるまでアームを休止位置に保ってください。</translation>
+    </message>
+    <message>
+        <source>The Inverse3 is not ready: wait for its light, or switch it off and on again.</source>
+        <translation>Inverse3の準備ができていません。ランプを待つか、電源を入れ直してください。</translation>
+    </message>
+    <message>
+        <source>The VerseGrip is asleep: press one of its buttons.</source>
+        <translation>VerseGripがスリープしています。ボタンを一つ押してください。</translation>
+    </message>
+    <message>
+        <source>The device tells a place that is no number: switch it off and on again if this comes again.</source>
+        <translation>装置の位置が数値になっていません。繰り返すときは電源を入れ直してください。</translation>
+    </message>
+    <message>
+        <source>The device&apos;s place has jumped: check its cable, and let it calibrate if this comes again.</source>
+        <translation>装置の位置が飛びました。ケーブルを確かめ、繰り返すときは校正してください。</translation>
+    </message>
+    <message>
         <source>outer</source>
         <translation>外表面</translation>
     </message>
@@ -802,6 +946,70 @@ The mouse wheel in the picture changes it too.</source>
         <translation>目標：理想形（歯と同じ座標系）</translation>
     </message>
     <message>
+        <source>Hand</source>
+        <translation>手</translation>
+    </message>
+    <message>
+        <source>Left stick: move · left trigger: press · left shoulder: lift · right stick: lean · right trigger: pedal · A: touch or cut</source>
+        <translation>左スティック：移動 · 左トリガー：押す · 左ショルダー：持ち上げる · 右スティック：傾ける · 右トリガー：ペダル · A：触る／削る</translation>
+    </message>
+    <message>
+        <source>Move the device: the bur follows it · space: pedal · C: cut, T: touch</source>
+        <translation>装置を動かすとバーが従います · スペース：ペダル · C：削る、T：触る</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>hold the bur while the hand of a device moves on</source>
+        <translation>装置の手が動く間、バーをその場に保つ</translation>
+    </message>
+    <message>
+        <source>Gamepad: sticks</source>
+        <translation>ゲームパッド：スティック</translation>
+    </message>
+    <message>
+        <source>left: move; right: lean the bur</source>
+        <translation>左：移動、右：バーを傾ける</translation>
+    </message>
+    <message>
+        <source>Gamepad: left trigger, shoulder</source>
+        <translation>ゲームパッド：左トリガー、ショルダー</translation>
+    </message>
+    <message>
+        <source>press, lift</source>
+        <translation>押す、持ち上げる</translation>
+    </message>
+    <message>
+        <source>Gamepad: right trigger, shoulder</source>
+        <translation>ゲームパッド：右トリガー、ショルダー</translation>
+    </message>
+    <message>
+        <source>pedal, hold</source>
+        <translation>ペダル、保持</translation>
+    </message>
+    <message>
+        <source>Gamepad: A, B</source>
+        <translation>ゲームパッド：A、B</translation>
+    </message>
+    <message>
+        <source>touch or cut, turbine or mirror</source>
+        <translation>触る／削る、タービン／ミラー</translation>
+    </message>
+    <message>
+        <source>Press the pedal fully, then let it go</source>
+        <translation>ペダルをいっぱいに踏んでから離してください</translation>
+    </message>
+    <message>
+        <source>Opening the device…</source>
+        <translation>装置を開いています…</translation>
+    </message>
+    <message>
+        <source>The pedal is %1</source>
+        <translation>ペダルは %1 です</translation>
+    </message>
+    <message>
         <source>%1 was imported</source>
         <translation>%1 を取り込みました</translation>
     </message>
@@ -995,6 +1203,16 @@ p99：99 % の周期はこれより短い。欠落：システムが時間を与
         <source>not real-time</source>
         <translation>リアルタイムでない</translation>
     </message>
+    <message>
+        <source>The share of ticks in the last second that came too late for the force.
+More than 1 % is felt: close other programs, or take a tooth with fewer triangles.</source>
+        <translation>直前の1秒間で力の計算に間に合わなかった割合。
+1 %を超えると手に感じられます。他のプログラムを閉じるか、三角形の少ない歯を使ってください。</translation>
+    </message>
+    <message>
+        <source>late %1 %</source>
+        <translation>遅れ %1 %</translation>
+    </message>
 </context>
 <context>
     <name>tactooth::WelcomeDialog</name>
@@ -1033,6 +1251,125 @@ p99：99 % の周期はこれより短い。欠落：システムが時間を与
     <message>
         <source>All of this is in the menus, too; F1 shows mouse and keys.</source>
         <translation>これらはメニューにもあります。F1 でマウスとキーを表示します。</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::HandPanel</name>
+    <message>
+        <source>The force is on.</source>
+        <translation>力はオンです。</translation>
+    </message>
+    <message>
+        <source>The force is off.</source>
+        <translation>力はオフです。</translation>
+    </message>
+    <message>
+        <source>The force waits until the bur is free: lift it off the tooth.</source>
+        <translation>バーが歯から離れるまで力は出ません。歯から持ち上げてください。</translation>
+    </message>
+    <message>
+        <source>The motors are warm: the force is weaker.</source>
+        <translation>モーターが熱くなっているため、力を弱めています。</translation>
+    </message>
+    <message>
+        <source>No force: the device is not there or its reading is wrong.</source>
+        <translation>力なし：装置がないか、読み取り値が正しくありません。</translation>
+    </message>
+    <message>
+        <source>Other hand</source>
+        <translation>もう一方の手</translation>
+    </message>
+    <message>
+        <source>empty</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>A second device, which begins with the mirror; a button exchanges what the hands hold</source>
+        <translation>2台目の装置。最初はミラーを持ち、ボタンで両手の持ち物を入れ替えます</translation>
+    </message>
+    <message>
+        <source>Hold the bur</source>
+        <translation>バーを保持</translation>
+    </message>
+    <message>
+        <source>Left-handed</source>
+        <translation>左利き</translation>
+    </message>
+    <message>
+        <source>Teach…</source>
+        <translation>教える…</translation>
+    </message>
+    <message>
+        <source>Fineness</source>
+        <translation>細かさ</translation>
+    </message>
+    <message>
+        <source> : 1</source>
+        <translation> : 1</translation>
+    </message>
+    <message>
+        <source>How far a device&apos;s hand moves for each millimetre of the bur: 3 : 1 for fine work</source>
+        <translation>バーが1 mm動くごとに装置の手が動く距離。細かい作業には3 : 1</translation>
+    </message>
+    <message>
+        <source>What moves the bur. Plug it in before you choose it.</source>
+        <translation>バーを動かす装置。接続してから選んでください。</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>装置</translation>
+    </message>
+    <message>
+        <source>The bur stays while the hand goes back to a comfortable place (X, or a button of the device)</source>
+        <translation>手を楽な位置に戻す間、バーをその場に保ちます（X、または装置のボタン）</translation>
+    </message>
+    <message>
+        <source>Handles leave to the other side, and a gamepad&apos;s halves change places</source>
+        <translation>ハンドルが反対側に出て、ゲームパッドの左右が入れ替わります</translation>
+    </message>
+    <message>
+        <source>Turbine or mirror</source>
+        <translation>タービン／ミラー</translation>
+    </message>
+    <message>
+        <source>Touch or cut</source>
+        <translation>触る／削る</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>保持</translation>
+    </message>
+    <message>
+        <source>no button</source>
+        <translation>ボタンなし</translation>
+    </message>
+    <message>
+        <source>button %1</source>
+        <translation>ボタン %1</translation>
+    </message>
+    <message>
+        <source>Any axis or button of a joystick can be the pedal: press it fully and let it go</source>
+        <translation>ジョイスティックのどの軸やボタンもペダルにできます。いっぱいに踏んで離してください</translation>
+    </message>
+    <message>
+        <source>The key that is the pedal as long as it is held</source>
+        <translation>押している間ペダルになるキー</translation>
+    </message>
+    <message>
+        <source>Foot pedal</source>
+        <translation>フットペダル</translation>
+    </message>
+    <message>
+        <source>Pedal key</source>
+        <translation>ペダルのキー</translation>
+    </message>
+    <message>
+        <source>key and slider</source>
+        <translation>キーとスライダー</translation>
+    </message>
+    <message>
+        <source>The mouse steers; the meter shows what a hand would feel.</source>
+        <translation>マウスで動かします。手が感じる力はメーターに表示されます。</translation>
     </message>
 </context>
 <context>

@@ -16,14 +16,14 @@ namespace tactooth {
 
 /// What a new case is made of.
 struct CaseRequest {
-    std::vector<std::filesystem::path> from;  ///< surfaces, or folders with surfaces
-    std::string title;
-    std::string licence;
-    std::string provenance;
-    std::optional<int> quadrant;  ///< 1..4: a name that ends in 1..8 is a tooth of this quarter of the mouth
-    ImportChoices choices;
-    std::vector<std::filesystem::path> burs;  ///< as readOwnBur takes them
-    std::filesystem::path materials;
+    std::vector<std::filesystem::path> from = {};  ///< surfaces, or folders with surfaces
+    std::string title = {};
+    std::string licence = {};
+    std::string provenance = {};
+    std::optional<int> quadrant = {};  ///< 1..4: a name that ends in 1..8 is a tooth of this quarter of the mouth
+    ImportChoices choices = {};
+    std::vector<std::filesystem::path> burs = {};  ///< as readOwnBur takes them
+    std::filesystem::path materials = {};
 };
 
 /// The surfaces of one tooth by the names of their files: "L6_enamel.stl" is the enamel of the tooth L6,

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <functional>
+#include <string>
 #include <thread>
 
 #include "devices/haptic_device.h"
@@ -22,6 +24,14 @@ bool soon(const Condition& condition, std::chrono::seconds limit = std::chrono::
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
     return true;
+}
+
+/// Whether a device soon says this. A busy machine may stall it for a moment, of which it speaks first.
+inline bool soonSays(const HapticDevice& device, const std::string& text) {
+    return soon([&] {
+        const char* const trouble = device.trouble();
+        return trouble != nullptr && std::string(trouble).find(text) != std::string::npos;
+    });
 }
 
 inline constexpr double kWall = -2;            // mm, height of a plane in the device's frame

@@ -56,6 +56,7 @@ std::uint32_t current = 0;
 std::atomic<Callback> task{nullptr};
 void* taskUser = nullptr;
 std::atomic<long> tickCount{0};
+std::atomic<int> startCount{0};
 std::jthread scheduler;
 
 double lengthOf(const std::array<double, 3>& v) { return std::hypot(v[0], v[1], v[2]); }
@@ -177,6 +178,8 @@ long lastForceSinceFault() {
     return lastForceTick;
 }
 
+int schedulerStarts() { return startCount.load(); }
+
 int startedPens() {
     const std::lock_guard lock(guard);
     return static_cast<int>(std::ranges::count(pens, true, &Pen::started));
@@ -196,8 +199,9 @@ void readTransform(double* out) {
 extern "C" {
 
 tactooth::test::HdStandinControl standinControl = {
-    reset,   setFault,       setFaultyPen,         wantPosition, setButtons,          lastForce,
-    forceOf, strongestForce, strongestWhileFaulty, ticks,        lastForceSinceFault, startedPens};
+    reset,          setFault,       setFaultyPen,         wantPosition, setButtons,          lastForce,
+    forceOf,        strongestForce, strongestWhileFaulty, ticks,        lastForceSinceFault, startedPens,
+    schedulerStarts};
 
 std::uint32_t hdInitDevice(const char* name) {
     const std::lock_guard lock(guard);
@@ -272,7 +276,10 @@ std::uint32_t hdCheckCalibration() {
 
 void hdUpdateCalibration(std::uint32_t) {}
 
-void hdStartScheduler() { scheduler = std::jthread(run); }
+void hdStartScheduler() {
+    ++startCount;
+    scheduler = std::jthread(run);
+}
 void hdStopScheduler() { scheduler = {}; }
 void hdSetSchedulerRate(unsigned long) {}
 

@@ -38,6 +38,7 @@ struct HdStandinControl {
     /// one whose reading is bad. 0: in none.
     long (*lastForceSinceFault)();
     int (*startedPens)();
+    int (*schedulerStarts)();
 };
 
 }  // namespace tactooth::test

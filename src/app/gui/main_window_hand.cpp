@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the window does with the device in the hand and the pedal under the foot.
+#include <algorithm>
+#include <utility>
+
+#include "app/gui/drill_bar.h"
+#include "app/gui/drive_panel.h"
+#include "app/gui/hand_panel.h"
+#include "app/gui/main_window.h"
+#include "app/gui/status_line.h"
+#include "devices/open_device.h"
+
+namespace tactooth {
+namespace {
+
+constexpr const char* kMouse = "mouse";
+constexpr const char* kNoDevice = "none";
+constexpr double kButtonTime = 0.3;  // s after which the bar shows what a button of the device has chosen
+
+}  // namespace
+
+void MainWindow::connectHand() {
+    connect(handPanel_, &HandPanel::deviceChosen, this, &MainWindow::steerBy);
+    connect(handPanel_, &HandPanel::secondDeviceChosen, this, &MainWindow::holdMirrorBy);
+    connect(handPanel_, &HandPanel::changed, this, &MainWindow::takeHandSettings);
+    connect(handPanel_, &HandPanel::teachingChanged, this, [this](bool teaching) {
+        if (teaching == pedal_.isTeaching()) return;
+        if (const auto done = pedal_.teach(teaching); !done) complain(QString::fromStdString(done.error().message));
+        handPanel_->setTeaching(pedal_.isTeaching());
+        if (pedal_.isTeaching()) {
+            status_->setHint(tr("Press the pedal fully, then let it go"));
+        } else {
+            showUsualHint();
+        }
+    });
+    takeHandSettings();
+}
+
+void MainWindow::takeHandSettings() {
+    const HandSettings settings = handPanel_->settings();
+    bench_.controls.fineness = settings.fineness;
+    bench_.controls.buttons = handPanel_->buttons();
+    bench_.controls.clutch = handPanel_->clutch();
+    if (settings.leftHanded != bench_.isLeftHanded()) {
+        bench_.setLeftHanded(settings.leftHanded);
+        if (bench_.device() != nullptr) steerBy(QString::fromStdString(settings.device));  // it may change over too
+    }
+    pedalKey_ = pedalKeyOf(settings);
+}
+
+void MainWindow::applyHand(const HandSettings& settings) {
+    handPanel_->set(settings);
+    const Expected<PedalChoice> pedal = parsePedal(settings.pedal);
+    if (!pedal) {
+        complain(QString::fromStdString(pedal.error().message));
+        handPanel_->showPedal({}, 0, 1);
+    } else {
+        PedalChoice choice = *pedal;
+        choice.up = settings.pedalUp;
+        choice.down = settings.pedalDown;
+        const auto done = pedal_.choose(choice);
+        if (!done) complain(QString::fromStdString(done.error().message));
+    }
+    steerBy(QString::fromStdString(settings.device));
+    holdMirrorBy(QString::fromStdString(settings.secondDevice));
+}
+
+void MainWindow::steerBy(const QString& name) {
+    handPanel_->showDevice(name);
+    comingDevice_.forget();
+    if (bench_.device() != nullptr) bench_.useMouse();
+    if (name != kMouse) {
+        status_->setHint(tr("Opening the device…"));
+        comingDevice_.start(
+            [wanted = name.toStdString(), left = bench_.isLeftHanded()] { return openDevice(wanted, left); });
+    }
+}
+
+void MainWindow::holdMirrorBy(const QString& name) {
+    handPanel_->showSecondDevice(name);
+    comingSecond_.forget();
+    bench_.putSecond(nullptr);
+    if (name.isEmpty() || name == kNoDevice) return;
+    comingSecond_.start(
+        [wanted = name.toStdString(), left = bench_.isLeftHanded()] { return openDevice(wanted, left); });
+}
+
+void MainWindow::takeDevices() {
+    if (auto device = comingDevice_.poll()) {
+        if (*device) {
+            bench_.put(std::move(**device));
+            showUsualHint();
+        } else {
+            handPanel_->showDevice(kMouse);
+            complain(QString::fromStdString(device->error().message));
+        }
+    }
+    if (auto second = comingSecond_.poll()) {
+        if (*second) {
+            bench_.putSecond(std::move(**second));
+        } else {
+            handPanel_->showSecondDevice(kNoDevice);
+            complain(QString::fromStdString(second->error().message));
+        }
+    }
+}
+
+/// The foot, the space key and the slider: whichever is furthest down.
+void MainWindow::stepPedal() {
+    const bool wasTeaching = pedal_.isTeaching();
+    const double foot = pedal_.step();
+    if (wasTeaching && !pedal_.isTeaching()) {
+        const PedalChoice& taught = pedal_.choice();
+        handPanel_->showPedal(pedalText(taught), taught.up, taught.down);
+        handPanel_->setTeaching(false);
+        status_->setHint(tr("The pedal is %1").arg(QString::fromStdString(pedalText(taught))));
+    }
+    bench_.controls.pedal = std::max(foot, drive_->pedal());
+}
+
+/// A button of the device chooses touch or cut too: the bar follows it, once the choice of the bar itself has arrived.
+void MainWindow::followButtons() {
+    const bool agrees = bench_.newest().cutting == drill_->isCutting();
+    if (agrees || bench_.device() == nullptr || bench_.ticks().empty()) {
+        disagreesSince_ = bench_.newest().time;
+    } else if (bench_.newest().time > disagreesSince_ + kButtonTime) {
+        drill_->showCutting(bench_.newest().cutting);
+    }
+}
+
+void MainWindow::showHand() {
+    const HapticDevice* device = bench_.device();
+    Simulator* simulator = bench_.simulator();
+    const ForceState force = simulator != nullptr ? simulator->forceState() : ForceState::Off;
+    handPanel_->showState(device != nullptr ? QString::fromStdString(device->info().name) : QString(), force,
+                          device != nullptr ? device->trouble() : nullptr);
+    const bool waits = device != nullptr && force == ForceState::WaitsForFree && bench_.newest().contacts > 0;
+    if (waits != std::exchange(forceWaits_, waits)) {
+        waits ? status_->setHint(forceStateText(ForceState::WaitsForFree)) : showUsualHint();
+    }
+}
+
+}  // namespace tactooth

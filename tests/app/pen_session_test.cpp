@@ -1,0 +1,275 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A whole session with a haptic pen in the real window: the pen is a stand-in for the vendor's library, with a hand on
+// a spring inside. $TACTOOTH_SESSION_SECONDS: how long it cuts (default: 3).
+#include <dlfcn.h>
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QElapsedTimer>
+#include <QLabel>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QTest>
+#include <cmath>
+#include <cstdlib>
+
+#include "app/gui/main_window.h"
+#include "app/gui/window_setup.h"
+#include "devices/standin/standin_hd.h"
+#include "instruments/bur_catalogue.h"
+#include "sound/audio_libraries.h"
+#include "sound/openal_output.h"
+
+namespace tactooth {
+
+using test::HdFault;
+
+class PenSessionTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void anUncalibratedPenAsksForItsInkwell();
+    void thePenTouchesTheTooth();
+    void itsBlueButtonCutsAndThePedalTurnsTheBur();
+    void itsWhiteButtonTakesTheMirror();
+    void theClutchHoldsTheBur();
+    void theOtherPenHoldsTheMirror();
+    void aLostPenIsLimpSaysWhyAndKeepsTheSession();
+    void backToTheMouseThePenIsClosedAndLimp();
+    void aPenThatIsNotThereLeavesTheMouseAndSaysWhatToDo();
+    void cleanupTestCase();
+
+private:
+    [[nodiscard]] static double force();
+    [[nodiscard]] double removed() const { return total(window_->bench().simulator()->removed()); }
+    [[nodiscard]] QString state() const { return window_->findChild<QLabel*>("deviceState")->text(); }
+    [[nodiscard]] QString dismissMessages() const;
+    void clickButton(int bit) const;
+    void lean();
+    void liftOff();
+    void strokeFor(double seconds);
+
+    const test::HdStandinControl* standin_ = nullptr;
+    std::unique_ptr<OpenAlOutput> sound_;
+    std::unique_ptr<MainWindow> window_;
+};
+
+namespace {
+
+constexpr double kIntoTooth = 9;  // mm below the start: the spring of the stand-in's hand then presses with 1 N or two
+const test::HdStandinControl* standin() {
+    return static_cast<const test::HdStandinControl*>(
+        dlsym(dlopen(TACTOOTH_STANDIN_HD, RTLD_LAZY | RTLD_GLOBAL), "standinControl"));
+}
+
+}  // namespace
+
+double PenSessionTest::force() {
+    double xyz[3];
+    standin()->lastForce(xyz);
+    return std::hypot(xyz[0], xyz[1], xyz[2]);
+}
+
+/// What the messages in front say, which are closed.
+QString PenSessionTest::dismissMessages() const {
+    QString said;
+    for (QMessageBox* box : window_->findChildren<QMessageBox*>()) {
+        said += box->text() + '\n';
+        delete box;
+    }
+    return said;
+}
+
+void PenSessionTest::clickButton(int bit) const {
+    standin_->setButtons(1 << bit);
+    QTest::qWait(100);
+    standin_->setButtons(0);
+    QTest::qWait(100);
+}
+
+void PenSessionTest::liftOff() {
+    standin_->wantPosition(0, 4, 0);
+    QTest::qWait(400);
+}
+
+/// Down is -y in the frame of the driver. As often as it takes until the tooth is felt.
+void PenSessionTest::lean() {
+    for (int i = 0; i < 20 && force() < 0.3; ++i) {
+        liftOff();
+        standin_->wantPosition(0, -kIntoTooth, 0);
+        QTest::qWait(800);
+    }
+    QVERIFY2(force() > 0.3, qPrintable(state()));
+}
+
+void PenSessionTest::strokeFor(double seconds) {
+    QElapsedTimer since;
+    since.start();
+    for (double t = 0; t < seconds; t = static_cast<double>(since.elapsed()) / 1000) {
+        standin_->wantPosition(0.8 * std::sin(3 * t), -kIntoTooth, 0);
+        QTest::qWait(20);
+        if (standin_->strongestForce() > 3.3) break;
+    }
+}
+
+void PenSessionTest::initTestCase() {
+    standin_ = standin();
+    QVERIFY(standin_ != nullptr);
+    sound_ = std::make_unique<OpenAlOutput>();
+    window_ = std::make_unique<MainWindow>(*sound_);
+    window_->bringBuiltinTooth(kBuiltinTeeth.front());
+    window_->bringBur(*findBur("4"));
+    window_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->bench().isBusy() && window_->bench().simulator() != nullptr, 60000);
+    QVERIFY(state().contains("mouse"));
+}
+
+void PenSessionTest::anUncalibratedPenAsksForItsInkwell() {
+    standin_->setFault(static_cast<int>(HdFault::NeedsInkwell));
+    auto* devices = window_->findChild<QComboBox*>("devices");
+    devices->setCurrentIndex(devices->findData("pen"));
+    emit devices->activated(devices->currentIndex());
+    QTRY_VERIFY_WITH_TIMEOUT(window_->bench().device() != nullptr, 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(state().contains("inkwell"), 20000);
+    QCOMPARE(force(), 0.0);
+    standin_->setFault(static_cast<int>(HdFault::None));
+    QTRY_VERIFY_WITH_TIMEOUT(!state().contains("inkwell"), 20000);
+    QVERIFY(dismissMessages().contains("inkwell"));
+    QVERIFY2(state().contains("Touch (stand-in)"), qPrintable(state()));
+}
+
+void PenSessionTest::thePenTouchesTheTooth() {
+    lean();
+    QVERIFY(window_->bench().newest().contacts > 0);
+    QCOMPARE(removed(), 0.0);
+    QTRY_VERIFY2(state().contains("The force is on"), qPrintable(state()));
+}
+
+void PenSessionTest::itsBlueButtonCutsAndThePedalTurnsTheBur() {
+    liftOff();
+    clickButton(1);
+    auto* bar = window_->findChild<QWidget*>("drillBar");
+    QTRY_VERIFY_WITH_TIMEOUT(bar->actions().size() > 0 && window_->bench().newest().cutting, 10000);
+    window_->findChild<QCheckBox*>("keepPedal")->setChecked(true);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->bench().newest().speedRpm > 300'000, 10000);
+    lean();
+    const char* const seconds = std::getenv("TACTOOTH_SESSION_SECONDS");
+    strokeFor(seconds != nullptr ? std::atof(seconds) : 3);
+    QTRY_VERIFY_WITH_TIMEOUT(removed() > 0.02, 20000);
+    QVERIFY(standin_->strongestForce() <= 3.3);
+    window_->findChild<QCheckBox*>("keepPedal")->setChecked(false);
+    liftOff();
+    clickButton(1);
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->bench().newest().cutting, 10000);
+}
+
+void PenSessionTest::itsWhiteButtonTakesTheMirror() {
+    liftOff();
+    const Vec3 tool = window_->bench().newest().hand.position;
+    const Vec3 mirror = window_->bench().simulator()->mirrorMotion().position;
+    clickButton(0);
+    standin_->wantPosition(6, 4, 0);
+    QTRY_VERIFY_WITH_TIMEOUT((window_->bench().simulator()->mirrorMotion().position - mirror).norm() > 4, 10000);
+    QVERIFY((window_->bench().newest().hand.position - tool).norm() < 0.5);
+    clickButton(0);
+    standin_->wantPosition(0, 4, 0);
+    QTRY_VERIFY_WITH_TIMEOUT((window_->bench().newest().hand.position - tool).norm() > 4, 10000);
+    standin_->wantPosition(6, 4, 0);
+    QTRY_VERIFY_WITH_TIMEOUT((window_->bench().newest().hand.position - tool).norm() < 1, 10000);
+}
+
+void PenSessionTest::theClutchHoldsTheBur() {
+    const Vec3 tool = window_->bench().newest().hand.position;
+    auto* clutch = window_->findChild<QPushButton*>("clutch");
+    QApplication::setActiveWindow(window_.get());  // a bare X server has no window manager that would do it
+    QTest::keyClick(window_.get(), Qt::Key_X);     // which works behind another tab
+    QVERIFY(clutch->isChecked());
+    QTest::qWait(100);
+    standin_->wantPosition(0, 4, 0);
+    QTest::qWait(800);
+    QVERIFY((window_->bench().newest().hand.position - tool).norm() < 0.5);
+    clutch->setChecked(false);
+    QTest::qWait(200);
+    QVERIFY((window_->bench().newest().hand.position - tool).norm() < 0.5);
+    clutch->setChecked(true);  // and back, so that the hand is over the tooth again
+    QTest::qWait(100);
+    standin_->wantPosition(6, 4, 0);
+    QTest::qWait(800);
+    clutch->setChecked(false);
+    QTest::qWait(200);
+    standin_->wantPosition(0, 4, 0);
+    QTRY_VERIFY_WITH_TIMEOUT((window_->bench().newest().hand.position - tool).norm() > 4, 10000);
+}
+
+void PenSessionTest::theOtherPenHoldsTheMirror() {
+    liftOff();
+    const double before = removed();
+    auto* seconds = window_->findChild<QComboBox*>("secondDevices");
+    window_->holdMirrorBy("pen:Left");
+    QCOMPARE(seconds->currentText(), "pen:Left");
+    QTRY_COMPARE_WITH_TIMEOUT(standin_->startedPens(), 2, 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->bench().simulator() != nullptr, 10000);
+    lean();
+    QCOMPARE(standin_->forceOf(1), 0.0);
+    QCOMPARE(removed(), before);
+    liftOff();
+    seconds->setCurrentIndex(0);
+    emit seconds->activated(0);
+    QTRY_COMPARE_WITH_TIMEOUT(standin_->startedPens(), 1, 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->bench().simulator() != nullptr, 10000);
+}
+
+void PenSessionTest::aLostPenIsLimpSaysWhyAndKeepsTheSession() {
+    lean();
+    const double before = removed();
+    standin_->setFault(static_cast<int>(HdFault::LinkFault));
+    QTRY_VERIFY_WITH_TIMEOUT(state().contains("cable"), 10000);
+    QCOMPARE(standin_->strongestWhileFaulty(), 0.0);
+    standin_->setFault(static_cast<int>(HdFault::None));
+    QTRY_VERIFY_WITH_TIMEOUT(!state().contains("cable"), 20000);
+    QVERIFY(dismissMessages().contains("cable"));
+    QCOMPARE(removed(), before);
+    lean();
+}
+
+void PenSessionTest::backToTheMouseThePenIsClosedAndLimp() {
+    auto* devices = window_->findChild<QComboBox*>("devices");
+    devices->setCurrentIndex(0);
+    emit devices->activated(0);
+    QTRY_COMPARE_WITH_TIMEOUT(standin_->startedPens(), 0, 10000);
+    QCOMPARE(force(), 0.0);
+    QTRY_VERIFY(state().contains("mouse"));
+    QVERIFY(removed() > 0.02);
+}
+
+void PenSessionTest::aPenThatIsNotThereLeavesTheMouseAndSaysWhatToDo() {
+    window_->steerBy("pen:Third");
+    QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<QMessageBox*>() != nullptr, 20000);
+    QVERIFY(dismissMessages().contains("look its name up in the vendor's setup program"));
+    QCOMPARE(window_->findChild<QComboBox*>("devices")->currentIndex(), 0);
+    QVERIFY(window_->bench().device() == nullptr);
+}
+
+void PenSessionTest::cleanupTestCase() {
+    window_.reset();
+    sound_.reset();
+}
+
+}  // namespace tactooth
+
+int main(int argc, char** argv) {
+    setenv("TACTOOTH_LIBHD", TACTOOTH_STANDIN_HD, 1);
+    tactooth::prepareAudioLibraries();
+    tactooth::prepareWindowSystem();
+    QApplication application(argc, argv);
+    tactooth::applyLook();
+    tactooth::PenSessionTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "pen_session_test.moc"

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/workbench.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <functional>
+#include <thread>
+
+#include "devices/open_device.h"
+#include "devices/virtual_pad.h"
+
+namespace tactooth {
+namespace {
+
+class NoSound final : public SoundOutput {
+public:
+    void publish(const DrillSoundState&) override {}
+    void setMixer(const SoundMixer&) override {}
+    void setPlacement(const SoundPlacement&) override {}
+    void setHeadphones(bool) override {}
+    void setKit(std::shared_ptr<const SoundKit>) override {}
+    [[nodiscard]] SoundStatus status() const override { return SoundStatus::Silent; }
+};
+
+/// A bench with the built-in incisor and a round bur.
+class WorkbenchTest : public ::testing::Test {
+protected:
+    void SetUp() override {
+        auto tooth = makeBenchTooth(kBuiltinTeeth[1]);
+        auto bur = makeBenchBur(*findBur("4"));
+        ASSERT_TRUE(tooth && bur);
+        bench_.put(std::move(*tooth));
+        bench_.put(std::move(*bur));
+        (void)bench_.step(0);
+    }
+    bool soon(const std::function<bool()>& condition) {
+        for (int i = 0; i < 2000; ++i) {
+            (void)bench_.step(0.01);
+            if (condition()) return true;
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        }
+        return false;
+    }
+    [[nodiscard]] Vec3 handle() const { return bench_.newest().hand.rotation * Vec3::UnitX(); }
+
+    NoSound sound_;
+    Workbench bench_{sound_};
+};
+
+TEST_F(WorkbenchTest, AGamepadTouchesAndCutsTheToothAndRumbles) {
+    test::VirtualPad pad("Test Pad");
+    auto device = openDevice("gamepad");
+    ASSERT_TRUE(device);
+    pad.axis(SDL_CONTROLLER_AXIS_TRIGGERRIGHT, -1);
+    pad.axis(SDL_CONTROLLER_AXIS_TRIGGERLEFT, 0.6);
+    bench_.put(std::move(*device));
+    EXPECT_TRUE(soon([&] { return bench_.newest().contacts > 0 && bench_.newest().wrench.force.norm() > 1; }));
+    EXPECT_TRUE(soon([&] { return pad.slowMotor() > 0.3; })) << "contact is felt";
+    EXPECT_EQ(total(bench_.simulator()->removed()), 0);
+    pad.button(SDL_CONTROLLER_BUTTON_A, true);
+    pad.axis(SDL_CONTROLLER_AXIS_TRIGGERRIGHT, 1);
+    pad.forgetMotors();
+    EXPECT_TRUE(soon([&] { return bench_.newest().cutting && total(bench_.simulator()->removed()) > 0.005; }));
+    EXPECT_TRUE(soon([&] { return pad.strongestQuick() > 0.1; })) << "cutting is felt";
+}
+
+TEST_F(WorkbenchTest, TheScreensChoiceCountsAfterTheButtons) {
+    test::VirtualPad pad("Test Pad");
+    auto device = openDevice("gamepad");
+    ASSERT_TRUE(device);
+    bench_.put(std::move(*device));
+    ASSERT_TRUE(soon([&] { return !bench_.ticks().empty(); }));
+    pad.button(SDL_CONTROLLER_BUTTON_A, true);
+    ASSERT_TRUE(soon([&] { return bench_.newest().cutting; }));
+    bench_.setCutting(false);
+    EXPECT_TRUE(soon([&] { return !bench_.newest().cutting; }));
+    bench_.setCutting(true);
+    EXPECT_TRUE(soon([&] { return bench_.newest().cutting; }));
+}
+
+TEST_F(WorkbenchTest, LeftHandedTheHandleLeavesToTheOtherSide) {
+    ASSERT_TRUE(soon([&] { return handle().x() != 0 && !bench_.ticks().empty(); }));
+    const Vec3 right = handle();
+    bench_.setLeftHanded(true);
+    EXPECT_TRUE(soon([&] { return handle().x() * right.x() < -0.5 && handle().y() * right.y() > 0; }));
+}
+
+TEST_F(WorkbenchTest, FinenessAndClutchAreNotTheMouses) {
+    bench_.controls.fineness = 3;
+    bench_.controls.clutch = true;
+    ASSERT_TRUE(soon([&] { return !bench_.ticks().empty(); }));
+    EXPECT_TRUE(soon([&] { return (bench_.newest().hand.position - bench_.hand().hand().position).norm() < 1e-3; }));
+    bench_.setLeftHanded(true);  // moves the handle: a clutch would hold it
+    EXPECT_TRUE(soon([&] { return handle().dot(bench_.hand().hand().rotation * Vec3::UnitX()) > 0.999; }));
+}
+
+}  // namespace
+}  // namespace tactooth
