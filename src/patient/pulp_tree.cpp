@@ -94,7 +94,7 @@ private:
 
 /// The node of the section above that is nearest to `node`; -1 if none is near.
 int nearestAbove(const Node& node, const std::vector<Node>& all, std::size_t begin, std::size_t end) {
-    constexpr double kReach = 4;  // mm: the trunk's middle may lie that far from a root's
+    constexpr double kReach = 6;  // mm: the middle of a wide molar's trunk may lie that far from a root's
     int nearest = -1;
     double within = kReach;
     for (std::size_t i = begin; i < end; ++i) {

@@ -47,20 +47,19 @@ SectionProfile sectionProfile(const TriangleMesh& closed, int sections) {
 
 double neckHeight(const SectionProfile& profile) {
     const auto widest = std::ranges::max_element(profile.areas);
-    const auto at = static_cast<int>(widest - profile.areas.begin());
+    // Roots end in tips. A crown without them stands on a section that is nearly as wide as its widest.
+    constexpr double kTip = 0.3, kNearBottom = 0.05;
+    const auto nearBottom = static_cast<std::size_t>(kNearBottom * static_cast<double>(profile.areas.size()));
+    if (profile.areas[nearBottom] > kTip * *widest) return profile.bottom;
     // The root just below the neck has some 55 to 70 % of the crown's widest section (Wheeler's diameters).
     constexpr double kNeckShare = 0.7;
-    for (int i = at; i >= 0; --i) {
-        if (profile.areas[i] < kNeckShare * *widest) {
-            const double height = profile.step * static_cast<double>(profile.areas.size());
-            // A root is a third of a tooth at least; what is found lower belongs to a crown without a root.
-            if (i * profile.step < height / 3) break;
-            // Crowns are 30 to 45 % of a tooth (Wheeler): a neck found beyond that is a fork of the roots, or a bulge.
-            constexpr double kLowest = 0.52, kHighest = 0.75;
-            return profile.bottom + std::clamp((i + 0.5) * profile.step, kLowest * height, kHighest * height);
-        }
-    }
-    return profile.bottom;
+    auto at = widest - profile.areas.begin();
+    while (at > 0 && profile.areas[static_cast<std::size_t>(at)] >= kNeckShare * *widest) --at;
+    // Crowns are 30 to 45 % of a tooth (Wheeler): a neck found beyond that is a fork of the roots, or a bulge.
+    constexpr double kLowest = 0.52, kHighest = 0.75;
+    const double height = profile.step * static_cast<double>(profile.areas.size());
+    return profile.bottom +
+           std::clamp((static_cast<double>(at) + 0.5) * profile.step, kLowest * height, kHighest * height);
 }
 
 }  // namespace tactooth

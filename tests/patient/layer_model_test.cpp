@@ -75,6 +75,17 @@ TEST(LayerModel, StopsWhenTold) {
     EXPECT_EQ(model.error().message, "stopped");
 }
 
+TEST(LayerModel, EachRootHasItsCanal) {
+    const auto model = modelLayers(builtIn(36).outer);
+    ASSERT_TRUE(model);
+    Box3 canals;
+    for (const Vec3f& vertex : model->layers[2].mesh.vertices) {
+        if (vertex.z() < -7 && vertex.z() > -9) canals.extend(vertex.cast<double>());
+    }
+    EXPECT_LT(canals.min().x(), -1);  // the distal root
+    EXPECT_GT(canals.max().x(), 1);   // the mesial one
+}
+
 /// As a micro-CT shows it: the pulp space is a hollow, with a narrow way out at the apex.
 TEST(LayerModel, AHollowIsThePulpSpaceAndHasNoEnamel) {
     const TriangleMesh shell = test::cylinder(Vec3(0, 0, -12), 5, 20, 48);

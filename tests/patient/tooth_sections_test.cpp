@@ -26,8 +26,14 @@ TEST(ToothSections, ASphereShrinksTowardItsPoles) {
 
 TEST(ToothSections, TheNeckIsWhereTheCrownEnds) {
     SectionProfile profile{-14, 1, {}};
-    for (int i = 0; i < 21; ++i) profile.areas.push_back(i < 14 ? 20 + i : 80);
+    for (int i = 0; i < 21; ++i) profile.areas.push_back(i < 14 ? 10 + i : 80);
     EXPECT_NEAR(neckHeight(profile), 0, 1);
+}
+
+TEST(ToothSections, AForkOfTheRootsIsNoNeck) {
+    SectionProfile profile{0, 1, {}};  // as wide as its crown down to where the roots part
+    for (int i = 0; i < 20; ++i) profile.areas.push_back(i < 6 ? 4 * i : 80);
+    EXPECT_NEAR(neckHeight(profile), 10.4, 1e-9);
 }
 
 TEST(ToothSections, ACrownAloneHasItsNeckAtTheBottom) {
