@@ -199,7 +199,7 @@ TEST(TurningBody, AllocatesNothing) {
         for (int tick = 0; tick < 200; ++tick) {
             hand.position += (deep.position - hand.position) * 0.05;
             hand.rotation = Quat(Eigen::AngleAxisd(0.001, Vec3::UnitX())) * hand.rotation;
-            if (body.moveToward(hand).contactCount > 1) ++held;
+            if (body.moveToward(hand).contactCount > 0) ++held;
         }
         EXPECT_EQ(test::heapCalls(), before);
     }
