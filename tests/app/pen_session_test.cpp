@@ -171,6 +171,7 @@ void PenSessionTest::itsBlueButtonCutsAndThePedalTurnsTheBur() {
 
 void PenSessionTest::itsWhiteButtonTakesTheMirror() {
     liftOff();
+    QTest::qWait(700);  // until the hand is at rest
     const Vec3 tool = window_->bench().newest().hand.position;
     const Vec3 mirror = window_->bench().simulator()->mirrorMotion().position;
     clickButton(0);
