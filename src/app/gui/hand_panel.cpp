@@ -92,7 +92,6 @@ void HandPanel::addDevices(QGridLayout& grid) {
 void HandPanel::addHold(QGridLayout& grid) {
     clutch_->setCheckable(true);
     clutch_->setObjectName("clutch");
-    clutchAction_->setObjectName("clutchKey");
     clutchAction_->setCheckable(true);
     clutchAction_->setShortcut(QKeySequence(Qt::Key_X));
     connect(clutchAction_, &QAction::toggled, clutch_, &QPushButton::setChecked);

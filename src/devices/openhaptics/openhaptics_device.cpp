@@ -12,6 +12,7 @@ namespace tactooth {
 namespace {
 
 constexpr double kLongestSilence = 0.0025;  // s: two ticks were left out, so the pen counts as lost
+constexpr double kLongestStart = 0.5;       // s: until the first reading; before it nothing has stopped
 constexpr const char* kSilent =
     "The device has stopped answering: check its cable and power supply; the session goes on when it is back.";
 
@@ -49,7 +50,8 @@ Expected<void> OpenHapticsDevice::open() {
     if (!pen) return Unexpected{pen.error()};
     driver_ = std::move(*driver);
     pen_ = *pen;
-    silence_ = 1;  // lost until the first reading
+    heard_ = false;
+    silence_ = 0;
     watch_.reset();
     return {};
 }
@@ -76,12 +78,13 @@ void OpenHapticsDevice::waitForTick(double longest) {
 
 DeviceSample OpenHapticsDevice::read(double elapsed) {
     const bool isFresh = pen_->reading.refresh();
+    heard_ |= isFresh;
     silence_ = isFresh ? 0 : silence_ + elapsed;
     const HdReading& reading = pen_->reading.value();
-    const bool silent = silence_ > kLongestSilence;
+    const bool silent = silence_ > (heard_ ? kLongestSilence : kLongestStart);
     silent_.store(silent, std::memory_order_relaxed);
     DeviceSample sample;
-    sample.connected = !silent && reading.calibrated && !pen_->lost.load(std::memory_order_relaxed);
+    sample.connected = heard_ && !silent && reading.calibrated && !pen_->lost.load(std::memory_order_relaxed);
     sample.hand = poseOf(reading.transform);
     sample.buttons = reading.buttons;
     sample.motorHeat = reading.motorHeat;

@@ -41,7 +41,8 @@ private:
     DeviceInfo info_;
     std::shared_ptr<HdDriver> driver_;
     HdPen* pen_ = nullptr;  // of the driver
-    double silence_ = 0;    // s since the last reading
+    bool heard_ = false;    // there has been a reading
+    double silence_ = 0;    // s since the last reading, or since it was opened
     std::atomic<bool> silent_{false};
     PoseWatch watch_;
 };
