@@ -49,7 +49,11 @@ struct ShadowLookup {
     double pitch = 1;  ///< mm per texel
 };
 
+/// mm that a surface may be drawn off its place for each mm of distance from the eye, if that is to be `pixels`.
+[[nodiscard]] double coarsenessAt(const PassView& view, PictureSize size, double pixels);
+
+/// `coarseness`: as by coarsenessAt.
 [[nodiscard]] FrameBlock frameBlock(const PassView& view, const Lighting& lighting, const Background& background,
-                                    const ShadowLookup& shadow, PictureSize size);
+                                    const ShadowLookup& shadow, PictureSize size, double coarseness);
 
 }  // namespace tactooth

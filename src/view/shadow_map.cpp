@@ -85,7 +85,7 @@ void ShadowMap::aim(const std::vector<Drawable>& drawables, const Vec3& toLight)
 }
 
 void ShadowMap::update(const std::vector<Drawable>& drawables, bool stillShapesChanged, const Vec3& toLight,
-                       const Eigen::Vector4d& section) {
+                       const Eigen::Vector4d& section, double coarseness) {
     if (drawables.empty()) return;
     aim(drawables, toLight);
     std::vector<Mat4> poses;
@@ -97,7 +97,8 @@ void ShadowMap::update(const std::vector<Drawable>& drawables, bool stillShapesC
     glViewport(0, 0, kResolution, kResolution);
     program_.use();
     const bool moved = std::exchange(section_, section) != section;
-    if (stillShapesChanged || moved || stillAim_ != worldToClip_ || poses != stillPoses_) {
+    const bool refined = std::exchange(coarseness_, coarseness) != coarseness;
+    if (stillShapesChanged || moved || refined || stillAim_ != worldToClip_ || poses != stillPoses_) {
         glBindFramebuffer(GL_FRAMEBUFFER, stillFramebuffer_.name());
         glClear(GL_DEPTH_BUFFER_BIT);
         draw(drawables, false);
@@ -129,8 +130,9 @@ void ShadowMap::draw(const std::vector<Drawable>& drawables, bool tools) const {
         program_.set("sectionInObject", Eigen::Vector4f(sectionInObject.cast<float>()));
         const bool cut = inSection && drawable.object->sectioned;
         cut ? glEnable(GL_CLIP_DISTANCE1) : glDisable(GL_CLIP_DISTANCE1);
-        drawable.buffers->draw(
-            {objectToClip, Eigen::Vector4d(toLightInObject.x(), toLightInObject.y(), toLightInObject.z(), 0), closed});
+        drawable.buffers->draw({objectToClip,
+                                Eigen::Vector4d(toLightInObject.x(), toLightInObject.y(), toLightInObject.z(), 0),
+                                closed, coarseness_ * lookup_.pitch});
     }
     glDisable(GL_POLYGON_OFFSET_FILL);
     glDisable(GL_CLIP_DISTANCE1);
