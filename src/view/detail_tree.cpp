@@ -20,6 +20,7 @@ namespace {
 
 constexpr double kWorthwhile = 0.75;  ///< more than this share of the triangles left saves too little to keep it
 constexpr std::size_t kFewestTriangles = 64;  ///< half a cluster: fewer are drawn no sooner
+constexpr std::uint32_t kNoVertex = std::numeric_limits<std::uint32_t>::max();
 constexpr float kNotDrawn = std::numeric_limits<float>::infinity();
 
 /// What one node shows.
@@ -36,20 +37,32 @@ bool hasOneLook(const ShadingMesh& mesh, const Triangle& triangle) {
 
 /// Triangles with vertices numbered among themselves, as the work of simplifying grows with the numbers.
 struct LocalMesh {
-    std::vector<std::uint32_t> vertices;  ///< of the whole mesh, sorted
+    std::vector<std::uint32_t> vertices;  ///< of the whole mesh
     std::vector<Vec3f> positions;
     std::vector<std::uint32_t> indices;
 
     LocalMesh(const ShadingMesh& mesh, std::span<const Triangle> triangles) {
-        for (const Triangle& triangle : triangles) vertices.insert(vertices.end(), triangle.begin(), triangle.end());
-        indices = vertices;
-        std::sort(vertices.begin(), vertices.end());
-        vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-        for (std::uint32_t& index : indices) {
-            index = static_cast<std::uint32_t>(std::lower_bound(vertices.begin(), vertices.end(), index) -
-                                               vertices.begin());
+        std::uint32_t low = kNoVertex, high = 0;
+        for (const Triangle& triangle : triangles) {
+            const auto [least, most] = std::minmax_element(triangle.begin(), triangle.end());
+            low = std::min(low, *least);
+            high = std::max(high, *most);
         }
-        for (const std::uint32_t vertex : vertices) positions.emplace_back(mesh.vertices[vertex].position.data());
+        std::vector<std::uint32_t> known(high - low + 1, kNoVertex);
+        indices.reserve(3 * triangles.size());
+        for (const Triangle& triangle : triangles) {
+            for (const std::uint32_t vertex : triangle) indices.push_back(numberOf(mesh, vertex, known[vertex - low]));
+        }
+    }
+
+private:
+    std::uint32_t numberOf(const ShadingMesh& mesh, std::uint32_t vertex, std::uint32_t& known) {
+        if (known == kNoVertex) {
+            known = static_cast<std::uint32_t>(vertices.size());
+            vertices.push_back(vertex);
+            positions.emplace_back(mesh.vertices[vertex].position.data());
+        }
+        return known;
     }
 };
 

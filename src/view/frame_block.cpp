@@ -36,7 +36,7 @@ FrameBlock frameBlock(const PassView& view, const Lighting& lighting, const Back
             .backgroundBottom = extended(background.bottom, static_cast<float>(background.kind)),
             .pictureSize = {width, height, 1 / width, 1 / height},
             .shadowTexel = {static_cast<float>(shadow.texel), static_cast<float>(shadow.pitch),
-                            static_cast<float>(coarseness), 0}};
+                            static_cast<float>(coarseness), static_cast<float>(shadow.error)}};
 }
 
 }  // namespace tactooth

@@ -10,8 +10,9 @@ namespace tactooth {
 
 namespace {
 
-constexpr int kResolution = 1024;  ///< texels a side: 25 um a texel on a molar
-constexpr double kMargin = 1.02;   ///< room for the standing-off of the lookup
+constexpr int kResolution = 1024;      ///< texels a side: 25 um a texel on a molar
+constexpr double kTexelsForPixel = 2;  ///< a shadow's edge may be off twice as much as the picture's: nobody compares
+constexpr double kMargin = 1.02;       ///< room for the standing-off of the lookup
 
 gl::Framebuffer framebufferFor(const gl::Texture& depth) {
     gl::Framebuffer framebuffer = gl::Framebuffer::make();
@@ -88,6 +89,7 @@ void ShadowMap::update(const std::vector<Drawable>& drawables, bool stillShapesC
                        const Eigen::Vector4d& section, double coarseness) {
     if (drawables.empty()) return;
     aim(drawables, toLight);
+    lookup_.error = kTexelsForPixel * coarseness * lookup_.pitch;
     std::vector<Mat4> poses;
     bool anyTools = false;
     for (const Drawable& drawable : drawables) {
@@ -132,7 +134,7 @@ void ShadowMap::draw(const std::vector<Drawable>& drawables, bool tools) const {
         cut ? glEnable(GL_CLIP_DISTANCE1) : glDisable(GL_CLIP_DISTANCE1);
         drawable.buffers->draw({objectToClip,
                                 Eigen::Vector4d(toLightInObject.x(), toLightInObject.y(), toLightInObject.z(), 0),
-                                closed, coarseness_ * lookup_.pitch});
+                                closed, lookup_.error});
     }
     glDisable(GL_POLYGON_OFFSET_FILL);
     glDisable(GL_CLIP_DISTANCE1);

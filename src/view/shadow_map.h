@@ -15,7 +15,7 @@ public:
     [[nodiscard]] static Expected<ShadowMap> create();
 
     /// `section`: what lies on the negative side of this plane throws no shadow, if it is of a sectioned object.
-    /// `coarseness`: texels by which a surface may lie off its place.
+    /// `coarseness`: as RenderSettings::coarseness, of the map's texels and twice that.
     void update(const std::vector<Drawable>& drawables, bool stillShapesChanged, const Vec3& toLight,
                 const Eigen::Vector4d& section, double coarseness);
     [[nodiscard]] GLuint texture() const { return withTools_.name(); }
