@@ -9,27 +9,22 @@
 #include <QDropEvent>
 #include <QElapsedTimer>
 #include <QMenu>
-#include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
-#include <QTest>
 #include <fstream>
 
 #include "app/gui/import_dialog.h"
-#include "app/gui/main_window.h"
 #include "app/gui/window_setup.h"
+#include "app/window_session.h"
 #include "geometry/stl_writer.h"
 #include "instruments/builtin_tooth.h"
 #include "session/cases/make_case.h"
 #include "session/cases/open_case.h"
-#include "sound/audio_libraries.h"
-#include "sound/openal_output.h"
 #include "support/shapes.h"
-#include "support/test_data.h"
 
 namespace tactooth {
 
-class ImportWindowTest : public QObject {
+class ImportWindowTest : public test::WindowSession {
     Q_OBJECT
 
 public:
@@ -55,12 +50,9 @@ private:
     }
     [[nodiscard]] QString remarks() const { return dialog()->findChild<QTextBrowser*>("remarks")->toPlainText(); }
     void waitForRemarks(const QString& words);
-    void waitForTooth(const std::string& name);
+    void waitForToothNamed(const std::string& name);
 
-    test::TemporaryFolder folder_;
     std::filesystem::path scan_;
-    std::unique_ptr<OpenAlOutput> sound_;
-    std::unique_ptr<MainWindow> window_;
 };
 
 void ImportWindowTest::drop(const std::filesystem::path& file) {
@@ -78,7 +70,7 @@ void ImportWindowTest::waitForRemarks(const QString& words) {
     QTRY_VERIFY_WITH_TIMEOUT(dialog() != nullptr && importButton()->isEnabled() && remarks().contains(words), 60000);
 }
 
-void ImportWindowTest::waitForTooth(const std::string& name) {
+void ImportWindowTest::waitForToothNamed(const std::string& name) {
     QTRY_VERIFY_WITH_TIMEOUT(
         !window_->bench().isBusy() && window_->bench().simulator() != nullptr && window_->bench().tooth()->name == name,
         120000);
@@ -92,12 +84,7 @@ void ImportWindowTest::initTestCase() {
     for (Vec3f& vertex : mesh.vertices) vertex *= 0.1F;
     scan_ = folder_ / "molar.stl";
     QVERIFY(writeStl(mesh, scan_).has_value());
-    sound_ = std::make_unique<OpenAlOutput>();
-    window_ = std::make_unique<MainWindow>(*sound_);
-    window_->bringBuiltinTooth(kBuiltinTeeth.front());
-    window_->bringBur(*findBur("4"));
-    window_->show();
-    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+    openWindow();
 }
 
 void ImportWindowTest::aDroppedSurfaceIsShownBeforeItIsTaken() {
@@ -137,7 +124,7 @@ void ImportWindowTest::theWindowStaysAliveWhileTheLayersAreMade() {
     constexpr qint64 kTooQuickToTell = 300;                    // ms: no longer than a picture or two on a busy machine
     QVERIFY(turns > 1 || passed.elapsed() < kTooQuickToTell);  // one, if the work held it up
     QVERIFY(part > 0.05 || passed.elapsed() < kTooQuickToTell);
-    waitForTooth("molar.stl");
+    waitForToothNamed("molar.stl");
     const BenchTooth& tooth = *window_->bench().tooth();
     QVERIFY(tooth.box().sizes().z() > 15 && tooth.box().sizes().z() < 30);
     QCOMPARE(tooth.piece->tooth().layers().size(), std::size_t{3});
@@ -148,7 +135,7 @@ void ImportWindowTest::theWindowStaysAliveWhileTheLayersAreMade() {
 
 void ImportWindowTest::theImportCanBeCancelled() {
     window_->bringBuiltinTooth(kBuiltinTeeth.front());
-    waitForTooth(kBuiltinTeeth.front().name);
+    waitForToothNamed(kBuiltinTeeth.front().name);
     drop(scan_);
     waitForRemarks("Units taken as cm");
     importButton()->click();
@@ -196,23 +183,20 @@ void ImportWindowTest::aDroppedCaseIsOpenedAndItsTeethCanBeChosen() {
     QVERIFY2(made.has_value(), made ? "" : made.error().message.c_str());
     QVERIFY(writeCase(made->files, folder_ / "blocks.ttcase").has_value());
     drop(folder_ / "blocks.ttcase");
-    waitForTooth("Blocks, L6");
+    waitForToothNamed("Blocks, L6");
     QVERIFY(dialog() == nullptr);
     auto* menu = window_->findChild<QMenu*>("teethOfCase");
     emit menu->aboutToShow();
     QCOMPARE(menu->actions().size(), 2);
     menu->actions().back()->trigger();
-    waitForTooth("Blocks, L7");
+    waitForToothNamed("Blocks, L7");
 }
 
-void ImportWindowTest::cleanupTestCase() {
-    window_.reset();
-    sound_.reset();
-}
+void ImportWindowTest::cleanupTestCase() { closeWindow(); }
 
 bool ImportWindowTest::saveScreenshot(const QString& file, const QString& scan) {
     initTestCase();
-    waitForTooth(kBuiltinTeeth.front().name);
+    waitForToothNamed(kBuiltinTeeth.front().name);
     drop(scan.isEmpty() ? scan_ : std::filesystem::path(scan.toStdString()));
     QElapsedTimer since;
     for (since.start(); since.elapsed() < 60000 && !importButton()->isEnabled();) QTest::qWait(50);
@@ -228,10 +212,7 @@ bool ImportWindowTest::saveScreenshot(const QString& file, const QString& scan) 
 
 /// `import_window_tests --screenshot FILE.png [SCAN]` leaves a picture instead of testing.
 int main(int argc, char** argv) {
-    tactooth::prepareAudioLibraries();
-    tactooth::prepareWindowSystem();
-    QApplication application(argc, argv);
-    tactooth::applyLook();
+    const auto application = tactooth::startApplication(argc, argv);
     tactooth::ImportWindowTest test;
     const QStringList arguments = QApplication::arguments();
     if (arguments.value(1) == "--screenshot")

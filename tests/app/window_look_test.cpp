@@ -19,7 +19,6 @@
 #include "app/gui/window_setup.h"
 #include "app/window_session.h"
 #include "geometry/stl_writer.h"
-#include "sound/audio_libraries.h"
 #include "sound/sound_files.h"
 #include "support/shapes.h"
 
@@ -216,10 +215,7 @@ void WindowLookTest::theDemonstrationTouchesAndEndsWithAClick() {
 }  // namespace tactooth
 
 int main(int argc, char** argv) {
-    tactooth::prepareAudioLibraries();
-    tactooth::prepareWindowSystem();
-    QApplication application(argc, argv);
-    tactooth::applyLook();
+    const auto application = tactooth::startApplication(argc, argv);
     tactooth::WindowLookTest test;
     return QTest::qExec(&test, argc, argv);
 }

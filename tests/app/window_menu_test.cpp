@@ -13,7 +13,6 @@
 
 #include "app/gui/window_setup.h"
 #include "app/window_session.h"
-#include "sound/audio_libraries.h"
 
 namespace tactooth {
 
@@ -317,10 +316,7 @@ void WindowMenuTest::everySettingIsThereAfterARestart() {
 }  // namespace tactooth
 
 int main(int argc, char** argv) {
-    tactooth::prepareAudioLibraries();
-    tactooth::prepareWindowSystem();
-    QApplication application(argc, argv);
-    tactooth::applyLook();
+    const auto application = tactooth::startApplication(argc, argv);
     tactooth::WindowMenuTest test;
     return QTest::qExec(&test, argc, argv);
 }
