@@ -26,6 +26,7 @@ private slots:
     void theShortcutSheetNamesEveryKeyOfTheMenus();
     void everyControlIsReachedByTab();
     void theBurIsMovedAndPressedByKeys();
+    void keysThatAreHeldAreLetGoWhenAnotherWindowComesInFront();
     void aToothIsCutAndLookedAtByKeysAlone();
     void waterAndSuctionAreSwitchedByKeys();
     void theMirrorTakesItsSizeFogAndDrops();
@@ -176,6 +177,25 @@ void WindowMenuTest::theBurIsMovedAndPressedByKeys() {
     QTRY_VERIFY_WITH_TIMEOUT(gauge("forceGauge") > 0.1, 10000);
     QTest::keyRelease(&view(), Qt::Key_Return);
     QTRY_COMPARE_WITH_TIMEOUT(gauge("forceGauge"), 0.0, 10000);
+}
+
+/// The release of a key goes to the window in front: the bur must neither turn nor press on by itself.
+void WindowMenuTest::keysThatAreHeldAreLetGoWhenAnotherWindowComesInFront() {
+    view().setFocus();
+    QTest::keyPress(&view(), Qt::Key_Space);
+    QTRY_COMPARE(window_->bench().controls.pedal, 1.0);
+    QTest::keyPress(&view(), Qt::Key_Return);
+    QVERIFY(window_->bench().hand().isPressing());
+    QEvent deactivated(QEvent::WindowDeactivate);
+    QApplication::sendEvent(window_.get(), &deactivated);
+    QFocusEvent unfocused(QEvent::FocusOut, Qt::ActiveWindowFocusReason);
+    QApplication::sendEvent(&view(), &unfocused);
+    QVERIFY(!window_->bench().hand().isPressing());
+    QTRY_COMPARE(window_->bench().controls.pedal, 0.0);
+    pressBurOn(middle());
+    QApplication::sendEvent(&view(), &unfocused);
+    QVERIFY(window_->bench().hand().isPressing());  // the mouse is still held, and its release will come here
+    liftBur(middle());
 }
 
 void WindowMenuTest::aToothIsCutAndLookedAtByKeysAlone() {
