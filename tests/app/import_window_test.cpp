@@ -20,6 +20,7 @@
 #include "instruments/builtin_tooth.h"
 #include "session/cases/make_case.h"
 #include "session/cases/open_case.h"
+#include "session/cases/write_case.h"
 #include "support/shapes.h"
 
 namespace tactooth {
@@ -38,12 +39,13 @@ private slots:
     void theWindowStaysAliveWhileTheLayersAreMade();
     void theImportCanBeCancelled();
     void aSurfaceThatCannotBeReadIsRefused();
+    void theSameLayerOfTwoTeethIsRefused();
     void aWideHoleIsFilledWhenChosen();
     void aDroppedCaseIsOpenedAndItsTeethCanBeChosen();
     void cleanupTestCase();
 
 private:
-    void drop(const std::filesystem::path& file);
+    void drop(const std::vector<std::filesystem::path>& files);
     [[nodiscard]] ImportDialog* dialog() const { return window_->findChild<ImportDialog*>(); }
     [[nodiscard]] QPushButton* importButton() const {
         return dialog()->findChild<QDialogButtonBox*>("importButtons")->button(QDialogButtonBox::Ok);
@@ -55,9 +57,11 @@ private:
     std::filesystem::path scan_;
 };
 
-void ImportWindowTest::drop(const std::filesystem::path& file) {
+void ImportWindowTest::drop(const std::vector<std::filesystem::path>& files) {
     QMimeData data;
-    data.setUrls({QUrl::fromLocalFile(QString::fromStdString(file.string()))});
+    QList<QUrl> urls;
+    for (const auto& file : files) urls += QUrl::fromLocalFile(QString::fromStdString(file.string()));
+    data.setUrls(urls);
     const QPoint place = window_->rect().center();
     QDragEnterEvent enter(place, Qt::CopyAction, &data, Qt::LeftButton, {});
     QApplication::sendEvent(window_.get(), &enter);
@@ -88,7 +92,7 @@ void ImportWindowTest::initTestCase() {
 }
 
 void ImportWindowTest::aDroppedSurfaceIsShownBeforeItIsTaken() {
-    drop(scan_);
+    drop({scan_});
     QVERIFY(dialog() != nullptr);
     waitForRemarks("Units taken as cm");
     QVERIFY2(remarks().contains("to stand crown up"), qPrintable(remarks()));
@@ -136,7 +140,7 @@ void ImportWindowTest::theWindowStaysAliveWhileTheLayersAreMade() {
 void ImportWindowTest::theImportCanBeCancelled() {
     window_->bringBuiltinTooth(kBuiltinTeeth.front());
     waitForToothNamed(kBuiltinTeeth.front().name);
-    drop(scan_);
+    drop({scan_});
     waitForRemarks("Units taken as cm");
     importButton()->click();
     dialog()->findChild<QDialogButtonBox*>("importButtons")->button(QDialogButtonBox::Cancel)->click();
@@ -149,11 +153,22 @@ void ImportWindowTest::theImportCanBeCancelled() {
 void ImportWindowTest::aSurfaceThatCannotBeReadIsRefused() {
     const auto file = folder_ / "garbage.stl";
     std::ofstream(file) << "this is no surface at all";
-    drop(file);
+    drop({file});
     QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<QMessageBox*>() != nullptr, 30000);
     auto* box = window_->findChild<QMessageBox*>();
     QVERIFY2(box->text().contains("garbage.stl"), qPrintable(box->text()));
     delete box;
+    QTRY_VERIFY(dialog() == nullptr);
+}
+
+void ImportWindowTest::theSameLayerOfTwoTeethIsRefused() {
+    for (const char* const name : {"L6_enamel.stl", "L7_enamel.stl"}) {
+        QVERIFY(writeStl(test::box(Vec3(-4, -4, -12), Vec3(4, 4, 8)), folder_ / name).has_value());
+    }
+    drop({folder_ / "L6_enamel.stl", folder_ / "L7_enamel.stl"});
+    QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<QMessageBox*>() != nullptr, 30000);
+    const QString said = dismissMessage();
+    QVERIFY2(said.contains("L7_enamel.stl: the tooth has this surface already"), qPrintable(said));
     QTRY_VERIFY(dialog() == nullptr);
 }
 
@@ -162,7 +177,7 @@ void ImportWindowTest::aWideHoleIsFilledWhenChosen() {
     open.triangles.erase(open.triangles.begin(), open.triangles.begin() + 2);
     const auto file = folder_ / "open.stl";
     QVERIFY(writeStl(open, file).has_value());
-    drop(file);
+    drop({file});
     QTRY_VERIFY_WITH_TIMEOUT(dialog() != nullptr && remarks().contains("too wide to be filled unasked"), 30000);
     QVERIFY(!importButton()->isEnabled());
     dialog()->findChild<QComboBox*>("holes")->setCurrentIndex(1);
@@ -182,7 +197,7 @@ void ImportWindowTest::aDroppedCaseIsOpenedAndItsTeethCanBeChosen() {
     const auto made = makeCase({.from = {folder_ / "scans"}, .title = "Blocks", .quadrant = 3});
     QVERIFY2(made.has_value(), made ? "" : made.error().message.c_str());
     QVERIFY(writeCase(made->files, folder_ / "blocks.ttcase").has_value());
-    drop(folder_ / "blocks.ttcase");
+    drop({folder_ / "blocks.ttcase"});
     waitForToothNamed("Blocks, L6");
     QVERIFY(dialog() == nullptr);
     auto* menu = window_->findChild<QMenu*>("teethOfCase");
@@ -197,7 +212,7 @@ void ImportWindowTest::cleanupTestCase() { closeWindow(); }
 bool ImportWindowTest::saveScreenshot(const QString& file, const QString& scan) {
     initTestCase();
     waitForToothNamed(kBuiltinTeeth.front().name);
-    drop(scan.isEmpty() ? scan_ : std::filesystem::path(scan.toStdString()));
+    drop({scan.isEmpty() ? scan_ : std::filesystem::path(scan.toStdString())});
     QElapsedTimer since;
     for (since.start(); since.elapsed() < 60000 && !importButton()->isEnabled();) QTest::qWait(50);
     QPixmap picture = window_->grab();
