@@ -190,9 +190,9 @@ void ImportWindowTest::aDroppedCaseIsOpenedAndItsTeethCanBeChosen() {
     std::filesystem::create_directories(folder_ / "scans");
     for (const auto& [name, x] : {std::pair("L6", 0.0), std::pair("L7", 10.0)}) {
         const TriangleMesh block = test::box(Vec3(x - 4, -4, -12), Vec3(x + 4, 4, 8));
-        QVERIFY(writeStl(block, folder_ / ("scans/" + std::string(name) + "_outer.stl")).has_value());
+        QVERIFY(writeStl(block, folder_ / std::string("scans/").append(name).append("_outer.stl")).has_value());
         const TriangleMesh core = test::box(Vec3(x - 3, -3, -11), Vec3(x + 3, 3, 5));
-        QVERIFY(writeStl(core, folder_ / ("scans/" + std::string(name) + "_dentin.stl")).has_value());
+        QVERIFY(writeStl(core, folder_ / std::string("scans/").append(name).append("_dentin.stl")).has_value());
     }
     const auto made = makeCase({.from = {folder_ / "scans"}, .title = "Blocks", .quadrant = 3});
     QVERIFY2(made.has_value(), made ? "" : made.error().message.c_str());
