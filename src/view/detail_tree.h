@@ -29,7 +29,7 @@ struct DetailTree {
 /// Triangles of a piece of the true surface; the last piece has the rest.
 inline constexpr std::uint32_t kTrianglesPerPiece = 2048;
 
-/// The coarser pieces use the vertices of `mesh`, too.
+/// `mesh` has at least one triangle. The coarser pieces use its vertices, too.
 [[nodiscard]] DetailTree detailTree(const ShadingMesh& mesh);
 
 /// Adds to `runs` what may show, as coarse as `culler` allows, but pieces of the true surface below nodes that
