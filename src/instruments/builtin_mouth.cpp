@@ -21,7 +21,7 @@ namespace {
 
 /// A gum's triangles are longer than those of its teeth, within what its thin margins need and what is of use.
 double gumCell(int triangles) {
-    constexpr double kOf20000 = 0.36, kFinest = 0.2, kCoarsest = 0.36;  // mm
+    constexpr double kOf20000 = 0.4, kFinest = 0.2, kCoarsest = 0.4;  // mm
     return std::clamp(kOf20000 * std::sqrt(20000.0 / triangles), kFinest, kCoarsest);
 }
 

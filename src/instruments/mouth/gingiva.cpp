@@ -202,7 +202,9 @@ Gingiva::Line Gingiva::marginAt(double s) const {
     line.lingual = std::lerp(tooth.lingual, (tooth.lingual + other.lingual) / 2, part * part);
     line.tip = between.tip;
     line.outward = between.outward;
-    line.rise = std::pow(part, kScallop);
+    constexpr double kCrest = 0.1;  // how round a papilla's crest is, as a part of the way to the tooth's middle
+    const double beside = std::hypot(1 - part, kCrest) - kCrest;
+    line.rise = std::pow(std::max(0.0, 1 - beside), kScallop);
     return line;
 }
 
@@ -211,7 +213,7 @@ double Gingiva::marginOver(double outward, const Line& line) const {
     const double across = smoothStep(-0.7 * line.half, 0.7 * line.half, outward - line.middle);
     const double margin = std::lerp(line.lingual, line.facial, across);
     constexpr double kTipHalf = 0.4,
-                     kAtFace = 0.62;   // part of the way to the face; of the papilla's height left there
+                     kAtFace = 0.68;   // part of the way to the face; of the papilla's height left there
     constexpr double kLeastReach = 2;  // mm
     const double aside = outward - line.outward;
     const double reach = std::max(line.half + (aside > 0 ? 1 : -1) * (line.middle - line.outward), kLeastReach);
