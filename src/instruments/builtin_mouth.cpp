@@ -56,7 +56,7 @@ struct GumMesh {
 GumMesh gumMesh(const GingivaBody& body, bool upper, double cell) {
     const double up = upper ? -1 : 1;
     // Away from the margins heights are stretched, up to this many times: longer triangles, and fewer.
-    constexpr double kStretch = 3.5, kOnset = 3;
+    constexpr double kStretch = 2.5, kOnset = 3;
     const auto stretched = [&](const Vec3& p) -> Vec3 {
         const double below = body.smoothBelow - up * p.z();
         if (below <= 0) return p;

@@ -318,12 +318,10 @@ double Gingiva::operator()(const Vec3& p) const {
     body = smoothIntersection(body, std::abs(at.s) - end_ - kBehind, kEndRound);
     body = smoothIntersection(body, back_ - p.y(), kBaseRound);
     body = smoothIntersection(body, base_ - crownward, kBaseRound);
-    constexpr double kGap = 0.15, kCollar = 0.08,
-                     kAttached = 3;  // mm: the periodontal ligament's; the sulcus'; its end
-    const double gap = std::lerp(kCollar, kGap, smoothStep(0, kAttached, depth));
+    constexpr double kGap = 0.15;      // mm: the periodontal ligament's
     constexpr double kThinnest = 0.7;  // mm between two teeth, below which no tissue stands
     body = smoothIntersection(body, kThinnest - (tooth + second), kTipRound);
-    return smoothIntersection(body, gap - tooth, kSocketRound);
+    return smoothIntersection(body, kGap - tooth, kSocketRound);
 }
 
 Box3 Gingiva::bounds() const {
