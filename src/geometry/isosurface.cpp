@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "geometry/dual_mesher.h"
+#include "geometry/evened_surface.h"
 #include "geometry/parallel_for.h"
 
 namespace tactooth {
@@ -122,11 +123,14 @@ std::array<Triangle, 2> split(const std::array<std::uint32_t, 4>& q, const std::
 
 }  // namespace
 
-TriangleMesh isosurface(const ScalarField& field, const Box3& box, const IsosurfaceOptions& options) {
+EvenedSurface evenedSurface(const ScalarField& field, const Box3& box, const IsosurfaceOptions& options) {
     DualMesh dual = DualMesher(SampledGrid(field, box, options)).mesh();
+    EvenedSurface surface;
+    surface.home.reserve(dual.vertices.size());
+    for (const Vec3& vertex : dual.vertices) surface.home.push_back(vertex.cast<float>());
     const std::vector<Vec3> slopes = relax(dual, field, options);
 
-    TriangleMesh mesh;
+    TriangleMesh& mesh = surface.mesh;
     mesh.vertices.reserve(dual.vertices.size());
     for (const Vec3& vertex : dual.vertices) mesh.vertices.push_back(vertex.cast<float>());
     mesh.triangles.resize(2 * dual.quads.size());
@@ -135,7 +139,11 @@ TriangleMesh isosurface(const ScalarField& field, const Box3& box, const Isosurf
         std::ranges::copy(halves, mesh.triangles.begin() + static_cast<std::ptrdiff_t>(2 * i));
     });
     mesh.triangles.insert(mesh.triangles.end(), dual.triangles.begin(), dual.triangles.end());
-    return mesh;
+    return surface;
+}
+
+TriangleMesh isosurface(const ScalarField& field, const Box3& box, const IsosurfaceOptions& options) {
+    return evenedSurface(field, box, options).mesh;
 }
 
 }  // namespace tactooth

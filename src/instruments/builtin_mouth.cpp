@@ -6,20 +6,22 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <optional>
 
 #include "geometry/disjoint_sets.h"
+#include "geometry/evened_surface.h"
 #include "geometry/parallel_for.h"
-#include "instruments/modelling/folds.h"
+#include "geometry/self_crossings.h"
 #include "instruments/mouth/gingiva.h"
 #include "instruments/mouth/tooth_places.h"
+#include "instruments/mouth_setting.h"
+#include "tooth/byte_stream.h"
 
 namespace tactooth {
 namespace {
 
 /// A gum's triangles are longer than those of its teeth, within what its thin margins need and what is of use.
 double gumCell(int triangles) {
-    constexpr double kOf20000 = 0.45, kFinest = 0.2, kCoarsest = 0.45;  // mm
+    constexpr double kOf20000 = 0.4, kFinest = 0.2, kCoarsest = 0.4;  // mm
     return std::clamp(kOf20000 * std::sqrt(20000.0 / triangles), kFinest, kCoarsest);
 }
 
@@ -46,7 +48,12 @@ TriangleMesh largestPiece(const TriangleMesh& mesh) {
     return piece;
 }
 
-TriangleMesh gumMesh(const GingivaBody& body, bool upper, double cell) {
+struct GumMesh {
+    TriangleMesh mesh;
+    bool crossesItself;
+};
+
+GumMesh gumMesh(const GingivaBody& body, bool upper, double cell) {
     const double up = upper ? -1 : 1;
     // Away from the margins heights are stretched, up to this many times: longer triangles, and fewer.
     constexpr double kStretch = 2.5, kOnset = 3;
@@ -57,37 +64,24 @@ TriangleMesh gumMesh(const GingivaBody& body, bool upper, double cell) {
     };
     constexpr double kSteepest = 1.6;
     const auto field = [&](const Vec3& p) { return body.field(stretched(p)); };
-    TriangleMesh mesh = isosurface(field, body.bounds, {cell, kSteepest * kStretch});
-    for (Vec3f& vertex : mesh.vertices) vertex = stretched(vertex.cast<double>()).cast<float>();
-    return largestPiece(mesh);
+    EvenedSurface surface = evenedSurface(field, body.bounds, {cell, kSteepest * kStretch});
+    for (auto* vertices : {&surface.mesh.vertices, &surface.home}) {
+        for (Vec3f& vertex : *vertices) vertex = stretched(vertex.cast<double>()).cast<float>();
+    }
+    const bool untangled = untangle(surface.mesh, surface.home);
+    return {largestPiece(surface.mesh), !untangled};
 }
 
 TriangleMesh gumOf(const ToothPlaces& places, bool upper, const MouthRequest& request) {
     const GingivaBody body = gingivaBody(places, upper, request.missing);
     double cell = gumCell(request.triangles);
-    TriangleMesh mesh = gumMesh(body, upper, cell);
-    constexpr int kTries = 4;            // the tip of a papilla may be thinner than a cell
-    constexpr double kSharpest = -0.85;  // cosine between normals: all of a gum is rounded
-    for (int i = 1; i < kTries && isFolded(mesh, kSharpest); ++i) {
+    GumMesh gum = gumMesh(body, upper, cell);
+    constexpr int kTries = 8;  // one is enough for nearly every mouth
+    for (int i = 1; i < kTries && gum.crossesItself; ++i) {
         cell *= 0.97;
-        mesh = gumMesh(body, upper, cell);
+        gum = gumMesh(body, upper, cell);
     }
-    return mesh;
-}
-
-struct Pair {
-    int fdi = 0;  // of the side that has been placed
-    Pose pose;
-};
-
-std::vector<Pair> pairsOf(const ToothPlaces& places) {
-    std::vector<Pair> pairs;
-    for (const JawSide* side : {&places.upper, &places.lower}) {
-        for (int i = 0; i < kTeethOfSide; ++i) {
-            pairs.push_back({(side->upper ? 11 : 31) + i, side->teeth[static_cast<std::size_t>(i)].shapeInMouth});
-        }
-    }
-    return pairs;
+    return std::move(gum.mesh);
 }
 
 /// Place in a dentist's chart: 18 to 28 above, 38 to 48 below.
@@ -120,33 +114,63 @@ TriangleMesh moved(TriangleMesh mesh, const Pose& pose) {
     return mesh;
 }
 
-BuiltinMouth makeMouth(const MouthRequest& request, const ToothMaker& maker) {
+MouthSetting makeMouthSetting(const MouthRequest& request) {
     assert(request.triangles > 0);
     const ToothPlaces places = placeTeeth(request.seed);
-    const std::vector<Pair> pairs = pairsOf(places);
-    BuiltinMouth mouth;
-    mouth.lowerJaw = lowerJawPose(request.jaw);
-    std::array<std::optional<MouthTooth>, 32> teeth;
-    const auto isWanted = [&](int fdi) { return std::ranges::find(request.missing, fdi) == request.missing.end(); };
-    const auto put = [&](BuiltinTooth tooth, const Pose& pose) {
-        if (!isWanted(tooth.fdi)) return;
-        auto& place = teeth[static_cast<std::size_t>(chartPlace(tooth.fdi))];
-        place = MouthTooth{std::move(tooth), pose};
-    };
-    parallelFor(pairs.size() + 2, [&](std::size_t i) {
-        if (i < 2) {
-            (i == 0 ? mouth.upperGingiva : mouth.lowerGingiva) = gumOf(places, i == 0, request);
-            return;
-        }
-        const Pair& pair = pairs[i - 2];
-        BuiltinTooth tooth = maker({pair.fdi, request.triangles, request.seed, {}});
-        put(otherSide(tooth), mirroredInX(pair.pose));
-        put(std::move(tooth), pair.pose);
-    });
-    for (auto& tooth : teeth) {
-        if (tooth) mouth.teeth.push_back(std::move(*tooth));
+    MouthSetting setting;
+    for (std::size_t i = 0; i < MouthSetting::kPlaces; ++i) {
+        const JawSide& side = i < kTeethOfSide ? places.upper : places.lower;
+        setting.toothInMouth[i] = side.teeth[i % kTeethOfSide].shapeInMouth;
     }
+    parallelFor(2, [&](std::size_t i) {
+        (i == 0 ? setting.upperGingiva : setting.lowerGingiva) = gumOf(places, i == 0, request);
+    });
+    return setting;
+}
+
+std::uint64_t mouthSettingFingerprint(const MouthRequest& request) {
+    constexpr std::uint32_t kModel = 1;  // grows whenever the same teeth are set or their gums are made otherwise
+    ByteWriter facts;
+    facts.put(kModel);
+    facts.put(request.triangles);
+    for (std::size_t i = 0; i < MouthSetting::kPlaces; ++i) {
+        facts.put(toothFingerprint({toothOfPlace(i), request.triangles, request.seed, {}}));
+    }
+    std::vector<int> missing = request.missing;
+    std::ranges::sort(missing);
+    for (const int fdi : missing) facts.put(fdi);
+    return checksum(facts.bytes());
+}
+
+BuiltinMouth makeMouth(const MouthRequest& request, const ToothMaker& teeth, const SettingMaker& setting) {
+    assert(request.triangles > 0);
+    std::array<BuiltinTooth, MouthSetting::kPlaces> made;
+    MouthSetting set;
+    parallelFor(made.size() + 1, [&](std::size_t i) {
+        if (i == 0) {
+            set = setting(request);
+        } else {
+            made[i - 1] = teeth({toothOfPlace(i - 1), request.triangles, request.seed, {}});
+        }
+    });
+    BuiltinMouth mouth;
+    mouth.upperGingiva = std::move(set.upperGingiva);
+    mouth.lowerGingiva = std::move(set.lowerGingiva);
+    mouth.lowerJaw = lowerJawPose(request.jaw);
+    const auto put = [&](BuiltinTooth tooth, const Pose& pose) {
+        const bool isMissing = std::ranges::find(request.missing, tooth.fdi) != request.missing.end();
+        if (!isMissing) mouth.teeth.push_back({std::move(tooth), pose});
+    };
+    for (std::size_t i = 0; i < made.size(); ++i) {
+        put(otherSide(made[i]), mirroredInX(set.toothInMouth[i]));
+        put(std::move(made[i]), set.toothInMouth[i]);
+    }
+    std::ranges::sort(mouth.teeth, {}, [](const MouthTooth& one) { return chartPlace(one.tooth.fdi); });
     return mouth;
+}
+
+BuiltinMouth makeMouth(const MouthRequest& request, const ToothMaker& maker) {
+    return makeMouth(request, maker, makeMouthSetting);
 }
 
 }  // namespace tactooth

@@ -9,6 +9,7 @@
 
 #include "instruments/anatomy/lesion.h"
 #include "instruments/anatomy/variation.h"
+#include "instruments/builtin_tooth_request.h"
 #include "instruments/modelling/folds.h"
 #include "tooth/byte_stream.h"
 
@@ -105,11 +106,15 @@ BuiltinTooth makeTooth(const ToothRequest& request) {
     return tooth;
 }
 
-BuiltinTooth makeBuiltinTooth(BuiltinToothKind kind, int triangles, double lesionWidth) {
+ToothRequest builtinToothRequest(BuiltinToothKind kind, int triangles, double lesionWidth) {
     assert(lesionWidth >= 0 && lesionWidth <= 4);
     ToothRequest request{.fdi = numberOf(kind), .triangles = triangles, .seed = 0, .lesion = {}};
     if (lesionWidth > 0) request.lesion = Lesion{LesionSite::usual, lesionWidth, {}};
-    return makeTooth(request);
+    return request;
+}
+
+BuiltinTooth makeBuiltinTooth(BuiltinToothKind kind, int triangles, double lesionWidth) {
+    return makeTooth(builtinToothRequest(kind, triangles, lesionWidth));
 }
 
 std::uint64_t toothFingerprint(const ToothRequest& request) {

@@ -2,18 +2,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 
-#include "instruments/builtin_tooth.h"
+#include "instruments/mouth_setting.h"
 
 namespace tactooth {
 
-/// Built-in teeth that were made before, in a folder that may be deleted at any time: then, or where a file is damaged,
-/// they are made anew. May be used by several threads and programs at once.
+/// Built-in teeth and gums that were made before, in a folder that may be deleted at any time: then, or where a file is
+/// damaged, they are made anew. May be used by several threads and programs at once.
 class ToothCache {
 public:
-    /// Most bytes that the folder keeps; the teeth that were not asked for the longest go first.
+    /// Most bytes that the folder keeps; what was not asked for the longest goes first.
     static constexpr std::uintmax_t kUsualLimit = 256ULL << 20;
 
     explicit ToothCache(std::filesystem::path folder, std::uintmax_t limit = kUsualLimit);
@@ -21,11 +23,17 @@ public:
     /// makeTooth(request), bit for bit.
     [[nodiscard]] BuiltinTooth make(const ToothRequest& request) const;
 
+    /// makeMouth(request), bit for bit.
+    [[nodiscard]] BuiltinMouth makeMouth(const MouthRequest& request) const;
+
     /// The file that keeps a tooth.
     [[nodiscard]] std::filesystem::path fileOf(const ToothRequest& request) const;
+    /// The file that keeps what a mouth has beside its teeth: their places and the gums.
+    [[nodiscard]] std::filesystem::path fileOf(const MouthRequest& request) const;
 
 private:
-    void keep(const BuiltinTooth& tooth, const std::filesystem::path& file) const;
+    [[nodiscard]] MouthSetting makeSetting(const MouthRequest& request) const;
+    void keep(std::span<const std::byte> bytes, const std::filesystem::path& file) const;
     void removeOldest() const;
 
     std::filesystem::path folder_;

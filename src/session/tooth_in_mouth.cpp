@@ -31,11 +31,7 @@ std::vector<Placed> placedAround(const BuiltinMouth& mouth, const MouthTooth& wo
     return bodies;
 }
 
-}  // namespace
-
-ToothInMouth toothInMouth(int fdi, const std::optional<Lesion>& lesion, const MouthRequest& request,
-                          const ToothMaker& maker) {
-    const BuiltinMouth mouth = makeMouth(request, maker);
+ToothInMouth inMouth(const BuiltinMouth& mouth, int fdi) {
     const MouthTooth* worked = mouth.find(fdi);
     assert(worked != nullptr);
     const std::vector<Placed> bodies = placedAround(mouth, *worked);
@@ -50,7 +46,23 @@ ToothInMouth toothInMouth(int fdi, const std::optional<Lesion>& lesion, const Mo
                            : std::make_shared<const TriangleMesh>(moved(aboveTheGum(*mesh), pose));
         result.around[i] = {std::move(part), std::move(shown), isGum, upper != isUpper(fdi)};
     });
-    result.tooth = lesion ? maker({fdi, request.triangles, request.seed, lesion}) : worked->tooth;
+    result.tooth = worked->tooth;
+    return result;
+}
+
+}  // namespace
+
+ToothInMouth toothInMouth(int fdi, const std::optional<Lesion>& lesion, const MouthRequest& mouth,
+                          const ToothMaker& maker) {
+    ToothInMouth result = inMouth(makeMouth(mouth, maker), fdi);
+    if (lesion) result.tooth = maker({fdi, mouth.triangles, mouth.seed, lesion});
+    return result;
+}
+
+ToothInMouth toothInMouth(int fdi, const std::optional<Lesion>& lesion, const MouthRequest& mouth,
+                          const ToothCache& cache) {
+    ToothInMouth result = inMouth(cache.makeMouth(mouth), fdi);
+    if (lesion) result.tooth = cache.make({fdi, mouth.triangles, mouth.seed, lesion});
     return result;
 }
 

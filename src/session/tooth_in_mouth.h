@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "instruments/builtin_mouth.h"
+#include "session/tooth_cache.h"
 #include "session/work_piece.h"
 
 namespace tactooth {
@@ -25,6 +26,10 @@ struct ToothInMouth {
 /// a mouth takes.
 [[nodiscard]] ToothInMouth toothInMouth(int fdi, const std::optional<Lesion>& lesion, const MouthRequest& mouth,
                                         const ToothMaker& maker = makeTooth);
+
+/// The same, with teeth and gums that were made before: a matter of a second.
+[[nodiscard]] ToothInMouth toothInMouth(int fdi, const std::optional<Lesion>& lesion, const MouthRequest& mouth,
+                                        const ToothCache& cache);
 
 /// A tooth without what is sure to lie below the gum, to be drawn: open at its end.
 [[nodiscard]] TriangleMesh aboveTheGum(const TriangleMesh& tooth);

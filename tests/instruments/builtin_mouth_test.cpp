@@ -9,6 +9,7 @@
 #include "collision/closest_point.h"
 #include "geometry/mesh_report.h"
 #include "instruments/mesh_checks.h"
+#include "instruments/mouth/tooth_places.h"
 #include "instruments/mouth_checks.h"
 #include "support/mesh_checks.h"
 
@@ -100,6 +101,28 @@ TEST(BuiltinMouth, GumsAreClosedBodiesWithoutHolesThatDoNotIntersectThemselves) 
         EXPECT_EQ(report.shells.size(), 1u);
         EXPECT_GT(report.signedVolume, 10000);
         EXPECT_FALSE(test::intersectsItself(*gum));
+    }
+}
+
+TEST(BuiltinMouth, GumsOfOtherPatientsDoNotIntersectThemselvesEither) {
+    test::expectSoundGums(makeMouthSetting({.seed = 2, .missing = {}}));
+}
+
+TEST(BuiltinMouth, NoGumStandsBetweenTheTeethAboveTheirContacts) {
+    const SurfacePart upper(mouth().upperGingiva), lower(mouth().lowerGingiva);
+    const ToothPlaces places = placeTeeth(0);
+    for (const JawSide* side : {&places.upper, &places.lower}) {
+        const SurfacePart& gum = side->upper ? upper : lower;
+        const Vec3 crownward = (side->upper ? -1 : 1) * Vec3::UnitZ();
+        for (std::size_t i = 0; i < kTeethOfSide; ++i) {
+            const Vec3& contact = side->contacts[i].point;
+            const Vec3 across = places.line.at(places.line.of(contact.x(), contact.y()).s).outward;
+            for (double out = -5; out <= 5; out += 0.25) {
+                for (double above = -0.5; above < 3; above += 0.25) {
+                    EXPECT_FALSE(contains(gum, contact + out * across + above * crownward)) << i << " " << out;
+                }
+            }
+        }
     }
 }
 

@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "instruments/mouth_checks.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 
 #include "collision/closest_point.h"
+#include "geometry/mesh_report.h"
+#include "instruments/mesh_checks.h"
 
 namespace tactooth::test {
 namespace {
@@ -35,5 +39,16 @@ TriangleMesh placed(const BuiltinMouth& in, int fdi) {
 }
 
 double between(const TriangleMesh& a, const TriangleMesh& b) { return std::min(clearance(a, b), clearance(b, a)); }
+
+void expectSoundGums(const MouthSetting& setting) {
+    for (const TriangleMesh* gum : {&setting.upperGingiva, &setting.lowerGingiva}) {
+        SCOPED_TRACE(gum == &setting.upperGingiva ? "upper gum" : "lower gum");
+        const MeshReport report = reportOn(*gum);
+        EXPECT_TRUE(report.watertight());
+        EXPECT_EQ(report.shells.size(), 1u);
+        EXPECT_GT(report.signedVolume, 10000);
+        EXPECT_FALSE(intersectsItself(*gum));
+    }
+}
 
 }  // namespace tactooth::test

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "instruments/builtin_mouth.h"
+#include "instruments/mouth_setting.h"
 
 namespace tactooth::test {
 
@@ -11,5 +11,8 @@ namespace tactooth::test {
 
 /// Smallest distance of a vertex of the one from the other, negative if one lies inside; at most 1 mm.
 [[nodiscard]] double between(const TriangleMesh& a, const TriangleMesh& b);
+
+/// Both gums: closed, oriented, of one piece, and not intersecting themselves as CGAL judges.
+void expectSoundGums(const MouthSetting& setting);
 
 }  // namespace tactooth::test

@@ -22,5 +22,17 @@ TEST(OtherMouths, FitTogetherToo) {
     }
 }
 
+TEST(OtherMouths, HaveGumsThatDoNotIntersectThemselves) {
+    for (std::uint32_t seed = 0; seed < 20; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        test::expectSoundGums(makeMouthSetting({.seed = seed, .missing = {}}));
+    }
+}
+
+TEST(OtherMouths, HaveFineGumsAndHealedOnesThatDoNotIntersectThemselves) {
+    test::expectSoundGums(makeMouthSetting({.triangles = 60000, .seed = 2, .missing = {}}));
+    test::expectSoundGums(makeMouthSetting({.seed = 0, .missing = {18, 14, 24, 25, 41, 46, 47, 48}}));
+}
+
 }  // namespace
 }  // namespace tactooth

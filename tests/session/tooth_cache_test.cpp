@@ -92,6 +92,63 @@ TEST(ToothCache, DamagedFilesAreMadeAnew) {
     }
 }
 
+const MouthRequest kMouth{.triangles = 1000, .missing = {}};
+
+void expectSame(const BuiltinMouth& a, const BuiltinMouth& b) {
+    EXPECT_TRUE(test::areBitEqual(a.upperGingiva, b.upperGingiva));
+    EXPECT_TRUE(test::areBitEqual(a.lowerGingiva, b.lowerGingiva));
+    ASSERT_EQ(a.teeth.size(), b.teeth.size());
+    for (std::size_t i = 0; i < a.teeth.size(); ++i) {
+        expectSame(a.teeth[i].tooth, b.teeth[i].tooth);
+        EXPECT_EQ(a.teeth[i].toothInMouth.position, b.teeth[i].toothInMouth.position);
+        EXPECT_EQ(a.teeth[i].toothInMouth.rotation.coeffs(), b.teeth[i].toothInMouth.rotation.coeffs());
+    }
+}
+
+TEST(ToothCache, GivesBackAMouthBitForBitAndMakesADamagedOneAnew) {
+    const test::TemporaryFolder folder;
+    const ToothCache cache(folder.path());
+    const BuiltinMouth made = cache.makeMouth(kMouth);
+    const fs::path file = cache.fileOf(kMouth);
+    ASSERT_TRUE(fs::exists(file));
+    const auto size = fs::file_size(file);
+    fs::last_write_time(file, fs::file_time_type::clock::now() - std::chrono::hours(9));
+    expectSame(cache.makeMouth(kMouth), made);
+    EXPECT_GT(fs::last_write_time(file), fs::file_time_type::clock::now() - std::chrono::hours(1));
+    fs::resize_file(file, size - 1);
+    expectSame(cache.makeMouth(kMouth), makeMouth(kMouth));
+    EXPECT_EQ(fs::file_size(file), size);
+}
+
+TEST(ToothCache, ReadsTheGumsInsteadOfMakingThem) {
+    const test::TemporaryFolder folder;
+    const ToothCache cache(folder.path());
+    const BuiltinMouth made = cache.makeMouth(kMouth);
+    MouthRequest gap = kMouth;
+    gap.missing = {46};
+    fs::copy_file(cache.fileOf(kMouth), cache.fileOf(gap));
+    const BuiltinMouth read = cache.makeMouth(gap);
+    EXPECT_EQ(read.find(46), nullptr);
+    EXPECT_TRUE(test::areBitEqual(read.lowerGingiva, made.lowerGingiva));
+}
+
+TEST(ToothCache, OtherMouthsHaveOtherFilesButTheOpenOneIsTheClosedOneMoved) {
+    const ToothCache cache("folder");
+    MouthRequest seed = kMouth, fineness = kMouth, gap = kMouth, twoGaps = kMouth, sameGaps = kMouth, open = kMouth;
+    seed.seed = 1;
+    fineness.triangles = 1002;
+    gap.missing = {46};
+    twoGaps.missing = {46, 11};
+    sameGaps.missing = {11, 46};
+    open.jaw = JawPose::open;
+    for (const MouthRequest& other : {seed, fineness, gap, twoGaps}) {
+        EXPECT_NE(cache.fileOf(other), cache.fileOf(kMouth));
+    }
+    EXPECT_NE(cache.fileOf(gap), cache.fileOf(twoGaps));
+    EXPECT_EQ(cache.fileOf(sameGaps), cache.fileOf(twoGaps));
+    EXPECT_EQ(cache.fileOf(open), cache.fileOf(kMouth));
+}
+
 TEST(ToothCache, KeepsNoMoreThanItsLimitAndForgetsTheOldestFirst) {
     const test::TemporaryFolder folder;
     const auto one = [&] {

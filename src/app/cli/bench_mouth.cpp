@@ -10,8 +10,7 @@ namespace tactooth {
 
 Scene benchMouth() {
     const ToothCache cache(usualCacheFolder());
-    const BuiltinMouth mouth =
-        makeMouth({.jaw = JawPose::open, .missing = {}}, [&](const ToothRequest& tooth) { return cache.make(tooth); });
+    const BuiltinMouth mouth = cache.makeMouth({.jaw = JawPose::open, .missing = {}});
     SceneContents contents;
     contents.around = shownMouth(mouth);
     DentalMirror mirror = makeMirror();

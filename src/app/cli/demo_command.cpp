@@ -50,8 +50,7 @@ struct Cast {
 /// The lower first molar in an open mouth.
 BuiltinTooth castMouth(Cast& cast) {
     const ToothCache cache(usualCacheFolder());
-    ToothInMouth made = toothInMouth(46, Lesion{}, {.jaw = JawPose::open, .missing = {}},
-                                     [&](const ToothRequest& tooth) { return cache.make(tooth); });
+    ToothInMouth made = toothInMouth(46, Lesion{}, {.jaw = JawPose::open, .missing = {}}, cache);
     cast.props.around = shownAround(made);
     cast.surroundings = surroundingsOf(made);
     return std::move(made.tooth);

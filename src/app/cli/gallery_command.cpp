@@ -16,6 +16,7 @@
 #include "instruments/hand_instruments.h"
 #include "instruments/mirror.h"
 #include "instruments/turbine.h"
+#include "session/tooth_cache.h"
 
 namespace tactooth {
 namespace {
@@ -28,7 +29,8 @@ constexpr std::array kUpper = {18, 17, 16, 15, 14, 13, 12, 11, 21, 22, 23, 24, 2
 constexpr std::array kLower = {48, 47, 46, 45, 44, 43, 42, 41, 31, 32, 33, 34, 35, 36, 37, 38};
 
 Expected<std::shared_ptr<const Surface>> surfaceOf(int fdi, const GalleryOptions& options) {
-    return shownSurface(makeTooth({fdi, options.triangles, options.seed, {}}));
+    const ToothCache cache(options.noCache ? std::filesystem::path() : usualCacheFolder());
+    return shownSurface(cache.make({fdi, options.triangles, options.seed, {}}));
 }
 
 /// The three views of a tooth below each other, from `row` on; an upper tooth's chewing surface comes last, a lower

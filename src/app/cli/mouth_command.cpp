@@ -64,7 +64,7 @@ Expected<BuiltinMouth> mouthAsWished(const MouthWishes& wishes) {
     const ToothCache cache(wishes.noCache ? fs::path() : usualCacheFolder());
     const MouthRequest request{wishes.triangles, wishes.seed, wishes.jaw == "open" ? JawPose::open : JawPose::closed,
                                wishes.missing};
-    return makeMouth(request, [&](const ToothRequest& tooth) { return cache.make(tooth); });
+    return cache.makeMouth(request);
 }
 
 int runMouth(const MouthOptions& options) {

@@ -102,6 +102,7 @@ void addGallery(CLI::App& program, Chosen& chosen) {
         ->type_name("N");
     command->add_option("--teeth", options->teeth, "Only these teeth (FDI numbers), larger, and no instruments")
         ->type_name("N");
+    command->add_flag("--no-cache", options->noCache, "Make all teeth anew, and do not keep them for the next time");
 }
 
 }  // namespace
@@ -117,7 +118,8 @@ void addMouthWishes(CLI::App& command, MouthWishes& wishes, CLI::Option* needed)
         command.add_option("--missing", wishes.missing, "Teeth that are lost, as 18,28,46; their places have healed")
             ->delimiter(',')
             ->type_name("FDI"),
-        command.add_flag("--no-cache", wishes.noCache, "Make all teeth anew, and do not keep them for the next time")};
+        command.add_flag("--no-cache", wishes.noCache,
+                         "Make all teeth and gums anew, and do not keep them for the next time")};
     if (needed == nullptr) return;
     for (CLI::Option* option : all) option->needs(needed);
 }

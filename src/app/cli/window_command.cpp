@@ -57,7 +57,8 @@ void addMouthAndBur(CLI::App& program, WindowArguments& arguments) {
         },
         "The whole built-in mouth, to work on this tooth of it (default: 46)");
     mouth->type_name("[FDI]")->expected(0, 1)->excludes("--tooth")->group(kGroup);
-    program.add_flag("--no-cache", arguments.noCache, "Make the mouth's teeth anew, and do not keep them")
+    program
+        .add_flag("--no-cache", arguments.noCache, "Make the teeth and gums of the mouth anew, and do not keep them")
         ->needs(mouth)
         ->group(kGroup);
     program

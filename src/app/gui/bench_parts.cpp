@@ -4,6 +4,7 @@
 
 #include "app/common/mouth_scene.h"
 #include "app/common/spin_blur.h"
+#include "instruments/builtin_tooth_request.h"
 #include "instruments/bur_shape.h"
 #include "instruments/suction_tube.h"
 #include "instruments/turbine.h"
@@ -31,7 +32,7 @@ Expected<BenchBur> benchBurOf(OwnBur own, const std::filesystem::path& file) {
 }  // namespace
 
 Expected<BenchTooth> makeBenchTooth(const BuiltinToothEntry& entry) {
-    const BuiltinTooth tooth = makeBuiltinTooth(entry.kind);
+    const BuiltinTooth tooth = ToothCache(usualCacheFolder()).make(builtinToothRequest(entry.kind));
     Expected<LayeredTooth> layered = layeredTooth(tooth);
     if (!layered) return Unexpected{layered.error()};
     auto shared = std::make_shared<const LayeredTooth>(std::move(*layered));
@@ -45,8 +46,7 @@ Expected<BenchTooth> makeBenchTooth(const BenchMouth& mouth) {
     constexpr int kNeighbourTriangles = 20000;
     const MouthRequest request{.triangles = kNeighbourTriangles, .seed = 0, .jaw = JawPose::open, .missing = {}};
     const ToothCache cache(mouth.cached ? usualCacheFolder() : std::filesystem::path());
-    const ToothInMouth made =
-        toothInMouth(mouth.fdi, Lesion{}, request, [&](const ToothRequest& tooth) { return cache.make(tooth); });
+    const ToothInMouth made = toothInMouth(mouth.fdi, Lesion{}, request, cache);
     Expected<LayeredTooth> layered = layeredTooth(made.tooth);
     if (!layered) return Unexpected{layered.error()};
     BenchTooth tooth{std::to_string(made.tooth.fdi),  // a number needs no translation

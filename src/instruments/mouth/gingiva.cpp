@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The margin runs 1 mm above the cervical line (the depth of a healthy sulcus) and rises between two teeth to a papilla
-// of about 3 mm (Golestan: 3.1 mm), or to just below their contact. Thickness 1 mm at the margin, more below. The rest
-// is modelled after textbook drawings.
+// The margin runs 1 mm above the cervical line (the depth of a healthy sulcus) and rises between two teeth to a
+// papilla: a pyramid whose tip stands below their contact, where the teeth leave it room, and whose faces fall from
+// there to the cheek and to the tongue. It is about 3 mm high (Golestan: 3.1 mm with a standard deviation of 0.65 mm).
+// Thickness 1 mm at the margin, more below. The rest is modelled after textbook drawings.
 #include "instruments/mouth/gingiva.h"
 
 #include <algorithm>
@@ -30,7 +31,9 @@ struct ToothMargin {
 
 /// The place between two teeth.
 struct Papilla {
-    double s = 0, height = 0;
+    double s = 0;
+    double tip = 0;      ///< height toward the crowns
+    double outward = 0;  ///< of the tip, from the line
 };
 
 /// A tooth that the gum stands around.
@@ -53,13 +56,17 @@ public:
 private:
     /// What the gum is like at a place along the line; heights toward the crowns, mm.
     struct Line {
-        double facial = 0, lingual = 0;  ///< the margin
+        double facial = 0, lingual = 0;  ///< the margin at the outer and the inner face of the ridge
+        double tip = 0, outward = 0;     ///< of the nearest papilla
+        double rise = 0;                 ///< from the margin of a tooth, 0, to the papilla, 1
         double middle = 0, half = 0;     ///< of the ridge: outward from the line; half its width at the margin
     };
     void addSide(const JawSide& side, bool right, const std::vector<int>& missing);
     void addPapillae(const JawSide& side);
+    void heal();
     void fillTable();
     [[nodiscard]] Line marginAt(double s) const;
+    [[nodiscard]] double marginOver(double outward, const Line& line) const;
     [[nodiscard]] Line ridgeAt(double s) const;
     [[nodiscard]] Line lookUp(double s) const;
     [[nodiscard]] double toTeeth(const Vec3& p, double s, double& second) const;
@@ -93,6 +100,7 @@ Gingiva::Gingiva(const ToothPlaces& places, bool upper, const std::vector<int>& 
     end_ = margins_.back().s + 5;
     back_ = line_.at(end_ + kBehind - 3).point.y();
     addPapillae(side);
+    heal();
     fillTable();
 }
 
@@ -101,16 +109,27 @@ void Gingiva::addPapillae(const JawSide& side) {
     std::vector<Papilla> right;
     for (std::size_t i = 0; i < kTeethOfSide; ++i) {
         const Vec3& contact = side.contacts[i].point;
-        constexpr double kBelowContact = 0.6, kPapilla = 3.4;  // mm
+        constexpr double kBelowContact = 1.0;  // mm
+        constexpr double kHighest = 4.4;       // mm over the margins beside it: Golestan's mean and two deviations
         const double here = margins_[kTeethOfSide + i].facial;
         const double before = i > 0 ? margins_[kTeethOfSide + i - 1].facial : here;
-        const double height = std::min(sign * contact.z() - kBelowContact, (here + before) / 2 + kPapilla);
-        right.push_back({i == 0 ? 0 : std::abs(line_.of(contact.x(), contact.y()).s), height});
+        const double tip = std::min(sign * contact.z() - kBelowContact, (here + before) / 2 + kHighest);
+        const auto at = line_.of(contact.x(), contact.y());
+        right.push_back({i == 0 ? 0 : std::abs(at.s), tip, at.outward});
     }
     constexpr double kLast = 1.2;  // mm: behind the last tooth it rises little
-    right.push_back({end_ + 1, margins_.back().facial + kLast});
-    for (std::size_t i = kTeethOfSide; i > 0; --i) papillae_.push_back({-right[i].s, right[i].height});
+    right.push_back({end_ + 1, margins_.back().facial + kLast, margins_.back().middle});
+    for (std::size_t i = kTeethOfSide; i > 0; --i) papillae_.push_back({-right[i].s, right[i].tip, right[i].outward});
     papillae_.insert(papillae_.end(), right.begin(), right.end());
+}
+
+/// Over a lost tooth the tissue is a saddle between its papillae.
+void Gingiva::heal() {
+    constexpr double kHealed = 1.4;  // mm that it stands below them
+    for (std::size_t i = 0; i < margins_.size(); ++i) {
+        if (!margins_[i].missing) continue;
+        margins_[i].facial = margins_[i].lingual = (papillae_[i].tip + papillae_[i + 1].tip) / 2 - kHealed;
+    }
 }
 
 void Gingiva::fillTable() {
@@ -129,7 +148,9 @@ Gingiva::Line Gingiva::lookUp(double s) const {
     const double part = at - static_cast<double>(i);
     const Line &a = table_[i], &b = table_[i + 1];
     return {std::lerp(a.facial, b.facial, part), std::lerp(a.lingual, b.lingual, part),
-            std::lerp(a.middle, b.middle, part), std::lerp(a.half, b.half, part)};
+            std::lerp(a.tip, b.tip, part),       std::lerp(a.outward, b.outward, part),
+            std::lerp(a.rise, b.rise, part),     std::lerp(a.middle, b.middle, part),
+            std::lerp(a.half, b.half, part)};
 }
 
 void Gingiva::addSide(const JawSide& side, bool right, const std::vector<int>& missing) {
@@ -173,12 +194,31 @@ Gingiva::Line Gingiva::marginAt(double s) const {
     const Papilla& between = papillae_[after];
     const bool nearsBefore = after == margins_.size() || (after > 0 && s < between.s);
     const ToothMargin& tooth = margins_[nearsBefore ? after - 1 : after];
-    constexpr double kHealed = 1.4;  // mm that the tissue over a lost tooth stands below the papillae
-    if (tooth.missing) return {between.height - kHealed, between.height - kHealed};
+    const ToothMargin& other = margins_[nearsBefore ? std::min(after, margins_.size() - 1) : std::max(after, 1UL) - 1];
     const double part = std::clamp((s - tooth.s) / (between.s - tooth.s), 0.0, 1.0);
-    constexpr double kScallop = 2.3;  // 1: a zigzag line, 2: arches
-    const double rise = std::pow(part, kScallop);
-    return {std::lerp(tooth.facial, between.height, rise), std::lerp(tooth.lingual, between.height, rise)};
+    constexpr double kScallop = 1.9;  // 1: a zigzag line, 2: arches
+    Line line;
+    line.facial = std::lerp(tooth.facial, (tooth.facial + other.facial) / 2, part * part);
+    line.lingual = std::lerp(tooth.lingual, (tooth.lingual + other.lingual) / 2, part * part);
+    line.tip = between.tip;
+    line.outward = between.outward;
+    constexpr double kCrest = 0.1;  // how round a papilla's crest is, as a part of the way to the tooth's middle
+    const double beside = std::hypot(1 - part, kCrest) - kCrest;
+    line.rise = std::pow(std::max(0.0, 1 - beside), kScallop);
+    return line;
+}
+
+/// Height of the margin at a place across the ridge: between two teeth it falls from the papilla's tip to both faces.
+double Gingiva::marginOver(double outward, const Line& line) const {
+    const double across = smoothStep(-0.7 * line.half, 0.7 * line.half, outward - line.middle);
+    const double margin = std::lerp(line.lingual, line.facial, across);
+    constexpr double kTipHalf = 0.4,
+                     kAtFace = 0.68;   // part of the way to the face; of the papilla's height left there
+    constexpr double kLeastReach = 2;  // mm
+    const double aside = outward - line.outward;
+    const double reach = std::max(line.half + (aside > 0 ? 1 : -1) * (line.middle - line.outward), kLeastReach);
+    const double left = 1 - (1 - kAtFace) * smoothStep(kTipHalf, 1, std::abs(aside) / reach);
+    return margin + line.rise * left * (line.tip - margin);
 }
 
 /// The alveolar process follows the teeth's necks smoothly.
@@ -254,11 +294,9 @@ double Gingiva::operator()(const Vec3& p) const {
     const double crownward = upper_ ? -p.z() : p.z();
     const ArchCurve::Coordinates at = line_.of(p.x(), p.y());
     const Line line = lookUp(at.s);
-    const double across = smoothStep(-0.7 * line.half, 0.7 * line.half, at.outward - line.middle);
     // Behind the last tooth the tissue falls to the ridge.
     const double beyond = std::max(0.0, std::abs(at.s) - end_);
-    const double margin = std::lerp(line.lingual, line.facial, across) - 0.12 * beyond * beyond;
-    const double depth = margin - crownward;
+    const double depth = marginOver(at.outward, line) - 0.12 * beyond * beyond - crownward;
     double second = 0;
     const double tooth = toTeeth(p, at.s, second);
     constexpr double kThin = 0.5, kThick = 1.1, kDeep = 5;  // mm: thickness at the margin, and that deep below it
@@ -274,14 +312,14 @@ double Gingiva::operator()(const Vec3& p) const {
         const double inside = (at.outward - line.middle) / 1.2;  // the vault ends within the ridge
         body = smoothUnion(body, std::max(palate(p), inside), kFoot);
     }
-    constexpr double kMarginRound = 0.55, kSlope = 1.3, kEndRound = 6, kBaseRound = 1.5, kSocketRound = 0.3,
+    constexpr double kMarginRound = 0.55, kSlope = 1.3, kEndRound = 6, kBaseRound = 1.5, kSocketRound = 0.45,
                      kTipRound = 0.5;
     body = smoothIntersection(body, -depth / kSlope, kMarginRound);
     body = smoothIntersection(body, std::abs(at.s) - end_ - kBehind, kEndRound);
     body = smoothIntersection(body, back_ - p.y(), kBaseRound);
     body = smoothIntersection(body, base_ - crownward, kBaseRound);
     constexpr double kGap = 0.15;      // mm: the periodontal ligament's
-    constexpr double kThinnest = 0.6;  // mm between two teeth, below which no tissue stands
+    constexpr double kThinnest = 0.7;  // mm between two teeth, below which no tissue stands
     body = smoothIntersection(body, kThinnest - (tooth + second), kTipRound);
     return smoothIntersection(body, kGap - tooth, kSocketRound);
 }

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+
+#include "instruments/builtin_mouth.h"
+
+namespace tactooth {
+
+/// What a mouth has beside the teeth themselves. Mouth frame, mouth closed. `triangles`, `seed` and `missing` of a
+/// request decide about it; the pose of the jaw does not.
+struct MouthSetting {
+    static constexpr std::size_t kPlaces = 16;
+    /// Where the teeth 11 to 18 and 31 to 38 stand; those of the other side stand as their mirror images.
+    std::array<Pose, kPlaces> toothInMouth;
+    TriangleMesh upperGingiva, lowerGingiva;
+};
+
+/// FDI number of a place of a setting.
+[[nodiscard]] constexpr int toothOfPlace(std::size_t place) { return (place < 8 ? 11 : 23) + static_cast<int>(place); }
+
+[[nodiscard]] MouthSetting makeMouthSetting(const MouthRequest& request);
+
+/// A number for what makeMouthSetting would make: another one where the request, the anatomy of a tooth or the way of
+/// setting and meshing is another. Quick.
+[[nodiscard]] std::uint64_t mouthSettingFingerprint(const MouthRequest& request);
+
+/// Makes a setting: makeMouthSetting, or one that remembers.
+using SettingMaker = std::function<MouthSetting(const MouthRequest&)>;
+
+/// As makeMouth in builtin_mouth.h. Both makers are called from several threads at once.
+[[nodiscard]] BuiltinMouth makeMouth(const MouthRequest& request, const ToothMaker& teeth, const SettingMaker& setting);
+
+}  // namespace tactooth
