@@ -186,29 +186,23 @@ MaterialVolumes removableFromNodes(const Brick& brick, const RemovableInBrick& w
     return volumes;
 }
 
-BrickCarve carveBrick(Brick& brick, const RemovableInBrick& found, std::uint64_t carve) {
-    BrickCarve result;
-    result.removed = found.volumes;
-    result.changed.key = found.key;
+ChangedBrick carveBrick(Brick& brick, const RemovableInBrick& found, std::uint64_t carve) {
+    ChangedBrick changed{found.key};
     brick.lastCarve = carve;
     brick.lowered.reset();
     brick.opened.reset();
     for (const CutSample& lowered : found.lowered) {
         const int node = lowered.node;
         brick.lowered.set(node);
-        brick.opened.set(node, brick.cut[node] >= 0 && lowered.distance < 0);
+        if (brick.cut[node] >= 0 && lowered.distance < 0) {
+            brick.opened.set(node);
+            changed.add(node);
+        }
         brick.cut[node] = lowered.distance;
         brick.cutNormal[node] = lowered.normal;
         brick.isCut = true;
-        const std::array<int, 3> place = {node % kBrickSide, node / kBrickSide % kBrickSide,
-                                          node / (kBrickSide * kBrickSide)};
-        for (int axis = 0; axis < 3; ++axis) {
-            const auto layer = static_cast<std::uint8_t>(place[axis]);
-            result.changed.low[axis] = std::min(result.changed.low[axis], layer);
-            result.changed.high[axis] = std::max(result.changed.high[axis], layer);
-        }
     }
-    return result;
+    return changed;
 }
 
 MaterialVolumes removedFromBrick(const Brick& brick, double spacing) {
