@@ -6,6 +6,8 @@
 #include <bit>
 #include <cmath>
 
+#include "collision/gjk.h"
+
 // Pair list with a skin: L. Verlet, "Computer Experiments on Classical Fluids", Phys. Rev. 159, 1967. Differs from the
 // paper: what is listed carries a separating direction with its gap, so a move along the surface, or away from it, does
 // not use the gap up; a turn counts by its lever arm; and there are two levels, the second filled in where it is asked.
@@ -299,6 +301,31 @@ std::uint32_t PairList::pairsInDoubt(std::size_t cluster, const Excursion& excur
     if (doubt != 0) doubt = part(toolNormal, leaf, swept, doubt, *pairs);
     pairs->stubborn = doubt;
     return doubt;
+}
+
+void PairList::partAhead(const Surface& surface, const Pose& start, const Pose& end, double margin) {
+    const Excursion way = excursion(start, end, margin, {});
+    for (std::size_t first = 0; first < near_.count; first += 8) {
+        for (std::uint32_t near = clustersInDoubt(first, way); near != 0; near &= near - 1) {
+            const std::size_t cluster = first + static_cast<std::size_t>(std::countr_zero(near));
+            for (std::uint32_t doubt = pairsInDoubt(cluster, way); doubt != 0; doubt &= doubt - 1) {
+                partPairAhead(surface, placeOf(cluster, std::countr_zero(doubt)), start, end);
+            }
+        }
+    }
+}
+
+void PairList::partPairAhead(const Surface& surface, std::size_t place, const Pose& start, const Pose& end) {
+    const NearPair pair = (*this)[place];
+    const Triangle3 tooth = cornersOf(partOf(surface, pair.part).mesh(), pair.tooth);
+    std::array<Vec3, 6> swept;
+    for (int i = 0; i < 3; ++i) {
+        swept[i] = start * tool_->corners(pair.tool)[i];
+        swept[i + 3] = end * tool_->corners(pair.tool)[i];
+    }
+    const Vec3 known = direction(place);
+    const GjkResult result = distanceBetween(tooth, swept, known.isZero() ? Vec3(swept[0] - tooth[0]) : known);
+    if (result.separated) certify(place, result.normal, highestAlong(tooth, result.normal));
 }
 
 NearPair PairList::operator[](std::size_t place) const {

@@ -88,6 +88,9 @@ public:
     [[nodiscard]] NearPair operator[](std::size_t place) const;
     /// The direction of the pair's slab in the tooth's frame, of length 1 or almost; zero: none is known.
     [[nodiscard]] Vec3 direction(std::size_t place) const;
+    /// Looks ahead for what parts the tool on its way from `start` to `end`, straight on, from each triangle listed of
+    /// `surface`: a move on about this way then finds it here. `margin`: what it shall leave at the end, mm.
+    void partAhead(const Surface& surface, const Pose& start, const Pose& end, double margin);
     /// Takes the plane with this unit normal and offset (of the tooth's frame) for the pair's slab.
     void certify(std::size_t place, const Vec3& normal, double offset);
 
@@ -104,6 +107,7 @@ private:
     void shortenTo(double length);
     void list(const Surface& surface, const Pose& toolInTooth, std::size_t limit);
     EightPairs* open(std::size_t cluster);
+    void partPairAhead(const Surface& surface, std::size_t place, const Pose& start, const Pose& end);
     void fill(EightPairs& pairs, const NearLeaf& leaf, std::uint32_t tool) const;
     [[nodiscard]] Swept sweep(std::uint32_t tool, const Excursion& excursion) const;
     [[nodiscard]] bool partCluster(std::size_t cluster, const Excursion& excursion, const Swept& swept);

@@ -74,13 +74,17 @@ private:
     void letCutterWork(double now, const Tick& tick) {
         const double start = threadMicros();
         const bool changed = piece_.feed(*tool_, tick, materials_);
-        if (changed) coming_ = felt_->make(piece_.surface(), tick.proxy, *piece_.reached());
+        if (tick.placed) felt_->watch(now, tick.proxy);
+        FeltSurface* felt = changed ? felt_->make(piece_.surface(), tick.proxy, *piece_.reached()) : felt_->renew();
         const double took = 1e-3 * (threadMicros() - start);
+        if (felt != nullptr) {
+            coming_ = felt;
+            comingAt_ = now + 1e-3 * took;
+        }
         cutterMillis_ += took;
         cutterFreeAt_ = now + 1e-3 * took;
         if (!changed) return working_.clear();
         updateMillis_.push_back(took);
-        comingAt_ = cutterFreeAt_;
         cutAt_ = now;
     }
 
