@@ -5,10 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-// Kelvin-Voigt contact: W. Fluegge, "Viscoelasticity", 1975, section 1.3: F = k * d + c * d'. The friction follows the
-// hand's sliding speed smoothly through zero (S. Andersson, A. Soederberg, S. Bjoerklund, "Friction Models for Sliding
-// Dry, Boundary and Mixed Lubricated Contacts", Tribology International 40, 2007, equation 6), so that a hand at rest
-// is not shaken by a force that jumps from side to side.
+// Kelvin-Voigt contact: W. Fluegge, "Viscoelasticity", 1975, section 1.3: F = k * d + c * d'. Friction clings with the
+// same spring, so that a proxy held by friction pulls straight from the hand to where it stays.
 
 namespace tactooth {
 namespace {
@@ -19,7 +17,6 @@ constexpr double kBlendTravel = 0.05 / 3;
 // A hand that crosses a border fast, or deep, shall not feel a step: N/s that the blend may change the force by, half
 // of what a hand just feels at 10 Hz and more (0.03 to 0.05 N) a millisecond.
 constexpr double kBlendSlew = 50;
-constexpr double kFrictionSpeed = 5.0;  // mm/s at which friction reaches its full size: above tremor, below a stroke
 
 }  // namespace
 
@@ -50,10 +47,11 @@ double ContactForce::springOf(const Feel& feel, const MaterialTable& materials) 
 }
 
 Wrench ContactForce::at(const ContactState& contact, const MaterialTable& materials) {
-    normalForce_ = stiffness_ = 0;
+    normalForce_ = stiffness_ = stretch_ = 0;
     const double depth = contact.offset.norm();
     if (contact.held.empty() || !(depth > 0)) {
         feel_.reset();
+        friction_.reset();
         return {};
     }
     const Feel target = feelOf(contact, materials);
@@ -78,8 +76,9 @@ Wrench ContactForce::at(const ContactState& contact, const MaterialTable& materi
     const double approach = -contact.velocity.dot(normal);
     const double sinking = approach - contact.spin.dot(moment);
     normalForce_ = scale_ * std::max(0.0, stiffness * depth + damping * sinking);
-    const Vec3 sliding = contact.velocity + approach * normal;
-    const Vec3 friction = -frictionCoefficient * normalForce_ * sliding / (sliding.norm() + kFrictionSpeed);
+    const Vec3 friction = friction_.at(contact.device + contact.offset, normal, stiffness_,
+                                       frictionCoefficient * normalForce_, contact.rubbed);
+    stretch_ = std::hypot(depth, friction_.stretch().norm());
 
     Wrench wrench;
     wrench.force = normalForce_ * normal + friction;

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "geometry/pose.h"
+#include "haptics/dry_friction.h"
 #include "haptics/wrench.h"
 #include "tooth/material.h"
 
@@ -30,6 +31,7 @@ struct ContactState {
     std::span<const HeldAt> held;
     Vec3 spin = Vec3::Zero();  ///< of the hand, rad/s, if the proxy turns on its own; else zero
     double dt = std::numeric_limits<double>::infinity();  ///< since the last tick, s
+    double rubbed = 0;                                    ///< travel of the turning bur's rim since then, mm
 };
 
 /// Instead of the materials' own numbers, for experiments. They hold at once, without a blend.
@@ -59,6 +61,8 @@ public:
     [[nodiscard]] double normalForce() const { return normalForce_; }
     /// Of the spring at the last call, N/mm; 0 without contact.
     [[nodiscard]] double stiffness() const { return stiffness_; }
+    /// How far the hand has drawn that spring at the last call, inwards and against friction, mm.
+    [[nodiscard]] double stretch() const { return stretch_; }
 
 private:
     struct Feel {
@@ -73,6 +77,8 @@ private:
     std::optional<Feel> feel_;  // none while nothing is touched
     double normalForce_ = 0;
     double stiffness_ = 0;
+    double stretch_ = 0;
+    DryFriction friction_;
 };
 
 }  // namespace tactooth

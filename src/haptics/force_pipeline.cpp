@@ -27,7 +27,7 @@ WantedForce wantedFrom(const Tick& tick) {
     wanted.wrench = tick.wrench;
     wanted.hand = tick.hand.position;
     wanted.drivePull = tick.drivePull;
-    wanted.depth = tick.depth;
+    wanted.depth = tick.stretch;
     wanted.stiffness = tick.stiffness;
     wanted.touching = tick.contacts > 0;
     wanted.allowed = tick.placed;

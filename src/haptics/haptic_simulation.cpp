@@ -65,22 +65,25 @@ void HapticSimulation::filterVelocity(const Pose& hand, double dt) {
     lastHand_ = hand;
 }
 
+/// mm/s
+double HapticSimulation::rimSpeed() const { return bur_.speedRpm / 60 * 2 * std::numbers::pi * burRadius_; }
+
 /// Turns the spindle one step under the load of the cut, and books the work that the cut may spend.
 void HapticSimulation::turnBur(const HandInput& input, double dt, Tick& tick) {
     const bool bites = input.cutting && tick.contacts > 0 && bur_.speedRpm > kRubsRpm;
     const double tangential = bites ? kTangentialShare * force_.normalForce() : 0;
     tick.load = tangential * burRadius_;
     bur_ = stepSpindle(spindle_, bur_, input.cutting ? tick.pedal : 0, tick.load, dt);
-    const double rimSpeed = bur_.speedRpm / 60 * 2 * std::numbers::pi * burRadius_ * 1e-3;  // m/s
+    const double rimMeters = 1e-3 * rimSpeed();  // a second
     tick.speedRpm = bur_.speedRpm;
-    tick.removalWatt = tangential * rimSpeed;
+    tick.removalWatt = tangential * rimMeters;
     const Vec3 axis = tick.proxy.rotation * Vec3::UnitZ();
     const double force = bites ? force_.normalForce() : 0;
     const Vec3 pull = cuttingForce_.at({tick.normal, axis, force, bur_.speedRpm, spindle_.freeSpeedRpm}, dt);
     tick.drivePull = pull;
     tick.wrench.force += pull;
     tick.wrench.torque += lever_.cross(pull);
-    tick.cutWork = last_.cutWork + (bites ? force_.normalForce() * rimSpeed * dt : 0);
+    tick.cutWork = last_.cutWork + (bites ? force_.normalForce() * rimMeters * dt : 0);
 }
 
 /// Follows the hand and makes the force.
@@ -99,9 +102,11 @@ void HapticSimulation::touch(const HandInput& input, double dt, Tick& tick) {
         tick.normal = state.offset / tick.depth;
         tick.material = std::ranges::max_element(state.heldAt(), {}, &HeldAt::share)->material;
     }
-    tick.wrench =
-        force_.at({state.handTip, state.offset, velocity_, state.travel, state.heldAt(), spin_, dt}, materials_);
+    const ContactState contact{state.handTip,  state.offset, velocity_, state.travel,
+                               state.heldAt(), spin_,        dt,        rimSpeed() * dt};
+    tick.wrench = force_.at(contact, materials_);
     tick.stiffness = force_.stiffness();
+    tick.stretch = force_.stretch();
     lever_.setZero();
     double shares = 0;
     for (const HeldAt& held : state.heldAt()) {

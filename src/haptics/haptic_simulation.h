@@ -30,6 +30,7 @@ struct Tick {
     Wrench wrench;                  ///< wanted; the force pipeline comes after
     Vec3 drivePull = Vec3::Zero();  ///< N, that part of it with which the spinning bur pulls: the drive pays for it
     double stiffness = 0;           ///< of the spring in it, N/mm; 0 without contact
+    double stretch = 0;             ///< of that spring, inwards and against friction, mm
     int contacts = 0;
     bool placed = false;
     bool cutting = false;
@@ -76,6 +77,7 @@ private:
     void filterVelocity(const Pose& hand, double dt);
     void touch(const HandInput& input, double dt, Tick& tick);
     [[nodiscard]] Pose goalOf(const HandInput& input, double dt);
+    [[nodiscard]] double rimSpeed() const;
     void turnBur(const HandInput& input, double dt, Tick& tick);
 
     ToolProxy proxy_;

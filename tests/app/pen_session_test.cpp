@@ -208,7 +208,7 @@ void PenSessionTest::itsWhiteButtonTakesTheMirror() {
 void PenSessionTest::theClutchHoldsTheBur() {
     const Vec3 tool = window_->bench().newest().hand.position;
     auto* clutch = window_->findChild<QPushButton*>("clutch");
-    dismissMessages();                             // of a device that a busy machine has stalled: they take all keys
+    (void)dismissMessages();                       // of a device that a busy machine has stalled: they take all keys
     QApplication::setActiveWindow(window_.get());  // a bare X server has no window manager that would do it
     QTest::keyClick(window_.get(), Qt::Key_X);     // which works behind another tab
     QVERIFY(clutch->isChecked());

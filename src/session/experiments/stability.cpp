@@ -146,7 +146,7 @@ StabilityResult runStability(const StabilityCase& one) {
     HapticSettings settings;
     if (!one.material) settings.force.stiffness = one.device->stiffness;
     static const auto tool = std::make_shared<const ToolShape>(standardBur());
-    HapticSimulation simulation(tool, tool->radius(), pieceFor(one), settings);
+    HapticSimulation simulation(tool, kStandardBurRadius, pieceFor(one), settings);
     simulation.force().setStiffest(hand.info().stiffness);
     ForcePipeline pipeline(hand.info().limits);
 

@@ -42,7 +42,7 @@ protected:
             const Pose pose{30 * Vec3(std::cos(angle), std::sin(angle), 0),
                             Quat(Eigen::AngleAxisd(angle - 1.5708, Vec3::UnitZ()))};  // +y looks outward
             poses_.push_back(pose);
-            const std::string name = "T" + std::to_string(fdi);
+            const std::string name = std::string("T").append(std::to_string(fdi));
             for (const auto& [word, mesh] : {std::pair("outer", &tooth.outer), std::pair("enamel", &tooth.enamel),
                                              std::pair("dentin", &tooth.dentin), std::pair("pulp", &tooth.pulp)}) {
                 ASSERT_TRUE(writeStl(transformed(*mesh, pose), folder_ / (name + "_" + word + ".stl")));
