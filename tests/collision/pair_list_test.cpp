@@ -8,6 +8,7 @@
 #include <random>
 #include <set>
 #include <tuple>
+#include <vector>
 
 #include "collision/gjk.h"
 #include "collision/judged.h"
@@ -131,6 +132,43 @@ TEST(PairList, ACertifiedPairIsDoubtedNoMoreWhereItsPlaneHolds) {
         ++certified;
     }
     EXPECT_GT(certified, 0);
+}
+
+TEST(PairList, LooksAheadForWhatPartsEachPairOnAWay) {
+    const Scene scene;
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> unit(0, 1);
+    std::size_t plain = 0;
+    std::size_t ahead = 0;
+    int met = 0;
+    for (int i = 0; i < 60; ++i) {
+        const Pose at = scene.poseAbove(random, 0.02 * unit(random));
+        const Vec3 way = randomVector(random, 0.05);
+        const Pose end{at.position + way, turned(at.rotation, random, 0.01)};
+        PairList list(*scene.tool, kCapacity);
+        list.makeAll(*scene.surface, at, {way, 0.05, 0.05});
+        plain += doubts(list, at, end).size();
+        list.partAhead(*scene.surface, at, end, kMargin);
+        const std::set<PairKey> doubted = doubts(list, at, end);
+        ahead += doubted.size();
+        for (const Pose& pose : {at, end}) {
+            for (const PairKey& pair : pairsWithin(scene.tooth, *scene.tool, pose, kMargin)) {
+                EXPECT_TRUE(doubted.contains(pair)) << i;
+                ++met;
+            }
+        }
+        for (const PairKey& pair : doubted) {
+            const Triangle3 tooth = cornersOf(scene.tooth, std::get<1>(pair));
+            std::vector<Vec3> swept;
+            for (const Pose& pose : {at, end}) {
+                for (const Vec3& corner : scene.tool->cornersAt(pose, std::get<2>(pair))) swept.push_back(corner);
+            }
+            const GjkResult gjk = distanceBetween(tooth, swept, swept[0] - tooth[0]);
+            EXPECT_LT(gjk.separated ? gjk.distance : 0, 1e-4) << "what is clearly apart is parted";
+        }
+    }
+    EXPECT_GT(met, 100);
+    EXPECT_LT(ahead, plain);
 }
 
 TEST(PairList, HiddenTrianglesAreNotListed) {

@@ -53,6 +53,27 @@ TEST(FeltSurfaces, LeavesTheOldSurfaceToWhoeverHandedOverTheNewOne) {
     EXPECT_EQ(surfaces.make(old, at(0.1), at(0.1)), felt);  // used again
 }
 
+TEST(FeltSurfaces, CoverTheWayThatTheToolSlidesBesidesThatOfTheCut) {
+    const auto tool = ball();
+    FeltSurfaces surfaces(*tool);
+    constexpr double kPause = 0.004;  // s
+    const Vec3 step(0.04, 0, 0);      // in each: 10 mm/s
+    for (int look = 0; look < 3; ++look) {
+        surfaces.watch(look * kPause, {at(0.01).position + look * step, Quat::Identity()});
+    }
+    const Pose now{at(0.01).position + 2 * step, Quat::Identity()};
+    const Pose cut{now.position + Vec3(0, 0, -0.03), now.rotation};
+    FeltSurface* felt = surfaces.make(blockUpTo(0), now, cut);
+    EXPECT_LE(felt->near.stray(cut.position), felt->near.skin().around);
+    EXPECT_LE(felt->near.stray(now.position + 2 * step), felt->near.skin().around) << "two updates further on";
+    surfaces.giveBack(felt);
+
+    surfaces.watch(3 * kPause, {now.position + Vec3(50, 0, 0), now.rotation});  // no list reaches so far
+    felt = surfaces.make(blockUpTo(0), now, now);
+    EXPECT_LT(felt->near.skin().along.norm(), 1);
+    surfaces.giveBack(felt);
+}
+
 /// A finely meshed ball under the tool: much is near it.
 std::shared_ptr<const Surface> fineBed() {
     auto part = std::make_shared<const SurfacePart>(test::sphere(Vec3(0.1, 0.2, -0.52), 0.5, 240, 160));
@@ -60,10 +81,10 @@ std::shared_ptr<const Surface> fineBed() {
 }
 
 TEST(FeltSurfaces, ListAnewWhereAToolIsAboutToLeaveTheirLastList) {
-    const auto tool = std::make_shared<const ToolShape>(test::sphere(Vec3(0, 0, 0.5), 0.5, 96, 48));
+    const auto tool = std::make_shared<const ToolShape>(test::sphere(Vec3(0, 0, 0.5), 0.5, 192, 96));
     const auto bed = fineBed();
     ToolProxy proxy(tool, bed, ContactMode::Proxy);
-    (void)proxy.follow(at(0.05));
+    for (const double height : {0.05, -0.015}) (void)proxy.follow(at(height));
     FeltSurfaces surfaces(*tool);
     surfaces.watch(0, proxy.pose());
     EXPECT_EQ(surfaces.renew(), nullptr) << "no surface is known yet";
@@ -74,7 +95,7 @@ TEST(FeltSurfaces, ListAnewWhereAToolIsAboutToLeaveTheirLastList) {
 
     int renewed = 0;
     for (int tick = 1; tick <= 100; ++tick) {
-        const ProxyState state = proxy.follow({Vec3(0.1 + 0.002 * tick, 0.2, -0.03), Quat::Identity()});
+        const ProxyState state = proxy.follow({Vec3(0.1 + 0.002 * tick, 0.2, -0.06), Quat::Identity()});
         EXPECT_GT(state.contacts, 0);
         surfaces.watch(0.001 * tick, state.proxy);
         FeltSurface* felt = surfaces.renew();

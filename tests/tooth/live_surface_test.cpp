@@ -279,13 +279,15 @@ TEST(LiveSurface, ATurningBurLeavesLessThanHalfAVoxelInItsWay) {
 
 TEST(LiveSurface, UpdatesOfWhatChangedAddUpToAnUpdateOfEverything) {
     Patient patient(fineSphere());
+    const auto round = ballBur(0.3);
+    const auto flat = flatBur(0.25);
     std::size_t changed = 0;
     std::size_t lowered = 0;
     for (int i = 1; i <= 60; ++i) {
         const Vec3 tip(-0.6 + 0.02 * i, 0.1 * std::sin(0.3 * i), -0.01 * i);
         const Pose from{tip, Quat(Eigen::AngleAxisd(0.01 * i, Vec3::UnitX()))};
         const Pose to{tip + Vec3(0.02, 0, -0.01), Quat(Eigen::AngleAxisd(0.01 * i + 0.01, Vec3::UnitX()))};
-        const Removable removable = patient.volume.removable(i % 2 == 0 ? ballBur(0.3) : flatBur(0.25), from, to);
+        const Removable removable = patient.volume.removable(i % 2 == 0 ? round : flat, from, to);
         lowered += removable.where.size();
         const CarveResult result = patient.volume.carve(removable);
         changed += result.changed.size();
