@@ -7,16 +7,12 @@
 // runs.
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdio>
 #include <limits>
-#include <vector>
 
-#include "geometry/stl_reader.h"
+#include "milling.h"
 #include "session/experiments/run_facts.h"
 #include "session/experiments/thread_clock.h"
-#include "support/shapes.h"
-#include "support/test_data.h"
 #include "tooth/live_surface.h"
 
 namespace tactooth {
@@ -25,27 +21,8 @@ namespace {
 constexpr int kMoves = 400;
 constexpr double kStep = 0.1;  // mm a move
 constexpr int kRuns = 9;
+constexpr double kFirstX = -2;  // mm from the tooth's middle
 const Box3 kBur(Vec3(-0.6, -0.6, 0), Vec3(0.6, 0.6, 4.2));
-
-TriangleMesh molar() {
-    if (const auto folder = test::realTeethFolder()) {
-        if (auto real = readStl(*folder / "microct-meshes/tooth_2_outer.stl")) return std::move(*real);
-    }
-    std::puts("No real tooth ($TACTOOTH_DATA is not set): a ball takes its place.");
-    return test::sphere(Vec3::Zero(), 6, 570, 286);
-}
-
-/// The bur after `length` mm of its path: down into the tooth, then to and fro along y, each time further along x.
-Pose poseAlongPath(const Box3& tooth, double length) {
-    constexpr double kPlunge = 3.0;
-    constexpr double kSlot = 3.0;
-    const double along = std::max(0.0, length - kPlunge);
-    const double phase = std::fmod(along, 2 * kSlot);
-    const double y = phase < kSlot ? phase : 2 * kSlot - phase;
-    const double x = 0.4 * std::floor(along / kSlot) - 2;
-    return {tooth.center() + Vec3(x, y - 0.5 * kSlot, 0.5 * tooth.sizes().z() + 0.5 - std::min(length, kPlunge)),
-            Quat::Identity()};
-}
 
 struct Found {
     std::size_t nodes = 0, leaves = 0, triangles = 0;
@@ -89,7 +66,7 @@ std::size_t timeWalks(const char* way, double reach, const VisibleBase& base, co
     Found sum;
     double micros = 0;
     for (int i = 0; i < kMoves; ++i) {
-        const Vec3 tip = poseAlongPath(tooth, i * kStep).position;
+        const Vec3 tip = poseAlongPath(tooth, i * kStep, kFirstX).position;
         const Box3 box(kBur.min() + tip - Vec3::Constant(reach), kBur.max() + tip + Vec3::Constant(reach));
         double least = std::numeric_limits<double>::infinity();
         Found found;
@@ -128,14 +105,14 @@ int runBench(double voxel) {
     const RunFacts facts = currentRunFacts();
     std::printf("%s, %s, commit %s, %s\n%s\n\n", facts.machine.c_str(), facts.compiler.c_str(), facts.commit.c_str(),
                 facts.date.c_str(), facts.command.c_str());
-    const auto tooth = std::make_shared<const LayeredTooth>(std::move(*LayeredTooth::make(molar())));
+    const auto tooth = std::make_shared<const LayeredTooth>(std::move(*LayeredTooth::make(largeTooth())));
     const RevolutionEnvelope bur = *RevolutionEnvelope::make(test::cylinder(Vec3::Zero(), 0.6, 4.2, 96));
     CutVolume volume(tooth, voxel);
     LiveSurface live(volume);
     const Box3 box = tooth->outer()->tree().box();
     for (int i = 0; i < kMoves; ++i) {
         const CarveResult result =
-            volume.carve(bur, poseAlongPath(box, i * kStep), poseAlongPath(box, (i + 1) * kStep));
+            volume.carve(bur, poseAlongPath(box, i * kStep, kFirstX), poseAlongPath(box, (i + 1) * kStep, kFirstX));
         live.update(volume, result.changed);
     }
     const Surface& surface = *live.snapshot();

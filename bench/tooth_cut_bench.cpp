@@ -6,44 +6,23 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <vector>
 
-#include "geometry/stl_reader.h"
+#include "milling.h"
 #include "support/shapes.h"
-#include "support/test_data.h"
 #include "tooth/live_surface.h"
 
 namespace tactooth {
 namespace {
 
 std::shared_ptr<const LayeredTooth> molar() {
-    static const auto tooth = [] {
-        TriangleMesh mesh = test::sphere(Vec3::Zero(), 6, 570, 286);
-        if (const auto folder = test::realTeethFolder()) {
-            if (auto real = readStl(*folder / "microct-meshes/tooth_2_outer.stl")) mesh = std::move(*real);
-        }
-        return std::make_shared<const LayeredTooth>(std::move(*LayeredTooth::make(std::move(mesh))));
-    }();
+    static const auto tooth = std::make_shared<const LayeredTooth>(std::move(*LayeredTooth::make(largeTooth())));
     return tooth;
 }
 
 const RevolutionEnvelope& fissureBur() {
     static const RevolutionEnvelope bur = *RevolutionEnvelope::make(test::cylinder(Vec3::Zero(), 0.6, 4.2, 96));
     return bur;
-}
-
-/// The tool's pose after `length` mm of its path: down into the tooth, then to and fro along y.
-Pose poseAlongPath(const Box3& tooth, double length) {
-    constexpr double kPlunge = 3.0;
-    constexpr double kSlot = 3.0;
-    const double along = std::max(0.0, length - kPlunge);
-    const double phase = std::fmod(along, 2 * kSlot);
-    const double y = phase < kSlot ? phase : 2 * kSlot - phase;
-    const double drift = 0.4 * std::floor(along / kSlot);
-    return {Vec3(tooth.center().x() + drift, tooth.center().y() + y - 0.5 * kSlot,
-                 tooth.max().z() + 0.5 - std::min(length, kPlunge)),
-            Quat::Identity()};
 }
 
 double percentile(std::vector<double> values, double share) {
@@ -64,7 +43,7 @@ void carveAndUpdate(benchmark::State& state) {
     for (auto _ : state) {
         const auto begin = std::chrono::steady_clock::now();
         const CarveResult result =
-            volume.carve(fissureBur(), poseAlongPath(box, length), poseAlongPath(box, length + step));
+            volume.carve(fissureBur(), poseAlongPath(box, length, 0), poseAlongPath(box, length + step, 0));
         surface.update(volume, result.changed);
         const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
         milliseconds.push_back(took.count());
@@ -92,7 +71,7 @@ void firstCut(benchmark::State& state) {
     for (auto _ : state) {
         CutVolume volume(molar(), 0.05);
         LiveSurface surface(volume);
-        const CarveResult result = volume.carve(fissureBur(), poseAlongPath(box, 1.5), poseAlongPath(box, 1.6));
+        const CarveResult result = volume.carve(fissureBur(), poseAlongPath(box, 1.5, 0), poseAlongPath(box, 1.6, 0));
         surface.update(volume, result.changed);
         benchmark::DoNotOptimize(surface.snapshot());
     }

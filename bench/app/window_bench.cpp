@@ -11,7 +11,6 @@
 #include <QTest>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -21,7 +20,6 @@
 #include "app/gui/main_window.h"
 #include "app/gui/tooth_view.h"
 #include "app/gui/window_setup.h"
-#include "sound/audio_libraries.h"
 #include "sound/openal_output.h"
 
 namespace tactooth {
@@ -129,10 +127,7 @@ int run(double seconds, const QString& file) {
 }  // namespace tactooth
 
 int main(int argc, char** argv) {
-    tactooth::prepareAudioLibraries();
-    tactooth::prepareWindowSystem();
-    QApplication application(argc, argv);
-    tactooth::applyLook();
+    const auto application = tactooth::startApplication(argc, argv);
     const QStringList arguments = QApplication::arguments();
     return tactooth::run(std::max(1.0, arguments.value(1, "6").toDouble()), arguments.value(2));
 }

@@ -9,14 +9,13 @@
 
 #include <array>
 #include <cerrno>
-#include <chrono>
 #include <csignal>
 #include <cstring>
 
+#include "devices/monotonic_clock.h"
+
 namespace tactooth {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 /// The child's whole life. What a library prints about itself is not for the user.
 [[noreturn]] void answer(int pipe, const std::function<std::string()>& probe) {
@@ -35,10 +34,10 @@ using Clock = std::chrono::steady_clock;
 }
 
 /// Reads until the child closes its end; false if time runs out first.
-bool readAll(int pipe, Clock::time_point end, std::string& text) {
+bool readAll(int pipe, MonotonicClock::time_point end, std::string& text) {
     std::array<char, 4096> buffer;
     while (true) {
-        const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();
+        const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - MonotonicClock::now()).count();
         pollfd waiting{pipe, POLLIN, 0};
         const int ready = left > 0 ? poll(&waiting, 1, static_cast<int>(left)) : 0;
         if (ready < 0 && errno == EINTR) continue;
@@ -62,8 +61,7 @@ Expected<std::string> inChildProcess(const std::function<std::string()>& probe, 
         return unexpected(std::string("no child process: ") + std::strerror(errno));
     }
     std::string text;
-    const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
-    const bool finished = readAll(ends[0], end, text);
+    const bool finished = readAll(ends[0], secondsFromNow(seconds), text);
     close(ends[0]);
     if (!finished) kill(child, SIGKILL);
     int status = 0;

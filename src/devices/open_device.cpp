@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "devices/open_device.h"
 
-#include <algorithm>
 #include <array>
 
 #include "devices/haply/haply_device.h"

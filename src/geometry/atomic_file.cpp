@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <system_error>
 
+#include "geometry/byte_text.h"
 #include "geometry/file_bytes.h"
 
 namespace tactooth {
@@ -27,13 +28,6 @@ Unexpected cannotWrite(const std::filesystem::path& path, int reason) {
     return unexpected(name + ": cannot be written: " + std::generic_category().message(reason) + ".");
 }
 
-/// A name in the same folder (a rename is atomic only inside one file system) that no other writer uses.
-std::filesystem::path temporaryNameFor(const std::filesystem::path& target) {
-    static std::atomic<unsigned> counter{0};
-    return target.parent_path() /
-           (".tactooth-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp");
-}
-
 int writeAll(int descriptor, std::span<const std::byte> bytes) {
     while (!bytes.empty()) {
         const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
@@ -45,6 +39,12 @@ int writeAll(int descriptor, std::span<const std::byte> bytes) {
 
 }  // namespace
 
+std::filesystem::path temporaryNameBeside(const std::filesystem::path& target) {
+    static std::atomic<unsigned> counter{0};
+    return target.parent_path() /
+           (".tactooth-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp");
+}
+
 Expected<AtomicFile> AtomicFile::create(const std::filesystem::path& path) {
     std::error_code ignored;
     const std::filesystem::file_status status = std::filesystem::status(path, ignored);
@@ -55,7 +55,7 @@ Expected<AtomicFile> AtomicFile::create(const std::filesystem::path& path) {
         return unexpected(shownName(path) + ": cannot be written: this is not a regular file; choose another name.");
     }
     std::filesystem::path target = std::filesystem::exists(status) ? std::filesystem::canonical(path, ignored) : path;
-    std::filesystem::path temporary = temporaryNameFor(target);
+    std::filesystem::path temporary = temporaryNameBeside(target);
     const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor < 0) return cannotWrite(path, errno);
     return AtomicFile(std::move(target), std::move(temporary), descriptor);
@@ -84,7 +84,7 @@ void AtomicFile::write(std::span<const std::byte> bytes) {
     }
 }
 
-void AtomicFile::write(std::string_view text) { write(std::as_bytes(std::span(text))); }
+void AtomicFile::write(std::string_view text) { write(asBytes(text)); }
 
 void AtomicFile::flush() {
     if (failure_ == 0) failure_ = writeAll(descriptor_, buffer_);
@@ -112,6 +112,10 @@ Expected<void> writeFile(const std::filesystem::path& path, std::span<const std:
     if (!file) return Unexpected{file.error()};
     file->write(bytes);
     return file->commit();
+}
+
+Expected<void> writeFile(const std::filesystem::path& path, std::string_view text) {
+    return writeFile(path, asBytes(text));
 }
 
 }  // namespace tactooth

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <filesystem>
 #include <span>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -44,7 +43,11 @@ private:
     std::vector<std::byte> buffer_;
 };
 
+/// A name in the same folder as `target` (a rename is atomic only inside one file system) that no other writer uses.
+[[nodiscard]] std::filesystem::path temporaryNameBeside(const std::filesystem::path& target);
+
 /// Writes a whole file: afterwards `path` holds `bytes`, or there is an error and `path` is as it was.
 [[nodiscard]] Expected<void> writeFile(const std::filesystem::path& path, std::span<const std::byte> bytes);
+[[nodiscard]] Expected<void> writeFile(const std::filesystem::path& path, std::string_view text);
 
 }  // namespace tactooth

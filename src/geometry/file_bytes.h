@@ -7,7 +7,9 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 
+#include "geometry/byte_text.h"
 #include "geometry/expected.h"
 #include "geometry/large_pages.h"
 
@@ -23,6 +25,7 @@ public:
     void shorten(std::size_t size) { size_ = size; }
     [[nodiscard]] std::size_t size() const { return size_; }
     [[nodiscard]] std::span<const std::byte> bytes() const { return {data_.get(), size_}; }
+    [[nodiscard]] std::string_view text() const { return asText(bytes()); }
 
 private:
     struct Free {

@@ -7,24 +7,18 @@
 #include <string>
 #include <string_view>
 
+#include "geometry/byte_text.h"
 #include "geometry/file_bytes.h"
 #include "geometry/mesh_bytes.h"
 #include "geometry/obj_reader.h"
 #include "geometry/ply_header.h"
 #include "geometry/ply_reader.h"
+#include "geometry/small_letters.h"
 #include "geometry/stl_reader.h"
 #include "geometry/stl_sniffer.h"
 
 namespace tactooth {
 namespace {
-
-std::string lowerExtension(const std::filesystem::path& path) {
-    std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(), [](char letter) {
-        return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter | 0x20) : letter;
-    });
-    return extension;
-}
 
 /// Mesh and volume formats that a dental scanner or its program may write.
 bool isOtherFormat(std::string_view extension) {
@@ -36,9 +30,8 @@ bool isOtherFormat(std::string_view extension) {
 }  // namespace
 
 Expected<TriangleMesh> parseMesh(std::span<const std::byte> bytes, const std::filesystem::path& path) {
-    const std::string extension = lowerExtension(path);
-    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    if (ply::looksLikePly(text)) return parsePly(bytes, shownName(path));
+    const std::string extension = inSmallLetters(path.extension().string());
+    if (ply::looksLikePly(asText(bytes))) return parsePly(bytes, shownName(path));
     if (stl::sniff(bytes) == stl::Kind::Neither) {
         if (extension == ".obj") return parseObj(bytes, shownName(path));
         if (isOtherFormat(extension)) {

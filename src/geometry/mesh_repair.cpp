@@ -3,7 +3,6 @@
 #include "geometry/mesh_repair.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <vector>
 

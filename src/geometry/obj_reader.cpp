@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/byte_text.h"
 #include "geometry/number_text.h"
 #include "geometry/vertex_welder.h"
 
@@ -133,7 +134,7 @@ private:
 }  // namespace
 
 Expected<TriangleMesh> parseObj(std::span<const std::byte> bytes, std::string_view name) {
-    return ObjParser({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, name).parse();
+    return ObjParser(asText(bytes), name).parse();
 }
 
 }  // namespace tactooth

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/byte_text.h"
 #include "geometry/number_text.h"
 #include "geometry/ply_header.h"
 #include "geometry/vertex_welder.h"
@@ -163,7 +164,7 @@ private:
 }  // namespace
 
 Expected<TriangleMesh> parsePly(std::span<const std::byte> bytes, std::string_view name) {
-    const std::string_view file(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    const std::string_view file = asText(bytes);
     const std::string shown(name);
     const Expected<ply::Header> header = ply::parseHeader(file, shown);
     if (!header) return Unexpected{header.error()};

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cstdint>
 #include <cstring>
 #include <string>
 
+#include "geometry/byte_text.h"
 #include "geometry/file_bytes.h"
 #include "geometry/stl_format.h"
 #include "geometry/stl_sniffer.h"
@@ -80,7 +80,7 @@ Expected<TriangleMesh> parseStl(std::span<const std::byte> bytes, std::string_vi
         case stl::Kind::Binary:
             return stl::parseBinary(bytes, shown);
         case stl::Kind::Ascii:
-            return stl::parseAscii({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, shown);
+            return stl::parseAscii(asText(bytes), shown);
         case stl::Kind::Neither:
             break;
     }

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <string_view>
 
+#include "geometry/byte_text.h"
 #include "geometry/stl_format.h"
 
 namespace tactooth::stl {
@@ -26,7 +27,7 @@ std::uint32_t announcedCount(std::span<const std::byte> bytes) {
 std::uint64_t binarySize(std::uint32_t count) { return kFirstRecord + std::uint64_t{count} * kRecordBytes; }
 
 std::string_view beginningOf(std::span<const std::byte> bytes) {
-    return {reinterpret_cast<const char*>(bytes.data()), std::min(bytes.size(), kBeginning)};
+    return asText(bytes.first(std::min(bytes.size(), kBeginning)));
 }
 
 std::string_view withoutByteOrderMark(std::string_view text) {

@@ -9,27 +9,36 @@
 
 #include "geometry/isosurface.h"
 #include "geometry/simplify.h"
-#include "instruments/modelling/blend.h"
-#include "instruments/modelling/section_loft.h"
+#include "instruments/modelling/handpiece.h"
 
 namespace tactooth {
 namespace {
 
 // The head around the bur's axis: nose, barrel, cap with the latch on it.
-constexpr double kHeadBottom = 9.0, kHeadTop = 22.6;
+constexpr double kHeadTop = 22.6;
 constexpr Section kHead[] = {circle(9.0, 2.1),  circle(9.8, 2.2),   circle(10.0, 2.9), circle(10.6, 3.7),
                              circle(11.6, 4.2), circle(13.5, 4.45), circle(19.8, 4.5), circle(20.3, 4.35),
                              circle(20.6, 4.0), circle(21.0, 4.0),  circle(21.4, 4.3), circle(22.6, 4.0)};
 
 // The handle along +x, as sections whose first axis is z: the neck rises by 20 degrees, the sheath is bent back and
 // ends in the wide coupling.
-constexpr double kHandleEnd = 88.0;
 constexpr Section kHandle[] = {circle(0.0, 3.6, 15.4),   circle(5.0, 3.4, 16.0),   circle(11.0, 3.4, 17.8),
                                circle(18.0, 3.9, 20.3),  circle(25.0, 4.8, 22.7),  circle(32.0, 6.0, 24.5),
                                circle(39.0, 7.0, 25.7),  circle(47.0, 7.7, 26.5),  circle(58.0, 8.2, 27.2),
                                circle(58.6, 7.7, 27.22), circle(59.3, 7.7, 27.26), circle(60.0, 8.5, 27.3),
                                circle(66.0, 9.2, 27.6),  circle(78.0, 9.8, 28.1),  circle(78.6, 9.3, 28.12),
                                circle(79.4, 9.3, 28.16), circle(80.0, 10.0, 28.2), circle(88.0, 10.0, 28.5)};
+
+constexpr HandpieceForm kForm{.head = kHead,
+                              .headBottom = 9.0,
+                              .headTop = kHeadTop,
+                              .headEdge = 0.6,
+                              .handle = kHandle,
+                              .handleEnd = 88.0,
+                              .handleEdge = 0.8,
+                              .fillet = 2.4,
+                              .filletFrom = 17.6,
+                              .filletTo = 19.6};
 
 /// Grooves along the coupling, for the fingers.
 double fluteDepth(const Vec3& p, double middle) {
@@ -39,30 +48,22 @@ double fluteDepth(const Vec3& p, double middle) {
     return kDepth * wave * smoothStep(kFrom - kFade, kFrom, p.x()) * smoothStep(kTo + kFade, kTo, p.x());
 }
 
-class ContraAngle {
-public:
-    [[nodiscard]] double operator()(const Vec3& p) const {
-        constexpr double kHeadEdge = 0.6, kHandleEdge = 0.8, kFillet = 2.4;
-        const double around = smoothIntersection(head_(p), kHeadBottom - p.z(), 0.3);
-        const double head = smoothIntersection(around, p.z() - kHeadTop, kHeadEdge);
-        const double sheath = handle_(Vec3(p.z(), p.y(), p.x())) + fluteDepth(p, handle_.at(p.x()).x);
-        const double handle = smoothIntersection(std::max(sheath, -p.x()), p.x() - kHandleEnd, kHandleEdge);
-        const double fillet = kFillet * smoothStep(19.6, 17.6, p.z()) + 0.05;  // it ends below the cap's groove
-        const double latch = taperedCapsule(p, Vec3(-2.6, 0, kHeadTop), 0.9, Vec3(3.2, 0, kHeadTop + 0.1), 0.7);
-        constexpr double kLatchFillet = 0.5;
-        return smoothUnion(smoothUnion(head, handle, fillet), latch, kLatchFillet);
-    }
-
-private:
-    SectionLoft head_{kHead}, handle_{kHandle};
-};
+/// The lever on the cap that lets the bur go.
+double latch(const Vec3& p) {
+    return taperedCapsule(p, Vec3(-2.6, 0, kHeadTop), 0.9, Vec3(3.2, 0, kHeadTop + 0.1), 0.7);
+}
 
 }  // namespace
 
 TriangleMesh makeContraAngle(int triangles) {
     constexpr double kCell = 0.4;  // mm: shows the grooves
     const Box3 bounds(Vec3(-6.5, -11, 8), Vec3(89, 11, 40));
-    const TriangleMesh fine = isosurface(ContraAngle(), bounds, {.cellSize = kCell});
+    const Handpiece body(kForm);
+    const auto solid = [&](const Vec3& p) {
+        constexpr double kLatchFillet = 0.5;
+        return smoothUnion(body(p, fluteDepth(p, body.handleMiddle(p.x()))), latch(p), kLatchFillet);
+    };
+    const TriangleMesh fine = isosurface(solid, bounds, {.cellSize = kCell});
     return simplified(fine, static_cast<std::size_t>(triangles));
 }
 

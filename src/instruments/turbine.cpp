@@ -7,14 +7,12 @@
 
 #include "geometry/isosurface.h"
 #include "geometry/simplify.h"
-#include "instruments/modelling/blend.h"
-#include "instruments/modelling/section_loft.h"
+#include "instruments/modelling/handpiece.h"
 
 namespace tactooth {
 namespace {
 
 // The head around the bur's axis, 10.6 mm wide and 13 mm high: chuck nose, barrel, groove, push button.
-constexpr double kHeadBottom = 9.0, kHeadTop = 22.2;
 constexpr Section kHead[] = {circle(9.0, 2.5),   circle(9.7, 2.55),  circle(9.9, 3.3),   circle(10.4, 4.2),
                              circle(11.4, 4.85), circle(13.0, 5.2),  circle(15.5, 5.3),  circle(18.2, 5.25),
                              circle(19.3, 5.05), circle(19.6, 4.95), circle(19.85, 4.3), circle(20.15, 4.3),
@@ -22,12 +20,22 @@ constexpr Section kHead[] = {circle(9.0, 2.5),   circle(9.7, 2.55),  circle(9.9,
 
 // The handle along +x, as sections whose first axis is z: a slender neck that rises by 22.5 degrees, then the body,
 // bent back (contra-angle), with a coupling ring near its cut end.
-constexpr double kHandleEnd = 74.0;
 constexpr Section kHandle[] = {
     circle(0.0, 3.6, 15.3),   circle(5.0, 3.35, 16.1), circle(10.0, 3.3, 17.9),  circle(16.0, 3.5, 20.4),
     circle(22.0, 4.0, 22.8),  circle(28.0, 4.6, 24.8), circle(34.0, 5.0, 26.2),  circle(42.0, 5.2, 27.2),
     circle(54.0, 5.2, 28.0),  circle(61.0, 5.0, 28.3), circle(61.6, 4.5, 28.32), circle(62.2, 4.5, 28.34),
     circle(62.8, 5.3, 28.36), circle(66.0, 5.3, 28.5), circle(66.6, 4.7, 28.52), circle(74.0, 4.6, 28.9)};
+
+constexpr HandpieceForm kForm{.head = kHead,
+                              .headBottom = 9.0,
+                              .headTop = 22.2,
+                              .headEdge = 0.8,
+                              .handle = kHandle,
+                              .handleEnd = 74.0,
+                              .handleEdge = 0.6,
+                              .fillet = 2.6,
+                              .filletFrom = 17.5,
+                              .filletTo = 19.4};
 
 /// Rings turned into the body, for the fingers.
 double gripDepth(double x) {
@@ -37,29 +45,14 @@ double gripDepth(double x) {
     return kDepth * bump(x - nearest, kWidth);
 }
 
-class Turbine {
-public:
-    [[nodiscard]] double operator()(const Vec3& p) const {
-        constexpr double kHeadEdge = 0.8, kHandleEdge = 0.6, kFillet = 2.6;
-        const double around = smoothIntersection(head_(p), kHeadBottom - p.z(), 0.3);
-        const double head = smoothIntersection(around, p.z() - kHeadTop, kHeadEdge);
-        const double along = handle_(Vec3(p.z(), p.y(), p.x())) + gripDepth(p.x());
-        const double handle = smoothIntersection(std::max(along, -p.x()), p.x() - kHandleEnd, kHandleEdge);
-        // The fillet ends below the push button's groove.
-        const double fillet = kFillet * smoothStep(19.4, 17.5, p.z()) + 0.05;
-        return smoothUnion(head, handle, fillet);
-    }
-
-private:
-    SectionLoft head_{kHead}, handle_{kHandle};
-};
-
 }  // namespace
 
 TriangleMesh makeTurbine(int triangles) {
     constexpr double kCell = 0.38;  // mm: shows the grooves
     const Box3 bounds(Vec3(-6.5, -6.5, 8), Vec3(75, 6.5, 36));
-    const TriangleMesh fine = isosurface(Turbine(), bounds, {.cellSize = kCell});
+    const Handpiece body(kForm);
+    const auto solid = [&](const Vec3& p) { return body(p, gripDepth(p.x())); };
+    const TriangleMesh fine = isosurface(solid, bounds, {.cellSize = kCell});
     return simplified(fine, static_cast<std::size_t>(triangles));
 }
 

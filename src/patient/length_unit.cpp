@@ -44,4 +44,9 @@ ScaleGuess guessScale(double longest) {
              {rounded(longest, 2), rounded(scale, 5), rounded(kAverageTooth, 0)}}};
 }
 
+void scaleToMm(TriangleMesh& mesh, double mmPerUnit) {
+    if (mmPerUnit == 1) return;
+    for (Vec3f& vertex : mesh.vertices) vertex = (mmPerUnit * vertex.cast<double>()).cast<float>();
+}
+
 }  // namespace tactooth

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string_view>
 
+#include "geometry/triangle_mesh.h"
 #include "patient/remark.h"
 
 namespace tactooth {
@@ -31,5 +32,8 @@ struct ScaleGuess {
 /// tooth or a crown may be, a whole tooth before a crown. Where none fits, the surface has no unit of length and is
 /// scaled to the length of an average tooth. `longest`: of the box, in the file's unit, above 0.
 [[nodiscard]] ScaleGuess guessScale(double longest);
+
+/// A mesh in a file's unit becomes one in mm.
+void scaleToMm(TriangleMesh& mesh, double mmPerUnit);
 
 }  // namespace tactooth

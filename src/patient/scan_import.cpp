@@ -12,11 +12,6 @@
 namespace tactooth {
 namespace {
 
-void scale(TriangleMesh& mesh, double mmPerUnit) {
-    if (mmPerUnit == 1) return;
-    for (Vec3f& vertex : mesh.vertices) vertex = (mmPerUnit * vertex.cast<double>()).cast<float>();
-}
-
 Vec3 middleOf(const TriangleMesh& mesh) { return boundingBox(mesh).center(); }
 
 /// Does the work on one scan; the remarks gather on the way.
@@ -30,7 +25,7 @@ public:
 
     Expected<ExaminedScan> run() && {
         if (result_.outer.empty() && result_.layers.empty()) return unexpected(result_.name + ": there is no surface.");
-        scaleToMm();
+        takeUnit();
         for (LayerMesh& layer : result_.layers) {
             if (auto done = mend(layer.mesh, layer.name); !done) return Unexpected{done.error()};
         }
@@ -47,7 +42,7 @@ public:
     }
 
 private:
-    void scaleToMm() {
+    void takeUnit() {
         Box3 box = boundingBox(result_.outer);
         for (const LayerMesh& layer : result_.layers) box.extend(boundingBox(layer.mesh));
         const double longest = box.sizes().maxCoeff();
@@ -61,8 +56,8 @@ private:
             result_.mmPerUnit = guess.mmPerUnit;
             result_.remarks.push_back(std::move(guess.why));
         }
-        scale(result_.outer, result_.mmPerUnit);
-        for (LayerMesh& layer : result_.layers) scale(layer.mesh, result_.mmPerUnit);
+        scaleToMm(result_.outer, result_.mmPerUnit);
+        for (LayerMesh& layer : result_.layers) scaleToMm(layer.mesh, result_.mmPerUnit);
     }
 
     void remark(const char* text, std::vector<std::string> values) {

@@ -84,7 +84,8 @@ Standing standingOf(const TriangleMesh& outer, const FrameHints& hints, const Lo
     };
     const Vec3 crown = crownDirection(outer, hints, shape, standing.why);
     const double tilt = std::acos(std::clamp(crown.z(), -1.0, 1.0));
-    if (hints.cheek) {
+    constexpr double kClear = 0.2;  // sine of the angle to the long axis: a cheek nearer to it is none
+    if (hints.cheek && hints.cheek->cross(crown).norm() > kClear * hints.cheek->norm()) {
         standing.upright = uprightTurn(crown, *hints.cheek);
         add("The cheek's side is the one that looks away from the middle of the arch.");
     } else if (tilt < kStandsUp) {

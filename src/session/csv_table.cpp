@@ -145,8 +145,7 @@ Expected<CsvTable> readCsv(const std::filesystem::path& path, std::span<const st
                            std::span<const std::string_view> wordColumns) {
     const Expected<FileBytes> file = readFile(path);
     if (!file) return Unexpected{file.error()};
-    return parseCsv({reinterpret_cast<const char*>(file->bytes().data()), file->size()}, shownName(path), columns,
-                    wordColumns);
+    return parseCsv(file->text(), shownName(path), columns, wordColumns);
 }
 
 Expected<CsvWriter> CsvWriter::create(const std::filesystem::path& path, std::span<const std::string_view> columns) {

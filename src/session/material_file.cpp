@@ -171,8 +171,7 @@ MaterialTable defaultMaterials() {
 Expected<MaterialTable> readMaterials(const std::filesystem::path& path) {
     const Expected<FileBytes> file = readFile(path);
     if (!file) return Unexpected{file.error()};
-    return parseMaterials({reinterpret_cast<const char*>(file->bytes().data()), file->size()}, shownName(path),
-                          defaultMaterials());
+    return parseMaterials(file->text(), shownName(path), defaultMaterials());
 }
 
 Expected<MaterialTable> materialsFrom(const std::filesystem::path& fileOrNothing) {

@@ -128,9 +128,8 @@ private:
 Expected<SoundKit> readPreset(const std::filesystem::path& path) {
     const Expected<FileBytes> file = readFile(path);
     if (!file) return Unexpected{file.error()};
-    const std::string_view text(reinterpret_cast<const char*>(file->bytes().data()), file->size());
     try {
-        return PresetReader(shownName(path), path.parent_path()).read(toml::parse(text));
+        return PresetReader(shownName(path), path.parent_path()).read(toml::parse(file->text()));
     } catch (const toml::parse_error& error) {
         return unexpected(shownName(path) + ", line " + std::to_string(error.source().begin.line) +
                           ": this is not TOML; see docs/sound.md for a pattern.");

@@ -9,27 +9,23 @@
 #include <QDropEvent>
 #include <QElapsedTimer>
 #include <QMenu>
-#include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
-#include <QTest>
 #include <fstream>
 
 #include "app/gui/import_dialog.h"
-#include "app/gui/main_window.h"
 #include "app/gui/window_setup.h"
+#include "app/window_session.h"
 #include "geometry/stl_writer.h"
 #include "instruments/builtin_tooth.h"
 #include "session/cases/make_case.h"
 #include "session/cases/open_case.h"
-#include "sound/audio_libraries.h"
-#include "sound/openal_output.h"
+#include "session/cases/write_case.h"
 #include "support/shapes.h"
-#include "support/test_data.h"
 
 namespace tactooth {
 
-class ImportWindowTest : public QObject {
+class ImportWindowTest : public test::WindowSession {
     Q_OBJECT
 
 public:
@@ -43,29 +39,29 @@ private slots:
     void theWindowStaysAliveWhileTheLayersAreMade();
     void theImportCanBeCancelled();
     void aSurfaceThatCannotBeReadIsRefused();
+    void theSameLayerOfTwoTeethIsRefused();
     void aWideHoleIsFilledWhenChosen();
     void aDroppedCaseIsOpenedAndItsTeethCanBeChosen();
     void cleanupTestCase();
 
 private:
-    void drop(const std::filesystem::path& file);
+    void drop(const std::vector<std::filesystem::path>& files);
     [[nodiscard]] ImportDialog* dialog() const { return window_->findChild<ImportDialog*>(); }
     [[nodiscard]] QPushButton* importButton() const {
         return dialog()->findChild<QDialogButtonBox*>("importButtons")->button(QDialogButtonBox::Ok);
     }
     [[nodiscard]] QString remarks() const { return dialog()->findChild<QTextBrowser*>("remarks")->toPlainText(); }
     void waitForRemarks(const QString& words);
-    void waitForTooth(const std::string& name);
+    void waitForToothNamed(const std::string& name);
 
-    test::TemporaryFolder folder_;
     std::filesystem::path scan_;
-    std::unique_ptr<OpenAlOutput> sound_;
-    std::unique_ptr<MainWindow> window_;
 };
 
-void ImportWindowTest::drop(const std::filesystem::path& file) {
+void ImportWindowTest::drop(const std::vector<std::filesystem::path>& files) {
     QMimeData data;
-    data.setUrls({QUrl::fromLocalFile(QString::fromStdString(file.string()))});
+    QList<QUrl> urls;
+    for (const auto& file : files) urls += QUrl::fromLocalFile(QString::fromStdString(file.string()));
+    data.setUrls(urls);
     const QPoint place = window_->rect().center();
     QDragEnterEvent enter(place, Qt::CopyAction, &data, Qt::LeftButton, {});
     QApplication::sendEvent(window_.get(), &enter);
@@ -78,7 +74,7 @@ void ImportWindowTest::waitForRemarks(const QString& words) {
     QTRY_VERIFY_WITH_TIMEOUT(dialog() != nullptr && importButton()->isEnabled() && remarks().contains(words), 60000);
 }
 
-void ImportWindowTest::waitForTooth(const std::string& name) {
+void ImportWindowTest::waitForToothNamed(const std::string& name) {
     QTRY_VERIFY_WITH_TIMEOUT(
         !window_->bench().isBusy() && window_->bench().simulator() != nullptr && window_->bench().tooth()->name == name,
         120000);
@@ -92,16 +88,11 @@ void ImportWindowTest::initTestCase() {
     for (Vec3f& vertex : mesh.vertices) vertex *= 0.1F;
     scan_ = folder_ / "molar.stl";
     QVERIFY(writeStl(mesh, scan_).has_value());
-    sound_ = std::make_unique<OpenAlOutput>();
-    window_ = std::make_unique<MainWindow>(*sound_);
-    window_->bringBuiltinTooth(kBuiltinTeeth.front());
-    window_->bringBur(*findBur("4"));
-    window_->show();
-    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+    openWindow();
 }
 
 void ImportWindowTest::aDroppedSurfaceIsShownBeforeItIsTaken() {
-    drop(scan_);
+    drop({scan_});
     QVERIFY(dialog() != nullptr);
     waitForRemarks("Units taken as cm");
     QVERIFY2(remarks().contains("to stand crown up"), qPrintable(remarks()));
@@ -137,7 +128,7 @@ void ImportWindowTest::theWindowStaysAliveWhileTheLayersAreMade() {
     constexpr qint64 kTooQuickToTell = 300;                    // ms: no longer than a picture or two on a busy machine
     QVERIFY(turns > 1 || passed.elapsed() < kTooQuickToTell);  // one, if the work held it up
     QVERIFY(part > 0.05 || passed.elapsed() < kTooQuickToTell);
-    waitForTooth("molar.stl");
+    waitForToothNamed("molar.stl");
     const BenchTooth& tooth = *window_->bench().tooth();
     QVERIFY(tooth.box().sizes().z() > 15 && tooth.box().sizes().z() < 30);
     QCOMPARE(tooth.piece->tooth().layers().size(), std::size_t{3});
@@ -148,8 +139,8 @@ void ImportWindowTest::theWindowStaysAliveWhileTheLayersAreMade() {
 
 void ImportWindowTest::theImportCanBeCancelled() {
     window_->bringBuiltinTooth(kBuiltinTeeth.front());
-    waitForTooth(kBuiltinTeeth.front().name);
-    drop(scan_);
+    waitForToothNamed(kBuiltinTeeth.front().name);
+    drop({scan_});
     waitForRemarks("Units taken as cm");
     importButton()->click();
     dialog()->findChild<QDialogButtonBox*>("importButtons")->button(QDialogButtonBox::Cancel)->click();
@@ -162,11 +153,22 @@ void ImportWindowTest::theImportCanBeCancelled() {
 void ImportWindowTest::aSurfaceThatCannotBeReadIsRefused() {
     const auto file = folder_ / "garbage.stl";
     std::ofstream(file) << "this is no surface at all";
-    drop(file);
+    drop({file});
     QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<QMessageBox*>() != nullptr, 30000);
     auto* box = window_->findChild<QMessageBox*>();
     QVERIFY2(box->text().contains("garbage.stl"), qPrintable(box->text()));
     delete box;
+    QTRY_VERIFY(dialog() == nullptr);
+}
+
+void ImportWindowTest::theSameLayerOfTwoTeethIsRefused() {
+    for (const char* const name : {"L6_enamel.stl", "L7_enamel.stl"}) {
+        QVERIFY(writeStl(test::box(Vec3(-4, -4, -12), Vec3(4, 4, 8)), folder_ / name).has_value());
+    }
+    drop({folder_ / "L6_enamel.stl", folder_ / "L7_enamel.stl"});
+    QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<QMessageBox*>() != nullptr, 30000);
+    const QString said = dismissMessage();
+    QVERIFY2(said.contains("L7_enamel.stl: the tooth has this surface already"), qPrintable(said));
     QTRY_VERIFY(dialog() == nullptr);
 }
 
@@ -175,7 +177,7 @@ void ImportWindowTest::aWideHoleIsFilledWhenChosen() {
     open.triangles.erase(open.triangles.begin(), open.triangles.begin() + 2);
     const auto file = folder_ / "open.stl";
     QVERIFY(writeStl(open, file).has_value());
-    drop(file);
+    drop({file});
     QTRY_VERIFY_WITH_TIMEOUT(dialog() != nullptr && remarks().contains("too wide to be filled unasked"), 30000);
     QVERIFY(!importButton()->isEnabled());
     dialog()->findChild<QComboBox*>("holes")->setCurrentIndex(1);
@@ -188,32 +190,29 @@ void ImportWindowTest::aDroppedCaseIsOpenedAndItsTeethCanBeChosen() {
     std::filesystem::create_directories(folder_ / "scans");
     for (const auto& [name, x] : {std::pair("L6", 0.0), std::pair("L7", 10.0)}) {
         const TriangleMesh block = test::box(Vec3(x - 4, -4, -12), Vec3(x + 4, 4, 8));
-        QVERIFY(writeStl(block, folder_ / ("scans/" + std::string(name) + "_outer.stl")).has_value());
+        QVERIFY(writeStl(block, folder_ / std::string("scans/").append(name).append("_outer.stl")).has_value());
         const TriangleMesh core = test::box(Vec3(x - 3, -3, -11), Vec3(x + 3, 3, 5));
-        QVERIFY(writeStl(core, folder_ / ("scans/" + std::string(name) + "_dentin.stl")).has_value());
+        QVERIFY(writeStl(core, folder_ / std::string("scans/").append(name).append("_dentin.stl")).has_value());
     }
     const auto made = makeCase({.from = {folder_ / "scans"}, .title = "Blocks", .quadrant = 3});
     QVERIFY2(made.has_value(), made ? "" : made.error().message.c_str());
     QVERIFY(writeCase(made->files, folder_ / "blocks.ttcase").has_value());
-    drop(folder_ / "blocks.ttcase");
-    waitForTooth("Blocks, L6");
+    drop({folder_ / "blocks.ttcase"});
+    waitForToothNamed("Blocks, L6");
     QVERIFY(dialog() == nullptr);
     auto* menu = window_->findChild<QMenu*>("teethOfCase");
     emit menu->aboutToShow();
     QCOMPARE(menu->actions().size(), 2);
     menu->actions().back()->trigger();
-    waitForTooth("Blocks, L7");
+    waitForToothNamed("Blocks, L7");
 }
 
-void ImportWindowTest::cleanupTestCase() {
-    window_.reset();
-    sound_.reset();
-}
+void ImportWindowTest::cleanupTestCase() { closeWindow(); }
 
 bool ImportWindowTest::saveScreenshot(const QString& file, const QString& scan) {
     initTestCase();
-    waitForTooth(kBuiltinTeeth.front().name);
-    drop(scan.isEmpty() ? scan_ : std::filesystem::path(scan.toStdString()));
+    waitForToothNamed(kBuiltinTeeth.front().name);
+    drop({scan.isEmpty() ? scan_ : std::filesystem::path(scan.toStdString())});
     QElapsedTimer since;
     for (since.start(); since.elapsed() < 60000 && !importButton()->isEnabled();) QTest::qWait(50);
     QPixmap picture = window_->grab();
@@ -228,10 +227,7 @@ bool ImportWindowTest::saveScreenshot(const QString& file, const QString& scan) 
 
 /// `import_window_tests --screenshot FILE.png [SCAN]` leaves a picture instead of testing.
 int main(int argc, char** argv) {
-    tactooth::prepareAudioLibraries();
-    tactooth::prepareWindowSystem();
-    QApplication application(argc, argv);
-    tactooth::applyLook();
+    const auto application = tactooth::startApplication(argc, argv);
     tactooth::ImportWindowTest test;
     const QStringList arguments = QApplication::arguments();
     if (arguments.value(1) == "--screenshot")

@@ -10,24 +10,19 @@
 #include <QComboBox>
 #include <QElapsedTimer>
 #include <QLabel>
-#include <QMessageBox>
 #include <QPushButton>
-#include <QTest>
 #include <cmath>
 #include <cstdlib>
 
-#include "app/gui/main_window.h"
 #include "app/gui/window_setup.h"
+#include "app/window_session.h"
 #include "devices/standin/standin_hd.h"
-#include "instruments/bur_catalogue.h"
-#include "sound/audio_libraries.h"
-#include "sound/openal_output.h"
 
 namespace tactooth {
 
 using test::HdFault;
 
-class PenSessionTest : public QObject {
+class PenSessionTest : public test::WindowSession {
     Q_OBJECT
 
 private slots:
@@ -45,7 +40,6 @@ private slots:
 
 private:
     [[nodiscard]] static double force();
-    [[nodiscard]] double removed() const { return total(window_->bench().simulator()->removed()); }
     [[nodiscard]] QString state() const { return window_->findChild<QLabel*>("deviceState")->text(); }
     [[nodiscard]] QString dismissMessages() const;
     void clickButton(int bit) const;
@@ -55,8 +49,6 @@ private:
     void strokeFor(double seconds);
 
     const test::HdStandinControl* standin_ = nullptr;
-    std::unique_ptr<OpenAlOutput> sound_;
-    std::unique_ptr<MainWindow> window_;
 };
 
 namespace {
@@ -78,10 +70,7 @@ double PenSessionTest::force() {
 /// What the messages in front say, which are closed.
 QString PenSessionTest::dismissMessages() const {
     QString said;
-    for (QMessageBox* box : window_->findChildren<QMessageBox*>()) {
-        said += box->text() + '\n';
-        delete box;
-    }
+    for (QString one = dismissMessage(); !one.isEmpty(); one = dismissMessage()) said += one + '\n';
     return said;
 }
 
@@ -137,13 +126,8 @@ void PenSessionTest::strokeFor(double seconds) {
 void PenSessionTest::initTestCase() {
     standin_ = standin();
     QVERIFY(standin_ != nullptr);
-    sound_ = std::make_unique<OpenAlOutput>();
-    window_ = std::make_unique<MainWindow>(*sound_);
-    window_->bringBuiltinTooth(kBuiltinTeeth.front());
-    window_->bringBur(*findBur("4"));
-    window_->show();
-    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
-    QTRY_VERIFY_WITH_TIMEOUT(!window_->bench().isBusy() && window_->bench().simulator() != nullptr, 60000);
+    openWindow();
+    waitForTooth();
     QVERIFY(state().contains("mouse"));
 }
 
@@ -208,9 +192,8 @@ void PenSessionTest::itsWhiteButtonTakesTheMirror() {
 void PenSessionTest::theClutchHoldsTheBur() {
     const Vec3 tool = window_->bench().newest().hand.position;
     auto* clutch = window_->findChild<QPushButton*>("clutch");
-    (void)dismissMessages();                       // of a device that a busy machine has stalled: they take all keys
-    QApplication::setActiveWindow(window_.get());  // a bare X server has no window manager that would do it
-    QTest::keyClick(window_.get(), Qt::Key_X);     // which works behind another tab
+    (void)dismissMessages();  // of a device that a busy machine has stalled: they take all keys
+    key(Qt::Key_X);           // which works behind another tab
     QVERIFY(clutch->isChecked());
     QTest::qWait(100);
     standin_->wantPosition(0, 4, 0);
@@ -273,24 +256,19 @@ void PenSessionTest::backToTheMouseThePenIsClosedAndLimp() {
 void PenSessionTest::aPenThatIsNotThereLeavesTheMouseAndSaysWhatToDo() {
     window_->steerBy("pen:Third");
     QString said;
-    QTRY_VERIFY_WITH_TIMEOUT((said += dismissMessages()).contains("look its name up in the vendor's setup program"), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT((said += dismissMessages()).contains("look its name up in the vendor's setup program"),
+                             20000);
     QCOMPARE(window_->findChild<QComboBox*>("devices")->currentIndex(), 0);
     QVERIFY(window_->bench().device() == nullptr);
 }
 
-void PenSessionTest::cleanupTestCase() {
-    window_.reset();
-    sound_.reset();
-}
+void PenSessionTest::cleanupTestCase() { closeWindow(); }
 
 }  // namespace tactooth
 
 int main(int argc, char** argv) {
     setenv("TACTOOTH_LIBHD", TACTOOTH_STANDIN_HD, 1);
-    tactooth::prepareAudioLibraries();
-    tactooth::prepareWindowSystem();
-    QApplication application(argc, argv);
-    tactooth::applyLook();
+    const auto application = tactooth::startApplication(argc, argv);
     tactooth::PenSessionTest test;
     return QTest::qExec(&test, argc, argv);
 }

@@ -2,13 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The bur at work, from the simulation to the picture, against stored pictures (tests/image/README.md).
-#include <numbers>
 
 #include "app/common/scene_builder.h"
 #include "app/common/spin_blur.h"
 #include "app/common/spray_look.h"
-#include "image/pictures_fixture.h"
-#include "instruments/builtin_tooth.h"
+#include "image/molar_fixture.h"
 #include "instruments/bur_shape.h"
 #include "instruments/suction_tube.h"
 #include "instruments/turbine.h"
@@ -21,15 +19,10 @@ namespace {
 constexpr double kFrame = 0.016;  // s
 
 /// A round bur that sinks into the molar; made once.
-class SprayPictures : public test::Pictures {
+class SprayPictures : public test::MolarPictures {
 protected:
     static void SetUpTestSuite() {
-        Pictures::SetUpTestSuite();
-        const BuiltinTooth molar = makeBuiltinTooth(BuiltinToothKind::lowerFirstMolar, 8000);
-        auto layered = LayeredTooth::make(molar.outer, layersOf(molar));
-        ASSERT_TRUE(layered) << layered.error().message;
-        tooth_ = std::make_shared<const LayeredTooth>(std::move(*layered));
-        mesialX_ = mesialX(molar.fdi);
+        MolarPictures::SetUpTestSuite();
         bur_ = makeBur(*findBur("4"), 3000).surface;
         auto cutting = makeCuttingTool(bur_);
         ASSERT_TRUE(cutting) << cutting.error().message;
@@ -37,9 +30,8 @@ protected:
         turbine_ = std::make_shared<const TriangleMesh>(makeTurbine(6000));
     }
     static void TearDownTestSuite() {
-        tooth_.reset();
         turbine_.reset();
-        Pictures::TearDownTestSuite();
+        MolarPictures::TearDownTestSuite();
     }
 
     /// Where the bur bites when it comes down from `above`.
@@ -94,11 +86,9 @@ protected:
     }
 
 private:
-    static inline std::shared_ptr<const LayeredTooth> tooth_;
     static inline TriangleMesh bur_;
     static inline std::optional<CuttingTool> tool_;
     static inline std::shared_ptr<const TriangleMesh> turbine_;
-    static inline double mesialX_ = 1;
 };
 
 TEST_F(SprayPictures, ABurAtWorkInItsSpray) { expectBaseline("at-work", atWork(1, false)); }

@@ -13,13 +13,13 @@
 #include <QTranslator>
 #include <fstream>
 
+#include "app/gui/elided_label.h"
 #include "app/gui/guided_tour.h"
 #include "app/gui/open_tooth_dialog.h"
 #include "app/gui/welcome_dialog.h"
 #include "app/gui/window_setup.h"
 #include "app/window_session.h"
 #include "geometry/stl_writer.h"
-#include "sound/audio_libraries.h"
 #include "sound/sound_files.h"
 #include "support/shapes.h"
 
@@ -31,6 +31,7 @@ class WindowLookTest : public test::WindowSession {
 private slots:
     void initTestCase();
     void synthesisedSoundsWinOverARecordingThatIsStillRead();
+    void aHintThatHasNoRoomEndsInDots();
     void theInsideOfTheToothIsShown();
     void aTargetColoursTheTooth();
     void thePlotsHoldStillZoomAndAreExported();
@@ -53,6 +54,20 @@ void WindowLookTest::initTestCase() {
 }
 
 void WindowLookTest::cleanupTestCase() { closeWindow(); }
+
+void WindowLookTest::aHintThatHasNoRoomEndsInDots() {
+    const auto* hint = window_->findChild<ElidedLabel*>("hint");
+    const QSize size = window_->size();
+    window_->resize(2400, size.height());
+    QTRY_COMPARE(hint->shown(), hint->text());
+    QVERIFY(!hint->text().isEmpty());
+    for (int width = 2400; width > 600 && hint->shown() == hint->text(); width -= 50) {
+        window_->resize(width, size.height());
+        QTest::qWait(50);
+    }
+    QVERIFY2(hint->shown().endsWith(QChar(0x2026)), qPrintable(hint->shown()));
+    window_->resize(size);
+}
 
 void WindowLookTest::synthesisedSoundsWinOverARecordingThatIsStillRead() {
     test::writeTone(folder_ / "late.wav", 48000 * 5, 0.3);
@@ -216,10 +231,7 @@ void WindowLookTest::theDemonstrationTouchesAndEndsWithAClick() {
 }  // namespace tactooth
 
 int main(int argc, char** argv) {
-    tactooth::prepareAudioLibraries();
-    tactooth::prepareWindowSystem();
-    QApplication application(argc, argv);
-    tactooth::applyLook();
+    const auto application = tactooth::startApplication(argc, argv);
     tactooth::WindowLookTest test;
     return QTest::qExec(&test, argc, argv);
 }

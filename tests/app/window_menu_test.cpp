@@ -13,7 +13,6 @@
 
 #include "app/gui/window_setup.h"
 #include "app/window_session.h"
-#include "sound/audio_libraries.h"
 
 namespace tactooth {
 
@@ -27,6 +26,7 @@ private slots:
     void theShortcutSheetNamesEveryKeyOfTheMenus();
     void everyControlIsReachedByTab();
     void theBurIsMovedAndPressedByKeys();
+    void keysThatAreHeldAreLetGoWhenAnotherWindowComesInFront();
     void aToothIsCutAndLookedAtByKeysAlone();
     void waterAndSuctionAreSwitchedByKeys();
     void theMirrorTakesItsSizeFogAndDrops();
@@ -179,6 +179,25 @@ void WindowMenuTest::theBurIsMovedAndPressedByKeys() {
     QTRY_COMPARE_WITH_TIMEOUT(gauge("forceGauge"), 0.0, 10000);
 }
 
+/// The release of a key goes to the window in front: the bur must neither turn nor press on by itself.
+void WindowMenuTest::keysThatAreHeldAreLetGoWhenAnotherWindowComesInFront() {
+    view().setFocus();
+    QTest::keyPress(&view(), Qt::Key_Space);
+    QTRY_COMPARE(window_->bench().controls.pedal, 1.0);
+    QTest::keyPress(&view(), Qt::Key_Return);
+    QVERIFY(window_->bench().hand().isPressing());
+    QEvent deactivated(QEvent::WindowDeactivate);
+    QApplication::sendEvent(window_.get(), &deactivated);
+    QFocusEvent unfocused(QEvent::FocusOut, Qt::ActiveWindowFocusReason);
+    QApplication::sendEvent(&view(), &unfocused);
+    QVERIFY(!window_->bench().hand().isPressing());
+    QTRY_COMPARE(window_->bench().controls.pedal, 0.0);
+    pressBurOn(middle());
+    QApplication::sendEvent(&view(), &unfocused);
+    QVERIFY(window_->bench().hand().isPressing());  // the mouse is still held, and its release will come here
+    liftBur(middle());
+}
+
 void WindowMenuTest::aToothIsCutAndLookedAtByKeysAlone() {
     key(Qt::Key_0);
     view().setFocus();
@@ -317,10 +336,7 @@ void WindowMenuTest::everySettingIsThereAfterARestart() {
 }  // namespace tactooth
 
 int main(int argc, char** argv) {
-    tactooth::prepareAudioLibraries();
-    tactooth::prepareWindowSystem();
-    QApplication application(argc, argv);
-    tactooth::applyLook();
+    const auto application = tactooth::startApplication(argc, argv);
     tactooth::WindowMenuTest test;
     return QTest::qExec(&test, argc, argv);
 }

@@ -19,7 +19,6 @@
 #include "geometry/mesh_report.h"
 #include "geometry/stl_writer.h"
 #include "session/tooth_file.h"
-#include "sound/audio_libraries.h"
 #include "sound/sound_files.h"
 #include "support/sanitizer.h"
 #include "support/shapes.h"
@@ -354,10 +353,7 @@ void WindowTest::settingsThatMakeNoSenseChangeNothing() {
     QCOMPARE(other.settings().spindle, before.spindle);
 }
 
-void WindowTest::cleanupTestCase() {
-    window_.reset();
-    sound_.reset();
-}
+void WindowTest::cleanupTestCase() { closeWindow(); }
 
 bool WindowTest::saveScreenshot(const QString& file) {
     openWindow();
@@ -382,10 +378,7 @@ bool WindowTest::saveScreenshot(const QString& file) {
 
 /// `window_tests --screenshot FILE.png` leaves a picture of the window instead of testing it.
 int main(int argc, char** argv) {
-    tactooth::prepareAudioLibraries();
-    tactooth::prepareWindowSystem();
-    QApplication application(argc, argv);
-    tactooth::applyLook();
+    const auto application = tactooth::startApplication(argc, argv);
     tactooth::WindowTest test;
     const QStringList arguments = QApplication::arguments();
     if (arguments.value(1) == "--screenshot") return test.saveScreenshot(arguments.value(2)) ? 0 : 1;

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <QTranslator>
-#include <cmath>
 
 #include "devices/haply/haply_message.h"
 #include "devices/open_device.h"

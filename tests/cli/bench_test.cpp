@@ -7,10 +7,7 @@
 namespace tactooth {
 namespace {
 
-using test::ProgramRun;
-using test::runTactooth;
-using ::testing::AllOf;
-using ::testing::HasSubstr;
+using namespace test;
 
 class BenchCommand : public test::MotionFiles {
 protected:

@@ -1,9 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include "cli/run_program.h"
+#include "cli/cli_test.h"
 #include "geometry/mesh_report.h"
 #include "geometry/stl_reader.h"
 #include "support/test_data.h"
@@ -11,9 +8,7 @@
 namespace tactooth {
 namespace {
 
-using test::ProgramRun;
-using test::runTactooth;
-using ::testing::HasSubstr;
+using namespace test;
 
 TEST(BurCommand, WritesAClosedBur) {
     const test::TemporaryFolder folder;

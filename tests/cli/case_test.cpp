@@ -1,12 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <filesystem>
 #include <fstream>
 
-#include "cli/run_program.h"
+#include "cli/cli_test.h"
 #include "geometry/mesh_report.h"
 #include "geometry/stl_reader.h"
 #include "geometry/stl_writer.h"
@@ -17,11 +14,7 @@ namespace tactooth {
 namespace {
 
 namespace fs = std::filesystem;
-using test::ProgramRun;
-using test::runTactooth;
-using ::testing::AllOf;
-using ::testing::HasSubstr;
-using ::testing::Not;
+using namespace test;
 
 /// Two blocks of enamel and dentin beside each other, as files of the teeth L6 and L7, in centimetres.
 class CaseCommand : public ::testing::Test {
@@ -81,6 +74,18 @@ TEST_F(CaseCommand, CheckTellsWhatMightSurprise) {
     const ProgramRun broken = runTactooth({"case", "check", folder_ / "two"});
     EXPECT_EQ(broken.exitCode, 1);
     EXPECT_THAT(broken.err, HasSubstr("teeth/L6/outer.stl: there is no such file in the case"));
+}
+
+TEST_F(CaseCommand, CheckFindsUnusedFilesWhereABurLiesAtTheTop) {
+    ASSERT_EQ(makeCase("two").exitCode, 0);
+    ASSERT_TRUE(writeStl(test::cylinder(Vec3::Zero(), 0.5, 6, 24), folder_ / "two/mine.stl"));
+    std::ofstream(folder_ / "two/mine.toml") << "surface = \"mine.stl\"\n";
+    std::ofstream(folder_ / "two/case.toml", std::ios::app) << "\n[[bur]]\nfile = \"mine.toml\"\n";
+    std::ofstream(folder_ / "two/teeth/notes.txt") << "hello";
+    const ProgramRun check = runTactooth({"case", "check", folder_ / "two"});
+    EXPECT_EQ(check.exitCode, 0) << check.err;
+    EXPECT_THAT(check.out, HasSubstr("teeth/notes.txt: case.toml does not name this file"));
+    EXPECT_THAT(check.out, Not(HasSubstr("mine.stl: case.toml")));
 }
 
 TEST_F(CaseCommand, CaseIsCutWithItsOwnBurInTheFrameOfTheToothThatIsWorkedOn) {

@@ -1,17 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "cli/motion_files.h"
 
 namespace tactooth {
 namespace {
 
-using test::ProgramRun;
-using test::runTactooth;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
+using namespace test;
 
 class ContactCommand : public test::MotionFiles {
 protected:

@@ -1,9 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <numbers>
 
 #include "cli/motion_files.h"
@@ -13,11 +9,7 @@
 namespace tactooth {
 namespace {
 
-using test::ProgramRun;
-using test::runTactooth;
-using ::testing::AllOf;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
+using namespace test;
 
 constexpr double kPi = std::numbers::pi;
 

@@ -1,17 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "cli/motion_files.h"
 
 namespace tactooth {
 namespace {
 
-using test::CsvContent;
-using test::ProgramRun;
-using test::runTactooth;
-using ::testing::IsEmpty;
+using namespace test;
 
 const std::array<std::string, 3> kForce = {"fx", "fy", "fz"};
 

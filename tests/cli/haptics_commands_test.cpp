@@ -1,21 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <span>
 
-#include "cli/run_program.h"
+#include "cli/cli_test.h"
 
 namespace tactooth {
 namespace {
 
-using test::ProgramRun;
-using test::runTactooth;
-using ::testing::AllOf;
-using ::testing::HasSubstr;
+using namespace test;
 
 TEST(HapticsCommands, StabilityTellsEachRunAsJson) {
     const ProgramRun run = runTactooth({"bench", "stability", "--device", "touch-x", "--hand", "loose", "--material",

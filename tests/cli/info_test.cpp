@@ -1,12 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "cli/run_program.h"
+#include "cli/cli_test.h"
 #include "geometry/stl_writer.h"
 #include "support/shapes.h"
 #include "support/test_data.h"
@@ -14,13 +11,7 @@
 namespace tactooth {
 namespace {
 
-using test::ProgramRun;
-using test::runTactooth;
-using ::testing::AllOf;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-using ::testing::Not;
-using ::testing::StartsWith;
+using namespace test;
 
 class Info : public ::testing::Test {
 protected:

@@ -1,9 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include "cli/run_program.h"
+#include "cli/cli_test.h"
 #include "geometry/mesh_report.h"
 #include "geometry/stl_reader.h"
 #include "geometry/stl_writer.h"
@@ -13,11 +10,7 @@
 namespace tactooth {
 namespace {
 
-using test::ProgramRun;
-using test::runTactooth;
-using ::testing::AllOf;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
+using namespace test;
 
 class MeshCommands : public ::testing::Test {
 protected:

@@ -2,14 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <array>
 #include <fstream>
 #include <sstream>
 
-#include "cli/run_program.h"
+#include "cli/cli_test.h"
 #include "geometry/stl_writer.h"
 #include "support/shapes.h"
 #include "support/test_data.h"

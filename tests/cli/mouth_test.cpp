@@ -1,12 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <cstdlib>
 #include <fstream>
 
-#include "cli/run_program.h"
+#include "cli/cli_test.h"
 #include "geometry/mesh_report.h"
 #include "geometry/stl_reader.h"
 #include "support/test_data.h"
@@ -15,9 +12,7 @@ namespace tactooth {
 namespace {
 
 namespace fs = std::filesystem;
-using test::ProgramRun;
-using test::runTactooth;
-using ::testing::HasSubstr;
+using namespace test;
 
 /// The program keeps its teeth in a folder of the test.
 class MouthCommand : public testing::Test {

@@ -2,13 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Pictures that the program writes, as a user gets them.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <filesystem>
 
-#include "cli/run_program.h"
+#include "cli/cli_test.h"
 #include "geometry/stl_writer.h"
 #include "support/shapes.h"
 #include "support/test_data.h"
@@ -18,8 +15,6 @@ namespace tactooth {
 namespace {
 
 using namespace test;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 class RenderCommand : public ::testing::Test {
 protected:

@@ -1,21 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include "cli/run_program.h"
+#include "cli/cli_test.h"
 #include "support/test_data.h"
 #include "support/text_file.h"
 
 namespace tactooth {
 namespace {
 
-using test::ProgramRun;
-using test::runTactooth;
-using ::testing::AllOf;
-using ::testing::HasSubstr;
-using ::testing::Not;
-using ::testing::StartsWith;
+using namespace test;
 
 TEST(Reproduce, LeavesTablePlotAndPage) {
     const test::TemporaryFolder folder;

@@ -2,15 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Measures the WAV files that the program writes: what a listener gets, whatever happened inside.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <sndfile.h>
 
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 
-#include "cli/run_program.h"
+#include "cli/cli_test.h"
 #include "sound/sound_files.h"
 #include "sound/sound_format.h"
 #include "sound/spectrum.h"
@@ -21,8 +19,6 @@ namespace tactooth {
 namespace {
 
 using namespace test;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 struct Wav {
     SF_INFO info{};

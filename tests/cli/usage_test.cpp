@@ -1,22 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <algorithm>
 
-#include "cli/run_program.h"
+#include "cli/cli_test.h"
 
 namespace tactooth {
 namespace {
 
-using test::ProgramRun;
-using test::runTactooth;
-using ::testing::AllOf;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-using ::testing::MatchesRegex;
-using ::testing::StartsWith;
+using namespace test;
 
 TEST(Usage, HelpNamesTheCommands) {
     const ProgramRun run = runTactooth({"--help"});

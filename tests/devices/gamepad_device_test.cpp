@@ -34,6 +34,13 @@ bool playUntil(HapticDevice& device, const Done& done, const std::function<void(
     return false;
 }
 
+/// Lets the whole force through from the first tick on.
+SafetyLimiter limiterWithoutRamp() {
+    ForceLimits limits;
+    limits.rampTime = 0;
+    return SafetyLimiter(limits);
+}
+
 TEST(GamepadDevice, WithoutOneItSaysWhatToDo) {
     GamepadDevice device("no such pad");
     const auto opened = device.open();
@@ -104,9 +111,7 @@ TEST(GamepadDevice, ACuttingBurRunsTheLightMotor) {
     VirtualPad pad("Test Pad");
     GamepadDevice device("");
     ASSERT_TRUE(device.open());
-    ForceLimits limits;
-    limits.rampTime = 0;
-    SafetyLimiter limiter(limits);
+    SafetyLimiter limiter = limiterWithoutRamp();
     int tick = 0;
     const auto shake = [&](const DeviceSample&) {
         const Vec3 force(0.06 * std::sin(1.3 * ++tick), 0, 1.5);
@@ -121,9 +126,7 @@ TEST(GamepadDevice, ASilentServoMeansASilentPad) {
     VirtualPad pad("Test Pad");
     GamepadDevice device("");
     ASSERT_TRUE(device.open());
-    ForceLimits limits;
-    limits.rampTime = 0;
-    SafetyLimiter limiter(limits);
+    SafetyLimiter limiter = limiterWithoutRamp();
     ASSERT_TRUE(playUntil(
         device, [&](const DeviceSample&) { return pad.slowMotor() > 0.5; },
         [&](const DeviceSample&) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 #include <thread>
 
 #include "devices/hands.h"
@@ -84,6 +85,20 @@ protected:
     }
 };
 
+/// A pen holds the turbine and an Inverse3 the mirror.
+struct PenAndArm {
+    void open() {
+        ASSERT_TRUE(pen.open());
+        ASSERT_TRUE(arm.open());
+        servo.emplace(pen, arm);
+    }
+
+    StandinHaply service;
+    OpenHapticsDevice pen{"", TACTOOTH_STANDIN_HD};
+    HaplyDevice arm{"", service.address()};
+    std::optional<HandsServo> servo;
+};
+
 TEST_F(TwoDevices, TwoPensExchangeTurbineAndMirror) {
     OpenHapticsDevice right("Right", TACTOOTH_STANDIN_HD);
     OpenHapticsDevice left("Left", TACTOOTH_STANDIN_HD);
@@ -100,41 +115,33 @@ TEST_F(TwoDevices, TwoPensExchangeTurbineAndMirror) {
 }
 
 TEST_F(TwoDevices, APenAndAnInverse3ExchangeTurbineAndMirror) {
-    StandinHaply service;
-    OpenHapticsDevice pen("", TACTOOTH_STANDIN_HD);
-    HaplyDevice arm("", service.address());
-    ASSERT_TRUE(pen.open());
-    ASSERT_TRUE(arm.open());
-    const HandsServo servo(pen, arm);
+    PenAndArm both;
+    ASSERT_NO_FATAL_FAILURE(both.open());
     ASSERT_TRUE(leanPens(0));
-    EXPECT_EQ(service.force(), 0);
+    EXPECT_EQ(both.service.force(), 0);
     swapByButton();
     EXPECT_TRUE(soon([] { return standin().forceOf(0) == 0; }));
-    EXPECT_EQ(service.force(), 0);
+    EXPECT_EQ(both.service.force(), 0);
     EXPECT_TRUE(soon([&] {  // the arm took over deep below: it lifts off and comes down again
-        service.wantPosition(0, 0, 0.012);
+        both.service.wantPosition(0, 0, 0.012);
         std::this_thread::sleep_for(200ms);
-        service.wantPosition(0, 0, 0);
+        both.service.wantPosition(0, 0, 0);
         std::this_thread::sleep_for(500ms);
-        return service.force() > kFelt;
+        return both.service.force() > kFelt;
     }));
     EXPECT_EQ(standin().forceOf(0), 0);
 }
 
 TEST_F(TwoDevices, AnInverse3ThatIsLostLeavesThePenAlone) {
-    StandinHaply service;
-    OpenHapticsDevice pen("", TACTOOTH_STANDIN_HD);
-    HaplyDevice arm("", service.address());
-    ASSERT_TRUE(pen.open());
-    ASSERT_TRUE(arm.open());
-    const HandsServo servo(pen, arm);
+    PenAndArm both;
+    ASSERT_NO_FATAL_FAILURE(both.open());
     ASSERT_TRUE(leanPens(0));
-    service.setFault(test::HaplyFault::Drop);
-    ASSERT_TRUE(soon([&] { return arm.trouble() != nullptr; }));
+    both.service.setFault(test::HaplyFault::Drop);
+    ASSERT_TRUE(soon([&] { return both.arm.trouble() != nullptr; }));
     std::this_thread::sleep_for(1500ms);
     EXPECT_TRUE(leanPens(0));
-    EXPECT_NE(arm.trouble(), nullptr);
-    EXPECT_EQ(pen.trouble(), nullptr);
+    EXPECT_NE(both.arm.trouble(), nullptr);
+    EXPECT_EQ(both.pen.trouble(), nullptr);
 }
 
 }  // namespace

@@ -3,12 +3,9 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "geometry/triangle_mesh.h"
@@ -34,8 +31,6 @@ inline const std::vector<std::array<float, 9>> kTetrahedron = {{{0, 0, 0, 0, 1, 
                                                                {{0, 0, 0, 1, 0, 0, 0, 0, 1}},
                                                                {{0, 0, 0, 0, 0, 1, 0, 1, 0}},
                                                                {{1, 0, 0, 0, 1, 0, 0, 0, 1}}};
-
-inline std::span<const std::byte> asBytes(std::string_view text) { return std::as_bytes(std::span(text)); }
 
 /// Every coordinate of every triangle in order: what must survive writing and reading.
 inline std::vector<std::uint32_t> coordinateBits(const TriangleMesh& mesh) {

@@ -12,13 +12,13 @@
 #include <limits>
 #include <random>
 
+#include "geometry/byte_text.h"
 #include "geometry/stl_bytes.h"
 #include "support/test_data.h"
 
 namespace tactooth {
 namespace {
 
-using test::asBytes;
 using test::binaryStl;
 using test::kTetrahedron;
 using ::testing::AllOf;

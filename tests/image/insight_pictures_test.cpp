@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
 // Ways of looking into a tooth, and what is in the air around it, against stored pictures.
-#include "image/pictures_fixture.h"
-#include "instruments/builtin_tooth.h"
+#include "image/molar_fixture.h"
 #include "session/work_piece.h"
 #include "support/shapes.h"
 
@@ -11,22 +10,8 @@ namespace {
 
 using test::objectOf;
 
-/// The built-in molar with its layers, as a tooth that can be cut; made once.
-class InsightPictures : public test::Pictures {
+class InsightPictures : public test::MolarPictures {
 protected:
-    static void SetUpTestSuite() {
-        Pictures::SetUpTestSuite();
-        const BuiltinTooth molar = makeBuiltinTooth(BuiltinToothKind::lowerFirstMolar, 8000);
-        auto layered = LayeredTooth::make(molar.outer, layersOf(molar));
-        ASSERT_TRUE(layered) << layered.error().message;
-        tooth_ = std::make_shared<const LayeredTooth>(std::move(*layered));
-        mesialX_ = mesialX(molar.fdi);
-    }
-    static void TearDownTestSuite() {
-        tooth_.reset();
-        Pictures::TearDownTestSuite();
-    }
-
     static std::vector<Look> materialLooks() {
         return {looks::enamel(), looks::dentin(), looks::pulp(), looks::bone(), looks::bone(), looks::caries()};
     }

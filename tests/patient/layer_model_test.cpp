@@ -67,7 +67,8 @@ TEST_P(LayerModelOf, RootIsDentinAndTheBitingEdgeEnamel) {
     EXPECT_GT(crownEnamel, 0.99 * crownFaces);
 }
 
-INSTANTIATE_TEST_SUITE_P(Teeth, LayerModelOf, ::testing::Values(11, 36, 24));
+INSTANTIATE_TEST_SUITE_P(Teeth, LayerModelOf, ::testing::Values(11, 36, 24),
+                         [](const auto& instance) { return "Fdi" + std::to_string(instance.param); });
 
 TEST(LayerModel, StopsWhenTold) {
     const auto model = modelLayers(builtIn(11).outer, [](double part) { return part < 0.5; });

@@ -34,6 +34,15 @@ TEST(LengthUnit, TheReasonIsSaid) {
               "Units taken as cm, because the longest side would be 21.7 mm, as that of a whole tooth.");
 }
 
+TEST(LengthUnit, AMeshIsScaledAndOneInMmKeepsEveryBit) {
+    TriangleMesh mesh;
+    mesh.vertices = {Vec3f(1.5F, -2, 0.1F)};
+    scaleToMm(mesh, 1);
+    EXPECT_EQ(mesh.vertices[0], Vec3f(1.5F, -2, 0.1F));
+    scaleToMm(mesh, 25.4);
+    EXPECT_EQ(mesh.vertices[0], (25.4 * Vec3f(1.5F, -2, 0.1F).cast<double>()).cast<float>());
+}
+
 TEST(LengthUnit, IsFoundByItsName) {
     EXPECT_EQ(lengthUnitFromName("inch")->mm, 25.4);
     EXPECT_FALSE(lengthUnitFromName("cubit"));

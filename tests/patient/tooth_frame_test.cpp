@@ -55,6 +55,16 @@ TEST(ToothFrame, TheCheekIsWhereTheArchSaysIt) {
     EXPECT_GT((guess.toothInFile.rotation * Vec3::UnitZ()).z(), 0.95);
 }
 
+TEST(ToothFrame, ACheekAlongTheLongAxisTellsNothing) {
+    const FrameGuess plain = guessToothFrame(molar());
+    FrameHints hints;
+    for (const Vec3& along : {Vec3(plain.toothInFile.rotation * Vec3::UnitZ()), Vec3(Vec3::Zero())}) {
+        hints.cheek = along;
+        const FrameGuess guess = guessToothFrame(molar(), hints);
+        EXPECT_TRUE(guess.toothInFile.rotation.isApprox(plain.toothInFile.rotation, 1e-12));
+    }
+}
+
 TEST(ToothFrame, WhatAPersonChoosesIsDone) {
     FrameHints hints;
     hints.isUpsideDown = true;

@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "support/shapes.h"
 #include "view/look.h"
 

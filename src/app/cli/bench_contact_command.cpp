@@ -137,9 +137,9 @@ int runBenchContact(const BenchContactOptions& options) {
     }
     std::optional<StandardTooth> own;
     if (!options.tooth.empty()) {
-        auto mesh = loadMesh(options.tooth);
-        if (!mesh) return refuse(mesh.error());
-        own = StandardTooth{options.tooth.stem().string(), options.tooth.string(), std::move(*mesh)};
+        auto tooth = ownTooth(options.tooth);
+        if (!tooth) return refuse(tooth.error());
+        own = std::move(*tooth);
     }
     const std::vector<int> percents = percentsOf(options);
     if (own && percents.front() < 100 && !reportOn(own->mesh).watertight()) {

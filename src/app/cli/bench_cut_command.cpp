@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/exit_code.h"
-#include "geometry/mesh_file.h"
 #include "session/experiments/cut_timing.h"
 #include "session/experiments/run_facts.h"
 #include "session/experiments/standard_teeth.h"
@@ -118,17 +117,10 @@ std::vector<CutCase> casesOf(const BenchCutOptions& options) {
     return cases;
 }
 
-Expected<StandardTooth> toothOf(const BenchCutOptions& options) {
-    if (options.tooth.empty()) return standardTooth(StandardToothKind::Large);
-    auto mesh = loadMesh(options.tooth);
-    if (!mesh) return Unexpected{mesh.error()};
-    return StandardTooth{options.tooth.stem().string(), options.tooth.string(), std::move(*mesh)};
-}
-
 }  // namespace
 
 int runBenchCut(const BenchCutOptions& options) {
-    const auto tooth = toothOf(options);
+    const auto tooth = options.tooth.empty() ? standardTooth(StandardToothKind::Large) : ownTooth(options.tooth);
     if (!tooth) return refuse(tooth.error());
     auto layered = LayeredTooth::make(tooth->mesh);
     if (!layered) return refuse({tooth->source + ": " + layered.error().message});

@@ -11,7 +11,6 @@
 #include "app/cli/bench_mouth.h"
 #include "app/cli/exit_code.h"
 #include "app/cli/render_words.h"
-#include "geometry/mesh_file.h"
 #include "session/experiments/run_facts.h"
 #include "session/experiments/standard_teeth.h"
 #include "view/frame_timer.h"
@@ -42,13 +41,6 @@ FrameTimer::Film filmOf(const Case& one) {
         scene.lighting = operatingLight(scene.camera);
         return scene;
     };
-}
-
-Expected<StandardTooth> toothOf(const BenchViewOptions& options) {
-    if (options.tooth.empty()) return standardTooth(StandardToothKind::Large);
-    auto mesh = loadMesh(options.tooth);
-    if (!mesh) return Unexpected{mesh.error()};
-    return StandardTooth{options.tooth.stem().string(), options.tooth.string(), std::move(*mesh)};
 }
 
 Scene toothScene(const TriangleMesh& mesh) {
@@ -84,7 +76,9 @@ std::vector<Case> casesOf(const Scene& tooth, const Scene& mouth, PictureSize si
 Expected<void> measure(const BenchViewOptions& options) {
     const auto size = parseSize(options.size);
     if (!size) return Unexpected{size.error()};
-    const auto tooth = options.mouth ? Expected<StandardTooth>(StandardTooth()) : toothOf(options);
+    const auto tooth = options.mouth           ? Expected<StandardTooth>(StandardTooth())
+                       : options.tooth.empty() ? standardTooth(StandardToothKind::Large)
+                                               : ownTooth(options.tooth);
     if (!tooth) return Unexpected{tooth.error()};
     auto timer = FrameTimer::create(*size);
     if (!timer) return Unexpected{timer.error()};

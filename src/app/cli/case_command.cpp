@@ -16,6 +16,7 @@
 #include "patient/length_unit.h"
 #include "session/cases/make_case.h"
 #include "session/cases/open_case.h"
+#include "session/cases/write_case.h"
 
 namespace tactooth {
 namespace {
@@ -76,11 +77,12 @@ std::vector<std::string> unusedFiles(const CaseStore& store, const CaseDescripti
     }
     for (const CaseSurrounding& body : description.around) used.insert(body.surface);
     std::vector<std::string> unused;
+    const auto folderOf = [](const std::string& entry) { return entry.substr(0, entry.rfind('/') + 1); };
     for (const std::string& entry : store.entries()) {
-        const bool isOfBur = std::ranges::any_of(description.burs, [&](const std::string& bur) {
-            return entry.starts_with(bur.substr(0, bur.rfind('/') + 1));
-        });
-        if (!used.contains(entry) && !isOfBur) unused.push_back(entry);
+        // The description of a bur names a surface beside it.
+        const bool isBesideBur = std::ranges::any_of(
+            description.burs, [&](const std::string& bur) { return folderOf(bur) == folderOf(entry); });
+        if (!used.contains(entry) && !isBesideBur) unused.push_back(entry);
     }
     return unused;
 }
@@ -113,7 +115,7 @@ int runCaseNew(const CaseNewOptions& options) {
     if (!made) return refuse(made.error());
     if (const auto written = writeCase(made->files, options.out); !written) return refuse(written.error());
     printBodies(made->description, true);
-    fmt::print("{}: {} teeth and {} bodies around them; licence: {}\n", options.out.string(),
+    fmt::print("{}: {} teeth and {} bodies around them; licence: {}\n", shownName(options.out),
                made->description.teeth.size(), made->description.around.size(), made->description.licence);
     return kExitOk;
 }
@@ -165,7 +167,7 @@ int runCasePack(const CasePackOptions& options) {
     if (out.empty()) {
         std::error_code error;
         const std::filesystem::path folder = std::filesystem::canonical(options.folder, error);
-        out = std::filesystem::is_directory(folder) ? folder : folder.parent_path();
+        out = std::filesystem::is_directory(folder, error) ? folder : folder.parent_path();
         out += kCaseEnding;
     }
     if (out.extension() != kCaseEnding) {

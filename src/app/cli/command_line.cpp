@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <map>
 #include <string>
 
 #include "app/cli/command_registry.h"
@@ -15,9 +14,7 @@
 #include "app/cli/feel_command.h"
 #include "app/cli/info_command.h"
 #include "app/cli/sound_command.h"
-#include "app/gui/run_window.h"
-#include "app/gui/window_settings.h"
-#include "geometry/number_text.h"
+#include "app/cli/window_command.h"
 
 namespace tactooth {
 namespace {
@@ -234,104 +231,6 @@ void addSound(CLI::App& program, Chosen& chosen) {
                       "Place the sound by the ears' own filtering (HRTF) instead of by left-right balance");
 }
 
-/// The files that the window opens with.
-struct WindowFiles {
-    std::string tooth;
-    std::string workOn;
-    std::vector<std::string> layers;
-    std::string bur;
-    std::map<std::string, std::string> settings;  ///< by flag
-    std::optional<std::string> device;
-    std::optional<int> mouth;  ///< tooth number
-    bool noCache = false;
-};
-
-void addWindowOptions(CLI::App& program, WindowFiles& files) {
-    const char* const group = "Window";
-    CLI::Option* tooth = program.add_option("--tooth,--case,CASE", files.tooth,
-                                            "Your own tooth: a case, an STL file, mm, or a saved one");
-    tooth->type_name("FILE")->group(group);
-    program.add_option("--work-on", files.workOn, "The tooth of a case to work on (default: the first)")
-        ->type_name("NAME")
-        ->needs(tooth)
-        ->group(group);
-    program.add_option("--layer", files.layers, "A closed surface inside it; NAME is enamel, dentin, pulp or caries")
-        ->type_name("NAME=FILE")
-        ->allow_extra_args(false)
-        ->needs(tooth)
-        ->group(group);
-    program
-        .add_option("--device", files.device,
-                    "What moves the bur: mouse, pen, inverse3, gamepad or spacemouse; pen:NAME, inverse3:ID or "
-                    "gamepad:NAME for one of several (default: the one of the last time; docs/haptics.md)")
-        ->type_name("NAME")
-        ->group(group);
-    program
-        .add_option_function<std::string>(
-            "--second-device", [&files](const std::string& name) { files.settings["--hand-second-device"] = name; },
-            "Device of the other hand, which holds the mirror; is remembered; none: one hand alone again")
-        ->type_name("NAME")
-        ->group(group);
-    CLI::Option* mouth = program.add_option_function<std::string>(
-        "--mouth",
-        [&files](const std::string& fdi) {
-            files.mouth = fdi.empty() ? BenchMouth().fdi : toNumber<int>(fdi).value_or(0);
-        },
-        "The whole built-in mouth, to work on this tooth of it (default: 46)");
-    mouth->type_name("[FDI]")->expected(0, 1)->excludes(tooth)->group(group);
-    program.add_flag("--no-cache", files.noCache, "Make the mouth's teeth anew, and do not keep them")
-        ->needs(mouth)
-        ->group(group);
-    program
-        .add_option("--bur", files.bur,
-                    "Your own bur: an STL file, tip at the origin, +z along the shaft, or its TOML description")
-        ->type_name("FILE")
-        ->group(group);
-    for (const WindowOption& option : windowOptions()) {
-        if (option.help == nullptr) continue;
-        const bool isSwitch = std::holds_alternative<WindowOption::Switch>(option.value);
-        const bool isNumber = std::holds_alternative<WindowOption::Number>(option.value);
-        const std::string flag = flagOf(option);
-        program
-            .add_option_function<std::string>(
-                flag, [&files, flag](const std::string& text) { files.settings[flag] = text; }, option.help)
-            ->type_name(isSwitch   ? "yes|no"
-                        : isNumber ? "NUMBER"
-                                   : "TEXT")
-            ->group("Window settings (kept in window.toml)");
-    }
-}
-
-/// The program without a command.
-int runWithoutCommand(const WindowFiles& files) {
-    WindowOptions options;
-    if (!files.tooth.empty()) {
-        const std::filesystem::path file = files.tooth;
-        std::error_code unused;
-        if (!file.has_extension() && !std::filesystem::exists(file, unused)) {
-            return refuse({"there is no command and no case '" + files.tooth + "'; see 'tactooth --help'."});
-        }
-        options.tooth = ToothSource{.outer = file, .layers = {}};
-        options.workOn = files.workOn;
-    }
-    if (files.mouth) {
-        if (!isPermanentTooth(*files.mouth)) {
-            return refuse(
-                {"what follows --mouth must be the number of a permanent tooth: 11-18, 21-28, 31-38 or 41-48."});
-        }
-        options.mouth = BenchMouth{*files.mouth, !files.noCache};
-    }
-    for (const std::string& text : files.layers) {
-        Expected<ToothSource::Layer> layer = parseLayer(text);
-        if (!layer) return refuse(layer.error());
-        options.tooth->layers.push_back(std::move(*layer));
-    }
-    if (!files.bur.empty()) options.bur = files.bur;
-    options.settings = files.settings;
-    options.device = files.device;
-    return runWindow(options);
-}
-
 /// Output that could not be written (a full disk, a closed pipe) must not look like success.
 int withOutputFlushed(int exitCode) {
     if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return exitCode;
@@ -359,9 +258,9 @@ int runCommandLine(int argc, const char* const* argv) {
     program.get_formatter()->column_width(28);
     program.get_formatter()->label("SUBCOMMAND", "COMMAND");
     program.require_subcommand(0, 1);
-    WindowFiles files;
-    addWindowOptions(program, files);
-    Chosen chosen = [&files] { return runWithoutCommand(files); };
+    WindowArguments window;
+    addWindowArguments(program, window);
+    Chosen chosen = [&window] { return runWindowCommand(window); };
     addInfo(program, chosen);
     addContact(program, chosen);
     addFeel(program, chosen);

@@ -21,13 +21,13 @@ CLI::App* addCommand(CLI::App& program, Chosen& chosen, const std::string& name,
     return command;
 }
 
-/// case new, check, info and pack.
-void addCaseCommands(CLI::App& program, Chosen& chosen);
 struct MouthWishes;
 /// --triangles, --seed, --jaw, --missing and --no-cache. `needed`: the option without which these mean nothing; null if
 /// there is none.
 void addMouthWishes(CLI::App& command, MouthWishes& wishes, CLI::Option* needed);
 
+/// case new, check, info and pack.
+void addCaseCommands(CLI::App& program, Chosen& chosen);
 /// simplify and subdivide.
 void addMeshCommands(CLI::App& program, Chosen& chosen);
 /// bur, instrument, tooth, mouth and gallery: what the program makes by itself.

@@ -10,6 +10,7 @@
 #include "app/cli/exit_code.h"
 #include "collision/surface.h"
 #include "geometry/atomic_file.h"
+#include "geometry/folder.h"
 #include "geometry/stl_writer.h"
 #include "session/cases/placed_tooth.h"
 #include "session/cut_events.h"
@@ -106,9 +107,7 @@ Expected<ToothSource> toothSource(const CutOptions& options) {
 
 /// One STL file a layer, named after it, in a folder that is made if it is not there.
 Expected<void> writeLayers(const CutVolume& volume, const std::filesystem::path& folder) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error) return unexpected(folder.string() + ": the folder cannot be made (" + error.message() + ")");
+    if (auto done = makeFolder(folder); !done) return done;
     for (const LayerRemains& layer : remainsOfLayers(volume)) {
         const std::filesystem::path file = folder / (layer.name + ".stl");
         if (layer.mesh.empty()) {

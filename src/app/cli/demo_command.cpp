@@ -13,6 +13,7 @@
 #include "app/common/plot_image.h"
 #include "app/common/spin_blur.h"
 #include "geometry/atomic_file.h"
+#include "geometry/folder.h"
 #include "geometry/stl_writer.h"
 #include "instruments/builtin_tooth.h"
 #include "instruments/bur_shape.h"
@@ -130,10 +131,6 @@ Expected<void> writeTicks(const fs::path& path, const std::vector<Tick>& ticks) 
     return file->commit();
 }
 
-Expected<void> writeText(const fs::path& path, const std::string& text) {
-    return writeFile(path, std::as_bytes(std::span(text)));
-}
-
 /// Everything but the picture of the touch, which is made before the tooth is cut.
 Expected<void> writeResults(const fs::path& folder, const Demonstration& played, const WorkPiece& piece,
                             const Cast& cast, double seconds) {
@@ -150,17 +147,7 @@ Expected<void> writeResults(const fs::path& folder, const Demonstration& played,
     if (auto done = writeWav(folder / "session.wav", *samples); !done) return done;
     if (auto done = writeTicks(folder / "forces.csv", played.ticks); !done) return done;
     if (auto done = writeStl(visibleMesh(*piece.surface()).mesh, folder / "cut.stl"); !done) return done;
-    return writeText(folder / "summary.json", demoSummary(played, piece, cast.toothName, cast.burName));
-}
-
-Expected<void> makeFolder(const fs::path& folder) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (!fs::is_directory(folder)) {
-        return unexpected("the folder " + folder.string() + " cannot be made (" + error.message() +
-                          "); give --out a folder that you may write to.");
-    }
-    return {};
+    return writeFile(folder / "summary.json", demoSummary(played, piece, cast.toothName, cast.burName));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "app/cli/gallery_pictures.h"
 #include "app/common/contact_sheet.h"
 #include "app/common/picture_application.h"
+#include "geometry/folder.h"
 #include "instruments/contra_angle.h"
 #include "instruments/hand_instruments.h"
 #include "instruments/mirror.h"
@@ -103,9 +104,7 @@ int runGallery(const GalleryOptions& options) {
                 {fmt::format("{} is no permanent tooth; FDI numbers are 11-18, 21-28, 31-38 and 41-48.", fdi)});
         }
     }
-    std::error_code failure;
-    std::filesystem::create_directories(options.out, failure);
-    if (failure) return refuse({"the folder " + options.out.string() + " cannot be made: " + failure.message() + "."});
+    if (const auto made = makeFolder(options.out); !made) return refuse(made.error());
     const PictureApplication application;
     Expected<OffscreenRenderer> renderer = OffscreenRenderer::create();
     if (!renderer) return refuse(renderer.error());

@@ -12,6 +12,26 @@
 namespace tactooth {
 namespace {
 
+/// One tooth to measure on. `form`: what its file holds.
+void addLargeTooth(CLI::App& command, std::filesystem::path& file, const std::string& form) {
+    command
+        .add_option("--tooth", file,
+                    form +
+                        " (default: a tooth of 325,312 triangles: a real one from $TACTOOTH_DATA or ../shared/data, "
+                        "else a built-in one)")
+        ->type_name("FILE");
+}
+
+void addJson(CLI::App& command, bool& json) {
+    command.add_flag("--json", json, "Write one JSON object instead of a table");
+}
+
+void addRate(CLI::App& command, double& rateHz) {
+    command.add_option("--rate", rateHz, "Ticks a second (default: 1000)")
+        ->check(CLI::Range(500.0, 4000.0))
+        ->type_name("HZ");
+}
+
 void addBenchContact(CLI::App& bench, Chosen& chosen) {
     const auto options = std::make_shared<BenchContactOptions>();
     CLI::App* command = addCommand(bench, chosen, "contact",
@@ -43,7 +63,7 @@ void addBenchContact(CLI::App& bench, Chosen& chosen) {
         ->add_option("--repeat", options->repeat, "Runs of each case, the least time of each tick counts (default: 3)")
         ->check(CLI::Range(1, 100))
         ->type_name("N");
-    command->add_flag("--json", options->json, "Write one JSON object instead of a table");
+    addJson(*command, options->json);
 }
 
 void addBenchCut(CLI::App& bench, Chosen& chosen) {
@@ -52,11 +72,7 @@ void addBenchCut(CLI::App& bench, Chosen& chosen) {
                                    "Time of ticks and of new surfaces while a bur mills slots into a tooth, its whole "
                                    "head deep, for burs of 0.5 to 2.3 mm and voxels of 100 to 15 um.",
                                    options, runBenchCut);
-    command
-        ->add_option("--tooth", options->tooth,
-                     "A closed STL file, mm, crown up (default: a tooth of 325,312 triangles: a real one from "
-                     "$TACTOOTH_DATA or ../shared/data, else a built-in one)")
-        ->type_name("FILE");
+    addLargeTooth(*command, options->tooth, "A closed STL file, mm, crown up");
     command->add_option("--voxel", options->voxels, "Spacing of the cut volume, um; may be given several times")
         ->check(CLI::Range(5.0, 500.0))
         ->type_name("UM")
@@ -67,7 +83,7 @@ void addBenchCut(CLI::App& bench, Chosen& chosen) {
         ->type_name("MM")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    command->add_flag("--json", options->json, "Write one JSON object instead of a table");
+    addJson(*command, options->json);
 }
 
 void addBenchView(CLI::App& bench, Chosen& chosen) {
@@ -76,17 +92,13 @@ void addBenchView(CLI::App& bench, Chosen& chosen) {
                                    "Time of a picture of a large tooth and of a whole mouth with mirror, against the "
                                    "same triangles in one colour; needs no display.",
                                    options, runBenchView);
-    command
-        ->add_option("--tooth", options->tooth,
-                     "An STL file, mm (default: a tooth of 325,312 triangles: a real one from $TACTOOTH_DATA or "
-                     "../shared/data, else a built-in one)")
-        ->type_name("FILE");
+    addLargeTooth(*command, options->tooth, "An STL file, mm");
     command->add_option("--size", options->size, "Pixels (default: 1280x800)")->type_name("WxH");
     command->add_option("--frames", options->frames, "Pictures of each case (default: 60)")
         ->check(CLI::Range(1, 10000))
         ->type_name("N");
     command->add_flag("--mouth", options->mouth, "The mouth alone: 32 teeth, gums, and a mirror")->excludes("--tooth");
-    command->add_flag("--json", options->json, "Write one JSON object instead of a table");
+    addJson(*command, options->json);
 }
 
 void addBenchStability(CLI::App& bench, Chosen& chosen) {
@@ -113,11 +125,9 @@ void addBenchStability(CLI::App& bench, Chosen& chosen) {
              {"enamel", "dentin", "caries", "pulp", "stiffest"});
     addNames("--situation", options->situations, "tap, press (1 N), limit, cusp, fissure, slot, let-go, cut or tremor",
              {"tap", "press", "limit", "cusp", "fissure", "slot", "let-go", "cut", "tremor"});
-    command->add_option("--rate", options->rateHz, "Ticks a second (default: 1000)")
-        ->check(CLI::Range(500.0, 4000.0))
-        ->type_name("HZ");
+    addRate(*command, options->rateHz);
     command->add_flag("--all", options->all, "A line for each run instead of one for each device and hand");
-    command->add_flag("--json", options->json, "Write one JSON object instead of a table");
+    addJson(*command, options->json);
 }
 
 void addBench(CLI::App& program, Chosen& chosen) {
@@ -139,11 +149,9 @@ void addRealtime(CLI::App& program, Chosen& chosen) {
     command->add_option("--seconds", options->seconds, "Length of the run, s (default: 20)")
         ->check(CLI::Range(1.0, 3600.0))
         ->type_name("S");
-    command->add_option("--rate", options->rateHz, "Ticks a second (default: 1000)")
-        ->check(CLI::Range(500.0, 4000.0))
-        ->type_name("HZ");
+    addRate(*command, options->rateHz);
     command->add_flag("--load", options->load, "Keep all other cores busy meanwhile");
-    command->add_flag("--json", options->json, "Write one JSON object instead of a table");
+    addJson(*command, options->json);
 }
 
 void addDevices(CLI::App& program, Chosen& chosen) {

@@ -4,11 +4,11 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <utility>
 
 #include "app/cli/exit_code.h"
 #include "app/cli/mesh_summary.h"
+#include "geometry/folder.h"
 #include "geometry/stl_writer.h"
 #include "session/tooth_cache.h"
 
@@ -16,13 +16,6 @@ namespace tactooth {
 namespace {
 
 namespace fs = std::filesystem;
-
-Expected<void> makeFolder(const fs::path& folder) {
-    std::error_code failure;
-    fs::create_directories(folder, failure);
-    if (!failure) return {};
-    return unexpected("the folder " + folder.string() + " cannot be made: " + failure.message() + ".");
-}
 
 Expected<void> writeTooth(const BuiltinTooth& tooth, const Pose& pose, const fs::path& folder) {
     if (auto done = makeFolder(folder); !done) return done;

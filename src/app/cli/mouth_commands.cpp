@@ -9,6 +9,12 @@
 namespace tactooth {
 namespace {
 
+CLI::Option* addTriangles(CLI::App& command, int& triangles, const std::string& ofWhat) {
+    return command.add_option("--triangles", triangles, ofWhat + ", about (default: 20000)")
+        ->check(CLI::Range(1000, 2'000'000))
+        ->type_name("N");
+}
+
 void addBur(CLI::App& program, Chosen& chosen) {
     const auto options = std::make_shared<BurOptions>();
     CLI::App* command = addCommand(program, chosen, "bur",
@@ -54,9 +60,7 @@ void addTooth(CLI::App& program, Chosen& chosen) {
     command->add_option("--out", options->out, "Folder for outer.stl, enamel.stl, dentin.stl, pulp.stl, caries.stl")
         ->required()
         ->type_name("DIR");
-    command->add_option("--triangles", options->triangles, "Of the outer surface, about (default: 20000)")
-        ->check(CLI::Range(1000, 2'000'000))
-        ->type_name("N");
+    addTriangles(*command, options->triangles, "Of the outer surface");
     command->add_option("--seed", options->seed, "Another patient for each number (default: 0, the average tooth)")
         ->type_name("N");
     command->add_flag("--no-cache", options->noCache, "Make it anew, and do not keep it for the next time");
@@ -93,9 +97,7 @@ void addGallery(CLI::App& program, Chosen& chosen) {
                                    "instruments.png; needs no display.",
                                    options, runGallery);
     command->add_option("--out", options->out, "Folder for the sheets")->required()->type_name("DIR");
-    command->add_option("--triangles", options->triangles, "Of each tooth, about (default: 20000)")
-        ->check(CLI::Range(1000, 2'000'000))
-        ->type_name("N");
+    addTriangles(*command, options->triangles, "Of each tooth");
     command->add_option("--seed", options->seed, "The teeth of another patient (default: 0, average teeth)")
         ->type_name("N");
     command->add_option("--teeth", options->teeth, "Only these teeth (FDI numbers), larger, and no instruments")
@@ -106,9 +108,7 @@ void addGallery(CLI::App& program, Chosen& chosen) {
 
 void addMouthWishes(CLI::App& command, MouthWishes& wishes, CLI::Option* needed) {
     const std::vector<CLI::Option*> all = {
-        command.add_option("--triangles", wishes.triangles, "Of each tooth, about (default: 20000)")
-            ->check(CLI::Range(1000, 2'000'000))
-            ->type_name("N"),
+        addTriangles(command, wishes.triangles, "Of each tooth"),
         command.add_option("--seed", wishes.seed, "Another patient for each number (default: 0, average teeth)")
             ->type_name("N"),
         command.add_option("--jaw", wishes.jaw, "open (40 mm between the incisors) or closed (default)")

@@ -12,6 +12,7 @@
 #include "app/cli/reproduce_page.h"
 #include "app/common/drawing_experiment.h"
 #include "app/common/panel_image.h"
+#include "geometry/folder.h"
 #include "session/experiments/thread_clock.h"
 
 namespace tactooth {
@@ -36,14 +37,6 @@ constexpr std::array kExperiments = {
 
 bool isWanted(const ReproduceOptions& options, const std::string& name) {
     return std::ranges::any_of(options.what, [&](const std::string& w) { return w == "all" || w == name; });
-}
-
-Expected<void> makeFolder(const fs::path& folder) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (fs::is_directory(folder)) return {};
-    return unexpected("the folder " + folder.string() + " cannot be made (" + error.message() +
-                      "); give --out a folder that you may write to.");
 }
 
 Expected<void> writeDown(const Experiment& experiment, const fs::path& folder) {

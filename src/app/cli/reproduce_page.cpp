@@ -92,7 +92,7 @@ Expected<void> writeReproducePage(std::span<const Experiment> experiments, const
     html += "</nav>\n";
     for (const Experiment& experiment : experiments) html += section(experiment);
     html += "</body></html>\n";
-    return writeFile(path, std::as_bytes(std::span(html)));
+    return writeFile(path, html);
 }
 
 }  // namespace tactooth

@@ -9,6 +9,7 @@
 
 #include "app/cli/exit_code.h"
 #include "app/cli/mesh_summary.h"
+#include "geometry/folder.h"
 #include "geometry/stl_writer.h"
 #include "session/tooth_cache.h"
 
@@ -49,9 +50,7 @@ int runTooth(const ToothOptions& options) {
                          "lingual for --caries.",
                          options.fdi)});
     }
-    std::error_code failure;
-    std::filesystem::create_directories(options.out, failure);
-    if (failure) return refuse({"the folder " + options.out.string() + " cannot be made: " + failure.message() + "."});
+    if (const auto made = makeFolder(options.out); !made) return refuse(made.error());
     ToothRequest request{options.fdi, options.triangles, options.seed, {}};
     if (!options.caries.empty()) {
         request.lesion = Lesion{siteOf(options.caries), options.cariesWidth, options.cariesDepth};

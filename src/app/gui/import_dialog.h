@@ -6,7 +6,6 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QTextBrowser>
-#include <optional>
 
 #include "patient/scan_import.h"
 

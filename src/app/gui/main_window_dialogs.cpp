@@ -207,7 +207,9 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 /// Cases and saved teeth are opened as they are, surfaces are looked at first.
 void MainWindow::dropEvent(QDropEvent* event) {
     std::vector<std::filesystem::path> files;
-    for (const QUrl& url : event->mimeData()->urls()) files.emplace_back(url.toLocalFile().toStdString());
+    for (const QUrl& url : event->mimeData()->urls()) {
+        if (url.isLocalFile()) files.emplace_back(url.toLocalFile().toStdString());
+    }
     if (files.empty()) return;
     event->acceptProposedAction();
     if (isCase(files.front()) || isToothFile(files.front())) {
@@ -222,6 +224,8 @@ void MainWindow::dropEvent(QDropEvent* event) {
 bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
     const bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease;
     if (event->type() == QEvent::KeyPress || event->type() == QEvent::MouseButtonPress) tour_->stop();
+    // Another window is in front and gets the key's release.
+    if (watched == this && event->type() == QEvent::WindowDeactivate && !tour_->isRunning()) drive_->setKeyDown(false);
     if (!isKey || !watched->isWidgetType() || static_cast<QWidget*>(watched)->window() != this) {
         return QMainWindow::eventFilter(watched, event);
     }

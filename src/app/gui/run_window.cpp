@@ -11,7 +11,6 @@
 #include "app/cli/exit_code.h"
 #include "app/gui/main_window.h"
 #include "app/gui/window_setup.h"
-#include "sound/audio_libraries.h"
 #include "sound/openal_output.h"
 
 namespace tactooth {
@@ -74,20 +73,17 @@ int runWindow(const WindowOptions& options) {
         bur = std::move(*loaded);
     }
     if (const auto display = checkDisplay(); !display) return refuse(display.error());
-    prepareAudioLibraries();
-    prepareWindowSystem();
     int argc = 1;
     char name[] = "tactooth";
     char* argv[] = {name, nullptr};
-    QApplication application(argc, argv);
-    applyLook();
-    applyLanguage(application, QString::fromStdString(start->language));
+    const auto application = startApplication(argc, argv);
+    applyLanguage(*application, QString::fromStdString(start->language));
     if (const auto openGl = checkOpenGl(); !openGl) return refuse(openGl.error());
 
     OpenAlOutput sound;
     MainWindow window(sound);
     int exitCode = kExitOk;
-    QObject::connect(&window, &MainWindow::graphicsFailed, &application, [&](const QString& sentence) {
+    QObject::connect(&window, &MainWindow::graphicsFailed, application.get(), [&](const QString& sentence) {
         exitCode = refuse({sentence.toStdString()});
         QApplication::exit(exitCode);
     });

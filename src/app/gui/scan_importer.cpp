@@ -3,10 +3,13 @@
 #include "app/gui/scan_importer.h"
 
 #include <QString>
+#include <algorithm>
 
 #include "geometry/file_bytes.h"
 #include "geometry/mesh_file.h"
+#include "session/cases/case_names.h"
 #include "session/cases/make_case.h"
+#include "session/cases/write_case.h"
 
 namespace tactooth {
 namespace {
@@ -20,15 +23,16 @@ Expected<Scan> readScan(const std::vector<fs::path>& files) {
         auto mesh = loadMesh(file);
         if (!mesh) return Unexpected{mesh.error()};
         const NamedSurface named = surfaceNamed(file);
-        if (files.size() > 1 && named.material) {
+        const auto isSame = [&](const LayerMesh& layer) { return layer.material == named.material; };
+        if (files.size() > 1 && named.material && std::ranges::none_of(scan.layers, isSame)) {
             scan.name = named.body;
             scan.layers.push_back({std::string(materialName(*named.material)), *named.material, std::move(*mesh)});
-        } else if (scan.outer.empty()) {
+        } else if (scan.outer.empty() && (files.size() == 1 || !named.material)) {
             scan.outer = std::move(*mesh);
         } else {
             return unexpected(
                 shownName(file) +
-                ": there is an outer surface already; drop the files of one tooth, its layers named as in "
+                ": the tooth has this surface already; drop the files of one tooth, its layers named as in "
                 "L6_enamel.stl.");
         }
     }

@@ -24,7 +24,7 @@ public:
     using QObject::QObject;
     ~ScanImporter() override;
 
-    /// Surfaces of one tooth: one file alone, or layers named as for a case (make_case.h). The dialog belongs to
+    /// Surfaces of one tooth: one file alone, or layers named as for a case (case_names.h). The dialog belongs to
     /// `parent`.
     void begin(const std::vector<std::filesystem::path>& files, QWidget* parent);
     /// Takes what has been done. Call often, from the window's thread; returns at once.

@@ -30,13 +30,13 @@ constexpr double kFeltOverrun = 1;  // percent
 
 StatusLine::StatusLine(QWidget* parent)
     : QStatusBar(parent),
-      hint_(new QLabel),
+      hint_(new ElidedLabel),
       removed_(new QLabel),
       servo_(new QLabel),
       overrun_(new QProgressBar),
       sound_(new QLabel) {
-    addWidget(hint_, 1);
-    hint_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // in a small window the numbers come first
+    hint_->setObjectName("hint");
+    addWidget(hint_, 1);  // in a small window the numbers come first
     for (QWidget* part : std::initializer_list<QWidget*>{removed_, servo_, overrun_, sound_}) addPermanentWidget(part);
     overrun_->setObjectName("overrun");
     overrun_->setRange(0, kOverrunSteps);

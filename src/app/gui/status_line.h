@@ -7,6 +7,7 @@
 #include <QProgressBar>
 #include <QStatusBar>
 
+#include "app/gui/elided_label.h"
 #include "session/simulator.h"
 #include "sound/sound_output.h"
 
@@ -27,7 +28,7 @@ public:
 private:
     void showOverrun(std::uint64_t inTime, std::uint64_t missed);
 
-    QLabel* hint_;
+    ElidedLabel* hint_;
     QLabel* removed_;
     QLabel* servo_;
     QProgressBar* overrun_;

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "app/common/spin_blur.h"
 
@@ -258,7 +259,9 @@ bool ToothView::obeyKey(const QKeyEvent& key) {
         return true;
     }
     if (key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter) {
-        if (!key.isAutoRepeat()) bench_.hand().press(pointedPicture(), mouse_);
+        if (key.isAutoRepeat()) return true;
+        bench_.hand().press(pointedPicture(), mouse_);
+        isPressedByKey_ = true;
         return true;
     }
     if (key.key() != Qt::Key_Plus && key.key() != Qt::Key_Minus) return false;
@@ -274,7 +277,17 @@ void ToothView::keyPressEvent(QKeyEvent* event) {
 void ToothView::keyReleaseEvent(QKeyEvent* event) {
     const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
     if (!isEnter) return QOpenGLWidget::keyReleaseEvent(event);
-    if (!event->isAutoRepeat()) bench_.hand().release();
+    if (!event->isAutoRepeat()) endKeyPress();
+}
+
+/// A dialog in front gets the key's release.
+void ToothView::focusOutEvent(QFocusEvent* event) {
+    endKeyPress();
+    QOpenGLWidget::focusOutEvent(event);
+}
+
+void ToothView::endKeyPress() {
+    if (std::exchange(isPressedByKey_, false)) bench_.hand().release();
 }
 
 void ToothView::wheelEvent(QWheelEvent* event) {

@@ -56,6 +56,7 @@ protected:
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void keyReleaseEvent(QKeyEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
 
 private:
     [[nodiscard]] PictureSize pictureSize() const;
@@ -66,6 +67,7 @@ private:
     void moveCamera(const Vec2& way, Qt::MouseButtons buttons);
     void moveHand(const Vec2& to, Qt::KeyboardModifiers with);
     [[nodiscard]] bool obeyKey(const QKeyEvent& key);
+    void endKeyPress();
     void report(const Error& error);
     void forgetRenderer();
 
@@ -84,6 +86,7 @@ private:
     QTimer rest_;                                               // runs out when nothing has moved for a while
     QElapsedTimer sinceDrawn_;
     std::uint64_t pictures_ = 0;
+    bool isPressedByKey_ = false;
     Vec2 mouse_ = Vec2::Constant(-1);  // or what the keys point at; outside until there is one
 };
 

@@ -5,7 +5,6 @@
 #include <toml++/toml.h>
 
 #include <QStandardPaths>
-#include <cmath>
 #include <optional>
 #include <sstream>
 
@@ -123,15 +122,13 @@ Expected<WindowSettings> readWindowSettings(const std::filesystem::path& file) {
     if (!std::filesystem::exists(file, none)) return WindowSettings();
     const Expected<FileBytes> content = readFile(file);
     if (!content) return Unexpected{content.error()};
-    return parseWindowSettings({reinterpret_cast<const char*>(content->bytes().data()), content->size()},
-                               shownName(file));
+    return parseWindowSettings(content->text(), shownName(file));
 }
 
 Expected<void> writeWindowSettings(const WindowSettings& settings, const std::filesystem::path& file) {
     std::error_code failure;
     std::filesystem::create_directories(file.parent_path(), failure);  // the file says it if that failed
-    const std::string text = windowSettingsText(settings);
-    return writeFile(file, std::as_bytes(std::span(text)));
+    return writeFile(file, windowSettingsText(settings));
 }
 
 }  // namespace tactooth

@@ -11,15 +11,32 @@
 #include <QSurfaceFormat>
 #include <QTranslator>
 
-namespace tactooth {
+#include "sound/audio_libraries.h"
 
-void prepareWindowSystem() {
+namespace tactooth {
+namespace {
+
+/// Before there is an application.
+void useOpenGl41() {
     QSurfaceFormat format;
     format.setVersion(4, 1);
     format.setProfile(QSurfaceFormat::CoreProfile);
     format.setDepthBufferSize(0);  // the renderer has its own
     format.setSwapInterval(0);     // the window draws on change; waiting for the screen would hold up the hand
     QSurfaceFormat::setDefaultFormat(format);
+}
+
+}  // namespace
+
+std::unique_ptr<QApplication> startApplication(int& argc, char** argv) {
+    prepareAudioLibraries();
+    useOpenGl41();
+    auto application = std::make_unique<QApplication>(argc, argv);
+    QApplication::setStyle(QStyleFactory::create("Fusion"));
+    applyColours(false);
+    QApplication::setApplicationName("Tactooth");
+    QApplication::setApplicationDisplayName(QString());
+    return application;
 }
 
 void applyColours(bool dark) {
@@ -51,13 +68,6 @@ void applyTextScale(double scale) {
     QFont font = usual;
     font.setPointSizeF(scale * usual.pointSizeF());
     QApplication::setFont(font);
-}
-
-void applyLook() {
-    QApplication::setStyle(QStyleFactory::create("Fusion"));
-    applyColours(false);
-    QApplication::setApplicationName("Tactooth");
-    QApplication::setApplicationDisplayName(QString());
 }
 
 void applyLanguage(QApplication& application, const QString& language) {

@@ -2,16 +2,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
+
 class QApplication;
 class QString;
 
 namespace tactooth {
 
-/// OpenGL 4.1 core for every window. Before the QApplication.
-void prepareWindowSystem();
-
-/// The same quiet look on every desktop.
-void applyLook();
+/// Makes a program one with windows: quiet audio libraries, OpenGL 4.1 core for every window, and the same look on
+/// every desktop. `argc` and `argv` must live as long as the application. To be called first of all, before there are
+/// threads.
+[[nodiscard]] std::unique_ptr<QApplication> startApplication(int& argc, char** argv);
 
 /// Light or dark, for all windows, at once.
 void applyColours(bool dark);

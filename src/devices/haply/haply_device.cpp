@@ -7,11 +7,11 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstdlib>
-#include <ctime>
 #include <mutex>
 #include <set>
 
 #include "devices/device_presets.h"
+#include "devices/monotonic_clock.h"
 #include "haptics/real_time.h"
 
 namespace tactooth {
@@ -33,18 +33,6 @@ constexpr const char* kLost =
     "The Haply Inverse Service has closed the connection: start it again; it is tried again every second.";
 constexpr const char* kMute =
     "The Haply Inverse Service has stopped answering: restart it; it is tried again every second.";
-
-double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
-
-timespec inSeconds(double seconds) {
-    timespec time{};
-    clock_gettime(CLOCK_MONOTONIC, &time);
-    constexpr long kNanos = 1'000'000'000;
-    time.tv_nsec += static_cast<long>(seconds * kNanos);
-    time.tv_sec += time.tv_nsec / kNanos;
-    time.tv_nsec %= kNanos;
-    return time;
-}
 
 /// A sentence that stays as long as the program; there are few different ones.
 const char* kept(const std::string& sentence) {
@@ -147,7 +135,7 @@ bool HaplyDevice::waitForForce() {
     while (sem_trywait(&wake_) == 0) {  // forces that were made while an answer was on its way
     }
     if (force_.refresh()) return true;
-    const timespec end = inSeconds(kLateForce);
+    const timespec end = timespecOf(secondsFromNow(kLateForce));
     (void)sem_clockwait(&wake_, CLOCK_MONOTONIC, &end);
     return force_.refresh();
 }
@@ -178,8 +166,8 @@ bool HaplyDevice::waitForLateAnswer(const std::stop_token& stop) {
     complain(kSlow);
     int owed = 2;
     bool sound = link_->send(haplyForce(names_.device, Vec3::Zero()), kBroken);
-    const double end = now() + kBroken;
-    while (sound && owed > 0 && now() < end && !stop.stop_requested()) {
+    const double end = monotonicSeconds() + kBroken;
+    while (sound && owed > 0 && monotonicSeconds() < end && !stop.stop_requested()) {
         switch (link_->receive(text_, kGlance)) {
             case HaplyLink::Heard::Message:
                 --owed;
@@ -202,7 +190,7 @@ bool HaplyDevice::waitForLateAnswer(const std::stop_token& stop) {
 void HaplyDevice::hear() {
     Expected<HaplyReading> reading = readHaply(text_, names_);
     if (!reading) return complain(kept(reading.error().message));
-    reading->time = now();
+    reading->time = monotonicSeconds();
     reading_.write(*reading);
     if (reading->trouble != nullptr) return complain(reading->trouble);
     settle();
@@ -210,12 +198,12 @@ void HaplyDevice::hear() {
 
 void HaplyDevice::complain(const char* sentence) {
     trouble_.store(sentence, std::memory_order_release);
-    complainedAt_ = now();
+    complainedAt_ = monotonicSeconds();
 }
 
 /// All is well: a sentence about what is over stays long enough to be read.
 void HaplyDevice::settle() {
-    if (complainedAt_ > 0 && now() - complainedAt_ > kShownFor) {
+    if (complainedAt_ > 0 && monotonicSeconds() - complainedAt_ > kShownFor) {
         trouble_.store(nullptr, std::memory_order_relaxed);
         complainedAt_ = 0;
     }
@@ -225,7 +213,7 @@ DeviceSample HaplyDevice::read(double elapsed) {
     const bool isFresh = reading_.refresh();
     const HaplyReading& reading = reading_.value();
     DeviceSample sample;
-    sample.age = reading.time > 0 ? now() - reading.time : 0;
+    sample.age = reading.time > 0 ? monotonicSeconds() - reading.time : 0;
     sample.connected = reading.usable && reading.time > 0 && sample.age <= kLongestSilence;
     sample.hand = reading.hand;
     sample.buttons = reading.buttons;

@@ -6,8 +6,9 @@
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/websocket.hpp>
-#include <chrono>
 #include <optional>
+
+#include "devices/monotonic_clock.h"
 
 namespace tactooth {
 namespace {
@@ -17,13 +18,8 @@ namespace beast = boost::beast;
 namespace websocket = boost::beast::websocket;
 using asio::ip::tcp;
 using Failure = boost::system::error_code;
-using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kLongestMessage = 1U << 20U;  // bytes: two devices take less than ten thousand
-
-Clock::time_point after(double seconds) {
-    return Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
-}
 
 }  // namespace
 
@@ -33,7 +29,7 @@ class HaplyLink::Socket {
 public:
     Socket() : stream_(io_) {}
 
-    [[nodiscard]] bool connect(const std::string& host, const std::string& port, Clock::time_point end) {
+    [[nodiscard]] bool connect(const std::string& host, const std::string& port, MonotonicClock::time_point end) {
         Failure failure;
         tcp::resolver resolver(io_);
         const auto found = resolver.resolve(host, port, failure);  // of this machine: no name server is asked
@@ -48,17 +44,17 @@ public:
         return true;
     }
     /// True if the other side speaks WebSocket.
-    [[nodiscard]] bool shakeHands(const std::string& address, Clock::time_point end) {
+    [[nodiscard]] bool shakeHands(const std::string& address, MonotonicClock::time_point end) {
         stream_.read_message_max(kLongestMessage);
         return run(end, [&](auto done) { stream_.async_handshake(address, "/", done); });
     }
-    [[nodiscard]] bool send(std::string_view text, Clock::time_point end) {
+    [[nodiscard]] bool send(std::string_view text, MonotonicClock::time_point end) {
         stream_.text(true);
         return run(end, [&](auto done) {
             stream_.async_write(asio::buffer(text), [done](Failure error, std::size_t) mutable { done(error); });
         });
     }
-    [[nodiscard]] Heard receive(std::string& text, Clock::time_point end) {
+    [[nodiscard]] Heard receive(std::string& text, MonotonicClock::time_point end) {
         if (!awaited_) {
             awaited_ = true;
             heard_.reset();
@@ -80,7 +76,7 @@ public:
     }
 
 private:
-    bool runUntil(Clock::time_point end, const std::optional<Failure>& result) {
+    bool runUntil(MonotonicClock::time_point end, const std::optional<Failure>& result) {
         io_.restart();
         while (!result && io_.run_one_until(end) > 0) {
         }
@@ -88,7 +84,7 @@ private:
     }
     /// True if `start`'s work is done in time and well; if not, nothing of it is left.
     template <class Start>
-    bool run(Clock::time_point end, const Start& start) {
+    bool run(MonotonicClock::time_point end, const Start& start) {
         std::optional<Failure> result;
         start([&result](Failure error) { result = error; });
         if (runUntil(end, result)) return !*result;
@@ -108,7 +104,7 @@ Expected<std::unique_ptr<HaplyLink>> HaplyLink::open(const std::string& address,
     const std::string host = address.substr(0, colon);
     const std::string port = colon == std::string::npos ? "" : address.substr(colon + 1);
     auto socket = std::make_unique<Socket>();
-    const Clock::time_point end = after(seconds);
+    const MonotonicClock::time_point end = secondsFromNow(seconds);
     if (!socket->connect(host, port, end)) {
         return unexpected("The Haply Inverse Service does not answer at " + address +
                           ": install and start it, or set TACTOOTH_HAPLY to where it listens.");
@@ -124,9 +120,9 @@ Expected<std::unique_ptr<HaplyLink>> HaplyLink::open(const std::string& address,
 HaplyLink::HaplyLink(std::unique_ptr<Socket> socket) : socket_(std::move(socket)) {}
 HaplyLink::~HaplyLink() { socket_->abandon(); }
 
-bool HaplyLink::send(std::string_view text, double seconds) { return socket_->send(text, after(seconds)); }
+bool HaplyLink::send(std::string_view text, double seconds) { return socket_->send(text, secondsFromNow(seconds)); }
 HaplyLink::Heard HaplyLink::receive(std::string& text, double seconds) {
-    return socket_->receive(text, after(seconds));
+    return socket_->receive(text, secondsFromNow(seconds));
 }
 
 }  // namespace tactooth

@@ -7,6 +7,7 @@
 #include <condition_variable>
 
 #include "devices/device_presets.h"
+#include "devices/monotonic_clock.h"
 
 namespace tactooth {
 namespace {
@@ -17,8 +18,6 @@ constexpr unsigned kTroubleTicks = 3000;  // that a passing trouble is shown for
 constexpr int kMostErrors = 16;           // in a tick: the list is the driver's, and it may be broken
 constexpr auto kRetry = std::chrono::seconds(1);
 constexpr const char* kDockPen = "Put the pen into its inkwell for a moment, so that the device learns where it is.";
-
-double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 std::string titleOf(const std::string& name) {
     return name.empty() ? "the default device" : "the device '" + name + "'";
@@ -170,7 +169,7 @@ void HdDriver::exchange(HdPen& pen) {
     takeErrors(pen);
     reading.motorHeat = pen.motorHeat;
     reading.calibrated = pen.calibrated;
-    reading.time = now();
+    reading.time = monotonicSeconds();
     pen.reading.write(reading);
     sem_post(&pen.ready);
 }

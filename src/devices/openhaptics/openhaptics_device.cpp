@@ -2,10 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "devices/openhaptics/openhaptics_device.h"
 
-#include <chrono>
-#include <cmath>
-#include <ctime>
-
+#include "devices/monotonic_clock.h"
 #include "devices/openhaptics/hd_driver.h"
 
 namespace tactooth {
@@ -15,8 +12,6 @@ constexpr double kLongestSilence = 0.0025;  // s: two ticks were left out, so th
 constexpr double kLongestStart = 0.5;       // s: until the first reading; before it nothing has stopped
 constexpr const char* kSilent =
     "The device has stopped answering: check its cable and power supply; the session goes on when it is back.";
-
-double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 // HDAPI: +x right, +y up, +z toward the user. Here: +x right, +y away from the user, +z up.
 Vec3 fromHd(const Vec3& v) { return {v.x(), -v.z(), v.y()}; }
@@ -65,12 +60,7 @@ void OpenHapticsDevice::close() {
 }
 
 void OpenHapticsDevice::waitForTick(double longest) {
-    timespec end{};
-    clock_gettime(CLOCK_MONOTONIC, &end);
-    constexpr long kNanos = 1'000'000'000;
-    end.tv_nsec += static_cast<long>(longest * kNanos);
-    end.tv_sec += end.tv_nsec / kNanos;
-    end.tv_nsec %= kNanos;
+    const timespec end = timespecOf(secondsFromNow(longest));
     (void)sem_clockwait(&pen_->ready, CLOCK_MONOTONIC, &end);
     while (sem_trywait(&pen_->ready) == 0) {  // readings that came while the last one was worked on
     }
@@ -88,7 +78,7 @@ DeviceSample OpenHapticsDevice::read(double elapsed) {
     sample.hand = poseOf(reading.transform);
     sample.buttons = reading.buttons;
     sample.motorHeat = reading.motorHeat;
-    sample.age = reading.time > 0 ? now() - reading.time : 0;
+    sample.age = reading.time > 0 ? monotonicSeconds() - reading.time : 0;
     watch_.see(sample.hand.position, isFresh, elapsed);
     return sample;
 }

@@ -7,11 +7,9 @@
 #include "instruments/mouth/gingiva.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <memory>
 #include <numbers>
-#include <utility>
 
 #include "instruments/modelling/blend.h"
 

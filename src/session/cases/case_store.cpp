@@ -3,7 +3,6 @@
 #include "session/cases/case_store.h"
 
 #include <algorithm>
-#include <map>
 #include <optional>
 
 #include "geometry/file_bytes.h"

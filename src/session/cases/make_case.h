@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,16 +27,6 @@ struct CaseRequest {
     std::filesystem::path materials = {};
 };
 
-/// The surfaces of one tooth by the names of their files: "L6_enamel.stl" is the enamel of the tooth L6,
-/// "L6_whole.stl", "L6_outer.stl" and "L6.stl" its outer surface; "mandible_cortical_bone.stl" and other names that end
-/// in bone, jaw, gum or gingiva are what stands around.
-struct NamedSurface {
-    std::string body;                    ///< of the tooth, or of what is around
-    std::optional<MaterialId> material;  ///< none: the outer surface
-    bool isAround = false;
-};
-[[nodiscard]] NamedSurface surfaceNamed(const std::filesystem::path& file);
-
 /// A case that has been made and not been written yet.
 struct MadeCase {
     CaseDescription description;
@@ -51,8 +42,5 @@ using CaseProgress = std::function<bool(const std::string& body, double part)>;
 
 /// A case of one tooth that was imported before.
 [[nodiscard]] Expected<MadeCase> caseOf(const ExaminedScan& tooth, const CaseRequest& request);
-
-/// Writes an archive if the name ends in .ttcase, else a folder, which must be new or empty.
-[[nodiscard]] Expected<void> writeCase(const std::vector<CaseFile>& files, const std::filesystem::path& to);
 
 }  // namespace tactooth

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "collision/closest_point.h"
+#include "geometry/byte_text.h"
 #include "geometry/mesh_bytes.h"
 #include "instruments/builtin_tooth.h"
 #include "session/material_file.h"
@@ -13,10 +14,6 @@ namespace tactooth {
 namespace {
 
 bool isSame(const Pose& pose) { return pose.position.isZero(0) && pose.rotation.vec().isZero(0); }
-
-std::string_view asText(const std::vector<std::byte>& bytes) {
-    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
 
 /// The surface of a file, moved to another frame; one that stays where it is keeps every bit.
 Expected<TriangleMesh> readSurface(const CaseStore& store, const std::string& entry, const Pose& pose) {

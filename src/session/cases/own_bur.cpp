@@ -5,6 +5,8 @@
 #include "geometry/file_bytes.h"
 #include "geometry/mesh_bytes.h"
 #include "geometry/mesh_file.h"
+#include "patient/remark.h"
+#include "session/cases/case_description.h"
 #include "session/cases/case_store.h"
 #include "session/cases/toml_reader.h"
 
@@ -16,10 +18,6 @@ namespace fs = std::filesystem;
 constexpr int kMostFlutes = 60;        // finishing burs have 30
 constexpr double kCoarsestGrit = 500;  // um: super-coarse diamonds have 180
 constexpr double kMostSharpness = 10;  // times a new bur
-
-std::string_view asText(std::span<const std::byte> bytes) {
-    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
 
 }  // namespace
 
@@ -57,6 +55,13 @@ Expected<OwnBur> parseOwnBur(std::string_view text, const std::string& name, con
     return bur;
 }
 
+std::string ownBurText(const OwnBur& bur, const std::string& surface) {
+    const bool isDiamond = bur.material == BurMaterial::diamond;
+    return "name = " + tomlText(bur.name) + "\nsurface = " + tomlText(surface) + "\nmaterial = \"" +
+           (isDiamond ? "diamond" : "carbide") + "\"\nflutes = " + std::to_string(bur.flutes) +
+           "\ngrit_um = " + rounded(bur.gritMicrometres, 1) + "\nsharpness = " + rounded(bur.sharpness, 3) + "\n";
+}
+
 Expected<OwnBur> readOwnBur(const fs::path& path) {
     const ReadBeside readBeside = [&](const std::string& entry) -> Expected<std::vector<std::byte>> {
         const auto bytes = readFile(path.parent_path() / entry);
@@ -66,7 +71,8 @@ Expected<OwnBur> readOwnBur(const fs::path& path) {
     const bool isDescription = path.extension() == ".toml";
     fs::path description = path;
     description.replace_extension(".toml");
-    if (!isDescription && !fs::exists(description)) {
+    std::error_code unreadable;  // readFile says what is wrong with the path
+    if (!isDescription && !fs::exists(description, unreadable)) {
         auto mesh = loadMesh(path);
         if (!mesh) return Unexpected{mesh.error()};
         OwnBur bur;
@@ -76,7 +82,7 @@ Expected<OwnBur> readOwnBur(const fs::path& path) {
     }
     const auto text = readFile(description);
     if (!text) return Unexpected{text.error()};
-    return parseOwnBur(asText(text->bytes()), shownName(description), readBeside,
+    return parseOwnBur(text->text(), shownName(description), readBeside,
                        isDescription ? std::string() : path.filename().string());
 }
 

@@ -4,7 +4,6 @@
 
 #include <filesystem>
 #include <functional>
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -31,6 +30,10 @@ using ReadBeside = std::function<Expected<std::vector<std::byte>>(const std::str
 /// `name` stands for the file in messages. `surface`, if the text names none. Fails with one sentence.
 [[nodiscard]] Expected<OwnBur> parseOwnBur(std::string_view text, const std::string& name, const ReadBeside& readBeside,
                                            const std::string& surface = {});
+
+/// The description of a bur whose surface lies in the file `surface` beside it: parseOwnBur gives the same bur back,
+/// but for digits that no hand feels.
+[[nodiscard]] std::string ownBurText(const OwnBur& bur, const std::string& surface);
 
 /// A bur from its surface (STL, OBJ, PLY) or its description. A surface takes the description of the same name beside
 /// it, "mine.toml" for "mine.stl", if there is one; without it is a sharp carbide bur.

@@ -4,7 +4,6 @@
 
 #include <toml++/toml.h>
 
-#include <array>
 #include <initializer_list>
 #include <optional>
 #include <span>

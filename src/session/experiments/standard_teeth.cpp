@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "session/experiments/standard_teeth.h"
 
-#include <algorithm>
 #include <cstdlib>
 
 #include "geometry/mesh_file.h"
@@ -55,6 +54,12 @@ Expected<StandardTooth> standardTooth(StandardToothKind kind) {
     }
     BuiltinTooth tooth = makeBuiltinTooth(origin.builtin, origin.builtinTriangles);
     return StandardTooth{origin.name, "built in: " + tooth.name, std::move(tooth.outer)};
+}
+
+Expected<StandardTooth> ownTooth(const std::filesystem::path& file) {
+    auto mesh = loadMesh(file);
+    if (!mesh) return Unexpected{mesh.error()};
+    return StandardTooth{file.stem().string(), file.string(), std::move(*mesh)};
 }
 
 TriangleMesh standardBur() { return makeBur(findBur("4").value()).surface; }

@@ -36,6 +36,9 @@ struct StandardTooth {
 /// A real tooth where there is one, else a built-in one.
 [[nodiscard]] Expected<StandardTooth> standardTooth(StandardToothKind kind);
 
+/// A tooth of the user's own in the place of a standard one.
+[[nodiscard]] Expected<StandardTooth> ownTooth(const std::filesystem::path& file);
+
 /// The round bur of 336 triangles that measurements use.
 [[nodiscard]] TriangleMesh standardBur();
 

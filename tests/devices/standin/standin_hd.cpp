@@ -16,7 +16,6 @@
 #include <deque>
 #include <limits>
 #include <mutex>
-#include <string>
 #include <thread>
 
 namespace {

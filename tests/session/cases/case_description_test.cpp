@@ -49,6 +49,7 @@ TEST(CaseDescription, WhatIsWrittenIsRead) {
 }
 
 struct Mistake {
+    const char* name;
     const char* text;
     const char* said;
 };
@@ -65,22 +66,25 @@ TEST_P(CaseMistake, IsSaidWithItsLine) {
 #define TOOTH "format = 1\ntitle = \"t\"\n[[tooth]]\nname = \"a\"\nouter = \"a.stl\"\n"
 INSTANTIATE_TEST_SUITE_P(
     All, CaseMistake,
-    ::testing::Values(Mistake{"format = ", "this is not TOML"}, Mistake{"title = \"x\"", "the key 'format' is missing"},
-                      Mistake{"format = 2\ntitle = \"x\"", "newer than this program"},
-                      Mistake{"format = 1\ntitle = \"t\"", "there is no [[tooth]]"},
-                      Mistake{"format = 1\ntitle = \"t\"\ntooth = 5", "begin each tooth with a line [[tooth]]"},
-                      Mistake{"format = 1\ntitle = \"t\"\n[[tooth]]\nname = \"a\"", "the key 'outer' is missing"},
-                      Mistake{TOOTH "colour = 1", "a tooth has no key 'colour'"},
-                      Mistake{TOOTH "fdi = 19", "19 is no permanent tooth"},
-                      Mistake{TOOTH "layers = { bone = \"x.stl\" }", "there is no material 'bone'"},
-                      Mistake{TOOTH "layers = { enamel = \"../x.stl\" }", "points out of the case"},
-                      Mistake{TOOTH "rotation = [1, 1, 0, 0]", "a quaternion of length 1"},
-                      Mistake{TOOTH "position = [1, 2]", "must be a list of 3 numbers"},
-                      Mistake{TOOTH "position = [nan, 2, 0]", "must be a list of 3 numbers"},
-                      Mistake{TOOTH "position = [1e9, 2, 0]", "more than 1000 mm away"},
-                      Mistake{TOOTH "modelled = 1", "must be true or false"},
-                      Mistake{TOOTH "[[tooth]]\nname = \"a\"\nouter = \"b.stl\"", "is given twice"},
-                      Mistake{TOOTH "[[bur]]\nfile = \"/etc/passwd\"", "points out of the case"}));
+    ::testing::Values(
+        Mistake{"NoToml", "format = ", "this is not TOML"},
+        Mistake{"NoFormat", "title = \"x\"", "the key 'format' is missing"},
+        Mistake{"NewerFormat", "format = 2\ntitle = \"x\"", "newer than this program"},
+        Mistake{"NoTooth", "format = 1\ntitle = \"t\"", "there is no [[tooth]]"},
+        Mistake{"ToothIsANumber", "format = 1\ntitle = \"t\"\ntooth = 5", "begin each tooth with a line [[tooth]]"},
+        Mistake{"NoOuterSurface", "format = 1\ntitle = \"t\"\n[[tooth]]\nname = \"a\"", "the key 'outer' is missing"},
+        Mistake{"UnknownKey", TOOTH "colour = 1", "a tooth has no key 'colour'"},
+        Mistake{"UnknownTooth", TOOTH "fdi = 19", "19 is no permanent tooth"},
+        Mistake{"UnknownMaterial", TOOTH "layers = { bone = \"x.stl\" }", "there is no material 'bone'"},
+        Mistake{"LayerOutOfTheCase", TOOTH "layers = { enamel = \"../x.stl\" }", "points out of the case"},
+        Mistake{"NoRotation", TOOTH "rotation = [1, 1, 0, 0]", "a quaternion of length 1"},
+        Mistake{"TwoNumbers", TOOTH "position = [1, 2]", "must be a list of 3 numbers"},
+        Mistake{"NotANumber", TOOTH "position = [nan, 2, 0]", "must be a list of 3 numbers"},
+        Mistake{"FarAway", TOOTH "position = [1e9, 2, 0]", "more than 1000 mm away"},
+        Mistake{"NotTrueOrFalse", TOOTH "modelled = 1", "must be true or false"},
+        Mistake{"TwiceTheName", TOOTH "[[tooth]]\nname = \"a\"\nouter = \"b.stl\"", "is given twice"},
+        Mistake{"BurOutOfTheCase", TOOTH "[[bur]]\nfile = \"/etc/passwd\"", "points out of the case"}),
+    [](const auto& instance) { return std::string(instance.param.name); });
 #undef TOOTH
 
 TEST(CaseDescription, AHugeTextIsRefused) { EXPECT_FALSE(parseCase(std::string(2'000'000, '#'), "case.toml")); }

@@ -17,13 +17,12 @@ namespace tactooth {
 namespace {
 
 namespace fs = std::filesystem;
-using test::bytesOf;
 
 /// An archive whose entry names are as they are given: what no good program writes.
 std::vector<std::byte> archiveWith(const std::string& name, const std::string& content = "x") {
     // The name has the same length as a safe one, which is then replaced in the bytes.
     std::string safe(name.size(), 'a');
-    std::string bytes = test::textOf(packedCase({{safe, bytesOf(content)}}).value());
+    std::string bytes(asText(packedCase({{safe, bytesOf(content)}}).value()));
     for (std::size_t at = bytes.find(safe); at != std::string::npos; at = bytes.find(safe, at + 1)) {
         bytes.replace(at, safe.size(), name);
     }
@@ -32,7 +31,7 @@ std::vector<std::byte> archiveWith(const std::string& name, const std::string& c
 
 /// The size that the archive's lists claim for its only file is replaced.
 std::vector<std::byte> archiveClaiming(std::uint32_t claimed, std::size_t real) {
-    std::string bytes = test::textOf(packedCase({{"case.toml", bytesOf(std::string(real, 'x'))}}).value());
+    std::string bytes(asText(packedCase({{"case.toml", bytesOf(std::string(real, 'x'))}}).value()));
     const auto word = [](std::size_t value) {
         std::string text;
         for (int i = 0; i < 4; ++i) text += static_cast<char>(value >> (8 * i) & 0xff);
@@ -174,7 +173,7 @@ TEST(CaseStore, CasesAreToldByName) {
 
 /// Two hundred damaged archives: each is opened, or refused with one sentence.
 TEST(CaseStore, DamagedArchivesAreOpenedOrRefused) {
-    const std::string sound = test::textOf(packedCase(test::blockCase()).value());
+    const std::string sound(asText(packedCase(test::blockCase()).value()));
     const std::vector<std::string> seeds = {sound};
     std::mt19937 random(20261121);
     int refused = 0;

@@ -11,6 +11,7 @@
 #include "geometry/stl_writer.h"
 #include "instruments/builtin_tooth.h"
 #include "session/cases/open_case.h"
+#include "session/cases/write_case.h"
 #include "support/shapes.h"
 #include "support/test_data.h"
 
@@ -18,18 +19,6 @@ namespace tactooth {
 namespace {
 
 namespace fs = std::filesystem;
-
-TEST(MakeCase, NamesTellWhatASurfaceIs) {
-    EXPECT_EQ(surfaceNamed("x/L6_enamel.stl").body, "L6");
-    EXPECT_EQ(surfaceNamed("x/L6_enamel.stl").material, MaterialId::Enamel);
-    EXPECT_EQ(surfaceNamed("L6_whole.stl").body, "L6");
-    EXPECT_FALSE(surfaceNamed("L6_whole.stl").material);
-    EXPECT_EQ(surfaceNamed("tooth_2_outer.stl").body, "tooth_2");
-    EXPECT_EQ(surfaceNamed("my molar.ply").body, "my molar");
-    EXPECT_TRUE(surfaceNamed("mandible_cortical_bone.stl").isAround);
-    EXPECT_TRUE(surfaceNamed("gum.obj").isAround);
-    EXPECT_FALSE(surfaceNamed("bonehead.stl").isAround);
-}
 
 /// Some built-in lower left teeth, each with its layers, in a made-up arch.
 class MouthOfFiles : public ::testing::Test {
@@ -121,6 +110,25 @@ TEST(MakeCase, ASingleSurfaceGetsAModelAndSaysSo) {
     EXPECT_NE(tooth.assumed.front().find("Units taken as cm"), std::string::npos);
     const auto bytes = packedCase(made->files).value();
     EXPECT_TRUE(openCase(CaseStore::openArchive(bytes, "x").value()));
+}
+
+TEST(MakeCase, NamesThatDifferInForeignLettersAloneGetFilesOfTheirOwn) {
+    const test::TemporaryFolder folder;
+    for (const auto& [name, x] : {std::pair("右", 0.0), std::pair("左", 12.0)}) {
+        const Vec3 low(x - 4, -4, -12), high(x + 4, 4, 8);
+        ASSERT_TRUE(writeStl(test::box(low, high), folder / (std::string(name) + "_outer.stl")));
+        ASSERT_TRUE(
+            writeStl(test::box(low.array() + 1, high.array() - 1), folder / (std::string(name) + "_dentin.stl")));
+    }
+    const auto made = makeCase({.from = {folder.path()}, .quadrant = {}});
+    ASSERT_TRUE(made) << made.error().message;
+    EXPECT_EQ(made->description.teeth[0].name, "右");
+    EXPECT_EQ(made->description.teeth[1].name, "左");
+    EXPECT_NE(made->description.teeth[0].outer, made->description.teeth[1].outer);
+    EXPECT_EQ(made->files.size(), 5u);
+    const auto bytes = packedCase(made->files);
+    ASSERT_TRUE(bytes) << bytes.error().message;
+    EXPECT_TRUE(openCase(CaseStore::openArchive(*bytes, "x").value()));
 }
 
 TEST(MakeCase, AnUnusableSurfaceIsNamed) {

@@ -17,10 +17,10 @@ namespace {
 /// The case with a piece of its text replaced.
 Expected<OpenedCase> openChanged(const std::string& from, const std::string& to, const std::string& tooth = {}) {
     auto files = test::blockCase();
-    std::string text = test::textOf(files[0].bytes);
+    std::string text(asText(files[0].bytes));
     const std::size_t at = text.find(from);
     if (at != std::string::npos) text.replace(at, from.size(), to);
-    files[0].bytes = test::bytesOf(text);
+    files[0].bytes = bytesOf(text);
     const auto bytes = packedCase(files).value();
     const auto store = CaseStore::openArchive(bytes, "x.ttcase");
     if (!store) return Unexpected{store.error()};
@@ -81,12 +81,12 @@ TEST(OpenCase, MistakesAreSaid) {
 
 TEST(OpenCase, MaterialsAndBurOfTheCaseAreRead) {
     auto files = test::blockCase();
-    std::string text = test::textOf(files[0].bytes);
+    std::string text(asText(files[0].bytes));
     text = "materials = \"m.toml\"\n" + text + "\n[[bur]]\nfile = \"burs/mine.toml\"\n";
-    files[0].bytes = test::bytesOf(text);
-    files.push_back({"m.toml", test::bytesOf("[enamel]\nstiffness = 0.9\n")});
-    files.push_back({"burs/mine.toml", test::bytesOf("surface = \"mine.stl\"\nmaterial = \"diamond\"\ngrit_um = 106\n"
-                                                     "sharpness = 0.5\n")});
+    files[0].bytes = bytesOf(text);
+    files.push_back({"m.toml", bytesOf("[enamel]\nstiffness = 0.9\n")});
+    files.push_back({"burs/mine.toml", bytesOf("surface = \"mine.stl\"\nmaterial = \"diamond\"\ngrit_um = 106\n"
+                                               "sharpness = 0.5\n")});
     files.push_back({"burs/mine.stl", stlBytes(test::cylinder(Vec3::Zero(), 0.5, 4, 24))});
     const auto bytes = packedCase(files).value();
     const auto opened = openCase(CaseStore::openArchive(bytes, "x.ttcase").value());

@@ -44,6 +44,29 @@ TEST_F(OwnBurFiles, TheDescriptionBesideItCounts) {
     }
 }
 
+TEST_F(OwnBurFiles, WhatIsWrittenIsRead) {
+    OwnBur bur;
+    bur.name = "My \"fine\" bur";
+    bur.material = BurMaterial::diamond;
+    bur.flutes = 0;
+    bur.gritMicrometres = 106.5;
+    bur.sharpness = 0.725;
+    describe(ownBurText(bur, "mine.stl"));
+    const auto read = readOwnBur(folder_ / "mine.toml");
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(read->name, bur.name);
+    EXPECT_EQ(read->material, bur.material);
+    EXPECT_EQ(read->flutes, 0);
+    EXPECT_EQ(read->gritMicrometres, 106.5);
+    EXPECT_EQ(read->sharpness, 0.725);
+}
+
+TEST_F(OwnBurFiles, APathThatCannotBeLookedUpIsRefusedWithASentence) {
+    const auto bur = readOwnBur(folder_ / (std::string(300, 'a') + ".stl"));  // longer than a name may be
+    ASSERT_FALSE(bur);
+    EXPECT_NE(bur.error().message.find("aaa"), std::string::npos);
+}
+
 TEST_F(OwnBurFiles, MistakesAreSaid) {
     for (const auto& [text, said] :
          {std::pair("material = \"wood\"", "'material' must be carbide or diamond"),

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace tactooth {
+
+/// What the program is given without a command: how its window opens.
+struct WindowArguments {
+    std::string tooth;
+    std::string workOn;
+    std::vector<std::string> layers;
+    std::string bur;
+    std::map<std::string, std::string> settings;  ///< by flag
+    std::optional<std::string> device;
+    std::optional<int> mouth;  ///< tooth number
+    bool noCache = false;
+};
+
+/// Adds the options of the window; `arguments` must live as long as `program`.
+void addWindowArguments(CLI::App& program, WindowArguments& arguments);
+
+/// Opens the window: an ExitCode, when it is closed.
+[[nodiscard]] int runWindowCommand(const WindowArguments& arguments);
+
+}  // namespace tactooth

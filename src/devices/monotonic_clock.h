@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <ctime>
+
+namespace tactooth {
+
+/// The clock that nobody sets; on Linux the one that system calls know as CLOCK_MONOTONIC.
+using MonotonicClock = std::chrono::steady_clock;
+
+/// s since some moment before the program started.
+[[nodiscard]] inline double monotonicSeconds() {
+    return std::chrono::duration<double>(MonotonicClock::now().time_since_epoch()).count();
+}
+
+[[nodiscard]] inline MonotonicClock::time_point secondsFromNow(double seconds) {
+    return MonotonicClock::now() +
+           std::chrono::duration_cast<MonotonicClock::duration>(std::chrono::duration<double>(seconds));
+}
+
+/// A moment as sem_clockwait takes it together with CLOCK_MONOTONIC.
+[[nodiscard]] inline timespec timespecOf(MonotonicClock::time_point moment) {
+    const auto whole = std::chrono::floor<std::chrono::seconds>(moment);
+    timespec time{};
+    time.tv_sec = whole.time_since_epoch().count();
+    time.tv_nsec = std::chrono::nanoseconds(moment - whole).count();
+    return time;
+}
+
+}  // namespace tactooth

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace tactooth {
+
+/// Bytes as text, where they lie.
+[[nodiscard]] inline std::string_view asText(std::span<const std::byte> bytes) {
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+/// Text as bytes, where it lies.
+[[nodiscard]] inline std::span<const std::byte> asBytes(std::string_view text) {
+    return std::as_bytes(std::span(text));
+}
+
+/// A copy of text as bytes.
+[[nodiscard]] inline std::vector<std::byte> bytesOf(std::string_view text) {
+    const auto bytes = asBytes(text);
+    return {bytes.begin(), bytes.end()};
+}
+
+}  // namespace tactooth

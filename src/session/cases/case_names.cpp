@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "session/cases/case_names.h"
+
+#include <string_view>
+
+#include "geometry/small_letters.h"
+#include "instruments/builtin_tooth.h"
+
+namespace tactooth {
+
+namespace {
+
+/// Whatever the locale says: the same name gives the same case everywhere.
+bool isPlain(char letter) {
+    return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') || (letter >= '0' && letter <= '9') ||
+           letter == '_';
+}
+
+}  // namespace
+
+NamedSurface surfaceNamed(const std::filesystem::path& file) {
+    const std::string stem = file.stem().string();
+    const std::size_t split = stem.find_last_of("_- ");
+    const std::string last = inSmallLetters(split == std::string::npos ? stem : stem.substr(split + 1));
+    for (const std::string_view word : {"bone", "jaw", "gum", "gums", "gingiva", "mandible", "maxilla"}) {
+        if (last == word) return {stem, std::nullopt, true};
+    }
+    if (split == std::string::npos || split == 0) return {stem, std::nullopt, false};
+    const std::string body = stem.substr(0, split);
+    if (last == "outer" || last == "whole") return {body, std::nullopt, false};
+    if (const auto id = materialFromName(last)) return {body, id, false};
+    return {stem, std::nullopt, false};
+}
+
+int fdiNamed(const std::string& name, const std::optional<int>& quadrant) {
+    const std::size_t digits = name.find_last_not_of("0123456789") + 1;  // npos + 1 = 0
+    const std::string number = name.substr(digits);
+    if (number.size() == 2 && isPermanentTooth(std::stoi(number))) return std::stoi(number);
+    if (quadrant && number.size() == 1 && number[0] >= '1' && number[0] <= '8')
+        return *quadrant * 10 + (number[0] - '0');
+    return 0;
+}
+
+std::string EntryNames::make(const std::string& name) {
+    constexpr std::size_t kLongest = 80;  // letters: with folder and ending still a path that every system takes
+    std::string plain;
+    for (const char letter : name.substr(0, kLongest)) plain += isPlain(letter) ? letter : '-';
+    std::string entry = plain;
+    for (int number = 2; !taken_.insert(inSmallLetters(entry)).second; ++number) {
+        entry = plain + "-" + std::to_string(number);
+    }
+    return entry;
+}
+
+}  // namespace tactooth

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "session/cases/case_surfaces.h"
+
+#include <algorithm>
+
+#include "geometry/file_bytes.h"
+#include "geometry/mesh_file.h"
+#include "geometry/small_letters.h"
+#include "session/cases/case_names.h"
+#include "session/cases/case_store.h"
+
+namespace tactooth {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool isSurfaceFile(const fs::path& path) {
+    const std::string ending = inSmallLetters(path.extension().string());
+    return ending == ".stl" || ending == ".obj" || ending == ".ply";
+}
+
+/// All surfaces that the paths name, sorted.
+Expected<std::vector<fs::path>> surfaceFiles(const std::vector<fs::path>& from) {
+    std::vector<fs::path> files;
+    for (const fs::path& path : from) {
+        std::error_code error;
+        if (!fs::is_directory(path, error)) {
+            files.push_back(path);
+            continue;
+        }
+        for (fs::recursive_directory_iterator at(path, error), end; !error && at != end; at.increment(error)) {
+            if (isSurfaceFile(at->path()) && at->is_regular_file(error)) files.push_back(at->path());
+            if (files.size() > kCaseLimits.entries) {
+                return unexpected(shownName(path) + ": the folder holds too many surfaces for one case.");
+            }
+        }
+        if (error) return unexpected(shownName(path) + ": the folder cannot be read (" + error.message() + ").");
+    }
+    std::ranges::sort(files);
+    if (files.empty()) return unexpected("there is no STL, OBJ or PLY file to make a case of.");
+    return files;
+}
+
+/// False if the scan has that surface already.
+bool add(Scan& scan, const std::optional<MaterialId>& material, TriangleMesh mesh) {
+    if (!material) {
+        if (!scan.outer.empty()) return false;
+        scan.outer = std::move(mesh);
+        return true;
+    }
+    const auto isSame = [&](const LayerMesh& layer) { return layer.material == *material; };
+    if (std::ranges::any_of(scan.layers, isSame)) return false;
+    scan.layers.push_back({std::string(materialName(*material)), *material, std::move(mesh)});
+    return true;
+}
+
+}  // namespace
+
+Expected<CaseSurfaces> readCaseSurfaces(const std::vector<fs::path>& from) {
+    const auto files = surfaceFiles(from);
+    if (!files) return Unexpected{files.error()};
+    CaseSurfaces surfaces;
+    std::map<std::string, Scan> byName;
+    for (const fs::path& file : *files) {
+        auto mesh = loadMesh(file);
+        if (!mesh) return Unexpected{mesh.error()};
+        const NamedSurface named = surfaceNamed(file);
+        const bool isNew = named.isAround ? surfaces.around.emplace(named.body, std::move(*mesh)).second
+                                          : add(byName[named.body], named.material, std::move(*mesh));
+        if (!isNew) {
+            return unexpected(shownName(file) + ": the case has this surface already; give each tooth its own name.");
+        }
+        surfaces.files.push_back(file.filename().string());
+    }
+    if (byName.empty()) return unexpected("none of the surfaces is a tooth; name one TOOTH.stl or TOOTH_enamel.stl.");
+    for (auto& [name, scan] : byName) {
+        scan.name = name;
+        surfaces.teeth.push_back(std::move(scan));
+    }
+    return surfaces;
+}
+
+}  // namespace tactooth

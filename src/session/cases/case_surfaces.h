@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "geometry/expected.h"
+#include "patient/scan_import.h"
+
+namespace tactooth {
+
+/// The surfaces that a new case is made of, as their files hold them.
+struct CaseSurfaces {
+    std::vector<Scan> teeth;                     ///< at least one, by name
+    std::map<std::string, TriangleMesh> around;  ///< by name
+    std::vector<std::string> files;              ///< their names, in the order in which they were read
+};
+
+/// Reads surfaces and all surfaces below folders, and sorts them by their names (surfaceNamed), so that the same folder
+/// gives the same case. Fails with one sentence if there is no tooth, or a surface twice.
+[[nodiscard]] Expected<CaseSurfaces> readCaseSurfaces(const std::vector<std::filesystem::path>& from);
+
+}  // namespace tactooth

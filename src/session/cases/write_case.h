@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "geometry/expected.h"
+#include "session/cases/case_store.h"
+
+namespace tactooth {
+
+/// Writes an archive if the name ends in .ttcase, else a folder, which must be new or empty. After a failure there is
+/// neither, and an empty folder is as it was.
+[[nodiscard]] Expected<void> writeCase(const std::vector<CaseFile>& files, const std::filesystem::path& to);
+
+}  // namespace tactooth
