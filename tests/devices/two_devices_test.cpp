@@ -37,6 +37,7 @@ Tick tickOnPlane(const Pose& tool) {
     Tick tick;
     tick.placed = tool.position.allFinite();
     tick.depth = std::max(0.0, kWall - tool.position.z());
+    tick.stretch = tick.depth;
     tick.contacts = tick.depth > 0 ? 1 : 0;
     tick.stiffness = tick.depth > 0 ? test::kWallStiffness : 0;
     if (tick.placed) tick.wrench.force = Vec3(0, 0, test::kWallStiffness * tick.depth);

@@ -72,9 +72,6 @@ protected:
         scene.objects[1].visible = false;  // enamel: its outside is the body's
         return scene;
     }
-
-    static inline std::shared_ptr<const LayeredTooth> tooth_;
-    static inline double mesialX_ = 1;
 };
 
 TEST_F(InsightPictures, FiveStandardViews) {
