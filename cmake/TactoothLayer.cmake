@@ -25,12 +25,12 @@ function(tactooth_layer)
   target_link_libraries(${target} PUBLIC tactooth_settings ${ARG_USES} ${ARG_LINKS} PRIVATE ${ARG_PRIVATE_LINKS})
 endfunction()
 
-# tactooth_tests(NAME collision [TOGETHER] SOURCES aabb_tree_test.cpp ... [LABELS long] [LINKS ...])
+# tactooth_tests(NAME collision [TOGETHER] [ALONE] SOURCES aabb_tree_test.cpp ... [LABELS long] [LINKS ...])
 # builds one test program for a layer and registers each of its cases with CTest. Under a sanitizer, which makes the teeth
 # that the cases of a program share ten times dearer to model, the program is one test, as it always is with TOGETHER. Long
-# ones are then left out.
+# ones are then left out. ALONE is for programs that hold a real-time pace: no other test runs beside them.
 function(tactooth_tests)
-  cmake_parse_arguments(ARG "TOGETHER" "NAME" "SOURCES;LABELS;LINKS" ${ARGN})
+  cmake_parse_arguments(ARG "TOGETHER;ALONE" "NAME" "SOURCES;LABELS;LINKS" ${ARGN})
   set(target ${ARG_NAME}_tests)
   add_executable(${target} ${ARG_SOURCES})
   target_link_libraries(${target} PRIVATE ${ARG_LINKS} tactooth_test_support GTest::gtest GTest::gtest_main)
@@ -38,9 +38,10 @@ function(tactooth_tests)
     set(ARG_LABELS ${ARG_NAME})
   endif()
   if(NOT TACTOOTH_SANITIZE AND NOT ARG_TOGETHER)
-    gtest_discover_tests(${target} DISCOVERY_MODE PRE_TEST NO_PRETTY_VALUES PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT 300)
+    gtest_discover_tests(${target} DISCOVERY_MODE PRE_TEST NO_PRETTY_VALUES PROPERTIES
+      LABELS "${ARG_LABELS}" TIMEOUT 300 RUN_SERIAL ${ARG_ALONE})
   elseif(NOT "long" IN_LIST ARG_LABELS)
     add_test(NAME ${target} COMMAND ${target} --gtest_brief=1)
-    set_tests_properties(${target} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT 3000)
+    set_tests_properties(${target} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT 3000 RUN_SERIAL ${ARG_ALONE})
   endif()
 endfunction()

@@ -81,7 +81,7 @@ WantedForce Hands::wantedFor(const Hand& hand, const Tick& tick, bool enabled) c
     wanted.wrench = frame.toDevice(wanted.wrench);
     wanted.drivePull = frame.toDevice(Wrench{wanted.drivePull, Vec3::Zero()}).force;
     wanted.hand = hand.sample.hand.position;
-    wanted.depth *= frame.fineness();
+    wanted.stretch *= frame.fineness();
     wanted.stiffness /= frame.fineness();
     wanted.allowed &= enabled && holds && !frame.isHeld();
     wanted.connected = hand.sample.connected;

@@ -14,11 +14,11 @@
 namespace tactooth {
 namespace {
 
-constexpr double kTurnSlew = 150;       // N/s across the last force: 1 N turns by a right angle in 10 ms
-constexpr double kLongestPause = 0.25;  // s: as quick as a hand reacts; after a longer one it may be anywhere
-constexpr double kDeepest = 1000;       // mm: no tooth is
-constexpr double kStiffest = 1e6;       // N/mm: steel is not
-constexpr double kFaintForce = 0.02;    // N: below, a force has no direction that the hand could feel
+constexpr double kTurnSlew = 150;         // N/s across the last force: 1 N turns by a right angle in 10 ms
+constexpr double kLongestPause = 0.25;    // s: as quick as a hand reacts; after a longer one it may be anywhere
+constexpr double kLongestStretch = 1000;  // mm: no tooth is as deep
+constexpr double kStiffest = 1e6;         // N/mm: steel is not
+constexpr double kFaintForce = 0.02;      // N: below, a force has no direction that the hand could feel
 
 }  // namespace
 
@@ -27,7 +27,7 @@ WantedForce wantedFrom(const Tick& tick) {
     wanted.wrench = tick.wrench;
     wanted.hand = tick.hand.position;
     wanted.drivePull = tick.drivePull;
-    wanted.depth = tick.stretch;
+    wanted.stretch = tick.stretch;
     wanted.stiffness = tick.stiffness;
     wanted.touching = tick.contacts > 0;
     wanted.allowed = tick.placed;
@@ -42,7 +42,7 @@ bool ForcePipeline::isFault(const WantedForce& wanted, double elapsed) const {
     if (!wanted.wrench.force.allFinite() || !wanted.wrench.torque.allFinite()) return true;
     if (!wanted.drivePull.allFinite()) return true;
     if (!(elapsed >= 0) || !(elapsed <= kLongestPause)) return true;
-    if (!(wanted.depth <= kDeepest) || !(wanted.stiffness <= kStiffest)) return true;
+    if (!(wanted.stretch <= kLongestStretch) || !(wanted.stiffness <= kStiffest)) return true;
     return following_ && isHandJump(wanted.hand - lastHand_, elapsed);
 }
 
@@ -89,7 +89,7 @@ Vec3 ForcePipeline::sentOfWall(const Vec3& force, const Vec3& drivePull) const {
 /// What the passivity controller adds to a force; it takes no more from it than there is, because a tooth does not
 /// pull.
 Vec3 ForcePipeline::damping(const Vec3& force, const WantedForce& wanted, double elapsed) {
-    const SpringState spring{wanted.depth, wanted.stiffness, heat_.bound(), limiter_.strength()};
+    const SpringState spring{wanted.stretch, wanted.stiffness, heat_.bound(), limiter_.strength()};
     const Vec3 added = passivity_.damp(wanted.hand, sentOfWall_, spring, elapsed);
     const double length = force.norm();
     if (!(length > 0)) return Vec3::Zero();

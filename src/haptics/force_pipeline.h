@@ -14,7 +14,7 @@ struct WantedForce {
     Wrench wrench;
     Vec3 hand = Vec3::Zero();       ///< of the device's tip, mm
     Vec3 drivePull = Vec3::Zero();  ///< that part of the force for which the drive pays, N: no energy of the wall's
-    double depth = 0;               ///< of the spring that pushes, inwards and against friction, mm; 0 without contact
+    double stretch = 0;             ///< of the spring that pushes, inwards and against friction, mm; 0 without contact
     double stiffness = 0;           ///< of the spring that pushes, N/mm
     bool touching = false;
     bool allowed = true;    ///< false: fade out, as a person or the loss of the proxy asks for

@@ -26,10 +26,10 @@ constexpr double kStill = 1e-6;           // mm in a tick: less is no motion to 
 constexpr double kRelease = 0.98;         // of the damping is left a tick later: a damper that flickers would be felt
 
 /// Energy of the spring, N*mm; its force is cut off at a bound.
-double stored(const SpringState& spring, double depth, double stiffness) {
-    if (!(stiffness > 0) || !(depth > 0)) return 0;
-    const double soft = std::min(depth, spring.bound / stiffness);
-    return spring.strength * (0.5 * stiffness * soft * soft + spring.bound * (depth - soft));
+double stored(const SpringState& spring, double stretch, double stiffness) {
+    if (!(stiffness > 0) || !(stretch > 0)) return 0;
+    const double soft = std::min(stretch, spring.bound / stiffness);
+    return spring.strength * (0.5 * stiffness * soft * soft + spring.bound * (stretch - soft));
 }
 
 }  // namespace
@@ -43,16 +43,16 @@ void PassivityController::reset() {
 Vec3 PassivityController::damp(const Vec3& hand, const Vec3& rendered, const SpringState& spring, double elapsed) {
     if (!std::exchange(started_, true) || !(elapsed > 0)) {
         lastHand_ = hand;
-        lastDepth_ = spring.depth;
+        lastStretch_ = spring.stretch;
         lastStiffness_ = spring.stiffness;
         return Vec3::Zero();
     }
     const Vec3 way = hand - lastHand_;
     // Both states of the spring under today's bound and strength: what a ramp does is meant, and no leak.
     energy_ += -rendered.dot(way) -
-               (stored(spring, spring.depth, spring.stiffness) - stored(spring, lastDepth_, lastStiffness_));
+               (stored(spring, spring.stretch, spring.stiffness) - stored(spring, lastStretch_, lastStiffness_));
     lastHand_ = hand;
-    lastDepth_ = spring.depth;
+    lastStretch_ = spring.stretch;
     lastStiffness_ = spring.stiffness;
 
     const double length = way.norm();

@@ -8,7 +8,7 @@ namespace tactooth {
 
 /// What pushes at one tick: a spring, and how much of it comes out.
 struct SpringState {
-    double depth = 0;      ///< mm
+    double stretch = 0;    ///< mm
     double stiffness = 0;  ///< N/mm
     double bound = 0;      ///< N: the spring's force is cut off here
     double strength = 1;   ///< 0..1: and then multiplied by this
@@ -40,7 +40,7 @@ private:
     double energy_ = 0;
     Vec3 speed_ = Vec3::Zero();  // low-passed, mm/s
     double damping_ = 0;         // N*s/mm, of the last tick
-    double lastDepth_ = 0;
+    double lastStretch_ = 0;
     double lastStiffness_ = 0;
     Vec3 lastHand_ = Vec3::Zero();
 };

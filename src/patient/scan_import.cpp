@@ -135,6 +135,18 @@ private:
 
 }  // namespace
 
+bool addSurface(Scan& scan, const std::optional<MaterialId>& material, TriangleMesh mesh) {
+    if (!material) {
+        if (!scan.outer.empty()) return false;
+        scan.outer = std::move(mesh);
+        return true;
+    }
+    const auto isSame = [&](const LayerMesh& layer) { return layer.material == *material; };
+    if (std::ranges::any_of(scan.layers, isSame)) return false;
+    scan.layers.push_back({std::string(materialName(*material)), *material, std::move(mesh)});
+    return true;
+}
+
 Expected<ExaminedScan> examineScan(const Scan& scan, const ImportChoices& choices) {
     return Examination(scan, choices).run();
 }

@@ -20,6 +20,9 @@ struct Scan {
     std::vector<LayerMesh> layers;  ///< empty: modelled
 };
 
+/// Takes the layer of a material, or the outer surface where there is none. False if the scan has that surface already.
+[[nodiscard]] bool addSurface(Scan& scan, const std::optional<MaterialId>& material, TriangleMesh mesh);
+
 /// What a person says about a scan; what is left open is guessed.
 struct ImportChoices {
     std::optional<double> mmPerUnit;

@@ -6,8 +6,9 @@
 
 namespace tactooth {
 
-ClusterCuller::ClusterCuller(const Mat4& objectToClip, const Eigen::Vector4d& eye, bool skipBackFaces)
-    : eye_(eye.cast<float>()), skipBackFaces_(skipBackFaces) {
+ClusterCuller::ClusterCuller(const Mat4& objectToClip, const Eigen::Vector4d& eye, bool skipBackFaces,
+                             double coarseness)
+    : eye_(eye.cast<float>()), skipBackFaces_(skipBackFaces), coarseness_(static_cast<float>(coarseness)) {
     // A point is inside where -w <= x, y, z <= w in clip coordinates: each bound is a row combination of the matrix.
     // G. Gribb, K. Hartmann, Fast extraction of viewing frustum planes from the world-view-projection matrix, 2001.
     for (int axis = 0; axis < 3; ++axis) {
@@ -24,6 +25,11 @@ bool ClusterCuller::mayShow(const TriangleCluster& cluster) const {
         if (side.head<3>().dot(cluster.centre) + side.w() < -cluster.radius) return false;
     }
     return !skipBackFaces_ || !looksAway(cluster);
+}
+
+float ClusterCuller::allowedError(const Vec3f& centre, float radius) const {
+    if (eye_.w() == 0) return coarseness_;
+    return coarseness_ * std::max(0.0F, (centre - eye_.head<3>()).norm() - radius);
 }
 
 bool ClusterCuller::looksAway(const TriangleCluster& cluster) const {

@@ -16,10 +16,15 @@ class ClusterCuller {
 public:
     /// `objectToClip` maps points of the object to OpenGL clip coordinates; `eye` is in the object's frame, with w = 0
     /// for a parallel view (then the direction to the eye). Runs that look away are skipped only if `skipBackFaces`.
-    ClusterCuller(const Mat4& objectToClip, const Eigen::Vector4d& eye, bool skipBackFaces);
+    /// What is drawn may lie off the true surface by `coarseness` mm for each mm of distance from the eye (in a
+    /// parallel view: by `coarseness` mm); 0 is the true surface.
+    ClusterCuller(const Mat4& objectToClip, const Eigen::Vector4d& eye, bool skipBackFaces, double coarseness = 0);
 
     /// Whether any triangle of `cluster` could show. Never wrong when it says no.
     [[nodiscard]] bool mayShow(const TriangleCluster& cluster) const;
+
+    /// How far off the true surface anything in this ball may be drawn, mm.
+    [[nodiscard]] float allowedError(const Vec3f& centre, float radius) const;
 
 private:
     [[nodiscard]] bool looksAway(const TriangleCluster& cluster) const;
@@ -27,6 +32,7 @@ private:
     std::array<Eigen::Vector4f, 6> sides_;
     Eigen::Vector4f eye_;
     bool skipBackFaces_;
+    float coarseness_;
 };
 
 /// A run of triangles in drawing order.

@@ -11,8 +11,13 @@ Eigen::Vector4f extended(const Vec3& vector) { return extended(vector.cast<float
 
 }  // namespace
 
+double coarsenessAt(const PassView& view, PictureSize size, double pixels) {
+    const double pixelsPerRadian = 0.5 * size.height * view.viewToClip(1, 1);
+    return pixels / pixelsPerRadian;
+}
+
 FrameBlock frameBlock(const PassView& view, const Lighting& lighting, const Background& background,
-                      const ShadowLookup& shadow, PictureSize size) {
+                      const ShadowLookup& shadow, PictureSize size, double coarseness) {
     const auto width = static_cast<float>(size.width);
     const auto height = static_cast<float>(size.height);
     return {.worldToClip = view.worldToClip().cast<float>(),
@@ -30,7 +35,8 @@ FrameBlock frameBlock(const PassView& view, const Lighting& lighting, const Back
             .backgroundTop = extended(background.top),
             .backgroundBottom = extended(background.bottom, static_cast<float>(background.kind)),
             .pictureSize = {width, height, 1 / width, 1 / height},
-            .shadowTexel = {static_cast<float>(shadow.texel), static_cast<float>(shadow.pitch), 0, 0}};
+            .shadowTexel = {static_cast<float>(shadow.texel), static_cast<float>(shadow.pitch),
+                            static_cast<float>(coarseness), static_cast<float>(shadow.error)}};
 }
 
 }  // namespace tactooth

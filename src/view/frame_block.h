@@ -47,9 +47,14 @@ struct ShadowLookup {
     Mat4 worldToShadow = Mat4::Identity();
     double texel = 1;  ///< size of a texel in texture coordinates
     double pitch = 1;  ///< mm per texel
+    double error = 0;  ///< mm that what throws the shadow may lie off its place
 };
 
+/// mm that a surface may be drawn off its place for each mm of distance from the eye, if that is to be `pixels`.
+[[nodiscard]] double coarsenessAt(const PassView& view, PictureSize size, double pixels);
+
+/// `coarseness`: as by coarsenessAt.
 [[nodiscard]] FrameBlock frameBlock(const PassView& view, const Lighting& lighting, const Background& background,
-                                    const ShadowLookup& shadow, PictureSize size);
+                                    const ShadowLookup& shadow, PictureSize size, double coarseness);
 
 }  // namespace tactooth

@@ -18,9 +18,14 @@ struct RenderSettings {
     bool ambientOcclusion = false;  ///< darkened fissures and contacts
     double resolution = 1;          ///< share of the pixels along each side that are drawn; the rest is filled in, 0..1
 
+    /// Pixels by which a surface may be drawn off its place, so that what is far or small takes fewer triangles; 0
+    /// draws every triangle.
+    double coarseness = 0;
+
     bool operator==(const RenderSettings&) const = default;
 };
-inline constexpr RenderSettings kQuick{};  ///< while things move, on a computer without a graphics card
+inline constexpr RenderSettings kQuick{.coarseness =
+                                           0.5};  ///< while things move, on a computer without a graphics card
 inline constexpr RenderSettings kFine{.samples = 4, .shadows = Shadows::Soft, .ambientOcclusion = true};
 
 }  // namespace tactooth

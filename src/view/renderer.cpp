@@ -130,11 +130,13 @@ struct Renderer::Parts {
 
 SolidInputs Renderer::Parts::inputsFor(const Job& job, const PassView& view, const Background& background,
                                        const Mat4& cullMatrix) const {
+    const double coarseness = coarsenessAt(view, job.size, job.settings.coarseness);
     return {.drawables = job.shapes.drawables,
             .filled = job.shapes.filled,
             .view = view,
-            .frame = frameBlock(view, job.scene.lighting, background, shadows.lookup(), job.size),
+            .frame = frameBlock(view, job.scene.lighting, background, shadows.lookup(), job.size, coarseness),
             .cullMatrix = cullMatrix,
+            .coarseness = coarseness,
             .shadows = job.settings.shadows,
             .shadowMap = shadows,
             .fields = fields};
@@ -206,7 +208,8 @@ void Renderer::Parts::updateShapes(const Scene& scene, const ShapeCache::Result&
     lastUpload = result.uploadedTriangles;
     fields.update(result.drawables);
     if (settings.shadows == Shadows::None) return;
-    shadows.update(result.drawables, result.stillShapesChanged, scene.lighting.toKey, keptSide(scene));
+    shadows.update(result.drawables, result.stillShapesChanged, scene.lighting.toKey, keptSide(scene),
+                   settings.coarseness);
 }
 
 Expected<Renderer> Renderer::create() {

@@ -3,6 +3,7 @@
 #include "view/shading_mesh.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
 #include <numeric>
@@ -11,44 +12,46 @@ namespace tactooth {
 
 namespace {
 
-/// Small enough that a run of a scanned tooth looks one way (about 0.5 mm across at 60 um per edge), large enough that
-/// testing runs costs nothing beside drawing them.
-constexpr std::size_t kTrianglesPerCluster = 128;
-
 constexpr std::uint32_t kUnset = 0xFFFFFFFF;
 
-/// Puts two zero bits behind each of the low ten bits.
-std::uint32_t spreadBits(std::uint32_t value) {
-    std::uint32_t spread = 0;
-    for (std::uint32_t bit = 0; bit < 10; ++bit) spread |= ((value >> bit) & 1U) << (3 * bit);
-    return spread;
-}
+constexpr std::size_t kSmallestHalf = 32;  ///< triangles; finer order saves nothing
 
-/// Place along the Morton curve through `box`.
-std::uint32_t mortonCode(const Vec3f& point, const Eigen::AlignedBox3f& box,
-                         const std::array<std::uint32_t, 1024>& spread) {
-    const Vec3f cell = (point - box.min()).cwiseQuotient(box.sizes().cwiseMax(1e-6F)) * 1023.0F;
-    const auto at = [&](int axis) { return spread[static_cast<std::size_t>(std::clamp(cell[axis], 0.0F, 1023.0F))]; };
-    return at(0) | (at(1) << 1U) | (at(2) << 2U);
-}
-
-std::vector<std::uint32_t> mortonOrder(const TriangleMesh& mesh) {
-    std::array<std::uint32_t, 1024> spread{};
-    for (std::uint32_t i = 0; i < spread.size(); ++i) spread[i] = spreadBits(i);
-    const Eigen::AlignedBox3f box = boundingBox(mesh).cast<float>();
-    std::vector<std::uint64_t> keys(mesh.triangles.size());
-    for (std::size_t t = 0; t < keys.size(); ++t) {
-        const Triangle& triangle = mesh.triangles[t];
-        const Vec3f centre =
-            (mesh.vertices[triangle[0]] + mesh.vertices[triangle[1]] + mesh.vertices[triangle[2]]) / 3.0F;
-        keys[t] = (std::uint64_t{mortonCode(centre, box, spread)} << 32U) | t;
+/// Orders triangles so that each run of 2^k of them, from a multiple of 2^k on, fills a box of its own: halves along
+/// the longest side, and each half so again.
+class HalvedBoxes {
+public:
+    explicit HalvedBoxes(const TriangleMesh& mesh) : order_(mesh.triangles.size()) {
+        std::iota(order_.begin(), order_.end(), 0U);
+        centres_.reserve(order_.size());
+        for (const Triangle& t : mesh.triangles) {
+            centres_.push_back((mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) / 3.0F);
+        }
+        halve(order_);
     }
-    std::sort(keys.begin(), keys.end());
-    std::vector<std::uint32_t> order(keys.size());
-    std::transform(keys.begin(), keys.end(), order.begin(),
-                   [](std::uint64_t key) { return static_cast<std::uint32_t>(key); });
-    return order;
-}
+    [[nodiscard]] const std::vector<std::uint32_t>& order() const { return order_; }
+
+private:
+    void halve(std::span<std::uint32_t> part) {
+        if (part.size() <= kSmallestHalf) {
+            std::sort(part.begin(), part.end());
+            return;
+        }
+        Eigen::AlignedBox3f box;
+        for (const std::uint32_t triangle : part) box.extend(centres_[triangle]);
+        Eigen::Index axis = 0;
+        box.sizes().maxCoeff(&axis);
+        const std::size_t half = std::bit_ceil(part.size()) / 2;
+        std::nth_element(part.begin(), part.begin() + static_cast<std::ptrdiff_t>(half), part.end(),
+                         [&](std::uint32_t a, std::uint32_t b) {
+                             return std::pair(centres_[a][axis], a) < std::pair(centres_[b][axis], b);
+                         });
+        halve(part.first(half));
+        halve(part.subspan(half));
+    }
+
+    std::vector<std::uint32_t> order_;
+    std::vector<Vec3f> centres_;
+};
 
 /// Hands out one shading vertex for each position, normal and mix of looks that is used, in order of first use.
 class VertexSplitter {
@@ -82,8 +85,9 @@ private:
     std::vector<std::uint32_t> next_;   ///< of each shading vertex, the next of the same mesh vertex
 };
 
-TriangleCluster clusterOf(const ShadingMesh& mesh, std::uint32_t first, std::uint32_t count) {
-    const auto point = [&](std::uint32_t vertex) { return Vec3f(mesh.vertices[vertex].position.data()); };
+TriangleCluster clusterOf(std::span<const ShadingVertex> vertices, std::span<const Triangle> triangles,
+                          std::uint32_t first, std::uint32_t count) {
+    const auto point = [&](std::uint32_t vertex) { return Vec3f(vertices[vertex].position.data()); };
     TriangleCluster cluster;
     cluster.firstTriangle = first;
     cluster.triangles = count;
@@ -92,7 +96,7 @@ TriangleCluster clusterOf(const ShadingMesh& mesh, std::uint32_t first, std::uin
     facets.reserve(count);
     Vec3f sum = Vec3f::Zero();
     for (std::uint32_t t = first; t < first + count; ++t) {
-        const Triangle& triangle = mesh.triangles[t];
+        const Triangle& triangle = triangles[t];
         for (const std::uint32_t vertex : triangle) box.extend(point(vertex));
         const Vec3f area = (point(triangle[1]) - point(triangle[0])).cross(point(triangle[2]) - point(triangle[0]));
         if (area.squaredNorm() == 0) continue;
@@ -109,6 +113,14 @@ TriangleCluster clusterOf(const ShadingMesh& mesh, std::uint32_t first, std::uin
 }
 
 }  // namespace
+
+void appendClusters(std::span<const ShadingVertex> vertices, std::span<const Triangle> triangles, std::uint32_t first,
+                    std::vector<TriangleCluster>& clusters) {
+    const auto end = static_cast<std::uint32_t>(triangles.size());
+    for (std::uint32_t at = first; at < end; at += kTrianglesPerCluster) {
+        clusters.push_back(clusterOf(vertices, triangles, at, std::min(kTrianglesPerCluster, end - at)));
+    }
+}
 
 std::uint32_t packNormal(const Vec3f& normal) {
     const auto bits = [&](int axis) {
@@ -127,7 +139,8 @@ ShadingMesh shadingMesh(const TriangleMesh& mesh, const CornerShading& shading) 
     result.box = boundingBox(mesh);
     result.triangles.resize(mesh.triangles.size());
     result.placeOfTriangle.resize(mesh.triangles.size());
-    const std::vector<std::uint32_t> order = mortonOrder(mesh);
+    const HalvedBoxes boxes(mesh);
+    const std::vector<std::uint32_t>& order = boxes.order();
     VertexSplitter splitter(mesh, shading, result.vertices);
     for (std::uint32_t place = 0; place < order.size(); ++place) {
         result.placeOfTriangle[order[place]] = place;
@@ -135,11 +148,7 @@ ShadingMesh shadingMesh(const TriangleMesh& mesh, const CornerShading& shading) 
             result.triangles[place][corner] = splitter.vertexFor(order[place], corner);
         }
     }
-    for (std::size_t first = 0; first < order.size(); first += kTrianglesPerCluster) {
-        const std::size_t count = std::min(kTrianglesPerCluster, order.size() - first);
-        result.clusters.push_back(
-            clusterOf(result, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count)));
-    }
+    appendClusters(result.vertices, result.triangles, 0, result.clusters);
     return result;
 }
 

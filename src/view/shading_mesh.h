@@ -14,6 +14,10 @@ struct ShadingVertex {
     std::uint32_t looks;            ///< a LookMix: first, second and share, a byte each from the lowest
 };
 
+/// Small enough that a run of a scanned tooth looks one way (about 0.5 mm across at 60 um per edge), large enough that
+/// testing runs costs nothing beside drawing them.
+inline constexpr std::uint32_t kTrianglesPerCluster = 128;
+
 /// A run of neighbouring triangles that is drawn or skipped as one.
 struct TriangleCluster {
     std::uint32_t firstTriangle = 0;  ///< in drawing order
@@ -36,6 +40,10 @@ struct ShadingMesh {
 
 /// `shading`: of the corners of `mesh` (cornerShading or patchShading).
 [[nodiscard]] ShadingMesh shadingMesh(const TriangleMesh& mesh, const CornerShading& shading);
+
+/// Adds to `clusters` the runs of `triangles` from number `first` on.
+void appendClusters(std::span<const ShadingVertex> vertices, std::span<const Triangle> triangles, std::uint32_t first,
+                    std::vector<TriangleCluster>& clusters);
 
 /// A unit vector in 3 x 10 bits.
 [[nodiscard]] std::uint32_t packNormal(const Vec3f& normal);

@@ -10,8 +10,9 @@ namespace tactooth {
 
 namespace {
 
-constexpr int kResolution = 1024;  ///< texels a side: 25 um a texel on a molar
-constexpr double kMargin = 1.02;   ///< room for the standing-off of the lookup
+constexpr int kResolution = 1024;      ///< texels a side: 25 um a texel on a molar
+constexpr double kTexelsForPixel = 2;  ///< a shadow's edge may be off twice as much as the picture's: nobody compares
+constexpr double kMargin = 1.02;       ///< room for the standing-off of the lookup
 
 gl::Framebuffer framebufferFor(const gl::Texture& depth) {
     gl::Framebuffer framebuffer = gl::Framebuffer::make();
@@ -85,9 +86,10 @@ void ShadowMap::aim(const std::vector<Drawable>& drawables, const Vec3& toLight)
 }
 
 void ShadowMap::update(const std::vector<Drawable>& drawables, bool stillShapesChanged, const Vec3& toLight,
-                       const Eigen::Vector4d& section) {
+                       const Eigen::Vector4d& section, double coarseness) {
     if (drawables.empty()) return;
     aim(drawables, toLight);
+    lookup_.error = kTexelsForPixel * coarseness * lookup_.pitch;
     std::vector<Mat4> poses;
     bool anyTools = false;
     for (const Drawable& drawable : drawables) {
@@ -97,7 +99,8 @@ void ShadowMap::update(const std::vector<Drawable>& drawables, bool stillShapesC
     glViewport(0, 0, kResolution, kResolution);
     program_.use();
     const bool moved = std::exchange(section_, section) != section;
-    if (stillShapesChanged || moved || stillAim_ != worldToClip_ || poses != stillPoses_) {
+    const bool refined = std::exchange(coarseness_, coarseness) != coarseness;
+    if (stillShapesChanged || moved || refined || stillAim_ != worldToClip_ || poses != stillPoses_) {
         glBindFramebuffer(GL_FRAMEBUFFER, stillFramebuffer_.name());
         glClear(GL_DEPTH_BUFFER_BIT);
         draw(drawables, false);
@@ -129,8 +132,9 @@ void ShadowMap::draw(const std::vector<Drawable>& drawables, bool tools) const {
         program_.set("sectionInObject", Eigen::Vector4f(sectionInObject.cast<float>()));
         const bool cut = inSection && drawable.object->sectioned;
         cut ? glEnable(GL_CLIP_DISTANCE1) : glDisable(GL_CLIP_DISTANCE1);
-        drawable.buffers->draw(
-            {objectToClip, Eigen::Vector4d(toLightInObject.x(), toLightInObject.y(), toLightInObject.z(), 0), closed});
+        drawable.buffers->draw({objectToClip,
+                                Eigen::Vector4d(toLightInObject.x(), toLightInObject.y(), toLightInObject.z(), 0),
+                                closed, lookup_.error});
     }
     glDisable(GL_POLYGON_OFFSET_FILL);
     glDisable(GL_CLIP_DISTANCE1);

@@ -15,8 +15,9 @@ public:
     [[nodiscard]] static Expected<ShadowMap> create();
 
     /// `section`: what lies on the negative side of this plane throws no shadow, if it is of a sectioned object.
+    /// `coarseness`: as RenderSettings::coarseness, of the map's texels and twice that.
     void update(const std::vector<Drawable>& drawables, bool stillShapesChanged, const Vec3& toLight,
-                const Eigen::Vector4d& section);
+                const Eigen::Vector4d& section, double coarseness);
     [[nodiscard]] GLuint texture() const { return withTools_.name(); }
     [[nodiscard]] const ShadowLookup& lookup() const { return lookup_; }
 
@@ -35,6 +36,7 @@ private:
     std::vector<Mat4> stillPoses_;
     Mat4 stillAim_ = Mat4::Zero();
     Eigen::Vector4d section_ = Eigen::Vector4d(0, 0, 0, 1);
+    double coarseness_ = 0;
 };
 
 }  // namespace tactooth

@@ -55,9 +55,17 @@ bool isRich(const Drawable& drawable) {
 
 bool hasSection(const SolidInputs& inputs) { return !inputs.view.section.head<3>().isZero(); }
 
+/// How much coarser than true `drawable` may be, in mm for each mm of distance. Bodies and the layers in them share
+/// parts of their surfaces: where both are seen they stay true, or the one would show through the other.
+double coarsenessFor(const SolidInputs& inputs, const Drawable& drawable) {
+    const bool inLayers = drawable.object->sectioned && (hasSection(inputs) || inputs.shell != nullptr);
+    if (inLayers || drawable.object->inner) return 0;
+    return inputs.coarseness;
+}
+
 ClusterCuller cullerFor(const SolidInputs& inputs, const Drawable& drawable, bool skipBackFaces) {
     const Eigen::Vector4d eyeInObject = drawable.objectToWorld.inverse() * inputs.view.eye.homogeneous();
-    return {inputs.cullMatrix * drawable.objectToWorld, eyeInObject, skipBackFaces};
+    return {inputs.cullMatrix * drawable.objectToWorld, eyeInObject, skipBackFaces, coarsenessFor(inputs, drawable)};
 }
 
 }  // namespace

@@ -18,7 +18,8 @@ struct SolidInputs {
     const std::vector<Drawable>& filled;  ///< ShapeCache::Result::filled
     const PassView& view;
     FrameBlock frame;
-    Mat4 cullMatrix;  ///< sees at most what the pass shows; runs of triangles outside it are skipped
+    Mat4 cullMatrix;    ///< sees at most what the pass shows; runs of triangles outside it are skipped
+    double coarseness;  ///< mm for each mm of distance from the eye
     Shadows shadows;
     const ShadowMap& shadowMap;
     const FieldTextures& fields;

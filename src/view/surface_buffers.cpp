@@ -54,6 +54,7 @@ SurfaceBuffers::Prepared SurfaceBuffers::prepare(const SceneShape& shape) {
     Prepared prepared;
     prepared.shading = cornerShading(meshOf(shape), tagsOf(shape));
     prepared.mesh = shadingMesh(meshOf(shape), prepared.shading);
+    prepared.detail = detailTree(prepared.mesh);
     return prepared;
 }
 
@@ -62,15 +63,16 @@ SurfaceBuffers::SurfaceBuffers(const SceneShape& shape) : SurfaceBuffers(shape, 
 SurfaceBuffers::SurfaceBuffers(const SceneShape& shape, Prepared prepared)
     : shown_(shape),
       shading_(std::move(prepared.shading)),
-      triangles_(std::move(prepared.mesh.triangles)),
+      detail_(std::move(prepared.detail)),
+      hiddenOfNode_(detail_.nodes.size()),
+      mustBeTrue_(detail_.nodes.size()),
       placeOfTriangle_(std::move(prepared.mesh.placeOfTriangle)),
-      clusters_(std::move(prepared.mesh.clusters)),
       box_(prepared.mesh.box),
-      hidden_((triangles_.size() + 63) / 64),
+      hidden_((placeOfTriangle_.size() + 63) / 64),
       buffers_(static_cast<std::uint32_t>(prepared.mesh.vertices.size()),
-               static_cast<std::uint32_t>(triangles_.size())) {
+               static_cast<std::uint32_t>(detail_.triangles.size())) {
     buffers_.writeVertices(0, prepared.mesh.vertices);
-    buffers_.writeTriangles(0, triangles_);
+    buffers_.writeTriangles(0, detail_.triangles);
 }
 
 bool SurfaceBuffers::holds(const SceneShape& shape) const {
@@ -82,7 +84,7 @@ bool SurfaceBuffers::holds(const SceneShape& shape) const {
 bool SurfaceBuffers::update(const SceneShape& shape) {
     assert(holds(shape));
     if (updated_ && shown_ == shape) return false;
-    lastUpload_ = updated_ ? 0 : triangles_.size();
+    lastUpload_ = updated_ ? 0 : placeOfTriangle_.size();
     if (const auto* pointer = std::get_if<SurfacePointer>(&shape)) {
         const Surface& surface = **pointer;
         hide(surface.hidden != nullptr ? *surface.hidden : TriangleMask{});
@@ -102,8 +104,11 @@ void SurfaceBuffers::hide(const TriangleMask& mask) {
     changes.reserve(toggled.size());
     for (const std::uint32_t triangle : toggled) {
         const std::uint32_t place = placeOfTriangle_[triangle];
-        const Triangle& shown = triangles_[place];
-        changes.push_back({place, isHidden(wanted, triangle) ? Triangle{shown[0], shown[0], shown[0]} : shown});
+        const Triangle& shown = detail_.triangles[place];
+        const bool hides = isHidden(wanted, triangle);
+        changes.push_back({place, hides ? Triangle{shown[0], shown[0], shown[0]} : shown});
+        std::uint32_t& hidden = hiddenOfNode_[place / kTrianglesPerPiece];
+        hides ? ++hidden : --hidden;
     }
     std::sort(changes.begin(), changes.end(), [](const Change& a, const Change& b) { return a.place < b.place; });
     std::vector<Triangle> run;
@@ -115,11 +120,22 @@ void SurfaceBuffers::hide(const TriangleMask& mask) {
     }
     lastUpload_ += changes.size();
     hidden_ = std::move(wanted);
+    if (!changes.empty()) markHurtNodes();
+}
+
+void SurfaceBuffers::markHurtNodes() {
+    for (std::size_t i = 0; i < detail_.nodes.size(); ++i) {
+        const DetailNode& node = detail_.nodes[i];
+        mustBeTrue_[i] = hiddenOfNode_[i] > 0;
+        for (std::size_t child = 0; child < node.children; ++child) {
+            if (mustBeTrue_[node.firstChild + child]) mustBeTrue_[i] = true;
+        }
+    }
 }
 
 void SurfaceBuffers::draw(const ClusterCuller& culler) {
     runs_.clear();
-    visibleRuns(culler, clusters_, runs_);
+    visibleRuns(culler, detail_, mustBeTrue_, runs_);
     buffers_.draw(runs_);
     patches_.draw(culler);
 }

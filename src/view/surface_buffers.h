@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "view/detail_tree.h"
 #include "view/patch_pool.h"
 #include "view/scene.h"
 
@@ -29,17 +30,20 @@ private:
     struct Prepared {
         CornerShading shading;
         ShadingMesh mesh;
+        DetailTree detail;
     };
     [[nodiscard]] static Prepared prepare(const SceneShape& shape);
     SurfaceBuffers(const SceneShape& shape, Prepared prepared);
     void hide(const TriangleMask& mask);
+    void markHurtNodes();
 
     SceneShape shown_;  ///< held, so that its address names nothing else
     bool updated_ = false;
-    CornerShading shading_;            ///< of the base
-    std::vector<Triangle> triangles_;  ///< of the base in drawing order, none hidden
+    CornerShading shading_;                    ///< of the base
+    DetailTree detail_;                        ///< of the base, with none of its triangles hidden
+    std::vector<std::uint32_t> hiddenOfNode_;  ///< triangles, of nodes that are pieces of the true surface
+    std::vector<bool> mustBeTrue_;             ///< of each node: whether a triangle below it is hidden
     std::vector<std::uint32_t> placeOfTriangle_;
-    std::vector<TriangleCluster> clusters_;
     Box3 box_;
     TriangleMask hidden_;
     TriangleBuffers buffers_;

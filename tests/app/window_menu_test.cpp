@@ -307,8 +307,8 @@ void WindowMenuTest::everySettingIsThereAfterARestart() {
             (*number)(wanted) = counts ? 4 : option.highest == 1 ? 0.25 : 1.5 < option.highest ? 1.5 : 0.0125;
         }
     }
-    wanted.mirror.number = "2";
-    wanted.bur = "58";
+    wanted.mirror.number = std::string("2");
+    wanted.bur = std::string("58");
     const auto file = folder_ / "settings/window.toml";
     QVERIFY(writeWindowSettings(wanted, file).has_value());
     {

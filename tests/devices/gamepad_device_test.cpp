@@ -91,10 +91,10 @@ TEST(GamepadDevice, PressingOnAToothRumblesAndLettingGoEndsIt) {
     const auto onFloor = [&](const DeviceSample& sample) {  // of 1 N/mm, 1 mm below the start
         WantedForce wanted;
         wanted.hand = sample.hand.position;
-        wanted.depth = std::max(0.0, -1 - sample.hand.position.z());
-        wanted.touching = wanted.depth > 0;
+        wanted.stretch = std::max(0.0, -1 - sample.hand.position.z());
+        wanted.touching = wanted.stretch > 0;
         wanted.stiffness = wanted.touching ? 1 : 0;
-        wanted.wrench.force.z() = wanted.depth;
+        wanted.wrench.force.z() = wanted.stretch;
         device.write(pipeline.pass(wanted, kTick));
     };
     pad.axis(SDL_CONTROLLER_AXIS_TRIGGERLEFT, 1);

@@ -130,6 +130,18 @@ struct Fault {
     bool isLoss;  ///< no new reading comes, or it is refused
 };
 
+/// False if it never was. A machine that stalls at the very moment hides a jump, as the hand may have moved meanwhile:
+/// then once more.
+bool isSaidWhenItComes(const Fault& fault, StandinHaply& service, const HapticDevice& device) {
+    for (int i = 0; i < 3; ++i) {
+        service.setFault(fault.fault);
+        if (soon([&] { return says(device, fault.sentence); }, std::chrono::seconds(5))) return true;
+        service.setFault(HaplyFault::None);
+        if (!lean(service)) return false;
+    }
+    return false;
+}
+
 class HaplyFaults : public ::testing::TestWithParam<Fault> {};
 
 TEST_P(HaplyFaults, MidPressGiveNoForceAndASentenceAndTheDeviceComesBack) {
@@ -139,8 +151,7 @@ TEST_P(HaplyFaults, MidPressGiveNoForceAndASentenceAndTheDeviceComesBack) {
     ASSERT_TRUE(device.open());
     const PlaneServo servo(device);
     ASSERT_TRUE(lean(service));
-    service.setFault(fault.fault);
-    EXPECT_TRUE(soon([&] { return says(device, fault.sentence); }));
+    EXPECT_TRUE(isSaidWhenItComes(fault, service, device));
     EXPECT_TRUE(soon([&] { return service.force() == 0; }));
     std::this_thread::sleep_for(50ms);
     EXPECT_EQ(service.force(), 0);

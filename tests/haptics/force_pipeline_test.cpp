@@ -30,7 +30,7 @@ WantedForce inAir() { return {}; }
 WantedForce pushed(const Vec3& force) {
     WantedForce wanted;
     wanted.wrench.force = force;
-    wanted.depth = force.norm();
+    wanted.stretch = force.norm();
     wanted.stiffness = 1;
     wanted.touching = true;
     return wanted;
@@ -96,7 +96,7 @@ TEST(ForcePipeline, ALostDeviceOrAHandThatIsNoNumberGivesNothingInTheSameTick) {
     broken[0].connected = false;
     broken[1].hand.y() = kNan;
     broken[2].wrench.force.x() = kNan;
-    broken[3].depth = kNan;
+    broken[3].stretch = kNan;
     broken[4].stiffness = std::numeric_limits<double>::infinity();
     for (const WantedForce& wanted : broken) {
         ForcePipeline pipeline = ready();
@@ -213,7 +213,7 @@ public:
         wanted.connected = !from_.oneIn(5000);
         if (from_.oneIn(1000)) wanted.wrench = {from_.vector(), from_.vector()};
         if (from_.oneIn(5000)) wanted.hand = from_.vector();
-        if (from_.oneIn(5000)) wanted.depth = from_.number();
+        if (from_.oneIn(5000)) wanted.stretch = from_.number();
         if (from_.oneIn(5000)) wanted.stiffness = from_.number();
         if (from_.oneIn(2000)) wanted.motorHeat = from_.number();
         return wanted;

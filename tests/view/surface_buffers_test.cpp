@@ -126,6 +126,23 @@ TEST_F(SurfaceBuffersTest, MorePatchesThanTheFirstBuffersHold) {
     EXPECT_EQ(renderer().lastUpload(), 800U + 40U * 24U * 23U * 2U);
 }
 
+/// A ball of 48,000 triangles, a hole in it, and the hole's rim: the same to the eye whether drawn in full or not.
+TEST_F(SurfaceBuffersTest, CoarsePictureOfAHurtSurfaceIsThatOfTheTrueOne) {
+    const auto ball = std::make_shared<const SurfacePart>(test::sphere(Vec3::Zero(), 4, 200, 120));
+    Surface surface = surfaceOf(ball);
+    Scene scene = sceneOf(surface);
+    for (const std::uint32_t first : {0U, 9000U, 30000U}) {
+        surface.hidden = hiding(*ball, first, 2500);
+        scene.objects[0].shape = std::make_shared<const Surface>(surface);
+        const Image coarse = draw(scene, {.shadows = Shadows::None, .coarseness = 0.5});
+        const Image full = draw(scene, {.shadows = Shadows::None, .coarseness = 0});
+        EXPECT_NE(coarse, full) << first;
+        const ImageDifference difference = compare(coarse, full);
+        EXPECT_LT(difference.mean, 1.0) << first;
+        EXPECT_LT(difference.worstShare, 0.01) << first;
+    }
+}
+
 TEST_F(SurfaceBuffersTest, TwoSnapshotsOfOneToothInOneScene) {
     const auto base = plate();
     Scene scene = sceneOf(surfaceOf(base));

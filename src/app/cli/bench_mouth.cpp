@@ -16,7 +16,10 @@ Scene benchMouth() {
     contents.around = shownMouth(mouth);
     DentalMirror mirror = makeMirror();
     const Vec3 glass(8, -34, -18);  // beside the tongue, above the lower right molars' lingual side
-    const Pose held{glass, Quat::FromTwoVectors(Vec3::UnitZ(), Vec3(0.5, 0.8, -0.2).normalized())};
+    const MouthTooth& molar = *mouth.find(46);
+    const Vec3 toMolar = (mouth.poseOf(molar) * boundingBox(molar.tooth.outer).center() - glass).normalized();
+    const Vec3 toEye(0, 0.92, 0.39);  // as the pictures begin: from the front and a little above
+    const Pose held{glass, Quat::FromTwoVectors(Vec3::UnitZ(), (toEye + toMolar).normalized())};
     contents.mirror = ShownMirror{std::make_shared<const TriangleMesh>(std::move(mirror.surface)), mirror.disc, held};
     return makeScene(contents);
 }

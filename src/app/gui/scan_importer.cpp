@@ -3,7 +3,7 @@
 #include "app/gui/scan_importer.h"
 
 #include <QString>
-#include <algorithm>
+#include <optional>
 
 #include "geometry/file_bytes.h"
 #include "geometry/mesh_file.h"
@@ -23,13 +23,9 @@ Expected<Scan> readScan(const std::vector<fs::path>& files) {
         auto mesh = loadMesh(file);
         if (!mesh) return Unexpected{mesh.error()};
         const NamedSurface named = surfaceNamed(file);
-        const auto isSame = [&](const LayerMesh& layer) { return layer.material == named.material; };
-        if (files.size() > 1 && named.material && std::ranges::none_of(scan.layers, isSame)) {
-            scan.name = named.body;
-            scan.layers.push_back({std::string(materialName(*named.material)), *named.material, std::move(*mesh)});
-        } else if (scan.outer.empty() && (files.size() == 1 || !named.material)) {
-            scan.outer = std::move(*mesh);
-        } else {
+        const auto material = files.size() > 1 ? named.material : std::nullopt;
+        if (material) scan.name = named.body;
+        if (!addSurface(scan, material, std::move(*mesh))) {
             return unexpected(
                 shownName(file) +
                 ": the tooth has this surface already; drop the files of one tooth, its layers named as in "

@@ -68,6 +68,7 @@ public:
     ~Worker() {
         closeAll();
         if (works_) SDL_QuitSubSystem(SDL_INIT_JOYSTICK | SDL_INIT_GAMECONTROLLER);
+        SDL_TLSCleanup();  // SDL has not made this thread, so it does not notice its end
     }
     Worker(const Worker&) = delete;
     Worker& operator=(const Worker&) = delete;

@@ -42,19 +42,6 @@ Expected<std::vector<fs::path>> surfaceFiles(const std::vector<fs::path>& from) 
     return files;
 }
 
-/// False if the scan has that surface already.
-bool add(Scan& scan, const std::optional<MaterialId>& material, TriangleMesh mesh) {
-    if (!material) {
-        if (!scan.outer.empty()) return false;
-        scan.outer = std::move(mesh);
-        return true;
-    }
-    const auto isSame = [&](const LayerMesh& layer) { return layer.material == *material; };
-    if (std::ranges::any_of(scan.layers, isSame)) return false;
-    scan.layers.push_back({std::string(materialName(*material)), *material, std::move(mesh)});
-    return true;
-}
-
 }  // namespace
 
 Expected<CaseSurfaces> readCaseSurfaces(const std::vector<fs::path>& from) {
@@ -67,7 +54,7 @@ Expected<CaseSurfaces> readCaseSurfaces(const std::vector<fs::path>& from) {
         if (!mesh) return Unexpected{mesh.error()};
         const NamedSurface named = surfaceNamed(file);
         const bool isNew = named.isAround ? surfaces.around.emplace(named.body, std::move(*mesh)).second
-                                          : add(byName[named.body], named.material, std::move(*mesh));
+                                          : addSurface(byName[named.body], named.material, std::move(*mesh));
         if (!isNew) {
             return unexpected(shownName(file) + ": the case has this surface already; give each tooth its own name.");
         }

@@ -42,7 +42,7 @@ Expected<void> fillFolder(const std::vector<CaseFile>& files, const fs::path& fo
 }
 
 /// A folder that appears under its name when it is complete.
-Expected<void> makeFolder(const std::vector<CaseFile>& files, const fs::path& to) {
+Expected<void> writeNewFolder(const std::vector<CaseFile>& files, const fs::path& to) {
     std::error_code error;
     fs::path folder = fs::absolute(to, error);
     if (!folder.has_filename()) folder = folder.parent_path();  // "case/"
@@ -72,7 +72,7 @@ Expected<void> writeCase(const std::vector<CaseFile>& files, const fs::path& to)
         return unexpected(shownName(to) + ": there is something already; give a new folder, or a name that ends in " +
                           std::string(kCaseEnding) + ".");
     }
-    return isThere ? fillFolder(files, to) : makeFolder(files, to);
+    return isThere ? fillFolder(files, to) : writeNewFolder(files, to);
 }
 
 }  // namespace tactooth

@@ -17,5 +17,7 @@ layout(std140) uniform Frame {
     vec4 backgroundTop;     // sRGB
     vec4 backgroundBottom;  // sRGB; a: 0 gradient, 1 environment, 2 transparent
     vec4 pictureSize;       // pixels: width, height, 1 / width, 1 / height
-    vec4 shadowTexel;       // x: size of a shadow map texel in texture coordinates; y: mm per texel
+    vec4 shadowTexel;       // x: size of a shadow map texel in texture coordinates; y: mm per texel;
+                            // z: mm that a surface may lie off its place, for each mm of distance from the eye;
+                            // w: mm that what throws the shadow may lie off its place
 };

@@ -31,9 +31,11 @@ float keyVisibility(vec3 normal) {
 #if SHADOW_TAPS == 0
     return 1.0;
 #else
-    // Stand off the surface by a texel and a half, or the facets shade themselves.
+    // Stand off the surface by a texel and a half, or the facets shade themselves, and by three times the usual error
+    // where the surface is drawn coarser here than in the shadow map, or there than here.
     float slope = 1.0 - clamp(dot(normal, toKey.xyz), 0.0, 1.0);
-    vec3 place = worldPosition + normal * (shadowTexel.y * (1.0 + 2.0 * slope));
+    float coarse = 3.0 * max(shadowTexel.z * distance(eye.xyz, worldPosition), shadowTexel.w);
+    vec3 place = worldPosition + normal * (shadowTexel.y * (1.0 + 2.0 * slope) + coarse);
     vec3 spot = (worldToShadow * vec4(place, 1.0)).xyz;
     if (any(lessThan(spot, vec3(0.0))) || any(greaterThan(spot, vec3(1.0)))) return 1.0;
 #if SHADOW_TAPS == 1

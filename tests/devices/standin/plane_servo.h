@@ -67,10 +67,10 @@ private:
         wanted.connected = sample.connected;
         wanted.hand = sample.hand.position;
         wanted.motorHeat = sample.motorHeat;
-        wanted.depth = std::max(0.0, kWall - sample.hand.position.z());
-        wanted.stiffness = wanted.depth > 0 ? kWallStiffness : 0;
-        wanted.touching = wanted.depth > 0;
-        wanted.wrench.force = Vec3(0, 0, kWallStiffness * wanted.depth);
+        wanted.stretch = std::max(0.0, kWall - sample.hand.position.z());
+        wanted.stiffness = wanted.stretch > 0 ? kWallStiffness : 0;
+        wanted.touching = wanted.stretch > 0;
+        wanted.wrench.force = Vec3(0, 0, kWallStiffness * wanted.stretch);
         const SafeWrench sent = pipeline_.pass(wanted, elapsed);
         device_.write(sent);
         if (!sent.force().isZero(0)) oldestWithForce_ = std::max(oldestWithForce_.load(), sample.age);
