@@ -93,10 +93,7 @@ private:
 class WallExtractor {
 public:
     WallExtractor(const BrickMap& bricks, const Lattice& lattice, const BrickKey& key)
-        : nodes_(bricks, key, lattice.spacing()),
-          key_(key),
-          corner_(lattice.corner(key)),
-          spacing_(lattice.spacing()) {}
+        : nodes_(bricks, key, lattice.spacing()), key_(key), lattice_(lattice), spacing_(lattice.spacing()) {}
 
     CavityWall run() {
         if (!nodes_.hasBorder()) return {};
@@ -147,7 +144,9 @@ private:
     [[nodiscard]] bool isRemoved(const Place& p) const {
         return (nodes_.removedRow(p[1], p[2]) >> (p[0] + 1) & 1) != 0;
     }
-    [[nodiscard]] Vec3 position(const Place& p) const { return corner_ + spacing_ * Vec3(p[0], p[1], p[2]); }
+    /// Neighbours compute the vertices on their border each for itself. Counted from a brick's own corner these would
+    /// differ in the last bits of a double, which a float keeps where a coordinate is all but 0.
+    [[nodiscard]] Vec3 position(const Place& p) const { return lattice_.node(key_, p); }
 
     /// A number that this node of the lattice alone has, with room for 16 kinds of things that belong to it.
     [[nodiscard]] std::uint64_t numberOf(const Place& p, int kind) const {
@@ -309,7 +308,7 @@ private:
 
     const BrickNeighbourhood nodes_;
     const BrickKey key_;
-    const Vec3 corner_;
+    const Lattice& lattice_;
     const double spacing_;
     CavityWall wall_;
     std::array<std::uint32_t, kCellSide * kCellSide * kCellSide * kRounds> cellVertex_;
