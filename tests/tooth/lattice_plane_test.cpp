@@ -173,5 +173,23 @@ TEST(LatticePlane, LayersCutAtZeroAreClosedOneByOne) {
     EXPECT_NEAR(lost, dentin, 0.005 * dentin);
 }
 
+TEST(LatticePlane, AWallOnTheBlocksOwnFaceLeavesAClosedSurface) {
+    for (const double half : {1.0, 1.5}) {
+        for (int axis = 0; axis < 3; ++axis) {
+            for (const int inward : {-1, 1}) {
+                SCOPED_TRACE(testing::Message() << "half " << half << " axis " << axis << " inward " << inward);
+                Piece through(test::box(Vec3::Constant(-half), Vec3::Constant(half)), 0.1);
+                through.mill({axis, inward, inward * half, -0.3, 0.2, -0.4}, 3);
+                expectSound(reportOnFileOf(visibleMesh(*through.surface.snapshot()).mesh));
+                EXPECT_EQ(through.surface.failures(), 0U);
+                Piece beside(test::box(Vec3::Constant(-half), Vec3::Constant(half)), 0.1);
+                beside.mill({axis, inward, 0.3 * inward, -0.3, 0.2, half - 2 * kRadius}, 3);
+                expectSound(reportOnFileOf(visibleMesh(*beside.surface.snapshot()).mesh));
+                EXPECT_EQ(beside.surface.failures(), 0U);
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace tactooth
