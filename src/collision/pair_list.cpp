@@ -5,12 +5,15 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numbers>
 
 #include "collision/gjk.h"
 
 // Pair list with a skin: L. Verlet, "Computer Experiments on Classical Fluids", Phys. Rev. 159, 1967. Differs from the
 // paper: what is listed carries a separating direction with its gap, so a move along the surface, or away from it, does
 // not use the gap up; a turn counts by its lever arm; and there are two levels, the second filled in where it is asked.
+// Within the list a shorter one serves a few steps, as in S. Pall et al., "Heterogeneous parallelization and
+// acceleration of molecular dynamics simulations in GROMACS", J. Chem. Phys. 153, 2020 (dual pair list).
 
 namespace tactooth {
 namespace {
@@ -19,6 +22,12 @@ constexpr std::size_t kPlentyOfClusters = 1024;  // a longer list costs more to 
 constexpr double kLeastReach = 0.001;            // of the tool's radius: 10 um for a bur of 20 mm with its shank
 constexpr double kGreatestReach = 1.0;           // of the tool's radius
 constexpr std::uint32_t kClosed = ~0U;
+
+// A look around serves as many steps of the length of the one at hand, and some micrometres and 20 arc seconds more.
+constexpr float kStepsAround = 4;
+constexpr float kLeastAroundShift = 0.002F;  // mm
+constexpr float kLeastAroundTurn = 1e-4F;    // chord
+constexpr float kAroundSpare = 1e-5F;        // mm: what steps must leave grows with the distance from the origin
 
 /// The first in lanes 0-3, the second in lanes 4-7.
 Vec3x8 sideBySide(const Vec3f& a, const Vec3f& b) {
@@ -78,13 +87,23 @@ Vec3x8 betweenBoxes(const float (&tooth)[3][3][8], const std::array<Vec3f, 3>& t
 }
 
 /// One bit for each of eight clusters whose slab leaves what it must with the tool moved by `way`.
-std::uint32_t slabsHold(const EightClusters& eight, const Excursion::Way& way) {
+/// `used`: what it must leave besides.
+std::uint32_t slabsHold(const EightClusters& eight, const Excursion::Way& way, Float8 used) {
     const Vec3x8 n = Vec3x8::load(eight.normal);
     const Vec3x8 turned = {dot(n, everywhere(way.turn.col(0))), dot(n, everywhere(way.turn.col(1))),
                            dot(n, everywhere(way.turn.col(2)))};
     const Float8 left =
         Float8::load(eight.gap) + dot(n, everywhere(way.shift)) + dot(turned, Vec3x8::load(eight.centre));
-    return lessEqual(Float8::load(eight.radius) * Float8::all(way.perLength) + Float8::all(way.spare), left);
+    return lessEqual(Float8::load(eight.radius) * Float8::all(way.perLength) + Float8::all(way.spare), left - used);
+}
+std::uint32_t slabsHold(const EightClusters& eight, const Excursion::Way& way) {
+    return slabsHold(eight, way, Float8::all(0));
+}
+
+/// How far two ways lead apart, mm and as a chord: two rotations differ by that in no direction more.
+float shiftBetween(const Excursion::Way& a, const Excursion::Way& b) { return (a.shift - b.shift).norm(); }
+float chordBetween(const Excursion::Way& a, const Excursion::Way& b) {
+    return (a.turn - b.turn).norm() * std::numbers::sqrt2_v<float> / 2;
 }
 
 }  // namespace
@@ -147,6 +166,7 @@ bool PairList::makeUpTo(const Surface& surface, const Pose& toolInTooth, std::si
 
 void PairList::reserve(std::size_t capacity) {
     near_ = NearClusters(capacity);
+    around_.eights.resize(near_.eights.size());
     pairs_.resize(capacity / 4);
     opened_.resize(capacity);
 }
@@ -157,6 +177,7 @@ void PairList::list(const Surface& surface, const Pose& toolInTooth, std::size_t
     findNearClusters(surface, *tool_, at_, skin_, limit, near_);
     std::fill_n(opened_.begin(), near_.count, kClosed);
     openedCount_ = 0;
+    around_.shift = around_.turn = -1;
     made_ = true;
 }
 
@@ -181,6 +202,34 @@ Excursion PairList::excursion(const Pose& start, const Pose& end, double margin,
     result.shift = sideBySide(result.start.shift, result.end.shift);
     for (std::size_t i = 0; i < known.size(); ++i) result.known[i] = (rotation_.transpose() * known[i]).cast<float>();
     return result;
+}
+
+bool PairList::Surroundings::cover(const Excursion::Way& way) const {
+    return shiftBetween(way, middle) <= shift && chordBetween(way, middle) <= turn && way.spare <= middle.spare;
+}
+
+std::span<const std::uint32_t> PairList::within(const Excursion& excursion) {
+    if (!around_.cover(excursion.start) || !around_.cover(excursion.end)) lookAround(excursion);
+    return std::span(around_.eights).first(around_.count);
+}
+
+/// What is left of a slab at the middle is used up by no step that goes less far from there.
+void PairList::lookAround(const Excursion& excursion) {
+    around_.middle = excursion.start;
+    around_.middle.spare = std::max(excursion.start.spare, excursion.end.spare) + kAroundSpare;
+    around_.shift = kStepsAround * shiftBetween(excursion.start, excursion.end) + kLeastAroundShift;
+    around_.turn = kStepsAround * chordBetween(excursion.start, excursion.end) + kLeastAroundTurn;
+    around_.count = 0;
+    const Float8 shift = Float8::all(around_.shift), turn = Float8::all(around_.turn);
+    for (std::size_t i = 0; 8 * i < near_.count; ++i) {
+        const EightClusters& eight = near_.eights[i];
+        const Vec3x8 centre = Vec3x8::load(eight.centre);
+        const Float8 used = shift + turn * (sqrt(dot(centre, centre)) + Float8::load(eight.radius));
+        const std::size_t rest = near_.count - 8 * i;
+        const std::uint32_t present = rest >= 8 ? 0xFFU : (1U << rest) - 1U;
+        if ((~slabsHold(eight, around_.middle, used) & present) != 0)
+            around_.eights[around_.count++] = static_cast<std::uint32_t>(8 * i);
+    }
 }
 
 std::uint32_t PairList::clustersInDoubt(std::size_t first, const Excursion& excursion) const {
@@ -285,11 +334,16 @@ std::uint32_t PairList::pairsInDoubt(std::size_t cluster, const Excursion& excur
     const NearLeaf& leaf = near_.leaves[eight.leaf[cluster % 8]];
     const std::uint32_t tool = eight.tool[cluster % 8];
     const Swept swept = sweep(tool, excursion);
+    const auto ownDoubt = [&](const EightPairs& pairs) {
+        const Float8 room = swept.room(Vec3x8::load(pairs.normal));
+        return leaf.present & ~lessEqual(Float8::load(pairs.high), room);
+    };
+    // What the pairs' own slabs hold is told sooner by these than by the planes that hold the tool.
+    if (opened_[cluster] != kClosed && ownDoubt(pairs_[opened_[cluster]]) == 0) return 0;
     if (partCluster(cluster, excursion, swept)) return 0;
     EightPairs* pairs = open(cluster);
     if (pairs == nullptr) return leaf.present;
-    const Float8 room = swept.room(Vec3x8::load(pairs->normal));
-    std::uint32_t doubt = leaf.present & ~lessEqual(Float8::load(pairs->high), room);
+    std::uint32_t doubt = ownDoubt(*pairs);
     for (int i = 0; i < excursion.knownCount && doubt != 0; ++i)
         doubt = part(everywhere(excursion.known[i]), leaf, swept, doubt, *pairs);
     if ((doubt & ~pairs->stubborn) == 0) return doubt;

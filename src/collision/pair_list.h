@@ -76,6 +76,9 @@ public:
     [[nodiscard]] Excursion excursion(const Pose& start, const Pose& end, double margin,
                                       std::span<const Vec3> known) const;
 
+    /// Where the eight clusters begin of which a step may bring some in doubt, ascending; all others are clear of it.
+    /// Looks them all over once, for the steps to come as well, as long as these stay near. Allocates nothing.
+    [[nodiscard]] std::span<const std::uint32_t> within(const Excursion& excursion);
     /// Of the eight clusters from number `first` on (a multiple of eight), one bit for each whose slab does not hold
     /// at both ends of the step.
     [[nodiscard]] std::uint32_t clustersInDoubt(std::size_t first, const Excursion& excursion) const;
@@ -103,7 +106,18 @@ private:
     };
     struct Swept;
 
+    /// A few steps around a pose of the tool, and the clusters that they may bring in doubt.
+    struct Surroundings {
+        Excursion::Way middle;
+        float shift = -1, turn = -1;  // how far they go, mm and as a chord; negative: not known
+        std::vector<std::uint32_t> eights;
+        std::size_t count = 0;
+
+        [[nodiscard]] bool cover(const Excursion::Way& way) const;
+    };
+
     void reserve(std::size_t capacity);
+    void lookAround(const Excursion& excursion);
     void shortenTo(double length);
     void list(const Surface& surface, const Pose& toolInTooth, std::size_t limit);
     EightPairs* open(std::size_t cluster);
@@ -117,6 +131,7 @@ private:
 
     const ToolShape* tool_;
     NearClusters near_;
+    Surroundings around_;
     std::vector<EightPairs> pairs_;
     std::vector<std::uint32_t> opened_;  // place in pairs_ of each cluster; kClosed: not opened
     std::size_t openedCount_ = 0;

@@ -83,7 +83,7 @@ std::optional<bool> SlidingBody::isClearAt(const Pose& toolInTooth) {
     const bool turnIsListed = list_.turnTo(toolInTooth.rotation) <= list_.skin().turn * kTrusted;
     if (!list_.made() || !isListed(toolInTooth.position) || !turnIsListed) return std::nullopt;
     const Excursion still = list_.excursion(toolInTooth, toolInTooth, 0, {});
-    for (std::size_t first = 0; first < list_.clusters(); first += 8) {
+    for (const std::uint32_t first : list_.within(still)) {
         for (std::uint32_t near = list_.clustersInDoubt(first, still); near != 0; near &= near - 1) {
             const std::size_t cluster = first + static_cast<std::size_t>(std::countr_zero(near));
             for (std::uint32_t doubt = list_.pairsInDoubt(cluster, still); doubt != 0; doubt &= doubt - 1) {
