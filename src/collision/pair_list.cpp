@@ -23,8 +23,10 @@ constexpr double kLeastReach = 0.001;            // of the tool's radius: 10 um 
 constexpr double kGreatestReach = 1.0;           // of the tool's radius
 constexpr std::uint32_t kClosed = ~0U;
 
-// A look around serves as many steps of the length of the one at hand, and some micrometres and 20 arc seconds more.
+// A look around serves a few steps like the one at hand, and others that stray from its way by some share of it, by
+// some micrometres and by 20 arc seconds.
 constexpr float kStepsAround = 4;
+constexpr float kStrayAround = 0.25F;
 constexpr float kLeastAroundShift = 0.002F;  // mm
 constexpr float kLeastAroundTurn = 1e-4F;    // chord
 constexpr float kAroundSpare = 1e-5F;        // mm: what steps must leave grows with the distance from the origin
@@ -100,8 +102,7 @@ std::uint32_t slabsHold(const EightClusters& eight, const Excursion::Way& way) {
     return slabsHold(eight, way, Float8::all(0));
 }
 
-/// How far two ways lead apart, mm and as a chord: two rotations differ by that in no direction more.
-float shiftBetween(const Excursion::Way& a, const Excursion::Way& b) { return (a.shift - b.shift).norm(); }
+/// The turn between two ways as a chord: two rotations differ by that in no direction more.
 float chordBetween(const Excursion::Way& a, const Excursion::Way& b) {
     return (a.turn - b.turn).norm() * std::numbers::sqrt2_v<float> / 2;
 }
@@ -177,7 +178,7 @@ void PairList::list(const Surface& surface, const Pose& toolInTooth, std::size_t
     findNearClusters(surface, *tool_, at_, skin_, limit, near_);
     std::fill_n(opened_.begin(), near_.count, kClosed);
     openedCount_ = 0;
-    around_.shift = around_.turn = -1;
+    around_.stray = around_.turn = -1;
     made_ = true;
 }
 
@@ -205,7 +206,10 @@ Excursion PairList::excursion(const Pose& start, const Pose& end, double margin,
 }
 
 bool PairList::Surroundings::cover(const Excursion::Way& way) const {
-    return shiftBetween(way, middle) <= shift && chordBetween(way, middle) <= turn && way.spare <= middle.spare;
+    const Vec3f shift = way.shift - middle.shift;
+    const float squared = along.squaredNorm();
+    const float share = squared > 0 ? std::clamp(shift.dot(along) / squared, 0.0F, 1.0F) : 0.0F;
+    return (shift - share * along).norm() <= stray && chordBetween(way, middle) <= turn && way.spare <= middle.spare;
 }
 
 std::span<const std::uint32_t> PairList::within(const Excursion& excursion) {
@@ -213,18 +217,22 @@ std::span<const std::uint32_t> PairList::within(const Excursion& excursion) {
     return std::span(around_.eights).first(around_.count);
 }
 
-/// What is left of a slab at the middle is used up by no step that goes less far from there.
+/// What is left of a slab at the middle is used up by no step that goes less far from there along its normal.
 void PairList::lookAround(const Excursion& excursion) {
     around_.middle = excursion.start;
     around_.middle.spare = std::max(excursion.start.spare, excursion.end.spare) + kAroundSpare;
-    around_.shift = kStepsAround * shiftBetween(excursion.start, excursion.end) + kLeastAroundShift;
+    const Vec3f step = excursion.end.shift - excursion.start.shift;
+    around_.along = kStepsAround * step;
+    around_.stray = kStrayAround * step.norm() + kLeastAroundShift;
     around_.turn = kStepsAround * chordBetween(excursion.start, excursion.end) + kLeastAroundTurn;
     around_.count = 0;
-    const Float8 shift = Float8::all(around_.shift), turn = Float8::all(around_.turn);
+    const Float8 stray = Float8::all(around_.stray), turn = Float8::all(around_.turn), zero = Float8::all(0);
+    const Vec3x8 back = everywhere(-around_.along);
     for (std::size_t i = 0; 8 * i < near_.count; ++i) {
         const EightClusters& eight = near_.eights[i];
         const Vec3x8 centre = Vec3x8::load(eight.centre);
-        const Float8 used = shift + turn * (sqrt(dot(centre, centre)) + Float8::load(eight.radius));
+        const Float8 closing = stray + max(dot(Vec3x8::load(eight.normal), back), zero);
+        const Float8 used = closing + turn * (sqrt(dot(centre, centre)) + Float8::load(eight.radius));
         const std::size_t rest = near_.count - 8 * i;
         const std::uint32_t present = rest >= 8 ? 0xFFU : (1U << rest) - 1U;
         if ((~slabsHold(eight, around_.middle, used) & present) != 0)

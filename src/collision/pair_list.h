@@ -106,10 +106,11 @@ private:
     };
     struct Swept;
 
-    /// A few steps around a pose of the tool, and the clusters that they may bring in doubt.
+    /// A few steps from a pose of the tool on, and the clusters that they may bring in doubt.
     struct Surroundings {
         Excursion::Way middle;
-        float shift = -1, turn = -1;  // how far they go, mm and as a chord; negative: not known
+        Vec3f along = Vec3f::Zero();  // where they lead, mm
+        float stray = -1, turn = -1;  // and how far from this way, mm, and as a chord; negative: not known
         std::vector<std::uint32_t> eights;
         std::size_t count = 0;
 

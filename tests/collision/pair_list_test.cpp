@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <random>
 #include <set>
@@ -98,6 +99,38 @@ TEST(PairList, DoubtsEveryPairThatAMoveWithinItsSkinBringsTogether) {
         }
     }
     EXPECT_GT(met, 200);
+}
+
+TEST(PairList, TheShortListLeavesOutNothingThatAStepBringsInDoubt) {
+    const Scene scene;
+    PairList list(*scene.tool, kCapacity);
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> unit(0, 1);
+    std::size_t doubted = 0;
+    std::size_t looked = 0;
+    std::size_t all = 0;
+    for (int i = 0; i < 60; ++i) {
+        Pose pose = scene.poseAbove(random, 0.02 * unit(random));
+        const Vec3 along = randomVector(random, 0.1);
+        list.makeAll(*scene.surface, pose, {along, 0.05, 0.02});
+        for (int step = 0; step < 12; ++step) {  // on along the way, with some straying and turning
+            const Vec3 shift = 0.008 * along.normalized() + randomVector(random, 0.004 * unit(random));
+            const Pose end{pose.position + shift, turned(pose.rotation, random, 0.001 * unit(random))};
+            const Excursion excursion = list.excursion(pose, end, kMargin, {});
+            const auto within = list.within(excursion);
+            EXPECT_TRUE(std::is_sorted(within.begin(), within.end()));
+            for (std::uint32_t first = 0; first < list.clusters(); first += 8) {
+                if (list.clustersInDoubt(first, excursion) == 0) continue;
+                EXPECT_TRUE(std::binary_search(within.begin(), within.end(), first)) << i << ", step " << step;
+                ++doubted;
+            }
+            looked += within.size();
+            all += (list.clusters() + 7) / 8;
+            pose = end;
+        }
+    }
+    EXPECT_GT(doubted, 1000U);
+    EXPECT_LT(looked, all - all / 4) << "or it saves little";
 }
 
 TEST(PairList, APlaneThatHoldsTheToolClearsAllThatItParts) {
