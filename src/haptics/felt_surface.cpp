@@ -17,7 +17,7 @@ constexpr double kTurn = 0.008;
 
 constexpr double kShortest = 0.001;  // s: a look at each tick
 constexpr double kLongest = 0.05;    // s: after a longer pause the tool may be anywhere
-constexpr double kUntilNext = 2.5;   // pauses: a list is made in one, lasts for the next, and some more
+constexpr double kUntilNext = 1.5;   // pauses: a list lasts until the next one comes, and some more
 constexpr double kStray = 0.25;      // of the way expected: how far the tool may leave it
 constexpr double kFarthest = 0.2;    // mm: a longer list takes the cutter longer than it saves the ticks
 constexpr double kApart = 1e-6;      // mm: what a tool keeps from the tooth is less, see SlidingBody::margin

@@ -162,6 +162,7 @@ void Simulator::runCutter(const std::stop_token& stop) {
     while (!stop.stop_requested()) {
         returned_.consume_all([this](FeltSurface* felt) { surfaces_.giveBack(felt); });
         const bool changed = workOnPiece();
+        if (changed) (void)tickForCutter_.refresh();  // the tool has moved on meanwhile: lists begin where it is now
         if (const Tick& tick = tickForCutter_.value(); tick.placed) surfaces_.watch(tick.time, tick.proxy);
         if (changed) publishSurface();
         if (unsent || changed) {
