@@ -56,7 +56,14 @@ struct Surface {
     bool closed = true;          ///< whether "inside" has a meaning; false: only the triangles themselves are felt
     /// The base's tree without the hidden triangles, for those who walk; null: nobody has made it.
     std::shared_ptr<const AabbTree> thinned = nullptr;
+    std::uint32_t firstAround = UINT32_MAX;  ///< triangles of the base from here on belong to bodies around the tooth
+    std::uint32_t patchesAround = 0;         ///< as do the last so many patches
 };
+
+/// Whether a triangle (`part` as partOf counts) belongs to a body around the tooth.
+[[nodiscard]] inline bool isAround(const Surface& surface, std::uint32_t part, std::uint32_t triangle) {
+    return part == 0 ? triangle >= surface.firstAround : part + surface.patchesAround > surface.patches.size();
+}
 
 /// The tree to look for triangles of the base in, and the mask that those found are to be held against (null: none is
 /// hidden).

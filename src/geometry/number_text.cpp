@@ -3,8 +3,14 @@
 #include "geometry/number_text.h"
 
 #include <algorithm>
+#include <array>
 
 namespace tactooth {
+
+std::string numberText(double value) {
+    std::array<char, 32> digits;  // the longest double takes 24
+    return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
+}
 
 std::string quotedWord(std::string_view word) {
     constexpr std::size_t kLongest = 24;

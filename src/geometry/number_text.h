@@ -30,6 +30,9 @@ template <class Number>
     return value;
 }
 
+/// The shortest text that toNumber reads as the same double, whatever the locale.
+[[nodiscard]] std::string numberText(double value);
+
 /// A word of an untrusted file as a message may show it: in quotes, short, printable ASCII.
 [[nodiscard]] std::string quotedWord(std::string_view word);
 

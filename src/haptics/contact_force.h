@@ -20,6 +20,7 @@ struct HeldAt {
     Vec3 normal;   ///< unit, out of the tooth
     double share;  ///< mm; proxy - device = sum of share * normal
     MaterialId material;
+    bool isAround = false;  ///< it is a body around the tooth that holds
 };
 
 /// What the force is computed from, all in the tooth's frame.

@@ -102,6 +102,9 @@ void HapticSimulation::touch(const HandInput& input, double dt, Tick& tick) {
         tick.normal = state.offset / tick.depth;
         tick.material = std::ranges::max_element(state.heldAt(), {}, &HeldAt::share)->material;
     }
+    for (const HeldAt& held : state.heldAt()) {
+        if (held.isAround) tick.around = held.material;
+    }
     const ContactState contact{state.handTip,  state.offset, velocity_, state.travel,
                                state.heldAt(), spin_,        dt,        rimSpeed() * dt};
     tick.wrench = force_.at(contact, materials_);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "haptics/contact_force.h"
 #include "haptics/cut_pace.h"
@@ -40,6 +41,7 @@ struct Tick {
     double removalWatt = 0;  ///< tangential force times rim speed
     double cutWork = 0;      ///< normal force times rim travel since the start, N*m: what the removal law spends
     MaterialId material = MaterialId::Enamel;  ///< that holds the tool most; meaningless without contact
+    std::optional<MaterialId> around;          ///< of a body around the tooth, if one holds the tool
     std::uint32_t landings = 0;                ///< how often the tool has come to touch
     double landingSpeed = 0;                   ///< along the normal at the last landing, mm/s
     double micros = 0;                         ///< that the tick took to compute; filled in by whoever has a clock

@@ -111,7 +111,8 @@ ProxyState ToolProxy::follow(const Pose& handInTooth, const Pose& goal) {
     if (paused || (stuck && (touching_ || state.travel == 0))) holdWithoutContact(state);
     for (int i = 0; i < move.contactCount; ++i) {
         const BodyContact& contact = move.contacts[i];
-        state.held[i] = {contact.point, contact.normal, contact.share, materialOf(contact.part, contact.tooth)};
+        state.held[i] = {contact.point, contact.normal, contact.share, materialOf(contact.part, contact.tooth),
+                         isAround(*surface_, contact.part, contact.tooth)};
     }
     if (move.contactCount > 0) {
         wayOut_ = state.offset.norm() > 0 ? Vec3(state.offset.normalized()) : move.contacts[0].normal;
@@ -141,7 +142,7 @@ ProxyState ToolProxy::followAsPenalty(const Pose& handInTooth) {
     if (contact.depth > 0) {
         state.heldCount = 1;
         state.held[0] = {contact.point + state.offset, contact.normal, contact.depth,
-                         materialOf(contact.part, contact.tooth)};
+                         materialOf(contact.part, contact.tooth), isAround(*surface_, contact.part, contact.tooth)};
     }
     return state;
 }

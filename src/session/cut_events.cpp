@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "geometry/number_text.h"
 #include "haptics/cutting_force.h"
 
 namespace tactooth {
@@ -11,6 +12,7 @@ namespace {
 
 constexpr double kReached = 1e-4;   // mm^3; less of a tissue, a cube of 46 um, may be the rounding of its border
 constexpr double kTurnsRpm = 3000;  // rev/min; faster, it has run up
+constexpr double kApart = 0.5;      // s without a touch: the next one is another
 constexpr double kPedalDown = 0.1;  // a foot that asks for a turning bur, beyond any pedal's dead band
 
 }  // namespace
@@ -23,28 +25,59 @@ std::string_view cutEventName(CutEventKind kind) {
             return "dentin reached";
         case CutEventKind::PulpExposed:
             return "pulp exposed";
+        case CutEventKind::NeighbourTouched:
+            return "neighbour touched";
+        case CutEventKind::GumTouched:
+            return "gum or bone touched";
         case CutEventKind::BurStalled:
             return "bur stalled";
     }
     return {};
 }
 
+std::string cutEventsCsv(std::span<const CutEvent> events) {
+    std::string text = "t,event,x,y,z\n";
+    for (const auto& [kind, time, place] : events) {
+        text.append(numberText(time)).append(",").append(cutEventName(kind));
+        for (const double mm : place) text.append(",").append(numberText(mm));
+        text += '\n';
+    }
+    return text;
+}
+
+void CutEvents::tell(CutEventKind kind, double time, const Tick& tick) {
+    events_.push_back({kind, time, tick.proxy.position});
+}
+
 void CutEvents::tellOnce(CutEventKind kind, bool happened, double time, const Tick& tick) {
     if (!happened || std::ranges::any_of(events_, [&](const CutEvent& event) { return event.kind == kind; })) return;
-    events_.push_back({kind, time, tick.proxy.position});
+    tell(kind, time, tick);
+}
+
+/// What stands around a tooth is other teeth, and gum or bone, which are of no tissue of a tooth.
+void CutEvents::watchAround(double time, const Tick& tick) {
+    if (!tick.around) return;
+    const bool isGum = *tick.around == MaterialId::Other;
+    std::optional<double>& last = isGum ? gumAt_ : neighbourAt_;
+    if (!last || time > *last + kApart) {
+        tell(isGum ? CutEventKind::GumTouched : CutEventKind::NeighbourTouched, time, tick);
+    }
+    last = time;
 }
 
 void CutEvents::watch(double time, const Tick& tick, const MaterialVolumes& removed) {
     if (!std::exchange(started_, true)) before_ = removed;
+    for (std::size_t i = 0; i < removed.size(); ++i) before_[i] = std::min(before_[i], removed[i]);
     const auto gone = [&](MaterialId id) {
         return removed[static_cast<std::size_t>(id)] - before_[static_cast<std::size_t>(id)];
     };
     tellOnce(CutEventKind::FirstContact, tick.contacts > 0 || total(removed) > total(before_), time, tick);
     tellOnce(CutEventKind::DentinReached, gone(MaterialId::Dentin) > kReached, time, tick);
     tellOnce(CutEventKind::PulpExposed, gone(MaterialId::Pulp) > kReached, time, tick);
+    watchAround(time, tick);
     turned_ = turned_ || tick.speedRpm > kTurnsRpm;
     if (turned_ && tick.speedRpm < kRubsRpm && tick.pedal > kPedalDown && tick.contacts > 0) {
-        events_.push_back({CutEventKind::BurStalled, time, tick.proxy.position});
+        tell(CutEventKind::BurStalled, time, tick);
         turned_ = false;
     }
 }

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+#include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -11,9 +14,9 @@
 namespace tactooth {
 
 /// What a teacher wants to know of a cut.
-enum class CutEventKind { FirstContact, DentinReached, PulpExposed, BurStalled };
+enum class CutEventKind { FirstContact, DentinReached, PulpExposed, NeighbourTouched, GumTouched, BurStalled };
 
-/// "first contact", "dentin reached", "pulp exposed", "bur stalled".
+/// "first contact", "dentin reached", "pulp exposed", "neighbour touched", "gum or bone touched", "bur stalled".
 [[nodiscard]] std::string_view cutEventName(CutEventKind kind);
 
 struct CutEvent {
@@ -22,22 +25,30 @@ struct CutEvent {
     Vec3 place;   ///< the bur's tip in the tooth's frame, mm
 };
 
-/// Watches a cut tick by tick. The first contact and each tissue are told once, a stalled bur each time that it stalls.
+/// As a table: t,event,x,y,z.
+[[nodiscard]] std::string cutEventsCsv(std::span<const CutEvent> events);
+
+/// Watches a cut tick by tick. The first contact and each tissue are told once; a neighbour, gum or bone each time that
+/// the tool comes to touch it after half a second without; a stalled bur each time that it stalls.
 class CutEvents {
 public:
-    /// `removed`: everything up to this tick. The first call tells what had been cut before.
+    /// `removed`: everything up to this tick. The first call tells what had been cut before; what is put back (undo,
+    /// reset) and cut again is no news.
     void watch(double time, const Tick& tick, const MaterialVolumes& removed);
 
     /// In the order of their times.
     [[nodiscard]] const std::vector<CutEvent>& all() const { return events_; }
 
 private:
+    void tell(CutEventKind kind, double time, const Tick& tick);
     void tellOnce(CutEventKind kind, bool happened, double time, const Tick& tick);
+    void watchAround(double time, const Tick& tick);
 
     std::vector<CutEvent> events_;
     MaterialVolumes before_{};
     bool started_ = false;
-    bool turned_ = false;  // the bur did, since it stalled last
+    bool turned_ = false;                        // the bur did, since it stalled last
+    std::optional<double> neighbourAt_, gumAt_;  // when it was touched last, s
 };
 
 }  // namespace tactooth

@@ -49,6 +49,7 @@ Demonstration playDemonstration(WorkPiece& piece, const Box3& box, const Instrum
     ForcePipeline pipeline(hand.info().limits);
     SprayCloud spray(instrument.cutting.envelope.maxRadius());
 
+    CutEvents events;
     Demonstration result;
     const auto count = static_cast<std::size_t>(seconds / kTick);
     result.ticks.reserve(count);
@@ -60,6 +61,7 @@ Demonstration playDemonstration(WorkPiece& piece, const Box3& box, const Instrum
         hand.write(pipeline.pass(wantedFrom(tick), kTick));
         tick.micros = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
         result.ticks.push_back(tick);
+        events.watch(tick.time, tick, piece.removed());
         if (i % kTicksPerCut != 0) continue;
         bool isCut = false;
         if (tick.cutting && piece.feed(instrument.cutting, tick, settings.materials)) {
@@ -72,6 +74,7 @@ Demonstration playDemonstration(WorkPiece& piece, const Box3& box, const Instrum
         result.sound.push_back({tick.time, soundOf(tick, settings.spindle, settings.materials), {}});
         progress(static_cast<double>(i) / static_cast<double>(count));
     }
+    result.events = events.all();
     progress(1);
     return result;
 }

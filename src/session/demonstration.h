@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "session/cut_events.h"
 #include "session/simulator.h"
 #include "session/spray_cloud.h"
 #include "sound/offline_render.h"
@@ -18,6 +19,7 @@ struct Demonstration {
     std::vector<TimedSoundState> sound;  ///< one every five
     std::size_t touchTick = 0;           ///< the last one of the touching part
     std::uint64_t surfaceUpdates = 0;
+    std::vector<CutEvent> events;
     /// The bur at work: the last moment at which it cut with the pedal down, and so in its water.
     struct Work {
         std::size_t tick = 0;

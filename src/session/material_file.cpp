@@ -53,8 +53,7 @@ std::string described(const toml::node& node) {
     if (const auto* integer = node.as_integer()) return std::to_string(integer->get());
     if (const auto* number = node.as_floating_point()) {
         if (!std::isfinite(number->get())) return "not a finite number";
-        std::array<char, 32> digits;  // the longest double takes 24
-        return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number->get()).ptr};
+        return numberText(number->get());
     }
     if (node.is_string()) return "a text in quotes";
     if (node.is_boolean()) return "true or false";

@@ -22,6 +22,7 @@ std::shared_ptr<const Surface> surrounded(std::shared_ptr<const Surface> surface
     if (bodies.empty()) return surface;
     auto all = std::make_shared<Surface>(*surface);
     all->patches.insert(all->patches.end(), bodies.begin(), bodies.end());
+    all->patchesAround = static_cast<std::uint32_t>(bodies.size());
     return all;
 }
 

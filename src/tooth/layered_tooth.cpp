@@ -112,13 +112,15 @@ bool areApart(const SurfacePart& a, const SurfacePart& b) {
 
 }  // namespace
 
-Expected<LayeredTooth> LayeredTooth::make(TriangleMesh outer, std::vector<LayerMesh> layers, MaterialId body) {
+Expected<LayeredTooth> LayeredTooth::make(TriangleMesh outer, std::vector<LayerMesh> layers, MaterialId body,
+                                          std::uint32_t firstAround) {
     if (auto closed = checkClosed(outer, "the tooth"); !closed) return unexpected(closed.error().message);
     if (auto checked = checkLayers(outer, layers); !checked) return unexpected(checked.error().message);
     std::stable_sort(layers.begin(), layers.end(),
                      [](const LayerMesh& a, const LayerMesh& b) { return a.material < b.material; });
     LayeredTooth tooth;
     tooth.body_ = body;
+    tooth.firstAround_ = firstAround;
     for (LayerMesh& layer : layers) {
         auto part = std::make_shared<const SurfacePart>(std::move(layer.mesh));
         tooth.layers_.push_back({std::move(layer.name), layer.material, std::move(part)});

@@ -31,9 +31,11 @@ public:
     };
 
     /// Without layers the whole tooth is `body`. Fails with one sentence if a surface is open or inside out, a name is
-    /// given twice, or a layer lies outside the tooth.
+    /// given twice, or a layer lies outside the tooth. `firstAround`: from this triangle on `outer` is the surface of
+    /// bodies around the tooth.
     [[nodiscard]] static Expected<LayeredTooth> make(TriangleMesh outer, std::vector<LayerMesh> layers = {},
-                                                     MaterialId body = MaterialId::Enamel);
+                                                     MaterialId body = MaterialId::Enamel,
+                                                     std::uint32_t firstAround = UINT32_MAX);
 
     /// The surface that is touched; each triangle's tag is the MaterialId just behind it.
     [[nodiscard]] const std::shared_ptr<const SurfacePart>& outer() const { return outer_; }
@@ -41,6 +43,8 @@ public:
     [[nodiscard]] const std::vector<Layer>& layers() const { return layers_; }
     /// What the tooth is made of where it has no layers.
     [[nodiscard]] MaterialId body() const { return body_; }
+    /// See make.
+    [[nodiscard]] std::uint32_t firstAround() const { return firstAround_; }
 
     /// The material at a point inside the tooth, mm. A point in a gap between layers belongs to the nearest one.
     [[nodiscard]] MaterialId materialAt(const Vec3& point) const;
@@ -52,6 +56,7 @@ private:
     std::shared_ptr<const SurfacePart> outer_;
     std::vector<Layer> layers_;
     MaterialId body_ = MaterialId::Enamel;
+    std::uint32_t firstAround_ = UINT32_MAX;
 };
 
 }  // namespace tactooth

@@ -33,8 +33,17 @@ Box3 wallBox(const Lattice& lattice, const BrickKey& key) {
 }  // namespace
 
 LiveSurface::LiveSurface(const CutVolume& volume)
-    : base_(volume.tooth()->outer()), lattice_(volume.lattice()), thinner_(base_->tree()) {
-    snapshot_ = std::make_shared<const Surface>(Surface{base_, nullptr, {}, 0});
+    : base_(volume.tooth()->outer()),
+      lattice_(volume.lattice()),
+      firstAround_(volume.tooth()->firstAround()),
+      thinner_(base_->tree()) {
+    snapshot_ = std::make_shared<const Surface>(uncut(0));
+}
+
+Surface LiveSurface::uncut(std::uint64_t revision) const {
+    Surface surface{base_, nullptr, {}, revision};
+    surface.firstAround = firstAround_;
+    return surface;
 }
 
 void LiveSurface::reset() {
@@ -43,7 +52,7 @@ void LiveSurface::reset() {
     hidden_.clear();
     thinner_.showAll();
     failures_ = 0;
-    snapshot_ = std::make_shared<const Surface>(Surface{base_, nullptr, {}, snapshot_->revision + 1});
+    snapshot_ = std::make_shared<const Surface>(uncut(snapshot_->revision + 1));
 }
 
 void LiveSurface::update(const CutVolume& volume, const std::vector<ChangedBrick>& changed) {
@@ -165,7 +174,8 @@ void LiveSurface::publish(std::vector<BrickKey> dirty) {
             patches_.erase(dirty[i]);
         }
     }
-    Surface surface{base_, std::make_shared<const TriangleMask>(hidden_), {}, snapshot_->revision + 1};
+    Surface surface = uncut(snapshot_->revision + 1);
+    surface.hidden = std::make_shared<const TriangleMask>(hidden_);
     surface.thinned = std::make_shared<const AabbTree>(thinner_.thinned());
     surface.patches.reserve(patches_.size());
     for (const auto& [key, part] : patches_) surface.patches.push_back(part);

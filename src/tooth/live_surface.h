@@ -44,6 +44,7 @@ private:
         /// Pieces of the base triangles whose middle lies in this brick, by triangle.
         std::map<std::uint32_t, std::vector<std::array<Vec3f, 3>>> remains;
     };
+    [[nodiscard]] Surface uncut(std::uint64_t revision) const;
     [[nodiscard]] std::vector<BrickKey> bricksToExtract(const CutVolume& volume,
                                                         const std::vector<ChangedBrick>& changed) const;
     void extract(const CutVolume& volume, const BrickKey& key, Cell& cell) const;
@@ -59,7 +60,8 @@ private:
     std::map<BrickKey, Cell> cells_;
     std::map<BrickKey, std::shared_ptr<const SurfacePart>> patches_;
     TriangleMask hidden_;
-    TreeThinner thinner_;  ///< of the same triangles
+    std::uint32_t firstAround_;  ///< see Surface
+    TreeThinner thinner_;        ///< of the same triangles
     std::shared_ptr<const Surface> snapshot_;
     std::size_t failures_ = 0;
 };

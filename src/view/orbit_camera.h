@@ -35,6 +35,9 @@ public:
     /// Makes `point` (world) what the camera turns around; the picture does not jump: the eye and its direction stay.
     void turnAround(const Vec3& point);
 
+    /// Brings `point` (world) to the middle of the picture; direction and distance stay.
+    void centreOn(const Vec3& point) { target_ = point; }
+
     [[nodiscard]] Camera camera() const;
     [[nodiscard]] const Vec3& target() const { return target_; }
     [[nodiscard]] double distance() const { return distance_; }

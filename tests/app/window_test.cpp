@@ -9,6 +9,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QTableWidget>
 #include <ctime>
 #include <fstream>
 
@@ -40,6 +41,7 @@ private slots:
     void theSpaceKeyIsThePedal();
     void aTouchingBurRemovesNothing();
     void aCuttingBurRemovesEnamel();
+    void whatHappenedIsListedAndExported();
     void atRestNothingIsDrawnAndASpinningBurIs();
     void theCutToothIsExportedClosed();
     void anExportThatFailsSaysWhy();
@@ -139,6 +141,26 @@ void WindowTest::aCuttingBurRemovesEnamel() {
     liftBur(middle());
     key(Qt::Key_T);
     QTRY_VERIFY(window_->findChild<QLabel*>("removed")->text().contains("enamel"));
+}
+
+void WindowTest::whatHappenedIsListedAndExported() {
+    auto* events = window_->findChild<QTableWidget*>("events");
+    QTRY_VERIFY(events->rowCount() > 0);
+    QCOMPARE(events->item(0, 1)->text(), QString("first contact"));
+    window_->exportEventsTo(QString::fromStdString((folder_ / "events.csv").string()));
+    std::ifstream table(folder_ / "events.csv");
+    std::string head, first;
+    std::getline(table, head);
+    std::getline(table, first);
+    QCOMPARE(head, std::string("t,event,x,y,z"));
+    QVERIFY(first.find(",first contact,") != std::string::npos);
+    const Vec3 place = window_->bench().events().all().front().place;
+    emit events->itemActivated(events->item(0, 1));
+    const auto pixel = project(view().camera(), {200, 100}, place);
+    QVERIFY(pixel && (*pixel - Vec2(100, 50)).norm() < 0.01);
+    view().fit();
+    window_->exportEventsTo("/nowhere/events.csv");
+    QVERIFY(dismissMessage().contains("/nowhere"));
 }
 
 void WindowTest::atRestNothingIsDrawnAndASpinningBurIs() {

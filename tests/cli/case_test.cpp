@@ -53,6 +53,14 @@ TEST_F(CaseCommand, NewSaysWhatItAssumed) {
                 AllOf(HasSubstr("Two blocks"), HasSubstr("from L6_outer.stl"), HasSubstr("Units taken as cm")));
 }
 
+TEST_F(CaseCommand, AFolderThatHoldsSomethingIsRefusedBeforeTheImport) {
+    fs::create_directories(folder_ / "full/of things");
+    const ProgramRun run = makeCase("full");
+    EXPECT_EQ(run.exitCode, 2);
+    EXPECT_EQ(run.out, "");
+    EXPECT_THAT(run.err, HasSubstr("full: there is something already; give a new folder"));
+}
+
 TEST_F(CaseCommand, AFolderIsPackedAndBothOpen) {
     ASSERT_EQ(makeCase("two").exitCode, 0);
     const ProgramRun pack = runTactooth({"case", "pack", folder_ / "two", "--out", folder_ / "packed.ttcase"});

@@ -55,6 +55,42 @@ TEST(CutEvents, WhatWasCutBeforeIsNoNews) {
     EXPECT_EQ(events.all().size(), 2U);
 }
 
+TEST(CutEvents, WhatIsPutBackAndCutAgainIsNoNews) {
+    CutEvents events;
+    events.watch(0.0, tickAt(1, 0), gone(5, 1, 0.3));  // an undo comes a moment later
+    events.watch(0.1, tickAt(1, 0), gone(0, 0, 0));
+    EXPECT_TRUE(events.all().empty());
+    events.watch(0.2, tickAt(0, 1), gone(0.2, 0, 0));
+    events.watch(0.3, tickAt(0, 1), gone(0.5, 0.1, 0.01));  // less than there was before the undo
+    ASSERT_EQ(events.all().size(), 3U);
+    EXPECT_EQ(events.all()[2].kind, CutEventKind::PulpExposed);
+    EXPECT_EQ(events.all()[2].time, 0.3);
+}
+
+TEST(CutEvents, TellEachTouchOfWhatStandsAround) {
+    CutEvents events;
+    Tick tick = tickAt(0, 1);
+    const auto watch = [&](double time, std::optional<MaterialId> around) {
+        tick.around = around;
+        events.watch(time, tick, {});
+    };
+    watch(0.0, {});
+    watch(0.1, MaterialId::Enamel);
+    watch(0.2, {});                  // the bur skips
+    watch(0.3, MaterialId::Dentin);  // its root
+    watch(0.4, MaterialId::Other);
+    watch(0.9, {});
+    watch(1.0, MaterialId::Enamel);
+    std::vector<std::pair<CutEventKind, double>> told;
+    for (const CutEvent& event : events.all()) told.emplace_back(event.kind, event.time);
+    const std::vector<std::pair<CutEventKind, double>> expected = {{CutEventKind::FirstContact, 0.0},
+                                                                   {CutEventKind::NeighbourTouched, 0.1},
+                                                                   {CutEventKind::GumTouched, 0.4},
+                                                                   {CutEventKind::NeighbourTouched, 1.0}};
+    EXPECT_EQ(told, expected);
+    EXPECT_EQ(cutEventsCsv(std::span(events.all()).subspan(1, 1)), "t,event,x,y,z\n0.1,neighbour touched,0,0,0\n");
+}
+
 TEST(CutEvents, ABurStallsEachTimeThatItHadRunUpAndTheFootStaysDown) {
     CutEvents events;
     events.watch(0.0, tickAt(0, 1, 0), {});  // has not run up yet

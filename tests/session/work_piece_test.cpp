@@ -150,6 +150,29 @@ TEST(WorkPiece, BodiesAroundItAreFeltAndBelongToNoOtherSurface) {
     EXPECT_GT(tick.wrench.force.z(), 0.2);
 }
 
+TEST(WorkPiece, ATickTellsWhetherABodyAroundItHoldsTheTool) {
+    const auto piece = blockOnTheBench();
+    piece->surroundBy(neighbour());
+    const Instrument bur = test::flatBur();
+    HapticSimulation simulation(bur.shape, test::kBurRadius, piece->felt(), electric());
+    (void)simulation.step({at(3, 0, 0.2), 0, false}, kTick);
+    EXPECT_EQ(simulation.step({at(3, 0, -0.3), 0, false}, kTick).around, MaterialId::Enamel);
+    (void)simulation.step({at(3, 0, 0.2), 0, false}, kTick);
+    (void)simulation.step({at(0, 0, 0.2), 0, false}, kTick);
+    const Tick own = simulation.step({at(0, 0, -0.3), 0, false}, kTick);
+    EXPECT_GT(own.contacts, 0);
+    EXPECT_EQ(own.around, std::nullopt);
+    for (int i = 0; i < 400; ++i) simulation.step({at(0, 0, 0.1), 1, true}, kTick);
+    Tick tick;
+    for (int i = 0; i < 200; ++i) {  // in a cavity of its own, whose patches come before the neighbour
+        tick = simulation.step({at(0, 0, -0.5), 1, true}, kTick);
+        if (piece->feed(bur.cutting, tick, {})) (void)simulation.setSurface(piece->felt());
+    }
+    EXPECT_GT(piece->felt()->patches.size(), 1U);
+    EXPECT_GT(tick.contacts, 0);
+    EXPECT_EQ(tick.around, std::nullopt);
+}
+
 TEST(WorkPiece, BodiesAroundItAreNotCut) {
     const auto piece = blockOnTheBench();
     piece->surroundBy(neighbour());

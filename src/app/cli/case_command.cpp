@@ -103,6 +103,7 @@ Expected<std::vector<CaseFile>> filesOf(const CaseStore& store) {
 int runCaseNew(const CaseNewOptions& options) {
     const auto choices = choicesOf(options);
     if (!choices) return refuse(choices.error());
+    if (const auto done = checkCaseTarget(options.out); !done) return refuse(done.error());
     const CaseRequest request{options.from,     options.title, options.licence, options.provenance,
                               options.quadrant, *choices,      options.burs,    options.materials};
     std::string last;

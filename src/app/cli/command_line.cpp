@@ -154,8 +154,10 @@ void addCut(CLI::App& program, Chosen& chosen) {
     command->add_option("--forces", options->forces, "CSV file to write, one row a tick, as 'feel' does")
         ->type_name("FILE");
     command
-        ->add_option("--events", options->events,
-                     "CSV file to write: t,event,x,y,z for first contact, dentin reached, pulp exposed, bur stalled")
+        ->add_option(
+            "--events", options->events,
+            "CSV file to write: t,event,x,y,z for first contact, dentin reached, pulp exposed, neighbour touched, "
+            "gum or bone touched (neither with --feed rigid, which touches nothing), bur stalled")
         ->type_name("FILE");
     command
         ->add_option("--removed", options->removed,

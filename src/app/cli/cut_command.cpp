@@ -80,10 +80,7 @@ public:
             if (auto done = removed_->commit(); !done) return done;
         }
         if (!events_) return {};
-        events_->write("t,event,x,y,z\n");
-        for (const auto& [kind, time, place] : watched_.all()) {
-            events_->write(fmt::format("{},{},{},{},{}\n", time, cutEventName(kind), place.x(), place.y(), place.z()));
-        }
+        events_->write(cutEventsCsv(watched_.all()));
         return events_->commit();
     }
 

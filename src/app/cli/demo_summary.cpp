@@ -29,6 +29,10 @@ std::string demoSummary(const Demonstration& demonstration, const WorkPiece& pie
     for (std::size_t i = 0; i < kMaterialCount; ++i) {
         removed[std::string(materialName(static_cast<MaterialId>(i)))] = piece.removed()[i];
     }
+    auto events = nlohmann::ordered_json::array();
+    for (const auto& [kind, time, place] : demonstration.events) {
+        events.push_back({{"t", time}, {"event", cutEventName(kind)}, {"place", {place.x(), place.y(), place.z()}}});
+    }
     const Surface& surface = *piece.surface();
     const nlohmann::ordered_json summary = {
         {"tooth", tooth},
@@ -41,6 +45,7 @@ std::string demoSummary(const Demonstration& demonstration, const WorkPiece& pie
         {"mean_force_touching_N", touching > 0 ? sum / static_cast<double>(touching) : 0.0},
         {"largest_speed_rpm", fastest},
         {"removed_mm3", removed},
+        {"events", events},
         {"surface_updates", demonstration.surfaceUpdates},
         {"surface_patches", surface.patches.size()},
         {"tick_us", {{"p50", micros.quantile(0.5)}, {"p99", micros.quantile(0.99)}, {"max", micros.largest()}}},

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "geometry/number_text.h"
 #include "session/experiments/published.h"
 #include "session/experiments/quantile.h"
 #include "session/experiments/thread_clock.h"
@@ -80,8 +81,8 @@ Expected<Experiment> measureDrawing(Subjects& subjects) {
         {"published", {{kFewestTriangles, kShortestDraw}, {kMostTriangles, kLongestDraw}}, true, true});
     experiment.panels.push_back(panel);
     experiment.comparisons = {
-        {"Shortest time of a picture", plainNumber(kShortestDraw) + " ms", shortNumber(shortest) + " ms"},
-        {"Longest time of a picture", plainNumber(kLongestDraw) + " ms", shortNumber(longest) + " ms"}};
+        {"Shortest time of a picture", numberText(kShortestDraw) + " ms", shortNumber(shortest) + " ms"},
+        {"Longest time of a picture", numberText(kLongestDraw) + " ms", shortNumber(longest) + " ms"}};
     return experiment;
 }
 

@@ -17,6 +17,7 @@
 
 #include "app/gui/drill_bar.h"
 #include "app/gui/drive_panel.h"
+#include "app/gui/event_panel.h"
 #include "app/gui/force_panel.h"
 #include "app/gui/guided_tour.h"
 #include "app/gui/hand_panel.h"
@@ -36,7 +37,7 @@ namespace {
 constexpr int kStepMs = 16;      // the hand moves 60 times a second
 constexpr int kNumbersMs = 100;  // gauges and plots: ten times a second
 constexpr int kStatusMs = 1000;
-constexpr int kLayout = 1;  // counts the arrangements of docks: one that was saved with others of them is not taken
+constexpr int kLayout = 2;  // counts the arrangements of docks: one that was saved with others of them is not taken
 constexpr double kLongestStep = 0.1;  // s: after a stall the hand goes on gently
 
 /// With large text on a small screen everything can still be reached.
@@ -64,6 +65,7 @@ MainWindow::MainWindow(SoundOutput& sound)
       tour_(new GuidedTour(bench_, *view_, *drill_, *drive_, this)),
       volumes_(new SoundPanel),
       plots_(new PlotPanel),
+      happened_(new EventPanel),
       importer_(new ScanImporter(this)),
       status_(new StatusLine),
       busy_(new QProgressBar),
@@ -118,7 +120,9 @@ void MainWindow::addPanels() {
     tabifyDockWidget(hand, sound);  // what one sets once; all of them one below the other are higher than most screens
     force->raise();
     QDockWidget* inside = addDock(*inside_, tr("Look inside"), Qt::RightDockWidgetArea);
-    addDock(*plots_, tr("Last ten seconds"), Qt::BottomDockWidgetArea);
+    QDockWidget* plots = addDock(*plots_, tr("Last ten seconds"), Qt::BottomDockWidgetArea);
+    tabifyDockWidget(plots, addDock(*happened_, tr("What happened"), Qt::BottomDockWidgetArea));
+    plots->raise();
     fitPanels();
     resizeDocks({drill, force, inside}, {drive_->sizeHint().height(), tabHeight(), inside_->sizeHint().height()},
                 Qt::Vertical);
@@ -228,9 +232,7 @@ void MainWindow::connectPanels() {
         bench_.setCutting(cutting);
         showUsualHint();
     });
-    connect(drill_->resetAction(), &QAction::triggered, this, [this] {
-        if (bench_.simulator() != nullptr) bench_.simulator()->requestReset();
-    });
+    connect(drill_->resetAction(), &QAction::triggered, this, [this] { bench_.resetTooth(); });
     connect(drill_->undoAction(), &QAction::triggered, this, [this] {
         if (bench_.simulator() != nullptr) bench_.simulator()->requestUndo();
     });
@@ -253,7 +255,15 @@ void MainWindow::connectPanels() {
     });
     connectSound();
     connectInside();
+    connectRecords();
     connectHand();
+}
+
+void MainWindow::connectRecords() {
+    connect(plots_, &PlotPanel::exportWanted, this, &MainWindow::askForPlotFile);
+    connect(happened_, &EventPanel::exportWanted, this, &MainWindow::askForEventFile);
+    connect(happened_, &EventPanel::told, status_, &StatusLine::setHint);
+    connect(happened_, &EventPanel::placeChosen, view_, &ToothView::centreOn);
 }
 
 void MainWindow::step() {
@@ -347,6 +357,7 @@ WindowSettings MainWindow::settings() const {
 void MainWindow::showNumbers() {
     drive_->show(bench_.newest());
     plots_->show(trace_);
+    happened_->show(bench_.events().all());
     showHand();
 }
 

@@ -24,6 +24,7 @@ namespace tactooth {
 
 class DrillBar;
 class DrivePanel;
+class EventPanel;
 class ForcePanel;
 class GuidedTour;
 class HandPanel;
@@ -69,6 +70,8 @@ public:
     void openTarget(const QString& file);
     /// Writes what the plots show; says so if that fails.
     void exportPlotsTo(const QString& file);
+    /// Writes the list of what has happened; says so if that fails.
+    void exportEventsTo(const QString& file);
     /// Opens a device (see openDevice), which then moves the bur; "mouse" for none. Says so if that fails, and the
     /// mouse goes on.
     void steerBy(const QString& name);
@@ -103,6 +106,7 @@ private:
     void connectPanels();
     void connectSound();
     void connectInside();
+    void connectRecords();
     void connectHand();
     void takeHandSettings();
     void applyHand(const HandSettings& settings);
@@ -137,6 +141,7 @@ private:
     void askForSave();
     void askForTarget();
     void askForPlotFile();
+    void askForEventFile();
     void showMouseAndKeys();
     void showAbout();
 
@@ -162,6 +167,7 @@ private:
     GuidedTour* tour_;
     SoundPanel* volumes_;
     PlotPanel* plots_;
+    EventPanel* happened_;
     ScanImporter* importer_;
     StatusLine* status_;
     QProgressBar* busy_;

@@ -174,6 +174,22 @@ void MainWindow::exportPlotsTo(const QString& file) {
     status_->setHint(tr("The plots were written to %1").arg(file));
 }
 
+void MainWindow::askForEventFile() {
+    QFileDialog* dialog = fileDialog(this, tr("Export what happened"), folder_, tr("Table (*.csv)"));
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix("csv");
+    dialog->selectFile("events.csv");
+    connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::exportEventsTo);
+    dialog->open();
+}
+
+void MainWindow::exportEventsTo(const QString& file) {
+    folder_ = folderOf(file);
+    const Expected<void> written = writeFile(file.toStdString(), cutEventsCsv(bench_.events().all()));
+    if (!written) return complain(QString::fromStdString(written.error().message));
+    status_->setHint(tr("The list was written to %1").arg(file));
+}
+
 void MainWindow::remember(const QString& file) {
     constexpr qsizetype kMost = 8;  // a menu that is read at one glance
     recent_.removeAll(file);

@@ -129,7 +129,6 @@ void MainWindow::connectInside() {
     connect(inside_, &InsidePanel::targetWanted, this, &MainWindow::askForTarget);
     connect(tour_, &GuidedTour::says, status_, &StatusLine::setHint);
     connect(tour_, &GuidedTour::ended, this, &MainWindow::showUsualHint);
-    connect(plots_, &PlotPanel::exportWanted, this, &MainWindow::askForPlotFile);
 }
 
 void MainWindow::inspectAnew() {

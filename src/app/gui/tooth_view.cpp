@@ -178,6 +178,11 @@ void ToothView::look(StandardView view) {
     update();
 }
 
+void ToothView::centreOn(const Vec3& place) {
+    camera_.centreOn(place);
+    update();
+}
+
 void ToothView::lookAsUsual() {
     camera_.look(bench_.usualView());
     update();

@@ -29,6 +29,8 @@ public:
     [[nodiscard]] std::uint64_t pictures() const { return pictures_; }
     void fit();
     void look(StandardView view);
+    /// Shows this place of the tooth in the middle.
+    void centreOn(const Vec3& place);
     /// From buccal and above, as a dentist sees a lower tooth.
     void lookAsUsual();
     void setShowsTurbine(bool shows);

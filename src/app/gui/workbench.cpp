@@ -132,12 +132,29 @@ void Workbench::startSimulator(News& news) {
         },
         kServoRate, seat, second_.get());
     saidHeavy_ = false;
+    timeBefore_ += newest_.time;
     newest_ = Tick();
     newest_.cutting = controls.cutting;
     newest_.proxy = newest_.hand = hand_.hand();
     spray_ = SprayCloud(bur_->instrument.cutting.envelope.maxRadius(),
                         parkedSuction(tooth_->box(), tooth_->mesialX).position);
     news.newSimulator = true;
+}
+
+void Workbench::beginEvents() {
+    events_ = {};
+    timeBefore_ = -newest_.time;
+}
+
+void Workbench::resetTooth() {
+    if (simulator_ == nullptr) return;
+    simulator_->requestReset();
+    beginEvents();
+}
+
+void Workbench::watchTicks() {
+    const MaterialVolumes removed = simulator_->removed();
+    for (const Tick& tick : ticks_) events_.watch(timeBefore_ + tick.time, tick, removed);
 }
 
 Workbench::News Workbench::step(double dt) {
@@ -147,10 +164,12 @@ Workbench::News Workbench::step(double dt) {
     if (simulatorIsOld_ && tooth_ && bur_) {
         startSimulator(news);
         news.newTooth = std::exchange(toothIsNew_, false);
+        if (news.newTooth) beginEvents();
     }
     if (simulator_ == nullptr) return news;
     simulator_->fetchTicks(ticks_);
     if (!ticks_.empty()) newest_ = ticks_.back();
+    watchTicks();
     reportTrouble(news);
     hand_.advance(dt, newest_.proxy.position, newest_.depth);
     mouse_.moveTo({hand_.hand(), 0, 0, true});

@@ -11,6 +11,7 @@
 #include "app/gui/errand.h"
 #include "app/gui/hand_control.h"
 #include "devices/mouse_device.h"
+#include "session/cut_events.h"
 #include "session/spray_cloud.h"
 #include "sound/sound_output.h"
 #include "view/orbit_camera.h"
@@ -75,6 +76,10 @@ public:
     /// The mouth mirror: `diameter` of its head (mm), and what is on the glass.
     void setMirror(double diameter, bool fogged, bool wet);
     [[nodiscard]] std::span<const FlyingBit> flying() const { return spray_.bits(); }
+    /// Puts the tooth back as it was.
+    void resetTooth();
+    /// What has happened to the tooth since it was brought or put back; times go on from one bur to the next.
+    [[nodiscard]] const CutEvents& events() const { return events_; }
     HandControl& hand() { return hand_; }
     [[nodiscard]] const Tick& newest() const { return newest_; }
     /// The ticks of the last step, oldest first.
@@ -94,6 +99,8 @@ private:
     void takeDeliveries(News& news);
     void reportTrouble(News& news);
     void spray(double dt);
+    void beginEvents();
+    void watchTicks();
     void addSurroundings(SceneContents& contents, bool withMirror) const;
 
     SoundOutput& sound_;
@@ -115,14 +122,16 @@ private:
     bool saidHeavy_ = false;                // that the scene is
     std::vector<Tick> ticks_;
     Tick newest_;
-    double spin_ = 0;  // rad
+    CutEvents events_;
+    double timeBefore_ = 0;  // of the simulators before this one, since the events began, s
+    double spin_ = 0;        // rad
     SprayCloud spray_;
     struct {
         double diameter = 22;  // mm
         bool fogged = false, wet = false;
     } mirror_;
     std::atomic<bool> water_{true}, suction_{false};  // the servo reads them for the sound
-    std::unique_ptr<Simulator> simulator_;           // last: it uses all of the above
+    std::unique_ptr<Simulator> simulator_;            // last: it uses all of the above
 };
 
 }  // namespace tactooth

@@ -319,6 +319,30 @@
         <source>outer</source>
         <translation>外表面</translation>
     </message>
+    <message>
+        <source>first contact</source>
+        <translation>最初の接触</translation>
+    </message>
+    <message>
+        <source>dentin reached</source>
+        <translation>象牙質に到達</translation>
+    </message>
+    <message>
+        <source>pulp exposed</source>
+        <translation>歯髄が露出</translation>
+    </message>
+    <message>
+        <source>neighbour touched</source>
+        <translation>隣在歯に接触</translation>
+    </message>
+    <message>
+        <source>gum or bone touched</source>
+        <translation>歯肉または骨に接触</translation>
+    </message>
+    <message>
+        <source>bur stalled</source>
+        <translation>バーが停止</translation>
+    </message>
 </context>
 <context>
     <name>tactooth::DrillBar</name>
@@ -1245,6 +1269,22 @@ The mouse wheel in the picture changes it too.</source>
         <source>import a scan</source>
         <translation>スキャンを取り込む</translation>
     </message>
+    <message>
+        <source>What happened</source>
+        <translation>できごと</translation>
+    </message>
+    <message>
+        <source>Export what happened</source>
+        <translation>できごとを書き出す</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>表 (*.csv)</translation>
+    </message>
+    <message>
+        <source>The list was written to %1</source>
+        <translation>一覧を %1 に書き出しました</translation>
+    </message>
 </context>
 <context>
     <name>tactooth::OpenToothDialog</name>
@@ -1764,6 +1804,41 @@ More than 1 % is felt: close other programs, or take a tooth with fewer triangle
     <message>
         <source>%1 triangles, %2 x %3 x %4 mm</source>
         <translation>三角形 %1 個、%2 × %3 × %4 mm</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::EventPanel</name>
+    <message>
+        <source>What happened</source>
+        <translation>できごと</translation>
+    </message>
+    <message>
+        <source>Time, s</source>
+        <translation>時刻 (秒)</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>内容</translation>
+    </message>
+    <message>
+        <source>Where, mm</source>
+        <translation>位置 (mm)</translation>
+    </message>
+    <message>
+        <source>A double click shows the place in the middle of the picture</source>
+        <translation>ダブルクリックすると、その場所が画面の中央に表示されます</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>書き出し…</translation>
+    </message>
+    <message>
+        <source>Writes the list as a table (CSV)</source>
+        <translation>一覧を表 (CSV) として書き出します</translation>
+    </message>
+    <message>
+        <source>At %1 s: %2</source>
+        <translation>%1 秒：%2</translation>
     </message>
 </context>
 </TS>

@@ -5,10 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+
+#include "geometry/number_text.h"
 
 namespace tactooth {
 namespace {
@@ -132,13 +133,6 @@ void readGrip(const Json& json, const std::string& name, HaplyReading& reading) 
     reading.hand.rotation = rotationOf(member(member(*grip, "state"), "orientation"));
     reading.buttons = buttonsOf(member(member(*grip, "state"), "buttons"));
     if (reading.trouble == nullptr && isDenied(member(*grip, "status"), "awake")) reading.trouble = kGripAsleep;
-}
-
-/// The shortest text that is this number, whatever the locale.
-std::string numberText(double value) {
-    std::array<char, 32> text;
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-    return {text.data(), end};
 }
 
 }  // namespace

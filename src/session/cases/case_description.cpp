@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <set>
 
@@ -156,10 +155,9 @@ std::string list(const std::vector<std::string>& texts, const std::string& inden
     return result + indent + "]\n";
 }
 
-/// The shortest text that gives the same double back.
+/// A TOML float that gives the same double back.
 std::string exact(double value) {
-    std::array<char, 32> text;  // the longest double takes 24
-    std::string number(text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr);
+    const std::string number = numberText(value);
     return number.find_first_of(".en") == std::string::npos ? number + ".0" : number;
 }
 

@@ -45,7 +45,7 @@ public:
         }
         const bool isPlain = description_.teeth.size() == 1 && description_.around.empty() && chosen_.layers.empty();
         if (isPlain) layers_.clear();
-        auto tooth = LayeredTooth::make(std::move(outer_), std::move(layers_), chosen_.material);
+        auto tooth = LayeredTooth::make(std::move(outer_), std::move(layers_), chosen_.material, ownTriangles_);
         if (!tooth) return unexpected(store_.shown(std::string(kCaseText)) + ": " + tooth.error().message + ".");
         return std::shared_ptr<const LayeredTooth>(std::make_shared<const LayeredTooth>(std::move(*tooth)));
     }
@@ -59,7 +59,10 @@ private:
         const std::string prefix = isChosen ? "" : tooth.name + " ";
         auto outer = readSurface(store_, tooth.outer, pose);
         if (!outer) return Unexpected{outer.error()};
-        if (isChosen) chosenBox_ = boundingBox(*outer);
+        if (isChosen) {
+            chosenBox_ = boundingBox(*outer);
+            ownTriangles_ = static_cast<std::uint32_t>(outer->triangles.size());
+        }
         for (const auto& [id, file] : tooth.layers) {
             auto mesh = file == tooth.outer ? Expected<TriangleMesh>(*outer) : readSurface(store_, file, pose);
             if (!mesh) return Unexpected{mesh.error()};
@@ -79,6 +82,7 @@ private:
     TriangleMesh outer_;
     std::vector<LayerMesh> layers_;
     Box3 chosenBox_;
+    std::uint32_t ownTriangles_ = 0;  // of the chosen tooth, which come first
 };
 
 Expected<const CaseTooth*> findTooth(const CaseDescription& description, const std::string& wanted,

@@ -3,7 +3,6 @@
 #include "session/cases/toml_reader.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "geometry/number_text.h"
@@ -27,11 +26,6 @@ std::string asClause(std::string_view description) {
 bool isPlainText(const std::string& text) {
     return text.size() <= kLongestText &&
            std::ranges::none_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; });
-}
-
-std::string shortest(double value) {
-    std::array<char, 32> text;  // the longest double takes 24
-    return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
 }
 
 std::string quoted(std::string_view key) { return quotedWord(key); }
@@ -103,7 +97,7 @@ double TomlReader::number(const toml::table& table, std::string_view key, double
     if (node == nullptr) return otherwise;
     const std::optional<double> value = node->is_number() ? node->value<double>() : std::nullopt;
     if (value && *value >= low && *value <= high) return *value;
-    fail(*node, quoted(key) + " must be a number from " + shortest(low) + " to " + shortest(high));
+    fail(*node, quoted(key) + " must be a number from " + numberText(low) + " to " + numberText(high));
     return otherwise;
 }
 

@@ -60,19 +60,23 @@ Expected<void> writeNewFolder(const std::vector<CaseFile>& files, const fs::path
 
 }  // namespace
 
+Expected<void> checkCaseTarget(const fs::path& to) {
+    std::error_code error;
+    if (to.extension() == kCaseEnding || !fs::exists(to, error)) return {};
+    if (fs::is_directory(to, error) && fs::is_empty(to, error)) return {};
+    return unexpected(shownName(to) + ": there is something already; give a new folder, or a name that ends in " +
+                      std::string(kCaseEnding) + ".");
+}
+
 Expected<void> writeCase(const std::vector<CaseFile>& files, const fs::path& to) {
     if (to.extension() == kCaseEnding) {
         const auto bytes = packedCase(files);
         if (!bytes) return Unexpected{bytes.error()};
         return writeFile(to, *bytes);
     }
+    if (auto done = checkCaseTarget(to); !done) return done;
     std::error_code error;
-    const bool isThere = fs::exists(to, error);
-    if (isThere && !(fs::is_directory(to, error) && fs::is_empty(to, error))) {
-        return unexpected(shownName(to) + ": there is something already; give a new folder, or a name that ends in " +
-                          std::string(kCaseEnding) + ".");
-    }
-    return isThere ? fillFolder(files, to) : writeNewFolder(files, to);
+    return fs::exists(to, error) ? fillFolder(files, to) : writeNewFolder(files, to);
 }
 
 }  // namespace tactooth

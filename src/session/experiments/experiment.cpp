@@ -6,12 +6,13 @@
 #include <cmath>
 
 #include "geometry/atomic_file.h"
+#include "geometry/number_text.h"
 
 namespace tactooth {
 namespace {
 
 std::string textOf(const Cell& cell) {
-    if (const auto* number = std::get_if<double>(&cell)) return plainNumber(*number);
+    if (const auto* number = std::get_if<double>(&cell)) return numberText(*number);
     const auto& text = std::get<std::string>(cell);
     if (text.find_first_of(",\"\n") == text.npos) return text;
     std::string quoted = "\"";
@@ -49,12 +50,6 @@ std::string shortNumber(double value) {
     if (text.find('.') != text.npos) text.erase(text.find_last_not_of('0') + 1);
     if (text.ends_with('.')) text.pop_back();
     return text;
-}
-
-std::string plainNumber(double value) {
-    std::array<char, 32> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-    return {digits.data(), end};
 }
 
 }  // namespace tactooth

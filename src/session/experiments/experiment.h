@@ -59,7 +59,4 @@ struct Experiment {
 /// "1230"; "none" if it is not finite.
 [[nodiscard]] std::string shortNumber(double value);
 
-/// `value` in the shortest form that is the same double: for numbers that somebody wrote down.
-[[nodiscard]] std::string plainNumber(double value);
-
 }  // namespace tactooth

@@ -5,6 +5,7 @@
 
 #include "collision/aabb_tree.h"
 #include "geometry/mesh_file.h"
+#include "geometry/number_text.h"
 #include "geometry/stl_writer.h"
 #include "session/experiments/experiments.h"
 #include "session/experiments/published.h"
@@ -82,9 +83,9 @@ Expected<Experiment> measureLoading(Subjects& subjects, const std::filesystem::p
         {"published", {{kFewestTriangles, kShortestLoad}, {kMostTriangles, kLongestLoad}}, true, true});
     experiment.panels.push_back(panel);
     experiment.comparisons = {
-        {"Shortest time to load (288 triangles published, our bur here)", plainNumber(kShortestLoad) + " ms",
+        {"Shortest time to load (288 triangles published, our bur here)", numberText(kShortestLoad) + " ms",
          shortNumber(least->total()) + " ms"},
-        {"Longest time to load (325,312 triangles)", plainNumber(kLongestLoad) + " ms", shortNumber(longest) + " ms"}};
+        {"Longest time to load (325,312 triangles)", numberText(kLongestLoad) + " ms", shortNumber(longest) + " ms"}};
     return experiment;
 }
 

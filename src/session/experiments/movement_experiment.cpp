@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "geometry/number_text.h"
 #include "session/experiments/contact_timing.h"
 #include "session/experiments/experiments.h"
 #include "session/experiments/published.h"
@@ -135,8 +136,8 @@ void addRow(Experiment& experiment, const std::string& tooth, const Resolution& 
 
 std::vector<std::string> columnNames() {
     std::vector<std::string> names = {"tooth", "percent", "triangles"};
-    for (const double movement : kMovements) names.push_back("noticed_" + plainNumber(movement) + "um");
-    for (const double movement : kMovements) names.push_back("change_um_" + plainNumber(movement) + "um");
+    for (const double movement : kMovements) names.push_back("noticed_" + numberText(movement) + "um");
+    for (const double movement : kMovements) names.push_back("change_um_" + numberText(movement) + "um");
     names.emplace_back("force_p50_us");
     names.emplace_back("force_p99_us");
     return names;
@@ -178,11 +179,11 @@ Expected<Experiment> measureMovement(Subjects& subjects) {
                            true});
     experiment.panels = {extremes.plot(), time};
     experiment.comparisons = {{"Smallest movement noticed at every resolution of every tooth",
-                               plainNumber(kLeastMovement) + " um", shortNumber(least) + " um"},
-                              {"Smallest movement noticed at 6 and 12 %", plainNumber(kLeastMovementCoarse) + " um",
+                               numberText(kLeastMovement) + " um", shortNumber(least) + " um"},
+                              {"Smallest movement noticed at 6 and 12 %", numberText(kLeastMovementCoarse) + " um",
                                shortNumber(leastCoarse) + " um"},
                               {"Time to compute a force, from and to (medians)",
-                               plainNumber(kShortestForce) + " to " + plainNumber(kLongestForce) + " us",
+                               numberText(kShortestForce) + " to " + numberText(kLongestForce) + " us",
                                shortNumber(shortest) + " to " + shortNumber(longest) + " us"}};
     return experiment;
 }

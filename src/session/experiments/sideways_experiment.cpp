@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/number_text.h"
 #include "session/experiments/contact_timing.h"
 #include "session/experiments/experiments.h"
 #include "session/experiments/touching_hand.h"
@@ -66,7 +67,7 @@ Expected<Experiment> measureSideways(Subjects& subjects) {
     for (const double speed : {kSlowHand, kFastHand}) {
         const std::vector<Pose> hand = thereAndBack(start, contact, speed);
         const std::vector<Tick> ticks = feelPath(bur, surface, hand, 1);
-        const std::string at = plainNumber(speed / 10) + " cm/s";
+        const std::string at = numberText(speed / 10) + " cm/s";
         ExperimentPlot way{"Way along y, " + at,
                            "time, ms",
                            "mm beyond the contact",

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "collision/contact_query.h"
+#include "geometry/number_text.h"
 #include "instruments/ten_patches.h"
 #include "session/experiments/contact_timing.h"
 #include "session/experiments/experiments.h"
@@ -74,11 +75,11 @@ std::vector<PatchTick> follow(const TenPatches& piece, const std::shared_ptr<con
 
 std::string reliableText(double reliable) {
     if (reliable == 0) return "none";
-    return (reliable == kSpeeds.back() ? "at least " : "") + plainNumber(reliable / 10) + " cm/s (error below 0.5 um)";
+    return (reliable == kSpeeds.back() ? "at least " : "") + numberText(reliable / 10) + " cm/s (error below 0.5 um)";
 }
 
 ExperimentPlot depthPanel(const Place& place, std::span<const PatchTick> ticks) {
-    ExperimentPlot panel{std::string("Depth at ") + place.name + ", " + plainNumber(kShownSpeed / 10) + " cm/s",
+    ExperimentPlot panel{std::string("Depth at ") + place.name + ", " + numberText(kShownSpeed / 10) + " cm/s",
                          "time, ms",
                          "mm",
                          false,
@@ -147,7 +148,7 @@ Experiment measureTenPatches(const Subjects& subjects) {
         {"0.5 um", {{kSpeeds.front() / 10, kReliable}, {kSpeeds.back() / 10, kReliable}}, false, true});
     experiment.panels.push_back(errors);
     experiment.comparisons = {
-        {"Greatest speed of the tip with reliable depth", plainNumber(published::kReliableOnPatches / 10) + " cm/s",
+        {"Greatest speed of the tip with reliable depth", numberText(published::kReliableOnPatches / 10) + " cm/s",
          reliableText(reliable)},
         {"Greatest error at any speed measured", "not known", shortNumber(*std::ranges::max_element(worst)) + " um"}};
     return experiment;

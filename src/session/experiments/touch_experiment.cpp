@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "collision/contact_query.h"
+#include "geometry/number_text.h"
 #include "session/experiments/contact_timing.h"
 #include "session/experiments/experiments.h"
 #include "session/experiments/published.h"
@@ -107,7 +108,7 @@ Expected<Experiment> measureTouch(Subjects& subjects, StandardToothKind kind) {
                                           {"Force", "N", [](const Tick& t) { return t.wrench.force.norm(); }}}};
     for (const Curve& curve : curves) {
         for (const Run& run : runs) {
-            const std::string at = ", " + plainNumber(run.speed / 10) + " cm/s";
+            const std::string at = ", " + numberText(run.speed / 10) + " cm/s";
             experiment.panels.push_back(panelOf(curve.title + at, curve.unit, run.ticks, curve.value));
         }
     }
@@ -117,9 +118,9 @@ Expected<Experiment> measureTouch(Subjects& subjects, StandardToothKind kind) {
     };
     const Reliability reliability = watchProxy(surface, subjects.bur());
     experiment.comparisons = {
-        {"Time to compute a force, low speed", plainNumber(figure.published.slow) + " us", ours(runs[0])},
-        {"Time to compute a force, high speed", plainNumber(figure.published.fast) + " us", ours(runs[1])},
-        {"Greatest speed of the tip with reliable contact", plainNumber(published::kReliableOnTeeth / 10) + " cm/s",
+        {"Time to compute a force, low speed", numberText(figure.published.slow) + " us", ours(runs[0])},
+        {"Time to compute a force, high speed", numberText(figure.published.fast) + " us", ours(runs[1])},
+        {"Greatest speed of the tip with reliable contact", numberText(published::kReliableOnTeeth / 10) + " cm/s",
          "at 1 to 100 cm/s the proxy stood in the tooth at " + std::to_string(reliability.inside) + " of " +
              std::to_string(reliability.touching) + " ticks"}};
     return experiment;

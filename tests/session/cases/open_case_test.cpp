@@ -109,6 +109,24 @@ TEST(OpenCase, OverlapsAreFound) {
     EXPECT_NEAR(found[0].deepest, 0.5, 1e-9);
 }
 
+TEST(OpenCase, TheOthersAndWhatIsAroundAreNotTheToothThatIsWorkedOn) {
+    const auto opened = openChanged("", "", "37");
+    ASSERT_TRUE(opened) << opened.error().message;
+    const WorkPiece piece(opened->teeth, 0.1);
+    HapticSettings settings;
+    HapticSimulation simulation(std::make_shared<const ToolShape>(test::cylinder(Vec3::Zero(), 0.5, 6, 24)), 0.5,
+                                piece.felt(), settings);
+    const auto press = [&](const Vec3& top) {
+        (void)simulation.step({{top + Vec3(0, 0, 1), Quat::Identity()}, 0, false}, 0.001);
+        const Tick tick = simulation.step({{top - Vec3(0, 0, 0.2), Quat::Identity()}, 0, false}, 0.001);
+        EXPECT_GT(tick.contacts, 0);
+        return tick.around;
+    };
+    EXPECT_EQ(press(Vec3(0, 0, 4)), std::nullopt);
+    EXPECT_EQ(press(Vec3(-10, 0, 3)), MaterialId::Enamel);
+    EXPECT_EQ(press(Vec3(-5, 0, -11)), MaterialId::Other);
+}
+
 TEST(OpenCase, EveryToothOfACaseCanBeCut) {
     const test::TemporaryFolder folder;
     const auto bytes = packedCase(test::blockCase()).value();

@@ -6,6 +6,7 @@
 
 #include <limits>
 
+#include "geometry/number_text.h"
 #include "support/test_data.h"
 #include "support/text_file.h"
 
@@ -21,8 +22,8 @@ TEST(Experiment, NumbersAreShort) {
     EXPECT_EQ(shortNumber(99.99), "100");
     EXPECT_EQ(shortNumber(0.001), "0.001");
     EXPECT_EQ(shortNumber(std::numeric_limits<double>::infinity()), "none");
-    EXPECT_EQ(plainNumber(4406), "4406");
-    EXPECT_EQ(plainNumber(0.1), "0.1");
+    EXPECT_EQ(numberText(4406), "4406");
+    EXPECT_EQ(numberText(0.1), "0.1");
 }
 
 TEST(Experiment, CsvHoldsAllRowsAndQuotesText) {
