@@ -153,4 +153,8 @@ std::vector<LayerMesh> layersOf(const BuiltinTooth& tooth) {
     return layers;
 }
 
+Expected<LayeredTooth> layeredTooth(const BuiltinTooth& tooth) {
+    return LayeredTooth::make(tooth.outer, layersOf(tooth), MaterialId::Enamel, {.mesialX = mesialX(tooth.fdi)});
+}
+
 }  // namespace tactooth

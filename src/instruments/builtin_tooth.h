@@ -88,4 +88,7 @@ struct ToothRequest {
 /// The layers as LayeredTooth::make takes them beside `outer`.
 [[nodiscard]] std::vector<LayerMesh> layersOf(const BuiltinTooth& tooth);
 
+/// The tooth as it is cut; it knows where mesial is.
+[[nodiscard]] Expected<LayeredTooth> layeredTooth(const BuiltinTooth& tooth);
+
 }  // namespace tactooth

@@ -23,7 +23,7 @@ Expected<OpenedTooth> openTooth(const std::filesystem::path& path) {
     if (!file) return Unexpected{file.error()};
     auto saved = parseSavedTooth(file->bytes(), shownName(path));
     if (!saved) return Unexpected{saved.error()};
-    auto tooth = LayeredTooth::make(std::move(saved->outer), std::move(saved->layers), saved->body);
+    auto tooth = LayeredTooth::make(std::move(saved->outer), std::move(saved->layers), saved->body, saved->standing);
     if (!tooth) return unexpected(shownName(path) + ": " + tooth.error().message);
     auto piece = std::make_shared<WorkPiece>(std::make_shared<const LayeredTooth>(std::move(*tooth)), saved->voxel);
     piece->adopt(saved->cuts, saved->removed);

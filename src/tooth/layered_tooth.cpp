@@ -113,14 +113,14 @@ bool areApart(const SurfacePart& a, const SurfacePart& b) {
 }  // namespace
 
 Expected<LayeredTooth> LayeredTooth::make(TriangleMesh outer, std::vector<LayerMesh> layers, MaterialId body,
-                                          std::uint32_t firstAround) {
+                                          const Standing& standing) {
     if (auto closed = checkClosed(outer, "the tooth"); !closed) return unexpected(closed.error().message);
     if (auto checked = checkLayers(outer, layers); !checked) return unexpected(checked.error().message);
     std::stable_sort(layers.begin(), layers.end(),
                      [](const LayerMesh& a, const LayerMesh& b) { return a.material < b.material; });
     LayeredTooth tooth;
     tooth.body_ = body;
-    tooth.firstAround_ = firstAround;
+    tooth.standing_ = standing;
     for (LayerMesh& layer : layers) {
         auto part = std::make_shared<const SurfacePart>(std::move(layer.mesh));
         tooth.layers_.push_back({std::move(layer.name), layer.material, std::move(part)});
@@ -131,6 +131,15 @@ Expected<LayeredTooth> LayeredTooth::make(TriangleMesh outer, std::vector<LayerM
         if (areApart(*tooth.outer_, *layer.part)) return unexpected(outsideSentence("layer '" + layer.name + "'"));
     }
     return tooth;
+}
+
+Box3 LayeredTooth::ownBox() const {
+    const TriangleMesh& mesh = outer_->mesh();
+    Box3 box;
+    for (std::uint32_t t = 0; t < mesh.triangles.size() && t < standing_.firstAround; ++t) {
+        for (int corner = 0; corner < 3; ++corner) box.extend(mesh.corner(t, corner));
+    }
+    return box;
 }
 
 MaterialId LayeredTooth::materialAt(const Vec3& point) const {

@@ -19,6 +19,12 @@ struct LayerMesh {
     TriangleMesh mesh;  ///< closed, welded, normals outward
 };
 
+/// How a tooth stands in its frame, and among others.
+struct Standing {
+    double mesialX = 1;                      ///< direction of mesial along x: 1 or -1
+    std::uint32_t firstAround = UINT32_MAX;  ///< from this triangle on its outer surface is that of bodies around it
+};
+
 /// A tooth before anything is cut: its outer surface, which is what is touched, and the closed layers inside it.
 /// Layers may lie side by side or within one another; where several hold a point, the latest in the order of
 /// MaterialId wins. Immutable.
@@ -31,11 +37,10 @@ public:
     };
 
     /// Without layers the whole tooth is `body`. Fails with one sentence if a surface is open or inside out, a name is
-    /// given twice, or a layer lies outside the tooth. `firstAround`: from this triangle on `outer` is the surface of
-    /// bodies around the tooth.
+    /// given twice, or a layer lies outside the tooth.
     [[nodiscard]] static Expected<LayeredTooth> make(TriangleMesh outer, std::vector<LayerMesh> layers = {},
                                                      MaterialId body = MaterialId::Enamel,
-                                                     std::uint32_t firstAround = UINT32_MAX);
+                                                     const Standing& standing = {});
 
     /// The surface that is touched; each triangle's tag is the MaterialId just behind it.
     [[nodiscard]] const std::shared_ptr<const SurfacePart>& outer() const { return outer_; }
@@ -43,8 +48,9 @@ public:
     [[nodiscard]] const std::vector<Layer>& layers() const { return layers_; }
     /// What the tooth is made of where it has no layers.
     [[nodiscard]] MaterialId body() const { return body_; }
-    /// See make.
-    [[nodiscard]] std::uint32_t firstAround() const { return firstAround_; }
+    [[nodiscard]] const Standing& standing() const { return standing_; }
+    /// Of the tooth without what stands around it, mm.
+    [[nodiscard]] Box3 ownBox() const;
 
     /// The material at a point inside the tooth, mm. A point in a gap between layers belongs to the nearest one.
     [[nodiscard]] MaterialId materialAt(const Vec3& point) const;
@@ -56,7 +62,7 @@ private:
     std::shared_ptr<const SurfacePart> outer_;
     std::vector<Layer> layers_;
     MaterialId body_ = MaterialId::Enamel;
-    std::uint32_t firstAround_ = UINT32_MAX;
+    Standing standing_;
 };
 
 }  // namespace tactooth

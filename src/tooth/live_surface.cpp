@@ -35,7 +35,7 @@ Box3 wallBox(const Lattice& lattice, const BrickKey& key) {
 LiveSurface::LiveSurface(const CutVolume& volume)
     : base_(volume.tooth()->outer()),
       lattice_(volume.lattice()),
-      firstAround_(volume.tooth()->firstAround()),
+      firstAround_(volume.tooth()->standing().firstAround),
       thinner_(base_->tree()) {
     snapshot_ = std::make_shared<const Surface>(uncut(0));
 }

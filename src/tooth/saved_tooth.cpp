@@ -11,13 +11,13 @@ namespace tactooth {
 namespace {
 
 constexpr std::string_view kMagic = "TACTOOTH";
-constexpr std::uint32_t kVersion = 1;
-constexpr double kWidestBand = 2;        // voxels: files of the first months kept the cut distance farther
-constexpr double kFinestVoxel = 0.005;   // mm, as on the command line
-constexpr double kCoarsestVoxel = 0.5;   // mm
-constexpr int kFarthestBrick = 1 << 16;  // from the origin: 13 m at the default voxel
-constexpr float kFarthest = 1e6F;        // mm, of a vertex
-constexpr std::size_t kMostLayers = 64;
+constexpr std::uint32_t kVersion = 2;      // the first one knew no Standing
+constexpr double kWidestBand = 2;          // voxels: files of the first months kept the cut distance farther
+constexpr double kFinestVoxel = 0.005;     // mm, as on the command line
+constexpr double kCoarsestVoxel = 0.5;     // mm
+constexpr int kFarthestBrick = 1 << 16;    // from the origin: 13 m at the default voxel
+constexpr float kFarthest = 1e6F;          // mm, of a vertex
+constexpr std::size_t kMostLayers = 2000;  // of a case: 200 bodies of a few layers each
 constexpr std::size_t kMostNotes = 10'000;
 
 void putMesh(ByteWriter& out, const TriangleMesh& mesh) {
@@ -62,6 +62,7 @@ public:
         if (failure_.empty()) readNotes();
         if (failure_.empty()) readMesh(tooth_.outer);
         if (failure_.empty()) readLayers();
+        if (failure_.empty()) readStanding();
         if (failure_.empty()) readVolume();
         if (failure_.empty()) readEnd();
         if (!failure_.empty()) return unexpected(name_ + ", byte " + std::to_string(in_.at()) + ": " + failure_);
@@ -85,9 +86,10 @@ private:
             failure_ = "this is no saved tooth; choose a file that Tactooth has saved.";
             return;
         }
-        const auto version = in_.get<std::uint32_t>();
-        require(version == kVersion, "the file has format version " + std::to_string(version) +
-                                         ", and this program reads version 1; open it with the program that saved it.");
+        version_ = in_.get<std::uint32_t>();
+        require(version_ >= 1 && version_ <= kVersion,
+                "the file has format version " + std::to_string(version_) +
+                    ", and this program reads versions 1 and 2; open it with the program that saved it.");
     }
 
     void readNotes() {
@@ -135,6 +137,14 @@ private:
             tooth_.layers.push_back(std::move(layer));
         }
         tooth_.body = readMaterial();
+    }
+
+    void readStanding() {
+        if (version_ == 1) return;
+        const auto mesial = in_.get<std::int8_t>();
+        require(mesial == 1 || mesial == -1, kDamaged);
+        tooth_.standing = {static_cast<double>(mesial), in_.get<std::uint32_t>()};
+        require(true, kDamaged);
     }
 
     void readVolume() {
@@ -194,6 +204,7 @@ private:
     std::span<const std::byte> bytes_;
     const std::string& name_;
     SavedTooth tooth_;
+    std::uint32_t version_ = 0;
     std::string failure_;
 };
 
@@ -215,6 +226,8 @@ std::vector<std::byte> savedToothBytes(const CutVolume& volume, const MaterialVo
         putMesh(out, layer.part->mesh());
     }
     out.put(static_cast<std::uint8_t>(tooth.body()));
+    out.put(static_cast<std::int8_t>(tooth.standing().mesialX < 0 ? -1 : 1));
+    out.put(tooth.standing().firstAround);
 
     out.put(volume.lattice().spacing());
     for (const double gone : removed) out.put(gone);

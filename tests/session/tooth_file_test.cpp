@@ -4,11 +4,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstring>
 #include <fstream>
 #include <random>
 
 #include "bench_scene.h"
 #include "support/test_data.h"
+#include "tooth/byte_stream.h"
 
 namespace tactooth {
 namespace {
@@ -75,6 +78,49 @@ TEST(ToothFile, AWholeToothIsSavedToo) {
     ASSERT_TRUE(opened) << opened.error().message;
     EXPECT_EQ(opened->piece->hash(), piece->hash());
     EXPECT_TRUE(opened->piece->surface()->patches.empty());
+}
+
+TEST(ToothFile, KnowsHowTheToothStandsAndWhatIsAroundIt) {
+    TriangleMesh outer = test::box(Vec3(-2, -2, -3), Vec3(2, 2, 0));
+    append(outer, test::box(Vec3(3, -2, -3), Vec3(5, 2, 0)));
+    std::vector<LayerMesh> layers;
+    for (int i = 0; i < 100; ++i) {  // as many as a whole mouth has
+        const double x = -1.9 + 0.03 * i;
+        layers.push_back(
+            {"layer " + std::to_string(i), MaterialId::Dentin, test::box(Vec3(x, -0.5, -2), Vec3(x + 0.02, 0.5, -1))});
+    }
+    auto tooth = LayeredTooth::make(outer, std::move(layers), MaterialId::Enamel, {.mesialX = -1, .firstAround = 12});
+    ASSERT_TRUE(tooth) << tooth.error().message;
+    const WorkPiece piece(std::make_shared<const LayeredTooth>(std::move(*tooth)), test::kVoxel);
+    const test::TemporaryFolder folder;
+    ASSERT_TRUE(saveTooth(piece, {}, folder / "x.tactooth"));
+    const auto opened = openTooth(folder / "x.tactooth");
+    ASSERT_TRUE(opened) << opened.error().message;
+    const LayeredTooth& again = opened->piece->tooth();
+    EXPECT_EQ(again.layers().size(), 100U);
+    EXPECT_EQ(again.standing().mesialX, -1);
+    EXPECT_EQ(again.ownBox().max(), Vec3(2, 2, 0));
+    const Surface& felt = *opened->piece->felt();
+    EXPECT_FALSE(isAround(felt, 0, 11));
+    EXPECT_TRUE(isAround(felt, 0, 12));
+}
+
+/// Version 1 ended its surfaces with the material of the rest.
+TEST(ToothFile, OfTheFirstVersionIsStillRead) {
+    std::vector<std::byte> bytes = toothFileBytes(*cutBlock(), kNotes);
+    std::vector<std::byte> voxel(sizeof(double));
+    std::memcpy(voxel.data(), &test::kVoxel, sizeof(double));
+    const auto volume = std::search(bytes.begin(), bytes.end(), voxel.begin(), voxel.end());
+    ASSERT_NE(volume, bytes.end());
+    bytes.erase(volume - 5, volume);
+    bytes[8] = std::byte{1};
+    const std::uint64_t sum = checksum(std::span(bytes).first(bytes.size() - sizeof sum));
+    std::memcpy(bytes.data() + bytes.size() - sizeof sum, &sum, sizeof sum);
+    const auto parsed = parseSavedTooth(bytes, "old");
+    ASSERT_TRUE(parsed) << parsed.error().message;
+    EXPECT_EQ(parsed->cuts.size(), cutBlock()->volume().cutBricks().size());
+    EXPECT_EQ(parsed->standing.mesialX, 1);
+    EXPECT_EQ(parsed->standing.firstAround, UINT32_MAX);
 }
 
 TEST(ToothFile, SaysWhatIsWrongWithOtherFiles) {

@@ -77,7 +77,7 @@ Expected<void> castTooth(const DemoOptions& options, Cast& cast) {
         return {};
     }
     const BuiltinTooth molar = options.mouth ? castMouth(cast) : makeBuiltinTooth(BuiltinToothKind::lowerFirstMolar);
-    auto tooth = LayeredTooth::make(molar.outer, layersOf(molar));
+    auto tooth = layeredTooth(molar);
     if (!tooth) return Unexpected{tooth.error()};
     cast.tooth = std::make_shared<const LayeredTooth>(std::move(*tooth));
     cast.box = cast.tooth->outer()->tree().box();

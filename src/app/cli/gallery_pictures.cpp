@@ -38,7 +38,7 @@ Expected<Image> draw(OffscreenRenderer& renderer, Scene scene, PictureSize size)
 }  // namespace
 
 Expected<std::shared_ptr<const Surface>> shownSurface(const BuiltinTooth& tooth) {
-    const Expected<LayeredTooth> layered = LayeredTooth::make(tooth.outer, layersOf(tooth));
+    const Expected<LayeredTooth> layered = layeredTooth(tooth);
     if (!layered) return Unexpected{layered.error()};
     auto surface = std::make_shared<Surface>();
     surface->base = layered->outer();

@@ -123,7 +123,7 @@ void printAdvice(const ServoTiming& timing, double rateHz) {
 
 int runRealtime(const RealtimeOptions& options) {
     const BuiltinTooth molar = makeBuiltinTooth(BuiltinToothKind::lowerFirstMolar);
-    auto tooth = LayeredTooth::make(molar.outer, layersOf(molar));
+    auto tooth = layeredTooth(molar);
     if (!tooth) return refuse(tooth.error());
     const BurSpec spec = findBur("57").value();
     const TriangleMesh bur = makeBur(spec).surface;

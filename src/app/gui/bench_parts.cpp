@@ -32,7 +32,7 @@ Expected<BenchBur> benchBurOf(OwnBur own, const std::filesystem::path& file) {
 
 Expected<BenchTooth> makeBenchTooth(const BuiltinToothEntry& entry) {
     const BuiltinTooth tooth = makeBuiltinTooth(entry.kind);
-    Expected<LayeredTooth> layered = LayeredTooth::make(tooth.outer, layersOf(tooth));
+    Expected<LayeredTooth> layered = layeredTooth(tooth);
     if (!layered) return Unexpected{layered.error()};
     auto shared = std::make_shared<const LayeredTooth>(std::move(*layered));
     return BenchTooth{entry.name,
@@ -47,7 +47,7 @@ Expected<BenchTooth> makeBenchTooth(const BenchMouth& mouth) {
     const ToothCache cache(mouth.cached ? usualCacheFolder() : std::filesystem::path());
     const ToothInMouth made =
         toothInMouth(mouth.fdi, Lesion{}, request, [&](const ToothRequest& tooth) { return cache.make(tooth); });
-    Expected<LayeredTooth> layered = LayeredTooth::make(made.tooth.outer, layersOf(made.tooth));
+    Expected<LayeredTooth> layered = layeredTooth(made.tooth);
     if (!layered) return Unexpected{layered.error()};
     BenchTooth tooth{std::to_string(made.tooth.fdi),  // a number needs no translation
                      std::make_shared<WorkPiece>(std::make_shared<const LayeredTooth>(std::move(*layered)), kVoxel),

@@ -31,6 +31,7 @@ public:
         : store_(store), description_(description), chosen_(chosen), caseInTooth_(chosen.toothInCase.inverse()) {}
 
     Expected<std::shared_ptr<const LayeredTooth>> assemble() {
+        if (chosen_.fdi != 0) standing_.mesialX = mesialX(chosen_.fdi);
         // The chosen tooth first: its triangles keep their numbers.
         if (auto done = add(chosen_); !done) return Unexpected{done.error()};
         for (const CaseTooth& tooth : description_.teeth) {
@@ -45,12 +46,10 @@ public:
         }
         const bool isPlain = description_.teeth.size() == 1 && description_.around.empty() && chosen_.layers.empty();
         if (isPlain) layers_.clear();
-        auto tooth = LayeredTooth::make(std::move(outer_), std::move(layers_), chosen_.material, ownTriangles_);
+        auto tooth = LayeredTooth::make(std::move(outer_), std::move(layers_), chosen_.material, standing_);
         if (!tooth) return unexpected(store_.shown(std::string(kCaseText)) + ": " + tooth.error().message + ".");
         return std::shared_ptr<const LayeredTooth>(std::make_shared<const LayeredTooth>(std::move(*tooth)));
     }
-
-    [[nodiscard]] const Box3& chosenBox() const { return chosenBox_; }
 
 private:
     Expected<void> add(const CaseTooth& tooth) {
@@ -59,10 +58,7 @@ private:
         const std::string prefix = isChosen ? "" : tooth.name + " ";
         auto outer = readSurface(store_, tooth.outer, pose);
         if (!outer) return Unexpected{outer.error()};
-        if (isChosen) {
-            chosenBox_ = boundingBox(*outer);
-            ownTriangles_ = static_cast<std::uint32_t>(outer->triangles.size());
-        }
+        if (isChosen) standing_.firstAround = static_cast<std::uint32_t>(outer->triangles.size());
         for (const auto& [id, file] : tooth.layers) {
             auto mesh = file == tooth.outer ? Expected<TriangleMesh>(*outer) : readSurface(store_, file, pose);
             if (!mesh) return Unexpected{mesh.error()};
@@ -81,8 +77,7 @@ private:
     Pose caseInTooth_;
     TriangleMesh outer_;
     std::vector<LayerMesh> layers_;
-    Box3 chosenBox_;
-    std::uint32_t ownTriangles_ = 0;  // of the chosen tooth, which come first
+    Standing standing_;
 };
 
 Expected<const CaseTooth*> findTooth(const CaseDescription& description, const std::string& wanted,
@@ -143,12 +138,11 @@ Expected<OpenedCase> openCase(const CaseStore& store, const std::string& tooth) 
     const auto chosen = findTooth(opened.description, tooth, store.shown(std::string(kCaseText)));
     if (!chosen) return Unexpected{chosen.error()};
     opened.tooth = (*chosen)->name;
-    if ((*chosen)->fdi != 0) opened.mesialX = mesialX((*chosen)->fdi);
-    Assembly assembly(store, opened.description, **chosen);
-    auto teeth = assembly.assemble();
+    auto teeth = Assembly(store, opened.description, **chosen).assemble();
     if (!teeth) return Unexpected{teeth.error()};
     opened.teeth = std::move(*teeth);
-    opened.box = assembly.chosenBox();
+    opened.box = opened.teeth->ownBox();
+    opened.mesialX = opened.teeth->standing().mesialX;
     if (auto extras = readExtras(store, opened); !extras) return Unexpected{extras.error()};
     return opened;
 }

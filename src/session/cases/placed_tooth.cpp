@@ -8,6 +8,10 @@
 namespace tactooth {
 namespace {
 
+ToothPlace placeOf(const LayeredTooth& tooth, std::string name) {
+    return {std::move(name), tooth.ownBox(), tooth.standing().mesialX};
+}
+
 Expected<PlacedTooth> loadCase(const ToothSource& source, const std::string& workOn) {
     if (!source.layers.empty()) {
         return unexpected(shownName(source.outer) + ": a case has its own layers; give no others.");
@@ -15,7 +19,7 @@ Expected<PlacedTooth> loadCase(const ToothSource& source, const std::string& wor
     auto opened = openCase(source.outer, workOn);
     if (!opened) return Unexpected{opened.error()};
     const CaseDescription& description = opened->description;
-    PlacedTooth placed{std::move(opened->teeth), {description.title, opened->box, opened->mesialX}};
+    PlacedTooth placed{opened->teeth, placeOf(*opened->teeth, description.title)};
     ToothPlace& place = placed.place;
     for (const CaseTooth& tooth : description.teeth) place.teethOfCase.push_back(tooth.name);
     if (place.teethOfCase.size() > 1) place.name += ", " + opened->tooth;
@@ -32,8 +36,6 @@ Expected<void> refuseChoice(const ToothSource& source, const std::string& workOn
     return unexpected(shownName(source.outer) + ": this is one tooth; a tooth can be chosen in a case only.");
 }
 
-Box3 wholeBox(const LayeredTooth& tooth) { return tooth.outer()->tree().box(); }
-
 }  // namespace
 
 Expected<PlacedTooth> loadPlacedTooth(const ToothSource& source, const std::string& workOn) {
@@ -41,7 +43,7 @@ Expected<PlacedTooth> loadPlacedTooth(const ToothSource& source, const std::stri
     if (auto single = refuseChoice(source, workOn); !single) return Unexpected{single.error()};
     auto tooth = loadLayeredTooth(source);
     if (!tooth) return Unexpected{tooth.error()};
-    return PlacedTooth{*tooth, {source.outer.filename().string(), wholeBox(**tooth)}};
+    return PlacedTooth{*tooth, placeOf(**tooth, source.outer.filename().string())};
 }
 
 Expected<PlacedWork> loadPlacedWork(const ToothSource& source, const std::string& workOn, std::optional<double> voxel,
@@ -55,8 +57,8 @@ Expected<PlacedWork> loadPlacedWork(const ToothSource& source, const std::string
     if (auto single = refuseChoice(source, workOn); !single) return Unexpected{single.error()};
     auto opened = loadTooth(source, voxel, usualVoxel);
     if (!opened) return Unexpected{opened.error()};
-    const Box3 box = wholeBox(opened->piece->tooth());
-    return PlacedWork{std::move(opened->piece), {source.outer.filename().string(), box}, std::move(opened->provenance)};
+    ToothPlace place = placeOf(opened->piece->tooth(), source.outer.filename().string());
+    return PlacedWork{std::move(opened->piece), std::move(place), std::move(opened->provenance)};
 }
 
 }  // namespace tactooth
