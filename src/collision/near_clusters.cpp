@@ -158,7 +158,7 @@ private:
         for (; near != 0; near &= near - 1) {
             const int k = std::countr_zero(near);
             Slab slab{mean.direction, front[k]};
-            if (behind[k] > slab.gap) slab = {-mean.direction, behind[k]};
+            widen(slab, {-mean.direction, behind[k]});
             const Slab byTool = byFace(tooth, faces, k);
             if (staysOpen(byTool, spun[k])) continue;
             const Slab apart = byBoxes(tooth.box, faces, k);
@@ -199,8 +199,10 @@ private:
         return slab.gap > shifts_.closing(slab.normal) + spun;
     }
 
-    static void widen(Slab& slab, const Slab& other) {
-        if (other.gap > slab.gap) slab = other;
+    /// Takes the slab of which the way expected leaves more: the wider one at its start may lie right across it.
+    void widen(Slab& slab, const Slab& other) const {
+        const auto left = [&](const Slab& one) { return one.gap - shifts_.closing(one.normal); };
+        if (left(other) > left(slab)) slab = other;
     }
 
     /// Whether any triangle of the tooth's leaf may meet the tool's triangle `k`. Asked where the leaf as a whole may:

@@ -5,10 +5,15 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numbers>
+
+#include "collision/gjk.h"
 
 // Pair list with a skin: L. Verlet, "Computer Experiments on Classical Fluids", Phys. Rev. 159, 1967. Differs from the
 // paper: what is listed carries a separating direction with its gap, so a move along the surface, or away from it, does
 // not use the gap up; a turn counts by its lever arm; and there are two levels, the second filled in where it is asked.
+// Within the list a shorter one serves a few steps, as in S. Pall et al., "Heterogeneous parallelization and
+// acceleration of molecular dynamics simulations in GROMACS", J. Chem. Phys. 153, 2020 (dual pair list).
 
 namespace tactooth {
 namespace {
@@ -17,6 +22,14 @@ constexpr std::size_t kPlentyOfClusters = 1024;  // a longer list costs more to 
 constexpr double kLeastReach = 0.001;            // of the tool's radius: 10 um for a bur of 20 mm with its shank
 constexpr double kGreatestReach = 1.0;           // of the tool's radius
 constexpr std::uint32_t kClosed = ~0U;
+
+// A look around serves a few steps like the one at hand, and others that stray from its way by some share of it, by
+// some micrometres and by 20 arc seconds.
+constexpr float kStepsAround = 4;
+constexpr float kStrayAround = 0.25F;
+constexpr float kLeastAroundShift = 0.002F;  // mm
+constexpr float kLeastAroundTurn = 1e-4F;    // chord
+constexpr float kAroundSpare = 1e-5F;        // mm: what steps must leave grows with the distance from the origin
 
 /// The first in lanes 0-3, the second in lanes 4-7.
 Vec3x8 sideBySide(const Vec3f& a, const Vec3f& b) {
@@ -76,13 +89,22 @@ Vec3x8 betweenBoxes(const float (&tooth)[3][3][8], const std::array<Vec3f, 3>& t
 }
 
 /// One bit for each of eight clusters whose slab leaves what it must with the tool moved by `way`.
-std::uint32_t slabsHold(const EightClusters& eight, const Excursion::Way& way) {
+/// `used`: what it must leave besides.
+std::uint32_t slabsHold(const EightClusters& eight, const Excursion::Way& way, Float8 used) {
     const Vec3x8 n = Vec3x8::load(eight.normal);
     const Vec3x8 turned = {dot(n, everywhere(way.turn.col(0))), dot(n, everywhere(way.turn.col(1))),
                            dot(n, everywhere(way.turn.col(2)))};
     const Float8 left =
         Float8::load(eight.gap) + dot(n, everywhere(way.shift)) + dot(turned, Vec3x8::load(eight.centre));
-    return lessEqual(Float8::load(eight.radius) * Float8::all(way.perLength) + Float8::all(way.spare), left);
+    return lessEqual(Float8::load(eight.radius) * Float8::all(way.perLength) + Float8::all(way.spare), left - used);
+}
+std::uint32_t slabsHold(const EightClusters& eight, const Excursion::Way& way) {
+    return slabsHold(eight, way, Float8::all(0));
+}
+
+/// The turn between two ways as a chord: two rotations differ by that in no direction more.
+float chordBetween(const Excursion::Way& a, const Excursion::Way& b) {
+    return (a.turn - b.turn).norm() * std::numbers::sqrt2_v<float> / 2;
 }
 
 }  // namespace
@@ -145,6 +167,7 @@ bool PairList::makeUpTo(const Surface& surface, const Pose& toolInTooth, std::si
 
 void PairList::reserve(std::size_t capacity) {
     near_ = NearClusters(capacity);
+    around_.eights.resize(near_.eights.size());
     pairs_.resize(capacity / 4);
     opened_.resize(capacity);
 }
@@ -155,6 +178,7 @@ void PairList::list(const Surface& surface, const Pose& toolInTooth, std::size_t
     findNearClusters(surface, *tool_, at_, skin_, limit, near_);
     std::fill_n(opened_.begin(), near_.count, kClosed);
     openedCount_ = 0;
+    around_.stray = around_.turn = -1;
     made_ = true;
 }
 
@@ -179,6 +203,41 @@ Excursion PairList::excursion(const Pose& start, const Pose& end, double margin,
     result.shift = sideBySide(result.start.shift, result.end.shift);
     for (std::size_t i = 0; i < known.size(); ++i) result.known[i] = (rotation_.transpose() * known[i]).cast<float>();
     return result;
+}
+
+bool PairList::Surroundings::cover(const Excursion::Way& way) const {
+    const Vec3f shift = way.shift - middle.shift;
+    const float squared = along.squaredNorm();
+    const float share = squared > 0 ? std::clamp(shift.dot(along) / squared, 0.0F, 1.0F) : 0.0F;
+    return (shift - share * along).norm() <= stray && chordBetween(way, middle) <= turn && way.spare <= middle.spare;
+}
+
+std::span<const std::uint32_t> PairList::within(const Excursion& excursion) {
+    if (!around_.cover(excursion.start) || !around_.cover(excursion.end)) lookAround(excursion);
+    return std::span(around_.eights).first(around_.count);
+}
+
+/// What is left of a slab at the middle is used up by no step that goes less far from there along its normal.
+void PairList::lookAround(const Excursion& excursion) {
+    around_.middle = excursion.start;
+    around_.middle.spare = std::max(excursion.start.spare, excursion.end.spare) + kAroundSpare;
+    const Vec3f step = excursion.end.shift - excursion.start.shift;
+    around_.along = kStepsAround * step;
+    around_.stray = kStrayAround * step.norm() + kLeastAroundShift;
+    around_.turn = kStepsAround * chordBetween(excursion.start, excursion.end) + kLeastAroundTurn;
+    around_.count = 0;
+    const Float8 stray = Float8::all(around_.stray), turn = Float8::all(around_.turn), zero = Float8::all(0);
+    const Vec3x8 back = everywhere(-around_.along);
+    for (std::size_t i = 0; 8 * i < near_.count; ++i) {
+        const EightClusters& eight = near_.eights[i];
+        const Vec3x8 centre = Vec3x8::load(eight.centre);
+        const Float8 closing = stray + max(dot(Vec3x8::load(eight.normal), back), zero);
+        const Float8 used = closing + turn * (sqrt(dot(centre, centre)) + Float8::load(eight.radius));
+        const std::size_t rest = near_.count - 8 * i;
+        const std::uint32_t present = rest >= 8 ? 0xFFU : (1U << rest) - 1U;
+        if ((~slabsHold(eight, around_.middle, used) & present) != 0)
+            around_.eights[around_.count++] = static_cast<std::uint32_t>(8 * i);
+    }
 }
 
 std::uint32_t PairList::clustersInDoubt(std::size_t first, const Excursion& excursion) const {
@@ -283,11 +342,16 @@ std::uint32_t PairList::pairsInDoubt(std::size_t cluster, const Excursion& excur
     const NearLeaf& leaf = near_.leaves[eight.leaf[cluster % 8]];
     const std::uint32_t tool = eight.tool[cluster % 8];
     const Swept swept = sweep(tool, excursion);
+    const auto ownDoubt = [&](const EightPairs& pairs) {
+        const Float8 room = swept.room(Vec3x8::load(pairs.normal));
+        return leaf.present & ~lessEqual(Float8::load(pairs.high), room);
+    };
+    // What the pairs' own slabs hold is told sooner by these than by the planes that hold the tool.
+    if (opened_[cluster] != kClosed && ownDoubt(pairs_[opened_[cluster]]) == 0) return 0;
     if (partCluster(cluster, excursion, swept)) return 0;
     EightPairs* pairs = open(cluster);
     if (pairs == nullptr) return leaf.present;
-    const Float8 room = swept.room(Vec3x8::load(pairs->normal));
-    std::uint32_t doubt = leaf.present & ~lessEqual(Float8::load(pairs->high), room);
+    std::uint32_t doubt = ownDoubt(*pairs);
     for (int i = 0; i < excursion.knownCount && doubt != 0; ++i)
         doubt = part(everywhere(excursion.known[i]), leaf, swept, doubt, *pairs);
     if ((doubt & ~pairs->stubborn) == 0) return doubt;
@@ -299,6 +363,31 @@ std::uint32_t PairList::pairsInDoubt(std::size_t cluster, const Excursion& excur
     if (doubt != 0) doubt = part(toolNormal, leaf, swept, doubt, *pairs);
     pairs->stubborn = doubt;
     return doubt;
+}
+
+void PairList::partAhead(const Surface& surface, const Pose& start, const Pose& end, double margin) {
+    const Excursion way = excursion(start, end, margin, {});
+    for (std::size_t first = 0; first < near_.count; first += 8) {
+        for (std::uint32_t near = clustersInDoubt(first, way); near != 0; near &= near - 1) {
+            const std::size_t cluster = first + static_cast<std::size_t>(std::countr_zero(near));
+            for (std::uint32_t doubt = pairsInDoubt(cluster, way); doubt != 0; doubt &= doubt - 1) {
+                partPairAhead(surface, placeOf(cluster, std::countr_zero(doubt)), start, end);
+            }
+        }
+    }
+}
+
+void PairList::partPairAhead(const Surface& surface, std::size_t place, const Pose& start, const Pose& end) {
+    const NearPair pair = (*this)[place];
+    const Triangle3 tooth = cornersOf(partOf(surface, pair.part).mesh(), pair.tooth);
+    std::array<Vec3, 6> swept;
+    for (int i = 0; i < 3; ++i) {
+        swept[i] = start * tool_->corners(pair.tool)[i];
+        swept[i + 3] = end * tool_->corners(pair.tool)[i];
+    }
+    const Vec3 known = direction(place);
+    const GjkResult result = distanceBetween(tooth, swept, known.isZero() ? Vec3(swept[0] - tooth[0]) : known);
+    if (result.separated) certify(place, result.normal, highestAlong(tooth, result.normal));
 }
 
 NearPair PairList::operator[](std::size_t place) const {

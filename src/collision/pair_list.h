@@ -76,6 +76,9 @@ public:
     [[nodiscard]] Excursion excursion(const Pose& start, const Pose& end, double margin,
                                       std::span<const Vec3> known) const;
 
+    /// Where the eight clusters begin of which a step may bring some in doubt, ascending; all others are clear of it.
+    /// Looks them all over once, for the steps to come as well, as long as these stay near. Allocates nothing.
+    [[nodiscard]] std::span<const std::uint32_t> within(const Excursion& excursion);
     /// Of the eight clusters from number `first` on (a multiple of eight), one bit for each whose slab does not hold
     /// at both ends of the step.
     [[nodiscard]] std::uint32_t clustersInDoubt(std::size_t first, const Excursion& excursion) const;
@@ -88,6 +91,9 @@ public:
     [[nodiscard]] NearPair operator[](std::size_t place) const;
     /// The direction of the pair's slab in the tooth's frame, of length 1 or almost; zero: none is known.
     [[nodiscard]] Vec3 direction(std::size_t place) const;
+    /// Looks ahead for what parts the tool on its way from `start` to `end`, straight on, from each triangle listed of
+    /// `surface`: a move on about this way then finds it here. `margin`: what it shall leave at the end, mm.
+    void partAhead(const Surface& surface, const Pose& start, const Pose& end, double margin);
     /// Takes the plane with this unit normal and offset (of the tooth's frame) for the pair's slab.
     void certify(std::size_t place, const Vec3& normal, double offset);
 
@@ -100,10 +106,23 @@ private:
     };
     struct Swept;
 
+    /// A few steps from a pose of the tool on, and the clusters that they may bring in doubt.
+    struct Surroundings {
+        Excursion::Way middle;
+        Vec3f along = Vec3f::Zero();  // where they lead, mm
+        float stray = -1, turn = -1;  // and how far from this way, mm, and as a chord; negative: not known
+        std::vector<std::uint32_t> eights;
+        std::size_t count = 0;
+
+        [[nodiscard]] bool cover(const Excursion::Way& way) const;
+    };
+
     void reserve(std::size_t capacity);
+    void lookAround(const Excursion& excursion);
     void shortenTo(double length);
     void list(const Surface& surface, const Pose& toolInTooth, std::size_t limit);
     EightPairs* open(std::size_t cluster);
+    void partPairAhead(const Surface& surface, std::size_t place, const Pose& start, const Pose& end);
     void fill(EightPairs& pairs, const NearLeaf& leaf, std::uint32_t tool) const;
     [[nodiscard]] Swept sweep(std::uint32_t tool, const Excursion& excursion) const;
     [[nodiscard]] bool partCluster(std::size_t cluster, const Excursion& excursion, const Swept& swept);
@@ -113,6 +132,7 @@ private:
 
     const ToolShape* tool_;
     NearClusters near_;
+    Surroundings around_;
     std::vector<EightPairs> pairs_;
     std::vector<std::uint32_t> opened_;  // place in pairs_ of each cluster; kClosed: not opened
     std::size_t openedCount_ = 0;

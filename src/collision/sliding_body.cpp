@@ -3,8 +3,11 @@
 #include "collision/sliding_body_round.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
+
+#include "collision/gjk.h"
 
 // God object: C. B. Zilles, J. K. Salisbury, "A Constraint-based God-object Method for Haptic Display", IROS 1995; for
 // a body with a shape: M. Ortega, S. Redon, S. Coquillart, "A Six Degree-of-Freedom God-Object Method for Haptic
@@ -57,19 +60,41 @@ std::shared_ptr<const Surface> SlidingBody::setSurface(std::shared_ptr<const Sur
 }
 
 std::shared_ptr<const Surface> SlidingBody::setSurface(std::shared_ptr<const Surface> surface, PairList& near) {
-    surface = setSurface(std::move(surface));
+    if (surface != surface_) surface = setSurface(std::move(surface));  // else all that is known of it still holds
     std::swap(list_, near);
     return surface;
 }
 
 void SlidingBody::placeAt(const Pose& toolInTooth) {
+    shiftTo(toolInTooth);
+    list_.clear();
+}
+
+void SlidingBody::shiftTo(const Pose& toolInTooth) {
     pose_ = toolInTooth;
     ++poseStamp_;
     heldCount_ = 0;
     lastGoal_ = toolInTooth;
     isBehind_ = false;
     recent_.clear();
-    list_.clear();
+}
+
+std::optional<bool> SlidingBody::isClearAt(const Pose& toolInTooth) {
+    const bool turnIsListed = list_.turnTo(toolInTooth.rotation) <= list_.skin().turn * kTrusted;
+    if (!list_.made() || !isListed(toolInTooth.position) || !turnIsListed) return std::nullopt;
+    const Excursion still = list_.excursion(toolInTooth, toolInTooth, 0, {});
+    for (const std::uint32_t first : list_.within(still)) {
+        for (std::uint32_t near = list_.clustersInDoubt(first, still); near != 0; near &= near - 1) {
+            const std::size_t cluster = first + static_cast<std::size_t>(std::countr_zero(near));
+            for (std::uint32_t doubt = list_.pairsInDoubt(cluster, still); doubt != 0; doubt &= doubt - 1) {
+                const NearPair pair = list_[PairList::placeOf(cluster, std::countr_zero(doubt))];
+                const Triangle3 tooth = cornersOf(partOf(*surface_, pair.part).mesh(), pair.tooth);
+                const Triangle3 tool = tool_->cornersAt(toolInTooth, pair.tool);
+                if (!distanceBetween(tooth, tool, tool[0] - tooth[0]).separated) return false;
+            }
+        }
+    }
+    return true;
 }
 
 void SlidingBody::forget() {

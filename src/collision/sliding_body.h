@@ -4,6 +4,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -74,6 +75,12 @@ public:
 
     /// Puts the body at a pose that is free of contact (the caller knows; see isFree in contact_query.h).
     void placeAt(const Pose& toolInTooth);
+
+    /// Puts the body at a pose that is free of contact, not far away: what is known of its surroundings still holds.
+    void shiftTo(const Pose& toolInTooth);
+    /// Whether the body would stand clear of all triangles at a pose (it may still be wholly inside). Nothing where the
+    /// pose is beyond what the body knows.
+    [[nodiscard]] std::optional<bool> isClearAt(const Pose& toolInTooth);
 
     /// Forgets what earlier moves have found out: after placeAt, the moves to come do not depend on them to the last
     /// bit.

@@ -172,7 +172,7 @@ SlidingBody::Offence SlidingBody::violation(const Attempt& attempt, WatchedPair&
     const Excursion excursion =
         list_.excursion(pose_, end, margin_, std::span(known).first(static_cast<std::size_t>(attempt.activeCount)));
     SweptTool swept;
-    for (std::size_t first = 0; first < list_.clusters(); first += 8) {
+    for (const std::uint32_t first : list_.within(excursion)) {
         for (std::uint32_t near = list_.clustersInDoubt(first, excursion); near != 0; near &= near - 1) {
             const std::size_t cluster = first + static_cast<std::size_t>(std::countr_zero(near));
             const Offence offence = violationIn(cluster, excursion, attempt, swept, offender);

@@ -2,28 +2,92 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "haptics/felt_surface.h"
 
+#include <algorithm>
+
 namespace tactooth {
 namespace {
 
 constexpr std::size_t kCapacity = 1 << 14;  // clusters; it grows where more are near
 
-// How far beyond the way expected the list reaches: what a hand of 20 mm/s strays until it feels the surface, mm ...
+// How far beyond the way expected the list reaches at least: what a hand of 20 mm/s strays until it feels the surface,
+// mm ...
 constexpr double kAround = 0.025;
 // ... and that it turns at 50 degrees/s for 10 ms: a chord, as in Skin.
 constexpr double kTurn = 0.008;
 
+constexpr double kShortest = 0.001;  // s: a look at each tick
+constexpr double kLongest = 0.05;    // s: after a longer pause the tool may be anywhere
+constexpr double kUntilNext = 1.5;   // pauses: a list lasts until the next one comes, and some more
+constexpr double kStray = 0.25;      // of the way expected: how far the tool may leave it
+constexpr double kFarthest = 0.2;    // mm: a longer list takes the cutter longer than it saves the ticks
+constexpr double kApart = 1e-6;      // mm: what a tool keeps from the tooth is less, see SlidingBody::margin
+constexpr double kTrusted = 0.9;     // of the skin: a list is renewed before it ends
+
+constexpr std::size_t kFew = 512;         // clusters: a tick lists them in less than 0.1 ms
+constexpr double kWorthAnotherLook = 10;  // skins that the tool leaves a short list behind before another is tried
+
 }  // namespace
 
-FeltSurface* FeltSurfaces::make(std::shared_ptr<const Surface> surface, const Pose& from, const Pose& to) {
+void FeltSurfaces::watch(double time, const Pose& toolInTooth) {
+    const double pause = time - time_;
+    if (time_ >= 0 && pause > 0 && pause <= kLongest) {
+        pause_ = pause;
+        velocity_ = (toolInTooth.position - pose_.position) / pause;
+        spin_ = chordBetween(toolInTooth.rotation, pose_.rotation) / pause;
+    } else if (time_ < 0 || pause != 0) {
+        velocity_.setZero();
+        pause_ = spin_ = 0;
+    }
+    time_ = time;
+    pose_ = toolInTooth;
+}
+
+/// How long a list has to last, s.
+double FeltSurfaces::ahead() const { return kUntilNext * std::max(pause_, kShortest); }
+
+/// Where the tool goes meanwhile, as far as a list is worth it, mm.
+Vec3 FeltSurfaces::drift() const {
+    const Vec3 way = ahead() * velocity_;
+    const double length = way.norm();
+    return length > kFarthest ? Vec3(kFarthest / length * way) : way;
+}
+
+FeltSurface* FeltSurfaces::list(const Pose& at, const Skin& skin) {
     if (free_.empty()) {
         all_.push_back(std::make_unique<FeltSurface>(FeltSurface{nullptr, PairList(*tool_, kCapacity)}));
         free_.push_back(all_.back().get());
     }
     FeltSurface* felt = free_.back();
     free_.pop_back();
-    felt->surface = std::move(surface);
+    felt->surface = surface_;
+    felt->near.makeAll(*surface_, at, skin);
+    listedAt_ = at;
+    listed_ = skin;
+    clusters_ = felt->near.clusters();
+    return felt;
+}
+
+FeltSurface* FeltSurfaces::make(std::shared_ptr<const Surface> surface, const Pose& from, const Pose& to) {
+    surface_ = std::move(surface);
+    const Skin way{drift(), 0, 0};
+    const double around = kAround + way.stray(to.position - from.position);
+    FeltSurface* felt = list(from, {way.along, around, std::max(kTurn, spin_ * ahead())});
+    felt->near.partAhead(*surface_, from, to, kApart);
     felt->reach = to.position;
-    felt->near.makeAll(*felt->surface, from, {to.position - from.position, kAround, kTurn});
+    return felt;
+}
+
+FeltSurface* FeltSurfaces::renew() {
+    if (surface_ == nullptr || time_ < 0) return nullptr;
+    const Vec3 way = drift();
+    const double turn = spin_ * ahead();
+    const double stray = std::max(listed_.stray(pose_.position - listedAt_.position),
+                                  listed_.stray(pose_.position + way - listedAt_.position));
+    const double turned = chordBetween(pose_.rotation, listedAt_.rotation);
+    const double patience = clusters_ < kFew ? kWorthAnotherLook : kTrusted;
+    if (stray < patience * listed_.around && turned + turn < patience * listed_.turn) return nullptr;
+    FeltSurface* felt = list(pose_, {2 * way, kAround + kStray * way.norm(), kTurn + 2 * turn});
+    felt->reach = pose_.position;
     return felt;
 }
 

@@ -24,15 +24,40 @@ public:
     /// `tool` outlives this object.
     explicit FeltSurfaces(const ToolShape& tool) : tool_(&tool) {}
 
-    /// For a tool that stands at `from` and will go on about as far as `to`. Owned by this object.
+    /// Where the tool is, at a time in s. From one call to the next it is seen how fast the tool moves and turns, and
+    /// how long a list has to last.
+    void watch(double time, const Pose& toolInTooth);
+
+    /// For a tool that stands at `from` and will go on about as far as `to`, or the way it was watched to go. What
+    /// parts it from the surface on the way to `to` is looked up ahead, too. Owned by this object.
     [[nodiscard]] FeltSurface* make(std::shared_ptr<const Surface> surface, const Pose& from, const Pose& to);
+    /// The surface made last with a new list, around the pose watched last. Null as long as the tool stays within what
+    /// the last list covers, and where so little is near that the servo itself lists it in no time.
+    [[nodiscard]] FeltSurface* renew();
     /// Takes back what `make` has given, with whatever is in it now.
     void giveBack(FeltSurface* felt);
 
 private:
+    [[nodiscard]] FeltSurface* list(const Pose& at, const Skin& skin);
+    [[nodiscard]] double ahead() const;
+    [[nodiscard]] Vec3 drift() const;
+
     const ToolShape* tool_;
     std::vector<std::unique_ptr<FeltSurface>> all_;
     std::vector<FeltSurface*> free_;
+
+    // The tool, as watched.
+    double time_ = -1;  // s; negative: not yet
+    Pose pose_;
+    double pause_ = 0;              // between the last two looks, s
+    Vec3 velocity_ = Vec3::Zero();  // mm/s
+    double spin_ = 0;               // chord a second, as in Skin
+
+    // The last list.
+    std::shared_ptr<const Surface> surface_;
+    Pose listedAt_;
+    Skin listed_;
+    std::size_t clusters_ = 0;
 };
 
 }  // namespace tactooth

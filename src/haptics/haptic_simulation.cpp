@@ -36,7 +36,7 @@ HapticSimulation::HapticSimulation(std::shared_ptr<const ToolShape> tool, double
 }
 
 void HapticSimulation::setSurface(FeltSurface& felt) {
-    pace_.grant((felt.reach - proxy_.pose().position).norm());
+    if (felt.surface != proxy_.surface()) pace_.grant((felt.reach - proxy_.pose().position).norm());
     proxy_.setSurface(felt);
 }
 

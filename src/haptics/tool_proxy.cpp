@@ -25,8 +25,8 @@ std::shared_ptr<const Surface> ToolProxy::setSurface(std::shared_ptr<const Surfa
 }
 
 void ToolProxy::setSurface(FeltSurface& felt) {
+    newSurface_ |= surface_ != felt.surface;
     surface_ = felt.surface;
-    newSurface_ = true;
     query_.setSurface(felt.surface);
     felt.surface = body_.setSurface(std::move(felt.surface), felt.near);
 }
@@ -48,6 +48,12 @@ void ToolProxy::placeNear(const Pose& handInTooth) {
     placed_ = true;
 }
 
+/// What the body knows of its surroundings answers at once; to look for what is near takes a millisecond in a cavity.
+bool ToolProxy::isFree(const Pose& toolInTooth) {
+    const std::optional<bool> isClear = body_.isClearAt(toolInTooth);
+    return isClear ? *isClear && !isSwallowed(toolInTooth) : query_.isFree(toolInTooth);
+}
+
 /// A new surface may stand a micron nearer than the one before. Steps back along the last contact, or along the shaft,
 /// by the least of a few distances that is free.
 bool ToolProxy::stepOutOfSurface() {
@@ -57,8 +63,8 @@ bool ToolProxy::stepOutOfSurface() {
     for (double step = kFirstStep; step < kLastStep; step *= 2) {
         for (const Vec3& direction : {wayOut_, Vec3(stuck.rotation * Vec3::UnitZ())}) {
             const Pose pose{stuck.position + step * direction, stuck.rotation};
-            if (!query_.isFree(pose)) continue;
-            body_.placeAt(pose);
+            if (!isFree(pose)) continue;
+            body_.shiftTo(pose);
             return true;
         }
     }
@@ -67,7 +73,9 @@ bool ToolProxy::stepOutOfSurface() {
 
 /// Whether the tool stands wholly inside the tooth, where it meets no triangle: when a cut tooth becomes whole again.
 /// Its far end tells: it is the last to touch anything.
-bool ToolProxy::isSwallowed() const { return surface_->closed && contains(*surface_, body_.pose() * farEnd_); }
+bool ToolProxy::isSwallowed(const Pose& toolInTooth) const {
+    return surface_->closed && contains(*surface_, toolInTooth * farEnd_);
+}
 
 /// See ProxyState::handTip. A tool turns under its contacts about its centre.
 Vec3 ToolProxy::handTip(const Pose& handInTooth) const {
@@ -82,7 +90,7 @@ ProxyState ToolProxy::follow(const Pose& handInTooth, const Pose& goal) {
     if (!placed_) placeNear(handInTooth);
     if (!placed_) return state;
     const Vec3 before = body_.pose().position;
-    if (std::exchange(newSurface_, false) && isSwallowed()) {
+    if (std::exchange(newSurface_, false) && isSwallowed(body_.pose())) {
         placed_ = false;
         return state;
     }

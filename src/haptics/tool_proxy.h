@@ -47,6 +47,7 @@ public:
 
     [[nodiscard]] const Pose& pose() const { return body_.pose(); }
     [[nodiscard]] const ToolShape& tool() const { return body_.tool(); }
+    [[nodiscard]] const std::shared_ptr<const Surface>& surface() const { return surface_; }
 
     /// Takes the newest surface. Returns the old one, so that the caller frees it away from the servo thread.
     std::shared_ptr<const Surface> setSurface(std::shared_ptr<const Surface> surface);
@@ -59,9 +60,10 @@ public:
 private:
     [[nodiscard]] ProxyState followAsPenalty(const Pose& handInTooth);
     void placeNear(const Pose& handInTooth);
+    [[nodiscard]] bool isFree(const Pose& toolInTooth);
     [[nodiscard]] bool stepOutOfSurface();
     [[nodiscard]] Vec3 handTip(const Pose& handInTooth) const;
-    [[nodiscard]] bool isSwallowed() const;
+    [[nodiscard]] bool isSwallowed(const Pose& toolInTooth) const;
     void holdWithoutContact(ProxyState& state);
     [[nodiscard]] MaterialId materialOf(std::uint32_t part, std::uint32_t triangle) const;
 

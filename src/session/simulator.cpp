@@ -109,13 +109,21 @@ void Simulator::publishSurface() {
     surfaceUpdates_.fetch_add(1, std::memory_order_relaxed);
 }
 
-/// Hands the newest surface to the servo; false if it has not taken the last ones yet.
-bool Simulator::sendSurface() {
-    const Tick& tick = tickForCutter_.value();
-    FeltSurface* felt = surfaces_.make(piece_->felt(), tick.proxy, piece_->reached().value_or(tick.proxy));
+/// Hands a surface to the servo; false if it has not taken the last ones yet.
+bool Simulator::send(FeltSurface* felt) {
     if (fresh_.push(felt)) return true;
     surfaces_.giveBack(felt);
     return false;
+}
+
+bool Simulator::sendSurface() {
+    const Tick& tick = tickForCutter_.value();
+    return send(surfaces_.make(piece_->felt(), tick.proxy, piece_->reached().value_or(tick.proxy)));
+}
+
+/// Lists what is near a tool that moves about in a cavity, before the servo would have to do so within a tick.
+void Simulator::sendList() {
+    if (FeltSurface* felt = surfaces_.renew()) (void)send(felt);  // what it does not take, it has no need of
 }
 
 std::vector<std::byte> Simulator::toothFile(const Provenance& provenance) const {
@@ -154,8 +162,14 @@ void Simulator::runCutter(const std::stop_token& stop) {
     while (!stop.stop_requested()) {
         returned_.consume_all([this](FeltSurface* felt) { surfaces_.giveBack(felt); });
         const bool changed = workOnPiece();
+        if (changed) (void)tickForCutter_.refresh();  // the tool has moved on meanwhile: lists begin where it is now
+        if (const Tick& tick = tickForCutter_.value(); tick.placed) surfaces_.watch(tick.time, tick.proxy);
         if (changed) publishSurface();
-        unsent = (unsent || changed) && !sendSurface();
+        if (unsent || changed) {
+            unsent = !sendSurface();
+        } else {
+            sendList();
+        }
         if (!changed) std::this_thread::sleep_for(kCutterPause);
     }
 }

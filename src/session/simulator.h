@@ -98,7 +98,9 @@ private:
     [[nodiscard]] bool undoAsAsked();
     [[nodiscard]] bool cutAsAsked();
     void publishSurface();
+    [[nodiscard]] bool send(FeltSurface* felt);
     [[nodiscard]] bool sendSurface();
+    void sendList();
 
     std::shared_ptr<WorkPiece> piece_;
     Instrument instrument_;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace tactooth {
 namespace {
@@ -16,22 +15,6 @@ constexpr double kKeptWork = 0.3;
 // The bur never gains more than this at one update, mm: 20 mm/s at an update each 5 ms, faster than any hand feeds.
 // Keeps the search for the way that the work pays for short where a hand is far behind its bur.
 constexpr double kLongestFeed = 0.1;
-
-/// One entry a brick that covers all changes of it.
-std::vector<ChangedBrick> merged(const std::vector<ChangedBrick>& changes) {
-    std::map<BrickKey, ChangedBrick> bricks;
-    for (const ChangedBrick& change : changes) {
-        auto [place, isNew] = bricks.try_emplace(change.key, change);
-        if (isNew) continue;
-        for (int axis = 0; axis < 3; ++axis) {
-            place->second.low[axis] = std::min(place->second.low[axis], change.low[axis]);
-            place->second.high[axis] = std::max(place->second.high[axis], change.high[axis]);
-        }
-    }
-    std::vector<ChangedBrick> result;
-    for (const auto& [key, change] : bricks) result.push_back(change);
-    return result;
-}
 
 }  // namespace
 
@@ -93,7 +76,7 @@ bool WorkPiece::feed(const CuttingTool& tool, const Tick& tick, const MaterialTa
 
 void WorkPiece::refreshSurface() {
     if (changed_.empty()) return;
-    live_.update(volume_, merged(changed_));
+    live_.update(volume_, merged(std::move(changed_)));
     changed_.clear();
 }
 

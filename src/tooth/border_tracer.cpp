@@ -72,14 +72,18 @@ class BrickTracer {
 public:
     BrickTracer(BrickMap& bricks, const BrickKey& key, const Lattice& lattice, const std::vector<SweepStep>& steps,
                 std::uint64_t carve)
-        : brick_(*bricks.find(key)), corner_(lattice.corner(key)), spacing_(lattice.spacing()), carve_(carve) {
+        : changed_{key},
+          brick_(*bricks.find(key)),
+          corner_(lattice.corner(key)),
+          spacing_(lattice.spacing()),
+          carve_(carve) {
         next_ = {bricks.find(key.moved(1, 0, 0)), bricks.find(key.moved(0, 1, 0)), bricks.find(key.moved(0, 0, 1))};
         for (const SweepStep& step : steps) {
             if (step.lowerBound(lattice.centre(key)) < lattice.halfDiagonal() + spacing_) steps_.push_back(&step);
         }
     }
 
-    void run() {
+    ChangedBrick run() {
         for (int z = 0; z < kBrickSide; ++z) {
             for (int y = 0; y < kBrickSide; ++y) {
                 const unsigned row = removedRow(&brick_, y, z);
@@ -90,6 +94,7 @@ public:
                 traceCrossed(row ^ removedRow(lastZ ? next_[2] : &brick_, y, lastZ ? 0 : z + 1), y, z, 2);
             }
         }
+        return changed_;
     }
 
 private:
@@ -143,10 +148,15 @@ private:
         }
         extend(border, edge, steps_);
         const double share = std::clamp(border.place / spacing_, 0.0, 1.0);
-        stored = static_cast<float>(sign > 0 ? share : 1 - share);
-        normal = PackedDirection(border.normal);
+        const auto moved = static_cast<float>(sign > 0 ? share : 1 - share);
+        const PackedDirection turned(border.normal);
+        if (moved == stored && turned == normal) return;
+        stored = moved;
+        normal = turned;
+        changed_.add(low.node);
     }
 
+    ChangedBrick changed_;
     Brick& brick_;
     std::array<const Brick*, 3> next_;
     const Vec3 corner_;
@@ -157,9 +167,9 @@ private:
 
 }  // namespace
 
-void traceBorderInBrick(BrickMap& bricks, const BrickKey& key, const Lattice& lattice,
-                        const std::vector<SweepStep>& steps, std::uint64_t carve) {
-    BrickTracer(bricks, key, lattice, steps, carve).run();
+ChangedBrick traceBorderInBrick(BrickMap& bricks, const BrickKey& key, const Lattice& lattice,
+                                const std::vector<SweepStep>& steps, std::uint64_t carve) {
+    return BrickTracer(bricks, key, lattice, steps, carve).run();
 }
 
 }  // namespace tactooth

@@ -57,9 +57,9 @@ inline constexpr int kBrickNodes = kBrickSide * kBrickSide * kBrickSide;
 [[nodiscard]] constexpr int nodeIndex(int x, int y, int z) { return x + kBrickSide * (y + kBrickSide * z); }
 
 /// How far the two distances of a node are kept, in voxels; farther values are clamped. Removed region: a node next to
-/// one across the border lies within 1 of it and must be known to have been reached, and the accounting needs less; what
-/// every move must look at anew grows with this. Tooth: far enough that what lies clear of the surface is known to do
-/// so.
+/// one across the border lies within 1 of it and must be known to have been reached, and the accounting needs less;
+/// what every move must look at anew grows with this. Tooth: far enough that what lies clear of the surface is known to
+/// do so.
 inline constexpr double kCutBand = 1.25;
 inline constexpr double kToothBand = 4.0;
 
@@ -99,7 +99,6 @@ struct Brick : CutField {
     std::uint64_t lastCarve = 0;       ///< number of the carve that the two sets below belong to
     std::bitset<kBrickNodes> lowered;  ///< nodes whose `cut` that carve has changed
     std::bitset<kBrickNodes> opened;   ///< nodes that it has removed
-    bool hasSurface = true;            ///< the tooth's own surface may pass through the brick or the cells around it
 };
 
 }  // namespace tactooth

@@ -13,6 +13,11 @@ namespace {
 /// mm; a smaller change of the cut field is rounding (of a wall that a bur passes along), not cutting.
 constexpr float kLeastChange = 2e-5F;
 
+/// mm; a node that lies no deeper in what a bur sweeps stays solid. On a wall that runs through nodes the sign is only
+/// rounding: each node would choose for itself, and pockets shallower than a float resolves would fold the wall onto
+/// itself. As exact as an envelope's distance to a sweep; ten steps of a float at 10 mm.
+constexpr double kLeastDepth = 1e-5;
+
 /// Voxels; half the diagonal of a unit cube: no plane farther from a node than this cuts its voxel.
 constexpr double kVoxelReach = 0.8660254037844386;
 
@@ -28,6 +33,8 @@ double removedShare(const Brick& brick, const CutSample& cut, double spacing) {
     return cubeFraction({removed, cut.normal.unpack()}, {tooth, brick.toothNormal[node].unpack()});
 }
 
+double withoutRounding(double distance) { return distance < 0 && distance >= -kLeastDepth ? 0 : distance; }
+
 /// The cut field at a node after the steps; nothing if they leave it as it is, or above `limit`.
 std::optional<CutSample> loweredAt(const Brick& brick, int node, const Vec3& point, float limit, double band,
                                    const std::vector<const SweepStep*>& steps) {
@@ -37,7 +44,7 @@ std::optional<CutSample> loweredAt(const Brick& brick, int node, const Vec3& poi
     for (const SweepStep* step : steps) {
         const FieldSample sample = step->sample(point, bound);
         if (sample.distance >= bound) continue;
-        bound = sample.distance;
+        bound = withoutRounding(sample.distance);
         gradient = sample.gradient;
         lowered = CutSample{static_cast<std::uint16_t>(node), static_cast<float>(std::max(bound, -band)), {}};
     }
@@ -186,29 +193,23 @@ MaterialVolumes removableFromNodes(const Brick& brick, const RemovableInBrick& w
     return volumes;
 }
 
-BrickCarve carveBrick(Brick& brick, const RemovableInBrick& found, std::uint64_t carve) {
-    BrickCarve result;
-    result.removed = found.volumes;
-    result.changed.key = found.key;
+ChangedBrick carveBrick(Brick& brick, const RemovableInBrick& found, std::uint64_t carve) {
+    ChangedBrick changed{found.key};
     brick.lastCarve = carve;
     brick.lowered.reset();
     brick.opened.reset();
     for (const CutSample& lowered : found.lowered) {
         const int node = lowered.node;
         brick.lowered.set(node);
-        brick.opened.set(node, brick.cut[node] >= 0 && lowered.distance < 0);
+        if (brick.cut[node] >= 0 && lowered.distance < 0) {
+            brick.opened.set(node);
+            changed.add(node);
+        }
         brick.cut[node] = lowered.distance;
         brick.cutNormal[node] = lowered.normal;
         brick.isCut = true;
-        const std::array<int, 3> place = {node % kBrickSide, node / kBrickSide % kBrickSide,
-                                          node / (kBrickSide * kBrickSide)};
-        for (int axis = 0; axis < 3; ++axis) {
-            const auto layer = static_cast<std::uint8_t>(place[axis]);
-            result.changed.low[axis] = std::min(result.changed.low[axis], layer);
-            result.changed.high[axis] = std::max(result.changed.high[axis], layer);
-        }
     }
-    return result;
+    return changed;
 }
 
 MaterialVolumes removedFromBrick(const Brick& brick, double spacing) {

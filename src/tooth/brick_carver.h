@@ -8,13 +8,6 @@
 
 namespace tactooth {
 
-/// What one carve does to one brick.
-struct BrickCarve {
-    MaterialVolumes removed{};
-    ChangedBrick changed;
-    [[nodiscard]] bool hasChanged() const { return changed.low[0] <= changed.high[0]; }
-};
-
 /// Finds what lowering the cut field of `brick` to the distance to the swept steps would do. Changes nothing.
 [[nodiscard]] RemovableInBrick removableFromBrick(const Brick& brick, const BrickKey& key, const Lattice& lattice,
                                                   const std::vector<SweepStep>& steps);
@@ -22,8 +15,8 @@ struct BrickCarve {
 [[nodiscard]] MaterialVolumes removableFromNodes(const Brick& brick, const RemovableInBrick& whole,
                                                  const Lattice& lattice, const std::vector<SweepStep>& steps);
 
-/// Does what was found. `carve` numbers the whole carve.
-[[nodiscard]] BrickCarve carveBrick(Brick& brick, const RemovableInBrick& found, std::uint64_t carve);
+/// Does what was found. `carve` numbers the whole carve. Returns which nodes it has removed.
+[[nodiscard]] ChangedBrick carveBrick(Brick& brick, const RemovableInBrick& found, std::uint64_t carve);
 
 /// What has been removed from the tooth within one brick.
 [[nodiscard]] MaterialVolumes removedFromBrick(const Brick& brick, double spacing);

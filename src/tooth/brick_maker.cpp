@@ -7,6 +7,7 @@
 
 #include "collision/closest_point.h"
 #include "collision/triangle_point.h"
+#include "tooth/near_leaves.h"
 #include "tooth/voxel_fraction.h"
 
 namespace tactooth {
@@ -33,9 +34,13 @@ struct SignedField {
 class SignedSampler {
 public:
     SignedSampler(const SurfacePart& part, const Lattice& lattice, const BrickKey& key, double band)
-        : part_(part), corner_(lattice.corner(key)), spacing_(lattice.spacing()), band_(band) {
+        : part_(part),
+          near_(part, lattice.centre(key), lattice.halfDiagonal() + band),
+          corner_(lattice.corner(key)),
+          spacing_(lattice.spacing()),
+          band_(band) {
         const Vec3 centre = lattice.centre(key);
-        field_.uniform = !closestPoint(part, centre, lattice.halfDiagonal() + band).has_value();
+        field_.uniform = near_.empty();
         if (field_.uniform) {
             field_.distance.fill(static_cast<float>(isInside(centre) ? -band : band));
             field_.gradient.fill(PackedDirection(Vec3::UnitZ()));
@@ -65,7 +70,7 @@ private:
 
     void visit(int x, int y, int z) {
         const Vec3 point = corner_ + spacing_ * Vec3(x, y, z);
-        const auto hit = closestPoint(part_, point, reachAt(point));
+        const auto hit = near_.closest(point, reachAt(point));
         const double distance = hit ? std::min(hit->distance, band_) : band_;
         const Vec3 away = hit ? Vec3(point - hit->point) : Vec3::UnitZ();
         if (previous_ + distance <= spacing_ * (1 + 1e-6) || first_) inside_ = isInsideNear(point, away, hit);
@@ -95,6 +100,7 @@ private:
     }
 
     const SurfacePart& part_;
+    const NearLeaves near_;
     const Vec3 corner_;
     const double spacing_;
     const double band_;
@@ -155,7 +161,6 @@ std::unique_ptr<Brick> makeBrick(const LayeredTooth& tooth, const Lattice& latti
     static_cast<CutField&>(*brick) = CutField::untouched(spacing);
     brick->tooth = distance;
     brick->toothNormal = outer.field().gradient;
-    brick->hasSurface = !outer.field().uniform;
     fillMaterials(*brick, tooth, lattice, key);
     return brick;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <compare>
 #include <cstdint>
 #include <memory>
@@ -42,6 +43,10 @@ public:
     [[nodiscard]] Vec3 node(int i, int j, int k) const {
         // Off the round numbers on which flat faces of modelled shapes lie: a node on a face has no clear side.
         return spacing_ * Vec3(i + 0.371, j + 0.443, k + 0.517);
+    }
+    /// A node by its place in or beside a brick: the same bits whichever brick it is counted from.
+    [[nodiscard]] Vec3 node(const BrickKey& key, const std::array<int, 3>& place) const {
+        return node(kBrickSide * key.x + place[0], kBrickSide * key.y + place[1], kBrickSide * key.z + place[2]);
     }
     /// First node of a brick.
     [[nodiscard]] Vec3 corner(const BrickKey& key) const {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 
 #include "tooth/brick_map.h"
 
@@ -18,15 +19,15 @@ public:
     BrickNeighbourhood(const BrickMap& bricks, const BrickKey& key, double spacing) {
         for (int i = 0; i < 27; ++i) near_[i] = bricks.find(key.moved(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1));
         gather(&Brick::cut, static_cast<float>(kCutBand * spacing), cut_);
-        const auto [lowest, highest] = std::minmax_element(cut_.begin(), cut_.end());
-        hasBorder_ = *lowest < 0 && *highest >= 0;
+        findRemoved();
         if (!hasBorder_) return;
         gather(&Brick::tooth, static_cast<float>(kToothBand * spacing), tooth_);
         gather(&Brick::material, MaterialId{}, material_);
     }
 
     [[nodiscard]] static constexpr int index(int x, int y, int z) { return x + 1 + kSide * (y + 1 + kSide * (z + 1)); }
-    [[nodiscard]] float cut(int node) const { return cut_[node]; }
+    /// Which nodes of a row along x are removed: bit x + 1 for x from -1 to 8.
+    [[nodiscard]] unsigned removedRow(int y, int z) const { return removed_[y + 1 + kSide * (z + 1)]; }
     [[nodiscard]] float tooth(int node) const { return tooth_[node]; }
     /// Where the border of the removed region crosses the lattice edge from a node to the next on `axis`, 0..1 of the
     /// way, with the normal there. One of the two is removed, and both lie in bricks that exist.
@@ -41,7 +42,7 @@ public:
         return {brick->borderPlace[axis][node], brick->borderNormal[axis][node].unpack()};
     }
     [[nodiscard]] MaterialId material(int node) const { return material_[node]; }
-    /// Whether some gathered nodes are removed and others are not; else nothing but `cut` may be asked for.
+    /// Whether some gathered nodes are removed and others are not; else nothing but `removedRow` may be asked for.
     [[nodiscard]] bool hasBorder() const { return hasBorder_; }
 
 private:
@@ -68,7 +69,22 @@ private:
         }
     }
 
+    void findRemoved() {
+        constexpr unsigned kAll = (1U << kSide) - 1;
+        unsigned some = 0;
+        unsigned every = kAll;
+        for (int row = 0; row < kSide * kSide; ++row) {
+            unsigned bits = 0;
+            for (int x = 0; x < kSide; ++x) bits |= static_cast<unsigned>(cut_[kSide * row + x] < 0) << x;
+            removed_[row] = static_cast<std::uint16_t>(bits);
+            some |= bits;
+            every &= bits;
+        }
+        hasBorder_ = some != 0 && every != kAll;
+    }
+
     std::array<float, kCount> cut_;
+    std::array<std::uint16_t, kSide * kSide> removed_;
     std::array<float, kCount> tooth_;
     std::array<const Brick*, 27> near_;
     std::array<MaterialId, kCount> material_;

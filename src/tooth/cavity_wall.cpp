@@ -93,13 +93,11 @@ private:
 class WallExtractor {
 public:
     WallExtractor(const BrickMap& bricks, const Lattice& lattice, const BrickKey& key)
-        : nodes_(bricks, key, lattice.spacing()),
-          key_(key),
-          corner_(lattice.corner(key)),
-          spacing_(lattice.spacing()) {}
+        : nodes_(bricks, key, lattice.spacing()), key_(key), lattice_(lattice), spacing_(lattice.spacing()) {}
 
     CavityWall run() {
         if (!nodes_.hasBorder()) return {};
+        reserve();
         cellVertex_.fill(kNoVertex);
         edgeCrossing_.fill(kNoCrossing);
         for (int z = 0; z < kBrickSide; ++z) {
@@ -119,12 +117,22 @@ private:
     static constexpr int kCellSide = kBrickSide + 1;
     static constexpr int kRounds = 4;  ///< at most, in one cell
 
-    /// Which nodes of a row along x are removed, one bit each: the brick's own and the one after.
-    [[nodiscard]] unsigned removedRow(int y, int z) const {
-        unsigned bits = 0;
-        for (int x = 0; x <= kBrickSide; ++x) bits |= static_cast<unsigned>(isRemoved({x, y, z})) << x;
-        return bits;
+    /// Room for a flat wall through the brick: more is rare.
+    void reserve() {
+        constexpr std::size_t kVertices = 2 * kCellSide * kCellSide;
+        constexpr std::size_t kTriangles = 4 * kBrickSide * kBrickSide;
+        wall_.mesh.vertices.reserve(kVertices);
+        wall_.vertexIds.reserve(kVertices);
+        wall_.sides.reserve(kVertices);
+        wall_.mesh.triangles.reserve(kTriangles);
+        wall_.tags.reserve(kTriangles);
+        wall_.places.reserve(kTriangles);
+        wall_.faceIds.reserve(kTriangles);
+        crossings_.reserve(kTriangles);
     }
+
+    /// Which nodes of a row along x are removed, one bit each: the brick's own and the one after.
+    [[nodiscard]] unsigned removedRow(int y, int z) const { return nodes_.removedRow(y, z) >> 1; }
     /// The polygons around those edges of a row on one axis that the border crosses, one bit each.
     void addCrossed(unsigned crossed, int y, int z, int axis) {
         for (crossed &= (1U << kBrickSide) - 1; crossed != 0; crossed &= crossed - 1) {
@@ -133,8 +141,12 @@ private:
     }
 
     static int nodeAt(const Place& p) { return BrickNeighbourhood::index(p[0], p[1], p[2]); }
-    [[nodiscard]] bool isRemoved(const Place& p) const { return nodes_.cut(nodeAt(p)) < 0; }
-    [[nodiscard]] Vec3 position(const Place& p) const { return corner_ + spacing_ * Vec3(p[0], p[1], p[2]); }
+    [[nodiscard]] bool isRemoved(const Place& p) const {
+        return (nodes_.removedRow(p[1], p[2]) >> (p[0] + 1) & 1) != 0;
+    }
+    /// Neighbours compute the vertices on their border each for itself. Counted from a brick's own corner these would
+    /// differ in the last bits of a double, which a float keeps where a coordinate is all but 0.
+    [[nodiscard]] Vec3 position(const Place& p) const { return lattice_.node(key_, p); }
 
     /// A number that this node of the lattice alone has, with room for 16 kinds of things that belong to it.
     [[nodiscard]] std::uint64_t numberOf(const Place& p, int kind) const {
@@ -157,12 +169,11 @@ private:
         return crossings_[slot];
     }
 
-    [[nodiscard]] int insideBits(const Place& cell) const {
-        int bits = 0;
-        for (int corner = 0; corner < 8; ++corner) {
-            bits |= isRemoved({cell[0] + (corner & 1), cell[1] + (corner >> 1 & 1), cell[2] + (corner >> 2)}) << corner;
-        }
-        return bits;
+    [[nodiscard]] unsigned insideBits(const Place& cell) const {
+        const auto pair = [&](int dy, int dz) {
+            return nodes_.removedRow(cell[1] + dy, cell[2] + dz) >> (cell[0] + 1) & 3U;
+        };
+        return pair(0, 0) | pair(1, 0) << 2 | pair(0, 1) << 4 | pair(1, 1) << 6;
     }
 
     /// The vertex of the round of `cell` that crosses lattice edge (`a`, `axis`).
@@ -297,7 +308,7 @@ private:
 
     const BrickNeighbourhood nodes_;
     const BrickKey key_;
-    const Vec3 corner_;
+    const Lattice& lattice_;
     const double spacing_;
     CavityWall wall_;
     std::array<std::uint32_t, kCellSide * kCellSide * kCellSide * kRounds> cellVertex_;

@@ -33,6 +33,38 @@ std::uint64_t fnv1a(std::uint64_t hash, std::uint64_t value) {
 
 }  // namespace
 
+void ChangedBrick::add(int node) {
+    const std::array<int, 3> place = {node % kBrickSide, node / kBrickSide % kBrickSide,
+                                      node / (kBrickSide * kBrickSide)};
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto layer = static_cast<std::uint8_t>(place[axis]);
+        low[axis] = std::min(low[axis], layer);
+        high[axis] = std::max(high[axis], layer);
+    }
+}
+
+void ChangedBrick::add(const ChangedBrick& other) {
+    for (int axis = 0; axis < 3; ++axis) {
+        low[axis] = std::min(low[axis], other.low[axis]);
+        high[axis] = std::max(high[axis], other.high[axis]);
+    }
+}
+
+std::vector<ChangedBrick> merged(std::vector<ChangedBrick> changes) {
+    std::erase_if(changes, [](const ChangedBrick& change) { return change.isNone(); });
+    std::sort(changes.begin(), changes.end(),
+              [](const ChangedBrick& a, const ChangedBrick& b) { return a.key < b.key; });
+    std::vector<ChangedBrick> result;
+    for (const ChangedBrick& change : changes) {
+        if (!result.empty() && result.back().key == change.key) {
+            result.back().add(change);
+        } else {
+            result.push_back(change);
+        }
+    }
+    return result;
+}
+
 double total(const MaterialVolumes& volumes) { return std::accumulate(volumes.begin(), volumes.end(), 0.0); }
 
 CutVolume::CutVolume(std::shared_ptr<const LayeredTooth> tooth, double voxel)
@@ -51,9 +83,12 @@ std::vector<BrickKey> CutVolume::bricksInReach(const std::vector<SweepStep>& ste
     tooth = Box3(tooth.min() - toothMargin, tooth.max() + toothMargin);
     const Box3 common = Box3(swept.min() - margin, swept.max() + margin).intersection(tooth);
     if (common.isEmpty()) return {};
+    double earlier = 0;  // travel before the last step, mm: one look from there leaves out most bricks
+    for (std::size_t i = 0; i + 1 < steps.size(); ++i) earlier += steps[i].travel();
     std::vector<BrickKey> keys;
     for (const BrickKey& key : lattice_.bricksTouching(common)) {
         const Vec3 centre = lattice_.centre(key);
+        if (steps.back().lowerBound(centre) - earlier >= reach) continue;
         const auto isNear = [&](const SweepStep& step) { return step.lowerBound(centre) < reach; };
         if (std::any_of(steps.begin(), steps.end(), isNear)) keys.push_back(key);
     }
@@ -79,24 +114,23 @@ CarveResult CutVolume::carve(const Removable& removable) {
     assert(removable.afterCarve == carves_);
     ++carves_;
     for (const RemovableInBrick& found : removable.where) journal_.keep(found.key, *bricks_.find(found.key));
-    std::vector<BrickCarve> carved(removable.where.size());
-    parallelFor(carved.size(), [&](std::size_t i) {
+    std::vector<ChangedBrick> opened(removable.where.size());
+    parallelFor(opened.size(), [&](std::size_t i) {
         const RemovableInBrick& found = removable.where[i];
-        carved[i] = carveBrick(*bricks_.find(found.key), found, carves_);
+        opened[i] = carveBrick(*bricks_.find(found.key), found, carves_);
     });
     CarveResult result;
     result.removed = removable.volumes;
-    for (const BrickCarve& part : carved) {
-        if (part.hasChanged()) result.changed.push_back(part.changed);
-    }
-    traceBorder(result.changed, removable.steps);
+    result.changed = traceBorder(removable);
+    result.changed.insert(result.changed.end(), opened.begin(), opened.end());
+    result.changed = merged(std::move(result.changed));
     return result;
 }
 
 /// The lattice edges that end in a changed brick belong to it or to the one before it on an axis.
-void CutVolume::traceBorder(const std::vector<ChangedBrick>& changed, const std::vector<SweepStep>& steps) {
+std::vector<ChangedBrick> CutVolume::traceBorder(const Removable& carved) {
     std::vector<BrickKey> keys;
-    for (const ChangedBrick& brick : changed) {
+    for (const RemovableInBrick& brick : carved.where) {
         const BrickKey& key = brick.key;
         for (const BrickKey& owner : {key, key.moved(-1, 0, 0), key.moved(0, -1, 0), key.moved(0, 0, -1)}) {
             if (bricks_.find(owner) != nullptr) keys.push_back(owner);
@@ -105,7 +139,11 @@ void CutVolume::traceBorder(const std::vector<ChangedBrick>& changed, const std:
     std::sort(keys.begin(), keys.end());
     keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
     for (const BrickKey& key : keys) journal_.keep(key, *bricks_.find(key));
-    parallelFor(keys.size(), [&](std::size_t i) { traceBorderInBrick(bricks_, keys[i], lattice_, steps, carves_); });
+    std::vector<ChangedBrick> moved(keys.size());
+    parallelFor(keys.size(), [&](std::size_t i) {
+        moved[i] = traceBorderInBrick(bricks_, keys[i], lattice_, carved.steps, carves_);
+    });
+    return moved;
 }
 
 Removable CutVolume::removable(const RevolutionEnvelope& envelope, const Pose& fromInTooth, const Pose& toInTooth,

@@ -21,7 +21,8 @@ using MaterialVolumes = std::array<double, kMaterialCount>;
 
 [[nodiscard]] double total(const MaterialVolumes& volumes);
 
-/// A brick in which a carve has moved the border of the removed region, and which of its node layers took part.
+/// A brick in which a carve has moved the border of the removed region, and which of its node layers took part: nodes
+/// that were removed, and those at the lower end of a lattice edge on which the border was moved.
 struct ChangedBrick {
     BrickKey key;
     std::array<std::uint8_t, 3> low = {kBrickSide, kBrickSide, kBrickSide};  ///< first changed node on each axis
@@ -30,7 +31,13 @@ struct ChangedBrick {
     [[nodiscard]] static ChangedBrick all(const BrickKey& key) {
         return {key, {0, 0, 0}, {kBrickSide - 1, kBrickSide - 1, kBrickSide - 1}};
     }
+    [[nodiscard]] bool isNone() const { return low[0] > high[0]; }
+    void add(int node);
+    void add(const ChangedBrick& other);
 };
+
+/// One entry a brick that covers all changes of it, in ascending order of their keys; bricks without one are left out.
+[[nodiscard]] std::vector<ChangedBrick> merged(std::vector<ChangedBrick> changes);
 
 struct CarveResult {
     MaterialVolumes removed{};
@@ -129,7 +136,7 @@ public:
 private:
     [[nodiscard]] std::vector<BrickKey> bricksInReach(const std::vector<SweepStep>& steps) const;
     void makeMissing(const std::vector<BrickKey>& keys);
-    void traceBorder(const std::vector<ChangedBrick>& changed, const std::vector<SweepStep>& steps);
+    [[nodiscard]] std::vector<ChangedBrick> traceBorder(const Removable& carved);
 
     std::shared_ptr<const LayeredTooth> tooth_;
     Lattice lattice_;

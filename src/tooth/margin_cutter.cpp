@@ -33,6 +33,16 @@ Box3f boxOf(const CrossingFace& face) {
     return box;
 }
 
+/// All wall triangles that may cross the tooth's surface.
+Box3f boxAtSurface(const CavityWall& wall) {
+    Box3f box;
+    for (std::uint32_t w = 0; w < wall.mesh.triangles.size(); ++w) {
+        if (wall.places[w] != CavityWall::Place::AtSurface) continue;
+        for (const std::uint32_t vertex : wall.mesh.triangles[w]) box.extend(wall.mesh.vertices[vertex]);
+    }
+    return box;
+}
+
 ClipPoint asSeenFrom(const CrossingPoint& point, bool fromBase, std::uint64_t opponent) {
     if (point.onBaseEdge == fromBase) return {point.position, point.edge, point.along, opponent, {}};
     return {point.position, -1, 0, 0, point.edgeId};
@@ -149,13 +159,20 @@ private:
 
 std::vector<MarginPiece> findMargin(const CavityWall& wall, const TriangleMesh& base,
                                     const std::vector<std::uint32_t>& baseTriangles) {
+    const Box3f reach = boxAtSurface(wall);
     std::vector<CrossingFace> faces;
     std::vector<Box3f> boxes;
+    std::vector<std::uint32_t> triangles;  // of the base
     for (const std::uint32_t t : baseTriangles) {
-        faces.push_back(baseFace(base, t));
-        boxes.push_back(boxOf(faces.back()));
+        const CrossingFace face = baseFace(base, t);
+        const Box3f box = boxOf(face);
+        if (!box.intersects(reach)) continue;
+        faces.push_back(face);
+        boxes.push_back(box);
+        triangles.push_back(t);
     }
     std::vector<MarginPiece> margin;
+    if (triangles.empty()) return margin;
     for (std::uint32_t w = 0; w < wall.mesh.triangles.size(); ++w) {
         if (wall.places[w] != CavityWall::Place::AtSurface) continue;
         const CrossingFace face = wallFace(wall, w);
@@ -163,7 +180,7 @@ std::vector<MarginPiece> findMargin(const CavityWall& wall, const TriangleMesh& 
         for (std::size_t i = 0; i < faces.size(); ++i) {
             if (!box.intersects(boxes[i])) continue;
             if (const auto crossing = crossingOf(faces[i], face)) {
-                margin.push_back({baseTriangles[i], w, wall.faceIds[w], *crossing});
+                margin.push_back({triangles[i], w, wall.faceIds[w], *crossing});
             }
         }
     }

@@ -37,6 +37,9 @@ public:
     /// step.
     void boundBlock(const Vec3& corner, double spacing, BlockBounds& bounds) const;
 
+    /// No point of the bur moves farther, mm.
+    [[nodiscard]] double travel() const { return travel_; }
+
     /// What the step can have swept, in the tooth frame.
     [[nodiscard]] const Box3& box() const { return box_; }
 
@@ -51,7 +54,7 @@ private:
     Placed from_;
     Placed to_;
     double clearance_;
-    double travel_;  ///< no point of the bur moves farther, mm
+    double travel_;
     Box3 box_;
 };
 

@@ -4,10 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <random>
 #include <set>
 #include <tuple>
+#include <vector>
 
 #include "collision/gjk.h"
 #include "collision/judged.h"
@@ -99,6 +101,38 @@ TEST(PairList, DoubtsEveryPairThatAMoveWithinItsSkinBringsTogether) {
     EXPECT_GT(met, 200);
 }
 
+TEST(PairList, TheShortListLeavesOutNothingThatAStepBringsInDoubt) {
+    const Scene scene;
+    PairList list(*scene.tool, kCapacity);
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> unit(0, 1);
+    std::size_t doubted = 0;
+    std::size_t looked = 0;
+    std::size_t all = 0;
+    for (int i = 0; i < 60; ++i) {
+        Pose pose = scene.poseAbove(random, 0.02 * unit(random));
+        const Vec3 along = randomVector(random, 0.1);
+        list.makeAll(*scene.surface, pose, {along, 0.05, 0.02});
+        for (int step = 0; step < 12; ++step) {  // on along the way, with some straying and turning
+            const Vec3 shift = 0.008 * along.normalized() + randomVector(random, 0.004 * unit(random));
+            const Pose end{pose.position + shift, turned(pose.rotation, random, 0.001 * unit(random))};
+            const Excursion excursion = list.excursion(pose, end, kMargin, {});
+            const auto within = list.within(excursion);
+            EXPECT_TRUE(std::is_sorted(within.begin(), within.end()));
+            for (std::uint32_t first = 0; first < list.clusters(); first += 8) {
+                if (list.clustersInDoubt(first, excursion) == 0) continue;
+                EXPECT_TRUE(std::binary_search(within.begin(), within.end(), first)) << i << ", step " << step;
+                ++doubted;
+            }
+            looked += within.size();
+            all += (list.clusters() + 7) / 8;
+            pose = end;
+        }
+    }
+    EXPECT_GT(doubted, 1000U);
+    EXPECT_LT(looked, all - all / 4) << "or it saves little";
+}
+
 TEST(PairList, APlaneThatHoldsTheToolClearsAllThatItParts) {
     const TriangleMesh plate = test::box(Vec3(-5, -5, -1), Vec3(5, 5, 0));
     const auto tool = test::toolOf(test::sphere(Vec3(0, 0, 0.6), 0.6, 16, 10));
@@ -131,6 +165,43 @@ TEST(PairList, ACertifiedPairIsDoubtedNoMoreWhereItsPlaneHolds) {
         ++certified;
     }
     EXPECT_GT(certified, 0);
+}
+
+TEST(PairList, LooksAheadForWhatPartsEachPairOnAWay) {
+    const Scene scene;
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> unit(0, 1);
+    std::size_t plain = 0;
+    std::size_t ahead = 0;
+    int met = 0;
+    for (int i = 0; i < 60; ++i) {
+        const Pose at = scene.poseAbove(random, 0.02 * unit(random));
+        const Vec3 way = randomVector(random, 0.05);
+        const Pose end{at.position + way, turned(at.rotation, random, 0.01)};
+        PairList list(*scene.tool, kCapacity);
+        list.makeAll(*scene.surface, at, {way, 0.05, 0.05});
+        plain += doubts(list, at, end).size();
+        list.partAhead(*scene.surface, at, end, kMargin);
+        const std::set<PairKey> doubted = doubts(list, at, end);
+        ahead += doubted.size();
+        for (const Pose& pose : {at, end}) {
+            for (const PairKey& pair : pairsWithin(scene.tooth, *scene.tool, pose, kMargin)) {
+                EXPECT_TRUE(doubted.contains(pair)) << i;
+                ++met;
+            }
+        }
+        for (const PairKey& pair : doubted) {
+            const Triangle3 tooth = cornersOf(scene.tooth, std::get<1>(pair));
+            std::vector<Vec3> swept;
+            for (const Pose& pose : {at, end}) {
+                for (const Vec3& corner : scene.tool->cornersAt(pose, std::get<2>(pair))) swept.push_back(corner);
+            }
+            const GjkResult gjk = distanceBetween(tooth, swept, swept[0] - tooth[0]);
+            EXPECT_LT(gjk.separated ? gjk.distance : 0, 1e-4) << "what is clearly apart is parted";
+        }
+    }
+    EXPECT_GT(met, 100);
+    EXPECT_LT(ahead, plain);
 }
 
 TEST(PairList, HiddenTrianglesAreNotListed) {

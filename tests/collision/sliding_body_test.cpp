@@ -127,6 +127,50 @@ TEST(SlidingBody, TurnsOnlyAsFarAsTheWallsLetIt) {
     EXPECT_LT(angle, 0.03);  // 8 mm long and 1 mm wide between walls 1.2 mm apart: 0.0252 rad
 }
 
+TEST(SlidingBody, TellsWhereAroundItItIsClear) {
+    const TriangleMesh tooth = test::sphere(Vec3(0, 0, 0), 3, 120, 80);
+    const TriangleMesh bur = test::cylinder(Vec3(0, 0, 0), 0.6, 4, 12);
+    const test::ExactIntersection judge(tooth, bur);
+    SlidingBody body(toolOf(bur));
+    body.setSurface(surfaceOf(tooth));
+    EXPECT_FALSE(body.isClearAt(at(0, 0, 3.1)).has_value()) << "nothing is known yet";
+    body.placeAt(at(0, 0, 3.1));
+    (void)settle(body, at(0, 0, 2.99));
+    std::mt19937 random(3);
+    std::normal_distribution<double> normal;
+    int clear = 0;
+    int blocked = 0;
+    for (int i = 0; i < 400; ++i) {
+        Vec3 step;
+        for (int axis = 0; axis < 3; ++axis) step[axis] = 0.002 * normal(random);
+        const Pose pose{body.pose().position + step, body.pose().rotation};
+        const auto isClear = body.isClearAt(pose);
+        if (!isClear) continue;
+        EXPECT_EQ(*isClear, !judge.at(pose)) << i;
+        ++(*isClear ? clear : blocked);
+    }
+    EXPECT_GT(clear, 50);
+    EXPECT_GT(blocked, 50);
+    EXPECT_FALSE(body.isClearAt(at(0, 0, 9)).has_value()) << "too far away";
+    EXPECT_FALSE(body.isClearAt({body.pose().position, Quat(0, 1, 0, 0)}).has_value()) << "turned too far";
+}
+
+TEST(SlidingBody, IsHeldAfterAShiftAsAfterItWasPlacedThere) {
+    SlidingBody shifted(toolOf(smallBox()));
+    SlidingBody placed(toolOf(smallBox()));
+    for (SlidingBody* body : {&shifted, &placed}) {
+        body->setSurface(surfaceOf(test::box(Vec3(-10, -10, -1), Vec3(10, 10, 0))));
+        body->placeAt(at(0, 0, 0.1));
+        (void)settle(*body, at(0.2, 0, -0.1));
+    }
+    shifted.shiftTo(at(0.25, 0.1, 0.003));
+    placed.placeAt(at(0.25, 0.1, 0.003));
+    EXPECT_EQ(shifted.pose().position, Vec3(0.25, 0.1, 0.003));
+    for (SlidingBody* body : {&shifted, &placed}) EXPECT_EQ(settle(*body, at(0.3, 0.1, -0.1)).contactCount, 1);
+    EXPECT_NEAR((shifted.pose().position - placed.pose().position).norm(), 0, 1e-6);
+    EXPECT_NEAR(shifted.pose().position.z(), 0, 1e-6);
+}
+
 TEST(SlidingBody, NeverIntersectsOnARandomWalkAndRepeatsItBitForBit) {
     constexpr int kTicks = test::cases(3000, 600);
     const TriangleMesh tooth = test::sphere(Vec3(0, 0, 0), 3, 120, 80);

@@ -15,7 +15,7 @@
 namespace tactooth {
 namespace {
 
-constexpr std::uint64_t kGolden = 0x3ae4ae245c6faa73ULL;
+constexpr std::uint64_t kGolden = 0xf1cd959ab970892aULL;
 
 constexpr double kTick = 0.001;
 constexpr double kVoxel = 0.05;

@@ -53,6 +53,81 @@ TEST(FeltSurfaces, LeavesTheOldSurfaceToWhoeverHandedOverTheNewOne) {
     EXPECT_EQ(surfaces.make(old, at(0.1), at(0.1)), felt);  // used again
 }
 
+TEST(FeltSurfaces, CoverTheWayThatTheToolSlidesBesidesThatOfTheCut) {
+    const auto tool = ball();
+    FeltSurfaces surfaces(*tool);
+    constexpr double kPause = 0.004;  // s
+    const Vec3 step(0.04, 0, 0);      // in each: 10 mm/s
+    for (int look = 0; look < 3; ++look) {
+        surfaces.watch(look * kPause, {at(0.01).position + look * step, Quat::Identity()});
+    }
+    const Pose now{at(0.01).position + 2 * step, Quat::Identity()};
+    const Pose cut{now.position + Vec3(0, 0, -0.03), now.rotation};
+    FeltSurface* felt = surfaces.make(blockUpTo(0), now, cut);
+    EXPECT_LE(felt->near.stray(cut.position), felt->near.skin().around);
+    EXPECT_LE(felt->near.stray(now.position + 2 * step), felt->near.skin().around) << "two updates further on";
+    surfaces.giveBack(felt);
+
+    surfaces.watch(3 * kPause, {now.position + Vec3(50, 0, 0), now.rotation});  // no list reaches so far
+    felt = surfaces.make(blockUpTo(0), now, now);
+    EXPECT_LT(felt->near.skin().along.norm(), 1);
+    surfaces.giveBack(felt);
+}
+
+/// A finely meshed ball under the tool: much is near it.
+std::shared_ptr<const Surface> fineBed() {
+    auto part = std::make_shared<const SurfacePart>(test::sphere(Vec3(0.1, 0.2, -0.52), 0.5, 240, 160));
+    return std::make_shared<const Surface>(Surface{std::move(part), nullptr, {}, 0});
+}
+
+TEST(FeltSurfaces, ListAnewWhereAToolIsAboutToLeaveTheirLastList) {
+    const auto tool = std::make_shared<const ToolShape>(test::sphere(Vec3(0, 0, 0.5), 0.5, 192, 96));
+    const auto bed = fineBed();
+    ToolProxy proxy(tool, bed, ContactMode::Proxy);
+    for (const double height : {0.05, -0.015}) (void)proxy.follow(at(height));
+    FeltSurfaces surfaces(*tool);
+    surfaces.watch(0, proxy.pose());
+    EXPECT_EQ(surfaces.renew(), nullptr) << "no surface is known yet";
+    FeltSurface* first = surfaces.make(bed, proxy.pose(), proxy.pose());
+    ASSERT_GT(first->near.clusters(), 1000U) << "or a tick lists them itself";
+    proxy.setSurface(*first);
+    surfaces.giveBack(first);
+
+    int renewed = 0;
+    for (int tick = 1; tick <= 100; ++tick) {
+        const ProxyState state = proxy.follow({Vec3(0.1 + 0.002 * tick, 0.2, -0.06), Quat::Identity()});
+        EXPECT_GT(state.contacts, 0);
+        surfaces.watch(0.001 * tick, state.proxy);
+        FeltSurface* felt = surfaces.renew();
+        if (felt == nullptr) continue;
+        ++renewed;
+        EXPECT_EQ(felt->surface, bed);
+        proxy.setSurface(*felt);
+        EXPECT_EQ(felt->surface, bed) << "the surface stays the same";
+        surfaces.giveBack(felt);
+        EXPECT_LE(proxy.pose().position.z(), state.proxy.position.z()) << "a list moves nothing";
+    }
+    EXPECT_GT(renewed, 3);
+    EXPECT_LT(renewed, 50);
+    for (int tick = 101; tick <= 120; ++tick) {
+        surfaces.watch(0.001 * tick, proxy.pose());
+        FeltSurface* felt = surfaces.renew();
+        if (felt != nullptr) surfaces.giveBack(felt);
+        EXPECT_TRUE(tick <= 102 || felt == nullptr) << "a tool at rest needs no other list";
+    }
+}
+
+TEST(FeltSurfaces, LeaveTheServoToListWhatIsLittle) {
+    const auto tool = ball();
+    FeltSurfaces surfaces(*tool);
+    surfaces.watch(0, at(0.01));
+    surfaces.giveBack(surfaces.make(blockUpTo(0), at(0.01), at(0.01)));
+    for (int tick = 1; tick <= 20; ++tick) {
+        surfaces.watch(0.001 * tick, {Vec3(0.1 + 0.005 * tick, 0.2, 0.01), Quat::Identity()});
+        EXPECT_EQ(surfaces.renew(), nullptr);
+    }
+}
+
 TEST(ToolProxy, ThatShallNotGoAllTheWayToTheHandIsStillHeld) {
     ToolProxy proxy(ball(), blockUpTo(0), ContactMode::Proxy);
     (void)proxy.follow(at(0.1));

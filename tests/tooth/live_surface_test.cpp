@@ -3,6 +3,7 @@
 #include "tooth/live_surface.h"
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include <cmath>
 #include <map>
@@ -274,6 +275,45 @@ TEST(LiveSurface, ATurningBurLeavesLessThanHalfAVoxelInItsWay) {
         if (i % 10 == 0) deepest = std::min(deepest, deepestWithin(patient.mesh(), bur, pose));
     }
     EXPECT_GT(deepest, -0.5 * kVoxel);
+}
+
+TEST(LiveSurface, UpdatesOfWhatChangedAddUpToAnUpdateOfEverything) {
+    Patient patient(fineSphere());
+    const auto round = ballBur(0.3);
+    const auto flat = flatBur(0.25);
+    std::size_t changed = 0;
+    std::size_t lowered = 0;
+    for (int i = 1; i <= 60; ++i) {
+        const Vec3 tip(-0.6 + 0.02 * i, 0.1 * std::sin(0.3 * i), -0.01 * i);
+        const Pose from{tip, Quat(Eigen::AngleAxisd(0.01 * i, Vec3::UnitX()))};
+        const Pose to{tip + Vec3(0.02, 0, -0.01), Quat(Eigen::AngleAxisd(0.01 * i + 0.01, Vec3::UnitX()))};
+        const Removable removable = patient.volume.removable(i % 2 == 0 ? round : flat, from, to);
+        lowered += removable.where.size();
+        const CarveResult result = patient.volume.carve(removable);
+        changed += result.changed.size();
+        patient.surface.update(patient.volume, result.changed);
+    }
+    EXPECT_LT(changed, lowered) << "bricks whose border stays as it is are left alone";
+
+    LiveSurface anew(patient.volume);
+    std::vector<ChangedBrick> all;
+    for (const BrickKey& key : patient.volume.cutBricks()) all.push_back(ChangedBrick::all(key));
+    anew.update(patient.volume, all);
+    EXPECT_TRUE(test::areBitEqual(visibleMesh(*anew.snapshot()).mesh, patient.mesh()));
+}
+
+TEST(LiveSurface, IsTheSameFromOneThreadAndFromMany) {
+    const auto cut = [] {
+        Patient patient(fineSphere());
+        patient.cut(ballBur(0.4), at(0, 0, 0.2), at(0.3, 0.1, -0.4));
+        patient.cut(flatBur(0.3), at(0.5, 0, 0.2), at(0.2, 0.1, -0.9));
+        return std::pair(patient.mesh(), patient.volume.hash());
+    };
+    const auto byMany = cut();
+    const tbb::global_control single(tbb::global_control::max_allowed_parallelism, 1);
+    const auto byOne = cut();
+    EXPECT_TRUE(test::areBitEqual(byOne.first, byMany.first));
+    EXPECT_EQ(byOne.second, byMany.second);
 }
 
 TEST(LiveSurface, ASnapshotSharesWhatDidNotChange) {

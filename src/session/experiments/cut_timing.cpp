@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <deque>
 #include <fstream>
+#include <utility>
 
 #include "geometry/parallel_for.h"
 #include "instruments/bur_shape.h"
@@ -71,17 +72,34 @@ private:
         if (now >= cutterFreeAt_) letCutterWork(now, tick);
     }
 
+    /// A turn of the cutter makes a new surface; the next one lists what is near in it, for the tool has moved on
+    /// meanwhile.
     void letCutterWork(double now, const Tick& tick) {
         const double start = threadMicros();
-        const bool changed = piece_.feed(*tool_, tick, materials_);
-        if (changed) coming_ = felt_->make(piece_.surface(), tick.proxy, *piece_.reached());
+        if (std::exchange(unlisted_, false)) {
+            if (tick.placed) felt_->watch(now, tick.proxy);
+            coming_ = felt_->make(piece_.surface(), tick.proxy, *piece_.reached());
+            updateMillis_.back() += finishTurn(start, now);
+            return;
+        }
+        unlisted_ = piece_.feed(*tool_, tick, materials_);
+        if (unlisted_) {
+            updateMillis_.push_back(finishTurn(start, now));
+            cutAt_ = now;
+            return;
+        }
+        if (tick.placed) felt_->watch(now, tick.proxy);
+        coming_ = felt_->renew();
+        finishTurn(start, now);
+        working_.clear();
+    }
+
+    /// Lets the cutter have worked since `start`, on the clock from `now` on. Returns how long, ms.
+    double finishTurn(double start, double now) {
         const double took = 1e-3 * (threadMicros() - start);
         cutterMillis_ += took;
-        cutterFreeAt_ = now + 1e-3 * took;
-        if (!changed) return working_.clear();
-        updateMillis_.push_back(took);
-        comingAt_ = cutterFreeAt_;
-        cutAt_ = now;
+        cutterFreeAt_ = comingAt_ = now + 1e-3 * took;
+        return took;
     }
 
     void feelNewSurface(double now) {
@@ -123,6 +141,7 @@ private:
 
     double cutterFreeAt_ = 0;        // s
     FeltSurface* coming_ = nullptr;  // finished at comingAt_, made of the cuts up to cutAt_
+    bool unlisted_ = false;          // there is a new surface, but no list for it yet
     double comingAt_ = 0;
     double cutAt_ = 0;
     std::deque<double> working_;  // ticks in which the bur worked and that have not been felt yet
