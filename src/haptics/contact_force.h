@@ -16,10 +16,10 @@ namespace tactooth {
 
 /// A place where the tooth holds the proxy.
 struct HeldAt {
-    Vec3 point;    ///< mm
-    Vec3 normal;   ///< unit, out of the tooth
-    double share;  ///< mm; proxy - device = sum of share * normal
-    MaterialId material;
+    Vec3 point = Vec3::Zero();   ///< mm
+    Vec3 normal = Vec3::Zero();  ///< unit, out of the tooth
+    double share = 0;            ///< mm; proxy - device = sum of share * normal
+    MaterialId material{};
     bool isAround = false;  ///< it is a body around the tooth that holds
 };
 

@@ -71,7 +71,9 @@ TEST(BuiltinMouth, BackTeethBiteOnTheirOpponentsAndNoneCutsIntoThem) {
             least = std::min(least, between(placed(mouth(), 10 + place), placed(mouth(), 40 + opponent)));
         }
         EXPECT_GT(least, 0.01) << place;
-        if (place > 3) EXPECT_LT(least, 0.25) << place;
+        if (place > 3) {
+            EXPECT_LT(least, 0.25) << place;
+        }
     }
 }
 
