@@ -129,7 +129,7 @@ MouthSetting makeMouthSetting(const MouthRequest& request) {
 }
 
 std::uint64_t mouthSettingFingerprint(const MouthRequest& request) {
-    constexpr std::uint32_t kModel = 1;  // grows whenever the same teeth are set or their gums are made otherwise
+    constexpr std::uint32_t kModel = 2;  // grows whenever the same teeth are set or their gums are made otherwise
     ByteWriter facts;
     facts.put(kModel);
     facts.put(request.triangles);

@@ -196,7 +196,7 @@ Gingiva::Line Gingiva::marginAt(double s) const {
     const ToothMargin& tooth = margins_[nearsBefore ? after - 1 : after];
     const ToothMargin& other = margins_[nearsBefore ? std::min(after, margins_.size() - 1) : std::max(after, 1UL) - 1];
     const double part = std::clamp((s - tooth.s) / (between.s - tooth.s), 0.0, 1.0);
-    constexpr double kScallop = 1.9;  // 1: a zigzag line, 2: arches
+    constexpr double kScallop = 2.5;  // 1: a zigzag line, 2: arches
     Line line;
     line.facial = std::lerp(tooth.facial, (tooth.facial + other.facial) / 2, part * part);
     line.lingual = std::lerp(tooth.lingual, (tooth.lingual + other.lingual) / 2, part * part);
