@@ -7,6 +7,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "collision/near_point.h"
 #include "collision/triangle_point.h"
 
 // Best-first descent with the children of a node visited nearest first: N. Roussopoulos, S. Kelley, F. Vincent,
@@ -21,31 +22,6 @@ struct Visit {
     AabbTree::Link link;
     float squaredDistance;
 };
-
-/// Squared distances from a point to the eight boxes of a node, mm^2.
-std::array<float, 8> squaredBoxDistances(const AabbTree::Node& node, const Vec3x8& query) {
-    const Vec3x8 zero = Vec3x8::all(0, 0, 0);
-    const Vec3x8 gap = max(max(Vec3x8::load(node.low) - query, query - Vec3x8::load(node.high)), zero);
-    std::array<float, 8> result;
-    dot(gap, gap).store(result.data());
-    return result;
-}
-
-/// The same to the boxes of the eight triangles of a leaf.
-std::array<float, 8> squaredBoxDistances(const AabbTree::Leaf& leaf, const Vec3x8& query) {
-    const Vec3x8 a = Vec3x8::load(leaf.corner[0]);
-    const Vec3x8 b = Vec3x8::load(leaf.corner[1]);
-    const Vec3x8 c = Vec3x8::load(leaf.corner[2]);
-    const Vec3x8 zero = Vec3x8::all(0, 0, 0);
-    const Vec3x8 gap = max(max(min(min(a, b), c) - query, query - max(max(a, b), c)), zero);
-    std::array<float, 8> result;
-    dot(gap, gap).store(result.data());
-    return result;
-}
-
-Vec3 leafCorner(const AabbTree::Leaf& leaf, int corner, std::uint32_t lane) {
-    return {leaf.corner[corner][0][lane], leaf.corner[corner][1][lane], leaf.corner[corner][2][lane]};
-}
 
 /// A ray direction that no edge of an axis-aligned or symmetric model lies along, one for each try.
 Vec3 rayDirection(int attempt) {
@@ -128,15 +104,20 @@ std::optional<bool> crossesOddly(const AabbTree& tree, const TriangleMask* hidde
     return odd;
 }
 
+/// Whether a ray may enter `box`; `margin`: as that of boxesOnRay, or larger.
+bool mayEnter(const Box3& box, const Vec3& origin, const Vec3& inverseDirection, double margin) {
+    const Eigen::Array3d first = (box.min().array() - margin - origin.array()) * inverseDirection.array();
+    const Eigen::Array3d second = (box.max().array() + margin - origin.array()) * inverseDirection.array();
+    return std::max(0.0, first.min(second).maxCoeff()) <= first.max(second).minCoeff();
+}
+
 }  // namespace
 
 std::optional<ClosestPoint> closestPoint(const SurfacePart& part, const Vec3& query, double within) {
     const AabbTree& tree = part.tree();
     if (tree.empty()) return std::nullopt;
-    // A box distance is computed in single precision from the rounded query: widen by what that can hide.
-    const double slack = 1e-6 * (1 + query.cwiseAbs().maxCoeff());
-    const Vec3x8 query8 =
-        Vec3x8::all(static_cast<float>(query.x()), static_cast<float>(query.y()), static_cast<float>(query.z()));
+    const double slack = slackNear(query);
+    const Vec3x8 query8 = inAllLanes(query);
     std::array<Visit, AabbTree::kStackSize> stack;
     int size = 0;
     stack[size++] = {tree.rootLink(), 0.0F};
@@ -148,7 +129,8 @@ std::optional<ClosestPoint> closestPoint(const SurfacePart& part, const Vec3& qu
         if (visit.squaredDistance > reach * reach) continue;
         if (visit.link.isLeaf()) {
             const AabbTree::Leaf& leaf = tree.leaf(visit.link);
-            const std::array<float, 8> distances = squaredBoxDistances(leaf, query8);
+            std::array<float, 8> distances;
+            squaredBoxDistances(leaf, query8).store(distances.data());
             for (std::uint32_t lane = 0; lane < leaf.count; ++lane) {
                 if (!(distances[lane] <= reach * reach)) continue;
                 const Vec3 point = closestOnTriangle(query, leafCorner(leaf, 0, lane), leafCorner(leaf, 1, lane),
@@ -164,7 +146,8 @@ std::optional<ClosestPoint> closestPoint(const SurfacePart& part, const Vec3& qu
             continue;
         }
         const AabbTree::Node& node = tree.node(visit.link);
-        const std::array<float, 8> distances = squaredBoxDistances(node, query8);
+        std::array<float, 8> distances;
+        squaredBoxDistances(node, query8).store(distances.data());
         const int first = size;
         for (int i = 0; i < AabbTree::kWidth; ++i) {
             if (!(distances[i] <= reach * reach) || std::isinf(distances[i])) continue;  // infinite: an absent child
@@ -181,11 +164,14 @@ std::optional<ClosestPoint> closestPoint(const SurfacePart& part, const Vec3& qu
 bool contains(const Surface& surface, const Vec3& query) {
     if (surface.base->tree().empty() || !surface.base->tree().box().contains(query)) return false;
     const VisibleBase base = visibleBase(surface);
+    const double margin = 1e-6 * surface.base->tree().box().diagonal().norm();
     constexpr int kAttempts = 16;  // each try grazes an edge with a chance far below one in a million
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
         const Vec3 direction = rayDirection(attempt);
         std::optional<bool> odd = crossesOddly(base.tree, base.hidden, query, direction);
+        const Vec3 inverse = direction.cwiseInverse();
         for (std::size_t i = 0; i < surface.patches.size() && odd; ++i) {
+            if (!mayEnter(surface.patches[i]->tree().box(), query, inverse, margin)) continue;
             const std::optional<bool> patch = crossesOddly(surface.patches[i]->tree(), nullptr, query, direction);
             odd = patch ? std::optional(*odd != *patch) : std::nullopt;
         }

@@ -13,11 +13,20 @@ std::uint64_t nextPartId() {
     return ++counter;
 }
 
-void appendVisible(TaggedMesh& result, const SurfacePart& part, const TriangleMask& hidden) {
+/// A triangle that rounding to floats has made a line: readers would drop it, and what is left is closed without it.
+bool isCollapsed(const TriangleMesh& mesh, const Triangle& triangle) {
+    const Vec3f& a = mesh.vertices[triangle[0]];
+    const Vec3f& b = mesh.vertices[triangle[1]];
+    const Vec3f& c = mesh.vertices[triangle[2]];
+    return a == b || b == c || c == a;
+}
+
+template <class LeavesOut>
+void append(TaggedMesh& result, const SurfacePart& part, const LeavesOut& leavesOut) {
     const TriangleMesh& mesh = part.mesh();
     std::vector<std::uint32_t> renumbered(mesh.vertices.size(), UINT32_MAX);
     for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-        if (isHidden(hidden, i)) continue;
+        if (leavesOut(i)) continue;
         Triangle triangle;
         for (int corner = 0; corner < 3; ++corner) {
             std::uint32_t& vertex = renumbered[mesh.triangles[i][corner]];
@@ -41,8 +50,12 @@ SurfacePart::SurfacePart(TriangleMesh mesh, std::vector<SurfaceTag> tags)
 
 TaggedMesh visibleMesh(const Surface& surface) {
     TaggedMesh result;
-    appendVisible(result, *surface.base, surface.hidden != nullptr ? *surface.hidden : TriangleMask{});
-    for (const auto& patch : surface.patches) appendVisible(result, *patch, TriangleMask{});
+    append(result, *surface.base,
+           [&](std::uint32_t i) { return surface.hidden != nullptr && isHidden(*surface.hidden, i); });
+    for (const auto& patch : surface.patches) {
+        const TriangleMesh& mesh = patch->mesh();
+        append(result, *patch, [&mesh](std::uint32_t i) { return isCollapsed(mesh, mesh.triangles[i]); });
+    }
     return result;
 }
 

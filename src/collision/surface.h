@@ -77,7 +77,8 @@ struct VisibleBase {
 }
 
 /// Every triangle of `surface` that can be seen, with its tag, as one mesh. Base triangles come first, in the order
-/// and with the coordinates of the file that they were read from.
+/// and with the coordinates of the file that they were read from. Triangles of patches with two equal corners are left
+/// out.
 struct TaggedMesh {
     TriangleMesh mesh;
     std::vector<SurfaceTag> tags;

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "geometry/dual_mesher.h"
-#include "geometry/evened_surface.h"
 #include "geometry/parallel_for.h"
 
 namespace tactooth {

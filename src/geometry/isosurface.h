@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include "geometry/triangle_mesh.h"
 
@@ -22,5 +23,13 @@ struct IsosurfaceOptions {
 /// triangles, for any field. The grid stands at multiples of the cell size, so that two fields that agree
 /// in a region give the same triangles there. The same arguments give the same bits on any number of threads.
 [[nodiscard]] TriangleMesh isosurface(const ScalarField& field, const Box3& box, const IsosurfaceOptions& options);
+
+/// The surface that `isosurface` makes, and where its vertices stood in the cells of the grid before they were evened
+/// out: less smooth there, but the two sides of a thin place lie apart.
+struct EvenedSurface {
+    TriangleMesh mesh;
+    std::vector<Vec3f> home;
+};
+[[nodiscard]] EvenedSurface evenedSurface(const ScalarField& field, const Box3& box, const IsosurfaceOptions& options);
 
 }  // namespace tactooth

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "geometry/disjoint_sets.h"
-#include "geometry/evened_surface.h"
+#include "geometry/isosurface.h"
 #include "geometry/parallel_for.h"
 #include "geometry/self_crossings.h"
 #include "instruments/mouth/gingiva.h"

@@ -9,7 +9,6 @@
 
 #include "instruments/anatomy/lesion.h"
 #include "instruments/anatomy/variation.h"
-#include "instruments/builtin_tooth_request.h"
 #include "instruments/modelling/folds.h"
 #include "tooth/byte_stream.h"
 

@@ -74,6 +74,10 @@ struct ToothRequest {
 /// "Upper right first molar".
 [[nodiscard]] std::string toothName(int fdi);
 
+/// What makeBuiltinTooth with the same arguments makes: makeTooth of this is the same, bit for bit.
+[[nodiscard]] ToothRequest builtinToothRequest(BuiltinToothKind kind, int triangles = 20000,
+                                               double lesionWidth = kDefaultLesionWidth);
+
 /// Makes a tooth of the built-in mouth. The same request gives the same bits, on any number of threads; teeth of the
 /// two sides of the mouth are mirror images.
 [[nodiscard]] BuiltinTooth makeTooth(const ToothRequest& request);

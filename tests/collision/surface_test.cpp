@@ -39,4 +39,16 @@ TEST(SurfacePart, HasAnIdOfItsOwn) {
     EXPECT_NE(SurfacePart(mesh).id(), SurfacePart(mesh).id());
 }
 
+TEST(VisibleMesh, LeavesOutTrianglesOfPatchesThatRoundingHasCollapsed) {
+    TriangleMesh mesh = test::box(Vec3(0, 0, 0), Vec3(1, 1, 1));
+    const auto whole = mesh.triangles.size();
+    mesh.vertices.push_back(mesh.vertices[0]);  // the same place under another number
+    mesh.triangles.push_back({0, static_cast<std::uint32_t>(mesh.vertices.size() - 1), 1});
+    const auto part = std::make_shared<const SurfacePart>(mesh);
+    EXPECT_EQ(visibleMesh({part, nullptr, {}, 0}).mesh.triangles.size(), whole + 1) << "the file's own stay";
+    const TaggedMesh visible = visibleMesh({part, nullptr, {part}, 0});
+    EXPECT_EQ(visible.mesh.triangles.size(), 2 * whole + 1);
+    EXPECT_EQ(visible.tags.size(), 2 * whole + 1);
+}
+
 }  // namespace tactooth

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include "geometry/evened_surface.h"
+#include "geometry/isosurface.h"
 #include "support/mesh_checks.h"
 #include "support/shapes.h"
 
