@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Plays a cut on the sound device in real time while one core is kept busy: does the sound ever run dry, how long is
-// the way from a parameter to its sample, and what of a core does all of it take (OpenAL's mixer included)?
+// the way from a parameter to its sample, and what of a core does all of it take (OpenAL's mixer included)? A virtual
+// machine may stand still as a whole: threads of real-time priority that only sleep tell when it did, and a gap
+// within 0.1 s of that is not the sound's own.
 //   sound_soak [SECONDS]      on the usual device; ALSOFT_DRIVERS=null for a machine without one
 // Prints one CSV line.
 #include <pthread.h>
@@ -14,9 +16,13 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <mutex>
+#include <numeric>
 #include <thread>
 #include <vector>
 
+#include "haptics/light_sleep.h"
+#include "haptics/real_time.h"
 #include "sound/audio_libraries.h"
 #include "sound/openal_output.h"
 
@@ -54,12 +60,76 @@ DrillSoundState cuttingAt(double time) {
     return state;
 }
 
+/// One thread for each core sleeps for 1 ms at a time at real-time priority, and notes when it was woken late.
+class MachineWatch {
+public:
+    MachineWatch() {
+        for (unsigned core = 0; core < std::thread::hardware_concurrency(); ++core) {
+            threads_.emplace_back([this, core](const std::stop_token& stop) { run(core, stop); });
+        }
+    }
+    [[nodiscard]] bool stoodStill(Clock::time_point from, Clock::time_point to) const {
+        const std::lock_guard lock(mutex_);
+        return std::any_of(late_.begin(), late_.end(), [&](auto when) { return when >= from && when <= to; });
+    }
+    [[nodiscard]] std::size_t stops() const {
+        const std::lock_guard lock(mutex_);
+        return late_.size();
+    }
+    [[nodiscard]] double longest() const { return longest_; }
+    [[nodiscard]] double used() {
+        return std::accumulate(threads_.begin(), threads_.end(), 0.0,
+                               [](double sum, std::jthread& thread) { return sum + processorTime(thread); });
+    }
+
+private:
+    static constexpr double kLate = 0.005;  // s: a block of sound is 2.5 ms long, and two are always waiting
+    void run(unsigned core, const std::stop_token& stop) {
+        cpu_set_t cores;
+        CPU_ZERO(&cores);
+        CPU_SET(core, &cores);
+        pthread_setaffinity_np(pthread_self(), sizeof cores, &cores);
+        (void)takeRealTimePriority();
+        for (auto due = Clock::now() + 1ms; !stop.stop_requested(); due = Clock::now() + 1ms) {
+            std::this_thread::sleep_until(due);
+            const double late = std::chrono::duration<double>(Clock::now() - due).count();
+            if (late < kLate) continue;
+            const std::lock_guard lock(mutex_);
+            longest_ = std::max(longest_, late);
+            late_.push_back(Clock::now());
+        }
+    }
+
+    mutable std::mutex mutex_;
+    std::vector<Clock::time_point> late_;
+    double longest_ = 0;  // s
+    std::vector<std::jthread> threads_;
+};
+
+/// When the sound ran dry, as it is seen from outside.
+class GapLog {
+public:
+    void look(const OpenAlOutput& output) {
+        for (; seen_ < output.underruns(); ++seen_) gaps_.push_back(Clock::now());
+    }
+    [[nodiscard]] std::size_t ownGaps(const MachineWatch& machine) const {
+        return static_cast<std::size_t>(std::count_if(gaps_.begin(), gaps_.end(), [&machine](auto when) {
+            return !machine.stoodStill(when - 100ms, when + 100ms);
+        }));
+    }
+
+private:
+    std::uint64_t seen_ = 0;
+    std::vector<Clock::time_point> gaps_;
+};
+
 }  // namespace
 }  // namespace tactooth
 
 int main(int argc, char** argv) {
     using namespace tactooth;
     const double length = argc > 1 ? std::atof(argv[1]) : 600.0;
+    const LightSleep asWhileAServoRuns;
     prepareAudioLibraries();
     OpenAlOutput output;
     while (output.status() == SoundStatus::Starting) std::this_thread::sleep_for(1ms);
@@ -71,29 +141,37 @@ int main(int argc, char** argv) {
     std::jthread busy([&](const std::stop_token& stop) {
         while (!stop.stop_requested()) work.fetch_add(1, std::memory_order_relaxed);
     });
+    MachineWatch machine;
+    GapLog gaps;
     std::vector<float> latencies;
     latencies.reserve(static_cast<std::size_t>(1100 * length));
     const auto start = Clock::now();
     const auto passed = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
-    const double usedBefore =
-        processorTime(CLOCK_PROCESS_CPUTIME_ID) - processorTime(busy) - processorTime(CLOCK_THREAD_CPUTIME_ID);
+    const auto ownTime = [&] {
+        return processorTime(CLOCK_PROCESS_CPUTIME_ID) - processorTime(busy) - machine.used() -
+               processorTime(CLOCK_THREAD_CPUTIME_ID);
+    };
+    const double usedBefore = ownTime();
     for (auto next = start; passed() < length; std::this_thread::sleep_until(next += 1ms)) {
         output.publish(cuttingAt(passed()));
         constexpr std::size_t kTicksPerPicture = 16;  // the window moves eye and bur 60 times a second
         if (latencies.size() % kTicksPerPicture == 0)
             output.setPlacement({{100.0 * std::sin(passed()), 0.0, -100.0}, {}});
         latencies.push_back(static_cast<float>(output.latency()));
+        gaps.look(output);
     }
-    const double used = processorTime(CLOCK_PROCESS_CPUTIME_ID) - processorTime(busy) -
-                        processorTime(CLOCK_THREAD_CPUTIME_ID) - usedBefore;
+    std::this_thread::sleep_for(150ms);  // a stop that the last gap was due to may be noted later
+    const double used = ownTime() - usedBefore;
     std::sort(latencies.begin(), latencies.end());
     const auto quantile = [&](double share) {
         return 1e3 * static_cast<double>(
                          latencies[static_cast<std::size_t>(share * static_cast<double>(latencies.size() - 1))]);
     };
-    std::puts("seconds,blocks,underruns,core_percent,latency_p50_ms,latency_p99_ms,latency_max_ms");
-    std::printf("%.0f,%llu,%llu,%.2f,%.1f,%.1f,%.1f\n", passed(),
+    std::puts(
+        "seconds,blocks,underruns,own_underruns,machine_stops,longest_stop_ms,core_percent,latency_p50_ms,"
+        "latency_p99_ms,latency_max_ms");
+    std::printf("%.0f,%llu,%llu,%zu,%zu,%.1f,%.2f,%.1f,%.1f,%.1f\n", passed(),
                 static_cast<unsigned long long>(output.playedBlocks()),
-                static_cast<unsigned long long>(output.underruns()), 100.0 * used / passed(), quantile(0.5),
-                quantile(0.99), quantile(1.0));
+                static_cast<unsigned long long>(output.underruns()), gaps.ownGaps(machine), machine.stops(),
+                1e3 * machine.longest(), 100.0 * used / passed(), quantile(0.5), quantile(0.99), quantile(1.0));
 }

@@ -8,6 +8,25 @@
 
 namespace tactooth {
 
+/// How many durations fell into each bucket of a LatencyHistogram at one moment.
+class LatencyCounts {
+public:
+    /// The duration that a share `quantile` (0..1) of all stays below, us, up to 3 % more; 0 without entries.
+    [[nodiscard]] double quantile(double quantile) const;
+    [[nodiscard]] std::uint64_t total() const;
+    /// How many lie from `low` to below `high`, us, where a bucket counts by its lower end.
+    [[nodiscard]] std::uint64_t between(double low, double high) const;
+    /// Those that have come since an earlier moment of the same histogram.
+    [[nodiscard]] LatencyCounts since(const LatencyCounts& earlier) const;
+
+private:
+    friend class LatencyHistogram;
+    static constexpr int kPerOctave = 24;
+    static constexpr int kBuckets = 30 * kPerOctave;
+
+    std::array<std::uint32_t, kBuckets> counts_{};
+};
+
 /// Durations counted in buckets of 3 % width, from a microsecond's tenth to a minute. One thread adds, any thread
 /// reads; adding costs a few nanoseconds.
 class LatencyHistogram {
@@ -22,12 +41,12 @@ public:
     /// The duration that a share `quantile` (0..1) of all stays below, us; 0 without entries.
     [[nodiscard]] double quantile(double quantile) const;
     [[nodiscard]] double largest() const { return largest_.load(std::memory_order_relaxed); }
-    [[nodiscard]] std::uint64_t total() const;
+    [[nodiscard]] std::uint64_t total() const { return counts().total(); }
+    [[nodiscard]] LatencyCounts counts() const;
     void clear();
 
 private:
-    static constexpr int kPerOctave = 24;
-    static constexpr int kBuckets = 30 * kPerOctave;
+    static constexpr int kBuckets = LatencyCounts::kBuckets;
     [[nodiscard]] static int bucketOf(double microseconds);
     [[nodiscard]] std::atomic<std::uint32_t>& count(int bucket) { return counts_[static_cast<std::size_t>(bucket)]; }
 

@@ -8,6 +8,8 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include "haptics/light_sleep.h"
+
 namespace tactooth {
 namespace {
 
@@ -36,13 +38,35 @@ RealTimeRights realTimeRights() {
     RealTimeRights rights;
     rights.priority = geteuid() == 0 || limitOf(RLIMIT_RTPRIO).rlim_cur >= static_cast<rlim_t>(kPriority);
     rights.memory = mayLockMemory();
+    rights.lightSleep = mayLightenSleep();
     return rights;
 }
 
+std::string missingRights(const RealTimeRights& rights) {
+    std::string missing;
+    const auto add = [&missing](bool allowed, const char* what) {
+        if (!allowed) missing += std::string(missing.empty() ? "" : ", ") + what;
+    };
+    add(rights.priority, "real-time priority");
+    add(rights.memory, "locked memory");
+    add(rights.lightSleep, "keeping the processors from deep sleep");
+    return missing;
+}
+
 std::string realTimeHint(const RealTimeRights& rights) {
-    if (rights.priority && rights.memory) return {};
-    return "For a steadier force write '@audio - rtprio 95' and '@audio - memlock unlimited' to "
-           "/etc/security/limits.d/tactooth.conf, add yourself to the group 'audio' and log in again.";
+    std::string hint;
+    if (!rights.priority || !rights.memory) {
+        hint =
+            "For a steadier force write '@audio - rtprio 95' and '@audio - memlock unlimited' to "
+            "/etc/security/limits.d/tactooth.conf, add yourself to the group 'audio' and log in again.";
+    }
+    if (!rights.lightSleep) {
+        hint += std::string(hint.empty() ? "" : " ") +
+                "To keep the processors from deep sleep between two ticks write "
+                "'KERNEL==\"cpu_dma_latency\", GROUP=\"audio\", MODE=\"0660\"' to "
+                "/etc/udev/rules.d/99-tactooth.rules, be in the group 'audio' and restart the computer.";
+    }
+    return hint;
 }
 
 }  // namespace tactooth

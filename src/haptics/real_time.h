@@ -17,10 +17,14 @@ namespace tactooth {
 struct RealTimeRights {
     bool priority = false;
     bool memory = false;
+    bool lightSleep = false;  ///< LightSleep
 };
 [[nodiscard]] RealTimeRights realTimeRights();
 
-/// One sentence that says how to get the rights that are missing; empty if none is.
+/// What is missing: "real-time priority, locked memory"; empty if nothing is.
+[[nodiscard]] std::string missingRights(const RealTimeRights& rights);
+
+/// A sentence or two that say how to get the rights that are missing; empty if none is.
 [[nodiscard]] std::string realTimeHint(const RealTimeRights& rights);
 
 }  // namespace tactooth

@@ -13,16 +13,17 @@ constexpr std::uint64_t kFewestTicks = 1000;  // ten in the hundredth that is lo
 
 }  // namespace
 
+double slowTick(const ServoTiming& timing) { return timing.tick.quantile(kQuantile); }
+
 bool isSceneHeavy(const ServoTiming& timing, double rateHz) {
     if (timing.ticks.load(std::memory_order_relaxed) < kFewestTicks) return false;
-    return timing.tick.quantile(kQuantile) > kMostShare * 1e6 / rateHz;
+    return slowTick(timing) > kMostShare * 1e6 / rateHz;
 }
 
 std::string heavySceneAdvice(const ServoTiming& timing, double rateHz) {
     if (!isSceneHeavy(timing, rateHz)) return {};
     return "The scene is heavy for this machine: one tick in a hundred takes " +
-           std::to_string(std::lround(timing.tick.quantile(kQuantile))) + " of the " +
-           std::to_string(std::lround(1e6 / rateHz)) +
+           std::to_string(std::lround(slowTick(timing))) + " of the " + std::to_string(std::lround(1e6 / rateHz)) +
            " us that there are; take fewer triangles ('tactooth simplify'), a bur of fewer triangles or a lower rate, "
            "and close other programs.";
 }

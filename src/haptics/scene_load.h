@@ -12,6 +12,9 @@ namespace tactooth {
 /// period, and the rest of it belongs to the system. Nothing is said of fewer than 1000 ticks.
 [[nodiscard]] bool isSceneHeavy(const ServoTiming& timing, double rateHz);
 
+/// us: one tick in a hundred takes longer.
+[[nodiscard]] double slowTick(const ServoTiming& timing);
+
 /// One sentence that says how long the ticks take and what to do; empty if the scene is not heavy.
 [[nodiscard]] std::string heavySceneAdvice(const ServoTiming& timing, double rateHz);
 

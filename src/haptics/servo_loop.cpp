@@ -7,6 +7,7 @@
 #include <cmath>
 #include <ctime>
 
+#include "haptics/light_sleep.h"
 #include "haptics/real_time.h"
 
 namespace tactooth {
@@ -44,6 +45,8 @@ ServoLoop::~ServoLoop() = default;
 void ServoLoop::run(const std::stop_token& stop) {
     pthread_setname_np(pthread_self(), "servo");  // for debuggers and profilers
     realTime_.store(takeRealTimePriority(), std::memory_order_relaxed);
+    const LightSleep sleep;
+    lightSleep_.store(sleep.isGranted(), std::memory_order_relaxed);
     const long period = static_cast<long>(static_cast<double>(kNanosPerSecond) / rateHz_);
     timespec due = now();
     timespec last = due;

@@ -65,6 +65,39 @@ TEST(LatencyHistogram, ClearForgetsAll) {
     EXPECT_EQ(histogram->largest(), 0);
 }
 
+TEST(LatencyCounts, EachDurationIsCountedInOneOfAdjoiningRanges) {
+    std::mt19937 random(7);
+    std::lognormal_distribution<double> duration(3, 2);
+    const auto histogram = std::make_unique<LatencyHistogram>();
+    for (int i = 0; i < 5000; ++i) histogram->add(duration(random));
+    histogram->add(0.01);
+    const LatencyCounts counts = histogram->counts();
+    std::uint64_t sum = counts.between(0, 1);
+    for (double low = 1; low < 1e6; low *= 2) sum += counts.between(low, 2 * low);
+    EXPECT_EQ(sum, 5001U);
+    EXPECT_EQ(counts.total(), 5001U);
+    EXPECT_EQ(counts.between(10, 10), 0U);
+}
+
+TEST(LatencyCounts, ARangeHoldsWhatIsWellWithinIt) {
+    const auto histogram = std::make_unique<LatencyHistogram>();
+    for (const double micros : {30.0, 50.0, 50.0, 90.0, 200.0}) histogram->add(micros);
+    EXPECT_EQ(histogram->counts().between(40, 100), 3U);
+    EXPECT_EQ(histogram->counts().between(100, 40), 0U) << "an empty one";
+}
+
+TEST(LatencyCounts, SinceAMomentTellsWhatCameAfterIt) {
+    const auto histogram = std::make_unique<LatencyHistogram>();
+    for (int i = 0; i < 100; ++i) histogram->add(10);
+    const LatencyCounts earlier = histogram->counts();
+    for (int i = 0; i < 7; ++i) histogram->add(500);
+    const LatencyCounts newer = histogram->counts().since(earlier);
+    EXPECT_EQ(newer.total(), 7U);
+    EXPECT_NEAR(newer.quantile(0.01), 500, 15);
+    EXPECT_EQ(earlier.since(earlier).total(), 0U);
+    EXPECT_EQ(earlier.since(earlier).quantile(0.5), 0);
+}
+
 TEST(LatencyHistogram, OneThreadReadsWhileAnotherAdds) {
     const auto histogram = std::make_unique<LatencyHistogram>();
     constexpr std::uint64_t kEntries = 20000;

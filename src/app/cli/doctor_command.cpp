@@ -82,12 +82,12 @@ Finding lookAtSound() {
 
 Finding lookAtRealTime() {
     const RealTimeRights rights = realTimeRights();
-    const std::string hint = realTimeHint(rights);
-    if (hint.empty()) return {"real time", Verdict::Fine, "Real-time priority and locked memory are allowed."};
-    return {"real time", Verdict::Optional,
-            std::string("Not allowed: ") + (rights.priority ? "" : "real-time priority") +
-                (rights.priority || rights.memory ? "" : " and ") + (rights.memory ? "" : "locked memory") + ". " +
-                hint};
+    const std::string missing = missingRights(rights);
+    if (missing.empty()) {
+        return {"real time", Verdict::Fine,
+                "Real-time priority, locked memory and keeping the processors from deep sleep are allowed."};
+    }
+    return {"real time", Verdict::Optional, "Not allowed: " + missing + ". " + realTimeHint(rights)};
 }
 
 std::vector<Finding> examine() {

@@ -74,8 +74,9 @@ void printTable(const RealtimeOptions& options, const Simulator& simulator, std:
     fmt::print("machine:  {}\ncommit:   {}\ncommand:  {}\n", facts.machine, facts.commit, facts.command);
     fmt::print("A simulated hand touched and cut the built-in molar for {:.0f} s at {:.0f} Hz{}.\n", options.seconds,
                options.rateHz, options.load ? ", with all other cores busy" : "");
-    fmt::print("Priority: {}; memory: {}.\n\n", simulator.isRealTime() ? "real-time (SCHED_FIFO)" : "ordinary",
-               memoryLocked ? "locked" : "not locked");
+    fmt::print("Priority: {}; memory: {}; processors: {}.\n\n",
+               simulator.isRealTime() ? "real-time (SCHED_FIFO)" : "ordinary", memoryLocked ? "locked" : "not locked",
+               simulator.sleepsLightly() ? "kept from deep sleep" : "may sleep deeply");
     fmt::print("{:<34} {:>8} {:>8} {:>8} {:>9}\n", "us", "p50", "p99", "p99.9", "max");
     for (const auto& [key, title, histogram] : lines) {
         fmt::print("{:<34} {:>8.1f} {:>8.1f} {:>8.1f} {:>9.1f}\n", title, histogram->quantile(0.5),
@@ -99,6 +100,7 @@ Json jsonOf(const RealtimeOptions& options, const Simulator& simulator, std::spa
                  {"load", options.load},
                  {"real_time_priority", simulator.isRealTime()},
                  {"memory_locked", locked},
+                 {"light_sleep", simulator.sleepsLightly()},
                  {"ticks", simulator.timing().ticks.load()},
                  {"missed", simulator.timing().missed.load()},
                  {"heavy_scene", isSceneHeavy(simulator.timing(), options.rateHz)}};
