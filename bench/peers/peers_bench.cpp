@@ -81,7 +81,7 @@ void compare(const StandardTooth& tooth, double speed) {
     Peers peers;
     peers.push_back(
         std::make_unique<Ours>(plainSurface(tooth.mesh), std::make_shared<const ToolShape>(bur), hand.front()));
-    const Pair pair{tooth.mesh, bur, hull};
+    [[maybe_unused]] const Pair pair{tooth.mesh, bur, hull};
 #if defined(TACTOOTH_WITH_FCL)
     addFclPeers(pair, peers);
 #endif

@@ -4,6 +4,7 @@
 
 #include <pthread.h>
 
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <cstdlib>
@@ -23,7 +24,9 @@ constexpr double kLateAnswer = 0.003;       // s: from then on a zero force is s
 constexpr double kLateForce = 0.003;        // s without a new force: the servo hangs, so nothing is rendered
 constexpr double kBroken = 1;               // s without any answer: the connection is given up
 constexpr double kGlance = 0.02;            // s between two looks at whether the program wants to end
+constexpr double kFarewell = 0.2;           // s for the answer to the last zero
 constexpr double kShownFor = 3;             // s that a passing trouble is shown
+constexpr double kToldAfter = 0.05;         // s: an answer that is so late is told at once
 constexpr auto kRetry = std::chrono::seconds(1);
 constexpr int kGripButtons = 3;
 
@@ -105,8 +108,10 @@ Expected<void> HaplyDevice::open() {
 void HaplyDevice::close() {
     if (!thread_.joinable()) return;
     thread_ = {};
-    // The thread is gone, and what it said last may have been a force.
-    if (link_) (void)link_->send(haplyForce(names_.device, Vec3::Zero()), kGlance);
+    // The thread is gone, and what it said last may have been a force: with the answer to this the arm is limp.
+    if (link_ && link_->send(haplyForce(names_.device, Vec3::Zero()), kGlance)) {
+        (void)link_->receive(text_, kFarewell);
+    }
     link_.reset();
 }
 
@@ -161,13 +166,21 @@ bool HaplyDevice::exchange(const std::stop_token& stop) {
     return false;
 }
 
+/// Counts one more answer that is late at this time, s. The force ends with each of them; a person hears of many.
+bool HaplyDevice::isOftenLate(double now) {
+    std::rotate(lateAnswers_.begin(), lateAnswers_.begin() + 1, lateAnswers_.end());
+    lateAnswers_.back() = now;
+    return now - lateAnswers_.front() < 1;
+}
+
 /// The device must not go on with a force while its answer is late.
 bool HaplyDevice::waitForLateAnswer(const std::stop_token& stop) {
-    complain(kSlow);
+    const double began = monotonicSeconds();
+    if (isOftenLate(began)) complain(kSlow);
     int owed = 2;
     bool sound = link_->send(haplyForce(names_.device, Vec3::Zero()), kBroken);
-    const double end = monotonicSeconds() + kBroken;
-    while (sound && owed > 0 && monotonicSeconds() < end && !stop.stop_requested()) {
+    while (sound && owed > 0 && monotonicSeconds() < began + kBroken && !stop.stop_requested()) {
+        if (monotonicSeconds() > began + kToldAfter) complain(kSlow);
         switch (link_->receive(text_, kGlance)) {
             case HaplyLink::Heard::Message:
                 --owed;

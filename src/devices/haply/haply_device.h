@@ -4,6 +4,7 @@
 
 #include <semaphore.h>
 
+#include <array>
 #include <atomic>
 #include <memory>
 #include <string>
@@ -45,6 +46,7 @@ private:
     void run(const std::stop_token& stop);
     [[nodiscard]] bool exchange(const std::stop_token& stop);
     [[nodiscard]] bool waitForLateAnswer(const std::stop_token& stop);
+    [[nodiscard]] bool isOftenLate(double now);
     [[nodiscard]] bool waitForForce();
     void hear();
     void complain(const char* sentence);
@@ -59,6 +61,8 @@ private:
     std::unique_ptr<HaplyLink> link_;
     std::string text_;
     double complainedAt_ = 0;  // s
+    /// s: when the last answers were late. Three within a second are told: one alone is a hiccup of the machine.
+    std::array<double, 3> lateAnswers_ = {-1, -1, -1};
 
     // Between the threads.
     LatestValue<HaplyReading> reading_;      // to the servo

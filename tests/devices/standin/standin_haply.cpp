@@ -98,12 +98,17 @@ void StandinHaply::serve(int socket, const std::stop_token& stop) {
         if (!web.receive(message)) break;
         take(message);
         if (fault() == HaplyFault::Drop) break;
-        if (fault() == HaplyFault::Slow) std::this_thread::sleep_for(kSlowness);
+        if (isLate()) std::this_thread::sleep_for(kSlowness);
         if (fault() != HaplyFault::Mute) open = web.send(state(false));
     }
     const std::lock_guard lock(guard_);
     --connections_;
     for (Hand& hand : hands_) hand.force = {};  // a device without commands makes no force
+}
+
+bool StandinHaply::isLate() const {
+    const std::lock_guard lock(guard_);
+    return fault_ == HaplyFault::Slow || (fault_ == HaplyFault::Hiccup && sinceFault_ == 1);
 }
 
 /// Takes the force of a message and lets the hand that feels it move.
@@ -129,7 +134,9 @@ void StandinHaply::take(const std::string& message) {
 std::string StandinHaply::placeOf(const Hand& hand) const {
     const double scale = fault_ == HaplyFault::Units ? 1 : 1e-3;
     // With units gone wrong a hand in the middle would still look near: it stands 3 mm aside, as a real one would.
-    const double aside = fault_ == HaplyFault::Units ? 3 : fault_ == HaplyFault::Jump ? 50 : 0;
+    // A jump comes back with every other message: one alone, on a machine that stalls just then, may be a quick hand.
+    const bool jumps = fault_ == HaplyFault::Jump && sinceFault_ % 2 == 1;
+    const double aside = fault_ == HaplyFault::Units ? 3 : jumps ? 50 : 0;
     if (fault_ == HaplyFault::NoNumber) return R"({"x":null,"y":0.0,"z":0.0})";
     return numbers(R"({"x":%.9f,"y":%.9f,"z":%.9f})", scale * (hand.position[0] + aside), scale * hand.position[1],
                    scale * hand.position[2]);

@@ -16,12 +16,13 @@ enum class HaplyFault {
     None,
     Drop,       ///< the connection is closed; new ones are taken
     Slow,       ///< every answer comes 20 ms late
+    Hiccup,     ///< the next one does
     Mute,       ///< no answer at all
     Malformed,  ///< text that is no JSON
     Version,    ///< messages of another version
     Units,      ///< places in millimetres
     NoNumber,   ///< a place that is no number
-    Jump,       ///< of 50 mm
+    Jump,       ///< of 50 mm, to and fro
     Gone,       ///< the device is not in the list
     NoPower,    ///< its status says so
 };
@@ -70,6 +71,7 @@ private:
     [[nodiscard]] std::string state(bool isFirst);
     [[nodiscard]] std::string placeOf(const Hand& hand) const;
     [[nodiscard]] HaplyFault fault() const;
+    [[nodiscard]] bool isLate() const;
 
     int listener_ = -1;
     int port_ = 0;
