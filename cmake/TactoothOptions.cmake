@@ -6,6 +6,7 @@ option(TACTOOTH_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
 option(TACTOOTH_BENCHMARKS "Build the benchmarks" ${PROJECT_IS_TOP_LEVEL})
 option(TACTOOTH_WERROR "Treat warnings as errors" OFF)
 option(TACTOOTH_LIBRARY_ONLY "Build the layers that know no screen, sound or device (Eigen, TBB and Boost headers only)" OFF)
+option(TACTOOTH_OPENVDB "Write .vdb files, if OpenVDB is found" ON)
 set(TACTOOTH_SANITIZE "" CACHE STRING "Sanitizers to build with: '', 'address,undefined' or 'thread'")
 
 # Widest vector unit that this processor has. Only the width of a register changes with it, never a
@@ -34,7 +35,8 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
 
 find_program(TACTOOTH_CCACHE ccache)
 if(TACTOOTH_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${TACTOOTH_CCACHE})
+  # Compiled headers are among what it may keep; it leaves them alone unless it is told so.
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${TACTOOTH_CCACHE})
 endif()
 
 add_library(tactooth_settings INTERFACE)

@@ -5,6 +5,7 @@
 #include "cli/motion_files.h"
 #include "geometry/mesh_file.h"
 #include "geometry/mesh_report.h"
+#include "support/text_file.h"
 
 namespace tactooth {
 namespace {
@@ -112,6 +113,20 @@ TEST_F(CutCommand, TellsWhenATissueWasReached) {
     EXPECT_THAT(contact, HasSubstr(",first contact,0,0.01,"));
     EXPECT_THAT(dentin, AllOf(::testing::StartsWith("0.3"), HasSubstr(",dentin reached,")));
     EXPECT_FALSE(std::getline(events, head)) << head;
+}
+
+TEST_F(CutCommand, WritesVoxelsOrSaysThatItCannot) {
+    const std::string path = drillAt(0, 0.3);
+    const ProgramRun run = cut(block(), path, {"--feed", "rigid", "--voxel", "0.1", "--vdb", file("cut.vdb")});
+#ifdef TACTOOTH_HAS_OPENVDB
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("voxels written to " + file("cut.vdb")));
+    EXPECT_THAT(test::readText(file("cut.vdb")), ::testing::StartsWith(" BDV"));
+    expectRefused(cut(block(), path, {"--vdb", file("no/cut.vdb")}), "no/cut.vdb");
+#else
+    expectRefused(run, "built without OpenVDB");
+    EXPECT_FALSE(std::filesystem::exists(file("cut.stl"))) << "refused before anything is cut";
+#endif
 }
 
 TEST_F(CutCommand, RefusesWhatItCannotCutOrSave) {

@@ -18,6 +18,7 @@
 #include "session/material_file.h"
 #include "session/tick_csv.h"
 #include "session/tooth_file.h"
+#include "session/vdb_file.h"
 #include "tooth/layer_remains.h"
 
 namespace tactooth {
@@ -135,6 +136,9 @@ void printRemoved(const MaterialVolumes& removed) {
 }  // namespace
 
 int runCut(const CutOptions& options) {
+    if (!options.vdb.empty()) {
+        if (const auto can = checkVdb(); !can) return refuse(can.error());
+    }
     const auto source = toothSource(options);
     if (!source) return refuse(source.error());
     const auto path = readTrajectory(options.trajectory);
@@ -171,6 +175,11 @@ int runCut(const CutOptions& options) {
     if (!options.save.empty()) {
         const auto saved = saveTooth(piece, savedNow(tooth->provenance), options.save);
         if (!saved) return refuse(saved.error());
+    }
+    if (!options.vdb.empty()) {
+        const auto written = writeVdb(piece.volume(), savedNow(tooth->provenance), options.vdb);
+        if (!written) return refuse(written.error());
+        fmt::print("voxels written to {}\n", options.vdb.string());
     }
     if (!options.layersOut.empty()) {
         if (const auto written = writeLayers(piece.volume(), options.layersOut); !written)

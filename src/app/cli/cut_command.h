@@ -26,6 +26,7 @@ struct CutOptions {
     std::filesystem::path events;     ///< empty: not written
     std::filesystem::path save;       ///< empty: not saved
     std::filesystem::path layersOut;  ///< a folder; empty: not written
+    std::filesystem::path vdb;        ///< empty: not written
 };
 
 /// Cuts a tooth with a spinning bur along a trajectory.

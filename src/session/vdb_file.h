@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+
+#include "geometry/expected.h"
+#include "tooth/saved_tooth.h"
+
+namespace tactooth {
+
+/// Nothing if this program can write OpenVDB files, else why not, in one sentence: OpenVDB is not among what has to be
+/// there to build it.
+[[nodiscard]] Expected<void> checkVdb();
+
+/// Writes what is left of a tooth for OpenVDB: one grid of floats for each material, named after it, that says how much
+/// of each voxel it fills, 0..1; docs/vdb-file.md. The file appears when it is complete.
+[[nodiscard]] Expected<void> writeVdb(const CutVolume& volume, const Provenance& provenance,
+                                      const std::filesystem::path& path);
+
+}  // namespace tactooth

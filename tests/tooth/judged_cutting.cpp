@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tooth/judged_cutting.h"
+
+#include <gtest/gtest.h>
+
+#include "geometry/stl_writer.h"
+#include "support/test_data.h"
+
+namespace tactooth::test {
+namespace {
+
+constexpr double kVoxel = 0.05;         // mm
+constexpr double kVolumeBound = 0.005;  // share of the counted volume by which that of the surface may differ
+/// mm; a float at 8 mm is exact to 5e-7, and a triangle whose corners lie off by that crosses its neighbour by as much.
+constexpr double kRounding = 1e-5;
+/// Share of the facets that may cross another deeper than that, and how deep, in voxels: walls have one vertex a cell,
+/// and those of sharp edges can change places (docs/cutting.md). 4e-3 and 0.41 were measured.
+constexpr double kMostCrossings = 1e-2;
+constexpr double kDeepestCrossing = 0.5;
+
+void expectSound(const ExportVerdict& verdict) {
+    EXPECT_TRUE(verdict.isSound()) << verdict;
+    EXPECT_EQ(verdict.collapsed, 0U) << verdict;
+    EXPECT_LE(static_cast<double>(verdict.crossingsDeeperThan(kRounding)),
+              kMostCrossings * static_cast<double>(verdict.facets))
+        << verdict;
+    EXPECT_LE(verdict.deepestCrossing(), kDeepestCrossing * kVoxel) << verdict;
+}
+
+}  // namespace
+
+ExportVerdict judged(const TriangleMesh& mesh) {
+    const TemporaryFolder folder;
+    EXPECT_TRUE(writeStl(mesh, folder / "cut.stl"));
+    return judgeExport(folder / "cut.stl");
+}
+
+void expectSoundThroughout(TriangleMesh outer, const JudgedCutting& cutting) {
+    RandomCutting tooth(std::move(outer), kVoxel, {"2", "57", "35", "170", "330"}, cutting.seed);
+    for (int stroke = 1; stroke <= cutting.strokes; ++stroke) {
+        tooth.stroke();
+        if (stroke % cutting.look != 0) continue;
+        SCOPED_TRACE(::testing::Message() << "seed " << cutting.seed << ", stroke " << stroke);
+        const ExportVerdict verdict = judged(tooth.mesh());
+        expectSound(verdict);
+        EXPECT_NEAR(tooth.whole() - verdict.volume, tooth.removed(), kVolumeBound * tooth.removed() + 1e-3);
+    }
+    EXPECT_GT(tooth.removed(), cutting.leastRemoved * tooth.whole());
+}
+
+}  // namespace tactooth::test

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "support/export_judge.h"
+#include "tooth/random_cutting.h"
+
+namespace tactooth::test {
+
+/// What the judge says of the file of a surface.
+[[nodiscard]] ExportVerdict judged(const TriangleMesh& mesh);
+
+struct JudgedCutting {
+    unsigned seed = 1;
+    int strokes = 20;
+    int look = 4;                ///< strokes from one look of the judge to the next
+    double leastRemoved = 0.05;  ///< share of the whole that has to go, or little was tried
+};
+
+/// Cuts at random and expects that each time that the judge looks, what is written is closed, oriented, 2-manifold and
+/// bounds a volume, which is the one that the moves have left, and crosses itself hardly anywhere.
+void expectSoundThroughout(TriangleMesh outer, const JudgedCutting& cutting);
+
+}  // namespace tactooth::test

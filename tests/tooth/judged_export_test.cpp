@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+// What is written after random cutting, in the eyes of a reader that shares no code with the program.
+#include <gtest/gtest.h>
+
+#include "geometry/stl_writer.h"
+#include "instruments/builtin_tooth.h"
+#include "support/shapes.h"
+#include "tooth/judged_cutting.h"
+
+namespace tactooth {
+namespace {
+
+TEST(JudgedExport, AnUncutToothIsSound) {
+    const test::ExportVerdict verdict = test::judged(makeBuiltinTooth(BuiltinToothKind::lowerFirstMolar).outer);
+    EXPECT_TRUE(verdict.isSound()) << verdict;
+    EXPECT_EQ(verdict.components, 1U);
+    EXPECT_TRUE(verdict.crossings.empty()) << verdict;
+}
+
+/// The judge is one only if it can say no.
+TEST(JudgedExport, TheJudgeSeesEachFault) {
+    const TriangleMesh ball = test::sphere(Vec3::Zero(), 1, 24, 16);
+    EXPECT_TRUE(test::judged(ball).isSound());
+    TriangleMesh open = ball;
+    open.triangles.pop_back();
+    EXPECT_TRUE(test::judged(open).isManifold);
+    EXPECT_FALSE(test::judged(open).isClosed);
+    TriangleMesh turned = ball;
+    std::swap(turned.triangles[7][0], turned.triangles[7][1]);
+    EXPECT_FALSE(test::judged(turned).isManifold);
+    TriangleMesh insideOut = ball;
+    for (Triangle& triangle : insideOut.triangles) std::swap(triangle[0], triangle[1]);
+    EXPECT_TRUE(test::judged(insideOut).isClosed);
+    EXPECT_FALSE(test::judged(insideOut).isSound());
+    TriangleMesh pinched = test::box(Vec3(-1, -1, -1), Vec3(0, 0, 0));
+    append(pinched, test::box(Vec3(0, 0, 0), Vec3(1, 1, 1)));
+    EXPECT_FALSE(test::judged(pinched).isManifold);
+    TriangleMesh dented = ball;
+    dented.vertices[100] *= -1.2F;
+    EXPECT_GT(test::judged(dented).deepestCrossing(), 0.1);
+}
+
+TEST(JudgedExport, ABallIsSoundThroughRandomCutting) {
+    test::expectSoundThroughout(test::sphere(Vec3(0.03, -0.02, -2), 2, 96, 64), {.seed = 3, .strokes = 12});
+}
+
+TEST(JudgedExport, APlateIsSoundThroughRandomCutting) {
+    test::expectSoundThroughout(test::box(Vec3(-2.5, -2.5, -0.3), Vec3(2.5, 2.5, 0)), {.seed = 2, .strokes = 20});
+}
+
+TEST(JudgedExport, AMolarIsSoundThroughRandomCutting) {
+    test::expectSoundThroughout(makeBuiltinTooth(BuiltinToothKind::lowerFirstMolar, 8000).outer,
+                                {.seed = 5, .strokes = 8, .look = 8, .leastRemoved = 0.02});
+}
+
+}  // namespace
+}  // namespace tactooth

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "tooth/live_surface.h"
+
+namespace tactooth::test {
+
+/// A tooth that is cut by seeded random strokes which look for trouble: at all angles and anywhere, through the whole
+/// tooth, in pairs with a thin wall between them, around a bit that comes loose, and along planes of the lattice's
+/// nodes.
+class RandomCutting {
+public:
+    /// `burs` by catalogue number; mm.
+    RandomCutting(TriangleMesh outer, double voxel, const std::vector<std::string>& burs, unsigned seed);
+
+    void stroke();
+
+    [[nodiscard]] TriangleMesh mesh() const { return visibleMesh(*surface_.snapshot()).mesh; }
+    /// Summed over the moves, mm^3.
+    [[nodiscard]] double removed() const { return removed_; }
+    /// Of the whole tooth, mm^3.
+    [[nodiscard]] double whole() const { return whole_; }
+
+private:
+    [[nodiscard]] double unit() { return std::uniform_real_distribution<double>(-1, 1)(random_); }
+    [[nodiscard]] Vec3 direction();
+    [[nodiscard]] Vec3 placeInside();
+    void move(const RevolutionEnvelope& bur, const Pose& from, const Pose& to, double longestStep);
+    void anywhere(const RevolutionEnvelope& bur);
+    void through(const RevolutionEnvelope& bur);
+    void thinWall(const RevolutionEnvelope& bur);
+    void looseBit(const RevolutionEnvelope& bur);
+    void alongNodes(const RevolutionEnvelope& bur);
+
+    CutVolume volume_;
+    LiveSurface surface_;
+    std::vector<RevolutionEnvelope> burs_;
+    Box3 box_;
+    std::mt19937 random_;
+    double whole_;
+    double removed_ = 0;
+};
+
+}  // namespace tactooth::test
