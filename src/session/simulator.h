@@ -76,6 +76,7 @@ public:
     /// Why the hand feels what it feels.
     [[nodiscard]] ForceState forceState() const { return forceState_.load(std::memory_order_relaxed); }
     [[nodiscard]] bool isRealTime() const { return loop_->isRealTime(); }
+    [[nodiscard]] bool sleepsLightly() const { return loop_->sleepsLightly(); }
     /// Surfaces published by the cutter so far.
     [[nodiscard]] std::uint64_t surfaceUpdates() const { return surfaceUpdates_.load(std::memory_order_relaxed); }
     /// Puts the tooth back as it was. Any thread; done by the cutter thread at its next turn.

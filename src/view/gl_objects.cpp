@@ -60,4 +60,10 @@ void allocateTexture(const Texture& texture, GLenum internalFormat, int width, i
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }
 
+void bindTexture(int unit, GLenum kind, GLuint texture) {
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindTexture(kind, texture);
+    glActiveTexture(GL_TEXTURE0);
+}
+
 }  // namespace tactooth::gl

@@ -87,4 +87,7 @@ using Program = Object<ProgramKind>;
 /// Makes the current texture unit's 2-D texture `texture` with storage of one level, clamped, with this filter.
 void allocateTexture(const Texture& texture, GLenum internalFormat, int width, int height, GLenum filter);
 
+/// Gives a texture of this kind (GL_TEXTURE_2D ...) to a unit and goes back to the first one.
+void bindTexture(int unit, GLenum kind, GLuint texture);
+
 }  // namespace tactooth::gl

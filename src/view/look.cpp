@@ -36,6 +36,10 @@ Look bone() {
 Look steel() { return {.colour = {0.83F, 0.84F, 0.86F}, .roughness = 0.14F, .metalness = 1.0F, .grain = 0.05F}; }
 Look carbide() { return {.colour = {0.74F, 0.75F, 0.77F}, .roughness = 0.20F, .metalness = 1.0F, .grain = 0.06F}; }
 Look diamond() { return {.colour = {0.60F, 0.59F, 0.57F}, .roughness = 0.5F, .metalness = 0.85F, .grain = 1.0F}; }
+// Blue differs from all tissues, which run from white over yellow to red, for eyes of all common kinds of colour
+// blindness (M. Okabe, K. Ito, Color universal design, 2008: their sky blue and blue).
+Look toCut() { return {.colour = {0.34F, 0.71F, 0.91F}, .opacity = 0.55F}; }
+Look outline() { return {.colour = {0.0F, 0.27F, 0.60F}, .opacity = 1}; }
 
 }  // namespace looks
 

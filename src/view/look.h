@@ -32,6 +32,8 @@ namespace looks {
 [[nodiscard]] Look steel();    ///< turbine, mirror frame, shank
 [[nodiscard]] Look carbide();  ///< tungsten carbide bur head
 [[nodiscard]] Look diamond();  ///< diamond-coated bur head
+[[nodiscard]] Look toCut();    ///< wall of a cavity that is to be, as a ghost: blue as what is still to cut
+[[nodiscard]] Look outline();  ///< rim of it
 
 }  // namespace looks
 

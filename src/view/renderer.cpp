@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "view/renderer.h"
 
+#include "view/ghost_pass.h"
 #include "view/mirror_pass.h"
 #include "view/occlusion_pass.h"
 #include "view/particle_pass.h"
@@ -97,6 +98,7 @@ PictureSize scaled(PictureSize size, double share) {
 struct Renderer::Parts {
     SolidPass solid;
     MirrorPass mirror;
+    GhostPass ghosts;
     OcclusionPass occlusion;
     ParticlePass particles;
     StereoPass stereo;
@@ -106,6 +108,7 @@ struct Renderer::Parts {
     std::array<ReusedTarget, 2> pictures;  ///< one an eye
     ReusedTarget reflection;
     ReusedTarget shell;
+    ReusedTarget ghost;
     std::size_t lastUpload = 0;
 
     /// What stays the same for all views of one picture.
@@ -124,8 +127,10 @@ struct Renderer::Parts {
                              const RenderTarget* mirrored);
     [[nodiscard]] SolidInputs inputsFor(const Job& job, const PassView& view, const Background& background,
                                         const Mat4& cullMatrix) const;
-    /// The depth of the body around inner objects; nothing if there are none.
+    /// The depth of the body around inner objects and ghosts; nothing if there are none.
     Expected<const RenderTarget*> drawShell(const Job& job, const SolidInputs& inputs);
+    /// All but the mirror's glass into `into`, which is left bound for more; `inputs` but for the shell.
+    Expected<void> drawBodies(const Job& job, SolidInputs& inputs, const RenderTarget& into);
 };
 
 SolidInputs Renderer::Parts::inputsFor(const Job& job, const PassView& view, const Background& background,
@@ -133,6 +138,7 @@ SolidInputs Renderer::Parts::inputsFor(const Job& job, const PassView& view, con
     const double coarseness = coarsenessAt(view, job.size, job.settings.coarseness);
     return {.drawables = job.shapes.drawables,
             .filled = job.shapes.filled,
+            .ghosts = job.shapes.ghosts,
             .view = view,
             .frame = frameBlock(view, job.scene.lighting, background, shadows.lookup(), job.size, coarseness),
             .cullMatrix = cullMatrix,
@@ -143,11 +149,28 @@ SolidInputs Renderer::Parts::inputsFor(const Job& job, const PassView& view, con
 }
 
 Expected<const RenderTarget*> Renderer::Parts::drawShell(const Job& job, const SolidInputs& inputs) {
-    const auto isInner = [](const Drawable& drawable) { return drawable.object->inner; };
-    if (std::none_of(inputs.drawables.begin(), inputs.drawables.end(), isInner)) return nullptr;
+    if (!showsLayers(inputs.drawables) && inputs.ghosts.empty()) return nullptr;
     const auto target = shell.fit(job.size, 0);
     if (target) solid.drawShell(inputs, **target);
     return target;
+}
+
+Expected<void> Renderer::Parts::drawBodies(const Job& job, SolidInputs& inputs, const RenderTarget& into) {
+    const auto around = drawShell(job, inputs);
+    if (!around) return Unexpected{around.error()};
+    inputs.shell = *around;
+    const RenderTarget* seen = nullptr;
+    if (!inputs.ghosts.empty()) {
+        const auto target = ghost.fit(job.size, job.settings.samples);
+        if (!target) return Unexpected{target.error()};
+        seen = *target;
+        ghosts.draw(inputs, *seen);
+    }
+    into.bindForDrawing();
+    solid.drawOpaque(inputs);
+    if (seen != nullptr) ghosts.compose(*seen);
+    solid.drawTransparent(inputs);
+    return {};
 }
 
 Expected<const RenderTarget*> Renderer::Parts::drawReflection(const Job& job, const Camera& camera) {
@@ -163,11 +186,7 @@ Expected<const RenderTarget*> Renderer::Parts::drawReflection(const Job& job, co
     glScissor(covered.low.x(), covered.low.y(), covered.extent().x(), covered.extent().y());
     glEnable(GL_CLIP_DISTANCE0);
     SolidInputs inputs = inputsFor(job, view, surgery, cropped(view.worldToClip(), covered, job.size));
-    const auto around = drawShell(job, inputs);
-    if (!around) return around;
-    inputs.shell = *around;
-    (*target)->bindForDrawing();
-    solid.draw(inputs);
+    if (const auto done = drawBodies(job, inputs, **target); !done) return Unexpected{done.error()};
     particles.draw(job.scene.particles, view, job.size);
     glDisable(GL_CLIP_DISTANCE0);
     (*target)->resolve();
@@ -183,11 +202,7 @@ Expected<void> Renderer::Parts::drawScene(const Job& job, const Camera& camera, 
     const PassView view = directView(job.scene, camera, job.size);
     glEnable(GL_DEPTH_TEST);
     SolidInputs inputs = inputsFor(job, view, job.scene.background, view.worldToClip());
-    const auto around = drawShell(job, inputs);
-    if (!around) return Unexpected{around.error()};
-    inputs.shell = *around;
-    into.bindForDrawing();
-    solid.draw(inputs);
+    if (auto done = drawBodies(job, inputs, into); !done) return done;
     if (mirrored != nullptr) {
         mirror.draw(*job.scene.mirror, inputs.frame, *mirrored, coveredPixels(*job.scene.mirror, camera, job.size));
     }
@@ -223,6 +238,8 @@ Expected<Renderer> Renderer::create() {
     if (!solid) return Unexpected{solid.error()};
     auto mirror = MirrorPass::create();
     if (!mirror) return Unexpected{mirror.error()};
+    auto ghosts = GhostPass::create();
+    if (!ghosts) return Unexpected{ghosts.error()};
     auto occlusion = OcclusionPass::create();
     if (!occlusion) return Unexpected{occlusion.error()};
     auto particles = ParticlePass::create();
@@ -235,10 +252,12 @@ Expected<Renderer> Renderer::create() {
     if (!problem) return Unexpected{problem.error()};
     return Renderer(std::unique_ptr<Parts>(new Parts{std::move(*solid),
                                                      std::move(*mirror),
+                                                     std::move(*ghosts),
                                                      std::move(*occlusion),
                                                      std::move(*particles),
                                                      std::move(*stereo),
                                                      std::move(*shadows),
+                                                     {},
                                                      {},
                                                      {},
                                                      {},

@@ -36,6 +36,9 @@ struct SceneObject {
     /// What fills a body from inside, a layer of a tooth: seen only where that body (the first sectioned object) still
     /// is, so that nothing of it stands in a cavity. One that is not visible still shows in the section.
     bool inner = false;
+    /// The wall of a hollow that is to be: seen through sectioned objects as tinted glass, whatever is before it of
+    /// them. Throws no shadow.
+    bool ghost = false;
     std::optional<ColourByDistance> distances;  ///< replaces the colours of the looks
 };
 inline constexpr std::size_t kMaxLooks = 8;

@@ -21,7 +21,7 @@ ShapeCache::Result ShapeCache::update(const Scene& scene) {
         if (!hasTriangles(object.shape)) continue;
         Entry& entry = entryFor(object);
         entry.used = true;
-        entry.moves = object.moves;
+        entry.throwsStillShadow = !object.moves && !object.ghost;
         const bool onlyInSection = !object.visible && object.filling && scene.section;
         if (!object.visible && !onlyInSection) continue;
         const bool changed = entry.buffers.update(object.shape);
@@ -29,11 +29,15 @@ ShapeCache::Result ShapeCache::update(const Scene& scene) {
         const Drawable drawable{&object, &entry.buffers, objectToWorld(object)};
         if (object.filling && scene.section) result.filled.push_back(drawable);
         if (onlyInSection) continue;
+        if (object.ghost) {
+            result.ghosts.push_back(drawable);
+            continue;
+        }
         result.stillShapesChanged |= changed && !object.moves;
         result.drawables.push_back(drawable);
     }
     std::erase_if(entries_, [&](const Entry& entry) {
-        result.stillShapesChanged |= !entry.used && !entry.moves;
+        result.stillShapesChanged |= !entry.used && entry.throwsStillShadow;
         return !entry.used;
     });
     return result;

@@ -12,7 +12,8 @@ namespace tactooth {
 class ShapeCache {
 public:
     struct Result {
-        std::vector<Drawable> drawables;  ///< the visible objects of the scene, in its order
+        std::vector<Drawable> drawables;  ///< the visible objects of the scene but the ghosts, in its order
+        std::vector<Drawable> ghosts;     ///< likewise
         std::vector<Drawable> filled;     ///< those that a section shows filled; empty without a section
         bool stillShapesChanged = false;  ///< a shape that does not move was added, removed or altered
         std::size_t uploadedTriangles = 0;
@@ -24,7 +25,7 @@ private:
     struct Entry {
         SurfaceBuffers buffers;
         bool used = false;
-        bool moves = false;
+        bool throwsStillShadow = true;
     };
     [[nodiscard]] Entry& entryFor(const SceneObject& object);
     std::list<Entry> entries_;

@@ -43,12 +43,6 @@ Expected<ShaderProgram> lit(std::string_view vertex, int shadowTaps, bool rich) 
     return program;
 }
 
-void bindTexture(int unit, GLenum kind, GLuint texture) {
-    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    glBindTexture(kind, texture);
-    glActiveTexture(GL_TEXTURE0);
-}
-
 bool isRich(const Drawable& drawable) {
     return drawable.object->inner || drawable.object->distances || drawable.isTransparent();
 }
@@ -58,17 +52,22 @@ bool hasSection(const SolidInputs& inputs) { return !inputs.view.section.head<3>
 /// How much coarser than true `drawable` may be, in mm for each mm of distance. Bodies and the layers in them share
 /// parts of their surfaces: where both are seen they stay true, or the one would show through the other.
 double coarsenessFor(const SolidInputs& inputs, const Drawable& drawable) {
-    const bool inLayers = drawable.object->sectioned && (hasSection(inputs) || inputs.shell != nullptr);
+    const bool inLayers = drawable.object->sectioned && (hasSection(inputs) || showsLayers(inputs.drawables));
     if (inLayers || drawable.object->inner) return 0;
     return inputs.coarseness;
 }
 
-ClusterCuller cullerFor(const SolidInputs& inputs, const Drawable& drawable, bool skipBackFaces) {
+}  // namespace
+
+ClusterCuller cullerFor(const SolidInputs& inputs, const Drawable& drawable, bool skipBackFaces, double coarseness) {
     const Eigen::Vector4d eyeInObject = drawable.objectToWorld.inverse() * inputs.view.eye.homogeneous();
-    return {inputs.cullMatrix * drawable.objectToWorld, eyeInObject, skipBackFaces, coarsenessFor(inputs, drawable)};
+    return {inputs.cullMatrix * drawable.objectToWorld, eyeInObject, skipBackFaces, coarseness};
 }
 
-}  // namespace
+bool showsLayers(const std::vector<Drawable>& drawables) {
+    return std::any_of(drawables.begin(), drawables.end(),
+                       [](const Drawable& drawable) { return drawable.object->inner; });
+}
 
 Expected<SolidPass> SolidPass::create() {
     SolidPass pass;
@@ -99,10 +98,10 @@ void SolidPass::prepare(const SolidInputs& inputs) const {
     glBindBuffer(GL_UNIFORM_BUFFER, frameBuffer_.name());
     glBufferData(GL_UNIFORM_BUFFER, sizeof inputs.frame, &inputs.frame, GL_STREAM_DRAW);
     glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBinding, frameBuffer_.name());
-    bindTexture(kGrainUnit, GL_TEXTURE_3D, grain_.name());
-    bindTexture(kShadowUnit, GL_TEXTURE_2D, inputs.shadowMap.texture());
-    bindTexture(kShellUnit, GL_TEXTURE_2D, inputs.shell != nullptr ? inputs.shell->depthTexture() : 0);
-    bindTexture(kFieldColoursUnit, GL_TEXTURE_2D, inputs.fields.colours());
+    gl::bindTexture(kGrainUnit, GL_TEXTURE_3D, grain_.name());
+    gl::bindTexture(kShadowUnit, GL_TEXTURE_2D, inputs.shadowMap.texture());
+    gl::bindTexture(kShellUnit, GL_TEXTURE_2D, inputs.shell != nullptr ? inputs.shell->depthTexture() : 0);
+    gl::bindTexture(kFieldColoursUnit, GL_TEXTURE_2D, inputs.fields.colours());
 }
 
 void SolidPass::drawBackground() const {
@@ -115,14 +114,38 @@ void SolidPass::drawBackground() const {
     glEnable(GL_DEPTH_TEST);
 }
 
-void SolidPass::draw(const SolidInputs& inputs) const {
+void SolidPass::drawOpaque(const SolidInputs& inputs) const {
     prepare(inputs);
     drawBackground();
     glFrontFace(inputs.view.mirrored ? GL_CW : GL_CCW);
+    const bool marks = !inputs.ghosts.empty();
+    if (marks) beginMarks();
     for (const Drawable& drawable : inputs.drawables) {
-        if (!drawable.isTransparent()) drawObject(inputs, drawable);
+        if (drawable.isTransparent()) continue;
+        if (marks) glStencilFunc(GL_ALWAYS, drawable.object->sectioned ? kSeenThrough : 0, ~0U);
+        drawObject(inputs, drawable);
     }
+    if (marks) endMarks();
     if (hasSection(inputs)) drawSectionFaces(inputs);
+    glFrontFace(GL_CCW);
+    glDisable(GL_CLIP_DISTANCE1);
+}
+
+/// From here on what is drawn writes the reference of the stencil's function into kSeenThrough.
+void SolidPass::beginMarks() {
+    glStencilMask(kSeenThrough);
+    glClear(GL_STENCIL_BUFFER_BIT);
+    glEnable(GL_STENCIL_TEST);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+}
+
+void SolidPass::endMarks() {
+    glDisable(GL_STENCIL_TEST);
+    glStencilMask(~0U);
+}
+
+void SolidPass::drawTransparent(const SolidInputs& inputs) const {
+    glFrontFace(inputs.view.mirrored ? GL_CW : GL_CCW);
     for (auto drawable = inputs.drawables.rbegin(); drawable != inputs.drawables.rend(); ++drawable) {
         if (drawable->isTransparent()) drawBlended(inputs, *drawable);
     }
@@ -144,7 +167,7 @@ void SolidPass::drawObject(const SolidInputs& inputs, const Drawable& drawable) 
     drawable.object->sectioned ? glEnable(GL_CLIP_DISTANCE1) : glDisable(GL_CLIP_DISTANCE1);
     // Where a layer reaches the body's surface, the body is what is seen.
     if (drawable.object->inner) glEnable(GL_POLYGON_OFFSET_FILL), glPolygonOffset(1.0F, 4.0F);
-    drawable.buffers->draw(cullerFor(inputs, drawable, hidesBack));
+    drawable.buffers->draw(cullerFor(inputs, drawable, hidesBack, coarsenessFor(inputs, drawable)));
     glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
@@ -155,7 +178,7 @@ void SolidPass::setRichUniforms(const ShaderProgram& program, const SolidInputs&
     const auto& distances = drawable.object->distances;
     program.set("distanceRange", distances ? static_cast<float>(distances->range) : 0.0F);
     if (!distances) return;
-    bindTexture(kFieldUnit, GL_TEXTURE_3D, inputs.fields.of(distances->grid.get()));
+    gl::bindTexture(kFieldUnit, GL_TEXTURE_3D, inputs.fields.of(distances->grid.get()));
     program.set("objectToField", objectToField(*distances->grid));
 }
 
@@ -204,7 +227,7 @@ void SolidPass::markInside(const SolidInputs& inputs, const Drawable& drawable, 
         glDisable(GL_DEPTH_TEST);
         glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     }
-    drawable.buffers->draw(cullerFor(inputs, drawable, false));
+    drawable.buffers->draw(cullerFor(inputs, drawable, false, coarsenessFor(inputs, drawable)));
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glEnable(GL_DEPTH_TEST);
     glDisable(GL_STENCIL_TEST);
@@ -221,12 +244,13 @@ void SolidPass::drawSectionFaces(const SolidInputs& inputs) const {
         markInside(inputs, drawable, bit);
         const GLuint wanted = kBody | bit;
         glEnable(GL_STENCIL_TEST);
-        glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
-        glStencilFunc(GL_EQUAL, static_cast<GLint>(wanted), wanted);
+        glStencilMask(kSeenThrough);
+        glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+        glStencilFunc(GL_EQUAL, static_cast<GLint>(wanted) | kSeenThrough, wanted);
         glDepthFunc(GL_LEQUAL);  // all faces lie in one plane: the last one counts
         drawFace(inputs, around, *drawable.object->filling);
         glDepthFunc(GL_LESS);
-        glDisable(GL_STENCIL_TEST);
+        endMarks();
     }
 }
 

@@ -16,6 +16,7 @@ namespace tactooth {
 struct SolidInputs {
     const std::vector<Drawable>& drawables;
     const std::vector<Drawable>& filled;  ///< ShapeCache::Result::filled
+    const std::vector<Drawable>& ghosts;
     const PassView& view;
     FrameBlock frame;
     Mat4 cullMatrix;    ///< sees at most what the pass shows; runs of triangles outside it are skipped
@@ -23,8 +24,18 @@ struct SolidInputs {
     Shadows shadows;
     const ShadowMap& shadowMap;
     const FieldTextures& fields;
-    const RenderTarget* shell = nullptr;  ///< the body's depth in this view, for inner objects
+    const RenderTarget* shell = nullptr;  ///< the body's depth in this view, for inner objects and ghosts
 };
+
+/// The bit of the stencil that drawOpaque sets, if there are ghosts, where a sectioned object is what is seen.
+inline constexpr GLint kSeenThrough = 4;
+
+/// Whether any of them is an inner object.
+[[nodiscard]] bool showsLayers(const std::vector<Drawable>& drawables);
+
+/// Which runs of a drawable's triangles these inputs can show, and how coarse they may be.
+[[nodiscard]] ClusterCuller cullerFor(const SolidInputs& inputs, const Drawable& drawable, bool skipBackFaces,
+                                      double coarseness);
 
 /// Draws the background, the lit objects, the faces of a section and what is transparent into whatever framebuffer is
 /// bound.
@@ -32,7 +43,10 @@ class SolidPass {
 public:
     [[nodiscard]] static Expected<SolidPass> create();
 
-    void draw(const SolidInputs& inputs) const;
+    /// The background and all that is opaque.
+    void drawOpaque(const SolidInputs& inputs) const;
+    /// What is transparent, over the opaque part.
+    void drawTransparent(const SolidInputs& inputs) const;
     /// Depth alone of the first sectioned object, into `into`.
     void drawShell(const SolidInputs& inputs, const RenderTarget& into) const;
 
@@ -44,6 +58,8 @@ private:
     };
     void prepare(const SolidInputs& inputs) const;
     void drawBackground() const;
+    static void beginMarks();
+    static void endMarks();
     void drawObject(const SolidInputs& inputs, const Drawable& drawable) const;
     void drawBlended(const SolidInputs& inputs, const Drawable& drawable) const;
     void setRichUniforms(const ShaderProgram& program, const SolidInputs& inputs, const Drawable& drawable) const;

@@ -84,6 +84,27 @@ TEST_F(RenderCommand, WhatLiesOutsideTheTargetIsBlueAndWhatLiesInsideOrange) {
     EXPECT_GT(inside.at(80, 60)[0], inside.at(80, 60)[2] + 30);
 }
 
+TEST_F(RenderCommand, TheGhostOfATargetTintsTheToothBlueWhereItLiesInIt) {
+    TriangleMesh hollow = sphere(Vec3(0, 0, 2), 1.5, 48, 24);
+    for (Triangle& triangle : hollow.triangles) std::swap(triangle[1], triangle[2]);
+    append(hollow, sphere(Vec3::Zero(), 5, 48, 24));
+    ASSERT_TRUE(writeStl(hollow, folder_ / "hollow.stl").has_value());
+    const std::vector<std::string> above{"--view", "occlusal", "--no-background"};
+    std::vector<std::string> ghost = above;
+    ghost.insert(ghost.end(), {"--target", folder_ / "hollow.stl", "--ghost"});
+    const Image plain = picture(above);
+    const Image tinted = picture(ghost);
+    EXPECT_LT(plain.at(80, 60)[2], plain.at(80, 60)[0]);
+    EXPECT_GT(tinted.at(80, 60)[2], tinted.at(80, 60)[0] + 30);
+    EXPECT_EQ(tinted.at(80, 60)[3], 255);
+    EXPECT_EQ(tinted.at(60, 60), plain.at(60, 60)) << "beside the cavity";
+}
+
+TEST_F(RenderCommand, RefusesAGhostOfNothing) {
+    EXPECT_THAT(refusal({"--target", folder_ / "ball.stl", "--ghost"}), HasSubstr("leaves nothing to cut"));
+    EXPECT_THAT(refusal({"--ghost"}), HasSubstr("--target"));
+}
+
 TEST_F(RenderCommand, SideBySideShowsTheToothTwice) {
     const Image image = picture({"--stereo", "side-by-side", "--no-background"});
     EXPECT_EQ(image.at(40, 60)[3], 255);

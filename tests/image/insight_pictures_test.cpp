@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Ways of looking into a tooth, and what is in the air around it, against stored pictures.
 #include "image/molar_fixture.h"
+#include "session/cavity_ghost.h"
 #include "session/work_piece.h"
 #include "support/shapes.h"
 
@@ -49,6 +50,26 @@ protected:
         for (const LayeredTooth::Layer& from : tooth_->layers()) objects.push_back(layer(from));
         return objects;
     }
+    /// The tooth with a slot across its fossa, `depth` mm below its highest cusp.
+    static std::shared_ptr<const Surface> slotted(double radius, double halfLength, double depth) {
+        WorkPiece piece(tooth_, 0.05);
+        const TriangleMesh bur = test::cylinder(Vec3::Zero(), radius, 8, 32);
+        const double z = tooth_->outer()->tree().box().max().z() - depth;
+        const CuttingTool tool{*RevolutionEnvelope::make(bur), 1};
+        piece.sweep(tool, {Vec3(-halfLength, 0, z), Quat::Identity()}, {Vec3(halfLength, 0, z), Quat::Identity()});
+        piece.refreshSurface();
+        return piece.surface();
+    }
+    /// `tooth` with the ghost of a slot of 1.2 mm radius and 4.8 mm length that is to be cut into it.
+    static std::vector<SceneObject> withGhost(const std::shared_ptr<const Surface>& tooth) {
+        CavityGhost cavity(visibleMesh(*slotted(1.2, 2.4, 4.2)).mesh, *tooth_->outer());
+        SceneObject ghost;
+        ghost.shape = cavity.over(tooth);
+        ghost.looks = {looks::toCut(), looks::outline()};
+        ghost.sectioned = ghost.ghost = true;
+        return {body(tooth), ghost};
+    }
+    static std::shared_ptr<const Surface> uncut() { return WorkPiece(tooth_, 0.05).surface(); }
     static Scene seenFrom(std::vector<SceneObject> objects, OrbitCamera::Direction direction) {
         Scene scene = lit(std::move(objects), direction);
         OrbitCamera camera;
@@ -71,6 +92,18 @@ protected:
         for (SceneObject& object : scene.objects) object.visible = true;
         scene.objects[1].visible = false;  // enamel: its outside is the body's
         return scene;
+    }
+
+    /// Turned so that the eye of `scene` sees the crown in it.
+    [[nodiscard]] SceneMirror mirrorBehindTheCrown(const Scene& scene) const {
+        SceneMirror mirror;
+        mirror.radius = 8;
+        const Vec3 crown = tooth_->outer()->tree().box().center() + Vec3(0, 0, 6);
+        mirror.mirrorInWorld.position = crown + Vec3(4, -10, 1);
+        const Vec3 toEye = (scene.camera.cameraInWorld.position - mirror.mirrorInWorld.position).normalized();
+        mirror.mirrorInWorld.rotation = Quat::FromTwoVectors(
+            Vec3::UnitZ(), (toEye + (crown - mirror.mirrorInWorld.position).normalized()).normalized());
+        return mirror;
     }
 };
 
@@ -124,6 +157,38 @@ TEST_F(InsightPictures, ColoursByDistance) {
     expectBaseline("distances", scene);
 }
 
+TEST_F(InsightPictures, TheGhostOfACavityIsSeenThroughTheTooth) {
+    expectBaseline("ghost-buccal", seenFrom(withGhost(uncut()), {1.4, 0.35}));
+    expectBaseline("ghost-occlusal", seenFrom(withGhost(uncut()), {1.5, 1.3}));
+}
+
+TEST_F(InsightPictures, TheGhostIsGoneWhereTheToothIsCut) {
+    expectBaseline("ghost-cut", seenFrom(withGhost(slotted(1.2, 0.9, 4.2)), {1.4, 1.0}));
+}
+
+TEST_F(InsightPictures, TheGhostIsCutByASection) {
+    std::vector<SceneObject> objects = withGhost(uncut());
+    for (const LayeredTooth::Layer& from : tooth_->layers()) objects.push_back(layer(from));
+    Scene scene = seenFrom(std::move(objects), {1.3, 0.35});
+    scene.section = Section{{Vec3::UnitY(), 0}};
+    expectBaseline("ghost-section", scene);
+}
+
+TEST_F(InsightPictures, AnInstrumentHidesTheGhostBehindIt) {
+    std::vector<SceneObject> objects = withGhost(uncut());
+    SceneObject bur = objectOf(test::cylinder(Vec3::Zero(), 0.7, 9, 24), looks::carbide());
+    bur.objectInWorld.position = Vec3(-0.6, 0, tooth_->outer()->tree().box().max().z() - 1.5);
+    bur.moves = true;
+    objects.push_back(bur);
+    expectBaseline("ghost-bur", seenFrom(std::move(objects), {1.4, 0.6}));
+}
+
+TEST_F(InsightPictures, TheGhostInTheMirror) {
+    Scene scene = seenFrom(withGhost(uncut()), {1.3, 0.4});
+    scene.mirror = mirrorBehindTheCrown(scene);
+    expectBaseline("ghost-mirror", scene);
+}
+
 TEST_F(InsightPictures, TwoEyes) {
     Scene scene = seenFrom({molar(false).front()}, {1.3, 0.7});
     scene.stereo = {Stereo::Mode::SideBySide, 60, 2};
@@ -134,15 +199,8 @@ TEST_F(InsightPictures, TwoEyes) {
 
 TEST_F(InsightPictures, FogAndDropsOnTheMirror) {
     Scene scene = seenFrom({molar(false).front()}, {1.3, 0.4});
-    SceneMirror mirror;
-    mirror.radius = 8;
-    const Vec3 crown = tooth_->outer()->tree().box().center() + Vec3(0, 0, 6);
-    mirror.mirrorInWorld.position = crown + Vec3(4, -10, 1);
-    const Vec3 toEye = (scene.camera.cameraInWorld.position - mirror.mirrorInWorld.position).normalized();
-    mirror.mirrorInWorld.rotation = Quat::FromTwoVectors(
-        Vec3::UnitZ(), (toEye + (crown - mirror.mirrorInWorld.position).normalized()).normalized());
-    mirror.fog = 0.8F;
-    scene.mirror = mirror;
+    scene.mirror = mirrorBehindTheCrown(scene);
+    scene.mirror->fog = 0.8F;
     expectBaseline("mirror-fog", scene);
     scene.mirror->fog = 0;
     scene.mirror->drops = 0.5F;

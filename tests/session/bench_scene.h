@@ -26,4 +26,18 @@ inline constexpr double kBurRadius = 0.4;  // mm
 
 [[nodiscard]] inline Pose at(double x, double y, double z) { return {Vec3(x, y, z), Quat::Identity()}; }
 
+/// A block with a core of dentin, cut into both.
+[[nodiscard]] inline std::shared_ptr<WorkPiece> cutBlock() {
+    TriangleMesh outer = box(Vec3(-2, -2, -3), Vec3(2, 2, 0));
+    std::vector<LayerMesh> layers;
+    layers.push_back({"enamel", MaterialId::Enamel, outer});
+    layers.push_back({"core", MaterialId::Dentin, box(Vec3(-1, -1, -2), Vec3(1, 1, -0.3))});
+    auto tooth = LayeredTooth::make(std::move(outer), std::move(layers));
+    auto piece = std::make_shared<WorkPiece>(std::make_shared<const LayeredTooth>(std::move(*tooth)), kVoxel);
+    piece->sweep(flatBur().cutting, at(0, 0, 0.2), at(0.1, 0, -0.6));
+    piece->sweep(flatBur().cutting, at(0.1, 0, -0.6), at(0.5, 0.3, -0.5));
+    piece->refreshSurface();
+    return piece;
+}
+
 }  // namespace tactooth::test

@@ -17,22 +17,9 @@ namespace tactooth {
 namespace {
 
 using test::at;
+using test::cutBlock;
 
 const Provenance kNotes = {{"tooth", "block.stl"}, {"who", "a student of dentistry, 3rd year"}};
-
-/// A block with a core of dentin, cut into both.
-std::shared_ptr<WorkPiece> cutBlock() {
-    TriangleMesh outer = test::box(Vec3(-2, -2, -3), Vec3(2, 2, 0));
-    std::vector<LayerMesh> layers;
-    layers.push_back({"enamel", MaterialId::Enamel, outer});
-    layers.push_back({"core", MaterialId::Dentin, test::box(Vec3(-1, -1, -2), Vec3(1, 1, -0.3))});
-    auto tooth = LayeredTooth::make(std::move(outer), std::move(layers));
-    auto piece = std::make_shared<WorkPiece>(std::make_shared<const LayeredTooth>(std::move(*tooth)), test::kVoxel);
-    piece->sweep(test::flatBur().cutting, at(0, 0, 0.2), at(0.1, 0, -0.6));
-    piece->sweep(test::flatBur().cutting, at(0.1, 0, -0.6), at(0.5, 0.3, -0.5));
-    piece->refreshSurface();
-    return piece;
-}
 
 TEST(ToothFile, BringsBackEveryBit) {
     const auto piece = cutBlock();

@@ -167,6 +167,11 @@ void addCut(CLI::App& program, Chosen& chosen) {
         ->add_option("--export-layers", options->layersOut,
                      "Folder to write what is left of each layer to, one closed STL file a layer, named after it")
         ->type_name("DIR");
+    command
+        ->add_option("--vdb", options->vdb,
+                     "OpenVDB file to write: how much of each voxel every material fills, one grid a material, mm; "
+                     "only in programs built with OpenVDB")
+        ->type_name("FILE");
 }
 
 void addDemo(CLI::App& program, Chosen& chosen) {

@@ -84,6 +84,11 @@ void addInsight(CLI::App& command, RenderOptions& options) {
             "Closed STL file of the ideal shape: colours the tooth by its distance to it, orange where too much "
             "was cut, blue where something is left")
         ->type_name("FILE");
+    command
+        .add_flag("--ghost", options.ghost,
+                  "Shows instead of the colours what of --target lies inside the tooth: the cavity that is to be cut, "
+                  "as a body of blue glass, as far as no cut has reached it")
+        ->needs("--target");
     command.add_option("--range", options.range, "Distance of the strongest colours, mm (default: 0.5)")
         ->check(CLI::Range(0.001, 100.0))
         ->type_name("MM");

@@ -12,6 +12,7 @@
 #include "app/common/distance_legend.h"
 #include "app/common/inspection.h"
 #include "app/gui/bench_parts.h"
+#include "geometry/file_bytes.h"
 #include "geometry/mesh_file.h"
 #include "session/material_file.h"
 #include "view/offscreen.h"
@@ -42,6 +43,18 @@ Expected<ColourByDistance> distancesFor(const RenderOptions& options, const Box3
     return ColourByDistance{std::make_shared<const DistanceGrid>(distancesTo(target, around)), options.range};
 }
 
+Expected<std::shared_ptr<CavityGhost>> ghostFor(const RenderOptions& options, const SurfacePart& uncut) {
+    const auto mesh = loadMesh(options.target);
+    if (!mesh) return Unexpected{mesh.error()};
+    auto ghost = std::make_shared<CavityGhost>(*mesh, uncut);
+    if (ghost->empty()) {
+        return unexpected(shownName(options.target) +
+                          " leaves nothing to cut: no part of it lies inside the uncut tooth, so there is no ghost; "
+                          "choose the surface of the same tooth with its cavity, in the same frame.");
+    }
+    return ghost;
+}
+
 Expected<Inspection> inspectionOf(const RenderOptions& options, const BenchTooth& tooth) {
     Inspection inspection;
     if (!options.clip.empty()) {
@@ -54,7 +67,11 @@ Expected<Inspection> inspectionOf(const RenderOptions& options, const BenchTooth
         if (!layer) return Unexpected{layer.error()};
         inspection.opacity[static_cast<std::size_t>(layer->material)] = layer->opacity;
     }
-    if (!options.target.empty()) {
+    if (options.ghost) {
+        auto ghost = ghostFor(options, *tooth.piece->tooth().outer());
+        if (!ghost) return Unexpected{ghost.error()};
+        inspection.ghost = std::move(*ghost);
+    } else if (!options.target.empty()) {
         auto distances = distancesFor(options, tooth.box());
         if (!distances) return Unexpected{distances.error()};
         inspection.distances = std::move(*distances);

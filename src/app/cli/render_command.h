@@ -26,6 +26,7 @@ struct RenderOptions {
     std::vector<std::string> transparent;  ///< "NAME=OPACITY"
     std::filesystem::path target;          ///< STL
     double range = 0.5;                    ///< mm, of the colours
+    bool ghost = false;                    ///< shows the cavity of `target` instead of the colours
     std::string stereo;                    ///< "side-by-side" or "anaglyph"
     std::optional<double> mirror;          ///< diameter of its head, mm
     double fog = 0;

@@ -29,13 +29,23 @@ SceneObject layerObject(const LayeredTooth::Layer& layer, const Look& look) {
     return object;
 }
 
+SceneObject ghostObject(CavityGhost& ghost, const std::shared_ptr<const Surface>& tooth) {
+    SceneObject object;
+    object.shape = ghost.over(tooth);
+    object.looks = {looks::toCut(), looks::outline()};
+    static_assert(kGhostWall == 0 && kGhostRim == 1);
+    object.sectioned = true;
+    object.ghost = true;
+    return object;
+}
+
 }  // namespace
 
 bool Inspection::operator==(const Inspection& other) const {
     const bool sameSection =
         section.has_value() == other.section.has_value() &&
         (!section || (section->normal == other.section->normal && section->offset == other.section->offset));
-    return sameSection && opacity == other.opacity && distances == other.distances;
+    return sameSection && opacity == other.opacity && distances == other.distances && ghost == other.ghost;
 }
 
 Vec3 sideOf(StandardView side, double mesialX) {
@@ -71,6 +81,10 @@ void inspect(Scene& scene, const LayeredTooth& tooth, const Inspection& inspecti
     body.distances = inspection.distances;
     body.sectioned = true;
     body.filling = solid[static_cast<std::size_t>(tooth.body())];
+    if (inspection.ghost != nullptr && !inspection.ghost->empty()) {
+        const auto& cut = std::get<std::shared_ptr<const Surface>>(body.shape);
+        scene.objects.push_back(ghostObject(*inspection.ghost, cut));
+    }
     const bool seesInside =
         std::any_of(inspection.opacity.begin(), inspection.opacity.end(), [](float opacity) { return opacity < 1; });
     if (!seesInside && !inspection.section) return;

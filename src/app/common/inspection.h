@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "session/cavity_ghost.h"
 #include "tooth/layered_tooth.h"
 #include "view/orbit_camera.h"
 #include "view/scene.h"
@@ -26,6 +27,7 @@ struct Inspection {
     std::optional<Plane> section;  ///< tooth frame; takes away what lies on its positive side
     std::array<float, kMaterialCount> opacity = {1, 1, 1, 1, 1, 1};  ///< by MaterialId, 0..1
     std::optional<ColourByDistance> distances;
+    std::shared_ptr<CavityGhost> ghost;  ///< of the tooth's own target; null: none
 
     bool operator==(const Inspection& other) const;
 };
@@ -37,7 +39,7 @@ struct Inspection {
 [[nodiscard]] Plane sectionAt(StandardView side, double mesialX, const Box3& box, double fromMiddle);
 
 /// Lets `scene`, whose first object is the tooth, show what `inspection` asks for: adds the layers, which fill a
-/// section and appear where the tissue around them is transparent.
+/// section and appear where the tissue around them is transparent, and the ghost.
 void inspect(Scene& scene, const LayeredTooth& tooth, const Inspection& inspection);
 
 }  // namespace tactooth

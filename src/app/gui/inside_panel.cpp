@@ -4,6 +4,7 @@
 
 #include <QFormLayout>
 #include <QHBoxLayout>
+#include <utility>
 
 namespace tactooth {
 namespace {
@@ -34,7 +35,9 @@ InsidePanel::InsidePanel(QWidget* parent)
       dentin_(slider(0, kFull, kFull, tr("Look through the dentin at the pulp"), "dentinOpacity")),
       stereo_(new QComboBox),
       choose_(new QPushButton(tr("Target…"))),
-      coloured_(new QCheckBox(tr("Show distance"))) {
+      coloured_(new QCheckBox(tr("Show distance"))),
+      ghost_(new QCheckBox(tr("Show what to cut"))),
+      showGhost_(new QAction(tr("What to &cut: ghost of the target"), this)) {
     section_->addItem(tr("None"));
     for (const QString& name : {tr("Occlusal"), tr("Buccal"), tr("Lingual"), tr("Mesial"), tr("Distal")}) {
         section_->addItem(name);
@@ -48,6 +51,11 @@ InsidePanel::InsidePanel(QWidget* parent)
     coloured_->setEnabled(false);
     coloured_->setObjectName("coloured");
     coloured_->setToolTip(tr("Blue: still to cut. White: as the target. Orange: cut too deep. Strongest at 0.5 mm."));
+    ghost_->setObjectName("ghost");
+    showGhost_->setCheckable(true);
+    showGhost_->setShortcut(QKeySequence("G"));
+    showGhost_->setObjectName("showGhost");
+    explainGhost();
     auto* colours = new QHBoxLayout;
     colours->addWidget(coloured_);
     colours->addStretch();
@@ -59,12 +67,23 @@ InsidePanel::InsidePanel(QWidget* parent)
     form->addRow(tr("Dentin"), dentin_);
     form->addRow(tr("Depth"), stereo_);
     form->addRow(colours);
+    form->addRow(ghost_);
     place_->setEnabled(false);
     connect(section_, &QComboBox::currentIndexChanged, this, [this](int index) { place_->setEnabled(index > 0); });
     for (QComboBox* box : {section_, stereo_})
         connect(box, &QComboBox::currentIndexChanged, this, &InsidePanel::changed);
     for (QSlider* each : {place_, enamel_, dentin_}) connect(each, &QSlider::valueChanged, this, &InsidePanel::changed);
-    connect(coloured_, &QCheckBox::toggled, this, &InsidePanel::changed);
+    connect(ghost_, &QCheckBox::toggled, showGhost_, &QAction::setChecked);
+    connect(showGhost_, &QAction::toggled, ghost_, &QCheckBox::setChecked);
+    // The tint of the one would falsify the colours of the other.
+    connect(coloured_, &QCheckBox::toggled, this, [this](bool on) {
+        if (on) ghost_->setChecked(false);
+        emit changed();
+    });
+    connect(ghost_, &QCheckBox::toggled, this, [this](bool on) {
+        if (on) coloured_->setChecked(false);
+        emit changed();
+    });
     connect(choose_, &QPushButton::clicked, this, &InsidePanel::targetWanted);
 }
 
@@ -77,18 +96,37 @@ Inspection InsidePanel::inspection(const Box3& box, double mesialX) const {
     const auto share = [](const QSlider* from) { return static_cast<float>(from->value()) / kFull; };
     result.opacity[static_cast<std::size_t>(MaterialId::Enamel)] = share(enamel_);
     result.opacity[static_cast<std::size_t>(MaterialId::Dentin)] = share(dentin_);
-    if (target_ != nullptr && coloured_->isChecked()) result.distances = ColourByDistance{target_, kColourRange};
+    if (coloured_->isChecked()) result.distances = ColourByDistance{target_.distances, kColourRange};
+    if (ghost_->isChecked()) result.ghost = target_.ghost;
     return result;
 }
 
 Stereo::Mode InsidePanel::stereo() const { return static_cast<Stereo::Mode>(stereo_->currentIndex()); }
 
-void InsidePanel::setTarget(std::shared_ptr<const DistanceGrid> grid, const QString& name) {
-    target_ = std::move(grid);
-    coloured_->setEnabled(target_ != nullptr);
-    coloured_->setChecked(target_ != nullptr);
-    choose_->setText(target_ != nullptr ? name : tr("Target…"));
+void InsidePanel::setTarget(Target target) {
+    target_ = std::move(target);
+    const bool isThere = target_.distances != nullptr;
+    coloured_->setEnabled(isThere);
+    coloured_->setChecked(isThere);
+    ghost_->setChecked(false);
+    explainGhost();
+    choose_->setText(isThere ? target_.name : tr("Target…"));
     emit changed();
+}
+
+/// Says what the ghost shows, or why there is none.
+void InsidePanel::explainGhost() {
+    const bool hasGhost = target_.ghost != nullptr && !target_.ghost->empty();
+    const QString tip =
+        hasGhost
+            ? tr("The cavity of the target as blue glass in the tooth, darker the deeper it lies, with a dark line "
+                 "around its opening. Each wall disappears where you have cut as far as it.")
+        : target_.ghost != nullptr ? tr("This target has no cavity in the tooth: nothing of it lies inside")
+                                   : tr("Choose a target first: the tooth with the ideal cavity");
+    ghost_->setToolTip(tip);
+    showGhost_->setToolTip(tip);
+    ghost_->setEnabled(hasGhost);
+    showGhost_->setEnabled(hasGhost);
 }
 
 }  // namespace tactooth

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QPushButton>
@@ -9,10 +10,12 @@
 #include <QWidget>
 
 #include "app/common/inspection.h"
+#include "app/gui/target.h"
 
 namespace tactooth {
 
-/// How one looks into the tooth: a section, transparent tissues, colours by the distance to a target, two eyes.
+/// How one looks into the tooth: a section, transparent tissues, two eyes; a target as colours by the distance to it,
+/// or as the ghost of what it wants to have cut.
 class InsidePanel final : public QWidget {
     Q_OBJECT
 
@@ -22,8 +25,10 @@ public:
     /// The section cuts `box`; `mesialX`: direction of mesial along x.
     [[nodiscard]] Inspection inspection(const Box3& box, double mesialX) const;
     [[nodiscard]] Stereo::Mode stereo() const;
-    /// Colours for the tooth on the bench; null: none. `name`: of the target.
-    void setTarget(std::shared_ptr<const DistanceGrid> grid, const QString& name);
+    /// For the tooth on the bench, whose colours are shown at once; empty: none.
+    void setTarget(Target target);
+    /// Shows the ghost; enabled where the target has one.
+    [[nodiscard]] QAction* ghostAction() const { return showGhost_; }
 
 signals:
     void changed();
@@ -31,6 +36,8 @@ signals:
     void targetWanted();
 
 private:
+    void explainGhost();
+
     QComboBox* section_;
     QSlider* place_;  // of the section, tenths of a mm from the middle
     QSlider* enamel_;
@@ -38,7 +45,9 @@ private:
     QComboBox* stereo_;
     QPushButton* choose_;
     QCheckBox* coloured_;
-    std::shared_ptr<const DistanceGrid> target_;
+    QCheckBox* ghost_;
+    QAction* showGhost_;
+    Target target_;
 };
 
 }  // namespace tactooth

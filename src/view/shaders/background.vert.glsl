@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The picture as a grid of cells, two triangles each: the colours are worked out at their corners only.
 out vec4 gridColour;
+out float gl_ClipDistance[2];
 
 const ivec2 kCells = ivec2(40, 25);
 
 void main() {
+    gl_ClipDistance[0] = gl_ClipDistance[1] = 1.0;  // it has no place in the scene
     int cell = gl_VertexID / 6;
     int corner = gl_VertexID % 6;
     ivec2 offset = ivec2(corner == 1 || corner == 2 || corner == 4 ? 1 : 0, corner == 2 || corner >= 4 ? 1 : 0);
