@@ -36,6 +36,7 @@ private slots:
     void aLostPenIsLimpSaysWhyAndKeepsTheSession();
     void backToTheMouseThePenIsClosedAndLimp();
     void aPenThatIsNotThereLeavesTheMouseAndSaysWhatToDo();
+    void aDeviceThatFailsAtTheStartIsTriedAgainNextTime();
     void cleanupTestCase();
 
 private:
@@ -220,6 +221,9 @@ void PenSessionTest::theOtherPenHoldsTheMirror() {
     QCOMPARE(seconds->currentText(), "pen:Left");
     QTRY_COMPARE_WITH_TIMEOUT(standin_->startedPens(), 2, 10000);
     QTRY_VERIFY_WITH_TIMEOUT(window_->bench().simulator() != nullptr, 10000);
+    const auto* second = window_->findChild<QLabel*>("secondDeviceState");
+    QTRY_VERIFY(second->text().endsWith(": ready"));
+    QVERIFY(!second->isHidden());
     lean();
     QCOMPARE(standin_->forceOf(1), 0.0);
     QCOMPARE(removed(), before);
@@ -260,6 +264,23 @@ void PenSessionTest::aPenThatIsNotThereLeavesTheMouseAndSaysWhatToDo() {
                              20000);
     QCOMPARE(window_->findChild<QComboBox*>("devices")->currentIndex(), 0);
     QVERIFY(window_->bench().device() == nullptr);
+}
+
+void PenSessionTest::aDeviceThatFailsAtTheStartIsTriedAgainNextTime() {
+    QVERIFY(window_->findChild<QLabel*>("secondDeviceState")->isHidden());
+    QCOMPARE(window_->settings().hand.device, std::string("mouse"));
+    WindowSettings settings = window_->settings();
+    settings.hand.device = "pen:Third";
+    settings.hand.secondDevice = "pen:Fourth";
+    window_->apply(settings);
+    QString said;
+    QTRY_VERIFY_WITH_TIMEOUT((said += dismissMessages()).contains("Fourth") && said.contains("Third"), 20000);
+    QCOMPARE(window_->settings().hand.device, std::string("pen:Third"));
+    QCOMPARE(window_->settings().hand.secondDevice, std::string("pen:Fourth"));
+    auto* devices = window_->findChild<QComboBox*>("devices");
+    QCOMPARE(devices->currentIndex(), 0);
+    emit devices->activated(0);
+    QCOMPARE(window_->settings().hand.device, std::string("mouse"));
 }
 
 void PenSessionTest::cleanupTestCase() { closeWindow(); }

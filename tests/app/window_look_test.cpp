@@ -5,6 +5,8 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDockWidget>
+#include <QLabel>
 #include <QMenuBar>
 #include <QMimeData>
 #include <QPushButton>
@@ -16,6 +18,7 @@
 #include "app/gui/elided_label.h"
 #include "app/gui/guided_tour.h"
 #include "app/gui/open_tooth_dialog.h"
+#include "app/gui/timing_panel.h"
 #include "app/gui/welcome_dialog.h"
 #include "app/gui/window_setup.h"
 #include "app/window_session.h"
@@ -34,7 +37,10 @@ private slots:
     void aHintThatHasNoRoomEndsInDots();
     void theInsideOfTheToothIsShown();
     void aTargetColoursTheTooth();
+    void theGhostOfATargetIsSwitchedByClickAndKey();
+    void aTargetWithoutACavityHasNoGhost();
     void thePlotsHoldStillZoomAndAreExported();
+    void theRealTimePanelShowsTheTicksAndCountsAnew();
     void openedTeethAreInTheRecentMenu();
     void darkColoursAndBack();
     void anotherLanguageIsKeptForTheNextStart();
@@ -115,6 +121,49 @@ void WindowLookTest::aTargetColoursTheTooth() {
     QVERIFY(!coloured->isChecked());
 }
 
+void WindowLookTest::theGhostOfATargetIsSwitchedByClickAndKey() {
+    bringMolar();
+    auto* ghost = window_->findChild<QCheckBox*>("ghost");
+    auto* coloured = window_->findChild<QCheckBox*>("coloured");
+    auto* entry = window_->findChild<QAction*>("showGhost");
+    QVERIFY(!ghost->isEnabled() && !entry->isEnabled());
+    QVERIFY(ghost->toolTip().contains("Choose a target first"));
+    const QImage plain = view().grabFramebuffer();
+    // A ball of 2 mm in the fossa, which lies some millimetres below the cusps.
+    const Box3 box = window_->bench().tooth()->box();
+    const auto file = folder_ / "cavity.stl";
+    QVERIFY(writeStl(test::sphere(Vec3(0, 0, box.max().z() - 3), 2, 40, 30), file).has_value());
+    window_->openTarget(QString::fromStdString(file.string()));
+    QTRY_VERIFY_WITH_TIMEOUT(coloured->isChecked(), 60000);
+    QVERIFY(ghost->isEnabled() && entry->isEnabled() && !ghost->isChecked());
+    const QImage colours = view().grabFramebuffer();
+    QTest::mouseClick(ghost, Qt::LeftButton, {}, QPoint(8, ghost->height() / 2));
+    QVERIFY(ghost->isChecked() && entry->isChecked() && !coloured->isChecked());
+    const QImage glass = view().grabFramebuffer();
+    QVERIFY(glass != plain && glass != colours);
+    key(Qt::Key_G);
+    QVERIFY(!ghost->isChecked() && !coloured->isChecked());
+    QVERIFY(view().grabFramebuffer() != glass);
+    key(Qt::Key_G);
+    QVERIFY(ghost->isChecked());
+    QTest::mouseClick(coloured, Qt::LeftButton, {}, QPoint(8, coloured->height() / 2));
+    QVERIFY(!ghost->isChecked() && coloured->isChecked());
+    bringMolar();  // another tooth: the target was not for it
+    QVERIFY(!ghost->isEnabled() && !entry->isEnabled() && !ghost->isChecked());
+}
+
+void WindowLookTest::aTargetWithoutACavityHasNoGhost() {
+    const auto file = folder_ / "around.stl";
+    QVERIFY(writeStl(test::sphere(Vec3::Zero(), 40, 40, 30), file).has_value());
+    window_->openTarget(QString::fromStdString(file.string()));
+    auto* coloured = window_->findChild<QCheckBox*>("coloured");
+    QTRY_VERIFY_WITH_TIMEOUT(coloured->isChecked(), 60000);
+    auto* ghost = window_->findChild<QCheckBox*>("ghost");
+    QVERIFY(!ghost->isEnabled());
+    QVERIFY2(ghost->toolTip().contains("no cavity"), qPrintable(ghost->toolTip()));
+    coloured->setChecked(false);
+}
+
 void WindowLookTest::thePlotsHoldStillZoomAndAreExported() {
     auto* pause = window_->findChild<QToolButton*>("pausePlots");
     auto* stretch = window_->findChild<QSpinBox*>("plotStretch");
@@ -140,6 +189,26 @@ QAction* WindowLookTest::action(const QString& text) const {
         if (each->text() == text) return each;
     }
     return nullptr;
+}
+
+void WindowLookTest::theRealTimePanelShowsTheTicksAndCountsAnew() {
+    auto* dock = window_->findChild<QDockWidget*>("Real time");
+    dock->raise();
+    const auto* facts = window_->findChild<QLabel*>("timingFacts");
+    const auto ticks = [facts] {
+        return QLocale().toULongLong(facts->text().section(' ', 0, 0));  // "12,345 ticks, ..."
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(ticks() > 3000, 20000);
+    QVERIFY(facts->text().contains("Device: mouse"));
+    const auto all = ticks();
+    QVERIFY(all <= window_->bench().simulator()->timing().ticks);
+    QTest::mouseClick(window_->findChild<QToolButton*>("countAnew"), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(ticks() > 0 && ticks() < all, 20000);
+    auto* panel = window_->findChild<TimingPanel*>();
+    panel->forget();  // as for another simulator
+    panel->show(*window_->bench().simulator(), "mouse");
+    QVERIFY(ticks() >= all);
+    window_->findChild<QDockWidget*>("Last ten seconds")->raise();
 }
 
 void WindowLookTest::openedTeethAreInTheRecentMenu() {

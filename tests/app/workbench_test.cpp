@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <functional>
+#include <memory>
 #include <thread>
 
 #include "devices/open_device.h"
@@ -22,6 +23,24 @@ public:
     void setHeadphones(bool) override {}
     void setKit(std::shared_ptr<const SoundKit>) override {}
     [[nodiscard]] SoundStatus status() const override { return SoundStatus::Silent; }
+};
+
+/// A device whose every reading keeps the servo for 0.7 ms.
+class SlowDevice final : public HapticDevice {
+public:
+    [[nodiscard]] const DeviceInfo& info() const override { return info_; }
+    [[nodiscard]] Expected<void> open() override { return {}; }
+    void close() override {}
+    [[nodiscard]] DeviceSample read(double) override {
+        const auto end = std::chrono::steady_clock::now() + std::chrono::microseconds(700);
+        while (std::chrono::steady_clock::now() < end) {
+        }
+        return {};
+    }
+    void write(const SafeWrench&) override {}
+
+private:
+    DeviceInfo info_;
 };
 
 /// A bench with the built-in incisor and a round bur.
@@ -78,6 +97,25 @@ TEST_F(WorkbenchTest, TheScreensChoiceCountsAfterTheButtons) {
     EXPECT_TRUE(soon([&] { return !bench_.newest().cutting; }));
     bench_.setCutting(true);
     EXPECT_TRUE(soon([&] { return bench_.newest().cutting; }));
+}
+
+TEST_F(WorkbenchTest, ASlowDeviceIsSaidOnceWithHowLongItsTicksTake) {
+    bench_.put(std::make_unique<SlowDevice>());
+    int told = 0;
+    double slowest = 0;
+    const auto step = [&] {
+        const Workbench::News news = bench_.step(0.01);
+        if (!news.heavyTick) return;
+        ++told;
+        slowest = *news.heavyTick;
+    };
+    for (int i = 0; i < 2000 && told == 0; ++i) {
+        step();
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    EXPECT_GE(slowest, 700);
+    for (int i = 0; i < 20; ++i) step();
+    EXPECT_EQ(told, 1);
 }
 
 TEST_F(WorkbenchTest, LeftHandedTheHandleLeavesToTheOtherSide) {

@@ -4,7 +4,7 @@
 
 #include "app/common/mouth_scene.h"
 #include "app/common/spin_blur.h"
-#include "instruments/builtin_tooth_request.h"
+#include "instruments/builtin_tooth.h"
 #include "instruments/bur_shape.h"
 #include "instruments/suction_tube.h"
 #include "instruments/turbine.h"

@@ -43,6 +43,7 @@ HandPanel::HandPanel(QWidget* parent)
       devices_(new QComboBox),
       seconds_(new QComboBox),
       state_(new QLabel),
+      secondState_(new QLabel),
       clutch_(new QPushButton(tr("Hold the bur"))),
       clutchAction_(new QAction(tr("Hold the bur"), this)),
       leftHanded_(new QCheckBox(tr("Left-handed"))),
@@ -87,6 +88,10 @@ void HandPanel::addDevices(QGridLayout& grid) {
     grid.addWidget(state_, 1, 0, 1, 3);
     grid.addWidget(new QLabel(tr("Other hand")), 2, 0);
     grid.addWidget(seconds_, 2, 1, 1, 2);
+    secondState_->setObjectName("secondDeviceState");
+    secondState_->setWordWrap(true);
+    secondState_->hide();  // most have one device
+    grid.addWidget(secondState_, 3, 0, 1, 3);
 }
 
 void HandPanel::addHold(QGridLayout& grid) {
@@ -196,6 +201,12 @@ ButtonMap HandPanel::buttons() const {
 void HandPanel::showState(const QString& device, ForceState force, const char* trouble) {
     if (device.isEmpty()) return state_->setText(tr("The mouse steers; the meter shows what a hand would feel."));
     state_->setText(device + ": " + (trouble != nullptr ? translated(trouble) : forceStateText(force)));
+}
+
+void HandPanel::showSecondState(const QString& device, const char* trouble) {
+    secondState_->setVisible(!device.isEmpty());
+    const QString state = trouble != nullptr ? translated(trouble) : tr("ready");
+    secondState_->setText(device.isEmpty() ? QString() : device + ": " + state);
 }
 
 }  // namespace tactooth

@@ -41,6 +41,8 @@ public:
 
     /// How it goes with the device at the moment; an empty name is the mouse.
     void showState(const QString& device, ForceState force, const char* trouble);
+    /// The same for the other hand; nothing is shown for an empty one.
+    void showSecondState(const QString& device, const char* trouble);
 
 signals:
     void deviceChosen(const QString& name);
@@ -58,6 +60,7 @@ private:
     QComboBox* devices_;
     QComboBox* seconds_;
     QLabel* state_;
+    QLabel* secondState_;
     NumberRow* fineness_;
     QPushButton* clutch_;
     QAction* clutchAction_;

@@ -27,6 +27,7 @@
 #include "app/gui/scan_importer.h"
 #include "app/gui/sound_panel.h"
 #include "app/gui/status_line.h"
+#include "app/gui/timing_panel.h"
 #include "app/gui/tooth_view.h"
 #include "app/gui/words.h"
 #include "geometry/stl_writer.h"
@@ -66,6 +67,7 @@ MainWindow::MainWindow(SoundOutput& sound)
       volumes_(new SoundPanel),
       plots_(new PlotPanel),
       happened_(new EventPanel),
+      timing_(new TimingPanel),
       importer_(new ScanImporter(this)),
       status_(new StatusLine),
       busy_(new QProgressBar),
@@ -85,7 +87,7 @@ MainWindow::MainWindow(SoundOutput& sound)
     connect(&stepTimer_, &QTimer::timeout, this, &MainWindow::step);
     connect(&numbersTimer_, &QTimer::timeout, this, &MainWindow::showNumbers);
     connect(&statusTimer_, &QTimer::timeout, this, [this] {
-        if (bench_.simulator() != nullptr) status_->show(*bench_.simulator(), sound_.status());
+        if (bench_.simulator() != nullptr) showStatus(*bench_.simulator());
     });
     stepTimer_.start(kStepMs);
     numbersTimer_.start(kNumbersMs);
@@ -122,6 +124,7 @@ void MainWindow::addPanels() {
     QDockWidget* inside = addDock(*inside_, tr("Look inside"), Qt::RightDockWidgetArea);
     QDockWidget* plots = addDock(*plots_, tr("Last ten seconds"), Qt::BottomDockWidgetArea);
     tabifyDockWidget(plots, addDock(*happened_, tr("What happened"), Qt::BottomDockWidgetArea));
+    tabifyDockWidget(plots, addDock(*timing_, tr("Real time"), Qt::BottomDockWidgetArea));
     plots->raise();
     fitPanels();
     resizeDocks({drill, force, inside}, {drive_->sizeHint().height(), tabHeight(), inside_->sizeHint().height()},
@@ -296,8 +299,16 @@ void MainWindow::showUsualHint() {
 
 void MainWindow::takeNews(const Workbench::News& news) {
     if (news.failure) complain(translated(*news.failure));
+    if (news.heavyTick) {
+        complain(tr("The scene is heavy for this machine: one tick in a hundred takes %1 of the %2 µs that there are; "
+                    "take a tooth of fewer triangles ('tactooth simplify') or a bur of fewer triangles, and close "
+                    "other programs.")
+                     .arg(*news.heavyTick, 0, 'f', 0)
+                     .arg(1e6 / Workbench::kServoRate, 0, 'f', 0));
+    }
     if (news.newSimulator) {
         trace_.clear();
+        timing_->forget();
         drill_->show(QString::fromStdString(bench_.bur()->name), QString::fromStdString(bench_.bur()->file.string()));
     }
     if (!news.newTooth) return;
@@ -305,7 +316,8 @@ void MainWindow::takeNews(const Workbench::News& news) {
     showUsualHint();
     view_->lookAsUsual();
     view_->fit();
-    inside_->setTarget(nullptr, {});
+    comingTarget_.forget();  // it is in the frame of the tooth before
+    inside_->setTarget({});
 }
 
 void MainWindow::apply(const WindowSettings& settings) {
@@ -341,7 +353,7 @@ WindowSettings MainWindow::settings() const {
             .showsTurbine = turbineSwitch_->isChecked(),
             .showsMirror = mirrorSwitch_->isChecked(),
             .force = force_->settings(),
-            .hand = handPanel_->settings(),
+            .hand = handSettings(),
             .sound = volumes_->mixer(),
             .headphones = volumes_->headphones(),
             .ownSounds = soundsFile_.toStdString(),
@@ -352,6 +364,13 @@ WindowSettings MainWindow::settings() const {
             .water = waterSwitch_->isChecked(),
             .suction = suctionSwitch_->isChecked(),
             .textScale = textScale_};
+}
+
+void MainWindow::showStatus(const Simulator& simulator) {
+    status_->show(simulator, sound_.status());
+    if (!timing_->isVisible()) return;
+    const HapticDevice* device = bench_.device();
+    timing_->show(simulator, device != nullptr ? QString::fromStdString(device->info().name) : tr("mouse"));
 }
 
 void MainWindow::showNumbers() {

@@ -11,11 +11,11 @@
 
 #include "app/gui/errand.h"
 #include "app/gui/foot_pedal.h"
+#include "app/gui/target.h"
 #include "app/gui/tick_trace.h"
 #include "app/gui/window_settings.h"
 #include "app/gui/workbench.h"
 #include "sound/sound_output.h"
-#include "view/distance_grid.h"
 
 class QActionGroup;
 class QDockWidget;
@@ -33,6 +33,7 @@ class PlotPanel;
 class ScanImporter;
 class SoundPanel;
 class StatusLine;
+class TimingPanel;
 class ToothView;
 
 /// The simulator's window: wires the workbench to the widgets around it.
@@ -66,7 +67,7 @@ public:
     void saveTooth(const QString& file);
     /// Three ways to begin, for who starts the program for the first time.
     void welcome();
-    /// Colours the tooth by its distance to the closed surface in `file`.
+    /// Compares the tooth with the closed surface in `file`: colours it by its distance to it, and has its ghost ready.
     void openTarget(const QString& file);
     /// Writes what the plots show; says so if that fails.
     void exportPlotsTo(const QString& file);
@@ -110,6 +111,7 @@ private:
     void connectHand();
     void takeHandSettings();
     void applyHand(const HandSettings& settings);
+    [[nodiscard]] HandSettings handSettings() const;
     void takeDevices();
     void stepPedal();
     void followButtons();
@@ -128,6 +130,7 @@ private:
 
     void step();
     void showNumbers();
+    void showStatus(const Simulator& simulator);
     void showUsualHint();
     void takeNews(const Workbench::News& news);
     void takeSounds();
@@ -150,11 +153,6 @@ private:
         std::shared_ptr<const SoundKit> kit;
     };
 
-    struct Target {
-        std::string name;
-        std::shared_ptr<const DistanceGrid> grid;
-    };
-
     SoundOutput& sound_;
     Workbench bench_;
     TickTrace trace_;
@@ -168,6 +166,7 @@ private:
     SoundPanel* volumes_;
     PlotPanel* plots_;
     EventPanel* happened_;
+    TimingPanel* timing_;
     ScanImporter* importer_;
     StatusLine* status_;
     QProgressBar* busy_;
@@ -195,6 +194,7 @@ private:
     Errand<OwnSounds> comingSounds_;
     Errand<Target> comingTarget_;
     Errand<std::unique_ptr<HapticDevice>> comingDevice_, comingSecond_;
+    std::string device_ = "mouse", second_ = "none";  // to be remembered, also where today it could not be opened
     FootPedal pedal_;
     Qt::Key pedalKey_ = Qt::Key_Space;
     double disagreesSince_ = 0;  // tick's time, s: bar and device about touch or cut

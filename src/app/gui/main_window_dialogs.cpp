@@ -271,6 +271,7 @@ void MainWindow::showMouseAndKeys() {
     text += row(tr("0 to 5, F"), tr("views; show the whole crown"));
     text += row(tr("Q, E, U"), tr("turn the handle; stand the bur upright"));
     text += row(tr("M, H"), tr("mirror, turbine on and off"));
+    text += row(tr("G"), tr("the cavity that the target wants cut, on and off"));
     text += row(tr("B, D"), tr("breath and drops on the mirror"));
     text += row(tr("W, S"), tr("water spray, suction on and off"));
     text += row(tr("Ctrl + Z"), tr("take back the last cut"));

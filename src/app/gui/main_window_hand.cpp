@@ -62,26 +62,40 @@ void MainWindow::applyHand(const HandSettings& settings) {
         const auto done = pedal_.choose(choice);
         if (!done) complain(QString::fromStdString(done.error().message));
     }
+    device_ = settings.device;
+    second_ = settings.secondDevice;
     steerBy(QString::fromStdString(settings.device));
     holdMirrorBy(QString::fromStdString(settings.secondDevice));
+}
+
+HandSettings MainWindow::handSettings() const {
+    HandSettings settings = handPanel_->settings();
+    settings.device = device_;
+    settings.secondDevice = second_;
+    return settings;
 }
 
 void MainWindow::steerBy(const QString& name) {
     handPanel_->showDevice(name);
     comingDevice_.forget();
     if (bench_.device() != nullptr) bench_.useMouse();
-    if (name != kMouse) {
-        status_->setHint(tr("Opening the device…"));
-        comingDevice_.start(
-            [wanted = name.toStdString(), left = bench_.isLeftHanded()] { return openDevice(wanted, left); });
+    if (name == kMouse) {
+        device_ = kMouse;
+        return;
     }
+    status_->setHint(tr("Opening the device…"));
+    comingDevice_.start(
+        [wanted = name.toStdString(), left = bench_.isLeftHanded()] { return openDevice(wanted, left); });
 }
 
 void MainWindow::holdMirrorBy(const QString& name) {
     handPanel_->showSecondDevice(name);
     comingSecond_.forget();
     bench_.putSecond(nullptr);
-    if (name.isEmpty() || name == kNoDevice) return;
+    if (name.isEmpty() || name == kNoDevice) {
+        second_ = kNoDevice;
+        return;
+    }
     comingSecond_.start(
         [wanted = name.toStdString(), left = bench_.isLeftHanded()] { return openDevice(wanted, left); });
 }
@@ -90,6 +104,7 @@ void MainWindow::takeDevices() {
     if (auto device = comingDevice_.poll()) {
         if (*device) {
             bench_.put(std::move(**device));
+            device_ = handPanel_->settings().device;
             showUsualHint();
         } else {
             handPanel_->showDevice(kMouse);
@@ -99,6 +114,7 @@ void MainWindow::takeDevices() {
     if (auto second = comingSecond_.poll()) {
         if (*second) {
             bench_.putSecond(std::move(**second));
+            second_ = handPanel_->settings().secondDevice;
         } else {
             handPanel_->showSecondDevice(kNoDevice);
             complain(QString::fromStdString(second->error().message));
@@ -135,6 +151,9 @@ void MainWindow::showHand() {
     const ForceState force = simulator != nullptr ? simulator->forceState() : ForceState::Off;
     handPanel_->showState(device != nullptr ? QString::fromStdString(device->info().name) : QString(), force,
                           device != nullptr ? device->trouble() : nullptr);
+    const HapticDevice* second = bench_.secondDevice();
+    handPanel_->showSecondState(second != nullptr ? QString::fromStdString(second->info().name) : QString(),
+                                second != nullptr ? second->trouble() : nullptr);
     const bool waits = device != nullptr && force == ForceState::WaitsForFree && bench_.newest().contacts > 0;
     if (waits != std::exchange(forceWaits_, waits)) {
         waits ? status_->setHint(forceStateText(ForceState::WaitsForFree)) : showUsualHint();

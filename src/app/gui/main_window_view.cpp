@@ -57,6 +57,7 @@ void MainWindow::addViewMenu() {
     mirrorSwitch_ = addSwitch(tr("Mirror"), "M", &ToothView::setShowsMirror);
     turbineSwitch_ = addSwitch(tr("Turbine"), "H", &ToothView::setShowsTurbine);
     addMirrorMenu();
+    viewMenu_->addAction(inside_->ghostAction());
     viewMenu_->addSeparator();
     addAppearanceMenu();
     for (QDockWidget* dock : findChildren<QDockWidget*>()) viewMenu_->addAction(dock->toggleViewAction());
@@ -126,6 +127,10 @@ void MainWindow::setLanguage(const QString& code) {
 
 void MainWindow::connectInside() {
     connect(inside_, &InsidePanel::changed, this, &MainWindow::inspectAnew);
+    connect(inside_->ghostAction(), &QAction::toggled, this, [this](bool on) {
+        if (!on) return showUsualHint();
+        status_->setHint(tr("Blue glass: still to cut, darker where deeper. Dark line: the outline."));
+    });
     connect(inside_, &InsidePanel::targetWanted, this, &MainWindow::askForTarget);
     connect(tour_, &GuidedTour::says, status_, &StatusLine::setHint);
     connect(tour_, &GuidedTour::ended, this, &MainWindow::showUsualHint);
@@ -140,11 +145,14 @@ void MainWindow::openTarget(const QString& file) {
     if (!bench_.tooth()) return;
     folder_ = QFileInfo(file).absolutePath();
     status_->setHint(tr("Measuring the distance to %1…").arg(QFileInfo(file).fileName()));
-    comingTarget_.start([path = file.toStdString(), box = bench_.tooth()->box()]() -> Expected<Target> {
+    comingTarget_.start([path = file.toStdString(), box = bench_.tooth()->box(),
+                         uncut = bench_.tooth()->piece->tooth().outer()]() -> Expected<Target> {
         auto mesh = loadMesh(path);
         if (!mesh) return Unexpected{mesh.error()};
+        auto ghost = std::make_shared<CavityGhost>(*mesh, *uncut);
         auto grid = std::make_shared<const DistanceGrid>(distancesTo(SurfacePart(std::move(*mesh)), box));
-        return Target{std::filesystem::path(path).filename().string(), std::move(grid)};
+        const std::string name = std::filesystem::path(path).filename().string();
+        return Target{QString::fromStdString(name), std::move(grid), std::move(ghost)};
     });
 }
 
@@ -152,7 +160,7 @@ void MainWindow::takeTarget() {
     auto target = comingTarget_.poll();
     if (!target) return;
     if (!*target) return complain(QString::fromStdString(target->error().message));
-    inside_->setTarget((*target)->grid, QString::fromStdString((*target)->name));
+    inside_->setTarget(std::move(**target));
     status_->setHint(tr("Blue: still to cut. White: as the target. Orange: cut too deep. Strongest at 0.5 mm."));
 }
 

@@ -14,7 +14,6 @@ namespace {
 
 const Box3 kNoTooth(Vec3(-5, -5, -5), Vec3(5, 5, 5));       // where the hand rests before there is a tooth, mm
 constexpr float kBreath = 0.6F, kWetness = 0.5F;            // share of the glass, 0..1: one still sees the crown in it
-constexpr double kServoRate = 1000;                         // Hz
 constexpr double kEyeAzimuth = 1.25, kEyeElevation = 0.62;  // rad, for a tooth with +x mesial
 
 }  // namespace
@@ -87,7 +86,7 @@ void Workbench::reportTrouble(News& news) {
     trouble_ = trouble;
     if (saidHeavy_ || !isSceneHeavy(simulator_->timing(), kServoRate)) return;
     saidHeavy_ = true;  // once for each tooth, bur and device
-    news.failure = heavySceneAdvice(simulator_->timing(), kServoRate);
+    news.heavyTick = slowTick(simulator_->timing());
 }
 
 void Workbench::takeDeliveries(News& news) {

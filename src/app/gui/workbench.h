@@ -40,6 +40,8 @@ public:
     void useMouse();
     /// None: the mouse.
     [[nodiscard]] const HapticDevice* device() const { return device_.get(); }
+    /// That of the other hand; none if it is empty.
+    [[nodiscard]] const HapticDevice* secondDevice() const { return second_.get(); }
     /// Handles leave to the other side.
     void setLeftHanded(bool leftHanded);
     [[nodiscard]] bool isLeftHanded() const { return leftHanded_; }
@@ -50,11 +52,14 @@ public:
     [[nodiscard]] const SpindlePreset& spindle() const { return settings_.spindle; }
     [[nodiscard]] const MaterialTable& materials() const { return settings_.materials; }
 
+    static constexpr double kServoRate = 1000;  // Hz
+
     /// What has happened since the last step.
     struct News {
         bool newTooth = false;
         bool newSimulator = false;           ///< time starts at zero again
         std::optional<std::string> failure;  ///< a sentence; what was on the bench stays
+        std::optional<double> heavyTick;     ///< us, if the scene turns out to be heavy: slowTick
     };
     /// Call at least as often as the picture changes. `dt`: since the last step, s.
     [[nodiscard]] News step(double dt);

@@ -591,6 +591,26 @@ The mouse wheel in the picture changes it too.</source>
         <translation>距離を表示</translation>
     </message>
     <message>
+        <source>Show what to cut</source>
+        <translation>削る所を表示</translation>
+    </message>
+    <message>
+        <source>What to &amp;cut: ghost of the target</source>
+        <translation>削る所：目標の透視表示(&amp;C)</translation>
+    </message>
+    <message>
+        <source>The cavity of the target as blue glass in the tooth, darker the deeper it lies, with a dark line around its opening. Each wall disappears where you have cut as far as it.</source>
+        <translation>目標の窩洞を歯の中に青いガラスとして表示します。深いほど濃く、開口部は濃い線で囲まれます。壁は、そこまで削ると消えます。</translation>
+    </message>
+    <message>
+        <source>This target has no cavity in the tooth: nothing of it lies inside</source>
+        <translation>この目標には歯の中に窩洞がありません（内側にある部分がありません）</translation>
+    </message>
+    <message>
+        <source>Choose a target first: the tooth with the ideal cavity</source>
+        <translation>先に目標（理想窩洞の歯）を選んでください</translation>
+    </message>
+    <message>
         <source>None</source>
         <translation>なし</translation>
     </message>
@@ -666,6 +686,18 @@ The mouse wheel in the picture changes it too.</source>
 <context>
     <name>tactooth::MainWindow</name>
     <message>
+        <source>Real time</source>
+        <translation>リアルタイム</translation>
+    </message>
+    <message>
+        <source>mouse</source>
+        <translation>マウス</translation>
+    </message>
+    <message>
+        <source>The scene is heavy for this machine: one tick in a hundred takes %1 of the %2 µs that there are; take a tooth of fewer triangles (&apos;tactooth simplify&apos;) or a bur of fewer triangles, and close other programs.</source>
+        <translation>このコンピューターには負荷が大きすぎます：100 回に 1 回の計算が、使える %2 µs のうち %1 µs を要しています。三角形の少ない歯（&apos;tactooth simplify&apos;）または三角形の少ないバーを使い、他のプログラムを終了してください。</translation>
+    </message>
+    <message>
         <source>&amp;Water spray</source>
         <translation>注水スプレー(&amp;W)</translation>
     </message>
@@ -724,6 +756,18 @@ The mouse wheel in the picture changes it too.</source>
     <message>
         <source>breath and drops on the mirror</source>
         <translation>ミラーの曇りと水滴</translation>
+    </message>
+    <message>
+        <source>G</source>
+        <translation>G</translation>
+    </message>
+    <message>
+        <source>the cavity that the target wants cut, on and off</source>
+        <translation>目標が求める窩洞の表示のオン・オフ</translation>
+    </message>
+    <message>
+        <source>Blue glass: still to cut, darker where deeper. Dark line: the outline.</source>
+        <translation>青いガラス：削り残し（深いほど濃い）。濃い線：外形。</translation>
     </message>
     <message>
         <source>W, S</source>
@@ -1500,6 +1544,10 @@ More than 1 % is felt: close other programs, or take a tooth with fewer triangle
 <context>
     <name>tactooth::HandPanel</name>
     <message>
+        <source>ready</source>
+        <translation>準備完了</translation>
+    </message>
+    <message>
         <source>The force is on.</source>
         <translation>力はオンです。</translation>
     </message>
@@ -1839,6 +1887,92 @@ More than 1 % is felt: close other programs, or take a tooth with fewer triangle
     <message>
         <source>At %1 s: %2</source>
         <translation>%1 秒：%2</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::HistogramView</name>
+    <message>
+        <source>%1 µs</source>
+        <translation>%1 µs</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::TimingPanel</name>
+    <message>
+        <source>Histogram of the servo&apos;s ticks</source>
+        <translation>サーボの周期のヒストグラム</translation>
+    </message>
+    <message>
+        <source>How often the work of a tick, and its waking up, took so long. What reaches the dashed line costs the hand a tick.</source>
+        <translation>1 周期の計算と起床の遅れがそれぞれどれだけの時間を要したかの頻度です。破線に達すると、手は 1 周期ぶんの力を失います。</translation>
+    </message>
+    <message>
+        <source>work of a tick, µs</source>
+        <translation>1 周期の計算、µs</translation>
+    </message>
+    <message>
+        <source>woken late, µs</source>
+        <translation>起床の遅れ、µs</translation>
+    </message>
+    <message>
+        <source>period off by, µs</source>
+        <translation>周期のずれ、µs</translation>
+    </message>
+    <message>
+        <source>reading to force, µs</source>
+        <translation>読み取りから力まで、µs</translation>
+    </message>
+    <message>
+        <source>max</source>
+        <translation>最大</translation>
+    </message>
+    <message>
+        <source>Count anew</source>
+        <translation>数え直す</translation>
+    </message>
+    <message>
+        <source>Forgets all ticks so far, as those while the program started</source>
+        <translation>プログラムの起動時のものなど、これまでの周期を忘れます</translation>
+    </message>
+    <message>
+        <source>Ticks</source>
+        <translation>周期</translation>
+    </message>
+    <message>
+        <source>%1 ticks, %2 missed (%3 %)</source>
+        <translation>%1 周期、欠落 %2（%3 %）</translation>
+    </message>
+    <message>
+        <source>Device: %1</source>
+        <translation>装置：%1</translation>
+    </message>
+    <message>
+        <source>Real-time priority</source>
+        <translation>リアルタイム優先度</translation>
+    </message>
+    <message>
+        <source>Ordinary priority (see &apos;tactooth doctor&apos;)</source>
+        <translation>通常の優先度（&apos;tactooth doctor&apos; を参照）</translation>
+    </message>
+    <message>
+        <source>Processors kept from deep sleep</source>
+        <translation>プロセッサーの深いスリープを抑止中</translation>
+    </message>
+    <message>
+        <source>Processors may sleep deeply (see &apos;tactooth doctor&apos;)</source>
+        <translation>プロセッサーが深くスリープすることがあります（&apos;tactooth doctor&apos; を参照）</translation>
+    </message>
+    <message>
+        <source>work of a tick</source>
+        <translation>1 周期の計算</translation>
+    </message>
+    <message>
+        <source>woken late</source>
+        <translation>起床の遅れ</translation>
     </message>
 </context>
 </TS>
