@@ -8,6 +8,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "geometry/pose.h"
 #include "patient/tooth_sections.h"
 
 namespace tactooth {
@@ -71,7 +72,7 @@ Vec3 crownDirection(const TriangleMesh& outer, const FrameHints& hints, const Lo
         if (axis.dot(*hints.crown) < 0) axis = -axis;
         add("The crown is where the enamel is.");
     } else {
-        if (thickerAbove(outer, Quat::FromTwoVectors(axis, Vec3::UnitZ())) < 0) axis = -axis;
+        if (thickerAbove(outer, shortestTurn(axis, Vec3::UnitZ())) < 0) axis = -axis;
         add("The thicker end of the long axis is taken as the crown.");
     }
     return axis;
@@ -93,7 +94,7 @@ Standing standingOf(const TriangleMesh& outer, const FrameHints& hints, const Lo
         add("It stands crown up as it came (%1 degrees from +z): its axes are kept, with the cheek at +y.",
             {rounded(tilt * 180 / std::numbers::pi, 0)});
     } else {
-        standing.upright = Quat::FromTwoVectors(crown, Vec3::UnitZ());
+        standing.upright = shortestTurn(crown, Vec3::UnitZ());
         add("Turned by %1 degrees to stand crown up; the cheek's side cannot be seen from one surface and is taken to "
             "be +y of the file.",
             {rounded(tilt * 180 / std::numbers::pi, 0)});

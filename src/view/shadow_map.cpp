@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "geometry/pose.h"
 #include "view/shaders.h"
 
 namespace tactooth {
@@ -34,7 +35,7 @@ gl::Texture depthTexture() {
 /// World to a frame whose +z points to the light.
 Mat4 lightFrame(const Vec3& toLight) {
     Mat4 matrix = Mat4::Identity();
-    matrix.topLeftCorner<3, 3>() = Quat::FromTwoVectors(toLight, Vec3::UnitZ()).toRotationMatrix();
+    matrix.topLeftCorner<3, 3>() = shortestTurn(toLight, Vec3::UnitZ()).toRotationMatrix();
     return matrix;
 }
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "app/common/spray_look.h"
+#include "geometry/pose.h"
 #include "support/shapes.h"
 
 namespace tactooth {
@@ -108,7 +109,7 @@ TEST(SceneBuilder, WhatStandsAroundIsDrawnButTheOtherJawOnlyWhereItHidesNothing)
     contents.around = {{ball, {}, looks::enamel(), false}, {ball, {Vec3(0, 0, 20), Quat::Identity()}, {}, true}};
     contents.camera.cameraInWorld = {Vec3(0, 0, 90), Quat::Identity()};  // from above
     EXPECT_EQ(makeScene(contents).objects.size(), 1U);
-    contents.camera.cameraInWorld.rotation = Quat::FromTwoVectors(Vec3::UnitZ(), Vec3::UnitY());
+    contents.camera.cameraInWorld.rotation = shortestTurn(Vec3::UnitZ(), Vec3::UnitY());
     const Scene scene = makeScene(contents);
     ASSERT_EQ(scene.objects.size(), 2U);
     EXPECT_EQ(scene.objects[1].objectInWorld.position, Vec3(0, 0, 20));

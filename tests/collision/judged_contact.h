@@ -7,6 +7,7 @@
 
 #include "collision/contact_query.h"
 #include "collision/judged.h"
+#include "geometry/pose.h"
 
 namespace tactooth::test {
 
@@ -23,7 +24,7 @@ namespace tactooth::test {
         const Vec3 area = tooth.areaVector(i);
         if (place.z() < box.min().z() + box.sizes().z() / 3 || !(area.norm() > 0)) continue;
         const Vec3 outward = area.normalized();
-        const Quat upright = Quat::FromTwoVectors(Vec3::UnitZ(), outward);
+        const Quat upright = shortestTurn(Vec3::UnitZ(), outward);
         const Vec3 axis = Vec3(normal(random), normal(random), normal(random)).normalized();
         const Quat tilt(Eigen::AngleAxisd(unit(random) * 1.05, axis));
         const double depth = -0.2 + (deepest + 0.2) * unit(random);

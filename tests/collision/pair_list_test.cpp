@@ -13,6 +13,7 @@
 
 #include "collision/gjk.h"
 #include "collision/judged.h"
+#include "geometry/pose.h"
 #include "support/shapes.h"
 
 namespace tactooth {
@@ -70,7 +71,7 @@ struct Scene {
 
     [[nodiscard]] Pose poseAbove(std::mt19937& random, double height) const {
         const Vec3 up = randomVector(random, 1);
-        return {(3 + height) * up, Quat::FromTwoVectors(Vec3::UnitZ(), up)};
+        return {(3 + height) * up, shortestTurn(Vec3::UnitZ(), up)};
     }
 };
 

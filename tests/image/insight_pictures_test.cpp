@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
 // Ways of looking into a tooth, and what is in the air around it, against stored pictures.
+#include "geometry/pose.h"
 #include "image/molar_fixture.h"
 #include "session/cavity_ghost.h"
 #include "session/work_piece.h"
@@ -101,8 +102,8 @@ protected:
         const Vec3 crown = tooth_->outer()->tree().box().center() + Vec3(0, 0, 6);
         mirror.mirrorInWorld.position = crown + Vec3(4, -10, 1);
         const Vec3 toEye = (scene.camera.cameraInWorld.position - mirror.mirrorInWorld.position).normalized();
-        mirror.mirrorInWorld.rotation = Quat::FromTwoVectors(
-            Vec3::UnitZ(), (toEye + (crown - mirror.mirrorInWorld.position).normalized()).normalized());
+        mirror.mirrorInWorld.rotation =
+            shortestTurn(Vec3::UnitZ(), (toEye + (crown - mirror.mirrorInWorld.position).normalized()).normalized());
         return mirror;
     }
 };
@@ -139,7 +140,7 @@ TEST_F(InsightPictures, SectionInTheMirror) {
     mirror.mirrorInWorld.position = crown + Vec3(-9, 10, 0);
     const Vec3 toEye = (scene.camera.cameraInWorld.position - mirror.mirrorInWorld.position).normalized();
     const Vec3 toCrown = (crown - mirror.mirrorInWorld.position).normalized();
-    mirror.mirrorInWorld.rotation = Quat::FromTwoVectors(Vec3::UnitZ(), (toEye + toCrown).normalized());
+    mirror.mirrorInWorld.rotation = shortestTurn(Vec3::UnitZ(), (toEye + toCrown).normalized());
     scene.mirror = mirror;
     expectBaseline("section-mirror", scene);
 }

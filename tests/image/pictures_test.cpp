@@ -3,6 +3,7 @@
 // Pictures of known scenes against stored ones. README.md in this folder says how to renew them.
 #include <cmath>
 
+#include "geometry/pose.h"
 #include "image/pictures_fixture.h"
 #include "support/shapes.h"
 
@@ -54,7 +55,7 @@ TEST_F(Pictures, MirrorBehindCrown) {
     mirror.mirrorInWorld.position = Vec3(4, 8, 2);
     const Vec3 toEye = (scene.camera.cameraInWorld.position - mirror.mirrorInWorld.position).normalized();
     const Vec3 toCaries = (Vec3(0, 4.6, 0) - mirror.mirrorInWorld.position).normalized();
-    mirror.mirrorInWorld.rotation = Quat::FromTwoVectors(Vec3::UnitZ(), toEye + toCaries);
+    mirror.mirrorInWorld.rotation = shortestTurn(Vec3::UnitZ(), toEye + toCaries);
     scene.mirror = mirror;
     expectBaseline("mirror", scene);
 }

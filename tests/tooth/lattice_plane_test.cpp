@@ -8,6 +8,7 @@
 #include <random>
 
 #include "geometry/mesh_report.h"
+#include "geometry/pose.h"
 #include "geometry/stl_reader.h"
 #include "geometry/stl_writer.h"
 #include "support/shapes.h"
@@ -36,7 +37,7 @@ struct Slot {
         tip[axis] = height;
         tip[(axis + 1) % 3] = along;
         tip[(axis + 2) % 3] = side + kRadius;
-        return {tip, Quat::FromTwoVectors(Vec3::UnitZ(), -inward * Vec3::Unit(axis))};
+        return {tip, shortestTurn(Vec3::UnitZ(), -inward * Vec3::Unit(axis))};
     }
     [[nodiscard]] double volume() const {
         const double depth = kBlock + inward * floor;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/pose.h"
 #include "instruments/bur_shape.h"
 #include "support/mesh_checks.h"
 
@@ -21,7 +22,7 @@ std::shared_ptr<const LayeredTooth> toothOf(TriangleMesh outer) {
 }
 
 /// The shaft along `axis`, out of the tooth.
-Quat shaftAlong(const Vec3& axis) { return Quat::FromTwoVectors(Vec3::UnitZ(), axis); }
+Quat shaftAlong(const Vec3& axis) { return shortestTurn(Vec3::UnitZ(), axis); }
 
 }  // namespace
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "geometry/pose.h"
 #include "support/shapes.h"
 #include "view/renderer_fixture.h"
 
@@ -32,7 +33,7 @@ Camera cameraAt(const Vec3& eye, const Vec3& target) {
 SceneMirror mirrorBetween(const Vec3& place, const Vec3& eye, const Vec3& target, double radius) {
     SceneMirror mirror;
     const Vec3 normal = ((eye - place).normalized() + (target - place).normalized()).normalized();
-    mirror.mirrorInWorld = {place, Quat::FromTwoVectors(Vec3::UnitZ(), normal)};
+    mirror.mirrorInWorld = {place, shortestTurn(Vec3::UnitZ(), normal)};
     mirror.radius = radius;
     mirror.reflectance = 1;
     return mirror;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "geometry/pose.h"
 #include "support/shapes.h"
 #include "view/cluster_culling.h"
 
@@ -85,7 +86,7 @@ TEST(ClusterCulling, NeverSkipsATriangleThatShows) {
     Camera camera;
     camera.nearDistance = 0.5;
     for (const Vec3& eye : {Vec3(0, 0, 20), Vec3(9, 2, -3), Vec3(0, 4.3, 0.5)}) {
-        camera.cameraInWorld = {eye, Quat::FromTwoVectors(Vec3::UnitZ(), eye)};
+        camera.cameraInWorld = {eye, shortestTurn(Vec3::UnitZ(), eye)};
         const Mat4 worldToClip = projectionMatrix(camera, 1) * viewMatrix(camera);
         const ClusterCuller culler(worldToClip, Eigen::Vector4d(eye.homogeneous()), true);
         std::size_t skipped = 0;

@@ -3,6 +3,7 @@
 #include "app/cli/bench_mouth.h"
 
 #include "app/common/mouth_scene.h"
+#include "geometry/pose.h"
 #include "instruments/mirror.h"
 #include "session/tooth_cache.h"
 
@@ -18,7 +19,7 @@ Scene benchMouth() {
     const MouthTooth& molar = *mouth.find(46);
     const Vec3 toMolar = (mouth.poseOf(molar) * boundingBox(molar.tooth.outer).center() - glass).normalized();
     const Vec3 toEye(0, 0.92, 0.39);  // as the pictures begin: from the front and a little above
-    const Pose held{glass, Quat::FromTwoVectors(Vec3::UnitZ(), (toEye + toMolar).normalized())};
+    const Pose held{glass, shortestTurn(Vec3::UnitZ(), (toEye + toMolar).normalized())};
     contents.mirror = ShownMirror{std::make_shared<const TriangleMesh>(std::move(mirror.surface)), mirror.disc, held};
     return makeScene(contents);
 }

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "app/common/spin_blur.h"
+#include "geometry/pose.h"
 
 namespace tactooth {
 namespace {
@@ -175,7 +176,7 @@ Pose parkedSuction(const Box3& tooth, double mesialX) {
     const Vec3 opening(mesialX > 0 ? tooth.min().x() - kBeside : tooth.max().x() + kBeside,
                        tooth.center().y() + kBuccal, tooth.max().z() - kBelowTop);
     const Vec3 away = Vec3(-0.80 * mesialX, 0.25, 0.55).normalized();
-    return {opening, Quat::FromTwoVectors(Vec3::UnitZ(), away)};
+    return {opening, shortestTurn(Vec3::UnitZ(), away)};
 }
 
 }  // namespace tactooth
