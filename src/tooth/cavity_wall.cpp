@@ -21,8 +21,13 @@
 namespace tactooth {
 namespace {
 
-/// Voxels; how far a vertex may leave its cell: a sharp edge can poke through a face of the cell between its corners.
-constexpr double kPokesOut = kWallReach - 1;
+/// Voxels; vertices of sharp edges stay so far on their own sides of the face between neighbouring cells, so that they
+/// neither change places nor meet. More makes fewer walls that cross themselves, but puts the vertex of an edge that
+/// runs close to a face too far off it (docs/cutting.md).
+constexpr double kApart = 0.15;
+/// Voxels; how far a vertex may leave its cell through a face that the border does not cross: a sharp edge can poke
+/// through it between its corners, and there is no vertex behind it.
+constexpr double kPokesOut = kWallReach - 1 - kApart;
 /// Voxels; a wall triangle lies within sqrt(3) * 1.5 of either node of its lattice edge ...
 constexpr double kTriangleReach = 2.6;
 /// ... and within sqrt(1.5^2 + 1.5^2 + 0.5^2) of the nearer one.
@@ -30,6 +35,9 @@ constexpr double kNearerReach = 2.2;
 /// Directions in which the planes of a cell agree to this share of their weight are not an edge: the vertex stays at
 /// the mean of the crossings there. Keeps edges sharper than about 20 degrees.
 constexpr double kFlat = 0.03;
+/// Bits of a cell's corners on its lower side of each axis.
+constexpr std::array<unsigned, 3> kLowCorners = {0x55, 0x33, 0x0F};
+
 struct Crossing {
     Vec3 point;
     Vec3 normal;
@@ -53,35 +61,54 @@ public:
         sum_ += normal;
     }
 
-    /// The point nearest to all planes and then to the centre, directions without an edge left out. A point beyond
-    /// `cell` belongs to a neighbour: then the weakest direction is left out, too, until it fits.
-    [[nodiscard]] Vec3 nearestPoint(const Box3& cell) const {
-        if (isFlat()) {
-            const Vec3 mean = sum_.normalized();
-            const Vec3 point = centre_ + mean * (mean.dot(offsets_) / mean.dot(normals_ * mean));
-            return cell.contains(point) ? point : centre_;
+    /// The point of `room` nearest to all planes and then to the centre, directions without an edge left out. Where the
+    /// planes meet outside, the point slides along the wall of the room: a sharp edge that leaves through it stays
+    /// sharp.
+    [[nodiscard]] Vec3 nearestPoint(const Box3& room) const {
+        Vec3 held = Vec3::Zero();  // how far the centre is moved along the axes that are not free
+        Vec3 free = Vec3::Ones();
+        Vec3 way = nearestWay(held, free);
+        for (int i = 0; i < 3 && !room.contains(centre_ + way); ++i) {
+            const Vec3 inside = clamped(centre_ + way, room) - centre_;
+            int worst = 0;
+            (inside - way).cwiseAbs().maxCoeff(&worst);
+            held[worst] = inside[worst];
+            free[worst] = 0;
+            way = nearestWay(held, free);
         }
-        Eigen::SelfAdjointEigenSolver<Mat3> solver;
-        solver.computeDirect(normals_);
-        const double largest = solver.eigenvalues()[2];
-        std::array<Vec3, 3> parts;
-        Vec3 point = centre_;
-        for (int i = 0; i < 3; ++i) {
-            const double value = solver.eigenvalues()[i];
-            const Vec3 direction = solver.eigenvectors().col(i);
-            parts[i] = value > kFlat * largest ? Vec3(direction * (direction.dot(offsets_) / value)) : Vec3::Zero();
-            point += parts[i];
-        }
-        for (int i = 0; i < 3 && !cell.contains(point); ++i) point -= parts[i];
-        return cell.contains(point) ? point : centre_;
+        return clamped(centre_ + way, room);
     }
 
-private:
     /// Whether the normals agree so well that the mean one alone counts: the weight in all other directions together is
     /// what it leaves of theirs.
     [[nodiscard]] bool isFlat() const {
         const double along = sum_.dot(normals_ * sum_) / sum_.squaredNorm();
         return normals_.trace() - along < kFlat * along;
+    }
+    /// The point of a flat border along its normal from the centre.
+    [[nodiscard]] Vec3 pointOfFlat() const {
+        const Vec3 mean = sum_.normalized();
+        return centre_ + mean * (mean.dot(offsets_) / mean.dot(normals_ * mean));
+    }
+
+private:
+    [[nodiscard]] static Vec3 clamped(const Vec3& point, const Box3& room) {
+        return point.cwiseMax(room.min()).cwiseMin(room.max());
+    }
+
+    /// The way from the centre to the nearest point, along axes that are free (1) or held (0).
+    [[nodiscard]] Vec3 nearestWay(const Vec3& held, const Vec3& free) const {
+        Eigen::SelfAdjointEigenSolver<Mat3> solver;
+        solver.computeDirect(free.asDiagonal() * normals_ * free.asDiagonal());
+        const Vec3 wanted = free.asDiagonal() * (offsets_ - normals_ * held);
+        const double largest = solver.eigenvalues()[2];
+        Vec3 way = held;
+        for (int i = 0; i < 3; ++i) {
+            const double value = solver.eigenvalues()[i];
+            const Vec3 direction = solver.eigenvectors().col(i);
+            if (value > kFlat * largest) way += direction * (direction.dot(wanted) / value);
+        }
+        return way;
     }
 
     Vec3 centre_;
@@ -203,11 +230,31 @@ private:
         if (rounds.count > 1) return mean;  // see the top: each round keeps to its own side
         Planes planes(mean);
         for (int i = 0; i < count; ++i) planes.add(crossings[i].point, crossings[i].normal);
-        return planes.nearestPoint(grownCell(position(cell)));
+        if (!planes.isFlat()) return planes.nearestPoint(roomOf(cell));
+        const Vec3 point = planes.pointOfFlat();
+        return grownCell(position(cell)).contains(point) ? point : mean;
     }
 
+    /// A flat border moves its vertices along its normal alone, so that they keep their places.
     [[nodiscard]] Box3 grownCell(const Vec3& corner) const {
         return {corner - Vec3::Constant(kPokesOut * spacing_), corner + Vec3::Constant((1 + kPokesOut) * spacing_)};
+    }
+
+    /// Where the vertex of a cell may be: not beyond a face behind which there is another one.
+    [[nodiscard]] Box3 roomOf(const Place& cell) const {
+        const unsigned inside = insideBits(cell);
+        const Vec3 corner = position(cell);
+        Box3 room(corner, corner + Vec3::Constant(spacing_));
+        for (int axis = 0; axis < 3; ++axis) {
+            room.min()[axis] -= beyond(inside & kLowCorners[axis], kLowCorners[axis]);
+            room.max()[axis] += beyond(inside & ~kLowCorners[axis], ~kLowCorners[axis] & 0xFFU);
+        }
+        return room;
+    }
+    /// mm that a vertex may be beyond a face of which these corners are inside.
+    [[nodiscard]] double beyond(unsigned inside, unsigned corners) const {
+        const bool isCrossed = inside != 0 && inside != corners;
+        return (isCrossed ? -kApart : kPokesOut) * spacing_;
     }
 
     std::uint32_t addVertex(const Vec3& point, std::uint64_t id, const Place& cell) {

@@ -11,19 +11,20 @@ namespace tactooth::test {
 namespace {
 
 constexpr double kVoxel = 0.05;         // mm
-constexpr double kVolumeBound = 0.005;  // share of the counted volume by which that of the surface may differ
+constexpr double kVolumeBound = 0.004;  // share of the counted volume by which that of the surface may differ
 /// mm; a float at 8 mm is exact to 5e-7, and a triangle whose corners lie off by that crosses its neighbour by as much.
 constexpr double kRounding = 1e-5;
-/// Share of the facets that may cross another deeper than that, and how deep, in voxels: walls have one vertex a cell,
-/// and those of sharp edges can change places (docs/cutting.md). 4e-3 and 0.41 were measured.
-constexpr double kMostCrossings = 1e-2;
-constexpr double kDeepestCrossing = 0.5;
+/// Share of the facets that may cross another deeper than that, beside some of a tooth of which only crumbs are left,
+/// and how deep, in voxels (docs/cutting.md). 1.3e-3 of a body that is more than crumbs and 0.38 were measured.
+constexpr double kMostCrossings = 2e-3;
+constexpr double kCrossingsOfCrumbs = 10;
+constexpr double kDeepestCrossing = 0.4;
 
 void expectSound(const ExportVerdict& verdict) {
     EXPECT_TRUE(verdict.isSound()) << verdict;
     EXPECT_EQ(verdict.collapsed, 0U) << verdict;
     EXPECT_LE(static_cast<double>(verdict.crossingsDeeperThan(kRounding)),
-              kMostCrossings * static_cast<double>(verdict.facets))
+              kMostCrossings * static_cast<double>(verdict.facets) + kCrossingsOfCrumbs)
         << verdict;
     EXPECT_LE(verdict.deepestCrossing(), kDeepestCrossing * kVoxel) << verdict;
 }
@@ -41,6 +42,7 @@ void expectSoundThroughout(TriangleMesh outer, const JudgedCutting& cutting) {
     for (int stroke = 1; stroke <= cutting.strokes; ++stroke) {
         tooth.stroke();
         if (stroke % cutting.look != 0) continue;
+        if (tooth.mesh().triangles.empty()) break;  // all is cut away
         SCOPED_TRACE(::testing::Message() << "seed " << cutting.seed << ", stroke " << stroke);
         const ExportVerdict verdict = judged(tooth.mesh());
         expectSound(verdict);
