@@ -35,6 +35,20 @@ private:
     int asked_ = 0;
 };
 
+/// What one view is drawn into.
+struct ViewTargets {
+    std::array<ReusedTarget, 2> pictures;  ///< one an eye
+    ReusedTarget reflection;
+    ReusedTarget shell;
+    ReusedTarget ghost;
+};
+
+/// The second view as it was drawn last.
+struct LastSecond {
+    PictureSize size;                       ///< in the picture
+    const RenderTarget* picture = nullptr;  ///< among the targets of the second view
+};
+
 void setKnownState() {
     glDisable(GL_BLEND);
     glDisable(GL_SCISSOR_TEST);
@@ -80,12 +94,18 @@ PassView directView(const Scene& scene, const Camera& camera, PictureSize size) 
     return view;
 }
 
-void copyPicture(const RenderTarget& from, GLuint to, PictureSize size) {
+void copyPicture(const RenderTarget& from, GLuint to, const PixelRectangle& place) {
     const PictureSize drawn = from.size();
+    const bool fits = place.extent() == Eigen::Vector2i(drawn.width, drawn.height);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, from.framebuffer());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to);
-    glBlitFramebuffer(0, 0, drawn.width, drawn.height, 0, 0, size.width, size.height, GL_COLOR_BUFFER_BIT,
-                      drawn == size ? GL_NEAREST : GL_LINEAR);
+    glBlitFramebuffer(0, 0, drawn.width, drawn.height, place.low.x(), place.low.y(), place.high.x(), place.high.y(),
+                      GL_COLOR_BUFFER_BIT, fits ? GL_NEAREST : GL_LINEAR);
+}
+
+PixelRectangle rowsFromBelow(const SecondViewPlace& place, PictureSize picture) {
+    const int top = picture.height - place.top;
+    return {{place.left, top - place.size.height}, {place.left + place.size.width, top}};
 }
 
 PictureSize scaled(PictureSize size, double share) {
@@ -105,10 +125,8 @@ struct Renderer::Parts {
     ShadowMap shadows;
     ShapeCache shapes;
     FieldTextures fields;
-    std::array<ReusedTarget, 2> pictures;  ///< one an eye
-    ReusedTarget reflection;
-    ReusedTarget shell;
-    ReusedTarget ghost;
+    ViewTargets whole, second;
+    LastSecond lastSecond;
     std::size_t lastUpload = 0;
 
     /// What stays the same for all views of one picture.
@@ -116,9 +134,12 @@ struct Renderer::Parts {
         const Scene& scene;
         const ShapeCache::Result& shapes;
         const RenderSettings& settings;
+        ViewTargets& targets;
         PictureSize size;
     };
     void updateShapes(const Scene& scene, const ShapeCache::Result& result, const RenderSettings& settings);
+    /// The second view into the corner of framebuffer `target`.
+    Expected<void> drawSecond(const Job& whole, GLuint target, PictureSize size);
     /// The scene through `camera` into `into`.
     Expected<void> drawEye(const Job& job, const Camera& camera, const RenderTarget& into);
     /// Draws what the mirror shows; nothing if it shows nothing.
@@ -150,7 +171,7 @@ SolidInputs Renderer::Parts::inputsFor(const Job& job, const PassView& view, con
 
 Expected<const RenderTarget*> Renderer::Parts::drawShell(const Job& job, const SolidInputs& inputs) {
     if (!showsLayers(inputs.drawables) && inputs.ghosts.empty()) return nullptr;
-    const auto target = shell.fit(job.size, 0);
+    const auto target = job.targets.shell.fit(job.size, 0);
     if (target) solid.drawShell(inputs, **target);
     return target;
 }
@@ -161,7 +182,7 @@ Expected<void> Renderer::Parts::drawBodies(const Job& job, SolidInputs& inputs, 
     inputs.shell = *around;
     const RenderTarget* seen = nullptr;
     if (!inputs.ghosts.empty()) {
-        const auto target = ghost.fit(job.size, job.settings.samples);
+        const auto target = job.targets.ghost.fit(job.size, job.settings.samples);
         if (!target) return Unexpected{target.error()};
         seen = *target;
         ghosts.draw(inputs, *seen);
@@ -177,7 +198,7 @@ Expected<const RenderTarget*> Renderer::Parts::drawReflection(const Job& job, co
     const auto& disc = job.scene.mirror;
     const PixelRectangle covered = disc ? coveredPixels(*disc, camera, job.size) : PixelRectangle{};
     if (covered.empty()) return nullptr;
-    const auto target = reflection.fit(job.size, job.settings.samples);
+    const auto target = job.targets.reflection.fit(job.size, job.settings.samples);
     if (!target) return target;
     const PassView view = reflectedView(directView(job.scene, camera, job.size), disc->planeInWorld());
     Background surgery = job.scene.background;
@@ -216,6 +237,20 @@ Expected<void> Renderer::Parts::drawEye(const Job& job, const Camera& camera, co
     const auto mirrored = drawReflection(job, camera);
     if (!mirrored) return Unexpected{mirrored.error()};
     return drawScene(job, camera, into, *mirrored);
+}
+
+Expected<void> Renderer::Parts::drawSecond(const Job& whole, GLuint target, PictureSize size) {
+    const SecondViewPlace place = secondViewPlace(size);
+    if (whole.scene.second->anew || lastSecond.picture == nullptr || lastSecond.size != place.size) {
+        const Job job{whole.scene, whole.shapes, whole.settings, second, scaled(place.size, whole.settings.resolution)};
+        const auto picture = second.pictures[0].fit(job.size, job.settings.samples);
+        if (!picture) return Unexpected{picture.error()};
+        lastSecond = {};
+        if (const auto done = drawEye(job, whole.scene.second->camera, **picture); !done) return done;
+        lastSecond = {place.size, *picture};
+    }
+    copyPicture(*lastSecond.picture, target, rowsFromBelow(place, size));
+    return {};
 }
 
 void Renderer::Parts::updateShapes(const Scene& scene, const ShapeCache::Result& result,
@@ -262,7 +297,6 @@ Expected<Renderer> Renderer::create() {
                                                      {},
                                                      {},
                                                      {},
-                                                     {},
                                                      0}));
 }
 
@@ -280,12 +314,12 @@ Expected<void> Renderer::render(const Scene& scene, unsigned target, PictureSize
     parts_->updateShapes(scene, shapes, settings);
     const PictureSize ofEye =
         scene.stereo.mode == Stereo::Mode::SideBySide ? PictureSize{(size.width + 1) / 2, size.height} : size;
-    const Parts::Job job{scene, shapes, settings, scaled(ofEye, settings.resolution)};
+    const Parts::Job job{scene, shapes, settings, parts_->whole, scaled(ofEye, settings.resolution)};
     const bool isStereo = scene.stereo.mode != Stereo::Mode::Off;
     const auto eyes = eyesOf(scene.camera, scene.stereo);
     std::array<const RenderTarget*, 2> drawn = {};
     for (std::size_t i = 0; i < (isStereo ? 2 : 1); ++i) {
-        const auto picture = parts_->pictures[i].fit(job.size, settings.samples);
+        const auto picture = job.targets.pictures[i].fit(job.size, settings.samples);
         if (!picture) return Unexpected{picture.error()};
         drawn[i] = *picture;
         auto done = parts_->drawEye(job, isStereo ? eyes[i] : scene.camera, **picture);
@@ -294,7 +328,10 @@ Expected<void> Renderer::render(const Scene& scene, unsigned target, PictureSize
     if (isStereo) {
         parts_->stereo.draw(*drawn[0], *drawn[1], scene.stereo.mode, target, size);
     } else {
-        copyPicture(*drawn[0], target, size);
+        copyPicture(*drawn[0], target, PixelRectangle::whole(size));
+        if (scene.second) {
+            if (const auto done = parts_->drawSecond(job, target, size); !done) return done;
+        }
     }
     leaveCleanState(target);
     return gl::checkErrors("drawing the picture");

@@ -14,6 +14,7 @@
 #include "view/distance_grid.h"
 #include "view/look.h"
 #include "view/particle.h"
+#include "view/second_view.h"
 #include "view/stereo.h"
 
 namespace tactooth {
@@ -95,6 +96,7 @@ struct Scene {
     std::vector<Particle> particles;  ///< water, chips; drawn over what is behind them, never in the mirror's plane
     Stereo stereo;
     Camera camera;
+    std::optional<SecondView> second;
     Lighting lighting;
     Background background;
 };

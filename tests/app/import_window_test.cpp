@@ -115,6 +115,12 @@ void ImportWindowTest::aChoiceIsFollowed() {
 void ImportWindowTest::theWindowStaysAliveWhileTheLayersAreMade() {
     auto* keep = dialog()->findChild<QCheckBox*>("keepCase");
     keep->click();
+    const auto rests = [this] {  // a careful picture that is still to come could hold up the loop as well
+        const auto before = view().pictures();
+        QTest::qWait(600);
+        return view().pictures() == before;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(rests(), 20000);
     importButton()->click();
     int turns = 0;  // of the event loop: the work does not hold it up
     double part = 0;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The window beside the drilling: looking inside, plots, files, colours, languages, welcome.
+#include <QAbstractButton>
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
@@ -36,6 +37,7 @@ private slots:
     void synthesisedSoundsWinOverARecordingThatIsStillRead();
     void aHintThatHasNoRoomEndsInDots();
     void theInsideOfTheToothIsShown();
+    void aSecondViewShowsAnotherSideAndAClickGoesThere();
     void aTargetColoursTheTooth();
     void theGhostOfATargetIsSwitchedByClickAndKey();
     void aTargetWithoutACavityHasNoGhost();
@@ -106,6 +108,36 @@ void WindowLookTest::theInsideOfTheToothIsShown() {
     eyes->setCurrentIndex(1);
     QVERIFY(view().grabFramebuffer() != whole);
     eyes->setCurrentIndex(0);
+}
+
+void WindowLookTest::aSecondViewShowsAnotherSideAndAClickGoesThere() {
+    bringMolar();
+    view().setFocus();
+    auto* frame = window_->findChild<QAbstractButton*>("secondViewFrame");
+    QVERIFY(!frame->isVisible());
+    const QImage alone = view().grabFramebuffer();
+    key(Qt::Key_3, Qt::ControlModifier);
+    QTRY_VERIFY(frame->isVisible());
+    QCOMPARE(frame->text(), QString("Lingual"));
+    const double ratio = view().devicePixelRatioF();
+    const QRect corner(frame->pos() * ratio, frame->size() * ratio);
+    const QImage both = view().grabFramebuffer();
+    QVERIFY(both.copy(corner) != alone.copy(corner));
+    const QRect rest(0, corner.bottom() + 2, both.width(), both.height() - corner.bottom() - 2);
+    QVERIFY(both.copy(rest) == alone.copy(rest));
+
+    auto* eyes = window_->findChild<QComboBox*>("stereo");
+    eyes->setCurrentIndex(1);
+    QVERIFY2(!frame->isVisible(), "two eyes have no room for it");
+    eyes->setCurrentIndex(0);
+    QVERIFY(frame->isVisible());
+
+    QTest::mouseClick(frame, Qt::LeftButton);
+    QVERIFY(view().camera().cameraInWorld.position.y() < -10);  // buccal is +y
+    QVERIFY(!window_->bench().hand().isPressing());
+    key(Qt::Key_0, Qt::ControlModifier);
+    QTRY_VERIFY(!frame->isVisible());
+    key(Qt::Key_0);
 }
 
 void WindowLookTest::aTargetColoursTheTooth() {

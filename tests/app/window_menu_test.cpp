@@ -309,6 +309,7 @@ void WindowMenuTest::everySettingIsThereAfterARestart() {
     }
     wanted.mirror.number = std::string("2");
     wanted.bur = std::string("58");
+    wanted.secondView = std::string("mesial");
     const auto file = folder_ / "settings/window.toml";
     QVERIFY(writeWindowSettings(wanted, file).has_value());
     {
@@ -330,6 +331,7 @@ void WindowMenuTest::everySettingIsThereAfterARestart() {
     }
     QCOMPARE(got.mirror.number, wanted.mirror.number);
     QCOMPARE(got.bur, wanted.bur);
+    QCOMPARE(got.secondView, wanted.secondView);
     window_->apply(WindowSettings());
 }
 

@@ -30,7 +30,8 @@ WindowSettings unusual() {
             .mirror = {"5", true, true},
             .water = false,
             .suction = true,
-            .textScale = 1.5};
+            .textScale = 1.5,
+            .secondView = "distal"};
 }
 
 void expectEqual(const WindowSettings& a, const WindowSettings& b) {
@@ -57,6 +58,7 @@ void expectEqual(const WindowSettings& a, const WindowSettings& b) {
     EXPECT_EQ(a.water, b.water);
     EXPECT_EQ(a.suction, b.suction);
     EXPECT_EQ(a.textScale, b.textScale);
+    EXPECT_EQ(a.secondView, b.secondView);
 }
 
 std::string refusal(std::string_view text) {

@@ -10,6 +10,7 @@
 #include "support/shapes.h"
 #include "support/test_data.h"
 #include "view/image.h"
+#include "view/second_view.h"
 
 namespace tactooth {
 namespace {
@@ -110,6 +111,21 @@ TEST_F(RenderCommand, SideBySideShowsTheToothTwice) {
     EXPECT_EQ(image.at(40, 60)[3], 255);
     EXPECT_EQ(image.at(120, 60)[3], 255);
     EXPECT_EQ(image.at(80, 10)[3], 0);
+}
+
+TEST_F(RenderCommand, ASecondViewStandsInTheCornerAlone) {
+    const Image one = picture({"--no-background"});
+    const Image both = picture({"--no-background", "--second", "occlusal"});
+    const SecondViewPlace place = secondViewPlace(one.size);
+    std::size_t inCorner = 0, elsewhere = 0;
+    for (int y = 0; y < one.size.height; ++y) {
+        for (int x = 0; x < one.size.width; ++x) {
+            if (one.at(x, y) == both.at(x, y)) continue;
+            ++(x >= place.left && y < place.top + place.size.height ? inCorner : elsewhere);
+        }
+    }
+    EXPECT_GT(inCorner, 100);
+    EXPECT_EQ(elsewhere, 0);
 }
 
 TEST_F(RenderCommand, ATurntableWritesNumberedPictures) {

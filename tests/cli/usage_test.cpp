@@ -41,5 +41,11 @@ TEST(Usage, WrongUsageIsOneSentenceThatSaysWhereHelpIs) {
     }
 }
 
+TEST(Usage, WhatExcludesEachOtherIsSaidInPlainWords) {
+    const ProgramRun run = runTactooth({"render", "--mouth", "--tooth", "a.stl", "--out", "a.png"});
+    EXPECT_EQ(run.exitCode, 2);
+    EXPECT_THAT(run.err, HasSubstr("--tooth cannot be given together with --mouth"));
+}
+
 }  // namespace
 }  // namespace tactooth

@@ -252,6 +252,10 @@ Error usageError(const CLI::App& program, const CLI::ParseError& error) {
     }
     std::string sentence = error.what();
     std::replace(sentence.begin(), sentence.end(), '\n', ' ');
+    constexpr std::string_view kExcludes = " excludes ";
+    if (const auto at = sentence.find(kExcludes); error.get_name() == "ExcludesError" && at != std::string::npos) {
+        sentence.replace(at, kExcludes.size(), " cannot be given together with ");
+    }
     return {sentence.append("; see '").append(command).append(" --help'.")};
 }
 

@@ -41,8 +41,8 @@ void addMouth(CLI::App& command, RenderOptions& options) {
                                           "The whole built-in mouth; then --view is front, right, left, upper, lower, "
                                           "dentist, or AZIMUTH,ELEVATION (90,0 from the front)");
     addMouthWishes(command, options.mouthWishes, mouth);
-    for (const char* other :
-         {"--tooth", "--layer", "--materials", "--mirror", "--clip", "--transparent", "--target", "--stereo"}) {
+    for (const char* other : {"--tooth", "--layer", "--materials", "--mirror", "--clip", "--transparent", "--target",
+                              "--stereo", "--second"}) {
         mouth->excludes(other);
     }
 }
@@ -61,9 +61,17 @@ void addEye(CLI::App& command, RenderOptions& options) {
     command.add_option("--turntable", options.turntable, "Pictures of a whole turn: X-000.png, X-001.png and so on")
         ->check(CLI::Range(2, 3600))
         ->type_name("N");
-    command.add_option("--stereo", options.stereo, "For two eyes: side-by-side, or anaglyph for red and cyan glasses")
-        ->check(CLI::IsMember({"side-by-side", "anaglyph"}))
-        ->type_name("MODE");
+    CLI::Option* stereo =
+        command
+            .add_option("--stereo", options.stereo, "For two eyes: side-by-side, or anaglyph for red and cyan glasses")
+            ->check(CLI::IsMember({"side-by-side", "anaglyph"}))
+            ->type_name("MODE");
+    command
+        .add_option("--second", options.second,
+                    "A small picture from another side in the corner: occlusal, buccal, lingual, mesial or distal")
+        ->check(CLI::IsMember({"occlusal", "buccal", "lingual", "mesial", "distal"}))
+        ->excludes(stereo)
+        ->type_name("VIEW");
 }
 
 void addInsight(CLI::App& command, RenderOptions& options) {

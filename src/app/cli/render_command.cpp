@@ -138,6 +138,12 @@ Scene sceneFor(const Studio& studio, const OrbitCamera& eye) {
     }
     if (studio.options.noBackground) scene.background.kind = Background::Kind::Transparent;
     scene.stereo = {stereoOf(studio.options.stereo), eye.distance(), kEyesPerFocus * eye.distance()};
+    for (const auto& [name, view] : kStandardViews) {
+        if (name != studio.options.second) continue;
+        OrbitCamera beside = eye;
+        beside.look(view, studio.tooth.mesialX);
+        scene.second = SecondView{beside.camera()};
+    }
     return scene;
 }
 

@@ -28,6 +28,7 @@ struct RenderOptions {
     double range = 0.5;                    ///< mm, of the colours
     bool ghost = false;                    ///< shows the cavity of `target` instead of the colours
     std::string stereo;                    ///< "side-by-side" or "anaglyph"
+    std::string second;                    ///< a name of kStandardViews: a small picture from there in the corner
     std::optional<double> mirror;          ///< diameter of its head, mm
     double fog = 0;
     double drops = 0;

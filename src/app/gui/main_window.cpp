@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/main_window.h"
 
+#include <QActionGroup>
 #include <QApplication>
 #include <QDockWidget>
 #include <QDragEnterEvent>
@@ -337,6 +338,7 @@ void MainWindow::apply(const WindowSettings& settings) {
     force_->set(settings.force);
     applyHand(settings.hand);
     setMirror(settings.mirror);
+    setSecondView(QString::fromStdString(settings.secondView));
     waterSwitch_->setChecked(settings.water);
     suctionSwitch_->setChecked(settings.suction);
     volumes_->setMixer(settings.sound);
@@ -363,7 +365,8 @@ WindowSettings MainWindow::settings() const {
             .mirror = mirror(),
             .water = waterSwitch_->isChecked(),
             .suction = suctionSwitch_->isChecked(),
-            .textScale = textScale_};
+            .textScale = textScale_,
+            .secondView = secondViews_->checkedAction()->data().toString().toStdString()};
 }
 
 void MainWindow::showStatus(const Simulator& simulator) {

@@ -93,6 +93,8 @@ private:
     void addFileMenu();
     void addMouthMenu(QMenu& menu);
     void addViewMenu();
+    void addSecondViewMenu(const QStringList& titles);
+    void setSecondView(const QString& name);
     void addAppearanceMenu();
     void addLanguageMenu();
     void setLanguage(const QString& code);
@@ -180,6 +182,7 @@ private:
     QStringList recent_;  // newest first
     QActionGroup* languages_ = nullptr;
     QActionGroup* textSizes_ = nullptr;
+    QActionGroup* secondViews_ = nullptr;
     double textScale_ = 1;
     QString language_;  // chosen; empty: the system's
     QAction* mirrorSwitch_ = nullptr;

@@ -269,6 +269,7 @@ void MainWindow::showMouseAndKeys() {
     text += row(tr("Space"), tr("the pedal, as long as you hold it"));
     text += row(tr("T, C"), tr("touch, cut"));
     text += row(tr("0 to 5, F"), tr("views; show the whole crown"));
+    text += row(tr("Ctrl + 0 to 5"), tr("a small picture from that side beside the large one; none"));
     text += row(tr("Q, E, U"), tr("turn the handle; stand the bur upright"));
     text += row(tr("M, H"), tr("mirror, turbine on and off"));
     text += row(tr("G"), tr("the cavity that the target wants cut, on and off"));

@@ -10,6 +10,7 @@
 #include <QToolBar>
 #include <algorithm>
 
+#include "app/common/inspection.h"
 #include "app/gui/guided_tour.h"
 #include "app/gui/inside_panel.h"
 #include "app/gui/main_window.h"
@@ -37,12 +38,15 @@ void MainWindow::addViewMenu() {
                                                                     {tr("Mesial"), StandardView::Mesial},
                                                                     {tr("Distal"), StandardView::Distal}}};
     int key = 1;
+    QStringList titles;
     for (const auto& [name, view] : views) {
+        titles.append(name);
         QAction* action = viewMenu_->addAction(name, this, [this, view = view] { view_->look(view); });
         action->setShortcut(QKeySequence(QString::number(key++)));
         viewBar_->addAction(action);
     }
     addViewAction(tr("Fit"), "F", &ToothView::fit);
+    addSecondViewMenu(titles);
     viewMenu_->addSeparator();
     viewBar_->addSeparator();
     const auto addSwitch = [this](const QString& text, const QString& keys, void (ToothView::*set)(bool)) {
@@ -61,6 +65,35 @@ void MainWindow::addViewMenu() {
     viewMenu_->addSeparator();
     addAppearanceMenu();
     for (QDockWidget* dock : findChildren<QDockWidget*>()) viewMenu_->addAction(dock->toggleViewAction());
+}
+
+/// `titles`: of the standard views, in their order.
+void MainWindow::addSecondViewMenu(const QStringList& titles) {
+    QMenu* menu = viewMenu_->addMenu(tr("&Second view"));
+    menu->setObjectName("secondView");
+    secondViews_ = new QActionGroup(menu);
+    const auto add = [&](const QString& title, int key, std::string_view name) {
+        QAction* action = menu->addAction(title);
+        action->setCheckable(true);
+        action->setShortcut(QKeySequence(QString("Ctrl+%1").arg(key)));
+        action->setData(QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())));
+        secondViews_->addAction(action);
+        return action;
+    };
+    add(tr("None"), 0, "none")->setChecked(true);
+    for (int i = 0; i < titles.size(); ++i) add(titles[i], i + 1, kStandardViews[static_cast<std::size_t>(i)].first);
+    connect(secondViews_, &QActionGroup::triggered, this,
+            [this](QAction* chosen) { setSecondView(chosen->data().toString()); });
+}
+
+/// A name that is none of a view means no second view.
+void MainWindow::setSecondView(const QString& name) {
+    const QList<QAction*> actions = secondViews_->actions();
+    const auto found = std::find_if(actions.begin() + 1, actions.end(), [&](QAction* a) { return a->data() == name; });
+    const auto place = found == actions.end() ? 0 : found - actions.begin();
+    actions[place]->setChecked(true);
+    if (place == 0) return view_->setSecondView({});
+    view_->setSecondView(kStandardViews[static_cast<std::size_t>(place - 1)].second, actions[place]->text());
 }
 
 void MainWindow::addAppearanceMenu() {

@@ -17,6 +17,7 @@ namespace tactooth {
 namespace {
 
 constexpr int kRestMs = 400;        // without a change until the careful picture is drawn
+constexpr int kSecondLasts = 4;     // pictures while things move: the small one costs an eighth then
 constexpr double kPressStep = 0.1;  // mm for one notch of the wheel
 constexpr double kZoomStep = 0.88;  // for one notch, or one press of a key
 constexpr double kKeyStep = 0.006;  // of the picture's height, for one press of an arrow key: 0.2 mm on a molar
@@ -33,7 +34,10 @@ bool samePose(const Pose& a, const Pose& b) {
 
 }  // namespace
 
-ToothView::ToothView(Workbench& bench, QWidget* parent) : QOpenGLWidget(parent), bench_(bench) {
+ToothView::ToothView(Workbench& bench, QWidget* parent)
+    : QOpenGLWidget(parent), bench_(bench), secondFrame_(new SecondViewFrame(this)) {
+    secondFrame_->hide();
+    connect(secondFrame_, &SecondViewFrame::clicked, this, [this] { look(*second_); });
     setMinimumSize(320, 240);
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
@@ -106,7 +110,9 @@ void ToothView::paintGL() {
         settings.resolution = pace_.resolution(change);
         rest_.start(kRestMs);
     }
-    auto done = renderer_->render(sceneFor(contents), defaultFramebufferObject(), pictureSize(), settings);
+    Scene scene = sceneFor(contents);
+    scene.second = secondPicture(careful);
+    auto done = renderer_->render(scene, defaultFramebufferObject(), pictureSize(), settings);
     if (!done) report(done.error());
     context()->functions()->glFinish();  // a software renderer works after the last call, too
     if (!careful) pace_.drew(change, 1e-6 * static_cast<double>(sinceDrawn_.nsecsElapsed()));
@@ -121,6 +127,16 @@ Scene ToothView::sceneFor(const SceneContents& contents) const {
     constexpr double kEyesPerFocus = 1.0 / 30;  // eye distance by that of the tooth: easy to look at
     scene.stereo = {stereo_, camera_.distance(), kEyesPerFocus * camera_.distance()};
     return scene;
+}
+
+/// While things move it is not drawn as often as the large one.
+std::optional<SecondView> ToothView::secondPicture(bool careful) {
+    if (!second_ || stereo_ != Stereo::Mode::Off) return std::nullopt;
+    OrbitCamera beside = camera_;
+    beside.look(*second_, bench_.mesialX());
+    const bool anew = careful || secondAge_ == 0;
+    secondAge_ = anew ? 1 : (secondAge_ + 1) % kSecondLasts;
+    return SecondView{beside.camera(), anew};
 }
 
 PicturePace::Change ToothView::changeTo(const SceneContents& now) const {
@@ -143,7 +159,7 @@ PicturePace::Change ToothView::changeTo(const SceneContents& now) const {
     if (std::abs(blur - blurOf(drawn_.tool->speedRpm)) > kSeenBlur) return Spin;
     if (blur == 1 && now.tool->blurred != nullptr) return None;  // the same at every turn
     const double turned = std::remainder(now.tool->spin - drawn_.tool->spin, 2 * std::numbers::pi);
-    return std::abs(turned) > kSeenSpin && seesTip(now) ? Spin : None;
+    return std::abs(turned) > kSeenSpin && (second_ || seesTip(now)) ? Spin : None;
 }
 
 /// Whether the bur may be in the picture.
@@ -201,7 +217,21 @@ void ToothView::setShowsMirror(bool shows) {
 void ToothView::setInspection(const Inspection& inspection, Stereo::Mode stereo) {
     inspection_ = inspection;
     stereo_ = stereo;
+    secondFrame_->setVisible(second_.has_value() && stereo_ == Stereo::Mode::Off);
     update();
+}
+
+void ToothView::setSecondView(std::optional<StandardView> view, const QString& title) {
+    second_ = view;
+    secondAge_ = 0;
+    secondFrame_->setText(title);
+    secondFrame_->setVisible(view.has_value() && stereo_ == Stereo::Mode::Off);
+    update();
+}
+
+void ToothView::resizeEvent(QResizeEvent* event) {
+    QOpenGLWidget::resizeEvent(event);
+    secondFrame_->fitTo(pictureSize());
 }
 
 void ToothView::mousePressEvent(QMouseEvent* event) {

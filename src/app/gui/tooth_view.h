@@ -8,6 +8,7 @@
 
 #include "app/common/inspection.h"
 #include "app/gui/picture_pace.h"
+#include "app/gui/second_view_frame.h"
 #include "app/gui/workbench.h"
 #include "view/orbit_camera.h"
 #include "view/renderer.h"
@@ -37,6 +38,8 @@ public:
     void setShowsMirror(bool shows);
     /// How one looks into the tooth.
     void setInspection(const Inspection& inspection, Stereo::Mode stereo);
+    /// A small picture from another side as well; none without a view.
+    void setSecondView(std::optional<StandardView> view, const QString& title = {});
     /// What the mouse points into.
     [[nodiscard]] PointedPicture pointedPicture() const { return {camera_.camera(), pictureSize()}; }
     [[nodiscard]] Camera camera() const { return camera_.camera(); }
@@ -51,6 +54,7 @@ signals:
 
 protected:
     void initializeGL() override;
+    void resizeEvent(QResizeEvent* event) override;
     void paintGL() override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
@@ -66,6 +70,7 @@ private:
     [[nodiscard]] PicturePace::Change changeTo(const SceneContents& now) const;
     [[nodiscard]] Scene sceneFor(const SceneContents& contents) const;
     [[nodiscard]] bool seesTip(const SceneContents& now) const;
+    [[nodiscard]] std::optional<SecondView> secondPicture(bool careful);
     void moveCamera(const Vec2& way, Qt::MouseButtons buttons);
     void moveHand(const Vec2& to, Qt::KeyboardModifiers with);
     [[nodiscard]] bool obeyKey(const QKeyEvent& key);
@@ -81,6 +86,9 @@ private:
     bool showsMirror_ = true;
     Inspection inspection_;
     Stereo::Mode stereo_ = Stereo::Mode::Off;
+    std::optional<StandardView> second_;
+    SecondViewFrame* secondFrame_;
+    int secondAge_ = 0;  // pictures that it has been shown in
     SceneContents drawn_;
     bool careful_ = false;  // the next picture
     PicturePace pace_;

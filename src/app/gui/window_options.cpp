@@ -28,6 +28,8 @@ constexpr std::array kOptions = {
                  "Size of all texts: 1 (usual) to 2"},
     WindowOption{"window", "turbine", Switch([](S& s) -> bool& { return s.showsTurbine; }), 0, "Show the handpiece"},
     WindowOption{"window", "mirror", Switch([](S& s) -> bool& { return s.showsMirror; }), 0, "Show the mirror"},
+    WindowOption{"window", "second_view", Text([](S& s) -> std::string& { return s.secondView; }), 0,
+                 "Small picture from another side: occlusal, buccal, lingual, mesial, distal or none"},
     WindowOption{"mirror", "size", Text([](S& s) -> std::string& { return s.mirror.number; }), 0,
                  "2, 4 or 5: 18, 22 or 24 mm"},
     WindowOption{"mirror", "fogged", Switch([](S& s) -> bool& { return s.mirror.fogged; }), 0, "Breath on the glass"},

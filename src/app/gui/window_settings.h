@@ -84,9 +84,10 @@ struct WindowSettings {
     bool dark = false;
     std::string recent;  ///< the teeth that were opened last, one path a line, newest first
     MirrorSettings mirror;
-    bool water = true;     ///< the spray comes with the pedal
-    bool suction = false;  ///< an assistant holds the tube
-    double textScale = 1;  ///< of all texts, kLeastTextScale..kMostTextScale
+    bool water = true;                ///< the spray comes with the pedal
+    bool suction = false;             ///< an assistant holds the tube
+    double textScale = 1;             ///< of all texts, kLeastTextScale..kMostTextScale
+    std::string secondView = "none";  ///< or one of kStandardViews
 };
 
 /// One setting: how it is called in the file ([table] key) and on the command line (--table-key), and what it may be.

@@ -1082,6 +1082,14 @@ The mouse wheel in the picture changes it too.</source>
         <translation>視点；歯冠全体を表示</translation>
     </message>
     <message>
+        <source>Ctrl + 0 to 5</source>
+        <translation>Ctrl + 0～5</translation>
+    </message>
+    <message>
+        <source>a small picture from that side beside the large one; none</source>
+        <translation>その向きの小さな画面を添える；なし</translation>
+    </message>
+    <message>
         <source>Q, E, U</source>
         <translation>Q、E、U</translation>
     </message>
@@ -1180,6 +1188,14 @@ The mouse wheel in the picture changes it too.</source>
     <message>
         <source>Fit</source>
         <translation>全体表示</translation>
+    </message>
+    <message>
+        <source>&amp;Second view</source>
+        <translation>第二の視点(&amp;S)</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>なし</translation>
     </message>
     <message>
         <source>Mirror</source>
@@ -1973,6 +1989,13 @@ More than 1 % is felt: close other programs, or take a tooth with fewer triangle
     <message>
         <source>woken late</source>
         <translation>起床の遅れ</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::SecondViewFrame</name>
+    <message>
+        <source>Click: the large picture looks from there</source>
+        <translation>クリック：大きな画面をこの向きにします</translation>
     </message>
 </context>
 </TS>
