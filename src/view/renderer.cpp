@@ -242,11 +242,13 @@ Expected<void> Renderer::Parts::drawEye(const Job& job, const Camera& camera, co
 Expected<void> Renderer::Parts::drawSecond(const Job& whole, GLuint target, PictureSize size) {
     const SecondViewPlace place = secondViewPlace(size);
     if (whole.scene.second->anew || lastSecond.picture == nullptr || lastSecond.size != place.size) {
-        const Job job{whole.scene, whole.shapes, whole.settings, second, scaled(place.size, whole.settings.resolution)};
+        ShapeCache::Result shapes = whole.shapes;
+        std::erase_if(shapes.drawables, [](const Drawable& drawable) { return drawable.object->handle; });
+        const Job job{whole.scene, shapes, whole.settings, second, scaled(place.size, whole.settings.resolution)};
         const auto picture = second.pictures[0].fit(job.size, job.settings.samples);
         if (!picture) return Unexpected{picture.error()};
         lastSecond = {};
-        if (const auto done = drawEye(job, whole.scene.second->camera, **picture); !done) return done;
+        if (const auto done = drawScene(job, whole.scene.second->camera, **picture, nullptr); !done) return done;
         lastSecond = {place.size, *picture};
     }
     copyPicture(*lastSecond.picture, target, rowsFromBelow(place, size));

@@ -32,6 +32,7 @@ struct SceneObject {
     bool visible = true;
     bool closed = true;      ///< the surface has no holes, so that what looks away need not be drawn
     bool moves = false;      ///< a tool: its shadow is drawn anew in each picture, that of the others only on change
+    bool handle = false;     ///< of an instrument: left out of the second view, where it would hide the tooth
     bool sectioned = false;  ///< the scene's section takes its part of it away
     std::optional<Look> filling;  ///< what a section through it shows; without one it is hollow. Needs `closed`
     /// What fills a body from inside, a layer of a tooth: seen only where that body (the first sectioned object) still

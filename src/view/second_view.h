@@ -6,7 +6,8 @@
 
 namespace tactooth {
 
-/// A small picture of the same scene from another side, in the upper right corner of the picture; none in stereo.
+/// A small picture of the same scene from another side, without mirror and handles, in the upper right corner of the
+/// picture; none in stereo.
 struct SecondView {
     Camera camera;
     bool anew = true;  ///< else the last one may stay, as long as its size does: it need not keep pace with the hand

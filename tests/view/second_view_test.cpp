@@ -16,11 +16,13 @@ using test::sceneOf;
 
 class SecondViewTest : public test::RendererTest {};
 
-/// A brick that looks different from every side, before a mirror.
+/// A brick that looks different from every side, before a mirror and below a handle.
 Scene sceneWithSides() {
     Scene scene = sceneOf(
         {objectOf(test::box(Vec3(-3, -2, -1), Vec3(3, 2, 1))), objectOf(test::sphere(Vec3(2, 1, 1), 1, 40, 20))});
     scene.objects.back().looks = {looks::caries()};
+    scene.objects.push_back(objectOf(test::sphere(Vec3(0, 0, 4), 1, 40, 20), looks::steel()));
+    scene.objects.back().handle = true;
     scene.background.kind = Background::Kind::Gradient;
     SceneMirror mirror;
     mirror.mirrorInWorld.position = Vec3(0, -6, 0);
@@ -60,13 +62,16 @@ TEST(SecondViewPlace, IsInTheUpperRightCornerOfEveryPicture) {
     EXPECT_EQ(usual.left, 1280 - 384 - usual.top);
 }
 
-TEST_F(SecondViewTest, IsThePictureOfItsOwnCameraAndTheRestStaysAsItIs) {
-    for (const RenderSettings& settings : {kQuick, kFine}) {
+TEST_F(SecondViewTest, IsThePictureOfItsOwnCameraWithoutMirrorAndHandlesAndTheRestStaysAsItIs) {
+    for (RenderSettings settings : {kQuick, kFine}) {
+        settings.shadows = Shadows::None;  // the handle throws its shadow, seen or not
         Scene scene = sceneWithSides();
         const Image whole = draw(scene, settings);
         const SecondViewPlace place = secondViewPlace(kTestSize);
         Scene alone = scene;
         alone.camera = fromAbove(scene);
+        alone.mirror.reset();
+        alone.objects.pop_back();
         const Image expected = draw(alone, settings, place.size);
         scene.second = SecondView{alone.camera};
         const Image both = draw(scene, settings);
@@ -89,7 +94,7 @@ TEST_F(SecondViewTest, StaysAsItWasUntilItIsDrawnAnew) {
     scene.second = SecondView{fromAbove(scene)};
     const SecondViewPlace place = secondViewPlace(kTestSize);
     const Image before = draw(scene);
-    scene.objects.back().objectInWorld.position = Vec3(-4, -2, 0);
+    scene.objects[1].objectInWorld.position = Vec3(-4, -2, 0);
     scene.second->anew = false;
     const Image moved = draw(scene);
     EXPECT_NE(moved.pixels, before.pixels);

@@ -57,6 +57,7 @@ void addTool(Scene& scene, const ShownTool& tool) {
     turbine.objectInWorld = tool.toolInTooth;
     turbine.looks = {looks::steel()};
     turbine.moves = true;
+    turbine.handle = true;
     scene.objects.push_back(std::move(turbine));
 }
 
@@ -65,6 +66,7 @@ void addMirror(Scene& scene, const ShownMirror& mirror) {
     body.shape = mirror.mesh;
     body.objectInWorld = mirror.mirrorInTooth;
     body.looks = {looks::steel()};
+    body.handle = true;
     scene.objects.push_back(std::move(body));
     scene.mirror = SceneMirror{.mirrorInWorld = mirror.mirrorInTooth,
                                .centre = mirror.disc.centre,
@@ -79,6 +81,7 @@ void addSuction(Scene& scene, const ShownSuction& suction) {
     tube.shape = suction.mesh;
     tube.objectInWorld = suction.tubeInTooth;
     tube.looks = {Look{.colour = {0.62F, 0.78F, 0.86F}, .roughness = 0.3F, .translucency = 0.6F, .wetness = 0.4F}};
+    tube.handle = true;
     scene.objects.push_back(std::move(tube));
 }
 
