@@ -139,7 +139,7 @@ struct Renderer::Parts {
     };
     void updateShapes(const Scene& scene, const ShapeCache::Result& result, const RenderSettings& settings);
     /// The second view into the corner of framebuffer `target`.
-    Expected<void> drawSecond(const Job& whole, GLuint target, PictureSize size);
+    Expected<void> drawSecond(const Job& large, GLuint target, PictureSize size);
     /// The scene through `camera` into `into`.
     Expected<void> drawEye(const Job& job, const Camera& camera, const RenderTarget& into);
     /// Draws what the mirror shows; nothing if it shows nothing.
@@ -239,16 +239,16 @@ Expected<void> Renderer::Parts::drawEye(const Job& job, const Camera& camera, co
     return drawScene(job, camera, into, *mirrored);
 }
 
-Expected<void> Renderer::Parts::drawSecond(const Job& whole, GLuint target, PictureSize size) {
+Expected<void> Renderer::Parts::drawSecond(const Job& large, GLuint target, PictureSize size) {
     const SecondViewPlace place = secondViewPlace(size);
-    if (whole.scene.second->anew || lastSecond.picture == nullptr || lastSecond.size != place.size) {
-        ShapeCache::Result shapes = whole.shapes;
-        std::erase_if(shapes.drawables, [](const Drawable& drawable) { return drawable.object->handle; });
-        const Job job{whole.scene, shapes, whole.settings, second, scaled(place.size, whole.settings.resolution)};
+    if (large.scene.second->anew || lastSecond.picture == nullptr || lastSecond.size != place.size) {
+        ShapeCache::Result shown = large.shapes;
+        std::erase_if(shown.drawables, [](const Drawable& drawable) { return drawable.object->handle; });
+        const Job job{large.scene, shown, large.settings, second, scaled(place.size, large.settings.resolution)};
         const auto picture = second.pictures[0].fit(job.size, job.settings.samples);
         if (!picture) return Unexpected{picture.error()};
         lastSecond = {};
-        if (const auto done = drawScene(job, whole.scene.second->camera, **picture, nullptr); !done) return done;
+        if (const auto done = drawScene(job, large.scene.second->camera, **picture, nullptr); !done) return done;
         lastSecond = {place.size, *picture};
     }
     copyPicture(*lastSecond.picture, target, rowsFromBelow(place, size));
