@@ -15,7 +15,7 @@ constexpr double kVolumeBound = 0.004;  // share of the counted volume by which 
 /// mm; a float at 8 mm is exact to 5e-7, and a triangle whose corners lie off by that crosses its neighbour by as much.
 constexpr double kRounding = 1e-5;
 /// Share of the facets that may cross another deeper than that, beside some of a tooth of which only crumbs are left,
-/// and how deep, in voxels (docs/cutting.md). 3e-3 (a ball of which a thirtieth is left) and 0.38 were measured.
+/// and how deep, in voxels (docs/cutting.md). 3e-3 (a ball of which a twenty-seventh is left) and 0.38 were measured.
 constexpr double kMostCrossings = 4e-3;
 constexpr double kCrossingsOfCrumbs = 10;
 constexpr double kDeepestCrossing = 0.4;
