@@ -26,9 +26,9 @@ TEST(LongJudgedExport, PlatesAreSoundUntilLittleIsLeft) {
 
 TEST(LongJudgedExport, TeethAreSoundThroughHundredsOfStrokes) {
     test::expectSoundThroughout(makeBuiltinTooth(BuiltinToothKind::lowerFirstMolar, 8000).outer,
-                                {.seed = 1, .strokes = 300, .look = 60, .leastRemoved = 0.4});
+                                {.seed = 1, .strokes = 300, .look = 100, .leastRemoved = 0.4});
     test::expectSoundThroughout(makeBuiltinTooth(BuiltinToothKind::upperCentralIncisor, 8000).outer,
-                                {.seed = 2, .strokes = 200, .look = 50, .leastRemoved = 0.4});
+                                {.seed = 2, .strokes = 200, .look = 100, .leastRemoved = 0.4});
 }
 
 }  // namespace

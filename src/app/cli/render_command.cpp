@@ -140,9 +140,7 @@ Scene sceneFor(const Studio& studio, const OrbitCamera& eye) {
     scene.stereo = {stereoOf(studio.options.stereo), eye.distance(), kEyesPerFocus * eye.distance()};
     for (const auto& [name, view] : kStandardViews) {
         if (name != studio.options.second) continue;
-        OrbitCamera beside = eye;
-        beside.look(view, studio.tooth.mesialX);
-        scene.second = SecondView{beside.camera()};
+        scene.second = SecondView{crownFrom(view, studio.tooth.mesialX, studio.tooth.box())};
     }
     return scene;
 }

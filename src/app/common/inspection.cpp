@@ -48,6 +48,18 @@ bool Inspection::operator==(const Inspection& other) const {
     return sameSection && opacity == other.opacity && distances == other.distances && ghost == other.ghost;
 }
 
+Camera crownFrom(StandardView side, double mesialX, const Box3& box) {
+    constexpr double kCrown = 9, kAbove = 2;  // mm below and above the crown's top: the bur is seen as well
+    constexpr PictureSize kAny{1280, 800};
+    Box3 crown = box;
+    crown.min().z() = std::max(box.min().z(), box.max().z() - kCrown);
+    crown.max().z() += kAbove;
+    OrbitCamera camera;
+    camera.fit(crown, secondViewPlace(kAny).size.aspect());
+    camera.look(side, mesialX);
+    return camera.camera();
+}
+
 Vec3 sideOf(StandardView side, double mesialX) {
     switch (side) {
         case StandardView::Occlusal:

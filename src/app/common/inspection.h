@@ -35,6 +35,9 @@ struct Inspection {
 /// The unit vector toward the eye of a standard view, tooth frame.
 [[nodiscard]] Vec3 sideOf(StandardView side, double mesialX);
 
+/// What the second view shows: the crown of a tooth with this box, whole, wherever the first one has gone.
+[[nodiscard]] Camera crownFrom(StandardView side, double mesialX, const Box3& box);
+
 /// The plane square to `side`, `fromMiddle` mm from the middle of `box` toward that side.
 [[nodiscard]] Plane sectionAt(StandardView side, double mesialX, const Box3& box, double fromMiddle);
 

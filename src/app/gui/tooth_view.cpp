@@ -131,12 +131,10 @@ Scene ToothView::sceneFor(const SceneContents& contents) const {
 
 /// While things move it is not drawn as often as the large one.
 std::optional<SecondView> ToothView::secondPicture(bool careful) {
-    if (!second_ || stereo_ != Stereo::Mode::Off) return std::nullopt;
-    OrbitCamera beside = camera_;
-    beside.look(*second_, bench_.mesialX());
+    if (!second_ || !bench_.tooth() || stereo_ != Stereo::Mode::Off) return std::nullopt;
     const bool anew = careful || secondAge_ == 0;
     secondAge_ = anew ? 1 : (secondAge_ + 1) % kSecondLasts;
-    return SecondView{beside.camera(), anew};
+    return SecondView{crownFrom(*second_, bench_.mesialX(), bench_.tooth()->box()), anew};
 }
 
 PicturePace::Change ToothView::changeTo(const SceneContents& now) const {
