@@ -17,7 +17,7 @@ namespace tactooth {
 namespace {
 
 constexpr int kRestMs = 400;        // without a change until the careful picture is drawn
-constexpr int kSecondLasts = 4;     // pictures while things move: the small one costs an eighth then
+constexpr int kSecondLasts = 4;     // pictures while things move, so that the small one hardly slows them
 constexpr double kPressStep = 0.1;  // mm for one notch of the wheel
 constexpr double kZoomStep = 0.88;  // for one notch, or one press of a key
 constexpr double kKeyStep = 0.006;  // of the picture's height, for one press of an arrow key: 0.2 mm on a molar
