@@ -204,7 +204,7 @@ std::vector<std::uint32_t> CrossingFinder::crossing() const {
     std::vector<std::uint32_t> all;
     for (const auto& some : found) all.insert(all.end(), some.begin(), some.end());
     std::ranges::sort(all);
-    all.erase(std::ranges::unique(all).begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
     return all;
 }
 
