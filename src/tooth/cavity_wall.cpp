@@ -14,6 +14,7 @@
 // round of a cell (see cell_topology.h). Differs from the paper: crossings and normals of the lattice edges come from
 // the distance and the gradient that each node keeps from the bur that passed nearest, which are exact planes; and
 // where two rounds of one cell share a face, the border gets a vertex on that face, so that no edge has four triangles.
+// A sharp edge's vertex stays in the room of its cell (roomOf), on the planes as far as they are in it.
 // Two rounds of one cell are the two sides of a ridge or a gap thinner than a voxel, whose planes meet beyond it:
 // vertices placed by them would change sides and fold the wall over, so there each round has the mean of its own
 // crossings, which the nodes between keep apart.

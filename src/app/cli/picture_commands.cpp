@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command_registry.h"
 #include "app/cli/render_command.h"
+#include "app/common/inspection.h"
 
 namespace tactooth {
 namespace {
@@ -47,6 +48,12 @@ void addMouth(CLI::App& command, RenderOptions& options) {
     }
 }
 
+std::vector<std::string> standardViewNames() {
+    std::vector<std::string> names;
+    for (const auto& [name, view] : kStandardViews) names.emplace_back(name);
+    return names;
+}
+
 void addEye(CLI::App& command, RenderOptions& options) {
     command
         .add_option(
@@ -69,7 +76,7 @@ void addEye(CLI::App& command, RenderOptions& options) {
     command
         .add_option("--second", options.second,
                     "A small picture from another side in the corner: occlusal, buccal, lingual, mesial or distal")
-        ->check(CLI::IsMember({"occlusal", "buccal", "lingual", "mesial", "distal"}))
+        ->check(CLI::IsMember(standardViewNames()))
         ->excludes(stereo)
         ->type_name("VIEW");
 }

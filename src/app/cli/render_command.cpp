@@ -138,9 +138,8 @@ Scene sceneFor(const Studio& studio, const OrbitCamera& eye) {
     }
     if (studio.options.noBackground) scene.background.kind = Background::Kind::Transparent;
     scene.stereo = {stereoOf(studio.options.stereo), eye.distance(), kEyesPerFocus * eye.distance()};
-    for (const auto& [name, view] : kStandardViews) {
-        if (name != studio.options.second) continue;
-        scene.second = SecondView{crownFrom(view, studio.tooth.mesialX, studio.tooth.box())};
+    if (const StandardView* second = standardView(studio.options.second)) {
+        scene.second = SecondView{crownFrom(*second, studio.tooth.mesialX, studio.tooth.box())};
     }
     return scene;
 }

@@ -39,13 +39,13 @@ std::optional<std::vector<double>> numbers(const std::string& text, char separat
     return result.size() == count ? std::optional(result) : std::nullopt;
 }
 
+}  // namespace
+
 const StandardView* standardView(std::string_view name) {
     const auto found = std::find_if(kStandardViews.begin(), kStandardViews.end(),
                                     [&](const auto& view) { return view.first == name; });
     return found != kStandardViews.end() ? &found->second : nullptr;
 }
-
-}  // namespace
 
 Expected<PictureSize> parseSize(const std::string& text) {
     const auto sides = numbers(text, 'x', 2);

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "geometry/expected.h"
 #include "tooth/material.h"
@@ -21,6 +22,9 @@ struct ViewWord {
     std::optional<StandardView> standard;
     OrbitCamera::Direction free;  ///< without `standard`; for a tooth with +x mesial
 };
+/// The view of a name of kStandardViews; null if it is none of them.
+[[nodiscard]] const StandardView* standardView(std::string_view name);
+
 /// A name of kStandardViews, "dentist", or "AZIMUTH,ELEVATION" in degrees.
 [[nodiscard]] Expected<ViewWord> parseView(const std::string& text);
 
