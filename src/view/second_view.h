@@ -13,6 +13,8 @@ struct SecondView {
     bool anew = true;  ///< else the last one may stay, as long as its size does: it need not keep pace with the hand
 };
 
+inline constexpr double kSecondViewAspect = 4.0 / 3.0;  ///< a tooth with its bur is about as high as wide
+
 /// Where it stands, in pixels from the picture's upper left corner.
 struct SecondViewPlace {
     int left = 0, top = 0;

@@ -48,14 +48,18 @@ bool Inspection::operator==(const Inspection& other) const {
     return sameSection && opacity == other.opacity && distances == other.distances && ghost == other.ghost;
 }
 
+Box3 crownBox(const Box3& tooth, double above) {
+    constexpr double kCrown = 9;  // mm below its top
+    Box3 crown = tooth;
+    crown.min().z() = std::max(tooth.min().z(), tooth.max().z() - kCrown);
+    crown.max().z() += above;
+    return crown;
+}
+
 Camera crownFrom(StandardView side, double mesialX, const Box3& box) {
-    constexpr double kCrown = 9, kAbove = 2;  // mm below and above the crown's top: the bur is seen as well
-    constexpr PictureSize kAny{1280, 800};
-    Box3 crown = box;
-    crown.min().z() = std::max(box.min().z(), box.max().z() - kCrown);
-    crown.max().z() += kAbove;
+    constexpr double kAbove = 2;  // mm: the bur is seen as well
     OrbitCamera camera;
-    camera.fit(crown, secondViewPlace(kAny).size.aspect());
+    camera.fit(crownBox(box, kAbove), kSecondViewAspect);
     camera.look(side, mesialX);
     return camera.camera();
 }

@@ -35,6 +35,9 @@ struct Inspection {
 /// The unit vector toward the eye of a standard view, tooth frame.
 [[nodiscard]] Vec3 sideOf(StandardView side, double mesialX);
 
+/// The part of a tooth with this box that is worked on, and so many mm above it.
+[[nodiscard]] Box3 crownBox(const Box3& tooth, double above);
+
 /// What the second view shows: the crown of a tooth with this box, whole, wherever the first one has gone.
 [[nodiscard]] Camera crownFrom(StandardView side, double mesialX, const Box3& box);
 

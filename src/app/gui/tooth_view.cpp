@@ -179,11 +179,8 @@ void ToothView::refresh() {
 void ToothView::fit() {
     if (!bench_.tooth()) return;
     // The crown is what is worked on; the roots may leave the picture, the head of the handpiece should not.
-    constexpr double kCrown = 9, kAbove = 13;  // mm below and above the crown's top
-    Box3 box = bench_.tooth()->box();
-    box.min().z() = std::max(box.min().z(), box.max().z() - kCrown);
-    box.max().z() += kAbove;
-    camera_.fit(box, pictureSize().aspect());
+    constexpr double kAbove = 13;  // mm
+    camera_.fit(crownBox(bench_.tooth()->box(), kAbove), pictureSize().aspect());
     update();
 }
 
