@@ -26,12 +26,22 @@ constexpr double kMargin = 1e-6;
 
 PairKey keyOf(const NearPair& pair) { return {pair.part, pair.tooth, pair.tool}; }
 
+Box3 boxOf(const Triangle3& triangle) {
+    Box3 box;
+    for (const Vec3& corner : triangle) box.extend(corner);
+    return box;
+}
+
 /// Every pair that lies within `distance`, of all that there are.
 std::set<PairKey> pairsWithin(const TriangleMesh& tooth, const ToolShape& tool, const Pose& pose, double distance) {
     std::set<PairKey> pairs;
+    std::vector<Box3> boxes;
+    for (std::uint32_t i = 0; i < tooth.triangles.size(); ++i) boxes.push_back(boxOf(cornersOf(tooth, i)));
     for (std::uint32_t k = 0; k < tool.mesh().triangles.size(); ++k) {
         const Triangle3 moved = tool.cornersAt(pose, k);
+        const Box3 box = boxOf(moved);
         for (std::uint32_t i = 0; i < tooth.triangles.size(); ++i) {
+            if (boxes[i].exteriorDistance(box) > distance) continue;
             const GjkResult gjk = distanceBetween(cornersOf(tooth, i), moved, moved[0] - tooth.corner(i, 0));
             if (!gjk.separated || gjk.distance < distance) pairs.insert({0, i, k});
         }
