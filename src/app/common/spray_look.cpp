@@ -8,6 +8,7 @@ namespace tactooth {
 namespace {
 
 const Vec3f kWater(0.90F, 0.93F, 0.96F);  // sRGB: lit drops before a darker mouth
+constexpr float kPowder = 0.6F;           // share of white in the colour of a chip: fine grains scatter light
 constexpr float kPaling = 0.45F;          // share of the water in the colour of a wet chip
 
 Particle particleOf(const FlyingBit& bit, const MaterialTable& materials) {
@@ -22,7 +23,7 @@ Particle particleOf(const FlyingBit& bit, const MaterialTable& materials) {
             break;
         case FlyingKind::Chip: {
             const std::array<float, 3>& colour = materials[bit.material].colour;
-            particle.colour = Vec3f(colour[0], colour[1], colour[2]);
+            particle.colour = (1 - kPowder) * Vec3f(colour[0], colour[1], colour[2]) + kPowder * Vec3f::Ones();
             particle.colour += kPaling * bit.wetness * (kWater - particle.colour);
             particle.opacity = std::min(1.0F, 2 * left);
             break;

@@ -129,9 +129,12 @@ Scene ToothView::sceneFor(const SceneContents& contents) const {
     return scene;
 }
 
+/// Not where there is nothing to be seen yet, and not for two eyes.
+bool ToothView::drawsSecond() const { return second_ && bench_.tooth() && stereo_ == Stereo::Mode::Off; }
+
 /// While things move it is not drawn as often as the large one.
 std::optional<SecondView> ToothView::secondPicture(bool careful) {
-    if (!second_ || !bench_.tooth() || stereo_ != Stereo::Mode::Off) return std::nullopt;
+    if (!drawsSecond()) return std::nullopt;
     const bool anew = careful || secondAge_ == 0;
     secondAge_ = anew ? 1 : (secondAge_ + 1) % kSecondLasts;
     return SecondView{crownFrom(*second_, bench_.mesialX(), bench_.tooth()->box()), anew};
@@ -170,6 +173,7 @@ bool ToothView::seesTip(const SceneContents& now) const {
 }
 
 void ToothView::refresh() {
+    secondFrame_->setVisible(drawsSecond());  // a tooth has come
     const PicturePace::Change change = changeTo(bench_.contents(showsTurbine_, showsMirror_));
     if (sinceDrawn_.isValid() && !pace_.isDue(change, static_cast<double>(sinceDrawn_.elapsed()))) return;
     change_ = change;
@@ -212,7 +216,7 @@ void ToothView::setShowsMirror(bool shows) {
 void ToothView::setInspection(const Inspection& inspection, Stereo::Mode stereo) {
     inspection_ = inspection;
     stereo_ = stereo;
-    secondFrame_->setVisible(second_.has_value() && stereo_ == Stereo::Mode::Off);
+    secondFrame_->setVisible(drawsSecond());
     update();
 }
 
@@ -220,7 +224,7 @@ void ToothView::setSecondView(std::optional<StandardView> view, const QString& t
     second_ = view;
     secondAge_ = 0;
     secondFrame_->setText(title);
-    secondFrame_->setVisible(view.has_value() && stereo_ == Stereo::Mode::Off);
+    secondFrame_->setVisible(drawsSecond());
     update();
 }
 

@@ -70,6 +70,7 @@ private:
     [[nodiscard]] PicturePace::Change changeTo(const SceneContents& now) const;
     [[nodiscard]] Scene sceneFor(const SceneContents& contents) const;
     [[nodiscard]] bool seesTip(const SceneContents& now) const;
+    [[nodiscard]] bool drawsSecond() const;
     [[nodiscard]] std::optional<SecondView> secondPicture(bool careful);
     void moveCamera(const Vec2& way, Qt::MouseButtons buttons);
     void moveHand(const Vec2& to, Qt::KeyboardModifiers with);
