@@ -27,6 +27,12 @@ enum class BurKind {
 
 enum class BurMaterial { carbide, diamond };
 
+/// What a bur cuts with.
+struct BurEdge {
+    int flutes = 6;              ///< blades; 0 for a diamond
+    double gritMicrometres = 0;  ///< of a diamond: mean grain
+};
+
 /// One line of the catalogue: what a dentist orders. Lengths in mm.
 struct BurSpec {
     std::string number;  ///< US number ("4"), or the makers' shape and ISO size of a diamond ("856-016")
@@ -41,6 +47,8 @@ struct BurSpec {
     int isoShape = 1;            ///< third group of the ISO 6360 number
     bool crossCut = false;       ///< blades with notches
     double gritMicrometres = 0;  ///< of a diamond: mean grain; 0 for a carbide
+
+    [[nodiscard]] BurEdge edge() const { return {flutes, gritMicrometres}; }
 };
 
 /// Every bur that the program makes by itself, in the order in which a list shows them.

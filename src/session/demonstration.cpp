@@ -71,7 +71,7 @@ Demonstration playDemonstration(WorkPiece& piece, const Box3& box, const Instrum
         }
         spray.advance(sprayOf(tick, piece), kTicksPerCut * kTick);
         if (isCut && tick.pedal > 0) result.work = {i, piece.surface(), {spray.bits().begin(), spray.bits().end()}};
-        result.sound.push_back({tick.time, soundOf(tick, settings.spindle, settings.materials), {}});
+        result.sound.push_back({tick.time, soundOf(tick, settings.spindle, settings.materials, instrument.edge), {}});
         progress(static_cast<double>(i) / static_cast<double>(count));
     }
     result.events = events.all();

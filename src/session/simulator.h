@@ -17,6 +17,7 @@
 #include "geometry/latest_value.h"
 #include "haptics/haptic_simulation.h"
 #include "haptics/servo_loop.h"
+#include "instruments/bur_catalogue.h"
 #include "session/tooth_file.h"
 #include "session/work_piece.h"
 
@@ -26,6 +27,7 @@ namespace tactooth {
 struct Instrument {
     std::shared_ptr<const ToolShape> shape;
     CuttingTool cutting;
+    BurEdge edge = {};
 };
 
 /// What a person sets while the simulation runs.

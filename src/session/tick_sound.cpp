@@ -8,6 +8,8 @@ namespace tactooth {
 namespace {
 
 constexpr double kTurbineFromRpm = 100000;  // air drives: turbines run at 200,000 and more, air motors below 40,000
+constexpr double kCoarsestGrit = 180;       // um: a super-coarse diamond tears grains out, a super-fine one hisses
+constexpr double kMostGrainier = 0.5;       // of what is missing to separate grains
 
 }  // namespace
 
@@ -16,7 +18,8 @@ MotorKind motorOf(const SpindlePreset& spindle) {
     return spindle.freeSpeedRpm >= kTurbineFromRpm ? MotorKind::AirTurbine : MotorKind::LowSpeed;
 }
 
-DrillSoundState soundOf(const Tick& tick, const SpindlePreset& spindle, const MaterialTable& materials) {
+DrillSoundState soundOf(const Tick& tick, const SpindlePreset& spindle, const MaterialTable& materials,
+                        const BurEdge& edge) {
     DrillSoundState state;
     state.motor = motorOf(spindle);
     state.speedRpm = tick.speedRpm;
@@ -27,6 +30,9 @@ DrillSoundState soundOf(const Tick& tick, const SpindlePreset& spindle, const Ma
     state.material = soundCharacterOf(materialName(tick.material));
     state.material.bandCentreHz = materials[tick.material].soundCentre;
     state.material.level = materials[tick.material].soundBrightness;
+    const double coarseness = std::clamp(edge.gritMicrometres / kCoarsestGrit, 0.0, 1.0);
+    state.material.graininess += kMostGrainier * coarseness * (1 - state.material.graininess);
+    state.blades = edge.flutes;
     state.contactCount = tick.landings;
     state.contactSpeed = tick.landingSpeed;
     state.water = state.pedal;

@@ -31,7 +31,7 @@ private:
 };
 
 /// The noise of material being ground away. Its level follows the removal power, its band the material; it throbs
-/// with the rotation, and near the stall it chatters: the bur grabs, slips and grabs again.
+/// with the rotation and sings with the passing of the blades, and near the stall it chatters: the bur grabs, slips and grabs again.
 class CuttingVoice {
 public:
     explicit CuttingVoice(std::uint64_t seed);
@@ -53,9 +53,10 @@ private:
     BandNoise noise_;
     GrainEnvelope grains_;
     Lag graininess_;
-    Phase rotation_;
+    Phase rotation_, passing_;
     SlowWander grip_;
-    Glide gain_, throb_, chatter_;
+    Glide gain_, throb_, chatter_, bladeThrob_;
+    int blades_ = 0;  // heard; another bur's come when these have faded
     const SoundKit* kit_ = nullptr;
     std::array<RecordedVoice, kSoundMaterials> recorded_;
 };

@@ -49,6 +49,7 @@ struct DrillSoundState {
     double contactSpeed = 0.0;       ///< of the last landing, along the surface's normal, mm/s
     double water = 0.0;              ///< flow of the cooling spray, 0 off .. 1 full
     double suction = 0.0;            ///< of the tube in the mouth, 0 off .. 1 full
+    int blades = 0;                  ///< of the bur; 0: a diamond, whose grains pass too fast and unevenly for a tone
 };
 
 /// `state` with every number finite and within the range that the synthesis is made for.

@@ -55,6 +55,18 @@ TEST(SceneBuilder, AStillBurShowsItsBladesAndAFastOneTheBodyTheySweep) {
     EXPECT_EQ(fast.objects[1].spin, 0);
 }
 
+TEST(SceneBuilder, ManyBladesRunIntoEachOtherSoonerThanFewAndGrainsSoonerStill) {
+    SceneContents contents = benchWithEverything();
+    contents.tool->blurred = std::make_shared<const TriangleMesh>(test::sphere(Vec3::Zero(), 1.1, 8, 8));
+    contents.tool->speedRpm = 20;
+    const auto cover = [&](const BurEdge& edge) {
+        contents.tool->edge = edge;
+        return makeScene(contents).objects.at(2).looks.front().opacity;
+    };
+    EXPECT_NEAR(cover({12, 0}), 2 * cover({6, 0}), 1e-6F);
+    EXPECT_GT(cover({0, 100}), cover({30, 0}));
+}
+
 TEST(SceneBuilder, TheSuctionTubeOpensBesideTheCrownAndLeavesDistally) {
     const Box3 tooth(Vec3(-5, -5, -10), Vec3(5, 5, 7));
     for (const double mesialX : {1.0, -1.0}) {

@@ -48,6 +48,19 @@ TEST(TickSound, BandAndLevelAreThoseOfTheTableOfMaterials) {
     EXPECT_EQ(heard.level, 0.5);
 }
 
+TEST(TickSound, BladesAreHeardAndACoarseDiamondIsGrainier) {
+    const auto with = [](const BurEdge& edge) {
+        return soundOf(cuttingTick(), spindlePresets().front(), MaterialTable(), edge);
+    };
+    EXPECT_EQ(with({8, 0}).blades, 8);
+    EXPECT_EQ(with({8, 0}).material.graininess, soundCharacterOf("caries").graininess);
+    EXPECT_EQ(with({0, 30}).blades, 0);
+    EXPECT_GT(with({0, 30}).material.graininess, with({8, 0}).material.graininess);
+    EXPECT_GT(with({0, 180}).material.graininess, with({0, 30}).material.graininess);
+    EXPECT_EQ(with({0, 400}).material.graininess, with({0, 180}).material.graininess);
+    EXPECT_LT(with({0, 400}).material.graininess, 1);
+}
+
 TEST(TickSound, SprayFollowsThePedalAndSuctionRunsWhileCuttingIsOn) {
     Tick tick = cuttingTick();
     EXPECT_EQ(soundOf(tick, spindlePresets().front()).water, 0.8);

@@ -53,11 +53,13 @@ TEST(DrillSoundState, NonsenseBecomesTheNearestSense) {
     state.pedal = 7.0;
     state.load = -1.0;
     state.removalWatt = std::nan("");
+    state.blades = -3;
     state.material.bandCentreHz = 1e9;
     state.material.level = std::nan("");
     const DrillSoundState safe = sanitised(state);
     EXPECT_EQ(safe.speedRpm, 0.0);
     EXPECT_EQ(safe.pedal, 1.0);
+    EXPECT_EQ(safe.blades, 0);
     EXPECT_EQ(safe.load, 0.0);
     EXPECT_EQ(safe.removalWatt, 0.0);
     EXPECT_EQ(safe.material.bandCentreHz, 16000.0);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -204,6 +205,42 @@ TEST(DrillSynthesiser, ChatterDoesNotChangeTheLevel) {
     calm.load = 0.5;
     strained.load = 1.0;
     EXPECT_NEAR(rms(steadySound(strained, 6.0)) / rms(steadySound(calm, 6.0)), 1.0, 0.05);
+}
+
+DrillSoundState cuttingWith(int blades, double rpm) {
+    DrillSoundState state = cutting("dentin", 2.0, rpm);
+    state.motor = MotorKind::LowSpeed;
+    state.blades = blades;
+    return state;
+}
+
+TEST(DrillSynthesiser, BladesThatPassSlowlyEnoughSing) {
+    for (const double rpm : {5000.0, 10000.0, 40000.0}) {
+        for (const int blades : {6, 8}) {
+            const double passes = blades * rpm * kRev;
+            const auto lineOf = [&](int its) {
+                const Spectrum spectrum = averageSpectrum(steadySound(cuttingWith(its, rpm), 2.0), 16384);
+                return spectrum.peakPower(passes * 0.995, passes * 1.005);
+            };
+            EXPECT_GT(decibel(lineOf(blades) / lineOf(0)), 6.0) << blades << " at " << rpm;
+        }
+    }
+    EXPECT_EQ(steadySound(cuttingWith(6, 300000.0), 0.2), steadySound(cuttingWith(0, 300000.0), 0.2)) << "beyond hearing";
+}
+
+TEST(DrillSynthesiser, BladesDoNotChangeTheLevel) {
+    const double diamond = rms(steadySound(cuttingWith(0, 10000.0), 4.0));
+    EXPECT_NEAR(rms(steadySound(cuttingWith(8, 10000.0), 4.0)), diamond, 0.05 * diamond);
+}
+
+TEST(DrillSynthesiser, AnotherBurComesWithoutAClick) {
+    const float steady = std::max(largestJump(steadySound(cuttingWith(8, 10000.0), 4.0)),
+                                  largestJump(steadySound(cuttingWith(0, 10000.0), 4.0)));
+    DrillSynthesiser synthesiser;
+    const auto sound = renderDrill(synthesiser, 4.0, [&](double t) {
+        return cuttingWith(std::array{8, 0, 6, 30}[static_cast<std::size_t>(t / 0.05) % 4], 10000.0);
+    });
+    EXPECT_LT(largestJump(sound), 1.1f * steady);
 }
 
 TEST(DrillSynthesiser, LevelRisesWithRemovalPower) {

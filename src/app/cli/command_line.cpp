@@ -232,6 +232,11 @@ void addSound(CLI::App& program, Chosen& chosen) {
                      "Your own sounds: a recording (WAV, FLAC, Ogg) of the drive running free, or a TOML preset that "
                      "names a recording for each part (pattern: docs/sound.md)")
         ->type_name("FILE");
+    command
+        ->add_option("--blades", options->blades,
+                     "Of a carbide bur, whose passing is heard at low speed (default: 0, a diamond)")
+        ->check(CLI::Range(0, 60))
+        ->type_name("N");
     command->add_flag("--water", options->water, "Add the cooling spray, as long as the drive has air or current");
     command->add_flag("--suction", options->suction, "Add the suction in the mouth");
     command->add_flag("--headphones", options->headphones,

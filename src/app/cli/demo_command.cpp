@@ -88,6 +88,7 @@ Expected<void> castTooth(const DemoOptions& options, Cast& cast) {
 Expected<void> castBur(const DemoOptions& options, Cast& cast) {
     TriangleMesh felt;
     double sharpness = 1;
+    BurEdge edge;
     if (!options.bur.empty()) {
         auto own = readOwnBur(options.bur);
         if (!own) return Unexpected{own.error()};
@@ -96,6 +97,7 @@ Expected<void> castBur(const DemoOptions& options, Cast& cast) {
     if (cast.ownBur) {
         felt = cast.ownBur->surface;
         sharpness = cast.ownBur->sharpness;
+        edge = cast.ownBur->edge();
         cast.burName = cast.ownBur->name;
         cast.props.tool.bur = std::make_shared<const TriangleMesh>(felt);
         cast.props.tool.material = cast.ownBur->material;
@@ -103,6 +105,7 @@ Expected<void> castBur(const DemoOptions& options, Cast& cast) {
         const BurSpec spec = findBur(kDefaultBur).value();
         felt = makeBur(spec).surface;
         sharpness = spec.sharpness;
+        edge = spec.edge();
         cast.burName = fmt::format("built-in: {} (US No. {})", spec.name, spec.number);
         cast.props.tool.bur = std::make_shared<const TriangleMesh>(makeBur(spec, kPictureBurTriangles).surface);
         cast.props.tool.turbine = std::make_shared<const TriangleMesh>(makeTurbine());
@@ -111,7 +114,8 @@ Expected<void> castBur(const DemoOptions& options, Cast& cast) {
     auto cutting = makeCuttingTool(felt, sharpness);
     if (!cutting) return unexpected(cast.burName + ": " + cutting.error().message);
     cast.props.tool.blurred = std::make_shared<const TriangleMesh>(spinningShape(cutting->envelope));
-    cast.instrument = Instrument{std::make_shared<const ToolShape>(std::move(felt)), std::move(*cutting)};
+    cast.props.tool.edge = edge;
+    cast.instrument = Instrument{std::make_shared<const ToolShape>(std::move(felt)), std::move(*cutting), edge};
     return {};
 }
 

@@ -137,7 +137,7 @@ int runRealtime(const RealtimeOptions& options) {
     const bool locked = lockMemory();
     const BusyCores busy(options.load ? std::max(1U, std::thread::hardware_concurrency()) - 1 : 0);
 
-    Simulator simulator(piece, Instrument{std::make_shared<const ToolShape>(bur), std::move(*cutting)},
+    Simulator simulator(piece, Instrument{std::make_shared<const ToolShape>(bur), std::move(*cutting), spec.edge()},
                         HapticSettings(), hand, {}, options.rateHz);
     std::vector<Tick> ticks;
     const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(options.seconds);

@@ -38,6 +38,7 @@ int runSound(const SoundOptions& options) {
     auto track = readSoundProfile(options.profile, driveNamed(options.drive));
     if (!track) return refuse(track.error());
     for (TimedSoundState& moment : *track) {
+        moment.state.blades = options.blades;
         if (options.water) moment.state.water = moment.state.pedal;
         if (options.suction) moment.state.suction = 1;
     }

@@ -13,6 +13,7 @@ struct SoundOptions {
     std::filesystem::path spectrogram;  ///< empty: not written
     std::filesystem::path sounds;       ///< preset or recording; empty: all synthesised
     std::string drive = "turbine";      ///< or "electric", "low-speed"
+    int blades = 0;                     ///< of the bur; 0: a diamond
     bool headphones = false;
     bool water = false;
     bool suction = false;

@@ -38,7 +38,7 @@ void addBur(Scene& scene, const ShownTool& tool) {
     bur.objectInWorld = tool.toolInTooth;
     bur.looks = {tool.material == BurMaterial::diamond ? looks::diamond() : looks::carbide()};
     bur.moves = true;
-    const float blur = tool.blurred != nullptr ? blurOf(tool.speedRpm) : 0;
+    const float blur = tool.blurred != nullptr ? blurOf(tool.speedRpm, tool.edge) : 0;
     bur.spin = blur < 1 ? tool.spin : 0;
     scene.objects.push_back(bur);
     if (blur == 0) return;

@@ -17,6 +17,7 @@ struct ShownTool {
     Pose toolInTooth;
     double spin = 0;  ///< of the bur about its axis, rad
     double speedRpm = 0;
+    BurEdge edge = {};
     std::shared_ptr<const TriangleMesh> blurred =
         {};  ///< the bur as the eye sees it turning fast (spinningShape), or null
 };

@@ -15,10 +15,11 @@ TriangleMesh spinningShape(const RevolutionEnvelope& envelope) {
     return turned(outline, kSides);
 }
 
-float blurOf(double speedRpm) {
-    constexpr double kBlades = 8;                // of a carbide bur: 6 to 12
+float blurOf(double speedRpm, const BurEdge& edge) {
+    constexpr double kGrains = 40;               // around a diamond of 1.4 mm with grains of 0.1 mm
     constexpr double kPicturesPerMinute = 1500;  // 25 a second
-    return static_cast<float>(std::clamp(speedRpm * kBlades / kPicturesPerMinute, 0.0, 1.0));
+    const double edges = edge.flutes > 0 ? edge.flutes : kGrains;
+    return static_cast<float>(std::clamp(speedRpm * edges / kPicturesPerMinute, 0.0, 1.0));
 }
 
 }  // namespace tactooth

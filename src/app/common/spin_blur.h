@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "instruments/bur_catalogue.h"
 #include "tooth/revolution_envelope.h"
 
 namespace tactooth {
@@ -9,8 +10,8 @@ namespace tactooth {
 /// The body that a spinning bur seems to be, in the tool frame.
 [[nodiscard]] TriangleMesh spinningShape(const RevolutionEnvelope& envelope);
 
-/// How far the blades of a bur run into each other for the eye, 0..1: 1 where a blade comes to the place of the next
-/// one within the time in which an eye takes in a picture.
-[[nodiscard]] float blurOf(double speedRpm);
+/// How far the blades or grains of a bur run into each other for the eye, 0..1: 1 where one comes to the place of the
+/// next within the time in which an eye takes in a picture.
+[[nodiscard]] float blurOf(double speedRpm, const BurEdge& edge);
 
 }  // namespace tactooth

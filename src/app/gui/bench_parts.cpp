@@ -24,9 +24,13 @@ Expected<BenchBur> benchBurOf(OwnBur own, const std::filesystem::path& file) {
     if (!cutting) return unexpected((file.empty() ? own.name : file.string()) + ": " + cutting.error().message);
     auto shown = std::make_shared<const TriangleMesh>(own.surface);
     auto blurred = std::make_shared<const TriangleMesh>(spinningShape(cutting->envelope));
-    return BenchBur{own.name,         {std::make_shared<const ToolShape>(std::move(own.surface)), std::move(*cutting)},
-                    std::move(shown), std::move(blurred),
-                    own.material,     file};
+    const BurEdge edge = own.edge();
+    return BenchBur{own.name,
+                    {std::make_shared<const ToolShape>(std::move(own.surface)), std::move(*cutting), edge},
+                    std::move(shown),
+                    std::move(blurred),
+                    own.material,
+                    file};
 }
 
 }  // namespace
@@ -88,7 +92,7 @@ Expected<BenchBur> makeBenchBur(const BurSpec& spec) {
     if (!cutting) return Unexpected{cutting.error()};
     auto blurred = std::make_shared<const TriangleMesh>(spinningShape(cutting->envelope));
     return BenchBur{spec.name,
-                    {std::make_shared<const ToolShape>(felt.surface), std::move(*cutting)},
+                    {std::make_shared<const ToolShape>(felt.surface), std::move(*cutting), spec.edge()},
                     std::make_shared<const TriangleMesh>(makeBur(spec, kShownBurTriangles).surface),
                     std::move(blurred),
                     spec.material,

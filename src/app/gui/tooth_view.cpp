@@ -156,8 +156,8 @@ PicturePace::Change ToothView::changeTo(const SceneContents& now) const {
         !samePose(now.tool->toolInTooth, drawn_.tool->toolInTooth)) {
         return Motion;
     }
-    const float blur = blurOf(now.tool->speedRpm);
-    if (std::abs(blur - blurOf(drawn_.tool->speedRpm)) > kSeenBlur) return Spin;
+    const float blur = blurOf(now.tool->speedRpm, now.tool->edge);
+    if (std::abs(blur - blurOf(drawn_.tool->speedRpm, drawn_.tool->edge)) > kSeenBlur) return Spin;
     if (blur == 1 && now.tool->blurred != nullptr) return None;  // the same at every turn
     const double turned = std::remainder(now.tool->spin - drawn_.tool->spin, 2 * std::numbers::pi);
     return std::abs(turned) > kSeenSpin && (second_ || seesTip(now)) ? Spin : None;

@@ -123,8 +123,8 @@ void Workbench::startSimulator(News& news) {
     }
     simulator_ = std::make_unique<Simulator>(
         tooth_->piece, bur_->instrument, settings_, device,
-        [this, settings = settings_](const Tick& tick) {
-            DrillSoundState heard = soundOf(tick, settings.spindle, settings.materials);
+        [this, settings = settings_, edge = bur_->instrument.edge](const Tick& tick) {
+            DrillSoundState heard = soundOf(tick, settings.spindle, settings.materials, edge);
             if (!water_) heard.water = 0;
             if (!suction_) heard.suction = 0;
             sound_.publish(heard);
@@ -220,6 +220,7 @@ SceneContents Workbench::contents(bool withTurbine, bool withMirror) const {
                               .toolInTooth = newest_.proxy,
                               .spin = spin_,
                               .speedRpm = newest_.speedRpm,
+                              .edge = bur_->instrument.edge,
                               .blurred = bur_->blurred};
     contents.flying = particlesOf(spray_.bits(), settings_.materials);
     if (around_) addSurroundings(contents, withMirror);

@@ -21,6 +21,8 @@ struct OwnBur {
     int flutes = 6;              ///< blades; 0 for a diamond
     double gritMicrometres = 0;  ///< of a diamond: mean grain
     double sharpness = 1;        ///< cutting ability: 1 as new, 0 does not cut
+
+    [[nodiscard]] BurEdge edge() const { return {flutes, gritMicrometres}; }
 };
 
 /// Reads a file that lies beside the description, by its path relative to it.
