@@ -11,8 +11,8 @@ namespace tactooth {
 /// Which of the three kinds of tones a drive has.
 [[nodiscard]] MotorKind motorOf(const SpindlePreset& spindle);
 
-/// How a tick sounds with this drive and bur in these materials: the spray comes with the pedal, and the assistant holds the
-/// suction in the mouth as long as cutting is on. Allocates nothing: fit for the servo thread.
+/// How a tick sounds with this drive and bur in these materials: the spray comes with the pedal, and the assistant
+/// holds the suction in the mouth as long as cutting is on. Allocates nothing: fit for the servo thread.
 [[nodiscard]] DrillSoundState soundOf(const Tick& tick, const SpindlePreset& spindle,
                                       const MaterialTable& materials = MaterialTable(), const BurEdge& edge = {});
 

@@ -24,8 +24,8 @@ constexpr double kGrindingRpm = 500.0;
 constexpr double kSlowThrob = 0.6, kFastThrob = 0.15;
 constexpr double kThrobFadesHz = 800.0;
 
-// Each blade that passes bites: eight blades at 10 000 rev/min sing at 1.3 kHz, six at 300 000 above hearing. They swing
-// the noise and give a tone beside it.
+// Each blade that passes bites: eight blades at 10 000 rev/min sing at 1.3 kHz, six at 300 000 above hearing. They
+// swing the noise and give a tone beside it.
 constexpr double kBladeThrob = 0.35, kBladeTone = 0.7;  // the tone by the swing
 constexpr double kPassingFadesHz = 8000.0, kHighestPassingHz = 14000.0;
 

@@ -31,7 +31,8 @@ private:
 };
 
 /// The noise of material being ground away. Its level follows the removal power, its band the material; it throbs
-/// with the rotation and sings with the passing of the blades, and near the stall it chatters: the bur grabs, slips and grabs again.
+/// with the rotation and sings with the passing of the blades, and near the stall it chatters: the bur grabs, slips and
+/// grabs again.
 class CuttingVoice {
 public:
     explicit CuttingVoice(std::uint64_t seed);

@@ -225,7 +225,8 @@ TEST(DrillSynthesiser, BladesThatPassSlowlyEnoughSing) {
             EXPECT_GT(decibel(lineOf(blades) / lineOf(0)), 6.0) << blades << " at " << rpm;
         }
     }
-    EXPECT_EQ(steadySound(cuttingWith(6, 300000.0), 0.2), steadySound(cuttingWith(0, 300000.0), 0.2)) << "beyond hearing";
+    EXPECT_EQ(steadySound(cuttingWith(6, 300000.0), 0.2), steadySound(cuttingWith(0, 300000.0), 0.2))
+        << "beyond hearing";
 }
 
 TEST(DrillSynthesiser, BladesDoNotChangeTheLevel) {

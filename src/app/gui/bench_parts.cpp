@@ -25,12 +25,10 @@ Expected<BenchBur> benchBurOf(OwnBur own, const std::filesystem::path& file) {
     auto shown = std::make_shared<const TriangleMesh>(own.surface);
     auto blurred = std::make_shared<const TriangleMesh>(spinningShape(cutting->envelope));
     const BurEdge edge = own.edge();
-    return BenchBur{own.name,
-                    {std::make_shared<const ToolShape>(std::move(own.surface)), std::move(*cutting), edge},
-                    std::move(shown),
-                    std::move(blurred),
-                    own.material,
-                    file};
+    return BenchBur{
+        own.name,         {std::make_shared<const ToolShape>(std::move(own.surface)), std::move(*cutting), edge},
+        std::move(shown), std::move(blurred),
+        own.material,     file};
 }
 
 }  // namespace
