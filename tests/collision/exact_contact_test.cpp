@@ -4,29 +4,31 @@
 #include <gtest/gtest.h>
 
 #include "collision/judged_contact.h"
+#include "support/sanitizer.h"
 
 namespace tactooth {
 namespace {
 
-constexpr int kPosesOfAPair = 12;
+constexpr int kPosesOfAPair = test::cases(12, 3);
 constexpr std::size_t kSmallTool = 400;  // triangles: a finer tool belongs to the long tests
 
 }  // namespace
 
 TEST(ExactContact, NoneOfTwoThousandPosesIsMissed) {
+    constexpr int kWanted = test::cases(2000, 200);
     int poses = 0;
     int touching = 0;
     for (const test::NamedMesh& tooth : test::everyTooth()) {
         for (const test::NamedMesh& tool : test::everyKindOfTool()) {
             const bool coarse = tool.mesh.triangles.size() < kSmallTool && tooth.mesh.triangles.size() < 100000;
-            const int share = coarse ? 2200 / static_cast<int>(4 * test::everyTooth().size()) + 1 : 3;
+            const int share = coarse ? kWanted * 11 / 10 / static_cast<int>(4 * test::everyTooth().size()) + 1 : 3;
             const test::TouchVerdict verdict = test::judgeTouch(tooth.mesh, tool.mesh, share, 17);
             EXPECT_EQ(verdict.wrong, 0) << tooth.name << " " << tool.name;
             poses += share;
             touching += verdict.touching;
         }
     }
-    EXPECT_GE(poses, 2000);
+    EXPECT_GE(poses, kWanted);
     EXPECT_GT(touching, poses / 2);
     EXPECT_LT(touching, poses * 95 / 100);
 }
@@ -53,7 +55,7 @@ TEST(ExactContact, TouchingIsDecidedToHalfANanometre) {
         ContactQuery query(test::toolOf(tool), test::surfaceOf(tooth.mesh));
         std::mt19937 random(31);
         int free = 0;
-        constexpr int kPoses = 40;
+        constexpr int kPoses = test::cases(40, 5);
         for (int i = 0; i < kPoses;) {
             const Pose pose = test::randomPoseNear(tooth.mesh, 0.5, random);
             const Contact contact = query.at(pose);
