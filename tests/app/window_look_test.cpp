@@ -22,6 +22,7 @@
 #include "app/gui/timing_panel.h"
 #include "app/gui/welcome_dialog.h"
 #include "app/gui/window_setup.h"
+#include "app/slow_device.h"
 #include "app/window_session.h"
 #include "geometry/stl_writer.h"
 #include "sound/sound_files.h"
@@ -43,6 +44,7 @@ private slots:
     void aTargetWithoutACavityHasNoGhost();
     void thePlotsHoldStillZoomAndAreExported();
     void theRealTimePanelShowsTheTicksAndCountsAnew();
+    void aHeavySceneIsSaidWithoutTakingTheKeys();
     void openedTeethAreInTheRecentMenu();
     void darkColoursAndBack();
     void anotherLanguageIsKeptForTheNextStart();
@@ -221,6 +223,14 @@ QAction* WindowLookTest::action(const QString& text) const {
         if (each->text() == text) return each;
     }
     return nullptr;
+}
+
+void WindowLookTest::aHeavySceneIsSaidWithoutTakingTheKeys() {
+    window_->bench().put(std::make_unique<test::SlowDevice>());
+    const auto* hint = window_->findChild<ElidedLabel*>("hint");
+    QTRY_VERIFY_WITH_TIMEOUT(hint->text().contains("heavy for this machine"), 20000);
+    QCOMPARE(QApplication::activeModalWidget(), nullptr);
+    window_->bench().useMouse();
 }
 
 void WindowLookTest::theRealTimePanelShowsTheTicksAndCountsAnew() {

@@ -9,6 +9,7 @@
 #include <memory>
 #include <thread>
 
+#include "app/slow_device.h"
 #include "devices/open_device.h"
 #include "devices/virtual_pad.h"
 
@@ -23,24 +24,6 @@ public:
     void setHeadphones(bool) override {}
     void setKit(std::shared_ptr<const SoundKit>) override {}
     [[nodiscard]] SoundStatus status() const override { return SoundStatus::Silent; }
-};
-
-/// A device whose every reading keeps the servo for 0.7 ms.
-class SlowDevice final : public HapticDevice {
-public:
-    [[nodiscard]] const DeviceInfo& info() const override { return info_; }
-    [[nodiscard]] Expected<void> open() override { return {}; }
-    void close() override {}
-    [[nodiscard]] DeviceSample read(double) override {
-        const auto end = std::chrono::steady_clock::now() + std::chrono::microseconds(700);
-        while (std::chrono::steady_clock::now() < end) {
-        }
-        return {};
-    }
-    void write(const SafeWrench&) override {}
-
-private:
-    DeviceInfo info_;
 };
 
 /// A bench with the built-in incisor and a round bur.
@@ -100,7 +83,7 @@ TEST_F(WorkbenchTest, TheScreensChoiceCountsAfterTheButtons) {
 }
 
 TEST_F(WorkbenchTest, ASlowDeviceIsSaidOnceWithHowLongItsTicksTake) {
-    bench_.put(std::make_unique<SlowDevice>());
+    bench_.put(std::make_unique<test::SlowDevice>());
     int told = 0;
     double slowest = 0;
     const auto step = [&] {

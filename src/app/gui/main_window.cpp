@@ -300,12 +300,13 @@ void MainWindow::showUsualHint() {
 
 void MainWindow::takeNews(const Workbench::News& news) {
     if (news.failure) complain(translated(*news.failure));
-    if (news.heavyTick) {
-        complain(tr("The scene is heavy for this machine: one tick in a hundred takes %1 of the %2 µs that there are; "
-                    "take a tooth of fewer triangles ('tactooth simplify') or a bur of fewer triangles, and close "
-                    "other programs.")
-                     .arg(*news.heavyTick, 0, 'f', 0)
-                     .arg(1e6 / Workbench::kServoRate, 0, 'f', 0));
+    if (news.heavyTick) {  // no message that would take the keys and the pedal from a hand at work
+        status_->setHint(
+            tr("The scene is heavy for this machine: one tick in a hundred takes %1 of the %2 µs that there are; "
+               "take a tooth of fewer triangles ('tactooth simplify') or a bur of fewer triangles, and close "
+               "other programs.")
+                .arg(*news.heavyTick, 0, 'f', 0)
+                .arg(1e6 / Workbench::kServoRate, 0, 'f', 0));
     }
     if (news.newSimulator) {
         trace_.clear();
