@@ -3,7 +3,6 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/motion_files.h"
-#include "support/sanitizer.h"
 
 namespace tactooth {
 namespace {
@@ -70,7 +69,7 @@ TEST_F(BenchCommand, CutSaysWhatATickAndANewSurfaceCost) {
     EXPECT_EQ(json["cases"][0].at("diameter_mm"), 0.5);
     EXPECT_EQ(json["cases"][1].at("voxel_um"), 100);
     for (const auto& one : json["cases"]) {
-        EXPECT_GT(one.at("removed_mm3"), cases(0.5, 0.1)) << "in real time, which a sanitizer slows";
+        EXPECT_GT(one.at("removed_mm3"), 0.5);
         EXPECT_GT(one.at("updates"), 20);
         EXPECT_GT(one.at("tick_p50_us"), 0);
         EXPECT_LE(one.at("tick_p50_us"), one.at("tick_p999_us"));

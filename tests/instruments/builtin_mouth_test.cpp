@@ -14,7 +14,6 @@
 #include "instruments/mouth_setting.h"
 #include "support/few_teeth.h"
 #include "support/mesh_checks.h"
-#include "support/sanitizer.h"
 
 namespace tactooth {
 namespace {
@@ -184,7 +183,6 @@ TEST(BuiltinMouth, TheOpenJawParts40MillimetresAtTheIncisors) {
 }
 
 TEST(BuiltinMouth, TheSameRequestGivesTheSameBits) {
-    if (test::isSanitized()) GTEST_SKIP() << "a second mouth takes minutes, and shows no more of memory and threads";
     const MouthSetting again = makeMouthSetting({.triangles = kTriangles, .missing = {}});
     EXPECT_TRUE(test::areBitEqual(again.upperGingiva, mouth().upperGingiva));
     EXPECT_TRUE(test::areBitEqual(makeTooth({26, kTriangles, 0, {}}).outer, mouth().find(26)->tooth.outer));

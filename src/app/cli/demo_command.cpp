@@ -88,7 +88,6 @@ Expected<void> castTooth(const DemoOptions& options, Cast& cast) {
 Expected<void> castBur(const DemoOptions& options, Cast& cast) {
     TriangleMesh felt;
     double sharpness = 1;
-    BurEdge edge;
     if (!options.bur.empty()) {
         auto own = readOwnBur(options.bur);
         if (!own) return Unexpected{own.error()};
@@ -97,25 +96,25 @@ Expected<void> castBur(const DemoOptions& options, Cast& cast) {
     if (cast.ownBur) {
         felt = cast.ownBur->surface;
         sharpness = cast.ownBur->sharpness;
-        edge = cast.ownBur->edge();
         cast.burName = cast.ownBur->name;
         cast.props.tool.bur = std::make_shared<const TriangleMesh>(felt);
         cast.props.tool.material = cast.ownBur->material;
+        cast.props.tool.edge = cast.ownBur->edge();
     } else {
         const BurSpec spec = findBur(kDefaultBur).value();
         felt = makeBur(spec).surface;
         sharpness = spec.sharpness;
-        edge = spec.edge();
         cast.burName = fmt::format("built-in: {} (US No. {})", spec.name, spec.number);
         cast.props.tool.bur = std::make_shared<const TriangleMesh>(makeBur(spec, kPictureBurTriangles).surface);
         cast.props.tool.turbine = std::make_shared<const TriangleMesh>(makeTurbine());
         cast.props.tool.material = spec.material;
+        cast.props.tool.edge = spec.edge();
     }
     auto cutting = makeCuttingTool(felt, sharpness);
     if (!cutting) return unexpected(cast.burName + ": " + cutting.error().message);
     cast.props.tool.blurred = std::make_shared<const TriangleMesh>(spinningShape(cutting->envelope));
-    cast.props.tool.edge = edge;
-    cast.instrument = Instrument{std::make_shared<const ToolShape>(std::move(felt)), std::move(*cutting), edge};
+    cast.instrument =
+        Instrument{std::make_shared<const ToolShape>(std::move(felt)), std::move(*cutting), cast.props.tool.edge};
     return {};
 }
 
