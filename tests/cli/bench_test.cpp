@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/motion_files.h"
+#include "support/sanitizer.h"
 
 namespace tactooth {
 namespace {
@@ -68,9 +69,12 @@ TEST_F(BenchCommand, CutSaysWhatATickAndANewSurfaceCost) {
     ASSERT_EQ(json.at("cases").size(), 2U);
     EXPECT_EQ(json["cases"][0].at("diameter_mm"), 0.5);
     EXPECT_EQ(json["cases"][1].at("voxel_um"), 100);
+    // The bur goes on in real time: under a sanitizer the cut follows it ten times slower, and is less when it ends.
+    const double leastRemoved = test::isSanitized() ? 0.0 : 0.5;
+    const int leastUpdates = test::isSanitized() ? 0 : 20;
     for (const auto& one : json["cases"]) {
-        EXPECT_GT(one.at("removed_mm3"), 0.5);
-        EXPECT_GT(one.at("updates"), 20);
+        EXPECT_GT(one.at("removed_mm3"), leastRemoved);
+        EXPECT_GT(one.at("updates"), leastUpdates);
         EXPECT_GT(one.at("tick_p50_us"), 0);
         EXPECT_LE(one.at("tick_p50_us"), one.at("tick_p999_us"));
         EXPECT_GE(one.at("felt_p50_ms"), 1) << "a tick cannot feel what it has asked for itself";
