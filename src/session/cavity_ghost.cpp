@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <iterator>
 #include <numbers>
 
 #include "collision/closest_point.h"
@@ -75,21 +73,6 @@ TriangleMesh cordAlongRim(const CavityWalls& walls, const SurfacePart& outer) {
     return cord;
 }
 
-bool isEarlier(const std::shared_ptr<const SurfacePart>& a, const std::shared_ptr<const SurfacePart>& b) {
-    return std::less<const SurfacePart*>()(a.get(), b.get());
-}
-
-/// The box around the patches that only one of the two has, both in the order of their addresses.
-Box3 boxOfChange(const std::vector<std::shared_ptr<const SurfacePart>>& before,
-                 const std::vector<std::shared_ptr<const SurfacePart>>& now) {
-    std::vector<std::shared_ptr<const SurfacePart>> changed;
-    std::set_symmetric_difference(before.begin(), before.end(), now.begin(), now.end(), std::back_inserter(changed),
-                                  isEarlier);
-    Box3 box;
-    for (const auto& patch : changed) box.extend(patch->tree().box());
-    return box;
-}
-
 }  // namespace
 
 CavityGhost::CavityGhost(const TriangleMesh& target, const SurfacePart& outer) {
@@ -132,11 +115,7 @@ void CavityGhost::show(const Spot& spot, bool shows) {
 }
 
 std::shared_ptr<const Surface> CavityGhost::over(const std::shared_ptr<const Surface>& tooth) {
-    Patches patches = tooth->patches;
-    std::sort(patches.begin(), patches.end(), isEarlier);
-    // All that went at once lies within the box of what its removal changed, the middle of a large piece, too.
-    Box3 changed = boxOfChange(patches_, patches);
-    patches_ = std::move(patches);
+    Box3 changed = change_.upTo(*tooth);
     if (changed.isEmpty()) return last_;
     changed.min().array() -= kReached;
     changed.max().array() += kReached;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "session/cavity_walls.h"
+#include "session/surface_change.h"
 
 namespace tactooth {
 
@@ -25,8 +26,6 @@ public:
     [[nodiscard]] std::shared_ptr<const Surface> over(const std::shared_ptr<const Surface>& tooth);
 
 private:
-    using Patches = std::vector<std::shared_ptr<const SurfacePart>>;
-
     /// Wall triangles near each other, which are reached together.
     struct Spot {
         Vec3f before;              // a point in the cavity, near before the middle of one of them
@@ -38,7 +37,7 @@ private:
     Surface shown_;
     std::vector<Spot> spots_;
     TriangleMask reached_;
-    Patches patches_;  // of the tooth of the last call, in the order of their addresses
+    SurfaceChange change_;
     std::shared_ptr<const Surface> last_;
 };
 

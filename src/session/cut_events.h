@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -15,6 +16,10 @@ namespace tactooth {
 
 /// What a teacher wants to know of a cut.
 enum class CutEventKind { FirstContact, DentinReached, PulpExposed, NeighbourTouched, GumTouched, BurStalled };
+
+inline constexpr std::array kCutEventKinds = {CutEventKind::FirstContact, CutEventKind::DentinReached,
+                                              CutEventKind::PulpExposed,  CutEventKind::NeighbourTouched,
+                                              CutEventKind::GumTouched,   CutEventKind::BurStalled};
 
 /// "first contact", "dentin reached", "pulp exposed", "neighbour touched", "gum or bone touched", "bur stalled".
 [[nodiscard]] std::string_view cutEventName(CutEventKind kind);

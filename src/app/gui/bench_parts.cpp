@@ -5,6 +5,7 @@
 #include "app/common/mouth_scene.h"
 #include "app/common/spin_blur.h"
 #include "instruments/builtin_tooth.h"
+#include "instruments/bur_catalogue.h"
 #include "instruments/bur_shape.h"
 #include "instruments/suction_tube.h"
 #include "instruments/turbine.h"
@@ -42,6 +43,22 @@ Expected<BenchTooth> makeBenchTooth(const BuiltinToothEntry& entry) {
                       std::make_shared<WorkPiece>(std::move(shared), kVoxel),
                       mesialX(tooth.fdi),
                       {{"tooth", "built in: " + tooth.name}}};
+}
+
+Expected<BenchTooth> makeBenchTooth(const Exercise& exercise) {
+    const BuiltinTooth made = ToothCache(usualCacheFolder()).make(toothRequest(exercise));
+    Expected<LayeredTooth> layered = layeredTooth(made);
+    if (!layered) return Unexpected{layered.error()};
+    auto shared = std::make_shared<const LayeredTooth>(std::move(*layered));
+    BenchTooth tooth{exercise.name,
+                     std::make_shared<WorkPiece>(std::move(shared), kVoxel),
+                     mesialX(made.fdi),
+                     {{"tooth", "built in: " + made.name + ", sound"}, {"exercise", exercise.name}}};
+    Expected<BenchBur> bur = makeBenchBur(*findBur(exercise.bur));
+    if (!bur) return Unexpected{bur.error()};
+    tooth.bur = std::move(*bur);
+    tooth.exercise = &exercise;
+    return tooth;
 }
 
 Expected<BenchTooth> makeBenchTooth(const BenchMouth& mouth) {

@@ -10,6 +10,7 @@
 #include "app/common/scene_builder.h"
 #include "instruments/builtin_tooth.h"
 #include "patient/scan_import.h"
+#include "session/exercise.h"
 #include "session/simulator.h"
 #include "session/tooth_file.h"
 #include "session/tooth_source.h"
@@ -37,6 +38,7 @@ struct BenchTooth {
     std::vector<std::string> teethOfCase = {};    ///< names; empty: it is no case
     std::optional<BenchBur> bur = {};             ///< that a case brings
     std::vector<ShownBody> around = {};           ///< the rest of the mouth, which is felt and drawn
+    const Exercise* exercise = nullptr;           ///< that it was brought for
 
     [[nodiscard]] Box3 box() const { return workBox.isEmpty() ? piece->tooth().outer()->tree().box() : workBox; }
 };
@@ -69,6 +71,8 @@ struct BenchMouth {
 // All of these take a second or so: they belong into an Errand. Failing gives a sentence for the user.
 [[nodiscard]] Expected<BenchTooth> makeBenchTooth(const BuiltinToothEntry& entry);
 [[nodiscard]] Expected<BenchTooth> makeBenchTooth(const BenchMouth& mouth);
+/// `exercise` is one of exercises(); the tooth brings its bur.
+[[nodiscard]] Expected<BenchTooth> makeBenchTooth(const Exercise& exercise);
 [[nodiscard]] Expected<BenchTooth> loadBenchTooth(const ToothSource& source, const std::string& workOn = {});
 [[nodiscard]] Expected<BenchBur> makeBenchBur(const BurSpec& spec);
 /// `scan` with layers, as scan_import.h finishes it.

@@ -19,7 +19,7 @@ constexpr double kCaught = 0.3;          // mm that a tool stays behind a hand t
 constexpr double kDrawOut = 60;          // mm/s along the shaft: quick, as a hand lifts off
 constexpr double kReach = 6;             // mm around the tooth's box in which the hand stays
 constexpr double kAlongShaft = 0.4;      // cosine between view and shaft from which pressing goes along the shaft
-constexpr double kMostLean = 1.2;        // rad from upright
+constexpr double kMostLean = 1.6;        // rad from upright: lying down, as at the neck of a tooth
 constexpr double kLeanPerPixel = 0.006;  // rad
 constexpr double kHandleTurn = 0.45;     // rad toward lingual: away from the usual view, hiding nothing of the crown
 

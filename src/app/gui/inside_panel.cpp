@@ -47,7 +47,6 @@ InsidePanel::InsidePanel(QWidget* parent)
     stereo_->addItems({tr("One eye"), tr("Side by side"), tr("Red and cyan")});
     stereo_->setObjectName("stereo");
     stereo_->setToolTip(tr("Shows depth: side by side for goggles, red and cyan for coloured glasses"));
-    choose_->setToolTip(tr("An STL file of the ideal shape, in the frame of the tooth"));
     coloured_->setEnabled(false);
     coloured_->setObjectName("coloured");
     coloured_->setToolTip(tr("Blue: still to cut. White: as the target. Orange: cut too deep. Strongest at 0.5 mm."));
@@ -55,7 +54,7 @@ InsidePanel::InsidePanel(QWidget* parent)
     showGhost_->setCheckable(true);
     showGhost_->setShortcut(QKeySequence("G"));
     showGhost_->setObjectName("showGhost");
-    explainGhost();
+    setTarget({});
     auto* colours = new QHBoxLayout;
     colours->addWidget(coloured_);
     colours->addStretch();
@@ -110,7 +109,11 @@ void InsidePanel::setTarget(Target target) {
     coloured_->setChecked(isThere);
     ghost_->setChecked(false);
     explainGhost();
-    choose_->setText(isThere ? target_.name : tr("Target…"));
+    constexpr int kLetters = 14;  // a longer name would widen the panel
+    const QFontMetrics letters = choose_->fontMetrics();
+    choose_->setText(isThere ? letters.elidedText(target_.name, Qt::ElideRight, kLetters * letters.averageCharWidth())
+                             : tr("Target…"));
+    choose_->setToolTip(isThere ? target_.name : tr("An STL file of the ideal shape, in the frame of the tooth"));
     emit changed();
 }
 

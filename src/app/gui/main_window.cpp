@@ -19,6 +19,7 @@
 #include "app/gui/drill_bar.h"
 #include "app/gui/drive_panel.h"
 #include "app/gui/event_panel.h"
+#include "app/gui/exercise_panel.h"
 #include "app/gui/force_panel.h"
 #include "app/gui/guided_tour.h"
 #include "app/gui/hand_panel.h"
@@ -39,7 +40,7 @@ namespace {
 constexpr int kStepMs = 16;      // the hand moves 60 times a second
 constexpr int kNumbersMs = 100;  // gauges and plots: ten times a second
 constexpr int kStatusMs = 1000;
-constexpr int kLayout = 2;  // counts the arrangements of docks: one that was saved with others of them is not taken
+constexpr int kLayout = 3;  // counts the arrangements of docks: one that was saved with others of them is not taken
 constexpr double kLongestStep = 0.1;  // s: after a stall the hand goes on gently
 
 /// With large text on a small screen everything can still be reached.
@@ -68,6 +69,7 @@ MainWindow::MainWindow(SoundOutput& sound)
       volumes_(new SoundPanel),
       plots_(new PlotPanel),
       happened_(new EventPanel),
+      exercise_(new ExercisePanel),
       timing_(new TimingPanel),
       importer_(new ScanImporter(this)),
       status_(new StatusLine),
@@ -124,6 +126,7 @@ void MainWindow::addPanels() {
     force->raise();
     QDockWidget* inside = addDock(*inside_, tr("Look inside"), Qt::RightDockWidgetArea);
     QDockWidget* plots = addDock(*plots_, tr("Last ten seconds"), Qt::BottomDockWidgetArea);
+    tabifyDockWidget(plots, addDock(*exercise_, tr("Exercise"), Qt::BottomDockWidgetArea));
     tabifyDockWidget(plots, addDock(*happened_, tr("What happened"), Qt::BottomDockWidgetArea));
     tabifyDockWidget(plots, addDock(*timing_, tr("Real time"), Qt::BottomDockWidgetArea));
     plots->raise();
@@ -260,6 +263,7 @@ void MainWindow::connectPanels() {
     connectSound();
     connectInside();
     connectRecords();
+    connectExercise();
     connectHand();
 }
 
@@ -278,6 +282,7 @@ void MainWindow::step() {
     followButtons();
     takeSounds();
     takeTarget();
+    keepAccount();
     importer_->poll();
     placeSounds();
     trace_.add(bench_.ticks());
@@ -299,7 +304,10 @@ void MainWindow::showUsualHint() {
 }
 
 void MainWindow::takeNews(const Workbench::News& news) {
-    if (news.failure) complain(translated(*news.failure));
+    if (news.failure) {
+        complain(translated(*news.failure));
+        exercise_->show(practised_);  // the tooth of another one may not have come
+    }
     if (news.heavyTick) {  // no message that would take the keys and the pedal from a hand at work
         status_->setHint(
             tr("The scene is heavy for this machine: one tick in a hundred takes %1 of the %2 µs that there are; "
@@ -318,8 +326,10 @@ void MainWindow::takeNews(const Workbench::News& news) {
     showUsualHint();
     view_->lookAsUsual();
     view_->fit();
-    comingTarget_.forget();  // it is in the frame of the tooth before
-    inside_->setTarget({});
+    dropTarget();  // it is in the frame of the tooth before
+    practised_ = bench_.tooth()->exercise;
+    exercise_->show(practised_);
+    if (practised_ != nullptr) bringIdealShape(*practised_);
 }
 
 void MainWindow::apply(const WindowSettings& settings) {
@@ -381,6 +391,7 @@ void MainWindow::showNumbers() {
     drive_->show(bench_.newest());
     plots_->show(trace_);
     happened_->show(bench_.events().all());
+    if (bench_.simulator() != nullptr) exercise_->show(bench_.workSeconds(), bench_.simulator()->removed(), progress_);
     showHand();
 }
 

@@ -25,6 +25,7 @@ namespace tactooth {
 class DrillBar;
 class DrivePanel;
 class EventPanel;
+class ExercisePanel;
 class ForcePanel;
 class GuidedTour;
 class HandPanel;
@@ -73,6 +74,10 @@ public:
     void exportPlotsTo(const QString& file);
     /// Writes the list of what has happened; says so if that fails.
     void exportEventsTo(const QString& file);
+    /// Brings the tooth, bur and target of one of exercises(); null: free practice, on the tooth as it is.
+    void practise(const Exercise* exercise);
+    /// Writes how far the student has come; says so if that fails.
+    void exportReportTo(const QString& file);
     /// Opens a device (see openDevice), which then moves the bur; "mouse" for none. Says so if that fails, and the
     /// mouse goes on.
     void steerBy(const QString& name);
@@ -110,6 +115,7 @@ private:
     void connectSound();
     void connectInside();
     void connectRecords();
+    void connectExercise();
     void connectHand();
     void takeHandSettings();
     void applyHand(const HandSettings& settings);
@@ -119,7 +125,11 @@ private:
     void followButtons();
     void showHand();
     void inspectAnew();
+    void bringIdealShape(const Exercise& exercise);
+    void setTarget(Target target);
+    void dropTarget();
     void takeTarget();
+    void keepAccount();
     void setDark(bool dark);
     void addTextSizeMenu();
     void setTextScale(double scale);
@@ -147,6 +157,7 @@ private:
     void askForTarget();
     void askForPlotFile();
     void askForEventFile();
+    void askForReportFile();
     void showMouseAndKeys();
     void showAbout();
 
@@ -168,6 +179,7 @@ private:
     SoundPanel* volumes_;
     PlotPanel* plots_;
     EventPanel* happened_;
+    ExercisePanel* exercise_;
     TimingPanel* timing_;
     ScanImporter* importer_;
     StatusLine* status_;
@@ -196,6 +208,12 @@ private:
     QString soundsFile_;  // that is played; empty: the synthesised sounds
     Errand<OwnSounds> comingSounds_;
     Errand<Target> comingTarget_;
+    Target target_;                        // on the bench; empty: none
+    const Exercise* practised_ = nullptr;  // none: free practice
+    Errand<CavityProgress> comingProgress_;
+    std::optional<CavityProgress> progress_;    // the newest
+    std::shared_ptr<const Surface> accounted_;  // the tooth that it is of
+    QElapsedTimer sinceAccount_;
     Errand<std::unique_ptr<HapticDevice>> comingDevice_, comingSecond_;
     std::string device_ = "mouse", second_ = "none";  // to be remembered, also where today it could not be opened
     FootPedal pedal_;

@@ -4,8 +4,6 @@
 #include <QActionGroup>
 #include <QApplication>
 #include <QDockWidget>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QMenuBar>
 #include <QToolBar>
 #include <algorithm>
@@ -18,7 +16,6 @@
 #include "app/gui/status_line.h"
 #include "app/gui/tooth_view.h"
 #include "app/gui/window_setup.h"
-#include "geometry/mesh_file.h"
 
 namespace tactooth {
 
@@ -164,7 +161,6 @@ void MainWindow::connectInside() {
         if (!on) return showUsualHint();
         status_->setHint(tr("Blue glass: still to cut, darker where deeper. Dark line: the outline."));
     });
-    connect(inside_, &InsidePanel::targetWanted, this, &MainWindow::askForTarget);
     connect(tour_, &GuidedTour::says, status_, &StatusLine::setHint);
     connect(tour_, &GuidedTour::ended, this, &MainWindow::showUsualHint);
 }
@@ -172,38 +168,6 @@ void MainWindow::connectInside() {
 void MainWindow::inspectAnew() {
     if (!bench_.tooth()) return;
     view_->setInspection(inside_->inspection(bench_.tooth()->box(), bench_.mesialX()), inside_->stereo());
-}
-
-void MainWindow::openTarget(const QString& file) {
-    if (!bench_.tooth()) return;
-    folder_ = QFileInfo(file).absolutePath();
-    status_->setHint(tr("Measuring the distance to %1…").arg(QFileInfo(file).fileName()));
-    comingTarget_.start([path = file.toStdString(), box = bench_.tooth()->box(),
-                         uncut = bench_.tooth()->piece->tooth().outer()]() -> Expected<Target> {
-        auto mesh = loadMesh(path);
-        if (!mesh) return Unexpected{mesh.error()};
-        auto ghost = std::make_shared<CavityGhost>(*mesh, *uncut);
-        auto grid = std::make_shared<const DistanceGrid>(distancesTo(SurfacePart(std::move(*mesh)), box));
-        const std::string name = std::filesystem::path(path).filename().string();
-        return Target{QString::fromStdString(name), std::move(grid), std::move(ghost)};
-    });
-}
-
-void MainWindow::takeTarget() {
-    auto target = comingTarget_.poll();
-    if (!target) return;
-    if (!*target) return complain(QString::fromStdString(target->error().message));
-    inside_->setTarget(std::move(**target));
-    status_->setHint(tr("Blue: still to cut. White: as the target. Orange: cut too deep. Strongest at 0.5 mm."));
-}
-
-void MainWindow::askForTarget() {
-    auto* dialog = new QFileDialog(this, tr("Target: the ideal shape, in the frame of the tooth"), folder_,
-                                   tr("STL surfaces (*.stl *.STL);;All files (*)"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setFileMode(QFileDialog::ExistingFile);
-    connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::openTarget);
-    dialog->open();
 }
 
 void MainWindow::showDemonstration() { tour_->start(); }

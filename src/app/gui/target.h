@@ -5,6 +5,7 @@
 #include <QString>
 #include <memory>
 
+#include "session/cavity_account.h"
 #include "session/cavity_ghost.h"
 #include "view/distance_grid.h"
 
@@ -15,6 +16,11 @@ struct Target {
     QString name;
     std::shared_ptr<const DistanceGrid> distances;
     std::shared_ptr<CavityGhost> ghost;
+    std::shared_ptr<CavityAccount> account;
 };
+
+/// `ideal`: closed, in the frame of the tooth; `outer`: the uncut tooth, which lies in `box`. Takes some seconds for a
+/// large tooth.
+[[nodiscard]] Target makeTarget(const QString& name, TriangleMesh ideal, const SurfacePart& outer, const Box3& box);
 
 }  // namespace tactooth

@@ -74,6 +74,15 @@ TimingPanel::Moment TimingPanel::now(const Simulator& simulator) {
         timing.missed.load(std::memory_order_relaxed)};
 }
 
+/// Numbers of another simulator would be taken for this one's until the next look.
+void TimingPanel::forget() {
+    latest_ = from_ = {};
+    facts_->setText({});
+    for (auto& row : cells_) {
+        for (QLabel* cell : row) cell->clear();
+    }
+}
+
 void TimingPanel::show(const Simulator& simulator, const QString& device) {
     latest_ = now(simulator);
     std::array<LatencyCounts, kRows> counts;

@@ -25,7 +25,7 @@ public:
     /// `device`: what the hand holds, for people. Call about once a second.
     void show(const Simulator& simulator, const QString& device);
     /// What is shown next belongs to another simulator, which counts from zero.
-    void forget() { latest_ = from_ = {}; }
+    void forget();
 
 private:
     static constexpr std::size_t kRows = 4, kColumns = 4;

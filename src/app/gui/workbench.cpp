@@ -151,6 +151,11 @@ void Workbench::resetTooth() {
     beginEvents();
 }
 
+double Workbench::workSeconds() const {
+    const std::vector<CutEvent>& events = events_.all();
+    return events.empty() ? 0 : timeBefore_ + newest_.time - events.front().time;
+}
+
 void Workbench::watchTicks() {
     const MaterialVolumes removed = simulator_->removed();
     for (const Tick& tick : ticks_) events_.watch(timeBefore_ + tick.time, tick, removed);

@@ -85,6 +85,8 @@ public:
     void resetTooth();
     /// What has happened to the tooth since it was brought or put back; times go on from one bur to the next.
     [[nodiscard]] const CutEvents& events() const { return events_; }
+    /// Since the first contact, s; 0 before.
+    [[nodiscard]] double workSeconds() const;
     HandControl& hand() { return hand_; }
     [[nodiscard]] const Tick& newest() const { return newest_; }
     /// The ticks of the last step, oldest first.

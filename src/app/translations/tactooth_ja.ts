@@ -343,6 +343,30 @@
         <source>bur stalled</source>
         <translation>バーが停止</translation>
     </message>
+    <message>
+        <source>Pit in the molar</source>
+        <translation>臼歯の小窩</translation>
+    </message>
+    <message>
+        <source>Open the central pit 1.5 mm deep, as wide as the bur: down and up again without going aside.</source>
+        <translation>中心小窩をバーの幅のまま深さ 1.5 mm まで開けます。横に動かさず、まっすぐ下ろして戻します。</translation>
+    </message>
+    <message>
+        <source>Class I cavity in the molar</source>
+        <translation>臼歯の 1 級窩洞</translation>
+    </message>
+    <message>
+        <source>Follow the central fissure, 1.5 mm deep and 1.2 mm wide with a flat floor; leave 2 mm of both ridges.</source>
+        <translation>中心溝に沿って深さ 1.5 mm、幅 1.2 mm、窩底を平らに削ります。両側の辺縁隆線は 2 mm 残します。</translation>
+    </message>
+    <message>
+        <source>Class V cavity at the neck of the canine</source>
+        <translation>犬歯歯頸部の 5 級窩洞</translation>
+    </message>
+    <message>
+        <source>At the buccal neck, 1.1 mm deep everywhere: the floor follows the surface of the tooth.</source>
+        <translation>唇側歯頸部を、どこも深さ 1.1 mm で削ります。窩底は歯面に沿わせます。</translation>
+    </message>
 </context>
 <context>
     <name>tactooth::DrillBar</name>
@@ -1345,6 +1369,22 @@ The mouse wheel in the picture changes it too.</source>
         <source>The list was written to %1</source>
         <translation>一覧を %1 に書き出しました</translation>
     </message>
+    <message>
+        <source>Exercise</source>
+        <translation>課題</translation>
+    </message>
+    <message>
+        <source>Preparing the exercise: %1…</source>
+        <translation>課題を準備中：%1…</translation>
+    </message>
+    <message>
+        <source>Report of what was done</source>
+        <translation>練習の報告書</translation>
+    </message>
+    <message>
+        <source>The report was written to %1</source>
+        <translation>報告書を %1 に書き出しました</translation>
+    </message>
 </context>
 <context>
     <name>tactooth::OpenToothDialog</name>
@@ -1903,6 +1943,101 @@ More than 1 % is felt: close other programs, or take a tooth with fewer triangle
     <message>
         <source>At %1 s: %2</source>
         <translation>%1 秒：%2</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::ExercisePanel</name>
+    <message>
+        <source>Exercise</source>
+        <translation>課題</translation>
+    </message>
+    <message>
+        <source>What to practise: brings the tooth, the bur and the ghost of the ideal cavity</source>
+        <translation>練習する内容：歯とバー、理想窩洞の透視表示を用意します</translation>
+    </message>
+    <message>
+        <source>Free practice</source>
+        <translation>自由練習</translation>
+    </message>
+    <message>
+        <source>Start again</source>
+        <translation>やり直す</translation>
+    </message>
+    <message>
+        <source>The whole tooth again, and the time from its first contact</source>
+        <translation>歯を元に戻し、時間は最初の接触から数え直します</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>報告書…</translation>
+    </message>
+    <message>
+        <source>Writes time, volumes and what happened as a table (CSV)</source>
+        <translation>時間、削除量、できごとを表 (CSV) として書き出します</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>時間</translation>
+    </message>
+    <message>
+        <source>Since the first contact</source>
+        <translation>最初の接触から</translation>
+    </message>
+    <message>
+        <source>Cut beyond</source>
+        <translation>余分な削除</translation>
+    </message>
+    <message>
+        <source>Volume that was cut outside of the ideal cavity</source>
+        <translation>理想窩洞の外で削った体積</translation>
+    </message>
+    <message>
+        <source>Deepest beyond</source>
+        <translation>最大の削りすぎ</translation>
+    </message>
+    <message>
+        <source>How far the cut goes beyond the ideal walls at its worst</source>
+        <translation>理想の壁を越えて削った深さの最大値</translation>
+    </message>
+    <message>
+        <source>Likeness</source>
+        <translation>一致度</translation>
+    </message>
+    <message>
+        <source>Twice what your cavity and the ideal one have in common over the sum of both: 100 % is the ideal cavity, no more and no less</source>
+        <translation>あなたの窩洞と理想窩洞の共通部分の 2 倍を両者の和で割った値。100 % は過不足のない理想窩洞です</translation>
+    </message>
+    <message>
+        <source>Share of the ideal cavity that is cut</source>
+        <translation>理想窩洞のうち削った割合</translation>
+    </message>
+    <message>
+        <source>%1 removed</source>
+        <translation>%1の削除量</translation>
+    </message>
+    <message>
+        <source>Choose an exercise, or a target of your own under Look inside.</source>
+        <translation>課題を選ぶか、「内部を見る」で自分の目標を選んでください。</translation>
+    </message>
+    <message>
+        <source>%1 mm³</source>
+        <translation>%1 mm³</translation>
+    </message>
+    <message>
+        <source>%p % of the cavity</source>
+        <translation>窩洞の %p %</translation>
+    </message>
+    <message>
+        <source>no ideal cavity</source>
+        <translation>理想窩洞なし</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
     </message>
 </context>
 <context>

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QComboBox>
+#include <QLabel>
+#include <QProgressBar>
+#include <QWidget>
+#include <array>
+#include <optional>
+
+#include "session/cavity_account.h"
+#include "tooth/cut_volume.h"
+
+namespace tactooth {
+
+struct Exercise;
+
+/// What is practised: the choice of an exercise, how far the student has come, and what was cut beside the cavity.
+class ExercisePanel final : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ExercisePanel(QWidget* parent = nullptr);
+
+    /// The exercise on the bench, null for free practice. Tells nobody.
+    void show(const Exercise* exercise);
+    /// `seconds`: since the first contact; `cavity`: none without an ideal one.
+    void show(double seconds, const MaterialVolumes& removed, const std::optional<CavityProgress>& cavity);
+
+signals:
+    /// Null: free practice.
+    void chosen(const Exercise* exercise);
+    void startAgainWanted();
+    void exportWanted();
+
+private:
+    enum Fact { kTime, kBeyond, kDeepest, kLikeness, kFacts };
+
+    [[nodiscard]] QWidget* makeChoice();
+    [[nodiscard]] QWidget* makeNumbers();
+    [[nodiscard]] QString number(double value, int digits) const;
+
+    QComboBox* exercises_;
+    QLabel* task_;
+    QProgressBar* cleared_;
+    std::array<QLabel*, kFacts> facts_{};
+    std::array<QLabel*, kMaterialCount> removed_{};
+};
+
+}  // namespace tactooth

@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is to be cut, and how well it was.
+#include <QFileDialog>
+#include <QFileInfo>
+
+#include "app/gui/exercise_panel.h"
+#include "app/gui/inside_panel.h"
+#include "app/gui/main_window.h"
+#include "app/gui/status_line.h"
+#include "app/gui/tooth_view.h"
+#include "app/gui/words.h"
+#include "geometry/atomic_file.h"
+#include "geometry/mesh_file.h"
+#include "session/practice_report.h"
+
+namespace tactooth {
+namespace {
+
+constexpr qint64 kAccountMs = 300;  // a student looks up from the tooth no more often
+
+}  // namespace
+
+void MainWindow::connectExercise() {
+    connect(inside_, &InsidePanel::targetWanted, this, &MainWindow::askForTarget);
+    connect(exercise_, &ExercisePanel::chosen, this, &MainWindow::practise);
+    connect(exercise_, &ExercisePanel::startAgainWanted, this, [this] { bench_.resetTooth(); });
+    connect(exercise_, &ExercisePanel::exportWanted, this, &MainWindow::askForReportFile);
+}
+
+void MainWindow::practise(const Exercise* exercise) {
+    exercise_->show(exercise);
+    if (exercise == nullptr) return dropTarget();
+    status_->setHint(tr("Preparing the exercise: %1…").arg(translated(exercise->name)));
+    bench_.bring(Errand<BenchTooth>::Work([exercise] { return makeBenchTooth(*exercise); }));
+}
+
+void MainWindow::bringIdealShape(const Exercise& exercise) {
+    const bool isBuccal = exercise.plan.outward.y() > exercise.plan.outward.z();
+    if (isBuccal) view_->look(StandardView::Buccal);
+    comingTarget_.start([exercise, name = translated(exercise.name), tooth = bench_.tooth()->piece->volume().tooth(),
+                         box = bench_.tooth()->box()]() -> Expected<Target> {
+        Expected<TriangleMesh> ideal = idealShape(exercise, tooth);
+        if (!ideal) return Unexpected{ideal.error()};
+        return makeTarget(name, std::move(*ideal), *tooth->outer(), box);
+    });
+}
+
+void MainWindow::openTarget(const QString& file) {
+    if (!bench_.tooth()) return;
+    folder_ = QFileInfo(file).absolutePath();
+    status_->setHint(tr("Measuring the distance to %1…").arg(QFileInfo(file).fileName()));
+    practised_ = nullptr;
+    exercise_->show(practised_);
+    comingTarget_.start(
+        [file, outer = bench_.tooth()->piece->tooth().outer(), box = bench_.tooth()->box()]() -> Expected<Target> {
+            Expected<TriangleMesh> ideal = loadMesh(file.toStdString());
+            if (!ideal) return Unexpected{ideal.error()};
+            return makeTarget(QFileInfo(file).fileName(), std::move(*ideal), *outer, box);
+        });
+}
+
+void MainWindow::dropTarget() {
+    comingTarget_.forget();
+    practised_ = nullptr;
+    setTarget({});
+}
+
+void MainWindow::setTarget(Target target) {
+    comingProgress_.forget();
+    progress_.reset();
+    accounted_.reset();
+    target_ = std::move(target);
+    inside_->setTarget(target_);
+}
+
+void MainWindow::takeTarget() {
+    auto target = comingTarget_.poll();
+    if (!target) return;
+    if (!*target) return complain(QString::fromStdString(target->error().message));
+    setTarget(std::move(**target));
+    if (practised_ == nullptr) {
+        status_->setHint(tr("Blue: still to cut. White: as the target. Orange: cut too deep. Strongest at 0.5 mm."));
+        return;
+    }
+    inside_->ghostAction()->setChecked(true);
+    status_->setHint(translated(practised_->task));
+}
+
+/// Counts anew when the tooth has changed, in a thread of its own.
+void MainWindow::keepAccount() {
+    if (auto progress = comingProgress_.poll()) progress_ = **progress;
+    if (target_.account == nullptr || target_.account->empty() || bench_.simulator() == nullptr) return;
+    if (comingProgress_.isBusy() || (sinceAccount_.isValid() && sinceAccount_.elapsed() < kAccountMs)) return;
+    const std::shared_ptr<const Surface> tooth = bench_.simulator()->surface();
+    if (tooth == accounted_) return;
+    accounted_ = tooth;
+    sinceAccount_.start();
+    comingProgress_.start([account = target_.account, tooth, removed = total(bench_.simulator()->removed())] {
+        return Expected<CavityProgress>(account->of(*tooth, removed));
+    });
+}
+
+void MainWindow::askForTarget() {
+    auto* dialog = new QFileDialog(this, tr("Target: the ideal shape, in the frame of the tooth"), folder_,
+                                   tr("STL surfaces (*.stl *.STL);;All files (*)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::openTarget);
+    dialog->open();
+}
+
+void MainWindow::askForReportFile() {
+    auto* dialog = new QFileDialog(this, tr("Report of what was done"), folder_, tr("Table (*.csv)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix("csv");
+    dialog->selectFile("report.csv");
+    connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::exportReportTo);
+    dialog->open();
+}
+
+void MainWindow::exportReportTo(const QString& file) {
+    if (bench_.simulator() == nullptr) return;
+    folder_ = QFileInfo(file).absolutePath();
+    const std::string report = practiceReportCsv({.tooth = bench_.tooth()->name,
+                                                  .task = target_.name.toStdString(),
+                                                  .seconds = bench_.workSeconds(),
+                                                  .cavity = progress_,
+                                                  .removed = bench_.simulator()->removed(),
+                                                  .events = bench_.events().all()});
+    const Expected<void> written = writeFile(file.toStdString(), report);
+    if (!written) return complain(QString::fromStdString(written.error().message));
+    status_->setHint(tr("The report was written to %1").arg(file));
+}
+
+}  // namespace tactooth
