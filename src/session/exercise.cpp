@@ -7,9 +7,9 @@
 #include <string>
 
 #include "collision/closest_point.h"
-#include "geometry/vertex_welder.h"
 #include "instruments/bur_catalogue.h"
 #include "instruments/bur_shape.h"
+#include "session/ideal_shape.h"
 #include "session/tooth_source.h"
 
 // Measures of the cavities: an occlusal one 1.5 mm deep at the central fissure with a flat floor, an isthmus of 1.2 mm
@@ -89,15 +89,6 @@ std::vector<std::vector<Vec3>> pathsOf(const PreparationPlan& plan, const Surfac
     return paths;
 }
 
-/// As a file of it would be read: patches share their borders' vertices.
-TriangleMesh welded(const TriangleMesh& mesh) {
-    std::vector<Vec3f> corners;
-    for (const Triangle& triangle : mesh.triangles) {
-        for (const std::uint32_t vertex : triangle) corners.push_back(mesh.vertices[vertex]);
-    }
-    return weld(corners);
-}
-
 }  // namespace
 
 std::span<const Exercise> exercises() { return allExercises(); }
@@ -126,7 +117,7 @@ Expected<TriangleMesh> idealShape(const Exercise& exercise, std::shared_ptr<cons
         }
     }
     piece.refreshSurface();
-    return welded(visibleMesh(*piece.surface()).mesh);
+    return asRead(*piece.surface());
 }
 
 }  // namespace tactooth

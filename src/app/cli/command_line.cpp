@@ -13,6 +13,7 @@
 #include "app/cli/exit_code.h"
 #include "app/cli/feel_command.h"
 #include "app/cli/info_command.h"
+#include "app/cli/score_command.h"
 #include "app/cli/sound_command.h"
 #include "app/cli/window_command.h"
 
@@ -174,6 +175,24 @@ void addCut(CLI::App& program, Chosen& chosen) {
         ->type_name("FILE");
 }
 
+void addScore(CLI::App& program, Chosen& chosen) {
+    const auto options = std::make_shared<ScoreOptions>();
+    CLI::App* command =
+        addCommand(program, chosen, "score",
+                   "How much of an ideal cavity was cut from a tooth, and what was cut beside it.", options, runScore);
+    command->add_option("FILE", options->tooth, "The tooth, as 'cut --save' or the window (Ctrl+S) has saved it")
+        ->required()
+        ->type_name("");
+    command
+        ->add_option(
+            "--target", options->target,
+            "The ideal shape in the same frame: an STL, OBJ or PLY file, mm, or a tooth that an expert has cut "
+            "and saved")
+        ->required()
+        ->type_name("FILE");
+    command->add_flag("--json", options->json, "Write one JSON object instead of a table");
+}
+
 void addDemo(CLI::App& program, Chosen& chosen) {
     const auto options = std::make_shared<DemoOptions>();
     CLI::App* command = addCommand(
@@ -281,6 +300,7 @@ int runCommandLine(int argc, const char* const* argv) {
     addContact(program, chosen);
     addFeel(program, chosen);
     addCut(program, chosen);
+    addScore(program, chosen);
     addDemo(program, chosen);
     addSound(program, chosen);
     addCaseCommands(program, chosen);

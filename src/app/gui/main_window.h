@@ -84,7 +84,19 @@ public:
     /// The same for the other hand, which begins with the mirror; "none" leaves it empty.
     void holdMirrorBy(const QString& name);
 
+    /// What is worked on, and what the menus know of it.
+    struct Work {
+        std::optional<BenchTooth> tooth;
+        std::optional<BenchBur> bur;
+        ToothSource source;  ///< of the tooth
+    };
+    /// Ends the simulation: the work goes on in another window.
+    [[nodiscard]] Work handOver();
+    void takeOver(Work work);
+
 signals:
+    /// Another language than that of this window, which settings() tells.
+    void languageChosen();
     /// The graphics system cannot draw; a sentence. The window is of no use then.
     void graphicsFailed(const QString& sentence);
 

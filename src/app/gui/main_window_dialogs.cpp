@@ -59,6 +59,21 @@ void MainWindow::bringMouth(const BenchMouth& mouth) {
     bench_.bring([mouth] { return makeBenchTooth(mouth); });
 }
 
+MainWindow::Work MainWindow::handOver() {
+    Work work{bench_.tooth(), bench_.bur(), source_};
+    bench_.stop();
+    return work;
+}
+
+void MainWindow::takeOver(Work work) {
+    source_ = std::move(work.source);
+    if (work.tooth) {
+        work.tooth->bur.reset();  // it was put into the handpiece when it came; another one may be in it now
+        bench_.put(std::move(*work.tooth));
+    }
+    if (work.bur) bench_.put(std::move(*work.bur));
+}
+
 void MainWindow::openTooth(const ToothSource& source, const std::string& workOn) {
     status_->setHint(tr("Opening %1…").arg(QString::fromStdString(source.outer.filename().string())));
     folder_ = folderOf(QString::fromStdString(source.outer.string()));

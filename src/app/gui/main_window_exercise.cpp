@@ -11,7 +11,7 @@
 #include "app/gui/tooth_view.h"
 #include "app/gui/words.h"
 #include "geometry/atomic_file.h"
-#include "geometry/mesh_file.h"
+#include "session/ideal_shape.h"
 #include "session/practice_report.h"
 
 namespace tactooth {
@@ -54,7 +54,7 @@ void MainWindow::openTarget(const QString& file) {
     exercise_->show(practised_);
     comingTarget_.start(
         [file, outer = bench_.tooth()->piece->tooth().outer(), box = bench_.tooth()->box()]() -> Expected<Target> {
-            Expected<TriangleMesh> ideal = loadMesh(file.toStdString());
+            Expected<TriangleMesh> ideal = loadIdealShape(file.toStdString());
             if (!ideal) return Unexpected{ideal.error()};
             return makeTarget(QFileInfo(file).fileName(), std::move(*ideal), *outer, box);
         });
@@ -103,7 +103,7 @@ void MainWindow::keepAccount() {
 
 void MainWindow::askForTarget() {
     auto* dialog = new QFileDialog(this, tr("Target: the ideal shape, in the frame of the tooth"), folder_,
-                                   tr("STL surfaces (*.stl *.STL);;All files (*)"));
+                                   tr("Surfaces and saved teeth (*.stl *.STL *.obj *.ply *.tactooth);;All files (*)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::ExistingFile);
     connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::openTarget);

@@ -145,8 +145,8 @@ void MainWindow::addLanguageMenu() {
     }
     setLanguage({});
     connect(languages_, &QActionGroup::triggered, this, [this](QAction* chosen) {
-        language_ = chosen->data().toString();
-        status_->setHint(tr("The language changes when Tactooth is started again"));
+        const QString code = chosen->data().toString();
+        if (code != std::exchange(language_, code)) emit languageChosen();
     });
 }
 

@@ -10,6 +10,7 @@
 
 #include "app/cli/exit_code.h"
 #include "app/gui/main_window.h"
+#include "app/gui/window_holder.h"
 #include "app/gui/window_setup.h"
 #include "sound/openal_output.h"
 
@@ -77,19 +78,18 @@ int runWindow(const WindowOptions& options) {
     char name[] = "tactooth";
     char* argv[] = {name, nullptr};
     const auto application = startApplication(argc, argv);
-    applyLanguage(*application, QString::fromStdString(start->language));
     if (const auto openGl = checkOpenGl(); !openGl) return refuse(openGl.error());
 
     OpenAlOutput sound;
-    MainWindow window(sound);
+    WindowHolder holder(*application, sound);
     int exitCode = kExitOk;
-    QObject::connect(&window, &MainWindow::graphicsFailed, application.get(), [&](const QString& sentence) {
+    QObject::connect(&holder, &WindowHolder::graphicsFailed, application.get(), [&](const QString& sentence) {
         exitCode = refuse({sentence.toStdString()});
         QApplication::exit(exitCode);
     });
     if (bur || (tooth && tooth->bur)) start->bur.clear();  // the one of the command line counts, or of the case
     if (options.device) start->hand.device = *options.device;
-    window.apply(*start);
+    MainWindow& window = holder.open(*start);
     if (tooth) {
         window.bench().put(std::move(*tooth));
     } else if (options.mouth) {
@@ -105,7 +105,7 @@ int runWindow(const WindowOptions& options) {
     }
     if (isFirstTime && !options.tooth && !options.mouth) window.welcome();
     QApplication::exec();
-    if (const auto written = writeWindowSettings(window.settings(), settingsFile); !written) {
+    if (const auto written = writeWindowSettings(holder.window().settings(), settingsFile); !written) {
         (void)refuse(written.error());  // a word about it; the session itself went well
     }
     return exitCode;

@@ -71,6 +71,7 @@ void applyTextScale(double scale) {
 }
 
 void applyLanguage(QApplication& application, const QString& language) {
+    for (QTranslator* before : application.findChildren<QTranslator*>()) delete before;  // which removes it
     const QLocale locale = language.isEmpty() ? QLocale::system() : QLocale(language);
     QLocale::setDefault(locale);
     const std::pair<QString, QString> catalogues[] = {{"tactooth", ":/translations"},

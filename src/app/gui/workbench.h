@@ -33,6 +33,8 @@ public:
     void bring(Errand<BenchBur>::Work bur) { comingBur_.start(std::move(bur)); }
     void put(BenchTooth tooth);
     void put(BenchBur bur);
+    /// Ends the simulator; tooth and bur stay.
+    void stop() { simulator_.reset(); }
     void setSpindle(const SpindlePreset& spindle);
     /// An open device that moves the tool from now on, instead of the mouse.
     void put(std::unique_ptr<HapticDevice> device);

@@ -1242,10 +1242,6 @@ The mouse wheel in the picture changes it too.</source>
         <translation>システムに従う</translation>
     </message>
     <message>
-        <source>The language changes when Tactooth is started again</source>
-        <translation>言語は次回の起動から変わります</translation>
-    </message>
-    <message>
         <source>Measuring the distance to %1…</source>
         <translation>%1 までの距離を測っています…</translation>
     </message>
@@ -1384,6 +1380,10 @@ The mouse wheel in the picture changes it too.</source>
     <message>
         <source>The report was written to %1</source>
         <translation>報告書を %1 に書き出しました</translation>
+    </message>
+    <message>
+        <source>Surfaces and saved teeth (*.stl *.STL *.obj *.ply *.tactooth);;All files (*)</source>
+        <translation>表面と保存した歯 (*.stl *.STL *.obj *.ply *.tactooth);;すべてのファイル (*)</translation>
     </message>
 </context>
 <context>
