@@ -105,7 +105,7 @@ Expected<TriangleMesh> idealShape(const Exercise& exercise, std::shared_ptr<cons
     const Expected<CuttingTool> tool = makeCuttingTool(makeBur(*bur).surface);
     if (!tool) return Unexpected{tool.error()};
     const Vec3 outward = exercise.plan.outward;
-    const Quat grip = Quat::FromTwoVectors(Vec3::UnitZ(), outward);
+    const Quat grip = shortestTurn(Vec3::UnitZ(), outward);
     const auto paths = pathsOf(exercise.plan, *tooth->outer());
     WorkPiece piece(std::move(tooth), kVoxel);
     for (const std::vector<Vec3>& path : paths) {

@@ -42,7 +42,7 @@ void pause(const std::stop_token& stop, std::chrono::seconds time) {
 std::unique_ptr<OpenAlStream> openDefaultDevice(bool headphones) {
     if (!isSoundSystemThere()) return nullptr;
     silenceAlsaMessages();
-    // The sound is limited already (PeakLimiter); OpenAL's own limiter would take a fifth of its time for nothing.
+    // The sound is limited already (PeakLimiter); OpenAL's own limiter would be a quarter of its cost for nothing.
     const std::array<ALCint, 7> attributes{
         ALC_FREQUENCY, kSoundRate, ALC_HRTF_SOFT, headphones ? ALC_TRUE : ALC_FALSE, ALC_OUTPUT_LIMITER_SOFT,
         ALC_FALSE,     0};

@@ -32,32 +32,32 @@ Expected<BenchBur> benchBurOf(OwnBur own, const std::filesystem::path& file) {
         own.material,     file};
 }
 
-}  // namespace
-
-Expected<BenchTooth> makeBenchTooth(const BuiltinToothEntry& entry) {
-    const BuiltinTooth tooth = ToothCache(usualCacheFolder()).make(builtinToothRequest(entry.kind));
-    Expected<LayeredTooth> layered = layeredTooth(tooth);
-    if (!layered) return Unexpected{layered.error()};
-    auto shared = std::make_shared<const LayeredTooth>(std::move(*layered));
-    return BenchTooth{entry.name,
-                      std::make_shared<WorkPiece>(std::move(shared), kVoxel),
-                      mesialX(tooth.fdi),
-                      {{"tooth", "built in: " + tooth.name}}};
-}
-
-Expected<BenchTooth> makeBenchTooth(const Exercise& exercise) {
-    const BuiltinTooth made = ToothCache(usualCacheFolder()).make(toothRequest(exercise));
+/// `remark`: what its provenance says of it beside its name.
+Expected<BenchTooth> builtinBenchTooth(const ToothRequest& request, const char* name, const std::string& remark) {
+    const BuiltinTooth made = ToothCache(usualCacheFolder()).make(request);
     Expected<LayeredTooth> layered = layeredTooth(made);
     if (!layered) return Unexpected{layered.error()};
     auto shared = std::make_shared<const LayeredTooth>(std::move(*layered));
-    BenchTooth tooth{exercise.name,
-                     std::make_shared<WorkPiece>(std::move(shared), kVoxel),
-                     mesialX(made.fdi),
-                     {{"tooth", "built in: " + made.name + ", sound"}, {"exercise", exercise.name}}};
+    return BenchTooth{name,
+                      std::make_shared<WorkPiece>(std::move(shared), kVoxel),
+                      mesialX(made.fdi),
+                      {{"tooth", "built in: " + made.name + remark}}};
+}
+
+}  // namespace
+
+Expected<BenchTooth> makeBenchTooth(const BuiltinToothEntry& entry) {
+    return builtinBenchTooth(builtinToothRequest(entry.kind), entry.name, "");
+}
+
+Expected<BenchTooth> makeBenchTooth(const Exercise& exercise) {
+    Expected<BenchTooth> tooth = builtinBenchTooth(toothRequest(exercise), exercise.name, ", sound");
+    if (!tooth) return tooth;
     Expected<BenchBur> bur = makeBenchBur(*findBur(exercise.bur));
     if (!bur) return Unexpected{bur.error()};
-    tooth.bur = std::move(*bur);
-    tooth.exercise = &exercise;
+    tooth->provenance.emplace_back("exercise", exercise.name);
+    tooth->bur = std::move(*bur);
+    tooth->exercise = &exercise;
     return tooth;
 }
 
