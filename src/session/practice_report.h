@@ -13,12 +13,12 @@ namespace tactooth {
 
 /// What a student has done to a tooth.
 struct PracticeReport {
-    std::string tooth;
-    std::string task;                      ///< name of the exercise, or of the target; empty: free practice
-    double seconds = 0;                    ///< since the first contact
-    std::optional<CavityProgress> cavity;  ///< where there was an ideal one
-    MaterialVolumes removed{};             ///< mm^3
-    std::span<const CutEvent> events;
+    std::string tooth = {};
+    std::string task = {};                      ///< name of the exercise, or of the target; empty: free practice
+    double seconds = 0;                         ///< since the first contact
+    std::optional<CavityProgress> cavity = {};  ///< where there was an ideal one
+    MaterialVolumes removed{};                  ///< mm^3
+    std::span<const CutEvent> events = {};
 };
 
 /// As a table: quantity,value,unit.
