@@ -163,6 +163,8 @@ private:
     void askForScan();
     void fillCaseMenu();
     void askForBur();
+    void askWhereToWrite(const QString& title, const QString& filter, const QString& name,
+                         void (MainWindow::*write)(const QString& file));
     void askForExport();
     void askForSounds();
     void askForSave();

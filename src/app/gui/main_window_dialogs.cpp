@@ -61,6 +61,7 @@ void MainWindow::bringMouth(const BenchMouth& mouth) {
 
 MainWindow::Work MainWindow::handOver() {
     Work work{bench_.tooth(), bench_.bur(), source_};
+    if (work.tooth) work.tooth->exercise = practised_;
     bench_.stop();
     return work;
 }
@@ -154,32 +155,28 @@ void MainWindow::askForBur() {
     dialog->open();
 }
 
-void MainWindow::askForExport() {
-    QFileDialog* dialog = fileDialog(this, tr("Export cut tooth"), folder_, tr(kStlFilter));
+/// A file without an ending gets that of `name`, which is proposed.
+void MainWindow::askWhereToWrite(const QString& title, const QString& filter, const QString& name,
+                                 void (MainWindow::*write)(const QString& file)) {
+    QFileDialog* dialog = fileDialog(this, title, folder_, filter);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix("stl");
-    dialog->selectFile("cut.stl");
-    connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::exportTooth);
+    dialog->setDefaultSuffix(QFileInfo(name).suffix());
+    dialog->selectFile(name);
+    connect(dialog, &QFileDialog::fileSelected, this, write);
     dialog->open();
+}
+
+void MainWindow::askForExport() {
+    askWhereToWrite(tr("Export cut tooth"), tr(kStlFilter), "cut.stl", &MainWindow::exportTooth);
 }
 
 void MainWindow::askForSave() {
-    QFileDialog* dialog = fileDialog(this, tr("Save tooth"), folder_, tr(kToothFilter));
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix(kToothFileEnding.substr(1).data());
-    dialog->selectFile("tooth.tactooth");
-    connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::saveTooth);
-    dialog->open();
+    askWhereToWrite(tr("Save tooth"), tr(kToothFilter), "tooth.tactooth", &MainWindow::saveTooth);
 }
 
 void MainWindow::askForPlotFile() {
-    QFileDialog* dialog = fileDialog(this, tr("Export plots: a table or a picture"), folder_,
-                                     tr("Table (*.csv);;Picture (*.png);;Drawing (*.svg)"));
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix("csv");
-    dialog->selectFile("plots.csv");
-    connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::exportPlotsTo);
-    dialog->open();
+    askWhereToWrite(tr("Export plots: a table or a picture"), tr("Table (*.csv);;Picture (*.png);;Drawing (*.svg)"),
+                    "plots.csv", &MainWindow::exportPlotsTo);
 }
 
 void MainWindow::exportPlotsTo(const QString& file) {
@@ -190,12 +187,7 @@ void MainWindow::exportPlotsTo(const QString& file) {
 }
 
 void MainWindow::askForEventFile() {
-    QFileDialog* dialog = fileDialog(this, tr("Export what happened"), folder_, tr("Table (*.csv)"));
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix("csv");
-    dialog->selectFile("events.csv");
-    connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::exportEventsTo);
-    dialog->open();
+    askWhereToWrite(tr("Export what happened"), tr("Table (*.csv)"), "events.csv", &MainWindow::exportEventsTo);
 }
 
 void MainWindow::exportEventsTo(const QString& file) {

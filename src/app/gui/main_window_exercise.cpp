@@ -111,13 +111,7 @@ void MainWindow::askForTarget() {
 }
 
 void MainWindow::askForReportFile() {
-    auto* dialog = new QFileDialog(this, tr("Report of what was done"), folder_, tr("Table (*.csv)"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix("csv");
-    dialog->selectFile("report.csv");
-    connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::exportReportTo);
-    dialog->open();
+    askWhereToWrite(tr("Report of what was done"), tr("Table (*.csv)"), "report.csv", &MainWindow::exportReportTo);
 }
 
 void MainWindow::exportReportTo(const QString& file) {
