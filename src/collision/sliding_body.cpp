@@ -22,7 +22,7 @@
 namespace tactooth {
 namespace {
 
-constexpr int kMaxRounds = 20;  // 2-3 at 1 cm/s, 4-5 at 10 cm/s; a jump into contact takes some 15
+constexpr int kMaxRounds = 60;  // 3 at 1 cm/s, 5 at 10 cm/s; at 1 m/s on a mesh of 20 um up to 32 were seen
 constexpr int kManySolutions = kMaxPlanesPerRound + 1;  // of a round: more come of a turn that does not settle
 constexpr int kMaxSolutions = 8 * kManySolutions;
 constexpr int kMaxPlanesChanged = 4;         // in a move, where it had settled
@@ -39,7 +39,7 @@ constexpr double kAhead = 6;                   // of the least skin
 constexpr double kStray = 0.25;                // of both: how far the tool may leave the way expected
 constexpr double kTrusted = 0.95;              // of the skin: leaves room for rounding
 
-constexpr double kGreatestGrowth = 128;  // the eighth list of a move is the last: the rest of the way waits for a tick
+constexpr double kGreatestGrowth = 65536;  // the 17th list of a move is the last: the rest of the way waits for a tick
 
 // The longest step of a round. It need not be right: a step that was cut short is followed by a longer one.
 constexpr double kTrustInHand = 2;          // ways of the hand

@@ -18,7 +18,7 @@ inline constexpr double kTick = 1e-3;                                  // s
 
 /// The share of ticks over a scanned tooth at which the body may stop a little short: now and then it stands at a point
 /// that is stationary to first order but no minimum. It never intersects. (docs/contact.md, limits)
-[[nodiscard]] inline double mostShort(double speed) { return speed <= 10 ? 0.005 : speed <= 100 ? 0.04 : 0.1; }
+[[nodiscard]] inline double mostShort(double speed) { return speed <= 10 ? 0.005 : speed <= 100 ? 0.04 : 0.05; }
 
 /// What a path has shown.
 struct SpeedVerdict {
