@@ -155,6 +155,7 @@ private:
                   lessEqual(Float8::all(shifts_.closing(-mean.direction)) + spun8, behind8));
         if (near == 0) return;
         front8.store(front), behind8.store(behind), spun8.store(spun);
+        const bool isFlat = mean.high - mean.low < shifts_.around;
         for (; near != 0; near &= near - 1) {
             const int k = std::countr_zero(near);
             Slab slab{mean.direction, front[k]};
@@ -162,7 +163,8 @@ private:
             const Slab byTool = byFace(tooth, faces, k);
             if (staysOpen(byTool, spun[k])) continue;
             const Slab apart = byBoxes(tooth.box, faces, k);
-            if (staysOpen(apart, spun[k]) || !isAnyNear(tooth, toolLeaf, faces, k, spun[k])) continue;
+            if (staysOpen(apart, spun[k])) continue;
+            if (!isFlat && !isAnyNear(tooth, toolLeaf, faces, k, spun[k])) continue;
             widen(slab, byTool);
             widen(slab, apart);
             write(slab, toolLeaf.triangle[k]);
