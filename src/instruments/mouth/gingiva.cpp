@@ -213,7 +213,7 @@ double Gingiva::marginOver(double outward, const Line& line) const {
     const double across = smoothStep(-0.7 * line.half, 0.7 * line.half, outward - line.middle);
     const double margin = std::lerp(line.lingual, line.facial, across);
     constexpr double kTipHalf = 0.4,
-                     kAtFace = 0.68;   // part of the way to the face; of the papilla's height left there
+                     kAtFace = 0.55;   // part of the way to the face; of the papilla's height left there
     constexpr double kLeastReach = 2;  // mm
     const double aside = outward - line.outward;
     const double reach = std::max(line.half + (aside > 0 ? 1 : -1) * (line.middle - line.outward), kLeastReach);
@@ -265,8 +265,13 @@ double Gingiva::ridge(double along, double out, double crownward, const Line& li
     // The lower molars' roots lean to the cheek: the oblique line of the mandible covers them.
     const double oblique =
         upper_ ? 0 : 2.6 * smoothStep(28, 50, std::abs(along)) * smoothStep(0, 9, facial_ - crownward);
-    const double facial = line.half + kCover + oblique + (upper_ ? 0.8 : 1.2) * widening,
-                 lingual = line.half + kCover + (upper_ ? 2.5 : 1.2) * widening;
+    // Between two teeth it goes in, most on the side of the cheek: a papilla's face is a hollow between two round ones.
+    // Little at the front teeth, where the gum is too thin for it.
+    constexpr double kGroove = 0.9, kAtFront = 0.3, kGrooveDeep = 8;  // mm; a part of it; below the margin
+    const double groove = kGroove * std::lerp(kAtFront, 1.0, smoothStep(10, 22, std::abs(along))) *
+                          std::sqrt(line.rise) * smoothStep(kGrooveDeep, 0, facial_ - crownward);
+    const double facial = line.half + kCover - groove + oblique + (upper_ ? 0.8 : 1.2) * widening,
+                 lingual = line.half + kCover - groove / 2 + (upper_ ? 2.5 : 1.2) * widening;
     const double half = (facial + lingual) / 2, middle = line.middle + (facial - lingual) / 2;
     return std::abs(out - middle) - half;
 }
@@ -299,7 +304,7 @@ double Gingiva::operator()(const Vec3& p) const {
     const double depth = marginOver(at.outward, line) - 0.12 * beyond * beyond - crownward;
     double second = 0;
     const double tooth = toTeeth(p, at.s, second);
-    constexpr double kThin = 0.5, kThick = 1.1, kDeep = 5;  // mm: thickness at the margin, and that deep below it
+    constexpr double kThin = 0.6, kThick = 1.1, kDeep = 5;  // mm: thickness at the margin, and that deep below it
     constexpr double kJuga = 2, kNoJuga = 14, kFlat = 4;    // mm: depths between which the roots' ridges fade
     const double cover =
         tooth - std::lerp(kThin, kThick, smoothStep(0, kDeep, depth)) + kFlat * smoothStep(kJuga, kNoJuga, depth);
