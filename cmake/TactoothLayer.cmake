@@ -31,6 +31,9 @@ endfunction()
 # that the cases of a program share ten times dearer to model, the program is one test, as it always is with TOGETHER. Long
 # ones are then left out. PACED is for programs that hold a real-time pace: one of their tests at a time, and no other test
 # beside it under a sanitizer, which makes their threads too slow for one core.
+#
+# What a test does itself is little beside what it tests: compiled with less care it takes a quarter less time to compile.
+set(tactooth_test_options $<$<CONFIG:Release>:-O1>)
 function(tactooth_tests)
   cmake_parse_arguments(ARG "TOGETHER;PACED" "NAME" "SOURCES;LABELS;LINKS" ${ARGN})
   set(target ${ARG_NAME}_tests)
@@ -41,6 +44,7 @@ function(tactooth_tests)
     tactooth_use_headers(${target} tactooth_app_headers)
   elseif(NOT ARG_LINKS MATCHES "CGAL")
     tactooth_use_headers(${target} tactooth_test_headers)
+    target_compile_options(${target} PRIVATE ${tactooth_test_options})
   endif()
   if(NOT ARG_LABELS)
     set(ARG_LABELS ${ARG_NAME})

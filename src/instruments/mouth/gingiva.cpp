@@ -285,7 +285,7 @@ double Gingiva::palate(const Vec3& p) const {
     const double across = std::max(0.0, 1 - std::pow(aside / half, 2.4));
     const double vault = lingual_ - kBelowMargin - kHigh * across * smoothStep(kFront, kBack, depth);
     const double raphe = 0.3 * bump(p.x(), 0.8) * smoothStep(12, 17, depth);
-    const double incisive = 1.0 * bump(std::hypot(p.x() / 1.5, (depth - 11) / 2.8), 1.0);
+    const double incisive = bump(std::hypot(p.x() / 1.5, (depth - 11) / 2.8), 1.0);
     const double reach = smoothStep(0.9, 2.4, aside) * smoothStep(11.5, 8.5, aside) * smoothStep(10.5, 13, depth) *
                          smoothStep(27, 22, depth);
     constexpr double kRugae = 3.8;  // mm from one to the next
@@ -315,7 +315,7 @@ double Gingiva::operator()(const Vec3& p) const {
     if (upper_) {
         constexpr double kFoot = 5;
         const double inside = (at.outward - line.middle) / 1.2;  // the vault ends within the ridge
-        body = smoothUnion(body, std::max(palate(p), inside), kFoot);
+        if (inside < body + kFoot) body = smoothUnion(body, std::max(palate(p), inside), kFoot);
     }
     constexpr double kMarginRound = 0.55, kSlope = 1.3, kEndRound = 6, kBaseRound = 1.5, kSocketRound = 0.45,
                      kTipRound = 0.5;
