@@ -31,7 +31,7 @@ bool isBur(std::string_view text) {
     const auto bur = parseOwnBur(text, "fuzz", readBeside);
     if (!bur) return requireSentence(bur.error(), 1000), false;
     requireValid(bur->surface);
-    require(bur->sharpness >= 0 && bur->sharpness <= 1, "sharpness is a share");
+    require(bur->sharpness >= 0 && bur->sharpness <= 10, "a bur cuts ten times as fast as a new one at most");
     require(bur->flutes >= 0 && std::isfinite(bur->gritMicrometres), "an edge can be made");
     const auto again = parseOwnBur(ownBurText(*bur, "a.stl"), "fuzz", readBeside);
     require(again && again->name == bur->name && again->flutes == bur->flutes,
