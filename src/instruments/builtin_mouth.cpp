@@ -12,6 +12,7 @@
 #include "geometry/parallel_for.h"
 #include "geometry/self_crossings.h"
 #include "instruments/mouth/gingiva.h"
+#include "instruments/mouth/sound_gum.h"
 #include "instruments/mouth/tooth_places.h"
 #include "instruments/mouth_setting.h"
 #include "tooth/byte_stream.h"
@@ -48,12 +49,7 @@ TriangleMesh largestPiece(const TriangleMesh& mesh) {
     return piece;
 }
 
-struct GumMesh {
-    TriangleMesh mesh;
-    bool crossesItself;
-};
-
-GumMesh gumMesh(const GingivaBody& body, bool upper, double cell) {
+TriedGum gumMesh(const GingivaBody& body, bool upper, double cell) {
     const double up = upper ? -1 : 1;
     // Away from the margins heights are stretched, up to this many times: longer triangles, and fewer.
     constexpr double kStretch = 2.5, kOnset = 3;
@@ -72,16 +68,12 @@ GumMesh gumMesh(const GingivaBody& body, bool upper, double cell) {
     return {largestPiece(surface.mesh), !untangled};
 }
 
-TriangleMesh gumOf(const ToothPlaces& places, bool upper, const MouthRequest& request) {
+Expected<TriangleMesh> gumOf(const ToothPlaces& places, bool upper, const MouthRequest& request) {
     const GingivaBody body = gingivaBody(places, upper, request.missing);
-    double cell = gumCell(request.triangles);
-    GumMesh gum = gumMesh(body, upper, cell);
-    constexpr int kTries = 8;  // one is enough for nearly every mouth
-    for (int i = 1; i < kTries && gum.crossesItself; ++i) {
-        cell *= 0.97;
-        gum = gumMesh(body, upper, cell);
-    }
-    return std::move(gum.mesh);
+    return firstSoundGum(
+        gumCell(request.triangles), [&](double cell) { return gumMesh(body, upper, cell); },
+        std::string(upper ? "The upper" : "The lower") + " gum of the mouth with seed " + std::to_string(request.seed) +
+            " and " + std::to_string(request.triangles) + " triangles a tooth");
 }
 
 /// Place in a dentist's chart: 18 to 28 above, 38 to 48 below.
@@ -114,7 +106,7 @@ TriangleMesh moved(TriangleMesh mesh, const Pose& pose) {
     return mesh;
 }
 
-MouthSetting makeMouthSetting(const MouthRequest& request) {
+Expected<MouthSetting> makeMouthSetting(const MouthRequest& request) {
     assert(request.triangles > 0);
     const ToothPlaces places = placeTeeth(request.seed);
     MouthSetting setting;
@@ -122,14 +114,18 @@ MouthSetting makeMouthSetting(const MouthRequest& request) {
         const JawSide& side = i < kTeethOfSide ? places.upper : places.lower;
         setting.toothInMouth[i] = side.teeth[i % kTeethOfSide].shapeInMouth;
     }
-    parallelFor(2, [&](std::size_t i) {
-        (i == 0 ? setting.upperGingiva : setting.lowerGingiva) = gumOf(places, i == 0, request);
-    });
+    std::array<Expected<TriangleMesh>, 2> gums = {TriangleMesh(), TriangleMesh()};
+    parallelFor(2, [&](std::size_t i) { gums[i] = gumOf(places, i == 0, request); });
+    for (const auto& gum : gums) {
+        if (!gum) return Unexpected{gum.error()};
+    }
+    setting.upperGingiva = std::move(*gums[0]);
+    setting.lowerGingiva = std::move(*gums[1]);
     return setting;
 }
 
 std::uint64_t mouthSettingFingerprint(const MouthRequest& request) {
-    constexpr std::uint32_t kModel = 2;  // grows whenever the same teeth are set or their gums are made otherwise
+    constexpr std::uint32_t kModel = 3;  // grows whenever the same teeth are set or their gums are made otherwise
     ByteWriter facts;
     facts.put(kModel);
     facts.put(request.triangles);
@@ -142,10 +138,10 @@ std::uint64_t mouthSettingFingerprint(const MouthRequest& request) {
     return checksum(facts.bytes());
 }
 
-BuiltinMouth makeMouth(const MouthRequest& request, const ToothMaker& teeth, const SettingMaker& setting) {
+Expected<BuiltinMouth> makeMouth(const MouthRequest& request, const ToothMaker& teeth, const SettingMaker& setting) {
     assert(request.triangles > 0);
     std::array<BuiltinTooth, MouthSetting::kPlaces> made;
-    MouthSetting set;
+    Expected<MouthSetting> set = MouthSetting();
     parallelFor(made.size() + 1, [&](std::size_t i) {
         if (i == 0) {
             set = setting(request);
@@ -153,23 +149,24 @@ BuiltinMouth makeMouth(const MouthRequest& request, const ToothMaker& teeth, con
             made[i - 1] = teeth({toothOfPlace(i - 1), request.triangles, request.seed, {}});
         }
     });
+    if (!set) return Unexpected{set.error()};
     BuiltinMouth mouth;
-    mouth.upperGingiva = std::move(set.upperGingiva);
-    mouth.lowerGingiva = std::move(set.lowerGingiva);
+    mouth.upperGingiva = std::move(set->upperGingiva);
+    mouth.lowerGingiva = std::move(set->lowerGingiva);
     mouth.lowerJaw = lowerJawPose(request.jaw);
     const auto put = [&](BuiltinTooth tooth, const Pose& pose) {
         const bool isMissing = std::ranges::find(request.missing, tooth.fdi) != request.missing.end();
         if (!isMissing) mouth.teeth.push_back({std::move(tooth), pose});
     };
     for (std::size_t i = 0; i < made.size(); ++i) {
-        put(otherSide(made[i]), mirroredInX(set.toothInMouth[i]));
-        put(std::move(made[i]), set.toothInMouth[i]);
+        put(otherSide(made[i]), mirroredInX(set->toothInMouth[i]));
+        put(std::move(made[i]), set->toothInMouth[i]);
     }
     std::ranges::sort(mouth.teeth, {}, [](const MouthTooth& one) { return chartPlace(one.tooth.fdi); });
     return mouth;
 }
 
-BuiltinMouth makeMouth(const MouthRequest& request, const ToothMaker& maker) {
+Expected<BuiltinMouth> makeMouth(const MouthRequest& request, const ToothMaker& maker) {
     return makeMouth(request, maker, makeMouthSetting);
 }
 

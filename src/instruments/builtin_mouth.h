@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/expected.h"
 #include "geometry/pose.h"
 #include "instruments/builtin_tooth.h"
 
@@ -50,8 +51,8 @@ struct BuiltinMouth {
 using ToothMaker = std::function<BuiltinTooth(const ToothRequest&)>;
 
 /// Makes a mouth. The same request gives the same bits, on any number of threads. `maker` is called from several
-/// threads at once.
-[[nodiscard]] BuiltinMouth makeMouth(const MouthRequest& request, const ToothMaker& maker = makeTooth);
+/// threads at once. Fails with a sentence if no sound gum can be made for the request.
+[[nodiscard]] Expected<BuiltinMouth> makeMouth(const MouthRequest& request, const ToothMaker& maker = makeTooth);
 
 /// How the lower jaw stands.
 [[nodiscard]] Pose lowerJawPose(JawPose jaw);

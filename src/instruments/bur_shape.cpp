@@ -212,7 +212,37 @@ Lathe latheFor(const BurSpec& spec, int triangles) {
     return {around, bladeSection(spec.flutes < kManyBlades ? triangles : triangles / 2)};
 }
 
+/// Puts a vertex in the middle of an edge: two triangles more, and the same surface.
+void splitEdge(TriangleMesh& mesh, std::uint32_t from, std::uint32_t to) {
+    const auto middle = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.push_back((mesh.vertices[from] + mesh.vertices[to]) / 2);
+    const std::size_t before = mesh.triangles.size();
+    for (std::size_t i = 0; i < before; ++i) {
+        Triangle& triangle = mesh.triangles[i];
+        const auto atFrom = std::ranges::find(triangle, from), atTo = std::ranges::find(triangle, to);
+        if (atFrom == triangle.end() || atTo == triangle.end()) continue;
+        Triangle half = triangle;
+        half[static_cast<std::size_t>(atFrom - triangle.begin())] = middle;
+        *atTo = middle;
+        mesh.triangles.push_back(half);
+    }
+    assert(mesh.triangles.size() == before + 2);
+}
+
 }  // namespace
+
+Bur makeBurOf(const BurSpec& spec, int triangles) {
+    Bur bur = makeBur(spec, triangles);
+    TriangleMesh& mesh = bur.surface;
+    const auto around = static_cast<std::uint32_t>(latheFor(spec, triangles).sectors());
+    const auto end = static_cast<std::uint32_t>(mesh.vertices.size() - 1);  // the pole; the last ring is before it
+    const auto wanted = static_cast<std::size_t>(triangles);
+    for (std::uint32_t sector = 0; mesh.triangles.size() + 2 <= wanted; sector = (sector + 1) % around) {
+        const std::uint32_t onEnd = end - around + sector;
+        splitEdge(mesh, onEnd - around, onEnd);  // straight along the shank
+    }
+    return bur;
+}
 
 Bur makeBur(const BurSpec& spec, int triangles) {
     assert(spec.headDiameter > 0 && spec.headLength > 0 && spec.headLength <= kLongestHead);

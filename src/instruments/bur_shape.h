@@ -23,4 +23,8 @@ inline constexpr double kShankDiameter = 1.6;
 /// blade). Blade edges lie on the head's surface of revolution, everything else on or inside it.
 [[nodiscard]] Bur makeBur(const BurSpec& spec, int triangles = kContactBurTriangles);
 
+/// The same with just `triangles` of them, or one fewer where that is odd: a closed surface has an even number. What is
+/// missing to it is split off along the shank, whose shape stays. More than asked for where fewer show no blade.
+[[nodiscard]] Bur makeBurOf(const BurSpec& spec, int triangles);
+
 }  // namespace tactooth

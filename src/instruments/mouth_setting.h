@@ -22,16 +22,18 @@ struct MouthSetting {
 /// FDI number of a place of a setting.
 [[nodiscard]] constexpr int toothOfPlace(std::size_t place) { return (place < 8 ? 11 : 23) + static_cast<int>(place); }
 
-[[nodiscard]] MouthSetting makeMouthSetting(const MouthRequest& request);
+/// Fails with a sentence if a gum crosses itself at every fineness that is tried.
+[[nodiscard]] Expected<MouthSetting> makeMouthSetting(const MouthRequest& request);
 
 /// A number for what makeMouthSetting would make: another one where the request, the anatomy of a tooth or the way of
 /// setting and meshing is another. Quick.
 [[nodiscard]] std::uint64_t mouthSettingFingerprint(const MouthRequest& request);
 
 /// Makes a setting: makeMouthSetting, or one that remembers.
-using SettingMaker = std::function<MouthSetting(const MouthRequest&)>;
+using SettingMaker = std::function<Expected<MouthSetting>(const MouthRequest&)>;
 
 /// As makeMouth in builtin_mouth.h. Both makers are called from several threads at once.
-[[nodiscard]] BuiltinMouth makeMouth(const MouthRequest& request, const ToothMaker& teeth, const SettingMaker& setting);
+[[nodiscard]] Expected<BuiltinMouth> makeMouth(const MouthRequest& request, const ToothMaker& teeth,
+                                               const SettingMaker& setting);
 
 }  // namespace tactooth

@@ -25,7 +25,8 @@ using Part = std::optional<RecordedPart>;
 /// Takes the parts of a preset over into a kit, until something is wrong.
 class PresetReader {
 public:
-    PresetReader(std::string_view name, std::filesystem::path folder) : name_(name), folder_(std::move(folder)) {}
+    PresetReader(std::string name, const ReadNamedRecording& readNamed)
+        : name_(std::move(name)), readNamed_(readNamed) {}
 
     Expected<SoundKit> read(const toml::table& root) {
         for (auto&& [key, node] : root) {
@@ -104,7 +105,7 @@ private:
     }
 
     bool readFile(const toml::node& file, RecordedPart& part) {
-        auto recording = readRecording(folder_ / *file.value<std::string>());
+        auto recording = readNamed_(*file.value<std::string>());
         if (!recording) {
             std::string reason = recording.error().message;
             reason.pop_back();  // fail() ends the sentence
@@ -120,7 +121,7 @@ private:
     }
 
     std::string name_;
-    std::filesystem::path folder_;
+    const ReadNamedRecording& readNamed_;
     SoundKit kit_;
     Error error_;
 };
@@ -128,15 +129,21 @@ private:
 Expected<SoundKit> readPreset(const std::filesystem::path& path) {
     const Expected<FileBytes> file = readFile(path);
     if (!file) return Unexpected{file.error()};
-    try {
-        return PresetReader(shownName(path), path.parent_path()).read(toml::parse(file->text()));
-    } catch (const toml::parse_error& error) {
-        return unexpected(shownName(path) + ", line " + std::to_string(error.source().begin.line) +
-                          ": this is not TOML; see docs/sound.md for a pattern.");
-    }
+    const auto readBeside = [&](const std::string& name) { return readRecording(path.parent_path() / name); };
+    return parseSoundPreset(file->text(), shownName(path), readBeside);
 }
 
 }  // namespace
+
+Expected<SoundKit> parseSoundPreset(std::string_view text, const std::string& name,
+                                    const ReadNamedRecording& readNamed) {
+    try {
+        return PresetReader(name, readNamed).read(toml::parse(text));
+    } catch (const toml::parse_error& error) {
+        return unexpected(name + ", line " + std::to_string(error.source().begin.line) +
+                          ": this is not TOML; see docs/sound.md for a pattern.");
+    }
+}
 
 Expected<std::shared_ptr<const SoundKit>> readSoundKit(const std::filesystem::path& path, const SpindlePreset& drive) {
     SoundKit kit;

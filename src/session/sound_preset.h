@@ -3,7 +3,10 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
+#include <string>
+#include <string_view>
 
 #include "geometry/expected.h"
 #include "instruments/spindle.h"
@@ -18,5 +21,12 @@ namespace tactooth {
 /// a number that cannot be meant, a missing `file`; and on everything that readRecording refuses.
 [[nodiscard]] Expected<std::shared_ptr<const SoundKit>> readSoundKit(const std::filesystem::path& path,
                                                                      const SpindlePreset& drive);
+
+/// Reads a recording by the path that stands in a preset.
+using ReadNamedRecording = std::function<Expected<Recording>(const std::string& path)>;
+
+/// A preset from memory; `name` stands for the file in messages.
+[[nodiscard]] Expected<SoundKit> parseSoundPreset(std::string_view text, const std::string& name,
+                                                  const ReadNamedRecording& readNamed);
 
 }  // namespace tactooth

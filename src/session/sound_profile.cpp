@@ -66,10 +66,7 @@ void nameMaterials(const CsvTable& table, std::vector<TimedSoundState>& track) {
     }
 }
 
-}  // namespace
-
-Expected<std::vector<TimedSoundState>> readSoundProfile(const std::filesystem::path& path, const SpindlePreset& drive) {
-    const Expected<CsvTable> table = readCsv(path, kNumbers, kWords);
+Expected<std::vector<TimedSoundState>> soundsOf(const Expected<CsvTable>& table, const SpindlePreset& drive) {
     if (!table) return Unexpected{table.error()};
     std::vector<TimedSoundState> track;
     track.reserve(table->rows());
@@ -93,6 +90,17 @@ Expected<std::vector<TimedSoundState>> readSoundProfile(const std::filesystem::p
     }
     nameMaterials(*table, track);
     return track;
+}
+
+}  // namespace
+
+Expected<std::vector<TimedSoundState>> readSoundProfile(const std::filesystem::path& path, const SpindlePreset& drive) {
+    return soundsOf(readCsv(path, kNumbers, kWords), drive);
+}
+
+Expected<std::vector<TimedSoundState>> parseSoundProfile(std::string_view text, std::string_view name,
+                                                         const SpindlePreset& drive) {
+    return soundsOf(parseCsv(text, name, kNumbers, kWords), drive);
 }
 
 }  // namespace tactooth

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string_view>
 #include <vector>
 
 #include "geometry/expected.h"
@@ -24,5 +25,9 @@ namespace tactooth {
 /// no time or more than kLongestSound.
 [[nodiscard]] Expected<std::vector<TimedSoundState>> readSoundProfile(const std::filesystem::path& path,
                                                                       const SpindlePreset& drive);
+
+/// The same from memory; `name` stands for the file in messages.
+[[nodiscard]] Expected<std::vector<TimedSoundState>> parseSoundProfile(std::string_view text, std::string_view name,
+                                                                       const SpindlePreset& drive);
 
 }  // namespace tactooth

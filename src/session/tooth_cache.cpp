@@ -154,18 +154,18 @@ BuiltinTooth ToothCache::make(const ToothRequest& request) const {
     return tooth;
 }
 
-BuiltinMouth ToothCache::makeMouth(const MouthRequest& request) const {
+Expected<BuiltinMouth> ToothCache::makeMouth(const MouthRequest& request) const {
     return tactooth::makeMouth(
         request, [this](const ToothRequest& tooth) { return make(tooth); },
         [this](const MouthRequest& mouth) { return makeSetting(mouth); });
 }
 
-MouthSetting ToothCache::makeSetting(const MouthRequest& request) const {
+Expected<MouthSetting> ToothCache::makeSetting(const MouthRequest& request) const {
     if (folder_.empty()) return makeMouthSetting(request);
     const fs::path file = fileOf(request);
     if (auto setting = kept(file, settingFrom)) return std::move(*setting);
-    MouthSetting setting = makeMouthSetting(request);
-    keep(bytesOf(setting), file);
+    Expected<MouthSetting> setting = makeMouthSetting(request);
+    if (setting) keep(bytesOf(*setting), file);
     return setting;
 }
 

@@ -24,7 +24,7 @@ public:
     [[nodiscard]] BuiltinTooth make(const ToothRequest& request) const;
 
     /// makeMouth(request), bit for bit.
-    [[nodiscard]] BuiltinMouth makeMouth(const MouthRequest& request) const;
+    [[nodiscard]] Expected<BuiltinMouth> makeMouth(const MouthRequest& request) const;
 
     /// The file that keeps a tooth.
     [[nodiscard]] std::filesystem::path fileOf(const ToothRequest& request) const;
@@ -32,7 +32,7 @@ public:
     [[nodiscard]] std::filesystem::path fileOf(const MouthRequest& request) const;
 
 private:
-    [[nodiscard]] MouthSetting makeSetting(const MouthRequest& request) const;
+    [[nodiscard]] Expected<MouthSetting> makeSetting(const MouthRequest& request) const;
     void keep(std::span<const std::byte> bytes, const std::filesystem::path& file) const;
     void removeOldest() const;
 

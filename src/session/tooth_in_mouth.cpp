@@ -52,16 +52,20 @@ ToothInMouth inMouth(const BuiltinMouth& mouth, int fdi) {
 
 }  // namespace
 
-ToothInMouth toothInMouth(int fdi, const std::optional<Lesion>& lesion, const MouthRequest& mouth,
-                          const ToothMaker& maker) {
-    ToothInMouth result = inMouth(makeMouth(mouth, maker), fdi);
+Expected<ToothInMouth> toothInMouth(int fdi, const std::optional<Lesion>& lesion, const MouthRequest& mouth,
+                                    const ToothMaker& maker) {
+    const auto whole = makeMouth(mouth, maker);
+    if (!whole) return Unexpected{whole.error()};
+    ToothInMouth result = inMouth(*whole, fdi);
     if (lesion) result.tooth = maker({fdi, mouth.triangles, mouth.seed, lesion});
     return result;
 }
 
-ToothInMouth toothInMouth(int fdi, const std::optional<Lesion>& lesion, const MouthRequest& mouth,
-                          const ToothCache& cache) {
-    ToothInMouth result = inMouth(cache.makeMouth(mouth), fdi);
+Expected<ToothInMouth> toothInMouth(int fdi, const std::optional<Lesion>& lesion, const MouthRequest& mouth,
+                                    const ToothCache& cache) {
+    const auto whole = cache.makeMouth(mouth);
+    if (!whole) return Unexpected{whole.error()};
+    ToothInMouth result = inMouth(*whole, fdi);
     if (lesion) result.tooth = cache.make({fdi, mouth.triangles, mouth.seed, lesion});
     return result;
 }

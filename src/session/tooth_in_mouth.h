@@ -23,13 +23,13 @@ struct ToothInMouth {
 };
 
 /// `tooth.fdi` is a tooth of the mouth that is not missing; its fineness and seed are the mouth's. Takes the time that
-/// a mouth takes.
-[[nodiscard]] ToothInMouth toothInMouth(int fdi, const std::optional<Lesion>& lesion, const MouthRequest& mouth,
-                                        const ToothMaker& maker = makeTooth);
+/// a mouth takes, and fails where makeMouth does.
+[[nodiscard]] Expected<ToothInMouth> toothInMouth(int fdi, const std::optional<Lesion>& lesion,
+                                                  const MouthRequest& mouth, const ToothMaker& maker = makeTooth);
 
 /// The same, with teeth and gums that were made before: a matter of a second.
-[[nodiscard]] ToothInMouth toothInMouth(int fdi, const std::optional<Lesion>& lesion, const MouthRequest& mouth,
-                                        const ToothCache& cache);
+[[nodiscard]] Expected<ToothInMouth> toothInMouth(int fdi, const std::optional<Lesion>& lesion,
+                                                  const MouthRequest& mouth, const ToothCache& cache);
 
 /// A tooth without what is sure to lie below the gum, to be drawn: open at its end.
 [[nodiscard]] TriangleMesh aboveTheGum(const TriangleMesh& tooth);

@@ -13,10 +13,7 @@ namespace {
 constexpr std::array<std::string_view, 8> kColumns = {"t", "x", "y", "z", "qw", "qx", "qy", "qz"};
 constexpr double kUnitTolerance = 0.01;  // a quaternion written with three digits is still meant as unit
 
-}  // namespace
-
-Expected<std::vector<TimedPose>> readTrajectory(const std::filesystem::path& path) {
-    const Expected<CsvTable> table = readCsv(path, kColumns);
+Expected<std::vector<TimedPose>> posesOf(const Expected<CsvTable>& table) {
     if (!table) return Unexpected{table.error()};
     std::vector<TimedPose> trajectory;
     trajectory.reserve(table->rows());
@@ -36,6 +33,16 @@ Expected<std::vector<TimedPose>> readTrajectory(const std::filesystem::path& pat
         trajectory.push_back({value[0], {Vec3(value[1], value[2], value[3]), rotation.normalized()}});
     }
     return trajectory;
+}
+
+}  // namespace
+
+Expected<std::vector<TimedPose>> readTrajectory(const std::filesystem::path& path) {
+    return posesOf(readCsv(path, kColumns));
+}
+
+Expected<std::vector<TimedPose>> parseTrajectory(std::string_view text, std::string_view name) {
+    return posesOf(parseCsv(text, name, kColumns));
 }
 
 }  // namespace tactooth

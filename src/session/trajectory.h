@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string_view>
 #include <vector>
 
 #include "geometry/expected.h"
@@ -21,5 +22,8 @@ struct TimedPose {
 /// Fails with one sentence with file and line on everything that readCsv refuses, on a quaternion that is not unit
 /// (within 1 %: it is then normalised) and on a time before the one of the row above.
 [[nodiscard]] Expected<std::vector<TimedPose>> readTrajectory(const std::filesystem::path& path);
+
+/// The same from memory; `name` stands for the file in messages.
+[[nodiscard]] Expected<std::vector<TimedPose>> parseTrajectory(std::string_view text, std::string_view name);
 
 }  // namespace tactooth

@@ -3,8 +3,62 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
+#include <span>
+#include <stdexcept>
+#include <string_view>
+#include <vector>
 
-/// One try of a byte reader with any bytes, under the name that libFuzzer looks for. Stops the process if a promise of
-/// the reader is broken.
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+#include "geometry/expected.h"
+#include "geometry/triangle_mesh.h"
+
+namespace tactooth::test {
+
+/// A reader of bytes that nobody can vouch for.
+struct FuzzTarget {
+    const char* name;  ///< also that of the folder of its seeds, below corpus/
+    /// Tries it with any bytes: true if it accepts them, and throws BrokenPromise if it does not do what it promises.
+    bool (*accepts)(std::span<const std::byte>);
+    /// Of seeds that are damaged once or twice, those that it takes all the same: so few at least, or the damage tries
+    /// nothing but the first line.
+    double leastAccepted = 0.05;
+};
+
+struct BrokenPromise : std::logic_error {
+    using std::logic_error::logic_error;
+};
+
+/// Those that are linked into the program.
+[[nodiscard]] inline std::vector<FuzzTarget>& fuzzTargets() {
+    static std::vector<FuzzTarget> targets;
+    return targets;
+}
+
+struct AddFuzzTarget {
+    explicit AddFuzzTarget(const FuzzTarget& target) { fuzzTargets().push_back(target); }
+};
+
+inline void require(bool holds, const char* promise) {
+    if (!holds) throw BrokenPromise(promise);
+}
+
+/// One sentence that begins with the name that the file was given.
+inline void requireSentence(const Error& error, std::size_t longest = 400) {
+    const std::string& sentence = error.message;
+    require(sentence.starts_with("fuzz"), "a refusal names the file");
+    require(sentence.ends_with('.') && sentence.size() > 20, "a refusal is a sentence");
+    require(sentence.size() < longest, "a refusal is short");
+    require(sentence.find('\n') == std::string::npos, "a refusal is one line");
+}
+
+inline void requireValid(const TriangleMesh& mesh) {
+    for (const Vec3f& vertex : mesh.vertices) require(vertex.allFinite(), "coordinates are finite");
+    for (const Triangle& triangle : mesh.triangles) {
+        for (const std::uint32_t vertex : triangle) require(vertex < mesh.vertices.size(), "corners are vertices");
+    }
+}
+
+[[nodiscard]] inline std::string_view asText(std::span<const std::byte> bytes) {
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+}  // namespace tactooth::test

@@ -24,7 +24,7 @@ using test::placed;
 constexpr int kTriangles = 4000;
 
 const BuiltinMouth& mouth() {
-    static const BuiltinMouth made = makeMouth({.triangles = kTriangles, .missing = {}});
+    static const BuiltinMouth made = *makeMouth({.triangles = kTriangles, .missing = {}});
     return made;
 }
 
@@ -163,7 +163,7 @@ TEST(BuiltinMouth, PapillaeReachFartherDownThanTheMarginsBesideThem) {
 }
 
 TEST(BuiltinMouth, MissingTeethLeaveAHealedPlace) {
-    const BuiltinMouth gap = makeMouth({.triangles = 2000, .missing = test::allTeethBut({36, 45, 47})});
+    const BuiltinMouth gap = *makeMouth({.triangles = 2000, .missing = test::allTeethBut({36, 45, 47})});
     EXPECT_EQ(gap.teeth.size(), 3u);
     EXPECT_EQ(gap.find(46), nullptr);
     EXPECT_NE(gap.find(36), nullptr);
@@ -183,7 +183,7 @@ TEST(BuiltinMouth, TheOpenJawParts40MillimetresAtTheIncisors) {
 }
 
 TEST(BuiltinMouth, TheSameRequestGivesTheSameBits) {
-    const MouthSetting again = makeMouthSetting({.triangles = kTriangles, .missing = {}});
+    const MouthSetting again = *makeMouthSetting({.triangles = kTriangles, .missing = {}});
     EXPECT_TRUE(test::areBitEqual(again.upperGingiva, mouth().upperGingiva));
     EXPECT_TRUE(test::areBitEqual(makeTooth({26, kTriangles, 0, {}}).outer, mouth().find(26)->tooth.outer));
     EXPECT_EQ(again.toothInMouth[5].position, mouth().find(16)->toothInMouth.position);

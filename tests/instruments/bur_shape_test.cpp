@@ -113,6 +113,16 @@ TEST_P(EveryBur, HasAFewHundredTrianglesByDefault) {
     EXPECT_LE(triangles, 400u);
 }
 
+TEST_P(EveryBur, HasAsManyTrianglesAsAreAskedForOrOneFewerOfAnOddNumber) {
+    for (const int triangles : {333, 334, 1999, 20988}) {
+        const TriangleMesh surface = makeBurOf(spec_, triangles).surface;
+        EXPECT_EQ(surface.triangles.size(), static_cast<std::size_t>(triangles / 2 * 2));
+        EXPECT_EQ(test::unpairedEdges(surface), 0);
+        EXPECT_NEAR(test::volumeOf(surface), test::volumeOf(makeBur(spec_, triangles).surface), 1e-5);
+        if (triangles < 1000) EXPECT_FALSE(test::intersectsItself(surface));
+    }
+}
+
 TEST_P(EveryBur, IsTheSameEachTime) { EXPECT_TRUE(test::areBitEqual(makeBur(spec_).surface, makeBur(spec_).surface)); }
 
 std::vector<std::string> allNumbers() {

@@ -10,7 +10,7 @@ namespace {
 
 TEST(OtherMouths, FitTogetherToo) {
     for (const std::uint32_t seed : {1U, 2U, 3U, 7U, 11U, 42U}) {
-        const BuiltinMouth other = makeMouth({.triangles = 2000, .seed = seed, .missing = {}});
+        const BuiltinMouth other = *makeMouth({.triangles = 2000, .seed = seed, .missing = {}});
         for (const int fdi : {12, 15, 17, 33, 36, 38}) {
             EXPECT_GT(test::between(test::placed(other, fdi - 1), test::placed(other, fdi)), 0) << seed << " " << fdi;
         }
@@ -25,13 +25,13 @@ TEST(OtherMouths, FitTogetherToo) {
 TEST(OtherMouths, HaveGumsThatDoNotIntersectThemselves) {
     for (std::uint32_t seed = 0; seed < 20; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
-        test::expectSoundGums(makeMouthSetting({.seed = seed, .missing = {}}));
+        test::expectSoundGums(*makeMouthSetting({.seed = seed, .missing = {}}));
     }
 }
 
 TEST(OtherMouths, HaveFineGumsAndHealedOnesThatDoNotIntersectThemselves) {
-    test::expectSoundGums(makeMouthSetting({.triangles = 60000, .seed = 2, .missing = {}}));
-    test::expectSoundGums(makeMouthSetting({.seed = 0, .missing = {18, 14, 24, 25, 41, 46, 47, 48}}));
+    test::expectSoundGums(*makeMouthSetting({.triangles = 60000, .seed = 2, .missing = {}}));
+    test::expectSoundGums(*makeMouthSetting({.seed = 0, .missing = {18, 14, 24, 25, 41, 46, 47, 48}}));
 }
 
 }  // namespace

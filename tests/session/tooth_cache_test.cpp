@@ -109,21 +109,21 @@ void expectSame(const BuiltinMouth& a, const BuiltinMouth& b) {
 TEST(ToothCache, GivesBackAMouthBitForBitMakesADamagedOneAnewAndReadsItsGums) {
     const test::TemporaryFolder folder;
     const ToothCache cache(folder.path());
-    const BuiltinMouth made = cache.makeMouth(kMouth);
+    const BuiltinMouth made = *cache.makeMouth(kMouth);
     const fs::path file = cache.fileOf(kMouth);
     ASSERT_TRUE(fs::exists(file));
     const auto size = fs::file_size(file);
     fs::last_write_time(file, fs::file_time_type::clock::now() - std::chrono::hours(9));
-    expectSame(cache.makeMouth(kMouth), made);
+    expectSame(*cache.makeMouth(kMouth), made);
     EXPECT_GT(fs::last_write_time(file), fs::file_time_type::clock::now() - std::chrono::hours(1));
     fs::resize_file(file, size - 1);
-    expectSame(cache.makeMouth(kMouth), makeMouth(kMouth));
+    expectSame(*cache.makeMouth(kMouth), *makeMouth(kMouth));
     EXPECT_EQ(fs::file_size(file), size);
 
     MouthRequest gap = kMouth;
     gap.missing.push_back(46);
     fs::copy_file(file, cache.fileOf(gap));
-    const BuiltinMouth read = cache.makeMouth(gap);
+    const BuiltinMouth read = *cache.makeMouth(gap);
     EXPECT_EQ(read.find(46), nullptr);
     EXPECT_TRUE(test::areBitEqual(read.lowerGingiva, made.lowerGingiva));
 }

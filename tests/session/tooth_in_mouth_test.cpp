@@ -13,9 +13,9 @@ namespace tactooth {
 namespace {
 
 const ToothInMouth& premolar() {
-    static const ToothInMouth made =
-        toothInMouth(35, std::nullopt,
-                     {.triangles = 2000, .jaw = JawPose::open, .missing = test::allTeethBut({11, 26, 33, 34, 35, 37})});
+    static const ToothInMouth made = *toothInMouth(
+        35, std::nullopt,
+        {.triangles = 2000, .jaw = JawPose::open, .missing = test::allTeethBut({11, 26, 33, 34, 35, 37})});
     return made;
 }
 
@@ -58,8 +58,8 @@ TEST(ToothInMouth, DecayComesWithTheToothThatIsWorkedOn) {
         if (request.lesion) ++made;
         return makeTooth(request);
     };
-    const ToothInMouth decayed = toothInMouth(41, Lesion{LesionSite::mesial, 1.5, {}},
-                                              {.triangles = 1000, .missing = test::allTeethBut({31, 41, 42})}, count);
+    const ToothInMouth decayed = *toothInMouth(41, Lesion{LesionSite::mesial, 1.5, {}},
+                                               {.triangles = 1000, .missing = test::allTeethBut({31, 41, 42})}, count);
     EXPECT_EQ(made, 1);
     EXPECT_FALSE(decayed.tooth.caries.empty());
 }

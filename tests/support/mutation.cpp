@@ -3,12 +3,47 @@
 #include "support/mutation.h"
 
 #include <algorithm>
+#include <string_view>
 
 namespace tactooth::test {
 namespace {
 
 constexpr std::size_t kHead = 100;  // bytes in which most formats keep their numbers
 constexpr std::size_t kPiece = 60;  // bytes that are cut or moved at most
+
+/// What readers of text trip over.
+constexpr std::string_view kWords[] = {"nan",
+                                       "-inf",
+                                       "1e999",
+                                       "1e-999",
+                                       "-1",
+                                       "+",
+                                       "99999999999999999999",
+                                       "0x",
+                                       "1979-05-27",
+                                       "[[",
+                                       "a.b.c",
+                                       "[enamel]\n",
+                                       "colour = [1,2]\n",
+                                       "\"\"\"",
+                                       "\\u12",
+                                       "\"",
+                                       "'",
+                                       "{",
+                                       "}",
+                                       "[",
+                                       "]",
+                                       "=",
+                                       ",",
+                                       ":",
+                                       "\n",
+                                       "\r",
+                                       "#",
+                                       "\xff",
+                                       "\xEF\xBB\xBF",
+                                       "e",
+                                       "true",
+                                       "null"};
 
 }  // namespace
 
@@ -18,7 +53,7 @@ void damage(std::string& bytes, std::span<const std::string> others, std::mt1993
     const std::string& other = others[below(random, others.size())];
     const std::size_t at = below(random, random() % 2 == 0 ? std::min(bytes.size(), kHead) : bytes.size());
     const std::size_t length = below(random, kPiece);
-    switch (random() % 7) {
+    switch (random() % 8) {
         case 0:
             bytes[at] = static_cast<char>(random());
             break;
@@ -36,6 +71,9 @@ void damage(std::string& bytes, std::span<const std::string> others, std::mt1993
             break;
         case 5:
             bytes.replace(at, std::min<std::size_t>(4, bytes.size() - at), 4, random() % 2 == 0 ? '\xff' : '\0');
+            break;
+        case 6:
+            bytes.insert(at, kWords[below(random, std::size(kWords))]);
             break;
         default:
             bytes.insert(at, other.substr(below(random, other.size()), length));

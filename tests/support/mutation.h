@@ -12,7 +12,7 @@ namespace tactooth::test {
 [[nodiscard]] std::size_t below(std::mt19937& random, std::size_t limit);
 
 /// Damages a file's bytes once, its head more often than the rest: changes a byte, flips a bit, cuts, repeats, puts in
-/// what a hostile head would hold, or moves a piece of another file in.
+/// what a hostile head or text would hold, or moves a piece of another file in.
 void damage(std::string& bytes, std::span<const std::string> others, std::mt19937& random);
 
 }  // namespace tactooth::test

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "geometry/expected.h"
 #include "view/scene.h"
 
 namespace tactooth {
 
 /// The whole built-in mouth to be drawn, open: 32 teeth of about 20,000 triangles each, the gums of both jaws, and a
 /// mouth mirror behind the lower right molars.
-[[nodiscard]] Scene benchMouth();
+[[nodiscard]] Expected<Scene> benchMouth();
 
 }  // namespace tactooth

@@ -95,10 +95,11 @@ Expected<void> measure(const BenchViewOptions& options) {
                    "processor", "1/s", "of bare");
     }
     const Scene oneTooth = toothScene(tooth->mesh);
-    const Scene mouth = benchMouth();
+    const Expected<Scene> mouth = benchMouth();
+    if (!mouth) return Unexpected{mouth.error()};
     double bare = 0;
-    for (const Case& one : casesOf(oneTooth, mouth, *size)) {
-        if (options.mouth && one.scene != &mouth) continue;
+    for (const Case& one : casesOf(oneTooth, *mouth, *size)) {
+        if (options.mouth && one.scene != &*mouth) continue;
         const auto times = one.bare ? timer->bare(filmOf(one), options.frames)
                                     : timer->full(filmOf(one), options.frames, one.settings);
         if (!times) return Unexpected{times.error()};

@@ -41,7 +41,7 @@ int runBur(const BurOptions& options) {
             {fmt::format("the catalogue has no bur '{}'; 'tactooth bur --list' shows what it has.", options.number)});
     }
     if (options.out.empty()) return refuse({"--out is missing; name the STL file to write."});
-    const Bur bur = makeBur(*spec, options.triangles);
+    const Bur bur = makeBurOf(*spec, options.triangles);
     if (const auto done = writeStl(bur.surface, options.out); !done) return refuse(done.error());
     fmt::print("{} (ISO {}), head {:.2f} x {:.2f} mm\n{}: {}\n", spec->name, isoNumber(*spec), spec->headDiameter,
                spec->headLength, options.out.string(), meshSummary(reportOn(bur.surface)));

@@ -48,12 +48,13 @@ struct Cast {
 };
 
 /// The lower first molar in an open mouth.
-BuiltinTooth castMouth(Cast& cast) {
+Expected<BuiltinTooth> castMouth(Cast& cast) {
     const ToothCache cache(usualCacheFolder());
-    ToothInMouth made = toothInMouth(46, Lesion{}, {.jaw = JawPose::open, .missing = {}}, cache);
-    cast.props.around = shownAround(made);
-    cast.surroundings = surroundingsOf(made);
-    return std::move(made.tooth);
+    Expected<ToothInMouth> made = toothInMouth(46, Lesion{}, {.jaw = JawPose::open, .missing = {}}, cache);
+    if (!made) return Unexpected{made.error()};
+    cast.props.around = shownAround(*made);
+    cast.surroundings = surroundingsOf(*made);
+    return std::move(made->tooth);
 }
 
 Expected<void> castTooth(const DemoOptions& options, Cast& cast) {
@@ -75,13 +76,15 @@ Expected<void> castTooth(const DemoOptions& options, Cast& cast) {
         cast.ownBur = std::move(place.bur);
         return {};
     }
-    const BuiltinTooth molar = options.mouth ? castMouth(cast) : makeBuiltinTooth(BuiltinToothKind::lowerFirstMolar);
-    auto tooth = layeredTooth(molar);
+    const Expected<BuiltinTooth> molar =
+        options.mouth ? castMouth(cast) : makeBuiltinTooth(BuiltinToothKind::lowerFirstMolar);
+    if (!molar) return Unexpected{molar.error()};
+    auto tooth = layeredTooth(*molar);
     if (!tooth) return Unexpected{tooth.error()};
     cast.tooth = std::make_shared<const LayeredTooth>(std::move(*tooth));
     cast.box = cast.tooth->outer()->tree().box();
-    cast.props.mesialX = mesialX(molar.fdi);
-    cast.toothName = fmt::format("built-in: {} (FDI {})", molar.name, molar.fdi);
+    cast.props.mesialX = mesialX(molar->fdi);
+    cast.toothName = fmt::format("built-in: {} (FDI {})", molar->name, molar->fdi);
     return {};
 }
 

@@ -27,7 +27,7 @@ void addBur(CLI::App& program, Chosen& chosen) {
     command->add_option("--out", options->out, "STL file to write")->type_name("FILE");
     command
         ->add_option("--triangles", options->triangles,
-                     "About how many (default: 340, as for contact; from some 5000 on all details show)")
+                     "How many, one fewer if odd (default: 340, as for contact; from some 5000 on all details show)")
         ->check(CLI::Range(200, 2'000'000))
         ->type_name("N");
 }

@@ -65,15 +65,16 @@ Expected<BenchTooth> makeBenchTooth(const BenchMouth& mouth) {
     constexpr int kNeighbourTriangles = 20000;
     const MouthRequest request{.triangles = kNeighbourTriangles, .seed = 0, .jaw = JawPose::open, .missing = {}};
     const ToothCache cache(mouth.cached ? usualCacheFolder() : std::filesystem::path());
-    const ToothInMouth made = toothInMouth(mouth.fdi, Lesion{}, request, cache);
-    Expected<LayeredTooth> layered = layeredTooth(made.tooth);
+    const Expected<ToothInMouth> made = toothInMouth(mouth.fdi, Lesion{}, request, cache);
+    if (!made) return Unexpected{made.error()};
+    Expected<LayeredTooth> layered = layeredTooth(made->tooth);
     if (!layered) return Unexpected{layered.error()};
-    BenchTooth tooth{std::to_string(made.tooth.fdi),  // a number needs no translation
+    BenchTooth tooth{std::to_string(made->tooth.fdi),  // a number needs no translation
                      std::make_shared<WorkPiece>(std::make_shared<const LayeredTooth>(std::move(*layered)), kVoxel),
-                     mesialX(made.tooth.fdi),
-                     {{"tooth", "built in: " + made.tooth.name + ", in the whole mouth"}}};
-    tooth.around = shownAround(made);
-    tooth.piece->surroundBy(surroundingsOf(made));
+                     mesialX(made->tooth.fdi),
+                     {{"tooth", "built in: " + made->tooth.name + ", in the whole mouth"}}};
+    tooth.around = shownAround(*made);
+    tooth.piece->surroundBy(surroundingsOf(*made));
     return tooth;
 }
 

@@ -213,7 +213,7 @@ double Gingiva::marginOver(double outward, const Line& line) const {
     const double across = smoothStep(-0.7 * line.half, 0.7 * line.half, outward - line.middle);
     const double margin = std::lerp(line.lingual, line.facial, across);
     constexpr double kTipHalf = 0.4,
-                     kAtFace = 0.68;   // part of the way to the face; of the papilla's height left there
+                     kAtFace = 0.55;   // part of the way to the face; of the papilla's height left there
     constexpr double kLeastReach = 2;  // mm
     const double aside = outward - line.outward;
     const double reach = std::max(line.half + (aside > 0 ? 1 : -1) * (line.middle - line.outward), kLeastReach);
@@ -265,8 +265,13 @@ double Gingiva::ridge(double along, double out, double crownward, const Line& li
     // The lower molars' roots lean to the cheek: the oblique line of the mandible covers them.
     const double oblique =
         upper_ ? 0 : 2.6 * smoothStep(28, 50, std::abs(along)) * smoothStep(0, 9, facial_ - crownward);
-    const double facial = line.half + kCover + oblique + (upper_ ? 0.8 : 1.2) * widening,
-                 lingual = line.half + kCover + (upper_ ? 2.5 : 1.2) * widening;
+    // Between two teeth it goes in, most on the side of the cheek: a papilla's face is a hollow between two round ones.
+    // Little at the front teeth, where the gum is too thin for it.
+    constexpr double kGroove = 0.9, kAtFront = 0.3, kGrooveDeep = 8;  // mm; a part of it; below the margin
+    const double groove = kGroove * std::lerp(kAtFront, 1.0, smoothStep(10, 22, std::abs(along))) *
+                          std::sqrt(line.rise) * smoothStep(kGrooveDeep, 0, facial_ - crownward);
+    const double facial = line.half + kCover - groove + oblique + (upper_ ? 0.8 : 1.2) * widening,
+                 lingual = line.half + kCover - groove / 2 + (upper_ ? 2.5 : 1.2) * widening;
     const double half = (facial + lingual) / 2, middle = line.middle + (facial - lingual) / 2;
     return std::abs(out - middle) - half;
 }
@@ -280,7 +285,7 @@ double Gingiva::palate(const Vec3& p) const {
     const double across = std::max(0.0, 1 - std::pow(aside / half, 2.4));
     const double vault = lingual_ - kBelowMargin - kHigh * across * smoothStep(kFront, kBack, depth);
     const double raphe = 0.3 * bump(p.x(), 0.8) * smoothStep(12, 17, depth);
-    const double incisive = 1.0 * bump(std::hypot(p.x() / 1.5, (depth - 11) / 2.8), 1.0);
+    const double incisive = bump(std::hypot(p.x() / 1.5, (depth - 11) / 2.8), 1.0);
     const double reach = smoothStep(0.9, 2.4, aside) * smoothStep(11.5, 8.5, aside) * smoothStep(10.5, 13, depth) *
                          smoothStep(27, 22, depth);
     constexpr double kRugae = 3.8;  // mm from one to the next
@@ -299,7 +304,7 @@ double Gingiva::operator()(const Vec3& p) const {
     const double depth = marginOver(at.outward, line) - 0.12 * beyond * beyond - crownward;
     double second = 0;
     const double tooth = toTeeth(p, at.s, second);
-    constexpr double kThin = 0.5, kThick = 1.1, kDeep = 5;  // mm: thickness at the margin, and that deep below it
+    constexpr double kThin = 0.6, kThick = 1.1, kDeep = 5;  // mm: thickness at the margin, and that deep below it
     constexpr double kJuga = 2, kNoJuga = 14, kFlat = 4;    // mm: depths between which the roots' ridges fade
     const double cover =
         tooth - std::lerp(kThin, kThick, smoothStep(0, kDeep, depth)) + kFlat * smoothStep(kJuga, kNoJuga, depth);
@@ -310,7 +315,7 @@ double Gingiva::operator()(const Vec3& p) const {
     if (upper_) {
         constexpr double kFoot = 5;
         const double inside = (at.outward - line.middle) / 1.2;  // the vault ends within the ridge
-        body = smoothUnion(body, std::max(palate(p), inside), kFoot);
+        if (inside < body + kFoot) body = smoothUnion(body, std::max(palate(p), inside), kFoot);
     }
     constexpr double kMarginRound = 0.55, kSlope = 1.3, kEndRound = 6, kBaseRound = 1.5, kSocketRound = 0.45,
                      kTipRound = 0.5;

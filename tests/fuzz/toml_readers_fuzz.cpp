@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+// Whatever the bytes: materials, a bur's description and a sound preset are refused with a sentence that names the
+// line, or every number in them is one that can be meant, and what can be written is read again.
+#include <cmath>
+
+#include "fuzz/fuzz_target.h"
+#include "fuzz/small_surface.h"
+#include "session/cases/own_bur.h"
+#include "session/material_file.h"
+#include "session/sound_preset.h"
+
+namespace tactooth::test {
+namespace {
+
+bool isMaterials(std::string_view text) {
+    const auto table = parseMaterials(text, "fuzz", {});
+    if (!table) return requireSentence(table.error(), 1000), false;
+    for (std::size_t m = 0; m < kMaterialCount; ++m) {
+        const Material& material = (*table)[static_cast<MaterialId>(m)];
+        for (const double value : {material.stiffness, material.damping, material.friction, material.removal,
+                                   material.soundCentre, material.soundBrightness}) {
+            require(std::isfinite(value) && value >= 0, "a material's numbers are finite and not negative");
+        }
+    }
+    return true;
+}
+
+bool isBur(std::string_view text) {
+    const auto readBeside = [](const std::string&) -> Expected<std::vector<std::byte>> { return smallSurface(); };
+    const auto bur = parseOwnBur(text, "fuzz", readBeside);
+    if (!bur) return requireSentence(bur.error(), 1000), false;
+    requireValid(bur->surface);
+    require(bur->sharpness >= 0 && bur->sharpness <= 10, "a bur cuts ten times as fast as a new one at most");
+    require(bur->flutes >= 0 && std::isfinite(bur->gritMicrometres), "an edge can be made");
+    const auto again = parseOwnBur(ownBurText(*bur, "a.stl"), "fuzz", readBeside);
+    require(again && again->name == bur->name && again->flutes == bur->flutes,
+            "what was read can be written and read again");
+    return true;
+}
+
+bool isSoundPreset(std::string_view text) {
+    static const std::vector<float> wave = [] {
+        std::vector<float> samples(2000);
+        for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = std::sin(0.1F * static_cast<float>(i));
+        return samples;
+    }();
+    const auto kit =
+        parseSoundPreset(text, "fuzz", [](const std::string&) { return Recording::make(wave, 8000, "tone"); });
+    if (!kit) return requireSentence(kit.error(), 1000), false;
+    for (const auto& part : {kit->motor, kit->water, kit->suction}) {
+        require(!part || (std::isfinite(part->gain) && part->gain > 0), "a recording's gain is a factor");
+    }
+    return true;
+}
+
+bool accepts(std::span<const std::byte> bytes) {
+    const std::string_view text = asText(bytes);
+    const bool isAny[] = {isMaterials(text), isBur(text), isSoundPreset(text)};
+    return isAny[0] || isAny[1] || isAny[2];
+}
+
+const AddFuzzTarget added({"toml", accepts});
+
+}  // namespace
+}  // namespace tactooth::test
