@@ -14,7 +14,6 @@
 #include "app/cli/render_words.h"
 #include "session/experiments/run_facts.h"
 #include "session/experiments/standard_teeth.h"
-#include "session/tooth_cache.h"
 #include "view/frame_timer.h"
 #include "view/orbit_camera.h"
 
@@ -77,6 +76,7 @@ Subject toothSubject(const TriangleMesh& mesh, PictureSize size) {
             trianglesOf(scene),
             {{"bare, in one colour", {film, std::nullopt}},
              {"light and shadow", {film, kQuick}},
+             {"smooth edges, soft", {film, kSmooth}},
              {"all of it", {film, kFine}}}};
 }
 
@@ -102,13 +102,12 @@ Subject workSubject(const std::string& name, const BenchWork& work) {
 
 /// The molar of an exercise, with its target.
 Expected<BenchWork> workOnMolar(PictureSize size, int frames) {
-    const Exercise& exercise = exercises()[1];
-    Expected<LayeredTooth> layered = layeredTooth(ToothCache(usualCacheFolder()).make(toothRequest(exercise)));
-    if (!layered) return Unexpected{layered.error()};
-    const auto tooth = std::make_shared<const LayeredTooth>(std::move(*layered));
-    const Expected<TriangleMesh> target = idealShape(exercise, tooth);
+    const Exercise& exercise = *exercises()[1];
+    const auto tooth = exerciseTooth(exercise);
+    if (!tooth) return Unexpected{tooth.error()};
+    const Expected<TriangleMesh> target = idealShape(exercise, *tooth);
     if (!target) return Unexpected{target.error()};
-    return BenchWork::make(tooth, *target, size, frames);
+    return BenchWork::make(*tooth, *target, size, frames);
 }
 
 Expected<BenchWork> workOn(const TriangleMesh& mesh, PictureSize size, int frames) {
