@@ -38,8 +38,11 @@
 namespace tactooth {
 namespace {
 
-constexpr int kStepMs = 16;      // the hand moves 60 times a second
-constexpr int kNumbersMs = 100;  // gauges and plots: ten times a second
+constexpr int kStepMs = 16;         // the hand moves 60 times a second ...
+constexpr int kRestMs = 40;         // ... and rests at fewer,
+constexpr int kRestAfter = 120;     // steps in which nobody has moved anything
+constexpr double kSeenMove = 1e-4;  // mm
+constexpr int kNumbersMs = 100;     // gauges and plots: ten times a second
 constexpr int kStatusMs = 1000;
 constexpr int kLayout = 3;  // counts the arrangements of docks: one that was saved with others of them is not taken
 constexpr double kLongestStep = 0.1;  // s: after a stall the hand goes on gently
@@ -297,6 +300,16 @@ void MainWindow::connectRecords() {
     connect(happened_, &EventPanel::placeChosen, view_, &ToothView::centreOn);
 }
 
+/// A window that nobody uses leaves the computer to others.
+void MainWindow::paceSteps() {
+    const Vec3& place = bench_.newest().proxy.position;
+    const bool isStill = (place - lastPlace_).norm() < kSeenMove && bench_.newest().speedRpm == 0 && !bench_.isBusy();
+    lastPlace_ = place;
+    stillSteps_ = isStill ? stillSteps_ + 1 : 0;
+    const int pause = stillSteps_ > kRestAfter ? kRestMs : kStepMs;
+    if (stepTimer_.interval() != pause) stepTimer_.setInterval(pause);
+}
+
 void MainWindow::step() {
     const double dt = sinceStep_.isValid() ? static_cast<double>(sinceStep_.restart()) / 1000 : (sinceStep_.start(), 0);
     stepPedal();
@@ -311,6 +324,7 @@ void MainWindow::step() {
     trace_.add(bench_.ticks());
     busy_->setVisible(bench_.isBusy() || importer_->isBusy());
     view_->refresh();
+    paceSteps();
 }
 
 void MainWindow::showUsualHint() {

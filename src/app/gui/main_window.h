@@ -169,6 +169,7 @@ private:
     QAction* addViewAction(const QString& text, const QString& keys, void (ToothView::*act)());
 
     void step();
+    void paceSteps();
     void showNumbers();
     void showStatus(const Simulator& simulator);
     void showUsualHint();
@@ -254,6 +255,8 @@ private:
     bool forceWaits_ = false;    // and the hint says so
     QTimer stepTimer_, numbersTimer_, statusTimer_;
     QElapsedTimer sinceStep_;
+    Vec3 lastPlace_ = Vec3::Zero();
+    int stillSteps_ = 0;  // since something moved
 };
 
 }  // namespace tactooth

@@ -255,6 +255,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
 bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
     const bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease;
     if (event->type() == QEvent::KeyPress || event->type() == QEvent::MouseButtonPress) tour_->stop();
+    if (isKey || event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseMove) stillSteps_ = 0;
     // Another window is in front and gets the key's release.
     if (watched == this && event->type() == QEvent::WindowDeactivate && !tour_->isRunning()) drive_->setKeyDown(false);
     if (!isKey || !watched->isWidgetType() || static_cast<QWidget*>(watched)->window() != this) {

@@ -93,11 +93,12 @@ void StatusLine::show(const Simulator& simulator, SoundStatus sound) {
     missed_ = missed;
     updates_ = updates;
     constexpr double kRounding = 10;  // Hz: a rate that trembles would have the whole window composed anew each second
+    constexpr double kWholeMicroseconds = 5;
     const double shownRate = kRounding * std::round(rate / kRounding);
     showServo(tr("Servo %1 Hz").arg(shownRate, 0, 'f', 0),
               tr("Servo %1 Hz, p99 %2 µs, missed %3, %4  |  surface %5/s")
                   .arg(shownRate, 0, 'f', 0)
-                  .arg(timing.tick.quantile(0.99), 0, 'f', 0)
+                  .arg(kWholeMicroseconds * std::round(timing.tick.quantile(0.99) / kWholeMicroseconds), 0, 'f', 0)
                   .arg(missed)
                   .arg(simulator.isRealTime() ? tr("real-time") : tr("not real-time"))
                   .arg(updateRate, 0, 'f', 0));
