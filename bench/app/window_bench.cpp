@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The live window at work: `window_bench [SECONDS [TOOTH.stl]]` cuts with a bur of 1.2 mm at 50 um, strokes to and fro
-// with the mouse, and prints one CSV row: surface updates and pictures a second, and the processor time, in percent of
-// one core, that each kind of thread took; then another row for the window at rest. On a machine without a display:
+// with the mouse, and prints CSV rows: surface updates and pictures a second, ticks in a thousand that came late, and
+// the processor time, in percent of one core, that each kind of thread took. Three times in turn the bur strokes over
+// the tooth without and with cutting; then it spins above it, and then all is at rest. On a machine without a display:
 //     LIBGL_ALWAYS_SOFTWARE=1 ALSOFT_DRIVERS=null xvfb-run -a -s "-screen 0 1400x900x24" build/release/bin/window_bench
 #include <unistd.h>
 
@@ -55,23 +56,28 @@ public:
     template <class Act>
     void run(const char* name, double seconds, Act act) {
         const std::uint64_t updates = window_.bench().simulator()->surfaceUpdates();
+        const auto ticks = [&] { return window_.bench().simulator()->timing().ticks.load(); };
+        const auto missed = [&] { return window_.bench().simulator()->timing().missed.load(); };
+        const auto ticksBefore = static_cast<double>(ticks()), missedBefore = static_cast<double>(missed());
         const auto before = processorTimes();
         pictures_ = 0;
         QElapsedTimer timer;
         timer.start();
         double now = 0;
         for (; now < seconds; now = static_cast<double>(timer.elapsed()) / 1000) act(now);
-        std::printf("%s,%.1f,%.1f", name,
-                    static_cast<double>(window_.bench().simulator()->surfaceUpdates() - updates) / now,
-                    pictures_ / now);
-        double all = 0;
+        const double late = static_cast<double>(missed()) - missedBefore;
+        const double all = static_cast<double>(ticks()) - ticksBefore + late;
+        std::printf("%s,%.1f,%.1f,%.2f", name,
+                    static_cast<double>(window_.bench().simulator()->surfaceUpdates() - updates) / now, pictures_ / now,
+                    1000 * late / std::max(1.0, all));
+        double sum = 0;
         for (const auto& [thread, time] : processorTimes()) {
             const auto known = before.find(thread);
             const double spent = 100 * (time - (known == before.end() ? 0 : known->second)) / now;
-            all += spent;
+            sum += spent;
             if (spent >= 0.1) std::printf(",%s %.1f", thread.c_str(), spent);
         }
-        std::printf(",all %.1f\n", all);
+        std::printf(",all %.1f\n", sum);
         std::fflush(stdout);
     }
 
@@ -99,18 +105,26 @@ int run(double seconds, const QString& file) {
     auto& view = *window.findChild<ToothView*>("toothView");
     window.findChild<QCheckBox*>("keepPedal")->setChecked(true);
     QApplication::setActiveWindow(&window);
-    QTest::keyClick(&window, Qt::Key_C);
     const QPoint start = view.rect().center() + QPoint(-18, 60);
     QTest::mouseMove(&view, start);
     QTest::qWait(1500);
     QTest::mousePress(&view, Qt::LeftButton, {}, start);
     QTest::qWait(500);
-    std::printf("# case,updates_per_s,pictures_per_s,percent of a core by thread\n");
+    std::printf("# case,updates_per_s,pictures_per_s,late_per_thousand,percent of a core by thread\n");
     Measurement measurement(window, view);
-    measurement.run("cutting", seconds, [&](double now) {
-        QTest::mouseMove(&view, start + QPoint(static_cast<int>(20 * std::sin(now)), static_cast<int>(-3 * now)));
-        QTest::qWait(16);
-    });
+    constexpr int kRounds = 3;
+    for (int round = 0; round < kRounds; ++round) {
+        for (const bool cuts : {false, true}) {
+            QTest::keyClick(&window, cuts ? Qt::Key_C : Qt::Key_T);
+            QTest::qWait(1500);  // until the bur has its speed, or stands
+            measurement.run(cuts ? "cutting" : "touching", seconds, [&](double now) {
+                const double along = now + seconds * round;
+                QTest::mouseMove(&view,
+                                 start + QPoint(static_cast<int>(20 * std::sin(now)), static_cast<int>(-3 * along)));
+                QTest::qWait(16);
+            });
+        }
+    }
     const double removed = total(window.bench().simulator()->removed());
     std::printf("# removed %.2f mm3\n", removed);
     QTest::mouseRelease(&view, Qt::LeftButton, {}, start);

@@ -7,7 +7,6 @@
 
 #include "collision/closest_point.h"
 #include "geometry/parallel_for.h"
-#include "session/cavity_walls.h"
 
 namespace tactooth {
 namespace {
@@ -17,8 +16,7 @@ constexpr double kMostPoints = 4e5;   // in the box around the cavity: a second 
 constexpr std::size_t kGrain = 1024;  // points: about a millisecond
 
 /// A box around all that `target` lacks of the tooth: its walls, and the enamel that stood over them.
-Box3 boxOfCavity(const SurfacePart& target, const SurfacePart& outer) {
-    const CavityWalls walls = cavityWalls(target.mesh(), outer);
+Box3 boxOfCavity(const SurfacePart& target, const SurfacePart& outer, const CavityWalls& walls) {
     Box3 box;
     if (walls.mesh.empty()) return box;
     for (const Vec3f& vertex : walls.mesh.vertices) box.extend(vertex.cast<double>());
@@ -56,8 +54,12 @@ std::vector<Vec3f> pointsIn(const Box3& box, double spacing) {
 }  // namespace
 
 CavityAccount::CavityAccount(std::shared_ptr<const SurfacePart> target, const SurfacePart& outer)
+    : CavityAccount(target, outer, cavityWalls(target->mesh(), outer)) {}
+
+CavityAccount::CavityAccount(std::shared_ptr<const SurfacePart> target, const SurfacePart& outer,
+                             const CavityWalls& walls)
     : target_(std::move(target)) {
-    const Box3 box = boxOfCavity(*target_, outer);
+    const Box3 box = boxOfCavity(*target_, outer, walls);
     if (box.isEmpty()) return;
     const double spacing = std::max(kSpacing, std::cbrt(box.volume() / kMostPoints));
     pointVolume_ = spacing * spacing * spacing;

@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "session/cavity_walls.h"
 #include "session/surface_change.h"
 
 namespace tactooth {
@@ -35,6 +36,8 @@ public:
     /// `target`: the tooth with the ideal cavity, closed; `outer`: the uncut tooth, closed. Where the two are nearer to
     /// each other than kCavityDepth nothing is to be cut. Takes a second for a large tooth.
     CavityAccount(std::shared_ptr<const SurfacePart> target, const SurfacePart& outer);
+    /// The same; `walls` are those of the target in `outer`.
+    CavityAccount(std::shared_ptr<const SurfacePart> target, const SurfacePart& outer, const CavityWalls& walls);
 
     /// The account of `tooth`, a snapshot from which `removed` has been cut, mm^3. Quick where `tooth` differs little
     /// from that of the last call. One thread at a time.

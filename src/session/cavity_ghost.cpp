@@ -75,8 +75,7 @@ TriangleMesh cordAlongRim(const CavityWalls& walls, const SurfacePart& outer) {
 
 }  // namespace
 
-CavityGhost::CavityGhost(const TriangleMesh& target, const SurfacePart& outer) {
-    CavityWalls walls = cavityWalls(target, outer);
+CavityGhost::CavityGhost(CavityWalls walls, const SurfacePart& outer) {
     divideIntoSpots(walls.mesh, outer);
     const TriangleMesh cord = cordAlongRim(walls, outer);
     std::vector<SurfaceTag> tags(walls.mesh.triangles.size(), kGhostWall);

@@ -15,7 +15,10 @@ inline constexpr SurfaceTag kGhostWall = 0, kGhostRim = 1;
 class CavityGhost {
 public:
     /// `outer`: the uncut tooth, closed. Takes a second for a large tooth.
-    CavityGhost(const TriangleMesh& target, const SurfacePart& outer);
+    CavityGhost(const TriangleMesh& target, const SurfacePart& outer)
+        : CavityGhost(cavityWalls(target, outer), outer) {}
+    /// The same; `walls` are those of the target in `outer`.
+    CavityGhost(CavityWalls walls, const SurfacePart& outer);
 
     /// Whether the target has nothing to cut.
     [[nodiscard]] bool empty() const { return shown_.base->mesh().empty(); }

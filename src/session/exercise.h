@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <span>
+#include <string>
+#include <variant>
 #include <vector>
 
 #include "instruments/builtin_tooth.h"
-#include "session/work_piece.h"
+#include "session/tooth_source.h"
 
 namespace tactooth {
 
@@ -22,21 +25,24 @@ struct PreparationPlan {
     std::vector<Stroke> strokes;
 };
 
-/// A task for a student: a cavity in a built-in tooth that has no decay.
+/// A task for a student: a cavity in a tooth. Frame: that of the tooth.
 struct Exercise {
-    const char* name;  ///< for people
-    const char* task;  ///< a sentence
-    BuiltinToothKind tooth;
-    const char* bur;  ///< number in the catalogue, as one would take it
-    PreparationPlan plan;
+    std::string name;                                            ///< for people
+    std::string task;                                            ///< a sentence
+    std::variant<ToothRequest, ToothSource> tooth;               ///< a built-in one, or files
+    std::variant<std::string, std::filesystem::path> bur;        ///< number in the catalogue, or a file (readOwnBur)
+    std::variant<PreparationPlan, std::filesystem::path> ideal;  ///< or a file (loadIdealShape)
+    std::filesystem::path file = {};                             ///< that describes it; empty: it is built in
 };
 
-/// From easy to hard.
-[[nodiscard]] std::span<const Exercise> exercises();
+/// Those that are built in, from easy to hard.
+[[nodiscard]] std::span<const std::shared_ptr<const Exercise>> exercises();
 
-[[nodiscard]] ToothRequest toothRequest(const Exercise& exercise);
+/// What the exercise is done on, uncut. Takes a second; fails with one sentence.
+[[nodiscard]] Expected<std::shared_ptr<const LayeredTooth>> exerciseTooth(const Exercise& exercise);
 
-/// `tooth` with the cavity of the exercise in it, closed; its untouched triangles are those of the tooth, bit for bit.
+/// `tooth`, which is that of the exercise, with the cavity in it, closed. What is cut by a plan has the untouched
+/// triangles of the tooth, bit for bit. Fails with one sentence.
 [[nodiscard]] Expected<TriangleMesh> idealShape(const Exercise& exercise, std::shared_ptr<const LayeredTooth> tooth);
 
 }  // namespace tactooth

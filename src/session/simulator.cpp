@@ -11,6 +11,8 @@ namespace tactooth {
 namespace {
 
 constexpr auto kCutterPause = std::chrono::milliseconds(1);  // a tick: there is nothing new before it
+constexpr auto kCutterRest = std::chrono::milliseconds(3);   // as long as the tool rests
+constexpr double kRests = 0.2;                               // s without a move: the hand has put it down
 
 constexpr auto kLongestFade = std::chrono::milliseconds(100);  // 20 N take 67 ms; a device that hangs has no more
 constexpr double kPauseBetweenCuts = 0.4;  // s without contact: the bur was lifted, a new cut begins (mark for undo)
@@ -159,6 +161,8 @@ bool Simulator::workOnPiece() {
 void Simulator::runCutter(const std::stop_token& stop) {
     pthread_setname_np(pthread_self(), "cutter");  // for debuggers and profilers
     bool unsent = false;
+    Vec3 place = Vec3::Zero();  // where the tool was when it moved last
+    double movedAt = 0;         // s
     while (!stop.stop_requested()) {
         returned_.consume_all([this](FeltSurface* felt) { surfaces_.giveBack(felt); });
         const bool changed = workOnPiece();
@@ -170,7 +174,10 @@ void Simulator::runCutter(const std::stop_token& stop) {
         } else {
             sendList();
         }
-        if (!changed) std::this_thread::sleep_for(kCutterPause);
+        const Tick& now = tickForCutter_.value();
+        if (now.proxy.position != place) place = now.proxy.position, movedAt = now.time;
+        const bool rests = now.time > movedAt + kRests;
+        if (!changed) std::this_thread::sleep_for(rests ? kCutterRest : kCutterPause);
     }
 }
 

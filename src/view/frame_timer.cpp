@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
+#include <numeric>
 #include <vector>
 
 #include "view/egl_context.h"
@@ -30,42 +31,35 @@ double processorMs() {
     return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
 }
 
+double mean(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
 double quantile(std::vector<double> values, double share) {
     const auto place = static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5);
     std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(place), values.end());
     return values[place];
 }
 
-template <class Draw>
-Expected<FrameTimes> timed(const FrameTimer::Film& film, int frames, const Draw& draw) {
-    std::vector<double> wall, processor;
-    for (int i = -kUnmeasured; i < frames; ++i) {
-        const Scene scene = film(i);
-        const auto begin = std::chrono::steady_clock::now();
-        const double processorBegin = processorMs();
-        if (Expected<void> done = draw(scene); !done) return Unexpected{done.error()};
-        glFinish();
-        if (i < 0) continue;
-        const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - begin;
-        wall.push_back(passed.count());
-        processor.push_back(processorMs() - processorBegin);
-    }
-    return FrameTimes{quantile(wall, 0.5), quantile(wall, 0.99), quantile(processor, 0.5)};
-}
+/// What is kept of one reel while the others have their turns.
+struct Turn {
+    Renderer renderer;
+    ShapeCache shapes;  // of bare pictures
+    std::vector<double> wall = {}, processor = {};
+};
 
 }  // namespace
 
 struct FrameTimer::Parts {
     EglContext context;  // first: all others need it to the end
-    Renderer renderer;
     ShaderProgram oneColour;
-    ShapeCache shapes;
     RenderTarget target;
 
-    Expected<void> drawBare(const Scene& scene);
+    Expected<void> drawBare(const Scene& scene, ShapeCache& shapes);
+    Expected<void> draw(const Reel& reel, int picture, Turn& turn);
 };
 
-Expected<void> FrameTimer::Parts::drawBare(const Scene& scene) {
+Expected<void> FrameTimer::Parts::drawBare(const Scene& scene, ShapeCache& shapes) {
     const ShapeCache::Result result = shapes.update(scene);
     target.bindForDrawing();
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -81,17 +75,30 @@ Expected<void> FrameTimer::Parts::drawBare(const Scene& scene) {
     return gl::checkErrors("drawing in one colour");
 }
 
+Expected<void> FrameTimer::Parts::draw(const Reel& reel, int picture, Turn& turn) {
+    const auto begin = std::chrono::steady_clock::now();
+    const double processorBegin = processorMs();
+    const Scene scene = reel.film(picture);
+    Expected<void> done = reel.settings
+                              ? turn.renderer.render(scene, target.framebuffer(), target.size(), *reel.settings)
+                              : drawBare(scene, turn.shapes);
+    if (!done) return done;
+    glFinish();
+    if (picture < 0) return {};
+    const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - begin;
+    turn.wall.push_back(passed.count());
+    turn.processor.push_back(processorMs() - processorBegin);
+    return {};
+}
+
 Expected<FrameTimer> FrameTimer::create(PictureSize size) {
     auto context = EglContext::create();
     if (!context) return Unexpected{context.error()};
-    auto renderer = Renderer::create();
-    if (!renderer) return Unexpected{renderer.error()};
     auto program = ShaderProgram::create("one colour", "", {shaders::kDepthVert}, {kOneColour});
     if (!program) return Unexpected{program.error()};
     auto target = RenderTarget::create(size, 0);
     if (!target) return Unexpected{target.error()};
-    return FrameTimer(std::unique_ptr<Parts>(
-        new Parts{std::move(*context), std::move(*renderer), std::move(*program), {}, std::move(*target)}));
+    return FrameTimer(std::unique_ptr<Parts>(new Parts{std::move(*context), std::move(*program), std::move(*target)}));
 }
 
 FrameTimer::FrameTimer(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -101,14 +108,23 @@ FrameTimer::~FrameTimer() = default;
 
 std::string FrameTimer::device() const { return reinterpret_cast<const char*>(glGetString(GL_RENDERER)); }
 
-Expected<FrameTimes> FrameTimer::full(const Film& film, int frames, const RenderSettings& settings) {
-    return timed(film, frames, [&](const Scene& scene) {
-        return parts_->renderer.render(scene, parts_->target.framebuffer(), parts_->target.size(), settings);
-    });
-}
-
-Expected<FrameTimes> FrameTimer::bare(const Film& film, int frames) {
-    return timed(film, frames, [&](const Scene& scene) { return parts_->drawBare(scene); });
+Expected<std::vector<FrameTimes>> FrameTimer::inTurn(const std::vector<Reel>& reels, int frames) {
+    std::vector<Turn> turns;
+    for (std::size_t i = 0; i < reels.size(); ++i) {
+        auto renderer = Renderer::create();
+        if (!renderer) return Unexpected{renderer.error()};
+        turns.push_back({std::move(*renderer), {}});
+    }
+    for (int picture = -kUnmeasured; picture < frames; ++picture) {
+        for (std::size_t i = 0; i < reels.size(); ++i) {
+            if (const auto done = parts_->draw(reels[i], picture, turns[i]); !done) return Unexpected{done.error()};
+        }
+    }
+    std::vector<FrameTimes> times;
+    for (const Turn& turn : turns) {
+        times.push_back({mean(turn.wall), quantile(turn.wall, 0.99), mean(turn.processor)});
+    }
+    return times;
 }
 
 }  // namespace tactooth

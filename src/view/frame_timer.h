@@ -4,7 +4,9 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "geometry/expected.h"
 #include "view/render_settings.h"
@@ -12,8 +14,8 @@
 
 namespace tactooth {
 
-/// What pictures cost, ms: the middle one and the slowest of a hundred. Where the processor draws, its time counts what
-/// the computer has to spend, whoever else uses it.
+/// What pictures cost with the making of their scenes, ms: their mean and the slowest of a hundred. Where the processor
+/// draws, its time counts what the computer has to spend, whoever else uses it.
 struct FrameTimes {
     double wall = 0;
     double wallP99 = 0;
@@ -32,10 +34,17 @@ public:
     FrameTimer& operator=(FrameTimer&&) noexcept;
     ~FrameTimer();
 
-    /// `frames` pictures as the window draws them; two more come before them unmeasured.
-    [[nodiscard]] Expected<FrameTimes> full(const Film& film, int frames, const RenderSettings& settings);
-    /// The same triangles in one colour, without light, mirror and culling: the least that drawing them can cost.
-    [[nodiscard]] Expected<FrameTimes> bare(const Film& film, int frames);
+    /// One way to draw pictures.
+    struct Reel {
+        Film film;
+        /// As the window draws them. None: the same triangles in one colour, without light, mirror and culling, the
+        /// least that drawing them can cost.
+        std::optional<RenderSettings> settings;
+    };
+
+    /// `frames` pictures of each reel; two more come before them unmeasured. The reels take turns picture by picture,
+    /// so that whatever else the computer does meets all of them alike; each has a renderer of its own.
+    [[nodiscard]] Expected<std::vector<FrameTimes>> inTurn(const std::vector<Reel>& reels, int frames);
     /// What draws, as the driver names itself.
     [[nodiscard]] std::string device() const;
 

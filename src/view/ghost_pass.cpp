@@ -14,9 +14,29 @@ constexpr int kColourUnit = 6;
 constexpr int kDepthUnit = 7;
 
 // Of their looks' opacity: what one looks through to the far side has to leave that to be seen.
+constexpr GLenum kFarLayer = GL_BACK, kNearLayer = GL_FRONT;  // the faces that are left out
 constexpr float kFarCover = 1.0F, kNearCover = 0.55F;
 
 }  // namespace
+
+PixelRectangle ghostPixels(const std::vector<Drawable>& ghosts, const PassView& view, PictureSize size) {
+    Eigen::AlignedBox2d covered;
+    for (const Drawable& ghost : ghosts) {
+        const Mat4 toClip = view.worldToClip() * ghost.objectToWorld;
+        const Box3 box = ghost.buffers->box();
+        for (int i = 0; i < 8; ++i) {
+            const Eigen::Vector4d corner = toClip * box.corner(static_cast<Box3::CornerType>(i)).homogeneous();
+            if (corner.w() <= 0) return PixelRectangle::whole(size);  // beside the eye or behind it
+            covered.extend(Vec2(corner.head<2>() / corner.w()));
+        }
+    }
+    if (covered.isEmpty()) return {};
+    const Eigen::Array2d half = Eigen::Array2d(size.width, size.height) / 2;
+    const auto pixels = [&](const Vec2& place) -> Eigen::Array2d {
+        return (half * (place.array() + 1)).max(0).min(2 * half);
+    };
+    return {pixels(covered.min()).floor().matrix().cast<int>(), pixels(covered.max()).ceil().matrix().cast<int>()};
+}
 
 Expected<GhostPass> GhostPass::create() {
     GhostPass pass;
@@ -49,8 +69,8 @@ void GhostPass::draw(const SolidInputs& inputs, const RenderTarget& into) const 
     glEnable(GL_CLIP_DISTANCE1);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     for (const Drawable& drawable : inputs.ghosts) {
-        drawLayer(inputs, drawable, GL_BACK, kFarCover);
-        drawLayer(inputs, drawable, GL_FRONT, kNearCover);
+        drawLayer(inputs, drawable, kFarLayer, kFarCover);
+        drawLayer(inputs, drawable, kNearLayer, kNearCover);
     }
     glCullFace(GL_BACK);
     glDisable(GL_CLIP_DISTANCE1);
@@ -59,7 +79,8 @@ void GhostPass::draw(const SolidInputs& inputs, const RenderTarget& into) const 
     gl::bindTexture(kShellUnit, GL_TEXTURE_2D, 0);
 }
 
-/// The nearest faces of the layer alone, so that their order does not matter: first their depth, then their colour.
+/// The nearest faces of the layer alone, so that their order does not matter. The far layer of the first ghost
+/// has nothing behind it to be mixed with; of the others first the depth is drawn, then the colour.
 void GhostPass::drawLayer(const SolidInputs& inputs, const Drawable& drawable, GLenum culled, float cover) const {
     setLooks(body_, drawable.object->looks);
     setOpacities(body_, drawable.object->looks);
@@ -68,6 +89,7 @@ void GhostPass::drawLayer(const SolidInputs& inputs, const Drawable& drawable, G
     body_.set("cover", cover);
     glCullFace(culled);
     const ClusterCuller culler = cullerFor(inputs, drawable, false, inputs.coarseness);
+    if (culled == kFarLayer && &drawable == &inputs.ghosts.front()) return drawable.buffers->draw(culler);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     drawable.buffers->draw(culler);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);

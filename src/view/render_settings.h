@@ -24,8 +24,10 @@ struct RenderSettings {
 
     bool operator==(const RenderSettings&) const = default;
 };
-inline constexpr RenderSettings kQuick{.coarseness =
-                                           0.5};  ///< while things move, on a computer without a graphics card
+/// While things move, on a computer without a graphics card, and with one.
+inline constexpr RenderSettings kQuick{.coarseness = 0.5};
+inline constexpr RenderSettings kSmooth{.samples = 4, .shadows = Shadows::Soft, .coarseness = 0.5};
+/// At rest.
 inline constexpr RenderSettings kFine{.samples = 4, .shadows = Shadows::Soft, .ambientOcclusion = true};
 
 }  // namespace tactooth

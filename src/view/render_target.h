@@ -15,6 +15,9 @@ struct PixelRectangle {
     [[nodiscard]] static PixelRectangle whole(PictureSize size) { return {{0, 0}, {size.width, size.height}}; }
     [[nodiscard]] bool empty() const { return (high.array() <= low.array()).any(); }
     [[nodiscard]] Eigen::Vector2i extent() const { return high - low; }
+    [[nodiscard]] PixelRectangle within(const PixelRectangle& other) const {
+        return {low.cwiseMax(other.low), high.cwiseMin(other.high)};
+    }
 };
 
 /// Colour, depth and stencil to draw into, colour and depth readable as textures afterwards. With `samples` > 0 drawing

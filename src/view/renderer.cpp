@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace tactooth {
 
@@ -94,6 +95,12 @@ PassView directView(const Scene& scene, const Camera& camera, PictureSize size) 
     return view;
 }
 
+/// From here on drawing changes this part of the picture alone.
+void limitTo(const PixelRectangle& part) {
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(part.low.x(), part.low.y(), part.extent().x(), part.extent().y());
+}
+
 void copyPicture(const RenderTarget& from, GLuint to, const PixelRectangle& place) {
     const PictureSize drawn = from.size();
     const bool fits = place.extent() == Eigen::Vector2i(drawn.width, drawn.height);
@@ -148,10 +155,14 @@ struct Renderer::Parts {
                              const RenderTarget* mirrored);
     [[nodiscard]] SolidInputs inputsFor(const Job& job, const PassView& view, const Background& background,
                                         const Mat4& cullMatrix) const;
-    /// The depth of the body around inner objects and ghosts; nothing if there are none.
+    /// The depth of the body around inner objects and ghosts.
     Expected<const RenderTarget*> drawShell(const Job& job, const SolidInputs& inputs);
-    /// All but the mirror's glass into `into`, which is left bound for more; `inputs` but for the shell.
-    Expected<void> drawBodies(const Job& job, SolidInputs& inputs, const RenderTarget& into);
+    /// The ghosts by themselves in `seen`, and the depth of the body around them; nothing where there are none.
+    Expected<const RenderTarget*> drawGhosts(const Job& job, SolidInputs& inputs, const PixelRectangle& seen);
+    /// All but the mirror's glass into the part `shown` of `into`, which is left bound for more; `inputs` but for the
+    /// shell.
+    Expected<void> drawBodies(const Job& job, SolidInputs& inputs, const RenderTarget& into,
+                              const PixelRectangle& shown);
 };
 
 SolidInputs Renderer::Parts::inputsFor(const Job& job, const PassView& view, const Background& background,
@@ -170,27 +181,48 @@ SolidInputs Renderer::Parts::inputsFor(const Job& job, const PassView& view, con
 }
 
 Expected<const RenderTarget*> Renderer::Parts::drawShell(const Job& job, const SolidInputs& inputs) {
-    if (!showsLayers(inputs.drawables) && inputs.ghosts.empty()) return nullptr;
     const auto target = job.targets.shell.fit(job.size, 0);
     if (target) solid.drawShell(inputs, **target);
     return target;
 }
 
-Expected<void> Renderer::Parts::drawBodies(const Job& job, SolidInputs& inputs, const RenderTarget& into) {
-    const auto around = drawShell(job, inputs);
-    if (!around) return Unexpected{around.error()};
-    inputs.shell = *around;
-    const RenderTarget* seen = nullptr;
-    if (!inputs.ghosts.empty()) {
-        const auto target = job.targets.ghost.fit(job.size, job.settings.samples);
-        if (!target) return Unexpected{target.error()};
-        seen = *target;
-        ghosts.draw(inputs, *seen);
+Expected<const RenderTarget*> Renderer::Parts::drawGhosts(const Job& job, SolidInputs& inputs,
+                                                          const PixelRectangle& seen) {
+    if (seen.empty()) return nullptr;
+    limitTo(seen);
+    const Mat4 ofAll = std::exchange(inputs.cullMatrix, cropped(inputs.view.worldToClip(), seen, job.size));
+    if (inputs.shell == nullptr) {
+        const auto around = drawShell(job, inputs);
+        if (!around) return around;
+        inputs.shell = *around;
     }
+    const auto target = job.targets.ghost.fit(job.size, job.settings.samples);
+    if (target) ghosts.draw(inputs, **target);
+    inputs.cullMatrix = ofAll;
+    return target;
+}
+
+Expected<void> Renderer::Parts::drawBodies(const Job& job, SolidInputs& inputs, const RenderTarget& into,
+                                           const PixelRectangle& shown) {
+    limitTo(shown);
+    if (showsLayers(inputs.drawables)) {
+        const auto around = drawShell(job, inputs);
+        if (!around) return Unexpected{around.error()};
+        inputs.shell = *around;
+    }
+    const PixelRectangle haunted = ghostPixels(inputs.ghosts, inputs.view, job.size).within(shown);
+    const auto seen = drawGhosts(job, inputs, haunted);
+    if (!seen) return Unexpected{seen.error()};
+    limitTo(shown);
     into.bindForDrawing();
     solid.drawOpaque(inputs);
-    if (seen != nullptr) ghosts.compose(*seen);
+    if (*seen != nullptr) {
+        limitTo(haunted);
+        ghosts.compose(**seen);
+        limitTo(shown);
+    }
     solid.drawTransparent(inputs);
+    glDisable(GL_SCISSOR_TEST);
     return {};
 }
 
@@ -203,11 +235,10 @@ Expected<const RenderTarget*> Renderer::Parts::drawReflection(const Job& job, co
     const PassView view = reflectedView(directView(job.scene, camera, job.size), disc->planeInWorld());
     Background surgery = job.scene.background;
     surgery.kind = Background::Kind::Environment;
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(covered.low.x(), covered.low.y(), covered.extent().x(), covered.extent().y());
     glEnable(GL_CLIP_DISTANCE0);
     SolidInputs inputs = inputsFor(job, view, surgery, cropped(view.worldToClip(), covered, job.size));
-    if (const auto done = drawBodies(job, inputs, **target); !done) return Unexpected{done.error()};
+    if (const auto done = drawBodies(job, inputs, **target, covered); !done) return Unexpected{done.error()};
+    limitTo(covered);
     particles.draw(job.scene.particles, view, job.size);
     glDisable(GL_CLIP_DISTANCE0);
     (*target)->resolve();
@@ -223,7 +254,7 @@ Expected<void> Renderer::Parts::drawScene(const Job& job, const Camera& camera, 
     const PassView view = directView(job.scene, camera, job.size);
     glEnable(GL_DEPTH_TEST);
     SolidInputs inputs = inputsFor(job, view, job.scene.background, view.worldToClip());
-    if (auto done = drawBodies(job, inputs, into); !done) return done;
+    if (auto done = drawBodies(job, inputs, into, PixelRectangle::whole(job.size)); !done) return done;
     if (mirrored != nullptr) {
         mirror.draw(*job.scene.mirror, inputs.frame, *mirrored, coveredPixels(*job.scene.mirror, camera, job.size));
     }

@@ -48,6 +48,28 @@ TEST(PicturePace, HoweverSlowTheHandIsFollowedTenTimesASecond) {
     EXPECT_TRUE(pace.isDue(Motion, 100));
 }
 
+TEST(PicturePace, OnlyAGraphicsCardDrawsSmoothEdgesOfWhatMoves) {
+    PicturePace card;
+    EXPECT_FALSE(card.isSmooth());
+    draw(card, 0.8);
+    EXPECT_TRUE(card.isSmooth());
+    draw(card, 3);  // smooth ones
+    EXPECT_TRUE(card.isSmooth());
+    PicturePace software;
+    draw(software, 6, 300);
+    EXPECT_FALSE(software.isSmooth());
+}
+
+TEST(PicturePace, SmoothEdgesThatTurnOutTooSlowAreNotTriedAgain) {
+    PicturePace pace;
+    draw(pace, 1);
+    EXPECT_TRUE(pace.isSmooth());
+    draw(pace, 30, 10);
+    EXPECT_FALSE(pace.isSmooth());
+    draw(pace, 1, 300);
+    EXPECT_FALSE(pace.isSmooth());
+}
+
 TEST(PicturePace, ItGoesBackToWholePicturesOnlyWhenTheyWouldBeFastEnough) {
     PicturePace pace;
     draw(pace, 30);

@@ -11,6 +11,7 @@
 #include <QScrollArea>
 #include <set>
 
+#include "app/gui/sheet_dialog.h"
 #include "app/gui/window_setup.h"
 #include "app/window_session.h"
 
@@ -136,8 +137,11 @@ void WindowMenuTest::noKeyIsTakenTwice() {
 
 void WindowMenuTest::theShortcutSheetNamesEveryKeyOfTheMenus() {
     key(Qt::Key_F1);
-    QTRY_VERIFY(window_->findChild<QMessageBox*>() != nullptr);
-    const QString sheet = dismissMessage();
+    auto* dialog = window_->findChild<SheetDialog*>();
+    QVERIFY(dialog != nullptr && dialog->isVisible());
+    const QString sheet = dialog->text();
+    QTest::keyClick(dialog, Qt::Key_Escape);
+    QTRY_VERIFY(window_->findChild<SheetDialog*>() == nullptr);
     for (QAction* entry : leaves()) {
         const QString keys = entry->shortcut().toString();
         if (keys.isEmpty() || keys == "F1" || keys == "Ctrl+Q") continue;
@@ -289,9 +293,29 @@ void WindowMenuTest::largeTextFitsIntoTheWindow() {
     QTRY_VERIFY(window_->fontMetrics().height() > 1.8 * usual);
     QTest::qWait(300);
     QVERIFY(window_->width() <= 1400 && window_->height() <= 900);
+    const QRect whole(QPoint(0, 0), window_->size());
     for (auto* area : window_->findChildren<QScrollArea*>()) {
-        QVERIFY(area->viewport()->width() >= area->widget()->minimumSizeHint().width());
+        if (!area->isVisible()) continue;
+        const QRect place(area->mapTo(window_.get(), QPoint(0, 0)), area->size());
+        if (place.right() < 0) continue;  // behind a tab
+        QVERIFY2(whole.contains(place), qPrintable(QString("%1: %2 %3 %4 %5 in %6 x %7")
+                                                       .arg(area->widget()->metaObject()->className())
+                                                       .arg(place.left())
+                                                       .arg(place.top())
+                                                       .arg(place.right())
+                                                       .arg(place.bottom())
+                                                       .arg(whole.width())
+                                                       .arg(whole.height())));
+        const bool wide = area->viewport()->width() >= area->widget()->minimumSizeHint().width();
+        QVERIFY2(wide || area->horizontalScrollBarPolicy() == Qt::ScrollBarAsNeeded,
+                 area->widget()->metaObject()->className());
     }
+    key(Qt::Key_F1);
+    auto* sheet = window_->findChild<SheetDialog*>();
+    QVERIFY(sheet != nullptr);
+    const QSize screen = window_->screen()->size();
+    QVERIFY(sheet->width() > 400 && sheet->width() <= screen.width() && sheet->height() <= screen.height());
+    QTest::keyClick(sheet, Qt::Key_Escape);
     window_->grab().save(QString::fromStdString((folder_ / "large.png").string()));
     window_->findChild<QMenu*>("textSize")->actions().front()->trigger();
     QTRY_COMPARE(window_->fontMetrics().height(), usual);

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "cli/motion_files.h"
@@ -89,6 +90,25 @@ TEST_F(BenchCommand, CutRefusesAToothWithoutAnInside) {
     ASSERT_TRUE(writeStl(open, file));
     expectRefused(runTactooth({"bench", "cut", "--tooth", file}), "is open (3 edges");
     expectRefused(runTactooth({"bench", "cut", "--voxel", "0"}), "see 'tactooth bench cut --help'");
+}
+
+/// Times of such small pictures say nothing; that each scene is drawn in each of its ways does.
+TEST_F(BenchCommand, ViewHoldsACuttingBurAgainstOneThatOnlyMoves) {
+    if (isSanitized()) GTEST_SKIP() << "draws a whole mouth";
+    const ProgramRun run = runTactooth({"bench", "view", "--size", "160x100", "--frames", "2", "--json"});
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    std::map<std::string, std::vector<std::string>> drawn;
+    const auto json = nlohmann::json::parse(run.out);
+    for (const auto& one : json["cases"]) {
+        EXPECT_GT(one["processor_ms"].get<double>(), 0);
+        drawn[one["scene"]].push_back(one["drawn"]);
+        if (drawn[one["scene"]].size() == 1) EXPECT_EQ(one["of_first"].get<double>(), 1);
+    }
+    const std::vector<std::string> atWork = {"bur moves", "bur cuts", "with second view", "with ghost of target"};
+    EXPECT_EQ(drawn["molar, work"], atWork);
+    EXPECT_EQ(drawn["tooth, work"], std::vector(atWork.begin(), atWork.end() - 1));
+    EXPECT_EQ(drawn["tooth"].size(), 4U);
+    EXPECT_EQ(drawn["mouth"].size(), 2U);
 }
 
 }  // namespace

@@ -8,19 +8,17 @@
 #include "geometry/mesh_report.h"
 #include "instruments/bur_catalogue.h"
 #include "session/cavity_account.h"
-#include "session/tooth_cache.h"
 
 namespace tactooth {
 namespace {
 
-class EachExercise : public ::testing::TestWithParam<Exercise> {
+class EachExercise : public ::testing::TestWithParam<std::shared_ptr<const Exercise>> {
 protected:
-    std::shared_ptr<const LayeredTooth> tooth_ = std::make_shared<const LayeredTooth>(
-        *layeredTooth(ToothCache(usualCacheFolder()).make(toothRequest(GetParam()))));
+    std::shared_ptr<const LayeredTooth> tooth_ = *exerciseTooth(*GetParam());
 };
 
 TEST_P(EachExercise, HasAClosedIdealShapeThatABeginnerCouldCut) {
-    const auto ideal = idealShape(GetParam(), tooth_);
+    const auto ideal = idealShape(*GetParam(), tooth_);
     ASSERT_TRUE(ideal) << ideal.error().message;
     const MeshReport report = reportOn(*ideal);
     ASSERT_TRUE(report.watertight());
@@ -35,7 +33,7 @@ TEST_P(EachExercise, HasAClosedIdealShapeThatABeginnerCouldCut) {
 }
 
 TEST_P(EachExercise, LeavesThePulpCovered) {
-    const auto ideal = idealShape(GetParam(), tooth_);
+    const auto ideal = idealShape(*GetParam(), tooth_);
     ASSERT_TRUE(ideal);
     const SurfacePart target(*ideal);
     constexpr double kLeastDentin = 0.5;  // mm
@@ -48,7 +46,7 @@ TEST_P(EachExercise, LeavesThePulpCovered) {
 }
 
 TEST_P(EachExercise, TakesABurOfTheCatalogueAndASoundTooth) {
-    EXPECT_TRUE(findBur(GetParam().bur)) << GetParam().bur;
+    EXPECT_TRUE(findBur(std::get<std::string>(GetParam()->bur)));
     for (const LayeredTooth::Layer& layer : tooth_->layers()) EXPECT_NE(layer.material, MaterialId::Caries);
 }
 

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "app/cli/bench_mouth.h"
+#include "app/cli/bench_work.h"
 #include "app/cli/exit_code.h"
 #include "app/cli/render_words.h"
 #include "session/experiments/run_facts.h"
@@ -23,23 +24,28 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kStep = std::numbers::pi / 180;  // the eye goes on by a degree from picture to picture
 
+/// One line of the table. The first of a scene is what its others are held against.
 struct Case {
-    std::string name;
     std::string what;
-    bool bare;
-    RenderSettings settings;
-    const Scene* scene;
-    OrbitCamera eye;
+    FrameTimer::Reel reel;
 };
 
-FrameTimer::Film filmOf(const Case& one) {
-    return [&one](int i) {
-        Scene scene = *one.scene;
-        OrbitCamera eye = one.eye;
-        eye.look({one.eye.direction().azimuth + kStep * i, one.eye.direction().elevation});
-        scene.camera = eye.camera();
-        scene.lighting = operatingLight(scene.camera);
-        return scene;
+/// One scene, and the ways in which it is drawn in turn.
+struct Subject {
+    std::string name;
+    std::size_t triangles;
+    std::vector<Case> cases;
+};
+
+/// The eye turns around `scene`, and the light with it.
+FrameTimer::Film turning(const Scene& scene, const OrbitCamera& eye) {
+    return [scene, eye](int i) {
+        Scene turned = scene;
+        OrbitCamera moved = eye;
+        moved.look({eye.direction().azimuth + kStep * i, eye.direction().elevation});
+        turned.camera = moved.camera();
+        turned.lighting = operatingLight(turned.camera);
+        return turned;
     };
 }
 
@@ -60,64 +66,131 @@ std::size_t trianglesOf(const Scene& scene) {
     return sum;
 }
 
-std::vector<Case> casesOf(const Scene& tooth, const Scene& mouth, PictureSize size) {
-    OrbitCamera atTooth, atMouth;
-    atTooth.fit(boundingBox(tooth), size.aspect());
-    atTooth.look({1.25, 0.62});
-    atMouth.fit(Box3(Vec3(-32, -52, -45), Vec3(32, 6, 12)), size.aspect());
-    atMouth.look({1.57, 0.4});
-    return {{"tooth", "bare, in one colour", true, {}, &tooth, atTooth},
-            {"tooth", "light and shadow", false, kQuick, &tooth, atTooth},
-            {"tooth", "all of it", false, kFine, &tooth, atTooth},
-            {"mouth", "bare, in one colour", true, {}, &mouth, atMouth},
-            {"mouth", "light, shadow, mirror", false, kQuick, &mouth, atMouth}};
+Subject toothSubject(const TriangleMesh& mesh, PictureSize size) {
+    const Scene scene = toothScene(mesh);
+    OrbitCamera eye;
+    eye.fit(boundingBox(scene), size.aspect());
+    eye.look({1.25, 0.62});
+    const FrameTimer::Film film = turning(scene, eye);
+    return {"tooth",
+            trianglesOf(scene),
+            {{"bare, in one colour", {film, std::nullopt}},
+             {"light and shadow", {film, kQuick}},
+             {"smooth edges, soft", {film, kSmooth}},
+             {"all of it", {film, kFine}}}};
 }
+
+Expected<Subject> mouthSubject(PictureSize size) {
+    const Expected<Scene> scene = benchMouth();
+    if (!scene) return Unexpected{scene.error()};
+    OrbitCamera eye;
+    eye.fit(Box3(Vec3(-32, -52, -45), Vec3(32, 6, 12)), size.aspect());
+    eye.look({1.57, 0.4});
+    const FrameTimer::Film film = turning(*scene, eye);
+    return Subject{"mouth",
+                   trianglesOf(*scene),
+                   {{"bare, in one colour", {film, std::nullopt}}, {"light, shadow, mirror", {film, kQuick}}}};
+}
+
+Subject workSubject(const std::string& name, const BenchWork& work) {
+    return {name,
+            work.triangles(),
+            {{"bur moves", {work.moving(), kQuick}},
+             {"bur cuts", {work.cutting(), kQuick}},
+             {"with second view", {work.withSecondView(), kQuick}},
+             {"with ghost of target", {work.withGhost(), kQuick}}}};
+}
+
+/// The molar of an exercise, with its target.
+Expected<BenchWork> workOnMolar(PictureSize size, int frames) {
+    const Exercise& exercise = *exercises()[1];
+    const auto tooth = exerciseTooth(exercise);
+    if (!tooth) return Unexpected{tooth.error()};
+    const Expected<TriangleMesh> target = idealShape(exercise, *tooth);
+    if (!target) return Unexpected{target.error()};
+    return BenchWork::make(*tooth, *target, size, frames);
+}
+
+Expected<BenchWork> workOn(const TriangleMesh& mesh, PictureSize size, int frames) {
+    Expected<LayeredTooth> layered = LayeredTooth::make(mesh, {});
+    if (!layered) return unexpected("the tooth cannot be cut: " + layered.error().message + ".");
+    return BenchWork::make(std::make_shared<const LayeredTooth>(std::move(*layered)), std::nullopt, size, frames);
+}
+
+class Report {
+public:
+    Report(const BenchViewOptions& options, PictureSize size, const std::string& device) : isJson_(options.json) {
+        const RunFacts facts = currentRunFacts();
+        json_ = {{"machine", facts.machine}, {"compiler", facts.compiler}, {"commit", facts.commit},
+                 {"command", facts.command}, {"date", facts.date},         {"opengl", device},
+                 {"width", size.width},      {"height", size.height},      {"cases", Json::array()}};
+        if (isJson_) return;
+        fmt::print("machine:  {}\ncommit:   {}\ncommand:  {}\nOpenGL:   {}\n", facts.machine, facts.commit,
+                   facts.command, device);
+        fmt::print("{} x {} pixels; ms, the mean of {} pictures; the ways of one scene take turns\n\n", size.width,
+                   size.height, options.frames);
+        fmt::print("{:<14} {:<22} {:>9} {:>9} {:>9} {:>10} {:>7} {:>9}\n", "scene", "drawn", "triangles", "wall", "p99",
+                   "processor", "1/s", "of first");
+    }
+
+    void add(const Subject& subject, const std::vector<FrameTimes>& times) {
+        for (std::size_t i = 0; i < times.size(); ++i) {
+            const double ratio = times[i].processor / times.front().processor;
+            json_["cases"].push_back({{"scene", subject.name},
+                                      {"drawn", subject.cases[i].what},
+                                      {"triangles", subject.triangles},
+                                      {"wall_ms", times[i].wall},
+                                      {"wall_p99_ms", times[i].wallP99},
+                                      {"processor_ms", times[i].processor},
+                                      {"of_first", ratio}});
+            if (isJson_) continue;
+            fmt::print("{:<14} {:<22} {:>9} {:>9.2f} {:>9.2f} {:>10.2f} {:>7.0f} {:>9.2f}\n", subject.name,
+                       subject.cases[i].what, subject.triangles, times[i].wall, times[i].wallP99, times[i].processor,
+                       1000 / times[i].wall, ratio);
+        }
+        std::fflush(stdout);
+    }
+
+    void finish() const {
+        if (isJson_) fmt::print("{}\n", json_.dump(1, ' ', false, Json::error_handler_t::replace));
+    }
+
+private:
+    bool isJson_;
+    Json json_;
+};
 
 Expected<void> measure(const BenchViewOptions& options) {
     const auto size = parseSize(options.size);
     if (!size) return Unexpected{size.error()};
-    const auto tooth = options.mouth           ? Expected<StandardTooth>(StandardTooth())
-                       : options.tooth.empty() ? standardTooth(StandardToothKind::Large)
-                                               : ownTooth(options.tooth);
-    if (!tooth) return Unexpected{tooth.error()};
     auto timer = FrameTimer::create(*size);
     if (!timer) return Unexpected{timer.error()};
-    const RunFacts facts = currentRunFacts();
-    Json json = {{"machine", facts.machine}, {"compiler", facts.compiler}, {"commit", facts.commit},
-                 {"command", facts.command}, {"date", facts.date},         {"opengl", timer->device()},
-                 {"width", size->width},     {"height", size->height},     {"cases", Json::array()}};
-    if (!options.json) {
-        fmt::print("machine:  {}\ncommit:   {}\ncommand:  {}\nOpenGL:   {}\n", facts.machine, facts.commit,
-                   facts.command, timer->device());
-        fmt::print("{} x {} pixels, the eye turns by a degree a picture; ms, the middle of {} pictures\n\n",
-                   size->width, size->height, options.frames);
-        fmt::print("{:<7} {:<22} {:>9} {:>9} {:>9} {:>10} {:>7} {:>10}\n", "scene", "drawn", "triangles", "wall", "p99",
-                   "processor", "1/s", "of bare");
-    }
-    const Scene oneTooth = toothScene(tooth->mesh);
-    const Expected<Scene> mouth = benchMouth();
-    if (!mouth) return Unexpected{mouth.error()};
-    double bare = 0;
-    for (const Case& one : casesOf(oneTooth, *mouth, *size)) {
-        if (options.mouth && one.scene != &*mouth) continue;
-        const auto times = one.bare ? timer->bare(filmOf(one), options.frames)
-                                    : timer->full(filmOf(one), options.frames, one.settings);
+    Report report(options, *size, timer->device());
+    const auto add = [&](const Subject& subject) -> Expected<void> {
+        std::vector<FrameTimer::Reel> reels;
+        for (const Case& one : subject.cases) reels.push_back(one.reel);
+        const auto times = timer->inTurn(reels, options.frames);
         if (!times) return Unexpected{times.error()};
-        if (one.bare) bare = times->processor;
-        const double ratio = times->processor / bare;
-        json["cases"].push_back({{"scene", one.name},
-                                 {"drawn", one.what},
-                                 {"triangles", trianglesOf(*one.scene)},
-                                 {"wall_ms", times->wall},
-                                 {"wall_p99_ms", times->wallP99},
-                                 {"processor_ms", times->processor},
-                                 {"of_bare", ratio}});
-        if (options.json) continue;
-        fmt::print("{:<7} {:<22} {:>9} {:>9.2f} {:>9.2f} {:>10.2f} {:>7.0f} {:>10.2f}\n", one.name, one.what,
-                   trianglesOf(*one.scene), times->wall, times->wallP99, times->processor, 1000 / times->wall, ratio);
-        std::fflush(stdout);
+        report.add(subject, *times);
+        return {};
+    };
+    if (!options.mouth) {
+        const auto tooth = options.tooth.empty() ? standardTooth(StandardToothKind::Large) : ownTooth(options.tooth);
+        if (!tooth) return Unexpected{tooth.error()};
+        if (const auto done = add(toothSubject(tooth->mesh, *size)); !done) return done;
+        const auto onTooth = workOn(tooth->mesh, *size, options.frames);
+        if (!onTooth) return Unexpected{onTooth.error()};
+        Subject atWork = workSubject("tooth, work", *onTooth);
+        atWork.cases.pop_back();  // it has no target
+        if (const auto done = add(atWork); !done) return done;
+        const auto onMolar = workOnMolar(*size, options.frames);
+        if (!onMolar) return Unexpected{onMolar.error()};
+        if (const auto done = add(workSubject("molar, work", *onMolar)); !done) return done;
     }
-    if (options.json) fmt::print("{}\n", json.dump(1, ' ', false, Json::error_handler_t::replace));
+    const Expected<Subject> mouth = mouthSubject(*size);
+    if (!mouth) return Unexpected{mouth.error()};
+    if (const auto done = add(*mouth); !done) return done;
+    report.finish();
     return {};
 }
 

@@ -10,6 +10,7 @@
 #include "app/cli/contact_command.h"
 #include "app/cli/cut_command.h"
 #include "app/cli/demo_command.h"
+#include "app/cli/exercise_command.h"
 #include "app/cli/exit_code.h"
 #include "app/cli/feel_command.h"
 #include "app/cli/info_command.h"
@@ -175,6 +176,18 @@ void addCut(CLI::App& program, Chosen& chosen) {
         ->type_name("FILE");
 }
 
+void addExercise(CLI::App& program, Chosen& chosen) {
+    const auto options = std::make_shared<ExerciseOptions>();
+    CLI::App* command =
+        addCommand(program, chosen, "exercise",
+                   "What an exercise of your own asks for: reads and checks its TOML file (docs/exercises.md).",
+                   options, runExercise);
+    command->add_option("FILE", options->file, "The exercise; the window opens it with --exercise FILE")
+        ->required()
+        ->type_name("");
+    command->add_option("--out", options->out, "Write the ideal shape as STL")->type_name("FILE");
+}
+
 void addScore(CLI::App& program, Chosen& chosen) {
     const auto options = std::make_shared<ScoreOptions>();
     CLI::App* command =
@@ -300,6 +313,7 @@ int runCommandLine(int argc, const char* const* argv) {
     addContact(program, chosen);
     addFeel(program, chosen);
     addCut(program, chosen);
+    addExercise(program, chosen);
     addScore(program, chosen);
     addDemo(program, chosen);
     addSound(program, chosen);

@@ -90,7 +90,8 @@ void addBenchView(CLI::App& bench, Chosen& chosen) {
     const auto options = std::make_shared<BenchViewOptions>();
     CLI::App* command = addCommand(bench, chosen, "view",
                                    "Time of a picture of a large tooth and of a whole mouth with mirror, against the "
-                                   "same triangles in one colour; needs no display.",
+                                   "same triangles in one colour, and of a bur that cuts, against one that only moves; "
+                                   "needs no display.",
                                    options, runBenchView);
     addLargeTooth(*command, options->tooth, "An STL file, mm");
     command->add_option("--size", options->size, "Pixels (default: 1280x800)")->type_name("WxH");

@@ -68,6 +68,16 @@ void addMouthAndBur(CLI::App& program, WindowArguments& arguments) {
         ->group(kGroup);
 }
 
+void addExercise(CLI::App& program, WindowArguments& arguments) {
+    program
+        .add_option("--exercise", arguments.exercise,
+                    "An exercise of your own: a TOML file (docs/exercises.md) with tooth, bur and ideal cavity")
+        ->type_name("FILE")
+        ->excludes("--tooth")
+        ->excludes("--mouth")
+        ->group(kGroup);
+}
+
 /// One option for each setting that is kept.
 void addSettings(CLI::App& program, WindowArguments& arguments) {
     for (const WindowOption& option : windowOptions()) {
@@ -91,6 +101,7 @@ void addWindowArguments(CLI::App& program, WindowArguments& arguments) {
     addOwnTooth(program, arguments);
     addHands(program, arguments);
     addMouthAndBur(program, arguments);
+    addExercise(program, arguments);
     addSettings(program, arguments);
 }
 
@@ -117,6 +128,7 @@ int runWindowCommand(const WindowArguments& arguments) {
         if (!layer) return refuse(layer.error());
         options.tooth->layers.push_back(std::move(*layer));
     }
+    if (!arguments.exercise.empty()) options.exercise = arguments.exercise;
     if (!arguments.bur.empty()) options.bur = arguments.bur;
     options.settings = arguments.settings;
     options.device = arguments.device;

@@ -33,7 +33,8 @@ Expected<BenchBur> benchBurOf(OwnBur own, const std::filesystem::path& file) {
 }
 
 /// `remark`: what its provenance says of it beside its name.
-Expected<BenchTooth> builtinBenchTooth(const ToothRequest& request, const char* name, const std::string& remark) {
+Expected<BenchTooth> builtinBenchTooth(const ToothRequest& request, const std::string& name,
+                                       const std::string& remark) {
     const BuiltinTooth made = ToothCache(usualCacheFolder()).make(request);
     Expected<LayeredTooth> layered = layeredTooth(made);
     if (!layered) return Unexpected{layered.error()};
@@ -50,14 +51,21 @@ Expected<BenchTooth> makeBenchTooth(const BuiltinToothEntry& entry) {
     return builtinBenchTooth(builtinToothRequest(entry.kind), entry.name, "");
 }
 
-Expected<BenchTooth> makeBenchTooth(const Exercise& exercise) {
-    Expected<BenchTooth> tooth = builtinBenchTooth(toothRequest(exercise), exercise.name, ", sound");
+Expected<BenchTooth> makeBenchTooth(const std::shared_ptr<const Exercise>& exercise) {
+    const auto* request = std::get_if<ToothRequest>(&exercise->tooth);
+    const bool isSound = request != nullptr && (!request->lesion || request->lesion->width == 0);
+    Expected<BenchTooth> tooth = request != nullptr
+                                     ? builtinBenchTooth(*request, exercise->name, isSound ? ", sound" : "")
+                                     : loadBenchTooth(std::get<ToothSource>(exercise->tooth));
     if (!tooth) return tooth;
-    Expected<BenchBur> bur = makeBenchBur(*findBur(exercise.bur));
+    const auto* file = std::get_if<std::filesystem::path>(&exercise->bur);
+    Expected<BenchBur> bur =
+        file != nullptr ? loadBenchBur(*file) : makeBenchBur(*findBur(std::get<std::string>(exercise->bur)));
     if (!bur) return Unexpected{bur.error()};
-    tooth->provenance.emplace_back("exercise", exercise.name);
+    tooth->name = exercise->name;
+    tooth->provenance.emplace_back("exercise", exercise->name);
     tooth->bur = std::move(*bur);
-    tooth->exercise = &exercise;
+    tooth->exercise = exercise;
     return tooth;
 }
 

@@ -34,11 +34,11 @@ struct BenchTooth {
     double mesialX = 1;  ///< direction of mesial along x; a file's frame is taken to have it at +x
     Provenance provenance;
     Box3 workBox = {};  ///< of the tooth of a case that is worked on, mm; empty: all of the piece
-    std::optional<MaterialTable> materials = {};  ///< that a case brings
-    std::vector<std::string> teethOfCase = {};    ///< names; empty: it is no case
-    std::optional<BenchBur> bur = {};             ///< that a case brings
-    std::vector<ShownBody> around = {};           ///< the rest of the mouth, which is felt and drawn
-    const Exercise* exercise = nullptr;           ///< that it was brought for
+    std::optional<MaterialTable> materials = {};    ///< that a case brings
+    std::vector<std::string> teethOfCase = {};      ///< names; empty: it is no case
+    std::optional<BenchBur> bur = {};               ///< that a case brings
+    std::vector<ShownBody> around = {};             ///< the rest of the mouth, which is felt and drawn
+    std::shared_ptr<const Exercise> exercise = {};  ///< that it was brought for
 
     [[nodiscard]] Box3 box() const { return workBox.isEmpty() ? piece->tooth().outer()->tree().box() : workBox; }
 };
@@ -71,8 +71,8 @@ struct BenchMouth {
 // All of these take a second or so: they belong into an Errand. Failing gives a sentence for the user.
 [[nodiscard]] Expected<BenchTooth> makeBenchTooth(const BuiltinToothEntry& entry);
 [[nodiscard]] Expected<BenchTooth> makeBenchTooth(const BenchMouth& mouth);
-/// `exercise` is one of exercises(); the tooth brings its bur.
-[[nodiscard]] Expected<BenchTooth> makeBenchTooth(const Exercise& exercise);
+/// The tooth brings the bur of the exercise.
+[[nodiscard]] Expected<BenchTooth> makeBenchTooth(const std::shared_ptr<const Exercise>& exercise);
 [[nodiscard]] Expected<BenchTooth> loadBenchTooth(const ToothSource& source, const std::string& workOn = {});
 [[nodiscard]] Expected<BenchBur> makeBenchBur(const BurSpec& spec);
 /// `scan` with layers, as scan_import.h finishes it.

@@ -40,6 +40,12 @@ DrillBar::DrillBar(QWidget* parent) : QToolBar(tr("Drill"), parent), burs_(new Q
         if (!file.isEmpty()) emit burFileChosen(file);
         if (const auto spec = findBur(burs_->itemData(index).toString().toStdString())) emit burChosen(*spec);
     });
+    // In a narrow window their texts are cut short.
+    for (QComboBox* box : {burs_, spindles_}) {
+        connect(box, &QComboBox::currentTextChanged, box,
+                [box, tip = box->toolTip()](const QString& text) { box->setToolTip(tip + ": " + text); });
+        emit box->currentTextChanged(box->currentText());
+    }
     connect(spindles_, &QComboBox::activated, this,
             [this](int index) { emit spindleChosen(spindlePresets()[static_cast<std::size_t>(index)]); });
 }

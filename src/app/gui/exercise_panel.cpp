@@ -6,6 +6,7 @@
 #include <QHBoxLayout>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 
 #include "app/gui/words.h"
@@ -42,20 +43,26 @@ QWidget* ExercisePanel::makeChoice() {
     exercises_->setAccessibleName(tr("Exercise"));
     exercises_->setToolTip(tr("What to practise: brings the tooth, the bur and the ghost of the ideal cavity"));
     exercises_->addItem(tr("Free practice"));
-    for (const Exercise& exercise : exercises()) exercises_->addItem(translated(exercise.name));
-    connect(exercises_, &QComboBox::activated, this, [this](int index) {
-        emit chosen(index == 0 ? nullptr : &exercises()[static_cast<std::size_t>(index - 1)]);
-    });
+    known_.emplace_back();
+    for (const auto& exercise : exercises()) {
+        exercises_->addItem(translated(exercise->name));
+        known_.push_back(exercise);
+    }
+    connect(exercises_, &QComboBox::activated, this,
+            [this](int index) { emit chosen(known_[static_cast<std::size_t>(index)]); });
     task_->setWordWrap(true);
     task_->setObjectName("task");
     auto* again =
         button(tr("Start again"), tr("The whole tooth again, and the time from its first contact"), "startAgain");
     auto* report = button(tr("Report…"), tr("Writes time, volumes and what happened as a table (CSV)"), "exportReport");
+    auto* open = button(tr("Open…"), tr("An exercise of your own: a TOML file (docs/exercises.md)"), "openExercise");
+    connect(open, &QToolButton::clicked, this, &ExercisePanel::openWanted);
     connect(again, &QToolButton::clicked, this, &ExercisePanel::startAgainWanted);
     connect(report, &QToolButton::clicked, this, &ExercisePanel::exportWanted);
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(again);
     buttons->addWidget(report);
+    buttons->addWidget(open);
     buttons->addStretch();
     auto* choice = new QWidget;
     auto* column = new QVBoxLayout(choice);
@@ -110,8 +117,19 @@ QWidget* ExercisePanel::makeNumbers() {
 
 QString ExercisePanel::number(double value, int digits) const { return locale().toString(value, 'f', digits); }
 
-void ExercisePanel::show(const Exercise* exercise) {
-    exercises_->setCurrentIndex(exercise == nullptr ? 0 : static_cast<int>(exercise - exercises().data()) + 1);
+void ExercisePanel::show(const std::shared_ptr<const Exercise>& exercise) {
+    const auto isSame = [&](const auto& known) {
+        return known == exercise || (known && exercise && !known->file.empty() && known->file == exercise->file);
+    };
+    auto place = std::find_if(known_.begin(), known_.end(), isSame);
+    if (place == known_.end()) {
+        place = known_.insert(place, exercise);
+        exercises_->addItem(QString());
+    }
+    const auto index = static_cast<int>(place - known_.begin());
+    if (exercise != nullptr) exercises_->setItemText(index, translated(exercise->name));
+    *place = exercise;
+    exercises_->setCurrentIndex(index);
     task_->setText(exercise != nullptr ? translated(exercise->task)
                                        : tr("Choose an exercise, or a target of your own under Look inside."));
 }

@@ -7,7 +7,9 @@
 #include <QProgressBar>
 #include <QWidget>
 #include <array>
+#include <memory>
 #include <optional>
+#include <vector>
 
 #include "session/cavity_account.h"
 #include "tooth/cut_volume.h"
@@ -23,14 +25,17 @@ class ExercisePanel final : public QWidget {
 public:
     explicit ExercisePanel(QWidget* parent = nullptr);
 
-    /// The exercise on the bench, null for free practice. Tells nobody.
-    void show(const Exercise* exercise);
+    /// The exercise on the bench, null for free practice. One that is not in the list yet is added, in the place of one
+    /// from the same file. Tells nobody.
+    void show(const std::shared_ptr<const Exercise>& exercise);
     /// `seconds`: since the first contact; `cavity`: none without an ideal one.
     void show(double seconds, const MaterialVolumes& removed, const std::optional<CavityProgress>& cavity);
 
 signals:
     /// Null: free practice.
-    void chosen(const Exercise* exercise);
+    void chosen(const std::shared_ptr<const Exercise>& exercise);
+    /// The user wants to choose the file of an exercise.
+    void openWanted();
     void startAgainWanted();
     void exportWanted();
 
@@ -41,6 +46,7 @@ private:
     [[nodiscard]] QWidget* makeNumbers();
     [[nodiscard]] QString number(double value, int digits) const;
 
+    std::vector<std::shared_ptr<const Exercise>> known_;  // as the list shows them; the first: free practice
     QComboBox* exercises_;
     QLabel* task_;
     QProgressBar* cleared_;

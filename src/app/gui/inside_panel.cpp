@@ -102,6 +102,21 @@ Inspection InsidePanel::inspection(const Box3& box, double mesialX) const {
 
 Stereo::Mode InsidePanel::stereo() const { return static_cast<Stereo::Mode>(stereo_->currentIndex()); }
 
+InsidePanel::Choice InsidePanel::choice() const {
+    return {section_->currentIndex(), place_->value(),        enamel_->value(),   dentin_->value(),
+            stereo_->currentIndex(),  coloured_->isChecked(), ghost_->isChecked()};
+}
+
+void InsidePanel::choose(const Choice& choice) {
+    section_->setCurrentIndex(choice.section);
+    place_->setValue(choice.place);
+    enamel_->setValue(choice.enamel);
+    dentin_->setValue(choice.dentin);
+    stereo_->setCurrentIndex(choice.stereo);
+    coloured_->setChecked(choice.coloured && coloured_->isEnabled());
+    ghost_->setChecked(choice.ghost && ghost_->isEnabled());
+}
+
 void InsidePanel::setTarget(Target target) {
     target_ = std::move(target);
     const bool isThere = target_.distances != nullptr;

@@ -27,6 +27,14 @@ public:
     [[nodiscard]] Stereo::Mode stereo() const;
     /// For the tooth on the bench, whose colours are shown at once; empty: none.
     void setTarget(Target target);
+    /// What has been chosen here.
+    struct Choice {
+        int section = 0, place = 0, enamel = 100, dentin = 100, stereo = 0;  ///< as the controls count
+        bool coloured = false, ghost = false;
+    };
+    [[nodiscard]] Choice choice() const;
+    /// Colours and ghost only as far as the target has them.
+    void choose(const Choice& choice);
     /// Shows the ghost; enabled where the target has one.
     [[nodiscard]] QAction* ghostAction() const { return showGhost_; }
 

@@ -15,6 +15,7 @@
 #include <QStyle>
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "app/gui/drill_bar.h"
 #include "app/gui/drive_panel.h"
@@ -37,19 +38,23 @@
 namespace tactooth {
 namespace {
 
-constexpr int kStepMs = 16;      // the hand moves 60 times a second
-constexpr int kNumbersMs = 100;  // gauges and plots: ten times a second
+constexpr int kStepMs = 16;         // the hand moves 60 times a second ...
+constexpr int kRestMs = 40;         // ... and rests at fewer,
+constexpr int kRestAfter = 120;     // steps in which nobody has moved anything
+constexpr double kSeenMove = 1e-4;  // mm
+constexpr int kNumbersMs = 100;     // gauges and plots: ten times a second
 constexpr int kStatusMs = 1000;
 constexpr int kLayout = 3;  // counts the arrangements of docks: one that was saved with others of them is not taken
 constexpr double kLongestStep = 0.1;  // s: after a stall the hand goes on gently
 
-/// With large text on a small screen everything can still be reached.
-QScrollArea* scrolling(QWidget& panel) {
+/// With large text on a small screen everything can still be reached. `sideways`: also what is too wide; else the area
+/// takes the width that the panel needs.
+QScrollArea* scrolling(QWidget& panel, bool sideways) {
     auto* area = new QScrollArea;
     area->setWidgetResizable(true);
     area->setFrameShape(QFrame::NoFrame);
     area->setFocusPolicy(Qt::NoFocus);  // its controls are stops of the Tab key, it is none
-    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setHorizontalScrollBarPolicy(sideways ? Qt::ScrollBarAsNeeded : Qt::ScrollBarAlwaysOff);
     area->setWidget(&panel);
     return area;
 }
@@ -103,7 +108,8 @@ MainWindow::~MainWindow() = default;
 QDockWidget* MainWindow::addDock(QWidget& panel, const QString& title, Qt::DockWidgetArea area) {
     auto* dock = new QDockWidget(title);
     dock->setObjectName(title);
-    dock->setWidget(area == Qt::RightDockWidgetArea ? scrolling(panel) : &panel);
+    const bool scrolls = &panel != plots_ && &panel != happened_;  // these two take any size
+    dock->setWidget(scrolls ? scrolling(panel, area != Qt::RightDockWidgetArea) : &panel);
     addDockWidget(area, dock);
     return dock;
 }
@@ -145,14 +151,33 @@ int MainWindow::tabHeight() const {
     return std::max({force_->sizeHint().height(), handPanel_->sizeHint().height(), volumes_->sizeHint().height()});
 }
 
-/// All but the lowest need no more than their contents; that takes what is left.
+/// All but the lowest need no more than their contents; that takes what is left. The gauges are always seen whole.
 void MainWindow::fitPanels() {
     for (auto* area : findChildren<QScrollArea*>()) {
         QWidget& panel = *area->widget();
+        if (area->horizontalScrollBarPolicy() != Qt::ScrollBarAlwaysOff) continue;
+        panel.ensurePolished();
+        panel.layout()->invalidate();  // its size is that of the letters before
         area->setMinimumWidth(panel.minimumSizeHint().width() + style()->pixelMetric(QStyle::PM_ScrollBarExtent));
         if (&panel == inside_) continue;
         area->setMaximumHeight(&panel == drive_ ? panel.sizeHint().height() : tabHeight());
+        if (&panel == drive_) area->setMinimumHeight(panel.sizeHint().height());
     }
+    QFont title = QApplication::font();
+    title.setStyleStrategy(QFont::PreferAntialias);  // a dock with the usual font has a title that stays small
+    for (auto* dock : findChildren<QDockWidget*>()) dock->setFont(title);
+}
+
+/// Other letters have come, which the panels take over one by one.
+void MainWindow::changeEvent(QEvent* event) {
+    QMainWindow::changeEvent(event);
+    if (event->type() == QEvent::FontChange) QTimer::singleShot(0, this, &MainWindow::fitPanels);
+}
+
+/// Before that the panels do not know their letters.
+void MainWindow::showEvent(QShowEvent* event) {
+    QMainWindow::showEvent(event);
+    QTimer::singleShot(0, this, &MainWindow::fitPanels);
 }
 
 void MainWindow::addFileMenu() {
@@ -173,6 +198,7 @@ void MainWindow::addFileMenu() {
     connect(caseMenu_, &QMenu::aboutToShow, this, &MainWindow::fillCaseMenu);
     menu->addAction(tr("&Import scan…"), this, &MainWindow::askForScan)->setShortcut(QKeySequence("Ctrl+I"));
     menu->addAction(tr("Open &bur…"), this, &MainWindow::askForBur);
+    menu->addAction(tr("Open e&xercise…"), this, &MainWindow::askForExercise);
     menu->addAction(tr("&Save tooth…"), this, &MainWindow::askForSave)->setShortcut(QKeySequence::Save);
     QAction* save = menu->addAction(style()->standardIcon(QStyle::SP_DialogSaveButton), tr("&Export cut tooth…"), this,
                                     &MainWindow::askForExport);
@@ -274,6 +300,16 @@ void MainWindow::connectRecords() {
     connect(happened_, &EventPanel::placeChosen, view_, &ToothView::centreOn);
 }
 
+/// A window that nobody uses leaves the computer to others.
+void MainWindow::paceSteps() {
+    const Vec3& place = bench_.newest().proxy.position;
+    const bool isStill = (place - lastPlace_).norm() < kSeenMove && bench_.newest().speedRpm == 0 && !bench_.isBusy();
+    lastPlace_ = place;
+    stillSteps_ = isStill ? stillSteps_ + 1 : 0;
+    const int pause = stillSteps_ > kRestAfter ? kRestMs : kStepMs;
+    if (stepTimer_.interval() != pause) stepTimer_.setInterval(pause);
+}
+
 void MainWindow::step() {
     const double dt = sinceStep_.isValid() ? static_cast<double>(sinceStep_.restart()) / 1000 : (sinceStep_.start(), 0);
     stepPedal();
@@ -288,6 +324,7 @@ void MainWindow::step() {
     trace_.add(bench_.ticks());
     busy_->setVisible(bench_.isBusy() || importer_->isBusy());
     view_->refresh();
+    paceSteps();
 }
 
 void MainWindow::showUsualHint() {
@@ -329,7 +366,10 @@ void MainWindow::takeNews(const Workbench::News& news) {
     dropTarget();  // it is in the frame of the tooth before
     practised_ = bench_.tooth()->exercise;
     exercise_->show(practised_);
-    if (practised_ != nullptr) bringIdealShape(*practised_);
+    if (keptLook_) return takeLook(*std::exchange(keptLook_, std::nullopt));
+    if (practised_ == nullptr) return;
+    lookFor(*practised_);
+    bringIdealShape(practised_);
 }
 
 void MainWindow::apply(const WindowSettings& settings) {

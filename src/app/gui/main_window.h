@@ -11,6 +11,7 @@
 
 #include "app/gui/errand.h"
 #include "app/gui/foot_pedal.h"
+#include "app/gui/inside_panel.h"
 #include "app/gui/target.h"
 #include "app/gui/tick_trace.h"
 #include "app/gui/window_settings.h"
@@ -29,7 +30,6 @@ class ExercisePanel;
 class ForcePanel;
 class GuidedTour;
 class HandPanel;
-class InsidePanel;
 class PlotPanel;
 class ScanImporter;
 class SoundPanel;
@@ -74,8 +74,10 @@ public:
     void exportPlotsTo(const QString& file);
     /// Writes the list of what has happened; says so if that fails.
     void exportEventsTo(const QString& file);
-    /// Brings the tooth, bur and target of one of exercises(); null: free practice, on the tooth as it is.
-    void practise(const Exercise* exercise);
+    /// Brings the tooth, bur and target of an exercise; null: free practice, on the tooth as it is.
+    void practise(const std::shared_ptr<const Exercise>& exercise);
+    /// The same for one that a file describes; says so if that fails.
+    void openExercise(const QString& file);
     /// Writes how far the student has come; says so if that fails.
     void exportReportTo(const QString& file);
     /// Opens a device (see openDevice), which then moves the bur; "mouse" for none. Says so if that fails, and the
@@ -84,11 +86,19 @@ public:
     /// The same for the other hand, which begins with the mirror; "none" leaves it empty.
     void holdMirrorBy(const QString& name);
 
+    /// How the work is looked at, and what it is compared with.
+    struct Look {
+        OrbitCamera eye;
+        InsidePanel::Choice inside;
+        Target target;       ///< empty: none, or it has not come yet
+        QString targetFile;  ///< of one's own
+    };
     /// What is worked on, and what the menus know of it.
     struct Work {
         std::optional<BenchTooth> tooth;
         std::optional<BenchBur> bur;
         ToothSource source;  ///< of the tooth
+        Look look;
     };
     /// Ends the simulation: the work goes on in another window.
     [[nodiscard]] Work handOver();
@@ -104,6 +114,8 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
 private:
     void addPanels();
@@ -137,7 +149,11 @@ private:
     void followButtons();
     void showHand();
     void inspectAnew();
-    void bringIdealShape(const Exercise& exercise);
+    void askForExercise();
+    void openFile(const QString& file);
+    void lookFor(const Exercise& exercise);
+    void bringIdealShape(const std::shared_ptr<const Exercise>& exercise);
+    void takeLook(Look look);
     void setTarget(Target target);
     void dropTarget();
     void takeTarget();
@@ -153,6 +169,7 @@ private:
     QAction* addViewAction(const QString& text, const QString& keys, void (ToothView::*act)());
 
     void step();
+    void paceSteps();
     void showNumbers();
     void showStatus(const Simulator& simulator);
     void showUsualHint();
@@ -222,8 +239,10 @@ private:
     QString soundsFile_;  // that is played; empty: the synthesised sounds
     Errand<OwnSounds> comingSounds_;
     Errand<Target> comingTarget_;
-    Target target_;                        // on the bench; empty: none
-    const Exercise* practised_ = nullptr;  // none: free practice
+    Target target_;                              // on the bench; empty: none
+    QString targetFile_;                         // of one's own, once it is wanted
+    std::shared_ptr<const Exercise> practised_;  // none: free practice
+    std::optional<Look> keptLook_;               // for the tooth that another window has handed over
     Errand<CavityProgress> comingProgress_;
     std::optional<CavityProgress> progress_;    // the newest
     std::shared_ptr<const Surface> accounted_;  // the tooth that it is of
@@ -236,6 +255,8 @@ private:
     bool forceWaits_ = false;    // and the hint says so
     QTimer stepTimer_, numbersTimer_, statusTimer_;
     QElapsedTimer sinceStep_;
+    Vec3 lastPlace_ = Vec3::Zero();
+    int stillSteps_ = 0;  // since something moved
 };
 
 }  // namespace tactooth

@@ -16,7 +16,9 @@
 #include "app/gui/plot_export.h"
 #include "app/gui/plot_panel.h"
 #include "app/gui/scan_importer.h"
+#include "app/gui/sheet_dialog.h"
 #include "app/gui/status_line.h"
+#include "app/gui/tooth_view.h"
 #include "app/gui/welcome_dialog.h"
 #include "app/gui/words.h"
 #include "geometry/atomic_file.h"
@@ -60,7 +62,7 @@ void MainWindow::bringMouth(const BenchMouth& mouth) {
 }
 
 MainWindow::Work MainWindow::handOver() {
-    Work work{bench_.tooth(), bench_.bur(), source_};
+    Work work{bench_.tooth(), bench_.bur(), source_, {view_->eye(), inside_->choice(), target_, targetFile_}};
     if (work.tooth) work.tooth->exercise = practised_;
     bench_.stop();
     return work;
@@ -71,6 +73,7 @@ void MainWindow::takeOver(Work work) {
     if (work.tooth) {
         work.tooth->bur.reset();  // it was put into the handpiece when it came; another one may be in it now
         bench_.put(std::move(*work.tooth));
+        keptLook_ = std::move(work.look);
     }
     if (work.bur) bench_.put(std::move(*work.bur));
 }
@@ -81,6 +84,12 @@ void MainWindow::openTooth(const ToothSource& source, const std::string& workOn)
     remember(QString::fromStdString(source.outer.string()));
     source_ = source;
     bench_.bring(Errand<BenchTooth>::Work([source, workOn] { return loadBenchTooth(source, workOn); }));
+}
+
+/// A tooth, or the description of an exercise.
+void MainWindow::openFile(const QString& file) {
+    if (QFileInfo(file).suffix() == "toml") return openExercise(file);
+    openTooth({.outer = file.toStdString(), .layers = {}});
 }
 
 void MainWindow::importScan(const std::vector<std::filesystem::path>& files) {
@@ -210,8 +219,7 @@ void MainWindow::fillRecentMenu() {
         QAction* action = recentMenu_->addAction(QFileInfo(file).fileName());
         action->setStatusTip(file);
         action->setToolTip(file);
-        connect(action, &QAction::triggered, this,
-                [this, file] { openTooth({.outer = file.toStdString(), .layers = {}}); });
+        connect(action, &QAction::triggered, this, [this, file] { openFile(file); });
     }
     if (recent_.isEmpty()) recentMenu_->addAction(tr("Nothing yet"))->setEnabled(false);
 }
@@ -227,7 +235,7 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
     if (event->mimeData()->hasUrls()) event->acceptProposedAction();
 }
 
-/// Cases and saved teeth are opened as they are, surfaces are looked at first.
+/// Cases, saved teeth and exercises are opened as they are, surfaces are looked at first.
 void MainWindow::dropEvent(QDropEvent* event) {
     std::vector<std::filesystem::path> files;
     for (const QUrl& url : event->mimeData()->urls()) {
@@ -235,8 +243,8 @@ void MainWindow::dropEvent(QDropEvent* event) {
     }
     if (files.empty()) return;
     event->acceptProposedAction();
-    if (isCase(files.front()) || isToothFile(files.front())) {
-        openTooth({.outer = files.front(), .layers = {}});
+    if (isCase(files.front()) || isToothFile(files.front()) || files.front().extension() == ".toml") {
+        openFile(QString::fromStdString(files.front().string()));
     } else {
         importScan(files);
     }
@@ -247,6 +255,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
 bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
     const bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease;
     if (event->type() == QEvent::KeyPress || event->type() == QEvent::MouseButtonPress) tour_->stop();
+    if (isKey || event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseMove) stillSteps_ = 0;
     // Another window is in front and gets the key's release.
     if (watched == this && event->type() == QEvent::WindowDeactivate && !tour_->isRunning()) drive_->setKeyDown(false);
     if (!isKey || !watched->isWidgetType() || static_cast<QWidget*>(watched)->window() != this) {
@@ -295,7 +304,7 @@ void MainWindow::showMouseAndKeys() {
     text += row(tr("Ctrl + M"), tr("mute"));
     text += row(tr("Tab, Alt + letter"), tr("go on to the next control; open a menu"));
     text += row(tr("Esc"), tr("leave a dialog"));
-    say(this, QMessageBox::NoIcon, tr("Mouse and keys"), text + "</table>");
+    (new SheetDialog(tr("Mouse and keys"), text + "</table>", this))->open();
 }
 
 void MainWindow::showAbout() {

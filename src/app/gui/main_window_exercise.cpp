@@ -3,6 +3,8 @@
 // What is to be cut, and how well it was.
 #include <QFileDialog>
 #include <QFileInfo>
+#include <algorithm>
+#include <cmath>
 
 #include "app/gui/exercise_panel.h"
 #include "app/gui/inside_panel.h"
@@ -11,6 +13,7 @@
 #include "app/gui/tooth_view.h"
 #include "app/gui/words.h"
 #include "geometry/atomic_file.h"
+#include "session/exercise_file.h"
 #include "session/ideal_shape.h"
 #include "session/practice_report.h"
 
@@ -24,26 +27,61 @@ constexpr qint64 kAccountMs = 300;  // a student looks up from the tooth no more
 void MainWindow::connectExercise() {
     connect(inside_, &InsidePanel::targetWanted, this, &MainWindow::askForTarget);
     connect(exercise_, &ExercisePanel::chosen, this, &MainWindow::practise);
+    connect(exercise_, &ExercisePanel::openWanted, this, &MainWindow::askForExercise);
     connect(exercise_, &ExercisePanel::startAgainWanted, this, [this] { bench_.resetTooth(); });
     connect(exercise_, &ExercisePanel::exportWanted, this, &MainWindow::askForReportFile);
 }
 
-void MainWindow::practise(const Exercise* exercise) {
+void MainWindow::practise(const std::shared_ptr<const Exercise>& exercise) {
     exercise_->show(exercise);
     if (exercise == nullptr) return dropTarget();
     status_->setHint(tr("Preparing the exercise: %1…").arg(translated(exercise->name)));
-    bench_.bring(Errand<BenchTooth>::Work([exercise] { return makeBenchTooth(*exercise); }));
+    bench_.bring(Errand<BenchTooth>::Work([exercise] { return makeBenchTooth(exercise); }));
 }
 
-void MainWindow::bringIdealShape(const Exercise& exercise) {
-    const bool isBuccal = exercise.plan.outward.y() > exercise.plan.outward.z();
-    if (isBuccal) view_->look(StandardView::Buccal);
-    comingTarget_.start([exercise, name = translated(exercise.name), tooth = bench_.tooth()->piece->volume().tooth(),
+void MainWindow::openExercise(const QString& file) {
+    folder_ = QFileInfo(file).absolutePath();
+    Expected<Exercise> read = readExercise(file.toStdString());
+    if (!read) return complain(QString::fromStdString(read.error().message));
+    remember(file);
+    practise(std::make_shared<const Exercise>(std::move(*read)));
+}
+
+/// Turns the picture to the side that is worked on.
+void MainWindow::lookFor(const Exercise& exercise) {
+    const auto* plan = std::get_if<PreparationPlan>(&exercise.ideal);
+    if (plan == nullptr) return;
+    const Vec3& outward = plan->outward;
+    const double mesial = bench_.mesialX() * outward.x();
+    if (std::abs(outward.y()) > std::max(outward.z(), std::abs(mesial))) {
+        view_->look(outward.y() > 0 ? StandardView::Buccal : StandardView::Lingual);
+    } else if (std::abs(mesial) > outward.z()) {
+        view_->look(mesial > 0 ? StandardView::Mesial : StandardView::Distal);
+    }
+}
+
+void MainWindow::bringIdealShape(const std::shared_ptr<const Exercise>& exercise) {
+    comingTarget_.start([exercise, name = translated(exercise->name), tooth = bench_.tooth()->piece->volume().tooth(),
                          box = bench_.tooth()->box()]() -> Expected<Target> {
-        Expected<TriangleMesh> ideal = idealShape(exercise, tooth);
+        Expected<TriangleMesh> ideal = idealShape(*exercise, tooth);
         if (!ideal) return Unexpected{ideal.error()};
         return makeTarget(name, std::move(*ideal), *tooth->outer(), box);
     });
+}
+
+/// The work of another window goes on as it was seen there.
+void MainWindow::takeLook(Look look) {
+    view_->setEye(look.eye);
+    if (look.target.account != nullptr) {
+        if (practised_ != nullptr) look.target.name = translated(practised_->name);  // in the language of this window
+        setTarget(std::move(look.target));
+        targetFile_ = look.targetFile;
+    } else if (practised_ != nullptr) {
+        bringIdealShape(practised_);
+    } else if (!look.targetFile.isEmpty()) {
+        openTarget(look.targetFile);
+    }
+    inside_->choose(look.inside);
 }
 
 void MainWindow::openTarget(const QString& file) {
@@ -52,6 +90,7 @@ void MainWindow::openTarget(const QString& file) {
     status_->setHint(tr("Measuring the distance to %1…").arg(QFileInfo(file).fileName()));
     practised_ = nullptr;
     exercise_->show(practised_);
+    targetFile_ = file;
     comingTarget_.start(
         [file, outer = bench_.tooth()->piece->tooth().outer(), box = bench_.tooth()->box()]() -> Expected<Target> {
             Expected<TriangleMesh> ideal = loadIdealShape(file.toStdString());
@@ -63,6 +102,7 @@ void MainWindow::openTarget(const QString& file) {
 void MainWindow::dropTarget() {
     comingTarget_.forget();
     practised_ = nullptr;
+    targetFile_.clear();
     setTarget({});
 }
 
@@ -77,7 +117,10 @@ void MainWindow::setTarget(Target target) {
 void MainWindow::takeTarget() {
     auto target = comingTarget_.poll();
     if (!target) return;
-    if (!*target) return complain(QString::fromStdString(target->error().message));
+    if (!*target) {
+        if (target_.account == nullptr) targetFile_.clear();
+        return complain(QString::fromStdString(target->error().message));
+    }
     setTarget(std::move(**target));
     if (practised_ == nullptr) {
         status_->setHint(tr("Blue: still to cut. White: as the target. Orange: cut too deep. Strongest at 0.5 mm."));
@@ -107,6 +150,14 @@ void MainWindow::askForTarget() {
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::ExistingFile);
     connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::openTarget);
+    dialog->open();
+}
+
+void MainWindow::askForExercise() {
+    auto* dialog = new QFileDialog(this, tr("Open exercise"), folder_, tr("Exercises (*.toml);;All files (*)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::openExercise);
     dialog->open();
 }
 

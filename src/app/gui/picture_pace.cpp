@@ -21,6 +21,9 @@ constexpr double kTooSlowMs = 18;    // a full picture that takes longer is repl
 constexpr double kFastEnoughMs = 7;  // ... until a coarse one takes less; it has half the pixels
 constexpr double kCoarse = 0.7;      // along each side
 constexpr double kSmoothing = 0.25;  // share of the newest cost
+constexpr double kCardMs = 2;        // a plain picture that takes no longer comes from a graphics card ...
+constexpr int kCardPictures = 20;    // ... if so many have come: then smooth ones are tried,
+constexpr double kSmoothMs = 10;     // and kept if they take no longer
 constexpr int kNice = 5;             // a third of the share of an ordinary thread
 
 }  // namespace
@@ -42,6 +45,13 @@ double PicturePace::resolution(Change change) const { return coarse_ && change =
 void PicturePace::drew(Change change, double ms) {
     if (change != Change::Motion) return;
     cost_ = cost_ == 0 ? ms : cost_ + kSmoothing * (ms - cost_);
+    ++drawn_;
+    if (smooth_ == Smooth::NotYet && !coarse_ && cost_ < kCardMs && drawn_ >= kCardPictures) smooth_ = Smooth::Yes;
+    if (smooth_ == Smooth::Yes && cost_ > kSmoothMs) {
+        smooth_ = Smooth::TooSlow;  // once and for all: the pictures would flicker
+        cost_ = 0;
+        return;
+    }
     if (!coarse_ && cost_ > kTooSlowMs) {
         coarse_ = true;
         cost_ *= kCoarse * kCoarse;

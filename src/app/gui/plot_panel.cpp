@@ -18,8 +18,8 @@
 namespace tactooth {
 namespace {
 
-void styleAxis(QValueAxis& axis, const QWidget& like) {
-    QFont small = like.font();
+void styleAxis(QValueAxis& axis) {
+    QFont small = QApplication::font();
     small.setPointSizeF(small.pointSizeF() * 0.85);
     axis.setLabelsFont(small);
     axis.setGridLineColor(QApplication::palette().color(QPalette::Midlight));
@@ -85,20 +85,40 @@ QWidget* PlotPanel::makeButtons() {
 
 void PlotPanel::setStretch(int seconds) {
     stretch_->setValue(seconds);
-    for (const Plot& plot : {depth_, speed_, force_}) {
-        plot.time->setRange(-seconds, 0);
-        plot.time->setTickCount(seconds % 5 == 0 ? 6 : seconds % 2 == 0 ? 3 : 2);
-    }
+    for (const Plot& plot : {depth_, speed_, force_}) plot.time->setRange(-seconds, 0);
+    fitTicks();
+}
+
+/// As many figures below a plot as have room.
+void PlotPanel::fitTicks() {
+    const int seconds = stretch_->value();
+    const int letters = QFontMetrics(QApplication::font()).horizontalAdvance("-10 s") + 8;
+    const int room = plots_->width() / 3 / std::max(1, letters);
+    const int wanted = seconds % 5 == 0 && room >= 6 ? 6 : seconds % 2 == 0 && room >= 3 ? 3 : 2;
+    for (const Plot& plot : {depth_, speed_, force_}) plot.time->setTickCount(wanted);
+}
+
+void PlotPanel::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    fitTicks();
 }
 
 /// By the program's palette: a widget that is not shown yet has not heard of a change.
 void PlotPanel::setColours() {
     for (const Plot& plot : {depth_, speed_, force_}) {
-        styleAxis(*plot.time, *this);
-        styleAxis(*plot.value, *this);
+        styleAxis(*plot.time);
+        styleAxis(*plot.value);
+        plot.chart->setTitleFont(QApplication::font());
         plot.chart->setTitleBrush(QApplication::palette().color(QPalette::WindowText));
         plot.chart->setBackgroundBrush(QApplication::palette().color(QPalette::Base));
     }
+}
+
+void PlotPanel::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() != QEvent::FontChange) return;
+    setColours();
+    fitTicks();
 }
 
 /// The wheel over a plot.

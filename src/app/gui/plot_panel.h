@@ -25,7 +25,7 @@ public:
     /// What is drawn.
     [[nodiscard]] const TickTrace& shown() const { return shown_; }
     [[nodiscard]] QWidget& plots() { return *plots_; }
-    /// Takes over the palette, which has changed.
+    /// Takes over the palette and the letters, which have changed.
     void setColours();
     [[nodiscard]] QSize sizeHint() const override { return {900, 170}; }
 
@@ -34,6 +34,8 @@ signals:
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     struct Plot {
@@ -45,6 +47,7 @@ private:
     };
     QWidget* makeButtons();
     void setStretch(int seconds);
+    void fitTicks();
     Plot addPlot(const QString& title, const QColor& colour, double smallestRange);
     static void draw(Plot& plot, const TickTrace& trace, double TickTrace::Point::*what);
 

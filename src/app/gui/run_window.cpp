@@ -12,6 +12,7 @@
 #include "app/gui/main_window.h"
 #include "app/gui/window_holder.h"
 #include "app/gui/window_setup.h"
+#include "session/exercise_file.h"
 #include "sound/openal_output.h"
 
 namespace tactooth {
@@ -53,6 +54,12 @@ Expected<WindowSettings> withFlags(WindowSettings settings, const WindowOptions&
     return settings;
 }
 
+Expected<BenchTooth> exerciseOf(const std::filesystem::path& file) {
+    Expected<Exercise> read = readExercise(file);
+    if (!read) return Unexpected{read.error()};
+    return makeBenchTooth(std::make_shared<const Exercise>(std::move(*read)));
+}
+
 }  // namespace
 
 int runWindow(const WindowOptions& options) {
@@ -66,6 +73,11 @@ int runWindow(const WindowOptions& options) {
         Expected<BenchTooth> loaded = loadBenchTooth(*options.tooth, options.workOn);
         if (!loaded) return refuse(loaded.error());
         tooth = std::move(*loaded);
+    }
+    if (options.exercise) {
+        Expected<BenchTooth> made = exerciseOf(*options.exercise);
+        if (!made) return refuse(made.error());
+        tooth = std::move(*made);
     }
     std::optional<BenchBur> bur;
     if (options.bur) {
@@ -103,7 +115,7 @@ int runWindow(const WindowOptions& options) {
         window.complain(QString::fromStdString(settings.error().message) +
                         " The window starts with its defaults and writes the file anew when it is closed.");
     }
-    if (isFirstTime && !options.tooth && !options.mouth) window.welcome();
+    if (isFirstTime && !tooth && !options.mouth) window.welcome();
     QApplication::exec();
     if (const auto written = writeWindowSettings(holder.window().settings(), settingsFile); !written) {
         (void)refuse(written.error());  // a word about it; the session itself went well

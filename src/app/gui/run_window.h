@@ -15,8 +15,9 @@ namespace tactooth {
 /// What the window opens with; whatever is not given is the built-in one.
 struct WindowOptions {
     std::optional<ToothSource> tooth;
-    std::string workOn;  ///< tooth of a case; empty: the first
+    std::string workOn;               ///< tooth of a case; empty: the first
     std::optional<BenchMouth> mouth;  ///< the whole mouth around one of its teeth; `tooth` is not given then
+    std::optional<std::filesystem::path> exercise;  ///< neither `tooth` nor `mouth` is given then
     std::optional<std::filesystem::path> bur;
     std::map<std::string, std::string> settings;  ///< by their flag (see windowOptions); they win over the file's
     std::optional<std::string> device;  ///< see openDevice; one that does not open leaves the mouse, and it is said

@@ -23,7 +23,6 @@ QString removedText(const MaterialVolumes& removed) {
 }
 
 constexpr int kOverrunSteps = 100;  // of a tenth of a percent: a tenth of all ticks fills the meter
-constexpr int kOverrunWidth = 90;   // pixels
 constexpr double kFeltOverrun = 1;  // percent
 
 }  // namespace
@@ -40,15 +39,33 @@ StatusLine::StatusLine(QWidget* parent)
     for (QWidget* part : std::initializer_list<QWidget*>{removed_, servo_, overrun_, sound_}) addPermanentWidget(part);
     overrun_->setObjectName("overrun");
     overrun_->setRange(0, kOverrunSteps);
-    overrun_->setMaximumWidth(kOverrunWidth);
+    fitMeter();
     overrun_->setToolTip(tr(
         "The share of ticks in the last second that came too late for the force.\nMore than 1 % is felt: close other "
         "programs, or take a tooth with fewer triangles."));
     removed_->setObjectName("removed");
     servo_->setObjectName("servo");
-    servo_->setToolTip(
-        tr("The force is computed by a thread of its own, 1000 times a second.\np99: 99 % of the ticks "
-           "take less. Missed: ticks that the system gave no time for."));
+}
+
+void StatusLine::changeEvent(QEvent* event) {
+    QStatusBar::changeEvent(event);
+    if (event->type() == QEvent::FontChange) fitMeter();
+}
+
+void StatusLine::fitMeter() {
+    constexpr int kAround = 24;  // pixels
+    overrun_->setFixedWidth(fontMetrics().horizontalAdvance(tr("late %1 %").arg("00.0")) + kAround);
+}
+
+/// With large letters or in a small window the hint would have no room beside the whole of it.
+void StatusLine::showServo(const QString& brief, const QString& whole) {
+    constexpr double kMost = 0.36;  // of the window
+    const bool fits = servo_->fontMetrics().horizontalAdvance(whole) < kMost * width();
+    servo_->setText(fits ? whole : brief);
+    servo_->setMinimumWidth(servo_->sizeHint().width());  // the bar would lay out a longer text too late
+    servo_->setToolTip(whole + '\n' +
+                       tr("The force is computed by a thread of its own, 1000 times a second.\np99: 99 % of the ticks "
+                          "take less. Missed: ticks that the system gave no time for."));
 }
 
 void StatusLine::showOverrun(std::uint64_t inTime, std::uint64_t missed) {
@@ -76,13 +93,15 @@ void StatusLine::show(const Simulator& simulator, SoundStatus sound) {
     missed_ = missed;
     updates_ = updates;
     constexpr double kRounding = 10;  // Hz: a rate that trembles would have the whole window composed anew each second
-    servo_->setText(tr("Servo %1 Hz, p99 %2 µs, missed %3, %4  |  surface %5/s")
-                        .arg(kRounding * std::round(rate / kRounding), 0, 'f', 0)
-                        .arg(timing.tick.quantile(0.99), 0, 'f', 0)
-                        .arg(missed)
-                        .arg(simulator.isRealTime() ? tr("real-time") : tr("not real-time"))
-                        .arg(updateRate, 0, 'f', 0));
-    servo_->setMinimumWidth(servo_->sizeHint().width());  // the bar would lay out a longer text too late
+    constexpr double kWholeMicroseconds = 5;
+    const double shownRate = kRounding * std::round(rate / kRounding);
+    showServo(tr("Servo %1 Hz").arg(shownRate, 0, 'f', 0),
+              tr("Servo %1 Hz, p99 %2 µs, missed %3, %4  |  surface %5/s")
+                  .arg(shownRate, 0, 'f', 0)
+                  .arg(kWholeMicroseconds * std::round(timing.tick.quantile(0.99) / kWholeMicroseconds), 0, 'f', 0)
+                  .arg(missed)
+                  .arg(simulator.isRealTime() ? tr("real-time") : tr("not real-time"))
+                  .arg(updateRate, 0, 'f', 0));
     removed_->setText(removedText(simulator.removed()));
     const std::string_view text = statusText(sound);
     sound_->setText(translated(text));

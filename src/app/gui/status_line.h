@@ -25,7 +25,12 @@ public:
     /// A hint that stays on the left side until the next one.
     void setHint(const QString& hint) { hint_->setText(hint); }
 
+protected:
+    void changeEvent(QEvent* event) override;
+
 private:
+    void fitMeter();
+    void showServo(const QString& brief, const QString& whole);
     void showOverrun(std::uint64_t inTime, std::uint64_t missed);
 
     ElidedLabel* hint_;

@@ -38,6 +38,7 @@ ToothView::ToothView(Workbench& bench, QWidget* parent)
     : QOpenGLWidget(parent), bench_(bench), secondFrame_(new SecondViewFrame(this)) {
     secondFrame_->hide();
     connect(secondFrame_, &SecondViewFrame::clicked, this, [this] { look(*second_); });
+    setUpdateBehavior(PartialUpdate);  // the last picture stays
     setMinimumSize(320, 240);
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
@@ -48,7 +49,7 @@ ToothView::ToothView(Workbench& bench, QWidget* parent)
         // On a slow computer the next quick picture may just be late: a careful one now would make it later still.
         careful_ = changeTo(bench_.contents(showsTurbine_, showsMirror_)) == PicturePace::Change::None;
         if (careful_) {
-            update();
+            redraw();
         } else {
             rest_.start(kRestMs);
         }
@@ -87,6 +88,7 @@ void ToothView::report(const Error& error) {
 void ToothView::initializeGL() {
     // Called again whenever the widget gets a new context; nothing of the old one is of use then.
     connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &ToothView::forgetRenderer);
+    isStale_ = true;
     Expected<Renderer> renderer = Renderer::create();
     if (renderer) {
         renderer_.emplace(std::move(*renderer));
@@ -96,9 +98,16 @@ void ToothView::initializeGL() {
     }
 }
 
+/// The picture has to be drawn again. What the desktop wants to have anew can be taken from the last one.
+void ToothView::redraw() {
+    isStale_ = true;
+    update();
+}
+
 void ToothView::paintGL() {
     if (!renderer_ || failed_) return;
     SceneContents contents = bench_.contents(showsTurbine_, showsMirror_);
+    if (!std::exchange(isStale_, false) && changeTo(contents) == PicturePace::Change::None) return;
     contents.camera = camera_.camera();
     drawn_ = contents;
     sinceDrawn_.start();
@@ -106,7 +115,7 @@ void ToothView::paintGL() {
     const PicturePace::Change change = std::exchange(change_, PicturePace::Change::Motion);
     RenderSettings settings = kFine;
     if (!careful) {
-        settings = kQuick;
+        settings = pace_.isSmooth() && change == PicturePace::Change::Motion ? kSmooth : kQuick;
         settings.resolution = pace_.resolution(change);
         rest_.start(kRestMs);
     }
@@ -177,7 +186,7 @@ void ToothView::refresh() {
     const PicturePace::Change change = changeTo(bench_.contents(showsTurbine_, showsMirror_));
     if (sinceDrawn_.isValid() && !pace_.isDue(change, static_cast<double>(sinceDrawn_.elapsed()))) return;
     change_ = change;
-    update();
+    redraw();
 }
 
 void ToothView::fit() {
@@ -185,39 +194,44 @@ void ToothView::fit() {
     // The crown is what is worked on; the roots may leave the picture, the head of the handpiece should not.
     constexpr double kAbove = 13;  // mm
     camera_.fit(crownBox(bench_.tooth()->box(), kAbove), pictureSize().aspect());
-    update();
+    redraw();
+}
+
+void ToothView::setEye(const OrbitCamera& eye) {
+    camera_ = eye;
+    redraw();
 }
 
 void ToothView::look(StandardView view) {
     camera_.look(view, bench_.mesialX());
-    update();
+    redraw();
 }
 
 void ToothView::centreOn(const Vec3& place) {
     camera_.centreOn(place);
-    update();
+    redraw();
 }
 
 void ToothView::lookAsUsual() {
     camera_.look(bench_.usualView());
-    update();
+    redraw();
 }
 
 void ToothView::setShowsTurbine(bool shows) {
     showsTurbine_ = shows;
-    update();
+    redraw();
 }
 
 void ToothView::setShowsMirror(bool shows) {
     showsMirror_ = shows;
-    update();
+    redraw();
 }
 
 void ToothView::setInspection(const Inspection& inspection, Stereo::Mode stereo) {
     inspection_ = inspection;
     stereo_ = stereo;
     secondFrame_->setVisible(drawsSecond());
-    update();
+    redraw();
 }
 
 void ToothView::setSecondView(std::optional<StandardView> view, const QString& title) {
@@ -225,10 +239,11 @@ void ToothView::setSecondView(std::optional<StandardView> view, const QString& t
     secondAge_ = 0;
     secondFrame_->setText(title);
     secondFrame_->setVisible(drawsSecond());
-    update();
+    redraw();
 }
 
 void ToothView::resizeEvent(QResizeEvent* event) {
+    isStale_ = true;
     QOpenGLWidget::resizeEvent(event);
     secondFrame_->fitTo(pictureSize());
 }
@@ -248,7 +263,7 @@ void ToothView::moveCamera(const Vec2& way, Qt::MouseButtons buttons) {
     } else {
         camera_.pan(way, pictureSize());
     }
-    update();
+    redraw();
 }
 
 void ToothView::mouseMoveEvent(QMouseEvent* event) {
@@ -300,7 +315,7 @@ bool ToothView::obeyKey(const QKeyEvent& key) {
     }
     if (key.key() != Qt::Key_Plus && key.key() != Qt::Key_Minus) return false;
     camera_.zoom(key.key() == Qt::Key_Plus ? kZoomStep : 1 / kZoomStep, mouse_, size);
-    update();
+    redraw();
     return true;
 }
 
@@ -329,7 +344,7 @@ void ToothView::wheelEvent(QWheelEvent* event) {
     const double notches = event->angleDelta().y() / kNotch;
     if (event->modifiers() & Qt::ControlModifier) {
         camera_.zoom(std::pow(kZoomStep, notches), toPixel(event->position()), pictureSize());
-        update();
+        redraw();
     } else {
         bench_.hand().setPressDepth(bench_.hand().pressDepth() + kPressStep * notches);
         emit pressDepthChanged(bench_.hand().pressDepth());

@@ -32,6 +32,9 @@ public:
     void look(StandardView view);
     /// Shows this place of the tooth in the middle.
     void centreOn(const Vec3& place);
+    /// How the picture is turned, shifted and enlarged.
+    [[nodiscard]] const OrbitCamera& eye() const { return camera_; }
+    void setEye(const OrbitCamera& eye);
     /// From buccal and above, as a dentist sees a lower tooth.
     void lookAsUsual();
     void setShowsTurbine(bool shows);
@@ -78,6 +81,7 @@ private:
     void endKeyPress();
     void report(const Error& error);
     void forgetRenderer();
+    void redraw();
 
     Workbench& bench_;
     OrbitCamera camera_;
@@ -92,6 +96,7 @@ private:
     int secondAge_ = 0;  // pictures that it has been shown in
     SceneContents drawn_;
     bool careful_ = false;  // the next picture
+    bool isStale_ = true;   // the last picture: beside what changeTo sees
     PicturePace pace_;
     PicturePace::Change change_ = PicturePace::Change::Motion;  // that the next picture shows
     QTimer rest_;                                               // runs out when nothing has moved for a while

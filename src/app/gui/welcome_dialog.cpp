@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/welcome_dialog.h"
 
-#include <QCommandLinkButton>
 #include <QLabel>
+#include <QPushButton>
 #include <QVBoxLayout>
 
 namespace tactooth {
@@ -24,14 +24,23 @@ WelcomeDialog::WelcomeDialog(QWidget* parent) : QDialog(parent) {
     auto* later = new QLabel(tr("All of this is in the menus, too; F1 shows mouse and keys."));
     later->setWordWrap(true);
     column->addWidget(later);
-    setMinimumWidth(440);
+    constexpr int kLetters = 56;  // a line that is easy to read
+    setMinimumWidth(kLetters * fontMetrics().averageCharWidth());
 }
 
 void WelcomeDialog::addChoice(const QString& title, const QString& what, const char* name,
                               void (WelcomeDialog::*wanted)()) {
-    auto* button = new QCommandLinkButton(title, what);
+    auto* button = new QPushButton(title);  // a command link has letters of one size
     button->setObjectName(name);
+    button->setAccessibleDescription(what);
+    QFont large = button->font();
+    large.setBold(true);
+    button->setFont(large);
+    auto* words = new QLabel(what);
+    words->setWordWrap(true);
+    words->setIndent(8);
     layout()->addWidget(button);
+    layout()->addWidget(words);
     connect(button, &QPushButton::clicked, this, [this, wanted] {
         accept();
         if (wanted != nullptr) emit(this->*wanted)();

@@ -906,6 +906,18 @@ The mouse wheel in the picture changes it too.</source>
         <translation>バーを開く(&amp;B)…</translation>
     </message>
     <message>
+        <source>Exercises (*.toml);;All files (*)</source>
+        <translation>課題 (*.toml);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>Open exercise</source>
+        <translation>課題を開く</translation>
+    </message>
+    <message>
+        <source>Open e&amp;xercise…</source>
+        <translation>課題を開く(&amp;X)…</translation>
+    </message>
+    <message>
         <source>&amp;Save tooth…</source>
         <translation>歯を保存(&amp;S)…</translation>
     </message>
@@ -1540,6 +1552,10 @@ p99：99 % の周期はこれより短い。欠落：システムが時間を与
         <translation>サーボ %1 Hz、p99 %2 µs、欠落 %3、%4  |  表面 %5/秒</translation>
     </message>
     <message>
+        <source>Servo %1 Hz</source>
+        <translation>サーボ %1 Hz</translation>
+    </message>
+    <message>
         <source>real-time</source>
         <translation>リアルタイム</translation>
     </message>
@@ -1970,6 +1986,14 @@ More than 1 % is felt: close other programs, or take a tooth with fewer triangle
     <message>
         <source>Report…</source>
         <translation>報告書…</translation>
+    </message>
+    <message>
+        <source>An exercise of your own: a TOML file (docs/exercises.md)</source>
+        <translation>自作の課題: TOML ファイル (docs/exercises.md)</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>開く…</translation>
     </message>
     <message>
         <source>Writes time, volumes and what happened as a table (CSV)</source>

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/exercise_command.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "app/cli/exit_code.h"
+#include "collision/closest_point.h"
+#include "geometry/file_bytes.h"
+#include "geometry/stl_writer.h"
+#include "instruments/bur_catalogue.h"
+#include "session/cases/own_bur.h"
+#include "session/cavity_account.h"
+#include "session/exercise_file.h"
+
+namespace tactooth {
+namespace {
+
+std::string toothOf(const Exercise& exercise) {
+    const auto* request = std::get_if<ToothRequest>(&exercise.tooth);
+    if (request == nullptr) return shownName(std::get<ToothSource>(exercise.tooth).outer);
+    return fmt::format("{}, {}", request->fdi, toothName(request->fdi));
+}
+
+Expected<std::string> burOf(const Exercise& exercise) {
+    const auto* number = std::get_if<std::string>(&exercise.bur);
+    if (number != nullptr) return findBur(*number)->name;
+    const Expected<OwnBur> own = readOwnBur(std::get<std::filesystem::path>(exercise.bur));
+    if (!own) return Unexpected{own.error()};
+    return own->name;
+}
+
+/// From the walls of the cavity to the pulp, mm; negative where the cavity opens it, nothing for a tooth without pulp.
+std::optional<double> toThePulp(const TriangleMesh& walls, const LayeredTooth& tooth) {
+    std::optional<double> least;
+    for (const LayeredTooth::Layer& layer : tooth.layers()) {
+        if (layer.material != MaterialId::Pulp) continue;
+        for (std::size_t i = 0; i < walls.triangles.size(); ++i) {
+            const double distance = signedDistance(*layer.part, walls.corner(i, 0));
+            least = std::min(least.value_or(distance), distance);
+        }
+    }
+    return least;
+}
+
+Expected<void> tell(const ExerciseOptions& options) {
+    const Expected<Exercise> exercise = readExercise(options.file);
+    if (!exercise) return Unexpected{exercise.error()};
+    const Expected<std::string> bur = burOf(*exercise);
+    if (!bur) return Unexpected{bur.error()};
+    const auto tooth = exerciseTooth(*exercise);
+    if (!tooth) return Unexpected{tooth.error()};
+    Expected<TriangleMesh> ideal = idealShape(*exercise, *tooth);
+    if (!ideal) return Unexpected{ideal.error()};
+    if (!options.out.empty()) {
+        if (auto written = writeStl(*ideal, options.out); !written) return written;
+    }
+    const auto surface = std::make_shared<const SurfacePart>(std::move(*ideal));
+    const CavityWalls walls = cavityWalls(surface->mesh(), *(*tooth)->outer());
+    CavityAccount account(surface, *(*tooth)->outer(), walls);
+    if (account.empty()) {
+        return unexpected(
+            shownName(options.file) +
+            ": the ideal shape leaves nothing to cut; it must lie in the frame of the tooth, and have its "
+            "cavity inside it.");
+    }
+    Surface whole;
+    whole.base = (*tooth)->outer();
+    fmt::print("{}\n{}\n", exercise->name, exercise->task);
+    fmt::print("  tooth           {}\n  bur             {}\n", toothOf(*exercise), *bur);
+    fmt::print("  ideal cavity    {:.2f} mm3\n", account.of(whole, 0).planned);
+    if (const auto left = toThePulp(walls.mesh, **tooth)) {
+        if (*left > 0) fmt::print("  to the pulp     {:.2f} mm at least\n", *left);
+        if (*left <= 0) fmt::print("  to the pulp     nothing: the cavity opens it\n");
+    }
+    if (!options.out.empty()) fmt::print("  ideal shape     {}\n", shownName(options.out));
+    return {};
+}
+
+}  // namespace
+
+int runExercise(const ExerciseOptions& options) {
+    const auto done = tell(options);
+    return done ? kExitOk : refuse(done.error());
+}
+
+}  // namespace tactooth

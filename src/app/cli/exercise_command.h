@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+
+namespace tactooth {
+
+struct ExerciseOptions {
+    std::filesystem::path file;
+    std::filesystem::path out;  ///< STL of the ideal shape; empty: none
+};
+
+/// What an exercise asks for, before a student gets it.
+int runExercise(const ExerciseOptions& options);
+
+}  // namespace tactooth

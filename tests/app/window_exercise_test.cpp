@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Exercises in the window, and what of the work another language keeps.
+#include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QLabel>
+#include <QMenuBar>
+#include <QProgressBar>
+#include <QToolButton>
+#include <fstream>
+
+#include "app/gui/window_holder.h"
+#include "app/gui/window_setup.h"
+#include "app/window_session.h"
+#include "geometry/stl_writer.h"
+#include "support/shapes.h"
+#include "support/text_file.h"
+
+namespace tactooth {
+
+class WindowExerciseTest : public test::WindowSession {
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void anExerciseCountsWhatIsCutOfItAndBeside();
+    void anExerciseOfOnesOwnIsOpenedFromTheMenu();
+    void anExerciseThatCannotBeUsedIsRefusedAndTheToothStays();
+    void anotherLanguageKeepsTargetExerciseAndLook();
+    void cleanupTestCase();
+};
+
+void WindowExerciseTest::initTestCase() {
+    openWindow();
+    window_->apply(window_->settings());
+    waitForTooth();
+}
+
+void WindowExerciseTest::cleanupTestCase() { closeWindow(); }
+
+void WindowExerciseTest::anExerciseCountsWhatIsCutOfItAndBeside() {
+    auto* choice = window_->findChild<QComboBox*>("exercise");
+    auto* cleared = window_->findChild<QProgressBar*>("cleared");
+    const auto* task = window_->findChild<QLabel*>("task");
+    const auto* ghost = window_->findChild<QCheckBox*>("ghost");
+    const auto fact = [this](const QString& name) {
+        for (const QLabel* label : window_->findChildren<QLabel*>())
+            if (label->accessibleName() == name) return label->text();
+        return QString();
+    };
+    for (QDockWidget* dock : window_->findChildren<QDockWidget*>())
+        if (dock->windowTitle() == "Exercise") dock->raise();
+    QVERIFY(!cleared->isEnabled());
+    QCOMPARE(fact("Likeness"), QString(QChar(0x2013)));
+    choice->setFocus();
+    QTest::keyClick(choice, Qt::Key_Down);
+    QVERIFY(task->text().contains("1.5 mm deep"));
+    QTRY_VERIFY_WITH_TIMEOUT(ghost->isChecked(), 60000);
+    QVERIFY(window_->windowTitle().contains("Pit in the molar"));
+    QCOMPARE(QString::fromStdString(window_->bench().bur()->name),
+             window_->findChild<QComboBox*>("burs")->currentText());
+    QTRY_VERIFY(cleared->isEnabled());
+    QCOMPARE(cleared->value(), 0);
+    QCOMPARE(fact("Time"), "0:00");
+
+    window_->bench().hand().setPressDepth(2);
+    key(Qt::Key_C);
+    QTest::keyPress(&view(), Qt::Key_Space);
+    QTRY_VERIFY_WITH_TIMEOUT(gauge("speedGauge") > 300, 20000);
+    pressBurOn(middle());
+    QTRY_VERIFY_WITH_TIMEOUT(removed() > 0.2, 30000);
+    liftBur(middle());
+    QTest::keyRelease(&view(), Qt::Key_Space);
+    QTRY_VERIFY_WITH_TIMEOUT(gauge("speedGauge") < 1, 20000);
+    QTRY_VERIFY(fact("enamel removed") != "0.00 mm\u00b3");
+    QTRY_VERIFY(fact("Cut beyond") != "0.00 mm\u00b3" || cleared->value() > 0);
+    const auto report = folder_ / "report.csv";
+    window_->exportReportTo(QString::fromStdString(report.string()));
+    std::ifstream file(report);
+    const std::string text((std::istreambuf_iterator<char>(file)), {});
+    QVERIFY(text.find("task,\"Pit in the molar\"") != std::string::npos);
+    QVERIFY(text.find("first contact,1,times") != std::string::npos);
+
+    QTest::mouseClick(window_->findChild<QToolButton*>("startAgain"), Qt::LeftButton);
+    QTRY_COMPARE(removed(), 0.0);
+    QTRY_COMPARE(fact("Cut beyond"), "0.00 mm\u00b3");
+    QTRY_COMPARE(fact("Time"), "0:00");
+    choice->setFocus();
+    QTest::keyClick(choice, Qt::Key_Up);
+    QTRY_VERIFY(!cleared->isEnabled());
+    QVERIFY(!ghost->isEnabled());
+    bringMolar();
+}
+
+void WindowExerciseTest::anExerciseOfOnesOwnIsOpenedFromTheMenu() {
+    const auto file = folder_ / "own.toml";
+    test::writeText(file,
+                    "name = \"Distal pit\"\ntask = \"Deep down.\"\ntooth = 46\nbur = \"245\"\n"
+                    "[cavity]\ndepth = 1.2\n[[cavity.strokes]]\nfrom = [2, 0, 0]\n");
+    auto* choice = window_->findChild<QComboBox*>("exercise");
+    const int before = choice->count();
+    QTest::mouseClick(window_->findChild<QToolButton*>("openExercise"), Qt::LeftButton);
+    auto* dialog = window_->findChild<QFileDialog*>();
+    QVERIFY(dialog != nullptr && dialog->isVisible());
+    dialog->selectFile(QString::fromStdString(file.string()));
+    QMetaObject::invokeMethod(dialog, "accept");
+    QTRY_VERIFY_WITH_TIMEOUT(window_->windowTitle().contains("Distal pit"), 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<QCheckBox*>("ghost")->isChecked(), 60000);
+    QCOMPARE(choice->count(), before + 1);
+    QCOMPARE(choice->currentText(), "Distal pit");
+    QCOMPARE(window_->findChild<QLabel*>("task")->text(), "Deep down.");
+    QTRY_VERIFY(QString::fromStdString(window_->bench().bur()->name).contains("245"));
+    QVERIFY(window_->settings().recent.find("own.toml") != std::string::npos);
+
+    // The teacher goes on writing: the same file has one entry in the list.
+    test::writeText(file,
+                    "name = \"Distal pit, deeper\"\ntask = \"Deeper.\"\ntooth = 46\nbur = \"245\"\n"
+                    "[cavity]\ndepth = 1.6\n[[cavity.strokes]]\nfrom = [2, 0, 0]\n");
+    window_->openExercise(QString::fromStdString(file.string()));
+    QTRY_VERIFY_WITH_TIMEOUT(window_->windowTitle().contains("deeper"), 60000);
+    QCOMPARE(choice->count(), before + 1);
+    QCOMPARE(choice->currentText(), "Distal pit, deeper");
+    bringMolar();
+    QTRY_COMPARE(choice->currentIndex(), 0);
+}
+
+void WindowExerciseTest::anExerciseThatCannotBeUsedIsRefusedAndTheToothStays() {
+    const QString title = window_->windowTitle();
+    const auto file = folder_ / "bad.toml";
+    test::writeText(file, "name = \"Bad\"\ntask = \"None.\"\ntooth = 46\nbur = \"none\"\n");
+    window_->openExercise(QString::fromStdString(file.string()));
+    const QString sentence = dismissMessage();
+    QVERIFY2(sentence.contains("bad.toml, line 4: there is no bur 'none'"), qPrintable(sentence));
+    test::writeText(file,
+                    "name = \"Bad\"\ntask = \"None.\"\ntooth = \"gone.stl\"\nbur = \"330\"\nideal = \"gone.stl\"\n");
+    window_->openExercise(QString::fromStdString(file.string()));
+    QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<QMessageBox*>() != nullptr, 20000);
+    QVERIFY(dismissMessage().contains("gone.stl"));
+    QCOMPARE(window_->windowTitle(), title);
+    QCOMPARE(window_->findChild<QComboBox*>("exercise")->currentIndex(), 0);
+}
+
+void WindowExerciseTest::anotherLanguageKeepsTargetExerciseAndLook() {
+    WindowHolder holder(*qApp, *sound_);
+    MainWindow* window = &holder.open(window_->settings());
+    window->bringBuiltinTooth(kBuiltinTeeth.front());
+    window->show();
+    QTRY_VERIFY_WITH_TIMEOUT(!window->bench().isBusy() && window->bench().simulator() != nullptr, 60000);
+    const Box3 box = window->bench().tooth()->box();
+    const auto file = folder_ / "kept.stl";
+    QVERIFY(writeStl(test::sphere(Vec3(0, 0, box.max().z() - 3), 2, 40, 30), file).has_value());
+    window->openTarget(QString::fromStdString(file.string()));
+    const auto find = [&](const char* name) { return holder.window().findChild<QCheckBox*>(name); };
+    QTRY_VERIFY_WITH_TIMEOUT(find("coloured")->isChecked(), 60000);
+    find("ghost")->click();
+    window->findChild<QComboBox*>("section")->setCurrentIndex(2);
+    auto* view = window->findChild<ToothView*>("toothView");
+    view->look(StandardView::Lingual);
+    const Vec3 eye = view->camera().cameraInWorld.position;
+    const auto choose = [&](int language) {
+        holder.window().findChild<QMenu*>("language")->actions()[language]->trigger();
+    };
+    const auto title = [&] { return holder.window().menuBar()->actions().front()->text(); };
+    choose(2);
+    QTRY_COMPARE(title(), QStringLiteral("ファイル(&F)"));
+    QTRY_VERIFY(find("ghost")->isChecked());
+    QVERIFY(!find("coloured")->isChecked() && find("coloured")->isEnabled());
+    QCOMPARE(holder.window().findChild<QComboBox*>("section")->currentIndex(), 2);
+    const auto* now = holder.window().findChild<ToothView*>("toothView");
+    QVERIFY((now->camera().cameraInWorld.position - eye).norm() < 1e-9);
+
+    holder.window().practise(exercises()[0]);
+    QTRY_VERIFY_WITH_TIMEOUT(holder.window().windowTitle().startsWith(QStringLiteral("臼歯")), 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(find("ghost")->isChecked(), 60000);
+    choose(1);
+    QTRY_COMPARE(title(), "&File");
+    QTRY_VERIFY(find("ghost")->isChecked());
+    QCOMPARE(holder.window().findChild<QComboBox*>("exercise")->currentIndex(), 1);
+    const auto report = folder_ / "kept.csv";
+    holder.window().exportReportTo(QString::fromStdString(report.string()));
+    QVERIFY(test::readText(report).find("task,\"Pit in the molar\"") != std::string::npos);
+    choose(0);
+    QTRY_COMPARE(holder.window().settings().language, std::string());
+}
+
+}  // namespace tactooth
+
+int main(int argc, char** argv) {
+    const auto application = tactooth::startApplication(argc, argv);
+    tactooth::WindowExerciseTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "window_exercise_test.moc"

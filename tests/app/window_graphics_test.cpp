@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// OpenGL that goes, is too old or not there; a window that nobody uses; panels behind tabs by keys.
+#include <QApplication>
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QProcess>
+#include <QSignalSpy>
+#include <QTabBar>
+#include <ctime>
+
+#include "app/gui/window_setup.h"
+#include "app/window_session.h"
+
+namespace tactooth {
+
+class WindowGraphicsTest : public test::WindowSession {
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void aLostContextIsMadeAnewWithTheSamePicture();
+    void withoutOpenGl41TheProgramSaysWhatToDo_data();
+    void withoutOpenGl41TheProgramSaysWhatToDo();
+    void whatTheDesktopWantsAgainIsNotDrawnAnew();
+    void aWindowThatNobodyUsesRests();
+    void panelsBehindTabsAreReachedByKeys();
+    void cleanupTestCase();
+};
+
+void WindowGraphicsTest::initTestCase() {
+    openWindow();
+    waitForTooth();
+}
+
+void WindowGraphicsTest::cleanupTestCase() { closeWindow(); }
+
+/// In another window the picture gets another context, and all that lay on the graphics card is gone.
+void WindowGraphicsTest::aLostContextIsMadeAnewWithTheSamePicture() {
+    QTest::qWait(2500);  // until the careful picture is there
+    const QImage before = view().grabFramebuffer();
+    const std::uint64_t drawn = view().pictures();
+    const QOpenGLContext* context = view().context();
+    auto* picture = &view();
+    QSignalSpy failed(picture, &ToothView::failed);
+    QMainWindow other;
+    other.resize(picture->size());
+    other.setCentralWidget(window_->takeCentralWidget());
+    other.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&other));
+    QTRY_VERIFY(picture->context() != context);
+    QTRY_VERIFY(picture->pictures() > drawn);
+    QTest::qWait(2500);
+    const QImage after = picture->grabFramebuffer();
+    window_->setCentralWidget(other.takeCentralWidget());
+    QCOMPARE(failed.count(), 0);
+    QCOMPARE(after.size(), before.size());
+    qint64 differ = 0;
+    for (int y = 0; y < after.height(); ++y) {
+        for (int x = 0; x < after.width(); ++x) differ += after.pixel(x, y) != before.pixel(x, y) ? 1 : 0;
+    }
+    QVERIFY2(differ < after.width() * after.height() / 100, qPrintable(QString::number(differ)));
+}
+
+void WindowGraphicsTest::withoutOpenGl41TheProgramSaysWhatToDo_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QString>("value");
+    QTest::newRow("too old") << "MESA_GL_VERSION_OVERRIDE"
+                             << "3.3";
+    QTest::newRow("none") << "QT_XCB_GL_INTEGRATION"
+                          << "none";
+}
+
+void WindowGraphicsTest::withoutOpenGl41TheProgramSaysWhatToDo() {
+    QFETCH(QString, name);
+    QFETCH(QString, value);
+    QProcess program;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(name, value);
+    environment.insert("XDG_CONFIG_HOME", QString::fromStdString((folder_ / "config").string()));
+    program.setProcessEnvironment(environment);
+    program.start(TACTOOTH_PROGRAM, {});
+    QVERIFY(program.waitForFinished(60000));
+    QCOMPARE(program.exitStatus(), QProcess::NormalExit);
+    QCOMPARE(program.exitCode(), 2);
+    const QString said = QString::fromUtf8(program.readAllStandardError());
+    QVERIFY2(said.contains("the window needs OpenGL 4.1") && said.contains("install the graphics driver"),
+             qPrintable(said));
+}
+
+void WindowGraphicsTest::whatTheDesktopWantsAgainIsNotDrawnAnew() {
+    QTest::qWait(2500);
+    const std::uint64_t drawn = view().pictures();
+    for (int i = 0; i < 5; ++i) {
+        view().update();  // as after a menu has been over it
+        QTest::qWait(50);
+    }
+    QCOMPARE(view().pictures(), drawn);
+    view().look(StandardView::Distal);
+    QTRY_VERIFY(view().pictures() > drawn);
+}
+
+/// The processor time of all threads. A quiet machine takes 3 to 5 % of a core, of which half is the servo's; one that
+/// shares its two cores with other builds up to 9.
+void WindowGraphicsTest::aWindowThatNobodyUsesRests() {
+    QTest::qWait(13000);  // until the picture is careful and the plots are empty
+    const auto used = [] { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; };
+    const double before = used();
+    constexpr int kSeconds = 5;
+    QTest::qWait(1000 * kSeconds);
+    const double share = (used() - before) / kSeconds;
+    qInfo("%.1f %% of a core", 100 * share);
+    QVERIFY2(share < 0.15, qPrintable(QString::number(share)));
+}
+
+void WindowGraphicsTest::panelsBehindTabsAreReachedByKeys() {
+    QApplication::setActiveWindow(window_.get());
+    int switched = 0;
+    for (QTabBar* tabs : window_->findChildren<QTabBar*>()) {
+        if (!tabs->isVisible() || tabs->count() < 2) continue;
+        QWidget* first = QApplication::focusWidget();
+        for (int i = 0; i < 100 && !tabs->hasFocus(); ++i) {
+            QTest::keyClick(QApplication::focusWidget() != nullptr ? QApplication::focusWidget() : first, Qt::Key_Tab);
+        }
+        QVERIFY(tabs->hasFocus());
+        const int before = tabs->currentIndex();
+        QTest::keyClick(tabs, before == 0 ? Qt::Key_Right : Qt::Key_Left);
+        QVERIFY(tabs->currentIndex() != before);
+        ++switched;
+    }
+    QCOMPARE(switched, 2);
+}
+
+}  // namespace tactooth
+
+int main(int argc, char** argv) {
+    const auto application = tactooth::startApplication(argc, argv);
+    tactooth::WindowGraphicsTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "window_graphics_test.moc"
