@@ -11,7 +11,7 @@ namespace tactooth {
 namespace {
 
 constexpr auto kCutterPause = std::chrono::milliseconds(1);  // a tick: there is nothing new before it
-constexpr auto kCutterRest = std::chrono::milliseconds(3);   // as long as the tool rests
+constexpr auto kCutterRest = std::chrono::milliseconds(8);   // as long as the tool rests
 constexpr double kRests = 0.2;                               // s without a move: the hand has put it down
 
 constexpr auto kLongestFade = std::chrono::milliseconds(100);  // 20 N take 67 ms; a device that hangs has no more

@@ -101,7 +101,7 @@ void WindowGraphicsTest::whatTheDesktopWantsAgainIsNotDrawnAnew() {
     QTRY_VERIFY(view().pictures() > drawn);
 }
 
-/// The processor time of all threads. A quiet machine takes 3 to 5 % of a core, of which half is the servo's; one that
+/// The processor time of all threads. A quiet machine takes 4 % of a core, of which half is the servo's; one that
 /// shares its two cores with other builds up to 9.
 void WindowGraphicsTest::aWindowThatNobodyUsesRests() {
     QTest::qWait(13000);  // until the picture is careful and the plots are empty

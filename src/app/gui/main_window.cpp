@@ -44,6 +44,7 @@ constexpr int kRestAfter = 120;     // steps in which nobody has moved anything
 constexpr double kSeenMove = 1e-4;  // mm
 constexpr int kNumbersMs = 100;     // gauges and plots: ten times a second
 constexpr int kStatusMs = 1000;
+constexpr int kStatusAtRestMs = 5000;  // each new text has the whole window composed anew
 constexpr int kLayout = 3;  // counts the arrangements of docks: one that was saved with others of them is not taken
 constexpr double kLongestStep = 0.1;  // s: after a stall the hand goes on gently
 
@@ -306,8 +307,12 @@ void MainWindow::paceSteps() {
     const bool isStill = (place - lastPlace_).norm() < kSeenMove && bench_.newest().speedRpm == 0 && !bench_.isBusy();
     lastPlace_ = place;
     stillSteps_ = isStill ? stillSteps_ + 1 : 0;
-    const int pause = stillSteps_ > kRestAfter ? kRestMs : kStepMs;
-    if (stepTimer_.interval() != pause) stepTimer_.setInterval(pause);
+    const bool rests = stillSteps_ > kRestAfter;
+    const auto pace = [](QTimer& timer, int pause) {
+        if (timer.interval() != pause) timer.setInterval(pause);
+    };
+    pace(stepTimer_, rests ? kRestMs : kStepMs);
+    pace(statusTimer_, rests ? kStatusAtRestMs : kStatusMs);
 }
 
 void MainWindow::step() {
