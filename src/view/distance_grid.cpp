@@ -29,7 +29,7 @@ DistanceGrid distancesTo(const SurfacePart& target, const Box3& box, int longest
     grid.low = box.min();
     grid.spacing = box.sizes().maxCoeff() / (longest - 1);
     grid.counts = (box.sizes().array() / grid.spacing).ceil().cast<int>() + 1;
-    const auto [nx, ny, nz] = std::array{grid.counts.x(), grid.counts.y(), grid.counts.z()};
+    const int nx = grid.counts.x(), ny = grid.counts.y(), nz = grid.counts.z();  // clang 14 lets no lambda take bindings
     grid.values.resize(static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny) * static_cast<std::size_t>(nz));
     const auto rows = static_cast<std::size_t>(ny) * static_cast<std::size_t>(nz);
     parallelFor(rows, [&](std::size_t row) {

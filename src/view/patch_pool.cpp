@@ -54,7 +54,8 @@ void PatchPool::markNeighbours() {
         if (place.isStale) fresh.push_back(&place);
     }
     for (auto& [id, place] : places_) {
-        const auto meets = [&](const Place* other) { return other->patch.wall.intersects(place.patch.wall); };
+        const Box3& wall = place.patch.wall;  // clang 14 lets no lambda take a binding
+        const auto meets = [&](const Place* other) { return other->patch.wall.intersects(wall); };
         place.isStale = place.isStale || std::any_of(fresh.begin(), fresh.end(), meets);
     }
 }

@@ -11,7 +11,8 @@ ShapeCache::Entry& ShapeCache::entryFor(const SceneObject& object) {
         return !entry.used && entry.buffers.holds(object.shape);
     });
     if (known != entries_.end()) return *known;
-    return entries_.emplace_back(SurfaceBuffers(object.shape));
+    entries_.push_back({.buffers = SurfaceBuffers(object.shape)});
+    return entries_.back();
 }
 
 ShapeCache::Result ShapeCache::update(const Scene& scene) {
