@@ -155,6 +155,8 @@ private:
                   lessEqual(Float8::all(shifts_.closing(-mean.direction)) + spun8, behind8));
         if (near == 0) return;
         front8.store(front), behind8.store(behind), spun8.store(spun);
+        // The triangles of a flat leaf are hardly further away than the leaf: to ask each of them costs more than it
+        // saves.
         const bool isFlat = mean.high - mean.low < shifts_.around;
         for (; near != 0; near &= near - 1) {
             const int k = std::countr_zero(near);

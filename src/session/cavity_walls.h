@@ -3,9 +3,11 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "collision/surface.h"
+#include "tooth/layered_tooth.h"
 
 namespace tactooth {
 
@@ -28,5 +30,9 @@ struct CavityWalls {
 /// kCavityDepth: its triangles there, divided until no edge is longer than kCavityEdge and cut off along that depth.
 /// The same on any number of threads.
 [[nodiscard]] CavityWalls cavityWalls(const TriangleMesh& target, const SurfacePart& outer);
+
+/// How near the walls come to the pulp of `tooth`, mm; negative where the cavity opens it, nothing without pulp or
+/// walls.
+[[nodiscard]] std::optional<double> leastToPulp(const CavityWalls& walls, const LayeredTooth& tooth);
 
 }  // namespace tactooth

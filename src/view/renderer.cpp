@@ -95,11 +95,21 @@ PassView directView(const Scene& scene, const Camera& camera, PictureSize size) 
     return view;
 }
 
-/// From here on drawing changes this part of the picture alone.
-void limitTo(const PixelRectangle& part) {
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(part.low.x(), part.low.y(), part.extent().x(), part.extent().y());
-}
+/// As long as it lives, drawing changes a part of the picture alone; also an error ends it.
+class Limit {
+public:
+    explicit Limit(const PixelRectangle& part) {
+        glEnable(GL_SCISSOR_TEST);
+        to(part);
+    }
+    ~Limit() { glDisable(GL_SCISSOR_TEST); }
+    Limit(const Limit&) = delete;
+    Limit& operator=(const Limit&) = delete;
+
+    void to(const PixelRectangle& part) const {
+        glScissor(part.low.x(), part.low.y(), part.extent().x(), part.extent().y());
+    }
+};
 
 void copyPicture(const RenderTarget& from, GLuint to, const PixelRectangle& place) {
     const PictureSize drawn = from.size();
@@ -189,7 +199,7 @@ Expected<const RenderTarget*> Renderer::Parts::drawShell(const Job& job, const S
 Expected<const RenderTarget*> Renderer::Parts::drawGhosts(const Job& job, SolidInputs& inputs,
                                                           const PixelRectangle& seen) {
     if (seen.empty()) return nullptr;
-    limitTo(seen);
+    const Limit limit(seen);
     const Mat4 ofAll = std::exchange(inputs.cullMatrix, cropped(inputs.view.worldToClip(), seen, job.size));
     if (inputs.shell == nullptr) {
         const auto around = drawShell(job, inputs);
@@ -204,8 +214,8 @@ Expected<const RenderTarget*> Renderer::Parts::drawGhosts(const Job& job, SolidI
 
 Expected<void> Renderer::Parts::drawBodies(const Job& job, SolidInputs& inputs, const RenderTarget& into,
                                            const PixelRectangle& shown) {
-    limitTo(shown);
     if (showsLayers(inputs.drawables)) {
+        const Limit limit(shown);
         const auto around = drawShell(job, inputs);
         if (!around) return Unexpected{around.error()};
         inputs.shell = *around;
@@ -213,16 +223,15 @@ Expected<void> Renderer::Parts::drawBodies(const Job& job, SolidInputs& inputs, 
     const PixelRectangle haunted = ghostPixels(inputs.ghosts, inputs.view, job.size).within(shown);
     const auto seen = drawGhosts(job, inputs, haunted);
     if (!seen) return Unexpected{seen.error()};
-    limitTo(shown);
+    const Limit limit(shown);
     into.bindForDrawing();
     solid.drawOpaque(inputs);
     if (*seen != nullptr) {
-        limitTo(haunted);
+        limit.to(haunted);
         ghosts.compose(**seen);
-        limitTo(shown);
+        limit.to(shown);
     }
     solid.drawTransparent(inputs);
-    glDisable(GL_SCISSOR_TEST);
     return {};
 }
 
@@ -238,11 +247,12 @@ Expected<const RenderTarget*> Renderer::Parts::drawReflection(const Job& job, co
     glEnable(GL_CLIP_DISTANCE0);
     SolidInputs inputs = inputsFor(job, view, surgery, cropped(view.worldToClip(), covered, job.size));
     if (const auto done = drawBodies(job, inputs, **target, covered); !done) return Unexpected{done.error()};
-    limitTo(covered);
-    particles.draw(job.scene.particles, view, job.size);
-    glDisable(GL_CLIP_DISTANCE0);
-    (*target)->resolve();
-    glDisable(GL_SCISSOR_TEST);
+    {
+        const Limit limit(covered);
+        particles.draw(job.scene.particles, view, job.size);
+        glDisable(GL_CLIP_DISTANCE0);
+        (*target)->resolve();
+    }
     if (job.settings.ambientOcclusion) {
         if (const auto done = occlusion.apply(**target, covered, camera); !done) return Unexpected{done.error()};
     }

@@ -35,8 +35,7 @@ private slots:
 };
 
 void WindowExerciseTest::initTestCase() {
-    openWindow();
-    window_->apply(window_->settings());
+    openWindowWithSettings();
     waitForTooth();
 }
 

@@ -59,8 +59,7 @@ private:
 };
 
 void WindowLookTest::initTestCase() {
-    openWindow();
-    window_->apply(window_->settings());
+    openWindowWithSettings();
     waitForTooth();
 }
 

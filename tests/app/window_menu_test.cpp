@@ -45,8 +45,7 @@ private:
 };
 
 void WindowMenuTest::initTestCase() {
-    openWindow();
-    window_->apply(window_->settings());
+    openWindowWithSettings();
     waitForTooth();
 }
 

@@ -15,6 +15,11 @@ void WindowSession::openWindow() {
     QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
 }
 
+void WindowSession::openWindowWithSettings() {
+    openWindow();
+    window_->apply(window_->settings());
+}
+
 void WindowSession::waitForTooth() {
     QTRY_VERIFY_WITH_TIMEOUT(!window_->bench().isBusy() && window_->bench().simulator() != nullptr, 60000);
 }

@@ -17,6 +17,8 @@ namespace tactooth::test {
 class WindowSession : public QObject {
 protected:
     void openWindow();
+    /// The same with its own settings applied, as those of a file are.
+    void openWindowWithSettings();
     void closeWindow();
     void waitForTooth();
     /// Puts the built-in molar on the bench.

@@ -94,7 +94,7 @@ TEST_F(BenchCommand, CutRefusesAToothWithoutAnInside) {
 
 /// Times of such small pictures say nothing; that each scene is drawn in each of its ways does.
 TEST_F(BenchCommand, ViewHoldsACuttingBurAgainstOneThatOnlyMoves) {
-    if (isSanitized()) GTEST_SKIP() << "draws a whole mouth";
+    if (isSanitized()) GTEST_SKIP() << "draws a whole mouth, which takes minutes under a sanitizer";
     const ProgramRun run = runTactooth({"bench", "view", "--size", "160x100", "--frames", "2", "--json"});
     ASSERT_EQ(run.exitCode, 0) << run.err;
     std::map<std::string, std::vector<std::string>> drawn;

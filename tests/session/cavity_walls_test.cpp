@@ -120,6 +120,18 @@ TEST(CavityWalls, OfBallsAreCaps) {
     }
 }
 
+TEST(CavityWalls, KeepTheirDistanceFromThePulpOrOpenIt) {
+    const auto withPulpUpTo = [](double z) {
+        std::vector<LayerMesh> layers = {{"pulp", MaterialId::Pulp, test::box(Vec3(-1, -1, -3), Vec3(1, 1, z))}};
+        return *LayeredTooth::make(kBlock, std::move(layers));
+    };
+    const CavityWalls walls = wallsOf(blockWithCavity(Vec3(-2, -1.5, 3), Vec3(2, 1.5, 5)));
+    EXPECT_NEAR(*leastToPulp(walls, withPulpUpTo(2.25)), 0.75, 1e-6);
+    EXPECT_LT(*leastToPulp(walls, withPulpUpTo(3.5)), 0);
+    EXPECT_FALSE(leastToPulp(walls, *LayeredTooth::make(kBlock)));
+    EXPECT_FALSE(leastToPulp({}, withPulpUpTo(2.25)));
+}
+
 TEST(CavityWalls, AreTheSameOnOneThread) {
     const TriangleMesh target = blockWithCavity(Vec3(-2, -1.5, 3), Vec3(2, 1.5, 5));
     const CavityWalls walls = wallsOf(target);

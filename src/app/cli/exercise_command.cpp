@@ -4,11 +4,7 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <optional>
-
 #include "app/cli/exit_code.h"
-#include "collision/closest_point.h"
 #include "geometry/file_bytes.h"
 #include "geometry/stl_writer.h"
 #include "instruments/bur_catalogue.h"
@@ -31,19 +27,6 @@ Expected<std::string> burOf(const Exercise& exercise) {
     const Expected<OwnBur> own = readOwnBur(std::get<std::filesystem::path>(exercise.bur));
     if (!own) return Unexpected{own.error()};
     return own->name;
-}
-
-/// From the walls of the cavity to the pulp, mm; negative where the cavity opens it, nothing for a tooth without pulp.
-std::optional<double> toThePulp(const TriangleMesh& walls, const LayeredTooth& tooth) {
-    std::optional<double> least;
-    for (const LayeredTooth::Layer& layer : tooth.layers()) {
-        if (layer.material != MaterialId::Pulp) continue;
-        for (std::size_t i = 0; i < walls.triangles.size(); ++i) {
-            const double distance = signedDistance(*layer.part, walls.corner(i, 0));
-            least = std::min(least.value_or(distance), distance);
-        }
-    }
-    return least;
 }
 
 Expected<void> tell(const ExerciseOptions& options) {
@@ -72,7 +55,7 @@ Expected<void> tell(const ExerciseOptions& options) {
     fmt::print("{}\n{}\n", exercise->name, exercise->task);
     fmt::print("  tooth           {}\n  bur             {}\n", toothOf(*exercise), *bur);
     fmt::print("  ideal cavity    {:.2f} mm3\n", account.of(whole, 0).planned);
-    if (const auto left = toThePulp(walls.mesh, **tooth)) {
+    if (const auto left = leastToPulp(walls, **tooth)) {
         if (*left > 0) fmt::print("  to the pulp     {:.2f} mm at least\n", *left);
         if (*left <= 0) fmt::print("  to the pulp     nothing: the cavity opens it\n");
     }
