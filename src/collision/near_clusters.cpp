@@ -117,6 +117,7 @@ private:
     }
 
     void meetLeaf(AabbTree::Link toothLink, Front front) {
+        ++out_.leavesMet;
         TurnedLeaf tooth(toothTree_->leaf(toothLink), turn_, shifts_);
         for (const Suspects& suspects : front) meetBelow(tooth, suspects);
     }
@@ -318,7 +319,7 @@ double roundingSlack(const SurfacePart& tooth, const ToolShape& tool, const Pose
 
 void findNearClusters(const Surface& surface, const ToolShape& tool, const Pose& toolInTooth, const Skin& skin,
                       std::size_t limit, NearClusters& out) {
-    out.leafCount = out.count = 0;
+    out.leafCount = out.count = out.leavesMet = 0;
     out.complete = true;
     if (surface.base->tree().empty()) return;
     out.slack = roundingSlack(*surface.base, tool, toolInTooth);

@@ -69,9 +69,10 @@ struct NearClusters {
     std::vector<NearLeaf> leaves;
     std::vector<EightClusters> eights;
     std::size_t leafCount = 0;
-    std::size_t count = 0;  ///< clusters
-    double slack = 0;       ///< mm: what single precision may hide in a coordinate here
-    bool complete = true;   ///< false: there were more than `limit` clusters, or more than there is room for
+    std::size_t count = 0;      ///< clusters
+    double slack = 0;           ///< mm: what single precision may hide in a coordinate here
+    std::size_t leavesMet = 0;  ///< leaves of the tooth that the search had to look into
+    bool complete = true;       ///< false: there were more than `limit` clusters, or more than there is room for
 };
 
 /// Finds every cluster of `surface` and `tool` (standing at `toolInTooth`) whose triangles the tool could bring

@@ -121,15 +121,20 @@ void PairList::forget() {
 
 double PairList::leastAround() const { return kLeastReach * tool_->radius(); }
 
+bool PairList::isLong() const { return 2 * near_.count > kPlentyOfClusters; }
+
 double PairList::leastTurn() { return kLeastReach; }
 
-void PairList::make(const Surface& surface, const Pose& toolInTooth, const Skin& wanted) {
+Work PairList::make(const Surface& surface, const Pose& toolInTooth, const Skin& wanted) {
     skin_ = {wanted.along, std::max(wanted.around, leastAround()), std::max(wanted.turn, leastTurn())};
     shortenTo(cap_);
     cap_ = std::min(2 * cap_, kGreatestReach * tool_->radius());
+    Work work = 0;
     while (true) {
         const bool shortest = skin_.along.isZero() && skin_.around <= leastAround() && skin_.turn <= leastTurn();
         list(surface, toolInTooth, shortest ? near_.capacity() : kPlentyOfClusters);
+        work += cost::kList + cost::kLeafMet * static_cast<Work>(near_.leavesMet) +
+                cost::kListed * static_cast<Work>(near_.count);
         if (near_.complete || shortest) break;
         cap_ = (skin_.along.norm() + skin_.around) / 2;
         shortenTo(cap_);
@@ -137,6 +142,7 @@ void PairList::make(const Surface& surface, const Pose& toolInTooth, const Skin&
     if (4 * near_.count > kPlentyOfClusters)
         cap_ = std::min(cap_, skin_.along.norm() + skin_.around);  // it may stay so
     if (!near_.complete) skin_ = {};
+    return work;
 }
 
 /// Makes the skin as short as that, or the least.
@@ -153,7 +159,7 @@ void PairList::makeAll(const Surface& surface, const Pose& toolInTooth, const Sk
     skin_ = skin;
     list(surface, toolInTooth, near_.capacity());
     while (!near_.complete) {
-        reserve(4 * near_.capacity());
+        reserve(std::max(4 * near_.capacity(), kUsualCapacity));
         list(surface, toolInTooth, near_.capacity());
     }
 }

@@ -9,6 +9,7 @@
 
 #include "collision/near_clusters.h"
 #include "collision/triangle3.h"
+#include "collision/work.h"
 
 namespace tactooth {
 
@@ -48,10 +49,13 @@ struct Excursion {
 /// clusters a step could bring together. Only those are opened: then each pair has a slab of its own.
 class PairList {
 public:
-    PairList(const ToolShape& tool, std::size_t capacity);
+    /// Clusters: a bur that fills its own slot in a 25 um mesh lists some 4,000.
+    static constexpr std::size_t kUsualCapacity = 1 << 14;
 
-    /// Lists what is within `wanted`, or within less where that is too much. Allocates nothing.
-    void make(const Surface& surface, const Pose& toolInTooth, const Skin& wanted);
+    explicit PairList(const ToolShape& tool, std::size_t capacity = kUsualCapacity);
+
+    /// Lists what is within `wanted`, or within less where that is too much. Allocates nothing. Returns what it cost.
+    Work make(const Surface& surface, const Pose& toolInTooth, const Skin& wanted);
     /// Lists what is within `skin`, however much it is: allocates where there is no room.
     void makeAll(const Surface& surface, const Pose& toolInTooth, const Skin& skin);
     /// Lists what the tool meets where it stands, and stops beyond `limit` clusters; allocates where there is no room
@@ -69,6 +73,8 @@ public:
     /// No list covers less of a turn.
     [[nodiscard]] static double leastTurn();
     [[nodiscard]] std::size_t clusters() const { return near_.count; }
+    /// A new one would reach hardly further.
+    [[nodiscard]] bool isLong() const;
     /// How far a pose of the tool's origin strays from where the list was made for, mm.
     [[nodiscard]] double stray(const Vec3& position) const { return skin_.stray(position - at_.position); }
     /// How far an orientation is from that at the listing (a chord, as in Skin).
@@ -87,6 +93,11 @@ public:
     [[nodiscard]] static std::size_t placeOf(std::size_t cluster, int lane) {
         return cluster * 8 + static_cast<std::size_t>(lane);
     }
+
+    /// The leaf of the tooth in a cluster; clusters of the same leaf have the same number.
+    [[nodiscard]] std::uint32_t leafOf(std::size_t cluster) const { return eightOf(cluster).leaf[cluster % 8]; }
+    [[nodiscard]] const NearLeaf& leaf(std::uint32_t number) const { return near_.leaves[number]; }
+    [[nodiscard]] std::uint32_t toolOf(std::size_t cluster) const { return eightOf(cluster).tool[cluster % 8]; }
 
     [[nodiscard]] NearPair operator[](std::size_t place) const;
     /// The direction of the pair's slab in the tooth's frame, of length 1 or almost; zero: none is known.

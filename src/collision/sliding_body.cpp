@@ -33,11 +33,10 @@ constexpr double kSettledMargins = 10;       // a round that moves less than thi
 constexpr double kLeastTurn = 1e-3;  // of the turn wanted: below it, the tool is held in its present orientation
 
 // The list of what is near: a longer one lasts longer and costs more in every round.
-constexpr std::size_t kMaxClusters = 1 << 14;  // a bur that fills its own slot in a 25 um mesh lists some 4,000
-constexpr double kStride = 1.2;                // ways of the hand that a list should last, and so much more:
-constexpr double kAhead = 6;                   // of the least skin
-constexpr double kStray = 0.25;                // of both: how far the tool may leave the way expected
-constexpr double kTrusted = 0.95;              // of the skin: leaves room for rounding
+constexpr double kStride = 1.2;    // ways of the hand that a list should last, and so much more:
+constexpr double kAhead = 6;       // of the least skin
+constexpr double kStray = 0.25;    // of both: how far the tool may leave the way expected
+constexpr double kTrusted = 0.95;  // of the skin: leaves room for rounding
 
 constexpr double kGreatestGrowth = 65536;  // the 17th list of a move is the last: the rest of the way waits for a tick
 
@@ -49,7 +48,7 @@ constexpr double kLeastTrustMargins = 200;  // 0.2 um for a bur of 20 mm
 }  // namespace
 
 SlidingBody::SlidingBody(std::shared_ptr<const ToolShape> tool, Freedom freedom)
-    : tool_(std::move(tool)), freedom_(freedom), list_(*tool_, kMaxClusters) {}
+    : tool_(std::move(tool)), freedom_(freedom), list_(*tool_) {}
 
 std::shared_ptr<const Surface> SlidingBody::setSurface(std::shared_ptr<const Surface> surface) {
     std::swap(surface_, surface);
@@ -75,7 +74,8 @@ void SlidingBody::shiftTo(const Pose& toolInTooth) {
     ++poseStamp_;
     heldCount_ = 0;
     lastGoal_ = toolInTooth;
-    isBehind_ = false;
+    isBehind_ = isStarved_ = false;
+    boldness_ = 1;
     recent_.clear();
 }
 
@@ -99,6 +99,7 @@ std::optional<bool> SlidingBody::isClearAt(const Pose& toolInTooth) {
 
 void SlidingBody::forget() {
     planes_.clear();
+    lastOffence_ = 0;
     list_.forget();
 }
 
@@ -108,7 +109,8 @@ bool SlidingBody::plan(const Pose& goal, bool isFirst, double trust, Attempt& at
     double turn = chordBetween(goal.rotation, pose_.rotation);
     if (isFirst || !list_.made() || attempt.outgrown) {
         const Vec3 way = freedom_ == Freedom::Shift ? expectedWay(goal) : expectedWay(attempt, turn);
-        if (!list_.made() || attempt.outgrown || runsShort(way, turn)) {
+        const bool ends = !list_.made() || attempt.outgrown || runsShort(way, turn);
+        if (ends && !(isFirst && mayWaitForList())) {
             if (growth_ > kGreatestGrowth) return false;
             renewList(way, turn);
         }
@@ -145,9 +147,19 @@ bool SlidingBody::isListed(const Vec3& position) const {
     return list_.stray(position) <= list_.skin().around * kTrusted - margin_;
 }
 
+/// Whether a body that ran out of work can go on with the list at hand for a little way.
+bool SlidingBody::mayWaitForList() const {
+    return isStarved_ && list_.made() && isListed(pose_.position) &&
+           list_.turnTo(pose_.rotation) <= list_.skin().turn * kTrusted;
+}
+
 /// Whether the list would end on the way expected in this tick.
 bool SlidingBody::runsShort(const Vec3& way, double turn) const {
     constexpr double kLittle = 0.125;  // of the least skin: the way is not known to the last micrometre
+    constexpr double kWorn = 0.5;      // of the skin: what is left of a long list is more than a new one would bring
+    const bool isWorn = list_.turnTo(pose_.rotation) > kWorn * list_.skin().turn ||
+                        list_.stray(pose_.position) > kWorn * list_.skin().around;
+    if (budget_ < kUnlimitedWork && list_.isLong() && !isWorn) return false;
     const double turnLeft = list_.skin().turn * kTrusted - list_.turnTo(pose_.rotation);
     if (turnLeft < std::min(turn, handTurn_)) return true;
     const double length = way.norm();
@@ -163,15 +175,16 @@ void SlidingBody::renewList(const Vec3& way, double turn) {
     const double stride = kStride * std::min(length, growth_ * handWay_) + kAhead * little;
     const double spin = kStride * std::min(turn, growth_ * handTurn_) + kAhead * PairList::leastTurn();
     const Vec3 along = length > 0 ? Vec3(way * (stride / length)) : Vec3(Vec3::Zero());
-    list_.make(*surface_, pose_, {along, little + kStray * stride, spin});
+    work_ += list_.make(*surface_, pose_, {along, little + kStray * stride, spin});
     growth_ *= 2;
 }
 
 /// How much of a step stays where the list was made for.
 double SlidingBody::shareWithinSkin(const Vec3& step) const {
     if (isListed(pose_.position + step)) return 1;
+    const double farthest = list_.skin().along.norm() + 2 * list_.skin().around;
     double inside = 0;
-    double outside = 1;
+    double outside = std::min(1.0, farthest / step.norm());
     for (int i = 0; i < 10; ++i) {
         const double middle = (inside + outside) / 2;
         (isListed(pose_.position + middle * step) ? inside : outside) = middle;
@@ -238,11 +251,12 @@ bool SlidingBody::findSafeStep(Attempt& attempt, bool& overlapping) {
             restart(attempt);
             continue;
         }
+        work_ += cost::kSolution;
         WatchedPair offender;
         Offence offence = recentViolation(attempt, offender);
         if (offence == Offence::None) offence = violation(attempt, offender);
         overlapping = offence == Offence::Overlapping;
-        if (overlapping) return false;
+        if (overlapping || offence == Offence::OutOfWork) return false;
         if (offence == Offence::None) return true;
         recent_.add(offender.pair);
         const bool isLong = attempt.planeCount == kMaxPlanesPerRound || i % kManySolutions == kManySolutions - 1;
@@ -293,6 +307,7 @@ MoveResult SlidingBody::moveToward(const Pose& goal) {
         return result;
     }
     distances_ = 0;
+    work_ = 0;
     const double position = std::max(goal.position.cwiseAbs().maxCoeff(), pose_.position.cwiseAbs().maxCoeff());
     margin_ = kMarginOfRadius * tool_->radius() + kMarginOfPosition * position;
     // A tool that lags behind has its own way to go as well as that of the hand.
@@ -303,10 +318,12 @@ MoveResult SlidingBody::moveToward(const Pose& goal) {
     growth_ = 1;
     result.status = MoveStatus::OutOfRounds;
     Attempt attempt;
-    double trust = kTrustInHand * handWay_;
+    double trust = kTrustInHand * handWay_ * boldness_;
     int planesChanged = 0;
     bool lookedAfresh = false;  // whether a settled tool has been tried without the planes that hold it
+    int steps = 0;
     while (result.status == MoveStatus::OutOfRounds && result.rounds < kMaxRounds) {
+        if (steps > 0 && work_ > allowed_) break;
         const bool isFirst = ++result.rounds == 1;
         bool overlapping = false;
         if (!plan(goal, isFirst, trust, attempt) || !findSafeStep(attempt, overlapping)) {
@@ -316,6 +333,7 @@ MoveResult SlidingBody::moveToward(const Pose& goal) {
         const double turned = chordBetween(attempt.rotation, pose_.rotation) * tool_->radius();
         const double moved = attempt.step.norm();
         accept(attempt, result);
+        ++steps;
         trust = kTrustGrowth * (attempt.clipped ? attempt.allowance : moved);
         if (attempt.clipped) continue;
         if (attempt.turnsFully && heldCount_ == 0) {
@@ -334,9 +352,24 @@ MoveResult SlidingBody::moveToward(const Pose& goal) {
             }
         }
     }
+    if (result.status == MoveStatus::OutOfRounds && work_ > allowed_) result.status = MoveStatus::OutOfWork;
+    settleBudget(steps > 0, result);
     isBehind_ = result.status == MoveStatus::OutOfRounds;
-    result.distances = distances_;
     return result;
+}
+
+void SlidingBody::setBudget(Work budget) {
+    if (budget != budget_) budget_ = allowed_ = budget;
+}
+
+/// What this move has cost, and what the next one may.
+void SlidingBody::settleBudget(bool moved, MoveResult& result) {
+    const bool isOut = result.status == MoveStatus::OutOfWork;
+    isStarved_ = isOut && !moved;
+    boldness_ = isStarved_ ? std::max(boldness_ / 4, kLeastBoldness) : std::min(2 * boldness_, 1.0);
+    allowed_ = isOut ? std::min(2 * allowed_, kGreatestAllowance * budget_) : budget_;
+    result.distances = distances_;
+    result.work = work_;
 }
 
 }  // namespace tactooth

@@ -22,7 +22,8 @@ namespace tactooth {
 enum class MoveStatus {
     Reached,      ///< the body stands at the goal
     Held,         ///< contacts hold it as near to the goal as they allow
-    OutOfRounds,  ///< the fixed budget ran out on the way; the pose is free and the next move goes on from it
+    OutOfRounds,  ///< the rounds ran out on the way; the pose is free and the next move goes on from it
+    OutOfWork,    ///< the budget did, see setBudget; likewise
     Overlapping,  ///< the pose to start from was not free (a surface was changed under it)
 };
 
@@ -49,6 +50,7 @@ struct MoveResult {
     MoveStatus status = MoveStatus::Reached;
     int rounds = 0;     ///< linearisations
     int distances = 0;  ///< GJK runs
+    Work work = 0;
     int contactCount = 0;
     std::array<BodyContact, kMaxHeld> contacts{};
 };
@@ -86,6 +88,11 @@ public:
     /// bit.
     void forget();
 
+    /// No move shall do much more than this: for a loop that must keep its time. A move that has done so much stops
+    /// where it is; the next one goes on from there with twice the budget, and those after it with four times: what is
+    /// dear once is spread, what stays dear is paid. Without limit at first.
+    void setBudget(Work budget);
+
     /// Moves toward `goal`, sweeping the way: nothing is passed through, whatever the length of the move.
     MoveResult moveToward(const Pose& goal);
 
@@ -101,12 +108,14 @@ public:
 private:
     struct Attempt;
     struct SweptTool;
+    struct Look;
     struct Touch;
-    enum class Offence { None, Found, Overlapping };
+    enum class Offence { None, Found, Overlapping, OutOfWork };
 
     [[nodiscard]] bool plan(const Pose& goal, bool isFirst, double trust, Attempt& attempt);
     [[nodiscard]] Vec3 expectedWay(const Pose& goal);
     [[nodiscard]] Vec3 expectedWay(Attempt& attempt, double& turn);
+    [[nodiscard]] bool mayWaitForList() const;
     [[nodiscard]] bool runsShort(const Vec3& way, double turn) const;
     void renewList(const Vec3& way, double turn);
     [[nodiscard]] bool isListed(const Vec3& position) const;
@@ -123,6 +132,7 @@ private:
     void preferFace(const Triangle3& tooth, const Triangle3& tool, SeparatingPlane& plane) const;
     [[nodiscard]] double gapAt(const WatchedPair& watched, const Mat3& rotation, const Vec3& position) const;
     void sweep(std::uint32_t triangle, const Attempt& attempt, SweptTool& swept) const;
+    [[nodiscard]] bool isHeldApart(double toothTop, const SweptTool& swept, int plane) const;
     [[nodiscard]] bool provenSafe(const NearPair& pair, const Attempt& attempt, SweptTool& swept,
                                   const SeparatingPlane** own);
     [[nodiscard]] bool partedByTurningPlane(const Triangle3& tooth, const SweptTool& swept);
@@ -131,7 +141,9 @@ private:
     [[nodiscard]] Offence recentViolation(const Attempt& attempt, WatchedPair& offender);
     [[nodiscard]] Offence violation(const Attempt& attempt, WatchedPair& offender);
     [[nodiscard]] Offence violationIn(std::size_t cluster, const Excursion& excursion, const Attempt& attempt,
-                                      SweptTool& swept, WatchedPair& offender);
+                                      Look& look, WatchedPair& offender);
+    void measureLeaf(std::size_t cluster, const Attempt& attempt, Look& look) const;
+    [[nodiscard]] bool isHeldApart(std::size_t cluster, const Attempt& attempt, Look& look) const;
     [[nodiscard]] bool findWayOn(const Pose& goal);
     [[nodiscard]] bool takeOtherPlane(int contact, std::span<HalfSpace> planes, const Vec3& toGoal);
     void addConstraint(Attempt& attempt, const WatchedPair& watched) const;
@@ -147,6 +159,7 @@ private:
     void restart(Attempt& attempt);
     [[nodiscard]] Vec3 deepestPoint(const WatchedPair& held) const;
     void accept(const Attempt& attempt, MoveResult& result);
+    void settleBudget(bool moved, MoveResult& result);
 
     std::shared_ptr<const ToolShape> tool_;
     Freedom freedom_;
@@ -157,17 +170,23 @@ private:
 
     PairList list_;
     Pose lastGoal_;
-    bool isBehind_ = false;  // the last move ran out of rounds
-    double handWay_ = 0;     // to go in this move: of the goal since the last move, mm
-    double handTurn_ = 0;    // a chord, as in Skin
-    double growth_ = 1;      // of the next list over the first of a move
+    bool isBehind_ = false;   // the last move ran out of rounds
+    bool isStarved_ = false;  // the last move ran out of work before its first step
+    double boldness_ = 1;     // share of the usual first step: a starved body takes small ones
+    double handWay_ = 0;      // to go in this move: of the goal since the last move, mm
+    double handTurn_ = 0;     // a chord, as in Skin
+    double growth_ = 1;       // of the next list over the first of a move
 
     SeparatingPlanes planes_;
     RecentPairs recent_;
     std::array<WatchedPair, kMaxHeld> held_{};  // pairs active at the end of the last round
     std::array<FeaturePair, kMaxHeld> heldFeatures_{};
     int heldCount_ = 0;
+    std::uint32_t lastOffence_ = 0;  // the eight clusters in which the last look found a pair in the way
     int distances_ = 0;
+    Work work_ = 0;
+    Work budget_ = kUnlimitedWork;
+    Work allowed_ = kUnlimitedWork;  // in this move
 };
 
 }  // namespace tactooth

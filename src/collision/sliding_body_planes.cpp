@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 #include "collision/gjk.h"
 #include "collision/sliding_body_round.h"
@@ -85,6 +87,7 @@ bool SlidingBody::refreshPlane(WatchedPair& watched) {
     const GjkResult result =
         distanceBetween(tooth, tool, plane.normal.isZero() ? Vec3(tool[0] - tooth[0]) : plane.normal);
     ++distances_;
+    work_ += cost::kDistance;
     if (!result.separated) return false;
     plane = {result.normal, highestAlong(tooth, result.normal), poseStamp_};
     if (result.distance < kTouchingMargins * margin_) preferFace(tooth, tool, plane);
@@ -114,6 +117,12 @@ void SlidingBody::sweep(std::uint32_t triangle, const Attempt& attempt, SweptToo
     }
 }
 
+/// Whether a plane that holds the tool keeps its triangle in front of what reaches no further than `toothTop` along it,
+/// during the whole attempted step.
+bool SlidingBody::isHeldApart(double toothTop, const SweptTool& swept, int plane) const {
+    return swept.startLow[plane] > toothTop && swept.endLow[plane] - toothTop >= margin_ / 2;
+}
+
 /// Whether a plane is found that keeps the pair apart during the whole attempted step. Tried are those that hold the
 /// tool already (what touches separates its neighbourhood too), the plane remembered, then GJK on the swept triangle of
 /// the tool. A plane of the pair's own is remembered, and left in `own`.
@@ -124,8 +133,7 @@ bool SlidingBody::provenSafe(const NearPair& pair, const Attempt& attempt, Swept
     const SurfacePart& part = partOf(*surface_, pair.part);
     const Triangle3 tooth = cornersOf(part.mesh(), pair.tooth);
     for (int i = 0; i < attempt.activeCount; ++i) {
-        const double back = highestAlong(tooth, attempt.activeNormal(i));
-        if (swept.startLow[i] > back && swept.endLow[i] - back >= margin) return true;
+        if (isHeldApart(highestAlong(tooth, attempt.activeNormal(i)), swept, i)) return true;
     }
     const SeparatingPlane* known = planes_.find(part.id(), pair);
     *own = known;
@@ -136,6 +144,7 @@ bool SlidingBody::provenSafe(const NearPair& pair, const Attempt& attempt, Swept
     const Vec3 between = swept.corners[0] - tooth[0];
     const GjkResult result = distanceBetween(tooth, swept.corners, known != nullptr ? known->normal : between);
     ++distances_;
+    work_ += cost::kDistance;
     if (result.gap < margin) return freedom_ == Freedom::ShiftAndTurn && partedByTurningPlane(tooth, swept);
     *own = planes_.store(part.id(), pair, {result.normal, highestAlong(tooth, result.normal), kGuessed});
     return true;
@@ -164,38 +173,85 @@ SlidingBody::Offence SlidingBody::recentViolation(const Attempt& attempt, Watche
     return Offence::None;
 }
 
-/// A pair that the attempted step would bring together: the first met.
+/// A pair that the attempted step would bring together: the first met. The search begins where the last one ended: what
+/// came before was found safe under nearly the same step.
 SlidingBody::Offence SlidingBody::violation(const Attempt& attempt, WatchedPair& offender) {
     const Pose end{pose_.position + attempt.step, attempt.rotation};
     std::array<Vec3, kMaxHeld> known;
     for (int i = 0; i < attempt.activeCount; ++i) known[i] = attempt.activeNormal(i);
     const Excursion excursion =
         list_.excursion(pose_, end, margin_, std::span(known).first(static_cast<std::size_t>(attempt.activeCount)));
-    SweptTool swept;
-    for (const std::uint32_t first : list_.within(excursion)) {
+    Look look;
+    const std::span<const std::uint32_t> eights = list_.within(excursion);
+    const auto begin = static_cast<std::size_t>(std::ranges::lower_bound(eights, lastOffence_) - eights.begin());
+    for (std::size_t i = 0; i < eights.size(); ++i) {
+        const std::uint32_t first = eights[(begin + i) % eights.size()];
+        work_ += cost::kEights;
         for (std::uint32_t near = list_.clustersInDoubt(first, excursion); near != 0; near &= near - 1) {
             const std::size_t cluster = first + static_cast<std::size_t>(std::countr_zero(near));
-            const Offence offence = violationIn(cluster, excursion, attempt, swept, offender);
-            if (offence != Offence::None) return offence;
+            const bool mayLook = work_ <= allowed_ || boldness_ <= kLeastBoldness;
+            const Offence offence =
+                mayLook ? violationIn(cluster, excursion, attempt, look, offender) : Offence::OutOfWork;
+            if (offence == Offence::None) continue;
+            lastOffence_ = first;
+            return offence;
         }
     }
     return Offence::None;
 }
 
 SlidingBody::Offence SlidingBody::violationIn(std::size_t cluster, const Excursion& excursion, const Attempt& attempt,
-                                              SweptTool& swept, WatchedPair& offender) {
+                                              Look& look, WatchedPair& offender) {
+    work_ += cost::kCluster;
+    if (isHeldApart(cluster, attempt, look)) return Offence::None;
+    SweptTool& swept = look.tool(list_.toolOf(cluster));
     for (std::uint32_t doubt = list_.pairsInDoubt(cluster, excursion); doubt != 0; doubt &= doubt - 1) {
+        work_ += cost::kPair;
         const std::size_t place = PairList::placeOf(cluster, std::countr_zero(doubt));
         const NearPair pair = list_[place];
         const SeparatingPlane* own = nullptr;
         if (provenSafe(pair, attempt, swept, &own)) {
-            if (own != nullptr) list_.certify(place, own->normal, own->offset);
+            if (own != nullptr) {
+                list_.certify(place, own->normal, own->offset);
+            } else {
+                measureLeaf(cluster, attempt, look);
+            }
             continue;
         }
         const Offence offence = offends(pair, list_.direction(place), attempt, offender);
         if (offence != Offence::None) return offence;
     }
     return Offence::None;
+}
+
+/// Finds how far the leaf of a cluster reaches toward the planes that hold the tool, for the clusters to come.
+void SlidingBody::measureLeaf(std::size_t cluster, const Attempt& attempt, Look& look) const {
+    const std::uint32_t number = list_.leafOf(cluster);
+    Look::Leaf& measured = look.leaf(number);
+    if (measured.number == number) return;
+    measured.number = number;
+    measured.top.fill(-std::numeric_limits<double>::infinity());
+    const NearLeaf& leaf = list_.leaf(number);
+    const TriangleMesh& mesh = partOf(*surface_, leaf.part).mesh();
+    for (std::uint32_t rest = leaf.present; rest != 0; rest &= rest - 1) {
+        const Triangle3 tooth = cornersOf(mesh, leaf.triangle[std::countr_zero(rest)]);
+        for (int i = 0; i < attempt.activeCount; ++i)
+            measured.top[i] = std::max(measured.top[i], highestAlong(tooth, attempt.activeNormal(i)));
+    }
+}
+
+/// Whether a plane that holds the tool keeps a cluster apart whose leaf was measured in this look.
+bool SlidingBody::isHeldApart(std::size_t cluster, const Attempt& attempt, Look& look) const {
+    const std::uint32_t number = list_.leafOf(cluster);
+    const Look::Leaf& measured = look.leaf(number);
+    if (measured.number != number) return false;
+    const std::uint32_t triangle = list_.toolOf(cluster);
+    SweptTool& swept = look.tool(triangle);
+    sweep(triangle, attempt, swept);
+    for (int i = 0; i < attempt.activeCount; ++i) {
+        if (isHeldApart(measured.top[i], swept, i)) return true;
+    }
+    return false;
 }
 
 /// Where two triangles touch at an edge or a corner, many planes part them, and the one at hand may forbid what they

@@ -13,6 +13,12 @@ inline constexpr int kMaxPlanesPerRound = 32;  // 3-6 are usual; more means that
 
 inline constexpr double kSolved = 1e-3;  // of the margin: how exactly a round's planes are solved for
 
+// A body that has run out of work before its first step tries a shorter one, which brings less in doubt. At the
+// shortest it does the work whatever it costs: so it never stands still for long.
+inline constexpr double kLeastBoldness = 1.0 / 64;
+
+inline constexpr Work kGreatestAllowance = 4;  // budgets of a move that goes on where two before it ran out of theirs
+
 /// What keeps a tool that may turn from a triangle.
 struct SlidingBody::Touch {
     FeaturePair features;
@@ -81,6 +87,22 @@ struct SlidingBody::SweptTool {
     [[nodiscard]] double lowAtEnd(const Vec3& normal) const {
         return lowestAlong(std::span<const Vec3>(corners).last(3), normal);
     }
+};
+
+/// One look over the list for what an attempted step would bring together. Around a contact dozens of pairs share the
+/// corner that touches: along the plane that holds the tool they are a margin apart, far less than single precision can
+/// tell. So it is remembered how far the tool's triangles and the leaves of the tooth reach toward those planes.
+struct SlidingBody::Look {
+    struct Leaf {
+        std::uint32_t number = SweptTool::kNone;
+        std::array<double, kMaxHeld> top;  // of its triangles along each plane's normal
+    };
+    static constexpr std::size_t kPlaces = 32;  // direct-mapped: what pushes another out costs time alone
+    std::array<SweptTool, kPlaces> tools;
+    std::array<Leaf, kPlaces> leaves;
+
+    [[nodiscard]] SweptTool& tool(std::uint32_t triangle) { return tools[triangle % kPlaces]; }
+    [[nodiscard]] Leaf& leaf(std::uint32_t number) { return leaves[number % kPlaces]; }
 };
 
 }  // namespace tactooth

@@ -7,8 +7,6 @@
 namespace tactooth {
 namespace {
 
-constexpr std::size_t kCapacity = 1 << 14;  // clusters; it grows where more are near
-
 // How far beyond the way expected the list reaches at least: what a hand of 20 mm/s strays until it feels the surface,
 // mm ...
 constexpr double kAround = 0.025;
@@ -54,7 +52,7 @@ Vec3 FeltSurfaces::drift() const {
 
 FeltSurface* FeltSurfaces::list(const Pose& at, const Skin& skin) {
     if (free_.empty()) {
-        all_.push_back(std::make_unique<FeltSurface>(FeltSurface{nullptr, PairList(*tool_, kCapacity)}));
+        all_.push_back(std::make_unique<FeltSurface>(FeltSurface{nullptr, PairList(*tool_)}));
         free_.push_back(all_.back().get());
     }
     FeltSurface* felt = free_.back();

@@ -31,7 +31,8 @@ HapticSimulation::HapticSimulation(std::shared_ptr<const ToolShape> tool, double
       materials_(settings.materials),
       spindle_(settings.spindle),
       burRadius_(burRadius),
-      freedom_(settings.freedom) {
+      freedom_(settings.freedom),
+      tickWork_(settings.tickWork) {
     force_.setOverrides(settings.force);
 }
 
@@ -40,11 +41,13 @@ void HapticSimulation::setSurface(FeltSurface& felt) {
     proxy_.setSurface(felt);
 }
 
-/// A bur that cuts goes on at the pace of its cut.
+/// A bur that cuts goes on at the pace of its cut; where it lags behind that by a tick, nobody is the wiser. A tool
+/// that touches is exact at every tick.
 Pose HapticSimulation::goalOf(const HandInput& input, double dt) {
     pace_.pass(dt);
     const bool cuts = input.cutting && last_.contacts > 0 && last_.speedRpm > kRubsRpm && following_;
     const Pose& hand = input.handInTooth;
+    proxy_.setBudget(cuts ? tickWork_ : kUnlimitedWork);
     return cuts ? pace_.goal(hand, proxy_.pose(), hand.position - lastHand_.position, dt) : hand;
 }
 

@@ -47,12 +47,16 @@ struct Tick {
     double micros = 0;                         ///< that the tick took to compute; filled in by whoever has a clock
 };
 
+/// One tick in a thousand of a bur that cuts so takes some 0.2 ms, of one of 1 ms.
+inline constexpr Work kTickWork = 50'000;
+
 struct HapticSettings {
     MaterialTable materials;
     ForceOverrides force;
     ContactMode mode = ContactMode::Proxy;
     Freedom freedom = Freedom::Shift;
     SpindlePreset spindle = spindlePresets().front();
+    Work tickWork = kTickWork;  ///< beyond which a tick of a bur that cuts leaves the rest of its way to the next one
 };
 
 /// One simulation step as a pure function of its state and the hand: equal inputs give equal ticks, bit for bit. Reads
@@ -70,7 +74,7 @@ public:
     std::shared_ptr<const Surface> setSurface(std::shared_ptr<const Surface> surface) {
         return proxy_.setSurface(std::move(surface));
     }
-    /// Takes a surface with the list that belongs to it; the old ones stay in `felt`.
+    /// Takes a surface with the list that belongs to it; older ones stay in `felt`.
     void setSurface(FeltSurface& felt);
     [[nodiscard]] const ToolShape& tool() const { return proxy_.tool(); }
     [[nodiscard]] ContactForce& force() { return force_; }
@@ -95,6 +99,7 @@ private:
     bool touching_ = false;
     Vec3 lever_ = Vec3::Zero();  // from the tool's tip to where it is held, mm
     Freedom freedom_;
+    Work tickWork_;
     Pose lastHand_;
     Vec3 velocity_ = Vec3::Zero();  // low-passed, mm/s
     Vec3 spin_ = Vec3::Zero();      // low-passed, rad/s

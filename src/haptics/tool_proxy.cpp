@@ -7,10 +7,25 @@
 #include "collision/closest_point.h"
 
 namespace tactooth {
+namespace {
+
+// How far a tool is moved out of a new surface, mm.
+constexpr double kFirstStep = 1e-4;  // the extraction's own error
+constexpr double kSmallStep = 5e-3;  // as far as a hand does not feel it
+constexpr double kLastStep = 0.5;    // further than any cut of one update
+
+constexpr int kPatience = 8;  // ticks from one try of a surface that caught the tool to the next
+
+}  // namespace
 
 ToolProxy::ToolProxy(std::shared_ptr<const ToolShape> tool, std::shared_ptr<const Surface> surface, ContactMode mode,
                      Freedom freedom)
-    : surface_(surface), mode_(mode), freedom_(freedom), body_(tool, freedom), query_(tool, surface) {
+    : surface_(surface),
+      mode_(mode),
+      freedom_(freedom),
+      body_(tool, freedom),
+      query_(tool, surface),
+      other_{nullptr, PairList(*tool)} {
     body_.setSurface(std::move(surface));
     for (const Vec3f& vertex : body_.tool().mesh().vertices) {
         if (vertex.z() > farEnd_.z()) farEnd_ = vertex.cast<double>();
@@ -20,15 +35,22 @@ ToolProxy::ToolProxy(std::shared_ptr<const ToolShape> tool, std::shared_ptr<cons
 std::shared_ptr<const Surface> ToolProxy::setSurface(std::shared_ptr<const Surface> surface) {
     surface_ = surface;
     newSurface_ = true;
+    isWhereBefore_ = false;
+    waited_ = 0;
     query_.setSurface(surface);
     return body_.setSurface(std::move(surface));
 }
 
 void ToolProxy::setSurface(FeltSurface& felt) {
-    newSurface_ |= surface_ != felt.surface;
+    const bool isNew = surface_ != felt.surface;
     surface_ = felt.surface;
-    query_.setSurface(felt.surface);
     felt.surface = body_.setSurface(std::move(felt.surface), felt.near);
+    if (!isNew) return;
+    newSurface_ = true;
+    query_.setSurface(surface_);
+    std::swap(other_, felt);  // the caller frees the one before that
+    isWhereBefore_ = placed_;
+    waited_ = 0;
 }
 
 MaterialId ToolProxy::materialOf(std::uint32_t part, std::uint32_t triangle) const {
@@ -56,11 +78,9 @@ bool ToolProxy::isFree(const Pose& toolInTooth) {
 
 /// A new surface may stand a micron nearer than the one before. Steps back along the last contact, or along the shaft,
 /// by the least of a few distances that is free.
-bool ToolProxy::stepOutOfSurface() {
-    constexpr double kFirstStep = 1e-4;  // mm: the extraction's own error
-    constexpr double kLastStep = 0.5;    // mm: further than any cut of one update
+bool ToolProxy::stepOutOfSurface(double farthest) {
     const Pose stuck = body_.pose();
-    for (double step = kFirstStep; step < kLastStep; step *= 2) {
+    for (double step = kFirstStep; step < farthest; step *= 2) {
         for (const Vec3& direction : {wayOut_, Vec3(stuck.rotation * Vec3::UnitZ())}) {
             const Pose pose{stuck.position + step * direction, stuck.rotation};
             if (!isFree(pose)) continue;
@@ -69,6 +89,39 @@ bool ToolProxy::stepOutOfSurface() {
         }
     }
     return false;
+}
+
+void ToolProxy::exchangeSurfaces() {
+    surface_ = other_.surface;
+    query_.setSurface(surface_);
+    other_.surface = body_.setSurface(std::move(other_.surface), other_.near);
+}
+
+/// A bur in the cavity that it has just cut may be caught by a new surface on all sides, a micron deep: there is no way
+/// out but far away. It stays in the surface before, where it is free, until it is free in the new one as well.
+bool ToolProxy::goBackToSurfaceBefore() {
+    if (!std::exchange(isWhereBefore_, false)) return false;
+    exchangeSurfaces();
+    waited_ = 1;
+    return true;
+}
+
+void ToolProxy::tryNewestSurface() {
+    if (waited_ == 0 || waited_++ % kPatience != 0) return;
+    exchangeSurfaces();
+    waited_ = 0;
+    isWhereBefore_ = newSurface_ = true;
+}
+
+/// Moves the body, and frees it first where a new surface has caught it.
+MoveResult ToolProxy::moveToward(const Pose& goal) {
+    const Vec3 before = body_.pose().position;
+    MoveResult move = body_.moveToward(goal);
+    if (move.status == MoveStatus::Overlapping &&
+        (stepOutOfSurface(kSmallStep) || goBackToSurfaceBefore() || stepOutOfSurface(kLastStep)))
+        move = body_.moveToward(goal);
+    isWhereBefore_ &= body_.pose().position == before;
+    return move;
 }
 
 /// Whether the tool stands wholly inside the tooth, where it meets no triangle: when a cut tooth becomes whole again.
@@ -90,12 +143,12 @@ ProxyState ToolProxy::follow(const Pose& handInTooth, const Pose& goal) {
     if (!placed_) placeNear(handInTooth);
     if (!placed_) return state;
     const Vec3 before = body_.pose().position;
+    tryNewestSurface();
     if (std::exchange(newSurface_, false) && isSwallowed(body_.pose())) {
         placed_ = false;
         return state;
     }
-    MoveResult move = body_.moveToward(goal);
-    if (move.status == MoveStatus::Overlapping && stepOutOfSurface()) move = body_.moveToward(goal);
+    const MoveResult move = moveToward(goal);
     if (move.status == MoveStatus::Overlapping) {
         placed_ = false;
         return state;
@@ -105,16 +158,19 @@ ProxyState ToolProxy::follow(const Pose& handInTooth, const Pose& goal) {
     state.handTip = handTip(handInTooth);
     state.offset = body_.pose().position - state.handTip;
     state.travel = (body_.pose().position - before).norm();
-    state.contacts = state.heldCount = move.contactCount;
-    const bool stuck = move.status == MoveStatus::OutOfRounds && move.contactCount == 0;
+    // A tool that is late shall not pull back a hand that leaves.
+    const bool isLeaving = move.status == MoveStatus::OutOfWork && state.offset.dot(wayOut_) <= 0;
+    state.contacts = state.heldCount = isLeaving ? 0 : move.contactCount;
+    const bool isLate = move.status == MoveStatus::OutOfRounds || move.status == MoveStatus::OutOfWork;
+    const bool stuck = isLate && move.contactCount == 0 && !isLeaving;
     const bool paused = move.status == MoveStatus::Reached && goal.position != handInTooth.position;
     if (paused || (stuck && (touching_ || state.travel == 0))) holdWithoutContact(state);
-    for (int i = 0; i < move.contactCount; ++i) {
+    for (int i = 0; i < state.heldCount && i < move.contactCount; ++i) {
         const BodyContact& contact = move.contacts[i];
         state.held[i] = {contact.point, contact.normal, contact.share, materialOf(contact.part, contact.tooth),
                          isAround(*surface_, contact.part, contact.tooth)};
     }
-    if (move.contactCount > 0) {
+    if (move.contactCount > 0 && !isLeaving) {
         wayOut_ = state.offset.norm() > 0 ? Vec3(state.offset.normalized()) : move.contacts[0].normal;
         material_ = state.held[0].material;
     }

@@ -46,12 +46,16 @@ public:
     ProxyState follow(const Pose& handInTooth) { return follow(handInTooth, handInTooth); }
 
     [[nodiscard]] const Pose& pose() const { return body_.pose(); }
+    /// See SlidingBody::setBudget.
+    void setBudget(Work budget) { body_.setBudget(budget); }
+
     [[nodiscard]] const ToolShape& tool() const { return body_.tool(); }
     [[nodiscard]] const std::shared_ptr<const Surface>& surface() const { return surface_; }
 
     /// Takes the newest surface. Returns the old one, so that the caller frees it away from the servo thread.
     std::shared_ptr<const Surface> setSurface(std::shared_ptr<const Surface> surface);
-    /// The same with what FeltSurfaces has found near the tool. The old surface and list stay in `felt`.
+    /// The same with what FeltSurfaces has found near the tool. The surface and list before the present ones stay in
+    /// `felt`; the present ones are kept in case that the new surface has caught the tool.
     void setSurface(FeltSurface& felt);
 
     /// Forgets the history: the next tick places the tool anew.
@@ -61,7 +65,11 @@ private:
     [[nodiscard]] ProxyState followAsPenalty(const Pose& handInTooth);
     void placeNear(const Pose& handInTooth);
     [[nodiscard]] bool isFree(const Pose& toolInTooth);
-    [[nodiscard]] bool stepOutOfSurface();
+    [[nodiscard]] bool stepOutOfSurface(double farthest);
+    void exchangeSurfaces();
+    [[nodiscard]] bool goBackToSurfaceBefore();
+    void tryNewestSurface();
+    [[nodiscard]] MoveResult moveToward(const Pose& goal);
     [[nodiscard]] Vec3 handTip(const Pose& handInTooth) const;
     [[nodiscard]] bool isSwallowed(const Pose& toolInTooth) const;
     void holdWithoutContact(ProxyState& state);
@@ -74,6 +82,9 @@ private:
     ContactQuery query_;
     bool placed_ = false;
     bool newSurface_ = false;      // since the last tick
+    FeltSurface other_;            // the surface that was felt before this one, or the newest where that waits
+    bool isWhereBefore_ = false;   // the tool still stands where it stood in the one before
+    int waited_ = 0;               // ticks that the newest has waited for the tool to be free in it; 0: it is felt
     Vec3 farEnd_ = Vec3::Zero();   // of the tool, away from the tip
     bool touching_ = false;        // at the last tick
     MaterialId material_{};        // that was touched last

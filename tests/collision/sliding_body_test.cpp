@@ -25,7 +25,7 @@ MoveResult settle(SlidingBody& body, const Pose& goal) {
     MoveResult result;
     for (int i = 0; i < 200; ++i) {
         result = body.moveToward(goal);
-        if (result.status != MoveStatus::OutOfRounds) return result;
+        if (result.status != MoveStatus::OutOfRounds && result.status != MoveStatus::OutOfWork) return result;
     }
     ADD_FAILURE() << "did not settle";
     return result;
@@ -43,6 +43,34 @@ TEST(SlidingBody, ReachesAFreeGoal) {
     body.placeAt(at(0, 0, 5));
     EXPECT_EQ(settle(body, at(3, -2, 1)).status, MoveStatus::Reached);
     EXPECT_EQ(body.pose().position, Vec3(3, -2, 1));
+}
+
+TEST(SlidingBody, ThatMayDoLittleInAMoveGoesOnInTheNext) {
+    const auto tool = toolOf(test::sphere(Vec3(0, 0, 0.5), 0.5, 40, 20));
+    const auto bed = surfaceOf(test::sphere(Vec3(0, 0, -2), 2, 200, 120));
+    const test::ExactIntersection judge(bed->base->mesh(), tool->mesh());
+    for (const Work budget : {Work{10'000}, Work{40'000}}) {
+        SlidingBody hurried(tool), patient(tool);
+        hurried.setBudget(budget);
+        for (SlidingBody* body : {&hurried, &patient}) {
+            body->setSurface(bed);
+            body->placeAt(at(0, 0, 0.02));
+        }
+        int cutShort = 0, stillInARow = 0;
+        for (int tick = 1; tick <= 60; ++tick) {
+            const Pose goal = at(0.01 * tick, 0.002 * tick, -0.02 - 0.002 * tick);
+            const Vec3 before = hurried.pose().position;
+            cutShort += hurried.moveToward(goal).status == MoveStatus::OutOfWork ? 1 : 0;
+            stillInARow = hurried.pose().position == before ? stillInARow + 1 : 0;
+            EXPECT_LT(stillInARow, 5) << tick;
+            EXPECT_FALSE(judge.at(hurried.pose())) << tick;
+            EXPECT_EQ(settle(patient, goal).status, MoveStatus::Held) << tick;
+        }
+        EXPECT_GT(cutShort, 5) << budget;
+        const Pose rest = at(0.6, 0.12, -0.14);
+        EXPECT_EQ(settle(hurried, rest).status, MoveStatus::Held);
+        EXPECT_NEAR((hurried.pose().position - patient.pose().position).norm(), 0, 1e-5) << budget;
+    }
 }
 
 TEST(SlidingBody, StopsOnAPlaneAtItsMargin) {

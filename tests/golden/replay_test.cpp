@@ -15,7 +15,7 @@
 namespace tactooth {
 namespace {
 
-constexpr std::uint64_t kGolden = 0xf1cd959ab970892aULL;
+constexpr std::uint64_t kGolden = 0xf619ea86a647d0b3ULL;
 
 constexpr double kTick = 0.001;
 constexpr double kVoxel = 0.05;

@@ -41,16 +41,58 @@ TEST(FeltSurfaces, ATickOnTheListMadeAheadEndsWhereOneWithoutItEnds) {
     }
 }
 
-TEST(FeltSurfaces, LeavesTheOldSurfaceToWhoeverHandedOverTheNewOne) {
+TEST(FeltSurfaces, LeavesTheOldestSurfaceToWhoeverHandedOverTheNewOne) {
     const auto tool = ball();
     const auto old = blockUpTo(0);
     ToolProxy proxy(tool, old, ContactMode::Proxy);
     FeltSurfaces surfaces(*tool);
     FeltSurface* felt = surfaces.make(blockUpTo(-1), at(0.1), at(0.1));
     proxy.setSurface(*felt);
-    EXPECT_EQ(felt->surface, old);
+    EXPECT_EQ(felt->surface, nullptr) << "the one before is kept as long as the tool might go back to it";
     surfaces.giveBack(felt);
-    EXPECT_EQ(surfaces.make(old, at(0.1), at(0.1)), felt);  // used again
+    EXPECT_EQ(surfaces.make(blockUpTo(-1.5), at(0.1), at(0.1)), felt) << "used again";
+    proxy.setSurface(*felt);
+    EXPECT_EQ(felt->surface, old);
+}
+
+/// A hollow box around the ball, of walls this far from its axis.
+std::shared_ptr<const Surface> room(double halfWidth, double height) {
+    auto walls = test::box(Vec3(-halfWidth, -halfWidth, -0.1), Vec3(halfWidth, halfWidth, height));
+    auto part = std::make_shared<const SurfacePart>(std::move(walls));
+    return std::make_shared<const Surface>(Surface{std::move(part), nullptr, {}, 0, false});
+}
+
+TEST(ToolProxy, StaysInTheSurfaceBeforeWhereTheNewOneCatchesItOnAllSides) {
+    const auto tool = ball();
+    const auto wide = room(0.52, 3), narrow = room(0.49, 1.1), wider = room(0.53, 3);
+    const auto handAt = [](double x, double z) { return Pose{Vec3(x, 0, z), Quat::Identity()}; };
+    ToolProxy proxy(tool, wide, ContactMode::Proxy);
+    for (const double x : {0.0, 0.0, 0.1}) (void)proxy.follow(handAt(x, 0.2));
+    FeltSurfaces surfaces(*tool);
+    const auto feel = [&](const std::shared_ptr<const Surface>& surface) {
+        FeltSurface* felt = surfaces.make(surface, proxy.pose(), proxy.pose());
+        proxy.setSurface(*felt);
+        surfaces.giveBack(felt);
+    };
+    const Vec3 held = proxy.pose().position;
+    EXPECT_GT(held.x(), 0.015);
+    feel(narrow);
+    for (int tick = 0; tick < 20; ++tick) {
+        const ProxyState state = proxy.follow(handAt(0.1, 0.2));
+        ASSERT_TRUE(state.placed) << tick;
+        EXPECT_GT(state.contacts, 0) << tick;
+        EXPECT_NEAR((state.proxy.position - held).norm(), 0, 1e-6) << tick;
+        EXPECT_EQ(proxy.surface(), wide) << tick;
+    }
+    feel(wider);  // the cut goes on
+    EXPECT_NEAR(proxy.follow(handAt(0.1, 0.2)).proxy.position.x(), held.x() + 0.01, 1e-4);
+    EXPECT_EQ(proxy.surface(), wider);
+
+    feel(narrow);
+    (void)proxy.follow(handAt(0, 0.2));
+    EXPECT_EQ(proxy.surface(), wider);
+    for (int tick = 0; tick < 120; ++tick) (void)proxy.follow(handAt(0, 0.2 + 0.01 * tick));  // above the narrow one
+    EXPECT_EQ(proxy.surface(), narrow) << "felt as soon as the tool is free in it";
 }
 
 TEST(FeltSurfaces, CoverTheWayThatTheToolSlidesBesidesThatOfTheCut) {

@@ -197,6 +197,8 @@ TEST(HapticSimulation, BooksNormalForceTimesRimTravel) {
     }
     EXPECT_GT(booked, 0.5);
     const Tick lifted = simulation.step(cutting(at(x, 0, 0.2)), kTick);
+    EXPECT_EQ(lifted.contacts, 0) << "a bur that is late does not hold the hand back";
+    EXPECT_EQ(lifted.wrench.force, Vec3::Zero());
     EXPECT_NEAR(lifted.cutWork, booked, 1e-12 * booked);
 }
 
