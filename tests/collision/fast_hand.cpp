@@ -17,7 +17,17 @@ Vec3 spread(int i, int count) {
     return {radius * std::cos(azimuth), radius * std::sin(azimuth), z};
 }
 
-/// Whether no free pose around `pose` is nearer to the hand by more than what is exact enough.
+/// Whether a straight way is free, looked at every half micrometre or closer. A pose beyond a wall, however thin, is
+/// none that a tool could have come to.
+bool isWayFree(const ExactIntersection& judge, const Pose& from, const Vec3& way) {
+    constexpr int kLooks = 40;
+    for (int i = 1; i <= kLooks; ++i) {
+        if (judge.at({from.position + way * i / kLooks, from.rotation})) return false;
+    }
+    return true;
+}
+
+/// Whether no straight way from `pose` leads nearer to the hand by more than what is exact enough.
 bool isProvenMinimum(const ExactIntersection& judge, const Pose& pose, const Pose& hand) {
     constexpr int kDirections = 400;
     const Vec3 toHand = hand.position - pose.position;
@@ -25,7 +35,7 @@ bool isProvenMinimum(const ExactIntersection& judge, const Pose& pose, const Pos
         for (int i = 0; i < kDirections; ++i) {
             const Vec3 step = reach * spread(i, kDirections);
             if ((toHand - step).norm() > toHand.norm() - kExactEnough) continue;
-            if (!judge.at({pose.position + step, pose.rotation})) return false;
+            if (!judge.at({pose.position + step, pose.rotation}) && isWayFree(judge, pose, step)) return false;
         }
     }
     return true;

@@ -16,9 +16,9 @@ inline constexpr double kExactEnough = 5e-4;                           // mm
 inline constexpr double kTipSpeeds[] = {10, 66, 100, 250, 500, 1000};  // mm/s
 inline constexpr double kTick = 1e-3;                                  // s
 
-/// The share of ticks over a scanned tooth at which the body may stop a little short: now and then it stands at a point
-/// that is stationary to first order but no minimum. It never intersects. (docs/contact.md, limits)
-[[nodiscard]] inline double mostShort(double speed) { return speed <= 10 ? 0.005 : speed <= 100 ? 0.04 : 0.05; }
+/// Ticks of a path over a tooth at which the body may stop short: at 50 cm/s and more it now and then stands between
+/// two contacts where no change of one plane helps, but is no minimum. It never intersects. (docs/contact.md, limits)
+[[nodiscard]] inline int mostShort(double speed) { return speed < 500 ? 0 : 1; }
 
 /// What a path has shown.
 struct SpeedVerdict {
@@ -38,8 +38,8 @@ struct SpeedVerdict {
                                             double speed);
 
 /// Leads a tool over a tooth. A depth is exact if it is that of the same hand followed in a hundred times finer steps,
-/// or else if the pose is proven to be a local minimum of the distance to the hand: where a hand can rest on either
-/// side of a ridge, history decides, and the fine steps have another one.
+/// or else if the pose is proven to be a local minimum of the distance to the hand, with no straight way nearer: where
+/// a hand can rest on either side of a ridge, history decides, and the fine steps have another one.
 [[nodiscard]] SpeedVerdict judgeOverTooth(const TriangleMesh& tooth, const TriangleMesh& tool, double speed,
                                           int subSteps);
 

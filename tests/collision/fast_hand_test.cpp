@@ -20,7 +20,7 @@ void expectExact(const test::SpeedVerdict& verdict) {
 }
 
 void expectNearlyExact(const test::SpeedVerdict& verdict, double speed) {
-    EXPECT_LE(verdict.wrong, test::mostShort(speed) * verdict.ticks)
+    EXPECT_LE(verdict.wrong, test::mostShort(speed))
         << "first " << verdict.firstWrong << ", worst " << verdict.worst << " mm";
     EXPECT_EQ(verdict.intersecting, 0);
     EXPECT_GT(verdict.touching, verdict.ticks / 4);
