@@ -321,9 +321,9 @@ MoveResult SlidingBody::moveToward(const Pose& goal) {
     double trust = kTrustInHand * handWay_ * boldness_;
     int planesChanged = 0;
     bool lookedAfresh = false;  // whether a settled tool has been tried without the planes that hold it
-    int steps = 0;
+    bool hasStepped = false;
     while (result.status == MoveStatus::OutOfRounds && result.rounds < kMaxRounds) {
-        if (steps > 0 && work_ > allowed_) break;
+        if (hasStepped && work_ > allowed_) break;
         const bool isFirst = ++result.rounds == 1;
         bool overlapping = false;
         if (!plan(goal, isFirst, trust, attempt) || !findSafeStep(attempt, overlapping)) {
@@ -333,7 +333,7 @@ MoveResult SlidingBody::moveToward(const Pose& goal) {
         const double turned = chordBetween(attempt.rotation, pose_.rotation) * tool_->radius();
         const double moved = attempt.step.norm();
         accept(attempt, result);
-        ++steps;
+        hasStepped = true;
         trust = kTrustGrowth * (attempt.clipped ? attempt.allowance : moved);
         if (attempt.clipped) continue;
         if (attempt.turnsFully && heldCount_ == 0) {
@@ -353,7 +353,7 @@ MoveResult SlidingBody::moveToward(const Pose& goal) {
         }
     }
     if (result.status == MoveStatus::OutOfRounds && work_ > allowed_) result.status = MoveStatus::OutOfWork;
-    settleBudget(steps > 0, result);
+    settleBudget(hasStepped, result);
     isBehind_ = result.status == MoveStatus::OutOfRounds;
     return result;
 }
@@ -363,9 +363,9 @@ void SlidingBody::setBudget(Work budget) {
 }
 
 /// What this move has cost, and what the next one may.
-void SlidingBody::settleBudget(bool moved, MoveResult& result) {
+void SlidingBody::settleBudget(bool hasStepped, MoveResult& result) {
     const bool isOut = result.status == MoveStatus::OutOfWork;
-    isStarved_ = isOut && !moved;
+    isStarved_ = isOut && !hasStepped;
     boldness_ = isStarved_ ? std::max(boldness_ / 4, kLeastBoldness) : std::min(2 * boldness_, 1.0);
     allowed_ = isOut ? std::min(2 * allowed_, kGreatestAllowance * budget_) : budget_;
     result.distances = distances_;

@@ -50,7 +50,7 @@ struct MoveResult {
     MoveStatus status = MoveStatus::Reached;
     int rounds = 0;     ///< linearisations
     int distances = 0;  ///< GJK runs
-    Work work = 0;
+    Work work = 0;      ///< that it took
     int contactCount = 0;
     std::array<BodyContact, kMaxHeld> contacts{};
 };
@@ -159,7 +159,7 @@ private:
     void restart(Attempt& attempt);
     [[nodiscard]] Vec3 deepestPoint(const WatchedPair& held) const;
     void accept(const Attempt& attempt, MoveResult& result);
-    void settleBudget(bool moved, MoveResult& result);
+    void settleBudget(bool hasStepped, MoveResult& result);
 
     std::shared_ptr<const ToolShape> tool_;
     Freedom freedom_;

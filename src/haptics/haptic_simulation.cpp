@@ -41,8 +41,8 @@ void HapticSimulation::setSurface(FeltSurface& felt) {
     proxy_.setSurface(felt);
 }
 
-/// A bur that cuts goes on at the pace of its cut; where it lags behind that by a tick, nobody is the wiser. A tool
-/// that touches is exact at every tick.
+/// A bur that cuts goes on at the pace of its cut, so a tick that leaves some of its way to the next one is late by
+/// micrometres. A tool that touches is exact at every tick.
 Pose HapticSimulation::goalOf(const HandInput& input, double dt) {
     pace_.pass(dt);
     const bool cuts = input.cutting && last_.contacts > 0 && last_.speedRpm > kRubsRpm && following_;

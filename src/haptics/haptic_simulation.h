@@ -47,7 +47,8 @@ struct Tick {
     double micros = 0;                         ///< that the tick took to compute; filled in by whoever has a clock
 };
 
-/// One tick in a thousand of a bur that cuts so takes some 0.2 ms, of one of 1 ms.
+/// Of the tick of a bur that cuts. With it one tick in a thousand takes longer than 0.2 ms of its 1 ms
+/// (bench/results/2026-11-realtime.md).
 inline constexpr Work kTickWork = 50'000;
 
 struct HapticSettings {

@@ -43,13 +43,14 @@ std::shared_ptr<const Surface> ToolProxy::setSurface(std::shared_ptr<const Surfa
 
 void ToolProxy::setSurface(FeltSurface& felt) {
     const bool isNew = surface_ != felt.surface;
+    const bool hasStoodHere = placed_ && !newSurface_;
     surface_ = felt.surface;
     felt.surface = body_.setSurface(std::move(felt.surface), felt.near);
     if (!isNew) return;
     newSurface_ = true;
     query_.setSurface(surface_);
     std::swap(other_, felt);  // the caller frees the one before that
-    isWhereBefore_ = placed_;
+    isWhereBefore_ = hasStoodHere;
     waited_ = 0;
 }
 
@@ -115,12 +116,13 @@ void ToolProxy::tryNewestSurface() {
 
 /// Moves the body, and frees it first where a new surface has caught it.
 MoveResult ToolProxy::moveToward(const Pose& goal) {
-    const Vec3 before = body_.pose().position;
+    const Pose before = body_.pose();
     MoveResult move = body_.moveToward(goal);
     if (move.status == MoveStatus::Overlapping &&
         (stepOutOfSurface(kSmallStep) || goBackToSurfaceBefore() || stepOutOfSurface(kLastStep)))
         move = body_.moveToward(goal);
-    isWhereBefore_ &= body_.pose().position == before;
+    isWhereBefore_ &=
+        body_.pose().position == before.position && body_.pose().rotation.coeffs() == before.rotation.coeffs();
     return move;
 }
 
@@ -160,17 +162,18 @@ ProxyState ToolProxy::follow(const Pose& handInTooth, const Pose& goal) {
     state.travel = (body_.pose().position - before).norm();
     // A tool that is late shall not pull back a hand that leaves.
     const bool isLeaving = move.status == MoveStatus::OutOfWork && state.offset.dot(wayOut_) <= 0;
-    state.contacts = state.heldCount = isLeaving ? 0 : move.contactCount;
+    const int held = isLeaving ? 0 : move.contactCount;
+    state.contacts = state.heldCount = held;
     const bool isLate = move.status == MoveStatus::OutOfRounds || move.status == MoveStatus::OutOfWork;
-    const bool stuck = isLate && move.contactCount == 0 && !isLeaving;
+    const bool stuck = isLate && held == 0 && !isLeaving;
     const bool paused = move.status == MoveStatus::Reached && goal.position != handInTooth.position;
     if (paused || (stuck && (touching_ || state.travel == 0))) holdWithoutContact(state);
-    for (int i = 0; i < state.heldCount && i < move.contactCount; ++i) {
+    for (int i = 0; i < held; ++i) {
         const BodyContact& contact = move.contacts[i];
         state.held[i] = {contact.point, contact.normal, contact.share, materialOf(contact.part, contact.tooth),
                          isAround(*surface_, contact.part, contact.tooth)};
     }
-    if (move.contactCount > 0 && !isLeaving) {
+    if (held > 0) {
         wayOut_ = state.offset.norm() > 0 ? Vec3(state.offset.normalized()) : move.contacts[0].normal;
         material_ = state.held[0].material;
     }
