@@ -51,17 +51,22 @@ SlidingBody::SlidingBody(std::shared_ptr<const ToolShape> tool, Freedom freedom)
     : tool_(std::move(tool)), freedom_(freedom), list_(*tool_) {}
 
 std::shared_ptr<const Surface> SlidingBody::setSurface(std::shared_ptr<const Surface> surface) {
-    std::swap(surface_, surface);
-    heldCount_ = 0;
-    recent_.clear();
+    enter(surface);
     list_.clear();
     return surface;
 }
 
 std::shared_ptr<const Surface> SlidingBody::setSurface(std::shared_ptr<const Surface> surface, PairList& near) {
-    if (surface != surface_) surface = setSurface(std::move(surface));  // else all that is known of it still holds
+    if (surface != surface_) enter(surface);  // else all that is known of it still holds
     std::swap(list_, near);
+    isListGiven_ = true;
     return surface;
+}
+
+void SlidingBody::enter(std::shared_ptr<const Surface>& surface) {
+    std::swap(surface_, surface);
+    heldCount_ = 0;
+    recent_.clear();
 }
 
 void SlidingBody::placeAt(const Pose& toolInTooth) {
@@ -153,13 +158,18 @@ bool SlidingBody::mayWaitForList() const {
            list_.turnTo(pose_.rotation) <= list_.skin().turn * kTrusted;
 }
 
+/// Whether a long list is good for some way yet.
+bool SlidingBody::isListFresh() const {
+    constexpr double kWorn = 0.85;  // of the skin
+    return list_.made() && list_.isLong() && list_.turnTo(pose_.rotation) <= kWorn * list_.skin().turn &&
+           list_.stray(pose_.position) <= kWorn * list_.skin().around;
+}
+
 /// Whether the list would end on the way expected in this tick.
 bool SlidingBody::runsShort(const Vec3& way, double turn) const {
     constexpr double kLittle = 0.125;  // of the least skin: the way is not known to the last micrometre
-    constexpr double kWorn = 0.5;      // of the skin: what is left of a long list is more than a new one would bring
-    const bool isWorn = list_.turnTo(pose_.rotation) > kWorn * list_.skin().turn ||
-                        list_.stray(pose_.position) > kWorn * list_.skin().around;
-    if (budget_ < kUnlimitedWork && list_.isLong() && !isWorn) return false;
+    if (budget_ < kUnlimitedWork && isListFresh())
+        return false;  // what is left of it is more than a new one would bring
     const double turnLeft = list_.skin().turn * kTrusted - list_.turnTo(pose_.rotation);
     if (turnLeft < std::min(turn, handTurn_)) return true;
     const double length = way.norm();
@@ -175,8 +185,12 @@ void SlidingBody::renewList(const Vec3& way, double turn) {
     const double stride = kStride * std::min(length, growth_ * handWay_) + kAhead * little;
     const double spin = kStride * std::min(turn, growth_ * handTurn_) + kAhead * PairList::leastTurn();
     const Vec3 along = length > 0 ? Vec3(way * (stride / length)) : Vec3(Vec3::Zero());
-    work_ += list_.make(*surface_, pose_, {along, little + kStray * stride, spin});
+    const Work work = list_.make(*surface_, pose_, {along, little + kStray * stride, spin});
+    work_ += work;
+    if (growth_ == 1) firstList_ = work;
     growth_ *= 2;
+    ++ownLists_;
+    isListGiven_ = false;
 }
 
 /// How much of a step stays where the list was made for.
@@ -307,7 +321,7 @@ MoveResult SlidingBody::moveToward(const Pose& goal) {
         return result;
     }
     distances_ = 0;
-    work_ = 0;
+    work_ = firstList_ = 0;
     const double position = std::max(goal.position.cwiseAbs().maxCoeff(), pose_.position.cwiseAbs().maxCoeff());
     margin_ = kMarginOfRadius * tool_->radius() + kMarginOfPosition * position;
     // A tool that lags behind has its own way to go as well as that of the hand.
@@ -322,8 +336,11 @@ MoveResult SlidingBody::moveToward(const Pose& goal) {
     int planesChanged = 0;
     bool lookedAfresh = false;  // whether a settled tool has been tried without the planes that hold it
     bool hasStepped = false;
+    // At the end of a long list that it was given a body with a budget waits for a move: whoever makes lists ahead may
+    // bring the next one.
+    const bool mayWait = budget_ < kUnlimitedWork && isListGiven_ && isListFresh();
     while (result.status == MoveStatus::OutOfRounds && result.rounds < kMaxRounds) {
-        if (hasStepped && work_ > allowed_) break;
+        if (hasStepped && (isOutOfWork() || (mayWait && attempt.outgrown))) break;
         const bool isFirst = ++result.rounds == 1;
         bool overlapping = false;
         if (!plan(goal, isFirst, trust, attempt) || !findSafeStep(attempt, overlapping)) {
@@ -352,7 +369,8 @@ MoveResult SlidingBody::moveToward(const Pose& goal) {
             }
         }
     }
-    if (result.status == MoveStatus::OutOfRounds && work_ > allowed_) result.status = MoveStatus::OutOfWork;
+    if (result.status == MoveStatus::OutOfRounds && (isOutOfWork() || (mayWait && attempt.outgrown)))
+        result.status = MoveStatus::OutOfWork;
     settleBudget(hasStepped, result);
     isBehind_ = result.status == MoveStatus::OutOfRounds;
     return result;
@@ -364,7 +382,7 @@ void SlidingBody::setBudget(Work budget) {
 
 /// What this move has cost, and what the next one may.
 void SlidingBody::settleBudget(bool hasStepped, MoveResult& result) {
-    const bool isOut = result.status == MoveStatus::OutOfWork;
+    const bool isOut = result.status == MoveStatus::OutOfWork && isOutOfWork();
     isStarved_ = isOut && !hasStepped;
     boldness_ = isStarved_ ? std::max(boldness_ / 4, kLeastBoldness) : std::min(2 * boldness_, 1.0);
     allowed_ = isOut ? std::min(2 * allowed_, kGreatestAllowance * budget_) : budget_;

@@ -88,13 +88,16 @@ public:
     /// bit.
     void forget();
 
-    /// No move shall do much more than this: for a loop that must keep its time. A move that has done so much stops
-    /// where it is; the next one goes on from there with twice the budget, and those after it with four times: what is
-    /// dear once is spread, what stays dear is paid. Without limit at first.
+    /// No move shall do much more than this, beside one look for what is near: for a loop that must keep its time. A
+    /// move that has done so much stops where it is; the next one goes on from there with twice the budget, and those
+    /// after it with four times: what is dear once is spread, what stays dear is paid. Without limit at first.
     void setBudget(Work budget);
 
     /// Moves toward `goal`, sweeping the way: nothing is passed through, whatever the length of the move.
     MoveResult moveToward(const Pose& goal);
+
+    /// How often the body has had to look itself for what is near.
+    [[nodiscard]] std::uint32_t ownLists() const { return ownLists_; }
 
     [[nodiscard]] const Pose& pose() const { return pose_; }
     [[nodiscard]] const ToolShape& tool() const { return *tool_; }
@@ -112,10 +115,12 @@ private:
     struct Touch;
     enum class Offence { None, Found, Overlapping, OutOfWork };
 
+    void enter(std::shared_ptr<const Surface>& surface);
     [[nodiscard]] bool plan(const Pose& goal, bool isFirst, double trust, Attempt& attempt);
     [[nodiscard]] Vec3 expectedWay(const Pose& goal);
     [[nodiscard]] Vec3 expectedWay(Attempt& attempt, double& turn);
     [[nodiscard]] bool mayWaitForList() const;
+    [[nodiscard]] bool isListFresh() const;
     [[nodiscard]] bool runsShort(const Vec3& way, double turn) const;
     void renewList(const Vec3& way, double turn);
     [[nodiscard]] bool isListed(const Vec3& position) const;
@@ -159,6 +164,7 @@ private:
     void restart(Attempt& attempt);
     [[nodiscard]] Vec3 deepestPoint(const WatchedPair& held) const;
     void accept(const Attempt& attempt, MoveResult& result);
+    [[nodiscard]] bool isOutOfWork() const { return work_ - firstList_ > allowed_; }
     void settleBudget(bool hasStepped, MoveResult& result);
 
     std::shared_ptr<const ToolShape> tool_;
@@ -169,6 +175,8 @@ private:
     double margin_ = 0;
 
     PairList list_;
+    bool isListGiven_ = false;
+    std::uint32_t ownLists_ = 0;
     Pose lastGoal_;
     bool isBehind_ = false;   // the last move ran out of rounds
     bool isStarved_ = false;  // the last move ran out of work before its first step
@@ -185,6 +193,7 @@ private:
     std::uint32_t lastOffence_ = 0;  // the eight clusters in which the last look found a pair in the way
     int distances_ = 0;
     Work work_ = 0;
+    Work firstList_ = 0;  // of it: a move that must look for what is near shall not stand still for that
     Work budget_ = kUnlimitedWork;
     Work allowed_ = kUnlimitedWork;  // in this move
 };

@@ -189,7 +189,7 @@ SlidingBody::Offence SlidingBody::violation(const Attempt& attempt, WatchedPair&
         work_ += cost::kEights;
         for (std::uint32_t near = list_.clustersInDoubt(first, excursion); near != 0; near &= near - 1) {
             const std::size_t cluster = first + static_cast<std::size_t>(std::countr_zero(near));
-            const bool mayLook = work_ <= allowed_ || boldness_ <= kLeastBoldness;
+            const bool mayLook = !isOutOfWork() || boldness_ <= kLeastBoldness;
             const Offence offence =
                 mayLook ? violationIn(cluster, excursion, attempt, look, offender) : Offence::OutOfWork;
             if (offence == Offence::None) continue;

@@ -3,35 +3,37 @@
 #include "haptics/felt_surface.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace tactooth {
 namespace {
 
-// How far beyond the way expected the list reaches at least: what a hand of 20 mm/s strays until it feels the surface,
-// mm ...
-constexpr double kAround = 0.025;
-// ... and that it turns at 50 degrees/s for 10 ms: a chord, as in Skin.
+// How far beyond the way expected the list reaches at least: what a bur of 10 mm/s strays in five ticks, mm ...
+constexpr double kAround = 0.05;
+// ... and that a hand turns at 50 degrees/s for 10 ms: a chord, as in Skin.
 constexpr double kTurn = 0.008;
 
+constexpr double kMemory = 0.005;    // s: a bur that cuts goes by fits and starts
 constexpr double kShortest = 0.001;  // s: a look at each tick
 constexpr double kLongest = 0.05;    // s: after a longer pause the tool may be anywhere
-constexpr double kUntilNext = 1.5;   // pauses: a list lasts until the next one comes, and some more
+constexpr double kUntilNext = 3;     // pauses: a list lasts until the next one comes, and some more
 constexpr double kStray = 0.25;      // of the way expected: how far the tool may leave it
-constexpr double kFarthest = 0.2;    // mm: a longer list takes the cutter longer than it saves the ticks
+constexpr double kFarthest = 0.2;    // mm: a longer list takes longer to make than it lasts
+constexpr double kCutAhead = 0.05;   // mm: what the bur gains until the next list, where a cut lets it
 constexpr double kApart = 1e-6;      // mm: what a tool keeps from the tooth is less, see SlidingBody::margin
-constexpr double kTrusted = 0.9;     // of the skin: a list is renewed before it ends
-
-constexpr std::size_t kFew = 512;         // clusters: a tick lists them in less than 0.1 ms
-constexpr double kWorthAnotherLook = 10;  // skins that the tool leaves a short list behind before another is tried
+constexpr double kTrusted = 0.6;     // of the skin: a list is renewed while the tick can still wait for the new one
 
 }  // namespace
 
-void FeltSurfaces::watch(double time, const Pose& toolInTooth) {
+void FeltSurfaces::watch(double time, const Pose& toolInTooth, std::uint32_t ownLists) {
+    isOutrun_ |= ownLists != std::exchange(ownLists_, ownLists);
     const double pause = time - time_;
     if (time_ >= 0 && pause > 0 && pause <= kLongest) {
-        pause_ = pause;
-        velocity_ = (toolInTooth.position - pose_.position) / pause;
-        spin_ = chordBetween(toolInTooth.rotation, pose_.rotation) / pause;
+        const double share = pause_ > 0 ? 1 - std::exp(-pause / kMemory) : 1;
+        pause_ += share * (pause - pause_);
+        velocity_ += share * ((toolInTooth.position - pose_.position) / pause - velocity_);
+        spin_ += share * (chordBetween(toolInTooth.rotation, pose_.rotation) / pause - spin_);
     } else if (time_ < 0 || pause != 0) {
         velocity_.setZero();
         pause_ = spin_ = 0;
@@ -61,16 +63,18 @@ FeltSurface* FeltSurfaces::list(const Pose& at, const Skin& skin) {
     felt->near.makeAll(*surface_, at, skin);
     listedAt_ = at;
     listed_ = skin;
-    clusters_ = felt->near.clusters();
+    isOutrun_ = false;
     return felt;
 }
 
 FeltSurface* FeltSurfaces::make(std::shared_ptr<const Surface> surface, const Pose& from, const Pose& to) {
     surface_ = std::move(surface);
-    const Skin way{drift(), 0, 0};
-    const double around = kAround + way.stray(to.position - from.position);
-    FeltSurface* felt = list(from, {way.along, around, std::max(kTurn, spin_ * ahead())});
-    felt->near.partAhead(*surface_, from, to, kApart);
+    const double length = (to.position - from.position).norm();
+    const double share = length > kCutAhead ? kCutAhead / length : 1;
+    const Pose next{from.position + share * (to.position - from.position), from.rotation.slerp(share, to.rotation)};
+    const Skin way{next.position - from.position, 0, 0};
+    FeltSurface* felt = list(from, {way.along, kAround + way.stray(drift()), kTurn + spin_ * ahead()});
+    felt->near.partAhead(*surface_, from, next, kApart);
     felt->reach = to.position;
     return felt;
 }
@@ -82,8 +86,7 @@ FeltSurface* FeltSurfaces::renew() {
     const double stray = std::max(listed_.stray(pose_.position - listedAt_.position),
                                   listed_.stray(pose_.position + way - listedAt_.position));
     const double turned = chordBetween(pose_.rotation, listedAt_.rotation);
-    const double patience = clusters_ < kFew ? kWorthAnotherLook : kTrusted;
-    if (stray < patience * listed_.around && turned + turn < patience * listed_.turn) return nullptr;
+    if (!isOutrun_ && stray < kTrusted * listed_.around && turned + turn < kTrusted * listed_.turn) return nullptr;
     FeltSurface* felt = list(pose_, {2 * way, kAround + kStray * way.norm(), kTurn + 2 * turn});
     felt->reach = pose_.position;
     return felt;

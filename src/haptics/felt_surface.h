@@ -17,8 +17,8 @@ struct FeltSurface {
 };
 
 /// Finds what is near a tool in a new surface before the hand feels it: in the cavity that it has just cut a bur has
-/// thousands of triangles near, and a look for all of them takes far longer than a tick has. The cutter's thread makes;
-/// the servo takes a FeltSurface, leaves its old surface and list in it, and the cutter gets it back.
+/// thousands of triangles near, and a look for all of them takes far longer than a tick has. A thread of its own makes;
+/// the servo takes a FeltSurface, leaves its old surface and list in it, and the maker gets it back.
 class FeltSurfaces {
 public:
     /// `tool` outlives this object.
@@ -26,13 +26,15 @@ public:
 
     /// Where the tool is, at a time in s. From one call to the next it is seen how fast the tool moves and turns, and
     /// how long a list has to last.
-    void watch(double time, const Pose& toolInTooth);
+    /// `ownLists`: how often it has had to look itself for what is near, so far. Whenever it had to, the last list is
+    /// of no use to it any more.
+    void watch(double time, const Pose& toolInTooth, std::uint32_t ownLists = 0);
 
-    /// For a tool that stands at `from` and will go on about as far as `to`, or the way it was watched to go. What
-    /// parts it from the surface on the way to `to` is looked up ahead, too. Owned by this object.
+    /// For a tool that stands at `from` and will go on toward `to`, or the way it was watched to go, until the next
+    /// list. What parts it from the surface on the way toward `to` is looked up ahead, too. Owned by this object.
     [[nodiscard]] FeltSurface* make(std::shared_ptr<const Surface> surface, const Pose& from, const Pose& to);
-    /// The surface made last with a new list, around the pose watched last. Null as long as the tool stays within what
-    /// the last list covers, and where so little is near that the servo itself lists it in no time.
+    /// The surface made last with a new list, around the pose watched last. Null as long as the tool stays well within
+    /// what the last list covers.
     [[nodiscard]] FeltSurface* renew();
     /// Takes back what `make` has given, with whatever is in it now.
     void giveBack(FeltSurface* felt);
@@ -49,15 +51,16 @@ private:
     // The tool, as watched.
     double time_ = -1;  // s; negative: not yet
     Pose pose_;
-    double pause_ = 0;              // between the last two looks, s
-    Vec3 velocity_ = Vec3::Zero();  // mm/s
-    double spin_ = 0;               // chord a second, as in Skin
+    double pause_ = 0;              // between two looks of late, s
+    Vec3 velocity_ = Vec3::Zero();  // of late, mm/s
+    double spin_ = 0;               // of late: chord a second, as in Skin
+    std::uint32_t ownLists_ = 0;
+    bool isOutrun_ = false;  // the tool has no use for the last list any more
 
     // The last list.
     std::shared_ptr<const Surface> surface_;
     Pose listedAt_;
     Skin listed_;
-    std::size_t clusters_ = 0;
 };
 
 }  // namespace tactooth

@@ -37,8 +37,8 @@ HapticSimulation::HapticSimulation(std::shared_ptr<const ToolShape> tool, double
 }
 
 void HapticSimulation::setSurface(FeltSurface& felt) {
-    if (felt.surface != proxy_.surface()) pace_.grant((felt.reach - proxy_.pose().position).norm());
-    proxy_.setSurface(felt);
+    const Vec3 reach = felt.reach;
+    if (proxy_.setSurface(felt)) pace_.grant((reach - proxy_.pose().position).norm());
 }
 
 /// A bur that cuts goes on at the pace of its cut, so a tick that leaves some of its way to the next one is late by
@@ -98,6 +98,7 @@ void HapticSimulation::touch(const HandInput& input, double dt, Tick& tick) {
 
     const ProxyState state = proxy_.follow(input.handInTooth, goal);
     tick.placed = state.placed;
+    tick.ownLists = proxy_.ownLists();
     tick.proxy = state.placed ? state.proxy : input.handInTooth;
     tick.contacts = state.contacts;
     if (state.contacts > 0 && state.offset.norm() > 0) {

@@ -44,12 +44,13 @@ struct Tick {
     std::optional<MaterialId> around;          ///< of a body around the tooth, if one holds the tool
     std::uint32_t landings = 0;                ///< how often the tool has come to touch
     double landingSpeed = 0;                   ///< along the normal at the last landing, mm/s
+    std::uint32_t ownLists = 0;                ///< how often a tick has had to look itself for what is near
     double micros = 0;                         ///< that the tick took to compute; filled in by whoever has a clock
 };
 
 /// Of the tick of a bur that cuts. With it one tick in a thousand takes longer than 0.2 ms of its 1 ms
 /// (bench/results/2026-11-realtime.md).
-inline constexpr Work kTickWork = 50'000;
+inline constexpr Work kTickWork = 25'000;
 
 struct HapticSettings {
     MaterialTable materials;

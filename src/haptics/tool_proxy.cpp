@@ -41,17 +41,22 @@ std::shared_ptr<const Surface> ToolProxy::setSurface(std::shared_ptr<const Surfa
     return body_.setSurface(std::move(surface));
 }
 
-void ToolProxy::setSurface(FeltSurface& felt) {
+bool ToolProxy::setSurface(FeltSurface& felt) {
+    if (waited_ > 0 && felt.surface == other_.surface) {
+        std::swap(other_.near, felt.near);
+        return false;
+    }
     const bool isNew = surface_ != felt.surface;
     const bool hasStoodHere = placed_ && !newSurface_;
     surface_ = felt.surface;
     felt.surface = body_.setSurface(std::move(felt.surface), felt.near);
-    if (!isNew) return;
+    if (!isNew) return false;
     newSurface_ = true;
     query_.setSurface(surface_);
     std::swap(other_, felt);  // the caller frees the one before that
     isWhereBefore_ = hasStoodHere;
     waited_ = 0;
+    return true;
 }
 
 MaterialId ToolProxy::materialOf(std::uint32_t part, std::uint32_t triangle) const {

@@ -46,7 +46,8 @@ public:
     ProxyState follow(const Pose& handInTooth) { return follow(handInTooth, handInTooth); }
 
     [[nodiscard]] const Pose& pose() const { return body_.pose(); }
-    /// See SlidingBody::setBudget.
+    /// See SlidingBody.
+    [[nodiscard]] std::uint32_t ownLists() const { return body_.ownLists(); }
     void setBudget(Work budget) { body_.setBudget(budget); }
 
     [[nodiscard]] const ToolShape& tool() const { return body_.tool(); }
@@ -55,8 +56,9 @@ public:
     /// Takes the newest surface. Returns the old one, so that the caller frees it away from the servo thread.
     std::shared_ptr<const Surface> setSurface(std::shared_ptr<const Surface> surface);
     /// The same with what FeltSurfaces has found near the tool. The surface and list before the present ones stay in
-    /// `felt`; the present ones are kept in case that the new surface has caught the tool.
-    void setSurface(FeltSurface& felt);
+    /// `felt`; the present ones are kept in case that the new surface has caught the tool. False: it is no new one, and
+    /// only its list is taken.
+    bool setSurface(FeltSurface& felt);
 
     /// Forgets the history: the next tick places the tool anew.
     void release() { placed_ = false; }

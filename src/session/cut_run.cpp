@@ -56,8 +56,12 @@ void cutRigidly(std::span<const TimedPose> path, const CuttingTool& tool, double
     piece.refreshSurface();
 }
 
-void feelCut(const WorkPiece& piece, const Tick& tick, FeltSurfaces& surfaces, HapticSimulation& simulation) {
-    FeltSurface* felt = surfaces.make(piece.felt(), tick.proxy, piece.reached().value_or(tick.proxy));
+void feelPiece(const WorkPiece& piece, const Tick& tick, bool isCut, FeltSurfaces& surfaces,
+               HapticSimulation& simulation) {
+    if (tick.placed) surfaces.watch(tick.time, tick.proxy, tick.ownLists);
+    FeltSurface* felt =
+        isCut ? surfaces.make(piece.felt(), tick.proxy, piece.reached().value_or(tick.proxy)) : surfaces.renew();
+    if (felt == nullptr) return;
     simulation.setSurface(*felt);
     surfaces.giveBack(felt);
 }
@@ -72,10 +76,9 @@ void cutByLaw(std::span<const TimedPose> path, const CuttingTool& tool, const Ma
         Tick tick = timed(micros, [&] { return simulation.step({row.toolInTooth, 1, true}, row.time - last); });
         tick.micros = micros;
         last = row.time;
-        if (row.time - lastCut >= kSurfaceDelay - 1e-9) {
-            lastCut = row.time;
-            if (piece.feed(tool, tick, materials)) feelCut(piece, tick, surfaces, simulation);
-        }
+        const bool isTurnToCut = row.time - lastCut >= kSurfaceDelay - 1e-9;
+        if (isTurnToCut) lastCut = row.time;
+        feelPiece(piece, tick, isTurnToCut && piece.feed(tool, tick, materials), surfaces, simulation);
         visit(row.time, tick, piece.removed());
     }
 }

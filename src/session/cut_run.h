@@ -21,8 +21,10 @@ using CutVisitor = std::function<void(double time, const Tick& tick, const Mater
 void cutRigidly(std::span<const TimedPose> path, const CuttingTool& tool, double speedRpm,
                 const MaterialTable& materials, WorkPiece& piece, const CutVisitor& visit);
 
-/// Lets the hand feel the piece as it is now, from `tick` on, in which it was cut.
-void feelCut(const WorkPiece& piece, const Tick& tick, FeltSurfaces& surfaces, HapticSimulation& simulation);
+/// Lets the hand feel the piece as it is after `tick`, with what is near the tool listed ahead for the ticks to come. To
+/// be called after each tick. `isCut`: the piece has changed in it.
+void feelPiece(const WorkPiece& piece, const Tick& tick, bool isCut, FeltSurfaces& surfaces,
+               HapticSimulation& simulation);
 
 /// Follows the path with the hand; the tooth gives way only as fast as the removal law lets it. The felt surface
 /// follows the cut by no more than 5 ms of simulated time.

@@ -62,13 +62,11 @@ Demonstration playDemonstration(WorkPiece& piece, const Box3& box, const Instrum
         tick.micros = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
         result.ticks.push_back(tick);
         events.watch(tick.time, tick, piece.removed());
-        if (i % kTicksPerCut != 0) continue;
-        bool isCut = false;
-        if (tick.cutting && piece.feed(instrument.cutting, tick, settings.materials)) {
-            feelCut(piece, tick, surfaces, simulation);
-            ++result.surfaceUpdates;
-            isCut = true;
-        }
+        const bool isTurnToCut = i % kTicksPerCut == 0;
+        const bool isCut = isTurnToCut && tick.cutting && piece.feed(instrument.cutting, tick, settings.materials);
+        feelPiece(piece, tick, isCut, surfaces, simulation);
+        if (isCut) ++result.surfaceUpdates;
+        if (!isTurnToCut) continue;
         spray.advance(sprayOf(tick, piece), kTicksPerCut * kTick);
         if (isCut && tick.pedal > 0) result.work = {i, piece.surface(), {spray.bits().begin(), spray.bits().end()}};
         result.sound.push_back({tick.time, soundOf(tick, settings.spindle, settings.materials, instrument.edge), {}});

@@ -10,12 +10,25 @@
 namespace tactooth {
 namespace {
 
-constexpr auto kCutterPause = std::chrono::milliseconds(1);  // a tick: there is nothing new before it
-constexpr auto kCutterRest = std::chrono::milliseconds(8);   // as long as the tool rests
-constexpr double kRests = 0.2;                               // s without a move: the hand has put it down
+constexpr auto kPause = std::chrono::milliseconds(1);  // a tick: there is nothing new before it
+constexpr auto kRest = std::chrono::milliseconds(8);   // as long as the tool rests
+constexpr double kRests = 0.2;                         // s without a move: the hand has put it down
 
 constexpr auto kLongestFade = std::chrono::milliseconds(100);  // 20 N take 67 ms; a device that hangs has no more
 constexpr double kPauseBetweenCuts = 0.4;  // s without contact: the bur was lifted, a new cut begins (mark for undo)
+
+/// Whether a tool has been put down: looked at now and then, it needs no attention at every tick.
+class RestWatch {
+public:
+    [[nodiscard]] bool rests(const Tick& now) {
+        if (now.proxy.position != place_) place_ = now.proxy.position, movedAt_ = now.time;
+        return now.time > movedAt_ + kRests;
+    }
+
+private:
+    Vec3 place_ = Vec3::Zero();  // where the tool was when it moved last
+    double movedAt_ = 0;         // s
+};
 
 }  // namespace
 
@@ -39,29 +52,32 @@ Simulator::Simulator(std::shared_ptr<WorkPiece> piece, Instrument instrument, co
     loop_ = std::make_unique<ServoLoop>(
         rateHz, [this](double elapsed) { servoTick(elapsed); }, std::move(pace));
     cutter_ = std::jthread([this](const std::stop_token& stop) { runCutter(stop); });
+    lister_ = std::jthread([this](const std::stop_token& stop) { runLister(stop); });
 }
 
 /// A force that ends within one tick is a kick: the servo takes it back as fast as any force may change.
 void Simulator::fadeOut() {
     leaving_.store(true);
     const auto end = std::chrono::steady_clock::now() + kLongestFade;
-    while (!silent_.load() && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(kCutterPause);
+    while (!silent_.load() && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(kPause);
 }
 
 Simulator::~Simulator() {
     fadeOut();
-    cutter_ = {};  // joins: after this nobody fills the queues
+    cutter_ = {};  // joins
+    lister_ = {};  // after this nobody fills the queues
     loop_.reset();
     device_.write(SafeWrench());
     if (second_ != nullptr) second_->write(SafeWrench());
 }
 
-/// Swaps in the next surface. The old one goes back to the cutter: to free it would stall the servo.
+/// Swaps in what has come. What was felt before goes back to the lister: to free it would stall the servo.
 void Simulator::takeNewSurface() {
     FeltSurface* felt = nullptr;
-    if (!fresh_.pop(felt)) return;
-    simulation_.setSurface(*felt);
-    returned_.push(felt);
+    while (fresh_.pop(felt)) {
+        simulation_.setSurface(*felt);
+        returned_.push(felt);
+    }
 }
 
 void Simulator::servoTick(double elapsed) {
@@ -84,6 +100,7 @@ void Simulator::servoTick(double elapsed) {
     tick.micros = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
     deviceToForce_.add(1e6 * hands_.age() + tick.micros);
     tickForCutter_.write(tick);
+    tickForLister_.write(tick);
     ticksForWatcher_.push(tick);
     if (onTick_) onTick_(tick);
 }
@@ -107,25 +124,10 @@ void Simulator::publishSurface() {
         const std::lock_guard lock(watched_);
         watchedSurface_ = piece_->surface();
         watchedRemoved_ = piece_->removed();
+        unlisted_ = CutSurface{piece_->felt(), piece_->reached()};
     }
+    cutCame_.notify_one();
     surfaceUpdates_.fetch_add(1, std::memory_order_relaxed);
-}
-
-/// Hands a surface to the servo; false if it has not taken the last ones yet.
-bool Simulator::send(FeltSurface* felt) {
-    if (fresh_.push(felt)) return true;
-    surfaces_.giveBack(felt);
-    return false;
-}
-
-bool Simulator::sendSurface() {
-    const Tick& tick = tickForCutter_.value();
-    return send(surfaces_.make(piece_->felt(), tick.proxy, piece_->reached().value_or(tick.proxy)));
-}
-
-/// Lists what is near a tool that moves about in a cavity, before the servo would have to do so within a tick.
-void Simulator::sendList() {
-    if (FeltSurface* felt = surfaces_.renew()) (void)send(felt);  // what it does not take, it has no need of
 }
 
 std::vector<std::byte> Simulator::toothFile(const Provenance& provenance) const {
@@ -160,24 +162,49 @@ bool Simulator::workOnPiece() {
 
 void Simulator::runCutter(const std::stop_token& stop) {
     pthread_setname_np(pthread_self(), "cutter");  // for debuggers and profilers
-    bool unsent = false;
-    Vec3 place = Vec3::Zero();  // where the tool was when it moved last
-    double movedAt = 0;         // s
+    RestWatch watch;
     while (!stop.stop_requested()) {
-        returned_.consume_all([this](FeltSurface* felt) { surfaces_.giveBack(felt); });
-        const bool changed = workOnPiece();
-        if (changed) (void)tickForCutter_.refresh();  // the tool has moved on meanwhile: lists begin where it is now
-        if (const Tick& tick = tickForCutter_.value(); tick.placed) surfaces_.watch(tick.time, tick.proxy);
-        if (changed) publishSurface();
-        if (unsent || changed) {
-            unsent = !sendSurface();
+        if (workOnPiece()) {
+            publishSurface();
         } else {
-            sendList();
+            std::this_thread::sleep_for(watch.rests(tickForCutter_.value()) ? kRest : kPause);
         }
-        const Tick& now = tickForCutter_.value();
-        if (now.proxy.position != place) place = now.proxy.position, movedAt = now.time;
-        const bool rests = now.time > movedAt + kRests;
-        if (!changed) std::this_thread::sleep_for(rests ? kCutterRest : kCutterPause);
+    }
+}
+
+/// What the cutter has made since the last call, if that comes before the tool has moved on.
+std::optional<Simulator::CutSurface> Simulator::waitForCut(const std::stop_token& stop, bool rests) {
+    std::unique_lock lock(watched_);
+    (void)cutCame_.wait_for(lock, stop, rests ? kRest : kPause, [this] { return unlisted_.has_value(); });
+    return std::exchange(unlisted_, std::nullopt);
+}
+
+/// Hands a surface or a list to the servo; false if it has not taken the last ones yet.
+bool Simulator::send(FeltSurface* felt) {
+    if (fresh_.push(felt)) return true;
+    surfaces_.giveBack(felt);
+    return false;
+}
+
+/// Lists what is near the tool, in each new surface and wherever the tool goes, before the servo would have to do so
+/// within a tick. On a thread of its own: a cut takes longer than a list lasts.
+void Simulator::runLister(const std::stop_token& stop) {
+    pthread_setname_np(pthread_self(), "lister");
+    RestWatch watch;
+    bool rests = false;
+    std::optional<CutSurface> unsent;
+    while (!stop.stop_requested()) {
+        if (std::optional<CutSurface> cut = waitForCut(stop, rests)) unsent = std::move(cut);
+        returned_.consume_all([this](FeltSurface* felt) { surfaces_.giveBack(felt); });
+        (void)tickForLister_.refresh();
+        const Tick& now = tickForLister_.value();
+        rests = watch.rests(now);
+        if (now.placed) surfaces_.watch(now.time, now.proxy, now.ownLists);
+        if (unsent) {
+            if (send(surfaces_.make(unsent->felt, now.proxy, unsent->reached.value_or(now.proxy)))) unsent.reset();
+        } else if (FeltSurface* felt = surfaces_.renew()) {
+            (void)send(felt);  // what the servo does not take, it has no need of
+        }
     }
 }
 

@@ -5,6 +5,7 @@
 #include <boost/lockfree/spsc_queue.hpp>
 
 #include <atomic>
+#include <condition_variable>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -42,9 +43,9 @@ struct SimulatorControls {
     ButtonMap buttons = {};
 };
 
-/// A running simulation: the servo thread moves the tool and makes the force, the cutter thread carves behind it, and
-/// any number of others watch. Built for one tooth, one instrument and the devices of one or two hands; another of
-/// these is another simulator.
+/// A running simulation: the servo thread moves the tool and makes the force, the cutter thread carves behind it, the
+/// lister thread looks up what is near the tool before the servo needs it, and any number of others watch. Built for
+/// one tooth, one instrument and the devices of one or two hands; another of these is another simulator.
 class Simulator {
 public:
     using TickListener = std::function<void(const Tick&)>;
@@ -93,17 +94,23 @@ private:
     using SurfaceQueue = boost::lockfree::spsc_queue<FeltSurface*, boost::lockfree::capacity<8>>;
     static constexpr std::size_t kKeptTicks = 2048;
 
+    /// What the cutter has made.
+    struct CutSurface {
+        std::shared_ptr<const Surface> felt;
+        std::optional<Pose> reached;  ///< where the cut lets the tool go to
+    };
+
     void servoTick(double elapsed);
     void fadeOut();
     void takeNewSurface();
     void runCutter(const std::stop_token& stop);
+    void runLister(const std::stop_token& stop);
     [[nodiscard]] bool workOnPiece();
     [[nodiscard]] bool undoAsAsked();
     [[nodiscard]] bool cutAsAsked();
     void publishSurface();
+    [[nodiscard]] std::optional<CutSurface> waitForCut(const std::stop_token& stop, bool rests);
     [[nodiscard]] bool send(FeltSurface* felt);
-    [[nodiscard]] bool sendSurface();
-    void sendList();
 
     std::shared_ptr<WorkPiece> piece_;
     Instrument instrument_;
@@ -119,8 +126,9 @@ private:
     // Between threads.
     LatestValue<SimulatorControls> controls_;
     LatestValue<Tick> tickForCutter_;
+    LatestValue<Tick> tickForLister_;
     boost::lockfree::spsc_queue<Tick, boost::lockfree::capacity<kKeptTicks>> ticksForWatcher_;
-    SurfaceQueue fresh_;     // cutter -> servo
+    SurfaceQueue fresh_;     // lister -> servo
     SurfaceQueue returned_;  // and back, with the surface felt before: the servo never frees one
     LatestValue<Pose> mirrorForWatcher_;
     LatencyHistogram deviceToForce_;
@@ -132,19 +140,24 @@ private:
     std::atomic<std::uint64_t> surfaceUpdates_{0};
 
     // Cutter's.
-    FeltSurfaces surfaces_;
     double lastCut_ = -std::numeric_limits<double>::infinity();  ///< Tick::time, s
+
+    // Lister's.
+    FeltSurfaces surfaces_;
 
     /// The cutter's while it works, and that of anyone who looks at the work piece; never the servo's.
     mutable std::mutex pieceInUse_;
 
-    // Cutter and watchers; never the servo.
+    // Cutter, lister and watchers; never the servo.
     mutable std::mutex watched_;
     std::shared_ptr<const Surface> watchedSurface_;
     MaterialVolumes watchedRemoved_{};
+    std::optional<CutSurface> unlisted_;
+    std::condition_variable_any cutCame_;
 
     std::unique_ptr<ServoLoop> loop_;
     std::jthread cutter_;
+    std::jthread lister_;
 };
 
 }  // namespace tactooth

@@ -73,6 +73,57 @@ TEST(SlidingBody, ThatMayDoLittleInAMoveGoesOnInTheNext) {
     }
 }
 
+TEST(SlidingBody, WithABudgetWaitsForAMoveAtTheEndOfAListThatItWasGiven) {
+    const auto tool = toolOf(test::sphere(Vec3(0, 0, 0.5), 0.5, 100, 60));
+    const auto bed = surfaceOf(test::sphere(Vec3(0, 0, -2), 2, 300, 200));
+    const Pose start = at(0, 0, 0.02), far = at(0.3, 0, -0.1);
+    constexpr double kReach = 0.03;  // mm
+    const auto given = [&](Work budget) {
+        SlidingBody body(tool);
+        PairList near(*tool);
+        near.makeAll(*bed, start, Skin{Vec3::Zero(), kReach, 0.01});
+        EXPECT_GT(near.clusters(), 600U) << "or it is made anew without a word";
+        body.setSurface(bed);
+        body.placeAt(start);
+        body.setSurface(bed, near);
+        body.setBudget(budget);
+        return body;
+    };
+    SlidingBody bounded = given(1'000'000'000);
+    EXPECT_EQ(bounded.moveToward(far).status, MoveStatus::OutOfWork);
+    EXPECT_EQ(bounded.ownLists(), 0U);
+    EXPECT_NEAR((bounded.pose().position - start.position).norm(), kReach, 0.2 * kReach);
+    for (int move = 0; move < 3; ++move) (void)bounded.moveToward(far);
+    EXPECT_GT(bounded.ownLists(), 0U) << "none has come";
+    EXPECT_GT((bounded.pose().position - start.position).norm(), 1.1 * kReach);
+
+    SlidingBody unbounded = given(kUnlimitedWork);
+    EXPECT_NE(unbounded.moveToward(far).status, MoveStatus::OutOfWork);
+    EXPECT_GT(unbounded.ownLists(), 0U);
+}
+
+TEST(SlidingBody, GivesBackTheListOfTheSurfaceThatItLeaves) {
+    const auto tool = toolOf(smallBox());
+    const auto low = surfaceOf(test::box(Vec3(-10, -10, -1), Vec3(10, 10, 0)));
+    const auto lower = surfaceOf(test::box(Vec3(-10, -10, -1), Vec3(10, 10, -0.1)));
+    const Skin skin{Vec3::Zero(), 0.3, 0.01};
+    SlidingBody body(tool);
+    PairList near(*tool);
+    body.setSurface(low);
+    body.placeAt(at(0, 0, 0.2));
+    near.makeAll(*low, body.pose(), skin);
+    const std::size_t clusters = near.clusters();
+    ASSERT_GT(clusters, 0U);
+    body.setSurface(low, near);
+    near.makeAll(*lower, body.pose(), {});
+    EXPECT_EQ(body.setSurface(lower, near), low);
+    EXPECT_TRUE(near.made());
+    EXPECT_EQ(near.clusters(), clusters);
+    body.setSurface(low, near);  // and back
+    (void)settle(body, at(0, 0, 0.1));
+    EXPECT_EQ(body.ownLists(), 0U);
+}
+
 TEST(SlidingBody, StopsOnAPlaneAtItsMargin) {
     SlidingBody body(toolOf(smallBox()));
     body.setSurface(surfaceOf(test::box(Vec3(-10, -10, -1), Vec3(10, 10, 0))));

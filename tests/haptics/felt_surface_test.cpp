@@ -84,6 +84,10 @@ TEST(ToolProxy, StaysInTheSurfaceBeforeWhereTheNewOneCatchesItOnAllSides) {
         EXPECT_NEAR((state.proxy.position - held).norm(), 0, 1e-6) << tick;
         EXPECT_EQ(proxy.surface(), wide) << tick;
     }
+    FeltSurface* list = surfaces.make(narrow, proxy.pose(), proxy.pose());
+    EXPECT_FALSE(proxy.setSurface(*list)) << "another list of the surface that waits is no new surface";
+    EXPECT_EQ(proxy.surface(), wide);
+    surfaces.giveBack(list);
     feel(wider);  // the cut goes on
     EXPECT_NEAR(proxy.follow(handAt(0.1, 0.2)).proxy.position.x(), held.x() + 0.01, 1e-4);
     EXPECT_EQ(proxy.surface(), wider);
@@ -136,10 +140,11 @@ TEST(FeltSurfaces, ListAnewWhereAToolIsAboutToLeaveTheirLastList) {
     surfaces.giveBack(first);
 
     int renewed = 0;
+    const std::uint32_t ownLists = proxy.ownLists();
     for (int tick = 1; tick <= 100; ++tick) {
         const ProxyState state = proxy.follow({Vec3(0.1 + 0.002 * tick, 0.2, -0.06), Quat::Identity()});
         EXPECT_GT(state.contacts, 0);
-        surfaces.watch(0.001 * tick, state.proxy);
+        surfaces.watch(0.001 * tick, state.proxy, proxy.ownLists());
         FeltSurface* felt = surfaces.renew();
         if (felt == nullptr) continue;
         ++renewed;
@@ -149,25 +154,41 @@ TEST(FeltSurfaces, ListAnewWhereAToolIsAboutToLeaveTheirLastList) {
         surfaces.giveBack(felt);
         EXPECT_LE(proxy.pose().position.z(), state.proxy.position.z()) << "a list moves nothing";
     }
+    EXPECT_EQ(proxy.ownLists(), ownLists) << "no tick had to list for itself";
     EXPECT_GT(renewed, 3);
     EXPECT_LT(renewed, 50);
     for (int tick = 101; tick <= 120; ++tick) {
-        surfaces.watch(0.001 * tick, proxy.pose());
+        surfaces.watch(0.001 * tick, proxy.pose(), ownLists);
         FeltSurface* felt = surfaces.renew();
         if (felt != nullptr) surfaces.giveBack(felt);
         EXPECT_TRUE(tick <= 102 || felt == nullptr) << "a tool at rest needs no other list";
     }
 }
 
-TEST(FeltSurfaces, LeaveTheServoToListWhatIsLittle) {
+TEST(FeltSurfaces, ListAtOnceForAToolThatHadToListForItself) {
     const auto tool = ball();
     FeltSurfaces surfaces(*tool);
     surfaces.watch(0, at(0.01));
     surfaces.giveBack(surfaces.make(blockUpTo(0), at(0.01), at(0.01)));
-    for (int tick = 1; tick <= 20; ++tick) {
-        surfaces.watch(0.001 * tick, {Vec3(0.1 + 0.005 * tick, 0.2, 0.01), Quat::Identity()});
-        EXPECT_EQ(surfaces.renew(), nullptr);
-    }
+    surfaces.watch(0.001, at(0.01), 0);
+    EXPECT_EQ(surfaces.renew(), nullptr);
+    surfaces.watch(0.002, at(0.01), 1);
+    FeltSurface* felt = surfaces.renew();
+    ASSERT_NE(felt, nullptr);
+    surfaces.giveBack(felt);
+    surfaces.watch(0.003, at(0.01), 1);
+    EXPECT_EQ(surfaces.renew(), nullptr) << "once";
+}
+
+TEST(FeltSurfaces, ReachNoFurtherThanTheToolGoesUntilTheNext) {
+    const auto tool = ball();
+    FeltSurfaces surfaces(*tool);
+    FeltSurface* felt = surfaces.make(blockUpTo(0), at(0), at(-0.5));
+    const Skin& skin = felt->near.skin();
+    EXPECT_LT(skin.along.z(), -0.03);
+    EXPECT_LT(skin.along.norm() + skin.around, 0.15);
+    EXPECT_EQ(felt->reach, at(-0.5).position);
+    surfaces.giveBack(felt);
 }
 
 TEST(ToolProxy, ThatShallNotGoAllTheWayToTheHandIsStillHeld) {

@@ -73,6 +73,8 @@ public:
                                   {"update_p99_ms", t.updateP99},
                                   {"update_max_ms", t.updateLargest},
                                   {"updates_per_s", t.updatesPerSecond},
+                                  {"lists", t.lists},
+                                  {"list_p50_ms", t.listP50},
                                   {"felt_p50_ms", t.feltP50},
                                   {"felt_p99_ms", t.feltP99},
                                   {"first_update_ms", t.firstUpdate},

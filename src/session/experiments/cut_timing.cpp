@@ -40,7 +40,7 @@ MaterialTable softened(double factor) {
     return materials;
 }
 
-/// The two threads of a simulator, played one after the other on a clock of their own.
+/// The three threads of a simulator, played one after the other on a clock of their own.
 class CutPlay {
 public:
     CutPlay(const std::shared_ptr<const LayeredTooth>& tooth, const CutCase& cut)
@@ -62,7 +62,7 @@ public:
 
 private:
     void play(double now, const Pose& hand) {
-        if (coming_ && comingAt_ <= now) feelNewSurface(now);
+        if (coming_ != nullptr && comingAt_ <= now) feelNewSurface(now);
         const double start = threadMicros();
         const Tick tick = simulation_->step({hand, 1, true}, kTick);
         const double micros = threadMicros() - start;
@@ -70,36 +70,37 @@ private:
         timing_.deepest = std::max(timing_.deepest, tick.depth);
         if (tick.contacts > 0) working_.push_back(now);
         if (now >= cutterFreeAt_) letCutterWork(now, tick);
+        if (now >= comingAt_ && tick.placed) letListerWork(now, tick);
     }
 
-    /// A turn of the cutter makes a new surface; the next one lists what is near in it, for the tool has moved on
-    /// meanwhile.
     void letCutterWork(double now, const Tick& tick) {
+        if (made_) unlisted_ = std::exchange(made_, std::nullopt);
         const double start = threadMicros();
-        if (std::exchange(unlisted_, false)) {
-            if (tick.placed) felt_->watch(now, tick.proxy);
-            coming_ = felt_->make(piece_.surface(), tick.proxy, *piece_.reached());
-            updateMillis_.back() += finishTurn(start, now);
-            return;
-        }
-        unlisted_ = piece_.feed(*tool_, tick, materials_);
-        if (unlisted_) {
-            updateMillis_.push_back(finishTurn(start, now));
-            cutAt_ = now;
-            return;
-        }
-        if (tick.placed) felt_->watch(now, tick.proxy);
-        coming_ = felt_->renew();
-        finishTurn(start, now);
-        working_.clear();
-    }
-
-    /// Lets the cutter have worked since `start`, on the clock from `now` on. Returns how long, ms.
-    double finishTurn(double start, double now) {
+        const bool changed = piece_.feed(*tool_, tick, materials_);
         const double took = 1e-3 * (threadMicros() - start);
         cutterMillis_ += took;
-        cutterFreeAt_ = comingAt_ = now + 1e-3 * took;
-        return took;
+        cutterFreeAt_ = now + 1e-3 * took;
+        if (changed) {
+            updateMillis_.push_back(took);
+            made_ = Cut{piece_.surface(), *piece_.reached(), lastCutAt_ = now};
+        } else {
+            while (!working_.empty() && working_.back() > lastCutAt_) working_.pop_back();  // nothing comes of these
+        }
+    }
+
+    void letListerWork(double now, const Tick& tick) {
+        const double start = threadMicros();
+        felt_->watch(now, tick.proxy, tick.ownLists);
+        if (unlisted_) {
+            coming_ = felt_->make(unlisted_->surface, tick.proxy, unlisted_->reached);
+            cutAt_ = unlisted_->at;
+            unlisted_.reset();
+        } else {
+            coming_ = felt_->renew();
+        }
+        const double took = 1e-3 * (threadMicros() - start);
+        comingAt_ = now + 1e-3 * took;
+        if (coming_ != nullptr) listMillis_.push_back(took);
     }
 
     void feelNewSurface(double now) {
@@ -124,6 +125,8 @@ private:
         timing_.updateP50 = quantile(updateMillis_, 0.5);
         timing_.updateP99 = quantile(updateMillis_, 0.99);
         timing_.updateLargest = quantile(updateMillis_, 1);
+        timing_.lists = listMillis_.size();
+        timing_.listP50 = quantile(listMillis_, 0.5);
         timing_.updatesPerSecond = static_cast<double>(timing_.updates) / (kTick * static_cast<double>(timing_.ticks));
         timing_.removed = total(piece_.removed());
         timing_.nanosPerVoxel = 1e6 * cutterMillis_ / (timing_.removed / (voxel_ * voxel_ * voxel_));
@@ -139,14 +142,21 @@ private:
     std::optional<HapticSimulation> simulation_;
     std::optional<FeltSurfaces> felt_;
 
-    double cutterFreeAt_ = 0;        // s
+    struct Cut {
+        std::shared_ptr<const Surface> surface;
+        Pose reached;
+        double at;  // s: of the last tick that it is made of
+    };
+    std::optional<Cut> made_;  // by the cutter, which has it finished at cutterFreeAt_
+    double cutterFreeAt_ = 0;  // s
+    double lastCutAt_ = 0;
+    std::optional<Cut> unlisted_;    // finished, but there is no list for it yet
     FeltSurface* coming_ = nullptr;  // finished at comingAt_, made of the cuts up to cutAt_
-    bool unlisted_ = false;          // there is a new surface, but no list for it yet
     double comingAt_ = 0;
     double cutAt_ = 0;
     std::deque<double> working_;  // ticks in which the bur worked and that have not been felt yet
 
-    std::vector<double> tickMicros_, feltMillis_, updateMillis_;
+    std::vector<double> tickMicros_, feltMillis_, updateMillis_, listMillis_;
     double cutterMillis_ = 0;
     CutTiming timing_;
 };

@@ -20,8 +20,8 @@ struct CutCase {
     double engagement = 1;  ///< depth of the cut, in lengths of the bur's head
 };
 
-/// What it cost, in processor time of one core. Servo and cutter run as if each had a core of its own: an update is
-/// felt at the first tick that begins after the processor time which it took.
+/// What it cost, in processor time of one core. Servo, cutter and lister run as if each had a core of its own: an
+/// update is felt at the first tick that begins after the processor time which it and its list took.
 struct CutTiming {
     std::size_t ticks = 0;            ///< while the bur touched
     double p50 = 0, p99 = 0;          ///< of a tick, us
@@ -31,6 +31,8 @@ struct CutTiming {
     double updateP50 = 0;             ///< carve and new surface, ms
     double updateP99 = 0;             ///< the same
     double updateLargest = 0;         ///< the same
+    std::size_t lists = 0;            ///< made ahead for the servo, with a new surface or without
+    double listP50 = 0;               ///< of one, ms
     double updatesPerSecond = 0;      ///< while the bur works
     double firstUpdate = 0;           ///< from a tooth without any brick to its first cut surface, ms
     double removed = 0;               ///< mm^3
