@@ -168,8 +168,7 @@ bool SlidingBody::isListFresh() const {
 /// Whether the list would end on the way expected in this tick.
 bool SlidingBody::runsShort(const Vec3& way, double turn) const {
     constexpr double kLittle = 0.125;  // of the least skin: the way is not known to the last micrometre
-    if (budget_ < kUnlimitedWork && isListFresh())
-        return false;  // what is left of it is more than a new one would bring
+    if (budget_ < kUnlimitedWork && isListFresh()) return false;  // a new one would bring less than what is left
     const double turnLeft = list_.skin().turn * kTrusted - list_.turnTo(pose_.rotation);
     if (turnLeft < std::min(turn, handTurn_)) return true;
     const double length = way.norm();
