@@ -47,15 +47,16 @@ bool ToolProxy::setSurface(FeltSurface& felt) {
         return false;
     }
     const bool isNew = surface_ != felt.surface;
-    const bool hasStoodHere = placed_ && !newSurface_;
+    const bool hasBeenFelt = !newSurface_;
     surface_ = felt.surface;
     felt.surface = body_.setSurface(std::move(felt.surface), felt.near);
     if (!isNew) return false;
     newSurface_ = true;
     query_.setSurface(surface_);
-    std::swap(other_, felt);  // the caller frees the one before that
-    isWhereBefore_ = hasStoodHere;
     waited_ = 0;
+    if (!hasBeenFelt && isWhereBefore_) return true;  // the tool still stands in the one before that
+    std::swap(other_, felt);                          // the caller frees the one before that
+    isWhereBefore_ = placed_ && hasBeenFelt;
     return true;
 }
 

@@ -91,7 +91,8 @@ public:
     [[nodiscard]] std::vector<std::byte> toothFile(const Provenance& provenance) const;
 
 private:
-    using SurfaceQueue = boost::lockfree::spsc_queue<FeltSurface*, boost::lockfree::capacity<8>>;
+    template <std::size_t kRoom>
+    using SurfaceQueue = boost::lockfree::spsc_queue<FeltSurface*, boost::lockfree::capacity<kRoom>>;
     static constexpr std::size_t kKeptTicks = 2048;
 
     /// What the cutter has made.
@@ -128,8 +129,8 @@ private:
     LatestValue<Tick> tickForCutter_;
     LatestValue<Tick> tickForLister_;
     boost::lockfree::spsc_queue<Tick, boost::lockfree::capacity<kKeptTicks>> ticksForWatcher_;
-    SurfaceQueue fresh_;     // lister -> servo
-    SurfaceQueue returned_;  // and back, with the surface felt before: the servo never frees one
+    SurfaceQueue<8> fresh_;      // lister -> servo
+    SurfaceQueue<32> returned_;  // and back, with the surface felt before: the servo never frees one
     LatestValue<Pose> mirrorForWatcher_;
     LatencyHistogram deviceToForce_;
     std::atomic<ForceState> forceState_{ForceState::Off};

@@ -8,6 +8,8 @@
 #include <QDialog>
 #include <QDoubleSpinBox>
 #include <QMenuBar>
+#include <QMessageBox>
+#include <QRegularExpression>
 #include <QScrollArea>
 #include <set>
 
@@ -24,6 +26,7 @@ private slots:
     void initTestCase();
     void everyEntryOfEveryMenuCanBeClickedAndEveryDialogBeLeft();
     void noKeyIsTakenTwice();
+    void aboutTellsTheVersion();
     void theShortcutSheetNamesEveryKeyOfTheMenus();
     void everyControlIsReachedByTab();
     void theBurIsMovedAndPressedByKeys();
@@ -132,6 +135,17 @@ void WindowMenuTest::noKeyIsTakenTwice() {
         if (!keys.isEmpty()) QVERIFY2(taken.insert(keys).second, qPrintable(keys + ": " + entry->text()));
     }
     QVERIFY(taken.size() > 20);
+}
+
+void WindowMenuTest::aboutTellsTheVersion() {
+    for (QAction* entry : leaves()) {
+        if (entry->text() == "&About Tactooth") entry->trigger();
+    }
+    const auto* box = window_->findChild<QMessageBox*>();
+    QVERIFY(box != nullptr && box->isVisible());
+    static const QRegularExpression version(R"(Tactooth \d+\.\d+\.\d+</b> \([\w-]+\))");
+    QVERIFY2(version.match(box->text()).hasMatch(), qPrintable(box->text()));
+    leaveDialogs("About");
 }
 
 void WindowMenuTest::theShortcutSheetNamesEveryKeyOfTheMenus() {

@@ -76,6 +76,7 @@ TEST(ToolProxy, StaysInTheSurfaceBeforeWhereTheNewOneCatchesItOnAllSides) {
     };
     const Vec3 held = proxy.pose().position;
     EXPECT_GT(held.x(), 0.015);
+    feel(room(0.495, 1.1));  // no tick feels this one
     feel(narrow);
     for (int tick = 0; tick < 20; ++tick) {
         const ProxyState state = proxy.follow(handAt(0.1, 0.2));

@@ -24,6 +24,7 @@
 #include "geometry/atomic_file.h"
 #include "geometry/stl_writer.h"
 #include "session/cases/case_store.h"
+#include "session/experiments/commit.h"
 
 namespace tactooth {
 namespace {
@@ -309,9 +310,10 @@ void MainWindow::showMouseAndKeys() {
 
 void MainWindow::showAbout() {
     say(this, QMessageBox::NoIcon, tr("About Tactooth"),
-        tr("<b>Tactooth</b><br>See, feel and hear a dental bur touch and cut a tooth.<br><br>"
+        tr("<b>Tactooth %1</b> (%2)<br>See, feel and hear a dental bur touch and cut a tooth.<br><br>"
            "Free software under the GNU General Public License, version 3 or later;<br>"
-           "its simulation library under the Apache License 2.0."));
+           "its simulation library under the Apache License 2.0.")
+            .arg(TACTOOTH_VERSION, kCommit));
 }
 
 }  // namespace tactooth
