@@ -48,8 +48,8 @@ struct Tick {
     double micros = 0;                         ///< that the tick took to compute; filled in by whoever has a clock
 };
 
-/// Of the tick of a bur that cuts. With it one tick in a thousand takes longer than 0.2 ms of its 1 ms
-/// (bench/results/2026-11-realtime.md).
+/// Of the tick of a bur that cuts. With it the slowest of a thousand ticks take some 0.2 ms of their 1 ms
+/// (bench/results/2026-11-cutting.md, 2026-11-realtime.md).
 inline constexpr Work kTickWork = 25'000;
 
 struct HapticSettings {
