@@ -338,8 +338,9 @@ MoveResult SlidingBody::moveToward(const Pose& goal) {
     // At the end of a long list that it was given a body with a budget waits for a move: whoever makes lists ahead may
     // bring the next one.
     const bool mayWait = budget_ < kUnlimitedWork && isListGiven_ && isListFresh();
+    const auto isEnough = [&] { return isOutOfWork() || (mayWait && attempt.outgrown); };
     while (result.status == MoveStatus::OutOfRounds && result.rounds < kMaxRounds) {
-        if (hasStepped && (isOutOfWork() || (mayWait && attempt.outgrown))) break;
+        if (hasStepped && isEnough()) break;
         const bool isFirst = ++result.rounds == 1;
         bool overlapping = false;
         if (!plan(goal, isFirst, trust, attempt) || !findSafeStep(attempt, overlapping)) {
@@ -368,8 +369,7 @@ MoveResult SlidingBody::moveToward(const Pose& goal) {
             }
         }
     }
-    if (result.status == MoveStatus::OutOfRounds && (isOutOfWork() || (mayWait && attempt.outgrown)))
-        result.status = MoveStatus::OutOfWork;
+    if (result.status == MoveStatus::OutOfRounds && isEnough()) result.status = MoveStatus::OutOfWork;
     settleBudget(hasStepped, result);
     isBehind_ = result.status == MoveStatus::OutOfRounds;
     return result;

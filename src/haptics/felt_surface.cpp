@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "tooth/bur_feed.h"
+
 namespace tactooth {
 namespace {
 
@@ -70,8 +72,7 @@ FeltSurface* FeltSurfaces::list(const Pose& at, const Skin& skin) {
 FeltSurface* FeltSurfaces::make(std::shared_ptr<const Surface> surface, const Pose& from, const Pose& to) {
     surface_ = std::move(surface);
     const double length = (to.position - from.position).norm();
-    const double share = length > kCutAhead ? kCutAhead / length : 1;
-    const Pose next{from.position + share * (to.position - from.position), from.rotation.slerp(share, to.rotation)};
+    const Pose next = between(from, to, length > kCutAhead ? kCutAhead / length : 1);
     const Skin way{next.position - from.position, 0, 0};
     FeltSurface* felt = list(from, {way.along, kAround + way.stray(drift()), kTurn + spin_ * ahead()});
     felt->near.partAhead(*surface_, from, next, kApart);

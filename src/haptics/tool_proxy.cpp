@@ -66,6 +66,7 @@ MaterialId ToolProxy::materialOf(std::uint32_t part, std::uint32_t triangle) con
 
 /// The first pose: the hand's own, or the nearest free one if the hand starts inside the tooth.
 void ToolProxy::placeNear(const Pose& handInTooth) {
+    isWhereBefore_ = false;
     if (query_.isFree(handInTooth)) {
         body_.placeAt(handInTooth);
         placed_ = true;

@@ -120,11 +120,12 @@ MaterialVolumes Simulator::removed() const {
 }
 
 void Simulator::publishSurface() {
+    CutSurface cut{piece_->felt(), piece_->reached()};
     {
         const std::lock_guard lock(watched_);
         watchedSurface_ = piece_->surface();
         watchedRemoved_ = piece_->removed();
-        unlisted_ = CutSurface{piece_->felt(), piece_->reached()};
+        unlisted_ = std::move(cut);
     }
     cutCame_.notify_one();
     surfaceUpdates_.fetch_add(1, std::memory_order_relaxed);
