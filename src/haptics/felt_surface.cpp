@@ -62,6 +62,7 @@ FeltSurface* FeltSurfaces::list(const Pose& at, const Skin& skin) {
     FeltSurface* felt = free_.back();
     free_.pop_back();
     felt->surface = surface_;
+    felt->place.reset();
     felt->near.makeAll(*surface_, at, skin);
     listedAt_ = at;
     listed_ = skin;
@@ -90,6 +91,16 @@ FeltSurface* FeltSurfaces::renew() {
     if (!isOutrun_ && stray < kTrusted * listed_.around && turned + turn < kTrusted * listed_.turn) return nullptr;
     FeltSurface* felt = list(pose_, {2 * way, kAround + kStray * way.norm(), kTurn + 2 * turn});
     felt->reach = pose_.position;
+    return felt;
+}
+
+FeltSurface* FeltSurfaces::place(std::shared_ptr<const Surface> surface, const Pose& handInTooth) {
+    if (!query_) query_.emplace(tool_, surface);
+    query_->setSurface(surface);
+    if (!(query_->at(handInTooth).depth > 0)) return nullptr;
+    const Pose free = query_->freePose();
+    FeltSurface* felt = make(std::move(surface), free, free);
+    felt->place = free;
     return felt;
 }
 

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "collision/contact_query.h"
 #include "collision/pair_list.h"
 
 namespace tactooth {
@@ -14,6 +16,7 @@ struct FeltSurface {
     std::shared_ptr<const Surface> surface;
     PairList near;
     Vec3 reach = Vec3::Zero();  ///< where the cut lets the tool's tip go to, mm
+    std::optional<Pose> place;  ///< a free one, for a tool that has none of its own
 };
 
 /// Finds what is near a tool in a new surface before the hand feels it: in the cavity that it has just cut a bur has
@@ -21,8 +24,7 @@ struct FeltSurface {
 /// the servo takes a FeltSurface, leaves its old surface and list in it, and the maker gets it back.
 class FeltSurfaces {
 public:
-    /// `tool` outlives this object.
-    explicit FeltSurfaces(const ToolShape& tool) : tool_(&tool) {}
+    explicit FeltSurfaces(std::shared_ptr<const ToolShape> tool) : tool_(std::move(tool)) {}
 
     /// Where the tool is, at a time in s. From one call to the next it is seen how fast the tool moves and turns, and
     /// how long a list has to last.
@@ -36,6 +38,9 @@ public:
     /// The surface made last with a new list, around the pose watched last. Null as long as the tool stays well within
     /// what the last list covers.
     [[nodiscard]] FeltSurface* renew();
+    /// For a hand that came into the tooth: the surface with the free pose next to the hand, which takes milliseconds
+    /// to find. Null where the hand is free, and where no way out is found.
+    [[nodiscard]] FeltSurface* place(std::shared_ptr<const Surface> surface, const Pose& handInTooth);
     /// Takes back what `make` has given, with whatever is in it now.
     void giveBack(FeltSurface* felt);
 
@@ -44,7 +49,8 @@ private:
     [[nodiscard]] double ahead() const;
     [[nodiscard]] Vec3 drift() const;
 
-    const ToolShape* tool_;
+    std::shared_ptr<const ToolShape> tool_;
+    std::optional<ContactQuery> query_;  // made when a tool has to be placed
     std::vector<std::unique_ptr<FeltSurface>> all_;
     std::vector<FeltSurface*> free_;
 

@@ -78,7 +78,9 @@ public:
     }
     /// Takes a surface with the list that belongs to it; older ones stay in `felt`.
     void setSurface(FeltSurface& felt);
-    [[nodiscard]] const ToolShape& tool() const { return proxy_.tool(); }
+    /// See ToolProxy: for a loop that must keep its time.
+    void letOthersPlace() { proxy_.letOthersPlace(); }
+    [[nodiscard]] const std::shared_ptr<const ToolShape>& tool() const { return proxy_.tool(); }
     [[nodiscard]] ContactForce& force() { return force_; }
 
 private:

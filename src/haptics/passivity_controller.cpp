@@ -13,7 +13,8 @@
 // so that it acts at the first tick that gives too much and not when all of the stored energy is gone. Differs: credit
 // is bounded, the spring is cut off where the device's force ends, the device's dry friction pays (J. J. Abbott, A. M.
 // Okamura, "Effects of Position Quantization and Sampling Rate on Virtual-Wall Passivity", IEEE Transactions on
-// Robotics 21, 2005: without it no wall that is read in steps is passive), and a damper that is needed goes off slowly.
+// Robotics 21, 2005: without it no wall that is read in steps is passive), a damper that is needed goes off slowly, and
+// it comes on before the sum is negative, because it acts a tick later: what the next step may leak is kept in reserve.
 
 namespace tactooth {
 namespace {
@@ -24,6 +25,7 @@ constexpr double kTrustedFriction = 0.5;  // of what the maker says: it differs 
 constexpr double kSpeedLag = 0.005;       // s: an encoder's single step is no speed
 constexpr double kStill = 1e-6;           // mm in a tick: less is no motion to damp
 constexpr double kRelease = 0.98;         // of the damping is left a tick later: a damper that flickers would be felt
+constexpr double kOverdue = 2;            // pauses between two steps, after which the hand is taken to rest
 
 /// Energy of the spring, N*mm; its force is cut off at a bound.
 double stored(const SpringState& spring, double stretch, double stiffness) {
@@ -32,12 +34,31 @@ double stored(const SpringState& spring, double stretch, double stiffness) {
     return spring.strength * (0.5 * stiffness * soft * soft + spring.bound * (stretch - soft));
 }
 
+/// What a step of that length leaks, N*mm: the force of the tick before is held through all of it.
+double leakOf(const SpringState& spring, double length) {
+    return 0.5 * spring.strength * std::max(spring.stiffness, 0.0) * length * length;
+}
+
 }  // namespace
 
 void PassivityController::reset() {
     started_ = false;
-    energy_ = damping_ = 0;
+    energy_ = reserve_ = damping_ = 0;
+    idle_ = pause_ = 0;
     speed_.setZero();
+    step_.setZero();
+}
+
+/// A slow hand moves an encoder by a step every few ticks: between two of them its speed is that of the last one, until
+/// the next is overdue.
+void PassivityController::followSpeed(const Vec3& way, double elapsed) {
+    idle_ += elapsed;
+    if (way.norm() > kStill) {
+        step_ = way;
+        pause_ = std::exchange(idle_, 0);
+    }
+    const Vec3 speed = idle_ <= kOverdue * pause_ ? Vec3(step_ / std::max(pause_, idle_)) : Vec3(Vec3::Zero());
+    speed_ += (1 - std::exp(-elapsed / kSpeedLag)) * (speed - speed_);
 }
 
 Vec3 PassivityController::damp(const Vec3& hand, const Vec3& rendered, const SpringState& spring, double elapsed) {
@@ -57,9 +78,11 @@ Vec3 PassivityController::damp(const Vec3& hand, const Vec3& rendered, const Spr
 
     const double length = way.norm();
     energy_ = std::min(energy_ + kTrustedFriction * friction_ * length, kMostCredit);
-    speed_ += (1 - std::exp(-elapsed / kSpeedLag)) * (way / elapsed - speed_);
+    followSpeed(way, elapsed);
+    reserve_ = std::max(kRelease * reserve_, leakOf(spring, length));
     damping_ *= kRelease;
-    if (energy_ < 0 && length > kStill) damping_ = std::max(damping_, -energy_ * elapsed / (length * length));
+    const double missing = std::min(reserve_, kMostCredit) - energy_;
+    if (missing > 0 && length > kStill) damping_ = std::max(damping_, missing * pause_ / (length * length));
     damping_ = std::min(damping_, kMostDamping);
     return -damping_ * speed_;
 }

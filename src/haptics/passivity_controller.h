@@ -17,8 +17,8 @@ struct SpringState {
 /// Watches the energy that passes between hand and tooth, and takes out by damping what the loop's sampling puts in.
 ///
 /// A spring that is felt at ticks gives back more than it took: it pushes out a tick too long. What the hand has put
-/// in, less what the spring holds, must not fall below zero; where it does, a damper is switched in that eats the
-/// difference.
+/// in, less what the spring holds, must not fall below zero; where the next step of the hand could make it, a damper is
+/// switched in that eats the difference.
 class PassivityController {
 public:
     /// `friction`: of the device's own mechanics, N; what it eats pays for a part of the leak.
@@ -35,9 +35,15 @@ public:
     [[nodiscard]] double energy() const { return energy_; }
 
 private:
+    void followSpeed(const Vec3& way, double elapsed);
+
     double friction_;
     bool started_ = false;
     double energy_ = 0;
+    double reserve_ = 0;         // N*mm that the next step may leak, if it is as long as the last ones
+    Vec3 step_ = Vec3::Zero();   // the last in which the hand moved, mm
+    double pause_ = 0;           // s that it took
+    double idle_ = 0;            // s since then
     Vec3 speed_ = Vec3::Zero();  // low-passed, mm/s
     double damping_ = 0;         // N*s/mm, of the last tick
     double lastStretch_ = 0;

@@ -20,14 +20,15 @@ constexpr int kPatience = 8;  // ticks from one try of a surface that caught the
 
 ToolProxy::ToolProxy(std::shared_ptr<const ToolShape> tool, std::shared_ptr<const Surface> surface, ContactMode mode,
                      Freedom freedom)
-    : surface_(surface),
+    : tool_(std::move(tool)),
+      surface_(surface),
       mode_(mode),
       freedom_(freedom),
-      body_(tool, freedom),
-      query_(tool, surface),
-      other_{nullptr, PairList(*tool)} {
+      body_(tool_, freedom),
+      query_(tool_, surface),
+      other_{nullptr, PairList(*tool_)} {
     body_.setSurface(std::move(surface));
-    for (const Vec3f& vertex : body_.tool().mesh().vertices) {
+    for (const Vec3f& vertex : tool_->mesh().vertices) {
         if (vertex.z() > farEnd_.z()) farEnd_ = vertex.cast<double>();
     }
 }
@@ -42,6 +43,17 @@ std::shared_ptr<const Surface> ToolProxy::setSurface(std::shared_ptr<const Surfa
 }
 
 bool ToolProxy::setSurface(FeltSurface& felt) {
+    const std::optional<Pose> place = std::exchange(felt.place, std::nullopt);
+    if (!placed_) waited_ = 0;
+    const bool isNew = takeSurface(felt);
+    if (!placed_ && place) {
+        body_.shiftTo(*place);
+        placed_ = true;
+    }
+    return isNew;
+}
+
+bool ToolProxy::takeSurface(FeltSurface& felt) {
     if (waited_ > 0 && felt.surface == other_.surface) {
         std::swap(other_.near, felt.near);
         return false;
@@ -64,7 +76,8 @@ MaterialId ToolProxy::materialOf(std::uint32_t part, std::uint32_t triangle) con
     return static_cast<MaterialId>(partOf(*surface_, part).tag(triangle));
 }
 
-/// The first pose: the hand's own, or the nearest free one if the hand starts inside the tooth.
+/// The first pose: the hand's own, or the nearest free one if the hand starts inside the tooth and nobody else looks
+/// for it.
 void ToolProxy::placeNear(const Pose& handInTooth) {
     isWhereBefore_ = false;
     if (query_.isFree(handInTooth)) {
@@ -72,6 +85,7 @@ void ToolProxy::placeNear(const Pose& handInTooth) {
         placed_ = true;
         return;
     }
+    if (!placesItself_) return;
     const Contact contact = query_.at(handInTooth);
     if (!(contact.depth > 0)) return;  // no way out was found: there is no force to make up
     body_.placeAt(query_.freePose());
@@ -142,7 +156,7 @@ bool ToolProxy::isSwallowed(const Pose& toolInTooth) const {
 /// See ProxyState::handTip. A tool turns under its contacts about its centre.
 Vec3 ToolProxy::handTip(const Pose& handInTooth) const {
     if (freedom_ == Freedom::Shift) return handInTooth.position;
-    const Vec3 centre = body_.tool().centre();
+    const Vec3 centre = tool_->centre();
     return handInTooth * centre - body_.pose().rotation * centre;
 }
 

@@ -50,21 +50,26 @@ public:
     [[nodiscard]] std::uint32_t ownLists() const { return body_.ownLists(); }
     void setBudget(Work budget) { body_.setBudget(budget); }
 
-    [[nodiscard]] const ToolShape& tool() const { return body_.tool(); }
+    [[nodiscard]] const std::shared_ptr<const ToolShape>& tool() const { return tool_; }
     [[nodiscard]] const std::shared_ptr<const Surface>& surface() const { return surface_; }
 
     /// Takes the newest surface. Returns the old one, so that the caller frees it away from the servo thread.
     std::shared_ptr<const Surface> setSurface(std::shared_ptr<const Surface> surface);
     /// The same with what FeltSurfaces has found near the tool. The surface and list before the present ones stay in
-    /// `felt`; the present ones are kept in case that the new surface has caught the tool. False: it is no new one, and
-    /// only its list is taken.
+    /// `felt`; the present ones are kept in case that the new surface has caught the tool. A tool without a place takes
+    /// that of `felt`. False: it is no new surface, and only its list is taken.
     bool setSurface(FeltSurface& felt);
+
+    /// From now on a tool whose hand came into the tooth waits for a FeltSurface that tells it its place: to find that
+    /// takes longer than a tick has. Until then no tick is placed.
+    void letOthersPlace() { placesItself_ = false; }
 
     /// Forgets the history: the next tick places the tool anew.
     void release() { placed_ = false; }
 
 private:
     [[nodiscard]] ProxyState followAsPenalty(const Pose& handInTooth);
+    [[nodiscard]] bool takeSurface(FeltSurface& felt);
     void placeNear(const Pose& handInTooth);
     [[nodiscard]] bool isFree(const Pose& toolInTooth);
     [[nodiscard]] bool stepOutOfSurface(double farthest);
@@ -77,11 +82,13 @@ private:
     void holdWithoutContact(ProxyState& state);
     [[nodiscard]] MaterialId materialOf(std::uint32_t part, std::uint32_t triangle) const;
 
+    std::shared_ptr<const ToolShape> tool_;
     std::shared_ptr<const Surface> surface_;
     ContactMode mode_;
     Freedom freedom_;
     SlidingBody body_;
     ContactQuery query_;
+    bool placesItself_ = true;
     bool placed_ = false;
     bool newSurface_ = false;      // since the last tick
     FeltSurface other_;            // the surface that was felt before this one, or the newest where that waits

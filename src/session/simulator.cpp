@@ -45,8 +45,10 @@ Simulator::Simulator(std::shared_ptr<WorkPiece> piece, Instrument instrument, co
       hands_(device, second, seat),
       controls_(SimulatorControls{.force = settings.force}),
       surfaces_(simulation_.tool()),
+      newest_(piece_->felt()),
       watchedSurface_(piece_->surface()),
       watchedRemoved_(piece_->removed()) {
+    simulation_.letOthersPlace();
     std::function<void(double)> pace;
     if (device.setsPace()) pace = [&device](double longest) { device.waitForTick(longest); };
     loop_ = std::make_unique<ServoLoop>(
@@ -187,15 +189,19 @@ bool Simulator::send(FeltSurface* felt) {
     return false;
 }
 
-/// Lists what is near the tool, in each new surface and wherever the tool goes, before the servo would have to do so
-/// within a tick. On a thread of its own: a cut takes longer than a list lasts.
+/// Lists what is near the tool, in each new surface and wherever the tool goes, and finds a place for a tool whose hand
+/// came into the tooth, before the servo would have to do so within a tick. On a thread of its own: a cut takes longer
+/// than a list lasts.
 void Simulator::runLister(const std::stop_token& stop) {
     pthread_setname_np(pthread_self(), "lister");
     RestWatch watch;
     bool rests = false;
     std::optional<CutSurface> unsent;
     while (!stop.stop_requested()) {
-        if (std::optional<CutSurface> cut = waitForCut(stop, rests)) unsent = std::move(cut);
+        if (std::optional<CutSurface> cut = waitForCut(stop, rests)) {
+            newest_ = cut->felt;
+            unsent = std::move(cut);
+        }
         returned_.consume_all([this](FeltSurface* felt) { surfaces_.giveBack(felt); });
         (void)tickForLister_.refresh();
         const Tick& now = tickForLister_.value();
@@ -203,7 +209,7 @@ void Simulator::runLister(const std::stop_token& stop) {
         if (now.placed) surfaces_.watch(now.time, now.proxy, now.ownLists);
         if (unsent) {
             if (send(surfaces_.make(unsent->felt, now.proxy, unsent->reached.value_or(now.proxy)))) unsent.reset();
-        } else if (FeltSurface* felt = surfaces_.renew()) {
+        } else if (FeltSurface* felt = now.placed ? surfaces_.renew() : surfaces_.place(newest_, now.hand)) {
             (void)send(felt);  // what the servo does not take, it has no need of
         }
     }

@@ -145,6 +145,7 @@ private:
 
     // Lister's.
     FeltSurfaces surfaces_;
+    std::shared_ptr<const Surface> newest_;  ///< that it knows of
 
     /// The cutter's while it works, and that of anyone who looks at the work piece; never the servo's.
     mutable std::mutex pieceInUse_;

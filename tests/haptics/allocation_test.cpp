@@ -79,6 +79,17 @@ TEST(Allocation, TouchingUsesNoHeap) {
     }
 }
 
+TEST(Allocation, AHandInTheToothThatWaitsForAPlaceUsesNoHeap) {
+    HapticSimulation simulation = simulationOn(test::block(), ContactMode::Proxy);
+    simulation.letOthersPlace();
+    simulation.step({test::at(0, 0, -0.3), 1, true}, kTick);
+    const long before = test::heapCalls();
+    for (int i = 1; i <= kSteps / 10; ++i) {
+        ASSERT_FALSE(simulation.step({test::at(0.001 * i, 0, -0.3), 1, true}, kTick).placed);
+    }
+    EXPECT_EQ(test::heapCalls(), before);
+}
+
 TEST(Allocation, CuttingUsesNoHeapWhileTheSurfaceChanges) {
     constexpr int kStages = 60;
     Surfaces surfaces = slotInTheMaking(kStages);

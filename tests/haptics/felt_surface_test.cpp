@@ -27,7 +27,7 @@ TEST(FeltSurfaces, ATickOnTheListMadeAheadEndsWhereOneWithoutItEnds) {
     ToolProxy plain(tool, blockUpTo(0), ContactMode::Proxy);
     for (const double height : {0.1, 0.0, -0.02}) (void)prepared.follow(at(height)), (void)plain.follow(at(height));
 
-    FeltSurfaces surfaces(*tool);
+    FeltSurfaces surfaces(tool);
     FeltSurface* felt = surfaces.make(blockUpTo(-0.03), prepared.pose(), at(-0.03));
     EXPECT_GT(felt->near.clusters(), 0U);
     EXPECT_EQ(felt->reach, at(-0.03).position);
@@ -45,7 +45,7 @@ TEST(FeltSurfaces, LeavesTheOldestSurfaceToWhoeverHandedOverTheNewOne) {
     const auto tool = ball();
     const auto old = blockUpTo(0);
     ToolProxy proxy(tool, old, ContactMode::Proxy);
-    FeltSurfaces surfaces(*tool);
+    FeltSurfaces surfaces(tool);
     FeltSurface* felt = surfaces.make(blockUpTo(-1), at(0.1), at(0.1));
     proxy.setSurface(*felt);
     EXPECT_EQ(felt->surface, nullptr) << "the one before is kept as long as the tool might go back to it";
@@ -53,6 +53,39 @@ TEST(FeltSurfaces, LeavesTheOldestSurfaceToWhoeverHandedOverTheNewOne) {
     EXPECT_EQ(surfaces.make(blockUpTo(-1.5), at(0.1), at(0.1)), felt) << "used again";
     proxy.setSurface(*felt);
     EXPECT_EQ(felt->surface, old);
+}
+
+TEST(FeltSurfaces, TellAToolWhoseHandCameIntoTheToothItsPlace) {
+    const auto tool = ball();
+    const auto block = blockUpTo(0);
+    ToolProxy proxy(tool, block, ContactMode::Proxy);
+    proxy.letOthersPlace();
+    EXPECT_FALSE(proxy.follow(at(-0.1)).placed);
+
+    FeltSurfaces surfaces(tool);
+    EXPECT_EQ(surfaces.place(block, at(0.1)), nullptr) << "free: the tick finds that itself";
+    FeltSurface* felt = surfaces.place(block, at(-0.1));
+    ASSERT_NE(felt, nullptr);
+    EXPECT_FALSE(proxy.setSurface(*felt)) << "the surface is the same";
+    const ProxyState state = proxy.follow(at(-0.12));
+    EXPECT_TRUE(state.placed);
+    EXPECT_NEAR(state.offset.norm(), 0.12, 1e-6);
+
+    surfaces.giveBack(felt);
+    felt = surfaces.place(block, at(-0.3));
+    ASSERT_NE(felt, nullptr);
+    const Vec3 held = proxy.pose().position;
+    (void)proxy.setSurface(*felt);
+    EXPECT_EQ(proxy.pose().position, held) << "a tool that has a place keeps it";
+}
+
+TEST(ToolProxy, AHandThatCameOutMeanwhileNeedsNoPlace) {
+    const auto tool = ball();
+    ToolProxy proxy(tool, blockUpTo(0), ContactMode::Proxy);
+    proxy.letOthersPlace();
+    EXPECT_FALSE(proxy.follow(at(-0.1)).placed);
+    EXPECT_TRUE(proxy.follow(at(0.1)).placed);
+    EXPECT_EQ(proxy.follow(at(0.05)).offset, Vec3::Zero());
 }
 
 /// A hollow box around the ball, of walls this far from its axis.
@@ -68,7 +101,7 @@ TEST(ToolProxy, StaysInTheSurfaceBeforeWhereTheNewOneCatchesItOnAllSides) {
     const auto handAt = [](double x, double z) { return Pose{Vec3(x, 0, z), Quat::Identity()}; };
     ToolProxy proxy(tool, wide, ContactMode::Proxy);
     for (const double x : {0.0, 0.0, 0.1}) (void)proxy.follow(handAt(x, 0.2));
-    FeltSurfaces surfaces(*tool);
+    FeltSurfaces surfaces(tool);
     const auto feel = [&](const std::shared_ptr<const Surface>& surface) {
         FeltSurface* felt = surfaces.make(surface, proxy.pose(), proxy.pose());
         proxy.setSurface(*felt);
@@ -102,7 +135,7 @@ TEST(ToolProxy, StaysInTheSurfaceBeforeWhereTheNewOneCatchesItOnAllSides) {
 
 TEST(FeltSurfaces, CoverTheWayThatTheToolSlidesBesidesThatOfTheCut) {
     const auto tool = ball();
-    FeltSurfaces surfaces(*tool);
+    FeltSurfaces surfaces(tool);
     constexpr double kPause = 0.004;  // s
     const Vec3 step(0.04, 0, 0);      // in each: 10 mm/s
     for (int look = 0; look < 3; ++look) {
@@ -132,7 +165,7 @@ TEST(FeltSurfaces, ListAnewWhereAToolIsAboutToLeaveTheirLastList) {
     const auto bed = fineBed();
     ToolProxy proxy(tool, bed, ContactMode::Proxy);
     for (const double height : {0.05, -0.015}) (void)proxy.follow(at(height));
-    FeltSurfaces surfaces(*tool);
+    FeltSurfaces surfaces(tool);
     surfaces.watch(0, proxy.pose());
     EXPECT_EQ(surfaces.renew(), nullptr) << "no surface is known yet";
     FeltSurface* first = surfaces.make(bed, proxy.pose(), proxy.pose());
@@ -168,7 +201,7 @@ TEST(FeltSurfaces, ListAnewWhereAToolIsAboutToLeaveTheirLastList) {
 
 TEST(FeltSurfaces, ListAtOnceForAToolThatHadToListForItself) {
     const auto tool = ball();
-    FeltSurfaces surfaces(*tool);
+    FeltSurfaces surfaces(tool);
     surfaces.watch(0, at(0.01));
     surfaces.giveBack(surfaces.make(blockUpTo(0), at(0.01), at(0.01)));
     surfaces.watch(0.001, at(0.01), 0);
@@ -183,7 +216,7 @@ TEST(FeltSurfaces, ListAtOnceForAToolThatHadToListForItself) {
 
 TEST(FeltSurfaces, ReachNoFurtherThanTheToolGoesUntilTheNext) {
     const auto tool = ball();
-    FeltSurfaces surfaces(*tool);
+    FeltSurfaces surfaces(tool);
     FeltSurface* felt = surfaces.make(blockUpTo(0), at(0), at(-0.5));
     const Skin& skin = felt->near.skin();
     EXPECT_LT(skin.along.z(), -0.03);

@@ -52,7 +52,9 @@ public:
         settings.spindle = constantSpeed(kRimSpeed);
         simulation_.emplace(std::make_shared<const ToolShape>(std::move(bur)), tool_->envelope.maxRadius(),
                             piece_.surface(), settings);
+        simulation_->letOthersPlace();
         felt_.emplace(simulation_->tool());
+        newest_ = piece_.surface();
     }
 
     CutTiming run(std::span<const Pose> hand) {
@@ -70,7 +72,7 @@ private:
         timing_.deepest = std::max(timing_.deepest, tick.depth);
         if (tick.contacts > 0) working_.push_back(now);
         if (now >= cutterFreeAt_) letCutterWork(now, tick);
-        if (now >= comingAt_ && tick.placed) letListerWork(now, tick);
+        if (now >= comingAt_) letListerWork(now, tick);
     }
 
     void letCutterWork(double now, const Tick& tick) {
@@ -90,13 +92,14 @@ private:
 
     void letListerWork(double now, const Tick& tick) {
         const double start = threadMicros();
-        felt_->watch(now, tick.proxy, tick.ownLists);
+        if (tick.placed) felt_->watch(now, tick.proxy, tick.ownLists);
         if (unlisted_) {
+            newest_ = unlisted_->surface;
             coming_ = felt_->make(unlisted_->surface, tick.proxy, unlisted_->reached);
             cutAt_ = unlisted_->at;
             unlisted_.reset();
         } else {
-            coming_ = felt_->renew();
+            coming_ = tick.placed ? felt_->renew() : felt_->place(newest_, tick.hand);
         }
         const double took = 1e-3 * (threadMicros() - start);
         comingAt_ = now + 1e-3 * took;
@@ -150,8 +153,9 @@ private:
     std::optional<Cut> made_;  // by the cutter, which has it finished at cutterFreeAt_
     double cutterFreeAt_ = 0;  // s
     double lastCutAt_ = 0;
-    std::optional<Cut> unlisted_;    // finished, but there is no list for it yet
-    FeltSurface* coming_ = nullptr;  // finished at comingAt_, made of the cuts up to cutAt_
+    std::optional<Cut> unlisted_;            // finished, but there is no list for it yet
+    std::shared_ptr<const Surface> newest_;  // that the lister knows of
+    FeltSurface* coming_ = nullptr;          // finished at comingAt_, made of the cuts up to cutAt_
     double comingAt_ = 0;
     double cutAt_ = 0;
     std::deque<double> working_;  // ticks in which the bur worked and that have not been felt yet

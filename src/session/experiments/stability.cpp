@@ -118,7 +118,7 @@ private:
 bool isStable(const StabilityCase& one, const StabilityResult& result, const ForceLimits& limits) {
     constexpr double kRounding = 1e-9;
     const bool rests = one.situation == Situation::LetGo || result.restForce > kFaint;
-    return rests && result.ripple < result.mostRipple && result.leastEnergy >= kLeastEnergy &&
+    return rests && result.ripple < result.mostRipple && result.leastEnergy >= 0 &&
            result.strongest <= limits.force + kRounding && result.steepest <= 1e-3 * limits.slew + kRounding;
 }
 

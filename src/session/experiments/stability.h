@@ -34,17 +34,15 @@ struct StabilityResult {
     double restForce = 0;    ///< N, mean over the last half second, in which the hand wants to rest
     double ripple = 0;       ///< of that force, root mean square over mean; 0 if nothing is touched at rest
     double mostRipple = 0;   ///< that a steady run may have: what a cut and a tremor shake on purpose comes on top
-    double leastEnergy = 0;  ///< N*mm, of the passivity controller's observer
+    double leastEnergy = 0;  ///< N*mm, of the passivity controller's observer; below zero it is not stable
     double strongest = 0;    ///< N
     double steepest = 0;     ///< N/ms between two ticks
     bool stable = false;     ///< within all bounds
 };
 
 /// Bounds that a stable run keeps.
-inline constexpr double kMostRipple = 0.03;    // of the mean, of a hand and a bur that are still
-inline constexpr double kTremor = 0.05;        // mm, root mean square: the top of what is measured on a surgeon's hand
-inline constexpr double kLeastEnergy = -0.01;  // N*mm: what a click of one encoder step of a Touch holds at 3 N/mm
-                                               // is half of it; a hand does not notice less
+inline constexpr double kMostRipple = 0.03;  // of the mean, of a hand and a bur that are still
+inline constexpr double kTremor = 0.05;      // mm, root mean square: the top of what is measured on a surgeon's hand
 [[nodiscard]] StabilityResult runStability(const StabilityCase& one);
 
 }  // namespace tactooth
