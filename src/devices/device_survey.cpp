@@ -43,8 +43,7 @@ SurveyedDevice surveyPen() {
     const std::string library = HdLibrary::usualPath();
     const auto answer = inChildProcess([&library] { return tryPen(library); }, kPatience);
     if (!answer) {
-        pen.text = library + " is broken, " + answer.error().message +
-                   ": install the device's driver anew; Tactooth leaves it alone.";
+        pen.text = hdBrokenText(library, answer.error().message);
     } else if (!answer->empty()) {
         pen.ready = answer->front() == '+';
         pen.text = answer->substr(1);

@@ -15,7 +15,7 @@ struct SurveyedDevice {
     std::string text;  ///< what it can do; if not ready, one sentence that says why and what to do
 };
 
-/// Looks for all devices. Vendors' libraries are tried in child processes: call it while the program has one thread.
+/// Looks for all devices. Vendors' libraries are tried in child processes.
 [[nodiscard]] std::vector<SurveyedDevice> surveyDevices();
 
 }  // namespace tactooth

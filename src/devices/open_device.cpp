@@ -45,6 +45,9 @@ Expected<std::unique_ptr<HapticDevice>> openDevice(const std::string& name, bool
             "there is no device '" + name + "': --device takes " + kinds +
             ", or pen:NAME, inverse3:ID and gamepad:NAME for one of several; 'tactooth devices' shows what is there.");
     }
+    if (kind == "pen") {
+        if (const auto tried = HdLibrary::tryOut(HdLibrary::usualPath()); !tried) return Unexpected{tried.error()};
+    }
     if (const auto opened = device->open(); !opened) return Unexpected{opened.error()};
     return device;
 }

@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "devices/open_device.h"
 
+#include <dlfcn.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
+#include "standin/standin_hd.h"
 #include "virtual_pad.h"
 
 namespace tactooth {
@@ -33,6 +37,35 @@ TEST(OpenDevice, SaysWhatIsMissing) {
     setenv("TACTOOTH_LIBHD", "libNoSuchHD.so", 1);
     EXPECT_THAT(openDevice("pen").error().message, HasSubstr("install the device's driver"));
     unsetenv("TACTOOTH_LIBHD");
+}
+
+/// openDevice with another library for the pen.
+std::string penError(const std::string& library) {
+    setenv("TACTOOTH_LIBHD", library.c_str(), 1);
+    const auto opened = openDevice("pen");
+    unsetenv("TACTOOTH_LIBHD");
+    return opened ? "" : opened.error().message;
+}
+
+TEST(OpenDevice, ALibraryThatCrashesDoesNotTakeTheProgramWithIt) {
+    EXPECT_THAT(penError(TACTOOTH_CRASHING_HD), HasSubstr("is broken, it crashes"));
+    EXPECT_THAT(penError(TACTOOTH_CRASHING_HD), HasSubstr("install the device's driver anew"))
+        << "and not later, either";
+}
+
+TEST(OpenDevice, ALibraryThatCrashesWhenItStartsADeviceDoesNotEither) {
+    const auto library = std::filesystem::temp_directory_path() / "tactooth_crashing_start_hd.so";
+    std::filesystem::remove(library);
+    std::filesystem::create_symlink(TACTOOTH_STANDIN_HD, library);
+    const auto& standin = *static_cast<const test::HdStandinControl*>(
+        dlsym(dlopen(TACTOOTH_STANDIN_HD, RTLD_LAZY | RTLD_GLOBAL), "standinControl"));
+    standin.reset();
+    standin.setFault(static_cast<int>(test::HdFault::CrashAtStart));
+    EXPECT_THAT(penError(library), HasSubstr("is broken, it crashes"));
+    EXPECT_EQ(standin.startedPens(), 0);
+    standin.reset();
+    EXPECT_EQ(penError(library), "") << "mended";
+    std::filesystem::remove(library);
 }
 
 }  // namespace

@@ -13,7 +13,8 @@ namespace tactooth {
 namespace {
 
 constexpr unsigned kStaleTicks = 2;       // of the driver without a new force: the servo hangs, so nothing is rendered
-constexpr unsigned kLookEvery = 100;      // ticks between two looks at temperature and calibration
+constexpr unsigned kLookEvery = 100;      // ticks between two looks at the motors' temperature
+constexpr unsigned kSilences = 10;        // ticks in which a pen that is lost is told to make no force
 constexpr unsigned kTroubleTicks = 3000;  // that a passing trouble is shown for
 constexpr int kMostErrors = 16;           // in a tick: the list is the driver's, and it may be broken
 constexpr auto kRetry = std::chrono::seconds(1);
@@ -147,7 +148,12 @@ void HdDriver::stop(HdPen& pen) {
 std::uint32_t HdDriver::onTick(void* driver) {
     auto* const self = static_cast<HdDriver*>(driver);
     for (HdPen& pen : self->pens_) {
-        if (pen.active && !pen.lost.load(std::memory_order_relaxed)) self->exchange(pen);
+        if (!pen.active) continue;
+        if (!pen.lost.load(std::memory_order_relaxed)) {
+            self->exchange(pen);
+        } else if (pen.silences > 0) {
+            self->silence(pen);
+        }
     }
     return kHdContinue;
 }
@@ -160,13 +166,17 @@ void HdDriver::exchange(HdPen& pen) {
     std::int32_t buttons = 0;
     call_.getIntegers(hd::kButtons, &buttons);
     reading.buttons = static_cast<std::uint32_t>(buttons);
-    if (pen.ticks++ % kLookEvery == 0) lookAfter(pen);
+    const bool isTurn = pen.ticks++ % kLookEvery == 0;
+    if (isTurn) lookAtMotors(pen);
+    lookAtCalibration(pen, isTurn);
     pen.forceAge = pen.force.refresh() ? 0 : pen.forceAge + 1;
-    const Vec3 force = pen.forceAge < kStaleTicks ? pen.force.value() : Vec3::Zero();
+    const bool mayPush = pen.calibrated && pen.forceAge < kStaleTicks;
+    const Vec3 force = mayPush ? pen.force.value() : Vec3::Zero();
     call_.setDoubles(hd::kForce, force.data());
     pen.pushes.store(!force.isZero(0), std::memory_order_relaxed);
     call_.endFrame(pen.handle);
     takeErrors(pen);
+    if (pen.lost.load(std::memory_order_relaxed)) silence(pen);
     reading.motorHeat = pen.motorHeat;
     reading.calibrated = pen.calibrated;
     reading.time = monotonicSeconds();
@@ -174,13 +184,31 @@ void HdDriver::exchange(HdPen& pen) {
     sem_post(&pen.ready);
 }
 
-void HdDriver::lookAfter(HdPen& pen) {
+/// A fault need not be the motors': the library goes on with the last force until it is given another one.
+void HdDriver::silence(HdPen& pen) {
+    --pen.silences;
+    const Vec3 nothing = Vec3::Zero();
+    call_.makeCurrent(pen.handle);
+    call_.beginFrame(pen.handle);
+    call_.setDoubles(hd::kForce, nothing.data());
+    call_.endFrame(pen.handle);
+    call_.disable(hd::kForceOutput);
+    for (int i = 0; i < kMostErrors && call_.getError().code != 0; ++i) {  // of a device that is gone; it is said
+    }
+}
+
+void HdDriver::lookAtMotors(HdPen& pen) {
     std::array<double, 6> temperature{};
     call_.getDoubles(hd::kMotorTemperature, temperature.data());
     pen.motorHeat = 0;
     for (const double motor : temperature) pen.motorHeat = std::max(pen.motorHeat, sane(motor, 0, 1, 0));
+}
+
+/// At every tick: the place of a pen that has lost its calibration is not to be trusted, and so no force may come of
+/// it.
+void HdDriver::lookAtCalibration(HdPen& pen, bool mayUpdate) {
     const HdEnum state = call_.checkCalibration();
-    if (state == hd::kNeedsUpdate) call_.updateCalibration(static_cast<HdEnum>(pen.calibrationStyle));
+    if (mayUpdate && state == hd::kNeedsUpdate) call_.updateCalibration(static_cast<HdEnum>(pen.calibrationStyle));
     pen.calibrated = state == hd::kCalibrated;
     if (pen.calibrated) {
         const char* docked = kDockPen;
@@ -198,7 +226,10 @@ void HdDriver::takeErrors(HdPen& pen) {
         pen.trouble.store(hdErrorText(code));
         pen.troubleTicks = kTroubleTicks;
         if (code == hd::kWarmMotors) pen.motorHeat = 1;
-        if (!isHdErrorPassing(code)) pen.lost.store(true);
+        if (!isHdErrorPassing(code) && !pen.lost.exchange(true)) {
+            pen.silences = kSilences;
+            pen.pushes.store(false, std::memory_order_relaxed);
+        }
     }
 }
 

@@ -46,6 +46,7 @@ struct HdPen {
     unsigned forceAge = 0;  // ticks since the servo's last force
     unsigned ticks = 0;
     unsigned troubleTicks = 0;  // left for a trouble that passes
+    unsigned silences = 0;      // how often a lost pen is still told to make no force
     double motorHeat = 0;
     bool calibrated = false;
 };
@@ -69,7 +70,9 @@ public:
 private:
     static std::uint32_t onTick(void* driver);
     void exchange(HdPen& pen);
-    void lookAfter(HdPen& pen);
+    void lookAtMotors(HdPen& pen);
+    void lookAtCalibration(HdPen& pen, bool mayUpdate);
+    void silence(HdPen& pen);
     void takeErrors(HdPen& pen);
     [[nodiscard]] Expected<HdHandle> startDevice(const std::string& name);
     [[nodiscard]] bool isAnyPushing() const;

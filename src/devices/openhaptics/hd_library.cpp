@@ -6,9 +6,15 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <mutex>
+#include <set>
+
+#include "devices/child_probe.h"
 
 namespace tactooth {
 namespace {
+
+constexpr double kPatience = 10;  // s: a driver that looks for its device takes a few
 
 struct ErrorText {
     std::uint32_t code;
@@ -50,6 +56,7 @@ const char* firstMissing(void* library, HdFunctions& f) {
     take("hdEndFrame", f.endFrame);
     take("hdGetError", f.getError);
     take("hdEnable", f.enable);
+    take("hdDisable", f.disable);
     take("hdGetIntegerv", f.getIntegers);
     take("hdGetDoublev", f.getDoubles);
     take("hdSetDoublev", f.setDoubles);
@@ -62,6 +69,16 @@ const char* firstMissing(void* library, HdFunctions& f) {
     take("hdScheduleAsynchronous", f.schedule);
     take("hdUnschedule", f.unschedule);
     return missing;
+}
+
+/// Nothing, or why the library cannot be used.
+std::string startAndEnd(const std::string& path) {
+    const auto library = HdLibrary::load(path);
+    if (!library) return library.error().message;
+    const HdFunctions& call = (*library)->call();
+    const HdHandle handle = call.initDevice(nullptr);
+    if (call.getError().code == 0 && handle <= hd::kLargestHandle) call.disableDevice(handle);
+    return {};
 }
 
 }  // namespace
@@ -83,6 +100,21 @@ Expected<std::shared_ptr<const HdLibrary>> HdLibrary::load(const std::string& pa
                           ": it is another version; install OpenHaptics 3.4 or newer.");
     }
     return std::shared_ptr<const HdLibrary>(std::move(result));
+}
+
+Expected<void> HdLibrary::tryOut(const std::string& path) {
+    static std::mutex mutex;
+    static std::set<std::string> harmless;
+    const std::lock_guard lock(mutex);
+    if (harmless.contains(path)) return {};
+    const auto tried = inChildProcess([&path] { return startAndEnd(path); }, kPatience);
+    if (!tried) return unexpected(hdBrokenText(path, tried.error().message));
+    if (tried->empty()) harmless.insert(path);
+    return {};
+}
+
+std::string hdBrokenText(const std::string& library, const std::string& how) {
+    return library + " is broken, " + how + ": install the device's driver anew; Tactooth leaves it alone.";
 }
 
 const char* hdErrorText(std::uint32_t code) {

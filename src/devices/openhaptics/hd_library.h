@@ -64,6 +64,7 @@ struct HdFunctions {
     void (*endFrame)(HdHandle);
     HdErrorRecord (*getError)();
     void (*enable)(HdEnum);
+    void (*disable)(HdEnum);
     void (*getIntegers)(HdEnum, std::int32_t*);
     void (*getDoubles)(HdEnum, double*);
     void (*setDoubles)(HdEnum, const double*);
@@ -82,6 +83,10 @@ class HdLibrary {
 public:
     /// `path`: a file, or a name that the system's loader finds. Fails with a sentence that says what to install.
     [[nodiscard]] static Expected<std::shared_ptr<const HdLibrary>> load(const std::string& path);
+    /// Starts and ends a device of the library in a child process, unless that went well before: one that crashes or
+    /// hangs takes the child with it and not the program. Fails only then; a device that is not there is no matter
+    /// here.
+    [[nodiscard]] static Expected<void> tryOut(const std::string& path);
     /// $TACTOOTH_LIBHD, else libHD.so.
     [[nodiscard]] static std::string usualPath();
 
@@ -90,6 +95,9 @@ public:
 private:
     HdFunctions functions_{};
 };
+
+/// A library that crashes or hangs: which, and how it ended the child that tried it.
+[[nodiscard]] std::string hdBrokenText(const std::string& library, const std::string& how);
 
 /// What an error code means and what to do about it: one sentence. Lives as long as the program.
 [[nodiscard]] const char* hdErrorText(std::uint32_t code);

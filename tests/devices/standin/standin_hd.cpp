@@ -12,6 +12,7 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <csignal>
 #include <cstring>
 #include <deque>
 #include <limits>
@@ -36,6 +37,7 @@ constexpr double kMass = 2e-4, kSpring = 0.5, kDamper = 0.02;  // N*s^2/mm, N/mm
 
 struct Pen {
     bool started = false;
+    bool makesForce = false;  // hdEnable
     std::array<double, 3> position{}, speed{}, force{};
 };
 
@@ -114,7 +116,7 @@ void reset() {
     const std::lock_guard lock(guard);
     errors.clear();
     wanted = {};
-    for (Pen& pen : pens) pen = Pen{pen.started, {}, {}, {}};
+    for (Pen& pen : pens) pen = Pen{pen.started, pen.makesForce, {}, {}, {}};
     buttons = 0;
     fault = HdFault::None;
     faultyPen = -1;
@@ -204,7 +206,8 @@ tactooth::test::HdStandinControl standinControl = {
 
 std::uint32_t hdInitDevice(const char* name) {
     const std::lock_guard lock(guard);
-    if (fault == HdFault::InitError) errors.push_back(0x0300);
+    if (fault == HdFault::CrashAtStart) std::raise(SIGSEGV);
+    if (fault == HdFault::InitError || fault == HdFault::DeviceFault) errors.push_back(0x0300);
     const std::uint32_t pen = name != nullptr && std::strcmp(name, "Left") == 0 ? 1 : 0;
     if ((fault == HdFault::LinkFault && isFaulty(pen)) || fault == HdFault::Unplugged) errors.push_back(0x0302);
     if (fault == HdFault::InUse || pens[pen].started) errors.push_back(0x0301);
@@ -226,10 +229,8 @@ void hdBeginFrame(std::uint32_t) {}
 
 void hdEndFrame(std::uint32_t) {
     const std::lock_guard lock(guard);
-    if (fault == HdFault::LinkFault && isFaulty(current)) {
-        errors.push_back(0x0302);
-        pens[std::min(current, kMostPens - 1)].force = {};  // its amplifier switches off
-    }
+    if (fault == HdFault::LinkFault && isFaulty(current)) errors.push_back(0x0302);
+    if (fault == HdFault::DeviceFault && isFaulty(current)) errors.push_back(0x0300);
     if (fault == HdFault::WarmMotors) errors.push_back(0x0200);
 }
 
@@ -241,7 +242,16 @@ ErrorRecord hdGetError() {
     return {code, -1, current};
 }
 
-void hdEnable(std::uint32_t) {}
+void switchForce(std::uint32_t what, bool on) {
+    const std::lock_guard lock(guard);
+    Pen& pen = pens[std::min(current, kMostPens - 1)];
+    if (what != 0x4000) return;
+    pen.makesForce = on;
+    if (!on) pen.force = {};
+}
+
+void hdEnable(std::uint32_t what) { switchForce(what, true); }
+void hdDisable(std::uint32_t what) { switchForce(what, false); }
 
 void hdGetIntegerv(std::uint32_t what, std::int32_t* out) {
     const std::lock_guard lock(guard);
@@ -261,7 +271,7 @@ void hdGetDoublev(std::uint32_t what, double* out) {
 
 void hdSetDoublev(std::uint32_t what, const double* in) {
     const std::lock_guard lock(guard);
-    if (what != 0x2700 || current >= kMostPens) return;
+    if (what != 0x2700 || current >= kMostPens || !pens[current].makesForce) return;
     std::copy(in, in + 3, pens[current].force.begin());
     if (current == 0 && lengthOf(pens[0].force) > 0) lastForceTick = ticksSinceFault;
 }

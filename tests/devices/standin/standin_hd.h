@@ -19,7 +19,9 @@ enum class HdFault : int {
     NeedsInkwell,   ///< the pen has to be docked
     Stall,          ///< one pause of the callbacks of 5 ms
     NanPose,
-    Jump,  ///< of 50 mm
+    Jump,          ///< of 50 mm
+    DeviceFault,   ///< an error at every frame, while the motors go on
+    CrashAtStart,  ///< the library crashes when a device is started
 };
 
 /// The stand-in's own door, beside HDAPI's functions: found by dlsym as "standinControl".
