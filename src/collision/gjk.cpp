@@ -20,6 +20,7 @@ using Points = std::span<const Vec3>;
 
 constexpr int kMaxRounds = 24;         // 9 to 18 support points exist: 4-5 rounds are usual, more means rounding
 constexpr double kTouching = 1e-14;    // of the triangles' size: closer than this is contact
+constexpr double kFairGap = 0.5;       // of the distance: less than that of a slab is a fault of its direction
 constexpr double kDualityGap = 1e-15;  // relative: below it a further round cannot improve a double
 
 int supportIndex(Points points, const Vec3& direction) {
@@ -43,14 +44,25 @@ double squaredSize(Points points) {
 
 double slabWidth(Points a, Points b, const Vec3& normal) { return lowestAlong(b, normal) - highestAlong(a, normal); }
 
-/// The normal of the features that the simplex names: more exact than the difference of two nearly equal points.
-Vec3 featureNormal(Points a, Points b, const MinkowskiSimplex& simplex) {
-    if (simplex.size() != 3) return Vec3::Zero();
-    const Vec3 normal = simplex.edge(0, 1).cross(simplex.edge(0, 2));
+/// Takes the normal of a plane, either way round, if the slab along it is wider than the result's.
+void prefer(Points a, Points b, const Vec3& normal, GjkResult& result) {
     const double length = normal.norm();
-    if (length == 0) return Vec3::Zero();
-    const Vec3 unit = normal / length;
-    return slabWidth(a, b, unit) >= slabWidth(a, b, -unit) ? unit : Vec3(-unit);
+    if (length == 0) return;
+    for (const Vec3& unit : {Vec3(normal / length), Vec3(-normal / length)}) {
+        const double gap = slabWidth(a, b, unit);
+        if (gap > result.gap) result.gap = gap, result.normal = unit;
+    }
+}
+
+Vec3 normalOf(Points triangle) { return (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]); }
+
+/// The normal of the features that the simplex names is more exact than the difference of two nearly equal points. Far
+/// below their size a corner over an edge has none: then one of the triangles' own, which stands beside the other.
+void refineNormal(Points a, Points b, const MinkowskiSimplex& simplex, GjkResult& result) {
+    if (simplex.size() == 3) prefer(a, b, simplex.edge(0, 1).cross(simplex.edge(0, 2)), result);
+    if (result.gap >= kFairGap * result.distance) return;
+    prefer(a, b, normalOf(a), result);
+    prefer(a, b, normalOf(b), result);
 }
 
 GjkResult separatedResult(Points a, Points b, const MinkowskiSimplex& simplex, const Vec3& nearest, int rounds) {
@@ -59,13 +71,7 @@ GjkResult separatedResult(Points a, Points b, const MinkowskiSimplex& simplex, c
     result.distance = nearest.norm();
     result.normal = nearest / result.distance;
     result.gap = slabWidth(a, b, result.normal);
-    if (result.gap < result.distance * (1 - 1e-9)) {
-        const Vec3 normal = featureNormal(a, b, simplex);
-        if (const double gap = slabWidth(a, b, normal); gap > result.gap && !normal.isZero()) {
-            result.normal = normal;
-            result.gap = gap;
-        }
-    }
+    if (result.gap < result.distance * (1 - 1e-9)) refineNormal(a, b, simplex, result);
     result.separated = result.gap > 0;
     if (!result.separated) return {.rounds = rounds};
     for (int i = 0; i < simplex.size(); ++i) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -22,8 +23,16 @@ struct DeviceInfo {
     bool hasPedal = false;
     ForceLimits limits;             ///< that the safety limiter keeps to
     Vec3 workspace = Vec3::Zero();  ///< size of the room that the hand can reach, mm; zero: not bounded
-    double stiffness = std::numeric_limits<double>::infinity();  ///< N/mm: the stiffest wall that does not shake
+    double stiffness =
+        std::numeric_limits<double>::infinity();  ///< N/mm: the stiffest wall that does not shake, at 1 kHz
 };
+
+/// The stiffest wall that such a device renders at another rate: half as many ticks feed it twice the energy, so a wall
+/// may be half as stiff (J. E. Colgate, G. Schenkel, "Passivity of a Class of Sampled-Data Systems", American Control
+/// Conference 1994: b > k T / 2). More than 1 kHz is not trusted to bear more: the device's own mechanics bound it.
+[[nodiscard]] inline double stiffestAt(double stiffness, double rateHz) {
+    return stiffness * std::min(1.0, rateHz / 1000);
+}
 
 /// The hand and the foot at one moment.
 struct DeviceSample {

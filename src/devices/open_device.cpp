@@ -22,8 +22,9 @@ constexpr std::array<DeviceKind, 5> kKinds = {{
 }};
 
 /// `own`: what stands behind the colon.
-std::unique_ptr<HapticDevice> makeDevice(const std::string& kind, const std::string& own, bool leftHanded) {
-    if (kind == "pen") return std::make_unique<OpenHapticsDevice>(own, HdLibrary::usualPath());
+std::unique_ptr<HapticDevice> makeDevice(const std::string& kind, const std::string& own, bool leftHanded,
+                                         double rateHz) {
+    if (kind == "pen") return std::make_unique<OpenHapticsDevice>(own, HdLibrary::usualPath(), rateHz);
     if (kind == "inverse3") return std::make_unique<HaplyDevice>(own);
     if (kind == "gamepad") return std::make_unique<GamepadDevice>(own, leftHanded);
     if (kind == "spacemouse" && own.empty()) return std::make_unique<SpaceMouseDevice>();
@@ -34,10 +35,10 @@ std::unique_ptr<HapticDevice> makeDevice(const std::string& kind, const std::str
 
 std::span<const DeviceKind> deviceKinds() { return kKinds; }
 
-Expected<std::unique_ptr<HapticDevice>> openDevice(const std::string& name, bool leftHanded) {
+Expected<std::unique_ptr<HapticDevice>> openDevice(const std::string& name, bool leftHanded, double rateHz) {
     const std::string kind = name.substr(0, name.find(':'));
     const std::string own = name.size() > kind.size() ? name.substr(kind.size() + 1) : std::string();
-    std::unique_ptr<HapticDevice> device = makeDevice(kind, own, leftHanded);
+    std::unique_ptr<HapticDevice> device = makeDevice(kind, own, leftHanded, rateHz);
     if (device == nullptr) {
         std::string kinds;
         for (const DeviceKind& each : kKinds) kinds += (kinds.empty() ? "" : ", ") + std::string(each.name);

@@ -22,7 +22,8 @@ struct DeviceKind {
 /// OpenHaptics, "pen:NAME" the one of that name in the vendor's setup program; "gamepad" the first gamepad,
 /// "gamepad:NAME" the first whose name holds NAME; "inverse3" the first Haply Inverse3, "inverse3:ID" the one of that
 /// name. Fails with one sentence that says what to do. May take seconds. `leftHanded`: for devices that are not the
-/// same for both hands.
-[[nodiscard]] Expected<std::unique_ptr<HapticDevice>> openDevice(const std::string& name, bool leftHanded = false);
+/// same for both hands. `rateHz`: for devices whose driver paces the servo.
+[[nodiscard]] Expected<std::unique_ptr<HapticDevice>> openDevice(const std::string& name, bool leftHanded = false,
+                                                                 double rateHz = 1000);
 
 }  // namespace tactooth

@@ -8,12 +8,16 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <atomic>
+
 #include "haptics/light_sleep.h"
 
 namespace tactooth {
 namespace {
 
 constexpr int kPriority = 60;  // above everything ordinary, below the kernel's own interrupt threads
+
+std::atomic<bool> locked{false};
 
 rlimit limitOf(decltype(RLIMIT_RTPRIO) what) {
     rlimit limit{};
@@ -32,7 +36,12 @@ bool takeRealTimePriority() {
 }
 
 /// Pages are locked as they are first used: a large tooth that is only looked at part by part stays cheap.
-bool lockMemory() { return mayLockMemory() && mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT) == 0; }
+bool lockMemory() {
+    locked = mayLockMemory() && mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT) == 0;
+    return locked;
+}
+
+bool isMemoryLocked() { return locked; }
 
 RealTimeRights realTimeRights() {
     RealTimeRights rights;

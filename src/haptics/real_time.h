@@ -11,7 +11,9 @@ namespace tactooth {
 
 /// Keeps the program's memory from being moved out to disk, also what it takes later. False where the system forbids
 /// it; a small allowance counts as forbidden, since threads would then fail to start.
-[[nodiscard]] bool lockMemory();
+bool lockMemory();
+/// Whether that has been done.
+[[nodiscard]] bool isMemoryLocked();
 
 /// What the system allows this user, without taking it.
 struct RealTimeRights {

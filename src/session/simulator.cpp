@@ -38,6 +38,7 @@ Simulator::Simulator(std::shared_ptr<WorkPiece> piece, Instrument instrument, co
     : piece_(std::move(piece)),
       instrument_(std::move(instrument)),
       settings_(settings),
+      rateHz_(rateHz),
       device_(device),
       second_(second),
       onTick_(std::move(onTick)),
@@ -92,7 +93,7 @@ void Simulator::servoTick(double elapsed) {
 
     hands_.read(elapsed, {controls.clutch, controls.fineness, controls.buttons});
     mirrorForWatcher_.write(hands_.mirror());
-    simulation_.force().setStiffest(hands_.stiffest());
+    simulation_.force().setStiffest(stiffestAt(hands_.stiffest(), rateHz_));
     const double pedal = std::max(controls.pedal, hands_.pedal());
     Tick tick = simulation_.step({hands_.turbine(), pedal, controls.cutting != hands_.cutToggled()}, elapsed);
     hands_.write(tick, controls.forceEnabled && !leaving_.load(std::memory_order_relaxed), elapsed);

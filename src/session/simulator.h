@@ -116,6 +116,7 @@ private:
     std::shared_ptr<WorkPiece> piece_;
     Instrument instrument_;
     HapticSettings settings_;
+    double rateHz_;
     HapticDevice& device_;
     HapticDevice* second_;
     TickListener onTick_;

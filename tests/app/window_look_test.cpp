@@ -249,7 +249,7 @@ void WindowLookTest::theRealTimePanelShowsTheTicksAndCountsAnew() {
     QTRY_VERIFY_WITH_TIMEOUT(ticks() > 0 && ticks() < all, 20000);
     auto* panel = window_->findChild<TimingPanel*>();
     panel->forget();  // as for another simulator
-    panel->show(*window_->bench().simulator(), "mouse");
+    panel->show(*window_->bench().simulator(), "mouse", 1000);
     QVERIFY(ticks() >= all);
     window_->findChild<QDockWidget*>("Last ten seconds")->raise();
 }

@@ -341,7 +341,8 @@ void WindowMenuTest::everySettingIsThereAfterARestart() {
         if (const auto* flag = std::get_if<WindowOption::Switch>(&option.value)) (*flag)(wanted) = !(*flag)(wanted);
         if (const auto* number = std::get_if<WindowOption::Number>(&option.value)) {
             const bool counts = std::string_view(option.key).ends_with("button");
-            (*number)(wanted) = counts ? 4 : option.highest == 1 ? 0.25 : 1.5 < option.highest ? 1.5 : 0.0125;
+            const double some = option.highest == 1 ? 0.25 : 1.5 < option.highest ? 1.5 : 0.0125;
+            (*number)(wanted) = counts ? 4 : std::max(some, 1.5 * option.lowest);
         }
     }
     wanted.mirror.number = std::string("2");
@@ -349,9 +350,11 @@ void WindowMenuTest::everySettingIsThereAfterARestart() {
     wanted.secondView = std::string("mesial");
     const auto file = folder_ / "settings/window.toml";
     QVERIFY(writeWindowSettings(wanted, file).has_value());
+    const auto read = readWindowSettings(file);
+    QVERIFY2(read.has_value(), read.has_value() ? "" : read.error().message.c_str());
     {
         MainWindow again(*sound_);
-        again.apply(*readWindowSettings(file));
+        again.apply(*read);
         QVERIFY(writeWindowSettings(again.settings(), file).has_value());
     }
     const auto kept = readWindowSettings(file);

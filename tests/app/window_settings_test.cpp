@@ -20,7 +20,7 @@ WindowSettings unusual() {
             .showsTurbine = false,
             .showsMirror = false,
             .force = {false, 0.75, 0.0125, 1.5, 2.2, 0.35},
-            .hand = {"gamepad:Wireless", "pen:Left", 2.5, true, 3, 0, 5, "axis:2:Foot", 0.25, 0.75, "F5"},
+            .hand = {"gamepad:Wireless", "pen:Left", 2.5, 2000, true, 3, 0, 5, "axis:2:Foot", 0.25, 0.75, "F5"},
             .sound = {.motor = 0.25, .cutting = 0.5, .master = 0.75, .muted = true, .environment = 0.125},
             .headphones = true,
             .ownSounds = "/home/someone/school.toml",
@@ -93,6 +93,7 @@ TEST(WindowSettings, WhatAFileDoesNotSayKeepsItsDefaultAndUnknownKeysArePassedOv
 TEST(WindowSettings, AValueThatCannotBeMeantIsRefusedWithItsLine) {
     EXPECT_EQ(refusal("[force]\nspring = -1\n"), "window.toml, line 2: 'spring' must be a number from 0 to 3.");
     EXPECT_EQ(refusal("[force]\nscale = nan\n"), "window.toml, line 2: 'scale' must be a number from 0 to 3.");
+    EXPECT_EQ(refusal("[hand]\nrate = 100\n"), "window.toml, line 2: 'rate' must be a number from 500 to 4000.");
     EXPECT_EQ(refusal("[sound]\n\nall = \"loud\"\n"), "window.toml, line 3: 'all' must be a number from 0 to 1.");
     EXPECT_EQ(refusal("[sound]\nmuted = 1\n"), "window.toml, line 2: 'muted' must be true or false.");
     EXPECT_EQ(refusal("[window]\nfolder = 7\n"), "window.toml, line 2: 'folder' must be a text in quotes.");
@@ -143,6 +144,7 @@ TEST(WindowSettings, EachIsAFlagToo) {
 TEST(WindowSettings, AFlagThatCannotBeMeantIsRefused) {
     WindowSettings settings;
     EXPECT_EQ(setOption(settings, "--force-spring", "4"), "--force-spring takes a number from 0 to 3, not '4'.");
+    EXPECT_EQ(setOption(settings, "--hand-rate", "300"), "--hand-rate takes a number from 500 to 4000, not '300'.");
     EXPECT_EQ(setOption(settings, "--force-damper", "x"), "--force-damper takes a number from 0 to 0.02, not 'x'.");
     EXPECT_EQ(setOption(settings, "--window-dark", "1"), "--window-dark takes yes or no, not '1'.");
     EXPECT_EQ(settings.force.spring, WindowSettings().force.spring);

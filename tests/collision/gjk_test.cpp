@@ -53,6 +53,26 @@ TEST(Gjk, AgreesWithEveryFeatureTriedAtThreeScales) {
     EXPECT_LT(apart, kPairs * 9 / 10);
 }
 
+// A nanometre over the long edge that two triangles share, in which a corner has no features to name a normal.
+TEST(Gjk, SeesThatACornerOverALongEdgeIsApart) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> along(0.05, 0.95), tilt(-0.5, 0.5);
+    const Triangle3 floor = {Vec3(-40, -40, 0), Vec3(40, -40, 0), Vec3(40, 40, 0)};
+    for (int i = 0; i < 10000; ++i) {
+        const double place = -40 + 80 * along(random);
+        const double height = i % 2 == 0 ? 1e-6 : 1e-5;
+        const Vec3 corner(place, place, height);
+        const Triangle3 above = {corner, corner + Vec3(0.3, tilt(random), 0.4), corner + Vec3(tilt(random), 0.3, 0.5)};
+        for (const bool swapped : {false, true}) {
+            const GjkResult result = swapped ? distanceBetween(above, floor, Vec3(tilt(random), tilt(random), -1))
+                                             : distanceBetween(floor, above, Vec3(tilt(random), tilt(random), 1));
+            ASSERT_TRUE(result.separated) << i;
+            ASSERT_NEAR(result.distance, height, 1e-12);
+            ASSERT_GE(result.gap, 0.5 * height) << i;
+        }
+    }
+}
+
 TEST(Gjk, MeasuresATinyGapToTheLastDigits) {
     const Triangle3 floor = {Vec3(10, 10, 20), Vec3(11, 10, 20), Vec3(10, 11, 20)};
     for (const double gap : {1e-3, 1e-6, 1e-9}) {

@@ -93,14 +93,14 @@ TEST(Stability, EqualRunsGiveEqualBits) {
 }
 
 TEST(StabilityPieces, EncloseTheVolumeOfTheirProfile) {
-    // 12 mm wide and long, 8 mm high, less what the profile takes away.
+    // 80 mm wide and long, 60 mm high, less what the profile takes away.
     const auto volumeOf = [](const std::shared_ptr<const Surface>& piece) {
         return reportOn(piece->base->mesh()).signedVolume;
     };
-    EXPECT_NEAR(volumeOf(flatPiece(MaterialId::Enamel)), 12 * 12 * 8, 1e-3);
-    EXPECT_NEAR(volumeOf(ridgePiece(MaterialId::Enamel)), 12 * (12 * 8 - 6 * 6), 1e-3);
-    EXPECT_NEAR(volumeOf(groovePiece(MaterialId::Enamel)), 12 * (12 * 8 - 1), 1e-3);
-    EXPECT_NEAR(volumeOf(slotPiece(MaterialId::Enamel)), 12 * (12 * 8 - 2 * 0.77), 1e-3);
+    EXPECT_NEAR(volumeOf(flatPiece(MaterialId::Enamel)), 80 * 80 * 60, 1e-3);
+    EXPECT_NEAR(volumeOf(ridgePiece(MaterialId::Enamel)), 80 * (80 * 60 - 40 * 40), 1e-3);
+    EXPECT_NEAR(volumeOf(groovePiece(MaterialId::Enamel)), 80 * (80 * 60 - 1), 1e-3);
+    EXPECT_NEAR(volumeOf(slotPiece(MaterialId::Enamel)), 80 * (80 * 60 - 2 * 0.77), 1e-3);
 }
 
 }  // namespace

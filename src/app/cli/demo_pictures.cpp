@@ -28,7 +28,7 @@ Shot shotOf(DemoView view) {
     switch (view) {
         case DemoView::Touch:
             return {.direction = {1.80, 0.62}, .around = 5.0, .above = 1.2};  // over the cheek, as an assistant looks
-        case DemoView::Work:
+        case DemoView::AtWork:
             return {.direction = {1.95, 0.70}, .around = 4.2, .above = 2.6};
         case DemoView::Cut:  // as the dentist looks down into the cavity, by the lamp on the loupe
             return {.direction = {1.65, 1.22}, .around = 1.75, .tool = false, .loupeLamp = true};

@@ -23,9 +23,9 @@ struct DemoProps {
 
 /// What a picture is of.
 enum class DemoView {
-    Touch,  ///< the bur on the tooth, from the buccal side and above
-    Work,   ///< the bur at work in its spray, nearer
-    Cut,    ///< the cavity, nearer and steeper; the instrument, which would stand in its light, is taken away
+    Touch,   ///< the bur on the tooth, from the buccal side and above
+    AtWork,  ///< the bur at work in its spray, nearer
+    Cut,     ///< the cavity, nearer and steeper; the instrument, which would stand in its light, is taken away
 };
 
 /// What a picture shows of one moment.

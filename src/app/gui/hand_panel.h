@@ -52,8 +52,10 @@ signals:
 
 private:
     static void showChosen(QComboBox& box, const QString& name);
+    void showRate(double rate);
     void addDevices(QGridLayout& grid);
     void addHold(QGridLayout& grid);
+    void addRate(QGridLayout& grid);
     void addButtons(QGridLayout& grid);
     void addPedal(QGridLayout& grid);
 
@@ -62,6 +64,7 @@ private:
     QLabel* state_;
     QLabel* secondState_;
     NumberRow* fineness_;
+    QComboBox* rate_;
     QPushButton* clutch_;
     QAction* clutchAction_;
     QCheckBox* leftHanded_;

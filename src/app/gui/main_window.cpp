@@ -350,13 +350,18 @@ void MainWindow::takeNews(const Workbench::News& news) {
         complain(translated(*news.failure));
         exercise_->show(practised_);  // the tooth of another one may not have come
     }
-    if (news.heavyTick) {  // no message that would take the keys and the pedal from a hand at work
+    // No message that would take the keys and the pedal from a hand at work.
+    if (news.trouble) {
+        *news.trouble != nullptr ? status_->setHint(translated(*news.trouble)) : showUsualHint();
+        forceWaits_ = false;
+    }
+    if (news.heavyTick) {
         status_->setHint(
             tr("The scene is heavy for this machine: one tick in a hundred takes %1 of the %2 µs that there are; "
                "take a tooth of fewer triangles ('tactooth simplify') or a bur of fewer triangles, and close "
                "other programs.")
                 .arg(*news.heavyTick, 0, 'f', 0)
-                .arg(1e6 / Workbench::kServoRate, 0, 'f', 0));
+                .arg(1e6 / bench_.rate(), 0, 'f', 0));
     }
     if (news.newSimulator) {
         trace_.clear();
@@ -429,7 +434,8 @@ void MainWindow::showStatus(const Simulator& simulator) {
     status_->show(simulator, sound_.status());
     if (!timing_->isVisible()) return;
     const HapticDevice* device = bench_.device();
-    timing_->show(simulator, device != nullptr ? QString::fromStdString(device->info().name) : tr("mouse"));
+    timing_->show(simulator, device != nullptr ? QString::fromStdString(device->info().name) : tr("mouse"),
+                  bench_.rate());
 }
 
 void MainWindow::showNumbers() {

@@ -42,9 +42,12 @@ void MainWindow::takeHandSettings() {
     bench_.controls.fineness = settings.fineness;
     bench_.controls.buttons = handPanel_->buttons();
     bench_.controls.clutch = handPanel_->clutch();
-    if (settings.leftHanded != bench_.isLeftHanded()) {
+    if (settings.leftHanded != bench_.isLeftHanded() || settings.rate != bench_.rate()) {
         bench_.setLeftHanded(settings.leftHanded);
-        if (bench_.device() != nullptr) steerBy(QString::fromStdString(settings.device));  // it may change over too
+        bench_.setRate(settings.rate);
+        // They may change over too.
+        if (bench_.secondDevice() != nullptr) holdMirrorBy(QString::fromStdString(settings.secondDevice));
+        if (bench_.device() != nullptr) steerBy(QString::fromStdString(settings.device));
     }
     pedalKey_ = pedalKeyOf(settings);
 }
@@ -84,8 +87,9 @@ void MainWindow::steerBy(const QString& name) {
         return;
     }
     status_->setHint(tr("Opening the device…"));
-    comingDevice_.start(
-        [wanted = name.toStdString(), left = bench_.isLeftHanded()] { return openDevice(wanted, left); });
+    comingDevice_.start([wanted = name.toStdString(), left = bench_.isLeftHanded(), rate = bench_.rate()] {
+        return openDevice(wanted, left, rate);
+    });
 }
 
 void MainWindow::holdMirrorBy(const QString& name) {
@@ -96,8 +100,9 @@ void MainWindow::holdMirrorBy(const QString& name) {
         second_ = kNoDevice;
         return;
     }
-    comingSecond_.start(
-        [wanted = name.toStdString(), left = bench_.isLeftHanded()] { return openDevice(wanted, left); });
+    comingSecond_.start([wanted = name.toStdString(), left = bench_.isLeftHanded(), rate = bench_.rate()] {
+        return openDevice(wanted, left, rate);
+    });
 }
 
 void MainWindow::takeDevices() {
@@ -154,7 +159,9 @@ void MainWindow::showHand() {
     const HapticDevice* second = bench_.secondDevice();
     handPanel_->showSecondState(second != nullptr ? QString::fromStdString(second->info().name) : QString(),
                                 second != nullptr ? second->trouble() : nullptr);
-    const bool waits = device != nullptr && force == ForceState::WaitsForFree && bench_.newest().contacts > 0;
+    // What ails the device comes first: see takeNews.
+    const bool waits = device != nullptr && device->trouble() == nullptr && force == ForceState::WaitsForFree &&
+                       bench_.newest().contacts > 0;
     if (waits != std::exchange(forceWaits_, waits)) {
         waits ? status_->setHint(forceStateText(ForceState::WaitsForFree)) : showUsualHint();
     }

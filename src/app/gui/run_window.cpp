@@ -12,6 +12,7 @@
 #include "app/gui/main_window.h"
 #include "app/gui/window_holder.h"
 #include "app/gui/window_setup.h"
+#include "haptics/real_time.h"
 #include "session/exercise_file.h"
 #include "sound/openal_output.h"
 
@@ -92,6 +93,7 @@ int runWindow(const WindowOptions& options) {
     const auto application = startApplication(argc, argv);
     if (const auto openGl = checkOpenGl(); !openGl) return refuse(openGl.error());
 
+    lockMemory();  // where it is allowed: the timing panel says so, 'tactooth doctor' how to get it
     OpenAlOutput sound;
     WindowHolder holder(*application, sound);
     int exitCode = kExitOk;

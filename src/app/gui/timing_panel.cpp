@@ -12,6 +12,7 @@
 
 #include "app/gui/elided_label.h"
 #include "app/gui/workbench.h"
+#include "haptics/real_time.h"
 
 namespace tactooth {
 namespace {
@@ -83,7 +84,7 @@ void TimingPanel::forget() {
     }
 }
 
-void TimingPanel::show(const Simulator& simulator, const QString& device) {
+void TimingPanel::show(const Simulator& simulator, const QString& device, double rateHz) {
     latest_ = now(simulator);
     std::array<LatencyCounts, kRows> counts;
     for (std::size_t row = 0; row < kRows; ++row) {
@@ -100,11 +101,12 @@ void TimingPanel::show(const Simulator& simulator, const QString& device) {
         tr("%1 ticks, %2 missed (%3 %)").arg(locale().toString(ticks), locale().toString(missed)).arg(share, 0, 'f', 2),
         tr("Device: %1").arg(device),
         simulator.isRealTime() ? tr("Real-time priority") : tr("Ordinary priority (see 'tactooth doctor')"),
+        isMemoryLocked() ? tr("Memory locked") : tr("Memory may be swapped out (see 'tactooth doctor')"),
         simulator.sleepsLightly() ? tr("Processors kept from deep sleep")
                                   : tr("Processors may sleep deeply (see 'tactooth doctor')")};
     facts_->setText(facts.join("  ·  "));
     picture_->show({{tr("work of a tick"), kWorkColour, counts[0]}, {tr("woken late"), kLateColour, counts[1]}},
-                   1e6 / Workbench::kServoRate);
+                   1e6 / rateHz);
 }
 
 }  // namespace tactooth

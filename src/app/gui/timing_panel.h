@@ -23,7 +23,7 @@ public:
     explicit TimingPanel(QWidget* parent = nullptr);
 
     /// `device`: what the hand holds, for people. Call about once a second.
-    void show(const Simulator& simulator, const QString& device);
+    void show(const Simulator& simulator, const QString& device, double rateHz);
     /// What is shown next belongs to another simulator, which counts from zero.
     void forget();
 

@@ -54,6 +54,8 @@ constexpr std::array kOptions = {
     WindowOption{"hand", "second_device", Text([](S& s) -> std::string& { return s.hand.secondDevice; }), 0, nullptr},
     WindowOption{"hand", "fineness", Number([](S& s) -> double& { return s.hand.fineness; }), kMostFineness,
                  "mm that a device's hand moves for each mm of the bur, 1 to 3"},
+    WindowOption{"hand", "rate", Number([](S& s) -> double& { return s.hand.rate; }), kMostRate,
+                 "Forces a second: 500 to 4000, usually 1000", kLeastRate},
     WindowOption{"hand", "left_handed", Switch([](S& s) -> bool& { return s.hand.leftHanded; }), 0,
                  "Handles leave to the other side, a gamepad's halves change places"},
     WindowOption{"hand", "swap_button", Number([](S& s) -> double& { return s.hand.swapButton; }), kMostButton,
@@ -102,10 +104,9 @@ Expected<void> setWindowOption(WindowSettings& settings, const WindowOption& opt
         return {};
     }
     const auto number = toNumber<double>(text);
-    if (!number || !(*number >= 0) || *number > option.highest) {
-        std::string highest = std::to_string(option.highest);
-        highest.erase(highest.find_last_not_of("0.") + 1);
-        return unexpected(flagOf(option) + " takes a number from 0 to " + highest + ", not '" + text + "'.");
+    if (!number || !(*number >= option.lowest) || *number > option.highest) {
+        return unexpected(flagOf(option) + " takes a number from " + numberText(option.lowest) + " to " +
+                          numberText(option.highest) + ", not '" + text + "'.");
     }
     std::get<Number>(option.value)(settings) = *number;
     return {};

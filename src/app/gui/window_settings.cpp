@@ -37,16 +37,16 @@ public:
             refuse(*found, key, "true or false");
         }
     }
-    void number(std::string_view table, std::string_view key, double highest, double& value) {
+    void number(std::string_view table, std::string_view key, double lowest, double highest, double& value) {
         const toml::node* found = node(table, key);
         if (found == nullptr) return;
         const std::optional<double> held = found->is_number() ? found->value<double>() : std::nullopt;
-        if (held && *held >= 0 && *held <= highest) {
+        if (held && *held >= lowest && *held <= highest) {
             value = *held;
             return;
         }
         std::ostringstream wanted;
-        wanted << "a number from 0 to " << highest;
+        wanted << "a number from " << lowest << " to " << highest;
         refuse(*found, key, wanted.str());
     }
     [[nodiscard]] const std::optional<Error>& error() const { return error_; }
@@ -81,7 +81,7 @@ Expected<WindowSettings> settingsFrom(const toml::table& root, std::string_view 
         } else if (const auto* on = std::get_if<WindowOption::Switch>(&option.value)) {
             reader.yesOrNo(option.table, option.key, (*on)(settings));
         } else {
-            reader.number(option.table, option.key, option.highest,
+            reader.number(option.table, option.key, option.lowest, option.highest,
                           std::get<WindowOption::Number>(option.value)(settings));
         }
     }

@@ -31,6 +31,7 @@ struct HandSettings {
     std::string device = "mouse";       ///< see openDevice
     std::string secondDevice = "none";  ///< of the other hand, likewise
     double fineness = 1;                ///< mm of the hand for each mm of the tool
+    double rate = 1000;                 ///< forces a second
     bool leftHanded = false;
     double swapButton = 1;  ///< turbine or mirror; buttons are counted from 1, 0 is none
     double cutButton = 2;   ///< touch or cut
@@ -42,6 +43,7 @@ struct HandSettings {
     bool operator==(const HandSettings&) const = default;
 };
 inline constexpr double kMostFineness = 3;
+inline constexpr double kLeastRate = 500, kMostRate = 4000;  ///< Hz
 inline constexpr double kMostButton = 8;
 
 // Ranges: a desk-top device renders 1 N/mm cleanly and 3 N/mm with luck; 2 N*s/m is what a hand does not feel as
@@ -100,8 +102,9 @@ struct WindowOption {
     const char* table;
     const char* key;
     std::variant<Text, Switch, Number> value;
-    double highest;    ///< of a number, which starts at 0
-    const char* help;  ///< null: of no use on a command line
+    double highest;     ///< of a number
+    const char* help;   ///< null: of no use on a command line
+    double lowest = 0;  ///< of a number
 };
 [[nodiscard]] std::span<const WindowOption> windowOptions();
 

@@ -49,6 +49,11 @@ void Workbench::setSpindle(const SpindlePreset& spindle) {
     simulatorIsOld_ = true;
 }
 
+void Workbench::setRate(double rateHz) {
+    if (rateHz == std::exchange(rate_, rateHz)) return;
+    simulatorIsOld_ = true;
+}
+
 void Workbench::put(std::unique_ptr<HapticDevice> device) {
     simulator_.reset();  // it uses the old one
     device_ = std::move(device);
@@ -82,9 +87,8 @@ void Workbench::putSecond(std::unique_ptr<HapticDevice> device) {
 void Workbench::reportTrouble(News& news) {
     const char* trouble = device_ ? device_->trouble() : nullptr;
     if (trouble == nullptr && second_) trouble = second_->trouble();
-    if (trouble != nullptr && trouble != trouble_) news.failure = trouble;
-    trouble_ = trouble;
-    if (saidHeavy_ || !isSceneHeavy(simulator_->timing(), kServoRate)) return;
+    if (trouble != std::exchange(trouble_, trouble)) news.trouble = trouble;
+    if (saidHeavy_ || !isSceneHeavy(simulator_->timing(), rate_)) return;
     saidHeavy_ = true;  // once for each tooth, bur and device
     news.heavyTick = slowTick(simulator_->timing());
 }
@@ -129,7 +133,7 @@ void Workbench::startSimulator(News& news) {
             if (!suction_) heard.suction = 0;
             sound_.publish(heard);
         },
-        kServoRate, seat, second_.get());
+        rate_, seat, second_.get());
     saidHeavy_ = false;
     timeBefore_ += newest_.time;
     newest_ = Tick();

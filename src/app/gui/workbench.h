@@ -54,7 +54,9 @@ public:
     [[nodiscard]] const SpindlePreset& spindle() const { return settings_.spindle; }
     [[nodiscard]] const MaterialTable& materials() const { return settings_.materials; }
 
-    static constexpr double kServoRate = 1000;  // Hz
+    /// Hz of the servo.
+    void setRate(double rateHz);
+    [[nodiscard]] double rate() const { return rate_; }
 
     /// What has happened since the last step.
     struct News {
@@ -62,6 +64,8 @@ public:
         bool newSimulator = false;           ///< time starts at zero again
         std::optional<std::string> failure;  ///< a sentence; what was on the bench stays
         std::optional<double> heavyTick;     ///< us, if the scene turns out to be heavy: slowTick
+        /// What ails a device, if that has changed; null: nothing any more. The session goes on.
+        std::optional<const char*> trouble;
     };
     /// Call at least as often as the picture changes. `dt`: since the last step, s.
     [[nodiscard]] News step(double dt);
@@ -114,6 +118,7 @@ private:
 
     SoundOutput& sound_;
     HapticSettings settings_;
+    double rate_ = 1000;  // Hz
     Errand<BenchTooth> comingTooth_;
     Errand<BenchBur> comingBur_;
     Errand<BenchFurniture> furniture_;

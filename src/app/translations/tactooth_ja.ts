@@ -1616,6 +1616,18 @@ More than 1 % is felt: close other programs, or take a tooth with fewer triangle
 <context>
     <name>tactooth::HandPanel</name>
     <message>
+        <source>Rate</source>
+        <translation>更新周波数</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>How often the force is made anew: 500 Hz for a slow machine, where walls are felt half as stiff; more than 1000 Hz for a smoother force, if the device&apos;s driver bears it</source>
+        <translation>力を計算し直す頻度です。遅いコンピューターでは 500 Hz（壁の硬さは半分になります）、デバイスのドライバーが対応していれば 1000 Hz より高くすると力が滑らかになります</translation>
+    </message>
+    <message>
         <source>ready</source>
         <translation>準備完了</translation>
     </message>
@@ -2132,6 +2144,14 @@ More than 1 % is felt: close other programs, or take a tooth with fewer triangle
     <message>
         <source>Ordinary priority (see &apos;tactooth doctor&apos;)</source>
         <translation>通常の優先度（&apos;tactooth doctor&apos; を参照）</translation>
+    </message>
+    <message>
+        <source>Memory locked</source>
+        <translation>メモリ固定済み</translation>
+    </message>
+    <message>
+        <source>Memory may be swapped out (see &apos;tactooth doctor&apos;)</source>
+        <translation>メモリはスワップされることがあります（&apos;tactooth doctor&apos; を参照）</translation>
     </message>
     <message>
         <source>Processors kept from deep sleep</source>

@@ -8,8 +8,8 @@
 namespace tactooth {
 namespace {
 
-constexpr double kLongestSilence = 0.0025;  // s: two ticks were left out, so the pen counts as lost
-constexpr double kLongestStart = 0.5;       // s: until the first reading; before it nothing has stopped
+constexpr double kLongestSilence = 2.5;  // ticks: two were left out, so the pen counts as lost
+constexpr double kLongestStart = 0.5;    // s: until the first reading; before it nothing has stopped
 constexpr const char* kSilent =
     "The device has stopped answering: check its cable and power supply; the session goes on when it is back.";
 
@@ -71,7 +71,7 @@ DeviceSample OpenHapticsDevice::read(double elapsed) {
     heard_ |= isFresh;
     silence_ = isFresh ? 0 : silence_ + elapsed;
     const HdReading& reading = pen_->reading.value();
-    const bool silent = silence_ > (heard_ ? kLongestSilence : kLongestStart);
+    const bool silent = silence_ > (heard_ ? kLongestSilence / rateHz_ : kLongestStart);
     silent_.store(silent, std::memory_order_relaxed);
     DeviceSample sample;
     sample.connected = heard_ && !silent && reading.calibrated && !pen_->lost.load(std::memory_order_relaxed);

@@ -24,15 +24,19 @@ constexpr double kEnd = 2.7;        // s
 constexpr double kRest = 0.5;       // s at the end that are looked at
 constexpr double kPressure = 1.0;   // N: what a dentist presses with
 constexpr double kOverLimit = 1.2;  // of the device's peak
-constexpr double kQuick = 0.012;    // s for a tap's way down: 100 mm/s and more
+constexpr double kQuick = 0.012;    // s for a tap's way down: 100 mm/s and more ...
+constexpr double kFastest = 500;    // mm/s: ... but no faster than a hand, on a spring so soft that the way is long
 constexpr double kFaint = 0.05;     // N: below, a ripple means nothing
+
+/// At the rate of the case, N/mm.
+double stiffestOf(const StabilityCase& one) { return stiffestAt(one.device->stiffness, one.rateHz); }
 
 /// The spring that the hand will meet, N/mm.
 double springOf(const StabilityCase& one) {
-    if (!one.material) return one.device->stiffness;
+    if (!one.material) return stiffestOf(one);
     const MaterialTable materials;
     const double hardest = materials[MaterialId::Enamel].stiffness;
-    return materials[*one.material].stiffness * std::min(1.0, one.device->stiffness / hardest);
+    return materials[*one.material].stiffness * std::min(1.0, stiffestOf(one) / hardest);
 }
 
 ScriptedMoment at(double time, double x, double z) { return {time, {{Vec3(x, 0, z), Quat::Identity()}, 0, 0, true}}; }
@@ -45,15 +49,13 @@ double pressedDepth(const StabilityCase& one, double force) {
 std::vector<ScriptedMoment> scriptFor(const StabilityCase& one) {
     const double depth = pressedDepth(one, kPressure);
     switch (one.situation) {
-        case Situation::Tap:
-            return {at(0, 0, kHeadroom),
-                    at(0.5, 0, kHeadroom),
-                    at(0.5 + kQuick, 0, -depth),
-                    at(0.7, 0, -depth),
-                    at(0.7 + kQuick, 0, kHeadroom),
-                    at(kSettled - kQuick, 0, kHeadroom),
-                    at(kSettled, 0, -depth),
-                    at(kEnd, 0, -depth)};
+        case Situation::Tap: {
+            const double quick = std::max(kQuick, (kHeadroom + depth) / kFastest);
+            return {at(0, 0, kHeadroom),           at(0.5, 0, kHeadroom),
+                    at(0.5 + quick, 0, -depth),    at(0.7, 0, -depth),
+                    at(0.7 + quick, 0, kHeadroom), at(kSettled - quick, 0, kHeadroom),
+                    at(kSettled, 0, -depth),       at(kEnd, 0, -depth)};
+        }
         case Situation::PressToLimit: {
             const double most = pressedDepth(one, kOverLimit * one.device->peakForce);
             return {at(0, 0, kHeadroom), at(0.5, 0, kHeadroom), at(kSettled, 0, -most), at(kEnd, 0, -most)};
@@ -144,10 +146,10 @@ StabilityResult runStability(const StabilityCase& one) {
     const bool cuts = one.situation == Situation::Cut;
     ScriptedHand hand(*one.device, *one.hand, scriptFor(one), habits);
     HapticSettings settings;
-    if (!one.material) settings.force.stiffness = one.device->stiffness;
+    if (!one.material) settings.force.stiffness = stiffestOf(one);
     static const auto tool = std::make_shared<const ToolShape>(standardBur());
     HapticSimulation simulation(tool, kStandardBurRadius, pieceFor(one), settings);
-    simulation.force().setStiffest(hand.info().stiffness);
+    simulation.force().setStiffest(stiffestOf(one));
     ForcePipeline pipeline(hand.info().limits);
 
     StabilityResult result;

@@ -8,8 +8,8 @@
 namespace tactooth {
 namespace {
 
-constexpr float kHalfWidth = 6;   // mm, of the piece in x and y
-constexpr float kUnderside = -8;  // mm
+constexpr float kHalfWidth = 40;   // mm, of the piece in x and y: a soft spring lets the hand go far ahead of the bur
+constexpr float kUnderside = -60;  // mm
 
 /// A point of a profile: x, z.
 struct ProfilePoint {
