@@ -5,6 +5,7 @@
 #include <QGridLayout>
 #include <QSignalBlocker>
 
+#include "app/gui/error_words.h"
 #include "app/gui/words.h"
 #include "devices/open_device.h"
 
@@ -226,12 +227,12 @@ ButtonMap HandPanel::buttons() const {
 
 void HandPanel::showState(const QString& device, ForceState force, const char* trouble) {
     if (device.isEmpty()) return state_->setText(tr("The mouse steers; the meter shows what a hand would feel."));
-    state_->setText(device + ": " + (trouble != nullptr ? translated(trouble) : forceStateText(force)));
+    state_->setText(device + ": " + (trouble != nullptr ? errorInWords(trouble) : forceStateText(force)));
 }
 
 void HandPanel::showSecondState(const QString& device, const char* trouble) {
     secondState_->setVisible(!device.isEmpty());
-    const QString state = trouble != nullptr ? translated(trouble) : tr("ready");
+    const QString state = trouble != nullptr ? errorInWords(trouble) : tr("ready");
     secondState_->setText(device.isEmpty() ? QString() : device + ": " + state);
 }
 

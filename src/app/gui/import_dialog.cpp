@@ -11,6 +11,7 @@
 #include <QPushButton>
 #include <numbers>
 
+#include "app/gui/error_words.h"
 #include "app/gui/remark_words.h"
 #include "patient/length_unit.h"
 
@@ -123,7 +124,7 @@ void ImportDialog::showFindings(const Expected<ExaminedScan>& scan) {
     buttons_->button(QDialogButtonBox::Ok)->setEnabled(scan.has_value());
     if (!scan) {
         state_->clear();
-        remarks_->setPlainText(QString::fromStdString(scan.error().message));
+        remarks_->setPlainText(errorInWords(scan.error().message));
         return;
     }
     const Vec3 size = boundingBox(scan->outer).sizes();

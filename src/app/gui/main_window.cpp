@@ -282,7 +282,7 @@ void MainWindow::connectPanels() {
     connect(force_, &ForcePanel::pressDepthChanged, this, [this](double mm) { bench_.hand().setPressDepth(mm); });
     connect(view_, &ToothView::pressDepthChanged, force_, &ForcePanel::setPressDepth);
     connect(view_, &ToothView::failed, this, &MainWindow::graphicsFailed, Qt::QueuedConnection);
-    connect(importer_, &ScanImporter::failed, this, &MainWindow::complain);
+    connect(importer_, &ScanImporter::failed, this, qOverload<const QString&>(&MainWindow::complain));
     connect(importer_, &ScanImporter::imported, this, [this](const BenchTooth& tooth) {
         status_->setHint(tr("%1 was imported").arg(QString::fromStdString(tooth.name)));
         bench_.put(tooth);
@@ -347,7 +347,7 @@ void MainWindow::showUsualHint() {
 
 void MainWindow::takeNews(const Workbench::News& news) {
     if (news.failure) {
-        complain(translated(*news.failure));
+        complain(Error{*news.failure});
         exercise_->show(practised_);  // the tooth of another one may not have come
     }
     // No message that would take the keys and the pedal from a hand at work.

@@ -60,6 +60,7 @@ public:
     [[nodiscard]] WindowSettings settings() const;
     /// A message that does not stop the simulation.
     void complain(const QString& sentence);
+    void complain(const Error& error);
     /// Plays the user's own sounds (see readSoundKit) as soon as they are read.
     void openSounds(const QString& file);
     /// Writes the tooth as it is now; says so if that fails.

@@ -10,6 +10,7 @@
 
 #include "app/gui/drill_bar.h"
 #include "app/gui/drive_panel.h"
+#include "app/gui/error_words.h"
 #include "app/gui/guided_tour.h"
 #include "app/gui/main_window.h"
 #include "app/gui/open_tooth_dialog.h"
@@ -111,7 +112,7 @@ void MainWindow::exportTooth(const QString& file) {
     if (bench_.simulator() == nullptr) return;
     folder_ = folderOf(file);
     const Expected<void> written = writeStl(visibleMesh(*bench_.simulator()->surface()).mesh, file.toStdString());
-    if (!written) return complain(QString::fromStdString(written.error().message));
+    if (!written) return complain(written.error());
     status_->setHint(tr("The tooth was written to %1").arg(file));
 }
 
@@ -120,9 +121,11 @@ void MainWindow::saveTooth(const QString& file) {
     folder_ = folderOf(file);
     const auto bytes = bench_.simulator()->toothFile(savedNow(bench_.tooth()->provenance));
     const Expected<void> written = writeFile(file.toStdString(), bytes);
-    if (!written) return complain(QString::fromStdString(written.error().message));
+    if (!written) return complain(written.error());
     status_->setHint(tr("The tooth was saved to %1").arg(file));
 }
+
+void MainWindow::complain(const Error& error) { complain(errorInWords(error.message)); }
 
 void MainWindow::complain(const QString& sentence) {
     status_->setHint(sentence);
@@ -192,7 +195,7 @@ void MainWindow::askForPlotFile() {
 void MainWindow::exportPlotsTo(const QString& file) {
     folder_ = folderOf(file);
     const Expected<void> written = exportPlots(plots_->shown(), plots_->plots(), file.toStdString());
-    if (!written) return complain(QString::fromStdString(written.error().message));
+    if (!written) return complain(written.error());
     status_->setHint(tr("The plots were written to %1").arg(file));
 }
 
@@ -203,7 +206,7 @@ void MainWindow::askForEventFile() {
 void MainWindow::exportEventsTo(const QString& file) {
     folder_ = folderOf(file);
     const Expected<void> written = writeFile(file.toStdString(), cutEventsCsv(bench_.events().all()));
-    if (!written) return complain(QString::fromStdString(written.error().message));
+    if (!written) return complain(written.error());
     status_->setHint(tr("The list was written to %1").arg(file));
 }
 

@@ -42,7 +42,7 @@ void MainWindow::practise(const std::shared_ptr<const Exercise>& exercise) {
 void MainWindow::openExercise(const QString& file) {
     folder_ = QFileInfo(file).absolutePath();
     Expected<Exercise> read = readExercise(file.toStdString());
-    if (!read) return complain(QString::fromStdString(read.error().message));
+    if (!read) return complain(read.error());
     remember(file);
     practise(std::make_shared<const Exercise>(std::move(*read)));
 }
@@ -119,7 +119,7 @@ void MainWindow::takeTarget() {
     if (!target) return;
     if (!*target) {
         if (target_.account == nullptr) targetFile_.clear();
-        return complain(QString::fromStdString(target->error().message));
+        return complain(target->error());
     }
     setTarget(std::move(**target));
     if (practised_ == nullptr) {
@@ -175,7 +175,7 @@ void MainWindow::exportReportTo(const QString& file) {
                                                   .removed = bench_.simulator()->removed(),
                                                   .events = bench_.events().all()});
     const Expected<void> written = writeFile(file.toStdString(), report);
-    if (!written) return complain(QString::fromStdString(written.error().message));
+    if (!written) return complain(written.error());
     status_->setHint(tr("The report was written to %1").arg(file));
 }
 

@@ -26,7 +26,7 @@ void MainWindow::connectHand() {
     connect(handPanel_, &HandPanel::changed, this, &MainWindow::takeHandSettings);
     connect(handPanel_, &HandPanel::teachingChanged, this, [this](bool teaching) {
         if (teaching == pedal_.isTeaching()) return;
-        if (const auto done = pedal_.teach(teaching); !done) complain(QString::fromStdString(done.error().message));
+        if (const auto done = pedal_.teach(teaching); !done) complain(done.error());
         handPanel_->setTeaching(pedal_.isTeaching());
         if (pedal_.isTeaching()) {
             status_->setHint(tr("Press the pedal fully, then let it go"));
@@ -56,14 +56,14 @@ void MainWindow::applyHand(const HandSettings& settings) {
     handPanel_->set(settings);
     const Expected<PedalChoice> pedal = parsePedal(settings.pedal);
     if (!pedal) {
-        complain(QString::fromStdString(pedal.error().message));
+        complain(pedal.error());
         handPanel_->showPedal({}, 0, 1);
     } else {
         PedalChoice choice = *pedal;
         choice.up = settings.pedalUp;
         choice.down = settings.pedalDown;
         const auto done = pedal_.choose(choice);
-        if (!done) complain(QString::fromStdString(done.error().message));
+        if (!done) complain(done.error());
     }
     device_ = settings.device;
     second_ = settings.secondDevice;
@@ -113,7 +113,7 @@ void MainWindow::takeDevices() {
             showUsualHint();
         } else {
             handPanel_->showDevice(kMouse);
-            complain(QString::fromStdString(device->error().message));
+            complain(device->error());
         }
     }
     if (auto second = comingSecond_.poll()) {
@@ -122,7 +122,7 @@ void MainWindow::takeDevices() {
             second_ = handPanel_->settings().secondDevice;
         } else {
             handPanel_->showSecondDevice(kNoDevice);
-            complain(QString::fromStdString(second->error().message));
+            complain(second->error());
         }
     }
 }

@@ -50,7 +50,7 @@ void MainWindow::openSounds(const QString& file) {
 void MainWindow::takeSounds() {
     auto sounds = comingSounds_.poll();
     if (!sounds) return;
-    if (!*sounds) return complain(QString::fromStdString(sounds->error().message));
+    if (!*sounds) return complain(sounds->error());
     soundsFile_ = QString::fromStdString((*sounds)->file);
     volumes_->showSounds(soundsFile_);
     sound_.setKit((*sounds)->kit);

@@ -9,6 +9,7 @@
 #include <cstdlib>
 
 #include "app/cli/exit_code.h"
+#include "app/gui/error_words.h"
 #include "app/gui/main_window.h"
 #include "app/gui/window_holder.h"
 #include "app/gui/window_setup.h"
@@ -114,8 +115,9 @@ int runWindow(const WindowOptions& options) {
     if (bur) window.bench().put(std::move(*bur));
     window.show();
     if (!settings) {
-        window.complain(QString::fromStdString(settings.error().message) +
-                        " The window starts with its defaults and writes the file anew when it is closed.");
+        window.complain(
+            errorInWords(settings.error().message) + ' ' +
+            MainWindow::tr("The window starts with its defaults and writes the file anew when it is closed."));
     }
     if (isFirstTime && !tooth && !options.mouth) window.welcome();
     QApplication::exec();

@@ -5,6 +5,7 @@
 #include <QString>
 #include <optional>
 
+#include "app/gui/error_words.h"
 #include "geometry/file_bytes.h"
 #include "geometry/mesh_file.h"
 #include "session/cases/case_names.h"
@@ -107,7 +108,7 @@ void ScanImporter::poll() {
     if (auto looked = looking_.poll(); looked && dialog_) {
         if (!*looked) {  // the file itself cannot be read: no choice helps
             dialog_->close();
-            emit failed(QString::fromStdString(looked->error().message));
+            emit failed(errorInWords(looked->error().message));
         } else {
             scan_ = (*looked)->scan;
             if ((*looked)->examined) examined_ = std::make_shared<const ExaminedScan>(*(*looked)->examined);
@@ -121,7 +122,7 @@ void ScanImporter::poll() {
     if (*built) {
         emit imported(std::move(**built));
     } else {
-        emit failed(QString::fromStdString(built->error().message));
+        emit failed(errorInWords(built->error().message));
     }
 }
 

@@ -188,6 +188,957 @@
         <translation>SpaceMouse</translation>
     </message>
     <message>
+        <source>Haply Inverse3</source>
+        <translation>Haply Inverse3</translation>
+    </message>
+    <message>
+        <source>outer</source>
+        <translation>外表面</translation>
+    </message>
+    <message>
+        <source>first contact</source>
+        <translation>最初の接触</translation>
+    </message>
+    <message>
+        <source>dentin reached</source>
+        <translation>象牙質に到達</translation>
+    </message>
+    <message>
+        <source>pulp exposed</source>
+        <translation>歯髄が露出</translation>
+    </message>
+    <message>
+        <source>neighbour touched</source>
+        <translation>隣在歯に接触</translation>
+    </message>
+    <message>
+        <source>gum or bone touched</source>
+        <translation>歯肉または骨に接触</translation>
+    </message>
+    <message>
+        <source>bur stalled</source>
+        <translation>バーが停止</translation>
+    </message>
+    <message>
+        <source>Pit in the molar</source>
+        <translation>臼歯の小窩</translation>
+    </message>
+    <message>
+        <source>Open the central pit 1.5 mm deep, as wide as the bur: down and up again without going aside.</source>
+        <translation>中心小窩をバーの幅のまま深さ 1.5 mm まで開けます。横に動かさず、まっすぐ下ろして戻します。</translation>
+    </message>
+    <message>
+        <source>Class I cavity in the molar</source>
+        <translation>臼歯の 1 級窩洞</translation>
+    </message>
+    <message>
+        <source>Follow the central fissure, 1.5 mm deep and 1.2 mm wide with a flat floor; leave 2 mm of both ridges.</source>
+        <translation>中心溝に沿って深さ 1.5 mm、幅 1.2 mm、窩底を平らに削ります。両側の辺縁隆線は 2 mm 残します。</translation>
+    </message>
+    <message>
+        <source>Class V cavity at the neck of the canine</source>
+        <translation>犬歯歯頸部の 5 級窩洞</translation>
+    </message>
+    <message>
+        <source>At the buccal neck, 1.1 mm deep everywhere: the floor follows the surface of the tooth.</source>
+        <translation>唇側歯頸部を、どこも深さ 1.1 mm で削ります。窩底は歯面に沿わせます。</translation>
+    </message>
+</context>
+<context>
+    <name>Error</name>
+    <message>
+        <source>%1: there is no such file; check the name and the folder.</source>
+        <translation>%1：ファイルがありません。名前とフォルダーを確かめてください。</translation>
+    </message>
+    <message>
+        <source>%1: this user may not read the file; change its permissions.</source>
+        <translation>%1：このユーザーにはファイルを読む権限がありません。アクセス権を変えてください。</translation>
+    </message>
+    <message>
+        <source>%1: the file cannot be opened: %2.</source>
+        <translation>%1：ファイルを開けません：%2。</translation>
+    </message>
+    <message>
+        <source>%1: reading stopped: %2.</source>
+        <translation>%1：読み込みが止まりました：%2。</translation>
+    </message>
+    <message>
+        <source>%1: this is a folder; name a file inside it.</source>
+        <translation>%1：これはフォルダーです。中のファイルを指定してください。</translation>
+    </message>
+    <message>
+        <source>%1: this is not a regular file (a device or a pipe); name a file on disk.</source>
+        <translation>%1：通常のファイルではありません（デバイスまたはパイプです）。ディスク上のファイルを指定してください。</translation>
+    </message>
+    <message>
+        <source>%1: the file is empty; export or copy it again.</source>
+        <translation>%1：ファイルが空です。書き出し直すか、コピーし直してください。</translation>
+    </message>
+    <message>
+        <source>%1: the file (%2 bytes) does not fit into memory.</source>
+        <translation>%1：ファイル（%2 バイト）がメモリーに収まりません。</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written: its folder does not exist; make the folder first.</source>
+        <translation>%1：書き込めません。フォルダーがありません。先にフォルダーを作ってください。</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written: this user may not write into its folder; choose another one.</source>
+        <translation>%1：書き込めません。このユーザーにはフォルダーへ書き込む権限がありません。別のフォルダーを選んでください。</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written: %2.</source>
+        <translation>%1：書き込めません：%2。</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written: this is a folder; name a file inside it.</source>
+        <translation>%1：書き込めません。これはフォルダーです。中のファイルを指定してください。</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written: this is not a regular file; choose another name.</source>
+        <translation>%1：書き込めません。通常のファイルではありません。別の名前を選んでください。</translation>
+    </message>
+    <message>
+        <source>the plot %1 could not be written: %2.</source>
+        <translation>グラフ %1 を書き込めませんでした：%2。</translation>
+    </message>
+    <message>
+        <source>the plots cannot be written to %1: end its name in .csv, .svg or .png.</source>
+        <translation>グラフを %1 に書き込めません。名前の最後を .csv、.svg、.png のいずれかにしてください。</translation>
+    </message>
+    <message>
+        <source>%1: the folder cannot be read (%2).</source>
+        <translation>%1：フォルダーを読めません（%2）。</translation>
+    </message>
+    <message>
+        <source>%1: the folder cannot be made (%2).</source>
+        <translation>%1：フォルダーを作れません（%2）。</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>ディスクの空き容量がありません</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>アクセス権がありません</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>読み取り専用のディスクです</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>入出力エラー</translation>
+    </message>
+    <message>
+        <source>%1: %2 files cannot be read; export the surface as STL, OBJ or PLY.</source>
+        <translation>%1：%2 ファイルは読めません。表面を STL、OBJ、PLY のいずれかで書き出してください。</translation>
+    </message>
+    <message>
+        <source>%1: the file holds no triangles; export the surface again.</source>
+        <translation>%1：ファイルに三角形がありません。表面を書き出し直してください。</translation>
+    </message>
+    <message>
+        <source>%1: the file holds no faces; export the surface again, as triangles.</source>
+        <translation>%1：ファイルに面がありません。表面を三角形で書き出し直してください。</translation>
+    </message>
+    <message>
+        <source>%1: triangle %2 (byte %3) has a corner that is not a finite number; repair or export the surface again.</source>
+        <translation>%1：三角形 %2（%3 バイト目）の頂点が有限の数値ではありません。表面を修復するか、書き出し直してください。</translation>
+    </message>
+    <message>
+        <source>%1: this is %2, not an STL surface; export the surface as STL.</source>
+        <translation>%1：これは%2で、STL の表面ではありません。表面を STL で書き出してください。</translation>
+    </message>
+    <message>
+        <source>a PLY mesh</source>
+        <translation>PLY メッシュ</translation>
+    </message>
+    <message>
+        <source>a ZIP archive</source>
+        <translation>ZIP アーカイブ</translation>
+    </message>
+    <message>
+        <source>a gzip archive</source>
+        <translation>gzip アーカイブ</translation>
+    </message>
+    <message>
+        <source>a PNG picture</source>
+        <translation>PNG 画像</translation>
+    </message>
+    <message>
+        <source>an OFF mesh</source>
+        <translation>OFF メッシュ</translation>
+    </message>
+    <message>
+        <source>a JPEG picture</source>
+        <translation>JPEG 画像</translation>
+    </message>
+    <message>
+        <source>a PDF document</source>
+        <translation>PDF 文書</translation>
+    </message>
+    <message>
+        <source>a program</source>
+        <translation>プログラム</translation>
+    </message>
+    <message>
+        <source>a DICOM image</source>
+        <translation>DICOM 画像</translation>
+    </message>
+    <message>
+        <source>text that does not begin with &apos;solid&apos;</source>
+        <translation>&apos;solid&apos; で始まらないテキスト</translation>
+    </message>
+    <message>
+        <source>unknown binary data</source>
+        <translation>不明なバイナリデータ</translation>
+    </message>
+    <message>
+        <source>%1: its header announces %2 triangles, which take %3 bytes, but the file has %4; export or copy it again.</source>
+        <translation>%1：ヘッダーによれば三角形は %2 個、大きさは %3 バイトですが、ファイルは %4 バイトです。書き出し直すか、コピーし直してください。</translation>
+    </message>
+    <message>
+        <source>the file is cut short or its count is wrong</source>
+        <translation>ファイルが途中で切れているか、個数が誤っています</translation>
+    </message>
+    <message>
+        <source>the file is longer than its triangle count says</source>
+        <translation>ファイルが三角形の個数に対して長すぎます</translation>
+    </message>
+    <message>
+        <source>%1: the file is too short for an STL surface: it has %2 bytes and a binary one needs at least %3; export or copy it again.</source>
+        <translation>%1：STL の表面としてはファイルが短すぎます。バイナリー形式には少なくとも %3 バイトが必要ですが、%2 バイトしかありません。書き出し直すか、コピーし直してください。</translation>
+    </message>
+    <message>
+        <source>%1, line %2: %3, but %4; repair or export the surface again.</source>
+        <translation>%1、%2 行目：%3。%4。表面を修復するか、書き出し直してください。</translation>
+    </message>
+    <message>
+        <source>expected &apos;solid&apos; or the end of the file</source>
+        <translation>&apos;solid&apos; またはファイルの終わりが必要です</translation>
+    </message>
+    <message>
+        <source>expected &apos;facet&apos; or &apos;endsolid&apos;</source>
+        <translation>&apos;facet&apos; または &apos;endsolid&apos; が必要です</translation>
+    </message>
+    <message>
+        <source>expected the facet&apos;s normal</source>
+        <translation>面の法線が必要です</translation>
+    </message>
+    <message>
+        <source>expected a coordinate (a number with &apos;.&apos; as decimal point)</source>
+        <translation>座標（小数点に &apos;.&apos; を使った数値）が必要です</translation>
+    </message>
+    <message>
+        <source>expected a finite coordinate</source>
+        <translation>有限の座標が必要です</translation>
+    </message>
+    <message>
+        <source>expected &apos;%1&apos;</source>
+        <translation>&apos;%1&apos; が必要です</translation>
+    </message>
+    <message>
+        <source>found %1</source>
+        <translation>見つかったのは %1 です</translation>
+    </message>
+    <message>
+        <source>the file ends: it is cut short</source>
+        <translation>ファイルが途中で切れています</translation>
+    </message>
+    <message>
+        <source>%1, line %2: %3; repair or export the surface again.</source>
+        <translation>%1、%2 行目：%3。表面を修復するか、書き出し直してください。</translation>
+    </message>
+    <message>
+        <source>expected a finite coordinate, but found %1</source>
+        <translation>有限の座標が必要ですが、見つかったのは %1 です</translation>
+    </message>
+    <message>
+        <source>expected the number of a vertex that the file has given above, but found %1</source>
+        <translation>それまでに出てきた頂点の番号が必要ですが、見つかったのは %1 です</translation>
+    </message>
+    <message>
+        <source>expected a face of three corners or more</source>
+        <translation>三つ以上の頂点を持つ面が必要です</translation>
+    </message>
+    <message>
+        <source>%1: the PLY header names no format; export the surface again.</source>
+        <translation>%1：PLY のヘッダーに形式が書かれていません。表面を書き出し直してください。</translation>
+    </message>
+    <message>
+        <source>%1, line %2: expected a line of a PLY header, but found %3; export the surface again.</source>
+        <translation>%1、%2 行目：PLY のヘッダーの行が必要ですが、見つかったのは %3 です。表面を書き出し直してください。</translation>
+    </message>
+    <message>
+        <source>%1: the PLY header has no end: the file is cut short; export the surface again.</source>
+        <translation>%1：PLY のヘッダーに終わりがありません。ファイルが途中で切れています。表面を書き出し直してください。</translation>
+    </message>
+    <message>
+        <source>%1: %2; export the surface again.</source>
+        <translation>%1：%2。表面を書き出し直してください。</translation>
+    </message>
+    <message>
+        <source>the file holds no faces</source>
+        <translation>ファイルに面がありません</translation>
+    </message>
+    <message>
+        <source>the file is cut short, or holds what is no number</source>
+        <translation>ファイルが途中で切れているか、数値でないものが入っています</translation>
+    </message>
+    <message>
+        <source>x, y and z are not three finite numbers</source>
+        <translation>x、y、z が三つの有限の数値ではありません</translation>
+    </message>
+    <message>
+        <source>the file is cut short</source>
+        <translation>ファイルが途中で切れています</translation>
+    </message>
+    <message>
+        <source>a list is longer than the file</source>
+        <translation>リストがファイルより長くなっています</translation>
+    </message>
+    <message>
+        <source>a corner names a vertex that the file does not have</source>
+        <translation>面の頂点がファイルにない頂点を指しています</translation>
+    </message>
+    <message>
+        <source>%1: the tooth has this surface already; drop the files of one tooth, its layers named as in L6_enamel.stl.</source>
+        <translation>%1：この表面はすでにあります。1本の歯のファイルだけをドロップし、層には L6_enamel.stl のように名前を付けてください。</translation>
+    </message>
+    <message>
+        <source>%1: there is no surface.</source>
+        <translation>%1：表面がありません。</translation>
+    </message>
+    <message>
+        <source>the layers give no closed surface together; give the tooth&apos;s outer surface as a file, too</source>
+        <translation>層を合わせても閉じた表面になりません。歯の外表面のファイルも加えてください</translation>
+    </message>
+    <message>
+        <source>%1: the surface &apos;%2&apos; has no area.</source>
+        <translation>%1：表面 &apos;%2&apos; に面積がありません。</translation>
+    </message>
+    <message>
+        <source>%1: %2 edges of the surface &apos;%3&apos; have more than two triangles; mend it in a mesh program.</source>
+        <translation>%1：表面 &apos;%3&apos; の %2 本の辺を三つ以上の三角形が共有しています。メッシュ編集ソフトで修復してください。</translation>
+    </message>
+    <message>
+        <source>%1: the surface &apos;%2&apos; has %3 holes that are too wide to be filled unasked (%4 open edges); ask for all holes to be filled, or close it in a mesh program.</source>
+        <translation>%1：表面 &apos;%2&apos; に、自動でふさぐには大きすぎる穴が %3 個あります（開いた辺 %4 本）。「すべての穴をふさぐ」を選ぶか、メッシュ編集ソフトで閉じてください。</translation>
+    </message>
+    <message>
+        <source>%1: the surface &apos;%2&apos; has no outside (it is twisted); mend it in a mesh program.</source>
+        <translation>%1：表面 &apos;%2&apos; に外側がありません（ねじれています）。メッシュ編集ソフトで修復してください。</translation>
+    </message>
+    <message>
+        <source>the surface of %1 holds no triangle: give a closed STL surface</source>
+        <translation>%1の表面に三角形がありません。閉じた STL の表面を使ってください</translation>
+    </message>
+    <message>
+        <source>the surface of %1 is open (%2 edges without a neighbour), so it has no inside to cut: close its holes first</source>
+        <translation>%1の表面が閉じておらず（隣のない辺 %2 本）、削る内部がありません。先に穴をふさいでください</translation>
+    </message>
+    <message>
+        <source>the surface of %1 is inside out (its normals point inward): reverse the order of its triangles&apos; corners</source>
+        <translation>%1の表面が裏返しです（法線が内側を向いています）。三角形の頂点の順序を逆にしてください</translation>
+    </message>
+    <message>
+        <source>%1 lies outside the tooth: give all layers in the frame of the outer surface</source>
+        <translation>%1が歯の外側にあります。すべての層を外表面と同じ座標系にしてください</translation>
+    </message>
+    <message>
+        <source>%1 is given twice: give each layer of a tooth its own name</source>
+        <translation>%1が二つあります。歯の層にはそれぞれ別の名前を付けてください</translation>
+    </message>
+    <message>
+        <source>layer &apos;%1&apos;</source>
+        <translation>層「%1」</translation>
+    </message>
+    <message>
+        <source>the tooth</source>
+        <translation>歯</translation>
+    </message>
+    <message>
+        <source>the tool&apos;s surface has no extent along its axis (z of the tool frame): give the bur&apos;s closed STL with its tip at the origin and its shaft along +z</source>
+        <translation>バーの表面に軸方向（工具の座標系の z）の長さがありません。先端を原点、軸を +z に合わせた、閉じた STL を使ってください</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: %3</source>
+        <translation>%1、%2 バイト目：%3</translation>
+    </message>
+    <message>
+        <source>the file is cut short; save the tooth again or use a complete copy.</source>
+        <translation>ファイルが途中で切れています。歯を保存し直すか、完全なコピーを使ってください。</translation>
+    </message>
+    <message>
+        <source>this is no saved tooth; choose a file that Tactooth has saved.</source>
+        <translation>保存された歯ではありません。Tactooth で保存したファイルを選んでください。</translation>
+    </message>
+    <message>
+        <source>the file has format version %1, and this program reads versions 1 and 2; open it with the program that saved it.</source>
+        <translation>ファイルの形式はバージョン %1 ですが、このプログラムが読めるのはバージョン 1 と 2 です。保存したプログラムで開いてください。</translation>
+    </message>
+    <message>
+        <source>there is more in the file than the tooth; use an undamaged copy.</source>
+        <translation>ファイルに歯以外のデータが入っています。壊れていないコピーを使ってください。</translation>
+    </message>
+    <message>
+        <source>the file is damaged; use another copy of it.</source>
+        <translation>ファイルが壊れています。別のコピーを使ってください。</translation>
+    </message>
+    <message>
+        <source>%1: a saved tooth has its own layers; give no others.</source>
+        <translation>%1：保存した歯には層が含まれています。他の層は加えないでください。</translation>
+    </message>
+    <message>
+        <source>%1: a saved tooth keeps the spacing that it was cut with, %2 um; give no other.</source>
+        <translation>%1：保存した歯は、削ったときの格子間隔 %2 µm のままです。別の間隔は指定しないでください。</translation>
+    </message>
+    <message>
+        <source>%1 crosses itself at each of the %2 finenesses that were tried; ask for another number of triangles or another seed.</source>
+        <translation>%1は、試した %2 通りの細かさのいずれでも自分自身と交差します。三角形の数かシードを変えてください。</translation>
+    </message>
+    <message>
+        <source>%1 gum of the mouth with seed %2 and %3 triangles a tooth</source>
+        <translation>%1の歯肉（シード %2、1歯あたり三角形 %3 個）</translation>
+    </message>
+    <message>
+        <source>The upper</source>
+        <translation>上顎</translation>
+    </message>
+    <message>
+        <source>The lower</source>
+        <translation>下顎</translation>
+    </message>
+    <message>
+        <source>%1 claims to hold %2 bytes, more than the %3 that a case may; it is damaged or not meant well.</source>
+        <translation>%1 は %2 バイトとなっていて、症例の上限 %3 バイトを超えています。壊れているか、悪意のあるファイルです。</translation>
+    </message>
+    <message>
+        <source>%1: the folder holds more than %2 files; give a case a folder of its own.</source>
+        <translation>%1：フォルダーに %2 個を超えるファイルがあります。症例には専用のフォルダーを使ってください。</translation>
+    </message>
+    <message>
+        <source>%1: the archive holds a file named &apos;%2&apos;, which points out of it; it is not meant well.</source>
+        <translation>%1：アーカイブの外を指すファイル &apos;%2&apos; が入っています。悪意のあるファイルです。</translation>
+    </message>
+    <message>
+        <source>%1: the archive holds two files of the same name; pack it anew.</source>
+        <translation>%1：アーカイブに同じ名前のファイルが二つあります。作り直してください。</translation>
+    </message>
+    <message>
+        <source>%1: &apos;%2&apos; points out of the case; give paths inside its folder, with &apos;/&apos; and without &apos;..&apos;.</source>
+        <translation>%1：&apos;%2&apos; は症例の外を指しています。&apos;/&apos; を使い、&apos;..&apos; を使わずに、フォルダー内のパスを書いてください。</translation>
+    </message>
+    <message>
+        <source>%1: there is no such file in the case.</source>
+        <translation>%1：症例にこのファイルはありません。</translation>
+    </message>
+    <message>
+        <source>%1: the link leads out of the case&apos;s folder; put a copy there instead.</source>
+        <translation>%1：リンクが症例のフォルダーの外を指しています。代わりにコピーを置いてください。</translation>
+    </message>
+    <message>
+        <source>%1: a case has its own layers; give no others.</source>
+        <translation>%1：症例には層が含まれています。他の層は加えないでください。</translation>
+    </message>
+    <message>
+        <source>%1: this is one tooth; a tooth can be chosen in a case only.</source>
+        <translation>%1：これは1本の歯です。歯を選べるのは症例だけです。</translation>
+    </message>
+    <message>
+        <source>%1: there is something already; give a new folder, or a name that ends in %2.</source>
+        <translation>%1：すでに何かあります。新しいフォルダーか、%2 で終わる名前を指定してください。</translation>
+    </message>
+    <message>
+        <source>%1: there is no tooth &apos;%2&apos; in this case; it has %3.</source>
+        <translation>%1：この症例に歯 &apos;%2&apos; はありません。あるのは %3 です。</translation>
+    </message>
+    <message>
+        <source>%1: the archive&apos;s list is damaged.</source>
+        <translation>%1：アーカイブの一覧が壊れています。</translation>
+    </message>
+    <message>
+        <source>%1: the file is locked with a password; pack the case without one.</source>
+        <translation>%1：ファイルにパスワードがかかっています。パスワードなしで症例を作り直してください。</translation>
+    </message>
+    <message>
+        <source>%1: the file is packed in an unusual way; pack the case with &apos;tactooth case pack&apos;.</source>
+        <translation>%1：ファイルの圧縮方式が特殊です。&apos;tactooth case pack&apos; で症例を作り直してください。</translation>
+    </message>
+    <message>
+        <source>%1: the file claims to unpack from %2 to %3 bytes, more than any surface does; the archive is damaged or not meant well.</source>
+        <translation>%1：%2 バイトから %3 バイトに展開されることになっていますが、どんな表面もこれほど大きくなりません。アーカイブが壊れているか、悪意のあるファイルです。</translation>
+    </message>
+    <message>
+        <source>%1: this is no zip archive that can be read (%2).</source>
+        <translation>%1：読み込める ZIP アーカイブではありません（%2）。</translation>
+    </message>
+    <message>
+        <source>%1: the archive holds %2 files, more than the %3 that a case may.</source>
+        <translation>%1：アーカイブに %2 個のファイルがあり、症例の上限 %3 個を超えています。</translation>
+    </message>
+    <message>
+        <source>%1: the archive claims to hold %2 bytes, more than the %3 that a case may.</source>
+        <translation>%1：アーカイブの中身は %2 バイトとなっていて、症例の上限 %3 バイトを超えています。</translation>
+    </message>
+    <message>
+        <source>%1: there is no such file in the archive.</source>
+        <translation>%1：アーカイブにこのファイルはありません。</translation>
+    </message>
+    <message>
+        <source>%1: the file is damaged inside the archive.</source>
+        <translation>%1：アーカイブ内のファイルが壊れています。</translation>
+    </message>
+    <message>
+        <source>%1: the file is not what the archive&apos;s list says; it is damaged.</source>
+        <translation>%1：ファイルがアーカイブの一覧と一致しません。壊れています。</translation>
+    </message>
+    <message>
+        <source>the case could not be packed: there is not enough memory.</source>
+        <translation>症例を作れませんでした。メモリーが足りません。</translation>
+    </message>
+    <message>
+        <source>%1, line %2: %3.</source>
+        <translation>%1、%2 行目：%3。</translation>
+    </message>
+    <message>
+        <source>%1, line %2: this is not TOML.</source>
+        <translation>%1、%2 行目：TOML の書式ではありません。</translation>
+    </message>
+    <message>
+        <source>%1, line %2: this is not TOML; see docs/sound.md for a pattern.</source>
+        <translation>%1、%2 行目：TOML の書式ではありません。docs/sound.md の例を見てください。</translation>
+    </message>
+    <message>
+        <source>this is not TOML: %1</source>
+        <translation>TOML の書式ではありません：%1</translation>
+    </message>
+    <message>
+        <source>%1 has no key %2; the keys are %3</source>
+        <translation>%1に %2 というキーはありません。使えるキーは %3 です</translation>
+    </message>
+    <message>
+        <source>a case</source>
+        <translation>症例</translation>
+    </message>
+    <message>
+        <source>a bur</source>
+        <translation>バー</translation>
+    </message>
+    <message>
+        <source>a tooth</source>
+        <translation>歯</translation>
+    </message>
+    <message>
+        <source>a body around the teeth</source>
+        <translation>歯の周囲の物体</translation>
+    </message>
+    <message>
+        <source>an exercise</source>
+        <translation>課題</translation>
+    </message>
+    <message>
+        <source>a cavity</source>
+        <translation>窩洞</translation>
+    </message>
+    <message>
+        <source>a stroke</source>
+        <translation>ストローク</translation>
+    </message>
+    <message>
+        <source>a material</source>
+        <translation>材料</translation>
+    </message>
+    <message>
+        <source>a recording</source>
+        <translation>録音</translation>
+    </message>
+    <message>
+        <source>the key &apos;%1&apos; is missing</source>
+        <translation>キー &apos;%1&apos; がありません</translation>
+    </message>
+    <message>
+        <source>the key &apos;%1&apos; is missing; this version writes 1</source>
+        <translation>キー &apos;%1&apos; がありません。このバージョンでは 1 を書きます</translation>
+    </message>
+    <message>
+        <source>%1 must be a text of one line in quotes</source>
+        <translation>%1 は引用符で囲んだ1行の文字列でなければなりません</translation>
+    </message>
+    <message>
+        <source>the key &apos;%1&apos; is empty</source>
+        <translation>キー &apos;%1&apos; が空です</translation>
+    </message>
+    <message>
+        <source>%1 must be a list of texts</source>
+        <translation>%1 は文字列のリストでなければなりません</translation>
+    </message>
+    <message>
+        <source>%1 must be a list of texts of one line in quotes</source>
+        <translation>%1 は引用符で囲んだ1行の文字列のリストでなければなりません</translation>
+    </message>
+    <message>
+        <source>%1 must be a list of %2 numbers</source>
+        <translation>%1 は %2 個の数値のリストでなければなりません</translation>
+    </message>
+    <message>
+        <source>%1 must be a number from %2 to %3</source>
+        <translation>%1 は %2 から %3 までの数値でなければなりません</translation>
+    </message>
+    <message>
+        <source>%1 must be a whole number from %2 to %3</source>
+        <translation>%1 は %2 から %3 までの整数でなければなりません</translation>
+    </message>
+    <message>
+        <source>%1 must be true or false</source>
+        <translation>%1 は true か false でなければなりません</translation>
+    </message>
+    <message>
+        <source>%1 must be a list of names and values in braces</source>
+        <translation>%1 は波括弧で囲んだ名前と値の並びでなければなりません</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must be %2</source>
+        <translation>&apos;%1&apos; の値が誤っています。必要な値：%2</translation>
+    </message>
+    <message>
+        <source>a number from 0 to %1</source>
+        <translation>0 から %1 までの数値</translation>
+    </message>
+    <message>
+        <source>a text in quotes</source>
+        <translation>引用符で囲んだ文字列</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true か false</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>リスト</translation>
+    </message>
+    <message>
+        <source>a list of %1</source>
+        <translation>要素 %1 個のリスト</translation>
+    </message>
+    <message>
+        <source>a table</source>
+        <translation>テーブル</translation>
+    </message>
+    <message>
+        <source>a date or a time</source>
+        <translation>日付または時刻</translation>
+    </message>
+    <message>
+        <source>not a finite number</source>
+        <translation>有限でない数値</translation>
+    </message>
+    <message>
+        <source>begin each %1 with a line [[%2]]</source>
+        <translation>%1 はそれぞれ [[%2]] の行で始めてください</translation>
+    </message>
+    <message>
+        <source>%1: the file is too large for a description of a case.</source>
+        <translation>%1：症例の説明としてはファイルが大きすぎます。</translation>
+    </message>
+    <message>
+        <source>%1: the file is too large for a bur&apos;s description.</source>
+        <translation>%1：バーの説明としてはファイルが大きすぎます。</translation>
+    </message>
+    <message>
+        <source>%1: the file is too large for the description of an exercise.</source>
+        <translation>%1：課題の説明としてはファイルが大きすぎます。</translation>
+    </message>
+    <message>
+        <source>the case has format %1, which is newer than this program (1); take a newer one</source>
+        <translation>症例の形式 %1 はこのプログラムの形式（1）より新しいものです。新しいプログラムを使ってください</translation>
+    </message>
+    <message>
+        <source>there is no [[tooth]]</source>
+        <translation>[[tooth]] がありません</translation>
+    </message>
+    <message>
+        <source>there are too many teeth</source>
+        <translation>歯が多すぎます</translation>
+    </message>
+    <message>
+        <source>%1 is no permanent tooth; FDI numbers are 11-18, 21-28, 31-38 and 41-48</source>
+        <translation>%1 は永久歯ではありません。FDI の番号は 11～18、21～28、31～38、41～48 です</translation>
+    </message>
+    <message>
+        <source>the name must be short and without slashes</source>
+        <translation>名前は短くし、スラッシュを使わないでください</translation>
+    </message>
+    <message>
+        <source>the name %1 is given twice</source>
+        <translation>名前 %1 が二つあります</translation>
+    </message>
+    <message>
+        <source>%1 points out of the case; give a path inside its folder, with &apos;/&apos; and without &apos;..&apos;</source>
+        <translation>%1 は症例の外を指しています。&apos;/&apos; を使い、&apos;..&apos; を使わずに、フォルダー内のパスを書いてください</translation>
+    </message>
+    <message>
+        <source>there is no material %1; choose enamel, dentin, pulp, caries, restoration or other</source>
+        <translation>材料 %1 はありません。enamel、dentin、pulp、caries、restoration、other のいずれかを選んでください</translation>
+    </message>
+    <message>
+        <source>there is no material %1; write enamel, dentin, pulp, caries, amalgam, restoration, composite or other</source>
+        <translation>材料 %1 はありません。enamel、dentin、pulp、caries、amalgam、restoration、composite、other のいずれかを書いてください</translation>
+    </message>
+    <message>
+        <source>there is no material %1; the materials are %2</source>
+        <translation>材料 %1 はありません。使える材料は %2 です</translation>
+    </message>
+    <message>
+        <source>the rotation must be a quaternion of length 1, w first</source>
+        <translation>rotation は長さ 1 の四元数（w が先頭）でなければなりません</translation>
+    </message>
+    <message>
+        <source>the position lies more than 1000 mm away; lengths are in mm</source>
+        <translation>位置が 1000 mm より遠くにあります。長さの単位は mm です</translation>
+    </message>
+    <message>
+        <source>&apos;material&apos; must be carbide or diamond</source>
+        <translation>&apos;material&apos; は carbide か diamond でなければなりません</translation>
+    </message>
+    <message>
+        <source>the surface must lie beside this file or below it, named with &apos;/&apos; and without &apos;..&apos;</source>
+        <translation>表面はこのファイルと同じフォルダーかその下に置き、&apos;/&apos; を使い、&apos;..&apos; を使わずに書いてください</translation>
+    </message>
+    <message>
+        <source>%1 must lie beside this file or below it, named with &apos;/&apos; and without &apos;..&apos;</source>
+        <translation>%1 はこのファイルと同じフォルダーかその下に置き、&apos;/&apos; を使い、&apos;..&apos; を使わずに書いてください</translation>
+    </message>
+    <message>
+        <source>a built-in tooth brings its own layers</source>
+        <translation>内蔵の歯には層が含まれています</translation>
+    </message>
+    <message>
+        <source>&apos;site&apos; must be occlusal, mesial, distal, buccal or lingual</source>
+        <translation>&apos;site&apos; は occlusal、mesial、distal、buccal、lingual のいずれかでなければなりません</translation>
+    </message>
+    <message>
+        <source>a front tooth has no occlusal side; choose another site</source>
+        <translation>前歯には咬合面がありません。別の部位を選んでください</translation>
+    </message>
+    <message>
+        <source>%1 belongs to a built-in tooth, one by its number</source>
+        <translation>%1 が使えるのは、番号で指定した内蔵の歯だけです</translation>
+    </message>
+    <message>
+        <source>there is no bur %1 in the catalogue.</source>
+        <translation>バー %1 はカタログにありません。</translation>
+    </message>
+    <message>
+        <source>there is no bur %1 in the catalogue (&apos;tactooth gallery&apos; shows them); a bur of your own is named by its file, .stl or .toml</source>
+        <translation>バー %1 はカタログにありません（一覧は &apos;tactooth gallery&apos;）。自分のバーは .stl か .toml のファイル名で指定します</translation>
+    </message>
+    <message>
+        <source>give the ideal shape either by a file, ideal = &quot;FILE.stl&quot;, or by what the bur cuts, below a line [cavity]</source>
+        <translation>理想の形は、ファイル（ideal = &quot;FILE.stl&quot;）か、[cavity] の行の下に書くバーの動きの、どちらか一方で指定してください</translation>
+    </message>
+    <message>
+        <source>&apos;floor&apos; must be flat, or surface to follow that of the tooth</source>
+        <translation>&apos;floor&apos; は flat か、歯の表面に沿う surface でなければなりません</translation>
+    </message>
+    <message>
+        <source>there are no strokes; give at least one, [[cavity.strokes]]</source>
+        <translation>ストロークがありません。[[cavity.strokes]] を少なくとも一つ書いてください</translation>
+    </message>
+    <message>
+        <source>there are too many strokes</source>
+        <translation>ストロークが多すぎます</translation>
+    </message>
+    <message>
+        <source>&apos;side&apos; has no direction</source>
+        <translation>&apos;side&apos; に向きがありません</translation>
+    </message>
+    <message>
+        <source>&apos;side&apos; must be occlusal, buccal, lingual, mesial, distal, or a direction of three numbers</source>
+        <translation>&apos;side&apos; は occlusal、buccal、lingual、mesial、distal のいずれか、または三つの数値による向きでなければなりません</translation>
+    </message>
+    <message>
+        <source>this stroke is longer or farther away than any tooth; places are in mm</source>
+        <translation>このストロークは歯の大きさに対して長すぎるか、遠すぎます。位置の単位は mm です</translation>
+    </message>
+    <message>
+        <source>stroke %1 of the cavity goes past the tooth; give places over it, in its frame, mm.</source>
+        <translation>窩洞のストローク %1 が歯から外れています。歯の座標系で、歯の上の位置を mm で書いてください。</translation>
+    </message>
+    <message>
+        <source>%1: the surface has holes; an ideal shape is the whole tooth with its cavity, closed (&apos;tactooth info&apos; tells where it is open).</source>
+        <translation>%1：表面に穴があります。理想の形は、窩洞を含む歯全体の閉じた表面です（開いている場所は &apos;tactooth info&apos; で分かります）。</translation>
+    </message>
+    <message>
+        <source>expected the keys of %1 below a line [%2], but found %3</source>
+        <translation>[%2] の行の下に %1 のキーが必要です（実際の値：%3）</translation>
+    </message>
+    <message>
+        <source>&apos;colour&apos; must be three numbers in brackets (red, green, blue), but is %1</source>
+        <translation>&apos;colour&apos; は角括弧で囲んだ三つの数値（赤、緑、青）でなければなりません（実際の値：%1）</translation>
+    </message>
+    <message>
+        <source>%1 must be a number %2, but is %3</source>
+        <translation>%1 は%2の数値でなければなりません（実際の値：%3）</translation>
+    </message>
+    <message>
+        <source>from 0 to 1</source>
+        <translation> 0 から 1 まで</translation>
+    </message>
+    <message>
+        <source>of 0 or more</source>
+        <translation> 0 以上</translation>
+    </message>
+    <message>
+        <source>there is no part %1; the parts are %2</source>
+        <translation>%1 という部分はありません。使えるのは %2 です</translation>
+    </message>
+    <message>
+        <source>motor, cutting, water and suction</source>
+        <translation>motor、cutting、water、suction</translation>
+    </message>
+    <message>
+        <source>file, speed_rpm and gain_db</source>
+        <translation>file、speed_rpm、gain_db</translation>
+    </message>
+    <message>
+        <source>&apos;cutting&apos; needs a material: write [cutting.enamel]</source>
+        <translation>&apos;cutting&apos; には材料が必要です。[cutting.enamel] のように書いてください</translation>
+    </message>
+    <message>
+        <source>%1 must be a table with the keys %2</source>
+        <translation>%1 は %2 のキーを持つテーブルでなければなりません</translation>
+    </message>
+    <message>
+        <source>%1 has no recording; add file = &quot;NAME.wav&quot;</source>
+        <translation>%1 に録音がありません。file = &quot;NAME.wav&quot; を加えてください</translation>
+    </message>
+    <message>
+        <source>%1 needs the speed of the bur when it was recorded, whose pitch it follows; add speed_rpm = 400000 or what it was</source>
+        <translation>%1 には録音したときのバーの回転数が必要です（音の高さがこれに従います）。speed_rpm = 400000 のように加えてください</translation>
+    </message>
+    <message>
+        <source>&apos;file&apos; must be a name in quotes</source>
+        <translation>&apos;file&apos; は引用符で囲んだ名前でなければなりません</translation>
+    </message>
+    <message>
+        <source>%1: the recording has %2 samples a second, but 4000 to 192000 are needed; save it at 48000.</source>
+        <translation>%1：録音のサンプリング周波数が %2 Hz です。4000～192000 Hz が必要です。48000 Hz で保存してください。</translation>
+    </message>
+    <message>
+        <source>%1: the recording lasts %2 s, but a loop needs 0.05 to 30 s; cut out a steady piece.</source>
+        <translation>%1：録音の長さが %2 秒です。ループには 0.05～30 秒が必要です。音の安定した部分を切り出してください。</translation>
+    </message>
+    <message>
+        <source>%1: sample %2 is not a finite number; save the recording again.</source>
+        <translation>%1：%2 番目のサンプルが有限の数値ではありません。録音を保存し直してください。</translation>
+    </message>
+    <message>
+        <source>%1: the recording is silent or far too loud to be one; record it again.</source>
+        <translation>%1：録音が無音か、録音とは思えないほど大きな音です。録音し直してください。</translation>
+    </message>
+    <message>
+        <source>%1: this is neither WAV, FLAC nor Ogg; save the recording as one of these.</source>
+        <translation>%1：WAV、FLAC、Ogg のいずれでもありません。録音をいずれかの形式で保存してください。</translation>
+    </message>
+    <message>
+        <source>%1: the recording has %2 channels, but 1 to 8 are expected; save it with one.</source>
+        <translation>%1：録音のチャンネル数が %2 です。1～8 でなければなりません。モノラルで保存してください。</translation>
+    </message>
+    <message>
+        <source>%1: the recording lasts longer than the 30 s of a loop; cut out a steady piece.</source>
+        <translation>%1：録音がループの上限の 30 秒を超えています。音の安定した部分を切り出してください。</translation>
+    </message>
+    <message>
+        <source>%1: the file is shorter than it says; it was cut off, so copy or record it again.</source>
+        <translation>%1：ファイルが本来より短く、途中で切れています。コピーし直すか、録音し直してください。</translation>
+    </message>
+    <message>
+        <source>%1: the file breaks off or is damaged (%2); copy or record it again.</source>
+        <translation>%1：ファイルが途中で切れているか、壊れています（%2）。コピーし直すか、録音し直してください。</translation>
+    </message>
+    <message>
+        <source>%1: this is not a recording that can be read (%2); save it as WAV, FLAC or Ogg.</source>
+        <translation>%1：読み込める録音ではありません（%2）。WAV、FLAC、Ogg のいずれかで保存してください。</translation>
+    </message>
+    <message>
+        <source>there is no device &apos;%1&apos;: --device takes %2, or pen:NAME, inverse3:ID and gamepad:NAME for one of several; &apos;tactooth devices&apos; shows what is there.</source>
+        <translation>装置 &apos;%1&apos; はありません。--device には %2 を指定できます。複数あるときは pen:NAME、inverse3:ID、gamepad:NAME で選びます。&apos;tactooth devices&apos; で接続中の装置が分かります。</translation>
+    </message>
+    <message>
+        <source>the pedal &apos;%1&apos; is none: it is axis:N or button:N of a joystick (N from 0 to 31), with :NAME of the joystick behind it if there are several.</source>
+        <translation>&apos;%1&apos; はペダルではありません。ジョイスティックの axis:N か button:N（N は 0～31）で書き、複数あるときは後ろに :NAME を付けてください。</translation>
+    </message>
+    <message>
+        <source>There is no gamepad%1: plug one in or switch it on, and see that you may read /dev/input.</source>
+        <translation>ゲームパッド%1が見つかりません。接続するか電源を入れ、/dev/input を読む権限を確かめてください。</translation>
+    </message>
+    <message>
+        <source> named &apos;%1&apos;</source>
+        <translation>「%1」</translation>
+    </message>
+    <message>
+        <source>Joysticks cannot be read (%1).</source>
+        <translation>ジョイスティックを読めません（%1）。</translation>
+    </message>
+    <message>
+        <source>A gamepad steers already; there is one for each program.</source>
+        <translation>ゲームパッドはすでに使われています。使えるのは一つのプログラムにつき1台です。</translation>
+    </message>
+    <message>
+        <source>A SpaceMouse steers already; there is one for each program.</source>
+        <translation>SpaceMouseはすでに使われています。使えるのは一つのプログラムにつき1台です。</translation>
+    </message>
+    <message>
+        <source>The SpaceMouse&apos;s driver does not run: install spacenavd, start it (sudo systemctl start spacenavd) and plug the SpaceMouse in.</source>
+        <translation>SpaceMouseのドライバーが動いていません。spacenavdをインストールして起動し（sudo systemctl start spacenavd）、SpaceMouseを接続してください。</translation>
+    </message>
+    <message>
+        <source>OpenHaptics, %1: %2</source>
+        <translation>OpenHaptics、%1：%2</translation>
+    </message>
+    <message>
+        <source>the default device</source>
+        <translation>標準の装置</translation>
+    </message>
+    <message>
+        <source>the device &apos;%1&apos;</source>
+        <translation>装置「%1」</translation>
+    </message>
+    <message>
+        <source>OpenHaptics knows no device for %1: look its name up in the vendor&apos;s setup program.</source>
+        <translation>OpenHapticsに%1が登録されていません。メーカーの設定プログラムで名前を確かめてください。</translation>
+    </message>
+    <message>
+        <source>OpenHaptics: four devices are in use already; close one of them.</source>
+        <translation>OpenHaptics：すでに4台の装置が使用中です。1台を閉じてください。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be loaded (%2): install the device&apos;s driver and OpenHaptics, or set TACTOOTH_LIBHD to the library.</source>
+        <translation>%1 を読み込めません（%2）。装置のドライバーとOpenHapticsをインストールするか、TACTOOTH_LIBHD にライブラリの場所を設定してください。</translation>
+    </message>
+    <message>
+        <source>%1 has no function %2: it is another version; install OpenHaptics 3.4 or newer.</source>
+        <translation>%1 に関数 %2 がありません。バージョンが違います。OpenHaptics 3.4 以降をインストールしてください。</translation>
+    </message>
+    <message>
+        <source>The Haply Inverse Service does not answer at %1: install and start it, or set TACTOOTH_HAPLY to where it listens.</source>
+        <translation>Haply Inverse Serviceが %1 で応答しません。インストールして起動するか、TACTOOTH_HAPLY に待ち受け先を設定してください。</translation>
+    </message>
+    <message>
+        <source>What answers at %1 is not the Haply Inverse Service: end that program, or set TACTOOTH_HAPLY to where the service listens.</source>
+        <translation>%1 で応答しているのはHaply Inverse Serviceではありません。そのプログラムを終了するか、TACTOOTH_HAPLY に待ち受け先を設定してください。</translation>
+    </message>
+    <message>
+        <source>The Haply Inverse Service finds no Inverse3: check its cable and power supply.</source>
+        <translation>Haply Inverse ServiceがInverse3を見つけられません。ケーブルと電源を確かめてください。</translation>
+    </message>
+    <message>
+        <source>The Haply Inverse Service knows no Inverse3 &apos;%1&apos;: it finds %2.</source>
+        <translation>Haply Inverse Serviceに Inverse3 &apos;%1&apos; がありません。見つかったのは %2 です。</translation>
+    </message>
+    <message>
         <source>The motors are warm: rest the pen for a minute; until then the force is weaker.</source>
         <translation>モーターが熱くなっています。ペンを1分ほど休ませてください。それまで力は弱くなります。</translation>
     </message>
@@ -256,10 +1207,6 @@
         <translation>SpaceMouseのドライバーが止まりました。もう一度起動すれば（sudo systemctl start spacenavd）、そのまま続けられます。</translation>
     </message>
     <message>
-        <source>Haply Inverse3</source>
-        <translation>Haply Inverse3</translation>
-    </message>
-    <message>
         <source>The Haply Inverse Service answers too slowly: close other programs that keep this machine busy.</source>
         <translation>Haply Inverse Serviceの応答が遅すぎます。コンピューターに負荷をかけている他のプログラムを閉じてください。</translation>
     </message>
@@ -316,56 +1263,12 @@
         <translation>装置の位置が飛びました。ケーブルを確かめ、繰り返すときは校正してください。</translation>
     </message>
     <message>
-        <source>outer</source>
-        <translation>外表面</translation>
+        <source>.</source>
+        <translation>。</translation>
     </message>
     <message>
-        <source>first contact</source>
-        <translation>最初の接触</translation>
-    </message>
-    <message>
-        <source>dentin reached</source>
-        <translation>象牙質に到達</translation>
-    </message>
-    <message>
-        <source>pulp exposed</source>
-        <translation>歯髄が露出</translation>
-    </message>
-    <message>
-        <source>neighbour touched</source>
-        <translation>隣在歯に接触</translation>
-    </message>
-    <message>
-        <source>gum or bone touched</source>
-        <translation>歯肉または骨に接触</translation>
-    </message>
-    <message>
-        <source>bur stalled</source>
-        <translation>バーが停止</translation>
-    </message>
-    <message>
-        <source>Pit in the molar</source>
-        <translation>臼歯の小窩</translation>
-    </message>
-    <message>
-        <source>Open the central pit 1.5 mm deep, as wide as the bur: down and up again without going aside.</source>
-        <translation>中心小窩をバーの幅のまま深さ 1.5 mm まで開けます。横に動かさず、まっすぐ下ろして戻します。</translation>
-    </message>
-    <message>
-        <source>Class I cavity in the molar</source>
-        <translation>臼歯の 1 級窩洞</translation>
-    </message>
-    <message>
-        <source>Follow the central fissure, 1.5 mm deep and 1.2 mm wide with a flat floor; leave 2 mm of both ridges.</source>
-        <translation>中心溝に沿って深さ 1.5 mm、幅 1.2 mm、窩底を平らに削ります。両側の辺縁隆線は 2 mm 残します。</translation>
-    </message>
-    <message>
-        <source>Class V cavity at the neck of the canine</source>
-        <translation>犬歯歯頸部の 5 級窩洞</translation>
-    </message>
-    <message>
-        <source>At the buccal neck, 1.1 mm deep everywhere: the floor follows the surface of the tooth.</source>
-        <translation>唇側歯頸部を、どこも深さ 1.1 mm で削ります。窩底は歯面に沿わせます。</translation>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
     </message>
 </context>
 <context>
@@ -709,6 +1612,10 @@ The mouse wheel in the picture changes it too.</source>
 </context>
 <context>
     <name>tactooth::MainWindow</name>
+    <message>
+        <source>The window starts with its defaults and writes the file anew when it is closed.</source>
+        <translation>ウィンドウは初期設定で始まり、閉じるときにファイルを書き直します。</translation>
+    </message>
     <message>
         <source>Real time</source>
         <translation>リアルタイム</translation>

@@ -68,7 +68,7 @@ std::string TomlReader::text(const toml::table& table, std::string_view key, boo
         fail(*node, quoted(key) + " must be a text of one line in quotes");
         return {};
     }
-    if (isNeeded && value->empty()) fail(*node, quoted(key) + " is empty");
+    if (isNeeded && value->empty()) fail(*node, "the key '" + std::string(key) + "' is empty");
     return *value;
 }
 
