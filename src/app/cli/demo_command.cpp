@@ -142,7 +142,8 @@ Expected<void> writeResults(const fs::path& folder, const Demonstration& played,
     const Tick& last = played.ticks.back();
     if (const auto& work = played.work) {
         const DemoMoment moment{work->surface, played.ticks[work->tick], work->flying};
-        if (auto done = writeDemoPicture(folder / "spray.png", DemoView::AtWork, moment, cast.props); !done) return done;
+        if (auto done = writeDemoPicture(folder / "spray.png", DemoView::AtWork, moment, cast.props); !done)
+            return done;
     }
     const DemoMoment end{piece.surface(), last};
     if (auto done = writeDemoPicture(folder / "cut.png", DemoView::Cut, end, cast.props); !done) return done;

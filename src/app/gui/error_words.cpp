@@ -297,6 +297,10 @@ constexpr const char* kErrors[] = {
     QT_TRANSLATE_NOOP("Error",
                       "What answers at %1 is not the Haply Inverse Service: end that program, or set TACTOOTH_HAPLY to "
                       "where the service listens."),
+    QT_TRANSLATE_NOOP("Error", "%1 is broken, %2: install the device's driver anew; Tactooth leaves it alone."),
+    QT_TRANSLATE_NOOP("Error", "it crashes (%1)"),
+    QT_TRANSLATE_NOOP("Error", "it does not return"),
+    QT_TRANSLATE_NOOP("Error", "it ends the program that uses it"),
     QT_TRANSLATE_NOOP("Error", "The Haply Inverse Service finds no Inverse3: check its cable and power supply."),
     QT_TRANSLATE_NOOP("Error", "The Haply Inverse Service knows no Inverse3 '%1': it finds %2."),
     // Troubles of a device that steers.

@@ -19,6 +19,7 @@
 
 #include "app/gui/drill_bar.h"
 #include "app/gui/drive_panel.h"
+#include "app/gui/error_words.h"
 #include "app/gui/event_panel.h"
 #include "app/gui/exercise_panel.h"
 #include "app/gui/force_panel.h"
@@ -352,7 +353,7 @@ void MainWindow::takeNews(const Workbench::News& news) {
     }
     // No message that would take the keys and the pedal from a hand at work.
     if (news.trouble) {
-        *news.trouble != nullptr ? status_->setHint(translated(*news.trouble)) : showUsualHint();
+        *news.trouble != nullptr ? status_->setHint(errorInWords(*news.trouble)) : showUsualHint();
         forceWaits_ = false;
     }
     if (news.heavyTick) {

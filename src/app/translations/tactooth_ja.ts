@@ -247,6 +247,22 @@
 <context>
     <name>Error</name>
     <message>
+        <source>%1 is broken, %2: install the device&apos;s driver anew; Tactooth leaves it alone.</source>
+        <translation>%1 は壊れています（%2）。デバイスのドライバーを入れ直してください。Tactooth はこのライブラリを使いません。</translation>
+    </message>
+    <message>
+        <source>it crashes (%1)</source>
+        <translation>クラッシュします: %1</translation>
+    </message>
+    <message>
+        <source>it does not return</source>
+        <translation>応答が戻りません</translation>
+    </message>
+    <message>
+        <source>it ends the program that uses it</source>
+        <translation>呼び出したプログラムを終了させます</translation>
+    </message>
+    <message>
         <source>%1: there is no such file; check the name and the folder.</source>
         <translation>%1：ファイルがありません。名前とフォルダーを確かめてください。</translation>
     </message>
