@@ -35,6 +35,18 @@ std::uint64_t LatencyCounts::between(double low, double high) const {
     return std::accumulate(counts_.begin() + from, counts_.begin() + to, std::uint64_t{0});
 }
 
+std::vector<LatencyBin> LatencyCounts::octaves() const {
+    std::vector<LatencyBin> bins;
+    for (std::size_t first = 0; first < counts_.size(); first += kPerOctave) {
+        const auto from = counts_.begin() + static_cast<std::ptrdiff_t>(first);
+        const std::uint64_t count = std::accumulate(from, from + kPerOctave, std::uint64_t{0});
+        const double octave = static_cast<double>(first / kPerOctave);
+        if (count > 0 || !bins.empty()) bins.push_back({kSmallest * std::exp2(octave + 1), count});
+    }
+    while (!bins.empty() && bins.back().count == 0) bins.pop_back();
+    return bins;
+}
+
 LatencyCounts LatencyCounts::since(const LatencyCounts& earlier) const {
     LatencyCounts newer = *this;
     for (std::size_t i = 0; i < newer.counts_.size(); ++i) newer.counts_[i] -= earlier.counts_[i];

@@ -5,8 +5,15 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <vector>
 
 namespace tactooth {
+
+/// How many durations are shorter than `upTo`, us, and not shorter than that of the bin before.
+struct LatencyBin {
+    double upTo;
+    std::uint64_t count;
+};
 
 /// How many durations fell into each bucket of a LatencyHistogram at one moment.
 class LatencyCounts {
@@ -16,6 +23,9 @@ public:
     [[nodiscard]] std::uint64_t total() const;
     /// How many lie from `low` to below `high`, us, where a bucket counts by its lower end.
     [[nodiscard]] std::uint64_t between(double low, double high) const;
+    /// All of them in bins an octave wide, from the first to the last that is not empty. What is shorter than a
+    /// microsecond's tenth is in the first bin that there can be, what is longer than a minute in the last.
+    [[nodiscard]] std::vector<LatencyBin> octaves() const;
     /// Those that have come since an earlier moment of the same histogram.
     [[nodiscard]] LatencyCounts since(const LatencyCounts& earlier) const;
 

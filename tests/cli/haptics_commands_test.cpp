@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
 
 #include "cli/cli_test.h"
 
@@ -9,6 +11,13 @@ namespace tactooth {
 namespace {
 
 using namespace test;
+using Json = nlohmann::json;
+
+/// What one sees of UTF-8.
+std::size_t lettersOf(const std::string& line) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(line, [](unsigned char byte) { return (byte & 0xC0) != 0x80; }));
+}
 
 TEST(HapticsCommands, StabilityTellsEachRunAsJson) {
     const ProgramRun run = runTactooth({"bench", "stability", "--device", "touch-x", "--hand", "loose", "--material",
@@ -56,9 +65,16 @@ TEST(HapticsCommands, RealtimeTellsHowTheMachineKeptTime) {
     for (const char* line : {"period_jitter", "tick", "lateness", "device_to_force"}) {
         EXPECT_GT(json.at(line).at("p50_us"), 0) << line;
         EXPECT_LE(json.at(line).at("p50_us"), json.at(line).at("max_us")) << line;
+        std::uint64_t count = 0;
+        for (const Json& bin : json.at(line).at("bins")) count += bin.at("count").get<std::uint64_t>();
+        EXPECT_GT(count, 50U) << line;
+        EXPECT_GT(json.at(line).at("bins").back().at("below_us"), json.at(line).at("max_us")) << line;
     }
-    EXPECT_THAT(runTactooth({"realtime", "--seconds", "1", "--rate", "2000", "--load"}).out,
-                AllOf(HasSubstr("2000 Hz, with all other cores busy"), HasSubstr("deadlines missed")));
+    const ProgramRun table = runTactooth({"realtime", "--seconds", "1", "--rate", "2000", "--load"});
+    EXPECT_THAT(table.out, AllOf(HasSubstr("2000 Hz, with all other cores busy"), HasSubstr("deadlines missed"),
+                                 HasSubstr("below, us  period off by"), HasSubstr("█")));
+    std::istringstream lines(table.out.substr(table.out.find("below, us")));
+    for (std::string line; std::getline(lines, line) && !line.empty();) EXPECT_LE(lettersOf(line), 100U) << line;
     EXPECT_EQ(runTactooth({"realtime", "--rate", "100"}).exitCode, 2);
     EXPECT_TRUE(json.at("heavy_scene").is_boolean());
 }

@@ -86,6 +86,46 @@ TEST(LatencyCounts, ARangeHoldsWhatIsWellWithinIt) {
     EXPECT_EQ(histogram->counts().between(100, 40), 0U) << "an empty one";
 }
 
+TEST(LatencyCounts, OctavesHoldEachDurationUnderTheirUpperEdge) {
+    std::mt19937 random(20261123);
+    std::lognormal_distribution<double> duration(3, 2);
+    const auto histogram = std::make_unique<LatencyHistogram>();
+    std::vector<double> all;
+    for (int i = 0; i < 5000; ++i) {
+        all.push_back(std::max(0.11, duration(random)));
+        histogram->add(all.back());
+    }
+    const std::vector<LatencyBin> bins = histogram->counts().octaves();
+    ASSERT_FALSE(bins.empty());
+    EXPECT_GT(bins.front().count, 0U);
+    EXPECT_GT(bins.back().count, 0U);
+    std::uint64_t below = 0;
+    for (std::size_t i = 0; i < bins.size(); ++i) {
+        if (i > 0) {
+            EXPECT_DOUBLE_EQ(bins[i].upTo, 2 * bins[i - 1].upTo);
+        }
+        below += bins[i].count;
+        const auto wanted = std::ranges::count_if(all, [&](double micros) { return micros < bins[i].upTo; });
+        EXPECT_EQ(below, static_cast<std::uint64_t>(wanted)) << bins[i].upTo;
+    }
+    EXPECT_EQ(below, 5000U);
+}
+
+TEST(LatencyCounts, OctavesAreFromTheFirstToTheLastWithEntries) {
+    EXPECT_TRUE(LatencyCounts().octaves().empty());
+    const auto histogram = std::make_unique<LatencyHistogram>();
+    for (const double micros : {1.0, 5.0, 5.0}) histogram->add(micros);
+    const std::vector<LatencyBin> bins = histogram->counts().octaves();
+    ASSERT_EQ(bins.size(), 3U);
+    EXPECT_NEAR(bins[0].upTo, 1.6, 1e-12);
+    EXPECT_EQ(bins[1].count, 0U);
+    EXPECT_EQ(bins[2].count, 2U);
+    EXPECT_NEAR(bins[2].upTo, 6.4, 1e-12);
+    histogram->add(0);
+    histogram->add(1e300);
+    EXPECT_EQ(histogram->counts().octaves().size(), 30U) << "all that there can be";
+}
+
 TEST(LatencyCounts, SinceAMomentTellsWhatCameAfterIt) {
     const auto histogram = std::make_unique<LatencyHistogram>();
     for (int i = 0; i < 100; ++i) histogram->add(10);

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "app/cli/exit_code.h"
+#include "app/cli/timing_bars.h"
 #include "devices/scripted_hand.h"
 #include "geometry/triangle_mesh.h"
 #include "haptics/real_time.h"
@@ -65,6 +66,7 @@ private:
 struct Line {
     const char* key;
     const char* title;
+    const char* head;  ///< the same over a column
     const LatencyHistogram* histogram;
 };
 
@@ -78,15 +80,27 @@ void printTable(const RealtimeOptions& options, const Simulator& simulator, std:
                simulator.isRealTime() ? "real-time (SCHED_FIFO)" : "ordinary", memoryLocked ? "locked" : "not locked",
                simulator.sleepsLightly() ? "kept from deep sleep" : "may sleep deeply");
     fmt::print("{:<34} {:>8} {:>8} {:>8} {:>9}\n", "us", "p50", "p99", "p99.9", "max");
-    for (const auto& [key, title, histogram] : lines) {
+    std::vector<TimingBars> bars;
+    for (const auto& [key, title, head, histogram] : lines) {
+        bars.push_back({head, histogram->counts()});
         fmt::print("{:<34} {:>8.1f} {:>8.1f} {:>8.1f} {:>9.1f}\n", title, histogram->quantile(0.5),
                    histogram->quantile(0.99), histogram->quantile(0.999), histogram->largest());
     }
+    fmt::print("\nHow often it was so long; the bars grow with the logarithm.\n{}", timingBars(bars));
     const ServoTiming& timing = simulator.timing();
     const auto ticks = static_cast<double>(timing.ticks.load());
     const auto missed = static_cast<double>(timing.missed.load());
     fmt::print("\n{:.0f} ticks, {:.0f} deadlines missed ({:.3f} %).\n", ticks, missed,
                100 * missed / std::max(1.0, ticks + missed));
+}
+
+/// Upper edges and numbers of an octave each.
+Json binsOf(const LatencyHistogram& histogram) {
+    Json bins = Json::array();
+    for (const LatencyBin& bin : histogram.counts().octaves()) {
+        bins.push_back({{"below_us", bin.upTo}, {"count", bin.count}});
+    }
+    return bins;
 }
 
 Json jsonOf(const RealtimeOptions& options, const Simulator& simulator, std::span<const Line> lines, bool locked) {
@@ -104,11 +118,12 @@ Json jsonOf(const RealtimeOptions& options, const Simulator& simulator, std::spa
                  {"ticks", simulator.timing().ticks.load()},
                  {"missed", simulator.timing().missed.load()},
                  {"heavy_scene", isSceneHeavy(simulator.timing(), options.rateHz)}};
-    for (const auto& [key, title, histogram] : lines) {
+    for (const auto& [key, title, head, histogram] : lines) {
         json[key] = {{"p50_us", histogram->quantile(0.5)},
                      {"p99_us", histogram->quantile(0.99)},
                      {"p999_us", histogram->quantile(0.999)},
-                     {"max_us", histogram->largest()}};
+                     {"max_us", histogram->largest()},
+                     {"bins", binsOf(*histogram)}};
     }
     return json;
 }
@@ -151,10 +166,10 @@ int runRealtime(const RealtimeOptions& options) {
     }
     const ServoTiming& timing = simulator.timing();
     const std::array<Line, 4> lines = {
-        {{"period_jitter", "period: shorter or longer by", &timing.jitter},
-         {"tick", "tick: time of its work", &timing.tick},
-         {"lateness", "waking up: late by", &timing.lateness},
-         {"device_to_force", "from the reading to its force", &simulator.deviceToForce()}}};
+        {{"period_jitter", "period: shorter or longer by", "period off by", &timing.jitter},
+         {"tick", "tick: time of its work", "work of a tick", &timing.tick},
+         {"lateness", "waking up: late by", "woken late by", &timing.lateness},
+         {"device_to_force", "from the reading to its force", "reading to force", &simulator.deviceToForce()}}};
     if (options.json) {
         fmt::print("{}\n",
                    jsonOf(options, simulator, lines, locked).dump(1, ' ', false, Json::error_handler_t::replace));
