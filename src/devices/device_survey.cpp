@@ -2,21 +2,30 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "devices/device_survey.h"
 
+#include <dlfcn.h>
+
 #include <cmath>
 #include <functional>
+#include <nlohmann/json.hpp>
 
 #include "devices/child_probe.h"
 #include "devices/haply/haply_device.h"
+#include "devices/haply/haply_link.h"
 #include "devices/haply/haply_survey.h"
+#include "devices/mouse_device.h"
 #include "devices/openhaptics/hd_library.h"
 #include "devices/openhaptics/openhaptics_device.h"
+#include "devices/sdl/gamepad_device.h"
 #include "devices/sdl/joysticks.h"
 #include "devices/spacemouse/space_mouse_device.h"
 
 namespace tactooth {
 namespace {
 
-constexpr double kPatience = 10;  // s: a driver that looks for its device takes a few
+using Json = nlohmann::json;
+
+constexpr double kPatience = 10;     // s: a driver that looks for its device takes a few
+constexpr double kLinkPatience = 1;  // s: the service is on this machine
 
 /// Tenths, whatever the locale.
 std::string tenths(double value) {
@@ -24,44 +33,103 @@ std::string tenths(double value) {
     return std::to_string(rounded / 10) + '.' + std::to_string(rounded % 10);
 }
 
-std::string abilitiesOf(const DeviceInfo& info) {
+DeviceAbilities abilitiesOf(const DeviceInfo& info) {
+    DeviceAbilities abilities;
+    abilities.force = info.rendersForce ? info.limits.force : 0;
+    abilities.continuousForce = info.rendersForce ? info.limits.continuousForce : 0;
+    if (!info.workspace.isZero()) abilities.workspace = info.workspace;
+    if (info.rendersForce && std::isfinite(info.stiffness)) abilities.stiffness = info.stiffness;
+    abilities.buttons = info.buttonCount;
+    return abilities;
+}
+
+/// Of a device that renders force.
+std::string textOf(const DeviceInfo& info) {
     const Vec3& room = info.workspace;
     return info.name + ": force " + tenths(info.limits.force) + " N, " + tenths(info.limits.continuousForce) +
            " N for ever; workspace " + tenths(room.x()) + " x " + tenths(room.y()) + " x " + tenths(room.z()) +
            " mm; stiffest wall " + tenths(info.stiffness) + " N/mm; " + std::to_string(info.buttonCount) + " buttons";
 }
 
-/// The child's answer: '+' and what the device can do, or '-' and why it cannot be used.
-std::string tryPen(const std::string& library) {
-    OpenHapticsDevice pen("", library);
-    const auto opened = pen.open();
-    return opened ? '+' + abilitiesOf(pen.info()) : '-' + opened.error().message;
+/// What was found out about a device, in the child process or here.
+struct Answer {
+    DeviceState state;
+    std::string text;
+    DeviceAbilities abilities = {};
+};
+
+/// As the child writes it into the pipe; an empty list: not known. A driver may name its device in any letters.
+std::string packed(const Answer& answer) {
+    const DeviceAbilities& can = answer.abilities;
+    const auto list = [](const auto& value) { return value ? Json::array({*value}) : Json::array(); };
+    Json room = Json::array();
+    if (can.workspace) room = {can.workspace->x(), can.workspace->y(), can.workspace->z()};
+    const Json json = {static_cast<int>(answer.state),
+                       answer.text,
+                       list(can.force),
+                       list(can.continuousForce),
+                       list(can.stiffness),
+                       list(can.buttons),
+                       room};
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-SurveyedDevice surveyPen() {
-    SurveyedDevice pen{"pen", "OpenHaptics (PHANToM, Touch)", false, {}};
-    const std::string library = HdLibrary::usualPath();
-    const auto answer = inChildProcess([&library] { return tryPen(library); }, kPatience);
-    if (!answer) {
-        pen.text = hdBrokenText(library, answer.error().message);
-    } else if (!answer->empty()) {
-        pen.ready = answer->front() == '+';
-        pen.text = answer->substr(1);
-    }
-    return pen;
+/// No answer if a library has ended the child in the middle of it.
+std::optional<Answer> unpacked(const std::string& text) {
+    const Json json = Json::parse(text, nullptr, false);
+    if (json.is_discarded()) return std::nullopt;
+    Answer answer{static_cast<DeviceState>(json[0].get<int>()), json[1].get<std::string>()};
+    const auto take = [](const Json& list, auto& value) {
+        if (!list.empty()) list[0].get_to(value.emplace());
+    };
+    take(json[2], answer.abilities.force);
+    take(json[3], answer.abilities.continuousForce);
+    take(json[4], answer.abilities.stiffness);
+    take(json[5], answer.abilities.buttons);
+    const Json& room = json[6];
+    if (!room.empty()) answer.abilities.workspace = Vec3(room[0], room[1], room[2]);
+    return answer;
+}
+
+/// Asks in a child process. `library`: what is broken if the child does not come to an end; `remedy`: against that.
+SurveyedDevice survey(const char* name, const char* backend, const std::string& library, const std::string& remedy,
+                      const std::function<Answer()>& probe) {
+    const auto text = inChildProcess([&probe] { return packed(probe()); }, kPatience);
+    const std::optional<Answer> answer = text ? unpacked(*text) : std::nullopt;
+    if (answer) return {name, backend, answer->state, answer->text, answer->abilities};
+    const std::string end = text ? "it ends the program that uses it" : text.error().message;
+    return {name, backend, DeviceState::NotUsable, library + " is broken, " + end + ": " + remedy};
+}
+
+Answer tryPen(const std::string& library) {
+    OpenHapticsDevice pen("", library);
+    const auto opened = pen.open();
+    if (opened) return {DeviceState::Ready, textOf(pen.info()), abilitiesOf(pen.info())};
+    const bool isInstalled = dlopen(library.c_str(), RTLD_LAZY | RTLD_NOLOAD) != nullptr;
+    const bool isUnplugged = opened.error().message.ends_with(hdErrorText(hd::kLinkFault));
+    return {isInstalled && !isUnplugged ? DeviceState::NotUsable : DeviceState::NotThere, opened.error().message};
+}
+
+/// Why there is no line for an Inverse3: nobody serves it or none is plugged in, or the service cannot be used.
+SurveyedDevice noInverse3(const char* backend, const std::string& address, const std::string& why) {
+    const std::string noneFound = haplyDevices(R"({"inverse3": []})").error().message;
+    const bool isServed = why != noneFound && HaplyLink::open(address, kLinkPatience).has_value();
+    return {"inverse3", backend, isServed ? DeviceState::NotUsable : DeviceState::NotThere, why};
 }
 
 /// One line for each Inverse3; one that says why not if there is none.
 std::vector<SurveyedDevice> surveyInverse3() {
     constexpr const char* kBackend = "Haply Inverse3";
-    const auto found = surveyHaply(HaplyDevice::usualAddress());
-    if (!found) return {{"inverse3", kBackend, false, found.error().message}};
+    const std::string address = HaplyDevice::usualAddress();
+    const auto found = surveyHaply(address);
+    if (!found) return {noInverse3(kBackend, address, found.error().message)};
     std::vector<SurveyedDevice> devices;
     for (const HaplyNames& names : *found) {
         HaplyDevice device(names.device);
         const auto opened = device.open();
-        devices.push_back({"inverse3:" + names.device, kBackend, opened.has_value(),
-                           opened ? abilitiesOf(device.info()) : opened.error().message});
+        devices.push_back({"inverse3:" + names.device, kBackend, opened ? DeviceState::Ready : DeviceState::NotUsable,
+                           opened ? textOf(device.info()) : opened.error().message,
+                           opened ? abilitiesOf(device.info()) : DeviceAbilities()});
     }
     return devices;
 }
@@ -71,44 +139,53 @@ std::string describe(const JoystickState& joystick) {
            std::to_string(joystick.buttons.size()) + " buttons" + (joystick.rumbles ? ", rumbles" : "") + ")";
 }
 
-/// The child's answer: '+' and the joysticks of the kind that is asked for, or '-' and what to do.
-std::string tryJoysticks(bool padsOnly, const std::string& none) {
+/// The joysticks of the kind that is asked for, or why there are none. `can`: what each can do beside its buttons, of
+/// which the first one's are told.
+Answer tryJoysticks(bool padsOnly, DeviceAbilities can, const std::string& none) {
     const auto joysticks = SdlJoysticks::shared();
-    if (!joysticks) return '-' + joysticks.error().message;
+    if (!joysticks) return {DeviceState::NotUsable, joysticks.error().message};
     std::string found;
     for (const JoystickState& joystick : (*joysticks)->states()) {
         if (padsOnly && !joystick.isPad) continue;
+        if (found.empty()) can.buttons = static_cast<int>(joystick.buttons.size());
         found += (found.empty() ? "" : "; ") + describe(joystick);
     }
-    return found.empty() ? '-' + none : '+' + found;
+    if (found.empty()) return {DeviceState::NotThere, none};
+    return {DeviceState::Ready, found, can};
 }
 
-std::string trySpaceMouse() {
+Answer trySpaceMouse() {
     SpaceMouseDevice device;
     const auto opened = device.open();
-    return opened ? "+the driver runs; six axes steer by speed, no force" : '-' + opened.error().message;
+    if (!opened) return {DeviceState::NotThere, opened.error().message};
+    return {DeviceState::Ready, "the driver runs; six axes steer by speed, no force", abilitiesOf(device.info())};
 }
 
-SurveyedDevice survey(const char* name, const char* backend, const std::function<std::string()>& probe) {
-    const auto answer = inChildProcess(probe, kPatience);
-    if (!answer) return {name, backend, false, "its system library is broken, " + answer.error().message + "."};
-    return {name, backend, !answer->empty() && answer->front() == '+', answer->empty() ? "" : answer->substr(1)};
+SurveyedDevice surveyMouse() {
+    return {"mouse", "mouse and keyboard", DeviceState::Ready,
+            "always there; no force: what the hand would feel is shown", abilitiesOf(MouseDevice(Pose()).info())};
 }
 
 }  // namespace
 
 std::vector<SurveyedDevice> surveyDevices() {
+    constexpr const char* kSdl = "The library that reads joysticks (SDL 2)";
+    constexpr const char* kMendSdl =
+        "install the package libsdl2-2.0-0 anew, and use neither gamepad nor joystick until then.";
+    const std::string pens = HdLibrary::usualPath();
     std::vector<SurveyedDevice> devices = {
-        {"mouse", "mouse and keyboard", true, "always there; no force: what the hand would feel is shown"},
-        surveyPen()};
+        surveyMouse(),
+        survey("pen", "OpenHaptics (PHANToM, Touch)", pens,
+               "install the device's driver anew; Tactooth leaves it alone.", [&] { return tryPen(pens); })};
     for (SurveyedDevice& device : surveyInverse3()) devices.push_back(std::move(device));
-    devices.push_back(survey("gamepad", "gamepad (SDL)", [] {
-        return tryJoysticks(true,
+    devices.push_back(survey("gamepad", "gamepad (SDL)", kSdl, kMendSdl, [] {
+        return tryJoysticks(true, abilitiesOf(GamepadDevice("").info()),
                             "There is no gamepad: plug one in or switch it on, and see that you may read /dev/input.");
     }));
-    devices.push_back(survey("spacemouse", "SpaceMouse (spacenavd)", trySpaceMouse));
-    devices.push_back(survey("pedal", "foot pedal (any joystick, SDL)", [] {
-        return tryJoysticks(false, "There is no joystick or pedal: the space key and the slider are the pedal.");
+    devices.push_back(survey("spacemouse", "SpaceMouse (spacenavd)", "The SpaceMouse's library (libspnav)",
+                             "install the package libspnav0 anew, and use no SpaceMouse until then.", trySpaceMouse));
+    devices.push_back(survey("pedal", "foot pedal (any joystick, SDL)", kSdl, kMendSdl, [] {
+        return tryJoysticks(false, {}, "There is no joystick or pedal: the space key and the slider are the pedal.");
     }));
     return devices;
 }

@@ -93,22 +93,41 @@ TEST(HapticsCommands, DevicesAlwaysHaveTheMouse) {
     EXPECT_THAT(runTactooth({"devices"}).out, HasSubstr("mouse and keyboard"));
 }
 
-TEST(HapticsCommands, TheDoctorLooksAtEverything) {
-    const ProgramRun run = runTactooth({"doctor", "--json"});
-    const auto json = nlohmann::json::parse(run.out);
-    std::vector<std::string> areas;
-    bool missing = false;
-    for (const auto& finding : json) {
-        areas.push_back(finding.at("area"));
-        missing |= finding.at("verdict") == "missing";
-        EXPECT_NE(finding.at("text"), "");
+Json deviceNamed(const std::string& name, const Environment& changes) {
+    for (const Json& device : Json::parse(runTactooth({"devices", "--json"}, changes).out)) {
+        if (device.at("name") == name) return device;
     }
-    const std::vector<std::string> first = {"display", "OpenGL", "sound", "real time"};
-    ASSERT_GT(areas.size(), first.size());
-    EXPECT_TRUE(std::equal(first.begin(), first.end(), areas.begin()));
-    const auto devices = nlohmann::json::parse(runTactooth({"devices", "--json"}).out);
-    EXPECT_EQ(std::count(areas.begin(), areas.end(), "device"), static_cast<long>(devices.size()));
-    EXPECT_EQ(run.exitCode, missing ? 1 : 0);
+    return {};
+}
+
+TEST(HapticsCommands, DevicesTellInNumbersWhatTheyCan) {
+    const Json pen = deviceNamed("pen", {{"TACTOOTH_LIBHD", TACTOOTH_STANDIN_HD}});
+    EXPECT_EQ(pen.at("state"), "ready");
+    EXPECT_EQ(pen.at("force_n"), 3.3);
+    EXPECT_EQ(pen.at("continuous_force_n"), 0.88);
+    EXPECT_EQ(pen.at("workspace_mm"), Json({160, 70, 120}));
+    EXPECT_EQ(pen.at("stiffness_n_per_mm"), 0.5);
+    EXPECT_EQ(pen.at("buttons"), 2);
+    EXPECT_EQ(deviceNamed("mouse", {}).at("force_n"), 0);
+}
+
+TEST(HapticsCommands, ADeviceThatIsBrokenIsNotUsableAndOneThatIsMissingIsNotThere) {
+    const Json broken = deviceNamed("pen", {{"TACTOOTH_LIBHD", TACTOOTH_CRASHING_HD}});
+    EXPECT_EQ(broken.at("state"), "not usable");
+    EXPECT_EQ(broken.at("ready"), false);
+    EXPECT_FALSE(broken.contains("force_n")) << "nobody knows";
+    EXPECT_EQ(deviceNamed("pen", {{"TACTOOTH_LIBHD", "libNoSuchHD.so"}}).at("state"), "not there");
+}
+
+TEST(HapticsCommands, DevicesStandInColumns) {
+    std::istringstream lines(runTactooth({"devices"}, {{"TACTOOTH_LIBHD", TACTOOTH_CRASHING_HD}}).out);
+    std::set<std::size_t> columns;
+    for (std::string line; std::getline(lines, line);) {
+        const auto end = std::min({line.find("  ready  "), line.find("  not there  "), line.find("  not usable  ")});
+        ASSERT_NE(end, std::string::npos) << line;
+        columns.insert(line.find_first_not_of(' ', end));
+    }
+    EXPECT_EQ(columns.size(), 1U);
 }
 
 }  // namespace

@@ -21,15 +21,35 @@ std::string contentOf(const std::filesystem::path& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
+std::vector<std::string> changedEnvironment(const Environment& changes) {
+    std::vector<std::string> variables;
+    for (char** variable = environ; *variable != nullptr; ++variable) {
+        const std::string text = *variable;
+        if (!changes.contains(text.substr(0, text.find('=')))) variables.push_back(text);
+    }
+    for (const auto& [name, value] : changes) {
+        if (value) variables.push_back(name + "=" + *value);
+    }
+    return variables;
+}
+
+std::vector<char*> pointersTo(std::vector<std::string>& texts) {
+    std::vector<char*> pointers;
+    for (std::string& text : texts) pointers.push_back(text.data());
+    pointers.push_back(nullptr);
+    return pointers;
+}
+
 }  // namespace
 
-ProgramRun runTactooth(const std::vector<std::string>& arguments) {
+ProgramRun runTactooth(const std::vector<std::string>& arguments, const Environment& changes) {
     const TemporaryFolder folder;
     const std::string out = folder / "out";
     const std::string err = folder / "err";
-    std::vector<char*> argv = {const_cast<char*>(TACTOOTH_PROGRAM)};
-    for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
-    argv.push_back(nullptr);
+    std::vector<std::string> words = {TACTOOTH_PROGRAM};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    std::vector<std::string> variables = changedEnvironment(changes);
+    const std::vector<char*> argv = pointersTo(words), envp = pointersTo(variables);
 
     posix_spawn_file_actions_t files;
     posix_spawn_file_actions_init(&files);
@@ -38,7 +58,7 @@ ProgramRun runTactooth(const std::vector<std::string>& arguments) {
     posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, out.c_str(), kCreate, 0600);
     posix_spawn_file_actions_addopen(&files, STDERR_FILENO, err.c_str(), kCreate, 0600);
     pid_t process = 0;
-    const int failure = ::posix_spawn(&process, TACTOOTH_PROGRAM, &files, nullptr, argv.data(), environ);
+    const int failure = ::posix_spawn(&process, TACTOOTH_PROGRAM, &files, nullptr, argv.data(), envp.data());
     posix_spawn_file_actions_destroy(&files);
     if (failure != 0) throw std::runtime_error("cannot start " TACTOOTH_PROGRAM);
 

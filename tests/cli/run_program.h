@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,7 +16,10 @@ struct ProgramRun {
     std::string err;
 };
 
+/// Variables that are other than here; nullopt: not set.
+using Environment = std::map<std::string, std::optional<std::string>>;
+
 /// Runs the real program with `arguments` (no shell in between) and waits for its end.
-[[nodiscard]] ProgramRun runTactooth(const std::vector<std::string>& arguments);
+[[nodiscard]] ProgramRun runTactooth(const std::vector<std::string>& arguments, const Environment& changes = {});
 
 }  // namespace tactooth::test

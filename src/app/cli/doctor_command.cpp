@@ -4,18 +4,16 @@
 
 #include <fmt/core.h>
 
-#include <chrono>
-#include <cstdlib>
+#include <array>
 #include <nlohmann/json.hpp>
-#include <thread>
-#include <vector>
 
+#include "app/cli/doctor_finding.h"
+#include "app/cli/doctor_sound.h"
 #include "app/cli/exit_code.h"
+#include "app/common/display_check.h"
 #include "devices/child_probe.h"
 #include "devices/device_survey.h"
 #include "haptics/real_time.h"
-#include "sound/audio_libraries.h"
-#include "sound/openal_output.h"
 #include "view/egl_context.h"
 
 namespace tactooth {
@@ -23,26 +21,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kPatience = 20;  // s for a graphics or sound driver to answer
-
-enum class Verdict {
-    Fine,
-    Optional,  ///< works without
-    Missing,   ///< the window does not open
-};
 constexpr std::array<const char*, 3> kVerdicts = {"fine", "optional", "missing"};
 
-struct Finding {
-    const char* area;
-    Verdict verdict;
-    std::string text;
-};
-
 Finding lookAtDisplay() {
-    const bool there = std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;
-    if (there) return {"display", Verdict::Fine, "There is a display."};
-    return {"display", Verdict::Missing,
-            "There is no display: the window needs one; 'tactooth demo' and the other commands do not."};
+    const Expected<void> display = checkDisplay();
+    if (!display) return {"display", Verdict::Missing, asSentence(display.error().message)};
+    return {"display", Verdict::Fine, "A window can be opened."};
 }
 
 Finding lookAtOpenGl() {
@@ -51,33 +35,13 @@ Finding lookAtOpenGl() {
             const auto context = EglContext::create();
             return context ? std::string() : context.error().message;
         },
-        kPatience);
+        kDriverPatience);
     if (!answer) {
         return {"OpenGL", Verdict::Missing,
                 "The graphics driver is broken, " + answer.error().message + ": install it anew."};
     }
-    if (!answer->empty()) return {"OpenGL", Verdict::Missing, *answer};
+    if (!answer->empty()) return {"OpenGL", Verdict::Missing, asSentence(*answer)};
     return {"OpenGL", Verdict::Fine, "OpenGL 4.1 works."};
-}
-
-std::string tryToPlay() {
-    prepareAudioLibraries();
-    const OpenAlOutput output;
-    for (int i = 0; i < 100 && output.status() == SoundStatus::Starting; ++i) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    }
-    return output.status() == SoundStatus::Playing ? "+" : "-";
-}
-
-Finding lookAtSound() {
-    const auto answer = inChildProcess(tryToPlay, kPatience);
-    if (!answer) {
-        return {"sound", Verdict::Optional,
-                "The sound system is broken, " + answer.error().message + "; the window stays silent."};
-    }
-    if (*answer == "+") return {"sound", Verdict::Fine, "The sound card plays."};
-    return {"sound", Verdict::Optional,
-            "No sound card: the window stays silent; plug one in or choose it in the system's settings."};
 }
 
 Finding lookAtRealTime() {
@@ -91,30 +55,18 @@ Finding lookAtRealTime() {
 }
 
 std::vector<Finding> examine() {
-    std::vector<Finding> findings = {lookAtDisplay(), lookAtOpenGl(), lookAtSound(), lookAtRealTime()};
+    std::vector<Finding> findings = {lookAtDisplay(), lookAtOpenGl()};
+    for (Finding& finding : lookAtSound()) findings.push_back(std::move(finding));
+    findings.push_back(lookAtRealTime());
     for (const SurveyedDevice& device : surveyDevices()) {
+        const bool isReady = device.state == DeviceState::Ready;
         findings.push_back(
-            {"device", device.ready ? Verdict::Fine : Verdict::Optional, device.backend + ": " + device.text});
+            {"device", isReady ? Verdict::Fine : Verdict::Optional, device.backend + ": " + device.text});
     }
     return findings;
 }
 
 }  // namespace
-
-int runDevices(const DevicesOptions& options) {
-    Json json = Json::array();
-    for (const SurveyedDevice& device : surveyDevices()) {
-        if (options.json) {
-            json.push_back(
-                {{"name", device.name}, {"backend", device.backend}, {"ready", device.ready}, {"text", device.text}});
-        } else {
-            fmt::print("{:<11} {:<30} {:<10} {}\n", device.name, device.backend, device.ready ? "ready" : "not there",
-                       device.text);
-        }
-    }
-    if (options.json) fmt::print("{}\n", json.dump(1, ' ', false, Json::error_handler_t::replace));
-    return kExitOk;
-}
 
 int runDoctor(const DoctorOptions& options) {
     Json json = Json::array();
@@ -125,7 +77,7 @@ int runDoctor(const DoctorOptions& options) {
         if (options.json) {
             json.push_back({{"area", finding.area}, {"verdict", verdict}, {"text", finding.text}});
         } else {
-            fmt::print("{:<10} {:<9} {}\n", finding.area, verdict, finding.text);
+            fmt::print("{:<12}  {:<8}  {}\n", finding.area, verdict, finding.text);
         }
     }
     if (options.json) fmt::print("{}\n", json.dump(1, ' ', false, Json::error_handler_t::replace));

@@ -4,13 +4,6 @@
 
 namespace tactooth {
 
-struct DevicesOptions {
-    bool json = false;
-};
-
-/// Lists the devices that are there and what each can do: an ExitCode.
-[[nodiscard]] int runDevices(const DevicesOptions& options);
-
 struct DoctorOptions {
     bool json = false;
 };

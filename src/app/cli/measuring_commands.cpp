@@ -5,6 +5,7 @@
 #include "app/cli/bench_stability_command.h"
 #include "app/cli/bench_view_command.h"
 #include "app/cli/command_registry.h"
+#include "app/cli/devices_command.h"
 #include "app/cli/doctor_command.h"
 #include "app/cli/realtime_command.h"
 #include "app/cli/reproduce_command.h"
@@ -157,7 +158,9 @@ void addRealtime(CLI::App& program, Chosen& chosen) {
 
 void addDevices(CLI::App& program, Chosen& chosen) {
     const auto devices = std::make_shared<DevicesOptions>();
-    addCommand(program, chosen, "devices", "Which devices are there, and what each can do.", devices, runDevices)
+    addCommand(program, chosen, "devices",
+               "Which devices are there, and what each can do; why one is not there or not usable, and what to do.",
+               devices, runDevices)
         ->add_flag("--json", devices->json, "Write one JSON array instead of lines");
     const auto doctor = std::make_shared<DoctorOptions>();
     addCommand(program, chosen, "doctor",

@@ -6,9 +6,9 @@
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QSurfaceFormat>
-#include <cstdlib>
 
 #include "app/cli/exit_code.h"
+#include "app/common/display_check.h"
 #include "app/gui/error_words.h"
 #include "app/gui/main_window.h"
 #include "app/gui/window_holder.h"
@@ -21,15 +21,6 @@ namespace tactooth {
 namespace {
 
 constexpr const char* kFirstBur = "4";  // round, 1.4 mm: what one opens a fissure with
-
-/// Qt ends the program by itself where there is no display, with a page of text.
-Expected<void> checkDisplay() {
-    const auto isSet = [](const char* name) { return std::getenv(name) != nullptr && *std::getenv(name) != '\0'; };
-    if (isSet("DISPLAY") || isSet("WAYLAND_DISPLAY") || isSet("QT_QPA_PLATFORM")) return {};
-    return unexpected(
-        "there is no display to open a window on; start it from a desktop, or use 'tactooth demo --out DIR', which "
-        "needs none.");
-}
 
 Expected<void> checkOpenGl() {
     QOpenGLContext context;
@@ -65,6 +56,7 @@ Expected<BenchTooth> exerciseOf(const std::filesystem::path& file) {
 }  // namespace
 
 int runWindow(const WindowOptions& options) {
+    const Expected<void> display = checkDisplay();  // before there are threads; said after what is wrong with the files
     const std::filesystem::path settingsFile = windowSettingsFile();
     const bool isFirstTime = !std::filesystem::exists(settingsFile);
     const Expected<WindowSettings> settings = readWindowSettings(settingsFile);
@@ -87,7 +79,7 @@ int runWindow(const WindowOptions& options) {
         if (!loaded) return refuse(loaded.error());
         bur = std::move(*loaded);
     }
-    if (const auto display = checkDisplay(); !display) return refuse(display.error());
+    if (!display) return refuse(display.error());
     int argc = 1;
     char name[] = "tactooth";
     char* argv[] = {name, nullptr};
