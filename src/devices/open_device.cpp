@@ -13,8 +13,12 @@
 namespace tactooth {
 namespace {
 
+constexpr const char* kMouse = "mouse";
+constexpr const char* kNoDevice = "none";  // for the second hand
+constexpr double kUsualRate = 1000;        // Hz
+
 constexpr std::array<DeviceKind, 5> kKinds = {{
-    {"mouse", "Mouse and keyboard"},
+    {kMouse, "Mouse and keyboard"},
     {"pen", "Haptic pen (OpenHaptics)"},
     {"inverse3", "Haply Inverse3"},
     {"gamepad", "Gamepad"},
@@ -31,22 +35,38 @@ std::unique_ptr<HapticDevice> makeDevice(const std::string& kind, const std::str
     return nullptr;
 }
 
+/// A name as a person gives it: "gamepad:Wireless".
+struct DeviceName {
+    std::string kind, own;  ///< what stands before and behind the colon
+
+    explicit DeviceName(const std::string& name)
+        : kind(name.substr(0, name.find(':'))), own(name.size() > kind.size() ? name.substr(kind.size() + 1) : "") {}
+};
+
+Error unknownDevice(const std::string& name, const std::string& option, bool isSecond) {
+    std::string kinds = isSecond ? "none" : kMouse;
+    for (const DeviceKind& each : deviceKinds().subspan(1)) kinds += ", " + std::string(each.name);
+    return {option + " takes " + kinds + ", or pen:NAME, inverse3:ID and gamepad:NAME for one of several, not '" +
+            name + "'; 'tactooth devices' shows what is there."};
+}
+
 }  // namespace
 
 std::span<const DeviceKind> deviceKinds() { return kKinds; }
 
+Expected<void> checkDeviceName(const std::string& name, const std::string& option, bool isSecond) {
+    const DeviceName parts(name);
+    const bool isKnown =
+        name == (isSecond ? kNoDevice : kMouse) || makeDevice(parts.kind, parts.own, false, kUsualRate) != nullptr;
+    if (isKnown) return {};
+    return Unexpected{unknownDevice(name, option, isSecond)};
+}
+
 Expected<std::unique_ptr<HapticDevice>> openDevice(const std::string& name, bool leftHanded, double rateHz) {
-    const std::string kind = name.substr(0, name.find(':'));
-    const std::string own = name.size() > kind.size() ? name.substr(kind.size() + 1) : std::string();
-    std::unique_ptr<HapticDevice> device = makeDevice(kind, own, leftHanded, rateHz);
-    if (device == nullptr) {
-        std::string kinds;
-        for (const DeviceKind& each : kKinds) kinds += (kinds.empty() ? "" : ", ") + std::string(each.name);
-        return unexpected(
-            "there is no device '" + name + "': --device takes " + kinds +
-            ", or pen:NAME, inverse3:ID and gamepad:NAME for one of several; 'tactooth devices' shows what is there.");
-    }
-    if (kind == "pen") {
+    const DeviceName parts(name);
+    std::unique_ptr<HapticDevice> device = makeDevice(parts.kind, parts.own, leftHanded, rateHz);
+    if (device == nullptr) return Unexpected{unknownDevice(name, "--device", false)};
+    if (parts.kind == "pen") {
         if (const auto tried = HdLibrary::tryOut(HdLibrary::usualPath()); !tried) return Unexpected{tried.error()};
     }
     if (const auto opened = device->open(); !opened) return Unexpected{opened.error()};

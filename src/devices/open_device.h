@@ -18,6 +18,10 @@ struct DeviceKind {
 /// The mouse, which is always there and needs no opening, comes first.
 [[nodiscard]] std::span<const DeviceKind> deviceKinds();
 
+/// Whether openDevice knows `name`, or it is the mouse; nothing is opened. Fails with one sentence that says what
+/// `option`, of the command line or a file, takes. `isSecond`: of the other hand, which is none or no mouse.
+[[nodiscard]] Expected<void> checkDeviceName(const std::string& name, const std::string& option, bool isSecond = false);
+
 /// Opens the device that a person has named: one of deviceKinds() but the mouse. "pen" is the default pen of
 /// OpenHaptics, "pen:NAME" the one of that name in the vendor's setup program; "gamepad" the first gamepad,
 /// "gamepad:NAME" the first whose name holds NAME; "inverse3" the first Haply Inverse3, "inverse3:ID" the one of that

@@ -121,6 +121,24 @@ TEST(WindowSettings, AnyTruncatedFileGivesSettingsOrASentence) {
     }
 }
 
+TEST(WindowSettings, ADeviceThatNobodyKnowsIsForgottenWithOneSentence) {
+    HandSettings hand = unusual().hand;
+    EXPECT_EQ(forgetUnknownDevices(hand, "window.toml"), "");
+    EXPECT_EQ(hand, unusual().hand);
+    hand.device = "joystick";
+    EXPECT_EQ(
+        forgetUnknownDevices(hand, "window.toml"),
+        "window.toml: Tactooth knows no device 'joystick' (device); the usual one takes its place, choose another "
+        "in the panel Hand.");
+    EXPECT_EQ(hand.device, "mouse");
+    EXPECT_EQ(hand.secondDevice, unusual().hand.secondDevice);
+    hand.device = "joystick";
+    hand.secondDevice = "bogus";
+    EXPECT_TRUE(forgetUnknownDevices(hand, "window.toml").find("'joystick' (device) and no 'bogus' (second_device)") !=
+                std::string::npos);
+    EXPECT_EQ(hand.secondDevice, "none");
+}
+
 const WindowOption& optionCalled(const std::string& flag) {
     const auto all = windowOptions();
     return *std::find_if(all.begin(), all.end(), [&](const WindowOption& option) { return flagOf(option) == flag; });

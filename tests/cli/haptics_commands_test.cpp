@@ -130,5 +130,15 @@ TEST(HapticsCommands, DevicesStandInColumns) {
     EXPECT_EQ(columns.size(), 1U);
 }
 
+TEST(HapticsCommands, ADeviceThatNobodyKnowsIsRefusedByTheNameOfItsOption) {
+    const ProgramRun first = runTactooth({"--device", "joystick", "--second-device", "bogus"});
+    EXPECT_EQ(first.exitCode, 2);
+    EXPECT_THAT(first.err, AllOf(StartsWith("tactooth: --device takes mouse, pen, inverse3, gamepad, spacemouse"),
+                                 HasSubstr("not 'joystick'")));
+    const ProgramRun second = runTactooth({"--device", "pen:Right", "--second-device", "bogus"});
+    EXPECT_EQ(second.exitCode, 2);
+    EXPECT_THAT(second.err, AllOf(StartsWith("tactooth: --second-device takes none, pen"), HasSubstr("not 'bogus'")));
+}
+
 }  // namespace
 }  // namespace tactooth

@@ -25,6 +25,28 @@ TEST(OpenDevice, KnowsItsKindsAndTheMouseComesFirst) {
     }
 }
 
+TEST(OpenDevice, KnowsANameWithoutOpeningIt) {
+    for (const char* name : {"mouse", "pen", "pen:Left", "inverse3:049D", "gamepad:Wireless", "spacemouse"}) {
+        EXPECT_TRUE(checkDeviceName(name, "--device")) << name;
+    }
+    for (const char* name : {"joystick", "", ":", "spacemouse:left", "mouse:2", "none", "Pen"}) {
+        const auto known = checkDeviceName(name, "--device");
+        ASSERT_FALSE(known) << name;
+        EXPECT_THAT(known.error().message, HasSubstr("--device takes mouse, pen, inverse3, gamepad, spacemouse"));
+    }
+}
+
+TEST(OpenDevice, KnowsThatTheSecondHandHasNoMouse) {
+    for (const char* name : {"none", "pen:Left", "spacemouse"}) {
+        EXPECT_TRUE(checkDeviceName(name, "--second-device", true)) << name;
+    }
+    for (const char* name : {"mouse", "bogus"}) {
+        EXPECT_THAT(checkDeviceName(name, "--second-device", true).error().message,
+                    HasSubstr("--second-device takes none, pen"))
+            << name;
+    }
+}
+
 TEST(OpenDevice, OpensAGamepadByItsName) {
     const test::VirtualPad pad("Test Pad");
     const auto opened = openDevice("gamepad:Test");

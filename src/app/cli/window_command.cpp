@@ -8,12 +8,16 @@
 #include "app/cli/exit_code.h"
 #include "app/gui/run_window.h"
 #include "app/gui/window_settings.h"
+#include "devices/open_device.h"
 #include "geometry/number_text.h"
 
 namespace tactooth {
 namespace {
 
 constexpr const char* kGroup = "Window";
+constexpr const char* kDevice = "--device";
+constexpr const char* kSecondDevice = "--second-device";
+constexpr const char* kSecondDeviceSetting = "--hand-second-device";
 
 /// What is on the bench instead of the built-in tooth.
 void addOwnTooth(CLI::App& program, WindowArguments& arguments) {
@@ -35,16 +39,16 @@ void addOwnTooth(CLI::App& program, WindowArguments& arguments) {
 /// What moves the bur and the mirror.
 void addHands(CLI::App& program, WindowArguments& arguments) {
     program
-        .add_option("--device", arguments.device,
+        .add_option(kDevice, arguments.device,
                     "What moves the bur: mouse, pen, inverse3, gamepad or spacemouse; pen:NAME, inverse3:ID or "
                     "gamepad:NAME for one of several (default: the one of the last time; docs/haptics.md)")
         ->type_name("NAME")
         ->group(kGroup);
     program
         .add_option_function<std::string>(
-            "--second-device",
-            [&arguments](const std::string& name) { arguments.settings["--hand-second-device"] = name; },
-            "Device of the other hand, which holds the mirror; is remembered; none: one hand alone again")
+            kSecondDevice, [&arguments](const std::string& name) { arguments.settings[kSecondDeviceSetting] = name; },
+            "Device of the other hand, which holds the mirror, as for --device, but no mouse; is remembered; none: one "
+            "hand alone again")
         ->type_name("NAME")
         ->group(kGroup);
 }
@@ -95,6 +99,16 @@ void addSettings(CLI::App& program, WindowArguments& arguments) {
     }
 }
 
+/// A device that nobody can mean would be tried, missed and remembered.
+Expected<void> checkDevices(const WindowArguments& arguments) {
+    if (arguments.device) {
+        if (auto known = checkDeviceName(*arguments.device, kDevice); !known) return known;
+    }
+    const auto second = arguments.settings.find(kSecondDeviceSetting);
+    if (second == arguments.settings.end()) return {};
+    return checkDeviceName(second->second, kSecondDevice, true);
+}
+
 }  // namespace
 
 void addWindowArguments(CLI::App& program, WindowArguments& arguments) {
@@ -106,6 +120,7 @@ void addWindowArguments(CLI::App& program, WindowArguments& arguments) {
 }
 
 int runWindowCommand(const WindowArguments& arguments) {
+    if (const auto known = checkDevices(arguments); !known) return refuse(known.error());
     WindowOptions options;
     if (!arguments.tooth.empty()) {
         const std::filesystem::path file = arguments.tooth;

@@ -59,7 +59,8 @@ int runWindow(const WindowOptions& options) {
     const Expected<void> display = checkDisplay();  // before there are threads; said after what is wrong with the files
     const std::filesystem::path settingsFile = windowSettingsFile();
     const bool isFirstTime = !std::filesystem::exists(settingsFile);
-    const Expected<WindowSettings> settings = readWindowSettings(settingsFile);
+    Expected<WindowSettings> settings = readWindowSettings(settingsFile);
+    const std::string forgotten = settings ? forgetUnknownDevices(settings->hand, settingsFile) : std::string();
     Expected<WindowSettings> start = withFlags(settings ? *settings : WindowSettings(), options);
     if (!start) return refuse(start.error());
     std::optional<BenchTooth> tooth;
@@ -111,6 +112,7 @@ int runWindow(const WindowOptions& options) {
             errorInWords(settings.error().message) + ' ' +
             MainWindow::tr("The window starts with its defaults and writes the file anew when it is closed."));
     }
+    if (!forgotten.empty()) window.complain(QString::fromStdString(forgotten));
     if (isFirstTime && !tooth && !options.mouth) window.welcome();
     QApplication::exec();
     if (const auto written = writeWindowSettings(holder.window().settings(), settingsFile); !written) {

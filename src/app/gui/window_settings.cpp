@@ -8,6 +8,7 @@
 #include <optional>
 #include <sstream>
 
+#include "devices/open_device.h"
 #include "geometry/atomic_file.h"
 #include "geometry/file_bytes.h"
 
@@ -123,6 +124,21 @@ Expected<WindowSettings> readWindowSettings(const std::filesystem::path& file) {
     const Expected<FileBytes> content = readFile(file);
     if (!content) return Unexpected{content.error()};
     return parseWindowSettings(content->text(), shownName(file));
+}
+
+std::string forgetUnknownDevices(HandSettings& hand, const std::filesystem::path& file) {
+    const HandSettings usual;
+    std::string forgotten;
+    const auto keepKnown = [&](std::string& device, const std::string& otherwise, const char* key, bool isSecond) {
+        if (checkDeviceName(device, key, isSecond)) return;
+        forgotten += (forgotten.empty() ? "'" : " and no '") + device + "' (" + key + ")";
+        device = otherwise;
+    };
+    keepKnown(hand.device, usual.device, "device", false);
+    keepKnown(hand.secondDevice, usual.secondDevice, "second_device", true);
+    if (forgotten.empty()) return {};
+    return shownName(file) + ": Tactooth knows no device " + forgotten +
+           "; the usual one takes its place, choose another in the panel Hand.";
 }
 
 Expected<void> writeWindowSettings(const WindowSettings& settings, const std::filesystem::path& file) {

@@ -125,6 +125,9 @@ struct WindowOption {
 
 /// The settings of the last time; the defaults if there is no file yet.
 [[nodiscard]] Expected<WindowSettings> readWindowSettings(const std::filesystem::path& file);
+/// Puts the defaults in the place of devices that no Tactooth knows, so that a slip of the pen is not kept for ever.
+/// One sentence that says so and names the file; empty if all are known.
+[[nodiscard]] std::string forgetUnknownDevices(HandSettings& hand, const std::filesystem::path& file);
 /// Makes the folder if need be.
 [[nodiscard]] Expected<void> writeWindowSettings(const WindowSettings& settings, const std::filesystem::path& file);
 
