@@ -185,7 +185,9 @@ std::vector<SurveyedDevice> surveyDevices() {
     devices.push_back(survey("spacemouse", "SpaceMouse (spacenavd)", "The SpaceMouse's library (libspnav)",
                              "install the package libspnav0 anew, and use no SpaceMouse until then.", trySpaceMouse));
     devices.push_back(survey("pedal", "foot pedal (any joystick, SDL)", kSdl, kMendSdl, [] {
-        return tryJoysticks(false, {}, "There is no joystick or pedal: the space key and the slider are the pedal.");
+        return tryJoysticks(
+            false, {},
+            "There is no joystick or pedal: plug one in; until then the space key and the slider are the pedal.");
     }));
     return devices;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "devices/device_survey.h"
 
+#include <dlfcn.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -9,6 +10,7 @@
 #include <cstdlib>
 
 #include "standin/standin_haply.h"
+#include "standin/standin_hd.h"
 
 namespace tactooth {
 namespace {
@@ -63,6 +65,25 @@ TEST(DeviceSurvey, NoLibraryIsNoPenAndSaysWhatToInstall) {
     const SurveyedDevice pen = penWith("libNoSuchHD.so");
     EXPECT_EQ(pen.state, DeviceState::NotThere);
     EXPECT_THAT(pen.text, HasSubstr("install the device's driver"));
+}
+
+/// The child has the stand-in as it is here.
+TEST(DeviceSurvey, APenInUseIsNotUsableAndOneThatIsUnpluggedIsNotThere) {
+    const auto* const standin = static_cast<const test::HdStandinControl*>(
+        dlsym(dlopen(TACTOOTH_STANDIN_HD, RTLD_LAZY | RTLD_GLOBAL), "standinControl"));
+    const auto penAt = [&](test::HdFault fault) {
+        standin->reset();
+        standin->setFault(static_cast<int>(fault));
+        SurveyedDevice pen = penWith(TACTOOTH_STANDIN_HD);
+        standin->reset();
+        return pen;
+    };
+    const SurveyedDevice held = penAt(test::HdFault::InUse);
+    EXPECT_EQ(held.state, DeviceState::NotUsable);
+    EXPECT_THAT(held.text, HasSubstr("close the other program"));
+    const SurveyedDevice unplugged = penAt(test::HdFault::Unplugged);
+    EXPECT_EQ(unplugged.state, DeviceState::NotThere);
+    EXPECT_THAT(unplugged.text, HasSubstr("check its cable"));
 }
 
 std::vector<SurveyedDevice> devicesWith(const test::StandinHaply& service) {

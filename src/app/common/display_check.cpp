@@ -13,7 +13,7 @@
 namespace tactooth {
 namespace {
 
-constexpr double kPatience = 10;  // s: a display on another computer may be far away
+constexpr double kPatience = 20;  // s: a display on another computer may be far away
 
 std::string valueOf(const char* name) {
     const char* const value = std::getenv(name);
