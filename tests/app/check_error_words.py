@@ -18,7 +18,7 @@ ONLY_OUTSIDE = {
     "said by tactooth devices, doctor and info": "devices/child_probe.cpp devices/device_survey.cpp "
                                                  "devices/haply/haply_survey.cpp geometry/mesh_findings.cpp "
                                                  "haptics/real_time.cpp",
-    "there is no window yet, or no more": "app/gui/run_window.cpp view/",
+    "there is no window yet, or no more": "app/common/display_check.cpp app/gui/run_window.cpp view/",
     "the window has a sentence of its own": "haptics/scene_load.cpp",
     "names, and the text of files": "geometry/stl_writer.cpp instruments/anatomy/ session/practice_report.cpp",
 }

@@ -102,7 +102,9 @@ TEST_F(BenchCommand, ViewHoldsACuttingBurAgainstOneThatOnlyMoves) {
     for (const auto& one : json["cases"]) {
         EXPECT_GT(one["processor_ms"].get<double>(), 0);
         drawn[one["scene"]].push_back(one["drawn"]);
-        if (drawn[one["scene"]].size() == 1) EXPECT_EQ(one["of_first"].get<double>(), 1);
+        if (drawn[one["scene"]].size() == 1) {
+            EXPECT_EQ(one["of_first"].get<double>(), 1);
+        }
     }
     const std::vector<std::string> atWork = {"bur moves", "bur cuts", "with second view", "with ghost of target"};
     EXPECT_EQ(drawn["molar, work"], atWork);

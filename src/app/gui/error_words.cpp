@@ -268,8 +268,8 @@ constexpr const char* kErrors[] = {
     QT_TRANSLATE_NOOP("Error", "%1: this is not a recording that can be read (%2); save it as WAV, FLAC or Ogg."),
     // Devices.
     QT_TRANSLATE_NOOP("Error",
-                      "there is no device '%1': --device takes %2, or pen:NAME, inverse3:ID and gamepad:NAME for one "
-                      "of several; 'tactooth devices' shows what is there."),
+                      "%1 takes %2, or pen:NAME, inverse3:ID and gamepad:NAME for one of several, not '%3'; 'tactooth "
+                      "devices' shows what is there."),
     QT_TRANSLATE_NOOP("Error",
                       "the pedal '%1' is none: it is axis:N or button:N of a joystick (N from 0 to 31), with :NAME of "
                       "the joystick behind it if there are several."),

@@ -1079,8 +1079,8 @@
         <translation>%1：読み込める録音ではありません（%2）。WAV、FLAC、Ogg のいずれかで保存してください。</translation>
     </message>
     <message>
-        <source>there is no device &apos;%1&apos;: --device takes %2, or pen:NAME, inverse3:ID and gamepad:NAME for one of several; &apos;tactooth devices&apos; shows what is there.</source>
-        <translation>装置 &apos;%1&apos; はありません。--device には %2 を指定できます。複数あるときは pen:NAME、inverse3:ID、gamepad:NAME で選びます。&apos;tactooth devices&apos; で接続中の装置が分かります。</translation>
+        <source>%1 takes %2, or pen:NAME, inverse3:ID and gamepad:NAME for one of several, not &apos;%3&apos;; &apos;tactooth devices&apos; shows what is there.</source>
+        <translation>%1 に &apos;%3&apos; は指定できません。%2 のいずれか、複数あるときは pen:NAME、inverse3:ID、gamepad:NAME を指定してください。&apos;tactooth devices&apos; で接続中の装置が分かります。</translation>
     </message>
     <message>
         <source>the pedal &apos;%1&apos; is none: it is axis:N or button:N of a joystick (N from 0 to 31), with :NAME of the joystick behind it if there are several.</source>

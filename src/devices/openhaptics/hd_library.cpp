@@ -108,13 +108,12 @@ Expected<void> HdLibrary::tryOut(const std::string& path) {
     const std::lock_guard lock(mutex);
     if (harmless.contains(path)) return {};
     const auto tried = inChildProcess([&path] { return startAndEnd(path); }, kPatience);
-    if (!tried) return unexpected(hdBrokenText(path, tried.error().message));
+    if (!tried) {
+        return unexpected(path + " is broken, " + tried.error().message +
+                          ": install the device's driver anew; Tactooth leaves it alone.");
+    }
     if (tried->empty()) harmless.insert(path);
     return {};
-}
-
-std::string hdBrokenText(const std::string& library, const std::string& how) {
-    return library + " is broken, " + how + ": install the device's driver anew; Tactooth leaves it alone.";
 }
 
 const char* hdErrorText(std::uint32_t code) {

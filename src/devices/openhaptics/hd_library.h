@@ -96,9 +96,6 @@ private:
     HdFunctions functions_{};
 };
 
-/// A library that crashes or hangs: which, and how it ended the child that tried it.
-[[nodiscard]] std::string hdBrokenText(const std::string& library, const std::string& how);
-
 /// What an error code means and what to do about it: one sentence. Lives as long as the program.
 [[nodiscard]] const char* hdErrorText(std::uint32_t code);
 
