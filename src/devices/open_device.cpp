@@ -46,8 +46,9 @@ struct DeviceName {
 Error unknownDevice(const std::string& name, const std::string& option, bool isSecond) {
     std::string kinds = isSecond ? "none" : kMouse;
     for (const DeviceKind& each : deviceKinds().subspan(1)) kinds += ", " + std::string(each.name);
-    return {option + " takes " + kinds + ", or pen:NAME, inverse3:ID and gamepad:NAME for one of several, not '" +
-            name + "'; 'tactooth devices' shows what is there."};
+    return {option + " takes " + kinds +
+            ", pen:NAME, inverse3:ID or gamepad:NAME for one of several, or replay:FILE.csv, not '" + name +
+            "'; 'tactooth devices' shows what is there."};
 }
 
 }  // namespace
@@ -56,8 +57,8 @@ std::span<const DeviceKind> deviceKinds() { return kKinds; }
 
 Expected<void> checkDeviceName(const std::string& name, const std::string& option, bool isSecond) {
     const DeviceName parts(name);
-    const bool isKnown =
-        name == (isSecond ? kNoDevice : kMouse) || makeDevice(parts.kind, parts.own, false, kUsualRate) != nullptr;
+    const bool isKnown = name == (isSecond ? kNoDevice : kMouse) || isReplay(name) ||
+                         makeDevice(parts.kind, parts.own, false, kUsualRate) != nullptr;
     if (isKnown) return {};
     return Unexpected{unknownDevice(name, option, isSecond)};
 }

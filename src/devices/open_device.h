@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "devices/haptic_device.h"
 
@@ -18,8 +19,14 @@ struct DeviceKind {
 /// The mouse, which is always there and needs no opening, comes first.
 [[nodiscard]] std::span<const DeviceKind> deviceKinds();
 
-/// Whether openDevice knows `name`, or it is the mouse; nothing is opened. Fails with one sentence that says what
-/// `option`, of the command line or a file, takes. `isSecond`: of the other hand, which is none or no mouse.
+/// "replay:FILE" is a hand that goes the way of a file; not openDevice opens it, but openHand of the session.
+inline constexpr std::string_view kReplay = "replay:";
+[[nodiscard]] inline bool isReplay(const std::string& name) {
+    return name.starts_with(kReplay) && name.size() > kReplay.size();
+}
+
+/// Whether openDevice knows `name`, or it is the mouse or a replay; nothing is opened. Fails with one sentence that
+/// says what `option`, of the command line or a file, takes. `isSecond`: of the other hand, which is none or no mouse.
 [[nodiscard]] Expected<void> checkDeviceName(const std::string& name, const std::string& option, bool isSecond = false);
 
 /// Opens the device that a person has named: one of deviceKinds() but the mouse. "pen" is the default pen of

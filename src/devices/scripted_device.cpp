@@ -3,12 +3,15 @@
 #include "devices/scripted_device.h"
 
 #include <cassert>
+#include <utility>
 
 namespace tactooth {
 
-ScriptedDevice::ScriptedDevice(std::vector<ScriptedMoment> script) : script_(std::move(script)) {
+ScriptedDevice::ScriptedDevice(std::vector<ScriptedMoment> script, std::string name, bool isInTooth)
+    : script_(std::move(script)) {
     assert(!script_.empty());
-    info_.name = "scripted hand";
+    info_.name = std::move(name);
+    info_.isInTooth = isInTooth;
     info_.rendersForce = info_.sensesRotation = info_.hasPedal = true;
     info_.buttonCount = 2;
     time_ = script_.front().time;

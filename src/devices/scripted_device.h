@@ -19,7 +19,9 @@ struct ScriptedMoment {
 class ScriptedDevice final : public HapticDevice {
 public:
     /// `script` is not empty and its times do not descend.
-    explicit ScriptedDevice(std::vector<ScriptedMoment> script);
+    /// `isInTooth`: its places are the tool's in the tooth's frame.
+    explicit ScriptedDevice(std::vector<ScriptedMoment> script, std::string name = "scripted hand",
+                            bool isInTooth = false);
 
     [[nodiscard]] const DeviceInfo& info() const override { return info_; }
     [[nodiscard]] Expected<void> open() override;

@@ -11,6 +11,7 @@
 
 #include "app/slow_device.h"
 #include "devices/open_device.h"
+#include "devices/scripted_device.h"
 #include "devices/virtual_pad.h"
 
 namespace tactooth {
@@ -66,6 +67,15 @@ TEST_F(WorkbenchTest, AGamepadTouchesAndCutsTheToothAndRumbles) {
     pad.forgetMotors();
     EXPECT_TRUE(soon([&] { return bench_.newest().cutting && total(bench_.simulator()->removed()) > 0.005; }));
     EXPECT_TRUE(soon([&] { return pad.strongestQuick() > 0.1; })) << "cutting is felt";
+}
+
+TEST_F(WorkbenchTest, AReplayedHandIsWhereItsFileSaysInTheToothsFrame) {
+    const Vec3 start(1, 2, 30), end(-1, 0.5, 25);
+    std::vector<ScriptedMoment> way = {{0, {{start, Quat::Identity()}, 0, 0, true}},
+                                       {0.3, {{end, Quat::Identity()}, 0, 0, true}}};
+    bench_.put(std::make_unique<ScriptedDevice>(std::move(way), "way.csv", true));
+    EXPECT_TRUE(soon([&] { return (bench_.newest().hand.position - end).norm() < 1e-9; }));
+    EXPECT_EQ(bench_.newest().hand.rotation.coeffs(), Quat::Identity().coeffs());
 }
 
 TEST_F(WorkbenchTest, TheScreensChoiceCountsAfterTheButtons) {

@@ -167,7 +167,9 @@ INSTANTIATE_TEST_SUITE_P(All, HaplyFaults,
                                            Fault{HaplyFault::Gone, "Gone", "is gone", true},
                                            Fault{HaplyFault::NoNumber, "NoNumber", "does not know where it is", false},
                                            Fault{HaplyFault::Jump, "Jump", "has jumped", false},
-                                           Fault{HaplyFault::NoPower, "NoPower", "plug in its power supply", false}),
+                                           Fault{HaplyFault::NoPower, "NoPower", "plug in its power supply", false},
+                                           Fault{HaplyFault::NotCalibrated, "NotCalibrated", "is not calibrated", false},
+                                           Fault{HaplyFault::NotReady, "NotReady", "is not ready", false}),
                          [](const auto& one) { return one.param.name; });
 
 TEST(HaplyDevice, ATroubleThatIsOverIsNotShownForEver) {

@@ -41,7 +41,8 @@ void addHands(CLI::App& program, WindowArguments& arguments) {
     program
         .add_option(kDevice, arguments.device,
                     "What moves the bur: mouse, pen, inverse3, gamepad or spacemouse; pen:NAME, inverse3:ID or "
-                    "gamepad:NAME for one of several (default: the one of the last time; docs/haptics.md)")
+                    "gamepad:NAME for one of several; replay:FILE.csv for a hand that goes the way of a trajectory "
+                    "(default: the one of the last time; docs/haptics.md)")
         ->type_name("NAME")
         ->group(kGroup);
     program

@@ -266,10 +266,21 @@ constexpr const char* kErrors[] = {
     QT_TRANSLATE_NOOP("Error", "%1: the file is shorter than it says; it was cut off, so copy or record it again."),
     QT_TRANSLATE_NOOP("Error", "%1: the file breaks off or is damaged (%2); copy or record it again."),
     QT_TRANSLATE_NOOP("Error", "%1: this is not a recording that can be read (%2); save it as WAV, FLAC or Ogg."),
+    // Ways of a tool.
+    QT_TRANSLATE_NOOP("Error", "%1: there is no line that names the columns; begin the file with %2."),
+    QT_TRANSLATE_NOOP("Error", "%1: there are no rows below the names of the columns; add at least one."),
+    QT_TRANSLATE_NOOP("Error", "the column '%1' is missing; expected the columns %2, separated by commas"),
+    QT_TRANSLATE_NOOP("Error", "the column '%1' is named twice; remove one of the two"),
+    QT_TRANSLATE_NOOP("Error", "expected %1 fields, one for each named column, but found %2"),
+    QT_TRANSLATE_NOOP("Error", "column '%1': expected a finite number with '.' as decimal point, but found %2"),
+    QT_TRANSLATE_NOOP("Error",
+                      "%1: the quaternion qw,qx,qy,qz must have length 1, but its length is %2; write 1,0,0,0 for a "
+                      "tool that is not turned."),
+    QT_TRANSLATE_NOOP("Error", "%1: time runs backwards (t is less than in the row above); sort the rows by t."),
     // Devices.
     QT_TRANSLATE_NOOP("Error",
-                      "%1 takes %2, or pen:NAME, inverse3:ID and gamepad:NAME for one of several, not '%3'; 'tactooth "
-                      "devices' shows what is there."),
+                      "%1 takes %2, pen:NAME, inverse3:ID or gamepad:NAME for one of several, or replay:FILE.csv, not "
+                      "'%3'; 'tactooth devices' shows what is there."),
     QT_TRANSLATE_NOOP("Error",
                       "the pedal '%1' is none: it is axis:N or button:N of a joystick (N from 0 to 31), with :NAME of "
                       "the joystick behind it if there are several."),

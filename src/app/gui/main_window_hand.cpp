@@ -10,6 +10,7 @@
 #include "app/gui/main_window.h"
 #include "app/gui/status_line.h"
 #include "devices/open_device.h"
+#include "session/replay_hand.h"
 
 namespace tactooth {
 namespace {
@@ -88,7 +89,7 @@ void MainWindow::steerBy(const QString& name) {
     }
     status_->setHint(tr("Opening the device…"));
     comingDevice_.start([wanted = name.toStdString(), left = bench_.isLeftHanded(), rate = bench_.rate()] {
-        return openDevice(wanted, left, rate);
+        return openHand(wanted, left, rate);
     });
 }
 
@@ -101,7 +102,7 @@ void MainWindow::holdMirrorBy(const QString& name) {
         return;
     }
     comingSecond_.start([wanted = name.toStdString(), left = bench_.isLeftHanded(), rate = bench_.rate()] {
-        return openDevice(wanted, left, rate);
+        return openHand(wanted, left, rate);
     });
 }
 
@@ -110,6 +111,7 @@ void MainWindow::takeDevices() {
         if (*device) {
             bench_.put(std::move(**device));
             device_ = handPanel_->settings().device;
+            if (isReplay(device_)) device_ = kMouse;  // a way is gone once, and not at each start
             showUsualHint();
         } else {
             handPanel_->showDevice(kMouse);

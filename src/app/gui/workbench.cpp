@@ -121,7 +121,7 @@ void Workbench::startSimulator(News& news) {
     simulator_.reset();  // its threads end before the new one's begin: they share the work piece and the device
     HapticDevice& device = device_ ? *device_ : mouse_;
     std::optional<Seat> seat;
-    if (device_) {  // its "away" is the way that one looks at the tooth
+    if (device_ && !device_->info().isInTooth) {  // its "away" is the way that one looks at the tooth
         const double turn = usualView().azimuth + std::numbers::pi / 2;
         seat = Seat{hand_.hand(), Quat(Eigen::AngleAxisd(turn, Vec3::UnitZ()))};
     }

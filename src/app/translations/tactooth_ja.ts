@@ -247,6 +247,38 @@
 <context>
     <name>Error</name>
     <message>
+        <source>%1: there is no line that names the columns; begin the file with %2.</source>
+        <translation>%1: 列名の行がありません。ファイルの先頭に %2 と書いてください。</translation>
+    </message>
+    <message>
+        <source>%1: there are no rows below the names of the columns; add at least one.</source>
+        <translation>%1: 列名の下に行がありません。1 行以上追加してください。</translation>
+    </message>
+    <message>
+        <source>the column &apos;%1&apos; is missing; expected the columns %2, separated by commas</source>
+        <translation>列 &apos;%1&apos; がありません。列 %2 をコンマで区切って並べてください</translation>
+    </message>
+    <message>
+        <source>the column &apos;%1&apos; is named twice; remove one of the two</source>
+        <translation>列 &apos;%1&apos; が 2 回あります。どちらかを削除してください</translation>
+    </message>
+    <message>
+        <source>expected %1 fields, one for each named column, but found %2</source>
+        <translation>列名と同じ %1 個の項目が必要ですが、%2 個あります</translation>
+    </message>
+    <message>
+        <source>column &apos;%1&apos;: expected a finite number with &apos;.&apos; as decimal point, but found %2</source>
+        <translation>列 &apos;%1&apos;: 小数点に &apos;.&apos; を使った有限の数値が必要ですが、%2 があります</translation>
+    </message>
+    <message>
+        <source>%1: the quaternion qw,qx,qy,qz must have length 1, but its length is %2; write 1,0,0,0 for a tool that is not turned.</source>
+        <translation>%1: クォータニオン qw,qx,qy,qz の長さは 1 でなければなりませんが、%2 です。回転していない場合は 1,0,0,0 と書いてください。</translation>
+    </message>
+    <message>
+        <source>%1: time runs backwards (t is less than in the row above); sort the rows by t.</source>
+        <translation>%1: 時刻が逆戻りしています（t が上の行より小さい）。行を t の順に並べ替えてください。</translation>
+    </message>
+    <message>
         <source>%1 is broken, %2: install the device&apos;s driver anew; Tactooth leaves it alone.</source>
         <translation>%1 は壊れています（%2）。デバイスのドライバーを入れ直してください。Tactooth はこのライブラリを使いません。</translation>
     </message>
@@ -1079,8 +1111,8 @@
         <translation>%1：読み込める録音ではありません（%2）。WAV、FLAC、Ogg のいずれかで保存してください。</translation>
     </message>
     <message>
-        <source>%1 takes %2, or pen:NAME, inverse3:ID and gamepad:NAME for one of several, not &apos;%3&apos;; &apos;tactooth devices&apos; shows what is there.</source>
-        <translation>%1 に &apos;%3&apos; は指定できません。%2 のいずれか、複数あるときは pen:NAME、inverse3:ID、gamepad:NAME を指定してください。&apos;tactooth devices&apos; で接続中の装置が分かります。</translation>
+        <source>%1 takes %2, pen:NAME, inverse3:ID or gamepad:NAME for one of several, or replay:FILE.csv, not &apos;%3&apos;; &apos;tactooth devices&apos; shows what is there.</source>
+        <translation>%1 に &apos;%3&apos; は指定できません。%2 のいずれか、複数あるときは pen:NAME、inverse3:ID、gamepad:NAME、または replay:FILE.csv を指定してください。&apos;tactooth devices&apos; で接続中の装置が分かります。</translation>
     </message>
     <message>
         <source>the pedal &apos;%1&apos; is none: it is axis:N or button:N of a joystick (N from 0 to 31), with :NAME of the joystick behind it if there are several.</source>

@@ -150,11 +150,12 @@ std::string StandinHaply::state(bool isFirst) {
     std::string arms;
     for (const Hand& hand : hands_) {
         if (fault_ == HaplyFault::Gone && &hand == hands_.data()) continue;
-        const bool power = fault_ != HaplyFault::NoPower;
+        const auto isFine = [this](HaplyFault fault) { return fault_ != fault ? "true" : "false"; };
         arms += std::string(arms.empty() ? "" : ",") + R"({"device_id":")" + hand.id + R"(",)" +
                 (isFirst ? R"("config":{"handedness":"right"},)" : "") + R"("state":{"cursor_position":)" +
-                placeOf(hand) + R"(,"control_mode":"cursor_force"},"status":{"calibrated":true,"ready":true,)" +
-                R"("power_supply":)" + (power ? "true" : "false") + "}}";
+                placeOf(hand) + R"(,"control_mode":"cursor_force"},"status":{"calibrated":)" +
+                isFine(HaplyFault::NotCalibrated) + R"(,"ready":)" + isFine(HaplyFault::NotReady) +
+                R"(,"power_supply":)" + isFine(HaplyFault::NoPower) + "}}";
     }
     const auto button = [&](unsigned i) { return (buttons_ >> i & 1U) != 0 ? "true" : "false"; };
     return std::string(isFirst ? R"({"session_id":1,)" : "{") + R"("inverse3":[)" + arms +

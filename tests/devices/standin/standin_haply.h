@@ -25,6 +25,8 @@ enum class HaplyFault {
     Jump,       ///< of 50 mm, to and fro
     Gone,       ///< the device is not in the list
     NoPower,    ///< its status says so
+    NotCalibrated,
+    NotReady,
 };
 
 /// The Haply Inverse Service without a device, on a free port of this machine: a WebSocket server of its own, and for
