@@ -9,11 +9,13 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QPushButton>
 #include <QTableWidget>
 #include <ctime>
 #include <fstream>
 
 #include "app/gui/open_tooth_dialog.h"
+#include "app/gui/welcome_dialog.h"
 #include "app/gui/window_setup.h"
 #include "app/window_session.h"
 #include "geometry/mesh_file.h"
@@ -35,6 +37,7 @@ public:
 
 private slots:
     void initTestCase();
+    void aNewcomerTouchesTheToothWithinHalfAMinute();
     void theBuiltInMolarComesByItself();
     void theMouseTouchesTheToothAndTheMeterShowsIt();
     void pressingHarderGivesMoreForce();
@@ -62,11 +65,27 @@ private slots:
 
 private:
     void openInDialog(const QString& file);
+
+    QElapsedTimer started_;
 };
 
 void WindowTest::initTestCase() {
     qputenv("XDG_CACHE_HOME", folder_.path().c_str());  // where the mouth's teeth are kept
+    started_.start();
     openWindow();
+}
+
+/// Who reads nothing: takes the first of the three choices and presses where the tooth is.
+void WindowTest::aNewcomerTouchesTheToothWithinHalfAMinute() {
+    window_->welcome();
+    auto* welcome = window_->findChild<WelcomeDialog*>();
+    QTest::mouseClick(welcome->findChild<QPushButton*>("practise"), Qt::LeftButton);
+    waitForTooth();
+    pressBurOn(middle());
+    QTRY_VERIFY_WITH_TIMEOUT(window_->bench().newest().contacts > 0, 20000);
+    QVERIFY2(test::isSanitized() || started_.elapsed() < 30000, qPrintable(QString::number(started_.elapsed())));
+    liftBur(middle());
+    QTRY_COMPARE_WITH_TIMEOUT(gauge("forceGauge"), 0.0, 10000);
 }
 
 void WindowTest::theBuiltInMolarComesByItself() {
