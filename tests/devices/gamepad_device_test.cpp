@@ -64,6 +64,28 @@ TEST(GamepadDevice, SticksMoveAndLeanTheTool) {
     EXPECT_EQ(device.trouble(), nullptr);
 }
 
+TEST(GamepadDevice, AShortPressOfAMenuButtonIsNotLost) {
+    VirtualPad pad("Test Pad");
+    const auto joysticks = SdlJoysticks::shared();
+    ASSERT_TRUE(joysticks);
+    const auto buttons = [&] {
+        for (const JoystickState& each : (*joysticks)->states()) {
+            if (each.name == "Test Pad") return each.padButtons;
+        }
+        return PadButtons();
+    };
+    const auto presses = [&] { return buttons().presses[static_cast<std::size_t>(PadButton::Start)]; };
+    for (unsigned i = 1; i <= 3; ++i) {
+        pad.button(SDL_CONTROLLER_BUTTON_START, true);
+        for (int k = 0; k < 1000 && presses() < i; ++k) std::this_thread::sleep_for(1ms);
+        EXPECT_TRUE(buttons().isDown(PadButton::Start));
+        pad.button(SDL_CONTROLLER_BUTTON_START, false);
+        for (int k = 0; k < 1000 && buttons().isDown(PadButton::Start); ++k) std::this_thread::sleep_for(1ms);
+    }
+    EXPECT_EQ(presses(), 3U);
+    EXPECT_FALSE(buttons().isDown(PadButton::Start));
+}
+
 TEST(GamepadDevice, TheTriggerIsThePedalAndButtonsComeThrough) {
     VirtualPad pad("Test Pad");
     GamepadDevice device("");

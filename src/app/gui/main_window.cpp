@@ -82,7 +82,8 @@ MainWindow::MainWindow(SoundOutput& sound)
       status_(new StatusLine),
       busy_(new QProgressBar),
       fileBar_(addToolBar(tr("File"))),
-      viewBar_(new QToolBar(tr("View"))) {
+      viewBar_(new QToolBar(tr("View"))),
+      pad_(*this, *view_) {
     setWindowTitle(tr("Tactooth"));
     setAcceptDrops(true);
     setCentralWidget(view_);
@@ -320,6 +321,7 @@ void MainWindow::step() {
     const double dt = sinceStep_.isValid() ? static_cast<double>(sinceStep_.restart()) / 1000 : (sinceStep_.start(), 0);
     stepPedal();
     takeDevices();
+    stepPad(std::min(dt, kLongestStep));
     takeNews(bench_.step(std::min(dt, kLongestStep)));
     followButtons();
     takeSounds();
@@ -337,10 +339,12 @@ void MainWindow::showUsualHint() {
     if (bench_.device() == nullptr) {
         status_->setHint(
             tr("Left button: press the bur on the tooth · wheel: harder, softer · right: turn · space: pedal"));
-    } else if (handPanel_->settings().device.starts_with("gamepad")) {
+    } else if (pad_.isInPanels()) {
+        status_->setHint(tr("D-pad: control and value · shoulders: panel · A: press · B: back to the tooth"));
+    } else if (isSteeredByPad()) {
         status_->setHint(
             tr("Left stick: move · left trigger: press · left shoulder: lift · right stick: lean · right trigger: "
-               "pedal · A: touch or cut"));
+               "pedal · A: touch or cut · d-pad: turn · Start: menus · Back: panels"));
     } else {
         status_->setHint(tr("Move the device: the bur follows it · space: pedal · C: cut, T: touch"));
     }

@@ -12,6 +12,7 @@
 #include "app/gui/errand.h"
 #include "app/gui/foot_pedal.h"
 #include "app/gui/inside_panel.h"
+#include "app/gui/pad_keys.h"
 #include "app/gui/target.h"
 #include "app/gui/tick_trace.h"
 #include "app/gui/window_settings.h"
@@ -143,10 +144,13 @@ private:
     void connectExercise();
     void connectHand();
     void takeHandSettings();
+    void takeGrip();
     void applyHand(const HandSettings& settings);
     [[nodiscard]] HandSettings handSettings() const;
     void takeDevices();
     void stepPedal();
+    [[nodiscard]] bool isSteeredByPad() const;
+    void stepPad(double dt);
     void followButtons();
     void showHand();
     void inspectAnew();
@@ -251,6 +255,7 @@ private:
     Errand<std::unique_ptr<HapticDevice>> comingDevice_, comingSecond_;
     std::string device_ = "mouse", second_ = "none";  // to be remembered, also where today it could not be opened
     FootPedal pedal_;
+    PadKeys pad_;
     Qt::Key pedalKey_ = Qt::Key_Space;
     double disagreesSince_ = 0;  // tick's time, s: bar and device about touch or cut
     bool forceWaits_ = false;    // and the hint says so

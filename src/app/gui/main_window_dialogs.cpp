@@ -305,6 +305,10 @@ void MainWindow::showMouseAndKeys() {
     text += row(tr("Gamepad: left trigger, shoulder"), tr("press, lift"));
     text += row(tr("Gamepad: right trigger, shoulder"), tr("pedal, hold"));
     text += row(tr("Gamepad: A, B"), tr("touch or cut, turbine or mirror"));
+    text += row(tr("Gamepad: d-pad"), tr("turn the tooth; with the right shoulder shift the picture"));
+    text += row(tr("Gamepad: sticks, pressed in"), tr("left: farther; right: nearer"));
+    text += row(tr("Gamepad: Start, Back"), tr("open the menus; go into the panels, shoulders: the next one"));
+    text += row(tr("Gamepad: d-pad, A, B"), tr("in menus, dialogs and panels: go on, choose, leave"));
     text += row(tr("Ctrl + M"), tr("mute"));
     text += row(tr("Tab, Alt + letter"), tr("go on to the next control; open a menu"));
     text += row(tr("Esc"), tr("leave a dialog"));

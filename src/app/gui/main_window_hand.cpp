@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the window does with the device in the hand and the pedal under the foot.
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include "app/gui/drill_bar.h"
@@ -17,7 +18,13 @@ namespace {
 
 constexpr const char* kMouse = "mouse";
 constexpr const char* kNoDevice = "none";
+constexpr std::string_view kGamepad = "gamepad";
 constexpr double kButtonTime = 0.3;  // s after which the bar shows what a button of the device has chosen
+
+/// What stands behind the colon of `device`: a part of its name.
+std::string padName(const std::string& device) {
+    return device.size() > kGamepad.size() ? device.substr(kGamepad.size() + 1) : std::string();
+}
 
 }  // namespace
 
@@ -41,8 +48,7 @@ void MainWindow::connectHand() {
 void MainWindow::takeHandSettings() {
     const HandSettings settings = handPanel_->settings();
     bench_.controls.fineness = settings.fineness;
-    bench_.controls.buttons = handPanel_->buttons();
-    bench_.controls.clutch = handPanel_->clutch();
+    takeGrip();
     if (settings.leftHanded != bench_.isLeftHanded() || settings.rate != bench_.rate()) {
         bench_.setLeftHanded(settings.leftHanded);
         bench_.setRate(settings.rate);
@@ -51,6 +57,13 @@ void MainWindow::takeHandSettings() {
         if (bench_.device() != nullptr) steerBy(QString::fromStdString(settings.device));
     }
     pedalKey_ = pedalKeyOf(settings);
+}
+
+/// A pad that walks through menus and panels does nothing to the tooth: the bur stays, and its buttons mean the menus.
+void MainWindow::takeGrip() {
+    constexpr ButtonMap kNoButtons{ButtonMap::kNone, ButtonMap::kNone, ButtonMap::kNone};
+    bench_.controls.buttons = pad_.holdsHand() ? kNoButtons : handPanel_->buttons();
+    bench_.controls.clutch = pad_.holdsHand() || handPanel_->clutch();
 }
 
 void MainWindow::applyHand(const HandSettings& settings) {
@@ -140,6 +153,17 @@ void MainWindow::stepPedal() {
         status_->setHint(tr("The pedal is %1").arg(QString::fromStdString(pedalText(taught))));
     }
     bench_.controls.pedal = std::max(foot, drive_->pedal());
+}
+
+bool MainWindow::isSteeredByPad() const { return bench_.device() != nullptr && device_.starts_with(kGamepad); }
+
+void MainWindow::stepPad(double dt) {
+    const bool held = pad_.holdsHand();
+    const bool wasInPanels = pad_.isInPanels();
+    pad_.listenTo(isSteeredByPad() ? std::optional(padName(device_)) : std::nullopt);
+    if (pad_.step(dt)) stillSteps_ = 0;
+    if (held != pad_.holdsHand()) takeGrip();
+    if (wasInPanels != pad_.isInPanels()) showUsualHint();
 }
 
 /// A button of the device chooses touch or cut too: the bar follows it, once the choice of the bar itself has arrived.

@@ -202,6 +202,16 @@ void ToothView::setEye(const OrbitCamera& eye) {
     redraw();
 }
 
+void ToothView::moveEye(const Vec2& way, bool shifts) {
+    moveCamera(pictureSize().height * way, shifts ? Qt::MiddleButton : Qt::RightButton);
+}
+
+void ToothView::comeNearer(double factor) {
+    const PictureSize size = pictureSize();
+    camera_.zoom(factor, Vec2(size.width / 2.0, size.height / 2.0), size);
+    redraw();
+}
+
 void ToothView::look(StandardView view) {
     camera_.look(view, bench_.mesialX());
     redraw();

@@ -35,6 +35,10 @@ public:
     /// How the picture is turned, shifted and enlarged.
     [[nodiscard]] const OrbitCamera& eye() const { return camera_; }
     void setEye(const OrbitCamera& eye);
+    /// Turns the tooth by `way`, in heights of the picture: half of one by 90 degrees. `shifts`: shifts it instead.
+    void moveEye(const Vec2& way, bool shifts);
+    /// Leaves `factor` of the distance to the middle of the picture.
+    void comeNearer(double factor);
     /// From buccal and above, as a dentist sees a lower tooth.
     void lookAsUsual();
     void setShowsTurbine(bool shows);

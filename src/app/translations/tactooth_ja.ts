@@ -2225,8 +2225,12 @@ The mouse wheel in the picture changes it too.</source>
         <translation>手</translation>
     </message>
     <message>
-        <source>Left stick: move · left trigger: press · left shoulder: lift · right stick: lean · right trigger: pedal · A: touch or cut</source>
-        <translation>左スティック：移動 · 左トリガー：押す · 左ショルダー：持ち上げる · 右スティック：傾ける · 右トリガー：ペダル · A：触る／削る</translation>
+        <source>Left stick: move · left trigger: press · left shoulder: lift · right stick: lean · right trigger: pedal · A: touch or cut · d-pad: turn · Start: menus · Back: panels</source>
+        <translation>左スティック：移動 · 左トリガー：押す · 左ショルダー：持ち上げる · 右スティック：傾ける · 右トリガー：ペダル · A：触る／削る · 十字キー：回す · Start：メニュー · Back：パネル</translation>
+    </message>
+    <message>
+        <source>D-pad: control and value · shoulders: panel · A: press · B: back to the tooth</source>
+        <translation>十字キー：項目と値 · ショルダー：パネル · A：押す · B：歯に戻る</translation>
     </message>
     <message>
         <source>Move the device: the bur follows it · space: pedal · C: cut, T: touch</source>
@@ -2271,6 +2275,38 @@ The mouse wheel in the picture changes it too.</source>
     <message>
         <source>touch or cut, turbine or mirror</source>
         <translation>触る／削る、タービン／ミラー</translation>
+    </message>
+    <message>
+        <source>Gamepad: d-pad</source>
+        <translation>ゲームパッド：十字キー</translation>
+    </message>
+    <message>
+        <source>turn the tooth; with the right shoulder shift the picture</source>
+        <translation>歯を回す。右ショルダーと一緒なら画像をずらす</translation>
+    </message>
+    <message>
+        <source>Gamepad: sticks, pressed in</source>
+        <translation>ゲームパッド：スティックの押し込み</translation>
+    </message>
+    <message>
+        <source>left: farther; right: nearer</source>
+        <translation>左：遠ざかる、右：近づく</translation>
+    </message>
+    <message>
+        <source>Gamepad: Start, Back</source>
+        <translation>ゲームパッド：Start、Back</translation>
+    </message>
+    <message>
+        <source>open the menus; go into the panels, shoulders: the next one</source>
+        <translation>メニューを開く、パネルに入る（ショルダーで次のパネル）</translation>
+    </message>
+    <message>
+        <source>Gamepad: d-pad, A, B</source>
+        <translation>ゲームパッド：十字キー、A、B</translation>
+    </message>
+    <message>
+        <source>in menus, dialogs and panels: go on, choose, leave</source>
+        <translation>メニュー、ダイアログ、パネルで：進む、選ぶ、戻る</translation>
     </message>
     <message>
         <source>Press the pedal fully, then let it go</source>

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
+#include <utility>
 
 namespace tactooth {
 namespace {
@@ -36,6 +37,26 @@ JoystickState stateOf(SDL_Joystick* joystick, bool isPad) {
         state.buttons[i] = SDL_JoystickGetButton(joystick, static_cast<int>(i)) != 0;
     }
     return state;
+}
+
+/// Looks which buttons are down now and which of them were not before.
+void follow(PadButtons& buttons, SDL_GameController* pad) {
+    constexpr std::array<SDL_GameControllerButton, kPadButtons> kOrder = {SDL_CONTROLLER_BUTTON_DPAD_UP,
+                                                                          SDL_CONTROLLER_BUTTON_DPAD_DOWN,
+                                                                          SDL_CONTROLLER_BUTTON_DPAD_LEFT,
+                                                                          SDL_CONTROLLER_BUTTON_DPAD_RIGHT,
+                                                                          SDL_CONTROLLER_BUTTON_START,
+                                                                          SDL_CONTROLLER_BUTTON_BACK,
+                                                                          SDL_CONTROLLER_BUTTON_A,
+                                                                          SDL_CONTROLLER_BUTTON_B,
+                                                                          SDL_CONTROLLER_BUTTON_LEFTSHOULDER,
+                                                                          SDL_CONTROLLER_BUTTON_RIGHTSHOULDER,
+                                                                          SDL_CONTROLLER_BUTTON_LEFTSTICK,
+                                                                          SDL_CONTROLLER_BUTTON_RIGHTSTICK};
+    for (std::size_t i = 0; i < kPadButtons; ++i) {
+        const bool wasDown = std::exchange(buttons.down[i], SDL_GameControllerGetButton(pad, kOrder[i]) != 0);
+        if (buttons.down[i] && !wasDown) ++buttons.presses[i];
+    }
 }
 
 PadState padStateOf(SDL_GameController* pad) {
@@ -81,7 +102,12 @@ public:
         SDL_FlushEvents(SDL_FIRSTEVENT, SDL_LASTEVENT);  // nobody asks for them
         openNew();
         std::vector<JoystickState> states;
-        for (const Open& each : open_) states.push_back(stateOf(each.joystick, each.pad != nullptr));
+        for (Open& each : open_) {
+            states.push_back(stateOf(each.joystick, each.pad != nullptr));
+            if (each.pad == nullptr) continue;
+            follow(each.buttons, each.pad);
+            states.back().padButtons = each.buttons;
+        }
         return states;
     }
 
@@ -106,6 +132,7 @@ private:
         SDL_JoystickID id;
         SDL_Joystick* joystick;
         SDL_GameController* pad;  // null: it has not the usual sticks
+        PadButtons buttons;
     };
 
     void openNew() {
@@ -120,7 +147,7 @@ private:
             if (id < 0 || std::ranges::find(open_, id, &Open::id) != open_.end()) continue;
             SDL_GameController* const pad = SDL_IsGameController(i) == SDL_TRUE ? SDL_GameControllerOpen(i) : nullptr;
             SDL_Joystick* const joystick = SDL_JoystickOpen(i);
-            if (joystick != nullptr) open_.push_back({id, joystick, pad});
+            if (joystick != nullptr) open_.push_back({id, joystick, pad, {}});
         }
         SDL_UnlockJoysticks();
     }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -14,6 +16,19 @@
 
 namespace tactooth {
 
+/// The buttons of a pad that menus need, by their names on the usual one.
+enum class PadButton { Up, Down, Left, Right, Start, Back, A, B, LeftShoulder, RightShoulder, LeftStick, RightStick };
+inline constexpr std::size_t kPadButtons = 12;
+
+/// What a person does with them.
+struct PadButtons {
+    std::array<bool, kPadButtons> down{};
+    /// How often each has gone down since the pad is there: a short press is not lost on who looks seldom.
+    std::array<std::uint32_t, kPadButtons> presses{};
+
+    [[nodiscard]] bool isDown(PadButton button) const { return down[static_cast<std::size_t>(button)]; }
+};
+
 /// Any joystick at one moment: its axes and buttons as they come.
 struct JoystickState {
     std::string name;
@@ -21,6 +36,7 @@ struct JoystickState {
     bool rumbles = false;
     std::vector<double> axes;  ///< 0..1 from one end to the other
     std::vector<bool> buttons;
+    PadButtons padButtons{};  ///< of a pad
 };
 
 /// How strongly a pad's two motors run, 0..1.

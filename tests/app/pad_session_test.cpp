@@ -1,0 +1,313 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A whole session with a gamepad alone in the real window: no mouse and no key is touched.
+#include <QApplication>
+#include <QDoubleSpinBox>
+#include <QElapsedTimer>
+#include <QFileDialog>
+#include <QMenu>
+#include <QPushButton>
+#include <cmath>
+#include <numbers>
+
+#include "app/gui/elided_label.h"
+#include "app/gui/sheet_dialog.h"
+#include "app/gui/welcome_dialog.h"
+#include "app/gui/window_setup.h"
+#include "app/window_session.h"
+#include "devices/virtual_pad.h"
+
+namespace tactooth {
+
+class PadSessionTest : public test::WindowSession {
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void theWelcomeIsAnsweredByThePad();
+    void theToothIsTouchedWithinHalfAMinute();
+    void theToothIsCut();
+    void theMenuTakesTheCutBack();
+    void aMenuShowsTheToothFromAbove();
+    void whileAMenuIsOpenTheToolStaysAndNothingToggles();
+    void startClosesMenusAndBackLeavesPanels();
+    void anArrowThatIsHeldGoesOn();
+    void thePadTurnsShiftsAndEnlargesThePicture();
+    void anotherBurIsTakenInTheDrillBar();
+    void aParameterIsChangedInAPanel();
+    void aDialogIsReadAndLeft();
+    void aFileIsAskedForByADialogThatThePadReaches();
+    void withTheMouseThePadOpensNothing();
+    void cleanupTestCase();
+
+private:
+    void press(SDL_GameControllerButton button, int times = 1);
+    void hold(SDL_GameControllerButton button, int ms);
+    void stick(SDL_GameControllerAxis axis, double value) { pad_->axis(axis, value); }
+    void liftOff();
+    void choose(const QAction* entry);
+    [[nodiscard]] static QMenu* menu() { return qobject_cast<QMenu*>(QApplication::activePopupWidget()); }
+    [[nodiscard]] QAction* entry(const QString& text) const;
+    [[nodiscard]] Pose tool() const { return window_->bench().newest().hand; }
+    [[nodiscard]] bool isCutting() const { return window_->bench().newest().cutting; }
+    [[nodiscard]] QString hint() const { return window_->findChild<ElidedLabel*>("hint")->text(); }
+
+    std::unique_ptr<test::VirtualPad> pad_;
+    QElapsedTimer sinceOpened_;
+};
+
+void PadSessionTest::press(SDL_GameControllerButton button, int times) {
+    for (int i = 0; i < times; ++i) {
+        hold(button, 60);
+        QTest::qWait(60);
+    }
+}
+
+void PadSessionTest::hold(SDL_GameControllerButton button, int ms) {
+    pad_->button(button, true);
+    QTest::qWait(ms);
+    pad_->button(button, false);
+}
+
+void PadSessionTest::liftOff() {
+    stick(SDL_CONTROLLER_AXIS_TRIGGERLEFT, -1);
+    stick(SDL_CONTROLLER_AXIS_TRIGGERRIGHT, -1);
+    stick(SDL_CONTROLLER_AXIS_LEFTX, 0);
+    hold(SDL_CONTROLLER_BUTTON_LEFTSHOULDER, 300);
+    QTRY_COMPARE_WITH_TIMEOUT(window_->bench().newest().contacts, 0U, 10000);
+}
+
+QAction* PadSessionTest::entry(const QString& text) const {
+    for (QAction* each : window_->findChildren<QAction*>()) {
+        if (each->text() == text) return each;
+    }
+    return nullptr;
+}
+
+/// Walks through the menus as a person does: to the right until the entry is seen, then down to it.
+void PadSessionTest::choose(const QAction* entry) {
+    QVERIFY(entry != nullptr);
+    press(SDL_CONTROLLER_BUTTON_START);
+    QTRY_VERIFY(menu() != nullptr);
+    const auto isSeen = [entry] { return menu() != nullptr && menu()->actions().contains(entry); };
+    for (int i = 0; i < 8 && !isSeen(); ++i) press(SDL_CONTROLLER_BUTTON_DPAD_RIGHT);
+    QVERIFY(isSeen());
+    for (int i = 0; i < 40 && isSeen() && menu()->activeAction() != entry; ++i) press(SDL_CONTROLLER_BUTTON_DPAD_DOWN);
+    QVERIFY(isSeen());
+    QCOMPARE(menu()->activeAction(), entry);
+    press(SDL_CONTROLLER_BUTTON_A);
+    QTRY_VERIFY(menu() == nullptr);
+}
+
+void PadSessionTest::initTestCase() {
+    pad_ = std::make_unique<test::VirtualPad>("Test Pad");
+    stick(SDL_CONTROLLER_AXIS_TRIGGERLEFT, -1);
+    stick(SDL_CONTROLLER_AXIS_TRIGGERRIGHT, -1);
+    sinceOpened_.start();
+    openWindow();
+    WindowSettings settings = window_->settings();
+    settings.hand.device = "gamepad";
+    window_->apply(settings);
+    window_->welcome();
+    QTRY_VERIFY_WITH_TIMEOUT(window_->bench().device() != nullptr, 20000);
+    waitForTooth();
+    QApplication::setActiveWindow(window_->findChild<WelcomeDialog*>());  // a bare X server has nobody who would do it
+}
+
+void PadSessionTest::theWelcomeIsAnsweredByThePad() {
+    auto* dialog = window_->findChild<WelcomeDialog*>();
+    QVERIFY(dialog != nullptr && dialog->isVisible());
+    const Pose before = tool();
+    press(SDL_CONTROLLER_BUTTON_DPAD_DOWN);
+    QTRY_COMPARE(dialog->focusWidget(), dialog->findChild<QPushButton*>("openMine"));
+    press(SDL_CONTROLLER_BUTTON_DPAD_UP);
+    QTRY_COMPARE(dialog->focusWidget(), dialog->findChild<QPushButton*>("practise"));
+    press(SDL_CONTROLLER_BUTTON_A);
+    QTRY_VERIFY(window_->findChild<WelcomeDialog*>() == nullptr);
+    QTest::qWait(200);
+    QVERIFY(!isCutting());
+    QVERIFY((tool().position - before.position).norm() < 0.01);
+    QVERIFY2(hint().contains("Start: menus"), qPrintable(hint()));
+}
+
+void PadSessionTest::theToothIsTouchedWithinHalfAMinute() {
+    stick(SDL_CONTROLLER_AXIS_TRIGGERLEFT, 0.2);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->bench().newest().contacts > 0, 20000);
+    QVERIFY2(sinceOpened_.elapsed() < 30000, qPrintable(QString::number(sinceOpened_.elapsed())));
+    QCOMPARE(removed(), 0.0);
+    liftOff();
+}
+
+void PadSessionTest::theToothIsCut() {
+    press(SDL_CONTROLLER_BUTTON_A);
+    QTRY_VERIFY_WITH_TIMEOUT(isCutting(), 5000);
+    stick(SDL_CONTROLLER_AXIS_TRIGGERRIGHT, 1);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->bench().newest().speedRpm > 200'000, 10000);
+    stick(SDL_CONTROLLER_AXIS_TRIGGERLEFT, 0.3);
+    QElapsedTimer since;
+    since.start();
+    while (removed() < 0.02 && since.elapsed() < 20000) {
+        stick(SDL_CONTROLLER_AXIS_LEFTX, 0.3 * std::sin(1e-3 * static_cast<double>(since.elapsed()) * 6));
+        QTest::qWait(30);
+    }
+    QVERIFY(removed() >= 0.02);
+    liftOff();
+}
+
+void PadSessionTest::theMenuTakesTheCutBack() {
+    const double before = removed();
+    const bool cutting = isCutting();
+    choose(entry("Undo cut"));
+    QTRY_VERIFY_WITH_TIMEOUT(removed() < before, 10000);
+    QCOMPARE(isCutting(), cutting);  // A was for the menu
+}
+
+void PadSessionTest::aMenuShowsTheToothFromAbove() {
+    choose(entry("Occlusal"));
+    QTRY_VERIFY(std::abs(view().eye().direction().elevation - std::numbers::pi / 2) < 1e-6);
+}
+
+void PadSessionTest::whileAMenuIsOpenTheToolStaysAndNothingToggles() {
+    QTest::qWait(300);
+    press(SDL_CONTROLLER_BUTTON_START);
+    QTRY_VERIFY(menu() != nullptr);
+    const Pose before = tool();
+    const bool cutting = isCutting();
+    const OrbitCamera::Direction eye = view().eye().direction();
+    stick(SDL_CONTROLLER_AXIS_LEFTX, 1);
+    stick(SDL_CONTROLLER_AXIS_RIGHTY, 1);
+    press(SDL_CONTROLLER_BUTTON_DPAD_RIGHT, 2);
+    QTest::qWait(300);
+    stick(SDL_CONTROLLER_AXIS_LEFTX, 0);
+    stick(SDL_CONTROLLER_AXIS_RIGHTY, 0);
+    press(SDL_CONTROLLER_BUTTON_B);  // at work it would take the mirror
+    QTRY_VERIFY(menu() == nullptr);
+    QTest::qWait(300);
+    QVERIFY((tool().position - before.position).norm() < 0.01);
+    QVERIFY(tool().rotation.angularDistance(before.rotation) < 0.01);
+    QCOMPARE(isCutting(), cutting);
+    QCOMPARE(view().eye().direction().azimuth, eye.azimuth);
+    // The pad is at work again, and it is still the turbine that it moves.
+    stick(SDL_CONTROLLER_AXIS_LEFTX, 1);
+    QTest::qWait(300);
+    stick(SDL_CONTROLLER_AXIS_LEFTX, 0);
+    QTRY_VERIFY((tool().position - before.position).norm() > 1);
+}
+
+void PadSessionTest::startClosesMenusAndBackLeavesPanels() {
+    press(SDL_CONTROLLER_BUTTON_START);
+    QTRY_VERIFY(menu() != nullptr);
+    press(SDL_CONTROLLER_BUTTON_DPAD_DOWN, 2);  // Built-in teeth
+    press(SDL_CONTROLLER_BUTTON_A);
+    QTRY_VERIFY(menu() != nullptr && menu()->title().contains("teeth"));
+    press(SDL_CONTROLLER_BUTTON_START);
+    QTRY_VERIFY(menu() == nullptr);
+    press(SDL_CONTROLLER_BUTTON_BACK);
+    QTRY_VERIFY(hint().contains("B: back to the tooth"));
+    press(SDL_CONTROLLER_BUTTON_BACK);
+    QTRY_VERIFY(hint().contains("Start: menus"));
+    QCOMPARE(window_->focusWidget(), &view());
+}
+
+void PadSessionTest::anArrowThatIsHeldGoesOn() {
+    press(SDL_CONTROLLER_BUTTON_START);
+    QTRY_VERIFY(menu() != nullptr);
+    press(SDL_CONTROLLER_BUTTON_DPAD_DOWN);
+    const QAction* first = menu()->activeAction();
+    pad_->button(SDL_CONTROLLER_BUTTON_DPAD_DOWN, true);
+    QTRY_VERIFY_WITH_TIMEOUT(menu()->actions().indexOf(menu()->activeAction()) > 4, 5000);
+    pad_->button(SDL_CONTROLLER_BUTTON_DPAD_DOWN, false);
+    QVERIFY(menu()->activeAction() != first);
+    press(SDL_CONTROLLER_BUTTON_START);
+    QTRY_VERIFY(menu() == nullptr);
+}
+
+void PadSessionTest::thePadTurnsShiftsAndEnlargesThePicture() {
+    view().lookAsUsual();
+    const OrbitCamera before = view().eye();
+    const Pose held = tool();
+    hold(SDL_CONTROLLER_BUTTON_DPAD_RIGHT, 500);
+    QTRY_VERIFY(before.direction().azimuth - view().eye().direction().azimuth > 0.2);
+    QVERIFY(before.direction().azimuth - view().eye().direction().azimuth < 2);
+    pad_->button(SDL_CONTROLLER_BUTTON_RIGHTSHOULDER, true);
+    QTest::qWait(100);
+    hold(SDL_CONTROLLER_BUTTON_DPAD_UP, 300);
+    pad_->button(SDL_CONTROLLER_BUTTON_RIGHTSHOULDER, false);
+    QTRY_VERIFY((view().eye().target() - before.target()).norm() > 0.1);
+    hold(SDL_CONTROLLER_BUTTON_RIGHTSTICK, 500);
+    QTRY_VERIFY(view().eye().distance() < 0.9 * before.distance());
+    const double near = view().eye().distance();
+    hold(SDL_CONTROLLER_BUTTON_LEFTSTICK, 300);
+    QTRY_VERIFY(view().eye().distance() > near);
+    QVERIFY((tool().position - held.position).norm() < 0.01);
+}
+
+void PadSessionTest::anotherBurIsTakenInTheDrillBar() {
+    const std::string before = window_->bench().bur()->name;
+    press(SDL_CONTROLLER_BUTTON_BACK);
+    QTRY_COMPARE(window_->focusWidget()->objectName(), QString("burs"));
+    press(SDL_CONTROLLER_BUTTON_A);
+    QTRY_VERIFY(QApplication::activePopupWidget() != nullptr);
+    press(SDL_CONTROLLER_BUTTON_DPAD_DOWN);
+    press(SDL_CONTROLLER_BUTTON_A);
+    QTRY_VERIFY(QApplication::activePopupWidget() == nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->bench().isBusy() && window_->bench().bur()->name != before, 20000);
+}
+
+void PadSessionTest::aParameterIsChangedInAPanel() {
+    const auto isFineness = [this] { return window_->focusWidget()->accessibleName().contains("ineness"); };
+    const double before = window_->bench().controls.fineness;
+    for (int i = 0; i < 20 && !isFineness(); ++i) {
+        press(SDL_CONTROLLER_BUTTON_RIGHTSHOULDER);
+        for (int k = 0; k < 8 && !isFineness(); ++k) press(SDL_CONTROLLER_BUTTON_DPAD_DOWN);
+    }
+    QVERIFY(isFineness());
+    QVERIFY(!window_->focusWidget()->visibleRegion().isEmpty());  // it was behind another panel
+    press(SDL_CONTROLLER_BUTTON_DPAD_RIGHT, 3);
+    QTRY_VERIFY(window_->bench().controls.fineness > before);
+    press(SDL_CONTROLLER_BUTTON_DPAD_LEFT, 3);
+    QTRY_VERIFY(std::abs(window_->bench().controls.fineness - before) < 1e-9);
+    press(SDL_CONTROLLER_BUTTON_B);
+    QTRY_COMPARE(window_->focusWidget(), &view());
+}
+
+void PadSessionTest::aDialogIsReadAndLeft() {
+    choose(entry("&Mouse and keys"));
+    QTRY_VERIFY(window_->findChild<SheetDialog*>() != nullptr);
+    QVERIFY(window_->findChild<SheetDialog*>()->text().contains("Gamepad: Start, Back"));
+    press(SDL_CONTROLLER_BUTTON_B);
+    QTRY_VERIFY(window_->findChild<SheetDialog*>() == nullptr);
+}
+
+void PadSessionTest::aFileIsAskedForByADialogThatThePadReaches() {
+    choose(entry("&Save tooth…"));
+    QTRY_VERIFY(window_->findChild<QFileDialog*>() != nullptr);
+    QVERIFY(QCoreApplication::testAttribute(Qt::AA_DontUseNativeDialogs));
+    press(SDL_CONTROLLER_BUTTON_START);
+    QTRY_VERIFY(window_->findChild<QFileDialog*>() == nullptr);
+}
+
+void PadSessionTest::withTheMouseThePadOpensNothing() {
+    window_->steerBy("mouse");
+    QTRY_VERIFY(window_->bench().device() == nullptr);
+    press(SDL_CONTROLLER_BUTTON_START);
+    QTest::qWait(200);
+    QVERIFY(menu() == nullptr);
+    QVERIFY(!window_->bench().controls.clutch);
+}
+
+void PadSessionTest::cleanupTestCase() {
+    closeWindow();
+    pad_.reset();
+}
+
+}  // namespace tactooth
+
+int main(int argc, char** argv) {
+    const auto application = tactooth::startApplication(argc, argv);
+    tactooth::PadSessionTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "pad_session_test.moc"
