@@ -69,6 +69,10 @@ public:
     [[nodiscard]] virtual bool setsPace() const { return false; }
     virtual void waitForTick(double /*longest*/) {}
 
+    /// As long as it rests, a device whose sticks and buttons mean something else as well takes them for let go. Any
+    /// thread.
+    virtual void letRest(bool /*rests*/) {}
+
     /// What is wrong at the moment and what to do about it, one sentence; nullptr if nothing is. Any thread. The text
     /// lives as long as the program.
     [[nodiscard]] virtual const char* trouble() const { return nullptr; }

@@ -173,6 +173,26 @@ TEST(GamepadDevice, APadThatIsUnpluggedIsLostAndComesBack) {
     EXPECT_EQ(device.trouble(), nullptr);
 }
 
+TEST(GamepadDevice, ThatRestsTakesNothingForAWish) {
+    test::VirtualPad pad("Test Pad");
+    GamepadDevice device("");
+    ASSERT_TRUE(device.open());
+    pad.axis(SDL_CONTROLLER_AXIS_LEFTX, 1);
+    pad.button(SDL_CONTROLLER_BUTTON_B, true);
+    ASSERT_TRUE(playUntil(device, [](const DeviceSample& s) { return s.buttons == 1 && s.hand.position.x() > 1; }));
+    device.letRest(true);
+    Vec3 place = device.read(kTick).hand.position;
+    for (int i = 0; i < 1000; ++i) place = device.read(kTick).hand.position;  // a hand does not stop dead
+    for (int i = 0; i < 100; ++i) {
+        const DeviceSample sample = device.read(kTick);
+        ASSERT_EQ(sample.buttons, 0U);
+        ASSERT_LT((sample.hand.position - place).norm(), 1e-6);
+    }
+    device.letRest(false);
+    EXPECT_TRUE(playUntil(
+        device, [&](const DeviceSample& s) { return s.buttons == 1 && s.hand.position.x() > place.x() + 1; }));
+}
+
 TEST(GamepadDevice, OneIsChosenByItsNameAndOnlyOneSteers) {
     VirtualPad first("First Pad");
     VirtualPad second("Second Pad");

@@ -144,7 +144,6 @@ private:
     void connectExercise();
     void connectHand();
     void takeHandSettings();
-    void takeGrip();
     void applyHand(const HandSettings& settings);
     [[nodiscard]] HandSettings handSettings() const;
     void takeDevices();

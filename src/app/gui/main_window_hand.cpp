@@ -48,7 +48,8 @@ void MainWindow::connectHand() {
 void MainWindow::takeHandSettings() {
     const HandSettings settings = handPanel_->settings();
     bench_.controls.fineness = settings.fineness;
-    takeGrip();
+    bench_.controls.buttons = handPanel_->buttons();
+    bench_.controls.clutch = handPanel_->clutch();
     if (settings.leftHanded != bench_.isLeftHanded() || settings.rate != bench_.rate()) {
         bench_.setLeftHanded(settings.leftHanded);
         bench_.setRate(settings.rate);
@@ -57,13 +58,6 @@ void MainWindow::takeHandSettings() {
         if (bench_.device() != nullptr) steerBy(QString::fromStdString(settings.device));
     }
     pedalKey_ = pedalKeyOf(settings);
-}
-
-/// A pad that walks through menus and panels does nothing to the tooth: the bur stays, and its buttons mean the menus.
-void MainWindow::takeGrip() {
-    constexpr ButtonMap kNoButtons{ButtonMap::kNone, ButtonMap::kNone, ButtonMap::kNone};
-    bench_.controls.buttons = pad_.holdsHand() ? kNoButtons : handPanel_->buttons();
-    bench_.controls.clutch = pad_.holdsHand() || handPanel_->clutch();
 }
 
 void MainWindow::applyHand(const HandSettings& settings) {
@@ -158,11 +152,10 @@ void MainWindow::stepPedal() {
 bool MainWindow::isSteeredByPad() const { return bench_.device() != nullptr && device_.starts_with(kGamepad); }
 
 void MainWindow::stepPad(double dt) {
-    const bool held = pad_.holdsHand();
     const bool wasInPanels = pad_.isInPanels();
     pad_.listenTo(isSteeredByPad() ? std::optional(padName(device_)) : std::nullopt);
     if (pad_.step(dt)) stillSteps_ = 0;
-    if (held != pad_.holdsHand()) takeGrip();
+    bench_.letDeviceRest(pad_.holdsHand());
     if (wasInPanels != pad_.isInPanels()) showUsualHint();
 }
 

@@ -40,6 +40,10 @@ public:
     void put(std::unique_ptr<HapticDevice> device);
     /// The mouse moves it again; the device is closed.
     void useMouse();
+    /// See HapticDevice.
+    void letDeviceRest(bool rests) {
+        if (device_) device_->letRest(rests);
+    }
     /// None: the mouse.
     [[nodiscard]] const HapticDevice* device() const { return device_.get(); }
     /// That of the other hand; none if it is empty.

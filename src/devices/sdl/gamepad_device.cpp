@@ -58,12 +58,13 @@ DeviceSample GamepadDevice::read(double elapsed) {
     port_.state.refresh();
     const PadState& pad = port_.state.value();
     lost_.store(!pad.connected, std::memory_order_relaxed);
-    const PadWish wish = wishOf(pad, leftHanded_);
+    const bool atRest = atRest_.load(std::memory_order_relaxed);
+    const PadWish wish = atRest ? PadWish() : wishOf(pad, leftHanded_);
     DeviceSample sample;
     sample.connected = pad.connected;
     sample.hand = hand_.advance(wish.rate, elapsed);
     sample.pedal = wish.pedal;
-    sample.buttons = pad.buttons;
+    sample.buttons = atRest ? 0 : pad.buttons;
     return sample;
 }
 

@@ -27,6 +27,7 @@ public:
     void close() override;
     [[nodiscard]] DeviceSample read(double elapsed) override;
     void write(const SafeWrench& wrench) override;
+    void letRest(bool rests) override { atRest_.store(rests, std::memory_order_relaxed); }
     [[nodiscard]] const char* trouble() const override;
 
 private:
@@ -39,6 +40,7 @@ private:
     RumbleSense sense_;
     double elapsed_ = 0;  // of the last read, s
     std::atomic<bool> lost_{false};
+    std::atomic<bool> atRest_{false};
 };
 
 }  // namespace tactooth
