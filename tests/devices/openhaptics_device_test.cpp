@@ -122,46 +122,38 @@ TEST_F(OpenHaptics, TwoPensAreTwoDevicesAndOneCannotBeStartedTwice) {
     EXPECT_TRUE(soon([&] { return other.ticks() > 50; }));
 }
 
-/// A fault that takes the pen away: nothing is rendered from 5 ms on, it is said, and the pen comes back.
-void expectLossAndReturn(OpenHapticsDevice& device, HdFault fault, const char* sentence) {
-    standin().setFault(static_cast<int>(fault));
-    EXPECT_TRUE(soonSays(device, sentence));
+/// A fault that takes the pen away mid-press.
+struct Loss {
+    HdFault fault;
+    const char* name;
+    const char* sentence;
+};
+
+class OpenHapticsLoss : public OpenHaptics, public ::testing::WithParamInterface<Loss> {};
+
+TEST_P(OpenHapticsLoss, MidPressGivesNoForceAndASentenceAndThePenComesBack) {
+    OpenHapticsDevice device("", TACTOOTH_STANDIN_HD);
+    ASSERT_TRUE(device.open());
+    const Servo servo(device);
+    ASSERT_TRUE(lean());
+    set(GetParam().fault);
+    EXPECT_TRUE(soonSays(device, GetParam().sentence));
     std::this_thread::sleep_for(100ms);
-    EXPECT_EQ(standin().strongestWhileFaulty(), 0);
+    EXPECT_EQ(standin().strongestWhileFaulty(), 0) << "from 5 ms on";
     if (device.trouble() != nullptr) {
-        EXPECT_THAT(device.trouble(), HasSubstr(sentence));
+        EXPECT_THAT(device.trouble(), HasSubstr(GetParam().sentence));
     }
     EXPECT_LE(standin().lastForceSinceFault(), kBadReading) << "its force is taken back in the tick that tells";
-    standin().setFault(0);
+    set(HdFault::None);
     EXPECT_TRUE(soon([&] { return device.trouble() == nullptr; }));
-}
-
-TEST_F(OpenHaptics, ALinkFaultMidPressGivesNoForceAndThePenComesBack) {
-    OpenHapticsDevice device("", TACTOOTH_STANDIN_HD);
-    ASSERT_TRUE(device.open());
-    const Servo servo(device);
-    ASSERT_TRUE(lean());
-    expectLossAndReturn(device, HdFault::LinkFault, "does not answer");
     EXPECT_TRUE(lean());
 }
 
-TEST_F(OpenHaptics, AFaultThatLeavesTheMotorsAliveGivesNoForceAndThePenComesBack) {
-    OpenHapticsDevice device("", TACTOOTH_STANDIN_HD);
-    ASSERT_TRUE(device.open());
-    const Servo servo(device);
-    ASSERT_TRUE(lean());
-    expectLossAndReturn(device, HdFault::DeviceFault, "reports a fault");
-    EXPECT_TRUE(lean());
-}
-
-TEST_F(OpenHaptics, AnUnpluggedPenGivesNoForceAndComesBack) {
-    OpenHapticsDevice device("", TACTOOTH_STANDIN_HD);
-    ASSERT_TRUE(device.open());
-    const Servo servo(device);
-    ASSERT_TRUE(lean());
-    expectLossAndReturn(device, HdFault::Unplugged, "has stopped answering");
-    EXPECT_TRUE(lean());
-}
+INSTANTIATE_TEST_SUITE_P(All, OpenHapticsLoss,
+                         ::testing::Values(Loss{HdFault::LinkFault, "LinkFault", "does not answer"},
+                                           Loss{HdFault::DeviceFault, "DeviceFaultMotorsAlive", "reports a fault"},
+                                           Loss{HdFault::Unplugged, "Unplugged", "has stopped answering"}),
+                         [](const auto& one) { return one.param.name; });
 
 TEST_F(OpenHaptics, AReadingThatIsNoNumberOrJumpsGivesNoForce) {
     for (const HdFault fault : {HdFault::NanPose, HdFault::Jump}) {

@@ -278,6 +278,8 @@ constexpr const char* kErrors[] = {
                       "tool that is not turned."),
     QT_TRANSLATE_NOOP("Error", "%1: time runs backwards (t is less than in the row above); sort the rows by t."),
     // Devices.
+    QT_TRANSLATE_NOOP(
+        "Error", "%1: Tactooth knows no device %2; the usual one takes its place, choose another in the panel Hand."),
     QT_TRANSLATE_NOOP("Error",
                       "%1 takes %2, pen:NAME, inverse3:ID or gamepad:NAME for one of several, or replay:FILE.csv, not "
                       "'%3'; 'tactooth devices' shows what is there."),

@@ -112,7 +112,7 @@ int runWindow(const WindowOptions& options) {
             errorInWords(settings.error().message) + ' ' +
             MainWindow::tr("The window starts with its defaults and writes the file anew when it is closed."));
     }
-    if (!forgotten.empty()) window.complain(QString::fromStdString(forgotten));
+    if (!forgotten.empty()) window.complain(Error{forgotten});
     if (isFirstTime && !tooth && !options.mouth) window.welcome();
     QApplication::exec();
     if (const auto written = writeWindowSettings(holder.window().settings(), settingsFile); !written) {

@@ -247,6 +247,10 @@
 <context>
     <name>Error</name>
     <message>
+        <source>%1: Tactooth knows no device %2; the usual one takes its place, choose another in the panel Hand.</source>
+        <translation>%1: 装置 %2 はありません。いつもの装置を使います。別の装置は「手」パネルで選べます。</translation>
+    </message>
+    <message>
         <source>%1: there is no line that names the columns; begin the file with %2.</source>
         <translation>%1: 列名の行がありません。ファイルの先頭に %2 と書いてください。</translation>
     </message>
