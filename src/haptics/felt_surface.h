@@ -15,8 +15,8 @@ namespace tactooth {
 struct FeltSurface {
     std::shared_ptr<const Surface> surface;
     PairList near;
-    Vec3 reach = Vec3::Zero();  ///< where the cut lets the tool's tip go to, mm
-    std::optional<Pose> place;  ///< a free one, for a tool that has none of its own
+    Vec3 reach = Vec3::Zero();       ///< where the cut lets the tool's tip go to, mm
+    std::optional<Pose> place = {};  ///< a free one, for a tool that has none of its own
 };
 
 /// Finds what is near a tool in a new surface before the hand feels it: in the cavity that it has just cut a bur has
