@@ -13,8 +13,10 @@
 #include "devices/haply/haply_link.h"
 #include "devices/haply/haply_survey.h"
 #include "devices/mouse_device.h"
+#include "devices/open_device.h"
 #include "devices/openhaptics/hd_library.h"
 #include "devices/openhaptics/openhaptics_device.h"
+#include "devices/openhaptics/pen_names.h"
 #include "devices/sdl/gamepad_device.h"
 #include "devices/sdl/joysticks.h"
 #include "devices/spacemouse/space_mouse_device.h"
@@ -92,8 +94,8 @@ std::optional<Answer> unpacked(const std::string& text) {
 }
 
 /// Asks in a child process. `library`: what is broken if the child does not come to an end; `remedy`: against that.
-SurveyedDevice survey(const char* name, const char* backend, const std::string& library, const std::string& remedy,
-                      const std::function<Answer()>& probe) {
+SurveyedDevice survey(const std::string& name, const char* backend, const std::string& library,
+                      const std::string& remedy, const std::function<Answer()>& probe) {
     const auto text = inChildProcess([&probe] { return packed(probe()); }, kPatience);
     const std::optional<Answer> answer = text ? unpacked(*text) : std::nullopt;
     if (answer) return {name, backend, answer->state, answer->text, answer->abilities};
@@ -101,13 +103,29 @@ SurveyedDevice survey(const char* name, const char* backend, const std::string& 
     return {name, backend, DeviceState::NotUsable, library + " is broken, " + end + ": " + remedy};
 }
 
-Answer tryPen(const std::string& library) {
-    OpenHapticsDevice pen("", library);
+/// `name`: empty for the default one.
+Answer tryPen(const std::string& name, const std::string& library) {
+    OpenHapticsDevice pen(name, library);
     const auto opened = pen.open();
     if (opened) return {DeviceState::Ready, textOf(pen.info()), abilitiesOf(pen.info())};
     const bool isInstalled = dlopen(library.c_str(), RTLD_LAZY | RTLD_NOLOAD) != nullptr;
     const bool isUnplugged = opened.error().message.ends_with(hdErrorText(hd::kLinkFault));
     return {isInstalled && !isUnplugged ? DeviceState::NotUsable : DeviceState::NotThere, opened.error().message};
+}
+
+/// One line for each pen that is set up; without any, one for the default pen, which says what to do.
+std::vector<SurveyedDevice> surveyPens() {
+    const std::string library = HdLibrary::usualPath();
+    std::vector<std::string> pens = configuredPens();
+    if (pens.empty()) pens.emplace_back(kDefaultPen);
+    std::vector<SurveyedDevice> devices;
+    for (const std::string& pen : pens) {
+        const std::string own = pen == kDefaultPen ? "" : pen;
+        devices.push_back(survey(own.empty() ? "pen" : std::string(kNamedPen) + own, "OpenHaptics (PHANToM, Touch)",
+                                 library, "install the device's driver anew; Tactooth leaves it alone.",
+                                 [&] { return tryPen(own, library); }));
+    }
+    return devices;
 }
 
 /// Why there is no line for an Inverse3: nobody serves it or none is plugged in, or the service cannot be used.
@@ -172,11 +190,8 @@ std::vector<SurveyedDevice> surveyDevices() {
     constexpr const char* kSdl = "The library that reads joysticks (SDL 2)";
     constexpr const char* kMendSdl =
         "install the package libsdl2-2.0-0 anew, and use neither gamepad nor joystick until then.";
-    const std::string pens = HdLibrary::usualPath();
-    std::vector<SurveyedDevice> devices = {
-        surveyMouse(),
-        survey("pen", "OpenHaptics (PHANToM, Touch)", pens,
-               "install the device's driver anew; Tactooth leaves it alone.", [&] { return tryPen(pens); })};
+    std::vector<SurveyedDevice> devices = {surveyMouse()};
+    for (SurveyedDevice& device : surveyPens()) devices.push_back(std::move(device));
     for (SurveyedDevice& device : surveyInverse3()) devices.push_back(std::move(device));
     devices.push_back(survey("gamepad", "gamepad (SDL)", kSdl, kMendSdl, [] {
         return tryJoysticks(true, abilitiesOf(GamepadDevice("").info()),

@@ -19,6 +19,9 @@ struct DeviceKind {
 /// The mouse, which is always there and needs no opening, comes first.
 [[nodiscard]] std::span<const DeviceKind> deviceKinds();
 
+/// "pen:NAME" is the pen of that name in the vendor's setup program.
+inline constexpr std::string_view kNamedPen = "pen:";
+
 /// "replay:FILE" is a hand that goes the way of a file; not openDevice opens it, but openHand of the session.
 inline constexpr std::string_view kReplay = "replay:";
 [[nodiscard]] inline bool isReplay(const std::string& name) {

@@ -17,6 +17,7 @@
 #include "app/gui/elided_label.h"
 #include "app/gui/window_setup.h"
 #include "app/window_session.h"
+#include "devices/standin/pen_folder.h"
 #include "devices/standin/standin_hd.h"
 
 namespace tactooth {
@@ -29,6 +30,7 @@ class PenSessionTest : public test::WindowSession {
 private slots:
     void initTestCase();
     void cleanup() { standin_->setFault(static_cast<int>(HdFault::None)); }
+    void eachHandMayChooseAPenByItsName();
     void anUncalibratedPenAsksForItsInkwell();
     void thePenTouchesTheTooth();
     void itsBlueButtonCutsAndThePedalTurnsTheBur();
@@ -136,6 +138,17 @@ void PenSessionTest::initTestCase() {
     QVERIFY(state().contains("mouse"));
 }
 
+void PenSessionTest::eachHandMayChooseAPenByItsName() {
+    for (const char* list : {"devices", "secondDevices"}) {
+        const auto* devices = window_->findChild<QComboBox*>(list);
+        const int place = devices->findData("pen");
+        QCOMPARE(devices->itemData(place + 1), QVariant("pen:Left"));
+        QCOMPARE(devices->itemText(place + 1), QString("Haptic pen Left"));
+        QCOMPARE(devices->itemData(place + 2), QVariant("pen:Right"));
+        QCOMPARE(devices->itemData(place + 3), QVariant("inverse3"));
+    }
+}
+
 void PenSessionTest::anUncalibratedPenAsksForItsInkwell() {
     standin_->setFault(static_cast<int>(HdFault::NeedsInkwell));
     auto* devices = window_->findChild<QComboBox*>("devices");
@@ -223,12 +236,12 @@ void PenSessionTest::theOtherPenHoldsTheMirror() {
     liftOff();
     const double before = removed();
     auto* seconds = window_->findChild<QComboBox*>("secondDevices");
-    window_->holdMirrorBy("pen:Left");
-    QCOMPARE(seconds->currentText(), "pen:Left");
+    seconds->setCurrentIndex(seconds->findData("pen:Left"));
+    emit seconds->activated(seconds->currentIndex());
     QTRY_COMPARE_WITH_TIMEOUT(standin_->startedPens(), 2, 10000);
     QTRY_VERIFY_WITH_TIMEOUT(window_->bench().simulator() != nullptr, 10000);
     const auto* second = window_->findChild<QLabel*>("secondDeviceState");
-    QTRY_VERIFY(second->text().endsWith(": ready"));
+    QTRY_COMPARE(second->text(), QString("Touch (stand-in) 'Left': ready"));
     QVERIFY(!second->isHidden());
     lean();
     QCOMPARE(standin_->forceOf(1), 0.0);
@@ -287,11 +300,13 @@ void PenSessionTest::backToTheMouseThePenIsClosedAndLimp() {
 }
 
 void PenSessionTest::aPenThatIsNotThereLeavesTheMouseAndSaysWhatToDo() {
+    const auto* devices = window_->findChild<QComboBox*>("devices");
     window_->steerBy("pen:Third");
+    QCOMPARE(devices->currentText(), QString("Haptic pen Third"));
     QString said;
-    QTRY_VERIFY_WITH_TIMEOUT((said += dismissMessages()).contains("look its name up in the vendor's setup program"),
+    QTRY_VERIFY_WITH_TIMEOUT((said += dismissMessages()).contains("one that is set up (Default Device, Left, Right)"),
                              20000);
-    QCOMPARE(window_->findChild<QComboBox*>("devices")->currentIndex(), 0);
+    QCOMPARE(devices->currentIndex(), 0);
     QVERIFY(window_->bench().device() == nullptr);
 }
 
@@ -318,6 +333,7 @@ void PenSessionTest::cleanupTestCase() { closeWindow(); }
 
 int main(int argc, char** argv) {
     setenv("TACTOOTH_LIBHD", TACTOOTH_STANDIN_HD, 1);
+    const tactooth::test::PenFolder pens({"Default Device", "Left", "Right"});
     const auto application = tactooth::startApplication(argc, argv);
     tactooth::PenSessionTest test;
     return QTest::qExec(&test, argc, argv);

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "cli/cli_test.h"
+#include "devices/standin/pen_folder.h"
 
 namespace tactooth {
 namespace {
@@ -80,6 +81,7 @@ TEST(HapticsCommands, RealtimeTellsHowTheMachineKeptTime) {
 }
 
 TEST(HapticsCommands, DevicesAlwaysHaveTheMouse) {
+    const PenFolder noPens({});
     const ProgramRun run = runTactooth({"devices", "--json"});
     EXPECT_EQ(run.exitCode, 0);
     const auto json = nlohmann::json::parse(run.out);
@@ -101,6 +103,7 @@ Json deviceNamed(const std::string& name, const Environment& changes) {
 }
 
 TEST(HapticsCommands, DevicesTellInNumbersWhatTheyCan) {
+    const PenFolder noPens({});
     const Json pen = deviceNamed("pen", {{"TACTOOTH_LIBHD", TACTOOTH_STANDIN_HD}});
     EXPECT_EQ(pen.at("state"), "ready");
     EXPECT_EQ(pen.at("force_n"), 3.3);
@@ -112,6 +115,7 @@ TEST(HapticsCommands, DevicesTellInNumbersWhatTheyCan) {
 }
 
 TEST(HapticsCommands, ADeviceThatIsBrokenIsNotUsableAndOneThatIsMissingIsNotThere) {
+    const PenFolder noPens({});
     const Json broken = deviceNamed("pen", {{"TACTOOTH_LIBHD", TACTOOTH_CRASHING_HD}});
     EXPECT_EQ(broken.at("state"), "not usable");
     EXPECT_EQ(broken.at("ready"), false);
@@ -119,7 +123,18 @@ TEST(HapticsCommands, ADeviceThatIsBrokenIsNotUsableAndOneThatIsMissingIsNotTher
     EXPECT_EQ(deviceNamed("pen", {{"TACTOOTH_LIBHD", "libNoSuchHD.so"}}).at("state"), "not there");
 }
 
+TEST(HapticsCommands, EachPenThatIsSetUpIsToldByItsName) {
+    const PenFolder pens({"Default Device", "Left"});
+    const Environment standin = {{"TACTOOTH_LIBHD", TACTOOTH_STANDIN_HD}};
+    EXPECT_EQ(deviceNamed("pen", standin).at("state"), "ready");
+    EXPECT_EQ(deviceNamed("pen:Left", standin).at("state"), "ready");
+    EXPECT_THAT(runTactooth({"doctor"}, standin).out,
+                AllOf(HasSubstr("  OpenHaptics (PHANToM, Touch): Touch (stand-in): force"),
+                      HasSubstr("  pen:Left, OpenHaptics (PHANToM, Touch): Touch (stand-in) 'Left': force")));
+}
+
 TEST(HapticsCommands, DevicesStandInColumns) {
+    const PenFolder pens({"Default Device", "Left, which has a long name"});
     std::istringstream lines(runTactooth({"devices"}, {{"TACTOOTH_LIBHD", TACTOOTH_CRASHING_HD}}).out);
     std::set<std::size_t> columns;
     for (std::string line; std::getline(lines, line);) {

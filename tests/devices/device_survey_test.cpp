@@ -7,35 +7,57 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 
+#include "standin/pen_folder.h"
 #include "standin/standin_haply.h"
 #include "standin/standin_hd.h"
 
 namespace tactooth {
 namespace {
 
+using test::PenFolder;
+using test::ScopedVariable;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+
+/// No pen is set up.
+class DeviceSurvey : public ::testing::Test {
+    PenFolder noPens_{{}};
+};
 
 SurveyedDevice named(const std::string& name, const std::vector<SurveyedDevice>& devices) {
     const auto found = std::ranges::find(devices, name, &SurveyedDevice::name);
     return found == devices.end() ? SurveyedDevice{} : *found;
 }
 
+constexpr const char* kNobody = "localhost:1";  // where nobody listens
+
+std::vector<SurveyedDevice> devicesWith(const char* library, const std::string& haply = kNobody) {
+    const ScopedVariable pen("TACTOOTH_LIBHD", library);
+    const ScopedVariable arm("TACTOOTH_HAPLY", haply);
+    return surveyDevices();
+}
+
+/// The names of those that are pens, in their order.
+std::vector<std::string> pensOf(const std::vector<SurveyedDevice>& devices) {
+    std::vector<std::string> names;
+    for (const SurveyedDevice& device : devices) {
+        if (device.backend.starts_with("OpenHaptics")) names.push_back(device.name);
+    }
+    return names;
+}
+
 SurveyedDevice penWith(const char* library) {
-    setenv("TACTOOTH_LIBHD", library, 1);
-    setenv("TACTOOTH_HAPLY", "localhost:1", 1);  // where nobody listens
-    const auto devices = surveyDevices();
-    unsetenv("TACTOOTH_LIBHD");
-    unsetenv("TACTOOTH_HAPLY");
+    const auto devices = devicesWith(library);
     EXPECT_EQ(devices.front().name, "mouse");
     EXPECT_EQ(devices.front().state, DeviceState::Ready);
     EXPECT_EQ(named("inverse3", devices).state, DeviceState::NotThere);
     EXPECT_THAT(named("inverse3", devices).text, HasSubstr("install and start it"));
+    EXPECT_THAT(pensOf(devices), ElementsAre("pen"));
     return named("pen", devices);
 }
 
-TEST(DeviceSurvey, TellsWhatAPenCanDo) {
+TEST_F(DeviceSurvey, TellsWhatAPenCanDo) {
     const SurveyedDevice pen = penWith(TACTOOTH_STANDIN_HD);
     EXPECT_EQ(pen.state, DeviceState::Ready);
     EXPECT_EQ(pen.abilities.force, 3.3);
@@ -48,34 +70,38 @@ TEST(DeviceSurvey, TellsWhatAPenCanDo) {
               "N/mm; 2 buttons");
 }
 
-TEST(DeviceSurvey, ALibraryThatCrashesIsReportedAndHarmless) {
+TEST_F(DeviceSurvey, ALibraryThatCrashesIsReportedAndHarmless) {
     const SurveyedDevice pen = penWith(TACTOOTH_CRASHING_HD);
     EXPECT_EQ(pen.state, DeviceState::NotUsable);
     EXPECT_FALSE(pen.abilities.force);
     EXPECT_THAT(pen.text, HasSubstr("is broken, it crashes"));
 }
 
-TEST(DeviceSurvey, ALibraryOfAnotherVersionIsNamed) {
+TEST_F(DeviceSurvey, ALibraryOfAnotherVersionIsNamed) {
     const SurveyedDevice pen = penWith(TACTOOTH_LACKING_HD);
     EXPECT_EQ(pen.state, DeviceState::NotUsable);
     EXPECT_THAT(pen.text, HasSubstr("it is another version"));
 }
 
-TEST(DeviceSurvey, NoLibraryIsNoPenAndSaysWhatToInstall) {
+TEST_F(DeviceSurvey, NoLibraryIsNoPenAndSaysWhatToInstall) {
     const SurveyedDevice pen = penWith("libNoSuchHD.so");
     EXPECT_EQ(pen.state, DeviceState::NotThere);
     EXPECT_THAT(pen.text, HasSubstr("install the device's driver"));
 }
 
 /// The child has the stand-in as it is here.
-TEST(DeviceSurvey, APenInUseIsNotUsableAndOneThatIsUnpluggedIsNotThere) {
-    const auto* const standin = static_cast<const test::HdStandinControl*>(
+const test::HdStandinControl& standin() {
+    static const auto* const control = static_cast<const test::HdStandinControl*>(
         dlsym(dlopen(TACTOOTH_STANDIN_HD, RTLD_LAZY | RTLD_GLOBAL), "standinControl"));
-    const auto penAt = [&](test::HdFault fault) {
-        standin->reset();
-        standin->setFault(static_cast<int>(fault));
+    return *control;
+}
+
+TEST_F(DeviceSurvey, APenInUseIsNotUsableAndOneThatIsUnpluggedIsNotThere) {
+    const auto penAt = [](test::HdFault fault) {
+        standin().reset();
+        standin().setFault(static_cast<int>(fault));
         SurveyedDevice pen = penWith(TACTOOTH_STANDIN_HD);
-        standin->reset();
+        standin().reset();
         return pen;
     };
     const SurveyedDevice held = penAt(test::HdFault::InUse);
@@ -86,16 +112,48 @@ TEST(DeviceSurvey, APenInUseIsNotUsableAndOneThatIsUnpluggedIsNotThere) {
     EXPECT_THAT(unplugged.text, HasSubstr("check its cable"));
 }
 
-std::vector<SurveyedDevice> devicesWith(const test::StandinHaply& service) {
-    setenv("TACTOOTH_LIBHD", "libNoSuchHD.so", 1);
-    setenv("TACTOOTH_HAPLY", service.address().c_str(), 1);
-    auto devices = surveyDevices();
-    unsetenv("TACTOOTH_LIBHD");
-    unsetenv("TACTOOTH_HAPLY");
-    return devices;
+TEST_F(DeviceSurvey, HasALineForEachPenThatIsSetUp) {
+    const PenFolder pens({"Left", "Default Device", "Right"});
+    const auto devices = devicesWith(TACTOOTH_STANDIN_HD);
+    EXPECT_THAT(pensOf(devices), ElementsAre("pen", "pen:Left", "pen:Right"));
+    EXPECT_TRUE(named("pen", devices).text.starts_with("Touch (stand-in): force 3.3 N"));
+    for (const std::string name : {"Left", "Right"}) {
+        const SurveyedDevice pen = named("pen:" + name, devices);
+        EXPECT_EQ(pen.state, DeviceState::Ready);
+        EXPECT_TRUE(pen.text.starts_with("Touch (stand-in) '" + name + "': force 3.3 N")) << pen.text;
+        EXPECT_EQ(pen.abilities.force, 3.3);
+    }
 }
 
-TEST(DeviceSurvey, HasALineForEachInverse3) {
+TEST_F(DeviceSurvey, HasNoLineForADefaultPenThatIsNotSetUpBesideOthers) {
+    const PenFolder pens({"Right"});
+    EXPECT_THAT(pensOf(devicesWith(TACTOOTH_STANDIN_HD)), ElementsAre("pen:Right"));
+}
+
+TEST_F(DeviceSurvey, EachPenSaysForItselfWhyItIsNotReady) {
+    const PenFolder pens({"Left", "Right", "Third"});  // which the stand-in does not know
+    standin().reset();
+    standin().setFault(static_cast<int>(test::HdFault::LinkFault));
+    standin().setFaultyPen(1);
+    const auto devices = devicesWith(TACTOOTH_STANDIN_HD);
+    standin().reset();
+    EXPECT_EQ(named("pen:Right", devices).state, DeviceState::Ready);
+    const SurveyedDevice left = named("pen:Left", devices);
+    EXPECT_EQ(left.state, DeviceState::NotThere);
+    EXPECT_THAT(left.text, HasSubstr("the device 'Left': The device does not answer: check its cable"));
+    const SurveyedDevice third = named("pen:Third", devices);
+    EXPECT_EQ(third.state, DeviceState::NotUsable);
+    EXPECT_THAT(third.text, HasSubstr("the device 'Third': look its name up in the vendor's setup program"));
+    const auto none = devicesWith("libNoSuchHD.so");
+    EXPECT_EQ(named("pen:Left", none).state, DeviceState::NotThere);
+    EXPECT_THAT(named("pen:Left", none).text, HasSubstr("install the device's driver"));
+}
+
+std::vector<SurveyedDevice> devicesWith(const test::StandinHaply& service) {
+    return devicesWith("libNoSuchHD.so", service.address());
+}
+
+TEST_F(DeviceSurvey, HasALineForEachInverse3) {
     const test::StandinHaply service;
     const auto devices = devicesWith(service);
     const SurveyedDevice first = named("inverse3:049D", devices);
@@ -109,7 +167,7 @@ TEST(DeviceSurvey, HasALineForEachInverse3) {
     EXPECT_THAT(named("inverse3:0B1C", devices).text, HasSubstr("0 buttons"));
 }
 
-TEST(DeviceSurvey, AServiceWithoutAnInverse3IsNoInverse3AndOneOfAnotherVersionIsOfNoUse) {
+TEST_F(DeviceSurvey, AServiceWithoutAnInverse3IsNoInverse3AndOneOfAnotherVersionIsOfNoUse) {
     test::StandinHaply service;
     service.setFirstMessage(R"({"inverse3": []})");
     const SurveyedDevice none = named("inverse3", devicesWith(service));
@@ -121,10 +179,9 @@ TEST(DeviceSurvey, AServiceWithoutAnInverse3IsNoInverse3AndOneOfAnotherVersionIs
     EXPECT_THAT(old.text, HasSubstr("install version 3"));
 }
 
-TEST(DeviceSurvey, WhatIsNotPluggedInSaysWhatToDo) {
-    setenv("SPNAV_SOCKET", "/no/such/socket", 1);
+TEST_F(DeviceSurvey, WhatIsNotPluggedInSaysWhatToDo) {
+    const ScopedVariable socket("SPNAV_SOCKET", "/no/such/socket");
     const auto devices = surveyDevices();
-    unsetenv("SPNAV_SOCKET");
     EXPECT_THAT(named("spacemouse", devices).text, HasSubstr("install spacenavd"));
     for (const char* name : {"gamepad", "pedal"}) {
         const SurveyedDevice device = named(name, devices);

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "devices/openhaptics/hd_library.h"
+#include "standin/pen_folder.h"
 #include "standin/plane_servo.h"
 #include "standin/standin_hd.h"
 
@@ -20,6 +21,7 @@ namespace {
 using namespace std::chrono_literals;
 using test::HdFault;
 using test::kWall;
+using test::PenFolder;
 using test::soon;
 using test::soonSays;
 using Servo = test::PlaneServo;
@@ -59,6 +61,9 @@ protected:
             return force() > 0.3;
         });
     }
+
+private:
+    PenFolder noPens_{{}};  // whatever is set up on this machine
 };
 
 TEST_F(OpenHaptics, TellsWhatTheDeviceIs) {
@@ -104,6 +109,26 @@ TEST_F(OpenHaptics, EachFailureToStartHasItsSentence) {
     EXPECT_THAT(openError(), HasSubstr("look its name up"));
     set(HdFault::None);
     EXPECT_EQ(openError(), "") << "and after that it starts";
+}
+
+TEST_F(OpenHaptics, ANameThatIsNotSetUpIsToldFromAPenThatDoesNotAnswer) {
+    const PenFolder pens({"Left", "Right"});
+    const auto isUnknown = HasSubstr("choose one that is set up (Left, Right)");
+    EXPECT_THAT(openError("left"), isUnknown);
+    set(HdFault::LinkFault);  // which some drivers report of a name that they do not know
+    EXPECT_THAT(openError("Third"), isUnknown);
+    EXPECT_THAT(openError(), isUnknown) << "there is no default one";
+    EXPECT_THAT(openError("Left"), HasSubstr("the device 'Left': The device does not answer"));
+    set(HdFault::InUse);
+    EXPECT_THAT(openError("Third"), HasSubstr("close the other program"));
+    set(HdFault::GarbageHandle);
+    EXPECT_THAT(openError("Left"), HasSubstr("look its name up"));
+}
+
+TEST_F(OpenHaptics, APenIsCalledByItsName) {
+    OpenHapticsDevice device("Left", TACTOOTH_STANDIN_HD);
+    ASSERT_TRUE(device.open());
+    EXPECT_EQ(device.info().name, "Touch (stand-in) 'Left'");
 }
 
 TEST_F(OpenHaptics, TwoPensAreTwoDevicesAndOneCannotBeStartedTwice) {

@@ -54,6 +54,12 @@ Finding lookAtRealTime() {
     return {"real time", Verdict::Optional, "Not allowed: " + missing + ". " + realTimeHint(rights)};
 }
 
+/// One of several of its kind is told from the others by the name that --device takes.
+std::string titleOf(const SurveyedDevice& device) {
+    const bool isOneOfSeveral = device.name.find(':') != std::string::npos;
+    return isOneOfSeveral ? device.name + ", " + device.backend : device.backend;
+}
+
 std::vector<Finding> examine() {
     std::vector<Finding> findings = {lookAtDisplay(), lookAtOpenGl()};
     for (Finding& finding : lookAtSound()) findings.push_back(std::move(finding));
@@ -61,7 +67,7 @@ std::vector<Finding> examine() {
     for (const SurveyedDevice& device : surveyDevices()) {
         const bool isReady = device.state == DeviceState::Ready;
         findings.push_back(
-            {"device", isReady ? Verdict::Fine : Verdict::Optional, device.backend + ": " + device.text});
+            {"device", isReady ? Verdict::Fine : Verdict::Optional, titleOf(device) + ": " + device.text});
     }
     return findings;
 }

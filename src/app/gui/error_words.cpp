@@ -299,6 +299,9 @@ constexpr const char* kErrors[] = {
     QT_TRANSLATE_NOOP("Error", "the default device"),
     QT_TRANSLATE_NOOP("Error", "the device '%1'"),
     QT_TRANSLATE_NOOP("Error", "OpenHaptics knows no device for %1: look its name up in the vendor's setup program."),
+    QT_TRANSLATE_NOOP("Error",
+                      "OpenHaptics knows no device for %1: choose one that is set up (%2), or set it up in the "
+                      "vendor's setup program."),
     QT_TRANSLATE_NOOP("Error", "OpenHaptics: four devices are in use already; close one of them."),
     QT_TRANSLATE_NOOP(
         "Error",

@@ -8,13 +8,21 @@
 #include "app/gui/error_words.h"
 #include "app/gui/words.h"
 #include "devices/open_device.h"
+#include "devices/openhaptics/pen_names.h"
 
 namespace tactooth {
 namespace {
 
-constexpr int kMostButtons = 8;  // that can be chosen: no device has more within reach of the fingers
-constexpr double kFinest = 3;    // mm of the hand for one of the tool
+constexpr int kMostButtons = 8;     // that can be chosen: no device has more within reach of the fingers
+constexpr int kDeviceLetters = 17;  // for which there is room in the lists of devices
+constexpr double kFinest = 3;       // mm of the hand for one of the tool
 constexpr std::array<double, 4> kRates = {kLeastRate, 1000, 2000, kMostRate};  // Hz
+
+/// What a device that is one of several of its kind ("pen:Left") is called in the lists.
+QString titleOf(const QString& name) {
+    const auto prefix = static_cast<qsizetype>(kNamedPen.size());
+    return name.startsWith(kNamedPen.data()) ? HandPanel::tr("Haptic pen %1").arg(name.mid(prefix)) : name;
+}
 
 }  // namespace
 
@@ -80,6 +88,11 @@ void HandPanel::addDevices(QGridLayout& grid) {
     for (const DeviceKind& kind : deviceKinds()) {
         devices_->addItem(translated(kind.title), QString(kind.name));
         if (&kind != &deviceKinds().front()) seconds_->addItem(translated(kind.title), QString(kind.name));
+        if (std::string_view(kind.name) == "pen") addNamedPens();
+    }
+    for (QComboBox* box : {devices_, seconds_}) {  // no name that a person has given widens the panel
+        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        box->setMinimumContentsLength(kDeviceLetters);
     }
     seconds_->setObjectName("secondDevices");
     seconds_->setToolTip(tr("A second device, which begins with the mirror; a button exchanges what the hands hold"));
@@ -97,6 +110,15 @@ void HandPanel::addDevices(QGridLayout& grid) {
     secondState_->setWordWrap(true);
     secondState_->hide();  // most have one device
     grid.addWidget(secondState_, 3, 0, 1, 3);
+}
+
+/// Those that the vendor's setup program knows at the moment; one that is set up later can still be named.
+void HandPanel::addNamedPens() {
+    for (const std::string& pen : configuredPens()) {
+        if (pen == kDefaultPen) continue;
+        const QString name = QString::fromStdString(std::string(kNamedPen) + pen);
+        for (QComboBox* box : {devices_, seconds_}) box->addItem(titleOf(name), name);
+    }
 }
 
 void HandPanel::addHold(QGridLayout& grid) {
@@ -196,7 +218,7 @@ void HandPanel::showChosen(QComboBox& box, const QString& name) {
     int place = box.findData(name);
     if (place < 0 && name.contains(':')) {
         place = box.count();
-        box.addItem(name, name);
+        box.addItem(titleOf(name), name);
     }
     box.setCurrentIndex(std::max(place, 0));
 }

@@ -54,6 +54,7 @@ private:
     static void showChosen(QComboBox& box, const QString& name);
     void showRate(double rate);
     void addDevices(QGridLayout& grid);
+    void addNamedPens();
     void addHold(QGridLayout& grid);
     void addRate(QGridLayout& grid);
     void addButtons(QGridLayout& grid);

@@ -1163,6 +1163,10 @@
         <translation>OpenHapticsに%1が登録されていません。メーカーの設定プログラムで名前を確かめてください。</translation>
     </message>
     <message>
+        <source>OpenHaptics knows no device for %1: choose one that is set up (%2), or set it up in the vendor&apos;s setup program.</source>
+        <translation>OpenHapticsに%1が登録されていません。登録済みの装置（%2）から選ぶか、メーカーの設定プログラムで登録してください。</translation>
+    </message>
+    <message>
         <source>OpenHaptics: four devices are in use already; close one of them.</source>
         <translation>OpenHaptics：すでに4台の装置が使用中です。1台を閉じてください。</translation>
     </message>
@@ -2645,6 +2649,10 @@ More than 1 % is felt: close other programs, or take a tooth with fewer triangle
     <message>
         <source>No force: the device is not there or its reading is wrong.</source>
         <translation>力なし：装置がないか、読み取り値が正しくありません。</translation>
+    </message>
+    <message>
+        <source>Haptic pen %1</source>
+        <translation>力覚ペン %1</translation>
     </message>
     <message>
         <source>Other hand</source>

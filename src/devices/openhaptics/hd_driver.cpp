@@ -8,6 +8,7 @@
 
 #include "devices/device_presets.h"
 #include "devices/monotonic_clock.h"
+#include "devices/openhaptics/pen_names.h"
 
 namespace tactooth {
 namespace {
@@ -22,6 +23,26 @@ constexpr const char* kDockPen = "Put the pen into its inkwell for a moment, so 
 
 std::string titleOf(const std::string& name) {
     return name.empty() ? "the default device" : "the device '" + name + "'";
+}
+
+std::string listOf(const std::vector<std::string>& names) {
+    std::string list;
+    for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+    return list;
+}
+
+/// Why the pen `name` has not been started; `code`: of the driver, 0 if it says nothing. To a driver, a name that it
+/// does not know may be a fault of the link: what is set up tells the one from the other.
+std::string whyNotStarted(const std::string& name, std::uint32_t code) {
+    const bool mayBeUnknown = code == 0 || code == hd::kLinkFault || code == hd::kLinkSettings;
+    const std::vector<std::string> pens = configuredPens();
+    const std::string asked = name.empty() ? std::string(kDefaultPen) : name;
+    if (mayBeUnknown && !pens.empty() && std::ranges::find(pens, asked) == pens.end()) {
+        return "OpenHaptics knows no device for " + titleOf(name) + ": choose one that is set up (" + listOf(pens) +
+               "), or set it up in the vendor's setup program.";
+    }
+    if (code != 0) return "OpenHaptics, " + titleOf(name) + ": " + hdErrorText(code);
+    return "OpenHaptics knows no device for " + titleOf(name) + ": look its name up in the vendor's setup program.";
 }
 
 double sane(double value, double least, double most, double otherwise) {
@@ -77,13 +98,8 @@ Expected<HdHandle> HdDriver::startDevice(const std::string& name) {
     while (call_.getError().code != 0) {
     }
     const HdHandle handle = call_.initDevice(name.empty() ? nullptr : name.c_str());
-    if (const HdErrorRecord error = call_.getError(); error.code != 0) {
-        return unexpected("OpenHaptics, " + titleOf(name) + ": " + hdErrorText(error.code));
-    }
-    if (handle > hd::kLargestHandle) {
-        return unexpected("OpenHaptics knows no device for " + titleOf(name) +
-                          ": look its name up in the vendor's setup program.");
-    }
+    const std::uint32_t code = call_.getError().code;
+    if (code != 0 || handle > hd::kLargestHandle) return unexpected(whyNotStarted(name, code));
     call_.makeCurrent(handle);
     call_.enable(hd::kForceOutput);
     call_.enable(hd::kForceClamping);
@@ -94,6 +110,7 @@ void HdDriver::describe(HdPen& pen, DeviceInfo& info) {
     const char* const model = call_.getText(hd::kModel);
     const DevicePreset& preset = presetFor(model != nullptr ? model : "");
     info.name = model != nullptr && *model != 0 ? model : std::string(preset.title);
+    if (!pen.name.empty()) info.name += " '" + pen.name + "'";
     info.limits = limitsOf(preset);
     double force = 0;
     call_.getDoubles(hd::kMaxForce, &force);

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdlib>
+#include <optional>
+#include <string>
+
+namespace tactooth::test {
+
+/// A variable of the environment that is another one as long as the object lives; nullopt: it is not set.
+class ScopedVariable {
+public:
+    ScopedVariable(std::string name, const std::optional<std::string>& value) : name_(std::move(name)) {
+        if (const char* const before = std::getenv(name_.c_str())) before_ = before;
+        set(value);
+    }
+    ~ScopedVariable() { set(before_); }
+    ScopedVariable(const ScopedVariable&) = delete;
+    ScopedVariable& operator=(const ScopedVariable&) = delete;
+
+private:
+    void set(const std::optional<std::string>& value) const {
+        value ? setenv(name_.c_str(), value->c_str(), 1) : unsetenv(name_.c_str());
+    }
+
+    std::string name_;
+    std::optional<std::string> before_;
+};
+
+}  // namespace tactooth::test
