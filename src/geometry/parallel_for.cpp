@@ -17,11 +17,11 @@ void runBlocks(std::size_t count, std::size_t grain, LoopBlock block, void* loop
 
 }  // namespace detail
 
-struct OneThread::Limit {
-    tbb::global_control control{tbb::global_control::max_allowed_parallelism, 1};
+struct ThreadLimit::Limit {
+    tbb::global_control control;
 };
 
-OneThread::OneThread() : limit_(std::make_unique<Limit>()) {}
-OneThread::~OneThread() = default;
+ThreadLimit::ThreadLimit(std::size_t most) : limit_(new Limit{{tbb::global_control::max_allowed_parallelism, most}}) {}
+ThreadLimit::~ThreadLimit() = default;
 
 }  // namespace tactooth

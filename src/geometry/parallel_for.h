@@ -66,14 +66,14 @@ void parallelFor(std::size_t count, const Function& function, std::size_t grain 
     loop.order.endLoop();
 }
 
-/// While one of these lives, loops of this process use no thread but the one that calls them: for measuring what work
-/// costs on one processor. Results never depend on it.
-class OneThread {
+/// While one of these lives, loops of this process use no more than so many threads, the one that calls them among
+/// them: for measuring what work costs. Results never depend on it.
+class ThreadLimit {
 public:
-    OneThread();
-    ~OneThread();
-    OneThread(const OneThread&) = delete;
-    OneThread& operator=(const OneThread&) = delete;
+    explicit ThreadLimit(std::size_t most);
+    ~ThreadLimit();
+    ThreadLimit(const ThreadLimit&) = delete;
+    ThreadLimit& operator=(const ThreadLimit&) = delete;
 
 private:
     struct Limit;

@@ -5,68 +5,131 @@
 #include <bit>
 #include <limits>
 
+#include "tooth/brick_sweep.h"
+
 namespace tactooth {
 namespace {
 
-constexpr double kNoBound = std::numeric_limits<double>::infinity();
-constexpr double kOnBorder = 1e-5;  ///< mm; as exact as an envelope's distance to a sweep
+constexpr float kNoBound = std::numeric_limits<float>::infinity();
+constexpr float kOnBorder = 1e-5F;  ///< mm; as exact as an envelope's distance to a sweep
 /// Share of a lattice edge; how far outside the border its normal is taken. On the line that a sharp rim has swept the
 /// direction of the nearest point is only rounding; a little outside it is the normal of that line's surface.
-constexpr double kNormalOffset = 0.04;
+constexpr float kNormalOffset = 0.04F;
 /// mm; nearer than this one more step of Newton lands on the border: to 2e-6 even on a rim rounded to 0.05 mm, and to a
 /// tenth of a micrometre where it is sharp.
-constexpr double kLastStep = 2e-4;
+constexpr float kLastStep = 2e-4F;
 constexpr int kNewtonRounds = 20;  ///< halves the rest of the edge where Newton leaves it: 50 um / 2^20 at worst
 constexpr int kExtensions = 4;     ///< steps of one move that each carry the border farther along the same edge
 
-/// A lattice edge from its removed end (place 0) to its solid one (place `length`, mm).
-struct DirectedEdge {
-    Vec3 removedEnd;
-    Vec3 direction;
-    double length;
-    [[nodiscard]] Vec3 at(double place) const { return removedEnd + place * direction; }
-};
-
-struct Border {
-    double place;
-    Vec3 normal;
-};
-
-/// Where the edge leaves the region that `step` sweeps, going out from `from`, where its distance is `sample`.
-Border exitOf(const SweepStep& step, const DirectedEdge& edge, double from, FieldSample sample) {
-    double inside = from;
-    double outside = edge.length;
-    double place = from;
-    for (int round = 0; round < kNewtonRounds && std::abs(sample.distance) > kOnBorder; ++round) {
-        const double slope = sample.gradient.dot(edge.direction);
-        const bool isLast = std::abs(sample.distance) < kLastStep;
-        place -= sample.distance / slope;
-        if (!(place > inside && place < outside)) {
-            place = 0.5 * (inside + outside);
-        } else if (isLast) {
-            break;
+/// Eight lattice edges of one block, each from its removed end (place 0) to its solid one (place 1), and where the
+/// border of the removed region crosses them.
+class Edges8 {
+public:
+    /// Adds an edge whose removed end is at `end`, in steps from the block's first node; `direction` leads to the solid
+    /// one. `place` and `normal`: of the border as far as it is known.
+    void add(const std::array<int, 3>& end, int axis, float direction, float place, const Vec3& normal) {
+        for (int i = 0; i < 3; ++i) {
+            end_[i][count_] = static_cast<float>(end[i]);
+            direction_[i][count_] = i == axis ? direction : 0;
+            normal_[i][count_] = static_cast<float>(normal[i]);
         }
-        sample = step.sample(edge.at(place), kNoBound);
-        (sample.distance < 0 ? inside : outside) = place;
+        place_[count_++] = place;
     }
-    return {place, step.sample(edge.at(place + kNormalOffset * edge.length), kNoBound).gradient};
-}
+    [[nodiscard]] float place(int lane) const { return place_[lane]; }
+    [[nodiscard]] Vec3 normal(int lane) const { return {normal_[0][lane], normal_[1][lane], normal_[2][lane]}; }
 
-/// Carries the border outward as long as one of the steps holds it. The last step reaches farthest as a rule.
-void extend(Border& border, const DirectedEdge& edge, const std::vector<const SweepStep*>& steps) {
-    const SweepStep* carried = nullptr;  // the step that the border was carried out of last: it does not hold it
-    for (int round = 0; round < kExtensions; ++round) {
-        bool moved = false;
-        for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
-            if (*step == carried) continue;
-            const FieldSample here = (*step)->sample(edge.at(border.place), -kOnBorder);
-            if (here.distance >= -kOnBorder) continue;
-            const Border exit = exitOf(**step, edge, border.place, here);
-            if (exit.place > border.place) border = exit, carried = *step, moved = true;
+    /// Carries the borders outward as long as one of the steps holds them.
+    void extend(const std::vector<SweepLanes>& steps, double spacing) {
+        fill();
+        Float8 carried = Float8::all(-1);  // the step that a border was carried out of last: it does not hold it
+        bool moved = true;
+        for (int round = 0; round < kExtensions && moved; ++round) {
+            moved = false;
+            for (std::size_t i = 0; i < steps.size(); ++i) {
+                const Float8 number = Float8::all(static_cast<float>(i));
+                const Float8 isOther = whereLess(carried, number, one(), whereLess(number, carried, one(), zero()));
+                moved |= carryOut(steps[i], number, isOther, carried, static_cast<float>(spacing));
+            }
         }
-        if (!moved) return;
     }
-}
+
+private:
+    static Float8 zero() { return Float8::all(0); }
+    static Float8 one() { return Float8::all(1); }
+    static bool isAny(Float8 flags) { return lessEqual(one(), flags) != 0; }
+    static Float8 choose(Float8 flag, Float8 yes, Float8 no) { return whereLess(zero(), flag, yes, no); }
+
+    /// Lanes without an edge follow the first one.
+    void fill() {
+        for (int lane = count_; lane < 8; ++lane) {
+            place_[lane] = place_[0];
+            for (int i = 0; i < 3; ++i) {
+                end_[i][lane] = end_[i][0];
+                direction_[i][lane] = direction_[i][0];
+            }
+        }
+    }
+
+    [[nodiscard]] Vec3x8 at(Float8 place) const {
+        const Vec3x8 end = Vec3x8::load(end_);
+        const Vec3x8 direction = Vec3x8::load(direction_);
+        return {end.x + place * direction.x, end.y + place * direction.y, end.z + place * direction.z};
+    }
+
+    /// Moves the borders that `step` holds to where their edges leave the region that it sweeps; true if one has moved.
+    bool carryOut(const SweepLanes& step, Float8 number, Float8 isOther, Float8& carried, float spacing) {
+        const Float8 start = Float8::load(place_);
+        const Float8 onBorder = Float8::all(kOnBorder);
+        const Samples8 here = step.sample(at(start), zero() - onBorder);
+        Float8 holds = isOther * whereLess(here.distance, zero() - onBorder, one(), zero());
+        if (!isAny(holds)) return false;
+        const Float8 exit = exitOf(step, start, here, holds, spacing);
+        holds = holds * whereLess(start, exit, one(), zero());
+        if (!isAny(holds)) return false;
+        const Vec3x8 normal = step.sample(at(exit + Float8::all(kNormalOffset)), Float8::all(kNoBound)).gradient;
+        choose(holds, exit, start).store(place_);
+        choose(holds, normal.x, Float8::load(normal_[0])).store(normal_[0]);
+        choose(holds, normal.y, Float8::load(normal_[1])).store(normal_[1]);
+        choose(holds, normal.z, Float8::load(normal_[2])).store(normal_[2]);
+        carried = choose(holds, number, carried);
+        return true;
+    }
+
+    /// Where the edges in `searching` leave the region that `step` sweeps, going out from `start`, where its distance
+    /// is `sample`: Newton's steps, halving the rest of the edge where one leaves it.
+    [[nodiscard]] Float8 exitOf(const SweepLanes& step, Float8 start, Samples8 sample, Float8 searching,
+                                float spacing) const {
+        const Vec3x8 direction = Vec3x8::load(direction_);
+        const Float8 millimetres = Float8::all(spacing);
+        const Float8 half = Float8::all(0.5F);
+        Float8 inside = start;
+        Float8 outside = one();
+        Float8 place = start;
+        for (int round = 0; round < kNewtonRounds && isAny(searching); ++round) {
+            const Float8 size = max(sample.distance, zero() - sample.distance);
+            const Float8 isLast = whereLess(size, Float8::all(kLastStep), one(), zero());
+            const Float8 slope = dot(sample.gradient, direction) * millimetres;
+            const Float8 newton = place - sample.distance / slope;
+            const Float8 isOn = whereLess(inside, newton, one(), zero()) * whereLess(newton, outside, one(), zero());
+            place = choose(searching, choose(isOn, newton, half * (inside + outside)), place);
+            searching = searching * (one() - isLast * isOn);
+            if (!isAny(searching)) break;
+            sample = step.sample(at(place), Float8::all(kNoBound));
+            const Float8 isInside = searching * whereLess(sample.distance, zero(), one(), zero());
+            inside = choose(isInside, place, inside);
+            outside = choose(searching - isInside, place, outside);
+            const Float8 off = max(sample.distance, zero() - sample.distance);
+            searching = searching * whereLess(Float8::all(kOnBorder), off, one(), zero());
+        }
+        return place;
+    }
+
+    int count_ = 0;
+    float end_[3][8] = {};
+    float direction_[3][8] = {};
+    float place_[8] = {};
+    float normal_[3][8] = {};
+};
 
 class BrickTracer {
 public:
@@ -74,26 +137,24 @@ public:
                 std::uint64_t carve)
         : changed_{key},
           brick_(*bricks.find(key)),
-          corner_(lattice.corner(key)),
+          sweep_(key, lattice, steps, lattice.spacing()),
           spacing_(lattice.spacing()),
           carve_(carve) {
         next_ = {bricks.find(key.moved(1, 0, 0)), bricks.find(key.moved(0, 1, 0)), bricks.find(key.moved(0, 0, 1))};
-        for (const SweepStep& step : steps) {
-            if (step.lowerBound(lattice.centre(key)) < lattice.halfDiagonal() + spacing_) steps_.push_back(&step);
-        }
     }
 
     ChangedBrick run() {
         for (int z = 0; z < kBrickSide; ++z) {
             for (int y = 0; y < kBrickSide; ++y) {
                 const unsigned row = removedRow(&brick_, y, z);
-                traceCrossed((row ^ (row >> 1 | removedAt(next_[0], 0, y, z) << (kBrickSide - 1))), y, z, 0);
+                findCrossed((row ^ (row >> 1 | removedAt(next_[0], 0, y, z) << (kBrickSide - 1))), y, z, 0);
                 const bool lastY = y + 1 == kBrickSide;
-                traceCrossed(row ^ removedRow(lastY ? next_[1] : &brick_, lastY ? 0 : y + 1, z), y, z, 1);
+                findCrossed(row ^ removedRow(lastY ? next_[1] : &brick_, lastY ? 0 : y + 1, z), y, z, 1);
                 const bool lastZ = z + 1 == kBrickSide;
-                traceCrossed(row ^ removedRow(lastZ ? next_[2] : &brick_, y, lastZ ? 0 : z + 1), y, z, 2);
+                findCrossed(row ^ removedRow(lastZ ? next_[2] : &brick_, y, lastZ ? 0 : z + 1), y, z, 2);
             }
         }
+        for (int block = 0; block < kBlocks; ++block) trace(block);
         return changed_;
     }
 
@@ -109,47 +170,78 @@ private:
             return brick->lastCarve == carve && brick->opened[node];
         }
     };
+    /// A lattice edge that the border crosses and an end of which the carve has lowered.
+    struct Crossed {
+        std::array<int, 3> low;  ///< its lower end in the brick
+        int axis;
+    };
 
     /// Which nodes of a row along x are removed, one bit each.
     static unsigned removedRow(const Brick* brick, int y, int z) {
-        unsigned bits = 0;
-        for (int x = 0; brick != nullptr && x < kBrickSide; ++x) bits |= removedAt(brick, x, y, z) << x;
-        return bits;
+        return brick != nullptr ? removedBits(*brick, nodeIndex(0, y, z)) : 0;
     }
     static unsigned removedAt(const Brick* brick, int x, int y, int z) {
         return brick != nullptr && brick->cut[nodeIndex(x, y, z)] < 0 ? 1U : 0U;
     }
 
-    /// The edges of a row on one axis whose two ends are on different sides, one bit each.
-    void traceCrossed(unsigned crossed, int y, int z, int axis) {
-        for (; crossed != 0; crossed &= crossed - 1) trace({std::countr_zero(crossed), y, z}, axis);
+    [[nodiscard]] End lowEnd(const Crossed& edge) const {
+        return {&brick_, nodeIndex(edge.low[0], edge.low[1], edge.low[2])};
+    }
+    [[nodiscard]] End highEnd(const Crossed& edge) const {
+        std::array<int, 3> place = edge.low;
+        const bool isBeyond = ++place[edge.axis] == kBrickSide;
+        place[edge.axis] %= kBrickSide;
+        return {isBeyond ? next_[edge.axis] : &brick_, nodeIndex(place[0], place[1], place[2])};
     }
 
-    void trace(std::array<int, 3> place, int axis) {
-        const End low{&brick_, nodeIndex(place[0], place[1], place[2])};
-        const Vec3 lowPoint = corner_ + spacing_ * Vec3(place[0], place[1], place[2]);
-        const bool isBeyond = ++place[axis] == kBrickSide;
-        place[axis] %= kBrickSide;
-        const End high{isBeyond ? next_[axis] : &brick_, nodeIndex(place[0], place[1], place[2])};
-        if (high.brick == nullptr) return;
-        if (!low.wasLowered(carve_) && !high.wasLowered(carve_)) return;
-
-        const double sign = low.isRemoved() ? 1 : -1;
-        const End& removed = low.isRemoved() ? low : high;
-        const Vec3 step = sign * Vec3::Unit(axis);
-        const DirectedEdge edge{low.isRemoved() ? lowPoint : Vec3(lowPoint - spacing_ * step), step, spacing_};
-        float& stored = brick_.borderPlace[axis][low.node];
-        PackedDirection& normal = brick_.borderNormal[axis][low.node];
-        Border border{0, Vec3::Zero()};
-        if (removed.wasOpened(carve_)) {
-            border.normal = removed.brick->cutNormal[removed.node].unpack();
-        } else {
-            border = {(sign > 0 ? stored : 1 - stored) * spacing_, normal.unpack()};
+    /// The edges of a row on one axis whose two ends are on different sides, one bit each.
+    void findCrossed(unsigned crossed, int y, int z, int axis) {
+        for (; crossed != 0; crossed &= crossed - 1) {
+            const Crossed edge{{std::countr_zero(crossed), y, z}, axis};
+            const End high = highEnd(edge);
+            if (high.brick == nullptr || (!lowEnd(edge).wasLowered(carve_) && !high.wasLowered(carve_))) continue;
+            edges_[blockOf(lowEnd(edge).node)].push_back(edge);
         }
-        extend(border, edge, steps_);
-        const double share = std::clamp(border.place / spacing_, 0.0, 1.0);
-        const auto moved = static_cast<float>(sign > 0 ? share : 1 - share);
-        const PackedDirection turned(border.normal);
+    }
+
+    void trace(int block) {
+        const std::vector<Crossed>& edges = edges_[block];
+        if (edges.empty()) return;
+        const std::vector<SweepLanes>& steps = sweep_.nearEdges(block);
+        for (std::size_t first = 0; first < edges.size(); first += 8) {
+            Edges8 eight;
+            const std::size_t end = std::min(edges.size(), first + 8);
+            for (std::size_t i = first; i < end; ++i) add(edges[i], eight);
+            eight.extend(steps, spacing_);
+            for (std::size_t i = first; i < end; ++i) store(edges[i], eight, static_cast<int>(i - first));
+        }
+    }
+
+    /// With the border that is stored, or at the very end that the carve has removed.
+    void add(const Crossed& edge, Edges8& eight) const {
+        const End low = lowEnd(edge);
+        const bool isUpward = low.isRemoved();
+        const End removed = isUpward ? low : highEnd(edge);
+        std::array<int, 3> end = edge.low;
+        if (!isUpward) ++end[edge.axis];
+        for (int i = 0; i < 3; ++i) end[i] -= edge.low[i] / kBlockSide * kBlockSide;
+        const float direction = isUpward ? 1 : -1;
+        if (removed.wasOpened(carve_)) {
+            eight.add(end, edge.axis, direction, 0, removed.brick->cutNormal[removed.node].unpack());
+        } else {
+            const float stored = brick_.borderPlace[edge.axis][low.node];
+            const Vec3 normal = brick_.borderNormal[edge.axis][low.node].unpack();
+            eight.add(end, edge.axis, direction, isUpward ? stored : 1 - stored, normal);
+        }
+    }
+
+    void store(const Crossed& edge, const Edges8& eight, int lane) {
+        const End low = lowEnd(edge);
+        const float share = std::clamp(eight.place(lane), 0.0F, 1.0F);
+        const float moved = low.isRemoved() ? share : 1 - share;
+        float& stored = brick_.borderPlace[edge.axis][low.node];
+        PackedDirection& normal = brick_.borderNormal[edge.axis][low.node];
+        const PackedDirection turned(eight.normal(lane));
         if (moved == stored && turned == normal) return;
         stored = moved;
         normal = turned;
@@ -159,10 +251,10 @@ private:
     ChangedBrick changed_;
     Brick& brick_;
     std::array<const Brick*, 3> next_;
-    const Vec3 corner_;
+    BrickSweep sweep_;
     const double spacing_;
     const std::uint64_t carve_;
-    std::vector<const SweepStep*> steps_;
+    std::array<std::vector<Crossed>, kBlocks> edges_;
 };
 
 }  // namespace

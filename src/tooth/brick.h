@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "collision/simd8.h"
 #include "geometry/vec.h"
 #include "tooth/material.h"
 
@@ -28,8 +29,8 @@ public:
             v = (1 - std::abs(u)) * (v >= 0 ? 1 : -1);
             u = folded;
         }
-        u_ = static_cast<std::int16_t>(std::lround(u * kScale));
-        v_ = static_cast<std::int16_t>(std::lround(v * kScale));
+        u_ = rounded(u * kScale);
+        v_ = rounded(v * kScale);
     }
     [[nodiscard]] Vec3 unpack() const {
         double u = u_ / kScale;
@@ -46,6 +47,8 @@ public:
 
 private:
     static constexpr double kScale = 32767.0;
+    /// std::lround, without a call.
+    static std::int16_t rounded(double value) { return static_cast<std::int16_t>(value + (value < 0 ? -0.5 : 0.5)); }
     std::int16_t u_ = 0;
     std::int16_t v_ = 0;
 };
@@ -100,5 +103,10 @@ struct Brick : CutField {
     std::bitset<kBrickNodes> lowered;  ///< nodes whose `cut` that carve has changed
     std::bitset<kBrickNodes> opened;   ///< nodes that it has removed
 };
+
+/// Which of the eight nodes of a row along x are removed, one bit each; `first` is the row's first node.
+[[nodiscard]] inline unsigned removedBits(const CutField& field, int first) {
+    return ~lessEqual(Float8::all(0), Float8::load(&field.cut[first])) & 0xFFU;
+}
 
 }  // namespace tactooth

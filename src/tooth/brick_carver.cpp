@@ -3,8 +3,11 @@
 #include "tooth/brick_carver.h"
 
 #include <algorithm>
-#include <optional>
+#include <bit>
+#include <limits>
+#include <span>
 
+#include "tooth/brick_sweep.h"
 #include "tooth/voxel_fraction.h"
 
 namespace tactooth {
@@ -16,12 +19,22 @@ constexpr float kLeastChange = 2e-5F;
 /// mm; a node that lies no deeper in what a bur sweeps stays solid. On a wall that runs through nodes the sign is only
 /// rounding: each node would choose for itself, and pockets shallower than a float resolves would fold the wall onto
 /// itself. As exact as an envelope's distance to a sweep; ten steps of a float at 10 mm.
-constexpr double kLeastDepth = 1e-5;
+constexpr float kLeastDepth = 1e-5F;
 
 /// Voxels; half the diagonal of a unit cube: no plane farther from a node than this cuts its voxel.
 constexpr double kVoxelReach = 0.8660254037844386;
 
 using CutSample = RemovableInBrick::Sample;
+
+// Eight nodes side by side: (x, y) = (0..3, y..y+1).
+constexpr float kLaneX[8] = {0, 1, 2, 3, 0, 1, 2, 3};
+constexpr float kLaneY[8] = {0, 0, 0, 0, 1, 1, 1, 1};
+
+float highestCut(const Brick& brick, int block) {
+    float highest = brick.cut[nodeOfBlock(block, 0)];
+    for (int i = 1; i < kBlockNodes; ++i) highest = std::max(highest, brick.cut[nodeOfBlock(block, i)]);
+    return highest;
+}
 
 /// Share of a node's voxel that lies in the tooth and in the removed region.
 double removedShare(const Brick& brick, const CutSample& cut, double spacing) {
@@ -29,117 +42,81 @@ double removedShare(const Brick& brick, const CutSample& cut, double spacing) {
     const double tooth = brick.tooth[node] / spacing;
     const double removed = cut.distance / spacing;
     if (tooth >= kVoxelReach || removed >= kVoxelReach) return 0;
-    if (tooth <= -kVoxelReach) return cubeFraction({removed, cut.normal.unpack()});
+    if (tooth <= -kVoxelReach) return removed <= -kVoxelReach ? 1 : cubeFraction({removed, cut.normal.unpack()});
     return cubeFraction({removed, cut.normal.unpack()}, {tooth, brick.toothNormal[node].unpack()});
 }
 
-double withoutRounding(double distance) { return distance < 0 && distance >= -kLeastDepth ? 0 : distance; }
-
-/// The cut field at a node after the steps; nothing if they leave it as it is, or above `limit`.
-std::optional<CutSample> loweredAt(const Brick& brick, int node, const Vec3& point, float limit, double band,
-                                   const std::vector<const SweepStep*>& steps) {
-    std::optional<CutSample> lowered;
-    double bound = std::min(brick.cut[node] - kLeastChange, limit);
-    Vec3 gradient = Vec3::Zero();
-    for (const SweepStep* step : steps) {
-        const FieldSample sample = step->sample(point, bound);
-        if (sample.distance >= bound) continue;
-        bound = withoutRounding(sample.distance);
-        gradient = sample.gradient;
-        lowered = CutSample{static_cast<std::uint16_t>(node), static_cast<float>(std::max(bound, -band)), {}};
-    }
-    if (lowered) lowered->normal = PackedDirection(gradient);
-    return lowered;
-}
-
-/// The steps that come nearer than `reach` to a point.
-void findNear(const std::vector<SweepStep>& steps, const Vec3& point, double reach,
-              std::vector<const SweepStep*>& near) {
-    near.clear();
-    for (const SweepStep& step : steps) {
-        if (step.lowerBound(point) < reach) near.push_back(&step);
-    }
-}
-void findNear(const std::vector<const SweepStep*>& steps, const Vec3& point, double reach,
-              std::vector<const SweepStep*>& near) {
-    near.clear();
-    for (const SweepStep* step : steps) {
-        if (step->lowerBound(point) < reach) near.push_back(step);
-    }
-}
-
-Vec3 pointOf(const Lattice& lattice, const Vec3& corner, int node) {
-    return corner + lattice.spacing() *
-                        Vec3(node % kBrickSide, node / kBrickSide % kBrickSide, node / (kBrickSide * kBrickSide));
-}
-
-/// A block of a brick's nodes, and which steps of a sweep can lower them.
-class BlockSweep {
+/// Eight nodes of one block, and what a sweep lowers their cut field to.
+class LoweredNodes8 {
 public:
-    BlockSweep(const Brick& brick, const BrickKey& key, const Lattice& lattice, const std::vector<SweepStep>& steps)
-        : brick_(brick), corner_(lattice.corner(key)), lattice_(lattice) {
-        const double reach = lattice.halfDiagonal() + kCutBand * lattice.spacing();
-        findNear(steps, lattice.centre(key), reach, steps_);
+    /// Nodes 8 `eight` .. 8 `eight` + 7 of a block. A node counts as lowered if a step comes below what it has and
+    /// `band` (mm), unless it has -`band` already.
+    LoweredNodes8(const Brick& brick, int block, int eight, float band) {
+        float cut[8];
+        for (int lane = 0; lane < 8; ++lane) {
+            node_[lane] = static_cast<std::uint16_t>(nodeOfBlock(block, 8 * eight + lane));
+            cut[lane] = brick.cut[node_[lane]];
+        }
+        place_ = {Float8::load(kLaneX), Float8::load(kLaneY) + Float8::all(static_cast<float>(2 * (eight & 1))),
+                  Float8::all(static_cast<float>(eight >> 1))};
+        limit_ = limitOf(Float8::load(cut), band);
+        limit_ = whereLess(Float8::all(-band), Float8::load(cut), limit_, noLimit());
+    }
+    /// Any nodes of one block, eight at most.
+    LoweredNodes8(const Brick& brick, std::span<const std::uint16_t> nodes, float band) {
+        float place[3][8] = {};
+        float limit[8];
+        noLimit().store(limit);
+        for (std::size_t lane = 0; lane < nodes.size(); ++lane) {
+            node_[lane] = nodes[lane];
+            for (int axis = 0; axis < 3; ++axis) {
+                place[axis][lane] = static_cast<float>(placeInBrick(nodes[lane], axis) % kBlockSide);
+            }
+            limit[lane] = std::min(brick.cut[nodes[lane]] - kLeastChange, band);
+        }
+        place_ = Vec3x8::load(place);
+        limit_ = Float8::load(limit);
     }
 
-    /// Calls `visit(sample)` for each node of a block (0..7) that the steps lower.
+    void lower(const SweepLanes& step) {
+        const Samples8 samples = step.sample(place_, limit_);
+        const std::uint32_t lowered = ~lessEqual(limit_, samples.distance) & 0xFF;
+        if (lowered == 0) return;
+        lowered_ |= lowered;
+        const auto keep = [&](Float8 now, Float8& kept) { kept = whereLess(samples.distance, limit_, now, kept); };
+        keep(samples.gradient.x, gradient_.x);
+        keep(samples.gradient.y, gradient_.y);
+        keep(samples.gradient.z, gradient_.z);
+        keep(withoutRounding(samples.distance), limit_);
+    }
+
+    /// Calls `visit(sample)` for each node that was lowered; the cut field ends at -`band` (mm).
     template <class Visit>
-    void forEachLowered(int block, const Visit& visit) {
-        const std::array<int, 3> first = {kBlockSide * (block & 1), kBlockSide * (block >> 1 & 1),
-                                          kBlockSide * (block >> 2)};
-        if (!boundAll(first)) return;
-        const double band = kCutBand * lattice_.spacing();
-        for (int i = 0; i < kBlockNodes; ++i) {
-            const int node = nodeOf(first, i);
-            if (brick_.cut[node] <= lowest_) continue;
-            chosen_.clear();
-            for (std::size_t s = near_.size(); s-- > 0;) {
-                if (bounds_[s].lower[i] < limit_[i]) chosen_.push_back(near_[s]);
-            }
-            if (chosen_.empty()) continue;
-            const auto lowered =
-                loweredAt(brick_, node, pointOf(lattice_, corner_, node), static_cast<float>(band), band, chosen_);
-            if (lowered) visit(*lowered);
+    void forEachLowered(float band, const Visit& visit) const {
+        if (lowered_ == 0) return;
+        float distance[8];
+        float gradient[3][8];
+        max(limit_, Float8::all(-band)).store(distance);
+        gradient_.store(gradient);
+        for (std::uint32_t left = lowered_; left != 0; left &= left - 1) {
+            const int lane = std::countr_zero(left);
+            visit(CutSample{node_[lane], distance[lane],
+                            PackedDirection(Vec3(gradient[0][lane], gradient[1][lane], gradient[2][lane]))});
         }
     }
 
 private:
-    static int nodeOf(const std::array<int, 3>& first, int i) {
-        return nodeIndex(first[0] + i % kBlockSide, first[1] + i / kBlockSide % kBlockSide,
-                         first[2] + i / (kBlockSide * kBlockSide));
+    static Float8 noLimit() { return Float8::all(-std::numeric_limits<float>::infinity()); }
+    static Float8 limitOf(Float8 cut, float band) { return min(cut - Float8::all(kLeastChange), Float8::all(band)); }
+    static Float8 withoutRounding(Float8 distance) {
+        return whereLess(distance, Float8::all(-kLeastDepth), distance, max(distance, Float8::all(0)));
     }
 
-    /// Bounds of all steps that come near; false if none does.
-    bool boundAll(const std::array<int, 3>& first) {
-        const double spacing = lattice_.spacing();
-        lowest_ = static_cast<float>(-kCutBand * spacing);
-        float highest = lowest_;
-        for (int i = 0; i < kBlockNodes; ++i) {
-            const float cut = brick_.cut[nodeOf(first, i)];
-            limit_[i] = cut - kLeastChange;
-            highest = std::max(highest, cut);
-        }
-        if (highest <= lowest_) return false;
-        const Vec3 corner = corner_ + spacing * Vec3(first[0], first[1], first[2]);
-        const double toMiddle = 0.5 * (kBlockSide - 1) * spacing;
-        findNear(steps_, corner + Vec3::Constant(toMiddle), highest + toMiddle * std::sqrt(3.0), near_);
-        bounds_.resize(near_.size());
-        for (std::size_t s = 0; s < near_.size(); ++s) near_[s]->boundBlock(corner, spacing, bounds_[s]);
-        for (const BlockBounds& bounds : bounds_) {
-            for (int i = 0; i < kBlockNodes; ++i) limit_[i] = std::min(limit_[i], bounds.upper[i]);
-        }
-        return !near_.empty();
-    }
-
-    const Brick& brick_;
-    const Vec3 corner_;
-    const Lattice& lattice_;
-    std::vector<const SweepStep*> steps_;  // that come near the brick
-    std::vector<const SweepStep*> near_;   // and the block
-    std::vector<BlockBounds> bounds_;
-    std::vector<const SweepStep*> chosen_;
-    std::array<float, kBlockNodes> limit_;  ///< what a step must come below to count
-    float lowest_ = 0;                      ///< of the cut field: a node that is there has nothing more to lose
+    std::array<std::uint16_t, 8> node_{};
+    Vec3x8 place_;  ///< in steps from the block's first node
+    Float8 limit_;  ///< what a step must come below to count: its distance, once one has
+    Vec3x8 gradient_ = Vec3x8::all(0, 0, 0);
+    std::uint32_t lowered_ = 0;
 };
 
 double removableAt(const Brick& brick, const CutSample& lowered, double spacing) {
@@ -160,14 +137,23 @@ void book(MaterialVolumes& volumes, const Brick& brick, int node, double volume)
 RemovableInBrick removableFromBrick(const Brick& brick, const BrickKey& key, const Lattice& lattice,
                                     const std::vector<SweepStep>& steps) {
     const double spacing = lattice.spacing();
+    const auto band = static_cast<float>(kCutBand * spacing);
     RemovableInBrick result;
     result.key = key;
-    BlockSweep sweep(brick, key, lattice, steps);
-    for (int block = 0; block < kBrickNodes / kBlockNodes; ++block) {
-        sweep.forEachLowered(block, [&](const CutSample& lowered) {
-            book(result.volumes, brick, lowered.node, removableAt(brick, lowered, spacing));
-            result.lowered.push_back(lowered);
-        });
+    BrickSweep sweep(key, lattice, steps, band);
+    for (int block = 0; block < kBlocks && !sweep.isClear(); ++block) {
+        const float highest = highestCut(brick, block);
+        if (highest <= -band) continue;  // nothing more to lose
+        const std::vector<SweepLanes>& near = sweep.nearNodes(block, highest);
+        if (near.empty()) continue;
+        for (int eight = 0; eight < kBlockNodes / 8; ++eight) {
+            LoweredNodes8 nodes(brick, block, eight, band);
+            for (const SweepLanes& step : near) nodes.lower(step);
+            nodes.forEachLowered(band, [&](const CutSample& lowered) {
+                book(result.volumes, brick, lowered.node, removableAt(brick, lowered, spacing));
+                result.lowered.push_back(lowered);
+            });
+        }
     }
     return result;
 }
@@ -176,19 +162,29 @@ MaterialVolumes removableFromNodes(const Brick& brick, const RemovableInBrick& w
                                    const std::vector<SweepStep>& steps) {
     const double spacing = lattice.spacing();
     const double reach = kVoxelReach * spacing;
-    const Vec3 corner = lattice.corner(whole.key);
-    std::vector<const SweepStep*> near;
-    findNear(steps, lattice.centre(whole.key), lattice.halfDiagonal() + reach, near);
+    const auto band = static_cast<float>(kCutBand * spacing);
     MaterialVolumes volumes{};
-    if (near.empty()) return volumes;
-    for (const CutSample& most : whole.lowered) {
-        const int node = most.node;
-        // What is lowered less far away, in the air, or where all is gone already, has nothing to give.
-        if (most.distance >= reach || brick.tooth[node] >= reach || brick.cut[node] <= -reach) continue;
-        const auto lowered =
-            loweredAt(brick, node, pointOf(lattice, corner, node), static_cast<float>(reach), kCutBand * spacing, near);
-        if (!lowered) continue;
-        book(volumes, brick, node, removableAt(brick, *lowered, spacing));
+    BrickSweep sweep(whole.key, lattice, steps, reach);
+    if (sweep.isClear()) return volumes;
+    // What is lowered less far away, in the air, or where all is gone already, has nothing to give.
+    const auto gives = [&](const CutSample& most) {
+        return most.distance < reach && brick.tooth[most.node] < reach && brick.cut[most.node] > -reach;
+    };
+    for (auto most = whole.lowered.begin(); most != whole.lowered.end();) {
+        const int block = blockOf(most->node);
+        const std::vector<SweepLanes>& near = sweep.nearNodes(block, reach);
+        while (most != whole.lowered.end() && blockOf(most->node) == block) {
+            std::array<std::uint16_t, 8> giving;
+            std::size_t count = 0;
+            for (; count < 8 && most != whole.lowered.end() && blockOf(most->node) == block; ++most) {
+                if (gives(*most)) giving[count++] = most->node;
+            }
+            LoweredNodes8 nodes(brick, {giving.data(), count}, static_cast<float>(reach));
+            for (const SweepLanes& step : near) nodes.lower(step);
+            nodes.forEachLowered(band, [&](const CutSample& lowered) {
+                book(volumes, brick, lowered.node, removableAt(brick, lowered, spacing));
+            });
+        }
     }
     return volumes;
 }

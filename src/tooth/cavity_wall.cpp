@@ -44,7 +44,7 @@ struct Crossing {
     Vec3 normal;
 };
 
-using Place = std::array<int, 3>;
+using Place = BrickNeighbourhood::Place;
 
 Place moved(Place place, int axis, int step) {
     place[axis] += step;
@@ -205,8 +205,7 @@ private:
     }
 
     /// The vertex of the round of `cell` that crosses lattice edge (`a`, `axis`).
-    std::uint32_t vertexOf(const Place& cell, const Place& a, int axis) {
-        const CellRounds& rounds = kCellRounds[insideBits(cell)];
+    std::uint32_t vertexOf(const Place& cell, const CellRounds& rounds, const Place& a, int axis) {
         const int u = (axis + 1) % 3;
         const int v = (axis + 2) % 3;
         const int round = rounds.roundOfEdge[cellEdge(axis, a[u] - cell[u], a[v] - cell[v])];
@@ -220,8 +219,8 @@ private:
         std::array<Crossing, 12> crossings;
         int count = 0;
         Vec3 mean = Vec3::Zero();
-        for (int edge = 0; edge < 12; ++edge) {
-            if (rounds.roundOfEdge[edge] != round) continue;
+        for (unsigned edges = rounds.edgesOfRound[round]; edges != 0; edges &= edges - 1) {
+            const int edge = std::countr_zero(edges);
             const int first = cellEdgeCorners(edge)[0];
             const Place a = {cell[0] + (first & 1), cell[1] + (first >> 1 & 1), cell[2] + (first >> 2)};
             crossings[count] = crossingAt(a, edge / 4);
@@ -270,7 +269,7 @@ private:
     [[nodiscard]] std::int8_t sideOf(const Vec3& point, const Place& cell) const {
         for (int corner = 0; corner < 8; ++corner) {
             const Place p = {cell[0] + (corner & 1), cell[1] + (corner >> 1 & 1), cell[2] + (corner >> 2)};
-            const double distance = nodes_.tooth(nodeAt(p));
+            const double distance = nodes_.tooth(p);
             if (std::abs(distance) > (position(p) - point).norm() * (1 + 1e-6)) return distance < 0 ? -1 : 1;
         }
         return 0;
@@ -300,31 +299,31 @@ private:
     /// The polygon around one lattice edge that the border crosses.
     void addPolygon(const Place& a, int axis) {
         const Place b = moved(a, axis, 1);
-        const double toothA = nodes_.tooth(nodeAt(a)) / spacing_;
-        const double toothB = nodes_.tooth(nodeAt(b)) / spacing_;
+        const double toothA = nodes_.tooth(a) / spacing_;
+        const double toothB = nodes_.tooth(b) / spacing_;
         if (std::min(toothA, toothB) > kNearerReach || std::max(toothA, toothB) > kTriangleReach) return;
 
         const int u = (axis + 1) % 3;
         const int v = (axis + 2) % 3;
         const Place beforeU = moved(a, u, -1);
         const Place beforeV = moved(a, v, -1);
+        const std::array<Place, 4> cells = {moved(beforeU, v, -1), beforeV, a, beforeU};
+        // The face between each cell and the next: where it begins, and its axis.
+        const std::array<std::pair<const Place&, int>, 4> faces = {{{beforeV, u}, {a, v}, {a, u}, {beforeU, v}}};
         polygonSize_ = 0;
-        polygon_[polygonSize_++] = vertexOf(moved(beforeU, v, -1), a, axis);
-        addFaceVertex(beforeV, u, a, axis);
-        polygon_[polygonSize_++] = vertexOf(beforeV, a, axis);
-        addFaceVertex(a, v, a, axis);
-        polygon_[polygonSize_++] = vertexOf(a, a, axis);
-        addFaceVertex(a, u, a, axis);
-        polygon_[polygonSize_++] = vertexOf(beforeU, a, axis);
-        addFaceVertex(beforeU, v, a, axis);
+        for (int i = 0; i < 4; ++i) {
+            const CellRounds& rounds = kCellRounds[insideBits(cells[i])];
+            polygon_[polygonSize_++] = vertexOf(cells[i], rounds, a, axis);
+            if (rounds.hasTwiceCrossedFace) addFaceVertex(faces[i].first, faces[i].second, a, axis);
+        }
         if (isRemoved(a)) std::reverse(polygon_.begin(), polygon_.begin() + polygonSize_);
 
         const bool isClear = toothA < -kTriangleReach || toothB < -kTriangleReach;
         const Place& solid = isRemoved(a) ? b : a;
         const Place& removed = isRemoved(a) ? a : b;
-        const Place& behind = nodes_.tooth(nodeAt(solid)) < 0 ? solid : removed;
+        const Place& behind = nodes_.tooth(solid) < 0 ? solid : removed;
         addTriangles(isClear ? CavityWall::Place::Inside : CavityWall::Place::AtSurface,
-                     static_cast<SurfaceTag>(nodes_.material(nodeAt(behind))), numberOf(a, axis));
+                     static_cast<SurfaceTag>(nodes_.material(behind)), numberOf(a, axis));
     }
 
     /// A four-sided polygon is folded along the diagonal that leaves the smaller bend. One with face vertices is fanned

@@ -15,8 +15,10 @@ namespace tactooth {
 /// Cubes", 2004). On a face with two inside corners at opposite ends these are joined, which both cells at that face
 /// see alike, and which is how a convex region passes through it.
 struct CellRounds {
-    std::array<std::int8_t, 12> roundOfEdge;  ///< -1: the border does not cross this edge
+    std::array<std::int8_t, 12> roundOfEdge;    ///< -1: the border does not cross this edge
+    std::array<std::uint16_t, 4> edgesOfRound;  ///< one bit an edge
     std::int8_t count;
+    bool hasTwiceCrossedFace;  ///< with two inside corners at opposite ends
 };
 
 [[nodiscard]] constexpr int cellEdge(int axis, int u, int v) { return 4 * axis + u + 2 * v; }
@@ -56,6 +58,7 @@ constexpr void joinOnFace(CellRounds& rounds, int inside, int axis, int side) {
     }
     if (count == 2) join(rounds, crossed[0], crossed[1]);
     if (count != 4) return;
+    rounds.hasTwiceCrossedFace = true;
     for (int corner = 0; corner < 4; ++corner) {
         const int number = side << axis | (corner & 1) << u | (corner >> 1) << v;
         if (((inside >> number) & 1) == 0) join(rounds, edgesU[corner >> 1], edgesV[corner & 1]);
@@ -76,6 +79,11 @@ constexpr CellRounds roundsOf(int inside) {
         if (round < 0) continue;
         if (renumbered[round] < 0) renumbered[round] = rounds.count++;
         round = renumbered[round];
+    }
+    for (int edge = 0; edge < 12; ++edge) {
+        const std::int8_t round = rounds.roundOfEdge[edge];
+        if (round >= 0)
+            rounds.edgesOfRound[round] = static_cast<std::uint16_t>(rounds.edgesOfRound[round] | 1U << edge);
     }
     return rounds;
 }

@@ -92,9 +92,9 @@ void LiveSurface::extract(const CutVolume& volume, const BrickKey& key, Cell& ce
         cell.baseTriangles = trianglesTouching(*base_, wallBox(lattice_, key));
         cell.knowsBase = true;
     }
-    const CavityWall wall = extractWall(volume.bricks(), lattice_, key);
+    CavityWall wall = extractWall(volume.bricks(), lattice_, key);
     cell.margin = findMargin(wall, base_->mesh(), cell.baseTriangles);
-    cell.wall = cutWall(wall, cell.margin, *base_);
+    cell.wall = cutWall(std::move(wall), cell.margin, *base_);
 }
 
 std::vector<std::uint32_t> LiveSurface::affectedBase(const std::vector<BrickKey>& keys) const {

@@ -190,7 +190,11 @@ std::vector<MarginPiece> findMargin(const CavityWall& wall, const TriangleMesh& 
     return margin;
 }
 
-WallPatch cutWall(const CavityWall& wall, const std::vector<MarginPiece>& margin, const SurfacePart& base) {
+WallPatch cutWall(CavityWall wall, const std::vector<MarginPiece>& margin, const SurfacePart& base) {
+    const auto isInside = [](CavityWall::Place place) { return place == CavityWall::Place::Inside; };
+    if (std::all_of(wall.places.begin(), wall.places.end(), isInside)) {
+        return {std::move(wall.mesh), std::move(wall.tags), 0};
+    }
     return WallCutter(wall, margin, base).run();
 }
 

@@ -33,8 +33,7 @@ struct WallPatch {
     std::vector<SurfaceTag> tags;
     int failures = 0;  ///< triangles whose cut lines did not fit together; they are left whole
 };
-[[nodiscard]] WallPatch cutWall(const CavityWall& wall, const std::vector<MarginPiece>& margin,
-                                const SurfacePart& base);
+[[nodiscard]] WallPatch cutWall(CavityWall wall, const std::vector<MarginPiece>& margin, const SurfacePart& base);
 
 /// The view of the crossings from a base triangle; `pieces` all belong to it.
 [[nodiscard]] std::vector<ClipSegment> segmentsOnBase(const std::vector<const MarginPiece*>& pieces);

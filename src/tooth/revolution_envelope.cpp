@@ -130,22 +130,24 @@ bool RevolutionEnvelope::findPart(const Vec3& pointInTool, double reach, Profile
     const double radius = std::hypot(pointInTool.x(), pointInTool.y());
     const double z = pointInTool.z();
     const double farthest = std::sqrt(nearest(radius, z).squaredDistance) + 2 * reach;
+    const auto topOf = [](const Segment& s) { return s.start.z + s.length * s.directionZ; };
+    const auto isBelow = [&](const Segment& s) { return topOf(s) < z - farthest; };  // a profile never falls
+    const auto first = std::partition_point(segments_.begin(), segments_.end(), isBelow);
     part.pieceCount = part.spanCount = 0;
-    for (std::uint16_t i = 0; i < segments_.size(); ++i) {
-        const Segment& s = segments_[i];
-        const double top = s.start.z + s.length * s.directionZ;  // a profile never falls
-        if (s.start.z > z + farthest || top < z - farthest) continue;
-        if (nearest(radius, z, &i, &i + 1).squaredDistance <= farthest * farthest) {
+    for (auto s = first; s != segments_.end() && s->start.z <= z + farthest; ++s) {
+        const auto index = static_cast<std::uint16_t>(s - segments_.begin());
+        const auto low = static_cast<float>(s->start.z - z);
+        if (nearest(radius, z, &index, &index + 1).squaredDistance <= farthest * farthest) {
             if (part.pieceCount == static_cast<int>(part.pieces.size())) return false;
-            part.pieces[part.pieceCount++] = {static_cast<float>(s.start.radius), static_cast<float>(s.start.z),
-                                              static_cast<float>(s.directionR), static_cast<float>(s.directionZ),
-                                              static_cast<float>(s.length)};
+            part.pieces[part.pieceCount++] = {static_cast<float>(s->start.radius), low,
+                                              static_cast<float>(s->directionR), static_cast<float>(s->directionZ),
+                                              static_cast<float>(s->length)};
         }
-        if (s.start.z > z + reach || top < z - reach || !(top > s.start.z)) continue;
+        const double top = topOf(*s);
+        if (s->start.z > z + reach || top < z - reach || !(top > s->start.z)) continue;
         if (part.spanCount == static_cast<int>(part.spans.size())) return false;
-        part.spans[part.spanCount++] = {static_cast<float>(s.start.z), static_cast<float>(top),
-                                        static_cast<float>(s.start.radius),
-                                        static_cast<float>(s.directionR / s.directionZ)};
+        part.spans[part.spanCount++] = {low, static_cast<float>(top - z), static_cast<float>(s->start.radius),
+                                        static_cast<float>(s->directionR / s->directionZ)};
     }
     return true;
 }

@@ -18,7 +18,7 @@ struct FieldSample {
 };
 
 /// The pieces of a profile that points of one small region can be nearest to, and those at their heights, in single
-/// precision for eight points at a time.
+/// precision for eight points at a time. Heights count from the middle of the region.
 struct ProfilePart {
     struct Piece {
         float radius, z;               ///< of its start, mm

@@ -2,22 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "tooth/revolution_envelope.h"
 
 namespace tactooth {
-
-/// Nodes along one side of the blocks that are looked at together.
-inline constexpr int kBlockSide = 4;
-inline constexpr int kBlockNodes = kBlockSide * kBlockSide * kBlockSide;
-
-/// Between which values the distance to a sweep lies at each node of a block (x + 4 y + 16 z), mm.
-struct BlockBounds {
-    std::array<float, kBlockNodes> lower;
-    std::array<float, kBlockNodes> upper;
-};
 
 /// One short piece of a bur's motion, seen from the bur: within it a point of the tooth moves on a straight line of the
 /// tool frame.
@@ -33,10 +22,6 @@ public:
     /// Lower bound of `sample` from one look at the profile, within the step's length of it.
     [[nodiscard]] double lowerBound(const Vec3& point) const;
 
-    /// Bounds of `sample` for the block whose first node is `corner`: eight nodes at a time, without a search along the
-    /// step.
-    void boundBlock(const Vec3& corner, double spacing, BlockBounds& bounds) const;
-
     /// No point of the bur moves farther, mm.
     [[nodiscard]] double travel() const { return travel_; }
 
@@ -44,6 +29,7 @@ public:
     [[nodiscard]] const Box3& box() const { return box_; }
 
 private:
+    friend class SweepLanes;
     struct Placed {
         Mat3 toothFromTool;
         Mat3 toolFromTooth;

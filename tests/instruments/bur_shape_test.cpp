@@ -119,7 +119,9 @@ TEST_P(EveryBur, HasAsManyTrianglesAsAreAskedForOrOneFewerOfAnOddNumber) {
         EXPECT_EQ(surface.triangles.size(), static_cast<std::size_t>(triangles / 2 * 2));
         EXPECT_EQ(test::unpairedEdges(surface), 0);
         EXPECT_NEAR(test::volumeOf(surface), test::volumeOf(makeBur(spec_, triangles).surface), 1e-5);
-        if (triangles < 1000) EXPECT_FALSE(test::intersectsItself(surface));
+        if (triangles < 1000) {
+            EXPECT_FALSE(test::intersectsItself(surface));
+        }
     }
 }
 

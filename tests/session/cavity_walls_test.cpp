@@ -135,7 +135,7 @@ TEST(CavityWalls, KeepTheirDistanceFromThePulpOrOpenIt) {
 TEST(CavityWalls, AreTheSameOnOneThread) {
     const TriangleMesh target = blockWithCavity(Vec3(-2, -1.5, 3), Vec3(2, 1.5, 5));
     const CavityWalls walls = wallsOf(target);
-    const OneThread alone;
+    const ThreadLimit alone(1);
     const CavityWalls again = wallsOf(target);
     EXPECT_TRUE(test::areBitEqual(walls.mesh, again.mesh));
     EXPECT_EQ(walls.rim, again.rim);

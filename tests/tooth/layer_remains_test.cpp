@@ -33,9 +33,7 @@ CutVolume drilledBlock(bool layered) {
 }
 
 /// As whoever reads the file sees it: equal points are one.
-MeshReport reportOnFileOf(const TriangleMesh& mesh) {
-    return reportOn(*parseStl(stlBytes(mesh), "layer"));
-}
+MeshReport reportOnFileOf(const TriangleMesh& mesh) { return reportOn(*parseStl(stlBytes(mesh), "layer")); }
 
 TEST(LayerRemains, EachLayerIsClosedAndLacksWhatWasCutOfIt) {
     const std::vector<LayerRemains> remains = remainsOfLayers(drilledBlock(true));

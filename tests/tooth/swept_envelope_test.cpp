@@ -100,34 +100,5 @@ TEST(SweptEnvelope, LowerBoundAndBoxHoldTheSweep) {
     EXPECT_GT(inside, 100);
 }
 
-TEST(SweptEnvelope, BlockBoundsHoldTheDistanceOfEveryNodeAndAreTightWhereTheBurComesStraightOn) {
-    constexpr double kSpacing = 0.025;
-    std::mt19937 random(8);
-    std::uniform_real_distribution<double> unit(-1, 1);
-    double widest = 0;
-    for (const TriangleMesh& mesh :
-         {test::cylinder(Vec3::Zero(), 0.5, 2, 48), test::sphere(Vec3(0, 0, 0.5), 0.5, 64, 24)}) {
-        const auto envelope = RevolutionEnvelope::make(mesh);
-        ASSERT_TRUE(envelope);
-        for (int i = 0; i < 300; ++i) {
-            const Quat turn(Eigen::AngleAxisd(0.01 * unit(random), Vec3(unit(random), 1, unit(random)).normalized()));
-            const Pose from{Vec3(7, -3, 11), Quat(Eigen::AngleAxisd(0.5, Vec3(1, 2, 3).normalized()))};
-            const Vec3 way = 0.02 * Vec3(unit(random), unit(random), unit(random));
-            const SweepStep step(*envelope, from, {from.position + way, turn * from.rotation}, 0.002);
-            const Vec3 corner = from * Vec3(0.7 * unit(random), 0.7 * unit(random), 1 + 1.2 * unit(random));
-            BlockBounds bounds;
-            step.boundBlock(corner, kSpacing, bounds);
-            for (int node = 0; node < kBlockNodes; ++node) {
-                const Vec3 point = corner + kSpacing * Vec3(node % 4, node / 4 % 4, node / 16);
-                const double distance = step.sample(point, kNoBound).distance;
-                ASSERT_LE(bounds.lower[node], distance + 1e-5);  // the sample's own accuracy
-                ASSERT_GE(bounds.upper[node], distance);
-                widest = std::max(widest, static_cast<double>(bounds.upper[node] - bounds.lower[node]));
-            }
-        }
-    }
-    EXPECT_LT(widest, 0.06) << "no wider than a step is long";
-}
-
 }  // namespace
 }  // namespace tactooth

@@ -11,6 +11,7 @@ struct BenchCutOptions {
     std::filesystem::path tooth;    ///< empty: the standard tooth of 325,312 triangles
     std::vector<double> voxels;     ///< um; empty: 100, 50, 25 and 15
     std::vector<double> diameters;  ///< of round burs, mm; empty: 0.5 to 2.3
+    int cores = 1;                  ///< that the cutter may use
     bool json = false;
 };
 

@@ -84,6 +84,9 @@ void addBenchCut(CLI::App& bench, Chosen& chosen) {
         ->type_name("MM")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    command->add_option("--cores", options->cores, "That the cutter may use (default: 1)")
+        ->check(CLI::Range(1, 256))
+        ->type_name("N");
     addJson(*command, options->json);
 }
 

@@ -44,7 +44,7 @@ MaterialTable softened(double factor) {
 class CutPlay {
 public:
     CutPlay(const std::shared_ptr<const LayeredTooth>& tooth, const CutCase& cut)
-        : materials_(softened(cut.removal)), piece_(tooth, cut.voxel), voxel_(cut.voxel) {
+        : materials_(softened(cut.removal)), piece_(tooth, cut.voxel), voxel_(cut.voxel), cores_(cut.cores) {
         TriangleMesh bur = makeBur(cut.bur).surface;
         tool_.emplace(CuttingTool{std::move(*RevolutionEnvelope::make(bur)), cut.bur.sharpness});
         HapticSettings settings;
@@ -77,9 +77,10 @@ private:
 
     void letCutterWork(double now, const Tick& tick) {
         if (made_) unlisted_ = std::exchange(made_, std::nullopt);
-        const double start = threadMicros();
+        const auto millis = [this] { return cores_ > 1 ? wallMillis() : 1e-3 * threadMicros(); };
+        const double start = millis();
         const bool changed = piece_.feed(*tool_, tick, materials_);
-        const double took = 1e-3 * (threadMicros() - start);
+        const double took = millis() - start;
         cutterMillis_ += took;
         cutterFreeAt_ = now + 1e-3 * took;
         if (changed) {
@@ -109,6 +110,8 @@ private:
     void feelNewSurface(double now) {
         simulation_->setSurface(*coming_);
         felt_->giveBack(std::exchange(coming_, nullptr));
+        if (cutAt_ > feltUpTo_) carvedMillis_.push_back(1e3 * (now - cutAt_));
+        feltUpTo_ = std::max(feltUpTo_, cutAt_);
         while (!working_.empty() && working_.front() <= cutAt_) {
             feltMillis_.push_back(1e3 * (now - working_.front()));
             working_.pop_front();
@@ -125,6 +128,8 @@ private:
         timing_.p999 = quantile(tickMicros_, 0.999);
         timing_.feltP50 = quantile(feltMillis_, 0.5);
         timing_.feltP99 = quantile(feltMillis_, 0.99);
+        timing_.carvedP50 = quantile(carvedMillis_, 0.5);
+        timing_.carvedP99 = quantile(carvedMillis_, 0.99);
         timing_.updateP50 = quantile(updateMillis_, 0.5);
         timing_.updateP99 = quantile(updateMillis_, 0.99);
         timing_.updateLargest = quantile(updateMillis_, 1);
@@ -141,6 +146,7 @@ private:
     MaterialTable materials_;
     WorkPiece piece_;
     double voxel_;
+    int cores_;
     std::optional<CuttingTool> tool_;
     std::optional<HapticSimulation> simulation_;
     std::optional<FeltSurfaces> felt_;
@@ -158,9 +164,10 @@ private:
     FeltSurface* coming_ = nullptr;          // finished at comingAt_, made of the cuts up to cutAt_
     double comingAt_ = 0;
     double cutAt_ = 0;
+    double feltUpTo_ = 0;         // the last of those that the servo has felt
     std::deque<double> working_;  // ticks in which the bur worked and that have not been felt yet
 
-    std::vector<double> tickMicros_, feltMillis_, updateMillis_, listMillis_;
+    std::vector<double> tickMicros_, feltMillis_, carvedMillis_, updateMillis_, listMillis_;
     double cutterMillis_ = 0;
     CutTiming timing_;
 };
@@ -181,7 +188,7 @@ CutTiming timeCutting(const std::shared_ptr<const LayeredTooth>& tooth, const Cu
     path.turn = kTurn;
     path.greatestTurn = kGreatestTurn;
     const std::vector<Pose> hand = handPath(tooth->outer()->mesh(), path);
-    const OneThread oneCore;
+    const ThreadLimit cores(static_cast<std::size_t>(cut.cores));
     return CutPlay(tooth, cut).run(hand);
 }
 
