@@ -5,6 +5,7 @@
 #include <bit>
 #include <limits>
 
+#include "collision/lane_flags.h"
 #include "tooth/brick_sweep.h"
 
 namespace tactooth {
@@ -47,17 +48,14 @@ public:
             moved = false;
             for (std::size_t i = 0; i < steps.size(); ++i) {
                 const Float8 number = Float8::all(static_cast<float>(i));
-                const Float8 isOther = whereLess(carried, number, one(), whereLess(number, carried, one(), zero()));
+                const Float8 isOther = isLess(carried, number) + isLess(number, carried);
                 moved |= carryOut(steps[i], number, isOther, carried, static_cast<float>(spacing));
             }
         }
     }
 
 private:
-    static Float8 zero() { return Float8::all(0); }
-    static Float8 one() { return Float8::all(1); }
-    static bool isAny(Float8 flags) { return lessEqual(one(), flags) != 0; }
-    static Float8 choose(Float8 flag, Float8 yes, Float8 no) { return whereLess(zero(), flag, yes, no); }
+    static Float8 sizeOf(Float8 distance) { return max(distance, noLane() - distance); }
 
     /// Lanes without an edge follow the first one.
     void fill() {
@@ -79,18 +77,16 @@ private:
     /// Moves the borders that `step` holds to where their edges leave the region that it sweeps; true if one has moved.
     bool carryOut(const SweepLanes& step, Float8 number, Float8 isOther, Float8& carried, float spacing) {
         const Float8 start = Float8::load(place_);
-        const Float8 onBorder = Float8::all(kOnBorder);
-        const Samples8 here = step.sample(at(start), zero() - onBorder);
-        Float8 holds = isOther * whereLess(here.distance, zero() - onBorder, one(), zero());
+        const Float8 onBorder = Float8::all(-kOnBorder);
+        const Samples8 here = step.sample(at(start), onBorder);
+        Float8 holds = isOther * isLess(here.distance, onBorder);
         if (!isAny(holds)) return false;
         const Float8 exit = exitOf(step, start, here, holds, spacing);
-        holds = holds * whereLess(start, exit, one(), zero());
+        holds = holds * isLess(start, exit);
         if (!isAny(holds)) return false;
         const Vec3x8 normal = step.sample(at(exit + Float8::all(kNormalOffset)), Float8::all(kNoBound)).gradient;
         choose(holds, exit, start).store(place_);
-        choose(holds, normal.x, Float8::load(normal_[0])).store(normal_[0]);
-        choose(holds, normal.y, Float8::load(normal_[1])).store(normal_[1]);
-        choose(holds, normal.z, Float8::load(normal_[2])).store(normal_[2]);
+        choose(holds, normal, Vec3x8::load(normal_)).store(normal_);
         carried = choose(holds, number, carried);
         return true;
     }
@@ -100,26 +96,23 @@ private:
     [[nodiscard]] Float8 exitOf(const SweepLanes& step, Float8 start, Samples8 sample, Float8 searching,
                                 float spacing) const {
         const Vec3x8 direction = Vec3x8::load(direction_);
-        const Float8 millimetres = Float8::all(spacing);
-        const Float8 half = Float8::all(0.5F);
         Float8 inside = start;
-        Float8 outside = one();
+        Float8 outside = everyLane();
         Float8 place = start;
         for (int round = 0; round < kNewtonRounds && isAny(searching); ++round) {
-            const Float8 size = max(sample.distance, zero() - sample.distance);
-            const Float8 isLast = whereLess(size, Float8::all(kLastStep), one(), zero());
-            const Float8 slope = dot(sample.gradient, direction) * millimetres;
+            const Float8 isLast = isLess(sizeOf(sample.distance), Float8::all(kLastStep));
+            const Float8 slope = dot(sample.gradient, direction) * Float8::all(spacing);
             const Float8 newton = place - sample.distance / slope;
-            const Float8 isOn = whereLess(inside, newton, one(), zero()) * whereLess(newton, outside, one(), zero());
-            place = choose(searching, choose(isOn, newton, half * (inside + outside)), place);
-            searching = searching * (one() - isLast * isOn);
+            const Float8 isOn = isLess(inside, newton) * isLess(newton, outside);
+            const Float8 half = Float8::all(0.5F) * (inside + outside);
+            place = choose(searching, choose(isOn, newton, half), place);
+            searching = searching * (everyLane() - isLast * isOn);
             if (!isAny(searching)) break;
             sample = step.sample(at(place), Float8::all(kNoBound));
-            const Float8 isInside = searching * whereLess(sample.distance, zero(), one(), zero());
+            const Float8 isInside = searching * isLess(sample.distance, noLane());
             inside = choose(isInside, place, inside);
             outside = choose(searching - isInside, place, outside);
-            const Float8 off = max(sample.distance, zero() - sample.distance);
-            searching = searching * whereLess(Float8::all(kOnBorder), off, one(), zero());
+            searching = searching * isLess(Float8::all(kOnBorder), sizeOf(sample.distance));
         }
         return place;
     }

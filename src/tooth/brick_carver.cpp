@@ -7,6 +7,7 @@
 #include <limits>
 #include <span>
 
+#include "collision/lane_flags.h"
 #include "tooth/brick_sweep.h"
 #include "tooth/voxel_fraction.h"
 
@@ -60,22 +61,21 @@ public:
         place_ = {Float8::load(kLaneX), Float8::load(kLaneY) + Float8::all(static_cast<float>(2 * (eight & 1))),
                   Float8::all(static_cast<float>(eight >> 1))};
         limit_ = limitOf(Float8::load(cut), band);
-        limit_ = whereLess(Float8::all(-band), Float8::load(cut), limit_, noLimit());
     }
-    /// Any nodes of one block, eight at most.
+    /// The same for any nodes of one block, eight at most.
     LoweredNodes8(const Brick& brick, std::span<const std::uint16_t> nodes, float band) {
         float place[3][8] = {};
-        float limit[8];
-        noLimit().store(limit);
+        float cut[8];
+        std::fill_n(cut, 8, -band);
         for (std::size_t lane = 0; lane < nodes.size(); ++lane) {
             node_[lane] = nodes[lane];
+            cut[lane] = brick.cut[nodes[lane]];
             for (int axis = 0; axis < 3; ++axis) {
                 place[axis][lane] = static_cast<float>(placeInBrick(nodes[lane], axis) % kBlockSide);
             }
-            limit[lane] = std::min(brick.cut[nodes[lane]] - kLeastChange, band);
         }
         place_ = Vec3x8::load(place);
-        limit_ = Float8::load(limit);
+        limit_ = limitOf(Float8::load(cut), band);
     }
 
     void lower(const SweepLanes& step) {
@@ -83,11 +83,9 @@ public:
         const std::uint32_t lowered = ~lessEqual(limit_, samples.distance) & 0xFF;
         if (lowered == 0) return;
         lowered_ |= lowered;
-        const auto keep = [&](Float8 now, Float8& kept) { kept = whereLess(samples.distance, limit_, now, kept); };
-        keep(samples.gradient.x, gradient_.x);
-        keep(samples.gradient.y, gradient_.y);
-        keep(samples.gradient.z, gradient_.z);
-        keep(withoutRounding(samples.distance), limit_);
+        const Float8 isLower = isLess(samples.distance, limit_);
+        gradient_ = choose(isLower, samples.gradient, gradient_);
+        limit_ = choose(isLower, withoutRounding(samples.distance), limit_);
     }
 
     /// Calls `visit(sample)` for each node that was lowered; the cut field ends at -`band` (mm).
@@ -106,8 +104,10 @@ public:
     }
 
 private:
-    static Float8 noLimit() { return Float8::all(-std::numeric_limits<float>::infinity()); }
-    static Float8 limitOf(Float8 cut, float band) { return min(cut - Float8::all(kLeastChange), Float8::all(band)); }
+    static Float8 limitOf(Float8 cut, float band) {
+        const Float8 limit = min(cut - Float8::all(kLeastChange), Float8::all(band));
+        return whereLess(Float8::all(-band), cut, limit, Float8::all(-std::numeric_limits<float>::infinity()));
+    }
     static Float8 withoutRounding(Float8 distance) {
         return whereLess(distance, Float8::all(-kLeastDepth), distance, max(distance, Float8::all(0)));
     }

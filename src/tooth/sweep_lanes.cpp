@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "collision/lane_flags.h"
+
 namespace tactooth {
 namespace {
 
@@ -14,18 +16,6 @@ constexpr int kSearchRounds = 12;        ///< tangent cuts on a unit interval; t
 constexpr float kNoDirection = 1e-6F;
 /// Share by which a region is looked at wider: its points are rounded.
 constexpr double kRounding = 1e-6;
-
-Float8 zeros() { return Float8::all(0); }
-Float8 ones() { return Float8::all(1); }
-
-/// 1 where a < b, else 0.
-Float8 isLess(Float8 a, Float8 b) { return whereLess(a, b, ones(), zeros()); }
-bool isAny(Float8 flags) { return lessEqual(ones(), flags) != 0; }
-/// Lane by lane: flag ? yes : no.
-Float8 choose(Float8 flag, Float8 yes, Float8 no) { return whereLess(zeros(), flag, yes, no); }
-Vec3x8 choose(Float8 flag, const Vec3x8& yes, const Vec3x8& no) {
-    return {choose(flag, yes.x, no.x), choose(flag, yes.y, no.y), choose(flag, yes.z, no.z)};
-}
 
 }  // namespace
 
@@ -66,11 +56,11 @@ SweepLanes::SweepLanes(const SweepStep& step, const Vec3& first, double spacing,
 SweepLanes::Profile8 SweepLanes::sampleProfile(const Vec3x8& point) const {
     const Float8 radius = sqrt(point.x * point.x + point.y * point.y);
     Float8 best = Float8::all(std::numeric_limits<float>::max());
-    Float8 offsetR = zeros();
-    Float8 offsetZ = zeros();
-    Float8 directionR = zeros();
-    Float8 directionZ = zeros();
-    Float8 beyondEnd = zeros();
+    Float8 offsetR = noLane();
+    Float8 offsetZ = noLane();
+    Float8 directionR = noLane();
+    Float8 directionZ = noLane();
+    Float8 beyondEnd = noLane();
     for (int i = 0; i < part_.pieceCount; ++i) {
         const ProfilePart::Piece& piece = part_.pieces[i];
         const Float8 pieceR = Float8::all(piece.directionR);
@@ -78,7 +68,7 @@ SweepLanes::Profile8 SweepLanes::sampleProfile(const Vec3x8& point) const {
         const Float8 dr = radius - Float8::all(piece.radius);
         const Float8 dz = point.z - Float8::all(piece.z);
         const Float8 place = dr * pieceR + dz * pieceZ;
-        const Float8 along = min(max(place, zeros()), Float8::all(piece.length));
+        const Float8 along = min(max(place, noLane()), Float8::all(piece.length));
         const Float8 awayR = dr - along * pieceR;
         const Float8 awayZ = dz - along * pieceZ;
         const Float8 squared = awayR * awayR + awayZ * awayZ;
@@ -91,19 +81,19 @@ SweepLanes::Profile8 SweepLanes::sampleProfile(const Vec3x8& point) const {
     }
     const Float8 distance = sqrt(best);
     // Nearest within a piece, a point lies on the side to which its offset points, and has the piece's normal.
-    Float8 sign = whereLess(offsetR * directionZ, offsetZ * directionR, Float8::all(-1), ones());
+    Float8 sign = whereLess(offsetR * directionZ, offsetZ * directionR, Float8::all(-1), everyLane());
     Float8 slopeR = directionZ;
-    Float8 slopeZ = zeros() - directionR;
-    const Float8 isCorner = isLess(zeros(), beyondEnd * beyondEnd);
+    Float8 slopeZ = noLane() - directionR;
+    const Float8 isCorner = isLess(noLane(), beyondEnd * beyondEnd);
     if (isAny(isCorner)) {
-        Float8 outside = ones();
+        Float8 outside = everyLane();
         for (int i = 0; i < part_.spanCount; ++i) {
             const ProfilePart::Span& span = part_.spans[i];
             const Float8 above = point.z - Float8::all(span.low);
             const Float8 beyond = radius - (Float8::all(span.radius) + above * Float8::all(span.growth));
-            outside = min(outside, max(max(zeros() - above, point.z - Float8::all(span.high)), beyond));
+            outside = min(outside, max(max(noLane() - above, point.z - Float8::all(span.high)), beyond));
         }
-        sign = choose(isCorner, whereLess(outside, zeros(), Float8::all(-1), ones()), sign);
+        sign = choose(isCorner, whereLess(outside, noLane(), Float8::all(-1), everyLane()), sign);
         const Float8 hasDirection = isLess(Float8::all(kNoDirection), distance) * isCorner;
         const Float8 scale = sign / max(distance, Float8::all(kNoDirection));
         slopeR = choose(hasDirection, offsetR * scale, slopeR);
@@ -112,7 +102,7 @@ SweepLanes::Profile8 SweepLanes::sampleProfile(const Vec3x8& point) const {
     const Float8 onAxis = isLess(radius, Float8::all(kNoDirection));
     const Float8 outward = slopeR / max(radius, Float8::all(kNoDirection));
     return {sign * distance,
-            {choose(onAxis, slopeR, outward * point.x), choose(onAxis, zeros(), outward * point.y), slopeZ}};
+            {choose(onAxis, slopeR, outward * point.x), choose(onAxis, noLane(), outward * point.y), slopeZ}};
 }
 
 Vec3x8 SweepLanes::inTooth(const Vec3x8& gradient, const Mat3& toothFromTool) const {
@@ -155,9 +145,9 @@ Samples8 SweepLanes::sample(const Vec3x8& place, Float8 atLeast) const {
     const Vec3x8 path = end - start;
     Float8 rightDistance = best.distance;
     Float8 rightSlope = best.slope(path);
-    counts = counts * isLess(rightDistance - max(zeros(), rightSlope), limit);
-    Float8 searching = counts * isLess(zeros(), rightSlope);
-    Float8 bestMoment = ones();
+    counts = counts * isLess(rightDistance - max(noLane(), rightSlope), limit);
+    Float8 searching = counts * isLess(noLane(), rightSlope);
+    Float8 bestMoment = everyLane();
     if (isAny(searching)) {
         const Profile8 first = sampleProfile(start);
         Float8 leftDistance = first.distance;
@@ -168,14 +158,14 @@ Samples8 SweepLanes::sample(const Vec3x8& place, Float8 atLeast) const {
             best.gradient = choose(isBetter, profile.gradient, best.gradient);
             bestMoment = choose(isBetter, moment, bestMoment);
         };
-        take(first, zeros());
-        searching = searching * isLess(leftSlope, zeros());
-        Float8 a = zeros();
-        Float8 b = ones();
+        take(first, noLane());
+        searching = searching * isLess(leftSlope, noLane());
+        Float8 a = noLane();
+        Float8 b = everyLane();
         for (int round = 0; round < kSearchRounds && isAny(searching); ++round) {
             const Float8 meeting =
                 (rightDistance - leftDistance + leftSlope * a - rightSlope * b) / (leftSlope - rightSlope);
-            const Float8 moment = choose(searching, meeting, zeros());
+            const Float8 moment = min(max(meeting, a), b);  // all but equal slopes meet where rounding will have it
             const Float8 bound = leftDistance + leftSlope * (moment - a);
             counts = choose(searching, isLess(bound, limit), counts);
             searching = searching * counts * isLess(a, moment) * isLess(moment, b) *
@@ -185,7 +175,7 @@ Samples8 SweepLanes::sample(const Vec3x8& place, Float8 atLeast) const {
                 sampleProfile({start.x + moment * path.x, start.y + moment * path.y, start.z + moment * path.z});
             const Float8 slope = middle.slope(path);
             take(middle, moment);
-            const Float8 rises = searching * isLess(zeros(), slope);
+            const Float8 rises = searching * isLess(noLane(), slope);
             const Float8 falls = searching - rises;
             b = choose(rises, moment, b);
             rightDistance = choose(rises, middle.distance, rightDistance);

@@ -3,12 +3,46 @@
 // As judged_export_test.cpp, but until little is left.
 #include <gtest/gtest.h>
 
+#include "geometry/vertex_welder.h"
 #include "instruments/builtin_tooth.h"
+#include "support/mesh_checks.h"
 #include "support/shapes.h"
 #include "tooth/judged_cutting.h"
+#include "tooth/random_cutting.h"
 
 namespace tactooth {
 namespace {
+
+/// Edges that are not shared by just two triangles, equal points being one.
+int openEdges(const TriangleMesh& mesh) {
+    std::vector<Vec3f> corners;
+    for (const Triangle& triangle : mesh.triangles) {
+        for (const std::uint32_t vertex : triangle) corners.push_back(mesh.vertices[vertex]);
+    }
+    return test::unpairedEdges(weld(corners));
+}
+
+/// A hand sees the surface of every move, not of every stroke alone.
+void expectClosedAfterEveryMove(TriangleMesh outer, unsigned seed, int strokes) {
+    test::RandomCutting tooth(std::move(outer), 0.05, {"2", "57", "35", "170", "330"}, seed);
+    int moves = 0;
+    int open = 0;
+    tooth.lookAfterEachMove([&] {
+        ++moves;
+        open += openEdges(tooth.mesh()) != 0;
+    });
+    for (int stroke = 0; stroke < strokes; ++stroke) tooth.stroke();
+    EXPECT_EQ(open, 0) << "of " << moves << " moves";
+    EXPECT_GT(moves, 10 * strokes);
+}
+
+TEST(LongJudgedExport, ABallIsClosedAfterEveryMove) {
+    expectClosedAfterEveryMove(test::sphere(Vec3(0.03, -0.02, -2), 2, 96, 64), 2, 40);
+}
+
+TEST(LongJudgedExport, APlateIsClosedAfterEveryMove) {
+    expectClosedAfterEveryMove(test::box(Vec3(-2.5, -2.5, -0.3), Vec3(2.5, 2.5, 0)), 3, 40);
+}
 
 TEST(LongJudgedExport, BallsAreSoundUntilLittleIsLeft) {
     for (unsigned seed = 1; seed <= 4; ++seed) {

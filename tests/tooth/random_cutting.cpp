@@ -58,6 +58,7 @@ void RandomCutting::move(const RevolutionEnvelope& bur, const Pose& from, const 
         const CarveResult result = volume_.carve(bur, at(i), at(i + 1));
         surface_.update(volume_, result.changed);
         removed_ += total(result.removed);
+        if (look_) look_();
     }
 }
 

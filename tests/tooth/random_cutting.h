@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <random>
 #include <string>
@@ -20,6 +21,8 @@ public:
     RandomCutting(TriangleMesh outer, double voxel, const std::vector<std::string>& burs, unsigned seed);
 
     void stroke();
+    /// To be called after each move of the strokes to come: a stroke is some tens of them.
+    void lookAfterEachMove(std::function<void()> look) { look_ = std::move(look); }
 
     [[nodiscard]] TriangleMesh mesh() const { return visibleMesh(*surface_.snapshot()).mesh; }
     /// Summed over the moves, mm^3.
@@ -45,6 +48,7 @@ private:
     std::mt19937 random_;
     double whole_;
     double removed_ = 0;
+    std::function<void()> look_;
 };
 
 }  // namespace tactooth::test
