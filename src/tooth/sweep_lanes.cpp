@@ -91,7 +91,10 @@ SweepLanes::Profile8 SweepLanes::sampleProfile(const Vec3x8& point) const {
             const ProfilePart::Span& span = part_.spans[i];
             const Float8 above = point.z - Float8::all(span.low);
             const Float8 beyond = radius - (Float8::all(span.radius) + above * Float8::all(span.growth));
-            outside = min(outside, max(max(noLane() - above, point.z - Float8::all(span.high)), beyond));
+            // A point at the very height where two spans meet belongs to both.
+            const Float8 isBeside =
+                isLess(Float8::all(kNoDirection), max(noLane() - above, point.z - Float8::all(span.high)));
+            outside = min(outside, choose(isBeside, everyLane(), beyond));
         }
         sign = choose(isCorner, whereLess(outside, noLane(), Float8::all(-1), everyLane()), sign);
         const Float8 hasDirection = isLess(Float8::all(kNoDirection), distance) * isCorner;

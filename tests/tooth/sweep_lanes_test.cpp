@@ -129,6 +129,34 @@ TEST(SweepLanes, ALaneIsBelowItsLimitOnlyWhereTheStepIs) {
     EXPECT_GT(below, 3000);
 }
 
+/// Two balls on one axis: inside, the waist between them is nearest.
+TriangleMesh waisted() {
+    TriangleMesh mesh = test::sphere(Vec3(0, 0, 0.4), 0.4, 48, 16);
+    const TriangleMesh upper = test::sphere(Vec3(0, 0, 1), 0.4, 48, 16);
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(), upper.vertices.begin(), upper.vertices.end());
+    for (const auto& [a, b, c] : upper.triangles) mesh.triangles.push_back({a + first, b + first, c + first});
+    return mesh;
+}
+
+TEST(SweepLanes, APointAtTheVeryHeightOfACornerOfTheProfileKeepsItsSide) {
+    const auto envelope = RevolutionEnvelope::make(waisted());
+    ASSERT_TRUE(envelope);
+    int inside = 0;
+    for (const auto& corner : envelope->profile()) {
+        for (int i = 0; i < 20; ++i) {
+            const Vec3 point(0.025 * i, 0, corner.z);
+            const SweepStep step(*envelope, Pose{}, Pose{}, 0);
+            const SweepLanes lanes(step, point - Vec3::Constant(0.5 * kSide * kSpacing), kSpacing, kSide, 0);
+            const Float8 middle = Float8::all(0.5 * kSide);
+            const Lanes found(lanes.sample({middle, middle, middle}, Float8::all(1)));
+            ASSERT_NEAR(found.distance[0], step.sample(point, kNoBound).distance, kFloatError) << point.transpose();
+            inside += found.distance[0] < -0.01;
+        }
+    }
+    EXPECT_GT(inside, 100);
+}
+
 TEST(SweepLanes, AProfileOfTooManyPiecesIsSampledAllTheSame) {
     Cases cases(test::sphere(Vec3(0, 0, 0.05), 0.05, 64, 512));
     int inside = 0;
