@@ -55,7 +55,7 @@ public:
     }
 
 private:
-    static Float8 sizeOf(Float8 distance) { return max(distance, noLane() - distance); }
+    static Float8 sizeOf(Float8 distance) { return max(distance, zero8() - distance); }
 
     /// Lanes without an edge follow the first one.
     void fill() {
@@ -97,7 +97,7 @@ private:
                                 float spacing) const {
         const Vec3x8 direction = Vec3x8::load(direction_);
         Float8 inside = start;
-        Float8 outside = everyLane();
+        Float8 outside = one8();
         Float8 place = start;
         for (int round = 0; round < kNewtonRounds && isAny(searching); ++round) {
             const Float8 isLast = isLess(sizeOf(sample.distance), Float8::all(kLastStep));
@@ -106,10 +106,10 @@ private:
             const Float8 isOn = isLess(inside, newton) * isLess(newton, outside);
             const Float8 half = Float8::all(0.5F) * (inside + outside);
             place = choose(searching, choose(isOn, newton, half), place);
-            searching = searching * (everyLane() - isLast * isOn);
+            searching = searching * (one8() - isLast * isOn);
             if (!isAny(searching)) break;
             sample = step.sample(at(place), Float8::all(kNoBound));
-            const Float8 isInside = searching * isLess(sample.distance, noLane());
+            const Float8 isInside = searching * isLess(sample.distance, zero8());
             inside = choose(isInside, place, inside);
             outside = choose(searching - isInside, place, outside);
             searching = searching * isLess(Float8::all(kOnBorder), sizeOf(sample.distance));

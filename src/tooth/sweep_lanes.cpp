@@ -17,6 +17,15 @@ constexpr float kNoDirection = 1e-6F;
 /// Share by which a region is looked at wider: its points are rounded.
 constexpr double kRounding = 1e-6;
 
+Vec3x8 turned(const Vec3x8& direction, const Mat3& rotation) {
+    const auto along = [&](int axis) {
+        return direction.x * Float8::all(static_cast<float>(rotation(axis, 0))) +
+               direction.y * Float8::all(static_cast<float>(rotation(axis, 1))) +
+               direction.z * Float8::all(static_cast<float>(rotation(axis, 2)));
+    };
+    return {along(0), along(1), along(2)};
+}
+
 }  // namespace
 
 /// The envelope's distance at eight points of the tool frame.
@@ -56,11 +65,11 @@ SweepLanes::SweepLanes(const SweepStep& step, const Vec3& first, double spacing,
 SweepLanes::Profile8 SweepLanes::sampleProfile(const Vec3x8& point) const {
     const Float8 radius = sqrt(point.x * point.x + point.y * point.y);
     Float8 best = Float8::all(std::numeric_limits<float>::max());
-    Float8 offsetR = noLane();
-    Float8 offsetZ = noLane();
-    Float8 directionR = noLane();
-    Float8 directionZ = noLane();
-    Float8 beyondEnd = noLane();
+    Float8 offsetR = zero8();
+    Float8 offsetZ = zero8();
+    Float8 directionR = zero8();
+    Float8 directionZ = zero8();
+    Float8 beyondEnd = zero8();
     for (int i = 0; i < part_.pieceCount; ++i) {
         const ProfilePart::Piece& piece = part_.pieces[i];
         const Float8 pieceR = Float8::all(piece.directionR);
@@ -68,7 +77,7 @@ SweepLanes::Profile8 SweepLanes::sampleProfile(const Vec3x8& point) const {
         const Float8 dr = radius - Float8::all(piece.radius);
         const Float8 dz = point.z - Float8::all(piece.z);
         const Float8 place = dr * pieceR + dz * pieceZ;
-        const Float8 along = min(max(place, noLane()), Float8::all(piece.length));
+        const Float8 along = min(max(place, zero8()), Float8::all(piece.length));
         const Float8 awayR = dr - along * pieceR;
         const Float8 awayZ = dz - along * pieceZ;
         const Float8 squared = awayR * awayR + awayZ * awayZ;
@@ -81,22 +90,22 @@ SweepLanes::Profile8 SweepLanes::sampleProfile(const Vec3x8& point) const {
     }
     const Float8 distance = sqrt(best);
     // Nearest within a piece, a point lies on the side to which its offset points, and has the piece's normal.
-    Float8 sign = whereLess(offsetR * directionZ, offsetZ * directionR, Float8::all(-1), everyLane());
+    Float8 sign = whereLess(offsetR * directionZ, offsetZ * directionR, Float8::all(-1), one8());
     Float8 slopeR = directionZ;
-    Float8 slopeZ = noLane() - directionR;
-    const Float8 isCorner = isLess(noLane(), beyondEnd * beyondEnd);
+    Float8 slopeZ = zero8() - directionR;
+    const Float8 isCorner = isLess(zero8(), beyondEnd * beyondEnd);
     if (isAny(isCorner)) {
-        Float8 outside = everyLane();
+        Float8 outside = one8();
         for (int i = 0; i < part_.spanCount; ++i) {
             const ProfilePart::Span& span = part_.spans[i];
             const Float8 above = point.z - Float8::all(span.low);
             const Float8 beyond = radius - (Float8::all(span.radius) + above * Float8::all(span.growth));
             // A point at the very height where two spans meet belongs to both.
             const Float8 isBeside =
-                isLess(Float8::all(kNoDirection), max(noLane() - above, point.z - Float8::all(span.high)));
-            outside = min(outside, choose(isBeside, everyLane(), beyond));
+                isLess(Float8::all(kNoDirection), max(zero8() - above, point.z - Float8::all(span.high)));
+            outside = min(outside, choose(isBeside, one8(), beyond));
         }
-        sign = choose(isCorner, whereLess(outside, noLane(), Float8::all(-1), everyLane()), sign);
+        sign = choose(isCorner, whereLess(outside, zero8(), Float8::all(-1), one8()), sign);
         const Float8 hasDirection = isLess(Float8::all(kNoDirection), distance) * isCorner;
         const Float8 scale = sign / max(distance, Float8::all(kNoDirection));
         slopeR = choose(hasDirection, offsetR * scale, slopeR);
@@ -105,16 +114,7 @@ SweepLanes::Profile8 SweepLanes::sampleProfile(const Vec3x8& point) const {
     const Float8 onAxis = isLess(radius, Float8::all(kNoDirection));
     const Float8 outward = slopeR / max(radius, Float8::all(kNoDirection));
     return {sign * distance,
-            {choose(onAxis, slopeR, outward * point.x), choose(onAxis, noLane(), outward * point.y), slopeZ}};
-}
-
-Vec3x8 SweepLanes::inTooth(const Vec3x8& gradient, const Mat3& toothFromTool) const {
-    const auto along = [&](int axis) {
-        return gradient.x * Float8::all(static_cast<float>(toothFromTool(axis, 0))) +
-               gradient.y * Float8::all(static_cast<float>(toothFromTool(axis, 1))) +
-               gradient.z * Float8::all(static_cast<float>(toothFromTool(axis, 2)));
-    };
-    return {along(0), along(1), along(2)};
+            {choose(onAxis, slopeR, outward * point.x), choose(onAxis, zero8(), outward * point.y), slopeZ}};
 }
 
 /// Where the profile has too many pieces near the cube.
@@ -148,9 +148,9 @@ Samples8 SweepLanes::sample(const Vec3x8& place, Float8 atLeast) const {
     const Vec3x8 path = end - start;
     Float8 rightDistance = best.distance;
     Float8 rightSlope = best.slope(path);
-    counts = counts * isLess(rightDistance - max(noLane(), rightSlope), limit);
-    Float8 searching = counts * isLess(noLane(), rightSlope);
-    Float8 bestMoment = everyLane();
+    counts = counts * isLess(rightDistance - max(zero8(), rightSlope), limit);
+    Float8 searching = counts * isLess(zero8(), rightSlope);
+    Float8 bestMoment = one8();
     if (isAny(searching)) {
         const Profile8 first = sampleProfile(start);
         Float8 leftDistance = first.distance;
@@ -161,10 +161,10 @@ Samples8 SweepLanes::sample(const Vec3x8& place, Float8 atLeast) const {
             best.gradient = choose(isBetter, profile.gradient, best.gradient);
             bestMoment = choose(isBetter, moment, bestMoment);
         };
-        take(first, noLane());
-        searching = searching * isLess(leftSlope, noLane());
-        Float8 a = noLane();
-        Float8 b = everyLane();
+        take(first, zero8());
+        searching = searching * isLess(leftSlope, zero8());
+        Float8 a = zero8();
+        Float8 b = one8();
         for (int round = 0; round < kSearchRounds && isAny(searching); ++round) {
             const Float8 meeting =
                 (rightDistance - leftDistance + leftSlope * a - rightSlope * b) / (leftSlope - rightSlope);
@@ -178,7 +178,7 @@ Samples8 SweepLanes::sample(const Vec3x8& place, Float8 atLeast) const {
                 sampleProfile({start.x + moment * path.x, start.y + moment * path.y, start.z + moment * path.z});
             const Float8 slope = middle.slope(path);
             take(middle, moment);
-            const Float8 rises = searching * isLess(noLane(), slope);
+            const Float8 rises = searching * isLess(zero8(), slope);
             const Float8 falls = searching - rises;
             b = choose(rises, moment, b);
             rightDistance = choose(rises, middle.distance, rightDistance);
@@ -188,9 +188,9 @@ Samples8 SweepLanes::sample(const Vec3x8& place, Float8 atLeast) const {
             leftSlope = choose(falls, slope, leftSlope);
         }
     }
-    Vec3x8 gradient = inTooth(best.gradient, step_.to_.toothFromTool);
+    Vec3x8 gradient = turned(best.gradient, step_.to_.toothFromTool);
     const Float8 isEarly = isLess(bestMoment, Float8::all(0.5F));
-    if (isAny(isEarly)) gradient = choose(isEarly, inTooth(best.gradient, step_.from_.toothFromTool), gradient);
+    if (isAny(isEarly)) gradient = choose(isEarly, turned(best.gradient, step_.from_.toothFromTool), gradient);
     return {choose(counts, best.distance - clearance, atLeast), gradient};
 }
 

@@ -34,7 +34,6 @@ private:
     struct Profile8;
     [[nodiscard]] static Frame frame(const Vec3& first, const Mat3& steps, double level);
     [[nodiscard]] Profile8 sampleProfile(const Vec3x8& point) const;
-    [[nodiscard]] Vec3x8 inTooth(const Vec3x8& gradient, const Mat3& toothFromTool) const;
     [[nodiscard]] Samples8 sampleOneByOne(const Vec3x8& place, Float8 atLeast) const;
 
     const SweepStep& step_;

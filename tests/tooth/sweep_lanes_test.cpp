@@ -24,6 +24,7 @@ class Cases {
 public:
     explicit Cases(const TriangleMesh& bur) : envelope_(*RevolutionEnvelope::make(bur)) {}
 
+    [[nodiscard]] const RevolutionEnvelope& envelope() const { return envelope_; }
     double unit() { return unit_(random_); }
 
     SweepStep step(double way, double turn) {
@@ -36,11 +37,10 @@ public:
     [[nodiscard]] const Vec3& first() const { return first_; }
 
     /// Eight places in the cube, in steps from its first node.
-    Vec3x8 places(float (&place)[3][8]) {
+    void fill(float (&place)[3][8]) {
         for (auto& axis : place) {
             for (float& value : axis) value = static_cast<float>(0.5 * kSide * (1 + unit()));
         }
-        return Vec3x8::load(place);
     }
     [[nodiscard]] Vec3 pointAt(const float (&place)[3][8], int lane) const {
         return first_ + kSpacing * Vec3(place[0][lane], place[1][lane], place[2][lane]);
@@ -66,81 +66,88 @@ std::vector<TriangleMesh> burs() {
     return {test::cylinder(Vec3::Zero(), 0.5, 2, 48), test::sphere(Vec3(0, 0, 0.5), 0.5, 64, 24)};
 }
 
+/// Calls `check(cases, step, lanes, place)` for 2,000 steps of a bur, each with eight places beside it; ends with the
+/// first that fails.
+template <class Check>
+void forRandomSteps(const TriangleMesh& bur, double way, double turn, const Check& check) {
+    Cases cases(bur);
+    for (int i = 0; i < 2000 && !::testing::Test::HasFatalFailure(); ++i) {
+        SCOPED_TRACE(i);
+        const SweepStep step = cases.step(way, turn);
+        const SweepLanes lanes(step, cases.first(), kSpacing, kSide, 0);
+        float place[3][8];
+        cases.fill(place);
+        check(cases, step, lanes, place);
+    }
+}
+
+Lanes unlimited(const SweepLanes& lanes, const float (&place)[3][8]) {
+    return Lanes(lanes.sample(Vec3x8::load(place), Float8::all(std::numeric_limits<float>::infinity())));
+}
+
 TEST(SweepLanes, SampleIsThatOfTheStepInEveryLane) {
     int turned = 0;
     int inside = 0;
     for (const TriangleMesh& mesh : burs()) {
-        Cases cases(mesh);
-        for (int i = 0; i < 2000; ++i) {
-            const SweepStep step = cases.step(0.02, 0.01);
-            const SweepLanes lanes(step, cases.first(), kSpacing, kSide, 0);
-            float place[3][8];
-            const Vec3x8 places = cases.places(place);
-            const Lanes found(lanes.sample(places, Float8::all(std::numeric_limits<float>::infinity())));
-            for (int lane = 0; lane < 8; ++lane) {
-                const Vec3 point = cases.pointAt(place, lane);
-                const FieldSample exact = step.sample(point, kNoBound);
-                ASSERT_NEAR(found.distance[lane], exact.distance, kSearchError) << i << ' ' << lane;
-                const Vec3 gradient(found.gradient[0][lane], found.gradient[1][lane], found.gradient[2][lane]);
-                ASSERT_NEAR(gradient.norm(), 1, 1e-5);
-                turned += (gradient - exact.gradient).norm() > 1e-2;  // beside an edge of the profile, or on its axis
-                inside += exact.distance < 0;
-            }
-        }
+        forRandomSteps(
+            mesh, 0.02, 0.01, [&](const Cases& cases, const auto& step, const auto& lanes, const auto& place) {
+                const Lanes found = unlimited(lanes, place);
+                for (int lane = 0; lane < 8; ++lane) {
+                    const FieldSample exact = step.sample(cases.pointAt(place, lane), kNoBound);
+                    ASSERT_NEAR(found.distance[lane], exact.distance, kSearchError) << lane;
+                    const Vec3 gradient(found.gradient[0][lane], found.gradient[1][lane], found.gradient[2][lane]);
+                    ASSERT_NEAR(gradient.norm(), 1, 1e-5);
+                    turned +=
+                        (gradient - exact.gradient).norm() > 1e-2;  // beside an edge of the profile, or on its axis
+                    inside += exact.distance < 0;
+                }
+            });
     }
     EXPECT_LT(turned, 200) << "of 32,000";
     EXPECT_GT(inside, 3000);
 }
 
 TEST(SweepLanes, AStepThatStandsStillIsExactToAFloat) {
-    Cases cases(burs()[1]);
-    for (int i = 0; i < 2000; ++i) {
-        const SweepStep step = cases.step(0, 0);
-        const SweepLanes lanes(step, cases.first(), kSpacing, kSide, 0);
-        float place[3][8];
-        const Vec3x8 places = cases.places(place);
-        const Lanes found(lanes.sample(places, Float8::all(std::numeric_limits<float>::infinity())));
+    forRandomSteps(burs()[1], 0, 0, [](const Cases& cases, const auto& step, const auto& lanes, const auto& place) {
+        const Lanes found = unlimited(lanes, place);
         for (int lane = 0; lane < 8; ++lane) {
             ASSERT_NEAR(found.distance[lane], step.sample(cases.pointAt(place, lane), kNoBound).distance, kFloatError);
         }
-    }
+    });
 }
 
 TEST(SweepLanes, ALaneIsBelowItsLimitOnlyWhereTheStepIs) {
     int below = 0;
     for (const TriangleMesh& mesh : burs()) {
-        Cases cases(mesh);
-        for (int i = 0; i < 2000; ++i) {
-            const SweepStep step = cases.step(0.02, 0.01);
-            const SweepLanes lanes(step, cases.first(), kSpacing, kSide, 0);
-            float place[3][8];
-            const Vec3x8 places = cases.places(place);
+        forRandomSteps(mesh, 0.02, 0.01, [&](Cases& cases, const auto& step, const auto& lanes, const auto& place) {
             float limit[8];
             for (float& value : limit) value = static_cast<float>(0.1 * cases.unit());
-            const Lanes found(lanes.sample(places, Float8::load(limit)));
+            const Lanes found(lanes.sample(Vec3x8::load(place), Float8::load(limit)));
             for (int lane = 0; lane < 8; ++lane) {
                 const double exact = step.sample(cases.pointAt(place, lane), kNoBound).distance;
                 const double expected = std::min(exact, static_cast<double>(limit[lane]));
-                ASSERT_NEAR(std::min(found.distance[lane], limit[lane]), expected, kSearchError) << i << ' ' << lane;
+                ASSERT_NEAR(std::min(found.distance[lane], limit[lane]), expected, kSearchError) << lane;
                 below += exact < limit[lane];
             }
-        }
+        });
     }
     EXPECT_GT(below, 3000);
 }
 
-/// Two balls on one axis: inside, the waist between them is nearest.
-TriangleMesh waisted() {
-    TriangleMesh mesh = test::sphere(Vec3(0, 0, 0.4), 0.4, 48, 16);
-    const TriangleMesh upper = test::sphere(Vec3(0, 0, 1), 0.4, 48, 16);
-    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-    mesh.vertices.insert(mesh.vertices.end(), upper.vertices.begin(), upper.vertices.end());
-    for (const auto& [a, b, c] : upper.triangles) mesh.triangles.push_back({a + first, b + first, c + first});
+/// Balls on one axis, the first at the tip; where they cross, the waist between them is nearest from inside.
+TriangleMesh ballsInARow(int count, double radius, double spacing) {
+    TriangleMesh mesh;
+    for (int i = 0; i < count; ++i) {
+        const TriangleMesh ball = test::sphere(Vec3(0, 0, radius + i * spacing), radius, 48, 16);
+        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+        mesh.vertices.insert(mesh.vertices.end(), ball.vertices.begin(), ball.vertices.end());
+        for (const auto& [a, b, c] : ball.triangles) mesh.triangles.push_back({a + first, b + first, c + first});
+    }
     return mesh;
 }
 
 TEST(SweepLanes, APointAtTheVeryHeightOfACornerOfTheProfileKeepsItsSide) {
-    const auto envelope = RevolutionEnvelope::make(waisted());
+    const auto envelope = RevolutionEnvelope::make(ballsInARow(2, 0.4, 0.6));
     ASSERT_TRUE(envelope);
     int inside = 0;
     for (const auto& corner : envelope->profile()) {
@@ -158,23 +165,27 @@ TEST(SweepLanes, APointAtTheVeryHeightOfACornerOfTheProfileKeepsItsSide) {
 }
 
 TEST(SweepLanes, AProfileOfTooManyPiecesIsSampledAllTheSame) {
-    Cases cases(test::sphere(Vec3(0, 0, 0.05), 0.05, 64, 512));
+    Cases cases(ballsInARow(30, 0.01, 0.015));
+    const Vec3 middle(0, 0, 0.2);
+    ProfilePart part;
+    ASSERT_FALSE(cases.envelope().findPart(middle, kSide * kSpacing, part)) << "or the other tests are enough";
     int inside = 0;
     for (int i = 0; i < 200; ++i) {
-        const SweepStep step = cases.step(0.01, 0);
-        const Vec3 first = Vec3(7, -3, 11) - Vec3::Constant(0.05);
+        const SweepStep step(cases.envelope(), Pose{}, {0.005 * Vec3(cases.unit(), cases.unit(), 0), Quat::Identity()},
+                             0);
+        const Vec3 first = middle - Vec3::Constant(0.5 * kSide * kSpacing);
         const SweepLanes lanes(step, first, kSpacing, kSide, 0);
         float place[3][8];
-        const Vec3x8 places = cases.places(place);
-        const Lanes found(lanes.sample(places, Float8::all(std::numeric_limits<float>::infinity())));
+        cases.fill(place);
+        const Lanes found = unlimited(lanes, place);
         for (int lane = 0; lane < 8; ++lane) {
             const Vec3 point = first + kSpacing * Vec3(place[0][lane], place[1][lane], place[2][lane]);
             const double exact = step.sample(point, kNoBound).distance;
-            ASSERT_NEAR(found.distance[lane], exact, kSearchError);
+            ASSERT_NEAR(found.distance[lane], exact, kFloatError);
             inside += exact < 0;
         }
     }
-    EXPECT_GT(inside, 100);
+    EXPECT_GT(inside, 20);
 }
 
 }  // namespace
