@@ -31,6 +31,8 @@ std::string_view cutEventName(CutEventKind kind) {
             return "gum or bone touched";
         case CutEventKind::BurStalled:
             return "bur stalled";
+        case CutEventKind::PieceCameLoose:
+            return "piece came loose";
     }
     return {};
 }
@@ -65,8 +67,12 @@ void CutEvents::watchAround(double time, const Tick& tick) {
     last = time;
 }
 
-void CutEvents::watch(double time, const Tick& tick, const MaterialVolumes& removed) {
-    if (!std::exchange(started_, true)) before_ = removed;
+void CutEvents::watch(double time, const Tick& tick, const ToothLoss& loss) {
+    const MaterialVolumes& removed = loss.removed;
+    if (!std::exchange(started_, true)) {
+        before_ = removed;
+        pieces_ = loss.pieces;
+    }
     for (std::size_t i = 0; i < removed.size(); ++i) before_[i] = std::min(before_[i], removed[i]);
     const auto gone = [&](MaterialId id) {
         return removed[static_cast<std::size_t>(id)] - before_[static_cast<std::size_t>(id)];
@@ -75,6 +81,8 @@ void CutEvents::watch(double time, const Tick& tick, const MaterialVolumes& remo
     tellOnce(CutEventKind::DentinReached, gone(MaterialId::Dentin) > kReached, time, tick);
     tellOnce(CutEventKind::PulpExposed, gone(MaterialId::Pulp) > kReached, time, tick);
     watchAround(time, tick);
+    if (loss.pieces > pieces_) tell(CutEventKind::PieceCameLoose, time, tick);
+    pieces_ = loss.pieces;
     turned_ = turned_ || tick.speedRpm > kTurnsRpm;
     if (turned_ && tick.speedRpm < kRubsRpm && tick.pedal > kPedalDown && tick.contacts > 0) {
         tell(CutEventKind::BurStalled, time, tick);

@@ -10,18 +10,28 @@
 #include <vector>
 
 #include "haptics/haptic_simulation.h"
-#include "tooth/cut_volume.h"
+#include "session/work_piece.h"
 
 namespace tactooth {
 
 /// What a teacher wants to know of a cut.
-enum class CutEventKind { FirstContact, DentinReached, PulpExposed, NeighbourTouched, GumTouched, BurStalled };
+enum class CutEventKind {
+    FirstContact,
+    DentinReached,
+    PulpExposed,
+    NeighbourTouched,
+    GumTouched,
+    BurStalled,
+    PieceCameLoose
+};
 
-inline constexpr std::array kCutEventKinds = {CutEventKind::FirstContact, CutEventKind::DentinReached,
-                                              CutEventKind::PulpExposed,  CutEventKind::NeighbourTouched,
-                                              CutEventKind::GumTouched,   CutEventKind::BurStalled};
+inline constexpr std::array kCutEventKinds = {CutEventKind::FirstContact,  CutEventKind::DentinReached,
+                                              CutEventKind::PulpExposed,   CutEventKind::NeighbourTouched,
+                                              CutEventKind::GumTouched,    CutEventKind::BurStalled,
+                                              CutEventKind::PieceCameLoose};
 
-/// "first contact", "dentin reached", "pulp exposed", "neighbour touched", "gum or bone touched", "bur stalled".
+/// "first contact", "dentin reached", "pulp exposed", "neighbour touched", "gum or bone touched", "bur stalled", "piece
+/// came loose".
 [[nodiscard]] std::string_view cutEventName(CutEventKind kind);
 
 struct CutEvent {
@@ -34,12 +44,13 @@ struct CutEvent {
 [[nodiscard]] std::string cutEventsCsv(std::span<const CutEvent> events);
 
 /// Watches a cut tick by tick. The first contact and each tissue are told once; a neighbour, gum or bone each time that
-/// the tool comes to touch it after half a second without; a stalled bur each time that it stalls.
+/// the tool comes to touch it after half a second without; a stalled bur each time that it stalls; pieces that came
+/// loose each time that some have fallen.
 class CutEvents {
 public:
-    /// `removed`: everything up to this tick. The first call tells what had been cut before; what is put back (undo,
+    /// `loss`: everything up to this tick. The first call tells what had been cut before; what is put back (undo,
     /// reset) and cut again is no news.
-    void watch(double time, const Tick& tick, const MaterialVolumes& removed);
+    void watch(double time, const Tick& tick, const ToothLoss& loss);
 
     /// In the order of their times.
     [[nodiscard]] const std::vector<CutEvent>& all() const { return events_; }
@@ -51,6 +62,7 @@ private:
 
     std::vector<CutEvent> events_;
     MaterialVolumes before_{};
+    std::size_t pieces_ = 0;  // that had fallen at the last call
     bool started_ = false;
     bool turned_ = false;                        // the bur did, since it stalled last
     std::optional<double> neighbourAt_, gumAt_;  // when it was touched last, s

@@ -51,7 +51,7 @@ void cutRigidly(std::span<const TimedPose> path, const CuttingTool& tool, double
                 tick.wrench.force = workFor(volumes, materials, tool.sharpness) / travel * tick.normal;
             }
         }
-        visit(path[i].time, tick, piece.removed());
+        visit(path[i].time, tick, piece.loss());
     }
     piece.refreshSurface();
 }
@@ -78,9 +78,11 @@ void cutByLaw(std::span<const TimedPose> path, const CuttingTool& tool, const Ma
         last = row.time;
         const bool isTurnToCut = row.time - lastCut >= kSurfaceDelay - 1e-9;
         if (isTurnToCut) lastCut = row.time;
-        feelPiece(piece, tick, isTurnToCut && piece.feed(tool, tick, materials), surfaces, simulation);
-        visit(row.time, tick, piece.removed());
+        const bool isCut = isTurnToCut && (piece.feed(tool, tick, materials) || piece.letFall(tick));
+        feelPiece(piece, tick, isCut, surfaces, simulation);
+        visit(row.time, tick, piece.loss());
     }
+    piece.letFall();
 }
 
 }  // namespace tactooth

@@ -31,7 +31,7 @@ SprayMoment sprayOf(const Tick& tick, const WorkPiece& piece) {
             .normal = tick.normal,
             .speedRpm = tick.speedRpm,
             .water = tick.cutting ? tick.pedal : 0,
-            .removed = piece.removed()};
+            .ground = piece.loss().ground()};
 }
 
 }  // namespace
@@ -61,11 +61,12 @@ Demonstration playDemonstration(WorkPiece& piece, const Box3& box, const Instrum
         hand.write(pipeline.pass(wantedFrom(tick), kTick));
         tick.micros = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
         result.ticks.push_back(tick);
-        events.watch(tick.time, tick, piece.removed());
+        events.watch(tick.time, tick, piece.loss());
         const bool isTurnToCut = i % kTicksPerCut == 0;
         const bool isCut = isTurnToCut && tick.cutting && piece.feed(instrument.cutting, tick, settings.materials);
-        feelPiece(piece, tick, isCut, surfaces, simulation);
-        if (isCut) ++result.surfaceUpdates;
+        const bool isChanged = isCut || (isTurnToCut && piece.letFall(tick));
+        feelPiece(piece, tick, isChanged, surfaces, simulation);
+        if (isChanged) ++result.surfaceUpdates;
         if (!isTurnToCut) continue;
         spray.advance(sprayOf(tick, piece), kTicksPerCut * kTick);
         if (isCut && tick.pedal > 0) result.work = {i, piece.surface(), {spray.bits().begin(), spray.bits().end()}};

@@ -48,7 +48,7 @@ Simulator::Simulator(std::shared_ptr<WorkPiece> piece, Instrument instrument, co
       surfaces_(simulation_.tool()),
       newest_(piece_->felt()),
       watchedSurface_(piece_->surface()),
-      watchedRemoved_(piece_->removed()) {
+      watchedLoss_(piece_->loss()) {
     simulation_.letOthersPlace();
     std::function<void(double)> pace;
     if (device.setsPace()) pace = [&device](double longest) { device.waitForTick(longest); };
@@ -117,9 +117,9 @@ std::shared_ptr<const Surface> Simulator::surface() const {
     return watchedSurface_;
 }
 
-MaterialVolumes Simulator::removed() const {
+ToothLoss Simulator::loss() const {
     const std::lock_guard lock(watched_);
-    return watchedRemoved_;
+    return watchedLoss_;
 }
 
 void Simulator::publishSurface() {
@@ -127,7 +127,7 @@ void Simulator::publishSurface() {
     {
         const std::lock_guard lock(watched_);
         watchedSurface_ = piece_->surface();
-        watchedRemoved_ = piece_->removed();
+        watchedLoss_ = piece_->loss();
         unlisted_ = std::move(cut);
     }
     cutCame_.notify_one();
@@ -161,7 +161,8 @@ bool Simulator::workOnPiece() {
         return true;
     }
     if (undosRequested_.load() > 0) return undoAsAsked();
-    return tickForCutter_.refresh() && tickForCutter_.value().cutting && cutAsAsked();
+    if (!tickForCutter_.refresh()) return false;
+    return (tickForCutter_.value().cutting && cutAsAsked()) || piece_->letFall(tickForCutter_.value());
 }
 
 void Simulator::runCutter(const std::stop_token& stop) {

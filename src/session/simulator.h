@@ -70,7 +70,8 @@ public:
 
     /// Any thread.
     [[nodiscard]] std::shared_ptr<const Surface> surface() const;
-    [[nodiscard]] MaterialVolumes removed() const;
+    [[nodiscard]] MaterialVolumes removed() const { return loss().removed; }
+    [[nodiscard]] ToothLoss loss() const;
     [[nodiscard]] const ServoTiming& timing() const { return loop_->timing(); }
     /// One thread (the window's): how the hand has moved the mirror since the start, in the tooth's frame.
     [[nodiscard]] const Pose& mirrorMotion() { return mirrorForWatcher_.refresh(), mirrorForWatcher_.value(); }
@@ -154,7 +155,7 @@ private:
     // Cutter, lister and watchers; never the servo.
     mutable std::mutex watched_;
     std::shared_ptr<const Surface> watchedSurface_;
-    MaterialVolumes watchedRemoved_{};
+    ToothLoss watchedLoss_;
     std::optional<CutSurface> unlisted_;
     std::condition_variable_any cutCame_;
 

@@ -130,7 +130,7 @@ void SprayCloud::throwMist(const SprayMoment& now, double dt) {
 void SprayCloud::throwChips(const SprayMoment& now, double dt) {
     for (std::size_t m = 0; m < kMaterialCount; ++m) {
         // Less than before: a cut was taken back, or another tooth is on the bench.
-        if (started_ && now.removed[m] > removed_[m]) chipsDue_[m] += now.removed[m] - removed_[m];
+        if (started_ && now.ground[m] > ground_[m]) chipsDue_[m] += now.ground[m] - ground_[m];
         for (; chipsDue_[m] >= kChipVolume; chipsDue_[m] -= kChipVolume) {
             FlyingBit chip = thrown(now, dt);
             chip.kind = FlyingKind::Chip;
@@ -141,7 +141,7 @@ void SprayCloud::throwChips(const SprayMoment& now, double dt) {
             bits_.push_back(chip);
         }
     }
-    removed_ = now.removed;
+    ground_ = now.ground;
     started_ = true;
 }
 

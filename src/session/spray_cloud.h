@@ -35,12 +35,12 @@ struct SprayMoment {
     Pose toolInTooth;
     Vec3 normal = Vec3::Zero();  ///< out of the tooth where the bur touches it, unit; zero without contact
     double speedRpm = 0;
-    double water = 0;           ///< flow of the cooling spray, 0..1
-    bool suction = false;       ///< the tube in the mouth draws
-    MaterialVolumes removed{};  ///< from the tooth so far, mm^3
+    double water = 0;          ///< flow of the cooling spray, 0..1
+    bool suction = false;      ///< the tube in the mouth draws
+    MaterialVolumes ground{};  ///< off the tooth so far, mm^3
 };
 
-/// Water and chips around a bur, as the eye sees them. Chips are what the simulation has removed, volume for volume;
+/// Water and chips around a bur, as the eye sees them. Chips are what the bur has ground off, volume for volume;
 /// mist and chips leave the bur's rim with its speed and are braked by the air as drops and grains of 8 to 24 um are.
 /// Equal calls give equal bits.
 class SprayCloud {
@@ -70,8 +70,8 @@ private:
     std::vector<FlyingBit> bits_;
     std::mt19937 random_;
     double mistDue_ = 0;          // share of the next drop
-    MaterialVolumes chipsDue_{};  // removed and not thrown yet, mm^3
-    MaterialVolumes removed_{};   // at the last call
+    MaterialVolumes chipsDue_{};  // ground off and not thrown yet, mm^3
+    MaterialVolumes ground_{};    // at the last call
     bool started_ = false;
 };
 

@@ -61,9 +61,8 @@ public:
                 const float share = shares[m][node];
                 if (!(share > 0)) continue;
                 if (leaf == nullptr) leaf = grids_[m]->tree().touchLeaf(nodeOf(key));
-                leaf->setValueOn(
-                    openvdb::Coord(node % kBrickSide, node / kBrickSide % kBrickSide, node / (kBrickSide * kBrickSide)),
-                    share);
+                const auto [x, y, z] = placeOf(node);
+                leaf->setValueOn(openvdb::Coord(x, y, z), share);
                 voxels_[m] += share;
             }
         }

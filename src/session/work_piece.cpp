@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "tooth/crumbs.h"
 
 namespace tactooth {
 namespace {
@@ -15,6 +18,9 @@ constexpr double kKeptWork = 0.3;
 // The bur never gains more than this at one update, mm: 20 mm/s at an update each 5 ms, faster than any hand feeds.
 // Keeps the search for the way that the work pays for short where a hand is far behind its bur.
 constexpr double kLongestFeed = 0.1;
+
+// s without contact: the bur was lifted and not just on its way over a gap.
+constexpr double kLifted = 0.1;
 
 }  // namespace
 
@@ -30,7 +36,8 @@ WorkPiece::WorkPiece(std::shared_ptr<const LayeredTooth> tooth, double voxel)
     : tooth_(tooth), volume_(std::move(tooth), voxel), live_(volume_) {}
 
 void WorkPiece::book(const CarveResult& carve) {
-    for (std::size_t i = 0; i < removed_.size(); ++i) removed_[i] += carve.removed[i];
+    for (std::size_t i = 0; i < kMaterialCount; ++i) loss_.removed[i] += carve.removed[i];
+    mayBeLoose_ = mayBeLoose_ || !carve.changed.empty();
     changed_.insert(changed_.end(), carve.changed.begin(), carve.changed.end());
 }
 
@@ -51,6 +58,7 @@ Pose WorkPiece::startOf(const Tick& tick) const {
 }
 
 bool WorkPiece::feed(const CuttingTool& tool, const Tick& tick, const MaterialTable& materials) {
+    watchContact(tick);
     const double work = tick.cutWork - workSpent_;
     const bool hasWorked = tick.cutWork > workSeen_;  // else what was too dear the last time still is
     workSeen_ = tick.cutWork;
@@ -74,6 +82,35 @@ bool WorkPiece::feed(const CuttingTool& tool, const Tick& tick, const MaterialTa
     return changed;
 }
 
+/// Time begins anew with each simulation that the piece is put into.
+void WorkPiece::watchContact(const Tick& tick) {
+    if (tick.contacts > 0 || tick.time < touchedAt_) touchedAt_ = tick.time;
+}
+
+bool WorkPiece::letFall(const Tick& tick) {
+    watchContact(tick);
+    return tick.time > touchedAt_ + kLifted && letFall();
+}
+
+bool WorkPiece::letFall() {
+    if (!std::exchange(mayBeLoose_, false)) return false;
+    refreshSurface();
+    const std::uint64_t revision = surface()->revision;
+    const FallenPieces pieces = volume_.dropLoose();
+    bookFall(pieces.carve);
+    loss_.pieces += static_cast<std::size_t>(
+        std::ranges::count_if(pieces.volumes, [](double volume) { return volume >= kVisiblePiece; }));
+    bookFall(volume_.dropCrumbs(nodesBesideCrumbs(*surface(), volume_.bricks(), volume_.lattice())));
+    mayBeLoose_ = false;  // what falls sets nothing free
+    return surface()->revision != revision;
+}
+
+void WorkPiece::bookFall(const CarveResult& carve) {
+    for (std::size_t i = 0; i < kMaterialCount; ++i) loss_.fallen[i] += carve.removed[i];
+    book(carve);
+    refreshSurface();
+}
+
 void WorkPiece::refreshSurface() {
     if (changed_.empty()) return;
     live_.update(volume_, merged(std::move(changed_)));
@@ -82,14 +119,14 @@ void WorkPiece::refreshSurface() {
 
 void WorkPiece::adopt(const std::map<BrickKey, CutField>& fields, const MaterialVolumes& removed) {
     changed_ = volume_.adopt(fields);
-    removed_ = removed;
+    loss_ = {.removed = removed};
     refreshSurface();
 }
 
 void WorkPiece::mark() {
     if (!volume_.mark()) return;
-    if (removedAt_.size() == volume_.marks()) removedAt_.erase(removedAt_.begin());  // the oldest was forgotten
-    removedAt_.push_back(removed_);
+    if (lossAt_.size() == volume_.marks()) lossAt_.erase(lossAt_.begin());  // the oldest was forgotten
+    lossAt_.push_back(loss_);
 }
 
 bool WorkPiece::undo() {
@@ -97,8 +134,8 @@ bool WorkPiece::undo() {
     reached_.reset();
     const std::vector<ChangedBrick> changed = volume_.undo();
     changed_.insert(changed_.end(), changed.begin(), changed.end());
-    removed_ = removedAt_[marks()];
-    removedAt_.resize(marks());
+    loss_ = lossAt_[marks()];
+    lossAt_.resize(marks());
     refreshSurface();
     return true;
 }
@@ -106,8 +143,8 @@ bool WorkPiece::undo() {
 void WorkPiece::reset() {
     volume_.reset();
     live_.reset();
-    removed_ = {};
-    removedAt_.clear();
+    loss_ = {};
+    lossAt_.clear();
     changed_.clear();
     reached_.reset();
 }

@@ -25,6 +25,23 @@ using Surroundings = std::vector<std::shared_ptr<const SurfacePart>>;
 [[nodiscard]] std::shared_ptr<const Surface> surrounded(std::shared_ptr<const Surface> surface,
                                                         const Surroundings& bodies);
 
+/// What a tooth has lost since it was whole.
+struct ToothLoss {
+    MaterialVolumes removed{};  ///< all of it, mm^3
+    MaterialVolumes fallen{};   ///< of that, what burs had cut off all around, mm^3
+    std::size_t pieces = 0;     ///< of what has fallen, those that an eye can see (kVisiblePiece)
+
+    /// What burs have ground to chips.
+    [[nodiscard]] MaterialVolumes ground() const {
+        MaterialVolumes volumes = removed;
+        for (std::size_t i = 0; i < kMaterialCount; ++i) volumes[i] -= fallen[i];
+        return volumes;
+    }
+};
+
+/// mm^3; a piece that came loose and is smaller, a cube of 0.2 mm, is dust.
+inline constexpr double kVisiblePiece = 0.008;
+
 /// A tooth on the bench: its volume, its surface and what has been removed from it. One thread cuts; the surface
 /// snapshots go anywhere.
 class WorkPiece {
@@ -35,7 +52,8 @@ public:
     [[nodiscard]] const std::shared_ptr<const Surface>& surface() const { return live_.snapshot(); }
     /// What a hand feels: the surface, and the bodies around it as further patches.
     [[nodiscard]] std::shared_ptr<const Surface> felt() const { return surrounded(surface(), surroundings_); }
-    [[nodiscard]] const MaterialVolumes& removed() const { return removed_; }
+    [[nodiscard]] const MaterialVolumes& removed() const { return loss_.removed; }
+    [[nodiscard]] const ToothLoss& loss() const { return loss_; }
     [[nodiscard]] const LayeredTooth& tooth() const { return *tooth_; }
     [[nodiscard]] const CutVolume& volume() const { return volume_; }
 
@@ -49,6 +67,13 @@ public:
     /// Lets the bur go on from the proxy toward the hand of `tick` as far as the work booked since the last call pays
     /// for. True if the surface has changed.
     bool feed(const CuttingTool& tool, const Tick& tick, const MaterialTable& materials);
+
+    /// Lets fall what the cuts since the last look have set free, once the bur has been lifted: a piece that nothing
+    /// holds is gone, and so are flakes thinner than a voxel. `tick` is the newest one. True if the surface has
+    /// changed.
+    bool letFall(const Tick& tick);
+    /// The same, at once.
+    bool letFall();
 
     /// Where the last `feed` lets the bur go to; nothing before the first, and after the bur was lifted.
     [[nodiscard]] const std::optional<Pose>& reached() const { return reached_; }
@@ -78,17 +103,21 @@ public:
 private:
     [[nodiscard]] Pose startOf(const Tick& tick) const;
     void book(const CarveResult& carve);
+    void watchContact(const Tick& tick);
+    void bookFall(const CarveResult& carve);
 
     std::shared_ptr<const LayeredTooth> tooth_;
     CutVolume volume_;
     LiveSurface live_;
     Surroundings surroundings_;
-    MaterialVolumes removed_{};
-    std::vector<ChangedBrick> changed_;       // since the last refresh
-    std::vector<MaterialVolumes> removedAt_;  // the marks
+    ToothLoss loss_;
+    std::vector<ChangedBrick> changed_;  // since the last refresh
+    std::vector<ToothLoss> lossAt_;      // the marks
     std::optional<Pose> reached_;
-    double workSpent_ = 0;  // of Tick::cutWork, N*m
-    double workSeen_ = 0;   // Tick::cutWork at the last feed, N*m
+    bool mayBeLoose_ = false;  // something was cut since the last look
+    double touchedAt_ = 0;     // Tick::time of the last contact seen, s
+    double workSpent_ = 0;     // of Tick::cutWork, N*m
+    double workSeen_ = 0;      // Tick::cutWork at the last feed, N*m
 };
 
 }  // namespace tactooth

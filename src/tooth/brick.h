@@ -58,6 +58,12 @@ inline constexpr int kBrickSide = 8;
 inline constexpr int kBrickNodes = kBrickSide * kBrickSide * kBrickSide;
 
 [[nodiscard]] constexpr int nodeIndex(int x, int y, int z) { return x + kBrickSide * (y + kBrickSide * z); }
+/// The place of a node in its brick, 0..7 on each axis.
+[[nodiscard]] constexpr std::array<int, 3> placeOf(int node) {
+    return {node % kBrickSide, node / kBrickSide % kBrickSide, node / (kBrickSide * kBrickSide)};
+}
+/// From a node's index to that of the next one on an axis.
+[[nodiscard]] constexpr int nodeStride(int axis) { return nodeIndex(axis == 0, axis == 1, axis == 2); }
 
 /// How far the two distances of a node are kept, in voxels; farther values are clamped. Removed region: a node next to
 /// one across the border lies within 1 of it and must be known to have been reached, and the accounting needs less;

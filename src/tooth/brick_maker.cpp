@@ -141,9 +141,7 @@ void fillMaterials(Brick& brick, const LayeredTooth& tooth, const Lattice& latti
     }
     for (int node = 0; node < kBrickNodes; ++node) {
         if (nearest[node] < bandFloat || brick.tooth[node] > bandFloat) continue;
-        const int x = node % kBrickSide;
-        const int y = node / kBrickSide % kBrickSide;
-        const int z = node / (kBrickSide * kBrickSide);
+        const auto [x, y, z] = placeOf(node);
         brick.material[node] = tooth.materialAt(lattice.corner(key) + lattice.spacing() * Vec3(x, y, z));
     }
 }

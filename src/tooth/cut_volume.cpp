@@ -6,11 +6,13 @@
 #include <bit>
 #include <cassert>
 #include <numeric>
+#include <set>
 
 #include "geometry/parallel_for.h"
 #include "tooth/border_tracer.h"
 #include "tooth/brick_carver.h"
 #include "tooth/brick_maker.h"
+#include "tooth/piece_remover.h"
 
 namespace tactooth {
 namespace {
@@ -34,8 +36,7 @@ std::uint64_t fnv1a(std::uint64_t hash, std::uint64_t value) {
 }  // namespace
 
 void ChangedBrick::add(int node) {
-    const std::array<int, 3> place = {node % kBrickSide, node / kBrickSide % kBrickSide,
-                                      node / (kBrickSide * kBrickSide)};
+    const std::array<int, 3> place = placeOf(node);
     for (int axis = 0; axis < 3; ++axis) {
         const auto layer = static_cast<std::uint8_t>(place[axis]);
         low[axis] = std::min(low[axis], layer);
@@ -175,6 +176,55 @@ MaterialVolumes CutVolume::removableOnTheWay(const Removable& whole, const Revol
         parts[i] = removableFromNodes(*bricks_.find(whole.where[i].key), whole.where[i], lattice_, steps);
     });
     return sum(parts);
+}
+
+/// Makes the bricks of them that are missing.
+NodeSets CutVolume::nodesOf(const std::vector<LoosePiece>& pieces) {
+    NodeSets nodes;
+    for (const LoosePiece& piece : pieces) {
+        for (const auto& [key, set] : piece.nodes) nodes[key] |= set;  // two pieces may share a brick
+        makeMissing(piece.unmade);
+        for (const BrickKey& key : piece.unmade) {
+            if (const Brick* brick = bricks_.find(key)) nodes[key] = solidNodes(*brick);
+        }
+    }
+    return nodes;
+}
+
+FallenPieces CutVolume::dropLoose() {
+    const std::vector<LoosePiece> pieces = findLoosePieces(bricks_, *tooth_, lattice_);
+    FallenPieces fallen;
+    for (const LoosePiece& piece : pieces) {
+        std::size_t count = 0;
+        for (const auto& [key, nodes] : nodesOf({piece})) count += nodes.count();
+        fallen.volumes.push_back(static_cast<double>(count) * std::pow(lattice_.spacing(), 3));
+    }
+    fallen.carve = removePieces(nodesOf(pieces));
+    return fallen;
+}
+
+CarveResult CutVolume::dropCrumbs(const NodeSets& beside) { return removePieces(beside); }
+
+CarveResult CutVolume::removePieces(const NodeSets& pieces) {
+    CarveResult result;
+    if (pieces.empty()) return result;
+    ++carves_;  // what was found removable holds no more
+    std::set<BrickKey> near;
+    for (const auto& [key, nodes] : pieces) {
+        for (int i = 0; i < 27; ++i) near.insert(key.moved(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1));
+    }
+    makeMissing({near.begin(), near.end()});
+    NodeSets gone = nodesToRemove(bricks_, pieces);
+    std::erase_if(gone, [&](const auto& entry) { return bricks_.find(entry.first) == nullptr; });
+    for (const auto& [key, nodes] : gone) {
+        Brick& brick = *bricks_.find(key);
+        journal_.keep(key, brick);
+        const MaterialVolumes taken = nodes.any() ? removeNodes(brick, nodes, lattice_.spacing()) : MaterialVolumes{};
+        for (std::size_t m = 0; m < kMaterialCount; ++m) result.removed[m] += taken[m];
+        result.changed.push_back(ChangedBrick::all(key));
+    }
+    for (const auto& [key, nodes] : gone) placeBorder(bricks_, key, gone);
+    return result;
 }
 
 std::vector<ChangedBrick> CutVolume::undo() {

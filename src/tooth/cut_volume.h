@@ -11,6 +11,7 @@
 #include "tooth/brick_map.h"
 #include "tooth/cut_journal.h"
 #include "tooth/layered_tooth.h"
+#include "tooth/loose_pieces.h"
 #include "tooth/revolution_envelope.h"
 #include "tooth/swept_envelope.h"
 
@@ -65,6 +66,12 @@ struct Removable {
     std::uint64_t afterCarve = 0;  ///< it holds until the next one
 };
 
+/// Pieces that burs have cut off all around and that are no longer there.
+struct FallenPieces {
+    std::vector<double> volumes;  ///< of each, mm^3, to a voxel or so at its surface
+    CarveResult carve;            ///< what went with them
+};
+
 /// How much wider than the bur the cut is by default, in voxels: room for the chords of the extracted surface, so that
 /// a bur at rest in its own cut does not touch it. A flat bur of 1 mm that mills a slot at 50 um: none is left in its
 /// way at 0.1, 1.6 um at 0.04. Pass 0 where the removed volume itself is the question.
@@ -99,6 +106,11 @@ public:
     /// the nodes that the whole move reaches.
     [[nodiscard]] MaterialVolumes removableOnTheWay(const Removable& whole, const RevolutionEnvelope& envelope,
                                                     const Pose& fromInTooth, const Pose& partWay) const;
+
+    /// Removes every piece that hangs together with nothing any more (findLoosePieces).
+    FallenPieces dropLoose();
+    /// Removes the crumbs that have these nodes beside them in the air (nodesBesideCrumbs).
+    CarveResult dropCrumbs(const NodeSets& beside);
 
     /// Sets a mark that `undo` goes back to; false if nothing has changed since the last one, which then serves.
     bool mark() { return journal_.mark(); }
@@ -136,6 +148,8 @@ public:
 private:
     [[nodiscard]] std::vector<BrickKey> bricksInReach(const std::vector<SweepStep>& steps) const;
     void makeMissing(const std::vector<BrickKey>& keys);
+    [[nodiscard]] NodeSets nodesOf(const std::vector<LoosePiece>& pieces);
+    CarveResult removePieces(const NodeSets& pieces);
     [[nodiscard]] std::vector<ChangedBrick> traceBorder(const Removable& carved);
 
     std::shared_ptr<const LayeredTooth> tooth_;

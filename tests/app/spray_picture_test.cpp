@@ -61,7 +61,7 @@ protected:
             const Pose before = now.toolInTooth;
             now.toolInTooth.position -= Vec3(0, 0, 0.02);
             (void)piece.sweep(*tool_, before, now.toolInTooth);
-            now.removed = piece.removed();
+            now.ground = piece.loss().ground();
             spray.advance(now, kFrame);
         }
         piece.refreshSurface();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <numbers>
 
 #include "session/simulator.h"
 #include "support/shapes.h"
@@ -25,6 +26,13 @@ inline constexpr double kBurRadius = 0.4;  // mm
 }
 
 [[nodiscard]] inline Pose at(double x, double y, double z) { return {Vec3(x, y, z), Quat::Identity()}; }
+
+/// Cuts a ridge 3 mm long, 1.1 mm wide and 0.4 mm thick off the block's top, all around.
+inline void cutARidgeOff(WorkPiece& piece) {
+    piece.sweep(flatBur().cutting, at(-2.5, 0, -1), at(2.5, 0, -1));
+    const Quat lying(Eigen::AngleAxisd(-std::numbers::pi / 2, Vec3::UnitX()));  // the shaft along y
+    piece.sweep(flatBur().cutting, {Vec3(-2.5, 0, -0.8), lying}, {Vec3(2.5, 0, -0.8), lying});
+}
 
 /// A block with a core of dentin, cut into both.
 [[nodiscard]] inline std::shared_ptr<WorkPiece> cutBlock() {

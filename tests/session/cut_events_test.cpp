@@ -20,12 +20,13 @@ Tick tickAt(double z, int contacts, double speedRpm = 200000, double pedal = 1) 
     return tick;
 }
 
-MaterialVolumes gone(double enamel, double dentin, double pulp) {
-    MaterialVolumes volumes{};
-    volumes[static_cast<std::size_t>(MaterialId::Enamel)] = enamel;
-    volumes[static_cast<std::size_t>(MaterialId::Dentin)] = dentin;
-    volumes[static_cast<std::size_t>(MaterialId::Pulp)] = pulp;
-    return volumes;
+ToothLoss gone(double enamel, double dentin, double pulp, std::size_t pieces = 0) {
+    ToothLoss loss;
+    loss.removed[static_cast<std::size_t>(MaterialId::Enamel)] = enamel;
+    loss.removed[static_cast<std::size_t>(MaterialId::Dentin)] = dentin;
+    loss.removed[static_cast<std::size_t>(MaterialId::Pulp)] = pulp;
+    loss.pieces = pieces;
+    return loss;
 }
 
 TEST(CutEvents, AreToldOnceInTheirOrderWithTimeAndPlace) {
@@ -53,6 +54,21 @@ TEST(CutEvents, WhatWasCutBeforeIsNoNews) {
     EXPECT_TRUE(events.all().empty());
     events.watch(0.2, tickAt(0, 1), gone(1, 1, 1.1));
     EXPECT_EQ(events.all().size(), 2U);
+}
+
+TEST(CutEvents, APieceThatCameLooseIsToldEachTime) {
+    CutEvents events;
+    events.watch(0.0, tickAt(1, 0), gone(1, 0, 0, 2));  // of an earlier session
+    events.watch(0.1, tickAt(1, 0), gone(2, 0, 0, 3));
+    events.watch(0.2, tickAt(1, 0), gone(2, 0, 0, 3));
+    events.watch(0.3, tickAt(1, 0), gone(1, 0, 0, 2));  // taken back
+    events.watch(0.4, tickAt(1, 0), gone(3, 0, 0, 4));
+    std::vector<double> times;
+    for (const CutEvent& event : events.all()) {
+        if (event.kind == CutEventKind::PieceCameLoose) times.push_back(event.time);
+    }
+    EXPECT_EQ(times, (std::vector<double>{0.1, 0.4}));
+    EXPECT_EQ(cutEventName(CutEventKind::PieceCameLoose), "piece came loose");
 }
 
 TEST(CutEvents, WhatIsPutBackAndCutAgainIsNoNews) {

@@ -41,7 +41,8 @@ TEST(PracticeReport, TellsWhatWasDoneToATooth) {
               "pulp exposed,0,times\n"
               "neighbour touched,2,times\n"
               "gum or bone touched,0,times\n"
-              "bur stalled,0,times\n");
+              "bur stalled,0,times\n"
+              "piece came loose,0,times\n");
 }
 
 TEST(PracticeReport, FreePracticeHasNoCavityToCompareWith) {

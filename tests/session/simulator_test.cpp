@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "bench_scene.h"
+#include "collision/closest_point.h"
 #include "devices/null_device.h"
 #include "devices/scripted_device.h"
 #include "support/sanitizer.h"
@@ -329,6 +330,17 @@ TEST(Simulator, AResetPutsTheToothBackWhileItRuns) {
     simulator.requestReset();
     EXPECT_TRUE(soon([&] { return total(simulator.removed()) == 0; }));
     EXPECT_TRUE(simulator.surface()->patches.empty());
+}
+
+TEST(Simulator, WhatIsLooseFallsWhileTheBurIsInTheAir) {
+    const auto piece = test::blockOnTheBench();
+    test::cutARidgeOff(*piece);
+    const double ground = total(piece->removed());
+    WatchedDevice device({moment(0, at(0, 0, -0.99), 0), moment(0.5, at(0, 0, -1.05), 0), moment(1, at(0, 0, 1), 0)});
+    Simulator simulator(piece, test::flatBur(), HapticSettings(), device, {});
+    EXPECT_TRUE(soon([&] { return simulator.loss().pieces == 1; }));
+    EXPECT_GT(total(simulator.removed()), ground + 1);
+    EXPECT_FALSE(contains(*simulator.surface(), Vec3(0, 1, -0.2)));
 }
 
 TEST(Simulator, UndoTakesBackTheCutsSinceTheBurWasLiftedWhileItRuns) {

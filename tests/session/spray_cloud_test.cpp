@@ -36,13 +36,13 @@ TEST(SprayCloud, NothingFliesWithoutWaterAndWithoutACut) {
 TEST(SprayCloud, ThrowsAsManyChipsOfEachMaterialAsWereRemoved) {
     SprayCloud cloud(kRadius, kTube);
     SprayMoment now = drilling(0);
-    now.removed[0] = 5;  // cut before this cloud was there
+    now.ground[0] = 5;  // cut before this cloud was there
     cloud.advance(now, kFrame);
     EXPECT_TRUE(cloud.bits().empty());
     const auto chip = SprayCloud::kChipVolume;
     for (int i = 0; i < 4; ++i) {
-        now.removed[0] += 10.8 * chip;
-        now.removed[1] += 2.6 * chip;
+        now.ground[0] += 10.8 * chip;
+        now.ground[1] += 2.6 * chip;
         cloud.advance(now, kFrame);
     }
     const auto bits = cloud.bits();
@@ -59,10 +59,10 @@ TEST(SprayCloud, ACutTakenBackThrowsNothingAndTheNextOneDoes) {
     SprayCloud cloud(kRadius, kTube);
     SprayMoment now = drilling(0);
     cloud.advance(now, kFrame);
-    now.removed[0] = -3;  // as it looks from a baseline of 0
+    now.ground[0] = -3;  // as it looks from a baseline of 0
     cloud.advance(now, kFrame);
     EXPECT_TRUE(cloud.bits().empty());
-    now.removed[0] += 4.5 * SprayCloud::kChipVolume;
+    now.ground[0] += 4.5 * SprayCloud::kChipVolume;
     cloud.advance(now, kFrame);
     EXPECT_EQ(count(cloud, FlyingKind::Chip), 4U);
 }
@@ -82,7 +82,7 @@ TEST(SprayCloud, ThrownBitsStartAtTheRim) {
     SprayCloud cloud(kRadius, kTube);
     SprayMoment now = drilling(0);
     cloud.advance(now, kFrame);
-    now.removed[0] = 200.5 * SprayCloud::kChipVolume;
+    now.ground[0] = 200.5 * SprayCloud::kChipVolume;
     cloud.advance(now, 1e-9);
     ASSERT_EQ(cloud.bits().size(), 200U);
     for (const FlyingBit& bit : cloud.bits()) {
@@ -99,7 +99,7 @@ TEST(SprayCloud, AirBrakesWhatFliesAndNothingFliesIntoTheToothThatItLeaves) {
     SprayMoment now = drilling(0);
     now.normal = Vec3(0, 0, 1);
     cloud.advance(now, kFrame);
-    now.removed[0] = 0.2;
+    now.ground[0] = 0.2;
     cloud.advance(now, 1e-9);
     const double speed = 2 * 3.14159265 * kRadius * now.speedRpm / 60;
     std::vector<FlyingBit> before(cloud.bits().begin(), cloud.bits().end());
@@ -163,7 +163,7 @@ TEST(SprayCloud, NeverHoldsMoreThanAPictureAffords) {
     SprayCloud cloud(kRadius, kTube);
     SprayMoment now = drilling(1);
     for (int i = 0; i < 30; ++i) {
-        now.removed[0] += 1;
+        now.ground[0] += 1;
         cloud.advance(now, kFrame);
         EXPECT_LE(cloud.bits().size(), SprayCloud::kMostBits);
     }
@@ -173,7 +173,7 @@ TEST(SprayCloud, EqualCallsGiveEqualBits) {
     SprayCloud a(kRadius, kTube), b(kRadius, kTube);
     SprayMoment now = drilling(0.7);
     for (int i = 0; i < 20; ++i) {
-        now.removed[1] += 0.01;
+        now.ground[1] += 0.01;
         a.advance(now, kFrame);
         b.advance(now, kFrame);
     }

@@ -59,7 +59,7 @@ Felt mill() {
     Felt felt;
     double work = 0;
     cutByLaw(millingPath(), tool, settings.materials, simulation, piece,
-             [&](double, const Tick& tick, const MaterialVolumes&) {
+             [&](double, const Tick& tick, const ToothLoss&) {
                  felt.normal.push_back((tick.cutWork - work) / rimTravel);
                  felt.force.push_back(tick.wrench.force);
                  work = tick.cutWork;

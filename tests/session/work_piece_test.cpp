@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "bench_scene.h"
+#include "collision/closest_point.h"
 
 namespace tactooth {
 namespace {
@@ -331,6 +332,52 @@ TEST(WorkPiece, ResetForgetsTheMarks) {
     piece->reset();
     EXPECT_FALSE(piece->undo());
     EXPECT_EQ(total(piece->removed()), 0);
+}
+
+Tick tickAt(double time, int contacts) {
+    Tick tick;
+    tick.time = time;
+    tick.contacts = contacts;
+    return tick;
+}
+
+constexpr double kRidge = 3 * 1.1 * 0.4;  // mm^3
+
+TEST(WorkPiece, WhatHasComeLooseFallsWhenTheBurIsLifted) {
+    const auto piece = blockOnTheBench();
+    EXPECT_FALSE(piece->letFall(tickAt(0, 0)));
+    test::cutARidgeOff(*piece);
+    const double ground = total(piece->removed());
+    EXPECT_FALSE(piece->letFall(tickAt(1.00, 1)));
+    EXPECT_FALSE(piece->letFall(tickAt(1.09, 0)));  // it may be on its way over a gap
+    EXPECT_EQ(piece->loss().pieces, 0U);
+    EXPECT_TRUE(piece->letFall(tickAt(1.11, 0)));
+    EXPECT_EQ(piece->loss().pieces, 1U);
+    EXPECT_NEAR(total(piece->loss().fallen), kRidge, 0.025 * kRidge);
+    EXPECT_NEAR(total(piece->loss().ground()), ground, 1e-9);
+    EXPECT_EQ(total(piece->removed()), ground + total(piece->loss().fallen));
+    EXPECT_FALSE(contains(*piece->surface(), Vec3(0, 1, -0.2)));
+    EXPECT_FALSE(piece->letFall(tickAt(1.5, 0)));  // there is nothing more
+}
+
+TEST(WorkPiece, TheTimeOfTheLastContactIsThatOfTheSimulationWhichRuns) {
+    const auto piece = blockOnTheBench();
+    EXPECT_FALSE(piece->letFall(tickAt(100, 1)));
+    test::cutARidgeOff(*piece);
+    EXPECT_FALSE(piece->letFall(tickAt(0.01, 0)));  // another simulation begins at zero
+    EXPECT_TRUE(piece->letFall(tickAt(0.2, 0)));
+}
+
+TEST(WorkPiece, UndoPutsTheFallenPieceBack) {
+    const auto piece = blockOnTheBench();
+    piece->mark();
+    test::cutARidgeOff(*piece);
+    ASSERT_TRUE(piece->letFall());
+    ASSERT_TRUE(piece->undo());
+    EXPECT_EQ(piece->loss().pieces, 0U);
+    EXPECT_EQ(total(piece->loss().fallen), 0);
+    EXPECT_TRUE(contains(*piece->surface(), Vec3(0, 1, -0.2)));
+    EXPECT_FALSE(piece->letFall());
 }
 
 }  // namespace

@@ -6,7 +6,26 @@
 #include <map>
 #include <utility>
 
+#include "geometry/disjoint_sets.h"
+#include "geometry/vertex_welder.h"
+
 namespace tactooth::test {
+namespace {
+
+/// Equal points are one.
+TriangleMesh welded(const TriangleMesh& mesh) {
+    std::vector<Vec3f> corners;
+    for (const Triangle& triangle : mesh.triangles) {
+        for (const std::uint32_t vertex : triangle) corners.push_back(mesh.vertices[vertex]);
+    }
+    return weld(corners);
+}
+
+double sixfoldVolume(const TriangleMesh& mesh, std::size_t t) {
+    return mesh.corner(t, 0).dot(mesh.corner(t, 1).cross(mesh.corner(t, 2)));
+}
+
+}  // namespace
 
 int unpairedEdges(const TriangleMesh& mesh) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> uses;
@@ -18,12 +37,28 @@ int unpairedEdges(const TriangleMesh& mesh) {
     return unpaired;
 }
 
+int openEdges(const TriangleMesh& mesh) { return unpairedEdges(welded(mesh)); }
+
 double volumeOf(const TriangleMesh& mesh) {
     double sixfold = 0;
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        sixfold += mesh.corner(t, 0).dot(mesh.corner(t, 1).cross(mesh.corner(t, 2)));
-    }
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) sixfold += sixfoldVolume(mesh, t);
     return sixfold / 6;
+}
+
+std::vector<double> pieceVolumes(const TriangleMesh& mesh) {
+    const TriangleMesh joined = welded(mesh);
+    DisjointSets sets(joined.vertices.size());
+    for (const Triangle& triangle : joined.triangles) {
+        sets.join(triangle[0], triangle[1]);
+        sets.join(triangle[1], triangle[2]);
+    }
+    std::map<std::uint32_t, double> volumes;
+    for (std::size_t t = 0; t < joined.triangles.size(); ++t) {
+        volumes[sets.find(joined.triangles[t][0])] += sixfoldVolume(joined, t) / 6;
+    }
+    std::vector<double> result;
+    for (const auto& [first, volume] : volumes) result.push_back(volume);
+    return result;
 }
 
 bool areBitEqual(const TriangleMesh& a, const TriangleMesh& b) {

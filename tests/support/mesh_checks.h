@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <vector>
+
 #include "geometry/triangle_mesh.h"
 
 namespace tactooth::test {
@@ -9,9 +11,14 @@ namespace tactooth::test {
 /// Number of directed edges, by the numbers of their ends, that have no single partner in the other direction: 0 for a
 /// closed, consistently oriented surface.
 [[nodiscard]] int unpairedEdges(const TriangleMesh& mesh);
+/// The same, equal points being one.
+[[nodiscard]] int openEdges(const TriangleMesh& mesh);
 
 /// Enclosed volume by the divergence theorem, mm^3; positive if the triangles face outward.
 [[nodiscard]] double volumeOf(const TriangleMesh& mesh);
+
+/// The same of each piece that hangs together, equal points being one.
+[[nodiscard]] std::vector<double> pieceVolumes(const TriangleMesh& mesh);
 
 [[nodiscard]] bool areBitEqual(const TriangleMesh& a, const TriangleMesh& b);
 

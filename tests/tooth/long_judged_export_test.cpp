@@ -3,7 +3,8 @@
 // As judged_export_test.cpp, but until little is left.
 #include <gtest/gtest.h>
 
-#include "geometry/vertex_welder.h"
+#include <algorithm>
+
 #include "instruments/builtin_tooth.h"
 #include "support/mesh_checks.h"
 #include "support/shapes.h"
@@ -13,15 +14,6 @@
 namespace tactooth {
 namespace {
 
-/// Edges that are not shared by just two triangles, equal points being one.
-int openEdges(const TriangleMesh& mesh) {
-    std::vector<Vec3f> corners;
-    for (const Triangle& triangle : mesh.triangles) {
-        for (const std::uint32_t vertex : triangle) corners.push_back(mesh.vertices[vertex]);
-    }
-    return test::unpairedEdges(weld(corners));
-}
-
 /// A hand sees the surface of every move, not of every stroke alone.
 void expectClosedAfterEveryMove(TriangleMesh outer, unsigned seed, int strokes) {
     test::RandomCutting tooth(std::move(outer), 0.05, {"2", "57", "35", "170", "330"}, seed);
@@ -29,7 +21,7 @@ void expectClosedAfterEveryMove(TriangleMesh outer, unsigned seed, int strokes) 
     int open = 0;
     tooth.lookAfterEachMove([&] {
         ++moves;
-        open += openEdges(tooth.mesh()) != 0;
+        open += test::openEdges(tooth.mesh()) != 0;
     });
     for (int stroke = 0; stroke < strokes; ++stroke) tooth.stroke();
     EXPECT_EQ(open, 0) << "of " << moves << " moves";
@@ -42,6 +34,35 @@ TEST(LongJudgedExport, ABallIsClosedAfterEveryMove) {
 
 TEST(LongJudgedExport, APlateIsClosedAfterEveryMove) {
     expectClosedAfterEveryMove(test::box(Vec3(-2.5, -2.5, -0.3), Vec3(2.5, 2.5, 0)), 3, 40);
+}
+
+constexpr double kVoxelVolume = 0.05 * 0.05 * 0.05;  // mm^3
+
+/// After each stroke all that has come loose falls. What is smaller than a voxel may hang right beside a node that
+/// stays.
+void expectOnePieceAfterEveryStroke(TriangleMesh outer, unsigned seed, int strokes) {
+    test::RandomCutting tooth(std::move(outer), 0.05, {"2", "57", "35", "170", "330"}, seed);
+    std::size_t fallen = 0;
+    for (int stroke = 1; stroke <= strokes; ++stroke) {
+        tooth.stroke();
+        fallen += tooth.letFall();
+        if (tooth.mesh().triangles.empty()) break;
+        const test::ExportVerdict verdict = test::judged(tooth.mesh());
+        SCOPED_TRACE(::testing::Message() << "seed " << seed << ", stroke " << stroke);
+        EXPECT_TRUE(verdict.isSound()) << verdict;
+        const std::vector<double> pieces = test::pieceVolumes(tooth.mesh());
+        EXPECT_EQ(std::ranges::count_if(pieces, [](double volume) { return volume > kVoxelVolume; }), 1) << verdict;
+        EXPECT_NEAR(tooth.whole() - verdict.volume, tooth.removed(), 0.004 * tooth.removed() + 1e-3);
+    }
+    EXPECT_GT(fallen, 20U);
+}
+
+TEST(LongJudgedExport, ABallStaysInOnePiece) {
+    expectOnePieceAfterEveryStroke(test::sphere(Vec3(0.03, -0.02, -2), 2, 96, 64), 1, 30);
+}
+
+TEST(LongJudgedExport, APlateStaysInOnePiece) {
+    expectOnePieceAfterEveryStroke(test::box(Vec3(-2.5, -2.5, -0.3), Vec3(2.5, 2.5, 0)), 2, 40);
 }
 
 TEST(LongJudgedExport, BallsAreSoundUntilLittleIsLeft) {

@@ -9,6 +9,7 @@
 #include "geometry/pose.h"
 #include "instruments/bur_shape.h"
 #include "support/mesh_checks.h"
+#include "tooth/crumbs.h"
 
 namespace tactooth::test {
 namespace {
@@ -60,6 +61,16 @@ void RandomCutting::move(const RevolutionEnvelope& bur, const Pose& from, const 
         removed_ += total(result.removed);
         if (look_) look_();
     }
+}
+
+std::size_t RandomCutting::letFall() {
+    const FallenPieces fallen = volume_.dropLoose();
+    surface_.update(volume_, fallen.carve.changed);
+    const CarveResult crumbs =
+        volume_.dropCrumbs(nodesBesideCrumbs(*surface_.snapshot(), volume_.bricks(), volume_.lattice()));
+    surface_.update(volume_, crumbs.changed);
+    removed_ += total(fallen.carve.removed) + total(crumbs.removed);
+    return fallen.volumes.size();
 }
 
 void RandomCutting::stroke() {

@@ -21,6 +21,8 @@ public:
     RandomCutting(TriangleMesh outer, double voxel, const std::vector<std::string>& burs, unsigned seed);
 
     void stroke();
+    /// Lets fall what has come loose; how many pieces.
+    std::size_t letFall();
     /// To be called after each move of the strokes to come: a stroke is some tens of them.
     void lookAfterEachMove(std::function<void()> look) { look_ = std::move(look); }
 

@@ -65,10 +65,10 @@ public:
         return {};
     }
 
-    void row(double time, const Tick& tick, const MaterialVolumes& removed) {
+    void row(double time, const Tick& tick, const ToothLoss& loss) {
         if (forces_) forces_->write(time, tick);
-        if (removed_) removed_->row(removedRow(time, removed));
-        watched_.watch(time, tick, removed);
+        if (removed_) removed_->row(removedRow(time, loss.removed));
+        watched_.watch(time, tick, loss);
     }
 
     [[nodiscard]] Expected<void> finish(const TriangleMesh& mesh) {
@@ -157,9 +157,7 @@ int runCut(const CutOptions& options) {
     CutFiles files;
     if (const auto opened = files.open(options); !opened) return refuse(opened.error());
 
-    const auto visit = [&](double time, const Tick& tick, const MaterialVolumes& removed) {
-        files.row(time, tick, removed);
-    };
+    const auto visit = [&](double time, const Tick& tick, const ToothLoss& loss) { files.row(time, tick, loss); };
     if (options.feed == "rigid") {
         cutRigidly(*path, *tool, options.speedRpm, *materials, piece, visit);
     } else {

@@ -161,8 +161,8 @@ double Workbench::workSeconds() const {
 }
 
 void Workbench::watchTicks() {
-    const MaterialVolumes removed = simulator_->removed();
-    for (const Tick& tick : ticks_) events_.watch(timeBefore_ + tick.time, tick, removed);
+    const ToothLoss loss = simulator_->loss();
+    for (const Tick& tick : ticks_) events_.watch(timeBefore_ + tick.time, tick, loss);
 }
 
 Workbench::News Workbench::step(double dt) {
@@ -204,7 +204,7 @@ void Workbench::spray(double dt) {
                     .speedRpm = newest_.speedRpm,
                     .water = water_ && newest_.cutting ? newest_.pedal : 0,
                     .suction = suction_,
-                    .removed = simulator_->removed()},
+                    .ground = simulator_->loss().ground()},
                    dt);
 }
 

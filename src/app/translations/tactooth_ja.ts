@@ -220,6 +220,10 @@
         <translation>バーが停止</translation>
     </message>
     <message>
+        <source>piece came loose</source>
+        <translation>歯片が脱落</translation>
+    </message>
+    <message>
         <source>Pit in the molar</source>
         <translation>臼歯の小窩</translation>
     </message>
