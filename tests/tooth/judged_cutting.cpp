@@ -10,7 +10,6 @@
 namespace tactooth::test {
 namespace {
 
-constexpr double kVoxel = 0.05;         // mm
 constexpr double kVolumeBound = 0.004;  // share of the counted volume by which that of the surface may differ
 /// mm; a float at 8 mm is exact to 5e-7, and a triangle whose corners lie off by that crosses its neighbour by as much.
 constexpr double kRounding = 1e-5;
@@ -22,14 +21,14 @@ constexpr double kCrumbs = 0.05;
 constexpr double kCrossingsBeside = 10;
 constexpr double kDeepestCrossing = 0.4;
 
-void expectSound(const ExportVerdict& verdict, double shareLeft) {
+void expectSound(const ExportVerdict& verdict, double shareLeft, double voxel) {
     const double most = shareLeft < kCrumbs ? kMostOfCrumbs : kMostCrossings;
     EXPECT_TRUE(verdict.isSound()) << verdict;
     EXPECT_EQ(verdict.collapsed, 0U) << verdict;
     EXPECT_LE(static_cast<double>(verdict.crossingsDeeperThan(kRounding)),
               most * static_cast<double>(verdict.facets) + kCrossingsBeside)
         << verdict;
-    EXPECT_LE(verdict.deepestCrossing(), kDeepestCrossing * kVoxel) << verdict;
+    EXPECT_LE(verdict.deepestCrossing(), kDeepestCrossing * voxel) << verdict;
 }
 
 }  // namespace
@@ -41,14 +40,14 @@ ExportVerdict judged(const TriangleMesh& mesh) {
 }
 
 void expectSoundThroughout(TriangleMesh outer, const JudgedCutting& cutting) {
-    RandomCutting tooth(std::move(outer), kVoxel, {"2", "57", "35", "170", "330"}, cutting.seed);
+    RandomCutting tooth(std::move(outer), cutting.voxel, {"2", "57", "35", "170", "330"}, cutting.seed);
     for (int stroke = 1; stroke <= cutting.strokes; ++stroke) {
         tooth.stroke();
         if (stroke % cutting.look != 0) continue;
         if (tooth.mesh().triangles.empty()) break;  // all is cut away
         SCOPED_TRACE(::testing::Message() << "seed " << cutting.seed << ", stroke " << stroke);
         const ExportVerdict verdict = judged(tooth.mesh());
-        expectSound(verdict, 1 - tooth.removed() / tooth.whole());
+        expectSound(verdict, 1 - tooth.removed() / tooth.whole(), cutting.voxel);
         EXPECT_NEAR(tooth.whole() - verdict.volume, tooth.removed(), kVolumeBound * tooth.removed() + 1e-3);
     }
     EXPECT_GT(tooth.removed(), cutting.leastRemoved * tooth.whole());

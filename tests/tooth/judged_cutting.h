@@ -14,6 +14,7 @@ struct JudgedCutting {
     unsigned seed = 1;
     int strokes = 20;
     int look = 4;                ///< strokes from one look of the judge to the next
+    double voxel = 0.05;         ///< mm
     double leastRemoved = 0.05;  ///< share of the whole that has to go, or little was tried
 };
 
