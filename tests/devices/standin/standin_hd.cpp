@@ -73,6 +73,7 @@ void moveHands() {
     }
     const double force = lengthOf(pens[0].force);
     strongest = std::max(strongest, force);
+    if (force > 0) lastForceTick = ticksSinceFault;
     if (fault != HdFault::None && Clock::now() - faultSince > std::chrono::milliseconds(5)) {
         strongestFaulty = std::max(strongestFaulty, force);
     }
@@ -273,7 +274,6 @@ void hdSetDoublev(std::uint32_t what, const double* in) {
     const std::lock_guard lock(guard);
     if (what != 0x2700 || current >= kMostPens || !pens[current].makesForce) return;
     std::copy(in, in + 3, pens[current].force.begin());
-    if (current == 0 && lengthOf(pens[0].force) > 0) lastForceTick = ticksSinceFault;
 }
 
 const char* hdGetString(std::uint32_t what) { return what == 0x2501 ? "Touch (stand-in)" : ""; }

@@ -36,8 +36,8 @@ struct HdStandinControl {
     double (*strongestForce)();                          ///< N, since the reset
     double (*strongestWhileFaulty)();                    ///< N, later than 5 ms after a fault was set
     long (*ticks)();
-    /// Of the first pen: in which tick after a fault was set it was last asked for a force; the first such tick is the
-    /// one whose reading is bad. 0: in none.
+    /// Of the first pen: in which tick after a fault was set it was last given a force that its motors made; the first
+    /// such tick is the one whose reading is bad. 0: in none.
     long (*lastForceSinceFault)();
     int (*startedPens)();
     int (*schedulerStarts)();

@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/device_session.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QElapsedTimer>
+#include <QLabel>
+#include <cmath>
+
+#include "app/gui/elided_label.h"
+
+namespace tactooth::test {
+namespace {
+
+constexpr double kIntoTooth = 9;  // mm below the start: the spring of the stand-in's hand then presses with 1 N or two
+constexpr double kAbove = 4;      // mm, free of the tooth
+constexpr double kAside = 6;      // mm
+constexpr double kFelt = 0.3;     // N
+constexpr double kEnoughCut = 0.02;  // mm^3
+constexpr int kPatience = 20000;     // ms that only a broken program takes
+
+}  // namespace
+
+QString DeviceSession::state() const { return window_->findChild<QLabel*>("deviceState")->text(); }
+QString DeviceSession::hint() const { return window_->findChild<ElidedLabel*>("hint")->text(); }
+
+QString DeviceSession::dismissMessages() const {
+    QString said;
+    for (QString one = dismissMessage(); !one.isEmpty(); one = dismissMessage()) said += one + '\n';
+    return said;
+}
+
+void DeviceSession::chooseDevice(const char* list, const QString& name) const {
+    auto* devices = window_->findChild<QComboBox*>(list);
+    devices->setCurrentIndex(devices->findData(name));
+    emit devices->activated(devices->currentIndex());
+}
+
+void DeviceSession::waitUntilRead() const {
+    constexpr long kOnTheWay = 5;  // exchanges
+    const long before = exchanges();
+    QTRY_VERIFY_WITH_TIMEOUT(exchanges() > before + kOnTheWay, kPatience);
+    for (int step = 0; step < 3; ++step) {  // the window's: one sends, one hears, and one may have been under way
+        const double time = window_->bench().newest().time;
+        QTRY_VERIFY_WITH_TIMEOUT(window_->bench().newest().time > time, kPatience);
+    }
+}
+
+void DeviceSession::waitForHand() const {
+    constexpr long kArrives = 250;  // exchanges: its spring is critically damped, at 50/s
+    const long before = exchanges();
+    QTRY_VERIFY_WITH_TIMEOUT(exchanges() > before + kArrives, kPatience);
+    waitUntilRead();
+}
+
+void DeviceSession::clickButton(int button) const {
+    setButtons(1U << static_cast<unsigned>(button));
+    waitUntilRead();
+    setButtons(0);
+    waitUntilRead();
+}
+
+/// A device that is lost stays where it was, and may come back later: see lean.
+void DeviceSession::liftOff() const {
+    moveHand(0, kAbove);
+    (void)QTest::qWaitFor([this] { return force() == 0 && window_->bench().newest().contacts == 0; }, 3000);
+}
+
+/// A machine that stalls makes the device let go, and only who lifts off feels it again.
+void DeviceSession::lean() const {
+    bool felt = force() > kFelt;
+    for (int i = 0; i < 20 && !felt; ++i) {
+        liftOff();
+        moveHand(0, -kIntoTooth);
+        felt = QTest::qWaitFor([this] { return force() > kFelt; }, 2000);
+    }
+    QVERIFY2(felt, qPrintable(state()));
+}
+
+void DeviceSession::touchTheTooth() const {
+    lean();
+    QTRY_VERIFY(window_->bench().newest().contacts > 0);
+    QCOMPARE(removed(), 0.0);
+    const auto isOn = [this] {
+        if (!state().contains("The force is on")) lean();
+        return state().contains("The force is on");
+    };
+    QTRY_VERIFY2_WITH_TIMEOUT(isOn(), qPrintable(state()), kPatience);
+}
+
+void DeviceSession::cutByButtonAndPedal(int button, double seconds) const {
+    liftOff();
+    clickButton(button);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->bench().newest().cutting, kPatience);
+    auto* pedal = window_->findChild<QCheckBox*>("keepPedal");
+    pedal->setChecked(true);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->bench().newest().speedRpm > 300'000, kPatience);
+    const double before = removed();
+    QElapsedTimer since;
+    since.start();
+    const auto isCut = [&] {
+        const double t = static_cast<double>(since.elapsed()) / 1000;
+        moveHand(0.8 * std::sin(3 * t), -kIntoTooth);
+        return t > seconds && removed() > before + kEnoughCut;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(isCut(), kPatience + static_cast<int>(1000 * seconds));
+    pedal->setChecked(false);
+    liftOff();
+    clickButton(button);
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->bench().newest().cutting, kPatience);
+}
+
+void DeviceSession::takeTheMirrorByButton(int button) const {
+    liftOff();
+    waitForHand();
+    const Vec3 tool = toolTip(), mirror = mirrorMotion();
+    clickButton(button);
+    moveHand(kAside, kAbove);
+    QTRY_VERIFY_WITH_TIMEOUT((mirrorMotion() - mirror).norm() > 4, kPatience);
+    QVERIFY((toolTip() - tool).norm() < 0.5);
+    waitForHand();
+    clickButton(button);
+    moveHand(0, kAbove);
+    QTRY_VERIFY_WITH_TIMEOUT((toolTip() - tool).norm() > 4, kPatience);
+    waitForHand();
+    moveHand(kAside, kAbove);
+    QTRY_VERIFY_WITH_TIMEOUT((toolTip() - tool).norm() < 1, kPatience);
+    waitForHand();
+}
+
+void DeviceSession::sufferMidPress(int fault, const QString& sentence, std::optional<long> longestForce) const {
+    lean();
+    const double before = removed();
+    const Simulator* const session = window_->bench().simulator();
+    const std::size_t events = window_->bench().events().all().size();
+    const double began = window_->bench().newest().time;
+    setFault(fault);
+    QTRY_VERIFY2_WITH_TIMEOUT(state().contains(sentence), qPrintable(state()), kPatience);
+    QTRY_VERIFY2_WITH_TIMEOUT(hint().contains(sentence), qPrintable(hint()), kPatience);
+    if (longestForce) {
+        QTest::qWait(50);  // for a force that came late
+        QVERIFY2(lastForceSinceFault() <= *longestForce, qPrintable(QString::number(lastForceSinceFault())));
+        QCOMPARE(force(), 0.0);
+    }
+    setFault(0);
+    QTRY_VERIFY2_WITH_TIMEOUT(!state().contains(sentence), qPrintable(state()), kPatience);
+    QCOMPARE(dismissMessages(), QString());  // which would take the keys and the pedal
+    QCOMPARE(removed(), before);
+    QVERIFY(window_->bench().simulator() == session && window_->bench().newest().time > began);
+    QVERIFY(window_->bench().events().all().size() >= events);
+    lean();
+}
+
+}  // namespace tactooth::test
