@@ -24,7 +24,7 @@ void HandFrame::takeOver(const Pose& tool) {
 
 Pose HandFrame::toolFor(const Pose& hand) {
     if (!hand.position.allFinite() || !hand.rotation.coeffs().allFinite()) return hand;
-    if (!last_ && seat_) sit(hand, seat_->tool);
+    if (!last_ && seat_) sit({seat_->hand.value_or(hand.position), hand.rotation}, seat_->tool);
     if (last_ && held_) {
         wasHeld_ = true;
         return *last_;

@@ -11,8 +11,10 @@ namespace tactooth {
 
 /// How a hand takes a tool that has a frame of its own.
 struct Seat {
-    Pose tool;                     ///< where the tool is in the tooth's frame when the hand is first read
+    Pose tool;                     ///< where the tool is in the tooth's frame when the hand is first read, or at `hand`
     Quat turn = Quat::Identity();  ///< from the device's frame into the tooth's: where the hand's "right" is
+    std::optional<Vec3> hand =
+        {};  ///< where it has to be for that, in the device's frame; none: where it happens to be
 };
 
 /// How a device's frame lies in the tooth's: turned, moved, and finer or not. The clutch lets the hand go back to a

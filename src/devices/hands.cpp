@@ -4,7 +4,15 @@
 
 #include <algorithm>
 
+#include "devices/workspace_fit.h"
+
 namespace tactooth {
+namespace {
+
+constexpr double kAtEnd = 2;   // mm from the end of the room
+constexpr double kBackIn = 8;  // mm: a hand that trembles there is told once
+
+}  // namespace
 
 Hands::Hand::Hand(HapticDevice& held, const std::optional<Seat>& turbineSeat, const Seat& mirrorSeat)
     : device(&held), pipeline(held.info().limits), frames{HandFrame(turbineSeat), HandFrame(mirrorSeat)} {}
@@ -66,7 +74,10 @@ void Hands::read(double elapsed, const HandControls& controls) {
     for (Hand* const hand : hands_) {
         if (hand == nullptr) continue;
         hand->sample = hand->device->read(elapsed);
-        if (hand->sample.connected) hand->buttons.press(hand->sample.buttons, controls.buttons);
+        if (!hand->sample.connected) continue;
+        hand->buttons.press(hand->sample.buttons, controls.buttons);
+        hand->atEnd = !controls.clutch && !hand->buttons.clutchHeld() &&
+                      isAtEndOfRoom(hand->device->info(), hand->sample.hand.position, hand->atEnd ? kBackIn : kAtEnd);
     }
     move(kTurbine, controls);
     move(kMirror, controls);
@@ -98,6 +109,8 @@ void Hands::write(const Tick& tick, bool enabled, double elapsed) {
         silent_ &= safe.force().isZero(0) && safe.torque().isZero(0);
     }
 }
+
+bool Hands::isAtEnd() const { return first_->atEnd || (second_ && second_->atEnd); }
 
 ForceState Hands::forceState() const {
     const int holder = holders_[kTurbine];

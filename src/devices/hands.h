@@ -54,6 +54,8 @@ public:
 
     /// Why the hand that holds the turbine feels what it feels.
     [[nodiscard]] ForceState forceState() const;
+    /// Whether a hand has come to the end of its device's room, as far as that is known: the clutch takes it further.
+    [[nodiscard]] bool isAtEnd() const;
     /// Whether no device makes a force.
     [[nodiscard]] bool isSilent() const { return silent_; }
 
@@ -69,6 +71,7 @@ private:
         std::array<HandFrame, 2> frames;  // of turbine and mirror
         ButtonActions buttons;
         DeviceSample sample;
+        bool atEnd = false;  // of the device's room, while it holds something
     };
     [[nodiscard]] int holderOf(std::size_t instrument) const;
     [[nodiscard]] bool swapped() const;

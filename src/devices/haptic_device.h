@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 
 #include "geometry/expected.h"
@@ -23,6 +24,7 @@ struct DeviceInfo {
     bool hasPedal = false;
     ForceLimits limits;             ///< that the safety limiter keeps to
     Vec3 workspace = Vec3::Zero();  ///< size of the room that the hand can reach, mm; zero: not bounded
+    std::optional<Vec3> middle;     ///< of that room, in the device's frame, mm; none: not known
     bool isInTooth = false;         ///< its frame is the tooth's: it tells where the tool is, and needs no seat
     double stiffness =
         std::numeric_limits<double>::infinity();  ///< N/mm: the stiffest wall that does not shake, at 1 kHz

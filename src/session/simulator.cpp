@@ -34,7 +34,7 @@ private:
 
 Simulator::Simulator(std::shared_ptr<WorkPiece> piece, Instrument instrument, const HapticSettings& settings,
                      HapticDevice& device, TickListener onTick, double rateHz, std::optional<Seat> seat,
-                     HapticDevice* second)
+                     HapticDevice* second, double fineness)
     : piece_(std::move(piece)),
       instrument_(std::move(instrument)),
       settings_(settings),
@@ -44,7 +44,7 @@ Simulator::Simulator(std::shared_ptr<WorkPiece> piece, Instrument instrument, co
       onTick_(std::move(onTick)),
       simulation_(instrument_.shape, instrument_.cutting.envelope.maxRadius(), piece_->felt(), settings),
       hands_(device, second, seat),
-      controls_(SimulatorControls{.force = settings.force}),
+      controls_(SimulatorControls{.force = settings.force, .fineness = fineness}),
       surfaces_(simulation_.tool()),
       newest_(piece_->felt()),
       watchedSurface_(piece_->surface()),
@@ -98,6 +98,7 @@ void Simulator::servoTick(double elapsed) {
     Tick tick = simulation_.step({hands_.turbine(), pedal, controls.cutting != hands_.cutToggled()}, elapsed);
     hands_.write(tick, controls.forceEnabled && !leaving_.load(std::memory_order_relaxed), elapsed);
     forceState_.store(hands_.forceState(), std::memory_order_relaxed);
+    handAtEnd_.store(hands_.isAtEnd(), std::memory_order_relaxed);
     silent_.store(hands_.isSilent(), std::memory_order_relaxed);
 
     tick.micros = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();

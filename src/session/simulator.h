@@ -54,9 +54,10 @@ public:
     /// block (publish to the sound, for example). The work piece may bring cuts from an earlier simulator.
     /// `seat`: for a device whose frame has nothing to do with the tooth; without it the device's frame is the tooth's.
     /// `second`: a device for the other hand, which begins with the mirror; open, and outlives the simulator as well.
+    /// `fineness`: until other controls are set.
     Simulator(std::shared_ptr<WorkPiece> piece, Instrument instrument, const HapticSettings& settings,
               HapticDevice& device, TickListener onTick, double rateHz = 1000, std::optional<Seat> seat = {},
-              HapticDevice* second = nullptr);
+              HapticDevice* second = nullptr, double fineness = 1);
     ~Simulator();
     Simulator(const Simulator&) = delete;
     Simulator& operator=(const Simulator&) = delete;
@@ -79,6 +80,8 @@ public:
     [[nodiscard]] const LatencyHistogram& deviceToForce() const { return deviceToForce_; }
     /// Why the hand feels what it feels.
     [[nodiscard]] ForceState forceState() const { return forceState_.load(std::memory_order_relaxed); }
+    /// See Hands.
+    [[nodiscard]] bool isHandAtEnd() const { return handAtEnd_.load(std::memory_order_relaxed); }
     [[nodiscard]] bool isRealTime() const { return loop_->isRealTime(); }
     [[nodiscard]] bool sleepsLightly() const { return loop_->sleepsLightly(); }
     /// Surfaces published by the cutter so far.
@@ -136,6 +139,7 @@ private:
     LatestValue<Pose> mirrorForWatcher_;
     LatencyHistogram deviceToForce_;
     std::atomic<ForceState> forceState_{ForceState::Off};
+    std::atomic<bool> handAtEnd_{false};
     std::atomic<bool> leaving_{false};  // the force fades out
     std::atomic<bool> silent_{true};    // it has
     std::atomic<bool> resetRequested_{false};

@@ -6,7 +6,9 @@
 #include <dlfcn.h>
 
 #include <QApplication>
+#include <QCheckBox>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QPushButton>
 #include <cmath>
@@ -27,12 +29,15 @@ class PenSessionTest : public test::DeviceSession {
 private slots:
     void initTestCase();
     void cleanup() { setFault(0); }
+    void aMouseHasNoRoomThatFits();
     void eachHandMayChooseAPenByItsName();
     void anUncalibratedPenAsksForItsInkwell();
     void thePenTouchesTheTooth() { touchTheTooth(); }
     void itsBlueButtonCutsAndThePedalTurnsTheBur();
     void itsWhiteButtonTakesTheMirror() { takeTheMirrorByButton(0); }
     void theClutchHoldsTheBur();
+    void fitToTheToothItIsFinerAndMovesNothing();
+    void atTheEndOfItsRoomTheClutchIsNamed();
     void theOtherPenHoldsTheMirror();
     void eachFaultMidPressIsSaidAndKeepsTheSession_data();
     void eachFaultMidPressIsSaidAndKeepsTheSession();
@@ -49,6 +54,9 @@ private:
     [[nodiscard]] long exchanges() const override { return standin_->ticks(); }
     void setFault(int fault) const override { standin_->setFault(fault); }
     [[nodiscard]] long lastForceSinceFault() const override { return standin_->lastForceSinceFault(); }
+
+    [[nodiscard]] QCheckBox& fit() const { return *window_->findChild<QCheckBox*>("fitFineness"); }
+    [[nodiscard]] QDoubleSpinBox& fineness() const;
 
     const test::HdStandinControl* standin_ = nullptr;
 };
@@ -70,6 +78,25 @@ void PenSessionTest::initTestCase() {
     openWindow();
     waitForTooth();
     QVERIFY(state().contains("mouse"));
+}
+
+QDoubleSpinBox& PenSessionTest::fineness() const {
+    for (QDoubleSpinBox* box : window_->findChildren<QDoubleSpinBox*>()) {
+        if (box->accessibleName() == "Fineness") return *box;
+    }
+    qFatal("the window has no fineness");
+}
+
+void PenSessionTest::aMouseHasNoRoomThatFits() {
+    const auto* note = window_->findChild<QLabel*>("fitNote");
+    QVERIFY(note->isHidden());
+    fit().setChecked(true);
+    QTRY_VERIFY(!note->isHidden() && note->text().contains("1 : 1"));
+    QVERIFY(!fineness().isEnabled());
+    fit().setChecked(false);
+    QTRY_VERIFY(note->isHidden());
+    QVERIFY(fineness().isEnabled());
+    QCOMPARE(fineness().value(), 1.0);
 }
 
 void PenSessionTest::eachHandMayChooseAPenByItsName() {
@@ -124,6 +151,43 @@ void PenSessionTest::theClutchHoldsTheBur() {
     waitUntilRead();
     moveHand(0, 4);
     QTRY_VERIFY_WITH_TIMEOUT((toolTip() - tool).norm() > 4, 10000);
+}
+
+void PenSessionTest::fitToTheToothItIsFinerAndMovesNothing() {
+    waitForHand();
+    const Vec3 tool = toolTip();
+    fit().setChecked(true);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->bench().fineness() > 1.5, 10000);
+    waitUntilRead();
+    QVERIFY((toolTip() - tool).norm() < 0.05);
+    QTRY_COMPARE(fineness().value(), window_->bench().fineness());
+    QVERIFY(!fineness().isEnabled());
+    QVERIFY(window_->findChild<QLabel*>("fitNote")->isHidden());
+    QCOMPARE(window_->settings().hand.fineness, kFit);
+    moveHand(0, 10);
+    waitForHand();
+    QVERIFY(std::abs((toolTip() - tool).z() - 6 / window_->bench().fineness()) < 0.05);
+}
+
+/// Its room ends 80 mm to the right.
+void PenSessionTest::atTheEndOfItsRoomTheClutchIsNamed() {
+    const QString told = "end of the device's room";
+    QVERIFY(!hint().contains(told));
+    moveHand(79, 10);
+    QTRY_VERIFY2_WITH_TIMEOUT(hint().contains(told) && hint().contains("(X)"), qPrintable(hint()), 10000);
+    moveHand(0, 4);
+    QTRY_VERIFY2_WITH_TIMEOUT(!hint().contains(told), qPrintable(hint()), 10000);
+    waitForHand();
+    const Vec3 tool = toolTip();
+    const double fitted = fineness().value();
+    fit().setChecked(false);
+    waitUntilRead();
+    QVERIFY((toolTip() - tool).norm() < 0.05);
+    QCOMPARE(window_->settings().hand.fineness, fitted);
+    fineness().setValue(1);
+    waitUntilRead();
+    QVERIFY((toolTip() - tool).norm() < 0.05);
+    QCOMPARE(window_->bench().fineness(), 1.0);
 }
 
 void PenSessionTest::theOtherPenHoldsTheMirror() {

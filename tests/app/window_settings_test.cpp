@@ -75,6 +75,20 @@ TEST(WindowSettings, ComeBackAsTheyWereWritten) {
     expectEqual(*again, unusual());
 }
 
+TEST(WindowSettings, AFinenessThatFitsIsWrittenAsAWord) {
+    WindowSettings settings;
+    settings.hand.fineness = kFit;
+    const std::string text = windowSettingsText(settings);
+    EXPECT_NE(text.find("fineness = 'fit'"), std::string::npos) << text;
+    const auto again = parseWindowSettings(text, "window.toml");
+    ASSERT_TRUE(again.has_value()) << again.error().message;
+    EXPECT_EQ(again->hand.fineness, kFit);
+    EXPECT_EQ(refusal("[hand]\nfineness = 0.5\n"),
+              "window.toml, line 2: 'fineness' must be a number from 1 to 3, or \"fit\".");
+    EXPECT_EQ(refusal("[hand]\nfineness = \"fits\"\n"),
+              "window.toml, line 2: 'fineness' must be a number from 1 to 3, or \"fit\".");
+}
+
 TEST(WindowSettings, WithoutAFileTheyAreTheDefaults) {
     const test::TemporaryFolder folder;
     const auto settings = readWindowSettings(folder / "window.toml");
@@ -153,6 +167,10 @@ TEST(WindowSettings, EachIsAFlagToo) {
     WindowSettings settings;
     EXPECT_EQ(setOption(settings, "--force-spring", "0.5"), "");
     EXPECT_EQ(setOption(settings, "--force-from-material", "no"), "");
+    EXPECT_EQ(setOption(settings, "--hand-fineness", "2.5"), "");
+    EXPECT_EQ(settings.hand.fineness, 2.5);
+    EXPECT_EQ(setOption(settings, "--hand-fineness", "fit"), "");
+    EXPECT_EQ(settings.hand.fineness, kFit);
     EXPECT_EQ(setOption(settings, "--window-language", "ja"), "");
     EXPECT_EQ(settings.force.spring, 0.5);
     EXPECT_FALSE(settings.force.fromMaterial);
@@ -163,6 +181,9 @@ TEST(WindowSettings, AFlagThatCannotBeMeantIsRefused) {
     WindowSettings settings;
     EXPECT_EQ(setOption(settings, "--force-spring", "4"), "--force-spring takes a number from 0 to 3, not '4'.");
     EXPECT_EQ(setOption(settings, "--hand-rate", "300"), "--hand-rate takes a number from 500 to 4000, not '300'.");
+    EXPECT_EQ(setOption(settings, "--hand-fineness", "0"),
+              "--hand-fineness takes fit or a number from 1 to 3, not '0'.");
+    EXPECT_EQ(setOption(settings, "--hand-rate", "fit"), "--hand-rate takes a number from 500 to 4000, not 'fit'.");
     EXPECT_EQ(setOption(settings, "--force-damper", "x"), "--force-damper takes a number from 0 to 0.02, not 'x'.");
     EXPECT_EQ(setOption(settings, "--window-dark", "1"), "--window-dark takes yes or no, not '1'.");
     EXPECT_EQ(settings.force.spring, WindowSettings().force.spring);

@@ -27,6 +27,24 @@ public:
     [[nodiscard]] SoundStatus status() const override { return SoundStatus::Silent; }
 };
 
+/// A device whose hand stands at one place of its room.
+class StillDevice final : public HapticDevice {
+public:
+    StillDevice(const Vec3& room, const std::optional<Vec3>& middle, const Vec3& hand) : hand_(hand) {
+        info_.workspace = room;
+        info_.middle = middle;
+    }
+    [[nodiscard]] const DeviceInfo& info() const override { return info_; }
+    [[nodiscard]] Expected<void> open() override { return {}; }
+    void close() override {}
+    [[nodiscard]] DeviceSample read(double) override { return {.hand = {hand_, Quat::Identity()}}; }
+    void write(const SafeWrench&) override {}
+
+private:
+    DeviceInfo info_;
+    Vec3 hand_;
+};
+
 /// A bench with the built-in incisor and a round bur.
 class WorkbenchTest : public ::testing::Test {
 protected:
@@ -73,6 +91,7 @@ TEST_F(WorkbenchTest, AReplayedHandIsWhereItsFileSaysInTheToothsFrame) {
     const Vec3 start(1, 2, 30), end(-1, 0.5, 25);
     std::vector<ScriptedMoment> way = {{0, {{start, Quat::Identity()}, 0, 0, true}},
                                        {0.3, {{end, Quat::Identity()}, 0, 0, true}}};
+    bench_.controls.fineness = 2;  // of a hand that is replayed there is none
     bench_.put(std::make_unique<ScriptedDevice>(std::move(way), "way.csv", true));
     EXPECT_TRUE(soon([&] { return (bench_.newest().hand.position - end).norm() < 1e-9; }));
     EXPECT_EQ(bench_.newest().hand.rotation.coeffs(), Quat::Identity().coeffs());
@@ -116,6 +135,51 @@ TEST_F(WorkbenchTest, LeftHandedTheHandleLeavesToTheOtherSide) {
     const Vec3 right = handle();
     bench_.setLeftHanded(true);
     EXPECT_TRUE(soon([&] { return handle().x() * right.x() < -0.5 && handle().y() * right.y() > 0; }));
+}
+
+TEST_F(WorkbenchTest, WhatHasNoRoomOfItsOwnDoesNotFit) {
+    bench_.letFit(true);
+    EXPECT_FALSE(bench_.fit()) << "the mouse";
+    EXPECT_EQ(bench_.fineness(), 1);
+    bench_.put(std::make_unique<StillDevice>(Vec3::Zero(), std::nullopt, Vec3::Zero()));
+    EXPECT_FALSE(bench_.fit());
+    EXPECT_EQ(bench_.fineness(), 1);
+}
+
+/// The incisor's crown and root with 6 mm around them are higher than wide.
+TEST_F(WorkbenchTest, TheFinenessThatFitsIsThatOfTheTightestAxisOfTheTightestDevice) {
+    const double height = bench_.tooth()->box().sizes().z() + 12;
+    bench_.letFit(true);
+    bench_.controls.fineness = 1.3;
+    const auto fineIn = [&](double high) {
+        bench_.put(std::make_unique<StillDevice>(Vec3(1000, 1000, high), std::nullopt, Vec3::Zero()));
+        return bench_.fineness();
+    };
+    EXPECT_DOUBLE_EQ(fineIn(2 * height), 2);
+    EXPECT_DOUBLE_EQ(fineIn(10 * height), 3);
+    bench_.putSecond(std::make_unique<StillDevice>(Vec3(1000, 1000, 1.5 * height), std::nullopt, Vec3::Zero()));
+    EXPECT_DOUBLE_EQ(bench_.fineness(), 1.5);
+    EXPECT_DOUBLE_EQ(fineIn(0.9 * height), 1);
+    EXPECT_FALSE(bench_.fit()->reachesAll);
+    bench_.letFit(false);
+    EXPECT_EQ(bench_.fineness(), 1.3);
+}
+
+TEST_F(WorkbenchTest, AFittedHandInTheMiddleOfItsRoomIsInTheMiddleOfTheTooth) {
+    const Box3 box = bench_.tooth()->box();
+    const Vec3 room = 2 * (box.sizes() + Vec3::Constant(12)).norm() * Vec3::Ones();
+    const Vec3 middle(5, 20, 150);
+    bench_.letFit(true);
+    bench_.put(std::make_unique<StillDevice>(room, middle, middle + Vec3(0, 0, 6)));
+    ASSERT_TRUE(soon([&] { return !bench_.ticks().empty(); }));
+    const double fineness = bench_.fineness();
+    EXPECT_GE(fineness, 2);
+    EXPECT_LT((bench_.newest().hand.position - box.center() - Vec3(0, 0, 6 / fineness)).norm(), 1e-9);
+    bench_.letFit(false);
+    bench_.controls.fineness = 1;
+    for (int i = 0; i < 5; ++i) ASSERT_TRUE(soon([&] { return !bench_.ticks().empty(); }));
+    EXPECT_LT((bench_.newest().hand.position - box.center() - Vec3(0, 0, 6 / fineness)).norm(), 1e-9)
+        << "another fineness moves nothing";
 }
 
 TEST_F(WorkbenchTest, FinenessAndClutchAreNotTheMouses) {

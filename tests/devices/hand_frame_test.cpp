@@ -37,6 +37,18 @@ TEST(HandFrame, ASeatedHandTakesTheToolWhereItIs) {
     expectNear(frame.toolFor(at(101, 50, -30, 1.7)), at(1, 3, 3, 1));
 }
 
+TEST(HandFrame, ASeatWithAPlaceForTheHandPutsTheToolWhereTheHandIs) {
+    Seat seat = quarterTurnSeat();
+    seat.hand = Vec3(100, 50, -30);
+    HandFrame frame(seat);
+    frame.setFineness(2);
+    expectNear(frame.toolFor(at(104, 50, -32, 0.7)), at(1, 4, 2));
+    expectNear(frame.toolFor(at(100, 50, -30, 0.7)), at(1, 2, 3));
+    const Pose before = frame.toolFor(at(104, 50, -30, 0.7));
+    frame.setFineness(1);
+    expectNear(frame.toolFor(at(104, 50, -30, 0.7)), before);
+}
+
 TEST(HandFrame, AForceOnTheToolComesBackInTheHandsFrame) {
     HandFrame frame(quarterTurnSeat());
     (void)frame.toolFor(at(0, 0, 0));

@@ -49,6 +49,11 @@ public:
         force = wrench.force();
     }
 
+    void setRoom(const Vec3& size, const Vec3& middle) {
+        info_.workspace = size;
+        info_.middle = middle;
+    }
+
     DeviceSample sample;
     Vec3 force = Vec3::Zero();
     double worstStep = 0;  // N between two ticks
@@ -117,6 +122,27 @@ TEST(Hands, EachOfTwoMovesItsOwnInstrument) {
     rig.run(1);
     EXPECT_EQ(rig.hands.turbine().position, Vec3(1, 0, 0.5));
     EXPECT_EQ(rig.hands.mirror().position, Vec3(0, 2, 0));
+}
+
+TEST(Hands, EitherIsTellingWhenItIsAtTheEndOfItsRoomAndNotWhileTheClutchIsHeld) {
+    Rig rig;
+    rig.second.setRoom(Vec3(100, 100, 100), Vec3(30, 40, 50));
+    const auto isAtEnd = [&rig](double x) {
+        rig.second.sample.hand.position.x() = x;
+        rig.run(1);
+        return rig.hands.isAtEnd();
+    };
+    EXPECT_FALSE(isAtEnd(77));
+    EXPECT_TRUE(isAtEnd(79));
+    EXPECT_TRUE(isAtEnd(77)) << "it has to come back a little, so that a trembling hand is told once";
+    EXPECT_FALSE(isAtEnd(70));
+    EXPECT_TRUE(isAtEnd(79));
+    rig.second.sample.buttons = kClutch;
+    EXPECT_FALSE(isAtEnd(79));
+    rig.second.sample.buttons = 0;
+    EXPECT_TRUE(isAtEnd(79));
+    rig.controls.clutch = true;
+    EXPECT_FALSE(isAtEnd(79));
 }
 
 TEST(Hands, ASeatTurnsTheMirrorAsItTurnsTheTool) {

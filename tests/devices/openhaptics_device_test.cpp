@@ -73,6 +73,7 @@ TEST_F(OpenHaptics, TellsWhatTheDeviceIs) {
     EXPECT_EQ(device.info().limits.force, 3.3);
     EXPECT_EQ(device.info().limits.continuousForce, 0.88);
     EXPECT_EQ(device.info().workspace, Vec3(160, 70, 120));
+    EXPECT_EQ(device.info().middle, Vec3(0, -5, 5));
     EXPECT_EQ(device.info().stiffness, 0.5);
     EXPECT_TRUE(device.setsPace());
     EXPECT_EQ(standin().startedPens(), 1);

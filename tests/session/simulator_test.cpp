@@ -247,6 +247,18 @@ TEST(Simulator, ASeatedHandStartsWhereTheToolIsAndMovesItFinely) {
     EXPECT_LT((ticks.front().hand.position - Vec3(1, 2, 5)).norm(), 1e-9);
 }
 
+TEST(Simulator, AHandWithAPlaceOfItsOwnIsFineFromTheFirstTickOn) {
+    WatchedDevice device({moment(0, at(103, 50, -30), 0)});
+    std::vector<Tick> ticks;
+    const Seat seat{at(1, 2, 5), Quat::Identity(), Vec3(100, 50, -30)};
+    Simulator simulator(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device, {}, 1000, seat, nullptr, 3);
+    EXPECT_TRUE(soon([&] {
+        simulator.fetchTicks(ticks);
+        return ticks.size() > 10;
+    }));
+    for (const Tick& tick : ticks) EXPECT_LT((tick.hand.position - Vec3(2, 2, 5)).norm(), 1e-9);
+}
+
 TEST(Simulator, AButtonOfTheDeviceTurnsTouchIntoCut) {
     std::vector<ScriptedMoment> script = {moment(0, at(0, 0, 3), 1), moment(0.3, at(0, 0, 3), 1),
                                           moment(0.4, at(0, 0, 3), 1)};

@@ -17,7 +17,6 @@ constexpr double kApproach = 15;         // mm/s toward the tooth: a careful han
 constexpr double kMostPull = 2;          // mm sideways between hand and tool: beyond, the hand slips along
 constexpr double kCaught = 0.3;          // mm that a tool stays behind a hand that does not press: more than it slides
 constexpr double kDrawOut = 60;          // mm/s along the shaft: quick, as a hand lifts off
-constexpr double kReach = 6;             // mm around the tooth's box in which the hand stays
 constexpr double kAlongShaft = 0.4;      // cosine between view and shaft from which pressing goes along the shaft
 constexpr double kMostLean = 1.6;        // rad from upright: lying down, as at the neck of a tooth
 constexpr double kLeanPerPixel = 0.006;  // rad

@@ -37,6 +37,7 @@ public:
     /// How deep the hand presses beyond the tool, mm: with a spring of 1 N/mm, N.
     void setPressDepth(double depth);
     [[nodiscard]] double pressDepth() const { return pressDepth_; }
+    static constexpr double kReach = 6;           // mm around the tooth's box in which the hand stays
     static constexpr double kMostPressDepth = 3;  // mm: 3 N on enamel, the most that a desk-top device renders
 
     /// Leans the tool's shaft by (dx, dy) pixels as seen in the picture; the tip stays.

@@ -15,7 +15,6 @@ namespace {
 
 constexpr int kMostButtons = 8;     // that can be chosen: no device has more within reach of the fingers
 constexpr int kDeviceLetters = 17;  // for which there is room in the lists of devices
-constexpr double kFinest = 3;       // mm of the hand for one of the tool
 constexpr std::array<double, 4> kRates = {kLeastRate, 1000, 2000, kMostRate};  // Hz
 
 /// What a device that is one of several of its kind ("pen:Left") is called in the lists.
@@ -54,6 +53,8 @@ HandPanel::HandPanel(QWidget* parent)
       seconds_(new QComboBox),
       state_(new QLabel),
       secondState_(new QLabel),
+      fit_(new QCheckBox(tr("Fit to the tooth"))),
+      fitNote_(new QLabel),
       rate_(new QComboBox),
       clutch_(new QPushButton(tr("Hold the bur"))),
       clutchAction_(new QAction(tr("Hold the bur"), this)),
@@ -64,13 +65,16 @@ HandPanel::HandPanel(QWidget* parent)
     auto* grid = new QGridLayout(this);
     addDevices(*grid);
     addHold(*grid);
-    fineness_ = new NumberRow(*grid, tr("Fineness"), {1, kFinest, 0.1, 1, tr(" : 1")}, 1,
-                              tr("How far a device's hand moves for each millimetre of the bur: 3 : 1 for fine work"));
+    addFineness(*grid);
     addRate(*grid);
     addButtons(*grid);
     addPedal(*grid);
     grid->setRowStretch(grid->rowCount(), 1);
     connect(fineness_, &NumberRow::changed, this, &HandPanel::changed);
+    connect(fit_, &QCheckBox::toggled, this, [this](bool fits) {
+        fineness_->setEnabled(!fits);
+        emit changed();
+    });
     connect(rate_, &QComboBox::currentIndexChanged, this, &HandPanel::changed);
     connect(clutch_, &QPushButton::toggled, this, &HandPanel::changed);
     connect(leftHanded_, &QCheckBox::toggled, this, &HandPanel::changed);
@@ -137,6 +141,28 @@ void HandPanel::addHold(QGridLayout& grid) {
     grid.addWidget(leftHanded_, row, 2);
 }
 
+void HandPanel::addFineness(QGridLayout& grid) {
+    fineness_ = new NumberRow(grid, tr("Fineness"), {kLeastFineness, kMostFineness, 0.1, 1, tr(" : 1")}, kLeastFineness,
+                              tr("How far a device's hand moves for each millimetre of the bur: 3 : 1 for fine work"));
+    fit_->setObjectName("fitFineness");
+    fit_->setToolTip(tr("As fine as it can be while the device's room still reaches all of the tooth"));
+    fitNote_->setObjectName("fitNote");
+    fitNote_->setWordWrap(true);
+    fitNote_->hide();  // there is something to say for few devices
+    const int row = grid.rowCount();
+    grid.addWidget(fit_, row, 1, 1, 2);
+    grid.addWidget(fitNote_, row + 1, 0, 1, 3);
+}
+
+void HandPanel::showFit(const std::optional<WorkspaceFit>& fit) {
+    fitNote_->setVisible(fit_->isChecked() && !(fit && fit->reachesAll));
+    if (!fit_->isChecked()) return;
+    const QSignalBlocker quiet(fineness_);
+    fineness_->setValue(fit ? fit->fineness : kLeastFineness);
+    fitNote_->setText(fit ? tr("The tooth is larger than the device's room: hold the bur (X) to reach all of it.")
+                          : tr("Nothing here has a room that could be fitted: 1 : 1."));
+}
+
 void HandPanel::addRate(QGridLayout& grid) {
     rate_->setObjectName("rate");
     rate_->setToolTip(
@@ -185,7 +211,7 @@ HandSettings HandPanel::settings() const {
     const QKeySequence first = keys.isEmpty() ? QKeySequence(Qt::Key_Space) : QKeySequence(keys[0]);
     return {.device = devices_->currentData().toString().toStdString(),
             .secondDevice = seconds_->currentData().toString().toStdString(),
-            .fineness = fineness_->value(),
+            .fineness = fit_->isChecked() ? kFit : fineness_->value(),
             .rate = rate_->currentData().toDouble(),
             .leftHanded = leftHanded_->isChecked(),
             .swapButton = button(0),
@@ -202,7 +228,8 @@ void HandPanel::set(const HandSettings& settings) {
         const QSignalBlocker quiet(this);  // one change, not nine
         showDevice(QString::fromStdString(settings.device));
         showSecondDevice(QString::fromStdString(settings.secondDevice));
-        fineness_->setValue(settings.fineness);
+        fit_->setChecked(settings.fineness == kFit);
+        if (settings.fineness != kFit) fineness_->setValue(settings.fineness);
         showRate(settings.rate);
         leftHanded_->setChecked(settings.leftHanded);
         const std::array<double, 3> numbers = {settings.swapButton, settings.cutButton, settings.clutchButton};

@@ -10,10 +10,12 @@
 #include <QPushButton>
 #include <QWidget>
 #include <array>
+#include <optional>
 
 #include "app/gui/number_row.h"
 #include "app/gui/window_settings.h"
 #include "devices/button_actions.h"
+#include "devices/workspace_fit.h"
 #include "haptics/force_pipeline.h"
 
 namespace tactooth {
@@ -39,6 +41,8 @@ public:
     /// The clutch with its key, for a menu: the key works wherever the panel is, or if it is closed.
     [[nodiscard]] QAction* clutchAction() { return clutchAction_; }
 
+    /// What the fit to the tooth has come to, if it is chosen; none: nothing has a room that could be fitted.
+    void showFit(const std::optional<WorkspaceFit>& fit);
     /// How it goes with the device at the moment; an empty name is the mouse.
     void showState(const QString& device, ForceState force, const char* trouble);
     /// The same for the other hand; nothing is shown for an empty one.
@@ -56,6 +60,7 @@ private:
     void addDevices(QGridLayout& grid);
     void addNamedPens();
     void addHold(QGridLayout& grid);
+    void addFineness(QGridLayout& grid);
     void addRate(QGridLayout& grid);
     void addButtons(QGridLayout& grid);
     void addPedal(QGridLayout& grid);
@@ -64,7 +69,9 @@ private:
     QComboBox* seconds_;
     QLabel* state_;
     QLabel* secondState_;
-    NumberRow* fineness_;
+    NumberRow* fineness_ = nullptr;
+    QCheckBox* fit_;
+    QLabel* fitNote_;
     QComboBox* rate_;
     QPushButton* clutch_;
     QAction* clutchAction_;

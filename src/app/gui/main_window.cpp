@@ -358,7 +358,7 @@ void MainWindow::takeNews(const Workbench::News& news) {
     // No message that would take the keys and the pedal from a hand at work.
     if (news.trouble) {
         *news.trouble != nullptr ? status_->setHint(errorInWords(*news.trouble)) : showUsualHint();
-        forceWaits_ = false;
+        handHint_ = HandHint::None;
     }
     if (news.heavyTick) {
         status_->setHint(

@@ -152,6 +152,7 @@ private:
     void stepPad(double dt);
     void followButtons();
     void showHand();
+    void hintAtHand();
     void inspectAnew();
     void askForExercise();
     void openFile(const QString& file);
@@ -257,7 +258,7 @@ private:
     PadKeys pad_;
     Qt::Key pedalKey_ = Qt::Key_Space;
     double disagreesSince_ = 0;  // tick's time, s: bar and device about touch or cut
-    bool forceWaits_ = false;    // and the hint says so
+    enum class HandHint { None, ForceWaits, AtEnd } handHint_ = HandHint::None;  // that the status line shows
     QTimer stepTimer_, numbersTimer_, statusTimer_;
     QElapsedTimer sinceStep_;
     Vec3 lastPlace_ = Vec3::Zero();

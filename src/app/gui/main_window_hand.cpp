@@ -47,7 +47,8 @@ void MainWindow::connectHand() {
 
 void MainWindow::takeHandSettings() {
     const HandSettings settings = handPanel_->settings();
-    bench_.controls.fineness = settings.fineness;
+    bench_.letFit(settings.fineness == kFit);
+    if (settings.fineness != kFit) bench_.controls.fineness = settings.fineness;
     bench_.controls.buttons = handPanel_->buttons();
     bench_.controls.clutch = handPanel_->clutch();
     if (settings.leftHanded != bench_.isLeftHanded() || settings.rate != bench_.rate()) {
@@ -178,12 +179,24 @@ void MainWindow::showHand() {
     const HapticDevice* second = bench_.secondDevice();
     handPanel_->showSecondState(second != nullptr ? QString::fromStdString(second->info().name) : QString(),
                                 second != nullptr ? second->trouble() : nullptr);
+    handPanel_->showFit(bench_.fit());
+    hintAtHand();
+}
+
+void MainWindow::hintAtHand() {
+    const HapticDevice* device = bench_.device();
+    Simulator* simulator = bench_.simulator();
+    HandHint hint = HandHint::None;
     // What ails the device comes first: see takeNews.
-    const bool waits = device != nullptr && device->trouble() == nullptr && force == ForceState::WaitsForFree &&
-                       bench_.newest().contacts > 0;
-    if (waits != std::exchange(forceWaits_, waits)) {
-        waits ? status_->setHint(forceStateText(ForceState::WaitsForFree)) : showUsualHint();
+    if (device != nullptr && device->trouble() == nullptr && simulator != nullptr) {
+        const bool waits = simulator->forceState() == ForceState::WaitsForFree && bench_.newest().contacts > 0;
+        hint = waits ? HandHint::ForceWaits : simulator->isHandAtEnd() ? HandHint::AtEnd : HandHint::None;
     }
+    if (hint == std::exchange(handHint_, hint)) return;
+    if (hint == HandHint::None) return showUsualHint();
+    status_->setHint(hint == HandHint::ForceWaits ? forceStateText(ForceState::WaitsForFree)
+                                                  : tr("The hand is at the end of the device's room: hold the bur (X), "
+                                                       "bring the hand back and let go"));
 }
 
 }  // namespace tactooth

@@ -5,6 +5,7 @@
 
 #include "app/gui/hand_control.h"
 #include "app/gui/window_settings.h"
+#include "devices/workspace_fit.h"
 #include "geometry/number_text.h"
 
 namespace tactooth {
@@ -53,7 +54,8 @@ constexpr std::array kOptions = {
     WindowOption{"hand", "device", Text([](S& s) -> std::string& { return s.hand.device; }), 0, nullptr},
     WindowOption{"hand", "second_device", Text([](S& s) -> std::string& { return s.hand.secondDevice; }), 0, nullptr},
     WindowOption{"hand", "fineness", Number([](S& s) -> double& { return s.hand.fineness; }), kMostFineness,
-                 "mm that a device's hand moves for each mm of the bur, 1 to 3"},
+                 "mm that a device's hand moves for each mm of the bur, 1 to 3, or fit: as fine as its room allows",
+                 kLeastFineness, "fit"},
     WindowOption{"hand", "rate", Number([](S& s) -> double& { return s.hand.rate; }), kMostRate,
                  "Forces a second: 500 to 4000, usually 1000", kLeastRate},
     WindowOption{"hand", "left_handed", Switch([](S& s) -> bool& { return s.hand.leftHanded; }), 0,
@@ -103,12 +105,18 @@ Expected<void> setWindowOption(WindowSettings& settings, const WindowOption& opt
         (*value)(settings) = text == "yes";
         return {};
     }
+    double& value = std::get<Number>(option.value)(settings);
+    if (option.zero != nullptr && text == option.zero) {
+        value = 0;
+        return {};
+    }
     const auto number = toNumber<double>(text);
     if (!number || !(*number >= option.lowest) || *number > option.highest) {
-        return unexpected(flagOf(option) + " takes a number from " + numberText(option.lowest) + " to " +
+        const std::string word = option.zero != nullptr ? std::string(option.zero) + " or " : std::string();
+        return unexpected(flagOf(option) + " takes " + word + "a number from " + numberText(option.lowest) + " to " +
                           numberText(option.highest) + ", not '" + text + "'.");
     }
-    std::get<Number>(option.value)(settings) = *number;
+    value = *number;
     return {};
 }
 

@@ -38,17 +38,22 @@ public:
             refuse(*found, key, "true or false");
         }
     }
-    void number(std::string_view table, std::string_view key, double lowest, double highest, double& value) {
-        const toml::node* found = node(table, key);
+    void number(const WindowOption& option, double& value) {
+        const toml::node* found = node(option.table, option.key);
         if (found == nullptr) return;
+        if (option.zero != nullptr && found->value<std::string_view>() == option.zero) {
+            value = 0;
+            return;
+        }
         const std::optional<double> held = found->is_number() ? found->value<double>() : std::nullopt;
-        if (held && *held >= lowest && *held <= highest) {
+        if (held && *held >= option.lowest && *held <= option.highest) {
             value = *held;
             return;
         }
         std::ostringstream wanted;
-        wanted << "a number from " << lowest << " to " << highest;
-        refuse(*found, key, wanted.str());
+        wanted << "a number from " << option.lowest << " to " << option.highest;
+        if (option.zero != nullptr) wanted << ", or \"" << option.zero << '"';
+        refuse(*found, option.key, wanted.str());
     }
     [[nodiscard]] const std::optional<Error>& error() const { return error_; }
 
@@ -82,8 +87,7 @@ Expected<WindowSettings> settingsFrom(const toml::table& root, std::string_view 
         } else if (const auto* on = std::get_if<WindowOption::Switch>(&option.value)) {
             reader.yesOrNo(option.table, option.key, (*on)(settings));
         } else {
-            reader.number(option.table, option.key, option.lowest, option.highest,
-                          std::get<WindowOption::Number>(option.value)(settings));
+            reader.number(option, std::get<WindowOption::Number>(option.value)(settings));
         }
     }
     if (reader.error()) return Unexpected{*reader.error()};
@@ -111,7 +115,12 @@ std::string windowSettingsText(const WindowSettings& settings) {
     toml::table root;
     for (const WindowOption& option : windowOptions()) {
         toml::table& table = *root.insert(option.table, toml::table{}).first->second.as_table();
-        std::visit([&](auto value) { table.insert(option.key, value(values)); }, option.value);
+        const auto* number = std::get_if<WindowOption::Number>(&option.value);
+        if (option.zero != nullptr && number != nullptr && (*number)(values) == 0) {
+            table.insert(option.key, option.zero);
+        } else {
+            std::visit([&](auto value) { table.insert(option.key, value(values)); }, option.value);
+        }
     }
     std::ostringstream text;
     text << "# What the window of Tactooth remembers. Without this file it starts with its defaults.\n" << root << "\n";

@@ -30,7 +30,7 @@ struct ForceSettings {
 struct HandSettings {
     std::string device = "mouse";       ///< see openDevice
     std::string secondDevice = "none";  ///< of the other hand, likewise
-    double fineness = 1;                ///< mm of the hand for each mm of the tool
+    double fineness = 1;                ///< mm of the hand for each mm of the tool, or kFit
     double rate = 1000;                 ///< forces a second
     bool leftHanded = false;
     double swapButton = 1;  ///< turbine or mirror; buttons are counted from 1, 0 is none
@@ -42,7 +42,7 @@ struct HandSettings {
 
     bool operator==(const HandSettings&) const = default;
 };
-inline constexpr double kMostFineness = 3;
+inline constexpr double kFit = 0;  ///< as fine as the device's room allows: see Workbench::fit
 inline constexpr double kLeastRate = 500, kMostRate = 4000;  ///< Hz
 inline constexpr double kMostButton = 8;
 
@@ -102,9 +102,10 @@ struct WindowOption {
     const char* table;
     const char* key;
     std::variant<Text, Switch, Number> value;
-    double highest;     ///< of a number
-    const char* help;   ///< null: of no use on a command line
-    double lowest = 0;  ///< of a number
+    double highest;              ///< of a number
+    const char* help;            ///< null: of no use on a command line
+    double lowest = 0;           ///< of a number
+    const char* zero = nullptr;  ///< a word that stands for 0, which may be below the lowest number
 };
 [[nodiscard]] std::span<const WindowOption> windowOptions();
 

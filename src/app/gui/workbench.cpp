@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/workbench.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -114,17 +115,47 @@ void Workbench::takeDeliveries(News& news) {
     }
 }
 
+/// From a device's frame into the tooth's: its "away" is the way that one looks at the tooth.
+Quat Workbench::handTurn() const {
+    return Quat(Eigen::AngleAxisd(usualView().azimuth + std::numbers::pi / 2, Vec3::UnitZ()));
+}
+
+/// All that a hand should reach with the tool.
+Box3 Workbench::reached() const {
+    const Vec3 around = Vec3::Constant(HandControl::kReach);
+    return {tooth_->box().min() - around, tooth_->box().max() + around};
+}
+
+std::optional<Seat> Workbench::seat() const {
+    if (!device_ || device_->info().isInTooth) return {};
+    const std::optional<Vec3>& middle = device_->info().middle;
+    if (!fits_ || !middle) return Seat{hand_.hand(), handTurn()};
+    return Seat{{reached().center(), hand_.hand().rotation}, handTurn(), middle};
+}
+
+std::optional<WorkspaceFit> Workbench::fit() const {
+    std::optional<WorkspaceFit> fit;
+    if (!tooth_ || !device_) return fit;
+    const Vec3 size = sizeAlongHand(reached().sizes(), handTurn());
+    for (const HapticDevice* const device : {device_.get(), second_.get()}) {
+        if (device == nullptr || device->info().workspace.isZero()) continue;
+        const WorkspaceFit one = fitWorkspace(device->info().workspace, size);
+        fit = fit ? WorkspaceFit{std::min(fit->fineness, one.fineness), fit->reachesAll && one.reachesAll} : one;
+    }
+    return fit;
+}
+
+double Workbench::fineness() const {
+    if (!device_ || device_->info().isInTooth) return 1;
+    return fits_ ? fit().value_or(WorkspaceFit()).fineness : controls.fineness;
+}
+
 void Workbench::startSimulator(News& news) {
     simulatorIsOld_ = false;
     hand_.release();
     mouse_.moveTo({hand_.hand(), 0, 0, true});
     simulator_.reset();  // its threads end before the new one's begin: they share the work piece and the device
     HapticDevice& device = device_ ? *device_ : mouse_;
-    std::optional<Seat> seat;
-    if (device_ && !device_->info().isInTooth) {  // its "away" is the way that one looks at the tooth
-        const double turn = usualView().azimuth + std::numbers::pi / 2;
-        seat = Seat{hand_.hand(), Quat(Eigen::AngleAxisd(turn, Vec3::UnitZ()))};
-    }
     simulator_ = std::make_unique<Simulator>(
         tooth_->piece, bur_->instrument, settings_, device,
         [this, settings = settings_, edge = bur_->instrument.edge](const Tick& tick) {
@@ -133,7 +164,7 @@ void Workbench::startSimulator(News& news) {
             if (!suction_) heard.suction = 0;
             sound_.publish(heard);
         },
-        rate_, seat, second_.get());
+        rate_, seat(), second_.get(), fineness());
     saidHeavy_ = false;
     timeBefore_ += newest_.time;
     newest_ = Tick();
@@ -182,10 +213,8 @@ Workbench::News Workbench::step(double dt) {
     hand_.advance(dt, newest_.proxy.position, newest_.depth);
     mouse_.moveTo({hand_.hand(), 0, 0, true});
     SimulatorControls now = controls;
-    if (!device_) {
-        now.fineness = 1;
-        now.clutch = false;
-    }
+    now.fineness = fineness();
+    now.clutch = device_ && controls.clutch;
     simulator_->setControls(now);
     spin_ = std::remainder(spin_ + newest_.speedRpm / 60 * 2 * std::numbers::pi * dt, 2 * std::numbers::pi);
     spray(dt);

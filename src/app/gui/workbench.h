@@ -11,6 +11,7 @@
 #include "app/gui/errand.h"
 #include "app/gui/hand_control.h"
 #include "devices/mouse_device.h"
+#include "devices/workspace_fit.h"
 #include "session/cut_events.h"
 #include "session/spray_cloud.h"
 #include "sound/sound_output.h"
@@ -83,6 +84,15 @@ public:
     /// All that the bur can touch now. Needs a simulator.
     [[nodiscard]] std::shared_ptr<const Surface> felt() const;
 
+    /// As fine as the devices can work and still reach all of the tooth and as far around it as the mouse does; none
+    /// without a tooth, or where no device has a room of its own.
+    [[nodiscard]] std::optional<WorkspaceFit> fit() const;
+    /// Takes the fineness of that fit instead of that of the controls. A device that moves the tool from then on, and
+    /// whose room is known, has the tooth in its middle.
+    void letFit(bool fits) { fits_ = fits; }
+    /// The one that counts.
+    [[nodiscard]] double fineness() const;
+
     /// Taken over by the simulator at the next step. Fineness and clutch are a device's alone: the mouse points.
     SimulatorControls controls;
     /// Whether water flows with the pedal, and whether an assistant holds the suction tube: seen and heard.
@@ -112,6 +122,9 @@ public:
 private:
     void startSimulator(News& news);
     void takeHand();
+    [[nodiscard]] Quat handTurn() const;
+    [[nodiscard]] Box3 reached() const;
+    [[nodiscard]] std::optional<Seat> seat() const;
     [[nodiscard]] double handleX() const { return leftHanded_ ? -mesialX() : mesialX(); }
     void takeDeliveries(News& news);
     void reportTrouble(News& news);
@@ -132,6 +145,7 @@ private:
     bool simulatorIsOld_ = false;
     bool toothIsNew_ = false;
     bool leftHanded_ = false;
+    bool fits_ = false;
     HandControl hand_;
     MouseDevice mouse_;
     std::unique_ptr<HapticDevice> device_;  // none: the mouse

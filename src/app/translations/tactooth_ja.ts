@@ -2249,6 +2249,10 @@ The mouse wheel in the picture changes it too.</source>
         <translation>装置を動かすとバーが従います · スペース：ペダル · C：削る、T：触る</translation>
     </message>
     <message>
+        <source>The hand is at the end of the device&apos;s room: hold the bur (X), bring the hand back and let go</source>
+        <translation>手が装置の可動域の端にあります。バーを保持して（X）手を戻し、離してください</translation>
+    </message>
+    <message>
         <source>X</source>
         <translation>X</translation>
     </message>
@@ -2693,6 +2697,22 @@ More than 1 % is felt: close other programs, or take a tooth with fewer triangle
     <message>
         <source>How far a device&apos;s hand moves for each millimetre of the bur: 3 : 1 for fine work</source>
         <translation>バーが1 mm動くごとに装置の手が動く距離。細かい作業には3 : 1</translation>
+    </message>
+    <message>
+        <source>Fit to the tooth</source>
+        <translation>歯に合わせる</translation>
+    </message>
+    <message>
+        <source>As fine as it can be while the device&apos;s room still reaches all of the tooth</source>
+        <translation>装置の可動域で歯全体に届く範囲で、できるだけ細かくします</translation>
+    </message>
+    <message>
+        <source>The tooth is larger than the device&apos;s room: hold the bur (X) to reach all of it.</source>
+        <translation>歯が装置の可動域より大きいので、全体に届かせるにはバーを保持してください（X）。</translation>
+    </message>
+    <message>
+        <source>Nothing here has a room that could be fitted: 1 : 1.</source>
+        <translation>合わせられる可動域を持つ装置がありません：1 : 1。</translation>
     </message>
     <message>
         <source>What moves the bur. Plug it in before you choose it.</source>

@@ -121,7 +121,11 @@ void HdDriver::describe(HdPen& pen, DeviceInfo& info) {
     std::array<double, 6> room{};
     call_.getDoubles(hd::kUsableWorkspace, room.data());
     info.workspace = Vec3(room[3] - room[0], room[5] - room[2], room[4] - room[1]);
-    if (!info.workspace.allFinite() || info.workspace.minCoeff() <= 0) info.workspace = preset.workspace;
+    info.middle = 0.5 * Vec3(room[3] + room[0], -room[5] - room[2], room[4] + room[1]);
+    if (!info.workspace.allFinite() || info.workspace.minCoeff() <= 0) {
+        info.workspace = preset.workspace;
+        info.middle.reset();
+    }
     info.stiffness = preset.stiffness;
     info.rendersForce = info.sensesRotation = true;
     info.buttonCount = 2;

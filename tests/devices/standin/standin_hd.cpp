@@ -266,7 +266,7 @@ void hdGetDoublev(std::uint32_t what, double* out) {
     if (what == 0x2603) *out = 3.3;
     if (what == 0x2604) *out = 0.88;
     if (what == 0x2605) std::fill(out, out + 3, fault == HdFault::WarmMotors ? 0.95 : 0.1);
-    constexpr std::array<double, 6> kRoom = {-80, -60, -35, 80, 60, 35};
+    constexpr std::array<double, 6> kRoom = {-80, -55, -30, 80, 65, 40};
     if (what == 0x2551) std::copy(kRoom.begin(), kRoom.end(), out);
 }
 

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "devices/workspace_fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tactooth {
+
+WorkspaceFit fitWorkspace(const Vec3& room, const Vec3& box) {
+    constexpr double kSteps = 10;       // from one whole number to the next
+    constexpr double kRounding = 1e-9;  // a room that is just large enough is
+    const double most = room.cwiseQuotient(box).minCoeff();
+    if (!(most >= kLeastFineness - kRounding)) return {kLeastFineness, false};
+    return {std::clamp(std::floor(kSteps * most + kRounding) / kSteps, kLeastFineness, kMostFineness), true};
+}
+
+Vec3 sizeAlongHand(const Vec3& size, const Quat& turn) { return turn.toRotationMatrix().transpose().cwiseAbs() * size; }
+
+bool isAtEndOfRoom(const DeviceInfo& device, const Vec3& hand, double margin) {
+    if (!device.middle) return false;
+    const Vec3 left = 0.5 * device.workspace - (hand - *device.middle).cwiseAbs();
+    return left.minCoeff() < margin;
+}
+
+}  // namespace tactooth
