@@ -98,9 +98,9 @@ void HaplySessionTest::buttonCHoldsTheBur() {
     QVERIFY((toolTip() - tool).norm() < 0.1);
     moveHand(0, 15);
     QTRY_VERIFY_WITH_TIMEOUT((toolTip() - tool - Vec3(0, 0, 5)).norm() < 0.1, 10000);
-    setButtons(4);  // and so that the hand is over the tooth again, from where the mirror was taken
+    setButtons(4);  // and to whole enamel beside the cut, which a long one would fall into
     waitUntilRead();
-    moveHand(0, 9);
+    moveHand(2.5, 9);
     waitForHand();
     setButtons(0);
     waitUntilRead();
