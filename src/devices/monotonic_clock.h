@@ -20,8 +20,9 @@ using MonotonicClock = std::chrono::steady_clock;
            std::chrono::duration_cast<MonotonicClock::duration>(std::chrono::duration<double>(seconds));
 }
 
-/// A moment as sem_clockwait takes it together with CLOCK_MONOTONIC.
-[[nodiscard]] inline timespec timespecOf(MonotonicClock::time_point moment) {
+/// A moment of a clock as POSIX takes it.
+template <class Moment>
+[[nodiscard]] timespec timespecOf(const Moment& moment) {
     const auto whole = std::chrono::floor<std::chrono::seconds>(moment);
     timespec time{};
     time.tv_sec = whole.time_since_epoch().count();

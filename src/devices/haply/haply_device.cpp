@@ -13,6 +13,7 @@
 
 #include "devices/device_presets.h"
 #include "devices/monotonic_clock.h"
+#include "devices/timed_wait.h"
 #include "haptics/real_time.h"
 
 namespace tactooth {
@@ -140,8 +141,7 @@ bool HaplyDevice::waitForForce() {
     while (sem_trywait(&wake_) == 0) {  // forces that were made while an answer was on its way
     }
     if (force_.refresh()) return true;
-    const timespec end = timespecOf(secondsFromNow(kLateForce));
-    (void)sem_clockwait(&wake_, CLOCK_MONOTONIC, &end);
+    waitForPost(wake_, kLateForce);
     return force_.refresh();
 }
 

@@ -2,19 +2,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "devices/openhaptics/hd_library.h"
 
-#include <dlfcn.h>
-
 #include <algorithm>
 #include <cstdlib>
-#include <mutex>
-#include <set>
 
-#include "devices/child_probe.h"
+#include "devices/shared_library.h"
 
 namespace tactooth {
 namespace {
 
-constexpr double kPatience = 10;  // s: a driver that looks for its device takes a few
+#ifdef _WIN32
+constexpr const char* kUsualName = "HD.dll";
+#else
+constexpr const char* kUsualName = "libHD.so";
+#endif
 
 struct ErrorText {
     std::uint32_t code;
@@ -39,7 +39,7 @@ constexpr ErrorText kErrors[] = {
 
 template <class Function>
 bool find(void* library, const char* name, Function& function) {
-    function = reinterpret_cast<Function>(dlsym(library, name));
+    function = reinterpret_cast<Function>(findInLibrary(library, name));
     return function != nullptr;
 }
 
@@ -71,49 +71,25 @@ const char* firstMissing(void* library, HdFunctions& f) {
     return missing;
 }
 
-/// Nothing, or why the library cannot be used.
-std::string startAndEnd(const std::string& path) {
-    const auto library = HdLibrary::load(path);
-    if (!library) return library.error().message;
-    const HdFunctions& call = (*library)->call();
-    const HdHandle handle = call.initDevice(nullptr);
-    if (call.getError().code == 0 && handle <= hd::kLargestHandle) call.disableDevice(handle);
-    return {};
-}
-
 }  // namespace
 
 std::string HdLibrary::usualPath() {
     const char* const own = std::getenv("TACTOOTH_LIBHD");
-    return own != nullptr && *own != 0 ? own : "libHD.so";
+    return own != nullptr && *own != 0 ? own : kUsualName;
 }
 
 Expected<std::shared_ptr<const HdLibrary>> HdLibrary::load(const std::string& path) {
-    void* const library = dlopen(path.c_str(), RTLD_LAZY | RTLD_GLOBAL);
-    if (library == nullptr) {
-        return unexpected(path + " cannot be loaded (" + dlerror() +
+    const Expected<void*> library = loadSharedLibrary(path);
+    if (!library) {
+        return unexpected(path + " cannot be loaded (" + library.error().message +
                           "): install the device's driver and OpenHaptics, or set TACTOOTH_LIBHD to the library.");
     }
     auto result = std::make_shared<HdLibrary>();
-    if (const char* const missing = firstMissing(library, result->functions_)) {
+    if (const char* const missing = firstMissing(*library, result->functions_)) {
         return unexpected(path + " has no function " + missing +
                           ": it is another version; install OpenHaptics 3.4 or newer.");
     }
     return std::shared_ptr<const HdLibrary>(std::move(result));
-}
-
-Expected<void> HdLibrary::tryOut(const std::string& path) {
-    static std::mutex mutex;
-    static std::set<std::string> harmless;
-    const std::lock_guard lock(mutex);
-    if (harmless.contains(path)) return {};
-    const auto tried = inChildProcess([&path] { return startAndEnd(path); }, kPatience);
-    if (!tried) {
-        return unexpected(path + " is broken, " + tried.error().message +
-                          ": install the device's driver anew; Tactooth leaves it alone.");
-    }
-    if (tried->empty()) harmless.insert(path);
-    return {};
 }
 
 const char* hdErrorText(std::uint32_t code) {

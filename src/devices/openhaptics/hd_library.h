@@ -78,7 +78,7 @@ struct HdFunctions {
     void (*unschedule)(unsigned long task);
 };
 
-/// The vendor's library in this process. It stays loaded once it is: drivers keep threads of their own.
+/// The vendor's library in this process.
 class HdLibrary {
 public:
     /// `path`: a file, or a name that the system's loader finds. Fails with a sentence that says what to install.
@@ -87,7 +87,7 @@ public:
     /// hangs takes the child with it and not the program. Fails only then; a device that is not there is no matter
     /// here.
     [[nodiscard]] static Expected<void> tryOut(const std::string& path);
-    /// $TACTOOTH_LIBHD, else libHD.so.
+    /// $TACTOOTH_LIBHD, else libHD.so, on Windows HD.dll.
     [[nodiscard]] static std::string usualPath();
 
     [[nodiscard]] const HdFunctions& call() const { return functions_; }

@@ -4,6 +4,7 @@
 
 #include "devices/monotonic_clock.h"
 #include "devices/openhaptics/hd_driver.h"
+#include "devices/timed_wait.h"
 
 namespace tactooth {
 namespace {
@@ -60,8 +61,7 @@ void OpenHapticsDevice::close() {
 }
 
 void OpenHapticsDevice::waitForTick(double longest) {
-    const timespec end = timespecOf(secondsFromNow(longest));
-    (void)sem_clockwait(&pen_->ready, CLOCK_MONOTONIC, &end);
+    waitForPost(pen_->ready, longest);
     while (sem_trywait(&pen_->ready) == 0) {  // readings that came while the last one was worked on
     }
 }
