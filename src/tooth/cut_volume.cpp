@@ -178,28 +178,28 @@ MaterialVolumes CutVolume::removableOnTheWay(const Removable& whole, const Revol
     return sum(parts);
 }
 
-/// Makes the bricks of them that are missing.
-NodeSets CutVolume::nodesOf(const std::vector<LoosePiece>& pieces) {
-    NodeSets nodes;
-    for (const LoosePiece& piece : pieces) {
-        for (const auto& [key, set] : piece.nodes) nodes[key] |= set;  // two pieces may share a brick
-        makeMissing(piece.unmade);
-        for (const BrickKey& key : piece.unmade) {
-            if (const Brick* brick = bricks_.find(key)) nodes[key] = solidNodes(*brick);
-        }
+/// Makes the bricks of it that are missing.
+NodeSets CutVolume::nodesOf(const LoosePiece& piece) {
+    NodeSets nodes = piece.nodes;
+    makeMissing(piece.unmade);
+    for (const BrickKey& key : piece.unmade) {
+        if (const Brick* brick = bricks_.find(key)) nodes[key] = solidNodes(*brick);
     }
     return nodes;
 }
 
 FallenPieces CutVolume::dropLoose() {
-    const std::vector<LoosePiece> pieces = findLoosePieces(bricks_, *tooth_, lattice_);
     FallenPieces fallen;
-    for (const LoosePiece& piece : pieces) {
+    NodeSets all;
+    for (const LoosePiece& piece : findLoosePieces(bricks_, *tooth_, lattice_)) {
         std::size_t count = 0;
-        for (const auto& [key, nodes] : nodesOf({piece})) count += nodes.count();
+        for (const auto& [key, nodes] : nodesOf(piece)) {
+            all[key] |= nodes;  // two pieces may share a brick
+            count += nodes.count();
+        }
         fallen.volumes.push_back(static_cast<double>(count) * std::pow(lattice_.spacing(), 3));
     }
-    fallen.carve = removePieces(nodesOf(pieces));
+    fallen.carve = removePieces(all);
     return fallen;
 }
 
@@ -214,16 +214,21 @@ CarveResult CutVolume::removePieces(const NodeSets& pieces) {
         for (int i = 0; i < 27; ++i) near.insert(key.moved(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1));
     }
     makeMissing({near.begin(), near.end()});
-    NodeSets gone = nodesToRemove(bricks_, pieces);
-    std::erase_if(gone, [&](const auto& entry) { return bricks_.find(entry.first) == nullptr; });
+    const NodeSets gone = nodesToRemove(bricks_, pieces);
+    const auto isTouched = [&](const BrickKey& key) {  // itself, or the far end of an edge that it owns
+        const auto hasSome = [&](const BrickKey& at) { return gone.contains(at) && gone.at(at).any(); };
+        return hasSome(key) || hasSome(key.moved(1, 0, 0)) || hasSome(key.moved(0, 1, 0)) ||
+               hasSome(key.moved(0, 0, 1));
+    };
     for (const auto& [key, nodes] : gone) {
+        if (bricks_.find(key) == nullptr || !isTouched(key)) continue;
         Brick& brick = *bricks_.find(key);
         journal_.keep(key, brick);
         const MaterialVolumes taken = nodes.any() ? removeNodes(brick, nodes, lattice_.spacing()) : MaterialVolumes{};
         for (std::size_t m = 0; m < kMaterialCount; ++m) result.removed[m] += taken[m];
         result.changed.push_back(ChangedBrick::all(key));
     }
-    for (const auto& [key, nodes] : gone) placeBorder(bricks_, key, gone);
+    for (const ChangedBrick& changed : result.changed) placeBorder(bricks_, changed.key, gone);
     return result;
 }
 

@@ -148,7 +148,7 @@ public:
 private:
     [[nodiscard]] std::vector<BrickKey> bricksInReach(const std::vector<SweepStep>& steps) const;
     void makeMissing(const std::vector<BrickKey>& keys);
-    [[nodiscard]] NodeSets nodesOf(const std::vector<LoosePiece>& pieces);
+    [[nodiscard]] NodeSets nodesOf(const LoosePiece& piece);
     CarveResult removePieces(const NodeSets& pieces);
     [[nodiscard]] std::vector<ChangedBrick> traceBorder(const Removable& carved);
 

@@ -45,6 +45,7 @@ private slots:
 private:
     void press(SDL_GameControllerButton button, int times = 1);
     void hold(SDL_GameControllerButton button, int ms);
+    void pressAndSee(SDL_GameControllerButton button, const std::function<bool()>& seen);
     void holdUntil(SDL_GameControllerButton button, const std::function<bool()>& done);
     void stick(SDL_GameControllerAxis axis, double value) { pad_->axis(axis, value); }
     void liftOff();
@@ -70,6 +71,12 @@ void PadSessionTest::hold(SDL_GameControllerButton button, int ms) {
     pad_->button(button, true);
     QTest::qWait(ms);
     pad_->button(button, false);
+}
+
+/// The next press comes when this one has been seen, or seems to be lost.
+void PadSessionTest::pressAndSee(SDL_GameControllerButton button, const std::function<bool()>& seen) {
+    press(button);
+    (void)QTest::qWaitFor(seen, 1000);
 }
 
 /// As a person who looks does: a busy machine draws late.
@@ -102,9 +109,15 @@ void PadSessionTest::choose(const QAction* entry) {
     press(SDL_CONTROLLER_BUTTON_START);
     QTRY_VERIFY(menu() != nullptr);
     const auto isSeen = [entry] { return menu() != nullptr && menu()->actions().contains(entry); };
-    for (int i = 0; i < 8 && !isSeen(); ++i) press(SDL_CONTROLLER_BUTTON_DPAD_RIGHT);
+    for (int i = 0; i < 16 && !isSeen(); ++i) {
+        pressAndSee(SDL_CONTROLLER_BUTTON_DPAD_RIGHT, [before = menu()] { return menu() != before; });
+    }
     QVERIFY(isSeen());
-    for (int i = 0; i < 40 && isSeen() && menu()->activeAction() != entry; ++i) press(SDL_CONTROLLER_BUTTON_DPAD_DOWN);
+    for (int i = 0; i < 40 && isSeen() && menu()->activeAction() != entry; ++i) {
+        pressAndSee(SDL_CONTROLLER_BUTTON_DPAD_DOWN, [before = menu()->activeAction()] {
+            return menu() == nullptr || menu()->activeAction() != before;
+        });
+    }
     QVERIFY(isSeen());
     QCOMPARE(menu()->activeAction(), entry);
     press(SDL_CONTROLLER_BUTTON_A);

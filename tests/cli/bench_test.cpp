@@ -83,6 +83,21 @@ TEST_F(BenchCommand, CutSaysWhatATickAndANewSurfaceCost) {
     }
 }
 
+TEST_F(BenchCommand, SlotSaysHowAToolFaresInIt) {
+    const ProgramRun run = runTactooth({"bench", "slot", "--tooth", plate(), "--voxel", "100", "--json"});
+    EXPECT_EQ(run.exitCode, 0);
+    const auto json = nlohmann::json::parse(run.out);
+    for (const char* key : {"machine", "compiler", "commit", "command", "date"}) EXPECT_NE(json.at(key), "");
+    std::string tools;
+    for (const auto& one : json.at("cases")) {
+        tools += one.at("tool").get<std::string>() + ' ' + one.at("motion").get<std::string>() + ';';
+        EXPECT_GT(one.at("tick_p50_us"), 0);
+        EXPECT_TRUE(one.at("leaves").get<bool>());
+    }
+    EXPECT_EQ(tools,
+              "bur rests;bur trembles;bur slides;bur turns;probe rests;probe trembles;probe slides;probe turns;");
+}
+
 TEST_F(BenchCommand, CutRefusesAToothWithoutAnInside) {
     TriangleMesh open = test::box(Vec3(-9, -9, -5), Vec3(9, 9, 0));
     open.triangles.pop_back();

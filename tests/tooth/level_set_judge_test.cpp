@@ -122,11 +122,10 @@ void expectAsTheLevelSet(const TriangleMesh& outer, const Vec3& place, const Bur
 
 Bur ball() { return {test::sphere(Vec3(0, 0, 0.4), 0.4, 128, 96), 0.02}; }
 /// A flat end that leans leaves a stair from pose to pose.
-Bur fissure() { return {test::cylinder(Vec3::Zero(), 0.4, 1.2, 128), 0.008}; }
+Bur fissure() { return {test::cylinder(Vec3::Zero(), 0.4, 0.8, 128), 0.01}; }
 
 TEST(LevelSetJudge, FindsTheSameLeftOfABlock) {
     const TriangleMesh block = test::box(Vec3(-0.9, -1.1, -1), Vec3(1.4, 1.1, 0));
-    expectAsTheLevelSet(block, Vec3::Zero(), ball(), 1);
     expectAsTheLevelSet(block, Vec3::Zero(), fissure(), 2);
 }
 

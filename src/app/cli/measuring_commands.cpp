@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/bench_contact_command.h"
 #include "app/cli/bench_cut_command.h"
+#include "app/cli/bench_slot_command.h"
 #include "app/cli/bench_stability_command.h"
 #include "app/cli/bench_view_command.h"
 #include "app/cli/command_registry.h"
@@ -90,6 +91,19 @@ void addBenchCut(CLI::App& bench, Chosen& chosen) {
     addJson(*command, options->json);
 }
 
+void addBenchSlot(CLI::App& bench, Chosen& chosen) {
+    const auto options = std::make_shared<BenchSlotOptions>();
+    CLI::App* command = addCommand(bench, chosen, "slot",
+                                   "Time of a tick, and how steady the force is, while a still bur, and then a probe, "
+                                   "rests, trembles, slides and turns in the slot that the bur has just cut.",
+                                   options, runBenchSlot);
+    addLargeTooth(*command, options->tooth, "A closed STL file, mm, crown up");
+    command->add_option("--voxel", options->voxel, "Spacing of the cut volume, um (default: 25)")
+        ->check(CLI::Range(5.0, 500.0))
+        ->type_name("UM");
+    addJson(*command, options->json);
+}
+
 void addBenchView(CLI::App& bench, Chosen& chosen) {
     const auto options = std::make_shared<BenchViewOptions>();
     CLI::App* command = addCommand(bench, chosen, "view",
@@ -141,6 +155,7 @@ void addBench(CLI::App& program, Chosen& chosen) {
     bench->get_formatter()->label("SUBCOMMAND", "WHAT");
     addBenchContact(*bench, chosen);
     addBenchCut(*bench, chosen);
+    addBenchSlot(*bench, chosen);
     addBenchView(*bench, chosen);
     addBenchStability(*bench, chosen);
 }

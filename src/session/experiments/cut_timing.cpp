@@ -14,8 +14,8 @@
 #include "instruments/hand_path.h"
 #include "session/cut_run.h"
 #include "session/experiments/quantile.h"
+#include "session/experiments/softened_materials.h"
 #include "session/experiments/thread_clock.h"
-#include "session/material_file.h"
 
 namespace tactooth {
 namespace {
@@ -34,17 +34,11 @@ double residentMegabytes() {
     return 1e-6 * resident * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
-MaterialTable softened(double factor) {
-    MaterialTable materials = defaultMaterials();
-    for (std::size_t i = 0; i < kMaterialCount; ++i) materials[static_cast<MaterialId>(i)].removal *= factor;
-    return materials;
-}
-
 /// The three threads of a simulator, played one after the other on a clock of their own.
 class CutPlay {
 public:
     CutPlay(const std::shared_ptr<const LayeredTooth>& tooth, const CutCase& cut)
-        : materials_(softened(cut.removal)), piece_(tooth, cut.voxel), voxel_(cut.voxel), cores_(cut.cores) {
+        : materials_(softenedMaterials(cut.removal)), piece_(tooth, cut.voxel), voxel_(cut.voxel), cores_(cut.cores) {
         TriangleMesh bur = makeBur(cut.bur).surface;
         tool_.emplace(CuttingTool{std::move(*RevolutionEnvelope::make(bur)), cut.bur.sharpness});
         HapticSettings settings;

@@ -4,9 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "geometry/mesh_report.h"
 #include "session/experiments/contact_timing.h"
 #include "session/experiments/quantile.h"
+#include "session/experiments/slot_timing.h"
 #include "support/shapes.h"
 #include "support/test_data.h"
 
@@ -109,6 +112,26 @@ TEST(TouchExperiment, ForceComesWithDepthAtBothSpeeds) {
     }
     EXPECT_GT(slow, 5 * fast);
     EXPECT_GT(fast, 20U);
+}
+
+/// The bur touches the slot on all sides, and neither shakes nor sinks nor sticks.
+TEST(SlotTiming, AToolAtRestInItsSlotIsSteadyAndCanLeave) {
+    auto layered = LayeredTooth::make(test::box(Vec3(-4, -4, -4), Vec3(4, 4, 0)));
+    const auto block = std::make_shared<const LayeredTooth>(std::move(*layered));
+    for (const bool probe : {false, true}) {
+        const std::vector<SlotTiming> timings = timeInSlot(block, *findBur("57"), 1, 0.05, probe);
+        ASSERT_EQ(timings.size(), kSlotMotions.size());
+        for (const SlotTiming& timing : timings) {
+            SCOPED_TRACE(slotMotionName(timing.motion));
+            EXPECT_TRUE(timing.leaves);
+            EXPECT_GT(timing.ticks, 1000U);
+            EXPECT_GT(timing.force, 0.1);
+            EXPECT_GT(timing.p50, 0);
+            EXPECT_LE(timing.p50, timing.p999);
+        }
+        EXPECT_LE(timings[0].noise, 0.005);
+        EXPECT_LE(std::abs(timings[0].sunk), 1e-3);
+    }
 }
 
 }  // namespace

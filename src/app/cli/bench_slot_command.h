@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+
+namespace tactooth {
+
+struct BenchSlotOptions {
+    std::filesystem::path tooth;  ///< empty: the standard tooth of 325,312 triangles
+    double voxel = 25;            ///< um
+    bool json = false;
+};
+
+/// What it costs to touch a slot on all sides, and how steady that is.
+[[nodiscard]] int runBenchSlot(const BenchSlotOptions& options);
+
+}  // namespace tactooth
