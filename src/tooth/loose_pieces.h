@@ -15,8 +15,8 @@ struct LoosePiece {
     std::vector<BrickKey> unmade;  ///< bricks that may hold more of it and have not been made, since no bur came near
 };
 
-/// Most bricks that no bur has come near in a loose piece; one with more (32 mm^3 at 25 um, 260 at 50 um) stays where it
-/// is, as the rest of the tooth does: to remove it all of its bricks would have to be made.
+/// Most bricks that no bur has come near in a loose piece; one with more (32 mm^3 at 25 um, 260 at 50 um) stays where
+/// it is, as the rest of the tooth does: to remove it all of its bricks would have to be made.
 inline constexpr std::size_t kMostUnmade = 4000;
 
 /// Looks at all bricks that exist. Of each body that the tooth's outer surface had before anything was cut, the largest
