@@ -94,8 +94,8 @@ bool WorkPiece::letFall(const Tick& tick) {
 
 bool WorkPiece::letFall() {
     if (!std::exchange(mayBeLoose_, false)) return false;
-    refreshSurface();
     const std::uint64_t revision = surface()->revision;
+    refreshSurface();
     const FallenPieces pieces = volume_.dropLoose();
     bookFall(pieces.carve);
     loss_.pieces += static_cast<std::size_t>(

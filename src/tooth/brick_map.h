@@ -21,6 +21,18 @@ struct BrickKey {
     friend auto operator<=>(const BrickKey&, const BrickKey&) = default;
 
     [[nodiscard]] BrickKey moved(int dx, int dy, int dz) const { return {x + dx, y + dy, z + dz}; }
+    /// Of the 27 bricks in it and around it, x first; 13 is itself.
+    [[nodiscard]] BrickKey neighbour(int i) const { return moved(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1); }
+};
+
+/// A node by its number on each axis of the whole lattice.
+struct NodePlace {
+    explicit NodePlace(const Eigen::Vector3i& number)  // eight nodes a side
+        : key{number.x() >> 3, number.y() >> 3, number.z() >> 3},
+          node(nodeIndex(number.x() & 7, number.y() & 7, number.z() & 7)) {}
+
+    BrickKey key;
+    int node;  ///< nodeIndex in that brick
 };
 
 /// Spreads keys over the table (the finalizer of MurmurHash3, A. Appleby, on the three packed coordinates).

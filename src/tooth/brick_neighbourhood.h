@@ -18,7 +18,7 @@ public:
 
     BrickNeighbourhood(const BrickMap& bricks, const BrickKey& key, double spacing)
         : clear_(static_cast<float>(kToothBand * spacing)) {
-        for (int i = 0; i < 27; ++i) near_[i] = bricks.find(key.moved(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1));
+        for (int i = 0; i < 27; ++i) near_[i] = bricks.find(key.neighbour(i));
         findRemoved();
     }
 

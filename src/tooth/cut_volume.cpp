@@ -211,7 +211,7 @@ CarveResult CutVolume::removePieces(const NodeSets& pieces) {
     ++carves_;  // what was found removable holds no more
     std::set<BrickKey> near;
     for (const auto& [key, nodes] : pieces) {
-        for (int i = 0; i < 27; ++i) near.insert(key.moved(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1));
+        for (int i = 0; i < 27; ++i) near.insert(key.neighbour(i));
     }
     makeMissing({near.begin(), near.end()});
     const NodeSets gone = nodesToRemove(bricks_, pieces);
@@ -280,14 +280,12 @@ double CutVolume::cutDistance(const Vec3& point) const {
     double distance = 0;
     for (int corner = 0; corner < 8; ++corner) {
         const Eigen::Vector3i step(corner & 1, corner >> 1 & 1, corner >> 2);
-        const Eigen::Vector3i node = first.cast<int>() + step;
-        const BrickKey key{node.x() >> 3, node.y() >> 3, node.z() >> 3};  // eight nodes a side
+        const auto [key, node] = NodePlace(first.cast<int>() + step);
         if (corner == 0 || key != lastKey) brick = bricks_.find(key);
         lastKey = key;
         double weight = 1;
         for (int axis = 0; axis < 3; ++axis) weight *= step[axis] == 1 ? share[axis] : 1 - share[axis];
-        distance += weight * (brick != nullptr ? brick->cut[nodeIndex(node.x() & 7, node.y() & 7, node.z() & 7)]
-                                               : kCutBand * lattice_.spacing());
+        distance += weight * (brick != nullptr ? brick->cut[node] : kCutBand * lattice_.spacing());
     }
     return distance;
 }

@@ -28,7 +28,7 @@ NodeSets nodesThatStay(const BrickMap& bricks, const NodeSets& pieces) {
     NodeSets stay;
     for (const auto& [key, nodes] : pieces) {
         for (int i = 0; i < 27; ++i) {
-            const BrickKey near = key.moved(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+            const BrickKey near = key.neighbour(i);
             if (!stay.contains(near)) stay[near] = solidAt(bricks, near) & ~nodesAt(pieces, near);
         }
     }

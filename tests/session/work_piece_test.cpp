@@ -368,6 +368,15 @@ TEST(WorkPiece, TheTimeOfTheLastContactIsThatOfTheSimulationWhichRuns) {
     EXPECT_TRUE(piece->letFall(tickAt(0.2, 0)));
 }
 
+TEST(WorkPiece, ALookThatFindsNothingLooseStillTellsOfTheCutThatItShows) {
+    const auto piece = blockOnTheBench();
+    piece->sweep(test::flatBur().cutting, at(0, 0, 0.5), at(0, 0, -1));  // not shown yet
+    EXPECT_TRUE(piece->letFall());
+    EXPECT_FALSE(piece->surface()->patches.empty());
+    EXPECT_EQ(total(piece->loss().fallen), 0);
+    EXPECT_FALSE(piece->letFall());
+}
+
 TEST(WorkPiece, UndoPutsTheFallenPieceBack) {
     const auto piece = blockOnTheBench();
     piece->mark();
