@@ -136,13 +136,12 @@ std::vector<CutCase> casesOf(const BenchCutOptions& options) {
 int runBenchCut(const BenchCutOptions& options) {
     const auto tooth = options.tooth.empty() ? standardTooth(StandardToothKind::Large) : ownTooth(options.tooth);
     if (!tooth) return refuse(tooth.error());
-    auto layered = LayeredTooth::make(tooth->mesh);
-    if (!layered) return refuse({tooth->source + ": " + layered.error().message});
-    const auto whole = std::make_shared<const LayeredTooth>(std::move(*layered));
+    const auto whole = uncut(*tooth);
+    if (!whole) return refuse(whole.error());
     CutOutput output(options.json, options.cores, *tooth);
     for (CutCase one : casesOf(options)) {
         one.cores = options.cores;
-        output.add(one, timeCutting(whole, one));
+        output.add(one, timeCutting(*whole, one));
     }
     output.end();
     return kExitOk;

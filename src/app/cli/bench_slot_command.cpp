@@ -62,11 +62,10 @@ void printTable(const std::vector<Toolful>& tools) {
 int runBenchSlot(const BenchSlotOptions& options) {
     const auto tooth = options.tooth.empty() ? standardTooth(StandardToothKind::Large) : ownTooth(options.tooth);
     if (!tooth) return refuse(tooth.error());
-    auto layered = LayeredTooth::make(tooth->mesh);
-    if (!layered) return refuse({tooth->source + ": " + layered.error().message});
-    const auto whole = std::make_shared<const LayeredTooth>(std::move(*layered));
+    const auto whole = uncut(*tooth);
+    if (!whole) return refuse(whole.error());
     const auto measured = [&](bool probe) {
-        return timeInSlot(whole, *findBur("57"), kDepth, options.voxel * kMillimetre, probe);
+        return timeInSlot(*whole, *findBur("57"), kDepth, options.voxel * kMillimetre, probe);
     };
     const std::vector<Toolful> tools = {{"bur", measured(false)}, {"probe", measured(true)}};
 

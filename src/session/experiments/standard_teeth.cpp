@@ -62,6 +62,12 @@ Expected<StandardTooth> ownTooth(const std::filesystem::path& file) {
     return StandardTooth{file.stem().string(), file.string(), std::move(*mesh)};
 }
 
+Expected<std::shared_ptr<const LayeredTooth>> uncut(const StandardTooth& tooth) {
+    auto layered = LayeredTooth::make(tooth.mesh);
+    if (!layered) return unexpected(tooth.source + ": " + layered.error().message);
+    return std::make_shared<const LayeredTooth>(std::move(*layered));
+}
+
 TriangleMesh standardBur() { return makeBur(findBur("4").value()).surface; }
 
 std::vector<Resolution> resolutionLadder(const TriangleMesh& tooth, std::span<const int> percents) {

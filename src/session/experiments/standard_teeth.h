@@ -4,6 +4,7 @@
 
 #include <array>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -11,6 +12,7 @@
 
 #include "geometry/expected.h"
 #include "geometry/triangle_mesh.h"
+#include "tooth/layered_tooth.h"
 
 namespace tactooth {
 
@@ -38,6 +40,9 @@ struct StandardTooth {
 
 /// A tooth of the user's own in the place of a standard one.
 [[nodiscard]] Expected<StandardTooth> ownTooth(const std::filesystem::path& file);
+
+/// A tooth of one material with that surface, before anything is cut. Fails with one sentence that names the source.
+[[nodiscard]] Expected<std::shared_ptr<const LayeredTooth>> uncut(const StandardTooth& tooth);
 
 /// The round bur of 336 triangles that measurements use.
 [[nodiscard]] TriangleMesh standardBur();
