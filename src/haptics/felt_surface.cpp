@@ -82,7 +82,7 @@ FeltSurface* FeltSurfaces::make(std::shared_ptr<const Surface> surface, const Po
 }
 
 FeltSurface* FeltSurfaces::renew() {
-    if (surface_ == nullptr || time_ < 0) return nullptr;
+    if (time_ < 0) return nullptr;
     const Vec3 way = drift();
     const double turn = spin_ * ahead();
     const double stray = std::max(listed_.stray(pose_.position - listedAt_.position),

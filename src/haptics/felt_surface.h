@@ -24,7 +24,9 @@ struct FeltSurface {
 /// the servo takes a FeltSurface, leaves its old surface and list in it, and the maker gets it back.
 class FeltSurfaces {
 public:
-    explicit FeltSurfaces(std::shared_ptr<const ToolShape> tool) : tool_(std::move(tool)) {}
+    /// `surface`: the one that the tool is in as yet.
+    FeltSurfaces(std::shared_ptr<const ToolShape> tool, std::shared_ptr<const Surface> surface)
+        : tool_(std::move(tool)), surface_(std::move(surface)) {}
 
     /// Where the tool is, at a time in s. From one call to the next it is seen how fast the tool moves and turns, and
     /// how long a list has to last.
@@ -35,8 +37,8 @@ public:
     /// For a tool that stands at `from` and will go on toward `to`, or the way it was watched to go, until the next
     /// list. What parts it from the surface on the way toward `to` is looked up ahead, too. Owned by this object.
     [[nodiscard]] FeltSurface* make(std::shared_ptr<const Surface> surface, const Pose& from, const Pose& to);
-    /// The surface made last with a new list, around the pose watched last. Null as long as the tool stays well within
-    /// what the last list covers.
+    /// The surface made last (or the first one) with a new list, around the pose watched last. Null as long as the tool
+    /// stays well within what the last list covers.
     [[nodiscard]] FeltSurface* renew();
     /// For a hand that came into the tooth: the surface with the free pose next to the hand, which takes milliseconds
     /// to find. Null where the hand is free, and where no way out is found.
@@ -63,10 +65,10 @@ private:
     std::uint32_t ownLists_ = 0;
     bool isOutrun_ = false;  // the tool has no use for the last list any more
 
-    // The last list.
     std::shared_ptr<const Surface> surface_;
+    // The last list.
     Pose listedAt_;
-    Skin listed_;
+    Skin listed_{Vec3::Zero(), 0, 0};
 };
 
 }  // namespace tactooth

@@ -68,7 +68,7 @@ void feelPiece(const WorkPiece& piece, const Tick& tick, bool isCut, FeltSurface
 
 void cutByLaw(std::span<const TimedPose> path, const CuttingTool& tool, const MaterialTable& materials,
               HapticSimulation& simulation, WorkPiece& piece, const CutVisitor& visit) {
-    FeltSurfaces surfaces(simulation.tool());
+    FeltSurfaces surfaces(simulation.tool(), piece.felt());
     double last = path.empty() ? 0 : path.front().time;
     double lastCut = last;
     for (const TimedPose& row : path) {

@@ -45,7 +45,7 @@ Demonstration playDemonstration(WorkPiece& piece, const Box3& box, const Instrum
     PractisedHand hand(Vec3(middle.x() - reach, middle.y(), box.max().z() + kHeadroom), grip,
                        lesson(middle, reach, seconds));
     HapticSimulation simulation(instrument.shape, instrument.cutting.envelope.maxRadius(), piece.felt(), settings);
-    FeltSurfaces surfaces(simulation.tool());
+    FeltSurfaces surfaces(simulation.tool(), piece.felt());
     ForcePipeline pipeline(hand.info().limits);
     SprayCloud spray(instrument.cutting.envelope.maxRadius());
 

@@ -45,7 +45,7 @@ Simulator::Simulator(std::shared_ptr<WorkPiece> piece, Instrument instrument, co
       simulation_(instrument_.shape, instrument_.cutting.envelope.maxRadius(), piece_->felt(), settings),
       hands_(device, second, seat),
       controls_(SimulatorControls{.force = settings.force, .fineness = fineness}),
-      surfaces_(simulation_.tool()),
+      surfaces_(simulation_.tool(), piece_->felt()),
       newest_(piece_->felt()),
       watchedSurface_(piece_->surface()),
       watchedLoss_(piece_->loss()) {

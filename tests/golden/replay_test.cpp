@@ -81,7 +81,7 @@ Outcome replay(const BuiltinTooth& molar) {
     const CuttingTool cutting{*RevolutionEnvelope::make(bur.surface), bur.spec.sharpness};
     HapticSimulation simulation(std::make_shared<const ToolShape>(bur.surface), cutting.envelope.maxRadius(),
                                 piece.surface(), HapticSettings());
-    FeltSurfaces surfaces(simulation.tool());
+    FeltSurfaces surfaces(simulation.tool(), piece.felt());
     const std::vector<ScriptedMoment> moments = script(top);
     ScriptedDevice hand(moments);
 

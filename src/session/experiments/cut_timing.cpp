@@ -47,7 +47,7 @@ public:
         simulation_.emplace(std::make_shared<const ToolShape>(std::move(bur)), tool_->envelope.maxRadius(),
                             piece_.surface(), settings);
         simulation_->letOthersPlace();
-        felt_.emplace(simulation_->tool());
+        felt_.emplace(simulation_->tool(), piece_.felt());
         newest_ = piece_.surface();
     }
 
