@@ -25,8 +25,9 @@ namespace {
 constexpr int kMaxRounds = 60;  // 3 at 1 cm/s, 5 at 10 cm/s; at 1 m/s on a mesh of 20 um up to 32 were seen
 constexpr int kManySolutions = kMaxPlanesPerRound + 1;  // of a round: more come of a turn that does not settle
 constexpr int kMaxSolutions = 8 * kManySolutions;
-constexpr int kMaxPlanesChanged = 4;         // in a move, where it had settled
+constexpr int kMaxPlanesChanged = 8;         // in a move, where it had settled: a corner of the tool has six triangles
 constexpr int kFewestToLookAfresh = 2;       // planes: together they may stop what other ones would let go on
+constexpr int kAlike = 8;                    // moves: a body that the same pairs hold is looked at afresh so often
 constexpr double kMarginOfRadius = 1e-7;     // 0.3 nm for a 6 mm bur
 constexpr double kMarginOfPosition = 1e-10;  // keeps the margin above rounding far from the origin
 constexpr double kSettledMargins = 10;       // a round that moves less than this many margins ends the move
@@ -65,7 +66,8 @@ std::shared_ptr<const Surface> SlidingBody::setSurface(std::shared_ptr<const Sur
 
 void SlidingBody::enter(std::shared_ptr<const Surface>& surface) {
     std::swap(surface_, surface);
-    heldCount_ = 0;
+    heldCount_ = lastHeldCount_ = 0;
+    isSettled_ = false;
     recent_.clear();
 }
 
@@ -77,9 +79,9 @@ void SlidingBody::placeAt(const Pose& toolInTooth) {
 void SlidingBody::shiftTo(const Pose& toolInTooth) {
     pose_ = toolInTooth;
     ++poseStamp_;
-    heldCount_ = 0;
+    heldCount_ = lastHeldCount_ = 0;
     lastGoal_ = toolInTooth;
-    isBehind_ = isStarved_ = false;
+    isBehind_ = isStarved_ = isSettled_ = false;
     boldness_ = 1;
     recent_.clear();
 }
@@ -105,6 +107,7 @@ std::optional<bool> SlidingBody::isClearAt(const Pose& toolInTooth) {
 void SlidingBody::forget() {
     planes_.clear();
     lastOffence_ = 0;
+    isSettled_ = false;
     list_.forget();
 }
 
@@ -266,8 +269,9 @@ bool SlidingBody::findSafeStep(Attempt& attempt, bool& overlapping) {
         }
         work_ += cost::kSolution;
         WatchedPair offender;
-        Offence offence = recentViolation(attempt, offender);
-        if (offence == Offence::None) offence = violation(attempt, offender);
+        Look look(attempt);
+        Offence offence = recentViolation(attempt, look, offender);
+        if (offence == Offence::None) offence = violation(attempt, look, offender);
         overlapping = offence == Offence::Overlapping;
         if (overlapping || offence == Offence::OutOfWork) return false;
         if (offence == Offence::None) return true;
@@ -313,7 +317,27 @@ void SlidingBody::accept(const Attempt& attempt, MoveResult& result) {
     }
 }
 
+/// Whether the pairs that hold the body are those that held it at the end of the last move.
+bool SlidingBody::standsAsBefore() const {
+    if (heldCount_ != lastHeldCount_) return false;
+    const auto before = std::span(lastHeld_).first(static_cast<std::size_t>(lastHeldCount_));
+    return std::all_of(held_.begin(), held_.begin() + heldCount_,
+                       [&](const WatchedPair& held) { return std::ranges::find(before, held.pair) != before.end(); });
+}
+
+void SlidingBody::remember(const MoveResult& result) {
+    alike_ = standsAsBefore() ? alike_ + 1 : 0;
+    lastHeldCount_ = heldCount_;
+    for (int i = 0; i < heldCount_; ++i) lastHeld_[i] = held_[i].pair;
+    isSettled_ = result.status == MoveStatus::Held || result.status == MoveStatus::Reached;
+    settled_ = result;
+    settled_.rounds = settled_.distances = 0;
+    settled_.work = 0;
+}
+
 MoveResult SlidingBody::moveToward(const Pose& goal) {
+    if (isSettled_ && goal.position == lastGoal_.position && goal.rotation.coeffs() == lastGoal_.rotation.coeffs())
+        return settled_;
     MoveResult result;
     if (!(tool_->radius() > 0)) {  // nothing that could touch
         placeAt(goal);
@@ -359,7 +383,8 @@ MoveResult SlidingBody::moveToward(const Pose& goal) {
             trust = kTrustInHand * handWay_;
             if (freedom_ == Freedom::Shift && planesChanged++ < kMaxPlanesChanged && findWayOn(goal)) continue;
             const int fewest = freedom_ == Freedom::Shift ? kFewestToLookAfresh : 1;
-            if (lookedAfresh || heldCount_ < fewest) {
+            const bool isKnown = standsAsBefore() && alike_ % kAlike != kAlike - 1;
+            if (lookedAfresh || heldCount_ < fewest || isKnown) {
                 result.status = MoveStatus::Held;
             } else {
                 lookedAfresh = true;
@@ -371,6 +396,7 @@ MoveResult SlidingBody::moveToward(const Pose& goal) {
     }
     if (result.status == MoveStatus::OutOfRounds && isEnough()) result.status = MoveStatus::OutOfWork;
     settleBudget(hasStepped, result);
+    remember(result);
     isBehind_ = result.status == MoveStatus::OutOfRounds;
     return result;
 }

@@ -93,7 +93,8 @@ public:
     /// after it with four times: what is dear once is spread, what stays dear is paid. Without limit at first.
     void setBudget(Work budget);
 
-    /// Moves toward `goal`, sweeping the way: nothing is passed through, whatever the length of the move.
+    /// Moves toward `goal`, sweeping the way: nothing is passed through, whatever the length of the move. A body that
+    /// has settled stays where it is, bit for bit and without work, until goal or surface change.
     MoveResult moveToward(const Pose& goal);
 
     /// How often the body has had to look itself for what is near.
@@ -136,18 +137,18 @@ private:
     [[nodiscard]] bool refreshPlane(WatchedPair& watched);
     void preferFace(const Triangle3& tooth, const Triangle3& tool, SeparatingPlane& plane) const;
     [[nodiscard]] double gapAt(const WatchedPair& watched, const Mat3& rotation, const Vec3& position) const;
-    void sweep(std::uint32_t triangle, const Attempt& attempt, SweptTool& swept) const;
-    [[nodiscard]] bool isHeldApart(double toothTop, const SweptTool& swept, int plane) const;
-    [[nodiscard]] bool provenSafe(const NearPair& pair, const Attempt& attempt, SweptTool& swept,
+    [[nodiscard]] SweptTool& sweep(std::uint32_t triangle, const Attempt& attempt, Look& look) const;
+    [[nodiscard]] bool isHeldApart(double toothTop, const SweptTool& swept, int normal) const;
+    [[nodiscard]] bool provenSafe(const NearPair& pair, const Attempt& attempt, Look& look,
                                   const SeparatingPlane** own);
     [[nodiscard]] bool partedByTurningPlane(const Triangle3& tooth, const SweptTool& swept);
     [[nodiscard]] Offence offends(const NearPair& pair, const Vec3& guess, const Attempt& attempt,
                                   WatchedPair& watched);
-    [[nodiscard]] Offence recentViolation(const Attempt& attempt, WatchedPair& offender);
-    [[nodiscard]] Offence violation(const Attempt& attempt, WatchedPair& offender);
+    [[nodiscard]] Offence recentViolation(const Attempt& attempt, Look& look, WatchedPair& offender);
+    [[nodiscard]] Offence violation(const Attempt& attempt, Look& look, WatchedPair& offender);
     [[nodiscard]] Offence violationIn(std::size_t cluster, const Excursion& excursion, const Attempt& attempt,
                                       Look& look, WatchedPair& offender);
-    void measureLeaf(std::size_t cluster, const Attempt& attempt, Look& look) const;
+    void measureLeaf(std::size_t cluster, Look& look) const;
     [[nodiscard]] bool isHeldApart(std::size_t cluster, const Attempt& attempt, Look& look) const;
     [[nodiscard]] bool findWayOn(const Pose& goal);
     [[nodiscard]] bool takeOtherPlane(int contact, std::span<HalfSpace> planes, const Vec3& toGoal);
@@ -164,6 +165,8 @@ private:
     void restart(Attempt& attempt);
     [[nodiscard]] Vec3 deepestPoint(const WatchedPair& held) const;
     void accept(const Attempt& attempt, MoveResult& result);
+    [[nodiscard]] bool standsAsBefore() const;
+    void remember(const MoveResult& result);
     [[nodiscard]] bool isOutOfWork() const { return work_ - firstList_ > allowed_; }
     void settleBudget(bool hasStepped, MoveResult& result);
 
@@ -190,6 +193,13 @@ private:
     std::array<WatchedPair, kMaxHeld> held_{};  // pairs active at the end of the last round
     std::array<FeaturePair, kMaxHeld> heldFeatures_{};
     int heldCount_ = 0;
+    // Of the last move: what held the body at its end, for how many moves it has been the same, and what a move to the
+    // same goal would find.
+    std::array<NearPair, kMaxHeld> lastHeld_{};
+    int lastHeldCount_ = 0;
+    int alike_ = 0;
+    bool isSettled_ = false;
+    MoveResult settled_;
     std::uint32_t lastOffence_ = 0;  // the eight clusters in which the last look found a pair in the way
     int distances_ = 0;
     Work work_ = 0;

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "collision/gjk.h"
 #include "collision/sliding_body_round.h"
@@ -17,16 +18,18 @@
 namespace tactooth {
 namespace {
 
-constexpr std::uint64_t kGuessed = 1;     // stamp of a plane that GJK has not seen; poses are numbered from 2
-constexpr double kStillNear = 0.995;      // of a gap below the margin: what staying put leaves of it, less rounding
-constexpr double kTouchingMargins = 10;   // nearer than this, a triangle's own plane is looked at
-constexpr double kAsWell = 0.9;           // of what GJK's plane leaves
-constexpr double kSamePlane = 1 - 1e-12;  // cosine: 1.4 microradians apart
-constexpr double kWorthMargins = 20;      // a way on that is shorter is none
+constexpr std::uint64_t kGuessed = 1;    // stamp of a plane that GJK has not seen; poses are numbered from 2
+constexpr double kStillNear = 0.995;     // of a gap below the margin: what staying put leaves of it, less rounding
+constexpr double kTouchingMargins = 10;  // nearer than this, a triangle's own plane is looked at
+constexpr double kAsWell = 0.9;          // of what GJK's plane leaves
+constexpr double kThinnest = 0.25;       // of the margin: what a plane must leave that lets the tool go on
+constexpr double kWorthMargins = 20;     // a way on that is shorter is none
+constexpr double kNarrowMargins = 100;   // what single precision may not tell from touching
+constexpr int kManyOfLeaf = 3;           // triangles of it in doubt: it is cheaper to ask for all at once
 
 /// The directions across which two triangles may touch: along the normals of either, and of each pair of edges.
 struct TouchingDirections {
-    std::array<Vec3, 22> unit;
+    std::array<Vec3, 22 + kMaxHeld> unit;
     int count = 0;
 
     TouchingDirections(const Triangle3& a, const Triangle3& b) {
@@ -102,50 +105,57 @@ double SlidingBody::gapAt(const WatchedPair& watched, const Mat3& rotation, cons
     return lowestAlong(tool_->corners(watched.pair.tool), inTool) + normal.dot(position) - watched.plane.offset;
 }
 
-void SlidingBody::sweep(std::uint32_t triangle, const Attempt& attempt, SweptTool& swept) const {
-    if (swept.triangle == triangle) return;
-    swept.triangle = triangle;
-    const Triangle3 tool = tool_->corners(triangle);
-    const Vec3 position = pose_.position + attempt.step;
-    for (int corner = 0; corner < 3; ++corner) {
-        swept.corners[corner] = attempt.startMatrix * tool[corner] + pose_.position;
-        swept.corners[corner + 3] = attempt.matrix * tool[corner] + position;
+/// The tool's triangle in the attempted step, with how far it reaches along the normals known so far.
+SlidingBody::SweptTool& SlidingBody::sweep(std::uint32_t triangle, const Attempt& attempt, Look& look) const {
+    SweptTool& swept = look.tool(triangle);
+    if (swept.triangle != triangle) {
+        swept.triangle = triangle;
+        swept.startLow.measured = 0;
+        const Triangle3 tool = tool_->corners(triangle);
+        const Vec3 position = pose_.position + attempt.step;
+        for (int corner = 0; corner < 3; ++corner) {
+            swept.corners[corner] = attempt.startMatrix * tool[corner] + pose_.position;
+            swept.corners[corner + 3] = attempt.matrix * tool[corner] + position;
+        }
     }
-    for (int i = 0; i < attempt.activeCount; ++i) {
-        swept.startLow[i] = swept.lowAtStart(attempt.activeNormal(i));
-        swept.endLow[i] = swept.lowAtEnd(attempt.activeNormal(i));
+    for (int& i = swept.startLow.measured; i < look.count; ++i) {
+        swept.startLow.along[i] = swept.lowAtStart(look.normals[i]);
+        swept.endLow.along[i] = swept.lowAtEnd(look.normals[i]);
     }
+    return swept;
 }
 
-/// Whether a plane that holds the tool keeps its triangle in front of what reaches no further than `toothTop` along it,
+/// Whether the tool's triangle stays in front of what reaches no further than `toothTop` along a normal of the look,
 /// during the whole attempted step.
-bool SlidingBody::isHeldApart(double toothTop, const SweptTool& swept, int plane) const {
-    return swept.startLow[plane] > toothTop && swept.endLow[plane] - toothTop >= margin_ / 2;
+bool SlidingBody::isHeldApart(double toothTop, const SweptTool& swept, int normal) const {
+    return swept.startLow.along[normal] > toothTop && swept.endLow.along[normal] - toothTop >= margin_ / 2;
 }
 
-/// Whether a plane is found that keeps the pair apart during the whole attempted step. Tried are those that hold the
-/// tool already (what touches separates its neighbourhood too), the plane remembered, then GJK on the swept triangle of
-/// the tool. A plane of the pair's own is remembered, and left in `own`.
-bool SlidingBody::provenSafe(const NearPair& pair, const Attempt& attempt, SweptTool& swept,
-                             const SeparatingPlane** own) {
-    sweep(pair.tool, attempt, swept);
+/// Whether a plane is found that keeps the pair apart during the whole attempted step. Tried are those that the look
+/// knows (what touches separates its neighbourhood too), the plane remembered, then GJK on the swept triangle of the
+/// tool. A plane of the pair's own is remembered, and left in `own`.
+bool SlidingBody::provenSafe(const NearPair& pair, const Attempt& attempt, Look& look, const SeparatingPlane** own) {
+    const SweptTool& swept = sweep(pair.tool, attempt, look);
     const double margin = margin_ / 2;
     const SurfacePart& part = partOf(*surface_, pair.part);
     const Triangle3 tooth = cornersOf(part.mesh(), pair.tooth);
-    for (int i = 0; i < attempt.activeCount; ++i) {
-        if (isHeldApart(highestAlong(tooth, attempt.activeNormal(i)), swept, i)) return true;
+    for (int i = 0; i < look.count; ++i) {
+        if (isHeldApart(highestAlong(tooth, look.normals[i]), swept, i)) return true;
     }
     const SeparatingPlane* known = planes_.find(part.id(), pair);
     *own = known;
-    if (known != nullptr && swept.lowAtStart(known->normal) > known->offset &&
-        swept.lowAtEnd(known->normal) - known->offset >= margin) {
-        return true;
+    const auto isNarrow = [&](double gap) { return gap < kNarrowMargins * margin_; };
+    if (known != nullptr && swept.lowAtStart(known->normal) > known->offset) {
+        const double gap = swept.lowAtEnd(known->normal) - known->offset;
+        if (gap >= margin && isNarrow(gap)) look.met(known->normal);
+        if (gap >= margin) return true;
     }
     const Vec3 between = swept.corners[0] - tooth[0];
     const GjkResult result = distanceBetween(tooth, swept.corners, known != nullptr ? known->normal : between);
     ++distances_;
     work_ += cost::kDistance;
     if (result.gap < margin) return freedom_ == Freedom::ShiftAndTurn && partedByTurningPlane(tooth, swept);
+    if (isNarrow(result.gap)) look.met(result.normal);
     *own = planes_.store(part.id(), pair, {result.normal, highestAlong(tooth, result.normal), kGuessed});
     return true;
 }
@@ -162,11 +172,10 @@ SlidingBody::Offence SlidingBody::offends(const NearPair& pair, const Vec3& gues
 }
 
 /// Looks first at the pairs that were in the way lately: nearly always they still are.
-SlidingBody::Offence SlidingBody::recentViolation(const Attempt& attempt, WatchedPair& offender) {
-    SweptTool swept;
+SlidingBody::Offence SlidingBody::recentViolation(const Attempt& attempt, Look& look, WatchedPair& offender) {
     for (std::size_t i = 0; i < recent_.size(); ++i) {
         const SeparatingPlane* own = nullptr;
-        if (provenSafe(recent_[i], attempt, swept, &own)) continue;
+        if (provenSafe(recent_[i], attempt, look, &own)) continue;
         const Offence offence = offends(recent_[i], Vec3::Zero(), attempt, offender);
         if (offence != Offence::None) return offence;
     }
@@ -175,13 +184,10 @@ SlidingBody::Offence SlidingBody::recentViolation(const Attempt& attempt, Watche
 
 /// A pair that the attempted step would bring together: the first met. The search begins where the last one ended: what
 /// came before was found safe under nearly the same step.
-SlidingBody::Offence SlidingBody::violation(const Attempt& attempt, WatchedPair& offender) {
+SlidingBody::Offence SlidingBody::violation(const Attempt& attempt, Look& look, WatchedPair& offender) {
     const Pose end{pose_.position + attempt.step, attempt.rotation};
-    std::array<Vec3, kMaxHeld> known;
-    for (int i = 0; i < attempt.activeCount; ++i) known[i] = attempt.activeNormal(i);
-    const Excursion excursion =
-        list_.excursion(pose_, end, margin_, std::span(known).first(static_cast<std::size_t>(attempt.activeCount)));
-    Look look;
+    const auto held = std::span(look.normals).first(static_cast<std::size_t>(attempt.activeCount));
+    const Excursion excursion = list_.excursion(pose_, end, margin_, held);
     const std::span<const std::uint32_t> eights = list_.within(excursion);
     const auto begin = static_cast<std::size_t>(std::ranges::lower_bound(eights, lastOffence_) - eights.begin());
     for (std::size_t i = 0; i < eights.size(); ++i) {
@@ -204,17 +210,21 @@ SlidingBody::Offence SlidingBody::violationIn(std::size_t cluster, const Excursi
                                               Look& look, WatchedPair& offender) {
     work_ += cost::kCluster;
     if (isHeldApart(cluster, attempt, look)) return Offence::None;
-    SweptTool& swept = look.tool(list_.toolOf(cluster));
-    for (std::uint32_t doubt = list_.pairsInDoubt(cluster, excursion); doubt != 0; doubt &= doubt - 1) {
+    std::uint32_t doubt = list_.pairsInDoubt(cluster, excursion);
+    if (std::popcount(doubt) >= kManyOfLeaf) {
+        measureLeaf(cluster, look);
+        if (isHeldApart(cluster, attempt, look)) return Offence::None;
+    }
+    for (; doubt != 0; doubt &= doubt - 1) {
         work_ += cost::kPair;
         const std::size_t place = PairList::placeOf(cluster, std::countr_zero(doubt));
         const NearPair pair = list_[place];
         const SeparatingPlane* own = nullptr;
-        if (provenSafe(pair, attempt, swept, &own)) {
+        if (provenSafe(pair, attempt, look, &own)) {
             if (own != nullptr) {
                 list_.certify(place, own->normal, own->offset);
             } else {
-                measureLeaf(cluster, attempt, look);
+                measureLeaf(cluster, look);
             }
             continue;
         }
@@ -224,32 +234,33 @@ SlidingBody::Offence SlidingBody::violationIn(std::size_t cluster, const Excursi
     return Offence::None;
 }
 
-/// Finds how far the leaf of a cluster reaches toward the planes that hold the tool, for the clusters to come.
-void SlidingBody::measureLeaf(std::size_t cluster, const Attempt& attempt, Look& look) const {
+/// Finds how far the leaf of a cluster reaches along the normals known so far, for the clusters to come.
+void SlidingBody::measureLeaf(std::size_t cluster, Look& look) const {
     const std::uint32_t number = list_.leafOf(cluster);
     Look::Leaf& measured = look.leaf(number);
-    if (measured.number == number) return;
-    measured.number = number;
-    measured.top.fill(-std::numeric_limits<double>::infinity());
+    if (measured.number != number) measured = {number, {}};
+    const int first = std::exchange(measured.top.measured, look.count);
+    if (first == look.count) return;
+    const auto top = std::span(measured.top.along).first(static_cast<std::size_t>(look.count));
+    std::ranges::fill(top.subspan(static_cast<std::size_t>(first)), -std::numeric_limits<double>::infinity());
     const NearLeaf& leaf = list_.leaf(number);
     const TriangleMesh& mesh = partOf(*surface_, leaf.part).mesh();
     for (std::uint32_t rest = leaf.present; rest != 0; rest &= rest - 1) {
-        const Triangle3 tooth = cornersOf(mesh, leaf.triangle[std::countr_zero(rest)]);
-        for (int i = 0; i < attempt.activeCount; ++i)
-            measured.top[i] = std::max(measured.top[i], highestAlong(tooth, attempt.activeNormal(i)));
+        for (int corner = 0; corner < 3; ++corner) {
+            const Vec3 point = mesh.corner(leaf.triangle[std::countr_zero(rest)], corner);
+            for (int i = first; i < look.count; ++i) top[i] = std::max(top[i], look.normals[i].dot(point));
+        }
     }
 }
 
-/// Whether a plane that holds the tool keeps a cluster apart whose leaf was measured in this look.
+/// Whether a plane of the look keeps a cluster apart whose leaf was measured in it.
 bool SlidingBody::isHeldApart(std::size_t cluster, const Attempt& attempt, Look& look) const {
     const std::uint32_t number = list_.leafOf(cluster);
     const Look::Leaf& measured = look.leaf(number);
     if (measured.number != number) return false;
-    const std::uint32_t triangle = list_.toolOf(cluster);
-    SweptTool& swept = look.tool(triangle);
-    sweep(triangle, attempt, swept);
-    for (int i = 0; i < attempt.activeCount; ++i) {
-        if (isHeldApart(measured.top[i], swept, i)) return true;
+    const SweptTool& swept = sweep(list_.toolOf(cluster), attempt, look);
+    for (int i = 0; i < measured.top.measured; ++i) {
+        if (isHeldApart(measured.top.along[i], swept, i)) return true;
     }
     return false;
 }
@@ -279,15 +290,19 @@ bool SlidingBody::takeOtherPlane(int contact, std::span<HalfSpace> planes, const
     const SurfacePart& part = partOf(*surface_, held.pair.part);
     const Triangle3 tooth = cornersOf(part.mesh(), held.pair.tooth);
     const Triangle3 tool = tool_->cornersAt(pose_, held.pair.tool);
-    const double needed = kAsWell * std::min(margin_, lowestAlong(tool, own.normal) - held.plane.offset);
-    const TouchingDirections directions(tooth, tool);
+    const double gap = lowestAlong(tool, own.normal) - held.plane.offset;
+    const double needed = std::min(kThinnest * margin_, kAsWell * gap);
+    TouchingDirections directions(tooth, tool);
+    for (int other = 0; other < heldCount_; ++other) {  // an edge that two of the tool's triangles share
+        if (other != contact) directions.unit[directions.count++] = held_[other].plane.normal;
+    }
     for (int i = 0; i < directions.count; ++i) {
         const Vec3& normal = directions.unit[i];
         if (normal.dot(own.normal) > kSamePlane) continue;
         const double back = highestAlong(tooth, normal);
-        const double gap = lowestAlong(tool, normal) - back;
-        if (gap < needed) continue;
-        plane = {normal, std::min(0.0, margin_ - gap)};
+        const double left = lowestAlong(tool, normal) - back;
+        if (left < needed) continue;
+        plane = {normal, std::min(0.0, margin_ - left)};
         const NearestInPolyhedron answer = nearestInPolyhedron(planes, toGoal, margin_ * kSolved);
         if (!answer.feasible || answer.point.norm() <= kWorthMargins * margin_) continue;
         held.plane = {normal, back, poseStamp_};

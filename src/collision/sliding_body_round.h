@@ -17,6 +17,8 @@ inline constexpr double kSolved = 1e-3;  // of the margin: how exactly a round's
 // shortest it does the work whatever it costs: so it never stands still for long.
 inline constexpr double kLeastBoldness = 1.0 / 64;
 
+inline constexpr double kSamePlane = 1 - 1e-12;  // cosine: 1.4 microradians apart
+
 inline constexpr Work kGreatestAllowance = 4;  // budgets of a move that goes on where two before it ran out of theirs
 
 /// What keeps a tool that may turn from a triangle.
@@ -72,12 +74,20 @@ struct SlidingBody::Attempt {
     }
 };
 
-/// A triangle of the tool at the start (three corners) and the end of an attempted step, and how far it reaches toward
-/// each plane that holds the tool.
+/// Normals of planes that part pairs: of those that hold the tool, and of a few that a look has met.
+inline constexpr int kMaxNormals = kMaxHeld + 2;
+
+/// How far something reaches along the normals of a look, as many of them as it was asked for.
+struct Reach {
+    int measured = 0;
+    std::array<double, kMaxNormals> along;
+};
+
+/// A triangle of the tool at the start (three corners) and the end of an attempted step.
 struct SlidingBody::SweptTool {
     std::uint32_t triangle = kNone;
     std::array<Vec3, 6> corners;
-    std::array<double, kMaxHeld> startLow, endLow;
+    Reach startLow, endLow;
 
     static constexpr std::uint32_t kNone = ~0U;
 
@@ -91,16 +101,31 @@ struct SlidingBody::SweptTool {
 
 /// One look over the list for what an attempted step would bring together. Around a contact dozens of pairs share the
 /// corner that touches: along the plane that holds the tool they are a margin apart, far less than single precision can
-/// tell. So it is remembered how far the tool's triangles and the leaves of the tooth reach toward those planes.
+/// tell. So it is remembered how far the tool's triangles and the leaves of the tooth reach toward those planes. Where
+/// faces lie on each other (the end of a bur on the floor that it has milled) the plane that holds the tool may lean by
+/// a trifle, and thousands of pairs are parted by the face's own instead: a plane that parts a pair so narrowly is
+/// looked at for those to come.
 struct SlidingBody::Look {
     struct Leaf {
         std::uint32_t number = SweptTool::kNone;
-        std::array<double, kMaxHeld> top;  // of its triangles along each plane's normal
+        Reach top;  // of its triangles
     };
     static constexpr std::size_t kPlaces = 32;  // direct-mapped: what pushes another out costs time alone
+    std::array<Vec3, kMaxNormals> normals;
+    int count = 0;
+    Vec3 lastMet = Vec3::Zero();
     std::array<SweptTool, kPlaces> tools;
     std::array<Leaf, kPlaces> leaves;
 
+    explicit Look(const Attempt& attempt) : count(attempt.activeCount) {
+        for (int i = 0; i < count; ++i) normals[i] = attempt.activeNormal(i);
+    }
+
+    /// A plane has parted a pair narrowly. One that parts two in a row is worth a try for all.
+    void met(const Vec3& normal) {
+        if (count < kMaxNormals && normal.dot(lastMet) > kSamePlane) normals[count++] = normal;
+        lastMet = normal;
+    }
     [[nodiscard]] SweptTool& tool(std::uint32_t triangle) { return tools[triangle % kPlaces]; }
     [[nodiscard]] Leaf& leaf(std::uint32_t number) { return leaves[number % kPlaces]; }
 };

@@ -84,11 +84,12 @@ SpeedVerdict judgeOverPatches(const TenPatches& piece, const TriangleMesh& tool,
     return verdict;
 }
 
-SpeedVerdict judgeOverTooth(const TriangleMesh& tooth, const TriangleMesh& tool, double speed, int subSteps) {
+SpeedVerdict judgeOverTooth(const TriangleMesh& tooth, const TriangleMesh& tool, double speed, int strokes,
+                            int subSteps) {
     HandPath how;
     how.speed = speed;
     how.stroke = 3;
-    how.strokes = speed > 200 ? 6 : speed > 50 ? 3 : 1;
+    how.strokes = strokes;
     const std::vector<Pose> path = handPath(tooth, how);
     const ExactIntersection judge(tooth, tool);
     const auto surface = surfaceOf(tooth);

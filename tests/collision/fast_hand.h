@@ -16,10 +16,6 @@ inline constexpr double kExactEnough = 5e-4;                           // mm
 inline constexpr double kTipSpeeds[] = {10, 66, 100, 250, 500, 1000};  // mm/s
 inline constexpr double kTick = 1e-3;                                  // s
 
-/// Ticks of a path over a tooth at which the body may stop short: at 50 cm/s and more it now and then stands between
-/// two contacts where no change of one plane helps, but is no minimum. It never intersects. (docs/contact.md, limits)
-[[nodiscard]] inline int mostShort(double speed) { return speed < 500 ? 0 : 1; }
-
 /// What a path has shown.
 struct SpeedVerdict {
     int ticks = 0;
@@ -41,6 +37,9 @@ struct SpeedVerdict {
 /// or else if the pose is proven to be a local minimum of the distance to the hand, with no straight way nearer: where
 /// a hand can rest on either side of a ridge, history decides, and the fine steps have another one.
 [[nodiscard]] SpeedVerdict judgeOverTooth(const TriangleMesh& tooth, const TriangleMesh& tool, double speed,
-                                          int subSteps);
+                                          int strokes, int subSteps);
+
+/// As many as take some hundred ticks.
+[[nodiscard]] inline int fewStrokes(double speed) { return speed > 200 ? 6 : speed > 50 ? 3 : 1; }
 
 }  // namespace tactooth::test

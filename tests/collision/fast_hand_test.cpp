@@ -19,13 +19,6 @@ void expectExact(const test::SpeedVerdict& verdict) {
     EXPECT_GT(verdict.touching, verdict.ticks / 4);
 }
 
-void expectNearlyExact(const test::SpeedVerdict& verdict, double speed) {
-    EXPECT_LE(verdict.wrong, test::mostShort(speed))
-        << "first " << verdict.firstWrong << ", worst " << verdict.worst << " mm";
-    EXPECT_EQ(verdict.intersecting, 0);
-    EXPECT_GT(verdict.touching, verdict.ticks / 4);
-}
-
 void pressAt(Vec3 TenPatches::*place, double speed) {
     const TenPatches piece = makeTenPatches();
     for (std::size_t tool = 0; tool < 2; ++tool) {
@@ -48,11 +41,11 @@ TEST_P(FastHand, OnTheValleyLineOfTenPatchesIsExact) { pressAt(&TenPatches::b, G
 
 TEST_P(FastHand, InTheLowestCornerOfTenPatchesIsExact) { pressAt(&TenPatches::c, GetParam()); }
 
-TEST_P(FastHand, OverCuspsAndFissuresIsExactOrNearly) {
+TEST_P(FastHand, OverCuspsAndFissuresIsExact) {
     for (const test::NamedMesh& tooth : test::judgedTeeth()) {
         SCOPED_TRACE(tooth.name);
-        const auto verdict = test::judgeOverTooth(tooth.mesh, test::judgedTools()[0].mesh, GetParam(), 20);
-        expectNearlyExact(verdict, GetParam());
+        const int strokes = test::fewStrokes(GetParam());
+        expectExact(test::judgeOverTooth(tooth.mesh, test::judgedTools()[0].mesh, GetParam(), strokes, 20));
     }
 }
 

@@ -9,6 +9,7 @@ namespace tactooth {
 namespace {
 
 class LongFastHand : public ::testing::TestWithParam<double> {};
+class LongFastHandOnManyWays : public LongFastHand {};
 
 std::string speedName(const ::testing::TestParamInfo<double>& speed) {
     return std::to_string(static_cast<int>(speed.param)) + "MmPerSecond";
@@ -16,17 +17,34 @@ std::string speedName(const ::testing::TestParamInfo<double>& speed) {
 
 }  // namespace
 
-TEST_P(LongFastHand, OverEveryToothIsExactOrNearly) {
+TEST_P(LongFastHand, OverEveryToothIsExact) {
     for (const test::NamedMesh& tooth : test::everyTooth()) {
         for (const std::size_t tool : {0, 1}) {
             const test::NamedMesh& bur = test::judgedTools()[tool];
-            const test::SpeedVerdict verdict = test::judgeOverTooth(tooth.mesh, bur.mesh, GetParam(), 50);
-            EXPECT_LE(verdict.wrong, test::mostShort(GetParam()))
-                << verdict.wrong << " " << tooth.name << " " << bur.name << ": of " << verdict.ticks << " ticks, first "
-                << verdict.firstWrong << ", worst " << verdict.worst << " mm";
+            const int strokes = test::fewStrokes(GetParam());
+            const test::SpeedVerdict verdict = test::judgeOverTooth(tooth.mesh, bur.mesh, GetParam(), strokes, 50);
+            EXPECT_EQ(verdict.wrong, 0) << tooth.name << " " << bur.name << ": of " << verdict.ticks << " ticks, first "
+                                        << verdict.firstWrong << ", worst " << verdict.worst << " mm";
             EXPECT_EQ(verdict.intersecting, 0) << tooth.name << " " << bur.name;
         }
     }
+}
+
+// Far more ways. A tool that comes fast onto a corner may stop at it once in some ten thousand ticks, until the next
+// (docs/contact.md, limits); it never enters.
+TEST_P(LongFastHandOnManyWays, IsExactOverEveryToothButForATickInTenThousand) {
+    int ticks = 0;
+    int wrong = 0;
+    for (const test::NamedMesh& tooth : test::everyTooth()) {
+        for (const std::size_t tool : {0, 1}) {
+            const test::NamedMesh& bur = test::judgedTools()[tool];
+            const test::SpeedVerdict verdict = test::judgeOverTooth(tooth.mesh, bur.mesh, GetParam(), 24, 50);
+            EXPECT_EQ(verdict.intersecting, 0) << tooth.name << " " << bur.name;
+            ticks += verdict.ticks;
+            wrong += verdict.wrong;
+        }
+    }
+    EXPECT_LE(wrong, 1 + ticks / 10'000) << "of " << ticks;
 }
 
 TEST_P(LongFastHand, OnTenPatchesIsExactWithEveryKindOfTool) {
@@ -42,5 +60,6 @@ TEST_P(LongFastHand, OnTenPatchesIsExactWithEveryKindOfTool) {
 }
 
 INSTANTIATE_TEST_SUITE_P(AtEverySpeed, LongFastHand, ::testing::ValuesIn(test::kTipSpeeds), speedName);
+INSTANTIATE_TEST_SUITE_P(AtHighSpeed, LongFastHandOnManyWays, ::testing::Values(250, 500, 1000), speedName);
 
 }  // namespace tactooth
