@@ -174,6 +174,57 @@ TEST(SlidingBody, DoesNotPassAThinWallInOneLongMove) {
     }
 }
 
+TEST(SlidingBody, ThatHasSettledStaysWithoutWorkUntilGoalOrSurfaceChange) {
+    SlidingBody body(toolOf(smallBox()));
+    const auto walls = surfaceOf(test::box(Vec3(-10, -10, -1), Vec3(10, 10, 0)));
+    body.setSurface(walls);
+    body.placeAt(at(0, 0, 0.1));
+    const MoveResult first = body.moveToward(at(0, 0, -0.2));
+    const Pose held = body.pose();
+    EXPECT_GT(first.work, 0);
+    const MoveResult again = body.moveToward(at(0, 0, -0.2));
+    EXPECT_EQ(again.status, MoveStatus::Held);
+    EXPECT_EQ(again.work, 0);
+    EXPECT_EQ(again.contactCount, first.contactCount);
+    EXPECT_EQ(again.contacts[0].share, first.contacts[0].share);
+    EXPECT_EQ(body.pose().position, held.position);
+
+    EXPECT_GT(body.moveToward(at(0.001, 0, -0.2)).work, 0);
+    EXPECT_EQ(body.moveToward(at(0.001, 0, -0.2)).work, 0);
+    body.setSurface(surfaceOf(test::box(Vec3(-10, -10, -1), Vec3(10, 10, -0.1))));
+    EXPECT_GT(body.moveToward(at(0.001, 0, -0.2)).work, 0);
+    EXPECT_NEAR(body.pose().position.z(), -0.1, 1e-6);
+}
+
+// The end of a bur on the floor that it has milled: thousands of triangles touch, and one plane parts them all, which
+// need not be the one of the pair that holds the tool.
+TEST(SlidingBody, OnAFlatFloorAsksForFewDistances) {
+    constexpr std::uint32_t kSide = 80;
+    TriangleMesh floor;
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> rough(-1e-6F, 1e-6F);  // mm
+    for (std::uint32_t y = 0; y <= kSide; ++y) {
+        for (std::uint32_t x = 0; x <= kSide; ++x) {
+            const auto place = [](std::uint32_t i) { return 0.025F * static_cast<float>(i) - 1; };
+            floor.vertices.emplace_back(place(x), place(y), rough(random));
+        }
+    }
+    floor.triangles = test::gridTriangles(kSide);
+    SlidingBody body(toolOf(test::cylinder(Vec3(0, 0, 0), 0.5, 1, 28)));
+    body.setSurface(surfaceOf(std::move(floor)));
+    body.placeAt(at(0, 0, 0.01));
+    int touching = 0;
+    int distances = 0;
+    for (int tick = 1; tick <= 100; ++tick) {
+        const Quat turn(Eigen::AngleAxisd(5e-4 * tick, Vec3::UnitZ()));
+        const MoveResult move = body.moveToward({Vec3(1e-4 * tick, 0, -0.1), turn});
+        touching += move.contactCount > 0;
+        distances += move.distances;
+    }
+    EXPECT_EQ(touching, 100);
+    EXPECT_LT(distances, 100 * 50);
+}
+
 TEST(SlidingBody, AnswersTheSameAtEveryScale) {
     for (const double scale : {1e-3, 1.0, 1e3}) {
         TriangleMesh ball = test::sphere(Vec3(0, 0, 0), 0.5 * scale, 24, 12);
