@@ -3,6 +3,9 @@
 #include "view/patch_pool.h"
 
 #include <algorithm>
+#include <optional>
+
+#include "geometry/parallel_for.h"
 
 namespace tactooth {
 
@@ -18,18 +21,15 @@ PatchPool::PatchPool()
     : buffers_(kFirstVertices, kFirstTriangles), vertices_(kFirstVertices), triangles_(kFirstTriangles) {}
 
 void PatchPool::update(const Surface& surface, const CornerShading& baseShading) {
-    takeNew(surface);
+    takeNew(surface, baseShading);
     markNeighbours();
-    lastUpload_ = 0;
+    uploadStale(*surface.base, baseShading);
     box_ = Box3();
-    for (auto& [id, place] : places_) {
-        if (place.isStale) upload(place, *surface.base, baseShading);
-        box_.extend(place.box);
-    }
+    for (const auto& [id, place] : places_) box_.extend(place.box);
 }
 
 /// Lets go of the patches that are gone and takes in those that have come.
-void PatchPool::takeNew(const Surface& surface) {
+void PatchPool::takeNew(const Surface& surface, const CornerShading& baseShading) {
     for (auto& [id, place] : places_) place.wanted = false;
     std::vector<std::shared_ptr<const SurfacePart>> missing;
     for (const auto& patch : surface.patches) {
@@ -44,7 +44,9 @@ void PatchPool::takeNew(const Surface& surface) {
         if (!entry.second.wanted) release(entry.second);
         return !entry.second.wanted;
     });
-    for (const auto& patch : missing) places_.emplace(patch->id(), ShadedPatch(patch, *surface.base));
+    std::vector<std::optional<ShadedPatch>> shaded(missing.size());
+    parallelFor(missing.size(), [&](std::size_t i) { shaded[i].emplace(missing[i], *surface.base, baseShading); });
+    for (std::size_t i = 0; i < missing.size(); ++i) places_.emplace(missing[i]->id(), std::move(*shaded[i]));
 }
 
 /// A wall that ends where a new one begins is shaded anew with it.
@@ -60,12 +62,30 @@ void PatchPool::markNeighbours() {
     }
 }
 
-void PatchPool::upload(Place& place, const SurfacePart& base, const CornerShading& baseShading) {
+/// Shades on all processors, then sends one after the other.
+void PatchPool::uploadStale(const SurfacePart& base, const CornerShading& baseShading) {
+    std::vector<Place*> stale;
+    for (auto& [id, place] : places_) {
+        if (place.isStale) stale.push_back(&place);
+    }
+    std::vector<ShadingMesh> meshes(stale.size());
+    parallelFor(stale.size(), [&](std::size_t i) {
+        const ShadedPatch& patch = stale[i]->patch;
+        meshes[i] = shadingMesh(patch.part->mesh(), patchShading(patch, neighboursOf(*stale[i]), base, baseShading));
+    });
+    lastUpload_ = 0;
+    for (std::size_t i = 0; i < stale.size(); ++i) upload(*stale[i], std::move(meshes[i]));
+}
+
+std::vector<const ShadedPatch*> PatchPool::neighboursOf(const Place& place) const {
     std::vector<const ShadedPatch*> neighbours;
     for (const auto& [id, other] : places_) {
         if (&other != &place && other.patch.wall.intersects(place.patch.wall)) neighbours.push_back(&other.patch);
     }
-    ShadingMesh mesh = shadingMesh(place.patch.part->mesh(), patchShading(place.patch, neighbours, base, baseShading));
+    return neighbours;
+}
+
+void PatchPool::upload(Place& place, ShadingMesh mesh) {
     release(place);
     place.vertices = static_cast<std::uint32_t>(mesh.vertices.size());
     place.triangles = static_cast<std::uint32_t>(mesh.triangles.size());

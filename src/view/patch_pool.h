@@ -39,9 +39,11 @@ private:
         bool wanted = true;
         bool isStale = true;  ///< to be shaded and uploaded
     };
-    void takeNew(const Surface& surface);
+    void takeNew(const Surface& surface, const CornerShading& baseShading);
     void markNeighbours();
-    void upload(Place& place, const SurfacePart& base, const CornerShading& baseShading);
+    void uploadStale(const SurfacePart& base, const CornerShading& baseShading);
+    [[nodiscard]] std::vector<const ShadedPatch*> neighboursOf(const Place& place) const;
+    void upload(Place& place, ShadingMesh mesh);
     void release(const Place& place);
     [[nodiscard]] std::uint32_t claimVertices(std::uint32_t count);
     [[nodiscard]] std::uint32_t claimTriangles(std::uint32_t count);

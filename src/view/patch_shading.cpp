@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "view/patch_shading.h"
 
-#include <array>
+#include <algorithm>
 #include <map>
 
 #include "collision/closest_point.h"
@@ -60,66 +60,110 @@ std::optional<LookMix> looksOfRim(const SurfacePart& base, const CornerShading& 
     return interpolated(base.mesh(), shading, nearest->triangle, nearest->point).mix;
 }
 
-/// The walls of several patches as one mesh. Neighbours meet in vertices of equal bits.
-class JoinedWalls {
+ShadedPatch::Place placeOf(const Vec3f& v) { return {v.x(), v.y(), v.z()}; }
+
+/// A patch's wall, and what of its neighbours' walls touches it, as one mesh. Neighbours meet in vertices of equal
+/// bits.
+class JoinedWall {
 public:
-    /// Adds the wall of `patch`, all of it or only what touches vertices that are there already.
-    void add(const ShadedPatch& patch, bool onlyTouching) {
-        const TriangleMesh& mesh = patch.part->mesh();
-        for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-            if (patch.carriedOn[t]) continue;
-            const Triangle& corners = mesh.triangles[t];
-            const auto isKnown = [&](std::uint32_t v) { return vertices_.contains(keyOf(mesh.vertices[v])); };
-            if (onlyTouching && std::none_of(corners.begin(), corners.end(), isKnown)) continue;
-            additions_.push_back({&patch, t});
-        }
-        // Only now: a neighbour's farther triangles do not count as touching.
-        for (const auto& [from, t] : additions_) addTriangle(*from, t);
-        additions_.clear();
+    explicit JoinedWall(const ShadedPatch& patch) : places_(patch.places) {
+        for (const ShadedPatch::Place& place : places_) mesh_.vertices.emplace_back(place.data());
+        const auto isOwn = [](std::uint32_t) { return true; };
+        addTriangles(patch, isOwn, [&](std::uint32_t vertex) { return patch.placeOfVertex[vertex]; });
+    }
+
+    void addTouching(const ShadedPatch& neighbour) {
+        const std::vector<std::uint32_t> shared = sharedPlaces(neighbour.places);
+        const auto touches = [&](std::uint32_t vertex) {
+            return shared[neighbour.placeOfVertex[vertex]] != ShadedPatch::kNotOfWall;
+        };
+        addTriangles(neighbour, touches, [&](std::uint32_t vertex) {
+            const std::uint32_t place = neighbour.placeOfVertex[vertex];
+            return shared[place] != ShadedPatch::kNotOfWall ? shared[place] : fartherVertex(neighbour.places[place]);
+        });
     }
 
     [[nodiscard]] CornerShading shading() const { return cornerShading(mesh_, tags_); }
 
 private:
-    using Key = std::array<float, 3>;
-    static Key keyOf(const Vec3f& v) { return {v.x(), v.y(), v.z()}; }
-
-    void addTriangle(const ShadedPatch& patch, std::uint32_t t) {
-        Triangle joined;
-        for (std::size_t c = 0; c < 3; ++c) {
-            const Vec3f& vertex = patch.part->mesh().vertices[patch.part->mesh().triangles[t][c]];
-            const auto [place, isNew] =
-                vertices_.try_emplace(keyOf(vertex), static_cast<std::uint32_t>(mesh_.vertices.size()));
-            if (isNew) mesh_.vertices.push_back(vertex);
-            joined[c] = place->second;
+    /// Which of the patch's own places each of `others` is, if any. Both ascend.
+    [[nodiscard]] std::vector<std::uint32_t> sharedPlaces(const std::vector<ShadedPatch::Place>& others) const {
+        std::vector<std::uint32_t> shared(others.size(), ShadedPatch::kNotOfWall);
+        std::size_t own = 0;
+        for (std::size_t i = 0; i < others.size(); ++i) {
+            while (own < places_.size() && places_[own] < others[i]) ++own;
+            if (own < places_.size() && places_[own] == others[i]) shared[i] = static_cast<std::uint32_t>(own);
         }
-        mesh_.triangles.push_back(joined);
-        tags_.push_back(patch.part->tag(t));
+        return shared;
     }
 
+    /// Adds those triangles of the wall of `patch` of which a vertex `counts`, with the vertices that `joined` tells.
+    template <class Counts, class Joined>
+    void addTriangles(const ShadedPatch& patch, const Counts& counts, const Joined& joined) {
+        const TriangleMesh& mesh = patch.part->mesh();
+        for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+            const Triangle& corners = mesh.triangles[t];
+            if (patch.carriedOn[t] || std::none_of(corners.begin(), corners.end(), counts)) continue;
+            mesh_.triangles.push_back({joined(corners[0]), joined(corners[1]), joined(corners[2])});
+            tags_.push_back(patch.part->tag(t));
+        }
+    }
+
+    /// The vertex of a neighbour that the patch itself does not have.
+    std::uint32_t fartherVertex(const ShadedPatch::Place& place) {
+        const auto [known, isNew] = farther_.try_emplace(place, static_cast<std::uint32_t>(mesh_.vertices.size()));
+        if (isNew) mesh_.vertices.emplace_back(place.data());
+        return known->second;
+    }
+
+    const std::vector<ShadedPatch::Place>& places_;
     TriangleMesh mesh_;
     std::vector<SurfaceTag> tags_;
-    std::map<Key, std::uint32_t> vertices_;
-    std::vector<std::pair<const ShadedPatch*, std::uint32_t>> additions_;
+    std::map<ShadedPatch::Place, std::uint32_t> farther_;
 };
+
+/// The vertices of the triangles of `patch` that are its wall, one for each of their corners.
+std::vector<std::uint32_t> cornersOfWall(const ShadedPatch& patch) {
+    const std::vector<Triangle>& triangles = patch.part->mesh().triangles;
+    std::vector<std::uint32_t> corners;
+    corners.reserve(3 * triangles.size());
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        if (!patch.carriedOn[t]) corners.insert(corners.end(), triangles[t].begin(), triangles[t].end());
+    }
+    return corners;
+}
 
 }  // namespace
 
-ShadedPatch::ShadedPatch(std::shared_ptr<const SurfacePart> patch, const SurfacePart& base) : part(std::move(patch)) {
+ShadedPatch::ShadedPatch(std::shared_ptr<const SurfacePart> patch, const SurfacePart& base,
+                         const CornerShading& baseShading)
+    : part(std::move(patch)) {
     const TriangleMesh& mesh = part->mesh();
     carriedOn.reserve(mesh.triangles.size());
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-        carriedOn.push_back(baseTriangle(mesh, t, base));
-        if (carriedOn.back()) continue;
-        for (int corner = 0; corner < 3; ++corner) wall.extend(mesh.corner(t, corner));
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) carriedOn.push_back(baseTriangle(mesh, t, base));
+    const std::vector<std::uint32_t> corners = cornersOfWall(*this);
+    places.reserve(corners.size());
+    for (const std::uint32_t vertex : corners) places.push_back(placeOf(mesh.vertices[vertex]));
+    std::sort(places.begin(), places.end());
+    places.erase(std::unique(places.begin(), places.end()), places.end());
+    placeOfVertex.assign(mesh.vertices.size(), kNotOfWall);
+    for (const std::uint32_t vertex : corners) {
+        if (placeOfVertex[vertex] != kNotOfWall) continue;
+        const auto place = std::lower_bound(places.begin(), places.end(), placeOf(mesh.vertices[vertex]));
+        placeOfVertex[vertex] = static_cast<std::uint32_t>(place - places.begin());
+    }
+    rims.reserve(places.size());
+    for (const Place& place : places) {
+        const Vec3 point = Vec3f(place.data()).cast<double>();
+        wall.extend(point);
+        rims.push_back(looksOfRim(base, baseShading, point));
     }
 }
 
 CornerShading patchShading(const ShadedPatch& patch, std::span<const ShadedPatch* const> neighbours,
                            const SurfacePart& base, const CornerShading& baseShading) {
-    JoinedWalls walls;
-    walls.add(patch, false);
-    for (const ShadedPatch* neighbour : neighbours) walls.add(*neighbour, true);
+    JoinedWall walls(patch);
+    for (const ShadedPatch* neighbour : neighbours) walls.addTouching(*neighbour);
     const CornerShading joined = walls.shading();
 
     const TriangleMesh& mesh = patch.part->mesh();
@@ -132,7 +176,7 @@ CornerShading patchShading(const ShadedPatch& patch, std::span<const ShadedPatch
             if (const auto& carried = patch.carriedOn[t]) {
                 corner = interpolated(base.mesh(), baseShading, *carried, mesh.corner(t, static_cast<int>(c)));
             } else {
-                const auto rim = looksOfRim(base, baseShading, mesh.corner(t, static_cast<int>(c)));
+                const auto& rim = patch.rims[patch.placeOfVertex[mesh.triangles[t][c]]];
                 corner = {joined.normals[3 * ofWall + c], rim.value_or(joined.looks[3 * ofWall + c])};
             }
             shading.normals[3 * t + c] = corner.normal;

@@ -12,7 +12,7 @@ namespace tactooth {
 namespace {
 
 ShadedPatch patchOf(const TriangleMesh& mesh, const SurfacePart& base, std::vector<SurfaceTag> tags = {}) {
-    return {std::make_shared<const SurfacePart>(mesh, std::move(tags)), base};
+    return {std::make_shared<const SurfacePart>(mesh, std::move(tags)), base, cornerShading(base.mesh(), base.tags())};
 }
 
 TEST(PatchShading, PieceOfABaseTriangleTakesOverItsShading) {
