@@ -27,9 +27,12 @@ Mat4 objectToWorld(const SceneObject& object) {
 }
 
 Box3 boxOf(const Drawable& drawable, const Mat4& worldToFrame) {
-    const Mat4 toFrame = worldToFrame * drawable.objectToWorld;
-    const Box3 box = drawable.buffers->box();
+    return movedBox(drawable.buffers->box(), worldToFrame * drawable.objectToWorld);
+}
+
+Box3 movedBox(const Box3& box, const Mat4& toFrame) {
     Box3 result;
+    if (box.isEmpty()) return result;
     for (int i = 0; i < 8; ++i) {
         const Vec3 corner = box.corner(static_cast<Box3::CornerType>(i));
         result.extend((toFrame * corner.homogeneous()).head<3>());

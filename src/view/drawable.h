@@ -11,6 +11,7 @@ struct Drawable {
     const SceneObject* object = nullptr;
     SurfaceBuffers* buffers = nullptr;
     Mat4 objectToWorld = Mat4::Identity();
+    Box3 changed = {};  ///< object frame: where the shape is another than in the picture before; empty = nowhere
 
     /// Whether light passes: it is blended over all that is opaque.
     [[nodiscard]] bool isTransparent() const;
@@ -26,5 +27,7 @@ struct Drawable {
 
 /// The axis-parallel box around `drawable`, in the frame that `worldToFrame` leads to.
 [[nodiscard]] Box3 boxOf(const Drawable& drawable, const Mat4& worldToFrame);
+/// Likewise around `box`, which `toFrame` leads there; empty if `box` is.
+[[nodiscard]] Box3 movedBox(const Box3& box, const Mat4& toFrame);
 
 }  // namespace tactooth

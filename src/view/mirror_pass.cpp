@@ -51,18 +51,6 @@ PassView reflectedView(const PassView& direct, const Plane& mirror) {
     return view;
 }
 
-Mat4 cropped(const Mat4& worldToClip, const PixelRectangle& rectangle, PictureSize size) {
-    const Eigen::Array2d whole(size.width, size.height);
-    const Eigen::Array2d low = 2 * rectangle.low.cast<double>().array() / whole - 1;
-    const Eigen::Array2d high = 2 * rectangle.high.cast<double>().array() / whole - 1;
-    Mat4 crop = Mat4::Identity();
-    for (int axis = 0; axis < 2; ++axis) {
-        crop(axis, axis) = 2 / (high[axis] - low[axis]);
-        crop(axis, 3) = -(high[axis] + low[axis]) / (high[axis] - low[axis]);
-    }
-    return crop * worldToClip;
-}
-
 Expected<MirrorPass> MirrorPass::create() {
     MirrorPass pass;
     auto program = ShaderProgram::create("mirror", "", {shaders::kFrame, shaders::kMirrorVert}, {shaders::kMirrorFrag});

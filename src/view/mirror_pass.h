@@ -13,9 +13,6 @@ namespace tactooth {
 /// The view by way of the mirror: the world reflected in its plane, and nothing from behind the glass.
 [[nodiscard]] PassView reflectedView(const PassView& direct, const Plane& mirror);
 
-/// Shrinks the clip volume of `worldToClip` to `rectangle` of the picture.
-[[nodiscard]] Mat4 cropped(const Mat4& worldToClip, const PixelRectangle& rectangle, PictureSize size);
-
 /// Draws the mirror's disc with the reflected picture on it (drawn in `covered`), into the bound framebuffer.
 class MirrorPass {
 public:

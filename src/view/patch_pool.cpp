@@ -40,10 +40,14 @@ void PatchPool::takeNew(const Surface& surface, const CornerShading& baseShading
             missing.push_back(patch);
         }
     }
+    changed_ = Box3();
     std::erase_if(places_, [&](const auto& entry) {
-        if (!entry.second.wanted) release(entry.second);
-        return !entry.second.wanted;
+        if (entry.second.wanted) return false;
+        changed_.extend(entry.second.box);
+        release(entry.second);
+        return true;
     });
+    for (const auto& patch : missing) changed_.extend(patch->tree().box());
     std::vector<std::optional<ShadedPatch>> shaded(missing.size());
     parallelFor(missing.size(), [&](std::size_t i) { shaded[i].emplace(missing[i], *surface.base, baseShading); });
     for (std::size_t i = 0; i < missing.size(); ++i) places_.emplace(missing[i]->id(), std::move(*shaded[i]));

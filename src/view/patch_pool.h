@@ -22,6 +22,8 @@ public:
     void update(const Surface& surface, const CornerShading& baseShading);
     void draw(const ClusterCuller& culler);
     [[nodiscard]] const Box3& box() const { return box_; }
+    /// Where the last update changed what is seen, shading apart.
+    [[nodiscard]] const Box3& changed() const { return changed_; }
     /// Triangles uploaded by the last update.
     [[nodiscard]] std::size_t lastUpload() const { return lastUpload_; }
 
@@ -54,6 +56,7 @@ private:
     std::map<std::uint64_t, Place> places_;  ///< by SurfacePart::id
     std::vector<TriangleRun> runs_;
     Box3 box_;
+    Box3 changed_;
     std::size_t lastUpload_ = 0;
 };
 

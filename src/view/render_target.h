@@ -20,6 +20,9 @@ struct PixelRectangle {
     }
 };
 
+/// Shrinks the clip volume of `worldToClip` to `rectangle` of the picture.
+[[nodiscard]] Mat4 cropped(const Mat4& worldToClip, const PixelRectangle& rectangle, PictureSize size);
+
 /// Colour, depth and stencil to draw into, colour and depth readable as textures afterwards. With `samples` > 0 drawing
 /// goes to multisampled buffers, and `resolve` brings the means over into the textures.
 class RenderTarget {

@@ -300,8 +300,11 @@ void Renderer::Parts::updateShapes(const Scene& scene, const ShapeCache::Result&
                                    const RenderSettings& settings) {
     lastUpload = result.uploadedTriangles;
     fields.update(result.drawables);
-    if (settings.shadows == Shadows::None) return;
-    shadows.update(result.drawables, result.stillShapesChanged, scene.lighting.toKey, keptSide(scene),
+    if (settings.shadows == Shadows::None) {
+        shadows.forget();
+        return;
+    }
+    shadows.update(result.drawables, result.stillShapesGone, scene.lighting.toKey, keptSide(scene),
                    settings.coarseness);
 }
 

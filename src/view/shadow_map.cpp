@@ -3,6 +3,8 @@
 #include "view/shadow_map.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "geometry/pose.h"
 #include "view/shaders.h"
@@ -14,6 +16,12 @@ namespace {
 constexpr int kResolution = 1024;      ///< texels a side: 25 um a texel on a molar
 constexpr double kTexelsForPixel = 2;  ///< a shadow's edge may be off twice as much as the picture's: nobody compares
 constexpr double kMargin = 1.02;       ///< room for the standing-off of the lookup
+
+/// The depth reaches beyond what receives shadows by a multiple of this, mm: a tool that moves then leaves the picture
+/// of what stands still as it is. 24 bits of a hundred millimetres are 6 nm.
+constexpr double kDepthStep = 32;
+constexpr int kBorderTexels = 2;  ///< around what has changed: a texel for rounding, one for its neighbour
+constexpr PictureSize kMapSize{kResolution, kResolution};
 
 gl::Framebuffer framebufferFor(const gl::Texture& depth) {
     gl::Framebuffer framebuffer = gl::Framebuffer::make();
@@ -37,6 +45,15 @@ Mat4 lightFrame(const Vec3& toLight) {
     Mat4 matrix = Mat4::Identity();
     matrix.topLeftCorner<3, 3>() = shortestTurn(toLight, Vec3::UnitZ()).toRotationMatrix();
     return matrix;
+}
+
+/// `all` with its depth grown in steps from that of `receivers`.
+Box3 inSteps(const Box3& receivers, Box3 all) {
+    const double above = all.max().z() - receivers.max().z();
+    const double below = receivers.min().z() - all.min().z();
+    all.max().z() = receivers.max().z() + kDepthStep * std::ceil(above / kDepthStep);
+    all.min().z() = receivers.min().z() - kDepthStep * std::ceil(below / kDepthStep);
+    return all;
 }
 
 /// The parallel projection that looks down -z onto the square around the middle of `receivers`, as deep as `all`.
@@ -79,16 +96,38 @@ void ShadowMap::aim(const std::vector<Drawable>& drawables, const Vec3& toLight)
     }
     if (receivers.isEmpty()) receivers = all;
     const double halfWidth = 0.5 * kMargin * std::max({receivers.sizes().x(), receivers.sizes().y(), 1e-3});
-    worldToClip_ = lightProjection(receivers, all, halfWidth) * frame;
+    worldToClip_ = lightProjection(receivers, inSteps(receivers, all), halfWidth) * frame;
     Mat4 clipToTexture = Mat4::Identity();
     clipToTexture.topLeftCorner<3, 3>() *= 0.5;
     clipToTexture.topRightCorner<3, 1>().setConstant(0.5);
     lookup_ = {clipToTexture * worldToClip_, 1.0 / kResolution, 2 * halfWidth / kResolution};
 }
 
-void ShadowMap::update(const std::vector<Drawable>& drawables, bool stillShapesChanged, const Vec3& toLight,
+PixelRectangle ShadowMap::texelsOf(const Box3& inClip) const {
+    if (inClip.isEmpty()) return {};
+    const auto texel = [](double clip) { return std::clamp((clip + 1) / 2 * kResolution, -1.0, kResolution + 1.0); };
+    const auto below = [&](double clip) { return static_cast<int>(std::floor(texel(clip))) - kBorderTexels; };
+    const auto above = [&](double clip) { return static_cast<int>(std::ceil(texel(clip))) + kBorderTexels; };
+    const PixelRectangle around{{below(inClip.min().x()), below(inClip.min().y())},
+                                {above(inClip.max().x()), above(inClip.max().y())}};
+    return around.within(PixelRectangle::whole(kMapSize));
+}
+
+PixelRectangle ShadowMap::changedTexels(const std::vector<Drawable>& drawables) const {
+    Box3 changed;
+    for (const Drawable& drawable : drawables) {
+        if (drawable.object->moves) continue;
+        changed.extend(movedBox(drawable.changed, worldToClip_ * drawable.objectToWorld));
+    }
+    return texelsOf(changed);
+}
+
+void ShadowMap::update(const std::vector<Drawable>& drawables, bool stillShapesGone, const Vec3& toLight,
                        const Eigen::Vector4d& section, double coarseness) {
-    if (drawables.empty()) return;
+    if (drawables.empty()) {
+        forget();
+        return;
+    }
     aim(drawables, toLight);
     lookup_.error = kTexelsForPixel * coarseness * lookup_.pitch;
     std::vector<Mat4> poses;
@@ -101,22 +140,31 @@ void ShadowMap::update(const std::vector<Drawable>& drawables, bool stillShapesC
     program_.use();
     const bool moved = std::exchange(section_, section) != section;
     const bool refined = std::exchange(coarseness_, coarseness) != coarseness;
-    if (stillShapesChanged || moved || refined || stillAim_ != worldToClip_ || poses != stillPoses_) {
-        glBindFramebuffer(GL_FRAMEBUFFER, stillFramebuffer_.name());
-        glClear(GL_DEPTH_BUFFER_BIT);
-        draw(drawables, false);
-        stillAim_ = worldToClip_;
-        stillPoses_ = std::move(poses);
-    }
+    const bool isOld = stillShapesGone || moved || refined || stillAim_ != worldToClip_ || poses != stillPoses_;
+    const PixelRectangle whole = PixelRectangle::whole(kMapSize);
+    drawStill(drawables, isOld ? whole : changedTexels(drawables));
+    stillAim_ = worldToClip_;
+    stillPoses_ = std::move(poses);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, stillFramebuffer_.name());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, withToolsFramebuffer_.name());
     glBlitFramebuffer(0, 0, kResolution, kResolution, 0, 0, kResolution, kResolution, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
     if (!anyTools) return;
     glBindFramebuffer(GL_FRAMEBUFFER, withToolsFramebuffer_.name());
-    draw(drawables, true);
+    draw(drawables, true, whole);
 }
 
-void ShadowMap::draw(const std::vector<Drawable>& drawables, bool tools) const {
+void ShadowMap::drawStill(const std::vector<Drawable>& drawables, const PixelRectangle& part) const {
+    if (part.empty()) return;
+    glBindFramebuffer(GL_FRAMEBUFFER, stillFramebuffer_.name());
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(part.low.x(), part.low.y(), part.extent().x(), part.extent().y());
+    glClear(GL_DEPTH_BUFFER_BIT);
+    draw(drawables, false, part);
+    glDisable(GL_SCISSOR_TEST);
+}
+
+void ShadowMap::draw(const std::vector<Drawable>& drawables, bool tools, const PixelRectangle& part) const {
+    const Mat4 worldToPart = cropped(worldToClip_, part, kMapSize);
     // The back of what a section has opened throws its shadow, too.
     const bool inSection = !section_.head<3>().isZero();
     // Facets steep to the light span a depth range within one texel: push them back by it.
@@ -133,7 +181,7 @@ void ShadowMap::draw(const std::vector<Drawable>& drawables, bool tools) const {
         program_.set("sectionInObject", Eigen::Vector4f(sectionInObject.cast<float>()));
         const bool cut = inSection && drawable.object->sectioned;
         cut ? glEnable(GL_CLIP_DISTANCE1) : glDisable(GL_CLIP_DISTANCE1);
-        drawable.buffers->draw({objectToClip,
+        drawable.buffers->draw({worldToPart * drawable.objectToWorld,
                                 Eigen::Vector4d(toLightInObject.x(), toLightInObject.y(), toLightInObject.z(), 0),
                                 closed, lookup_.error});
     }

@@ -27,18 +27,18 @@ ShapeCache::Result ShapeCache::update(const Scene& scene) {
         if (!object.visible && !onlyInSection) continue;
         const bool changed = entry.buffers.update(object.shape);
         if (changed) result.uploadedTriangles += entry.buffers.lastUpload();
-        const Drawable drawable{&object, &entry.buffers, objectToWorld(object)};
+        Drawable drawable{&object, &entry.buffers, objectToWorld(object)};
+        if (changed) drawable.changed = entry.buffers.changed();
         if (object.filling && scene.section) result.filled.push_back(drawable);
         if (onlyInSection) continue;
         if (object.ghost) {
             result.ghosts.push_back(drawable);
             continue;
         }
-        result.stillShapesChanged |= changed && !object.moves;
         result.drawables.push_back(drawable);
     }
     std::erase_if(entries_, [&](const Entry& entry) {
-        result.stillShapesChanged |= !entry.used && entry.throwsStillShadow;
+        result.stillShapesGone |= !entry.used && entry.throwsStillShadow;
         return !entry.used;
     });
     return result;

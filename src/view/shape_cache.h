@@ -15,7 +15,7 @@ public:
         std::vector<Drawable> drawables;  ///< the visible objects of the scene but the ghosts, in its order
         std::vector<Drawable> ghosts;     ///< likewise
         std::vector<Drawable> filled;     ///< those that a section shows filled; empty without a section
-        bool stillShapesChanged = false;  ///< a shape that does not move was added, removed or altered
+        bool stillShapesGone = false;     ///< a shape that does not move was removed
         std::size_t uploadedTriangles = 0;
     };
     /// `scene` must live as long as the result.

@@ -85,10 +85,12 @@ bool SurfaceBuffers::update(const SceneShape& shape) {
     assert(holds(shape));
     if (updated_ && shown_ == shape) return false;
     lastUpload_ = updated_ ? 0 : placeOfTriangle_.size();
+    changed_ = updated_ ? Box3() : box_;
     if (const auto* pointer = std::get_if<SurfacePointer>(&shape)) {
         const Surface& surface = **pointer;
         hide(surface.hidden != nullptr ? *surface.hidden : TriangleMask{});
         patches_.update(surface, shading_);
+        changed_.extend(patches_.changed());
         lastUpload_ += patches_.lastUpload();
     }
     shown_ = shape;
@@ -103,6 +105,7 @@ void SurfaceBuffers::hide(const TriangleMask& mask) {
     std::vector<Change> changes;
     changes.reserve(toggled.size());
     for (const std::uint32_t triangle : toggled) {
+        for (int corner = 0; corner < 3; ++corner) changed_.extend(meshOf(shown_).corner(triangle, corner));
         const std::uint32_t place = placeOfTriangle_[triangle];
         const Triangle& shown = detail_.triangles[place];
         const bool hides = isHidden(wanted, triangle);

@@ -23,6 +23,8 @@ public:
     void draw(const ClusterCuller& culler);
     /// Object frame.
     [[nodiscard]] Box3 box() const { return box_.merged(patches_.box()); }
+    /// Where the last update that changed anything did so, shading apart. Object frame.
+    [[nodiscard]] const Box3& changed() const { return changed_; }
     /// Triangles sent to the graphics card by the last update.
     [[nodiscard]] std::size_t lastUpload() const { return lastUpload_; }
 
@@ -45,6 +47,7 @@ private:
     std::vector<bool> mustBeTrue_;             ///< of each node: whether a triangle below it is hidden
     std::vector<std::uint32_t> placeOfTriangle_;
     Box3 box_;
+    Box3 changed_;
     TriangleMask hidden_;
     TriangleBuffers buffers_;
     PatchPool patches_;
