@@ -54,7 +54,7 @@ OffscreenRenderer::OffscreenRenderer(OffscreenRenderer&&) noexcept = default;
 OffscreenRenderer& OffscreenRenderer::operator=(OffscreenRenderer&&) noexcept = default;
 OffscreenRenderer::~OffscreenRenderer() = default;
 
-std::string OffscreenRenderer::device() const { return reinterpret_cast<const char*>(glGetString(GL_RENDERER)); }
+std::string OffscreenRenderer::device() const { return rendererName(); }
 std::size_t OffscreenRenderer::lastUpload() const { return parts_->renderer.lastUpload(); }
 
 Expected<Image> OffscreenRenderer::render(const Scene& scene, PictureSize size, const RenderSettings& settings) {

@@ -116,11 +116,14 @@ TEST_F(BenchCommand, ViewHoldsACuttingBurAgainstOneThatOnlyMoves) {
     const auto json = nlohmann::json::parse(run.out);
     for (const auto& one : json["cases"]) {
         EXPECT_GT(one["processor_ms"].get<double>(), 0);
+        EXPECT_GT(one["pictures_per_s"].get<double>(), 0);
         drawn[one["scene"]].push_back(one["drawn"]);
         if (drawn[one["scene"]].size() == 1) {
             EXPECT_EQ(one["of_first"].get<double>(), 1);
+            EXPECT_EQ(one["of_first_by_rate"].get<double>(), 1);
         }
     }
+    EXPECT_EQ(json["software"].get<bool>(), json["opengl"].get<std::string>().find("llvmpipe") != std::string::npos);
     const std::vector<std::string> atWork = {"bur moves", "bur cuts", "with second view", "with ghost of target"};
     EXPECT_EQ(drawn["molar, work"], atWork);
     EXPECT_EQ(drawn["tooth, work"], std::vector(atWork.begin(), atWork.end() - 1));
