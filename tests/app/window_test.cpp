@@ -10,10 +10,13 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTableWidget>
 #include <ctime>
 #include <fstream>
 
+#include "app/gui/elided_label.h"
 #include "app/gui/open_tooth_dialog.h"
 #include "app/gui/welcome_dialog.h"
 #include "app/gui/window_setup.h"
@@ -39,9 +42,11 @@ private slots:
     void initTestCase();
     void aNewcomerTouchesTheToothWithinHalfAMinute();
     void theBuiltInMolarComesByItself();
+    void whatIsSeenFirstIsSeenWhole();
     void theMouseTouchesTheToothAndTheMeterShowsIt();
     void pressingHarderGivesMoreForce();
     void theSpaceKeyIsThePedal();
+    void aBurThatCannotCutSaysWhy();
     void aTouchingBurRemovesNothing();
     void aCuttingBurRemovesEnamel();
     void whatHappenedIsListedAndExported();
@@ -94,6 +99,15 @@ void WindowTest::theBuiltInMolarComesByItself() {
     QVERIFY(surface().base->mesh().triangles.size() > 10000);
 }
 
+/// In the window's own size no panel that is in front needs to be scrolled.
+void WindowTest::whatIsSeenFirstIsSeenWhole() {
+    QCOMPARE(window_->size(), QSize(1400, 900));
+    for (const QScrollArea* area : window_->findChildren<QScrollArea*>()) {
+        if (!area->isVisible() || area->widget() == nullptr) continue;
+        QTRY_VERIFY2(area->verticalScrollBar()->maximum() == 0, area->widget()->metaObject()->className());
+    }
+}
+
 void WindowTest::theMouseTouchesTheToothAndTheMeterShowsIt() {
     QCOMPARE(gauge("forceGauge"), 0.0);
     pressBurOn(middle());
@@ -128,6 +142,25 @@ void WindowTest::theSpaceKeyIsThePedal() {
     QTest::keyRelease(window_.get(), Qt::Key_Space);
     QTRY_VERIFY_WITH_TIMEOUT(gauge("speedGauge") < 5, 10000);
     key(Qt::Key_T);
+}
+
+void WindowTest::aBurThatCannotCutSaysWhy() {
+    const auto* hint = window_->findChild<ElidedLabel*>("hint");
+    auto* keepPedal = window_->findChild<QCheckBox*>("keepPedal");
+    const QString usual = hint->text();
+    key(Qt::Key_C);
+    pressBurOn(middle());
+    QTRY_VERIFY2_WITH_TIMEOUT(hint->text().contains("pedal (Space)"), qPrintable(hint->text()), 10000);
+    keepPedal->setChecked(true);
+    QTRY_VERIFY2_WITH_TIMEOUT(!hint->text().contains("stands still"), qPrintable(hint->text()), 10000);
+    key(Qt::Key_T);
+    QTRY_VERIFY2_WITH_TIMEOUT(hint->text().contains("Cut (C)"), qPrintable(hint->text()), 10000);
+    liftBur(middle());
+    QTRY_COMPARE_WITH_TIMEOUT(hint->text(), usual, 10000);
+    keepPedal->setChecked(false);
+    QTRY_VERIFY_WITH_TIMEOUT(gauge("speedGauge") < 5, 10000);
+    key(Qt::Key_R, Qt::ControlModifier);
+    QTRY_COMPARE_WITH_TIMEOUT(removed(), 0.0, 10000);
 }
 
 void WindowTest::aTouchingBurRemovesNothing() {

@@ -140,8 +140,9 @@ void MainWindow::addPanels() {
     tabifyDockWidget(plots, addDock(*timing_, tr("Real time"), Qt::BottomDockWidgetArea));
     plots->raise();
     fitPanels();
-    resizeDocks({drill, force, inside}, {drive_->sizeHint().height(), tabHeight(), inside_->sizeHint().height()},
-                Qt::Vertical);
+    // What stands behind the first tab may be scrolled; what is seen at once is seen whole.
+    resizeDocks({drill, force, inside},
+                {drive_->sizeHint().height(), force_->sizeHint().height(), inside_->sizeHint().height()}, Qt::Vertical);
     busy_->setRange(0, 0);
     busy_->setMaximumWidth(120);
     busy_->setObjectName("busy");

@@ -258,7 +258,11 @@ private:
     PadKeys pad_;
     Qt::Key pedalKey_ = Qt::Key_Space;
     double disagreesSince_ = 0;  // tick's time, s: bar and device about touch or cut
-    enum class HandHint { None, ForceWaits, AtEnd } handHint_ = HandHint::None;  // that the status line shows
+    /// Why the hand's work does not do what it is meant to.
+    enum class HandHint { None, ForceWaits, AtEnd, BurStands, OnlyTouches };
+    [[nodiscard]] HandHint handHint();
+    [[nodiscard]] QString hintText(HandHint hint) const;
+    HandHint handHint_ = HandHint::None;  // that the status line shows
     QTimer stepTimer_, numbersTimer_, statusTimer_;
     QElapsedTimer sinceStep_;
     Vec3 lastPlace_ = Vec3::Zero();

@@ -230,7 +230,7 @@ void MainWindow::fillRecentMenu() {
 
 void MainWindow::welcome() {
     auto* dialog = new WelcomeDialog(this);
-    connect(dialog, &WelcomeDialog::toothWanted, this, &MainWindow::askForTooth);
+    connect(dialog, &WelcomeDialog::toothWanted, this, &MainWindow::askForScan);
     connect(dialog, &WelcomeDialog::demonstrationWanted, this, &MainWindow::showDemonstration);
     dialog->open();
 }

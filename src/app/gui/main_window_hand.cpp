@@ -7,6 +7,7 @@
 
 #include "app/gui/drill_bar.h"
 #include "app/gui/drive_panel.h"
+#include "app/gui/guided_tour.h"
 #include "app/gui/hand_panel.h"
 #include "app/gui/main_window.h"
 #include "app/gui/status_line.h"
@@ -183,20 +184,43 @@ void MainWindow::showHand() {
     hintAtHand();
 }
 
-void MainWindow::hintAtHand() {
+MainWindow::HandHint MainWindow::handHint() {
     const HapticDevice* device = bench_.device();
     Simulator* simulator = bench_.simulator();
-    HandHint hint = HandHint::None;
-    // What ails the device comes first: see takeNews.
-    if (device != nullptr && device->trouble() == nullptr && simulator != nullptr) {
-        const bool waits = simulator->forceState() == ForceState::WaitsForFree && bench_.newest().contacts > 0;
-        hint = waits ? HandHint::ForceWaits : simulator->isHandAtEnd() ? HandHint::AtEnd : HandHint::None;
+    if (simulator == nullptr || tour_->isRunning()) return HandHint::None;
+    const Tick& tick = bench_.newest();
+    if (device != nullptr) {
+        if (device->trouble() != nullptr) return HandHint::None;  // that comes first: see takeNews
+        if (simulator->forceState() == ForceState::WaitsForFree && tick.contacts > 0) return HandHint::ForceWaits;
+        if (simulator->isHandAtEnd()) return HandHint::AtEnd;
     }
+    if (tick.contacts == 0) return HandHint::None;
+    if (tick.cutting) return tick.pedal == 0 ? HandHint::BurStands : HandHint::None;
+    return tick.pedal > 0 ? HandHint::OnlyTouches : HandHint::None;
+}
+
+QString MainWindow::hintText(HandHint hint) const {
+    switch (hint) {
+        case HandHint::ForceWaits:
+            return forceStateText(ForceState::WaitsForFree);
+        case HandHint::AtEnd:
+            return tr("The hand is at the end of the device's room: hold the bur (X), bring the hand back and let go");
+        case HandHint::BurStands:
+            return tr("The bur stands still: hold the pedal (%1), or tick Keep down")
+                .arg(QKeySequence(pedalKey_).toString(QKeySequence::NativeText));
+        case HandHint::OnlyTouches:
+            return tr("The bur only touches: choose Cut (C) to remove something");
+        case HandHint::None:
+            break;
+    }
+    return {};
+}
+
+void MainWindow::hintAtHand() {
+    const HandHint hint = handHint();
     if (hint == std::exchange(handHint_, hint)) return;
     if (hint == HandHint::None) return showUsualHint();
-    status_->setHint(hint == HandHint::ForceWaits ? forceStateText(ForceState::WaitsForFree)
-                                                  : tr("The hand is at the end of the device's room: hold the bur (X), "
-                                                       "bring the hand back and let go"));
+    status_->setHint(hintText(hint));
 }
 
 }  // namespace tactooth

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace tactooth {
 
@@ -17,7 +18,8 @@ WelcomeDialog::WelcomeDialog(QWidget* parent) : QDialog(parent) {
     column->addWidget(greeting);
     addChoice(tr("Practise"), tr("A lower molar with a carious lesion is ready: move the mouse over it and press."),
               "practise", nullptr);
-    addChoice(tr("Open my tooth"), tr("An STL file of your own, in millimetres, with the crown up."), "openMine",
+    addChoice(tr("Open my tooth"),
+              tr("A scan of your own, in whatever unit and position: you see first what it is taken for."), "openMine",
               &WelcomeDialog::toothWanted);
     addChoice(tr("Watch the demonstration"), tr("Twenty seconds: touching, cutting, taking back."), "demonstration",
               &WelcomeDialog::demonstrationWanted);
@@ -25,7 +27,9 @@ WelcomeDialog::WelcomeDialog(QWidget* parent) : QDialog(parent) {
     later->setWordWrap(true);
     column->addWidget(later);
     constexpr int kLetters = 56;  // a line that is easy to read
-    setMinimumWidth(kLetters * fontMetrics().averageCharWidth());
+    const int wide = std::max(kLetters * fontMetrics().averageCharWidth(), minimumSizeHint().width());
+    setMinimumWidth(wide);
+    resize(wide, layout()->totalHeightForWidth(wide));  // else there is room for lines that a narrower one would have
 }
 
 void WelcomeDialog::addChoice(const QString& title, const QString& what, const char* name,

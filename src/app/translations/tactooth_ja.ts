@@ -2253,6 +2253,14 @@ The mouse wheel in the picture changes it too.</source>
         <translation>手が装置の可動域の端にあります。バーを保持して（X）手を戻し、離してください</translation>
     </message>
     <message>
+        <source>The bur stands still: hold the pedal (%1), or tick Keep down</source>
+        <translation>バーは止まっています。ペダル（%1）を踏み続けるか、「踏んだまま」を選んでください</translation>
+    </message>
+    <message>
+        <source>The bur only touches: choose Cut (C) to remove something</source>
+        <translation>バーは触れているだけです。削るには「切削」（C）を選んでください</translation>
+    </message>
+    <message>
         <source>X</source>
         <translation>X</translation>
     </message>
@@ -2604,8 +2612,8 @@ More than 1 % is felt: close other programs, or take a tooth with fewer triangle
         <translation>自分の歯を開く</translation>
     </message>
     <message>
-        <source>An STL file of your own, in millimetres, with the crown up.</source>
-        <translation>自分の STL ファイル（ミリメートル単位、歯冠が上）。</translation>
+        <source>A scan of your own, in whatever unit and position: you see first what it is taken for.</source>
+        <translation>自分のスキャン。単位や向きは問いません。どう解釈されたかを先に確かめられます。</translation>
     </message>
     <message>
         <source>Watch the demonstration</source>
