@@ -13,10 +13,10 @@ namespace tactooth {
 namespace {
 
 // The head around the bur's axis, 10.6 mm wide and 13 mm high: chuck nose, barrel, groove, push button.
-constexpr Section kHead[] = {circle(9.0, 2.5),   circle(9.7, 2.55),  circle(9.9, 3.3),   circle(10.4, 4.2),
-                             circle(11.4, 4.85), circle(13.0, 5.2),  circle(15.5, 5.3),  circle(18.2, 5.25),
-                             circle(19.3, 5.05), circle(19.6, 4.95), circle(19.85, 4.3), circle(20.15, 4.3),
-                             circle(20.4, 4.75), circle(21.2, 4.65), circle(22.4, 4.0)};
+constexpr Section kHead[] = {circle(9.0, 2.5),   circle(9.7, 2.55),  circle(9.9, 3.3),    circle(10.4, 4.2),
+                             circle(11.4, 4.85), circle(13.0, 5.2),  circle(15.5, 5.3),   circle(18.2, 5.25),
+                             circle(19.0, 5.1),  circle(19.3, 4.9),  circle(19.75, 4.35), circle(20.25, 4.35),
+                             circle(20.7, 4.75), circle(21.3, 4.65), circle(22.4, 4.0)};
 
 // The handle along +x, as sections whose first axis is z: a slender neck that rises by 22.5 degrees, then the body,
 // bent back (contra-angle), with a coupling ring near its cut end.
@@ -48,7 +48,7 @@ double gripDepth(double x) {
 }  // namespace
 
 TriangleMesh makeTurbine(int triangles) {
-    constexpr double kCell = 0.38;  // mm: shows the grooves
+    constexpr double kCell = 0.3;  // mm: the grooves have smooth edges
     const Box3 bounds(Vec3(-6.5, -6.5, 8), Vec3(75, 6.5, 36));
     const Handpiece body(kForm);
     const auto solid = [&](const Vec3& p) { return body(p, gripDepth(p.x())); };

@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "collision/closest_point.h"
 #include "instruments/bur_shape.h"
 #include "instruments/mesh_checks.h"
 #include "support/mesh_checks.h"
@@ -47,6 +49,22 @@ TEST(Turbine, HeadHasTheSizeOfARealOneAndLetsTheBurProtrude) {
     EXPECT_LE(top - bottom, 13.5);
     EXPECT_GE(bottom, 8);
     EXPECT_LE(bottom, 10);
+}
+
+/// Also around the groove below the push button, where too coarse a grid leaves teeth.
+TEST(Turbine, HeadIsAsRoundAsIfTurned) {
+    const SurfacePart head(turbine());
+    constexpr int kDirections = 48;
+    for (double z = 10.5; z < 22; z += 0.1) {
+        double least = 1e9, most = -1e9;
+        for (int i = 0; i < kDirections; ++i) {  // away from the handle and its fillet
+            const double angle = std::numbers::pi * (0.7 + 0.6 * (i + 0.5) / kDirections);
+            const double outside = signedDistance(head, Vec3(5 * std::cos(angle), 5 * std::sin(angle), z));
+            least = std::min(least, outside);
+            most = std::max(most, outside);
+        }
+        EXPECT_LT(most - least, 0.07) << "at " << z << " mm";
+    }
 }
 
 TEST(Turbine, HoldsEveryBurByItsShank) {
