@@ -194,7 +194,8 @@ MainWindow::HandHint MainWindow::handHint() {
         if (simulator->forceState() == ForceState::WaitsForFree && tick.contacts > 0) return HandHint::ForceWaits;
         if (simulator->isHandAtEnd()) return HandHint::AtEnd;
     }
-    if (tick.contacts == 0) return HandHint::None;
+    const bool presses = device != nullptr || bench_.hand().isPressing();  // a bur may rest in its cavity
+    if (tick.contacts == 0 || !presses) return HandHint::None;
     if (tick.cutting) return tick.pedal == 0 ? HandHint::BurStands : HandHint::None;
     return tick.pedal > 0 ? HandHint::OnlyTouches : HandHint::None;
 }
