@@ -32,20 +32,25 @@ public:
         u_ = rounded(u * kScale);
         v_ = rounded(v * kScale);
     }
-    [[nodiscard]] Vec3 unpack() const {
-        double u = u_ / kScale;
-        double v = v_ / kScale;
-        const double z = 1 - std::abs(u) - std::abs(v);
-        if (z < 0) {
-            const double unfolded = (1 - std::abs(v)) * (u >= 0 ? 1 : -1);
-            v = (1 - std::abs(u)) * (v >= 0 ? 1 : -1);
-            u = unfolded;
-        }
-        return Vec3(u, v, z).normalized();
-    }
+    [[nodiscard]] Vec3 unpack() const { return unpackAs<double>(); }
+    /// In single precision.
+    [[nodiscard]] Vec3f unpackSingle() const { return unpackAs<float>(); }
     friend bool operator==(const PackedDirection&, const PackedDirection&) = default;
 
 private:
+    template <class Real>
+    [[nodiscard]] Eigen::Matrix<Real, 3, 1> unpackAs() const {
+        Real u = u_ / static_cast<Real>(kScale);
+        Real v = v_ / static_cast<Real>(kScale);
+        const Real z = 1 - std::abs(u) - std::abs(v);
+        if (z < 0) {
+            const Real unfolded = (1 - std::abs(v)) * (u >= 0 ? 1 : -1);
+            v = (1 - std::abs(u)) * (v >= 0 ? 1 : -1);
+            u = unfolded;
+        }
+        return Eigen::Matrix<Real, 3, 1>(u, v, z).normalized();
+    }
+
     static constexpr double kScale = 32767.0;
     /// std::lround, without a call.
     static std::int16_t rounded(double value) { return static_cast<std::int16_t>(value + (value < 0 ? -0.5 : 0.5)); }

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tooth/cavity_wall.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <optional>
 
 #include "tooth/brick_neighbourhood.h"
+#include "tooth/cell_planes.h"
 #include "tooth/cell_topology.h"
 
 // T. Ju, F. Losasso, S. Schaefer, J. Warren, "Dual Contouring of Hermite Data", SIGGRAPH 2002, with a vertex for each
@@ -33,90 +34,40 @@ constexpr double kPokesOut = kWallReach - 1 - kApart;
 constexpr double kTriangleReach = 2.6;
 /// ... and within sqrt(1.5^2 + 1.5^2 + 0.5^2) of the nearer one.
 constexpr double kNearerReach = 2.2;
-/// Directions in which the planes of a cell agree to this share of their weight are not an edge: the vertex stays at
-/// the mean of the crossings there. Keeps edges sharper than about 20 degrees.
-constexpr double kFlat = 0.03;
 /// Bits of a cell's corners on its lower side of each axis.
 constexpr std::array<unsigned, 3> kLowCorners = {0x55, 0x33, 0x0F};
 
-struct Crossing {
-    Vec3 point;
-    Vec3 normal;
-};
-
 using Place = BrickNeighbourhood::Place;
+
+/// An axis that is known when the program is compiled: places in a row then need no memory.
+template <int axis>
+constexpr std::integral_constant<int, axis> kAxis;
 
 Place moved(Place place, int axis, int step) {
     place[axis] += step;
     return place;
 }
 
-/// The planes in which the border crosses a cell, near a point (the quadric of the paper).
-class Planes {
-public:
-    explicit Planes(const Vec3& centre) : centre_(centre) {}
-
-    void add(const Vec3& point, const Vec3& normal) {
-        normals_ += normal * normal.transpose();
-        offsets_ += normal * normal.dot(point - centre_);
-        sum_ += normal;
-    }
-
-    /// The point of `room` nearest to all planes and then to the centre, directions without an edge left out. Where the
-    /// planes meet outside, the point slides along the wall of the room: a sharp edge that leaves through it stays
-    /// sharp.
-    [[nodiscard]] Vec3 nearestPoint(const Box3& room) const {
-        Vec3 held = Vec3::Zero();  // how far the centre is moved along the axes that are not free
-        Vec3 free = Vec3::Ones();
-        Vec3 way = nearestWay(held, free);
-        for (int i = 0; i < 3 && !room.contains(centre_ + way); ++i) {
-            const Vec3 inside = clamped(centre_ + way, room) - centre_;
-            int worst = 0;
-            (inside - way).cwiseAbs().maxCoeff(&worst);
-            held[worst] = inside[worst];
-            free[worst] = 0;
-            way = nearestWay(held, free);
-        }
-        return clamped(centre_ + way, room);
-    }
-
-    /// Whether the normals agree so well that the mean one alone counts: the weight in all other directions together is
-    /// what it leaves of theirs.
-    [[nodiscard]] bool isFlat() const {
-        const double along = sum_.dot(normals_ * sum_) / sum_.squaredNorm();
-        return normals_.trace() - along < kFlat * along;
-    }
-    /// The point of a flat border along its normal from the centre.
-    [[nodiscard]] Vec3 pointOfFlat() const {
-        const Vec3 mean = sum_.normalized();
-        return centre_ + mean * (mean.dot(offsets_) / mean.dot(normals_ * mean));
-    }
-
-private:
-    [[nodiscard]] static Vec3 clamped(const Vec3& point, const Box3& room) {
-        return point.cwiseMax(room.min()).cwiseMin(room.max());
-    }
-
-    /// The way from the centre to the nearest point, along axes that are free (1) or held (0).
-    [[nodiscard]] Vec3 nearestWay(const Vec3& held, const Vec3& free) const {
-        Eigen::SelfAdjointEigenSolver<Mat3> solver;
-        solver.computeDirect(free.asDiagonal() * normals_ * free.asDiagonal());
-        const Vec3 wanted = free.asDiagonal() * (offsets_ - normals_ * held);
-        const double largest = solver.eigenvalues()[2];
-        Vec3 way = held;
-        for (int i = 0; i < 3; ++i) {
-            const double value = solver.eigenvalues()[i];
-            const Vec3 direction = solver.eigenvectors().col(i);
-            if (value > kFlat * largest) way += direction * (direction.dot(wanted) / value);
-        }
-        return way;
-    }
-
-    Vec3 centre_;
-    Vec3 sum_ = Vec3::Zero();
-    Mat3 normals_ = Mat3::Zero();
-    Vec3 offsets_ = Vec3::Zero();
+/// A lattice edge on one axis as the four cells around it see it: the last of them, which begins where the edge does,
+/// and those before it on the two next axes, by how much their middles and their numbers are lower. Places have 1 as
+/// their fourth number.
+struct EdgeInCells {
+    float along[4];
+    float step[4][4];
+    int before[4];
 };
+constexpr int kCellSide = kBrickSide + 1;  ///< cells that begin in a brick or before it
+constexpr int kCellRow = kCellSide;
+constexpr int kCellLayer = kCellSide * kCellSide;
+constexpr float kFirstCorner[4] = {-0.5F, -0.5F, -0.5F, 1};  ///< of a cell, from its middle
+constexpr std::array<EdgeInCells, 3> kEdgeInCells = {{
+    {{1, 0, 0, 0},
+     {{0, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 1, 1, 0}},
+     {0, kCellRow, kCellLayer, kCellRow + kCellLayer}},
+    {{0, 1, 0, 0}, {{0, 0, 0, 0}, {0, 0, 1, 0}, {1, 0, 0, 0}, {1, 0, 1, 0}}, {0, kCellLayer, 1, 1 + kCellLayer}},
+    {{0, 0, 1, 0}, {{0, 0, 0, 0}, {1, 0, 0, 0}, {0, 1, 0, 0}, {1, 1, 0, 0}}, {0, 1, kCellRow, 1 + kCellRow}},
+}};
+Eigen::Map<const Eigen::Array4f> four(const float (&numbers)[4]) { return Eigen::Map<const Eigen::Array4f>(numbers); }
 
 class WallExtractor {
 public:
@@ -126,23 +77,14 @@ public:
     CavityWall run() {
         if (!nodes_.hasBorder()) return {};
         reserve();
-        cellVertex_.fill(kNoVertex);
-        edgeCrossing_.fill(kNoCrossing);
-        for (int z = 0; z < kBrickSide; ++z) {
-            for (int y = 0; y < kBrickSide; ++y) {
-                const unsigned row = removedRow(y, z);
-                addCrossed(row ^ row >> 1, y, z, 0);
-                addCrossed(row ^ removedRow(y + 1, z), y, z, 1);
-                addCrossed(row ^ removedRow(y, z + 1), y, z, 2);
-            }
-        }
+        sumPlanes();
+        forCrossedEdges(0, [this](const Place& a, auto axis) { addPolygon<axis>(a); });
         return std::move(wall_);
     }
 
 private:
     static constexpr std::uint32_t kNoVertex = ~0U;
-    static constexpr std::uint16_t kNoCrossing = 0xFFFF;
-    static constexpr int kCellSide = kBrickSide + 1;
+    static constexpr std::uint16_t kNoCell = 0xFFFF;
     static constexpr int kRounds = 4;  ///< at most, in one cell
 
     /// Room for a flat wall through the brick: more is rare.
@@ -156,19 +98,82 @@ private:
         wall_.tags.reserve(kTriangles);
         wall_.places.reserve(kTriangles);
         wall_.faceIds.reserve(kTriangles);
-        crossings_.reserve(kTriangles);
+        cells_.reserve(kVertices);
+        edges_.reserve(kVertices);
     }
 
-    /// Which nodes of a row along x are removed, one bit each: the brick's own and the one after.
-    [[nodiscard]] unsigned removedRow(int y, int z) const { return nodes_.removedRow(y, z) >> 1; }
-    /// The polygons around those edges of a row on one axis that the border crosses, one bit each.
-    void addCrossed(unsigned crossed, int y, int z, int axis) {
-        for (crossed &= (1U << kBrickSide) - 1; crossed != 0; crossed &= crossed - 1) {
-            addPolygon({std::countr_zero(crossed), y, z}, axis);
+    /// Calls `visit(place, axis)` for each lattice edge that the border crosses, from node `first` (0, or -1: the nodes
+    /// around the brick, too) on each axis to the last one that begins in the brick. In the order of the lattice, so
+    /// that neighbours come to the edges of a cell that they share in the same order.
+    template <class Visit>
+    void forCrossedEdges(int first, const Visit& visit) const {
+        const unsigned inBrick = (1U << (kBrickSide + 1)) - (first == 0 ? 2U : 1U);
+        const unsigned around = first == 0 ? inBrick : (1U << BrickNeighbourhood::kSide) - 1;
+        const int last = first == 0 ? kBrickSide - 1 : kBrickSide;
+        const auto visitRow = [&](unsigned crossed, int y, int z, auto axis) {
+            for (; crossed != 0; crossed &= crossed - 1) visit({std::countr_zero(crossed) - 1, y, z}, axis);
+        };
+        for (int z = first; z <= last; ++z) {
+            for (int y = first; y <= last; ++y) {
+                const unsigned row = nodes_.removedRow(y, z);
+                visitRow((row ^ row >> 1) & inBrick, y, z, kAxis<0>);
+                if (y < kBrickSide) visitRow((row ^ nodes_.removedRow(y + 1, z)) & around, y, z, kAxis<1>);
+                if (z < kBrickSide) visitRow((row ^ nodes_.removedRow(y, z + 1)) & around, y, z, kAxis<2>);
+            }
         }
     }
 
-    static int nodeAt(const Place& p) { return BrickNeighbourhood::index(p[0], p[1], p[2]); }
+    /// A cell that the border passes through.
+    struct Cell {
+        CellPlanes planes;
+        std::uint32_t vertex = kNoVertex;  ///< of the only round through it
+    };
+
+    /// A lattice edge that the border crosses.
+    struct CrossedEdge {
+        Place from;
+        int axis;
+        unsigned cells;  ///< around it that count
+        BrickNeighbourhood::Border border;
+    };
+
+    /// Hands the plane in which the border crosses an edge to all cells around it.
+    void sumPlanes() {
+        cellAt_.fill(kNoCell);
+        // First the memory, all at once: what is computed from it would let it wait.
+        forCrossedEdges(-1, [this](const Place& a, auto axis) {
+            edges_.push_back({a, axis, cellsAround(a, (axis + 1) % 3, (axis + 2) % 3), nodes_.border(a, axis)});
+        });
+        for (const CrossedEdge& edge : edges_) {
+            const CellPlanes::Plane plane(edge.border.normal.unpackSingle());
+            const EdgeInCells& seen = kEdgeInCells[edge.axis];
+            const Eigen::Array4f point = four(kFirstCorner) + edge.border.place * four(seen.along);
+            const int last = cellNumber(edge.from);
+            for (unsigned left = edge.cells; left != 0; left &= left - 1) {
+                const int i = std::countr_zero(left);
+                cellNumbered(last - seen.before[i]).planes.add(plane, point + four(seen.step[i]));
+            }
+        }
+    }
+    /// Which of the four cells around an edge lie in the brick or before it, as EdgeInCells counts them.
+    static unsigned cellsAround(const Place& a, int u, int v) {
+        unsigned cells = 0xF;
+        if (a[u] == kBrickSide) cells &= 0xA;
+        if (a[v] == kBrickSide) cells &= 0xC;
+        if (a[u] < 0) cells &= 0x5;
+        if (a[v] < 0) cells &= 0x3;
+        return cells;
+    }
+    static int cellNumber(const Place& p) { return p[0] + 1 + kCellSide * (p[1] + 1 + kCellSide * (p[2] + 1)); }
+    Cell& cellNumbered(int place) {
+        std::uint16_t& number = cellAt_[place];
+        if (number == kNoCell) {
+            number = static_cast<std::uint16_t>(cells_.size());
+            cells_.emplace_back();
+        }
+        return cells_[number];
+    }
+
     [[nodiscard]] bool isRemoved(const Place& p) const {
         return (nodes_.removedRow(p[1], p[2]) >> (p[0] + 1) & 1) != 0;
     }
@@ -186,15 +191,8 @@ private:
                static_cast<std::uint64_t>(kind);
     }
 
-    /// Each crossing is asked for by the four cells around it.
-    Crossing crossingAt(const Place& a, int axis) {
-        std::uint16_t& slot = edgeCrossing_[3 * nodeAt(a) + axis];
-        if (slot == kNoCrossing) {
-            slot = static_cast<std::uint16_t>(crossings_.size());
-            const auto [place, normal] = nodes_.border(a, axis);
-            crossings_.push_back({position(a) + place * spacing_ * Vec3::Unit(axis), normal});
-        }
-        return crossings_[slot];
+    [[nodiscard]] Vec3 crossingAt(const Place& a, int axis) const {
+        return position(a) + nodes_.border(a, axis).place * spacing_ * Vec3::Unit(axis);
     }
 
     [[nodiscard]] unsigned insideBits(const Place& cell) const {
@@ -206,55 +204,61 @@ private:
 
     /// The vertex of the round of `cell` that crosses lattice edge (`a`, `axis`).
     std::uint32_t vertexOf(const Place& cell, const CellRounds& rounds, const Place& a, int axis) {
-        const int u = (axis + 1) % 3;
-        const int v = (axis + 2) % 3;
-        const int round = rounds.roundOfEdge[cellEdge(axis, a[u] - cell[u], a[v] - cell[v])];
-        const int slot = round + kRounds * (cell[0] + 1 + kCellSide * (cell[1] + 1 + kCellSide * (cell[2] + 1)));
-        std::uint32_t& vertex = cellVertex_[slot];
-        if (vertex == kNoVertex) vertex = addVertex(placeVertex(cell, rounds, round), numberOf(cell, round), cell);
-        return vertex;
+        if (rounds.count > 1) {
+            const int u = (axis + 1) % 3;
+            const int v = (axis + 2) % 3;
+            return vertexOfRound(cell, rounds, rounds.roundOfEdge[cellEdge(axis, a[u] - cell[u], a[v] - cell[v])]);
+        }
+        Cell& known = cellNumbered(cellNumber(cell));
+        if (known.vertex == kNoVertex) known.vertex = addVertex(placeVertex(cell, known), numberOf(cell, 0), cell);
+        return known.vertex;
     }
-
-    [[nodiscard]] Vec3 placeVertex(const Place& cell, const CellRounds& rounds, int round) {
-        std::array<Crossing, 12> crossings;
+    /// One of several: see the top, each keeps to its own side.
+    std::uint32_t vertexOfRound(const Place& cell, const CellRounds& rounds, int round) {
+        const std::uint64_t id = numberOf(cell, round);
+        if (const auto known = vertexById(id)) return *known;
         int count = 0;
-        Vec3 mean = Vec3::Zero();
-        for (unsigned edges = rounds.edgesOfRound[round]; edges != 0; edges &= edges - 1) {
+        Vec3 sum = Vec3::Zero();
+        for (unsigned edges = rounds.edgesOfRound[round]; edges != 0; edges &= edges - 1, ++count) {
             const int edge = std::countr_zero(edges);
             const int first = cellEdgeCorners(edge)[0];
-            const Place a = {cell[0] + (first & 1), cell[1] + (first >> 1 & 1), cell[2] + (first >> 2)};
-            crossings[count] = crossingAt(a, edge / 4);
-            mean += crossings[count++].point;
+            sum += crossingAt({cell[0] + (first & 1), cell[1] + (first >> 1 & 1), cell[2] + (first >> 2)}, edge / 4);
         }
-        mean /= count;
-        if (rounds.count > 1) return mean;  // see the top: each round keeps to its own side
-        Planes planes(mean);
-        for (int i = 0; i < count; ++i) planes.add(crossings[i].point, crossings[i].normal);
-        if (!planes.isFlat()) return planes.nearestPoint(roomOf(cell));
-        const Vec3 point = planes.pointOfFlat();
-        return grownCell(position(cell)).contains(point) ? point : mean;
+        return addVertex(sum / count, id, cell);
+    }
+    /// Of the few that are not kept with their cells.
+    [[nodiscard]] std::optional<std::uint32_t> vertexById(std::uint64_t id) const {
+        const auto known = std::find(wall_.vertexIds.begin(), wall_.vertexIds.end(), id);
+        if (known == wall_.vertexIds.end()) return std::nullopt;
+        return static_cast<std::uint32_t>(known - wall_.vertexIds.begin());
     }
 
-    /// A flat border moves its vertices along its normal alone, so that they keep their places.
-    [[nodiscard]] Box3 grownCell(const Vec3& corner) const {
-        return {corner - Vec3::Constant(kPokesOut * spacing_), corner + Vec3::Constant((1 + kPokesOut) * spacing_)};
+    [[nodiscard]] Vec3 placeVertex(const Place& cell, const Cell& known) const {
+        Vec3f place;
+        if (const auto flat = known.planes.pointOfFlat()) {
+            // A flat border moves its vertices along its normal alone, so that they keep their places.
+            const bool isNear = flat->cwiseAbs().maxCoeff() <= static_cast<float>(0.5 + kPokesOut);
+            place = isNear ? *flat : known.planes.mean();
+        } else {
+            place = known.planes.nearestPoint(roomOf(cell));
+        }
+        return position(cell) + spacing_ * (place.cast<double>() + Vec3::Constant(0.5));
     }
 
-    /// Where the vertex of a cell may be: not beyond a face behind which there is another one.
+    /// Where the vertex of a cell may be, from the middle of the cell: not beyond a face behind which there is another.
     [[nodiscard]] Box3 roomOf(const Place& cell) const {
         const unsigned inside = insideBits(cell);
-        const Vec3 corner = position(cell);
-        Box3 room(corner, corner + Vec3::Constant(spacing_));
+        Box3 room;
         for (int axis = 0; axis < 3; ++axis) {
-            room.min()[axis] -= beyond(inside & kLowCorners[axis], kLowCorners[axis]);
-            room.max()[axis] += beyond(inside & ~kLowCorners[axis], ~kLowCorners[axis] & 0xFFU);
+            room.min()[axis] = -0.5 - beyond(inside & kLowCorners[axis], kLowCorners[axis]);
+            room.max()[axis] = 0.5 + beyond(inside & ~kLowCorners[axis], ~kLowCorners[axis] & 0xFFU);
         }
         return room;
     }
-    /// mm that a vertex may be beyond a face of which these corners are inside.
-    [[nodiscard]] double beyond(unsigned inside, unsigned corners) const {
+    /// How far a vertex may be beyond a face of which these corners are inside.
+    static double beyond(unsigned inside, unsigned corners) {
         const bool isCrossed = inside != 0 && inside != corners;
-        return (isCrossed ? -kApart : kPokesOut) * spacing_;
+        return isCrossed ? -kApart : kPokesOut;
     }
 
     std::uint32_t addVertex(const Vec3& point, std::uint64_t id, const Place& cell) {
@@ -286,25 +290,22 @@ private:
         const int end = (corner[u] - faceCorner[u]) | (corner[v] - faceCorner[v]) << 1;
         const Place onU = moved(moved(faceCorner, v, end >> 1), u, 0);
         const Place onV = moved(faceCorner, u, end & 1);
-        const Crossing first = crossingAt(onU, u);
-        const Crossing second = crossingAt(onV, v);
-        const Vec3 place = 0.5 * (first.point + second.point);
         const std::uint64_t id = numberOf(faceCorner, kRounds + 2 * faceAxis + (end >= 2 ? 1 : 0));
-        const auto known = std::find(wall_.vertexIds.begin(), wall_.vertexIds.end(), id);
-        polygon_[polygonSize_++] = known != wall_.vertexIds.end()
-                                       ? static_cast<std::uint32_t>(known - wall_.vertexIds.begin())
-                                       : addVertex(place, id, faceCorner);
+        const auto known = vertexById(id);
+        polygon_[polygonSize_++] =
+            known ? *known : addVertex(0.5 * (crossingAt(onU, u) + crossingAt(onV, v)), id, faceCorner);
     }
 
     /// The polygon around one lattice edge that the border crosses.
-    void addPolygon(const Place& a, int axis) {
+    template <int axis>
+    void addPolygon(const Place& a) {
         const Place b = moved(a, axis, 1);
         const double toothA = nodes_.tooth(a) / spacing_;
         const double toothB = nodes_.tooth(b) / spacing_;
         if (std::min(toothA, toothB) > kNearerReach || std::max(toothA, toothB) > kTriangleReach) return;
 
-        const int u = (axis + 1) % 3;
-        const int v = (axis + 2) % 3;
+        constexpr int u = (axis + 1) % 3;
+        constexpr int v = (axis + 2) % 3;
         const Place beforeU = moved(a, u, -1);
         const Place beforeV = moved(a, v, -1);
         const std::array<Place, 4> cells = {moved(beforeU, v, -1), beforeV, a, beforeU};
@@ -345,12 +346,15 @@ private:
         }
     }
 
-    [[nodiscard]] double bendAlong(int first) const {
-        const auto corner = [&](int i) { return wall_.mesh.vertices[polygon_[(first + i) % 4]].cast<double>(); };
-        const Vec3 diagonal = corner(2) - corner(0);
-        const Vec3 one = (corner(1) - corner(0)).cross(diagonal);
-        const Vec3 two = diagonal.cross(corner(3) - corner(0));
-        return -one.normalized().dot(two.normalized());
+    /// Grows with the angle between the two triangles on either side of a diagonal.
+    [[nodiscard]] float bendAlong(int first) const {
+        const auto corner = [&](int i) { return wall_.mesh.vertices[polygon_[(first + i) % 4]]; };
+        const Vec3f diagonal = corner(2) - corner(0);
+        const Vec3f one = (corner(1) - corner(0)).cross(diagonal);
+        const Vec3f two = diagonal.cross(corner(3) - corner(0));
+        const float cosine = one.dot(two);
+        const float squares = one.squaredNorm() * two.squaredNorm();
+        return squares > 0 ? -cosine * std::abs(cosine) / squares : 0;
     }
 
     const BrickNeighbourhood nodes_;
@@ -358,10 +362,9 @@ private:
     const Lattice& lattice_;
     const double spacing_;
     CavityWall wall_;
-    std::array<std::uint32_t, kCellSide * kCellSide * kCellSide * kRounds> cellVertex_;
-    std::array<std::uint16_t, 3 * BrickNeighbourhood::kSide * BrickNeighbourhood::kSide * BrickNeighbourhood::kSide>
-        edgeCrossing_;
-    std::vector<Crossing> crossings_;
+    std::array<std::uint16_t, kCellSide * kCellSide * kCellSide> cellAt_;  // numbers of `cells_`
+    std::vector<Cell> cells_;
+    std::vector<CrossedEdge> edges_;
     std::array<std::uint32_t, 8> polygon_;
     int polygonSize_ = 0;
 };

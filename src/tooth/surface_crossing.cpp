@@ -51,7 +51,8 @@ bool passesThrough(const Vec3f& from, const Vec3f& to, const CrossingFace& face,
     return true;
 }
 
-/// Computed from the edge's lower end, so that every face on that edge gets the same bits.
+/// Computed from the edge's lower end, so that every face on that edge gets the same bits. Within the box of the face
+/// that it lies on: rounding lifts no point off a face that is level.
 CrossingPoint pointOn(const CrossingFace& edgeFace, int edge, const CrossingFace& face, bool onBaseEdge) {
     int low = edge;
     int high = (edge + 1) % 3;
@@ -64,7 +65,10 @@ CrossingPoint pointOn(const CrossingFace& edgeFace, int edge, const CrossingFace
     const double heightB = std::abs(normal.dot(b - origin));
     const double span = heightA + heightB;
     const double along = span > 0 ? heightA / span : 0.5;
-    return {a + along * (b - a), onBaseEdge, edge, along, {edgeFace.id[low], edgeFace.id[high]}};
+    const Vec3f lowest = face.corner[0].cwiseMin(face.corner[1]).cwiseMin(face.corner[2]);
+    const Vec3f highest = face.corner[0].cwiseMax(face.corner[1]).cwiseMax(face.corner[2]);
+    const Vec3 point = (a + along * (b - a)).cwiseMax(lowest.cast<double>()).cwiseMin(highest.cast<double>());
+    return {point, onBaseEdge, edge, along, {edgeFace.id[low], edgeFace.id[high]}};
 }
 
 }  // namespace

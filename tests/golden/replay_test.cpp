@@ -15,7 +15,7 @@
 namespace tactooth {
 namespace {
 
-constexpr std::uint64_t kGolden = 0x93e7de1d21f57157ULL;
+constexpr std::uint64_t kGolden = 0xac6db0d3c32b7c4aULL;
 
 constexpr double kTick = 0.001;
 constexpr double kVoxel = 0.05;
