@@ -35,6 +35,7 @@ Box3 wallBox(const Lattice& lattice, const BrickKey& key) {
 LiveSurface::LiveSurface(const CutVolume& volume)
     : base_(volume.tooth()->outer()),
       lattice_(volume.lattice()),
+      marginPieces_(base_->mesh().triangles.size()),
       firstAround_(volume.tooth()->standing().firstAround),
       thinner_(base_->tree()) {
     snapshot_ = std::make_shared<const Surface>(uncut(0));
@@ -49,6 +50,7 @@ Surface LiveSurface::uncut(std::uint64_t revision) const {
 void LiveSurface::reset() {
     cells_.clear();
     patches_.clear();
+    std::ranges::fill(marginPieces_, std::uint32_t{0});
     hidden_.clear();
     thinner_.showAll();
     failures_ = 0;
@@ -60,7 +62,9 @@ void LiveSurface::update(const CutVolume& volume, const std::vector<ChangedBrick
     std::vector<BrickKey> dirty = bricksToExtract(volume, changed);
     std::vector<Cell*> cells;
     for (const BrickKey& key : dirty) cells.push_back(&cells_[key]);
+    countMargin(cells, ~0U);
     parallelFor(dirty.size(), [&](std::size_t i) { extract(volume, dirty[i], *cells[i]); });
+    countMargin(cells, 1);
     for (const Cell* cell : cells) failures_ += static_cast<std::size_t>(cell->wall.failures);
 
     const std::vector<std::uint32_t> triangles = affectedBase(dirty);
@@ -89,27 +93,34 @@ std::vector<BrickKey> LiveSurface::bricksToExtract(const CutVolume& volume,
 
 void LiveSurface::extract(const CutVolume& volume, const BrickKey& key, Cell& cell) const {
     if (!cell.knowsBase) {
-        cell.baseTriangles = trianglesTouching(*base_, wallBox(lattice_, key));
+        cell.base = TriangleBoxes(base_->mesh(), trianglesTouching(*base_, wallBox(lattice_, key)));
         cell.knowsBase = true;
     }
     CavityWall wall = extractWall(volume.bricks(), lattice_, key);
-    cell.margin = findMargin(wall, base_->mesh(), cell.baseTriangles);
+    cell.margin = findMargin(wall, base_->mesh(), cell.base);
     cell.wall = cutWall(std::move(wall), cell.margin, *base_);
 }
 
 std::vector<std::uint32_t> LiveSurface::affectedBase(const std::vector<BrickKey>& keys) const {
     std::vector<std::uint32_t> triangles;
     for (const BrickKey& key : keys) {
-        const Cell& cell = cells_.at(key);
-        triangles.insert(triangles.end(), cell.baseTriangles.begin(), cell.baseTriangles.end());
+        const std::vector<std::uint32_t>& near = cells_.at(key).base.triangles();
+        triangles.insert(triangles.end(), near.begin(), near.end());
     }
     std::sort(triangles.begin(), triangles.end());
     triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
     return triangles;
 }
 
+void LiveSurface::countMargin(const std::vector<Cell*>& cells, std::uint32_t step) {
+    for (const Cell* cell : cells) {
+        for (const MarginPiece& piece : cell->margin) marginPieces_[piece.base] += step;
+    }
+}
+
 std::vector<const MarginPiece*> LiveSurface::marginOf(std::uint32_t triangle) const {
     std::vector<const MarginPiece*> pieces;
+    if (marginPieces_[triangle] == 0) return pieces;
     const Box3 box = grown(triangleBox(base_->mesh(), triangle), kWallReach * lattice_.spacing());
     for (const BrickKey& key : lattice_.bricksTouching(box)) {
         const auto cell = cells_.find(key);

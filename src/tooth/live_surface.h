@@ -38,7 +38,7 @@ private:
     /// What the surface keeps for one brick.
     struct Cell {
         bool knowsBase = false;
-        std::vector<std::uint32_t> baseTriangles;  ///< near the brick's wall
+        TriangleBoxes base;  ///< triangles of the tooth's surface near the brick's wall
         std::vector<MarginPiece> margin;
         WallPatch wall;
         /// Pieces of the base triangles whose middle lies in this brick, by triangle.
@@ -48,6 +48,7 @@ private:
     [[nodiscard]] std::vector<BrickKey> bricksToExtract(const CutVolume& volume,
                                                         const std::vector<ChangedBrick>& changed) const;
     void extract(const CutVolume& volume, const BrickKey& key, Cell& cell) const;
+    void countMargin(const std::vector<Cell*>& cells, std::uint32_t step);
     [[nodiscard]] std::vector<const MarginPiece*> marginOf(std::uint32_t triangle) const;
     [[nodiscard]] std::vector<std::uint32_t> affectedBase(const std::vector<BrickKey>& keys) const;
     [[nodiscard]] std::vector<std::vector<ClipSegment>> cutLines(const std::vector<std::uint32_t>& triangles) const;
@@ -59,6 +60,7 @@ private:
     Lattice lattice_;
     std::map<BrickKey, Cell> cells_;
     std::map<BrickKey, std::shared_ptr<const SurfacePart>> patches_;
+    std::vector<std::uint32_t> marginPieces_;  ///< how many there are of each base triangle
     TriangleMask hidden_;
     std::uint32_t firstAround_;  ///< see Surface
     TreeThinner thinner_;        ///< of the same triangles

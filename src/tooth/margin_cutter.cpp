@@ -12,8 +12,6 @@
 namespace tactooth {
 namespace {
 
-using Box3f = Eigen::AlignedBox3f;
-
 CrossingFace baseFace(const TriangleMesh& mesh, std::uint32_t t) {
     const Triangle& v = mesh.triangles[t];
     return {{mesh.vertices[v[0]], mesh.vertices[v[1]], mesh.vertices[v[2]]}, {v[0], v[1], v[2]}};
@@ -24,23 +22,6 @@ CrossingFace wallFace(const CavityWall& wall, std::uint32_t t) {
     const auto& vertices = wall.mesh.vertices;
     return {{vertices[v[0]], vertices[v[1]], vertices[v[2]]},
             {wall.vertexIds[v[0]], wall.vertexIds[v[1]], wall.vertexIds[v[2]]}};
-}
-
-Box3f boxOf(const CrossingFace& face) {
-    Box3f box(face.corner[0]);
-    box.extend(face.corner[1]);
-    box.extend(face.corner[2]);
-    return box;
-}
-
-/// All wall triangles that may cross the tooth's surface.
-Box3f boxAtSurface(const CavityWall& wall) {
-    Box3f box;
-    for (std::uint32_t w = 0; w < wall.mesh.triangles.size(); ++w) {
-        if (wall.places[w] != CavityWall::Place::AtSurface) continue;
-        for (const std::uint32_t vertex : wall.mesh.triangles[w]) box.extend(wall.mesh.vertices[vertex]);
-    }
-    return box;
 }
 
 ClipPoint asSeenFrom(const CrossingPoint& point, bool fromBase, std::uint64_t opponent) {
@@ -56,11 +37,16 @@ std::array<bool, 3> forwardEdges(const std::array<std::uint64_t, 3>& id) {
 class WallCutter {
 public:
     WallCutter(const CavityWall& wall, const std::vector<MarginPiece>& margin, const SurfacePart& base)
-        : wall_(wall), base_(base), segments_(wall.mesh.triangles.size()), groups_(wall.mesh.vertices.size()) {
+        : wall_(wall), base_(base), linesOf_(wall.mesh.triangles.size(), kNone), groups_(wall.mesh.vertices.size()) {
         for (const MarginPiece& piece : margin) {
+            std::uint32_t& number = linesOf_[piece.wall];
+            if (number == kNone) {
+                number = static_cast<std::uint32_t>(lines_.size());
+                lines_.emplace_back();
+            }
             // On the wall the way runs back.
-            segments_[piece.wall].push_back({asSeenFrom(piece.crossing.end, false, piece.base),
-                                             asSeenFrom(piece.crossing.start, false, piece.base)});
+            lines_[number].push_back({asSeenFrom(piece.crossing.end, false, piece.base),
+                                      asSeenFrom(piece.crossing.start, false, piece.base)});
         }
     }
 
@@ -68,7 +54,7 @@ public:
         groupVertices();
         patchVertex_.assign(wall_.mesh.vertices.size(), kNone);
         for (std::uint32_t t = 0; t < wall_.mesh.triangles.size(); ++t) {
-            if (segments_[t].empty()) {
+            if (linesOf_[t] == kNone) {
                 if (isKept(t)) addWhole(t);
             } else {
                 addClipped(t);
@@ -82,11 +68,14 @@ private:
 
     [[nodiscard]] bool mayCross(std::uint32_t t) const { return wall_.places[t] == CavityWall::Place::AtSurface; }
 
+    [[nodiscard]] const std::vector<ClipSegment>& linesIn(std::uint32_t t) const { return lines_[linesOf_[t]]; }
+
     void groupVertices() {
         for (std::uint32_t t = 0; t < wall_.mesh.triangles.size(); ++t) {
             if (!mayCross(t)) continue;
             const Triangle& v = wall_.mesh.triangles[t];
-            const auto ends = endsOfEdges(segments_[t], forwardEdges(wallFace(wall_, t).id));
+            std::array<std::optional<EdgeEnds>, 3> ends;
+            if (linesOf_[t] != kNone) ends = endsOfEdges(linesIn(t), forwardEdges(wallFace(wall_, t).id));
             for (int i = 0; i < 3; ++i) {
                 const std::uint32_t a = v[i];
                 const std::uint32_t b = v[(i + 1) % 3];
@@ -129,7 +118,7 @@ private:
 
     void addClipped(std::uint32_t t) {
         const std::array<Vec3, 3> corners = {wall_.mesh.corner(t, 0), wall_.mesh.corner(t, 1), wall_.mesh.corner(t, 2)};
-        const auto clipped = clipTriangle(corners, forwardEdges(wallFace(wall_, t).id), segments_[t], isKept(t));
+        const auto clipped = clipTriangle(corners, forwardEdges(wallFace(wall_, t).id), linesIn(t), isKept(t));
         if (!clipped) {
             ++patch_.failures;
             addWhole(t);
@@ -148,7 +137,8 @@ private:
 
     const CavityWall& wall_;
     const SurfacePart& base_;
-    std::vector<std::vector<ClipSegment>> segments_;
+    std::vector<std::uint32_t> linesOf_;           // a wall triangle's place in `lines_`
+    std::vector<std::vector<ClipSegment>> lines_;  // of each triangle that some cross
     VertexGroups groups_;
     std::vector<std::uint32_t> patchVertex_;
     std::map<std::array<float, 3>, std::uint32_t> marginVertices_;
@@ -157,32 +147,16 @@ private:
 
 }  // namespace
 
-std::vector<MarginPiece> findMargin(const CavityWall& wall, const TriangleMesh& base,
-                                    const std::vector<std::uint32_t>& baseTriangles) {
-    const Box3f reach = boxAtSurface(wall);
-    std::vector<CrossingFace> faces;
-    std::vector<Box3f> boxes;
-    std::vector<std::uint32_t> triangles;  // of the base
-    for (const std::uint32_t t : baseTriangles) {
-        const CrossingFace face = baseFace(base, t);
-        const Box3f box = boxOf(face);
-        if (!box.intersects(reach)) continue;
-        faces.push_back(face);
-        boxes.push_back(box);
-        triangles.push_back(t);
-    }
+std::vector<MarginPiece> findMargin(const CavityWall& wall, const TriangleMesh& base, const TriangleBoxes& near) {
     std::vector<MarginPiece> margin;
-    if (triangles.empty()) return margin;
-    for (std::uint32_t w = 0; w < wall.mesh.triangles.size(); ++w) {
+    for (std::uint32_t w = 0; w < wall.mesh.triangles.size() && !near.empty(); ++w) {
         if (wall.places[w] != CavityWall::Place::AtSurface) continue;
         const CrossingFace face = wallFace(wall, w);
-        const Box3f box = boxOf(face);
-        for (std::size_t i = 0; i < faces.size(); ++i) {
-            if (!box.intersects(boxes[i])) continue;
-            if (const auto crossing = crossingOf(faces[i], face)) {
-                margin.push_back({triangles[i], w, wall.faceIds[w], *crossing});
+        near.forTouching(face.corner, [&](std::uint32_t t) {
+            if (const auto crossing = crossingOf(baseFace(base, t), face)) {
+                margin.push_back({t, w, wall.faceIds[w], *crossing});
             }
-        }
+        });
     }
     std::sort(margin.begin(), margin.end(), [](const MarginPiece& a, const MarginPiece& b) {
         return a.base != b.base ? a.base < b.base : a.wall < b.wall;

@@ -10,6 +10,7 @@
 #include "collision/surface.h"
 #include "tooth/cavity_wall.h"
 #include "tooth/surface_crossing.h"
+#include "tooth/triangle_boxes.h"
 #include "tooth/triangle_clip.h"
 #include "tooth/vertex_groups.h"
 
@@ -23,9 +24,9 @@ struct MarginPiece {
     FaceCrossing crossing;
 };
 
-/// Finds all crossings of a brick's wall with the given triangles of the tooth's surface, ordered by base, then wall.
+/// Finds all crossings of a brick's wall with the triangles of the tooth's surface near it, ordered by base, then wall.
 [[nodiscard]] std::vector<MarginPiece> findMargin(const CavityWall& wall, const TriangleMesh& base,
-                                                  const std::vector<std::uint32_t>& baseTriangles);
+                                                  const TriangleBoxes& near);
 
 /// The part of a wall that lies within the tooth, as one mesh with a tag a triangle.
 struct WallPatch {

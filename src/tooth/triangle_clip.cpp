@@ -3,7 +3,7 @@
 #include "tooth/triangle_clip.h"
 
 #include <algorithm>
-#include <map>
+#include <utility>
 
 #include "tooth/polygon_triangulation.h"
 
@@ -34,17 +34,18 @@ namespace {
 class Clipper {
 public:
     Clipper(const std::array<Vec3, 3>& corners, const std::vector<ClipSegment>& segments)
-        : segments_(segments), visited_(segments.size(), false) {
+        : segments_(segments), lines_(segments.size()) {
+        result_.points.reserve(3 + 2 * segments.size());
         result_.points.assign(corners.begin(), corners.end());
         for (std::uint32_t i = 0; i < segments.size(); ++i) {
-            startPoint_.push_back(static_cast<std::uint32_t>(result_.points.size()));
+            lines_[i].startPoint = static_cast<std::uint32_t>(result_.points.size());
             result_.points.push_back(segments[i].start.position);
-            if (segments[i].start.edge < 0) startingAt_[segments[i].start.key] = i;
+            if (segments[i].start.edge < 0) startingAt_.emplace_back(segments[i].start.key, i);
         }
-        endPoint_.resize(segments.size());
+        std::sort(startingAt_.begin(), startingAt_.end());
         for (std::uint32_t i = 0; i < segments.size(); ++i) {
             if (segments[i].end.edge < 0) continue;
-            endPoint_[i] = static_cast<std::uint32_t>(result_.points.size());
+            lines_[i].endPoint = static_cast<std::uint32_t>(result_.points.size());
             result_.points.push_back(segments[i].end.position);
         }
     }
@@ -68,6 +69,13 @@ public:
 
 private:
     static constexpr std::uint32_t kNoSegment = ~0U;
+    using Key = std::array<std::uint64_t, 2>;
+    /// What becomes of a piece of a cut line.
+    struct Line {
+        std::uint32_t startPoint = 0, endPoint = 0;  ///< in the result
+        std::size_t endStop = 0;                     ///< on the ring, if it ends there
+        bool isVisited = false;
+    };
     /// A stop on the way around the border, counter-clockwise: a corner, or where a cut line begins or ends.
     struct Stop {
         std::uint32_t point;
@@ -76,7 +84,7 @@ private:
     };
 
     bool buildRing(const std::array<bool, 3>& isForward) {
-        endStop_.resize(segments_.size());
+        ring_.reserve(3 + 2 * segments_.size());
         for (int edge = 0; edge < 3; ++edge) {
             std::vector<EdgeCrossing> crossings;
             for (std::uint32_t i = 0; i < segments_.size(); ++i) {
@@ -90,35 +98,42 @@ private:
             for (const EdgeCrossing& crossing : crossings) {
                 const bool leaves = crossing.leaves == isForward[edge];
                 const std::uint32_t i = crossing.segment;
-                if (!leaves) endStop_[i] = ring_.size();
-                ring_.push_back({leaves ? startPoint_[i] : endPoint_[i], i, leaves});
+                if (!leaves) lines_[i].endStop = ring_.size();
+                ring_.push_back({leaves ? lines_[i].startPoint : lines_[i].endPoint, i, leaves});
             }
         }
+        return true;
+    }
+
+    /// To the piece that begins where `segment` ends; false if there is none.
+    bool goOn(std::uint32_t& segment) const {
+        const Key& key = segments_[segment].end.key;
+        const auto beyond = std::upper_bound(startingAt_.begin(), startingAt_.end(), std::pair(key, kNoSegment));
+        if (beyond == startingAt_.begin() || (beyond - 1)->first != key) return false;
+        segment = (beyond - 1)->second;
         return true;
     }
 
     /// Follows a cut line to its end on the border; false if it breaks off.
     bool followLine(std::uint32_t& segment, PolygonLoop& loop) {
         for (;;) {
-            if (visited_[segment]) return false;
-            visited_[segment] = true;
-            loop.push_back(startPoint_[segment]);
+            if (lines_[segment].isVisited) return false;
+            lines_[segment].isVisited = true;
+            loop.push_back(lines_[segment].startPoint);
             if (segments_[segment].end.edge >= 0) return true;
-            const auto next = startingAt_.find(segments_[segment].end.key);
-            if (next == startingAt_.end()) return false;
-            segment = next->second;
+            if (!goOn(segment)) return false;
         }
     }
 
     bool traceFromBorder() {
         for (const Stop& stop : ring_) {
-            if (stop.segment == kNoSegment || !stop.leaves || visited_[stop.segment]) continue;
+            if (stop.segment == kNoSegment || !stop.leaves || lines_[stop.segment].isVisited) continue;
             PolygonLoop loop;
             std::uint32_t segment = stop.segment;
             do {
                 if (!followLine(segment, loop)) return false;
-                loop.push_back(endPoint_[segment]);
-                std::size_t place = (endStop_[segment] + 1) % ring_.size();
+                loop.push_back(lines_[segment].endPoint);
+                std::size_t place = (lines_[segment].endStop + 1) % ring_.size();
                 for (; ring_[place].segment == kNoSegment; place = (place + 1) % ring_.size()) {
                     loop.push_back(ring_[place].point);
                 }
@@ -132,16 +147,14 @@ private:
 
     bool traceClosedLines() {
         for (std::uint32_t first = 0; first < segments_.size(); ++first) {
-            if (visited_[first]) continue;
+            if (lines_[first].isVisited) continue;
             PolygonLoop loop;
             std::uint32_t segment = first;
             do {
-                if (visited_[segment] || segments_[segment].end.edge >= 0) return false;
-                visited_[segment] = true;
-                loop.push_back(startPoint_[segment]);
-                const auto next = startingAt_.find(segments_[segment].end.key);
-                if (next == startingAt_.end()) return false;
-                segment = next->second;
+                if (lines_[segment].isVisited || segments_[segment].end.edge >= 0) return false;
+                lines_[segment].isVisited = true;
+                loop.push_back(lines_[segment].startPoint);
+                if (!goOn(segment)) return false;
             } while (segment != first);
             (doubledArea(flat_, loop) >= 0 ? outlines_ : holes_).push_back(std::move(loop));
         }
@@ -170,16 +183,15 @@ private:
         int u = static_cast<int>(axis + 1) % 3;
         int v = static_cast<int>(axis + 2) % 3;
         if (normal[axis] < 0) std::swap(u, v);
+        flat_.reserve(p.size());
         for (const Vec3& point : p) flat_.emplace_back(point[u], point[v]);
     }
 
     const std::vector<ClipSegment>& segments_;
-    std::vector<bool> visited_;
+    std::vector<Line> lines_;
     ClippedTriangle result_;
-    std::vector<std::uint32_t> startPoint_, endPoint_;
-    std::map<std::array<std::uint64_t, 2>, std::uint32_t> startingAt_;
+    std::vector<std::pair<Key, std::uint32_t>> startingAt_;  // pieces that begin inside, in the order of their keys
     std::vector<Stop> ring_;
-    std::vector<std::size_t> endStop_;
     std::vector<PolygonLoop> outlines_, holes_;
     std::vector<std::vector<PolygonLoop>> holesOf_;
     std::vector<Eigen::Vector2d> flat_;
