@@ -18,8 +18,13 @@ namespace tactooth {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-constexpr int kBins = 16;  // more than 16 bins gains nothing measurable on scanned teeth
 
+// More than 16 bins gains nothing measurable on scanned teeth; of few items, fewer bins find as good a border.
+constexpr int kManyBins = 16;
+constexpr int kFewBins = 8;
+constexpr std::size_t kFewItems = 128;
+
+template <int kBins>
 struct Bins {
     std::array<TreeBounds, kBins> bounds;
     std::array<std::uint32_t, kBins> count{};
@@ -33,6 +38,7 @@ struct Bins {
 };
 
 /// Which bin an item falls into, by its centre along the widest axis.
+template <int kBins>
 struct Binning {
     int axis;
     float low, scale;
@@ -64,9 +70,10 @@ TreeBounds centresOf(const TreeRange& range) {
 }
 
 /// Fills the bins and notes beside each item its own.
-Bins fillBins(const TreeRange& range, const Binning& binning) {
-    return summed<Bins>(range, [binOf = binning](const TreeRange& block) {
-        Bins bins;
+template <int kBins>
+Bins<kBins> fillBins(const TreeRange& range, const Binning<kBins>& binning) {
+    return summed<Bins<kBins>>(range, [binOf = binning](const TreeRange& block) {
+        Bins<kBins> bins;
         std::uint8_t* noted = block.bins.data();
         for (const TreeItem& item : block.items) {
             const std::uint8_t bin = binOf(item);
@@ -80,7 +87,8 @@ Bins fillBins(const TreeRange& range, const Binning& binning) {
 
 /// The bin border of the lowest cost, 1..kBins-1, or 0 when every item falls into one bin. A border behind an empty bin
 /// is the one before that bin again.
-int cheapestBorder(const Bins& bins, std::size_t packet) {
+template <int kBins>
+int cheapestBorder(const Bins<kBins>& bins, std::size_t packet) {
     const auto cost = [&](const TreeBounds& bounds, std::size_t count) {
         return bounds.halfArea() * static_cast<float>((count + packet - 1) / packet);
     };
@@ -169,6 +177,19 @@ TreeSplit splitAtMedian(const TreeRange& range, std::size_t packet, int axis) {
     return {half, boundsOf(range.first(half)), boundsOf(range.after(half))};
 }
 
+/// Cuts at the cheapest border between bins along an axis on which the centres lie from `low` on over `size`.
+template <int kBins>
+TreeSplit splitAtCheapest(const TreeRange& range, std::size_t packet, int axis, float low, float size) {
+    const auto bins = fillBins<kBins>(range, {axis, low, kBins / size});
+    const int border = cheapestBorder(bins, packet);
+    if (border == 0) return splitAtMedian(range, packet, axis);
+    TreeSplit split{0, {}, {}};
+    for (int bin = 0; bin < kBins; ++bin) (bin < border ? split.left : split.right).extend(bins.bounds[bin]);
+    for (int bin = 0; bin < border; ++bin) split.leftCount += bins.count[bin];
+    partition(range, split.leftCount, border);
+    return split;
+}
+
 }  // namespace
 
 TreeBounds boundsOf(const TreeRange& range) {
@@ -186,14 +207,8 @@ TreeSplit splitRange(const TreeRange& range, std::size_t packet, bool balanced) 
     size.maxCoeff(&axis);
     if (balanced || !(size[axis] > 0.0F)) return splitAtMedian(range, packet, axis);
 
-    const Bins bins = fillBins(range, {axis, centres.low[axis], kBins / size[axis]});
-    const int border = cheapestBorder(bins, packet);
-    if (border == 0) return splitAtMedian(range, packet, axis);
-    TreeSplit split{0, {}, {}};
-    for (int bin = 0; bin < kBins; ++bin) (bin < border ? split.left : split.right).extend(bins.bounds[bin]);
-    for (int bin = 0; bin < border; ++bin) split.leftCount += bins.count[bin];
-    partition(range, split.leftCount, border);
-    return split;
+    const auto split = range.size() > kFewItems ? splitAtCheapest<kManyBins> : splitAtCheapest<kFewBins>;
+    return split(range, packet, axis, centres.low[axis], size[axis]);
 }
 
 }  // namespace tactooth

@@ -15,7 +15,7 @@
 namespace tactooth {
 namespace {
 
-constexpr std::uint64_t kGolden = 0xac6db0d3c32b7c4aULL;
+constexpr std::uint64_t kGolden = 0x7d58bff600b6b7d3ULL;
 
 constexpr double kTick = 0.001;
 constexpr double kVoxel = 0.05;
