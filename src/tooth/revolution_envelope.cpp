@@ -126,10 +126,10 @@ FieldSample RevolutionEnvelope::sample(const Vec3& pointInTool) const {
     return {inside ? -distance : distance, Vec3(slopeR * outward.x(), slopeR * outward.y(), slopeZ)};
 }
 
-bool RevolutionEnvelope::findPart(const Vec3& pointInTool, double reach, ProfilePart& part) const {
-    const double radius = std::hypot(pointInTool.x(), pointInTool.y());
+bool RevolutionEnvelope::findPart(const Vec3& pointInTool, double distance, double reach, ProfilePart& part) const {
+    const double radius = std::sqrt(pointInTool.x() * pointInTool.x() + pointInTool.y() * pointInTool.y());
     const double z = pointInTool.z();
-    const double farthest = std::sqrt(nearest(radius, z).squaredDistance) + 2 * reach;
+    const double farthest = std::abs(distance) + 2 * reach;
     const auto topOf = [](const Segment& s) { return s.start.z + s.length * s.directionZ; };
     const auto isBelow = [&](const Segment& s) { return topOf(s) < z - farthest; };  // a profile never falls
     const auto first = std::partition_point(segments_.begin(), segments_.end(), isBelow);

@@ -52,8 +52,9 @@ public:
     [[nodiscard]] FieldSample sample(const Vec3& pointInTool) const;
     [[nodiscard]] double signedDistance(const Vec3& pointInTool) const { return sample(pointInTool).distance; }
 
-    /// The part that matters within `reach` (mm) of a point of the tool frame. False if it has too many pieces.
-    [[nodiscard]] bool findPart(const Vec3& pointInTool, double reach, ProfilePart& part) const;
+    /// The part that matters within `reach` (mm) of a point of the tool frame that is `distance` from the surface,
+    /// whichever side it is on. False if it has too many pieces.
+    [[nodiscard]] bool findPart(const Vec3& pointInTool, double distance, double reach, ProfilePart& part) const;
 
     /// From the axis at the bottom, along the outside, to the axis at the top.
     [[nodiscard]] const std::vector<ProfilePoint>& profile() const { return profile_; }

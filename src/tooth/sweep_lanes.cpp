@@ -52,13 +52,13 @@ Vec3x8 SweepLanes::Frame::at(const Vec3x8& place) const {
     return {along(0), along(1), along(2)};
 }
 
-SweepLanes::SweepLanes(const SweepStep& step, const Vec3& first, double spacing, double side, double beyond)
+SweepLanes::SweepLanes(const SweepStep& step, const Vec3& first, double spacing, double side, double beyond,
+                       const SweepStep::Look& middle)
     : step_(step), first_(first), spacing_(spacing) {
-    const Vec3 middle = step.to_.toTool(first + Vec3::Constant(0.5 * side * spacing));
     const double reach = (0.5 * side * std::sqrt(3.0) + beyond) * spacing + step.travel_;
-    hasPart_ = step.envelope_->findPart(middle, reach * (1 + kRounding), part_);
-    from_ = frame(step.from_.toTool(first), spacing * step.from_.toolFromTooth, middle.z());
-    to_ = frame(step.to_.toTool(first), spacing * step.to_.toolFromTooth, middle.z());
+    hasPart_ = step.envelope_->findPart(middle.pointInTool, middle.distance, reach * (1 + kRounding), part_);
+    from_ = frame(step.from_.toTool(first), spacing * step.from_.toolFromTooth, middle.pointInTool.z());
+    to_ = frame(step.to_.toTool(first), spacing * step.to_.toolFromTooth, middle.pointInTool.z());
 }
 
 /// RevolutionEnvelope::sample for points of the region that `part_` was found for.

@@ -45,10 +45,6 @@ SweepStep::SweepStep(const RevolutionEnvelope& envelope, const Pose& fromInTooth
     box_ = boxAt(envelope, fromInTooth, clearance).merged(boxAt(envelope, toInTooth, clearance));
 }
 
-double SweepStep::lowerBound(const Vec3& point) const {
-    return envelope_->signedDistance(to_.toTool(point)) - travel_ - clearance_;
-}
-
 // Along the straight path q(s), s in [0, 1], f(s) = distance(q(s)) is convex for a convex envelope: no tangent lies
 // above it, and two tangents meet below the minimum (Kelley's cutting planes on an interval): look where they meet,
 // keep the side that falls.

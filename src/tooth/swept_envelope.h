@@ -19,8 +19,18 @@ public:
     /// Once the distance is known to be `atLeast` or more, that lower bound is returned instead.
     [[nodiscard]] FieldSample sample(const Vec3& point, double atLeast) const;
 
-    /// Lower bound of `sample` from one look at the profile, within the step's length of it.
-    [[nodiscard]] double lowerBound(const Vec3& point) const;
+    /// One look at the profile, from where the step ends.
+    struct Look {
+        Vec3 pointInTool;
+        double distance;
+    };
+    [[nodiscard]] Look lookFrom(const Vec3& point) const {
+        const Vec3 pointInTool = to_.toTool(point);
+        return {pointInTool, envelope_->signedDistance(pointInTool)};
+    }
+    /// Lower bound of `sample` from such a look, within the step's length of it.
+    [[nodiscard]] double lowerBound(const Look& look) const { return look.distance - travel_ - clearance_; }
+    [[nodiscard]] double lowerBound(const Vec3& point) const { return lowerBound(lookFrom(point)); }
 
     /// No point of the bur moves farther, mm.
     [[nodiscard]] double travel() const { return travel_; }
