@@ -35,6 +35,21 @@ public:
     [[nodiscard]] Vec3 unpack() const { return unpackAs<double>(); }
     /// In single precision.
     [[nodiscard]] Vec3f unpackSingle() const { return unpackAs<float>(); }
+    /// The sizes of the components of four at once: the same numbers as those of `unpack`.
+    [[nodiscard]] static std::array<Eigen::Array4d, 3> sizesOf(const std::array<PackedDirection, 4>& directions) {
+        Eigen::Array4d u, v;
+        for (int i = 0; i < 4; ++i) {
+            u[i] = std::abs(static_cast<int>(directions[i].u_));
+            v[i] = std::abs(static_cast<int>(directions[i].v_));
+        }
+        u /= kScale;
+        v /= kScale;
+        const Eigen::Array4d z = 1 - u - v;
+        const Eigen::Array4d x = (z < 0).select(1 - v, u);
+        const Eigen::Array4d y = (z < 0).select(1 - u, v);
+        const Eigen::Array4d length = (x * x + (y * y + z * z)).sqrt();  // in the order in which `unpack` adds
+        return {x / length, y / length, z.abs() / length};
+    }
     friend bool operator==(const PackedDirection&, const PackedDirection&) = default;
 
 private:

@@ -32,20 +32,58 @@ constexpr float kLaneX[8] = {0, 1, 2, 3, 0, 1, 2, 3};
 constexpr float kLaneY[8] = {0, 0, 0, 0, 1, 1, 1, 1};
 
 float highestCut(const Brick& brick, int block) {
-    float highest = brick.cut[nodeOfBlock(block, 0)];
-    for (int i = 1; i < kBlockNodes; ++i) highest = std::max(highest, brick.cut[nodeOfBlock(block, i)]);
-    return highest;
+    Eigen::Array4f highest = Eigen::Array4f::Constant(-std::numeric_limits<float>::infinity());
+    for (int i = 0; i < kBlockNodes; i += kBlockSide) {
+        highest = highest.max(Eigen::Map<const Eigen::Array4f>(&brick.cut[nodeOfBlock(block, i)]));
+    }
+    return std::max(std::max(highest[0], highest[1]), std::max(highest[2], highest[3]));
 }
 
-/// Share of a node's voxel that lies in the tooth and in the removed region.
-double removedShare(const Brick& brick, const CutSample& cut, double spacing) {
-    const std::uint16_t node = cut.node;
-    const double tooth = brick.tooth[node] / spacing;
-    const double removed = cut.distance / spacing;
-    if (tooth >= kVoxelReach || removed >= kVoxelReach) return 0;
-    if (tooth <= -kVoxelReach) return removed <= -kVoxelReach ? 1 : cubeFraction({removed, cut.normal.unpack()});
-    return cubeFraction({removed, cut.normal.unpack()}, {tooth, brick.toothNormal[node].unpack()});
-}
+/// Shares of nodes' voxels that lie in the tooth and in the removed region. Those that only the border of the removed
+/// region cuts, as most do, are counted four at a time.
+class RemovedShares {
+public:
+    RemovedShares(const Brick& brick, double spacing) : brick_(brick), spacing_(spacing) {}
+
+    void add(const CutSample& cut) {
+        const std::uint16_t node = cut.node;
+        const double tooth = brick_.tooth[node] / spacing_;
+        const double removed = cut.distance / spacing_;
+        if (tooth >= kVoxelReach || removed >= kVoxelReach) {
+            shares_.push_back(0);
+        } else if (tooth > -kVoxelReach) {
+            shares_.push_back(cubeFraction({removed, cut.normal.unpack()}, {tooth, brick_.toothNormal[node].unpack()}));
+        } else if (removed <= -kVoxelReach) {
+            shares_.push_back(1);
+        } else {
+            distances_[waiting_] = removed;
+            normals_[waiting_] = cut.normal;
+            places_[waiting_++] = shares_.size();
+            shares_.push_back(0);
+            if (waiting_ == 4) count();
+        }
+    }
+    /// In the order in which they were added.
+    [[nodiscard]] const std::vector<double>& all() {
+        count();
+        return shares_;
+    }
+
+private:
+    void count() {
+        const Eigen::Array4d shares = cubeFractions(distances_, PackedDirection::sizesOf(normals_));
+        for (int i = 0; i < waiting_; ++i) shares_[places_[i]] = shares[i];
+        waiting_ = 0;
+    }
+
+    const Brick& brick_;
+    double spacing_;
+    std::vector<double> shares_;
+    Eigen::Array4d distances_ = Eigen::Array4d::Zero();  // of those that are not counted yet
+    std::array<PackedDirection, 4> normals_;
+    std::array<std::size_t, 4> places_{};
+    int waiting_ = 0;
+};
 
 /// Eight nodes of one block, and what a sweep lowers their cut field to.
 class LoweredNodes8 {
@@ -119,17 +157,27 @@ private:
     std::uint32_t lowered_ = 0;
 };
 
-double removableAt(const Brick& brick, const CutSample& lowered, double spacing) {
-    const std::uint16_t node = lowered.node;
-    const double before = removedShare(brick, {node, brick.cut[node], brick.cutNormal[node]}, spacing);
-    return (removedShare(brick, lowered, spacing) - before) * spacing * spacing * spacing;
-}
-
 /// Shares a removed volume among the materials of a node's voxel.
 void book(MaterialVolumes& volumes, const Brick& brick, int node, double volume) {
     const double beyond = volume * brick.neighbourShare[node] / 255;
     volumes[static_cast<std::size_t>(brick.material[node])] += volume - beyond;
     volumes[static_cast<std::size_t>(brick.neighbour[node])] += beyond;
+}
+
+/// What lowering the cut field of these nodes removes.
+MaterialVolumes volumesOf(const Brick& brick, std::span<const CutSample> lowered, double spacing) {
+    RemovedShares shares(brick, spacing);
+    for (const CutSample& sample : lowered) {
+        shares.add({sample.node, brick.cut[sample.node], brick.cutNormal[sample.node]});
+        shares.add(sample);
+    }
+    MaterialVolumes volumes{};
+    const double* share = shares.all().data();
+    for (const CutSample& sample : lowered) {
+        const double before = *share++;
+        book(volumes, brick, sample.node, (*share++ - before) * spacing * spacing * spacing);
+    }
+    return volumes;
 }
 
 }  // namespace
@@ -149,12 +197,10 @@ RemovableInBrick removableFromBrick(const Brick& brick, const BrickKey& key, con
         for (int eight = 0; eight < kBlockNodes / 8; ++eight) {
             LoweredNodes8 nodes(brick, block, eight, band);
             for (const SweepLanes& step : near) nodes.lower(step);
-            nodes.forEachLowered(band, [&](const CutSample& lowered) {
-                book(result.volumes, brick, lowered.node, removableAt(brick, lowered, spacing));
-                result.lowered.push_back(lowered);
-            });
+            nodes.forEachLowered(band, [&](const CutSample& lowered) { result.lowered.push_back(lowered); });
         }
     }
+    result.volumes = volumesOf(brick, result.lowered, spacing);
     return result;
 }
 
@@ -163,9 +209,9 @@ MaterialVolumes removableFromNodes(const Brick& brick, const RemovableInBrick& w
     const double spacing = lattice.spacing();
     const double reach = kVoxelReach * spacing;
     const auto band = static_cast<float>(kCutBand * spacing);
-    MaterialVolumes volumes{};
     BrickSweep sweep(whole.key, lattice, steps, reach);
-    if (sweep.isClear()) return volumes;
+    if (sweep.isClear()) return {};
+    std::vector<CutSample> reached;
     // What is lowered less far away, in the air, or where all is gone already, has nothing to give.
     const auto gives = [&](const CutSample& most) {
         return most.distance < reach && brick.tooth[most.node] < reach && brick.cut[most.node] > -reach;
@@ -181,12 +227,10 @@ MaterialVolumes removableFromNodes(const Brick& brick, const RemovableInBrick& w
             }
             LoweredNodes8 nodes(brick, {giving.data(), count}, static_cast<float>(reach));
             for (const SweepLanes& step : near) nodes.lower(step);
-            nodes.forEachLowered(band, [&](const CutSample& lowered) {
-                book(volumes, brick, lowered.node, removableAt(brick, lowered, spacing));
-            });
+            nodes.forEachLowered(band, [&](const CutSample& lowered) { reached.push_back(lowered); });
         }
     }
-    return volumes;
+    return volumesOf(brick, reached, spacing);
 }
 
 ChangedBrick carveBrick(Brick& brick, const RemovableInBrick& found, std::uint64_t carve) {
@@ -209,10 +253,13 @@ ChangedBrick carveBrick(Brick& brick, const RemovableInBrick& found, std::uint64
 }
 
 MaterialVolumes removedFromBrick(const Brick& brick, double spacing) {
-    MaterialVolumes volumes{};
+    RemovedShares shares(brick, spacing);
     for (std::uint16_t node = 0; node < kBrickNodes; ++node) {
-        const double share = removedShare(brick, {node, brick.cut[node], brick.cutNormal[node]}, spacing);
-        book(volumes, brick, node, share * spacing * spacing * spacing);
+        shares.add({node, brick.cut[node], brick.cutNormal[node]});
+    }
+    MaterialVolumes volumes{};
+    for (int node = 0; node < kBrickNodes; ++node) {
+        book(volumes, brick, node, shares.all()[static_cast<std::size_t>(node)] * spacing * spacing * spacing);
     }
     return volumes;
 }

@@ -26,7 +26,25 @@ double corneredVolume(const Vec3& m, double alpha) {
     return std::clamp(volume / (6 * m.prod()), 0.0, 1.0);
 }
 
+Eigen::Array4d cubed(const Eigen::Array4d& values) {
+    const Eigen::Array4d positive = values.max(0.0);
+    return positive * positive * positive;
+}
+
 }  // namespace
+
+// Operation by operation that of one half-space, so that a node's share does not depend on the nodes beside it.
+Eigen::Array4d cubeFractions(const Eigen::Array4d& distances, const std::array<Eigen::Array4d, 3>& normalSizes) {
+    std::array<Eigen::Array4d, 3> m;
+    for (int axis = 0; axis < 3; ++axis) m[axis] = normalSizes[axis].max(kLeastComponent);
+    const Eigen::Array4d sum = m[0] + (m[1] + m[2]);
+    const Eigen::Array4d reach = 0.5 * sum;
+    const Eigen::Array4d alpha = reach - distances;
+    Eigen::Array4d volume = cubed(alpha) - cubed(alpha - sum);
+    for (int axis = 0; axis < 3; ++axis) volume += cubed(alpha - sum + m[axis]) - cubed(alpha - m[axis]);
+    const Eigen::Array4d share = (volume / (6 * (m[0] * (m[1] * m[2])))).max(0.0).min(1.0);
+    return (distances >= reach).select(0.0, (distances <= -reach).select(1.0, share));
+}
 
 double cubeFraction(const HalfSpace& half) {
     const Vec3 m = half.normal.cwiseAbs().cwiseMax(kLeastComponent);

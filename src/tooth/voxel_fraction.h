@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+
 #include "geometry/vec.h"
 
 namespace tactooth {
@@ -15,6 +17,10 @@ struct HalfSpace {
 
 /// Share of a unit cube that lies within a half-space, 0..1, exact.
 [[nodiscard]] double cubeFraction(const HalfSpace& half);
+
+/// The same for four half-spaces at once; of the normals the sizes of their components tell all.
+[[nodiscard]] Eigen::Array4d cubeFractions(const Eigen::Array4d& distances,
+                                           const std::array<Eigen::Array4d, 3>& normalSizes);
 
 /// Share of a unit cube that lies within both, to about 0.01.
 [[nodiscard]] double cubeFraction(const HalfSpace& first, const HalfSpace& second);

@@ -168,7 +168,8 @@ TEST(SweepLanes, AProfileOfTooManyPiecesIsSampledAllTheSame) {
     Cases cases(ballsInARow(30, 0.01, 0.015));
     const Vec3 middle(0, 0, 0.2);
     ProfilePart part;
-    ASSERT_FALSE(cases.envelope().findPart(middle, kSide * kSpacing, part)) << "or the other tests are enough";
+    ASSERT_FALSE(cases.envelope().findPart(middle, cases.envelope().signedDistance(middle), kSide * kSpacing, part))
+        << "or the other tests are enough";
     int inside = 0;
     for (int i = 0; i < 200; ++i) {
         const SweepStep step(cases.envelope(), Pose{}, {0.005 * Vec3(cases.unit(), cases.unit(), 0), Quat::Identity()},

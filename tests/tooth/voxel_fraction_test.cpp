@@ -6,6 +6,8 @@
 
 #include <random>
 
+#include "tooth/brick.h"
+
 namespace tactooth {
 namespace {
 
@@ -41,6 +43,27 @@ TEST(VoxelFraction, RandomPlanesAgreeWithCounting) {
         const HalfSpace half{offset(random), randomDirection(random)};
         EXPECT_NEAR(cubeFraction(half), countedShare(half), 5e-3);
     }
+}
+
+TEST(VoxelFraction, FourAtOnceAreTheSameNumbers) {
+    std::mt19937 random(2);
+    std::uniform_real_distribution<double> offset(-1, 1);
+    int cut = 0;
+    for (int i = 0; i < 500; ++i) {
+        Eigen::Array4d distances;
+        std::array<PackedDirection, 4> normals;
+        for (int lane = 0; lane < 4; ++lane) {
+            distances[lane] = offset(random);
+            normals[lane] = PackedDirection(i % 7 == 0 ? Vec3::Unit(lane % 3) : randomDirection(random));
+        }
+        const Eigen::Array4d shares = cubeFractions(distances, PackedDirection::sizesOf(normals));
+        for (int lane = 0; lane < 4; ++lane) {
+            ASSERT_EQ(shares[lane], cubeFraction({distances[lane], normals[lane].unpack()}));
+            cut += shares[lane] > 0 && shares[lane] < 1;
+        }
+    }
+    EXPECT_GT(cut, 600);
+    EXPECT_LT(cut, 1400);
 }
 
 TEST(VoxelFraction, TwoPerpendicularPlanesThroughTheCentreLeaveAQuarter) {
