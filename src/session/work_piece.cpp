@@ -69,9 +69,13 @@ bool WorkPiece::feed(const CuttingTool& tool, const Tick& tick, const MaterialTa
     }
     if (!hasWorked) return false;
     const Pose start = startOf(tick);
-    const double way = (tick.hand.position - start.position).norm();
-    const Pose goal = between(start, tick.hand, way > kLongestFeed ? kLongestFeed / way : 1);
-    const FeedResult result = feedBur(volume_, tool.envelope, start, goal, work, materials, tool.sharpness);
+    const double toHand = (tick.hand.position - start.position).norm();
+    const double way = std::min(toHand, kLongestFeed);
+    const Pose goal = between(start, tick.hand, toHand > kLongestFeed ? kLongestFeed / toHand : 1);
+    // As far as the last time and once more; a step of the sweep costs no less where it is shorter than a voxel.
+    const double enough = std::max(2 * lastWay_, volume_.lattice().spacing()) / way;
+    const FeedResult result = feedBur(volume_, tool.envelope, start, goal, work, materials, tool.sharpness, enough);
+    lastWay_ = result.fraction * way;
     reached_ = between(start, goal, result.fraction);
     // A broad bur in hard enamel must save up for its smallest step, which the clearance of the cut gives.
     const double kept = std::isfinite(result.wanted) ? std::max(kKeptWork, result.wanted) : kKeptWork;

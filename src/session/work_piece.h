@@ -114,6 +114,7 @@ private:
     std::vector<ChangedBrick> changed_;  // since the last refresh
     std::vector<ToothLoss> lossAt_;      // the marks
     std::optional<Pose> reached_;
+    double lastWay_ = 0;       // of the last feed, mm
     bool mayBeLoose_ = false;  // something was cut since the last look
     double touchedAt_ = 0;     // Tick::time of the last contact seen, s
     double workSpent_ = 0;     // of Tick::cutWork, N*m

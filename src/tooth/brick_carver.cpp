@@ -204,33 +204,30 @@ RemovableInBrick removableFromBrick(const Brick& brick, const BrickKey& key, con
     return result;
 }
 
-MaterialVolumes removableFromNodes(const Brick& brick, const RemovableInBrick& whole, const Lattice& lattice,
-                                   const std::vector<SweepStep>& steps) {
+RemovableInBrick removableFromNodes(const Brick& brick, const RemovableInBrick& whole, const Lattice& lattice,
+                                    const std::vector<SweepStep>& steps) {
     const double spacing = lattice.spacing();
-    const double reach = kVoxelReach * spacing;
     const auto band = static_cast<float>(kCutBand * spacing);
-    BrickSweep sweep(whole.key, lattice, steps, reach);
-    if (sweep.isClear()) return {};
-    std::vector<CutSample> reached;
-    // What is lowered less far away, in the air, or where all is gone already, has nothing to give.
-    const auto gives = [&](const CutSample& most) {
-        return most.distance < reach && brick.tooth[most.node] < reach && brick.cut[most.node] > -reach;
-    };
+    RemovableInBrick result;
+    result.key = whole.key;
+    BrickSweep sweep(whole.key, lattice, steps, band);
+    if (sweep.isClear()) return result;
     for (auto most = whole.lowered.begin(); most != whole.lowered.end();) {
         const int block = blockOf(most->node);
-        const std::vector<SweepLanes>& near = sweep.nearNodes(block, reach);
+        const std::vector<SweepLanes>& near = sweep.nearNodes(block, band);
         while (most != whole.lowered.end() && blockOf(most->node) == block) {
-            std::array<std::uint16_t, 8> giving;
+            std::array<std::uint16_t, 8> nodes;
             std::size_t count = 0;
             for (; count < 8 && most != whole.lowered.end() && blockOf(most->node) == block; ++most) {
-                if (gives(*most)) giving[count++] = most->node;
+                nodes[count++] = most->node;
             }
-            LoweredNodes8 nodes(brick, {giving.data(), count}, static_cast<float>(reach));
-            for (const SweepLanes& step : near) nodes.lower(step);
-            nodes.forEachLowered(band, [&](const CutSample& lowered) { reached.push_back(lowered); });
+            LoweredNodes8 eight(brick, {nodes.data(), count}, band);
+            for (const SweepLanes& step : near) eight.lower(step);
+            eight.forEachLowered(band, [&](const CutSample& lowered) { result.lowered.push_back(lowered); });
         }
     }
-    return volumesOf(brick, reached, spacing);
+    result.volumes = volumesOf(brick, result.lowered, spacing);
+    return result;
 }
 
 ChangedBrick carveBrick(Brick& brick, const RemovableInBrick& found, std::uint64_t carve) {

@@ -19,9 +19,11 @@ struct FeedResult {
 /// work for each material. Infinite for a bur that does not cut.
 [[nodiscard]] double workFor(const MaterialVolumes& volumes, const MaterialTable& materials, double sharpness);
 
-/// Cuts from one pose of the spinning bur toward another as far as `work` (N*m) pays for, and no further.
+/// Cuts from one pose of the spinning bur toward another as far as `work` (N*m) pays for, and no further. `enough`: a
+/// share of the way that is thought to be dearer than that; to look at the rest of it then takes no time.
 [[nodiscard]] FeedResult feedBur(CutVolume& volume, const RevolutionEnvelope& envelope, const Pose& from,
-                                 const Pose& to, double work, const MaterialTable& materials, double sharpness);
+                                 const Pose& to, double work, const MaterialTable& materials, double sharpness,
+                                 double enough = 1);
 
 /// The pose a fraction of the way from one to the other.
 [[nodiscard]] Pose between(const Pose& from, const Pose& to, double fraction);

@@ -28,6 +28,13 @@ MaterialVolumes sum(const std::vector<MaterialVolumes>& parts) {
     return volumes;
 }
 
+void gather(std::vector<RemovableInBrick>& parts, Removable& result) {
+    for (RemovableInBrick& part : parts) {
+        for (std::size_t m = 0; m < kMaterialCount; ++m) result.volumes[m] += part.volumes[m];
+        if (!part.lowered.empty()) result.where.push_back(std::move(part));
+    }
+}
+
 std::uint64_t fnv1a(std::uint64_t hash, std::uint64_t value) {
     for (int byte = 0; byte < 8; ++byte) hash = (hash ^ (value >> (8 * byte) & 0xFF)) * 0x100000001b3ULL;
     return hash;
@@ -161,21 +168,22 @@ Removable CutVolume::removable(const RevolutionEnvelope& envelope, const Pose& f
             parts[i] = removableFromBrick(*brick, keys[i], lattice_, result.steps);
         }
     });
-    for (RemovableInBrick& part : parts) {
-        for (std::size_t m = 0; m < kMaterialCount; ++m) result.volumes[m] += part.volumes[m];
-        if (!part.lowered.empty()) result.where.push_back(std::move(part));
-    }
+    gather(parts, result);
     return result;
 }
 
-MaterialVolumes CutVolume::removableOnTheWay(const Removable& whole, const RevolutionEnvelope& envelope,
-                                             const Pose& fromInTooth, const Pose& partWay) const {
-    const auto steps = sweepSteps(envelope, fromInTooth, partWay, whole.clearance, kLongestStep * lattice_.spacing());
-    std::vector<MaterialVolumes> parts(whole.where.size());
-    parallelFor(whole.where.size(), [&](std::size_t i) {
-        parts[i] = removableFromNodes(*bricks_.find(whole.where[i].key), whole.where[i], lattice_, steps);
+Removable CutVolume::removableOnTheWay(const Removable& whole, const RevolutionEnvelope& envelope,
+                                       const Pose& fromInTooth, const Pose& partWay) const {
+    Removable result;
+    result.clearance = whole.clearance;
+    result.afterCarve = whole.afterCarve;
+    result.steps = sweepSteps(envelope, fromInTooth, partWay, whole.clearance, kLongestStep * lattice_.spacing());
+    std::vector<RemovableInBrick> parts(whole.where.size());
+    parallelFor(parts.size(), [&](std::size_t i) {
+        parts[i] = removableFromNodes(*bricks_.find(whole.where[i].key), whole.where[i], lattice_, result.steps);
     });
-    return sum(parts);
+    gather(parts, result);
+    return result;
 }
 
 /// Makes the bricks of it that are missing.

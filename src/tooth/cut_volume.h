@@ -102,10 +102,10 @@ public:
     }
     /// Does it, unless something was carved meanwhile.
     CarveResult carve(const Removable& removable);
-    /// What the first part of that move, up to `partWay`, would remove, to about 1e-4 of a voxel: looks nowhere but at
-    /// the nodes that the whole move reaches.
-    [[nodiscard]] MaterialVolumes removableOnTheWay(const Removable& whole, const RevolutionEnvelope& envelope,
-                                                    const Pose& fromInTooth, const Pose& partWay) const;
+    /// The same for the first part of that move, up to `partWay`: looks nowhere but at the nodes that the whole move
+    /// reaches.
+    [[nodiscard]] Removable removableOnTheWay(const Removable& whole, const RevolutionEnvelope& envelope,
+                                              const Pose& fromInTooth, const Pose& partWay) const;
 
     /// Removes every piece that hangs together with nothing any more (findLoosePieces).
     FallenPieces dropLoose();

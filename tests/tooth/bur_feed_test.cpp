@@ -69,6 +69,32 @@ TEST(BurFeed, SpendsTheWorkAndNeverMore) {
     }
 }
 
+TEST(BurFeed, AShareThoughtToBeEnoughChangesNoMoreThanTheTrials) {
+    for (const double work : {1.0, 5.0, 20.0, 1e3}) {
+        CutVolume volume = blockOf(MaterialId::Enamel);
+        const FeedResult whole = push(volume, work);
+        for (const double enough : {1e-3, 0.05, 0.3, 2.0}) {
+            CutVolume other = blockOf(MaterialId::Enamel);
+            const FeedResult result = feedBur(other, flatBur(), atDepth(0), atDepth(0.5), work, {}, 1, enough);
+            EXPECT_LE(result.work, work) << enough;
+            EXPECT_GE(result.work, std::min(0.97 * work, whole.work)) << enough;
+            EXPECT_NEAR(result.fraction, whole.fraction, 0.04 * whole.fraction) << enough;
+        }
+    }
+}
+
+TEST(BurFeed, WhatIsNotAffordableTellsItsPrice) {
+    CutVolume volume = blockOf(MaterialId::Enamel);
+    const double hair = 1e-9;
+    const FeedResult result = push(volume, hair);
+    EXPECT_EQ(result.fraction, 0);
+    EXPECT_EQ(result.work, 0);
+    EXPECT_GT(result.wanted, hair);
+    const FeedResult paid = push(volume, result.wanted);
+    EXPECT_GT(paid.fraction, 0);
+    EXPECT_LE(paid.work, result.wanted);
+}
+
 TEST(BurFeed, TheDepthIsTheWorkTimesRemovalOverTheArea) {
     CutVolume volume = blockOf(MaterialId::Dentin);
     const FeedResult result = push(volume, 10);
