@@ -14,7 +14,7 @@
 
 namespace tactooth {
 
-/// A unit direction in four bytes, to 5e-5 rad: the octahedron map (Z. Cigolle et al., "A Survey of Efficient
+/// A unit direction in four bytes, to 6e-5 rad: the octahedron map (Z. Cigolle et al., "A Survey of Efficient
 /// Representations for Independent Unit Vectors", JCGT 2014).
 class PackedDirection {
 public:
@@ -47,7 +47,7 @@ public:
         const Eigen::Array4d z = 1 - u - v;
         const Eigen::Array4d x = (z < 0).select(1 - v, u);
         const Eigen::Array4d y = (z < 0).select(1 - u, v);
-        const Eigen::Array4d length = (x * x + (y * y + z * z)).sqrt();  // in the order in which `unpack` adds
+        const Eigen::Array4d length = (x * x + y * y + z * z).sqrt();
         return {x / length, y / length, z.abs() / length};
     }
     friend bool operator==(const PackedDirection&, const PackedDirection&) = default;
@@ -63,7 +63,7 @@ private:
             v = (1 - std::abs(u)) * (v >= 0 ? 1 : -1);
             u = unfolded;
         }
-        return Eigen::Matrix<Real, 3, 1>(u, v, z).normalized();
+        return Eigen::Matrix<Real, 3, 1>(u, v, z) / std::sqrt(u * u + v * v + z * z);  // as `sizesOf` adds
     }
 
     static constexpr double kScale = 32767.0;

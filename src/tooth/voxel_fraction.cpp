@@ -18,12 +18,12 @@ double cubed(double value) { return value > 0 ? value * value * value : 0; }
 /// Volume of {x in [0,1]^3 : m . x < alpha} for positive m (R. Scardovelli, S. Zaleski, "Analytical Relations
 /// Connecting Linear Interfaces and Volume Fractions in Rectangular Grids", J. Comput. Phys. 2000).
 double corneredVolume(const Vec3& m, double alpha) {
-    const double sum = m.sum();
+    const double sum = m.x() + m.y() + m.z();
     double volume = cubed(alpha) - cubed(alpha - sum);
     for (int axis = 0; axis < 3; ++axis) {
         volume += cubed(alpha - sum + m[axis]) - cubed(alpha - m[axis]);
     }
-    return std::clamp(volume / (6 * m.prod()), 0.0, 1.0);
+    return std::clamp(volume / (6 * (m.x() * m.y() * m.z())), 0.0, 1.0);
 }
 
 Eigen::Array4d cubed(const Eigen::Array4d& values) {
@@ -37,18 +37,18 @@ Eigen::Array4d cubed(const Eigen::Array4d& values) {
 Eigen::Array4d cubeFractions(const Eigen::Array4d& distances, const std::array<Eigen::Array4d, 3>& normalSizes) {
     std::array<Eigen::Array4d, 3> m;
     for (int axis = 0; axis < 3; ++axis) m[axis] = normalSizes[axis].max(kLeastComponent);
-    const Eigen::Array4d sum = m[0] + (m[1] + m[2]);
+    const Eigen::Array4d sum = m[0] + m[1] + m[2];
     const Eigen::Array4d reach = 0.5 * sum;
     const Eigen::Array4d alpha = reach - distances;
     Eigen::Array4d volume = cubed(alpha) - cubed(alpha - sum);
     for (int axis = 0; axis < 3; ++axis) volume += cubed(alpha - sum + m[axis]) - cubed(alpha - m[axis]);
-    const Eigen::Array4d share = (volume / (6 * (m[0] * (m[1] * m[2])))).max(0.0).min(1.0);
+    const Eigen::Array4d share = (volume / (6 * (m[0] * m[1] * m[2]))).max(0.0).min(1.0);
     return (distances >= reach).select(0.0, (distances <= -reach).select(1.0, share));
 }
 
 double cubeFraction(const HalfSpace& half) {
     const Vec3 m = half.normal.cwiseAbs().cwiseMax(kLeastComponent);
-    const double reach = 0.5 * m.sum();
+    const double reach = 0.5 * (m.x() + m.y() + m.z());
     if (half.distance >= reach) return 0;
     if (half.distance <= -reach) return 1;
     return corneredVolume(m, reach - half.distance);
