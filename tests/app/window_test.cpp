@@ -51,6 +51,7 @@ private slots:
     void aCuttingBurRemovesEnamel();
     void whatHappenedIsListedAndExported();
     void atRestNothingIsDrawnAndASpinningBurIs();
+    void aWindowThatRestsIsSeldomComposed();
     void theCutToothIsExportedClosed();
     void anExportThatFailsSaysWhy();
     void theToothIsSavedAndUndoTakesBackACut();
@@ -230,6 +231,21 @@ void WindowTest::atRestNothingIsDrawnAndASpinningBurIs() {
     const std::uint64_t before = view().pictures();
     QTRY_VERIFY_WITH_TIMEOUT(view().pictures() > before + 3, 20000);
     key(Qt::Key_T);
+}
+
+/// The exercise has a clock, which goes on behind its tab, and the status line a meter.
+void WindowTest::aWindowThatRestsIsSeldomComposed() {
+    QVERIFY(window_->bench().workSeconds() > 0);
+    auto* pedal = window_->findChild<QCheckBox*>("keepPedal");
+    pedal->setChecked(false);
+    QTRY_VERIFY_WITH_TIMEOUT(gauge("speedGauge") < 1, 20000);
+    QTest::qWait(15000);  // until all that was plotted has gone by
+    int compositions = 0;
+    const auto counting = connect(&view(), &QOpenGLWidget::frameSwapped, this, [&] { ++compositions; });
+    QTest::qWait(10000);
+    disconnect(counting);
+    QVERIFY2(compositions <= 5, qPrintable(QString::number(compositions)));
+    pedal->setChecked(true);
 }
 
 void WindowTest::theCutToothIsExportedClosed() {

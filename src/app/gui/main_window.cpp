@@ -40,6 +40,7 @@ namespace tactooth {
 namespace {
 
 constexpr int kStepMs = 16;         // the hand moves 60 times a second ...
+constexpr double kStandsStill = 1;  // rev/min: a spindle that runs down gets slower without end
 constexpr int kRestMs = 40;         // ... and rests at fewer,
 constexpr int kRestAfter = 120;     // steps in which nobody has moved anything
 constexpr double kSeenMove = 1e-4;  // mm
@@ -60,6 +61,9 @@ QScrollArea* scrolling(QWidget& panel, bool sideways) {
     area->setWidget(&panel);
     return area;
 }
+
+/// Whether any of it shows; what stands behind another tab counts as visible for Qt.
+bool isInSight(const QWidget& panel) { return !panel.visibleRegion().isEmpty(); }
 
 }  // namespace
 
@@ -307,7 +311,8 @@ void MainWindow::connectRecords() {
 /// A window that nobody uses leaves the computer to others.
 void MainWindow::paceSteps() {
     const Vec3& place = bench_.newest().proxy.position;
-    const bool isStill = (place - lastPlace_).norm() < kSeenMove && bench_.newest().speedRpm == 0 && !bench_.isBusy();
+    const bool isStill =
+        (place - lastPlace_).norm() < kSeenMove && bench_.newest().speedRpm < kStandsStill && !bench_.isBusy();
     lastPlace_ = place;
     stillSteps_ = isStill ? stillSteps_ + 1 : 0;
     const bool rests = stillSteps_ > kRestAfter;
@@ -438,7 +443,7 @@ WindowSettings MainWindow::settings() const {
 
 void MainWindow::showStatus(const Simulator& simulator) {
     status_->show(simulator, sound_.status());
-    if (!timing_->isVisible()) return;
+    if (!isInSight(*timing_)) return;
     const HapticDevice* device = bench_.device();
     timing_->show(simulator, device != nullptr ? QString::fromStdString(device->info().name) : tr("mouse"),
                   bench_.rate());
@@ -448,7 +453,10 @@ void MainWindow::showNumbers() {
     drive_->show(bench_.newest());
     plots_->show(trace_);
     happened_->show(bench_.events().all());
-    if (bench_.simulator() != nullptr) exercise_->show(bench_.workSeconds(), bench_.simulator()->removed(), progress_);
+    // A clock behind another tab would have the whole window composed anew each second.
+    if (bench_.simulator() != nullptr && isInSight(*exercise_)) {
+        exercise_->show(bench_.workSeconds(), bench_.simulator()->removed(), progress_);
+    }
     showHand();
 }
 

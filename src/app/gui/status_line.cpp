@@ -71,11 +71,15 @@ void StatusLine::showServo(const QString& brief, const QString& whole) {
 void StatusLine::showOverrun(std::uint64_t inTime, std::uint64_t missed) {
     const std::uint64_t all = inTime + missed;
     const double percent = all > 0 ? 100 * static_cast<double>(missed) / static_cast<double>(all) : 0;
+    const QString text = tr("late %1 %").arg(QLocale().toString(percent, 'f', 1));
+    if (text == overrun_->format()) return;
+    overrun_->setUpdatesEnabled(false);  // each of the following would have the whole window composed anew
     overrun_->setValue(std::min(kOverrunSteps, static_cast<int>(std::lround(10 * percent))));
-    overrun_->setFormat(tr("late %1 %").arg(QLocale().toString(percent, 'f', 1)));
+    overrun_->setFormat(text);
     QPalette colours;
     if (percent > kFeltOverrun) colours.setColor(QPalette::Highlight, QColor(196, 48, 32));
     overrun_->setPalette(colours);
+    overrun_->setUpdatesEnabled(true);
 }
 
 void StatusLine::show(const Simulator& simulator, SoundStatus sound) {
