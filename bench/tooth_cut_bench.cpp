@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Cutting: time from a bur's move to the new surface (carve, extraction, snapshot). A bur of 1.2 mm plunges 2 mm into
 // a tooth of some 325,000 triangles and then runs along a slot; each iteration is the move between two surface updates.
+// Swept as far as the path goes, or as far as a given work pays for (feed).
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -10,6 +11,7 @@
 
 #include "milling.h"
 #include "support/shapes.h"
+#include "tooth/bur_feed.h"
 #include "tooth/live_surface.h"
 
 namespace tactooth {
@@ -62,6 +64,46 @@ BENCHMARK(carveAndUpdate)
     ->Args({50, 5, 20})
     ->Args({50, 5, 60})
     ->Args({25, 10, 60})
+    ->Iterations(300)
+    ->Unit(benchmark::kMillisecond);
+
+/// The way toward a hand that is always ahead is as long as the work pays for. Arguments: voxel in um, work that each
+/// update may spend in mN*m.
+void feedAndUpdate(benchmark::State& state) {
+    const double voxel = 1e-3 * static_cast<double>(state.range(0));
+    const double work = 1e-3 * static_cast<double>(state.range(1));
+    constexpr double kAhead = 0.1;  // mm
+    CutVolume volume(molar(), voxel);
+    LiveSurface surface(volume);
+    const Box3 box = molar()->outer()->tree().box();
+    double length = 0.3;  // just above the tooth
+    double lastWay = 0;
+    double removed = 0;
+    std::vector<double> search, all;
+    for (auto _ : state) {
+        const auto begin = std::chrono::steady_clock::now();
+        const double enough = std::max(2 * lastWay, voxel) / kAhead;
+        const FeedResult result = feedBur(volume, fissureBur(), poseAlongPath(box, length, 0),
+                                          poseAlongPath(box, length + kAhead, 0), work, {}, 1, enough);
+        const std::chrono::duration<double, std::milli> found = std::chrono::steady_clock::now() - begin;
+        surface.update(volume, result.carve.changed);
+        const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
+        lastWay = result.fraction * kAhead;
+        length += lastWay;
+        removed += total(result.carve.removed);
+        if (result.fraction == 1) continue;  // still in the air
+        search.push_back(found.count());
+        all.push_back(took.count());
+    }
+    state.counters["search_p50_ms"] = percentile(search, 0.5);
+    state.counters["p50_ms"] = percentile(all, 0.5);
+    state.counters["p99_ms"] = percentile(all, 0.99);
+    state.counters["removed_mm3"] = removed;
+}
+BENCHMARK(feedAndUpdate)
+    ->ArgNames({"voxel_um", "work_mNm"})
+    ->Args({25, 100})
+    ->Args({25, 1000})
     ->Iterations(300)
     ->Unit(benchmark::kMillisecond);
 
