@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/status_line.h"
 
+#include <QEvent>
 #include <QLocale>
 #include <cmath>
 
