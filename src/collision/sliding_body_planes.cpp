@@ -110,7 +110,7 @@ SlidingBody::SweptTool& SlidingBody::sweep(std::uint32_t triangle, const Attempt
     SweptTool& swept = look.tool(triangle);
     if (swept.triangle != triangle) {
         swept.triangle = triangle;
-        swept.startLow.measured = 0;
+        swept.measured = 0;
         const Triangle3 tool = tool_->corners(triangle);
         const Vec3 position = pose_.position + attempt.step;
         for (int corner = 0; corner < 3; ++corner) {
@@ -118,9 +118,9 @@ SlidingBody::SweptTool& SlidingBody::sweep(std::uint32_t triangle, const Attempt
             swept.corners[corner + 3] = attempt.matrix * tool[corner] + position;
         }
     }
-    for (int& i = swept.startLow.measured; i < look.count; ++i) {
-        swept.startLow.along[i] = swept.lowAtStart(look.normals[i]);
-        swept.endLow.along[i] = swept.lowAtEnd(look.normals[i]);
+    for (int& i = swept.measured; i < look.count; ++i) {
+        swept.startLow[i] = swept.lowAtStart(look.normals[i]);
+        swept.endLow[i] = swept.lowAtEnd(look.normals[i]);
     }
     return swept;
 }
@@ -128,7 +128,7 @@ SlidingBody::SweptTool& SlidingBody::sweep(std::uint32_t triangle, const Attempt
 /// Whether the tool's triangle stays in front of what reaches no further than `toothTop` along a normal of the look,
 /// during the whole attempted step.
 bool SlidingBody::isHeldApart(double toothTop, const SweptTool& swept, int normal) const {
-    return swept.startLow.along[normal] > toothTop && swept.endLow.along[normal] - toothTop >= margin_ / 2;
+    return swept.startLow[normal] > toothTop && swept.endLow[normal] - toothTop >= margin_ / 2;
 }
 
 /// Whether a plane is found that keeps the pair apart during the whole attempted step. Tried are those that the look
@@ -238,10 +238,10 @@ SlidingBody::Offence SlidingBody::violationIn(std::size_t cluster, const Excursi
 void SlidingBody::measureLeaf(std::size_t cluster, Look& look) const {
     const std::uint32_t number = list_.leafOf(cluster);
     Look::Leaf& measured = look.leaf(number);
-    if (measured.number != number) measured = {number, {}};
-    const int first = std::exchange(measured.top.measured, look.count);
+    if (measured.number != number) measured = {number, 0, {}};
+    const int first = std::exchange(measured.measured, look.count);
     if (first == look.count) return;
-    const auto top = std::span(measured.top.along).first(static_cast<std::size_t>(look.count));
+    const auto top = std::span(measured.top).first(static_cast<std::size_t>(look.count));
     std::ranges::fill(top.subspan(static_cast<std::size_t>(first)), -std::numeric_limits<double>::infinity());
     const NearLeaf& leaf = list_.leaf(number);
     const TriangleMesh& mesh = partOf(*surface_, leaf.part).mesh();
@@ -259,8 +259,8 @@ bool SlidingBody::isHeldApart(std::size_t cluster, const Attempt& attempt, Look&
     const Look::Leaf& measured = look.leaf(number);
     if (measured.number != number) return false;
     const SweptTool& swept = sweep(list_.toolOf(cluster), attempt, look);
-    for (int i = 0; i < measured.top.measured; ++i) {
-        if (isHeldApart(measured.top.along[i], swept, i)) return true;
+    for (int i = 0; i < measured.measured; ++i) {
+        if (isHeldApart(measured.top[i], swept, i)) return true;
     }
     return false;
 }

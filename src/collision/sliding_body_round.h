@@ -77,17 +77,13 @@ struct SlidingBody::Attempt {
 /// Normals of planes that part pairs: of those that hold the tool, and of a few that a look has met.
 inline constexpr int kMaxNormals = kMaxHeld + 2;
 
-/// How far something reaches along the normals of a look, as many of them as it was asked for.
-struct Reach {
-    int measured = 0;
-    std::array<double, kMaxNormals> along;
-};
-
-/// A triangle of the tool at the start (three corners) and the end of an attempted step.
+/// A triangle of the tool at the start (three corners) and the end of an attempted step, and how far it reaches along
+/// the normals of a look, as many of them as were measured.
 struct SlidingBody::SweptTool {
     std::uint32_t triangle = kNone;
+    int measured = 0;
     std::array<Vec3, 6> corners;
-    Reach startLow, endLow;
+    std::array<double, kMaxNormals> startLow, endLow;
 
     static constexpr std::uint32_t kNone = ~0U;
 
@@ -108,7 +104,8 @@ struct SlidingBody::SweptTool {
 struct SlidingBody::Look {
     struct Leaf {
         std::uint32_t number = SweptTool::kNone;
-        Reach top;  // of its triangles
+        int measured = 0;
+        std::array<double, kMaxNormals> top;  // of its triangles along each normal
     };
     static constexpr std::size_t kPlaces = 32;  // direct-mapped: what pushes another out costs time alone
     std::array<Vec3, kMaxNormals> normals;
