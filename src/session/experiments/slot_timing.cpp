@@ -85,7 +85,9 @@ std::vector<TimedPose> slotPath(const TriangleMesh& tooth, double depth) {
 class StillTool {
 public:
     StillTool(const WorkPiece& piece, const std::shared_ptr<const ToolShape>& shape, double radius)
-        : piece_(piece), simulation_(shape, radius, piece.felt(), HapticSettings()), felt_(simulation_.tool(), piece.felt()) {}
+        : piece_(piece),
+          simulation_(shape, radius, piece.felt(), HapticSettings()),
+          felt_(simulation_.tool(), piece.felt()) {}
 
     Tick step(const Pose& hand, double& micros) {
         const double start = threadMicros();
