@@ -151,6 +151,7 @@ void WorkPiece::reset() {
     lossAt_.clear();
     changed_.clear();
     reached_.reset();
+    lastWay_ = 0;
 }
 
 }  // namespace tactooth

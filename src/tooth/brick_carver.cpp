@@ -255,9 +255,8 @@ MaterialVolumes removedFromBrick(const Brick& brick, double spacing) {
         shares.add({node, brick.cut[node], brick.cutNormal[node]});
     }
     MaterialVolumes volumes{};
-    for (int node = 0; node < kBrickNodes; ++node) {
-        book(volumes, brick, node, shares.all()[static_cast<std::size_t>(node)] * spacing * spacing * spacing);
-    }
+    const double* share = shares.all().data();
+    for (int node = 0; node < kBrickNodes; ++node) book(volumes, brick, node, *share++ * spacing * spacing * spacing);
     return volumes;
 }
 
