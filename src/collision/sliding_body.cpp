@@ -31,7 +31,8 @@ constexpr int kAlike = 8;                    // moves: a body that the same pair
 constexpr double kMarginOfRadius = 1e-7;     // 0.3 nm for a 6 mm bur
 constexpr double kMarginOfPosition = 1e-10;  // keeps the margin above rounding far from the origin
 constexpr double kSettledMargins = 10;       // a round that moves less than this many margins ends the move
-constexpr double kLeastTurn = 1e-3;  // of the turn wanted: below it, the tool is held in its present orientation
+constexpr double kStaysMargins = 0.1;  // a way on that is shorter is none, and no look for what is in it is needed
+constexpr double kLeastTurn = 1e-3;    // of the turn wanted: below it, the tool is held in its present orientation
 
 // The list of what is near: a longer one lasts longer and costs more in every round.
 constexpr double kStride = 1.2;    // ways of the hand that a list should last, and so much more:
@@ -256,6 +257,13 @@ bool SlidingBody::solve(Attempt& attempt) {
     return true;
 }
 
+/// Whether the planes that have held the tool so far leave it no way on. To stay where it stands brings nothing
+/// together, so it is there already, whatever else is near.
+bool SlidingBody::staysPut(const Attempt& attempt) const {
+    return freedom_ == Freedom::Shift && attempt.turnFraction == 0 && !attempt.clipped && attempt.activeCount > 0 &&
+           attempt.step.norm() <= kStaysMargins * margin_;
+}
+
 /// Collects planes until the step that they leave is safe. False if there is none within the fixed budget.
 bool SlidingBody::findSafeStep(Attempt& attempt, bool& overlapping) {
     restart(attempt);
@@ -268,6 +276,10 @@ bool SlidingBody::findSafeStep(Attempt& attempt, bool& overlapping) {
             continue;
         }
         work_ += cost::kSolution;
+        if (i == 0 && staysPut(attempt)) {
+            attempt.step.setZero();
+            return true;
+        }
         WatchedPair offender;
         Look look(attempt);
         Offence offence = recentViolation(attempt, look, offender);
@@ -327,7 +339,8 @@ bool SlidingBody::standsAsBefore() const {
 
 void SlidingBody::remember(const MoveResult& result) {
     alike_ = standsAsBefore() ? alike_ + 1 : 0;
-    lastHeldCount_ = heldCount_;
+    // A move that was cut short has not looked afresh at what holds the body.
+    lastHeldCount_ = result.status == MoveStatus::Held ? heldCount_ : 0;
     for (int i = 0; i < heldCount_; ++i) lastHeld_[i] = held_[i].pair;
     isSettled_ = result.status == MoveStatus::Held || result.status == MoveStatus::Reached;
     settled_ = result;

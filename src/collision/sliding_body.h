@@ -126,6 +126,7 @@ private:
     void renewList(const Vec3& way, double turn);
     [[nodiscard]] bool isListed(const Vec3& position) const;
     [[nodiscard]] double shareWithinSkin(const Vec3& step) const;
+    [[nodiscard]] bool staysPut(const Attempt& attempt) const;
     [[nodiscard]] bool findSafeStep(Attempt& attempt, bool& overlapping);
     [[nodiscard]] bool solve(Attempt& attempt);
     [[nodiscard]] bool solveTurning(Attempt& attempt) const;
