@@ -21,6 +21,7 @@ using Points = std::span<const Vec3>;
 constexpr int kMaxRounds = 24;         // 9 to 18 support points exist: 4-5 rounds are usual, more means rounding
 constexpr double kTouching = 1e-14;    // of the triangles' size: closer than this is contact
 constexpr double kFairGap = 0.5;       // of the distance: less than that of a slab is a fault of its direction
+constexpr double kNearlyAsWide = 0.7;  // of the distance: a slab that is remembered shall last for some steps
 constexpr double kDualityGap = 1e-15;  // relative: below it a further round cannot improve a double
 
 int supportIndex(Points points, const Vec3& direction) {
@@ -65,12 +66,19 @@ void refineNormal(Points a, Points b, const MinkowskiSimplex& simplex, GjkResult
     prefer(a, b, normalOf(b), result);
 }
 
-GjkResult separatedResult(Points a, Points b, const MinkowskiSimplex& simplex, const Vec3& nearest, int rounds) {
+/// The slab across the way to the nearest point found so far.
+GjkResult slabAcross(Points a, Points b, const Vec3& nearest, int rounds) {
     GjkResult result;
     result.rounds = rounds;
     result.distance = nearest.norm();
     result.normal = nearest / result.distance;
     result.gap = slabWidth(a, b, result.normal);
+    result.separated = result.gap > 0;
+    return result;
+}
+
+GjkResult separatedResult(Points a, Points b, const MinkowskiSimplex& simplex, const Vec3& nearest, int rounds) {
+    GjkResult result = slabAcross(a, b, nearest, rounds);
     if (result.gap < result.distance * (1 - 1e-9)) refineNormal(a, b, simplex, result);
     result.separated = result.gap > 0;
     if (!result.separated) return {.rounds = rounds};
@@ -81,9 +89,10 @@ GjkResult separatedResult(Points a, Points b, const MinkowskiSimplex& simplex, c
     return result;
 }
 
-}  // namespace
-
-GjkResult distanceBetween(Points a, Points b, const Vec3& guess) {
+/// `isEnough(squared, along)`: whether the slab across the way to the nearest point will do, given that way squared and
+/// the slab's width times it.
+template <class IsEnough>
+GjkResult search(Points a, Points b, const Vec3& guess, const IsEnough& isEnough) {
     MinkowskiSimplex simplex;
     simplex.add(support(a, b, -guess));
     const double touching = kTouching * kTouching * std::max(squaredSize(a), squaredSize(b));
@@ -92,13 +101,27 @@ GjkResult distanceBetween(Points a, Points b, const Vec3& guess) {
         const double squared = nearest.squaredNorm();
         if (squared <= touching) return {.rounds = round};
         const MinkowskiPoint next = support(a, b, -nearest);
-        const bool converged = simplex.holds(next) || squared - nearest.dot(next.point) <= kDualityGap * squared;
+        const double along = nearest.dot(next.point);
+        const bool converged = simplex.holds(next) || squared - along <= kDualityGap * squared;
         if (converged) return separatedResult(a, b, simplex, nearest, round);
+        if (isEnough(squared, along)) return slabAcross(a, b, nearest, round);
         simplex.add(next);
         nearest = simplex.nearestToOrigin();
         if (simplex.size() == 4) return {.rounds = round};  // the origin is inside: overlap
     }
     return separatedResult(a, b, simplex, nearest, kMaxRounds);
+}
+
+}  // namespace
+
+GjkResult distanceBetween(Points a, Points b, const Vec3& guess) {
+    return search(a, b, guess, [](double, double) { return false; });
+}
+
+GjkResult partBetween(Points a, Points b, const Vec3& guess, double least) {
+    return search(a, b, guess, [least](double squared, double along) {
+        return along > kNearlyAsWide * squared && along > least * std::sqrt(squared);
+    });
 }
 
 }  // namespace tactooth

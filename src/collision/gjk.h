@@ -24,4 +24,9 @@ struct GjkResult {
 /// any value is allowed.
 [[nodiscard]] GjkResult distanceBetween(std::span<const Vec3> a, std::span<const Vec3> b, const Vec3& guess);
 
+/// Only what proves that they are apart: the first slab found that is wider than `least` (mm) and nearly as wide as the
+/// distance lets it be. Where there is none, the result of distanceBetween. `distance` and the nearest points are not
+/// exact.
+[[nodiscard]] GjkResult partBetween(std::span<const Vec3> a, std::span<const Vec3> b, const Vec3& guess, double least);
+
 }  // namespace tactooth

@@ -151,7 +151,9 @@ bool SlidingBody::provenSafe(const NearPair& pair, const Attempt& attempt, Look&
         if (gap >= margin) return true;
     }
     const Vec3 between = swept.corners[0] - tooth[0];
-    const GjkResult result = distanceBetween(tooth, swept.corners, known != nullptr ? known->normal : between);
+    // What is narrower is told as exactly as can be.
+    const GjkResult result =
+        partBetween(tooth, swept.corners, known != nullptr ? known->normal : between, kNarrowMargins * margin_);
     ++distances_;
     work_ += cost::kDistance;
     if (result.gap < margin) return freedom_ == Freedom::ShiftAndTurn && partedByTurningPlane(tooth, swept);

@@ -90,6 +90,7 @@ FeltSurface* FeltSurfaces::renew() {
     const double turned = chordBetween(pose_.rotation, listedAt_.rotation);
     if (!isOutrun_ && stray < kTrusted * listed_.around && turned + turn < kTrusted * listed_.turn) return nullptr;
     FeltSurface* felt = list(pose_, {2 * way, kAround + kStray * way.norm(), kTurn + 2 * turn});
+    felt->near.partAhead(*surface_, pose_, {pose_.position + way, pose_.rotation}, kApart);
     felt->reach = pose_.position;
     return felt;
 }

@@ -53,6 +53,31 @@ TEST(Gjk, AgreesWithEveryFeatureTriedAtThreeScales) {
     EXPECT_LT(apart, kPairs * 9 / 10);
 }
 
+TEST(Gjk, PartsWithAPlaneThatIsNearlyAsWideAsTheDistance) {
+    std::mt19937 random(11);
+    constexpr double kLeast = 0.01;
+    int sooner = 0;
+    int wide = 0;
+    for (int i = 0; i < 10000; ++i) {
+        const Triangle3 a = randomTriangle(random, 1);
+        Triangle3 b = randomTriangle(random, 1);
+        for (Vec3& corner : b) corner += Vec3(0.3, 0.2, 0.1);
+        const GjkResult exact = distanceBetween(a, b, b[0] - a[0]);
+        const GjkResult parted = partBetween(a, b, b[0] - a[0], kLeast);
+        ASSERT_EQ(parted.separated, exact.separated) << i;
+        if (!exact.separated) continue;
+        ASSERT_LE(parted.gap, lowestAlong(b, parted.normal) - highestAlong(a, parted.normal));
+        ASSERT_GE(parted.gap, 0.7 * exact.distance * (1 - 1e-12)) << i;
+        if (exact.distance <= kLeast) {
+            ASSERT_EQ(parted.gap, exact.gap) << i;
+        }
+        sooner += parted.rounds < exact.rounds ? 1 : 0;
+        ++wide;
+    }
+    EXPECT_GT(wide, 3000);
+    EXPECT_GT(sooner, wide / 3) << "or it saves little";
+}
+
 // A nanometre over the long edge that two triangles share, in which a corner has no features to name a normal.
 TEST(Gjk, SeesThatACornerOverALongEdgeIsApart) {
     std::mt19937 random(3);
