@@ -230,6 +230,7 @@ void SlidingBody::restart(Attempt& attempt) {
             keepApart(attempt, held_[i], heldFeatures_[i]);
         }
     }
+    for (int i = 0; i < attempt.standingCount; ++i) addConstraint(attempt, attempt.standing[i]);
 }
 
 /// The step nearest to the goal under the planes met so far, shortened to the allowance.
@@ -252,7 +253,10 @@ bool SlidingBody::solve(Attempt& attempt) {
     attempt.clipped = true;
     attempt.outgrown |= listed <= share;
     const NearestInPolyhedron shorter = nearestInPolyhedron(halfSpaces, 0.9 * share * attempt.step, tolerance);
-    if (!shorter.feasible || !isListed(pose_.position + shorter.point)) return false;
+    if (!shorter.feasible || !isListed(pose_.position + shorter.point)) {
+        attempt.turnOutgrown = true;  // the turn pushes the tool farther than the list reaches
+        return false;
+    }
     attempt.step = shorter.point;
     return true;
 }
@@ -286,7 +290,10 @@ bool SlidingBody::findSafeStep(Attempt& attempt, bool& overlapping) {
         if (offence == Offence::None) offence = violation(attempt, look, offender);
         overlapping = offence == Offence::Overlapping;
         if (overlapping || offence == Offence::OutOfWork) return false;
-        if (offence == Offence::None) return true;
+        if (offence == Offence::None) {
+            if (staysPut(attempt)) attempt.step.setZero();
+            return true;
+        }
         recent_.add(offender.pair);
         const bool isLong = attempt.planeCount == kMaxPlanesPerRound || i % kManySolutions == kManySolutions - 1;
         if (!isLong) {
@@ -313,9 +320,10 @@ Vec3 SlidingBody::deepestPoint(const WatchedPair& held) const {
 }
 
 void SlidingBody::accept(const Attempt& attempt, MoveResult& result) {
+    const bool stays = freedom_ == Freedom::Shift && attempt.turnFraction == 0 && attempt.step.isZero(0);
     pose_.rotation = attempt.rotation;
     pose_.position += attempt.step;
-    ++poseStamp_;
+    if (!stays) ++poseStamp_;
     heldCount_ = attempt.activeCount;
     result.contactCount = heldCount_;
     for (int i = 0; i < heldCount_; ++i) {
@@ -387,14 +395,15 @@ MoveResult SlidingBody::moveToward(const Pose& goal) {
         const double turned = chordBetween(attempt.rotation, pose_.rotation) * tool_->radius();
         const double moved = attempt.step.norm();
         accept(attempt, result);
+        attempt.standingCount = 0;
         hasStepped = true;
         trust = kTrustGrowth * (attempt.clipped ? attempt.allowance : moved);
-        if (attempt.clipped) continue;
+        if (attempt.clipped || attempt.outgrown) continue;
         if (attempt.turnsFully && heldCount_ == 0) {
             result.status = MoveStatus::Reached;
         } else if (moved + turned <= kSettledMargins * margin_) {
             trust = kTrustInHand * handWay_;
-            if (freedom_ == Freedom::Shift && planesChanged++ < kMaxPlanesChanged && findWayOn(goal)) continue;
+            if (freedom_ == Freedom::Shift && planesChanged++ < kMaxPlanesChanged && findWayOn(goal, attempt)) continue;
             const int fewest = freedom_ == Freedom::Shift ? kFewestToLookAfresh : 1;
             const bool isKnown = standsAsBefore() && alike_ % kAlike != kAlike - 1;
             if (lookedAfresh || heldCount_ < fewest || isKnown) {

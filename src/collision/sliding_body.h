@@ -113,6 +113,7 @@ private:
     struct Attempt;
     struct SweptTool;
     struct Look;
+    struct Hold;
     struct Touch;
     enum class Offence { None, Found, Overlapping, OutOfWork };
 
@@ -151,8 +152,15 @@ private:
                                       Look& look, WatchedPair& offender);
     void measureLeaf(std::size_t cluster, Look& look) const;
     [[nodiscard]] bool isHeldApart(std::size_t cluster, const Attempt& attempt, Look& look) const;
-    [[nodiscard]] bool findWayOn(const Pose& goal);
-    [[nodiscard]] bool takeOtherPlane(int contact, std::span<HalfSpace> planes, const Vec3& toGoal);
+    [[nodiscard]] bool findWayOn(const Pose& goal, Attempt& attempt);
+    void keepStanding(Attempt& attempt) const;
+    [[nodiscard]] bool leaveWayOn(std::span<const HalfSpace> spaces, const Vec3& toGoal) const;
+    [[nodiscard]] Hold holdOf(WatchedPair& watched) const;
+    [[nodiscard]] bool takeOtherPlane(std::size_t contact, std::span<Hold> holds, std::span<HalfSpace> spaces,
+                                      const Vec3& toGoal);
+    [[nodiscard]] bool takeTogether(std::size_t contact, std::span<Hold> holds, std::span<const HalfSpace> spaces,
+                                    const Vec3& toGoal);
+    void take(const Hold& hold, const Vec3& normal);
     void addConstraint(Attempt& attempt, const WatchedPair& watched) const;
     void addTurningConstraint(Attempt& attempt, const WatchedPair& watched) const;
     void keepApart(Attempt& attempt, const WatchedPair& watched, const FeaturePair& features) const;

@@ -22,34 +22,8 @@ constexpr std::uint64_t kGuessed = 1;    // stamp of a plane that GJK has not se
 constexpr double kStillNear = 0.995;     // of a gap below the margin: what staying put leaves of it, less rounding
 constexpr double kTouchingMargins = 10;  // nearer than this, a triangle's own plane is looked at
 constexpr double kAsWell = 0.9;          // of what GJK's plane leaves
-constexpr double kThinnest = 0.25;       // of the margin: what a plane must leave that lets the tool go on
-constexpr double kWorthMargins = 20;     // a way on that is shorter is none
 constexpr double kNarrowMargins = 100;   // what single precision may not tell from touching
 constexpr int kManyOfLeaf = 3;           // triangles of it in doubt: it is cheaper to ask for all at once
-
-/// The directions across which two triangles may touch: along the normals of either, and of each pair of edges.
-struct TouchingDirections {
-    std::array<Vec3, 22 + kMaxHeld> unit;
-    int count = 0;
-
-    TouchingDirections(const Triangle3& a, const Triangle3& b) {
-        std::array<Vec3, 3> ofA, ofB;
-        for (int i = 0; i < 3; ++i) ofA[i] = a[(i + 1) % 3] - a[i], ofB[i] = b[(i + 1) % 3] - b[i];
-        add(ofA[0].cross(ofA[1]));
-        add(ofB[0].cross(ofB[1]));
-        for (const Vec3& edge : ofA) {
-            for (const Vec3& other : ofB) add(edge.cross(other));
-        }
-    }
-
-private:
-    void add(const Vec3& direction) {
-        const double length = direction.norm();
-        if (!(length > 0)) return;
-        unit[count++] = direction / length;
-        unit[count++] = direction / -length;
-    }
-};
 
 }  // namespace
 
@@ -264,54 +238,6 @@ bool SlidingBody::isHeldApart(std::size_t cluster, const Attempt& attempt, Look&
     for (int i = 0; i < measured.measured; ++i) {
         if (isHeldApart(measured.top[i], swept, i)) return true;
     }
-    return false;
-}
-
-/// Where two triangles touch at an edge or a corner, many planes part them, and the one at hand may forbid what they
-/// allow. Looks among the others of each contact for one that lets the settled tool go on, and takes it.
-bool SlidingBody::findWayOn(const Pose& goal) {
-    std::array<HalfSpace, kMaxHeld> halfSpaces;
-    const Mat3 rotation = pose_.rotation.toRotationMatrix();
-    for (int i = 0; i < heldCount_; ++i) {
-        if (!hasPlane(held_[i])) return false;
-        halfSpaces[i] = {held_[i].plane.normal, std::min(0.0, margin_ - gapAt(held_[i], rotation, pose_.position))};
-    }
-    const auto planes = std::span(halfSpaces).first(static_cast<std::size_t>(heldCount_));
-    const Vec3 toGoal = goal.position - pose_.position;
-    for (int i = 0; i < heldCount_; ++i) {
-        if (takeOtherPlane(i, planes, toGoal)) return true;
-    }
-    return false;
-}
-
-/// The same for one contact. `planes` are those that hold the tool now.
-bool SlidingBody::takeOtherPlane(int contact, std::span<HalfSpace> planes, const Vec3& toGoal) {
-    WatchedPair& held = held_[contact];
-    HalfSpace& plane = planes[static_cast<std::size_t>(contact)];
-    const HalfSpace own = plane;
-    const SurfacePart& part = partOf(*surface_, held.pair.part);
-    const Triangle3 tooth = cornersOf(part.mesh(), held.pair.tooth);
-    const Triangle3 tool = tool_->cornersAt(pose_, held.pair.tool);
-    const double gap = lowestAlong(tool, own.normal) - held.plane.offset;
-    const double needed = std::min(kThinnest * margin_, kAsWell * gap);
-    TouchingDirections directions(tooth, tool);
-    for (int other = 0; other < heldCount_; ++other) {  // an edge that two of the tool's triangles share
-        if (other != contact) directions.unit[directions.count++] = held_[other].plane.normal;
-    }
-    for (int i = 0; i < directions.count; ++i) {
-        const Vec3& normal = directions.unit[i];
-        if (normal.dot(own.normal) > kSamePlane) continue;
-        const double back = highestAlong(tooth, normal);
-        const double left = lowestAlong(tool, normal) - back;
-        if (left < needed) continue;
-        plane = {normal, std::min(0.0, margin_ - left)};
-        const NearestInPolyhedron answer = nearestInPolyhedron(planes, toGoal, margin_ * kSolved);
-        if (!answer.feasible || answer.point.norm() <= kWorthMargins * margin_) continue;
-        held.plane = {normal, back, poseStamp_};
-        planes_.store(part.id(), held.pair, held.plane);
-        return true;
-    }
-    plane = own;
     return false;
 }
 

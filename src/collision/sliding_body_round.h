@@ -11,6 +11,9 @@ namespace tactooth {
 
 inline constexpr int kMaxPlanesPerRound = 32;  // 3-6 are usual; more means that the step is long for its surroundings
 
+inline constexpr int kMaxStanding = 8;  // pairs that are kept in mind from the round before
+inline constexpr int kMaxHolds = kMaxHeld + kMaxStanding;
+
 inline constexpr double kSolved = 1e-3;  // of the margin: how exactly a round's planes are solved for
 
 // A body that has run out of work before its first step tries a shorter one, which brings less in doubt. At the
@@ -47,10 +50,13 @@ struct SlidingBody::Attempt {
     std::array<HalfSpace, kMaxPlanesPerRound> halfSpaces;   // of the steps
     std::array<HalfSpace6, kMaxPlanesPerRound> turnSpaces;  // of the shifts and turns, in their place
     std::array<Touch, kMaxPlanesPerRound> touches;          // what they keep apart
-    Vec3 shift = Vec3::Zero();                              // of the tool's centre
-    Vec3 turn = Vec3::Zero();                               // rotation vector
-    double turnLeft = 0;                                    // that the list covers, a chord
-    double turnBound = 0;                                   // no turn is longer, rad
+    // Pairs that stood in the way of a round before, from the pose at hand.
+    int standingCount = 0;
+    std::array<WatchedPair, kMaxStanding> standing;
+    Vec3 shift = Vec3::Zero();  // of the tool's centre
+    Vec3 turn = Vec3::Zero();   // rotation vector
+    double turnLeft = 0;        // that the list covers, a chord
+    double turnBound = 0;       // no turn is longer, rad
     // The planes that the step runs into.
     int activeCount = 0;
     std::array<int, kMaxHeld> active;

@@ -49,6 +49,29 @@ TEST_P(FastHand, OverCuspsAndFissuresIsExact) {
     }
 }
 
+// A hand that turns a pressed tool pushes it away from the tooth, now and then farther than the list of what is near
+// was made for. The turn is made to its end all the same.
+TEST(FastHand, TurnsThePressedToolAllTheWayInEveryTick) {
+    HandPath path;
+    path.stroke = 3;
+    path.strokes = 12;
+    for (const test::NamedMesh& tooth : test::judgedTeeth()) {
+        SCOPED_TRACE(tooth.name);
+        const std::vector<Pose> hands = handPath(tooth.mesh, path);
+        SlidingBody body(test::toolOf(test::judgedTools()[0].mesh));
+        body.setSurface(test::surfaceOf(tooth.mesh));
+        body.placeAt(hands.front());
+        int touching = 0;
+        int behind = 0;
+        for (const Pose& hand : hands) {
+            touching += body.moveToward(hand).contactCount > 0 ? 1 : 0;
+            behind += body.pose().rotation.isApprox(hand.rotation, 1e-12) ? 0 : 1;
+        }
+        EXPECT_GT(touching, 1000);
+        EXPECT_EQ(behind, 0) << "of " << hands.size();
+    }
+}
+
 // A wall of a tenth of a millimetre: whatever the hand does beyond it, every point of the tool stays on its side.
 TEST_P(FastHand, NeverPullsAToolThroughAThinWall) {
     const TriangleMesh wall = test::box(Vec3(-20, -20, -0.1), Vec3(20, 20, 0));

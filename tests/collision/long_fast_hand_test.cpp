@@ -60,6 +60,6 @@ TEST_P(LongFastHand, OnTenPatchesIsExactWithEveryKindOfTool) {
 }
 
 INSTANTIATE_TEST_SUITE_P(AtEverySpeed, LongFastHand, ::testing::ValuesIn(test::kTipSpeeds), speedName);
-INSTANTIATE_TEST_SUITE_P(AtHighSpeed, LongFastHandOnManyWays, ::testing::Values(250, 500, 1000), speedName);
+INSTANTIATE_TEST_SUITE_P(AtHighSpeed, LongFastHandOnManyWays, ::testing::Values(66, 250, 500, 1000), speedName);
 
 }  // namespace tactooth
