@@ -108,12 +108,12 @@ void SlidingBody::keepStanding(Attempt& attempt) const {
 bool SlidingBody::leaveWayOn(std::span<const HalfSpace> spaces, const Vec3& toGoal) const {
     const NearestInPolyhedron answer = nearestInPolyhedron(spaces, toGoal, margin_ * kSolved);
     if (!answer.feasible || answer.point.norm() <= kWorthMargins * margin_) return false;
-    const double gain =
-        toGoal.squaredNorm() - (toGoal - answer.point).squaredNorm();  // about twice that, times the way
+    // Squares: their difference is about twice the distance times what it becomes less.
+    const double gain = toGoal.squaredNorm() - (toGoal - answer.point).squaredNorm();
     return gain > 2 * toGoal.norm() * kWorthGain * margin_;
 }
 
-/// The same for one contact, the first `heldCount_` of the holds being contacts. Where all of them share the feature
+/// findWayOn for one contact; the first `heldCount_` of the holds are contacts. Where all of them share the feature
 /// that touches (a face of the tool on a corner of the tooth) one plane may part them all, and only if all take it can
 /// the tool go on.
 bool SlidingBody::takeOtherPlane(std::size_t contact, std::span<Hold> holds, std::span<HalfSpace> spaces,
