@@ -13,11 +13,6 @@
 
 namespace tactooth {
 
-/// The part of `surface` that a number names: 0 = the surface's base, i + 1 = its patch i.
-[[nodiscard]] inline const SurfacePart& partOf(const Surface& surface, std::uint32_t part) {
-    return part == 0 ? *surface.base : *surface.patches[part - 1];
-}
-
 /// Of a length computed in single precision by a few operations: what rounding has made of it at most.
 inline constexpr double kFewRoundings = 1e-6;
 

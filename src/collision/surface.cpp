@@ -41,22 +41,33 @@ void append(TaggedMesh& result, const SurfacePart& part, const LeavesOut& leaves
     }
 }
 
+template <class LeavesOut>
+TaggedMesh visible(const Surface& surface, const LeavesOut& leavesOut) {
+    TaggedMesh result;
+    append(result, *surface.base, [&](std::uint32_t i) {
+        return (surface.hidden != nullptr && isHidden(*surface.hidden, i)) || leavesOut(*surface.base, i);
+    });
+    for (const auto& patch : surface.patches) {
+        const TriangleMesh& mesh = patch->mesh();
+        append(result, *patch,
+               [&](std::uint32_t i) { return isCollapsed(mesh, mesh.triangles[i]) || leavesOut(*patch, i); });
+    }
+    return result;
+}
+
 }  // namespace
 
-SurfacePart::SurfacePart(TriangleMesh mesh, std::vector<SurfaceTag> tags)
-    : mesh_(std::move(mesh)), tags_(std::move(tags)), tree_(mesh_), id_(nextPartId()) {
+SurfacePart::SurfacePart(TriangleMesh mesh, std::vector<SurfaceTag> tags, std::uint32_t firstAround)
+    : mesh_(std::move(mesh)), tags_(std::move(tags)), firstAround_(firstAround), tree_(mesh_), id_(nextPartId()) {
     assert(tags_.empty() || tags_.size() == mesh_.triangles.size());
 }
 
 TaggedMesh visibleMesh(const Surface& surface) {
-    TaggedMesh result;
-    append(result, *surface.base,
-           [&](std::uint32_t i) { return surface.hidden != nullptr && isHidden(*surface.hidden, i); });
-    for (const auto& patch : surface.patches) {
-        const TriangleMesh& mesh = patch->mesh();
-        append(result, *patch, [&mesh](std::uint32_t i) { return isCollapsed(mesh, mesh.triangles[i]); });
-    }
-    return result;
+    return visible(surface, [](const SurfacePart&, std::uint32_t) { return false; });
+}
+
+TaggedMesh visibleToothMesh(const Surface& surface) {
+    return visible(surface, [](const SurfacePart& part, std::uint32_t triangle) { return part.isAround(triangle); });
 }
 
 }  // namespace tactooth

@@ -18,14 +18,19 @@ using SurfaceTag = std::uint8_t;
 /// number of threads may read it.
 class SurfacePart {
 public:
-    /// `tags` holds one tag a triangle, or nothing (every tag is then 0).
-    explicit SurfacePart(TriangleMesh mesh, std::vector<SurfaceTag> tags = {});
+    /// `tags` holds one tag a triangle, or nothing (every tag is then 0). Triangles from `firstAround` on belong to
+    /// bodies around the tooth.
+    explicit SurfacePart(TriangleMesh mesh, std::vector<SurfaceTag> tags = {}, std::uint32_t firstAround = kNoneAround);
+
+    static constexpr std::uint32_t kNoneAround = UINT32_MAX;
 
     [[nodiscard]] const TriangleMesh& mesh() const { return mesh_; }
     [[nodiscard]] const std::vector<SurfaceTag>& tags() const { return tags_; }
     [[nodiscard]] SurfaceTag tag(std::uint32_t triangle) const {
         return tags_.empty() ? SurfaceTag{0} : tags_[triangle];
     }
+    [[nodiscard]] std::uint32_t firstAround() const { return firstAround_; }
+    [[nodiscard]] bool isAround(std::uint32_t triangle) const { return triangle >= firstAround_; }
     [[nodiscard]] const AabbTree& tree() const { return tree_; }
     /// A number that no other part of this process has: what was computed for a part stays valid as long as its id.
     [[nodiscard]] std::uint64_t id() const { return id_; }
@@ -33,6 +38,7 @@ public:
 private:
     TriangleMesh mesh_;
     std::vector<SurfaceTag> tags_;
+    std::uint32_t firstAround_;
     AabbTree tree_;
     std::uint64_t id_;
 };
@@ -50,19 +56,17 @@ using TriangleMask = std::vector<std::uint64_t>;
 /// object is what is felt (collision), seen (view) and exported.
 struct Surface {
     std::shared_ptr<const SurfacePart> base;
-    std::shared_ptr<const TriangleMask> hidden;  ///< of `base`; null = nothing hidden
-    std::vector<std::shared_ptr<const SurfacePart>> patches;
+    std::shared_ptr<const TriangleMask> hidden = nullptr;  ///< of `base`; null = nothing hidden
+    std::vector<std::shared_ptr<const SurfacePart>> patches = {};
     std::uint64_t revision = 0;  ///< grows by one with every snapshot of the same tooth
     bool closed = true;          ///< whether "inside" has a meaning; false: only the triangles themselves are felt
     /// The base's tree without the hidden triangles, for those who walk; null: nobody has made it.
     std::shared_ptr<const AabbTree> thinned = nullptr;
-    std::uint32_t firstAround = UINT32_MAX;  ///< triangles of the base from here on belong to bodies around the tooth
-    std::uint32_t patchesAround = 0;         ///< as do the last so many patches
 };
 
-/// Whether a triangle (`part` as partOf counts) belongs to a body around the tooth.
-[[nodiscard]] inline bool isAround(const Surface& surface, std::uint32_t part, std::uint32_t triangle) {
-    return part == 0 ? triangle >= surface.firstAround : part + surface.patchesAround > surface.patches.size();
+/// The part of `surface` that a number names: 0 = the surface's base, i + 1 = its patch i.
+[[nodiscard]] inline const SurfacePart& partOf(const Surface& surface, std::uint32_t part) {
+    return part == 0 ? *surface.base : *surface.patches[part - 1];
 }
 
 /// The tree to look for triangles of the base in, and the mask that those found are to be held against (null: none is
@@ -84,5 +88,7 @@ struct TaggedMesh {
     std::vector<SurfaceTag> tags;
 };
 [[nodiscard]] TaggedMesh visibleMesh(const Surface& surface);
+/// The same of the tooth alone, without bodies around it.
+[[nodiscard]] TaggedMesh visibleToothMesh(const Surface& surface);
 
 }  // namespace tactooth

@@ -72,8 +72,10 @@ bool ToolProxy::takeSurface(FeltSurface& felt) {
     return true;
 }
 
-MaterialId ToolProxy::materialOf(std::uint32_t part, std::uint32_t triangle) const {
-    return static_cast<MaterialId>(partOf(*surface_, part).tag(triangle));
+void ToolProxy::tellWhatHolds(HeldAt& held, std::uint32_t part, std::uint32_t triangle) const {
+    const SurfacePart& surface = partOf(*surface_, part);
+    held.material = static_cast<MaterialId>(surface.tag(triangle));
+    held.isAround = surface.isAround(triangle);
 }
 
 /// The first pose: the hand's own, or the nearest free one if the hand starts inside the tooth and nobody else looks
@@ -191,12 +193,12 @@ ProxyState ToolProxy::follow(const Pose& handInTooth, const Pose& goal) {
     if (paused || (stuck && (touching_ || state.travel == 0))) holdWithoutContact(state);
     for (int i = 0; i < held; ++i) {
         const BodyContact& contact = move.contacts[i];
-        state.held[i] = {contact.point, contact.normal, contact.share, materialOf(contact.part, contact.tooth),
-                         isAround(*surface_, contact.part, contact.tooth)};
+        state.held[i] = {contact.point, contact.normal, contact.share};
+        tellWhatHolds(state.held[i], contact.part, contact.tooth);
     }
     if (held > 0) {
         wayOut_ = state.offset.norm() > 0 ? Vec3(state.offset.normalized()) : move.contacts[0].normal;
-        material_ = state.held[0].material;
+        lastHeld_ = state.held[0];
     }
     touching_ = state.contacts > 0;
     return state;
@@ -208,7 +210,7 @@ void ToolProxy::holdWithoutContact(ProxyState& state) {
     const double depth = state.offset.norm();
     if (!(depth > 0)) return;
     state.contacts = state.heldCount = 1;
-    state.held[0] = {state.proxy.position, state.offset / depth, depth, material_};
+    state.held[0] = {state.proxy.position, state.offset / depth, depth, lastHeld_.material, lastHeld_.isAround};
 }
 
 ProxyState ToolProxy::followAsPenalty(const Pose& handInTooth) {
@@ -221,8 +223,8 @@ ProxyState ToolProxy::followAsPenalty(const Pose& handInTooth) {
     state.contacts = contact.contacts;
     if (contact.depth > 0) {
         state.heldCount = 1;
-        state.held[0] = {contact.point + state.offset, contact.normal, contact.depth,
-                         materialOf(contact.part, contact.tooth), isAround(*surface_, contact.part, contact.tooth)};
+        state.held[0] = {contact.point + state.offset, contact.normal, contact.depth};
+        tellWhatHolds(state.held[0], contact.part, contact.tooth);
     }
     return state;
 }

@@ -80,7 +80,7 @@ private:
     [[nodiscard]] Vec3 handTip(const Pose& handInTooth) const;
     [[nodiscard]] bool isSwallowed(const Pose& toolInTooth) const;
     void holdWithoutContact(ProxyState& state);
-    [[nodiscard]] MaterialId materialOf(std::uint32_t part, std::uint32_t triangle) const;
+    void tellWhatHolds(HeldAt& held, std::uint32_t part, std::uint32_t triangle) const;
 
     std::shared_ptr<const ToolShape> tool_;
     std::shared_ptr<const Surface> surface_;
@@ -96,7 +96,7 @@ private:
     int waited_ = 0;               // ticks that the newest has waited for the tool to be free in it; 0: it is felt
     Vec3 farEnd_ = Vec3::Zero();   // of the tool, away from the tip
     bool touching_ = false;        // at the last tick
-    MaterialId material_{};        // that was touched last
+    HeldAt lastHeld_;              // by what was touched last
     Vec3 wayOut_ = Vec3::UnitZ();  // direction of the last contact
 };
 

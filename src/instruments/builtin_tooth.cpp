@@ -157,8 +157,19 @@ std::vector<LayerMesh> layersOf(const BuiltinTooth& tooth) {
     return layers;
 }
 
-Expected<LayeredTooth> layeredTooth(const BuiltinTooth& tooth) {
-    return LayeredTooth::make(tooth.outer, layersOf(tooth), MaterialId::Enamel, {.mesialX = mesialX(tooth.fdi)});
+Expected<LayeredTooth> layeredTooth(const BuiltinTooth& tooth, std::span<const BuiltinTooth> beside) {
+    TriangleMesh outer = tooth.outer;
+    std::vector<LayerMesh> layers = layersOf(tooth);
+    Standing standing{.mesialX = mesialX(tooth.fdi)};
+    if (!beside.empty()) standing.firstAround = static_cast<std::uint32_t>(outer.triangles.size());
+    for (const BuiltinTooth& other : beside) {
+        append(outer, other.outer);
+        for (LayerMesh& layer : layersOf(other)) {
+            layer.name = std::to_string(other.fdi) + " " + layer.name;
+            layers.push_back(std::move(layer));
+        }
+    }
+    return LayeredTooth::make(std::move(outer), std::move(layers), MaterialId::Enamel, standing);
 }
 
 }  // namespace tactooth

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -92,7 +93,8 @@ struct ToothRequest {
 /// The layers as LayeredTooth::make takes them beside `outer`.
 [[nodiscard]] std::vector<LayerMesh> layersOf(const BuiltinTooth& tooth);
 
-/// The tooth as it is cut; it knows where mesial is.
-[[nodiscard]] Expected<LayeredTooth> layeredTooth(const BuiltinTooth& tooth);
+/// The tooth as it is cut; it knows where mesial is. With the teeth beside it (in its frame), which are felt and cut
+/// like it: their layers have the tooth's number before their names.
+[[nodiscard]] Expected<LayeredTooth> layeredTooth(const BuiltinTooth& tooth, std::span<const BuiltinTooth> beside = {});
 
 }  // namespace tactooth

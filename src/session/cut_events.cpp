@@ -29,6 +29,8 @@ std::string_view cutEventName(CutEventKind kind) {
             return "neighbour touched";
         case CutEventKind::GumTouched:
             return "gum or bone touched";
+        case CutEventKind::BesideCut:
+            return "cut beside the tooth";
         case CutEventKind::BurStalled:
             return "bur stalled";
         case CutEventKind::PieceCameLoose:
@@ -71,9 +73,11 @@ void CutEvents::watch(double time, const Tick& tick, const ToothLoss& loss) {
     const MaterialVolumes& removed = loss.removed;
     if (!std::exchange(started_, true)) {
         before_ = removed;
+        besideBefore_ = loss.beside;
         pieces_ = loss.pieces;
     }
     for (std::size_t i = 0; i < removed.size(); ++i) before_[i] = std::min(before_[i], removed[i]);
+    besideBefore_ = std::min(besideBefore_, loss.beside);
     const auto gone = [&](MaterialId id) {
         return removed[static_cast<std::size_t>(id)] - before_[static_cast<std::size_t>(id)];
     };
@@ -81,6 +85,7 @@ void CutEvents::watch(double time, const Tick& tick, const ToothLoss& loss) {
     tellOnce(CutEventKind::DentinReached, gone(MaterialId::Dentin) > kReached, time, tick);
     tellOnce(CutEventKind::PulpExposed, gone(MaterialId::Pulp) > kReached, time, tick);
     watchAround(time, tick);
+    tellOnce(CutEventKind::BesideCut, loss.beside - besideBefore_ > kReached, time, tick);
     if (loss.pieces > pieces_) tell(CutEventKind::PieceCameLoose, time, tick);
     pieces_ = loss.pieces;
     turned_ = turned_ || tick.speedRpm > kTurnsRpm;

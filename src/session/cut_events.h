@@ -21,17 +21,17 @@ enum class CutEventKind {
     PulpExposed,
     NeighbourTouched,
     GumTouched,
+    BesideCut,
     BurStalled,
     PieceCameLoose
 };
 
-inline constexpr std::array kCutEventKinds = {CutEventKind::FirstContact,  CutEventKind::DentinReached,
-                                              CutEventKind::PulpExposed,   CutEventKind::NeighbourTouched,
-                                              CutEventKind::GumTouched,    CutEventKind::BurStalled,
-                                              CutEventKind::PieceCameLoose};
+inline constexpr std::array kCutEventKinds = {
+    CutEventKind::FirstContact, CutEventKind::DentinReached, CutEventKind::PulpExposed, CutEventKind::NeighbourTouched,
+    CutEventKind::GumTouched,   CutEventKind::BesideCut,     CutEventKind::BurStalled,  CutEventKind::PieceCameLoose};
 
-/// "first contact", "dentin reached", "pulp exposed", "neighbour touched", "gum or bone touched", "bur stalled", "piece
-/// came loose".
+/// "first contact", "dentin reached", "pulp exposed", "neighbour touched", "gum or bone touched", "cut beside the
+/// tooth", "bur stalled", "piece came loose".
 [[nodiscard]] std::string_view cutEventName(CutEventKind kind);
 
 struct CutEvent {
@@ -43,9 +43,9 @@ struct CutEvent {
 /// As a table: t,event,x,y,z.
 [[nodiscard]] std::string cutEventsCsv(std::span<const CutEvent> events);
 
-/// Watches a cut tick by tick. The first contact and each tissue are told once; a neighbour, gum or bone each time that
-/// the tool comes to touch it after half a second without; a stalled bur each time that it stalls; pieces that came
-/// loose each time that some have fallen.
+/// Watches a cut tick by tick. The first contact, each tissue and a cut into what stands around are told once; a
+/// neighbour, gum or bone each time that the tool comes to touch it after half a second without; a stalled bur each
+/// time that it stalls; pieces that came loose each time that some have fallen.
 class CutEvents {
 public:
     /// `loss`: everything up to this tick. The first call tells what had been cut before; what is put back (undo,
@@ -62,6 +62,7 @@ private:
 
     std::vector<CutEvent> events_;
     MaterialVolumes before_{};
+    double besideBefore_ = 0;
     std::size_t pieces_ = 0;  // that had fallen at the last call
     bool started_ = false;
     bool turned_ = false;                        // the bur did, since it stalled last

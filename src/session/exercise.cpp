@@ -128,7 +128,7 @@ Expected<CuttingTool> burOf(const Exercise& exercise) {
 Expected<TriangleMesh> cutShape(const PreparationPlan& plan, const CuttingTool& tool,
                                 std::shared_ptr<const LayeredTooth> tooth) {
     const Quat grip = shortestTurn(Vec3::UnitZ(), plan.outward);
-    const auto paths = pathsOf(plan, *tooth->outer());
+    const auto paths = pathsOf(plan, *tooth->ownOuter());
     if (!paths) return Unexpected{paths.error()};
     WorkPiece piece(std::move(tooth), kVoxel);
     for (const std::vector<Vec3>& path : *paths) {

@@ -9,7 +9,7 @@
 namespace tactooth {
 
 TriangleMesh asRead(const Surface& tooth) {
-    const TriangleMesh mesh = visibleMesh(tooth).mesh;
+    const TriangleMesh mesh = visibleToothMesh(tooth).mesh;
     std::vector<Vec3f> corners;
     corners.reserve(3 * mesh.triangles.size());
     for (const Triangle& triangle : mesh.triangles) {

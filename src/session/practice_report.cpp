@@ -38,6 +38,7 @@ std::string practiceReportCsv(const PracticeReport& report) {
         const auto material = static_cast<MaterialId>(id);
         text += line(std::string(materialName(material)) + " removed", report.removed[id], "mm^3");
     }
+    text += line("of it beside the tooth", report.beside, "mm^3");
     for (const CutEventKind kind : kCutEventKinds) {
         const auto times = std::count_if(report.events.begin(), report.events.end(),
                                          [kind](const CutEvent& event) { return event.kind == kind; });

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstdlib>
 
 #include "geometry/parallel_for.h"
 
@@ -11,6 +12,20 @@ namespace tactooth {
 namespace {
 
 bool isUpper(int fdi) { return fdi < 30; }
+
+/// Counted along its jaw: 0 to 15 from the patient's right to the left.
+int placeInArch(int fdi) {
+    const bool isRight = fdi / 10 % 4 < 2;  // quadrants 1 and 4
+    return isRight ? 8 - fdi % 10 : 7 + fdi % 10;
+}
+
+bool areBeside(int a, int b) { return isUpper(a) == isUpper(b) && std::abs(placeInArch(a) - placeInArch(b)) == 1; }
+
+BuiltinTooth moved(BuiltinTooth tooth, const Pose& pose) {
+    for (TriangleMesh* mesh : {&tooth.outer, &tooth.enamel, &tooth.dentin, &tooth.pulp, &tooth.caries})
+        *mesh = moved(std::move(*mesh), pose);
+    return tooth;
+}
 
 struct Placed {
     const TriangleMesh* mesh;
@@ -24,7 +39,7 @@ std::vector<Placed> placedAround(const BuiltinMouth& mouth, const MouthTooth& wo
     std::vector<Placed> bodies = {{&mouth.upperGingiva, mouthInTooth, MaterialId::Other, true},
                                   {&mouth.lowerGingiva, mouthInTooth * mouth.lowerJaw, MaterialId::Other, false}};
     for (const MouthTooth& tooth : mouth.teeth) {
-        if (&tooth == &worked) continue;
+        if (&tooth == &worked || areBeside(tooth.tooth.fdi, worked.tooth.fdi)) continue;
         bodies.push_back(
             {&tooth.tooth.outer, mouthInTooth * mouth.poseOf(tooth), MaterialId::Enamel, isUpper(tooth.tooth.fdi)});
     }
@@ -40,13 +55,18 @@ ToothInMouth inMouth(const BuiltinMouth& mouth, int fdi) {
     parallelFor(bodies.size(), [&](std::size_t i) {
         const auto& [mesh, pose, material, upper] = bodies[i];
         std::vector<SurfaceTag> tags(mesh->triangles.size(), static_cast<SurfaceTag>(material));
-        auto part = std::make_shared<const SurfacePart>(moved(*mesh, pose), std::move(tags));
+        auto part = std::make_shared<const SurfacePart>(moved(*mesh, pose), std::move(tags), 0);
         const bool isGum = material == MaterialId::Other;
         auto shown = isGum ? std::shared_ptr<const TriangleMesh>(part, &part->mesh())
                            : std::make_shared<const TriangleMesh>(moved(aboveTheGum(*mesh), pose));
         result.around[i] = {std::move(part), std::move(shown), isGum, upper != isUpper(fdi)};
     });
     result.tooth = worked->tooth;
+    const Pose mouthInTooth = mouth.poseOf(*worked).inverse();
+    for (const MouthTooth& tooth : mouth.teeth) {
+        if (areBeside(tooth.tooth.fdi, fdi))
+            result.beside.push_back(moved(tooth.tooth, mouthInTooth * mouth.poseOf(tooth)));
+    }
     return result;
 }
 
@@ -97,5 +117,7 @@ Surroundings surroundingsOf(const ToothInMouth& tooth) {
     for (const ToothInMouth::Body& body : tooth.around) bodies.push_back(body.part);
     return bodies;
 }
+
+Expected<LayeredTooth> layeredTooth(const ToothInMouth& tooth) { return layeredTooth(tooth.tooth, tooth.beside); }
 
 }  // namespace tactooth

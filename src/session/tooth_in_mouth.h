@@ -13,13 +13,14 @@ namespace tactooth {
 /// A tooth that is to be worked on, and all of the mouth around it.
 struct ToothInMouth {
     BuiltinTooth tooth;
+    std::vector<BuiltinTooth> beside = {};  ///< those next to it, in its frame: a bur that slips cuts them as well
     struct Body {
         std::shared_ptr<const SurfacePart> part;    ///< in the frame of `tooth`, tagged by MaterialId
         std::shared_ptr<const TriangleMesh> shown;  ///< what of it can be seen
         bool isGum = false;
         bool isOpposite = false;  ///< of the other jaw
     };
-    std::vector<Body> around;
+    std::vector<Body> around = {};  ///< all others
 };
 
 /// `tooth.fdi` is a tooth of the mouth that is not missing; its fineness and seed are the mouth's. Takes the time that
@@ -35,5 +36,8 @@ struct ToothInMouth {
 [[nodiscard]] TriangleMesh aboveTheGum(const TriangleMesh& tooth);
 
 [[nodiscard]] Surroundings surroundingsOf(const ToothInMouth& tooth);
+
+/// The tooth as it is cut, with those beside it.
+[[nodiscard]] Expected<LayeredTooth> layeredTooth(const ToothInMouth& tooth);
 
 }  // namespace tactooth

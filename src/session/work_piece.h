@@ -30,6 +30,7 @@ struct ToothLoss {
     MaterialVolumes removed{};  ///< all of it, mm^3
     MaterialVolumes fallen{};   ///< of that, what burs had cut off all around, mm^3
     std::size_t pieces = 0;     ///< of what has fallen, those that an eye can see (kVisiblePiece)
+    double beside = 0;          ///< of all, what bodies around the tooth have lost, mm^3
 
     /// What burs have ground to chips.
     [[nodiscard]] MaterialVolumes ground() const {
@@ -105,6 +106,7 @@ private:
     void book(const CarveResult& carve);
     void watchContact(const Tick& tick);
     void bookFall(const CarveResult& carve);
+    [[nodiscard]] double lostBeside() const;
 
     std::shared_ptr<const LayeredTooth> tooth_;
     CutVolume volume_;
@@ -113,6 +115,7 @@ private:
     ToothLoss loss_;
     std::vector<ChangedBrick> changed_;  // since the last refresh
     std::vector<ToothLoss> lossAt_;      // the marks
+    double wholeBeside_;                 // volume of the bodies around the tooth before any cut, mm^3
     std::optional<Pose> reached_;
     double lastWay_ = 0;       // of the last feed, mm
     bool mayBeLoose_ = false;  // something was cut since the last look

@@ -126,11 +126,17 @@ Expected<LayeredTooth> LayeredTooth::make(TriangleMesh outer, std::vector<LayerM
         tooth.layers_.push_back({std::move(layer.name), layer.material, std::move(part)});
     }
     std::vector<SurfaceTag> tags = tooth.tagsOf(outer);
-    tooth.outer_ = std::make_shared<const SurfacePart>(std::move(outer), std::move(tags));
+    tooth.outer_ = std::make_shared<const SurfacePart>(std::move(outer), std::move(tags), standing.firstAround);
     for (const Layer& layer : tooth.layers_) {
         if (areApart(*tooth.outer_, *layer.part)) return unexpected(outsideSentence("layer '" + layer.name + "'"));
     }
     return tooth;
+}
+
+std::shared_ptr<const SurfacePart> LayeredTooth::ownOuter() const {
+    if (standing_.firstAround >= outer_->mesh().triangles.size()) return outer_;
+    TaggedMesh own = visibleToothMesh(Surface{.base = outer_});
+    return std::make_shared<const SurfacePart>(std::move(own.mesh), std::move(own.tags));
 }
 
 Box3 LayeredTooth::ownBox() const {

@@ -44,6 +44,8 @@ public:
 
     /// The surface that is touched; each triangle's tag is the MaterialId just behind it.
     [[nodiscard]] const std::shared_ptr<const SurfacePart>& outer() const { return outer_; }
+    /// The same without what stands around the tooth: made anew where something does.
+    [[nodiscard]] std::shared_ptr<const SurfacePart> ownOuter() const;
     /// In rising order of victory.
     [[nodiscard]] const std::vector<Layer>& layers() const { return layers_; }
     /// What the tooth is made of where it has no layers.

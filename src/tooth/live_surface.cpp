@@ -36,16 +36,11 @@ LiveSurface::LiveSurface(const CutVolume& volume)
     : base_(volume.tooth()->outer()),
       lattice_(volume.lattice()),
       marginPieces_(base_->mesh().triangles.size()),
-      firstAround_(volume.tooth()->standing().firstAround),
       thinner_(base_->tree()) {
     snapshot_ = std::make_shared<const Surface>(uncut(0));
 }
 
-Surface LiveSurface::uncut(std::uint64_t revision) const {
-    Surface surface{base_, nullptr, {}, revision};
-    surface.firstAround = firstAround_;
-    return surface;
-}
+Surface LiveSurface::uncut(std::uint64_t revision) const { return {base_, nullptr, {}, revision}; }
 
 void LiveSurface::reset() {
     cells_.clear();
@@ -94,6 +89,7 @@ std::vector<BrickKey> LiveSurface::bricksToExtract(const CutVolume& volume,
 void LiveSurface::extract(const CutVolume& volume, const BrickKey& key, Cell& cell) const {
     if (!cell.knowsBase) {
         cell.base = TriangleBoxes(base_->mesh(), trianglesTouching(*base_, wallBox(lattice_, key)));
+        cell.bodies = bodiesIn(*base_, cell.base.triangles(), wallBox(lattice_, key).center());
         cell.knowsBase = true;
     }
     CavityWall wall = extractWall(volume.bricks(), lattice_, key);
@@ -166,8 +162,8 @@ void LiveSurface::publish(std::vector<BrickKey> dirty) {
     std::vector<std::shared_ptr<const SurfacePart>> parts(dirty.size());
     parallelFor(dirty.size(), [&](std::size_t i) {
         const Cell& cell = cells_.at(dirty[i]);
-        TriangleMesh mesh = cell.wall.mesh;
-        std::vector<SurfaceTag> tags = cell.wall.tags;
+        TaggedMesh patch{cell.wall.mesh, cell.wall.tags};
+        auto& [mesh, tags] = patch;
         for (const auto& [triangle, remains] : cell.remains) {
             for (const std::array<Vec3f, 3>& corners : remains) {
                 const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
@@ -176,7 +172,7 @@ void LiveSurface::publish(std::vector<BrickKey> dirty) {
                 tags.push_back(base_->tag(triangle));
             }
         }
-        if (!mesh.empty()) parts[i] = std::make_shared<const SurfacePart>(std::move(mesh), std::move(tags));
+        if (!mesh.empty()) parts[i] = patchPart(std::move(patch), cell.bodies, *base_);
     });
     for (std::size_t i = 0; i < dirty.size(); ++i) {
         if (parts[i]) {

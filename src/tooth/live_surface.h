@@ -11,6 +11,7 @@
 #include "tooth/base_cutter.h"
 #include "tooth/cut_volume.h"
 #include "tooth/margin_cutter.h"
+#include "tooth/patch_bodies.h"
 
 namespace tactooth {
 
@@ -39,6 +40,7 @@ private:
     struct Cell {
         bool knowsBase = false;
         TriangleBoxes base;  ///< triangles of the tooth's surface near the brick's wall
+        BrickBodies bodies = BrickBodies::Either;
         std::vector<MarginPiece> margin;
         WallPatch wall;
         /// Pieces of the base triangles whose middle lies in this brick, by triangle.
@@ -62,8 +64,7 @@ private:
     std::map<BrickKey, std::shared_ptr<const SurfacePart>> patches_;
     std::vector<std::uint32_t> marginPieces_;  ///< how many there are of each base triangle
     TriangleMask hidden_;
-    std::uint32_t firstAround_;  ///< see Surface
-    TreeThinner thinner_;        ///< of the same triangles
+    TreeThinner thinner_;  ///< of the same triangles
     std::shared_ptr<const Surface> snapshot_;
     std::size_t failures_ = 0;
 };

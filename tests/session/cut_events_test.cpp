@@ -107,6 +107,19 @@ TEST(CutEvents, TellEachTouchOfWhatStandsAround) {
     EXPECT_EQ(cutEventsCsv(std::span(events.all()).subspan(1, 1)), "t,event,x,y,z\n0.1,neighbour touched,0,0,0\n");
 }
 
+TEST(CutEvents, ACutIntoWhatStandsAroundIsToldOnce) {
+    CutEvents events;
+    events.watch(0.0, tickAt(0, 0), {.beside = 0.3});  // of an earlier session
+    events.watch(0.1, tickAt(0, 0), {.beside = 0.3});
+    EXPECT_TRUE(events.all().empty());
+    events.watch(0.2, tickAt(0, 0), {.beside = 0.31});
+    events.watch(0.3, tickAt(0, 0), {.beside = 0.4});
+    ASSERT_EQ(events.all().size(), 1U);
+    EXPECT_EQ(events.all()[0].kind, CutEventKind::BesideCut);
+    EXPECT_EQ(events.all()[0].time, 0.2);
+    EXPECT_EQ(cutEventName(CutEventKind::BesideCut), "cut beside the tooth");
+}
+
 TEST(CutEvents, ABurStallsEachTimeThatItHadRunUpAndTheFootStaysDown) {
     CutEvents events;
     events.watch(0.0, tickAt(0, 1, 0), {});  // has not run up yet

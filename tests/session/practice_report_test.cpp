@@ -18,6 +18,7 @@ TEST(PracticeReport, TellsWhatWasDoneToATooth) {
                                                 .seconds = 61.5,
                                                 .cavity = CavityProgress{8, 6, 2, 0.25},
                                                 .removed = {5, 2.5, 0, 0, 0, 0.5},
+                                                .beside = 0.25,
                                                 .events = events});
     EXPECT_EQ(text,
               "quantity,value,unit\n"
@@ -36,11 +37,13 @@ TEST(PracticeReport, TellsWhatWasDoneToATooth) {
               "other removed,0,mm^3\n"
               "restoration removed,0,mm^3\n"
               "caries removed,0.5,mm^3\n"
+              "of it beside the tooth,0.25,mm^3\n"
               "first contact,1,times\n"
               "dentin reached,0,times\n"
               "pulp exposed,0,times\n"
               "neighbour touched,2,times\n"
               "gum or bone touched,0,times\n"
+              "cut beside the tooth,0,times\n"
               "bur stalled,0,times\n"
               "piece came loose,0,times\n");
 }

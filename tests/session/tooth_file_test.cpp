@@ -88,8 +88,8 @@ TEST(ToothFile, KnowsHowTheToothStandsAndWhatIsAroundIt) {
     EXPECT_EQ(again.standing().mesialX, -1);
     EXPECT_EQ(again.ownBox().max(), Vec3(2, 2, 0));
     const Surface& felt = *opened->piece->felt();
-    EXPECT_FALSE(isAround(felt, 0, 11));
-    EXPECT_TRUE(isAround(felt, 0, 12));
+    EXPECT_FALSE(felt.base->isAround(11));
+    EXPECT_TRUE(felt.base->isAround(12));
 }
 
 /// Version 1 ended its surfaces with the material of the rest.

@@ -135,7 +135,8 @@ TEST(WorkPiece, HalfTheSharpnessIsHalfTheRate) {
 
 /// A block beside the one on the bench, a hair's breadth away and as high.
 Surroundings neighbour() {
-    return {std::make_shared<const SurfacePart>(test::box(Vec3(1.55, -1.5, -3), Vec3(4.5, 1.5, 0)))};
+    return {std::make_shared<const SurfacePart>(test::box(Vec3(1.55, -1.5, -3), Vec3(4.5, 1.5, 0)),
+                                                std::vector<SurfaceTag>{}, 0)};
 }
 
 TEST(WorkPiece, BodiesAroundItAreFeltAndBelongToNoOtherSurface) {
@@ -187,6 +188,34 @@ TEST(WorkPiece, BodiesAroundItAreNotCut) {
     }
     EXPECT_EQ(total(piece->removed()), 0);
     EXPECT_NEAR(tick.proxy.position.z(), 0, 0.02);
+}
+
+TEST(WorkPiece, ABodyOfTheSameToothAroundItIsCutAndCounted) {
+    TriangleMesh outer = test::box(Vec3(-1.5, -1.5, -3), Vec3(1.5, 1.5, 0));
+    const auto first = static_cast<std::uint32_t>(outer.triangles.size());
+    append(outer, test::box(Vec3(1.55, -1.5, -3), Vec3(4.5, 1.5, 0)));
+    auto tooth = LayeredTooth::make(std::move(outer), {}, MaterialId::Dentin, {.firstAround = first});
+    WorkPiece piece(std::make_shared<const LayeredTooth>(std::move(*tooth)), test::kVoxel);
+    const Instrument bur = test::flatBur();
+    piece.sweep(bur.cutting, at(0, 0, 0.5), at(0, 0, -0.3));
+    piece.refreshSurface();
+    EXPECT_EQ(piece.loss().beside, 0);
+    const double own = total(piece.removed());
+    piece.mark();
+    HapticSimulation simulation(bur.shape, test::kBurRadius, piece.felt(), electric());
+    for (int i = 0; i < 400; ++i) simulation.step({at(3, 0, 0.1), 1, true}, kTick);
+    Tick tick;
+    for (int i = 0; i < 200; ++i) {
+        tick = simulation.step({at(3, 0, -0.5), 1, true}, kTick);
+        if (piece.feed(bur.cutting, tick, {})) (void)simulation.setSurface(piece.felt());
+    }
+    EXPECT_LT(tick.proxy.position.z(), -0.1);
+    EXPECT_EQ(tick.around, MaterialId::Dentin) << "its cut wall is known as well";
+    const double beside = total(piece.removed()) - own;
+    EXPECT_GT(beside, 0.05);
+    EXPECT_NEAR(piece.loss().beside, beside, 0.01 * beside);
+    EXPECT_TRUE(piece.undo());
+    EXPECT_NEAR(piece.loss().beside, 0, 1e-9);
 }
 
 TEST(WorkPiece, ABurWithoutEdgeLeavesTheToothWhole) {

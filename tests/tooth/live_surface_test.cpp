@@ -74,6 +74,55 @@ void expectSameTriangles(const TriangleMesh& mesh, const TriangleMesh& expected)
     }
 }
 
+/// Two blocks a fiftieth of a millimetre apart; the second one, at greater x, stands around the first.
+constexpr double kBetween = 0.02;
+LayeredTooth twoBlocks() {
+    TriangleMesh outer = test::box(Vec3(-1, -1, -2), Vec3(1, 1, 0));
+    const auto first = static_cast<std::uint32_t>(outer.triangles.size());
+    append(outer, test::box(Vec3(1 + kBetween, -1, -2), Vec3(3, 1, 0)));
+    return *LayeredTooth::make(std::move(outer), {}, MaterialId::Enamel, {.firstAround = first});
+}
+
+double volumeCutFrom(const TriangleMesh& left, double whole) { return whole - test::volumeOf(left); }
+
+// A bur that prepares the contact between two teeth takes from both. Each keeps a closed surface of its own.
+TEST(LiveSurface, WhatIsCutFromABodyAroundTheToothBelongsToThat) {
+    const auto tooth = std::make_shared<const LayeredTooth>(twoBlocks());
+    CutVolume volume(tooth, kVoxel / 2);
+    LiveSurface surface(volume);
+    const RevolutionEnvelope bur = ballBur(0.4);
+    MaterialVolumes removed{};
+    for (const auto& [from, to] : {std::pair(at(1.01, -1.5, -0.3), at(1.01, 1.5, -0.3)),     // through the contact
+                                   std::pair(at(2, 0.3, 0.5), at(2, 0.3, -0.8)),             // within the one beside
+                                   std::pair(at(-0.2, -0.1, 0.5), at(-0.2, -0.1, -1.1))}) {  // within its own
+        const CarveResult result = volume.carve(bur, from, to, 0);
+        surface.update(volume, result.changed);
+        for (std::size_t i = 0; i < kMaterialCount; ++i) removed[i] += result.removed[i];
+    }
+    const Surface& cut = *surface.snapshot();
+    const TriangleMesh own = visibleToothMesh(cut).mesh;
+    const TriangleMesh all = visibleMesh(cut).mesh;
+    EXPECT_EQ(badEdges(own), 0);
+    EXPECT_EQ(badEdges(all), 0);
+    EXPECT_EQ(boundingBox(own).max().x(), 1);
+    const double beside = test::volumeOf(all) - test::volumeOf(own);
+    const double wholeBeside = test::volumeOf(visibleMesh({.base = tooth->outer()}).mesh) - 8;
+    EXPECT_GT(volumeCutFrom(own, 8), 0.5);
+    EXPECT_GT(wholeBeside - beside, 0.5);
+    EXPECT_NEAR(volumeCutFrom(all, 8 + wholeBeside), total(removed), 0.003 * total(removed));
+    int split = 0;
+    for (const auto& patch : cut.patches) {
+        for (std::uint32_t t = 0; t < patch->mesh().triangles.size(); ++t) {
+            const TriangleMesh& mesh = patch->mesh();
+            const double x = (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)).x() / 3;
+            ASSERT_EQ(patch->isAround(t), x > 1 + kBetween / 2) << x;
+        }
+        split +=
+            patch->isAround(0) ? 0 : patch->isAround(static_cast<std::uint32_t>(patch->mesh().triangles.size()) - 1);
+    }
+    EXPECT_GT(split, 10) << "bricks with walls of both";
+}
+
 TriangleMesh fineSphere() { return test::sphere(Vec3(0.03, -0.02, -2), 2, 96, 64); }
 
 TEST(LiveSurface, AnUncutToothIsItsFile) {

@@ -125,7 +125,7 @@ FrameTimer::Film BenchWork::withSecondView() const {
 
 FrameTimer::Film BenchWork::withGhost() const {
     if (!target_) return cutting();
-    return [this, ghost = std::make_shared<CavityGhost>(*target_, *tooth_->outer())](int picture) {
+    return [this, ghost = std::make_shared<CavityGhost>(*target_, *tooth_->ownOuter())](int picture) {
         Scene scene = sceneAt(picture, true);
         Inspection inspection;
         inspection.ghost = ghost;

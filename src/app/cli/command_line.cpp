@@ -159,7 +159,8 @@ void addCut(CLI::App& program, Chosen& chosen) {
         ->add_option(
             "--events", options->events,
             "CSV file to write: t,event,x,y,z for first contact, dentin reached, pulp exposed, neighbour touched, "
-            "gum or bone touched, piece came loose (none of these with --feed rigid, which takes only what the bur "
+            "gum or bone touched, cut beside the tooth, piece came loose (none of these with --feed rigid, which takes "
+            "only what the bur "
             "sweeps), bur stalled")
         ->type_name("FILE");
     command

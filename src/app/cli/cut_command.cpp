@@ -126,11 +126,12 @@ Expected<OwnBur> burOf(const CutOptions& options, const ToothPlace& place) {
     return unexpected("there is no bur: give --tool, or a case that brings one.");
 }
 
-void printRemoved(const MaterialVolumes& removed) {
+void printLoss(const ToothLoss& loss) {
     for (std::size_t i = 0; i < kMaterialCount; ++i) {
-        if (removed[i] > 0)
-            fmt::print("removed {:>12}: {:8.3f} mm^3\n", materialName(static_cast<MaterialId>(i)), removed[i]);
+        if (loss.removed[i] > 0)
+            fmt::print("removed {:>12}: {:8.3f} mm^3\n", materialName(static_cast<MaterialId>(i)), loss.removed[i]);
     }
+    if (loss.beside > 0) fmt::print("of it beside the tooth: {:.3f} mm^3\n", loss.beside);
 }
 
 }  // namespace
@@ -168,7 +169,7 @@ int runCut(const CutOptions& options) {
                                     tool->envelope.maxRadius(), piece.surface(), settings);
         cutByLaw(*path, *tool, *materials, simulation, piece, visit);
     }
-    const TaggedMesh cut = visibleMesh(*piece.surface());
+    const TaggedMesh cut = visibleToothMesh(*piece.surface());
     if (const auto done = files.finish(cut.mesh); !done) return refuse(done.error());
     if (!options.save.empty()) {
         const auto saved = saveTooth(piece, savedNow(tooth->provenance), options.save);
@@ -183,7 +184,7 @@ int runCut(const CutOptions& options) {
         if (const auto written = writeLayers(piece.volume(), options.layersOut); !written)
             return refuse(written.error());
     }
-    printRemoved(piece.removed());
+    printLoss(piece.loss());
     if (total(before) > 0) fmt::print("of which before:      {:8.3f} mm^3\n", total(before));
     fmt::print("{} triangles written to {}\n", cut.mesh.triangles.size(), options.out.string());
     return kExitOk;

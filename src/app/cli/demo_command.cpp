@@ -48,13 +48,13 @@ struct Cast {
 };
 
 /// The lower first molar in an open mouth.
-Expected<BuiltinTooth> castMouth(Cast& cast) {
+Expected<ToothInMouth> castMouth(Cast& cast) {
     const ToothCache cache(usualCacheFolder());
     Expected<ToothInMouth> made = toothInMouth(46, Lesion{}, {.jaw = JawPose::open, .missing = {}}, cache);
-    if (!made) return Unexpected{made.error()};
+    if (!made) return made;
     cast.props.around = shownAround(*made);
     cast.surroundings = surroundingsOf(*made);
-    return std::move(made->tooth);
+    return made;
 }
 
 Expected<void> castTooth(const DemoOptions& options, Cast& cast) {
@@ -76,15 +76,16 @@ Expected<void> castTooth(const DemoOptions& options, Cast& cast) {
         cast.ownBur = std::move(place.bur);
         return {};
     }
-    const Expected<BuiltinTooth> molar =
-        options.mouth ? castMouth(cast) : makeBuiltinTooth(BuiltinToothKind::lowerFirstMolar);
+    const Expected<ToothInMouth> molar =
+        options.mouth ? castMouth(cast)
+                      : Expected<ToothInMouth>({.tooth = makeBuiltinTooth(BuiltinToothKind::lowerFirstMolar)});
     if (!molar) return Unexpected{molar.error()};
     auto tooth = layeredTooth(*molar);
     if (!tooth) return Unexpected{tooth.error()};
     cast.tooth = std::make_shared<const LayeredTooth>(std::move(*tooth));
-    cast.box = cast.tooth->outer()->tree().box();
-    cast.props.mesialX = mesialX(molar->fdi);
-    cast.toothName = fmt::format("built-in: {} (FDI {})", molar->name, molar->fdi);
+    cast.box = cast.tooth->ownBox();
+    cast.props.mesialX = mesialX(molar->tooth.fdi);
+    cast.toothName = fmt::format("built-in: {} (FDI {})", molar->tooth.name, molar->tooth.fdi);
     return {};
 }
 
@@ -152,7 +153,7 @@ Expected<void> writeResults(const fs::path& folder, const Demonstration& played,
     if (!samples) return Unexpected{samples.error()};
     if (auto done = writeWav(folder / "session.wav", *samples); !done) return done;
     if (auto done = writeTicks(folder / "forces.csv", played.ticks); !done) return done;
-    if (auto done = writeStl(visibleMesh(*piece.surface()).mesh, folder / "cut.stl"); !done) return done;
+    if (auto done = writeStl(visibleToothMesh(*piece.surface()).mesh, folder / "cut.stl"); !done) return done;
     return writeFile(folder / "summary.json", demoSummary(played, piece, cast.toothName, cast.burName));
 }
 

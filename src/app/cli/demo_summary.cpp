@@ -45,6 +45,7 @@ std::string demoSummary(const Demonstration& demonstration, const WorkPiece& pie
         {"mean_force_touching_N", touching > 0 ? sum / static_cast<double>(touching) : 0.0},
         {"largest_speed_rpm", fastest},
         {"removed_mm3", removed},
+        {"removed_beside_mm3", piece.loss().beside},
         {"events", events},
         {"surface_updates", demonstration.surfaceUpdates},
         {"surface_patches", surface.patches.size()},

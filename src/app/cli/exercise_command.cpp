@@ -42,8 +42,9 @@ Expected<void> tell(const ExerciseOptions& options) {
         if (auto written = writeStl(*ideal, options.out); !written) return written;
     }
     const auto surface = std::make_shared<const SurfacePart>(std::move(*ideal));
-    const CavityWalls walls = cavityWalls(surface->mesh(), *(*tooth)->outer());
-    CavityAccount account(surface, *(*tooth)->outer(), walls);
+    const auto outer = (*tooth)->ownOuter();
+    const CavityWalls walls = cavityWalls(surface->mesh(), *outer);
+    CavityAccount account(surface, *outer, walls);
     if (account.empty()) {
         return unexpected(
             shownName(options.file) +
@@ -51,7 +52,7 @@ Expected<void> tell(const ExerciseOptions& options) {
             "cavity inside it.");
     }
     Surface whole;
-    whole.base = (*tooth)->outer();
+    whole.base = outer;
     fmt::print("{}\n{}\n", exercise->name, exercise->task);
     fmt::print("  tooth           {}\n  bur             {}\n", toothOf(*exercise), *bur);
     fmt::print("  ideal cavity    {:.2f} mm3\n", account.of(whole, 0).planned);

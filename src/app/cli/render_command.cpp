@@ -68,7 +68,7 @@ Expected<Inspection> inspectionOf(const RenderOptions& options, const BenchTooth
         inspection.opacity[static_cast<std::size_t>(layer->material)] = layer->opacity;
     }
     if (options.ghost) {
-        auto ghost = ghostFor(options, *tooth.piece->tooth().outer());
+        auto ghost = ghostFor(options, *tooth.piece->tooth().ownOuter());
         if (!ghost) return Unexpected{ghost.error()};
         inspection.ghost = std::move(*ghost);
     } else if (!options.target.empty()) {

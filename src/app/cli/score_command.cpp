@@ -21,7 +21,7 @@ constexpr double kPercent = 100;
 Expected<CavityProgress> progressOf(const WorkPiece& piece, const std::filesystem::path& target) {
     Expected<TriangleMesh> ideal = loadIdealShape(target);
     if (!ideal) return Unexpected{ideal.error()};
-    CavityAccount account(std::make_shared<const SurfacePart>(std::move(*ideal)), *piece.tooth().outer());
+    CavityAccount account(std::make_shared<const SurfacePart>(std::move(*ideal)), *piece.tooth().ownOuter());
     if (account.empty()) {
         return unexpected(shownName(target) +
                           " leaves nothing to cut: no part of it lies inside the uncut tooth; choose the same tooth "
@@ -30,26 +30,29 @@ Expected<CavityProgress> progressOf(const WorkPiece& piece, const std::filesyste
     return account.of(*piece.surface(), total(piece.removed()));
 }
 
-std::string asJson(const ScoreOptions& options, const CavityProgress& cavity, const MaterialVolumes& removed) {
+std::string asJson(const ScoreOptions& options, const CavityProgress& cavity, const ToothLoss& loss) {
     nlohmann::ordered_json json = {
         {"tooth", shownName(options.tooth)},   {"target", shownName(options.target)},    {"ideal_mm3", cavity.planned},
         {"cleared_mm3", cavity.cleared},       {"cleared_share", cavity.clearedShare()}, {"beyond_mm3", cavity.beyond},
         {"deepest_beyond_mm", cavity.deepest}, {"likeness", cavity.likeness()}};
     for (std::size_t id = 0; id < kMaterialCount; ++id)
-        json["removed_mm3"][std::string(materialName(static_cast<MaterialId>(id)))] = removed[id];
+        json["removed_mm3"][std::string(materialName(static_cast<MaterialId>(id)))] = loss.removed[id];
+    json["removed_beside_mm3"] = loss.beside;
     return json.dump(1) + '\n';
 }
 
-std::string asTable(const ScoreOptions& options, const CavityProgress& cavity, const MaterialVolumes& removed) {
+std::string asTable(const ScoreOptions& options, const CavityProgress& cavity, const ToothLoss& loss) {
     std::string text = fmt::format("{} against {}\n", shownName(options.tooth), shownName(options.target));
     text += fmt::format("  ideal cavity   {:8.2f} mm3\n", cavity.planned);
     text += fmt::format("  of it cut      {:8.2f} mm3, {:.0f} %\n", cavity.cleared, kPercent * cavity.clearedShare());
     text += fmt::format("  cut beyond it  {:8.2f} mm3, {:.2f} mm deep at worst\n", cavity.beyond, cavity.deepest);
     text += fmt::format("  likeness       {:8.0f} %\n", kPercent * cavity.likeness());
     for (std::size_t id = 0; id < kMaterialCount; ++id) {
-        if (removed[id] <= 0) continue;
-        text += fmt::format("  {:<14} {:8.2f} mm3 removed\n", materialName(static_cast<MaterialId>(id)), removed[id]);
+        if (loss.removed[id] <= 0) continue;
+        text +=
+            fmt::format("  {:<14} {:8.2f} mm3 removed\n", materialName(static_cast<MaterialId>(id)), loss.removed[id]);
     }
+    if (loss.beside > 0) text += fmt::format("  of it          {:8.2f} mm3 beside the tooth\n", loss.beside);
     return text;
 }
 
@@ -65,8 +68,8 @@ int runScore(const ScoreOptions& options) {
     if (!opened) return refuse(opened.error());
     const Expected<CavityProgress> cavity = progressOf(*opened->piece, options.target);
     if (!cavity) return refuse(cavity.error());
-    const MaterialVolumes& removed = opened->piece->removed();
-    std::fputs((options.json ? asJson(options, *cavity, removed) : asTable(options, *cavity, removed)).c_str(), stdout);
+    const ToothLoss& loss = opened->piece->loss();
+    std::fputs((options.json ? asJson(options, *cavity, loss) : asTable(options, *cavity, loss)).c_str(), stdout);
     return kExitOk;
 }
 

@@ -75,12 +75,13 @@ Expected<BenchTooth> makeBenchTooth(const BenchMouth& mouth) {
     const ToothCache cache(mouth.cached ? usualCacheFolder() : std::filesystem::path());
     const Expected<ToothInMouth> made = toothInMouth(mouth.fdi, Lesion{}, request, cache);
     if (!made) return Unexpected{made.error()};
-    Expected<LayeredTooth> layered = layeredTooth(made->tooth);
+    Expected<LayeredTooth> layered = layeredTooth(*made);
     if (!layered) return Unexpected{layered.error()};
     BenchTooth tooth{std::to_string(made->tooth.fdi),  // a number needs no translation
                      std::make_shared<WorkPiece>(std::make_shared<const LayeredTooth>(std::move(*layered)), kVoxel),
                      mesialX(made->tooth.fdi),
                      {{"tooth", "built in: " + made->tooth.name + ", in the whole mouth"}}};
+    tooth.workBox = tooth.piece->tooth().ownBox();
     tooth.around = shownAround(*made);
     tooth.piece->surroundBy(surroundingsOf(*made));
     return tooth;

@@ -33,7 +33,7 @@ struct BenchTooth {
     std::shared_ptr<WorkPiece> piece;
     double mesialX = 1;  ///< direction of mesial along x; a file's frame is taken to have it at +x
     Provenance provenance;
-    Box3 workBox = {};  ///< of the tooth of a case that is worked on, mm; empty: all of the piece
+    Box3 workBox = {};  ///< of the tooth that is worked on among others, mm; empty: all of the piece
     std::optional<MaterialTable> materials = {};    ///< that a case brings
     std::vector<std::string> teethOfCase = {};      ///< names; empty: it is no case
     std::optional<BenchBur> bur = {};               ///< that a case brings

@@ -65,7 +65,7 @@ void MainWindow::bringIdealShape(const std::shared_ptr<const Exercise>& exercise
                          box = bench_.tooth()->box()]() -> Expected<Target> {
         Expected<TriangleMesh> ideal = idealShape(*exercise, tooth);
         if (!ideal) return Unexpected{ideal.error()};
-        return makeTarget(name, std::move(*ideal), *tooth->outer(), box);
+        return makeTarget(name, std::move(*ideal), *tooth->ownOuter(), box);
     });
 }
 
@@ -92,7 +92,7 @@ void MainWindow::openTarget(const QString& file) {
     exercise_->show(practised_);
     targetFile_ = file;
     comingTarget_.start(
-        [file, outer = bench_.tooth()->piece->tooth().outer(), box = bench_.tooth()->box()]() -> Expected<Target> {
+        [file, outer = bench_.tooth()->piece->tooth().ownOuter(), box = bench_.tooth()->box()]() -> Expected<Target> {
             Expected<TriangleMesh> ideal = loadIdealShape(file.toStdString());
             if (!ideal) return Unexpected{ideal.error()};
             return makeTarget(QFileInfo(file).fileName(), std::move(*ideal), *outer, box);
@@ -173,6 +173,7 @@ void MainWindow::exportReportTo(const QString& file) {
                                                   .seconds = bench_.workSeconds(),
                                                   .cavity = progress_,
                                                   .removed = bench_.simulator()->removed(),
+                                                  .beside = bench_.simulator()->loss().beside,
                                                   .events = bench_.events().all()});
     const Expected<void> written = writeFile(file.toStdString(), report);
     if (!written) return complain(written.error());

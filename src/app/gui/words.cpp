@@ -70,6 +70,7 @@ constexpr const char* kWords[] = {
     QT_TRANSLATE_NOOP("Words", "pulp exposed"),
     QT_TRANSLATE_NOOP("Words", "neighbour touched"),
     QT_TRANSLATE_NOOP("Words", "gum or bone touched"),
+    QT_TRANSLATE_NOOP("Words", "cut beside the tooth"),
     QT_TRANSLATE_NOOP("Words", "bur stalled"),
     QT_TRANSLATE_NOOP("Words", "piece came loose"),
     QT_TRANSLATE_NOOP("Words", "outer"),

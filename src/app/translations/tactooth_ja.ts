@@ -216,6 +216,10 @@
         <translation>歯肉または骨に接触</translation>
     </message>
     <message>
+        <source>cut beside the tooth</source>
+        <translation>対象の歯以外を切削</translation>
+    </message>
+    <message>
         <source>bur stalled</source>
         <translation>バーが停止</translation>
     </message>
