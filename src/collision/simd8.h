@@ -25,6 +25,8 @@ struct Float8 {
     __m256 lanes;
 
     static Float8 load(const float* p) { return {_mm256_loadu_ps(p)}; }
+    /// Lanes 0-3 from one place, 4-7 from another.
+    static Float8 load(const float* low, const float* high) { return {_mm256_loadu2_m128(high, low)}; }
     static Float8 all(float value) { return {_mm256_set1_ps(value)}; }
     void store(float* p) const { _mm256_storeu_ps(p, lanes); }
 
@@ -63,6 +65,7 @@ struct Float8 {
     __m128 low, high;
 
     static Float8 load(const float* p) { return {_mm_loadu_ps(p), _mm_loadu_ps(p + 4)}; }
+    static Float8 load(const float* low, const float* high) { return {_mm_loadu_ps(low), _mm_loadu_ps(high)}; }
     static Float8 all(float value) { return {_mm_set1_ps(value), _mm_set1_ps(value)}; }
     void store(float* p) const { _mm_storeu_ps(p, low), _mm_storeu_ps(p + 4, high); }
 
@@ -109,6 +112,9 @@ struct Float8 {
     }
     static Float8 load(const float* p) {
         return each([&](int i) { return p[i]; });
+    }
+    static Float8 load(const float* low, const float* high) {
+        return each([&](int i) { return i < 4 ? low[i] : high[i - 4]; });
     }
     static Float8 all(float value) {
         return each([&](int) { return value; });

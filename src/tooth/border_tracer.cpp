@@ -28,16 +28,18 @@ class Edges8 {
 public:
     /// Adds an edge whose removed end is at `end`, in steps from the block's first node; `direction` leads to the solid
     /// one. `place` and `normal`: of the border as far as it is known.
-    void add(const std::array<int, 3>& end, int axis, float direction, float place, const Vec3& normal) {
+    void add(const std::array<int, 3>& end, int axis, float direction, float place, const Vec3f& normal) {
         for (int i = 0; i < 3; ++i) {
             end_[i][count_] = static_cast<float>(end[i]);
             direction_[i][count_] = i == axis ? direction : 0;
-            normal_[i][count_] = static_cast<float>(normal[i]);
+            normal_[i][count_] = normal[i];
         }
         place_[count_++] = place;
     }
     [[nodiscard]] float place(int lane) const { return place_[lane]; }
-    [[nodiscard]] Vec3 normal(int lane) const { return {normal_[0][lane], normal_[1][lane], normal_[2][lane]}; }
+    [[nodiscard]] std::array<PackedDirection, 8> normals() const {
+        return PackedDirection::pack(Vec3x8::load(normal_));
+    }
 
     /// Carries the borders outward as long as one of the steps holds them.
     void extend(const std::vector<SweepLanes>& steps, double spacing) {
@@ -76,6 +78,7 @@ private:
 
     /// Moves the borders that `step` holds to where their edges leave the region that it sweeps; true if one has moved.
     bool carryOut(const SweepLanes& step, Float8 number, Float8 isOther, Float8& carried, float spacing) {
+        if (!isAny(isOther)) return false;
         const Float8 start = Float8::load(place_);
         const Float8 onBorder = Float8::all(-kOnBorder);
         const Samples8 here = step.sample(at(start), onBorder);
@@ -155,7 +158,9 @@ private:
     struct End {
         const Brick* brick;
         int node;
-        [[nodiscard]] bool isRemoved() const { return brick->cut[node] < 0; }
+        [[nodiscard]] bool isRemoved() const {
+            return (brick->removed[node / kBrickSide] >> node % kBrickSide & 1) != 0;
+        }
         [[nodiscard]] bool wasLowered(std::uint64_t carve) const {
             return brick->lastCarve == carve && brick->lowered[node];
         }
@@ -171,10 +176,10 @@ private:
 
     /// Which nodes of a row along x are removed, one bit each.
     static unsigned removedRow(const Brick* brick, int y, int z) {
-        return brick != nullptr ? removedBits(*brick, nodeIndex(0, y, z)) : 0;
+        return brick != nullptr ? brick->removedRow(y, z) : 0;
     }
     static unsigned removedAt(const Brick* brick, int x, int y, int z) {
-        return brick != nullptr && brick->cut[nodeIndex(x, y, z)] < 0 ? 1U : 0U;
+        return brick != nullptr ? brick->removedRow(y, z) >> x & 1U : 0U;
     }
 
     [[nodiscard]] End lowEnd(const Crossed& edge) const {
@@ -206,7 +211,9 @@ private:
             const std::size_t end = std::min(edges.size(), first + 8);
             for (std::size_t i = first; i < end; ++i) add(edges[i], eight);
             eight.extend(steps, spacing_);
-            for (std::size_t i = first; i < end; ++i) store(edges[i], eight, static_cast<int>(i - first));
+            const std::array<PackedDirection, 8> normals = eight.normals();
+            for (std::size_t i = first; i < end; ++i)
+                store(edges[i], eight.place(static_cast<int>(i - first)), normals[i - first]);
         }
     }
 
@@ -220,21 +227,20 @@ private:
         for (int i = 0; i < 3; ++i) end[i] -= edge.low[i] / kBlockSide * kBlockSide;
         const float direction = isUpward ? 1 : -1;
         if (removed.wasOpened(carve_)) {
-            eight.add(end, edge.axis, direction, 0, removed.brick->cutNormal[removed.node].unpack());
+            eight.add(end, edge.axis, direction, 0, removed.brick->cutNormal[removed.node].unpackSingle());
         } else {
             const float stored = brick_.borderPlace[edge.axis][low.node];
-            const Vec3 normal = brick_.borderNormal[edge.axis][low.node].unpack();
+            const Vec3f normal = brick_.borderNormal[edge.axis][low.node].unpackSingle();
             eight.add(end, edge.axis, direction, isUpward ? stored : 1 - stored, normal);
         }
     }
 
-    void store(const Crossed& edge, const Edges8& eight, int lane) {
+    void store(const Crossed& edge, float place, PackedDirection turned) {
         const End low = lowEnd(edge);
-        const float share = std::clamp(eight.place(lane), 0.0F, 1.0F);
+        const float share = std::clamp(place, 0.0F, 1.0F);
         const float moved = low.isRemoved() ? share : 1 - share;
         float& stored = brick_.borderPlace[edge.axis][low.node];
         PackedDirection& normal = brick_.borderNormal[edge.axis][low.node];
-        const PackedDirection turned(eight.normal(lane));
         if (moved == stored && turned == normal) return;
         stored = moved;
         normal = turned;

@@ -32,6 +32,26 @@ public:
         u_ = rounded(u * kScale);
         v_ = rounded(v * kScale);
     }
+    /// Eight directions of length 1 or almost, from single precision.
+    [[nodiscard]] static std::array<PackedDirection, 8> pack(const Vec3x8& directions) {
+        const Float8 zero = Float8::all(0);
+        const Float8 one = Float8::all(1);
+        const auto sizeOf = [&](Float8 value) { return max(value, zero - value); };
+        const auto signOf = [&](Float8 value) { return whereLess(value, zero, zero - one, one); };
+        const Float8 sum = max(sizeOf(directions.x) + sizeOf(directions.y) + sizeOf(directions.z), Float8::all(1e-18F));
+        const Float8 u = directions.x / sum;
+        const Float8 v = directions.y / sum;
+        const Float8 scale = Float8::all(static_cast<float>(kScale));
+        float us[8], vs[8];
+        (scale * whereLess(directions.z, zero, (one - sizeOf(v)) * signOf(u), u)).store(us);
+        (scale * whereLess(directions.z, zero, (one - sizeOf(u)) * signOf(v), v)).store(vs);
+        std::array<PackedDirection, 8> packed;
+        for (int lane = 0; lane < 8; ++lane) {
+            packed[lane].u_ = rounded(us[lane]);
+            packed[lane].v_ = rounded(vs[lane]);
+        }
+        return packed;
+    }
     [[nodiscard]] Vec3 unpack() const { return unpackAs<double>(); }
     /// In single precision.
     [[nodiscard]] Vec3f unpackSingle() const { return unpackAs<float>(); }
@@ -68,7 +88,11 @@ private:
 
     static constexpr double kScale = 32767.0;
     /// std::lround, without a call.
-    static std::int16_t rounded(double value) { return static_cast<std::int16_t>(value + (value < 0 ? -0.5 : 0.5)); }
+    template <class Real>
+    static std::int16_t rounded(Real value) {
+        const Real half = static_cast<Real>(0.5);
+        return static_cast<std::int16_t>(value + (value < 0 ? -half : half));
+    }
     std::int16_t u_ = 0;
     std::int16_t v_ = 0;
 };
@@ -125,14 +149,23 @@ struct Brick : CutField {
     std::array<MaterialId, kBrickNodes> neighbour;         ///< the material beyond a layer's border in the node's voxel
     std::array<std::uint8_t, kBrickNodes> neighbourShare;  ///< its share of the voxel, in 255ths
 
+    std::array<std::uint8_t, kBrickNodes / kBrickSide> removed{};  ///< where `cut < 0`: one bit a node, one byte a row
+
     std::uint64_t lastCarve = 0;       ///< number of the carve that the two sets below belong to
     std::bitset<kBrickNodes> lowered;  ///< nodes whose `cut` that carve has changed
     std::bitset<kBrickNodes> opened;   ///< nodes that it has removed
-};
 
-/// Which of the eight nodes of a row along x are removed, one bit each; `first` is the row's first node.
-[[nodiscard]] inline unsigned removedBits(const CutField& field, int first) {
-    return ~lessEqual(Float8::all(0), Float8::load(&field.cut[first])) & 0xFFU;
-}
+    /// Which of the eight nodes of a row along x are removed, one bit each.
+    [[nodiscard]] unsigned removedRow(int y, int z) const { return removed[y + kBrickSide * z]; }
+    void setRemoved(int node) { removed[node / kBrickSide] |= static_cast<std::uint8_t>(1U << node % kBrickSide); }
+    /// Takes over another state of the field.
+    void setField(const CutField& field) {
+        static_cast<CutField&>(*this) = field;
+        for (std::size_t row = 0; row < removed.size(); ++row) {
+            const Float8 distances = Float8::load(&cut[kBrickSide * row]);
+            removed[row] = static_cast<std::uint8_t>(~lessEqual(Float8::all(0), distances));
+        }
+    }
+};
 
 }  // namespace tactooth

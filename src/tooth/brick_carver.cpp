@@ -39,51 +39,81 @@ float highestCut(const Brick& brick, int block) {
     return std::max(std::max(highest[0], highest[1]), std::max(highest[2], highest[3]));
 }
 
-/// Shares of nodes' voxels that lie in the tooth and in the removed region. Those that only the border of the removed
-/// region cuts, as most do, are counted four at a time.
-class RemovedShares {
-public:
-    RemovedShares(const Brick& brick, double spacing) : brick_(brick), spacing_(spacing) {}
+/// Shares of four nodes' voxels at most that lie in the tooth and, with these samples, in the removed region; 0 for
+/// those that are not there. Where only the border of the removed region cuts, as nearly always, they are counted
+/// side by side.
+Eigen::Array4d removedShares(const Brick& brick, double spacing, std::span<const CutSample> samples) {
+    Eigen::Array4d distances = Eigen::Array4d::Ones();
+    std::array<PackedDirection, 4> normals;
+    bool isDeep = true;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        distances[static_cast<int>(i)] = samples[i].distance / spacing;
+        normals[i] = samples[i].normal;
+        isDeep &= brick.tooth[samples[i].node] / spacing <= -kVoxelReach;
+    }
+    if ((distances >= kVoxelReach).all()) return Eigen::Array4d::Zero();
+    if (isDeep) return cubeFractions(distances, PackedDirection::sizesOf(normals));
+    Eigen::Array4d shares = Eigen::Array4d::Zero();
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        const HalfSpace removed{distances[static_cast<int>(i)], normals[i].unpack()};
+        const double tooth = brick.tooth[samples[i].node] / spacing;
+        if (tooth >= kVoxelReach) continue;
+        shares[static_cast<int>(i)] = tooth <= -kVoxelReach
+                                          ? cubeFraction(removed)
+                                          : cubeFraction(removed, {tooth, brick.toothNormal[samples[i].node].unpack()});
+    }
+    return shares;
+}
 
-    void add(const CutSample& cut) {
-        const std::uint16_t node = cut.node;
-        const double tooth = brick_.tooth[node] / spacing_;
-        const double removed = cut.distance / spacing_;
-        if (tooth >= kVoxelReach || removed >= kVoxelReach) {
-            shares_.push_back(0);
-        } else if (tooth > -kVoxelReach) {
-            shares_.push_back(cubeFraction({removed, cut.normal.unpack()}, {tooth, brick_.toothNormal[node].unpack()}));
-        } else if (removed <= -kVoxelReach) {
-            shares_.push_back(1);
-        } else {
-            distances_[waiting_] = removed;
-            normals_[waiting_] = cut.normal;
-            places_[waiting_++] = shares_.size();
-            shares_.push_back(0);
-            if (waiting_ == 4) count();
+/// The volumes that samples, four at most, are the borders of; added up by the materials of their nodes' voxels.
+class VolumeBook {
+public:
+    VolumeBook(const Brick& brick, double spacing) : brick_(brick), spacing_(spacing) {}
+
+    /// What lowering the cut field to these samples removes.
+    void addLowered(std::span<const CutSample> lowered) {
+        std::array<CutSample, 4> before;
+        for (std::size_t i = 0; i < lowered.size(); ++i) {
+            const std::uint16_t node = lowered[i].node;
+            before[i] = {node, brick_.cut[node], brick_.cutNormal[node]};
         }
+        const Eigen::Array4d was = removedShares(brick_, spacing_, std::span(before).first(lowered.size()));
+        book(lowered, removedShares(brick_, spacing_, lowered) - was);
     }
-    /// In the order in which they were added.
-    [[nodiscard]] const std::vector<double>& all() {
-        count();
-        return shares_;
-    }
+    /// What is removed up to these samples.
+    void add(std::span<const CutSample> samples) { book(samples, removedShares(brick_, spacing_, samples)); }
+
+    [[nodiscard]] const MaterialVolumes& volumes() const { return volumes_; }
 
 private:
-    void count() {
-        const Eigen::Array4d shares = cubeFractions(distances_, PackedDirection::sizesOf(normals_));
-        for (int i = 0; i < waiting_; ++i) shares_[places_[i]] = shares[i];
-        waiting_ = 0;
+    void book(std::span<const CutSample> samples, const Eigen::Array4d& shares) {
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            const std::uint16_t node = samples[i].node;
+            const double volume = shares[static_cast<int>(i)] * spacing_ * spacing_ * spacing_;
+            double& mine = volumes_[static_cast<std::size_t>(brick_.material[node])];
+            if (brick_.neighbourShare[node] == 0) {
+                mine += volume;
+                continue;
+            }
+            const double beyond = volume * brick_.neighbourShare[node] / 255;
+            mine += volume - beyond;
+            volumes_[static_cast<std::size_t>(brick_.neighbour[node])] += beyond;
+        }
     }
 
     const Brick& brick_;
     double spacing_;
-    std::vector<double> shares_;
-    Eigen::Array4d distances_ = Eigen::Array4d::Zero();  // of those that are not counted yet
-    std::array<PackedDirection, 4> normals_;
-    std::array<std::size_t, 4> places_{};
-    int waiting_ = 0;
+    MaterialVolumes volumes_{};
 };
+
+/// What lowering the cut field of these nodes removes.
+MaterialVolumes volumesOf(const Brick& brick, std::span<const CutSample> lowered, double spacing) {
+    VolumeBook book(brick, spacing);
+    for (; !lowered.empty(); lowered = lowered.subspan(std::min<std::size_t>(4, lowered.size()))) {
+        book.addLowered(lowered.first(std::min<std::size_t>(4, lowered.size())));
+    }
+    return book.volumes();
+}
 
 /// Eight nodes of one block, and what a sweep lowers their cut field to.
 class LoweredNodes8 {
@@ -91,14 +121,11 @@ public:
     /// Nodes 8 `eight` .. 8 `eight` + 7 of a block. A node counts as lowered if a step comes below what it has and
     /// `band` (mm), unless it has -`band` already.
     LoweredNodes8(const Brick& brick, int block, int eight, float band) {
-        float cut[8];
-        for (int lane = 0; lane < 8; ++lane) {
+        for (int lane = 0; lane < 8; ++lane)
             node_[lane] = static_cast<std::uint16_t>(nodeOfBlock(block, 8 * eight + lane));
-            cut[lane] = brick.cut[node_[lane]];
-        }
         place_ = {Float8::load(kLaneX), Float8::load(kLaneY) + Float8::all(static_cast<float>(2 * (eight & 1))),
                   Float8::all(static_cast<float>(eight >> 1))};
-        limit_ = limitOf(Float8::load(cut), band);
+        limit_ = limitOf(Float8::load(&brick.cut[node_[0]], &brick.cut[node_[4]]), band);
     }
     /// The same for any nodes of one block, eight at most.
     LoweredNodes8(const Brick& brick, std::span<const std::uint16_t> nodes, float band) {
@@ -117,6 +144,7 @@ public:
     }
 
     void lower(const SweepLanes& step) {
+        if (!step.mayReach(place_, limit_)) return;
         const Samples8 samples = step.sample(place_, limit_);
         const std::uint32_t lowered = ~lessEqual(limit_, samples.distance) & 0xFF;
         if (lowered == 0) return;
@@ -131,13 +159,11 @@ public:
     void forEachLowered(float band, const Visit& visit) const {
         if (lowered_ == 0) return;
         float distance[8];
-        float gradient[3][8];
         max(limit_, Float8::all(-band)).store(distance);
-        gradient_.store(gradient);
+        const std::array<PackedDirection, 8> normal = PackedDirection::pack(gradient_);
         for (std::uint32_t left = lowered_; left != 0; left &= left - 1) {
             const int lane = std::countr_zero(left);
-            visit(CutSample{node_[lane], distance[lane],
-                            PackedDirection(Vec3(gradient[0][lane], gradient[1][lane], gradient[2][lane]))});
+            visit(CutSample{node_[lane], distance[lane], normal[lane]});
         }
     }
 
@@ -156,29 +182,6 @@ private:
     Vec3x8 gradient_ = Vec3x8::all(0, 0, 0);
     std::uint32_t lowered_ = 0;
 };
-
-/// Shares a removed volume among the materials of a node's voxel.
-void book(MaterialVolumes& volumes, const Brick& brick, int node, double volume) {
-    const double beyond = volume * brick.neighbourShare[node] / 255;
-    volumes[static_cast<std::size_t>(brick.material[node])] += volume - beyond;
-    volumes[static_cast<std::size_t>(brick.neighbour[node])] += beyond;
-}
-
-/// What lowering the cut field of these nodes removes.
-MaterialVolumes volumesOf(const Brick& brick, std::span<const CutSample> lowered, double spacing) {
-    RemovedShares shares(brick, spacing);
-    for (const CutSample& sample : lowered) {
-        shares.add({sample.node, brick.cut[sample.node], brick.cutNormal[sample.node]});
-        shares.add(sample);
-    }
-    MaterialVolumes volumes{};
-    const double* share = shares.all().data();
-    for (const CutSample& sample : lowered) {
-        const double before = *share++;
-        book(volumes, brick, sample.node, (*share++ - before) * spacing * spacing * spacing);
-    }
-    return volumes;
-}
 
 }  // namespace
 
@@ -240,6 +243,7 @@ ChangedBrick carveBrick(Brick& brick, const RemovableInBrick& found, std::uint64
         brick.lowered.set(node);
         if (brick.cut[node] >= 0 && lowered.distance < 0) {
             brick.opened.set(node);
+            brick.setRemoved(node);
             changed.add(node);
         }
         brick.cut[node] = lowered.distance;
@@ -250,14 +254,16 @@ ChangedBrick carveBrick(Brick& brick, const RemovableInBrick& found, std::uint64
 }
 
 MaterialVolumes removedFromBrick(const Brick& brick, double spacing) {
-    RemovedShares shares(brick, spacing);
-    for (std::uint16_t node = 0; node < kBrickNodes; ++node) {
-        shares.add({node, brick.cut[node], brick.cutNormal[node]});
+    VolumeBook book(brick, spacing);
+    for (int first = 0; first < kBrickNodes; first += 4) {
+        std::array<CutSample, 4> samples;
+        for (int i = 0; i < 4; ++i) {
+            const int node = first + i;
+            samples[i] = {static_cast<std::uint16_t>(node), brick.cut[node], brick.cutNormal[node]};
+        }
+        book.add(samples);
     }
-    MaterialVolumes volumes{};
-    const double* share = shares.all().data();
-    for (int node = 0; node < kBrickNodes; ++node) book(volumes, brick, node, *share++ * spacing * spacing * spacing);
-    return volumes;
+    return book.volumes();
 }
 
 }  // namespace tactooth

@@ -156,7 +156,7 @@ std::unique_ptr<Brick> makeBrick(const LayeredTooth& tooth, const Lattice& latti
                                    [&](float d) { return d > static_cast<float>(kAirMargin * spacing); });
     if (isAir) return nullptr;
     auto brick = std::make_unique<Brick>();
-    static_cast<CutField&>(*brick) = CutField::untouched(spacing);
+    brick->setField(CutField::untouched(spacing));
     brick->tooth = distance;
     brick->toothNormal = outer.field().gradient;
     fillMaterials(*brick, tooth, lattice, key);

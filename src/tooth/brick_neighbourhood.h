@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -25,6 +26,26 @@ public:
     [[nodiscard]] static constexpr int index(int x, int y, int z) { return x + 1 + kSide * (y + 1 + kSide * (z + 1)); }
     /// Which nodes of a row along x are removed: bit x + 1 for x from -1 to 8.
     [[nodiscard]] unsigned removedRow(int y, int z) const { return removed_[y + 1 + kSide * (z + 1)]; }
+    enum class Share { None, Some, All };
+    /// How many of the nodes from `low` to `high`, as far as they are here, are removed.
+    [[nodiscard]] Share removedShare(Place low, Place high) const {
+        for (int axis = 0; axis < 3; ++axis) {
+            low[axis] = std::clamp(low[axis], -1, kBrickSide);
+            high[axis] = std::clamp(high[axis], -1, kBrickSide);
+        }
+        const unsigned row = ((1U << (high[0] - low[0] + 1)) - 1) << (low[0] + 1);
+        bool some = false;
+        bool all = true;
+        for (int z = low[2]; z <= high[2]; ++z) {
+            for (int y = low[1]; y <= high[1]; ++y) {
+                const unsigned removed = removedRow(y, z) & row;
+                some |= removed != 0;
+                all &= removed == row;
+                if (some && !all) return Share::Some;
+            }
+        }
+        return all ? Share::All : Share::None;
+    }
     /// Distance to the tooth's surface, mm.
     [[nodiscard]] float tooth(const Place& p) const {
         const Brick* brick = brickOf(p);
@@ -64,11 +85,10 @@ private:
         for (int z = -1; z <= kBrickSide; ++z) {
             for (int y = -1; y <= kBrickSide; ++y) {
                 const Brick* const* bricks = &near_[3 * part(y) + 9 * part(z)];
-                const int first = nodeIndex(0, local(y), local(z));
-                unsigned bits = 0;
-                if (bricks[0] != nullptr) bits |= bricks[0]->cut[first + kBrickSide - 1] < 0 ? 1U : 0U;
-                if (bricks[1] != nullptr) bits |= removedBits(*bricks[1], first) << 1;
-                if (bricks[2] != nullptr) bits |= (bricks[2]->cut[first] < 0 ? 1U : 0U) << (kSide - 1);
+                const auto row = [&](int i) {
+                    return bricks[i] != nullptr ? bricks[i]->removedRow(local(y), local(z)) : 0U;
+                };
+                const unsigned bits = row(0) >> (kBrickSide - 1) | row(1) << 1 | (row(2) & 1U) << (kSide - 1);
                 removed_[y + 1 + kSide * (z + 1)] = static_cast<std::uint16_t>(bits);
                 some |= bits;
                 every &= bits;

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <optional>
 
-#include "tooth/brick_neighbourhood.h"
 #include "tooth/cell_planes.h"
 #include "tooth/cell_topology.h"
 
@@ -71,11 +70,10 @@ Eigen::Map<const Eigen::Array4f> four(const float (&numbers)[4]) { return Eigen:
 
 class WallExtractor {
 public:
-    WallExtractor(const BrickMap& bricks, const Lattice& lattice, const BrickKey& key)
-        : nodes_(bricks, key, lattice.spacing()), key_(key), lattice_(lattice), spacing_(lattice.spacing()) {}
+    WallExtractor(const BrickNeighbourhood& nodes, const Lattice& lattice, const BrickKey& key)
+        : nodes_(nodes), key_(key), lattice_(lattice), spacing_(lattice.spacing()) {}
 
     CavityWall run() {
-        if (!nodes_.hasBorder()) return {};
         reserve();
         sumPlanes();
         forCrossedEdges(0, [this](const Place& a, auto axis) { addPolygon<axis>(a); });
@@ -357,7 +355,7 @@ private:
         return squares > 0 ? -cosine * std::abs(cosine) / squares : 0;
     }
 
-    const BrickNeighbourhood nodes_;
+    const BrickNeighbourhood& nodes_;
     const BrickKey key_;
     const Lattice& lattice_;
     const double spacing_;
@@ -371,8 +369,9 @@ private:
 
 }  // namespace
 
-CavityWall extractWall(const BrickMap& bricks, const Lattice& lattice, const BrickKey& key) {
-    return WallExtractor(bricks, lattice, key).run();
+CavityWall extractWall(const BrickNeighbourhood& nodes, const Lattice& lattice, const BrickKey& key) {
+    if (!nodes.hasBorder()) return {};
+    return WallExtractor(nodes, lattice, key).run();
 }
 
 }  // namespace tactooth

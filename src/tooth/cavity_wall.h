@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "collision/surface.h"
-#include "tooth/cut_volume.h"
+#include "tooth/brick_neighbourhood.h"
 
 namespace tactooth {
 
@@ -26,8 +26,8 @@ struct CavityWall {
     std::vector<std::int8_t> sides;        ///< one a vertex: -1 surely inside the tooth, 1 surely outside, 0 not known
 };
 
-/// Extracts the wall of one brick from the fields of it and its neighbours.
-[[nodiscard]] CavityWall extractWall(const BrickMap& bricks, const Lattice& lattice, const BrickKey& key);
+/// Extracts the wall of the brick `key` from the fields of it and its neighbours.
+[[nodiscard]] CavityWall extractWall(const BrickNeighbourhood& nodes, const Lattice& lattice, const BrickKey& key);
 
 /// How far the triangles of a brick's wall can reach beyond the brick's first and last node, in voxels.
 inline constexpr double kWallReach = 1.5;

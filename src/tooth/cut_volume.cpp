@@ -243,8 +243,9 @@ CarveResult CutVolume::removePieces(const NodeSets& pieces) {
 std::vector<ChangedBrick> CutVolume::undo() {
     std::vector<ChangedBrick> changed;
     ++carves_;  // what was found removable holds no more
+    ++undos_;
     for (const auto& [key, before] : journal_.takeBack()) {
-        static_cast<CutField&>(*bricks_.find(key)) = before;
+        bricks_.find(key)->setField(before);
         changed.push_back(ChangedBrick::all(key));
     }
     return changed;
@@ -264,7 +265,7 @@ std::vector<ChangedBrick> CutVolume::adopt(const std::map<BrickKey, CutField>& f
     for (const auto& [key, field] : fields) {
         Brick* brick = bricks_.find(key);
         if (brick == nullptr) continue;
-        static_cast<CutField&>(*brick) = field;
+        brick->setField(field);
         changed.push_back(ChangedBrick::all(key));
     }
     return changed;

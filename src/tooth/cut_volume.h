@@ -119,6 +119,8 @@ public:
     /// Everything as it was at the last mark that anything came after, bit for bit; forgets that mark. Returns the
     /// bricks that changed.
     std::vector<ChangedBrick> undo();
+    /// How often `undo` was called: between two calls the removed region only grows.
+    [[nodiscard]] std::uint64_t undos() const { return undos_; }
 
     /// The whole tooth again; no mark is left.
     void reset() {
@@ -157,6 +159,7 @@ private:
     BrickMap bricks_;
     CutJournal journal_;
     std::uint64_t carves_ = 0;
+    std::uint64_t undos_ = 0;
 };
 
 }  // namespace tactooth

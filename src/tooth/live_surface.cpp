@@ -3,7 +3,8 @@
 #include "tooth/live_surface.h"
 
 #include <algorithm>
-#include <set>
+#include <cmath>
+#include <utility>
 
 #include "geometry/parallel_for.h"
 #include "tooth/base_cutter.h"
@@ -22,6 +23,11 @@ Box3 triangleBox(const TriangleMesh& mesh, std::uint32_t t) {
 Box3 grown(const Box3& box, double margin) {
     return {box.min() - Vec3::Constant(margin), box.max() + Vec3::Constant(margin)};
 }
+
+// Voxels; a wall triangle lies within 1.35 of the lattice edge that it is made for (kWallReach), which ends a node
+// further on: nodes in this range about a triangle tell whether any may touch it.
+constexpr float kNodesBefore = 1.5F;
+constexpr float kNodesBeyond = 3.0F;
 
 /// All that the triangles of a brick's wall can touch.
 Box3 wallBox(const Lattice& lattice, const BrickKey& key) {
@@ -54,15 +60,23 @@ void LiveSurface::reset() {
 
 void LiveSurface::update(const CutVolume& volume, const std::vector<ChangedBrick>& changed) {
     if (changed.empty()) return;
-    std::vector<BrickKey> dirty = bricksToExtract(volume, changed);
+    onlyGrows_ = std::exchange(undosSeen_, volume.undos()) == volume.undos();
+    if (!onlyGrows_) {  // what was passed may be met again
+        for (auto& [key, cell] : cells_) cell.knowsBase = false;
+    }
+    const std::vector<BrickKey> keys = bricksToExtract(volume, changed);
     std::vector<Cell*> cells;
-    for (const BrickKey& key : dirty) cells.push_back(&cells_[key]);
+    for (const BrickKey& key : keys) cells.push_back(&cells_[key]);
     countMargin(cells, ~0U);
-    parallelFor(dirty.size(), [&](std::size_t i) { extract(volume, dirty[i], *cells[i]); });
+    parallelFor(keys.size(), [&](std::size_t i) { extract(volume, keys[i], *cells[i]); });
     countMargin(cells, 1);
-    for (const Cell* cell : cells) failures_ += static_cast<std::size_t>(cell->wall.failures);
 
-    const std::vector<std::uint32_t> triangles = affectedBase(dirty);
+    std::vector<BrickKey> dirty;
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        failures_ += static_cast<std::size_t>(cells[i]->wall.failures);
+        if (cells[i]->isNew) dirty.push_back(keys[i]);
+    }
+    const std::vector<std::uint32_t> triangles = affectedBase(cells);
     storeBase(triangles, cutBase(volume, triangles, cutLines(triangles)), dirty);
     publish(std::move(dirty));
 }
@@ -70,20 +84,20 @@ void LiveSurface::update(const CutVolume& volume, const std::vector<ChangedBrick
 /// A change in the outermost node layer of a brick moves the wall of the brick beyond it, too.
 std::vector<BrickKey> LiveSurface::bricksToExtract(const CutVolume& volume,
                                                    const std::vector<ChangedBrick>& changed) const {
-    std::set<BrickKey> keys;
+    std::vector<BrickKey> keys;
     for (const ChangedBrick& brick : changed) {
-        const auto reaches = [&](int axis, int step) {
-            return step == 0 || (step < 0 ? brick.low[axis] == 0 : brick.high[axis] == kBrickSide - 1);
-        };
-        for (int i = 0; i < 27; ++i) {
-            const int dx = i % 3 - 1;
-            const int dy = i / 3 % 3 - 1;
-            const int dz = i / 9 - 1;
-            const BrickKey key = brick.key.moved(dx, dy, dz);
-            if (reaches(0, dx) && reaches(1, dy) && reaches(2, dz) && volume.bricks().find(key)) keys.insert(key);
+        const auto first = [&](int axis) { return brick.low[axis] == 0 ? -1 : 0; };
+        const auto last = [&](int axis) { return brick.high[axis] == kBrickSide - 1 ? 1 : 0; };
+        for (int dx = first(0); dx <= last(0); ++dx) {
+            for (int dy = first(1); dy <= last(1); ++dy) {
+                for (int dz = first(2); dz <= last(2); ++dz) keys.push_back(brick.key.moved(dx, dy, dz));
+            }
         }
     }
-    return {keys.begin(), keys.end()};
+    std::sort(keys.begin(), keys.end());
+    keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+    std::erase_if(keys, [&](const BrickKey& key) { return volume.bricks().find(key) == nullptr; });
+    return keys;
 }
 
 void LiveSurface::extract(const CutVolume& volume, const BrickKey& key, Cell& cell) const {
@@ -92,17 +106,41 @@ void LiveSurface::extract(const CutVolume& volume, const BrickKey& key, Cell& ce
         cell.bodies = bodiesIn(*base_, cell.base.triangles(), wallBox(lattice_, key).center());
         cell.knowsBase = true;
     }
-    CavityWall wall = extractWall(volume.bricks(), lattice_, key);
-    cell.margin = findMargin(wall, base_->mesh(), cell.base);
-    cell.wall = cutWall(std::move(wall), cell.margin, *base_);
+    const BrickNeighbourhood nodes(volume.bricks(), key, lattice_.spacing());
+    CavityWall wall = extractWall(nodes, lattice_, key);
+    cell.margin = findMargin(wall, base_->mesh(), findAffected(nodes, key, cell));
+    WallPatch patch = cutWall(std::move(wall), cell.margin, *base_);
+    cell.isNew = !patch.isLike(cell.wall);
+    cell.wall = std::move(patch);
 }
 
-std::vector<std::uint32_t> LiveSurface::affectedBase(const std::vector<BrickKey>& keys) const {
+/// A triangle of the base changes where the wall is near it; these are returned. What lies among removed nodes alone is
+/// looked at once more and then forgotten: they stay removed, so no wall comes near it again.
+TriangleBoxes LiveSurface::findAffected(const BrickNeighbourhood& nodes, const BrickKey& key, Cell& cell) const {
+    TriangleBoxes nearWall;
+    const Vec3f corner = lattice_.corner(key).cast<float>();
+    const auto voxels = static_cast<float>(1 / lattice_.spacing());
+    cell.affected.clear();
+    cell.base.forgetIf([&](std::uint32_t triangle, const Vec3f& low, const Vec3f& high) {
+        const auto place = [&](const Vec3f& point, float beyond) {
+            const Vec3f at = ((point - corner) * voxels).array() + beyond;
+            // Places beyond the brick are all one; numbers far beyond would not fit.
+            const auto whole = [](float value) {
+                return static_cast<int>(std::floor(std::clamp(value, -8.0F, 16.0F)));
+            };
+            return BrickNeighbourhood::Place{whole(at.x()), whole(at.y()), whole(at.z())};
+        };
+        const auto share = nodes.removedShare(place(low, -kNodesBefore), place(high, kNodesBeyond));
+        if (share != BrickNeighbourhood::Share::None || !onlyGrows_) cell.affected.push_back(triangle);
+        if (share == BrickNeighbourhood::Share::Some) nearWall.add(triangle, low, high);
+        return share == BrickNeighbourhood::Share::All;
+    });
+    return nearWall;
+}
+
+std::vector<std::uint32_t> LiveSurface::affectedBase(const std::vector<Cell*>& cells) {
     std::vector<std::uint32_t> triangles;
-    for (const BrickKey& key : keys) {
-        const std::vector<std::uint32_t>& near = cells_.at(key).base.triangles();
-        triangles.insert(triangles.end(), near.begin(), near.end());
-    }
+    for (const Cell* cell : cells) triangles.insert(triangles.end(), cell->affected.begin(), cell->affected.end());
     std::sort(triangles.begin(), triangles.end());
     triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
     return triangles;

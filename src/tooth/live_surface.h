@@ -39,10 +39,12 @@ private:
     /// What the surface keeps for one brick.
     struct Cell {
         bool knowsBase = false;
-        TriangleBoxes base;  ///< triangles of the tooth's surface near the brick's wall
+        TriangleBoxes base;  ///< triangles of the tooth's surface that the brick's wall is near or may still come to
+        std::vector<std::uint32_t> affected;  ///< those of them of which the last update has changed something
         BrickBodies bodies = BrickBodies::Either;
         std::vector<MarginPiece> margin;
         WallPatch wall;
+        bool isNew = false;  ///< the last update has changed the wall
         /// Pieces of the base triangles whose middle lies in this brick, by triangle.
         std::map<std::uint32_t, std::vector<std::array<Vec3f, 3>>> remains;
     };
@@ -50,9 +52,10 @@ private:
     [[nodiscard]] std::vector<BrickKey> bricksToExtract(const CutVolume& volume,
                                                         const std::vector<ChangedBrick>& changed) const;
     void extract(const CutVolume& volume, const BrickKey& key, Cell& cell) const;
+    TriangleBoxes findAffected(const BrickNeighbourhood& nodes, const BrickKey& key, Cell& cell) const;
     void countMargin(const std::vector<Cell*>& cells, std::uint32_t step);
     [[nodiscard]] std::vector<const MarginPiece*> marginOf(std::uint32_t triangle) const;
-    [[nodiscard]] std::vector<std::uint32_t> affectedBase(const std::vector<BrickKey>& keys) const;
+    [[nodiscard]] static std::vector<std::uint32_t> affectedBase(const std::vector<Cell*>& cells);
     [[nodiscard]] std::vector<std::vector<ClipSegment>> cutLines(const std::vector<std::uint32_t>& triangles) const;
     void storeBase(const std::vector<std::uint32_t>& triangles, std::vector<BaseRemains> results,
                    std::vector<BrickKey>& dirty);
@@ -67,6 +70,8 @@ private:
     TreeThinner thinner_;  ///< of the same triangles
     std::shared_ptr<const Surface> snapshot_;
     std::size_t failures_ = 0;
+    std::uint64_t undosSeen_ = 0;
+    bool onlyGrows_ = true;  ///< the removed region, in the update at hand
 };
 
 }  // namespace tactooth

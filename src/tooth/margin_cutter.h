@@ -33,6 +33,11 @@ struct WallPatch {
     TriangleMesh mesh;
     std::vector<SurfaceTag> tags;
     int failures = 0;  ///< triangles whose cut lines did not fit together; they are left whole
+
+    /// The same triangles with the same tags.
+    [[nodiscard]] bool isLike(const WallPatch& other) const {
+        return tags == other.tags && mesh.triangles == other.mesh.triangles && mesh.vertices == other.mesh.vertices;
+    }
 };
 [[nodiscard]] WallPatch cutWall(CavityWall wall, const std::vector<MarginPiece>& margin, const SurfacePart& base);
 

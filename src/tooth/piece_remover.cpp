@@ -55,7 +55,9 @@ MaterialVolumes removeNodes(Brick& brick, const NodeSet& nodes, double spacing) 
     MaterialVolumes taken = removedFromBrick(brick, spacing);
     for (double& volume : taken) volume = -volume;
     for (int node = 0; node < kBrickNodes; ++node) {
-        if (nodes[static_cast<std::size_t>(node)]) brick.cut[node] = static_cast<float>(-kCutBand * spacing);
+        if (!nodes[static_cast<std::size_t>(node)]) continue;
+        brick.cut[node] = static_cast<float>(-kCutBand * spacing);
+        brick.setRemoved(node);
     }
     brick.isCut = true;
     const MaterialVolumes after = removedFromBrick(brick, spacing);

@@ -103,15 +103,26 @@ bool RevolutionEnvelope::isInside(double radius, double z) const {
     return radius < lower->radius + t * (upper->radius - lower->radius);
 }
 
+/// Nearest within a segment, a point lies on the side to which its offset points.
+bool RevolutionEnvelope::isInside(const Nearest& hit, double radius, double z) const {
+    if (!hit.isWithin || hit.squaredDistance <= kOnSurface * kOnSurface) return isInside(radius, z);
+    const Segment& segment = segments_[hit.segment];
+    return hit.offsetR * segment.directionZ - hit.offsetZ * segment.directionR < 0;
+}
+
+double RevolutionEnvelope::signedDistance(const Vec3& pointInTool) const {
+    const double radius = std::sqrt(pointInTool.x() * pointInTool.x() + pointInTool.y() * pointInTool.y());
+    const Nearest hit = nearest(radius, pointInTool.z());
+    const double distance = std::sqrt(hit.squaredDistance);
+    return isInside(hit, radius, pointInTool.z()) ? -distance : distance;
+}
+
 FieldSample RevolutionEnvelope::sample(const Vec3& pointInTool) const {
     const double radius = std::sqrt(pointInTool.x() * pointInTool.x() + pointInTool.y() * pointInTool.y());
     const Nearest hit = nearest(radius, pointInTool.z());
     const double distance = std::sqrt(hit.squaredDistance);
     const Segment& segment = segments_[hit.segment];
-    // Nearest within a segment, a point lies on the side to which its offset points.
-    const bool inside = hit.isWithin && distance > kOnSurface
-                            ? hit.offsetR * segment.directionZ - hit.offsetZ * segment.directionR < 0
-                            : isInside(radius, pointInTool.z());
+    const bool inside = isInside(hit, radius, pointInTool.z());
     double slopeR;
     double slopeZ;
     if (distance > kOnSurface) {
@@ -126,6 +137,15 @@ FieldSample RevolutionEnvelope::sample(const Vec3& pointInTool) const {
     return {inside ? -distance : distance, Vec3(slopeR * outward.x(), slopeR * outward.y(), slopeZ)};
 }
 
+/// Whether the corner at the end of a segment stands out. The profile runs upward on the outside, so inward is to the
+/// left; on the axis it meets its own mirror image.
+bool RevolutionEnvelope::bulgesAfter(std::size_t segment) const {
+    if (segment + 1 == segments_.size()) return true;
+    const Segment& before = segments_[segment];
+    const Segment& after = segments_[segment + 1];
+    return before.directionR * after.directionZ >= before.directionZ * after.directionR;
+}
+
 bool RevolutionEnvelope::findPart(const Vec3& pointInTool, double distance, double reach, ProfilePart& part) const {
     const double radius = std::sqrt(pointInTool.x() * pointInTool.x() + pointInTool.y() * pointInTool.y());
     const double z = pointInTool.z();
@@ -133,21 +153,25 @@ bool RevolutionEnvelope::findPart(const Vec3& pointInTool, double distance, doub
     const auto topOf = [](const Segment& s) { return s.start.z + s.length * s.directionZ; };
     const auto isBelow = [&](const Segment& s) { return topOf(s) < z - farthest; };  // a profile never falls
     const auto first = std::partition_point(segments_.begin(), segments_.end(), isBelow);
-    part.pieceCount = part.spanCount = 0;
+    const auto sideAfter = [&](std::size_t segment) { return bulgesAfter(segment) ? 1.0F : -1.0F; };
+    part.pieceCount = 0;
+    part.bulges = true;
+    auto before = segments_.end();
     for (auto s = first; s != segments_.end() && s->start.z <= z + farthest; ++s) {
         const auto index = static_cast<std::uint16_t>(s - segments_.begin());
-        const auto low = static_cast<float>(s->start.z - z);
-        if (nearest(radius, z, &index, &index + 1).squaredDistance <= farthest * farthest) {
-            if (part.pieceCount == static_cast<int>(part.pieces.size())) return false;
-            part.pieces[part.pieceCount++] = {static_cast<float>(s->start.radius), low,
-                                              static_cast<float>(s->directionR), static_cast<float>(s->directionZ),
-                                              static_cast<float>(s->length)};
-        }
-        const double top = topOf(*s);
-        if (s->start.z > z + reach || top < z - reach || !(top > s->start.z)) continue;
-        if (part.spanCount == static_cast<int>(part.spans.size())) return false;
-        part.spans[part.spanCount++] = {low, static_cast<float>(top - z), static_cast<float>(s->start.radius),
-                                        static_cast<float>(s->directionR / s->directionZ)};
+        if (nearest(radius, z, &index, &index + 1).squaredDistance > farthest * farthest) continue;
+        if (part.pieceCount == static_cast<int>(part.pieces.size())) return false;
+        const double startR = s->start.radius;
+        const double startZ = s->start.z - z;
+        const float sideAtStart = index > 0 ? sideAfter(index - 1U) : 1.0F;
+        part.pieces[part.pieceCount++] = {static_cast<float>(s->directionR),
+                                          static_cast<float>(s->directionZ),
+                                          static_cast<float>(-startR * s->directionR - startZ * s->directionZ),
+                                          static_cast<float>(startZ * s->directionR - startR * s->directionZ),
+                                          static_cast<float>(s->length),
+                                          sideAtStart + 2 * sideAfter(index)};
+        part.bulges &= before == segments_.end() || (before + 1 == s && bulgesAfter(index - 1U));
+        before = s;
     }
     return true;
 }

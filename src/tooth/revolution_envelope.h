@@ -17,22 +17,21 @@ struct FieldSample {
     Vec3 gradient;    ///< unit
 };
 
-/// The pieces of a profile that points of one small region can be nearest to, and those at their heights, in single
-/// precision for eight points at a time. Heights count from the middle of the region.
+/// The pieces of a profile that points of one small region can be nearest to, in single precision for eight points at a
+/// time. Heights count from the middle of the region.
 struct ProfilePart {
+    /// A straight piece: how far a point (radius, height) is along it and outside it, mm, are linear in both.
     struct Piece {
-        float radius, z;               ///< of its start, mm
         float directionR, directionZ;  ///< unit
+        float along, outside;          ///< of the point (0, 0)
         float length;
-    };
-    /// The outside at the heights from `low` to `high`: radius at `low` and its growth.
-    struct Span {
-        float low, high, radius, growth;
+        /// On which side points are that are nearest to an end of it: 1 (outside) where the profile bulges there,
+        /// else -1. The one at the start plus twice the one at the end.
+        float sides;
     };
     std::array<Piece, 48> pieces;
-    std::array<Span, 48> spans;
     int pieceCount = 0;
-    int spanCount = 0;
+    bool bulges = false;  ///< the pieces follow each other without a dent: the distance is convex along straight paths
 };
 
 /// The solid that a bur fills while it spins about its axis (z of the tool frame, tip at the bottom): a solid of
@@ -50,7 +49,7 @@ public:
 
     /// Exact distance from a point of the tool frame to the surface of revolution, negative inside, with its gradient.
     [[nodiscard]] FieldSample sample(const Vec3& pointInTool) const;
-    [[nodiscard]] double signedDistance(const Vec3& pointInTool) const { return sample(pointInTool).distance; }
+    [[nodiscard]] double signedDistance(const Vec3& pointInTool) const;
 
     /// The part that matters within `reach` (mm) of a point of the tool frame that is `distance` from the surface,
     /// whichever side it is on. False if it has too many pieces.
@@ -78,7 +77,9 @@ private:
     void buildGrid();
     [[nodiscard]] Nearest nearest(double radius, double z, const std::uint16_t* first, const std::uint16_t* last) const;
     [[nodiscard]] Nearest nearest(double radius, double z) const;
+    [[nodiscard]] bool bulgesAfter(std::size_t segment) const;
     [[nodiscard]] bool isInside(double radius, double z) const;
+    [[nodiscard]] bool isInside(const Nearest& hit, double radius, double z) const;
 
     std::vector<ProfilePoint> profile_;
     std::vector<Segment> segments_;

@@ -18,6 +18,7 @@ using ProfilePoint = RevolutionEnvelope::ProfilePoint;
 constexpr double kSameHeight = 1e-6;        ///< mm; vertex heights closer than this are one (an STL's rounding)
 constexpr double kChordError = 0.0004;      ///< mm; how far a chord may stand out from its arc
 constexpr double kSimplification = 0.0002;  ///< mm; how far a dropped corner may lie from the simplified profile
+constexpr double kShallow = 0.0004;         ///< mm; a dent no deeper is bridged
 
 struct Edge {
     Vec3 low, high;
@@ -111,6 +112,32 @@ std::vector<ProfilePoint> simplified(const std::vector<ProfilePoint>& points) {
     return result;
 }
 
+/// Leaves out shallow dents: each facet of a bur makes one (see above), and where the profile bulges everywhere a sweep
+/// is told apart from its steps with less ado (SweepLanes). As Graham's scan (1972) makes a hull, if no dent is deep.
+std::vector<ProfilePoint> bridged(const std::vector<ProfilePoint>& points) {
+    std::vector<std::size_t> kept;
+    const auto isDent = [&](std::size_t before, std::size_t at, std::size_t after) {
+        const ProfilePoint &a = points[before], &b = points[at], &c = points[after];
+        return (b.radius - a.radius) * (c.z - b.z) < (b.z - a.z) * (c.radius - b.radius);
+    };
+    const auto isShallow = [&](std::size_t from, std::size_t to) {
+        for (std::size_t i = from + 1; i < to; ++i) {
+            if (distanceToChord(points[i], points[from], points[to]) > kShallow) return false;
+        }
+        return true;
+    };
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        while (kept.size() >= 2 && isDent(kept[kept.size() - 2], kept.back(), i) &&
+               isShallow(kept[kept.size() - 2], i)) {
+            kept.pop_back();
+        }
+        kept.push_back(i);
+    }
+    std::vector<ProfilePoint> result;
+    for (const std::size_t i : kept) result.push_back(points[i]);
+    return result;
+}
+
 /// Moves the outer corners out by the error of the simplification, so that the profile holds the mesh again.
 void inflate(std::vector<ProfilePoint>& profile, bool wasSimplified) {
     if (!wasSimplified) return;
@@ -146,7 +173,7 @@ std::vector<ProfilePoint> revolutionProfile(const TriangleMesh& mesh) {
     };
     points.erase(std::unique(points.begin(), points.end(), isRepeated), points.end());
 
-    std::vector<ProfilePoint> profile = simplified(points);
+    std::vector<ProfilePoint> profile = bridged(simplified(points));
     double error = 0;
     for (const ProfilePoint& point : points) {
         double nearest = kSimplification;

@@ -12,6 +12,7 @@ namespace {
 
 constexpr float kDistanceError = 1e-5F;  ///< mm; where the search for the nearest moment stops
 constexpr int kSearchRounds = 12;        ///< tangent cuts on a unit interval; three are usual
+constexpr double kPlaneError = 1e-5;     ///< mm; more than rounding can take from a plane's distance
 /// mm; nearer than this the offset to a corner of the profile has no direction.
 constexpr float kNoDirection = 1e-6F;
 /// Share by which a region is looked at wider: its points are rounded.
@@ -55,66 +56,68 @@ Vec3x8 SweepLanes::Frame::at(const Vec3x8& place) const {
 SweepLanes::SweepLanes(const SweepStep& step, const Vec3& first, double spacing, double side, double beyond,
                        const SweepStep::Look& middle)
     : step_(step), first_(first), spacing_(spacing) {
-    const double reach = (0.5 * side * std::sqrt(3.0) + beyond) * spacing + step.travel_;
-    hasPart_ = step.envelope_->findPart(middle.pointInTool, middle.distance, reach * (1 + kRounding), part_);
-    from_ = frame(step.from_.toTool(first), spacing * step.from_.toolFromTooth, middle.pointInTool.z());
-    to_ = frame(step.to_.toTool(first), spacing * step.to_.toolFromTooth, middle.pointInTool.z());
+    const double reach = (0.5 * side * std::sqrt(3.0) + beyond) * spacing + middle.way;
+    hasPart_ = step.envelope_->findPart(middle.pointInTool, middle.sample.distance, reach * (1 + kRounding), part_);
+    searchedParts_ = part_.bulges ? 1 : step.parts_;
+    const auto planeOf = [&](const Vec3& firstInTool, const Mat3& steps) {
+        const Vec3& normal = middle.sample.gradient;
+        const double distance = middle.sample.distance + normal.dot(firstInTool - middle.pointInTool);
+        const Vec3 growth = steps.transpose() * normal;
+        return Plane{static_cast<float>(distance - step.clearance_ - kPlaneError),
+                     {static_cast<float>(growth.x()), static_cast<float>(growth.y()), static_cast<float>(growth.z())}};
+    };
+    const auto place = [&](const SweepStep::Placed& pose, Frame& itsFrame, Plane& plane) {
+        const Vec3 firstInTool = pose.toTool(first);
+        const Mat3 steps = spacing * pose.toolFromTooth;
+        itsFrame = frame(firstInTool, steps, middle.pointInTool.z());
+        plane = planeOf(firstInTool, steps);
+    };
+    place(step.from_, from_, planeFrom_);
+    place(step.to_, to_, planeTo_);
 }
 
 /// RevolutionEnvelope::sample for points of the region that `part_` was found for.
 SweepLanes::Profile8 SweepLanes::sampleProfile(const Vec3x8& point) const {
     const Float8 radius = sqrt(point.x * point.x + point.y * point.y);
     Float8 best = Float8::all(std::numeric_limits<float>::max());
-    Float8 offsetR = zero8();
-    Float8 offsetZ = zero8();
+    Float8 outside = zero8();
+    Float8 beyond = zero8();
     Float8 directionR = zero8();
     Float8 directionZ = zero8();
-    Float8 beyondEnd = zero8();
+    Float8 sides = zero8();
     for (int i = 0; i < part_.pieceCount; ++i) {
         const ProfilePart::Piece& piece = part_.pieces[i];
         const Float8 pieceR = Float8::all(piece.directionR);
         const Float8 pieceZ = Float8::all(piece.directionZ);
-        const Float8 dr = radius - Float8::all(piece.radius);
-        const Float8 dz = point.z - Float8::all(piece.z);
-        const Float8 place = dr * pieceR + dz * pieceZ;
-        const Float8 along = min(max(place, zero8()), Float8::all(piece.length));
-        const Float8 awayR = dr - along * pieceR;
-        const Float8 awayZ = dz - along * pieceZ;
-        const Float8 squared = awayR * awayR + awayZ * awayZ;
-        offsetR = whereLess(squared, best, awayR, offsetR);
-        offsetZ = whereLess(squared, best, awayZ, offsetZ);
+        const Float8 along = radius * pieceR + point.z * pieceZ + Float8::all(piece.along);
+        const Float8 off = radius * pieceZ - point.z * pieceR + Float8::all(piece.outside);
+        const Float8 over = along - min(max(along, zero8()), Float8::all(piece.length));
+        const Float8 squared = off * off + over * over;
+        outside = whereLess(squared, best, off, outside);
+        beyond = whereLess(squared, best, over, beyond);
         directionR = whereLess(squared, best, pieceR, directionR);
         directionZ = whereLess(squared, best, pieceZ, directionZ);
-        beyondEnd = whereLess(squared, best, place - along, beyondEnd);
+        sides = whereLess(squared, best, Float8::all(piece.sides), sides);
         best = min(best, squared);
     }
-    const Float8 distance = sqrt(best);
     // Nearest within a piece, a point lies on the side to which its offset points, and has the piece's normal.
-    Float8 sign = whereLess(offsetR * directionZ, offsetZ * directionR, Float8::all(-1), one8());
+    Float8 distance = outside;
     Float8 slopeR = directionZ;
     Float8 slopeZ = zero8() - directionR;
-    const Float8 isCorner = isLess(zero8(), beyondEnd * beyondEnd);
+    const Float8 isCorner = isLess(zero8(), beyond * beyond);
     if (isAny(isCorner)) {
-        Float8 outside = one8();
-        for (int i = 0; i < part_.spanCount; ++i) {
-            const ProfilePart::Span& span = part_.spans[i];
-            const Float8 above = point.z - Float8::all(span.low);
-            const Float8 beyond = radius - (Float8::all(span.radius) + above * Float8::all(span.growth));
-            // A point at the very height where two spans meet belongs to both.
-            const Float8 isBeside =
-                isLess(Float8::all(kNoDirection), max(zero8() - above, point.z - Float8::all(span.high)));
-            outside = min(outside, choose(isBeside, one8(), beyond));
-        }
-        sign = choose(isCorner, whereLess(outside, zero8(), Float8::all(-1), one8()), sign);
-        const Float8 hasDirection = isLess(Float8::all(kNoDirection), distance) * isCorner;
-        const Float8 scale = sign / max(distance, Float8::all(kNoDirection));
-        slopeR = choose(hasDirection, offsetR * scale, slopeR);
-        slopeZ = choose(hasDirection, offsetZ * scale, slopeZ);
+        const Float8 atEnd = whereLess(sides, zero8(), Float8::all(-1), one8());
+        const Float8 side = whereLess(beyond, zero8(), sides - atEnd - atEnd, atEnd);
+        const Float8 size = sqrt(best);
+        const Float8 hasDirection = isCorner * isLess(Float8::all(kNoDirection), size);
+        const Float8 scale = side / max(size, Float8::all(kNoDirection));
+        slopeR = choose(hasDirection, (beyond * directionR + outside * directionZ) * scale, slopeR);
+        slopeZ = choose(hasDirection, (beyond * directionZ - outside * directionR) * scale, slopeZ);
+        distance = choose(isCorner, side * size, distance);
     }
     const Float8 onAxis = isLess(radius, Float8::all(kNoDirection));
     const Float8 outward = slopeR / max(radius, Float8::all(kNoDirection));
-    return {sign * distance,
-            {choose(onAxis, slopeR, outward * point.x), choose(onAxis, zero8(), outward * point.y), slopeZ}};
+    return {distance, {choose(onAxis, slopeR, outward * point.x), choose(onAxis, zero8(), outward * point.y), slopeZ}};
 }
 
 /// Where the profile has too many pieces near the cube.
@@ -134,64 +137,86 @@ Samples8 SweepLanes::sampleOneByOne(const Vec3x8& place, Float8 atLeast) const {
     return {Float8::load(distances), Vec3x8::load(gradients)};
 }
 
-// The search of SweepStep::sample, lane by lane: a flag tells which lanes still take part.
+/// Eight points on their way through a part of the step, and the nearest of what was met so far.
+struct SweepLanes::Search {
+    Float8 limit;      ///< what a distance must come below to count
+    Float8 moment;     ///< of the nearest: 0 at the step's start, 1 at its end
+    Profile8 nearest;  ///< its distance at `limit` where nothing counts
+};
+
+// SweepStep::searchPart, lane by lane: a flag tells which lanes still take part.
+void SweepLanes::searchPart(const Vec3x8& start, const Vec3x8& end, float first, float last, Search& search) const {
+    const auto take = [&](const Profile8& profile, Float8 moment, Float8 flag) {
+        const Float8 isBetter = flag * isLess(profile.distance, search.nearest.distance);
+        search.nearest.distance = choose(isBetter, profile.distance, search.nearest.distance);
+        search.nearest.gradient = choose(isBetter, profile.gradient, search.nearest.gradient);
+        search.moment = choose(isBetter, Float8::all(first) + moment * Float8::all(last - first), search.moment);
+    };
+    const Profile8 right = sampleProfile(end);
+    const Vec3x8 path = end - start;
+    Float8 rightDistance = right.distance;
+    Float8 rightSlope = right.slope(path);
+    take(right, one8(), one8());
+    Float8 searching =
+        isLess(zero8(), rightSlope) * isLess(rightDistance - rightSlope, min(search.limit, search.nearest.distance));
+    if (!isAny(searching)) return;
+    const Profile8 left = sampleProfile(start);
+    Float8 leftDistance = left.distance;
+    Float8 leftSlope = left.slope(path);
+    take(left, zero8(), searching);
+    searching = searching * isLess(leftSlope, zero8());
+    Float8 a = zero8();
+    Float8 b = one8();
+    for (int round = 0; round < kSearchRounds && isAny(searching); ++round) {
+        const Float8 meeting =
+            (rightDistance - leftDistance + leftSlope * a - rightSlope * b) / (leftSlope - rightSlope);
+        const Float8 moment = min(max(meeting, a), b);  // all but equal slopes meet where rounding will have it
+        const Float8 bound = leftDistance + leftSlope * (moment - a);
+        searching = searching * isLess(a, moment) * isLess(moment, b) *
+                    isLess(bound + Float8::all(kDistanceError), search.nearest.distance);
+        if (!isAny(searching)) break;
+        const Profile8 middle =
+            sampleProfile({start.x + moment * path.x, start.y + moment * path.y, start.z + moment * path.z});
+        const Float8 slope = middle.slope(path);
+        take(middle, moment, searching);
+        const Float8 rises = searching * isLess(zero8(), slope);
+        const Float8 falls = searching - rises;
+        b = choose(rises, moment, b);
+        rightDistance = choose(rises, middle.distance, rightDistance);
+        rightSlope = choose(rises, slope, rightSlope);
+        a = choose(falls, moment, a);
+        leftDistance = choose(falls, middle.distance, leftDistance);
+        leftSlope = choose(falls, slope, leftSlope);
+    }
+}
+
 Samples8 SweepLanes::sample(const Vec3x8& place, Float8 atLeast) const {
     if (!hasPart_) return sampleOneByOne(place, atLeast);
     const Float8 clearance = Float8::all(static_cast<float>(step_.clearance_));
-    const Float8 limit = atLeast + clearance;
-    const Vec3x8 end = to_.at(place);
-    Profile8 best = sampleProfile(end);
-    Float8 counts = isLess(best.distance - Float8::all(static_cast<float>(step_.travel_)), limit);
-    if (!isAny(counts)) return {atLeast, best.gradient};
-
     const Vec3x8 start = from_.at(place);
-    const Vec3x8 path = end - start;
-    Float8 rightDistance = best.distance;
-    Float8 rightSlope = best.slope(path);
-    counts = counts * isLess(rightDistance - max(zero8(), rightSlope), limit);
-    Float8 searching = counts * isLess(zero8(), rightSlope);
-    Float8 bestMoment = one8();
-    if (isAny(searching)) {
-        const Profile8 first = sampleProfile(start);
-        Float8 leftDistance = first.distance;
-        Float8 leftSlope = first.slope(path);
-        const auto take = [&](const Profile8& profile, Float8 moment) {
-            const Float8 isBetter = searching * isLess(profile.distance, best.distance);
-            best.distance = choose(isBetter, profile.distance, best.distance);
-            best.gradient = choose(isBetter, profile.gradient, best.gradient);
-            bestMoment = choose(isBetter, moment, bestMoment);
+    const Vec3x8 end = to_.at(place);
+    Search search{atLeast + clearance, one8(), {atLeast + clearance, Vec3x8::all(0, 0, 1)}};
+    if (searchedParts_ == 1) {
+        searchPart(start, end, 0, 1, search);
+    } else {
+        const Vec3x8 path = end - start;
+        const auto at = [&](float moment) {
+            const Float8 share = Float8::all(moment);
+            return Vec3x8{start.x + share * path.x, start.y + share * path.y, start.z + share * path.z};
         };
-        take(first, zero8());
-        searching = searching * isLess(leftSlope, zero8());
-        Float8 a = zero8();
-        Float8 b = one8();
-        for (int round = 0; round < kSearchRounds && isAny(searching); ++round) {
-            const Float8 meeting =
-                (rightDistance - leftDistance + leftSlope * a - rightSlope * b) / (leftSlope - rightSlope);
-            const Float8 moment = min(max(meeting, a), b);  // all but equal slopes meet where rounding will have it
-            const Float8 bound = leftDistance + leftSlope * (moment - a);
-            counts = choose(searching, isLess(bound, limit), counts);
-            searching = searching * counts * isLess(a, moment) * isLess(moment, b) *
-                        isLess(bound + Float8::all(kDistanceError), best.distance);
-            if (!isAny(searching)) break;
-            const Profile8 middle =
-                sampleProfile({start.x + moment * path.x, start.y + moment * path.y, start.z + moment * path.z});
-            const Float8 slope = middle.slope(path);
-            take(middle, moment);
-            const Float8 rises = searching * isLess(zero8(), slope);
-            const Float8 falls = searching - rises;
-            b = choose(rises, moment, b);
-            rightDistance = choose(rises, middle.distance, rightDistance);
-            rightSlope = choose(rises, slope, rightSlope);
-            a = choose(falls, moment, a);
-            leftDistance = choose(falls, middle.distance, leftDistance);
-            leftSlope = choose(falls, slope, leftSlope);
+        for (int part = searchedParts_ - 1; part >= 0; --part) {
+            const float first = static_cast<float>(part) / static_cast<float>(searchedParts_);
+            const float last = static_cast<float>(part + 1) / static_cast<float>(searchedParts_);
+            searchPart(at(first), at(last), first, last, search);
         }
     }
-    Vec3x8 gradient = turned(best.gradient, step_.to_.toothFromTool);
-    const Float8 isEarly = isLess(bestMoment, Float8::all(0.5F));
-    if (isAny(isEarly)) gradient = choose(isEarly, turned(best.gradient, step_.from_.toothFromTool), gradient);
-    return {choose(counts, best.distance - clearance, atLeast), gradient};
+    const Float8 isFound = isLess(search.nearest.distance, search.limit);
+    Vec3x8 gradient = turned(search.nearest.gradient, step_.to_.toothFromTool);
+    const Float8 isEarly = isLess(search.moment, Float8::all(0.5F));
+    if (isAny(isEarly)) {
+        gradient = choose(isEarly, turned(search.nearest.gradient, step_.from_.toothFromTool), gradient);
+    }
+    return {choose(isFound, search.nearest.distance - clearance, atLeast), gradient};
 }
 
 }  // namespace tactooth

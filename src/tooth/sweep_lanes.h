@@ -27,6 +27,12 @@ public:
     /// SweepStep::sample at places within the cube, told in steps from its first node.
     [[nodiscard]] Samples8 sample(const Vec3x8& place, Float8 atLeast) const;
 
+    /// False if `sample` finds less than `atLeast` at none of the places. Where the envelope bulges, no distance lies
+    /// below the plane that touches it at the middle of the cube.
+    [[nodiscard]] bool mayReach(const Vec3x8& place, Float8 atLeast) const {
+        return !part_.bulges || (lessEqual(atLeast, min(planeFrom_.at(place), planeTo_.at(place))) & 0xFFU) != 0xFFU;
+    }
+
 private:
     /// From places in the cube to the tool frame.
     struct Frame {
@@ -34,9 +40,20 @@ private:
         float steps[3][3];  ///< by axis of the tool, then of the lattice
         [[nodiscard]] Vec3x8 at(const Vec3x8& place) const;
     };
+    /// A distance that is linear in the place.
+    struct Plane {
+        float first;
+        float steps[3];
+        [[nodiscard]] Float8 at(const Vec3x8& place) const {
+            return Float8::all(first) + place.x * Float8::all(steps[0]) + place.y * Float8::all(steps[1]) +
+                   place.z * Float8::all(steps[2]);
+        }
+    };
     struct Profile8;
+    struct Search;
     [[nodiscard]] static Frame frame(const Vec3& first, const Mat3& steps, double level);
     [[nodiscard]] Profile8 sampleProfile(const Vec3x8& point) const;
+    void searchPart(const Vec3x8& start, const Vec3x8& end, float first, float last, Search& search) const;
     [[nodiscard]] Samples8 sampleOneByOne(const Vec3x8& place, Float8 atLeast) const;
 
     const SweepStep& step_;
@@ -44,8 +61,11 @@ private:
     double spacing_;
     Frame from_;
     Frame to_;
+    Plane planeFrom_;  ///< at the start of the step and at its end
+    Plane planeTo_;
     ProfilePart part_;
     bool hasPart_;
+    int searchedParts_;  ///< one where the distance is convex along the whole step
 };
 
 }  // namespace tactooth

@@ -12,25 +12,31 @@ namespace tactooth {
 /// tool frame.
 class SweepStep {
 public:
-    SweepStep(const RevolutionEnvelope& envelope, const Pose& fromInTooth, const Pose& toInTooth, double clearance);
+    /// `parts`: in how many equal ones the step is searched for its nearest moment where the envelope has dents.
+    SweepStep(const RevolutionEnvelope& envelope, const Pose& fromInTooth, const Pose& toInTooth, double clearance,
+              int parts = 1);
 
     /// Distance from a point of the tooth frame to the region swept, with its gradient. Exact for an envelope whose
-    /// distance is convex along the step (every convex bur); else too large by at most half the step's length.
+    /// distance is convex along each part (every convex bur); else too large by at most half a part's length.
     /// Once the distance is known to be `atLeast` or more, that lower bound is returned instead.
     [[nodiscard]] FieldSample sample(const Vec3& point, double atLeast) const;
 
     /// One look at the profile, from where the step ends.
     struct Look {
         Vec3 pointInTool;
-        double distance;
+        FieldSample sample;  ///< in the tool frame
+        double way;          ///< of the point in the tool frame during the step, mm
     };
     [[nodiscard]] Look lookFrom(const Vec3& point) const {
-        const Vec3 pointInTool = to_.toTool(point);
-        return {pointInTool, envelope_->signedDistance(pointInTool)};
+        const Vec3 end = to_.toTool(point);
+        return {end, envelope_->sample(end), (end - from_.toTool(point)).norm()};
     }
-    /// Lower bound of `sample` from such a look, within the step's length of it.
-    [[nodiscard]] double lowerBound(const Look& look) const { return look.distance - travel_ - clearance_; }
-    [[nodiscard]] double lowerBound(const Vec3& point) const { return lowerBound(lookFrom(point)); }
+    /// Lower bound of `sample` from such a look.
+    [[nodiscard]] double lowerBound(const Look& look) const { return look.sample.distance - look.way - clearance_; }
+    [[nodiscard]] double lowerBound(const Vec3& point) const {
+        const Vec3 end = to_.toTool(point);
+        return envelope_->signedDistance(end) - (end - from_.toTool(point)).norm() - clearance_;
+    }
 
     /// No point of the bur moves farther, mm.
     [[nodiscard]] double travel() const { return travel_; }
@@ -46,16 +52,24 @@ private:
         Vec3 position;
         [[nodiscard]] Vec3 toTool(const Vec3& point) const { return toolFromTooth * (point - position); }
     };
+    struct Nearest {
+        FieldSample sample;  ///< in the tool frame
+        double moment;       ///< 0 at the step's start, 1 at its end
+    };
+    void searchPart(const Vec3& start, const Vec3& end, double first, double last, double limit, Nearest& best) const;
+
     const RevolutionEnvelope* envelope_;
     Placed from_;
     Placed to_;
     double clearance_;
     double travel_;
+    int parts_;
     Box3 box_;
 };
 
-/// The motion of a bur from one pose to another, translation and rotation, cut into steps short enough: at most
-/// `longest` mm of travel, and so little turning that a straight path in the tool frame is true to 0.1 um.
+/// The motion of a bur from one pose to another, translation and rotation, cut into steps short enough: with so little
+/// turning that a straight path in the tool frame is true to 0.1 um, and a few times `longest` mm of travel at most,
+/// each searched in parts no longer than that.
 [[nodiscard]] std::vector<SweepStep> sweepSteps(const RevolutionEnvelope& envelope, const Pose& fromInTooth,
                                                 const Pose& toInTooth, double clearance, double longest);
 

@@ -19,6 +19,8 @@ public:
     TriangleBoxes() = default;
     TriangleBoxes(const TriangleMesh& mesh, std::vector<std::uint32_t> triangles);
 
+    void add(std::uint32_t triangle, const Vec3f& low, const Vec3f& high);
+
     [[nodiscard]] const std::vector<std::uint32_t>& triangles() const { return triangles_; }
     [[nodiscard]] bool empty() const { return triangles_.empty(); }
 
@@ -39,7 +41,25 @@ public:
         }
     }
 
+    /// Calls `visit(triangle, low, high)` for each one in their order, and forgets those for which it says so.
+    template <class Visit>
+    void forgetIf(const Visit& visit) {
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < triangles_.size(); ++i) {
+            Vec3f low, high;
+            for (int axis = 0; axis < 3; ++axis) {
+                low[axis] = boxes_[i / 8].low[axis][i % 8];
+                high[axis] = boxes_[i / 8].high[axis][i % 8];
+            }
+            if (!visit(triangles_[i], low, high)) put(kept++, triangles_[i], low, high);
+        }
+        resize(kept);
+    }
+
 private:
+    void put(std::size_t place, std::uint32_t triangle, const Vec3f& low, const Vec3f& high);
+    void resize(std::size_t count);
+
     /// Of eight triangles; those that are not there touch nothing.
     struct alignas(32) Eight {
         float low[3][8];

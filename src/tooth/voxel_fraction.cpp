@@ -26,6 +26,14 @@ double corneredVolume(const Vec3& m, double alpha) {
     return std::clamp(volume / (6 * (m.x() * m.y() * m.z())), 0.0, 1.0);
 }
 
+/// The middles of a row of slices, from that of the cube.
+struct Slices {
+    static_assert(kSlices == 4);
+    Eigen::Array4d x{-0.375, -0.125, 0.125, 0.375};
+    double y, z;
+    Slices(int row, int layer) : y(x[row]), z(x[layer]) {}
+};
+
 Eigen::Array4d cubed(const Eigen::Array4d& values) {
     const Eigen::Array4d positive = values.max(0.0);
     return positive * positive * positive;
@@ -60,17 +68,19 @@ double cubeFraction(const HalfSpace& first, const HalfSpace& second) {
     if (one == 0 || two == 0) return 0;
     if (one == 1) return two;
     if (two == 1) return one;
-    const auto shareOfSlice = [](const HalfSpace& half, const Vec3& point) {
-        const double distance = half.distance + half.normal.dot(point);
-        return std::clamp(0.5 - distance * kSlices, 0.0, 1.0);
+    const auto shareOfSlices = [](const HalfSpace& half, const Slices& at) -> Eigen::Array4d {
+        const Eigen::Array4d distances =
+            half.distance + half.normal.x() * at.x + half.normal.y() * at.y + half.normal.z() * at.z;
+        return (0.5 - distances * kSlices).max(0.0).min(1.0);
     };
-    double total = 0;
-    for (int i = 0; i < kSlices * kSlices * kSlices; ++i) {
-        const Vec3 slice(i % kSlices, i / kSlices % kSlices, i / (kSlices * kSlices));
-        const Vec3 point = (slice + Vec3::Constant(0.5)) / kSlices - Vec3::Constant(0.5);
-        total += shareOfSlice(first, point) * shareOfSlice(second, point);
+    Eigen::Array4d total = Eigen::Array4d::Zero();
+    for (int z = 0; z < kSlices; ++z) {
+        for (int y = 0; y < kSlices; ++y) {
+            const Slices row(y, z);
+            total += shareOfSlices(first, row) * shareOfSlices(second, row);
+        }
     }
-    return total / (kSlices * kSlices * kSlices);
+    return total.sum() / (kSlices * kSlices * kSlices);
 }
 
 }  // namespace tactooth
