@@ -55,6 +55,7 @@ Simulator::Simulator(std::shared_ptr<WorkPiece> piece, Instrument instrument, co
     loop_ = std::make_unique<ServoLoop>(
         rateHz, [this](double elapsed) { servoTick(elapsed); }, std::move(pace));
     cutter_ = std::jthread([this](const std::stop_token& stop) { runCutter(stop); });
+    maker_ = std::jthread([this, stock = piece_->stock()](const std::stop_token& stop) { runMaker(stop, *stock); });
     lister_ = std::jthread([this](const std::stop_token& stop) { runLister(stop); });
 }
 
@@ -68,6 +69,7 @@ void Simulator::fadeOut() {
 Simulator::~Simulator() {
     fadeOut();
     cutter_ = {};  // joins
+    maker_ = {};
     lister_ = {};  // after this nobody fills the queues
     loop_.reset();
     device_.write(SafeWrench());
@@ -163,6 +165,8 @@ bool Simulator::workOnPiece() {
     }
     if (undosRequested_.load() > 0) return undoAsAsked();
     if (!tickForCutter_.refresh()) return false;
+    const Tick& now = tickForCutter_.value();
+    cuttingAt_.write(now.cutting && now.speedRpm > 0 ? std::optional(now.proxy) : std::nullopt);
     return (tickForCutter_.value().cutting && cutAsAsked()) || piece_->letFall(tickForCutter_.value());
 }
 
@@ -175,6 +179,16 @@ void Simulator::runCutter(const std::stop_token& stop) {
         } else {
             std::this_thread::sleep_for(watch.rests(tickForCutter_.value()) ? kRest : kPause);
         }
+    }
+}
+
+void Simulator::runMaker(const std::stop_token& stop, BrickStock& stock) {
+    pthread_setname_np(pthread_self(), "maker");  // for debuggers and profilers
+    while (!stop.stop_requested()) {
+        (void)cuttingAt_.refresh();
+        const std::optional<Pose>& at = cuttingAt_.value();
+        if (at && stock.makeAround(instrument_.cutting.envelope, *at) > 0) continue;
+        std::this_thread::sleep_for(at ? kPause : kRest);
     }
 }
 

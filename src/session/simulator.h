@@ -44,7 +44,8 @@ struct SimulatorControls {
 };
 
 /// A running simulation: the servo thread moves the tool and makes the force, the cutter thread carves behind it, the
-/// lister thread looks up what is near the tool before the servo needs it, and any number of others watch. Built for
+/// maker thread makes the bricks of the cut volume before the cutter needs them, the lister thread looks up what is
+/// near the tool before the servo needs it, and any number of others watch. Built for
 /// one tooth, one instrument and the devices of one or two hands; another of these is another simulator.
 class Simulator {
 public:
@@ -110,6 +111,7 @@ private:
     void takeNewSurface();
     void runCutter(const std::stop_token& stop);
     void runLister(const std::stop_token& stop);
+    void runMaker(const std::stop_token& stop, BrickStock& stock);
     [[nodiscard]] bool workOnPiece();
     [[nodiscard]] bool undoAsAsked();
     [[nodiscard]] bool cutAsAsked();
@@ -133,6 +135,7 @@ private:
     LatestValue<SimulatorControls> controls_;
     LatestValue<Tick> tickForCutter_;
     LatestValue<Tick> tickForLister_;
+    LatestValue<std::optional<Pose>> cuttingAt_;  // cutter -> maker; nothing while the bur only touches
     boost::lockfree::spsc_queue<Tick, boost::lockfree::capacity<kKeptTicks>> ticksForWatcher_;
     SurfaceQueue<8> fresh_;      // lister -> servo
     SurfaceQueue<32> returned_;  // and back, with the surface felt before: the servo never frees one
@@ -165,6 +168,7 @@ private:
 
     std::unique_ptr<ServoLoop> loop_;
     std::jthread cutter_;
+    std::jthread maker_;
     std::jthread lister_;
 };
 

@@ -54,6 +54,14 @@ std::shared_ptr<const Surface> surrounded(std::shared_ptr<const Surface> surface
 WorkPiece::WorkPiece(std::shared_ptr<const LayeredTooth> tooth, double voxel)
     : tooth_(tooth), volume_(std::move(tooth), voxel), live_(volume_), wholeBeside_(volumeBeside(*live_.snapshot())) {}
 
+const std::shared_ptr<BrickStock>& WorkPiece::stock() {
+    if (stock_ == nullptr) {
+        stock_ = std::make_shared<BrickStock>(tooth_, volume_.lattice().spacing());
+        volume_.setStock(stock_);
+    }
+    return stock_;
+}
+
 void WorkPiece::book(const CarveResult& carve) {
     for (std::size_t i = 0; i < kMaterialCount; ++i) loss_.removed[i] += carve.removed[i];
     mayBeLoose_ = mayBeLoose_ || !carve.changed.empty();

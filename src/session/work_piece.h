@@ -62,6 +62,10 @@ public:
     void surroundBy(Surroundings bodies) { surroundings_ = std::move(bodies); }
     [[nodiscard]] const Surroundings& surroundings() const { return surroundings_; }
 
+    /// Begins to take bricks from a stock that another thread may fill (BrickStock::makeAround). To be called before
+    /// anything is cut; a second call returns the same one.
+    [[nodiscard]] const std::shared_ptr<BrickStock>& stock();
+
     /// Removes all that the bur sweeps between two poses, whatever it takes. Returns what was removed.
     MaterialVolumes sweep(const CuttingTool& tool, const Pose& from, const Pose& to);
 
@@ -110,6 +114,7 @@ private:
 
     std::shared_ptr<const LayeredTooth> tooth_;
     CutVolume volume_;
+    std::shared_ptr<BrickStock> stock_;
     LiveSurface live_;
     Surroundings surroundings_;
     ToothLoss loss_;

@@ -80,33 +80,28 @@ CutVolume::CutVolume(std::shared_ptr<const LayeredTooth> tooth, double voxel)
     assert(tooth_ && voxel > 0);
 }
 
-std::vector<BrickKey> CutVolume::bricksInReach(const std::vector<SweepStep>& steps) const {
-    const double band = kCutBand * lattice_.spacing();
-    const double reach = lattice_.halfDiagonal() + band;
-    const Vec3 margin = Vec3::Constant(band);
-    const Vec3 toothMargin = Vec3::Constant(kToothBand * lattice_.spacing());
-    Box3 swept;
-    for (const SweepStep& step : steps) swept.extend(step.box());
-    Box3 tooth = tooth_->outer()->tree().box();
-    tooth = Box3(tooth.min() - toothMargin, tooth.max() + toothMargin);
-    const Box3 common = Box3(swept.min() - margin, swept.max() + margin).intersection(tooth);
-    if (common.isEmpty()) return {};
-    double earlier = 0;  // travel before the last step, mm: one look from there leaves out most bricks
-    for (std::size_t i = 0; i + 1 < steps.size(); ++i) earlier += steps[i].travel();
-    std::vector<BrickKey> keys;
-    for (const BrickKey& key : lattice_.bricksTouching(common)) {
-        const Vec3 centre = lattice_.centre(key);
-        if (steps.back().lowerBound(centre) - earlier >= reach) continue;
-        const auto isNear = [&](const SweepStep& step) { return step.lowerBound(centre) < reach; };
-        if (std::any_of(steps.begin(), steps.end(), isNear)) keys.push_back(key);
-    }
-    return keys;
+void CutVolume::reset() {
+    bricks_.clear();
+    journal_.clear();
+    if (stock_ != nullptr) stock_->forgetTaken();
 }
 
 void CutVolume::makeMissing(const std::vector<BrickKey>& keys) {
     std::vector<BrickKey> missing;
     for (const BrickKey& key : keys) {
         if (!bricks_.knows(key)) missing.push_back(key);
+    }
+    if (stock_ != nullptr && !missing.empty()) {
+        std::vector<std::optional<std::unique_ptr<Brick>>> ahead = stock_->take(missing);
+        std::size_t left = 0;
+        for (std::size_t i = 0; i < missing.size(); ++i) {
+            if (ahead[i]) {
+                bricks_.insert(missing[i], std::move(*ahead[i]));
+            } else {
+                missing[left++] = missing[i];
+            }
+        }
+        missing.resize(left);
     }
     std::vector<std::unique_ptr<Brick>> made(missing.size());
     parallelFor(missing.size(), [&](std::size_t i) { made[i] = makeBrick(*tooth_, lattice_, missing[i]); });
@@ -160,7 +155,7 @@ Removable CutVolume::removable(const RevolutionEnvelope& envelope, const Pose& f
     result.clearance = clearance;
     result.afterCarve = carves_;
     result.steps = sweepSteps(envelope, fromInTooth, toInTooth, clearance, kLongestStep * lattice_.spacing());
-    const std::vector<BrickKey> keys = bricksInReach(result.steps);
+    const std::vector<BrickKey> keys = bricksInReach(*tooth_, lattice_, result.steps, kCutBand * lattice_.spacing());
     makeMissing(keys);
     std::vector<RemovableInBrick> parts(keys.size());
     parallelFor(keys.size(), [&](std::size_t i) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tooth/brick_map.h"
+#include "tooth/brick_stock.h"
 #include "tooth/cut_journal.h"
 #include "tooth/layered_tooth.h"
 #include "tooth/loose_pieces.h"
@@ -84,6 +85,10 @@ public:
     /// `voxel` is the spacing of the nodes, mm.
     CutVolume(std::shared_ptr<const LayeredTooth> tooth, double voxel);
 
+    /// Where bricks are taken from that were made ahead, for the same tooth and spacing; null: each is made when it is
+    /// needed. Changes no result.
+    void setStock(std::shared_ptr<BrickStock> stock) { stock_ = std::move(stock); }
+
     /// Removes everything that `envelope`, widened by `clearance` (mm), sweeps on its way between two poses of the tool
     /// in the tooth's frame. Volumes are counted below the voxel: to about 0.1 % of a cut some voxels wide.
     CarveResult carve(const RevolutionEnvelope& envelope, const Pose& fromInTooth, const Pose& toInTooth,
@@ -123,10 +128,7 @@ public:
     [[nodiscard]] std::uint64_t undos() const { return undos_; }
 
     /// The whole tooth again; no mark is left.
-    void reset() {
-        bricks_.clear();
-        journal_.clear();
-    }
+    void reset();
 
     /// The bricks that a bur has reached, in ascending order of their keys.
     [[nodiscard]] std::vector<BrickKey> cutBricks() const;
@@ -148,7 +150,6 @@ public:
     [[nodiscard]] std::size_t bytes() const { return bricks_.keys().size() * sizeof(Brick) + journal_.bytes(); }
 
 private:
-    [[nodiscard]] std::vector<BrickKey> bricksInReach(const std::vector<SweepStep>& steps) const;
     void makeMissing(const std::vector<BrickKey>& keys);
     [[nodiscard]] NodeSets nodesOf(const LoosePiece& piece);
     CarveResult removePieces(const NodeSets& pieces);
@@ -158,6 +159,7 @@ private:
     Lattice lattice_;
     BrickMap bricks_;
     CutJournal journal_;
+    std::shared_ptr<BrickStock> stock_;
     std::uint64_t carves_ = 0;
     std::uint64_t undos_ = 0;
 };

@@ -46,24 +46,25 @@ public:
             "{}: tick, us; update (carve and new surface), ms; felt: from a tick in which\n"
             "the bur works to the tick that feels what it cut, and from the beginning of that carve, ms; ns for each "
             "voxel\n"
-            "of removed volume.\n\n",
+            "of removed volume; ahead: what the thread that makes bricks ahead of the bur takes of a core, %.\n\n",
             cores > 1 ? fmt::format("Processor time, of the cutter the time that passes on {} cores", cores)
                       : "Processor time of one core for each");
         fmt::print(
             "{:<22} {:>5} {:>6} {:>6} {:>6} {:>6} {:>6} | {:>6} {:>6} {:>6} {:>6} | {:>5} {:>5} {:>6} {:>5} | {:>6} "
-            "{:>6} {:>7} {:>5} {:>5}\n",
+            "{:>5} {:>6} {:>7} {:>5} {:>5}\n",
             "bur", "voxel", "mm/s", "p50", "p99", "p99.9", "max", "up p50", "p99", "max", "1/s", "felt", "p99",
-            "carved", "p99", "first", "mm^3", "ns/vox", "MB", "all");
+            "carved", "p99", "first", "ahead", "mm^3", "ns/vox", "MB", "all");
     }
 
     void add(const CutCase& c, const CutTiming& t) {
         if (!isJson_) {
             fmt::print(
                 "{:<22} {:>5.0f} {:>6.1f} {:>6.0f} {:>6.0f} {:>6.0f} {:>6.0f} | {:>6.1f} {:>6.1f} {:>6.1f} "
-                "{:>6.0f} | {:>5.1f} {:>5.1f} {:>6.1f} {:>5.1f} | {:>6.1f} {:>6.2f} {:>7.0f} {:>5.0f} {:>5.0f}\n",
+                "{:>6.0f} | {:>5.1f} {:>5.1f} {:>6.1f} {:>5.1f} | {:>6.1f} {:>5.0f} {:>6.2f} {:>7.0f} {:>5.0f} "
+                "{:>5.0f}\n",
                 nameOf(c), c.voxel / kMillimetre, c.speed, t.p50, t.p99, t.p999, t.largest, t.updateP50, t.updateP99,
                 t.updateLargest, t.updatesPerSecond, t.feltP50, t.feltP99, t.carvedP50, t.carvedP99, t.firstUpdate,
-                t.removed, t.nanosPerVoxel, t.brickMegabytes, t.residentMegabytes);
+                100 * t.makerShare, t.removed, t.nanosPerVoxel, t.brickMegabytes, t.residentMegabytes);
             std::fflush(stdout);
             return;
         }
@@ -90,6 +91,7 @@ public:
                                   {"carve_to_felt_p50_ms", t.carvedP50},
                                   {"carve_to_felt_p99_ms", t.carvedP99},
                                   {"first_update_ms", t.firstUpdate},
+                                  {"maker_share", t.makerShare},
                                   {"removed_mm3", t.removed},
                                   {"ns_per_voxel", t.nanosPerVoxel},
                                   {"brick_megabytes", t.brickMegabytes},

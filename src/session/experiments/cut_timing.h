@@ -21,9 +21,9 @@ struct CutCase {
     int cores = 1;          ///< that the cutter may use
 };
 
-/// What it cost, in processor time; of a cutter that may use several cores, in time as it passes. Servo, cutter and
-/// lister run as if each had cores of its own: an update is felt at the first tick that begins after the time which it
-/// and its list took.
+/// What it cost, in processor time; of a cutter that may use several cores, in time as it passes. Servo, cutter, lister
+/// and the maker of bricks run as if each had cores of its own: an update is felt at the first tick that begins after
+/// the time which it and its list took.
 struct CutTiming {
     std::size_t ticks = 0;                ///< while the bur touched
     double p50 = 0, p99 = 0;              ///< of a tick, us
@@ -37,6 +37,7 @@ struct CutTiming {
     std::size_t lists = 0;                ///< made ahead for the servo, with a new surface or without
     double listP50 = 0;                   ///< of one, ms
     double updatesPerSecond = 0;          ///< while the bur works
+    double makerShare = 0;                ///< of a core: what it takes to make bricks ahead of the bur
     double firstUpdate = 0;               ///< from a tooth without any brick to its first cut surface, ms
     double removed = 0;                   ///< mm^3
     double nanosPerVoxel = 0;             ///< cutter's time for each voxel of removed volume
