@@ -48,5 +48,37 @@ TEST(PackedDirection, SizesOfFourAreThoseOfEachToTheLastBit) {
     }
 }
 
+TEST(PackedDirection, EightAtOnceAreThoseOfEachToAStep) {
+    std::mt19937 random(3);
+    for (int i = 0; i < 500; ++i) {
+        std::array<Vec3, 8> directions;
+        float lanes[3][8];
+        for (int lane = 0; lane < 8; ++lane) {
+            directions[lane] = i == 0 ? Vec3((lane < 4 ? 1 : -1) * Vec3::Unit(lane % 3)) : randomDirection(random);
+            for (int axis = 0; axis < 3; ++axis) lanes[axis][lane] = static_cast<float>(directions[lane][axis]);
+        }
+        const auto packed = PackedDirection::pack(Vec3x8::load(lanes));
+        for (int lane = 0; lane < 8; ++lane) {
+            EXPECT_LT((packed[lane].unpack() - directions[lane]).norm(), 6.2e-5);
+            if (i == 0) {
+                EXPECT_EQ(packed[lane], PackedDirection(directions[lane]));
+            }
+        }
+    }
+}
+
+TEST(Brick, KnowsTheRemovedNodesOfTheFieldThatItTakesOver) {
+    std::mt19937 random(4);
+    CutField field = CutField::untouched(0.1);
+    for (float& distance : field.cut) distance = static_cast<float>(static_cast<int>(random() % 3) - 1);  // -1, 0 or 1
+    Brick brick;
+    brick.setRemoved(5);  // of the field before
+    brick.setField(field);
+    for (int node = 0; node < kBrickNodes; ++node) {
+        const auto [x, y, z] = placeOf(node);
+        EXPECT_EQ(brick.removedRow(y, z) >> x & 1U, field.cut[node] < 0 ? 1U : 0U) << node;
+    }
+}
+
 }  // namespace
 }  // namespace tactooth

@@ -165,6 +165,25 @@ TEST(CutVolume, OneThreadAndManyGiveTheSameBits) {
     EXPECT_EQ(one.hash(), many.hash());
 }
 
+TEST(CutVolume, RemovedNodesAreThoseWithANegativeDistance) {
+    CutVolume volume(block(), kVoxel);
+    carvePath(volume, flatBur(0.4), 2);
+    volume.mark();
+    volume.carve(flatBur(0.4), at(-1, -1, 0.5), at(-1, -1, -2));
+    (void)volume.undo();
+    volume.carve(flatBur(0.4), at(1, -1, 0.5), at(1, -1, -2));
+    std::size_t removed = 0;
+    for (const BrickKey& key : volume.bricks().keys()) {
+        const Brick& brick = *volume.bricks().find(key);
+        for (int node = 0; node < kBrickNodes; ++node) {
+            const auto [x, y, z] = placeOf(node);
+            ASSERT_EQ(brick.removedRow(y, z) >> x & 1U, brick.cut[node] < 0 ? 1U : 0U);
+            removed += brick.cut[node] < 0;
+        }
+    }
+    EXPECT_GT(removed, 1000U);
+}
+
 TEST(CutVolume, ABurInTheAirChangesNothing) {
     CutVolume volume(block(), kVoxel);
     const auto result = volume.carve(flatBur(0.4), at(0, 0, 0.5), at(1, 0, 0.5));

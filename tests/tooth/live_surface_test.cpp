@@ -351,6 +351,26 @@ TEST(LiveSurface, UpdatesOfWhatChangedAddUpToAnUpdateOfEverything) {
     EXPECT_TRUE(test::areBitEqual(visibleMesh(*anew.snapshot()).mesh, patient.mesh()));
 }
 
+// Triangles that a bur has passed are forgotten, until an undo brings them back.
+TEST(LiveSurface, AfterAnUndoWhatWasPassedIsCutAgain) {
+    Patient patient(fineSphere());
+    const auto round = ballBur(0.3);
+    const auto mill = [&](double y, int moves) {
+        for (int i = 0; i < moves; ++i) patient.cut(round, at(-0.5 + 0.05 * i, y, -0.4), at(-0.45 + 0.05 * i, y, -0.4));
+    };
+    mill(-0.3, 8);
+    const TriangleMesh before = patient.mesh();
+    patient.volume.mark();
+    mill(0.1, 20);
+    const TriangleMesh after = patient.mesh();
+    ASSERT_NE(before.triangles.size(), after.triangles.size());
+    patient.surface.update(patient.volume, merged(patient.volume.undo()));
+    EXPECT_TRUE(test::areBitEqual(patient.mesh(), before));
+    mill(0.1, 20);
+    EXPECT_TRUE(test::areBitEqual(patient.mesh(), after));
+    EXPECT_EQ(patient.surface.failures(), 0U);
+}
+
 TEST(LiveSurface, IsTheSameFromOneThreadAndFromMany) {
     const auto cut = [] {
         Patient patient(fineSphere());

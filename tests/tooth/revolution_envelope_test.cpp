@@ -103,5 +103,34 @@ TEST(RevolutionEnvelope, AFlatMeshIsRefused) {
     EXPECT_NE(envelope.error().message.find("along its axis"), std::string::npos);
 }
 
+// A facet that turns about an axis beside it makes a hollow band: less than half a micrometre deep, it is left out.
+TEST(RevolutionEnvelope, TheShallowDentsOfAFacetedBallAreBridged) {
+    const auto ball = RevolutionEnvelope::make(test::sphere(Vec3(0, 0, 0.5), 0.5, 24, 12));
+    ASSERT_TRUE(ball);
+    const auto& profile = ball->profile();
+    EXPECT_LE(profile.size(), 13U) << "rings of vertices";
+    for (std::size_t i = 1; i + 1 < profile.size(); ++i) {
+        const double dr = profile[i].radius - profile[i - 1].radius;
+        const double dz = profile[i].z - profile[i - 1].z;
+        EXPECT_GE(dr * (profile[i + 1].z - profile[i].z), dz * (profile[i + 1].radius - profile[i].radius)) << i;
+    }
+    ProfilePart part;
+    ASSERT_TRUE(ball->findPart(Vec3(0.5, 0, 0.5), 0, 0.2, part));
+    EXPECT_TRUE(part.bulges);
+}
+
+TEST(RevolutionEnvelope, AWaistIsNoShallowDent) {
+    TriangleMesh balls = test::sphere(Vec3(0, 0, 0.4), 0.4, 48, 16);
+    const TriangleMesh upper = test::sphere(Vec3(0, 0, 1), 0.4, 48, 16);
+    append(balls, upper);
+    const auto envelope = RevolutionEnvelope::make(balls);
+    ASSERT_TRUE(envelope);
+    const Vec3 waist(std::sqrt(0.4 * 0.4 - 0.3 * 0.3), 0, 0.7);
+    EXPECT_NEAR(envelope->signedDistance(waist), 0, 0.005);
+    ProfilePart part;
+    ASSERT_TRUE(envelope->findPart(waist, envelope->signedDistance(waist), 0.1, part));
+    EXPECT_FALSE(part.bulges);
+}
+
 }  // namespace
 }  // namespace tactooth

@@ -134,6 +134,26 @@ TEST(SweepLanes, ALaneIsBelowItsLimitOnlyWhereTheStepIs) {
     EXPECT_GT(below, 3000);
 }
 
+// A plane that touches the envelope tells at once which eight places a step does not come to.
+TEST(SweepLanes, WhereAStepMayNotReachItDoesNot) {
+    int left = 0;
+    int all = 0;
+    for (const TriangleMesh& mesh : burs()) {
+        forRandomSteps(mesh, 0.1, 0.01, [&](Cases& cases, const auto& step, const auto& lanes, const auto& place) {
+            const float limit = static_cast<float>(0.05 * cases.unit());
+            const Vec3x8 places = Vec3x8::load(place);
+            ++all;
+            if (lanes.mayReach(places, Float8::all(limit))) return;
+            ++left;
+            for (int lane = 0; lane < 8; ++lane) {
+                ASSERT_GE(step.sample(cases.pointAt(place, lane), kNoBound).distance, limit) << lane;
+            }
+        });
+    }
+    EXPECT_GT(left, 0.3 * all);
+    EXPECT_LT(left, 0.7 * all);
+}
+
 /// Balls on one axis, the first at the tip; where they cross, the waist between them is nearest from inside.
 TriangleMesh ballsInARow(int count, double radius, double spacing) {
     TriangleMesh mesh;
@@ -162,6 +182,34 @@ TEST(SweepLanes, APointAtTheVeryHeightOfACornerOfTheProfileKeepsItsSide) {
         }
     }
     EXPECT_GT(inside, 100);
+}
+
+// Beside a waist the distance along a step has two valleys: each part of the step is searched.
+TEST(SweepLanes, AStepPastAWaistIsSearchedInParts) {
+    const auto envelope = RevolutionEnvelope::make(ballsInARow(2, 0.4, 0.6));
+    ASSERT_TRUE(envelope);
+    constexpr int kParts = 4;
+    constexpr double kWay = 0.1;
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    int beside = 0;
+    for (int i = 0; i < 500; ++i) {
+        const Vec3 move = kWay * Vec3(unit(random), unit(random), unit(random)).normalized();
+        const SweepStep step(*envelope, Pose{}, {move, Quat::Identity()}, 0, kParts);
+        const Vec3 point = Vec3(0.27 + 0.05 * unit(random), 0.05 * unit(random), 0.7 + 0.1 * unit(random));
+        const SweepLanes lanes(step, point - Vec3::Constant(0.5 * kSide * kSpacing), kSpacing, kSide, 0);
+        const Float8 middle = Float8::all(0.5 * kSide);
+        const Lanes found(lanes.sample({middle, middle, middle}, Float8::all(1)));
+        double least = kNoBound;
+        for (int moment = 0; moment <= 400; ++moment) {
+            least = std::min(least, envelope->signedDistance(point - moment / 400.0 * move));
+        }
+        ASSERT_GE(found.distance[0], least - kWay / 400);
+        ASSERT_LE(found.distance[0], least + 0.5 * kWay / kParts);
+        ASSERT_NEAR(found.distance[0], step.sample(point, kNoBound).distance, kSearchError);
+        beside += std::abs(found.distance[0]) < 0.05;
+    }
+    EXPECT_GT(beside, 200);
 }
 
 TEST(SweepLanes, AProfileOfTooManyPiecesIsSampledAllTheSame) {

@@ -65,6 +65,33 @@ TEST(TriangleBoxes, ATriangleThatOnlyTouchesCounts) {
     EXPECT_EQ(found, 0);
 }
 
+TEST(TriangleBoxes, WhatIsForgottenIsFoundNoMoreAndTheRestStaysInOrder) {
+    const TriangleMesh ball = test::sphere(Vec3::Zero(), 1, 24, 12);
+    std::vector<std::uint32_t> all(ball.triangles.size());
+    std::iota(all.begin(), all.end(), 0U);
+    TriangleBoxes boxes(ball, all);
+    std::vector<std::uint32_t> kept;
+    TriangleBoxes added;
+    boxes.forgetIf([&](std::uint32_t t, const Vec3f& low, const Vec3f& high) {
+        const auto& [a, b, c] = ball.triangles[t];
+        const auto box = boxOf({ball.vertices[a], ball.vertices[b], ball.vertices[c]});
+        EXPECT_EQ(low, box.min());
+        EXPECT_EQ(high, box.max());
+        if (t % 5 == 0) return true;
+        kept.push_back(t);
+        added.add(t, low, high);
+        return false;
+    });
+    ASSERT_NE(kept.size() % 8, 0U);
+    for (const TriangleBoxes* left : {&boxes, &added}) {
+        EXPECT_EQ(left->triangles(), kept);
+        std::vector<std::uint32_t> found;
+        left->forTouching({Vec3f(-2, -2, -2), Vec3f(2, 2, 2), Vec3f(-2, 2, 2)},
+                          [&](std::uint32_t t) { found.push_back(t); });
+        EXPECT_EQ(found, kept);
+    }
+}
+
 TEST(TriangleBoxes, OfNoTrianglesNoneIsFound) {
     EXPECT_TRUE(TriangleBoxes().empty());
     TriangleBoxes().forTouching({Vec3f(0, 0, 0), Vec3f(1, 0, 0), Vec3f(0, 1, 0)}, [](std::uint32_t) { ADD_FAILURE(); });
