@@ -25,6 +25,9 @@ constexpr float kLeastDepth = 1e-5F;
 /// Voxels; half the diagonal of a unit cube: no plane farther from a node than this cuts its voxel.
 constexpr double kVoxelReach = 0.8660254037844386;
 
+/// Nodes of a brick that a move lowers, seldom more.
+constexpr std::size_t kUsuallyLowered = 256;
+
 using CutSample = RemovableInBrick::Sample;
 
 // Eight nodes side by side: (x, y) = (0..3, y..y+1).
@@ -197,6 +200,7 @@ RemovableInBrick removableFromBrick(const Brick& brick, const BrickKey& key, con
         if (highest <= -band) continue;  // nothing more to lose
         const std::vector<SweepLanes>& near = sweep.nearNodes(block, highest);
         if (near.empty()) continue;
+        if (result.lowered.empty()) result.lowered.reserve(kUsuallyLowered);
         for (int eight = 0; eight < kBlockNodes / 8; ++eight) {
             LoweredNodes8 nodes(brick, block, eight, band);
             for (const SweepLanes& step : near) nodes.lower(step);

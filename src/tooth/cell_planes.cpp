@@ -43,14 +43,18 @@ struct Quadric {
 
 /// The sum of the normals' products with themselves, times a vector.
 Vec3f CellPlanes::timesProducts(const Vec3f& v) const {
-    const float* s = ofPlanes_;
-    const float zz = ofPoints_[3] - s[3] - s[6];  // the normals are of unit length
-    return {s[3] * v.x() + s[4] * v.y() + s[5] * v.z(), s[4] * v.x() + s[6] * v.y() + s[7] * v.z(),
-            s[5] * v.x() + s[7] * v.y() + zz * v.z()};
+    const float xx = linear_[3];
+    const float xy = products_[0];
+    const float xz = products_[1];
+    const float yy = products_[2];
+    const float yz = products_[3];
+    const float zz = ofPoints_[3] - xx - yy;  // the normals are of unit length
+    return {xx * v.x() + xy * v.y() + xz * v.z(), xy * v.x() + yy * v.y() + yz * v.z(),
+            xz * v.x() + yz * v.y() + zz * v.z()};
 }
 
 std::optional<Vec3f> CellPlanes::pointOfFlat() const {
-    const Vec3f sum(ofPlanes_[0], ofPlanes_[1], ofPlanes_[2]);
+    const Vec3f sum = linear_.head<3>().matrix();
     const float squared = sum.squaredNorm();
     const float along = sum.dot(timesProducts(sum));
     // The weight in all other directions together is what the mean one leaves of the planes'.

@@ -4,7 +4,6 @@
 
 #include <optional>
 
-#include "collision/simd8.h"
 #include "geometry/vec.h"
 
 namespace tactooth {
@@ -18,20 +17,23 @@ public:
     class Plane {
     public:
         explicit Plane(const Vec3f& n)
-            : normal_(n.x(), n.y(), n.z(), 0), sums_{n.x(),         n.y(),         n.z(),         n.x() * n.x(),
-                                                     n.x() * n.y(), n.x() * n.z(), n.y() * n.y(), n.y() * n.z()} {}
+            : normal_(n.x(), n.y(), n.z(), 0),
+              linear_(n.x(), n.y(), n.z(), n.x() * n.x()),
+              products_(Eigen::Array4f(n.x(), n.x(), n.y(), n.y()) * Eigen::Array4f(n.y(), n.z(), n.y(), n.z())) {}
 
     private:
         friend class CellPlanes;
         Eigen::Array4f normal_;
-        float sums_[8];
+        Eigen::Array4f linear_;
+        Eigen::Array4f products_;
     };
 
     /// `point`: on the plane, with 1 as its fourth number.
     void add(const Plane& plane, const Eigen::Array4f& point) {
-        const float* normal = plane.sums_;
-        const float height = normal[0] * point[0] + normal[1] * point[1] + normal[2] * point[2];
-        (Float8::load(ofPlanes_) + Float8::load(plane.sums_)).store(ofPlanes_);
+        const Eigen::Array4f along = plane.normal_ * point;
+        const float height = along[0] + along[1] + along[2];
+        linear_ += plane.linear_;
+        products_ += plane.products_;
         ofPoints_ += point;
         offsets_ += height * plane.normal_;
     }
@@ -53,7 +55,8 @@ private:
         return offsets_.head<3>().matrix() - timesProducts(point);
     }
 
-    float ofPlanes_[8] = {};  // sums of the normals x, y, z, and of their products xx, xy, xz, yy, yz
+    Eigen::Array4f linear_ = Eigen::Array4f::Zero();    // sums of the normals x, y, z, and of their products xx,
+    Eigen::Array4f products_ = Eigen::Array4f::Zero();  // xy, xz, yy, yz
     Eigen::Array4f ofPoints_ = Eigen::Array4f::Zero();  // sum of the points, and how many there are
     Eigen::Array4f offsets_ = Eigen::Array4f::Zero();   // sum of the normals times the points' heights along them
 };
