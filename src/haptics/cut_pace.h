@@ -22,9 +22,13 @@ public:
     /// hand does. `handStep`: of the hand in this tick, mm.
     [[nodiscard]] Pose goal(const Pose& hand, const Pose& bur, const Vec3& handStep, double dt) const;
 
+    /// What a tick that had no time left for it has left of its way, mm: the next one goes that far as well.
+    void owe(double way);
+
 private:
     double sinceGrant_ = 0;  // s
     double pace_ = 0;        // mm/s
+    double owed_ = 0;        // mm
 };
 
 }  // namespace tactooth

@@ -86,7 +86,10 @@ void HapticSimulation::turnBur(const HandInput& input, double dt, Tick& tick) {
     tick.drivePull = pull;
     tick.wrench.force += pull;
     tick.wrench.torque += lever_.cross(pull);
-    tick.cutWork = last_.cutWork + (bites ? force_.normalForce() * rimMeters * dt : 0);
+    // The mean of both ends of the tick: the same for a force that grows whatever the rate.
+    const double power = force * rimMeters;  // N*m a second
+    tick.cutWork = last_.cutWork + (bites ? (power_ + power) / 2 * dt : 0);
+    power_ = power;
 }
 
 /// Follows the hand and makes the force.
@@ -96,7 +99,8 @@ void HapticSimulation::touch(const HandInput& input, double dt, Tick& tick) {
     const Pose goal = goalOf(input, dt);
     filterVelocity(input.handInTooth, dt);
 
-    const ProxyState state = proxy_.follow(input.handInTooth, goal);
+    const ProxyState state = proxy_.follow(input.handInTooth, goal, dt);
+    pace_.owe(state.late);
     tick.placed = state.placed;
     tick.ownLists = proxy_.ownLists();
     tick.proxy = state.placed ? state.proxy : input.handInTooth;

@@ -80,6 +80,8 @@ public:
     void setSurface(FeltSurface& felt);
     /// See ToolProxy: for a loop that must keep its time.
     void letOthersPlace() { proxy_.letOthersPlace(); }
+    /// For a loop that has all the time it wants: instead of HapticSettings::tickWork.
+    void setTickWork(Work work) { tickWork_ = work; }
     [[nodiscard]] const std::shared_ptr<const ToolShape>& tool() const { return proxy_.tool(); }
     [[nodiscard]] ContactForce& force() { return force_; }
 
@@ -98,6 +100,7 @@ private:
     SpindlePreset spindle_;
     SpindleState bur_;
     double burRadius_;
+    double power_ = 0;        // of the cut at the last tick, N*m a second
     bool started_ = false;    // there is a tick to count time from
     bool following_ = false;  // there is a position to take the speed from
     bool touching_ = false;

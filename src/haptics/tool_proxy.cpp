@@ -12,9 +12,11 @@ namespace {
 // How far a tool is moved out of a new surface, mm.
 constexpr double kFirstStep = 1e-4;  // the extraction's own error
 constexpr double kSmallStep = 5e-3;  // as far as a hand does not feel it
+constexpr double kLongStep = 0.02;   // what it hardly feels: once waiting has not helped
 constexpr double kLastStep = 0.5;    // further than any cut of one update
 
-constexpr int kPatience = 8;  // ticks from one try of a surface that caught the tool to the next
+constexpr double kPatience = 0.008;  // s from one try of a surface that caught the tool to the next
+constexpr int kManyTries = 2;        // in vain: what catches the tool will not go away
 
 }  // namespace
 
@@ -37,14 +39,14 @@ std::shared_ptr<const Surface> ToolProxy::setSurface(std::shared_ptr<const Surfa
     surface_ = surface;
     newSurface_ = true;
     isWhereBefore_ = false;
-    waited_ = 0;
+    waited_.reset();
     query_.setSurface(surface);
     return body_.setSurface(std::move(surface));
 }
 
 bool ToolProxy::setSurface(FeltSurface& felt) {
     const std::optional<Pose> place = std::exchange(felt.place, std::nullopt);
-    if (!placed_) waited_ = 0;
+    if (!placed_) waited_.reset();
     const bool isNew = takeSurface(felt);
     if (!placed_ && place) {
         body_.shiftTo(*place);
@@ -54,7 +56,7 @@ bool ToolProxy::setSurface(FeltSurface& felt) {
 }
 
 bool ToolProxy::takeSurface(FeltSurface& felt) {
-    if (waited_ > 0 && felt.surface == other_.surface) {
+    if (waited_ && felt.surface == other_.surface) {
         std::swap(other_.near, felt.near);
         return false;
     }
@@ -65,7 +67,7 @@ bool ToolProxy::takeSurface(FeltSurface& felt) {
     if (!isNew) return false;
     newSurface_ = true;
     query_.setSurface(surface_);
-    waited_ = 0;
+    waited_.reset();
     if (!hasBeenFelt && isWhereBefore_) return true;  // the tool still stands in the one before that
     std::swap(other_, felt);                          // the caller frees the one before that
     isWhereBefore_ = placed_ && hasBeenFelt;
@@ -126,14 +128,17 @@ void ToolProxy::exchangeSurfaces() {
 bool ToolProxy::goBackToSurfaceBefore() {
     if (!std::exchange(isWhereBefore_, false)) return false;
     exchangeSurfaces();
-    waited_ = 1;
+    waited_ = 0;
+    ++triesInVain_;
     return true;
 }
 
-void ToolProxy::tryNewestSurface() {
-    if (waited_ == 0 || waited_++ % kPatience != 0) return;
+void ToolProxy::tryNewestSurface(double dt) {
+    if (!waited_) return;
+    *waited_ += dt;
+    if (*waited_ + dt / 2 < kPatience) return;
     exchangeSurfaces();
-    waited_ = 0;
+    waited_.reset();
     isWhereBefore_ = newSurface_ = true;
 }
 
@@ -141,9 +146,11 @@ void ToolProxy::tryNewestSurface() {
 MoveResult ToolProxy::moveToward(const Pose& goal) {
     const Pose before = body_.pose();
     MoveResult move = body_.moveToward(goal);
+    const double shortStep = triesInVain_ < kManyTries ? kSmallStep : kLongStep;
     if (move.status == MoveStatus::Overlapping &&
-        (stepOutOfSurface(kSmallStep) || goBackToSurfaceBefore() || stepOutOfSurface(kLastStep)))
+        (stepOutOfSurface(shortStep) || goBackToSurfaceBefore() || stepOutOfSurface(kLastStep)))
         move = body_.moveToward(goal);
+    if (!waited_ && move.status != MoveStatus::Overlapping) triesInVain_ = 0;
     isWhereBefore_ &=
         body_.pose().position == before.position && body_.pose().rotation.coeffs() == before.rotation.coeffs();
     return move;
@@ -162,13 +169,13 @@ Vec3 ToolProxy::handTip(const Pose& handInTooth) const {
     return handInTooth * centre - body_.pose().rotation * centre;
 }
 
-ProxyState ToolProxy::follow(const Pose& handInTooth, const Pose& goal) {
+ProxyState ToolProxy::follow(const Pose& handInTooth, const Pose& goal, double dt) {
     if (mode_ == ContactMode::Penalty) return followAsPenalty(handInTooth);
     ProxyState state;
     if (!placed_) placeNear(handInTooth);
     if (!placed_) return state;
     const Vec3 before = body_.pose().position;
-    tryNewestSurface();
+    tryNewestSurface(dt);
     if (std::exchange(newSurface_, false) && isSwallowed(body_.pose())) {
         placed_ = false;
         return state;
@@ -183,6 +190,7 @@ ProxyState ToolProxy::follow(const Pose& handInTooth, const Pose& goal) {
     state.handTip = handTip(handInTooth);
     state.offset = body_.pose().position - state.handTip;
     state.travel = (body_.pose().position - before).norm();
+    if (move.status == MoveStatus::OutOfWork) state.late = (goal.position - state.proxy.position).norm();
     // A tool that is late shall not pull back a hand that leaves.
     const bool isLeaving = move.status == MoveStatus::OutOfWork && state.offset.dot(wayOut_) <= 0;
     const int held = isLeaving ? 0 : move.contactCount;

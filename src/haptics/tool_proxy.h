@@ -26,6 +26,7 @@ struct ProxyState {
     Vec3 handTip = Vec3::Zero();
     Vec3 offset = Vec3::Zero();  ///< from there to the proxy's tip, mm
     double travel = 0;           ///< of the proxy since the last tick, mm
+    double late = 0;             ///< what it has left of its way since its work ran out, mm
     bool placed = false;         ///< false: no free pose is known, and no force may be made from this
     int contacts = 0;            ///< triangles that hold the proxy (penalty: pairs that intersect)
     int heldCount = 0;
@@ -38,11 +39,14 @@ struct ProxyState {
 /// and when cutting changes the surface under the tool.
 class ToolProxy {
 public:
+    static constexpr double kTick = 0.001;  ///< s, of a caller that does not say
+
     ToolProxy(std::shared_ptr<const ToolShape> tool, std::shared_ptr<const Surface> surface, ContactMode mode,
               Freedom freedom = Freedom::Shift);
 
-    /// `goal`: how far the tool shall go in this tick where that is not all the way to the hand.
-    ProxyState follow(const Pose& handInTooth, const Pose& goal);
+    /// `goal`: how far the tool shall go in this tick where that is not all the way to the hand; `dt`: since the last
+    /// tick, s.
+    ProxyState follow(const Pose& handInTooth, const Pose& goal, double dt = kTick);
     ProxyState follow(const Pose& handInTooth) { return follow(handInTooth, handInTooth); }
 
     [[nodiscard]] const Pose& pose() const { return body_.pose(); }
@@ -75,7 +79,7 @@ private:
     [[nodiscard]] bool stepOutOfSurface(double farthest);
     void exchangeSurfaces();
     [[nodiscard]] bool goBackToSurfaceBefore();
-    void tryNewestSurface();
+    void tryNewestSurface(double dt);
     [[nodiscard]] MoveResult moveToward(const Pose& goal);
     [[nodiscard]] Vec3 handTip(const Pose& handInTooth) const;
     [[nodiscard]] bool isSwallowed(const Pose& toolInTooth) const;
@@ -90,14 +94,15 @@ private:
     ContactQuery query_;
     bool placesItself_ = true;
     bool placed_ = false;
-    bool newSurface_ = false;      // since the last tick
-    FeltSurface other_;            // the surface that was felt before this one, or the newest where that waits
-    bool isWhereBefore_ = false;   // the tool still stands where it stood in the one before
-    int waited_ = 0;               // ticks that the newest has waited for the tool to be free in it; 0: it is felt
-    Vec3 farEnd_ = Vec3::Zero();   // of the tool, away from the tip
-    bool touching_ = false;        // at the last tick
-    HeldAt lastHeld_;              // by what was touched last
-    Vec3 wayOut_ = Vec3::UnitZ();  // direction of the last contact
+    bool newSurface_ = false;       // since the last tick
+    FeltSurface other_;             // the surface that was felt before this one, or the newest where that waits
+    bool isWhereBefore_ = false;    // the tool still stands where it stood in the one before
+    std::optional<double> waited_;  // s that the newest has waited for the tool to be free in it; none: it is felt
+    int triesInVain_ = 0;           // to feel a new surface, since one was felt last
+    Vec3 farEnd_ = Vec3::Zero();    // of the tool, away from the tip
+    bool touching_ = false;         // at the last tick
+    HeldAt lastHeld_;               // by what was touched last
+    Vec3 wayOut_ = Vec3::UnitZ();   // direction of the last contact
 };
 
 }  // namespace tactooth

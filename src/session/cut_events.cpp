@@ -11,6 +11,8 @@ namespace tactooth {
 namespace {
 
 constexpr double kReached = 1e-4;   // mm^3; less of a tissue, a cube of 46 um, may be the rounding of its border
+constexpr double kNothing = 1e-6;   // mm^3; no bur takes less of a body at a cut, a cube of 10 um
+constexpr double kAtMost = 1.05;    // times the volume told for what stands around: by its surface, which errs
 constexpr double kTurnsRpm = 3000;  // rev/min; faster, it has run up
 constexpr double kApart = 0.5;      // s without a touch: the next one is another
 constexpr double kPedalDown = 0.1;  // a foot that asks for a turning bur, beyond any pedal's dead band
@@ -69,17 +71,31 @@ void CutEvents::watchAround(double time, const Tick& tick) {
     last = time;
 }
 
+/// Counts what has gone since the last call for the tooth itself, unless its neighbours have lost something meanwhile.
+void CutEvents::count(const ToothLoss& loss) {
+    const bool isBeside = loss.beside - last_.beside > kNothing;
+    for (std::size_t i = 0; i < own_.size(); ++i) {
+        const double more = loss.removed[i] - last_.removed[i];
+        if (more < 0 || !isBeside) own_[i] = std::max(0.0, own_[i] + more);
+    }
+    last_ = loss;
+}
+
 void CutEvents::watch(double time, const Tick& tick, const ToothLoss& loss) {
     const MaterialVolumes& removed = loss.removed;
     if (!std::exchange(started_, true)) {
         before_ = removed;
         besideBefore_ = loss.beside;
         pieces_ = loss.pieces;
+        last_ = loss;
     }
     for (std::size_t i = 0; i < removed.size(); ++i) before_[i] = std::min(before_[i], removed[i]);
     besideBefore_ = std::min(besideBefore_, loss.beside);
+    count(loss);
+    // Of the tooth itself; more than the neighbours have lost of everything is it as well.
     const auto gone = [&](MaterialId id) {
-        return removed[static_cast<std::size_t>(id)] - before_[static_cast<std::size_t>(id)];
+        const auto i = static_cast<std::size_t>(id);
+        return std::max(own_[i], removed[i] - before_[i] - kAtMost * (loss.beside - besideBefore_));
     };
     tellOnce(CutEventKind::FirstContact, tick.contacts > 0 || total(removed) > total(before_), time, tick);
     tellOnce(CutEventKind::DentinReached, gone(MaterialId::Dentin) > kReached, time, tick);

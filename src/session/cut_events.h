@@ -43,8 +43,9 @@ struct CutEvent {
 /// As a table: t,event,x,y,z.
 [[nodiscard]] std::string cutEventsCsv(std::span<const CutEvent> events);
 
-/// Watches a cut tick by tick. The first contact, each tissue and a cut into what stands around are told once; a
-/// neighbour, gum or bone each time that the tool comes to touch it after half a second without; a stalled bur each
+/// Watches a cut tick by tick. The first contact, each tissue of the tooth itself and a cut into what stands around are
+/// told once (a tissue that goes while a neighbour is cut as well: when more of it has gone than the neighbours lost);
+/// a neighbour, gum or bone each time that the tool comes to touch it after half a second without; a stalled bur each
 /// time that it stalls; pieces that came loose each time that some have fallen.
 class CutEvents {
 public:
@@ -59,10 +60,13 @@ private:
     void tell(CutEventKind kind, double time, const Tick& tick);
     void tellOnce(CutEventKind kind, bool happened, double time, const Tick& tick);
     void watchAround(double time, const Tick& tick);
+    void count(const ToothLoss& loss);
 
     std::vector<CutEvent> events_;
     MaterialVolumes before_{};
     double besideBefore_ = 0;
+    ToothLoss last_;          // at the last call
+    MaterialVolumes own_{};   // of the tooth itself, since the first call, mm^3
     std::size_t pieces_ = 0;  // that had fallen at the last call
     bool started_ = false;
     bool turned_ = false;                        // the bur did, since it stalled last

@@ -68,6 +68,7 @@ void feelPiece(const WorkPiece& piece, const Tick& tick, bool isCut, FeltSurface
 
 void cutByLaw(std::span<const TimedPose> path, const CuttingTool& tool, const MaterialTable& materials,
               HapticSimulation& simulation, WorkPiece& piece, const CutVisitor& visit) {
+    simulation.setTickWork(kUnlimitedWork);  // nobody waits for a tick, and a bur that is late cuts more
     FeltSurfaces surfaces(simulation.tool(), piece.felt());
     double last = path.empty() ? 0 : path.front().time;
     double lastCut = last;

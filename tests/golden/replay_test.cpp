@@ -15,7 +15,7 @@
 namespace tactooth {
 namespace {
 
-constexpr std::uint64_t kGolden = 0x521a868787d4abf9ULL;
+constexpr std::uint64_t kGolden = 0x5008c2f54c56eadcULL;
 
 constexpr double kTick = 0.001;
 constexpr double kVoxel = 0.05;

@@ -34,9 +34,34 @@ TEST(CutPace, NeverGoesBeyondTheHand) {
 TEST(CutPace, FollowsTheHandAcrossAndTurnsWithIt) {
     const CutPace pace;
     const Pose hand{Vec3(0.02, 0, -0.4), Quat(Eigen::AngleAxisd(0.1, Vec3::UnitX()))};
-    const Pose goal = pace.goal(hand, at(Vec3(0.02, 0, 0)), Vec3(0.005, 0, 0), kTick);
-    EXPECT_NEAR(goal.position.x(), 0.025, 1e-12);
+    const Pose goal = pace.goal(hand, at(Vec3(0.015, 0, 0)), Vec3(0.005, 0, 0), kTick);
+    EXPECT_NEAR(goal.position.x(), 0.02, 1e-12);
     EXPECT_EQ(goal.rotation.coeffs(), hand.rotation.coeffs());
+}
+
+TEST(CutPace, LooksToWhereTheHandWasWhenTheBurStoodHere) {
+    const CutPace pace;
+    const Vec3 bur(0.01, 0, 0);
+    const Vec3 before(0.04, 0, -0.4);
+    const Vec3 step(0.001, 0, 0);
+    const Vec3 way = pace.goal(at(before + step), at(bur), step, kTick).position - bur - step;
+    const Vec3 inward = (before - bur).normalized();
+    EXPECT_LT((way - way.dot(inward) * inward).norm(), 1e-12);
+}
+
+TEST(CutPace, MakesUpForTheWayThatALateTickHasLeft) {
+    CutPace pace;
+    for (int i = 0; i < 5; ++i) pace.pass(kTick);
+    pace.grant(0.05);
+    const auto step = [&] {
+        return -pace.goal(at(Vec3(0, 0, -0.4)), at(Vec3::Zero()), Vec3::Zero(), kTick).position.z();
+    };
+    pace.owe(0.004);
+    EXPECT_NEAR(step(), 0.011 + 0.004, 1e-12);
+    pace.owe(0.3);  // no leap to the hand
+    EXPECT_NEAR(step(), 0.011 + 0.01, 1e-12);
+    pace.owe(0);
+    EXPECT_NEAR(step(), 0.011, 1e-12);
 }
 
 TEST(CutPace, IsNoSlowerThanTheHand) {

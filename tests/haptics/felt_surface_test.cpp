@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 #include "haptics/tool_proxy.h"
 #include "support/shapes.h"
 
@@ -131,6 +135,42 @@ TEST(ToolProxy, StaysInTheSurfaceBeforeWhereTheNewOneCatchesItOnAllSides) {
     EXPECT_EQ(proxy.surface(), wider);
     for (int tick = 0; tick < 120; ++tick) (void)proxy.follow(handAt(0, 0.2 + 0.01 * tick));  // above the narrow one
     EXPECT_EQ(proxy.surface(), narrow) << "felt as soon as the tool is free in it";
+}
+
+/// Feels a new surface that stands up to `rise` in a ball that lies on the old one, at 0, and goes on for `seconds`.
+/// Returns the height of the ball, at each tick.
+std::vector<double> heightsWhereTheFloorHasRisen(double rise, double seconds, double dt) {
+    const auto tool = ball();
+    const auto floor = blockUpTo(0);
+    ToolProxy proxy(tool, floor, ContactMode::Proxy);
+    for (const double height : {0.1, 0.0, -0.1}) (void)proxy.follow(at(height));
+    FeltSurfaces surfaces(tool, floor);
+    FeltSurface* felt = surfaces.make(blockUpTo(rise), proxy.pose(), proxy.pose());
+    proxy.setSurface(*felt);
+    surfaces.giveBack(felt);
+    std::vector<double> heights;
+    for (int i = 0; i < std::lround(seconds / dt); ++i) {
+        heights.push_back(proxy.follow(at(-0.1), at(-0.1), dt).proxy.position.z());
+    }
+    return heights;
+}
+
+TEST(ToolProxy, StepsFartherOutOfASurfaceThatCatchesItForGood) {
+    constexpr double kRise = 0.009;  // mm: more than a tool is moved at once
+    const std::vector<double> heights = heightsWhereTheFloorHasRisen(kRise, 0.02, 0.001);
+    EXPECT_NEAR(heights.front(), 0, 1e-6) << "at first it stays in the surface before";
+    EXPECT_NEAR(heights.back(), kRise, 1e-6);
+}
+
+TEST(ToolProxy, TriesANewSurfaceAsSoonAtAnyRate) {
+    const auto secondsUntilItIsFelt = [](double dt) {
+        const std::vector<double> heights = heightsWhereTheFloorHasRisen(0.009, 0.1, dt);
+        const auto felt = std::ranges::find_if(heights, [](double height) { return height > 1e-3; });
+        return static_cast<double>(felt - heights.begin()) * dt;
+    };
+    const double slow = secondsUntilItIsFelt(1e-3);
+    EXPECT_GT(slow, 0.004);
+    EXPECT_NEAR(secondsUntilItIsFelt(0.25e-3), slow, 1e-3);
 }
 
 TEST(FeltSurfaces, CoverTheWayThatTheToolSlidesBesidesThatOfTheCut) {

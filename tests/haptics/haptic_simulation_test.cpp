@@ -9,6 +9,7 @@
 #include <limits>
 #include <numbers>
 #include <random>
+#include <utility>
 
 #include "scene.h"
 #include "support/shapes.h"
@@ -183,12 +184,14 @@ TEST(HapticSimulation, BooksNormalForceTimesRimTravel) {
     HapticSimulation simulation = simulationOf();
     for (int i = 0; i < 500; ++i) simulation.step(cutting(at(0, 0, 0.1)), kTick);
     double booked = 0;
+    double power = 0;
     double x = 0;
     for (int i = 0; i < 400; ++i) {
         x += 0.005;
         const Tick tick = simulation.step(cutting(at(x, 0, -0.3)), kTick);
         const double normalForce = simulation.force().normalForce();
-        booked += normalForce * rimSpeed(tick.speedRpm) * kTick;
+        const double powerBefore = std::exchange(power, normalForce * rimSpeed(tick.speedRpm));
+        booked += (powerBefore + power) / 2 * kTick;
         ASSERT_NEAR(tick.cutWork, booked, 1e-12 * (1 + booked));
         ASSERT_NEAR(tick.removalWatt, 0.5 * normalForce * rimSpeed(tick.speedRpm), 1e-12 * tick.removalWatt);
         ASSERT_NEAR(tick.load, 0.5 * normalForce * test::kBallRadius, 1e-12 * tick.load);

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "bench_scene.h"
 
 namespace tactooth {
@@ -118,6 +120,29 @@ TEST(CutEvents, ACutIntoWhatStandsAroundIsToldOnce) {
     EXPECT_EQ(events.all()[0].kind, CutEventKind::BesideCut);
     EXPECT_EQ(events.all()[0].time, 0.2);
     EXPECT_EQ(cutEventName(CutEventKind::BesideCut), "cut beside the tooth");
+}
+
+TEST(CutEvents, ANeighboursDentinIsNotThatOfTheTooth) {
+    const auto lost = [](double dentin, double beside) {
+        ToothLoss loss = gone(0, dentin, 0);
+        loss.beside = beside;
+        return loss;
+    };
+    CutEvents events;
+    const auto isReached = [&] {
+        return std::ranges::any_of(events.all(),
+                                   [](const CutEvent& event) { return event.kind == CutEventKind::DentinReached; });
+    };
+    events.watch(0.0, tickAt(0, 1), lost(0, 0));
+    for (int i = 1; i < 50; ++i) events.watch(0.01 * i, tickAt(0, 1), lost(0.01 * i, 0.0099 * i));
+    EXPECT_FALSE(isReached()) << "what is left is the error of a surface's volume";
+    CutEvents both = events;
+    events.watch(0.6, tickAt(0, 1), lost(0.49005, 0.4851));
+    EXPECT_FALSE(isReached());
+    events.watch(0.7, tickAt(0, 1), lost(0.5, 0.4851));
+    EXPECT_TRUE(isReached()) << "nothing has gone beside";
+    both.watch(0.6, tickAt(0, 1), lost(0.8, 0.6));
+    EXPECT_EQ(both.all().back().kind, CutEventKind::DentinReached) << "more than all that has gone beside";
 }
 
 TEST(CutEvents, ABurStallsEachTimeThatItHadRunUpAndTheFootStaysDown) {

@@ -284,6 +284,20 @@ TEST(WorkPiece, TheNextCutGoesOnWhereTheLastOneEndsWhileTheBurIsOnItsWayThere) {
     EXPECT_FALSE(piece->reached());
 }
 
+TEST(WorkPiece, AfterAResetTheFirstCutIsThatOfAFreshPieceBitForBit) {
+    const CuttingTool bur = test::flatBur().cutting;
+    const auto used = blockOnTheBench();
+    used->feed(bur, pressing(1000), {});  // a long way: the next look would begin as far ahead
+    used->reset();
+    const auto fresh = blockOnTheBench();
+    for (WorkPiece* piece : {used.get(), fresh.get()}) {
+        piece->feed(bur, pressing(2000, 0.5, 0), {});  // no work is left over
+        ASSERT_TRUE(piece->feed(bur, pressing(2000.3), {}));
+    }
+    EXPECT_EQ(used->hash(), fresh->hash());
+    EXPECT_EQ(used->reached()->position, fresh->reached()->position);
+}
+
 TEST(WorkPiece, TheSurfaceKeepsUpWithEachCut) {
     const auto piece = blockOnTheBench();
     const auto before = piece->surface();
