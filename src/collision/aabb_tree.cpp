@@ -4,6 +4,8 @@
 
 #include <array>
 #include <cassert>
+#include <cmath>
+#include <limits>
 #include <memory>
 
 #include "collision/binned_split.h"
@@ -94,6 +96,61 @@ void fillLeaf(AabbTree::Leaf& leaf, const TriangleMesh& mesh, std::span<const Tr
     }
 }
 
+constexpr std::uint32_t kMostLeavesOfADisc = 512;  // what is larger is not flat
+constexpr float kRoundUp = 1.00001F;               // of a length: what single precision may have lost
+
+/// The mean normal of leaves: that of the sum of their triangles' area vectors, along which what is nearly flat is
+/// thinnest. Zero: there is none.
+Vec3f meanNormal(std::span<const AabbTree::Leaf> leaves) {
+    Vec3x8 area = Vec3x8::all(0, 0, 0);
+    for (const AabbTree::Leaf& leaf : leaves) {
+        const Vec3x8 a = Vec3x8::load(leaf.corner[0]);
+        area = area + cross(Vec3x8::load(leaf.corner[1]) - a, Vec3x8::load(leaf.corner[2]) - a);
+    }
+    float lanes[3][AabbTree::kWidth];
+    area.store(lanes);
+    Vec3f sum = Vec3f::Zero();
+    for (int i = 0; i < AabbTree::kWidth; ++i) sum += Vec3f(lanes[0][i], lanes[1][i], lanes[2][i]);
+    const float length = sum.norm();
+    return length > 0 ? Vec3f(sum / length) : Vec3f(Vec3f::Zero());
+}
+
+/// The disc around what hangs on a child: its leaves, or where they are many a ball around its box.
+void encloseInDisc(std::span<const AabbTree::Leaf> leaves, AabbTree::Node& node, int child) {
+    Vec3f low, high;
+    for (int axis = 0; axis < 3; ++axis) low[axis] = node.low[axis][child], high[axis] = node.high[axis][child];
+    Vec3f centre = (low + high) / 2;
+    Vec3f normal = Vec3f::Zero();
+    float thick = 0, wide = (high - low).norm() / 2;
+    if (leaves.size() <= kMostLeavesOfADisc) {
+        normal = meanNormal(leaves);
+        const Vec3x8 n = Vec3x8::all(normal.x(), normal.y(), normal.z());
+        const Vec3x8 c = Vec3x8::all(centre.x(), centre.y(), centre.z());
+        Float8 bottom = Float8::all(std::numeric_limits<float>::infinity());
+        Float8 top = Float8::all(-std::numeric_limits<float>::infinity());
+        Float8 squared = Float8::all(0);
+        for (const AabbTree::Leaf& leaf : leaves) {
+            for (const auto& corner : leaf.corner) {
+                const Vec3x8 away = Vec3x8::load(corner) - c;
+                const Vec3x8 across = normal.isZero(0) ? away : cross(n, away);
+                const Float8 reach = dot(n, away);
+                bottom = min(bottom, reach);
+                top = max(top, reach);
+                squared = max(squared, dot(across, across));
+            }
+        }
+        thick = (highest(top) - lowest(bottom)) / 2;
+        wide = std::sqrt(highest(squared));
+        centre += (highest(top) + lowest(bottom)) / 2 * normal;
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        node.centre[axis][child] = centre[axis];
+        node.normal[axis][child] = normal[axis];
+    }
+    node.thick[child] = kRoundUp * thick;
+    node.wide[child] = kRoundUp * wide;
+}
+
 /// Writes a tree into memory, depth first: a child follows its parent closely.
 class Layout {
 public:
@@ -120,6 +177,11 @@ public:
             if (from.inner[i]) return write(*from.inner[i], nodeAt[i], leafAt[i]);
             fillLeaf(leaves_[leafAt[i]], mesh_, from.children[i].range.items);
         });
+        for (int i = 0; i < AabbTree::kWidth; ++i) {
+            to.thick[i] = to.wide[i] = 0;
+            for (int axis = 0; axis < 3; ++axis) to.centre[axis][i] = to.normal[axis][i] = 0;
+            if (i < from.count) encloseInDisc({leaves_ + leafAt[i], from.inner[i] ? from.inner[i]->leaves : 1}, to, i);
+        }
     }
 
 private:

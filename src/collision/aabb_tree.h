@@ -37,11 +37,16 @@ public:
     };
 
     /// The boxes of up to eight children, axis by axis. An absent child has an inverted infinite box, which no query
-    /// touches.
+    /// touches. And a disc around what hangs on each: surfaces are flat where one looks closely, and fill far less of a
+    /// disc across their mean normal than of a box.
     struct alignas(32) Node {
         float low[3][kWidth];
         float high[3][kWidth];
         Link child[kWidth];
+        float centre[3][kWidth];  ///< of the disc
+        float normal[3][kWidth];  ///< unit, or zero where the disc is a ball
+        float thick[kWidth];      ///< from the centre along the normal, either way, mm
+        float wide[kWidth];       ///< from the centre across the normal, mm
     };
 
     /// Up to eight triangles, corner by corner and axis by axis. Unused lanes repeat the first triangle.

@@ -3,309 +3,27 @@
 #include "collision/near_clusters.h"
 
 #include <bit>
-#include <span>
+#include <cmath>
+#include <limits>
 
-#include "collision/turned_leaf.h"
+#include "collision/leaf_walk.h"
 
 // Simultaneous descent of two trees: G. van den Bergen, "Efficient Collision Detection of Complex Deformable Models
 // using AABB Trees", J. Graphics Tools 2(4), 1997. Differs from the paper: the walk happens in the tool's frame, into
 // which only those tooth boxes and triangles are turned that it reaches, eight at a time; the tool's own boxes, which
-// turn with the hand at every tick, are never touched. No tooth node is visited twice: it carries along all of the
-// tool's nodes that are in question, each level of the tooth narrowing them. And the walk ends at a leaf of the tooth
-// against a triangle of the tool: what goes on between their triangles is asked later, and of few (see PairList).
+// turn with the hand at every tick, are never touched. It goes on only where it is asked to, from the front that it has
+// reached, as in T.-Y. Li, J.-S. Chen, "Incremental 3D Collision Detection with Hierarchical Data Structures", VRST
+// 1998; differs: a disc around a branch of the tooth and a side of the tool part most branches near a contact from the
+// whole tool at once. It ends at a leaf of the tooth against a triangle of the tool: what goes on between their
+// triangles is asked later, and of few (see PairList).
 
 namespace tactooth {
 namespace {
 
-using namespace walk;
+using namespace nearby;
 
-constexpr std::size_t kStackSize = 1024;  // of parts of the tool: one of 3,000 triangles needs some 200
-
-class Walk {
-public:
-    Walk(const ToolShape& tool, const Pose& toolInTooth, const Skin& skin, std::size_t limit, NearClusters& out)
-        : tool_(tool),
-          toolTree_(tool.part().tree()),
-          turn_(toolInTooth),
-          shifts_(skin, toolInTooth, out.slack),
-          spin_(Float8::all(static_cast<float>(skin.turn))),
-          limit_(std::min(limit, out.capacity())),
-          out_(out) {}
-
-    void run(std::uint32_t part, const AabbTree& tooth, const TriangleMask* hidden) {
-        part_ = part;
-        toothTree_ = &tooth;
-        hidden_ = hidden;
-        if (toothTree_->empty() || toolTree_.empty()) return;
-        const Suspects all{toolTree_.rootLink().index(), 0xFF};
-        descend(toothTree_->root(), {&all, 1});
-    }
-
-private:
-    /// Boxes of a tooth node in the tool's frame, grown by the skin's shifts.
-    [[nodiscard]] Box8 turned(const AabbTree::Node& node) const {
-        const Vec3x8 low = Vec3x8::load(node.low);
-        const Vec3x8 high = Vec3x8::load(node.high);
-        const Float8 half = Float8::all(0.5F);
-        const Vec3x8 sum = low + high;
-        const Vec3x8 difference = high - low;
-        const Vec3x8 centre = turn_.point({sum.x * half, sum.y * half, sum.z * half});
-        const Vec3x8 halfSize = {difference.x * half, difference.y * half, difference.z * half};
-        const Vec3x8 extent = {dot(turn_.absolute[0], halfSize), dot(turn_.absolute[1], halfSize),
-                               dot(turn_.absolute[2], halfSize)};
-        return {centre - extent - everywhere(shifts_.high), centre + extent - everywhere(shifts_.low)};
-    }
-
-    /// Children of one of the tool's nodes that may be near.
-    struct Suspects {
-        std::uint32_t node;
-        std::uint32_t children;  // one bit each
-    };
-    using Front = std::span<const Suspects>;
-
-    /// Tooth node against the part of the tool that `front` names.
-    void descend(const AabbTree::Node& node, Front front) {
-        const Box8 boxes = turned(node);
-        const Spilled spilled(boxes);
-        std::array<std::uint8_t, kStackSize> childrenNear;  // of the tooth node, to each of the front
-        std::uint32_t any = 0;
-        for (std::size_t i = 0; i < front.size(); ++i) {
-            const ToolShape::Bound& bound = tool_.bound(AabbTree::Link::toNode(front[i].node));
-            childrenNear[i] = static_cast<std::uint8_t>(overlaps(boxes, Float8::all(bound.far) * spin_, bound));
-            any |= childrenNear[i];
-        }
-        for (; any != 0 && out_.complete; any &= any - 1) {
-            const int i = std::countr_zero(any);
-            const std::size_t mark = used_;
-            const Front near = narrowed(front, childrenNear.data(), i, spilled.pick(i));
-            if (near.empty()) continue;
-            if (node.child[i].isLeaf()) {
-                meetLeaf(node.child[i], near);
-            } else {
-                descend(toothTree_->node(node.child[i]), near);
-            }
-            used_ = mark;
-        }
-    }
-
-    /// One bit for each child of a node of the tool that meets the box.
-    [[nodiscard]] std::uint32_t meeting(AabbTree::Link link, const AabbTree::Node& node, const Boxf& box) const {
-        const Float8 grow = Float8::load(tool_.far(link).data()) * spin_;
-        return overlaps({Vec3x8::load(node.low), Vec3x8::load(node.high)}, grow, box);
-    }
-
-    /// What of `front` meets the box of child `i`, one level further down the tool. If the stack is full, `front`
-    /// itself.
-    Front narrowed(Front front, const std::uint8_t* childrenNear, int i, const Boxf& box) {
-        const std::size_t first = used_;
-        for (std::size_t s = 0; s < front.size(); ++s) {
-            if (((childrenNear[s] >> i) & 1U) == 0) continue;
-            if (used_ + 1 + AabbTree::kWidth > stack_.size()) return front;
-            const Suspects& suspects = front[s];
-            const AabbTree::Link link = AabbTree::Link::toNode(suspects.node);
-            const AabbTree::Node& node = toolTree_.node(link);
-            std::uint32_t leaves = meeting(link, node, box) & suspects.children;
-            for (std::uint32_t rest = leaves; rest != 0; rest &= rest - 1) {
-                const int k = std::countr_zero(rest);
-                if (node.child[k].isLeaf()) continue;
-                stack_[used_++] = {node.child[k].index(), 0xFF};
-                leaves &= ~(1U << k);
-            }
-            if (leaves != 0) stack_[used_++] = {suspects.node, leaves};
-        }
-        return Front(stack_).subspan(first, used_ - first);
-    }
-
-    void meetLeaf(AabbTree::Link toothLink, Front front) {
-        ++out_.leavesMet;
-        TurnedLeaf tooth(toothTree_->leaf(toothLink), turn_, shifts_);
-        for (const Suspects& suspects : front) meetBelow(tooth, suspects);
-    }
-
-    void meetBelow(TurnedLeaf& tooth, const Suspects& suspects) {
-        const AabbTree::Link link = AabbTree::Link::toNode(suspects.node);
-        const AabbTree::Node& node = toolTree_.node(link);
-        std::uint32_t hits = meeting(link, node, tooth.grown) & suspects.children;
-        for (; hits != 0; hits &= hits - 1) {
-            const AabbTree::Link child = node.child[std::countr_zero(hits)];
-            if (child.isLeaf()) {
-                meet(tooth, child);
-            } else {
-                meetBelow(tooth, {child.index(), 0xFF});
-            }
-        }
-    }
-
-    /// Writes the clusters of a leaf of the tooth with the triangles of a leaf of the tool: cheapest tests first.
-    void meet(TurnedLeaf& tooth, AabbTree::Link toolLink) {
-        const AabbTree::Leaf& toolLeaf = toolTree_.leaf(toolLink);
-        const ToolShape::Faces& faces = tool_.faces(toolLink);
-        std::uint32_t near = facesNear(tooth, faces) & ((1U << toolLeaf.count) - 1U);
-        if (near == 0) return;
-        if (!tooth.isKept && !keep(tooth)) return;
-        const Extent& mean = tooth.bySum;
-        const Vec3x8 n = Vec3x8::all(mean.direction.x(), mean.direction.y(), mean.direction.z());
-        const Float8 a = dot(n, Vec3x8::load(toolLeaf.corner[0]));
-        const Float8 b = dot(n, Vec3x8::load(toolLeaf.corner[1]));
-        const Float8 c = dot(n, Vec3x8::load(toolLeaf.corner[2]));
-        float front[8], behind[8], spun[8];
-        const Float8 spun8 = Float8::load(faces.far) * spin_;
-        const Float8 front8 = min(min(a, b), c) - Float8::all(mean.high);
-        const Float8 behind8 = Float8::all(mean.low) - max(max(a, b), c);
-        near &= ~(lessEqual(Float8::all(shifts_.closing(mean.direction)) + spun8, front8) |
-                  lessEqual(Float8::all(shifts_.closing(-mean.direction)) + spun8, behind8));
-        if (near == 0) return;
-        front8.store(front), behind8.store(behind), spun8.store(spun);
-        // The triangles of a flat leaf are hardly further away than the leaf: to ask each of them costs more than it
-        // saves.
-        const bool isFlat = mean.high - mean.low < shifts_.around;
-        for (; near != 0; near &= near - 1) {
-            const int k = std::countr_zero(near);
-            Slab slab{mean.direction, front[k]};
-            widen(slab, {-mean.direction, behind[k]});
-            const Slab byTool = byFace(tooth, faces, k);
-            if (staysOpen(byTool, spun[k])) continue;
-            const Slab apart = byBoxes(tooth.box, faces, k);
-            if (staysOpen(apart, spun[k])) continue;
-            if (!isFlat && !isAnyNear(tooth, toolLeaf, faces, k, spun[k])) continue;
-            widen(slab, byTool);
-            widen(slab, apart);
-            write(slab, toolLeaf.triangle[k]);
-        }
-    }
-
-    /// One bit for each of the tool's triangles whose box and plane both may meet those of the leaf.
-    [[nodiscard]] std::uint32_t facesNear(const TurnedLeaf& tooth, const ToolShape::Faces& faces) const {
-        const Float8 spun = Float8::load(faces.far) * spin_;
-        const std::uint32_t boxes = overlaps({Vec3x8::load(faces.low), Vec3x8::load(faces.high)}, spun, tooth.grown);
-        if (boxes == 0) return 0;
-        const Vec3x8 low = Vec3x8::all(tooth.box.low[0], tooth.box.low[1], tooth.box.low[2]);
-        const Vec3x8 high = Vec3x8::all(tooth.box.high[0], tooth.box.high[1], tooth.box.high[2]);
-        const Vec3x8 n = Vec3x8::load(faces.normal);
-        const Float8 ax = n.x * low.x, bx = n.x * high.x;
-        const Float8 ay = n.y * low.y, by = n.y * high.y;
-        const Float8 az = n.z * low.z, bz = n.z * high.z;
-        const Float8 nearest = min(ax, bx) + min(ay, by) + min(az, bz);
-        const Float8 farthest = max(ax, bx) + max(ay, by) + max(az, bz);
-        const Float8 along = dot(n, everywhere(shifts_.along));
-        const Float8 around = Float8::all(shifts_.around) + spun;
-        const Float8 zero = Float8::all(0);
-        return boxes & lessEqual(nearest, Float8::load(faces.highOffset) + max(along, zero) + around) &
-               lessEqual(Float8::load(faces.lowOffset) + min(along, zero) - around, farthest);
-    }
-
-    struct Slab {
-        Vec3f normal;
-        float gap;
-    };
-
-    /// Whether no move within the skin can close the slab.
-    [[nodiscard]] bool staysOpen(const Slab& slab, float spun) const {
-        return slab.gap > shifts_.closing(slab.normal) + spun;
-    }
-
-    /// Takes the slab of which the way expected leaves more: the wider one at its start may lie right across it.
-    void widen(Slab& slab, const Slab& other) const {
-        const auto left = [&](const Slab& one) { return one.gap - shifts_.closing(one.normal); };
-        if (left(other) > left(slab)) slab = other;
-    }
-
-    /// Whether any triangle of the tooth's leaf may meet the tool's triangle `k`. Asked where the leaf as a whole may:
-    /// one that is not flat, as in a groove, fills far more space than its triangles.
-    [[nodiscard]] bool isAnyNear(const TurnedLeaf& tooth, const AabbTree::Leaf& toolLeaf, const ToolShape::Faces& faces,
-                                 int k, float spun) const {
-        const Vec3x8 &p = tooth.corner[0], &q = tooth.corner[1], &r = tooth.corner[2];
-        const auto boxes =
-            Box8{min(min(p, q), r) - everywhere(shifts_.high), max(max(p, q), r) - everywhere(shifts_.low)};
-        const Boxf box{{faces.low[0][k], faces.low[1][k], faces.low[2][k]},
-                       {faces.high[0][k], faces.high[1][k], faces.high[2][k]}};
-        std::uint32_t near = tooth.present & overlaps(boxes, Float8::all(spun), box);
-        if (near == 0) return false;
-        const Float8 around = Float8::all(shifts_.around + spun);
-        const auto parted = [&](const Vec3x8& n, Float8 toolLow, Float8 toolHigh) {
-            const Float8 a = dot(n, p), b = dot(n, q), c = dot(n, r);
-            const Float8 along = dot(n, everywhere(shifts_.along));
-            const Float8 zero = Float8::all(0);
-            return lessEqual(max(max(a, b), c) + around, toolLow + min(along, zero)) |
-                   lessEqual(toolHigh + max(along, zero) + around, min(min(a, b), c));
-        };
-        const Vec3x8 face = Vec3x8::all(faces.normal[0][k], faces.normal[1][k], faces.normal[2][k]);
-        near &= ~parted(face, Float8::all(faces.lowOffset[k]), Float8::all(faces.highOffset[k]));
-        const auto lane = [&](int i) {
-            return Vec3x8::all(toolLeaf.corner[i][0][k], toolLeaf.corner[i][1][k], toolLeaf.corner[i][2][k]);
-        };
-        const Float8 a = dot(tooth.normal, lane(0)), b = dot(tooth.normal, lane(1)), c = dot(tooth.normal, lane(2));
-        return (near & ~parted(tooth.normal, min(min(a, b), c), max(max(a, b), c))) != 0;
-    }
-
-    static Slab byFace(const TurnedLeaf& tooth, const ToolShape::Faces& faces, int k) {
-        const Vec3f normal(faces.normal[0][k], faces.normal[1][k], faces.normal[2][k]);
-        const Extent extent = extentOf(tooth.corner, normal);
-        const float front = faces.lowOffset[k] - extent.high;
-        const float behind = extent.low - faces.highOffset[k];
-        return front >= behind ? Slab{normal, front} : Slab{-normal, behind};
-    }
-
-    /// The slab between two boxes that are apart.
-    static Slab byBoxes(const Boxf& box, const ToolShape::Faces& faces, int k) {
-        Vec3f between;
-        for (int axis = 0; axis < 3; ++axis) {
-            between[axis] = std::max(faces.low[axis][k] - box.high[axis], 0.0F) -
-                            std::max(box.low[axis] - faces.high[axis][k], 0.0F);
-        }
-        const float gap = between.norm();
-        return gap > 0 ? Slab{between / gap, gap} : Slab{Vec3f::Zero(), 0};
-    }
-
-    /// Writes the leaf. False where there is no room for it, or nothing of it to be felt.
-    bool keep(TurnedLeaf& tooth) {
-        std::uint32_t& present = tooth.present = (1U << tooth.leaf->count) - 1U;
-        for (std::uint32_t i = 0; hidden_ != nullptr && i < tooth.leaf->count; ++i) {
-            if (isHidden(*hidden_, tooth.leaf->triangle[i])) present &= ~(1U << i);
-        }
-        if (present == 0) return false;
-        if (out_.leafCount == out_.leaves.size()) return out_.complete = false;
-        NearLeaf& kept = out_.leaves[out_.leafCount++];
-        for (int i = 0; i < 3; ++i) tooth.corner[i].store(kept.corner[i]);
-        std::copy_n(tooth.leaf->triangle, AabbTree::kWidth, kept.triangle);
-        kept.part = part_;
-        kept.present = present;
-        tooth.findNormals();
-        tooth.normal.store(kept.normal);
-        return tooth.isKept = true;
-    }
-
-    void write(const Slab& slab, std::uint32_t tool) {
-        if (out_.count == limit_) {
-            out_.complete = false;
-            return;
-        }
-        EightClusters& eight = out_.eights[out_.count / 8];
-        const std::size_t lane = out_.count++ % 8;
-        const ToolShape::Ball& ball = tool_.ball(tool);
-        for (int axis = 0; axis < 3; ++axis) {
-            eight.normal[axis][lane] = slab.normal[axis];
-            eight.centre[axis][lane] = ball.centre[axis];
-        }
-        eight.gap[lane] = slab.gap - static_cast<float>(out_.slack);
-        eight.radius[lane] = ball.radius;
-        eight.leaf[lane] = static_cast<std::uint32_t>(out_.leafCount - 1);
-        eight.tool[lane] = tool;
-    }
-
-    const ToolShape& tool_;
-    const AabbTree& toolTree_;
-    const AabbTree* toothTree_ = nullptr;
-    const TriangleMask* hidden_ = nullptr;
-    std::uint32_t part_ = 0;
-    Turn turn_;
-    Shifts shifts_;
-    Float8 spin_;
-    std::size_t limit_;
-    NearClusters& out_;
-    std::array<Suspects, kStackSize> stack_;
-    std::size_t used_ = 0;
-};
+// What the slab of a node may hide, of a coordinate's slack: it is found in the tooth's frame, far from the origin.
+constexpr double kNodeSlacks = 3;
 
 /// What single precision can hide: a few rounding steps of the largest number that a walk handles, mm.
 double roundingSlack(const SurfacePart& tooth, const ToolShape& tool, const Pose& toolInTooth) {
@@ -317,15 +35,168 @@ double roundingSlack(const SurfacePart& tooth, const ToolShape& tool, const Pose
 
 }  // namespace
 
-void findNearClusters(const Surface& surface, const ToolShape& tool, const Pose& toolInTooth, const Skin& skin,
-                      std::size_t limit, NearClusters& out) {
-    out.leafCount = out.count = out.leavesMet = 0;
+/// Boxes of a tooth node in the tool's frame, grown by the skin's shifts.
+Box8 NearWalk::turned(const AabbTree::Node& node) const {
+    const Vec3x8 low = Vec3x8::load(node.low);
+    const Vec3x8 high = Vec3x8::load(node.high);
+    const Float8 half = Float8::all(0.5F);
+    const Vec3x8 sum = low + high;
+    const Vec3x8 difference = high - low;
+    const Vec3x8 centre = turn_.point({sum.x * half, sum.y * half, sum.z * half});
+    const Vec3x8 halfSize = {difference.x * half, difference.y * half, difference.z * half};
+    const Vec3x8 extent = {dot(turn_.absolute[0], halfSize), dot(turn_.absolute[1], halfSize),
+                           dot(turn_.absolute[2], halfSize)};
+    return {centre - extent - everywhere(shifts_.high), centre + extent - everywhere(shifts_.low)};
+}
+
+/// The slabs between the tool and those children named by `near`, along the directions of `side` and those beside it.
+/// Returns the children whose slab a move may close.
+std::uint32_t NearWalk::findSlabs(const AabbTree::Node& node, ToolSides::Number side, std::uint32_t near, float slack,
+                                  NearNode& found) const {
+    const ToolSides& sides = tool_->sides();
+    const Vec3x8 centre = turn_.point(Vec3x8::load(node.centre));
+    const Vec3x8 normal = turn_.direction(Vec3x8::load(node.normal));
+    const Float8 zero = Float8::all(0);
+    Float8 furthest = Float8::all(-std::numeric_limits<float>::infinity());
+    Float8 place = zero;
+    Vec3x8 inward = Vec3x8::all(0, 0, 0);
+    const ToolSides::Beside& beside = sides.beside(side);
+    for (int i = 0; i < ToolSides::kBeside; ++i) {
+        const ToolSides::Side& one = sides[beside[i]];
+        const Vec3x8 d = everywhere(one.inward);
+        const Float8 beyond = Float8::all(one.low) - dot(d, centre);
+        const auto wider = [&](Float8 mine, Float8 its) { return whereLess(furthest, beyond, its, mine); };
+        inward = {wider(inward.x, d.x), wider(inward.y, d.y), wider(inward.z, d.z)};
+        place = wider(place, Float8::all(static_cast<float>(i)));
+        furthest = max(furthest, beyond);
+    }
+    const Float8 across = dot(inward, normal);
+    const Float8 reach =
+        max(across, zero - across) * Float8::load(node.thick) +
+        sqrt(max(Float8::all(1) - across * across, zero) + Float8::all(static_cast<float>(kFewRoundings))) *
+            Float8::load(node.wide);
+    const Float8 gap = furthest - reach - Float8::all(slack);
+    inward.store(found.normal);
+    gap.store(found.gap);
+    float placed[8];
+    place.store(placed);
+    for (int i = 0; i < 8; ++i) {
+        found.side[i] = beside[static_cast<std::size_t>(placed[i])];
+        found.loss[i] = losses_[found.side[i]];
+    }
+    const Float8 closing = Float8::all(shifts_.around) + max(zero - dot(inward, everywhere(shifts_.along)), zero);
+    return near & lessEqual(gap, closing + Float8::all(spin_) * Float8::load(found.loss));
+}
+
+void NearWalk::addNode(std::uint32_t part, const AabbTree::Node& node, std::optional<ToolSides::Number> side,
+                       NearClusters& out) const {
+    const ToolShape::Bound& bound = tool_->bound(tool_->part().tree().rootLink());
+    const std::uint32_t near = overlaps(turned(node), Float8::all(bound.far * spin_), bound);
+    if (near == 0) return;
+    if (out.nodeCount == out.nodes.size()) {
+        out.complete = false;
+        return;
+    }
+    if (!side) {
+        const Vec3x8 centre = turn_.point(Vec3x8::load(node.centre));
+        float at[3][8];
+        centre.store(at);
+        const int i = std::countr_zero(near);
+        side = tool_->sides().facing({at[0][i], at[1][i], at[2][i]});
+    }
+    NearNode& found = out.nodes[out.nodeCount];
+    found.closed = findSlabs(node, *side, near, static_cast<float>(kNodeSlacks * out.slack), found);
+    if (found.closed == 0) return;
+    found.part = part;
+    found.exact = 0;
+    std::copy_n(node.child, AabbTree::kWidth, found.child);
+    ++out.nodeCount;
+}
+
+/// A box of the tool's frame around all children of a node, grown by the skin's shifts.
+Boxf NearWalk::boxAround(const AabbTree::Node& node) const {
+    // An absent child's box is inverted and infinite.
+    Vec3f low, high;
+    for (int axis = 0; axis < 3; ++axis) {
+        low[axis] = lowest(Float8::load(node.low[axis]));
+        high[axis] = highest(Float8::load(node.high[axis]));
+    }
+    const Vec3f centre = toTooth_.transpose() * ((low + high) / 2 - origin_);
+    const Vec3f extent = toTooth_.transpose().cwiseAbs() * ((high - low) / 2);
+    Boxf box;
+    for (int axis = 0; axis < 3; ++axis) {
+        box.low[axis] = centre[axis] - extent[axis] - shifts_.high[axis];
+        box.high[axis] = centre[axis] + extent[axis] - shifts_.low[axis];
+    }
+    return box;
+}
+
+/// Whether a box meets any triangle's of a node of the tool.
+bool NearWalk::meetsTool(const Boxf& box, AabbTree::Link link) const {
+    const AabbTree::Node& node = tool_->part().tree().node(link);
+    const Float8 spin = Float8::all(spin_);
+    const Float8 grow = Float8::load(tool_->far(link).data()) * spin;
+    std::uint32_t hits = overlaps({Vec3x8::load(node.low), Vec3x8::load(node.high)}, grow, box);
+    for (; hits != 0; hits &= hits - 1) {
+        const AabbTree::Link child = node.child[std::countr_zero(hits)];
+        if (!child.isLeaf()) {
+            if (meetsTool(box, child)) return true;
+            continue;
+        }
+        const ToolShape::Faces& faces = tool_->faces(child);
+        if (overlaps({Vec3x8::load(faces.low), Vec3x8::load(faces.high)}, Float8::load(faces.far) * spin, box) != 0)
+            return true;
+    }
+    return false;
+}
+
+const AabbTree& NearWalk::treeOf(std::uint32_t part) const {
+    return part == 0 ? visibleBase(*surface_).tree : surface_->patches[part - 1]->tree();
+}
+
+float NearWalk::gapAlong(std::size_t node, int child, const ToolSides::Side& side, const NearClusters& out) const {
+    const NearNode& near = out.nodes[node];
+    const AabbTree::Leaf& leaf = treeOf(near.part).leaf(near.child[child]);
+    // The direction is turned, not the leaf's many corners.
+    const Vec3f& d = side.inward;
+    const Vec3f inTooth = toTooth_ * d;
+    const Vec3x8 along = everywhere(inTooth);
+    const Float8 a = dot(along, Vec3x8::load(leaf.corner[0]));
+    const Float8 b = dot(along, Vec3x8::load(leaf.corner[1]));
+    const Float8 c = dot(along, Vec3x8::load(leaf.corner[2]));
+    const float high = highest(max(max(a, b), c)) - inTooth.dot(origin_);
+    return side.low - high - static_cast<float>(kNodeSlacks * out.slack);
+}
+
+void NearWalk::open(const NearNode& node, int child, std::size_t limit, NearClusters& out) const {
+    const std::uint32_t part = node.part;
+    const AabbTree::Link link = node.child[child];
+    const AabbTree& tree = treeOf(part);
+    if (!link.isLeaf()) {
+        const AabbTree::Node& below = tree.node(link);
+        if (meetsTool(boxAround(below), tool_->part().tree().rootLink())) addNode(part, below, node.side[child], out);
+        return;
+    }
+    LeafWalk(*tool_, part == 0 ? visibleBase(*surface_).hidden : nullptr, part, turn_, shifts_, spin_, limit, out)
+        .meetLeaf(tree.leaf(link));
+}
+
+void NearWalk::begin(const Surface& surface, const ToolShape& tool, const Pose& toolInTooth, const Skin& skin,
+                     NearClusters& out) {
+    out.nodeCount = out.leafCount = out.count = 0;
     out.complete = true;
-    if (surface.base->tree().empty()) return;
+    surface_ = &surface;
+    tool_ = &tool;
+    if (surface.base->tree().empty() || tool.part().tree().empty()) return;
     out.slack = roundingSlack(*surface.base, tool, toolInTooth);
-    Walk walk(tool, toolInTooth, skin, limit, out);
+    turn_ = Turn(toolInTooth);
+    toTooth_ = toolInTooth.rotation.toRotationMatrix().cast<float>();
+    origin_ = toolInTooth.position.cast<float>();
+    shifts_ = Shifts(skin, toolInTooth, out.slack);
+    spin_ = static_cast<float>(skin.turn);
+    losses_ = tool.sides().losses(skin.turn);
     const VisibleBase base = visibleBase(surface);
-    walk.run(0, base.tree, base.hidden);
+    if (!base.tree.empty()) addNode(0, base.tree.root(), {}, out);
     // A cheap ball test first: cutting leaves hundreds of patches, of which the tool is near a handful.
     const Vec3 centre = toolInTooth * tool.centre();
     const double ball = tool.radius() + skin.along.norm() + skin.around +
@@ -333,7 +204,7 @@ void findNearClusters(const Surface& surface, const ToolShape& tool, const Pose&
     for (std::size_t i = 0; i < surface.patches.size(); ++i) {
         const AabbTree& tree = surface.patches[i]->tree();
         if (tree.empty() || tree.box().squaredExteriorDistance(centre) > ball * ball) continue;
-        walk.run(static_cast<std::uint32_t>(i + 1), tree, nullptr);
+        addNode(static_cast<std::uint32_t>(i + 1), tree.root(), {}, out);
     }
 }
 

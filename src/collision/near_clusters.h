@@ -5,34 +5,16 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "collision/surface.h"
 #include "collision/tool_shape.h"
+#include "collision/turned_leaf.h"
 #include "geometry/pose.h"
 
 namespace tactooth {
-
-/// Of a length computed in single precision by a few operations: what rounding has made of it at most.
-inline constexpr double kFewRoundings = 1e-6;
-
-[[nodiscard]] inline Vec3x8 everywhere(const Vec3f& v) { return Vec3x8::all(v.x(), v.y(), v.z()); }
-
-/// Where a tool may move before it meets what was not near: its origin (the tip) is shifted to within `around` of the
-/// segment from where it was to `along` further on, and it is turned by `turn`. A turn moves its point p by
-/// turn * |p| at most.
-struct Skin {
-    Vec3 along = Vec3::Zero();  ///< mm, in the tooth's frame
-    double around = 0;          ///< mm
-    double turn = 0;            ///< chord: twice the sine of half the angle
-
-    /// Distance of a shift from the segment, mm.
-    [[nodiscard]] double stray(const Vec3& shift) const {
-        const double squared = along.squaredNorm();
-        const double share = squared > 0 ? std::clamp(shift.dot(along) / squared, 0.0, 1.0) : 0;
-        return (shift - share * along).norm();
-    }
-};
 
 /// Up to eight triangles of a tooth, a leaf of its tree, in the tool's frame.
 struct alignas(32) NearLeaf {
@@ -55,24 +37,68 @@ struct alignas(32) EightClusters {
     std::uint32_t tool[8];  ///< triangle of the tool
 };
 
+/// Children of a node of the tooth's tree that may be near and have not been looked into yet, each with a slab between
+/// it and the whole tool, in the tool's frame as those of clusters.
+struct alignas(32) NearNode {
+    float normal[3][8];
+    float gap[8];
+    float loss[8];  ///< what a turn makes the gap less by at most, per chord, mm
+    AabbTree::Link child[8];
+    ToolSides::Number side[8];  ///< of the tool, that looks to the child
+    std::uint32_t part;
+    std::uint32_t closed;  ///< one bit for each child that may be near and was not looked into
+    std::uint32_t exact;   ///< one bit for each leaf whose gap is that of its triangles, not of its disc
+};
+
 /// All that is near a tool. Fixed memory: filling it allocates nothing.
 struct NearClusters {
-    explicit NearClusters(std::size_t capacity) : leaves(capacity / 4), eights(capacity / 8) {}
+    explicit NearClusters(std::size_t capacity) : nodes(capacity / 8), leaves(capacity / 4), eights(capacity / 8) {}
 
     [[nodiscard]] std::size_t capacity() const { return eights.size() * 8; }
 
+    std::vector<NearNode> nodes;
     std::vector<NearLeaf> leaves;
     std::vector<EightClusters> eights;
+    std::size_t nodeCount = 0;
     std::size_t leafCount = 0;
-    std::size_t count = 0;      ///< clusters
-    double slack = 0;           ///< mm: what single precision may hide in a coordinate here
-    std::size_t leavesMet = 0;  ///< leaves of the tooth that the search had to look into
-    bool complete = true;       ///< false: there were more than `limit` clusters, or more than there is room for
+    std::size_t count = 0;  ///< clusters
+    double slack = 0;       ///< mm: what single precision may hide in a coordinate here
+    bool complete = true;   ///< false: there were more than `limit` clusters, or more than there is room for
 };
 
-/// Finds every cluster of `surface` and `tool` (standing at `toolInTooth`) whose triangles the tool could bring
-/// together while it moves within `skin`, and some that it could not. Gives up beyond `limit` clusters.
-void findNearClusters(const Surface& surface, const ToolShape& tool, const Pose& toolInTooth, const Skin& skin,
-                      std::size_t limit, NearClusters& out);
+/// Finds what is near a tool while it moves within a skin from `toolInTooth`: clusters whose triangles the tool could
+/// bring together, and some that it could not. Looks into no more of the tooth's tree than it is asked for.
+class NearWalk {
+public:
+    /// Begins with the whole of `surface`, none of which has been looked into. Surface and tool must outlive the walk.
+    void begin(const Surface& surface, const ToolShape& tool, const Pose& toolInTooth, const Skin& skin,
+               NearClusters& out);
+    /// Looks into a child of one of the nodes found: what may be near of it is found, to close it is the caller's.
+    /// Gives up (out.complete) beyond `limit` clusters.
+    void open(const NearNode& node, int child, std::size_t limit, NearClusters& out) const;
+
+    /// The slab between a leaf among the children of a node and the whole tool along a direction: its width, mm.
+    [[nodiscard]] float gapAlong(std::size_t node, int child, const ToolSides::Side& side,
+                                 const NearClusters& out) const;
+
+private:
+    [[nodiscard]] nearby::Boxf boxAround(const AabbTree::Node& node) const;
+    [[nodiscard]] bool meetsTool(const nearby::Boxf& box, AabbTree::Link link) const;
+    [[nodiscard]] const AabbTree& treeOf(std::uint32_t part) const;
+    void addNode(std::uint32_t part, const AabbTree::Node& node, std::optional<ToolSides::Number> side,
+                 NearClusters& out) const;
+    [[nodiscard]] nearby::Box8 turned(const AabbTree::Node& node) const;
+    [[nodiscard]] std::uint32_t findSlabs(const AabbTree::Node& node, ToolSides::Number side, std::uint32_t near,
+                                          float slack, NearNode& found) const;
+
+    const Surface* surface_ = nullptr;
+    const ToolShape* tool_ = nullptr;
+    nearby::Turn turn_{};
+    Eigen::Matrix3f toTooth_ = Eigen::Matrix3f::Identity();
+    Vec3f origin_ = Vec3f::Zero();  ///< of the tool, in the tooth's frame
+    nearby::Shifts shifts_;
+    float spin_ = 0;  ///< of the skin, a chord
+    std::span<const float> losses_;
+};
 
 }  // namespace tactooth

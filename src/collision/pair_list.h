@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "collision/near_clusters.h"
@@ -32,7 +33,7 @@ struct Excursion {
     struct Way {
         Eigen::Matrix3f turn;
         Vec3f shift;
-        float perLength;  ///< two points of the tool 1 mm apart differ in their ways by this much at most
+        float perLength;  ///< two points of the tool 1 mm apart differ in their ways by this much at most: a chord
         float spare;      ///< what a slab must leave, mm
     };
     Way start, end;
@@ -44,9 +45,10 @@ struct Excursion {
     int knownCount = 0;
 };
 
-/// The pairs of triangles near a tool, kept while the tool moves within a skin, on two levels. A cluster (a leaf of the
-/// tooth against a triangle of the tool) has a slab that was free when the list was made; eight at a time tell which
-/// clusters a step could bring together. Only those are opened: then each pair has a slab of its own.
+/// The pairs of triangles near a tool, kept while the tool moves within a skin, on three levels, each with slabs that
+/// were free when it was listed. A branch of the tooth's tree has one against the whole tool; a cluster (a leaf of the
+/// tooth against a triangle of the tool) and a pair of triangles have their own. Eight at a time tell which of them a
+/// step could bring together: only those are opened.
 class PairList {
 public:
     /// Clusters: a bur that fills its own slot in a 25 um mesh lists some 4,000.
@@ -54,14 +56,22 @@ public:
 
     explicit PairList(const ToolShape& tool, std::size_t capacity = kUsualCapacity);
 
-    /// Lists what is within `wanted`, or within less where that is too much. Allocates nothing. Returns what it cost.
-    Work make(const Surface& surface, const Pose& toolInTooth, const Skin& wanted);
+    /// Begins a list of what is within `wanted`, or within less where much was met lately: what is near is looked into
+    /// where a step brings it in doubt (see within). `surface` must stay as long as the list does. Allocates nothing.
+    void make(const Surface& surface, const Pose& toolInTooth, const Skin& wanted);
     /// Lists what is within `skin`, however much it is: allocates where there is no room.
     void makeAll(const Surface& surface, const Pose& toolInTooth, const Skin& skin);
     /// Lists what the tool meets where it stands, and stops beyond `limit` clusters; allocates where there is no room
     /// for so many. True if nothing was left out.
     bool makeUpTo(const Surface& surface, const Pose& toolInTooth, std::size_t limit);
     void clear() { made_ = false; }
+    /// There was more to list than there is room for, or than a list is worth: it does not tell what is near. One with
+    /// a shorter skin may.
+    [[nodiscard]] bool isFull() const { return made_ && !near_.complete; }
+    /// Clears a full list, and makes the next one shorter. False if it was as short as a list can be.
+    bool shorten();
+    /// What looking into the tooth has cost since this was last asked.
+    [[nodiscard]] Work takeWork() { return std::exchange(work_, 0); }
     /// Clears it, and forgets how long a list may well be.
     void forget();
 
@@ -82,8 +92,9 @@ public:
     [[nodiscard]] Excursion excursion(const Pose& start, const Pose& end, double margin,
                                       std::span<const Vec3> known) const;
 
-    /// Where the eight clusters begin of which a step may bring some in doubt, ascending; all others are clear of it.
-    /// Looks them all over once, for the steps to come as well, as long as these stay near. Allocates nothing.
+    /// Where the eight clusters begin of which a step may bring some in doubt, ascending; all others are clear of it,
+    /// and so is what of the tooth is no cluster yet (unless the list is full). Looks them all over once, for the steps
+    /// to come as well, as long as these stay near. Allocates nothing.
     [[nodiscard]] std::span<const std::uint32_t> within(const Excursion& excursion);
     /// Of the eight clusters from number `first` on (a multiple of eight), one bit for each whose slab does not hold
     /// at both ends of the step.
@@ -93,6 +104,11 @@ public:
     [[nodiscard]] static std::size_t placeOf(std::size_t cluster, int lane) {
         return cluster * 8 + static_cast<std::size_t>(lane);
     }
+
+    /// Takes a direction of the tooth's frame for the slabs of those of `doubt` in a cluster that it parts the whole
+    /// way of the step that pairsInDoubt was asked about. Returns those left in doubt.
+    [[nodiscard]] std::uint32_t partBy(const Vec3& direction, std::size_t cluster, std::uint32_t doubt,
+                                       const Excursion& excursion);
 
     /// The leaf of the tooth in a cluster; clusters of the same leaf have the same number.
     [[nodiscard]] std::uint32_t leafOf(std::size_t cluster) const { return eightOf(cluster).leaf[cluster % 8]; }
@@ -115,7 +131,9 @@ private:
         float high[8];           // no point of the tooth's triangle is further along the normal, mm
         std::uint32_t stubborn;  // one bit for each pair that none of its triangles' normals has parted
     };
+    static constexpr std::uint32_t kClosed = ~0U;
     struct Swept;
+    struct Sides;
 
     /// A few steps from a pose of the tool on, and the clusters that they may bring in doubt.
     struct Surroundings {
@@ -124,12 +142,20 @@ private:
         float stray = -1, turn = -1;  // and how far from this way, mm, and as a chord; negative: not known
         std::vector<std::uint32_t> eights;
         std::size_t count = 0;
+        std::size_t looked = 0;  // clusters: those listed since are not among them
 
         [[nodiscard]] bool cover(const Excursion::Way& way) const;
     };
 
     void reserve(std::size_t capacity);
     void lookAround(const Excursion& excursion);
+    void lookAtNew();
+    void openAll();
+    void openDoubtful(const Excursion& excursion);
+    [[nodiscard]] std::uint32_t nodesInDoubt(std::size_t node, const Excursion& excursion) const;
+    [[nodiscard]] bool partLeaf(std::size_t node, int child, const Excursion& excursion, Sides& known);
+    void openNode(const NearNode& node, int child);
+    [[nodiscard]] bool isShortest() const;
     void shortenTo(double length);
     void list(const Surface& surface, const Pose& toolInTooth, std::size_t limit);
     EightPairs* open(std::size_t cluster);
@@ -142,16 +168,21 @@ private:
     [[nodiscard]] const EightClusters& eightOf(std::size_t cluster) const { return near_.eights[cluster / 8]; }
 
     const ToolShape* tool_;
+    NearWalk walk_;
     NearClusters near_;
     Surroundings around_;
     std::vector<EightPairs> pairs_;
     std::vector<std::uint32_t> opened_;  // place in pairs_ of each cluster; kClosed: not opened
     std::size_t openedCount_ = 0;
+    std::array<Vec3f, 4> met_;  // directions of planes taken last: what parts a pair often parts others near it
+    std::size_t metCount_ = 0;
     bool made_ = false;
     Pose at_;
     Mat3 rotation_;  // of at_
     Skin skin_;
-    double cap_ = 0;  // of the next skin's length, mm: where the last list met much, it stays short
+    double cap_ = 0;         // of the next skin's length, mm: where the last list met much, it stays short
+    std::size_t limit_ = 0;  // of clusters
+    Work work_ = 0;
 };
 
 }  // namespace tactooth

@@ -40,7 +40,8 @@ constexpr double kAhead = 6;       // of the least skin
 constexpr double kStray = 0.25;    // of both: how far the tool may leave the way expected
 constexpr double kTrusted = 0.95;  // of the skin: leaves room for rounding
 
-constexpr double kGreatestGrowth = 65536;  // the 17th list of a move is the last: the rest of the way waits for a tick
+constexpr int kMostLists = 24;  // of a move: the rest of the way waits for a tick
+constexpr int kAlikeLists = 8;  // of a move, as long as the first; each of those to come is twice as long
 
 // The longest step of a round. It need not be right: a step that was cut short is followed by a longer one.
 constexpr double kTrustInHand = 2;          // ways of the hand
@@ -91,7 +92,9 @@ std::optional<bool> SlidingBody::isClearAt(const Pose& toolInTooth) {
     const bool turnIsListed = list_.turnTo(toolInTooth.rotation) <= list_.skin().turn * kTrusted;
     if (!list_.made() || !isListed(toolInTooth.position) || !turnIsListed) return std::nullopt;
     const Excursion still = list_.excursion(toolInTooth, toolInTooth, 0, {});
-    for (const std::uint32_t first : list_.within(still)) {
+    const std::span<const std::uint32_t> eights = list_.within(still);
+    if (list_.isFull()) return std::nullopt;
+    for (const std::uint32_t first : eights) {
         for (std::uint32_t near = list_.clustersInDoubt(first, still); near != 0; near &= near - 1) {
             const std::size_t cluster = first + static_cast<std::size_t>(std::countr_zero(near));
             for (std::uint32_t doubt = list_.pairsInDoubt(cluster, still); doubt != 0; doubt &= doubt - 1) {
@@ -120,7 +123,7 @@ bool SlidingBody::plan(const Pose& goal, bool isFirst, double trust, Attempt& at
         const Vec3 way = freedom_ == Freedom::Shift ? expectedWay(goal) : expectedWay(attempt, turn);
         const bool ends = !list_.made() || attempt.outgrown || runsShort(way, turn);
         if (ends && !(isFirst && mayWaitForList())) {
-            if (growth_ > kGreatestGrowth) return false;
+            if (lists_ == kMostLists) return false;
             renewList(way, turn);
         }
     }
@@ -180,18 +183,15 @@ bool SlidingBody::runsShort(const Vec3& way, double turn) const {
     return list_.stray(end) + kLittle * list_.leastAround() > list_.skin().around * kTrusted;
 }
 
-/// Covers the way expected in this tick and some more. A second list in one move means that it went another way, or
-/// far: each covers twice as much as the one before.
+/// Covers the way expected in this tick and some more. Many lists in one move mean that it goes far.
 void SlidingBody::renewList(const Vec3& way, double turn) {
     const double length = way.norm();
-    const double little = growth_ * list_.leastAround();
-    const double stride = kStride * std::min(length, growth_ * handWay_) + kAhead * little;
-    const double spin = kStride * std::min(turn, growth_ * handTurn_) + kAhead * PairList::leastTurn();
+    const double growth = std::ldexp(1.0, std::max(0, ++lists_ - kAlikeLists));
+    const double little = growth * list_.leastAround();
+    const double stride = kStride * std::min(length, growth * handWay_) + kAhead * little;
+    const double spin = kStride * std::min(turn, growth * handTurn_) + kAhead * PairList::leastTurn();
     const Vec3 along = length > 0 ? Vec3(way * (stride / length)) : Vec3(Vec3::Zero());
-    const Work work = list_.make(*surface_, pose_, {along, little + kStray * stride, spin});
-    work_ += work;
-    if (growth_ == 1) firstList_ = work;
-    growth_ *= 2;
+    list_.make(*surface_, pose_, {along, little + kStray * stride, spin});
     ++ownLists_;
     isListGiven_ = false;
 }
@@ -373,7 +373,7 @@ MoveResult SlidingBody::moveToward(const Pose& goal) {
     handWay_ = (goal.position - from.position).norm();
     handTurn_ = chordBetween(goal.rotation, from.rotation);
     lastGoal_ = goal;
-    growth_ = 1;
+    lists_ = 0;
     result.status = MoveStatus::OutOfRounds;
     Attempt attempt;
     double trust = kTrustInHand * handWay_ * boldness_;
@@ -389,6 +389,10 @@ MoveResult SlidingBody::moveToward(const Pose& goal) {
         const bool isFirst = ++result.rounds == 1;
         bool overlapping = false;
         if (!plan(goal, isFirst, trust, attempt) || !findSafeStep(attempt, overlapping)) {
+            if (list_.isFull() && list_.shorten()) {
+                lists_ = std::max(0, lists_ - 1);  // the shorter one takes its place
+                continue;
+            }
             if (overlapping) result.status = MoveStatus::Overlapping;
             break;
         }

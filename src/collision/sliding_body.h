@@ -195,7 +195,7 @@ private:
     double boldness_ = 1;     // share of the usual first step: a starved body takes small ones
     double handWay_ = 0;      // to go in this move: of the goal since the last move, mm
     double handTurn_ = 0;     // a chord, as in Skin
-    double growth_ = 1;       // of the next list over the first of a move
+    int lists_ = 0;           // made in this move
 
     SeparatingPlanes planes_;
     RecentPairs recent_;

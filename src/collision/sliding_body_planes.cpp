@@ -165,6 +165,10 @@ SlidingBody::Offence SlidingBody::violation(const Attempt& attempt, Look& look, 
     const auto held = std::span(look.normals).first(static_cast<std::size_t>(attempt.activeCount));
     const Excursion excursion = list_.excursion(pose_, end, margin_, held);
     const std::span<const std::uint32_t> eights = list_.within(excursion);
+    const Work opened = list_.takeWork();
+    work_ += opened;
+    if (lists_ <= 1) firstList_ += opened;
+    if (list_.isFull()) return Offence::OutOfWork;
     const auto begin = static_cast<std::size_t>(std::ranges::lower_bound(eights, lastOffence_) - eights.begin());
     for (std::size_t i = 0; i < eights.size(); ++i) {
         const std::uint32_t first = eights[(begin + i) % eights.size()];
@@ -199,6 +203,8 @@ SlidingBody::Offence SlidingBody::violationIn(std::size_t cluster, const Excursi
         if (provenSafe(pair, attempt, look, &own)) {
             if (own != nullptr) {
                 list_.certify(place, own->normal, own->offset);
+                if ((doubt & (doubt - 1)) != 0)  // what parts one pair often parts those beside it
+                    doubt = list_.partBy(own->normal, cluster, doubt & (doubt - 1), excursion) | (doubt & -doubt);
             } else {
                 measureLeaf(cluster, look);
             }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "collision/surface.h"
+#include "collision/tool_sides.h"
 #include "collision/triangle3.h"
 #include "geometry/pose.h"
 
@@ -65,6 +66,8 @@ public:
         float far;  ///< no point of it is further from the origin, mm
     };
     [[nodiscard]] const Bound& bound(AabbTree::Link node) const { return bounds_[node.index()]; }
+    /// How far the tool as a whole reaches.
+    [[nodiscard]] const ToolSides& sides() const { return sides_; }
     /// Centre of the bounding box in the tool frame, mm.
     [[nodiscard]] const Vec3& centre() const { return centre_; }
     /// Every vertex lies within this distance of the centre, mm.
@@ -79,6 +82,7 @@ private:
     std::vector<Faces> faces_;
     std::vector<Far> far_;
     std::vector<Bound> bounds_;
+    ToolSides sides_;
     Vec3 centre_ = Vec3::Zero();
     double radius_ = 0;
 };

@@ -23,7 +23,7 @@ bool isPresent(const AabbTree::Node& node, int child) { return node.low[0][child
 
 /// No children: every box inverted and infinite.
 AabbTree::Node emptyNode() {
-    AabbTree::Node node;
+    AabbTree::Node node{};
     std::fill_n(&node.low[0][0], 3 * kWidth, std::numeric_limits<float>::infinity());
     std::fill_n(&node.high[0][0], 3 * kWidth, -std::numeric_limits<float>::infinity());
     return node;
@@ -128,7 +128,11 @@ std::optional<TreeThinner::Kept> TreeThinner::keepNode(std::uint32_t number, Aab
         for (int axis = 0; axis < 3; ++axis) {
             node.low[axis][count] = kept->low[axis];
             node.high[axis][count] = kept->high[axis];
+            node.centre[axis][count] = from.centre[axis][child];  // the disc holds what is left as well
+            node.normal[axis][count] = from.normal[axis][child];
         }
+        node.thick[count] = from.thick[child];
+        node.wide[count] = from.wide[child];
         node.child[count++] = kept->link;
     }
     if (count == 0) return std::nullopt;

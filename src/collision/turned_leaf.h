@@ -4,9 +4,17 @@
 
 // Private to the walk of near_clusters.cpp: boxes and leaves of a tooth, turned into the tool's frame eight at a time.
 
-#include "collision/near_clusters.h"
+#include "collision/skin.h"
+#include "collision/tool_shape.h"
+#include "geometry/pose.h"
 
-namespace tactooth::walk {
+namespace tactooth {
+
+[[nodiscard]] inline Vec3x8 everywhere(const Vec3f& v) { return Vec3x8::all(v.x(), v.y(), v.z()); }
+
+}  // namespace tactooth
+
+namespace tactooth::nearby {
 
 struct Box8 {
     Vec3x8 low, high;
@@ -40,6 +48,7 @@ struct Turn {
     Vec3x8 absolute[3];  // their absolute values
     Vec3x8 origin;       // the tool's origin in the tooth's frame
 
+    Turn() = default;
     explicit Turn(const Pose& toolInTooth) {
         const Eigen::Matrix3f rotation = toolInTooth.rotation.toRotationMatrix().transpose().cast<float>();
         for (int i = 0; i < 3; ++i) {
@@ -49,6 +58,7 @@ struct Turn {
         const Vec3f p = toolInTooth.position.cast<float>();
         origin = Vec3x8::all(p.x(), p.y(), p.z());
     }
+    [[nodiscard]] Vec3x8 direction(const Vec3x8& d) const { return {dot(row[0], d), dot(row[1], d), dot(row[2], d)}; }
     [[nodiscard]] Vec3x8 point(const Vec3x8& p) const {
         const Vec3x8 q = p - origin;
         return {dot(row[0], q), dot(row[1], q), dot(row[2], q)};
@@ -57,10 +67,11 @@ struct Turn {
 
 /// Where the tool's origin may be shifted to, in the tool's frame, in single precision.
 struct Shifts {
-    Vec3f along;
-    float around;
-    Vec3f low, high;  // box
+    Vec3f along = Vec3f::Zero();
+    float around = 0;
+    Vec3f low = Vec3f::Zero(), high = Vec3f::Zero();  // box
 
+    Shifts() = default;
     Shifts(const Skin& skin, const Pose& toolInTooth, double slack)
         : along((toolInTooth.rotation.conjugate() * skin.along).cast<float>()),
           around(static_cast<float>(skin.around + slack + kFewRoundings * skin.along.norm())),
@@ -125,4 +136,4 @@ struct TurnedLeaf {
     }
 };
 
-}  // namespace tactooth::walk
+}  // namespace tactooth::nearby

@@ -17,7 +17,8 @@ inline constexpr Work kUnlimitedWork = std::numeric_limits<Work>::max();
 /// which leave 20 to 30 us of a tick (rms) unexplained.
 namespace cost {
 inline constexpr Work kList = 4000;    // making a list,
-inline constexpr Work kLeafMet = 130;  // for each leaf of the tooth that the search looks into
+inline constexpr Work kNodeMet = 80;   // for each node of the tooth's tree that the search looks into,
+inline constexpr Work kLeafMet = 130;  // each leaf
 inline constexpr Work kListed = 200;   // and each cluster found
 inline constexpr Work kSolution = 1000;
 inline constexpr Work kEights = 30;     // looking over eight clusters,

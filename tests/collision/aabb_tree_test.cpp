@@ -6,6 +6,7 @@
 #include <tbb/global_control.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <set>
 
@@ -38,6 +39,27 @@ void walk(const AabbTree& tree, AabbTree::Link link, const Vec3f& low, const Vec
         const Vec3f childHigh(node.high[0][i], node.high[1][i], node.high[2][i]);
         ASSERT_TRUE((childLow.array() >= low.array()).all() && (childHigh.array() <= high.array()).all());
         walk(tree, node.child[i], childLow, childHigh, depth + 1, triangles);
+    }
+}
+
+/// Whether the disc of child `i` of a node holds all corners below it.
+void expectDiscHolds(const AabbTree& tree, const AabbTree::Node& node, int i, AabbTree::Link link) {
+    if (!link.isLeaf()) {
+        for (int k = 0; k < AabbTree::kWidth; ++k) {
+            const AabbTree::Node& below = tree.node(link);
+            if (below.low[0][k] <= below.high[0][k]) expectDiscHolds(tree, node, i, below.child[k]);
+        }
+        return;
+    }
+    const auto of = [](const auto& axis, int lane) { return Vec3(axis[0][lane], axis[1][lane], axis[2][lane]); };
+    const Vec3 centre = of(node.centre, i), normal = of(node.normal, i);
+    for (const auto& corner : tree.leaf(link).corner) {
+        for (int lane = 0; lane < AabbTree::kWidth; ++lane) {
+            const Vec3 away = of(corner, lane) - centre;
+            const double along = normal.dot(away);
+            EXPECT_LE(std::abs(along), node.thick[i] + 1e-6);
+            EXPECT_LE((away - along * normal).norm(), node.wide[i] + 1e-6);
+        }
     }
 }
 
@@ -110,5 +132,30 @@ TEST(AabbTree, IsTheSameFromOneThread) {
 }
 
 TEST(AabbTree, OfAnEmptyMeshIsEmpty) { EXPECT_TRUE(AabbTree(TriangleMesh{}).empty()); }
+
+TEST(AabbTree, DiscsHoldWhatHangsOnEachChild) {
+    TriangleMesh flat;  // a bumpy plate
+    std::mt19937 random(9);
+    std::uniform_real_distribution<float> height(0, 0.02F);
+    for (std::uint32_t i = 0; i < 61 * 61; ++i)
+        flat.vertices.emplace_back(0.1F * static_cast<float>(i % 61), 0.1F * static_cast<float>(i / 61),
+                                   height(random));
+    flat.triangles = test::gridTriangles(61);
+    TriangleMesh points;  // triangles without area have no mean normal
+    points.vertices = {{1, 2, 3}, {4, 5, 6}};
+    points.triangles.assign(40, {0, 1, 1});
+    for (const TriangleMesh& mesh : {flat, test::sphere(Vec3(3, 4, 5), 2, 90, 60), points}) {
+        const AabbTree tree(mesh);
+        float thinnest = 1;
+        for (const AabbTree::Node& node : tree.nodes()) {
+            for (int i = 0; i < AabbTree::kWidth; ++i) {
+                if (node.low[0][i] > node.high[0][i]) continue;
+                expectDiscHolds(tree, node, i, node.child[i]);
+                thinnest = std::min(thinnest, node.thick[i] / node.wide[i]);
+            }
+        }
+        EXPECT_LT(thinnest, 0.1F);
+    }
+}
 
 }  // namespace tactooth

@@ -52,6 +52,8 @@ std::set<PairKey> pairsWithin(const TriangleMesh& tooth, const ToolShape& tool, 
 /// All that the list has doubts about, for a step between two poses.
 std::set<PairKey> doubts(PairList& list, const Pose& start, const Pose& end, std::span<const Vec3> known = {}) {
     const Excursion excursion = list.excursion(start, end, kMargin, known);
+    std::ignore = list.within(excursion);  // looks into what is in doubt
+    EXPECT_FALSE(list.isFull());
     std::set<PairKey> pairs;
     for (std::size_t first = 0; first < list.clusters(); first += 8) {
         for (std::uint32_t near = list.clustersInDoubt(first, excursion); near != 0; near &= near - 1) {
@@ -144,6 +146,65 @@ TEST(PairList, TheShortListLeavesOutNothingThatAStepBringsInDoubt) {
     EXPECT_LT(looked, all - all / 4) << "or it saves little";
 }
 
+TEST(PairList, WhatAStepDoesNotLookIntoItDoesNotMeet) {
+    TriangleMesh plate;  // rough, and a tool that is far from filling its hull: a ball, a thin neck, another ball
+    std::mt19937 random(13);
+    std::uniform_real_distribution<double> unit(0, 1);
+    for (std::uint32_t i = 0; i < 41 * 41; ++i) {
+        const double x = 0.1 * (i % 41) - 2, y = 0.1 * (i / 41) - 2;
+        plate.vertices.push_back(Vec3(x, y, 0.1 * x * x + 0.03 * unit(random)).cast<float>());
+    }
+    plate.triangles = test::gridTriangles(41);
+    TriangleMesh dumbbell = test::sphere(Vec3(0, 0, 0.4), 0.4, 16, 10);
+    for (const TriangleMesh& more :
+         {test::cylinder(Vec3(0, 0, 0.4), 0.1, 2, 12), test::sphere(Vec3(0, 0, 2.4), 0.5, 16, 10)}) {
+        const auto first = static_cast<std::uint32_t>(dumbbell.vertices.size());
+        dumbbell.vertices.insert(dumbbell.vertices.end(), more.vertices.begin(), more.vertices.end());
+        for (const Triangle& t : more.triangles)
+            dumbbell.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+    }
+    const auto surface = test::surfaceOf(plate);
+    const auto tool = test::toolOf(dumbbell);
+    PairList list(*tool, kCapacity);
+    int met = 0;
+    for (int i = 0; i < 20; ++i) {
+        const Quat lying = turned(Quat(Eigen::AngleAxisd(-unit(random), Vec3::UnitX())), random, 0.3);
+        const Pose at{Vec3(unit(random) - 0.5, 0.5, 0.05 + 0.1 * unit(random)), lying};
+        list.make(*surface, at, {randomVector(random, 0.1), 0.05, 0.02});
+        for (int step = 0; step < 6; ++step) {  // what one step looks into the next ones find listed
+            const auto within = [&](double share) {
+                const Vec3 shift = share * list.skin().along + randomVector(random, 0.99 * list.skin().around);
+                return Pose{at.position + shift, turned(at.rotation, random, 0.99 * list.skin().turn * unit(random))};
+            };
+            const Pose start = within(unit(random)), end = within(unit(random));
+            const Vec3 up = Vec3::UnitZ();
+            const std::set<PairKey> doubted = doubts(list, start, end, {&up, 1});
+            for (const Pose& pose : {start, end}) {
+                for (const PairKey& pair : pairsWithin(plate, *tool, pose, kMargin)) {
+                    EXPECT_TRUE(doubted.contains(pair)) << i << ", step " << step;
+                    ++met;
+                }
+            }
+        }
+    }
+    EXPECT_GT(met, 1000);
+}
+
+TEST(PairList, LooksIntoNoMoreThanAStepNeeds) {
+    const Scene scene;
+    PairList some(*scene.tool, kCapacity), all(*scene.tool, kCapacity);
+    const Pose at{Vec3(0, 0, 3.05), Quat::Identity()};
+    const Skin skin{Vec3(0.3, 0, 0), 0.1, 0.01};
+    all.makeAll(*scene.surface, at, skin);
+    some.make(*scene.surface, at, skin);
+    EXPECT_EQ(some.clusters(), 0U);
+    std::ignore = some.within(some.excursion(at, {at.position + Vec3(0.01, 0, 0), at.rotation}, kMargin, {}));
+    EXPECT_EQ(some.clusters(), 0U) << "nothing is as near as 10 um";
+    std::ignore = some.within(some.excursion(at, {at.position - Vec3(0, 0, 0.06), at.rotation}, kMargin, {}));
+    EXPECT_GT(some.clusters(), 0U);
+    EXPECT_LT(some.clusters(), all.clusters() / 2);
+}
+
 TEST(PairList, APlaneThatHoldsTheToolClearsAllThatItParts) {
     const TriangleMesh plate = test::box(Vec3(-5, -5, -1), Vec3(5, 5, 0));
     const auto tool = test::toolOf(test::sphere(Vec3(0, 0, 0.6), 0.6, 16, 10));
@@ -152,9 +213,9 @@ TEST(PairList, APlaneThatHoldsTheToolClearsAllThatItParts) {
     list.make(*test::surfaceOf(plate), at, {Vec3(0.1, 0, 0), 0.05, 0});
     const Pose end{at.position + Vec3(0.08, 0, 0), at.rotation};
     const Vec3 up = Vec3::UnitZ();
+    EXPECT_FALSE(doubts(list, at, {at.position - 0.04 * up, at.rotation}, {&up, 1}).empty());
     EXPECT_GT(list.clusters(), 0U);
     EXPECT_TRUE(doubts(list, at, end, {&up, 1}).empty());
-    EXPECT_FALSE(doubts(list, at, {at.position - 0.04 * up, at.rotation}, {&up, 1}).empty());
 }
 
 TEST(PairList, ACertifiedPairIsDoubtedNoMoreWhereItsPlaneHolds) {
@@ -165,6 +226,7 @@ TEST(PairList, ACertifiedPairIsDoubtedNoMoreWhereItsPlaneHolds) {
     const Pose above{Vec3(0, 0, 0.5), at.rotation};
     list.make(*test::surfaceOf(plate), above, {Vec3(0, 0, -0.6), 0.05, 0});
     const Excursion excursion = list.excursion(above, {Vec3(0, 0, -0.05), at.rotation}, kMargin, {});
+    std::ignore = list.within(excursion);
     int certified = 0;
     for (std::size_t cluster = 0; cluster < list.clusters(); ++cluster) {
         const std::uint32_t doubt = list.pairsInDoubt(cluster, excursion);
@@ -220,7 +282,9 @@ TEST(PairList, HiddenTrianglesAreNotListed) {
     auto surface = std::make_shared<Surface>(*scene.surface);
     surface->hidden = std::make_shared<const TriangleMask>(scene.tooth.triangles.size() / 64 + 1, ~std::uint64_t{0});
     PairList list(*scene.tool, kCapacity);
-    list.make(*surface, {Vec3(0, 0, 3), Quat::Identity()}, {Vec3::Zero(), 0.1, 0});
+    const Pose at{Vec3(0, 0, 3), Quat::Identity()};
+    list.make(*surface, at, {Vec3::Zero(), 0.1, 0});
+    std::ignore = list.within(list.excursion(at, at, kMargin, {}));
     EXPECT_EQ(list.clusters(), 0U);
 }
 
@@ -229,7 +293,18 @@ TEST(PairList, ShortensItsSkinWhereTooMuchIsNear) {
     const auto tool = test::toolOf(test::sphere(Vec3::Zero(), 0.9, 100, 50));
     const auto inside = test::surfaceOf(fine);
     PairList list(*tool, kCapacity);
-    list.make(*inside, {Vec3(0, 0, 0.05), Quat::Identity()}, {Vec3(0.3, 0, 0), 0.3, 0.1});
+    const Pose at{Vec3(0, 0, 0.05), Quat::Identity()};
+    const Excursion way = [&] {
+        list.make(*inside, at, {Vec3(0.3, 0, 0), 0.3, 0.1});
+        return list.excursion(at, {at.position + Vec3(0.3, 0, 0), at.rotation}, kMargin, {});
+    }();
+    std::ignore = list.within(way);
+    ASSERT_TRUE(list.isFull());
+    while (list.isFull()) {
+        ASSERT_TRUE(list.shorten());
+        list.make(*inside, at, {Vec3(0.3, 0, 0), 0.3, 0.1});
+        std::ignore = list.within(list.excursion(at, {at.position + list.skin().along, at.rotation}, kMargin, {}));
+    }
     EXPECT_LT(list.skin().around, 0.3);
     EXPECT_GT(list.skin().around, 0);
     EXPECT_LT(list.skin().along.norm(), 0.3);
