@@ -119,6 +119,20 @@ void PairList::makeAll(const Surface& surface, const Pose& toolInTooth, const Sk
     work_ = 0;  // nobody waits for it
 }
 
+void PairList::makeWithRoom(const Surface& surface, const Pose& toolInTooth, const Skin& wanted, double least) {
+    skin_ = wanted;
+    list(surface, toolInTooth, near_.capacity());
+    openAll();
+    for (double length = wanted.along.norm() + wanted.around; !near_.complete && length > least;) {
+        length = std::max(length / 2, least);
+        shortenTo(length);
+        list(surface, toolInTooth, near_.capacity());
+        openAll();
+    }
+    if (!near_.complete) makeAll(surface, toolInTooth, skin_);
+    work_ = 0;
+}
+
 bool PairList::makeUpTo(const Surface& surface, const Pose& toolInTooth, std::size_t limit) {
     skin_ = {};
     if (limit > near_.capacity()) reserve(limit);

@@ -13,18 +13,18 @@ using Work = std::int64_t;
 
 inline constexpr Work kUnlimitedWork = std::numeric_limits<Work>::max();
 
-/// Of the parts of a move: rounded from least-squares fits to 6,000 measured ticks of a bur in the cavity that it cuts,
-/// which leave 20 to 30 us of a tick (rms) unexplained.
+/// Of the parts of a move: rounded from least-squares fits to 7,000 measured ticks of burs of 0.5 to 2.3 mm in the
+/// cavity that they cut. (What leads to a list's end is seldom in such a tick, and keeps what it once was measured at.)
 namespace cost {
 inline constexpr Work kList = 4000;    // making a list,
 inline constexpr Work kNodeMet = 80;   // for each node of the tooth's tree that the search looks into,
 inline constexpr Work kLeafMet = 130;  // each leaf
 inline constexpr Work kListed = 200;   // and each cluster found
 inline constexpr Work kSolution = 1000;
-inline constexpr Work kEights = 30;     // looking over eight clusters,
-inline constexpr Work kCluster = 50;    // opening one in doubt,
-inline constexpr Work kPair = 80;       // a pair of it in double precision,
-inline constexpr Work kDistance = 750;  // and GJK
+inline constexpr Work kEights = 10;      // looking over eight clusters,
+inline constexpr Work kCluster = 25;     // opening one in doubt,
+inline constexpr Work kPair = 50;        // a pair of it in double precision,
+inline constexpr Work kDistance = 1000;  // and GJK
 }  // namespace cost
 
 }  // namespace tactooth

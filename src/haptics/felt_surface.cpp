@@ -16,15 +16,16 @@ constexpr double kAround = 0.05;
 // ... and that a hand turns at 50 degrees/s for 10 ms: a chord, as in Skin.
 constexpr double kTurn = 0.008;
 
-constexpr double kMemory = 0.005;    // s: a bur that cuts goes by fits and starts
-constexpr double kShortest = 0.001;  // s: a look at each tick
-constexpr double kLongest = 0.05;    // s: after a longer pause the tool may be anywhere
-constexpr double kUntilNext = 3;     // pauses: a list lasts until the next one comes, and some more
-constexpr double kStray = 0.25;      // of the way expected: how far the tool may leave it
-constexpr double kFarthest = 0.2;    // mm: a longer list takes longer to make than it lasts
-constexpr double kCutAhead = 0.05;   // mm: what the bur gains until the next list, where a cut lets it
-constexpr double kApart = 1e-6;      // mm: what a tool keeps from the tooth is less, see SlidingBody::margin
-constexpr double kTrusted = 0.6;     // of the skin: a list is renewed while the tick can still wait for the new one
+constexpr double kMemory = 0.005;       // s: a bur that cuts goes by fits and starts
+constexpr double kShortest = 0.001;     // s: a look at each tick
+constexpr double kLongest = 0.05;       // s: after a longer pause the tool may be anywhere
+constexpr double kUntilNext = 3;        // pauses: a list lasts until the next one comes, and some more
+constexpr double kStray = 0.25;         // of the way expected: how far the tool may leave it
+constexpr double kFarthest = 0.2;       // mm: a longer list takes longer to make than it lasts
+constexpr double kCutAhead = 0.05;      // mm: what the bur gains until the next list, where a cut lets it
+constexpr double kApart = 1e-6;         // mm: what a tool keeps from the tooth is less, see SlidingBody::margin
+constexpr std::size_t kRoom = 1 << 16;  // clusters, 20 MB: a bur of 1 mm in its own cavity lists a quarter of it
+constexpr double kTrusted = 0.6;        // of the skin: a list is renewed while the tick can still wait for the new one
 
 }  // namespace
 
@@ -56,16 +57,16 @@ Vec3 FeltSurfaces::drift() const {
 
 FeltSurface* FeltSurfaces::list(const Pose& at, const Skin& skin) {
     if (free_.empty()) {
-        all_.push_back(std::make_unique<FeltSurface>(FeltSurface{nullptr, PairList(*tool_)}));
+        all_.push_back(std::make_unique<FeltSurface>(FeltSurface{nullptr, PairList(*tool_, kRoom)}));
         free_.push_back(all_.back().get());
     }
     FeltSurface* felt = free_.back();
     free_.pop_back();
     felt->surface = surface_;
     felt->place.reset();
-    felt->near.makeAll(*surface_, at, skin);
+    felt->near.makeWithRoom(*surface_, at, skin, kAround);
     listedAt_ = at;
-    listed_ = skin;
+    listed_ = felt->near.skin();
     isOutrun_ = false;
     return felt;
 }

@@ -205,6 +205,33 @@ TEST(PairList, LooksIntoNoMoreThanAStepNeeds) {
     EXPECT_LT(some.clusters(), all.clusters() / 2);
 }
 
+TEST(PairList, AListWithoutRoomForAllReachesLessFarAndIsWhole) {
+    const Scene scene;
+    const Pose at{Vec3(0, 0, 3.01), Quat::Identity()};
+    const Skin wanted{Vec3(0.6, 0, 0), 0.3, 0.02};
+    PairList all(*scene.tool, kCapacity);
+    all.makeAll(*scene.surface, at, wanted);
+    const std::size_t room = all.clusters() / 4 / 8 * 8;
+    ASSERT_GT(room, 0U);
+    PairList some(*scene.tool, room);
+    some.makeWithRoom(*scene.surface, at, wanted, 0.1);
+    EXPECT_TRUE(some.made());
+    EXPECT_LE(some.clusters(), room);
+    const double reach = some.skin().along.norm() + some.skin().around;
+    EXPECT_LT(reach, 0.9);
+    EXPECT_GE(reach, 0.1);
+    PairList same(*scene.tool, kCapacity);
+    same.makeAll(*scene.surface, at, some.skin());
+    EXPECT_EQ(some.clusters(), same.clusters());
+
+    for (const std::size_t capacity : {kCapacity, room}) {  // room enough, or nothing less will do
+        PairList whole(*scene.tool, capacity);
+        whole.makeWithRoom(*scene.surface, at, wanted, capacity == room ? 0.9 : 0.1);
+        EXPECT_EQ(whole.clusters(), all.clusters());
+        EXPECT_EQ(whole.skin().along, wanted.along);
+    }
+}
+
 TEST(PairList, APlaneThatHoldsTheToolClearsAllThatItParts) {
     const TriangleMesh plate = test::box(Vec3(-5, -5, -1), Vec3(5, 5, 0));
     const auto tool = test::toolOf(test::sphere(Vec3(0, 0, 0.6), 0.6, 16, 10));

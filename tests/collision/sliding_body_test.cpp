@@ -49,7 +49,7 @@ TEST(SlidingBody, ThatMayDoLittleInAMoveGoesOnInTheNext) {
     const auto tool = toolOf(test::sphere(Vec3(0, 0, 0.5), 0.5, 40, 20));
     const auto bed = surfaceOf(test::sphere(Vec3(0, 0, -2), 2, 200, 120));
     const test::ExactIntersection judge(bed->base->mesh(), tool->mesh());
-    for (const Work budget : {Work{10'000}, Work{40'000}}) {
+    for (const Work budget : {Work{6'000}, Work{25'000}}) {
         SlidingBody hurried(tool), patient(tool);
         hurried.setBudget(budget);
         for (SlidingBody* body : {&hurried, &patient}) {

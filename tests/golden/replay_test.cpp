@@ -15,7 +15,7 @@
 namespace tactooth {
 namespace {
 
-constexpr std::uint64_t kGolden = 0x5a79449c0e48cdc5ULL;
+constexpr std::uint64_t kGolden = 0xff4783de1c29b0a5ULL;
 
 constexpr double kTick = 0.001;
 constexpr double kVoxel = 0.05;

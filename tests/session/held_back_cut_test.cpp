@@ -96,7 +96,7 @@ TEST_P(HeldBackCut, RemovesTheSameAtOneAndFourKilohertz) {
     RecordProperty("apartPpm", static_cast<int>(1e6 * (coarse / fine - 1)));
 }
 
-INSTANTIATE_TEST_SUITE_P(All, HeldBackCut, testing::ValuesIn(all()), [](const auto& info) { return info.param.name; });
+INSTANTIATE_TEST_SUITE_P(All, HeldBackCut, testing::ValuesIn(all()), [](const auto& one) { return one.param.name; });
 
 }  // namespace
 }  // namespace tactooth
