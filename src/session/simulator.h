@@ -45,8 +45,8 @@ struct SimulatorControls {
 
 /// A running simulation: the servo thread moves the tool and makes the force, the cutter thread carves behind it, the
 /// maker thread makes the bricks of the cut volume before the cutter needs them, the lister thread looks up what is
-/// near the tool before the servo needs it, and any number of others watch. Built for
-/// one tooth, one instrument and the devices of one or two hands; another of these is another simulator.
+/// near the tool before the servo needs it, and any number of others watch. Built for one tooth, one instrument and the
+/// devices of one or two hands; another of these is another simulator.
 class Simulator {
 public:
     using TickListener = std::function<void(const Tick&)>;

@@ -35,6 +35,18 @@ std::uint64_t hashOfCut(CutVolume& volume) {
     return volume.hash();
 }
 
+std::uint64_t hashWithoutStock() {
+    CutVolume volume(ball(), kVoxel);
+    return hashOfCut(volume);
+}
+
+/// A volume that takes its bricks from a stock.
+struct Supplied {
+    CutVolume volume{ball(), kVoxel};
+    std::shared_ptr<BrickStock> stock = std::make_shared<BrickStock>(volume.tooth(), kVoxel);
+    Supplied() { volume.setStock(stock); }
+};
+
 void fill(BrickStock& stock, const Pose& at) {
     const RevolutionEnvelope tool = bur();
     while (stock.makeAround(tool, at) > 0) {
@@ -42,13 +54,9 @@ void fill(BrickStock& stock, const Pose& at) {
 }
 
 TEST(BrickStock, ACutIsTheSameWithItAndWithout) {
-    CutVolume without(ball(), kVoxel);
-    const std::uint64_t expected = hashOfCut(without);
-    CutVolume with(ball(), kVoxel);
-    const auto stock = std::make_shared<BrickStock>(with.tooth(), kVoxel);
-    with.setStock(stock);
-    fill(*stock, onTheWay(0));
-    EXPECT_EQ(hashOfCut(with), expected);
+    Supplied with;
+    fill(*with.stock, onTheWay(0));
+    EXPECT_EQ(hashOfCut(with.volume), hashWithoutStock());
 }
 
 TEST(BrickStock, HasWhatTheBurComesToNext) {
@@ -81,25 +89,19 @@ TEST(BrickStock, MakesNothingAgainThatWasTakenUntilThatIsForgotten) {
 }
 
 TEST(BrickStock, AVolumeThatIsResetFindsItsBricksAgain) {
-    CutVolume volume(ball(), kVoxel);
-    const auto stock = std::make_shared<BrickStock>(volume.tooth(), kVoxel);
-    volume.setStock(stock);
-    const std::uint64_t first = hashOfCut(volume);
-    volume.reset();
-    fill(*stock, onTheWay(0));
-    EXPECT_EQ(hashOfCut(volume), first);
+    Supplied again;
+    const std::uint64_t first = hashOfCut(again.volume);
+    again.volume.reset();
+    fill(*again.stock, onTheWay(0));
+    EXPECT_EQ(hashOfCut(again.volume), first);
 }
 
 TEST(BrickStock, AThreadMayFillItWhileAnotherCuts) {
-    CutVolume without(ball(), kVoxel);
-    const std::uint64_t expected = hashOfCut(without);
-    CutVolume volume(ball(), kVoxel);
-    const auto stock = std::make_shared<BrickStock>(volume.tooth(), kVoxel);
-    volume.setStock(stock);
+    Supplied with;
     const std::jthread maker([&](const std::stop_token& stop) {
-        for (int i = 0; i <= kMoves && !stop.stop_requested(); ++i) fill(*stock, onTheWay(i));
+        for (int i = 0; i <= kMoves && !stop.stop_requested(); ++i) fill(*with.stock, onTheWay(i));
     });
-    EXPECT_EQ(hashOfCut(volume), expected);
+    EXPECT_EQ(hashOfCut(with.volume), hashWithoutStock());
 }
 
 }  // namespace
