@@ -199,8 +199,7 @@ void NearWalk::begin(const Surface& surface, const ToolShape& tool, const Pose& 
     if (!base.tree.empty()) addNode(0, base.tree.root(), {}, out);
     // A cheap ball test first: cutting leaves hundreds of patches, of which the tool is near a handful.
     const Vec3 centre = toolInTooth * tool.centre();
-    const double ball = tool.radius() + skin.along.norm() + skin.around +
-                        skin.turn * (tool.centre().norm() + tool.radius()) + out.slack;
+    const double ball = tool.radius() + skin.length() + skin.turn * (tool.centre().norm() + tool.radius()) + out.slack;
     for (std::size_t i = 0; i < surface.patches.size(); ++i) {
         const AabbTree& tree = surface.patches[i]->tree();
         if (tree.empty() || tree.box().squaredExteriorDistance(centre) > ball * ball) continue;

@@ -79,7 +79,7 @@ bool PairList::isLong() const { return 2 * near_.count > kPlentyOfClusters; }
 double PairList::leastTurn() { return kLeastReach; }
 
 void PairList::make(const Surface& surface, const Pose& toolInTooth, const Skin& wanted) {
-    if (4 * near_.count > kPlentyOfClusters) cap_ = std::min(cap_, skin_.along.norm() + skin_.around);
+    if (4 * near_.count > kPlentyOfClusters) cap_ = std::min(cap_, skin_.length());
     skin_ = {wanted.along, std::max(wanted.around, leastAround()), std::max(wanted.turn, leastTurn())};
     shortenTo(cap_);
     cap_ = std::min(2 * cap_, kGreatestReach * tool_->radius());
@@ -93,13 +93,13 @@ bool PairList::isShortest() const {
 
 bool PairList::shorten() {
     clear();
-    cap_ = (skin_.along.norm() + skin_.around) / 2;
+    cap_ = skin_.length() / 2;
     return !isShortest();
 }
 
 /// Makes the skin as short as that, or the least.
 void PairList::shortenTo(double length) {
-    const double now = skin_.along.norm() + skin_.around;
+    const double now = skin_.length();
     if (now <= length) return;
     skin_.along *= length / now;
     skin_.around = std::max(leastAround(), skin_.around * length / now);
@@ -119,11 +119,13 @@ void PairList::makeAll(const Surface& surface, const Pose& toolInTooth, const Sk
     work_ = 0;  // nobody waits for it
 }
 
-void PairList::makeWithRoom(const Surface& surface, const Pose& toolInTooth, const Skin& wanted, double least) {
+void PairList::makeWithRoom(const Surface& surface, const Pose& toolInTooth, const Skin& wanted, double least,
+                            double most) {
     skin_ = wanted;
+    shortenTo(std::max(least, most));
     list(surface, toolInTooth, near_.capacity());
     openAll();
-    for (double length = wanted.along.norm() + wanted.around; !near_.complete && length > least;) {
+    for (double length = skin_.length(); !near_.complete && length > least;) {
         length = std::max(length / 2, least);
         shortenTo(length);
         list(surface, toolInTooth, near_.capacity());
@@ -242,8 +244,7 @@ std::uint32_t PairList::nodesInDoubt(std::size_t node, const Excursion& excursio
 }
 
 Excursion PairList::excursion(const Pose& start, const Pose& end, double margin, std::span<const Vec3> known) const {
-    const double rounding =
-        kFewRoundings * (skin_.along.norm() + skin_.around + skin_.turn * (tool_->centre().norm() + tool_->radius()));
+    const double rounding = kFewRoundings * (skin_.length() + skin_.turn * (tool_->centre().norm() + tool_->radius()));
     const auto way = [&](const Pose& pose, double spare) {
         const Mat3 turn = rotation_.transpose() * pose.rotation.toRotationMatrix() - Mat3::Identity();
         const Vec3 shift = rotation_.transpose() * (pose.position - at_.position);

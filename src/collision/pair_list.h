@@ -61,9 +61,10 @@ public:
     void make(const Surface& surface, const Pose& toolInTooth, const Skin& wanted);
     /// Lists what is within `skin`, however much it is: allocates where there is no room.
     void makeAll(const Surface& surface, const Pose& toolInTooth, const Skin& skin);
-    /// Lists what is within `wanted`, or within less where that is more than there is room for, down to a skin as long
-    /// as `least` (mm): to make room takes longer than a long list is worth.
-    void makeWithRoom(const Surface& surface, const Pose& toolInTooth, const Skin& wanted, double least);
+    /// Lists what is within `wanted`, of which no more than a skin as long as `most` (mm), or within less where that is
+    /// more than there is room for, down to a skin as long as `least`: to make room takes longer than a long list is
+    /// worth.
+    void makeWithRoom(const Surface& surface, const Pose& toolInTooth, const Skin& wanted, double least, double most);
     /// Lists what the tool meets where it stands, and stops beyond `limit` clusters; allocates where there is no room
     /// for so many. True if nothing was left out.
     bool makeUpTo(const Surface& surface, const Pose& toolInTooth, std::size_t limit);

@@ -25,6 +25,8 @@ struct Skin {
         const double share = squared > 0 ? std::clamp(shift.dot(along) / squared, 0.0, 1.0) : 0;
         return (shift - share * along).norm();
     }
+    /// The longest shift within it, mm.
+    [[nodiscard]] double length() const { return along.norm() + around; }
 };
 
 }  // namespace tactooth

@@ -40,6 +40,7 @@ constexpr double kAhead = 6;       // of the least skin
 constexpr double kStray = 0.25;    // of both: how far the tool may leave the way expected
 constexpr double kTrusted = 0.95;  // of the skin: leaves room for rounding
 
+constexpr int kMostWaits = 4;   // moves: a list for a bur of 2.3 mm in its own cavity comes within four ticks
 constexpr int kMostLists = 24;  // of a move: the rest of the way waits for a tick
 constexpr int kAlikeLists = 8;  // of a move, as long as the first; each of those to come is twice as long
 
@@ -63,6 +64,7 @@ std::shared_ptr<const Surface> SlidingBody::setSurface(std::shared_ptr<const Sur
     if (surface != surface_) enter(surface);  // else all that is known of it still holds
     std::swap(list_, near);
     isListGiven_ = true;
+    waits_ = 0;
     return surface;
 }
 
@@ -122,7 +124,7 @@ bool SlidingBody::plan(const Pose& goal, bool isFirst, double trust, Attempt& at
     if (isFirst || !list_.made() || attempt.outgrown) {
         const Vec3 way = freedom_ == Freedom::Shift ? expectedWay(goal) : expectedWay(attempt, turn);
         const bool ends = !list_.made() || attempt.outgrown || runsShort(way, turn);
-        if (ends && !(isFirst && mayWaitForList())) {
+        if (ends && !(isFirst && isWithinList() && (isStarved_ || mayWaitForNextList()))) {
             if (lists_ == kMostLists) return false;
             renewList(way, turn);
         }
@@ -159,10 +161,15 @@ bool SlidingBody::isListed(const Vec3& position) const {
     return list_.stray(position) <= list_.skin().around * kTrusted - margin_;
 }
 
-/// Whether a body that ran out of work can go on with the list at hand for a little way.
-bool SlidingBody::mayWaitForList() const {
-    return isStarved_ && list_.made() && isListed(pose_.position) &&
-           list_.turnTo(pose_.rotation) <= list_.skin().turn * kTrusted;
+/// Whether a body can go on with the list at hand, if only for a little way.
+bool SlidingBody::isWithinList() const {
+    return list_.made() && isListed(pose_.position) && list_.turnTo(pose_.rotation) <= list_.skin().turn * kTrusted;
+}
+
+/// Whether a body with a budget, at the end of a long list that it was given, can wait for a move or a few: whoever
+/// makes lists ahead brings the next one, and to make one here takes longer than all else in a tick.
+bool SlidingBody::mayWaitForNextList() const {
+    return budget_ < kUnlimitedWork && isListGiven_ && list_.isLong() && waits_ < kMostWaits;
 }
 
 /// Whether a long list is good for some way yet.
@@ -380,9 +387,7 @@ MoveResult SlidingBody::moveToward(const Pose& goal) {
     int planesChanged = 0;
     bool lookedAfresh = false;  // whether a settled tool has been tried without the planes that hold it
     bool hasStepped = false;
-    // At the end of a long list that it was given a body with a budget waits for a move: whoever makes lists ahead may
-    // bring the next one.
-    const bool mayWait = budget_ < kUnlimitedWork && isListGiven_ && isListFresh();
+    const bool mayWait = mayWaitForNextList() && isWithinList();
     const auto isEnough = [&] { return isOutOfWork() || (mayWait && attempt.outgrown); };
     while (result.status == MoveStatus::OutOfRounds && result.rounds < kMaxRounds) {
         if (hasStepped && isEnough()) break;
@@ -421,6 +426,7 @@ MoveResult SlidingBody::moveToward(const Pose& goal) {
         }
     }
     if (result.status == MoveStatus::OutOfRounds && isEnough()) result.status = MoveStatus::OutOfWork;
+    waits_ = mayWait && attempt.outgrown ? waits_ + 1 : 0;
     settleBudget(hasStepped, result);
     remember(result);
     isBehind_ = result.status == MoveStatus::OutOfRounds;

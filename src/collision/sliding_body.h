@@ -121,7 +121,8 @@ private:
     [[nodiscard]] bool plan(const Pose& goal, bool isFirst, double trust, Attempt& attempt);
     [[nodiscard]] Vec3 expectedWay(const Pose& goal);
     [[nodiscard]] Vec3 expectedWay(Attempt& attempt, double& turn);
-    [[nodiscard]] bool mayWaitForList() const;
+    [[nodiscard]] bool isWithinList() const;
+    [[nodiscard]] bool mayWaitForNextList() const;
     [[nodiscard]] bool isListFresh() const;
     [[nodiscard]] bool runsShort(const Vec3& way, double turn) const;
     void renewList(const Vec3& way, double turn);
@@ -188,6 +189,7 @@ private:
 
     PairList list_;
     bool isListGiven_ = false;
+    int waits_ = 0;  // moves that have ended at the end of that list, one after the other
     std::uint32_t ownLists_ = 0;
     Pose lastGoal_;
     bool isBehind_ = false;   // the last move ran out of rounds

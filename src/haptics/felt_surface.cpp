@@ -16,16 +16,24 @@ constexpr double kAround = 0.05;
 // ... and that a hand turns at 50 degrees/s for 10 ms: a chord, as in Skin.
 constexpr double kTurn = 0.008;
 
-constexpr double kMemory = 0.005;       // s: a bur that cuts goes by fits and starts
-constexpr double kShortest = 0.001;     // s: a look at each tick
-constexpr double kLongest = 0.05;       // s: after a longer pause the tool may be anywhere
-constexpr double kUntilNext = 3;        // pauses: a list lasts until the next one comes, and some more
-constexpr double kStray = 0.25;         // of the way expected: how far the tool may leave it
-constexpr double kFarthest = 0.2;       // mm: a longer list takes longer to make than it lasts
-constexpr double kCutAhead = 0.05;      // mm: what the bur gains until the next list, where a cut lets it
-constexpr double kApart = 1e-6;         // mm: what a tool keeps from the tooth is less, see SlidingBody::margin
-constexpr std::size_t kRoom = 1 << 16;  // clusters, 20 MB: a bur of 1 mm in its own cavity lists a quarter of it
-constexpr double kTrusted = 0.6;        // of the skin: a list is renewed while the tick can still wait for the new one
+constexpr double kMemory = 0.005;    // s: a bur that cuts goes by fits and starts
+constexpr double kShortest = 0.001;  // s: a look at each tick
+constexpr double kLongest = 0.05;    // s: after a longer pause the tool may be anywhere
+constexpr double kUntilNext = 3;     // pauses: a list lasts until the next one comes, and some more
+constexpr double kStray = 0.25;      // of the way expected: how far the tool may leave it
+constexpr double kFarthest = 0.2;    // mm: a longer list takes longer to make than it lasts
+constexpr double kCutAhead = 0.05;   // mm: what the bur gains until the next list, where a cut lets it
+constexpr double kApart = 1e-6;      // mm: what a tool keeps from the tooth is less, see SlidingBody::margin
+constexpr double kTrusted = 0.6;     // of the skin: a list is renewed while the tick can still wait for the new one
+
+// The tool does not wait for a long list: while it is made the tool goes on, so that the next one has to reach farther
+// still. So a list is no longer than takes three milliseconds, and begins with the length that the last one ended with.
+constexpr std::size_t kRoom = 1 << 14;       // clusters, 5 MB
+constexpr std::size_t kUsual = kRoom / 2;    // a list that is longer shall be followed by a shorter one,
+constexpr double kShorter = 0.7;             // of its length;
+constexpr std::size_t kLittle = kUsual / 2;  // one with less by a longer one, if that is wanted,
+constexpr double kLonger = 2;                // times its length.
+constexpr double kLeast = 0.02;              // mm: where there is no room even for this, it is made
 
 }  // namespace
 
@@ -64,9 +72,12 @@ FeltSurface* FeltSurfaces::list(const Pose& at, const Skin& skin) {
     free_.pop_back();
     felt->surface = surface_;
     felt->place.reset();
-    felt->near.makeWithRoom(*surface_, at, skin, kAround);
+    felt->near.makeWithRoom(*surface_, at, skin, kLeast, longest_);
     listedAt_ = at;
     listed_ = felt->near.skin();
+    const std::size_t clusters = felt->near.clusters();
+    const double growth = clusters > kUsual ? kShorter : clusters < kLittle ? kLonger : 1;
+    longest_ = growth * listed_.length();
     isOutrun_ = false;
     return felt;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -69,6 +70,7 @@ private:
     // The last list.
     Pose listedAt_;
     Skin listed_{Vec3::Zero(), 0, 0};
+    double longest_ = std::numeric_limits<double>::infinity();  // that the next one is worth, mm
 };
 
 }  // namespace tactooth

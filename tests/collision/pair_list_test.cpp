@@ -21,6 +21,7 @@ namespace {
 
 using PairKey = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>;
 
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();  // mm
 constexpr std::size_t kCapacity = 1 << 14;
 constexpr double kMargin = 1e-6;
 
@@ -214,7 +215,7 @@ TEST(PairList, AListWithoutRoomForAllReachesLessFarAndIsWhole) {
     const std::size_t room = all.clusters() / 4 / 8 * 8;
     ASSERT_GT(room, 0U);
     PairList some(*scene.tool, room);
-    some.makeWithRoom(*scene.surface, at, wanted, 0.1);
+    some.makeWithRoom(*scene.surface, at, wanted, 0.1, kNoLimit);
     EXPECT_TRUE(some.made());
     EXPECT_LE(some.clusters(), room);
     const double reach = some.skin().along.norm() + some.skin().around;
@@ -226,9 +227,24 @@ TEST(PairList, AListWithoutRoomForAllReachesLessFarAndIsWhole) {
 
     for (const std::size_t capacity : {kCapacity, room}) {  // room enough, or nothing less will do
         PairList whole(*scene.tool, capacity);
-        whole.makeWithRoom(*scene.surface, at, wanted, capacity == room ? 0.9 : 0.1);
+        whole.makeWithRoom(*scene.surface, at, wanted, capacity == room ? 0.9 : 0.1, kNoLimit);
         EXPECT_EQ(whole.clusters(), all.clusters());
         EXPECT_EQ(whole.skin().along, wanted.along);
+    }
+}
+
+TEST(PairList, AListIsNoLongerThanItShallBe) {
+    const Scene scene;
+    const Pose at{Vec3(0, 0, 3.01), Quat::Identity()};
+    const Skin wanted{Vec3(0.6, 0, 0), 0.3, 0.02};
+    PairList list(*scene.tool, kCapacity);
+    for (const double most : {0.5, 0.2, 0.05}) {
+        list.makeWithRoom(*scene.surface, at, wanted, 0.1, most);
+        EXPECT_NEAR(list.skin().length(), std::max(most, 0.1), 1e-12);
+        EXPECT_NEAR(list.skin().around / wanted.around, list.skin().length() / wanted.length(), 1e-12);
+        PairList same(*scene.tool, kCapacity);
+        same.makeAll(*scene.surface, at, list.skin());
+        EXPECT_EQ(list.clusters(), same.clusters());
     }
 }
 
