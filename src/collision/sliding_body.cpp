@@ -388,13 +388,19 @@ MoveResult SlidingBody::moveToward(const Pose& goal) {
     bool lookedAfresh = false;  // whether a settled tool has been tried without the planes that hold it
     bool hasStepped = false;
     const bool mayWait = mayWaitForNextList() && isWithinList();
-    const auto isEnough = [&] { return isOutOfWork() || (mayWait && attempt.outgrown); };
+    // A list takes longer than all else in a move: one with a budget makes one at most.
+    const bool isBounded = budget_ < kUnlimitedWork;
+    const auto isEnough = [&] { return isOutOfWork() || (attempt.outgrown && (mayWait || (isBounded && lists_ > 0))); };
     while (result.status == MoveStatus::OutOfRounds && result.rounds < kMaxRounds) {
         if (hasStepped && isEnough()) break;
         const bool isFirst = ++result.rounds == 1;
         bool overlapping = false;
         if (!plan(goal, isFirst, trust, attempt) || !findSafeStep(attempt, overlapping)) {
             if (list_.isFull() && list_.shorten()) {
+                if (isBounded) {  // the shorter one is made in the next move
+                    result.status = MoveStatus::OutOfWork;
+                    break;
+                }
                 lists_ = std::max(0, lists_ - 1);  // the shorter one takes its place
                 continue;
             }

@@ -32,8 +32,7 @@ constexpr std::size_t kRoom = 1 << 14;       // clusters, 5 MB
 constexpr std::size_t kUsual = kRoom / 2;    // a list that is longer shall be followed by a shorter one,
 constexpr double kShorter = 0.7;             // of its length;
 constexpr std::size_t kLittle = kUsual / 2;  // one with less by a longer one, if that is wanted,
-constexpr double kLonger = 2;                // times its length.
-constexpr double kLeast = 0.02;              // mm: where there is no room even for this, it is made
+constexpr double kLonger = 2;                // times its length
 
 }  // namespace
 
@@ -72,7 +71,7 @@ FeltSurface* FeltSurfaces::list(const Pose& at, const Skin& skin) {
     free_.pop_back();
     felt->surface = surface_;
     felt->place.reset();
-    felt->near.makeWithRoom(*surface_, at, skin, kLeast, longest_);
+    felt->near.makeWithRoom(*surface_, at, skin, kAround, longest_);
     listedAt_ = at;
     listed_ = felt->near.skin();
     const std::size_t clusters = felt->near.clusters();

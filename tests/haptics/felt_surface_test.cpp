@@ -267,9 +267,9 @@ TEST(FeltSurfaces, ReachNoFurtherThanTheToolGoesUntilTheNext) {
 
 // A bur in the cavity that it has cut: the more is near, the shorter the list, or it would take longer than it lasts.
 TEST(FeltSurfaces, AreAsShortAsWhatIsNearIsMuch) {
-    const auto tool = std::make_shared<const ToolShape>(test::sphere(Vec3::Zero(), 0.5, 40, 20));
+    const auto tool = std::make_shared<const ToolShape>(test::sphere(Vec3::Zero(), 0.5, 30, 12));
     const auto cavity = std::make_shared<const Surface>(
-        Surface{std::make_shared<const SurfacePart>(test::sphere(Vec3::Zero(), 0.52, 160, 80)), nullptr, {}, 0});
+        Surface{std::make_shared<const SurfacePart>(test::sphere(Vec3::Zero(), 0.52, 80, 40)), nullptr, {}, 0});
     FeltSurfaces surfaces(tool, cavity);
     const Pose from{Vec3::Zero(), Quat::Identity()};
     const auto lengthIn = [&](const std::shared_ptr<const Surface>& surface) {
