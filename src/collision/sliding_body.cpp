@@ -22,7 +22,7 @@
 namespace tactooth {
 namespace {
 
-constexpr int kMaxRounds = 60;  // 3 at 1 cm/s, 5 at 10 cm/s; at 1 m/s on a mesh of 20 um up to 32 were seen
+constexpr int kMaxRounds = 60;  // 3 at 1 cm/s, 5 at 10 cm/s; at 1 m/s on meshes of 20 um up to 48 were seen
 constexpr int kManySolutions = kMaxPlanesPerRound + 1;  // of a round: more come of a turn that does not settle
 constexpr int kMaxSolutions = 8 * kManySolutions;
 constexpr int kMaxPlanesChanged = 8;         // in a move, where it had settled: a corner of the tool has six triangles
@@ -40,7 +40,7 @@ constexpr double kAhead = 6;       // of the least skin
 constexpr double kStray = 0.25;    // of both: how far the tool may leave the way expected
 constexpr double kTrusted = 0.95;  // of the skin: leaves room for rounding
 
-constexpr int kMostLists = 24;  // of a move: the rest of the way waits for a tick
+constexpr int kMostLists = 28;  // of a move: the rest of the way waits for a tick
 constexpr int kAlikeLists = 8;  // of a move, as long as the first; each of those to come is twice as long
 
 // The longest step of a round. It need not be right: a step that was cut short is followed by a longer one.
