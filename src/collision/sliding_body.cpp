@@ -22,7 +22,7 @@
 namespace tactooth {
 namespace {
 
-constexpr int kMaxRounds = 60;  // 3 at 1 cm/s, 5 at 10 cm/s; at 1 m/s on a mesh of 20 um up to 32 were seen
+constexpr int kMaxRounds = 60;  // 3 at 1 cm/s, 5 at 10 cm/s; at 1 m/s on meshes of 20 um up to 48 were seen
 constexpr int kManySolutions = kMaxPlanesPerRound + 1;  // of a round: more come of a turn that does not settle
 constexpr int kMaxSolutions = 8 * kManySolutions;
 constexpr int kMaxPlanesChanged = 8;         // in a move, where it had settled: a corner of the tool has six triangles
@@ -40,8 +40,13 @@ constexpr double kAhead = 6;       // of the least skin
 constexpr double kStray = 0.25;    // of both: how far the tool may leave the way expected
 constexpr double kTrusted = 0.95;  // of the skin: leaves room for rounding
 
-constexpr int kMostWaits = 4;   // moves: a list for a bur of 2.3 mm in its own cavity comes within four ticks
-constexpr int kMostLists = 24;  // of a move: the rest of the way waits for a tick
+constexpr int kMostWaits = 4;  // moves: a list for a bur of 2.3 mm in its own cavity comes within four ticks
+
+// Lists of a move: the rest of the way waits for a tick. No hand goes 2 mm in a tick; one that was lost for a while
+// may, and it did not lead the tool around the tooth.
+constexpr int kMostLists = 40;
+constexpr int kMostListsOfJump = 28;
+constexpr double kJump = 2;     // mm
 constexpr int kAlikeLists = 8;  // of a move, as long as the first; each of those to come is twice as long
 
 // The longest step of a round. It need not be right: a step that was cut short is followed by a longer one.
@@ -125,7 +130,7 @@ bool SlidingBody::plan(const Pose& goal, bool isFirst, double trust, Attempt& at
         const Vec3 way = freedom_ == Freedom::Shift ? expectedWay(goal) : expectedWay(attempt, turn);
         const bool ends = !list_.made() || attempt.outgrown || runsShort(way, turn);
         if (ends && !(isFirst && isWithinList() && (isStarved_ || mayWaitForNextList()))) {
-            if (lists_ == kMostLists) return false;
+            if (lists_ >= mostLists()) return false;
             renewList(way, turn);
         }
     }
@@ -160,6 +165,8 @@ Vec3 SlidingBody::expectedWay(const Pose& goal) {
 bool SlidingBody::isListed(const Vec3& position) const {
     return list_.stray(position) <= list_.skin().around * kTrusted - margin_;
 }
+
+int SlidingBody::mostLists() const { return handWay_ < kLeap * tool_->radius() ? kMostLists : kMostListsOfLeap; }
 
 /// Whether a body can go on with the list at hand, if only for a little way.
 bool SlidingBody::isWithinList() const {

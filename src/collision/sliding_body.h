@@ -121,6 +121,7 @@ private:
     [[nodiscard]] bool plan(const Pose& goal, bool isFirst, double trust, Attempt& attempt);
     [[nodiscard]] Vec3 expectedWay(const Pose& goal);
     [[nodiscard]] Vec3 expectedWay(Attempt& attempt, double& turn);
+    [[nodiscard]] int mostLists() const;
     [[nodiscard]] bool isWithinList() const;
     [[nodiscard]] bool mayWaitForNextList() const;
     [[nodiscard]] bool isListFresh() const;

@@ -12,19 +12,23 @@
 namespace tactooth {
 namespace {
 
-constexpr double kThinnest = 0.25;    // of the margin: what a plane must leave that lets the tool go on
-constexpr double kAsWell = 0.9;       // ... or of what the plane at hand leaves, if that is less
-constexpr double kWorthMargins = 20;  // a way on that is shorter is none ...
-constexpr double kWorthGain = 0.1;    // ... nor is one that comes no nearer to the goal than by so many margins
+constexpr double kThinnest = 0.25;     // of the margin: what a plane must leave that lets the tool go on
+constexpr double kAsWell = 0.9;        // ... or of what the plane at hand leaves, if that is less
+constexpr double kLeaning = 0.6;       // ... by leaning over an edge: more than a look asks of the pairs beside
+constexpr double kLeanReach = 0.0625;  // a lean is worth its round up to a quarter of the distance that it could pass
+constexpr double kWorthMargins = 20;   // a way on that is shorter is none ...
+constexpr double kWorthGain = 0.1;     // ... nor is one that comes no nearer to the goal than by so many margins
 
 /// The directions across which two triangles may touch: along the normals of either, and of each pair of edges.
 struct TouchingDirections {
-    std::array<Vec3, 22 + kMaxHeld> unit;
+    static constexpr int kOfPair = 2 * (2 + 9);
+    static constexpr int kOverEdges = 2 * (9 + 9);
+    std::array<Vec3, kOfPair + kMaxHeld + kOverEdges> unit;
     int count = 0;
 
     TouchingDirections(const Triangle3& a, const Triangle3& b) {
         std::array<Vec3, 3> ofA, ofB;
-        for (int i = 0; i < 3; ++i) ofA[i] = a[(i + 1) % 3] - a[i], ofB[i] = b[(i + 1) % 3] - b[i];
+        for (int i = 0; i < 3; ++i) ofA[i] = edgeOf(a, i), ofB[i] = edgeOf(b, i);
         add(ofA[0].cross(ofA[1]));
         add(ofB[0].cross(ofB[1]));
         for (const Vec3& edge : ofA) {
@@ -32,12 +36,38 @@ struct TouchingDirections {
         }
     }
 
+    /// And across planes that lean over an edge, so far that they leave `least` to a corner of the other triangle
+    /// beside it. The corner is no farther from it than the root of `reach`.
+    void addLeaning(const Triangle3& tooth, const Triangle3& tool, double least, double reach) {
+        for (int i = 0; i < 3; ++i) {
+            const Vec3 ofTooth = edgeOf(tooth, i);
+            const Vec3 ofTool = edgeOf(tool, i);
+            for (int k = 0; k < 3; ++k) {
+                leanOver(ofTooth, tool[k] - tooth[i], least, reach);
+                leanOver(ofTool, tool[i] - tooth[k], least, reach);
+            }
+        }
+    }
+
 private:
+    [[nodiscard]] static Vec3 edgeOf(const Triangle3& triangle, int i) { return triangle[(i + 1) % 3] - triangle[i]; }
+
     void add(const Vec3& direction) {
         const double length = direction.norm();
         if (!(length > 0)) return;
         unit[count++] = direction / length;
         unit[count++] = direction / -length;
+    }
+
+    void leanOver(const Vec3& edge, const Vec3& fromToothToTool, double least, double reach) {
+        if (!(fromToothToTool.cross(edge).squaredNorm() < reach * edge.squaredNorm())) return;
+        const Vec3 across = fromToothToTool - fromToothToTool.dot(edge) / edge.squaredNorm() * edge;
+        const double share = least / across.squaredNorm();
+        if (!(least * share < 1)) return;  // nearer than that already
+        const Vec3 up = share * across;
+        const Vec3 aside = std::sqrt(1 - least * share) * edge.cross(across).normalized();
+        unit[count++] = up + aside;
+        unit[count++] = up - aside;
     }
 };
 
@@ -47,6 +77,7 @@ private:
 struct SlidingBody::Hold {
     WatchedPair* watched = nullptr;
     Triangle3 tooth, tool;
+    double gap = 0;    // that the plane at hand leaves between the two, mm
     double least = 0;  // that a plane must leave between the two, mm
 
     [[nodiscard]] HalfSpace spaceAcross(const Vec3& normal, double back, double margin) const {
@@ -62,9 +93,9 @@ struct SlidingBody::Hold {
 
 SlidingBody::Hold SlidingBody::holdOf(WatchedPair& watched) const {
     Hold hold{&watched, cornersOf(partOf(*surface_, watched.pair.part).mesh(), watched.pair.tooth),
-              tool_->cornersAt(pose_, watched.pair.tool), 0};
-    const double gap = lowestAlong(hold.tool, watched.plane.normal) - watched.plane.offset;
-    hold.least = std::min(kThinnest * margin_, kAsWell * gap);
+              tool_->cornersAt(pose_, watched.pair.tool), 0, 0};
+    hold.gap = lowestAlong(hold.tool, watched.plane.normal) - watched.plane.offset;
+    hold.least = std::min(kThinnest * margin_, kAsWell * hold.gap);
     return hold;
 }
 
@@ -124,6 +155,11 @@ bool SlidingBody::takeOtherPlane(std::size_t contact, std::span<Hold> holds, std
     for (int other = 0; other < heldCount_; ++other) {  // an edge that two of the tool's triangles share
         if (&held_[other] != hold.watched) directions.unit[directions.count++] = held_[other].plane.normal;
     }
+    // At a distance d beside an edge that leads on, the tool stands at a minimum of d^2 / (2 depth): far less than the
+    // margin. A plane that leans over the edge leans by the loss of gap over d; so does the way along it, which passes
+    // the edge if d^2 < loss * depth.
+    const double least = std::min(kLeaning * margin_, kAsWell * hold.gap);
+    directions.addLeaning(hold.tooth, hold.tool, least, kLeanReach * (hold.gap - least) * toGoal.norm());
     for (int i = 0; i < directions.count; ++i) {
         const Vec3& normal = directions.unit[i];
         if (normal.dot(own.normal) > kSamePlane) continue;

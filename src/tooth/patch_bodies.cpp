@@ -43,8 +43,8 @@ std::shared_ptr<const SurfacePart> patchPart(TaggedMesh patch, BrickBodies bodie
     const std::vector<bool> around = aroundFlags(mesh, base);
     std::vector<std::uint32_t> order(mesh.triangles.size());
     std::iota(order.begin(), order.end(), 0);
-    const auto others = std::ranges::stable_partition(order, [&](std::uint32_t t) { return !around[t]; });
-    const auto firstAround = static_cast<std::uint32_t>(others.begin() - order.begin());
+    const auto others = std::stable_partition(order.begin(), order.end(), [&](std::uint32_t t) { return !around[t]; });
+    const auto firstAround = static_cast<std::uint32_t>(others - order.begin());
     std::vector<Triangle> triangles;
     std::vector<SurfaceTag> reordered;
     for (const std::uint32_t t : order) {

@@ -35,6 +35,15 @@ Pose at(double x, double y, double z) { return {Vec3(x, y, z), Quat::Identity()}
 
 TriangleMesh smallBox() { return test::box(Vec3(-0.5, -0.5, 0), Vec3(0.5, 0.5, 1)); }
 
+/// A flat half at z = 0 and one that falls from x = 0 on by an eighth (seen from `side`), 8 mm long and wide.
+TriangleMesh edgeBetweenFlatAndSlope(float side) {
+    TriangleMesh mesh;
+    const float down = -side * 4.0F / 8;
+    mesh.vertices = {{-4, -4, 0}, {0, -4, 0}, {0, 4, 0}, {-4, 4, 0}, {4, -4, down}, {4, 4, down}};
+    mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {1, 4, 5}, {1, 5, 2}};
+    return mesh;
+}
+
 }  // namespace
 
 TEST(SlidingBody, ReachesAFreeGoal) {
@@ -167,6 +176,29 @@ TEST(SlidingBody, IsHeldInAVGrooveAtTheClosedFormHeight) {
     body.placeAt(at(0.3, 0, 4));
     settle(body, at(0.1, 0.5, 0.2));
     EXPECT_NEAR((body.pose().position - Vec3(0, 0.5, 0.5)).norm(), 0, 2 * body.margin());
+}
+
+// Beside a convex edge the flat has a nearest point to the hand of its own, and the slope has a nearer one. Between
+// them the distance grows by less than the margin: that is no minimum to stop at.
+TEST(SlidingBody, DoesNotStopAMarginBesideAnEdgeThatLeadsOn) {
+    constexpr double kDepth = 0.3;
+    const TriangleMesh ball = test::sphere(Vec3(0, 0, 0.5), 0.5, 16, 8);
+    const TriangleMesh spike = test::sphere(Vec3(0, 0, -0.5), 0.5, 16, 8);
+    for (const double beside : {0.0, 1.0, 4.0, 30.0, 100.0}) {  // margins
+        for (const bool isCornerOfTool : {true, false}) {
+            SCOPED_TRACE(beside);
+            SlidingBody body(toolOf(isCornerOfTool ? ball : edgeBetweenFlatAndSlope(-1)));
+            body.setSurface(surfaceOf(isCornerOfTool ? edgeBetweenFlatAndSlope(1) : spike));
+            const double toFlat = isCornerOfTool ? -1 : 1;
+            body.placeAt(at(toFlat, 0.3, 1));
+            body.moveToward(at(toFlat, 0.3, 0.5));
+            const double x = beside * body.margin();
+            EXPECT_EQ(body.moveToward(at(toFlat * x, 0.3, -kDepth)).status, MoveStatus::Held);
+            const double exact = (8 * kDepth + x) / std::sqrt(65.0);
+            const Vec3 hand(toFlat * x, 0.3, -kDepth);
+            EXPECT_NEAR((body.pose().position - hand).norm(), exact, 2 * body.margin());
+        }
+    }
 }
 
 TEST(SlidingBody, DoesNotPassAThinWallInOneLongMove) {
