@@ -22,7 +22,7 @@
 namespace tactooth {
 namespace {
 
-constexpr int kMaxRounds = 60;  // 3 at 1 cm/s, 5 at 10 cm/s; at 1 m/s on meshes of 20 um up to 48 were seen
+constexpr int kMaxRounds = 60;  // 3 at 1 cm/s, 5 at 10 cm/s; at 1 m/s on meshes of 20 um up to 56 were seen
 constexpr int kManySolutions = kMaxPlanesPerRound + 1;  // of a round: more come of a turn that does not settle
 constexpr int kMaxSolutions = 8 * kManySolutions;
 constexpr int kMaxPlanesChanged = 8;         // in a move, where it had settled: a corner of the tool has six triangles
@@ -42,12 +42,12 @@ constexpr double kTrusted = 0.95;  // of the skin: leaves room for rounding
 
 constexpr int kMostWaits = 4;  // moves: a list for a bur of 2.3 mm in its own cavity comes within four ticks
 
-// Lists of a move: the rest of the way waits for a tick. No hand goes 2 mm in a tick; one that was lost for a while
-// may, and it did not lead the tool around the tooth.
+// Lists of a move: the rest of the way waits for a tick. A hand that was lost for a while leaps, and did not lead the
+// tool around the tooth.
 constexpr int kMostLists = 40;
-constexpr int kMostListsOfJump = 28;
-constexpr double kJump = 2;     // mm
-constexpr int kAlikeLists = 8;  // of a move, as long as the first; each of those to come is twice as long
+constexpr int kMostListsOfLeap = 28;
+constexpr double kLeap = 0.5;   // of the tool's radius: 5 mm for a bur with its shank, which no hand goes in a tick
+constexpr int kAlikeLists = 8;  // as long as the first; each of those to come is twice as long
 
 // The longest step of a round. It need not be right: a step that was cut short is followed by a longer one.
 constexpr double kTrustInHand = 2;          // ways of the hand
