@@ -40,7 +40,7 @@ constexpr double kAhead = 6;       // of the least skin
 constexpr double kStray = 0.25;    // of both: how far the tool may leave the way expected
 constexpr double kTrusted = 0.95;  // of the skin: leaves room for rounding
 
-constexpr int kMostWaits = 4;  // moves: a list for a bur of 2.3 mm in its own cavity comes within four ticks
+constexpr int kMostWaits = 8;  // moves: a list for a bur of 2.3 mm in its own cavity comes within eight ticks
 
 // Lists of a move: the rest of the way waits for a tick. A hand that was lost for a while leaps, and did not lead the
 // tool around the tooth.
@@ -68,8 +68,8 @@ std::shared_ptr<const Surface> SlidingBody::setSurface(std::shared_ptr<const Sur
 std::shared_ptr<const Surface> SlidingBody::setSurface(std::shared_ptr<const Surface> surface, PairList& near) {
     if (surface != surface_) enter(surface);  // else all that is known of it still holds
     std::swap(list_, near);
-    isListGiven_ = true;
-    waits_ = 0;
+    isListGiven_ = isGivenLists_ = true;
+    waits_ = rests_ = 0;
     return surface;
 }
 
@@ -91,6 +91,7 @@ void SlidingBody::shiftTo(const Pose& toolInTooth) {
     heldCount_ = lastHeldCount_ = 0;
     lastGoal_ = toolInTooth;
     isBehind_ = isStarved_ = isSettled_ = false;
+    rests_ = 0;
     boldness_ = 1;
     recent_.clear();
 }
@@ -398,13 +399,18 @@ MoveResult SlidingBody::moveToward(const Pose& goal) {
     // A list takes longer than all else in a move: one with a budget makes one at most.
     const bool isBounded = budget_ < kUnlimitedWork;
     const auto isEnough = [&] { return isOutOfWork() || (attempt.outgrown && (mayWait || (isBounded && lists_ > 0))); };
+    if (isBounded && rests_ > 0) {
+        --rests_;
+        result.status = MoveStatus::OutOfWork;
+    }
     while (result.status == MoveStatus::OutOfRounds && result.rounds < kMaxRounds) {
         if (hasStepped && isEnough()) break;
         const bool isFirst = ++result.rounds == 1;
         bool overlapping = false;
         if (!plan(goal, isFirst, trust, attempt) || !findSafeStep(attempt, overlapping)) {
             if (list_.isFull() && list_.shorten()) {
-                if (isBounded) {  // the shorter one is made in the next move
+                if (isBounded) {  // the shorter one is made in a later move, if none has been given until then
+                    rests_ = isGivenLists_ ? kMostWaits : 0;
                     result.status = MoveStatus::OutOfWork;
                     break;
                 }

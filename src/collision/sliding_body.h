@@ -190,7 +190,9 @@ private:
 
     PairList list_;
     bool isListGiven_ = false;
-    int waits_ = 0;  // moves that have ended at the end of that list, one after the other
+    bool isGivenLists_ = false;  // whether somebody makes lists ahead
+    int waits_ = 0;              // moves that have ended at the end of that list, one after the other
+    int rests_ = 0;              // moves to stay where it is, for want of a list
     std::uint32_t ownLists_ = 0;
     Pose lastGoal_;
     bool isBehind_ = false;   // the last move ran out of rounds
