@@ -26,8 +26,8 @@ constexpr double kCutAhead = 0.05;   // mm: what the bur gains until the next li
 constexpr double kApart = 1e-6;      // mm: what a tool keeps from the tooth is less, see SlidingBody::margin
 constexpr double kTrusted = 0.6;     // of the skin: a list is renewed while the tick can still wait for the new one
 
-// The tool does not wait for a long list: while it is made the tool goes on, so that the next one has to reach farther
-// still. So a list is no longer than takes three milliseconds, and begins with the length that the last one ended with.
+// While a long list is made the tool goes on, so that the next one has to reach farther still. So a list is no longer
+// than takes three milliseconds, and begins with the length that the last one ended with.
 constexpr std::size_t kRoom = 1 << 14;       // clusters, 5 MB
 constexpr std::size_t kUsual = kRoom / 2;    // a list that is longer shall be followed by a shorter one,
 constexpr double kShorter = 0.7;             // of its length;
