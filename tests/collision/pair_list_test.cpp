@@ -249,11 +249,11 @@ TEST(PairList, AListIsNoLongerThanItShallBe) {
 }
 
 TEST(PairList, APlaneThatHoldsTheToolClearsAllThatItParts) {
-    const TriangleMesh plate = test::box(Vec3(-5, -5, -1), Vec3(5, 5, 0));
+    const auto plate = test::surfaceOf(test::box(Vec3(-5, -5, -1), Vec3(5, 5, 0)));
     const auto tool = test::toolOf(test::sphere(Vec3(0, 0, 0.6), 0.6, 16, 10));
     PairList list(*tool, kCapacity);
     const Pose at{Vec3(0.3, 0.2, 1e-3), Quat::Identity()};
-    list.make(*test::surfaceOf(plate), at, {Vec3(0.1, 0, 0), 0.05, 0});
+    list.make(*plate, at, {Vec3(0.1, 0, 0), 0.05, 0});
     const Pose end{at.position + Vec3(0.08, 0, 0), at.rotation};
     const Vec3 up = Vec3::UnitZ();
     EXPECT_FALSE(doubts(list, at, {at.position - 0.04 * up, at.rotation}, {&up, 1}).empty());
@@ -262,12 +262,12 @@ TEST(PairList, APlaneThatHoldsTheToolClearsAllThatItParts) {
 }
 
 TEST(PairList, ACertifiedPairIsDoubtedNoMoreWhereItsPlaneHolds) {
-    const TriangleMesh plate = test::box(Vec3(-5, -5, -1), Vec3(5, 5, 0));
+    const auto plate = test::surfaceOf(test::box(Vec3(-5, -5, -1), Vec3(5, 5, 0)));
     const auto tool = test::toolOf(test::box(Vec3(0, -0.5, 0), Vec3(1, 0.5, 1)));
     PairList list(*tool, kCapacity);
     const Pose at{Vec3(0, 0, 0.01), Quat(Eigen::AngleAxisd(0.3, Vec3::UnitY()))};
     const Pose above{Vec3(0, 0, 0.5), at.rotation};
-    list.make(*test::surfaceOf(plate), above, {Vec3(0, 0, -0.6), 0.05, 0});
+    list.make(*plate, above, {Vec3(0, 0, -0.6), 0.05, 0});
     const Excursion excursion = list.excursion(above, {Vec3(0, 0, -0.05), at.rotation}, kMargin, {});
     std::ignore = list.within(excursion);
     int certified = 0;
