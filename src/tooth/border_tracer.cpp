@@ -140,17 +140,10 @@ public:
     }
 
     ChangedBrick run() {
-        for (int z = 0; z < kBrickSide; ++z) {
-            for (int y = 0; y < kBrickSide; ++y) {
-                const unsigned row = removedRow(&brick_, y, z);
-                findCrossed((row ^ (row >> 1 | removedAt(next_[0], 0, y, z) << (kBrickSide - 1))), y, z, 0);
-                const bool lastY = y + 1 == kBrickSide;
-                findCrossed(row ^ removedRow(lastY ? next_[1] : &brick_, lastY ? 0 : y + 1, z), y, z, 1);
-                const bool lastZ = z + 1 == kBrickSide;
-                findCrossed(row ^ removedRow(lastZ ? next_[2] : &brick_, y, lastZ ? 0 : z + 1), y, z, 2);
-            }
+        for (int block = 0; block < kBlocks; ++block) {
+            findCrossed(block);
+            trace(block);
         }
-        for (int block = 0; block < kBlocks; ++block) trace(block);
         return changed_;
     }
 
@@ -192,28 +185,46 @@ private:
         return {isBeyond ? next_[edge.axis] : &brick_, nodeIndex(place[0], place[1], place[2])};
     }
 
-    /// The edges of a row on one axis whose two ends are on different sides, one bit each.
-    void findCrossed(unsigned crossed, int y, int z, int axis) {
+    /// Lists the edges that begin in a block.
+    void findCrossed(int block) {
+        constexpr unsigned kRow = (1U << kBlockSide) - 1;
+        const unsigned inBlock = kRow << placeInBrick(nodeOfBlock(block, 0), 0);
+        count_ = 0;
+        for (int i = 0; i < kBlockNodes; i += kBlockSide) {
+            const auto [x, y, z] = placeOf(nodeOfBlock(block, i));
+            const unsigned row = removedRow(&brick_, y, z);
+            add((row ^ (row >> 1 | removedAt(next_[0], 0, y, z) << (kBrickSide - 1))) & inBlock, y, z, 0);
+            const bool lastY = y + 1 == kBrickSide;
+            add((row ^ removedRow(lastY ? next_[1] : &brick_, lastY ? 0 : y + 1, z)) & inBlock, y, z, 1);
+            const bool lastZ = z + 1 == kBrickSide;
+            add((row ^ removedRow(lastZ ? next_[2] : &brick_, y, lastZ ? 0 : z + 1)) & inBlock, y, z, 2);
+        }
+    }
+    /// Those of the edges of a row on one axis (one bit each, set where the ends are on different sides) that matter.
+    void add(unsigned crossed, int y, int z, int axis) {
         for (; crossed != 0; crossed &= crossed - 1) {
             const Crossed edge{{std::countr_zero(crossed), y, z}, axis};
+            const End low = lowEnd(edge);
             const End high = highEnd(edge);
-            if (high.brick == nullptr || (!lowEnd(edge).wasLowered(carve_) && !high.wasLowered(carve_))) continue;
-            edges_[blockOf(lowEnd(edge).node)].push_back(edge);
+            if (high.brick == nullptr || (!low.wasLowered(carve_) && !high.wasLowered(carve_))) continue;
+            edges_[count_++] = edge;
+            // Read when the sweep near the block is known: time enough for the memory.
+            __builtin_prefetch(&brick_.borderPlace[axis][low.node], 1);
+            __builtin_prefetch(&brick_.borderNormal[axis][low.node], 1);
         }
     }
 
+    /// Carries on the borders of those that are listed.
     void trace(int block) {
-        const std::vector<Crossed>& edges = edges_[block];
-        if (edges.empty()) return;
+        if (count_ == 0) return;
         const std::vector<SweepLanes>& steps = sweep_.nearEdges(block);
-        for (std::size_t first = 0; first < edges.size(); first += 8) {
+        for (int first = 0; first < count_; first += 8) {
             Edges8 eight;
-            const std::size_t end = std::min(edges.size(), first + 8);
-            for (std::size_t i = first; i < end; ++i) add(edges[i], eight);
+            const int end = std::min(count_, first + 8);
+            for (int i = first; i < end; ++i) add(edges_[i], eight);
             eight.extend(steps, spacing_);
             const std::array<PackedDirection, 8> normals = eight.normals();
-            for (std::size_t i = first; i < end; ++i)
-                store(edges[i], eight.place(static_cast<int>(i - first)), normals[i - first]);
+            for (int i = first; i < end; ++i) store(edges_[i], eight.place(i - first), normals[i - first]);
         }
     }
 
@@ -253,7 +264,8 @@ private:
     BrickSweep sweep_;
     const double spacing_;
     const std::uint64_t carve_;
-    std::array<std::vector<Crossed>, kBlocks> edges_;
+    std::array<Crossed, 3 * kBlockNodes> edges_;  // of the block at hand
+    int count_ = 0;
 };
 
 }  // namespace

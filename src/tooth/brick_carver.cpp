@@ -42,80 +42,73 @@ float highestCut(const Brick& brick, int block) {
     return std::max(std::max(highest[0], highest[1]), std::max(highest[2], highest[3]));
 }
 
-/// Shares of four nodes' voxels at most that lie in the tooth and, with these samples, in the removed region; 0 for
-/// those that are not there. Where only the border of the removed region cuts, as nearly always, they are counted
-/// side by side.
-Eigen::Array4d removedShares(const Brick& brick, double spacing, std::span<const CutSample> samples) {
-    Eigen::Array4d distances = Eigen::Array4d::Ones();
-    std::array<PackedDirection, 4> normals;
-    bool isDeep = true;
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-        distances[static_cast<int>(i)] = samples[i].distance / spacing;
-        normals[i] = samples[i].normal;
-        isDeep &= brick.tooth[samples[i].node] / spacing <= -kVoxelReach;
-    }
-    if ((distances >= kVoxelReach).all()) return Eigen::Array4d::Zero();
-    if (isDeep) return cubeFractions(distances, PackedDirection::sizesOf(normals));
-    Eigen::Array4d shares = Eigen::Array4d::Zero();
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-        const HalfSpace removed{distances[static_cast<int>(i)], normals[i].unpack()};
-        const double tooth = brick.tooth[samples[i].node] / spacing;
-        if (tooth >= kVoxelReach) continue;
-        shares[static_cast<int>(i)] = tooth <= -kVoxelReach
-                                          ? cubeFraction(removed)
-                                          : cubeFraction(removed, {tooth, brick.toothNormal[samples[i].node].unpack()});
-    }
-    return shares;
-}
-
-/// The volumes that samples, four at most, are the borders of; added up by the materials of their nodes' voxels.
-class VolumeBook {
+/// Shares of nodes' voxels that lie in the tooth and, with samples of the cut field, in the removed region. Most
+/// voxels are cut by no border or by that of the removed region alone: these are counted four at a time.
+class RemovedShares {
 public:
-    VolumeBook(const Brick& brick, double spacing) : brick_(brick), spacing_(spacing) {}
+    RemovedShares(const Brick& brick, double spacing) : brick_(brick), spacing_(spacing) {}
 
-    /// What lowering the cut field to these samples removes.
-    void addLowered(std::span<const CutSample> lowered) {
-        std::array<CutSample, 4> before;
-        for (std::size_t i = 0; i < lowered.size(); ++i) {
-            const std::uint16_t node = lowered[i].node;
-            before[i] = {node, brick_.cut[node], brick_.cutNormal[node]};
+    /// Puts the share of a sample's voxel into `share`, sooner or later: see `finish`.
+    void find(std::uint16_t node, float cut, PackedDirection normal, double& share) {
+        const double distance = cut / spacing_;
+        const double tooth = brick_.tooth[node] / spacing_;
+        share = 0;
+        if (distance >= kVoxelReach || tooth >= kVoxelReach) return;
+        if (tooth > -kVoxelReach) {
+            share = cubeFraction({distance, normal.unpack()}, {tooth, brick_.toothNormal[node].unpack()});
+        } else if (distance <= -kVoxelReach) {
+            share = 1;
+        } else {
+            distances_[count_] = distance;
+            normals_[count_] = normal;
+            shares_[count_] = &share;
+            if (++count_ == 4) finish();
         }
-        const Eigen::Array4d was = removedShares(brick_, spacing_, std::span(before).first(lowered.size()));
-        book(lowered, removedShares(brick_, spacing_, lowered) - was);
     }
-    /// What is removed up to these samples.
-    void add(std::span<const CutSample> samples) { book(samples, removedShares(brick_, spacing_, samples)); }
-
-    [[nodiscard]] const MaterialVolumes& volumes() const { return volumes_; }
+    /// Those that are not yet found.
+    void finish() {
+        const Eigen::Array4d found = cubeFractions(distances_, PackedDirection::sizesOf(normals_));
+        for (int i = 0; i < count_; ++i) *shares_[i] = found[i];
+        count_ = 0;
+    }
 
 private:
-    void book(std::span<const CutSample> samples, const Eigen::Array4d& shares) {
-        for (std::size_t i = 0; i < samples.size(); ++i) {
-            const std::uint16_t node = samples[i].node;
-            const double volume = shares[static_cast<int>(i)] * spacing_ * spacing_ * spacing_;
-            double& mine = volumes_[static_cast<std::size_t>(brick_.material[node])];
-            if (brick_.neighbourShare[node] == 0) {
-                mine += volume;
-                continue;
-            }
-            const double beyond = volume * brick_.neighbourShare[node] / 255;
-            mine += volume - beyond;
-            volumes_[static_cast<std::size_t>(brick_.neighbour[node])] += beyond;
-        }
-    }
-
     const Brick& brick_;
     double spacing_;
-    MaterialVolumes volumes_{};
+    int count_ = 0;
+    Eigen::Array4d distances_ = Eigen::Array4d::Zero();
+    std::array<PackedDirection, 4> normals_{};
+    std::array<double*, 4> shares_{};
 };
+
+/// Adds a node's share of its voxel to the volumes of the materials in it.
+void book(const Brick& brick, std::uint16_t node, double share, double spacing, MaterialVolumes& volumes) {
+    const double volume = share * spacing * spacing * spacing;
+    double& mine = volumes[static_cast<std::size_t>(brick.material[node])];
+    if (brick.neighbourShare[node] == 0) {
+        mine += volume;
+        return;
+    }
+    const double beyond = volume * brick.neighbourShare[node] / 255;
+    mine += volume - beyond;
+    volumes[static_cast<std::size_t>(brick.neighbour[node])] += beyond;
+}
 
 /// What lowering the cut field of these nodes removes.
 MaterialVolumes volumesOf(const Brick& brick, std::span<const CutSample> lowered, double spacing) {
-    VolumeBook book(brick, spacing);
-    for (; !lowered.empty(); lowered = lowered.subspan(std::min<std::size_t>(4, lowered.size()))) {
-        book.addLowered(lowered.first(std::min<std::size_t>(4, lowered.size())));
+    std::array<double, kBrickNodes> before, after;
+    RemovedShares shares(brick, spacing);
+    for (std::size_t i = 0; i < lowered.size(); ++i) {
+        const auto& [node, distance, normal] = lowered[i];
+        shares.find(node, brick.cut[node], brick.cutNormal[node], before[i]);
+        shares.find(node, distance, normal, after[i]);
     }
-    return book.volumes();
+    shares.finish();
+    MaterialVolumes volumes{};
+    for (std::size_t i = 0; i < lowered.size(); ++i) {
+        book(brick, lowered[i].node, after[i] - before[i], spacing, volumes);
+    }
+    return volumes;
 }
 
 /// Eight nodes of one block, and what a sweep lowers their cut field to.
@@ -258,16 +251,15 @@ ChangedBrick carveBrick(Brick& brick, const RemovableInBrick& found, std::uint64
 }
 
 MaterialVolumes removedFromBrick(const Brick& brick, double spacing) {
-    VolumeBook book(brick, spacing);
-    for (int first = 0; first < kBrickNodes; first += 4) {
-        std::array<CutSample, 4> samples;
-        for (int i = 0; i < 4; ++i) {
-            const int node = first + i;
-            samples[i] = {static_cast<std::uint16_t>(node), brick.cut[node], brick.cutNormal[node]};
-        }
-        book.add(samples);
+    std::array<double, kBrickNodes> share;
+    RemovedShares shares(brick, spacing);
+    for (std::uint16_t node = 0; node < kBrickNodes; ++node) {
+        shares.find(node, brick.cut[node], brick.cutNormal[node], share[node]);
     }
-    return book.volumes();
+    shares.finish();
+    MaterialVolumes volumes{};
+    for (std::uint16_t node = 0; node < kBrickNodes; ++node) book(brick, node, share[node], spacing, volumes);
+    return volumes;
 }
 
 }  // namespace tactooth

@@ -35,7 +35,8 @@ struct ProfilePart {
 };
 
 /// The solid that a bur fills while it spins about its axis (z of the tool frame, tip at the bottom): a solid of
-/// revolution that holds every triangle of the bur's STL and stands out from it by less than 1 um.
+/// revolution that holds every triangle of the bur's STL and stands out from it by less than 1 um, but for dents of
+/// less than 2 um, which it bridges.
 class RevolutionEnvelope {
 public:
     /// Corner of the profile: radius at a height, mm.
@@ -96,7 +97,7 @@ private:
 };
 
 /// The profile alone: for each height the largest distance of the mesh from the z axis. Piecewise linear, never
-/// smaller than the mesh, larger by less than 1 um.
+/// smaller than the mesh, larger by less than 1 um but for dents of less than 2 um, which are bridged.
 [[nodiscard]] std::vector<RevolutionEnvelope::ProfilePoint> revolutionProfile(const TriangleMesh& mesh);
 
 }  // namespace tactooth
