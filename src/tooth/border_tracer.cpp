@@ -3,7 +3,9 @@
 #include "tooth/border_tracer.h"
 
 #include <bit>
+#include <functional>
 #include <limits>
+#include <numeric>
 
 #include "collision/lane_flags.h"
 #include "tooth/brick_sweep.h"
@@ -128,21 +130,23 @@ private:
 };
 
 class BrickTracer {
+    static constexpr std::uint64_t kLastColumn = NodeBits::kFirstColumn << (kBrickSide - 1);
+    static constexpr std::uint64_t kLastRow = NodeBits::kFirstRow << kBrickSide * (kBrickSide - 1);
+
 public:
     BrickTracer(BrickMap& bricks, const BrickKey& key, const Lattice& lattice, const std::vector<SweepStep>& steps,
                 std::uint64_t carve)
-        : changed_{key},
-          brick_(*bricks.find(key)),
-          sweep_(key, lattice, steps, lattice.spacing()),
-          spacing_(lattice.spacing()),
-          carve_(carve) {
+        : changed_{key}, brick_(*bricks.find(key)), lattice_(lattice), steps_(steps), carve_(carve) {
         next_ = {bricks.find(key.moved(1, 0, 0)), bricks.find(key.moved(0, 1, 0)), bricks.find(key.moved(0, 0, 1))};
     }
 
     ChangedBrick run() {
+        findCrossed();
+        if (!hasCrossed()) return changed_;
+        BrickSweep sweep(changed_.key, lattice_, steps_, lattice_.spacing());
         for (int block = 0; block < kBlocks; ++block) {
-            findCrossed(block);
-            trace(block);
+            listCrossed(block);
+            trace(block, sweep);
         }
         return changed_;
     }
@@ -151,12 +155,7 @@ private:
     struct End {
         const Brick* brick;
         int node;
-        [[nodiscard]] bool isRemoved() const {
-            return (brick->removed[node / kBrickSide] >> node % kBrickSide & 1) != 0;
-        }
-        [[nodiscard]] bool wasLowered(std::uint64_t carve) const {
-            return brick->lastCarve == carve && brick->lowered[node];
-        }
+        [[nodiscard]] bool isRemoved() const { return brick->removed[node]; }
         [[nodiscard]] bool wasOpened(std::uint64_t carve) const {
             return brick->lastCarve == carve && brick->opened[node];
         }
@@ -166,14 +165,6 @@ private:
         std::array<int, 3> low;  ///< its lower end in the brick
         int axis;
     };
-
-    /// Which nodes of a row along x are removed, one bit each.
-    static unsigned removedRow(const Brick* brick, int y, int z) {
-        return brick != nullptr ? brick->removedRow(y, z) : 0;
-    }
-    static unsigned removedAt(const Brick* brick, int x, int y, int z) {
-        return brick != nullptr ? brick->removedRow(y, z) >> x & 1U : 0U;
-    }
 
     [[nodiscard]] End lowEnd(const Crossed& edge) const {
         return {&brick_, nodeIndex(edge.low[0], edge.low[1], edge.low[2])};
@@ -185,44 +176,66 @@ private:
         return {isBeyond ? next_[edge.axis] : &brick_, nodeIndex(place[0], place[1], place[2])};
     }
 
-    /// Lists the edges that begin in a block.
-    void findCrossed(int block) {
-        constexpr unsigned kRow = (1U << kBlockSide) - 1;
-        const unsigned inBlock = kRow << placeInBrick(nodeOfBlock(block, 0), 0);
+    /// By layers: which edges on each axis that begin there have one end removed, and one that the carve has lowered.
+    /// An edge that leaves the brick ends in the next one; where there is none the border goes no farther.
+    void findCrossed() {
+        const auto lowered = [&](const Brick* brick, int z) {
+            return brick->lastCarve == carve_ ? brick->lowered.layer(z) : 0;
+        };
+        const auto beyond = [](int axis, std::uint64_t own, std::uint64_t next) {
+            return axis == 0 ? (own >> 1 & ~kLastColumn) | (next << 7 & kLastColumn) : own >> 8 | next << 56;
+        };
+        for (int z = 0; z < kBrickSide; ++z) {
+            const std::uint64_t removed = brick_.removed.layer(z);
+            const std::uint64_t touched = lowered(&brick_, z);
+            const auto find = [&](int axis, std::uint64_t removedBeyond, std::uint64_t touchedBeyond) {
+                crossed_[axis][z] = (removed ^ removedBeyond) & (touched | touchedBeyond);
+            };
+            for (const int axis : {0, 1}) {
+                const Brick* next = next_[axis];
+                find(axis, beyond(axis, removed, next != nullptr ? next->removed.layer(z) : 0),
+                     beyond(axis, touched, next != nullptr ? lowered(next, z) : 0));
+                if (next == nullptr) crossed_[axis][z] &= ~(axis == 0 ? kLastColumn : kLastRow);
+            }
+            const bool isLast = z + 1 == kBrickSide;
+            const Brick* above = isLast ? next_[2] : &brick_;
+            const int layer = isLast ? 0 : z + 1;
+            crossed_[2][z] = 0;
+            if (above != nullptr) find(2, above->removed.layer(layer), lowered(above, layer));
+        }
+    }
+    [[nodiscard]] bool hasCrossed() const {
+        std::uint64_t any = 0;
+        for (const auto& layers : crossed_) any = std::accumulate(layers.begin(), layers.end(), any, std::bit_or());
+        return any != 0;
+    }
+    /// Those that begin in a block.
+    void listCrossed(int block) {
+        constexpr std::uint64_t kCorner = 0x0F0F0F0F;  // of a layer: the first block's nodes
+        const auto [x, y, z] = placeOf(nodeOfBlock(block, 0));
+        const std::uint64_t inBlock = kCorner << nodeIndex(x, y, 0);
         count_ = 0;
-        for (int i = 0; i < kBlockNodes; i += kBlockSide) {
-            const auto [x, y, z] = placeOf(nodeOfBlock(block, i));
-            const unsigned row = removedRow(&brick_, y, z);
-            add((row ^ (row >> 1 | removedAt(next_[0], 0, y, z) << (kBrickSide - 1))) & inBlock, y, z, 0);
-            const bool lastY = y + 1 == kBrickSide;
-            add((row ^ removedRow(lastY ? next_[1] : &brick_, lastY ? 0 : y + 1, z)) & inBlock, y, z, 1);
-            const bool lastZ = z + 1 == kBrickSide;
-            add((row ^ removedRow(lastZ ? next_[2] : &brick_, y, lastZ ? 0 : z + 1)) & inBlock, y, z, 2);
+        for (int layer = z; layer < z + kBlockSide; ++layer) {
+            for (int axis = 0; axis < 3; ++axis) {
+                for (std::uint64_t left = crossed_[axis][layer] & inBlock; left != 0; left &= left - 1) {
+                    const int node = nodeIndex(0, 0, layer) + std::countr_zero(left);
+                    edges_[count_++] = {placeOf(node), axis};
+                    // Read when the sweep near the block is known: time enough for the memory.
+                    __builtin_prefetch(&brick_.borderPlace[axis][node], 1);
+                    __builtin_prefetch(&brick_.borderNormal[axis][node], 1);
+                }
+            }
         }
     }
-    /// Those of the edges of a row on one axis (one bit each, set where the ends are on different sides) that matter.
-    void add(unsigned crossed, int y, int z, int axis) {
-        for (; crossed != 0; crossed &= crossed - 1) {
-            const Crossed edge{{std::countr_zero(crossed), y, z}, axis};
-            const End low = lowEnd(edge);
-            const End high = highEnd(edge);
-            if (high.brick == nullptr || (!low.wasLowered(carve_) && !high.wasLowered(carve_))) continue;
-            edges_[count_++] = edge;
-            // Read when the sweep near the block is known: time enough for the memory.
-            __builtin_prefetch(&brick_.borderPlace[axis][low.node], 1);
-            __builtin_prefetch(&brick_.borderNormal[axis][low.node], 1);
-        }
-    }
-
     /// Carries on the borders of those that are listed.
-    void trace(int block) {
+    void trace(int block, BrickSweep& sweep) {
         if (count_ == 0) return;
-        const std::vector<SweepLanes>& steps = sweep_.nearEdges(block);
+        const std::vector<SweepLanes>& steps = sweep.nearEdges(block);
         for (int first = 0; first < count_; first += 8) {
             Edges8 eight;
             const int end = std::min(count_, first + 8);
             for (int i = first; i < end; ++i) add(edges_[i], eight);
-            eight.extend(steps, spacing_);
+            eight.extend(steps, lattice_.spacing());
             const std::array<PackedDirection, 8> normals = eight.normals();
             for (int i = first; i < end; ++i) store(edges_[i], eight.place(i - first), normals[i - first]);
         }
@@ -261,10 +274,11 @@ private:
     ChangedBrick changed_;
     Brick& brick_;
     std::array<const Brick*, 3> next_;
-    BrickSweep sweep_;
-    const double spacing_;
+    const Lattice& lattice_;
+    const std::vector<SweepStep>& steps_;
     const std::uint64_t carve_;
-    std::array<Crossed, 3 * kBlockNodes> edges_;  // of the block at hand
+    std::array<std::array<std::uint64_t, kBrickSide>, 3> crossed_;  // a bit for each edge, by axis and layer
+    std::array<Crossed, 3 * kBlockNodes> edges_;                    // of the block at hand
     int count_ = 0;
 };
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bitset>
 #include <cmath>
 #include <cstdint>
 
@@ -109,6 +108,25 @@ inline constexpr int kBrickNodes = kBrickSide * kBrickSide * kBrickSide;
 /// From a node's index to that of the next one on an axis.
 [[nodiscard]] constexpr int nodeStride(int axis) { return nodeIndex(axis == 0, axis == 1, axis == 2); }
 
+/// Some nodes of a brick, one bit each in the order of nodeIndex: a word for each layer of constant z.
+class NodeBits {
+public:
+    static constexpr std::uint64_t kFirstColumn = 0x0101010101010101;  ///< of a layer: the nodes at x = 0 ...
+    static constexpr std::uint64_t kFirstRow = 0xFF;                   ///< ... and those at y = 0
+
+    void set(int node) { layers_[node / 64] |= std::uint64_t{1} << node % 64; }
+    void reset() { layers_.fill(0); }
+    [[nodiscard]] bool operator[](int node) const { return (layers_[node / 64] >> node % 64 & 1) != 0; }
+    [[nodiscard]] std::uint64_t layer(int z) const { return layers_[z]; }
+    [[nodiscard]] unsigned row(int y, int z) const { return layers_[z] >> kBrickSide * y & kFirstRow; }
+    void setRow(int y, int z, std::uint64_t bits) {
+        layers_[z] = (layers_[z] & ~(kFirstRow << kBrickSide * y)) | bits << kBrickSide * y;
+    }
+
+private:
+    std::array<std::uint64_t, kBrickSide> layers_{};
+};
+
 /// How far the two distances of a node are kept, in voxels; farther values are clamped. Removed region: a node next to
 /// one across the border lies within 1 of it and must be known to have been reached, and the accounting needs less;
 /// what every move must look at anew grows with this. Tooth: far enough that what lies clear of the surface is known to
@@ -149,21 +167,21 @@ struct Brick : CutField {
     std::array<MaterialId, kBrickNodes> neighbour;         ///< the material beyond a layer's border in the node's voxel
     std::array<std::uint8_t, kBrickNodes> neighbourShare;  ///< its share of the voxel, in 255ths
 
-    std::array<std::uint8_t, kBrickNodes / kBrickSide> removed{};  ///< where `cut < 0`: one bit a node, one byte a row
+    NodeBits removed;  ///< nodes where `cut < 0`
 
-    std::uint64_t lastCarve = 0;       ///< number of the carve that the two sets below belong to
-    std::bitset<kBrickNodes> lowered;  ///< nodes whose `cut` that carve has changed
-    std::bitset<kBrickNodes> opened;   ///< nodes that it has removed
+    std::uint64_t lastCarve = 0;  ///< number of the carve that the two sets below belong to
+    NodeBits lowered;             ///< nodes whose `cut` that carve has changed
+    NodeBits opened;              ///< nodes that it has removed
 
     /// Which of the eight nodes of a row along x are removed, one bit each.
-    [[nodiscard]] unsigned removedRow(int y, int z) const { return removed[y + kBrickSide * z]; }
-    void setRemoved(int node) { removed[node / kBrickSide] |= static_cast<std::uint8_t>(1U << node % kBrickSide); }
+    [[nodiscard]] unsigned removedRow(int y, int z) const { return removed.row(y, z); }
+    void setRemoved(int node) { removed.set(node); }
     /// Takes over another state of the field.
     void setField(const CutField& field) {
         static_cast<CutField&>(*this) = field;
-        for (std::size_t row = 0; row < removed.size(); ++row) {
+        for (int row = 0; row < kBrickNodes / kBrickSide; ++row) {
             const Float8 distances = Float8::load(&cut[kBrickSide * row]);
-            removed[row] = static_cast<std::uint8_t>(~lessEqual(Float8::all(0), distances));
+            removed.setRow(row % kBrickSide, row / kBrickSide, ~lessEqual(Float8::all(0), distances) & 0xFF);
         }
     }
 };
