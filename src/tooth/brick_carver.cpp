@@ -33,6 +33,7 @@ using CutSample = RemovableInBrick::Sample;
 // Eight nodes side by side: (x, y) = (0..3, y..y+1).
 constexpr float kLaneX[8] = {0, 1, 2, 3, 0, 1, 2, 3};
 constexpr float kLaneY[8] = {0, 0, 0, 0, 1, 1, 1, 1};
+constexpr int kLaneNode[8] = {0, 1, 2, 3, kBrickSide, kBrickSide + 1, kBrickSide + 2, kBrickSide + 3};
 
 float highestCut(const Brick& brick, int block) {
     Eigen::Array4f highest = Eigen::Array4f::Constant(-std::numeric_limits<float>::infinity());
@@ -46,20 +47,21 @@ float highestCut(const Brick& brick, int block) {
 /// voxels are cut by no border or by that of the removed region alone: these are counted four at a time.
 class RemovedShares {
 public:
-    RemovedShares(const Brick& brick, double spacing) : brick_(brick), spacing_(spacing) {}
+    RemovedShares(const Brick& brick, double spacing)
+        : brick_(brick), spacing_(spacing), reach_(kVoxelReach * spacing) {}
 
     /// Puts the share of a sample's voxel into `share`, sooner or later: see `finish`.
     void find(std::uint16_t node, float cut, PackedDirection normal, double& share) {
-        const double distance = cut / spacing_;
-        const double tooth = brick_.tooth[node] / spacing_;
+        const float tooth = brick_.tooth[node];
         share = 0;
-        if (distance >= kVoxelReach || tooth >= kVoxelReach) return;
-        if (tooth > -kVoxelReach) {
-            share = cubeFraction({distance, normal.unpack()}, {tooth, brick_.toothNormal[node].unpack()});
-        } else if (distance <= -kVoxelReach) {
+        if (cut >= reach_ || tooth >= reach_) return;
+        if (tooth > -reach_) {
+            share =
+                cubeFraction({cut / spacing_, normal.unpack()}, {tooth / spacing_, brick_.toothNormal[node].unpack()});
+        } else if (cut <= -reach_) {
             share = 1;
         } else {
-            distances_[count_] = distance;
+            distances_[count_] = cut / spacing_;
             normals_[count_] = normal;
             shares_[count_] = &share;
             if (++count_ == 4) finish();
@@ -75,6 +77,7 @@ public:
 private:
     const Brick& brick_;
     double spacing_;
+    double reach_;  // mm
     int count_ = 0;
     Eigen::Array4d distances_ = Eigen::Array4d::Zero();
     std::array<PackedDirection, 4> normals_{};
@@ -117,8 +120,8 @@ public:
     /// Nodes 8 `eight` .. 8 `eight` + 7 of a block. A node counts as lowered if a step comes below what it has and
     /// `band` (mm), unless it has -`band` already.
     LoweredNodes8(const Brick& brick, int block, int eight, float band) {
-        for (int lane = 0; lane < 8; ++lane)
-            node_[lane] = static_cast<std::uint16_t>(nodeOfBlock(block, 8 * eight + lane));
+        const int first = nodeOfBlock(block, 8 * eight);
+        for (int lane = 0; lane < 8; ++lane) node_[lane] = static_cast<std::uint16_t>(first + kLaneNode[lane]);
         place_ = {Float8::load(kLaneX), Float8::load(kLaneY) + Float8::all(static_cast<float>(2 * (eight & 1))),
                   Float8::all(static_cast<float>(eight >> 1))};
         limit_ = limitOf(Float8::load(&brick.cut[node_[0]], &brick.cut[node_[4]]), band);

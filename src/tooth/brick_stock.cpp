@@ -32,7 +32,8 @@ std::vector<BrickKey> bricksInReach(const LayeredTooth& tooth, const Lattice& la
     std::erase_if(keys, [&](const BrickKey& key) {
         const Vec3 centre = lattice.centre(key);
         if (steps.back().lowerBound(centre) - earlier >= toCentre) return true;
-        return std::ranges::all_of(steps, [&](const SweepStep& step) { return step.lowerBound(centre) >= toCentre; });
+        const auto isFar = [&](const SweepStep& step) { return step.lowerBound(centre) >= toCentre; };
+        return steps.size() > 1 && std::ranges::all_of(steps, isFar);
     });
     return keys;
 }

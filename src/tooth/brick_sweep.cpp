@@ -14,6 +14,10 @@ constexpr double kBeyondEdge = 0.05;
 
 BrickSweep::BrickSweep(const BrickKey& key, const Lattice& lattice, const std::vector<SweepStep>& steps, double reach)
     : corner_(lattice.corner(key)), spacing_(lattice.spacing()) {
+    if (steps.size() == 1) {  // each block looks for itself
+        steps_.push_back(&steps.front());
+        return;
+    }
     // One look from the end of the sweep: no step before it is nearer than the travel between.
     double bound = steps.back().lowerBound(lattice.centre(key)) - lattice.halfDiagonal() - reach;
     for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
