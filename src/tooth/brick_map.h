@@ -7,6 +7,7 @@
 #include <compare>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -97,6 +98,11 @@ private:
 class BrickMap {
 public:
     [[nodiscard]] bool knows(const BrickKey& key) const { return bricks_.contains(key); }
+    /// What `find` gives, if the map knows of it.
+    [[nodiscard]] std::optional<Brick*> known(const BrickKey& key) {
+        const auto found = bricks_.find(key);
+        return found == bricks_.end() ? std::nullopt : std::optional(found->second.get());
+    }
     [[nodiscard]] const Brick* find(const BrickKey& key) const {
         const auto found = bricks_.find(key);
         return found == bricks_.end() ? nullptr : found->second.get();

@@ -86,12 +86,24 @@ void CutVolume::reset() {
     if (stock_ != nullptr) stock_->forgetTaken();
 }
 
-void CutVolume::makeMissing(const std::vector<BrickKey>& keys) {
+/// Makes those that nobody has asked for yet; null where a brick lies clear of the tooth.
+std::vector<Brick*> CutVolume::bricksAt(const std::vector<BrickKey>& keys) {
+    std::vector<Brick*> bricks;
+    bricks.reserve(keys.size());
     std::vector<BrickKey> missing;
     for (const BrickKey& key : keys) {
-        if (!bricks_.knows(key)) missing.push_back(key);
+        const std::optional<Brick*> known = bricks_.known(key);
+        if (!known) missing.push_back(key);
+        bricks.push_back(known.value_or(nullptr));
     }
-    if (stock_ != nullptr && !missing.empty()) {
+    if (missing.empty()) return bricks;
+    makeBricks(std::move(missing));
+    std::ranges::transform(keys, bricks.begin(), [&](const BrickKey& key) { return bricks_.find(key); });
+    return bricks;
+}
+
+void CutVolume::makeBricks(std::vector<BrickKey> missing) {
+    if (stock_ != nullptr) {
         std::vector<std::optional<std::unique_ptr<Brick>>> ahead = stock_->take(missing);
         std::size_t left = 0;
         for (std::size_t i = 0; i < missing.size(); ++i) {
@@ -156,12 +168,10 @@ Removable CutVolume::removable(const RevolutionEnvelope& envelope, const Pose& f
     result.afterCarve = carves_;
     result.steps = sweepSteps(envelope, fromInTooth, toInTooth, clearance, kLongestStep * lattice_.spacing());
     const std::vector<BrickKey> keys = bricksInReach(*tooth_, lattice_, result.steps, kCutBand * lattice_.spacing());
-    makeMissing(keys);
+    const std::vector<Brick*> bricks = bricksAt(keys);
     std::vector<RemovableInBrick> parts(keys.size());
     parallelFor(keys.size(), [&](std::size_t i) {
-        if (const Brick* brick = std::as_const(bricks_).find(keys[i])) {
-            parts[i] = removableFromBrick(*brick, keys[i], lattice_, result.steps);
-        }
+        if (bricks[i] != nullptr) parts[i] = removableFromBrick(*bricks[i], keys[i], lattice_, result.steps);
     });
     gather(parts, result);
     return result;
@@ -184,9 +194,9 @@ Removable CutVolume::removableOnTheWay(const Removable& whole, const RevolutionE
 /// Makes the bricks of it that are missing.
 NodeSets CutVolume::nodesOf(const LoosePiece& piece) {
     NodeSets nodes = piece.nodes;
-    makeMissing(piece.unmade);
-    for (const BrickKey& key : piece.unmade) {
-        if (const Brick* brick = bricks_.find(key)) nodes[key] = solidNodes(*brick);
+    const std::vector<Brick*> bricks = bricksAt(piece.unmade);
+    for (std::size_t i = 0; i < bricks.size(); ++i) {
+        if (bricks[i] != nullptr) nodes[piece.unmade[i]] = solidNodes(*bricks[i]);
     }
     return nodes;
 }
@@ -216,7 +226,7 @@ CarveResult CutVolume::removePieces(const NodeSets& pieces) {
     for (const auto& [key, nodes] : pieces) {
         for (int i = 0; i < 27; ++i) near.insert(key.neighbour(i));
     }
-    makeMissing({near.begin(), near.end()});
+    (void)bricksAt({near.begin(), near.end()});
     const NodeSets gone = nodesToRemove(bricks_, pieces);
     const auto isTouched = [&](const BrickKey& key) {  // itself, or the far end of an edge that it owns
         const auto hasSome = [&](const BrickKey& at) { return gone.contains(at) && gone.at(at).any(); };
@@ -255,13 +265,12 @@ std::vector<BrickKey> CutVolume::cutBricks() const {
 std::vector<ChangedBrick> CutVolume::adopt(const std::map<BrickKey, CutField>& fields) {
     std::vector<BrickKey> keys;
     for (const auto& [key, field] : fields) keys.push_back(key);
-    makeMissing(keys);
+    const std::vector<Brick*> bricks = bricksAt(keys);
     std::vector<ChangedBrick> changed;
-    for (const auto& [key, field] : fields) {
-        Brick* brick = bricks_.find(key);
-        if (brick == nullptr) continue;
-        brick->setField(field);
-        changed.push_back(ChangedBrick::all(key));
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        if (bricks[i] == nullptr) continue;
+        bricks[i]->setField(fields.at(keys[i]));
+        changed.push_back(ChangedBrick::all(keys[i]));
     }
     return changed;
 }

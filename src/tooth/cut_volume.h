@@ -150,7 +150,8 @@ public:
     [[nodiscard]] std::size_t bytes() const { return bricks_.keys().size() * sizeof(Brick) + journal_.bytes(); }
 
 private:
-    void makeMissing(const std::vector<BrickKey>& keys);
+    [[nodiscard]] std::vector<Brick*> bricksAt(const std::vector<BrickKey>& keys);
+    void makeBricks(std::vector<BrickKey> missing);
     [[nodiscard]] NodeSets nodesOf(const LoosePiece& piece);
     CarveResult removePieces(const NodeSets& pieces);
     [[nodiscard]] std::vector<ChangedBrick> traceBorder(const Removable& carved);
