@@ -60,15 +60,15 @@ public:
 
 private:
     void play(double now, const Pose& hand) {
-        if (coming_ != nullptr && comingAt_ <= now) feelNewSurface(now);
+        while (!coming_.empty() && coming_.front().from <= now) feelNewSurface(now);
         const double start = threadMicros();
         const Tick tick = simulation_->step({hand, 1, true}, kTick);
         const double micros = threadMicros() - start;
         if (tick.contacts > 0) tickMicros_.push_back(micros);
         timing_.deepest = std::max(timing_.deepest, tick.depth);
         if (tick.contacts > 0) working_.push_back(now);
-        if (now >= cutterFreeAt_) letCutterWork(now, tick);
-        if (now >= comingAt_) letListerWork(now, tick);
+        letListerWork(now, tick);
+        letCutterWork(now, tick);
         if (now >= makerFreeAt_) letMakerWork(now, tick);
     }
 
@@ -81,44 +81,64 @@ private:
         makerFreeAt_ = now + 1e-6 * took;
     }
 
+    /// Goes on with this tick as soon as it is done with the one before.
     void letCutterWork(double now, const Tick& tick) {
-        if (made_) unlisted_ = std::exchange(made_, std::nullopt);
+        const double begin = std::max(now, cutterFreeAt_);
+        if (begin >= now + kTick) return;
         const auto millis = [this] { return cores_ > 1 ? wallMillis() : 1e-3 * threadMicros(); };
         const double start = millis();
         const bool changed = piece_.feed(*tool_, tick, materials_);
         const double took = millis() - start;
         cutterMillis_ += took;
-        cutterFreeAt_ = now + 1e-3 * took;
+        cutterFreeAt_ = begin + 1e-3 * took;
         if (changed) {
             updateMillis_.push_back(took);
-            made_ = Cut{piece_.surface(), *piece_.reached(), lastCutAt_ = now};
+            cuts_.push_back({piece_.surface(), *piece_.reached(), cutterFreeAt_, begin, now});
+            lastCutTick_ = now;
         } else {
-            while (!working_.empty() && working_.back() > lastCutAt_) working_.pop_back();  // nothing comes of these
+            while (!working_.empty() && working_.back() > lastCutTick_) working_.pop_back();  // nothing comes of these
         }
     }
 
+    /// Looks after the tool at each tick, and is woken by a cut.
     void letListerWork(double now, const Tick& tick) {
-        const double start = threadMicros();
-        if (tick.placed) felt_->watch(now, tick.proxy, tick.ownLists);
-        if (unlisted_) {
-            newest_ = unlisted_->surface;
-            coming_ = felt_->make(unlisted_->surface, tick.proxy, unlisted_->reached);
-            cutAt_ = unlisted_->at;
-            unlisted_.reset();
-        } else {
-            coming_ = tick.placed ? felt_->renew() : felt_->place(newest_, tick.hand);
+        if (listerFreeAt_ <= now && (cuts_.empty() || cuts_.front().from > now)) {
+            watch(now, tick);
+            list(now, [&] { return tick.placed ? felt_->renew() : felt_->place(newest_, tick.hand); });
         }
+        while (!cuts_.empty() && std::max(cuts_.front().from, listerFreeAt_) < now + kTick) {
+            const Cut cut = cuts_.front();
+            cuts_.pop_front();
+            if (!cuts_.empty() && cuts_.front().from <= listerFreeAt_) continue;  // there is a newer one
+            watch(now, tick);
+            newest_ = cut.surface;
+            newestCut_ = cut;
+            list(std::max({now, cut.from, listerFreeAt_}),
+                 [&] { return felt_->make(cut.surface, tick.proxy, cut.reached); });
+        }
+    }
+    void watch(double now, const Tick& tick) {
+        if (tick.placed) felt_->watch(now, tick.proxy, tick.ownLists);
+    }
+    template <class Make>
+    void list(double begin, const Make& make) {
+        const double start = threadMicros();
+        FeltSurface* felt = make();
         const double took = 1e-3 * (threadMicros() - start);
-        comingAt_ = now + 1e-3 * took;
-        if (coming_ != nullptr) listMillis_.push_back(took);
+        listerFreeAt_ = begin + 1e-3 * took;
+        if (felt == nullptr) return;
+        coming_.push_back({felt, listerFreeAt_, newestCut_.begun, newestCut_.tick});
+        listMillis_.push_back(took);
     }
 
     void feelNewSurface(double now) {
-        simulation_->setSurface(*coming_);
-        felt_->giveBack(std::exchange(coming_, nullptr));
-        if (cutAt_ > feltUpTo_) carvedMillis_.push_back(1e3 * (now - cutAt_));
-        feltUpTo_ = std::max(feltUpTo_, cutAt_);
-        while (!working_.empty() && working_.front() <= cutAt_) {
+        const Coming coming = coming_.front();
+        coming_.pop_front();
+        simulation_->setSurface(*coming.felt);
+        felt_->giveBack(coming.felt);
+        if (coming.cutBegun > feltUpTo_) carvedMillis_.push_back(1e3 * (now - coming.cutBegun));
+        feltUpTo_ = std::max(feltUpTo_, coming.cutBegun);
+        while (!working_.empty() && working_.front() <= coming.cutTick) {
             feltMillis_.push_back(1e3 * (now - working_.front()));
             working_.pop_front();
         }
@@ -158,21 +178,29 @@ private:
     std::optional<HapticSimulation> simulation_;
     std::optional<FeltSurfaces> felt_;
 
+    // Times in s: when a thing is there, when the carve began that it comes of, and the last tick that knew of.
     struct Cut {
         std::shared_ptr<const Surface> surface;
         Pose reached;
-        double at;  // s: of the last tick that it is made of
+        double from = 0;
+        double begun = 0;
+        double tick = 0;
     };
-    std::optional<Cut> made_;  // by the cutter, which has it finished at cutterFreeAt_
-    double cutterFreeAt_ = 0;  // s
+    struct Coming {
+        FeltSurface* felt;
+        double from;
+        double cutBegun;
+        double cutTick;
+    };
+    std::deque<Cut> cuts_;  // that there is no list for yet
+    Cut newestCut_;         // that the lister knows of
+    std::shared_ptr<const Surface> newest_;
+    std::deque<Coming> coming_;  // that the servo has not felt yet
+    double cutterFreeAt_ = 0;    // s
+    double listerFreeAt_ = 0;
     double makerFreeAt_ = 0;
-    double lastCutAt_ = 0;
-    std::optional<Cut> unlisted_;            // finished, but there is no list for it yet
-    std::shared_ptr<const Surface> newest_;  // that the lister knows of
-    FeltSurface* coming_ = nullptr;          // finished at comingAt_, made of the cuts up to cutAt_
-    double comingAt_ = 0;
-    double cutAt_ = 0;
-    double feltUpTo_ = 0;         // the last of those that the servo has felt
+    double lastCutTick_ = 0;
+    double feltUpTo_ = 0;         // the beginning of the last carve that the servo has felt
     std::deque<double> working_;  // ticks in which the bur worked and that have not been felt yet
 
     std::vector<double> tickMicros_, feltMillis_, carvedMillis_, updateMillis_, listMillis_;
