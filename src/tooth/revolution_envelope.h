@@ -35,8 +35,7 @@ struct ProfilePart {
 };
 
 /// The solid that a bur fills while it spins about its axis (z of the tool frame, tip at the bottom): a solid of
-/// revolution that holds every triangle of the bur's STL and stands out from it by less than 1 um, but for dents of
-/// less than 2 um, which it bridges.
+/// revolution that holds every triangle of the bur's STL and stands out from it by less than 1 um.
 class RevolutionEnvelope {
 public:
     /// Corner of the profile: radius at a height, mm.
@@ -97,7 +96,7 @@ private:
 };
 
 /// The profile alone: for each height the largest distance of the mesh from the z axis. Piecewise linear, never
-/// smaller than the mesh, larger by less than 1 um but for dents of less than 2 um, which are bridged.
+/// smaller than the mesh, larger by less than 1 um.
 [[nodiscard]] std::vector<RevolutionEnvelope::ProfilePoint> revolutionProfile(const TriangleMesh& mesh);
 
 }  // namespace tactooth

@@ -15,7 +15,7 @@
 namespace tactooth {
 namespace {
 
-constexpr std::uint64_t kGolden = 0xfeb9641c5f5c1d69ULL;
+constexpr std::uint64_t kGolden = 0xff4783de1c29b0a5ULL;
 
 constexpr double kTick = 0.001;
 constexpr double kVoxel = 0.05;

@@ -103,7 +103,7 @@ TEST(RevolutionEnvelope, AFlatMeshIsRefused) {
     EXPECT_NE(envelope.error().message.find("along its axis"), std::string::npos);
 }
 
-// A facet that turns about an axis beside it makes a hollow band: less than two micrometres deep, it is left out.
+// A facet that turns about an axis beside it makes a hollow band: less than half a micrometre deep, it is left out.
 TEST(RevolutionEnvelope, TheShallowDentsOfAFacetedBallAreBridged) {
     const auto ball = RevolutionEnvelope::make(test::sphere(Vec3(0, 0, 0.5), 0.5, 24, 12));
     ASSERT_TRUE(ball);
