@@ -116,15 +116,19 @@ inline constexpr int kBrickNodes = kBrickSide * kBrickSide * kBrickSide;
 inline constexpr double kCutBand = 1.25;
 inline constexpr double kToothBand = 4.0;
 
+/// Where the border of the removed region crosses a lattice edge: 0 at its first node, 1 at the next.
+struct BorderCrossing {
+    float place = 0;
+    PackedDirection normal;
+};
+
 /// What burs have done to one brick: the part of it that changes.
 struct CutField {
     std::array<float, kBrickNodes> cut;                  ///< to the region that burs have swept, mm, negative inside
     std::array<PackedDirection, kBrickNodes> cutNormal;  ///< gradient of `cut`, out of the removed region
 
-    /// For the lattice edge from each node to the next one on each axis, if just one of the two is removed: where the
-    /// border of the removed region crosses it (0 at the node, 1 at the next), and its normal there.
-    std::array<std::array<float, kBrickNodes>, 3> borderPlace;
-    std::array<std::array<PackedDirection, kBrickNodes>, 3> borderNormal;
+    /// For the lattice edge from each node to the next one on each axis, if just one of the two is removed.
+    std::array<std::array<BorderCrossing, kBrickNodes>, 3> border;
 
     bool isCut = false;  ///< some node has been reached by a sweep
 
@@ -133,10 +137,7 @@ struct CutField {
         CutField field;
         field.cut.fill(static_cast<float>(kCutBand * spacing));
         field.cutNormal.fill(PackedDirection(Vec3::UnitZ()));
-        for (int axis = 0; axis < 3; ++axis) {
-            field.borderPlace[axis].fill(0);
-            field.borderNormal[axis].fill(PackedDirection(Vec3::UnitZ()));
-        }
+        for (auto& crossings : field.border) crossings.fill({});
         return field;
     }
 };

@@ -55,17 +55,12 @@ public:
         const Brick* brick = brickOf(p);
         return brick != nullptr ? brick->material[nodeOf(p)] : MaterialId{};
     }
-    /// Where the border of the removed region crosses the lattice edge from a node to the next on `axis`, 0..1 of the
-    /// way, with the normal there. One of the two is removed, and both lie in bricks that exist.
-    struct Border {
-        float place;
-        PackedDirection normal;
-    };
-    [[nodiscard]] Border border(const Place& p, int axis) const {
+    /// Where the border of the removed region crosses the lattice edge from a node to the next on `axis`. One of the
+    /// two is removed, and both lie in bricks that exist.
+    [[nodiscard]] BorderCrossing border(const Place& p, int axis) const {
         const Brick* brick = brickOf(p);
-        if (brick == nullptr) return {0.5F, PackedDirection(Vec3::Unit(axis))};
-        const int node = nodeOf(p);
-        return {brick->borderPlace[axis][node], brick->borderNormal[axis][node]};
+        return brick != nullptr ? brick->border[axis][nodeOf(p)]
+                                : BorderCrossing{0.5F, PackedDirection(Vec3::Unit(axis))};
     }
     /// Whether some nodes are removed and others are not.
     [[nodiscard]] bool hasBorder() const { return hasBorder_; }

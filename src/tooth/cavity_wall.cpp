@@ -132,7 +132,7 @@ private:
         Place from;
         int axis;
         unsigned cells;  ///< around it that count
-        BrickNeighbourhood::Border border;
+        BorderCrossing border;
     };
 
     /// Hands the plane in which the border crosses an edge to all cells around it.
