@@ -6,6 +6,7 @@
 // every operation is a single correctly rounded IEEE operation and none is fused.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -57,6 +58,19 @@ struct Float8 {
         const __m128 two = _mm_max_ps(four, _mm_movehl_ps(four, four));
         return _mm_cvtss_f32(_mm_max_ss(two, _mm_shuffle_ps(two, two, 1)));
     }
+    /// The four numbers that each lane's place holds: the first of all lanes, the second, and so on.
+    static std::array<Float8, 4> loadFours(const std::array<const float*, 8>& p) {
+        const __m256 a = load(p[0], p[4]).lanes;
+        const __m256 b = load(p[1], p[5]).lanes;
+        const __m256 c = load(p[2], p[6]).lanes;
+        const __m256 d = load(p[3], p[7]).lanes;
+        const __m256 lowAb = _mm256_unpacklo_ps(a, b);
+        const __m256 lowCd = _mm256_unpacklo_ps(c, d);
+        const __m256 highAb = _mm256_unpackhi_ps(a, b);
+        const __m256 highCd = _mm256_unpackhi_ps(c, d);
+        return {Float8{_mm256_shuffle_ps(lowAb, lowCd, 0x44)}, Float8{_mm256_shuffle_ps(lowAb, lowCd, 0xEE)},
+                Float8{_mm256_shuffle_ps(highAb, highCd, 0x44)}, Float8{_mm256_shuffle_ps(highAb, highCd, 0xEE)}};
+    }
 };
 
 #elif defined(TACTOOTH_SIMD_SSE2)
@@ -96,6 +110,13 @@ struct Float8 {
         const __m128 four = _mm_max_ps(a.low, a.high);
         const __m128 two = _mm_max_ps(four, _mm_movehl_ps(four, four));
         return _mm_cvtss_f32(_mm_max_ss(two, _mm_shuffle_ps(two, two, 1)));
+    }
+    static std::array<Float8, 4> loadFours(const std::array<const float*, 8>& p) {
+        __m128 low[4], high[4];
+        for (int i = 0; i < 4; ++i) low[i] = _mm_loadu_ps(p[i]), high[i] = _mm_loadu_ps(p[i + 4]);
+        _MM_TRANSPOSE4_PS(low[0], low[1], low[2], low[3]);
+        _MM_TRANSPOSE4_PS(high[0], high[1], high[2], high[3]);
+        return {Float8{low[0], high[0]}, Float8{low[1], high[1]}, Float8{low[2], high[2]}, Float8{low[3], high[3]}};
     }
 };
 
@@ -153,6 +174,11 @@ struct Float8 {
     }
     friend float lowest(const Float8& a) { return *std::min_element(a.lanes, a.lanes + 8); }
     friend float highest(const Float8& a) { return *std::max_element(a.lanes, a.lanes + 8); }
+    static std::array<Float8, 4> loadFours(const std::array<const float*, 8>& p) {
+        std::array<Float8, 4> fours;
+        for (int number = 0; number < 4; ++number) fours[number] = each([&](int i) { return p[i][number]; });
+        return fours;
+    }
 };
 
 #endif
@@ -167,7 +193,10 @@ struct Vec3x8 {
 
     friend Vec3x8 operator+(const Vec3x8& a, const Vec3x8& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
     friend Vec3x8 operator-(const Vec3x8& a, const Vec3x8& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+    friend Vec3x8 operator*(const Vec3x8& a, Float8 scale) { return {a.x * scale, a.y * scale, a.z * scale}; }
     friend Float8 dot(const Vec3x8& a, const Vec3x8& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+    /// As Eigen adds up three products.
+    friend Float8 dotAsEigen(const Vec3x8& a, const Vec3x8& b) { return a.x * b.x + (a.y * b.y + a.z * b.z); }
     friend Vec3x8 cross(const Vec3x8& a, const Vec3x8& b) {
         return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
     }

@@ -7,6 +7,7 @@
 #include <bitset>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "collision/simd8.h"
 #include "geometry/vec.h"
@@ -55,6 +56,26 @@ public:
     [[nodiscard]] Vec3 unpack() const { return unpackAs<double>(); }
     /// In single precision.
     [[nodiscard]] Vec3f unpackSingle() const { return unpackAs<float>(); }
+    /// Eight at once: the same numbers as those of `unpackSingle`.
+    [[nodiscard]] static Vec3x8 unpack(const std::array<PackedDirection, 8>& directions) {
+        float us[8], vs[8];
+        for (int lane = 0; lane < 8; ++lane) {
+            us[lane] = directions[lane].u_;
+            vs[lane] = directions[lane].v_;
+        }
+        const Float8 zero = Float8::all(0);
+        const Float8 one = Float8::all(1);
+        const auto sizeOf = [&](Float8 value) { return max(value, zero - value); };
+        const auto signOf = [&](Float8 value) { return whereLess(value, zero, zero - one, one); };
+        const Float8 scale = Float8::all(static_cast<float>(kScale));
+        const Float8 u = Float8::load(us) / scale;
+        const Float8 v = Float8::load(vs) / scale;
+        const Float8 z = one - sizeOf(u) - sizeOf(v);
+        const Float8 x = whereLess(z, zero, (one - sizeOf(v)) * signOf(u), u);
+        const Float8 y = whereLess(z, zero, (one - sizeOf(u)) * signOf(v), v);
+        const Float8 length = sqrt(x * x + y * y + z * z);
+        return {x / length, y / length, z / length};
+    }
     /// The sizes of the components of four at once: the same numbers as those of `unpack`.
     [[nodiscard]] static std::array<Eigen::Array4d, 3> sizesOf(const std::array<PackedDirection, 4>& directions) {
         Eigen::Array4d u, v;
@@ -145,12 +166,15 @@ struct CutField {
 /// 8x8x8 nodes of the two distance fields that make a cut tooth: the solid is where `tooth < 0` and `cut > 0`.
 struct Brick : CutField {
     std::array<float, kBrickNodes> tooth;                  ///< to the tooth's own surface, mm, negative inside
+    float outermost = kUnknown;                            ///< the greatest of `tooth`
     std::array<PackedDirection, kBrickNodes> toothNormal;  ///< gradient of `tooth`, out of the tooth
     std::array<MaterialId, kBrickNodes> material;
     std::array<MaterialId, kBrickNodes> neighbour;         ///< the material beyond a layer's border in the node's voxel
     std::array<std::uint8_t, kBrickNodes> neighbourShare;  ///< its share of the voxel, in 255ths
 
     std::array<std::uint8_t, kBrickNodes / kBrickSide> removed{};  ///< where `cut < 0`: one bit a node, one byte a row
+
+    static constexpr float kUnknown = std::numeric_limits<float>::infinity();
 
     std::uint64_t lastCarve = 0;       ///< number of the carve that the two sets below belong to
     std::bitset<kBrickNodes> lowered;  ///< nodes whose `cut` that carve has changed
