@@ -28,6 +28,12 @@ struct Float8 {
     static Float8 load(const float* p) { return {_mm256_loadu_ps(p)}; }
     /// Lanes 0-3 from one place, 4-7 from another.
     static Float8 load(const float* low, const float* high) { return {_mm256_loadu2_m128(high, low)}; }
+    /// The first and the second of eight pairs of whole numbers.
+    static std::array<Float8, 2> loadPairs(const std::int16_t* p) {
+        const __m256i pairs = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(p));
+        return {Float8{_mm256_cvtepi32_ps(_mm256_srai_epi32(_mm256_slli_epi32(pairs, 16), 16))},
+                Float8{_mm256_cvtepi32_ps(_mm256_srai_epi32(pairs, 16))}};
+    }
     static Float8 all(float value) { return {_mm256_set1_ps(value)}; }
     void store(float* p) const { _mm256_storeu_ps(p, lanes); }
 
@@ -80,6 +86,13 @@ struct Float8 {
 
     static Float8 load(const float* p) { return {_mm_loadu_ps(p), _mm_loadu_ps(p + 4)}; }
     static Float8 load(const float* low, const float* high) { return {_mm_loadu_ps(low), _mm_loadu_ps(high)}; }
+    static std::array<Float8, 2> loadPairs(const std::int16_t* p) {
+        const __m128i four = _mm_loadu_si128(reinterpret_cast<const __m128i*>(p));
+        const __m128i next = _mm_loadu_si128(reinterpret_cast<const __m128i*>(p + 8));
+        const auto first = [](__m128i pairs) { return _mm_cvtepi32_ps(_mm_srai_epi32(_mm_slli_epi32(pairs, 16), 16)); };
+        const auto second = [](__m128i pairs) { return _mm_cvtepi32_ps(_mm_srai_epi32(pairs, 16)); };
+        return {Float8{first(four), first(next)}, Float8{second(four), second(next)}};
+    }
     static Float8 all(float value) { return {_mm_set1_ps(value), _mm_set1_ps(value)}; }
     void store(float* p) const { _mm_storeu_ps(p, low), _mm_storeu_ps(p + 4, high); }
 
@@ -136,6 +149,10 @@ struct Float8 {
     }
     static Float8 load(const float* low, const float* high) {
         return each([&](int i) { return i < 4 ? low[i] : high[i - 4]; });
+    }
+    static std::array<Float8, 2> loadPairs(const std::int16_t* p) {
+        return {each([&](int i) { return static_cast<float>(p[2 * i]); }),
+                each([&](int i) { return static_cast<float>(p[2 * i + 1]); })};
     }
     static Float8 all(float value) {
         return each([&](int) { return value; });

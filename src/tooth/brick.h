@@ -58,18 +58,15 @@ public:
     [[nodiscard]] Vec3f unpackSingle() const { return unpackAs<float>(); }
     /// Eight at once: the same numbers as those of `unpackSingle`.
     [[nodiscard]] static Vec3x8 unpack(const std::array<PackedDirection, 8>& directions) {
-        float us[8], vs[8];
-        for (int lane = 0; lane < 8; ++lane) {
-            us[lane] = directions[lane].u_;
-            vs[lane] = directions[lane].v_;
-        }
+        static_assert(sizeof(directions) == 16 * sizeof(std::int16_t));
+        const auto [us, vs] = Float8::loadPairs(&directions[0].u_);
         const Float8 zero = Float8::all(0);
         const Float8 one = Float8::all(1);
         const auto sizeOf = [&](Float8 value) { return max(value, zero - value); };
         const auto signOf = [&](Float8 value) { return whereLess(value, zero, zero - one, one); };
         const Float8 scale = Float8::all(static_cast<float>(kScale));
-        const Float8 u = Float8::load(us) / scale;
-        const Float8 v = Float8::load(vs) / scale;
+        const Float8 u = us / scale;
+        const Float8 v = vs / scale;
         const Float8 z = one - sizeOf(u) - sizeOf(v);
         const Float8 x = whereLess(z, zero, (one - sizeOf(v)) * signOf(u), u);
         const Float8 y = whereLess(z, zero, (one - sizeOf(u)) * signOf(v), v);

@@ -19,8 +19,7 @@ public:
     using Place = std::array<int, 3>;
 
     BrickNeighbourhood(const BrickMap& bricks, const BrickKey& key, double spacing)
-        : clear_(static_cast<float>(kToothBand * spacing)) {
-        for (int i = 0; i < 27; ++i) near_[i] = bricks.find(key.neighbour(i));
+        : near_(bricks.around(key)), clear_(static_cast<float>(kToothBand * spacing)) {
         findRemoved();
     }
 
@@ -135,22 +134,31 @@ private:
         unsigned some = 0;
         unsigned every = kAll;
         for (int z = -1; z <= kBrickSide; ++z) {
-            for (int y = -1; y <= kBrickSide; ++y) {
-                const Brick* const* bricks = &near_[3 * part(y) + 9 * part(z)];
-                const auto row = [&](int i) {
-                    return bricks[i] != nullptr ? bricks[i]->removedRow(local(y), local(z)) : 0U;
-                };
-                const unsigned bits = row(0) >> (kBrickSide - 1) | row(1) << 1 | (row(2) & 1U) << (kSide - 1);
-                removed_[y + 1 + kSide * (z + 1)] = static_cast<std::uint16_t>(bits);
-                some |= bits;
-                every &= bits;
-            }
+            std::uint16_t* const rows = &removed_[kSide * (z + 1)];
+            readRows(near_.data() + 9 * part(z), kBrickSide - 1, 1, local(z), rows);
+            readRows(near_.data() + 9 * part(z) + 3, 0, kBrickSide, local(z), rows + 1);
+            readRows(near_.data() + 9 * part(z) + 6, 0, 1, local(z), rows + kSide - 1);
+            for (int y = 0; y < kSide; ++y) some |= rows[y], every &= rows[y];
         }
         hasBorder_ = some != 0 && every != kAll;
     }
+    /// The rows from `y` on of three bricks side by side.
+    static void readRows(const Brick* const* bricks, int y, int count, int z, std::uint16_t* rows) {
+        static constexpr std::array<std::uint8_t, kBrickSide * kBrickSide> kNone{};
+        const auto rowsOf = [&](int i) {
+            return (bricks[i] != nullptr ? bricks[i]->removed : kNone).data() + y + kBrickSide * z;
+        };
+        const std::uint8_t* const before = rowsOf(0);
+        const std::uint8_t* const here = rowsOf(1);
+        const std::uint8_t* const next = rowsOf(2);
+        for (int i = 0; i < count; ++i) {
+            const unsigned ends = before[i] >> (kBrickSide - 1) | (next[i] & 1U) << (kSide - 1);
+            rows[i] = static_cast<std::uint16_t>(ends | static_cast<unsigned>(here[i]) << 1);
+        }
+    }
 
     std::array<std::uint16_t, kSide * kSide> removed_;
-    std::array<const Brick*, 27> near_;
+    const BrickMap::Around& near_;
     float clear_;
     bool hasBorder_ = false;
 };

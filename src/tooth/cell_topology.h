@@ -101,10 +101,8 @@ inline constexpr std::array<CellRounds, 256> kCellRounds = detail::allRounds();
 
 /// The edges of a cell that the border crosses.
 struct CellCrossings {
-    static constexpr std::uint8_t kNoEdge = 12;
-
-    std::array<std::uint8_t, 12>
-        edges;  ///< by the z, then the y of their first corners, their axis and x; then kNoEdge
+    /// By the z, then the y of their first corners, their axis and x; then the first one again.
+    std::array<std::uint8_t, 12> edges;
     std::uint8_t count;
     bool isSimple;  ///< one round, which crosses no face twice
 };
@@ -113,7 +111,6 @@ namespace detail {
 
 constexpr CellCrossings crossingsOf(int inside) {
     CellCrossings crossings{};
-    crossings.edges.fill(CellCrossings::kNoEdge);
     for (int place = 0; place < 24; ++place) {  // x + 2 axis + 6 y + 12 z
         const int axis = place / 2 % 3;
         const std::array<int, 3> corner = {place % 2, place / 6 % 2, place / 12};
@@ -121,6 +118,7 @@ constexpr CellCrossings crossingsOf(int inside) {
         const int edge = cellEdge(axis, corner[(axis + 1) % 3], corner[(axis + 2) % 3]);
         if (crossesBorder(inside, edge)) crossings.edges[crossings.count++] = static_cast<std::uint8_t>(edge);
     }
+    for (int i = crossings.count; i < 12; ++i) crossings.edges[i] = crossings.edges[0];
     crossings.isSimple = kCellRounds[inside].count == 1 && !kCellRounds[inside].hasTwiceCrossedFace;
     return crossings;
 }

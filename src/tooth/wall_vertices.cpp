@@ -28,30 +28,42 @@ constexpr double kPokesOut = kWallReach - 1 - kApart;
 /// Bits of a cell's corners on its lower side of each axis.
 constexpr std::array<unsigned, 3> kLowCorners = {0x55, 0x33, 0x0F};
 
-/// An edge of a cell: the node where it begins, from the cell's; where that lies from the middle of the cell, with 1 as
-/// its fourth number, and the way from there to the next node.
-struct CellEdge {
-    int node;
-    int axis;
-    float first[4];
-    float way[4];
-};
-constexpr std::array<CellEdge, 13> allEdges() {
-    std::array<CellEdge, 13> edges{};  // kNoEdge has neither
-    for (int number = 0; number < 12; ++number) {
-        CellEdge& edge = edges[number];
-        edge.axis = number / 4;
+/// Where each edge of a cell lies from the middle of the cell; 0 on its own axis.
+using EdgePlace = std::array<float, 4>;
+constexpr std::array<EdgePlace, 12> kEdgePlaces = [] {
+    std::array<EdgePlace, 12> places{};
+    for (int edge = 0; edge < 12; ++edge) {
         for (int axis = 0; axis < 3; ++axis) {
-            const bool isHigh = (cellEdgeCorners(number)[0] >> axis & 1) != 0;
-            if (isHigh) edge.node += BrickNeighbourhood::kStep[axis];
-            edge.first[axis] = isHigh ? 0.5F : -0.5F;
-            edge.way[axis] = axis == edge.axis ? 1.0F : 0.0F;
+            if (axis == edge / 4) continue;
+            places[edge][axis] = (cellEdgeCorners(edge)[0] >> axis & 1) != 0 ? 0.5F : -0.5F;
         }
-        edge.first[3] = 1;
     }
-    return edges;
-}
-constexpr std::array<CellEdge, 13> kEdges = allEdges();
+    return places;
+}();
+/// From the node where a cell begins to the one where each of its edges does.
+constexpr std::array<int, 12> kEdgeNodes = [] {
+    std::array<int, 12> nodes{};
+    for (int edge = 0; edge < 12; ++edge) {
+        const int corner = cellEdgeCorners(edge)[0];
+        for (int axis = 0; axis < 3; ++axis) nodes[edge] += (corner >> axis & 1) * BrickNeighbourhood::kStep[axis];
+    }
+    return nodes;
+}();
+
+/// Where the border crosses one edge of each of eight cells.
+struct Crossings8 {
+    std::array<const float*, 8> edges;  // their places
+    std::array<float, 8> along;
+    std::array<PackedDirection, 8> normals;
+
+    /// From the middles of the cells.
+    [[nodiscard]] Vec3x8 points() const {
+        const Float8 onAxis = Float8::load(along.data()) - Float8::all(0.5F);
+        const auto placeOn = [&](Float8 place) { return whereLess(place * place, Float8::all(0.1F), onAxis, place); };
+        const auto [x, y, z, none] = Float8::loadFours(edges);
+        return {placeOn(x), placeOn(y), placeOn(z)};
+    }
+};
 
 /// How far a vertex may be beyond a face of which these corners are inside.
 double beyond(unsigned inside, unsigned corners) {
@@ -80,31 +92,32 @@ WallVertices::WallVertices(const BrickNeighbourhood& nodes, std::span<const std:
 void WallVertices::placeEight(const BrickNeighbourhood& nodes, std::size_t first) {
     const std::size_t lanes = std::min<std::size_t>(8, cells_.size() - first);
     std::array<int, 8> cells;
-    std::array<const CellCrossings*, 8> crossings;
+    std::array<const CellCrossings*, 8> crossed;
+    std::array<float, 8> counts;
     int most = 0;
     for (std::size_t lane = 0; lane < 8; ++lane) {
         cells[lane] = cells_[first + std::min(lane, lanes - 1)];
-        crossings[lane] = &kCellCrossings[nodes.removedCorners(cells[lane])];
-        most = std::max<int>(most, crossings[lane]->count);
-        areSimple_ &= crossings[lane]->isSimple;
+        crossed[lane] = &kCellCrossings[nodes.removedCorners(cells[lane])];
+        counts[lane] = crossed[lane]->count;
+        most = std::max<int>(most, crossed[lane]->count);
+        areSimple_ &= crossed[lane]->isSimple;
+    }
+    // First the memory, all at once: what is computed from it would let it wait.
+    std::array<Crossings8, 12> crossings;
+    for (int i = 0; i < most; ++i) {
+        for (int lane = 0; lane < 8; ++lane) {
+            const int edge = crossed[lane]->edges[i];
+            const BorderCrossing border = nodes.border(cells[lane] + kEdgeNodes[edge], edge / 4);
+            crossings[i].edges[lane] = kEdgePlaces[edge].data();
+            crossings[i].along[lane] = border.place;
+            crossings[i].normals[lane] = border.normal;
+        }
     }
     CellPlanes8 planes;
+    const Float8 count = Float8::load(counts.data());
     for (int i = 0; i < most; ++i) {
-        std::array<const float*, 8> edgeFirst, edgeWay;
-        std::array<PackedDirection, 8> normals;
-        float place[8];
-        for (int lane = 0; lane < 8; ++lane) {
-            const CellEdge& edge = kEdges[crossings[lane]->edges[i]];
-            const BorderCrossing border = nodes.border(cells[lane] + edge.node, edge.axis);
-            edgeFirst[lane] = edge.first;
-            edgeWay[lane] = edge.way;
-            place[lane] = border.place;
-            normals[lane] = border.normal;
-        }
-        const auto [x, y, z, counts] = Float8::loadFours(edgeFirst);
-        const auto [alongX, alongY, alongZ, none] = Float8::loadFours(edgeWay);
-        const Vec3x8 points = Vec3x8{x, y, z} + Vec3x8{alongX, alongY, alongZ} * Float8::load(place);
-        planes.add(PackedDirection::unpack(normals), points, counts);
+        const Float8 isThere = isLess(Float8::all(static_cast<float>(i)), count);
+        planes.add(PackedDirection::unpack(crossings[i].normals), crossings[i].points(), isThere);
     }
 
     // A flat border moves its vertices along its normal alone, so that they keep their places.
