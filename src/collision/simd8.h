@@ -6,6 +6,7 @@
 // every operation is a single correctly rounded IEEE operation and none is fused.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -27,6 +28,12 @@ struct Float8 {
     static Float8 load(const float* p) { return {_mm256_loadu_ps(p)}; }
     /// Lanes 0-3 from one place, 4-7 from another.
     static Float8 load(const float* low, const float* high) { return {_mm256_loadu2_m128(high, low)}; }
+    /// The first and the second of eight pairs of whole numbers.
+    static std::array<Float8, 2> loadPairs(const std::int16_t* p) {
+        const __m256i pairs = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(p));
+        return {Float8{_mm256_cvtepi32_ps(_mm256_srai_epi32(_mm256_slli_epi32(pairs, 16), 16))},
+                Float8{_mm256_cvtepi32_ps(_mm256_srai_epi32(pairs, 16))}};
+    }
     static Float8 all(float value) { return {_mm256_set1_ps(value)}; }
     void store(float* p) const { _mm256_storeu_ps(p, lanes); }
 
@@ -57,6 +64,19 @@ struct Float8 {
         const __m128 two = _mm_max_ps(four, _mm_movehl_ps(four, four));
         return _mm_cvtss_f32(_mm_max_ss(two, _mm_shuffle_ps(two, two, 1)));
     }
+    /// The four numbers that each lane's place holds: the first of all lanes, the second, and so on.
+    static std::array<Float8, 4> loadFours(const std::array<const float*, 8>& p) {
+        const __m256 a = load(p[0], p[4]).lanes;
+        const __m256 b = load(p[1], p[5]).lanes;
+        const __m256 c = load(p[2], p[6]).lanes;
+        const __m256 d = load(p[3], p[7]).lanes;
+        const __m256 lowAb = _mm256_unpacklo_ps(a, b);
+        const __m256 lowCd = _mm256_unpacklo_ps(c, d);
+        const __m256 highAb = _mm256_unpackhi_ps(a, b);
+        const __m256 highCd = _mm256_unpackhi_ps(c, d);
+        return {Float8{_mm256_shuffle_ps(lowAb, lowCd, 0x44)}, Float8{_mm256_shuffle_ps(lowAb, lowCd, 0xEE)},
+                Float8{_mm256_shuffle_ps(highAb, highCd, 0x44)}, Float8{_mm256_shuffle_ps(highAb, highCd, 0xEE)}};
+    }
 };
 
 #elif defined(TACTOOTH_SIMD_SSE2)
@@ -66,6 +86,13 @@ struct Float8 {
 
     static Float8 load(const float* p) { return {_mm_loadu_ps(p), _mm_loadu_ps(p + 4)}; }
     static Float8 load(const float* low, const float* high) { return {_mm_loadu_ps(low), _mm_loadu_ps(high)}; }
+    static std::array<Float8, 2> loadPairs(const std::int16_t* p) {
+        const __m128i four = _mm_loadu_si128(reinterpret_cast<const __m128i*>(p));
+        const __m128i next = _mm_loadu_si128(reinterpret_cast<const __m128i*>(p + 8));
+        const auto first = [](__m128i pairs) { return _mm_cvtepi32_ps(_mm_srai_epi32(_mm_slli_epi32(pairs, 16), 16)); };
+        const auto second = [](__m128i pairs) { return _mm_cvtepi32_ps(_mm_srai_epi32(pairs, 16)); };
+        return {Float8{first(four), first(next)}, Float8{second(four), second(next)}};
+    }
     static Float8 all(float value) { return {_mm_set1_ps(value), _mm_set1_ps(value)}; }
     void store(float* p) const { _mm_storeu_ps(p, low), _mm_storeu_ps(p + 4, high); }
 
@@ -97,6 +124,13 @@ struct Float8 {
         const __m128 two = _mm_max_ps(four, _mm_movehl_ps(four, four));
         return _mm_cvtss_f32(_mm_max_ss(two, _mm_shuffle_ps(two, two, 1)));
     }
+    static std::array<Float8, 4> loadFours(const std::array<const float*, 8>& p) {
+        __m128 low[4], high[4];
+        for (int i = 0; i < 4; ++i) low[i] = _mm_loadu_ps(p[i]), high[i] = _mm_loadu_ps(p[i + 4]);
+        _MM_TRANSPOSE4_PS(low[0], low[1], low[2], low[3]);
+        _MM_TRANSPOSE4_PS(high[0], high[1], high[2], high[3]);
+        return {Float8{low[0], high[0]}, Float8{low[1], high[1]}, Float8{low[2], high[2]}, Float8{low[3], high[3]}};
+    }
 };
 
 #else
@@ -115,6 +149,10 @@ struct Float8 {
     }
     static Float8 load(const float* low, const float* high) {
         return each([&](int i) { return i < 4 ? low[i] : high[i - 4]; });
+    }
+    static std::array<Float8, 2> loadPairs(const std::int16_t* p) {
+        return {each([&](int i) { return static_cast<float>(p[2 * i]); }),
+                each([&](int i) { return static_cast<float>(p[2 * i + 1]); })};
     }
     static Float8 all(float value) {
         return each([&](int) { return value; });
@@ -153,6 +191,11 @@ struct Float8 {
     }
     friend float lowest(const Float8& a) { return *std::min_element(a.lanes, a.lanes + 8); }
     friend float highest(const Float8& a) { return *std::max_element(a.lanes, a.lanes + 8); }
+    static std::array<Float8, 4> loadFours(const std::array<const float*, 8>& p) {
+        std::array<Float8, 4> fours;
+        for (int number = 0; number < 4; ++number) fours[number] = each([&](int i) { return p[i][number]; });
+        return fours;
+    }
 };
 
 #endif
@@ -167,7 +210,10 @@ struct Vec3x8 {
 
     friend Vec3x8 operator+(const Vec3x8& a, const Vec3x8& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
     friend Vec3x8 operator-(const Vec3x8& a, const Vec3x8& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+    friend Vec3x8 operator*(const Vec3x8& a, Float8 scale) { return {a.x * scale, a.y * scale, a.z * scale}; }
     friend Float8 dot(const Vec3x8& a, const Vec3x8& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+    /// As Eigen adds up three products.
+    friend Float8 dotAsEigen(const Vec3x8& a, const Vec3x8& b) { return a.x * b.x + (a.y * b.y + a.z * b.z); }
     friend Vec3x8 cross(const Vec3x8& a, const Vec3x8& b) {
         return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
     }

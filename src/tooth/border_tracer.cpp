@@ -221,8 +221,7 @@ private:
                     const int node = nodeIndex(0, 0, layer) + std::countr_zero(left);
                     edges_[count_++] = {placeOf(node), axis};
                     // Read when the sweep near the block is known: time enough for the memory.
-                    __builtin_prefetch(&brick_.borderPlace[axis][node], 1);
-                    __builtin_prefetch(&brick_.borderNormal[axis][node], 1);
+                    __builtin_prefetch(&brick_.border[axis][node], 1);
                 }
             }
         }
@@ -253,9 +252,9 @@ private:
         if (removed.wasOpened(carve_)) {
             eight.add(end, edge.axis, direction, 0, removed.brick->cutNormal[removed.node].unpackSingle());
         } else {
-            const float stored = brick_.borderPlace[edge.axis][low.node];
-            const Vec3f normal = brick_.borderNormal[edge.axis][low.node].unpackSingle();
-            eight.add(end, edge.axis, direction, isUpward ? stored : 1 - stored, normal);
+            const BorderCrossing& stored = brick_.border[edge.axis][low.node];
+            const float place = isUpward ? stored.place : 1 - stored.place;
+            eight.add(end, edge.axis, direction, place, stored.normal.unpackSingle());
         }
     }
 
@@ -263,11 +262,9 @@ private:
         const End low = lowEnd(edge);
         const float share = std::clamp(place, 0.0F, 1.0F);
         const float moved = low.isRemoved() ? share : 1 - share;
-        float& stored = brick_.borderPlace[edge.axis][low.node];
-        PackedDirection& normal = brick_.borderNormal[edge.axis][low.node];
-        if (moved == stored && turned == normal) return;
-        stored = moved;
-        normal = turned;
+        BorderCrossing& stored = brick_.border[edge.axis][low.node];
+        if (moved == stored.place && turned == stored.normal) return;
+        stored = {moved, turned};
         changed_.add(low.node);
     }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "collision/simd8.h"
 #include "geometry/vec.h"
@@ -54,6 +55,23 @@ public:
     [[nodiscard]] Vec3 unpack() const { return unpackAs<double>(); }
     /// In single precision.
     [[nodiscard]] Vec3f unpackSingle() const { return unpackAs<float>(); }
+    /// Eight at once: the same numbers as those of `unpackSingle`.
+    [[nodiscard]] static Vec3x8 unpack(const std::array<PackedDirection, 8>& directions) {
+        static_assert(sizeof(directions) == 16 * sizeof(std::int16_t));
+        const auto [us, vs] = Float8::loadPairs(&directions[0].u_);
+        const Float8 zero = Float8::all(0);
+        const Float8 one = Float8::all(1);
+        const auto sizeOf = [&](Float8 value) { return max(value, zero - value); };
+        const auto signOf = [&](Float8 value) { return whereLess(value, zero, zero - one, one); };
+        const Float8 scale = Float8::all(static_cast<float>(kScale));
+        const Float8 u = us / scale;
+        const Float8 v = vs / scale;
+        const Float8 z = one - sizeOf(u) - sizeOf(v);
+        const Float8 x = whereLess(z, zero, (one - sizeOf(v)) * signOf(u), u);
+        const Float8 y = whereLess(z, zero, (one - sizeOf(u)) * signOf(v), v);
+        const Float8 length = sqrt(x * x + y * y + z * z);
+        return {x / length, y / length, z / length};
+    }
     /// The sizes of the components of four at once: the same numbers as those of `unpack`.
     [[nodiscard]] static std::array<Eigen::Array4d, 3> sizesOf(const std::array<PackedDirection, 4>& directions) {
         Eigen::Array4d u, v;
@@ -134,15 +152,19 @@ private:
 inline constexpr double kCutBand = 1.25;
 inline constexpr double kToothBand = 4.0;
 
+/// Where the border of the removed region crosses a lattice edge: 0 at its first node, 1 at the next.
+struct BorderCrossing {
+    float place = 0;
+    PackedDirection normal;
+};
+
 /// What burs have done to one brick: the part of it that changes.
 struct CutField {
     std::array<float, kBrickNodes> cut;                  ///< to the region that burs have swept, mm, negative inside
     std::array<PackedDirection, kBrickNodes> cutNormal;  ///< gradient of `cut`, out of the removed region
 
-    /// For the lattice edge from each node to the next one on each axis, if just one of the two is removed: where the
-    /// border of the removed region crosses it (0 at the node, 1 at the next), and its normal there.
-    std::array<std::array<float, kBrickNodes>, 3> borderPlace;
-    std::array<std::array<PackedDirection, kBrickNodes>, 3> borderNormal;
+    /// For the lattice edge from each node to the next one on each axis, if just one of the two is removed.
+    std::array<std::array<BorderCrossing, kBrickNodes>, 3> border;
 
     bool isCut = false;  ///< some node has been reached by a sweep
 
@@ -151,10 +173,7 @@ struct CutField {
         CutField field;
         field.cut.fill(static_cast<float>(kCutBand * spacing));
         field.cutNormal.fill(PackedDirection(Vec3::UnitZ()));
-        for (int axis = 0; axis < 3; ++axis) {
-            field.borderPlace[axis].fill(0);
-            field.borderNormal[axis].fill(PackedDirection(Vec3::UnitZ()));
-        }
+        for (auto& crossings : field.border) crossings.fill({});
         return field;
     }
 };
@@ -162,12 +181,15 @@ struct CutField {
 /// 8x8x8 nodes of the two distance fields that make a cut tooth: the solid is where `tooth < 0` and `cut > 0`.
 struct Brick : CutField {
     std::array<float, kBrickNodes> tooth;                  ///< to the tooth's own surface, mm, negative inside
+    float outermost = kUnknown;                            ///< the greatest of `tooth`
     std::array<PackedDirection, kBrickNodes> toothNormal;  ///< gradient of `tooth`, out of the tooth
     std::array<MaterialId, kBrickNodes> material;
     std::array<MaterialId, kBrickNodes> neighbour;         ///< the material beyond a layer's border in the node's voxel
     std::array<std::uint8_t, kBrickNodes> neighbourShare;  ///< its share of the voxel, in 255ths
 
     NodeBits removed;  ///< nodes where `cut < 0`
+
+    static constexpr float kUnknown = std::numeric_limits<float>::infinity();
 
     std::uint64_t lastCarve = 0;  ///< number of the carve that the two sets below belong to
     NodeBits lowered;             ///< nodes whose `cut` that carve has changed

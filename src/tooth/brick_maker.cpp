@@ -158,6 +158,7 @@ std::unique_ptr<Brick> makeBrick(const LayeredTooth& tooth, const Lattice& latti
     auto brick = std::make_unique<Brick>();
     brick->setField(CutField::untouched(spacing));
     brick->tooth = distance;
+    brick->outermost = *std::max_element(distance.begin(), distance.end());
     brick->toothNormal = outer.field().gradient;
     fillMaterials(*brick, tooth, lattice, key);
     return brick;

@@ -15,17 +15,34 @@ namespace tactooth {
 class BrickNeighbourhood {
 public:
     static constexpr int kSide = kBrickSide + 2;
+    static constexpr int kNodes = kSide * kSide * kSide;
     using Place = std::array<int, 3>;
 
     BrickNeighbourhood(const BrickMap& bricks, const BrickKey& key, double spacing)
-        : clear_(static_cast<float>(kToothBand * spacing)) {
-        for (int i = 0; i < 27; ++i) near_[i] = bricks.find(key.neighbour(i));
+        : near_(bricks.around(key)), clear_(static_cast<float>(kToothBand * spacing)) {
         findRemoved();
     }
 
+    /// The number of a node here.
     [[nodiscard]] static constexpr int index(int x, int y, int z) { return x + 1 + kSide * (y + 1 + kSide * (z + 1)); }
+    [[nodiscard]] static constexpr Place placeOf(int node) {
+        return {node % kSide - 1, node / kSide % kSide - 1, node / (kSide * kSide) - 1};
+    }
+    /// From a node's number to that of the next one on an axis.
+    static constexpr std::array<int, 3> kStep = {1, kSide, kSide* kSide};
+
     /// Which nodes of a row along x are removed: bit x + 1 for x from -1 to 8.
     [[nodiscard]] unsigned removedRow(int y, int z) const { return removed_[y + 1 + kSide * (z + 1)]; }
+    [[nodiscard]] bool isRemoved(int node) const { return (removed_[node / kSide] >> node % kSide & 1) != 0; }
+    /// Which corners of the cell that begins at a node are removed: bit x + 2 y + 4 z.
+    [[nodiscard]] unsigned removedCorners(int cell) const {
+        const std::uint16_t* const row = &removed_[cell / kSide];
+        const int x = cell % kSide;
+        const auto pair = [&](int step) { return static_cast<unsigned>(row[step]) >> x & 3U; };
+        return pair(0) | pair(1) << 2 | pair(kSide) << 4 | pair(kSide + 1) << 6;
+    }
+    /// Whether some nodes are removed and others are not.
+    [[nodiscard]] bool hasBorder() const { return hasBorder_; }
     enum class Share { None, Some, All };
     /// How many of the nodes from `low` to `high`, as far as they are here, are removed.
     [[nodiscard]] Share removedShare(Place low, Place high) const {
@@ -46,61 +63,108 @@ public:
         }
         return all ? Share::All : Share::None;
     }
+
+    /// Where the border of the removed region crosses the lattice edge from a node to the next on `axis`. One of the
+    /// two is removed, and both lie in bricks that exist.
+    [[nodiscard]] BorderCrossing border(int node, int axis) const {
+        const auto [brick, place] = find(node);
+        return brick != nullptr ? brick->border[axis][place] : BorderCrossing{0.5F, PackedDirection(Vec3::Unit(axis))};
+    }
+    [[nodiscard]] MaterialId material(int node) const {
+        const auto [brick, place] = find(node);
+        return brick != nullptr ? brick->material[place] : MaterialId{};
+    }
     /// Distance to the tooth's surface, mm.
-    [[nodiscard]] float tooth(const Place& p) const {
-        const Brick* brick = brickOf(p);
-        return brick != nullptr ? brick->tooth[nodeOf(p)] : clear_;
+    [[nodiscard]] float tooth(int node) const {
+        const auto [brick, place] = find(node);
+        return brick != nullptr ? brick->tooth[place] : clear_;
     }
-    [[nodiscard]] MaterialId material(const Place& p) const {
-        const Brick* brick = brickOf(p);
-        return brick != nullptr ? brick->material[nodeOf(p)] : MaterialId{};
-    }
-    /// Where the border of the removed region crosses the lattice edge from a node to the next on `axis`, 0..1 of the
-    /// way, with the normal there. One of the two is removed, and both lie in bricks that exist.
-    struct Border {
-        float place;
-        PackedDirection normal;
+    /// The distances of a row along x from 0 to 8; each tells bit x + 1, as in `removedRow`.
+    struct ToothRow {
+        Float8 first;
+        float last;
+
+        [[nodiscard]] unsigned above(float distance) const {
+            return (~lessEqual(first, Float8::all(distance)) & 0xFFU) << 1 | static_cast<unsigned>(last > distance)
+                                                                                 << (kBrickSide + 1);
+        }
+        [[nodiscard]] unsigned below(float distance) const {
+            return (~lessEqual(Float8::all(distance), first) & 0xFFU) << 1 | static_cast<unsigned>(last < distance)
+                                                                                 << (kBrickSide + 1);
+        }
     };
-    [[nodiscard]] Border border(const Place& p, int axis) const {
-        const Brick* brick = brickOf(p);
-        if (brick == nullptr) return {0.5F, PackedDirection(Vec3::Unit(axis))};
-        const int node = nodeOf(p);
-        return {brick->borderPlace[axis][node], brick->borderNormal[axis][node]};
+    [[nodiscard]] ToothRow toothRow(int y, int z) const {
+        const Brick* brick = near_[1 + 3 * part(y) + 9 * part(z)];
+        const Float8 first =
+            brick != nullptr ? Float8::load(&brick->tooth[nodeIndex(0, local(y), local(z))]) : Float8::all(clear_);
+        return {first, tooth(index(kBrickSide, y, z))};
     }
-    /// Whether some nodes are removed and others are not.
-    [[nodiscard]] bool hasBorder() const { return hasBorder_; }
+    /// Whether all nodes of the brick and the next ones on each axis are known to lie farther within the tooth, mm.
+    [[nodiscard]] bool isDeeperThan(float depth) const {
+        const auto isDeep = [&](int i) { return near_[i] != nullptr && near_[i]->outermost < -depth; };
+        return isDeep(13) && isDeep(14) && isDeep(16) && isDeep(22);
+    }
 
 private:
     static constexpr int part(int place) { return place < 0 ? 0 : place < kBrickSide ? 1 : 2; }
     static constexpr int local(int place) { return place & (kBrickSide - 1); }
-    [[nodiscard]] const Brick* brickOf(const Place& p) const {
-        return near_[part(p[0]) + 3 * part(p[1]) + 9 * part(p[2])];
+
+    /// Where a node is kept: which of the bricks, and its place there.
+    struct Kept {
+        std::uint16_t brick;
+        std::uint16_t place;
+    };
+    static constexpr std::array<Kept, kNodes> allKept() {
+        std::array<Kept, kNodes> table{};
+        for (int node = 0; node < kNodes; ++node) {
+            const auto [x, y, z] = placeOf(node);
+            table[node] = {static_cast<std::uint16_t>(part(x) + 3 * part(y) + 9 * part(z)),
+                           static_cast<std::uint16_t>(nodeIndex(local(x), local(y), local(z)))};
+        }
+        return table;
     }
-    [[nodiscard]] static int nodeOf(const Place& p) { return nodeIndex(local(p[0]), local(p[1]), local(p[2])); }
+    struct Found {
+        const Brick* brick;
+        int place;
+    };
+    [[nodiscard]] Found find(int node) const;
 
     void findRemoved() {
         constexpr unsigned kAll = (1U << kSide) - 1;
         unsigned some = 0;
         unsigned every = kAll;
         for (int z = -1; z <= kBrickSide; ++z) {
-            for (int y = -1; y <= kBrickSide; ++y) {
-                const Brick* const* bricks = &near_[3 * part(y) + 9 * part(z)];
-                const auto row = [&](int i) {
-                    return bricks[i] != nullptr ? bricks[i]->removedRow(local(y), local(z)) : 0U;
-                };
-                const unsigned bits = row(0) >> (kBrickSide - 1) | row(1) << 1 | (row(2) & 1U) << (kSide - 1);
-                removed_[y + 1 + kSide * (z + 1)] = static_cast<std::uint16_t>(bits);
-                some |= bits;
-                every &= bits;
-            }
+            std::uint16_t* const rows = &removed_[kSide * (z + 1)];
+            readRows(near_.data() + 9 * part(z), kBrickSide - 1, 1, local(z), rows);
+            readRows(near_.data() + 9 * part(z) + 3, 0, kBrickSide, local(z), rows + 1);
+            readRows(near_.data() + 9 * part(z) + 6, 0, 1, local(z), rows + kSide - 1);
+            for (int y = 0; y < kSide; ++y) some |= rows[y], every &= rows[y];
         }
         hasBorder_ = some != 0 && every != kAll;
     }
+    /// The rows from `y` on of three bricks side by side.
+    static void readRows(const Brick* const* bricks, int y, int count, int z, std::uint16_t* rows) {
+        const auto layerOf = [&](int i) {
+            return bricks[i] != nullptr ? bricks[i]->removed.layer(z) >> kBrickSide * y : 0;
+        };
+        std::uint64_t before = layerOf(0) >> (kBrickSide - 1);
+        std::uint64_t here = layerOf(1);
+        std::uint64_t next = layerOf(2);
+        for (int i = 0; i < count; ++i, before >>= kBrickSide, here >>= kBrickSide, next >>= kBrickSide) {
+            rows[i] = static_cast<std::uint16_t>((before & 1) | (here & NodeBits::kFirstRow) << 1 |
+                                                 (next & 1) << (kSide - 1));
+        }
+    }
 
     std::array<std::uint16_t, kSide * kSide> removed_;
-    std::array<const Brick*, 27> near_;
+    const BrickMap::Around& near_;
     float clear_;
     bool hasBorder_ = false;
 };
+
+inline BrickNeighbourhood::Found BrickNeighbourhood::find(int node) const {
+    static constexpr std::array<Kept, kNodes> kKept = allKept();
+    return {near_[kKept[node].brick], kKept[node].place};
+}
 
 }  // namespace tactooth

@@ -7,6 +7,7 @@
 
 #include "collision/surface.h"
 #include "tooth/brick_neighbourhood.h"
+#include "tooth/wall_vertices.h"
 
 namespace tactooth {
 
@@ -19,17 +20,17 @@ struct CavityWall {
         AtSurface,  ///< may cross the tooth's surface
     };
     TriangleMesh mesh;
-    std::vector<SurfaceTag> tags;          ///< one a triangle: the material behind it
-    std::vector<Place> places;             ///< one a triangle
-    std::vector<std::uint64_t> faceIds;    ///< one a triangle, unique in the lattice
-    std::vector<std::uint64_t> vertexIds;  ///< one a vertex, unique in the lattice
-    std::vector<std::int8_t> sides;        ///< one a vertex: -1 surely inside the tooth, 1 surely outside, 0 not known
+    std::vector<SurfaceTag> tags;  ///< one a triangle: the material behind it
+    /// These are empty where no triangle may cross the tooth's surface.
+    std::vector<Place> places;           ///< one a triangle
+    std::vector<std::uint64_t> faceIds;  ///< one a triangle, unique in the lattice
+    /// For each vertex of triangles that may cross the tooth's surface: a number unique in the lattice ...
+    std::vector<std::uint64_t> vertexIds;
+    /// ... and -1 where it is surely inside the tooth, 1 surely outside, 0 not known. 0 for all other vertices.
+    std::vector<std::int8_t> sides;
 };
 
 /// Extracts the wall of the brick `key` from the fields of it and its neighbours.
 [[nodiscard]] CavityWall extractWall(const BrickNeighbourhood& nodes, const Lattice& lattice, const BrickKey& key);
-
-/// How far the triangles of a brick's wall can reach beyond the brick's first and last node, in voxels.
-inline constexpr double kWallReach = 1.5;
 
 }  // namespace tactooth

@@ -5,6 +5,8 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
+#include "collision/lane_flags.h"
+
 // The quadric of T. Ju, F. Losasso, S. Schaefer, J. Warren, "Dual Contouring of Hermite Data", SIGGRAPH 2002, section
 // 2.3. Differs from the paper: a cell whose planes agree, as most do, needs no eigenvalues; and the vertex is kept in a
 // room.
@@ -41,32 +43,47 @@ struct Quadric {
 
 }  // namespace
 
+void CellPlanes8::add(const Vec3x8& normal, const Vec3x8& point, Float8 counts) {
+    const Vec3x8 n = normal * counts;
+    const Vec3x8 p = point * counts;
+    count_ = count_ + counts;
+    points_ = points_ + p;
+    normals_ = normals_ + n;
+    offsets_ = offsets_ + n * dot(n, p);
+    productsX_ = productsX_ + n * n.x;
+    yy_ = yy_ + n.y * n.y;
+    yz_ = yz_ + n.y * n.z;
+}
+
 /// The sum of the normals' products with themselves, times a vector.
-Vec3f CellPlanes::timesProducts(const Vec3f& v) const {
-    const float xx = linear_[3];
-    const float xy = products_[0];
-    const float xz = products_[1];
-    const float yy = products_[2];
-    const float yz = products_[3];
-    const float zz = ofPoints_[3] - xx - yy;  // the normals are of unit length
-    return {xx * v.x() + xy * v.y() + xz * v.z(), xy * v.x() + yy * v.y() + yz * v.z(),
-            xz * v.x() + yz * v.y() + zz * v.z()};
+Vec3x8 CellPlanes8::timesProducts(const Vec3x8& v) const {
+    const auto& [xx, xy, xz] = productsX_;
+    const Float8 zz = count_ - xx - yy_;  // the normals are of unit length
+    return {dot(productsX_, v), dot({xy, yy_, yz_}, v), dot({xz, yz_, zz}, v)};
 }
 
-std::optional<Vec3f> CellPlanes::pointOfFlat() const {
-    const Vec3f sum = linear_.head<3>().matrix();
-    const float squared = sum.squaredNorm();
-    const float along = sum.dot(timesProducts(sum));
+CellPlanes8::Flat CellPlanes8::flat() const {
+    const Float8 along = dotAsEigen(normals_, timesProducts(normals_));
     // The weight in all other directions together is what the mean one leaves of the planes'.
-    if (!(ofPoints_[3] * squared - along < static_cast<float>(kFlat) * along)) return std::nullopt;
-    const Vec3f centre = mean();
-    return Vec3f(centre + sum * (sum.dot(offsetsFrom(centre)) / along));
+    const Float8 across = count_ * dotAsEigen(normals_, normals_) - along;
+    const Vec3x8 centres = means();
+    const Vec3x8 offsets = offsets_ - timesProducts(centres);
+    return {isLess(across, Float8::all(static_cast<float>(kFlat)) * along),
+            centres + normals_ * (dotAsEigen(normals_, offsets) / along)};
 }
 
-Vec3f CellPlanes::nearestPoint(const Box3& room) const {
-    const Vec3 centre = mean().cast<double>();
-    Quadric quadric{Mat3(), offsetsFrom(mean()).cast<double>()};
-    for (int i = 0; i < 3; ++i) quadric.products.col(i) = timesProducts(Vec3f::Unit(i)).cast<double>();
+Vec3f CellPlanes8::nearestPoint(int lane, const Box3& room) const {
+    const auto of = [lane](const Vec3x8& vectors) {
+        float lanes[3][8];
+        vectors.store(lanes);
+        return Vec3(lanes[0][lane], lanes[1][lane], lanes[2][lane]);
+    };
+    const Vec3x8 centres = means();
+    const Vec3 centre = of(centres);
+    Quadric quadric{Mat3(), of(offsets_ - timesProducts(centres))};
+    quadric.products.col(0) = of(timesProducts(Vec3x8::all(1, 0, 0)));
+    quadric.products.col(1) = of(timesProducts(Vec3x8::all(0, 1, 0)));
+    quadric.products.col(2) = of(timesProducts(Vec3x8::all(0, 0, 1)));
     Vec3 held = Vec3::Zero();  // how far the centre is moved along the axes that are not free
     Vec3 free = Vec3::Ones();
     Vec3 way = quadric.nearestWay(held, free);

@@ -99,4 +99,39 @@ constexpr std::array<CellRounds, 256> allRounds() {
 /// By the bits of the corners that are inside.
 inline constexpr std::array<CellRounds, 256> kCellRounds = detail::allRounds();
 
+/// The edges of a cell that the border crosses.
+struct CellCrossings {
+    /// By the z, then the y of their first corners, their axis and x; then the first one again.
+    std::array<std::uint8_t, 12> edges;
+    std::uint8_t count;
+    bool isSimple;  ///< one round, which crosses no face twice
+};
+
+namespace detail {
+
+constexpr CellCrossings crossingsOf(int inside) {
+    CellCrossings crossings{};
+    for (int place = 0; place < 24; ++place) {  // x + 2 axis + 6 y + 12 z
+        const int axis = place / 2 % 3;
+        const std::array<int, 3> corner = {place % 2, place / 6 % 2, place / 12};
+        if (corner[axis] != 0) continue;
+        const int edge = cellEdge(axis, corner[(axis + 1) % 3], corner[(axis + 2) % 3]);
+        if (crossesBorder(inside, edge)) crossings.edges[crossings.count++] = static_cast<std::uint8_t>(edge);
+    }
+    for (int i = crossings.count; i < 12; ++i) crossings.edges[i] = crossings.edges[0];
+    crossings.isSimple = kCellRounds[inside].count == 1 && !kCellRounds[inside].hasTwiceCrossedFace;
+    return crossings;
+}
+
+constexpr std::array<CellCrossings, 256> allCrossings() {
+    std::array<CellCrossings, 256> table{};
+    for (int inside = 0; inside < 256; ++inside) table[inside] = crossingsOf(inside);
+    return table;
+}
+
+}  // namespace detail
+
+/// By the bits of the corners that are inside.
+inline constexpr std::array<CellCrossings, 256> kCellCrossings = detail::allCrossings();
+
 }  // namespace tactooth

@@ -314,9 +314,9 @@ std::uint64_t CutVolume::hash() const {
                                    std::bit_cast<std::uint32_t>(brick.cutNormal[node]));
             hash = fnv1a(hash, std::uint64_t{std::bit_cast<std::uint32_t>(brick.tooth[node])} << 8 |
                                    static_cast<std::uint64_t>(brick.material[node]));
-            for (int axis = 0; axis < 3; ++axis) {
-                hash = fnv1a(hash, std::uint64_t{std::bit_cast<std::uint32_t>(brick.borderPlace[axis][node])} << 32 |
-                                       std::bit_cast<std::uint32_t>(brick.borderNormal[axis][node]));
+            for (const auto& crossings : brick.border) {
+                hash = fnv1a(hash, std::uint64_t{std::bit_cast<std::uint32_t>(crossings[node].place)} << 32 |
+                                       std::bit_cast<std::uint32_t>(crossings[node].normal));
             }
         }
     }

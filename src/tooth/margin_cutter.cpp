@@ -149,7 +149,7 @@ private:
 
 std::vector<MarginPiece> findMargin(const CavityWall& wall, const TriangleMesh& base, const TriangleBoxes& near) {
     std::vector<MarginPiece> margin;
-    for (std::uint32_t w = 0; w < wall.mesh.triangles.size() && !near.empty(); ++w) {
+    for (std::uint32_t w = 0; w < wall.places.size() && !near.empty(); ++w) {
         if (wall.places[w] != CavityWall::Place::AtSurface) continue;
         const CrossingFace face = wallFace(wall, w);
         near.forTouching(face.corner, [&](std::uint32_t t) {

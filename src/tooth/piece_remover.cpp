@@ -82,8 +82,8 @@ void placeBorder(BrickMap& bricks, const BrickKey& key, const NodeSets& gone) {
             const bool isRemoved = brick.cut[node] < 0;
             const bool isOtherRemoved = owner != nullptr && owner->cut[other] < 0;
             if (isRemoved == isOtherRemoved) continue;
-            brick.borderPlace[axis][node] = isGone ? kBeyondSurface : 1 - kBeyondSurface;
-            brick.borderNormal[axis][node] = PackedDirection((isGone ? 1.0 : -1.0) * Vec3::Unit(axis));
+            brick.border[axis][node] = {isGone ? kBeyondSurface : 1 - kBeyondSurface,
+                                        PackedDirection((isGone ? 1.0 : -1.0) * Vec3::Unit(axis))};
         }
     }
 }

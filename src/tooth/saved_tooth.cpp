@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <type_traits>
 
 #include "tooth/byte_stream.h"
 
@@ -29,16 +31,18 @@ void putMesh(ByteWriter& out, const TriangleMesh& mesh) {
     out.putAll(std::span<const Triangle>(mesh.triangles));
 }
 
-/// One value a node: a bit for each that is not as untouched, then those values.
-template <class Value>
-void putField(ByteWriter& out, const std::array<Value, kBrickNodes>& values, const Value& untouched) {
+/// Part of what is kept for each node: a bit for each that is not as untouched, then those.
+template <class Value, class Part = std::identity>
+void putField(ByteWriter& out, const std::array<Value, kBrickNodes>& values, const Value& unchanged, Part part = {}) {
+    const auto& untouched = std::invoke(part, unchanged);
     for (int word = 0; word < kBrickNodes / 64; ++word) {
         std::uint64_t bits = 0;
-        for (int i = 0; i < 64; ++i) bits |= std::uint64_t{!(values[64 * word + i] == untouched)} << i;
+        for (int i = 0; i < 64; ++i)
+            bits |= std::uint64_t{!(std::invoke(part, values[64 * word + i]) == untouched)} << i;
         out.put(bits);
     }
     for (const Value& value : values) {
-        if (!(value == untouched)) out.put(value);
+        if (!(std::invoke(part, value) == untouched)) out.put(std::invoke(part, value));
     }
 }
 
@@ -47,8 +51,8 @@ void putBrick(ByteWriter& out, const BrickKey& key, const CutField& field, const
     putField(out, field.cut, untouched.cut[0]);
     putField(out, field.cutNormal, untouched.cutNormal[0]);
     for (int axis = 0; axis < 3; ++axis) {
-        putField(out, field.borderPlace[axis], untouched.borderPlace[axis][0]);
-        putField(out, field.borderNormal[axis], untouched.borderNormal[axis][0]);
+        putField(out, field.border[axis], untouched.border[axis][0], &BorderCrossing::place);
+        putField(out, field.border[axis], untouched.border[axis][0], &BorderCrossing::normal);
     }
 }
 
@@ -172,21 +176,24 @@ private:
         for (float& distance : field.cut) distance = std::clamp(distance, -band, band);
         const auto anyDirection = [](const PackedDirection&) { return true; };
         readField(field.cutNormal, anyDirection);
-        for (int axis = 0; axis < 3; ++axis) {
-            readField(field.borderPlace[axis], [](float place) { return place >= 0 && place <= 1; });
-            readField(field.borderNormal[axis], anyDirection);
+        for (auto& crossings : field.border) {
+            readField(
+                crossings, [](float place) { return place >= 0 && place <= 1; }, &BorderCrossing::place);
+            readField(crossings, anyDirection, &BorderCrossing::normal);
         }
         if (failure_.empty()) tooth_.cuts.emplace_hint(tooth_.cuts.end(), key, field);
     }
 
-    template <class Value, class IsValid>
-    void readField(std::array<Value, kBrickNodes>& values, const IsValid& isValid) {
+    /// Part of what is kept for each node, as putField writes it.
+    template <class Value, class IsValid, class Part = std::identity>
+    void readField(std::array<Value, kBrickNodes>& values, const IsValid& isValid, Part part = {}) {
         std::array<std::uint64_t, kBrickNodes / 64> touched{};
         for (std::uint64_t& word : touched) word = in_.get<std::uint64_t>();
         for (int node = 0; node < kBrickNodes && in_.ok(); ++node) {
             if ((touched[node / 64] >> (node % 64) & 1) == 0) continue;
-            values[node] = in_.get<Value>();
-            require(isValid(values[node]), kDamaged);
+            auto& value = std::invoke(part, values[node]);
+            value = in_.get<std::remove_reference_t<decltype(value)>>();
+            require(isValid(value), kDamaged);
         }
         require(true, kDamaged);
     }

@@ -48,6 +48,19 @@ TEST(PackedDirection, SizesOfFourAreThoseOfEachToTheLastBit) {
     }
 }
 
+TEST(PackedDirection, EightUnpackedAtOnceAreThoseOfEachToTheLastBit) {
+    std::mt19937 random(6);
+    for (int i = 0; i < 500; ++i) {
+        std::array<PackedDirection, 8> eight;
+        for (PackedDirection& one : eight) one = PackedDirection(randomDirection(random));
+        float lanes[3][8];
+        PackedDirection::unpack(eight).store(lanes);
+        for (int lane = 0; lane < 8; ++lane) {
+            for (int axis = 0; axis < 3; ++axis) ASSERT_EQ(lanes[axis][lane], eight[lane].unpackSingle()[axis]);
+        }
+    }
+}
+
 TEST(PackedDirection, EightAtOnceAreThoseOfEachToAStep) {
     std::mt19937 random(3);
     for (int i = 0; i < 500; ++i) {

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <set>
 
 namespace tactooth {
@@ -40,6 +42,26 @@ TEST(CellTopology, InsideCornersAreJoinedAcrossAFaceAndApartAcrossTheCell) {
 TEST(CellTopology, OutsideCornersAreKeptApart) {
     EXPECT_EQ(kCellRounds[0b11110110].count, 2);  // across a face
     EXPECT_EQ(kCellRounds[0b01101001].count, 4);  // on a tetrahedron
+}
+
+TEST(CellTopology, CrossedEdgesComeInTheOrderOfTheLattice) {
+    for (int inside = 0; inside < 256; ++inside) {
+        const CellCrossings& crossings = kCellCrossings[inside];
+        std::set<int> edges;
+        std::array<int, 4> last{-1, 0, 0, 0};
+        for (int i = 0; i < crossings.count; ++i) {
+            const int edge = crossings.edges[i];
+            edges.insert(edge);
+            EXPECT_GE(kCellRounds[inside].roundOfEdge[edge], 0);
+            const int corner = cellEdgeCorners(edge)[0];
+            const std::array<int, 4> place = {corner >> 2, corner >> 1 & 1, edge / 4, corner & 1};
+            EXPECT_LT(last, place);
+            last = place;
+        }
+        const auto& rounds = kCellRounds[inside].roundOfEdge;
+        EXPECT_EQ(static_cast<int>(edges.size()), 12 - std::count(rounds.begin(), rounds.end(), -1));
+        for (int i = crossings.count; i < 12; ++i) EXPECT_EQ(crossings.edges[i], crossings.edges[0]);
+    }
 }
 
 }  // namespace
