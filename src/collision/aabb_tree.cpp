@@ -24,6 +24,7 @@ constexpr int kBalancedDepth = 8;  // deeper nodes split at the median: bounds t
 struct Child {
     TreeRange range;
     TreeBounds bounds;
+    float halfArea = 0;
 };
 
 /// A node before its place in memory is known.
@@ -42,7 +43,7 @@ int widestChild(const BuildNode& node, bool balanced) {
     for (int i = 0; i < node.count; ++i) {
         const Child& child = node.children[i];
         if (child.range.size() <= AabbTree::kWidth) continue;
-        const float candidate = balanced ? static_cast<float>(child.range.size()) : child.bounds.halfArea();
+        const float candidate = balanced ? static_cast<float>(child.range.size()) : child.halfArea;
         if (candidate > width) width = candidate, widest = i;
     }
     return widest;
@@ -53,9 +54,9 @@ void divide(BuildNode& node, bool balanced) {
         const int widest = widestChild(node, balanced);
         if (widest < 0) break;
         const TreeRange whole = node.children[widest].range;
-        const TreeSplit split = splitRange(whole, AabbTree::kWidth, balanced);
-        node.children[widest] = {whole.first(split.leftCount), split.left};
-        node.children[node.count++] = {whole.after(split.leftCount), split.right};
+        const TreeSplit split = splitRange(whole, balanced);
+        node.children[widest] = {whole.first(split.leftCount), split.left, split.left.halfArea()};
+        node.children[node.count++] = {whole.after(split.leftCount), split.right, split.right.halfArea()};
     }
 }
 
@@ -163,11 +164,8 @@ public:
         std::array<std::uint32_t, AabbTree::kWidth> nodeAt{}, leafAt{};
         std::uint32_t nextNode = node + 1;
         for (int i = 0; i < AabbTree::kWidth; ++i) {
-            const TreeBounds bounds = i < from.count ? from.children[i].bounds : TreeBounds{};
-            for (int axis = 0; axis < 3; ++axis) {
-                to.low[axis][i] = bounds.low[axis];
-                to.high[axis][i] = bounds.high[axis];
-            }
+            const auto [low, high] = from.children[i].bounds.box();
+            for (int axis = 0; axis < 3; ++axis) to.low[axis][i] = low[axis], to.high[axis][i] = high[axis];
             nodeAt[i] = nextNode, leafAt[i] = leaf;
             to.child[i] = from.inner[i] ? AabbTree::Link::toNode(nextNode) : AabbTree::Link::toLeaf(leaf);
             nextNode += from.inner[i] ? from.inner[i]->nodes : 0;
@@ -205,7 +203,7 @@ AabbTree::AabbTree(const TriangleMesh& mesh) {
     parallelFor(count, enclose, kParallelTreeRange);
     const TreeRange all{items, bins};
     const TreeBounds whole = boundsOf(all);
-    const std::unique_ptr<BuildNode> tree = build({all, whole}, 0);
+    const std::unique_ptr<BuildNode> tree = build({all, whole, whole.halfArea()}, 0);
     const auto arrays = std::make_shared<Arrays>();
     arrays->nodes.resize(wholeNodes_ = tree->nodes);
     arrays->leaves.resize(wholeLeaves_ = tree->leaves);
@@ -213,7 +211,8 @@ AabbTree::AabbTree(const TriangleMesh& mesh) {
     wholeNode_ = arrays->nodes.data();
     wholeLeaf_ = arrays->leaves.data();
     whole_ = arrays;
-    box_ = Box3(whole.low.head<3>().matrix().cast<double>(), whole.high.head<3>().matrix().cast<double>());
+    const auto [low, high] = whole.box();
+    box_ = Box3(Vec3f(low).cast<double>(), Vec3f(high).cast<double>());
 }
 
 }  // namespace tactooth

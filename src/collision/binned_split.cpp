@@ -85,33 +85,32 @@ Bins<kBins> fillBins(const TreeRange& range, const Binning<kBins>& binning) {
     });
 }
 
+/// What the tree of so many items in a box is expected to cost.
+float costOf(const TreeBounds& bounds, std::uint32_t count) {
+    return bounds.halfArea() * static_cast<float>((count + kTreePacket - 1) / kTreePacket);
+}
+
 /// The bin border of the lowest cost, 1..kBins-1, or 0 when every item falls into one bin. A border behind an empty bin
 /// is the one before that bin again.
 template <int kBins>
-int cheapestBorder(const Bins<kBins>& bins, std::size_t packet) {
-    const auto cost = [&](const TreeBounds& bounds, std::size_t count) {
-        return bounds.halfArea() * static_cast<float>((count + packet - 1) / packet);
-    };
-    std::array<float, kBins + 1> rightCost{};
+int cheapestBorder(const Bins<kBins>& bins) {
+    std::array<float, kBins> rightCost;
     TreeBounds right;
-    std::size_t rightCount = 0;
+    std::uint32_t rightCount = 0;
     for (int bin = kBins - 1; bin > 0; --bin) {
-        rightCost[bin] = rightCost[bin + 1];
-        if (bins.count[bin] == 0) continue;
         right.extend(bins.bounds[bin]);
         rightCount += bins.count[bin];
-        rightCost[bin] = cost(right, rightCount);
+        rightCost[bin] = rightCount != 0 ? costOf(right, rightCount) : 0.0F;
     }
     TreeBounds left;
-    std::size_t leftCount = 0;
+    std::uint32_t leftCount = 0;
     int best = 0;
     float bestCost = kInfinity;
     for (int border = 1; border < kBins; ++border) {
-        if (bins.count[border - 1] == 0) continue;
         left.extend(bins.bounds[border - 1]);
         leftCount += bins.count[border - 1];
-        if (rightCost[border] == 0.0F) continue;
-        const float both = cost(left, leftCount) + rightCost[border];
+        if (leftCount == 0 || rightCost[border] == 0.0F) continue;
+        const float both = costOf(left, leftCount) + rightCost[border];
         if (both < bestCost) bestCost = both, best = border;
     }
     return best;
@@ -167,8 +166,8 @@ void partition(const TreeRange& range, std::size_t leftCount, int border) {
 
 /// Cuts at the middle item along the longest axis of the centres. Equal keys fall in the order of the triangle
 /// numbers, so the result does not depend on the library's selection algorithm.
-TreeSplit splitAtMedian(const TreeRange& range, std::size_t packet, int axis) {
-    const std::size_t half = (range.size() + packet - 1) / packet / 2 * packet;
+TreeSplit splitAtMedian(const TreeRange& range, int axis) {
+    const std::size_t half = (range.size() + kTreePacket - 1) / kTreePacket / 2 * kTreePacket;
     std::sort(range.items.begin(), range.items.end(), [axis](const TreeItem& a, const TreeItem& b) {
         const float left = a.centre(axis);
         const float right = b.centre(axis);
@@ -179,10 +178,10 @@ TreeSplit splitAtMedian(const TreeRange& range, std::size_t packet, int axis) {
 
 /// Cuts at the cheapest border between bins along an axis on which the centres lie from `low` on over `size`.
 template <int kBins>
-TreeSplit splitAtCheapest(const TreeRange& range, std::size_t packet, int axis, float low, float size) {
+TreeSplit splitAtCheapest(const TreeRange& range, int axis, float low, float size) {
     const auto bins = fillBins<kBins>(range, {axis, low, kBins / size});
-    const int border = cheapestBorder(bins, packet);
-    if (border == 0) return splitAtMedian(range, packet, axis);
+    const int border = cheapestBorder(bins);
+    if (border == 0) return splitAtMedian(range, axis);
     TreeSplit split{0, {}, {}};
     for (int bin = 0; bin < kBins; ++bin) (bin < border ? split.left : split.right).extend(bins.bounds[bin]);
     for (int bin = 0; bin < border; ++bin) split.leftCount += bins.count[bin];
@@ -200,15 +199,17 @@ TreeBounds boundsOf(const TreeRange& range) {
     });
 }
 
-TreeSplit splitRange(const TreeRange& range, std::size_t packet, bool balanced) {
-    const TreeBounds centres = centresOf(range);
-    const Eigen::Array3f size = (centres.high - centres.low).head<3>();
+TreeSplit splitRange(const TreeRange& range, bool balanced) {
+    const auto [low, high] = centresOf(range).box();
     int axis = 0;
-    size.maxCoeff(&axis);
-    if (balanced || !(size[axis] > 0.0F)) return splitAtMedian(range, packet, axis);
+    for (int other = 1; other < 3; ++other) {
+        if (high[other] - low[other] > high[axis] - low[axis]) axis = other;
+    }
+    const float size = high[axis] - low[axis];
+    if (balanced || !(size > 0.0F)) return splitAtMedian(range, axis);
 
     const auto split = range.size() > kFewItems ? splitAtCheapest<kManyBins> : splitAtCheapest<kFewBins>;
-    return split(range, packet, axis, centres.low[axis], size[axis]);
+    return split(range, axis, low[axis], size);
 }
 
 }  // namespace tactooth

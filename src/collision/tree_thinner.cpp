@@ -3,6 +3,7 @@
 #include "collision/tree_thinner.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cassert>
 #include <limits>
@@ -63,10 +64,14 @@ void TreeThinner::setHidden(std::uint32_t triangle, bool hidden) {
     std::uint8_t* mask = &hiddenLanes_[leaf];
     std::uint32_t bit = laneOf_[triangle] % kWidth;
     Slot above = aboveLeaf_[leaf];
+    std::size_t* count = &touchedLeafCount_;
     while (((*mask >> bit) & 1U) != static_cast<unsigned>(hidden)) {
         const bool wasTouched = *mask != 0;
         *mask ^= static_cast<std::uint8_t>(1U << bit);
-        if (wasTouched == (*mask != 0) || above == kNoSlot) return;
+        if (wasTouched == (*mask != 0)) return;
+        *count += wasTouched ? std::size_t{0} - 1 : 1;
+        if (above == kNoSlot) return;
+        count = &touchedNodeCount_;
         mask = &touched_[above / kWidth];
         bit = above % kWidth;
         above = aboveNode_[above / kWidth];
@@ -76,6 +81,7 @@ void TreeThinner::setHidden(std::uint32_t triangle, bool hidden) {
 void TreeThinner::showAll() {
     std::ranges::fill(hiddenLanes_, std::uint8_t{0});
     std::ranges::fill(touched_, std::uint8_t{0});
+    touchedLeafCount_ = touchedNodeCount_ = 0;
 }
 
 std::optional<TreeThinner::Kept> TreeThinner::keepLeaf(std::uint32_t number, AabbTree& tree) const {
@@ -85,22 +91,25 @@ std::optional<TreeThinner::Kept> TreeThinner::keepLeaf(std::uint32_t number, Aab
     AabbTree::Leaf& leaf = tree.leaves_.emplace_back();
     leaf.count = static_cast<std::uint32_t>(std::popcount(left));
     const int first = std::countr_zero(left);
+    std::array<int, kWidth> source;
     for (std::uint32_t lane = 0; lane < kWidth; ++lane, left &= left - 1) {
-        const int source = left != 0 ? std::countr_zero(left) : first;
-        leaf.triangle[lane] = from.triangle[source];
-        for (int corner = 0; corner < 3; ++corner)
-            for (int axis = 0; axis < 3; ++axis) leaf.corner[corner][axis][lane] = from.corner[corner][axis][source];
+        source[lane] = left != 0 ? std::countr_zero(left) : first;
+        leaf.triangle[lane] = from.triangle[source[lane]];
+    }
+    for (int corner = 0; corner < 3; ++corner) {
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto& of = from.corner[corner][axis];
+            for (std::uint32_t lane = 0; lane < kWidth; ++lane) leaf.corner[corner][axis][lane] = of[source[lane]];
+        }
     }
     Kept kept{
         AabbTree::Link::toLeaf(whole_.wholeLeaves_ + static_cast<std::uint32_t>(tree.leaves_.size()) - 1), {}, {}};
     for (int axis = 0; axis < 3; ++axis) {
-        const auto& [a, b, c] = leaf.corner;
-        kept.low[axis] =
-            std::min({*std::min_element(a[axis], a[axis] + kWidth), *std::min_element(b[axis], b[axis] + kWidth),
-                      *std::min_element(c[axis], c[axis] + kWidth)});
-        kept.high[axis] =
-            std::max({*std::max_element(a[axis], a[axis] + kWidth), *std::max_element(b[axis], b[axis] + kWidth),
-                      *std::max_element(c[axis], c[axis] + kWidth)});
+        const Float8 a = Float8::load(leaf.corner[0][axis]);
+        const Float8 b = Float8::load(leaf.corner[1][axis]);
+        const Float8 c = Float8::load(leaf.corner[2][axis]);
+        kept.low[axis] = lowest(min(min(a, b), c));
+        kept.high[axis] = highest(max(max(a, b), c));
     }
     return kept;
 }
@@ -138,8 +147,8 @@ std::optional<TreeThinner::Kept> TreeThinner::keepNode(std::uint32_t number, Aab
     if (count == 0) return std::nullopt;
     Kept whole{{}, {}, {}};
     for (int axis = 0; axis < 3; ++axis) {
-        whole.low[axis] = *std::min_element(node.low[axis], node.low[axis] + kWidth);
-        whole.high[axis] = *std::max_element(node.high[axis], node.high[axis] + kWidth);
+        whole.low[axis] = lowest(Float8::load(node.low[axis]));
+        whole.high[axis] = highest(Float8::load(node.high[axis]));
     }
     whole.link = AabbTree::Link::toNode(whole_.wholeNodes_ + static_cast<std::uint32_t>(tree.nodes_.size()));
     tree.nodes_.push_back(node);
@@ -149,6 +158,8 @@ std::optional<TreeThinner::Kept> TreeThinner::keepNode(std::uint32_t number, Aab
 AabbTree TreeThinner::thinned() const {
     if (whole_.empty() || touched_[whole_.root_.index()] == 0) return whole_;
     AabbTree tree = whole_;
+    tree.nodes_.reserve(touchedNodeCount_);
+    tree.leaves_.reserve(touchedLeafCount_);
     const std::optional<Kept> root = keepNode(whole_.root_.index(), tree);
     tree.box_.setEmpty();
     if (!root) return tree;

@@ -48,6 +48,8 @@ private:
     std::vector<Slot> aboveLeaf_;
     std::vector<std::uint8_t> hiddenLanes_;  // of a leaf: one bit each
     std::vector<std::uint8_t> touched_;      // of a node: one bit for each child that hides something
+    std::size_t touchedLeafCount_ = 0;       // that hide something
+    std::size_t touchedNodeCount_ = 0;
 };
 
 }  // namespace tactooth

@@ -93,20 +93,22 @@ int exactOrientation(const Vec3f& a, const Vec3f& b, const Vec3f& c, const Vec3f
 
 }  // namespace
 
-int orientationSign(const Vec3f& a, const Vec3f& b, const Vec3f& c, const Vec3f& d) {
-    const Vec3 origin = a.cast<double>();
-    const Vec3 u = b.cast<double>() - origin;
-    const Vec3 v = c.cast<double>() - origin;
-    const Vec3 w = d.cast<double>() - origin;
-    const double determinant = u.cross(v).dot(w);
-    const Vec3 permanent(std::abs(u.y() * v.z()) + std::abs(u.z() * v.y()),
-                         std::abs(u.z() * v.x()) + std::abs(u.x() * v.z()),
-                         std::abs(u.x() * v.y()) + std::abs(u.y() * v.x()));
+ExactPlane::ExactPlane(const Vec3f& a, const Vec3f& b, const Vec3f& c) : corner_{a, b, c} {
+    const Vec3 u = b.cast<double>() - a.cast<double>();
+    const Vec3 v = c.cast<double>() - a.cast<double>();
+    normal_ = u.cross(v);
+    permanent_ = {std::abs(u.y() * v.z()) + std::abs(u.z() * v.y()), std::abs(u.z() * v.x()) + std::abs(u.x() * v.z()),
+                  std::abs(u.x() * v.y()) + std::abs(u.y() * v.x())};
+}
+
+int ExactPlane::sideOf(const Vec3f& d) const {
+    const Vec3 away = d.cast<double>() - corner_[0].cast<double>();
+    const double determinant = normal_.dot(away);
     constexpr double kFilter = 16 * 2.220446049250313e-16;  // twice the worst rounding of this evaluation
-    const double bound = kFilter * permanent.dot(w.cwiseAbs());
+    const double bound = kFilter * permanent_.dot(away.cwiseAbs());
     if (determinant > bound) return 1;
     if (determinant < -bound) return -1;
-    return exactOrientation(a, b, c, d);
+    return exactOrientation(corner_[0], corner_[1], corner_[2], d);
 }
 
 int crossProductSign(const Vec3f& a, const Vec3f& b, const Vec3f& c, const Vec3f& d, int axis) {

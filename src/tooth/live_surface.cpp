@@ -29,6 +29,12 @@ Box3 grown(const Box3& box, double margin) {
 constexpr float kNodesBefore = 1.5F;
 constexpr float kNodesBeyond = 3.0F;
 
+/// The next whole number down, of one that an int holds.
+int roundedDown(float value) {
+    const int whole = static_cast<int>(value);
+    return whole - static_cast<int>(value < static_cast<float>(whole));
+}
+
 /// All that the triangles of a brick's wall can touch.
 Box3 wallBox(const Lattice& lattice, const BrickKey& key) {
     const Vec3 low = lattice.corner(key);
@@ -50,6 +56,7 @@ Surface LiveSurface::uncut(std::uint64_t revision) const { return {base_, nullpt
 
 void LiveSurface::reset() {
     cells_.clear();
+    patchKeys_.clear();
     patches_.clear();
     std::ranges::fill(marginPieces_, std::uint32_t{0});
     hidden_.clear();
@@ -78,7 +85,7 @@ void LiveSurface::update(const CutVolume& volume, const std::vector<ChangedBrick
     }
     const std::vector<std::uint32_t> triangles = affectedBase(cells);
     storeBase(triangles, cutBase(volume, triangles, cutLines(triangles)), dirty);
-    publish(std::move(dirty));
+    publish(dirty);
 }
 
 /// A change in the outermost node layer of a brick moves the wall of the brick beyond it, too.
@@ -102,8 +109,11 @@ std::vector<BrickKey> LiveSurface::bricksToExtract(const CutVolume& volume,
 
 void LiveSurface::extract(const CutVolume& volume, const BrickKey& key, Cell& cell) const {
     if (!cell.knowsBase) {
-        cell.base = TriangleBoxes(base_->mesh(), trianglesTouching(*base_, wallBox(lattice_, key)));
-        cell.bodies = bodiesIn(*base_, cell.base.triangles(), wallBox(lattice_, key).center());
+        const Box3 box = wallBox(lattice_, key);
+        const std::vector<std::uint32_t> near = trianglesTouching(*base_, box);
+        cell.base.clear();
+        for (const std::uint32_t t : near) cell.base.push_back(boxed(t));
+        cell.bodies = bodiesIn(*base_, near, box.center());
         cell.knowsBase = true;
     }
     const BrickNeighbourhood nodes(volume.bricks(), key, lattice_.spacing());
@@ -114,26 +124,40 @@ void LiveSurface::extract(const CutVolume& volume, const BrickKey& key, Cell& ce
     cell.wall = std::move(patch);
 }
 
+LiveSurface::BoxedTriangle LiveSurface::boxed(std::uint32_t triangle) const {
+    const auto& [a, b, c] = base_->mesh().triangles[triangle];
+    const auto& vertices = base_->mesh().vertices;
+    return {triangle, vertices[a].cwiseMin(vertices[b]).cwiseMin(vertices[c]),
+            vertices[a].cwiseMax(vertices[b]).cwiseMax(vertices[c])};
+}
+
 /// A triangle of the base changes where the wall is near it; these are returned. What lies among removed nodes alone is
 /// looked at once more and then forgotten: they stay removed, so no wall comes near it again.
-TriangleBoxes LiveSurface::findAffected(const BrickNeighbourhood& nodes, const BrickKey& key, Cell& cell) const {
-    TriangleBoxes nearWall;
+std::vector<std::uint32_t> LiveSurface::findAffected(const BrickNeighbourhood& nodes, const BrickKey& key,
+                                                     Cell& cell) const {
+    using Share = BrickNeighbourhood::Share;
+    std::vector<std::uint32_t> nearWall;
+    cell.affected.clear();
+    const Share inAll = nodes.removedShare({-1, -1, -1}, {kBrickSide, kBrickSide, kBrickSide});
+    if (inAll == Share::None && onlyGrows_) return nearWall;
     const Vec3f corner = lattice_.corner(key).cast<float>();
     const auto voxels = static_cast<float>(1 / lattice_.spacing());
-    cell.affected.clear();
-    cell.base.forgetIf([&](std::uint32_t triangle, const Vec3f& low, const Vec3f& high) {
-        const auto place = [&](const Vec3f& point, float beyond) {
-            const Vec3f at = ((point - corner) * voxels).array() + beyond;
-            // Places beyond the brick are all one; numbers far beyond would not fit.
-            const auto whole = [](float value) {
-                return static_cast<int>(std::floor(std::clamp(value, -8.0F, 16.0F)));
-            };
-            return BrickNeighbourhood::Place{whole(at.x()), whole(at.y()), whole(at.z())};
-        };
-        const auto share = nodes.removedShare(place(low, -kNodesBefore), place(high, kNodesBeyond));
-        if (share != BrickNeighbourhood::Share::None || !onlyGrows_) cell.affected.push_back(triangle);
-        if (share == BrickNeighbourhood::Share::Some) nearWall.add(triangle, low, high);
-        return share == BrickNeighbourhood::Share::All;
+    const auto place = [&](const Vec3f& point, float beyond) {
+        BrickNeighbourhood::Place at;
+        for (int axis = 0; axis < 3; ++axis) {
+            const float exact = (point[axis] - corner[axis]) * voxels + beyond;
+            // Places beyond the nodes that are here are all one; numbers far beyond would not fit.
+            at[axis] = roundedDown(std::clamp(exact, -1.0F, static_cast<float>(kBrickSide)));
+        }
+        return at;
+    };
+    std::erase_if(cell.base, [&](const BoxedTriangle& base) {
+        const Share share = inAll != Share::Some
+                                ? inAll
+                                : nodes.removedShare(place(base.low, -kNodesBefore), place(base.high, kNodesBeyond));
+        if (share != Share::None || !onlyGrows_) cell.affected.push_back(base.triangle);
+        if (share == Share::Some) nearWall.push_back(base.triangle);
+        return share == Share::All;
     });
     return nearWall;
 }
@@ -173,6 +197,16 @@ std::vector<std::vector<ClipSegment>> LiveSurface::cutLines(const std::vector<st
     return segments;
 }
 
+/// Whether this changes anything.
+bool LiveSurface::setRemains(const BrickKey& home, std::uint32_t triangle, Remains pieces) {
+    const auto cell = cells_.find(home);
+    if (pieces.empty()) return cell != cells_.end() && cell->second.remains.erase(triangle) > 0;
+    Remains& kept = (cell != cells_.end() ? cell->second : cells_[home]).remains[triangle];
+    if (kept == pieces) return false;
+    kept = std::move(pieces);
+    return true;
+}
+
 void LiveSurface::storeBase(const std::vector<std::uint32_t>& triangles, std::vector<BaseRemains> results,
                             std::vector<BrickKey>& dirty) {
     const TriangleMesh& mesh = base_->mesh();
@@ -184,46 +218,60 @@ void LiveSurface::storeBase(const std::vector<std::uint32_t>& triangles, std::ve
         thinner_.setHidden(t, results[i].hidden);
         failures_ += results[i].failed;
         const BrickKey home = lattice_.brickAt((mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3);
-        const auto cell = cells_.find(home);
-        const bool hadRemains = cell != cells_.end() && cell->second.remains.erase(t) > 0;
-        if (!results[i].pieces.empty())
-            cells_[home].remains[t] = std::move(results[i].pieces);
-        else if (!hadRemains)
-            continue;
-        dirty.push_back(home);
+        if (setRemains(home, t, std::move(results[i].pieces))) dirty.push_back(home);
     }
     std::sort(dirty.begin(), dirty.end());
     dirty.erase(std::unique(dirty.begin(), dirty.end()), dirty.end());
 }
 
-void LiveSurface::publish(std::vector<BrickKey> dirty) {
-    std::vector<std::shared_ptr<const SurfacePart>> parts(dirty.size());
-    parallelFor(dirty.size(), [&](std::size_t i) {
-        const Cell& cell = cells_.at(dirty[i]);
-        TaggedMesh patch{cell.wall.mesh, cell.wall.tags};
-        auto& [mesh, tags] = patch;
-        for (const auto& [triangle, remains] : cell.remains) {
-            for (const std::array<Vec3f, 3>& corners : remains) {
-                const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-                mesh.vertices.insert(mesh.vertices.end(), corners.begin(), corners.end());
-                mesh.triangles.push_back({first, first + 1, first + 2});
-                tags.push_back(base_->tag(triangle));
-            }
-        }
-        if (!mesh.empty()) parts[i] = patchPart(std::move(patch), cell.bodies, *base_);
-    });
-    for (std::size_t i = 0; i < dirty.size(); ++i) {
-        if (parts[i]) {
-            patches_[dirty[i]] = std::move(parts[i]);
-        } else {
-            patches_.erase(dirty[i]);
+/// What cutting has left in a brick: its wall, then what remains of base triangles. Null: nothing.
+std::shared_ptr<const SurfacePart> LiveSurface::patchOf(const Cell& cell) const {
+    std::size_t remaining = 0;
+    for (const auto& [triangle, remains] : cell.remains) remaining += remains.size();
+    if (cell.wall.mesh.empty() && remaining == 0) return nullptr;
+    TaggedMesh patch;
+    auto& [mesh, tags] = patch;
+    const auto startWith = [](auto& to, const auto& from, std::size_t more) {
+        to.reserve(from.size() + more);
+        to.assign(from.begin(), from.end());
+    };
+    startWith(mesh.vertices, cell.wall.mesh.vertices, 3 * remaining);
+    startWith(mesh.triangles, cell.wall.mesh.triangles, remaining);
+    startWith(tags, cell.wall.tags, remaining);
+    for (const auto& [triangle, remains] : cell.remains) {
+        for (const std::array<Vec3f, 3>& corners : remains) {
+            const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+            mesh.vertices.insert(mesh.vertices.end(), corners.begin(), corners.end());
+            mesh.triangles.push_back({first, first + 1, first + 2});
+            tags.push_back(base_->tag(triangle));
         }
     }
+    return patchPart(std::move(patch), cell.bodies, *base_);
+}
+
+void LiveSurface::setPatch(const BrickKey& key, std::shared_ptr<const SurfacePart> patch) {
+    const auto place = std::lower_bound(patchKeys_.begin(), patchKeys_.end(), key);
+    const auto part = patches_.begin() + (place - patchKeys_.begin());
+    const bool isKnown = place != patchKeys_.end() && *place == key;
+    if (patch && isKnown) {
+        *part = std::move(patch);
+    } else if (patch) {
+        patchKeys_.insert(place, key);
+        patches_.insert(part, std::move(patch));
+    } else if (isKnown) {
+        patchKeys_.erase(place);
+        patches_.erase(part);
+    }
+}
+
+void LiveSurface::publish(const std::vector<BrickKey>& dirty) {
+    std::vector<std::shared_ptr<const SurfacePart>> parts(dirty.size());
+    parallelFor(dirty.size(), [&](std::size_t i) { parts[i] = patchOf(cells_.at(dirty[i])); });
+    for (std::size_t i = 0; i < dirty.size(); ++i) setPatch(dirty[i], std::move(parts[i]));
     Surface surface = uncut(snapshot_->revision + 1);
     surface.hidden = std::make_shared<const TriangleMask>(hidden_);
     surface.thinned = std::make_shared<const AabbTree>(thinner_.thinned());
-    surface.patches.reserve(patches_.size());
-    for (const auto& [key, part] : patches_) surface.patches.push_back(part);
+    surface.patches = patches_;
     snapshot_ = std::make_shared<const Surface>(std::move(surface));
 }
 

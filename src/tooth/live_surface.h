@@ -4,6 +4,7 @@
 
 #include <map>
 #include <memory>
+#include <unordered_map>
 #include <vector>
 
 #include "collision/surface.h"
@@ -36,36 +37,46 @@ public:
     [[nodiscard]] std::size_t failures() const { return failures_; }
 
 private:
+    using Remains = std::vector<std::array<Vec3f, 3>>;  ///< of one triangle of the tooth's surface
+    struct BoxedTriangle {
+        std::uint32_t triangle;  ///< of the tooth's surface
+        Vec3f low, high;
+    };
     /// What the surface keeps for one brick.
     struct Cell {
         bool knowsBase = false;
-        TriangleBoxes base;  ///< triangles of the tooth's surface that the brick's wall is near or may still come to
+        std::vector<BoxedTriangle> base;      ///< those that the brick's wall is near or may still come to
         std::vector<std::uint32_t> affected;  ///< those of them of which the last update has changed something
         BrickBodies bodies = BrickBodies::Either;
         std::vector<MarginPiece> margin;
         WallPatch wall;
         bool isNew = false;  ///< the last update has changed the wall
         /// Pieces of the base triangles whose middle lies in this brick, by triangle.
-        std::map<std::uint32_t, std::vector<std::array<Vec3f, 3>>> remains;
+        std::map<std::uint32_t, Remains> remains;
     };
     [[nodiscard]] Surface uncut(std::uint64_t revision) const;
     [[nodiscard]] std::vector<BrickKey> bricksToExtract(const CutVolume& volume,
                                                         const std::vector<ChangedBrick>& changed) const;
+    [[nodiscard]] BoxedTriangle boxed(std::uint32_t triangle) const;
     void extract(const CutVolume& volume, const BrickKey& key, Cell& cell) const;
-    TriangleBoxes findAffected(const BrickNeighbourhood& nodes, const BrickKey& key, Cell& cell) const;
+    std::vector<std::uint32_t> findAffected(const BrickNeighbourhood& nodes, const BrickKey& key, Cell& cell) const;
     void countMargin(const std::vector<Cell*>& cells, std::uint32_t step);
     [[nodiscard]] std::vector<const MarginPiece*> marginOf(std::uint32_t triangle) const;
     [[nodiscard]] static std::vector<std::uint32_t> affectedBase(const std::vector<Cell*>& cells);
     [[nodiscard]] std::vector<std::vector<ClipSegment>> cutLines(const std::vector<std::uint32_t>& triangles) const;
+    bool setRemains(const BrickKey& home, std::uint32_t triangle, Remains pieces);
     void storeBase(const std::vector<std::uint32_t>& triangles, std::vector<BaseRemains> results,
                    std::vector<BrickKey>& dirty);
-    void publish(std::vector<BrickKey> dirty);
+    [[nodiscard]] std::shared_ptr<const SurfacePart> patchOf(const Cell& cell) const;
+    void setPatch(const BrickKey& key, std::shared_ptr<const SurfacePart> patch);
+    void publish(const std::vector<BrickKey>& dirty);
 
     std::shared_ptr<const SurfacePart> base_;
     Lattice lattice_;
-    std::map<BrickKey, Cell> cells_;
-    std::map<BrickKey, std::shared_ptr<const SurfacePart>> patches_;
-    std::vector<std::uint32_t> marginPieces_;  ///< how many there are of each base triangle
+    std::unordered_map<BrickKey, Cell, BrickKeyHash> cells_;
+    std::vector<BrickKey> patchKeys_;                          ///< of the bricks that have a patch, ascending
+    std::vector<std::shared_ptr<const SurfacePart>> patches_;  ///< theirs
+    std::vector<std::uint32_t> marginPieces_;                  ///< how many there are of each base triangle
     TriangleMask hidden_;
     TreeThinner thinner_;  ///< of the same triangles
     std::shared_ptr<const Surface> snapshot_;

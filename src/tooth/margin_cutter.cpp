@@ -4,9 +4,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <map>
+#include <memory_resource>
+#include <numeric>
 
 #include "collision/closest_point.h"
+#include "tooth/crossing_sieve.h"
 #include "tooth/vertex_groups.h"
 
 namespace tactooth {
@@ -37,27 +41,25 @@ std::array<bool, 3> forwardEdges(const std::array<std::uint64_t, 3>& id) {
 class WallCutter {
 public:
     WallCutter(const CavityWall& wall, const std::vector<MarginPiece>& margin, const SurfacePart& base)
-        : wall_(wall), base_(base), linesOf_(wall.mesh.triangles.size(), kNone), groups_(wall.mesh.vertices.size()) {
-        for (const MarginPiece& piece : margin) {
-            std::uint32_t& number = linesOf_[piece.wall];
-            if (number == kNone) {
-                number = static_cast<std::uint32_t>(lines_.size());
-                lines_.emplace_back();
-            }
-            // On the wall the way runs back.
-            lines_[number].push_back({asSeenFrom(piece.crossing.end, false, piece.base),
-                                      asSeenFrom(piece.crossing.start, false, piece.base)});
-        }
+        : wall_(wall), base_(base), linesBefore_(wall.mesh.triangles.size() + 1), groups_(wall.mesh.vertices.size()) {
+        for (const MarginPiece& piece : margin) ++linesBefore_[piece.wall + 1];
+        std::partial_sum(linesBefore_.begin(), linesBefore_.end(), linesBefore_.begin());
+        lines_.resize(margin.size());
+        std::vector<std::uint32_t> next(linesBefore_.begin(), linesBefore_.end() - 1);
+        for (const MarginPiece& piece : margin) lines_[next[piece.wall]++] = &piece;
     }
 
     WallPatch run() {
         groupVertices();
         patchVertex_.assign(wall_.mesh.vertices.size(), kNone);
+        patch_.mesh.vertices.reserve(wall_.mesh.vertices.size() + 2 * lines_.size());
+        patch_.mesh.triangles.reserve(wall_.mesh.triangles.size() + 2 * lines_.size());
+        patch_.tags.reserve(wall_.mesh.triangles.size() + 2 * lines_.size());
         for (std::uint32_t t = 0; t < wall_.mesh.triangles.size(); ++t) {
-            if (linesOf_[t] == kNone) {
-                if (isKept(t)) addWhole(t);
-            } else {
+            if (isCrossed(t)) {
                 addClipped(t);
+            } else if (isKept(t)) {
+                addWhole(t);
             }
         }
         return std::move(patch_);
@@ -68,14 +70,25 @@ private:
 
     [[nodiscard]] bool mayCross(std::uint32_t t) const { return wall_.places[t] == CavityWall::Place::AtSurface; }
 
-    [[nodiscard]] const std::vector<ClipSegment>& linesIn(std::uint32_t t) const { return lines_[linesOf_[t]]; }
+    [[nodiscard]] bool isCrossed(std::uint32_t t) const { return linesBefore_[t] != linesBefore_[t + 1]; }
+
+    /// The cut lines in a triangle; good until it is asked for those of another.
+    const std::vector<ClipSegment>& linesIn(std::uint32_t t) {
+        segments_.clear();
+        for (std::uint32_t i = linesBefore_[t]; i < linesBefore_[t + 1]; ++i) {
+            const auto& [base, wall, wallId, crossing] = *lines_[i];
+            // On the wall the way runs back.
+            segments_.push_back({asSeenFrom(crossing.end, false, base), asSeenFrom(crossing.start, false, base)});
+        }
+        return segments_;
+    }
 
     void groupVertices() {
         for (std::uint32_t t = 0; t < wall_.mesh.triangles.size(); ++t) {
             if (!mayCross(t)) continue;
             const Triangle& v = wall_.mesh.triangles[t];
             std::array<std::optional<EdgeEnds>, 3> ends;
-            if (linesOf_[t] != kNone) ends = endsOfEdges(linesIn(t), forwardEdges(wallFace(wall_, t).id));
+            if (isCrossed(t)) ends = endsOfEdges(linesIn(t), forwardEdges(wallFace(wall_, t).id));
             for (int i = 0; i < 3; ++i) {
                 const std::uint32_t a = v[i];
                 const std::uint32_t b = v[(i + 1) % 3];
@@ -137,8 +150,9 @@ private:
 
     const CavityWall& wall_;
     const SurfacePart& base_;
-    std::vector<std::uint32_t> linesOf_;           // a wall triangle's place in `lines_`
-    std::vector<std::vector<ClipSegment>> lines_;  // of each triangle that some cross
+    std::vector<std::uint32_t> linesBefore_;  // how many cut lines the wall's triangles before this one have
+    std::vector<const MarginPiece*> lines_;   // of one triangle after the other
+    std::vector<ClipSegment> segments_;
     VertexGroups groups_;
     std::vector<std::uint32_t> patchVertex_;
     std::map<std::array<float, 3>, std::uint32_t> marginVertices_;
@@ -147,12 +161,15 @@ private:
 
 }  // namespace
 
-std::vector<MarginPiece> findMargin(const CavityWall& wall, const TriangleMesh& base, const TriangleBoxes& near) {
+std::vector<MarginPiece> findMargin(const CavityWall& wall, const TriangleMesh& base,
+                                    std::span<const std::uint32_t> near) {
     std::vector<MarginPiece> margin;
-    for (std::uint32_t w = 0; w < wall.places.size() && !near.empty(); ++w) {
+    if (wall.places.empty()) return margin;
+    const CrossingSieve sieve(base, near);
+    for (std::uint32_t w = 0; w < wall.places.size() && !sieve.empty(); ++w) {
         if (wall.places[w] != CavityWall::Place::AtSurface) continue;
         const CrossingFace face = wallFace(wall, w);
-        near.forTouching(face.corner, [&](std::uint32_t t) {
+        sieve.forLikely(face.corner, [&](std::uint32_t t) {
             if (const auto crossing = crossingOf(baseFace(base, t), face)) {
                 margin.push_back({t, w, wall.faceIds[w], *crossing});
             }
@@ -185,8 +202,12 @@ std::array<std::optional<EdgeEnds>, 3> endsOfEdges(const std::vector<ClipSegment
                                                    const std::array<bool, 3>& isForward) {
     std::array<std::optional<EdgeEnds>, 3> result;
     if (segments.empty()) return result;
+    std::array<std::byte, 1024> memory;  // mostly enough
+    std::pmr::monotonic_buffer_resource pool(memory.data(), memory.size());
+    std::pmr::vector<EdgeCrossing> crossings(&pool);
+    crossings.reserve(2 * segments.size());
     for (int edge = 0; edge < 3; ++edge) {
-        std::vector<EdgeCrossing> crossings;
+        crossings.clear();
         for (const auto& [start, end] : segments) {
             if (start.edge == edge) crossings.push_back({start.along, start.opponent, isForward[edge], 0});
             if (end.edge == edge) crossings.push_back({end.along, end.opponent, !isForward[edge], 0});

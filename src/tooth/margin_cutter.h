@@ -5,12 +5,12 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "collision/surface.h"
 #include "tooth/cavity_wall.h"
 #include "tooth/surface_crossing.h"
-#include "tooth/triangle_boxes.h"
 #include "tooth/triangle_clip.h"
 #include "tooth/vertex_groups.h"
 
@@ -26,7 +26,7 @@ struct MarginPiece {
 
 /// Finds all crossings of a brick's wall with the triangles of the tooth's surface near it, ordered by base, then wall.
 [[nodiscard]] std::vector<MarginPiece> findMargin(const CavityWall& wall, const TriangleMesh& base,
-                                                  const TriangleBoxes& near);
+                                                  std::span<const std::uint32_t> near);
 
 /// The part of a wall that lies within the tooth, as one mesh with a tag a triangle.
 struct WallPatch {

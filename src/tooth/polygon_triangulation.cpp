@@ -76,6 +76,7 @@ public:
 
     std::vector<Triangle> run() {
         std::vector<Triangle> triangles;
+        triangles.reserve(loop_.size());
         std::size_t place = 0;
         while (loop_.size() > 3) {
             place = nextEar(place);

@@ -24,8 +24,8 @@ int firstNonZeroCross(const Vec3f& a, const Vec3f& b, const Vec3f& c, const Vec3
 
 /// Side of the face on which a corner of the other surface lies: 1 in front, -1 behind. A corner of the shifted wall
 /// gains the normal of a base face, a base corner loses that of a wall face. 0 if the face has no area.
-int sideOf(const CrossingFace& face, const Vec3f& point, bool faceIsWall) {
-    if (const int sign = orientationSign(face.corner[0], face.corner[1], face.corner[2], point)) return sign;
+int sideOf(const CrossingFace& face, const ExactPlane& plane, const Vec3f& point, bool faceIsWall) {
+    if (const int sign = plane.sideOf(point)) return sign;
     const int shifted = firstNonZeroCross(face.corner[0], face.corner[1], face.corner[0], face.corner[2]);
     return faceIsWall ? -shifted : shifted;
 }
@@ -74,11 +74,15 @@ CrossingPoint pointOn(const CrossingFace& edgeFace, int edge, const CrossingFace
 }  // namespace
 
 std::optional<FaceCrossing> crossingOf(const CrossingFace& base, const CrossingFace& wall) {
-    std::array<int, 3> baseSide;
-    std::array<int, 3> wallSide;
-    for (int i = 0; i < 3; ++i) baseSide[i] = sideOf(wall, base.corner[i], true);
+    const auto sidesOf = [](const CrossingFace& face, const CrossingFace& other, bool faceIsWall) {
+        const ExactPlane plane(face.corner[0], face.corner[1], face.corner[2]);
+        std::array<int, 3> side;
+        for (int i = 0; i < 3; ++i) side[i] = sideOf(face, plane, other.corner[i], faceIsWall);
+        return side;
+    };
+    const std::array<int, 3> baseSide = sidesOf(wall, base, true);
     if (areOnOneSide(baseSide)) return std::nullopt;
-    for (int i = 0; i < 3; ++i) wallSide[i] = sideOf(base, wall.corner[i], false);
+    const std::array<int, 3> wallSide = sidesOf(base, wall, false);
     if (areOnOneSide(wallSide)) return std::nullopt;
 
     std::optional<CrossingPoint> start;

@@ -3,6 +3,9 @@
 #include "tooth/triangle_clip.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <memory_resource>
 #include <utility>
 
 #include "tooth/polygon_triangulation.h"
@@ -13,7 +16,7 @@
 
 namespace tactooth {
 
-bool sortCrossings(std::vector<EdgeCrossing>& crossings) {
+bool sortCrossings(std::span<EdgeCrossing> crossings) {
     std::sort(crossings.begin(), crossings.end(), [](const EdgeCrossing& a, const EdgeCrossing& b) {
         return a.along != b.along ? a.along < b.along : a.opponent < b.opponent;
     });
@@ -34,7 +37,8 @@ namespace {
 class Clipper {
 public:
     Clipper(const std::array<Vec3, 3>& corners, const std::vector<ClipSegment>& segments)
-        : segments_(segments), lines_(segments.size()) {
+        : segments_(segments), lines_(segments.size(), &pool_) {
+        startingAt_.reserve(segments.size());
         result_.points.reserve(3 + 2 * segments.size());
         result_.points.assign(corners.begin(), corners.end());
         for (std::uint32_t i = 0; i < segments.size(); ++i) {
@@ -61,7 +65,7 @@ public:
         if (!traceClosedLines() || !assignHoles()) return std::nullopt;
         for (std::size_t i = 0; i < outlines_.size(); ++i) {
             if (outlines_[i].size() < 3) continue;
-            const auto triangles = triangulate(flat_, outlines_[i], holesOf_[i]);
+            const auto triangles = triangulate(flat_, std::move(outlines_[i]), std::move(holesOf_[i]));
             result_.triangles.insert(result_.triangles.end(), triangles.begin(), triangles.end());
         }
         return std::move(result_);
@@ -85,17 +89,18 @@ private:
 
     bool buildRing(const std::array<bool, 3>& isForward) {
         ring_.reserve(3 + 2 * segments_.size());
+        crossings_.reserve(2 * segments_.size());
         for (int edge = 0; edge < 3; ++edge) {
-            std::vector<EdgeCrossing> crossings;
+            crossings_.clear();
             for (std::uint32_t i = 0; i < segments_.size(); ++i) {
                 const auto& [start, end] = segments_[i];
-                if (start.edge == edge) crossings.push_back({start.along, start.opponent, isForward[edge], i});
-                if (end.edge == edge) crossings.push_back({end.along, end.opponent, !isForward[edge], i});
+                if (start.edge == edge) crossings_.push_back({start.along, start.opponent, isForward[edge], i});
+                if (end.edge == edge) crossings_.push_back({end.along, end.opponent, !isForward[edge], i});
             }
-            if (!sortCrossings(crossings)) return false;
-            if (!isForward[edge]) std::reverse(crossings.begin(), crossings.end());
+            if (!sortCrossings(crossings_)) return false;
+            if (!isForward[edge]) std::reverse(crossings_.begin(), crossings_.end());
             ring_.push_back({static_cast<std::uint32_t>(edge), kNoSegment, false});
-            for (const EdgeCrossing& crossing : crossings) {
+            for (const EdgeCrossing& crossing : crossings_) {
                 const bool leaves = crossing.leaves == isForward[edge];
                 const std::uint32_t i = crossing.segment;
                 if (!leaves) lines_[i].endStop = ring_.size();
@@ -129,6 +134,7 @@ private:
         for (const Stop& stop : ring_) {
             if (stop.segment == kNoSegment || !stop.leaves || lines_[stop.segment].isVisited) continue;
             PolygonLoop loop;
+            loop.reserve(ring_.size());
             std::uint32_t segment = stop.segment;
             do {
                 if (!followLine(segment, loop)) return false;
@@ -188,12 +194,15 @@ private:
     }
 
     const std::vector<ClipSegment>& segments_;
-    std::vector<Line> lines_;
+    std::array<std::byte, 4096> memory_;  // enough for nearly every triangle; what more it takes comes from the heap
+    std::pmr::monotonic_buffer_resource pool_{memory_.data(), memory_.size()};
+    std::pmr::vector<Line> lines_;
     ClippedTriangle result_;
-    std::vector<std::pair<Key, std::uint32_t>> startingAt_;  // pieces that begin inside, in the order of their keys
-    std::vector<Stop> ring_;
-    std::vector<PolygonLoop> outlines_, holes_;
-    std::vector<std::vector<PolygonLoop>> holesOf_;
+    std::pmr::vector<std::pair<Key, std::uint32_t>> startingAt_{&pool_};  // pieces that begin inside, ordered by key
+    std::pmr::vector<EdgeCrossing> crossings_{&pool_};                    // of the edge at hand
+    std::pmr::vector<Stop> ring_{&pool_};
+    std::pmr::vector<PolygonLoop> outlines_{&pool_}, holes_{&pool_};
+    std::pmr::vector<std::vector<PolygonLoop>> holesOf_{&pool_};
     std::vector<Eigen::Vector2d> flat_;
 };
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "geometry/triangle_mesh.h"
@@ -47,6 +48,6 @@ struct EdgeCrossing {
     std::uint32_t segment;
 };
 /// False if they cannot alternate.
-[[nodiscard]] bool sortCrossings(std::vector<EdgeCrossing>& crossings);
+[[nodiscard]] bool sortCrossings(std::span<EdgeCrossing> crossings);
 
 }  // namespace tactooth

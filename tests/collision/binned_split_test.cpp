@@ -12,8 +12,6 @@
 namespace tactooth {
 namespace {
 
-constexpr std::size_t kPacket = 8;
-
 /// Items with memory of their own.
 struct Items {
     std::vector<TreeItem> items;
@@ -39,13 +37,16 @@ Items scattered(std::size_t count) {
 }
 
 void expectSameBox(const TreeBounds& a, const TreeBounds& b) {
-    EXPECT_TRUE((a.low.head<3>() == b.low.head<3>()).all() && (a.high.head<3>() == b.high.head<3>()).all());
+    for (int axis = 0; axis < 3; ++axis) {
+        EXPECT_EQ(a.box().low[axis], b.box().low[axis]);
+        EXPECT_EQ(a.box().high[axis], b.box().high[axis]);
+    }
 }
 
 TEST(BinnedSplit, SeparatesByTheCentreAlongTheLongestAxisAndLosesNothing) {
     for (const std::size_t count : {9U, 100U, 5000U, 8192U, 8193U, 40000U}) {  // from 8193 on in parallel
         Items items = scattered(count);
-        const TreeSplit split = splitRange(items.range(), kPacket, false);
+        const TreeSplit split = splitRange(items.range(), false);
         ASSERT_GT(split.leftCount, 0U);
         ASSERT_LT(split.leftCount, count);
         const TreeRange left = items.range().first(split.leftCount);
@@ -68,18 +69,18 @@ TEST(BinnedSplit, TakesTheBorderBetweenTwoHeaps) {
     Items items;
     for (int i = 0; i < 24; ++i) items.add({0.01F * static_cast<float>(i), 0, 0}, {0.1F, 0.1F, 0.1F});
     for (int i = 0; i < 8; ++i) items.add({9 + 0.01F * static_cast<float>(i), 0, 0}, {0.1F, 0.1F, 0.1F});
-    EXPECT_EQ(splitRange(items.range(), kPacket, false).leftCount, 24U);
+    EXPECT_EQ(splitRange(items.range(), false).leftCount, 24U);
 }
 
 TEST(BinnedSplit, BalancedCutsAtTheMiddlePacket) {
     Items items = scattered(80);
-    EXPECT_EQ(splitRange(items.range(), kPacket, true).leftCount, 40U);
+    EXPECT_EQ(splitRange(items.range(), true).leftCount, 40U);
 }
 
 TEST(BinnedSplit, CutsWhatLiesInOnePlaceByNumber) {
     Items items;
     for (int i = 0; i < 20; ++i) items.add({1, 2, 3}, {1, 1, 1});
-    const TreeSplit split = splitRange(items.range(), kPacket, false);
+    const TreeSplit split = splitRange(items.range(), false);
     EXPECT_EQ(split.leftCount, 8U);
     for (std::uint32_t i = 0; i < 20; ++i) EXPECT_EQ(items.items[i].triangle(), i);
 }
