@@ -16,20 +16,20 @@ std::array<bool, 3> forwardEdges(const Triangle& v) { return {v[0] < v[1], v[1] 
 
 /// The vertices that a list of triangles uses, numbered from 0.
 struct LocalVertices {
-    LocalVertices(const TriangleMesh& mesh, const std::vector<std::uint32_t>& triangles) {
-        for (const std::uint32_t t : triangles) {
-            global.insert(global.end(), mesh.triangles[t].begin(), mesh.triangles[t].end());
+    LocalVertices(const TriangleMesh& mesh, const std::vector<std::uint32_t>& triangles) : corners(triangles.size()) {
+        std::vector<std::uint64_t> uses;  // a vertex, then the corner that it is
+        uses.reserve(3 * triangles.size());
+        for (std::size_t i = 0; i < triangles.size(); ++i) {
+            for (std::size_t c = 0; c < 3; ++c)
+                uses.push_back(std::uint64_t{mesh.triangles[triangles[i]][c]} << 32 | (3 * i + c));
         }
-        std::sort(global.begin(), global.end());
-        global.erase(std::unique(global.begin(), global.end()), global.end());
-        corners.resize(triangles.size());
-        parallelFor(triangles.size(), [&](std::size_t i) {
-            for (int c = 0; c < 3; ++c) {
-                const std::uint32_t vertex = mesh.triangles[triangles[i]][c];
-                const auto place = std::lower_bound(global.begin(), global.end(), vertex);
-                corners[i][c] = static_cast<std::uint32_t>(place - global.begin());
-            }
-        });
+        std::sort(uses.begin(), uses.end());
+        for (const std::uint64_t use : uses) {
+            const auto vertex = static_cast<std::uint32_t>(use >> 32);
+            const auto corner = static_cast<std::uint32_t>(use);
+            if (global.empty() || global.back() != vertex) global.push_back(vertex);
+            corners[corner / 3][corner % 3] = static_cast<std::uint32_t>(global.size() - 1);
+        }
     }
     std::vector<std::uint32_t> global;
     std::vector<Triangle> corners;  ///< of each triangle of the list, in local numbers

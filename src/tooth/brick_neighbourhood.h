@@ -41,28 +41,10 @@ public:
         const auto pair = [&](int step) { return static_cast<unsigned>(row[step]) >> x & 3U; };
         return pair(0) | pair(1) << 2 | pair(kSide) << 4 | pair(kSide + 1) << 6;
     }
-    /// Whether some nodes are removed and others are not.
+    /// Whether some nodes are removed ...
+    [[nodiscard]] bool hasRemoved() const { return hasRemoved_; }
+    /// ... and others are not.
     [[nodiscard]] bool hasBorder() const { return hasBorder_; }
-    enum class Share { None, Some, All };
-    /// How many of the nodes from `low` to `high`, as far as they are here, are removed.
-    [[nodiscard]] Share removedShare(Place low, Place high) const {
-        for (int axis = 0; axis < 3; ++axis) {
-            low[axis] = std::clamp(low[axis], -1, kBrickSide);
-            high[axis] = std::clamp(high[axis], -1, kBrickSide);
-        }
-        const unsigned row = ((1U << (high[0] - low[0] + 1)) - 1) << (low[0] + 1);
-        bool some = false;
-        bool all = true;
-        for (int z = low[2]; z <= high[2]; ++z) {
-            for (int y = low[1]; y <= high[1]; ++y) {
-                const unsigned removed = removedRow(y, z) & row;
-                some |= removed != 0;
-                all &= removed == row;
-                if (some && !all) return Share::Some;
-            }
-        }
-        return all ? Share::All : Share::None;
-    }
 
     /// Where the border of the removed region crosses the lattice edge from a node to the next on `axis`. One of the
     /// two is removed, and both lie in bricks that exist.
@@ -140,7 +122,8 @@ private:
             readRows(near_.data() + 9 * part(z) + 6, 0, 1, local(z), rows + kSide - 1);
             for (int y = 0; y < kSide; ++y) some |= rows[y], every &= rows[y];
         }
-        hasBorder_ = some != 0 && every != kAll;
+        hasRemoved_ = some != 0;
+        hasBorder_ = hasRemoved_ && every != kAll;
     }
     /// The rows from `y` on of three bricks side by side.
     static void readRows(const Brick* const* bricks, int y, int count, int z, std::uint16_t* rows) {
@@ -159,6 +142,7 @@ private:
     std::array<std::uint16_t, kSide * kSide> removed_;
     const BrickMap::Around& near_;
     float clear_;
+    bool hasRemoved_ = false;
     bool hasBorder_ = false;
 };
 

@@ -77,10 +77,12 @@ void addProduct(ExactSum& sum, const TwoTerms& a, const TwoTerms& b, const TwoTe
     }
 }
 
-int exactOrientation(const Vec3f& a, const Vec3f& b, const Vec3f& c, const Vec3f& d) {
-    const ExactVector u = difference(b, a);
-    const ExactVector v = difference(c, a);
-    const ExactVector w = difference(d, a);
+}  // namespace
+
+int ExactPlane::exactSideOf(const Vec3f& d) const {
+    const ExactVector u = difference(corner_[1], corner_[0]);
+    const ExactVector v = difference(corner_[2], corner_[0]);
+    const ExactVector w = difference(d, corner_[0]);
     ExactSum sum;
     for (int i = 0; i < 3; ++i) {
         const int j = (i + 1) % 3;
@@ -89,26 +91,6 @@ int exactOrientation(const Vec3f& a, const Vec3f& b, const Vec3f& c, const Vec3f
         addProduct(sum, u[i], v[k], w[j], -1);
     }
     return sum.sign();
-}
-
-}  // namespace
-
-ExactPlane::ExactPlane(const Vec3f& a, const Vec3f& b, const Vec3f& c) : corner_{a, b, c} {
-    const Vec3 u = b.cast<double>() - a.cast<double>();
-    const Vec3 v = c.cast<double>() - a.cast<double>();
-    normal_ = u.cross(v);
-    permanent_ = {std::abs(u.y() * v.z()) + std::abs(u.z() * v.y()), std::abs(u.z() * v.x()) + std::abs(u.x() * v.z()),
-                  std::abs(u.x() * v.y()) + std::abs(u.y() * v.x())};
-}
-
-int ExactPlane::sideOf(const Vec3f& d) const {
-    const Vec3 away = d.cast<double>() - corner_[0].cast<double>();
-    const double determinant = normal_.dot(away);
-    constexpr double kFilter = 16 * 2.220446049250313e-16;  // twice the worst rounding of this evaluation
-    const double bound = kFilter * permanent_.dot(away.cwiseAbs());
-    if (determinant > bound) return 1;
-    if (determinant < -bound) return -1;
-    return exactOrientation(corner_[0], corner_[1], corner_[2], d);
 }
 
 int crossProductSign(const Vec3f& a, const Vec3f& b, const Vec3f& c, const Vec3f& d, int axis) {

@@ -9,6 +9,7 @@
 #include "geometry/parallel_for.h"
 #include "tooth/base_cutter.h"
 #include "tooth/box_query.h"
+#include "tooth/removed_rows.h"
 
 namespace tactooth {
 namespace {
@@ -135,11 +136,12 @@ LiveSurface::BoxedTriangle LiveSurface::boxed(std::uint32_t triangle) const {
 /// looked at once more and then forgotten: they stay removed, so no wall comes near it again.
 std::vector<std::uint32_t> LiveSurface::findAffected(const BrickNeighbourhood& nodes, const BrickKey& key,
                                                      Cell& cell) const {
-    using Share = BrickNeighbourhood::Share;
+    using Share = RemovedRows::Share;
     std::vector<std::uint32_t> nearWall;
     cell.affected.clear();
-    const Share inAll = nodes.removedShare({-1, -1, -1}, {kBrickSide, kBrickSide, kBrickSide});
-    if (inAll == Share::None && onlyGrows_) return nearWall;
+    if (!nodes.hasRemoved() && onlyGrows_) return nearWall;
+    const RemovedRows rows(nodes);
+    nearWall.reserve(cell.base.size());
     const Vec3f corner = lattice_.corner(key).cast<float>();
     const auto voxels = static_cast<float>(1 / lattice_.spacing());
     const auto place = [&](const Vec3f& point, float beyond) {
@@ -152,9 +154,7 @@ std::vector<std::uint32_t> LiveSurface::findAffected(const BrickNeighbourhood& n
         return at;
     };
     std::erase_if(cell.base, [&](const BoxedTriangle& base) {
-        const Share share = inAll != Share::Some
-                                ? inAll
-                                : nodes.removedShare(place(base.low, -kNodesBefore), place(base.high, kNodesBeyond));
+        const Share share = rows.share(place(base.low, -kNodesBefore), place(base.high, kNodesBeyond));
         if (share != Share::None || !onlyGrows_) cell.affected.push_back(base.triangle);
         if (share == Share::Some) nearWall.push_back(base.triangle);
         return share == Share::All;
