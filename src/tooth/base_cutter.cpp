@@ -52,13 +52,12 @@ VertexGroups groupVertices(const CutVolume& volume, const LocalVertices& vertice
     return groups;
 }
 
-void clip(const TriangleMesh& mesh, std::uint32_t t, const std::vector<ClipSegment>& segments, bool keepsCorners,
-          BaseRemains& remains) {
+void clip(const TriangleMesh& mesh, std::uint32_t t, const std::vector<ClipSegment>& segments,
+          const std::array<bool, 3>& keepsCorner, BaseRemains& remains) {
     const auto clipped = clipTriangle({mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)},
-                                      forwardEdges(mesh.triangles[t]), segments, keepsCorners);
+                                      forwardEdges(mesh.triangles[t]), segments, keepsCorner);
     if (!clipped) {
-        remains.failed = true;
-        remains.hidden = !keepsCorners;
+        remains.failed = true;  // it stays or goes as a whole
         return;
     }
     remains.hidden = true;
@@ -76,9 +75,13 @@ std::vector<BaseRemains> cutBase(const CutVolume& volume, const std::vector<std:
     const LocalVertices vertices(mesh, triangles);
     VertexGroups groups = groupVertices(volume, vertices, segments);
     std::vector<BaseRemains> results(triangles.size());
-    for (std::size_t i = 0; i < triangles.size(); ++i) results[i].hidden = !*groups.isKept(vertices.corners[i][0]);
+    std::vector<std::array<bool, 3>> keepsCorner(triangles.size());
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        for (int c = 0; c < 3; ++c) keepsCorner[i][c] = *groups.isKept(vertices.corners[i][c]);
+        results[i].hidden = !keepsCorner[i][0];
+    }
     parallelFor(triangles.size(), [&](std::size_t i) {
-        if (!segments[i].empty()) clip(mesh, triangles[i], segments[i], !results[i].hidden, results[i]);
+        if (!segments[i].empty()) clip(mesh, triangles[i], segments[i], keepsCorner[i], results[i]);
     });
     return results;
 }

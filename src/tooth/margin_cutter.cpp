@@ -98,9 +98,8 @@ private:
         }
     }
 
-    bool isKept(std::uint32_t t) {
-        if (!mayCross(t)) return true;
-        const std::uint32_t vertex = wall_.mesh.triangles[t][0];
+    bool isKept(std::uint32_t t) { return !mayCross(t) || isVertexKept(wall_.mesh.triangles[t][0]); }
+    bool isVertexKept(std::uint32_t vertex) {
         if (const auto kept = groups_.isKept(vertex)) return *kept;
         const bool kept = contains(base_, wall_.mesh.vertices[vertex].cast<double>());
         groups_.tell(vertex, kept, 0);
@@ -131,7 +130,9 @@ private:
 
     void addClipped(std::uint32_t t) {
         const std::array<Vec3, 3> corners = {wall_.mesh.corner(t, 0), wall_.mesh.corner(t, 1), wall_.mesh.corner(t, 2)};
-        const auto clipped = clipTriangle(corners, forwardEdges(wallFace(wall_, t).id), linesIn(t), isKept(t));
+        const Triangle& v = wall_.mesh.triangles[t];
+        const std::array<bool, 3> keepsCorner = {isVertexKept(v[0]), isVertexKept(v[1]), isVertexKept(v[2])};
+        const auto clipped = clipTriangle(corners, forwardEdges(wallFace(wall_, t).id), linesIn(t), keepsCorner);
         if (!clipped) {
             ++patch_.failures;
             addWhole(t);
@@ -140,8 +141,8 @@ private:
         for (const Triangle& triangle : clipped->triangles) {
             Triangle placed;
             for (int i = 0; i < 3; ++i) {
-                placed[i] = triangle[i] < 3 ? patchVertexOf(wall_.mesh.triangles[t][triangle[i]])
-                                            : marginVertex(clipped->points[triangle[i]]);
+                placed[i] =
+                    triangle[i] < 3 ? patchVertexOf(v[triangle[i]]) : marginVertex(clipped->points[triangle[i]]);
             }
             patch_.mesh.triangles.push_back(placed);
             patch_.tags.push_back(wall_.tags[t]);
@@ -208,13 +209,25 @@ std::array<std::optional<EdgeEnds>, 3> endsOfEdges(const std::vector<ClipSegment
     crossings.reserve(2 * segments.size());
     for (int edge = 0; edge < 3; ++edge) {
         crossings.clear();
-        for (const auto& [start, end] : segments) {
-            if (start.edge == edge) crossings.push_back({start.along, start.opponent, isForward[edge], 0});
-            if (end.edge == edge) crossings.push_back({end.along, end.opponent, !isForward[edge], 0});
+        for (std::uint32_t i = 0; i < segments.size(); ++i) {
+            const auto& [start, end] = segments[i];
+            if (start.edge == edge) crossings.push_back({start.along, start.opponent, isForward[edge], i});
+            if (end.edge == edge) crossings.push_back({end.along, end.opponent, !isForward[edge], i});
         }
-        if (crossings.empty() || !sortCrossings(crossings)) continue;
-        const EdgeEnds canonical{crossings.front().leaves, !crossings.back().leaves};
-        result[edge] = isForward[edge] ? canonical : EdgeEnds{canonical.secondKept, canonical.firstKept};
+        if (crossings.empty()) continue;
+        const int surplus = surplusOfLeaving(crossings);
+        if (surplus == 0) {
+            std::sort(crossings.begin(), crossings.end(), [](const auto& a, const auto& b) { return a.liesBefore(b); });
+            const bool isKept = crossings[0].leaves;
+            const auto pointOf = [&](const EdgeCrossing& crossing) {
+                const auto& [start, end] = segments[crossing.segment];
+                return crossing.leaves == isForward[edge] ? start.position : end.position;
+            };
+            result[edge] = {isKept, isKept, (pointOf(crossings[1]) - pointOf(crossings[0])).norm()};
+        } else if (std::abs(surplus) == 1) {
+            const bool firstLeaves = (surplus > 0) == isForward[edge];
+            result[edge] = {firstLeaves, !firstLeaves, VertexGroups::kProof};
+        }
     }
     return result;
 }

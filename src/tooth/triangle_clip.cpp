@@ -16,15 +16,16 @@
 
 namespace tactooth {
 
-bool sortCrossings(std::span<EdgeCrossing> crossings) {
-    std::sort(crossings.begin(), crossings.end(), [](const EdgeCrossing& a, const EdgeCrossing& b) {
-        return a.along != b.along ? a.along < b.along : a.opponent < b.opponent;
-    });
-    if (crossings.empty()) return true;
+int surplusOfLeaving(std::span<const EdgeCrossing> crossings) {
     const auto leaving = std::count_if(crossings.begin(), crossings.end(), [](const auto& c) { return c.leaves; });
-    const auto surplus = 2 * leaving - static_cast<std::ptrdiff_t>(crossings.size());
+    return static_cast<int>(2 * leaving - static_cast<std::ptrdiff_t>(crossings.size()));
+}
+
+bool sortCrossings(std::span<EdgeCrossing> crossings, bool firstKept) {
+    std::sort(crossings.begin(), crossings.end(), [](const auto& a, const auto& b) { return a.liesBefore(b); });
+    const int surplus = surplusOfLeaving(crossings);
     if (surplus < -1 || surplus > 1) return false;
-    bool expected = surplus == 0 ? crossings.front().leaves : surplus > 0;
+    bool expected = surplus == 0 ? firstKept : surplus > 0;
     for (auto place = crossings.begin(); place != crossings.end(); ++place, expected = !expected) {
         const auto fitting = std::find_if(place, crossings.end(), [&](const auto& c) { return c.leaves == expected; });
         std::rotate(place, fitting, fitting + 1);
@@ -54,10 +55,10 @@ public:
         }
     }
 
-    std::optional<ClippedTriangle> run(const std::array<bool, 3>& isForward, bool keepsCorners) {
-        if (!buildRing(isForward)) return std::nullopt;
+    std::optional<ClippedTriangle> run(const std::array<bool, 3>& isForward, const std::array<bool, 3>& keepsCorner) {
+        if (!buildRing(isForward, keepsCorner)) return std::nullopt;
         if (ring_.size() == 3) {
-            if (keepsCorners) outlines_.push_back({0, 1, 2});
+            if (keepsCorner[0]) outlines_.push_back({0, 1, 2});
         } else if (!traceFromBorder()) {
             return std::nullopt;
         }
@@ -87,7 +88,7 @@ private:
         bool leaves;
     };
 
-    bool buildRing(const std::array<bool, 3>& isForward) {
+    bool buildRing(const std::array<bool, 3>& isForward, const std::array<bool, 3>& keepsCorner) {
         ring_.reserve(3 + 2 * segments_.size());
         crossings_.reserve(2 * segments_.size());
         for (int edge = 0; edge < 3; ++edge) {
@@ -97,7 +98,7 @@ private:
                 if (start.edge == edge) crossings_.push_back({start.along, start.opponent, isForward[edge], i});
                 if (end.edge == edge) crossings_.push_back({end.along, end.opponent, !isForward[edge], i});
             }
-            if (!sortCrossings(crossings_)) return false;
+            if (!sortCrossings(crossings_, keepsCorner[isForward[edge] ? edge : (edge + 1) % 3])) return false;
             if (!isForward[edge]) std::reverse(crossings_.begin(), crossings_.end());
             ring_.push_back({static_cast<std::uint32_t>(edge), kNoSegment, false});
             for (const EdgeCrossing& crossing : crossings_) {
@@ -209,8 +210,9 @@ private:
 }  // namespace
 
 std::optional<ClippedTriangle> clipTriangle(const std::array<Vec3, 3>& corners, const std::array<bool, 3>& isForward,
-                                            const std::vector<ClipSegment>& segments, bool keepsCorners) {
-    return Clipper(corners, segments).run(isForward, keepsCorners);
+                                            const std::vector<ClipSegment>& segments,
+                                            const std::array<bool, 3>& keepsCorner) {
+    return Clipper(corners, segments).run(isForward, keepsCorner);
 }
 
 }  // namespace tactooth

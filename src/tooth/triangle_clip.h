@@ -33,21 +33,30 @@ struct ClippedTriangle {
 };
 
 /// Cuts a triangle along lines that run from border to border or close within it, and keeps what is left of them.
-/// `isForward[i]`: edge i runs from its canonical first end to its second. `keepsCorners`: what holds for the corners
-/// if no line reaches the border. Nothing if the lines do not fit together.
+/// `isForward[i]`: edge i runs from its canonical first end to its second. `keepsCorner`: what holds for each corner,
+/// where the lines do not tell. Nothing if the lines do not fit together.
 [[nodiscard]] std::optional<ClippedTriangle> clipTriangle(const std::array<Vec3, 3>& corners,
                                                           const std::array<bool, 3>& isForward,
-                                                          const std::vector<ClipSegment>& segments, bool keepsCorners);
+                                                          const std::vector<ClipSegment>& segments,
+                                                          const std::array<bool, 3>& keepsCorner);
 
-/// Crossings of one edge in the order in which they lie on it, seen along the canonical direction. Each either leaves
-/// the kept part or enters it, and they alternate; rounding that swaps near neighbours is put right.
+/// Where a cut line crosses an edge, seen along the canonical direction: it either leaves the kept part or enters it.
 struct EdgeCrossing {
     double along;
     std::uint64_t opponent;
     bool leaves;  ///< in canonical direction
     std::uint32_t segment;
+
+    [[nodiscard]] bool liesBefore(const EdgeCrossing& other) const {
+        return along != other.along ? along < other.along : opponent < other.opponent;
+    }
 };
-/// False if they cannot alternate.
-[[nodiscard]] bool sortCrossings(std::span<EdgeCrossing> crossings);
+/// How many more of the crossings of an edge leave the kept part than enter it. They can alternate if it is 1 or -1,
+/// which tells what becomes of the ends, or 0: then both are kept or neither.
+[[nodiscard]] int surplusOfLeaving(std::span<const EdgeCrossing> crossings);
+/// Brings the crossings of one edge into an order in which they alternate, as near as can be to that in which they lie
+/// on it: rounding may swap near neighbours, and so does a wall that is folded there. `firstKept`: the canonical first
+/// end, where the crossings do not tell. False if they cannot alternate.
+[[nodiscard]] bool sortCrossings(std::span<EdgeCrossing> crossings, bool firstKept);
 
 }  // namespace tactooth

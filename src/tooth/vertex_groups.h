@@ -13,12 +13,17 @@ namespace tactooth {
 struct EdgeEnds {
     bool firstKept;
     bool secondKept;
+    double weight;  ///< how sure this is: see VertexGroups::tell
 };
 
-/// Groups of vertices that no cut line separates: all of one group are kept or all are not. What is known best about
-/// any one of them decides for its group: a cut line beside it, else the largest distance.
+/// Groups of vertices that no cut line separates, or as many as bring back: all of one group are kept or all are not.
+/// What is known best about any one of them decides for its group: lines that separate it from another group, else the
+/// largest distance.
 class VertexGroups {
 public:
+    /// The weight of what lines that separate two vertices tell about them: more than any distance.
+    static constexpr double kProof = 1e9;
+
     explicit VertexGroups(std::size_t count) : parent_(count), known_(count), weight_(count, -1.0) {
         std::iota(parent_.begin(), parent_.end(), 0U);
     }
@@ -36,14 +41,12 @@ public:
         const std::uint32_t group = find(vertex);
         if (weight > weight_[group]) weight_[group] = weight, known_[group] = kept;
     }
-    /// Takes in an edge: its ends go together unless cut lines cross it.
+    /// Takes in an edge: its ends go together unless cut lines separate them.
     void learn(std::uint32_t first, std::uint32_t second, const std::optional<EdgeEnds>& ends) {
-        if (!ends) {
-            join(first, second);
-        } else {
-            tell(first, ends->firstKept, kProof);
-            tell(second, ends->secondKept, kProof);
-        }
+        if (!ends || ends->firstKept == ends->secondKept) join(first, second);
+        if (!ends) return;
+        tell(first, ends->firstKept, ends->weight);
+        tell(second, ends->secondKept, ends->weight);
     }
     [[nodiscard]] std::optional<bool> isKept(std::uint32_t vertex) {
         const std::uint32_t group = find(vertex);
@@ -52,9 +55,6 @@ public:
     }
 
 private:
-    /// The weight of a cut line that runs right beside a vertex: more than any distance.
-    static constexpr double kProof = 1e9;
-
     std::uint32_t find(std::uint32_t vertex) {
         while (parent_[vertex] != vertex) vertex = parent_[vertex] = parent_[parent_[vertex]];
         return vertex;
