@@ -5,10 +5,13 @@
 #include <gtest/gtest.h>
 
 #include "geometry/stl_writer.h"
+#include "support/mesh_checks.h"
 #include "support/test_data.h"
 
 namespace tactooth::test {
 namespace {
+
+const std::vector<std::string> kBurs{"2", "57", "35", "170", "330"};
 
 constexpr double kVolumeBound = 0.004;  // share of the counted volume by which that of the surface may differ
 /// mm; a float at 8 mm is exact to 5e-7, and a triangle whose corners lie off by that crosses its neighbour by as much.
@@ -40,7 +43,7 @@ ExportVerdict judged(const TriangleMesh& mesh) {
 }
 
 void expectSoundThroughout(TriangleMesh outer, const JudgedCutting& cutting) {
-    RandomCutting tooth(std::move(outer), cutting.voxel, {"2", "57", "35", "170", "330"}, cutting.seed);
+    RandomCutting tooth(std::move(outer), cutting.voxel, kBurs, cutting.seed);
     for (int stroke = 1; stroke <= cutting.strokes; ++stroke) {
         tooth.stroke();
         if (stroke % cutting.look != 0) continue;
@@ -50,6 +53,15 @@ void expectSoundThroughout(TriangleMesh outer, const JudgedCutting& cutting) {
         expectSound(verdict, 1 - tooth.removed() / tooth.whole(), cutting.voxel);
         EXPECT_NEAR(tooth.whole() - verdict.volume, tooth.removed(), kVolumeBound * tooth.removed() + 1e-3);
     }
+    EXPECT_GT(tooth.removed(), cutting.leastRemoved * tooth.whole());
+}
+
+void expectClosedAfter(TriangleMesh outer, const JudgedCutting& cutting) {
+    SCOPED_TRACE(::testing::Message() << "seed " << cutting.seed << ", strokes " << cutting.strokes);
+    RandomCutting tooth(std::move(outer), cutting.voxel, kBurs, cutting.seed);
+    for (int stroke = 0; stroke < cutting.strokes; ++stroke) tooth.stroke();
+    EXPECT_EQ(openEdges(tooth.mesh()), 0);
+    EXPECT_EQ(tooth.failures(), 0U);
     EXPECT_GT(tooth.removed(), cutting.leastRemoved * tooth.whole());
 }
 

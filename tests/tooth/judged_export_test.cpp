@@ -47,6 +47,14 @@ TEST(JudgedExport, ABallIsSoundThroughRandomCutting) {
                                 {.seed = 3, .strokes = test::cases(12, 4)});
 }
 
+/// In these two balls a wall folds over itself where it meets the ball's own surface, which once left a hole: the cut
+/// lines of one edge said two things of its ends.
+TEST(JudgedExport, ABallIsClosedWhereItsWallFoldsAtAnEdge) {
+    const TriangleMesh ball = test::sphere(Vec3(0.03, -0.02, -2), 2, 96, 64);
+    test::expectClosedAfter(ball, {.seed = 124, .strokes = 4});
+    test::expectClosedAfter(ball, {.seed = 107, .strokes = 12});
+}
+
 TEST(JudgedExport, APlateIsSoundThroughRandomCutting) {
     test::expectSoundThroughout(test::box(Vec3(-2.5, -2.5, -0.3), Vec3(2.5, 2.5, 0)),
                                 {.seed = 2, .strokes = test::cases(20, 4)});

@@ -11,6 +11,7 @@
 #include "geometry/stl_reader.h"
 #include "instruments/builtin_tooth.h"
 #include "support/mesh_checks.h"
+#include "support/sanitizer.h"
 #include "support/shapes.h"
 #include "support/test_data.h"
 #include "tooth/judged_cutting.h"
@@ -89,6 +90,14 @@ TEST(LongJudgedExport, BallsAreSoundUntilLittleIsLeft) {
     for (unsigned seed = 1; seed <= 4; ++seed) {
         test::expectSoundThroughout(test::sphere(Vec3(0.03, -0.02, -2), 2, 96, 64),
                                     {.seed = seed, .strokes = 120, .look = 20, .leastRemoved = 0.5});
+    }
+}
+
+/// What goes wrong once in some hundred strokes shows here.
+TEST(LongJudgedExport, BallsByTheDozenAreClosed) {
+    const unsigned last = test::cases(160U, 104U);
+    for (unsigned seed = 101; seed <= last; ++seed) {
+        test::expectClosedAfter(test::sphere(Vec3(0.03, -0.02, -2), 2, 96, 64), {.seed = seed, .strokes = 12});
     }
 }
 

@@ -27,6 +27,8 @@ public:
     void lookAfterEachMove(std::function<void()> look) { look_ = std::move(look); }
 
     [[nodiscard]] TriangleMesh mesh() const { return visibleMesh(*surface_.snapshot()).mesh; }
+    /// See LiveSurface::failures.
+    [[nodiscard]] std::size_t failures() const { return surface_.failures(); }
     /// Summed over the moves, mm^3.
     [[nodiscard]] double removed() const { return removed_; }
     /// Of the whole tooth, mm^3.
