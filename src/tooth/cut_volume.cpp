@@ -120,6 +120,23 @@ void CutVolume::makeBricks(std::vector<BrickKey> missing) {
     for (std::size_t i = 0; i < missing.size(); ++i) bricks_.insert(missing[i], std::move(made[i]));
 }
 
+/// The wall in a cell is drawn from all eight nodes of it, and the farthest may lie in a brick that no bur was near.
+void CutVolume::makeConcerned(const std::vector<ChangedBrick>& changed) {
+    std::vector<BrickKey> missing;
+    for (const ChangedBrick& brick : changed) {
+        const BrickMap::Around& around = bricks_.around(brick.key);
+        brick.forEachConcerned([&](int dx, int dy, int dz) {
+            if (around[13 + dx + 3 * dy + 9 * dz] != nullptr) return;
+            const BrickKey key = brick.key.moved(dx, dy, dz);
+            if (!bricks_.knows(key)) missing.push_back(key);
+        });
+    }
+    if (missing.empty()) return;
+    std::sort(missing.begin(), missing.end());
+    missing.erase(std::unique(missing.begin(), missing.end()), missing.end());
+    makeBricks(std::move(missing));
+}
+
 CarveResult CutVolume::carve(const RevolutionEnvelope& envelope, const Pose& fromInTooth, const Pose& toInTooth,
                              double clearance) {
     return carve(removable(envelope, fromInTooth, toInTooth, clearance));
@@ -139,6 +156,7 @@ CarveResult CutVolume::carve(const Removable& removable) {
     result.changed = traceBorder(removable);
     result.changed.insert(result.changed.end(), opened.begin(), opened.end());
     result.changed = merged(std::move(result.changed));
+    makeConcerned(result.changed);
     return result;
 }
 
@@ -272,6 +290,7 @@ std::vector<ChangedBrick> CutVolume::adopt(const std::map<BrickKey, CutField>& f
         bricks[i]->setField(fields.at(keys[i]));
         changed.push_back(ChangedBrick::all(keys[i]));
     }
+    makeConcerned(changed);
     return changed;
 }
 

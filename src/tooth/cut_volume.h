@@ -36,6 +36,19 @@ struct ChangedBrick {
     [[nodiscard]] bool isNone() const { return low[0] > high[0]; }
     void add(int node);
     void add(const ChangedBrick& other);
+
+    /// Calls `visit(dx, dy, dz)` for the brick itself and each around it (-1 to 1 on each axis) that has a node in a
+    /// cell with one that changed.
+    template <class Visit>
+    void forEachConcerned(const Visit& visit) const {
+        const auto first = [&](int axis) { return low[axis] == 0 ? -1 : 0; };
+        const auto last = [&](int axis) { return high[axis] == kBrickSide - 1 ? 1 : 0; };
+        for (int dx = first(0); dx <= last(0); ++dx) {
+            for (int dy = first(1); dy <= last(1); ++dy) {
+                for (int dz = first(2); dz <= last(2); ++dz) visit(dx, dy, dz);
+            }
+        }
+    }
 };
 
 /// One entry a brick that covers all changes of it, in ascending order of their keys; bricks without one are left out.
@@ -152,6 +165,7 @@ public:
 private:
     [[nodiscard]] std::vector<Brick*> bricksAt(const std::vector<BrickKey>& keys);
     void makeBricks(std::vector<BrickKey> missing);
+    void makeConcerned(const std::vector<ChangedBrick>& changed);
     [[nodiscard]] NodeSets nodesOf(const LoosePiece& piece);
     CarveResult removePieces(const NodeSets& pieces);
     [[nodiscard]] std::vector<ChangedBrick> traceBorder(const Removable& carved);

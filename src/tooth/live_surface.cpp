@@ -94,13 +94,7 @@ std::vector<BrickKey> LiveSurface::bricksToExtract(const CutVolume& volume,
                                                    const std::vector<ChangedBrick>& changed) const {
     std::vector<BrickKey> keys;
     for (const ChangedBrick& brick : changed) {
-        const auto first = [&](int axis) { return brick.low[axis] == 0 ? -1 : 0; };
-        const auto last = [&](int axis) { return brick.high[axis] == kBrickSide - 1 ? 1 : 0; };
-        for (int dx = first(0); dx <= last(0); ++dx) {
-            for (int dy = first(1); dy <= last(1); ++dy) {
-                for (int dz = first(2); dz <= last(2); ++dz) keys.push_back(brick.key.moved(dx, dy, dz));
-            }
-        }
+        brick.forEachConcerned([&](int dx, int dy, int dz) { keys.push_back(brick.key.moved(dx, dy, dz)); });
     }
     std::sort(keys.begin(), keys.end());
     keys.erase(std::unique(keys.begin(), keys.end()), keys.end());

@@ -184,6 +184,42 @@ TEST(CutVolume, RemovedNodesAreThoseWithANegativeDistance) {
     EXPECT_GT(removed, 1000U);
 }
 
+/// Keys of the bricks that are not known though one of their nodes is in a cell with a removed one.
+std::size_t unknownBesideTheWall(const CutVolume& volume) {
+    std::size_t unknown = 0;
+    for (const BrickKey& key : volume.bricks().keys()) {
+        for (int node = 0; node < kBrickNodes; ++node) {
+            if (!volume.bricks().find(key)->removed[node]) continue;
+            const auto [x, y, z] = placeOf(node);
+            const Eigen::Vector3i number = kBrickSide * Eigen::Vector3i(key.x, key.y, key.z) + Eigen::Vector3i(x, y, z);
+            for (int i = 0; i < 27; ++i) {
+                const Eigen::Vector3i beside = number + Eigen::Vector3i(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+                unknown += !volume.bricks().knows(NodePlace(beside).key);
+            }
+        }
+    }
+    return unknown;
+}
+
+// A wall that ends in the corner of a brick is drawn from nodes of the brick beyond, which no bur was near.
+TEST(CutVolume, EachNodeOfACellWithARemovedOneIsKnown) {
+    constexpr double kHead = 0.015;  // mm: one node fits in, and only the next ones on each axis are in reach
+    CutVolume volume(block(), kVoxel);
+    const Vec3 first = volume.lattice().corner({0, 0, -4});
+    const auto bur = envelopeOf(test::sphere(Vec3(0, 0, kHead), kHead, 16, 8));
+    const Pose there{first - kHead * Vec3::UnitZ(), Quat::Identity()};
+    EXPECT_GT(total(volume.carve(bur, there, there, 0).removed), 0);
+    EXPECT_TRUE(volume.bricks().find({0, 0, -4})->removed[0]);
+    EXPECT_EQ(unknownBesideTheWall(volume), 0U);
+
+    std::map<BrickKey, CutField> fields;
+    for (const BrickKey& key : volume.cutBricks()) fields[key] = *volume.bricks().find(key);
+    CutVolume again(block(), kVoxel);
+    EXPECT_FALSE(again.adopt(fields).empty());
+    EXPECT_EQ(again.hash(), volume.hash());
+    EXPECT_EQ(unknownBesideTheWall(again), 0U);
+}
+
 TEST(CutVolume, ABurInTheAirChangesNothing) {
     CutVolume volume(block(), kVoxel);
     const auto result = volume.carve(flatBur(0.4), at(0, 0, 0.5), at(1, 0, 0.5));

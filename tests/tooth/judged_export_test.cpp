@@ -55,6 +55,12 @@ TEST(JudgedExport, ABallIsClosedWhereItsWallFoldsAtAnEdge) {
     test::expectClosedAfter(ball, {.seed = 107, .strokes = 12});
 }
 
+/// Here a wall is drawn from a node of a brick that no bur was near.
+TEST(JudgedExport, ABallIsClosedWhereAWallEndsInTheCornerOfABrick) {
+    test::expectClosedAfter(test::sphere(Vec3(0.03, -0.02, -2), 2, 96, 64),
+                            {.seed = 510, .strokes = 7, .voxel = 0.025, .leastRemoved = 0.02});
+}
+
 TEST(JudgedExport, APlateIsSoundThroughRandomCutting) {
     test::expectSoundThroughout(test::box(Vec3(-2.5, -2.5, -0.3), Vec3(2.5, 2.5, 0)),
                                 {.seed = 2, .strokes = test::cases(20, 4)});
