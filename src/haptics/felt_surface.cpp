@@ -19,12 +19,12 @@ constexpr double kTurn = 0.008;
 constexpr double kMemory = 0.005;    // s: a bur that cuts goes by fits and starts
 constexpr double kShortest = 0.001;  // s: a look at each tick
 constexpr double kLongest = 0.05;    // s: after a longer pause the tool may be anywhere
-constexpr double kUntilNext = 3;     // pauses: a list lasts until the next one comes, and some more
+constexpr double kUntilNext = 1.5;   // pauses: a list lasts until the next one comes, and some more
 constexpr double kStray = 0.25;      // of the way expected: how far the tool may leave it
 constexpr double kFarthest = 0.2;    // mm: a longer list takes longer to make than it lasts
 constexpr double kCutAhead = 0.05;   // mm: what the bur gains until the next list, where a cut lets it
 constexpr double kApart = 1e-6;      // mm: what a tool keeps from the tooth is less, see SlidingBody::margin
-constexpr double kTrusted = 0.6;     // of the skin: a list is renewed while the tick can still wait for the new one
+constexpr double kTrusted = 0.8;     // of the skin: a list is renewed while the tick can still wait for the new one
 
 // While a long list is made the tool goes on, so that the next one has to reach farther still. So a list is no longer
 // than takes three milliseconds, and begins with the length that the last one ended with.

@@ -15,6 +15,9 @@ constexpr int kSearchRounds = 12;        ///< tangent cuts on a unit interval; t
 constexpr double kPlaneError = 1e-5;     ///< mm; more than rounding can take from a plane's distance
 /// mm; nearer than this the offset to a corner of the profile has no direction.
 constexpr float kNoDirection = 1e-6F;
+/// mm; of two pieces that all but go straight on, rounding may take the wrong one for the nearest: by as much as its
+/// square is less than this times the distance, a point can be beyond the end of a piece that it is really beside.
+constexpr float kBesideError = 1e-6F;
 /// Share by which a region is looked at wider: its points are rounded.
 constexpr double kRounding = 1e-6;
 
@@ -56,7 +59,7 @@ Vec3x8 SweepLanes::Frame::at(const Vec3x8& place) const {
 SweepLanes::SweepLanes(const SweepStep& step, const Vec3& first, double spacing, double side, double beyond,
                        const SweepStep::Look& middle)
     : step_(step), first_(first), spacing_(spacing) {
-    const double reach = (0.5 * side * std::sqrt(3.0) + beyond) * spacing + middle.way;
+    const double reach = (0.5 * side * std::sqrt(3.0) + beyond) * spacing + middle.way / 2;
     hasPart_ = step.envelope_->findPart(middle.pointInTool, middle.sample.distance, reach * (1 + kRounding), part_);
     searchedParts_ = part_.bulges ? 1 : step.parts_;
     const auto planeOf = [&](const Vec3& firstInTool, const Mat3& steps) {
@@ -107,8 +110,10 @@ SweepLanes::Profile8 SweepLanes::sampleProfile(const Vec3x8& point) const {
     const Float8 isCorner = isLess(zero8(), beyond * beyond);
     if (isAny(isCorner)) {
         const Float8 atEnd = whereLess(sides, zero8(), Float8::all(-1), one8());
-        const Float8 side = whereLess(beyond, zero8(), sides - atEnd - atEnd, atEnd);
         const Float8 size = sqrt(best);
+        const Float8 ofCorner = whereLess(beyond, zero8(), sides - atEnd - atEnd, atEnd);
+        const Float8 ofPiece = whereLess(outside, zero8(), Float8::all(-1), one8());
+        const Float8 side = whereLess(beyond * beyond, size * Float8::all(kBesideError), ofPiece, ofCorner);
         const Float8 hasDirection = isCorner * isLess(Float8::all(kNoDirection), size);
         const Float8 scale = side / max(size, Float8::all(kNoDirection));
         slopeR = choose(hasDirection, (beyond * directionR + outside * directionZ) * scale, slopeR);

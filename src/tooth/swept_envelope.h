@@ -21,21 +21,21 @@ public:
     /// Once the distance is known to be `atLeast` or more, that lower bound is returned instead.
     [[nodiscard]] FieldSample sample(const Vec3& point, double atLeast) const;
 
-    /// One look at the profile, from where the step ends.
+    /// One look at the profile, from the middle of a point's way.
     struct Look {
         Vec3 pointInTool;
         FieldSample sample;  ///< in the tool frame
         double way;          ///< of the point in the tool frame during the step, mm
     };
     [[nodiscard]] Look lookFrom(const Vec3& point) const {
-        const Vec3 end = to_.toTool(point);
-        return {end, envelope_->sample(end), (end - from_.toTool(point)).norm()};
+        const auto [middle, way] = wayOf(point);
+        return {middle, envelope_->sample(middle), way};
     }
     /// Lower bound of `sample` from such a look.
-    [[nodiscard]] double lowerBound(const Look& look) const { return look.sample.distance - look.way - clearance_; }
+    [[nodiscard]] double lowerBound(const Look& look) const { return look.sample.distance - look.way / 2 - clearance_; }
     [[nodiscard]] double lowerBound(const Vec3& point) const {
-        const Vec3 end = to_.toTool(point);
-        return envelope_->signedDistance(end) - (end - from_.toTool(point)).norm() - clearance_;
+        const auto [middle, way] = wayOf(point);
+        return envelope_->signedDistance(middle) - way / 2 - clearance_;
     }
 
     /// No point of the bur moves farther, mm.
@@ -56,6 +56,15 @@ private:
         FieldSample sample;  ///< in the tool frame
         double moment;       ///< 0 at the step's start, 1 at its end
     };
+    struct Way {
+        Vec3 middle;  ///< in the tool frame
+        double length;
+    };
+    [[nodiscard]] Way wayOf(const Vec3& point) const {
+        const Vec3 start = from_.toTool(point);
+        const Vec3 end = to_.toTool(point);
+        return {(start + end) / 2, (end - start).norm()};
+    }
     void searchPart(const Vec3& start, const Vec3& end, double first, double last, double limit, Nearest& best) const;
 
     const RevolutionEnvelope* envelope_;

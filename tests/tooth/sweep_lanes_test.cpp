@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
+#include <numbers>
 #include <random>
 
 #include "support/shapes.h"
@@ -182,6 +184,55 @@ TEST(SweepLanes, APointAtTheVeryHeightOfACornerOfTheProfileKeepsItsSide) {
         }
     }
     EXPECT_GT(inside, 100);
+}
+
+/// A cone of rings that stand on one line but for every second, a hair within: bridged, its profile goes straight on at
+/// each ring, or almost.
+TriangleMesh ringedCone() {
+    constexpr int kAround = 32;
+    constexpr int kRings = 9;
+    constexpr double kHair = 0.001;  // mm
+    TriangleMesh mesh;
+    for (int ring = 0; ring < kRings; ++ring) {
+        const double z = 0.25 * ring;
+        const double radius = 0.27 + 0.0523 * z - (ring % 2 == 0 ? 0 : kHair);
+        for (int i = 0; i < kAround; ++i) {
+            const double angle = 2 * std::numbers::pi * i / kAround;
+            mesh.vertices.emplace_back(Vec3(radius * std::cos(angle), radius * std::sin(angle), z).cast<float>());
+        }
+    }
+    for (std::uint32_t ring = 0; ring + 1 < kRings; ++ring) {
+        for (std::uint32_t i = 0; i < kAround; ++i) {
+            const std::uint32_t next = kAround * ring + (i + 1) % kAround;
+            const std::uint32_t here = kAround * ring + i;
+            mesh.triangles.push_back({here, next, here + kAround});
+            mesh.triangles.push_back({next, next + kAround, here + kAround});
+        }
+    }
+    return mesh;
+}
+
+TEST(SweepLanes, APointBesideACornerThatGoesStraightOnKeepsItsSide) {
+    const auto envelope = RevolutionEnvelope::make(ringedCone());
+    ASSERT_TRUE(envelope);
+    ASSERT_LT(envelope->profile().size(), 8U) << "or its rings were not bridged";
+    const Pose still{Vec3(3, -2, 5), Quat(Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()))};
+    const SweepStep step(*envelope, still, still, 0);
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    int inside = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        const auto& corner = envelope->profile()[2 + i % (envelope->profile().size() - 4)];
+        const double off = 0.25 * unit(random);
+        const Vec3 onAxis(0, 0, corner.z - 0.0523 * off + 3e-4 * unit(random));
+        const Vec3 point = still * (onAxis + Vec3(corner.radius + off, 0, 0));
+        const SweepLanes lanes(step, point - Vec3::Constant(0.5 * kSide * kSpacing), kSpacing, kSide, 0);
+        const Float8 middle = Float8::all(0.5 * kSide);
+        const Lanes found(lanes.sample({middle, middle, middle}, Float8::all(1)));
+        ASSERT_NEAR(found.distance[0], step.sample(point, kNoBound).distance, kFloatError) << i;
+        inside += found.distance[0] < 0;
+    }
+    EXPECT_GT(inside, 5000);
 }
 
 // Beside a waist the distance along a step has two valleys: each part of the step is searched.
