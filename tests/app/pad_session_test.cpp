@@ -7,7 +7,9 @@
 #include <QElapsedTimer>
 #include <QFileDialog>
 #include <QMenu>
+#include <QMenuBar>
 #include <QPushButton>
+#include <QThread>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -32,6 +34,7 @@ private slots:
     void theMenuTakesTheCutBack();
     void aMenuShowsTheToothFromAbove();
     void whileAMenuIsOpenTheToolStaysAndNothingToggles();
+    void pressesThatComeAtOnceAreEachFollowed();
     void startClosesMenusAndBackLeavesPanels();
     void anArrowThatIsHeldGoesOn();
     void thePadTurnsShiftsAndEnlargesThePicture();
@@ -220,6 +223,23 @@ void PadSessionTest::whileAMenuIsOpenTheToolStaysAndNothingToggles() {
     stick(SDL_CONTROLLER_AXIS_LEFTX, 1);
     QTRY_VERIFY(moved() > 1);
     stick(SDL_CONTROLLER_AXIS_LEFTX, 0);
+}
+
+/// A window that is busy hears of several presses at one time.
+void PadSessionTest::pressesThatComeAtOnceAreEachFollowed() {
+    press(SDL_CONTROLLER_BUTTON_START);
+    QTRY_VERIFY(menu() != nullptr);
+    const QList<QAction*> menus = window_->menuBar()->actions();
+    QCOMPARE(menu()->menuAction(), menus[0]);
+    for (int i = 0; i < 3; ++i) {
+        pad_->button(SDL_CONTROLLER_BUTTON_DPAD_RIGHT, true);
+        QThread::msleep(40);  // the window stands still
+        pad_->button(SDL_CONTROLLER_BUTTON_DPAD_RIGHT, false);
+        QThread::msleep(40);
+    }
+    QTRY_VERIFY(menu() != nullptr && menu()->menuAction() == menus[3]);
+    press(SDL_CONTROLLER_BUTTON_START);
+    QTRY_VERIFY(menu() == nullptr);
 }
 
 void PadSessionTest::startClosesMenusAndBackLeavesPanels() {

@@ -172,18 +172,33 @@ bool PadKeys::isFromBar(const QWidget& front) const {
     return menu != nullptr && window_.menuBar()->actions().contains(menu->menuAction());
 }
 
+/// To what is in front when the key's turn comes: in a window that is drawn late two presses come at once, and the
+/// first of them may open another menu.
+void PadKeys::postToFront(Qt::Key key) {
+    const auto send = [this, key] {
+        const QPointer<QWidget> taker = inFront();
+        if (taker == nullptr) return;
+        QKeyEvent pressed(QEvent::KeyPress, key, Qt::NoModifier);
+        QCoreApplication::sendEvent(taker, &pressed);
+        if (taker == nullptr) return;
+        QKeyEvent released(QEvent::KeyRelease, key, Qt::NoModifier);
+        QCoreApplication::sendEvent(taker, &released);
+    };
+    QMetaObject::invokeMethod(&window_, send, Qt::QueuedConnection);
+}
+
 void PadKeys::pressInFront(PadButton button, QWidget& taker) {
     using enum PadButton;
-    if (const auto key = arrowKeyOf(button)) return post(taker, *key);
+    if (const auto key = arrowKeyOf(button)) return postToFront(*key);
     switch (button) {
         case A:
             return activate(taker);
         case B:
             return isFromBar(taker) ? closeFront() : post(taker, Qt::Key_Escape);
         case LeftShoulder:
-            return post(taker, Qt::Key_Backtab);
+            return postToFront(Qt::Key_Backtab);
         case RightShoulder:
-            return post(taker, Qt::Key_Tab);
+            return postToFront(Qt::Key_Tab);
         case Start:
             return closeFront();
         default:

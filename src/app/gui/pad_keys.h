@@ -34,6 +34,7 @@ private:
     [[nodiscard]] const JoystickState* find(const std::vector<JoystickState>& joysticks) const;
     bool takePresses(const PadButtons& now);
     void press(PadButton button);
+    void postToFront(Qt::Key key);
     void pressInFront(PadButton button, QWidget& taker);
     void pressInPanel(PadButton button);
     void repeatArrow(const PadButtons& now, double dt);
