@@ -25,24 +25,6 @@ double sixfoldVolume(const TriangleMesh& mesh, std::size_t t) {
     return mesh.corner(t, 0).dot(mesh.corner(t, 1).cross(mesh.corner(t, 2)));
 }
 
-/// Those that hang together, equal points being one, each named by one of its points.
-struct Pieces {
-    explicit Pieces(const TriangleMesh& mesh) {
-        const TriangleMesh joined = welded(mesh);
-        DisjointSets sets(joined.vertices.size());
-        for (const Triangle& triangle : joined.triangles) {
-            sets.join(triangle[0], triangle[1]);
-            sets.join(triangle[1], triangle[2]);
-        }
-        for (std::size_t t = 0; t < joined.triangles.size(); ++t) {
-            ofTriangle.push_back(sets.find(joined.triangles[t][0]));
-            volumes[ofTriangle.back()] += sixfoldVolume(joined, t) / 6;
-        }
-    }
-    std::vector<std::uint32_t> ofTriangle;
-    std::map<std::uint32_t, double> volumes;  // mm^3
-};
-
 }  // namespace
 
 int unpairedEdges(const TriangleMesh& mesh) {
@@ -64,19 +46,19 @@ double volumeOf(const TriangleMesh& mesh) {
 }
 
 std::vector<double> pieceVolumes(const TriangleMesh& mesh) {
-    std::vector<double> result;
-    for (const auto& [piece, volume] : Pieces(mesh).volumes) result.push_back(volume);
-    return result;
-}
-
-TriangleMesh withoutDust(const TriangleMesh& mesh, double least) {
-    const Pieces pieces(mesh);
-    TriangleMesh rest = mesh;
-    rest.triangles.clear();
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        if (pieces.volumes.at(pieces.ofTriangle[t]) >= least) rest.triangles.push_back(mesh.triangles[t]);
+    const TriangleMesh joined = welded(mesh);
+    DisjointSets sets(joined.vertices.size());
+    for (const Triangle& triangle : joined.triangles) {
+        sets.join(triangle[0], triangle[1]);
+        sets.join(triangle[1], triangle[2]);
     }
-    return rest;
+    std::map<std::uint32_t, double> volumes;
+    for (std::size_t t = 0; t < joined.triangles.size(); ++t) {
+        volumes[sets.find(joined.triangles[t][0])] += sixfoldVolume(joined, t) / 6;
+    }
+    std::vector<double> result;
+    for (const auto& [first, volume] : volumes) result.push_back(volume);
+    return result;
 }
 
 bool areBitEqual(const TriangleMesh& a, const TriangleMesh& b) {

@@ -19,8 +19,6 @@ namespace tactooth::test {
 
 /// The same of each piece that hangs together, equal points being one.
 [[nodiscard]] std::vector<double> pieceVolumes(const TriangleMesh& mesh);
-/// Without the pieces that enclose less than `least`, mm^3.
-[[nodiscard]] TriangleMesh withoutDust(const TriangleMesh& mesh, double least);
 
 [[nodiscard]] bool areBitEqual(const TriangleMesh& a, const TriangleMesh& b);
 

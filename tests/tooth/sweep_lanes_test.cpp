@@ -191,7 +191,7 @@ TEST(SweepLanes, APointAtTheVeryHeightOfACornerOfTheProfileKeepsItsSide) {
 TriangleMesh ringedCone() {
     constexpr int kAround = 32;
     constexpr int kRings = 9;
-    constexpr double kHair = 0.001;  // mm
+    constexpr double kHair = 0.0003;  // mm
     TriangleMesh mesh;
     for (int ring = 0; ring < kRings; ++ring) {
         const double z = 0.25 * ring;
