@@ -3,6 +3,8 @@
 #include "app/gui/window_setup.h"
 
 #include <QApplication>
+#include <QDialog>
+#include <QEvent>
 #include <QFont>
 #include <QLibraryInfo>
 #include <QLocale>
@@ -26,12 +28,38 @@ void useOpenGl41() {
     QSurfaceFormat::setDefaultFormat(format);
 }
 
+/// When a dialog ends, its window has the keyboard again, as window managers do it. Where none runs (a kiosk), nobody
+/// would; and Qt, which lends it to each menu, takes the program for left and closes them all when the next menu comes
+/// later than 0.1 s after the last.
+class KeyboardReturns : public QObject {
+public:
+    using QObject::QObject;
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (event->type() == QEvent::Hide) {
+            const auto* const dialog = qobject_cast<QDialog*>(watched);
+            if (dialog != nullptr && dialog->parentWidget() != nullptr && nobodyHasIt()) {
+                dialog->parentWidget()->activateWindow();
+            }
+        }
+        return QObject::eventFilter(watched, event);
+    }
+
+private:
+    /// But it is still in the program.
+    [[nodiscard]] static bool nobodyHasIt() {
+        return QApplication::activeWindow() == nullptr && QApplication::applicationState() == Qt::ApplicationActive;
+    }
+};
+
 }  // namespace
 
 std::unique_ptr<QApplication> startApplication(int& argc, char** argv) {
     prepareAudioLibraries();
     useOpenGl41();
     auto application = std::make_unique<QApplication>(argc, argv);
+    application->installEventFilter(new KeyboardReturns(application.get()));
     QApplication::setStyle(QStyleFactory::create("Fusion"));
     applyColours(false);
     QApplication::setApplicationName("Tactooth");
