@@ -120,6 +120,8 @@ std::shared_ptr<const Surface> Simulator::surface() const {
     return watchedSurface_;
 }
 
+TaggedMesh Simulator::exported() const { return exportedMesh(*surface(), piece_->volume().lattice().spacing()); }
+
 ToothLoss Simulator::loss() const {
     const std::lock_guard lock(watched_);
     return watchedLoss_;

@@ -72,6 +72,8 @@ public:
 
     /// Any thread.
     [[nodiscard]] std::shared_ptr<const Surface> surface() const;
+    /// The surface as files have it: see exportedMesh.
+    [[nodiscard]] TaggedMesh exported() const;
     [[nodiscard]] MaterialVolumes removed() const { return loss().removed; }
     [[nodiscard]] ToothLoss loss() const;
     [[nodiscard]] const ServoTiming& timing() const { return loop_->timing(); }

@@ -8,6 +8,7 @@
 
 #include "haptics/haptic_simulation.h"
 #include "tooth/bur_feed.h"
+#include "tooth/exported_mesh.h"
 #include "tooth/live_surface.h"
 
 namespace tactooth {
@@ -51,6 +52,8 @@ public:
     WorkPiece(std::shared_ptr<const LayeredTooth> tooth, double voxel);
 
     [[nodiscard]] const std::shared_ptr<const Surface>& surface() const { return live_.snapshot(); }
+    /// The surface as files have it: see exportedMesh.
+    [[nodiscard]] TaggedMesh exported() const { return exportedMesh(*surface(), volume_.lattice().spacing()); }
     /// What a hand feels: the surface, and the bodies around it as further patches.
     [[nodiscard]] std::shared_ptr<const Surface> felt() const { return surrounded(surface(), surroundings_); }
     [[nodiscard]] const MaterialVolumes& removed() const { return loss_.removed; }

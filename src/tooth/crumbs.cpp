@@ -4,8 +4,7 @@
 
 #include <vector>
 
-#include "geometry/disjoint_sets.h"
-#include "geometry/vertex_welder.h"
+#include "tooth/mesh_bits.h"
 
 namespace tactooth {
 namespace {
@@ -37,24 +36,16 @@ NodesAround nodesAround(const BrickMap& bricks, const Lattice& lattice, const Ve
 }  // namespace
 
 NodeSets nodesBesideCrumbs(const Surface& surface, const BrickMap& bricks, const Lattice& lattice) {
-    const TriangleMesh mesh = visibleMesh(surface).mesh;
-    VertexWelder welder(mesh.vertices.size());
-    std::vector<std::uint32_t> numbers(mesh.vertices.size());
-    welder.addAll(mesh.vertices, numbers.data());
-    const std::vector<Vec3f> points = welder.takeVertices();
-    DisjointSets bits(points.size());
-    for (const Triangle& triangle : mesh.triangles) {
-        bits.join(numbers[triangle[0]], numbers[triangle[1]]);
-        bits.join(numbers[triangle[1]], numbers[triangle[2]]);
-    }
+    MeshBits bits(visibleMesh(surface).mesh);
+    const std::vector<Vec3f>& points = bits.points();
     std::vector<bool> isHeld(points.size());  // by the first point of each bit: the lowest number
     for (std::uint32_t i = 0; i < points.size(); ++i) {
-        const std::uint32_t bit = bits.find(i);
+        const std::uint32_t bit = bits.ofPoint(i);
         if (!isHeld[bit]) isHeld[bit] = nodesAround(bricks, lattice, points[i].cast<double>()).isHeld;
     }
     NodeSets beside;
     for (std::uint32_t i = 0; i < points.size(); ++i) {
-        if (isHeld[bits.find(i)]) continue;
+        if (isHeld[bits.ofPoint(i)]) continue;
         const NodesAround around = nodesAround(bricks, lattice, points[i].cast<double>());
         for (const auto& [key, nodes] : around.air) beside[key] |= nodes;
     }

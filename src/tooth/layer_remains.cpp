@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tooth/layer_remains.h"
 
+#include "tooth/exported_mesh.h"
 #include "tooth/live_surface.h"
 
 namespace tactooth {
@@ -14,7 +15,7 @@ TriangleMesh remainsOf(const TriangleMesh& layer, double voxel, const std::map<B
     CutVolume volume(std::make_shared<const LayeredTooth>(std::move(*tooth)), voxel);
     LiveSurface surface(volume);
     surface.update(volume, volume.adopt(cuts));
-    return visibleMesh(*surface.snapshot()).mesh;
+    return exportedMesh(*surface.snapshot(), voxel).mesh;
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ using ProfilePoint = RevolutionEnvelope::ProfilePoint;
 constexpr double kSameHeight = 1e-6;        ///< mm; vertex heights closer than this are one (an STL's rounding)
 constexpr double kChordError = 0.0004;      ///< mm; how far a chord may stand out from its arc
 constexpr double kSimplification = 0.0002;  ///< mm; how far a dropped corner may lie from the simplified profile
-constexpr double kShallow = 0.0004;         ///< mm; a dent no deeper is bridged
+constexpr double kShallow = 0.002;          ///< mm; a dent no deeper is bridged
 
 struct Edge {
     Vec3 low, high;

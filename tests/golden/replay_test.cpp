@@ -15,7 +15,7 @@
 namespace tactooth {
 namespace {
 
-constexpr std::uint64_t kGolden = 0x80df7ab294638d1fULL;
+constexpr std::uint64_t kGolden = 0xa34aa25b3fa7e057ULL;
 
 constexpr double kTick = 0.001;
 constexpr double kVoxel = 0.05;

@@ -47,9 +47,10 @@ void expectSoundThroughout(TriangleMesh outer, const JudgedCutting& cutting) {
     for (int stroke = 1; stroke <= cutting.strokes; ++stroke) {
         tooth.stroke();
         if (stroke % cutting.look != 0) continue;
-        if (tooth.mesh().triangles.empty()) break;  // all is cut away
+        const TriangleMesh mesh = tooth.exported();
+        if (mesh.triangles.empty()) break;  // all is cut away
         SCOPED_TRACE(::testing::Message() << "seed " << cutting.seed << ", stroke " << stroke);
-        const ExportVerdict verdict = judged(tooth.mesh());
+        const ExportVerdict verdict = judged(mesh);
         expectSound(verdict, 1 - tooth.removed() / tooth.whole(), cutting.voxel);
         EXPECT_NEAR(tooth.whole() - verdict.volume, tooth.removed(), kVolumeBound * tooth.removed() + 1e-3);
     }

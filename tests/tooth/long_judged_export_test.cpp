@@ -56,22 +56,19 @@ std::map<std::string, TriangleMesh> scans() {
     return teeth;
 }
 
-constexpr double kVoxelVolume = 0.05 * 0.05 * 0.05;  // mm^3
-
-/// After each stroke all that has come loose falls. What is smaller than a voxel may hang right beside a node that
-/// stays.
+/// After each stroke all that has come loose falls.
 void expectOnePieceAfterEveryStroke(TriangleMesh outer, unsigned seed, int strokes) {
     test::RandomCutting tooth(std::move(outer), 0.05, {"2", "57", "35", "170", "330"}, seed);
     std::size_t fallen = 0;
     for (int stroke = 1; stroke <= strokes; ++stroke) {
         tooth.stroke();
         fallen += tooth.letFall();
-        if (tooth.mesh().triangles.empty()) break;
-        const test::ExportVerdict verdict = test::judged(tooth.mesh());
+        const TriangleMesh mesh = tooth.exported();
+        if (mesh.triangles.empty()) break;
+        const test::ExportVerdict verdict = test::judged(mesh);
         SCOPED_TRACE(::testing::Message() << "seed " << seed << ", stroke " << stroke);
         EXPECT_TRUE(verdict.isSound()) << verdict;
-        const std::vector<double> pieces = test::pieceVolumes(tooth.mesh());
-        EXPECT_EQ(std::ranges::count_if(pieces, [](double volume) { return volume > kVoxelVolume; }), 1) << verdict;
+        EXPECT_EQ(test::pieceVolumes(mesh).size(), 1U) << verdict;
         EXPECT_NEAR(tooth.whole() - verdict.volume, tooth.removed(), 0.003 * tooth.removed() + 1e-4);
     }
     EXPECT_GT(fallen, 10U);
@@ -102,7 +99,7 @@ TEST(LongJudgedExport, BallsByTheDozenAreClosed) {
 }
 
 TEST(LongJudgedExport, PlatesAreSoundUntilLittleIsLeft) {
-    for (const unsigned seed : {1U, 2U, 4U}) {  // seed 3: docs/cutting.md tells of its crumb
+    for (unsigned seed = 1; seed <= 4; ++seed) {
         test::expectSoundThroughout(test::box(Vec3(-2.5, -2.5, -0.3), Vec3(2.5, 2.5, 0)),
                                     {.seed = seed, .strokes = 120, .look = 20, .leastRemoved = 0.5});
     }

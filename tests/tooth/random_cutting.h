@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "tooth/exported_mesh.h"
 #include "tooth/live_surface.h"
 
 namespace tactooth::test {
@@ -26,7 +27,12 @@ public:
     /// To be called after each move of the strokes to come: a stroke is some tens of them.
     void lookAfterEachMove(std::function<void()> look) { look_ = std::move(look); }
 
+    /// What a hand feels ...
     [[nodiscard]] TriangleMesh mesh() const { return visibleMesh(*surface_.snapshot()).mesh; }
+    /// ... and what files have of it.
+    [[nodiscard]] TriangleMesh exported() const {
+        return exportedMesh(*surface_.snapshot(), volume_.lattice().spacing()).mesh;
+    }
     /// See LiveSurface::failures.
     [[nodiscard]] std::size_t failures() const { return surface_.failures(); }
     /// Summed over the moves, mm^3.

@@ -169,7 +169,7 @@ int runCut(const CutOptions& options) {
                                     tool->envelope.maxRadius(), piece.surface(), settings);
         cutByLaw(*path, *tool, *materials, simulation, piece, visit);
     }
-    const TaggedMesh cut = visibleToothMesh(*piece.surface());
+    const TaggedMesh cut = piece.exported();
     if (const auto done = files.finish(cut.mesh); !done) return refuse(done.error());
     if (!options.save.empty()) {
         const auto saved = saveTooth(piece, savedNow(tooth->provenance), options.save);

@@ -153,7 +153,7 @@ Expected<void> writeResults(const fs::path& folder, const Demonstration& played,
     if (!samples) return Unexpected{samples.error()};
     if (auto done = writeWav(folder / "session.wav", *samples); !done) return done;
     if (auto done = writeTicks(folder / "forces.csv", played.ticks); !done) return done;
-    if (auto done = writeStl(visibleToothMesh(*piece.surface()).mesh, folder / "cut.stl"); !done) return done;
+    if (auto done = writeStl(piece.exported().mesh, folder / "cut.stl"); !done) return done;
     return writeFile(folder / "summary.json", demoSummary(played, piece, cast.toothName, cast.burName));
 }
 

@@ -111,7 +111,7 @@ void MainWindow::openBur(const QString& file) {
 void MainWindow::exportTooth(const QString& file) {
     if (bench_.simulator() == nullptr) return;
     folder_ = folderOf(file);
-    const Expected<void> written = writeStl(visibleToothMesh(*bench_.simulator()->surface()).mesh, file.toStdString());
+    const Expected<void> written = writeStl(bench_.simulator()->exported().mesh, file.toStdString());
     if (!written) return complain(written.error());
     status_->setHint(tr("The tooth was written to %1").arg(file));
 }
