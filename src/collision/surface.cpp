@@ -5,6 +5,8 @@
 #include <atomic>
 #include <cassert>
 
+#include "geometry/append_chosen.h"
+
 namespace tactooth {
 namespace {
 
@@ -23,22 +25,11 @@ bool isCollapsed(const TriangleMesh& mesh, const Triangle& triangle) {
 
 template <class LeavesOut>
 void append(TaggedMesh& result, const SurfacePart& part, const LeavesOut& leavesOut) {
-    const TriangleMesh& mesh = part.mesh();
-    std::vector<std::uint32_t> renumbered(mesh.vertices.size(), UINT32_MAX);
-    for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-        if (leavesOut(i)) continue;
-        Triangle triangle;
-        for (int corner = 0; corner < 3; ++corner) {
-            std::uint32_t& vertex = renumbered[mesh.triangles[i][corner]];
-            if (vertex == UINT32_MAX) {
-                vertex = static_cast<std::uint32_t>(result.mesh.vertices.size());
-                result.mesh.vertices.push_back(mesh.vertices[mesh.triangles[i][corner]]);
-            }
-            triangle[corner] = vertex;
-        }
-        result.mesh.triangles.push_back(triangle);
+    appendChosen(result.mesh, part.mesh(), [&](std::uint32_t i) {
+        if (leavesOut(i)) return false;
         result.tags.push_back(part.tag(i));
-    }
+        return true;
+    });
 }
 
 template <class LeavesOut>

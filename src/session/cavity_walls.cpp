@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "collision/closest_point.h"
+#include "geometry/append_chosen.h"
 #include "geometry/parallel_for.h"
 
 // The distance to a surface changes by no more than the way one goes (it is 1-Lipschitz): an edge whose ends are both
@@ -81,19 +82,9 @@ public:
 
 private:
     void forgetUnusedVertices() {
-        constexpr std::uint32_t kUnused = UINT32_MAX;
-        std::vector<std::uint32_t> placeOf(mesh_.vertices.size(), kUnused);
-        std::vector<Vec3f> used;
-        for (Triangle& triangle : mesh_.triangles) {
-            for (std::uint32_t& corner : triangle) {
-                if (placeOf[corner] == kUnused) {
-                    placeOf[corner] = static_cast<std::uint32_t>(used.size());
-                    used.push_back(mesh_.vertices[corner]);
-                }
-                corner = placeOf[corner];
-            }
-        }
-        mesh_.vertices = std::move(used);
+        TriangleMesh used;
+        appendChosen(used, mesh_, [](std::uint32_t) { return true; });
+        mesh_ = std::move(used);
     }
 
     void measureFrom(std::size_t first) {

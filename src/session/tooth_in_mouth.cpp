@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cstdlib>
 
+#include "geometry/append_chosen.h"
 #include "geometry/parallel_for.h"
 
 namespace tactooth {
@@ -93,22 +94,10 @@ Expected<ToothInMouth> toothInMouth(int fdi, const std::optional<Lesion>& lesion
 TriangleMesh aboveTheGum(const TriangleMesh& tooth) {
     constexpr float kBelowNeck = -1.0F;  // mm: the gum's margin stands above the neck all around
     TriangleMesh shown;
-    std::vector<std::uint32_t> renumbered(tooth.vertices.size(), UINT32_MAX);
-    for (const Triangle& triangle : tooth.triangles) {
-        const bool isDeep = std::ranges::all_of(
-            triangle, [&](std::uint32_t vertex) { return tooth.vertices[vertex].z() < kBelowNeck; });
-        if (isDeep) continue;
-        Triangle kept;
-        for (int corner = 0; corner < 3; ++corner) {
-            std::uint32_t& vertex = renumbered[triangle[corner]];
-            if (vertex == UINT32_MAX) {
-                vertex = static_cast<std::uint32_t>(shown.vertices.size());
-                shown.vertices.push_back(tooth.vertices[triangle[corner]]);
-            }
-            kept[corner] = vertex;
-        }
-        shown.triangles.push_back(kept);
-    }
+    appendChosen(shown, tooth, [&](std::uint32_t i) {
+        return !std::ranges::all_of(tooth.triangles[i],
+                                    [&](std::uint32_t vertex) { return tooth.vertices[vertex].z() < kBelowNeck; });
+    });
     return shown;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/append_chosen.h"
 #include "tooth/mesh_bits.h"
 
 namespace tactooth {
@@ -42,26 +43,6 @@ std::vector<Bit> measured(const TriangleMesh& mesh, MeshBits& bits, std::size_t 
     return result;
 }
 
-template <class Stays>
-TaggedMesh part(const TaggedMesh& whole, const Stays& stays) {
-    TaggedMesh result;
-    std::vector<std::uint32_t> numbers(whole.mesh.vertices.size(), UINT32_MAX);
-    for (std::size_t t = 0; t < whole.mesh.triangles.size(); ++t) {
-        Triangle triangle = whole.mesh.triangles[t];
-        if (!stays(triangle)) continue;
-        for (std::uint32_t& vertex : triangle) {
-            if (numbers[vertex] == UINT32_MAX) {
-                numbers[vertex] = static_cast<std::uint32_t>(result.mesh.vertices.size());
-                result.mesh.vertices.push_back(whole.mesh.vertices[vertex]);
-            }
-            vertex = numbers[vertex];
-        }
-        result.mesh.triangles.push_back(triangle);
-        result.tags.push_back(whole.tags[t]);
-    }
-    return result;
-}
-
 }  // namespace
 
 TaggedMesh exportedMesh(const Surface& surface, double voxel) {
@@ -71,7 +52,13 @@ TaggedMesh exportedMesh(const Surface& surface, double voxel) {
     const std::vector<Bit> all = measured(whole.mesh, bits, countOfBase(surface));
     const auto isSpeck = [&](const Bit& bit) { return bit.isCut && std::abs(bit.volume) < voxel * voxel * voxel; };
     if (std::ranges::none_of(all, isSpeck)) return whole;
-    return part(whole, [&](const Triangle& triangle) { return !isSpeck(all[bits.ofVertex(triangle[0])]); });
+    TaggedMesh result;
+    appendChosen(result.mesh, whole.mesh, [&](std::uint32_t t) {
+        if (isSpeck(all[bits.ofVertex(whole.mesh.triangles[t][0])])) return false;
+        result.tags.push_back(whole.tags[t]);
+        return true;
+    });
+    return result;
 }
 
 }  // namespace tactooth

@@ -47,7 +47,7 @@ protected:
     }
 
 private:
-    /// But it is still in the program.
+    /// No window of the program, and no other program either.
     [[nodiscard]] static bool nobodyHasIt() {
         return QApplication::activeWindow() == nullptr && QApplication::applicationState() == Qt::ApplicationActive;
     }
