@@ -265,7 +265,7 @@ private:
         BorderCrossing& stored = brick_.border[edge.axis][low.node];
         if (moved == stored.place && turned == stored.normal) return;
         stored = {moved, turned};
-        changed_.add(low.node);
+        changed_.addEdge(low.node, edge.axis);
     }
 
     ChangedBrick changed_;

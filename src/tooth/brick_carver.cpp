@@ -244,7 +244,7 @@ ChangedBrick carveBrick(Brick& brick, const RemovableInBrick& found, std::uint64
         if (brick.cut[node] >= 0 && lowered.distance < 0) {
             brick.opened.set(node);
             brick.setRemoved(node);
-            changed.add(node);
+            changed.addNode(node);
         }
         brick.cut[node] = lowered.distance;
         brick.cutNormal[node] = lowered.normal;

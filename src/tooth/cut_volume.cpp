@@ -35,6 +35,24 @@ void gather(std::vector<RemovableInBrick>& parts, Removable& result) {
     }
 }
 
+/// Where a node is along one side of a brick: 0 at the beginning, 2 at the end, 1 between.
+constexpr int endOf(int place) { return place == 0 ? 0 : place == kBrickSide - 1 ? 2 : 1; }
+
+/// By `endOf` on each axis: the bricks that have a node at most one step from such a node on each axis.
+constexpr auto kConcerned = [] {
+    std::array<std::array<std::array<std::uint32_t, 3>, 3>, 3> table{};
+    const auto reaches = [](int end, int step) { return step == 1 || step == end; };
+    for (int node = 0; node < 27; ++node) {
+        const std::array<int, 3> end = {node % 3, node / 3 % 3, node / 9};
+        std::uint32_t& bricks = table[end[0]][end[1]][end[2]];
+        for (int i = 0; i < 27; ++i) {
+            if (!reaches(end[0], i % 3) || !reaches(end[1], i / 3 % 3) || !reaches(end[2], i / 9)) continue;
+            bricks |= 1U << i;
+        }
+    }
+    return table;
+}();
+
 std::uint64_t fnv1a(std::uint64_t hash, std::uint64_t value) {
     for (int byte = 0; byte < 8; ++byte) hash = (hash ^ (value >> (8 * byte) & 0xFF)) * 0x100000001b3ULL;
     return hash;
@@ -42,20 +60,16 @@ std::uint64_t fnv1a(std::uint64_t hash, std::uint64_t value) {
 
 }  // namespace
 
-void ChangedBrick::add(int node) {
-    const std::array<int, 3> place = placeOf(node);
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto layer = static_cast<std::uint8_t>(place[axis]);
-        low[axis] = std::min(low[axis], layer);
-        high[axis] = std::max(high[axis], layer);
-    }
+void ChangedBrick::addNode(int node) {
+    const auto [x, y, z] = placeOf(node);
+    concerned |= kConcerned[endOf(x)][endOf(y)][endOf(z)];
 }
 
-void ChangedBrick::add(const ChangedBrick& other) {
-    for (int axis = 0; axis < 3; ++axis) {
-        low[axis] = std::min(low[axis], other.low[axis]);
-        high[axis] = std::max(high[axis], other.high[axis]);
-    }
+void ChangedBrick::addEdge(int node, int axis) {
+    const std::array<int, 3> place = placeOf(node);
+    std::array<int, 3> ends = {endOf(place[0]), endOf(place[1]), endOf(place[2])};
+    if (place[axis] == 0) ends[axis] = 1;  // it leads away from the brick before
+    concerned |= kConcerned[ends[0]][ends[1]][ends[2]];
 }
 
 std::vector<ChangedBrick> merged(std::vector<ChangedBrick> changes) {
@@ -125,9 +139,9 @@ void CutVolume::makeConcerned(const std::vector<ChangedBrick>& changed) {
     std::vector<BrickKey> missing;
     for (const ChangedBrick& brick : changed) {
         const BrickMap::Around& around = bricks_.around(brick.key);
-        brick.forEachConcerned([&](int dx, int dy, int dz) {
-            if (around[13 + dx + 3 * dy + 9 * dz] != nullptr) return;
-            const BrickKey key = brick.key.moved(dx, dy, dz);
+        brick.forEachConcerned([&](int i) {
+            if (around[i] != nullptr) return;
+            const BrickKey key = brick.key.neighbour(i);
             if (!bricks_.knows(key)) missing.push_back(key);
         });
     }

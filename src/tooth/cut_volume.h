@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -23,31 +24,24 @@ using MaterialVolumes = std::array<double, kMaterialCount>;
 
 [[nodiscard]] double total(const MaterialVolumes& volumes);
 
-/// A brick in which a carve has moved the border of the removed region, and which of its node layers took part: nodes
-/// that were removed, and those at the lower end of a lattice edge on which the border was moved.
+/// A brick in which a carve has moved the border of the removed region, and which bricks have a node in a cell that
+/// this concerns.
 struct ChangedBrick {
     BrickKey key;
-    std::array<std::uint8_t, 3> low = {kBrickSide, kBrickSide, kBrickSide};  ///< first changed node on each axis
-    std::array<std::uint8_t, 3> high = {0, 0, 0};                            ///< last changed node on each axis
+    std::uint32_t concerned = 0;  ///< bit i: BrickKey::neighbour(i)
 
-    [[nodiscard]] static ChangedBrick all(const BrickKey& key) {
-        return {key, {0, 0, 0}, {kBrickSide - 1, kBrickSide - 1, kBrickSide - 1}};
-    }
-    [[nodiscard]] bool isNone() const { return low[0] > high[0]; }
-    void add(int node);
-    void add(const ChangedBrick& other);
+    [[nodiscard]] static ChangedBrick all(const BrickKey& key) { return {key, (1U << 27) - 1}; }
+    [[nodiscard]] bool isNone() const { return concerned == 0; }
+    /// A node was removed: all cells around it.
+    void addNode(int node);
+    /// The border was moved on the lattice edge from a node to the next one on `axis`: the four cells around that.
+    void addEdge(int node, int axis);
+    void add(const ChangedBrick& other) { concerned |= other.concerned; }
 
-    /// Calls `visit(dx, dy, dz)` for the brick itself and each around it (-1 to 1 on each axis) that has a node in a
-    /// cell with one that changed.
+    /// Calls `visit(i)` for the bricks that are concerned, by their numbers as neighbours.
     template <class Visit>
     void forEachConcerned(const Visit& visit) const {
-        const auto first = [&](int axis) { return low[axis] == 0 ? -1 : 0; };
-        const auto last = [&](int axis) { return high[axis] == kBrickSide - 1 ? 1 : 0; };
-        for (int dx = first(0); dx <= last(0); ++dx) {
-            for (int dy = first(1); dy <= last(1); ++dy) {
-                for (int dz = first(2); dz <= last(2); ++dz) visit(dx, dy, dz);
-            }
-        }
+        for (std::uint32_t left = concerned; left != 0; left &= left - 1) visit(std::countr_zero(left));
     }
 };
 

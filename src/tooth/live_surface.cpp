@@ -89,12 +89,12 @@ void LiveSurface::update(const CutVolume& volume, const std::vector<ChangedBrick
     publish(dirty);
 }
 
-/// A change in the outermost node layer of a brick moves the wall of the brick beyond it, too.
+/// A change beside the faces of a brick moves the wall of the bricks beyond, too.
 std::vector<BrickKey> LiveSurface::bricksToExtract(const CutVolume& volume,
                                                    const std::vector<ChangedBrick>& changed) const {
     std::vector<BrickKey> keys;
     for (const ChangedBrick& brick : changed) {
-        brick.forEachConcerned([&](int dx, int dy, int dz) { keys.push_back(brick.key.moved(dx, dy, dz)); });
+        brick.forEachConcerned([&](int i) { keys.push_back(brick.key.neighbour(i)); });
     }
     std::sort(keys.begin(), keys.end());
     keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
