@@ -54,6 +54,13 @@ constexpr double kTrustInHand = 2;          // ways of the hand
 constexpr double kTrustGrowth = 8;          // steps of the round before
 constexpr double kLeastTrustMargins = 200;  // 0.2 um for a bur of 20 mm
 
+/// The share of a turn that ends within a shorter one; both as chords, of which a share of an arc has more than its
+/// own. A hair less: a body that rounding has put beyond the end of its list would have to make another.
+double shareWithin(double limit, double turn) {
+    constexpr double kHair = 1e-6;
+    return (1 - kHair) * std::asin(limit / 2) / std::asin(std::min(turn / 2, 1.0));
+}
+
 }  // namespace
 
 SlidingBody::SlidingBody(std::shared_ptr<const ToolShape> tool, Freedom freedom)
@@ -137,7 +144,7 @@ bool SlidingBody::plan(const Pose& goal, bool isFirst, double trust, Attempt& at
     }
     const double turnLeft = list_.skin().turn * kTrusted - list_.turnTo(pose_.rotation);
     if (!isListed(pose_.position) || turnLeft < 0) return false;
-    const double fraction = turn > turnLeft ? turnLeft / turn : 1;
+    const double fraction = turn > turnLeft ? shareWithin(turnLeft, turn) : 1;
     const bool isSolvedFor = freedom_ == Freedom::ShiftAndTurn;
     attempt.turnLeft = turnLeft;
     attempt.turnsFully = isSolvedFor || fraction >= 1;
@@ -175,9 +182,9 @@ bool SlidingBody::isWithinList() const {
 }
 
 /// Whether a body with a budget, at the end of a long list that it was given, can wait for a move or a few: whoever
-/// makes lists ahead brings the next one, and to make one here takes longer than all else in a tick.
+/// makes lists ahead brings the next one, and to make one here takes longer than all else in a move.
 bool SlidingBody::mayWaitForNextList() const {
-    return budget_ < kUnlimitedWork && isListGiven_ && list_.isLong() && waits_ < kMostWaits;
+    return budget_ < kUnlimitedWork && isListGiven_ && list_.isLong() && (waits_ < kMostWaits || isListFresh());
 }
 
 /// Whether a long list is good for some way yet.
@@ -256,7 +263,10 @@ bool SlidingBody::solve(Attempt& attempt) {
     const double tolerance = margin_ * kSolved;
     const NearestInPolyhedron answer =
         nearestInPolyhedron(halfSpaces, attempt.goal.position - pose_.position, tolerance);
-    if (!answer.feasible) return false;
+    if (!answer.feasible) {
+        attempt.turnOutgrown = false;  // what the tool touches ends the turn, before the list does
+        return false;
+    }
     attempt.setActive(answer);
     attempt.step = answer.point;
     attempt.clipped = false;
@@ -269,7 +279,7 @@ bool SlidingBody::solve(Attempt& attempt) {
     attempt.outgrown |= listed <= share;
     const NearestInPolyhedron shorter = nearestInPolyhedron(halfSpaces, 0.9 * share * attempt.step, tolerance);
     if (!shorter.feasible || !isListed(pose_.position + shorter.point)) {
-        attempt.turnOutgrown = true;  // the turn pushes the tool farther than the list reaches
+        attempt.turnOutgrown = shorter.feasible;  // the turn pushes the tool farther than the list reaches
         return false;
     }
     attempt.step = shorter.point;
@@ -403,6 +413,9 @@ MoveResult SlidingBody::moveToward(const Pose& goal) {
         --rests_;
         result.status = MoveStatus::OutOfWork;
     }
+    // While that list was made the body has gone on and left what it covers.
+    const bool isAhead = mayWaitForNextList() && !isWithinList();
+    if (isAhead) result.status = MoveStatus::OutOfWork;
     while (result.status == MoveStatus::OutOfRounds && result.rounds < kMaxRounds) {
         if (hasStepped && isEnough()) break;
         const bool isFirst = ++result.rounds == 1;
@@ -445,7 +458,7 @@ MoveResult SlidingBody::moveToward(const Pose& goal) {
         }
     }
     if (result.status == MoveStatus::OutOfRounds && isEnough()) result.status = MoveStatus::OutOfWork;
-    waits_ = mayWait && attempt.outgrown ? waits_ + 1 : 0;
+    waits_ = isAhead || (mayWait && attempt.outgrown) ? waits_ + 1 : 0;
     settleBudget(hasStepped, result);
     remember(result);
     isBehind_ = result.status == MoveStatus::OutOfRounds;

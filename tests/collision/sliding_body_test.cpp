@@ -116,6 +116,91 @@ TEST(SlidingBody, WithABudgetWaitsAFewMovesAtTheEndOfAListThatItWasGiven) {
     EXPECT_GT(unbounded.ownLists(), 0U);
 }
 
+TEST(SlidingBody, TurnsToTheEndOfAGivenListAndWaitsThere) {
+    const auto tool = toolOf(test::sphere(Vec3(0, 0, 0.5), 0.5, 100, 60));
+    const auto bed = surfaceOf(test::sphere(Vec3(0, 0, -2), 2, 300, 200));
+    const Pose start = at(0, 0, 0.02);
+    constexpr double kTurn = 0.01;
+    for (const double angle : {0.05, 0.5, 2.5}) {  // a share of a large turn is more than that share of its chord
+        SlidingBody body(tool);
+        PairList near(*tool);
+        near.makeAll(*bed, start, Skin{Vec3::Zero(), 0.03, kTurn});
+        body.setSurface(bed);
+        body.placeAt(start);
+        body.setSurface(bed, near);
+        body.setBudget(1'000'000'000);
+        const Pose turned{start.position, Quat(Eigen::AngleAxisd(angle, Vec3::UnitZ()))};
+        for (int move = 1; move <= 8; ++move) {
+            EXPECT_EQ(body.moveToward(turned).status, MoveStatus::OutOfWork);
+            EXPECT_EQ(body.ownLists(), 0U) << angle << ", move " << move;
+            const double chord = chordBetween(body.pose().rotation, start.rotation);
+            EXPECT_LT(chord, kTurn);
+            EXPECT_GT(chord, 0.9 * kTurn);
+        }
+    }
+}
+
+TEST(SlidingBody, ThatHasGoneOnWhileItsListWasMadeWaitsForOneThatReachesIt) {
+    const auto tool = toolOf(test::sphere(Vec3(0, 0, 0.5), 0.5, 100, 60));
+    const auto bed = surfaceOf(test::sphere(Vec3(0, 0, -2), 2, 300, 200));
+    const Pose listed = at(0, 0, 0.02), start = at(0.06, 0, 0.02), far = at(0.3, 0, -0.1);
+    const auto listAt = [&](const Pose& pose) {
+        PairList near(*tool);
+        near.makeAll(*bed, pose, Skin{Vec3::Zero(), 0.03, 0.01});
+        return near;
+    };
+    SlidingBody body(tool);
+    body.setSurface(bed);
+    body.placeAt(start);
+    PairList late = listAt(listed);
+    body.setSurface(bed, late);
+    body.setBudget(1'000'000'000);
+    for (int move = 1; move <= 3; ++move) {
+        EXPECT_EQ(body.moveToward(far).status, MoveStatus::OutOfWork);
+        EXPECT_EQ(body.pose().position, start.position);
+    }
+    EXPECT_EQ(body.ownLists(), 0U);
+    PairList next = listAt(start);
+    body.setSurface(bed, next);
+    (void)body.moveToward(far);
+    EXPECT_NE(body.pose().position, start.position);
+    EXPECT_EQ(body.ownLists(), 0U);
+
+    PairList again = listAt(listed);
+    SlidingBody lonely(tool);
+    lonely.setSurface(bed);
+    lonely.placeAt(start);
+    lonely.setSurface(bed, again);
+    lonely.setBudget(1'000'000'000);
+    for (int move = 1; move <= 8; ++move) (void)lonely.moveToward(far);
+    EXPECT_EQ(lonely.ownLists(), 0U);
+    (void)lonely.moveToward(far);
+    EXPECT_EQ(lonely.ownLists(), 1U) << "none has come: it goes on by itself";
+}
+
+// A bur as long as its slot cannot turn in it with the hand: no list would let it.
+TEST(SlidingBody, ThatItsCavityKeepsFromTurningMakesNoListForIt) {
+    TriangleMesh long1 = test::sphere(Vec3::Zero(), 0.5, 80, 60);
+    TriangleMesh long2 = test::sphere(Vec3::Zero(), 0.502, 240, 120);
+    for (TriangleMesh* mesh : {&long1, &long2}) {
+        for (Vec3f& vertex : mesh->vertices) vertex.x() *= 4;
+    }
+    const auto tool = toolOf(std::move(long1));
+    const auto cavity = surfaceOf(std::move(long2));
+    SlidingBody body(tool);
+    body.setSurface(cavity);
+    body.placeAt(at(0, 0, 0));
+    PairList near(*tool);
+    near.makeAll(*cavity, at(0, 0, 0), Skin{Vec3::Zero(), 0.02, 0.01});
+    ASSERT_GT(near.clusters(), 600U);
+    body.setSurface(cavity, near);
+    body.setBudget(1'000'000'000);
+    const Pose turned{Vec3(0.01, 0, -0.05), Quat(Eigen::AngleAxisd(0.1, Vec3::UnitZ()))};
+    for (int move = 1; move <= 40; ++move) (void)body.moveToward(turned);
+    EXPECT_EQ(body.ownLists(), 0U);
+    EXPECT_LT(chordBetween(body.pose().rotation, Quat::Identity()), 0.01);
+}
+
 // In a cavity of its own shape so much is near that a list of its own is too long at first.
 TEST(SlidingBody, ThatIsGivenListsWaitsForOneWhereItsOwnComesOutTooLong) {
     const auto tool = toolOf(test::sphere(Vec3::Zero(), 0.5, 60, 30));
