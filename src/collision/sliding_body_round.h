@@ -22,7 +22,7 @@ inline constexpr double kLeastBoldness = 1.0 / 64;
 
 inline constexpr double kSamePlane = 1 - 1e-12;  // cosine: 1.4 microradians apart
 
-inline constexpr Work kGreatestAllowance = 4;  // budgets of a move that goes on where two before it ran out of theirs
+inline constexpr Work kGreatestAllowance = 2;  // budgets of a move that goes on where the one before ran out of its own
 
 /// What keeps a tool that may turn from a triangle.
 struct SlidingBody::Touch {
