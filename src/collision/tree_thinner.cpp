@@ -37,7 +37,9 @@ TreeThinner::TreeThinner(const AabbTree& whole)
       aboveNode_(whole.wholeNodes_, kNoSlot),
       aboveLeaf_(whole.wholeLeaves_),
       hiddenLanes_(whole.wholeLeaves_),
-      touched_(whole.wholeNodes_) {
+      children_(whole.wholeNodes_),
+      touched_(whole.wholeNodes_),
+      gone_(whole.wholeNodes_) {
     assert(whole.nodes_.empty());
     if (whole.empty()) return;
     std::size_t triangles = 0;
@@ -54,40 +56,63 @@ TreeThinner::TreeThinner(const AabbTree& whole)
         for (std::uint32_t child = 0; child < kWidth && isPresent(node, static_cast<int>(child)); ++child) {
             std::vector<Slot>& above = node.child[child].isLeaf() ? aboveLeaf_ : aboveNode_;
             above[node.child[child].index()] = static_cast<std::uint32_t>(i) * kWidth + child;
+            children_[i] |= static_cast<std::uint8_t>(1U << child);
         }
     };
     parallelFor(whole.wholeNodes_, noteNode, kGrain);
 }
 
+TreeThinner::Hides TreeThinner::hiddenOfLeaf(std::uint32_t leaf) const {
+    if (hiddenLanes_[leaf] == 0) return Hides::None;
+    return hiddenLanes_[leaf] == (1U << whole_.wholeLeaf_[leaf].count) - 1U ? Hides::All : Hides::Some;
+}
+
+TreeThinner::Hides TreeThinner::hiddenOfNode(std::uint32_t node) const {
+    if (touched_[node] == 0) return Hides::None;
+    return gone_[node] == children_[node] ? Hides::All : Hides::Some;
+}
+
+void TreeThinner::setChild(Slot slot, Hides hides) {
+    const auto set = [&](std::uint8_t& mask, bool value) {
+        const unsigned bit = 1U << slot % kWidth;
+        mask = static_cast<std::uint8_t>(value ? mask | bit : mask & ~bit);
+    };
+    set(touched_[slot / kWidth], hides != Hides::None);
+    set(gone_[slot / kWidth], hides == Hides::All);
+}
+
 void TreeThinner::setHidden(std::uint32_t triangle, bool hidden) {
     const std::uint32_t leaf = laneOf_[triangle] / kWidth;
-    std::uint8_t* mask = &hiddenLanes_[leaf];
-    std::uint32_t bit = laneOf_[triangle] % kWidth;
-    Slot above = aboveLeaf_[leaf];
-    std::size_t* count = &touchedLeafCount_;
-    while (((*mask >> bit) & 1U) != static_cast<unsigned>(hidden)) {
-        const bool wasTouched = *mask != 0;
-        *mask ^= static_cast<std::uint8_t>(1U << bit);
-        if (wasTouched == (*mask != 0)) return;
-        *count += wasTouched ? std::size_t{0} - 1 : 1;
-        if (above == kNoSlot) return;
-        count = &touchedNodeCount_;
-        mask = &touched_[above / kWidth];
-        bit = above % kWidth;
-        above = aboveNode_[above / kWidth];
+    const std::uint32_t lane = laneOf_[triangle] % kWidth;
+    if (((hiddenLanes_[leaf] >> lane) & 1U) == static_cast<unsigned>(hidden)) return;
+    const auto count = [](std::size_t& replaced, Hides before, Hides now) {
+        replaced += static_cast<std::size_t>(now == Hides::Some) - static_cast<std::size_t>(before == Hides::Some);
+    };
+    Hides before = hiddenOfLeaf(leaf);
+    hiddenLanes_[leaf] ^= static_cast<std::uint8_t>(1U << lane);
+    Hides now = hiddenOfLeaf(leaf);
+    count(replacedLeaves_, before, now);
+    for (Slot above = aboveLeaf_[leaf]; now != before && above != kNoSlot;) {
+        const std::uint32_t node = above / kWidth;
+        const Hides child = now;
+        before = hiddenOfNode(node);
+        setChild(above, child);
+        now = hiddenOfNode(node);
+        count(replacedNodes_, before, now);
+        above = aboveNode_[node];
     }
 }
 
 void TreeThinner::showAll() {
     std::ranges::fill(hiddenLanes_, std::uint8_t{0});
     std::ranges::fill(touched_, std::uint8_t{0});
-    touchedLeafCount_ = touchedNodeCount_ = 0;
+    std::ranges::fill(gone_, std::uint8_t{0});
+    replacedLeaves_ = replacedNodes_ = 0;
 }
 
-std::optional<TreeThinner::Kept> TreeThinner::keepLeaf(std::uint32_t number, AabbTree& tree) const {
+TreeThinner::Kept TreeThinner::keepLeaf(std::uint32_t number, AabbTree& tree) const {
     const AabbTree::Leaf& from = whole_.wholeLeaf_[number];
     std::uint32_t left = ((1U << from.count) - 1U) & ~std::uint32_t{hiddenLanes_[number]};
-    if (left == 0) return std::nullopt;
     AabbTree::Leaf& leaf = tree.leaves_.emplace_back();
     leaf.count = static_cast<std::uint32_t>(std::popcount(left));
     const int first = std::countr_zero(left);
@@ -114,8 +139,8 @@ std::optional<TreeThinner::Kept> TreeThinner::keepLeaf(std::uint32_t number, Aab
     return kept;
 }
 
-std::optional<TreeThinner::Kept> TreeThinner::keepChild(const AabbTree::Node& node, std::uint32_t number, int child,
-                                                        AabbTree& tree) const {
+TreeThinner::Kept TreeThinner::keepChild(const AabbTree::Node& node, std::uint32_t number, int child,
+                                         AabbTree& tree) const {
     const AabbTree::Link link = node.child[child];
     if (((touched_[number] >> child) & 1U) != 0)
         return link.isLeaf() ? keepLeaf(link.index(), tree) : keepNode(link.index(), tree);
@@ -127,24 +152,23 @@ std::optional<TreeThinner::Kept> TreeThinner::keepChild(const AabbTree::Node& no
     return kept;
 }
 
-std::optional<TreeThinner::Kept> TreeThinner::keepNode(std::uint32_t number, AabbTree& tree) const {
+TreeThinner::Kept TreeThinner::keepNode(std::uint32_t number, AabbTree& tree) const {
     const AabbTree::Node& from = whole_.wholeNode_[number];
     AabbTree::Node node = emptyNode();
     int count = 0;
     for (int child = 0; child < AabbTree::kWidth && isPresent(from, child); ++child) {
-        const std::optional<Kept> kept = keepChild(from, number, child, tree);
-        if (!kept) continue;
+        if (((gone_[number] >> child) & 1U) != 0) continue;
+        const Kept kept = keepChild(from, number, child, tree);
         for (int axis = 0; axis < 3; ++axis) {
-            node.low[axis][count] = kept->low[axis];
-            node.high[axis][count] = kept->high[axis];
+            node.low[axis][count] = kept.low[axis];
+            node.high[axis][count] = kept.high[axis];
             node.centre[axis][count] = from.centre[axis][child];  // the disc holds what is left as well
             node.normal[axis][count] = from.normal[axis][child];
         }
         node.thick[count] = from.thick[child];
         node.wide[count] = from.wide[child];
-        node.child[count++] = kept->link;
+        node.child[count++] = kept.link;
     }
-    if (count == 0) return std::nullopt;
     Kept whole{{}, {}, {}};
     for (int axis = 0; axis < 3; ++axis) {
         whole.low[axis] = lowest(Float8::load(node.low[axis]));
@@ -156,15 +180,15 @@ std::optional<TreeThinner::Kept> TreeThinner::keepNode(std::uint32_t number, Aab
 }
 
 AabbTree TreeThinner::thinned() const {
-    if (whole_.empty() || touched_[whole_.root_.index()] == 0) return whole_;
     AabbTree tree = whole_;
-    tree.nodes_.reserve(touchedNodeCount_);
-    tree.leaves_.reserve(touchedLeafCount_);
-    const std::optional<Kept> root = keepNode(whole_.root_.index(), tree);
+    if (whole_.empty() || touched_[whole_.root_.index()] == 0) return tree;
     tree.box_.setEmpty();
-    if (!root) return tree;
-    tree.root_ = root->link;
-    for (const float* corner : {root->low, root->high}) tree.box_.extend(Vec3(corner[0], corner[1], corner[2]));
+    if (hiddenOfNode(whole_.root_.index()) == Hides::All) return tree;
+    tree.nodes_.reserve(replacedNodes_);
+    tree.leaves_.reserve(replacedLeaves_);
+    const Kept root = keepNode(whole_.root_.index(), tree);
+    tree.root_ = root.link;
+    for (const float* corner : {root.low, root.high}) tree.box_.extend(Vec3(corner[0], corner[1], corner[2]));
     return tree;
 }
 

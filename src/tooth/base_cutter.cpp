@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tooth/base_cutter.h"
 
-#include <algorithm>
 #include <cmath>
 
+#include "geometry/number_set.h"
 #include "geometry/parallel_for.h"
 #include "tooth/margin_cutter.h"
 #include "tooth/vertex_groups.h"
@@ -17,18 +17,14 @@ std::array<bool, 3> forwardEdges(const Triangle& v) { return {v[0] < v[1], v[1] 
 /// The vertices that a list of triangles uses, numbered from 0.
 struct LocalVertices {
     LocalVertices(const TriangleMesh& mesh, const std::vector<std::uint32_t>& triangles) : corners(triangles.size()) {
-        std::vector<std::uint64_t> uses;  // a vertex, then the corner that it is
-        uses.reserve(3 * triangles.size());
-        for (std::size_t i = 0; i < triangles.size(); ++i) {
-            for (std::size_t c = 0; c < 3; ++c)
-                uses.push_back(std::uint64_t{mesh.triangles[triangles[i]][c]} << 32 | (3 * i + c));
+        NumberSet used(mesh.vertices.size());
+        for (const std::uint32_t triangle : triangles) {
+            for (const std::uint32_t vertex : mesh.triangles[triangle]) used.add(vertex);
         }
-        std::sort(uses.begin(), uses.end());
-        for (const std::uint64_t use : uses) {
-            const auto vertex = static_cast<std::uint32_t>(use >> 32);
-            const auto corner = static_cast<std::uint32_t>(use);
-            if (global.empty() || global.back() != vertex) global.push_back(vertex);
-            corners[corner / 3][corner % 3] = static_cast<std::uint32_t>(global.size() - 1);
+        global = used.sorted();
+        const NumberPlaces places(used);
+        for (std::size_t i = 0; i < triangles.size(); ++i) {
+            for (int c = 0; c < 3; ++c) corners[i][c] = places[mesh.triangles[triangles[i]][c]];
         }
     }
     std::vector<std::uint32_t> global;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/number_set.h"
 #include "geometry/parallel_for.h"
 #include "tooth/base_cutter.h"
 #include "tooth/box_query.h"
@@ -156,12 +157,12 @@ std::vector<std::uint32_t> LiveSurface::findAffected(const BrickNeighbourhood& n
     return nearWall;
 }
 
-std::vector<std::uint32_t> LiveSurface::affectedBase(const std::vector<Cell*>& cells) {
-    std::vector<std::uint32_t> triangles;
-    for (const Cell* cell : cells) triangles.insert(triangles.end(), cell->affected.begin(), cell->affected.end());
-    std::sort(triangles.begin(), triangles.end());
-    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
-    return triangles;
+std::vector<std::uint32_t> LiveSurface::affectedBase(const std::vector<Cell*>& cells) const {
+    NumberSet triangles(base_->mesh().triangles.size());
+    for (const Cell* cell : cells) {
+        for (const std::uint32_t triangle : cell->affected) triangles.add(triangle);
+    }
+    return triangles.sorted();
 }
 
 void LiveSurface::countMargin(const std::vector<Cell*>& cells, std::uint32_t step) {

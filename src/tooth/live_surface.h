@@ -62,7 +62,7 @@ private:
     std::vector<std::uint32_t> findAffected(const BrickNeighbourhood& nodes, const BrickKey& key, Cell& cell) const;
     void countMargin(const std::vector<Cell*>& cells, std::uint32_t step);
     [[nodiscard]] std::vector<const MarginPiece*> marginOf(std::uint32_t triangle) const;
-    [[nodiscard]] static std::vector<std::uint32_t> affectedBase(const std::vector<Cell*>& cells);
+    [[nodiscard]] std::vector<std::uint32_t> affectedBase(const std::vector<Cell*>& cells) const;
     [[nodiscard]] std::vector<std::vector<ClipSegment>> cutLines(const std::vector<std::uint32_t>& triangles) const;
     bool setRemains(const BrickKey& home, std::uint32_t triangle, Remains pieces);
     void storeBase(const std::vector<std::uint32_t>& triangles, std::vector<BaseRemains> results,
