@@ -22,26 +22,6 @@ constexpr double kLongestFeed = 0.1;
 // s without contact: the bur was lifted and not just on its way over a gap.
 constexpr double kLifted = 0.1;
 
-/// Volume of the bodies around a tooth, by the divergence theorem.
-double volumeBeside(const Surface& surface) {
-    double sixfold = 0;
-    const auto add = [&](const SurfacePart& part, const TriangleMask* hidden) {
-        const TriangleMesh& mesh = part.mesh();
-        for (std::uint32_t t = part.firstAround(); t < mesh.triangles.size(); ++t) {
-            if (hidden != nullptr && isHidden(*hidden, t)) continue;
-            sixfold += mesh.corner(t, 0).dot(mesh.corner(t, 1).cross(mesh.corner(t, 2)));
-        }
-    };
-    add(*surface.base, surface.hidden.get());
-    for (const auto& patch : surface.patches) add(*patch, nullptr);
-    return sixfold / 6;
-}
-
-bool isCutBeside(const Surface& surface) {
-    return std::ranges::any_of(surface.patches,
-                               [](const auto& patch) { return patch->firstAround() < patch->mesh().triangles.size(); });
-}
-
 }  // namespace
 
 std::shared_ptr<const Surface> surrounded(std::shared_ptr<const Surface> surface, const Surroundings& bodies) {
@@ -52,7 +32,7 @@ std::shared_ptr<const Surface> surrounded(std::shared_ptr<const Surface> surface
 }
 
 WorkPiece::WorkPiece(std::shared_ptr<const LayeredTooth> tooth, double voxel)
-    : tooth_(tooth), volume_(std::move(tooth), voxel), live_(volume_), wholeBeside_(volumeBeside(*live_.snapshot())) {}
+    : tooth_(tooth), volume_(std::move(tooth), voxel), live_(volume_) {}
 
 const std::shared_ptr<BrickStock>& WorkPiece::stock() {
     if (stock_ == nullptr) {
@@ -146,11 +126,7 @@ void WorkPiece::refreshSurface() {
     if (changed_.empty()) return;
     live_.update(volume_, merged(std::move(changed_)));
     changed_.clear();
-    loss_.beside = lostBeside();
-}
-
-double WorkPiece::lostBeside() const {
-    return isCutBeside(*surface()) ? std::max(0.0, wholeBeside_ - volumeBeside(*surface())) : 0;
+    loss_.beside = live_.lostAround();
 }
 
 void WorkPiece::adopt(const std::map<BrickKey, CutField>& fields, const MaterialVolumes& removed) {

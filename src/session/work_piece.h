@@ -113,7 +113,6 @@ private:
     void book(const CarveResult& carve);
     void watchContact(const Tick& tick);
     void bookFall(const CarveResult& carve);
-    [[nodiscard]] double lostBeside() const;
 
     std::shared_ptr<const LayeredTooth> tooth_;
     CutVolume volume_;
@@ -123,7 +122,6 @@ private:
     ToothLoss loss_;
     std::vector<ChangedBrick> changed_;  // since the last refresh
     std::vector<ToothLoss> lossAt_;      // the marks
-    double wholeBeside_;                 // volume of the bodies around the tooth before any cut, mm^3
     std::optional<Pose> reached_;
     double lastWay_ = 0;       // of the last feed, mm
     bool mayBeLoose_ = false;  // something was cut since the last look

@@ -31,6 +31,19 @@ Box3 grown(const Box3& box, double margin) {
 constexpr float kNodesBefore = 1.5F;
 constexpr float kNodesBeyond = 3.0F;
 
+/// Six times what a triangle adds to the volume of its body, by the divergence theorem.
+double sixfoldOf(const TriangleMesh& mesh, std::uint32_t t) {
+    return mesh.corner(t, 0).dot(mesh.corner(t, 1).cross(mesh.corner(t, 2)));
+}
+
+bool isPartlyAround(const SurfacePart& part) { return part.firstAround() < part.mesh().triangles.size(); }
+
+double sixfoldAround(const SurfacePart& part) {
+    double sum = 0;
+    for (std::uint32_t t = part.firstAround(); t < part.mesh().triangles.size(); ++t) sum += sixfoldOf(part.mesh(), t);
+    return sum;
+}
+
 /// The next whole number down, of one that an int holds.
 int roundedDown(float value) {
     const int whole = static_cast<int>(value);
@@ -63,6 +76,8 @@ void LiveSurface::reset() {
     std::ranges::fill(marginPieces_, std::uint32_t{0});
     hidden_.clear();
     thinner_.showAll();
+    sixfoldAround_ = 0;
+    patchesAround_ = 0;
     failures_ = 0;
     snapshot_ = std::make_shared<const Surface>(uncut(snapshot_->revision + 1));
 }
@@ -209,6 +224,8 @@ void LiveSurface::storeBase(const std::vector<std::uint32_t>& triangles, std::ve
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const std::uint32_t t = triangles[i];
         const std::uint64_t bit = std::uint64_t{1} << (t % 64);
+        if (base_->isAround(t) && results[i].hidden != isHidden(hidden_, t))
+            sixfoldAround_ += (results[i].hidden ? -1 : 1) * sixfoldOf(mesh, t);
         hidden_[t / 64] = results[i].hidden ? hidden_[t / 64] | bit : hidden_[t / 64] & ~bit;
         thinner_.setHidden(t, results[i].hidden);
         failures_ += results[i].failed;
@@ -248,6 +265,8 @@ void LiveSurface::setPatch(const BrickKey& key, std::shared_ptr<const SurfacePar
     const auto place = std::lower_bound(patchKeys_.begin(), patchKeys_.end(), key);
     const auto part = patches_.begin() + (place - patchKeys_.begin());
     const bool isKnown = place != patchKeys_.end() && *place == key;
+    if (isKnown && isPartlyAround(**part)) --patchesAround_, sixfoldAround_ -= sixfoldAround(**part);
+    if (patch && isPartlyAround(*patch)) ++patchesAround_, sixfoldAround_ += sixfoldAround(*patch);
     if (patch && isKnown) {
         *part = std::move(patch);
     } else if (patch) {
@@ -269,5 +288,7 @@ void LiveSurface::publish(const std::vector<BrickKey>& dirty) {
     surface.patches = patches_;
     snapshot_ = std::make_shared<const Surface>(std::move(surface));
 }
+
+double LiveSurface::lostAround() const { return patchesAround_ > 0 ? std::max(0.0, -sixfoldAround_ / 6) : 0; }
 
 }  // namespace tactooth

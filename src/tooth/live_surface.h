@@ -32,6 +32,9 @@ public:
     /// The whole tooth again, as after `CutVolume::reset`.
     void reset();
 
+    /// What the bodies around the tooth (SurfacePart::isAround) have lost, mm^3.
+    [[nodiscard]] double lostAround() const;
+
     /// Triangles whose cut lines did not fit together, in all updates: 0 unless the tooth's surface runs through
     /// itself. Each leaves a gap or an overlap of its own size.
     [[nodiscard]] std::size_t failures() const { return failures_; }
@@ -80,6 +83,8 @@ private:
     TriangleMask hidden_;
     TreeThinner thinner_;  ///< of the same triangles
     std::shared_ptr<const Surface> snapshot_;
+    double sixfoldAround_ = 0;       ///< what cutting has added to six times the volume of the bodies around the tooth
+    std::size_t patchesAround_ = 0;  ///< that hold some of their triangles
     std::size_t failures_ = 0;
     std::uint64_t undosSeen_ = 0;
     bool onlyGrows_ = true;  ///< the removed region, in the update at hand
