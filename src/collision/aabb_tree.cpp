@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "collision/aabb_tree.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
@@ -9,6 +10,7 @@
 #include <memory>
 
 #include "collision/binned_split.h"
+#include "collision/curve_order.h"
 #include "geometry/parallel_for.h"
 
 // Binned surface-area heuristic: I. Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", IEEE
@@ -67,19 +69,45 @@ void forChildren(int count, std::size_t items, const Function& function) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) function(i);
 }
 
-std::unique_ptr<BuildNode> build(const Child& all, int depth) {
+std::unique_ptr<BuildNode> buildBest(const Child& all, int depth) {
     auto node = std::make_unique<BuildNode>();
     node->children[0] = all;
     node->count = 1;
     divide(*node, depth > kBalancedDepth);
     forChildren(node->count, all.range.size(), [&](std::size_t i) {
-        if (node->children[i].range.size() > AabbTree::kWidth) node->inner[i] = build(node->children[i], depth + 1);
+        if (node->children[i].range.size() > AabbTree::kWidth) node->inner[i] = buildBest(node->children[i], depth + 1);
     });
     for (int i = 0; i < node->count; ++i) {
         node->nodes += node->inner[i] ? node->inner[i]->nodes : 0;
         node->leaves += node->inner[i] ? node->inner[i]->leaves : 1;
     }
     return node;
+}
+
+/// Packets of items, one after the other as they are; nodes are full but for the last.
+std::unique_ptr<BuildNode> buildInOrder(const TreeRange& all) {
+    std::size_t most = AabbTree::kWidth;  // items below a child
+    while (most * AabbTree::kWidth < all.size()) most *= AabbTree::kWidth;
+    auto node = std::make_unique<BuildNode>();
+    for (std::size_t begin = 0; begin < all.size(); begin += most) {
+        std::unique_ptr<BuildNode>& inner = node->inner[node->count];
+        Child& child = node->children[node->count++];
+        child.range = all.after(begin).first(std::min(most, all.size() - begin));
+        if (child.range.size() > AabbTree::kWidth) {
+            inner = buildInOrder(child.range);
+            for (int i = 0; i < inner->count; ++i) child.bounds.extend(inner->children[i].bounds);
+        } else {
+            child.bounds = boundsOf(child.range);
+        }
+        node->nodes += inner ? inner->nodes : 0;
+        node->leaves += inner ? inner->leaves : 1;
+    }
+    return node;
+}
+
+std::unique_ptr<BuildNode> buildQuickly(const TreeRange& all) {
+    sortAlongCurve(all);
+    return buildInOrder(all);
 }
 
 void fillLeaf(AabbTree::Leaf& leaf, const TriangleMesh& mesh, std::span<const TreeItem> items) {
@@ -190,7 +218,7 @@ private:
 
 }  // namespace
 
-AabbTree::AabbTree(const TriangleMesh& mesh) {
+AabbTree::AabbTree(const TriangleMesh& mesh, TreeBuild build) {
     if (mesh.empty()) return;
     const std::size_t count = mesh.triangles.size();
     assert(count < (std::size_t{1} << 31));
@@ -203,7 +231,8 @@ AabbTree::AabbTree(const TriangleMesh& mesh) {
     parallelFor(count, enclose, kParallelTreeRange);
     const TreeRange all{items, bins};
     const TreeBounds whole = boundsOf(all);
-    const std::unique_ptr<BuildNode> tree = build({all, whole, whole.halfArea()}, 0);
+    const std::unique_ptr<BuildNode> tree =
+        build == TreeBuild::Best ? buildBest({all, whole, whole.halfArea()}, 0) : buildQuickly(all);
     const auto arrays = std::make_shared<Arrays>();
     arrays->nodes.resize(wholeNodes_ = tree->nodes);
     arrays->leaves.resize(wholeLeaves_ = tree->leaves);

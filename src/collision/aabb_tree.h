@@ -13,6 +13,9 @@
 
 namespace tactooth {
 
+/// How a tree is built: for many walks, or to be there soon.
+enum class TreeBuild { Best, Quick };
+
 /// Bounding-volume hierarchy over the triangles of a mesh: nodes of eight children, leaves of up to eight triangles,
 /// each stored side by side in the order in which a query walks over them. Boxes are single precision and hold their
 /// triangles exactly (a mesh keeps single precision too). Built once, read by any number of threads; a copy shares the
@@ -57,7 +60,7 @@ public:
     };
 
     AabbTree() = default;
-    explicit AabbTree(const TriangleMesh& mesh);
+    explicit AabbTree(const TriangleMesh& mesh, TreeBuild build = TreeBuild::Best);
 
     [[nodiscard]] bool empty() const { return box_.isEmpty(); }
     /// Where a walk begins; not for an empty tree.

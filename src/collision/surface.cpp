@@ -48,8 +48,12 @@ TaggedMesh visible(const Surface& surface, const LeavesOut& leavesOut) {
 
 }  // namespace
 
-SurfacePart::SurfacePart(TriangleMesh mesh, std::vector<SurfaceTag> tags, std::uint32_t firstAround)
-    : mesh_(std::move(mesh)), tags_(std::move(tags)), firstAround_(firstAround), tree_(mesh_), id_(nextPartId()) {
+SurfacePart::SurfacePart(TriangleMesh mesh, std::vector<SurfaceTag> tags, std::uint32_t firstAround, TreeBuild build)
+    : mesh_(std::move(mesh)),
+      tags_(std::move(tags)),
+      firstAround_(firstAround),
+      tree_(mesh_, build),
+      id_(nextPartId()) {
     assert(tags_.empty() || tags_.size() == mesh_.triangles.size());
 }
 

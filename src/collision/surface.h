@@ -20,7 +20,8 @@ class SurfacePart {
 public:
     /// `tags` holds one tag a triangle, or nothing (every tag is then 0). Triangles from `firstAround` on belong to
     /// bodies around the tooth.
-    explicit SurfacePart(TriangleMesh mesh, std::vector<SurfaceTag> tags = {}, std::uint32_t firstAround = kNoneAround);
+    explicit SurfacePart(TriangleMesh mesh, std::vector<SurfaceTag> tags = {}, std::uint32_t firstAround = kNoneAround,
+                         TreeBuild build = TreeBuild::Best);
 
     static constexpr std::uint32_t kNoneAround = UINT32_MAX;
 

@@ -35,11 +35,21 @@ BrickBodies bodiesIn(const SurfacePart& base, const std::vector<std::uint32_t>& 
     return std::ranges::any_of(near, isAround) ? BrickBodies::Either : BrickBodies::Tooth;
 }
 
+namespace {
+
+/// With a tree that is made soon: the next cut may replace it.
+std::shared_ptr<const SurfacePart> quickPart(TriangleMesh mesh, std::vector<SurfaceTag> tags,
+                                             std::uint32_t firstAround) {
+    return std::make_shared<const SurfacePart>(std::move(mesh), std::move(tags), firstAround, TreeBuild::Quick);
+}
+
+}  // namespace
+
 std::shared_ptr<const SurfacePart> patchPart(TaggedMesh patch, BrickBodies bodies, const SurfacePart& base) {
     auto& [mesh, tags] = patch;
     if (standsAlone(base) || bodies == BrickBodies::Tooth)
-        return std::make_shared<const SurfacePart>(std::move(mesh), std::move(tags));
-    if (bodies == BrickBodies::Around) return std::make_shared<const SurfacePart>(std::move(mesh), std::move(tags), 0);
+        return quickPart(std::move(mesh), std::move(tags), SurfacePart::kNoneAround);
+    if (bodies == BrickBodies::Around) return quickPart(std::move(mesh), std::move(tags), 0);
     const std::vector<bool> around = aroundFlags(mesh, base);
     std::vector<std::uint32_t> order(mesh.triangles.size());
     std::iota(order.begin(), order.end(), 0);
@@ -52,7 +62,7 @@ std::shared_ptr<const SurfacePart> patchPart(TaggedMesh patch, BrickBodies bodie
         reordered.push_back(tags[t]);
     }
     mesh.triangles = std::move(triangles);
-    return std::make_shared<const SurfacePart>(std::move(mesh), std::move(reordered), firstAround);
+    return quickPart(std::move(mesh), std::move(reordered), firstAround);
 }
 
 }  // namespace tactooth

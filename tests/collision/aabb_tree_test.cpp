@@ -63,12 +63,15 @@ void expectDiscHolds(const AabbTree& tree, const AabbTree::Node& node, int i, Aa
     }
 }
 
-void expectHoldsEachTriangleOnce(const TriangleMesh& mesh) {
-    const AabbTree tree(mesh);
+void expectHoldsEachTriangleOnce(const TriangleMesh& mesh, TreeBuild build) {
+    const AabbTree tree(mesh, build);
     std::multiset<std::uint32_t> triangles;
     walk(tree, tree.rootLink(), tree.box().min().cast<float>(), tree.box().max().cast<float>(), 0, triangles);
     ASSERT_EQ(triangles.size(), mesh.triangles.size());
     ASSERT_EQ(std::set<std::uint32_t>(triangles.begin(), triangles.end()).size(), mesh.triangles.size());
+}
+void expectHoldsEachTriangleOnce(const TriangleMesh& mesh) {
+    for (const TreeBuild build : {TreeBuild::Best, TreeBuild::Quick}) expectHoldsEachTriangleOnce(mesh, build);
 }
 
 /// Every box and every triangle of a tree, in the order of a walk.
@@ -129,6 +132,18 @@ TEST(AabbTree, IsTheSameFromOneThread) {
     const AabbTree tree(mesh);
     const tbb::global_control single(tbb::global_control::max_allowed_parallelism, 1);
     expectEqual(AabbTree(mesh), tree);
+}
+
+TEST(AabbTree, BuiltQuicklyHasFullLeavesAndNodes) {
+    for (const int around : {3, 5, 12, 40, 120}) {
+        const TriangleMesh mesh = test::sphere(Vec3(1, 2, 3), 5, around, 10);
+        const AabbTree tree(mesh, TreeBuild::Quick);
+        const std::size_t leaves = (mesh.triangles.size() + 7) / 8;
+        EXPECT_EQ(tree.leaves().size(), leaves);
+        EXPECT_LE(tree.nodes().size(), 1 + (leaves + 7) / 8 + (leaves + 63) / 64);
+        EXPECT_EQ(tree.box().min(), AabbTree(mesh).box().min());
+        EXPECT_EQ(tree.box().max(), AabbTree(mesh).box().max());
+    }
 }
 
 TEST(AabbTree, OfAnEmptyMeshIsEmpty) { EXPECT_TRUE(AabbTree(TriangleMesh{}).empty()); }

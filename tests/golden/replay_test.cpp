@@ -15,7 +15,7 @@
 namespace tactooth {
 namespace {
 
-constexpr std::uint64_t kGolden = 0x7c126a04d8dfc708ULL;
+constexpr std::uint64_t kGolden = 0x474334d4cb68e41aULL;
 
 constexpr double kTick = 0.001;
 constexpr double kVoxel = 0.05;
