@@ -61,14 +61,6 @@ Sum summed(const TreeRange& range, const Block& block) {
     return sums[0];
 }
 
-TreeBounds centresOf(const TreeRange& range) {
-    return summed<TreeBounds>(range, [](const TreeRange& block) {
-        TreeBounds centres;
-        for (const TreeItem& item : block.items) centres.extend(item.centre());
-        return centres;
-    });
-}
-
 /// Fills the bins and notes beside each item its own.
 template <int kBins>
 Bins<kBins> fillBins(const TreeRange& range, const Binning<kBins>& binning) {
@@ -190,6 +182,14 @@ TreeSplit splitAtCheapest(const TreeRange& range, int axis, float low, float siz
 }
 
 }  // namespace
+
+TreeBounds centresOf(const TreeRange& range) {
+    return summed<TreeBounds>(range, [](const TreeRange& block) {
+        TreeBounds centres;
+        for (const TreeItem& item : block.items) centres.extend(item.centre());
+        return centres;
+    });
+}
 
 TreeBounds boundsOf(const TreeRange& range) {
     return summed<TreeBounds>(range, [](const TreeRange& block) {

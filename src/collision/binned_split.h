@@ -90,6 +90,8 @@ struct TreeSplit {
 inline constexpr std::size_t kParallelTreeRange = 8192;
 
 [[nodiscard]] TreeBounds boundsOf(const TreeRange& range);
+/// Of the items' centres, as TreeItem::centre has them.
+[[nodiscard]] TreeBounds centresOf(const TreeRange& range);
 
 /// How many triangles a leaf holds at most.
 inline constexpr std::size_t kTreePacket = 8;

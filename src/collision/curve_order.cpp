@@ -51,9 +51,7 @@ constexpr auto kPlaceOfCell = [] {
 }  // namespace
 
 void sortAlongCurve(const TreeRange& range) {
-    TreeBounds centres;
-    for (const TreeItem& item : range.items) centres.extend(item.centre());
-    const auto [low, high] = centres.box();
+    const auto [low, high] = centresOf(range).box();
     const float size = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
     const float scale = size > 0 ? kSide / size : 0;
     const auto placeOf = [&, low = low](const TreeItem& item) {

@@ -182,7 +182,8 @@ bool SlidingBody::isWithinList() const {
 }
 
 /// Whether a body with a budget, at the end of a long list that it was given, can wait for a move or a few: whoever
-/// makes lists ahead brings the next one, and to make one here takes longer than all else in a move.
+/// makes lists ahead brings the next one, and to make one here takes longer than all else in a move. Well within
+/// the list it waits however long: what keeps it there is what it touches, and no list of its own would let it on.
 bool SlidingBody::mayWaitForNextList() const {
     return budget_ < kUnlimitedWork && isListGiven_ && list_.isLong() && (waits_ < kMostWaits || isListFresh());
 }
