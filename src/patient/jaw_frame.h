@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geometry/expected.h"
-#include "patient/remark.h"
+#include "geometry/remark.h"
 #include "patient/scan_import.h"
 
 namespace tactooth {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "geometry/expected.h"
-#include "patient/remark.h"
+#include "geometry/remark.h"
 #include "tooth/layered_tooth.h"
 
 namespace tactooth {

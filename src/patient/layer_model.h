@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geometry/expected.h"
-#include "patient/remark.h"
+#include "geometry/remark.h"
 #include "tooth/layered_tooth.h"
 
 namespace tactooth {

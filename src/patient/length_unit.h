@@ -6,8 +6,8 @@
 #include <optional>
 #include <string_view>
 
+#include "geometry/remark.h"
 #include "geometry/triangle_mesh.h"
-#include "patient/remark.h"
 
 namespace tactooth {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "geometry/mesh_repair.h"
+#include "geometry/remark.h"
 #include "patient/layer_model.h"
-#include "patient/remark.h"
 #include "patient/tooth_frame.h"
 
 namespace tactooth {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "geometry/remark.h"
 #include "geometry/triangle_mesh.h"
-#include "patient/remark.h"
 
 namespace tactooth {
 

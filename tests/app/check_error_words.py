@@ -22,7 +22,8 @@ ONLY_OUTSIDE = {
     "the window has a sentence of its own": "haptics/scene_load.cpp",
     "names, and the text of files": "geometry/stl_writer.cpp instruments/anatomy/ session/practice_report.cpp",
 }
-TABLES = ["error_words.cpp", "remark_words.cpp", "words.cpp"]  # of src/app/gui
+TABLES = ["error_sentences_devices.cpp", "error_sentences_files.cpp", "error_sentences_texts.cpp",
+          "remark_words.cpp", "words.cpp"]  # of src/app/gui
 FAILURES = {"unexpected", "fail", "failAt", "refuse", "allow"}
 VALUE = "\x01"  # a name or a number within a sentence
 TOKEN = re.compile(r'//[^\n]*|/\*.*?\*/|^[ \t]*#[^\n]*|R"\(.*?\)"|"(?:[^"\\\n]|\\.)*"|\'(?:[^\'\\\n]|\\.)+\'|\w+|::|->|'

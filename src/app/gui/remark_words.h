@@ -4,7 +4,7 @@
 
 #include <QString>
 
-#include "patient/remark.h"
+#include "geometry/remark.h"
 
 namespace tactooth {
 

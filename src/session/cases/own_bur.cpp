@@ -5,7 +5,7 @@
 #include "geometry/file_bytes.h"
 #include "geometry/mesh_bytes.h"
 #include "geometry/mesh_file.h"
-#include "patient/remark.h"
+#include "geometry/remark.h"
 #include "session/cases/case_description.h"
 #include "session/cases/case_store.h"
 #include "session/cases/toml_reader.h"

@@ -8,7 +8,7 @@
 namespace tactooth {
 
 /// What a remark on a scanned surface is about.
-enum class RemarkTopic { Units, Orientation, Closedness, Layers };
+enum class RemarkTopic { File, Units, Orientation, Closedness, Layers };
 
 /// Something that the program has assumed or mended, in words: a sentence with the places %1, %2 ... for `values`, so
 /// that a window can show it in another language.

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-#include "patient/remark.h"
+#include "geometry/remark.h"
 
 #include <gtest/gtest.h>
 
