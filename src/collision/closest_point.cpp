@@ -3,11 +3,11 @@
 #include "collision/closest_point.h"
 
 #include <array>
-#include <bit>
 #include <cassert>
 #include <cmath>
 
 #include "collision/near_point.h"
+#include "collision/ray_crossing.h"
 #include "collision/triangle_point.h"
 
 // Best-first descent with the children of a node visited nearest first: N. Roussopoulos, S. Kelley, F. Vincent,
@@ -23,85 +23,16 @@ struct Visit {
     float squaredDistance;
 };
 
-/// A ray direction that no edge of an axis-aligned or symmetric model lies along, one for each try.
-Vec3 rayDirection(int attempt) {
-    const double angle = 0.7548776662466927 * (attempt + 1);  // plastic number: spreads the tries evenly
-    return Vec3(std::cos(5.1 * angle), std::sin(7.3 * angle), 0.5698402909980532 + 0.1 * attempt).normalized();
-}
-
-enum class RayHit { Miss, Hit, Grazing };
-
-/// Crossing of the ray from `origin` along `direction` with a triangle (T. Moeller and B. Trumbore, "Fast, Minimum
-/// Storage Ray/Triangle Intersection", 1997), with the borderline named instead of guessed.
-RayHit crosses(const Vec3& origin, const Vec3& direction, const Vec3& a, const Vec3& b, const Vec3& c) {
-    constexpr double kBorder = 1e-9;  // of the barycentric coordinates: far above rounding, far below any real edge
-    const Vec3 ab = b - a;
-    const Vec3 ac = c - a;
-    const Vec3 p = direction.cross(ac);
-    const double determinant = ab.dot(p);
-    if (std::abs(determinant) <= kBorder * ab.norm() * ac.norm()) {
-        const Vec3 normal = ab.cross(ac);
-        const bool inPlane = std::abs(normal.dot(origin - a)) <= kBorder * normal.norm();
-        return inPlane && normal.squaredNorm() > 0 ? RayHit::Grazing : RayHit::Miss;
-    }
-    const Vec3 s = origin - a;
-    const double u = s.dot(p) / determinant;
-    const Vec3 q = s.cross(ab);
-    const double v = direction.dot(q) / determinant;
-    const double t = ac.dot(q) / determinant;
-    if (u < -kBorder || v < -kBorder || u + v > 1 + kBorder || t < 0) return RayHit::Miss;
-    if (u < kBorder || v < kBorder || u + v > 1 - kBorder) return RayHit::Grazing;
-    return RayHit::Hit;
-}
-
-/// The boxes of a node that a ray enters, one bit each. Conservative: the box is grown by a rounding margin.
-std::uint32_t boxesOnRay(const AabbTree::Node& node, const Vec3& origin, const Vec3& direction, double margin) {
-    std::uint32_t hits = 0;
-    for (int i = 0; i < AabbTree::kWidth; ++i) {
-        if (!(node.low[0][i] <= node.high[0][i])) continue;
-        double enter = 0;
-        double leave = std::numeric_limits<double>::infinity();
-        for (int axis = 0; axis < 3; ++axis) {
-            const double inverse = 1 / direction[axis];
-            const double first = (node.low[axis][i] - margin - origin[axis]) * inverse;
-            const double second = (node.high[axis][i] + margin - origin[axis]) * inverse;
-            enter = std::max(enter, std::min(first, second));
-            leave = std::min(leave, std::max(first, second));
-        }
-        if (enter <= leave) hits |= 1U << i;
-    }
-    return hits;
-}
-
 /// Whether the ray crosses the triangles (but those that `hidden` names) an odd number of times; nothing if it grazed
 /// an edge.
 std::optional<bool> crossesOddly(const AabbTree& tree, const TriangleMask* hidden, const Vec3& origin,
                                  const Vec3& direction) {
-    if (tree.empty()) return false;
-    const double margin = 1e-6 * tree.box().diagonal().norm();
-    std::array<AabbTree::Link, AabbTree::kStackSize> stack;
-    int size = 0;
-    stack[size++] = tree.rootLink();
     bool odd = false;
-    while (size > 0) {
-        const AabbTree::Link link = stack[--size];
-        if (link.isLeaf()) {
-            const AabbTree::Leaf& leaf = tree.leaf(link);
-            for (std::uint32_t lane = 0; lane < leaf.count; ++lane) {
-                if (hidden != nullptr && isHidden(*hidden, leaf.triangle[lane])) continue;
-                const RayHit hit = crosses(origin, direction, leafCorner(leaf, 0, lane), leafCorner(leaf, 1, lane),
-                                           leafCorner(leaf, 2, lane));
-                if (hit == RayHit::Grazing) return std::nullopt;
-                odd ^= hit == RayHit::Hit;
-            }
-            continue;
-        }
-        const AabbTree::Node& node = tree.node(link);
-        for (std::uint32_t hits = boxesOnRay(node, origin, direction, margin); hits != 0; hits &= hits - 1) {
-            stack[size++] = node.child[std::countr_zero(hits)];
-        }
-    }
-    return odd;
+    const bool isClear = visitCrossings(tree, hidden, origin, direction, [&](std::uint32_t, RayHit hit) {
+        odd = !odd;
+        return hit != RayHit::Grazing;
+    });
+    return isClear ? std::optional(odd) : std::nullopt;
 }
 
 /// Whether a ray may enter `box`; `margin`: as that of boxesOnRay, or larger.
@@ -165,8 +96,7 @@ bool contains(const Surface& surface, const Vec3& query) {
     if (surface.base->tree().empty() || !surface.base->tree().box().contains(query)) return false;
     const VisibleBase base = visibleBase(surface);
     const double margin = 1e-6 * surface.base->tree().box().diagonal().norm();
-    constexpr int kAttempts = 16;  // each try grazes an edge with a chance far below one in a million
-    for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    for (int attempt = 0; attempt < kRayAttempts; ++attempt) {
         const Vec3 direction = rayDirection(attempt);
         std::optional<bool> odd = crossesOddly(base.tree, base.hidden, query, direction);
         const Vec3 inverse = direction.cwiseInverse();

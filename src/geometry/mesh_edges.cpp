@@ -42,4 +42,35 @@ MeshEdges::MeshEdges(const TriangleMesh& mesh) : firstUse_(mesh.vertices.size() 
     }
 }
 
+EdgeBalance edgeBalance(const TriangleMesh& mesh) {
+    // Sides are gathered at their lower vertex (a counting sort), where only a handful meet.
+    std::vector<std::size_t> start(mesh.vertices.size() + 1, 0);
+    forEachSide(mesh, [&](std::uint32_t, std::uint32_t from, std::uint32_t to) { ++start[std::min(from, to) + 1]; });
+    std::partial_sum(start.begin(), start.end(), start.begin());
+    struct HalfEdge {
+        std::uint32_t high;
+        int direction;
+    };
+    std::vector<HalfEdge> halves(start.back());
+    std::vector<std::size_t> next(start.begin(), start.end() - 1);
+    forEachSide(mesh, [&](std::uint32_t, std::uint32_t from, std::uint32_t to) {
+        halves[next[std::min(from, to)]++] = {std::max(from, to), from < to ? 1 : -1};
+    });
+    EdgeBalance result;
+    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+        const std::span<HalfEdge> here(halves.data() + start[v], start[v + 1] - start[v]);
+        std::ranges::sort(here, {}, &HalfEdge::high);
+        for (std::size_t first = 0, last; first < here.size(); first = last) {
+            int balance = 0;
+            for (last = first; last < here.size() && here[last].high == here[first].high; ++last) {
+                balance += here[last].direction;
+            }
+            const bool isOdd = (last - first) % 2 != 0;
+            result.odd += isOdd;
+            result.against += !isOdd && balance != 0;
+        }
+    }
+    return result;
+}
+
 }  // namespace tactooth

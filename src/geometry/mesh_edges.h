@@ -22,6 +22,19 @@ struct EdgeUse {
     return triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0];
 }
 
+/// What keeps a surface from having an inside. Triangles with two equal corners close nothing and open nothing.
+struct EdgeBalance {
+    std::size_t odd = 0;      ///< edges with one, three, five ... triangles: there the surface is open
+    std::size_t against = 0;  ///< other edges that are not run through as often in one direction as in the other
+
+    /// Every edge is run through as often in one direction as in the other: the definition of a closed surface. Edges
+    /// of four or more triangles, where parts of it touch, are allowed.
+    [[nodiscard]] bool closed() const { return odd == 0 && against == 0; }
+};
+
+/// Time in proportion to the size of `mesh`.
+[[nodiscard]] EdgeBalance edgeBalance(const TriangleMesh& mesh);
+
 /// All sides of the triangles that are not degenerate, sorted so that those on one edge stand side by side.
 class MeshEdges {
 public:

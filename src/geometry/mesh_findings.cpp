@@ -20,8 +20,9 @@ std::vector<std::string> findings(const MeshReport& report) {
         if (count > 0) result.push_back(counted(count, one, many, rest));
     };
     add(report.boundaryEdges, "edge is", "edges are", "open: the surface has a hole and no inside.");
-    add(report.nonManifoldEdges, "edge has", "edges have",
-        "more than two triangles: parts of the surface are stuck together.");
+    add(report.oddEdges, "edge has", "edges have", "three, five or more triangles: a wall inside, or a hole at a seam.");
+    add(report.nonManifoldEdges - report.oddEdges, "edge has", "edges have",
+        "four or more triangles: parts of the surface touch there.");
     add(report.inconsistentEdges, "edge lies", "edges lie",
         "between triangles that disagree on which side is outside.");
     if (report.insideOut()) result.emplace_back("The surface is inside out: its triangles turn clockwise.");

@@ -6,30 +6,20 @@
 #include <map>
 #include <vector>
 
+#include "geometry/crack_weld.h"
 #include "geometry/disjoint_sets.h"
+#include "geometry/hole_rims.h"
 #include "geometry/mesh_edges.h"
 
 namespace tactooth {
 namespace {
 
 void dropUseless(TriangleMesh& mesh, RepairReport& report) {
-    std::map<Triangle, int> seen;
-    std::vector<Triangle> kept;
-    kept.reserve(mesh.triangles.size());
-    for (const Triangle& triangle : mesh.triangles) {
-        if (isDegenerate(triangle)) {
-            ++report.droppedDegenerate;
-            continue;
-        }
-        Triangle sorted = triangle;
-        std::ranges::sort(sorted);
-        if (seen[sorted]++ > 0) {
-            ++report.droppedDuplicates;
-        } else {
-            kept.push_back(triangle);
-        }
-    }
-    mesh.triangles = std::move(kept);
+    const std::size_t before = mesh.triangles.size();
+    std::erase_if(mesh.triangles, isDegenerate);
+    report.droppedDegenerate = before - mesh.triangles.size();
+    report.droppedDuplicates = dropDoubles(mesh);
+    report.cracks = weldCracks(mesh);
 }
 
 /// Which triangles hang together, and the sides at which two of them meet.
@@ -88,7 +78,15 @@ double volumeSeenFrom(const TriangleMesh& mesh, const std::vector<std::uint32_t>
 struct Piece {
     std::vector<std::uint32_t> triangles;
     Box3 box;
+    double area = 0;
+
+    [[nodiscard]] double size() const { return box.diagonal().norm(); }
 };
+
+/// The one with the largest area: nothing thin or far away is taken for it.
+const Piece& largestBody(const std::vector<Piece>& pieces) {
+    return *std::ranges::max_element(pieces, {}, &Piece::area);
+}
 
 /// Largest box first.
 std::vector<Piece> gather(const TriangleMesh& mesh, DisjointSets& sets) {
@@ -96,12 +94,12 @@ std::vector<Piece> gather(const TriangleMesh& mesh, DisjointSets& sets) {
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
         Piece& piece = bySet[sets.find(t)];
         piece.triangles.push_back(t);
+        piece.area += mesh.areaVector(t).norm() / 2;
         for (int corner = 0; corner < 3; ++corner) piece.box.extend(mesh.corner(t, corner));
     }
     std::vector<Piece> pieces;
     for (auto& [set, piece] : bySet) pieces.push_back(std::move(piece));
-    std::ranges::stable_sort(
-        pieces, [](const Piece& a, const Piece& b) { return a.box.diagonal().norm() > b.box.diagonal().norm(); });
+    std::ranges::stable_sort(pieces, [](const Piece& a, const Piece& b) { return a.size() > b.size(); });
     return pieces;
 }
 
@@ -109,8 +107,9 @@ void turn(Triangle& triangle) { std::swap(triangle[1], triangle[2]); }
 
 /// A piece that looks inward is turned, unless it lies within the largest one: it may be the wall of a hollow.
 void lookOutward(TriangleMesh& mesh, const std::vector<Piece>& pieces, std::vector<bool>& turned) {
+    const Piece& body = largestBody(pieces);
     for (const Piece& piece : pieces) {
-        const bool isHollow = &piece != &pieces.front() && pieces.front().box.contains(piece.box);
+        const bool isHollow = &piece != &body && body.box.contains(piece.box);
         if (isHollow || volumeSeenFrom(mesh, piece.triangles, piece.box.center()) >= 0) continue;
         for (const std::uint32_t t : piece.triangles) {
             turn(mesh.triangles[t]);
@@ -127,10 +126,21 @@ void orient(TriangleMesh& mesh, const RepairOptions& options, RepairReport& repo
     }
     std::vector<Piece> pieces = gather(mesh, neighbours.pieces);
     lookOutward(mesh, pieces, turned);
-    const double least = options.crumb * boundingBox(mesh).diagonal().norm();
+    const Piece& body = largestBody(pieces);
+    const auto isSpeck = [&](const Piece& piece) {
+        const bool isThin = piece.area < options.crumb * options.crumb * body.area && !body.box.contains(piece.box);
+        const bool isLone = piece.triangles.size() == 1;  // it bounds nothing, however large it is
+        return &piece != &body && (piece.size() < options.crumb * body.size() || isThin || isLone);
+    };
+    double area = 0, areaOfSpecks = 0;
+    for (const Piece& piece : pieces) {
+        area += piece.area;
+        areaOfSpecks += isSpeck(piece) ? piece.area : 0;
+    }
+    const bool dropsSpecks = areaOfSpecks <= (1 - kLeastBody) * area;  // else they are no specks beside a body
     std::vector<bool> kept(mesh.triangles.size(), false);
     for (const Piece& piece : pieces) {
-        const bool isCrumb = piece.box.diagonal().norm() < least;
+        const bool isCrumb = dropsSpecks && isSpeck(piece);
         report.droppedPieces += isCrumb;
         for (const std::uint32_t t : piece.triangles) kept[t] = !isCrumb;
     }
@@ -144,37 +154,7 @@ void orient(TriangleMesh& mesh, const RepairOptions& options, RepairReport& repo
     mesh.triangles = std::move(rest);
 }
 
-/// The rims of the holes, each a closed chain of vertices that runs against the triangles beside it. A rim that forks
-/// is left out and counted.
-std::vector<std::vector<std::uint32_t>> rims(const TriangleMesh& mesh, RepairReport& report) {
-    std::map<std::uint32_t, std::vector<std::uint32_t>> next;
-    MeshEdges(mesh).forEachEdge([&](std::span<const EdgeUse> uses) {
-        if (uses.size() != 1) return;
-        const std::uint32_t corner = uses[0].corner;
-        const Triangle& triangle = mesh.triangles[corner / 3];
-        next[triangle[(corner % 3 + 1) % 3]].push_back(triangle[corner % 3]);
-    });
-    std::vector<std::vector<std::uint32_t>> loops;
-    while (!next.empty()) {
-        std::vector<std::uint32_t> loop;
-        const std::uint32_t start = next.begin()->first;
-        bool isSimple = true;
-        for (auto here = next.begin(); here != next.end(); here = next.find(loop.back())) {
-            isSimple &= here->second.size() == 1;
-            const std::uint32_t to = here->second.back();
-            next.erase(here);
-            loop.push_back(to);
-        }
-        if (isSimple && loop.size() >= 3 && loop.back() == start) {
-            loops.push_back(std::move(loop));
-        } else {
-            ++report.openHoles;
-        }
-    }
-    return loops;
-}
-
-double lengthOf(const TriangleMesh& mesh, const std::vector<std::uint32_t>& loop) {
+double lengthOf(const TriangleMesh& mesh, const Loop& loop) {
     double length = 0;
     for (std::size_t i = 0; i < loop.size(); ++i) {
         length += (mesh.vertices[loop[i]] - mesh.vertices[loop[(i + 1) % loop.size()]]).cast<double>().norm();
@@ -182,7 +162,7 @@ double lengthOf(const TriangleMesh& mesh, const std::vector<std::uint32_t>& loop
     return length;
 }
 
-void fill(TriangleMesh& mesh, const std::vector<std::uint32_t>& loop) {
+void fill(TriangleMesh& mesh, const Loop& loop) {
     if (loop.size() == 3) {
         mesh.triangles.push_back({loop[0], loop[1], loop[2]});
         return;
@@ -198,7 +178,7 @@ void fill(TriangleMesh& mesh, const std::vector<std::uint32_t>& loop) {
 
 void fillHoles(TriangleMesh& mesh, const RepairOptions& options, RepairReport& report) {
     const double longest = options.smallHole * boundingBox(mesh).diagonal().norm();
-    for (const auto& loop : rims(mesh, report)) {
+    for (const Loop& loop : holeRims(mesh, report.openHoles)) {
         const double rim = lengthOf(mesh, loop);
         const bool fills = options.holes == HolesToFill::All || (options.holes == HolesToFill::Small && rim <= longest);
         if (!fills) {
@@ -217,6 +197,7 @@ RepairedMesh repaired(const TriangleMesh& mesh, const RepairOptions& options) {
     RepairedMesh result{mesh, {}};
     if (mesh.empty()) return result;
     dropUseless(result.mesh, result.report);
+    if (result.mesh.empty()) return result;
     orient(result.mesh, options, result.report);
     fillHoles(result.mesh, options, result.report);
     return result;

@@ -31,8 +31,11 @@ void countEdges(const TriangleMesh& mesh, MeshReport& report, DisjointSets& fans
     MeshEdges(mesh).forEachEdge([&](std::span<const EdgeUse> uses) {
         ++edges;
         report.boundaryEdges += uses.size() == 1;
+        const bool isOdd = uses.size() % 2 != 0;
         report.nonManifoldEdges += uses.size() > 2;
-        report.inconsistentEdges += uses.size() == 2 && uses[0].upward == uses[1].upward;
+        report.oddEdges += uses.size() > 2 && isOdd;
+        const auto upward = static_cast<std::size_t>(std::ranges::count(uses, true, &EdgeUse::upward));
+        report.inconsistentEdges += !isOdd && 2 * upward != uses.size();
         for (const EdgeUse& use : uses.subspan(1)) {
             const bool sameWay = use.upward == uses[0].upward;
             fans.join(uses[0].corner, sameWay ? use.corner : sideEnd(use.corner));
@@ -128,7 +131,7 @@ std::optional<double> MeshReport::volume() const {
 }
 
 std::optional<std::int64_t> MeshReport::genus() const {
-    if (!watertight()) return std::nullopt;
+    if (!watertight() || nonManifoldEdges > 0) return std::nullopt;
     return static_cast<std::int64_t>(shells.size()) - eulerCharacteristic / 2;
 }
 

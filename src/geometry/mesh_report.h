@@ -28,7 +28,8 @@ struct MeshReport {
     std::size_t duplicateTriangles = 0;    ///< with the same three corners, in any order, as an earlier one
     std::size_t boundaryEdges = 0;         ///< with one triangle: the rim of a hole
     std::size_t nonManifoldEdges = 0;      ///< with three or more triangles
-    std::size_t inconsistentEdges = 0;     ///< with two triangles that disagree on which side is outside
+    std::size_t oddEdges = 0;              ///< of these, with an odd number: there the surface is not closed
+    std::size_t inconsistentEdges = 0;     ///< with two, four ... triangles that disagree on which side is outside
     std::size_t pinchedVertices = 0;       ///< where parts of the surface touch in nothing but this point
     std::int64_t eulerCharacteristic = 0;  ///< vertices - edges + triangles; a pinched vertex counts once for each part
     double area = 0;                       ///< mm^2
@@ -36,17 +37,19 @@ struct MeshReport {
     Box3 box;                              ///< mm; empty if there is no triangle
     std::vector<ShellReport> shells;       ///< largest first
 
-    /// Every edge has exactly two triangles.
-    [[nodiscard]] bool closed() const { return !shells.empty() && boundaryEdges == 0 && nonManifoldEdges == 0; }
+    /// Every edge has an even number of triangles; parts of the surface may touch along edges of four or more.
+    [[nodiscard]] bool closed() const { return !shells.empty() && boundaryEdges == 0 && oddEdges == 0; }
     /// Neighbouring triangles agree on which side is outside.
     [[nodiscard]] bool oriented() const { return inconsistentEdges == 0; }
-    /// Closed and oriented: the surface has an inside.
+    /// Closed and oriented: each edge is run through as often in one direction as in the other (`EdgeBalance`), and the
+    /// surface has an inside.
     [[nodiscard]] bool watertight() const { return closed() && oriented(); }
     /// The surface has an inside, but says that it is outside.
     [[nodiscard]] bool insideOut() const { return watertight() && signedVolume < 0; }
     /// The enclosed volume, mm^3; none if there is no inside.
     [[nodiscard]] std::optional<double> volume() const;
-    /// The number of handles (0 for a ball, 1 for a ring), of all shells together; none if there is no inside.
+    /// The number of handles (0 for a ball, 1 for a ring), of all shells together; none if there is no inside, or if
+    /// parts of the surface touch along edges.
     [[nodiscard]] std::optional<std::int64_t> genus() const;
 };
 

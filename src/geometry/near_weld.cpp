@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/near_weld.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <map>
+#include <unordered_map>
 #include <vector>
 
 namespace tactooth {
@@ -14,7 +15,10 @@ using Cell = std::array<std::int64_t, 3>;
 
 Cell cellOf(const Vec3f& point, double size) {
     Cell cell;
-    for (int axis = 0; axis < 3; ++axis) cell[axis] = static_cast<std::int64_t>(std::floor(point[axis] / size));
+    constexpr double kMost = 1e18;  // beyond it, where no float is near another one, all share a cell
+    for (int axis = 0; axis < 3; ++axis) {
+        cell[axis] = static_cast<std::int64_t>(std::clamp(std::floor(point[axis] / size), -kMost, kMost));
+    }
     return cell;
 }
 
@@ -47,19 +51,31 @@ public:
 
 private:
     double tolerance_;
-    std::map<Cell, std::vector<std::uint32_t>> cells_;
+    struct Hash {
+        std::size_t operator()(const Cell& cell) const {
+            std::uint64_t mixed = 0;
+            for (const std::int64_t place : cell) {
+                mixed = (mixed ^ static_cast<std::uint64_t>(place)) * 0x9e3779b97f4a7c15U;
+                mixed ^= mixed >> 32;
+            }
+            return static_cast<std::size_t>(mixed);
+        }
+    };
+    // Looked up and never walked through: its order has no influence.
+    std::unordered_map<Cell, std::vector<std::uint32_t>, Hash> cells_;
 };
 
 }  // namespace
 
-TriangleMesh weldedWithin(const TriangleMesh& mesh, double tolerance, std::size_t* moved) {
+TriangleMesh weldedWithin(const TriangleMesh& mesh, double tolerance, std::size_t* moved,
+                          std::span<const std::uint8_t> mayMove) {
     assert(tolerance > 0);
     Kept kept(tolerance);
     std::vector<std::uint32_t> place(mesh.vertices.size());
     std::vector<std::uint32_t> newNumber(mesh.vertices.size());
     TriangleMesh result;
     for (std::uint32_t v = 0; v < place.size(); ++v) {
-        place[v] = kept.place(mesh.vertices[v], v, mesh.vertices);
+        place[v] = mayMove.empty() || mayMove[v] != 0 ? kept.place(mesh.vertices[v], v, mesh.vertices) : v;
         if (place[v] != v) continue;
         newNumber[v] = static_cast<std::uint32_t>(result.vertices.size());
         result.vertices.push_back(mesh.vertices[v]);

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <span>
 
 #include "geometry/triangle_mesh.h"
 
@@ -10,7 +12,9 @@ namespace tactooth {
 
 /// `mesh` with vertices that lie within `tolerance` mm of an earlier one put onto it, in the order of their numbers;
 /// the first of a group stays where it is. Triangles stay in their order, also those that have lost their area.
-/// `moved`, if given, is how many vertices were put onto another.
-[[nodiscard]] TriangleMesh weldedWithin(const TriangleMesh& mesh, double tolerance, std::size_t* moved = nullptr);
+/// `moved`, if given, is how many vertices were put onto another. `mayMove`, if not empty: only vertices that it marks
+/// are put onto another, and only onto a marked one.
+[[nodiscard]] TriangleMesh weldedWithin(const TriangleMesh& mesh, double tolerance, std::size_t* moved = nullptr,
+                                        std::span<const std::uint8_t> mayMove = {});
 
 }  // namespace tactooth

@@ -2,26 +2,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "haptics/load_surface.h"
 
-#include "geometry/mesh_edges.h"
+#include "collision/solid.h"
+#include "geometry/file_bytes.h"
 #include "geometry/mesh_file.h"
 
 namespace tactooth {
-namespace {
 
-bool isClosed(const TriangleMesh& mesh) {
-    bool closed = true;
-    MeshEdges(mesh).forEachEdge([&](const auto& uses) { closed &= uses.size() == 2; });
-    return closed;
-}
-
-}  // namespace
-
-Expected<std::shared_ptr<const Surface>> loadSurface(const std::filesystem::path& path) {
+Expected<std::shared_ptr<const Surface>> loadSurface(const std::filesystem::path& path, std::vector<Remark>* remarks) {
     Expected<TriangleMesh> mesh = loadMesh(path);
     if (!mesh) return Unexpected{mesh.error()};
+    ExaminedSolid examined = examineSolid(std::move(*mesh));
+    const SolidFlaw flaw = examined.report.flaw;
+    // What is open can still be felt.
+    if (flaw != SolidFlaw::None && flaw != SolidFlaw::Open && flaw != SolidFlaw::Twisted) {
+        return unexpected(shownName(path) + ": " + flawSentence(examined.report, "the surface of the tooth") + ".");
+    }
+    if (remarks != nullptr) *remarks = remarksOn(examined.report, shownName(path.filename()));
     auto surface = std::make_shared<Surface>();
-    surface->closed = isClosed(*mesh);
-    surface->base = std::make_shared<const SurfacePart>(std::move(*mesh));
+    surface->closed = examined.report.isSolid();
+    surface->base = std::make_shared<const SurfacePart>(std::move(examined.mesh));
     return std::shared_ptr<const Surface>(std::move(surface));
 }
 

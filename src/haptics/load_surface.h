@@ -4,16 +4,20 @@
 
 #include <filesystem>
 #include <memory>
+#include <vector>
 
 #include "collision/surface.h"
 #include "collision/tool_shape.h"
 #include "geometry/expected.h"
+#include "geometry/remark.h"
 
 namespace tactooth {
 
 /// A tooth that is only felt, from its STL file: no layers, tags all zero. Also works with an open surface; then only
-/// the triangles are felt, and nothing is "inside".
-[[nodiscard]] Expected<std::shared_ptr<const Surface>> loadSurface(const std::filesystem::path& path);
+/// the triangles are felt, and nothing is "inside". Fails with one sentence, also if parts of the surface reach into
+/// each other (`examineSolid`). `remarks`, if given: what was mended.
+[[nodiscard]] Expected<std::shared_ptr<const Surface>> loadSurface(const std::filesystem::path& path,
+                                                                   std::vector<Remark>* remarks = nullptr);
 
 /// A tool from its STL file, in its own frame (tip at the origin, +z along the shaft).
 [[nodiscard]] Expected<std::shared_ptr<const ToolShape>> loadTool(const std::filesystem::path& path);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "geometry/mesh_specks.h"
 #include "patient/dental_arch.h"
 #include "patient/length_unit.h"
 
@@ -11,15 +12,15 @@ namespace tactooth {
 namespace {
 
 Box3 boxOf(const Scan& scan) {
-    Box3 box = boundingBox(scan.outer);
-    for (const LayerMesh& layer : scan.layers) box.extend(boundingBox(layer.mesh));
+    Box3 box = boxWithoutSpecks(scan.outer);
+    for (const LayerMesh& layer : scan.layers) box.extend(boxWithoutSpecks(layer.mesh));
     return box;
 }
 
 /// The middle of the enamel, or of all where there is none.
 Vec3 crownOf(const Scan& scan, const Box3& box) {
     for (const LayerMesh& layer : scan.layers) {
-        if (layer.material == MaterialId::Enamel) return boundingBox(layer.mesh).center();
+        if (layer.material == MaterialId::Enamel) return boxWithoutSpecks(layer.mesh).center();
     }
     return box.center();
 }

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "geometry/mesh_report.h"
+#include "collision/solid.h"
 #include "patient/joined_layers.h"
 #include "patient/length_unit.h"
 
@@ -25,16 +25,21 @@ public:
 
     Expected<ExaminedScan> run() && {
         if (result_.outer.empty() && result_.layers.empty()) return unexpected(result_.name + ": there is no surface.");
+        // Before the unit is guessed: a speck far away says nothing about the size of the tooth.
+        for (LayerMesh& layer : result_.layers) mended_.push_back(mend(layer.mesh));
+        if (!result_.outer.empty()) mended_.push_back(mend(result_.outer));
         takeUnit();
-        for (LayerMesh& layer : result_.layers) {
-            if (auto done = mend(layer.mesh, layer.name); !done) return Unexpected{done.error()};
+        for (std::size_t i = 0; i < result_.layers.size(); ++i) {
+            LayerMesh& layer = result_.layers[i];
+            if (auto done = makeSolid(layer.mesh, layer.name, mended_[i], false); !done)
+                return Unexpected{done.error()};
         }
         if (result_.outer.empty()) {
             auto joined = joinLayers(result_.layers);
             if (!joined) return unexpected(result_.name + ": " + joined.error().message + ".");
             result_.outer = std::move(joined->outer);
             result_.remarks.push_back(std::move(joined->how));
-        } else if (auto done = mend(result_.outer, "outer"); !done) {
+        } else if (auto done = makeSolid(result_.outer, "outer", mended_.back(), true); !done) {
             return Unexpected{done.error()};
         }
         standUp();
@@ -64,8 +69,19 @@ private:
         result_.remarks.push_back({RemarkTopic::Closedness, text, std::move(values)});
     }
 
-    void tell(const RepairReport& done, const MeshReport& now, const std::string& what) {
+    [[nodiscard]] RepairReport mend(TriangleMesh& mesh) const {
+        RepairedMesh mended = repaired(mesh, {.holes = choices_.holes});
+        mesh = std::move(mended.mesh);
+        return mended.report;
+    }
+
+    /// `done` is in the file's unit, `now` in mm.
+    void tell(const RepairReport& done, const SolidReport& now, const std::string& what, std::size_t triangles) {
         const auto number = [](std::size_t count) { return std::to_string(count); };
+        if (done.cracks.moved > 0) {
+            remark("%1: %2 corners that differ in their last digits were welded, within %3 mm.",
+                   {what, number(done.cracks.moved), rounded(done.cracks.tolerance * result_.mmPerUnit, 6)});
+        }
         if (done.droppedDegenerate + done.droppedDuplicates > 0) {
             remark("%1: %2 empty or doubled triangles were dropped.",
                    {what, number(done.droppedDegenerate + done.droppedDuplicates)});
@@ -76,33 +92,42 @@ private:
             remark("%1: %2 triangles were turned to look outward.", {what, number(done.turnedTriangles)});
         if (done.filledHoles > 0) {
             remark("%1: %2 holes were filled, the largest with a rim of %3 mm.",
-                   {what, number(done.filledHoles), rounded(done.longestFilledRim, 2)});
+                   {what, number(done.filledHoles), rounded(done.longestFilledRim * result_.mmPerUnit, 2)});
         }
-        if (!done.changedAnything())
-            remark("%1: closed and sound as it came, %2 triangles.", {what, number(now.triangles)});
-        if (now.shells.size() > 1) remark("%1: consists of %2 separate shells.", {what, number(now.shells.size())});
+        std::vector<Remark> solid = remarksOn(now, what);
+        if (!done.changedAnything() && solid.empty())
+            remark("%1: closed and sound as it came, %2 triangles.", {what, number(triangles)});
+        std::ranges::move(solid, std::back_inserter(result_.remarks));
+        if (now.shells > 1) remark("%1: consists of %2 separate shells.", {what, number(now.shells)});
     }
 
-    Expected<void> mend(TriangleMesh& mesh, const std::string& what) {
-        RepairedMesh mended = repaired(mesh, {.holes = choices_.holes});
-        const MeshReport now = reportOn(mended.mesh);
-        if (mended.mesh.empty()) return unexpected(result_.name + ": the surface '" + what + "' has no area.");
-        if (now.nonManifoldEdges > 0 && now.boundaryEdges > 0) {
-            return unexpected(result_.name + ": " + std::to_string(now.nonManifoldEdges) + " edges of the surface '" +
-                              what + "' have more than two triangles; mend it in a mesh program.");
+    /// Why a surface that was mended is no solid: a sentence.
+    [[nodiscard]] std::string refusal(const RepairReport& done, const SolidReport& now, const std::string& what) const {
+        const std::string& name = result_.name;
+        const std::string edges = std::to_string(now.openEdges);
+        if (now.flaw == SolidFlaw::Open && done.openHoles > 0 && choices_.holes != HolesToFill::All) {
+            return name + ": the surface '" + what + "' has " + std::to_string(done.openHoles) +
+                   " holes that are too wide to be filled unasked (" + edges +
+                   " open edges); ask for all holes to be filled, or close it in a mesh program.";
         }
-        if (now.boundaryEdges > 0) {
-            return unexpected(result_.name + ": the surface '" + what + "' has " +
-                              std::to_string(mended.report.openHoles) +
-                              " holes that are too wide to be filled unasked (" + std::to_string(now.boundaryEdges) +
-                              " open edges); ask for all holes to be filled, or close it in a mesh program.");
+        if (now.flaw == SolidFlaw::Open) {
+            return name + ": the surface '" + what + "' cannot be closed (" + edges +
+                   " open edges): walls meet inside it, or pieces hang together with nothing; close it in a mesh "
+                   "program.";
         }
-        if (!now.watertight() && now.nonManifoldEdges == 0) {
-            return unexpected(result_.name + ": the surface '" + what +
-                              "' has no outside (it is twisted); mend it in a mesh program.");
+        if (now.flaw == SolidFlaw::Overlapping && done.filledHoles > 0) {
+            return name + ": the surface '" + what + "' crosses itself by " + rounded(now.overlap, 2) +
+                   " mm once its " + std::to_string(done.filledHoles) +
+                   " holes are filled; close it in a mesh program.";
         }
-        tell(mended.report, now, what);
-        mesh = std::move(mended.mesh);
+        return name + ": " + flawSentence(now, "the surface '" + what + "'") + ".";
+    }
+
+    Expected<void> makeSolid(TriangleMesh& mesh, const std::string& what, const RepairReport& done, bool dropsSpecks) {
+        ExaminedSolid solid = examineSolid(std::move(mesh), {.dropsSpecks = dropsSpecks});
+        if (!solid.report.isSolid()) return unexpected(refusal(done, solid.report, what));
+        mesh = std::move(solid.mesh);
+        tell(done, solid.report, what, mesh.triangles.size());
         return {};
     }
 
@@ -131,6 +156,7 @@ private:
 
     const ImportChoices& choices_;
     ExaminedScan result_;
+    std::vector<RepairReport> mended_;  // of the layers, then of the outer surface
 };
 
 }  // namespace

@@ -8,7 +8,6 @@
 
 #include "collision/closest_point.h"
 #include "geometry/file_bytes.h"
-#include "geometry/mesh_report.h"
 #include "geometry/number_text.h"
 #include "geometry/pose.h"
 #include "instruments/bur_shape.h"
@@ -143,15 +142,6 @@ Expected<TriangleMesh> cutShape(const PreparationPlan& plan, const CuttingTool& 
     return asRead(*piece.surface());
 }
 
-Expected<TriangleMesh> readShape(const std::filesystem::path& file) {
-    Expected<TriangleMesh> ideal = loadIdealShape(file);
-    if (ideal && !reportOn(*ideal).watertight()) {
-        return unexpected(shownName(file) + ": the surface has holes; an ideal shape is the whole tooth with its " +
-                          "cavity, closed ('tactooth info' tells where it is open).");
-    }
-    return ideal;
-}
-
 }  // namespace
 
 std::span<const std::shared_ptr<const Exercise>> exercises() {
@@ -172,7 +162,7 @@ Expected<std::shared_ptr<const LayeredTooth>> exerciseTooth(const Exercise& exer
 }
 
 Expected<TriangleMesh> idealShape(const Exercise& exercise, std::shared_ptr<const LayeredTooth> tooth) {
-    if (const auto* file = std::get_if<std::filesystem::path>(&exercise.ideal)) return readShape(*file);
+    if (const auto* file = std::get_if<std::filesystem::path>(&exercise.ideal)) return loadIdealShape(*file);
     const Expected<CuttingTool> tool = burOf(exercise);
     if (!tool) return Unexpected{tool.error()};
     Expected<TriangleMesh> ideal = cutShape(std::get<PreparationPlan>(exercise.ideal), *tool, std::move(tooth));

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "session/ideal_shape.h"
 
-#include "geometry/mesh_file.h"
+#include "collision/solid_file.h"
 #include "geometry/vertex_welder.h"
 #include "session/tooth_file.h"
 
@@ -19,7 +19,7 @@ TriangleMesh asRead(const Surface& tooth) {
 }
 
 Expected<TriangleMesh> loadIdealShape(const std::filesystem::path& file) {
-    if (!isToothFile(file)) return loadMesh(file);
+    if (!isToothFile(file)) return loadSolid(file, "the ideal shape, the whole tooth with its cavity,");
     const Expected<OpenedTooth> opened = openTooth(file);
     if (!opened) return Unexpected{opened.error()};
     return asRead(*opened->piece->surface());

@@ -27,6 +27,7 @@ inline constexpr std::string_view kToothFileEnding = ".tactooth";
 struct OpenedTooth {
     std::shared_ptr<WorkPiece> piece;
     Provenance provenance;
+    std::vector<Remark> remarks = {};  ///< what was mended in surfaces that were read
 };
 [[nodiscard]] Expected<OpenedTooth> openTooth(const std::filesystem::path& path);
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "session/tooth_source.h"
 
-#include "geometry/mesh_file.h"
+#include "collision/solid_file.h"
+#include "geometry/file_bytes.h"
 
 namespace tactooth {
 namespace {
@@ -25,21 +26,23 @@ Expected<ToothSource::Layer> parseLayer(const std::string& text) {
     return ToothSource::Layer{name, text.substr(equals + 1)};
 }
 
-Expected<std::shared_ptr<const LayeredTooth>> loadLayeredTooth(const ToothSource& source) {
+Expected<std::shared_ptr<const LayeredTooth>> loadLayeredTooth(const ToothSource& source,
+                                                               std::vector<Remark>* remarks) {
     const Expected<MaterialId> body = materialNamed(source.material);
     if (!body) return Unexpected{body.error()};
-    Expected<TriangleMesh> outer = loadMesh(source.outer);
+    Expected<TriangleMesh> outer = loadSolid(source.outer, "the surface of the tooth", {}, remarks);
     if (!outer) return Unexpected{outer.error()};
     std::vector<LayerMesh> layers;
     for (const ToothSource::Layer& layer : source.layers) {
         const Expected<MaterialId> material = materialNamed(layer.material);
         if (!material) return Unexpected{material.error()};
-        Expected<TriangleMesh> mesh = loadMesh(layer.file);
+        const std::string what = "the surface of layer '" + layer.material + "'";
+        Expected<TriangleMesh> mesh = loadSolid(layer.file, what, {.dropsSpecks = false}, remarks);
         if (!mesh) return Unexpected{mesh.error()};
         layers.push_back({layer.material, *material, std::move(*mesh)});
     }
     Expected<LayeredTooth> tooth = LayeredTooth::make(std::move(*outer), std::move(layers), *body);
-    if (!tooth) return unexpected(source.outer.string() + ": " + tooth.error().message);
+    if (!tooth) return unexpected(shownName(source.outer) + ": " + tooth.error().message + ".");
     return std::shared_ptr<const LayeredTooth>(std::make_shared<const LayeredTooth>(std::move(*tooth)));
 }
 

@@ -33,8 +33,10 @@ struct SignedField {
 /// more than the step between their nodes belong to the same side, which saves most inside tests.
 class SignedSampler {
 public:
-    SignedSampler(const SurfacePart& part, const Lattice& lattice, const BrickKey& key, double band)
+    /// `normalsTell`: of a solid, whose triangles all look at the outside. Else every side is asked of a ray.
+    SignedSampler(const SurfacePart& part, const Lattice& lattice, const BrickKey& key, double band, bool normalsTell)
         : part_(part),
+          normalsTell_(normalsTell),
           near_(part, lattice.centre(key), lattice.halfDiagonal() + band),
           corner_(lattice.corner(key)),
           spacing_(lattice.spacing()),
@@ -92,7 +94,7 @@ private:
     }
 
     [[nodiscard]] bool isInsideNear(const Vec3& point, const Vec3& away, const std::optional<ClosestPoint>& hit) const {
-        if (hit && hit->distance > kOnSurface) {
+        if (normalsTell_ && hit && hit->distance > kOnSurface) {
             const double cosine = part_.mesh().areaVector(hit->triangle).normalized().dot(away) / hit->distance;
             if (std::abs(cosine) > kAlongNormal) return cosine < 0;
         }
@@ -100,6 +102,7 @@ private:
     }
 
     const SurfacePart& part_;
+    const bool normalsTell_;
     const NearLeaves near_;
     const Vec3 corner_;
     const double spacing_;
@@ -130,7 +133,7 @@ void fillMaterials(Brick& brick, const LayeredTooth& tooth, const Lattice& latti
     std::array<float, kBrickNodes> nearest;
     nearest.fill(bandFloat);
     for (const LayeredTooth::Layer& layer : tooth.layers()) {
-        const SignedSampler sampler(*layer.part, lattice, key, band);
+        const SignedSampler sampler(*layer.part, lattice, key, band, true);
         for (int node = 0; node < kBrickNodes; ++node) {
             const float distance = sampler.field().distance[node];
             if (nearest[node] < bandFloat) shareVoxel(brick, node, layer.material, sampler.field(), lattice.spacing());
@@ -150,7 +153,7 @@ void fillMaterials(Brick& brick, const LayeredTooth& tooth, const Lattice& latti
 
 std::unique_ptr<Brick> makeBrick(const LayeredTooth& tooth, const Lattice& lattice, const BrickKey& key) {
     const double spacing = lattice.spacing();
-    const SignedSampler outer(*tooth.outer(), lattice, key, kToothBand * spacing);
+    const SignedSampler outer(*tooth.outer(), lattice, key, kToothBand * spacing, !tooth.bodiesOverlap());
     const auto& distance = outer.field().distance;
     const bool isAir = std::all_of(distance.begin(), distance.end(),
                                    [&](float d) { return d > static_cast<float>(kAirMargin * spacing); });

@@ -7,6 +7,8 @@
 #include <limits>
 
 #include "collision/closest_point.h"
+#include "collision/crossing_search.h"
+#include "geometry/mesh_edges.h"
 #include "geometry/parallel_for.h"
 
 namespace tactooth {
@@ -23,47 +25,10 @@ double signedVolume(const TriangleMesh& mesh) {
     return sixfold / 6;
 }
 
-bool hasEqualCorners(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
-
-/// Directed edges without an opposite partner. Edges are gathered at their lower vertex (a counting sort), where only
-/// a handful meet. A triangle with two equal corners closes nothing and opens nothing.
-std::size_t unpairedEdges(const TriangleMesh& mesh) {
-    std::vector<std::uint32_t> start(mesh.vertices.size() + 1, 0);
-    for (const Triangle& triangle : mesh.triangles) {
-        if (hasEqualCorners(triangle)) continue;
-        for (int i = 0; i < 3; ++i) ++start[std::min(triangle[i], triangle[(i + 1) % 3]) + 1];
-    }
-    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) start[v + 1] += start[v];
-    struct HalfEdge {
-        std::uint32_t high;
-        int direction;
-    };
-    std::vector<HalfEdge> halves(start.back());
-    std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
-    for (const Triangle& triangle : mesh.triangles) {
-        if (hasEqualCorners(triangle)) continue;
-        for (int i = 0; i < 3; ++i) {
-            const auto [low, high] = std::minmax(triangle[i], triangle[(i + 1) % 3]);
-            halves[next[low]++] = {high, triangle[i] == low ? 1 : -1};
-        }
-    }
-    std::size_t unpaired = 0;
-    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-        for (std::uint32_t i = start[v]; i < start[v + 1]; ++i) {
-            int balance = 0;
-            for (std::uint32_t j = start[v]; j < start[v + 1]; ++j) {
-                if (halves[j].high == halves[i].high) balance += halves[j].direction;
-            }
-            unpaired += balance != 0;
-        }
-    }
-    return unpaired;
-}
-
 Expected<void> checkClosed(const TriangleMesh& mesh, const std::string& what) {
     if (mesh.empty()) return unexpected("the surface of " + what + " holds no triangle: give a closed STL surface");
-    if (const std::size_t open = unpairedEdges(mesh); open > 0) {
-        return unexpected("the surface of " + what + " is open (" + std::to_string(open) +
+    if (const EdgeBalance edges = edgeBalance(mesh); !edges.closed()) {
+        return unexpected("the surface of " + what + " is open (" + std::to_string(edges.odd + edges.against) +
                           " edges without a neighbour), so it has no inside to cut: close its holes first");
     }
     if (!(signedVolume(mesh) > 0)) {
@@ -127,6 +92,8 @@ Expected<LayeredTooth> LayeredTooth::make(TriangleMesh outer, std::vector<LayerM
     }
     std::vector<SurfaceTag> tags = tooth.tagsOf(outer);
     tooth.outer_ = std::make_shared<const SurfacePart>(std::move(outer), std::move(tags), standing.firstAround);
+    const bool isAlone = standing.firstAround >= tooth.outer_->mesh().triangles.size();
+    if (!isAlone) tooth.bodiesOverlap_ = crossingTriangles(*tooth.outer_).value_or(std::vector{0U}).size() > 0;
     for (const Layer& layer : tooth.layers_) {
         if (areApart(*tooth.outer_, *layer.part)) return unexpected(outsideSentence("layer '" + layer.name + "'"));
     }

@@ -12,7 +12,7 @@
 
 namespace tactooth {
 
-/// One closed body inside a tooth, as it comes from a file.
+/// One closed body inside a tooth, as `examineSolid` leaves it.
 struct LayerMesh {
     std::string name;  ///< for messages: the user's word for it, unique within a tooth
     MaterialId material;
@@ -48,6 +48,9 @@ public:
     [[nodiscard]] std::shared_ptr<const SurfacePart> ownOuter() const;
     /// In rising order of victory.
     [[nodiscard]] const std::vector<Layer>& layers() const { return layers_; }
+    /// Whether bodies around the tooth reach into it, or into each other: then the nearest triangle does not tell what
+    /// is inside. What two of them claim counts as air.
+    [[nodiscard]] bool bodiesOverlap() const { return bodiesOverlap_; }
     /// What the tooth is made of where it has no layers.
     [[nodiscard]] MaterialId body() const { return body_; }
     [[nodiscard]] const Standing& standing() const { return standing_; }
@@ -65,6 +68,7 @@ private:
     std::vector<Layer> layers_;
     MaterialId body_ = MaterialId::Enamel;
     Standing standing_;
+    bool bodiesOverlap_ = false;
 };
 
 }  // namespace tactooth

@@ -6,6 +6,7 @@
 
 #include <random>
 
+#include "collision/closest_point.h"
 #include "support/shapes.h"
 
 namespace tactooth {
@@ -79,6 +80,38 @@ TEST(Brick, APackedDirectionKeepsItsDirection) {
     for (const Vec3& axis : {Vec3(1, 0, 0), Vec3(0, -1, 0), Vec3(0, 0, 1), Vec3(0, 0, -1)}) {
         EXPECT_LT((PackedDirection(axis).unpack() - axis).norm(), 1e-12);
     }
+}
+
+TEST(BrickMaker, BodiesThatReachIntoEachOtherHaveTheSidesThatARaySays) {
+    TriangleMesh outer = test::box(Vec3(-1, -1, -1), Vec3(1, 1, 1));
+    const auto first = static_cast<std::uint32_t>(outer.triangles.size());
+    append(outer, test::box(Vec3(0.5, -0.6, -0.7), Vec3(2, 0.8, 0.9)));  // in the first one, and out of it
+    const auto tooth = LayeredTooth::make(outer, {}, MaterialId::Dentin, {.firstAround = first});
+    ASSERT_TRUE(tooth);
+    EXPECT_TRUE(tooth->bodiesOverlap());
+    const Lattice lattice(kVoxel);
+    int inside = 0, shared = 0;
+    for (const BrickKey& key : lattice.bricksTouching(Box3(Vec3(0.2, -1.2, -1.2), Vec3(1.4, 1.2, 1.2)))) {
+        const auto brick = makeBrick(*tooth, lattice, key);
+        if (!brick) continue;
+        for (int node = 0; node < kBrickNodes; ++node) {
+            const Vec3 point = nodePosition(lattice, key, node);
+            if (std::abs(brick->tooth[node]) < 1e-4) continue;
+            const bool isInside = contains(*tooth->outer(), point);
+            ASSERT_EQ(brick->tooth[node] < 0, isInside) << point.transpose();
+            inside += isInside;
+            shared += !isInside && point.cwiseAbs().maxCoeff() < 1 && point.x() > 0.5;
+        }
+    }
+    EXPECT_GT(inside, 1000);
+    EXPECT_GT(shared, 100);
+}
+
+TEST(BrickMaker, BodiesThatStandApartAreNoOverlap) {
+    TriangleMesh outer = test::box(Vec3(-1, -1, -1), Vec3(1, 1, 1));
+    const auto first = static_cast<std::uint32_t>(outer.triangles.size());
+    append(outer, test::box(Vec3(1.01, -1, -1), Vec3(2, 1, 1)));
+    EXPECT_FALSE(LayeredTooth::make(outer, {}, MaterialId::Dentin, {.firstAround = first})->bodiesOverlap());
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "app/cli/exit_code.h"
+#include "app/cli/remark_lines.h"
 #include "geometry/file_bytes.h"
 #include "geometry/mesh_report.h"
 #include "geometry/number_text.h"
@@ -129,6 +130,7 @@ int runCaseCheck(const CaseCheckOptions& options) {
         refuse(opened.error());
         return kExitNegative;
     }
+    printRemarks(opened->remarks);
     const auto bodies = caseBodies(*store, opened->description);
     if (!bodies) return refuse(bodies.error());
     for (const CaseBody& body : *bodies) {

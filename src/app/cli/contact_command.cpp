@@ -7,6 +7,7 @@
 #include <array>
 
 #include "app/cli/exit_code.h"
+#include "app/cli/remark_lines.h"
 #include "collision/contact_query.h"
 #include "haptics/load_surface.h"
 #include "session/csv_table.h"
@@ -30,8 +31,10 @@ void writeRow(CsvWriter& file, double time, const Contact& contact, double micro
 int runContact(const ContactOptions& options) {
     const auto trajectory = readTrajectory(options.poses);
     if (!trajectory) return refuse(trajectory.error());
-    const auto tooth = loadSurface(options.tooth);
+    std::vector<Remark> remarks;
+    const auto tooth = loadSurface(options.tooth, &remarks);
     if (!tooth) return refuse(tooth.error());
+    printRemarks(remarks);
     const auto tool = loadTool(options.tool);
     if (!tool) return refuse(tool.error());
     auto file = CsvWriter::create(options.out, kColumns);

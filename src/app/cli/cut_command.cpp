@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "app/cli/exit_code.h"
+#include "app/cli/remark_lines.h"
 #include "collision/surface.h"
 #include "geometry/atomic_file.h"
 #include "geometry/folder.h"
@@ -146,6 +147,7 @@ int runCut(const CutOptions& options) {
     if (!path) return refuse(path.error());
     const auto tooth = loadPlacedWork(*source, options.workOn, options.voxel, kUsualVoxel);
     if (!tooth) return refuse(tooth.error());
+    printRemarks(tooth->remarks);
     auto bur = burOf(options, tooth->place);
     if (!bur) return refuse(bur.error());
     const auto tool = makeCuttingTool(bur->surface, bur->sharpness);

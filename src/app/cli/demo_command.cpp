@@ -9,6 +9,7 @@
 #include "app/cli/demo_pictures.h"
 #include "app/cli/demo_summary.h"
 #include "app/cli/exit_code.h"
+#include "app/cli/remark_lines.h"
 #include "app/common/mouth_scene.h"
 #include "app/common/plot_image.h"
 #include "app/common/spin_blur.h"
@@ -67,6 +68,7 @@ Expected<void> castTooth(const DemoOptions& options, Cast& cast) {
         }
         auto placed = loadPlacedTooth(source, options.workOn);
         if (!placed) return Unexpected{placed.error()};
+        printRemarks(placed->remarks);
         ToothPlace& place = placed->place;
         cast.toothName = place.teethOfCase.empty() ? options.tooth.string() : place.name;
         cast.tooth = std::move(placed->tooth);

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "app/cli/exit_code.h"
+#include "app/cli/remark_lines.h"
 #include "haptics/latency_histogram.h"
 #include "haptics/load_surface.h"
 #include "session/cases/open_case.h"
@@ -26,8 +27,10 @@ struct FeltTooth {
 /// All of a case in the frame of one of its teeth, or a surface, which may be open.
 Expected<FeltTooth> toothOf(const FeelOptions& options) {
     if (!isCase(options.tooth)) {
-        auto surface = loadSurface(options.tooth);
+        std::vector<Remark> remarks;
+        auto surface = loadSurface(options.tooth, &remarks);
         if (!surface) return Unexpected{surface.error()};
+        printRemarks(remarks);
         return FeltTooth{std::move(*surface), {}};
     }
     const auto opened = openCase(options.tooth, options.workOn);

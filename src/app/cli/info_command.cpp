@@ -20,10 +20,10 @@ int runInfo(const InfoOptions& options) {
             exitCode = refuse(mesh.error());
             continue;
         }
-        const MeshReport report = reportOn(*mesh);
+        const SurfaceFacts facts = surfaceFacts(*mesh);
         const std::string name = shownName(file);
         if (!options.json && !first) std::puts("");
-        std::fputs((options.json ? infoJson(name, report) : infoTable(name, report)).c_str(), stdout);
+        std::fputs((options.json ? infoJson(name, facts) : infoTable(name, facts)).c_str(), stdout);
         first = false;
     }
     return exitCode;

@@ -26,28 +26,32 @@ Json orNull(const std::optional<Number>& number) {
 
 }  // namespace
 
-std::string infoJson(std::string_view name, const MeshReport& report) {
+std::string infoJson(std::string_view name, const SurfaceFacts& facts) {
+    const MeshReport& report = facts.used;
+    const bool isSolid = facts.solid.isSolid();
     Json json = {{"file", name},
-                 {"triangles", report.triangles},
+                 {"triangles", facts.storedTriangles},
                  {"vertices", report.vertices},
                  {"box", toJson(report.box)},
                  {"closed", report.closed()},
                  {"oriented", report.oriented()},
-                 {"watertight", report.watertight()},
-                 {"inside_out", report.insideOut()},
-                 {"volume", orNull(report.volume())},
+                 {"watertight", isSolid},
+                 {"inside_out", facts.storedInsideOut},
+                 {"volume", orNull(isSolid ? report.volume() : std::nullopt)},
                  {"area", report.area},
                  {"genus", orNull(report.genus())},
                  {"euler_characteristic", report.eulerCharacteristic},
                  {"boundary_edges", report.boundaryEdges},
                  {"non_manifold_edges", report.nonManifoldEdges},
+                 {"crossing_triangles", facts.solid.crossingTriangles},
+                 {"overlap", facts.solid.overlap},
                  {"inconsistent_edges", report.inconsistentEdges},
                  {"pinched_vertices", report.pinchedVertices},
                  {"degenerate_triangles", report.degenerateTriangles},
                  {"flat_triangles", report.flatTriangles},
                  {"duplicate_triangles", report.duplicateTriangles},
                  {"shells", Json::array()},
-                 {"findings", findings(report)}};
+                 {"findings", facts.findings()}};
     for (const ShellReport& shell : report.shells) json["shells"].push_back(toJson(shell));
     // A file name may hold bytes that are no UTF-8, and JSON may not.
     return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -15,10 +15,17 @@ std::string grouped(std::size_t count) {
     return digits;
 }
 
-std::string orientationOf(const MeshReport& report) {
-    if (!report.oriented()) return "mixed: neighbouring triangles disagree";
-    if (report.insideOut()) return "inside out";
-    return report.closed() ? "outward" : "consistent";
+std::string orientationOf(const SurfaceFacts& facts) {
+    if (!facts.storedOriented) return "mixed: neighbouring triangles disagree";
+    if (facts.storedInsideOut) return "inside out";
+    return facts.used.closed() ? "outward" : "consistent";
+}
+
+std::string volumeOf(const SurfaceFacts& facts) {
+    if (facts.solid.isSolid() && facts.used.volume()) return fmt::format("{:.2f} mm3", *facts.used.volume());
+    return facts.solid.flaw == SolidFlaw::Overlapping || facts.solid.flaw == SolidFlaw::Tangled
+               ? "none: parts of the surface reach into each other"
+               : "none: the surface has no inside";
 }
 
 std::string closednessOf(const MeshReport& report) {
@@ -28,8 +35,8 @@ std::string closednessOf(const MeshReport& report) {
 
 std::string row(std::string_view label, std::string_view value) { return fmt::format("  {:<13} {}\n", label, value); }
 
-std::string findingRows(const MeshReport& report) {
-    const std::vector<std::string> sentences = findings(report);
+std::string findingRows(const SurfaceFacts& facts) {
+    const std::vector<std::string> sentences = facts.findings();
     if (sentences.empty()) return row("Findings", "none");
     std::string rows;
     for (const std::string& sentence : sentences) rows += row(rows.empty() ? "Findings" : "", sentence);
@@ -38,20 +45,20 @@ std::string findingRows(const MeshReport& report) {
 
 }  // namespace
 
-std::string infoTable(std::string_view name, const MeshReport& report) {
-    const Vec3 size = report.box.sizes();
+std::string infoTable(std::string_view name, const SurfaceFacts& facts) {
+    const MeshReport& report = facts.used;
+    const Vec3 size = report.box.isEmpty() ? Vec3::Zero() : Vec3(report.box.sizes());
     std::string table = fmt::format("{}\n", name);
-    table += row("Triangles", grouped(report.triangles));
+    table += row("Triangles", grouped(facts.storedTriangles));
     table += row("Vertices", grouped(report.vertices));
     table += row("Size", fmt::format("{:.2f} x {:.2f} x {:.2f} mm", size.x(), size.y(), size.z()));
     table += row("Closed", closednessOf(report));
-    table += row("Orientation", orientationOf(report));
+    table += row("Orientation", orientationOf(facts));
     table += row("Shells", grouped(report.shells.size()));
     if (report.genus()) table += row("Tunnels", std::to_string(*report.genus()));
-    table += row("Volume",
-                 report.volume() ? fmt::format("{:.2f} mm3", *report.volume()) : "none: the surface has no inside");
+    table += row("Volume", volumeOf(facts));
     table += row("Surface area", fmt::format("{:.2f} mm2", report.area));
-    return table + findingRows(report);
+    return table + findingRows(facts);
 }
 
 }  // namespace tactooth

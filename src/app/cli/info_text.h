@@ -4,15 +4,29 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "collision/solid.h"
 #include "geometry/mesh_report.h"
 
 namespace tactooth {
 
-/// What `report` says about the file `name`, as a table for people, several lines.
-[[nodiscard]] std::string infoTable(std::string_view name, const MeshReport& report);
+/// What there is to say about a surface: as it is stored, and as every command uses it (`examineSolid`).
+struct SurfaceFacts {
+    std::size_t storedTriangles = 0;
+    bool storedInsideOut = false;
+    bool storedOriented = true;
+    MeshReport used;
+    SolidReport solid;
 
-/// The same, and all other numbers of the report, as one line of JSON; lengths in mm.
-[[nodiscard]] std::string infoJson(std::string_view name, const MeshReport& report);
+    /// Weaknesses and what was mended, a sentence each; none for a sound surface.
+    [[nodiscard]] std::vector<std::string> findings() const;
+};
+
+[[nodiscard]] SurfaceFacts surfaceFacts(const TriangleMesh& mesh);
+
+/// The facts as a table for people, or as one line of JSON. `name` of the file.
+[[nodiscard]] std::string infoTable(std::string_view name, const SurfaceFacts& facts);
+[[nodiscard]] std::string infoJson(std::string_view name, const SurfaceFacts& facts);
 
 }  // namespace tactooth

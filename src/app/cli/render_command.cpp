@@ -13,7 +13,7 @@
 #include "app/common/inspection.h"
 #include "app/gui/bench_parts.h"
 #include "geometry/file_bytes.h"
-#include "geometry/mesh_file.h"
+#include "session/ideal_shape.h"
 #include "session/material_file.h"
 #include "view/offscreen.h"
 
@@ -35,7 +35,7 @@ Expected<BenchTooth> toothOf(const RenderOptions& options) {
 }
 
 Expected<ColourByDistance> distancesFor(const RenderOptions& options, const Box3& box) {
-    auto mesh = loadMesh(options.target);
+    auto mesh = loadIdealShape(options.target);
     if (!mesh) return Unexpected{mesh.error()};
     const SurfacePart target(std::move(*mesh));
     constexpr double kMargin = 0.1;  // mm: the grid reaches beyond the surface that looks it up
@@ -44,7 +44,7 @@ Expected<ColourByDistance> distancesFor(const RenderOptions& options, const Box3
 }
 
 Expected<std::shared_ptr<CavityGhost>> ghostFor(const RenderOptions& options, const SurfacePart& uncut) {
-    const auto mesh = loadMesh(options.target);
+    const auto mesh = loadIdealShape(options.target);
     if (!mesh) return Unexpected{mesh.error()};
     auto ghost = std::make_shared<CavityGhost>(*mesh, uncut);
     if (ghost->empty()) {

@@ -9,8 +9,9 @@
 
 #include "app/cli/exit_code.h"
 #include "app/cli/mesh_summary.h"
+#include "app/cli/remark_lines.h"
+#include "collision/solid_file.h"
 #include "geometry/mesh_edges.h"
-#include "geometry/mesh_file.h"
 #include "geometry/number_text.h"
 #include "geometry/simplify.h"
 #include "geometry/stl_writer.h"
@@ -35,16 +36,11 @@ Expected<std::size_t> wantedTriangles(std::string_view keep, std::size_t triangl
 
 int runSimplify(const SimplifyOptions& options) {
     if (const auto wanted = wantedTriangles(options.keep, 1); !wanted) return refuse(wanted.error());
-    auto mesh = loadMesh(options.in);
+    std::vector<Remark> remarks;
+    auto mesh = loadSolid(options.in, "the surface", {.dropsSpecks = false}, &remarks);
     if (!mesh) return refuse(mesh.error());
+    printRemarks(remarks);
     std::erase_if(mesh->triangles, [](const Triangle& triangle) { return isDegenerate(triangle); });
-    if (const MeshReport report = reportOn(*mesh); !report.watertight()) {
-        return refuse(
-            {fmt::format("{}: {}; only a closed surface whose triangles all face outward can be simplified "
-                         "(see 'tactooth info').",
-                         options.in.string(),
-                         report.closed() ? "the triangles disagree on which side is outside" : meshSummary(report))});
-    }
     const std::size_t wanted = *wantedTriangles(options.keep, mesh->triangles.size());
     fmt::print(stderr, "simplifying {} triangles to {}\n", mesh->triangles.size(), wanted);
     const TriangleMesh fewer = simplified(*mesh, wanted);

@@ -94,6 +94,8 @@ Expected<BenchTooth> loadBenchTooth(const ToothSource& source, const std::string
     BenchTooth tooth{
         std::move(place.name),      std::move(work->piece),      place.mesialX, std::move(work->provenance), place.box,
         std::move(place.materials), std::move(place.teethOfCase)};
+    for (const Remark& remark : work->remarks) tooth.provenance.emplace_back("assumed", inWords(remark));
+    tooth.remarks = std::move(work->remarks);
     if (place.bur) {
         Expected<BenchBur> bur = benchBurOf(std::move(*place.bur), {});
         if (!bur) return Unexpected{bur.error()};

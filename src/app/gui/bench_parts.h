@@ -39,6 +39,7 @@ struct BenchTooth {
     std::optional<BenchBur> bur = {};               ///< that a case brings
     std::vector<ShownBody> around = {};             ///< the rest of the mouth, which is felt and drawn
     std::shared_ptr<const Exercise> exercise = {};  ///< that it was brought for
+    std::vector<Remark> remarks = {};               ///< what was mended in the surfaces that were read
 
     [[nodiscard]] Box3 box() const { return workBox.isEmpty() ? piece->tooth().outer()->tree().box() : workBox; }
 };

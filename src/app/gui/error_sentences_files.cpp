@@ -87,13 +87,28 @@ constexpr const char* kErrors[] = {
     QT_TRANSLATE_NOOP("Error", "%1: there is no surface."),
     QT_TRANSLATE_NOOP("Error",
                       "the layers give no closed surface together; give the tooth's outer surface as a file, too"),
-    QT_TRANSLATE_NOOP("Error", "%1: the surface '%2' has no area."),
-    QT_TRANSLATE_NOOP("Error",
-                      "%1: %2 edges of the surface '%3' have more than two triangles; mend it in a mesh program."),
     QT_TRANSLATE_NOOP("Error",
                       "%1: the surface '%2' has %3 holes that are too wide to be filled unasked (%4 open edges); ask "
                       "for all holes to be filled, or close it in a mesh program."),
-    QT_TRANSLATE_NOOP("Error", "%1: the surface '%2' has no outside (it is twisted); mend it in a mesh program."),
+    // What is no solid.
+    QT_TRANSLATE_NOOP("Error",
+                      "%1 is open (%2 edges without a neighbour), so it has no inside to cut: close its holes first"),
+    QT_TRANSLATE_NOOP("Error", "%1 holds no room: give a closed surface with triangles that have an area"),
+    QT_TRANSLATE_NOOP("Error", "%1 is twisted: it has no outside; mend it in a mesh program"),
+    QT_TRANSLATE_NOOP("Error",
+                      "%1 has parts that reach into each other by %2 mm (%3 triangles cross), so what is inside is "
+                      "unclear: unite them in a mesh program"),
+    QT_TRANSLATE_NOOP("Error", "%1 bounds no body: its triangles cross each other nearly everywhere; export it again"),
+    QT_TRANSLATE_NOOP("Error", "the surface of %1"),
+    QT_TRANSLATE_NOOP("Error", "the surface"),
+    QT_TRANSLATE_NOOP("Error", "the surface '%1'"),
+    QT_TRANSLATE_NOOP("Error", "the ideal shape, the whole tooth with its cavity,"),
+    QT_TRANSLATE_NOOP("Error",
+                      "%1: the surface '%2' cannot be closed (%3 open edges): walls meet inside it, or pieces hang "
+                      "together with nothing; close it in a mesh program."),
+    QT_TRANSLATE_NOOP(
+        "Error",
+        "%1: the surface '%2' crosses itself by %3 mm once its %4 holes are filled; close it in a mesh program."),
     // Teeth and burs.
     QT_TRANSLATE_NOOP("Error", "the surface of %1 holds no triangle: give a closed STL surface"),
     QT_TRANSLATE_NOOP(

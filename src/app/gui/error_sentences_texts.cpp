@@ -84,9 +84,6 @@ constexpr const char* kErrors[] = {
                       "'side' must be occlusal, buccal, lingual, mesial, distal, or a direction of three numbers"),
     QT_TRANSLATE_NOOP("Error", "this stroke is longer or farther away than any tooth; places are in mm"),
     QT_TRANSLATE_NOOP("Error", "stroke %1 of the cavity goes past the tooth; give places over it, in its frame, mm."),
-    QT_TRANSLATE_NOOP("Error",
-                      "%1: the surface has holes; an ideal shape is the whole tooth with its cavity, closed ('tactooth "
-                      "info' tells where it is open)."),
     QT_TRANSLATE_NOOP("Error", "expected the keys of %1 below a line [%2], but found %3"),
     QT_TRANSLATE_NOOP("Error", "'colour' must be three numbers in brackets (red, green, blue), but is %1"),
     QT_TRANSLATE_NOOP("Error", "%1 must be a number %2, but is %3"),

@@ -28,6 +28,7 @@
 #include "app/gui/inside_panel.h"
 #include "app/gui/open_tooth_dialog.h"
 #include "app/gui/plot_panel.h"
+#include "app/gui/remark_words.h"
 #include "app/gui/scan_importer.h"
 #include "app/gui/sound_panel.h"
 #include "app/gui/status_line.h"
@@ -382,6 +383,9 @@ void MainWindow::takeNews(const Workbench::News& news) {
     if (!news.newTooth) return;
     setWindowTitle(tr("%1 — Tactooth").arg(translated(bench_.tooth()->name)));
     showUsualHint();
+    QStringList mended;
+    for (const Remark& remark : bench_.tooth()->remarks) mended.push_back(translated(remark));
+    if (!mended.isEmpty()) status_->setHint(mended.join(' '));
     view_->lookAsUsual();
     view_->fit();
     dropTarget();  // it is in the frame of the tooth before

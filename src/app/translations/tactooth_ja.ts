@@ -575,20 +575,8 @@
         <translation>層を合わせても閉じた表面になりません。歯の外表面のファイルも加えてください</translation>
     </message>
     <message>
-        <source>%1: the surface &apos;%2&apos; has no area.</source>
-        <translation>%1：表面 &apos;%2&apos; に面積がありません。</translation>
-    </message>
-    <message>
-        <source>%1: %2 edges of the surface &apos;%3&apos; have more than two triangles; mend it in a mesh program.</source>
-        <translation>%1：表面 &apos;%3&apos; の %2 本の辺を三つ以上の三角形が共有しています。メッシュ編集ソフトで修復してください。</translation>
-    </message>
-    <message>
         <source>%1: the surface &apos;%2&apos; has %3 holes that are too wide to be filled unasked (%4 open edges); ask for all holes to be filled, or close it in a mesh program.</source>
         <translation>%1：表面 &apos;%2&apos; に、自動でふさぐには大きすぎる穴が %3 個あります（開いた辺 %4 本）。「すべての穴をふさぐ」を選ぶか、メッシュ編集ソフトで閉じてください。</translation>
-    </message>
-    <message>
-        <source>%1: the surface &apos;%2&apos; has no outside (it is twisted); mend it in a mesh program.</source>
-        <translation>%1：表面 &apos;%2&apos; に外側がありません（ねじれています）。メッシュ編集ソフトで修復してください。</translation>
     </message>
     <message>
         <source>the surface of %1 holds no triangle: give a closed STL surface</source>
@@ -597,6 +585,50 @@
     <message>
         <source>the surface of %1 is open (%2 edges without a neighbour), so it has no inside to cut: close its holes first</source>
         <translation>%1の表面が閉じておらず（隣のない辺 %2 本）、削る内部がありません。先に穴をふさいでください</translation>
+    </message>
+    <message>
+        <source>%1 is open (%2 edges without a neighbour), so it has no inside to cut: close its holes first</source>
+        <translation>%1が閉じておらず（隣のない辺 %2 本）、削る内部がありません。先に穴をふさいでください</translation>
+    </message>
+    <message>
+        <source>%1 holds no room: give a closed surface with triangles that have an area</source>
+        <translation>%1は体積がありません。面積のある三角形からなる閉じた表面を指定してください</translation>
+    </message>
+    <message>
+        <source>%1 is twisted: it has no outside; mend it in a mesh program</source>
+        <translation>%1はねじれていて外側がありません。メッシュ編集ソフトで修復してください</translation>
+    </message>
+    <message>
+        <source>%1 has parts that reach into each other by %2 mm (%3 triangles cross), so what is inside is unclear: unite them in a mesh program</source>
+        <translation>%1に互いに %2 mm 入り込んだ部分があり（交差する三角形 %3 個）、どこが内部か決まりません。メッシュ編集ソフトで一つに統合してください</translation>
+    </message>
+    <message>
+        <source>%1 bounds no body: its triangles cross each other nearly everywhere; export it again</source>
+        <translation>%1は立体を囲んでいません。三角形がほぼ全体で互いに交差しています。書き出し直してください</translation>
+    </message>
+    <message>
+        <source>the surface of %1</source>
+        <translation>%1の表面</translation>
+    </message>
+    <message>
+        <source>the surface</source>
+        <translation>表面</translation>
+    </message>
+    <message>
+        <source>the surface &apos;%1&apos;</source>
+        <translation>表面 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>the ideal shape, the whole tooth with its cavity,</source>
+        <translation>理想形状（窩洞を含む歯全体）</translation>
+    </message>
+    <message>
+        <source>%1: the surface &apos;%2&apos; cannot be closed (%3 open edges): walls meet inside it, or pieces hang together with nothing; close it in a mesh program.</source>
+        <translation>%1：表面 &apos;%2&apos; を閉じられません（開いた辺 %3 本）。内部で壁が交わっているか、どこにもつながらない断片があります。メッシュ編集ソフトで閉じてください。</translation>
+    </message>
+    <message>
+        <source>%1: the surface &apos;%2&apos; crosses itself by %3 mm once its %4 holes are filled; close it in a mesh program.</source>
+        <translation>%1：表面 &apos;%2&apos; は %4 個の穴をふさぐと %3 mm 自己交差します。メッシュ編集ソフトで閉じてください。</translation>
     </message>
     <message>
         <source>the surface of %1 is inside out (its normals point inward): reverse the order of its triangles&apos; corners</source>
@@ -1025,10 +1057,6 @@
     <message>
         <source>stroke %1 of the cavity goes past the tooth; give places over it, in its frame, mm.</source>
         <translation>窩洞のストローク %1 が歯から外れています。歯の座標系で、歯の上の位置を mm で書いてください。</translation>
-    </message>
-    <message>
-        <source>%1: the surface has holes; an ideal shape is the whole tooth with its cavity, closed (&apos;tactooth info&apos; tells where it is open).</source>
-        <translation>%1：表面に穴があります。理想の形は、窩洞を含む歯全体の閉じた表面です（開いている場所は &apos;tactooth info&apos; で分かります）。</translation>
     </message>
     <message>
         <source>expected the keys of %1 below a line [%2], but found %3</source>
@@ -2872,6 +2900,30 @@ More than 1 % is felt: close other programs, or take a tooth with fewer triangle
     <message>
         <source>%1: consists of %2 separate shells.</source>
         <translation>%1：%2 個の独立した殻からなります。</translation>
+    </message>
+    <message>
+        <source>%1: %2 corners that differ in their last digits were welded, within %3 mm.</source>
+        <translation>%1：末尾の桁だけが異なる頂点 %2 個をつなぎました（%3 mm 以内）。</translation>
+    </message>
+    <message>
+        <source>%1: %2 triangles that are stored twice, or lie back to back, were dropped.</source>
+        <translation>%1：重複した、または背中合わせの三角形 %2 個を取り除きました。</translation>
+    </message>
+    <message>
+        <source>%1: %2 specks beside the surface were dropped.</source>
+        <translation>%1：表面から離れた微小な断片 %2 個を取り除きました。</translation>
+    </message>
+    <message>
+        <source>%1: %2 triangles were turned, so that all look at the outside.</source>
+        <translation>%1：すべてが外側を向くように三角形 %2 個の向きを直しました。</translation>
+    </message>
+    <message>
+        <source>%1: %2 shells lie within another one and are taken as the walls of hollows.</source>
+        <translation>%1：別の殻の内側にある殻 %2 個は空洞の壁とみなします。</translation>
+    </message>
+    <message>
+        <source>%1: %2 triangles cross others by %3 mm at most; they are left as they are.</source>
+        <translation>%1：三角形 %2 個が他と最大 %3 mm 交差していますが、そのままにします。</translation>
     </message>
     <message>
         <source>No enamel is given: what no other layer holds is taken as enamel.</source>

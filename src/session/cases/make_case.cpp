@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "collision/solid.h"
 #include "geometry/byte_text.h"
 #include "geometry/file_bytes.h"
 #include "geometry/stl_writer.h"
@@ -105,18 +106,20 @@ private:
 
     Expected<void> importAround(const std::string& name, TriangleMesh mesh) {
         scaleToMm(mesh, mmPerUnit_);
-        const RepairedMesh mended = repaired(mesh, {.holes = request_.choices.holes});
-        const auto tooth = LayeredTooth::make(mended.mesh);
-        if (!tooth) {
-            return unexpected(name + ": " + tooth.error().message +
+        RepairedMesh mended = repaired(mesh, {.holes = request_.choices.holes});
+        ExaminedSolid solid = examineSolid(std::move(mended.mesh));
+        if (!solid.report.isSolid()) {
+            return unexpected(name + ": " + flawSentence(solid.report, "the surface") +
                               ". Leave it out, or ask for all holes to be filled.");
         }
+        const std::vector<Remark> remarks = remarksOn(solid.report, name);
+        const bool isMended = mended.report.changedAnything() || !remarks.empty();
         CaseSurrounding body;
         body.name = name;
         body.surface = "around/" + aroundNames_.make(name) + ".stl";
-        body.assumed.push_back(mended.report.changedAnything() ? "The surface was mended."
-                                                               : "Closed and sound as it came.");
-        made_.files.push_back({body.surface, stlBytes(mended.mesh)});
+        body.assumed.push_back(isMended ? "The surface was mended." : "Closed and sound as it came.");
+        for (const std::string& sentence : words(remarks)) body.assumed.push_back(sentence);
+        made_.files.push_back({body.surface, stlBytes(solid.mesh)});
         made_.description.around.push_back(std::move(body));
         return {};
     }

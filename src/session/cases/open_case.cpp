@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "collision/closest_point.h"
+#include "collision/solid_file.h"
 #include "geometry/byte_text.h"
 #include "geometry/mesh_bytes.h"
 #include "instruments/builtin_tooth.h"
@@ -15,11 +16,13 @@ namespace {
 
 bool isSame(const Pose& pose) { return pose.position.isZero(0) && pose.rotation.vec().isZero(0); }
 
-/// The surface of a file, moved to another frame; one that stays where it is keeps every bit.
-Expected<TriangleMesh> readSurface(const CaseStore& store, const std::string& entry, const Pose& pose) {
+/// The solid of a file, moved to another frame; a sound one that stays where it is keeps every bit.
+Expected<TriangleMesh> readSurface(const CaseStore& store, const std::string& entry, const Pose& pose,
+                                   std::vector<Remark>& remarks) {
     const auto bytes = store.read(entry);
     if (!bytes) return Unexpected{bytes.error()};
     auto mesh = parseMesh(*bytes, store.shown(entry));
+    if (mesh) mesh = solidFrom(std::move(*mesh), store.shown(entry), "the surface", {.dropsSpecks = false}, &remarks);
     if (!mesh || isSame(pose)) return mesh;
     return transformed(*mesh, pose);
 }
@@ -30,6 +33,9 @@ public:
     Assembly(const CaseStore& store, const CaseDescription& description, const CaseTooth& chosen)
         : store_(store), description_(description), chosen_(chosen), caseInTooth_(chosen.toothInCase.inverse()) {}
 
+    /// What was mended in the surfaces.
+    [[nodiscard]] std::vector<Remark> takeRemarks() { return std::move(remarks_); }
+
     Expected<std::shared_ptr<const LayeredTooth>> assemble() {
         if (chosen_.fdi != 0) standing_.mesialX = mesialX(chosen_.fdi);
         // The chosen tooth first: its triangles keep their numbers.
@@ -39,7 +45,7 @@ public:
             if (auto done = add(tooth); !done) return Unexpected{done.error()};
         }
         for (const CaseSurrounding& body : description_.around) {
-            auto mesh = readSurface(store_, body.surface, caseInTooth_ * body.bodyInCase);
+            auto mesh = readSurface(store_, body.surface, caseInTooth_ * body.bodyInCase, remarks_);
             if (!mesh) return Unexpected{mesh.error()};
             append(outer_, *mesh);
             layers_.push_back({body.name, body.material, std::move(*mesh)});
@@ -56,11 +62,12 @@ private:
         const bool isChosen = &tooth == &chosen_;
         const Pose pose = isChosen ? Pose() : caseInTooth_ * tooth.toothInCase;
         const std::string prefix = isChosen ? "" : tooth.name + " ";
-        auto outer = readSurface(store_, tooth.outer, pose);
+        auto outer = readSurface(store_, tooth.outer, pose, remarks_);
         if (!outer) return Unexpected{outer.error()};
         if (isChosen) standing_.firstAround = static_cast<std::uint32_t>(outer->triangles.size());
         for (const auto& [id, file] : tooth.layers) {
-            auto mesh = file == tooth.outer ? Expected<TriangleMesh>(*outer) : readSurface(store_, file, pose);
+            auto mesh =
+                file == tooth.outer ? Expected<TriangleMesh>(*outer) : readSurface(store_, file, pose, remarks_);
             if (!mesh) return Unexpected{mesh.error()};
             layers_.push_back({prefix + std::string(materialName(id)), id, std::move(*mesh)});
         }
@@ -78,6 +85,7 @@ private:
     TriangleMesh outer_;
     std::vector<LayerMesh> layers_;
     Standing standing_;
+    std::vector<Remark> remarks_;
 };
 
 Expected<const CaseTooth*> findTooth(const CaseDescription& description, const std::string& wanted,
@@ -138,8 +146,10 @@ Expected<OpenedCase> openCase(const CaseStore& store, const std::string& tooth) 
     const auto chosen = findTooth(opened.description, tooth, store.shown(std::string(kCaseText)));
     if (!chosen) return Unexpected{chosen.error()};
     opened.tooth = (*chosen)->name;
-    auto teeth = Assembly(store, opened.description, **chosen).assemble();
+    Assembly assembly(store, opened.description, **chosen);
+    auto teeth = assembly.assemble();
     if (!teeth) return Unexpected{teeth.error()};
+    opened.remarks = assembly.takeRemarks();
     opened.teeth = std::move(*teeth);
     opened.box = opened.teeth->ownBox();
     opened.mesialX = opened.teeth->standing().mesialX;
@@ -156,7 +166,8 @@ Expected<OpenedCase> openCase(const std::filesystem::path& path, const std::stri
 Expected<std::vector<CaseBody>> caseBodies(const CaseStore& store, const CaseDescription& description) {
     std::vector<CaseBody> bodies;
     const auto add = [&](const std::string& name, const std::string& entry, const Pose& pose) -> Expected<void> {
-        auto mesh = readSurface(store, entry, pose);
+        std::vector<Remark> remarks;  // they were told when the case was opened
+        auto mesh = readSurface(store, entry, pose, remarks);
         if (!mesh) return Unexpected{mesh.error()};
         bodies.push_back({name, std::move(*mesh)});
         return {};

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "geometry/expected.h"
+#include "geometry/remark.h"
 #include "session/cases/case_description.h"
 #include "session/cases/case_store.h"
 #include "session/cases/own_bur.h"
@@ -25,7 +26,8 @@ struct OpenedCase {
     Box3 box;            ///< of the tooth that is worked on, mm
     double mesialX = 1;  ///< direction of mesial along x
     std::optional<MaterialTable> materials;
-    std::optional<OwnBur> bur;  ///< the first one
+    std::optional<OwnBur> bur;    ///< the first one
+    std::vector<Remark> remarks;  ///< what was mended in its surfaces (`examineSolid`)
 };
 
 /// Reads and checks a case. `tooth`: the one to work on, by its name or FDI number; empty: the first. Its layers keep

@@ -25,6 +25,7 @@ Expected<PlacedTooth> loadCase(const ToothSource& source, const std::string& wor
     if (place.teethOfCase.size() > 1) place.name += ", " + opened->tooth;
     place.materials = std::move(opened->materials);
     place.bur = std::move(opened->bur);
+    placed.remarks = std::move(opened->remarks);
     placed.provenance = {{"case", shownName(source.outer)}, {"tooth", opened->tooth}, {"licence", description.licence}};
     for (const std::string& line : description.provenance) placed.provenance.emplace_back("case from", line);
     return placed;
@@ -41,9 +42,10 @@ Expected<void> refuseChoice(const ToothSource& source, const std::string& workOn
 Expected<PlacedTooth> loadPlacedTooth(const ToothSource& source, const std::string& workOn) {
     if (isCase(source.outer)) return loadCase(source, workOn);
     if (auto single = refuseChoice(source, workOn); !single) return Unexpected{single.error()};
-    auto tooth = loadLayeredTooth(source);
+    std::vector<Remark> remarks;
+    auto tooth = loadLayeredTooth(source, &remarks);
     if (!tooth) return Unexpected{tooth.error()};
-    return PlacedTooth{*tooth, placeOf(**tooth, source.outer.filename().string())};
+    return PlacedTooth{*tooth, placeOf(**tooth, source.outer.filename().string()), {}, std::move(remarks)};
 }
 
 Expected<PlacedWork> loadPlacedWork(const ToothSource& source, const std::string& workOn, std::optional<double> voxel,
@@ -52,13 +54,15 @@ Expected<PlacedWork> loadPlacedWork(const ToothSource& source, const std::string
         auto placed = loadCase(source, workOn);
         if (!placed) return Unexpected{placed.error()};
         auto piece = std::make_shared<WorkPiece>(std::move(placed->tooth), voxel.value_or(usualVoxel));
-        return PlacedWork{std::move(piece), std::move(placed->place), std::move(placed->provenance)};
+        return PlacedWork{std::move(piece), std::move(placed->place), std::move(placed->provenance),
+                          std::move(placed->remarks)};
     }
     if (auto single = refuseChoice(source, workOn); !single) return Unexpected{single.error()};
     auto opened = loadTooth(source, voxel, usualVoxel);
     if (!opened) return Unexpected{opened.error()};
     ToothPlace place = placeOf(opened->piece->tooth(), source.outer.filename().string());
-    return PlacedWork{std::move(opened->piece), std::move(place), std::move(opened->provenance)};
+    return PlacedWork{std::move(opened->piece), std::move(place), std::move(opened->provenance),
+                      std::move(opened->remarks)};
 }
 
 }  // namespace tactooth
