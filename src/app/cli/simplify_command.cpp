@@ -9,6 +9,8 @@
 
 #include "app/cli/exit_code.h"
 #include "app/cli/mesh_summary.h"
+#include "app/cli/output.h"
+#include "geometry/file_set.h"
 #include "geometry/mesh_edges.h"
 #include "geometry/mesh_file.h"
 #include "geometry/number_text.h"
@@ -34,6 +36,9 @@ Expected<std::size_t> wantedTriangles(std::string_view keep, std::size_t triangl
 }  // namespace
 
 int runSimplify(const SimplifyOptions& options) {
+    FileSet files;
+    files.reads(options.in);
+    if (const auto opened = files.open(options.out); !opened) return refuse(opened.error());
     if (const auto wanted = wantedTriangles(options.keep, 1); !wanted) return refuse(wanted.error());
     auto mesh = loadMesh(options.in);
     if (!mesh) return refuse(mesh.error());
@@ -46,13 +51,13 @@ int runSimplify(const SimplifyOptions& options) {
                          report.closed() ? "the triangles disagree on which side is outside" : meshSummary(report))});
     }
     const std::size_t wanted = *wantedTriangles(options.keep, mesh->triangles.size());
-    fmt::print(stderr, "simplifying {} triangles to {}\n", mesh->triangles.size(), wanted);
+    say(stderr, "simplifying {} triangles to {}\n", mesh->triangles.size(), wanted);
     const TriangleMesh fewer = simplified(*mesh, wanted);
     if (const auto done = writeStl(fewer, options.out); !done) return refuse(done.error());
+    if (const auto done = files.commit(); !done) return refuse(done.error());
     printChange(options.in, *mesh, options.out, fewer, greatestDeviation(*mesh, fewer));
     if (fewer.triangles.size() > wanted) {
-        fmt::print(
-            "more triangles than asked for are needed to keep the surface closed and its triangles well shaped\n");
+        say("more triangles than asked for are needed to keep the surface closed and its triangles well shaped\n");
     }
     return kExitOk;
 }
