@@ -30,8 +30,9 @@ fs::path linksFollowed(const fs::path& path) {
 FilePlace FilePlace::of(const fs::path& path) {
     FilePlace place;
     std::error_code error;
-    place.way = fs::weakly_canonical(linksFollowed(path), error);
-    if (error) place.way = fs::absolute(path, error).lexically_normal();
+    const fs::path whole = fs::absolute(linksFollowed(path), error);  // what is not there stays relative otherwise
+    place.way = fs::weakly_canonical(whole, error);
+    if (error) place.way = whole.lexically_normal();
     struct stat status {};
     if (::stat(path.c_str(), &status) != 0) return place;
     place.device = status.st_dev;

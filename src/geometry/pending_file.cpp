@@ -48,7 +48,7 @@ void removeStaleOnce(const fs::path& folder) {
     static std::mutex mutex;
     static auto* const seen = new std::set<fs::path>;
     const std::lock_guard lock(mutex);
-    if (seen->insert(fs::absolute(folder)).second) removeStale(folder);
+    if (seen->insert(FilePlace::of(folder).way).second) removeStale(folder);
 }
 
 }  // namespace
@@ -64,9 +64,10 @@ Expected<std::unique_ptr<PendingFile>> PendingFile::open(const fs::path& path) {
     }
     fs::path target = linksFollowed(path);
     if (!target.has_filename()) return cannotWrite(path, ENOENT);
+    const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
     TemporaryFile file;
-    if (const int failure = openTemporary(target.parent_path(), file); failure != 0) return cannotWrite(path, failure);
-    removeStaleOnce(target.parent_path());
+    if (const int failure = openTemporary(folder, file); failure != 0) return cannotWrite(path, failure);
+    removeStaleOnce(folder);
     return std::unique_ptr<PendingFile>(new PendingFile(path, std::move(target), std::move(file)));
 }
 

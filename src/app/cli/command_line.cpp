@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <sstream>
 #include <string>
 #include <system_error>
 
@@ -283,8 +284,8 @@ void addSound(CLI::App& program, Chosen& chosen) {
 int withOutputFlushed(int exitCode) {
     const int reason = outputError();
     if (reason == 0 || exitCode == kExitBadInput) return exitCode;
-    return refuse({"the output could not be written (" + std::generic_category().message(reason) +
-                   "); check the disk or the pipe that it goes to."});
+    const std::string why = reason < 0 ? "" : " (" + std::generic_category().message(reason) + ")";
+    return refuse({"the output could not be written" + why + "; check the disk or the pipe that it goes to."});
 }
 
 /// CLI11's message as one sentence that says where help is.
@@ -331,7 +332,10 @@ int runCommandLine(int argc, const char* const* argv) {
     try {
         program.parse(argc, argv);
     } catch (const CLI::Success& help) {  // --help or --version
-        return withOutputFlushed(program.exit(help));
+        std::ostringstream text;
+        const int exitCode = program.exit(help, text, text);
+        writeTo(stdout, text.str());
+        return withOutputFlushed(exitCode);
     } catch (const CLI::ParseError& error) {
         return refuse(usageError(program, error));
     }

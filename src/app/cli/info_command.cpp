@@ -6,6 +6,7 @@
 
 #include "app/cli/exit_code.h"
 #include "app/cli/info_text.h"
+#include "app/cli/output.h"
 #include "geometry/file_bytes.h"
 #include "geometry/mesh_file.h"
 
@@ -23,7 +24,7 @@ int runInfo(const InfoOptions& options) {
         const MeshReport report = reportOn(*mesh);
         const std::string name = shownName(file);
         if (!options.json && !first) std::puts("");
-        std::fputs((options.json ? infoJson(name, report) : infoTable(name, report)).c_str(), stdout);
+        writeTo(stdout, options.json ? infoJson(name, report) : infoTable(name, report));
         first = false;
     }
     return exitCode;

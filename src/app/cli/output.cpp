@@ -25,7 +25,7 @@ int outputError() {
     errno = 0;
     const bool isWritten = std::fflush(stdout) == 0;
     keepError(isWritten);
-    keepError(std::ferror(stdout) == 0);
+    if (firstError == 0 && std::ferror(stdout) != 0) firstError = -1;
     return firstError;
 }
 

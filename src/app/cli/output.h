@@ -14,7 +14,7 @@ namespace tactooth {
 /// throw there.
 void writeTo(std::FILE* stream, std::string_view text);
 
-/// Why something that was written to stdout did not get there: an errno, 0 for nothing.
+/// Why something that was written to stdout did not get there: an errno, -1 if that is not known, 0 for nothing.
 [[nodiscard]] int outputError();
 
 /// As fmt::print.

@@ -1685,8 +1685,16 @@ The mouse wheel in the picture changes it too.</source>
 <context>
     <name>tactooth::MainWindow</name>
     <message>
-        <source>The window starts with its defaults and writes the file anew when it is closed.</source>
-        <translation>ウィンドウは初期設定で始まり、閉じるときにファイルを書き直します。</translation>
+        <source>The usual values take their places.</source>
+        <translation>代わりに既定の値を使います。</translation>
+    </message>
+    <message>
+        <source>The window starts with its defaults; the file is kept as %1.</source>
+        <translation>ウィンドウは初期設定で始まります。ファイルは %1 として残しました。</translation>
+    </message>
+    <message>
+        <source>The window starts with its defaults.</source>
+        <translation>ウィンドウは初期設定で始まります。</translation>
     </message>
     <message>
         <source>Real time</source>
