@@ -1,5 +1,39 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/command_line.h"
+#include <exception>
+#include <new>
+#include <span>
+#include <stdexcept>
+#include <string>
 
-int main(int argc, char** argv) { return tactooth::runCommandLine(argc, argv); }
+#include "app/cli/command_line.h"
+#include "app/cli/exit_code.h"
+#include "app/cli/too_large.h"
+#include "app/common/ending.h"
+
+namespace {
+
+using namespace tactooth;
+
+int refuseTooLarge(int argc, char** argv) {
+    return refuse({whatIsTooLarge(std::span<const char* const>(argv, static_cast<std::size_t>(argc)))});
+}
+
+int run(int argc, char** argv) {
+    try {
+        return runCommandLine(argc, argv);
+    } catch (const std::bad_alloc&) {
+        return refuseTooLarge(argc, argv);
+    } catch (const std::length_error&) {  // more than any memory
+        return refuseTooLarge(argc, argv);
+    } catch (const std::exception& exception) {
+        return refuse({std::string("this should not have happened: ") + exception.what() + "; please report it."});
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    prepareEnding();
+    return endAsAsked(run(argc, argv));
+}

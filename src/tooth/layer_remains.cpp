@@ -20,6 +20,13 @@ TriangleMesh remainsOf(const TriangleMesh& layer, double voxel, const std::map<B
 
 }  // namespace
 
+std::vector<std::string> remainingLayerNames(const LayeredTooth& tooth) {
+    std::vector<std::string> names;
+    for (const LayeredTooth::Layer& layer : tooth.layers()) names.push_back(layer.name);
+    if (names.empty()) names.emplace_back(materialName(tooth.body()));
+    return names;
+}
+
 std::vector<LayerRemains> remainsOfLayers(const CutVolume& volume) {
     std::map<BrickKey, CutField> cuts;
     for (const BrickKey& key : volume.cutBricks()) cuts.emplace_hint(cuts.end(), key, *volume.bricks().find(key));

@@ -15,6 +15,9 @@ struct LayerRemains {
     TriangleMesh mesh;  ///< closed; empty if nothing is left
 };
 
+/// The names that remainsOfLayers gives, before anything is cut.
+[[nodiscard]] std::vector<std::string> remainingLayerNames(const LayeredTooth& tooth);
+
 /// What is left of each layer of the tooth of `volume`: its own triangles, bit for bit, wherever no bur has been, and
 /// the same walls as those of the whole tooth. A layer is taken as it was given, also where a later one lies within it.
 [[nodiscard]] std::vector<LayerRemains> remainsOfLayers(const CutVolume& volume);

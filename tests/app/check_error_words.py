@@ -11,7 +11,8 @@ from pathlib import Path
 
 # What needs no words in the window, and why: paths by their beginning.
 ONLY_OUTSIDE = {
-    "said by commands": "app/cli/ app/common/plot_image.cpp app/gui/window_options.cpp geometry/folder.cpp "
+    "said by commands": "app/main.cpp app/cli/ app/common/plot_image.cpp app/gui/window_options.cpp "
+                        "geometry/file_set.cpp geometry/folder.cpp "
                         "session/cases/case_surfaces.cpp session/cases/make_case.cpp "
                         "session/experiments/ session/sound_profile.cpp session/tooth_source.cpp "
                         "session/vdb_file sound/offline_render.cpp sound/wav_file.cpp",

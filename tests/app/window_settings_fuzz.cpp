@@ -10,6 +10,7 @@ namespace {
 bool accepts(std::span<const std::byte> bytes) {
     const auto settings = parseWindowSettings(asText(bytes), "fuzz");
     if (!settings) return requireSentence(settings.error(), 1000), false;
+    for (const Error& refused : settings->refused) requireSentence(refused, 1000);
     const std::string text = windowSettingsText(*settings);
     const auto again = parseWindowSettings(text, "again");
     require(again && windowSettingsText(*again) == text, "what was read can be written and read again");

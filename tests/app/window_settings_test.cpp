@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 
 #include "support/test_data.h"
 
@@ -63,7 +64,10 @@ void expectEqual(const WindowSettings& a, const WindowSettings& b) {
 
 std::string refusal(std::string_view text) {
     const auto settings = parseWindowSettings(text, "window.toml");
-    return settings ? "accepted" : settings.error().message;
+    if (!settings) return settings.error().message;
+    std::string sentences;
+    for (const Error& refused : settings->refused) sentences += (sentences.empty() ? "" : " ") + refused.message;
+    return sentences.empty() ? "accepted" : sentences;
 }
 
 TEST(WindowSettings, ComeBackAsTheyWereWritten) {
@@ -112,6 +116,40 @@ TEST(WindowSettings, AValueThatCannotBeMeantIsRefusedWithItsLine) {
     EXPECT_EQ(refusal("[sound]\nmuted = 1\n"), "window.toml, line 2: 'muted' must be true or false.");
     EXPECT_EQ(refusal("[window]\nfolder = 7\n"), "window.toml, line 2: 'folder' must be a text in quotes.");
     EXPECT_EQ(refusal("force = 2\n"), "window.toml, line 1: 'force' must be a table.");
+}
+
+TEST(WindowSettings, AValueThatCannotBeMeantCostsOnlyItself) {
+    const auto settings = parseWindowSettings(
+        "force = 3\n[hand]\nrate = 99\nfineness = 2\ndevice = \"pen\"\n[sound]\nall = 0.5\nmuted = \"no\"\n"
+        "[window]\ndark = true\nfolder = 2\nlanguage = \"ja\"\n",
+        "window.toml");
+    ASSERT_TRUE(settings.has_value());
+    ASSERT_EQ(settings->refused.size(), 4U) << "each is told, and a table once";
+    EXPECT_EQ(settings->hand.fineness, 2);
+    EXPECT_EQ(settings->hand.device, "pen");
+    EXPECT_EQ(settings->hand.rate, HandSettings().rate);
+    EXPECT_EQ(settings->sound.master, 0.5);
+    EXPECT_FALSE(settings->sound.muted);
+    EXPECT_TRUE(settings->dark);
+    EXPECT_EQ(settings->folder, "");
+    EXPECT_EQ(settings->language, "ja");
+    EXPECT_EQ(settings->force, ForceSettings());
+}
+
+TEST(WindowSettings, AFileThatCannotBeReadIsPutAsideAndAnOlderOneThereGoes) {
+    const test::TemporaryFolder folder;
+    const auto file = folder / "window.toml";
+    for (const std::string text : {"one = [", "two = ["}) {
+        std::ofstream(file) << text;
+        const auto aside = putBadSettingsAside(file);
+        ASSERT_TRUE(aside.has_value());
+        EXPECT_EQ(*aside, folder / "window.toml.bad");
+        EXPECT_FALSE(std::filesystem::exists(file));
+        std::string kept;
+        std::getline(std::ifstream(*aside), kept);
+        EXPECT_EQ(kept, text);
+    }
+    EXPECT_FALSE(putBadSettingsAside(file).has_value()) << "there is none any more";
 }
 
 TEST(WindowSettings, WhatIsNotTomlIsRefusedWithItsLine) {

@@ -5,12 +5,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <csignal>
 #include <fstream>
 #include <iterator>
 
+#include "geometry/temporary_file.h"
 #include "support/test_data.h"
 
 namespace tactooth {
@@ -71,6 +73,81 @@ TEST(AtomicFile, FollowsASymbolicLink) {
     ASSERT_TRUE(writeFile(folder / "link.txt", std::as_bytes(std::span("new", 3))));
     EXPECT_TRUE(std::filesystem::is_symlink(folder / "link.txt"));
     EXPECT_EQ(contentOf(folder / "real.txt"), "new");
+}
+
+TEST(AtomicFile, ALinkToNothingYetLeadsToTheNewFile) {
+    const test::TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "d");
+    std::filesystem::create_symlink("d/real.txt", folder / "link.txt");
+    ASSERT_TRUE(writeFile(folder / "link.txt", std::string_view("new")));
+    EXPECT_TRUE(std::filesystem::is_symlink(folder / "link.txt"));
+    EXPECT_EQ(contentOf(folder / "d/real.txt"), "new");
+}
+
+TEST(AtomicFile, TheModeOfWhatIsReplacedIsKept) {
+    const test::TemporaryFolder folder;
+    for (const mode_t mode : {0600U, 0644U, 0664U, 0755U, 0640U}) {
+        std::ofstream(folder / "out.txt") << "old";
+        ASSERT_EQ(::chmod((folder / "out.txt").c_str(), mode), 0);
+        ASSERT_TRUE(writeFile(folder / "out.txt", std::string_view("new")));
+        struct stat status {};
+        ASSERT_EQ(::stat((folder / "out.txt").c_str(), &status), 0);
+        EXPECT_EQ(status.st_mode & 07777, mode);
+        EXPECT_EQ(contentOf(folder / "out.txt"), "new");
+    }
+}
+
+TEST(AtomicFile, ANewFileHasTheModeThatTheUserWants) {
+    const test::TemporaryFolder folder;
+    for (const mode_t mask : {022U, 077U, 002U, 0U, 027U}) {
+        const mode_t before = ::umask(mask);
+        const std::filesystem::path file = folder / std::to_string(mask);
+        ASSERT_TRUE(writeFile(file, std::string_view("new")));
+        ::umask(before);
+        struct stat status {};
+        ASSERT_EQ(::stat(file.c_str(), &status), 0);
+        EXPECT_EQ(status.st_mode & 07777, 0666U & ~mask);
+    }
+}
+
+TEST(AtomicFile, TheOwnerOfWhatIsReplacedIsKept) {
+    if (::geteuid() != 0) GTEST_SKIP() << "only the superuser replaces files of others";
+    const test::TemporaryFolder folder;
+    std::ofstream(folder / "out.txt") << "old";
+    ASSERT_EQ(::chown((folder / "out.txt").c_str(), 1234, 4321), 0);
+    ASSERT_TRUE(writeFile(folder / "out.txt", std::string_view("new")));
+    struct stat status {};
+    ASSERT_EQ(::stat((folder / "out.txt").c_str(), &status), 0);
+    EXPECT_EQ(status.st_uid, 1234U);
+    EXPECT_EQ(status.st_gid, 4321U);
+}
+
+TEST(AtomicFile, AnotherNameOfWhatIsReplacedKeepsTheOldContent) {
+    const test::TemporaryFolder folder;
+    std::ofstream(folder / "out.txt") << "old";
+    std::filesystem::create_hard_link(folder / "out.txt", folder / "other.txt");
+    ASSERT_TRUE(writeFile(folder / "out.txt", std::string_view("new")));
+    EXPECT_EQ(contentOf(folder / "out.txt"), "new");
+    EXPECT_EQ(contentOf(folder / "other.txt"), "old");
+}
+
+TEST(AtomicFile, WhileItIsWrittenNothingIsToBeSeen) {
+    const test::TemporaryFolder folder;
+    TemporaryFile probe;
+    if (openUnnamed(folder.path(), probe) != 0) GTEST_SKIP() << "this file system has no unnamed files";
+    ::close(probe.descriptor);
+    Expected<AtomicFile> file = AtomicFile::create(folder / "out.txt");
+    ASSERT_TRUE(file);
+    file->write(std::string(200000, 'x'));
+    EXPECT_EQ(filesIn(folder.path()), 0U);
+}
+
+TEST(AtomicFile, AFileOfTheNameOfAnOldTemporaryOneIsNoObstacle) {
+    const test::TemporaryFolder folder;
+    for (int i = 0; i < 10; ++i) {
+        std::ofstream(folder / (".tactooth-" + std::to_string(::getpid()) + "-" + std::to_string(i) + ".tmp")) << "x";
+    }
+    EXPECT_TRUE(writeFile(folder / "out.txt", std::string_view("new")));
 }
 
 TEST(AtomicFile, RefusesAFolderAndADevice) {

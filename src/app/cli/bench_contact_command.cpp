@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/bench_contact_command.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/exit_code.h"
+#include "app/cli/output.h"
 #include "geometry/mesh_file.h"
 #include "geometry/mesh_report.h"
 #include "session/experiments/contact_timing.h"
@@ -49,23 +48,21 @@ public:
                      {"cases", Json::array()}};
             return;
         }
-        fmt::print("machine:  {}\ncompiler: {}\ncommit:   {}\ncommand:  {}\n", facts.machine, facts.compiler,
-                   facts.commit, facts.command);
-        fmt::print("tool:     {}, {} triangles\n", tool, toolTriangles);
-        fmt::print(
-            "Microseconds of processor time a tick of 1 ms, least of {} runs; p50 to p99.9 of the ticks in contact, "
+        say("machine:  {}\ncompiler: {}\ncommit:   {}\ncommand:  {}\n", facts.machine, facts.compiler, facts.commit,
+            facts.command);
+        say("tool:     {}, {} triangles\n", tool, toolTriangles);
+        say("Microseconds of processor time a tick of 1 ms, least of {} runs; p50 to p99.9 of the ticks in contact, "
             "max of all.\nThe hand turns the tool {:.0f} degrees/s about its tip; the tool has {} degrees of "
             "freedom.\n\n",
             options.repeat, HandPath{}.turn, options.freedom);
-        fmt::print("{:<14} {:>4} {:>9} {:>5} {:>6} {:>7} {:>7} {:>7} {:>7} {:>8} {:>6} {:>5}\n", "tooth", "%",
-                   "triangles", "cm/s", "ticks", "p50", "p99", "p99.9", "max", "contacts", "rounds", "gjk");
+        say("{:<14} {:>4} {:>9} {:>5} {:>6} {:>7} {:>7} {:>7} {:>7} {:>8} {:>6} {:>5}\n", "tooth", "%", "triangles",
+            "cm/s", "ticks", "p50", "p99", "p99.9", "max", "contacts", "rounds", "gjk");
     }
 
     void add(const Case& c) {
         const ContactTiming& t = c.timing;
         if (!isJson_) {
-            fmt::print(
-                "{:<14} {:>4} {:>9} {:>5.0f} {:>6} {:>7.1f} {:>7.1f} {:>7.1f} {:>7.1f} {:>8.2f} {:>6.2f} {:>5.1f}\n",
+            say("{:<14} {:>4} {:>9} {:>5.0f} {:>6} {:>7.1f} {:>7.1f} {:>7.1f} {:>7.1f} {:>8.2f} {:>6.2f} {:>5.1f}\n",
                 c.tooth.name, c.percent, c.triangles, c.speed / 10, t.ticks, t.p50, t.p99, t.p999, t.largest,
                 t.contacts, t.rounds, t.distances);
             std::fflush(stdout);
@@ -90,7 +87,7 @@ public:
     }
 
     void end() {
-        if (isJson_) fmt::print("{}\n", json_.dump(1, ' ', false, Json::error_handler_t::replace));
+        if (isJson_) say("{}\n", json_.dump(1, ' ', false, Json::error_handler_t::replace));
     }
 
 private:
@@ -100,7 +97,7 @@ private:
 
 void benchTooth(const StandardTooth& tooth, const std::shared_ptr<const ToolShape>& tool,
                 const BenchContactOptions& options, std::span<const int> percents, BenchOutput& output) {
-    fmt::print(options.json ? stderr : stdout, "{}: {}\n", tooth.name, tooth.source);
+    say(options.json ? stderr : stdout, "{}: {}\n", tooth.name, tooth.source);
     const Freedom freedom = options.freedom == 6 ? Freedom::ShiftAndTurn : Freedom::Shift;
     for (Resolution& resolution : resolutionLadder(tooth.mesh, percents)) {
         const std::size_t triangles = resolution.mesh.triangles.size();

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/exit_code.h"
+#include "app/cli/output.h"
 #include "session/experiments/cut_timing.h"
 #include "session/experiments/run_facts.h"
 #include "session/experiments/standard_teeth.h"
@@ -38,19 +39,17 @@ public:
                      {"cases", Json::array()}};
             return;
         }
-        fmt::print("machine:  {}\ncompiler: {}\ncommit:   {}\ncommand:  {}\n", facts.machine, facts.compiler,
-                   facts.commit, facts.command);
-        fmt::print("tooth:    {}, {}, {} triangles\n", tooth.name, tooth.source, tooth.mesh.triangles.size());
-        fmt::print(
-            "A bur goes into the tooth, its whole head deep, and mills slots at the speed of the hand.\n"
+        say("machine:  {}\ncompiler: {}\ncommit:   {}\ncommand:  {}\n", facts.machine, facts.compiler, facts.commit,
+            facts.command);
+        say("tooth:    {}, {}, {} triangles\n", tooth.name, tooth.source, tooth.mesh.triangles.size());
+        say("A bur goes into the tooth, its whole head deep, and mills slots at the speed of the hand.\n"
             "{}: tick, us; update (carve and new surface), ms; felt: from a tick in which\n"
             "the bur works to the tick that feels what it cut, and from the beginning of that carve, ms; ns for each "
             "voxel\n"
             "of removed volume; ahead: what the thread that makes bricks ahead of the bur takes of a core, %.\n\n",
             cores > 1 ? fmt::format("Processor time, of the cutter the time that passes on {} cores", cores)
                       : "Processor time of one core for each");
-        fmt::print(
-            "{:<22} {:>5} {:>6} {:>6} {:>6} {:>6} {:>6} | {:>6} {:>6} {:>6} {:>6} | {:>5} {:>5} {:>6} {:>5} | {:>6} "
+        say("{:<22} {:>5} {:>6} {:>6} {:>6} {:>6} {:>6} | {:>6} {:>6} {:>6} {:>6} | {:>5} {:>5} {:>6} {:>5} | {:>6} "
             "{:>5} {:>6} {:>7} {:>5} {:>5}\n",
             "bur", "voxel", "mm/s", "p50", "p99", "p99.9", "max", "up p50", "p99", "max", "1/s", "felt", "p99",
             "carved", "p99", "first", "ahead", "mm^3", "ns/vox", "MB", "all");
@@ -58,8 +57,7 @@ public:
 
     void add(const CutCase& c, const CutTiming& t) {
         if (!isJson_) {
-            fmt::print(
-                "{:<22} {:>5.0f} {:>6.1f} {:>6.0f} {:>6.0f} {:>6.0f} {:>6.0f} | {:>6.1f} {:>6.1f} {:>6.1f} "
+            say("{:<22} {:>5.0f} {:>6.1f} {:>6.0f} {:>6.0f} {:>6.0f} {:>6.0f} | {:>6.1f} {:>6.1f} {:>6.1f} "
                 "{:>6.0f} | {:>5.1f} {:>5.1f} {:>6.1f} {:>5.1f} | {:>6.1f} {:>5.0f} {:>6.2f} {:>7.0f} {:>5.0f} "
                 "{:>5.0f}\n",
                 nameOf(c), c.voxel / kMillimetre, c.speed, t.p50, t.p99, t.p999, t.largest, t.updateP50, t.updateP99,
@@ -100,7 +98,7 @@ public:
     }
 
     void end() {
-        if (isJson_) fmt::print("{}\n", json_.dump(1, ' ', false, Json::error_handler_t::replace));
+        if (isJson_) say("{}\n", json_.dump(1, ' ', false, Json::error_handler_t::replace));
     }
 
 private:

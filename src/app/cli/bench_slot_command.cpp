@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/bench_slot_command.h"
 
-#include <fmt/core.h>
-
 #include <nlohmann/json.hpp>
 
 #include "app/cli/exit_code.h"
+#include "app/cli/output.h"
 #include "session/experiments/run_facts.h"
 #include "session/experiments/slot_timing.h"
 #include "session/experiments/standard_teeth.h"
@@ -43,16 +42,15 @@ Json jsonOf(const Toolful& tool) {
 }
 
 void printTable(const std::vector<Toolful>& tools) {
-    fmt::print(
-        "\nA fissure bur of 1.0 mm has cut a slot 2 mm deep. With its spindle still it, and then a probe, is pressed\n"
+    say("\nA fissure bur of 1.0 mm has cut a slot 2 mm deep. With its spindle still it, and then a probe, is pressed\n"
         "0.2 mm into the floor. Processor time of a tick, us; noise: largest difference of a force from the mean.\n\n"
         "{:<8} {:<10} {:>6} {:>6} {:>6} {:>6} | {:>7} {:>9} {:>8}  {}\n",
         "tool", "it", "p50", "p99", "p99.9", "max", "force N", "noise mN", "sunk um", "leaves");
     for (const Toolful& tool : tools) {
         for (const SlotTiming& t : tool.timings) {
-            fmt::print("{:<8} {:<10} {:>6.0f} {:>6.0f} {:>6.0f} {:>6.0f} | {:>7.3f} {:>9.2f} {:>8.2f}  {}\n", tool.name,
-                       slotMotionName(t.motion), t.p50, t.p99, t.p999, t.largest, t.force, 1e3 * t.noise,
-                       t.sunk / kMillimetre, t.leaves ? "yes" : "NO");
+            say("{:<8} {:<10} {:>6.0f} {:>6.0f} {:>6.0f} {:>6.0f} | {:>7.3f} {:>9.2f} {:>8.2f}  {}\n", tool.name,
+                slotMotionName(t.motion), t.p50, t.p99, t.p999, t.largest, t.force, 1e3 * t.noise, t.sunk / kMillimetre,
+                t.leaves ? "yes" : "NO");
         }
     }
 }
@@ -71,10 +69,10 @@ int runBenchSlot(const BenchSlotOptions& options) {
 
     const RunFacts facts = currentRunFacts();
     if (!options.json) {
-        fmt::print("machine:  {}\ncompiler: {}\ncommit:   {}\ncommand:  {}\n", facts.machine, facts.compiler,
-                   facts.commit, facts.command);
-        fmt::print("tooth:    {}, {}, {} triangles, voxel {} um\n", tooth->name, tooth->source,
-                   tooth->mesh.triangles.size(), options.voxel);
+        say("machine:  {}\ncompiler: {}\ncommit:   {}\ncommand:  {}\n", facts.machine, facts.compiler, facts.commit,
+            facts.command);
+        say("tooth:    {}, {}, {} triangles, voxel {} um\n", tooth->name, tooth->source, tooth->mesh.triangles.size(),
+            options.voxel);
         printTable(tools);
         return kExitOk;
     }
@@ -86,7 +84,7 @@ int runBenchSlot(const BenchSlotOptions& options) {
     for (const Toolful& tool : tools) {
         for (const Json& row : jsonOf(tool)) json["cases"].push_back(row);
     }
-    fmt::print("{}\n", json.dump(1, ' ', false, Json::error_handler_t::replace));
+    say("{}\n", json.dump(1, ' ', false, Json::error_handler_t::replace));
     return kExitOk;
 }
 

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/exit_code.h"
+#include "app/cli/output.h"
 #include "session/experiments/run_facts.h"
 #include "session/experiments/stability.h"
 
@@ -60,22 +61,21 @@ Json jsonOf(const StabilityCase& one, const StabilityResult& result) {
 
 void printHead(double rateHz) {
     const RunFacts facts = currentRunFacts();
-    fmt::print("machine:  {}\ncommit:   {}\ncommand:  {}\n", facts.machine, facts.commit, facts.command);
-    fmt::print(
-        "A simulated hand on a simulated device taps, presses, slides, trembles, cuts and lets go; the force that is "
+    say("machine:  {}\ncommit:   {}\ncommand:  {}\n", facts.machine, facts.commit, facts.command);
+    say("A simulated hand on a simulated device taps, presses, slides, trembles, cuts and lets go; the force that is "
         "computed at {:.0f} Hz moves it.\nk: stiffest spring, N/mm; rest: force while the hand rests, N; ripple of it, "
         "%; energy: least "
         "of the observer, N*mm;\npeak: strongest force, N; step: most in a millisecond, N.\n\n",
         rateHz);
-    fmt::print("{:<10} {:<8} {:<9} {:<10} {:>5} {:>6} {:>7} {:>8} {:>6} {:>6}\n", "device", "hand", "material",
-               "situation", "k", "rest", "ripple", "energy", "peak", "step");
+    say("{:<10} {:<8} {:<9} {:<10} {:>5} {:>6} {:>7} {:>8} {:>6} {:>6}\n", "device", "hand", "material", "situation",
+        "k", "rest", "ripple", "energy", "peak", "step");
 }
 
 void printRow(const StabilityCase& one, const StabilityResult& result) {
-    fmt::print("{:<10} {:<8} {:<9} {:<10} {:>5.2f} {:>6.2f} {:>7.2f} {:>8.4f} {:>6.2f} {:>6.3f}{}\n", one.device->name,
-               one.hand->name, materialNameOf(one), situationName(one.situation), result.stiffness, result.restForce,
-               100 * result.ripple, result.leastEnergy, result.strongest, result.steepest,
-               result.stable ? "" : "  NOT STABLE");
+    say("{:<10} {:<8} {:<9} {:<10} {:>5.2f} {:>6.2f} {:>7.2f} {:>8.4f} {:>6.2f} {:>6.3f}{}\n", one.device->name,
+        one.hand->name, materialNameOf(one), situationName(one.situation), result.stiffness, result.restForce,
+        100 * result.ripple, result.leastEnergy, result.strongest, result.steepest,
+        result.stable ? "" : "  NOT STABLE");
 }
 
 /// The worst of several runs.
@@ -99,10 +99,9 @@ public:
     }
     void end() {
         if (count_ == 0) return;
-        fmt::print("{:<10} {:<8} {:<20} {:>5.2f} {:>6.2f} {:>7.2f} {:>8.4f} {:>6.2f} {:>6.3f}{}\n", device_->name,
-                   hand_->name, fmt::format("{} of {} stable", stable_, count_), worst_.stiffness, worst_.restForce,
-                   100 * worst_.ripple, worst_.leastEnergy, worst_.strongest, worst_.steepest,
-                   stable_ == count_ ? "" : "  NOT STABLE");
+        say("{:<10} {:<8} {:<20} {:>5.2f} {:>6.2f} {:>7.2f} {:>8.4f} {:>6.2f} {:>6.3f}{}\n", device_->name, hand_->name,
+            fmt::format("{} of {} stable", stable_, count_), worst_.stiffness, worst_.restForce, 100 * worst_.ripple,
+            worst_.leastEnergy, worst_.strongest, worst_.steepest, stable_ == count_ ? "" : "  NOT STABLE");
         std::fflush(stdout);
         count_ = stable_ = 0;
     }
@@ -135,14 +134,14 @@ int runBenchStability(const BenchStabilityOptions& options) {
     summary.end();
     if (options.json) {
         const RunFacts facts = currentRunFacts();
-        fmt::print("{}\n", Json{{"machine", facts.machine},
-                                {"commit", facts.commit},
-                                {"command", facts.command},
-                                {"date", facts.date},
-                                {"rate_hz", options.rateHz},
-                                {"stable", stable},
-                                {"cases", json}}
-                               .dump(1, ' ', false, Json::error_handler_t::replace));
+        say("{}\n", Json{{"machine", facts.machine},
+                         {"commit", facts.commit},
+                         {"command", facts.command},
+                         {"date", facts.date},
+                         {"rate_hz", options.rateHz},
+                         {"stable", stable},
+                         {"cases", json}}
+                        .dump(1, ' ', false, Json::error_handler_t::replace));
     }
     return stable ? kExitOk : kExitNegative;
 }

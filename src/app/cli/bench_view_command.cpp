@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/bench_view_command.h"
 
-#include <fmt/core.h>
-
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -11,6 +9,7 @@
 #include "app/cli/bench_mouth.h"
 #include "app/cli/bench_work.h"
 #include "app/cli/exit_code.h"
+#include "app/cli/output.h"
 #include "app/cli/render_words.h"
 #include "session/experiments/run_facts.h"
 #include "session/experiments/standard_teeth.h"
@@ -129,13 +128,13 @@ public:
                  {"software", bySoftware},   {"width", size.width},        {"height", size.height},
                  {"cases", Json::array()}};
         if (isJson_) return;
-        fmt::print("machine:  {}\ncommit:   {}\ncommand:  {}\nOpenGL:   {}, {}\n", facts.machine, facts.commit,
-                   facts.command, device, bySoftware ? "drawn by the processor" : "drawn by a graphics card");
-        fmt::print("{} x {} pixels; ms, the mean of {} pictures; the ways of one scene take turns\n\n", size.width,
-                   size.height, options.frames);
-        fmt::print("{:60} {:>19} {:>18}\n", "", "one at a time, ms", "of first, by");
-        fmt::print("{:<14} {:<22} {:>9} {:>9} {:>9} {:>9} {:>7} {:>9} {:>9}\n", "scene", "drawn", "triangles", "wall",
-                   "p99", "processor", "1/s", "processor", "rate");
+        say("machine:  {}\ncommit:   {}\ncommand:  {}\nOpenGL:   {}, {}\n", facts.machine, facts.commit, facts.command,
+            device, bySoftware ? "drawn by the processor" : "drawn by a graphics card");
+        say("{} x {} pixels; ms, the mean of {} pictures; the ways of one scene take turns\n\n", size.width,
+            size.height, options.frames);
+        say("{:60} {:>19} {:>18}\n", "", "one at a time, ms", "of first, by");
+        say("{:<14} {:<22} {:>9} {:>9} {:>9} {:>9} {:>7} {:>9} {:>9}\n", "scene", "drawn", "triangles", "wall", "p99",
+            "processor", "1/s", "processor", "rate");
     }
 
     void add(const Subject& subject, const std::vector<FrameTimes>& times) {
@@ -152,15 +151,15 @@ public:
                                       {"of_first", ratio},
                                       {"of_first_by_rate", slower}});
             if (isJson_) continue;
-            fmt::print("{:<14} {:<22} {:>9} {:>9.2f} {:>9.2f} {:>9.2f} {:>7.1f} {:>9.2f} {:>9.2f}\n", subject.name,
-                       subject.cases[i].what, subject.triangles, times[i].wall, times[i].wallP99, times[i].processor,
-                       times[i].rate, ratio, slower);
+            say("{:<14} {:<22} {:>9} {:>9.2f} {:>9.2f} {:>9.2f} {:>7.1f} {:>9.2f} {:>9.2f}\n", subject.name,
+                subject.cases[i].what, subject.triangles, times[i].wall, times[i].wallP99, times[i].processor,
+                times[i].rate, ratio, slower);
         }
         std::fflush(stdout);
     }
 
     void finish() const {
-        if (isJson_) fmt::print("{}\n", json_.dump(1, ' ', false, Json::error_handler_t::replace));
+        if (isJson_) say("{}\n", json_.dump(1, ' ', false, Json::error_handler_t::replace));
     }
 
 private:

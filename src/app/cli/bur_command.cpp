@@ -6,6 +6,7 @@
 
 #include "app/cli/exit_code.h"
 #include "app/cli/mesh_summary.h"
+#include "app/cli/output.h"
 #include "geometry/stl_writer.h"
 #include "instruments/contra_angle.h"
 #include "instruments/hand_instruments.h"
@@ -21,11 +22,10 @@ std::string edgeOf(const BurSpec& spec) {
 }
 
 int printList() {
-    fmt::print("{:<9}{:<21}{:>5}{:>7}{:>7}  {:<10}{}\n", "number", "ISO 6360", "mm", "long", "taper", "cuts with",
-               "name");
+    say("{:<9}{:<21}{:>5}{:>7}{:>7}  {:<10}{}\n", "number", "ISO 6360", "mm", "long", "taper", "cuts with", "name");
     for (const BurSpec& spec : burCatalogue()) {
-        fmt::print("{:<9}{:<21}{:>5.1f}{:>7.2f}{:>7.0f}  {:<10}{}\n", spec.number, isoNumber(spec), spec.headDiameter,
-                   spec.headLength, spec.taperDegrees, edgeOf(spec), spec.name);
+        say("{:<9}{:<21}{:>5.1f}{:>7.2f}{:>7.0f}  {:<10}{}\n", spec.number, isoNumber(spec), spec.headDiameter,
+            spec.headLength, spec.taperDegrees, edgeOf(spec), spec.name);
     }
     return kExitOk;
 }
@@ -43,8 +43,8 @@ int runBur(const BurOptions& options) {
     if (options.out.empty()) return refuse({"--out is missing; name the STL file to write."});
     const Bur bur = makeBurOf(*spec, options.triangles);
     if (const auto done = writeStl(bur.surface, options.out); !done) return refuse(done.error());
-    fmt::print("{} (ISO {}), head {:.2f} x {:.2f} mm\n{}: {}\n", spec->name, isoNumber(*spec), spec->headDiameter,
-               spec->headLength, options.out.string(), meshSummary(reportOn(bur.surface)));
+    say("{} (ISO {}), head {:.2f} x {:.2f} mm\n{}: {}\n", spec->name, isoNumber(*spec), spec->headDiameter,
+        spec->headLength, options.out.string(), meshSummary(reportOn(bur.surface)));
     return kExitOk;
 }
 
@@ -57,7 +57,7 @@ int runInstrument(const InstrumentOptions& options) {
     if (options.name == "explorer") mesh = makeExplorer();
     if (options.name == "probe") mesh = makePeriodontalProbe();
     if (const auto done = writeStl(mesh, options.out); !done) return refuse(done.error());
-    fmt::print("{}: {}\n", options.out.string(), meshSummary(reportOn(mesh)));
+    say("{}: {}\n", options.out.string(), meshSummary(reportOn(mesh)));
     return kExitOk;
 }
 

@@ -10,8 +10,10 @@
 #include <set>
 
 #include "app/cli/exit_code.h"
+#include "app/cli/output.h"
 #include "app/cli/remark_lines.h"
 #include "geometry/file_bytes.h"
+#include "geometry/file_set.h"
 #include "geometry/mesh_report.h"
 #include "geometry/number_text.h"
 #include "patient/length_unit.h"
@@ -44,7 +46,7 @@ Expected<ImportChoices> choicesOf(const CaseNewOptions& options) {
 }
 
 void printSentences(const std::vector<std::string>& sentences) {
-    for (const std::string& sentence : sentences) fmt::print("    {}\n", sentence);
+    for (const std::string& sentence : sentences) say("    {}\n", sentence);
 }
 
 /// "enamel, dentin and pulp (a model)".
@@ -58,15 +60,15 @@ std::string layersOf(const CaseTooth& tooth) {
 void printBodies(const CaseDescription& description, bool withAssumptions) {
     for (const CaseTooth& tooth : description.teeth) {
         const Vec3& at = tooth.toothInCase.position;
-        fmt::print("  tooth {}{}: {}; at {:.1f}, {:.1f}, {:.1f} mm\n", tooth.name,
-                   tooth.fdi != 0 ? fmt::format(" (FDI {})", tooth.fdi) : "", layersOf(tooth), at.x(), at.y(), at.z());
+        say("  tooth {}{}: {}; at {:.1f}, {:.1f}, {:.1f} mm\n", tooth.name,
+            tooth.fdi != 0 ? fmt::format(" (FDI {})", tooth.fdi) : "", layersOf(tooth), at.x(), at.y(), at.z());
         if (withAssumptions) printSentences(tooth.assumed);
     }
     for (const CaseSurrounding& body : description.around) {
-        fmt::print("  around: {}, taken as {}\n", body.name, materialName(body.material));
+        say("  around: {}, taken as {}\n", body.name, materialName(body.material));
         if (withAssumptions) printSentences(body.assumed);
     }
-    for (const std::string& bur : description.burs) fmt::print("  bur: {}\n", bur);
+    for (const std::string& bur : description.burs) say("  bur: {}\n", bur);
 }
 
 /// Files that the description does not name: they may be meant to be there, and do nothing.
@@ -105,20 +107,28 @@ int runCaseNew(const CaseNewOptions& options) {
     const auto choices = choicesOf(options);
     if (!choices) return refuse(choices.error());
     if (const auto done = checkCaseTarget(options.out); !done) return refuse(done.error());
+    FileSet set;
+    for (const auto& input : options.from) set.reads(input);
+    for (const auto& input : options.burs) set.reads(input);
+    set.reads(options.materials);
+    if (options.out.extension() == kCaseEnding) {
+        if (const auto opened = set.open(options.out); !opened) return refuse(opened.error());
+    }
     const CaseRequest request{options.from,     options.title, options.licence, options.provenance,
                               options.quadrant, *choices,      options.burs,    options.materials};
     std::string last;
     const auto made = makeCase(request, [&](const std::string& body, double /*part*/) {
-        if (body != last) fmt::print("importing {}\n", body);
+        if (body != last) say("importing {}\n", body);
         last = body;
         std::fflush(stdout);
         return true;
     });
     if (!made) return refuse(made.error());
     if (const auto written = writeCase(made->files, options.out); !written) return refuse(written.error());
+    if (const auto named = set.commit(); !named) return refuse(named.error());
     printBodies(made->description, true);
-    fmt::print("{}: {} teeth and {} bodies around them; licence: {}\n", shownName(options.out),
-               made->description.teeth.size(), made->description.around.size(), made->description.licence);
+    say("{}: {} teeth and {} bodies around them; licence: {}\n", shownName(options.out), made->description.teeth.size(),
+        made->description.around.size(), made->description.licence);
     return kExitOk;
 }
 
@@ -135,17 +145,17 @@ int runCaseCheck(const CaseCheckOptions& options) {
     if (!bodies) return refuse(bodies.error());
     for (const CaseBody& body : *bodies) {
         const MeshReport report = reportOn(body.surface);
-        fmt::print("{}: {} triangles, closed\n", body.name, report.triangles);
-        for (const std::string& finding : findings(report)) fmt::print("    {}\n", finding);
+        say("{}: {} triangles, closed\n", body.name, report.triangles);
+        for (const std::string& finding : findings(report)) say("    {}\n", finding);
     }
     for (const CaseOverlap& overlap : overlaps(*bodies)) {
-        fmt::print("{} and {} share room, {:.3f} mm deep: both cannot be cut truly there\n", overlap.first,
-                   overlap.second, overlap.deepest);
+        say("{} and {} share room, {:.3f} mm deep: both cannot be cut truly there\n", overlap.first, overlap.second,
+            overlap.deepest);
     }
     for (const std::string& entry : unusedFiles(*store, opened->description)) {
-        fmt::print("{}: case.toml does not name this file\n", shownName(entry));
+        say("{}: case.toml does not name this file\n", shownName(entry));
     }
-    fmt::print("{} can be opened\n", shownName(options.path));
+    say("{} can be opened\n", shownName(options.path));
     return kExitOk;
 }
 
@@ -154,8 +164,8 @@ int runCaseInfo(const CaseInfoOptions& options) {
     if (!store) return refuse(store.error());
     const auto description = readCaseDescription(*store);
     if (!description) return refuse(description.error());
-    fmt::print("{}\nlicence: {}\n", description->title, description->licence);
-    for (const std::string& line : description->provenance) fmt::print("  {}\n", line);
+    say("{}\nlicence: {}\n", description->title, description->licence);
+    for (const std::string& line : description->provenance) say("  {}\n", line);
     printBodies(*description, true);
     return kExitOk;
 }
@@ -179,7 +189,7 @@ int runCasePack(const CasePackOptions& options) {
     }
     const std::size_t count = files->size();
     if (const auto written = writeCase(*files, out); !written) return refuse(written.error());
-    fmt::print("{}: {} files\n", shownName(out), count);
+    say("{}: {} files\n", shownName(out), count);
     return kExitOk;
 }
 

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <sstream>
 #include <string>
+#include <system_error>
 
 #include "app/cli/command_registry.h"
 #include "app/cli/contact_command.h"
@@ -14,6 +16,7 @@
 #include "app/cli/exit_code.h"
 #include "app/cli/feel_command.h"
 #include "app/cli/info_command.h"
+#include "app/cli/output.h"
 #include "app/cli/score_command.h"
 #include "app/cli/sound_command.h"
 #include "app/cli/window_command.h"
@@ -279,8 +282,10 @@ void addSound(CLI::App& program, Chosen& chosen) {
 
 /// Output that could not be written (a full disk, a closed pipe) must not look like success.
 int withOutputFlushed(int exitCode) {
-    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return exitCode;
-    return refuse({"the output could not be written; check the disk or the pipe that it goes to."});
+    const int reason = outputError();
+    if (reason == 0 || exitCode == kExitBadInput) return exitCode;
+    const std::string why = reason < 0 ? "" : " (" + std::generic_category().message(reason) + ")";
+    return refuse({"the output could not be written" + why + "; check the disk or the pipe that it goes to."});
 }
 
 /// CLI11's message as one sentence that says where help is.
@@ -327,7 +332,10 @@ int runCommandLine(int argc, const char* const* argv) {
     try {
         program.parse(argc, argv);
     } catch (const CLI::Success& help) {  // --help or --version
-        return withOutputFlushed(program.exit(help));
+        std::ostringstream text;
+        const int exitCode = program.exit(help, text, text);
+        writeTo(stdout, text.str());
+        return withOutputFlushed(exitCode);
     } catch (const CLI::ParseError& error) {
         return refuse(usageError(program, error));
     }

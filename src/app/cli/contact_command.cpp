@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/contact_command.h"
 
-#include <fmt/core.h>
-
 #include <array>
 
 #include "app/cli/exit_code.h"
+#include "app/cli/output.h"
 #include "app/cli/remark_lines.h"
 #include "collision/contact_query.h"
+#include "geometry/file_set.h"
 #include "haptics/load_surface.h"
 #include "session/csv_table.h"
 #include "session/feel_run.h"
@@ -29,6 +29,9 @@ void writeRow(CsvWriter& file, double time, const Contact& contact, double micro
 }  // namespace
 
 int runContact(const ContactOptions& options) {
+    FileSet files;
+    for (const auto& input : {options.poses, options.tooth, options.tool}) files.reads(input);
+    if (const auto opened = files.open(options.out); !opened) return refuse(opened.error());
     const auto trajectory = readTrajectory(options.poses);
     if (!trajectory) return refuse(trajectory.error());
     std::vector<Remark> remarks;
@@ -49,8 +52,9 @@ int runContact(const ContactOptions& options) {
         writeRow(*file, row.time, contact, micros);
     }
     if (const auto done = file->commit(); !done) return refuse(done.error());
-    if (!(*tooth)->closed) fmt::print("The tooth is not closed: only its triangles count, nothing is inside.\n");
-    fmt::print("{} poses, {} of them touching, written to {}\n", trajectory->size(), touching, options.out.string());
+    if (const auto done = files.commit(); !done) return refuse(done.error());
+    if (!(*tooth)->closed) say("The tooth is not closed: only its triangles count, nothing is inside.\n");
+    say("{} poses, {} of them touching, written to {}\n", trajectory->size(), touching, options.out.string());
     return kExitOk;
 }
 

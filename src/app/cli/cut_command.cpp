@@ -8,10 +8,11 @@
 #include <optional>
 
 #include "app/cli/exit_code.h"
+#include "app/cli/output.h"
 #include "app/cli/remark_lines.h"
 #include "collision/surface.h"
 #include "geometry/atomic_file.h"
-#include "geometry/folder.h"
+#include "geometry/file_set.h"
 #include "geometry/stl_writer.h"
 #include "session/cases/placed_tooth.h"
 #include "session/cut_events.h"
@@ -42,11 +43,25 @@ std::array<double, kRemovedColumns.size()> removedRow(double time, const Materia
 /// The files that the command leaves behind: all of them, or none.
 class CutFiles {
 public:
+    /// Before anything is read: what stands in their way is then said at once.
     [[nodiscard]] Expected<void> open(const CutOptions& options) {
-        if (auto file = AtomicFile::create(options.out)) {
-            surface_.emplace(std::move(*file));
-        } else {
-            return Unexpected{file.error()};
+        for (const std::filesystem::path& input : {options.tooth, options.materials, options.tool, options.trajectory})
+            set_.reads(input);
+        for (const std::string& layer : options.layers) set_.reads(layer.substr(layer.find('=') + 1));
+        for (const std::filesystem::path& output :
+             {options.out, options.forces, options.removed, options.events, options.save, options.vdb}) {
+            if (auto opened = set_.open(output); !opened) return opened;
+        }
+        if (options.layersOut.empty()) return {};
+        return set_.makeFolder(options.layersOut);
+    }
+
+    /// Once it is known what layers the tooth has.
+    [[nodiscard]] Expected<void> begin(const CutOptions& options, const LayeredTooth& tooth) {
+        if (!options.layersOut.empty()) {
+            for (const std::string& layer : remainingLayerNames(tooth)) {
+                if (auto opened = set_.open(layerFile(options.layersOut, layer)); !opened) return opened;
+            }
         }
         if (!options.forces.empty()) {
             auto file = TickCsv::create(options.forces);
@@ -58,11 +73,6 @@ public:
             if (!file) return Unexpected{file.error()};
             removed_.emplace(std::move(*file));
         }
-        if (!options.events.empty()) {
-            auto file = AtomicFile::create(options.events);
-            if (!file) return Unexpected{file.error()};
-            events_.emplace(std::move(*file));
-        }
         return {};
     }
 
@@ -72,26 +82,60 @@ public:
         watched_.watch(time, tick, loss);
     }
 
-    [[nodiscard]] Expected<void> finish(const TriangleMesh& mesh) {
-        surface_->write(stlBytes(mesh, StlFormat::Binary));
-        if (auto done = surface_->commit(); !done) return done;
+    /// Writes all that is known at the end.
+    [[nodiscard]] Expected<void> finish(const CutOptions& options, const TriangleMesh& cut, const WorkPiece& piece,
+                                        const Provenance& provenance) {
+        if (auto done = writeStl(cut, options.out); !done) return done;
         if (forces_) {
             if (auto done = forces_->commit(); !done) return done;
         }
         if (removed_) {
             if (auto done = removed_->commit(); !done) return done;
         }
-        if (!events_) return {};
-        events_->write(cutEventsCsv(watched_.all()));
-        return events_->commit();
+        if (!options.events.empty()) {
+            if (auto done = writeFile(options.events, cutEventsCsv(watched_.all())); !done) return done;
+        }
+        if (!options.save.empty()) {
+            if (auto done = saveTooth(piece, savedNow(provenance), options.save); !done) return done;
+        }
+        if (!options.vdb.empty()) {
+            if (auto done = writeVdb(piece.volume(), savedNow(provenance), options.vdb); !done) return done;
+        }
+        if (!options.layersOut.empty()) {
+            if (auto done = writeLayers(piece.volume(), options.layersOut); !done) return done;
+        }
+        return set_.commit();
+    }
+
+    void printLayers() const {
+        for (const std::string& line : layerLines_) say("{}\n", line);
     }
 
 private:
-    std::optional<AtomicFile> surface_;
+    [[nodiscard]] static std::filesystem::path layerFile(const std::filesystem::path& folder, const std::string& name) {
+        return folder / (name + ".stl");
+    }
+
+    /// One STL file a layer, named after it.
+    [[nodiscard]] Expected<void> writeLayers(const CutVolume& volume, const std::filesystem::path& folder) {
+        for (const LayerRemains& layer : remainsOfLayers(volume)) {
+            const std::filesystem::path file = layerFile(folder, layer.name);
+            if (layer.mesh.empty()) {
+                layerLines_.push_back(fmt::format("nothing is left of layer '{}'", layer.name));
+                continue;
+            }
+            if (auto written = writeStl(layer.mesh, file); !written) return written;
+            layerLines_.push_back(fmt::format("{} triangles of layer '{}' written to {}", layer.mesh.triangles.size(),
+                                              layer.name, file.string()));
+        }
+        return {};
+    }
+
+    FileSet set_;
     std::optional<TickCsv> forces_;
     std::optional<CsvWriter> removed_;
-    std::optional<AtomicFile> events_;
     CutEvents watched_;
+    std::vector<std::string> layerLines_;  // what is told of them once they are there
 };
 
 Expected<ToothSource> toothSource(const CutOptions& options) {
@@ -104,22 +148,6 @@ Expected<ToothSource> toothSource(const CutOptions& options) {
     return source;
 }
 
-/// One STL file a layer, named after it, in a folder that is made if it is not there.
-Expected<void> writeLayers(const CutVolume& volume, const std::filesystem::path& folder) {
-    if (auto done = makeFolder(folder); !done) return done;
-    for (const LayerRemains& layer : remainsOfLayers(volume)) {
-        const std::filesystem::path file = folder / (layer.name + ".stl");
-        if (layer.mesh.empty()) {
-            fmt::print("nothing is left of layer '{}'\n", layer.name);
-            continue;
-        }
-        if (auto written = writeStl(layer.mesh, file); !written) return unexpected(written.error().message);
-        fmt::print("{} triangles of layer '{}' written to {}\n", layer.mesh.triangles.size(), layer.name,
-                   file.string());
-    }
-    return {};
-}
-
 /// The bur that is named, else the one that the case brings.
 Expected<OwnBur> burOf(const CutOptions& options, const ToothPlace& place) {
     if (!options.tool.empty()) return readOwnBur(options.tool);
@@ -130,9 +158,9 @@ Expected<OwnBur> burOf(const CutOptions& options, const ToothPlace& place) {
 void printLoss(const ToothLoss& loss) {
     for (std::size_t i = 0; i < kMaterialCount; ++i) {
         if (loss.removed[i] > 0)
-            fmt::print("removed {:>12}: {:8.3f} mm^3\n", materialName(static_cast<MaterialId>(i)), loss.removed[i]);
+            say("removed {:>12}: {:8.3f} mm^3\n", materialName(static_cast<MaterialId>(i)), loss.removed[i]);
     }
-    if (loss.beside > 0) fmt::print("of it beside the tooth: {:.3f} mm^3\n", loss.beside);
+    if (loss.beside > 0) say("of it beside the tooth: {:.3f} mm^3\n", loss.beside);
 }
 
 }  // namespace
@@ -143,6 +171,8 @@ int runCut(const CutOptions& options) {
     }
     const auto source = toothSource(options);
     if (!source) return refuse(source.error());
+    CutFiles files;
+    if (const auto opened = files.open(options); !opened) return refuse(opened.error());
     const auto path = readTrajectory(options.trajectory);
     if (!path) return refuse(path.error());
     const auto tooth = loadPlacedWork(*source, options.workOn, options.voxel, kUsualVoxel);
@@ -157,8 +187,7 @@ int runCut(const CutOptions& options) {
     const auto materials = options.materials.empty() && tooth->place.materials ? *tooth->place.materials
                                                                                : materialsFrom(options.materials);
     if (!materials) return refuse(materials.error());
-    CutFiles files;
-    if (const auto opened = files.open(options); !opened) return refuse(opened.error());
+    if (const auto begun = files.begin(options, piece.tooth()); !begun) return refuse(begun.error());
 
     const auto visit = [&](double time, const Tick& tick, const ToothLoss& loss) { files.row(time, tick, loss); };
     if (options.feed == "rigid") {
@@ -172,23 +201,12 @@ int runCut(const CutOptions& options) {
         cutByLaw(*path, *tool, *materials, simulation, piece, visit);
     }
     const TaggedMesh cut = piece.exported();
-    if (const auto done = files.finish(cut.mesh); !done) return refuse(done.error());
-    if (!options.save.empty()) {
-        const auto saved = saveTooth(piece, savedNow(tooth->provenance), options.save);
-        if (!saved) return refuse(saved.error());
-    }
-    if (!options.vdb.empty()) {
-        const auto written = writeVdb(piece.volume(), savedNow(tooth->provenance), options.vdb);
-        if (!written) return refuse(written.error());
-        fmt::print("voxels written to {}\n", options.vdb.string());
-    }
-    if (!options.layersOut.empty()) {
-        if (const auto written = writeLayers(piece.volume(), options.layersOut); !written)
-            return refuse(written.error());
-    }
+    if (const auto done = files.finish(options, cut.mesh, piece, tooth->provenance); !done) return refuse(done.error());
+    if (!options.vdb.empty()) say("voxels written to {}\n", options.vdb.string());
+    files.printLayers();
     printLoss(piece.loss());
-    if (total(before) > 0) fmt::print("of which before:      {:8.3f} mm^3\n", total(before));
-    fmt::print("{} triangles written to {}\n", cut.mesh.triangles.size(), options.out.string());
+    if (total(before) > 0) say("of which before:      {:8.3f} mm^3\n", total(before));
+    say("{} triangles written to {}\n", cut.mesh.triangles.size(), options.out.string());
     return kExitOk;
 }
 

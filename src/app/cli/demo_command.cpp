@@ -9,12 +9,13 @@
 #include "app/cli/demo_pictures.h"
 #include "app/cli/demo_summary.h"
 #include "app/cli/exit_code.h"
+#include "app/cli/output.h"
 #include "app/cli/remark_lines.h"
 #include "app/common/mouth_scene.h"
 #include "app/common/plot_image.h"
 #include "app/common/spin_blur.h"
 #include "geometry/atomic_file.h"
-#include "geometry/folder.h"
+#include "geometry/file_set.h"
 #include "geometry/stl_writer.h"
 #include "instruments/builtin_tooth.h"
 #include "instruments/bur_shape.h"
@@ -159,9 +160,23 @@ Expected<void> writeResults(const fs::path& folder, const Demonstration& played,
     return writeFile(folder / "summary.json", demoSummary(played, piece, cast.toothName, cast.burName));
 }
 
+/// Before the work: what stands in the way of a result is then said at once.
+Expected<void> openFiles(const DemoOptions& options, FileSet& files) {
+    for (const auto& input : {options.tooth, options.bur, options.materials}) files.reads(input);
+    for (const std::string& layer : options.layers) files.reads(layer.substr(layer.find('=') + 1));
+    if (auto made = files.makeFolder(options.out); !made) return made;
+    for (const char* name :
+         {"touch.png", "spray.png", "cut.png", "forces.png", "session.wav", "forces.csv", "cut.stl", "summary.json"}) {
+        if (auto opened = files.open(options.out / name); !opened) return opened;
+    }
+    return {};
+}
+
 }  // namespace
 
 int runDemo(const DemoOptions& options) {
+    FileSet files;
+    if (const auto done = openFiles(options, files); !done) return refuse(done.error());
     Cast cast;
     if (const auto done = castTooth(options, cast); !done) return refuse(done.error());
     if (const auto done = castBur(options, cast); !done) return refuse(done.error());
@@ -169,11 +184,10 @@ int runDemo(const DemoOptions& options) {
         options.materials.empty() && cast.materials ? *cast.materials : materialsFrom(options.materials);
     if (!materials) return refuse(materials.error());
     cast.props.materials = *materials;
-    if (const auto done = makeFolder(options.out); !done) return refuse(done.error());
     castMirror(cast);
     cast.props.box = cast.box;
 
-    fmt::print("tooth: {}\nbur:   {}\n", cast.toothName, cast.burName);
+    say("tooth: {}\nbur:   {}\n", cast.toothName, cast.burName);
     WorkPiece piece(cast.tooth, kVoxel);
     piece.surroundBy(cast.surroundings);
     const std::shared_ptr<const Surface> uncut = piece.surface();
@@ -182,7 +196,7 @@ int runDemo(const DemoOptions& options) {
         const int tenths = static_cast<int>(10 * part);
         if (tenths <= told) return;
         told = tenths;
-        fmt::print("playing {:.0f} s of touching and cutting: {} %\n", options.seconds, 10 * tenths);
+        say("playing {:.0f} s of touching and cutting: {} %\n", options.seconds, 10 * tenths);
         std::fflush(stdout);
     };
     HapticSettings settings;
@@ -190,15 +204,16 @@ int runDemo(const DemoOptions& options) {
     const Quat grip = uprightGrip(cast.props.mesialX, 0);
     const Demonstration played =
         playDemonstration(piece, cast.box, *cast.instrument, settings, grip, options.seconds, progress);
-    fmt::print("drawing, plotting, rendering the sound\n");
+    say("drawing, plotting, rendering the sound\n");
     const DemoMoment touch{uncut, played.ticks[played.touchTick]};
     if (const auto done = writeDemoPicture(options.out / "touch.png", DemoView::Touch, touch, cast.props); !done)
         return refuse(done.error());
     if (const auto done = writeResults(options.out, played, piece, cast, options.seconds); !done)
         return refuse(done.error());
-    fmt::print("removed {:.3f} mm^3 in {} surface updates\n", total(piece.removed()), played.surfaceUpdates);
-    fmt::print("touch.png, {}cut.png, forces.png, session.wav, forces.csv, cut.stl and summary.json are in {}\n",
-               played.work ? "spray.png, " : "", options.out.string());
+    if (const auto done = files.commit(); !done) return refuse(done.error());
+    say("removed {:.3f} mm^3 in {} surface updates\n", total(piece.removed()), played.surfaceUpdates);
+    say("touch.png, {}cut.png, forces.png, session.wav, forces.csv, cut.stl and summary.json are in {}\n",
+        played.work ? "spray.png, " : "", options.out.string());
     return kExitOk;
 }
 

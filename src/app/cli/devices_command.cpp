@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/devices_command.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 #include <vector>
 
 #include "app/cli/exit_code.h"
+#include "app/cli/output.h"
 #include "devices/device_survey.h"
 
 namespace tactooth {
@@ -40,7 +39,7 @@ Json jsonOf(const SurveyedDevice& device) {
 void printJson(const std::vector<SurveyedDevice>& devices) {
     Json json = Json::array();
     for (const SurveyedDevice& device : devices) json.push_back(jsonOf(device));
-    fmt::print("{}\n", json.dump(1, ' ', false, Json::error_handler_t::replace));
+    say("{}\n", json.dump(1, ' ', false, Json::error_handler_t::replace));
 }
 
 void printTable(const std::vector<SurveyedDevice>& devices) {
@@ -51,8 +50,8 @@ void printTable(const std::vector<SurveyedDevice>& devices) {
         state = std::max(state, std::string_view(stateOf(device)).size());
     }
     for (const SurveyedDevice& device : devices) {
-        fmt::print("{:<{}}  {:<{}}  {:<{}}  {}\n", device.name, name, device.backend, backend, stateOf(device), state,
-                   device.text);
+        say("{:<{}}  {:<{}}  {:<{}}  {}\n", device.name, name, device.backend, backend, stateOf(device), state,
+            device.text);
     }
 }
 

@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/doctor_command.h"
 
-#include <fmt/core.h>
-
 #include <array>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/doctor_finding.h"
 #include "app/cli/doctor_sound.h"
 #include "app/cli/exit_code.h"
+#include "app/cli/output.h"
 #include "app/common/display_check.h"
 #include "devices/child_probe.h"
 #include "devices/device_survey.h"
@@ -83,10 +82,10 @@ int runDoctor(const DoctorOptions& options) {
         if (options.json) {
             json.push_back({{"area", finding.area}, {"verdict", verdict}, {"text", finding.text}});
         } else {
-            fmt::print("{:<12}  {:<8}  {}\n", finding.area, verdict, finding.text);
+            say("{:<12}  {:<8}  {}\n", finding.area, verdict, finding.text);
         }
     }
-    if (options.json) fmt::print("{}\n", json.dump(1, ' ', false, Json::error_handler_t::replace));
+    if (options.json) say("{}\n", json.dump(1, ' ', false, Json::error_handler_t::replace));
     return usable ? kExitOk : kExitNegative;
 }
 

@@ -5,7 +5,9 @@
 #include <fmt/core.h>
 
 #include "app/cli/exit_code.h"
+#include "app/cli/output.h"
 #include "geometry/file_bytes.h"
+#include "geometry/file_set.h"
 #include "geometry/stl_writer.h"
 #include "instruments/bur_catalogue.h"
 #include "session/cases/own_bur.h"
@@ -30,6 +32,9 @@ Expected<std::string> burOf(const Exercise& exercise) {
 }
 
 Expected<void> tell(const ExerciseOptions& options) {
+    FileSet files;
+    files.reads(options.file);
+    if (auto opened = files.open(options.out); !opened) return opened;
     const Expected<Exercise> exercise = readExercise(options.file);
     if (!exercise) return Unexpected{exercise.error()};
     const Expected<std::string> bur = burOf(*exercise);
@@ -51,16 +56,17 @@ Expected<void> tell(const ExerciseOptions& options) {
             ": the ideal shape leaves nothing to cut; it must lie in the frame of the tooth, and have its "
             "cavity inside it.");
     }
+    if (auto named = files.commit(); !named) return named;
     Surface whole;
     whole.base = outer;
-    fmt::print("{}\n{}\n", exercise->name, exercise->task);
-    fmt::print("  tooth           {}\n  bur             {}\n", toothOf(*exercise), *bur);
-    fmt::print("  ideal cavity    {:.2f} mm3\n", account.of(whole, 0).planned);
+    say("{}\n{}\n", exercise->name, exercise->task);
+    say("  tooth           {}\n  bur             {}\n", toothOf(*exercise), *bur);
+    say("  ideal cavity    {:.2f} mm3\n", account.of(whole, 0).planned);
     if (const auto left = leastToPulp(walls, **tooth)) {
-        if (*left > 0) fmt::print("  to the pulp     {:.2f} mm at least\n", *left);
-        if (*left <= 0) fmt::print("  to the pulp     nothing: the cavity opens it\n");
+        if (*left > 0) say("  to the pulp     {:.2f} mm at least\n", *left);
+        if (*left <= 0) say("  to the pulp     nothing: the cavity opens it\n");
     }
-    if (!options.out.empty()) fmt::print("  ideal shape     {}\n", shownName(options.out));
+    if (!options.out.empty()) say("  ideal shape     {}\n", shownName(options.out));
     return {};
 }
 

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/feel_command.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 
 #include "app/cli/exit_code.h"
+#include "app/cli/output.h"
 #include "app/cli/remark_lines.h"
+#include "geometry/file_set.h"
 #include "haptics/latency_histogram.h"
 #include "haptics/load_surface.h"
 #include "session/cases/open_case.h"
@@ -43,6 +43,9 @@ Expected<FeltTooth> toothOf(const FeelOptions& options) {
 }  // namespace
 
 int runFeel(const FeelOptions& options) {
+    FileSet files;
+    for (const auto& input : {options.trajectory, options.tooth, options.tool, options.materials}) files.reads(input);
+    if (const auto opened = files.open(options.out); !opened) return refuse(opened.error());
     const auto trajectory = readTrajectory(options.trajectory);
     if (!trajectory) return refuse(trajectory.error());
     const auto tooth = toothOf(options);
@@ -69,9 +72,10 @@ int runFeel(const FeelOptions& options) {
         strongest = std::max(strongest, tick.wrench.force.norm());
     });
     if (const auto done = file->commit(); !done) return refuse(done.error());
-    fmt::print("{} ticks written to {}\n", trajectory->size(), options.out.string());
-    fmt::print("largest force {:.3f} N; time per tick p50 {:.1f}, p99 {:.1f}, max {:.1f} us\n", strongest,
-               micros.quantile(0.5), micros.quantile(0.99), micros.largest());
+    if (const auto done = files.commit(); !done) return refuse(done.error());
+    say("{} ticks written to {}\n", trajectory->size(), options.out.string());
+    say("largest force {:.3f} N; time per tick p50 {:.1f}, p99 {:.1f}, max {:.1f} us\n", strongest,
+        micros.quantile(0.5), micros.quantile(0.99), micros.largest());
     return kExitOk;
 }
 

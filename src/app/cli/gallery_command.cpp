@@ -9,9 +9,10 @@
 
 #include "app/cli/exit_code.h"
 #include "app/cli/gallery_pictures.h"
+#include "app/cli/output.h"
 #include "app/common/contact_sheet.h"
 #include "app/common/picture_application.h"
-#include "geometry/folder.h"
+#include "geometry/file_set.h"
 #include "instruments/contra_angle.h"
 #include "instruments/hand_instruments.h"
 #include "instruments/mirror.h"
@@ -97,6 +98,18 @@ Expected<void> drawInstruments(OffscreenRenderer& renderer, const std::filesyste
     return sheet.save(out / "instruments.png");
 }
 
+std::vector<const char*> sheetsOf(const GalleryOptions& options) {
+    return options.teeth.empty() ? std::vector{"teeth.png", "instruments.png"} : std::vector{"teeth.png"};
+}
+
+Expected<void> openFiles(const GalleryOptions& options, FileSet& files) {
+    if (auto made = files.makeFolder(options.out); !made) return made;
+    for (const char* name : sheetsOf(options)) {
+        if (auto opened = files.open(options.out / name); !opened) return opened;
+    }
+    return {};
+}
+
 }  // namespace
 
 int runGallery(const GalleryOptions& options) {
@@ -106,16 +119,18 @@ int runGallery(const GalleryOptions& options) {
                 {fmt::format("{} is no permanent tooth; FDI numbers are 11-18, 21-28, 31-38 and 41-48.", fdi)});
         }
     }
-    if (const auto made = makeFolder(options.out); !made) return refuse(made.error());
+    FileSet files;
+    if (const auto opened = openFiles(options, files); !opened) return refuse(opened.error());
     const PictureApplication application;
     Expected<OffscreenRenderer> renderer = OffscreenRenderer::create();
     if (!renderer) return refuse(renderer.error());
     const auto teeth = options.teeth.empty() ? drawTeeth(*renderer, options) : drawSome(*renderer, options);
     if (!teeth) return refuse(teeth.error());
-    fmt::print("{}\n", (options.out / "teeth.png").string());
-    if (!options.teeth.empty()) return kExitOk;
-    if (const auto done = drawInstruments(*renderer, options.out); !done) return refuse(done.error());
-    fmt::print("{}\n", (options.out / "instruments.png").string());
+    if (options.teeth.empty()) {
+        if (const auto done = drawInstruments(*renderer, options.out); !done) return refuse(done.error());
+    }
+    if (const auto done = files.commit(); !done) return refuse(done.error());
+    for (const char* name : sheetsOf(options)) say("{}\n", (options.out / name).string());
     return kExitOk;
 }
 

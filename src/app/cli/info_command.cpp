@@ -6,6 +6,7 @@
 
 #include "app/cli/exit_code.h"
 #include "app/cli/info_text.h"
+#include "app/cli/output.h"
 #include "geometry/file_bytes.h"
 #include "geometry/mesh_file.h"
 
@@ -23,7 +24,7 @@ int runInfo(const InfoOptions& options) {
         const SurfaceFacts facts = surfaceFacts(*mesh);
         const std::string name = shownName(file);
         if (!options.json && !first) std::puts("");
-        std::fputs((options.json ? infoJson(name, facts) : infoTable(name, facts)).c_str(), stdout);
+        writeTo(stdout, options.json ? infoJson(name, facts) : infoTable(name, facts));
         first = false;
     }
     return exitCode;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/mesh_summary.h"
+#include "app/cli/output.h"
 
 #include <fmt/core.h>
 
@@ -17,9 +18,9 @@ std::string meshSummary(const MeshReport& report) {
 void printChange(const std::filesystem::path& in, const TriangleMesh& before, const std::filesystem::path& out,
                  const TriangleMesh& after, double deviation) {
     constexpr double kMicrons = 1e3;  // in a mm
-    fmt::print("{}: {}\n", in.string(), meshSummary(reportOn(before)));
-    fmt::print("{}: {}\n", out.string(), meshSummary(reportOn(after)));
-    fmt::print("greatest deviation {:.3g} um\n", kMicrons * deviation);
+    say("{}: {}\n", in.string(), meshSummary(reportOn(before)));
+    say("{}: {}\n", out.string(), meshSummary(reportOn(after)));
+    say("greatest deviation {:.3g} um\n", kMicrons * deviation);
 }
 
 }  // namespace tactooth

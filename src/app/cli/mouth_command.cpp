@@ -4,11 +4,13 @@
 
 #include <fmt/core.h>
 
-#include <utility>
+#include <algorithm>
+#include <array>
 
 #include "app/cli/exit_code.h"
 #include "app/cli/mesh_summary.h"
-#include "geometry/folder.h"
+#include "app/cli/output.h"
+#include "geometry/file_set.h"
 #include "geometry/stl_writer.h"
 #include "session/tooth_cache.h"
 
@@ -17,24 +19,37 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Expected<void> writeTooth(const BuiltinTooth& tooth, const Pose& pose, const fs::path& folder) {
-    if (auto done = makeFolder(folder); !done) return done;
-    for (const auto& [name, mesh] : {std::pair("outer.stl", &tooth.outer), std::pair("enamel.stl", &tooth.enamel),
-                                     std::pair("dentin.stl", &tooth.dentin), std::pair("pulp.stl", &tooth.pulp)}) {
-        if (auto done = writeStl(moved(*mesh, pose), folder / name); !done) return done;
+constexpr std::array kLayerFiles = {"outer.stl", "enamel.stl", "dentin.stl", "pulp.stl"};
+constexpr std::array kGumFiles = {"gingiva-upper.stl", "gingiva-lower.stl"};
+
+/// All that will be written, before the teeth are made.
+Expected<void> openAll(const MouthOptions& options, FileSet& files) {
+    if (auto done = files.makeFolder(options.out); !done) return done;
+    for (int fdi = 11; fdi <= 48; ++fdi) {
+        if (!isPermanentTooth(fdi) || std::ranges::count(options.mouth.missing, fdi) > 0) continue;
+        const fs::path folder = options.out / std::to_string(fdi);
+        if (auto done = files.makeFolder(folder); !done) return done;
+        for (const char* name : kLayerFiles) {
+            if (auto done = files.open(folder / name); !done) return done;
+        }
+    }
+    for (const char* name : kGumFiles) {
+        if (auto done = files.open(options.out / name); !done) return done;
     }
     return {};
 }
 
-Expected<void> writeGum(const TriangleMesh& mesh, const Pose& pose, const fs::path& file) {
-    const TriangleMesh placed = moved(mesh, pose);
-    if (auto done = writeStl(placed, file); !done) return done;
-    fmt::print("{}: {}\n", file.string(), meshSummary(reportOn(placed)));
+Expected<void> writeTooth(const BuiltinTooth& tooth, const Pose& pose, const fs::path& folder) {
+    const std::array meshes = {&tooth.outer, &tooth.enamel, &tooth.dentin, &tooth.pulp};
+    for (std::size_t i = 0; i < meshes.size(); ++i) {
+        if (auto done = writeStl(moved(*meshes[i], pose), folder / kLayerFiles[i]); !done) return done;
+    }
     return {};
 }
 
 Expected<void> writeMouth(const MouthOptions& options) {
-    if (auto done = makeFolder(options.out); !done) return done;
+    FileSet files;
+    if (auto done = openAll(options, files); !done) return done;
     const auto mouth = mouthAsWished(options.mouth);
     if (!mouth) return Unexpected{mouth.error()};
     std::size_t triangles = 0;
@@ -43,13 +58,17 @@ Expected<void> writeMouth(const MouthOptions& options) {
         if (auto done = writeTooth(tooth.tooth, mouth->poseOf(tooth), folder); !done) return done;
         triangles += tooth.tooth.outer.triangles.size();
     }
-    fmt::print("{} teeth in {}, each with outer.stl, enamel.stl, dentin.stl and pulp.stl; {} outer triangles in all\n",
-               mouth->teeth.size(), options.out.string(), triangles);
-    if (auto done = writeGum(mouth->upperGingiva, {}, options.out / "gingiva-upper.stl"); !done) return done;
-    if (auto done = writeGum(mouth->lowerGingiva, mouth->lowerJaw, options.out / "gingiva-lower.stl"); !done) {
-        return done;
+    const std::array gums = {mouth->upperGingiva, moved(mouth->lowerGingiva, mouth->lowerJaw)};
+    for (std::size_t i = 0; i < gums.size(); ++i) {
+        if (auto done = writeStl(gums[i], options.out / kGumFiles[i]); !done) return done;
     }
-    fmt::print("frame: +x to the patient's right, +y forward, +z up, mm; the jaw is {}\n", options.mouth.jaw);
+    if (auto done = files.commit(); !done) return done;
+    say("{} teeth in {}, each with outer.stl, enamel.stl, dentin.stl and pulp.stl; {} outer triangles in all\n",
+        mouth->teeth.size(), options.out.string(), triangles);
+    for (std::size_t i = 0; i < gums.size(); ++i) {
+        say("{}: {}\n", (options.out / kGumFiles[i]).string(), meshSummary(reportOn(gums[i])));
+    }
+    say("frame: +x to the patient's right, +y forward, +z up, mm; the jaw is {}\n", options.mouth.jaw);
     return {};
 }
 

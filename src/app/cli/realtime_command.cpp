@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/realtime_command.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -11,6 +9,7 @@
 #include <thread>
 
 #include "app/cli/exit_code.h"
+#include "app/cli/output.h"
 #include "app/cli/timing_bars.h"
 #include "devices/scripted_hand.h"
 #include "geometry/triangle_mesh.h"
@@ -73,25 +72,25 @@ struct Line {
 void printTable(const RealtimeOptions& options, const Simulator& simulator, std::span<const Line> lines,
                 bool memoryLocked) {
     const RunFacts facts = currentRunFacts();
-    fmt::print("machine:  {}\ncommit:   {}\ncommand:  {}\n", facts.machine, facts.commit, facts.command);
-    fmt::print("A simulated hand touched and cut the built-in molar for {:.0f} s at {:.0f} Hz{}.\n", options.seconds,
-               options.rateHz, options.load ? ", with all other cores busy" : "");
-    fmt::print("Priority: {}; memory: {}; processors: {}.\n\n",
-               simulator.isRealTime() ? "real-time (SCHED_FIFO)" : "ordinary", memoryLocked ? "locked" : "not locked",
-               simulator.sleepsLightly() ? "kept from deep sleep" : "may sleep deeply");
-    fmt::print("{:<34} {:>8} {:>8} {:>8} {:>9}\n", "us", "p50", "p99", "p99.9", "max");
+    say("machine:  {}\ncommit:   {}\ncommand:  {}\n", facts.machine, facts.commit, facts.command);
+    say("A simulated hand touched and cut the built-in molar for {:.0f} s at {:.0f} Hz{}.\n", options.seconds,
+        options.rateHz, options.load ? ", with all other cores busy" : "");
+    say("Priority: {}; memory: {}; processors: {}.\n\n", simulator.isRealTime() ? "real-time (SCHED_FIFO)" : "ordinary",
+        memoryLocked ? "locked" : "not locked",
+        simulator.sleepsLightly() ? "kept from deep sleep" : "may sleep deeply");
+    say("{:<34} {:>8} {:>8} {:>8} {:>9}\n", "us", "p50", "p99", "p99.9", "max");
     std::vector<TimingBars> bars;
     for (const auto& [key, title, head, histogram] : lines) {
         bars.push_back({head, histogram->counts()});
-        fmt::print("{:<34} {:>8.1f} {:>8.1f} {:>8.1f} {:>9.1f}\n", title, histogram->quantile(0.5),
-                   histogram->quantile(0.99), histogram->quantile(0.999), histogram->largest());
+        say("{:<34} {:>8.1f} {:>8.1f} {:>8.1f} {:>9.1f}\n", title, histogram->quantile(0.5), histogram->quantile(0.99),
+            histogram->quantile(0.999), histogram->largest());
     }
-    fmt::print("\nHow often it was so long; the bars grow with the logarithm.\n{}", timingBars(bars));
+    say("\nHow often it was so long; the bars grow with the logarithm.\n{}", timingBars(bars));
     const ServoTiming& timing = simulator.timing();
     const auto ticks = static_cast<double>(timing.ticks.load());
     const auto missed = static_cast<double>(timing.missed.load());
-    fmt::print("\n{:.0f} ticks, {:.0f} deadlines missed ({:.3f} %).\n", ticks, missed,
-               100 * missed / std::max(1.0, ticks + missed));
+    say("\n{:.0f} ticks, {:.0f} deadlines missed ({:.3f} %).\n", ticks, missed,
+        100 * missed / std::max(1.0, ticks + missed));
 }
 
 /// Upper edges and numbers of an octave each.
@@ -131,9 +130,9 @@ Json jsonOf(const RealtimeOptions& options, const Simulator& simulator, std::spa
 /// What to do about it, if the loop was late.
 void printAdvice(const ServoTiming& timing, double rateHz) {
     const std::string advice = heavySceneAdvice(timing, rateHz);
-    if (!advice.empty()) fmt::print("{}\n", advice);
+    if (!advice.empty()) say("{}\n", advice);
     const std::string hint = realTimeHint(realTimeRights());
-    if (!hint.empty()) fmt::print("{}\n", hint);
+    if (!hint.empty()) say("{}\n", hint);
 }
 
 }  // namespace
@@ -171,8 +170,7 @@ int runRealtime(const RealtimeOptions& options) {
          {"lateness", "waking up: late by", "woken late by", &timing.lateness},
          {"device_to_force", "from the reading to its force", "reading to force", &simulator.deviceToForce()}}};
     if (options.json) {
-        fmt::print("{}\n",
-                   jsonOf(options, simulator, lines, locked).dump(1, ' ', false, Json::error_handler_t::replace));
+        say("{}\n", jsonOf(options, simulator, lines, locked).dump(1, ' ', false, Json::error_handler_t::replace));
     } else {
         printTable(options, simulator, lines, locked);
         printAdvice(timing, options.rateHz);

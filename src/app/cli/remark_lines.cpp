@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/remark_lines.h"
 
-#include <cstdio>
+#include "app/cli/output.h"
 
 namespace tactooth {
 
 void printRemarks(const std::vector<Remark>& remarks) {
-    for (const Remark& remark : remarks) std::fprintf(stderr, "tactooth: note: %s\n", inWords(remark).c_str());
+    for (const Remark& remark : remarks) say(stderr, "tactooth: note: {}\n", inWords(remark));
 }
 
 }  // namespace tactooth

@@ -2,17 +2,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/render_command.h"
 
-#include <fmt/core.h>
-
 #include <numbers>
 
 #include "app/cli/exit_code.h"
+#include "app/cli/output.h"
 #include "app/cli/render_mouth.h"
 #include "app/cli/render_words.h"
 #include "app/common/distance_legend.h"
 #include "app/common/inspection.h"
 #include "app/gui/bench_parts.h"
+#include "geometry/atomic_file.h"
 #include "geometry/file_bytes.h"
+#include "geometry/file_set.h"
 #include "session/ideal_shape.h"
 #include "session/material_file.h"
 #include "view/offscreen.h"
@@ -149,7 +150,7 @@ Expected<void> takePicture(Studio& studio, const OrbitCamera& eye, const std::fi
     if (!image) return Unexpected{image.error()};
     if (studio.inspection.distances) drawDistanceLegend(*image, studio.inspection.distances->range);
     if (auto written = writePng(*image, file); !written) return written;
-    fmt::print("{}: {}, {} x {}\n", file.string(), studio.tooth.name, studio.size.width, studio.size.height);
+    say("{}: {}, {} x {}\n", file.string(), studio.tooth.name, studio.size.width, studio.size.height);
     return {};
 }
 
@@ -183,11 +184,27 @@ Expected<void> render(const RenderOptions& options) {
     return options.turntable > 0 ? takeTurn(studio, *eye) : takePicture(studio, *eye, options.out);
 }
 
+/// Before the work: what stands in the way of a picture is then said at once.
+Expected<void> openFiles(const RenderOptions& options, FileSet& files) {
+    for (const auto& input : {options.tooth, options.materials, options.target}) files.reads(input);
+    for (const std::string& layer : options.layers) files.reads(layer.substr(layer.find('=') + 1));
+    if (options.turntable == 0) return files.open(options.out);
+    for (int i = 0; i < options.turntable; ++i) {  // too many to hold all of them open
+        if (auto free = files.checkFree(numberedFile(options.out, i)); !free) return free;
+    }
+    const auto first = AtomicFile::create(numberedFile(options.out, 0));
+    if (!first) return Unexpected{first.error()};
+    return {};
+}
+
 }  // namespace
 
 int runRender(const RenderOptions& options) {
-    const auto done = options.mouth ? renderMouth(options) : render(options);
-    return done ? kExitOk : refuse(done.error());
+    FileSet files;
+    if (const auto opened = openFiles(options, files); !opened) return refuse(opened.error());
+    if (const auto done = options.mouth ? renderMouth(options) : render(options); !done) return refuse(done.error());
+    const auto named = files.commit();
+    return named ? kExitOk : refuse(named.error());
 }
 
 }  // namespace tactooth

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/render_mouth.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <array>
 #include <numbers>
 #include <string_view>
 
+#include "app/cli/output.h"
 #include "app/cli/render_words.h"
 #include "app/common/mouth_scene.h"
 #include "view/offscreen.h"
@@ -92,7 +91,7 @@ Expected<void> takePicture(Studio& studio, const OrbitCamera& eye, const std::fi
     const Expected<Image> image = studio.renderer.render(scene, studio.size);
     if (!image) return Unexpected{image.error()};
     if (auto written = writePng(*image, file); !written) return written;
-    fmt::print("{}: the built-in mouth, {} x {}\n", file.string(), studio.size.width, studio.size.height);
+    say("{}: the built-in mouth, {} x {}\n", file.string(), studio.size.width, studio.size.height);
     return {};
 }
 

@@ -2,17 +2,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/reproduce_command.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <array>
 #include <cstdio>
 
 #include "app/cli/exit_code.h"
+#include "app/cli/output.h"
 #include "app/cli/reproduce_page.h"
 #include "app/common/drawing_experiment.h"
 #include "app/common/panel_image.h"
-#include "geometry/folder.h"
+#include "geometry/file_bytes.h"
+#include "geometry/file_set.h"
+#include "geometry/unfinished_folder.h"
 #include "session/experiments/thread_clock.h"
 
 namespace tactooth {
@@ -44,12 +45,23 @@ Expected<void> writeDown(const Experiment& experiment, const fs::path& folder) {
     return writePanels(experiment, folder / (experiment.id + ".png"));
 }
 
-void say(const Experiment& experiment, double seconds) {
-    fmt::print("{}: {} ({:.1f} s)\n", experiment.id, experiment.title, seconds);
+void sayOf(const Experiment& experiment, double seconds) {
+    say("{}: {} ({:.1f} s)\n", experiment.id, experiment.title, seconds);
     for (const Comparison& c : experiment.comparisons) {
-        fmt::print("    {}: published {}, here {}\n", c.what, c.published, c.ours);
+        say("    {}: published {}, here {}\n", c.what, c.published, c.ours);
     }
     std::fflush(stdout);
+}
+
+Expected<void> openFiles(const ReproduceOptions& options, FileSet& files) {
+    if (auto made = files.makeFolder(options.out); !made) return made;
+    for (const Named& named : kExperiments) {
+        if (!isWanted(options, named.name)) continue;
+        for (const char* const ending : {".csv", ".png"}) {
+            if (auto opened = files.open(options.out / (std::string(named.name) + ending)); !opened) return opened;
+        }
+    }
+    return files.open(options.out / "index.html");
 }
 
 }  // namespace
@@ -61,25 +73,29 @@ std::vector<std::string> experimentNames() {
 }
 
 int runReproduce(const ReproduceOptions& options) {
-    if (const auto done = makeFolder(options.out); !done) return refuse(done.error());
+    FileSet files;
+    if (const auto opened = openFiles(options, files); !opened) return refuse(opened.error());
+    const auto scratch = UnfinishedFolder::make(options.out);
+    if (!scratch) return refuse({shownName(options.out) + ": cannot be written: " + scratch.error().message + "."});
     const auto data = realTeethFolder();
-    fmt::print("teeth: {}\n", data ? "real ones from " + data->string()
-                                   : "built-in ones ($TACTOOTH_DATA and ../shared/data hold no real ones)");
+    say("teeth: {}\n", data ? "real ones from " + data->string()
+                            : "built-in ones ($TACTOOTH_DATA and ../shared/data hold no real ones)");
     Subjects subjects;
     std::vector<Experiment> done;
     for (const Named& named : kExperiments) {
         if (!isWanted(options, named.name)) continue;
-        fmt::print(stderr, "measuring {}\n", named.name);
+        say(stderr, "measuring {}\n", named.name);
         const double start = wallMillis();
-        auto experiment = named.measure(subjects, options.out);
+        auto experiment = named.measure(subjects, scratch->path());
         if (!experiment) return refuse(experiment.error());
         if (const auto written = writeDown(*experiment, options.out); !written) return refuse(written.error());
-        say(*experiment, 1e-3 * (wallMillis() - start));
+        sayOf(*experiment, 1e-3 * (wallMillis() - start));
         done.push_back(std::move(*experiment));
     }
     if (const auto page = writeReproducePage(done, subjectsText(subjects), options.out / "index.html"); !page)
         return refuse(page.error());
-    fmt::print("open {} for all of it\n", (options.out / "index.html").string());
+    if (const auto named = files.commit(); !named) return refuse(named.error());
+    say("open {} for all of it\n", (options.out / "index.html").string());
     return kExitOk;
 }
 

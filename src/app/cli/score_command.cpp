@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/exit_code.h"
+#include "app/cli/output.h"
 #include "geometry/file_bytes.h"
 #include "session/cavity_account.h"
 #include "session/ideal_shape.h"
@@ -69,7 +70,7 @@ int runScore(const ScoreOptions& options) {
     const Expected<CavityProgress> cavity = progressOf(*opened->piece, options.target);
     if (!cavity) return refuse(cavity.error());
     const ToothLoss& loss = opened->piece->loss();
-    std::fputs((options.json ? asJson(options, *cavity, loss) : asTable(options, *cavity, loss)).c_str(), stdout);
+    writeTo(stdout, options.json ? asJson(options, *cavity, loss) : asTable(options, *cavity, loss));
     return kExitOk;
 }
 

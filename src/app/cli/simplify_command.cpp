@@ -9,8 +9,10 @@
 
 #include "app/cli/exit_code.h"
 #include "app/cli/mesh_summary.h"
+#include "app/cli/output.h"
 #include "app/cli/remark_lines.h"
 #include "collision/solid_file.h"
+#include "geometry/file_set.h"
 #include "geometry/mesh_edges.h"
 #include "geometry/number_text.h"
 #include "geometry/simplify.h"
@@ -35,6 +37,9 @@ Expected<std::size_t> wantedTriangles(std::string_view keep, std::size_t triangl
 }  // namespace
 
 int runSimplify(const SimplifyOptions& options) {
+    FileSet files;
+    files.reads(options.in);
+    if (const auto opened = files.open(options.out); !opened) return refuse(opened.error());
     if (const auto wanted = wantedTriangles(options.keep, 1); !wanted) return refuse(wanted.error());
     std::vector<Remark> remarks;
     auto mesh = loadSolid(options.in, "the surface", {.dropsSpecks = false}, &remarks);
@@ -42,13 +47,13 @@ int runSimplify(const SimplifyOptions& options) {
     printRemarks(remarks);
     std::erase_if(mesh->triangles, [](const Triangle& triangle) { return isDegenerate(triangle); });
     const std::size_t wanted = *wantedTriangles(options.keep, mesh->triangles.size());
-    fmt::print(stderr, "simplifying {} triangles to {}\n", mesh->triangles.size(), wanted);
+    say(stderr, "simplifying {} triangles to {}\n", mesh->triangles.size(), wanted);
     const TriangleMesh fewer = simplified(*mesh, wanted);
     if (const auto done = writeStl(fewer, options.out); !done) return refuse(done.error());
+    if (const auto done = files.commit(); !done) return refuse(done.error());
     printChange(options.in, *mesh, options.out, fewer, greatestDeviation(*mesh, fewer));
     if (fewer.triangles.size() > wanted) {
-        fmt::print(
-            "more triangles than asked for are needed to keep the surface closed and its triangles well shaped\n");
+        say("more triangles than asked for are needed to keep the surface closed and its triangles well shaped\n");
     }
     return kExitOk;
 }

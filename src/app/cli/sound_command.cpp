@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/sound_command.h"
 
-#include <fmt/core.h>
-
 #include "app/cli/exit_code.h"
+#include "app/cli/output.h"
 #include "app/common/spectrogram_image.h"
 #include "geometry/atomic_file.h"
+#include "geometry/file_set.h"
 #include "session/sound_preset.h"
 #include "session/sound_profile.h"
 #include "sound/audio_libraries.h"
@@ -19,7 +19,6 @@ const SpindlePreset& driveNamed(const std::string& name) {
     return spindlePresets()[name == "electric" ? 1 : name == "low-speed" ? 2 : 0];
 }
 
-/// Both files, or none.
 Expected<void> write(const SoundOptions& options, const StereoSamples& samples) {
     const auto bytes = wavBytes(samples);
     if (!bytes) return Unexpected{bytes.error()};
@@ -35,6 +34,11 @@ Expected<void> write(const SoundOptions& options, const StereoSamples& samples) 
 }  // namespace
 
 int runSound(const SoundOptions& options) {
+    FileSet files;
+    for (const auto& input : {options.profile, options.sounds}) files.reads(input);
+    for (const auto& output : {options.out, options.spectrogram}) {
+        if (const auto opened = files.open(output); !opened) return refuse(opened.error());
+    }
     auto track = readSoundProfile(options.profile, driveNamed(options.drive));
     if (!track) return refuse(track.error());
     for (TimedSoundState& moment : *track) {
@@ -53,8 +57,9 @@ int runSound(const SoundOptions& options) {
     const auto samples = renderOffline(*track, track->back().time, settings);
     if (!samples) return refuse(samples.error());
     if (const auto done = write(options, *samples); !done) return refuse(done.error());
-    fmt::print("{:.3f} s of sound written to {}\n", track->back().time, options.out.string());
-    if (!options.spectrogram.empty()) fmt::print("its spectrum over time is in {}\n", options.spectrogram.string());
+    if (const auto done = files.commit(); !done) return refuse(done.error());
+    say("{:.3f} s of sound written to {}\n", track->back().time, options.out.string());
+    if (!options.spectrogram.empty()) say("its spectrum over time is in {}\n", options.spectrogram.string());
     return kExitOk;
 }
 

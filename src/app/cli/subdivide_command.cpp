@@ -8,6 +8,8 @@
 
 #include "app/cli/exit_code.h"
 #include "app/cli/mesh_summary.h"
+#include "app/cli/output.h"
+#include "geometry/file_set.h"
 #include "geometry/mesh_file.h"
 #include "geometry/stl_writer.h"
 #include "geometry/subdivide.h"
@@ -16,6 +18,9 @@
 namespace tactooth {
 
 int runSubdivide(const SubdivideOptions& options) {
+    FileSet files;
+    files.reads(options.in);
+    if (const auto opened = files.open(options.out); !opened) return refuse(opened.error());
     const auto mesh = loadMesh(options.in);
     if (!mesh) return refuse(mesh.error());
     const int times = options.times.value_or(1);
@@ -25,9 +30,10 @@ int runSubdivide(const SubdivideOptions& options) {
         return refuse({fmt::format("{}: {:.0f} triangles would be made, and {} are the most; ask for fewer.",
                                    options.in.string(), wanted, kMostSubdivided)});
     }
-    fmt::print(stderr, "subdividing {} triangles to {:.0f}\n", mesh->triangles.size(), wanted);
+    say(stderr, "subdividing {} triangles to {:.0f}\n", mesh->triangles.size(), wanted);
     const TriangleMesh more = options.triangles ? subdividedTo(*mesh, *options.triangles) : subdivided(*mesh, times);
     if (const auto done = writeStl(more, options.out); !done) return refuse(done.error());
+    if (const auto done = files.commit(); !done) return refuse(done.error());
     printChange(options.in, *mesh, options.out, more, greatestVertexDistance(more, *mesh));
     return kExitOk;
 }

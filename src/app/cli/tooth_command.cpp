@@ -9,7 +9,8 @@
 
 #include "app/cli/exit_code.h"
 #include "app/cli/mesh_summary.h"
-#include "geometry/folder.h"
+#include "app/cli/output.h"
+#include "geometry/file_set.h"
 #include "geometry/stl_writer.h"
 #include "session/tooth_cache.h"
 
@@ -30,8 +31,7 @@ LesionSite siteOf(const std::string& word) {
 
 void printSize(const BuiltinTooth& tooth) {
     const Box3 box = boundingBox(tooth.outer);
-    fmt::print(
-        "{} (FDI {}): crown {:.1f} mm, root {:.1f} mm, {:.1f} x {:.1f} mm; +z to the crown, +y buccal, mesial "
+    say("{} (FDI {}): crown {:.1f} mm, root {:.1f} mm, {:.1f} x {:.1f} mm; +z to the crown, +y buccal, mesial "
         "at {}x\n",
         tooth.name, tooth.fdi, box.max().z(), -box.min().z(), box.sizes().x(), box.sizes().y(),
         mesialX(tooth.fdi) > 0 ? '+' : '-');
@@ -50,21 +50,28 @@ int runTooth(const ToothOptions& options) {
                          "lingual for --caries.",
                          options.fdi)});
     }
-    if (const auto made = makeFolder(options.out); !made) return refuse(made.error());
+    FileSet files;
+    if (const auto made = files.makeFolder(options.out); !made) return refuse(made.error());
+    for (const char* name : {"outer.stl", "enamel.stl", "dentin.stl", "pulp.stl", "caries.stl"}) {
+        if (const auto opened = files.open(options.out / name); !opened) return refuse(opened.error());
+    }
     ToothRequest request{options.fdi, options.triangles, options.seed, {}};
     if (!options.caries.empty()) {
         request.lesion = Lesion{siteOf(options.caries), options.cariesWidth, options.cariesDepth};
     }
     const BuiltinTooth tooth = options.noCache ? makeTooth(request) : ToothCache(usualCacheFolder()).make(request);
     printSize(tooth);
+    std::string lines;
     for (const auto& [name, mesh] : {std::pair("outer.stl", &tooth.outer), std::pair("enamel.stl", &tooth.enamel),
                                      std::pair("dentin.stl", &tooth.dentin), std::pair("pulp.stl", &tooth.pulp),
                                      std::pair("caries.stl", &tooth.caries)}) {
         if (mesh->empty()) continue;
         const std::filesystem::path file = options.out / name;
         if (const auto done = writeStl(*mesh, file); !done) return refuse(done.error());
-        fmt::print("{}: {}\n", file.string(), meshSummary(reportOn(*mesh)));
+        lines += fmt::format("{}: {}\n", file.string(), meshSummary(reportOn(*mesh)));
     }
+    if (const auto done = files.commit(); !done) return refuse(done.error());
+    say("{}", lines);
     return kExitOk;
 }
 

@@ -5,15 +5,21 @@
 #include <unistd.h>
 
 #include <QGuiApplication>
+#include <QLibraryInfo>
 #include <cstdlib>
+#include <filesystem>
 #include <string>
+#include <vector>
 
+#include "app/common/display_server.h"
 #include "devices/child_probe.h"
 
 namespace tactooth {
 namespace {
 
-constexpr double kPatience = 20;  // s: a display on another computer may be far away
+constexpr double kPatience = 20;         // s for all that Qt does: a display on another computer may be far away
+constexpr double kServerPatience = 2;    // s for the server's first answer, through ssh a tenth of that
+constexpr double kLittlePatience = 0.5;  // s for Qt where one of two servers does not answer
 
 std::string valueOf(const char* name) {
     const char* const value = std::getenv(name);
@@ -35,6 +41,45 @@ std::string startQt() {
     return {};
 }
 
+/// Qt looks for a Wayland compositor only where it has a plugin for one.
+bool hasWaylandPlugin() {
+    const std::filesystem::path folder = QLibraryInfo::path(QLibraryInfo::PluginsPath).toStdString();
+    std::error_code ignored;
+    for (const auto& entry : std::filesystem::directory_iterator(folder / "platforms", ignored)) {
+        if (entry.path().filename().string().starts_with("libqwayland")) return true;
+    }
+    return false;
+}
+
+/// A display that the environment names.
+struct Server {
+    const char* variable;
+    bool (*answers)();
+};
+
+/// Those that Qt may turn to.
+std::vector<Server> serversAskedFor() {
+    const std::string platform = valueOf("QT_QPA_PLATFORM");
+    std::vector<Server> servers;
+    if (!valueOf("DISPLAY").empty() && (platform.empty() || platform.starts_with("xcb"))) {
+        servers.push_back({"DISPLAY", xServerAnswers});
+    }
+    if (!valueOf("WAYLAND_DISPLAY").empty() && (platform.empty() || platform.starts_with("wayland")) &&
+        hasWaylandPlugin()) {
+        servers.push_back({"WAYLAND_DISPLAY", waylandServerAnswers});
+    }
+    return servers;
+}
+
+/// The variable of the server that does not answer in time; null if all do, if only by refusing.
+const char* silentServer(const std::vector<Server>& servers) {
+    for (const Server& server : servers) {
+        const auto probe = [&] { return std::string(server.answers() ? "ok" : ""); };
+        if (!inChildProcess(probe, kServerPatience)) return server.variable;
+    }
+    return nullptr;
+}
+
 /// What the environment asks for that is not to be had, and the way out of that, up to where the others follow.
 std::string whatIsWrong() {
     if (const std::string platform = valueOf("QT_QPA_PLATFORM"); !platform.empty()) {
@@ -52,8 +97,13 @@ std::string whatIsWrong() {
 }  // namespace
 
 Expected<void> checkDisplay() {
-    if (inChildProcess(startQt, kPatience)) return {};
-    return unexpected(whatIsWrong() +
+    const std::vector<Server> servers = serversAskedFor();
+    const char* const silent = silentServer(servers);
+    const bool isHopeless = silent != nullptr && servers.size() == 1;
+    if (!isHopeless && inChildProcess(startQt, silent == nullptr ? kPatience : kLittlePatience)) return {};
+    const std::string why =
+        silent == nullptr ? whatIsWrong() : "the display '" + valueOf(silent) + "' (" + silent + ") does not answer; ";
+    return unexpected(why +
                       "start it from a desktop or by 'ssh -X' from another computer, or use 'tactooth demo --out DIR', "
                       "which needs no display.");
 }

@@ -7,8 +7,8 @@
 namespace tactooth {
 
 /// Whether a window can be opened: tries it in a child process, as Qt would, which ends the program by itself where
-/// there is no display. Fails with one sentence, for behind "tactooth: ", that says what to do. Call it while the
-/// program has one thread.
+/// there is no display. Fails with one sentence, for behind "tactooth: ", that says what to do. A server that
+/// never answers is told within three seconds. Call it while the program has no thread that works.
 [[nodiscard]] Expected<void> checkDisplay();
 
 }  // namespace tactooth

@@ -3,9 +3,13 @@
 #include "app/common/picture_application.h"
 
 #include <QApplication>
+#include <QBuffer>
 #include <QImage>
-#include <QSaveFile>
 #include <cstdio>
+#include <span>
+
+#include "geometry/atomic_file.h"
+#include "geometry/file_bytes.h"
 
 namespace tactooth {
 namespace {
@@ -30,9 +34,13 @@ PictureApplication::PictureApplication() {
 PictureApplication::~PictureApplication() = default;
 
 Expected<void> savePng(const QImage& image, const std::filesystem::path& path) {
-    QSaveFile file(QString::fromStdString(path.string()));
-    if (file.open(QIODevice::WriteOnly) && image.save(&file, "PNG") && file.commit()) return {};
-    return unexpected("the plot " + path.string() + " could not be written: " + file.errorString().toStdString() + ".");
+    QByteArray encoded;
+    QBuffer buffer(&encoded);
+    buffer.open(QIODevice::WriteOnly);
+    if (!image.save(&buffer, "PNG")) {
+        return unexpected("the plot " + shownName(path) + " could not be drawn: it does not fit into memory.");
+    }
+    return writeFile(path, std::as_bytes(std::span(encoded.constData(), static_cast<std::size_t>(encoded.size()))));
 }
 
 }  // namespace tactooth

@@ -9,10 +9,13 @@
 
 #include "app/cli/exit_code.h"
 #include "app/common/display_check.h"
+#include "app/common/ending.h"
 #include "app/gui/error_words.h"
 #include "app/gui/main_window.h"
+#include "app/gui/settings_keeper.h"
 #include "app/gui/window_holder.h"
 #include "app/gui/window_setup.h"
+#include "geometry/file_bytes.h"
 #include "haptics/real_time.h"
 #include "session/exercise_file.h"
 #include "sound/openal_output.h"
@@ -53,13 +56,38 @@ Expected<BenchTooth> exerciseOf(const std::filesystem::path& file) {
     return makeBenchTooth(std::make_shared<const Exercise>(std::move(*read)));
 }
 
+/// What the person should know about the file of the settings, which is put aside if nothing of it could be read.
+QString whatIsWrongWith(const Expected<KeptSettings>& settings, const std::filesystem::path& file) {
+    QStringList sentences;
+    if (settings) {
+        for (const Error& refused : settings->refused) sentences << errorInWords(refused.message);
+        if (!sentences.isEmpty()) sentences << MainWindow::tr("The usual values take their places.");
+        return sentences.join(' ');
+    }
+    sentences << errorInWords(settings.error().message);
+    if (const auto aside = putBadSettingsAside(file)) {
+        sentences << MainWindow::tr("The window starts with its defaults; the file is kept as %1.")
+                         .arg(QString::fromStdString(shownName(*aside)));
+    } else {
+        sentences << MainWindow::tr("The window starts with its defaults.");
+    }
+    return sentences.join(' ');
+}
+
+/// As if the person had closed the window and whatever stands before it.
+void closeAll() {
+    QApplication::closeAllWindows();
+    QCoreApplication::exit(kExitOk);
+}
+
 }  // namespace
 
 int runWindow(const WindowOptions& options) {
     const Expected<void> display = checkDisplay();  // before there are threads; said after what is wrong with the files
     const std::filesystem::path settingsFile = windowSettingsFile();
-    const bool isFirstTime = !std::filesystem::exists(settingsFile);
-    Expected<WindowSettings> settings = readWindowSettings(settingsFile);
+    std::error_code ignored;
+    const bool isFirstTime = !std::filesystem::exists(settingsFile, ignored);
+    Expected<KeptSettings> settings = readWindowSettings(settingsFile);
     const std::string forgotten = settings ? forgetUnknownDevices(settings->hand, settingsFile) : std::string();
     Expected<WindowSettings> start = withFlags(settings ? *settings : WindowSettings(), options);
     if (!start) return refuse(start.error());
@@ -85,6 +113,7 @@ int runWindow(const WindowOptions& options) {
     char name[] = "tactooth";
     char* argv[] = {name, nullptr};
     const auto application = startApplication(argc, argv);
+    const OrderlyEnd closing([&] { QMetaObject::invokeMethod(application.get(), closeAll, Qt::QueuedConnection); });
     if (const auto openGl = checkOpenGl(); !openGl) return refuse(openGl.error());
 
     lockMemory();  // where it is allowed: the timing panel says so, 'tactooth doctor' how to get it
@@ -107,13 +136,12 @@ int runWindow(const WindowOptions& options) {
     }
     if (bur) window.bench().put(std::move(*bur));
     window.show();
-    if (!settings) {
-        window.complain(
-            errorInWords(settings.error().message) + ' ' +
-            MainWindow::tr("The window starts with its defaults and writes the file anew when it is closed."));
+    if (const QString sentences = whatIsWrongWith(settings, settingsFile); !sentences.isEmpty()) {
+        window.complain(sentences);
     }
     if (!forgotten.empty()) window.complain(Error{forgotten});
     if (isFirstTime && !tooth && !options.mouth) window.welcome();
+    SettingsKeeper keeper([&] { return holder.window().settings(); }, settingsFile);
     QApplication::exec();
     if (const auto written = writeWindowSettings(holder.window().settings(), settingsFile); !written) {
         (void)refuse(written.error());  // a word about it; the session itself went well

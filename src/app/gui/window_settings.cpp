@@ -15,7 +15,7 @@
 namespace tactooth {
 namespace {
 
-/// Takes values out of a file until one of them cannot be meant.
+/// Takes values out of a file; one that cannot be meant is passed over and told.
 class SettingsReader {
 public:
     SettingsReader(const toml::table& root, std::string_view name) : root_(root), name_(name) {}
@@ -55,7 +55,7 @@ public:
         if (option.zero != nullptr) wanted << ", or \"" << option.zero << '"';
         refuse(*found, option.key, wanted.str());
     }
-    [[nodiscard]] const std::optional<Error>& error() const { return error_; }
+    [[nodiscard]] const std::vector<Error>& refused() const { return refused_; }
 
 private:
     const toml::node* node(std::string_view table, std::string_view key) {
@@ -68,19 +68,20 @@ private:
         return section->as_table()->get(key);
     }
     void refuse(const toml::node& node, std::string_view key, std::string_view wanted) {
-        if (error_) return;
-        error_ = {std::string(name_) + ", line " + std::to_string(node.source().begin.line) + ": '" + std::string(key) +
-                  "' must be " + std::string(wanted) + "."};
+        Error error{std::string(name_) + ", line " + std::to_string(node.source().begin.line) + ": '" +
+                    std::string(key) + "' must be " + std::string(wanted) + "."};
+        // What should be a table is asked for each of its keys.
+        if (refused_.empty() || refused_.back().message != error.message) refused_.push_back(std::move(error));
     }
 
     const toml::table& root_;
     std::string_view name_;
-    std::optional<Error> error_;
+    std::vector<Error> refused_;
 };
 
-Expected<WindowSettings> settingsFrom(const toml::table& root, std::string_view name) {
+KeptSettings settingsFrom(const toml::table& root, std::string_view name) {
     SettingsReader reader(root, name);
-    WindowSettings settings;
+    KeptSettings settings;
     for (const WindowOption& option : windowOptions()) {
         if (const auto* text = std::get_if<WindowOption::Text>(&option.value)) {
             reader.text(option.table, option.key, (*text)(settings));
@@ -90,7 +91,7 @@ Expected<WindowSettings> settingsFrom(const toml::table& root, std::string_view 
             reader.number(option, std::get<WindowOption::Number>(option.value)(settings));
         }
     }
-    if (reader.error()) return Unexpected{*reader.error()};
+    settings.refused = reader.refused();
     return settings;
 }
 
@@ -101,7 +102,7 @@ std::filesystem::path windowSettingsFile() {
     return std::filesystem::path(folder.toStdString()) / "tactooth" / "window.toml";
 }
 
-Expected<WindowSettings> parseWindowSettings(std::string_view text, std::string_view name) {
+Expected<KeptSettings> parseWindowSettings(std::string_view text, std::string_view name) {
     try {
         return settingsFrom(toml::parse(text), name);
     } catch (const toml::parse_error& error) {
@@ -127,12 +128,21 @@ std::string windowSettingsText(const WindowSettings& settings) {
     return text.str();
 }
 
-Expected<WindowSettings> readWindowSettings(const std::filesystem::path& file) {
+Expected<KeptSettings> readWindowSettings(const std::filesystem::path& file) {
     std::error_code none;
-    if (!std::filesystem::exists(file, none)) return WindowSettings();
+    if (!std::filesystem::exists(file, none)) return KeptSettings();
     const Expected<FileBytes> content = readFile(file);
     if (!content) return Unexpected{content.error()};
     return parseWindowSettings(content->text(), shownName(file));
+}
+
+Expected<std::filesystem::path> putBadSettingsAside(const std::filesystem::path& file) {
+    std::filesystem::path aside = file;
+    aside += ".bad";
+    std::error_code failure;
+    std::filesystem::rename(file, aside, failure);
+    if (failure) return unexpected(failure.message());
+    return aside;
 }
 
 std::string forgetUnknownDevices(HandSettings& hand, const std::filesystem::path& file) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "geometry/expected.h"
 #include "sound/sound_mixer.h"
@@ -119,13 +120,23 @@ struct WindowOption {
 /// `window.toml` in the user's folder for settings.
 [[nodiscard]] std::filesystem::path windowSettingsFile();
 
-/// Fails with one sentence that names the line if the text is not TOML or a value cannot be meant. Keys that are not
-/// known belong to another version and are passed over. `name`: of the file, for the sentence.
-[[nodiscard]] Expected<WindowSettings> parseWindowSettings(std::string_view text, std::string_view name);
+/// What was read of a file.
+struct KeptSettings : WindowSettings {
+    std::vector<Error>
+        refused;  ///< for each value that cannot be meant, and has its default: one sentence with its line
+};
+
+/// Value by value: one that cannot be meant costs only itself. Fails with one sentence that names the line if the text
+/// is not TOML. Keys that are not known belong to another version and are passed over. `name`: of the file, for the
+/// sentences.
+[[nodiscard]] Expected<KeptSettings> parseWindowSettings(std::string_view text, std::string_view name);
 [[nodiscard]] std::string windowSettingsText(const WindowSettings& settings);
 
 /// The settings of the last time; the defaults if there is no file yet.
-[[nodiscard]] Expected<WindowSettings> readWindowSettings(const std::filesystem::path& file);
+[[nodiscard]] Expected<KeptSettings> readWindowSettings(const std::filesystem::path& file);
+/// Puts a file aside that cannot be read, as "window.toml.bad" in the place of an older one of that name, before a new
+/// one is written. Fails with a few words of the system.
+[[nodiscard]] Expected<std::filesystem::path> putBadSettingsAside(const std::filesystem::path& file);
 /// Puts the defaults in the place of devices that no Tactooth knows, so that a slip of the pen is not kept for ever.
 /// One sentence that says so and names the file; empty if all are known.
 [[nodiscard]] std::string forgetUnknownDevices(HandSettings& hand, const std::filesystem::path& file);

@@ -359,8 +359,8 @@
         <translation>%1：書き込めません。通常のファイルではありません。別の名前を選んでください。</translation>
     </message>
     <message>
-        <source>the plot %1 could not be written: %2.</source>
-        <translation>グラフ %1 を書き込めませんでした：%2。</translation>
+        <source>the plot %1 could not be drawn: it does not fit into memory.</source>
+        <translation>グラフ %1 を描けませんでした：メモリーに入りきりません。</translation>
     </message>
     <message>
         <source>the plots cannot be written to %1: end its name in .csv, .svg or .png.</source>
@@ -373,6 +373,14 @@
     <message>
         <source>%1: the folder cannot be made (%2).</source>
         <translation>%1：フォルダーを作れません（%2）。</translation>
+    </message>
+    <message>
+        <source>File too large</source>
+        <translation>ファイルが大きすぎます</translation>
+    </message>
+    <message>
+        <source>Disk quota exceeded</source>
+        <translation>ディスクの割り当て容量を超えました</translation>
     </message>
     <message>
         <source>No space left on device</source>
@@ -1705,8 +1713,16 @@ The mouse wheel in the picture changes it too.</source>
 <context>
     <name>tactooth::MainWindow</name>
     <message>
-        <source>The window starts with its defaults and writes the file anew when it is closed.</source>
-        <translation>ウィンドウは初期設定で始まり、閉じるときにファイルを書き直します。</translation>
+        <source>The usual values take their places.</source>
+        <translation>代わりに既定の値を使います。</translation>
+    </message>
+    <message>
+        <source>The window starts with its defaults; the file is kept as %1.</source>
+        <translation>ウィンドウは初期設定で始まります。ファイルは %1 として残しました。</translation>
+    </message>
+    <message>
+        <source>The window starts with its defaults.</source>
+        <translation>ウィンドウは初期設定で始まります。</translation>
     </message>
     <message>
         <source>Real time</source>

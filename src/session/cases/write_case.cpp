@@ -4,14 +4,16 @@
 
 #include "geometry/atomic_file.h"
 #include "geometry/file_bytes.h"
+#include "geometry/temporary_file.h"
+#include "geometry/unfinished_folder.h"
 
 namespace tactooth {
 namespace {
 
 namespace fs = std::filesystem;
 
-Unexpected cannotMake(const fs::path& folder, const std::error_code& why) {
-    return unexpected(shownName(folder) + ": the folder cannot be made (" + why.message() + ").");
+Unexpected cannotMake(const fs::path& folder, const std::string& why) {
+    return unexpected(shownName(folder) + ": the folder cannot be made (" + why + ").");
 }
 
 /// `shownAs`: the folder's name in messages.
@@ -20,7 +22,7 @@ Expected<void> writeFiles(const std::vector<CaseFile>& files, const fs::path& fo
         const fs::path path = folder / fs::path(file.entry), shown = shownAs / fs::path(file.entry);
         std::error_code error;
         fs::create_directories(path.parent_path(), error);
-        if (error) return cannotMake(shown.parent_path(), error);
+        if (error) return cannotMake(shown.parent_path(), error.message());
         if (auto written = writeFile(path, file.bytes); !written) {
             std::string why = written.error().message;
             if (const std::string name = shownName(path); why.starts_with(name)) {
@@ -34,11 +36,11 @@ Expected<void> writeFiles(const std::vector<CaseFile>& files, const fs::path& fo
 
 /// Into a folder that is there and stays the same one: somebody may stand in it, or it may be a disk of its own.
 Expected<void> fillFolder(const std::vector<CaseFile>& files, const fs::path& folder) {
-    auto done = writeFiles(files, folder, folder);
-    if (done) return done;
-    std::error_code ignored;
-    for (const fs::path& left : fs::directory_iterator(folder, ignored)) fs::remove_all(left, ignored);
-    return done;
+    auto unfinished = UnfinishedFolder::make(folder);
+    if (!unfinished) return cannotMake(folder, unfinished.error().message);
+    if (auto done = writeFiles(files, unfinished->path(), folder); !done) return done;
+    if (auto done = unfinished->moveUp(); !done) return cannotMake(folder, done.error().message);
+    return {};
 }
 
 /// A folder that appears under its name when it is complete.
@@ -47,15 +49,13 @@ Expected<void> writeNewFolder(const std::vector<CaseFile>& files, const fs::path
     fs::path folder = fs::absolute(to, error);
     if (!folder.has_filename()) folder = folder.parent_path();  // "case/"
     fs::create_directories(folder.parent_path(), error);
-    const fs::path unfinished = temporaryNameBeside(folder);
-    if (error || !fs::create_directory(unfinished, error)) return cannotMake(to, error);
-    auto done = writeFiles(files, unfinished, to);
-    if (done) fs::rename(unfinished, folder, error);
-    if (done && !error) return {};
-    std::error_code ignored;
-    fs::remove_all(unfinished, ignored);
-    if (done) return cannotMake(to, error);
-    return done;
+    if (error) return cannotMake(to, error.message());
+    removeStale(folder.parent_path());
+    auto unfinished = UnfinishedFolder::make(folder.parent_path());
+    if (!unfinished) return cannotMake(to, unfinished.error().message);
+    if (auto done = writeFiles(files, unfinished->path(), to); !done) return done;
+    if (auto done = unfinished->becomes(folder); !done) return cannotMake(to, done.error().message);
+    return {};
 }
 
 }  // namespace
@@ -63,6 +63,7 @@ Expected<void> writeNewFolder(const std::vector<CaseFile>& files, const fs::path
 Expected<void> checkCaseTarget(const fs::path& to) {
     std::error_code error;
     if (to.extension() == kCaseEnding || !fs::exists(to, error)) return {};
+    if (fs::is_directory(to, error)) removeStale(to);
     if (fs::is_directory(to, error) && fs::is_empty(to, error)) return {};
     return unexpected(shownName(to) + ": there is something already; give a new folder, or a name that ends in " +
                       std::string(kCaseEnding) + ".");
