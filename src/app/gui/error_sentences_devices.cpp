@@ -48,6 +48,7 @@ constexpr const char* kErrors[] = {
     QT_TRANSLATE_NOOP("Error", "it crashes (%1)"),
     QT_TRANSLATE_NOOP("Error", "it does not return"),
     QT_TRANSLATE_NOOP("Error", "it ends the program that uses it"),
+    QT_TRANSLATE_NOOP("Error", "it closes what it has not opened"),
     QT_TRANSLATE_NOOP("Error", "The Haply Inverse Service finds no Inverse3: check its cable and power supply."),
     QT_TRANSLATE_NOOP("Error", "The Haply Inverse Service knows no Inverse3 '%1': it finds %2."),
     // Troubles of a device that steers.
