@@ -104,6 +104,22 @@ constexpr const char* kErrors[] = {
                       "The device tells a place that is no number: switch it off and on again if this comes again."),
     QT_TRANSLATE_NOOP("Error",
                       "The device's place has jumped: check its cable, and let it calibrate if this comes again."),
+    QT_TRANSLATE_NOOP("Error",
+                      "The device tells a direction that is none: switch it off and on again if this comes again."),
+    QT_TRANSLATE_NOOP("Error",
+                      "The device moved faster than 1.5 m/s at the tooth, so its force is off: lift the bur, and check "
+                      "the cable if the hand was slow."),
+    QT_TRANSLATE_NOOP("Error", "The device's direction has jumped: switch it off and on again if this comes again."),
+    QT_TRANSLATE_NOOP("Error", "The device's places come too late: close other programs that keep this machine busy."),
+    QT_TRANSLATE_NOOP(
+        "Error",
+        "The force came out as no number and was switched off: lift the bur, and report it to the authors "
+        "if this comes again."),
+    QT_TRANSLATE_NOOP("Error",
+                      "The VerseGrip tells a direction that is none: switch it off and on again if this comes again."),
+    QT_TRANSLATE_NOOP("Error",
+                      "The Haply Inverse Service sends more answers than it is asked for, so the force is off: restart "
+                      "the service."),
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <condition_variable>
 
 #include "devices/device_presets.h"
@@ -45,8 +46,11 @@ std::string whyNotStarted(const std::string& name, std::uint32_t code) {
     return "OpenHaptics knows no device for " + titleOf(name) + ": look its name up in the vendor's setup program.";
 }
 
-double sane(double value, double least, double most, double otherwise) {
-    return value >= least && value <= most ? value : otherwise;
+/// A motor's temperature as it is told, 0 cold .. 1 hot. What is no number may be anything, so it counts as hot; what
+/// is out of its range is of a model that tells something else.
+double heatOf(double told) {
+    if (std::isnan(told)) return 1;
+    return told >= 0 && told <= 1 ? told : 0;
 }
 
 /// The preset whose mechanics a model has; a Touch is the one that needs most care.
@@ -111,13 +115,11 @@ void HdDriver::describe(HdPen& pen, DeviceInfo& info) {
     const DevicePreset& preset = presetFor(model != nullptr ? model : "");
     info.name = model != nullptr && *model != 0 ? model : std::string(preset.title);
     if (!pen.name.empty()) info.name += " '" + pen.name + "'";
-    info.limits = limitsOf(preset);
-    double force = 0;
-    call_.getDoubles(hd::kMaxForce, &force);
-    info.limits.force = sane(force, 0.5, 50, preset.peakForce);
+    double peak = 0;
+    call_.getDoubles(hd::kMaxForce, &peak);
     double continuous = 0;
     call_.getDoubles(hd::kContinuousForce, &continuous);
-    info.limits.continuousForce = std::min(sane(continuous, 0.1, 50, preset.continuousForce), info.limits.force);
+    info.limits = limitsOf(preset, peak, continuous);
     std::array<double, 6> room{};
     call_.getDoubles(hd::kUsableWorkspace, room.data());
     info.workspace = Vec3(room[3] - room[0], room[5] - room[2], room[4] - room[1]);
@@ -222,7 +224,7 @@ void HdDriver::lookAtMotors(HdPen& pen) {
     std::array<double, 6> temperature{};
     call_.getDoubles(hd::kMotorTemperature, temperature.data());
     pen.motorHeat = 0;
-    for (const double motor : temperature) pen.motorHeat = std::max(pen.motorHeat, sane(motor, 0, 1, 0));
+    for (const double motor : temperature) pen.motorHeat = std::max(pen.motorHeat, heatOf(motor));
 }
 
 /// At every tick: the place of a pen that has lost its calibration is not to be trusted, and so no force may come of
