@@ -51,7 +51,8 @@ ForceLimits limitsOf(const DevicePreset& preset) {
     limits.force = preset.peakForce;
     limits.continuousForce = preset.continuousForce;
     limits.friction = preset.friction;
-    limits.power = limits.force * limits.force / (2 * std::sqrt(preset.stiffness * preset.inertia));
+    const double bareArm = limits.force * limits.force / (2 * std::sqrt(preset.stiffness * preset.inertia));
+    limits.power = 2 * bareArm;
     return limits;
 }
 

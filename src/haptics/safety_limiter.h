@@ -21,7 +21,7 @@ struct ForceLimits {
     double friction = 0;                                               ///< N, dry, of the device's own mechanics
     /// N*mm/s (1e-3 W): force times speed of the hand. The default is a Touch's; see limitsOf in
     /// devices/device_presets.h for what it comes from.
-    double power = 1148;
+    double power = 2296;
 };
 
 /// A wrench that has passed the limiter: the only kind that a device accepts. Nothing else can make one.

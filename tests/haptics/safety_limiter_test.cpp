@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -168,6 +169,26 @@ TEST(SafetyLimiter, WithoutARampTheForceIsThereAsSoonAsTheSlewAllows) {
     allowed.rampTime = 0;
     SafetyLimiter limiter(allowed);
     EXPECT_NEAR(limiter.limit(push(0.2), kTick, true, 0).force().z(), 0.2, 1e-12);
+}
+
+TEST(SafetyLimiter, ForceTimesSpeedStaysWithinThePower) {
+    for (const double speed : {1e-300, 1.0, 100.0, 690.0, 710.0, 1500.0, 1e5, 1e300}) {
+        SafetyLimiter limiter = warmLimiter();
+        settledForce(limiter, 3.3);
+        const double force = limiter.limit(push(3.3), kTick, true, speed).force().norm();
+        EXPECT_LE(force * speed, limiter.limits().power * (1 + 1e-12)) << speed;
+        EXPECT_NEAR(force, std::min(3.3, limiter.limits().power / speed), 1e-9) << speed;
+        EXPECT_EQ(limiter.faults(), 0U);
+    }
+}
+
+TEST(SafetyLimiter, ASpeedThatIsNoneGivesZero) {
+    for (const double speed : {kNan, kInfinity, -kInfinity, -1.0}) {
+        SafetyLimiter limiter = warmLimiter();
+        settledForce(limiter, 3);
+        EXPECT_EQ(limiter.limit(push(3), kTick, true, speed).force(), Vec3::Zero()) << speed;
+        EXPECT_EQ(limiter.faults(), 1U);
+    }
 }
 
 }  // namespace

@@ -105,6 +105,9 @@ constexpr const char* kErrors[] = {
     QT_TRANSLATE_NOOP("Error",
                       "The device's place has jumped: check its cable, and let it calibrate if this comes again."),
     QT_TRANSLATE_NOOP("Error",
+                      "The device's driver calls far too often, so the force is off: restart the vendor's service, or "
+                      "the computer."),
+    QT_TRANSLATE_NOOP("Error",
                       "The device tells a direction that is none: switch it off and on again if this comes again."),
     QT_TRANSLATE_NOOP("Error",
                       "The device moved faster than 1.5 m/s at the tooth, so its force is off: lift the bur, and check "

@@ -1327,6 +1327,10 @@
         <translation>装置の位置が飛びました。ケーブルを確かめ、繰り返すときは校正してください。</translation>
     </message>
     <message>
+        <source>The device&apos;s driver calls far too often, so the force is off: restart the vendor&apos;s service, or the computer.</source>
+        <translation>装置のドライバーの呼び出しが多すぎるため、力を切りました。メーカーのサービスかコンピューターを再起動してください。</translation>
+    </message>
+    <message>
         <source>The device tells a direction that is none: switch it off and on again if this comes again.</source>
         <translation>装置の向きが正しい値になっていません。繰り返すときは電源を入れ直してください。</translation>
     </message>
