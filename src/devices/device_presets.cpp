@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 // Peak and continuous force, inertia, friction, encoder step and workspace: the makers' data sheets. Stiffness: half to
 // four fifths of the nominal one, as virtual couplings are set in practice (0.35-0.5 on a Touch, 0.8-1 on a Touch X,
@@ -50,7 +51,19 @@ ForceLimits limitsOf(const DevicePreset& preset) {
     limits.force = preset.peakForce;
     limits.continuousForce = preset.continuousForce;
     limits.friction = preset.friction;
+    const double bareArm = limits.force * limits.force / (2 * std::sqrt(preset.stiffness * preset.inertia));
+    limits.power = 2 * bareArm;
     return limits;
+}
+
+ForceLimits limitsOf(const DevicePreset& preset, double driverPeak, double driverContinuous) {
+    const auto smaller = [](double model, double driver) {
+        return driver > 0 && std::isfinite(driver) ? std::min(model, driver) : model;
+    };
+    DevicePreset told = preset;
+    told.peakForce = smaller(preset.peakForce, driverPeak);
+    told.continuousForce = std::min(smaller(preset.continuousForce, driverContinuous), told.peakForce);
+    return limitsOf(told);
 }
 
 std::span<const HandPreset> handPresets() { return kHands; }

@@ -30,7 +30,16 @@ struct DevicePreset {
 [[nodiscard]] const DevicePreset* findDevicePreset(std::string_view name);
 
 /// What the safety limiter keeps to for such a device.
+///
+/// Power: twice the most that a wall of the device's own stiffness, wound up to its peak force, gives when it springs
+/// back and moves nothing but the bare arm, F^2 / (2 sqrt(k m)). A hand on the arm makes it slower, but may push on its
+/// own account: of the simulated hands none comes to more than 1.5 times. A reading or a sum that asks for more than
+/// twice is wrong.
 [[nodiscard]] ForceLimits limitsOf(const DevicePreset& preset);
+
+/// The same for one whose driver tells its own peak and continuous force, N: the smaller one of each counts. A number
+/// that is none, or not above zero, is no answer.
+[[nodiscard]] ForceLimits limitsOf(const DevicePreset& preset, double driverPeak, double driverContinuous);
 
 /// How a hand holds the pen: a mass on a spring and a damper, whose other end goes where the person wants.
 struct HandPreset {

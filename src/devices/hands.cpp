@@ -12,10 +12,16 @@ namespace {
 constexpr double kAtEnd = 2;   // mm from the end of the room
 constexpr double kBackIn = 8;  // mm: a hand that trembles there is told once
 
+PoseReading readingOf(const DeviceSample& sample) {
+    return {sample.hand.position, sample.hand.rotation, sample.age, sample.isFresh};
+}
+
 }  // namespace
 
 Hands::Hand::Hand(HapticDevice& held, const std::optional<Seat>& turbineSeat, const Seat& mirrorSeat)
-    : device(&held), pipeline(held.info().limits), frames{HandFrame(turbineSeat), HandFrame(mirrorSeat)} {}
+    : device(&held),
+      pipeline(held.info().limits, held.info().poseLimits),
+      frames{HandFrame(turbineSeat), HandFrame(mirrorSeat)} {}
 
 Hands::Hands(HapticDevice& first, HapticDevice* second, const std::optional<Seat>& seat) {
     // The mirror moves the way that the hand does, from where it is parked.
@@ -39,7 +45,7 @@ bool Hands::cutToggled() const { return first_->buttons.cutToggled() != (second_
 double Hands::pedal() const {
     double pedal = 0;
     for (const Hand* const hand : hands_) {
-        if (hand != nullptr && hand->sample.connected) pedal = std::max(pedal, hand->sample.pedal);
+        if (hand != nullptr && hand->trusted) pedal = std::max(pedal, hand->sample.pedal);
     }
     return pedal;
 }
@@ -55,6 +61,11 @@ double Hands::stiffest() const {
                              : hands_[static_cast<std::size_t>(holder)]->device->info().stiffness;
 }
 
+/// A bur that was pressed deeper than the tooth let it stays at the surface.
+void Hands::rest(std::size_t instrument) {
+    if (instrument == kTurbine && proxy_) instruments_[kTurbine] = *proxy_;
+}
+
 /// An instrument that nobody holds, or whose hand has lost its device, stays where it is.
 void Hands::move(std::size_t instrument, const HandControls& controls) {
     const int holder = holderOf(instrument);
@@ -64,7 +75,7 @@ void Hands::move(std::size_t instrument, const HandControls& controls) {
     Hand& hand = *hands_[static_cast<std::size_t>(holder)];
     HandFrame& frame = hand.frames[instrument];
     if (isNew && instruments_[instrument].position.allFinite()) frame.takeOver(instruments_[instrument]);
-    if (!hand.sample.connected) return;
+    if (!hand.trusted) return rest(instrument);
     frame.setFineness(controls.fineness);
     frame.setClutch(controls.clutch || hand.buttons.clutchHeld());
     instruments_[instrument] = frame.toolFor(hand.sample.hand);
@@ -73,8 +84,9 @@ void Hands::move(std::size_t instrument, const HandControls& controls) {
 void Hands::read(double elapsed, const HandControls& controls) {
     for (Hand* const hand : hands_) {
         if (hand == nullptr) continue;
-        hand->sample = hand->device->read(elapsed);
-        if (!hand->sample.connected) continue;
+        const DeviceSample& sample = hand->sample = hand->device->read(elapsed);
+        hand->trusted = sample.connected && hand->pipeline.judge(readingOf(sample), elapsed) == HandFault::None;
+        if (!hand->trusted) continue;
         hand->buttons.press(hand->sample.buttons, controls.buttons);
         hand->atEnd = !controls.clutch && !hand->buttons.clutchHeld() &&
                       isAtEndOfRoom(hand->device->info(), hand->sample.hand.position, hand->atEnd ? kBackIn : kAtEnd);
@@ -92,6 +104,9 @@ WantedForce Hands::wantedFor(const Hand& hand, const Tick& tick, bool enabled) c
     wanted.wrench = frame.toDevice(wanted.wrench);
     wanted.drivePull = frame.toDevice(Wrench{wanted.drivePull, Vec3::Zero()}).force;
     wanted.hand = hand.sample.hand.position;
+    wanted.turn = hand.sample.hand.rotation;
+    wanted.age = hand.sample.age;
+    wanted.isFresh = hand.sample.isFresh;
     wanted.stretch *= frame.fineness();
     wanted.stiffness /= frame.fineness();
     wanted.allowed &= enabled && holds && !frame.isHeld();
@@ -101,11 +116,13 @@ WantedForce Hands::wantedFor(const Hand& hand, const Tick& tick, bool enabled) c
 }
 
 void Hands::write(const Tick& tick, bool enabled, double elapsed) {
+    if (tick.placed) proxy_ = tick.proxy;
     silent_ = true;
     for (Hand* const hand : hands_) {
         if (hand == nullptr) continue;
         const SafeWrench safe = hand->pipeline.pass(wantedFor(*hand, tick, enabled), elapsed);
         hand->device->write(safe);
+        hand->device->judge(hand->pipeline.fault(), elapsed);
         silent_ &= safe.force().isZero(0) && safe.torque().isZero(0);
     }
 }

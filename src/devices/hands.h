@@ -23,8 +23,10 @@ struct HandControls {
 /// The one or two hands of a person, each with a device, and the two instruments, turbine and mirror. The first hand
 /// begins with the turbine, a second one with the mirror. A swap makes two hands exchange what they hold; a single hand
 /// lays the one down and takes up the other. An instrument that goes from hand to hand does not move: the new hand
-/// takes it where it is. Each device has a force pipeline of its own, so a force never changes hands: it fades in the
-/// one, and the other feels nothing before the bur has been free. All of the servo thread; allocates and locks nothing.
+/// takes it where it is. While a device is lost or its pose is at fault, its instrument stays where the tooth holds it,
+/// so that it neither presses nor cuts. Each device has a force pipeline of its own, so a force never changes hands: it
+/// fades in the one, and the other feels nothing before the bur has been free. All of the servo thread; allocates and
+/// locks nothing.
 class Hands {
 public:
     /// The devices are open and outlive this. `second`: nullptr for a single hand. `seat`: for a device whose
@@ -71,11 +73,13 @@ private:
         std::array<HandFrame, 2> frames;  // of turbine and mirror
         ButtonActions buttons;
         DeviceSample sample;
-        bool atEnd = false;  // of the device's room, while it holds something
+        bool trusted = false;  // the device is there, and nothing is wrong with its pose
+        bool atEnd = false;    // of the device's room, while it holds something
     };
     [[nodiscard]] int holderOf(std::size_t instrument) const;
     [[nodiscard]] bool swapped() const;
     void move(std::size_t instrument, const HandControls& controls);
+    void rest(std::size_t instrument);
     [[nodiscard]] WantedForce wantedFor(const Hand& hand, const Tick& tick, bool enabled) const;
 
     std::optional<Hand> first_;
@@ -85,6 +89,7 @@ private:
     /// Nowhere, until a hand was read; the mirror where it was parked.
     std::array<Pose, 2> instruments_{Pose{Vec3::Constant(std::numeric_limits<double>::quiet_NaN()), Quat::Identity()},
                                      Pose{}};
+    std::optional<Pose> proxy_;  // of the turbine at the last tick
     bool silent_ = true;
 };
 

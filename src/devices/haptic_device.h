@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "devices/pose_watch.h"
 #include "geometry/expected.h"
 #include "geometry/pose.h"
 #include "haptics/safety_limiter.h"
@@ -23,6 +24,7 @@ struct DeviceInfo {
     int buttonCount = 0;
     bool hasPedal = false;
     ForceLimits limits;             ///< that the safety limiter keeps to
+    PoseLimits poseLimits;          ///< beyond which its readings are a fault
     Vec3 workspace = Vec3::Zero();  ///< size of the room that the hand can reach, mm; zero: not bounded
     std::optional<Vec3> middle;     ///< of that room, in the device's frame, mm; none: not known
     bool isInTooth = false;         ///< its frame is the tooth's: it tells where the tool is, and needs no seat
@@ -43,8 +45,9 @@ struct DeviceSample {
     double pedal = 0;  ///< 0 up .. 1 down
     std::uint32_t buttons = 0;  ///< bit i: button i is pressed. Pens: 0 = turbine or mirror, 1 = touch or cut
     bool connected = true;      ///< false: the other fields mean nothing, and no force may be made
-    double age = 0;             ///< s since the device measured it
+    double age = 0;             ///< s since the device measured it, by its own time if it has one, else since it came
     double motorHeat = 0;       ///< as the device reports it, 0 cold .. 1 hot; 0 if it reports none
+    bool isFresh = true;        ///< not the one of the last read
 };
 
 /// One device for one hand. Two hands are two objects, each paired with an instrument.
@@ -77,10 +80,16 @@ public:
 
     /// What is wrong at the moment and what to do about it, one sentence; nullptr if nothing is. Any thread. The text
     /// lives as long as the program.
-    [[nodiscard]] virtual const char* trouble() const { return nullptr; }
+    [[nodiscard]] virtual const char* trouble() const { return watch_.trouble(); }
+
+    /// What the servo has found wrong with the hand at this tick, for trouble() to tell. The servo's.
+    void judge(HandFault fault, double elapsed) { watch_.see(fault, elapsed); }
 
     /// Takes only what has passed the safety limiter. Force in the device's frame.
     virtual void write(const SafeWrench& wrench) = 0;
+
+private:
+    PoseWatch watch_;
 };
 
 }  // namespace tactooth

@@ -11,6 +11,7 @@ ScriptedDevice::ScriptedDevice(std::vector<ScriptedMoment> script, std::string n
     : script_(std::move(script)) {
     assert(!script_.empty());
     info_.name = std::move(name);
+    info_.poseLimits = PoseLimits::unbound();
     info_.isInTooth = isInTooth;
     info_.rendersForce = info_.sensesRotation = info_.hasPedal = true;
     info_.buttonCount = 2;

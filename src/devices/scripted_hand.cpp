@@ -34,6 +34,7 @@ ScriptedHand::ScriptedHand(const DevicePreset& device, const HandPreset& hand, s
     info_ = intent_.info();
     info_.name = std::string(device.title) + " (simulated)";
     info_.limits = limitsOf(device);
+    info_.poseLimits = PoseLimits();
     info_.stiffness = device.stiffness;
     info_.workspace = device.workspace;
     forces_.fill(Vec3::Zero());

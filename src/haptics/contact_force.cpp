@@ -75,7 +75,8 @@ Wrench ContactForce::at(const ContactState& contact, const MaterialTable& materi
     }
     const double approach = -contact.velocity.dot(normal);
     const double sinking = approach - contact.spin.dot(moment);
-    normalForce_ = scale_ * std::max(0.0, stiffness * depth + damping * sinking);
+    const double push = stiffness * depth + damping * sinking;
+    normalForce_ = push <= 0 ? 0 : scale_ * push;  // what is no number stays none, so that it is seen
     const Vec3 friction = friction_.at(contact.device + contact.offset, normal, stiffness_,
                                        frictionCoefficient * normalForce_, contact.rubbed);
     stretch_ = std::hypot(depth, friction_.stretch().norm());
@@ -88,6 +89,11 @@ Wrench ContactForce::at(const ContactState& contact, const MaterialTable& materi
         const Vec3 part =
             held.share / depth * normalForce_ * held.normal + (shares > 0 ? held.share / shares : 0) * friction;
         wrench.torque += (held.point - contact.device - contact.offset).cross(part);
+    }
+    if (!wrench.force.allFinite() || !wrench.torque.allFinite()) {  // which the blend and the friction would keep
+        feel_.reset();
+        friction_.reset();
+        normalForce_ = stiffness_ = stretch_ = 0;
     }
     return wrench;
 }

@@ -45,7 +45,8 @@ struct ForceOverrides {
 /// The force law: a spring and a damper side by side (Kelvin-Voigt) between hand and proxy, which never pull, and dry
 /// friction against sliding. Stiffness, damping and friction are those of the material that holds the tool, blended
 /// while the tool travels across a border: after 50 um the new material has 95 %, but never faster than by 0.05 N a
-/// millisecond.
+/// millisecond. A force that comes out as no number is handed on as it is, for the force pipeline to see, and what
+/// was remembered is forgotten with it.
 class ContactForce {
 public:
     /// `scale` multiplies the whole force.

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "haptics/hand_jump.h"
-
 // The bound on turning: a force whose direction jumps at a sharp edge shakes the hand (J. Hernantes et al., "Effective
 // haptic rendering method for complex interactions", 2007): across the force of the last tick, it grows slower than
 // along it.
@@ -19,6 +17,16 @@ constexpr double kLongestPause = 0.25;    // s: as quick as a hand reacts; after
 constexpr double kLongestStretch = 1000;  // mm: no tooth is as deep
 constexpr double kStiffest = 1e6;         // N/mm: steel is not
 constexpr double kFaintForce = 0.02;      // N: below, a force has no direction that the hand could feel
+
+/// False also for what is no number.
+bool isBetween(double value, double least, double most) { return value >= least && value <= most; }
+
+/// Whether the force and what it was computed from are numbers that a tooth can give.
+bool isSound(const WantedForce& wanted) {
+    return wanted.wrench.force.allFinite() && wanted.wrench.torque.allFinite() && wanted.drivePull.allFinite() &&
+           isBetween(wanted.stretch, 0, kLongestStretch) && isBetween(wanted.stiffness, 0, kStiffest) &&
+           std::isfinite(wanted.motorHeat);
+}
 
 }  // namespace
 
@@ -34,16 +42,18 @@ WantedForce wantedFrom(const Tick& tick) {
     return wanted;
 }
 
-ForcePipeline::ForcePipeline(const ForceLimits& limits)
-    : limiter_(limits), heat_(limits.force, limits.continuousForce), passivity_(limits.friction) {}
+ForcePipeline::ForcePipeline(const ForceLimits& limits, const PoseLimits& poseLimits)
+    : guard_(poseLimits), limiter_(limits), heat_(limits.force, limits.continuousForce), passivity_(limits.friction) {}
 
-bool ForcePipeline::isFault(const WantedForce& wanted, double elapsed) const {
-    if (!wanted.connected || !wanted.hand.allFinite()) return true;
-    if (!wanted.wrench.force.allFinite() || !wanted.wrench.torque.allFinite()) return true;
-    if (!wanted.drivePull.allFinite()) return true;
-    if (!(elapsed >= 0) || !(elapsed <= kLongestPause)) return true;
-    if (!(wanted.stretch <= kLongestStretch) || !(wanted.stiffness <= kStiffest)) return true;
-    return following_ && isHandJump(wanted.hand - lastHand_, elapsed);
+bool ForcePipeline::isFault(const WantedForce& wanted, double elapsed) {
+    fault_ = HandFault::None;
+    if (!wanted.connected || !isBetween(elapsed, 0, kLongestPause)) {
+        guard_.forget();
+        return true;
+    }
+    fault_ = guard_.take({wanted.hand, wanted.turn, wanted.age, wanted.isFresh}, elapsed, wanted.touching);
+    if (fault_ == HandFault::None && !isSound(wanted)) fault_ = HandFault::Force;
+    return fault_ != HandFault::None;
 }
 
 /// Nothing, at once; and nothing later until the tool has been free.
@@ -51,10 +61,10 @@ SafeWrench ForcePipeline::stop(const WantedForce& wanted, double elapsed) {
     ++faults_;
     state_ = ForceState::Fault;
     waitsForFree_ = true;
-    following_ = false;
     passivity_.reset();
-    if (elapsed > 0 && std::isfinite(elapsed)) heat_.add(0, elapsed, wanted.connected ? wanted.motorHeat : 0);
-    sent_ = limiter_.limit({}, elapsed, false);
+    const double reported = wanted.connected && std::isfinite(wanted.motorHeat) ? wanted.motorHeat : 0;
+    if (elapsed > 0 && std::isfinite(elapsed)) heat_.add(0, elapsed, reported);
+    sent_ = limiter_.limit({}, elapsed, false, 0);
     return sent_;
 }
 
@@ -64,7 +74,7 @@ SafeWrench ForcePipeline::rest(const WantedForce& wanted, double elapsed) {
     waitsForFree_ = true;
     passivity_.reset();
     heat_.add(0, elapsed, wanted.motorHeat);
-    sent_ = limiter_.limit({}, elapsed, false);
+    sent_ = limiter_.limit({}, elapsed, false, 0);
     return sent_;
 }
 
@@ -98,27 +108,25 @@ Vec3 ForcePipeline::damping(const Vec3& force, const WantedForce& wanted, double
 }
 
 SafeWrench ForcePipeline::send(const Wrench& wrench, const WantedForce& wanted, double elapsed) {
-    sent_ = limiter_.limit(wrench, elapsed, true);
+    sent_ = limiter_.limit(wrench, elapsed, true, guard_.speed());
     sentOfWall_ = sent_.force();
     heat_.add(sent_.force().norm(), elapsed, wanted.motorHeat);
-    following_ = true;
-    lastHand_ = wanted.hand;
     return sent_;
 }
 
 SafeWrench ForcePipeline::pass(const WantedForce& wanted, double elapsed) {
     if (isFault(wanted, elapsed)) return stop(wanted, elapsed);
-    if (!wanted.allowed && sent_.force().isZero(0) && sent_.torque().isZero(0)) {
-        following_ = true;
-        lastHand_ = wanted.hand;
-        return rest(wanted, elapsed);
-    }
+    if (!wanted.allowed && sent_.force().isZero(0) && sent_.torque().isZero(0)) return rest(wanted, elapsed);
     if (wanted.allowed && !wanted.touching) waitsForFree_ = false;
     if (!wanted.allowed || waitsForFree_) {
         state_ = wanted.allowed ? ForceState::WaitsForFree : ForceState::Off;
         passivity_.reset();
         return send({}, wanted, elapsed);
     }
+    return push(wanted, elapsed);
+}
+
+SafeWrench ForcePipeline::push(const WantedForce& wanted, double elapsed) {
     Wrench wrench = wanted.wrench;
     // A number near the largest double would overflow when its length is taken.
     const double most = 2 * limiter_.limits().force;
@@ -127,6 +135,10 @@ SafeWrench ForcePipeline::pass(const WantedForce& wanted, double elapsed) {
         wrench.force += damping(wrench.force, wanted, elapsed);
     } else {
         passivity_.reset();
+    }
+    if (!wrench.force.allFinite()) {  // the controller's sums were no numbers, and begin anew
+        fault_ = HandFault::Force;
+        return stop(wanted, elapsed);
     }
     const double bound = heat_.bound();
     const double length = wrench.force.norm();

@@ -5,6 +5,7 @@
 #include "haptics/haptic_simulation.h"
 #include "haptics/motor_heat.h"
 #include "haptics/passivity_controller.h"
+#include "haptics/pose_guard.h"
 #include "haptics/safety_limiter.h"
 
 namespace tactooth {
@@ -13,6 +14,9 @@ namespace tactooth {
 struct WantedForce {
     Wrench wrench;
     Vec3 hand = Vec3::Zero();       ///< of the device's tip, mm
+    Quat turn = Quat::Identity();   ///< of the hand on it
+    double age = 0;                 ///< s since both were measured
+    bool isFresh = true;            ///< they are not those of the tick before
     Vec3 drivePull = Vec3::Zero();  ///< that part of the force for which the drive pays, N: no energy of the wall's
     double stretch = 0;             ///< of the spring that pushes, inwards and against friction, mm; 0 without contact
     double stiffness = 0;           ///< of the spring that pushes, N/mm
@@ -31,27 +35,35 @@ enum class ForceState {
     Off,           ///< switched off, or no place of the tool is known
     WaitsForFree,  ///< came on inside the tooth: nothing until the tool has left it
     Warm,          ///< the motors are warm, and strong forces are cut to what they bear
-    Fault,         ///< the device is lost, or its pose jumped or was no number
+    Fault,         ///< the device is lost, or something is wrong with its pose or with the force: see fault()
 };
 
-/// The way from the simulation's force to the motors, tick by tick: nothing while the hand came into the tooth without
-/// a force, then the passivity controller, the motors' heat, a bound on how fast the force may turn, and last, alone
-/// before the motors, the safety limiter. Equal calls give equal results; allocates, locks and logs nothing.
+/// The way from the simulation's force to the motors, tick by tick: nothing at a fault or while the hand came into the
+/// tooth without a force, then the passivity controller, the motors' heat, a bound on how fast the force may turn, and
+/// last, alone before the motors, the safety limiter. Equal calls give equal results; allocates, locks and logs
+/// nothing.
 class ForcePipeline {
 public:
-    explicit ForcePipeline(const ForceLimits& limits);
+    explicit ForcePipeline(const ForceLimits& limits, const PoseLimits& poseLimits = {});
+
+    /// What is wrong with a reading, as far as it is known before the simulation has followed it.
+    [[nodiscard]] HandFault judge(const PoseReading& reading, double elapsed) const {
+        return guard_.judge(reading, elapsed, false);
+    }
 
     /// `elapsed`: since the call before, s.
     [[nodiscard]] SafeWrench pass(const WantedForce& wanted, double elapsed);
 
     [[nodiscard]] ForceState state() const { return state_; }
+    /// What was wrong at the last tick, apart from a device that is lost.
+    [[nodiscard]] HandFault fault() const { return fault_; }
     [[nodiscard]] const PassivityController& passivity() const { return passivity_; }
     [[nodiscard]] const MotorHeat& heat() const { return heat_; }
     /// Ticks at which the device or the clock was at fault.
     [[nodiscard]] std::uint64_t faults() const { return limiter_.faults() + faults_; }
 
 private:
-    [[nodiscard]] bool isFault(const WantedForce& wanted, double elapsed) const;
+    [[nodiscard]] bool isFault(const WantedForce& wanted, double elapsed);
     [[nodiscard]] SafeWrench stop(const WantedForce& wanted, double elapsed);
     [[nodiscard]] SafeWrench rest(const WantedForce& wanted, double elapsed);
     SafeWrench send(const Wrench& wrench, const WantedForce& wanted, double elapsed);
@@ -59,13 +71,15 @@ private:
     [[nodiscard]] Vec3 sentOfWall(const Vec3& force, const Vec3& drivePull) const;
     [[nodiscard]] Vec3 turned(const Vec3& force, double elapsed) const;
 
+    [[nodiscard]] SafeWrench push(const WantedForce& wanted, double elapsed);
+
+    PoseGuard guard_;
     SafetyLimiter limiter_;
     MotorHeat heat_;
     PassivityController passivity_;
     ForceState state_ = ForceState::Off;
     bool waitsForFree_ = true;
-    bool following_ = false;  // lastHand_ means something
-    Vec3 lastHand_ = Vec3::Zero();
+    HandFault fault_ = HandFault::None;
     SafeWrench sent_;
     Vec3 sentOfWall_ = Vec3::Zero();  // without what the drive pulls, N
     std::uint64_t faults_ = 0;

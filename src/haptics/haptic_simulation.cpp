@@ -127,7 +127,8 @@ void HapticSimulation::touch(const HandInput& input, double dt, Tick& tick) {
     if (shares > 0) lever_ /= shares;
 }
 
-Tick HapticSimulation::step(const HandInput& input, double dt) {
+Tick HapticSimulation::step(const HandInput& input, double elapsed) {
+    const double dt = std::isfinite(elapsed) ? elapsed : 0;  // else the speeds would stay what they become for ever
     Tick tick;
     tick.time = last_.time + (started_ ? dt : 0);
     started_ = true;

@@ -70,8 +70,8 @@ public:
     HapticSimulation(std::shared_ptr<const ToolShape> tool, double burRadius, std::shared_ptr<const Surface> surface,
                      const HapticSettings& settings);
 
-    /// `dt` seconds after the step before.
-    Tick step(const HandInput& input, double dt);
+    /// `elapsed` seconds after the step before; a time that is no number is none.
+    Tick step(const HandInput& input, double elapsed);
 
     std::shared_ptr<const Surface> setSurface(std::shared_ptr<const Surface> surface) {
         return proxy_.setSurface(std::move(surface));

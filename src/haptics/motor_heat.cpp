@@ -13,12 +13,17 @@ constexpr double kWarm = 0.8;         // heat from which the force is taken back
 
 }  // namespace
 
-void MotorHeat::add(double force, double elapsed, double reported) {
+bool MotorHeat::add(double force, double elapsed, double reported) {
+    if (!std::isfinite(force) || !std::isfinite(elapsed) || !std::isfinite(reported)) {
+        modelled_ = heat_ = 1;
+        return false;
+    }
     if (std::isfinite(continuous_)) {
         const double aim = force * force / (continuous_ * continuous_);
         modelled_ += (1 - std::exp(-elapsed / kTimeConstant)) * (aim - modelled_);
     }
     heat_ = std::max(modelled_, reported);
+    return true;
 }
 
 double MotorHeat::bound() const {

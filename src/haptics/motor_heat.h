@@ -12,7 +12,8 @@ public:
     MotorHeat(double peak, double continuous) : peak_(peak), continuous_(continuous) {}
 
     /// `force` N was rendered for `elapsed` s. `reported`: what the device says of itself, 0..1; 0 if it says nothing.
-    void add(double force, double elapsed, double reported);
+    /// False if one of them is no number: the motors then count as warm, and cool from there.
+    bool add(double force, double elapsed, double reported);
 
     /// The most that may be rendered now, N: the peak while cold, the continuous force when warm, never below that.
     [[nodiscard]] double bound() const;

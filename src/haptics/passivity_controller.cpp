@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 // B. Hannaford, J.-H. Ryu, "Time-Domain Passivity Control of Haptic Interfaces", IEEE Transactions on Robotics and
@@ -61,6 +62,11 @@ void PassivityController::followSpeed(const Vec3& way, double elapsed) {
     speed_ += (1 - std::exp(-elapsed / kSpeedLag)) * (speed - speed_);
 }
 
+/// Sums that are no number would stay so for ever.
+bool PassivityController::isSound() const {
+    return std::isfinite(energy_) && std::isfinite(reserve_) && std::isfinite(damping_) && speed_.allFinite();
+}
+
 Vec3 PassivityController::damp(const Vec3& hand, const Vec3& rendered, const SpringState& spring, double elapsed) {
     if (!std::exchange(started_, true) || !(elapsed > 0)) {
         lastHand_ = hand;
@@ -84,6 +90,10 @@ Vec3 PassivityController::damp(const Vec3& hand, const Vec3& rendered, const Spr
     const double missing = std::min(reserve_, kMostCredit) - energy_;
     if (missing > 0 && length > kStill) damping_ = std::max(damping_, missing * pause_ / (length * length));
     damping_ = std::min(damping_, kMostDamping);
+    if (!isSound()) {
+        reset();
+        return Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
+    }
     return -damping_ * speed_;
 }
 

@@ -25,7 +25,7 @@ public:
     explicit PassivityController(double friction = 0) : friction_(friction) {}
 
     /// One tick in contact. `hand`: where it is now, mm; `rendered`: the force since the last tick, N. Gives the force
-    /// to add, N.
+    /// to add, N; one that is no number if its own sums are none, which then begin anew.
     [[nodiscard]] Vec3 damp(const Vec3& hand, const Vec3& rendered, const SpringState& spring, double elapsed);
 
     /// Forgets everything; for a tick without contact.
@@ -36,6 +36,7 @@ public:
 
 private:
     void followSpeed(const Vec3& way, double elapsed);
+    [[nodiscard]] bool isSound() const;
 
     double friction_;
     bool started_ = false;

@@ -15,11 +15,15 @@ Vec3 shortened(const Vec3& vector, double longest) {
 
 }  // namespace
 
-SafeWrench SafetyLimiter::limit(const Wrench& wanted, double elapsed, bool enabled) {
-    const bool finite = wanted.force.allFinite() && wanted.torque.allFinite();
-    const bool inTime = elapsed >= 0 && elapsed <= limits_.stallTime;
-    if (!finite || !inTime) ++faults_;
-    if (!finite || !inTime || !enabled) {
+bool SafetyLimiter::isSound(const Wrench& wanted, double elapsed, double speed) const {
+    const bool finite = wanted.force.allFinite() && wanted.torque.allFinite() && std::isfinite(speed) && speed >= 0;
+    return finite && elapsed >= 0 && elapsed <= limits_.stallTime;
+}
+
+SafeWrench SafetyLimiter::limit(const Wrench& wanted, double elapsed, bool enabled, double speed) {
+    const bool sound = isSound(wanted, elapsed, speed);
+    if (!sound) ++faults_;
+    if (!sound || !enabled) {
         strength_ = 0;
         last_ = {};
         return {};
@@ -33,6 +37,7 @@ SafeWrench SafetyLimiter::limit(const Wrench& wanted, double elapsed, bool enabl
     const Vec3 torque = strength_ * bounded(wanted.torque, limits_.torque);
     last_.force += shortened(force - last_.force, limits_.slew * elapsed);
     last_.torque += shortened(torque - last_.torque, limits_.torqueSlew * elapsed);
+    if (speed > 0) last_.force = shortened(last_.force, limits_.power / speed);
     return SafeWrench(last_);
 }
 

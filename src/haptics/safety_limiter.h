@@ -19,6 +19,9 @@ struct ForceLimits {
     double torqueSlew = 3000;  ///< N*mm/s: a force's slew on a lever of 10 mm, from the bur's tip to the fingers
     double continuousForce = std::numeric_limits<double>::infinity();  ///< N that the motors bear for ever
     double friction = 0;                                               ///< N, dry, of the device's own mechanics
+    /// N*mm/s (1e-3 W): force times speed of the hand. The default is a Touch's; see limitsOf in
+    /// devices/device_presets.h for what it comes from.
+    double power = 2296;
 };
 
 /// A wrench that has passed the limiter: the only kind that a device accepts. Nothing else can make one.
@@ -34,14 +37,15 @@ private:
     Wrench wrench_;
 };
 
-/// The last stage before the motors. Bounds magnitude and slew, ramps up after every start, and gives zero for anything
-/// that is not a number, for a tick that came too late, and while switched off.
+/// The last stage before the motors. Bounds magnitude, slew and power, ramps up after every start, and gives zero for
+/// anything that is not a number, for a tick that came too late, and while switched off.
 class SafetyLimiter {
 public:
     explicit SafetyLimiter(const ForceLimits& limits) : limits_(limits) {}
 
-    /// `elapsed`: since the call before, s.
-    [[nodiscard]] SafeWrench limit(const Wrench& wanted, double elapsed, bool enabled);
+    /// `elapsed`: since the call before, s. `speed`: of the hand, mm/s: the quicker it is, the less force keeps within
+    /// the power. That bound comes last, and may take a force back faster than the slew would.
+    [[nodiscard]] SafeWrench limit(const Wrench& wanted, double elapsed, bool enabled, double speed);
 
     /// Ticks on which something other than the usual bounds was wrong: not a number, or too late.
     [[nodiscard]] std::uint64_t faults() const { return faults_; }
@@ -50,6 +54,8 @@ public:
     [[nodiscard]] double strength() const { return strength_; }
 
 private:
+    [[nodiscard]] bool isSound(const Wrench& wanted, double elapsed, double speed) const;
+
     ForceLimits limits_;
     Wrench last_;
     double strength_ = 0;  // of the ramp, 0..1

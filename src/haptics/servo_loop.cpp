@@ -16,6 +16,8 @@ namespace {
 constexpr long kNanosPerSecond = 1'000'000'000L;
 constexpr double kLongestWait = 0.004;  // s for a device's next tick: a lost one is limp within 5 ms
 
+constexpr double kShortestTick = 0.0002;  // s: 5 kHz, more than any device's; one that calls more often is at fault
+
 double seconds(const timespec& later, const timespec& earlier) {
     return static_cast<double>(later.tv_sec - earlier.tv_sec) +
            1e-9 * static_cast<double>(later.tv_nsec - earlier.tv_nsec);
@@ -31,6 +33,14 @@ void advance(timespec& time, long nanos) {
     time.tv_nsec += nanos;
     time.tv_sec += time.tv_nsec / kNanosPerSecond;
     time.tv_nsec %= kNanosPerSecond;
+}
+
+/// Until a tick may follow the one that began at `last`: at real-time priority, a device that calls without end would
+/// leave the machine to nobody else.
+void keepApart(timespec last, const std::stop_token& stop) {
+    advance(last, static_cast<long>(kShortestTick * static_cast<double>(kNanosPerSecond)));
+    while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &last, nullptr) != 0 && !stop.stop_requested()) {
+    }
 }
 
 }  // namespace
@@ -54,6 +64,7 @@ void ServoLoop::run(const std::stop_token& stop) {
         advance(due, period);
         if (pace_) {
             pace_(kLongestWait);
+            if (seconds(now(), last) < kShortestTick) keepApart(last, stop);
         } else {
             while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &due, nullptr) != 0 && !stop.stop_requested()) {
             }

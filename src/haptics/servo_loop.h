@@ -25,7 +25,8 @@ struct ServoTiming {
 class ServoLoop {
 public:
     /// `tick(elapsed)` gets the time since the last tick, s; it must not block. `pace(longest)` returns when the device
-    /// is ready for the next tick or when `longest` s have passed; without it the clock sets the pace.
+    /// is ready for the next tick or when `longest` s have passed; without it the clock sets the pace. A device that is
+    /// ready more often than 5000 times a second is made to wait.
     ServoLoop(double rateHz, std::function<void(double)> tick, std::function<void(double)> pace = {});
     ~ServoLoop();
     ServoLoop(const ServoLoop&) = delete;

@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 namespace tactooth {
 namespace {
 
@@ -20,6 +23,39 @@ TEST(DevicePresets, TheLimiterKeepsToTheDevicesNumbers) {
     EXPECT_EQ(limits.force, 3.3);
     EXPECT_EQ(limits.continuousForce, 0.88);
     EXPECT_EQ(limits.slew, 300);
+}
+
+TEST(DevicePresets, OfDriverAndModelTheSmallerForceCounts) {
+    const DevicePreset& touch = *findDevicePreset("touch");
+    EXPECT_EQ(limitsOf(touch, 2, 0.5).force, 2);
+    EXPECT_EQ(limitsOf(touch, 2, 0.5).continuousForce, 0.5);
+    EXPECT_EQ(limitsOf(touch, 50, 40).force, 3.3);
+    EXPECT_EQ(limitsOf(touch, 50, 40).continuousForce, 0.88);
+    EXPECT_EQ(limitsOf(touch, 0.2, 0.88).force, 0.2) << "however small";
+    EXPECT_EQ(limitsOf(touch, 0.2, 0.88).continuousForce, 0.2) << "no force for ever beyond that for a moment";
+    for (const double none : {0.0, -3.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
+        EXPECT_EQ(limitsOf(touch, none, none).force, 3.3) << none;
+        EXPECT_EQ(limitsOf(touch, none, none).continuousForce, 0.88) << none;
+    }
+    EXPECT_LT(limitsOf(touch, 2, 0.5).power, limitsOf(touch).power);
+}
+
+/// A bare arm, thrown back by the stiffest wall from where its force is the peak one: integrated, against the formula.
+TEST(DevicePresets, ThePowerIsTwiceThatOfAWallThatThrowsTheBareArmBack) {
+    for (const DevicePreset& preset : devicePresets()) {
+        double depth = preset.peakForce / preset.stiffness;
+        double speed = 0;
+        double most = 0;
+        constexpr double kStep = 1e-6;
+        while (depth > 0) {
+            speed += kStep * preset.stiffness * depth / preset.inertia;
+            depth -= kStep * speed;
+            most = std::max(most, preset.stiffness * depth * speed);
+        }
+        EXPECT_NEAR(limitsOf(preset).power, 2 * most, 1e-3 * most) << preset.name;
+        EXPECT_GT(limitsOf(preset).power / preset.peakForce, 500) << "mm/s: full force at any speed of a working hand";
+    }
+    EXPECT_NEAR(ForceLimits{}.power, limitsOf(*findDevicePreset("touch")).power, 1);
 }
 
 TEST(DevicePresets, AFirmerHandIsHeavierStifferAndDampsMore) {

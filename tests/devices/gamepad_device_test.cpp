@@ -137,7 +137,7 @@ TEST(GamepadDevice, ACuttingBurRunsTheLightMotor) {
     int tick = 0;
     const auto shake = [&](const DeviceSample&) {
         const Vec3 force(0.06 * std::sin(1.3 * ++tick), 0, 1.5);
-        device.write(limiter.limit({force, Vec3::Zero()}, kTick, true));
+        device.write(limiter.limit({force, Vec3::Zero()}, kTick, true, 0));
     };
     EXPECT_TRUE(playUntil(
         device, [&](const DeviceSample&) { return tick > 200 && pad.quickMotor() > 0.3 && pad.slowMotor() > 0.4; },
@@ -152,7 +152,7 @@ TEST(GamepadDevice, ASilentServoMeansASilentPad) {
     ASSERT_TRUE(playUntil(
         device, [&](const DeviceSample&) { return pad.slowMotor() > 0.5; },
         [&](const DeviceSample&) {
-            device.write(limiter.limit({Vec3(0, 0, 2), Vec3::Zero()}, kTick, true));
+            device.write(limiter.limit({Vec3(0, 0, 2), Vec3::Zero()}, kTick, true, 0));
         }));
     for (int i = 0; i < 500 && pad.slowMotor() > 0; ++i) std::this_thread::sleep_for(10ms);
     EXPECT_EQ(pad.slowMotor(), 0) << "an order to the motors lasts a tenth of a second";

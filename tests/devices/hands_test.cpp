@@ -95,6 +95,15 @@ public:
         run(1000);
     }
 
+    /// Goes up, or down, at 0.5 m/s.
+    void lift(StillDevice& device, double millimetres) {
+        constexpr int kTicks = 6;
+        for (int i = 0; i < kTicks; ++i) {
+            device.sample.hand.position.z() += millimetres / kTicks;
+            run(1);
+        }
+    }
+
     StillDevice first{at(0, 0, 0.5)};
     StillDevice second{at(30, 40, 50)};
     HandControls controls;
@@ -204,9 +213,8 @@ TEST(Hands, ASwapMidPressFadesTheForceAndTheOtherHandFeelsNothingBeforeTheBurIsF
     EXPECT_EQ(rig.first.force, Vec3::Zero());
     EXPECT_EQ(rig.second.force, Vec3::Zero()) << "the bur is deep in the block, and nobody is kicked";
     EXPECT_LE(rig.first.worstStep, kMostStep + 1e-9);
-    rig.second.sample.hand.position.z() += 3;  // out of the block
-    rig.run(20);
-    rig.second.sample.hand.position.z() -= 3;
+    rig.lift(rig.second, 3);  // out of the block
+    rig.lift(rig.second, -3);
     rig.run(1000);
     EXPECT_GT(rig.second.force.norm(), 1);
     EXPECT_EQ(rig.first.force, Vec3::Zero());
@@ -243,6 +251,21 @@ TEST(Hands, ALostDeviceDropsItsForceAtOnceAndTheOtherHandGoesOn) {
     EXPECT_EQ(rig.first.force, Vec3::Zero());
     EXPECT_LT((rig.hands.mirror().position - Vec3(0, 2, 0)).norm(), 1e-12);
     EXPECT_EQ(rig.hands.forceState(), ForceState::Fault);
+}
+
+TEST(Hands, ABurWhoseDeviceIsLostStaysAtTheSurfaceAndCutsNoMore) {
+    Rig rig;
+    rig.first.sample.pedal = 1;
+    rig.second.sample.pedal = 1;
+    rig.cuts = true;
+    rig.press(rig.first);
+    ASSERT_GT(rig.tick.depth, 0.5);
+    rig.first.sample.connected = false;
+    rig.run(2);
+    const double work = rig.tick.cutWork;
+    rig.run(500);
+    EXPECT_LT(rig.tick.depth, 1e-3);
+    EXPECT_NEAR(rig.tick.cutWork, work, 1e-6);
 }
 
 TEST(Hands, TheSecondDeviceCanBeLostWithoutTheFirstFeelingIt) {

@@ -67,11 +67,11 @@ TEST(HaplyDevice, TouchesAPlaneAndStops) {
         HaplyDevice device("", service.address());
         ASSERT_TRUE(device.open());
         const PlaneServo servo(device);
-        // Hand (0.5 N/mm) and wall (0.4 N/mm) one behind the other over 4 mm. A machine that stalls makes the device let
-        // go, and only who lifts off feels it again.
+        // Hand (0.5 N/mm) and wall (0.4 N/mm) one behind the other over 4 mm. A machine that stalls makes the device
+        // let go, and only who lifts off feels it again.
         const auto isFelt = [&] { return std::abs(service.force() - 4 / (1 / 0.5 + 1 / 0.4)) < 0.15; };
         EXPECT_TRUE(soon([&] { return lean(service) && soon(isFelt, 2s); }));
-        service.setGrip({0, 1, 0, 0}, 5);
+        service.setGrip({1, 0, 0, 0}, 5);
         EXPECT_TRUE(soon([&] { return servo.buttons() == 5; }));
         EXPECT_EQ(device.trouble(), nullptr);
     }
@@ -146,6 +146,7 @@ TEST_P(HaplyFaults, MidPressGiveNoForceAndASentenceAndTheDeviceComesBack) {
     std::this_thread::sleep_for(50ms);
     EXPECT_EQ(service.force(), 0);
     EXPECT_LE(servo.oldestWithForce(), kLoss);
+    EXPECT_LE(servo.strongest(), device.info().limits.force);
     if (fault.isLoss) {
         // A force that was made for the last good answer, and those that the servo made while its next one was awaited.
         EXPECT_LE(service.lastForceSinceFault(), 6);
@@ -157,20 +158,68 @@ TEST_P(HaplyFaults, MidPressGiveNoForceAndASentenceAndTheDeviceComesBack) {
     EXPECT_TRUE(lean(service)) << "the same device goes on";
 }
 
-INSTANTIATE_TEST_SUITE_P(All, HaplyFaults,
-                         ::testing::Values(Fault{HaplyFault::Drop, "Drop", "has closed the connection", true},
-                                           Fault{HaplyFault::Slow, "Slow", "answers too slowly", true},
-                                           Fault{HaplyFault::Mute, "Mute", "The Haply Inverse Service", true},
-                                           Fault{HaplyFault::Malformed, "Malformed", "what is no message", true},
-                                           Fault{HaplyFault::Version, "Version", "install version 3", true},
-                                           Fault{HaplyFault::Units, "Units", "not in metres", true},
-                                           Fault{HaplyFault::Gone, "Gone", "is gone", true},
-                                           Fault{HaplyFault::NoNumber, "NoNumber", "does not know where it is", false},
-                                           Fault{HaplyFault::Jump, "Jump", "has jumped", false},
-                                           Fault{HaplyFault::NoPower, "NoPower", "plug in its power supply", false},
-                                           Fault{HaplyFault::NotCalibrated, "NotCalibrated", "is not calibrated", false},
-                                           Fault{HaplyFault::NotReady, "NotReady", "is not ready", false}),
-                         [](const auto& one) { return one.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    All, HaplyFaults,
+    ::testing::Values(Fault{HaplyFault::Drop, "Drop", "has closed the connection", true},
+                      Fault{HaplyFault::Slow, "Slow", "answers too slowly", true},
+                      Fault{HaplyFault::Mute, "Mute", "The Haply Inverse Service", true},
+                      Fault{HaplyFault::Malformed, "Malformed", "what is no message", true},
+                      Fault{HaplyFault::Version, "Version", "install version 3", true},
+                      Fault{HaplyFault::Units, "Units", "not in metres", true},
+                      Fault{HaplyFault::Gone, "Gone", "is gone", true},
+                      Fault{HaplyFault::NoNumber, "NoNumber", "does not know where it is", false},
+                      Fault{HaplyFault::Jump, "Jump", "has jumped", false},
+                      Fault{HaplyFault::Double, "Double", "sends more answers", true},
+                      Fault{HaplyFault::Twenty, "Twenty", "sends more answers", true},
+                      Fault{HaplyFault::Flood, "Flood", "sends more answers", true},
+                      Fault{HaplyFault::BrokenTurn, "BrokenTurn", "a direction that is none", false},
+                      Fault{HaplyFault::FlippingTurn, "FlippingTurn", "direction has jumped", false},
+                      Fault{HaplyFault::Jitter, "Jitter", "place has jumped", false},
+                      Fault{HaplyFault::Drift, "Drift", "place has jumped", false},
+                      Fault{HaplyFault::NoPower, "NoPower", "plug in its power supply", false},
+                      Fault{HaplyFault::NotCalibrated, "NotCalibrated", "is not calibrated", false},
+                      Fault{HaplyFault::NotReady, "NotReady", "is not ready", false}),
+    [](const auto& one) { return one.param.name; });
+
+TEST(HaplyDevice, AQuaternionThatChangesItsSignsIsTheSameTurnAndNoFault) {
+    StandinHaply service;
+    HaplyDevice device("", service.address());
+    ASSERT_TRUE(device.open());
+    const PlaneServo servo(device);
+    service.setGrip({0.8, 0.6, 0, 0}, 0);
+    service.setFault(HaplyFault::NegatedTurn);
+    EXPECT_TRUE(lean(service));
+    EXPECT_FALSE(says(device, "direction"));
+}
+
+TEST(HaplyDevice, ClosedMidPressItsLastMessageIsAForceOfZero) {
+    StandinHaply service;
+    HaplyDevice device("", service.address());
+    ASSERT_TRUE(device.open());
+    {
+        const PlaneServo servo(device);
+        ASSERT_TRUE(lean(service));
+    }
+    const long before = service.messages();
+    device.close();
+    EXPECT_GT(service.messages(), before);
+    EXPECT_EQ(service.lastTold(), 0);
+}
+
+TEST(HaplyDevice, AGripThatIsGoneKeepsItsDirection) {
+    StandinHaply service;
+    HaplyDevice device("", service.address());
+    service.setGrip({0.8, 0.6, 0, 0}, 0);
+    ASSERT_TRUE(device.open());
+    const Quat turn(0.8, 0.6, 0, 0);
+    ASSERT_TRUE(soon([&] { return device.read(0.001).hand.rotation.angularDistance(turn) < 1e-6; }));
+    service.setGripThere(false);
+    const long before = service.messages();
+    ASSERT_TRUE(soon([&] { return device.write({}), service.messages() > before + 20; }));
+    const DeviceSample sample = device.read(0.001);
+    EXPECT_LT(sample.hand.rotation.angularDistance(turn), 1e-6);
+    EXPECT_TRUE(sample.connected);
+}
 
 TEST(HaplyDevice, ATroubleThatIsOverIsNotShownForEver) {
     StandinHaply service;

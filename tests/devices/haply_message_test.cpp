@@ -78,10 +78,29 @@ TEST(HaplyMessage, TheGripTurnsTheHandAndPressesItsButtons) {
 }
 
 TEST(HaplyMessage, AGripThatTellsNoRotationTurnsNothing) {
-    for (const char* const orientation : {R"({"w":0,"x":0,"y":0,"z":0})", R"({"w":null,"x":0,"y":0,"z":0})", "7"}) {
-        const std::string grip = std::string(R"({"device_id":"61576","state":{"orientation":)") + orientation + "}}";
-        EXPECT_EQ(readingOf(messageWith(kMiddle, "{}", grip)).hand.rotation.coeffs(), Quat::Identity().coeffs());
+    for (const char* const state :
+         {R"({"orientation":7})", R"({"orientation":null})", R"({"orientation":[1,0,0,0]})", "{}", "7"}) {
+        const std::string grip = std::string(R"({"device_id":"61576","state":)") + state + "}";
+        const HaplyReading reading = readingOf(messageWith(kMiddle, "{}", grip));
+        EXPECT_EQ(reading.hand.rotation.coeffs(), Quat::Identity().coeffs());
+        EXPECT_FALSE(reading.hasTurn);
+        EXPECT_TRUE(reading.usable);
     }
+}
+
+TEST(HaplyMessage, FourNumbersThatAreNoTurnAreAFaultAndNotAnotherTurn) {
+    for (const char* const turn :
+         {R"("w":0,"x":0,"y":0,"z":0)", R"("w":null,"x":0,"y":0,"z":0)", R"("w":1,"x":0,"y":0)",
+          R"("w":0.9,"x":0,"y":0,"z":0)", R"("w":1.1,"x":0,"y":0,"z":0)", R"("w":1e200,"x":1e200,"y":0,"z":0)",
+          R"("w":"1","x":0,"y":0,"z":0)"}) {
+        const std::string grip = std::string(R"({"device_id":"61576","state":{"orientation":{)") + turn + "}}}";
+        const HaplyReading reading = readingOf(messageWith(kMiddle, "{}", grip));
+        EXPECT_FALSE(reading.usable) << turn;
+        ASSERT_NE(reading.trouble, nullptr);
+        EXPECT_THAT(reading.trouble, HasSubstr("a direction that is none"));
+    }
+    const std::string rounded = R"({"device_id":"61576","state":{"orientation":{"w":0.7,"x":0.71,"y":0.0,"z":0.04}}})";
+    EXPECT_TRUE(readingOf(messageWith(kMiddle, "{}", rounded)).hasTurn) << "text may be rounded";
 }
 
 TEST(HaplyMessage, EachStateThatKeepsItFromWorkingHasItsSentence) {

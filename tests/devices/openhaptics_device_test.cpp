@@ -178,11 +178,33 @@ TEST_P(OpenHapticsLoss, MidPressGivesNoForceAndASentenceAndThePenComesBack) {
 INSTANTIATE_TEST_SUITE_P(All, OpenHapticsLoss,
                          ::testing::Values(Loss{HdFault::LinkFault, "LinkFault", "does not answer"},
                                            Loss{HdFault::DeviceFault, "DeviceFaultMotorsAlive", "reports a fault"},
+                                           Loss{HdFault::ErrorFlood, "ErrorFlood", "does not answer"},
                                            Loss{HdFault::Unplugged, "Unplugged", "has stopped answering"}),
                          [](const auto& one) { return one.param.name; });
 
-TEST_F(OpenHaptics, AReadingThatIsNoNumberOrJumpsGivesNoForce) {
-    for (const HdFault fault : {HdFault::NanPose, HdFault::Jump}) {
+TEST_F(OpenHaptics, OfDriverAndModelTheSmallerForceCounts) {
+    OpenHapticsDevice device("", TACTOOTH_STANDIN_HD);
+    set(HdFault::Boast);
+    ASSERT_TRUE(device.open());
+    EXPECT_EQ(device.info().limits.force, 3.3);
+    EXPECT_EQ(device.info().limits.continuousForce, 0.88);
+    set(HdFault::Weak);
+    ASSERT_TRUE(device.open());
+    EXPECT_EQ(device.info().limits.force, 1);
+    EXPECT_EQ(device.info().limits.continuousForce, 0.4);
+}
+
+struct BadPose {
+    HdFault fault;
+    const char* name;
+    const char* sentence;
+};
+
+class OpenHapticsPoses : public OpenHaptics, public ::testing::WithParamInterface<BadPose> {};
+
+TEST_P(OpenHapticsPoses, ThatNoHandCanHaveGiveNoForceAndASentenceAndThePenComesBack) {
+    {
+        const HdFault fault = GetParam().fault;
         standin().reset();
         OpenHapticsDevice device("", TACTOOTH_STANDIN_HD);
         ASSERT_TRUE(device.open());
@@ -193,10 +215,50 @@ TEST_F(OpenHaptics, AReadingThatIsNoNumberOrJumpsGivesNoForce) {
         EXPECT_EQ(standin().strongestWhileFaulty(), 0);
         EXPECT_LE(standin().lastForceSinceFault(), kBadReading + 2) << "2 ms of the device's own time";
         EXPECT_LE(servo.oldestWithForce(), 0.005);
-        EXPECT_TRUE(soonSays(device, fault == HdFault::Jump ? "has jumped" : "is no number"));
+        EXPECT_TRUE(soonSays(device, GetParam().sentence));
         set(HdFault::None);
         EXPECT_TRUE(lean());
+        EXPECT_LE(standin().strongestForce(), device.info().limits.force);
     }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, OpenHapticsPoses,
+                         ::testing::Values(BadPose{HdFault::NanPose, "NoNumber", "is no number"},
+                                           BadPose{HdFault::Jump, "Jump", "place has jumped"},
+                                           BadPose{HdFault::Jitter, "Jitter", "place has jumped"},
+                                           BadPose{HdFault::Drift, "Drift", "place has jumped"},
+                                           BadPose{HdFault::BentAxes, "BentAxes", "a direction that is none"},
+                                           BadPose{HdFault::FlippingTurn, "FlippingTurn", "direction has jumped"}),
+                         [](const auto& one) { return one.param.name; });
+
+TEST_F(OpenHaptics, ADriverThatCallsTwentyTimesTooOftenIsLimpAndComesBack) {
+    OpenHapticsDevice device("", TACTOOTH_STANDIN_HD);
+    ASSERT_TRUE(device.open());
+    const Servo servo(device);
+    ASSERT_TRUE(lean());
+    set(HdFault::Flood);
+    EXPECT_TRUE(soonSays(device, "calls far too often"));
+    EXPECT_TRUE(soon([] { return force() == 0; }));
+    const long before = servo.ticks();
+    std::this_thread::sleep_for(200ms);
+    EXPECT_LE(servo.ticks() - before, 1.1 * 5000 * 0.2) << "the servo leaves time to others";
+    EXPECT_EQ(force(), 0);
+    set(HdFault::None);
+    EXPECT_TRUE(lean());
+}
+
+TEST_F(OpenHaptics, TemperaturesThatAreNoNumberCountAsHot) {
+    OpenHapticsDevice device("", TACTOOTH_STANDIN_HD);
+    ASSERT_TRUE(device.open());
+    const Servo servo(device);
+    set(HdFault::NanHeat);
+    ASSERT_TRUE(soon([] {
+        const bool leans = lean();
+        standin().wantPosition(0, kWall - 9, 0);
+        return leans && soon([] { return force() > 0.85; }, 2s);
+    }));
+    EXPECT_EQ(servo.state(), ForceState::Warm);
+    EXPECT_LE(force(), 0.88 + 1e-9);
 }
 
 TEST_F(OpenHaptics, APenThatIsNotCalibratedIsLimpAndSaysWhatToDo) {

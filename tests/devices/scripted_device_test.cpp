@@ -70,7 +70,7 @@ TEST(ScriptedDevice, KeepsTheLastForce) {
     limits.rampTime = 0;
     SafetyLimiter limiter(limits);
     ScriptedDevice device({moment(0, 0)});
-    device.write(limiter.limit({Vec3(0.1, 0, 0), Vec3::Zero()}, 0.001, true));
+    device.write(limiter.limit({Vec3(0.1, 0, 0), Vec3::Zero()}, 0.001, true, 0));
     EXPECT_EQ(device.lastForce(), Vec3(0.1, 0, 0));
 }
 

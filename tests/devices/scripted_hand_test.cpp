@@ -26,7 +26,7 @@ SafeWrench push(double newton) {
     limits.rampTime = 0;
     limits.slew = 1e9;
     SafetyLimiter limiter(limits);
-    return limiter.limit({Vec3(newton, 0, 0), Vec3::Zero()}, kTick, true);
+    return limiter.limit({Vec3(newton, 0, 0), Vec3::Zero()}, kTick, true, 0);
 }
 
 /// Where a hand comes to rest under a constant force.

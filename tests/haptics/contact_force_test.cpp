@@ -202,5 +202,26 @@ TEST(ContactForce, NeverStepsByMoreThanATwentiethOfANewtonAMillisecondAtABorder)
     }
 }
 
+TEST(ContactForce, WhatIsNoNumberIsHandedOnAndForgotten) {
+    const double bad = std::nan("");
+    for (int what = 0; what < 4; ++what) {
+        ContactForce law;
+        (void)onPlane(law, 0.1, Vec3::Zero());
+        const HeldAt held = heldBy(MaterialId::Enamel, what == 3 ? bad : 0.1);
+        const Vec3 offset(0, 0, 0.1);
+        const Vec3 wrong(0, 0, bad);
+        const Wrench wrench = law.at({what == 0 ? wrong : Vec3(-offset),
+                                      offset,
+                                      what == 1 ? wrong : Vec3(0, 0, 0),
+                                      what == 2 ? bad : 0.0,
+                                      {&held, 1}},
+                                     kMaterials);
+        EXPECT_FALSE(wrench.force.allFinite() && wrench.torque.allFinite()) << what;
+        EXPECT_EQ(law.normalForce(), 0) << what;
+        ContactForce fresh;
+        EXPECT_EQ(onPlane(law, 0.2, Vec3::Zero()).force, onPlane(fresh, 0.2, Vec3::Zero()).force) << what;
+    }
+}
+
 }  // namespace
 }  // namespace tactooth

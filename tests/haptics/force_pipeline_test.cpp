@@ -92,18 +92,28 @@ TEST(ForcePipeline, SwitchingOffMidPressFadesOutAndOnAgainWaitsUntilFree) {
 }
 
 TEST(ForcePipeline, ALostDeviceOrAHandThatIsNoNumberGivesNothingInTheSameTick) {
-    std::vector<WantedForce> broken(5, pushed(2));
+    std::vector<WantedForce> broken(13, pushed(2));
     broken[0].connected = false;
     broken[1].hand.y() = kNan;
     broken[2].wrench.force.x() = kNan;
     broken[3].stretch = kNan;
     broken[4].stiffness = std::numeric_limits<double>::infinity();
+    broken[5].stiffness = -1;
+    broken[6].stretch = -std::numeric_limits<double>::infinity();
+    broken[7].motorHeat = kNan;
+    broken[8].drivePull.z() = kNan;
+    broken[9].turn.coeffs() *= 1.1;
+    broken[10].turn.w() = kNan;
+    broken[11].turn = Quat(Eigen::AngleAxisd(0.5, Vec3::UnitX()));
+    broken[12].age = 0.006;
     for (const WantedForce& wanted : broken) {
         ForcePipeline pipeline = ready();
         settled(pipeline, pushed(2));
         EXPECT_EQ(pipeline.pass(wanted, kTick).force(), Vec3::Zero());
         EXPECT_EQ(pipeline.state(), ForceState::Fault);
         EXPECT_EQ(pipeline.faults(), 1U);
+        EXPECT_EQ(pipeline.fault() == HandFault::None, !wanted.connected)
+            << "what is wrong with a device it says itself";
         EXPECT_EQ(settled(pipeline, pushed(2), 1000), 0) << "waits until the tool was free";
         (void)pipeline.pass(inAir(), kTick);
         EXPECT_GT(settled(pipeline, pushed(2), 600), 1.9);
@@ -120,6 +130,43 @@ TEST(ForcePipeline, AHandThatJumpsIsAFault) {
         EXPECT_EQ(pipeline.state(), ForceState::Fault);
         EXPECT_EQ(settled(pipeline, wanted, 100), 0);
     }
+}
+
+TEST(ForcePipeline, AQuickHandGetsNoMorePowerThanTheDeviceMayGive) {
+    ForcePipeline pipeline = ready();
+    WantedForce wanted = pushed(3.3);
+    wanted.drivePull = wanted.wrench.force;  // which no controller of energy damps
+    for (int i = 0; i < 200; ++i) {
+        wanted.hand.x() += 0.005 * i;  // up to 1 m/s
+        const double force = pipeline.pass(wanted, kTick).force().norm();
+        const double speed = 5.0 * i;  // mm/s
+        ASSERT_LE(force * speed, touchLimits().power * (1 + 1e-9)) << i;
+        ASSERT_EQ(pipeline.faults(), 0U);
+    }
+}
+
+TEST(ForcePipeline, AHandThatIsBackGetsItsForceWithTheRamp) {
+    ForcePipeline pipeline = ready();
+    settled(pipeline, pushed(2));
+    WantedForce aside = pushed(2);
+    aside.hand.x() = 4.9;
+    (void)pipeline.pass(aside, kTick);
+    EXPECT_EQ(pipeline.fault(), HandFault::Jump);
+    aside.touching = false;
+    aside.wrench.force.setZero();
+    EXPECT_EQ(settled(pipeline, aside, 99), 0);
+    EXPECT_EQ(pipeline.state(), ForceState::Fault) << "a tenth of a second is not over yet";
+    EXPECT_EQ(settled(pipeline, aside, 5), 0);
+    EXPECT_NE(pipeline.state(), ForceState::Fault);
+    aside = pushed(2);
+    aside.hand.x() = 4.9;
+    double last = 0;
+    for (int i = 0; i < 600; ++i) {
+        const double force = pipeline.pass(aside, kTick).force().norm();
+        ASSERT_LE(force - last, (i == 0 ? 6 : 1) * 2 * kTick / 0.5 + kRounding) << "the ramp began in the air";
+        last = force;
+    }
+    EXPECT_NEAR(last, 2, kRounding);
 }
 
 TEST(ForcePipeline, TheQuickestHandIsNoFault) {

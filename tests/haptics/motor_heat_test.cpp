@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace tactooth {
@@ -72,6 +73,18 @@ TEST(MotorHeat, ADeviceThatNamesNoContinuousForceHasNoBudget) {
     MotorHeat heat(kPeak, std::numeric_limits<double>::infinity());
     for (int i = 0; i < 600'000; ++i) heat.add(kPeak, kTick, 0);
     EXPECT_EQ(heat.bound(), kPeak);
+}
+
+TEST(MotorHeat, WhatIsNoNumberMakesTheMotorsWarmAndDoesNotStayForEver) {
+    for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+        for (int place = 0; place < 3; ++place) {
+            MotorHeat heat(kPeak, kContinuous);
+            EXPECT_FALSE(heat.add(place == 0 ? bad : 1, place == 1 ? bad : kTick, place == 2 ? bad : 0));
+            EXPECT_EQ(heat.bound(), kContinuous);
+            for (int i = 0; i < 60'000; ++i) EXPECT_TRUE(heat.add(0, kTick, 0));
+            EXPECT_EQ(heat.bound(), kPeak);
+        }
+    }
 }
 
 }  // namespace

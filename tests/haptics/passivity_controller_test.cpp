@@ -181,5 +181,26 @@ TEST(PassivityController, ResettingForgetsDebtAndDamper) {
     EXPECT_EQ(controller.damp(at(5), Vec3::Zero(), springAt(0), kTick), Vec3::Zero());
 }
 
+TEST(PassivityController, SumsThatAreNoNumberAreSaidAndBeginAnew) {
+    const double bad = std::nan("");
+    const auto spoiled = [&](int what) {
+        PassivityController controller;
+        (void)controller.damp(at(0), Vec3::Zero(), springAt(0), kTick);
+        SpringState spring = springAt(-0.1);
+        if (what == 0) spring.stretch = spring.stiffness = bad;
+        if (what == 3) spring.bound = bad;
+        if (what == 4) spring.strength = bad;
+        const Vec3 added = controller.damp(what == 1 ? at(bad) : at(-0.1), what == 2 ? at(bad) : at(0), spring, kTick);
+        EXPECT_TRUE(std::isfinite(controller.energy())) << what;
+        (void)controller.damp(at(0), Vec3::Zero(), springAt(0), kTick);
+        const Vec3 later = controller.damp(at(-0.02), Vec3::Zero(), springAt(-0.02), kTick);
+        EXPECT_TRUE(later.allFinite()) << what;
+        EXPECT_GT(later.z(), 0) << what;
+        return added.allFinite();
+    };
+    for (const int what : {1, 2, 3, 4}) EXPECT_FALSE(spoiled(what)) << what;
+    EXPECT_TRUE(spoiled(0)) << "a spring that is none holds nothing";
+}
+
 }  // namespace
 }  // namespace tactooth

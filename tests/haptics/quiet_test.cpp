@@ -79,7 +79,7 @@ Report sealedTicks(HapticSimulation& simulation, const Vec3& top, int ticks) {
     Report report{0xCBF29CE484222325ULL, locks, 0};
     for (int i = 1; i <= ticks; ++i) {
         const Tick tick = simulation.step(handAt(top, i), kTick);
-        const auto wrench = limiter.limit(tick.wrench, kTick, tick.placed);
+        const auto wrench = limiter.limit(tick.wrench, kTick, tick.placed, 0);
         report.touching += tick.contacts > 0 ? 1 : 0;
         for (int axis = 0; axis < 3; ++axis) {
             for (const double value : {wrench.force()[axis], wrench.torque()[axis], tick.proxy.position[axis]})

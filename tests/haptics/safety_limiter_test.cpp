@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -35,13 +36,13 @@ Wrench push(double newton) { return {Vec3(0, 0, newton), Vec3::Zero()}; }
 /// A limiter that has been switched on for long.
 SafetyLimiter warmLimiter() {
     SafetyLimiter limiter(limits());
-    for (int i = 0; i < 1000; ++i) (void)limiter.limit({}, kTick, true);
+    for (int i = 0; i < 1000; ++i) (void)limiter.limit({}, kTick, true, 0);
     return limiter;
 }
 
 double settledForce(SafetyLimiter& limiter, double wanted) {
     double force = 0;
-    for (int i = 0; i < 100; ++i) force = limiter.limit(push(wanted), kTick, true).force().z();
+    for (int i = 0; i < 100; ++i) force = limiter.limit(push(wanted), kTick, true, 0).force().z();
     return force;
 }
 
@@ -60,7 +61,7 @@ TEST(SafetyLimiter, ShortensALargeForceAndKeepsItsDirection) {
     SafetyLimiter limiter = warmLimiter();
     const Vec3 wanted(3, -4, 2);
     SafeWrench result;
-    for (int i = 0; i < 100; ++i) result = limiter.limit({wanted, Vec3::Zero()}, kTick, true);
+    for (int i = 0; i < 100; ++i) result = limiter.limit({wanted, Vec3::Zero()}, kTick, true, 0);
     EXPECT_TRUE(result.force().isApprox(3.3 * wanted.normalized(), 1e-12));
 }
 
@@ -68,36 +69,36 @@ TEST(SafetyLimiter, AForceBeyondArithmeticIsStillShortened) {
     SafetyLimiter limiter = warmLimiter();
     constexpr double kHuge = std::numeric_limits<double>::max();
     SafeWrench result;
-    for (int i = 0; i < 100; ++i) result = limiter.limit({Vec3(kHuge, -kHuge, 0), Vec3::Zero()}, kTick, true);
+    for (int i = 0; i < 100; ++i) result = limiter.limit({Vec3(kHuge, -kHuge, 0), Vec3::Zero()}, kTick, true, 0);
     EXPECT_TRUE(result.force().isApprox(3.3 * Vec3(1, -1, 0).normalized(), 1e-12));
 }
 
 TEST(SafetyLimiter, ADeviceWithoutTorqueGetsNone) {
     SafetyLimiter limiter{ForceLimits{}};
     for (int i = 0; i < 600; ++i) {
-        EXPECT_EQ(limiter.limit({Vec3::Zero(), Vec3(1e6, 2, 3)}, kTick, true).torque(), Vec3::Zero());
+        EXPECT_EQ(limiter.limit({Vec3::Zero(), Vec3(1e6, 2, 3)}, kTick, true, 0).torque(), Vec3::Zero());
     }
 }
 
 TEST(SafetyLimiter, RampsUpAfterSwitchingOn) {
     SafetyLimiter limiter(limits());
     for (int i = 1; i <= 1000; ++i) {
-        const double force = limiter.limit(push(2), kTick, true).force().z();
+        const double force = limiter.limit(push(2), kTick, true, 0).force().z();
         ASSERT_NEAR(force, 2 * std::min(1.0, i * kTick / 0.5), 1e-9) << i;
     }
-    EXPECT_EQ(limiter.limit(push(2), kTick, false).force(), Vec3::Zero());
-    EXPECT_NEAR(limiter.limit(push(2), kTick, true).force().z(), 2 * kTick / 0.5, 1e-12);
+    EXPECT_EQ(limiter.limit(push(2), kTick, false, 0).force(), Vec3::Zero());
+    EXPECT_NEAR(limiter.limit(push(2), kTick, true, 0).force().z(), 2 * kTick / 0.5, 1e-12);
     EXPECT_EQ(limiter.faults(), 0U);
 }
 
 TEST(SafetyLimiter, AStepTakesAsLongAsTheSlewAllows) {
     SafetyLimiter limiter = warmLimiter();
     for (int i = 1; i <= 10; ++i) {
-        ASSERT_NEAR(limiter.limit(push(3), kTick, true).force().z(), std::min(3.0, 0.3 * i), 1e-9);
+        ASSERT_NEAR(limiter.limit(push(3), kTick, true, 0).force().z(), std::min(3.0, 0.3 * i), 1e-9);
     }
     for (int i = 1; i <= 10; ++i) {
         const Wrench wanted{Vec3(0, 0, 3), Vec3(30, 0, 0)};
-        ASSERT_NEAR(limiter.limit(wanted, kTick, true).torque().x(), std::min(30.0, 3.0 * i), 1e-9);
+        ASSERT_NEAR(limiter.limit(wanted, kTick, true, 0).torque().x(), std::min(30.0, 3.0 * i), 1e-9);
     }
 }
 
@@ -108,11 +109,11 @@ TEST(SafetyLimiter, NotANumberGivesZeroAndStartsTheRampAnew) {
             settledForce(limiter, 3);
             Wrench wrench = push(3);
             (component < 3 ? wrench.force[component] : wrench.torque[component - 3]) = bad;
-            const SafeWrench result = limiter.limit(wrench, kTick, true);
+            const SafeWrench result = limiter.limit(wrench, kTick, true, 0);
             EXPECT_EQ(result.force(), Vec3::Zero());
             EXPECT_EQ(result.torque(), Vec3::Zero());
             EXPECT_EQ(limiter.faults(), 1U);
-            EXPECT_NEAR(limiter.limit(push(3), kTick, true).force().z(), 3 * kTick / 0.5, 1e-12);
+            EXPECT_NEAR(limiter.limit(push(3), kTick, true, 0).force().z(), 3 * kTick / 0.5, 1e-12);
         }
     }
 }
@@ -121,12 +122,12 @@ TEST(SafetyLimiter, ATickThatIsLateOrHasNoTimeGivesZero) {
     for (const double elapsed : {0.0031, 1.0, -0.001, kNan, kInfinity}) {
         SafetyLimiter limiter = warmLimiter();
         settledForce(limiter, 3);
-        EXPECT_EQ(limiter.limit(push(3), elapsed, true).force(), Vec3::Zero()) << elapsed;
+        EXPECT_EQ(limiter.limit(push(3), elapsed, true, 0).force(), Vec3::Zero()) << elapsed;
         EXPECT_EQ(limiter.faults(), 1U);
     }
     SafetyLimiter limiter = warmLimiter();
     settledForce(limiter, 3);
-    EXPECT_DOUBLE_EQ(limiter.limit(push(3), 0.003, true).force().z(), 3);
+    EXPECT_DOUBLE_EQ(limiter.limit(push(3), 0.003, true, 0).force().z(), 3);
 }
 
 TEST(SafetyLimiter, AMillionHostileWrenchesStayWithinMagnitudeAndSlew) {
@@ -144,7 +145,7 @@ TEST(SafetyLimiter, AMillionHostileWrenchesStayWithinMagnitudeAndSlew) {
         const Wrench wanted = i % 64 < 40 ? push(10) : Wrench{adversary.vector(), adversary.vector()};
         const double elapsed = i % 64 < 40 ? kTick : hostileTime();
         const bool enabled = !adversary.oneIn(500);
-        const SafeWrench got = limiter.limit(wanted, elapsed, enabled);
+        const SafeWrench got = limiter.limit(wanted, elapsed, enabled, 0);
         const bool allowedToPush = wanted.force.allFinite() && wanted.torque.allFinite() && elapsed >= 0 &&
                                    elapsed <= allowed.stallTime && enabled;
         if (allowedToPush) {
@@ -167,7 +168,27 @@ TEST(SafetyLimiter, WithoutARampTheForceIsThereAsSoonAsTheSlewAllows) {
     ForceLimits allowed = limits();
     allowed.rampTime = 0;
     SafetyLimiter limiter(allowed);
-    EXPECT_NEAR(limiter.limit(push(0.2), kTick, true).force().z(), 0.2, 1e-12);
+    EXPECT_NEAR(limiter.limit(push(0.2), kTick, true, 0).force().z(), 0.2, 1e-12);
+}
+
+TEST(SafetyLimiter, ForceTimesSpeedStaysWithinThePower) {
+    for (const double speed : {1e-300, 1.0, 100.0, 690.0, 710.0, 1500.0, 1e5, 1e300}) {
+        SafetyLimiter limiter = warmLimiter();
+        settledForce(limiter, 3.3);
+        const double force = limiter.limit(push(3.3), kTick, true, speed).force().norm();
+        EXPECT_LE(force * speed, limiter.limits().power * (1 + 1e-12)) << speed;
+        EXPECT_NEAR(force, std::min(3.3, limiter.limits().power / speed), 1e-9) << speed;
+        EXPECT_EQ(limiter.faults(), 0U);
+    }
+}
+
+TEST(SafetyLimiter, ASpeedThatIsNoneGivesZero) {
+    for (const double speed : {kNan, kInfinity, -kInfinity, -1.0}) {
+        SafetyLimiter limiter = warmLimiter();
+        settledForce(limiter, 3);
+        EXPECT_EQ(limiter.limit(push(3), kTick, true, speed).force(), Vec3::Zero()) << speed;
+        EXPECT_EQ(limiter.faults(), 1U);
+    }
 }
 
 }  // namespace

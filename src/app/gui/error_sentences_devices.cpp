@@ -48,6 +48,7 @@ constexpr const char* kErrors[] = {
     QT_TRANSLATE_NOOP("Error", "it crashes (%1)"),
     QT_TRANSLATE_NOOP("Error", "it does not return"),
     QT_TRANSLATE_NOOP("Error", "it ends the program that uses it"),
+    QT_TRANSLATE_NOOP("Error", "it closes what it has not opened"),
     QT_TRANSLATE_NOOP("Error", "The Haply Inverse Service finds no Inverse3: check its cable and power supply."),
     QT_TRANSLATE_NOOP("Error", "The Haply Inverse Service knows no Inverse3 '%1': it finds %2."),
     // Troubles of a device that steers.
@@ -103,6 +104,25 @@ constexpr const char* kErrors[] = {
                       "The device tells a place that is no number: switch it off and on again if this comes again."),
     QT_TRANSLATE_NOOP("Error",
                       "The device's place has jumped: check its cable, and let it calibrate if this comes again."),
+    QT_TRANSLATE_NOOP("Error",
+                      "The device's driver calls far too often, so the force is off: restart the vendor's service, or "
+                      "the computer."),
+    QT_TRANSLATE_NOOP("Error",
+                      "The device tells a direction that is none: switch it off and on again if this comes again."),
+    QT_TRANSLATE_NOOP("Error",
+                      "The device moved faster than 1.5 m/s at the tooth, so its force is off: lift the bur, and check "
+                      "the cable if the hand was slow."),
+    QT_TRANSLATE_NOOP("Error", "The device's direction has jumped: switch it off and on again if this comes again."),
+    QT_TRANSLATE_NOOP("Error", "The device's places come too late: close other programs that keep this machine busy."),
+    QT_TRANSLATE_NOOP(
+        "Error",
+        "The force came out as no number and was switched off: lift the bur, and report it to the authors "
+        "if this comes again."),
+    QT_TRANSLATE_NOOP("Error",
+                      "The VerseGrip tells a direction that is none: switch it off and on again if this comes again."),
+    QT_TRANSLATE_NOOP("Error",
+                      "The Haply Inverse Service sends more answers than it is asked for, so the force is off: restart "
+                      "the service."),
 };
 
 }  // namespace

@@ -1363,6 +1363,42 @@
         <translation>装置の位置が飛びました。ケーブルを確かめ、繰り返すときは校正してください。</translation>
     </message>
     <message>
+        <source>The device&apos;s driver calls far too often, so the force is off: restart the vendor&apos;s service, or the computer.</source>
+        <translation>装置のドライバーの呼び出しが多すぎるため、力を切りました。メーカーのサービスかコンピューターを再起動してください。</translation>
+    </message>
+    <message>
+        <source>The device tells a direction that is none: switch it off and on again if this comes again.</source>
+        <translation>装置の向きが正しい値になっていません。繰り返すときは電源を入れ直してください。</translation>
+    </message>
+    <message>
+        <source>The device moved faster than 1.5 m/s at the tooth, so its force is off: lift the bur, and check the cable if the hand was slow.</source>
+        <translation>歯に触れている間に装置が毎秒1.5 mより速く動いたため、力を切りました。バーを歯から離してください。手がゆっくりだったときは、ケーブルを確かめてください。</translation>
+    </message>
+    <message>
+        <source>The device&apos;s direction has jumped: switch it off and on again if this comes again.</source>
+        <translation>装置の向きが飛びました。繰り返すときは電源を入れ直してください。</translation>
+    </message>
+    <message>
+        <source>The device&apos;s places come too late: close other programs that keep this machine busy.</source>
+        <translation>装置の位置が遅れて届いています。コンピューターに負荷をかけている他のプログラムを閉じてください。</translation>
+    </message>
+    <message>
+        <source>The force came out as no number and was switched off: lift the bur, and report it to the authors if this comes again.</source>
+        <translation>力が数値にならなかったため、力を切りました。バーを歯から離してください。繰り返すときは作者に知らせてください。</translation>
+    </message>
+    <message>
+        <source>The VerseGrip tells a direction that is none: switch it off and on again if this comes again.</source>
+        <translation>VerseGripの向きが正しい値になっていません。繰り返すときは電源を入れ直してください。</translation>
+    </message>
+    <message>
+        <source>The Haply Inverse Service sends more answers than it is asked for, so the force is off: restart the service.</source>
+        <translation>Haply Inverse Serviceが問い合わせより多くの応答を送ってくるため、力を切りました。サービスを再起動してください。</translation>
+    </message>
+    <message>
+        <source>it closes what it has not opened</source>
+        <translation>自分で開いていないものを閉じます</translation>
+    </message>
+    <message>
         <source>.</source>
         <translation>。</translation>
     </message>

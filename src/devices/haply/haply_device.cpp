@@ -28,11 +28,15 @@ constexpr double kGlance = 0.02;            // s between two looks at whether th
 constexpr double kFarewell = 0.2;           // s for the answer to the last zero
 constexpr double kShownFor = 3;             // s that a passing trouble is shown
 constexpr double kToldAfter = 0.05;         // s: an answer that is so late is told at once
+constexpr double kDistrust = 0.1;           // s after an answer too many that no answer is believed
+constexpr double kGripPeriod = 0.02;        // s: a VerseGrip is read some 50 times a second, whatever the arm is
 constexpr auto kRetry = std::chrono::seconds(1);
 constexpr int kGripButtons = 3;
 
 constexpr const char* kSlow =
     "The Haply Inverse Service answers too slowly: close other programs that keep this machine busy.";
+constexpr const char* kSurplus =
+    "The Haply Inverse Service sends more answers than it is asked for, so the force is off: restart the service.";
 constexpr const char* kLost =
     "The Haply Inverse Service has closed the connection: start it again; it is tried again every second.";
 constexpr const char* kMute =
@@ -71,6 +75,7 @@ void HaplyDevice::describe() {
     info_.sensesRotation = !names_.grip.empty();
     info_.buttonCount = names_.grip.empty() ? 0 : kGripButtons;
     info_.limits = limitsOf(preset);
+    info_.poseLimits.turnPeriod = kGripPeriod;
     info_.workspace = preset.workspace;
     info_.stiffness = preset.stiffness;
 }
@@ -90,6 +95,7 @@ Expected<std::unique_ptr<HaplyLink>> HaplyDevice::meet(const std::string& wanted
         return unexpected(kMute);
     }
     names_ = *names;
+    owed_ = 0;
     return link;
 }
 
@@ -101,7 +107,8 @@ Expected<void> HaplyDevice::open() {
     describe();
     trouble_.store(nullptr);
     force_.write(Vec3::Zero());
-    watch_.reset();
+    turn_ = Quat::Identity();
+    surplusAt_ = -1;
     thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
     return {};
 }
@@ -111,7 +118,10 @@ void HaplyDevice::close() {
     thread_ = {};
     // The thread is gone, and what it said last may have been a force: with the answer to this the arm is limp.
     if (link_ && link_->send(haplyForce(names_.device, Vec3::Zero()), kGlance)) {
-        (void)link_->receive(text_, kFarewell);
+        const double end = monotonicSeconds() + kFarewell;
+        for (++owed_; owed_ > 0 && monotonicSeconds() < end; --owed_) {
+            if (link_->receive(text_, end - monotonicSeconds()) != HaplyLink::Heard::Message) break;
+        }
     }
     link_.reset();
 }
@@ -145,18 +155,50 @@ bool HaplyDevice::waitForForce() {
     return force_.refresh();
 }
 
+/// Counts answers that have come; more than there were messages is a fault of the service.
+void HaplyDevice::settleAccount(int answers) {
+    owed_ -= answers;
+    if (owed_ >= 0) return;
+    owed_ = 0;
+    surplusAt_ = monotonicSeconds();
+    complain(kSurplus);
+}
+
+bool HaplyDevice::isTrusted() const { return surplusAt_ < 0 || monotonicSeconds() - surplusAt_ > kDistrust; }
+
+/// What has come since the last answer; false if the connection is broken.
+bool HaplyDevice::takeUnasked() {
+    int unasked = 0;
+    const HaplyLink::Heard heard = link_->receiveWaiting(text_, unasked);
+    settleAccount(unasked);
+    return heard != HaplyLink::Heard::Broken;
+}
+
+/// Takes in the answer that has just come, or a newer one that has come since; false if the connection is broken.
+bool HaplyDevice::takeAnswers() {
+    int answers = 1;
+    const HaplyLink::Heard heard = link_->receiveWaiting(text_, answers);
+    settleAccount(answers);
+    if (heard == HaplyLink::Heard::Broken) return false;
+    if (owed_ == 0) hear();
+    return true;
+}
+
 /// One message and its answer; false if the connection is broken.
 bool HaplyDevice::exchange(const std::stop_token& stop) {
     if (!link_) return false;
     const bool isFresh = waitForForce();
-    if (!link_->send(haplyForce(names_.device, isFresh ? force_.value() : Vec3(Vec3::Zero())), kBroken)) {
+    const bool isOpen = takeUnasked();
+    const Vec3 force = isFresh && isTrusted() ? force_.value() : Vec3(Vec3::Zero());
+    if (!isOpen || !link_->send(haplyForce(names_.device, force), kBroken)) {
         complain(kLost);
         return false;
     }
+    ++owed_;
     switch (link_->receive(text_, kLateAnswer)) {
         case HaplyLink::Heard::Message:
-            hear();
-            return true;
+            if (takeAnswers()) return true;
+            break;
         case HaplyLink::Heard::Nothing:
             return waitForLateAnswer(stop);
         case HaplyLink::Heard::Broken:
@@ -177,13 +219,13 @@ bool HaplyDevice::isOftenLate(double now) {
 bool HaplyDevice::waitForLateAnswer(const std::stop_token& stop) {
     const double began = monotonicSeconds();
     if (isOftenLate(began)) complain(kSlow);
-    int owed = 2;
     bool sound = link_->send(haplyForce(names_.device, Vec3::Zero()), kBroken);
-    while (sound && owed > 0 && monotonicSeconds() < began + kBroken && !stop.stop_requested()) {
+    ++owed_;
+    while (sound && owed_ > 0 && monotonicSeconds() < began + kBroken && !stop.stop_requested()) {
         if (monotonicSeconds() > began + kToldAfter) complain(kSlow);
         switch (link_->receive(text_, kGlance)) {
             case HaplyLink::Heard::Message:
-                --owed;
+                sound = takeAnswers();
                 break;
             case HaplyLink::Heard::Nothing:
                 break;
@@ -191,10 +233,7 @@ bool HaplyDevice::waitForLateAnswer(const std::stop_token& stop) {
                 sound = false;
         }
     }
-    if (sound && owed == 0) {
-        hear();
-        return true;
-    }
+    if (sound && owed_ == 0) return true;
     complain(sound ? kMute : kLost);
     return false;
 }
@@ -204,6 +243,9 @@ void HaplyDevice::hear() {
     Expected<HaplyReading> reading = readHaply(text_, names_);
     if (!reading) return complain(kept(reading.error().message));
     reading->time = monotonicSeconds();
+    if (reading->hasTurn) turn_ = reading->hand.rotation;
+    reading->hand.rotation = turn_;  // a grip that sleeps keeps its direction
+    reading->usable &= isTrusted();
     reading_.write(*reading);
     if (reading->trouble != nullptr) return complain(reading->trouble);
     settle();
@@ -222,7 +264,7 @@ void HaplyDevice::settle() {
     }
 }
 
-DeviceSample HaplyDevice::read(double elapsed) {
+DeviceSample HaplyDevice::read(double /*elapsed*/) {
     const bool isFresh = reading_.refresh();
     const HaplyReading& reading = reading_.value();
     DeviceSample sample;
@@ -230,7 +272,7 @@ DeviceSample HaplyDevice::read(double elapsed) {
     sample.connected = reading.usable && reading.time > 0 && sample.age <= kLongestSilence;
     sample.hand = reading.hand;
     sample.buttons = reading.buttons;
-    watch_.see(sample.hand.position, isFresh && reading.usable, elapsed);
+    sample.isFresh = isFresh;
     return sample;
 }
 
@@ -241,7 +283,7 @@ void HaplyDevice::write(const SafeWrench& wrench) {
 
 const char* HaplyDevice::trouble() const {
     if (const char* const text = trouble_.load(std::memory_order_acquire)) return text;  // with the letters behind it
-    return watch_.trouble();
+    return HapticDevice::trouble();
 }
 
 }  // namespace tactooth

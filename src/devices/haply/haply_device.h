@@ -13,7 +13,6 @@
 #include "devices/haply/haply_link.h"
 #include "devices/haply/haply_message.h"
 #include "devices/haptic_device.h"
-#include "devices/pose_watch.h"
 #include "geometry/latest_value.h"
 
 namespace tactooth {
@@ -22,8 +21,9 @@ namespace tactooth {
 ///
 /// A thread of its own talks to the service: one message with the newest force, one answer with the newest place. The
 /// servo thread follows its own clock and only exchanges the newest values with it. An answer that is late makes the
-/// device count as lost, and the thread sends a zero force of its own accord; so it does when the servo is late. A
-/// connection that broke is tried again every second.
+/// device count as lost, and the thread sends a zero force of its own accord; so it does when the servo is late. Of
+/// several answers that have come the newest one counts, but more answers than messages make the device count as lost,
+/// too: nobody knows when what they tell was true. A connection that broke is tried again every second.
 class HaplyDevice final : public HapticDevice {
 public:
     /// `device`: its name with the service, four letters and digits; empty: the first. `address`: "host:port".
@@ -48,6 +48,10 @@ private:
     [[nodiscard]] bool waitForLateAnswer(const std::stop_token& stop);
     [[nodiscard]] bool isOftenLate(double now);
     [[nodiscard]] bool waitForForce();
+    [[nodiscard]] bool takeUnasked();
+    [[nodiscard]] bool takeAnswers();
+    void settleAccount(int answers);
+    [[nodiscard]] bool isTrusted() const;
     void hear();
     void complain(const char* sentence);
     void settle();
@@ -60,7 +64,10 @@ private:
     // The thread's own.
     std::unique_ptr<HaplyLink> link_;
     std::string text_;
-    double complainedAt_ = 0;  // s
+    double complainedAt_ = 0;       // s
+    int owed_ = 0;                  // answers to messages that were sent
+    double surplusAt_ = -1;         // s: when an answer too many came last
+    Quat turn_ = Quat::Identity();  // that the grip told last
     /// s: when the last answers were late. Three within a second are told: one alone is a hiccup of the machine.
     std::array<double, 3> lateAnswers_ = {-1, -1, -1};
 
@@ -70,7 +77,6 @@ private:
     sem_t wake_;                             // posted by the servo after each force
     std::atomic<const char*> trouble_{nullptr};
 
-    PoseWatch watch_;      // the servo's
     std::jthread thread_;  // last: it uses all of the above
 };
 

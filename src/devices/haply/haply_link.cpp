@@ -20,6 +20,7 @@ using asio::ip::tcp;
 using Failure = boost::system::error_code;
 
 constexpr std::size_t kLongestMessage = 1U << 20U;  // bytes: two devices take less than ten thousand
+constexpr double kLongestLook = 0.001;              // s that messages are taken that came unasked
 
 }  // namespace
 
@@ -55,17 +56,17 @@ public:
         });
     }
     [[nodiscard]] Heard receive(std::string& text, MonotonicClock::time_point end) {
-        if (!awaited_) {
-            awaited_ = true;
-            heard_.reset();
-            stream_.async_read(buffer_, [this](Failure error, std::size_t) { heard_ = error; });
+        await();
+        if (!heard_ && !runUntil(end, heard_)) return Heard::Nothing;
+        return take(text);
+    }
+    /// What has come until now.
+    [[nodiscard]] Heard poll(std::string& text) {
+        await();
+        io_.restart();
+        while (!heard_ && io_.poll_one() > 0) {
         }
-        if (!runUntil(end, heard_)) return Heard::Nothing;
-        awaited_ = false;
-        if (*heard_) return Heard::Broken;
-        text = beast::buffers_to_string(buffer_.data());
-        buffer_.consume(buffer_.size());
-        return Heard::Message;
+        return heard_ ? take(text) : Heard::Nothing;
     }
     /// Drops what is under way, so that no handler is left that could be called later.
     void abandon() {
@@ -76,6 +77,19 @@ public:
     }
 
 private:
+    void await() {
+        if (awaited_) return;
+        awaited_ = true;
+        heard_.reset();
+        stream_.async_read(buffer_, [this](Failure error, std::size_t) { heard_ = error; });
+    }
+    [[nodiscard]] Heard take(std::string& text) {
+        awaited_ = false;
+        if (*heard_) return Heard::Broken;
+        text = beast::buffers_to_string(buffer_.data());
+        buffer_.consume(buffer_.size());
+        return Heard::Message;
+    }
     bool runUntil(MonotonicClock::time_point end, const std::optional<Failure>& result) {
         io_.restart();
         while (!result && io_.run_one_until(end) > 0) {
@@ -123,6 +137,18 @@ HaplyLink::~HaplyLink() { socket_->abandon(); }
 bool HaplyLink::send(std::string_view text, double seconds) { return socket_->send(text, secondsFromNow(seconds)); }
 HaplyLink::Heard HaplyLink::receive(std::string& text, double seconds) {
     return socket_->receive(text, secondsFromNow(seconds));
+}
+
+HaplyLink::Heard HaplyLink::receiveWaiting(std::string& text, int& count) {
+    const MonotonicClock::time_point end = secondsFromNow(kLongestLook);
+    Heard heard = socket_->poll(text);
+    if (heard != Heard::Message) return heard;
+    while (heard == Heard::Message) {
+        ++count;
+        if (MonotonicClock::now() > end) break;
+        heard = socket_->poll(text);
+    }
+    return heard == Heard::Broken ? Heard::Broken : Heard::Message;
 }
 
 }  // namespace tactooth

@@ -29,6 +29,9 @@ public:
     [[nodiscard]] bool send(std::string_view text, double seconds);
     /// Waits for the next message.
     [[nodiscard]] Heard receive(std::string& text, double seconds);
+    /// Takes those that have come already: `text` is the newest of them, and `count` goes up by their number. Comes to
+    /// an end however fast they come.
+    [[nodiscard]] Heard receiveWaiting(std::string& text, int& count);
 
 private:
     class Socket;

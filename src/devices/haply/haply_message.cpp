@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "geometry/number_text.h"
 
@@ -16,9 +17,9 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr double kMillimetres = 1000;   // in a metre
-constexpr double kFurthest = 1;         // m: an Inverse3 reaches 0.4 m; a number beyond is not in metres
-constexpr double kUnitTolerance = 0.1;  // of a quaternion's squared length: it comes as rounded text
+constexpr double kMillimetres = 1000;    // in a metre
+constexpr double kFurthest = 1;          // m: an Inverse3 reaches 0.4 m; a number beyond is not in metres
+constexpr double kUnitTolerance = 0.02;  // of a quaternion's squared length: it comes as rounded text
 
 constexpr const char* kNoJson =
     "The Haply Inverse Service sends what is no message: restart it; if that does not help, install it anew.";
@@ -35,6 +36,8 @@ constexpr const char* kNotCalibrated =
     "The Inverse3 is not calibrated: hold its arms in their rest position until its light stays on.";
 constexpr const char* kNotReady = "The Inverse3 is not ready: wait for its light, or switch it off and on again.";
 constexpr const char* kGripAsleep = "The VerseGrip is asleep: press one of its buttons.";
+constexpr const char* kGripBroken =
+    "The VerseGrip tells a direction that is none: switch it off and on again if this comes again.";
 
 /// The member of an object; a null value where there is none.
 const Json& member(const Json& object, const char* key) {
@@ -67,12 +70,12 @@ bool isDenied(const Json& status, const char* key) {
     return value.is_boolean() && !value.get<bool>();
 }
 
-/// No rotation where the grip tells none, or one that is no rotation.
-Quat rotationOf(const Json& value) {
+/// Nothing where four numbers are no rotation.
+std::optional<Quat> rotationOf(const Json& value) {
     const Quat rotation(numberOf(member(value, "w")), numberOf(member(value, "x")), numberOf(member(value, "y")),
                         numberOf(member(value, "z")));
     const bool isOne = std::abs(rotation.squaredNorm() - 1) < kUnitTolerance;
-    return isOne ? rotation.normalized() : Quat::Identity();
+    return isOne ? std::optional(rotation.normalized()) : std::nullopt;
 }
 
 /// a, b, c, or button_0, button_1, ... of other grips.
@@ -130,9 +133,17 @@ void readGrip(const Json& json, const std::string& name, HaplyReading& reading) 
     const Json* grip = findIn(member(json, "verse_grip"), name);
     if (grip == nullptr) grip = findIn(member(json, "wireless_verse_grip"), name);
     if (grip == nullptr) return;
-    reading.hand.rotation = rotationOf(member(member(*grip, "state"), "orientation"));
     reading.buttons = buttonsOf(member(member(*grip, "state"), "buttons"));
     if (reading.trouble == nullptr && isDenied(member(*grip, "status"), "awake")) reading.trouble = kGripAsleep;
+    const Json& orientation = member(member(*grip, "state"), "orientation");
+    if (!orientation.is_object()) return;
+    if (const std::optional<Quat> rotation = rotationOf(orientation)) {
+        reading.hand.rotation = *rotation;
+        reading.hasTurn = true;
+    } else {
+        reading.usable = false;
+        if (reading.trouble == nullptr) reading.trouble = kGripBroken;
+    }
 }
 
 }  // namespace

@@ -24,7 +24,8 @@ struct HaplyNames {
 
 /// One Inverse3 with its grip at one moment.
 struct HaplyReading {
-    Pose hand;  ///< mm; without a grip it is not turned
+    Pose hand;             ///< mm; where `hasTurn` is false it is not turned
+    bool hasTurn = false;  ///< a grip tells how it is turned
     std::uint32_t buttons = 0;
     bool usable = true;             ///< false: the place is not known, or the device makes no force
     const char* trouble = nullptr;  ///< what is wrong and what to do about it; lives as long as the program

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <condition_variable>
 
 #include "devices/device_presets.h"
@@ -18,7 +19,11 @@ constexpr unsigned kLookEvery = 100;      // ticks between two looks at the moto
 constexpr unsigned kSilences = 10;        // ticks in which a pen that is lost is told to make no force
 constexpr unsigned kTroubleTicks = 3000;  // that a passing trouble is shown for
 constexpr int kMostErrors = 16;           // in a tick: the list is the driver's, and it may be broken
+constexpr double kCountFor = 0.01;        // s over which the driver's ticks are counted
+constexpr double kMostTimes = 4;          // what was asked for; a driver that has stalled may catch up with some
 constexpr auto kRetry = std::chrono::seconds(1);
+constexpr const char* kFlood =
+    "The device's driver calls far too often, so the force is off: restart the vendor's service, or the computer.";
 constexpr const char* kDockPen = "Put the pen into its inkwell for a moment, so that the device learns where it is.";
 
 std::string titleOf(const std::string& name) {
@@ -45,8 +50,11 @@ std::string whyNotStarted(const std::string& name, std::uint32_t code) {
     return "OpenHaptics knows no device for " + titleOf(name) + ": look its name up in the vendor's setup program.";
 }
 
-double sane(double value, double least, double most, double otherwise) {
-    return value >= least && value <= most ? value : otherwise;
+/// A motor's temperature as it is told, 0 cold .. 1 hot. What is no number may be anything, so it counts as hot; what
+/// is out of its range is of a model that tells something else.
+double heatOf(double told) {
+    if (std::isnan(told)) return 1;
+    return told >= 0 && told <= 1 ? told : 0;
 }
 
 /// The preset whose mechanics a model has; a Touch is the one that needs most care.
@@ -71,7 +79,7 @@ Expected<std::shared_ptr<HdDriver>> HdDriver::shared(const std::string& library,
 }
 
 HdDriver::HdDriver(std::shared_ptr<const HdLibrary> library, double rateHz)
-    : library_(std::move(library)), call_(library_->call()) {
+    : library_(std::move(library)), call_(library_->call()), rateHz_(rateHz) {
     call_.setSchedulerRate(static_cast<unsigned long>(rateHz));
     maintenance_ = std::jthread([this](const std::stop_token& stop) { maintain(stop); });
 }
@@ -111,13 +119,11 @@ void HdDriver::describe(HdPen& pen, DeviceInfo& info) {
     const DevicePreset& preset = presetFor(model != nullptr ? model : "");
     info.name = model != nullptr && *model != 0 ? model : std::string(preset.title);
     if (!pen.name.empty()) info.name += " '" + pen.name + "'";
-    info.limits = limitsOf(preset);
-    double force = 0;
-    call_.getDoubles(hd::kMaxForce, &force);
-    info.limits.force = sane(force, 0.5, 50, preset.peakForce);
+    double peak = 0;
+    call_.getDoubles(hd::kMaxForce, &peak);
     double continuous = 0;
     call_.getDoubles(hd::kContinuousForce, &continuous);
-    info.limits.continuousForce = std::min(sane(continuous, 0.1, 50, preset.continuousForce), info.limits.force);
+    info.limits = limitsOf(preset, peak, continuous);
     std::array<double, 6> room{};
     call_.getDoubles(hd::kUsableWorkspace, room.data());
     info.workspace = Vec3(room[3] - room[0], room[5] - room[2], room[4] - room[1]);
@@ -168,6 +174,7 @@ void HdDriver::stop(HdPen& pen) {
 
 std::uint32_t HdDriver::onTick(void* driver) {
     auto* const self = static_cast<HdDriver*>(driver);
+    self->countTick();
     for (HdPen& pen : self->pens_) {
         if (!pen.active) continue;
         if (!pen.lost.load(std::memory_order_relaxed)) {
@@ -177,6 +184,19 @@ std::uint32_t HdDriver::onTick(void* driver) {
         }
     }
     return kHdContinue;
+}
+
+/// Believes the driver again after ten milliseconds at a pace that it may have.
+void HdDriver::countTick() {
+    const double now = monotonicSeconds();
+    ++counted_;
+    const double passed = now - countedFrom_;
+    const bool isTooMany = counted_ > kMostTimes * rateHz_ * std::max(kCountFor, passed);
+    flooded_ = flooded_ || isTooMany;
+    if (passed < kCountFor) return;
+    flooded_ = isTooMany;
+    countedFrom_ = now;
+    counted_ = 0;
 }
 
 void HdDriver::exchange(HdPen& pen) {
@@ -191,15 +211,19 @@ void HdDriver::exchange(HdPen& pen) {
     if (isTurn) lookAtMotors(pen);
     lookAtCalibration(pen, isTurn);
     pen.forceAge = pen.force.refresh() ? 0 : pen.forceAge + 1;
-    const bool mayPush = pen.calibrated && pen.forceAge < kStaleTicks;
+    const bool mayPush = pen.calibrated && !flooded_ && pen.forceAge < kStaleTicks;
     const Vec3 force = mayPush ? pen.force.value() : Vec3::Zero();
     call_.setDoubles(hd::kForce, force.data());
     pen.pushes.store(!force.isZero(0), std::memory_order_relaxed);
     call_.endFrame(pen.handle);
     takeErrors(pen);
+    if (flooded_) {
+        pen.trouble.store(kFlood);
+        pen.troubleTicks = kTroubleTicks;
+    }
     if (pen.lost.load(std::memory_order_relaxed)) silence(pen);
     reading.motorHeat = pen.motorHeat;
-    reading.calibrated = pen.calibrated;
+    reading.calibrated = pen.calibrated && !flooded_;
     reading.time = monotonicSeconds();
     pen.reading.write(reading);
     sem_post(&pen.ready);
@@ -222,7 +246,7 @@ void HdDriver::lookAtMotors(HdPen& pen) {
     std::array<double, 6> temperature{};
     call_.getDoubles(hd::kMotorTemperature, temperature.data());
     pen.motorHeat = 0;
-    for (const double motor : temperature) pen.motorHeat = std::max(pen.motorHeat, sane(motor, 0, 1, 0));
+    for (const double motor : temperature) pen.motorHeat = std::max(pen.motorHeat, heatOf(motor));
 }
 
 /// At every tick: the place of a pen that has lost its calibration is not to be trusted, and so no force may come of

@@ -69,6 +69,7 @@ public:
 
 private:
     static std::uint32_t onTick(void* driver);
+    void countTick();
     void exchange(HdPen& pen);
     void lookAtMotors(HdPen& pen);
     void lookAtCalibration(HdPen& pen, bool mayUpdate);
@@ -87,6 +88,11 @@ private:
     std::array<HdPen, kMostPens> pens_;
     bool running_ = false;
     unsigned long task_ = 0;
+    double rateHz_;
+    // The callback's.
+    double countedFrom_ = 0;    // s of the monotonic clock
+    unsigned counted_ = 0;      // ticks since then
+    bool flooded_ = false;      // they come far too often: how old a force is cannot be told by them
     std::jthread maintenance_;  // last: it uses all of the above
 };
 

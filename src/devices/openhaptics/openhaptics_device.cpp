@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "devices/openhaptics/openhaptics_device.h"
 
+#include <limits>
+
 #include "devices/monotonic_clock.h"
 #include "devices/openhaptics/hd_driver.h"
 #include "devices/timed_wait.h"
@@ -10,6 +12,7 @@ namespace tactooth {
 namespace {
 
 constexpr double kLongestSilence = 2.5;  // ticks: two were left out, so the pen counts as lost
+constexpr double kMostBent = 0.01;       // of the axes' lengths and of the cosines between them
 constexpr double kLongestStart = 0.5;    // s: until the first reading; before it nothing has stopped
 constexpr const char* kSilent =
     "The device has stopped answering: check its cable and power supply; the session goes on when it is back.";
@@ -18,13 +21,22 @@ constexpr const char* kSilent =
 Vec3 fromHd(const Vec3& v) { return {v.x(), -v.z(), v.y()}; }
 Vec3 toHd(const Vec3& v) { return {v.x(), v.z(), -v.y()}; }
 
+/// Three axes that are none give four noughts, which are no turn and are found as such: a matrix that is bent would
+/// pass for some turn or other.
+Quat turnOf(const Eigen::Matrix3d& axes) {
+    if (!axes.allFinite()) return {std::numeric_limits<double>::quiet_NaN(), 0, 0, 0};
+    const double bent = (axes.transpose() * axes - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
+    if (bent > kMostBent || axes.determinant() < 0) return {0, 0, 0, 0};
+    return Quat(axes).normalized();
+}
+
 Pose poseOf(const std::array<double, 16>& transform) {
     Eigen::Matrix3d rotation;
     for (int column = 0; column < 3; ++column) {
         const double* const axis = &transform[static_cast<std::size_t>(4 * column)];
         rotation.col(column) = fromHd(Vec3(axis[0], axis[1], axis[2]));
     }
-    return {fromHd(Vec3(transform[12], transform[13], transform[14])), Quat(rotation).normalized()};
+    return {fromHd(Vec3(transform[12], transform[13], transform[14])), turnOf(rotation)};
 }
 
 }  // namespace
@@ -48,7 +60,6 @@ Expected<void> OpenHapticsDevice::open() {
     pen_ = *pen;
     heard_ = false;
     silence_ = 0;
-    watch_.reset();
     return {};
 }
 
@@ -79,7 +90,7 @@ DeviceSample OpenHapticsDevice::read(double elapsed) {
     sample.buttons = reading.buttons;
     sample.motorHeat = reading.motorHeat;
     sample.age = reading.time > 0 ? monotonicSeconds() - reading.time : 0;
-    watch_.see(sample.hand.position, isFresh, elapsed);
+    sample.isFresh = isFresh;
     return sample;
 }
 
@@ -88,7 +99,7 @@ void OpenHapticsDevice::write(const SafeWrench& wrench) { pen_->force.write(toHd
 const char* OpenHapticsDevice::trouble() const {
     if (pen_ == nullptr) return nullptr;
     if (const char* const text = pen_->trouble.load(std::memory_order_relaxed)) return text;
-    return silent_.load(std::memory_order_relaxed) ? kSilent : watch_.trouble();
+    return silent_.load(std::memory_order_relaxed) ? kSilent : HapticDevice::trouble();
 }
 
 }  // namespace tactooth

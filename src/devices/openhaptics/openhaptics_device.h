@@ -7,7 +7,6 @@
 #include <string>
 
 #include "devices/haptic_device.h"
-#include "devices/pose_watch.h"
 
 namespace tactooth {
 
@@ -44,7 +43,6 @@ private:
     bool heard_ = false;    // there has been a reading
     double silence_ = 0;    // s since the last reading, or since it was opened
     std::atomic<bool> silent_{false};
-    PoseWatch watch_;
 };
 
 }  // namespace tactooth

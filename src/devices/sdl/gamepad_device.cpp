@@ -16,6 +16,7 @@ constexpr const char* kLost = "The gamepad has been unplugged: plug it in again,
 
 GamepadDevice::GamepadDevice(std::string name, bool leftHanded) : name_(std::move(name)), leftHanded_(leftHanded) {
     info_.name = "gamepad";
+    info_.poseLimits = PoseLimits::unbound();
     info_.sensesRotation = info_.hasPedal = true;
     info_.buttonCount = 5;
     info_.stiffness = kStiffness;
@@ -74,6 +75,8 @@ void GamepadDevice::write(const SafeWrench& wrench) {
     port_.rumble.write({sense_.steady() / kFullForce, sense_.shaking() / kFullShake});
 }
 
-const char* GamepadDevice::trouble() const { return lost_.load(std::memory_order_relaxed) ? kLost : nullptr; }
+const char* GamepadDevice::trouble() const {
+    return lost_.load(std::memory_order_relaxed) ? kLost : HapticDevice::trouble();
+}
 
 }  // namespace tactooth

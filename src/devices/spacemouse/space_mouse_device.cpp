@@ -60,6 +60,7 @@ HandRate rateOf(const SpaceMouseState& state) {
 
 SpaceMouseDevice::SpaceMouseDevice() {
     info_.name = "SpaceMouse";
+    info_.poseLimits = PoseLimits::unbound();
     info_.sensesRotation = true;
     info_.buttonCount = 2;
     info_.stiffness = kStiffness;
@@ -122,6 +123,8 @@ DeviceSample SpaceMouseDevice::read(double elapsed) {
     return sample;
 }
 
-const char* SpaceMouseDevice::trouble() const { return lost_.load(std::memory_order_relaxed) ? kLost : nullptr; }
+const char* SpaceMouseDevice::trouble() const {
+    return lost_.load(std::memory_order_relaxed) ? kLost : HapticDevice::trouble();
+}
 
 }  // namespace tactooth

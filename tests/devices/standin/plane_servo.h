@@ -42,7 +42,7 @@ class PlaneServo {
 public:
     explicit PlaneServo(HapticDevice& device)
         : device_(device),
-          pipeline_(device.info().limits),
+          pipeline_(device.info().limits, device.info().poseLimits),
           loop_(
               1000, [this](double elapsed) { tick(elapsed); },
               device.setsPace()
@@ -55,6 +55,8 @@ public:
     [[nodiscard]] long ticks() const { return static_cast<long>(loop_.timing().ticks.load()); }
     /// s: the oldest reading at which a force was still made.
     [[nodiscard]] double oldestWithForce() const { return oldestWithForce_; }
+    /// N, since the start.
+    [[nodiscard]] double strongest() const { return strongest_; }
     void hang(std::chrono::milliseconds time) { pause_ = static_cast<int>(time.count()); }
 
 private:
@@ -66,6 +68,9 @@ private:
         WantedForce wanted;
         wanted.connected = sample.connected;
         wanted.hand = sample.hand.position;
+        wanted.turn = sample.hand.rotation;
+        wanted.age = sample.age;
+        wanted.isFresh = sample.isFresh;
         wanted.motorHeat = sample.motorHeat;
         wanted.stretch = std::max(0.0, kWall - sample.hand.position.z());
         wanted.stiffness = wanted.stretch > 0 ? kWallStiffness : 0;
@@ -73,6 +78,8 @@ private:
         wanted.wrench.force = Vec3(0, 0, kWallStiffness * wanted.stretch);
         const SafeWrench sent = pipeline_.pass(wanted, elapsed);
         device_.write(sent);
+        device_.judge(pipeline_.fault(), elapsed);
+        strongest_ = std::max(strongest_.load(), sent.force().norm());
         if (!sent.force().isZero(0)) oldestWithForce_ = std::max(oldestWithForce_.load(), sample.age);
         state_ = pipeline_.state();
         faults_ = pipeline_.faults();
@@ -85,6 +92,7 @@ private:
     std::atomic<std::uint32_t> buttons_{0};
     std::atomic<std::uint64_t> faults_{0};
     std::atomic<double> oldestWithForce_{0};
+    std::atomic<double> strongest_{0};
     std::atomic<int> pause_{0};
     ServoLoop loop_;
 };

@@ -11,6 +11,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -24,6 +25,7 @@ namespace {
 constexpr double kTick = 0.001;                                // s that a message stands for
 constexpr double kMass = 2e-4, kSpring = 0.5, kDamper = 0.02;  // N*s^2/mm, N/mm, N*s/mm: a hand with its arm
 constexpr auto kSlowness = std::chrono::milliseconds(20);
+constexpr auto kFloodPause = std::chrono::microseconds(50);
 
 std::string numbers(const char* pattern, double a, double b, double c, double d = 0) {
     char text[200];
@@ -38,9 +40,9 @@ void takePriority() {
     pthread_setschedparam(pthread_self(), SCHED_FIFO, &priority);
 }
 
-bool hasInput(int socket) {
+bool hasInput(int socket, int milliseconds = 5) {
     pollfd waiting{socket, POLLIN, 0};
-    return poll(&waiting, 1, 5) > 0;
+    return poll(&waiting, 1, milliseconds) > 0;
 }
 
 }  // namespace
@@ -94,12 +96,16 @@ void StandinHaply::serve(int socket, const std::stop_token& stop) {
     bool open = web.send(state(true));
     std::string message;
     while (open && !stop.stop_requested() && fault() != HaplyFault::Drop) {
-        if (!hasInput(socket)) continue;
+        if (fault() == HaplyFault::Flood) {
+            std::this_thread::sleep_for(kFloodPause);
+            open = web.send(state(false));
+        }
+        if (!hasInput(socket, fault() == HaplyFault::Flood ? 0 : 5)) continue;
         if (!web.receive(message)) break;
         take(message);
         if (fault() == HaplyFault::Drop) break;
         if (isLate()) std::this_thread::sleep_for(kSlowness);
-        if (fault() != HaplyFault::Mute) open = web.send(state(false));
+        for (int i = answersToAMessage(); i > 0 && open; --i) open = web.send(state(false));
     }
     const std::lock_guard lock(guard_);
     --connections_;
@@ -128,17 +134,56 @@ void StandinHaply::take(const std::string& message) {
         ++messages_;
         ++sinceFault_;
         if (hand.force != std::array<double, 3>{}) lastForce_ = sinceFault_;
+        lastTold_ = std::hypot(hand.force[0], hand.force[1], hand.force[2]);
     }
+}
+
+int StandinHaply::answersToAMessage() const {
+    switch (fault()) {
+        case HaplyFault::Mute:
+            return 0;
+        case HaplyFault::Double:
+            return 2;
+        case HaplyFault::Twenty:
+            return 20;
+        default:
+            return 1;
+    }
+}
+
+/// How far the hand seems to stand to the right of where it is, mm.
+double StandinHaply::aside() const {
+    // A jump comes back with every other message: one alone, on a machine that stalls just then, may be a quick hand.
+    const bool isOdd = sinceFault_ % 2 == 1;
+    switch (fault_) {
+        case HaplyFault::Units:  // a hand in the middle would still look near
+            return 3;
+        case HaplyFault::Jump:
+            return isOdd ? 50 : 0;
+        case HaplyFault::Jitter:
+            return isOdd ? 4.9 : 0;
+        case HaplyFault::Drift:
+            return std::min(900.0, 3.0 * static_cast<double>(sinceFault_));
+        default:
+            return 0;
+    }
+}
+
+std::string StandinHaply::turnOfGrip() const {
+    std::array<double, 4> turn = grip_;
+    const bool isOdd = sinceFault_ % 2 == 1;
+    if (fault_ == HaplyFault::BrokenTurn) turn = {0.3, 0.1, 0, 0.2};
+    if (fault_ == HaplyFault::FlippingTurn && isOdd) turn = {0.70710678, 0.70710678, 0, 0};
+    if (fault_ == HaplyFault::NegatedTurn && isOdd) {
+        for (double& number : turn) number = -number;
+    }
+    return numbers(R"({"w":%.7f,"x":%.7f,"y":%.7f,"z":%.7f})", turn[0], turn[1], turn[2], turn[3]);
 }
 
 std::string StandinHaply::placeOf(const Hand& hand) const {
     const double scale = fault_ == HaplyFault::Units ? 1 : 1e-3;
-    // With units gone wrong a hand in the middle would still look near: it stands 3 mm aside, as a real one would.
-    // A jump comes back with every other message: one alone, on a machine that stalls just then, may be a quick hand.
-    const bool jumps = fault_ == HaplyFault::Jump && sinceFault_ % 2 == 1;
-    const double aside = fault_ == HaplyFault::Units ? 3 : jumps ? 50 : 0;
     if (fault_ == HaplyFault::NoNumber) return R"({"x":null,"y":0.0,"z":0.0})";
-    return numbers(R"({"x":%.9f,"y":%.9f,"z":%.9f})", scale * (hand.position[0] + aside), scale * hand.position[1],
+    return numbers(R"({"x":%.9f,"y":%.9f,"z":%.9f})", scale * (hand.position[0] + aside()), scale * hand.position[1],
                    scale * hand.position[2]);
 }
 
@@ -158,11 +203,11 @@ std::string StandinHaply::state(bool isFirst) {
                 R"(,"power_supply":)" + isFine(HaplyFault::NoPower) + "}}";
     }
     const auto button = [&](unsigned i) { return (buttons_ >> i & 1U) != 0 ? "true" : "false"; };
+    const std::string grip = R"({"device_id":"61576","state":{"orientation":)" + turnOfGrip() + R"(,"buttons":{"a":)" +
+                             button(0) + R"(,"b":)" + button(1) + R"(,"c":)" + button(2) +
+                             R"(}},"status":{"awake":true}})";
     return std::string(isFirst ? R"({"session_id":1,)" : "{") + R"("inverse3":[)" + arms +
-           R"(],"verse_grip":[],"wireless_verse_grip":[{"device_id":"61576","state":{"orientation":)" +
-           numbers(R"({"w":%.7f,"x":%.7f,"y":%.7f,"z":%.7f})", grip_[0], grip_[1], grip_[2], grip_[3]) +
-           R"(,"buttons":{"a":)" + button(0) + R"(,"b":)" + button(1) + R"(,"c":)" + button(2) +
-           R"(}},"status":{"awake":true}}]})";
+           R"(],"verse_grip":[],"wireless_verse_grip":[)" + (gripThere_ ? grip : "") + "]}";
 }
 
 HaplyFault StandinHaply::fault() const {
@@ -187,6 +232,11 @@ void StandinHaply::setGrip(std::array<double, 4> orientation, unsigned buttons) 
     buttons_ = buttons;
 }
 
+void StandinHaply::setGripThere(bool there) {
+    const std::lock_guard lock(guard_);
+    gripThere_ = there;
+}
+
 void StandinHaply::setFirstMessage(std::string text) {
     const std::lock_guard lock(guard_);
     firstMessage_ = std::move(text);
@@ -200,6 +250,11 @@ void StandinHaply::setForeign(bool foreign) {
 double StandinHaply::force() const {
     const std::lock_guard lock(guard_);
     return std::hypot(hands_[0].force[0], hands_[0].force[1], hands_[0].force[2]);
+}
+
+double StandinHaply::lastTold() const {
+    const std::lock_guard lock(guard_);
+    return lastTold_;
 }
 
 long StandinHaply::messagesSinceFault() const {

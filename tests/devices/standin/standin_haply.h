@@ -27,6 +27,14 @@ enum class HaplyFault {
     NoPower,    ///< its status says so
     NotCalibrated,
     NotReady,
+    Double,        ///< two answers to each message
+    Twenty,        ///< twenty
+    Flood,         ///< 20,000 answers a second that nobody has asked for
+    BrokenTurn,    ///< the grip tells four numbers that are no turn
+    NegatedTurn,   ///< the same turn, with all four signs changed at every other message: no fault
+    FlippingTurn,  ///< a quarter turn to and fro
+    Jitter,        ///< of 4.9 mm, to and fro
+    Drift,         ///< of 3 m/s
 };
 
 /// The Haply Inverse Service without a device, on a free port of this machine: a WebSocket server of its own, and for
@@ -48,6 +56,8 @@ public:
     void wantPosition(double x, double y, double z);
     /// Of the first device's grip: w, x, y, z and a bit a button.
     void setGrip(std::array<double, 4> orientation, unsigned buttons);
+    /// Whether the service lists the grip.
+    void setGripThere(bool there);
     /// Text of the first message instead of the usual one; empty: the usual one.
     void setFirstMessage(std::string text);
     /// Instead of WebSocket it answers as a web server does.
@@ -55,6 +65,8 @@ public:
 
     /// The length of the force that the first device was told last, N; zero without a connection.
     [[nodiscard]] double force() const;
+    /// The same, whether or not there is a connection still.
+    [[nodiscard]] double lastTold() const;
     /// How many messages to the first device have come since the fault was set.
     [[nodiscard]] long messagesSinceFault() const;
     /// Which of these was the last one with a force; 0: none. The answer before the first one was still a good one.
@@ -72,6 +84,9 @@ private:
     void take(const std::string& message);
     [[nodiscard]] std::string state(bool isFirst);
     [[nodiscard]] std::string placeOf(const Hand& hand) const;
+    [[nodiscard]] std::string turnOfGrip() const;
+    [[nodiscard]] double aside() const;
+    [[nodiscard]] int answersToAMessage() const;
     [[nodiscard]] HaplyFault fault() const;
     [[nodiscard]] bool isLate() const;
 
@@ -83,9 +98,11 @@ private:
     std::array<double, 3> wanted_{};  // mm
     std::array<double, 4> grip_{1, 0, 0, 0};
     unsigned buttons_ = 0;
+    bool gripThere_ = true;
     std::string firstMessage_;
     bool foreign_ = false;
     long messages_ = 0, sinceFault_ = 0, lastForce_ = 0;
+    double lastTold_ = 0;
     int connections_ = 0;
     std::vector<std::jthread> servers_;
     std::jthread acceptor_;

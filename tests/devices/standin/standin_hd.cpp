@@ -90,7 +90,7 @@ void run(const std::stop_token& stop) {
     pthread_setschedparam(pthread_self(), SCHED_FIFO, &priority);
     auto due = Clock::now();
     while (!stop.stop_requested()) {
-        due += std::chrono::milliseconds(1);
+        due += faultNow() == HdFault::Flood ? std::chrono::microseconds(50) : std::chrono::milliseconds(1);
         std::this_thread::sleep_until(due);
         if (Clock::now() - due > std::chrono::milliseconds(20)) due = Clock::now();
         if (faultNow() == HdFault::Unplugged) {
@@ -133,6 +133,7 @@ void setFault(int number) {
     strongestFaulty = 0;
     ticksSinceFault = lastForceTick = 0;
     calibrated = fault != HdFault::NeedsInkwell;
+    errors.clear();
     if (fault == HdFault::TooMuchForce) errors.push_back(0x0201);
 }
 
@@ -194,6 +195,15 @@ void readTransform(double* out) {
     for (std::size_t i = 0; i < 3; ++i) out[12 + i] = pen.position[i];
     if (fault == HdFault::NanPose) out[13] = std::numeric_limits<double>::quiet_NaN();
     if (fault == HdFault::Jump) out[12] += 50;
+    const bool isOdd = ticksSinceFault % 2 == 1;
+    if (fault == HdFault::Jitter && isOdd) out[12] += 4.9;
+    if (fault == HdFault::Drift) out[12] += 3.0 * static_cast<double>(ticksSinceFault);
+    if (fault == HdFault::BentAxes) out[1] = 0.4;
+    if (fault == HdFault::FlippingTurn && isOdd) {
+        out[0] = out[5] = 0;
+        out[1] = 1;
+        out[4] = -1;
+    }
 }
 
 }  // namespace
@@ -210,7 +220,8 @@ std::uint32_t hdInitDevice(const char* name) {
     if (fault == HdFault::CrashAtStart) std::raise(SIGSEGV);
     if (fault == HdFault::InitError || fault == HdFault::DeviceFault) errors.push_back(0x0300);
     const std::uint32_t pen = name != nullptr && std::strcmp(name, "Left") == 0 ? 1 : 0;
-    if ((fault == HdFault::LinkFault && isFaulty(pen)) || fault == HdFault::Unplugged) errors.push_back(0x0302);
+    const bool isAway = fault == HdFault::Unplugged || fault == HdFault::ErrorFlood;
+    if ((fault == HdFault::LinkFault && isFaulty(pen)) || isAway) errors.push_back(0x0302);
     if (fault == HdFault::InUse || pens[pen].started) errors.push_back(0x0301);
     if (fault == HdFault::GarbageHandle) return 0x7F3A9C10;
     if (name != nullptr && std::strcmp(name, "Left") != 0 && std::strcmp(name, "Right") != 0) return 0xFFFFFFFF;
@@ -232,6 +243,7 @@ void hdEndFrame(std::uint32_t) {
     const std::lock_guard lock(guard);
     if (fault == HdFault::LinkFault && isFaulty(current)) errors.push_back(0x0302);
     if (fault == HdFault::DeviceFault && isFaulty(current)) errors.push_back(0x0300);
+    if (fault == HdFault::ErrorFlood) errors.assign(1000, 0x0302);
     if (fault == HdFault::WarmMotors) errors.push_back(0x0200);
 }
 
@@ -263,9 +275,12 @@ void hdGetIntegerv(std::uint32_t what, std::int32_t* out) {
 void hdGetDoublev(std::uint32_t what, double* out) {
     const std::lock_guard lock(guard);
     if (what == 0x2052) readTransform(out);
-    if (what == 0x2603) *out = 3.3;
-    if (what == 0x2604) *out = 0.88;
-    if (what == 0x2605) std::fill(out, out + 3, fault == HdFault::WarmMotors ? 0.95 : 0.1);
+    if (what == 0x2603) *out = fault == HdFault::Boast ? 50 : fault == HdFault::Weak ? 1 : 3.3;
+    if (what == 0x2604) *out = fault == HdFault::Boast ? 40 : fault == HdFault::Weak ? 0.4 : 0.88;
+    const double heat = fault == HdFault::NanHeat      ? std::numeric_limits<double>::quiet_NaN()
+                        : fault == HdFault::WarmMotors ? 0.95
+                                                       : 0.1;
+    if (what == 0x2605) std::fill(out, out + 3, heat);
     constexpr std::array<double, 6> kRoom = {-80, -55, -30, 80, 65, 40};
     if (what == 0x2551) std::copy(kRoom.begin(), kRoom.end(), out);
 }

@@ -22,6 +22,15 @@ enum class HdFault : int {
     Jump,          ///< of 50 mm
     DeviceFault,   ///< an error at every frame, while the motors go on
     CrashAtStart,  ///< the library crashes when a device is started
+    BentAxes,      ///< three axes that are no turn
+    FlippingTurn,  ///< a quarter turn, to and fro
+    Jitter,        ///< of 4.9 mm, to and fro
+    Drift,         ///< of 3 m/s
+    NanHeat,       ///< temperatures that are no number
+    Flood,         ///< 20,000 callbacks a second
+    ErrorFlood,    ///< as many errors of the link at each frame as nobody takes
+    Boast,         ///< a device that says that it makes 50 N, and 40 for ever
+    Weak,          ///< a device that says that it makes 1 N, and 0.4 for ever
 };
 
 /// The stand-in's own door, beside HDAPI's functions: found by dlsym as "standinControl".

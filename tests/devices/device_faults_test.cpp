@@ -1,0 +1,229 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+// Whatever a device tells of its hand, mid-press, by a clock of the test's own: a busy machine changes nothing here.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "devices/device_presets.h"
+#include "devices/hands.h"
+#include "haptics/haptic_simulation.h"
+#include "support/shapes.h"
+
+namespace tactooth {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr double kPressed = -1;      // mm: the hand in the block
+constexpr double kKnowable = 0.005;  // s from the first wrong reading to no force
+constexpr double kFelt = 0.2;        // N
+const double kNan = std::nan("");
+
+std::shared_ptr<const Surface> block() {
+    const std::vector<SurfaceTag> tags(12, static_cast<SurfaceTag>(MaterialId::Enamel));
+    auto surface = std::make_shared<Surface>();
+    surface->base = std::make_shared<const SurfacePart>(test::box(Vec3(-50, -50, -5), Vec3(50, 50, 0)), tags);
+    return surface;
+}
+
+/// A device whose hand stands where the test wants it, and that tells something else from the moment of a fault on.
+class FaultyDevice final : public HapticDevice {
+public:
+    using Fault = std::function<void(DeviceSample&, int tick)>;
+
+    explicit FaultyDevice(const DevicePreset& preset) {
+        info_.rendersForce = info_.sensesRotation = true;
+        info_.limits = limitsOf(preset);
+        info_.stiffness = preset.stiffness;
+    }
+    [[nodiscard]] const DeviceInfo& info() const override { return info_; }
+    [[nodiscard]] Expected<void> open() override { return {}; }
+    void close() override {}
+    [[nodiscard]] DeviceSample read(double) override {
+        DeviceSample sample = hand;
+        if (fault) fault(sample, ++ticks);
+        return sample;
+    }
+    void write(const SafeWrench& wrench) override { force = wrench.force(); }
+
+    DeviceSample hand;
+    Fault fault;
+    int ticks = 0;  // since the fault began; the first one is wrong already
+    Vec3 force = Vec3::Zero();
+
+private:
+    DeviceInfo info_;
+};
+
+/// A hand with its device over a block of enamel, tick by tick.
+class Bench {
+public:
+    Bench(const DevicePreset& preset, double rateHz)
+        : device(preset),
+          hands(device, nullptr, std::nullopt),
+          simulation(std::make_shared<const ToolShape>(test::sphere(Vec3(0, 0, 0.5), 0.5, 24, 12)), 0.5, block(),
+                     HapticSettings()),
+          dt_(1 / rateHz) {}
+
+    void run(double seconds) {
+        for (const double end = time_ + seconds - 0.5 * dt_; time_ < end;) tick();
+    }
+    void tick() {
+        hands.read(dt_, {});
+        simulation.force().setStiffest(stiffestAt(hands.stiffest(), 1 / dt_));
+        last = simulation.step({hands.turbine(), cutting ? 1.0 : 0.0, cutting}, dt_);
+        hands.write(last, true, dt_);
+        time_ += dt_;
+        strongest = std::max(strongest, device.force.norm());
+        finite = finite && device.force.allFinite() && last.proxy.position.allFinite();
+    }
+    /// Down to the block, from wherever the hand is, at 0.1 m/s.
+    void press() {
+        device.hand.hand.position = Vec3(0, 0, 1);
+        run(0.3);
+        while (device.hand.hand.position.z() > kPressed) {
+            device.hand.hand.position.z() -= 100 * dt_;
+            tick();
+        }
+        run(0.7);
+    }
+    [[nodiscard]] double dt() const { return dt_; }
+
+    FaultyDevice device;
+    Hands hands;
+    HapticSimulation simulation;
+    Tick last;
+    bool cutting = false;
+    double strongest = 0;
+    bool finite = true;
+
+private:
+    double dt_;
+    double time_ = 0;
+};
+
+struct Case {
+    const char* name;
+    const char* sentence;  ///< nullptr: the device says it itself
+    FaultyDevice::Fault fault;
+};
+
+double odd(int tick, double value) { return tick % 2 == 1 ? value : 0; }
+
+void turnBy(DeviceSample& sample, double angle) {
+    sample.hand.rotation = Quat(Eigen::AngleAxisd(angle, Vec3::UnitY())) * sample.hand.rotation;
+}
+
+const Case kCases[] = {
+    {"Lost", nullptr, [](DeviceSample& s, int) { s.connected = false; }},
+    {"NanPlace", "is no number", [](DeviceSample& s, int) { s.hand.position.y() = kNan; }},
+    {"InfinitePlace", "is no number",
+     [](DeviceSample& s, int) { s.hand.position.z() = -std::numeric_limits<double>::infinity(); }},
+    {"FarPlace", "place has jumped", [](DeviceSample& s, int) { s.hand.position.x() = 1e30; }},
+    {"NanTurn", "is no number", [](DeviceSample& s, int) { s.hand.rotation.x() = kNan; }},
+    {"ZeroTurn", "direction that is none", [](DeviceSample& s, int) { s.hand.rotation.coeffs().setZero(); }},
+    {"LongTurn", "direction that is none", [](DeviceSample& s, int) { s.hand.rotation.coeffs() *= 1.05; }},
+    {"ShortTurn", "direction that is none", [](DeviceSample& s, int) { s.hand.rotation.coeffs() *= 0.7; }},
+    {"TurnOnce", "direction has jumped", [](DeviceSample& s, int) { turnBy(s, 1); }},
+    {"TurnToAndFro", "direction has jumped", [](DeviceSample& s, int tick) { turnBy(s, odd(tick, 0.3)); }},
+    {"TurnOver", "direction has jumped", [](DeviceSample& s, int tick) { turnBy(s, odd(tick, 3.1)); }},
+    {"Spin", "direction has jumped", [](DeviceSample& s, int tick) { turnBy(s, 0.2 * tick); }},
+    {"Jump50", "place has jumped", [](DeviceSample& s, int tick) { s.hand.position.x() += odd(tick, 50); }},
+    {"JumpOnce", "place has jumped", [](DeviceSample& s, int) { s.hand.position.x() += 7; }},
+    {"Jitter4.9", "place has jumped", [](DeviceSample& s, int tick) { s.hand.position.x() += odd(tick, 4.9); }},
+    {"JitterInAndOut", "place has jumped", [](DeviceSample& s, int tick) { s.hand.position.z() += odd(tick, 4.9); }},
+    {"JitterDeeper", "place has jumped", [](DeviceSample& s, int tick) { s.hand.position.z() -= odd(tick, 2.2); }},
+    {"Drift", "", [](DeviceSample& s, int tick) { s.hand.position.x() += std::min(40.0, 3.0 * tick); }},
+    {"DriftDown", "", [](DeviceSample& s, int tick) { s.hand.position.z() -= std::min(40.0, 3.0 * tick); }},
+    {"Stale", "come too late",
+     [](DeviceSample& s, int tick) {
+         s.age = 0.0051 + 1e-3 * tick;
+         s.isFresh = false;
+     }},
+    {"AgeIsNoNumber", "come too late", [](DeviceSample& s, int) { s.age = kNan; }},
+    {"HeatIsNoNumber", "no number and was switched off", [](DeviceSample& s, int) { s.motorHeat = kNan; }},
+};
+
+class DeviceFaults : public ::testing::TestWithParam<std::tuple<Case, double>> {};
+
+TEST_P(DeviceFaults, MidPressEndTheForceInTimeAndItComesBackWhenTheBurHasBeenFree) {
+    const auto& [fault, rateHz] = GetParam();
+    Bench bench(*findDevicePreset("touch"), rateHz);
+    bench.press();
+    ASSERT_GT(bench.device.force.norm(), kFelt);
+    bench.device.fault = fault.fault;
+    double lastForce = 0;  // s after the first wrong reading
+    for (int i = 1; i * bench.dt() < 0.3; ++i) {
+        bench.tick();
+        if (!bench.device.force.isZero(0)) lastForce = i * bench.dt();
+        if (i * bench.dt() < 0.1) {
+            EXPECT_LT((bench.last.proxy.position - Vec3(0, 0, 0)).norm(), 2.5) << "the tool stays about where it is";
+        }
+    }
+    EXPECT_LE(lastForce, kKnowable);
+    RecordProperty("last_force_ms", std::to_string(1e3 * lastForce));
+    if (fault.sentence != nullptr) {
+        ASSERT_NE(bench.device.trouble(), nullptr);
+        EXPECT_THAT(bench.device.trouble(), HasSubstr(fault.sentence));
+    }
+    EXPECT_NE(bench.hands.forceState(), ForceState::On) << "what stays where it has jumped to is believed at last";
+    bench.device.fault = nullptr;
+    bench.run(0.5);
+    EXPECT_EQ(bench.device.force, Vec3::Zero()) << "nobody is kicked: the bur is in the block still";
+    bench.press();
+    EXPECT_GT(bench.device.force.norm(), kFelt) << "the same device goes on";
+    EXPECT_LE(bench.strongest, bench.device.info().limits.force);
+    EXPECT_TRUE(bench.finite);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, DeviceFaults,
+                         ::testing::Combine(::testing::ValuesIn(kCases), ::testing::Values(500.0, 1000.0, 4000.0)),
+                         [](const auto& one) {
+                             std::string name = std::get<0>(one.param).name;
+                             std::erase(name, '.');
+                             return name + "At" + std::to_string(static_cast<int>(std::get<1>(one.param))) + "Hz";
+                         });
+
+TEST(DeviceFaultsNone, AQuaternionThatChangesItsSignsIsFeltAsNothing) {
+    Bench bench(*findDevicePreset("touch"), 1000);
+    bench.press();
+    const Vec3 force = bench.device.force;
+    bench.device.fault = [](DeviceSample& sample, int tick) {
+        if (tick % 2 == 1) sample.hand.rotation.coeffs() *= -1;
+    };
+    bench.run(0.5);
+    EXPECT_LT((bench.device.force - force).norm(), 1e-6);
+    EXPECT_EQ(bench.device.trouble(), nullptr);
+}
+
+TEST(DeviceFaultsNone, AReadingThatIsSeenAgainAndAgainIsNoneForAsLongAsItIsYoung) {
+    Bench bench(*findDevicePreset("touch"), 4000);
+    bench.press();
+    bench.device.fault = [](DeviceSample& sample, int tick) {
+        sample.isFresh = tick % 4 == 0;
+        sample.age = 0.00025 * (tick % 4);
+    };
+    bench.run(0.5);
+    EXPECT_GT(bench.device.force.norm(), 0.3);
+    EXPECT_EQ(bench.device.trouble(), nullptr);
+}
+
+TEST(DeviceFaultsNone, WhileAPoseIsAtFaultNothingIsCut) {
+    Bench bench(*findDevicePreset("touch"), 1000);
+    bench.cutting = true;
+    bench.press();
+    ASSERT_GT(bench.last.cutWork, 0);
+    bench.device.fault = [](DeviceSample& sample, int tick) { sample.hand.position.x() += odd(tick, 4.9); };
+    bench.run(0.01);
+    const double work = bench.last.cutWork;
+    bench.run(1);
+    EXPECT_NEAR(bench.last.cutWork, work, 1e-6);
+}
+
+}  // namespace
+}  // namespace tactooth
