@@ -128,7 +128,7 @@ private:
 std::uint64_t enoughLooks(std::size_t triangles) {
     // A triangle of a sound surface shares corners with twelve others and has some more within its box. Of a fan each
     // meets each other one.
-    constexpr std::uint64_t kATriangle = 100, kAtLeast = 50'000'000;
+    constexpr std::uint64_t kATriangle = 100, kAtLeast = 20'000'000;
     return std::max<std::uint64_t>(kAtLeast, kATriangle * triangles);
 }
 

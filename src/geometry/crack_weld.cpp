@@ -66,6 +66,9 @@ CrackWeld weldCracks(TriangleMesh& mesh) {
     if (fewest == 0) return done;
     const std::vector<std::uint8_t> mayMove = verticesOnOpenEdges(mesh);
     const double size = usualSize(mesh), most = kOfUsualEdge * usualEdge(mesh);
+    std::size_t movable = 0;
+    (void)weldedWithin(mesh, std::min(kTolerances.back() * size, std::max(most, 1e-30)), &movable, mayMove);
+    if (movable == 0) return done;
     std::optional<TriangleMesh> best;
     for (const double share : kTolerances) {
         const double tolerance = std::min(share * size, most);

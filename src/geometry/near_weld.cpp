@@ -13,7 +13,7 @@ namespace {
 
 using Cell = std::array<std::int64_t, 3>;
 
-Cell cellOf(const Vec3f& point, double size) {
+Cell cellOf(const Vec3& point, double size) {
     Cell cell;
     constexpr double kMost = 1e18;  // beyond it, where no float is near another one, all share a cell
     for (int axis = 0; axis < 3; ++axis) {
@@ -22,35 +22,40 @@ Cell cellOf(const Vec3f& point, double size) {
     return cell;
 }
 
-/// The vertices that stay, by the cells of a grid as wide as the tolerance: a near one is in a cell next to it.
+/// The vertices that stay, by the cells of a grid. Cells are some tolerances wide, so that most vertices have to look
+/// for near ones in a single cell.
 class Kept {
 public:
-    explicit Kept(double tolerance) : tolerance_(tolerance) {}
+    explicit Kept(double tolerance) : tolerance_(tolerance), cell_(kCellWidth * tolerance) {}
 
     /// The vertex nearest to `point` within the tolerance, else `number`, which then stays.
     std::uint32_t place(const Vec3f& point, std::uint32_t number, const std::vector<Vec3f>& vertices) {
-        const Cell here = cellOf(point, tolerance_);
+        const Vec3 here = point.cast<double>();
+        const Cell low = cellOf(here.array() - tolerance_, cell_), high = cellOf(here.array() + tolerance_, cell_);
         double nearest = tolerance_;
         std::uint32_t found = number;
         Cell cell;
-        for (cell[0] = here[0] - 1; cell[0] <= here[0] + 1; ++cell[0]) {
-            for (cell[1] = here[1] - 1; cell[1] <= here[1] + 1; ++cell[1]) {
-                for (cell[2] = here[2] - 1; cell[2] <= here[2] + 1; ++cell[2]) {
+        for (cell[0] = low[0]; cell[0] <= high[0]; ++cell[0]) {
+            for (cell[1] = low[1]; cell[1] <= high[1]; ++cell[1]) {
+                for (cell[2] = low[2]; cell[2] <= high[2]; ++cell[2]) {
                     const auto there = cells_.find(cell);
                     if (there == cells_.end()) continue;
                     for (const std::uint32_t other : there->second) {
-                        const double distance = (vertices[other].cast<double>() - point.cast<double>()).norm();
+                        const double distance = (vertices[other].cast<double>() - here).norm();
                         if (distance <= nearest) nearest = distance, found = other;
                     }
                 }
             }
         }
-        if (found == number) cells_[here].push_back(number);
+        if (found == number) cells_[cellOf(here, cell_)].push_back(number);
         return found;
     }
 
 private:
+    static constexpr double kCellWidth = 8;  // tolerances
+
     double tolerance_;
+    double cell_;
     struct Hash {
         std::size_t operator()(const Cell& cell) const {
             std::uint64_t mixed = 0;
