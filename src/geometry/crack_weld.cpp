@@ -66,8 +66,10 @@ CrackWeld weldCracks(TriangleMesh& mesh) {
     if (fewest == 0) return done;
     const std::vector<std::uint8_t> mayMove = verticesOnOpenEdges(mesh);
     const double size = usualSize(mesh), most = kOfUsualEdge * usualEdge(mesh);
+    const double widest = std::min(kTolerances.back() * size, most);
+    if (!(widest > 0)) return done;
     std::size_t movable = 0;
-    (void)weldedWithin(mesh, std::min(kTolerances.back() * size, std::max(most, 1e-30)), &movable, mayMove);
+    (void)weldedWithin(mesh, widest, &movable, mayMove);
     if (movable == 0) return done;
     std::optional<TriangleMesh> best;
     for (const double share : kTolerances) {
