@@ -39,6 +39,8 @@ def offences(path, name):
     for number, line in enumerate(lines, 1):
         if UNFINISHED.search(line) and path != Path(__file__).resolve():
             yield f"{name}:{number}: unfinished work"
+        if name.startswith("src/app/") and "fmt::print(" in line:
+            yield f"{name}:{number}: fmt::print throws where the output is closed; use say of app/cli/output.h"
         if name.startswith(PURE_LAYERS) and IMPURE_INCLUDE.search(line):
             yield f"{name}:{number}: this layer may know no screen, sound or device"
 

@@ -1,8 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the program and its doctor say where no window can be opened: the same.
+#include <arpa/inet.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <chrono>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "cli/cli_test.h"
 #include "support/test_data.h"
@@ -49,6 +55,72 @@ TEST(Display, WithoutOneTheProgramAndTheDoctorSayTheSameAndWhatToDo) {
         EXPECT_EQ(text.substr(1) + "\n", window.err.substr(std::string("tactooth: ").size() + 1));
         EXPECT_TRUE(text.front() == 'T' || text.front() == 'N') << text;
     }
+}
+
+/// A server on a port of this computer that lets everybody connect and then does what `kind` says.
+class FakeServer {
+public:
+    enum Kind { Silent, NeverAccepts, HalfAnAnswer, HalfAnAnswerAndOn, Closes };
+
+    explicit FakeServer(Kind kind) : kind_(kind), socket_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+        sockaddr_in address{};
+        address.sin_family = AF_INET;
+        address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+        for (display_ = kFirst; display_ < kFirst + 500; ++display_) {
+            address.sin_port = htons(static_cast<std::uint16_t>(kX11Port + display_));
+            if (::bind(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0) break;
+        }
+        ::listen(socket_, kind == NeverAccepts ? 0 : 8);
+        if (kind != NeverAccepts) thread_ = std::thread([this] { serve(); });
+    }
+    ~FakeServer() {
+        ::shutdown(socket_, SHUT_RDWR);
+        if (thread_.joinable()) thread_.join();
+        ::close(socket_);
+        for (const int each : connections_) ::close(each);
+    }
+    FakeServer(const FakeServer&) = delete;
+    FakeServer& operator=(const FakeServer&) = delete;
+
+    [[nodiscard]] std::string display() const { return "127.0.0.1:" + std::to_string(display_); }
+
+private:
+    static constexpr int kX11Port = 6000, kFirst = 3000;
+
+    void serve() {
+        for (int connection = 0; (connection = ::accept4(socket_, nullptr, nullptr, SOCK_CLOEXEC)) >= 0;) {
+            connections_.push_back(connection);
+            // The head of a setup that has been accepted; its length counts words of 4 bytes.
+            const unsigned char head[8] = {1, 0, 11, 0, 0, 0, 200, 0};
+            if (kind_ == HalfAnAnswer) (void)!::send(connection, head, 3, MSG_NOSIGNAL);
+            if (kind_ == HalfAnAnswerAndOn) (void)!::send(connection, head, sizeof head, MSG_NOSIGNAL);
+            if (kind_ == Closes) ::shutdown(connection, SHUT_RDWR);
+        }
+    }
+
+    Kind kind_;
+    int socket_;
+    int display_ = 0;
+    std::vector<int> connections_;
+    std::thread thread_;
+};
+
+TEST(Display, OneThatNeverAnswersIsToldWithinThreeSeconds) {
+    const TemporaryFolder home;
+    for (const FakeServer::Kind kind :
+         {FakeServer::Silent, FakeServer::NeverAccepts, FakeServer::HalfAnAnswer, FakeServer::HalfAnAnswerAndOn}) {
+        const FakeServer server(kind);
+        const auto start = std::chrono::steady_clock::now();
+        const ProgramRun window = runTactooth({}, displayless(home, {{"DISPLAY", server.display()}}));
+        EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(3));
+        EXPECT_EQ(window.exitCode, 2);
+        EXPECT_THAT(window.err, StartsWith("tactooth: the display '" + server.display() +
+                                           "' (DISPLAY) does not answer; start it from a desktop"));
+        EXPECT_EQ(std::ranges::count(window.err, '\n'), 1);
+    }
+    const FakeServer server(FakeServer::Closes);
+    const ProgramRun window = runTactooth({}, displayless(home, {{"DISPLAY", server.display()}}));
+    EXPECT_THAT(window.err, HasSubstr("cannot be reached or lets nobody in")) << "a refusal is an answer";
 }
 
 TEST(Display, APlatformWithoutAScreenIsOneToTheDoctorToo) {

@@ -7,11 +7,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
-
-#include "support/test_data.h"
 
 namespace tactooth::test {
 namespace {
@@ -42,10 +41,9 @@ std::vector<char*> pointersTo(std::vector<std::string>& texts) {
 
 }  // namespace
 
-ProgramRun runTactooth(const std::vector<std::string>& arguments, const Environment& changes) {
-    const TemporaryFolder folder;
-    const std::string out = folder / "out";
-    const std::string err = folder / "err";
+RunningTactooth::RunningTactooth(const std::vector<std::string>& arguments, const Environment& changes) {
+    const std::string out = folder_ / "out";
+    const std::string err = folder_ / "err";
     std::vector<std::string> words = {TACTOOTH_PROGRAM};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<std::string> variables = changedEnvironment(changes);
@@ -57,14 +55,30 @@ ProgramRun runTactooth(const std::vector<std::string>& arguments, const Environm
     posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
     posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, out.c_str(), kCreate, 0600);
     posix_spawn_file_actions_addopen(&files, STDERR_FILENO, err.c_str(), kCreate, 0600);
-    pid_t process = 0;
-    const int failure = ::posix_spawn(&process, TACTOOTH_PROGRAM, &files, nullptr, argv.data(), envp.data());
+    // As a shell starts it, whatever has started these tests.
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    sigset_t usual;
+    sigemptyset(&usual);
+    posix_spawnattr_setsigmask(&attributes, &usual);
+    for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXFSZ}) sigaddset(&usual, number);
+    posix_spawnattr_setsigdefault(&attributes, &usual);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
+    const int failure = ::posix_spawn(&process_, TACTOOTH_PROGRAM, &files, &attributes, argv.data(), envp.data());
+    posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&files);
     if (failure != 0) throw std::runtime_error("cannot start " TACTOOTH_PROGRAM);
+}
 
+ProgramRun RunningTactooth::wait() {
     int status = 0;
-    ::waitpid(process, &status, 0);
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contentOf(out), contentOf(err)};
+    ::waitpid(process_, &status, 0);
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, WIFSIGNALED(status) ? WTERMSIG(status) : 0,
+            contentOf(folder_ / "out"), contentOf(folder_ / "err")};
+}
+
+ProgramRun runTactooth(const std::vector<std::string>& arguments, const Environment& changes) {
+    return RunningTactooth(arguments, changes).wait();
 }
 
 }  // namespace tactooth::test

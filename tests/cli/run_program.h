@@ -2,22 +2,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <sys/types.h>
+
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "support/test_data.h"
+
 namespace tactooth::test {
 
 /// What a run of the program left behind.
 struct ProgramRun {
-    int exitCode = -1;
+    int exitCode = -1;  ///< -1: ended by a signal
+    int signal = 0;     ///< that ended it
     std::string out;
     std::string err;
 };
 
 /// Variables that are other than here; nullopt: not set.
 using Environment = std::map<std::string, std::optional<std::string>>;
+
+/// The real program while it runs, with `arguments` and no shell in between.
+class RunningTactooth {
+public:
+    explicit RunningTactooth(const std::vector<std::string>& arguments, const Environment& changes = {});
+
+    [[nodiscard]] pid_t number() const { return process_; }
+    /// Waits for its end; once.
+    [[nodiscard]] ProgramRun wait();
+
+private:
+    TemporaryFolder folder_;
+    pid_t process_ = 0;
+};
 
 /// Runs the real program with `arguments` (no shell in between) and waits for its end.
 [[nodiscard]] ProgramRun runTactooth(const std::vector<std::string>& arguments, const Environment& changes = {});

@@ -18,7 +18,7 @@ namespace tactooth {
 namespace {
 
 constexpr double kPatience = 20;         // s for all that Qt does: a display on another computer may be far away
-constexpr double kServerPatience = 2;    // s for the server's first answer, through ssh a tenth of that
+constexpr double kServerPatience = 1.5;  // s for the server's first answer, through ssh a tenth of that
 constexpr double kLittlePatience = 0.5;  // s for Qt where one of two servers does not answer
 
 std::string valueOf(const char* name) {

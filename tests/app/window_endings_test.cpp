@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The whole program on a display, ended by signals; and how its settings outlive that.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QCoreApplication>
+#include <QElapsedTimer>
+#include <csignal>
+#include <fstream>
+#include <thread>
+
+#include "app/gui/settings_keeper.h"
+#include "cli/run_program.h"
+#include "support/test_data.h"
+
+namespace tactooth {
+namespace {
+
+using namespace test;
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+constexpr double kLongestStart = 100;  // s of a busy computer
+
+Environment homeIn(const TemporaryFolder& home) {
+    return {{"XDG_CONFIG_HOME", home.path().string()}, {"QT_QPA_PLATFORM", std::nullopt}};
+}
+
+/// Starts the program and sends the signal after so many seconds.
+ProgramRun runFor(double seconds, int number, const TemporaryFolder& home) {
+    RunningTactooth program({}, homeIn(home));
+    std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+    ::kill(program.number(), number);
+    return program.wait();
+}
+
+class WindowEndings : public ::testing::TestWithParam<int> {};
+
+TEST_P(WindowEndings, ASignalClosesTheWindowAsByHand) {
+    const TemporaryFolder home;
+    const fs::path settings = home / "tactooth/window.toml";
+    fs::create_directories(settings.parent_path());
+    std::ofstream(settings) << "[hand]\nrate = 99\nfineness = 2\n";
+    bool isClosed = false;
+    for (double seconds = 0.25; !isClosed && seconds < kLongestStart; seconds *= 2) {
+        const ProgramRun run = runFor(seconds, GetParam(), home);
+        EXPECT_EQ(run.signal, GetParam()) << run.exitCode << run.err;
+        isClosed = run.err.find("tactooth: closed by SIG") != std::string::npos;
+        EXPECT_EQ(run.err.find("before it was done") == std::string::npos, isClosed || run.err.empty()) << run.err;
+        EXPECT_EQ(std::distance(fs::directory_iterator(settings.parent_path()), {}), 1) << "nothing else is left";
+    }
+    ASSERT_TRUE(isClosed);
+    const auto kept = readWindowSettings(settings);
+    ASSERT_TRUE(kept) << kept.error().message;
+    EXPECT_TRUE(kept->refused.empty()) << "it was written anew";
+    EXPECT_EQ(kept->hand.fineness, 2);
+}
+INSTANTIATE_TEST_SUITE_P(All, WindowEndings, ::testing::Values(SIGTERM, SIGINT, SIGHUP),
+                         [](const auto& each) { return std::string(sigabbrev_np(each.param)); });
+
+TEST(WindowSettingsFile, OneThatIsNotTomlIsKeptBesideTheNewOne) {
+    const TemporaryFolder home;
+    const fs::path settings = home / "tactooth/window.toml";
+    fs::create_directories(settings.parent_path());
+    std::ofstream(settings) << "rate = [";
+    for (double seconds = 1; seconds < kLongestStart; seconds *= 2) {
+        const ProgramRun run = runFor(seconds, SIGTERM, home);
+        if (run.err.find("tactooth: closed by SIG") != std::string::npos) break;
+    }
+    EXPECT_TRUE(readWindowSettings(settings));
+    EXPECT_TRUE(fs::exists(settings));
+    std::string kept;
+    std::getline(std::ifstream(settings.string() + ".bad"), kept);
+    EXPECT_EQ(kept, "rate = [");
+}
+
+/// Lets time pass until the condition holds.
+template <class Condition>
+bool passUntil(const Condition& condition, qint64 milliseconds) {
+    QElapsedTimer timer;
+    for (timer.start(); timer.elapsed() < milliseconds && !condition();) {
+        QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 100);
+        std::this_thread::yield();
+    }
+    return condition();
+}
+
+TEST(SettingsKeeper, WritesSoonAfterAChangeAndNotWithoutOne) {
+    int argc = 1;
+    char name[] = "tests";
+    char* argv[] = {name, nullptr};
+    const QCoreApplication application(argc, argv);
+    const TemporaryFolder home;
+    const fs::path file = home / "tactooth/window.toml";
+    WindowSettings settings;
+    SettingsKeeper keeper([&] { return settings; }, file);
+    EXPECT_FALSE(passUntil([&] { return fs::exists(file); }, 3500)) << "nothing has changed";
+    for (const double rate : {2000.0, 1500.0, 3000.0}) {
+        settings.hand.rate = rate;
+        const auto isWritten = [&] {
+            const auto read = readWindowSettings(file);
+            return read && read->hand.rate == rate;
+        };
+        EXPECT_TRUE(passUntil(isWritten, 60000)) << rate;
+    }
+}
+
+}  // namespace
+}  // namespace tactooth
