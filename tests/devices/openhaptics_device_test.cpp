@@ -126,6 +126,18 @@ TEST_F(OpenHaptics, ANameThatIsNotSetUpIsToldFromAPenThatDoesNotAnswer) {
     EXPECT_THAT(openError("Left"), HasSubstr("look its name up"));
 }
 
+TEST_F(OpenHaptics, ClosedMidPressAPenHasNoForceFromThatMomentOn) {
+    for (int i = 0; i < 3; ++i) {
+        OpenHapticsDevice device("", TACTOOTH_STANDIN_HD);
+        ASSERT_TRUE(device.open());
+        auto servo = std::make_unique<Servo>(device);
+        ASSERT_TRUE(lean());
+        servo.reset();
+        device.close();
+        EXPECT_EQ(force(), 0);
+    }
+}
+
 TEST_F(OpenHaptics, APenIsCalledByItsName) {
     OpenHapticsDevice device("Left", TACTOOTH_STANDIN_HD);
     ASSERT_TRUE(device.open());
