@@ -4,6 +4,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -53,7 +54,8 @@ bool writeAll(int pipe, std::string_view text) {
 /// The child's whole life; an exception that leaves `probe` ends it too. What a library prints about itself is not for
 /// the user.
 [[noreturn]] void answer(int pipe, const std::function<std::string()>& probe) noexcept {
-    setpgid(0, 0);  // so that what it starts can be ended with it
+    setpgid(0, 0);                     // so that what it starts can be ended with it
+    prctl(PR_SET_PDEATHSIG, SIGKILL);  // a Ctrl+C ends the program alone: the child is of another group
     const int nowhere = open("/dev/null", O_RDWR);
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(nowhere, stream);
     forgetSignals();

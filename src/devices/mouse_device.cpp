@@ -22,6 +22,11 @@ MouseDevice::MouseDevice(const Pose& start) : target_(DeviceSample{start, 0, 0, 
 DeviceSample MouseDevice::read(double elapsed) {
     target_.refresh();
     DeviceSample sample = target_.value();
+    const Pose& target = sample.hand;
+    if (!target.position.allFinite() || !target.rotation.coeffs().allFinite() || !std::isfinite(elapsed)) {
+        sample.hand = hand_;  // which it would be no more for ever
+        return sample;
+    }
     const Vec3 away = hand_.position - sample.hand.position;
     const Vec3 rate = velocity_ + kFollowRate * away;
     const double decay = std::exp(-kFollowRate * elapsed);

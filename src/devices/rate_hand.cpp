@@ -18,8 +18,10 @@ constexpr double kStrongestForce = 20;  // N: no device renders more, so a stron
 
 }  // namespace
 
-Pose RateHand::advance(const HandRate& wanted, double elapsed) {
+Pose RateHand::advance(const HandRate& asked, double elapsed) {
     const double dt = std::isfinite(elapsed) ? std::clamp(elapsed, 0.0, kLongestStep) : 0;
+    // What is no number would stay so for ever.
+    const HandRate wanted = asked.speed.allFinite() && asked.turn.allFinite() ? asked : HandRate{};
     const double part = 1 - std::exp(-kSmoothing * dt);
     rate_.speed += part * (wanted.speed - rate_.speed);
     rate_.turn += part * (wanted.turn - rate_.turn);

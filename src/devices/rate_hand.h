@@ -20,7 +20,7 @@ public:
     static constexpr double kReach = 20;
 
     /// Where the hand is `elapsed` s later.
-    [[nodiscard]] Pose advance(const HandRate& wanted, double elapsed);
+    [[nodiscard]] Pose advance(const HandRate& asked, double elapsed);
     /// What the tool meets, N, device's frame; counts from the next step on.
     void feel(const Vec3& force) { force_ = force; }
 

@@ -19,6 +19,9 @@ constexpr double kEarlyClock = -0.001;    // s: an age below is that of a clock 
 /// What a clock tells of the time since the last tick, s; nothing where it tells nonsense.
 double timeOf(double elapsed) { return elapsed > 0 && std::isfinite(elapsed) ? elapsed : 0; }
 
+/// False also for what is no number. Without a root: this is asked several times a tick.
+bool isShorter(const Vec3& way, double length) { return way.squaredNorm() < length * length; }
+
 }  // namespace
 
 HandFault PoseGuard::find(const PoseReading& reading, double elapsed, bool touching) const {
@@ -33,11 +36,11 @@ HandFault PoseGuard::find(const PoseReading& reading, double elapsed, bool touch
 /// `strict`: with the limits of a tool that touches.
 HandFault PoseGuard::findMotion(const PoseReading& reading, double time, bool strict) const {
     const double gap = std::max(0.0, time - lastTime_);
-    const double way = (reading.position - last_).norm();
-    if (!(way < limits_.airJump + limits_.airSpeed * gap)) return HandFault::Jump;
-    if (strict && gap <= kLongestGap && way > limits_.jump) return HandFault::Jump;
+    const Vec3 way = reading.position - last_;
+    if (!isShorter(way, limits_.airJump + limits_.airSpeed * gap)) return HandFault::Jump;
+    if (strict && gap <= kLongestGap && !isShorter(way, limits_.jump)) return HandFault::Jump;
     const double span = std::max(kShortestSpan, time - anchorTime_);
-    if (strict && (reading.position - anchor_).norm() > limits_.speed * span) return HandFault::TooFast;
+    if (strict && !isShorter(reading.position - anchor_, limits_.speed * span)) return HandFault::TooFast;
     return turnsTooFast(reading.rotation, time) ? HandFault::TurnsTooFast : HandFault::None;
 }
 

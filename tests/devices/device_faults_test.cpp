@@ -34,7 +34,8 @@ std::shared_ptr<const Surface> block() {
 /// A device whose hand stands where the test wants it, and that tells something else from the moment of a fault on.
 class FaultyDevice final : public HapticDevice {
 public:
-    using Fault = std::function<void(DeviceSample&, int tick)>;
+    /// `tick`: since the fault began, from 1 on; `time`: the same in s.
+    using Fault = std::function<void(DeviceSample&, int tick, double time)>;
 
     explicit FaultyDevice(const DevicePreset& preset) {
         info_.rendersForce = info_.sensesRotation = true;
@@ -44,9 +45,9 @@ public:
     [[nodiscard]] const DeviceInfo& info() const override { return info_; }
     [[nodiscard]] Expected<void> open() override { return {}; }
     void close() override {}
-    [[nodiscard]] DeviceSample read(double) override {
+    [[nodiscard]] DeviceSample read(double elapsed) override {
         DeviceSample sample = hand;
-        if (fault) fault(sample, ++ticks);
+        if (fault) ++ticks, fault(sample, ticks, ticks * elapsed);
         return sample;
     }
     void write(const SafeWrench& wrench) override { force = wrench.force(); }
@@ -120,33 +121,35 @@ void turnBy(DeviceSample& sample, double angle) {
 }
 
 const Case kCases[] = {
-    {"Lost", nullptr, [](DeviceSample& s, int) { s.connected = false; }},
-    {"NanPlace", "is no number", [](DeviceSample& s, int) { s.hand.position.y() = kNan; }},
+    {"Lost", nullptr, [](DeviceSample& s, int, double) { s.connected = false; }},
+    {"NanPlace", "is no number", [](DeviceSample& s, int, double) { s.hand.position.y() = kNan; }},
     {"InfinitePlace", "is no number",
-     [](DeviceSample& s, int) { s.hand.position.z() = -std::numeric_limits<double>::infinity(); }},
-    {"FarPlace", "place has jumped", [](DeviceSample& s, int) { s.hand.position.x() = 1e30; }},
-    {"NanTurn", "is no number", [](DeviceSample& s, int) { s.hand.rotation.x() = kNan; }},
-    {"ZeroTurn", "direction that is none", [](DeviceSample& s, int) { s.hand.rotation.coeffs().setZero(); }},
-    {"LongTurn", "direction that is none", [](DeviceSample& s, int) { s.hand.rotation.coeffs() *= 1.05; }},
-    {"ShortTurn", "direction that is none", [](DeviceSample& s, int) { s.hand.rotation.coeffs() *= 0.7; }},
-    {"TurnOnce", "direction has jumped", [](DeviceSample& s, int) { turnBy(s, 1); }},
-    {"TurnToAndFro", "direction has jumped", [](DeviceSample& s, int tick) { turnBy(s, odd(tick, 0.3)); }},
-    {"TurnOver", "direction has jumped", [](DeviceSample& s, int tick) { turnBy(s, odd(tick, 3.1)); }},
-    {"Spin", "direction has jumped", [](DeviceSample& s, int tick) { turnBy(s, 0.2 * tick); }},
-    {"Jump50", "place has jumped", [](DeviceSample& s, int tick) { s.hand.position.x() += odd(tick, 50); }},
-    {"JumpOnce", "place has jumped", [](DeviceSample& s, int) { s.hand.position.x() += 7; }},
-    {"Jitter4.9", "place has jumped", [](DeviceSample& s, int tick) { s.hand.position.x() += odd(tick, 4.9); }},
-    {"JitterInAndOut", "place has jumped", [](DeviceSample& s, int tick) { s.hand.position.z() += odd(tick, 4.9); }},
-    {"JitterDeeper", "place has jumped", [](DeviceSample& s, int tick) { s.hand.position.z() -= odd(tick, 2.2); }},
-    {"Drift", "", [](DeviceSample& s, int tick) { s.hand.position.x() += std::min(40.0, 3.0 * tick); }},
-    {"DriftDown", "", [](DeviceSample& s, int tick) { s.hand.position.z() -= std::min(40.0, 3.0 * tick); }},
+     [](DeviceSample& s, int, double) { s.hand.position.z() = -std::numeric_limits<double>::infinity(); }},
+    {"FarPlace", "place has jumped", [](DeviceSample& s, int, double) { s.hand.position.x() = 1e30; }},
+    {"NanTurn", "is no number", [](DeviceSample& s, int, double) { s.hand.rotation.x() = kNan; }},
+    {"ZeroTurn", "direction that is none", [](DeviceSample& s, int, double) { s.hand.rotation.coeffs().setZero(); }},
+    {"LongTurn", "direction that is none", [](DeviceSample& s, int, double) { s.hand.rotation.coeffs() *= 1.05; }},
+    {"ShortTurn", "direction that is none", [](DeviceSample& s, int, double) { s.hand.rotation.coeffs() *= 0.7; }},
+    {"TurnOnce", "direction has jumped", [](DeviceSample& s, int, double) { turnBy(s, 1); }},
+    {"TurnToAndFro", "direction has jumped", [](DeviceSample& s, int tick, double) { turnBy(s, odd(tick, 0.3)); }},
+    {"TurnOver", "direction has jumped", [](DeviceSample& s, int tick, double) { turnBy(s, odd(tick, 3.1)); }},
+    {"Spin", "direction has jumped", [](DeviceSample& s, int tick, double) { turnBy(s, 0.2 * tick); }},
+    {"Jump50", "place has jumped", [](DeviceSample& s, int tick, double) { s.hand.position.x() += odd(tick, 50); }},
+    {"JumpOnce", "place has jumped", [](DeviceSample& s, int, double) { s.hand.position.x() += 7; }},
+    {"Jitter4.9", "place has jumped", [](DeviceSample& s, int tick, double) { s.hand.position.x() += odd(tick, 4.9); }},
+    {"JitterInAndOut", "place has jumped",
+     [](DeviceSample& s, int tick, double) { s.hand.position.z() += odd(tick, 4.9); }},
+    {"JitterDeeper", "place has jumped",
+     [](DeviceSample& s, int tick, double) { s.hand.position.z() -= odd(tick, 2.2); }},
+    {"Drift", "", [](DeviceSample& s, int, double time) { s.hand.position.x() += std::min(40.0, 3000 * time); }},
+    {"DriftDown", "", [](DeviceSample& s, int, double time) { s.hand.position.z() -= std::min(40.0, 3000 * time); }},
     {"Stale", "come too late",
-     [](DeviceSample& s, int tick) {
+     [](DeviceSample& s, int tick, double) {
          s.age = 0.0051 + 1e-3 * tick;
          s.isFresh = false;
      }},
-    {"AgeIsNoNumber", "come too late", [](DeviceSample& s, int) { s.age = kNan; }},
-    {"HeatIsNoNumber", "no number and was switched off", [](DeviceSample& s, int) { s.motorHeat = kNan; }},
+    {"AgeIsNoNumber", "come too late", [](DeviceSample& s, int, double) { s.age = kNan; }},
+    {"HeatIsNoNumber", "no number and was switched off", [](DeviceSample& s, int, double) { s.motorHeat = kNan; }},
 };
 
 class DeviceFaults : public ::testing::TestWithParam<std::tuple<Case, double>> {};
@@ -193,7 +196,7 @@ TEST(DeviceFaultsNone, AQuaternionThatChangesItsSignsIsFeltAsNothing) {
     Bench bench(*findDevicePreset("touch"), 1000);
     bench.press();
     const Vec3 force = bench.device.force;
-    bench.device.fault = [](DeviceSample& sample, int tick) {
+    bench.device.fault = [](DeviceSample& sample, int tick, double) {
         if (tick % 2 == 1) sample.hand.rotation.coeffs() *= -1;
     };
     bench.run(0.5);
@@ -204,7 +207,7 @@ TEST(DeviceFaultsNone, AQuaternionThatChangesItsSignsIsFeltAsNothing) {
 TEST(DeviceFaultsNone, AReadingThatIsSeenAgainAndAgainIsNoneForAsLongAsItIsYoung) {
     Bench bench(*findDevicePreset("touch"), 4000);
     bench.press();
-    bench.device.fault = [](DeviceSample& sample, int tick) {
+    bench.device.fault = [](DeviceSample& sample, int tick, double) {
         sample.isFresh = tick % 4 == 0;
         sample.age = 0.00025 * (tick % 4);
     };
@@ -218,7 +221,7 @@ TEST(DeviceFaultsNone, WhileAPoseIsAtFaultNothingIsCut) {
     bench.cutting = true;
     bench.press();
     ASSERT_GT(bench.last.cutWork, 0);
-    bench.device.fault = [](DeviceSample& sample, int tick) { sample.hand.position.x() += odd(tick, 4.9); };
+    bench.device.fault = [](DeviceSample& sample, int tick, double) { sample.hand.position.x() += odd(tick, 4.9); };
     bench.run(0.01);
     const double work = bench.last.cutWork;
     bench.run(1);

@@ -147,6 +147,8 @@ TEST_P(HaplyFaults, MidPressGiveNoForceAndASentenceAndTheDeviceComesBack) {
     EXPECT_EQ(service.force(), 0);
     EXPECT_LE(servo.oldestWithForce(), kLoss);
     EXPECT_LE(servo.strongest(), device.info().limits.force);
+    RecordProperty("last_message_with_force", std::to_string(service.lastForceSinceFault()));
+    RecordProperty("oldest_pose_ms", std::to_string(1e3 * servo.oldestWithForce()));
     if (fault.isLoss) {
         // A force that was made for the last good answer, and those that the servo made while its next one was awaited.
         EXPECT_LE(service.lastForceSinceFault(), 6);

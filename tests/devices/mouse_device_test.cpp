@@ -102,5 +102,20 @@ TEST(MouseDevice, TheWindowMovesItWhileTheServoReads) {
     EXPECT_NEAR(mouse.read(kTick).hand.position.x(), 10, 1e-6);
 }
 
+TEST(MouseDevice, AGoalOrATimeThatIsNoNumberMovesNothingAndDoesNotStay) {
+    const double bad = std::nan("");
+    MouseDevice mouse{Pose{}};
+    mouse.moveTo(target(bad));
+    EXPECT_EQ(mouse.read(kTick).hand.position, Vec3::Zero());
+    DeviceSample turned = target(0);
+    turned.hand.rotation.x() = bad;
+    mouse.moveTo(turned);
+    EXPECT_TRUE(mouse.read(kTick).hand.rotation.coeffs().allFinite());
+    mouse.moveTo(target(10));
+    EXPECT_EQ(mouse.read(bad).hand.position, Vec3::Zero());
+    for (int i = 0; i < 500; ++i) (void)mouse.read(kTick);
+    EXPECT_NEAR(mouse.read(kTick).hand.position.x(), 10, 1e-6);
+}
+
 }  // namespace
 }  // namespace tactooth

@@ -126,6 +126,18 @@ TEST_F(OpenHaptics, ANameThatIsNotSetUpIsToldFromAPenThatDoesNotAnswer) {
     EXPECT_THAT(openError("Left"), HasSubstr("look its name up"));
 }
 
+TEST_F(OpenHaptics, ClosedMidPressAPenHasNoForceFromThatMomentOn) {
+    for (int i = 0; i < 3; ++i) {
+        OpenHapticsDevice device("", TACTOOTH_STANDIN_HD);
+        ASSERT_TRUE(device.open());
+        auto servo = std::make_unique<Servo>(device);
+        ASSERT_TRUE(lean());
+        servo.reset();
+        device.close();
+        EXPECT_EQ(force(), 0);
+    }
+}
+
 TEST_F(OpenHaptics, APenIsCalledByItsName) {
     OpenHapticsDevice device("Left", TACTOOTH_STANDIN_HD);
     ASSERT_TRUE(device.open());
@@ -170,6 +182,7 @@ TEST_P(OpenHapticsLoss, MidPressGivesNoForceAndASentenceAndThePenComesBack) {
         EXPECT_THAT(device.trouble(), HasSubstr(GetParam().sentence));
     }
     EXPECT_LE(standin().lastForceSinceFault(), kBadReading) << "its force is taken back in the tick that tells";
+    RecordProperty("last_tick_with_force", std::to_string(standin().lastForceSinceFault()));
     set(HdFault::None);
     EXPECT_TRUE(soon([&] { return device.trouble() == nullptr; }));
     EXPECT_TRUE(lean());
@@ -215,6 +228,7 @@ TEST_P(OpenHapticsPoses, ThatNoHandCanHaveGiveNoForceAndASentenceAndThePenComesB
         EXPECT_EQ(standin().strongestWhileFaulty(), 0);
         EXPECT_LE(standin().lastForceSinceFault(), kBadReading + 2) << "2 ms of the device's own time";
         EXPECT_LE(servo.oldestWithForce(), 0.005);
+        RecordProperty("last_tick_with_force", std::to_string(standin().lastForceSinceFault()));
         EXPECT_TRUE(soonSays(device, GetParam().sentence));
         set(HdFault::None);
         EXPECT_TRUE(lean());
@@ -239,6 +253,7 @@ TEST_F(OpenHaptics, ADriverThatCallsTwentyTimesTooOftenIsLimpAndComesBack) {
     set(HdFault::Flood);
     EXPECT_TRUE(soonSays(device, "calls far too often"));
     EXPECT_TRUE(soon([] { return force() == 0; }));
+    RecordProperty("last_tick_with_force", std::to_string(standin().lastForceSinceFault()));
     const long before = servo.ticks();
     std::this_thread::sleep_for(200ms);
     EXPECT_LE(servo.ticks() - before, 1.1 * 5000 * 0.2) << "the servo leaves time to others";

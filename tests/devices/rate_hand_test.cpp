@@ -94,5 +94,16 @@ TEST(RateHand, TimesThatAreNoneMoveNothing) {
     EXPECT_LT(hand.advance(along(Vec3(10, 0, 0)), 3600).position.x(), 1.01) << "goes on gently after a stall";
 }
 
+TEST(RateHand, SpeedsThatAreNoNumberAreNoneAndDoNotStay) {
+    for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+        RateHand hand;
+        for (const HandRate& rate :
+             {HandRate{Vec3(bad, 0, 0), Vec3::Zero()}, HandRate{Vec3::Zero(), Vec3(0, bad, 0)}}) {
+            EXPECT_EQ(hand.advance(rate, 0.001).position, Vec3::Zero());
+        }
+        EXPECT_GT(after(hand, along(Vec3(10, 0, 0)), 1).position.x(), 9);
+    }
+}
+
 }  // namespace
 }  // namespace tactooth

@@ -241,7 +241,13 @@ bool HaplyDevice::waitForLateAnswer(const std::stop_token& stop) {
 /// Takes in an answer.
 void HaplyDevice::hear() {
     Expected<HaplyReading> reading = readHaply(text_, names_);
-    if (!reading) return complain(kept(reading.error().message));
+    if (!reading) {  // the servo shall not go on with the place before until that is old
+        HaplyReading none;
+        none.usable = false;
+        none.time = monotonicSeconds();
+        reading_.write(none);
+        return complain(kept(reading.error().message));
+    }
     reading->time = monotonicSeconds();
     if (reading->hasTurn) turn_ = reading->hand.rotation;
     reading->hand.rotation = turn_;  // a grip that sleeps keeps its direction

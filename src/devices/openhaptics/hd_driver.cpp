@@ -167,7 +167,7 @@ void HdDriver::stop(HdPen& pen) {
     const std::lock_guard lock(mutex_);
     pause();
     pen.active = false;
-    call_.makeCurrent(pen.handle);
+    silence(pen);  // whatever its last tick has set
     call_.disableDevice(pen.handle);
     resume();
 }
@@ -231,7 +231,7 @@ void HdDriver::exchange(HdPen& pen) {
 
 /// A fault need not be the motors': the library goes on with the last force until it is given another one.
 void HdDriver::silence(HdPen& pen) {
-    --pen.silences;
+    if (pen.silences > 0) --pen.silences;
     const Vec3 nothing = Vec3::Zero();
     call_.makeCurrent(pen.handle);
     call_.beginFrame(pen.handle);

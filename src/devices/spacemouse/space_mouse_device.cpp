@@ -20,6 +20,7 @@ constexpr double kFastest = 25;       // mm/s, as with a gamepad
 constexpr double kFastestTurn = 1.2;  // rad/s
 constexpr double kStiffness = 2;      // N/mm: the hand gives way, so a stiffer wall is no stronger
 constexpr int kPatienceMs = 100;      // for the next event: closing takes no longer
+constexpr int kMostEvents = 1000;     // at once: a driver that never stops must not keep the newest from the hand
 constexpr auto kRetry = std::chrono::seconds(1);
 constexpr const char* kNoDriver =
     "The SpaceMouse's driver does not run: install spacenavd, start it (sudo systemctl start spacenavd) and plug the "
@@ -103,7 +104,7 @@ void SpaceMouseDevice::run(const std::stop_token& stop) {
         if (there) {
             state.connected = true;
             spnav_event event{};
-            while (spnav_poll_event(&event) != 0) take(event, state);
+            for (int i = 0; i < kMostEvents && spnav_poll_event(&event) != 0; ++i) take(event, state);
         } else if (std::exchange(state, {}).connected) {
             spnav_close();
         }
