@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "session/tooth_source.h"
 
+#include "geometry/file_bytes.h"
 #include "geometry/mesh_file.h"
 
 namespace tactooth {
@@ -39,7 +40,7 @@ Expected<std::shared_ptr<const LayeredTooth>> loadLayeredTooth(const ToothSource
         layers.push_back({layer.material, *material, std::move(*mesh)});
     }
     Expected<LayeredTooth> tooth = LayeredTooth::make(std::move(*outer), std::move(layers), *body);
-    if (!tooth) return unexpected(source.outer.string() + ": " + tooth.error().message);
+    if (!tooth) return unexpected(shownName(source.outer) + ": " + tooth.error().message + ".");
     return std::shared_ptr<const LayeredTooth>(std::make_shared<const LayeredTooth>(std::move(*tooth)));
 }
 

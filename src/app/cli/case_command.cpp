@@ -13,6 +13,7 @@
 #include "geometry/file_bytes.h"
 #include "geometry/mesh_report.h"
 #include "geometry/number_text.h"
+#include "geometry/shown_text.h"
 #include "patient/length_unit.h"
 #include "session/cases/make_case.h"
 #include "session/cases/open_case.h"
@@ -21,16 +22,20 @@
 namespace tactooth {
 namespace {
 
+constexpr double kFinestUnit = 1e-6, kCoarsestUnit = 1e6;  // mm
+
 Expected<ImportChoices> choicesOf(const CaseNewOptions& options) {
     ImportChoices choices;
     if (!options.units.empty()) {
         if (const auto unit = lengthUnitFromName(options.units)) {
             choices.mmPerUnit = unit->mm;
-        } else if (const auto factor = toNumber<double>(options.units); factor && *factor > 0 && *factor < 1e6) {
+        } else if (const auto factor = toNumber<double>(options.units);
+                   factor && *factor >= kFinestUnit && *factor <= kCoarsestUnit) {
             choices.mmPerUnit = *factor;
         } else {
-            return unexpected("--units '" + options.units +
-                              "' is no unit; give mm, cm, inch, m, um, or how many mm one unit is.");
+            return unexpected("--units " + quotedWord(options.units) +
+                              " is no unit; give mm, cm, inch, m, um, or how many mm one unit is, "
+                              "from 0.000001 to 1000000.");
         }
     }
     choices.holes = options.holes == "all"    ? HolesToFill::All
@@ -43,7 +48,7 @@ Expected<ImportChoices> choicesOf(const CaseNewOptions& options) {
 }
 
 void printSentences(const std::vector<std::string>& sentences) {
-    for (const std::string& sentence : sentences) fmt::print("    {}\n", sentence);
+    for (const std::string& sentence : sentences) fmt::print("    {}\n", shownText(sentence));
 }
 
 /// "enamel, dentin and pulp (a model)".
@@ -57,15 +62,16 @@ std::string layersOf(const CaseTooth& tooth) {
 void printBodies(const CaseDescription& description, bool withAssumptions) {
     for (const CaseTooth& tooth : description.teeth) {
         const Vec3& at = tooth.toothInCase.position;
-        fmt::print("  tooth {}{}: {}; at {:.1f}, {:.1f}, {:.1f} mm\n", tooth.name,
+        fmt::print("  tooth {}{}: {}; at {:.1f}, {:.1f}, {:.1f} mm\n", shownText(tooth.name),
                    tooth.fdi != 0 ? fmt::format(" (FDI {})", tooth.fdi) : "", layersOf(tooth), at.x(), at.y(), at.z());
         if (withAssumptions) printSentences(tooth.assumed);
     }
     for (const CaseSurrounding& body : description.around) {
-        fmt::print("  around: {}, taken as {}\n", body.name, materialName(body.material));
+        fmt::print("  around: {}, taken as {}\n", shownText(body.name), materialName(body.material));
         if (withAssumptions) printSentences(body.assumed);
     }
-    for (const std::string& bur : description.burs) fmt::print("  bur: {}\n", bur);
+    for (const std::string& bur : description.burs) fmt::print("  bur: {}\n", shownText(bur));
+    if (!description.materials.empty()) fmt::print("  materials of its own: {}\n", shownText(description.materials));
 }
 
 /// Files that the description does not name: they may be meant to be there, and do nothing.
@@ -108,7 +114,7 @@ int runCaseNew(const CaseNewOptions& options) {
                               options.quadrant, *choices,      options.burs,    options.materials};
     std::string last;
     const auto made = makeCase(request, [&](const std::string& body, double /*part*/) {
-        if (body != last) fmt::print("importing {}\n", body);
+        if (body != last) fmt::print("importing {}\n", shownText(body));
         last = body;
         std::fflush(stdout);
         return true;
@@ -117,7 +123,7 @@ int runCaseNew(const CaseNewOptions& options) {
     if (const auto written = writeCase(made->files, options.out); !written) return refuse(written.error());
     printBodies(made->description, true);
     fmt::print("{}: {} teeth and {} bodies around them; licence: {}\n", shownName(options.out),
-               made->description.teeth.size(), made->description.around.size(), made->description.licence);
+               made->description.teeth.size(), made->description.around.size(), shownText(made->description.licence));
     return kExitOk;
 }
 

@@ -10,7 +10,9 @@
 #include "app/cli/exit_code.h"
 #include "collision/surface.h"
 #include "geometry/atomic_file.h"
+#include "geometry/file_bytes.h"
 #include "geometry/folder.h"
+#include "geometry/shown_text.h"
 #include "geometry/stl_writer.h"
 #include "session/cases/placed_tooth.h"
 #include "session/cut_events.h"
@@ -109,12 +111,12 @@ Expected<void> writeLayers(const CutVolume& volume, const std::filesystem::path&
     for (const LayerRemains& layer : remainsOfLayers(volume)) {
         const std::filesystem::path file = folder / (layer.name + ".stl");
         if (layer.mesh.empty()) {
-            fmt::print("nothing is left of layer '{}'\n", layer.name);
+            fmt::print("nothing is left of layer '{}'\n", shownText(layer.name));
             continue;
         }
         if (auto written = writeStl(layer.mesh, file); !written) return unexpected(written.error().message);
-        fmt::print("{} triangles of layer '{}' written to {}\n", layer.mesh.triangles.size(), layer.name,
-                   file.string());
+        fmt::print("{} triangles of layer '{}' written to {}\n", layer.mesh.triangles.size(), shownText(layer.name),
+                   shownName(file));
     }
     return {};
 }
@@ -155,19 +157,25 @@ int runCut(const CutOptions& options) {
     const auto materials = options.materials.empty() && tooth->place.materials ? *tooth->place.materials
                                                                                : materialsFrom(options.materials);
     if (!materials) return refuse(materials.error());
+    if (!options.vdb.empty()) {
+        if (const auto fits = checkVdbSize(piece.tooth(), piece.volume().lattice().spacing()); !fits)
+            return refuse(fits.error());
+    }
     CutFiles files;
     if (const auto opened = files.open(options); !opened) return refuse(opened.error());
 
     const auto visit = [&](double time, const Tick& tick, const ToothLoss& loss) { files.row(time, tick, loss); };
     if (options.feed == "rigid") {
-        cutRigidly(*path, *tool, options.speedRpm, *materials, piece, visit);
+        if (const auto done = cutRigidly(*path, *tool, options.speedRpm, *materials, piece, visit); !done)
+            return refuse(done.error());
     } else {
         HapticSettings settings;
         settings.materials = *materials;
         settings.spindle = constantSpeed(options.speedRpm);
         HapticSimulation simulation(std::make_shared<const ToolShape>(std::move(bur->surface)),
                                     tool->envelope.maxRadius(), piece.surface(), settings);
-        cutByLaw(*path, *tool, *materials, simulation, piece, visit);
+        if (const auto done = cutByLaw(*path, *tool, *materials, simulation, piece, visit); !done)
+            return refuse(done.error());
     }
     const TaggedMesh cut = piece.exported();
     if (const auto done = files.finish(cut.mesh); !done) return refuse(done.error());
@@ -178,7 +186,7 @@ int runCut(const CutOptions& options) {
     if (!options.vdb.empty()) {
         const auto written = writeVdb(piece.volume(), savedNow(tooth->provenance), options.vdb);
         if (!written) return refuse(written.error());
-        fmt::print("voxels written to {}\n", options.vdb.string());
+        fmt::print("voxels written to {}\n", shownName(options.vdb));
     }
     if (!options.layersOut.empty()) {
         if (const auto written = writeLayers(piece.volume(), options.layersOut); !written)
@@ -186,7 +194,7 @@ int runCut(const CutOptions& options) {
     }
     printLoss(piece.loss());
     if (total(before) > 0) fmt::print("of which before:      {:8.3f} mm^3\n", total(before));
-    fmt::print("{} triangles written to {}\n", cut.mesh.triangles.size(), options.out.string());
+    fmt::print("{} triangles written to {}\n", cut.mesh.triangles.size(), shownName(options.out));
     return kExitOk;
 }
 

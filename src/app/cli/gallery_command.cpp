@@ -11,6 +11,7 @@
 #include "app/cli/gallery_pictures.h"
 #include "app/common/contact_sheet.h"
 #include "app/common/picture_application.h"
+#include "geometry/file_bytes.h"
 #include "geometry/folder.h"
 #include "instruments/contra_angle.h"
 #include "instruments/hand_instruments.h"
@@ -100,6 +101,11 @@ Expected<void> drawInstruments(OffscreenRenderer& renderer, const std::filesyste
 }  // namespace
 
 int runGallery(const GalleryOptions& options) {
+    constexpr std::size_t kMostTeeth = 32;
+    if (options.teeth.size() > kMostTeeth) {
+        return refuse({fmt::format("--teeth names {} teeth, and a sheet has room for {}; name each once.",
+                                   options.teeth.size(), kMostTeeth)});
+    }
     for (const int fdi : options.teeth) {
         if (!isPermanentTooth(fdi)) {
             return refuse(
@@ -112,10 +118,10 @@ int runGallery(const GalleryOptions& options) {
     if (!renderer) return refuse(renderer.error());
     const auto teeth = options.teeth.empty() ? drawTeeth(*renderer, options) : drawSome(*renderer, options);
     if (!teeth) return refuse(teeth.error());
-    fmt::print("{}\n", (options.out / "teeth.png").string());
+    fmt::print("{}\n", shownName(options.out / "teeth.png"));
     if (!options.teeth.empty()) return kExitOk;
     if (const auto done = drawInstruments(*renderer, options.out); !done) return refuse(done.error());
-    fmt::print("{}\n", (options.out / "instruments.png").string());
+    fmt::print("{}\n", shownName(options.out / "instruments.png"));
     return kExitOk;
 }
 

@@ -4,6 +4,8 @@
 
 #include <fmt/core.h>
 
+#include "geometry/file_bytes.h"
+
 namespace tactooth {
 
 std::string meshSummary(const MeshReport& report) {
@@ -17,8 +19,8 @@ std::string meshSummary(const MeshReport& report) {
 void printChange(const std::filesystem::path& in, const TriangleMesh& before, const std::filesystem::path& out,
                  const TriangleMesh& after, double deviation) {
     constexpr double kMicrons = 1e3;  // in a mm
-    fmt::print("{}: {}\n", in.string(), meshSummary(reportOn(before)));
-    fmt::print("{}: {}\n", out.string(), meshSummary(reportOn(after)));
+    fmt::print("{}: {}\n", shownName(in), meshSummary(reportOn(before)));
+    fmt::print("{}: {}\n", shownName(out), meshSummary(reportOn(after)));
     fmt::print("greatest deviation {:.3g} um\n", kMicrons * deviation);
 }
 

@@ -8,6 +8,7 @@
 
 #include "app/cli/exit_code.h"
 #include "app/cli/mesh_summary.h"
+#include "geometry/file_bytes.h"
 #include "geometry/folder.h"
 #include "geometry/stl_writer.h"
 #include "session/tooth_cache.h"
@@ -29,7 +30,7 @@ Expected<void> writeTooth(const BuiltinTooth& tooth, const Pose& pose, const fs:
 Expected<void> writeGum(const TriangleMesh& mesh, const Pose& pose, const fs::path& file) {
     const TriangleMesh placed = moved(mesh, pose);
     if (auto done = writeStl(placed, file); !done) return done;
-    fmt::print("{}: {}\n", file.string(), meshSummary(reportOn(placed)));
+    fmt::print("{}: {}\n", shownName(file), meshSummary(reportOn(placed)));
     return {};
 }
 
@@ -44,7 +45,7 @@ Expected<void> writeMouth(const MouthOptions& options) {
         triangles += tooth.tooth.outer.triangles.size();
     }
     fmt::print("{} teeth in {}, each with outer.stl, enamel.stl, dentin.stl and pulp.stl; {} outer triangles in all\n",
-               mouth->teeth.size(), options.out.string(), triangles);
+               mouth->teeth.size(), shownName(options.out), triangles);
     if (auto done = writeGum(mouth->upperGingiva, {}, options.out / "gingiva-upper.stl"); !done) return done;
     if (auto done = writeGum(mouth->lowerGingiva, mouth->lowerJaw, options.out / "gingiva-lower.stl"); !done) {
         return done;

@@ -149,7 +149,7 @@ Expected<void> takePicture(Studio& studio, const OrbitCamera& eye, const std::fi
     if (!image) return Unexpected{image.error()};
     if (studio.inspection.distances) drawDistanceLegend(*image, studio.inspection.distances->range);
     if (auto written = writePng(*image, file); !written) return written;
-    fmt::print("{}: {}, {} x {}\n", file.string(), studio.tooth.name, studio.size.width, studio.size.height);
+    fmt::print("{}: {}, {} x {}\n", shownName(file), studio.tooth.name, studio.size.width, studio.size.height);
     return {};
 }
 

@@ -11,6 +11,7 @@
 
 #include "app/cli/render_words.h"
 #include "app/common/mouth_scene.h"
+#include "geometry/file_bytes.h"
 #include "view/offscreen.h"
 
 namespace tactooth {
@@ -92,7 +93,7 @@ Expected<void> takePicture(Studio& studio, const OrbitCamera& eye, const std::fi
     const Expected<Image> image = studio.renderer.render(scene, studio.size);
     if (!image) return Unexpected{image.error()};
     if (auto written = writePng(*image, file); !written) return written;
-    fmt::print("{}: the built-in mouth, {} x {}\n", file.string(), studio.size.width, studio.size.height);
+    fmt::print("{}: the built-in mouth, {} x {}\n", shownName(file), studio.size.width, studio.size.height);
     return {};
 }
 

@@ -12,6 +12,7 @@
 #include "app/cli/reproduce_page.h"
 #include "app/common/drawing_experiment.h"
 #include "app/common/panel_image.h"
+#include "geometry/file_bytes.h"
 #include "geometry/folder.h"
 #include "session/experiments/thread_clock.h"
 
@@ -63,7 +64,7 @@ std::vector<std::string> experimentNames() {
 int runReproduce(const ReproduceOptions& options) {
     if (const auto done = makeFolder(options.out); !done) return refuse(done.error());
     const auto data = realTeethFolder();
-    fmt::print("teeth: {}\n", data ? "real ones from " + data->string()
+    fmt::print("teeth: {}\n", data ? "real ones from " + shownName(*data)
                                    : "built-in ones ($TACTOOTH_DATA and ../shared/data hold no real ones)");
     Subjects subjects;
     std::vector<Experiment> done;
@@ -79,7 +80,7 @@ int runReproduce(const ReproduceOptions& options) {
     }
     if (const auto page = writeReproducePage(done, subjectsText(subjects), options.out / "index.html"); !page)
         return refuse(page.error());
-    fmt::print("open {} for all of it\n", (options.out / "index.html").string());
+    fmt::print("open {} for all of it\n", shownName(options.out / "index.html"));
     return kExitOk;
 }
 

@@ -9,6 +9,7 @@
 
 #include "app/cli/exit_code.h"
 #include "app/cli/mesh_summary.h"
+#include "geometry/file_bytes.h"
 #include "geometry/mesh_edges.h"
 #include "geometry/mesh_file.h"
 #include "geometry/number_text.h"
@@ -42,7 +43,7 @@ int runSimplify(const SimplifyOptions& options) {
         return refuse(
             {fmt::format("{}: {}; only a closed surface whose triangles all face outward can be simplified "
                          "(see 'tactooth info').",
-                         options.in.string(),
+                         shownName(options.in),
                          report.closed() ? "the triangles disagree on which side is outside" : meshSummary(report))});
     }
     const std::size_t wanted = *wantedTriangles(options.keep, mesh->triangles.size());

@@ -9,6 +9,7 @@
 
 #include "app/cli/exit_code.h"
 #include "app/cli/mesh_summary.h"
+#include "geometry/file_bytes.h"
 #include "geometry/folder.h"
 #include "geometry/stl_writer.h"
 #include "session/tooth_cache.h"
@@ -63,7 +64,7 @@ int runTooth(const ToothOptions& options) {
         if (mesh->empty()) continue;
         const std::filesystem::path file = options.out / name;
         if (const auto done = writeStl(*mesh, file); !done) return refuse(done.error());
-        fmt::print("{}: {}\n", file.string(), meshSummary(reportOn(*mesh)));
+        fmt::print("{}: {}\n", shownName(file), meshSummary(reportOn(*mesh)));
     }
     return kExitOk;
 }

@@ -382,6 +382,9 @@ void MainWindow::takeNews(const Workbench::News& news) {
     if (!news.newTooth) return;
     setWindowTitle(tr("%1 — Tactooth").arg(translated(bench_.tooth()->name)));
     showUsualHint();
+    if (bench_.tooth()->materials) {
+        status_->setHint(tr("This case brings its own materials: it may feel harder, softer or rougher than others"));
+    }
     view_->lookAsUsual();
     view_->fit();
     dropTarget();  // it is in the frame of the tooth before

@@ -25,7 +25,8 @@ Expected<PlacedTooth> loadCase(const ToothSource& source, const std::string& wor
     if (place.teethOfCase.size() > 1) place.name += ", " + opened->tooth;
     place.materials = std::move(opened->materials);
     place.bur = std::move(opened->bur);
-    placed.provenance = {{"case", shownName(source.outer)}, {"tooth", opened->tooth}, {"licence", description.licence}};
+    placed.provenance = {
+        {"case", shownNameAlone(source.outer)}, {"tooth", opened->tooth}, {"licence", description.licence}};
     for (const std::string& line : description.provenance) placed.provenance.emplace_back("case from", line);
     return placed;
 }
@@ -43,7 +44,7 @@ Expected<PlacedTooth> loadPlacedTooth(const ToothSource& source, const std::stri
     if (auto single = refuseChoice(source, workOn); !single) return Unexpected{single.error()};
     auto tooth = loadLayeredTooth(source);
     if (!tooth) return Unexpected{tooth.error()};
-    return PlacedTooth{*tooth, placeOf(**tooth, source.outer.filename().string())};
+    return PlacedTooth{*tooth, placeOf(**tooth, shownNameAlone(source.outer))};
 }
 
 Expected<PlacedWork> loadPlacedWork(const ToothSource& source, const std::string& workOn, std::optional<double> voxel,
@@ -57,7 +58,7 @@ Expected<PlacedWork> loadPlacedWork(const ToothSource& source, const std::string
     if (auto single = refuseChoice(source, workOn); !single) return Unexpected{single.error()};
     auto opened = loadTooth(source, voxel, usualVoxel);
     if (!opened) return Unexpected{opened.error()};
-    ToothPlace place = placeOf(opened->piece->tooth(), source.outer.filename().string());
+    ToothPlace place = placeOf(opened->piece->tooth(), shownNameAlone(source.outer));
     return PlacedWork{std::move(opened->piece), std::move(place), std::move(opened->provenance)};
 }
 
