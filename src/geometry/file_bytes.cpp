@@ -9,6 +9,8 @@
 #include <cerrno>
 #include <system_error>
 
+#include "geometry/shown_text.h"
+
 namespace tactooth {
 namespace {
 
@@ -55,12 +57,16 @@ Expected<std::size_t> sizeOfRegularFile(const Descriptor& file, const std::strin
 
 }  // namespace
 
-Expected<FileBytes> readFile(const std::filesystem::path& path) {
+Expected<FileBytes> readFile(const std::filesystem::path& path, std::size_t most) {
     const std::string name = shownName(path);
     const Descriptor file(path);
     if (!file.valid()) return cannotOpen(name, errno);
     const Expected<std::size_t> size = sizeOfRegularFile(file, name);
     if (!size) return unexpected(size.error().message);
+    if (*size > most) {
+        return unexpected(name + ": the file holds " + std::to_string(*size) + " bytes, and at most " +
+                          std::to_string(most) + " are read of such a file; choose another or a smaller one.");
+    }
 
     auto* const data = static_cast<std::byte*>(allocateOnLargePages(*size));
     if (data == nullptr)
@@ -78,12 +84,11 @@ Expected<FileBytes> readFile(const std::filesystem::path& path) {
     return whole;
 }
 
-std::string shownName(const std::filesystem::path& path) {
-    std::string name = path.string();
-    for (char& letter : name) {
-        if (static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f) letter = '?';
-    }
-    return name;
+std::string shownName(const std::filesystem::path& path) { return shownText(path.native()); }
+
+std::string shownNameAlone(const std::filesystem::path& path) {
+    const std::filesystem::path plain = path.lexically_normal();
+    return shownName(plain.has_filename() ? plain.filename() : plain.parent_path().filename());
 }
 
 }  // namespace tactooth

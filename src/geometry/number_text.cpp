@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/number_text.h"
 
-#include <algorithm>
 #include <array>
+
+#include "geometry/shown_text.h"
 
 namespace tactooth {
 
@@ -13,11 +14,8 @@ std::string numberText(double value) {
 }
 
 std::string quotedWord(std::string_view word) {
-    constexpr std::size_t kLongest = 24;
-    std::string shown(word.substr(0, kLongest));
-    std::replace_if(
-        shown.begin(), shown.end(), [](unsigned char letter) { return letter < 0x20 || letter >= 0x7f; }, '?');
-    return "'" + shown + (word.size() > kLongest ? "...'" : "'");
+    constexpr std::size_t kLongest = 24;  // characters
+    return "'" + shownShort(word, kLongest) + "'";
 }
 
 }  // namespace tactooth

@@ -7,7 +7,7 @@
 namespace tactooth {
 
 /// The most triangles that a subdivided mesh may have.
-inline constexpr std::size_t kMostSubdivided = 100'000'000;
+inline constexpr std::size_t kMostSubdivided = 10'000'000;
 
 /// The same surface from more triangles: every edge is halved `times` times, so each triangle becomes 4^times. Its old
 /// vertices are its first ones. A closed surface stays closed, an edge of three triangles stays one. New vertices lie

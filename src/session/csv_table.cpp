@@ -15,6 +15,7 @@
 namespace tactooth {
 namespace {
 
+constexpr std::size_t kMostCsvBytes = std::size_t{1} << 28;  // an hour at 1 kHz, in short numbers
 constexpr std::string_view kBlanks = " \t\r";
 
 std::string_view trimmed(std::string_view text) {
@@ -143,7 +144,7 @@ Expected<CsvTable> parseCsv(std::string_view text, std::string_view name, std::s
 
 Expected<CsvTable> readCsv(const std::filesystem::path& path, std::span<const std::string_view> columns,
                            std::span<const std::string_view> wordColumns) {
-    const Expected<FileBytes> file = readFile(path);
+    const Expected<FileBytes> file = readFile(path, kMostCsvBytes);
     if (!file) return Unexpected{file.error()};
     return parseCsv(file->text(), shownName(path), columns, wordColumns);
 }
@@ -158,13 +159,22 @@ Expected<CsvWriter> CsvWriter::create(const std::filesystem::path& path, std::sp
 void CsvWriter::row(std::span<const double> values) {
     assert(values.size() == columns_);
     line_.clear();
+    ++rows_;
     for (const double value : values) {
+        if (!std::isfinite(value) && firstBadRow_ == 0) firstBadRow_ = rows_;
         std::array<char, 32> digits;  // the longest double takes 24
         const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
         line_.append(line_.empty() ? "" : ",").append(digits.data(), end);
     }
     line_ += '\n';
     file_.write(line_);
+}
+
+Expected<void> CsvWriter::commit() {
+    if (firstBadRow_ == 0) return file_.commit();
+    return unexpected("row " + std::to_string(firstBadRow_) +
+                      " of the table has a number that is not finite, so nothing is written; check size and unit of "
+                      "the surfaces.");
 }
 
 }  // namespace tactooth

@@ -65,8 +65,9 @@ public:
     /// `values` holds one number a column.
     void row(std::span<const double> values);
 
-    /// Gives the file its name; to be called once, after the last row.
-    [[nodiscard]] Expected<void> commit() { return file_.commit(); }
+    /// Gives the file its name; to be called once, after the last row. Fails, and leaves no file, also if a number was
+    /// not finite.
+    [[nodiscard]] Expected<void> commit();
 
 private:
     CsvWriter(AtomicFile file, std::size_t columns) : file_(std::move(file)), columns_(columns) {}
@@ -74,6 +75,8 @@ private:
     AtomicFile file_;
     std::size_t columns_;
     std::string line_;
+    std::size_t rows_ = 0;
+    std::size_t firstBadRow_ = 0;  ///< with a number that is not finite; counted from 1
 };
 
 }  // namespace tactooth

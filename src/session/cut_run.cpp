@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "session/feel_run.h"
+#include "session/finite_tick.h"
 
 namespace tactooth {
 namespace {
@@ -34,8 +35,8 @@ SpindlePreset constantSpeed(double speedRpm) {
     return preset;
 }
 
-void cutRigidly(std::span<const TimedPose> path, const CuttingTool& tool, double speedRpm,
-                const MaterialTable& materials, WorkPiece& piece, const CutVisitor& visit) {
+Expected<void> cutRigidly(std::span<const TimedPose> path, const CuttingTool& tool, double speedRpm,
+                          const MaterialTable& materials, WorkPiece& piece, const CutVisitor& visit) {
     const double rimSpeed = speedRpm / 60 * 2 * std::numbers::pi * tool.envelope.maxRadius() * 1e-3;  // m/s
     for (std::size_t i = 0; i < path.size(); ++i) {
         const TimedPose& before = path[i == 0 ? 0 : i - 1];
@@ -51,9 +52,11 @@ void cutRigidly(std::span<const TimedPose> path, const CuttingTool& tool, double
                 tick.wrench.force = workFor(volumes, materials, tool.sharpness) / travel * tick.normal;
             }
         }
+        if (auto finite = checkFinite(path[i].time, tick); !finite) return finite;
         visit(path[i].time, tick, piece.loss());
     }
     piece.refreshSurface();
+    return {};
 }
 
 void feelPiece(const WorkPiece& piece, const Tick& tick, bool isCut, FeltSurfaces& surfaces,
@@ -66,8 +69,8 @@ void feelPiece(const WorkPiece& piece, const Tick& tick, bool isCut, FeltSurface
     surfaces.giveBack(felt);
 }
 
-void cutByLaw(std::span<const TimedPose> path, const CuttingTool& tool, const MaterialTable& materials,
-              HapticSimulation& simulation, WorkPiece& piece, const CutVisitor& visit) {
+Expected<void> cutByLaw(std::span<const TimedPose> path, const CuttingTool& tool, const MaterialTable& materials,
+                        HapticSimulation& simulation, WorkPiece& piece, const CutVisitor& visit) {
     simulation.setTickWork(kUnlimitedWork);  // nobody waits for a tick, and a bur that is late cuts more
     FeltSurfaces surfaces(simulation.tool(), piece.felt());
     double last = path.empty() ? 0 : path.front().time;
@@ -77,6 +80,7 @@ void cutByLaw(std::span<const TimedPose> path, const CuttingTool& tool, const Ma
         Tick tick = timed(micros, [&] { return simulation.step({row.toolInTooth, 1, true}, row.time - last); });
         tick.micros = micros;
         last = row.time;
+        if (auto finite = checkFinite(row.time, tick); !finite) return finite;
         const bool isTurnToCut = row.time - lastCut >= kSurfaceDelay - 1e-9;
         if (isTurnToCut) lastCut = row.time;
         const bool isCut = isTurnToCut && (piece.feed(tool, tick, materials) || piece.letFall(tick));
@@ -84,6 +88,7 @@ void cutByLaw(std::span<const TimedPose> path, const CuttingTool& tool, const Ma
         visit(row.time, tick, piece.loss());
     }
     piece.letFall();
+    return {};
 }
 
 }  // namespace tactooth

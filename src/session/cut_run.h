@@ -17,9 +17,10 @@ namespace tactooth {
 using CutVisitor = std::function<void(double time, const Tick& tick, const ToothLoss& loss)>;
 
 /// Cuts all that the bur sweeps along the path, whatever force it would take. That force is told (normal force that the
-/// removal law asks for, against the motion); nothing is held back, so depth is 0 and the proxy is the hand.
-void cutRigidly(std::span<const TimedPose> path, const CuttingTool& tool, double speedRpm,
-                const MaterialTable& materials, WorkPiece& piece, const CutVisitor& visit);
+/// removal law asks for, against the motion); nothing is held back, so depth is 0 and the proxy is the hand. Fails with
+/// one sentence at the first tick that is not finite (see checkFinite).
+[[nodiscard]] Expected<void> cutRigidly(std::span<const TimedPose> path, const CuttingTool& tool, double speedRpm,
+                                        const MaterialTable& materials, WorkPiece& piece, const CutVisitor& visit);
 
 /// Lets the hand feel the piece as it is after `tick`, with what is near the tool listed ahead for the ticks to come.
 /// To be called after each tick. `isCut`: the piece has changed in it.
@@ -28,8 +29,9 @@ void feelPiece(const WorkPiece& piece, const Tick& tick, bool isCut, FeltSurface
 
 /// Follows the path with the hand; the tooth gives way only as fast as the removal law lets it. The felt surface
 /// follows the cut by no more than 5 ms of simulated time. Pieces that come loose fall when the bur is lifted, and at
-/// the end of the path.
-void cutByLaw(std::span<const TimedPose> path, const CuttingTool& tool, const MaterialTable& materials,
-              HapticSimulation& simulation, WorkPiece& piece, const CutVisitor& visit);
+/// the end of the path. Fails as cutRigidly does.
+[[nodiscard]] Expected<void> cutByLaw(std::span<const TimedPose> path, const CuttingTool& tool,
+                                      const MaterialTable& materials, HapticSimulation& simulation, WorkPiece& piece,
+                                      const CutVisitor& visit);
 
 }  // namespace tactooth

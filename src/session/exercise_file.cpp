@@ -9,6 +9,7 @@
 #include "geometry/number_text.h"
 #include "instruments/bur_catalogue.h"
 #include "session/cases/case_store.h"
+#include "session/cases/guarded_toml.h"
 #include "session/cases/toml_reader.h"
 
 namespace tactooth {
@@ -203,14 +204,11 @@ private:
 }  // namespace
 
 Expected<Exercise> parseExercise(std::string_view text, const std::string& name, const std::filesystem::path& folder) {
-    if (text.size() > kCaseLimits.textBytes) {
-        return unexpected(name + ": the file is too large for the description of an exercise.");
-    }
     return ExerciseReader(name, folder).read(text);
 }
 
 Expected<Exercise> readExercise(const std::filesystem::path& file) {
-    const Expected<FileBytes> bytes = readFile(file);
+    const Expected<FileBytes> bytes = readFile(file, kTomlLimits.bytes);
     if (!bytes) return Unexpected{bytes.error()};
     Expected<Exercise> exercise = parseExercise(bytes->text(), shownName(file), file.parent_path());
     if (exercise) exercise->file = file;

@@ -22,8 +22,8 @@ auto timed(double& micros, Work&& work) {
 }
 
 /// One haptic run along a trajectory, at its own time steps: a still tool in the touch mode. `visit(time, tick)` is
-/// called for every row.
-void feelAlong(std::span<const TimedPose> trajectory, HapticSimulation& simulation,
-               const std::function<void(double, const Tick&)>& visit);
+/// called for every row. Fails with one sentence at the first tick that is not finite (see checkFinite).
+[[nodiscard]] Expected<void> feelAlong(std::span<const TimedPose> trajectory, HapticSimulation& simulation,
+                                       const std::function<void(double, const Tick&)>& visit);
 
 }  // namespace tactooth

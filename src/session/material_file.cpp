@@ -2,21 +2,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "session/material_file.h"
 
-#include <toml++/toml.h>
-
 #include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <limits>
 
 #include "geometry/file_bytes.h"
 #include "geometry/number_text.h"
+#include "session/cases/guarded_toml.h"
 
 namespace tactooth {
 namespace {
 
-constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+constexpr double kMostRemoval = 10;     // mm^3/(N*m): butter; pulp has 0.3
+constexpr double kHighestCentre = 2e4;  // Hz: what an ear hears
 
 struct NumberKey {
     std::string_view name;
@@ -24,12 +23,12 @@ struct NumberKey {
     void (*set)(Material&, double);
 };
 constexpr std::array<NumberKey, 7> kNumberKeys = {{
-    {"stiffness", kUnlimited, [](Material& m, double value) { m.stiffness = value; }},
-    {"damping", kUnlimited, [](Material& m, double value) { m.damping = value; }},
-    {"friction", kUnlimited, [](Material& m, double value) { m.friction = value; }},
-    {"removal", kUnlimited, [](Material& m, double value) { m.removal = value; }},
+    {"stiffness", kMostMaterialStiffness, [](Material& m, double value) { m.stiffness = value; }},
+    {"damping", kMostMaterialDamping, [](Material& m, double value) { m.damping = value; }},
+    {"friction", kMostMaterialFriction, [](Material& m, double value) { m.friction = value; }},
+    {"removal", kMostRemoval, [](Material& m, double value) { m.removal = value; }},
     {"roughness", 1, [](Material& m, double value) { m.roughness = static_cast<float>(value); }},
-    {"sound_centre", kUnlimited, [](Material& m, double value) { m.soundCentre = value; }},
+    {"sound_centre", kHighestCentre, [](Material& m, double value) { m.soundCentre = value; }},
     {"sound_level", 1, [](Material& m, double value) { m.soundBrightness = value; }},
 }};
 constexpr std::string_view kColourKey = "colour";
@@ -60,16 +59,6 @@ std::string described(const toml::node& node) {
     if (node.is_array()) return "a list";
     if (node.is_table()) return "a table";
     return "a date or a time";
-}
-
-/// What the parser said, as part of a sentence: on one line, without control characters and full stop.
-std::string asClause(std::string_view description) {
-    std::string clause(description);
-    for (char& letter : clause) {
-        if (static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f) letter = ' ';
-    }
-    clause.erase(clause.find_last_not_of(" .") + 1);
-    return clause;
 }
 
 /// Takes over what a file says into a table of materials, until something is wrong.
@@ -132,9 +121,8 @@ private:
     bool readNumber(const toml::node& node, std::string_view key, double highest, double& value) {
         const std::optional<double> number = node.is_number() ? node.value<double>() : std::nullopt;
         if (!number || !std::isfinite(*number) || *number < 0 || *number > highest) {
-            return fail(node.source(), quotedWord(key) + " must be a number " +
-                                           (highest == 1 ? "from 0 to 1" : "of 0 or more") + ", but is " +
-                                           described(node));
+            return fail(node.source(), quotedWord(key) + " must be a number from 0 to " + numberText(highest) +
+                                           ", but is " + described(node));
         }
         value = *number;
         return true;
@@ -153,12 +141,9 @@ private:
 }  // namespace
 
 Expected<MaterialTable> parseMaterials(std::string_view text, std::string_view name, const MaterialTable& start) {
-    try {
-        return MaterialReader(name, start).read(toml::parse(text));
-    } catch (const toml::parse_error& error) {
-        return unexpected(std::string(name) + ", line " + std::to_string(error.source().begin.line) +
-                          ": this is not TOML: " + asClause(error.description()) + ".");
-    }
+    const Expected<toml::table> root = parseToml(text, name);
+    if (!root) return Unexpected{root.error()};
+    return MaterialReader(name, start).read(*root);
 }
 
 MaterialTable defaultMaterials() {
@@ -168,7 +153,7 @@ MaterialTable defaultMaterials() {
 }
 
 Expected<MaterialTable> readMaterials(const std::filesystem::path& path) {
-    const Expected<FileBytes> file = readFile(path);
+    const Expected<FileBytes> file = readFile(path, kTomlLimits.bytes);
     if (!file) return Unexpected{file.error()};
     return parseMaterials(file->text(), shownName(path), defaultMaterials());
 }

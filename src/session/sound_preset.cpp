@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "session/sound_preset.h"
 
-#include <toml++/toml.h>
-
 #include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "geometry/file_bytes.h"
 #include "geometry/number_text.h"
+#include "session/cases/case_store.h"
+#include "session/cases/guarded_toml.h"
 #include "sound/recording_file.h"
 
 namespace tactooth {
@@ -105,7 +105,13 @@ private:
     }
 
     bool readFile(const toml::node& file, RecordedPart& part) {
-        auto recording = readNamed_(*file.value<std::string>());
+        const auto entry = *file.value<std::string>();
+        if (!isSafeEntry(entry)) {
+            return fail(file.source(), quotedWord(entry) +
+                                           " must lie beside this file or below it, named with '/' and without "
+                                           "'..'");
+        }
+        auto recording = readNamed_(entry);
         if (!recording) {
             std::string reason = recording.error().message;
             reason.pop_back();  // fail() ends the sentence
@@ -127,9 +133,15 @@ private:
 };
 
 Expected<SoundKit> readPreset(const std::filesystem::path& path) {
-    const Expected<FileBytes> file = readFile(path);
+    const Expected<FileBytes> file = readFile(path, kTomlLimits.bytes);
     if (!file) return Unexpected{file.error()};
-    const auto readBeside = [&](const std::string& name) { return readRecording(path.parent_path() / name); };
+    const auto readBeside = [&](const std::string& name) -> Expected<Recording> {
+        if (!staysBelow(path.parent_path(), name)) {
+            return unexpected(quotedWord(name) +
+                              " is a link that leads out of the folder of this file; put a copy there instead.");
+        }
+        return readRecording(path.parent_path() / name);
+    };
     return parseSoundPreset(file->text(), shownName(path), readBeside);
 }
 
@@ -137,12 +149,9 @@ Expected<SoundKit> readPreset(const std::filesystem::path& path) {
 
 Expected<SoundKit> parseSoundPreset(std::string_view text, const std::string& name,
                                     const ReadNamedRecording& readNamed) {
-    try {
-        return PresetReader(name, readNamed).read(toml::parse(text));
-    } catch (const toml::parse_error& error) {
-        return unexpected(name + ", line " + std::to_string(error.source().begin.line) +
-                          ": this is not TOML; see docs/sound.md for a pattern.");
-    }
+    const Expected<toml::table> root = parseToml(text, name);
+    if (!root) return Unexpected{root.error()};
+    return PresetReader(name, readNamed).read(*root);
 }
 
 Expected<std::shared_ptr<const SoundKit>> readSoundKit(const std::filesystem::path& path, const SpindlePreset& drive) {

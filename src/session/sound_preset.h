@@ -18,7 +18,8 @@ namespace tactooth {
 /// recording alone (any other file), which then is `drive` running free.
 ///
 /// Fails with one sentence with file and line on a preset that is not TOML, a part, key or material that there is not,
-/// a number that cannot be meant, a missing `file`; and on everything that readRecording refuses.
+/// a number that cannot be meant, a missing `file` or one that lies outside of the preset's folder; and on everything
+/// that readRecording refuses.
 [[nodiscard]] Expected<std::shared_ptr<const SoundKit>> readSoundKit(const std::filesystem::path& path,
                                                                      const SpindlePreset& drive);
 

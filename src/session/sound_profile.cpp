@@ -48,8 +48,8 @@ std::optional<std::string> faultIn(const CsvTable& table, std::size_t row) {
     if (row > 0 && time < table.at(row - 1, 0))
         return "time runs backwards (t is less than in the row above); sort the rows by t.";
     if (speed < 0 || speed > kMostSpeed)
-        return "speed_rpm must be from 0 to 1000000 rev/min, but is " + std::to_string(speed) + ".";
-    if (power < 0 || power > kMostPower) return "power must be from 0 to 1000 W, but is " + std::to_string(power) + ".";
+        return "speed_rpm must be from 0 to 1000000 rev/min, but is " + numberText(speed) + ".";
+    if (power < 0 || power > kMostPower) return "power must be from 0 to 1000 W, but is " + numberText(power) + ".";
     if (material != kNothing && !findSoundCharacter(material)) {
         return "there is no material " + quotedWord(material) +
                "; write enamel, dentin, pulp, caries, amalgam, composite, restoration, other or none.";

@@ -24,7 +24,7 @@ Expected<OpenedTooth> openTooth(const std::filesystem::path& path) {
     auto saved = parseSavedTooth(file->bytes(), shownName(path));
     if (!saved) return Unexpected{saved.error()};
     auto tooth = LayeredTooth::make(std::move(saved->outer), std::move(saved->layers), saved->body, saved->standing);
-    if (!tooth) return unexpected(shownName(path) + ": " + tooth.error().message);
+    if (!tooth) return unexpected(shownName(path) + ": " + tooth.error().message + ".");
     auto piece = std::make_shared<WorkPiece>(std::make_shared<const LayeredTooth>(std::move(*tooth)), saved->voxel);
     piece->adopt(saved->cuts, saved->removed);
     return OpenedTooth{std::move(piece), std::move(saved->provenance)};
@@ -45,9 +45,9 @@ Expected<OpenedTooth> loadTooth(const ToothSource& source, std::optional<double>
     OpenedTooth opened;
     auto tooth = loadLayeredTooth(source, &opened.remarks);
     if (!tooth) return Unexpected{tooth.error()};
-    opened.provenance.emplace_back("tooth", source.outer.string());
+    opened.provenance.emplace_back("tooth", shownNameAlone(source.outer));
     for (const ToothSource::Layer& layer : source.layers) {
-        opened.provenance.emplace_back("layer " + layer.material, layer.file.string());
+        opened.provenance.emplace_back("layer " + layer.material, shownNameAlone(layer.file));
     }
     opened.piece = std::make_shared<WorkPiece>(std::move(*tooth), voxel.value_or(usualVoxel));
     return opened;
@@ -57,8 +57,13 @@ bool isToothFile(const std::filesystem::path& path) { return path.extension() ==
 
 Provenance savedNow(Provenance before) {
     const RunFacts facts = currentRunFacts();
+    // Files of earlier versions hold commands and whole paths.
+    std::erase_if(before, [](const auto& note) { return note.first == "command"; });
+    for (auto& [what, value] : before) {
+        const bool isFile = what == "tooth" || what == "case" || what.starts_with("layer ");
+        if (isFile && value.find('/') != std::string::npos) value = shownNameAlone(value);
+    }
     before.emplace_back("saved", facts.date);
-    before.emplace_back("command", facts.command);
     before.emplace_back("sources", facts.commit);
     return before;
 }

@@ -39,7 +39,8 @@ struct OpenedTooth {
 /// Whether a file's name says that it holds a saved tooth.
 [[nodiscard]] bool isToothFile(const std::filesystem::path& path);
 
-/// Adds when, by which command and by which version of the sources a tooth was saved.
+/// Adds when and by which version of the sources a tooth was saved. Such a file is handed on: by whom, where and by
+/// which command is nobody else's business.
 [[nodiscard]] Provenance savedNow(Provenance before);
 
 }  // namespace tactooth

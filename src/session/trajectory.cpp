@@ -5,12 +5,15 @@
 #include <array>
 #include <cmath>
 
+#include "geometry/number_text.h"
 #include "session/csv_table.h"
 
 namespace tactooth {
 namespace {
 
 constexpr std::array<std::string_view, 8> kColumns = {"t", "x", "y", "z", "qw", "qx", "qy", "qz"};
+constexpr double kFarthest = 1e4;        // mm
+constexpr double kLatest = 1e12;         // s: 30,000 years, with steps of 0.1 ms
 constexpr double kUnitTolerance = 0.01;  // a quaternion written with three digits is still meant as unit
 
 Expected<std::vector<TimedPose>> posesOf(const Expected<CsvTable>& table) {
@@ -24,7 +27,15 @@ Expected<std::vector<TimedPose>> posesOf(const Expected<CsvTable>& table) {
         if (std::abs(length - 1) > kUnitTolerance) {
             return unexpected(table->where(row) +
                               ": the quaternion qw,qx,qy,qz must have length 1, but its length is " +
-                              std::to_string(length) + "; write 1,0,0,0 for a tool that is not turned.");
+                              numberText(length) + "; write 1,0,0,0 for a tool that is not turned.");
+        }
+        if (Vec3(value[1], value[2], value[3]).cwiseAbs().maxCoeff() > kFarthest) {
+            return unexpected(table->where(row) +
+                              ": the tool is farther than 10 m from the tooth's origin; x,y,z are in mm, so check the "
+                              "unit.");
+        }
+        if (std::abs(value[0]) > kLatest) {
+            return unexpected(table->where(row) + ": t is beyond any clock's seconds; t is in s, so check the unit.");
         }
         if (row > 0 && value[0] < trajectory.back().time) {
             return unexpected(table->where(row) +

@@ -9,7 +9,9 @@
 #include <sstream>
 
 #include "geometry/atomic_file.h"
+#include "geometry/file_bytes.h"
 #include "geometry/parallel_for.h"
+#include "geometry/shown_text.h"
 #include "tooth/remaining_shares.h"
 
 namespace tactooth {
@@ -122,7 +124,7 @@ Expected<void> writeVdb(const CutVolume& volume, const Provenance& provenance, c
         openvdb::initialize();
         file->write(MemoryArchive().bytesOf(gridsOf(volume).finished(), metadataOf(provenance)));
     } catch (const std::exception& error) {  // the library throws
-        return unexpected(path.string() + ": cannot be written: OpenVDB says: " + error.what() + ".");
+        return unexpected(shownName(path) + ": cannot be written: OpenVDB says: " + shownText(error.what()) + ".");
     }
     return file->commit();
 }

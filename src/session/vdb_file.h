@@ -13,6 +13,9 @@ namespace tactooth {
 /// there to build it.
 [[nodiscard]] Expected<void> checkVdb();
 
+/// Fails, before memory is taken, if the file of this tooth would hold more than 4 GB. `voxel`: spacing, mm.
+[[nodiscard]] Expected<void> checkVdbSize(const LayeredTooth& tooth, double voxel);
+
 /// Writes what is left of a tooth for OpenVDB: one grid of floats for each material, named after it, that says how much
 /// of each voxel it fills, 0..1; docs/vdb-file.md. The file appears when it is complete.
 [[nodiscard]] Expected<void> writeVdb(const CutVolume& volume, const Provenance& provenance,

@@ -91,9 +91,11 @@ Expected<void> check(std::span<const TimedSoundState> track, double seconds) {
 
 }  // namespace
 
-Expected<StereoSamples> renderOffline(std::span<const TimedSoundState> track, double seconds,
-                                      const OfflineSettings& settings) {
-    if (const Expected<void> checked = check(track, seconds); !checked) return unexpected(checked.error().message);
+std::size_t framesOf(double seconds) { return static_cast<std::size_t>(std::llround(seconds * kSoundRate)); }
+
+Expected<void> renderInPieces(std::span<const TimedSoundState> track, double seconds, const OfflineSettings& settings,
+                              const SampleSink& sink) {
+    if (Expected<void> checked = check(track, seconds); !checked) return checked;
     const LoopbackFunctions loopback = loopbackFunctions();
     const std::unique_ptr<OpenAlStream> stream = openLoopback(loopback, settings.headphones);
     if (stream == nullptr) {
@@ -104,22 +106,31 @@ Expected<StereoSamples> renderOffline(std::span<const TimedSoundState> track, do
     Soundscape soundscape(settings.seed, settings.kit.get());
     soundscape.setMixer(settings.mixer);
     TrackReader reader(track);
-    const auto wanted = static_cast<std::size_t>(std::llround(seconds * kSoundRate));
-    const std::size_t blocks = (wanted + Soundscape::kDelay + kSoundBlock - 1) / kSoundBlock;
-    StereoSamples stereo(blocks * kSoundBlock * 2);
+    // What comes out lags by the delay: so much is left out before the first frame.
+    const std::size_t first = Soundscape::kDelay, end = first + framesOf(seconds);
+    std::array<float, 2 * kSoundBlock> stereo{};
     SoundBlock block;
-    for (std::size_t i = 0; i < blocks; ++i) {
-        const TimedSoundState now = reader.at(static_cast<double>((i + 1) * kSoundBlock) / kSoundRate);
+    for (std::size_t frame = 0; frame < end; frame += kSoundBlock) {
+        const TimedSoundState now = reader.at(static_cast<double>(frame + kSoundBlock) / kSoundRate);
         soundscape.render(now.state, block);
         stream->place(now.placement);
         stream->reclaim();
         stream->queue(block);
         stream->ensurePlaying();
-        loopback.render(stream->device(), &stereo[i * kSoundBlock * 2], kSoundBlock);
+        loopback.render(stream->device(), stereo.data(), kSoundBlock);
+        const std::size_t from = std::clamp<std::size_t>(first, frame, frame + kSoundBlock) - frame;
+        const std::size_t to = std::min<std::size_t>(end - frame, kSoundBlock);
+        if (from < to) sink(std::span<const float>(stereo).subspan(2 * from, 2 * (to - from)));
     }
-    stereo.erase(stereo.begin(), stereo.begin() + 2 * Soundscape::kDelay);
-    stereo.resize(wanted * 2);
-    return stereo;
+    return {};
+}
+
+Expected<StereoSamples> renderOffline(std::span<const TimedSoundState> track, double seconds,
+                                      const OfflineSettings& settings) {
+    StereoSamples all;
+    const auto keep = [&](std::span<const float> stereo) { all.insert(all.end(), stereo.begin(), stereo.end()); };
+    if (const auto done = renderInPieces(track, seconds, settings, keep); !done) return Unexpected{done.error()};
+    return all;
 }
 
 }  // namespace tactooth

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -32,14 +33,25 @@ struct OfflineSettings {
 /// Two channels, left and right sample by turns, at kSoundRate.
 using StereoSamples = std::vector<float>;
 
-/// s: 1.4 GB of samples.
+/// s: 0.7 GB of a WAV file.
 inline constexpr double kLongestSound = 3600;
+
+/// How many frames (one sample left, one right) a sound of that length has.
+[[nodiscard]] std::size_t framesOf(double seconds);
+
+/// Takes the next samples, left and right by turns.
+using SampleSink = std::function<void(std::span<const float> stereo)>;
 
 /// What a listener would have heard in the `seconds` from time 0: rendered through OpenAL's loopback device, no sound
 /// card needed, as fast as the machine goes. Between two states numbers go in a straight line, and the rest is held; so
 /// it is before the first and after the last; of two states at one time the later one counts from then on. Sample n
 /// belongs to the time n / kSoundRate, exactly. Errors: no state, times that run backwards, a length that is not finite
-/// or over kLongestSound, an OpenAL without loopback.
+/// or over kLongestSound, an OpenAL without loopback; then `sink` was not called. It gets framesOf(seconds) frames in
+/// all, in pieces of at most kSoundBlock, so that an hour takes no more memory than a second.
+[[nodiscard]] Expected<void> renderInPieces(std::span<const TimedSoundState> track, double seconds,
+                                            const OfflineSettings& settings, const SampleSink& sink);
+
+/// The same, all at once: for a sound that is short.
 [[nodiscard]] Expected<StereoSamples> renderOffline(std::span<const TimedSoundState> track, double seconds,
                                                     const OfflineSettings& settings = {});
 

@@ -30,16 +30,10 @@ public:
         }
     }
 
-    /// Amplitudes at the frequencies from 0 to half the rate, of the window that begins at `start`; samples beyond the
-    /// ends are silent.
-    const std::array<float, kWindow / 2>& amplitudes(std::span<const float> stereo, std::ptrdiff_t start) {
-        const auto frames = static_cast<std::ptrdiff_t>(stereo.size() / 2);
-        for (std::size_t i = 0; i < kWindow; ++i) {
-            const std::ptrdiff_t frame = start + static_cast<std::ptrdiff_t>(i);
-            const auto left = static_cast<std::size_t>(2 * frame);
-            const bool inside = frame >= 0 && frame < frames;
-            values_[i] = inside ? window_[i] * 0.5f * (stereo[left] + stereo[left + 1]) : 0.0f;
-        }
+    /// Amplitudes at the frequencies from 0 to half the rate, of the window that begins with `mono`; samples behind its
+    /// end are silent.
+    const std::array<float, kWindow / 2>& amplitudes(std::span<const float> mono) {
+        for (std::size_t i = 0; i < kWindow; ++i) values_[i] = i < mono.size() ? window_[i] * mono[i] : 0.0f;
         transform();
         constexpr float kScale = 4.0f / kWindow;  // the window's mean is 1/2, and half of a sine is at -f
         for (std::size_t i = 0; i < amplitudes_.size(); ++i) amplitudes_[i] = kScale * std::abs(values_[i]);
@@ -77,22 +71,72 @@ float decibelOf(float amplitude) {
 
 }  // namespace
 
-Spectrogram spectrogramOf(std::span<const float> stereo, std::size_t times) {
-    assert(times > 0);
-    Spectrogram result{times, kWindow / 2, std::vector<float>(times * kWindow / 2, Spectrogram::kSilence)};
+struct SpectrogramMaker::State {
+    Spectrogram made;
     Fourier fourier;
-    const std::size_t frames = stereo.size() / 2;
-    for (std::size_t time = 0; time < times; ++time) {
-        const std::size_t from = frames * time / times, to = std::max(from + 1, frames * (time + 1) / times);
-        float* column = &result.level[time * result.bins];
-        for (std::size_t middle = (from + to) / 2 - ((to - from) / 2) / kStep * kStep; middle < to; middle += kStep) {
-            const auto& amplitudes = fourier.amplitudes(
-                stereo, static_cast<std::ptrdiff_t>(middle) - static_cast<std::ptrdiff_t>(kWindow / 2));
-            for (std::size_t bin = 0; bin < result.bins; ++bin)
-                column[bin] = std::max(column[bin], decibelOf(amplitudes[bin]));
-        }
+    std::size_t frames;
+    // Half a window of silence stands before the first frame: a window that begins at frame f of these has its middle
+    // at frame f of the sound.
+    std::vector<float> mono = std::vector<float>(kWindow / 2, 0.0f);
+    std::size_t first = 0;   // frame that mono begins with
+    std::size_t time = 0;    // of the window that is next
+    std::size_t middle = 0;  // of that window
+
+    [[nodiscard]] std::size_t from() const { return frames * time / made.times; }
+    [[nodiscard]] std::size_t to() const { return std::max(from() + 1, frames * (time + 1) / made.times); }
+    void begin() { middle = (from() + to()) / 2 - ((to() - from()) / 2) / kStep * kStep; }
+
+    void take() {
+        const std::size_t offset = middle - first;
+        const std::size_t there = offset < mono.size() ? std::min(kWindow, mono.size() - offset) : 0;
+        const auto& amplitudes = fourier.amplitudes(std::span(mono).subspan(std::min(offset, mono.size()), there));
+        float* column = &made.level[time * made.bins];
+        for (std::size_t bin = 0; bin < made.bins; ++bin)
+            column[bin] = std::max(column[bin], decibelOf(amplitudes[bin]));
+        middle += kStep;
+        if (middle >= to() && ++time < made.times) begin();
     }
-    return result;
+
+    void forget() {
+        // A window may begin before the last one where pieces are shorter than a frame.
+        constexpr std::size_t kSpare = kWindow;
+        const std::size_t keep = middle > kSpare ? middle - kSpare : 0;
+        if (keep < first + 16 * kWindow) return;
+        mono.erase(mono.begin(), mono.begin() + static_cast<std::ptrdiff_t>(std::min(keep - first, mono.size())));
+        first = keep;
+    }
+};
+
+SpectrogramMaker::SpectrogramMaker(std::size_t frames, std::size_t times)
+    : state_(std::make_unique<State>(
+          State{.made = {times, kWindow / 2, std::vector<float>(times * kWindow / 2, Spectrogram::kSilence)},
+                .fourier = {},
+                .frames = frames})) {
+    assert(times > 0);
+    state_->begin();
+}
+
+SpectrogramMaker::SpectrogramMaker(SpectrogramMaker&&) noexcept = default;
+SpectrogramMaker::~SpectrogramMaker() = default;
+
+void SpectrogramMaker::add(std::span<const float> stereo) {
+    State& state = *state_;
+    for (std::size_t i = 0; i + 1 < stereo.size(); i += 2) state.mono.push_back(0.5f * (stereo[i] + stereo[i + 1]));
+    const auto isComplete = [&] { return state.middle + kWindow <= state.first + state.mono.size(); };
+    while (state.time < state.made.times && isComplete()) state.take();
+    state.forget();
+}
+
+Spectrogram SpectrogramMaker::finish() {
+    State& state = *state_;
+    while (state.time < state.made.times) state.take();
+    return std::move(state.made);
+}
+
+Spectrogram spectrogramOf(std::span<const float> stereo, std::size_t times) {
+    SpectrogramMaker maker(stereo.size() / 2, times);
+    maker.add(stereo);
+    return maker.finish();
 }
 
 }  // namespace tactooth

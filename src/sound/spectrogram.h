@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -19,8 +20,26 @@ struct Spectrogram {
     [[nodiscard]] float at(std::size_t time, std::size_t bin) const { return level[time * bins + bin]; }
 };
 
-/// Of the mean of left and right samples by turns, cut into `times` (at least 1) pieces of equal length. Of a piece
-/// that is longer than one window, the loudest of its windows counts for each frequency, so that no click is missed.
+/// Makes the spectrogram of a sound that comes in pieces, of which only the last window stays in memory: of the mean of
+/// left and right samples by turns, cut into `times` pieces of equal length. Of a piece that is longer than one window,
+/// the loudest of its windows counts for each frequency, so that no click is missed.
+class SpectrogramMaker {
+public:
+    /// `frames`: pairs of samples that will come. `times`: at least 1.
+    SpectrogramMaker(std::size_t frames, std::size_t times);
+    SpectrogramMaker(SpectrogramMaker&&) noexcept;
+    ~SpectrogramMaker();
+
+    void add(std::span<const float> stereo);
+    /// To be called once, after all frames.
+    [[nodiscard]] Spectrogram finish();
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+/// The same of samples that are all there.
 [[nodiscard]] Spectrogram spectrogramOf(std::span<const float> stereo, std::size_t times);
 
 }  // namespace tactooth

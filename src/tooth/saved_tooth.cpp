@@ -137,6 +137,8 @@ private:
             LayerMesh layer;
             layer.material = readMaterial();
             layer.name = in_.getText();
+            // Files are named after it.
+            require(layer.name.find_first_of(std::string_view("/\0", 2)) == std::string::npos, kDamaged);
             readMesh(layer.mesh);
             tooth_.layers.push_back(std::move(layer));
         }

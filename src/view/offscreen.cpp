@@ -62,7 +62,7 @@ Expected<Image> OffscreenRenderer::render(const Scene& scene, PictureSize size, 
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
     if (std::min(size.width, size.height) <= 0 || std::max(size.width, size.height) > largest) {
         return unexpected("a picture of " + std::to_string(size.width) + " x " + std::to_string(size.height) +
-                          " pixels cannot be drawn: choose 1 to " + std::to_string(largest) + " for each side");
+                          " pixels cannot be drawn: choose 1 to " + std::to_string(largest) + " for each side.");
     }
     if (auto done = parts_->fitTo(size); !done) return Unexpected{done.error()};
     if (auto done = parts_->renderer.render(scene, parts_->framebuffer.name(), size, settings); !done) {

@@ -14,8 +14,8 @@ ONLY_OUTSIDE = {
     "said by commands": "app/main.cpp app/cli/ app/common/plot_image.cpp app/gui/window_options.cpp "
                         "geometry/file_set.cpp geometry/folder.cpp "
                         "session/cases/case_surfaces.cpp session/cases/make_case.cpp "
-                        "session/experiments/ session/sound_profile.cpp session/tooth_source.cpp "
-                        "session/vdb_file sound/offline_render.cpp sound/wav_file.cpp",
+                        "session/experiments/ session/finite_tick.cpp session/sound_profile.cpp session/tooth_source.cpp "
+                        "session/vdb_file session/vdb_size.cpp sound/offline_render.cpp sound/wav_file.cpp",
     "said by tactooth devices, doctor and info": "devices/child_probe.cpp devices/device_survey.cpp "
                                                  "devices/haply/haply_survey.cpp geometry/mesh_findings.cpp "
                                                  "haptics/real_time.cpp",

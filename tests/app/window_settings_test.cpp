@@ -153,8 +153,8 @@ TEST(WindowSettings, AFileThatCannotBeReadIsPutAsideAndAnOlderOneThereGoes) {
 }
 
 TEST(WindowSettings, WhatIsNotTomlIsRefusedWithItsLine) {
-    EXPECT_EQ(refusal("[window]\nfolder = \"open\n"), "window.toml, line 2: this is not TOML.");
-    EXPECT_EQ(refusal(std::string_view("\0\xff\x01", 3)), "window.toml, line 1: this is not TOML.");
+    EXPECT_TRUE(refusal("[window]\nfolder = \"open\n").starts_with("window.toml, line 2: this is not TOML: "));
+    EXPECT_TRUE(refusal(std::string_view("\0\xff\x01", 3)).starts_with("window.toml, line 1: this is not TOML: "));
 }
 
 TEST(WindowSettings, AFolderInThePlaceOfTheFileIsRefused) {

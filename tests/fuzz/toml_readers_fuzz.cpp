@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// Whatever the bytes: materials, a bur's description and a sound preset are refused with a sentence that names the
-// line, or every number in them is one that can be meant, and what can be written is read again.
+// Whatever the bytes: materials, a bur's description, a sound preset and an exercise are refused with a sentence that
+// names the line, or every number in them is one that can be meant, and what can be written is read again.
 #include <cmath>
 
 #include "fuzz/fuzz_target.h"
 #include "fuzz/small_surface.h"
 #include "session/cases/own_bur.h"
+#include "session/exercise_file.h"
 #include "session/material_file.h"
 #include "session/sound_preset.h"
 
@@ -22,6 +23,9 @@ bool isMaterials(std::string_view text) {
                                    material.soundCentre, material.soundBrightness}) {
             require(std::isfinite(value) && value >= 0, "a material's numbers are finite and not negative");
         }
+        require(material.stiffness <= kMostMaterialStiffness && material.damping <= kMostMaterialDamping &&
+                    material.friction <= kMostMaterialFriction,
+                "a material is one that a device may render");
     }
     return true;
 }
@@ -54,10 +58,21 @@ bool isSoundPreset(std::string_view text) {
     return true;
 }
 
+bool isExercise(std::string_view text) {
+    const auto exercise = parseExercise(text, "fuzz", "folder");
+    if (!exercise) return requireSentence(exercise.error(), 1000), false;
+    if (const auto* plan = std::get_if<PreparationPlan>(&exercise->ideal)) {
+        require(std::isfinite(plan->depth) && plan->outward.allFinite(), "a cavity can be planned");
+        for (const auto& stroke : plan->strokes)
+            require(stroke.from.allFinite() && stroke.to.allFinite(), "a stroke has places");
+    }
+    return true;
+}
+
 bool accepts(std::span<const std::byte> bytes) {
     const std::string_view text = asText(bytes);
-    const bool isAny[] = {isMaterials(text), isBur(text), isSoundPreset(text)};
-    return isAny[0] || isAny[1] || isAny[2];
+    const bool isAny[] = {isMaterials(text), isBur(text), isSoundPreset(text), isExercise(text)};
+    return isAny[0] || isAny[1] || isAny[2] || isAny[3];
 }
 
 const AddFuzzTarget added({"toml", accepts});

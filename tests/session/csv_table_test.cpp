@@ -5,10 +5,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <random>
 
 #include "support/test_data.h"
@@ -139,6 +141,23 @@ TEST(CsvWriter, WithoutCommitNoFileIsLeft) {
         writer->row(std::array{1.0, 2.0});
     }
     EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(CsvWriter, ANumberThatIsNotFiniteLeavesNoFile) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    const test::TemporaryFolder folder;
+    for (const double bad : {std::nan(""), -std::nan(""), kInfinity, -kInfinity, 1e308 * 10}) {
+        auto file = CsvWriter::create(folder / "a.csv", std::array<std::string_view, 2>{"t", "x"});
+        ASSERT_TRUE(file);
+        file->row(std::array{0.0, 1.0});
+        file->row(std::array{1.0, bad});
+        const auto done = file->commit();
+        ASSERT_FALSE(done);
+        EXPECT_EQ(done.error().message,
+                  "row 2 of the table has a number that is not finite, so nothing is written; check size and unit of "
+                  "the surfaces.");
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.csv"));
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ std::vector<TimedPose> pathOf(const Slot& slot, double tick) {
 CutOutcome sweptRigidly(const Slot& slot, double tick) {
     WorkPiece piece(block(), slot.voxel);
     const CuttingTool tool{*RevolutionEnvelope::make(slot.bur), 1};
-    cutRigidly(pathOf(slot, tick), tool, kSpeed, {}, piece, [](double, const Tick&, const ToothLoss&) {});
+    EXPECT_TRUE(cutRigidly(pathOf(slot, tick), tool, kSpeed, {}, piece, [](double, const Tick&, const ToothLoss&) {}));
     return CutOutcome(piece);
 }
 
@@ -75,8 +75,8 @@ CutOutcome cutOutByLaw(const Slot& slot, double tick) {
     settings.materials = softenedMaterials(1000);
     settings.spindle = constantSpeed(kSpeed);
     HapticSimulation simulation(std::make_shared<const ToolShape>(slot.bur), kRadius, piece.surface(), settings);
-    cutByLaw(pathOf(slot, tick), tool, settings.materials, simulation, piece,
-             [](double, const Tick&, const ToothLoss&) {});
+    EXPECT_TRUE(cutByLaw(pathOf(slot, tick), tool, settings.materials, simulation, piece,
+                         [](double, const Tick&, const ToothLoss&) {}));
     return CutOutcome(piece);
 }
 

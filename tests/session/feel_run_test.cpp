@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 #include "support/shapes.h"
 
 namespace tactooth {
@@ -23,10 +26,10 @@ TEST(FeelRun, TakesOneTickARowAtTheRowsOwnTimes) {
     }
     std::vector<double> times;
     std::vector<Tick> ticks;
-    feelAlong(trajectory, simulation, [&](double time, const Tick& tick) {
+    ASSERT_TRUE(feelAlong(trajectory, simulation, [&](double time, const Tick& tick) {
         times.push_back(time);
         ticks.push_back(tick);
-    });
+    }));
     EXPECT_EQ(times, (std::vector<double>{3.0, 3.001, 3.001, 3.01}));
     EXPECT_NEAR(ticks[3].time, 0.01, 1e-12);
     EXPECT_NEAR(ticks[3].speed, 1, 1e-9);
@@ -42,15 +45,33 @@ TEST(FeelRun, PressingIntoTheBlockPushesBack) {
     std::vector<TimedPose> trajectory;
     for (int i = 0; i < 100; ++i) trajectory.push_back({0.001 * i, {Vec3(0, 0, 0.1 - 0.004 * i), Quat::Identity()}});
     double strongest = 0;
-    feelAlong(trajectory, simulation,
-              [&](double, const Tick& tick) { strongest = std::max(strongest, tick.wrench.force.z()); });
+    ASSERT_TRUE(feelAlong(trajectory, simulation,
+                          [&](double, const Tick& tick) { strongest = std::max(strongest, tick.wrench.force.z()); }));
     const Material enamel = MaterialTable{}[MaterialId::Enamel];
     EXPECT_NEAR(strongest, 0.296 * enamel.stiffness + 4 * enamel.damping, 1e-5);
 }
 
 TEST(FeelRun, AnEmptyTrajectoryIsNoTick) {
     HapticSimulation simulation = simulationOnABlock();
-    feelAlong({}, simulation, [](double, const Tick&) { FAIL(); });
+    EXPECT_TRUE(feelAlong({}, simulation, [](double, const Tick&) { FAIL(); }));
+}
+
+TEST(FeelRun, ATickThatIsNotFiniteEndsTheRunWithASentence) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    const std::vector<Vec3> bad = {Vec3(std::nan(""), 0, 0), Vec3(0, kInfinity, 0), Vec3(0, 0, -kInfinity),
+                                   Vec3::Constant(std::nan("")), Vec3(1e300, 1e300, 1e300)};
+    for (const Vec3& place : bad) {
+        HapticSimulation simulation = simulationOnABlock();
+        std::vector<TimedPose> trajectory(3, {0, {Vec3(0, 0, 1), Quat::Identity()}});
+        trajectory[1] = {0.25, {place, Quat::Identity()}};
+        trajectory[2].time = 0.5;
+        std::size_t visits = 0;
+        const auto done = feelAlong(trajectory, simulation, [&](double, const Tick&) { ++visits; });
+        ASSERT_FALSE(done) << place.transpose();
+        EXPECT_EQ(visits, 1U);
+        EXPECT_TRUE(done.error().message.starts_with("at t = 0.25 s the ")) << done.error().message;
+        EXPECT_TRUE(done.error().message.ends_with(").")) << done.error().message;
+    }
 }
 
 }  // namespace

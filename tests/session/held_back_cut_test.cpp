@@ -82,8 +82,8 @@ CutOutcome cutOut(const HeldBack& one, double tick) {
     settings.spindle = constantSpeed(kSpeed);
     HapticSimulation simulation(std::make_shared<const ToolShape>(bur), kRadius, piece.surface(), settings);
     double behind = 0;
-    cutByLaw(pathOf(one, tick), tool, settings.materials, simulation, piece,
-             [&](double, const Tick& now, const ToothLoss&) { behind = std::max(behind, now.depth); });
+    EXPECT_TRUE(cutByLaw(pathOf(one, tick), tool, settings.materials, simulation, piece,
+                         [&](double, const Tick& now, const ToothLoss&) { behind = std::max(behind, now.depth); }));
     EXPECT_GT(behind, 0.01) << "the hand is ahead of its bur";
     return CutOutcome(piece);
 }

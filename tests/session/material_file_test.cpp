@@ -93,7 +93,7 @@ TEST(MaterialFile, RefusesAnUnknownMaterialOrKey) {
 TEST(MaterialFile, RefusesAValueOfAnotherKind) {
     EXPECT_EQ(refusal("enamel = 4"), "m.toml, line 1: expected the keys of enamel below a line [enamel], but found 4.");
     EXPECT_EQ(refusal("[enamel]\nstiffness = 'hard'"),
-              "m.toml, line 2: 'stiffness' must be a number of 0 or more, but is a text in quotes.");
+              "m.toml, line 2: 'stiffness' must be a number from 0 to 5, but is a text in quotes.");
     EXPECT_THAT(refusal("[enamel]\ndamping = true"), HasSubstr("but is true or false"));
     EXPECT_THAT(refusal("[enamel]\nfriction = [1]"), HasSubstr("but is a list"));
     EXPECT_THAT(refusal("[enamel]\nremoval = 2020-01-01"), HasSubstr("but is a date or a time"));
@@ -102,7 +102,7 @@ TEST(MaterialFile, RefusesAValueOfAnotherKind) {
 
 TEST(MaterialFile, RefusesNumbersOutOfRange) {
     EXPECT_EQ(refusal("[dentin]\n\nstiffness = -0.5"),
-              "m.toml, line 3: 'stiffness' must be a number of 0 or more, but is -0.5.");
+              "m.toml, line 3: 'stiffness' must be a number from 0 to 5, but is -0.5.");
     for (const std::string bad : {"nan", "inf", "-inf", "-1", "-1e-300"}) {
         for (const std::string key :
              {"stiffness", "damping", "friction", "removal", "roughness", "sound_centre", "sound_level"}) {
@@ -111,6 +111,20 @@ TEST(MaterialFile, RefusesNumbersOutOfRange) {
     }
     EXPECT_THAT(refusal("[pulp]\nroughness = 1.01"), HasSubstr("from 0 to 1, but is 1.01"));
     EXPECT_THAT(refusal("[pulp]\nsound_level = 2"), HasSubstr("from 0 to 1, but is 2"));
+}
+
+TEST(MaterialFile, RefusesWhatNoDeviceMayRender) {
+    EXPECT_EQ(refusal("[enamel]\nstiffness = 5.1"),
+              "m.toml, line 2: 'stiffness' must be a number from 0 to 5, but is 5.1.");
+    EXPECT_EQ(refusal("[pulp]\ndamping = 1"), "m.toml, line 2: 'damping' must be a number from 0 to 0.02, but is 1.");
+    EXPECT_EQ(refusal("caries.friction = 1e9"),
+              "m.toml, line 1: 'friction' must be a number from 0 to 2, but is 1e+09.");
+    EXPECT_THAT(refusal("[dentin]\nremoval = 11"), HasSubstr("from 0 to 10, but is 11"));
+    EXPECT_THAT(refusal("[dentin]\nsound_centre = 1e5"), HasSubstr("from 0 to 20000, but is 1e+05"));
+    const MaterialTable most = parsed("[other]\nstiffness = 5\ndamping = 0.02\nfriction = 2\n");
+    EXPECT_EQ(most[MaterialId::Other].stiffness, kMostMaterialStiffness);
+    EXPECT_EQ(most[MaterialId::Other].damping, kMostMaterialDamping);
+    EXPECT_EQ(most[MaterialId::Other].friction, kMostMaterialFriction);
 }
 
 TEST(MaterialFile, RefusesAColourThatIsNone) {

@@ -72,6 +72,33 @@ TEST_F(SoundPreset, RefusesWithFileAndLine) {
     EXPECT_THAT(refusal("motor = true\n"), HasSubstr("line 1: 'motor' must be a table"));
 }
 
+TEST_F(SoundPreset, NamesNoFileOutsideItsFolder) {
+    test::writeTone(folder_ / "tone.wav", 5000, 0.3);
+    std::filesystem::create_directory(folder_ / "preset");
+    const auto refused = [&](const std::string& entry) {
+        test::writeText(folder_ / "preset/p.toml", "[water]\nfile = '" + entry + "'\n");
+        const auto kit = readSoundKit(folder_ / "preset/p.toml", spindlePresets()[0]);
+        return kit ? "accepted" : kit.error().message;
+    };
+    for (const std::string entry : {"../tone.wav", "a/../../tone.wav", "./tone.wav", "/etc/passwd", "", "a//b", "..",
+                                    "..\\tone.wav", "C:tone.wav"}) {
+        EXPECT_THAT(refused(entry), HasSubstr("p.toml, line 2: ")) << entry;
+        EXPECT_THAT(refused(entry), HasSubstr("must lie beside this file or below it")) << entry;
+    }
+    EXPECT_THAT(refused(folder_ / "tone.wav"), HasSubstr("must lie beside"));
+    std::filesystem::create_symlink(folder_ / "tone.wav", folder_ / "preset/out.wav");
+    std::filesystem::create_symlink("../tone.wav", folder_ / "preset/near.wav");
+    std::filesystem::create_directory_symlink("..", folder_ / "preset/up");
+    for (const std::string entry : {"out.wav", "near.wav", "up/tone.wav"}) {
+        EXPECT_THAT(refused(entry), HasSubstr("is a link that leads out of the folder")) << entry;
+    }
+    std::filesystem::create_directory(folder_ / "preset/in");
+    test::writeTone(folder_ / "preset/in/tone.wav", 5000, 0.3);
+    std::filesystem::create_symlink("in/tone.wav", folder_ / "preset/inside.wav");
+    EXPECT_EQ(refused("in/tone.wav"), "accepted");
+    EXPECT_EQ(refused("inside.wav"), "accepted");
+}
+
 TEST_F(SoundPreset, TellsWhereARecordingThatCannotBeUsedIsNamed) {
     test::writeText(folder_ / "sounds/bad.wav", "RIFF");
     EXPECT_THAT(refusal("[water]\n\nfile = \"sounds/none.wav\"\n"), HasSubstr("school.toml, line 3: "));

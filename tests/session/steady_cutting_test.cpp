@@ -58,12 +58,12 @@ Felt mill() {
     const double rimTravel = kSpeed / 60 * 2 * std::numbers::pi * kRadius * 1e-3 * kTick;  // m a tick
     Felt felt;
     double work = 0;
-    cutByLaw(millingPath(), tool, settings.materials, simulation, piece,
-             [&](double, const Tick& tick, const ToothLoss&) {
-                 felt.normal.push_back((tick.cutWork - work) / rimTravel);
-                 felt.force.push_back(tick.wrench.force);
-                 work = tick.cutWork;
-             });
+    EXPECT_TRUE(cutByLaw(millingPath(), tool, settings.materials, simulation, piece,
+                         [&](double, const Tick& tick, const ToothLoss&) {
+                             felt.normal.push_back((tick.cutWork - work) / rimTravel);
+                             felt.force.push_back(tick.wrench.force);
+                             work = tick.cutWork;
+                         }));
     return felt;
 }
 

@@ -57,5 +57,16 @@ TEST(Trajectory, RefusesWhatIsNoTable) {
     EXPECT_THAT(readTrajectory(folder / "none.csv").error().message, HasSubstr("there is no such file"));
 }
 
+TEST(Trajectory, RefusesPlacesAndTimesThatNobodyMeans) {
+    for (const std::string place : {"1e300,0,0", "0,-1e5,0", "0,0,10001", "1e154,1e154,1e154", "-1.7e308,0,0"}) {
+        EXPECT_THAT(refusal("t,x,y,z,qw,qx,qy,qz\n0,0,0,0,1,0,0,0\n1," + place + ",1,0,0,0\n"),
+                    HasSubstr("line 3: the tool is farther than 10 m from the tooth's origin"));
+    }
+    for (const std::string time : {"1e13", "-1e300", "1.7e308"}) {
+        EXPECT_THAT(refusal("t,x,y,z,qw,qx,qy,qz\n" + time + ",0,0,0,1,0,0,0\n"), HasSubstr("line 2: t is beyond"));
+    }
+    EXPECT_TRUE(read("t,x,y,z,qw,qx,qy,qz\n1764000000.123,1e4,0,0,1,0,0,0\n"));
+}
+
 }  // namespace
 }  // namespace tactooth

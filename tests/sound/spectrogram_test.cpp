@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <random>
 
 #include "sound/sound_format.h"
 
@@ -63,6 +64,24 @@ TEST(Spectrogram, ShorterThanAWindowStillHasAllItsColumns) {
     const Spectrogram spectrogram = spectrogramOf(tone(0.005, [](double) { return 5000.0; }), 8);
     EXPECT_EQ(spectrogram.level.size(), 8 * spectrogram.bins);
     EXPECT_NEAR(hzOf(spectrogram, loudestBin(spectrogram, 4)), 5000.0, 200.0);
+}
+
+TEST(Spectrogram, IsTheSameOfASoundThatComesInPieces) {
+    std::mt19937 random(20261125);
+    std::uniform_real_distribution<float> anywhere(-1.0f, 1.0f);
+    for (const std::size_t frames : {1U, 300U, 5000U, 100'000U}) {
+        std::vector<float> stereo(2 * frames);
+        for (float& sample : stereo) sample = anywhere(random);
+        for (const std::size_t times : {1U, 7U, 1100U}) {
+            SpectrogramMaker maker(frames, times);
+            for (std::size_t at = 0; at < stereo.size();) {
+                const std::size_t count = std::min<std::size_t>(2 * (1 + random() % 400), stereo.size() - at);
+                maker.add(std::span<const float>(stereo).subspan(at, count));
+                at += count;
+            }
+            EXPECT_EQ(maker.finish().level, spectrogramOf(stereo, times).level) << frames << ' ' << times;
+        }
+    }
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,51 @@ TEST(WavFile, SamplesBeyondFullScaleAreHeldNotWrapped) {
     sf_close(file);
     EXPECT_EQ(back[0], 32767);
     EXPECT_EQ(back[1], -32768);
+}
+
+/// The bytes that libsndfile writes of the same samples.
+std::vector<char> bytesByLibsndfile(const std::filesystem::path& path, const std::vector<float>& stereo) {
+    SF_INFO info{};
+    info.samplerate = 48000;
+    info.channels = 2;
+    info.format = SF_FORMAT_WAV | SF_FORMAT_PCM_16;
+    SNDFILE* file = sf_open(path.c_str(), SFM_WRITE, &info);
+    sf_command(file, SFC_SET_CLIPPING, nullptr, SF_TRUE);
+    sf_writef_float(file, stereo.data(), static_cast<sf_count_t>(stereo.size() / 2));
+    sf_close(file);
+    std::ifstream written(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(written), {}};
+}
+
+TEST(WavFile, HoldsTheBytesThatLibsndfileWritesWhateverThePieces) {
+    const test::TemporaryFolder folder;
+    std::mt19937 random(20261125);
+    std::uniform_real_distribution<float> anywhere(-1.2f, 1.2f);
+    for (const std::size_t frames : {1U, 7U, 120U, 4000U, 50'000U}) {
+        std::vector<float> stereo(2 * frames);
+        for (float& sample : stereo)
+            sample = random() % 50 == 0 ? (random() % 2 == 0 ? 1.0f : -1.0f) : anywhere(random);
+        auto file = WavWriter::create(folder / "a.wav", frames);
+        ASSERT_TRUE(file) << file.error().message;
+        for (std::size_t at = 0; at < stereo.size();) {
+            const std::size_t count = std::min<std::size_t>(1 + random() % 5000, stereo.size() - at);
+            file->write(std::span<const float>(stereo).subspan(at, count));
+            at += count;
+        }
+        ASSERT_TRUE(file->commit());
+        std::ifstream written(folder / "a.wav", std::ios::binary);
+        EXPECT_EQ(std::vector<char>(std::istreambuf_iterator<char>(written), {}),
+                  bytesByLibsndfile(folder / "b.wav", stereo))
+            << frames;
+    }
+}
+
+TEST(WavFile, MoreThanFourGigabytesAreRefusedBeforeAFileIsMade) {
+    const test::TemporaryFolder folder;
+    const auto file = WavWriter::create(folder / "a.wav", std::size_t{1} << 30);
+    ASSERT_FALSE(file);
+    EXPECT_NE(file.error().message.find("at most 4 GB"), std::string::npos);
+    EXPECT_EQ(filesIn(folder.path()), 0u);
 }
 
 TEST(WavFile, ReplacesAnOldFileAndLeavesNothingElse) {

@@ -8,6 +8,7 @@
 
 #include "app/cli/exit_code.h"
 #include "app/cli/output.h"
+#include "geometry/file_bytes.h"
 #include "geometry/mesh_file.h"
 #include "geometry/mesh_report.h"
 #include "session/experiments/contact_timing.h"
@@ -130,7 +131,7 @@ int runBenchContact(const BenchContactOptions& options) {
         auto mesh = loadMesh(options.tool);
         if (!mesh) return refuse(mesh.error());
         bur = std::move(*mesh);
-        burName = options.tool.string();
+        burName = shownName(options.tool);
     }
     std::optional<StandardTooth> own;
     if (!options.tooth.empty()) {
@@ -140,7 +141,7 @@ int runBenchContact(const BenchContactOptions& options) {
     }
     const std::vector<int> percents = percentsOf(options);
     if (own && percents.front() < 100 && !reportOn(own->mesh).watertight()) {
-        return refuse({options.tooth.string() +
+        return refuse({shownName(options.tooth) +
                        " is not closed, so its triangles cannot be made fewer; measure it with --resolution 100."});
     }
     const auto tool = std::make_shared<const ToolShape>(std::move(bur));

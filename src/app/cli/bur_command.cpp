@@ -7,6 +7,7 @@
 #include "app/cli/exit_code.h"
 #include "app/cli/mesh_summary.h"
 #include "app/cli/output.h"
+#include "geometry/file_bytes.h"
 #include "geometry/stl_writer.h"
 #include "instruments/contra_angle.h"
 #include "instruments/hand_instruments.h"
@@ -44,7 +45,7 @@ int runBur(const BurOptions& options) {
     const Bur bur = makeBurOf(*spec, options.triangles);
     if (const auto done = writeStl(bur.surface, options.out); !done) return refuse(done.error());
     say("{} (ISO {}), head {:.2f} x {:.2f} mm\n{}: {}\n", spec->name, isoNumber(*spec), spec->headDiameter,
-        spec->headLength, options.out.string(), meshSummary(reportOn(bur.surface)));
+        spec->headLength, shownName(options.out), meshSummary(reportOn(bur.surface)));
     return kExitOk;
 }
 
@@ -57,7 +58,7 @@ int runInstrument(const InstrumentOptions& options) {
     if (options.name == "explorer") mesh = makeExplorer();
     if (options.name == "probe") mesh = makePeriodontalProbe();
     if (const auto done = writeStl(mesh, options.out); !done) return refuse(done.error());
-    say("{}: {}\n", options.out.string(), meshSummary(reportOn(mesh)));
+    say("{}: {}\n", shownName(options.out), meshSummary(reportOn(mesh)));
     return kExitOk;
 }
 

@@ -16,6 +16,7 @@
 #include "geometry/file_set.h"
 #include "geometry/mesh_report.h"
 #include "geometry/number_text.h"
+#include "geometry/shown_text.h"
 #include "patient/length_unit.h"
 #include "session/cases/make_case.h"
 #include "session/cases/open_case.h"
@@ -24,16 +25,20 @@
 namespace tactooth {
 namespace {
 
+constexpr double kFinestUnit = 1e-6, kCoarsestUnit = 1e6;  // mm
+
 Expected<ImportChoices> choicesOf(const CaseNewOptions& options) {
     ImportChoices choices;
     if (!options.units.empty()) {
         if (const auto unit = lengthUnitFromName(options.units)) {
             choices.mmPerUnit = unit->mm;
-        } else if (const auto factor = toNumber<double>(options.units); factor && *factor > 0 && *factor < 1e6) {
+        } else if (const auto factor = toNumber<double>(options.units);
+                   factor && *factor >= kFinestUnit && *factor <= kCoarsestUnit) {
             choices.mmPerUnit = *factor;
         } else {
-            return unexpected("--units '" + options.units +
-                              "' is no unit; give mm, cm, inch, m, um, or how many mm one unit is.");
+            return unexpected("--units " + quotedWord(options.units) +
+                              " is no unit; give mm, cm, inch, m, um, or how many mm one unit is, "
+                              "from 0.000001 to 1000000.");
         }
     }
     choices.holes = options.holes == "all"    ? HolesToFill::All
@@ -46,7 +51,7 @@ Expected<ImportChoices> choicesOf(const CaseNewOptions& options) {
 }
 
 void printSentences(const std::vector<std::string>& sentences) {
-    for (const std::string& sentence : sentences) say("    {}\n", sentence);
+    for (const std::string& sentence : sentences) say("    {}\n", shownText(sentence));
 }
 
 /// "enamel, dentin and pulp (a model)".
@@ -60,15 +65,16 @@ std::string layersOf(const CaseTooth& tooth) {
 void printBodies(const CaseDescription& description, bool withAssumptions) {
     for (const CaseTooth& tooth : description.teeth) {
         const Vec3& at = tooth.toothInCase.position;
-        say("  tooth {}{}: {}; at {:.1f}, {:.1f}, {:.1f} mm\n", tooth.name,
+        say("  tooth {}{}: {}; at {:.1f}, {:.1f}, {:.1f} mm\n", shownText(tooth.name),
             tooth.fdi != 0 ? fmt::format(" (FDI {})", tooth.fdi) : "", layersOf(tooth), at.x(), at.y(), at.z());
         if (withAssumptions) printSentences(tooth.assumed);
     }
     for (const CaseSurrounding& body : description.around) {
-        say("  around: {}, taken as {}\n", body.name, materialName(body.material));
+        say("  around: {}, taken as {}\n", shownText(body.name), materialName(body.material));
         if (withAssumptions) printSentences(body.assumed);
     }
-    for (const std::string& bur : description.burs) say("  bur: {}\n", bur);
+    for (const std::string& bur : description.burs) say("  bur: {}\n", shownText(bur));
+    if (!description.materials.empty()) say("  materials of its own: {}\n", shownText(description.materials));
 }
 
 /// Files that the description does not name: they may be meant to be there, and do nothing.
@@ -118,7 +124,7 @@ int runCaseNew(const CaseNewOptions& options) {
                               options.quadrant, *choices,      options.burs,    options.materials};
     std::string last;
     const auto made = makeCase(request, [&](const std::string& body, double /*part*/) {
-        if (body != last) say("importing {}\n", body);
+        if (body != last) say("importing {}\n", shownText(body));
         last = body;
         std::fflush(stdout);
         return true;
@@ -128,7 +134,7 @@ int runCaseNew(const CaseNewOptions& options) {
     if (const auto named = set.commit(); !named) return refuse(named.error());
     printBodies(made->description, true);
     say("{}: {} teeth and {} bodies around them; licence: {}\n", shownName(options.out), made->description.teeth.size(),
-        made->description.around.size(), made->description.licence);
+        made->description.around.size(), shownText(made->description.licence));
     return kExitOk;
 }
 

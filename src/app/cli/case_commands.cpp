@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/case_command.h"
 #include "app/cli/command_registry.h"
+#include "app/cli/number_range.h"
 
 namespace tactooth {
 namespace {
@@ -16,7 +17,7 @@ void addScanOptions(CLI::App& command, CaseNewOptions& options) {
         ->type_name("WHICH");
     command.add_flag("--upside-down", options.upsideDown, "The crown is at the other end than guessed");
     command.add_option("--turn", options.turnDegrees, "Turn the tooth about its long axis, degrees")
-        ->check(CLI::Range(-360.0, 360.0))
+        ->transform(numberFrom(-360.0, 360.0))
         ->type_name("DEGREES");
     command.add_flag("--no-model", options.noModel, "Leave a tooth without layers of one material");
     command
@@ -24,7 +25,7 @@ void addScanOptions(CLI::App& command, CaseNewOptions& options) {
             "--quadrant", options.quadrant,
             "Quarter of the mouth (FDI: 1 upper right, 2 upper left, 3 lower left, 4 lower right) of teeth whose "
             "names end in 1 to 8")
-        ->check(CLI::Range(1, 4))
+        ->transform(wholeNumberFrom(1, 4))
         ->type_name("N");
 }
 

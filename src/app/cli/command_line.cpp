@@ -16,13 +16,21 @@
 #include "app/cli/exit_code.h"
 #include "app/cli/feel_command.h"
 #include "app/cli/info_command.h"
+#include "app/cli/number_range.h"
 #include "app/cli/output.h"
 #include "app/cli/score_command.h"
 #include "app/cli/sound_command.h"
 #include "app/cli/window_command.h"
+#include "geometry/number_text.h"
+#include "geometry/shown_text.h"
 
 namespace tactooth {
 namespace {
+
+// What 'feel' computes with is no device's force, so it may be harder than any device renders.
+constexpr double kMostStiffness = 1000;  // N/mm: a tenth of a tooth
+constexpr double kMostDamping = 100;     // N*s/mm
+constexpr double kMostFriction = 10;
 
 void addInfo(CLI::App& program, Chosen& chosen) {
     const auto options = std::make_shared<InfoOptions>();
@@ -97,15 +105,15 @@ void addFeel(CLI::App& program, Chosen& chosen) {
         ->check(CLI::IsMember({3, 6}))
         ->type_name("DEGREES");
     command->add_option("--stiffness", options->stiffness, "Spring, N/mm (default: the material's)")
-        ->check(CLI::NonNegativeNumber)
+        ->transform(numberFrom(0, kMostStiffness))
         ->type_name("K");
     command->add_option("--damping", options->damping, "Damper, N*s/mm (default: the material's)")
-        ->check(CLI::NonNegativeNumber)
+        ->transform(numberFrom(0, kMostDamping))
         ->type_name("C");
     command
         ->add_option("--friction", options->friction,
                      "Coulomb friction coefficient (default: 0, the bare spring and damper)")
-        ->check(CLI::NonNegativeNumber)
+        ->transform(numberFrom(0, kMostFriction))
         ->type_name("MU");
 }
 
@@ -139,12 +147,12 @@ void addCut(CLI::App& program, Chosen& chosen) {
         ->type_name("FILE");
     command->add_option("--speed-rpm", options->speedRpm, "Speed of the bur, rev/min; a bur at rest cuts nothing")
         ->required()
-        ->check(CLI::Range(0.0, 1e6))
+        ->transform(numberFrom(0.0, 1e6))
         ->type_name("N");
     command
         ->add_option("--voxel", options->voxel,
                      "Spacing of the cut volume, mm (default: 0.025, or that of a saved tooth)")
-        ->check(CLI::Range(0.005, 0.5))
+        ->transform(numberFrom(0.005, 0.5))
         ->type_name("MM");
     command
         ->add_option("--feed", options->feed, "law: the material resists (default); rigid: everything on the way goes")
@@ -220,7 +228,7 @@ void addDemo(CLI::App& program, Chosen& chosen) {
         options, runDemo);
     command->add_option("--out", options->out, "Folder for what the session leaves")->required()->type_name("DIR");
     command->add_option("--seconds", options->seconds, "Length of the session, s (default: 14)")
-        ->check(CLI::Range(1.0, 600.0))
+        ->transform(numberFrom(1.0, 600.0))
         ->type_name("S");
     addMaterials(*command, options->materials);
     command
@@ -272,7 +280,7 @@ void addSound(CLI::App& program, Chosen& chosen) {
     command
         ->add_option("--blades", options->blades,
                      "Of a carbide bur, whose passing is heard at low speed (default: 0, a diamond)")
-        ->check(CLI::Range(0, 60))
+        ->transform(wholeNumberFrom(0, 60))
         ->type_name("N");
     command->add_flag("--water", options->water, "Add the cooling spray, as long as the drive has air or current");
     command->add_flag("--suction", options->suction, "Add the suction in the mouth");
@@ -288,19 +296,36 @@ int withOutputFlushed(int exitCode) {
     return refuse({"the output could not be written" + why + "; check the disk or the pipe that it goes to."});
 }
 
+void replaceFirst(std::string& text, std::string_view what, std::string_view by) {
+    if (const auto at = text.find(what); at != std::string::npos) text.replace(at, what.size(), by);
+}
+
+/// "--mode: rigd not in {law,rigid}" as a person says it.
+std::string asChoice(const std::string& message) {
+    constexpr std::string_view kNotIn = " not in {";
+    const std::size_t colon = message.find(": "), notIn = message.rfind(kNotIn);
+    if (colon == std::string::npos || notIn == std::string::npos || notIn < colon + 2) return message;
+    const std::string found = message.substr(colon + 2, notIn - colon - 2);
+    std::string choices = message.substr(notIn + kNotIn.size());
+    choices.erase(choices.find_last_not_of('}') + 1);
+    return message.substr(0, colon) + " must be one of " + choices + ", but is " + quotedWord(found);
+}
+
 /// CLI11's message as one sentence that says where help is.
 Error usageError(const CLI::App& program, const CLI::ParseError& error) {
+    constexpr std::size_t kLongest = 300;  // characters: an argument may be a whole file
     std::string command = "tactooth";
     for (auto chosen = program.get_subcommands(); !chosen.empty(); chosen = chosen.front()->get_subcommands()) {
         command.append(" ").append(chosen.front()->get_name());
     }
     std::string sentence = error.what();
     std::replace(sentence.begin(), sentence.end(), '\n', ' ');
-    constexpr std::string_view kExcludes = " excludes ";
-    if (const auto at = sentence.find(kExcludes); error.get_name() == "ExcludesError" && at != std::string::npos) {
-        sentence.replace(at, kExcludes.size(), " cannot be given together with ");
+    if (error.get_name() == "ExcludesError") replaceFirst(sentence, " excludes ", " cannot be given together with ");
+    if (error.get_name() == "ValidationError") {
+        replaceFirst(sentence, ": must be ", " must be ");
+        sentence = asChoice(sentence);
     }
-    return {sentence.append("; see '").append(command).append(" --help'.")};
+    return {shownShort(sentence, kLongest).append("; see '").append(command).append(" --help'.")};
 }
 
 }  // namespace

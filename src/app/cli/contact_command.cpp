@@ -8,10 +8,12 @@
 #include "app/cli/output.h"
 #include "app/cli/remark_lines.h"
 #include "collision/contact_query.h"
+#include "geometry/file_bytes.h"
 #include "geometry/file_set.h"
 #include "haptics/load_surface.h"
 #include "session/csv_table.h"
 #include "session/feel_run.h"
+#include "session/finite_tick.h"
 
 namespace tactooth {
 namespace {
@@ -48,13 +50,14 @@ int runContact(const ContactOptions& options) {
     for (const TimedPose& row : *trajectory) {
         double micros = 0;
         const Contact contact = timed(micros, [&] { return query.at(row.toolInTooth); });
+        if (const auto finite = checkFinite(row.time, contact); !finite) return refuse(finite.error());
         touching += contact.touching ? 1 : 0;
         writeRow(*file, row.time, contact, micros);
     }
     if (const auto done = file->commit(); !done) return refuse(done.error());
     if (const auto done = files.commit(); !done) return refuse(done.error());
     if (!(*tooth)->closed) say("The tooth is not closed: only its triangles count, nothing is inside.\n");
-    say("{} poses, {} of them touching, written to {}\n", trajectory->size(), touching, options.out.string());
+    say("{} poses, {} of them touching, written to {}\n", trajectory->size(), touching, shownName(options.out));
     return kExitOk;
 }
 

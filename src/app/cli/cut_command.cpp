@@ -12,7 +12,10 @@
 #include "app/cli/remark_lines.h"
 #include "collision/surface.h"
 #include "geometry/atomic_file.h"
+#include "geometry/file_bytes.h"
 #include "geometry/file_set.h"
+#include "geometry/folder.h"
+#include "geometry/shown_text.h"
 #include "geometry/stl_writer.h"
 #include "session/cases/placed_tooth.h"
 #include "session/cut_events.h"
@@ -126,7 +129,7 @@ private:
             }
             if (auto written = writeStl(layer.mesh, file); !written) return written;
             layerLines_.push_back(fmt::format("{} triangles of layer '{}' written to {}", layer.mesh.triangles.size(),
-                                              layer.name, file.string()));
+                                              shownText(layer.name), shownName(file)));
         }
         return {};
     }
@@ -187,26 +190,32 @@ int runCut(const CutOptions& options) {
     const auto materials = options.materials.empty() && tooth->place.materials ? *tooth->place.materials
                                                                                : materialsFrom(options.materials);
     if (!materials) return refuse(materials.error());
+    if (!options.vdb.empty()) {
+        if (const auto fits = checkVdbSize(piece.tooth(), piece.volume().lattice().spacing()); !fits)
+            return refuse(fits.error());
+    }
     if (const auto begun = files.begin(options, piece.tooth()); !begun) return refuse(begun.error());
 
     const auto visit = [&](double time, const Tick& tick, const ToothLoss& loss) { files.row(time, tick, loss); };
     if (options.feed == "rigid") {
-        cutRigidly(*path, *tool, options.speedRpm, *materials, piece, visit);
+        if (const auto done = cutRigidly(*path, *tool, options.speedRpm, *materials, piece, visit); !done)
+            return refuse(done.error());
     } else {
         HapticSettings settings;
         settings.materials = *materials;
         settings.spindle = constantSpeed(options.speedRpm);
         HapticSimulation simulation(std::make_shared<const ToolShape>(std::move(bur->surface)),
                                     tool->envelope.maxRadius(), piece.surface(), settings);
-        cutByLaw(*path, *tool, *materials, simulation, piece, visit);
+        if (const auto done = cutByLaw(*path, *tool, *materials, simulation, piece, visit); !done)
+            return refuse(done.error());
     }
     const TaggedMesh cut = piece.exported();
     if (const auto done = files.finish(options, cut.mesh, piece, tooth->provenance); !done) return refuse(done.error());
-    if (!options.vdb.empty()) say("voxels written to {}\n", options.vdb.string());
+    if (!options.vdb.empty()) say("voxels written to {}\n", shownName(options.vdb));
     files.printLayers();
     printLoss(piece.loss());
     if (total(before) > 0) say("of which before:      {:8.3f} mm^3\n", total(before));
-    say("{} triangles written to {}\n", cut.mesh.triangles.size(), options.out.string());
+    say("{} triangles written to {}\n", cut.mesh.triangles.size(), shownName(options.out));
     return kExitOk;
 }
 

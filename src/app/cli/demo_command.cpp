@@ -15,7 +15,9 @@
 #include "app/common/plot_image.h"
 #include "app/common/spin_blur.h"
 #include "geometry/atomic_file.h"
+#include "geometry/file_bytes.h"
 #include "geometry/file_set.h"
+#include "geometry/folder.h"
 #include "geometry/stl_writer.h"
 #include "instruments/builtin_tooth.h"
 #include "instruments/bur_shape.h"
@@ -71,7 +73,7 @@ Expected<void> castTooth(const DemoOptions& options, Cast& cast) {
         if (!placed) return Unexpected{placed.error()};
         printRemarks(placed->remarks);
         ToothPlace& place = placed->place;
-        cast.toothName = place.teethOfCase.empty() ? options.tooth.string() : place.name;
+        cast.toothName = place.teethOfCase.empty() ? shownNameAlone(options.tooth) : place.name;
         cast.tooth = std::move(placed->tooth);
         cast.box = place.box;
         cast.props.mesialX = place.mesialX;
@@ -152,9 +154,11 @@ Expected<void> writeResults(const fs::path& folder, const Demonstration& played,
     const DemoMoment end{piece.surface(), last};
     if (auto done = writeDemoPicture(folder / "cut.png", DemoView::Cut, end, cast.props); !done) return done;
     if (auto done = writeForcePlot(folder / "forces.png", played.ticks); !done) return done;
-    const auto samples = renderOffline(played.sound, seconds);
-    if (!samples) return Unexpected{samples.error()};
-    if (auto done = writeWav(folder / "session.wav", *samples); !done) return done;
+    auto wav = WavWriter::create(folder / "session.wav", framesOf(seconds));
+    if (!wav) return Unexpected{wav.error()};
+    const auto toFile = [&](std::span<const float> stereo) { wav->write(stereo); };
+    if (auto done = renderInPieces(played.sound, seconds, {}, toFile); !done) return done;
+    if (auto done = wav->commit(); !done) return done;
     if (auto done = writeTicks(folder / "forces.csv", played.ticks); !done) return done;
     if (auto done = writeStl(piece.exported().mesh, folder / "cut.stl"); !done) return done;
     return writeFile(folder / "summary.json", demoSummary(played, piece, cast.toothName, cast.burName));
@@ -213,7 +217,7 @@ int runDemo(const DemoOptions& options) {
     if (const auto done = files.commit(); !done) return refuse(done.error());
     say("removed {:.3f} mm^3 in {} surface updates\n", total(piece.removed()), played.surfaceUpdates);
     say("touch.png, {}cut.png, forces.png, session.wav, forces.csv, cut.stl and summary.json are in {}\n",
-        played.work ? "spray.png, " : "", options.out.string());
+        played.work ? "spray.png, " : "", shownName(options.out));
     return kExitOk;
 }
 

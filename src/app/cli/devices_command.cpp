@@ -10,6 +10,7 @@
 #include "app/cli/exit_code.h"
 #include "app/cli/output.h"
 #include "devices/device_survey.h"
+#include "geometry/shown_text.h"
 
 namespace tactooth {
 namespace {
@@ -23,8 +24,8 @@ const char* stateOf(const SurveyedDevice& device) { return kStates[static_cast<s
 /// What is not known has no member.
 Json jsonOf(const SurveyedDevice& device) {
     const DeviceAbilities& can = device.abilities;
-    Json json = {{"name", device.name},
-                 {"backend", device.backend},
+    Json json = {{"name", shownText(device.name)},
+                 {"backend", shownText(device.backend)},
                  {"ready", device.state == DeviceState::Ready},
                  {"state", stateOf(device)}};
     if (can.force) json["force_n"] = *can.force;
@@ -32,7 +33,7 @@ Json jsonOf(const SurveyedDevice& device) {
     if (can.workspace) json["workspace_mm"] = {can.workspace->x(), can.workspace->y(), can.workspace->z()};
     if (can.stiffness) json["stiffness_n_per_mm"] = *can.stiffness;
     if (can.buttons) json["buttons"] = *can.buttons;
-    json["text"] = device.text;
+    json["text"] = shownText(device.text);
     return json;
 }
 

@@ -12,6 +12,7 @@
 #include "app/common/display_check.h"
 #include "devices/child_probe.h"
 #include "devices/device_survey.h"
+#include "geometry/shown_text.h"
 #include "haptics/real_time.h"
 #include "view/egl_context.h"
 
@@ -80,7 +81,7 @@ int runDoctor(const DoctorOptions& options) {
         const char* const verdict = kVerdicts[static_cast<std::size_t>(finding.verdict)];
         usable &= finding.verdict != Verdict::Missing;
         if (options.json) {
-            json.push_back({{"area", finding.area}, {"verdict", verdict}, {"text", finding.text}});
+            json.push_back({{"area", finding.area}, {"verdict", verdict}, {"text", shownText(finding.text)}});
         } else {
             say("{:<12}  {:<8}  {}\n", finding.area, verdict, finding.text);
         }

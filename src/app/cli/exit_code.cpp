@@ -3,11 +3,16 @@
 #include "app/cli/exit_code.h"
 
 #include <cstdio>
+#include <string>
+
+#include "geometry/shown_text.h"
 
 namespace tactooth {
 
 int refuse(const Error& error) {
-    std::fprintf(stderr, "tactooth: %s\n", error.message.c_str());
+    std::string sentence = shownText(error.message);
+    if (!sentence.ends_with('.')) sentence += '.';  // a library's own words may have none
+    std::fprintf(stderr, "tactooth: %s\n", sentence.c_str());
     return kExitBadInput;
 }
 

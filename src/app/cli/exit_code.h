@@ -13,7 +13,8 @@ enum ExitCode {
     kExitBadInput = 2,  ///< wrong usage, or an input or output that cannot be used
 };
 
-/// Writes the sentence to stderr, with the program's name before it, and gives the exit code that goes with it.
+/// Writes the sentence to stderr as shownText shows it, with the program's name before it, and gives the exit code that
+/// goes with it.
 int refuse(const Error& error);
 
 }  // namespace tactooth

@@ -7,6 +7,7 @@
 #include "app/cli/exit_code.h"
 #include "app/cli/output.h"
 #include "app/cli/remark_lines.h"
+#include "geometry/file_bytes.h"
 #include "geometry/file_set.h"
 #include "haptics/latency_histogram.h"
 #include "haptics/load_surface.h"
@@ -66,14 +67,15 @@ int runFeel(const FeelOptions& options) {
     HapticSimulation simulation(*tool, (*tool)->radius(), tooth->surface, settings);
     LatencyHistogram micros;
     double strongest = 0;
-    feelAlong(*trajectory, simulation, [&](double time, const Tick& tick) {
+    const auto felt = feelAlong(*trajectory, simulation, [&](double time, const Tick& tick) {
         file->write(time, tick);
         micros.add(tick.micros);
         strongest = std::max(strongest, tick.wrench.force.norm());
     });
+    if (!felt) return refuse(felt.error());
     if (const auto done = file->commit(); !done) return refuse(done.error());
     if (const auto done = files.commit(); !done) return refuse(done.error());
-    say("{} ticks written to {}\n", trajectory->size(), options.out.string());
+    say("{} ticks written to {}\n", trajectory->size(), shownName(options.out));
     say("largest force {:.3f} N; time per tick p50 {:.1f}, p99 {:.1f}, max {:.1f} us\n", strongest,
         micros.quantile(0.5), micros.quantile(0.99), micros.largest());
     return kExitOk;

@@ -12,7 +12,9 @@
 #include "app/cli/output.h"
 #include "app/common/contact_sheet.h"
 #include "app/common/picture_application.h"
+#include "geometry/file_bytes.h"
 #include "geometry/file_set.h"
+#include "geometry/folder.h"
 #include "instruments/contra_angle.h"
 #include "instruments/hand_instruments.h"
 #include "instruments/mirror.h"
@@ -113,6 +115,11 @@ Expected<void> openFiles(const GalleryOptions& options, FileSet& files) {
 }  // namespace
 
 int runGallery(const GalleryOptions& options) {
+    constexpr std::size_t kMostTeeth = 32;
+    if (options.teeth.size() > kMostTeeth) {
+        return refuse({fmt::format("--teeth names {} teeth, and a sheet has room for {}; name each once.",
+                                   options.teeth.size(), kMostTeeth)});
+    }
     for (const int fdi : options.teeth) {
         if (!isPermanentTooth(fdi)) {
             return refuse(
@@ -130,7 +137,7 @@ int runGallery(const GalleryOptions& options) {
         if (const auto done = drawInstruments(*renderer, options.out); !done) return refuse(done.error());
     }
     if (const auto done = files.commit(); !done) return refuse(done.error());
-    for (const char* name : sheetsOf(options)) say("{}\n", (options.out / name).string());
+    for (const char* name : sheetsOf(options)) say("{}\n", shownName(options.out / name));
     return kExitOk;
 }
 

@@ -8,6 +8,7 @@
 #include "app/cli/command_registry.h"
 #include "app/cli/devices_command.h"
 #include "app/cli/doctor_command.h"
+#include "app/cli/number_range.h"
 #include "app/cli/realtime_command.h"
 #include "app/cli/reproduce_command.h"
 
@@ -30,7 +31,7 @@ void addJson(CLI::App& command, bool& json) {
 
 void addRate(CLI::App& command, double& rateHz) {
     command.add_option("--rate", rateHz, "Ticks a second (default: 1000)")
-        ->check(CLI::Range(500.0, 4000.0))
+        ->transform(numberFrom(500.0, 4000.0))
         ->type_name("HZ");
 }
 
@@ -52,7 +53,7 @@ void addBenchContact(CLI::App& bench, Chosen& chosen) {
     command
         ->add_option("--resolution", options->resolutions,
                      "Percent of the tooth's triangles; may be given several times (default: 6, 12, 25, 50 and 100)")
-        ->check(CLI::Range(1, 100))
+        ->transform(wholeNumberFrom(1, 100))
         ->type_name("PERCENT")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
@@ -63,7 +64,7 @@ void addBenchContact(CLI::App& bench, Chosen& chosen) {
         ->type_name("DEGREES");
     command
         ->add_option("--repeat", options->repeat, "Runs of each case, the least time of each tick counts (default: 3)")
-        ->check(CLI::Range(1, 100))
+        ->transform(wholeNumberFrom(1, 100))
         ->type_name("N");
     addJson(*command, options->json);
 }
@@ -76,17 +77,17 @@ void addBenchCut(CLI::App& bench, Chosen& chosen) {
                                    options, runBenchCut);
     addLargeTooth(*command, options->tooth, "A closed STL file, mm, crown up");
     command->add_option("--voxel", options->voxels, "Spacing of the cut volume, um; may be given several times")
-        ->check(CLI::Range(5.0, 500.0))
+        ->transform(numberFrom(5.0, 500.0))
         ->type_name("UM")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     command->add_option("--diameter", options->diameters, "Of a round bur, mm; may be given several times")
-        ->check(CLI::Range(0.3, 5.0))
+        ->transform(numberFrom(0.3, 5.0))
         ->type_name("MM")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     command->add_option("--cores", options->cores, "That the cutter may use (default: 1)")
-        ->check(CLI::Range(1, 256))
+        ->transform(wholeNumberFrom(1, 256))
         ->type_name("N");
     addJson(*command, options->json);
 }
@@ -99,7 +100,7 @@ void addBenchSlot(CLI::App& bench, Chosen& chosen) {
                                    options, runBenchSlot);
     addLargeTooth(*command, options->tooth, "A closed STL file, mm, crown up");
     command->add_option("--voxel", options->voxel, "Spacing of the cut volume, um (default: 25)")
-        ->check(CLI::Range(5.0, 500.0))
+        ->transform(numberFrom(5.0, 500.0))
         ->type_name("UM");
     addJson(*command, options->json);
 }
@@ -114,7 +115,7 @@ void addBenchView(CLI::App& bench, Chosen& chosen) {
     addLargeTooth(*command, options->tooth, "An STL file, mm");
     command->add_option("--size", options->size, "Pixels (default: 1280x800)")->type_name("WxH");
     command->add_option("--frames", options->frames, "Pictures of each case (default: 60)")
-        ->check(CLI::Range(1, 10000))
+        ->transform(wholeNumberFrom(1, 10000))
         ->type_name("N");
     command->add_flag("--mouth", options->mouth, "The mouth alone: 32 teeth, gums, and a mirror")->excludes("--tooth");
     addJson(*command, options->json);
@@ -167,7 +168,7 @@ void addRealtime(CLI::App& program, Chosen& chosen) {
                                    "built-in molar. Exit code 1 if more than one deadline in a hundred is missed.",
                                    options, runRealtime);
     command->add_option("--seconds", options->seconds, "Length of the run, s (default: 20)")
-        ->check(CLI::Range(1.0, 3600.0))
+        ->transform(numberFrom(1.0, 3600.0))
         ->type_name("S");
     addRate(*command, options->rateHz);
     command->add_flag("--load", options->load, "Keep all other cores busy meanwhile");

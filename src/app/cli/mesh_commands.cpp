@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command_registry.h"
+#include "app/cli/number_range.h"
 #include "app/cli/simplify_command.h"
 #include "app/cli/subdivide_command.h"
+#include "geometry/subdivide.h"
 
 namespace tactooth {
 namespace {
@@ -29,9 +31,9 @@ void addSubdivide(CLI::App& program, Chosen& chosen) {
     command->add_option("--out", options->out, "STL file to write")->required()->type_name("FILE");
     CLI::Option* triangles =
         command->add_option("--triangles", options->triangles, "How many, longest edges halved first");
-    triangles->check(CLI::PositiveNumber)->type_name("N");
+    triangles->transform(wholeNumberFrom(1, kMostSubdivided))->type_name("N");
     command->add_option("--times", options->times, "How often every edge is halved: 4^N as many triangles")
-        ->check(CLI::Range(0, 12))
+        ->transform(wholeNumberFrom(0, 12))
         ->type_name("N")
         ->excludes(triangles);
 }

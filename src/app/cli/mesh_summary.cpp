@@ -5,6 +5,8 @@
 
 #include <fmt/core.h>
 
+#include "geometry/file_bytes.h"
+
 namespace tactooth {
 
 std::string meshSummary(const MeshReport& report) {
@@ -18,8 +20,8 @@ std::string meshSummary(const MeshReport& report) {
 void printChange(const std::filesystem::path& in, const TriangleMesh& before, const std::filesystem::path& out,
                  const TriangleMesh& after, double deviation) {
     constexpr double kMicrons = 1e3;  // in a mm
-    say("{}: {}\n", in.string(), meshSummary(reportOn(before)));
-    say("{}: {}\n", out.string(), meshSummary(reportOn(after)));
+    say("{}: {}\n", shownName(in), meshSummary(reportOn(before)));
+    say("{}: {}\n", shownName(out), meshSummary(reportOn(after)));
     say("greatest deviation {:.3g} um\n", kMicrons * deviation);
 }
 

@@ -10,7 +10,9 @@
 #include "app/cli/exit_code.h"
 #include "app/cli/mesh_summary.h"
 #include "app/cli/output.h"
+#include "geometry/file_bytes.h"
 #include "geometry/file_set.h"
+#include "geometry/folder.h"
 #include "geometry/stl_writer.h"
 #include "session/tooth_cache.h"
 
@@ -64,9 +66,9 @@ Expected<void> writeMouth(const MouthOptions& options) {
     }
     if (auto done = files.commit(); !done) return done;
     say("{} teeth in {}, each with outer.stl, enamel.stl, dentin.stl and pulp.stl; {} outer triangles in all\n",
-        mouth->teeth.size(), options.out.string(), triangles);
+        mouth->teeth.size(), shownName(options.out), triangles);
     for (std::size_t i = 0; i < gums.size(); ++i) {
-        say("{}: {}\n", (options.out / kGumFiles[i]).string(), meshSummary(reportOn(gums[i])));
+        say("{}: {}\n", shownName(options.out / kGumFiles[i]), meshSummary(reportOn(gums[i])));
     }
     say("frame: +x to the patient's right, +y forward, +z up, mm; the jaw is {}\n", options.mouth.jaw);
     return {};

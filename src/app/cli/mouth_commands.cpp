@@ -4,14 +4,18 @@
 #include "app/cli/command_registry.h"
 #include "app/cli/gallery_command.h"
 #include "app/cli/mouth_command.h"
+#include "app/cli/number_range.h"
 #include "app/cli/tooth_command.h"
 
 namespace tactooth {
 namespace {
 
-CLI::Option* addTriangles(CLI::App& command, int& triangles, const std::string& ofWhat) {
+// Of one tooth, and of each of the 32 that a mouth keeps at once: a gigabyte.
+constexpr int kMostOfTooth = 2'000'000, kMostOfMouth = 250'000;
+
+CLI::Option* addTriangles(CLI::App& command, int& triangles, const std::string& ofWhat, int most = kMostOfTooth) {
     return command.add_option("--triangles", triangles, ofWhat + ", about (default: 20000)")
-        ->check(CLI::Range(1000, 2'000'000))
+        ->transform(wholeNumberFrom(1000, most))
         ->type_name("N");
 }
 
@@ -28,7 +32,7 @@ void addBur(CLI::App& program, Chosen& chosen) {
     command
         ->add_option("--triangles", options->triangles,
                      "How many, one fewer if odd (default: 340, as for contact; from some 5000 on all details show)")
-        ->check(CLI::Range(200, 2'000'000))
+        ->transform(wholeNumberFrom(200, 2'000'000))
         ->type_name("N");
 }
 
@@ -46,7 +50,7 @@ void addInstrument(CLI::App& program, Chosen& chosen) {
         ->type_name("");
     command->add_option("--out", options->out, "STL file to write")->required()->type_name("FILE");
     command->add_option("--triangles", options->triangles, "Of the turbine or contra-angle (default: 16000)")
-        ->check(CLI::Range(2000, 24000))
+        ->transform(wholeNumberFrom(2000, 24000))
         ->type_name("N");
 }
 
@@ -56,24 +60,28 @@ void addTooth(CLI::App& program, Chosen& chosen) {
                                    "Makes a permanent tooth with enamel, dentin and pulp and writes its layers as "
                                    "closed STL surfaces, mm.",
                                    options, runTooth);
-    command->add_option("FDI", options->fdi, "Tooth number: 11-18, 21-28, 31-38, 41-48")->required()->type_name("");
+    command->add_option("FDI", options->fdi, "Tooth number: 11-18, 21-28, 31-38, 41-48")
+        ->required()
+        ->transform(fdiNumber())
+        ->type_name("");
     command->add_option("--out", options->out, "Folder for outer.stl, enamel.stl, dentin.stl, pulp.stl, caries.stl")
         ->required()
         ->type_name("DIR");
     addTriangles(*command, options->triangles, "Of the outer surface");
     command->add_option("--seed", options->seed, "Another patient for each number (default: 0, the average tooth)")
+        ->transform(seedNumber())
         ->type_name("N");
     command->add_flag("--no-cache", options->noCache, "Make it anew, and do not keep it for the next time");
     CLI::Option* caries = command->add_option("--caries", options->caries,
                                               "Decay that begins there: occlusal, mesial, distal, buccal, lingual");
     caries->check(CLI::IsMember({"occlusal", "mesial", "distal", "buccal", "lingual"}))->type_name("SITE");
     command->add_option("--caries-width", options->cariesWidth, "Where it spreads in the dentin, mm (default: 2.4)")
-        ->check(CLI::Range(0.4, 4.0))
+        ->transform(numberFrom(0.4, 4.0))
         ->needs(caries)
         ->type_name("MM");
     command
         ->add_option("--caries-depth", options->cariesDepth, "Below the surface, mm (default: as its width suggests)")
-        ->check(CLI::Range(0.3, 6.0))
+        ->transform(numberFrom(0.3, 6.0))
         ->needs(caries)
         ->type_name("MM");
 }
@@ -99,8 +107,10 @@ void addGallery(CLI::App& program, Chosen& chosen) {
     command->add_option("--out", options->out, "Folder for the sheets")->required()->type_name("DIR");
     addTriangles(*command, options->triangles, "Of each tooth");
     command->add_option("--seed", options->seed, "The teeth of another patient (default: 0, average teeth)")
+        ->transform(seedNumber())
         ->type_name("N");
     command->add_option("--teeth", options->teeth, "Only these teeth (FDI numbers), larger, and no instruments")
+        ->transform(fdiNumber())
         ->type_name("N");
     command->add_flag("--no-cache", options->noCache, "Make all teeth anew, and do not keep them for the next time");
 }
@@ -109,14 +119,16 @@ void addGallery(CLI::App& program, Chosen& chosen) {
 
 void addMouthWishes(CLI::App& command, MouthWishes& wishes, CLI::Option* needed) {
     const std::vector<CLI::Option*> all = {
-        addTriangles(command, wishes.triangles, "Of each tooth"),
+        addTriangles(command, wishes.triangles, "Of each tooth", kMostOfMouth),
         command.add_option("--seed", wishes.seed, "Another patient for each number (default: 0, average teeth)")
+            ->transform(seedNumber())
             ->type_name("N"),
         command.add_option("--jaw", wishes.jaw, "open (40 mm between the incisors) or closed (default)")
             ->check(CLI::IsMember({"open", "closed"}))
             ->type_name("POSE"),
         command.add_option("--missing", wishes.missing, "Teeth that are lost, as 18,28,46; their places have healed")
             ->delimiter(',')
+            ->transform(fdiNumber())
             ->type_name("FDI"),
         command.add_flag("--no-cache", wishes.noCache,
                          "Make all teeth and gums anew, and do not keep them for the next time")};

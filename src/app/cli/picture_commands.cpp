@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command_registry.h"
+#include "app/cli/number_range.h"
 #include "app/cli/render_command.h"
 #include "app/common/inspection.h"
 
@@ -27,13 +28,13 @@ void addSubject(CLI::App& command, RenderOptions& options) {
     command
         .add_option("--mirror", options.mirror,
                     "Adds a mouth mirror with a head of this diameter, mm: 18 (No. 2) to 26 (No. 6)")
-        ->check(CLI::Range(10.0, 40.0))
+        ->transform(numberFrom(10.0, 40.0))
         ->type_name("MM");
     command.add_option("--fog", options.fog, "Breath on the mirror, 0 to 1")
-        ->check(CLI::Range(0.0, 1.0))
+        ->transform(numberFrom(0.0, 1.0))
         ->type_name("SHARE");
     command.add_option("--drops", options.drops, "Share of the mirror where drops of spray stand, 0 to 1")
-        ->check(CLI::Range(0.0, 1.0))
+        ->transform(numberFrom(0.0, 1.0))
         ->type_name("SHARE");
 }
 
@@ -63,10 +64,10 @@ void addEye(CLI::App& command, RenderOptions& options) {
         ->type_name("VIEW");
     command.add_option("--at", options.at, "Middle of the picture, mm in the tooth's frame")->type_name("X,Y,Z");
     command.add_option("--span", options.span, "Millimetres that the picture is high (default: the whole tooth)")
-        ->check(CLI::Range(0.2, 1000.0))
+        ->transform(numberFrom(0.2, 1000.0))
         ->type_name("MM");
     command.add_option("--turntable", options.turntable, "Pictures of a whole turn: X-000.png, X-001.png and so on")
-        ->check(CLI::Range(2, 3600))
+        ->transform(wholeNumberFrom(2, 3600))
         ->type_name("N");
     CLI::Option* stereo =
         command
@@ -105,7 +106,7 @@ void addInsight(CLI::App& command, RenderOptions& options) {
                   "as a body of blue glass, as far as no cut has reached it")
         ->needs("--target");
     command.add_option("--range", options.range, "Distance of the strongest colours, mm (default: 0.5)")
-        ->check(CLI::Range(0.001, 100.0))
+        ->transform(numberFrom(0.001, 100.0))
         ->type_name("MM");
 }
 
@@ -121,7 +122,8 @@ void addPictureCommands(CLI::App& program, Chosen& chosen) {
     addEye(*command, *options);
     addInsight(*command, *options);
     addMouth(*command, *options);
-    command->add_option("--size", options->size, "Pixels (default: 1600x1000)")->type_name("WxH");
+    command->add_option("--size", options->size, "Pixels (default: 1600x1000; at most 4096x4096 in all)")
+        ->type_name("WxH");
     command->add_flag("--no-background", options->noBackground, "Leave the background transparent");
     command->add_option("--out", options->out, "PNG file to write")->required()->type_name("FILE");
 }

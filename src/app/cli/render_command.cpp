@@ -150,7 +150,7 @@ Expected<void> takePicture(Studio& studio, const OrbitCamera& eye, const std::fi
     if (!image) return Unexpected{image.error()};
     if (studio.inspection.distances) drawDistanceLegend(*image, studio.inspection.distances->range);
     if (auto written = writePng(*image, file); !written) return written;
-    say("{}: {}, {} x {}\n", file.string(), studio.tooth.name, studio.size.width, studio.size.height);
+    say("{}: {}, {} x {}\n", shownName(file), studio.tooth.name, studio.size.width, studio.size.height);
     return {};
 }
 

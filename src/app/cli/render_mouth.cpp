@@ -10,6 +10,7 @@
 #include "app/cli/output.h"
 #include "app/cli/render_words.h"
 #include "app/common/mouth_scene.h"
+#include "geometry/file_bytes.h"
 #include "view/offscreen.h"
 
 namespace tactooth {
@@ -91,7 +92,7 @@ Expected<void> takePicture(Studio& studio, const OrbitCamera& eye, const std::fi
     const Expected<Image> image = studio.renderer.render(scene, studio.size);
     if (!image) return Unexpected{image.error()};
     if (auto written = writePng(*image, file); !written) return written;
-    say("{}: the built-in mouth, {} x {}\n", file.string(), studio.size.width, studio.size.height);
+    say("{}: the built-in mouth, {} x {}\n", shownName(file), studio.size.width, studio.size.height);
     return {};
 }
 

@@ -13,6 +13,7 @@
 #include "app/common/panel_image.h"
 #include "geometry/file_bytes.h"
 #include "geometry/file_set.h"
+#include "geometry/folder.h"
 #include "geometry/unfinished_folder.h"
 #include "session/experiments/thread_clock.h"
 
@@ -78,7 +79,7 @@ int runReproduce(const ReproduceOptions& options) {
     const auto scratch = UnfinishedFolder::make(options.out);
     if (!scratch) return refuse({shownName(options.out) + ": cannot be written: " + scratch.error().message + "."});
     const auto data = realTeethFolder();
-    say("teeth: {}\n", data ? "real ones from " + data->string()
+    say("teeth: {}\n", data ? "real ones from " + shownName(*data)
                             : "built-in ones ($TACTOOTH_DATA and ../shared/data hold no real ones)");
     Subjects subjects;
     std::vector<Experiment> done;
@@ -95,7 +96,7 @@ int runReproduce(const ReproduceOptions& options) {
     if (const auto page = writeReproducePage(done, subjectsText(subjects), options.out / "index.html"); !page)
         return refuse(page.error());
     if (const auto named = files.commit(); !named) return refuse(named.error());
-    say("open {} for all of it\n", (options.out / "index.html").string());
+    say("open {} for all of it\n", shownName(options.out / "index.html"));
     return kExitOk;
 }
 

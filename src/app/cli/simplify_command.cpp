@@ -12,6 +12,7 @@
 #include "app/cli/output.h"
 #include "app/cli/remark_lines.h"
 #include "collision/solid_file.h"
+#include "geometry/file_bytes.h"
 #include "geometry/file_set.h"
 #include "geometry/mesh_edges.h"
 #include "geometry/number_text.h"

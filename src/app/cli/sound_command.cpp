@@ -2,10 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/sound_command.h"
 
+#include <fmt/core.h>
+
+#include <optional>
+
 #include "app/cli/exit_code.h"
 #include "app/cli/output.h"
 #include "app/common/spectrogram_image.h"
 #include "geometry/atomic_file.h"
+#include "geometry/file_bytes.h"
 #include "geometry/file_set.h"
 #include "session/sound_preset.h"
 #include "session/sound_profile.h"
@@ -19,14 +24,22 @@ const SpindlePreset& driveNamed(const std::string& name) {
     return spindlePresets()[name == "electric" ? 1 : name == "low-speed" ? 2 : 0];
 }
 
-Expected<void> write(const SoundOptions& options, const StereoSamples& samples) {
-    const auto bytes = wavBytes(samples);
-    if (!bytes) return Unexpected{bytes.error()};
-    auto wav = AtomicFile::create(options.out);
+/// Both files, or none. The samples go to the file as they are made: an hour of them would fill the memory.
+Expected<void> write(const SoundOptions& options, std::span<const TimedSoundState> track,
+                     const OfflineSettings& settings) {
+    const double seconds = track.back().time;
+    const std::size_t frames = framesOf(seconds);
+    auto wav = WavWriter::create(options.out, frames);
     if (!wav) return Unexpected{wav.error()};
-    wav->write(std::span<const std::byte>(*bytes));
-    if (!options.spectrogram.empty()) {
-        if (auto done = writeSpectrogram(options.spectrogram, samples); !done) return done;
+    std::optional<SpectrogramMaker> spectrogram;
+    if (!options.spectrogram.empty()) spectrogram.emplace(frames, kSpectrogramTimes);
+    auto rendered = renderInPieces(track, seconds, settings, [&](std::span<const float> stereo) {
+        wav->write(stereo);
+        if (spectrogram) spectrogram->add(stereo);
+    });
+    if (!rendered) return rendered;
+    if (spectrogram) {
+        if (auto done = writeSpectrogram(options.spectrogram, spectrogram->finish(), seconds); !done) return done;
     }
     return wav->commit();
 }
@@ -54,12 +67,10 @@ int runSound(const SoundOptions& options) {
     }
     prepareAudioLibraries();
     settings.headphones = options.headphones;
-    const auto samples = renderOffline(*track, track->back().time, settings);
-    if (!samples) return refuse(samples.error());
-    if (const auto done = write(options, *samples); !done) return refuse(done.error());
+    if (const auto done = write(options, *track, settings); !done) return refuse(done.error());
     if (const auto done = files.commit(); !done) return refuse(done.error());
-    say("{:.3f} s of sound written to {}\n", track->back().time, options.out.string());
-    if (!options.spectrogram.empty()) say("its spectrum over time is in {}\n", options.spectrogram.string());
+    say("{:.3f} s of sound written to {}\n", track->back().time, shownName(options.out));
+    if (!options.spectrogram.empty()) say("its spectrum over time is in {}\n", shownName(options.spectrogram));
     return kExitOk;
 }
 

@@ -9,6 +9,7 @@
 #include "app/cli/exit_code.h"
 #include "app/cli/mesh_summary.h"
 #include "app/cli/output.h"
+#include "geometry/file_bytes.h"
 #include "geometry/file_set.h"
 #include "geometry/mesh_file.h"
 #include "geometry/stl_writer.h"
@@ -28,7 +29,7 @@ int runSubdivide(const SubdivideOptions& options) {
                                             : static_cast<double>(mesh->triangles.size()) * std::pow(4.0, times);
     if (wanted > static_cast<double>(kMostSubdivided)) {
         return refuse({fmt::format("{}: {:.0f} triangles would be made, and {} are the most; ask for fewer.",
-                                   options.in.string(), wanted, kMostSubdivided)});
+                                   shownName(options.in), wanted, kMostSubdivided)});
     }
     say(stderr, "subdividing {} triangles to {:.0f}\n", mesh->triangles.size(), wanted);
     const TriangleMesh more = options.triangles ? subdividedTo(*mesh, *options.triangles) : subdivided(*mesh, times);

@@ -10,7 +10,9 @@
 #include "app/cli/exit_code.h"
 #include "app/cli/mesh_summary.h"
 #include "app/cli/output.h"
+#include "geometry/file_bytes.h"
 #include "geometry/file_set.h"
+#include "geometry/folder.h"
 #include "geometry/stl_writer.h"
 #include "session/tooth_cache.h"
 
@@ -68,7 +70,7 @@ int runTooth(const ToothOptions& options) {
         if (mesh->empty()) continue;
         const std::filesystem::path file = options.out / name;
         if (const auto done = writeStl(*mesh, file); !done) return refuse(done.error());
-        lines += fmt::format("{}: {}\n", file.string(), meshSummary(reportOn(*mesh)));
+        lines += fmt::format("{}: {}\n", shownName(file), meshSummary(reportOn(*mesh)));
     }
     if (const auto done = files.commit(); !done) return refuse(done.error());
     say("{}", lines);

@@ -10,12 +10,11 @@
 
 #include "app/common/picture_application.h"
 #include "sound/sound_format.h"
-#include "sound/spectrogram.h"
 
 namespace tactooth {
 namespace {
 
-constexpr int kPlotWidth = 1100, kPlotHeight = 512;  // pixels; one for each frequency
+constexpr int kPlotWidth = static_cast<int>(kSpectrogramTimes), kPlotHeight = 512;  // pixels; one for each frequency
 constexpr int kLeft = 70, kTop = 36, kBottom = 56, kLegend = 110;
 constexpr float kLoudest = -20.0f, kFaintest = -100.0f;  // dB: black below
 
@@ -91,14 +90,14 @@ void drawLegend(QPainter& painter) {
 
 }  // namespace
 
-Expected<void> writeSpectrogram(const std::filesystem::path& path, std::span<const float> stereo) {
+Expected<void> writeSpectrogram(const std::filesystem::path& path, const Spectrogram& spectrogram, double seconds) {
     const PictureApplication application;
     QImage image(kLeft + kPlotWidth + kLegend, kTop + kPlotHeight + kBottom, QImage::Format_RGB32);
     image.fill(Qt::white);
     QPainter painter(&image);
     painter.setRenderHint(QPainter::TextAntialiasing);
-    painter.drawImage(kLeft, kTop, plotOf(spectrogramOf(stereo, kPlotWidth)));
-    drawTimes(painter, static_cast<double>(stereo.size() / 2) / kSoundRate);
+    painter.drawImage(kLeft, kTop, plotOf(spectrogram));
+    drawTimes(painter, seconds);
     drawFrequencies(painter);
     drawLegend(painter);
     painter.end();

@@ -3,14 +3,17 @@
 #pragma once
 
 #include <filesystem>
-#include <span>
 
 #include "geometry/expected.h"
+#include "sound/spectrogram.h"
 
 namespace tactooth {
 
-/// Writes a picture (PNG) of the frequencies of a sound over time: left and right samples by turns, at kSoundRate.
-/// Needs no display.
-[[nodiscard]] Expected<void> writeSpectrogram(const std::filesystem::path& path, std::span<const float> stereo);
+/// Times that a spectrogram is to have for the picture: one for each pixel across.
+inline constexpr std::size_t kSpectrogramTimes = 1100;
+
+/// Writes a picture (PNG) of the frequencies of a sound of that length over time. Needs no display.
+[[nodiscard]] Expected<void> writeSpectrogram(const std::filesystem::path& path, const Spectrogram& spectrogram,
+                                              double seconds);
 
 }  // namespace tactooth

@@ -17,6 +17,15 @@ constexpr const char* kErrors[] = {
     QT_TRANSLATE_NOOP("Error", "%1: this is not a regular file (a device or a pipe); name a file on disk."),
     QT_TRANSLATE_NOOP("Error", "%1: the file is empty; export or copy it again."),
     QT_TRANSLATE_NOOP("Error", "%1: the file (%2 bytes) does not fit into memory."),
+    QT_TRANSLATE_NOOP(
+        "Error",
+        "%1: the file holds %2 bytes, and at most %3 are read of such a file; choose another or a smaller one."),
+    QT_TRANSLATE_NOOP("Error",
+                      "row %1 of the table has a number that is not finite, so nothing is written; check size and unit "
+                      "of the surfaces."),
+    QT_TRANSLATE_NOOP("Error",
+                      "%1: the tool is farther than 10 m from the tooth's origin; x,y,z are in mm, so check the unit."),
+    QT_TRANSLATE_NOOP("Error", "%1: t is beyond any clock's seconds; t is in s, so check the unit."),
     QT_TRANSLATE_NOOP("Error", "%1: cannot be written: its folder does not exist; make the folder first."),
     QT_TRANSLATE_NOOP("Error", "%1: cannot be written: this user may not write into its folder; choose another one."),
     QT_TRANSLATE_NOOP("Error", "%1: cannot be written: %2."),

@@ -10,9 +10,12 @@ namespace {
 constexpr const char* kErrors[] = {
     // What is wrong in a text.
     QT_TRANSLATE_NOOP("Error", "%1, line %2: %3."),
-    QT_TRANSLATE_NOOP("Error", "%1, line %2: this is not TOML."),
-    QT_TRANSLATE_NOOP("Error", "%1, line %2: this is not TOML; see docs/sound.md for a pattern."),
     QT_TRANSLATE_NOOP("Error", "this is not TOML: %1"),
+    QT_TRANSLATE_NOOP("Error", "%1: the file is too large: a TOML file may have %2 bytes at most."),
+    QT_TRANSLATE_NOOP("Error", "the line is longer than %1 bytes; break it up"),
+    QT_TRANSLATE_NOOP("Error", "brackets stand more than %1 deep in each other; write it flatter"),
+    QT_TRANSLATE_NOOP("Error", "a key has more than %1 parts with dots between them; write a shorter one"),
+    QT_TRANSLATE_NOOP("Error", "there are more than %1 values; keep to what is asked for"),
     QT_TRANSLATE_NOOP("Error", "%1 has no key %2; the keys are %3"),
     QT_TRANSLATE_NOOP("Error", "a case"),
     QT_TRANSLATE_NOOP("Error", "a bur"),
@@ -45,12 +48,10 @@ constexpr const char* kErrors[] = {
     QT_TRANSLATE_NOOP("Error", "not a finite number"),
     QT_TRANSLATE_NOOP("Error", "begin each %1 with a line [[%2]]"),
     // Descriptions of cases, burs, exercises and materials.
-    QT_TRANSLATE_NOOP("Error", "%1: the file is too large for a description of a case."),
-    QT_TRANSLATE_NOOP("Error", "%1: the file is too large for a bur's description."),
-    QT_TRANSLATE_NOOP("Error", "%1: the file is too large for the description of an exercise."),
     QT_TRANSLATE_NOOP("Error", "the case has format %1, which is newer than this program (1); take a newer one"),
     QT_TRANSLATE_NOOP("Error", "there is no [[tooth]]"),
     QT_TRANSLATE_NOOP("Error", "there are too many teeth"),
+    QT_TRANSLATE_NOOP("Error", "nobody could open this case: %1"),
     QT_TRANSLATE_NOOP("Error", "%1 is no permanent tooth; FDI numbers are 11-18, 21-28, 31-38 and 41-48"),
     QT_TRANSLATE_NOOP("Error", "the name must be short and without slashes"),
     QT_TRANSLATE_NOOP("Error", "the name %1 is given twice"),
@@ -86,9 +87,7 @@ constexpr const char* kErrors[] = {
     QT_TRANSLATE_NOOP("Error", "stroke %1 of the cavity goes past the tooth; give places over it, in its frame, mm."),
     QT_TRANSLATE_NOOP("Error", "expected the keys of %1 below a line [%2], but found %3"),
     QT_TRANSLATE_NOOP("Error", "'colour' must be three numbers in brackets (red, green, blue), but is %1"),
-    QT_TRANSLATE_NOOP("Error", "%1 must be a number %2, but is %3"),
-    QT_TRANSLATE_NOOP("Error", "from 0 to 1"),
-    QT_TRANSLATE_NOOP("Error", "of 0 or more"),
+    QT_TRANSLATE_NOOP("Error", "%1 must be a number from 0 to %2, but is %3"),
     // Sounds.
     QT_TRANSLATE_NOOP("Error", "there is no part %1; the parts are %2"),
     QT_TRANSLATE_NOOP("Error", "motor, cutting, water and suction"),
@@ -100,6 +99,7 @@ constexpr const char* kErrors[] = {
                       "%1 needs the speed of the bur when it was recorded, whose pitch it follows; add speed_rpm = "
                       "400000 or what it was"),
     QT_TRANSLATE_NOOP("Error", "'file' must be a name in quotes"),
+    QT_TRANSLATE_NOOP("Error", "%1 is a link that leads out of the folder of this file; put a copy there instead."),
     QT_TRANSLATE_NOOP("Error",
                       "%1: the recording has %2 samples a second, but 4000 to 192000 are needed; save it at 48000."),
     QT_TRANSLATE_NOOP("Error", "%1: the recording lasts %2 s, but a loop needs 0.05 to 30 s; cut out a steady piece."),

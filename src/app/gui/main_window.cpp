@@ -383,9 +383,12 @@ void MainWindow::takeNews(const Workbench::News& news) {
     if (!news.newTooth) return;
     setWindowTitle(tr("%1 — Tactooth").arg(translated(bench_.tooth()->name)));
     showUsualHint();
-    QStringList mended;
-    for (const Remark& remark : bench_.tooth()->remarks) mended.push_back(translated(remark));
-    if (!mended.isEmpty()) status_->setHint(mended.join(' '));
+    QStringList hints;
+    for (const Remark& remark : bench_.tooth()->remarks) hints.push_back(translated(remark));
+    if (bench_.tooth()->materials) {
+        hints.push_back(tr("This case brings its own materials: it may feel harder, softer or rougher than others"));
+    }
+    if (!hints.isEmpty()) status_->setHint(hints.join(' '));
     view_->lookAsUsual();
     view_->fit();
     dropTarget();  // it is in the frame of the tooth before

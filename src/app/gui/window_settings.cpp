@@ -11,6 +11,7 @@
 #include "devices/open_device.h"
 #include "geometry/atomic_file.h"
 #include "geometry/file_bytes.h"
+#include "session/cases/guarded_toml.h"
 
 namespace tactooth {
 namespace {
@@ -103,12 +104,9 @@ std::filesystem::path windowSettingsFile() {
 }
 
 Expected<KeptSettings> parseWindowSettings(std::string_view text, std::string_view name) {
-    try {
-        return settingsFrom(toml::parse(text), name);
-    } catch (const toml::parse_error& error) {
-        return unexpected(std::string(name) + ", line " + std::to_string(error.source().begin.line) +
-                          ": this is not TOML.");
-    }
+    const Expected<toml::table> root = parseToml(text, name);
+    if (!root) return Unexpected{root.error()};
+    return settingsFrom(*root, name);
 }
 
 std::string windowSettingsText(const WindowSettings& settings) {
@@ -131,7 +129,7 @@ std::string windowSettingsText(const WindowSettings& settings) {
 Expected<KeptSettings> readWindowSettings(const std::filesystem::path& file) {
     std::error_code none;
     if (!std::filesystem::exists(file, none)) return KeptSettings();
-    const Expected<FileBytes> content = readFile(file);
+    const Expected<FileBytes> content = readFile(file, kTomlLimits.bytes);
     if (!content) return Unexpected{content.error()};
     return parseWindowSettings(content->text(), shownName(file));
 }

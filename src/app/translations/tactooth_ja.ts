@@ -339,6 +339,22 @@
         <translation>%1：ファイル（%2 バイト）がメモリーに収まりません。</translation>
     </message>
     <message>
+        <source>%1: the file holds %2 bytes, and at most %3 are read of such a file; choose another or a smaller one.</source>
+        <translation>%1：ファイルは %2 バイトありますが、この種のファイルは %3 バイトまでしか読み込めません。別のファイルか、小さいファイルを選んでください。</translation>
+    </message>
+    <message>
+        <source>row %1 of the table has a number that is not finite, so nothing is written; check size and unit of the surfaces.</source>
+        <translation>表の %1 行目に有限でない数値があるため、何も書き込みませんでした。表面の大きさと単位を確かめてください。</translation>
+    </message>
+    <message>
+        <source>%1: the tool is farther than 10 m from the tooth&apos;s origin; x,y,z are in mm, so check the unit.</source>
+        <translation>%1：器具が歯の原点から 10 m より遠くにあります。x,y,z の単位は mm です。単位を確かめてください。</translation>
+    </message>
+    <message>
+        <source>%1: t is beyond any clock&apos;s seconds; t is in s, so check the unit.</source>
+        <translation>%1：t が時計の秒として大きすぎます。t の単位は秒です。単位を確かめてください。</translation>
+    </message>
+    <message>
         <source>%1: cannot be written: its folder does not exist; make the folder first.</source>
         <translation>%1：書き込めません。フォルダーがありません。先にフォルダーを作ってください。</translation>
     </message>
@@ -803,16 +819,28 @@
         <translation>%1、%2 行目：%3。</translation>
     </message>
     <message>
-        <source>%1, line %2: this is not TOML.</source>
-        <translation>%1、%2 行目：TOML の書式ではありません。</translation>
-    </message>
-    <message>
-        <source>%1, line %2: this is not TOML; see docs/sound.md for a pattern.</source>
-        <translation>%1、%2 行目：TOML の書式ではありません。docs/sound.md の例を見てください。</translation>
-    </message>
-    <message>
         <source>this is not TOML: %1</source>
         <translation>TOML の書式ではありません：%1</translation>
+    </message>
+    <message>
+        <source>%1: the file is too large: a TOML file may have %2 bytes at most.</source>
+        <translation>%1：ファイルが大きすぎます。TOML ファイルは %2 バイトまでです。</translation>
+    </message>
+    <message>
+        <source>the line is longer than %1 bytes; break it up</source>
+        <translation>この行は %1 バイトを超えています。複数の行に分けてください</translation>
+    </message>
+    <message>
+        <source>brackets stand more than %1 deep in each other; write it flatter</source>
+        <translation>括弧の入れ子が %1 段を超えています。入れ子を浅くしてください</translation>
+    </message>
+    <message>
+        <source>a key has more than %1 parts with dots between them; write a shorter one</source>
+        <translation>点で区切られたキーの要素が %1 個を超えています。短いキーにしてください</translation>
+    </message>
+    <message>
+        <source>there are more than %1 values; keep to what is asked for</source>
+        <translation>値が %1 個を超えています。必要なものだけにしてください</translation>
     </message>
     <message>
         <source>%1 has no key %2; the keys are %3</source>
@@ -939,18 +967,6 @@
         <translation>%1 はそれぞれ [[%2]] の行で始めてください</translation>
     </message>
     <message>
-        <source>%1: the file is too large for a description of a case.</source>
-        <translation>%1：症例の説明としてはファイルが大きすぎます。</translation>
-    </message>
-    <message>
-        <source>%1: the file is too large for a bur&apos;s description.</source>
-        <translation>%1：バーの説明としてはファイルが大きすぎます。</translation>
-    </message>
-    <message>
-        <source>%1: the file is too large for the description of an exercise.</source>
-        <translation>%1：課題の説明としてはファイルが大きすぎます。</translation>
-    </message>
-    <message>
         <source>the case has format %1, which is newer than this program (1); take a newer one</source>
         <translation>症例の形式 %1 はこのプログラムの形式（1）より新しいものです。新しいプログラムを使ってください</translation>
     </message>
@@ -961,6 +977,10 @@
     <message>
         <source>there are too many teeth</source>
         <translation>歯が多すぎます</translation>
+    </message>
+    <message>
+        <source>nobody could open this case: %1</source>
+        <translation>この症例は誰にも開けません：%1</translation>
     </message>
     <message>
         <source>%1 is no permanent tooth; FDI numbers are 11-18, 21-28, 31-38 and 41-48</source>
@@ -1075,16 +1095,8 @@
         <translation>&apos;colour&apos; は角括弧で囲んだ三つの数値（赤、緑、青）でなければなりません（実際の値：%1）</translation>
     </message>
     <message>
-        <source>%1 must be a number %2, but is %3</source>
-        <translation>%1 は%2の数値でなければなりません（実際の値：%3）</translation>
-    </message>
-    <message>
-        <source>from 0 to 1</source>
-        <translation> 0 から 1 まで</translation>
-    </message>
-    <message>
-        <source>of 0 or more</source>
-        <translation> 0 以上</translation>
+        <source>%1 must be a number from 0 to %2, but is %3</source>
+        <translation>%1 は 0 から %2 までの数値でなければなりません（実際の値：%3）</translation>
     </message>
     <message>
         <source>there is no part %1; the parts are %2</source>
@@ -1117,6 +1129,10 @@
     <message>
         <source>&apos;file&apos; must be a name in quotes</source>
         <translation>&apos;file&apos; は引用符で囲んだ名前でなければなりません</translation>
+    </message>
+    <message>
+        <source>%1 is a link that leads out of the folder of this file; put a copy there instead.</source>
+        <translation>%1 はこのファイルのフォルダーの外を指すリンクです。代わりに複製を置いてください。</translation>
     </message>
     <message>
         <source>%1: the recording has %2 samples a second, but 4000 to 192000 are needed; save it at 48000.</source>
@@ -2427,6 +2443,10 @@ The mouse wheel in the picture changes it too.</source>
     <message>
         <source>The pedal is %1</source>
         <translation>ペダルは %1 です</translation>
+    </message>
+    <message>
+        <source>This case brings its own materials: it may feel harder, softer or rougher than others</source>
+        <translation>この症例には独自の材料が含まれています。ほかの症例より硬く、柔らかく、またはざらついて感じられることがあります</translation>
     </message>
     <message>
         <source>%1 was imported</source>

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "geometry/number_text.h"
+#include "geometry/shown_text.h"
 #include "instruments/builtin_tooth.h"
 #include "session/cases/case_store.h"
 #include "session/cases/toml_reader.h"
@@ -193,18 +194,14 @@ std::string toothText(const CaseTooth& tooth) {
 
 std::string tomlText(const std::string& text) {
     std::string result = "\"";
-    for (const char letter : text) {
+    for (const char letter : shownText(text)) {
         if (letter == '"' || letter == '\\') result += '\\';
-        const bool isControl = static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f;
-        result += isControl ? '?' : letter;
+        result += letter;
     }
     return result + '"';
 }
 
 Expected<CaseDescription> parseCase(std::string_view text, std::string_view name) {
-    if (text.size() > kCaseLimits.textBytes) {
-        return unexpected(std::string(name) + ": the file is too large for a description of a case.");
-    }
     return CaseReader(name).read(text);
 }
 

@@ -36,14 +36,6 @@ Expected<std::vector<std::string>> filesBelow(const fs::path& folder) {
     return entries;
 }
 
-/// Whether `file` is still below `folder` when all links are followed.
-bool isInside(const fs::path& folder, const fs::path& file) {
-    std::error_code error;
-    const fs::path home = fs::canonical(folder, error), place = fs::canonical(file, error);
-    if (error) return false;
-    return std::mismatch(home.begin(), home.end(), place.begin(), place.end()).first == home.end();
-}
-
 }  // namespace
 
 bool isSafeEntry(std::string_view path) {
@@ -60,6 +52,15 @@ bool isSafeEntry(std::string_view path) {
         begin = end + 1;
     }
     return true;
+}
+
+bool staysBelow(const fs::path& folder, const std::string& entry) {
+    std::error_code error;
+    const fs::path home = fs::canonical(folder.empty() ? "." : folder, error);
+    const fs::path place = fs::weakly_canonical(folder / entry, error);
+    if (error) return false;
+    const fs::path whole = fs::absolute(place, error);
+    return std::mismatch(home.begin(), home.end(), whole.begin(), whole.end()).first == home.end();
 }
 
 struct CaseStore::Content {
@@ -138,7 +139,7 @@ Expected<std::vector<std::byte>> CaseStore::read(const std::string& entry) const
     }
     if (content_->archive) return content_->archive->read(content_->top + entry);
     const fs::path file = content_->folder / fs::path(entry);
-    if (!isInside(content_->folder, file)) {
+    if (!staysBelow(content_->folder, entry)) {
         return unexpected(shown(entry) + ": the link leads out of the case's folder; put a copy there instead.");
     }
     std::error_code error;

@@ -33,6 +33,10 @@ inline constexpr CaseLimits kCaseLimits = {};
 /// Whether `path` (in a case, with '/') stays inside it: relative, no "..", no part that a system reads in another way.
 [[nodiscard]] bool isSafeEntry(std::string_view path);
 
+/// Whether a file in `folder` is still below it when all links are followed. One that is not there is: whoever reads
+/// it says so.
+[[nodiscard]] bool staysBelow(const std::filesystem::path& folder, const std::string& entry);
+
 /// The files of a case: a folder, or a zip archive, which is read in memory and never unpacked to the disk. Whatever
 /// the bytes claim, no more memory is taken than `kCaseLimits` allows. Used from one thread.
 class CaseStore {

@@ -12,6 +12,7 @@
 #include "patient/length_unit.h"
 #include "session/cases/case_names.h"
 #include "session/cases/case_surfaces.h"
+#include "session/cases/guarded_toml.h"
 #include "session/cases/own_bur.h"
 #include "session/experiments/run_facts.h"
 #include "session/material_file.h"
@@ -145,13 +146,17 @@ private:
         description.provenance.push_back("made " + currentRunFacts().date + " by Tactooth");
         if (!request_.materials.empty()) {
             if (const auto known = readMaterials(request_.materials); !known) return Unexpected{known.error()};
-            const auto bytes = readFile(request_.materials);
+            const auto bytes = readFile(request_.materials, kTomlLimits.bytes);
             if (!bytes) return Unexpected{bytes.error()};
             made_.files.push_back({"materials.toml", {bytes->bytes().begin(), bytes->bytes().end()}});
             description.materials = "materials.toml";
         }
         if (auto done = addBurs(); !done) return Unexpected{done.error()};
-        made_.files.push_back({std::string(kCaseText), bytesOf(caseText(description))});
+        const std::string text = caseText(description);
+        if (const auto readable = parseCase(text, kCaseText); !readable) {
+            return unexpected("nobody could open this case: " + readable.error().message);
+        }
+        made_.files.push_back({std::string(kCaseText), bytesOf(text)});
         return std::move(made_);
     }
 

@@ -8,6 +8,7 @@
 #include "geometry/remark.h"
 #include "session/cases/case_description.h"
 #include "session/cases/case_store.h"
+#include "session/cases/guarded_toml.h"
 #include "session/cases/toml_reader.h"
 
 namespace tactooth {
@@ -23,8 +24,6 @@ constexpr double kMostSharpness = 10;  // times a new bur
 
 Expected<OwnBur> parseOwnBur(std::string_view text, const std::string& name, const ReadBeside& readBeside,
                              const std::string& surface) {
-    if (text.size() > kCaseLimits.textBytes)
-        return unexpected(name + ": the file is too large for a bur's description.");
     TomlReader toml(name);
     const toml::table root = toml.parse(text);
     toml.allow(root, "a bur", {"name", "surface", "material", "flutes", "grit_um", "sharpness"});
@@ -46,7 +45,7 @@ Expected<OwnBur> parseOwnBur(std::string_view text, const std::string& name, con
         toml.fail(root, "the surface must lie beside this file or below it, named with '/' and without '..'");
     }
     if (toml.error()) return Unexpected{*toml.error()};
-    if (bur.name.empty()) bur.name = fs::path(file).stem().string();
+    if (bur.name.empty()) bur.name = shownName(fs::path(file).stem());
     const auto bytes = readBeside(file);
     if (!bytes) return Unexpected{bytes.error()};
     auto mesh = parseMesh(*bytes, file);
@@ -76,11 +75,11 @@ Expected<OwnBur> readOwnBur(const fs::path& path) {
         auto mesh = loadMesh(path);
         if (!mesh) return Unexpected{mesh.error()};
         OwnBur bur;
-        bur.name = path.filename().string();
+        bur.name = shownNameAlone(path);
         bur.surface = std::move(*mesh);
         return bur;
     }
-    const auto text = readFile(description);
+    const auto text = readFile(description, kTomlLimits.bytes);
     if (!text) return Unexpected{text.error()};
     return parseOwnBur(text->text(), shownName(description), readBeside,
                        isDescription ? std::string() : path.filename().string());

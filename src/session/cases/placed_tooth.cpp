@@ -26,7 +26,8 @@ Expected<PlacedTooth> loadCase(const ToothSource& source, const std::string& wor
     place.materials = std::move(opened->materials);
     place.bur = std::move(opened->bur);
     placed.remarks = std::move(opened->remarks);
-    placed.provenance = {{"case", shownName(source.outer)}, {"tooth", opened->tooth}, {"licence", description.licence}};
+    placed.provenance = {
+        {"case", shownNameAlone(source.outer)}, {"tooth", opened->tooth}, {"licence", description.licence}};
     for (const std::string& line : description.provenance) placed.provenance.emplace_back("case from", line);
     return placed;
 }
@@ -45,7 +46,7 @@ Expected<PlacedTooth> loadPlacedTooth(const ToothSource& source, const std::stri
     std::vector<Remark> remarks;
     auto tooth = loadLayeredTooth(source, &remarks);
     if (!tooth) return Unexpected{tooth.error()};
-    return PlacedTooth{*tooth, placeOf(**tooth, source.outer.filename().string()), {}, std::move(remarks)};
+    return PlacedTooth{*tooth, placeOf(**tooth, shownNameAlone(source.outer)), {}, std::move(remarks)};
 }
 
 Expected<PlacedWork> loadPlacedWork(const ToothSource& source, const std::string& workOn, std::optional<double> voxel,
@@ -60,7 +61,7 @@ Expected<PlacedWork> loadPlacedWork(const ToothSource& source, const std::string
     if (auto single = refuseChoice(source, workOn); !single) return Unexpected{single.error()};
     auto opened = loadTooth(source, voxel, usualVoxel);
     if (!opened) return Unexpected{opened.error()};
-    ToothPlace place = placeOf(opened->piece->tooth(), source.outer.filename().string());
+    ToothPlace place = placeOf(opened->piece->tooth(), shownNameAlone(source.outer));
     return PlacedWork{std::move(opened->piece), std::move(place), std::move(opened->provenance),
                       std::move(opened->remarks)};
 }

@@ -6,39 +6,25 @@
 #include <cmath>
 
 #include "geometry/number_text.h"
+#include "geometry/shown_text.h"
+#include "session/cases/guarded_toml.h"
 
 namespace tactooth {
 namespace {
 
 constexpr std::size_t kLongestText = 2000;  // bytes: a text of a person; more is no text
 
-/// What the parser said, as part of a sentence.
-std::string asClause(std::string_view description) {
-    std::string clause(description);
-    for (char& letter : clause) {
-        if (static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f) letter = ' ';
-    }
-    clause.resize(std::min<std::size_t>(clause.size(), 200));
-    clause.erase(clause.find_last_not_of(" .") + 1);
-    return clause;
-}
-
-bool isPlainText(const std::string& text) {
-    return text.size() <= kLongestText &&
-           std::ranges::none_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; });
-}
+bool isPlainText(const std::string& text) { return text.size() <= kLongestText && isShownAsItIs(text); }
 
 std::string quoted(std::string_view key) { return quotedWord(key); }
 
 }  // namespace
 
 toml::table TomlReader::parse(std::string_view text) {
-    try {
-        return toml::parse(text);
-    } catch (const toml::parse_error& error) {
-        failAt(error.source().begin.line, "this is not TOML: " + asClause(error.description()));
-        return {};
-    }
+    Expected<toml::table> table = parseToml(text, name_);
+    if (table) return std::move(*table);
+    if (!error_) error_ = table.error();
+    return {};
 }
 
 void TomlReader::failAt(toml::source_index line, const std::string& what) {

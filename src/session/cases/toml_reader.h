@@ -22,7 +22,7 @@ public:
     /// `name` stands for the file in messages.
     explicit TomlReader(std::string_view name) : name_(name) {}
 
-    /// The parsed text; empty after a mistake.
+    /// The text as parseToml takes it; empty after a mistake.
     [[nodiscard]] toml::table parse(std::string_view text);
 
     /// Refuses every key that is not in the list. `what`: "a tooth".

@@ -3,6 +3,7 @@
 #include "session/experiments/slot_timing.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -181,8 +182,10 @@ std::vector<SlotTiming> timeInSlot(const std::shared_ptr<const LayeredTooth>& to
     HapticSimulation cutting(shape, radius, piece.felt(), settings);
     Pose end;
     const std::vector<TimedPose> path = slotPath(tooth->outer()->mesh(), depth);
-    cutByLaw(path, tool, settings.materials, cutting, piece,
-             [&](double, const Tick& tick, const ToothLoss&) { end = tick.proxy; });
+    // Built-in shapes and a path of our own give finite ticks.
+    [[maybe_unused]] const auto isCut = cutByLaw(path, tool, settings.materials, cutting, piece,
+                                                 [&](double, const Tick& tick, const ToothLoss&) { end = tick.proxy; });
+    assert(isCut);
 
     if (probe) shape = std::make_shared<const ToolShape>(makePeriodontalProbe());
     StillTool still(piece, shape, radius);

@@ -64,7 +64,7 @@ Expected<StandardTooth> ownTooth(const std::filesystem::path& file) {
 
 Expected<std::shared_ptr<const LayeredTooth>> uncut(const StandardTooth& tooth) {
     auto layered = LayeredTooth::make(tooth.mesh);
-    if (!layered) return unexpected(tooth.source + ": " + layered.error().message);
+    if (!layered) return unexpected(tooth.source + ": " + layered.error().message + ".");
     return std::make_shared<const LayeredTooth>(std::move(*layered));
 }
 
