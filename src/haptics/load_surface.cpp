@@ -16,8 +16,8 @@ bool isClosed(const TriangleMesh& mesh) {
 
 }  // namespace
 
-Expected<std::shared_ptr<const Surface>> loadSurface(const std::filesystem::path& path) {
-    Expected<TriangleMesh> mesh = loadMesh(path);
+Expected<std::shared_ptr<const Surface>> loadSurface(const std::filesystem::path& path, std::vector<Remark>* remarks) {
+    Expected<TriangleMesh> mesh = loadMesh(path, remarks);
     if (!mesh) return Unexpected{mesh.error()};
     auto surface = std::make_shared<Surface>();
     surface->closed = isClosed(*mesh);
@@ -25,8 +25,8 @@ Expected<std::shared_ptr<const Surface>> loadSurface(const std::filesystem::path
     return std::shared_ptr<const Surface>(std::move(surface));
 }
 
-Expected<std::shared_ptr<const ToolShape>> loadTool(const std::filesystem::path& path) {
-    Expected<TriangleMesh> mesh = loadMesh(path);
+Expected<std::shared_ptr<const ToolShape>> loadTool(const std::filesystem::path& path, std::vector<Remark>* remarks) {
+    Expected<TriangleMesh> mesh = loadMesh(path, remarks);
     if (!mesh) return Unexpected{mesh.error()};
     return std::shared_ptr<const ToolShape>(std::make_shared<const ToolShape>(std::move(*mesh)));
 }

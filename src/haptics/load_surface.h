@@ -4,18 +4,22 @@
 
 #include <filesystem>
 #include <memory>
+#include <vector>
 
 #include "collision/surface.h"
 #include "collision/tool_shape.h"
 #include "geometry/expected.h"
+#include "geometry/remark.h"
 
 namespace tactooth {
 
 /// A tooth that is only felt, from its STL file: no layers, tags all zero. Also works with an open surface; then only
-/// the triangles are felt, and nothing is "inside".
-[[nodiscard]] Expected<std::shared_ptr<const Surface>> loadSurface(const std::filesystem::path& path);
+/// the triangles are felt, and nothing is "inside". Adds what there is to say on the file to `remarks`, if given.
+[[nodiscard]] Expected<std::shared_ptr<const Surface>> loadSurface(const std::filesystem::path& path,
+                                                                   std::vector<Remark>* remarks = nullptr);
 
 /// A tool from its STL file, in its own frame (tip at the origin, +z along the shaft).
-[[nodiscard]] Expected<std::shared_ptr<const ToolShape>> loadTool(const std::filesystem::path& path);
+[[nodiscard]] Expected<std::shared_ptr<const ToolShape>> loadTool(const std::filesystem::path& path,
+                                                                  std::vector<Remark>* remarks = nullptr);
 
 }  // namespace tactooth

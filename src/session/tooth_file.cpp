@@ -42,9 +42,9 @@ Expected<OpenedTooth> loadTooth(const ToothSource& source, std::optional<double>
         }
         return opened;
     }
-    auto tooth = loadLayeredTooth(source);
-    if (!tooth) return Unexpected{tooth.error()};
     OpenedTooth opened;
+    auto tooth = loadLayeredTooth(source, &opened.remarks);
+    if (!tooth) return Unexpected{tooth.error()};
     opened.provenance.emplace_back("tooth", source.outer.string());
     for (const ToothSource::Layer& layer : source.layers) {
         opened.provenance.emplace_back("layer " + layer.material, layer.file.string());

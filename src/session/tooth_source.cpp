@@ -25,16 +25,17 @@ Expected<ToothSource::Layer> parseLayer(const std::string& text) {
     return ToothSource::Layer{name, text.substr(equals + 1)};
 }
 
-Expected<std::shared_ptr<const LayeredTooth>> loadLayeredTooth(const ToothSource& source) {
+Expected<std::shared_ptr<const LayeredTooth>> loadLayeredTooth(const ToothSource& source,
+                                                               std::vector<Remark>* remarks) {
     const Expected<MaterialId> body = materialNamed(source.material);
     if (!body) return Unexpected{body.error()};
-    Expected<TriangleMesh> outer = loadMesh(source.outer);
+    Expected<TriangleMesh> outer = loadMesh(source.outer, remarks);
     if (!outer) return Unexpected{outer.error()};
     std::vector<LayerMesh> layers;
     for (const ToothSource::Layer& layer : source.layers) {
         const Expected<MaterialId> material = materialNamed(layer.material);
         if (!material) return Unexpected{material.error()};
-        Expected<TriangleMesh> mesh = loadMesh(layer.file);
+        Expected<TriangleMesh> mesh = loadMesh(layer.file, remarks);
         if (!mesh) return Unexpected{mesh.error()};
         layers.push_back({layer.material, *material, std::move(*mesh)});
     }

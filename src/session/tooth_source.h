@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/expected.h"
+#include "geometry/remark.h"
 #include "session/work_piece.h"
 #include "tooth/layered_tooth.h"
 
@@ -29,7 +30,8 @@ struct ToothSource {
 
 /// Fails with one sentence if a file cannot be read, a material is unknown or the surfaces make no tooth that can be
 /// cut.
-[[nodiscard]] Expected<std::shared_ptr<const LayeredTooth>> loadLayeredTooth(const ToothSource& source);
+[[nodiscard]] Expected<std::shared_ptr<const LayeredTooth>> loadLayeredTooth(const ToothSource& source,
+                                                                             std::vector<Remark>* remarks = nullptr);
 
 /// What cutting needs to know of a bur: its envelope of revolution.
 [[nodiscard]] Expected<CuttingTool> makeCuttingTool(const TriangleMesh& bur, double sharpness = 1);

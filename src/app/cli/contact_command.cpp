@@ -30,10 +30,12 @@ void writeRow(CsvWriter& file, double time, const Contact& contact, double micro
 int runContact(const ContactOptions& options) {
     const auto trajectory = readTrajectory(options.poses);
     if (!trajectory) return refuse(trajectory.error());
-    const auto tooth = loadSurface(options.tooth);
+    std::vector<Remark> remarks;
+    const auto tooth = loadSurface(options.tooth, &remarks);
     if (!tooth) return refuse(tooth.error());
-    const auto tool = loadTool(options.tool);
+    const auto tool = loadTool(options.tool, &remarks);
     if (!tool) return refuse(tool.error());
+    printRemarks(remarks);
     auto file = CsvWriter::create(options.out, kColumns);
     if (!file) return refuse(file.error());
 

@@ -120,8 +120,8 @@ Expected<void> writeLayers(const CutVolume& volume, const std::filesystem::path&
 }
 
 /// The bur that is named, else the one that the case brings.
-Expected<OwnBur> burOf(const CutOptions& options, const ToothPlace& place) {
-    if (!options.tool.empty()) return readOwnBur(options.tool);
+Expected<OwnBur> burOf(const CutOptions& options, const ToothPlace& place, std::vector<Remark>& remarks) {
+    if (!options.tool.empty()) return readOwnBur(options.tool, &remarks);
     if (place.bur) return *place.bur;
     return unexpected("there is no bur: give --tool, or a case that brings one.");
 }
@@ -146,8 +146,10 @@ int runCut(const CutOptions& options) {
     if (!path) return refuse(path.error());
     const auto tooth = loadPlacedWork(*source, options.workOn, options.voxel, kUsualVoxel);
     if (!tooth) return refuse(tooth.error());
-    auto bur = burOf(options, tooth->place);
+    std::vector<Remark> remarks = tooth->remarks;
+    auto bur = burOf(options, tooth->place, remarks);
     if (!bur) return refuse(bur.error());
+    printRemarks(remarks);
     const auto tool = makeCuttingTool(bur->surface, bur->sharpness);
     if (!tool) return refuse({bur->name + ": " + tool.error().message});
     WorkPiece& piece = *tooth->piece;

@@ -6,6 +6,10 @@
 
 namespace tactooth {
 
+void printRemarks(const std::vector<Remark>& remarks) {
+    for (const Remark& remark : remarks) std::fprintf(stderr, "tactooth: %s\n", inWords(remark).c_str());
+}
+
 int refuse(const Error& error) {
     std::fprintf(stderr, "tactooth: %s\n", error.message.c_str());
     return kExitBadInput;

@@ -24,9 +24,9 @@ struct FeltTooth {
 };
 
 /// All of a case in the frame of one of its teeth, or a surface, which may be open.
-Expected<FeltTooth> toothOf(const FeelOptions& options) {
+Expected<FeltTooth> toothOf(const FeelOptions& options, std::vector<Remark>& remarks) {
     if (!isCase(options.tooth)) {
-        auto surface = loadSurface(options.tooth);
+        auto surface = loadSurface(options.tooth, &remarks);
         if (!surface) return Unexpected{surface.error()};
         return FeltTooth{std::move(*surface), {}};
     }
@@ -42,10 +42,12 @@ Expected<FeltTooth> toothOf(const FeelOptions& options) {
 int runFeel(const FeelOptions& options) {
     const auto trajectory = readTrajectory(options.trajectory);
     if (!trajectory) return refuse(trajectory.error());
-    const auto tooth = toothOf(options);
+    std::vector<Remark> remarks;
+    const auto tooth = toothOf(options, remarks);
     if (!tooth) return refuse(tooth.error());
-    const auto tool = loadTool(options.tool);
+    const auto tool = loadTool(options.tool, &remarks);
     if (!tool) return refuse(tool.error());
+    printRemarks(remarks);
     const auto materials =
         options.materials.empty() && tooth->materials ? *tooth->materials : materialsFrom(options.materials);
     if (!materials) return refuse(materials.error());

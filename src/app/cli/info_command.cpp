@@ -10,20 +10,32 @@
 #include "geometry/mesh_file.h"
 
 namespace tactooth {
+namespace {
+
+/// The report on the surface where its file has it.
+MeshReport movedBy(MeshReport report, const Vec3& offset) {
+    report.box.translate(offset);
+    for (ShellReport& shell : report.shells) shell.box.translate(offset);
+    return report;
+}
+
+}  // namespace
 
 int runInfo(const InfoOptions& options) {
     int exitCode = kExitOk;
     bool first = true;
     for (const std::filesystem::path& file : options.files) {
-        const Expected<TriangleMesh> mesh = loadMesh(file);
-        if (!mesh) {
-            exitCode = refuse(mesh.error());
+        const Expected<ReadMesh> read = readMesh(file);
+        if (!read) {
+            exitCode = refuse(read.error());
             continue;
         }
-        const MeshReport report = reportOn(*mesh);
+        const MeshReport report = movedBy(reportOn(read->mesh), read->offset);
         const std::string name = shownName(file);
         if (!options.json && !first) std::puts("");
-        std::fputs((options.json ? infoJson(name, report) : infoTable(name, report)).c_str(), stdout);
+        std::fputs(
+            (options.json ? infoJson(name, report, read->remarks) : infoTable(name, report, read->remarks)).c_str(),
+            stdout);
         first = false;
     }
     return exitCode;

@@ -26,7 +26,7 @@ Json orNull(const std::optional<Number>& number) {
 
 }  // namespace
 
-std::string infoJson(std::string_view name, const MeshReport& report) {
+std::string infoJson(std::string_view name, const MeshReport& report, const std::vector<Remark>& remarks) {
     Json json = {{"file", name},
                  {"triangles", report.triangles},
                  {"vertices", report.vertices},
@@ -49,6 +49,8 @@ std::string infoJson(std::string_view name, const MeshReport& report) {
                  {"shells", Json::array()},
                  {"findings", findings(report)}};
     for (const ShellReport& shell : report.shells) json["shells"].push_back(toJson(shell));
+    json["remarks"] = Json::array();
+    for (const Remark& remark : remarks) json["remarks"].push_back(inWords(remark));
     // A file name may hold bytes that are no UTF-8, and JSON may not.
     return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -38,7 +38,7 @@ std::string findingRows(const MeshReport& report) {
 
 }  // namespace
 
-std::string infoTable(std::string_view name, const MeshReport& report) {
+std::string infoTable(std::string_view name, const MeshReport& report, const std::vector<Remark>& remarks) {
     const Vec3 size = report.box.sizes();
     std::string table = fmt::format("{}\n", name);
     table += row("Triangles", grouped(report.triangles));
@@ -51,7 +51,9 @@ std::string infoTable(std::string_view name, const MeshReport& report) {
     table += row("Volume",
                  report.volume() ? fmt::format("{:.2f} mm3", *report.volume()) : "none: the surface has no inside");
     table += row("Surface area", fmt::format("{:.2f} mm2", report.area));
-    return table + findingRows(report);
+    table += findingRows(report);
+    for (std::size_t i = 0; i < remarks.size(); ++i) table += row(i == 0 ? "Reading" : "", inWords(remarks[i]));
+    return table;
 }
 
 }  // namespace tactooth

@@ -4,15 +4,18 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "geometry/mesh_report.h"
+#include "geometry/remark.h"
 
 namespace tactooth {
 
-/// What `report` says about the file `name`, as a table for people, several lines.
-[[nodiscard]] std::string infoTable(std::string_view name, const MeshReport& report);
+/// What `report` says about the file `name`, and the remarks on reading it, as a table for people, several lines.
+[[nodiscard]] std::string infoTable(std::string_view name, const MeshReport& report,
+                                    const std::vector<Remark>& remarks);
 
 /// The same, and all other numbers of the report, as one line of JSON; lengths in mm.
-[[nodiscard]] std::string infoJson(std::string_view name, const MeshReport& report);
+[[nodiscard]] std::string infoJson(std::string_view name, const MeshReport& report, const std::vector<Remark>& remarks);
 
 }  // namespace tactooth

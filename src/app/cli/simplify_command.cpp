@@ -35,8 +35,10 @@ Expected<std::size_t> wantedTriangles(std::string_view keep, std::size_t triangl
 
 int runSimplify(const SimplifyOptions& options) {
     if (const auto wanted = wantedTriangles(options.keep, 1); !wanted) return refuse(wanted.error());
-    auto mesh = loadMesh(options.in);
-    if (!mesh) return refuse(mesh.error());
+    auto read = readMesh(options.in);
+    if (!read) return refuse(read.error());
+    printRemarks(read->remarks);
+    TriangleMesh* const mesh = &read->mesh;
     std::erase_if(mesh->triangles, [](const Triangle& triangle) { return isDegenerate(triangle); });
     if (const MeshReport report = reportOn(*mesh); !report.watertight()) {
         return refuse(

@@ -11,6 +11,7 @@
 #include "instruments/builtin_tooth.h"
 #include "session/cases/case_store.h"
 #include "session/cases/toml_reader.h"
+#include "session/cases/unicode_text.h"
 
 namespace tactooth {
 namespace {
@@ -109,11 +110,8 @@ private:
 
     std::string entry(const toml::table& table, std::string_view key, bool isNeeded) {
         std::string path = toml_.text(table, key, isNeeded);
-        if (!path.empty() && !isSafeEntry(path)) {
-            toml_.fail(*table.get(key), quotedWord(path) +
-                                            " points out of the case; give a path inside its folder, with '/' and "
-                                            "without '..'");
-        }
+        const EntryFault fault = path.empty() ? EntryFault::None : entryName(path).fault;
+        if (fault != EntryFault::None) toml_.fail(*table.get(key), inWords(fault, quotedWord(path)));
         return path;
     }
 
@@ -193,7 +191,7 @@ std::string toothText(const CaseTooth& tooth) {
 
 std::string tomlText(const std::string& text) {
     std::string result = "\"";
-    for (const char letter : text) {
+    for (const char letter : validUtf8(text)) {
         if (letter == '"' || letter == '\\') result += '\\';
         const bool isControl = static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f;
         result += isControl ? '?' : letter;

@@ -84,7 +84,7 @@ private:
 
     void addTooth(const ExaminedScan& tooth, const Pose& toothInCase) {
         CaseTooth entry;
-        entry.name = tooth.name;
+        entry.name = bodyNames_.make(tooth.name);
         entry.fdi = fdiNamed(tooth.name, request_.quadrant);
         const std::string folder = "teeth/" + teethNames_.make(tooth.name) + "/";
         entry.outer = folder + "outer.stl";
@@ -112,7 +112,8 @@ private:
                               ". Leave it out, or ask for all holes to be filled.");
         }
         CaseSurrounding body;
-        body.name = name;
+        body.name = bodyNames_.make(name);
+        body.assumed = words(surfaces_.aroundRemarks[name]);
         body.surface = "around/" + aroundNames_.make(name) + ".stl";
         body.assumed.push_back(mended.report.changedAnything() ? "The surface was mended."
                                                                : "Closed and sound as it came.");
@@ -158,6 +159,7 @@ private:
     std::optional<JawFrame> jaw_;  // of several teeth
     double mmPerUnit_ = 1;         // of the teeth
     EntryNames teethNames_, aroundNames_;
+    BodyNames bodyNames_;
     MadeCase made_;
 };
 

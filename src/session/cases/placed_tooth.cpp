@@ -41,9 +41,10 @@ Expected<void> refuseChoice(const ToothSource& source, const std::string& workOn
 Expected<PlacedTooth> loadPlacedTooth(const ToothSource& source, const std::string& workOn) {
     if (isCase(source.outer)) return loadCase(source, workOn);
     if (auto single = refuseChoice(source, workOn); !single) return Unexpected{single.error()};
-    auto tooth = loadLayeredTooth(source);
+    std::vector<Remark> remarks;
+    auto tooth = loadLayeredTooth(source, &remarks);
     if (!tooth) return Unexpected{tooth.error()};
-    return PlacedTooth{*tooth, placeOf(**tooth, source.outer.filename().string())};
+    return PlacedTooth{*tooth, placeOf(**tooth, source.outer.filename().string()), {}, std::move(remarks)};
 }
 
 Expected<PlacedWork> loadPlacedWork(const ToothSource& source, const std::string& workOn, std::optional<double> voxel,
@@ -58,7 +59,8 @@ Expected<PlacedWork> loadPlacedWork(const ToothSource& source, const std::string
     auto opened = loadTooth(source, voxel, usualVoxel);
     if (!opened) return Unexpected{opened.error()};
     ToothPlace place = placeOf(opened->piece->tooth(), source.outer.filename().string());
-    return PlacedWork{std::move(opened->piece), std::move(place), std::move(opened->provenance)};
+    return PlacedWork{std::move(opened->piece), std::move(place), std::move(opened->provenance),
+                      std::move(opened->remarks)};
 }
 
 }  // namespace tactooth
