@@ -20,9 +20,9 @@ Expected<TriangleMesh> solidFrom(TriangleMesh mesh, const std::string& name, con
 
 Expected<TriangleMesh> loadSolid(const std::filesystem::path& file, const std::string& what,
                                  const SolidOptions& options, std::vector<Remark>* remarks) {
-    Expected<TriangleMesh> mesh = loadMesh(file);
-    if (!mesh) return mesh;
     std::vector<Remark> done;
+    Expected<TriangleMesh> mesh = loadMesh(file, &done);
+    if (!mesh) return mesh;
     auto solid = solidFrom(std::move(*mesh), shownName(file), what, options, &done);
     if (remarks == nullptr) return solid;
     for (Remark& remark : done) {

@@ -25,4 +25,15 @@ namespace tactooth {
     return {bytes.begin(), bytes.end()};
 }
 
+/// Text without the byte order mark that some editors and spreadsheet programs put before UTF-8.
+[[nodiscard]] inline std::string_view withoutByteOrderMark(std::string_view text) {
+    return text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text;
+}
+
+/// Whether text begins with the byte order mark of UTF-16 or UTF-32, which nobody here reads.
+[[nodiscard]] inline bool isWideText(std::string_view text) {
+    using namespace std::string_view_literals;
+    return text.starts_with("\xFF\xFE"sv) || text.starts_with("\xFE\xFF"sv) || text.starts_with("\0\0\xFE\xFF"sv);
+}
+
 }  // namespace tactooth

@@ -7,11 +7,15 @@
 #include <span>
 
 #include "geometry/expected.h"
-#include "geometry/triangle_mesh.h"
+#include "geometry/read_mesh.h"
 
 namespace tactooth {
 
-/// What `loadMesh` does, from memory; `path` gives the name for messages and the ending.
-[[nodiscard]] Expected<TriangleMesh> parseMesh(std::span<const std::byte> bytes, const std::filesystem::path& path);
+/// What `readMesh` does, from memory; `path` gives the name for messages and the ending.
+[[nodiscard]] Expected<ReadMesh> parseReadMesh(std::span<const std::byte> bytes, const std::filesystem::path& path);
+
+/// What `loadMesh` does, from memory.
+[[nodiscard]] Expected<TriangleMesh> parseMesh(std::span<const std::byte> bytes, const std::filesystem::path& path,
+                                               std::vector<Remark>* remarks = nullptr);
 
 }  // namespace tactooth

@@ -2,111 +2,96 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/obj_reader.h"
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "geometry/byte_text.h"
+#include "geometry/mesh_builder.h"
 #include "geometry/number_text.h"
-#include "geometry/vertex_welder.h"
+#include "geometry/obj_lines.h"
 
 namespace tactooth {
 namespace {
 
 constexpr std::size_t kBytesPerVertex = 60;  // of text, usually: an estimate for the first allocation
-constexpr std::string_view kBlank = " \t\r\f\v";
-
-/// The words of a line, one after the other.
-class Words {
-public:
-    explicit Words(std::string_view line) : rest_(line) {}
-
-    /// The next word; empty at the line's end.
-    std::string_view next() {
-        const std::size_t begin = rest_.find_first_not_of(kBlank);
-        if (begin == rest_.npos) return {};
-        const std::size_t end = std::min(rest_.find_first_of(kBlank, begin), rest_.size());
-        const std::string_view word = rest_.substr(begin, end - begin);
-        rest_.remove_prefix(end);
-        return word;
-    }
-
-private:
-    std::string_view rest_;
-};
 
 class ObjParser {
 public:
-    ObjParser(std::string_view text, std::string_view name)
-        : text_(text), name_(name), welder_(text.size() / kBytesPerVertex + 2) {}
+    ObjParser(std::string_view text, std::string name, const Vec3& offset)
+        : lines_(text), name_(std::move(name)), mesh_(text.size() / kBytesPerVertex + 2, offset) {}
 
-    Expected<TriangleMesh> parse() {
-        for (std::size_t line = 1; !text_.empty(); ++line) {
-            if (!parseLine(Words(nextLine()))) {
-                return unexpected(name_ + ", line " + std::to_string(line) + ": " + problem_ +
+    Reading parse() { return {parseLines(), mesh_.rounding()}; }
+
+private:
+    Expected<ReadMesh> parseLines() {
+        for (std::string_view line; lines_.next(line);) {
+            if (!parseLine(line)) {
+                return unexpected(name_ + ", line " + std::to_string(lines_.number()) + ": " + problem_ +
                                   "; repair or export the surface again.");
             }
         }
-        if (mesh_.triangles.empty()) {
+        if (!mesh_.hasTriangles()) {
             return unexpected(name_ + ": the file holds no faces; export the surface again, as triangles.");
         }
-        mesh_.vertices = welder_.takeVertices();
-        return std::move(mesh_);
+        ReadMesh read{mesh_.take()};
+        if (unknownLines_ > 0) read.remarks.push_back(onUnknownLines());
+        return read;
     }
 
-private:
-    std::string_view nextLine() {
-        const std::size_t end = std::min(text_.find('\n'), text_.size());
-        const std::string_view line = text_.substr(0, end);
-        text_.remove_prefix(std::min(end + 1, text_.size()));
-        return line;
-    }
-
-    bool parseLine(Words words) {
+    bool parseLine(std::string_view line) {
+        obj::Words words(line);
         const std::string_view keyword = words.next();
-        if (keyword == "v") return parseVertex(words);
-        if (keyword == "f") return parseFace(words);
+        switch (obj::keywordOf(keyword)) {
+            case obj::Keyword::Vertex:
+                return parseVertex(words);
+            case obj::Keyword::Face:
+                return parseFace(words);
+            case obj::Keyword::Ignored:
+                return true;
+            case obj::Keyword::Unknown:
+                break;
+        }
+        if (unknownLines_++ == 0) {
+            firstUnknown_ = lines_.number();
+            unknownWord_ = quotedWord(keyword);
+        }
         return true;
     }
 
-    bool parseVertex(Words& words) {
-        Vec3f position;
-        for (float& coordinate : position) {
+    bool parseVertex(obj::Words& words) {
+        Vec3 position;
+        for (double& coordinate : position) {
             const std::string_view word = words.next();
-            const std::optional<float> value = toNumber<float>(word);
-            if (!value || !std::isfinite(*value)) return fail("expected a finite coordinate, but found ", word);
+            const std::optional<double> value = toCoordinate(word);
+            if (!value || !std::isfinite(static_cast<float>(*value)))
+                return fail("expected a finite coordinate, but found ", word);
             coordinate = *value;
         }
-        vertices_.push_back(welder_.add(position));
-        return true;
+        return mesh_.addVertex(position) || fail("expected a finite coordinate", {});
     }
 
-    bool parseFace(Words& words) {
-        std::vector<std::uint32_t>& corners = corners_;
-        corners.clear();
+    bool parseFace(obj::Words& words) {
+        mesh_.beginFace();
         for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
-            const std::optional<std::uint32_t> vertex = vertexNamed(word.substr(0, word.find('/')));
+            const std::optional<std::size_t> vertex = vertexNamed(word.substr(0, word.find('/')));
             if (!vertex) return fail("expected the number of a vertex that the file has given above, but found ", word);
-            corners.push_back(*vertex);
+            mesh_.addCorner(*vertex);
         }
-        if (corners.size() < 3) return fail("expected a face of three corners or more", {});
-        for (std::size_t i = 2; i < corners.size(); ++i) {
-            mesh_.triangles.push_back({corners[0], corners[i - 1], corners[i]});
-        }
-        return true;
+        if (mesh_.corners() < 3) return fail("expected a face of three corners or more", {});
+        const char* const problem = mesh_.endFace();
+        return problem == nullptr || fail(problem, {});
     }
 
     /// Numbers count from 1, negative ones from the last vertex back.
-    std::optional<std::uint32_t> vertexNamed(std::string_view word) const {
+    std::optional<std::size_t> vertexNamed(std::string_view word) const {
         const std::optional<std::int64_t> number = toWholeNumber(word);
-        const auto count = static_cast<std::int64_t>(vertices_.size());
+        const auto count = static_cast<std::int64_t>(mesh_.vertices());
         if (!number || *number == 0 || *number > count || *number < -count) return std::nullopt;
-        return vertices_[static_cast<std::size_t>(*number > 0 ? *number - 1 : count + *number)];
+        return static_cast<std::size_t>(*number > 0 ? *number - 1 : count + *number);
     }
 
     static std::optional<std::int64_t> toWholeNumber(std::string_view word) {
@@ -116,25 +101,36 @@ private:
         return value;
     }
 
+    [[nodiscard]] Remark onUnknownLines() const {
+        if (unknownLines_ == 1) {
+            return {RemarkTopic::File,
+                    "%1: line %2 was not understood and passed over; it begins with %3.",
+                    {name_, std::to_string(firstUnknown_), unknownWord_}};
+        }
+        return {RemarkTopic::File,
+                "%1: %2 lines were not understood and passed over; the first is line %3, which begins with %4.",
+                {name_, std::to_string(unknownLines_), std::to_string(firstUnknown_), unknownWord_}};
+    }
+
     bool fail(const char* expectation, std::string_view word) {
         problem_ = expectation;
         if (!word.empty()) problem_ += quotedWord(word);
         return false;
     }
 
-    std::string_view text_;
+    obj::Lines lines_;
     std::string name_;
-    VertexWelder welder_;
-    std::vector<std::uint32_t> vertices_;  ///< of the file, as welded
-    std::vector<std::uint32_t> corners_;   ///< of the face at hand
-    TriangleMesh mesh_;
+    MeshBuilder mesh_;
     std::string problem_;
+    std::size_t unknownLines_ = 0, firstUnknown_ = 0;
+    std::string unknownWord_;
 };
 
 }  // namespace
 
-Expected<TriangleMesh> parseObj(std::span<const std::byte> bytes, std::string_view name) {
-    return ObjParser(asText(bytes), name).parse();
+Expected<ReadMesh> parseObj(std::span<const std::byte> bytes, std::string_view name) {
+    const std::string shown(name);
+    return readNearZero(shown, [&](const Vec3& offset) { return ObjParser(asText(bytes), shown, offset).parse(); });
 }
 
 }  // namespace tactooth

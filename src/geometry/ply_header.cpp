@@ -7,6 +7,7 @@
 #include <charconv>
 #include <utility>
 
+#include "geometry/byte_text.h"
 #include "geometry/number_text.h"
 
 namespace tactooth::ply {
@@ -45,6 +46,14 @@ std::vector<std::string_view> wordsOf(std::string_view line) {
         begin = line.find_first_not_of(kBlank, end);
     }
     return words;
+}
+
+/// How the lines of a header end: as its first one does. In a file whose lines end in CR alone, a byte of the data that
+/// follow may look like LF.
+char lineEndOf(std::string_view file) {
+    const std::size_t first = file.find_first_of("\r\n");
+    const bool isCarriageReturn = first != file.npos && file[first] == '\r' && file.substr(first, 2) != "\r\n";
+    return isCarriageReturn ? '\r' : '\n';
 }
 
 class HeaderParser {
@@ -98,13 +107,17 @@ std::size_t bytesOf(Scalar scalar) {
     return kBytes[static_cast<std::size_t>(scalar)];
 }
 
-bool looksLikePly(std::string_view file) { return file.starts_with("ply\n") || file.starts_with("ply\r"); }
+bool looksLikePly(std::string_view file) {
+    file = withoutByteOrderMark(file);
+    return file.starts_with("ply\n") || file.starts_with("ply\r");
+}
 
 Expected<Header> parseHeader(std::string_view file, const std::string& name) {
     HeaderParser parser;
-    std::size_t at = 0;
+    std::size_t at = file.size() - withoutByteOrderMark(file).size();
+    const char lineEnd = lineEndOf(file);
     for (std::size_t line = 1; at < file.size(); ++line) {
-        const std::size_t end = std::min(file.find('\n', at), file.size());
+        const std::size_t end = std::min(file.find(lineEnd, at), file.size());
         const std::vector<std::string_view> words = wordsOf(file.substr(at, end - at));
         at = std::min(end + 1, file.size());
         if (words.size() == 1 && words[0] == "end_header") {

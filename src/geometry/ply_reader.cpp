@@ -9,12 +9,11 @@
 #include <cstring>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "geometry/byte_text.h"
+#include "geometry/mesh_builder.h"
 #include "geometry/number_text.h"
 #include "geometry/ply_header.h"
-#include "geometry/vertex_welder.h"
 
 namespace tactooth {
 namespace {
@@ -79,32 +78,47 @@ static_assert(std::endian::native == std::endian::little, "numbers are put toget
 
 class PlyBody {
 public:
-    PlyBody(std::string_view file, const ply::Header& header, std::string name)
+    PlyBody(std::string_view file, const ply::Header& header, std::string name, const Vec3& offset)
         : numbers_(file.substr(header.bytes), header.encoding),
           header_(header),
           name_(std::move(name)),
-          welder_(1024) {}
+          mesh_(kFirstVertices, offset) {}
 
-    Expected<TriangleMesh> read() {
+    Reading read() { return {readElements(), mesh_.rounding()}; }
+
+private:
+    static constexpr std::size_t kFirstVertices = 1024;
+
+    /// What a list of vertex numbers says.
+    enum class Corners { None, OfFace, OfStrips };
+
+    Expected<ReadMesh> readElements() {
         for (const ply::Element& element : header_.elements) {
             if (element.properties.empty()) continue;  // takes no bytes, however many there are said to be
             for (std::uint64_t i = 0; i < element.count; ++i) {
-                if (!readItem(element)) return refuse(element.name + " " + std::to_string(i + 1) + ": " + problem_);
+                if (!readItem(element)) return refuse(shown(element) + " " + std::to_string(i + 1) + ": " + problem_);
             }
         }
-        if (mesh_.triangles.empty()) return refuse("the file holds no faces");
-        mesh_.vertices = welder_.takeVertices();
-        return std::move(mesh_);
+        if (!mesh_.hasTriangles()) return refuse("the file holds no faces");
+        return ReadMesh{mesh_.take()};
     }
 
-private:
+    static std::string shown(const ply::Element& element) {
+        return element.name == "vertex" || element.name == "face" ? element.name : quotedWord(element.name);
+    }
+
+    static Corners cornersIn(const ply::Element& element, const ply::Property& property) {
+        if (property.name != "vertex_indices" && property.name != "vertex_index") return Corners::None;
+        if (element.name == "face") return Corners::OfFace;
+        return element.name == "tristrips" ? Corners::OfStrips : Corners::None;
+    }
+
     bool readItem(const ply::Element& element) {
-        const bool isVertex = element.name == "vertex", isFace = element.name == "face";
+        const bool isVertex = element.name == "vertex";
         Vec3 position = Vec3::Constant(std::nan(""));
         for (const ply::Property& property : element.properties) {
             if (property.countType) {
-                const bool isCorners = isFace && (property.name == "vertex_indices" || property.name == "vertex_index");
-                if (!readList(property, isCorners)) return false;
+                if (!readList(property, cornersIn(element, property))) return false;
                 continue;
             }
             double value = 0;
@@ -112,34 +126,35 @@ private:
             const std::size_t axis = std::string_view("xyz").find(property.name);
             if (isVertex && property.name.size() == 1 && axis < 3) position[static_cast<int>(axis)] = value;
         }
-        return !isVertex || addVertex(position);
+        if (!isVertex || mesh_.addVertex(position)) return true;
+        return fail("x, y and z are not three finite numbers");
     }
 
-    bool addVertex(const Vec3& position) {
-        const Vec3f rounded = position.cast<float>();
-        if (!rounded.allFinite()) return fail("x, y and z are not three finite numbers");
-        vertices_.push_back(welder_.add(rounded));
-        return true;
-    }
-
-    bool readList(const ply::Property& property, bool isCorners) {
+    bool readList(const ply::Property& property, Corners corners) {
         double length = 0;
         if (!numbers_.next(*property.countType, length)) return fail("the file is cut short");
         const bool isPossible = length >= 0 && length <= static_cast<double>(numbers_.most(property.type));
         if (!isPossible || length != std::floor(length)) return fail("a list is longer than the file");
-        std::vector<std::uint32_t>& corners = corners_;
-        corners.clear();
+        mesh_.beginFace();
         for (double left = length; left > 0; --left) {
             double value = 0;
             if (!numbers_.next(property.type, value)) return fail("the file is cut short, or holds what is no number");
-            if (!isCorners) continue;
-            const bool isVertex = value >= 0 && value < static_cast<double>(vertices_.size());
-            if (!isVertex) return fail("a corner names a vertex that the file does not have");
-            corners.push_back(vertices_[static_cast<std::size_t>(value)]);
+            if (corners != Corners::None && !addCorner(value, corners)) return false;
         }
-        for (std::size_t i = 2; i < corners.size(); ++i) {
-            mesh_.triangles.push_back({corners[0], corners[i - 1], corners[i]});
+        if (corners == Corners::OfStrips) mesh_.endStrip();
+        const char* const problem = corners == Corners::OfFace ? mesh_.endFace() : nullptr;
+        return problem == nullptr || fail(problem);
+    }
+
+    bool addCorner(double value, Corners corners) {
+        constexpr double kUnsignedMinusOne = 4294967295.0;
+        if (corners == Corners::OfStrips && (value == -1 || value == kUnsignedMinusOne)) {
+            mesh_.endStrip();
+            return true;
         }
+        const bool isVertex = value >= 0 && value < static_cast<double>(mesh_.vertices()) && value == std::floor(value);
+        if (!isVertex) return fail("a corner names a vertex that the file does not have");
+        mesh_.addCorner(static_cast<std::size_t>(value));
         return true;
     }
 
@@ -155,20 +170,17 @@ private:
     Numbers numbers_;
     const ply::Header& header_;
     std::string name_, problem_;
-    VertexWelder welder_;
-    std::vector<std::uint32_t> vertices_;  ///< of the file, as welded
-    std::vector<std::uint32_t> corners_;   ///< of the face at hand
-    TriangleMesh mesh_;
+    MeshBuilder mesh_;
 };
 
 }  // namespace
 
-Expected<TriangleMesh> parsePly(std::span<const std::byte> bytes, std::string_view name) {
+Expected<ReadMesh> parsePly(std::span<const std::byte> bytes, std::string_view name) {
     const std::string_view file = asText(bytes);
     const std::string shown(name);
     const Expected<ply::Header> header = ply::parseHeader(file, shown);
     if (!header) return Unexpected{header.error()};
-    return PlyBody(file, *header, shown).read();
+    return readNearZero(shown, [&](const Vec3& offset) { return PlyBody(file, *header, shown, offset).read(); });
 }
 
 }  // namespace tactooth

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "geometry/byte_text.h"
+#include "geometry/mesh_builder.h"
 #include "geometry/number_text.h"
 #include "geometry/stl_format.h"
 #include "geometry/vertex_welder.h"
@@ -22,13 +24,20 @@ bool sameWord(std::string_view word, std::string_view lowerCase) {
 /// Reads ASCII STL word by word and remembers the line for messages.
 class AsciiParser {
 public:
-    AsciiParser(std::string_view text, const std::string& name)
-        : at_(text.data()), end_(text.data() + text.size()), name_(name), welder_(text.size() / kBytesPerVertex + 2) {
-        if (text.starts_with("\xEF\xBB\xBF")) at_ += 3;
+    AsciiParser(std::string_view text, const std::string& name, const Vec3& offset)
+        : at_(text.data()),
+          end_(text.data() + text.size()),
+          name_(name),
+          rounding_(offset),
+          welder_(text.size() / kBytesPerVertex + 2) {
+        at_ += text.size() - withoutByteOrderMark(text).size();
         mesh_.triangles.reserve(text.size() / (2 * kBytesPerVertex) + 2);
     }
 
-    Expected<TriangleMesh> parse() {
+    Reading parse() { return {parseSolids(), rounding_}; }
+
+private:
+    Expected<ReadMesh> parseSolids() {
         while (nextWord()) {
             if (!sameWord(word_, "solid")) return refuse("expected 'solid' or the end of the file");
             if (!parseSolid()) return Unexpected{error_};
@@ -36,21 +45,25 @@ public:
         if (mesh_.triangles.empty())
             return unexpected(name_ + ": the file holds no triangles; export the surface again.");
         mesh_.vertices = welder_.takeVertices();
-        return std::move(mesh_);
+        return ReadMesh{std::move(mesh_)};
     }
 
-private:
     /// A facet takes some 250 bytes of text and a closed surface has two facets a vertex: an estimate for the first
     /// allocation, in proportion to what was really read.
     static constexpr std::size_t kBytesPerVertex = 500;
 
     /// Moves to the next word; false at the end of the text.
     bool nextWord() {
-        while (at_ != end_ && isSpace(*at_)) line_ += *at_++ == '\n';
+        for (; at_ != end_ && isSpace(*at_); ++at_) line_ += isLineEnd();
         const char* begin = at_;
         while (at_ != end_ && !isSpace(*at_)) ++at_;
         word_ = {begin, static_cast<std::size_t>(at_ - begin)};
         return begin != at_;
+    }
+
+    /// Whether a line ends here: in LF, or in CR that no LF follows.
+    [[nodiscard]] bool isLineEnd() const {
+        return *at_ == '\n' || (*at_ == '\r' && (at_ + 1 == end_ || at_[1] != '\n'));
     }
 
     void skipLine() {
@@ -75,20 +88,22 @@ private:
         if (!expectWord("outer") || !expectWord("loop")) return false;
         Triangle triangle;
         for (std::uint32_t& vertex : triangle) {
-            Vec3f position;
+            Vec3 position;
             if (!expectWord("vertex") || !parsePosition(position)) return false;
-            vertex = welder_.add(position);
+            const Vec3f rounded = rounding_.round(position);
+            if (!rounded.allFinite()) return fail("expected a finite coordinate");
+            vertex = welder_.add(rounded);
         }
         if (!expectWord("endloop") || !expectWord("endfacet")) return false;
         mesh_.triangles.push_back(triangle);
         return true;
     }
 
-    bool parsePosition(Vec3f& position) {
-        for (float& coordinate : position) {
-            const std::optional<float> value = nextWord() ? toNumber<float>(word_) : std::nullopt;
+    bool parsePosition(Vec3& position) {
+        for (double& coordinate : position) {
+            const std::optional<double> value = nextWord() ? toCoordinate(word_) : std::nullopt;
             if (!value) return fail("expected a coordinate (a number with '.' as decimal point)");
-            if (!std::isfinite(*value)) return fail("expected a finite coordinate");
+            if (!std::isfinite(static_cast<float>(*value))) return fail("expected a finite coordinate");
             coordinate = *value;
         }
         return true;
@@ -116,6 +131,7 @@ private:
     std::string_view word_;
     std::size_t line_ = 1;
     const std::string& name_;
+    PositionRounding rounding_;
     VertexWelder welder_;
     TriangleMesh mesh_;
     Error error_;
@@ -123,8 +139,12 @@ private:
 
 }  // namespace
 
-Expected<TriangleMesh> parseAscii(std::string_view text, const std::string& name) {
-    return AsciiParser(text, name).parse();
+Expected<ReadMesh> parseAscii(std::string_view text, const std::string& name) {
+    return readNearZero(name, [&](const Vec3& offset) { return AsciiParser(text, name, offset).parse(); });
+}
+
+Expected<ReadMesh> parseAsciiInPlace(std::string_view text, const std::string& name) {
+    return AsciiParser(text, name, Vec3::Zero()).parse().mesh;
 }
 
 }  // namespace tactooth::stl

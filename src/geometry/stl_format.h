@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "geometry/expected.h"
-#include "geometry/triangle_mesh.h"
+#include "geometry/read_mesh.h"
 
 // What the STL reader's and writer's files share. The format: 3D Systems, "StereoLithography Interface Specification"
 // (1989).
@@ -23,8 +23,11 @@ inline constexpr std::size_t kFirstRecord = kHeaderBytes + kCountBytes;
 /// Parses binary STL whose count matches its size.
 [[nodiscard]] Expected<TriangleMesh> parseBinary(std::span<const std::byte> bytes, const std::string& name);
 
-/// Parses ASCII STL: one or more `solid ... endsolid`.
-[[nodiscard]] Expected<TriangleMesh> parseAscii(std::string_view text, const std::string& name);
+/// Parses ASCII STL: one or more `solid ... endsolid`. Coordinates far from zero: see ReadMesh::offset.
+[[nodiscard]] Expected<ReadMesh> parseAscii(std::string_view text, const std::string& name);
+
+/// The same, rounded to single precision wherever it lies.
+[[nodiscard]] Expected<ReadMesh> parseAsciiInPlace(std::string_view text, const std::string& name);
 
 /// Why bytes that are neither of the two are not: what they seem to be instead, or what is missing.
 [[nodiscard]] Error explainRefusal(std::span<const std::byte> bytes, const std::string& name);

@@ -79,8 +79,11 @@ Expected<TriangleMesh> parseStl(std::span<const std::byte> bytes, std::string_vi
     switch (stl::sniff(bytes)) {
         case stl::Kind::Binary:
             return stl::parseBinary(bytes, shown);
-        case stl::Kind::Ascii:
-            return stl::parseAscii(asText(bytes), shown);
+        case stl::Kind::Ascii: {
+            auto read = stl::parseAsciiInPlace(asText(bytes), shown);
+            if (!read) return Unexpected{read.error()};
+            return std::move(read->mesh);
+        }
         case stl::Kind::Neither:
             break;
     }

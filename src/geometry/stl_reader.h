@@ -17,7 +17,7 @@ namespace tactooth {
 /// Corners at equal positions become one vertex (see VertexWelder). Every triangle of the file is kept, in its order
 /// (those of several solids one after the other), also if it is degenerate; `reportOn` tells. Stored normals and
 /// attribute bytes are ignored: the order of the corners says where outside is. Numbers are read with '.' as decimal
-/// point whatever the locale.
+/// point whatever the locale, and rounded to single precision wherever the surface lies (`readMesh` looks after that).
 ///
 /// Fails with one sentence on everything that is not a complete, finite, non-empty STL surface.
 [[nodiscard]] Expected<TriangleMesh> readStl(const std::filesystem::path& path);

@@ -30,10 +30,6 @@ std::string_view beginningOf(std::span<const std::byte> bytes) {
     return asText(bytes.first(std::min(bytes.size(), kBeginning)));
 }
 
-std::string_view withoutByteOrderMark(std::string_view text) {
-    return text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text;
-}
-
 bool isText(std::string_view text) {
     return std::none_of(text.begin(), text.end(), [](unsigned char letter) {
         return letter < 0x20 && letter != '\t' && letter != '\n' && letter != '\v' && letter != '\f' && letter != '\r';
@@ -75,7 +71,8 @@ std::string_view otherFormat(std::string_view text) {
                                           Mark{"%PDF", "a PDF document"},
                                           Mark{"\x7f"
                                                "ELF",
-                                               "a program"}};
+                                               "a program"},
+                                          Mark{{"\0\5\x16\7", 4}, "a Mac's notes on a file of this name"}};
     for (const Mark& mark : kMarks) {
         if (text.starts_with(mark.bytes)) return mark.format;
     }

@@ -27,6 +27,9 @@ public:
     /// The same for many positions (finite), which costs less than one by one: `numbers[i]` is that of `positions[i]`.
     void addAll(std::span<const Vec3f> positions, std::uint32_t* numbers);
 
+    /// The distinct positions so far, by number.
+    [[nodiscard]] std::span<const Vec3f> vertices() const { return vertices_; }
+
     /// The distinct positions by number; the welder is used up.
     [[nodiscard]] std::vector<Vec3f> takeVertices() { return std::move(vertices_); }
 

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "haptics/load_surface.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "collision/solid.h"
 #include "geometry/file_bytes.h"
 #include "geometry/mesh_file.h"
@@ -9,7 +12,7 @@
 namespace tactooth {
 
 Expected<std::shared_ptr<const Surface>> loadSurface(const std::filesystem::path& path, std::vector<Remark>* remarks) {
-    Expected<TriangleMesh> mesh = loadMesh(path);
+    Expected<TriangleMesh> mesh = loadMesh(path, remarks);
     if (!mesh) return Unexpected{mesh.error()};
     ExaminedSolid examined = examineSolid(std::move(*mesh));
     const SolidFlaw flaw = examined.report.flaw;
@@ -17,15 +20,17 @@ Expected<std::shared_ptr<const Surface>> loadSurface(const std::filesystem::path
     if (flaw != SolidFlaw::None && flaw != SolidFlaw::Open && flaw != SolidFlaw::Twisted) {
         return unexpected(shownName(path) + ": " + flawSentence(examined.report, "the surface of the tooth") + ".");
     }
-    if (remarks != nullptr) *remarks = remarksOn(examined.report, shownName(path.filename()));
+    if (remarks != nullptr) {
+        std::ranges::move(remarksOn(examined.report, shownName(path)), std::back_inserter(*remarks));
+    }
     auto surface = std::make_shared<Surface>();
     surface->closed = examined.report.isSolid();
     surface->base = std::make_shared<const SurfacePart>(std::move(examined.mesh));
     return std::shared_ptr<const Surface>(std::move(surface));
 }
 
-Expected<std::shared_ptr<const ToolShape>> loadTool(const std::filesystem::path& path) {
-    Expected<TriangleMesh> mesh = loadMesh(path);
+Expected<std::shared_ptr<const ToolShape>> loadTool(const std::filesystem::path& path, std::vector<Remark>* remarks) {
+    Expected<TriangleMesh> mesh = loadMesh(path, remarks);
     if (!mesh) return Unexpected{mesh.error()};
     return std::shared_ptr<const ToolShape>(std::make_shared<const ToolShape>(std::move(*mesh)));
 }

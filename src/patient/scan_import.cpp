@@ -21,6 +21,7 @@ public:
         result_.name = scan.name;
         result_.outer = scan.outer;
         result_.layers = scan.layers;
+        result_.remarks = scan.remarks;
     }
 
     Expected<ExaminedScan> run() && {

@@ -15,9 +15,10 @@ namespace tactooth {
 
 /// Surfaces of one tooth as a scanner's program wrote them, in whatever unit and position.
 struct Scan {
-    std::string name;               ///< for messages
-    TriangleMesh outer;             ///< empty: made from the layers
-    std::vector<LayerMesh> layers;  ///< empty: modelled
+    std::string name;                  ///< for messages
+    TriangleMesh outer;                ///< empty: made from the layers
+    std::vector<LayerMesh> layers;     ///< empty: modelled
+    std::vector<Remark> remarks = {};  ///< on reading the files
 };
 
 /// Takes the layer of a material, or the outer surface where there is none. False if the scan has that surface already.

@@ -9,34 +9,28 @@
 #include <cmath>
 #include <optional>
 
+#include "geometry/byte_text.h"
 #include "geometry/file_bytes.h"
 #include "geometry/number_text.h"
+#include "geometry/small_letters.h"
+#include "geometry/text_lines.h"
+#include "session/csv_cells.h"
 
 namespace tactooth {
 namespace {
 
 constexpr std::size_t kMostCsvBytes = std::size_t{1} << 28;  // an hour at 1 kHz, in short numbers
-constexpr std::string_view kBlanks = " \t\r";
-
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(kBlanks);
-    return first == text.npos ? std::string_view{} : text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
-}
-
-/// Cuts `line` at its commas, into `fields` (reused from line to line).
-void split(std::string_view line, std::vector<std::string_view>& fields) {
-    fields.clear();
-    for (std::size_t comma = line.find(','); comma != line.npos; comma = line.find(',')) {
-        fields.push_back(trimmed(line.substr(0, comma)));
-        line.remove_prefix(comma + 1);
-    }
-    fields.push_back(trimmed(line));
-}
-
 std::string joined(std::span<const std::string_view> words) {
     std::string result;
     for (const std::string_view word : words) result.append(result.empty() ? "" : ",").append(word);
     return result;
+}
+
+/// The cells of a line as a message may show them.
+std::string shown(std::span<const std::string_view> cells) {
+    std::string line;
+    for (const std::string_view cell : cells) line.append(line.empty() ? "" : ",").append(cell);
+    return quotedWord(line);
 }
 
 }  // namespace
@@ -46,65 +40,81 @@ class CsvParser {
 public:
     CsvParser(std::string_view text, std::string_view name, std::span<const std::string_view> columns,
               std::span<const std::string_view> wordColumns)
-        : rest_(text), columns_(columns.begin(), columns.end()) {
+        : text_(text), lines_(text), columns_(columns.begin(), columns.end()) {
         columns_.insert(columns_.end(), wordColumns.begin(), wordColumns.end());
-        if (rest_.starts_with("\xEF\xBB\xBF")) rest_.remove_prefix(3);  // byte order mark of a spreadsheet program
         table_.name_ = name;
         table_.columns_ = columns.size();
         table_.wordColumns_ = wordColumns.size();
     }
 
     Expected<CsvTable> parse() {
-        if (!nextLine())
+        if (isWideText(text_)) return unexpected(table_.name_ + ": this is text in UTF-16; save it as UTF-8.");
+        if (!nextLine() && error_) return Unexpected{*error_};
+        if (cells_.all().empty())
             return unexpected(table_.name_ + ": there is no line that names the columns; begin the file with " +
                               joined(columns_) + ".");
-        if (!parseHeader()) return Unexpected{error_};
+        if (!parseHeader()) return Unexpected{*error_};
         while (nextLine()) {
-            if (!parseRow()) return Unexpected{error_};
+            if (!parseRow()) return Unexpected{*error_};
         }
+        if (error_) return Unexpected{*error_};
         if (table_.rows() == 0)
             return unexpected(table_.name_ + ": there are no rows below the names of the columns; add at least one.");
         return std::move(table_);
     }
 
 private:
-    /// Moves to the next line that is neither empty nor a comment and splits it; false at the end.
+    /// Moves to the next line that is neither empty nor a comment and splits it; false at the end, or after an error.
     bool nextLine() {
-        while (!rest_.empty()) {
-            const std::size_t end = std::min(rest_.find('\n'), rest_.size());
-            const std::string_view line = trimmed(rest_.substr(0, end));
-            rest_.remove_prefix(std::min(end + 1, rest_.size()));
-            ++line_;
-            if (line.empty() || line.front() == '#') continue;
-            split(line, fields_);
-            return true;
+        for (std::string_view line; lines_.next(line);) {
+            if (const char separator = lines_.number() == 1 ? namedSeparator(line) : '\0'; separator != '\0') {
+                cells_.separateBy(separator);
+                continue;
+            }
+            const std::string_view begin = withoutBlanks(line);
+            if (begin.empty() || begin.front() == '#') continue;
+            if (cells_.split(line)) return true;
+            fail("a cell in quotes must end with its line, and nothing but a separator may follow it");
+            return false;
         }
         return false;
     }
 
+    /// Where a column stands among those of the file, at or behind `from`; size() if it does not. Capitals do not count
+    /// where no column is written as asked for.
+    std::size_t find(std::string_view column, std::size_t from) const {
+        const auto cells = cells_.all();
+        const auto isSame = [&](std::string_view cell) { return inSmallLetters(std::string(cell)) == column; };
+        if (std::ranges::find(cells, column) != cells.end())
+            return static_cast<std::size_t>(
+                std::find(cells.begin() + static_cast<std::ptrdiff_t>(from), cells.end(), column) - cells.begin());
+        return static_cast<std::size_t>(
+            std::find_if(cells.begin() + static_cast<std::ptrdiff_t>(from), cells.end(), isSame) - cells.begin());
+    }
+
     bool parseHeader() {
         for (const std::string_view column : columns_) {
-            const auto found = std::find(fields_.begin(), fields_.end(), column);
-            if (found == fields_.end()) {
+            const std::size_t found = find(column, 0);
+            if (found == cells_.all().size()) {
                 return fail("the column '" + std::string(column) + "' is missing; expected the columns " +
-                            joined(columns_) + ", separated by commas");
+                            joined(columns_) + ", separated by commas, but found " + shown(cells_.all()));
             }
-            if (std::find(found + 1, fields_.end(), column) != fields_.end()) {
+            if (find(column, found + 1) != cells_.all().size()) {
                 return fail("the column '" + std::string(column) + "' is named twice; remove one of the two");
             }
-            positions_.push_back(static_cast<std::size_t>(found - fields_.begin()));
+            positions_.push_back(found);
         }
-        width_ = fields_.size();
+        width_ = cells_.all().size();
         return true;
     }
 
     bool parseRow() {
-        if (fields_.size() != width_) {
+        if (cells_.all().size() != width_) {
             return fail("expected " + std::to_string(width_) + " fields, one for each named column, but found " +
-                        std::to_string(fields_.size()));
+                        std::to_string(cells_.all().size()));
         }
         for (std::size_t column = 0; column < columns_.size(); ++column) {
-            const std::string_view field = fields_[positions_[column]];
+            const std::string_view field = cells_.all()[positions_[column]];
             if (column >= table_.columns_) {
                 table_.words_.emplace_back(field);
                 continue;
@@ -116,23 +126,23 @@ private:
             }
             table_.values_.push_back(*value);
         }
-        table_.lines_.push_back(line_);
+        table_.lines_.push_back(lines_.number());
         return true;
     }
 
     bool fail(const std::string& what) {
-        error_ = {table_.name_ + ", line " + std::to_string(line_) + ": " + what + "."};
+        error_ = Error{table_.name_ + ", line " + std::to_string(lines_.number()) + ": " + what + "."};
         return false;
     }
 
-    std::string_view rest_;
+    std::string_view text_;
+    TextLines lines_;
+    CsvCells cells_;
     std::vector<std::string_view> columns_;  ///< numbers first, then words
-    std::vector<std::string_view> fields_;
-    std::vector<std::size_t> positions_;  ///< of each wanted column among the fields
+    std::vector<std::size_t> positions_;     ///< of each wanted column among the fields
     std::size_t width_ = 0;
-    std::size_t line_ = 0;
     CsvTable table_;
-    Error error_;
+    std::optional<Error> error_;
 };
 
 std::string CsvTable::where(std::size_t row) const { return name_ + ", line " + std::to_string(lines_[row]); }

@@ -41,12 +41,13 @@ private:
     std::vector<std::size_t> lines_;  ///< of each row in the file, the first line is 1
 };
 
-/// Reads `columns` of a CSV file whose first line names its columns. Fields are separated by commas; blanks around
-/// them, Windows line ends, empty lines and lines that begin with '#' do not matter; '.' is the decimal point whatever
-/// the locale; other columns may be there and hold anything. `wordColumns` are read as they are written.
+/// Reads `columns` of a CSV file whose first line names its columns, in small letters or capitals. Cells are separated
+/// by commas, or by what a first line like `sep=;` says; they may stand in quotes. Blanks around them, a byte order
+/// mark, the way in which lines end, empty lines and lines that begin with '#' do not matter; '.' is the decimal point
+/// whatever the locale; other columns may be there and hold anything. `wordColumns` are read as they are written.
 ///
 /// Fails with one sentence with file and line: no header or no row, a column missing or named twice, too few or too
-/// many fields, a field that is not a finite number.
+/// many fields, a quote that is not closed, a field that is not a finite number.
 [[nodiscard]] Expected<CsvTable> readCsv(const std::filesystem::path& path, std::span<const std::string_view> columns,
                                          std::span<const std::string_view> wordColumns = {});
 

@@ -18,8 +18,8 @@ TriangleMesh asRead(const Surface& tooth) {
     return weld(corners);
 }
 
-Expected<TriangleMesh> loadIdealShape(const std::filesystem::path& file) {
-    if (!isToothFile(file)) return loadSolid(file, "the ideal shape, the whole tooth with its cavity,");
+Expected<TriangleMesh> loadIdealShape(const std::filesystem::path& file, std::vector<Remark>* remarks) {
+    if (!isToothFile(file)) return loadSolid(file, "the ideal shape, the whole tooth with its cavity,", {}, remarks);
     const Expected<OpenedTooth> opened = openTooth(file);
     if (!opened) return Unexpected{opened.error()};
     return asRead(*opened->piece->surface());

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "collision/surface.h"
 #include "geometry/expected.h"
+#include "geometry/remark.h"
 
 namespace tactooth {
 
@@ -14,6 +16,7 @@ namespace tactooth {
 
 /// The ideal shape of a tooth, in the tooth's frame: from a surface (STL, OBJ, PLY), or from a saved tooth that an
 /// expert has cut. Fails with one sentence.
-[[nodiscard]] Expected<TriangleMesh> loadIdealShape(const std::filesystem::path& file);
+[[nodiscard]] Expected<TriangleMesh> loadIdealShape(const std::filesystem::path& file,
+                                                    std::vector<Remark>* remarks = nullptr);
 
 }  // namespace tactooth

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "geometry/remark.h"
 #include "session/tooth_source.h"
 #include "session/work_piece.h"
 #include "tooth/saved_tooth.h"
@@ -27,7 +28,7 @@ inline constexpr std::string_view kToothFileEnding = ".tactooth";
 struct OpenedTooth {
     std::shared_ptr<WorkPiece> piece;
     Provenance provenance;
-    std::vector<Remark> remarks = {};  ///< what was mended in surfaces that were read
+    std::vector<Remark> remarks = {};  ///< on the files that were read, and what was mended
 };
 [[nodiscard]] Expected<OpenedTooth> openTooth(const std::filesystem::path& path);
 

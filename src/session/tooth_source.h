@@ -29,7 +29,7 @@ struct ToothSource {
 [[nodiscard]] Expected<ToothSource::Layer> parseLayer(const std::string& text);
 
 /// Fails with one sentence if a file cannot be read, a material is unknown or the surfaces make no tooth that can be
-/// cut. `remarks`, if given, gets what was mended in the surfaces (`examineSolid`).
+/// cut. Adds what there is to say on the files, and what was mended in the surfaces, to `remarks`, if given.
 [[nodiscard]] Expected<std::shared_ptr<const LayeredTooth>> loadLayeredTooth(const ToothSource& source,
                                                                              std::vector<Remark>* remarks = nullptr);
 

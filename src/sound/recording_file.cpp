@@ -8,6 +8,7 @@
 
 #include "geometry/file_bytes.h"
 #include "sound/memory_sound_file.h"
+#include "sound/streamed_wav.h"
 
 namespace tactooth {
 
@@ -89,16 +90,17 @@ Expected<std::vector<float>> readMono(SNDFILE* file, const SF_INFO& info, const 
 
 Expected<Recording> parseRecording(std::span<const std::byte> bytes, std::string_view name) {
     const std::string who(name);
-    if (!isAt(bytes, 0, "RIFF") && !isAt(bytes, 0, "fLaC") && !isAt(bytes, 0, "OggS"))
+    if (!isAt(bytes, 0, "RIFF") && !isAt(bytes, 0, "RF64") && !isAt(bytes, 0, "fLaC") && !isAt(bytes, 0, "OggS"))
         return unexpected(who + ": this is neither WAV, FLAC nor Ogg; save the recording as one of these.");
     MemoryFile memory{{bytes.begin(), bytes.end()}, 0};
+    completeStreamedWav(memory.bytes);
     SF_INFO info{};
     const SoundFile file = openInMemory(memory, SFM_READ, info);
     if (file == nullptr) {
         return unexpected(who + ": this is not a recording that can be read (" + reasonOf(nullptr) +
                           "); save it as WAV, FLAC or Ogg.");
     }
-    if (auto checked = check(info, bytes, who); !checked) return Unexpected{checked.error()};
+    if (auto checked = check(info, memory.bytes, who); !checked) return Unexpected{checked.error()};
     const auto mono = readMono(file.get(), info, who);
     if (!mono) return Unexpected{mono.error()};
     return Recording::make(*mono, info.samplerate, who);

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tooth/exact_sign.h"
+#include "geometry/exact_sign.h"
 
 // Simulation of simplicity (H. Edelsbrunner, E. Muecke, 1990), applied to the relative place of two surfaces, not to
 // every coordinate: a shift of the whole wall makes every question about a corner of one and a face of the other, or

@@ -10,8 +10,10 @@
 namespace tactooth::test {
 namespace {
 
-bool keepsPromises(const Expected<TriangleMesh>& mesh, std::size_t bytes) {
-    if (!mesh) return requireSentence(mesh.error()), false;
+bool keepsPromises(const Expected<ReadMesh>& read, std::size_t bytes) {
+    if (!read) return requireSentence(read.error()), false;
+    const TriangleMesh* const mesh = &read->mesh;
+    for (const Remark& remark : read->remarks) requireSentence({inWords(remark)});
     require(!mesh->empty() && mesh->triangles.size() <= bytes && mesh->vertices.size() <= bytes,
             "a surface is no larger than its file");
     requireValid(*mesh);

@@ -59,13 +59,16 @@ TEST(CsvTable, ReadsColumnsOfWordsAsTheyAreWritten) {
     EXPECT_EQ(table->wordAt(0, 0), "soft caries");
     EXPECT_EQ(table->wordAt(1, 0), "");
     EXPECT_EQ(parseCsv("t,x\n0,1\n", "p.csv", kColumns, kWords).error().message,
-              "p.csv, line 1: the column 'name' is missing; expected the columns t,x,name, separated by commas.");
+              "p.csv, line 1: the column 'name' is missing; expected the columns t,x,name, separated by commas, but "
+              "found 't,x'.");
 }
 
 TEST(CsvTable, RefusesAMissingColumn) {
-    EXPECT_EQ(refusal("t,y\n0,1\n"),
-              "p.csv, line 1: the column 'x' is missing; expected the columns t,x, separated by commas.");
-    EXPECT_THAT(refusal("t;x\n0;1\n"), HasSubstr("'t' is missing"));
+    EXPECT_EQ(
+        refusal("t,y\n0,1\n"),
+        "p.csv, line 1: the column 'x' is missing; expected the columns t,x, separated by commas, but found 't,y'.");
+    EXPECT_THAT(refusal("t;x\n0;1\n"),
+                HasSubstr("'t' is missing; expected the columns t,x, separated by commas, but found 't;x'."));
 }
 
 TEST(CsvTable, RefusesAColumnNamedTwice) {
@@ -81,12 +84,59 @@ TEST(CsvTable, RefusesTooFewAndTooManyFields) {
 
 TEST(CsvTable, RefusesWhatIsNotAFiniteNumber) {
     for (const std::string bad :
-         {"", "abc", "1.5mm", "1,5", "0x10", "+-1", "1 2", "nan", "inf", "-inf", "1e999", "\"1\""}) {
+         {"", "abc", "1.5mm", "1,5", "0x10", "+-1", "1 2", "nan", "inf", "-inf", "1e999", "\"\"", "\"1", "\"1\"2"}) {
         const std::string message = refusal("t,x\n0,1\n1," + bad + "\n");
         EXPECT_THAT(message, HasSubstr("p.csv, line 3: ")) << bad;
     }
     EXPECT_EQ(refusal("t,x\n0,nan\n"),
               "p.csv, line 2: column 'x': expected a finite number with '.' as decimal point, but found 'nan'.");
+}
+
+/// The same table, written in other ways.
+class AnyTable : public ::testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(CsvTable, AnyTable,
+                         ::testing::Values("t,x\n0,1.5\n1,-2\n", "\"t\",\"x\"\n\"0\",\"1.5\"\n\"1\",\"-2\"\n",
+                                           "\"t\" , \"x\"\r\n0, \"1.5\" \r\n1,-2", "sep=,\nt,x\n0,1.5\n1,-2\n",
+                                           "sep=;\nt;x\n0;1.5\n1;-2\n", "\"sep=;\"\r\nt;x\r\n0;1.5\r\n1;-2\r\n",
+                                           "SEP=|\nt|x\n0|1.5\n1|-2\n", "sep=\t\nt\tx\n0\t1.5\n1\t-2\n",
+                                           "sep=\t\n\"t\"\t\"x\"\n\"0\"\t\"1.5\"\n 1 \t -2 \n",
+                                           "\xEF\xBB\xBFsep=;\r\"t\";\"x\"\r0;1.5\r1;-2\r", "t,x\r0,1.5\r1,-2\r",
+                                           "t,x\r\r\n0,1.5\n\r1,-2", "T,X\n0,1.5\n1,-2\n", "\"T\",\"X\"\n0,1.5\n1,-2\n",
+                                           "X,T,x\n9,0,1.5\n9,1,-2\n", "note,t,x\n\"a, \"\"b\"\"\",0,1.5\n\"\",1,-2\n",
+                                           "sep=;\nnote;t;x\n\"a;b\";0;1.5\na,b;1;-2\n"));
+
+TEST_P(AnyTable, HoldsTheSame) {
+    const CsvTable table = parsed(GetParam());
+    ASSERT_EQ(table.rows(), 2U);
+    EXPECT_THAT(table.row(0), ElementsAre(0, 1.5));
+    EXPECT_THAT(table.row(1), ElementsAre(1, -2));
+}
+
+TEST(CsvTable, WordsComeWithoutTheirQuotes) {
+    constexpr std::array<std::string_view, 1> kWords = {"name"};
+    const auto table = parseCsv("t,name,x\n0,\"soft, \"\"old\"\" caries\",1\n2,\"\",3\n", "p.csv", kColumns, kWords);
+    ASSERT_TRUE(table) << table.error().message;
+    EXPECT_EQ(table->wordAt(0, 0), "soft, \"old\" caries");
+    EXPECT_EQ(table->wordAt(1, 0), "");
+}
+
+TEST(CsvTable, NamesAQuoteThatDoesNotEnd) {
+    EXPECT_EQ(refusal("t,x\n0,1\n\"1,2\n"),
+              "p.csv, line 3: a cell in quotes must end with its line, and nothing but a separator may follow it.");
+    EXPECT_THAT(refusal("t,\"x\n0,1\n"), HasSubstr("line 1: a cell in quotes"));
+    EXPECT_THAT(refusal("t,x\n0,\"1\"\"\n"), HasSubstr("line 2: a cell in quotes"));
+}
+
+TEST(CsvTable, NamesADecimalComma) {
+    EXPECT_THAT(refusal("sep=;\nt;x\n0;1,5\n"), HasSubstr("with '.' as decimal point, but found '1,5'."));
+}
+
+TEST(CsvTable, CapitalsThatMeanTwoColumnsAreRefused) {
+    EXPECT_THAT(refusal("T,x,T\n0,1,2\n"), HasSubstr("line 1: the column 't' is named twice"));
+}
+
+TEST(CsvTable, TextInUtf16IsNamed) {
+    EXPECT_EQ(refusal(std::string_view("\xFF\xFEt\0,\0x\0", 8)), "p.csv: this is text in UTF-16; save it as UTF-8.");
 }
 
 TEST(CsvTable, RefusesATextWithoutHeaderOrRows) {

@@ -67,6 +67,95 @@ TEST_F(RecordingFile, RefusesAFileThatWasCutOff) {
     }
 }
 
+/// Four bytes, the least first.
+std::string number(std::uint32_t value) {
+    std::string bytes;
+    for (int i = 0; i < 4; ++i) bytes += static_cast<char>(value >> (8 * i) & 0xff);
+    return bytes;
+}
+
+/// The lengths of a WAV file, as its writer put them before it knew how much would come.
+struct Lengths {
+    const char* writer;
+    std::uint32_t file, samples;
+};
+constexpr std::size_t kFileLengthAt = 4, kDataAt = 36, kDataLengthAt = 40, kHead = 44;
+
+class StreamedWav : public RecordingFile, public ::testing::WithParamInterface<Lengths> {};
+INSTANTIATE_TEST_SUITE_P(
+    Marks, StreamedWav,
+    ::testing::Values(Lengths{"ones", 0xFFFFFFFF, 0xFFFFFFFF}, Lengths{"zeros", 0, 0},
+                      Lengths{"sox", 0x7FFFF024, 0x7FFFF000}, Lengths{"most", 0x80000024, 0x80000000},
+                      Lengths{"signed", 0x7FFFFFFF, 0x7FFFFFDB}, Lengths{"less the head", 0xFFFFFFFF, 0xFFFFFFFF - 36},
+                      Lengths{"samples alone", 0xFFFFFFFF, 0}, Lengths{"file alone", 0, 0xFFFFFFFF}));
+
+TEST_P(StreamedWav, IsReadToItsEnd) {
+    for (const int format : {SF_FORMAT_PCM_16, SF_FORMAT_PCM_24, SF_FORMAT_FLOAT}) {
+        writeTone(file("a.wav"), 1000.0, 0.5, {SF_FORMAT_WAV | format, 48000, 2});
+        const std::size_t whole = readRecording(file("a.wav")).value().size();
+        const std::string text = readText(file("a.wav"));
+        const std::size_t data = text.find("data");
+        patch(file("a.wav"), kFileLengthAt, number(GetParam().file));
+        patch(file("a.wav"), data + 4, number(GetParam().samples));
+        const auto recording = readRecording(file("a.wav"));
+        ASSERT_TRUE(recording) << recording.error().message;
+        EXPECT_NEAR(static_cast<double>(recording->size()), static_cast<double>(whole), 16) << GetParam().writer;
+    }
+}
+
+TEST_P(StreamedWav, NeedNotEndWithASample) {
+    writeTone(file("a.wav"), 1000.0, 0.5, {SF_FORMAT_WAV | SF_FORMAT_PCM_16, 48000, 2});
+    patch(file("a.wav"), kFileLengthAt, number(GetParam().file));
+    patch(file("a.wav"), kDataLengthAt, number(GetParam().samples));
+    for (std::size_t less : {1u, 2u, 3u, 5u}) {
+        const std::string text = readText(file("a.wav"));
+        writeText(file("a.wav"), text.substr(0, text.size() - less));
+        EXPECT_EQ(refusal(file("a.wav")), "accepted") << less;
+    }
+}
+
+TEST_F(RecordingFile, ALengthThatSomebodyMeantIsBelieved) {
+    writeTone(file("a.wav"), 1000.0, 0.5);
+    const std::string whole = readText(file("a.wav"));
+    ASSERT_EQ(whole.substr(kDataAt, 4), "data");
+    const std::string half = whole.substr(0, whole.size() / 2);
+    writeText(file("half.wav"), half);
+    EXPECT_THAT(refusal(file("half.wav")), HasSubstr("it was cut off"));
+    for (const std::uint32_t length : {0U, 0xFFFFFFFFU}) {  // of the file alone
+        patch(file("half.wav"), kFileLengthAt, number(length));
+        EXPECT_THAT(refusal(file("half.wav")), HasSubstr("it was cut off")) << length;
+    }
+    writeText(file("whole.wav"), whole);
+    patch(file("whole.wav"), kFileLengthAt, number(0xFFFFFFFF));
+    EXPECT_EQ(refusal(file("whole.wav")), "accepted");
+}
+
+TEST_F(RecordingFile, AWavWithoutSamplesStaysEmpty) {
+    writeTone(file("a.wav"), 1000.0, 0.5);
+    writeText(file("empty.wav"), readText(file("a.wav")).substr(0, kHead));
+    patch(file("empty.wav"), kDataLengthAt, number(0));
+    patch(file("empty.wav"), kFileLengthAt, number(kHead - 8));
+    EXPECT_THAT(refusal(file("empty.wav")), HasSubstr("empty.wav: "));
+    EXPECT_NE(refusal(file("empty.wav")), "accepted");
+    const std::string list = "LIST" + number(26) + "INFOISFT" + number(14) + "some program \0" + std::string(1, '\0');
+    writeText(file("listed.wav"), readText(file("empty.wav")) + list);
+    EXPECT_NE(refusal(file("listed.wav")), "accepted");
+}
+
+TEST_F(RecordingFile, ReadsRf64) {
+    writeTone(file("a.wav"), 1000.0, 0.5, {SF_FORMAT_RF64 | SF_FORMAT_PCM_16, 48000, 1});
+    const std::string whole = readText(file("a.wav"));
+    ASSERT_TRUE(whole.starts_with("RF64"));
+    EXPECT_EQ(refusal(file("a.wav")), "accepted");
+    const std::size_t lengths = whole.find("ds64") + 8;
+    for (const std::uint32_t mark : {0U, 0xFFFFFFFFU}) {  // written through a pipe
+        for (std::size_t at = lengths; at < lengths + 16; at += 4) patch(file("a.wav"), at, number(mark));
+        EXPECT_EQ(refusal(file("a.wav")), "accepted") << mark;
+    }
+    writeText(file("a.wav"), whole.substr(0, whole.size() / 2));
+    EXPECT_THAT(refusal(file("a.wav")), HasSubstr("it was cut off"));
+}
+
 TEST_F(RecordingFile, RefusesARateOfZero) {
     writeTone(file("zero.wav"), 1000.0, 0.5);
     constexpr std::size_t kRateAt = 24;  // in the head of a WAV file

@@ -11,7 +11,6 @@
 
 #include "app/cli/exit_code.h"
 #include "app/cli/output.h"
-#include "app/cli/remark_lines.h"
 #include "geometry/file_bytes.h"
 #include "geometry/file_set.h"
 #include "geometry/mesh_report.h"
@@ -20,6 +19,7 @@
 #include "patient/length_unit.h"
 #include "session/cases/make_case.h"
 #include "session/cases/open_case.h"
+#include "session/cases/unicode_text.h"
 #include "session/cases/write_case.h"
 
 namespace tactooth {
@@ -100,6 +100,8 @@ std::vector<std::string> unusedFiles(const CaseStore& store, const CaseDescripti
 Expected<std::vector<CaseFile>> filesOf(const CaseStore& store) {
     std::vector<CaseFile> files;
     for (const std::string& entry : store.entries()) {
+        if (const std::string name = validUtf8(entry); name != entry)
+            return unexpected(name + ": an archive takes names in UTF-8 only; give the file another name.");
         auto bytes = store.read(entry);
         if (!bytes) return Unexpected{bytes.error()};
         files.push_back({entry, std::move(*bytes)});

@@ -6,7 +6,6 @@
 
 #include "app/cli/exit_code.h"
 #include "app/cli/output.h"
-#include "app/cli/remark_lines.h"
 #include "collision/contact_query.h"
 #include "geometry/file_bytes.h"
 #include "geometry/file_set.h"
@@ -39,9 +38,9 @@ int runContact(const ContactOptions& options) {
     std::vector<Remark> remarks;
     const auto tooth = loadSurface(options.tooth, &remarks);
     if (!tooth) return refuse(tooth.error());
-    printRemarks(remarks);
-    const auto tool = loadTool(options.tool);
+    const auto tool = loadTool(options.tool, &remarks);
     if (!tool) return refuse(tool.error());
+    printRemarks(remarks);
     auto file = CsvWriter::create(options.out, kColumns);
     if (!file) return refuse(file.error());
 

@@ -9,7 +9,6 @@
 
 #include "app/cli/exit_code.h"
 #include "app/cli/output.h"
-#include "app/cli/remark_lines.h"
 #include "collision/surface.h"
 #include "geometry/atomic_file.h"
 #include "geometry/file_bytes.h"
@@ -152,8 +151,8 @@ Expected<ToothSource> toothSource(const CutOptions& options) {
 }
 
 /// The bur that is named, else the one that the case brings.
-Expected<OwnBur> burOf(const CutOptions& options, const ToothPlace& place) {
-    if (!options.tool.empty()) return readOwnBur(options.tool);
+Expected<OwnBur> burOf(const CutOptions& options, const ToothPlace& place, std::vector<Remark>& remarks) {
+    if (!options.tool.empty()) return readOwnBur(options.tool, &remarks);
     if (place.bur) return *place.bur;
     return unexpected("there is no bur: give --tool, or a case that brings one.");
 }
@@ -180,9 +179,10 @@ int runCut(const CutOptions& options) {
     if (!path) return refuse(path.error());
     const auto tooth = loadPlacedWork(*source, options.workOn, options.voxel, kUsualVoxel);
     if (!tooth) return refuse(tooth.error());
-    printRemarks(tooth->remarks);
-    auto bur = burOf(options, tooth->place);
+    std::vector<Remark> remarks = tooth->remarks;
+    auto bur = burOf(options, tooth->place, remarks);
     if (!bur) return refuse(bur.error());
+    printRemarks(remarks);
     const auto tool = makeCuttingTool(bur->surface, bur->sharpness);
     if (!tool) return refuse({bur->name + ": " + tool.error().message});
     WorkPiece& piece = *tooth->piece;

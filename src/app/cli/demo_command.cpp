@@ -10,7 +10,6 @@
 #include "app/cli/demo_summary.h"
 #include "app/cli/exit_code.h"
 #include "app/cli/output.h"
-#include "app/cli/remark_lines.h"
 #include "app/common/mouth_scene.h"
 #include "app/common/plot_image.h"
 #include "app/common/spin_blur.h"

@@ -9,6 +9,10 @@
 
 namespace tactooth {
 
+void printRemarks(const std::vector<Remark>& remarks) {
+    for (const Remark& remark : remarks) std::fprintf(stderr, "tactooth: %s\n", shownText(inWords(remark)).c_str());
+}
+
 int refuse(const Error& error) {
     std::string sentence = shownText(error.message);
     if (!sentence.ends_with('.')) sentence += '.';  // a library's own words may have none

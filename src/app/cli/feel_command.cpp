@@ -6,7 +6,6 @@
 
 #include "app/cli/exit_code.h"
 #include "app/cli/output.h"
-#include "app/cli/remark_lines.h"
 #include "geometry/file_bytes.h"
 #include "geometry/file_set.h"
 #include "haptics/latency_histogram.h"
@@ -26,12 +25,10 @@ struct FeltTooth {
 };
 
 /// All of a case in the frame of one of its teeth, or a surface, which may be open.
-Expected<FeltTooth> toothOf(const FeelOptions& options) {
+Expected<FeltTooth> toothOf(const FeelOptions& options, std::vector<Remark>& remarks) {
     if (!isCase(options.tooth)) {
-        std::vector<Remark> remarks;
         auto surface = loadSurface(options.tooth, &remarks);
         if (!surface) return Unexpected{surface.error()};
-        printRemarks(remarks);
         return FeltTooth{std::move(*surface), {}};
     }
     const auto opened = openCase(options.tooth, options.workOn);
@@ -49,10 +46,12 @@ int runFeel(const FeelOptions& options) {
     if (const auto opened = files.open(options.out); !opened) return refuse(opened.error());
     const auto trajectory = readTrajectory(options.trajectory);
     if (!trajectory) return refuse(trajectory.error());
-    const auto tooth = toothOf(options);
+    std::vector<Remark> remarks;
+    const auto tooth = toothOf(options, remarks);
     if (!tooth) return refuse(tooth.error());
-    const auto tool = loadTool(options.tool);
+    const auto tool = loadTool(options.tool, &remarks);
     if (!tool) return refuse(tool.error());
+    printRemarks(remarks);
     const auto materials =
         options.materials.empty() && tooth->materials ? *tooth->materials : materialsFrom(options.materials);
     if (!materials) return refuse(materials.error());

@@ -11,17 +11,29 @@
 #include "geometry/mesh_file.h"
 
 namespace tactooth {
+namespace {
+
+/// The report on the surface where its file has it.
+MeshReport movedBy(MeshReport report, const Vec3& offset) {
+    report.box.translate(offset);
+    for (ShellReport& shell : report.shells) shell.box.translate(offset);
+    return report;
+}
+
+}  // namespace
 
 int runInfo(const InfoOptions& options) {
     int exitCode = kExitOk;
     bool first = true;
     for (const std::filesystem::path& file : options.files) {
-        const Expected<TriangleMesh> mesh = loadMesh(file);
-        if (!mesh) {
-            exitCode = refuse(mesh.error());
+        const Expected<ReadMesh> read = readMesh(file);
+        if (!read) {
+            exitCode = refuse(read.error());
             continue;
         }
-        const SurfaceFacts facts = surfaceFacts(*mesh);
+        SurfaceFacts facts = surfaceFacts(read->mesh);
+        facts.used = movedBy(std::move(facts.used), read->offset);
+        facts.reading = read->remarks;
         const std::string name = shownName(file);
         if (!options.json && !first) std::puts("");
         writeTo(stdout, options.json ? infoJson(name, facts) : infoTable(name, facts));

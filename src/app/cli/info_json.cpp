@@ -53,6 +53,8 @@ std::string infoJson(std::string_view name, const SurfaceFacts& facts) {
                  {"shells", Json::array()},
                  {"findings", facts.findings()}};
     for (const ShellReport& shell : report.shells) json["shells"].push_back(toJson(shell));
+    json["remarks"] = Json::array();
+    for (const Remark& remark : facts.reading) json["remarks"].push_back(inWords(remark));
     // A file name may hold bytes that are no UTF-8, and JSON may not.
     return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

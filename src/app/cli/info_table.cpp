@@ -58,7 +58,11 @@ std::string infoTable(std::string_view name, const SurfaceFacts& facts) {
     if (report.genus()) table += row("Tunnels", std::to_string(*report.genus()));
     table += row("Volume", volumeOf(facts));
     table += row("Surface area", fmt::format("{:.2f} mm2", report.area));
-    return table + findingRows(facts);
+    table += findingRows(facts);
+    for (std::size_t i = 0; i < facts.reading.size(); ++i) {
+        table += row(i == 0 ? "Reading" : "", inWords(facts.reading[i]));
+    }
+    return table;
 }
 
 }  // namespace tactooth

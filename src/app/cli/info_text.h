@@ -8,6 +8,7 @@
 
 #include "collision/solid.h"
 #include "geometry/mesh_report.h"
+#include "geometry/remark.h"
 
 namespace tactooth {
 
@@ -18,6 +19,7 @@ struct SurfaceFacts {
     bool storedOriented = true;
     MeshReport used;
     SolidReport solid;
+    std::vector<Remark> reading = {};  ///< on reading the file
 
     /// Weaknesses and what was mended, a sentence each; none for a sound surface.
     [[nodiscard]] std::vector<std::string> findings() const;

@@ -20,8 +20,10 @@ namespace {
 constexpr double kPercent = 100;
 
 Expected<CavityProgress> progressOf(const WorkPiece& piece, const std::filesystem::path& target) {
-    Expected<TriangleMesh> ideal = loadIdealShape(target);
+    std::vector<Remark> remarks;
+    Expected<TriangleMesh> ideal = loadIdealShape(target, &remarks);
     if (!ideal) return Unexpected{ideal.error()};
+    printRemarks(remarks);
     CavityAccount account(std::make_shared<const SurfacePart>(std::move(*ideal)), *piece.tooth().ownOuter());
     if (account.empty()) {
         return unexpected(shownName(target) +

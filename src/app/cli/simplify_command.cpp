@@ -10,7 +10,6 @@
 #include "app/cli/exit_code.h"
 #include "app/cli/mesh_summary.h"
 #include "app/cli/output.h"
-#include "app/cli/remark_lines.h"
 #include "collision/solid_file.h"
 #include "geometry/file_bytes.h"
 #include "geometry/file_set.h"

@@ -22,8 +22,10 @@ int runSubdivide(const SubdivideOptions& options) {
     FileSet files;
     files.reads(options.in);
     if (const auto opened = files.open(options.out); !opened) return refuse(opened.error());
-    const auto mesh = loadMesh(options.in);
-    if (!mesh) return refuse(mesh.error());
+    const auto read = readMesh(options.in);
+    if (!read) return refuse(read.error());
+    printRemarks(read->remarks);
+    const TriangleMesh* const mesh = &read->mesh;
     const int times = options.times.value_or(1);
     const double wanted = options.triangles ? static_cast<double>(*options.triangles)
                                             : static_cast<double>(mesh->triangles.size()) * std::pow(4.0, times);

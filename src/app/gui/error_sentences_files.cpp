@@ -45,6 +45,10 @@ constexpr const char* kErrors[] = {
     QT_TRANSLATE_NOOP("Error", "%1: %2 files cannot be read; export the surface as STL, OBJ or PLY."),
     QT_TRANSLATE_NOOP("Error", "%1: the file holds no triangles; export the surface again."),
     QT_TRANSLATE_NOOP("Error", "%1: the file holds no faces; export the surface again, as triangles."),
+    QT_TRANSLATE_NOOP("Error",
+                      "%1: the surface lies too far from zero for single precision, in which its place is needed; move "
+                      "it near to zero, or make a case of it with 'tactooth case new'."),
+    QT_TRANSLATE_NOOP("Error", "%1: this is text in UTF-16; save it as UTF-8."),
     QT_TRANSLATE_NOOP(
         "Error",
         "%1: triangle %2 (byte %3) has a corner that is not a finite number; repair or export the surface again."),
@@ -58,6 +62,7 @@ constexpr const char* kErrors[] = {
     QT_TRANSLATE_NOOP("Error", "a PDF document"),
     QT_TRANSLATE_NOOP("Error", "a program"),
     QT_TRANSLATE_NOOP("Error", "a DICOM image"),
+    QT_TRANSLATE_NOOP("Error", "a Mac's notes on a file of this name"),
     QT_TRANSLATE_NOOP("Error", "text that does not begin with 'solid'"),
     QT_TRANSLATE_NOOP("Error", "unknown binary data"),
     QT_TRANSLATE_NOOP(
@@ -86,6 +91,8 @@ constexpr const char* kErrors[] = {
     QT_TRANSLATE_NOOP("Error", "%1: the PLY header has no end: the file is cut short; export the surface again."),
     QT_TRANSLATE_NOOP("Error", "%1: %2; export the surface again."),
     QT_TRANSLATE_NOOP("Error", "the file holds no faces"),
+    QT_TRANSLATE_NOOP("Error", "the outline of the face crosses itself"),
+    QT_TRANSLATE_NOOP("Error", "the face has too many corners to be split into triangles"),
     QT_TRANSLATE_NOOP("Error", "the file is cut short, or holds what is no number"),
     QT_TRANSLATE_NOOP("Error", "x, y and z are not three finite numbers"),
     QT_TRANSLATE_NOOP("Error", "the file is cut short"),
@@ -157,9 +164,14 @@ constexpr const char* kErrors[] = {
     QT_TRANSLATE_NOOP("Error", "%1: the folder holds more than %2 files; give a case a folder of its own."),
     QT_TRANSLATE_NOOP("Error",
                       "%1: the archive holds a file named '%2', which points out of it; it is not meant well."),
-    QT_TRANSLATE_NOOP("Error", "%1: the archive holds two files of the same name; pack it anew."),
     QT_TRANSLATE_NOOP("Error",
-                      "%1: '%2' points out of the case; give paths inside its folder, with '/' and without '..'."),
+                      "%1: the archive holds a file named '%2', which has control characters in its name; give it "
+                      "another one and pack anew."),
+    QT_TRANSLATE_NOOP("Error",
+                      "%1: the archive holds a file named '%2', whose name is longer than 1000 bytes; give it a "
+                      "shorter one and pack anew."),
+    QT_TRANSLATE_NOOP("Error", "%1: the archive holds several cases, in %2 and %3; pack each on its own."),
+    QT_TRANSLATE_NOOP("Error", "%1: the archive holds two files of the same name; pack it anew."),
     QT_TRANSLATE_NOOP("Error", "%1: there is no such file in the case."),
     QT_TRANSLATE_NOOP("Error", "%1: the link leads out of the case's folder; put a copy there instead."),
     QT_TRANSLATE_NOOP("Error", "%1: a case has its own layers; give no others."),

@@ -56,6 +56,9 @@ constexpr const char* kErrors[] = {
     QT_TRANSLATE_NOOP("Error", "the name must be short and without slashes"),
     QT_TRANSLATE_NOOP("Error", "the name %1 is given twice"),
     QT_TRANSLATE_NOOP("Error", "%1 points out of the case; give a path inside its folder, with '/' and without '..'"),
+    QT_TRANSLATE_NOOP("Error", "%1 has control characters in its name; give the file another one"),
+    QT_TRANSLATE_NOOP("Error", "%1 is longer than 1000 bytes; give the file a shorter name"),
+    QT_TRANSLATE_NOOP("Error", "%1 names no file; give a path inside the case's folder"),
     QT_TRANSLATE_NOOP("Error", "there is no material %1; choose enamel, dentin, pulp, caries, restoration or other"),
     QT_TRANSLATE_NOOP(
         "Error",
@@ -114,7 +117,9 @@ constexpr const char* kErrors[] = {
     // Ways of a tool.
     QT_TRANSLATE_NOOP("Error", "%1: there is no line that names the columns; begin the file with %2."),
     QT_TRANSLATE_NOOP("Error", "%1: there are no rows below the names of the columns; add at least one."),
-    QT_TRANSLATE_NOOP("Error", "the column '%1' is missing; expected the columns %2, separated by commas"),
+    QT_TRANSLATE_NOOP("Error",
+                      "the column '%1' is missing; expected the columns %2, separated by commas, but found %3"),
+    QT_TRANSLATE_NOOP("Error", "a cell in quotes must end with its line, and nothing but a separator may follow it"),
     QT_TRANSLATE_NOOP("Error", "the column '%1' is named twice; remove one of the two"),
     QT_TRANSLATE_NOOP("Error", "expected %1 fields, one for each named column, but found %2"),
     QT_TRANSLATE_NOOP("Error", "column '%1': expected a finite number with '.' as decimal point, but found %2"),

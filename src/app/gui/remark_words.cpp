@@ -50,6 +50,12 @@ constexpr const char* kRemarks[] = {
     QT_TRANSLATE_NOOP("Remarks", "%1: %2 holes were filled, the largest with a rim of %3 mm."),
     QT_TRANSLATE_NOOP("Remarks", "%1: closed and sound as it came, %2 triangles."),
     QT_TRANSLATE_NOOP("Remarks", "%1: consists of %2 separate shells."),
+    QT_TRANSLATE_NOOP("Remarks", "%1: line %2 was not understood and passed over; it begins with %3."),
+    QT_TRANSLATE_NOOP("Remarks",
+                      "%1: %2 lines were not understood and passed over; the first is line %3, which begins with %4."),
+    QT_TRANSLATE_NOOP("Remarks",
+                      "%1: the surface lies too far from zero for single precision: %2, %3, %4 were subtracted from "
+                      "its coordinates before they were rounded."),
     QT_TRANSLATE_NOOP("Remarks", "The whole tooth is taken as enamel, as chosen."),
     QT_TRANSLATE_NOOP("Remarks", "No enamel is given: what no other layer holds is taken as enamel."),
     QT_TRANSLATE_NOOP("Remarks",

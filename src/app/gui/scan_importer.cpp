@@ -9,6 +9,8 @@
 #include "geometry/file_bytes.h"
 #include "geometry/mesh_file.h"
 #include "session/cases/case_names.h"
+#include "session/cases/case_surfaces.h"
+#include "session/cases/entry_name.h"
 #include "session/cases/make_case.h"
 #include "session/cases/write_case.h"
 
@@ -20,13 +22,17 @@ namespace fs = std::filesystem;
 /// One file is a tooth's surface, whatever its name says; of several the names tell.
 Expected<Scan> readScan(const std::vector<fs::path>& files) {
     Scan scan{files.front().filename().string(), {}, {}};
+    std::optional<Vec3> common;  // all surfaces stay in one frame
     for (const fs::path& file : files) {
-        auto mesh = loadMesh(file);
-        if (!mesh) return Unexpected{mesh.error()};
+        auto read = readMesh(file);
+        if (!read) return Unexpected{read.error()};
+        if (!common) common = read->offset;
+        moveBy(read->mesh, read->offset - *common);
+        scan.remarks.insert(scan.remarks.end(), read->remarks.begin(), read->remarks.end());
         const NamedSurface named = surfaceNamed(file);
         const auto material = files.size() > 1 ? named.material : std::nullopt;
         if (material) scan.name = named.body;
-        if (!addSurface(scan, material, std::move(*mesh))) {
+        if (!addSurface(scan, material, std::move(read->mesh))) {
             return unexpected(
                 shownName(file) +
                 ": the tooth has this surface already; drop the files of one tooth, its layers named as in "
@@ -34,6 +40,15 @@ Expected<Scan> readScan(const std::vector<fs::path>& files) {
         }
     }
     return scan;
+}
+
+/// Without what a system put beside them, as a folder's window drops it with the rest.
+std::vector<fs::path> ownFiles(const std::vector<fs::path>& files) {
+    std::vector<fs::path> own;
+    for (const fs::path& file : files) {
+        if (!isForeignFile(file.filename().string())) own.push_back(file);
+    }
+    return own.empty() ? files : own;
 }
 
 fs::path caseFileOf(const std::vector<fs::path>& files) {
@@ -54,11 +69,11 @@ void ScanImporter::stop() {
 void ScanImporter::begin(const std::vector<fs::path>& files, QWidget* parent) {
     if (dialog_) dialog_->close();
     stop();
-    files_ = files;
+    files_ = ownFiles(files);
     scan_ = nullptr;
     examined_ = nullptr;
-    dialog_ = new ImportDialog(QString::fromStdString(files.front().filename().string()),
-                               QString::fromStdString(caseFileOf(files).string()), parent);
+    dialog_ = new ImportDialog(QString::fromStdString(files_.front().filename().string()),
+                               QString::fromStdString(caseFileOf(files_).string()), parent);
     connect(dialog_.data(), &ImportDialog::choicesChanged, this, &ScanImporter::look);
     connect(dialog_.data(), &ImportDialog::taken, this, &ScanImporter::build);
     connect(dialog_.data(), &QDialog::rejected, this, &ScanImporter::stop);

@@ -267,8 +267,12 @@
         <translation>%1: 列名の下に行がありません。1 行以上追加してください。</translation>
     </message>
     <message>
-        <source>the column &apos;%1&apos; is missing; expected the columns %2, separated by commas</source>
-        <translation>列 &apos;%1&apos; がありません。列 %2 をコンマで区切って並べてください</translation>
+        <source>the column &apos;%1&apos; is missing; expected the columns %2, separated by commas, but found %3</source>
+        <translation>列 &apos;%1&apos; がありません。列 %2 をコンマで区切って並べてください。見つかったのは %3 です</translation>
+    </message>
+    <message>
+        <source>a cell in quotes must end with its line, and nothing but a separator may follow it</source>
+        <translation>引用符で囲んだセルは行の中で閉じ、そのあとには区切り文字だけを続けてください</translation>
     </message>
     <message>
         <source>the column &apos;%1&apos; is named twice; remove one of the two</source>
@@ -427,6 +431,14 @@
         <translation>%1：ファイルに面がありません。表面を三角形で書き出し直してください。</translation>
     </message>
     <message>
+        <source>%1: the surface lies too far from zero for single precision, in which its place is needed; move it near to zero, or make a case of it with &apos;tactooth case new&apos;.</source>
+        <translation>%1：表面が原点から遠すぎて、位置を単精度で表せません。原点の近くに移すか、&apos;tactooth case new&apos; で症例にしてください。</translation>
+    </message>
+    <message>
+        <source>%1: this is text in UTF-16; save it as UTF-8.</source>
+        <translation>%1：これは UTF-16 のテキストです。UTF-8 で保存してください。</translation>
+    </message>
+    <message>
         <source>%1: triangle %2 (byte %3) has a corner that is not a finite number; repair or export the surface again.</source>
         <translation>%1：三角形 %2（%3 バイト目）の頂点が有限の数値ではありません。表面を修復するか、書き出し直してください。</translation>
     </message>
@@ -469,6 +481,10 @@
     <message>
         <source>a DICOM image</source>
         <translation>DICOM 画像</translation>
+    </message>
+    <message>
+        <source>a Mac&apos;s notes on a file of this name</source>
+        <translation>この名前のファイルについての Mac の覚え書き</translation>
     </message>
     <message>
         <source>text that does not begin with &apos;solid&apos;</source>
@@ -565,6 +581,14 @@
     <message>
         <source>the file holds no faces</source>
         <translation>ファイルに面がありません</translation>
+    </message>
+    <message>
+        <source>the outline of the face crosses itself</source>
+        <translation>面の輪郭が自分自身と交わっています</translation>
+    </message>
+    <message>
+        <source>the face has too many corners to be split into triangles</source>
+        <translation>面の頂点が多すぎて三角形に分けられません</translation>
     </message>
     <message>
         <source>the file is cut short, or holds what is no number</source>
@@ -739,12 +763,20 @@
         <translation>%1：アーカイブの外を指すファイル &apos;%2&apos; が入っています。悪意のあるファイルです。</translation>
     </message>
     <message>
-        <source>%1: the archive holds two files of the same name; pack it anew.</source>
-        <translation>%1：アーカイブに同じ名前のファイルが二つあります。作り直してください。</translation>
+        <source>%1: the archive holds a file named &apos;%2&apos;, which has control characters in its name; give it another one and pack anew.</source>
+        <translation>%1：アーカイブの中のファイル &apos;%2&apos; の名前に制御文字があります。別の名前にして、もう一度まとめてください。</translation>
     </message>
     <message>
-        <source>%1: &apos;%2&apos; points out of the case; give paths inside its folder, with &apos;/&apos; and without &apos;..&apos;.</source>
-        <translation>%1：&apos;%2&apos; は症例の外を指しています。&apos;/&apos; を使い、&apos;..&apos; を使わずに、フォルダー内のパスを書いてください。</translation>
+        <source>%1: the archive holds a file named &apos;%2&apos;, whose name is longer than 1000 bytes; give it a shorter one and pack anew.</source>
+        <translation>%1：アーカイブの中のファイル &apos;%2&apos; の名前が 1000 バイトを超えています。短い名前にして、もう一度まとめてください。</translation>
+    </message>
+    <message>
+        <source>%1: the archive holds several cases, in %2 and %3; pack each on its own.</source>
+        <translation>%1：アーカイブに %2 と %3 など複数の症例が入っています。一つずつ別々にまとめてください。</translation>
+    </message>
+    <message>
+        <source>%1: the archive holds two files of the same name; pack it anew.</source>
+        <translation>%1：アーカイブに同じ名前のファイルが二つあります。作り直してください。</translation>
     </message>
     <message>
         <source>%1: there is no such file in the case.</source>
@@ -997,6 +1029,18 @@
     <message>
         <source>%1 points out of the case; give a path inside its folder, with &apos;/&apos; and without &apos;..&apos;</source>
         <translation>%1 は症例の外を指しています。&apos;/&apos; を使い、&apos;..&apos; を使わずに、フォルダー内のパスを書いてください</translation>
+    </message>
+    <message>
+        <source>%1 has control characters in its name; give the file another one</source>
+        <translation>%1 の名前に制御文字があります。ファイルの名前を変えてください</translation>
+    </message>
+    <message>
+        <source>%1 is longer than 1000 bytes; give the file a shorter name</source>
+        <translation>%1 は 1000 バイトを超えています。ファイルの名前を短くしてください</translation>
+    </message>
+    <message>
+        <source>%1 names no file; give a path inside the case&apos;s folder</source>
+        <translation>%1 はファイルの名前ではありません。症例のフォルダー内のパスを指定してください</translation>
     </message>
     <message>
         <source>there is no material %1; choose enamel, dentin, pulp, caries, restoration or other</source>
@@ -2996,6 +3040,18 @@ More than 1 % is felt: close other programs, or take a tooth with fewer triangle
     <message>
         <source>%1: %2 triangles cross others by %3 mm at most; they are left as they are.</source>
         <translation>%1：三角形 %2 個が他と最大 %3 mm 交差していますが、そのままにします。</translation>
+    </message>
+    <message>
+        <source>%1: line %2 was not understood and passed over; it begins with %3.</source>
+        <translation>%1：%2 行目は解釈できず、読み飛ばしました（%3 で始まる行）。</translation>
+    </message>
+    <message>
+        <source>%1: %2 lines were not understood and passed over; the first is line %3, which begins with %4.</source>
+        <translation>%1：%2 行は解釈できず、読み飛ばしました。最初は %3 行目で、%4 で始まります。</translation>
+    </message>
+    <message>
+        <source>%1: the surface lies too far from zero for single precision: %2, %3, %4 were subtracted from its coordinates before they were rounded.</source>
+        <translation>%1：表面が原点から遠く、単精度では足りないため、丸める前に座標から %2、%3、%4 を引きました。</translation>
     </message>
     <message>
         <source>No enamel is given: what no other layer holds is taken as enamel.</source>

@@ -12,6 +12,7 @@
 #include "instruments/builtin_tooth.h"
 #include "session/cases/case_store.h"
 #include "session/cases/toml_reader.h"
+#include "session/cases/unicode_text.h"
 
 namespace tactooth {
 namespace {
@@ -110,11 +111,8 @@ private:
 
     std::string entry(const toml::table& table, std::string_view key, bool isNeeded) {
         std::string path = toml_.text(table, key, isNeeded);
-        if (!path.empty() && !isSafeEntry(path)) {
-            toml_.fail(*table.get(key), quotedWord(path) +
-                                            " points out of the case; give a path inside its folder, with '/' and "
-                                            "without '..'");
-        }
+        const EntryFault fault = path.empty() ? EntryFault::None : entryName(path).fault;
+        if (fault != EntryFault::None) toml_.fail(*table.get(key), inWords(fault, quotedWord(path)));
         return path;
     }
 
@@ -194,7 +192,7 @@ std::string toothText(const CaseTooth& tooth) {
 
 std::string tomlText(const std::string& text) {
     std::string result = "\"";
-    for (const char letter : shownText(text)) {
+    for (const char letter : shownText(validUtf8(text))) {
         if (letter == '"' || letter == '\\') result += '\\';
         result += letter;
     }

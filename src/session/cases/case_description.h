@@ -51,7 +51,7 @@ struct CaseDescription {
 /// The text of case.toml: parseCase gives the same description back.
 [[nodiscard]] std::string caseText(const CaseDescription& description);
 
-/// `text` as TOML writes it, in quotes; control characters become '?'.
+/// `text` as TOML writes it, in quotes: valid UTF-8 (see validUtf8), with '?' for control characters.
 [[nodiscard]] std::string tomlText(const std::string& text);
 
 }  // namespace tactooth

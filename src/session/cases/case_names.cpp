@@ -6,6 +6,7 @@
 
 #include "geometry/small_letters.h"
 #include "instruments/builtin_tooth.h"
+#include "session/cases/unicode_text.h"
 
 namespace tactooth {
 
@@ -51,6 +52,24 @@ std::string EntryNames::make(const std::string& name) {
         entry = plain + "-" + std::to_string(number);
     }
     return entry;
+}
+
+std::string BodyNames::make(const std::string& name) {
+    constexpr std::size_t kLongest = 56;  // bytes: with a number behind it still one of 60
+    std::string text = composed(validUtf8(name));
+    for (char& letter : text) {
+        if (static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f || letter == '/' || letter == '\\')
+            letter = '-';
+    }
+    const auto isInsideLetter = [&](std::size_t at) { return (static_cast<unsigned char>(text[at]) & 0xC0) == 0x80; };
+    if (text.size() > kLongest) {
+        std::size_t end = kLongest;
+        while (isInsideLetter(end)) --end;
+        text.resize(end);
+    }
+    std::string unique = text;
+    for (int number = 2; !taken_.insert(unique).second; ++number) unique = text + "-" + std::to_string(number);
+    return unique;
 }
 
 }  // namespace tactooth

@@ -35,4 +35,15 @@ private:
     std::set<std::string> taken_;  // in small letters
 };
 
+/// Names of teeth, and of what is around them, in a new case.
+class BodyNames {
+public:
+    /// The name of a file as text that case.toml takes: valid UTF-8 without control characters and slashes, at most 60
+    /// bytes, and no name twice: files whose names are no UTF-8 may differ in what cannot be written.
+    [[nodiscard]] std::string make(const std::string& name);
+
+private:
+    std::set<std::string> taken_;
+};
+
 }  // namespace tactooth

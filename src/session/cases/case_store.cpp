@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "geometry/file_bytes.h"
+#include "session/cases/unicode_text.h"
 #include "session/cases/zip_archive.h"
 
 namespace tactooth {
@@ -19,40 +20,89 @@ std::string tooMuch(const std::string& what, std::uint64_t size, std::uint64_t m
            " that a case may; it is damaged or not meant well.";
 }
 
-/// Entries of a folder and of all below it, with '/'; links are followed only where they stay inside.
-Expected<std::vector<std::string>> filesBelow(const fs::path& folder) {
-    std::vector<std::string> entries;
+/// A file of a case.
+struct StoredFile {
+    std::string name;   ///< as entryName() gives it
+    std::string place;  ///< as the folder or archive has it
+    bool isForeign;
+};
+
+bool isBefore(const StoredFile& a, const StoredFile& b) {
+    return a.name < b.name || (a.name == b.name && a.place < b.place);
+}
+
+/// Files of a folder and of all below it; links are followed only where they stay inside.
+Expected<std::vector<StoredFile>> filesBelow(const fs::path& folder) {
+    std::vector<StoredFile> files;
     std::error_code error;
     for (fs::recursive_directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
         if (!at->is_regular_file(error)) continue;
-        entries.push_back(at->path().lexically_relative(folder).generic_string());
-        if (entries.size() > kCaseLimits.entries) {
+        const std::string place = at->path().lexically_relative(folder).generic_string();
+        const EntryName entry = entryName(place);
+        files.push_back({entry.fault == EntryFault::None ? entry.name : place, place, isForeignEntry(place)});
+        if (files.size() > kCaseLimits.entries) {
             return unexpected(shownName(folder) + ": the folder holds more than " +
                               std::to_string(kCaseLimits.entries) + " files; give a case a folder of its own.");
         }
     }
     if (error) return unexpected(shownName(folder) + ": the folder cannot be read (" + error.message() + ").");
-    std::ranges::sort(entries);
-    return entries;
+    std::ranges::sort(files, isBefore);
+    return files;
+}
+
+/// A name of an archive as a message shows it: in one line of bounded length.
+std::string shownEntry(std::string_view name) {
+    constexpr std::size_t kMost = 100;  // bytes
+    if (name.size() <= kMost) return shownName(fs::path(validUtf8(name)));
+    return shownName(fs::path(validUtf8(name.substr(0, kMost)))) + "...";
+}
+
+Expected<std::vector<StoredFile>> filesOf(const ZipArchive& archive, const std::string& shown) {
+    std::vector<StoredFile> files;
+    for (const ZipEntry& entry : archive.entries()) {
+        const std::string file = shownEntry(entry.name);
+        const EntryName read = entryName(entry.name);
+        if (entry.isLink || read.fault == EntryFault::PointsOut)
+            return unexpected(shown + ": the archive holds a file named '" + file +
+                              "', which points out of it; it is not meant well.");
+        std::string slashes = entry.name;
+        std::ranges::replace(slashes, '\\', '/');
+        const bool isForeign = isForeignEntry(slashes);
+        if (isForeign && read.fault != EntryFault::None) continue;
+        if (read.fault == EntryFault::ControlCharacter)
+            return unexpected(shown + ": the archive holds a file named '" + file +
+                              "', which has control characters in its name; give it another one and pack anew.");
+        if (read.fault == EntryFault::TooLong)
+            return unexpected(shown + ": the archive holds a file named '" + file +
+                              "', whose name is longer than 1000 bytes; give it a shorter one and pack anew.");
+        if (read.fault != EntryFault::None) continue;  // a folder, or nothing
+        files.push_back({read.name, entry.name, isForeign});
+    }
+    std::ranges::sort(files, isBefore);
+    const auto twice = std::ranges::adjacent_find(files, {}, &StoredFile::name);
+    if (twice != files.end() && !twice->isForeign)
+        return unexpected(shown + ": the archive holds two files of the same name; pack it anew.");
+    return files;
+}
+
+/// The folder that all of an archive's case lies in, with '/'; empty where its text lies above all.
+Expected<std::string> topFolder(const std::vector<StoredFile>& files, const std::string& shown) {
+    std::vector<std::string> tops;
+    for (const StoredFile& file : files) {
+        const std::size_t slash = file.name.rfind('/') + 1;  // npos + 1 = 0
+        if (file.isForeign || file.name.substr(slash) != kCaseText) continue;
+        const auto depth = [](const std::string& folder) { return std::ranges::count(folder, '/'); };
+        const std::string top = file.name.substr(0, slash);
+        if (!tops.empty() && depth(top) < depth(tops.front())) tops.clear();
+        if (tops.empty() || depth(top) == depth(tops.front())) tops.push_back(top);
+    }
+    if (tops.size() > 1)
+        return unexpected(shown + ": the archive holds several cases, in " + shownEntry(tops[0]) + " and " +
+                          shownEntry(tops[1]) + "; pack each on its own.");
+    return tops.empty() ? std::string() : tops.front();
 }
 
 }  // namespace
-
-bool isSafeEntry(std::string_view path) {
-    constexpr std::size_t kLongest = 200;  // bytes: every system takes a path of that length
-    if (path.empty() || path.size() > kLongest || path.front() == '/' || path.back() == '/') return false;
-    for (const char letter : path) {
-        if (static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f || letter == '\\' || letter == ':')
-            return false;
-    }
-    for (std::size_t begin = 0; begin <= path.size();) {
-        const std::size_t end = std::min(path.find('/', begin), path.size());
-        const std::string_view part = path.substr(begin, end - begin);
-        if (part.empty() || part == "." || part == "..") return false;
-        begin = end + 1;
-    }
-    return true;
-}
 
 bool staysBelow(const fs::path& folder, const std::string& entry) {
     std::error_code error;
@@ -68,8 +118,15 @@ struct CaseStore::Content {
     fs::path folder;                    // of a case that is no archive
     std::optional<FileBytes> bytes;     // of an archive from the disk
     std::optional<ZipArchive> archive;  // after the bytes that it reads
-    std::string top;                    // folder of the archive that all of the case lies in, with '/'
-    std::vector<std::string> entries;
+    std::vector<StoredFile> files;      // sorted
+    std::vector<std::string> entries;   // those that are not foreign
+
+    void take(std::vector<StoredFile> found) {
+        files = std::move(found);
+        for (const StoredFile& file : files) {
+            if (!file.isForeign) entries.push_back(file.name);
+        }
+    }
 };
 
 CaseStore::CaseStore(std::unique_ptr<Content> content) : content_(std::move(content)) {}
@@ -88,9 +145,9 @@ Expected<CaseStore> CaseStore::open(const fs::path& path) {
         content->folder = fs::is_directory(path, error) ? path : path.parent_path();
         if (content->folder.empty()) content->folder = ".";
         content->name = shownName(content->folder);
-        auto entries = filesBelow(content->folder);
-        if (!entries) return Unexpected{entries.error()};
-        content->entries = std::move(*entries);
+        auto files = filesBelow(content->folder);
+        if (!files) return Unexpected{files.error()};
+        content->take(std::move(*files));
         return CaseStore(std::move(content));
     }
     const std::uintmax_t size = fs::file_size(path, error);
@@ -107,39 +164,30 @@ Expected<CaseStore> CaseStore::openArchive(std::span<const std::byte> bytes, std
     if (!archive) return Unexpected{archive.error()};
     auto content = std::make_unique<Content>();
     content->name = std::move(name);
-    for (const ZipEntry& entry : archive->entries()) {
-        if (!isSafeEntry(entry.name)) {
-            return unexpected(content->name + ": the archive holds a file named '" + shownName(entry.name) +
-                              "', which points out of it; it is not meant well.");
-        }
-        content->entries.push_back(entry.name);
-    }
-    std::ranges::sort(content->entries);
-    if (std::ranges::adjacent_find(content->entries) != content->entries.end()) {
-        return unexpected(content->name + ": the archive holds two files of the same name; pack it anew.");
-    }
-    // An archive made of a folder has that folder before all names.
-    if (!std::ranges::binary_search(content->entries, kCaseText) && !content->entries.empty()) {
-        const std::string& first = content->entries.front();
-        content->top = first.substr(0, first.find('/') + 1);
-        std::erase_if(content->entries, [&](const std::string& entry) { return !entry.starts_with(content->top); });
-        for (std::string& entry : content->entries) entry.erase(0, content->top.size());
-    }
+    auto files = filesOf(*archive, content->name);
+    if (!files) return Unexpected{files.error()};
+    const auto top = topFolder(*files, content->name);
+    if (!top) return Unexpected{top.error()};
+    std::erase_if(*files, [&](const StoredFile& file) { return !file.name.starts_with(*top); });
+    for (StoredFile& file : *files) file.name.erase(0, top->size());
+    content->take(std::move(*files));
     content->archive.emplace(std::move(*archive));
     return CaseStore(std::move(content));
 }
 
 Expected<std::vector<std::byte>> CaseStore::read(const std::string& entry) const {
-    if (!isSafeEntry(entry)) {
-        return unexpected(content_->name + ": '" + shownName(entry) +
-                          "' points out of the case; give paths inside its folder, with '/' and without '..'.");
-    }
-    if (!std::ranges::binary_search(content_->entries, entry)) {
-        return unexpected(shown(entry) + ": there is no such file in the case.");
-    }
-    if (content_->archive) return content_->archive->read(content_->top + entry);
-    const fs::path file = content_->folder / fs::path(entry);
-    if (!staysBelow(content_->folder, entry)) {
+    const EntryName wanted = entryName(entry);
+    if (wanted.fault != EntryFault::None)
+        return unexpected(inWords(wanted.fault, content_->name + ": '" + shownEntry(entry) + "'") + ".");
+    // Two files of a folder may have names that are composed in two ways: the one that is written like this comes
+    // first.
+    const auto [first, last] = std::ranges::equal_range(content_->files, wanted.name, {}, &StoredFile::name);
+    if (first == last) return unexpected(shown(entry) + ": there is no such file in the case.");
+    const auto exact = std::find_if(first, last, [&](const StoredFile& each) { return each.place == entry; });
+    const std::string& place = (exact == last ? first : exact)->place;
+    if (content_->archive) return content_->archive->read(place);
+    const fs::path file = content_->folder / fs::path(place);
+    if (!staysBelow(content_->folder, place)) {
         return unexpected(shown(entry) + ": the link leads out of the case's folder; put a copy there instead.");
     }
     std::error_code error;

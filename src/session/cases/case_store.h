@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "geometry/expected.h"
+#include "session/cases/entry_name.h"
 
 namespace tactooth {
 
@@ -30,15 +31,14 @@ struct CaseLimits {
 };
 inline constexpr CaseLimits kCaseLimits = {};
 
-/// Whether `path` (in a case, with '/') stays inside it: relative, no "..", no part that a system reads in another way.
-[[nodiscard]] bool isSafeEntry(std::string_view path);
-
 /// Whether a file in `folder` is still below it when all links are followed. One that is not there is: whoever reads
 /// it says so.
 [[nodiscard]] bool staysBelow(const std::filesystem::path& folder, const std::string& entry);
 
 /// The files of a case: a folder, or a zip archive, which is read in memory and never unpacked to the disk. Whatever
-/// the bytes claim, no more memory is taken than `kCaseLimits` allows. Used from one thread.
+/// the bytes claim, no more memory is taken than `kCaseLimits` allows. What systems put beside files of their own
+/// (isForeignFile) is passed over, and so is the folder that some programs put above all of an archive. Used from one
+/// thread.
 class CaseStore {
 public:
     /// A folder or file on the disk. Fails with one sentence.
@@ -50,9 +50,10 @@ public:
     CaseStore& operator=(CaseStore&&) noexcept;
     ~CaseStore();
 
-    /// The bytes of one file. Fails with one sentence if it is not there, unsafe, too large or damaged.
+    /// The bytes of one file, named as `entryName` reads names. Fails with one sentence if it is not there, unsafe, too
+    /// large or damaged.
     [[nodiscard]] Expected<std::vector<std::byte>> read(const std::string& entry) const;
-    /// The files, sorted by name.
+    /// The files, sorted by name, without foreign ones.
     [[nodiscard]] const std::vector<std::string>& entries() const;
     /// An entry as a message shows it: "mouth.ttcase: teeth/36.stl".
     [[nodiscard]] std::string shown(const std::string& entry) const;

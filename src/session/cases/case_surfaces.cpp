@@ -3,12 +3,14 @@
 #include "session/cases/case_surfaces.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "geometry/file_bytes.h"
 #include "geometry/mesh_file.h"
 #include "geometry/small_letters.h"
 #include "session/cases/case_names.h"
 #include "session/cases/case_store.h"
+#include "session/cases/entry_name.h"
 
 namespace tactooth {
 namespace {
@@ -20,7 +22,7 @@ bool isSurfaceFile(const fs::path& path) {
     return ending == ".stl" || ending == ".obj" || ending == ".ply";
 }
 
-/// All surfaces that the paths name, sorted.
+/// All surfaces that the paths name, sorted; foreign files below folders are passed over.
 Expected<std::vector<fs::path>> surfaceFiles(const std::vector<fs::path>& from) {
     std::vector<fs::path> files;
     for (const fs::path& path : from) {
@@ -30,7 +32,11 @@ Expected<std::vector<fs::path>> surfaceFiles(const std::vector<fs::path>& from) 
             continue;
         }
         for (fs::recursive_directory_iterator at(path, error), end; !error && at != end; at.increment(error)) {
-            if (isSurfaceFile(at->path()) && at->is_regular_file(error)) files.push_back(at->path());
+            if (isForeignFile(at->path().filename().string())) {
+                at.disable_recursion_pending();
+            } else if (isSurfaceFile(at->path()) && at->is_regular_file(error)) {
+                files.push_back(at->path());
+            }
             if (files.size() > kCaseLimits.entries) {
                 return unexpected(shownName(path) + ": the folder holds too many surfaces for one case.");
             }
@@ -44,17 +50,27 @@ Expected<std::vector<fs::path>> surfaceFiles(const std::vector<fs::path>& from) 
 
 }  // namespace
 
+void moveBy(TriangleMesh& mesh, const Vec3& step) {
+    if (step.isZero(0)) return;
+    for (Vec3f& vertex : mesh.vertices) vertex = (vertex.cast<double>() + step).cast<float>();
+}
+
 Expected<CaseSurfaces> readCaseSurfaces(const std::vector<fs::path>& from) {
     const auto files = surfaceFiles(from);
     if (!files) return Unexpected{files.error()};
     CaseSurfaces surfaces;
     std::map<std::string, Scan> byName;
+    std::optional<Vec3> common;  // all surfaces stay in one frame
     for (const fs::path& file : *files) {
-        auto mesh = loadMesh(file);
-        if (!mesh) return Unexpected{mesh.error()};
+        auto read = readMesh(file);
+        if (!read) return Unexpected{read.error()};
+        if (!common) common = read->offset;
+        moveBy(read->mesh, read->offset - *common);
         const NamedSurface named = surfaceNamed(file);
-        const bool isNew = named.isAround ? surfaces.around.emplace(named.body, std::move(*mesh)).second
-                                          : addSurface(byName[named.body], named.material, std::move(*mesh));
+        std::vector<Remark>& remarks = named.isAround ? surfaces.aroundRemarks[named.body] : byName[named.body].remarks;
+        remarks.insert(remarks.end(), read->remarks.begin(), read->remarks.end());
+        const bool isNew = named.isAround ? surfaces.around.emplace(named.body, std::move(read->mesh)).second
+                                          : addSurface(byName[named.body], named.material, std::move(read->mesh));
         if (!isNew) {
             return unexpected(shownName(file) + ": the case has this surface already; give each tooth its own name.");
         }

@@ -86,7 +86,7 @@ private:
 
     void addTooth(const ExaminedScan& tooth, const Pose& toothInCase) {
         CaseTooth entry;
-        entry.name = tooth.name;
+        entry.name = bodyNames_.make(tooth.name);
         entry.fdi = fdiNamed(tooth.name, request_.quadrant);
         const std::string folder = "teeth/" + teethNames_.make(tooth.name) + "/";
         entry.outer = folder + "outer.stl";
@@ -116,7 +116,8 @@ private:
         const std::vector<Remark> remarks = remarksOn(solid.report, name);
         const bool isMended = mended.report.changedAnything() || !remarks.empty();
         CaseSurrounding body;
-        body.name = name;
+        body.name = bodyNames_.make(name);
+        body.assumed = words(surfaces_.aroundRemarks[name]);
         body.surface = "around/" + aroundNames_.make(name) + ".stl";
         body.assumed.push_back(isMended ? "The surface was mended." : "Closed and sound as it came.");
         for (const std::string& sentence : words(remarks)) body.assumed.push_back(sentence);
@@ -166,6 +167,7 @@ private:
     std::optional<JawFrame> jaw_;  // of several teeth
     double mmPerUnit_ = 1;         // of the teeth
     EntryNames teethNames_, aroundNames_;
+    BodyNames bodyNames_;
     MadeCase made_;
 };
 

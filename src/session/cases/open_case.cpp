@@ -9,6 +9,7 @@
 #include "geometry/byte_text.h"
 #include "geometry/mesh_bytes.h"
 #include "instruments/builtin_tooth.h"
+#include "session/cases/unicode_text.h"
 #include "session/material_file.h"
 
 namespace tactooth {
@@ -93,7 +94,8 @@ Expected<const CaseTooth*> findTooth(const CaseDescription& description, const s
     if (wanted.empty()) return &description.teeth.front();
     std::string names;
     for (const CaseTooth& tooth : description.teeth) {
-        if (tooth.name == wanted || (tooth.fdi != 0 && std::to_string(tooth.fdi) == wanted)) return &tooth;
+        if (composed(tooth.name) == composed(wanted) || (tooth.fdi != 0 && std::to_string(tooth.fdi) == wanted))
+            return &tooth;
         names.append(names.empty() ? "" : ", ").append(tooth.name);
     }
     return unexpected(where + ": there is no tooth '" + wanted + "' in this case; it has " + names + ".");

@@ -61,7 +61,7 @@ std::string ownBurText(const OwnBur& bur, const std::string& surface) {
            "\ngrit_um = " + rounded(bur.gritMicrometres, 1) + "\nsharpness = " + rounded(bur.sharpness, 3) + "\n";
 }
 
-Expected<OwnBur> readOwnBur(const fs::path& path) {
+Expected<OwnBur> readOwnBur(const fs::path& path, std::vector<Remark>* remarks) {
     const ReadBeside readBeside = [&](const std::string& entry) -> Expected<std::vector<std::byte>> {
         const auto bytes = readFile(path.parent_path() / entry);
         if (!bytes) return Unexpected{bytes.error()};
@@ -72,7 +72,7 @@ Expected<OwnBur> readOwnBur(const fs::path& path) {
     description.replace_extension(".toml");
     std::error_code unreadable;  // readFile says what is wrong with the path
     if (!isDescription && !fs::exists(description, unreadable)) {
-        auto mesh = loadMesh(path);
+        auto mesh = loadMesh(path, remarks);
         if (!mesh) return Unexpected{mesh.error()};
         OwnBur bur;
         bur.name = shownNameAlone(path);

@@ -6,8 +6,10 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "geometry/expected.h"
+#include "geometry/remark.h"
 #include "geometry/triangle_mesh.h"
 #include "instruments/bur_catalogue.h"
 
@@ -39,6 +41,6 @@ using ReadBeside = std::function<Expected<std::vector<std::byte>>(const std::str
 
 /// A bur from its surface (STL, OBJ, PLY) or its description. A surface takes the description of the same name beside
 /// it, "mine.toml" for "mine.stl", if there is one; without it is a sharp carbide bur.
-[[nodiscard]] Expected<OwnBur> readOwnBur(const std::filesystem::path& path);
+[[nodiscard]] Expected<OwnBur> readOwnBur(const std::filesystem::path& path, std::vector<Remark>* remarks = nullptr);
 
 }  // namespace tactooth

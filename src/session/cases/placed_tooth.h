@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/remark.h"
 #include "session/cases/own_bur.h"
 #include "session/tooth_file.h"
 
@@ -26,7 +27,7 @@ struct PlacedTooth {
     std::shared_ptr<const LayeredTooth> tooth;  ///< of a case: all of it, in the frame of the one that is worked on
     ToothPlace place;
     Provenance provenance = {};
-    std::vector<Remark> remarks = {};  ///< what was mended in surfaces that were read
+    std::vector<Remark> remarks = {};  ///< on the files that were read, and what was mended
 };
 
 /// A tooth from surfaces, or from a case if the source's outer surface names one (docs/cases.md); `workOn` is then the
@@ -38,7 +39,7 @@ struct PlacedWork {
     std::shared_ptr<WorkPiece> piece;
     ToothPlace place;
     Provenance provenance = {};
-    std::vector<Remark> remarks = {};  ///< what was mended in surfaces that were read
+    std::vector<Remark> remarks = {};  ///< on the files that were read, and what was mended
 };
 
 /// The same for the bench, and also a saved tooth; `voxel` and `usualVoxel` as for loadTooth.

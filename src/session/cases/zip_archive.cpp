@@ -46,6 +46,15 @@ Expected<void> checkClaims(const zip_stat_t& stat, const std::string& shown) {
     return {};
 }
 
+bool isLink(zip_t* archive, zip_uint64_t index) {
+    constexpr zip_uint32_t kKindOfFile = 0170000, kLink = 0120000;  // as Unix writes them, in the upper half
+    zip_uint8_t system = 0;
+    zip_uint32_t attributes = 0;
+    if (zip_file_get_external_attributes(archive, index, 0, &system, &attributes) != 0) return false;
+    const bool isUnix = system == ZIP_OPSYS_UNIX || system == ZIP_OPSYS_OS_X;
+    return isUnix && (attributes >> 16 & kKindOfFile) == kLink;
+}
+
 }  // namespace
 
 void ZipArchive::Close::operator()(zip* archive) const { zip_discard(archive); }
@@ -79,10 +88,10 @@ Expected<void> ZipArchive::list() {
             return unexpected(name_ + ": the archive's list is damaged.");
         }
         const std::string entry = stat.name;
-        if (!entry.empty() && entry.back() == '/') continue;  // a folder
+        if (!entry.empty() && (entry.back() == '/' || entry.back() == '\\')) continue;  // a folder
         if (auto claims = checkClaims(stat, name_ + ": " + shownName(entry)); !claims) return claims;
         all += stat.size;
-        entries_.push_back({entry, i, stat.size, stat.comp_size});
+        entries_.push_back({entry, i, stat.size, stat.comp_size, isLink(archive_.get(), i)});
     }
     if (all > kCaseLimits.allBytes) {
         return unexpected(name_ + ": the archive claims to hold " + std::to_string(all) + " bytes, more than the " +

@@ -20,6 +20,7 @@ struct ZipEntry {
     std::uint64_t index;
     std::uint64_t size;    ///< bytes, as the archive claims
     std::uint64_t packed;  ///< bytes in the archive
+    bool isLink = false;   ///< symbolic: its content is the name of another file
 };
 
 /// A zip archive in memory that nobody vouches for (libzip). Only stored and deflated entries without a password are

@@ -52,5 +52,24 @@ TEST(EntryNames, OfALongNameAreShort) {
     EXPECT_EQ(names.make(std::string(201, 'a')), std::string(80, 'a') + "-2");
 }
 
+TEST(BodyNames, AreTextThatACaseTakes) {
+    BodyNames names;
+    EXPECT_EQ(names.make("L6"), "L6");
+    EXPECT_EQ(names.make("L6"), "L6-2");
+    EXPECT_EQ(names.make("a/b\\c\nd"), "a-b-c-d");
+    EXPECT_EQ(names.make("a\xCC\x88"), "\xC3\xA4");
+    EXPECT_EQ(names.make("Z\xE4hne"), "Z\xEF\xBF\xBDhne");
+    EXPECT_EQ(names.make("Z\xE5hne"), "Z\xEF\xBF\xBDhne-2");  // another file
+}
+
+TEST(BodyNames, AreCutBetweenLetters) {
+    BodyNames names;
+    std::string teeth;
+    for (int i = 0; i < 40; ++i) teeth += "\xE6\xAD\xAF";
+    EXPECT_EQ(names.make(teeth), teeth.substr(0, 54));
+    EXPECT_EQ(names.make(teeth), teeth.substr(0, 54) + "-2");
+    EXPECT_LE(names.make(std::string(300, 'x')).size(), 60u);
+}
+
 }  // namespace
 }  // namespace tactooth

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <random>
 
@@ -41,18 +42,6 @@ std::vector<std::byte> archiveClaiming(std::uint32_t claimed, std::size_t real) 
         bytes.replace(at, 4, word(claimed));
     }
     return bytesOf(bytes);
-}
-
-TEST(CaseStore, SafeEntriesStayInside) {
-    for (const char* const path : {"case.toml", "teeth/36/outer.stl", "a b.stl", "\xe6\xad\xaf.stl", "a..b"}) {
-        EXPECT_TRUE(isSafeEntry(path)) << path;
-    }
-    for (const char* const path :
-         {"", "/etc/passwd", "../x", "a/../../x", "a//b", "a/", "./a", "a/.", "C:/x", "a\\b", "a\nb", "..", "a/.."}) {
-        EXPECT_FALSE(isSafeEntry(path)) << path;
-    }
-    EXPECT_FALSE(isSafeEntry(std::string(500, 'a')));
-    EXPECT_FALSE(isSafeEntry(std::string_view("a\0b", 3)));
 }
 
 TEST(CaseStore, FolderAndArchiveHoldTheSame) {

@@ -72,5 +72,46 @@ TEST_F(CaseSurfaceFiles, AnUnusableOneIsNamed) {
     EXPECT_THAT(refusal({folder_ / "bad.stl"}), HasSubstr("bad.stl"));
 }
 
+TEST_F(CaseSurfaceFiles, HiddenAndForeignFilesArePassedOver) {
+    put("36.stl");
+    for (const char* const name : {"._36.stl", ".DS_Store", "Thumbs.db", "desktop.ini", ".Trash/37.stl",
+                                   "__MACOSX/._36.stl", "__MACOSX/37.stl", ".hidden.obj"}) {
+        fs::create_directories((folder_ / name).parent_path());
+        std::ofstream(folder_ / name) << "no surface";
+    }
+    const auto surfaces = readCaseSurfaces({folder_.path()});
+    ASSERT_TRUE(surfaces) << surfaces.error().message;
+    EXPECT_THAT(surfaces->files, ElementsAre("36.stl"));
+}
+
+TEST_F(CaseSurfaceFiles, AFolderThatIsNamedMayBeHiddenItself) {
+    put(".scans/36.stl");
+    EXPECT_TRUE(readCaseSurfaces({folder_ / ".scans"}));
+}
+
+TEST_F(CaseSurfaceFiles, HandOnWhatReadingThemSays) {
+    std::ofstream(folder_ / "36.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nwhat\n";
+    std::ofstream(folder_ / "jaw.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nwhat\n";
+    const auto surfaces = readCaseSurfaces({folder_.path()});
+    ASSERT_TRUE(surfaces) << surfaces.error().message;
+    ASSERT_EQ(surfaces->teeth[0].remarks.size(), 1u);
+    EXPECT_EQ(surfaces->teeth[0].remarks[0].topic, RemarkTopic::File);
+    EXPECT_THAT(inWords(surfaces->teeth[0].remarks[0]), testing::StartsWith("36.obj: line 5 was not understood"));
+    EXPECT_EQ(surfaces->aroundRemarks.at("jaw").size(), 1u);
+}
+
+TEST_F(CaseSurfaceFiles, FarFromZeroStayInOneFrame) {
+    const auto write = [&](const char* name, int x) {
+        std::ofstream(folder_ / name) << "v " << x << ".001 0 0\nv " << x + 9 << ".001 0 0\nv " << x
+                                      << ".001 20 0\nf 1 2 3\n";
+    };
+    write("36.obj", 1000000);
+    write("37.obj", 1000010);
+    const auto surfaces = readCaseSurfaces({folder_.path()});
+    ASSERT_TRUE(surfaces) << surfaces.error().message;
+    const Vec3f apart = surfaces->teeth[1].outer.vertices[0] - surfaces->teeth[0].outer.vertices[0];
+    EXPECT_NEAR(apart.x(), 10, 1e-5);
+}
+
 }  // namespace
 }  // namespace tactooth

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tooth/exact_sign.h"
+#include "geometry/exact_sign.h"
 
 #include <array>
 #include <cmath>

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "session/cases/entry_name.h"
+
+#include <algorithm>
+#include <array>
+
+#include "geometry/small_letters.h"
+#include "session/cases/unicode_text.h"
+
+namespace tactooth {
+namespace {
+
+constexpr std::size_t kLongest = 1000;  // bytes: systems take paths of 4096, the folder's own before it
+
+bool isControl(char letter) { return static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f; }
+
+bool isLetter(char letter) { return (letter >= 'A' && letter <= 'Z') || (letter >= 'a' && letter <= 'z'); }
+
+bool isAbsolute(std::string_view path) {
+    const bool hasDrive =
+        path.size() >= 2 && isLetter(path[0]) && path[1] == ':' && (path.size() == 2 || path[2] == '/');
+    return path.starts_with('/') || hasDrive;
+}
+
+/// Calls `take` with each part of a path, until it says stop; whether it never did.
+template <class Take>
+bool allParts(std::string_view path, Take take) {
+    for (std::size_t begin = 0; begin <= path.size();) {
+        const std::size_t end = std::min(path.find('/', begin), path.size());
+        if (!take(path.substr(begin, end - begin))) return false;
+        begin = end + 1;
+    }
+    return true;
+}
+
+}  // namespace
+
+EntryName entryName(std::string_view written) {
+    if (written.size() > kLongest) return {{}, EntryFault::TooLong};
+    std::string path(written);
+    std::ranges::replace(path, '\\', '/');
+    if (isAbsolute(path)) return {{}, EntryFault::PointsOut};
+    std::string name;
+    const bool staysInside = allParts(path, [&](std::string_view part) {
+        if (part == "..") return false;
+        if (!part.empty() && part != ".") name.append(name.empty() ? "" : "/").append(part);
+        return true;
+    });
+    if (!staysInside) return {{}, EntryFault::PointsOut};
+    if (std::ranges::any_of(name, isControl)) return {{}, EntryFault::ControlCharacter};
+    if (name.empty() || path.back() == '/') return {{}, EntryFault::NoFile};
+    return {composed(name), EntryFault::None};
+}
+
+bool isSafeEntry(std::string_view path) { return entryName(path).fault == EntryFault::None; }
+
+std::string inWords(EntryFault fault, const std::string& name) {
+    switch (fault) {
+        case EntryFault::PointsOut:
+            return name + " points out of the case; give a path inside its folder, with '/' and without '..'";
+        case EntryFault::ControlCharacter:
+            return name + " has control characters in its name; give the file another one";
+        case EntryFault::TooLong:
+            return name + " is longer than 1000 bytes; give the file a shorter name";
+        case EntryFault::NoFile:
+            return name + " names no file; give a path inside the case's folder";
+        case EntryFault::None:
+            break;
+    }
+    return {};
+}
+
+bool isForeignFile(std::string_view name) {
+    static constexpr std::array<std::string_view, 4> kForeign = {"__macosx", "thumbs.db", "ehthumbs.db", "desktop.ini"};
+    if (name.starts_with('.') && name != "." && name != "..") return true;
+    return name == "Icon\r" || std::ranges::find(kForeign, inSmallLetters(std::string(name))) != kForeign.end();
+}
+
+bool isForeignEntry(std::string_view path) {
+    return !allParts(path, [](std::string_view part) { return !isForeignFile(part); });
+}
+
+}  // namespace tactooth
