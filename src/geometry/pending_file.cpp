@@ -64,6 +64,8 @@ Expected<std::unique_ptr<PendingFile>> PendingFile::open(const fs::path& path) {
     }
     fs::path target = linksFollowed(path);
     if (!target.has_filename()) return cannotWrite(path, ENOENT);
+    struct stat unused {};  // a name that cannot be is told now and not after the work
+    if (::stat(target.c_str(), &unused) != 0 && errno != ENOENT) return cannotWrite(path, errno);
     const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
     TemporaryFile file;
     if (const int failure = openTemporary(folder, file); failure != 0) return cannotWrite(path, failure);

@@ -150,6 +150,21 @@ TEST(AtomicFile, AFileOfTheNameOfAnOldTemporaryOneIsNoObstacle) {
     EXPECT_TRUE(writeFile(folder / "out.txt", std::string_view("new")));
 }
 
+TEST(AtomicFile, RefusesANameThatCannotBeBeforeAnythingIsWritten) {
+    const test::TemporaryFolder folder;
+    std::ofstream(folder / "file") << "x";
+    std::filesystem::create_symlink("round", folder / "round");
+    const std::vector<std::pair<std::string, std::string>> wrong = {
+        {std::string(300, 'a'), "File name too long"}, {"file/below", "its folder does not exist"},
+        {"none/below", "its folder does not exist"},   {"round", "Too many levels of symbolic links"},
+        {"none/", "its folder does not exist"},        {"..", "this is a folder"}};
+    for (const auto& [name, sentence] : wrong) {
+        const auto file = AtomicFile::create(folder / name);
+        ASSERT_FALSE(file) << name;
+        EXPECT_THAT(file.error().message, ::testing::HasSubstr(sentence)) << name;
+    }
+}
+
 TEST(AtomicFile, RefusesAFolderAndADevice) {
     const test::TemporaryFolder folder;
     EXPECT_THAT(AtomicFile::create(folder.path()).error().message, ::testing::HasSubstr("this is a folder"));

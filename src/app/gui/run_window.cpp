@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/run_window.h"
 
+#include <unistd.h>
+
 #include <QApplication>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QSurfaceFormat>
+#include <cstdlib>
+#include <utility>
 
 #include "app/cli/exit_code.h"
 #include "app/common/display_check.h"
@@ -16,6 +20,7 @@
 #include "app/gui/window_holder.h"
 #include "app/gui/window_setup.h"
 #include "geometry/file_bytes.h"
+#include "geometry/unfinished_names.h"
 #include "haptics/real_time.h"
 #include "session/exercise_file.h"
 #include "sound/openal_output.h"
@@ -80,6 +85,23 @@ void closeAll() {
     QCoreApplication::exit(kExitOk);
 }
 
+WindowHolder* shownWindow = nullptr;  // while the event loop runs
+
+/// Where the display goes, its library ends the program (exit) in the midst of Qt. No part of the window can be touched
+/// then, nor destroyed, but the hand is still let go. The settings were kept as they changed.
+void letGoWithoutDisplay() {
+    if (shownWindow == nullptr) return;
+    constexpr unsigned kPatience = 5;  // s
+    ::alarm(kPatience);
+    Workbench& bench = std::exchange(shownWindow, nullptr)->window().bench();
+    bench.stop();
+    bench.useMouse();
+    bench.putSecond(nullptr);
+    removeAllUnfinished(kPatience);
+    (void)refuse({"the display is gone; the hand was let go, and the settings are kept."});
+    ::_exit(kExitBadInput);
+}
+
 }  // namespace
 
 int runWindow(const WindowOptions& options) {
@@ -142,7 +164,10 @@ int runWindow(const WindowOptions& options) {
     if (!forgotten.empty()) window.complain(Error{forgotten});
     if (isFirstTime && !tooth && !options.mouth) window.welcome();
     SettingsKeeper keeper([&] { return holder.window().settings(); }, settingsFile);
+    std::atexit(letGoWithoutDisplay);
+    shownWindow = &holder;
     QApplication::exec();
+    shownWindow = nullptr;
     if (const auto written = writeWindowSettings(holder.window().settings(), settingsFile); !written) {
         (void)refuse(written.error());  // a word about it; the session itself went well
     }
