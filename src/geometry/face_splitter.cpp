@@ -42,9 +42,9 @@ public:
     }
 
     /// Whether the fan from the first corner covers the face: seen from there, the corners follow each other in one
-    /// half-plane. Each triangle clearly has an area.
+    /// half-plane. Each triangle clearly has an area: none is of corners that only rounding has put beside one line.
     [[nodiscard]] bool isFan(const Vec3& normal) const {
-        constexpr double kClear = 1e-12;
+        constexpr double kClear = 1e-5;  // a face of 10,000 corners around a circle still has its fan
         const double margin = kClear * normal.norm();
         const auto turnsLeft = [&](const Vec3& a, const Vec3& b) {
             return a.cross(b).dot(normal) > margin * (a.squaredNorm() + b.squaredNorm());

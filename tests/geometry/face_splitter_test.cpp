@@ -11,88 +11,13 @@
 #include <random>
 #include <string>
 
+#include "geometry/outlines.h"
 #include "geometry/vertex_welder.h"
 
 namespace tactooth {
 namespace {
 
-using Outline = std::vector<Eigen::Vector2d>;
-using Random = std::mt19937;
-
-double uniform(Random& random, double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random);
-}
-
-/// Corners around the middle, each as far from it as chance has it: simple, and hardly ever convex.
-Outline star(Random& random) {
-    Outline outline;
-    const int corners = std::uniform_int_distribution<int>(4, 40)(random);
-    for (int i = 0; i < corners; ++i) {
-        const double angle = 2 * std::numbers::pi * (i + uniform(random, 0.1, 0.9)) / corners;
-        outline.emplace_back(Eigen::Vector2d(std::cos(angle), std::sin(angle)) * uniform(random, 0.5, 6));
-    }
-    return outline;
-}
-
-/// Teeth on a bar, as in a letter E, with corners on the straight edges too.
-Outline comb(Random& random) {
-    const int teeth = std::uniform_int_distribution<int>(2, 9)(random);
-    Outline outline = {{0, 0}, {2.0 * teeth - 1, 0}};
-    for (int i = teeth - 1; i >= 0; --i) {
-        const double height = uniform(random, 2, 5);
-        outline.insert(outline.end(), {{2.0 * i + 1, height}, {2.0 * i + 0.5, height}, {2.0 * i, height}});
-        if (i > 0) outline.insert(outline.end(), {{2.0 * i, 1}, {2.0 * i - 0.5, 1}, {2.0 * i - 1, 1}});
-    }
-    return outline;
-}
-
-Outline spiral(Random& random) {
-    Outline inner, outer;
-    const int corners = std::uniform_int_distribution<int>(20, 60)(random);
-    for (int i = 0; i < corners; ++i) {
-        const double angle = 0.4 * i, radius = 1 + 0.3 * angle;
-        const Eigen::Vector2d way(std::cos(angle), std::sin(angle));
-        inner.emplace_back(way * radius);
-        outer.emplace_back(way * (radius + 0.8));
-    }
-    outer.insert(outer.end(), inner.rbegin(), inner.rend());
-    return outer;
-}
-
-/// A square with square holes in a row, each reached over a bridge of two edges on each other.
-Outline keyholes(Random& random) {
-    const int holes = std::uniform_int_distribution<int>(1, 4)(random);
-    Outline outline = {{0, 0}};
-    for (int i = 0; i < holes; ++i) {
-        const double x = 3.0 * i + uniform(random, 0.5, 1.5);
-        const Outline hole = {{x, 1}, {x, 2}, {x + 1, 2}, {x + 1, 1}, {x, 1}};
-        outline.emplace_back(x, 0);
-        outline.insert(outline.end(), hole.begin(), hole.end());
-        outline.emplace_back(x, 0);
-    }
-    outline.insert(outline.end(), {{3.0 * holes, 0}, {3.0 * holes, 3}, {0, 3}});
-    return outline;
-}
-
-/// Every edge has more corners on it, and some corners are doubled.
-Outline dividedStar(Random& random) {
-    const Outline corners = star(random);
-    Outline outline;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Eigen::Vector2d& next = corners[(i + 1) % corners.size()];
-        outline.push_back(corners[i]);
-        if (uniform(random, 0, 1) < 0.3) outline.push_back(corners[i]);
-        for (const double share : {0.25, 0.5}) outline.emplace_back(corners[i] + share * (next - corners[i]));
-    }
-    return outline;
-}
-
-struct Shape {
-    const char* name;
-    Outline (*make)(Random&);
-};
-const Shape kShapes[] = {
-    {"star", star}, {"comb", comb}, {"spiral", spiral}, {"keyholes", keyholes}, {"divided star", dividedStar}};
+using namespace test;
 
 double areaOf(const Outline& outline) {
     double area = 0;
@@ -264,6 +189,21 @@ TEST(FaceSplitter, AnArrowHeadIsSplitByTheDiagonalThatLiesInIt) {
         const Face face = faceOf(turned, Quat::Identity(), Vec3::Zero(), 0);
         for (const Triangle& triangle : splitPlain(turned)) area += areaOf(face, {triangle});
         EXPECT_DOUBLE_EQ(area, 2) << first;
+    }
+}
+
+TEST(FaceSplitter, CornersThatRoundingPutBesideALineMakeNoFlatTriangle) {
+    // Tenths, which no float is: the last three lie on one line as written, and not as rounded.
+    for (const Outline& tenths : {Outline{{2, 4}, {1, 4}, {1, 3}, {2, 2}, {4, 2}, {3, 3}},
+                                  Outline{{3, 7}, {0, 8}, {2, 1}, {6, 0}, {7, 3}, {4, 6}},
+                                  Outline{{0, 4}, {2, 2}, {3, 1}, {1, 2}, {2, 1}, {5, 0}}}) {
+        for (std::size_t first = 0; first < tenths.size(); ++first) {
+            Outline outline = tenths;
+            std::ranges::rotate(outline, outline.begin() + static_cast<std::ptrdiff_t>(first));
+            for (Eigen::Vector2d& corner : outline) corner *= 0.1;
+            const Face face = faceOf(outline, Quat::Identity(), Vec3::Zero(), 0);
+            for (const Triangle& triangle : splitPlain(outline)) EXPECT_GT(areaOf(face, {triangle}), 1e-4) << first;
+        }
     }
 }
 

@@ -31,11 +31,13 @@ bool isBefore(const StoredFile& a, const StoredFile& b) {
     return a.name < b.name || (a.name == b.name && a.place < b.place);
 }
 
-/// Files of a folder and of all below it; links are followed only where they stay inside.
+/// Files of a folder and of all below it, but for hidden folders (one of a version control may hold thousands); links
+/// are followed only where they stay inside.
 Expected<std::vector<StoredFile>> filesBelow(const fs::path& folder) {
     std::vector<StoredFile> files;
     std::error_code error;
     for (fs::recursive_directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+        if (isForeignFile(at->path().filename().string())) at.disable_recursion_pending();
         if (!at->is_regular_file(error)) continue;
         const std::string place = at->path().lexically_relative(folder).generic_string();
         const EntryName entry = entryName(place);

@@ -147,8 +147,12 @@ TEST(CaseOfOthers, OfTwoNamesInAFolderTheOneThatIsWrittenSoIsRead) {
 
 TEST(CaseOfOthers, ForeignFilesAreNoPartOfACase) {
     const test::TemporaryFolder folder;
-    for (const char* const name : {"case.toml", "36.stl", "._36.stl", ".DS_Store", "Thumbs.db", "desktop.ini", ".git"})
+    for (const char* const name :
+         {"case.toml", "36.stl", "._36.stl", ".DS_Store", "Thumbs.db", "desktop.ini", ".gitignore"})
         std::ofstream(folder / name) << "x";
+    fs::create_directories(folder / ".history");
+    for (std::size_t i = 0; i <= kCaseLimits.entries; ++i)
+        std::ofstream(folder / (".history/" + std::to_string(i))) << "x";
     const auto store = CaseStore::open(folder.path());
     ASSERT_TRUE(store);
     EXPECT_EQ(store->entries(), (std::vector<std::string>{"36.stl", "case.toml"}));
