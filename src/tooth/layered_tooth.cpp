@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "collision/closest_point.h"
+#include "geometry/mesh_reach.h"
 #include "geometry/parallel_for.h"
 
 namespace tactooth {
@@ -62,6 +63,7 @@ std::size_t unpairedEdges(const TriangleMesh& mesh) {
 
 Expected<void> checkClosed(const TriangleMesh& mesh, const std::string& what) {
     if (mesh.empty()) return unexpected("the surface of " + what + " holds no triangle: give a closed STL surface");
+    if (auto reach = checkReach(mesh, "the surface of " + what); !reach) return reach;
     if (const std::size_t open = unpairedEdges(mesh); open > 0) {
         return unexpected("the surface of " + what + " is open (" + std::to_string(open) +
                           " edges without a neighbour), so it has no inside to cut: close its holes first");
