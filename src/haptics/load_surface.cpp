@@ -8,12 +8,25 @@
 #include "collision/solid.h"
 #include "geometry/file_bytes.h"
 #include "geometry/mesh_file.h"
+#include "geometry/mesh_reach.h"
 
 namespace tactooth {
+
+namespace {
+
+/// Whether it can be felt.
+Expected<void> checkNear(const TriangleMesh& mesh, const std::filesystem::path& path) {
+    const auto reach = checkReach(mesh, "the surface");
+    if (reach) return {};
+    return unexpected(shownName(path) + ": " + reach.error().message + ".");
+}
+
+}  // namespace
 
 Expected<std::shared_ptr<const Surface>> loadSurface(const std::filesystem::path& path, std::vector<Remark>* remarks) {
     Expected<TriangleMesh> mesh = loadMesh(path, remarks);
     if (!mesh) return Unexpected{mesh.error()};
+    if (auto near = checkNear(*mesh, path); !near) return Unexpected{near.error()};
     ExaminedSolid examined = examineSolid(std::move(*mesh));
     const SolidFlaw flaw = examined.report.flaw;
     // What is open can still be felt.
@@ -32,6 +45,7 @@ Expected<std::shared_ptr<const Surface>> loadSurface(const std::filesystem::path
 Expected<std::shared_ptr<const ToolShape>> loadTool(const std::filesystem::path& path, std::vector<Remark>* remarks) {
     Expected<TriangleMesh> mesh = loadMesh(path, remarks);
     if (!mesh) return Unexpected{mesh.error()};
+    if (auto near = checkNear(*mesh, path); !near) return Unexpected{near.error()};
     return std::shared_ptr<const ToolShape>(std::make_shared<const ToolShape>(std::move(*mesh)));
 }
 

@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <limits>
 
+#include "session/finite_tick.h"
 #include "support/shapes.h"
 
 namespace tactooth {
@@ -56,21 +58,29 @@ TEST(FeelRun, AnEmptyTrajectoryIsNoTick) {
     EXPECT_TRUE(feelAlong({}, simulation, [](double, const Tick&) { FAIL(); }));
 }
 
-TEST(FeelRun, ATickThatIsNotFiniteEndsTheRunWithASentence) {
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    const std::vector<Vec3> bad = {Vec3(std::nan(""), 0, 0), Vec3(0, kInfinity, 0), Vec3(0, 0, -kInfinity),
-                                   Vec3::Constant(std::nan("")), Vec3(1e300, 1e300, 1e300)};
-    for (const Vec3& place : bad) {
-        HapticSimulation simulation = simulationOnABlock();
-        std::vector<TimedPose> trajectory(3, {0, {Vec3(0, 0, 1), Quat::Identity()}});
-        trajectory[1] = {0.25, {place, Quat::Identity()}};
-        trajectory[2].time = 0.5;
-        std::size_t visits = 0;
-        const auto done = feelAlong(trajectory, simulation, [&](double, const Tick&) { ++visits; });
-        ASSERT_FALSE(done) << place.transpose();
-        EXPECT_EQ(visits, 1U);
-        EXPECT_TRUE(done.error().message.starts_with("at t = 0.25 s the ")) << done.error().message;
-        EXPECT_TRUE(done.error().message.ends_with(").")) << done.error().message;
+TEST(FeelRun, WhatIsNotFiniteInATickIsNamedWithItsTime) {
+    for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity(), -1e308 * 10}) {
+        const std::vector<std::pair<const char*, std::function<void(Tick&)>>> faults = {
+            {"force", [&](Tick& tick) { tick.wrench.force.y() = bad; }},
+            {"torque", [&](Tick& tick) { tick.wrench.torque.z() = bad; }},
+            {"depth", [&](Tick& tick) { tick.depth = bad; }},
+            {"normal", [&](Tick& tick) { tick.normal.x() = bad; }},
+            {"proxy", [&](Tick& tick) { tick.proxy.position.x() = bad; }},
+            {"proxy", [&](Tick& tick) { tick.proxy.rotation.w() = bad; }},
+            {"hand", [&](Tick& tick) { tick.hand.position.z() = bad; }},
+            {"speed", [&](Tick& tick) { tick.speed = bad; }},
+            {"speed of the bur", [&](Tick& tick) { tick.speedRpm = bad; }},
+            {"work of the bur", [&](Tick& tick) { tick.cutWork = bad; }}};
+        for (const auto& [what, spoil] : faults) {
+            Tick tick;
+            EXPECT_TRUE(checkFinite(0.25, tick));
+            spoil(tick);
+            const auto finite = checkFinite(0.25, tick);
+            ASSERT_FALSE(finite) << what;
+            EXPECT_TRUE(finite.error().message.starts_with("at t = 0.25 s the " + std::string(what) +
+                                                           " is not a finite number, so nothing is written; "))
+                << finite.error().message;
+        }
     }
 }
 

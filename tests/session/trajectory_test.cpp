@@ -40,8 +40,9 @@ TEST(Trajectory, AQuaternionOfFewDigitsIsMadeUnit) {
 }
 
 TEST(Trajectory, RefusesAQuaternionThatIsNotUnit) {
-    EXPECT_THAT(refusal("t,x,y,z,qw,qx,qy,qz\n0,0,0,0,1,0,0,0\n1,0,0,0,0,0,0,0\n"),
-                HasSubstr("path.csv, line 3: the quaternion qw,qx,qy,qz must have length 1, but its length is 0.0"));
+    EXPECT_THAT(
+        refusal("t,x,y,z,qw,qx,qy,qz\n0,0,0,0,1,0,0,0\n1,0,0,0,0,0,0,0\n"),
+        HasSubstr("path.csv, line 3: the quaternion qw,qx,qy,qz must have length 1, but its length is 0; write"));
     EXPECT_THAT(refusal("t,x,y,z,qw,qx,qy,qz\n0,0,0,0,1e200,0,1e200,0\n"), HasSubstr("line 2: the quaternion"));
 }
 

@@ -19,6 +19,12 @@ constexpr const char* kErrors[] = {
     QT_TRANSLATE_NOOP("Error", "%1: the file (%2 bytes) does not fit into memory."),
     QT_TRANSLATE_NOOP(
         "Error",
+        "%1 reaches %2 mm from its origin, farther than anything can be felt or cut (1 km): look for a stray "
+        "corner, or check the unit"),
+    QT_TRANSLATE_NOOP("Error", "the surface"),
+    QT_TRANSLATE_NOOP("Error", "the surface of %1"),
+    QT_TRANSLATE_NOOP(
+        "Error",
         "%1: the file holds %2 bytes, and at most %3 are read of such a file; choose another or a smaller one."),
     QT_TRANSLATE_NOOP("Error",
                       "row %1 of the table has a number that is not finite, so nothing is written; check size and unit "

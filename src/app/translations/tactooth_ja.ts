@@ -343,6 +343,18 @@
         <translation>%1：ファイル（%2 バイト）がメモリーに収まりません。</translation>
     </message>
     <message>
+        <source>%1 reaches %2 mm from its origin, farther than anything can be felt or cut (1 km): look for a stray corner, or check the unit</source>
+        <translation>%1が原点から %2 mm 離れています。触れたり削ったりできる範囲（1 km）を超えています。はぐれた頂点がないか、単位が正しいかを確かめてください</translation>
+    </message>
+    <message>
+        <source>the surface of %1</source>
+        <translation>%1の表面</translation>
+    </message>
+    <message>
+        <source>the surface</source>
+        <translation>表面</translation>
+    </message>
+    <message>
         <source>%1: the file holds %2 bytes, and at most %3 are read of such a file; choose another or a smaller one.</source>
         <translation>%1：ファイルは %2 バイトありますが、この種のファイルは %3 バイトまでしか読み込めません。別のファイルか、小さいファイルを選んでください。</translation>
     </message>
