@@ -119,6 +119,13 @@ void HaplySessionTest::eachFaultMidPressIsSaidAndKeepsTheSession_data() {
     QTest::newRow("other units") << HaplyFault::Units << "not in metres" << true;
     QTest::newRow("unplugged") << HaplyFault::Gone << "is gone" << true;
     QTest::newRow("jump of 50 mm") << HaplyFault::Jump << "has jumped" << false;
+    QTest::newRow("two answers a message") << HaplyFault::Double << "sends more answers" << true;
+    QTest::newRow("twenty answers a message") << HaplyFault::Twenty << "sends more answers" << true;
+    QTest::newRow("20,000 answers a second") << HaplyFault::Flood << "sends more answers" << true;
+    QTest::newRow("four numbers that are no turn") << HaplyFault::BrokenTurn << "a direction that is none" << false;
+    QTest::newRow("turned to and fro") << HaplyFault::FlippingTurn << "direction has jumped" << false;
+    QTest::newRow("jitter of 4.9 mm") << HaplyFault::Jitter << "place has jumped" << false;
+    QTest::newRow("drift of 3 m/s") << HaplyFault::Drift << "place has jumped" << false;
     QTest::newRow("place is no number") << HaplyFault::NoNumber << "does not know where it is" << false;
     QTest::newRow("no power") << HaplyFault::NoPower << "plug in its power supply" << false;
     QTest::newRow("calibration lost") << HaplyFault::NotCalibrated << "is not calibrated" << false;
