@@ -28,12 +28,10 @@ double signedVolume(const TriangleMesh& mesh) {
 
 Expected<void> checkClosed(const TriangleMesh& mesh, const std::string& what) {
     if (mesh.empty()) return unexpected("the surface of " + what + " holds no triangle: give a closed STL surface");
+    if (auto reach = checkReach(mesh, "the surface of " + what); !reach) return reach;
     if (const EdgeBalance edges = edgeBalance(mesh); !edges.closed()) {
         return unexpected("the surface of " + what + " is open (" + std::to_string(edges.odd + edges.against) +
-    if (auto reach = checkReach(mesh, "the surface of " + what); !reach) return reach;
-    if (const std::size_t open = unpairedEdges(mesh); open > 0) {
-            return unexpected("the surface of " + what + " is open (" + std::to_string(open) +
-                              " edges without a neighbour), so it has no inside to cut: close its holes first");
+                          " edges without a neighbour), so it has no inside to cut: close its holes first");
     }
     if (!(signedVolume(mesh) > 0)) {
             return unexpected("the surface of " + what +
