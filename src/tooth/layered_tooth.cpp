@@ -34,48 +34,48 @@ Expected<void> checkClosed(const TriangleMesh& mesh, const std::string& what) {
                           " edges without a neighbour), so it has no inside to cut: close its holes first");
     }
     if (!(signedVolume(mesh) > 0)) {
-            return unexpected("the surface of " + what +
-                              " is inside out (its normals point inward): reverse the order of its triangles' corners");
+        return unexpected("the surface of " + what +
+                          " is inside out (its normals point inward): reverse the order of its triangles' corners");
     }
     return {};
-    }
+}
 
-    std::string outsideSentence(const std::string& what) {
-        return what + " lies outside the tooth: give all layers in the frame of the outer surface";
-    }
+std::string outsideSentence(const std::string& what) {
+    return what + " lies outside the tooth: give all layers in the frame of the outer surface";
+}
 
-    Expected<void> checkLayers(const TriangleMesh& outer, const std::vector<LayerMesh>& layers) {
-        const Box3 toothBox = boundingBox(outer);
-        for (std::size_t i = 0; i < layers.size(); ++i) {
-            const std::string what = "layer '" + layers[i].name + "'";
-            for (std::size_t j = 0; j < i; ++j) {
-                if (layers[j].name == layers[i].name) {
-                    return unexpected(what + " is given twice: give each layer of a tooth its own name");
-                }
-            }
-            if (auto closed = checkClosed(layers[i].mesh, what); !closed) return unexpected(closed.error().message);
-            if (!toothBox.intersects(boundingBox(layers[i].mesh))) {
-                return unexpected(outsideSentence(what));
+Expected<void> checkLayers(const TriangleMesh& outer, const std::vector<LayerMesh>& layers) {
+    const Box3 toothBox = boundingBox(outer);
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        const std::string what = "layer '" + layers[i].name + "'";
+        for (std::size_t j = 0; j < i; ++j) {
+            if (layers[j].name == layers[i].name) {
+                return unexpected(what + " is given twice: give each layer of a tooth its own name");
             }
         }
-        return {};
-    }
-
-    /// Whether some vertices of `mesh` lie within `body` or on its surface.
-    bool reachesInto(const SurfacePart& body, const TriangleMesh& mesh) {
-        constexpr std::size_t kLooks = 200;
-        const std::size_t stride = std::max<std::size_t>(1, mesh.vertices.size() / kLooks);
-        for (std::size_t v = 0; v < mesh.vertices.size(); v += stride) {
-            const Vec3 point = mesh.vertices[v].cast<double>();
-            if (closestPoint(body, point, kBehindSurface) || contains(body, point)) return true;
+        if (auto closed = checkClosed(layers[i].mesh, what); !closed) return unexpected(closed.error().message);
+        if (!toothBox.intersects(boundingBox(layers[i].mesh))) {
+            return unexpected(outsideSentence(what));
         }
-        return false;
     }
+    return {};
+}
 
-    /// Two bodies whose boxes meet may still be apart: a layer of the tooth beside this one.
-    bool areApart(const SurfacePart& a, const SurfacePart& b) {
-        return !reachesInto(a, b.mesh()) && !reachesInto(b, a.mesh());
+/// Whether some vertices of `mesh` lie within `body` or on its surface.
+bool reachesInto(const SurfacePart& body, const TriangleMesh& mesh) {
+    constexpr std::size_t kLooks = 200;
+    const std::size_t stride = std::max<std::size_t>(1, mesh.vertices.size() / kLooks);
+    for (std::size_t v = 0; v < mesh.vertices.size(); v += stride) {
+        const Vec3 point = mesh.vertices[v].cast<double>();
+        if (closestPoint(body, point, kBehindSurface) || contains(body, point)) return true;
     }
+    return false;
+}
+
+/// Two bodies whose boxes meet may still be apart: a layer of the tooth beside this one.
+bool areApart(const SurfacePart& a, const SurfacePart& b) {
+    return !reachesInto(a, b.mesh()) && !reachesInto(b, a.mesh());
+}
 
 }  // namespace
 
