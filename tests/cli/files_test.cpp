@@ -78,7 +78,7 @@ TEST_F(Files, OtherCommandsSayItOnceOnStderr) {
     for (const std::vector<std::string>& arguments :
          {std::vector<std::string>{"contact", "--tooth", tooth, "--tool", ball(), "--poses", poses, "--out", out()},
           {"feel", "--tooth", tooth, "--tool", ball(), "--trajectory", poses, "--out", out()},
-          {"subdivide", "--in", tooth, "--out", out() + ".stl"}}) {
+          {"subdivide", tooth, "--out", out() + ".stl"}}) {
         const ProgramRun run = runTactooth(arguments);
         EXPECT_EQ(run.exitCode, 0) << run.err;
         EXPECT_THAT(run.err, HasSubstr(wanted)) << arguments.front();
@@ -102,8 +102,10 @@ TEST_F(Files, AFarSurfaceIsReportedWhereItIsAndRefusedWhereItsPlaceCounts) {
 TEST_F(Files, NamesThatAreNoUtf8MakeACaseThatOpens) {
     const fs::path folder = fs::path(out()).parent_path() / "scan";
     fs::create_directories(folder);
+    double x = 0;
     for (const char* const name : {"Z\xE4hne", "Z\xE5hne", "\x8E\x95", "a\nb", "\xC3"}) {
-        ASSERT_TRUE(writeStl(box(Vec3(-4, -4, -12), Vec3(4, 4, 8)), folder / (std::string(name) + ".stl"))) << name;
+        ASSERT_TRUE(writeStl(box(Vec3(x - 4, -4, -12), Vec3(x + 4, 4, 8)), folder / (std::string(name) + ".stl")));
+        x += 10;
     }
     for (const char* const to : {"case", "case.ttcase"}) {
         const fs::path made = folder.parent_path() / to;
