@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <random>
 
 #include "devices/device_presets.h"
 #include "devices/hands.h"
@@ -226,6 +227,33 @@ TEST(DeviceFaultsNone, WhileAPoseIsAtFaultNothingIsCut) {
     const double work = bench.last.cutWork;
     bench.run(1);
     EXPECT_NEAR(bench.last.cutWork, work, 1e-6);
+}
+
+/// A hand that dips into the block and out again, and whose device fails mid-press in some way or other for up to 90 ms
+/// now and then: less than it takes to believe a place that stays where it has jumped to.
+TEST(DeviceFaultsMixed, NoMixtureOfFaultsMakesAForceThatIsLateTooStrongOrNoNumber) {
+    std::mt19937 random(20261125);
+    Bench bench(*findDevicePreset("touch"), 1000);
+    long strong = 0;
+    int left = 0;
+    for (int tick = 0; tick < 200'000; ++tick) {
+        const double z = 0.4 - 1.2 * std::sin(0.004 * tick);
+        bench.device.hand.hand.position = Vec3(0.3 * std::sin(0.001 * tick), 0, z);
+        if (left == 0 && bench.last.contacts > 0 && random() % 400 == 0) {
+            bench.device.fault = kCases[random() % std::size(kCases)].fault;
+            bench.device.ticks = 0;
+            left = 1 + static_cast<int>(random() % 90);
+        }
+        bench.tick();
+        if (left > 0) {
+            ASSERT_TRUE(bench.device.ticks <= 2 || bench.device.force.isZero(0)) << tick;
+            if (--left == 0) bench.device.fault = nullptr;
+        }
+        strong += bench.device.force.norm() > 0.1;
+        ASSERT_TRUE(bench.finite) << tick;
+        ASSERT_LE(bench.device.force.norm(), 3.3 + 1e-12) << tick;
+    }
+    EXPECT_GT(strong, 20'000) << "the sample means something";
 }
 
 }  // namespace
