@@ -4,12 +4,17 @@
 // The whole program on a display, ended by signals; and how its settings outlive that.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
+#include <array>
 #include <csignal>
+#include <cstdlib>
 #include <fstream>
 #include <thread>
+#include <utility>
 
 #include "app/gui/settings_keeper.h"
 #include "cli/run_program.h"
@@ -59,6 +64,59 @@ TEST_P(WindowEndings, ASignalClosesTheWindowAsByHand) {
 }
 INSTANTIATE_TEST_SUITE_P(All, WindowEndings, ::testing::Values(SIGTERM, SIGINT, SIGHUP),
                          [](const auto& each) { return std::string(sigabbrev_np(each.param)); });
+
+/// A display of its own that can be taken away.
+class OwnDisplay {
+public:
+    OwnDisplay() {
+        int ends[2];
+        if (::pipe(ends) != 0) return;
+        process_ = ::fork();
+        if (process_ == 0) {
+            const std::string end = std::to_string(ends[1]);
+            ::close(ends[0]);
+            ::execlp("Xvfb", "Xvfb", "-displayfd", end.c_str(), "-screen", "0", "1000x800x24", nullptr);
+            ::_exit(1);
+        }
+        ::close(ends[1]);
+        std::array<char, 16> number{};
+        if (::read(ends[0], number.data(), number.size() - 1) > 0)
+            name_ = ":" + std::to_string(std::atoi(number.data()));
+        ::close(ends[0]);
+    }
+    ~OwnDisplay() { takeAway(); }
+    OwnDisplay(const OwnDisplay&) = delete;
+    OwnDisplay& operator=(const OwnDisplay&) = delete;
+
+    [[nodiscard]] const std::string& name() const { return name_; }
+    void takeAway() {
+        if (process_ <= 0) return;
+        ::kill(process_, SIGTERM);
+        ::waitpid(std::exchange(process_, 0), nullptr, 0);
+    }
+
+private:
+    pid_t process_ = 0;
+    std::string name_;
+};
+
+TEST(WindowWithoutDisplay, LetsTheHandGoAndSaysSo) {
+    std::string said;
+    for (double seconds = 1; seconds < kLongestStart && said.find("the hand was let go") == said.npos; seconds *= 2) {
+        const TemporaryFolder home;
+        OwnDisplay display;
+        ASSERT_NE(display.name(), "");
+        Environment environment = homeIn(home);
+        environment["DISPLAY"] = display.name();
+        RunningTactooth program({}, environment);
+        std::this_thread::sleep_for(std::chrono::duration<double>(seconds));  // until it is shown, at the latest try
+        display.takeAway();
+        const ProgramRun run = program.wait();
+        EXPECT_EQ(run.signal, 0) << "no crash, whenever it happens: " << run.err;
+        said = run.err;
+    }
+    EXPECT_THAT(said, HasSubstr("tactooth: the display is gone; the hand was let go, and the settings are kept.\n"));
+}
 
 TEST(WindowSettingsFile, OneThatIsNotTomlIsKeptBesideTheNewOne) {
     const TemporaryFolder home;

@@ -85,6 +85,13 @@ void closeAll() {
     QCoreApplication::exit(kExitOk);
 }
 
+/// Zero force, and the devices' ordinary farewell.
+void letGo(Workbench& bench) {
+    bench.stop();
+    bench.useMouse();
+    bench.putSecond(nullptr);
+}
+
 WindowHolder* shownWindow = nullptr;  // while the event loop runs
 
 /// Where the display goes, its library ends the program (exit) in the midst of Qt. No part of the window can be touched
@@ -93,10 +100,7 @@ void letGoWithoutDisplay() {
     if (shownWindow == nullptr) return;
     constexpr unsigned kPatience = 5;  // s
     ::alarm(kPatience);
-    Workbench& bench = std::exchange(shownWindow, nullptr)->window().bench();
-    bench.stop();
-    bench.useMouse();
-    bench.putSecond(nullptr);
+    letGo(std::exchange(shownWindow, nullptr)->window().bench());
     removeAllUnfinished(kPatience);
     (void)refuse({"the display is gone; the hand was let go, and the settings are kept."});
     ::_exit(kExitBadInput);
@@ -168,6 +172,7 @@ int runWindow(const WindowOptions& options) {
     shownWindow = &holder;
     QApplication::exec();
     shownWindow = nullptr;
+    letGo(holder.window().bench());  // first of all: what else ends with the window may take its time
     if (const auto written = writeWindowSettings(holder.window().settings(), settingsFile); !written) {
         (void)refuse(written.error());  // a word about it; the session itself went well
     }
