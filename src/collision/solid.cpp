@@ -145,7 +145,7 @@ std::string flawSentence(const SolidReport& report, const std::string& what) {
             return what + " holds no room: give a closed surface with triangles that have an area";
         case SolidFlaw::Open:
             return what + " is open (" + std::to_string(report.openEdges) +
-                   " edges without a neighbour), so it has no inside to cut: close its holes first";
+                   " edges without a neighbour), so it has no inside: close its holes first";
         case SolidFlaw::Twisted:
             return what + " is twisted: it has no outside; mend it in a mesh program";
         case SolidFlaw::Overlapping:

@@ -62,7 +62,7 @@ TEST_F(MeshCommands, SimplifyRefusesWhatIsNoShare) {
 
 TEST_F(MeshCommands, SimplifyRefusesAnOpenSurface) {
     expectRefused(runTactooth({"simplify", bowl(), "--keep", "50%", "--out", out()}),
-                  "bowl.stl: 1500 triangles, not closed");
+                  "bowl.stl: the surface is open (52 edges without a neighbour), so it has no inside");
 }
 
 TEST_F(MeshCommands, SubdivideOnceMakesFourOfOne) {

@@ -41,9 +41,9 @@ protected:
         return trajectory(rows);
     }
     ProgramRun cut(const std::vector<std::string>& more = {}) {
-        std::vector<std::string> arguments = {"cut",   "--tooth", file("tooth.stl"), "--tool", bur(),   "--trajectory",
-                                              bore(5), "--out",   file("cut.stl"),   "--feed", "rigid", "--voxel",
-                                              "0.05"};
+        std::vector<std::string> arguments = {
+            "cut",           "--tooth",     file("tooth.stl"), "--tool", bur(),   "--trajectory", bore(5), "--out",
+            file("cut.stl"), "--speed-rpm", "200000",          "--feed", "rigid", "--voxel",      "0.05"};
         arguments.insert(arguments.end(), more.begin(), more.end());
         return runTactooth(arguments);
     }
@@ -53,7 +53,8 @@ protected:
         const std::vector<std::vector<std::string>> commands = {
             {"contact", "--tooth", file("tooth.stl"), "--tool", bur(), "--poses", path, "--out", out()},
             {"feel", "--tooth", file("tooth.stl"), "--tool", bur(), "--trajectory", path, "--out", out()},
-            {"cut", "--tooth", file("tooth.stl"), "--tool", bur(), "--trajectory", path, "--out", out()},
+            {"cut", "--tooth", file("tooth.stl"), "--tool", bur(), "--trajectory", path, "--out", out(), "--speed-rpm",
+             "200000"},
             {"simplify", file("tooth.stl"), "--keep", "50%", "--out", out()},
             {"case", "new", file("out.csv.ttcase"), "--from", file("tooth.stl")}};
         for (const auto& command : commands) {

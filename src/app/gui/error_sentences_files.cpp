@@ -115,8 +115,7 @@ constexpr const char* kErrors[] = {
                       "%1: the surface '%2' has %3 holes that are too wide to be filled unasked (%4 open edges); ask "
                       "for all holes to be filled, or close it in a mesh program."),
     // What is no solid.
-    QT_TRANSLATE_NOOP("Error",
-                      "%1 is open (%2 edges without a neighbour), so it has no inside to cut: close its holes first"),
+    QT_TRANSLATE_NOOP("Error", "%1 is open (%2 edges without a neighbour), so it has no inside: close its holes first"),
     QT_TRANSLATE_NOOP("Error", "%1 holds no room: give a closed surface with triangles that have an area"),
     QT_TRANSLATE_NOOP("Error", "%1 is twisted: it has no outside; mend it in a mesh program"),
     QT_TRANSLATE_NOOP("Error",

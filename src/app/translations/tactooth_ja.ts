@@ -647,8 +647,8 @@
         <translation>%1の表面が閉じておらず（隣のない辺 %2 本）、削る内部がありません。先に穴をふさいでください</translation>
     </message>
     <message>
-        <source>%1 is open (%2 edges without a neighbour), so it has no inside to cut: close its holes first</source>
-        <translation>%1が閉じておらず（隣のない辺 %2 本）、削る内部がありません。先に穴をふさいでください</translation>
+        <source>%1 is open (%2 edges without a neighbour), so it has no inside: close its holes first</source>
+        <translation>%1が閉じておらず（隣のない辺 %2 本）、内部がありません。先に穴をふさいでください</translation>
     </message>
     <message>
         <source>%1 holds no room: give a closed surface with triangles that have an area</source>
