@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
 // From an STL file to a surface that can be touched: `loading_bench [RUNS]` times, for 10,000, 325,312 and 2,000,000
-// triangles, reading the file into memory, parsing and welding it, and building the AABB tree. A row gives the least,
-// the median and the largest wall time of RUNS runs (21 unless given), the processor time of all threads together, and
-// a hash of mesh and tree, which no change of speed may change unawares.
+// triangles, reading the file into memory, parsing and welding it, building the AABB tree, and, beside that, finding
+// out whether it is a solid (`examineSolid`), which has a tree of its own. A row gives the least, the median and the
+// largest wall time of RUNS runs (21 unless given), the processor time of all threads together, and a hash of mesh and
+// tree, which no change of speed may change unawares.
 #include <algorithm>
 #include <bit>
 #include <cstdio>
@@ -14,6 +15,7 @@
 #include <vector>
 
 #include "collision/aabb_tree.h"
+#include "collision/solid.h"
 #include "geometry/file_bytes.h"
 #include "geometry/simplify.h"
 #include "geometry/stl_reader.h"
@@ -34,8 +36,8 @@ double processMillis() {
     return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
 }
 
-enum Stage { kRead, kWeld, kTree, kTotal, kStages };
-constexpr const char* kStageNames[kStages] = {"read", "parse and weld", "tree", "total"};
+enum Stage { kRead, kWeld, kTree, kTotal, kSolid, kStages };
+constexpr const char* kStageNames[kStages] = {"read", "parse and weld", "tree", "total", "solid"};
 
 struct StageTimes {
     std::vector<double> wall, processor;  // ms, one a run
@@ -102,13 +104,16 @@ bool timeFile(const std::filesystem::path& file, int runs) {
         if (!mesh) return std::fprintf(stderr, "%s\n", mesh.error().message.c_str()), false;
         const AabbTree tree(*mesh);
         mark(3);
+        const bool isSolid = examineSolid(*mesh).report.isSolid();
+        mark(4);
+        if (!isSolid) std::fprintf(stderr, "it is no solid\n");
         if (run < 0) {
             triangles = mesh->triangles.size(), meshHash = hashOf(*mesh), treeHash = hashOf(tree);
             continue;
         }
         for (int stage = kRead; stage < kStages; ++stage) {
-            const int from = stage == kTotal ? 0 : stage;
-            const int to = stage == kTotal ? kTotal : stage + 1;
+            const int from = stage == kTotal ? 0 : stage == kSolid ? kTotal : stage;
+            const int to = stage == kTotal ? kTotal : stage == kSolid ? kSolid : stage + 1;
             times[stage].wall.push_back(wall[to] - wall[from]);
             times[stage].processor.push_back(processor[to] - processor[from]);
         }

@@ -10,6 +10,7 @@
 #include <limits>
 #include <utility>
 
+#include "geometry/mesh_edges.h"
 #include "geometry/parallel_for.h"
 #include "geometry/triangle_crossing.h"
 
@@ -104,12 +105,13 @@ private:
         const bool isSame = link.index() == number_;
         ++looks_;
         for (std::uint32_t lane = 0; lane < leaf_.count; ++lane) {
+            if (isDegenerate(mesh_.triangles[leaf_.triangle[lane]])) continue;
             std::uint32_t near = boxes_[lane].meets(boxes) & ((1U << other.count) - 1U);
             if (isSame) near &= ~((2U << lane) - 1U);  // each pair once
             for (; near != 0; near &= near - 1) {
                 const std::uint32_t a = leaf_.triangle[lane], b = other.triangle[std::countr_zero(near)];
                 ++looks_;
-                if (!trianglesCross(mesh_, a, b)) continue;
+                if (isDegenerate(mesh_.triangles[b]) || !trianglesCross(mesh_, a, b)) continue;
                 crossing.push_back(a);
                 crossing.push_back(b);
             }

@@ -130,7 +130,8 @@ std::vector<Remark> remarksOn(const SolidReport& report, const std::string& what
     add(report.turnedTriangles, "%1: %2 triangles were turned, so that all look at the outside.");
     add(report.turnedTriangles > 0 ? report.hollows : 0,
         "%1: %2 shells lie within another one and are taken as the walls of hollows.");
-    if (report.isSolid()) {
+    constexpr double kToSay = 0.0005;  // mm: what only touches is no news
+    if (report.isSolid() && report.overlap > kToSay) {
         add(report.crossingTriangles, "%1: %2 triangles cross others by %3 mm at most; they are left as they are.",
             {rounded(report.overlap, 3)});
     }
