@@ -15,8 +15,9 @@
 namespace tactooth {
 namespace {
 
-/// mm: the layers of one tooth from a CT differ by as much.
-constexpr double kHarmlessOverlap = 0.02;
+/// mm: what a CT of a tooth resolves, and layers that lie as near are welded. Surfaces of fewer triangles fold by as
+/// much.
+constexpr double kHarmlessOverlap = 0.05;
 
 /// How thick the room is that two parts claim, or none, beside a place of a triangle that is no border of inside and
 /// outside; else 0.

@@ -49,6 +49,11 @@ int runSimplify(const SimplifyOptions& options) {
     const std::size_t wanted = *wantedTriangles(options.keep, mesh->triangles.size());
     say(stderr, "simplifying {} triangles to {}\n", mesh->triangles.size(), wanted);
     const TriangleMesh fewer = simplified(*mesh, wanted);
+    if (const SolidReport now = examineSolid(fewer, {.dropsSpecks = false}).report; !now.isSolid()) {
+        return refuse(
+            {fmt::format("{}: with {} triangles the surface would cross itself by {:.2f} mm; keep more of them.",
+                         shownName(options.in), fewer.triangles.size(), now.overlap)});
+    }
     if (const auto done = writeStl(fewer, options.out); !done) return refuse(done.error());
     if (const auto done = files.commit(); !done) return refuse(done.error());
     printChange(options.in, *mesh, options.out, fewer, greatestDeviation(*mesh, fewer));
