@@ -7,10 +7,10 @@
 #include <cassert>
 #include <cmath>
 
+#include "collision/untangle.h"
 #include "geometry/disjoint_sets.h"
 #include "geometry/isosurface.h"
 #include "geometry/parallel_for.h"
-#include "geometry/self_crossings.h"
 #include "instruments/mouth/gingiva.h"
 #include "instruments/mouth/sound_gum.h"
 #include "instruments/mouth/tooth_places.h"

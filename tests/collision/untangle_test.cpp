@@ -1,18 +1,23 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-#include "geometry/self_crossings.h"
+#include "collision/untangle.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
+#include "collision/crossing_search.h"
 #include "geometry/isosurface.h"
 #include "support/mesh_checks.h"
 #include "support/shapes.h"
 
 namespace tactooth {
 namespace {
+
+std::vector<std::uint32_t> selfCrossings(const TriangleMesh& mesh) {
+    return crossingTriangles(SurfacePart(mesh)).value();
+}
 
 /// Oracle: where the line through `from` and `to` meets the triangle's plane, in shares of the segment and of the
 /// triangle's sides.
