@@ -60,10 +60,10 @@ ForceLimits limitsOf(const DevicePreset& preset, double driverPeak, double drive
     const auto smaller = [](double model, double driver) {
         return driver > 0 && std::isfinite(driver) ? std::min(model, driver) : model;
     };
-    DevicePreset told = preset;
-    told.peakForce = smaller(preset.peakForce, driverPeak);
-    told.continuousForce = std::min(smaller(preset.continuousForce, driverContinuous), told.peakForce);
-    return limitsOf(told);
+    DevicePreset bounded = preset;
+    bounded.peakForce = smaller(preset.peakForce, driverPeak);
+    bounded.continuousForce = std::min(smaller(preset.continuousForce, driverContinuous), bounded.peakForce);
+    return limitsOf(bounded);
 }
 
 std::span<const HandPreset> handPresets() { return kHands; }

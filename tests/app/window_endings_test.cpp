@@ -33,7 +33,8 @@ Environment homeIn(const TemporaryFolder& home) {
     return {{"XDG_CONFIG_HOME", home.path().string()}, {"QT_QPA_PLATFORM", std::nullopt}};
 }
 
-/// Starts the program and sends the signal after so many seconds.
+/// Starts the program and sends the signal after so many seconds: the moment is what is tried, from before there is a
+/// window on.
 ProgramRun runFor(double seconds, int number, const TemporaryFolder& home) {
     RunningTactooth program({}, homeIn(home));
     std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
@@ -109,7 +110,8 @@ TEST(WindowWithoutDisplay, LetsTheHandGoAndSaysSo) {
         Environment environment = homeIn(home);
         environment["DISPLAY"] = display.name();
         RunningTactooth program({}, environment);
-        std::this_thread::sleep_for(std::chrono::duration<double>(seconds));  // until it is shown, at the latest try
+        // The moment is what is tried: at the latest one the window is shown, at the first ones it may not be.
+        std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
         display.takeAway();
         const ProgramRun run = program.wait();
         EXPECT_EQ(run.signal, 0) << "no crash, whenever it happens: " << run.err;

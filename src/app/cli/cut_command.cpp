@@ -137,7 +137,7 @@ private:
     std::optional<TickCsv> forces_;
     std::optional<CsvWriter> removed_;
     CutEvents watched_;
-    std::vector<std::string> layerLines_;  // what is told of them once they are there
+    std::vector<std::string> layerLines_;  // what is said of them once they are there
 };
 
 Expected<ToothSource> toothSource(const CutOptions& options) {

@@ -122,8 +122,6 @@ constexpr const char* kErrors[] = {
                       "%1 has parts that reach into each other by %2 mm (%3 triangles cross), so what is inside is "
                       "unclear: unite them in a mesh program"),
     QT_TRANSLATE_NOOP("Error", "%1 bounds no body: its triangles cross each other nearly everywhere; export it again"),
-    QT_TRANSLATE_NOOP("Error", "the surface of %1"),
-    QT_TRANSLATE_NOOP("Error", "the surface"),
     QT_TRANSLATE_NOOP("Error", "the surface '%1'"),
     QT_TRANSLATE_NOOP("Error", "the ideal shape, the whole tooth with its cavity,"),
     QT_TRANSLATE_NOOP("Error",

@@ -667,14 +667,6 @@
         <translation>%1は立体を囲んでいません。三角形がほぼ全体で互いに交差しています。書き出し直してください</translation>
     </message>
     <message>
-        <source>the surface of %1</source>
-        <translation>%1の表面</translation>
-    </message>
-    <message>
-        <source>the surface</source>
-        <translation>表面</translation>
-    </message>
-    <message>
         <source>the surface &apos;%1&apos;</source>
         <translation>表面 &apos;%1&apos;</translation>
     </message>

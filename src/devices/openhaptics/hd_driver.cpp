@@ -50,11 +50,11 @@ std::string whyNotStarted(const std::string& name, std::uint32_t code) {
     return "OpenHaptics knows no device for " + titleOf(name) + ": look its name up in the vendor's setup program.";
 }
 
-/// A motor's temperature as it is told, 0 cold .. 1 hot. What is no number may be anything, so it counts as hot; what
-/// is out of its range is of a model that tells something else.
-double heatOf(double told) {
-    if (std::isnan(told)) return 1;
-    return told >= 0 && told <= 1 ? told : 0;
+/// A motor's temperature as the driver reports it, 0 cold .. 1 hot. What is no number may be anything, so it counts as
+/// hot; what is out of its range is of a model that tells something else.
+double heatOf(double reported) {
+    if (std::isnan(reported)) return 1;
+    return reported >= 0 && reported <= 1 ? reported : 0;
 }
 
 /// The preset whose mechanics a model has; a Touch is the one that needs most care.

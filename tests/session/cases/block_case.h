@@ -40,4 +40,15 @@ position = [0.0, 0.0, -12.0]
             {"bone.stl", stlBytes(box(Vec3(-10, -6, -2), Vec3(20, 6, 2)))}};
 }
 
+/// An archive whose entry names are as they are given: what no good program writes.
+inline std::vector<std::byte> archiveWith(const std::string& name, const std::string& content = "x") {
+    // The name has the same length as a safe one, which is then replaced in the bytes.
+    std::string safe(name.size(), 'a');
+    std::string bytes(asText(packedCase({{safe, bytesOf(content)}}).value()));
+    for (std::size_t at = bytes.find(safe); at != std::string::npos; at = bytes.find(safe, at + 1)) {
+        bytes.replace(at, safe.size(), name);
+    }
+    return bytesOf(bytes);
+}
+
 }  // namespace tactooth::test

@@ -17,16 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// An archive whose entry names are as they are given: what no good program writes.
-std::vector<std::byte> archiveWith(const std::string& name, const std::string& content = "x") {
-    // The name has the same length as a safe one, which is then replaced in the bytes.
-    std::string safe(name.size(), 'a');
-    std::string bytes(asText(packedCase({{safe, bytesOf(content)}}).value()));
-    for (std::size_t at = bytes.find(safe); at != std::string::npos; at = bytes.find(safe, at + 1)) {
-        bytes.replace(at, safe.size(), name);
-    }
-    return bytesOf(bytes);
-}
+using test::archiveWith;
 
 /// An archive of the block case whose names are changed as another system's program changes them.
 std::vector<std::byte> repacked(const std::function<std::string(const std::string&)>& rename,

@@ -19,16 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// An archive whose entry names are as they are given: what no good program writes.
-std::vector<std::byte> archiveWith(const std::string& name, const std::string& content = "x") {
-    // The name has the same length as a safe one, which is then replaced in the bytes.
-    std::string safe(name.size(), 'a');
-    std::string bytes(asText(packedCase({{safe, bytesOf(content)}}).value()));
-    for (std::size_t at = bytes.find(safe); at != std::string::npos; at = bytes.find(safe, at + 1)) {
-        bytes.replace(at, safe.size(), name);
-    }
-    return bytesOf(bytes);
-}
+using test::archiveWith;
 
 /// The size that the archive's lists claim for its only file is replaced.
 std::vector<std::byte> archiveClaiming(std::uint32_t claimed, std::size_t real) {
