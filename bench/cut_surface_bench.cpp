@@ -11,9 +11,9 @@
 #include <limits>
 
 #include "milling.h"
-#include "session/experiments/run_facts.h"
-#include "session/experiments/thread_clock.h"
-#include "tooth/live_surface.h"
+#include "session/io/run_facts.h"
+#include "experiments/thread_clock.h"
+#include "tooth/surface/live_surface.h"
 
 namespace tactooth {
 namespace {

@@ -14,15 +14,15 @@
 #include <string>
 #include <vector>
 
-#include "collision/aabb_tree.h"
-#include "collision/solid.h"
-#include "geometry/file_bytes.h"
-#include "geometry/simplify.h"
-#include "geometry/stl_reader.h"
-#include "geometry/stl_writer.h"
-#include "geometry/subdivide.h"
-#include "session/experiments/run_facts.h"
-#include "session/experiments/thread_clock.h"
+#include "collision/bvh/aabb_tree.h"
+#include "collision/solid/solid.h"
+#include "geometry/files/file_bytes.h"
+#include "geometry/mesh/simplify.h"
+#include "geometry/io/stl_reader.h"
+#include "geometry/io/stl_writer.h"
+#include "geometry/mesh/subdivide.h"
+#include "session/io/run_facts.h"
+#include "experiments/thread_clock.h"
 #include "support/shapes.h"
 #include "support/test_data.h"
 

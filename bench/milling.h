@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "geometry/pose.h"
-#include "geometry/stl_reader.h"
+#include "geometry/util/pose.h"
+#include "geometry/io/stl_reader.h"
 #include "support/shapes.h"
 #include "support/test_data.h"
 

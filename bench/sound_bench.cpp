@@ -7,8 +7,8 @@
 #include <cstdio>
 #include <vector>
 
-#include "sound/sound_format.h"
-#include "sound/soundscape.h"
+#include "sound/files/sound_format.h"
+#include "sound/voices/soundscape.h"
 
 namespace tactooth {
 namespace {

@@ -16,9 +16,9 @@
 #include <thread>
 #include <vector>
 
-#include "sound/audio_libraries.h"
-#include "sound/openal_output.h"
-#include "sound/sound_format.h"
+#include "sound/output/audio_libraries.h"
+#include "sound/output/openal_output.h"
+#include "sound/files/sound_format.h"
 
 namespace tactooth {
 namespace {

@@ -23,8 +23,8 @@
 
 #include "haptics/light_sleep.h"
 #include "haptics/real_time.h"
-#include "sound/audio_libraries.h"
-#include "sound/openal_output.h"
+#include "sound/output/audio_libraries.h"
+#include "sound/output/openal_output.h"
 
 namespace tactooth {
 namespace {

@@ -11,8 +11,8 @@
 
 #include "milling.h"
 #include "support/shapes.h"
-#include "tooth/bur_feed.h"
-#include "tooth/live_surface.h"
+#include "tooth/volume/bur_feed.h"
+#include "tooth/surface/live_surface.h"
 
 namespace tactooth {
 namespace {

@@ -11,15 +11,15 @@
 #include <numbers>
 #include <string>
 
-#include "geometry/stl_reader.h"
+#include "geometry/io/stl_reader.h"
 #include "support/shapes.h"
-#include "view/drawable.h"
-#include "view/egl_context.h"
-#include "view/orbit_camera.h"
-#include "view/render_target.h"
-#include "view/renderer.h"
-#include "view/shader_program.h"
-#include "view/triangle_buffers.h"
+#include "view/gl/drawable.h"
+#include "view/gl/egl_context.h"
+#include "view/camera/orbit_camera.h"
+#include "view/gl/render_target.h"
+#include "view/render/renderer.h"
+#include "view/gl/shader_program.h"
+#include "view/gl/triangle_buffers.h"
 
 namespace tactooth {
 namespace {

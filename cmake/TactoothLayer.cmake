@@ -2,13 +2,17 @@
 # SPDX-License-Identifier: Apache-2.0
 # One layer = one folder below src/ = one static library.
 #
-#   tactooth_layer(NAME collision SOURCES aabb_tree.cpp ... USES geometry LINKS TBB::tbb [PRIVATE_LINKS ...])
+#   tactooth_layer(NAME collision FOLDERS narrow bvh ... SOURCES bvh/aabb_tree.cpp ... USES geometry LINKS TBB::tbb
+#     [PRIVATE_LINKS ...])
 #
-# A layer's headers are included as "collision/aabb_tree.h". The include root of a layer holds that layer alone
+# FOLDERS lists the folders of a large layer in their order: a file may include files of its own folder and of those before
+# it in the list, never of a later one (checked by cmake/check_sources.py).
+#
+# A layer's headers are included as "collision/bvh/aabb_tree.h". The include root of a layer holds that layer alone
 # (a link to its folder), so a header of a layer that the target does not use is not found: the compiler enforces
 # the architecture.
 function(tactooth_layer)
-  cmake_parse_arguments(ARG "" "NAME" "SOURCES;USES;LINKS;PRIVATE_LINKS" ${ARGN})
+  cmake_parse_arguments(ARG "" "NAME" "FOLDERS;SOURCES;USES;LINKS;PRIVATE_LINKS" ${ARGN})
   set(target tactooth_${ARG_NAME})
   set(root ${PROJECT_BINARY_DIR}/layers/${ARG_NAME})
   file(MAKE_DIRECTORY ${root})
@@ -26,6 +30,11 @@ function(tactooth_layer)
   tactooth_use_headers(${target} tactooth_layer_headers)
 endfunction()
 
+# tactooth_folder_order(gui FOLDERS text input ...): the order of the folders below a folder that is no layer, for
+# cmake/check_sources.py.
+function(tactooth_folder_order)
+endfunction()
+
 # tactooth_tests(NAME collision [TOGETHER] [PACED] [SPARE] SOURCES aabb_tree_test.cpp ... [LABELS long] [LINKS ...])
 # builds one test program for a layer and registers each of its cases with CTest. Under a sanitizer, which makes the teeth
 # that the cases of a program share ten times dearer to model, the program is one test, as it always is with TOGETHER. Long
@@ -40,6 +49,7 @@ function(tactooth_tests)
   set(target ${ARG_NAME}_tests)
   set(company)
   add_executable(${target} ${ARG_SOURCES})
+  target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})  # the helpers of a layer's tests
   target_link_libraries(${target} PRIVATE ${ARG_LINKS} tactooth_test_support GTest::gtest GTest::gtest_main)
   if(ARG_LINKS MATCHES "tactooth_gui")
     tactooth_use_headers(${target} tactooth_app_headers)

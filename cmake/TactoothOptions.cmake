@@ -56,7 +56,7 @@ if(TACTOOTH_SANITIZE)
 endif()
 
 # Of TBB's scheduler the thread sanitizer would see but the half that stands in headers: files that include its loops,
-# and be it by OpenVDB, are left out; geometry/parallel_for.h tells the order that these loops guarantee, there as well.
+# and be it by OpenVDB, are left out; geometry/util/parallel_for.h tells the order that these loops guarantee, there as well.
 function(tactooth_includes_tbb_loops)
   if(TACTOOTH_SANITIZE MATCHES thread)
     set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS -fno-sanitize=thread SKIP_PRECOMPILE_HEADERS ON

@@ -17,13 +17,13 @@ GPL_FOLDERS = ("src/app/", "tests/app/", "tests/cli/", "bench/app/")
 PURE_LAYERS = ("src/geometry/", "src/collision/", "src/tooth/", "src/patient/", "src/haptics/")
 # Screen, sound and device headers, which the pure layers may not know.
 IMPURE_INCLUDE = re.compile(r'#\s*include\s*[<"](Q[A-Z]|Qt|GL/|GLES|EGL/|epoxy/|AL/|sndfile|HD/|HL/)')
-# The library's checks of numbers take "nan" and read "010" as eight: src/app/cli/number_range.h does neither.
+# The library's checks of numbers take "nan" and read "010" as eight: src/app/cli/terminal/number_range.h does neither.
 LIBRARY_RANGE = re.compile(r"\bCLI::(Range|Bound|PositiveNumber|NonNegativeNumber|Number|TypeValidator)\b")
 # What a command prints of a path goes through shownName: names may hold what a terminal obeys.
 RAW_NAME = re.compile(r"(\.|->)string\(\)")
 # A hostile text of 100 kB overflows the stack of the parser; one place guards it.
 BARE_TOML = re.compile(r"\btoml::parse(_file)?\s*\(")
-TOML_GUARD = "src/session/cases/guarded_toml.cpp"
+TOML_GUARD = "src/session/io/guarded_toml.cpp"
 UNFINISHED = re.compile(r"\b(TODO|FIXME|XXX|HACK)\b")
 
 
@@ -47,13 +47,13 @@ def offences(path, name):
         if UNFINISHED.search(line) and path != Path(__file__).resolve():
             yield f"{name}:{number}: unfinished work"
         if name.startswith("src/app/") and "fmt::print(" in line:
-            yield f"{name}:{number}: fmt::print throws where the output is closed; use say of app/cli/output.h"
+            yield f"{name}:{number}: fmt::print throws where the output is closed; use say of app/cli/terminal/output.h"
         if name.startswith("src/") and LIBRARY_RANGE.search(line):
-            yield f"{name}:{number}: check numbers by numberFrom and wholeNumberFrom of app/cli/number_range.h"
+            yield f"{name}:{number}: check numbers by numberFrom and wholeNumberFrom of app/cli/terminal/number_range.h"
         if name.startswith("src/app/cli/") and RAW_NAME.search(line):
             yield f"{name}:{number}: show a path by shownName; where its bytes are meant, use native()"
         if name.startswith("src/") and name != TOML_GUARD and BARE_TOML.search(line):
-            yield f"{name}:{number}: TOML is read by parseToml of session/cases/guarded_toml.h alone"
+            yield f"{name}:{number}: TOML is read by parseToml of session/io/guarded_toml.h alone"
         if name.startswith(PURE_LAYERS) and IMPURE_INCLUDE.search(line):
             yield f"{name}:{number}: this layer may know no screen, sound or device"
 

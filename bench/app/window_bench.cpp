@@ -17,11 +17,11 @@
 #include <map>
 #include <sstream>
 
-#include "app/gui/drive_panel.h"
-#include "app/gui/main_window.h"
-#include "app/gui/tooth_view.h"
-#include "app/gui/window_setup.h"
-#include "sound/openal_output.h"
+#include "app/gui/panels/drive_panel.h"
+#include "app/gui/window/main_window.h"
+#include "app/gui/scene/tooth_view.h"
+#include "app/gui/window/window_setup.h"
+#include "sound/output/openal_output.h"
 
 namespace tactooth {
 namespace {

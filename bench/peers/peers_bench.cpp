@@ -9,11 +9,11 @@
 #include <cstring>
 
 #include "peers/peer.h"
-#include "session/experiments/contact_timing.h"
-#include "session/experiments/quantile.h"
-#include "session/experiments/run_facts.h"
-#include "session/experiments/standard_teeth.h"
-#include "session/experiments/thread_clock.h"
+#include "experiments/contact_timing.h"
+#include "experiments/quantile.h"
+#include "session/io/run_facts.h"
+#include "experiments/standard_teeth.h"
+#include "experiments/thread_clock.h"
 
 namespace tactooth::bench {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "app/cli/command_line.h"
-#include "app/cli/exit_code.h"
-#include "app/cli/too_large.h"
+#include "app/common/exit_code.h"
+#include "app/cli/terminal/too_large.h"
 #include "app/common/ending.h"
 
 namespace {

@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "geometry/expected.h"
+#include "geometry/util/expected.h"
 
 namespace tactooth {
 

@@ -9,8 +9,8 @@
 #include <string>
 
 #include "devices/pose_watch.h"
-#include "geometry/expected.h"
-#include "geometry/pose.h"
+#include "geometry/util/expected.h"
+#include "geometry/util/pose.h"
 #include "haptics/safety_limiter.h"
 
 namespace tactooth {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "devices/haptic_device.h"
-#include "geometry/latest_value.h"
+#include "geometry/util/latest_value.h"
 
 namespace tactooth {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/number_text.h"
+#include "geometry/util/number_text.h"
 
 namespace tactooth {
 namespace {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "geometry/vec.h"
+#include "geometry/util/vec.h"
 
 namespace tactooth {
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "geometry/expected.h"
+#include "geometry/util/expected.h"
 
 namespace tactooth {
 

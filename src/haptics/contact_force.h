@@ -7,10 +7,10 @@
 #include <optional>
 #include <span>
 
-#include "geometry/pose.h"
+#include "geometry/util/pose.h"
 #include "haptics/dry_friction.h"
 #include "haptics/wrench.h"
-#include "tooth/material.h"
+#include "tooth/model/material.h"
 
 namespace tactooth {
 

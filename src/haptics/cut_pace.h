@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "geometry/pose.h"
+#include "geometry/util/pose.h"
 
 namespace tactooth {
 

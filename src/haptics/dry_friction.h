@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "geometry/vec.h"
+#include "geometry/util/vec.h"
 
 namespace tactooth {
 

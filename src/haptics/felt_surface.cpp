@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "tooth/bur_feed.h"
+#include "tooth/volume/bur_feed.h"
 
 namespace tactooth {
 namespace {

@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "collision/contact_query.h"
-#include "collision/pair_list.h"
+#include "collision/proxy/contact_query.h"
+#include "collision/neighbours/pair_list.h"
 
 namespace tactooth {
 

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <iterator>
 
-#include "collision/solid.h"
-#include "geometry/file_bytes.h"
-#include "geometry/mesh_file.h"
-#include "geometry/mesh_reach.h"
+#include "collision/solid/solid.h"
+#include "geometry/files/file_bytes.h"
+#include "geometry/io/mesh_file.h"
+#include "geometry/mesh/mesh_reach.h"
 
 namespace tactooth {
 

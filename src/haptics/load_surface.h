@@ -6,10 +6,10 @@
 #include <memory>
 #include <vector>
 
-#include "collision/surface.h"
-#include "collision/tool_shape.h"
-#include "geometry/expected.h"
-#include "geometry/remark.h"
+#include "collision/bvh/surface.h"
+#include "collision/neighbours/tool_shape.h"
+#include "geometry/util/expected.h"
+#include "geometry/io/remark.h"
 
 namespace tactooth {
 

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "collision/closest_point.h"
+#include "collision/bvh/closest_point.h"
 
 namespace tactooth {
 namespace {

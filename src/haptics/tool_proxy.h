@@ -6,8 +6,8 @@
 #include <memory>
 #include <span>
 
-#include "collision/contact_query.h"
-#include "collision/sliding_body.h"
+#include "collision/proxy/contact_query.h"
+#include "collision/proxy/sliding_body.h"
 #include "haptics/contact_force.h"
 #include "haptics/felt_surface.h"
 

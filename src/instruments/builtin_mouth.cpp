@@ -7,15 +7,15 @@
 #include <cassert>
 #include <cmath>
 
-#include "collision/untangle.h"
-#include "geometry/disjoint_sets.h"
-#include "geometry/isosurface.h"
-#include "geometry/parallel_for.h"
+#include "collision/solid/untangle.h"
+#include "geometry/util/disjoint_sets.h"
+#include "geometry/field/isosurface.h"
+#include "geometry/util/parallel_for.h"
 #include "instruments/mouth/gingiva.h"
 #include "instruments/mouth/sound_gum.h"
 #include "instruments/mouth/tooth_places.h"
 #include "instruments/mouth_setting.h"
-#include "tooth/byte_stream.h"
+#include "tooth/file/byte_stream.h"
 
 namespace tactooth {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "geometry/expected.h"
-#include "geometry/pose.h"
+#include "geometry/util/expected.h"
+#include "geometry/util/pose.h"
 #include "instruments/builtin_tooth.h"
 
 namespace tactooth {

@@ -10,7 +10,7 @@
 #include "instruments/anatomy/lesion.h"
 #include "instruments/anatomy/variation.h"
 #include "instruments/modelling/folds.h"
-#include "tooth/byte_stream.h"
+#include "tooth/file/byte_stream.h"
 
 namespace tactooth {
 namespace {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "geometry/triangle_mesh.h"
-#include "tooth/layered_tooth.h"
+#include "geometry/mesh/triangle_mesh.h"
+#include "tooth/model/layered_tooth.h"
 
 namespace tactooth {
 

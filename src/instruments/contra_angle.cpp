@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/isosurface.h"
-#include "geometry/simplify.h"
+#include "geometry/field/isosurface.h"
+#include "geometry/mesh/simplify.h"
 #include "instruments/modelling/handpiece.h"
 
 namespace tactooth {

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "geometry/triangle_mesh.h"
+#include "geometry/mesh/triangle_mesh.h"
 
 namespace tactooth {
 

@@ -4,8 +4,8 @@
 
 #include <array>
 
-#include "collision/nearest_in_polyhedron.h"
-#include "geometry/triangle_mesh.h"
+#include "collision/proxy/nearest_in_polyhedron.h"
+#include "geometry/mesh/triangle_mesh.h"
 
 namespace tactooth {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "geometry/vec.h"
+#include "geometry/util/vec.h"
 
 namespace tactooth {
 

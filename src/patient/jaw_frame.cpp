@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "geometry/mesh_specks.h"
+#include "geometry/mesh/mesh_specks.h"
 #include "patient/dental_arch.h"
 #include "patient/length_unit.h"
 

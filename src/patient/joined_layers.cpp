@@ -8,12 +8,12 @@
 #include <map>
 #include <optional>
 
-#include "collision/closest_point.h"
-#include "geometry/isosurface.h"
-#include "geometry/mesh_edges.h"
-#include "geometry/mesh_repair.h"
-#include "geometry/mesh_report.h"
-#include "geometry/near_weld.h"
+#include "collision/bvh/closest_point.h"
+#include "geometry/field/isosurface.h"
+#include "geometry/mesh/mesh_edges.h"
+#include "geometry/mesh/mesh_repair.h"
+#include "geometry/mesh/mesh_report.h"
+#include "geometry/mesh/near_weld.h"
 
 namespace tactooth {
 namespace {

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "geometry/expected.h"
-#include "geometry/remark.h"
-#include "tooth/layered_tooth.h"
+#include "geometry/util/expected.h"
+#include "geometry/io/remark.h"
+#include "tooth/model/layered_tooth.h"
 
 namespace tactooth {
 

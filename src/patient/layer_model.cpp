@@ -7,9 +7,9 @@
 #include <limits>
 #include <memory>
 
-#include "collision/closest_point.h"
-#include "geometry/isosurface.h"
-#include "geometry/mesh_repair.h"
+#include "collision/bvh/closest_point.h"
+#include "geometry/field/isosurface.h"
+#include "geometry/mesh/mesh_repair.h"
 #include "patient/outer_skin.h"
 #include "patient/pulp_tree.h"
 #include "patient/tooth_sections.h"

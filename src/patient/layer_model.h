@@ -5,9 +5,9 @@
 #include <functional>
 #include <vector>
 
-#include "geometry/expected.h"
-#include "geometry/remark.h"
-#include "tooth/layered_tooth.h"
+#include "geometry/util/expected.h"
+#include "geometry/io/remark.h"
+#include "tooth/model/layered_tooth.h"
 
 namespace tactooth {
 

@@ -6,8 +6,8 @@
 #include <optional>
 #include <string_view>
 
-#include "geometry/remark.h"
-#include "geometry/triangle_mesh.h"
+#include "geometry/io/remark.h"
+#include "geometry/mesh/triangle_mesh.h"
 
 namespace tactooth {
 

@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "collision/closest_point.h"
-#include "geometry/parallel_for.h"
+#include "collision/bvh/closest_point.h"
+#include "geometry/util/parallel_for.h"
 
 namespace tactooth {
 namespace {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "collision/surface.h"
+#include "collision/bvh/surface.h"
 
 namespace tactooth {
 

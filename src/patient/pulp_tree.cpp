@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/disjoint_sets.h"
-#include "geometry/parallel_for.h"
+#include "geometry/util/disjoint_sets.h"
+#include "geometry/util/parallel_for.h"
 
 namespace tactooth {
 namespace {

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "geometry/vec.h"
+#include "geometry/util/vec.h"
 
 namespace tactooth {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "collision/solid.h"
+#include "collision/solid/solid.h"
 #include "patient/joined_layers.h"
 #include "patient/length_unit.h"
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "geometry/mesh_repair.h"
-#include "geometry/remark.h"
+#include "geometry/mesh/mesh_repair.h"
+#include "geometry/io/remark.h"
 #include "patient/layer_model.h"
 #include "patient/tooth_frame.h"
 

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "geometry/pose.h"
+#include "geometry/util/pose.h"
 #include "patient/tooth_sections.h"
 
 namespace tactooth {

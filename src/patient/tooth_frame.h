@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/remark.h"
-#include "geometry/triangle_mesh.h"
+#include "geometry/io/remark.h"
+#include "geometry/mesh/triangle_mesh.h"
 
 namespace tactooth {
 

@@ -11,17 +11,17 @@ from pathlib import Path
 
 # What needs no words in the window, and why: paths by their beginning.
 ONLY_OUTSIDE = {
-    "said by commands": "app/main.cpp app/cli/ app/common/plot_image.cpp app/gui/window_options.cpp "
-                        "geometry/file_set.cpp geometry/folder.cpp "
+    "said by commands": "app/main.cpp app/cli/ app/common/plot_image.cpp app/gui/settings/window_options.cpp "
+                        "geometry/files/file_set.cpp geometry/files/folder.cpp "
                         "session/cases/case_surfaces.cpp session/cases/make_case.cpp "
-                        "session/experiments/ session/finite_tick.cpp session/sound_profile.cpp session/tooth_source.cpp "
-                        "session/vdb_file session/vdb_size.cpp sound/offline_render.cpp sound/wav_file.cpp",
+                        "experiments/ session/io/finite_tick.cpp session/audio/sound_profile.cpp session/simulation/tooth_source.cpp "
+                        "session/io/vdb_file session/io/vdb_size.cpp sound/output/offline_render.cpp sound/files/wav_file.cpp",
     "said by tactooth devices, doctor and info": "devices/child_probe.cpp devices/device_survey.cpp "
-                                                 "devices/haply/haply_survey.cpp geometry/mesh_findings.cpp "
+                                                 "devices/haply/haply_survey.cpp geometry/mesh/mesh_findings.cpp "
                                                  "haptics/real_time.cpp",
-    "there is no window yet, or no more": "app/common/display_check.cpp app/gui/run_window.cpp view/",
+    "there is no window yet, or no more": "app/common/display_check.cpp app/gui/window/run_window.cpp view/",
     "the window has a sentence of its own": "haptics/scene_load.cpp",
-    "names, and the text of files": "geometry/stl_writer.cpp instruments/anatomy/ session/practice_report.cpp",
+    "names, and the text of files": "geometry/io/stl_writer.cpp instruments/anatomy/ assessment/practice_report.cpp",
 }
 TABLES = ["error_sentences_devices.cpp", "error_sentences_files.cpp", "error_sentences_texts.cpp",
           "remark_words.cpp", "words.cpp"]  # of src/app/gui
@@ -102,7 +102,7 @@ def isKnown(said, known):
 
 def main():
     root = Path(sys.argv[1])
-    known = list(patterns(root / "app/gui"))
+    known = list(patterns(root / "app/gui/text"))
     missing = []
     for path in sorted(path for path in root.rglob("*") if path.suffix in (".cpp", ".h")):
         name = path.relative_to(root).as_posix()

@@ -8,7 +8,7 @@
 #include <QLabel>
 #include <cmath>
 
-#include "app/gui/elided_label.h"
+#include "app/gui/panels/elided_label.h"
 
 namespace tactooth::test {
 namespace {

@@ -13,10 +13,10 @@
 #include <QPushButton>
 #include <fstream>
 
-#include "app/gui/import_dialog.h"
-#include "app/gui/window_setup.h"
+#include "app/gui/dialogs/import_dialog.h"
+#include "app/gui/window/window_setup.h"
 #include "app/window_session.h"
-#include "geometry/stl_writer.h"
+#include "geometry/io/stl_writer.h"
 #include "instruments/builtin_tooth.h"
 #include "session/cases/make_case.h"
 #include "session/cases/open_case.h"

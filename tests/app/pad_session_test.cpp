@@ -14,10 +14,10 @@
 #include <functional>
 #include <numbers>
 
-#include "app/gui/elided_label.h"
-#include "app/gui/sheet_dialog.h"
-#include "app/gui/welcome_dialog.h"
-#include "app/gui/window_setup.h"
+#include "app/gui/panels/elided_label.h"
+#include "app/gui/dialogs/sheet_dialog.h"
+#include "app/gui/dialogs/welcome_dialog.h"
+#include "app/gui/window/window_setup.h"
 #include "app/window_session.h"
 #include "devices/virtual_pad.h"
 

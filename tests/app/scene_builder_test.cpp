@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "app/common/spray_look.h"
-#include "geometry/pose.h"
+#include "geometry/util/pose.h"
 #include "support/shapes.h"
 
 namespace tactooth {

@@ -10,8 +10,8 @@
 #include "instruments/bur_shape.h"
 #include "instruments/suction_tube.h"
 #include "instruments/turbine.h"
-#include "session/tooth_source.h"
-#include "session/work_piece.h"
+#include "session/simulation/tooth_source.h"
+#include "session/simulation/work_piece.h"
 
 namespace tactooth {
 namespace {

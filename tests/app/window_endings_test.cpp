@@ -16,7 +16,7 @@
 #include <thread>
 #include <utility>
 
-#include "app/gui/settings_keeper.h"
+#include "app/gui/settings/settings_keeper.h"
 #include "cli/run_program.h"
 #include "support/test_data.h"
 

@@ -13,10 +13,10 @@
 #include <QToolButton>
 #include <fstream>
 
-#include "app/gui/window_holder.h"
-#include "app/gui/window_setup.h"
+#include "app/gui/window/window_holder.h"
+#include "app/gui/window/window_setup.h"
 #include "app/window_session.h"
-#include "geometry/stl_writer.h"
+#include "geometry/io/stl_writer.h"
 #include "support/shapes.h"
 #include "support/text_file.h"
 

@@ -17,15 +17,15 @@
 #include <QTranslator>
 #include <fstream>
 
-#include "app/gui/elided_label.h"
-#include "app/gui/guided_tour.h"
-#include "app/gui/timing_panel.h"
-#include "app/gui/welcome_dialog.h"
-#include "app/gui/window_holder.h"
-#include "app/gui/window_setup.h"
+#include "app/gui/panels/elided_label.h"
+#include "app/gui/dialogs/guided_tour.h"
+#include "app/gui/panels/timing_panel.h"
+#include "app/gui/dialogs/welcome_dialog.h"
+#include "app/gui/window/window_holder.h"
+#include "app/gui/window/window_setup.h"
 #include "app/slow_device.h"
 #include "app/window_session.h"
-#include "geometry/stl_writer.h"
+#include "geometry/io/stl_writer.h"
 #include "sound/sound_files.h"
 #include "support/shapes.h"
 

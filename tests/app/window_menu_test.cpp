@@ -13,8 +13,8 @@
 #include <QScrollArea>
 #include <set>
 
-#include "app/gui/sheet_dialog.h"
-#include "app/gui/window_setup.h"
+#include "app/gui/dialogs/sheet_dialog.h"
+#include "app/gui/window/window_setup.h"
 #include "app/window_session.h"
 
 namespace tactooth {

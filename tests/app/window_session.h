@@ -5,10 +5,10 @@
 #include <QMessageBox>
 #include <QTest>
 
-#include "app/gui/dial_gauge.h"
-#include "app/gui/main_window.h"
-#include "app/gui/tooth_view.h"
-#include "sound/openal_output.h"
+#include "app/gui/panels/dial_gauge.h"
+#include "app/gui/window/main_window.h"
+#include "app/gui/scene/tooth_view.h"
+#include "sound/output/openal_output.h"
 #include "support/test_data.h"
 
 namespace tactooth::test {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whatever the bytes: the window's settings are refused with a sentence, or can be written and read again.
-#include "app/gui/window_settings.h"
+#include "app/gui/settings/window_settings.h"
 #include "fuzz/fuzz_target.h"
 
 namespace tactooth::test {

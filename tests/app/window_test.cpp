@@ -16,15 +16,15 @@
 #include <ctime>
 #include <fstream>
 
-#include "app/gui/elided_label.h"
-#include "app/gui/open_tooth_dialog.h"
-#include "app/gui/welcome_dialog.h"
-#include "app/gui/window_setup.h"
+#include "app/gui/panels/elided_label.h"
+#include "app/gui/dialogs/open_tooth_dialog.h"
+#include "app/gui/dialogs/welcome_dialog.h"
+#include "app/gui/window/window_setup.h"
 #include "app/window_session.h"
-#include "geometry/mesh_file.h"
-#include "geometry/mesh_report.h"
-#include "geometry/stl_writer.h"
-#include "session/tooth_file.h"
+#include "geometry/io/mesh_file.h"
+#include "geometry/mesh/mesh_report.h"
+#include "geometry/io/stl_writer.h"
+#include "session/simulation/tooth_file.h"
 #include "sound/sound_files.h"
 #include "support/sanitizer.h"
 #include "support/shapes.h"

@@ -3,8 +3,8 @@
 #include <numbers>
 
 #include "cli/motion_files.h"
-#include "geometry/mesh_file.h"
-#include "geometry/mesh_report.h"
+#include "geometry/io/mesh_file.h"
+#include "geometry/mesh/mesh_report.h"
 #include "support/text_file.h"
 
 namespace tactooth {

@@ -5,7 +5,7 @@
 
 #include "cli/cli_test.h"
 #include "cli/hostile_folder.h"
-#include "geometry/mesh_file.h"
+#include "geometry/io/mesh_file.h"
 #include "support/mutation.h"
 #include "support/sanitizer.h"
 #include "support/text_file.h"

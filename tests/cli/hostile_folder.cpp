@@ -6,9 +6,9 @@
 
 #include <cstdlib>
 
-#include "geometry/number_text.h"
-#include "geometry/shown_text.h"
-#include "geometry/stl_writer.h"
+#include "geometry/util/number_text.h"
+#include "geometry/util/shown_text.h"
+#include "geometry/io/stl_writer.h"
 #include "support/shapes.h"
 #include "support/text_file.h"
 

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/cli_test.h"
-#include "geometry/stl_writer.h"
+#include "geometry/io/stl_writer.h"
 #include "support/shapes.h"
 #include "support/test_data.h"
 

@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "cli/motion_files.h"
-#include "geometry/temporary_file.h"
+#include "geometry/files/temporary_file.h"
 #include "support/text_file.h"
 
 namespace tactooth {

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "app/gui/window_settings.h"
+#include "app/gui/settings/window_settings.h"
 #include "cli/cli_test.h"
 #include "support/test_data.h"
 #include "support/text_file.h"

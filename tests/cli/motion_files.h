@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "cli/cli_test.h"
-#include "geometry/stl_writer.h"
+#include "geometry/io/stl_writer.h"
 #include "support/shapes.h"
 #include "support/test_data.h"
 

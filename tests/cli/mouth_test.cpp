@@ -4,8 +4,8 @@
 #include <fstream>
 
 #include "cli/cli_test.h"
-#include "geometry/mesh_report.h"
-#include "geometry/stl_reader.h"
+#include "geometry/mesh/mesh_report.h"
+#include "geometry/io/stl_reader.h"
 #include "support/few_teeth.h"
 #include "support/test_data.h"
 

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/number_range.h"
+#include "app/cli/terminal/number_range.h"
 
 #include <cmath>
 #include <limits>
 #include <random>
 
 #include "cli/cli_test.h"
-#include "geometry/number_text.h"
+#include "geometry/util/number_text.h"
 
 namespace tactooth {
 namespace {

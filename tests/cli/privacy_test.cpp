@@ -6,8 +6,8 @@
 #include <array>
 
 #include "cli/cli_test.h"
-#include "geometry/stl_writer.h"
-#include "session/tooth_file.h"
+#include "geometry/io/stl_writer.h"
+#include "session/simulation/tooth_file.h"
 #include "support/shapes.h"
 #include "support/test_data.h"
 #include "support/text_file.h"

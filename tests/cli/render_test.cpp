@@ -6,11 +6,11 @@
 #include <filesystem>
 
 #include "cli/cli_test.h"
-#include "geometry/stl_writer.h"
+#include "geometry/io/stl_writer.h"
 #include "support/shapes.h"
 #include "support/test_data.h"
-#include "view/image.h"
-#include "view/second_view.h"
+#include "view/render/image.h"
+#include "view/camera/second_view.h"
 
 namespace tactooth {
 namespace {

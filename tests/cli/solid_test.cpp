@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/motion_files.h"
-#include "geometry/mesh_file.h"
-#include "geometry/mesh_report.h"
+#include "geometry/io/mesh_file.h"
+#include "geometry/mesh/mesh_report.h"
 
 // Every command has the same answer to the question what is solid.
 

@@ -16,8 +16,8 @@
 #include <csignal>
 #include <stdexcept>
 
-#include "geometry/mesh_file.h"
-#include "geometry/shown_text.h"
+#include "geometry/io/mesh_file.h"
+#include "geometry/util/shown_text.h"
 #include "support/sanitizer.h"
 #include "support/test_data.h"
 #include "support/text_file.h"

@@ -7,7 +7,7 @@
 
 #include <random>
 
-#include "collision/contact_query.h"
+#include "collision/proxy/contact_query.h"
 #include "collision/judged.h"
 #include "support/shapes.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "collision/judged.h"
-#include "collision/sliding_body.h"
+#include "collision/proxy/sliding_body.h"
 #include "instruments/hand_path.h"
 #include "instruments/ten_patches.h"
 

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "collision/judged_contact.h"
-#include "geometry/simplify.h"
+#include "geometry/mesh/simplify.h"
 
 namespace tactooth {
 namespace {

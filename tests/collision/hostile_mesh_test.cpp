@@ -9,7 +9,7 @@
 #include <numbers>
 #include <random>
 
-#include "collision/contact_query.h"
+#include "collision/proxy/contact_query.h"
 #include "collision/judged.h"
 #include "support/shapes.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "geometry/mesh_file.h"
+#include "geometry/io/mesh_file.h"
 #include "instruments/builtin_tooth.h"
 #include "instruments/bur_shape.h"
 #include "support/test_data.h"

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "collision/tool_shape.h"
-#include "geometry/triangle_mesh.h"
+#include "collision/neighbours/tool_shape.h"
+#include "geometry/mesh/triangle_mesh.h"
 #include "support/exact_intersection.h"
 
 namespace tactooth::test {

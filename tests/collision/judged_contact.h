@@ -5,9 +5,9 @@
 #include <random>
 #include <vector>
 
-#include "collision/contact_query.h"
+#include "collision/proxy/contact_query.h"
 #include "collision/judged.h"
-#include "geometry/pose.h"
+#include "geometry/util/pose.h"
 
 namespace tactooth::test {
 

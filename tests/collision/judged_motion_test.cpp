@@ -5,7 +5,7 @@
 
 #include <random>
 
-#include "collision/contact_query.h"
+#include "collision/proxy/contact_query.h"
 #include "collision/judged.h"
 #include "instruments/hand_path.h"
 #include "support/sanitizer.h"

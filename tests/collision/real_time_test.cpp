@@ -6,7 +6,7 @@
 #include <bit>
 
 #include "collision/judged.h"
-#include "collision/sliding_body.h"
+#include "collision/proxy/sliding_body.h"
 #include "support/heap_counter.h"
 #include "support/sanitizer.h"
 #include "support/shapes.h"

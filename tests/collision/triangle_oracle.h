@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "collision/triangle3.h"
-#include "collision/triangle_point.h"
+#include "collision/narrow/triangle3.h"
+#include "collision/narrow/triangle_point.h"
 
 namespace tactooth::test {
 

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "collision/judged_contact.h"
-#include "collision/sliding_body.h"
+#include "collision/proxy/sliding_body.h"
 #include "support/heap_counter.h"
 #include "support/shapes.h"
 

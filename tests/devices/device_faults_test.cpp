@@ -11,7 +11,7 @@
 #include <random>
 
 #include "devices/device_presets.h"
-#include "devices/hands.h"
+#include "session/control/hands.h"
 #include "haptics/haptic_simulation.h"
 #include "support/shapes.h"
 

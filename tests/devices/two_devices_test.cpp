@@ -8,7 +8,7 @@
 #include <optional>
 #include <thread>
 
-#include "devices/hands.h"
+#include "session/control/hands.h"
 #include "devices/haply/haply_device.h"
 #include "devices/openhaptics/openhaptics_device.h"
 #include "haptics/servo_loop.h"

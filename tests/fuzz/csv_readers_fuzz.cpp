@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "fuzz/fuzz_target.h"
-#include "session/sound_profile.h"
-#include "session/trajectory.h"
+#include "session/audio/sound_profile.h"
+#include "session/scripts/trajectory.h"
 
 namespace tactooth::test {
 namespace {

@@ -3,9 +3,9 @@
 // Whatever the bytes: the readers of OBJ and PLY refuse them with a sentence, or give a surface that is valid and not
 // larger than the bytes can hold.
 #include "fuzz/fuzz_target.h"
-#include "geometry/mesh_report.h"
-#include "geometry/obj_reader.h"
-#include "geometry/ply_reader.h"
+#include "geometry/mesh/mesh_report.h"
+#include "geometry/io/obj_reader.h"
+#include "geometry/io/ply_reader.h"
 
 namespace tactooth::test {
 namespace {

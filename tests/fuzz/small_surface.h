@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "geometry/stl_writer.h"
+#include "geometry/io/stl_writer.h"
 
 namespace tactooth::test {
 

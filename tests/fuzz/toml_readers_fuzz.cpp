@@ -7,9 +7,9 @@
 #include "fuzz/fuzz_target.h"
 #include "fuzz/small_surface.h"
 #include "session/cases/own_bur.h"
-#include "session/exercise_file.h"
-#include "session/material_file.h"
-#include "session/sound_preset.h"
+#include "assessment/exercise_file.h"
+#include "session/io/material_file.h"
+#include "session/audio/sound_preset.h"
 
 namespace tactooth::test {
 namespace {

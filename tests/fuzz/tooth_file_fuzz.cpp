@@ -6,8 +6,8 @@
 #include <cstring>
 
 #include "fuzz/fuzz_target.h"
-#include "tooth/byte_stream.h"
-#include "tooth/saved_tooth.h"
+#include "tooth/file/byte_stream.h"
+#include "tooth/file/saved_tooth.h"
 
 namespace tactooth::test {
 namespace {

@@ -3,11 +3,11 @@
 // Every surface of the collection of real teeth against what its description says, counted there by other programs.
 #include <gtest/gtest.h>
 
-#include "geometry/mesh_file.h"
-#include "geometry/mesh_report.h"
+#include "geometry/io/mesh_file.h"
+#include "geometry/mesh/mesh_report.h"
 #include "geometry/stl_bytes.h"
-#include "geometry/stl_reader.h"
-#include "geometry/stl_writer.h"
+#include "geometry/io/stl_reader.h"
+#include "geometry/io/stl_writer.h"
 #include "support/test_data.h"
 
 namespace tactooth {

@@ -10,7 +10,7 @@
 #include "devices/scripted_device.h"
 #include "instruments/builtin_tooth.h"
 #include "instruments/bur_shape.h"
-#include "session/cut_run.h"
+#include "session/scripts/cut_run.h"
 
 namespace tactooth {
 namespace {

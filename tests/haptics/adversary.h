@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-#include "geometry/vec.h"
+#include "geometry/util/vec.h"
 
 namespace tactooth::test {
 

@@ -11,7 +11,7 @@
 #include "instruments/bur_shape.h"
 #include "scene.h"
 #include "support/heap_counter.h"
-#include "tooth/live_surface.h"
+#include "tooth/surface/live_surface.h"
 
 namespace tactooth {
 namespace {

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "geometry/stl_writer.h"
+#include "geometry/io/stl_writer.h"
 #include "support/shapes.h"
 #include "support/test_data.h"
 #include "support/text_file.h"

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "felt_path.h"
-#include "geometry/simplify.h"
-#include "geometry/subdivide.h"
+#include "geometry/mesh/simplify.h"
+#include "geometry/mesh/subdivide.h"
 
 namespace tactooth {
 

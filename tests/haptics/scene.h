@@ -4,10 +4,10 @@
 
 #include <memory>
 
-#include "collision/surface.h"
-#include "collision/tool_shape.h"
+#include "collision/bvh/surface.h"
+#include "collision/neighbours/tool_shape.h"
 #include "support/shapes.h"
-#include "tooth/material.h"
+#include "tooth/model/material.h"
 
 namespace tactooth::test {
 

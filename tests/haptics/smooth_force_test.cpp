@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "felt_path.h"
-#include "geometry/simplify.h"
-#include "geometry/subdivide.h"
+#include "geometry/mesh/simplify.h"
+#include "geometry/mesh/subdivide.h"
 #include "support/shapes.h"
 
 namespace tactooth {

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
 // Ways of looking into a tooth, and what is in the air around it, against stored pictures.
-#include "geometry/pose.h"
+#include "geometry/util/pose.h"
 #include "image/molar_fixture.h"
-#include "session/cavity_ghost.h"
-#include "session/work_piece.h"
+#include "assessment/cavity_ghost.h"
+#include "session/simulation/work_piece.h"
 #include "support/shapes.h"
 
 namespace tactooth {

@@ -4,7 +4,7 @@
 
 #include "image/pictures_fixture.h"
 #include "instruments/builtin_tooth.h"
-#include "tooth/layered_tooth.h"
+#include "tooth/model/layered_tooth.h"
 
 namespace tactooth::test {
 

@@ -3,7 +3,7 @@
 // Pictures of known scenes against stored ones. README.md in this folder says how to renew them.
 #include <cmath>
 
-#include "geometry/pose.h"
+#include "geometry/util/pose.h"
 #include "image/pictures_fixture.h"
 #include "support/shapes.h"
 

@@ -11,7 +11,7 @@
 #include "instruments/bur_outline.h"
 #include "instruments/mesh_checks.h"
 #include "support/mesh_checks.h"
-#include "tooth/revolution_envelope.h"
+#include "tooth/sweep/revolution_envelope.h"
 
 namespace tactooth {
 namespace {

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
-#include "collision/closest_point.h"
-#include "geometry/mesh_report.h"
+#include "collision/bvh/closest_point.h"
+#include "geometry/mesh/mesh_report.h"
 #include "instruments/mesh_checks.h"
 
 namespace tactooth::test {

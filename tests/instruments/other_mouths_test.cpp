@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include "geometry/mesh_report.h"
+#include "geometry/mesh/mesh_report.h"
 #include "instruments/mouth_checks.h"
 
 namespace tactooth {

@@ -6,7 +6,7 @@
 
 #include <random>
 
-#include "geometry/mesh_report.h"
+#include "geometry/mesh/mesh_report.h"
 #include "instruments/mesh_checks.h"
 #include "support/shapes.h"
 

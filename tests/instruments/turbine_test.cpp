@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "collision/closest_point.h"
+#include "collision/bvh/closest_point.h"
 #include "instruments/bur_shape.h"
 #include "instruments/mesh_checks.h"
 #include "support/mesh_checks.h"

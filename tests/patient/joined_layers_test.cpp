@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "geometry/mesh_report.h"
+#include "geometry/mesh/mesh_report.h"
 #include "support/shapes.h"
 
 namespace tactooth {

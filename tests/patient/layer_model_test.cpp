@@ -6,7 +6,7 @@
 
 #include <map>
 
-#include "geometry/mesh_report.h"
+#include "geometry/mesh/mesh_report.h"
 #include "instruments/builtin_tooth.h"
 #include "support/shapes.h"
 

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-#include "geometry/mesh_report.h"
+#include "geometry/mesh/mesh_report.h"
 #include "instruments/builtin_tooth.h"
 
 namespace tactooth {

@@ -5,7 +5,7 @@
 #include <memory>
 #include <numbers>
 
-#include "session/simulator.h"
+#include "session/simulation/simulator.h"
 #include "support/shapes.h"
 
 namespace tactooth::test {

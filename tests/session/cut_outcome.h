@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "session/mesh_deviation.h"
-#include "session/work_piece.h"
+#include "assessment/mesh_deviation.h"
+#include "session/simulation/work_piece.h"
 
 // What a cut has left, to hold two ways of telling the same path against each other.
 namespace tactooth::test {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "session/cut_outcome.h"
-#include "session/cut_run.h"
+#include "session/scripts/cut_run.h"
 #include "support/shapes.h"
 
 namespace tactooth {

@@ -3,10 +3,10 @@
 // The sound must neither wait for the heap nor keep it from others: counts each call of operator new in this program.
 #include <gtest/gtest.h>
 
-#include "geometry/latest_value.h"
-#include "sound/drill_synthesiser.h"
-#include "sound/sound_format.h"
-#include "sound/soundscape.h"
+#include "geometry/util/latest_value.h"
+#include "sound/voices/drill_synthesiser.h"
+#include "sound/files/sound_format.h"
+#include "sound/voices/soundscape.h"
 #include "spectrum.h"
 #include "support/heap_counter.h"
 

@@ -13,7 +13,7 @@
 #include <cmath>
 #include <random>
 
-#include "sound/sound_format.h"
+#include "sound/files/sound_format.h"
 #include "spectrum.h"
 
 namespace tactooth {

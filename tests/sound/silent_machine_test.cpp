@@ -5,8 +5,8 @@
 #include <chrono>
 #include <thread>
 
-#include "sound/audio_libraries.h"
-#include "sound/openal_output.h"
+#include "sound/output/audio_libraries.h"
+#include "sound/output/openal_output.h"
 #include "spectrum.h"
 
 namespace tactooth {

@@ -10,7 +10,7 @@
 #include <complex>
 #include <numbers>
 
-#include "sound/sound_format.h"
+#include "sound/files/sound_format.h"
 
 namespace tactooth::test {
 

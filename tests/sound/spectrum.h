@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "sound/drill_sound_state.h"
-#include "sound/drill_synthesiser.h"
+#include "sound/voices/drill_sound_state.h"
+#include "sound/voices/drill_synthesiser.h"
 
 namespace tactooth::test {
 

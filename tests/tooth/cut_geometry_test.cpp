@@ -7,10 +7,10 @@
 #include <functional>
 #include <numbers>
 
-#include "collision/closest_point.h"
+#include "collision/bvh/closest_point.h"
 #include "support/mesh_checks.h"
 #include "support/shapes.h"
-#include "tooth/live_surface.h"
+#include "tooth/surface/live_surface.h"
 
 namespace tactooth {
 namespace {

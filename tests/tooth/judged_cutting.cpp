@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "geometry/stl_writer.h"
+#include "geometry/io/stl_writer.h"
 #include "support/mesh_checks.h"
 #include "support/test_data.h"
 

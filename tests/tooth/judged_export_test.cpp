@@ -3,7 +3,7 @@
 // What is written after random cutting, in the eyes of a reader that shares no code with the program.
 #include <gtest/gtest.h>
 
-#include "geometry/stl_writer.h"
+#include "geometry/io/stl_writer.h"
 #include "instruments/builtin_tooth.h"
 #include "support/sanitizer.h"
 #include "support/shapes.h"

@@ -7,14 +7,14 @@
 #include <numbers>
 #include <random>
 
-#include "geometry/mesh_report.h"
-#include "geometry/pose.h"
-#include "geometry/stl_reader.h"
-#include "geometry/stl_writer.h"
+#include "geometry/mesh/mesh_report.h"
+#include "geometry/util/pose.h"
+#include "geometry/io/stl_reader.h"
+#include "geometry/io/stl_writer.h"
 #include "support/sanitizer.h"
 #include "support/shapes.h"
-#include "tooth/layer_remains.h"
-#include "tooth/live_surface.h"
+#include "tooth/file/layer_remains.h"
+#include "tooth/surface/live_surface.h"
 
 namespace tactooth {
 namespace {

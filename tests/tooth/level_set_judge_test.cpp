@@ -16,7 +16,7 @@
 #include "instruments/builtin_tooth.h"
 #include "support/mesh_checks.h"
 #include "support/shapes.h"
-#include "tooth/live_surface.h"
+#include "tooth/surface/live_surface.h"
 
 namespace tactooth {
 namespace {

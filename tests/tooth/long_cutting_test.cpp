@@ -7,13 +7,13 @@
 #include <random>
 #include <set>
 
-#include "geometry/mesh_report.h"
-#include "geometry/stl_reader.h"
-#include "geometry/stl_writer.h"
+#include "geometry/mesh/mesh_report.h"
+#include "geometry/io/stl_reader.h"
+#include "geometry/io/stl_writer.h"
 #include "support/mesh_checks.h"
 #include "support/shapes.h"
 #include "support/test_data.h"
-#include "tooth/live_surface.h"
+#include "tooth/surface/live_surface.h"
 
 namespace tactooth {
 namespace {

@@ -8,7 +8,7 @@
 #include <map>
 #include <string>
 
-#include "geometry/stl_reader.h"
+#include "geometry/io/stl_reader.h"
 #include "instruments/builtin_tooth.h"
 #include "support/mesh_checks.h"
 #include "support/sanitizer.h"

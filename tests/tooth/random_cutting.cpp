@@ -6,10 +6,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "geometry/pose.h"
+#include "geometry/util/pose.h"
 #include "instruments/bur_shape.h"
 #include "support/mesh_checks.h"
-#include "tooth/crumbs.h"
+#include "tooth/file/crumbs.h"
 
 namespace tactooth::test {
 namespace {

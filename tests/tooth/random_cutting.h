@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "tooth/exported_mesh.h"
-#include "tooth/live_surface.h"
+#include "tooth/file/exported_mesh.h"
+#include "tooth/surface/live_surface.h"
 
 namespace tactooth::test {
 

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "view/offscreen.h"
-#include "view/orbit_camera.h"
+#include "view/render/offscreen.h"
+#include "view/camera/orbit_camera.h"
 
 namespace tactooth::test {
 

@@ -8,21 +8,21 @@
 #include <string>
 #include <system_error>
 
-#include "app/cli/command_registry.h"
-#include "app/cli/contact_command.h"
-#include "app/cli/cut_command.h"
-#include "app/cli/demo_command.h"
-#include "app/cli/exercise_command.h"
-#include "app/cli/exit_code.h"
-#include "app/cli/feel_command.h"
-#include "app/cli/info_command.h"
-#include "app/cli/number_range.h"
-#include "app/cli/output.h"
-#include "app/cli/score_command.h"
-#include "app/cli/sound_command.h"
-#include "app/cli/window_command.h"
-#include "geometry/number_text.h"
-#include "geometry/shown_text.h"
+#include "app/cli/terminal/command_registry.h"
+#include "app/cli/runs/contact_command.h"
+#include "app/cli/runs/cut_command.h"
+#include "app/cli/runs/demo_command.h"
+#include "app/cli/cases/exercise_command.h"
+#include "app/common/exit_code.h"
+#include "app/cli/runs/feel_command.h"
+#include "app/cli/mesh/info_command.h"
+#include "app/cli/terminal/number_range.h"
+#include "app/cli/terminal/output.h"
+#include "app/cli/cases/score_command.h"
+#include "app/cli/runs/sound_command.h"
+#include "app/cli/pictures/window_command.h"
+#include "geometry/util/number_text.h"
+#include "geometry/util/shown_text.h"
 
 namespace tactooth {
 namespace {

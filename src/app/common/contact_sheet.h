@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <string>
 
-#include "geometry/expected.h"
-#include "view/image.h"
+#include "geometry/util/expected.h"
+#include "view/render/image.h"
 
 namespace tactooth {
 

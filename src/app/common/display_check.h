@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "geometry/expected.h"
+#include "geometry/util/expected.h"
 
 namespace tactooth {
 

@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "app/common/picture_application.h"
-#include "view/distance_grid.h"
+#include "view/mesh/distance_grid.h"
 
 namespace tactooth {
 namespace {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "view/image.h"
+#include "view/render/image.h"
 
 namespace tactooth {
 

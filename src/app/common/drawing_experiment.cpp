@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <numbers>
 
-#include "geometry/number_text.h"
-#include "session/experiments/published.h"
-#include "session/experiments/quantile.h"
-#include "session/experiments/thread_clock.h"
-#include "view/offscreen.h"
-#include "view/orbit_camera.h"
+#include "geometry/util/number_text.h"
+#include "experiments/published.h"
+#include "experiments/quantile.h"
+#include "experiments/thread_clock.h"
+#include "view/render/offscreen.h"
+#include "view/camera/orbit_camera.h"
 
 namespace tactooth {
 namespace {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "session/experiments/experiments.h"
+#include "experiments/experiments.h"
 
 namespace tactooth {
 

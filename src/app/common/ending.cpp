@@ -17,8 +17,8 @@
 #include <thread>
 #include <utility>
 
-#include "app/cli/exit_code.h"
-#include "geometry/unfinished_names.h"
+#include "app/common/exit_code.h"
+#include "geometry/files/unfinished_names.h"
 
 namespace tactooth {
 namespace {

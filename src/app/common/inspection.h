@@ -7,10 +7,10 @@
 #include <string_view>
 #include <utility>
 
-#include "session/cavity_ghost.h"
-#include "tooth/layered_tooth.h"
-#include "view/orbit_camera.h"
-#include "view/scene.h"
+#include "assessment/cavity_ghost.h"
+#include "tooth/model/layered_tooth.h"
+#include "view/camera/orbit_camera.h"
+#include "view/scene/scene.h"
 
 namespace tactooth {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/common/scene_builder.h"
-#include "session/tooth_in_mouth.h"
+#include "session/simulation/tooth_in_mouth.h"
 
 namespace tactooth {
 

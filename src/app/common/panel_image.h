@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "session/experiments/experiment.h"
+#include "experiments/experiment.h"
 
 namespace tactooth {
 

@@ -8,8 +8,8 @@
 #include <cstdio>
 #include <span>
 
-#include "geometry/atomic_file.h"
-#include "geometry/file_bytes.h"
+#include "geometry/files/atomic_file.h"
+#include "geometry/files/file_bytes.h"
 
 namespace tactooth {
 namespace {

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "geometry/expected.h"
+#include "geometry/util/expected.h"
 
 class QApplication;
 class QImage;

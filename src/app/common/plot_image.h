@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <span>
 
-#include "geometry/expected.h"
+#include "geometry/util/expected.h"
 #include "haptics/haptic_simulation.h"
 
 namespace tactooth {

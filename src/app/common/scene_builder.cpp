@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "app/common/spin_blur.h"
-#include "geometry/pose.h"
+#include "geometry/util/pose.h"
 
 namespace tactooth {
 namespace {

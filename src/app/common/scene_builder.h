@@ -4,8 +4,8 @@
 
 #include "instruments/bur_catalogue.h"
 #include "instruments/mirror.h"
-#include "tooth/material.h"
-#include "view/scene.h"
+#include "tooth/model/material.h"
+#include "view/scene/scene.h"
 
 namespace tactooth {
 

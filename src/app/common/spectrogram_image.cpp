@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "app/common/picture_application.h"
-#include "sound/sound_format.h"
+#include "sound/files/sound_format.h"
 
 namespace tactooth {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <filesystem>
 
-#include "geometry/expected.h"
-#include "sound/spectrogram.h"
+#include "geometry/util/expected.h"
+#include "sound/files/spectrogram.h"
 
 namespace tactooth {
 

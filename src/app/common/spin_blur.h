@@ -3,7 +3,7 @@
 #pragma once
 
 #include "instruments/bur_catalogue.h"
-#include "tooth/revolution_envelope.h"
+#include "tooth/sweep/revolution_envelope.h"
 
 namespace tactooth {
 

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "session/spray_cloud.h"
-#include "tooth/material.h"
-#include "view/particle.h"
+#include "session/simulation/spray_cloud.h"
+#include "tooth/model/material.h"
+#include "view/scene/particle.h"
 
 namespace tactooth {
 

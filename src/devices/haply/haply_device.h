@@ -13,7 +13,7 @@
 #include "devices/haply/haply_link.h"
 #include "devices/haply/haply_message.h"
 #include "devices/haptic_device.h"
-#include "geometry/latest_value.h"
+#include "geometry/util/latest_value.h"
 
 namespace tactooth {
 

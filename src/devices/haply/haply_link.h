@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "geometry/expected.h"
+#include "geometry/util/expected.h"
 
 namespace tactooth {
 

@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "geometry/number_text.h"
+#include "geometry/util/number_text.h"
 
 namespace tactooth {
 namespace {

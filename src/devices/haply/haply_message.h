@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "geometry/expected.h"
-#include "geometry/pose.h"
+#include "geometry/util/expected.h"
+#include "geometry/util/pose.h"
 
 namespace tactooth {
 

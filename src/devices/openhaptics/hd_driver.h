@@ -11,7 +11,7 @@
 
 #include "devices/haptic_device.h"
 #include "devices/openhaptics/hd_library.h"
-#include "geometry/latest_value.h"
+#include "geometry/util/latest_value.h"
 
 namespace tactooth {
 

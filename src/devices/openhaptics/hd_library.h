@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "geometry/expected.h"
+#include "geometry/util/expected.h"
 
 namespace tactooth {
 

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "devices/pad_mapping.h"
-#include "geometry/expected.h"
-#include "geometry/latest_value.h"
+#include "geometry/util/expected.h"
+#include "geometry/util/latest_value.h"
 
 namespace tactooth {
 

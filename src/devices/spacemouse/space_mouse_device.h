@@ -8,7 +8,7 @@
 
 #include "devices/haptic_device.h"
 #include "devices/rate_hand.h"
-#include "geometry/latest_value.h"
+#include "geometry/util/latest_value.h"
 
 namespace tactooth {
 

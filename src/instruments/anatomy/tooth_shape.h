@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "geometry/isosurface.h"
+#include "geometry/field/isosurface.h"
 
 namespace tactooth {
 

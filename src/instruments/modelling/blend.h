@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/vec.h"
+#include "geometry/util/vec.h"
 
 namespace tactooth {
 

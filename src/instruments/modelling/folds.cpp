@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "geometry/mesh_edges.h"
+#include "geometry/mesh/mesh_edges.h"
 
 namespace tactooth {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/vec.h"
+#include "geometry/util/vec.h"
 
 namespace tactooth {
 

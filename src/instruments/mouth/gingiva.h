@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "geometry/isosurface.h"
+#include "geometry/field/isosurface.h"
 #include "instruments/mouth/tooth_places.h"
 
 namespace tactooth {

@@ -4,8 +4,8 @@
 
 #include <functional>
 
-#include "geometry/expected.h"
-#include "geometry/triangle_mesh.h"
+#include "geometry/util/expected.h"
+#include "geometry/mesh/triangle_mesh.h"
 
 namespace tactooth {
 

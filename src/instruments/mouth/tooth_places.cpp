@@ -13,8 +13,8 @@
 #include <random>
 #include <utility>
 
-#include "collision/closest_point.h"
-#include "geometry/parallel_for.h"
+#include "collision/bvh/closest_point.h"
+#include "geometry/util/parallel_for.h"
 #include "instruments/anatomy/variation.h"
 #include "instruments/builtin_tooth.h"
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdint>
 
-#include "geometry/pose.h"
+#include "geometry/util/pose.h"
 #include "instruments/anatomy/tooth_shape.h"
 #include "instruments/mouth/arch_curve.h"
 

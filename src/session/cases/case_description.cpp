@@ -7,12 +7,12 @@
 #include <cmath>
 #include <set>
 
-#include "geometry/number_text.h"
-#include "geometry/shown_text.h"
+#include "geometry/util/number_text.h"
+#include "geometry/util/shown_text.h"
 #include "instruments/builtin_tooth.h"
 #include "session/cases/case_store.h"
-#include "session/cases/toml_reader.h"
-#include "session/cases/unicode_text.h"
+#include "session/io/toml_reader.h"
+#include "session/io/unicode_text.h"
 
 namespace tactooth {
 namespace {

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/expected.h"
-#include "geometry/pose.h"
-#include "tooth/material.h"
+#include "geometry/util/expected.h"
+#include "geometry/util/pose.h"
+#include "tooth/model/material.h"
 
 namespace tactooth {
 

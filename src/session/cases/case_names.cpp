@@ -4,9 +4,9 @@
 
 #include <string_view>
 
-#include "geometry/small_letters.h"
+#include "geometry/util/small_letters.h"
 #include "instruments/builtin_tooth.h"
-#include "session/cases/unicode_text.h"
+#include "session/io/unicode_text.h"
 
 namespace tactooth {
 

@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-#include "tooth/material.h"
+#include "tooth/model/material.h"
 
 namespace tactooth {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "geometry/file_bytes.h"
-#include "session/cases/unicode_text.h"
+#include "geometry/files/file_bytes.h"
+#include "session/io/unicode_text.h"
 #include "session/cases/zip_archive.h"
 
 namespace tactooth {

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "geometry/expected.h"
+#include "geometry/util/expected.h"
 #include "session/cases/entry_name.h"
 
 namespace tactooth {

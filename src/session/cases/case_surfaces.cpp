@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <optional>
 
-#include "geometry/file_bytes.h"
-#include "geometry/mesh_file.h"
-#include "geometry/small_letters.h"
+#include "geometry/files/file_bytes.h"
+#include "geometry/io/mesh_file.h"
+#include "geometry/util/small_letters.h"
 #include "session/cases/case_names.h"
 #include "session/cases/case_store.h"
 #include "session/cases/entry_name.h"

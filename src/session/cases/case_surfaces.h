@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "geometry/expected.h"
-#include "geometry/remark.h"
+#include "geometry/util/expected.h"
+#include "geometry/io/remark.h"
 #include "patient/scan_import.h"
 
 namespace tactooth {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 
-#include "geometry/small_letters.h"
-#include "session/cases/unicode_text.h"
+#include "geometry/util/small_letters.h"
+#include "session/io/unicode_text.h"
 
 namespace tactooth {
 namespace {

@@ -4,18 +4,18 @@
 
 #include <algorithm>
 
-#include "collision/solid.h"
-#include "geometry/byte_text.h"
-#include "geometry/file_bytes.h"
-#include "geometry/stl_writer.h"
+#include "collision/solid/solid.h"
+#include "geometry/util/byte_text.h"
+#include "geometry/files/file_bytes.h"
+#include "geometry/io/stl_writer.h"
 #include "patient/jaw_frame.h"
 #include "patient/length_unit.h"
 #include "session/cases/case_names.h"
 #include "session/cases/case_surfaces.h"
-#include "session/cases/guarded_toml.h"
+#include "session/io/guarded_toml.h"
 #include "session/cases/own_bur.h"
-#include "session/experiments/run_facts.h"
-#include "session/material_file.h"
+#include "session/io/run_facts.h"
+#include "session/io/material_file.h"
 
 namespace tactooth {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/expected.h"
+#include "geometry/util/expected.h"
 #include "patient/scan_import.h"
 #include "session/cases/case_description.h"
 #include "session/cases/case_store.h"

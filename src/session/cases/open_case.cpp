@@ -4,13 +4,13 @@
 
 #include <algorithm>
 
-#include "collision/closest_point.h"
-#include "collision/solid_file.h"
-#include "geometry/byte_text.h"
-#include "geometry/mesh_bytes.h"
+#include "collision/bvh/closest_point.h"
+#include "collision/solid/solid_file.h"
+#include "geometry/util/byte_text.h"
+#include "geometry/io/mesh_bytes.h"
 #include "instruments/builtin_tooth.h"
-#include "session/cases/unicode_text.h"
-#include "session/material_file.h"
+#include "session/io/unicode_text.h"
+#include "session/io/material_file.h"
 
 namespace tactooth {
 namespace {

@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "geometry/expected.h"
-#include "geometry/remark.h"
+#include "geometry/util/expected.h"
+#include "geometry/io/remark.h"
 #include "session/cases/case_description.h"
 #include "session/cases/case_store.h"
 #include "session/cases/own_bur.h"
-#include "tooth/layered_tooth.h"
+#include "tooth/model/layered_tooth.h"
 
 namespace tactooth {
 

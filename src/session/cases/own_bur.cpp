@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "session/cases/own_bur.h"
 
-#include "geometry/file_bytes.h"
-#include "geometry/mesh_bytes.h"
-#include "geometry/mesh_file.h"
-#include "geometry/remark.h"
+#include "geometry/files/file_bytes.h"
+#include "geometry/io/mesh_bytes.h"
+#include "geometry/io/mesh_file.h"
+#include "geometry/io/remark.h"
 #include "session/cases/case_description.h"
 #include "session/cases/case_store.h"
-#include "session/cases/guarded_toml.h"
-#include "session/cases/toml_reader.h"
+#include "session/io/guarded_toml.h"
+#include "session/io/toml_reader.h"
 
 namespace tactooth {
 namespace {

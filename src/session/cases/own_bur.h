@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "geometry/expected.h"
-#include "geometry/remark.h"
-#include "geometry/triangle_mesh.h"
+#include "geometry/util/expected.h"
+#include "geometry/io/remark.h"
+#include "geometry/mesh/triangle_mesh.h"
 #include "instruments/bur_catalogue.h"
 
 namespace tactooth {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "session/cases/placed_tooth.h"
 
-#include "geometry/file_bytes.h"
+#include "geometry/files/file_bytes.h"
 #include "session/cases/open_case.h"
 
 namespace tactooth {

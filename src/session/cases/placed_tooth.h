@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "geometry/remark.h"
+#include "geometry/io/remark.h"
 #include "session/cases/own_bur.h"
-#include "session/tooth_file.h"
+#include "session/simulation/tooth_file.h"
 
 namespace tactooth {
 

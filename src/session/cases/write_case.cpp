@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "session/cases/write_case.h"
 
-#include "geometry/atomic_file.h"
-#include "geometry/file_bytes.h"
-#include "geometry/temporary_file.h"
-#include "geometry/unfinished_folder.h"
+#include "geometry/files/atomic_file.h"
+#include "geometry/files/file_bytes.h"
+#include "geometry/files/temporary_file.h"
+#include "geometry/files/unfinished_folder.h"
 
 namespace tactooth {
 namespace {

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "geometry/expected.h"
+#include "geometry/util/expected.h"
 #include "session/cases/case_store.h"
 
 namespace tactooth {

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "geometry/file_bytes.h"
+#include "geometry/files/file_bytes.h"
 #include "session/cases/case_store.h"
 
 namespace tactooth {

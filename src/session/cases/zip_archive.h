@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/expected.h"
+#include "geometry/util/expected.h"
 
 struct zip;
 

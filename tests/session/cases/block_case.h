@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "geometry/byte_text.h"
-#include "geometry/stl_writer.h"
+#include "geometry/util/byte_text.h"
+#include "geometry/io/stl_writer.h"
 #include "session/cases/case_store.h"
 #include "support/shapes.h"
 

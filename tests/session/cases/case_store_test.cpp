@@ -8,7 +8,7 @@
 #include <fstream>
 #include <random>
 
-#include "geometry/atomic_file.h"
+#include "geometry/files/atomic_file.h"
 #include "session/cases/block_case.h"
 #include "session/cases/open_case.h"
 #include "support/mutation.h"

@@ -6,9 +6,9 @@
 
 #include <fstream>
 
-#include "geometry/mesh_report.h"
-#include "geometry/stl_reader.h"
-#include "geometry/stl_writer.h"
+#include "geometry/mesh/mesh_report.h"
+#include "geometry/io/stl_reader.h"
+#include "geometry/io/stl_writer.h"
 #include "instruments/builtin_tooth.h"
 #include "session/cases/open_case.h"
 #include "session/cases/write_case.h"

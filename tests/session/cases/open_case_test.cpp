@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "geometry/atomic_file.h"
-#include "geometry/mesh_report.h"
-#include "geometry/stl_reader.h"
+#include "geometry/files/atomic_file.h"
+#include "geometry/mesh/mesh_report.h"
+#include "geometry/io/stl_reader.h"
 #include "session/cases/block_case.h"
 #include "session/cases/placed_tooth.h"
 #include "support/test_data.h"

@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/cases/case_command.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <numbers>
+#include <set>
+
+#include "app/common/exit_code.h"
+#include "app/cli/terminal/output.h"
+#include "geometry/files/file_bytes.h"
+#include "geometry/files/file_set.h"
+#include "geometry/mesh/mesh_report.h"
+#include "geometry/util/number_text.h"
+#include "geometry/util/shown_text.h"
+#include "patient/length_unit.h"
+#include "session/cases/make_case.h"
+#include "session/cases/open_case.h"
+#include "session/io/unicode_text.h"
+#include "session/cases/write_case.h"
+
+namespace tactooth {
+namespace {
+
+constexpr double kFinestUnit = 1e-6, kCoarsestUnit = 1e6;  // mm
+
+Expected<ImportChoices> choicesOf(const CaseNewOptions& options) {
+    ImportChoices choices;
+    if (!options.units.empty()) {
+        if (const auto unit = lengthUnitFromName(options.units)) {
+            choices.mmPerUnit = unit->mm;
+        } else if (const auto factor = toNumber<double>(options.units);
+                   factor && *factor >= kFinestUnit && *factor <= kCoarsestUnit) {
+            choices.mmPerUnit = *factor;
+        } else {
+            return unexpected("--units " + quotedWord(options.units) +
+                              " is no unit; give mm, cm, inch, m, um, or how many mm one unit is, "
+                              "from 0.000001 to 1000000.");
+        }
+    }
+    choices.holes = options.holes == "all"    ? HolesToFill::All
+                    : options.holes == "none" ? HolesToFill::None
+                                              : HolesToFill::Small;
+    choices.frame.isUpsideDown = options.upsideDown;
+    choices.frame.turn = options.turnDegrees * std::numbers::pi / 180;
+    choices.modelsLayers = !options.noModel;
+    return choices;
+}
+
+void printSentences(const std::vector<std::string>& sentences) {
+    for (const std::string& sentence : sentences) say("    {}\n", shownText(sentence));
+}
+
+/// "enamel, dentin and pulp (a model)".
+std::string layersOf(const CaseTooth& tooth) {
+    if (tooth.layers.empty()) return "all " + std::string(materialName(tooth.material));
+    std::string words;
+    for (const auto& [id, file] : tooth.layers) words.append(words.empty() ? "" : ", ").append(materialName(id));
+    return words + (tooth.isModelled ? " (a model)" : "");
+}
+
+void printBodies(const CaseDescription& description, bool withAssumptions) {
+    for (const CaseTooth& tooth : description.teeth) {
+        const Vec3& at = tooth.toothInCase.position;
+        say("  tooth {}{}: {}; at {:.1f}, {:.1f}, {:.1f} mm\n", shownText(tooth.name),
+            tooth.fdi != 0 ? fmt::format(" (FDI {})", tooth.fdi) : "", layersOf(tooth), at.x(), at.y(), at.z());
+        if (withAssumptions) printSentences(tooth.assumed);
+    }
+    for (const CaseSurrounding& body : description.around) {
+        say("  around: {}, taken as {}\n", shownText(body.name), materialName(body.material));
+        if (withAssumptions) printSentences(body.assumed);
+    }
+    for (const std::string& bur : description.burs) say("  bur: {}\n", shownText(bur));
+    if (!description.materials.empty()) say("  materials of its own: {}\n", shownText(description.materials));
+}
+
+/// Files that the description does not name: they may be meant to be there, and do nothing.
+std::vector<std::string> unusedFiles(const CaseStore& store, const CaseDescription& description) {
+    std::set<std::string> used = {std::string(kCaseText), description.materials};
+    for (const CaseTooth& tooth : description.teeth) {
+        used.insert(tooth.outer);
+        for (const auto& [id, file] : tooth.layers) used.insert(file);
+    }
+    for (const CaseSurrounding& body : description.around) used.insert(body.surface);
+    std::vector<std::string> unused;
+    const auto folderOf = [](const std::string& entry) { return entry.substr(0, entry.rfind('/') + 1); };
+    for (const std::string& entry : store.entries()) {
+        // The description of a bur names a surface beside it.
+        const bool isBesideBur = std::ranges::any_of(
+            description.burs, [&](const std::string& bur) { return folderOf(bur) == folderOf(entry); });
+        if (!used.contains(entry) && !isBesideBur) unused.push_back(entry);
+    }
+    return unused;
+}
+
+/// Reads what a case packed of a folder would hold.
+Expected<std::vector<CaseFile>> filesOf(const CaseStore& store) {
+    std::vector<CaseFile> files;
+    for (const std::string& entry : store.entries()) {
+        if (const std::string name = validUtf8(entry); name != entry)
+            return unexpected(name + ": an archive takes names in UTF-8 only; give the file another name.");
+        auto bytes = store.read(entry);
+        if (!bytes) return Unexpected{bytes.error()};
+        files.push_back({entry, std::move(*bytes)});
+    }
+    return files;
+}
+
+}  // namespace
+
+int runCaseNew(const CaseNewOptions& options) {
+    const auto choices = choicesOf(options);
+    if (!choices) return refuse(choices.error());
+    if (const auto done = checkCaseTarget(options.out); !done) return refuse(done.error());
+    FileSet set;
+    for (const auto& input : options.from) set.reads(input);
+    for (const auto& input : options.burs) set.reads(input);
+    set.reads(options.materials);
+    if (options.out.extension() == kCaseEnding) {
+        if (const auto opened = set.open(options.out); !opened) return refuse(opened.error());
+    }
+    const CaseRequest request{options.from,     options.title, options.licence, options.provenance,
+                              options.quadrant, *choices,      options.burs,    options.materials};
+    std::string last;
+    const auto made = makeCase(request, [&](const std::string& body, double /*part*/) {
+        if (body != last) say("importing {}\n", shownText(body));
+        last = body;
+        std::fflush(stdout);
+        return true;
+    });
+    if (!made) return refuse(made.error());
+    if (const auto written = writeCase(made->files, options.out); !written) return refuse(written.error());
+    if (const auto named = set.commit(); !named) return refuse(named.error());
+    printBodies(made->description, true);
+    say("{}: {} teeth and {} bodies around them; licence: {}\n", shownName(options.out), made->description.teeth.size(),
+        made->description.around.size(), shownText(made->description.licence));
+    return kExitOk;
+}
+
+int runCaseCheck(const CaseCheckOptions& options) {
+    const auto store = CaseStore::open(options.path);
+    if (!store) return refuse(store.error());
+    const auto opened = openCase(*store);
+    if (!opened) {
+        refuse(opened.error());
+        return kExitNegative;
+    }
+    printRemarks(opened->remarks);
+    const auto bodies = caseBodies(*store, opened->description);
+    if (!bodies) return refuse(bodies.error());
+    for (const CaseBody& body : *bodies) {
+        const MeshReport report = reportOn(body.surface);
+        say("{}: {} triangles, closed\n", body.name, report.triangles);
+        for (const std::string& finding : findings(report)) say("    {}\n", finding);
+    }
+    for (const CaseOverlap& overlap : overlaps(*bodies)) {
+        say("{} and {} share room, {:.3f} mm deep: both cannot be cut truly there\n", overlap.first, overlap.second,
+            overlap.deepest);
+    }
+    for (const std::string& entry : unusedFiles(*store, opened->description)) {
+        say("{}: case.toml does not name this file\n", shownName(entry));
+    }
+    say("{} can be opened\n", shownName(options.path));
+    return kExitOk;
+}
+
+int runCaseInfo(const CaseInfoOptions& options) {
+    const auto store = CaseStore::open(options.path);
+    if (!store) return refuse(store.error());
+    const auto description = readCaseDescription(*store);
+    if (!description) return refuse(description.error());
+    say("{}\nlicence: {}\n", description->title, description->licence);
+    for (const std::string& line : description->provenance) say("  {}\n", line);
+    printBodies(*description, true);
+    return kExitOk;
+}
+
+int runCasePack(const CasePackOptions& options) {
+    const auto store = CaseStore::open(options.folder);
+    if (!store) return refuse(store.error());
+    if (const auto opened = openCase(*store); !opened) return refuse(opened.error());
+    auto files = filesOf(*store);
+    if (!files) return refuse(files.error());
+    std::filesystem::path out = options.out;
+    if (out.empty()) {
+        std::error_code error;
+        const std::filesystem::path folder = std::filesystem::canonical(options.folder, error);
+        out = std::filesystem::is_directory(folder, error) ? folder : folder.parent_path();
+        out += kCaseEnding;
+    }
+    if (out.extension() != kCaseEnding) {
+        return refuse(
+            {shownName(out) + ": a packed case is a file whose name ends in " + std::string(kCaseEnding) + "."});
+    }
+    const std::size_t count = files->size();
+    if (const auto written = writeCase(*files, out); !written) return refuse(written.error());
+    say("{}: {} files\n", shownName(out), count);
+    return kExitOk;
+}
+
+}  // namespace tactooth

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/terminal/command_registry.h"
+#include "app/cli/terminal/number_range.h"
+#include "app/cli/mesh/simplify_command.h"
+#include "app/cli/mesh/subdivide_command.h"
+#include "geometry/mesh/subdivide.h"
+
+namespace tactooth {
+namespace {
+
+void addSimplify(CLI::App& program, Chosen& chosen) {
+    const auto options = std::make_shared<SimplifyOptions>();
+    CLI::App* command = addCommand(
+        program, chosen, "simplify",
+        "Writes a closed surface with fewer triangles; it stays closed and keeps its handles.", options, runSimplify);
+    command->add_option("IN", options->in, "STL file, mm")->required()->type_name("");
+    command->add_option("--keep", options->keep, "A share of the triangles (50%) or how many (20000)")
+        ->required()
+        ->type_name("SHARE");
+    command->add_option("--out", options->out, "STL file to write")->required()->type_name("FILE");
+}
+
+void addSubdivide(CLI::App& program, Chosen& chosen) {
+    const auto options = std::make_shared<SubdivideOptions>();
+    CLI::App* command = addCommand(program, chosen, "subdivide",
+                                   "Writes the same surface from more triangles (without --triangles and --times: from "
+                                   "four times as many).",
+                                   options, runSubdivide);
+    command->add_option("IN", options->in, "STL file, mm")->required()->type_name("");
+    command->add_option("--out", options->out, "STL file to write")->required()->type_name("FILE");
+    CLI::Option* triangles =
+        command->add_option("--triangles", options->triangles, "How many, longest edges halved first");
+    triangles->transform(wholeNumberFrom(1, kMostSubdivided))->type_name("N");
+    command->add_option("--times", options->times, "How often every edge is halved: 4^N as many triangles")
+        ->transform(wholeNumberFrom(0, 12))
+        ->type_name("N")
+        ->excludes(triangles);
+}
+
+}  // namespace
+
+void addMeshCommands(CLI::App& program, Chosen& chosen) {
+    addSimplify(program, chosen);
+    addSubdivide(program, chosen);
+}
+
+}  // namespace tactooth

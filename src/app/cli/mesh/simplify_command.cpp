@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/mesh/simplify_command.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "app/common/exit_code.h"
+#include "app/cli/terminal/mesh_summary.h"
+#include "app/cli/terminal/output.h"
+#include "collision/solid/solid_file.h"
+#include "geometry/files/file_bytes.h"
+#include "geometry/files/file_set.h"
+#include "geometry/mesh/mesh_edges.h"
+#include "geometry/util/number_text.h"
+#include "geometry/mesh/simplify.h"
+#include "geometry/io/stl_writer.h"
+#include "assessment/mesh_deviation.h"
+
+namespace tactooth {
+namespace {
+
+/// How many of `triangles` are to be kept, from "50%" or "20000".
+Expected<std::size_t> wantedTriangles(std::string_view keep, std::size_t triangles) {
+    const bool isShare = keep.ends_with('%');
+    const auto number = toNumber<double>(isShare ? keep.substr(0, keep.size() - 1) : keep);
+    if (!number || !(*number > 0) || !(isShare ? *number <= 100 : *number == std::floor(*number) && *number < 1e15)) {
+        return unexpected("--keep " + quotedWord(keep) +
+                          " is neither a share, for example 50%, nor a number of triangles, for example 20000.");
+    }
+    const double wanted = isShare ? *number / 100 * static_cast<double>(triangles) : *number;
+    return static_cast<std::size_t>(std::llround(wanted));
+}
+
+}  // namespace
+
+int runSimplify(const SimplifyOptions& options) {
+    FileSet files;
+    files.reads(options.in);
+    if (const auto opened = files.open(options.out); !opened) return refuse(opened.error());
+    if (const auto wanted = wantedTriangles(options.keep, 1); !wanted) return refuse(wanted.error());
+    std::vector<Remark> remarks;
+    auto mesh = loadSolid(options.in, "the surface", {.dropsSpecks = false}, &remarks);
+    if (!mesh) return refuse(mesh.error());
+    printRemarks(remarks);
+    std::erase_if(mesh->triangles, [](const Triangle& triangle) { return isDegenerate(triangle); });
+    const std::size_t wanted = *wantedTriangles(options.keep, mesh->triangles.size());
+    say(stderr, "simplifying {} triangles to {}\n", mesh->triangles.size(), wanted);
+    const TriangleMesh fewer = simplified(*mesh, wanted);
+    if (const SolidReport now = examineSolid(fewer, {.dropsSpecks = false}).report; !now.isSolid()) {
+        return refuse(
+            {fmt::format("{}: with {} triangles the surface would cross itself by {:.2f} mm; keep more of them.",
+                         shownName(options.in), fewer.triangles.size(), now.overlap)});
+    }
+    if (const auto done = writeStl(fewer, options.out); !done) return refuse(done.error());
+    if (const auto done = files.commit(); !done) return refuse(done.error());
+    printChange(options.in, *mesh, options.out, fewer, greatestDeviation(*mesh, fewer));
+    if (fewer.triangles.size() > wanted) {
+        say("more triangles than asked for are needed to keep the surface closed and its triangles well shaped\n");
+    }
+    return kExitOk;
+}
+
+}  // namespace tactooth

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/mesh/subdivide_command.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "app/common/exit_code.h"
+#include "app/cli/terminal/mesh_summary.h"
+#include "app/cli/terminal/output.h"
+#include "geometry/files/file_bytes.h"
+#include "geometry/files/file_set.h"
+#include "geometry/io/mesh_file.h"
+#include "geometry/io/stl_writer.h"
+#include "geometry/mesh/subdivide.h"
+#include "assessment/mesh_deviation.h"
+
+namespace tactooth {
+
+int runSubdivide(const SubdivideOptions& options) {
+    FileSet files;
+    files.reads(options.in);
+    if (const auto opened = files.open(options.out); !opened) return refuse(opened.error());
+    const auto read = readMesh(options.in);
+    if (!read) return refuse(read.error());
+    printRemarks(read->remarks);
+    const TriangleMesh* const mesh = &read->mesh;
+    const int times = options.times.value_or(1);
+    const double wanted = options.triangles ? static_cast<double>(*options.triangles)
+                                            : static_cast<double>(mesh->triangles.size()) * std::pow(4.0, times);
+    if (wanted > static_cast<double>(kMostSubdivided)) {
+        return refuse({fmt::format("{}: {:.0f} triangles would be made, and {} are the most; ask for fewer.",
+                                   shownName(options.in), wanted, kMostSubdivided)});
+    }
+    say(stderr, "subdividing {} triangles to {:.0f}\n", mesh->triangles.size(), wanted);
+    const TriangleMesh more = options.triangles ? subdividedTo(*mesh, *options.triangles) : subdivided(*mesh, times);
+    if (const auto done = writeStl(more, options.out); !done) return refuse(done.error());
+    if (const auto done = files.commit(); !done) return refuse(done.error());
+    printChange(options.in, *mesh, options.out, more, greatestVertexDistance(more, *mesh));
+    return kExitOk;
+}
+
+}  // namespace tactooth

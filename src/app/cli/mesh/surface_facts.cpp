@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/terminal/info_text.h"
+
+namespace tactooth {
+
+SurfaceFacts surfaceFacts(const TriangleMesh& mesh) {
+    const MeshReport stored = reportOn(mesh);
+    ExaminedSolid examined = examineSolid(mesh);
+    const bool isChanged = examined.mesh.triangles != mesh.triangles || examined.mesh.vertices != mesh.vertices;
+    return {stored.triangles, stored.insideOut(), stored.oriented(), isChanged ? reportOn(examined.mesh) : stored,
+            examined.report};
+}
+
+std::vector<std::string> SurfaceFacts::findings() const {
+    std::vector<std::string> sentences = tactooth::findings(used);
+    for (const Remark& remark : remarksOn(solid, "When used")) sentences.push_back(inWords(remark));
+    if (solid.flaw == SolidFlaw::Overlapping || solid.flaw == SolidFlaw::Tangled || solid.flaw == SolidFlaw::Empty ||
+        (solid.flaw == SolidFlaw::Twisted && used.oriented())) {
+        sentences.push_back(flawSentence(solid, "The surface") + ".");
+    }
+    return sentences;
+}
+
+}  // namespace tactooth

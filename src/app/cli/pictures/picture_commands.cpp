@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/terminal/command_registry.h"
+#include "app/cli/terminal/number_range.h"
+#include "app/cli/pictures/render_command.h"
+#include "app/common/inspection.h"
+
+namespace tactooth {
+namespace {
+
+void addSubject(CLI::App& command, RenderOptions& options) {
+    command
+        .add_option("--tooth,--case,FILE", options.tooth,
+                    "STL file, mm, crown up (+z), a case, or a saved tooth (default: built-in molar)")
+        ->type_name("FILE");
+    command.add_option("--work-on", options.workOn, "The tooth of a case to look at (default: all of it)")
+        ->type_name("NAME")
+        ->needs("--tooth");
+    command.add_option("--layer", options.layers, "What is inside --tooth, as for 'cut'")
+        ->type_name("NAME=FILE")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->needs("--tooth");
+    command
+        .add_option("--materials", options.materials,
+                    "TOML file that changes the materials' colours (pattern: data/materials.toml)")
+        ->type_name("FILE");
+    command
+        .add_option("--mirror", options.mirror,
+                    "Adds a mouth mirror with a head of this diameter, mm: 18 (No. 2) to 26 (No. 6)")
+        ->transform(numberFrom(10.0, 40.0))
+        ->type_name("MM");
+    command.add_option("--fog", options.fog, "Breath on the mirror, 0 to 1")
+        ->transform(numberFrom(0.0, 1.0))
+        ->type_name("SHARE");
+    command.add_option("--drops", options.drops, "Share of the mirror where drops of spray stand, 0 to 1")
+        ->transform(numberFrom(0.0, 1.0))
+        ->type_name("SHARE");
+}
+
+void addMouth(CLI::App& command, RenderOptions& options) {
+    CLI::Option* mouth = command.add_flag("--mouth", options.mouth,
+                                          "The whole built-in mouth; then --view is front, right, left, upper, lower, "
+                                          "dentist, or AZIMUTH,ELEVATION (90,0 from the front)");
+    addMouthWishes(command, options.mouthWishes, mouth);
+    for (const char* other : {"--tooth", "--layer", "--materials", "--mirror", "--clip", "--transparent", "--target",
+                              "--stereo", "--second"}) {
+        mouth->excludes(other);
+    }
+}
+
+std::vector<std::string> standardViewNames() {
+    std::vector<std::string> names;
+    for (const auto& [name, view] : kStandardViews) names.emplace_back(name);
+    return names;
+}
+
+void addEye(CLI::App& command, RenderOptions& options) {
+    command
+        .add_option(
+            "--view", options.view,
+            "occlusal, buccal, lingual, mesial, distal, dentist (default), or AZIMUTH,ELEVATION in degrees: 0,0 "
+            "from mesial, 90,0 from buccal, 90 up from above")
+        ->type_name("VIEW");
+    command.add_option("--at", options.at, "Middle of the picture, mm in the tooth's frame")->type_name("X,Y,Z");
+    command.add_option("--span", options.span, "Millimetres that the picture is high (default: the whole tooth)")
+        ->transform(numberFrom(0.2, 1000.0))
+        ->type_name("MM");
+    command.add_option("--turntable", options.turntable, "Pictures of a whole turn: X-000.png, X-001.png and so on")
+        ->transform(wholeNumberFrom(2, 3600))
+        ->type_name("N");
+    CLI::Option* stereo =
+        command
+            .add_option("--stereo", options.stereo, "For two eyes: side-by-side, or anaglyph for red and cyan glasses")
+            ->check(CLI::IsMember({"side-by-side", "anaglyph"}))
+            ->type_name("MODE");
+    command
+        .add_option("--second", options.second,
+                    "A small picture from another side in the corner: occlusal, buccal, lingual, mesial or distal")
+        ->check(CLI::IsMember(standardViewNames()))
+        ->excludes(stereo)
+        ->type_name("VIEW");
+}
+
+void addInsight(CLI::App& command, RenderOptions& options) {
+    command
+        .add_option("--clip", options.clip,
+                    "Takes away what lies on this side (occlusal, buccal, lingual, mesial, distal) of the tooth's "
+                    "middle, or of a plane so many mm from it")
+        ->type_name("SIDE[=MM]");
+    command
+        .add_option("--transparent", options.transparent,
+                    "Opacity of a tissue, 0 to 1 (enamel=0.3); may be given several times")
+        ->type_name("NAME=OPACITY")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    command
+        .add_option(
+            "--target", options.target,
+            "Closed STL file of the ideal shape: colours the tooth by its distance to it, orange where too much "
+            "was cut, blue where something is left")
+        ->type_name("FILE");
+    command
+        .add_flag("--ghost", options.ghost,
+                  "Shows instead of the colours what of --target lies inside the tooth: the cavity that is to be cut, "
+                  "as a body of blue glass, as far as no cut has reached it")
+        ->needs("--target");
+    command.add_option("--range", options.range, "Distance of the strongest colours, mm (default: 0.5)")
+        ->transform(numberFrom(0.001, 100.0))
+        ->type_name("MM");
+}
+
+}  // namespace
+
+void addPictureCommands(CLI::App& program, Chosen& chosen) {
+    const auto options = std::make_shared<RenderOptions>();
+    CLI::App* command = addCommand(
+        program, chosen, "render",
+        "Draws a tooth into a picture (PNG) or the pictures of a turn; needs no display and no graphics card.", options,
+        runRender);
+    addSubject(*command, *options);
+    addEye(*command, *options);
+    addInsight(*command, *options);
+    addMouth(*command, *options);
+    command->add_option("--size", options->size, "Pixels (default: 1600x1000; at most 4096x4096 in all)")
+        ->type_name("WxH");
+    command->add_flag("--no-background", options->noBackground, "Leave the background transparent");
+    command->add_option("--out", options->out, "PNG file to write")->required()->type_name("FILE");
+}
+
+}  // namespace tactooth

@@ -1,0 +1,210 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/pictures/render_command.h"
+
+#include <numbers>
+
+#include "app/common/exit_code.h"
+#include "app/cli/terminal/output.h"
+#include "app/cli/pictures/render_mouth.h"
+#include "app/cli/pictures/render_words.h"
+#include "app/common/distance_legend.h"
+#include "app/common/inspection.h"
+#include "app/gui/model/bench_parts.h"
+#include "geometry/files/atomic_file.h"
+#include "geometry/files/file_bytes.h"
+#include "geometry/files/file_set.h"
+#include "assessment/ideal_shape.h"
+#include "session/io/material_file.h"
+#include "view/render/offscreen.h"
+
+namespace tactooth {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kEyesPerFocus = 1.0 / 30;  // eye distance by the distance of what is looked at: easy to fuse
+
+Expected<BenchTooth> toothOf(const RenderOptions& options) {
+    if (options.tooth.empty()) return makeBenchTooth(kBuiltinTeeth.front());
+    ToothSource source{.outer = options.tooth, .layers = {}};
+    for (const std::string& text : options.layers) {
+        Expected<ToothSource::Layer> layer = parseLayer(text);
+        if (!layer) return Unexpected{layer.error()};
+        source.layers.push_back(std::move(*layer));
+    }
+    return loadBenchTooth(source, options.workOn);
+}
+
+Expected<ColourByDistance> distancesFor(const RenderOptions& options, const Box3& box) {
+    auto mesh = loadIdealShape(options.target);
+    if (!mesh) return Unexpected{mesh.error()};
+    const SurfacePart target(std::move(*mesh));
+    constexpr double kMargin = 0.1;  // mm: the grid reaches beyond the surface that looks it up
+    const Box3 around(box.min().array() - kMargin, box.max().array() + kMargin);
+    return ColourByDistance{std::make_shared<const DistanceGrid>(distancesTo(target, around)), options.range};
+}
+
+Expected<std::shared_ptr<CavityGhost>> ghostFor(const RenderOptions& options, const SurfacePart& uncut) {
+    const auto mesh = loadIdealShape(options.target);
+    if (!mesh) return Unexpected{mesh.error()};
+    auto ghost = std::make_shared<CavityGhost>(*mesh, uncut);
+    if (ghost->empty()) {
+        return unexpected(shownName(options.target) +
+                          " leaves nothing to cut: no part of it lies inside the uncut tooth, so there is no ghost; "
+                          "choose the surface of the same tooth with its cavity, in the same frame.");
+    }
+    return ghost;
+}
+
+Expected<Inspection> inspectionOf(const RenderOptions& options, const BenchTooth& tooth) {
+    Inspection inspection;
+    if (!options.clip.empty()) {
+        const auto clip = parseClip(options.clip);
+        if (!clip) return Unexpected{clip.error()};
+        inspection.section = sectionAt(clip->side, tooth.mesialX, tooth.box(), clip->fromMiddle);
+    }
+    for (const std::string& text : options.transparent) {
+        const auto layer = parseOpacity(text);
+        if (!layer) return Unexpected{layer.error()};
+        inspection.opacity[static_cast<std::size_t>(layer->material)] = layer->opacity;
+    }
+    if (options.ghost) {
+        auto ghost = ghostFor(options, *tooth.piece->tooth().ownOuter());
+        if (!ghost) return Unexpected{ghost.error()};
+        inspection.ghost = std::move(*ghost);
+    } else if (!options.target.empty()) {
+        auto distances = distancesFor(options, tooth.box());
+        if (!distances) return Unexpected{distances.error()};
+        inspection.distances = std::move(*distances);
+    }
+    return inspection;
+}
+
+/// The eye that the options ask for.
+Expected<OrbitCamera> eyeOf(const RenderOptions& options, const BenchTooth& tooth, PictureSize size) {
+    const auto direction = parseView(options.view);
+    if (!direction) return Unexpected{direction.error()};
+    OrbitCamera camera;
+    // Of a case all is shown, unless one of its teeth was asked for.
+    camera.fit(options.workOn.empty() ? tooth.piece->tooth().outer()->tree().box() : tooth.box(), size.aspect());
+    if (direction->standard) {
+        camera.look(*direction->standard, tooth.mesialX);
+    } else {
+        camera.look(tooth.mesialX < 0 ? mirroredInX(direction->free) : direction->free);
+    }
+    if (!options.at.empty()) {
+        const auto middle = parsePoint(options.at);
+        if (!middle) return Unexpected{middle.error()};
+        camera.fit(Box3(middle->array() - 5, middle->array() + 5), size.aspect());
+    }
+    if (options.span > 0) {
+        const double shown = camera.pixelPitch(size) * size.height;
+        camera.zoom(options.span / shown, Vec2(size.width / 2.0, size.height / 2.0), size);
+    }
+    return camera;
+}
+
+Stereo::Mode stereoOf(const std::string& name) {
+    if (name == "side-by-side") return Stereo::Mode::SideBySide;
+    return name == "anaglyph" ? Stereo::Mode::Anaglyph : Stereo::Mode::Off;
+}
+
+/// All that stays the same in the pictures of one run.
+struct Studio {
+    const RenderOptions& options;
+    BenchTooth tooth;
+    MaterialTable materials;
+    Inspection inspection;
+    std::optional<DentalMirror> mirror;
+    PictureSize size;
+    OffscreenRenderer renderer;
+};
+
+Scene sceneFor(const Studio& studio, const OrbitCamera& eye) {
+    SceneContents contents;
+    contents.tooth = studio.tooth.piece->surface();
+    contents.materials = studio.materials;
+    contents.camera = eye.camera();
+    if (studio.mirror) {
+        const Vec3 toEye = (contents.camera.cameraInWorld.position - studio.tooth.box().center()).normalized();
+        contents.mirror =
+            ShownMirror{std::make_shared<const TriangleMesh>(studio.mirror->surface), studio.mirror->disc,
+                        parkedMirror(studio.tooth.box(), studio.mirror->disc, toEye, studio.tooth.mesialX)};
+    }
+    Scene scene = makeScene(contents);
+    inspect(scene, studio.tooth.piece->tooth(), studio.inspection);
+    if (scene.mirror) {
+        scene.mirror->fog = static_cast<float>(studio.options.fog);
+        scene.mirror->drops = static_cast<float>(studio.options.drops);
+    }
+    if (studio.options.noBackground) scene.background.kind = Background::Kind::Transparent;
+    scene.stereo = {stereoOf(studio.options.stereo), eye.distance(), kEyesPerFocus * eye.distance()};
+    if (const StandardView* second = standardView(studio.options.second)) {
+        scene.second = SecondView{crownFrom(*second, studio.tooth.mesialX, studio.tooth.box())};
+    }
+    return scene;
+}
+
+Expected<void> takePicture(Studio& studio, const OrbitCamera& eye, const std::filesystem::path& file) {
+    Expected<Image> image = studio.renderer.render(sceneFor(studio, eye), studio.size);
+    if (!image) return Unexpected{image.error()};
+    if (studio.inspection.distances) drawDistanceLegend(*image, studio.inspection.distances->range);
+    if (auto written = writePng(*image, file); !written) return written;
+    say("{}: {}, {} x {}\n", shownName(file), studio.tooth.name, studio.size.width, studio.size.height);
+    return {};
+}
+
+Expected<void> takeTurn(Studio& studio, OrbitCamera eye) {
+    const int count = studio.options.turntable;
+    for (int i = 0; i < count; ++i) {
+        OrbitCamera turned = eye;
+        turned.look({eye.direction().azimuth + 360 * kDegree * i / count, eye.direction().elevation});
+        auto done = takePicture(studio, turned, numberedFile(studio.options.out, i));
+        if (!done) return done;
+    }
+    return {};
+}
+
+Expected<void> render(const RenderOptions& options) {
+    const auto size = parseSize(options.size);
+    if (!size) return Unexpected{size.error()};
+    auto tooth = toothOf(options);
+    if (!tooth) return Unexpected{tooth.error()};
+    const auto materials =
+        options.materials.empty() && tooth->materials ? *tooth->materials : materialsFrom(options.materials);
+    if (!materials) return Unexpected{materials.error()};
+    auto inspection = inspectionOf(options, *tooth);
+    if (!inspection) return Unexpected{inspection.error()};
+    const auto eye = eyeOf(options, *tooth, *size);
+    if (!eye) return Unexpected{eye.error()};
+    auto renderer = OffscreenRenderer::create();
+    if (!renderer) return Unexpected{renderer.error()};
+    Studio studio{options, std::move(*tooth), *materials, std::move(*inspection), {}, *size, std::move(*renderer)};
+    if (options.mirror) studio.mirror = makeMirror(*options.mirror);
+    return options.turntable > 0 ? takeTurn(studio, *eye) : takePicture(studio, *eye, options.out);
+}
+
+/// Before the work: what stands in the way of a picture is then said at once.
+Expected<void> openFiles(const RenderOptions& options, FileSet& files) {
+    for (const auto& input : {options.tooth, options.materials, options.target}) files.reads(input);
+    for (const std::string& layer : options.layers) files.reads(layer.substr(layer.find('=') + 1));
+    if (options.turntable == 0) return files.open(options.out);
+    for (int i = 0; i < options.turntable; ++i) {  // too many to hold all of them open
+        if (auto free = files.checkFree(numberedFile(options.out, i)); !free) return free;
+    }
+    const auto first = AtomicFile::create(numberedFile(options.out, 0));
+    if (!first) return Unexpected{first.error()};
+    return {};
+}
+
+}  // namespace
+
+int runRender(const RenderOptions& options) {
+    FileSet files;
+    if (const auto opened = openFiles(options, files); !opened) return refuse(opened.error());
+    if (const auto done = options.mouth ? renderMouth(options) : render(options); !done) return refuse(done.error());
+    const auto named = files.commit();
+    return named ? kExitOk : refuse(named.error());
+}
+
+}  // namespace tactooth

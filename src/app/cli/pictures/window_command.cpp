@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/pictures/window_command.h"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+
+#include "app/common/exit_code.h"
+#include "app/gui/window/run_window.h"
+#include "app/gui/settings/window_settings.h"
+#include "devices/open_device.h"
+#include "geometry/util/number_text.h"
+
+namespace tactooth {
+namespace {
+
+constexpr const char* kGroup = "Window";
+constexpr const char* kDevice = "--device";
+constexpr const char* kSecondDevice = "--second-device";
+constexpr const char* kSecondDeviceSetting = "--hand-second-device";
+
+/// What is on the bench instead of the built-in tooth.
+void addOwnTooth(CLI::App& program, WindowArguments& arguments) {
+    CLI::Option* tooth = program.add_option("--tooth,--case,CASE", arguments.tooth,
+                                            "Your own tooth: a case, an STL file, mm, or a saved one");
+    tooth->type_name("FILE")->group(kGroup);
+    program.add_option("--work-on", arguments.workOn, "The tooth of a case to work on (default: the first)")
+        ->type_name("NAME")
+        ->needs(tooth)
+        ->group(kGroup);
+    program
+        .add_option("--layer", arguments.layers, "A closed surface inside it; NAME is enamel, dentin, pulp or caries")
+        ->type_name("NAME=FILE")
+        ->allow_extra_args(false)
+        ->needs(tooth)
+        ->group(kGroup);
+}
+
+/// What moves the bur and the mirror.
+void addHands(CLI::App& program, WindowArguments& arguments) {
+    program
+        .add_option(kDevice, arguments.device,
+                    "What moves the bur: mouse, pen, inverse3, gamepad or spacemouse; pen:NAME, inverse3:ID or "
+                    "gamepad:NAME for one of several; replay:FILE.csv for a hand that goes the way of a trajectory "
+                    "(default: the one of the last time; docs/haptics.md)")
+        ->type_name("NAME")
+        ->group(kGroup);
+    program
+        .add_option_function<std::string>(
+            kSecondDevice, [&arguments](const std::string& name) { arguments.settings[kSecondDeviceSetting] = name; },
+            "Device of the other hand, which holds the mirror, as for --device, but no mouse; is remembered; none: one "
+            "hand alone again")
+        ->type_name("NAME")
+        ->group(kGroup);
+}
+
+void addMouthAndBur(CLI::App& program, WindowArguments& arguments) {
+    CLI::Option* mouth = program.add_option_function<std::string>(
+        "--mouth",
+        [&arguments](const std::string& fdi) {
+            arguments.mouth = fdi.empty() ? BenchMouth().fdi : toNumber<int>(fdi).value_or(0);
+        },
+        "The whole built-in mouth, to work on this tooth of it (default: 46)");
+    mouth->type_name("[FDI]")->expected(0, 1)->excludes("--tooth")->group(kGroup);
+    program
+        .add_flag("--no-cache", arguments.noCache, "Make the teeth and gums of the mouth anew, and do not keep them")
+        ->needs(mouth)
+        ->group(kGroup);
+    program
+        .add_option("--bur", arguments.bur,
+                    "Your own bur: an STL file, tip at the origin, +z along the shaft, or its TOML description")
+        ->type_name("FILE")
+        ->group(kGroup);
+}
+
+void addExercise(CLI::App& program, WindowArguments& arguments) {
+    program
+        .add_option("--exercise", arguments.exercise,
+                    "An exercise of your own: a TOML file (docs/exercises.md) with tooth, bur and ideal cavity")
+        ->type_name("FILE")
+        ->excludes("--tooth")
+        ->excludes("--mouth")
+        ->group(kGroup);
+}
+
+/// One option for each setting that is kept.
+void addSettings(CLI::App& program, WindowArguments& arguments) {
+    for (const WindowOption& option : windowOptions()) {
+        if (option.help == nullptr) continue;
+        const bool isSwitch = std::holds_alternative<WindowOption::Switch>(option.value);
+        const bool isNumber = std::holds_alternative<WindowOption::Number>(option.value);
+        const std::string flag = flagOf(option);
+        program
+            .add_option_function<std::string>(
+                flag, [&arguments, flag](const std::string& text) { arguments.settings[flag] = text; }, option.help)
+            ->type_name(isSwitch   ? "yes|no"
+                        : isNumber ? "NUMBER"
+                                   : "TEXT")
+            ->group("Window settings (kept in window.toml)");
+    }
+}
+
+/// A device that nobody can mean would be tried, missed and remembered.
+Expected<void> checkDevices(const WindowArguments& arguments) {
+    if (arguments.device) {
+        if (auto known = checkDeviceName(*arguments.device, kDevice); !known) return known;
+    }
+    const auto second = arguments.settings.find(kSecondDeviceSetting);
+    if (second == arguments.settings.end()) return {};
+    return checkDeviceName(second->second, kSecondDevice, true);
+}
+
+}  // namespace
+
+void addWindowArguments(CLI::App& program, WindowArguments& arguments) {
+    addOwnTooth(program, arguments);
+    addHands(program, arguments);
+    addMouthAndBur(program, arguments);
+    addExercise(program, arguments);
+    addSettings(program, arguments);
+}
+
+int runWindowCommand(const WindowArguments& arguments) {
+    if (const auto known = checkDevices(arguments); !known) return refuse(known.error());
+    WindowOptions options;
+    if (!arguments.tooth.empty()) {
+        const std::filesystem::path file = arguments.tooth;
+        std::error_code unused;
+        if (!file.has_extension() && !std::filesystem::exists(file, unused)) {
+            return refuse({"there is no command and no case '" + arguments.tooth + "'; see 'tactooth --help'."});
+        }
+        options.tooth = ToothSource{.outer = file, .layers = {}};
+        options.workOn = arguments.workOn;
+    }
+    if (arguments.mouth) {
+        if (!isPermanentTooth(*arguments.mouth)) {
+            return refuse(
+                {"what follows --mouth must be the number of a permanent tooth: 11-18, 21-28, 31-38 or 41-48."});
+        }
+        options.mouth = BenchMouth{*arguments.mouth, !arguments.noCache};
+    }
+    for (const std::string& text : arguments.layers) {
+        Expected<ToothSource::Layer> layer = parseLayer(text);
+        if (!layer) return refuse(layer.error());
+        options.tooth->layers.push_back(std::move(*layer));
+    }
+    if (!arguments.exercise.empty()) options.exercise = arguments.exercise;
+    if (!arguments.bur.empty()) options.bur = arguments.bur;
+    options.settings = arguments.settings;
+    options.device = arguments.device;
+    return runWindow(options);
+}
+
+}  // namespace tactooth

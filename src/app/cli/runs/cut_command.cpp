@@ -1,0 +1,222 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/runs/cut_command.h"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <optional>
+
+#include "app/common/exit_code.h"
+#include "app/cli/terminal/output.h"
+#include "collision/bvh/surface.h"
+#include "geometry/files/atomic_file.h"
+#include "geometry/files/file_bytes.h"
+#include "geometry/files/file_set.h"
+#include "geometry/files/folder.h"
+#include "geometry/util/shown_text.h"
+#include "geometry/io/stl_writer.h"
+#include "session/cases/placed_tooth.h"
+#include "session/simulation/cut_events.h"
+#include "session/scripts/cut_run.h"
+#include "session/io/material_file.h"
+#include "session/io/tick_csv.h"
+#include "session/simulation/tooth_file.h"
+#include "session/io/vdb_file.h"
+#include "tooth/file/layer_remains.h"
+
+namespace tactooth {
+namespace {
+
+constexpr double kUsualVoxel = 0.025;  // mm: walls true to a micrometre, and still hours of cutting in 600 MB
+
+constexpr std::array<std::string_view, 6> kRemovedColumns = {"t", "enamel", "dentin", "pulp", "caries", "other"};
+
+std::array<double, kRemovedColumns.size()> removedRow(double time, const MaterialVolumes& removed) {
+    const auto of = [&](MaterialId id) { return removed[static_cast<std::size_t>(id)]; };
+    return {time,
+            of(MaterialId::Enamel),
+            of(MaterialId::Dentin),
+            of(MaterialId::Pulp),
+            of(MaterialId::Caries),
+            of(MaterialId::Restoration) + of(MaterialId::Other)};
+}
+
+/// The files that the command leaves behind: all of them, or none.
+class CutFiles {
+public:
+    /// Before anything is read: what stands in their way is then said at once.
+    [[nodiscard]] Expected<void> open(const CutOptions& options) {
+        for (const std::filesystem::path& input : {options.tooth, options.materials, options.tool, options.trajectory})
+            set_.reads(input);
+        for (const std::string& layer : options.layers) set_.reads(layer.substr(layer.find('=') + 1));
+        for (const std::filesystem::path& output :
+             {options.out, options.forces, options.removed, options.events, options.save, options.vdb}) {
+            if (auto opened = set_.open(output); !opened) return opened;
+        }
+        if (options.layersOut.empty()) return {};
+        return set_.makeFolder(options.layersOut);
+    }
+
+    /// Once it is known what layers the tooth has.
+    [[nodiscard]] Expected<void> begin(const CutOptions& options, const LayeredTooth& tooth) {
+        if (!options.layersOut.empty()) {
+            for (const std::string& layer : remainingLayerNames(tooth)) {
+                if (auto opened = set_.open(layerFile(options.layersOut, layer)); !opened) return opened;
+            }
+        }
+        if (!options.forces.empty()) {
+            auto file = TickCsv::create(options.forces);
+            if (!file) return Unexpected{file.error()};
+            forces_.emplace(std::move(*file));
+        }
+        if (!options.removed.empty()) {
+            auto file = CsvWriter::create(options.removed, kRemovedColumns);
+            if (!file) return Unexpected{file.error()};
+            removed_.emplace(std::move(*file));
+        }
+        return {};
+    }
+
+    void row(double time, const Tick& tick, const ToothLoss& loss) {
+        if (forces_) forces_->write(time, tick);
+        if (removed_) removed_->row(removedRow(time, loss.removed));
+        watched_.watch(time, tick, loss);
+    }
+
+    /// Writes all that is known at the end.
+    [[nodiscard]] Expected<void> finish(const CutOptions& options, const TriangleMesh& cut, const WorkPiece& piece,
+                                        const Provenance& provenance) {
+        if (auto done = writeStl(cut, options.out); !done) return done;
+        if (forces_) {
+            if (auto done = forces_->commit(); !done) return done;
+        }
+        if (removed_) {
+            if (auto done = removed_->commit(); !done) return done;
+        }
+        if (!options.events.empty()) {
+            if (auto done = writeFile(options.events, cutEventsCsv(watched_.all())); !done) return done;
+        }
+        if (!options.save.empty()) {
+            if (auto done = saveTooth(piece, savedNow(provenance), options.save); !done) return done;
+        }
+        if (!options.vdb.empty()) {
+            if (auto done = writeVdb(piece.volume(), savedNow(provenance), options.vdb); !done) return done;
+        }
+        if (!options.layersOut.empty()) {
+            if (auto done = writeLayers(piece.volume(), options.layersOut); !done) return done;
+        }
+        return set_.commit();
+    }
+
+    void printLayers() const {
+        for (const std::string& line : layerLines_) say("{}\n", line);
+    }
+
+private:
+    [[nodiscard]] static std::filesystem::path layerFile(const std::filesystem::path& folder, const std::string& name) {
+        return folder / (name + ".stl");
+    }
+
+    /// One STL file a layer, named after it.
+    [[nodiscard]] Expected<void> writeLayers(const CutVolume& volume, const std::filesystem::path& folder) {
+        for (const LayerRemains& layer : remainsOfLayers(volume)) {
+            const std::filesystem::path file = layerFile(folder, layer.name);
+            if (layer.mesh.empty()) {
+                layerLines_.push_back(fmt::format("nothing is left of layer '{}'", layer.name));
+                continue;
+            }
+            if (auto written = writeStl(layer.mesh, file); !written) return written;
+            layerLines_.push_back(fmt::format("{} triangles of layer '{}' written to {}", layer.mesh.triangles.size(),
+                                              shownText(layer.name), shownName(file)));
+        }
+        return {};
+    }
+
+    FileSet set_;
+    std::optional<TickCsv> forces_;
+    std::optional<CsvWriter> removed_;
+    CutEvents watched_;
+    std::vector<std::string> layerLines_;  // what is said of them once they are there
+};
+
+Expected<ToothSource> toothSource(const CutOptions& options) {
+    ToothSource source{options.tooth, {}, options.material};
+    for (const std::string& text : options.layers) {
+        auto layer = parseLayer(text);
+        if (!layer) return Unexpected{layer.error()};
+        source.layers.push_back(std::move(*layer));
+    }
+    return source;
+}
+
+/// The bur that is named, else the one that the case brings.
+Expected<OwnBur> burOf(const CutOptions& options, const ToothPlace& place, std::vector<Remark>& remarks) {
+    if (!options.tool.empty()) return readOwnBur(options.tool, &remarks);
+    if (place.bur) return *place.bur;
+    return unexpected("there is no bur: give --tool, or a case that brings one.");
+}
+
+void printLoss(const ToothLoss& loss) {
+    for (std::size_t i = 0; i < kMaterialCount; ++i) {
+        if (loss.removed[i] > 0)
+            say("removed {:>12}: {:8.3f} mm^3\n", materialName(static_cast<MaterialId>(i)), loss.removed[i]);
+    }
+    if (loss.beside > 0) say("of it beside the tooth: {:.3f} mm^3\n", loss.beside);
+}
+
+}  // namespace
+
+int runCut(const CutOptions& options) {
+    if (!options.vdb.empty()) {
+        if (const auto can = checkVdb(); !can) return refuse(can.error());
+    }
+    const auto source = toothSource(options);
+    if (!source) return refuse(source.error());
+    CutFiles files;
+    if (const auto opened = files.open(options); !opened) return refuse(opened.error());
+    const auto path = readTrajectory(options.trajectory);
+    if (!path) return refuse(path.error());
+    const auto tooth = loadPlacedWork(*source, options.workOn, options.voxel, kUsualVoxel);
+    if (!tooth) return refuse(tooth.error());
+    std::vector<Remark> remarks = tooth->remarks;
+    auto bur = burOf(options, tooth->place, remarks);
+    if (!bur) return refuse(bur.error());
+    printRemarks(remarks);
+    const auto tool = makeCuttingTool(bur->surface, bur->sharpness);
+    if (!tool) return refuse({bur->name + ": " + tool.error().message});
+    WorkPiece& piece = *tooth->piece;
+    const MaterialVolumes before = piece.removed();
+    const auto materials = options.materials.empty() && tooth->place.materials ? *tooth->place.materials
+                                                                               : materialsFrom(options.materials);
+    if (!materials) return refuse(materials.error());
+    if (!options.vdb.empty()) {
+        if (const auto fits = checkVdbSize(piece.tooth(), piece.volume().lattice().spacing()); !fits)
+            return refuse(fits.error());
+    }
+    if (const auto begun = files.begin(options, piece.tooth()); !begun) return refuse(begun.error());
+
+    const auto visit = [&](double time, const Tick& tick, const ToothLoss& loss) { files.row(time, tick, loss); };
+    if (options.feed == "rigid") {
+        if (const auto done = cutRigidly(*path, *tool, options.speedRpm, *materials, piece, visit); !done)
+            return refuse(done.error());
+    } else {
+        HapticSettings settings;
+        settings.materials = *materials;
+        settings.spindle = constantSpeed(options.speedRpm);
+        HapticSimulation simulation(std::make_shared<const ToolShape>(std::move(bur->surface)),
+                                    tool->envelope.maxRadius(), piece.surface(), settings);
+        if (const auto done = cutByLaw(*path, *tool, *materials, simulation, piece, visit); !done)
+            return refuse(done.error());
+    }
+    const TaggedMesh cut = piece.exported();
+    if (const auto done = files.finish(options, cut.mesh, piece, tooth->provenance); !done) return refuse(done.error());
+    if (!options.vdb.empty()) say("voxels written to {}\n", shownName(options.vdb));
+    files.printLayers();
+    printLoss(piece.loss());
+    if (total(before) > 0) say("of which before:      {:8.3f} mm^3\n", total(before));
+    say("{} triangles written to {}\n", cut.mesh.triangles.size(), shownName(options.out));
+    return kExitOk;
+}
+
+}  // namespace tactooth

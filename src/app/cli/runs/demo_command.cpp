@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/runs/demo_command.h"
+
+#include <fmt/core.h>
+
+#include <cstdio>
+
+#include "app/cli/runs/demo_pictures.h"
+#include "app/cli/runs/demo_summary.h"
+#include "app/common/exit_code.h"
+#include "app/cli/terminal/output.h"
+#include "app/common/mouth_scene.h"
+#include "app/common/plot_image.h"
+#include "app/common/spin_blur.h"
+#include "geometry/files/atomic_file.h"
+#include "geometry/files/file_bytes.h"
+#include "geometry/files/file_set.h"
+#include "geometry/files/folder.h"
+#include "geometry/io/stl_writer.h"
+#include "instruments/builtin_tooth.h"
+#include "instruments/bur_shape.h"
+#include "instruments/turbine.h"
+#include "session/cases/placed_tooth.h"
+#include "session/io/material_file.h"
+#include "session/io/tick_csv.h"
+#include "session/simulation/tooth_cache.h"
+#include "session/simulation/tooth_in_mouth.h"
+#include "session/simulation/tooth_source.h"
+#include "sound/files/wav_file.h"
+
+namespace tactooth {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kVoxel = 0.05;             // mm
+constexpr int kPictureBurTriangles = 5000;  // the blades then look ground
+constexpr const char* kDefaultBur = "57";   // straight fissure, 1.0 mm: leaves its cavity as it came
+
+struct Cast {
+    std::string toothName;
+    std::string burName;
+    std::shared_ptr<const LayeredTooth> tooth;
+    Box3 box;  // of the tooth that is worked on
+    std::optional<MaterialTable> materials;
+    std::optional<OwnBur> ownBur;
+    Surroundings surroundings;
+    std::optional<Instrument> instrument;
+    DemoProps props;
+};
+
+/// The lower first molar in an open mouth.
+Expected<ToothInMouth> castMouth(Cast& cast) {
+    const ToothCache cache(usualCacheFolder());
+    Expected<ToothInMouth> made = toothInMouth(46, Lesion{}, {.jaw = JawPose::open, .missing = {}}, cache);
+    if (!made) return made;
+    cast.props.around = shownAround(*made);
+    cast.surroundings = surroundingsOf(*made);
+    return made;
+}
+
+Expected<void> castTooth(const DemoOptions& options, Cast& cast) {
+    if (!options.tooth.empty()) {
+        ToothSource source{options.tooth, {}, "enamel"};
+        for (const std::string& text : options.layers) {
+            auto layer = parseLayer(text);
+            if (!layer) return Unexpected{layer.error()};
+            source.layers.push_back(std::move(*layer));
+        }
+        auto placed = loadPlacedTooth(source, options.workOn);
+        if (!placed) return Unexpected{placed.error()};
+        printRemarks(placed->remarks);
+        ToothPlace& place = placed->place;
+        cast.toothName = place.teethOfCase.empty() ? shownNameAlone(options.tooth) : place.name;
+        cast.tooth = std::move(placed->tooth);
+        cast.box = place.box;
+        cast.props.mesialX = place.mesialX;
+        cast.materials = std::move(place.materials);
+        cast.ownBur = std::move(place.bur);
+        return {};
+    }
+    const Expected<ToothInMouth> molar =
+        options.mouth ? castMouth(cast)
+                      : Expected<ToothInMouth>({.tooth = makeBuiltinTooth(BuiltinToothKind::lowerFirstMolar)});
+    if (!molar) return Unexpected{molar.error()};
+    auto tooth = layeredTooth(*molar);
+    if (!tooth) return Unexpected{tooth.error()};
+    cast.tooth = std::make_shared<const LayeredTooth>(std::move(*tooth));
+    cast.box = cast.tooth->ownBox();
+    cast.props.mesialX = mesialX(molar->tooth.fdi);
+    cast.toothName = fmt::format("built-in: {} (FDI {})", molar->tooth.name, molar->tooth.fdi);
+    return {};
+}
+
+Expected<void> castBur(const DemoOptions& options, Cast& cast) {
+    TriangleMesh felt;
+    double sharpness = 1;
+    if (!options.bur.empty()) {
+        auto own = readOwnBur(options.bur);
+        if (!own) return Unexpected{own.error()};
+        cast.ownBur = std::move(*own);
+    }
+    if (cast.ownBur) {
+        felt = cast.ownBur->surface;
+        sharpness = cast.ownBur->sharpness;
+        cast.burName = cast.ownBur->name;
+        cast.props.tool.bur = std::make_shared<const TriangleMesh>(felt);
+        cast.props.tool.material = cast.ownBur->material;
+        cast.props.tool.edge = cast.ownBur->edge();
+    } else {
+        const BurSpec spec = findBur(kDefaultBur).value();
+        felt = makeBur(spec).surface;
+        sharpness = spec.sharpness;
+        cast.burName = fmt::format("built-in: {} (US No. {})", spec.name, spec.number);
+        cast.props.tool.bur = std::make_shared<const TriangleMesh>(makeBur(spec, kPictureBurTriangles).surface);
+        cast.props.tool.turbine = std::make_shared<const TriangleMesh>(makeTurbine());
+        cast.props.tool.material = spec.material;
+        cast.props.tool.edge = spec.edge();
+    }
+    auto cutting = makeCuttingTool(felt, sharpness);
+    if (!cutting) return unexpected(cast.burName + ": " + cutting.error().message);
+    cast.props.tool.blurred = std::make_shared<const TriangleMesh>(spinningShape(cutting->envelope));
+    cast.instrument =
+        Instrument{std::make_shared<const ToolShape>(std::move(felt)), std::move(*cutting), cast.props.tool.edge};
+    return {};
+}
+
+void castMirror(Cast& cast) {
+    DentalMirror mirror = makeMirror();
+    ShownMirror shown;
+    shown.disc = mirror.disc;
+    shown.mesh = std::make_shared<const TriangleMesh>(std::move(mirror.surface));
+    cast.props.mirror = std::move(shown);
+}
+
+Expected<void> writeTicks(const fs::path& path, const std::vector<Tick>& ticks) {
+    auto file = TickCsv::create(path);
+    if (!file) return Unexpected{file.error()};
+    for (const Tick& tick : ticks) file->write(tick.time, tick);
+    return file->commit();
+}
+
+/// Everything but the picture of the touch, which is made before the tooth is cut.
+Expected<void> writeResults(const fs::path& folder, const Demonstration& played, const WorkPiece& piece,
+                            const Cast& cast, double seconds) {
+    const Tick& last = played.ticks.back();
+    if (const auto& work = played.work) {
+        const DemoMoment moment{work->surface, played.ticks[work->tick], work->flying};
+        if (auto done = writeDemoPicture(folder / "spray.png", DemoView::AtWork, moment, cast.props); !done)
+            return done;
+    }
+    const DemoMoment end{piece.surface(), last};
+    if (auto done = writeDemoPicture(folder / "cut.png", DemoView::Cut, end, cast.props); !done) return done;
+    if (auto done = writeForcePlot(folder / "forces.png", played.ticks); !done) return done;
+    auto wav = WavWriter::create(folder / "session.wav", framesOf(seconds));
+    if (!wav) return Unexpected{wav.error()};
+    const auto toFile = [&](std::span<const float> stereo) { wav->write(stereo); };
+    if (auto done = renderInPieces(played.sound, seconds, {}, toFile); !done) return done;
+    if (auto done = wav->commit(); !done) return done;
+    if (auto done = writeTicks(folder / "forces.csv", played.ticks); !done) return done;
+    if (auto done = writeStl(piece.exported().mesh, folder / "cut.stl"); !done) return done;
+    return writeFile(folder / "summary.json", demoSummary(played, piece, cast.toothName, cast.burName));
+}
+
+/// Before the work: what stands in the way of a result is then said at once.
+Expected<void> openFiles(const DemoOptions& options, FileSet& files) {
+    for (const auto& input : {options.tooth, options.bur, options.materials}) files.reads(input);
+    for (const std::string& layer : options.layers) files.reads(layer.substr(layer.find('=') + 1));
+    if (auto made = files.makeFolder(options.out); !made) return made;
+    for (const char* name :
+         {"touch.png", "spray.png", "cut.png", "forces.png", "session.wav", "forces.csv", "cut.stl", "summary.json"}) {
+        if (auto opened = files.open(options.out / name); !opened) return opened;
+    }
+    return {};
+}
+
+}  // namespace
+
+int runDemo(const DemoOptions& options) {
+    FileSet files;
+    if (const auto done = openFiles(options, files); !done) return refuse(done.error());
+    Cast cast;
+    if (const auto done = castTooth(options, cast); !done) return refuse(done.error());
+    if (const auto done = castBur(options, cast); !done) return refuse(done.error());
+    const auto materials =
+        options.materials.empty() && cast.materials ? *cast.materials : materialsFrom(options.materials);
+    if (!materials) return refuse(materials.error());
+    cast.props.materials = *materials;
+    castMirror(cast);
+    cast.props.box = cast.box;
+
+    say("tooth: {}\nbur:   {}\n", cast.toothName, cast.burName);
+    WorkPiece piece(cast.tooth, kVoxel);
+    piece.surroundBy(cast.surroundings);
+    const std::shared_ptr<const Surface> uncut = piece.surface();
+    int told = 0;
+    const auto progress = [&](double part) {
+        const int tenths = static_cast<int>(10 * part);
+        if (tenths <= told) return;
+        told = tenths;
+        say("playing {:.0f} s of touching and cutting: {} %\n", options.seconds, 10 * tenths);
+        std::fflush(stdout);
+    };
+    HapticSettings settings;
+    settings.materials = cast.props.materials;
+    const Quat grip = uprightGrip(cast.props.mesialX, 0);
+    const Demonstration played =
+        playDemonstration(piece, cast.box, *cast.instrument, settings, grip, options.seconds, progress);
+    say("drawing, plotting, rendering the sound\n");
+    const DemoMoment touch{uncut, played.ticks[played.touchTick]};
+    if (const auto done = writeDemoPicture(options.out / "touch.png", DemoView::Touch, touch, cast.props); !done)
+        return refuse(done.error());
+    if (const auto done = writeResults(options.out, played, piece, cast, options.seconds); !done)
+        return refuse(done.error());
+    if (const auto done = files.commit(); !done) return refuse(done.error());
+    say("removed {:.3f} mm^3 in {} surface updates\n", total(piece.removed()), played.surfaceUpdates);
+    say("touch.png, {}cut.png, forces.png, session.wav, forces.csv, cut.stl and summary.json are in {}\n",
+        played.work ? "spray.png, " : "", shownName(options.out));
+    return kExitOk;
+}
+
+}  // namespace tactooth

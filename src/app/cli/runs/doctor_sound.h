@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "app/cli/runs/doctor_finding.h"
+
+namespace tactooth {
+
+/// Sound system (the library) and sound card. Tries both in child processes: call it while the program has one thread.
+[[nodiscard]] std::vector<Finding> lookAtSound();
+
+}  // namespace tactooth

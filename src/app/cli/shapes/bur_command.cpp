@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/shapes/bur_command.h"
+
+#include <fmt/core.h>
+
+#include "app/common/exit_code.h"
+#include "app/cli/terminal/mesh_summary.h"
+#include "app/cli/terminal/output.h"
+#include "geometry/files/file_bytes.h"
+#include "geometry/io/stl_writer.h"
+#include "instruments/contra_angle.h"
+#include "instruments/hand_instruments.h"
+#include "instruments/mirror.h"
+#include "instruments/turbine.h"
+
+namespace tactooth {
+namespace {
+
+std::string edgeOf(const BurSpec& spec) {
+    if (spec.material == BurMaterial::diamond) return fmt::format("{:.0f} um", spec.gritMicrometres);
+    return fmt::format("{} blades", spec.flutes);
+}
+
+int printList() {
+    say("{:<9}{:<21}{:>5}{:>7}{:>7}  {:<10}{}\n", "number", "ISO 6360", "mm", "long", "taper", "cuts with", "name");
+    for (const BurSpec& spec : burCatalogue()) {
+        say("{:<9}{:<21}{:>5.1f}{:>7.2f}{:>7.0f}  {:<10}{}\n", spec.number, isoNumber(spec), spec.headDiameter,
+            spec.headLength, spec.taperDegrees, edgeOf(spec), spec.name);
+    }
+    return kExitOk;
+}
+
+}  // namespace
+
+int runBur(const BurOptions& options) {
+    if (options.list) return printList();
+    if (options.number.empty()) return refuse({"no bur is named; give a number, or --list for all of them."});
+    const auto spec = findBur(options.number);
+    if (!spec) {
+        return refuse(
+            {fmt::format("the catalogue has no bur '{}'; 'tactooth bur --list' shows what it has.", options.number)});
+    }
+    if (options.out.empty()) return refuse({"--out is missing; name the STL file to write."});
+    const Bur bur = makeBurOf(*spec, options.triangles);
+    if (const auto done = writeStl(bur.surface, options.out); !done) return refuse(done.error());
+    say("{} (ISO {}), head {:.2f} x {:.2f} mm\n{}: {}\n", spec->name, isoNumber(*spec), spec->headDiameter,
+        spec->headLength, shownName(options.out), meshSummary(reportOn(bur.surface)));
+    return kExitOk;
+}
+
+int runInstrument(const InstrumentOptions& options) {
+    TriangleMesh mesh;
+    if (options.name == "turbine") mesh = makeTurbine(options.triangles);
+    if (options.name == "contra-angle") mesh = makeContraAngle(options.triangles);
+    if (options.name == "mirror-22") mesh = makeMirror(22).surface;
+    if (options.name == "mirror-24") mesh = makeMirror(24).surface;
+    if (options.name == "explorer") mesh = makeExplorer();
+    if (options.name == "probe") mesh = makePeriodontalProbe();
+    if (const auto done = writeStl(mesh, options.out); !done) return refuse(done.error());
+    say("{}: {}\n", shownName(options.out), meshSummary(reportOn(mesh)));
+    return kExitOk;
+}
+
+}  // namespace tactooth

@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/shapes/gallery_command.h"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <utility>
+
+#include "app/common/exit_code.h"
+#include "app/cli/shapes/gallery_pictures.h"
+#include "app/cli/terminal/output.h"
+#include "app/common/contact_sheet.h"
+#include "app/common/picture_application.h"
+#include "geometry/files/file_bytes.h"
+#include "geometry/files/file_set.h"
+#include "geometry/files/folder.h"
+#include "instruments/contra_angle.h"
+#include "instruments/hand_instruments.h"
+#include "instruments/mirror.h"
+#include "instruments/turbine.h"
+#include "session/simulation/tooth_cache.h"
+
+namespace tactooth {
+namespace {
+
+constexpr std::array kViews = {StandardView::Buccal, StandardView::Mesial, StandardView::Occlusal};
+constexpr std::array kViewNames = {"buccal", "mesial", "occlusal"};
+
+/// The patient's right is on the left side of the sheet, as on a dental chart.
+constexpr std::array kUpper = {18, 17, 16, 15, 14, 13, 12, 11, 21, 22, 23, 24, 25, 26, 27, 28};
+constexpr std::array kLower = {48, 47, 46, 45, 44, 43, 42, 41, 31, 32, 33, 34, 35, 36, 37, 38};
+
+Expected<std::shared_ptr<const Surface>> surfaceOf(int fdi, const GalleryOptions& options) {
+    const ToothCache cache(options.noCache ? std::filesystem::path() : usualCacheFolder());
+    return shownSurface(cache.make({fdi, options.triangles, options.seed, {}}));
+}
+
+/// The three views of a tooth below each other, from `row` on; an upper tooth's chewing surface comes last, a lower
+/// one's first, as the arches face each other.
+Expected<void> placeTooth(ContactSheet& sheet, OffscreenRenderer& renderer, const GalleryOptions& options, int fdi,
+                          int column, int firstRow, PictureSize tile) {
+    constexpr double kHeight = 27.5, kAcross = 15.5;  // mm: the longest tooth, the widest crown
+    const auto surface = surfaceOf(fdi, options);
+    if (!surface) return Unexpected{surface.error()};
+    for (int i = 0; i < static_cast<int>(kViews.size()); ++i) {
+        const double millimetres = kViews[i] == StandardView::Occlusal ? kAcross : kHeight;
+        const auto picture = toothPicture(renderer, *surface, fdi, kViews[i], millimetres, tile);
+        if (!picture) return Unexpected{picture.error()};
+        const int row = fdi < 30 ? firstRow + i : firstRow + 2 - i;
+        sheet.place(column, row, *picture, fmt::format("{} {}", fdi, kViewNames[i]));
+    }
+    return {};
+}
+
+Expected<void> drawTeeth(OffscreenRenderer& renderer, const GalleryOptions& options) {
+    constexpr PictureSize kTile{150, 190};
+    ContactSheet sheet(static_cast<int>(kUpper.size()), 6, kTile);
+    for (int column = 0; column < static_cast<int>(kUpper.size()); ++column) {
+        if (auto done = placeTooth(sheet, renderer, options, kUpper[column], column, 0, kTile); !done) return done;
+        if (auto done = placeTooth(sheet, renderer, options, kLower[column], column, 3, kTile); !done) return done;
+    }
+    return sheet.save(options.out / "teeth.png");
+}
+
+/// Only the named teeth, larger.
+Expected<void> drawSome(OffscreenRenderer& renderer, const GalleryOptions& options) {
+    constexpr PictureSize kTile{420, 480};
+    ContactSheet sheet(static_cast<int>(options.teeth.size()), 3, kTile);
+    for (int column = 0; column < static_cast<int>(options.teeth.size()); ++column) {
+        if (auto done = placeTooth(sheet, renderer, options, options.teeth[column], column, 0, kTile); !done)
+            return done;
+    }
+    return sheet.save(options.out / "teeth.png");
+}
+
+Expected<void> drawInstruments(OffscreenRenderer& renderer, const std::filesystem::path& out) {
+    constexpr PictureSize kTile{150, 260};
+    constexpr double kBurHeight = 12;  // mm
+    constexpr int kColumns = 14;
+    const std::vector<BurSpec>& burs = burCatalogue();
+    const int burRows = (static_cast<int>(burs.size()) + kColumns - 1) / kColumns;
+    ContactSheet sheet(kColumns, burRows + 1, kTile);
+    for (int i = 0; i < static_cast<int>(burs.size()); ++i) {
+        const auto picture = burPicture(renderer, burs[i], kBurHeight, kTile);
+        if (!picture) return Unexpected{picture.error()};
+        sheet.place(i % kColumns, i / kColumns, *picture, burs[i].number);
+    }
+    const std::array<std::pair<const char*, TriangleMesh>, 6> others = {{{"turbine", makeTurbine()},
+                                                                         {"contra-angle", makeContraAngle()},
+                                                                         {"mirror 22 mm", makeMirror(22).surface},
+                                                                         {"mirror 24 mm", makeMirror(24).surface},
+                                                                         {"explorer 23", makeExplorer()},
+                                                                         {"probe", makePeriodontalProbe()}}};
+    for (int i = 0; i < static_cast<int>(others.size()); ++i) {
+        const auto picture = instrumentPicture(renderer, others[i].second, kTile);
+        if (!picture) return Unexpected{picture.error()};
+        sheet.place(i, burRows, *picture, others[i].first);
+    }
+    return sheet.save(out / "instruments.png");
+}
+
+std::vector<const char*> sheetsOf(const GalleryOptions& options) {
+    return options.teeth.empty() ? std::vector{"teeth.png", "instruments.png"} : std::vector{"teeth.png"};
+}
+
+Expected<void> openFiles(const GalleryOptions& options, FileSet& files) {
+    if (auto made = files.makeFolder(options.out); !made) return made;
+    for (const char* name : sheetsOf(options)) {
+        if (auto opened = files.open(options.out / name); !opened) return opened;
+    }
+    return {};
+}
+
+}  // namespace
+
+int runGallery(const GalleryOptions& options) {
+    constexpr std::size_t kMostTeeth = 32;
+    if (options.teeth.size() > kMostTeeth) {
+        return refuse({fmt::format("--teeth names {} teeth, and a sheet has room for {}; name each once.",
+                                   options.teeth.size(), kMostTeeth)});
+    }
+    for (const int fdi : options.teeth) {
+        if (!isPermanentTooth(fdi)) {
+            return refuse(
+                {fmt::format("{} is no permanent tooth; FDI numbers are 11-18, 21-28, 31-38 and 41-48.", fdi)});
+        }
+    }
+    FileSet files;
+    if (const auto opened = openFiles(options, files); !opened) return refuse(opened.error());
+    const PictureApplication application;
+    Expected<OffscreenRenderer> renderer = OffscreenRenderer::create();
+    if (!renderer) return refuse(renderer.error());
+    const auto teeth = options.teeth.empty() ? drawTeeth(*renderer, options) : drawSome(*renderer, options);
+    if (!teeth) return refuse(teeth.error());
+    if (options.teeth.empty()) {
+        if (const auto done = drawInstruments(*renderer, options.out); !done) return refuse(done.error());
+    }
+    if (const auto done = files.commit(); !done) return refuse(done.error());
+    for (const char* name : sheetsOf(options)) say("{}\n", shownName(options.out / name));
+    return kExitOk;
+}
+
+}  // namespace tactooth

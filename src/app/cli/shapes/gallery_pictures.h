@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "geometry/util/expected.h"
+#include "instruments/builtin_tooth.h"
+#include "instruments/bur_catalogue.h"
+#include "view/render/offscreen.h"
+#include "view/camera/orbit_camera.h"
+
+namespace tactooth {
+
+/// A tooth from one of the standard sides, all teeth in one scale: `millimetres` along the height of the picture. Upper
+/// teeth stand as in the mouth, their roots up.
+[[nodiscard]] Expected<Image> toothPicture(OffscreenRenderer& renderer, const std::shared_ptr<const Surface>& surface,
+                                           int fdi, StandardView view, double millimetres, PictureSize size);
+
+/// The tooth's surface, each triangle tagged by its material.
+[[nodiscard]] Expected<std::shared_ptr<const Surface>> shownSurface(const BuiltinTooth& tooth);
+
+/// A bur, standing on its tip.
+[[nodiscard]] Expected<Image> burPicture(OffscreenRenderer& renderer, const BurSpec& spec, double millimetres,
+                                         PictureSize size);
+
+/// Any other instrument of steel, as large as the picture allows.
+[[nodiscard]] Expected<Image> instrumentPicture(OffscreenRenderer& renderer, const TriangleMesh& mesh,
+                                                PictureSize size);
+
+}  // namespace tactooth

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "geometry/util/expected.h"
+#include "instruments/builtin_mouth.h"
+
+namespace tactooth {
+
+/// Which mouth is wanted.
+struct MouthWishes {
+    int triangles = 20000;
+    std::uint32_t seed = 0;
+    std::string jaw = "closed";  ///< or "open"
+    std::vector<int> missing;
+    bool noCache = false;
+};
+
+/// Fails with a sentence where a tooth that is to be missing is none.
+[[nodiscard]] Expected<BuiltinMouth> mouthAsWished(const MouthWishes& wishes);
+
+struct MouthOptions {
+    MouthWishes mouth;
+    std::filesystem::path out;
+};
+
+/// Writes all teeth of a mouth in place, a folder each, and the gingiva of both jaws.
+[[nodiscard]] int runMouth(const MouthOptions& options);
+
+}  // namespace tactooth

@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/shapes/bur_command.h"
+#include "app/cli/terminal/command_registry.h"
+#include "app/cli/shapes/gallery_command.h"
+#include "app/cli/shapes/mouth_command.h"
+#include "app/cli/terminal/number_range.h"
+#include "app/cli/shapes/tooth_command.h"
+
+namespace tactooth {
+namespace {
+
+// Of one tooth, and of each of the 32 that a mouth keeps at once: a gigabyte.
+constexpr int kMostOfTooth = 2'000'000, kMostOfMouth = 250'000;
+
+CLI::Option* addTriangles(CLI::App& command, int& triangles, const std::string& ofWhat, int most = kMostOfTooth) {
+    return command.add_option("--triangles", triangles, ofWhat + ", about (default: 20000)")
+        ->transform(wholeNumberFrom(1000, most))
+        ->type_name("N");
+}
+
+void addBur(CLI::App& program, Chosen& chosen) {
+    const auto options = std::make_shared<BurOptions>();
+    CLI::App* command = addCommand(program, chosen, "bur",
+                                   "Writes a bur of the catalogue as a closed STL surface: tip at the origin, +z along "
+                                   "the shaft, mm.",
+                                   options, runBur);
+    command->add_option("NUMBER", options->number, "US number (330), shape and size (856-016) or ISO 6360 number")
+        ->type_name("");
+    command->add_flag("--list", options->list, "List the catalogue: numbers, size, blades or grit");
+    command->add_option("--out", options->out, "STL file to write")->type_name("FILE");
+    command
+        ->add_option("--triangles", options->triangles,
+                     "How many, one fewer if odd (default: 340, as for contact; from some 5000 on all details show)")
+        ->transform(wholeNumberFrom(200, 2'000'000))
+        ->type_name("N");
+}
+
+void addInstrument(CLI::App& program, Chosen& chosen) {
+    const auto options = std::make_shared<InstrumentOptions>();
+    CLI::App* command =
+        addCommand(program, chosen, "instrument", "Writes a handpiece or hand instrument as a closed STL surface, mm.",
+                   options, runInstrument);
+    command
+        ->add_option("NAME", options->name,
+                     "turbine, contra-angle, mirror-22, mirror-24 (head, mm), explorer (No. 23) or probe (periodontal, "
+                     "mm marks)")
+        ->required()
+        ->check(CLI::IsMember({"turbine", "contra-angle", "mirror-22", "mirror-24", "explorer", "probe"}))
+        ->type_name("");
+    command->add_option("--out", options->out, "STL file to write")->required()->type_name("FILE");
+    command->add_option("--triangles", options->triangles, "Of the turbine or contra-angle (default: 16000)")
+        ->transform(wholeNumberFrom(2000, 24000))
+        ->type_name("N");
+}
+
+void addTooth(CLI::App& program, Chosen& chosen) {
+    const auto options = std::make_shared<ToothOptions>();
+    CLI::App* command = addCommand(program, chosen, "tooth",
+                                   "Makes a permanent tooth with enamel, dentin and pulp and writes its layers as "
+                                   "closed STL surfaces, mm.",
+                                   options, runTooth);
+    command->add_option("FDI", options->fdi, "Tooth number: 11-18, 21-28, 31-38, 41-48")
+        ->required()
+        ->transform(fdiNumber())
+        ->type_name("");
+    command->add_option("--out", options->out, "Folder for outer.stl, enamel.stl, dentin.stl, pulp.stl, caries.stl")
+        ->required()
+        ->type_name("DIR");
+    addTriangles(*command, options->triangles, "Of the outer surface");
+    command->add_option("--seed", options->seed, "Another patient for each number (default: 0, the average tooth)")
+        ->transform(seedNumber())
+        ->type_name("N");
+    command->add_flag("--no-cache", options->noCache, "Make it anew, and do not keep it for the next time");
+    CLI::Option* caries = command->add_option("--caries", options->caries,
+                                              "Decay that begins there: occlusal, mesial, distal, buccal, lingual");
+    caries->check(CLI::IsMember({"occlusal", "mesial", "distal", "buccal", "lingual"}))->type_name("SITE");
+    command->add_option("--caries-width", options->cariesWidth, "Where it spreads in the dentin, mm (default: 2.4)")
+        ->transform(numberFrom(0.4, 4.0))
+        ->needs(caries)
+        ->type_name("MM");
+    command
+        ->add_option("--caries-depth", options->cariesDepth, "Below the surface, mm (default: as its width suggests)")
+        ->transform(numberFrom(0.3, 6.0))
+        ->needs(caries)
+        ->type_name("MM");
+}
+
+void addWholeMouth(CLI::App& program, Chosen& chosen) {
+    const auto options = std::make_shared<MouthOptions>();
+    CLI::App* command = addCommand(program, chosen, "mouth",
+                                   "Makes all teeth of a mouth, in place on two arches, with their layers and the "
+                                   "gingiva, and writes closed STL surfaces, mm.",
+                                   options, runMouth);
+    command->add_option("--out", options->out, "Folder for gingiva-upper.stl, gingiva-lower.stl and 46/outer.stl etc.")
+        ->required()
+        ->type_name("DIR");
+    addMouthWishes(*command, options->mouth, nullptr);
+}
+
+void addGallery(CLI::App& program, Chosen& chosen) {
+    const auto options = std::make_shared<GalleryOptions>();
+    CLI::App* command = addCommand(program, chosen, "gallery",
+                                   "Draws the built-in teeth and instruments as contact sheets, teeth.png and "
+                                   "instruments.png; needs no display.",
+                                   options, runGallery);
+    command->add_option("--out", options->out, "Folder for the sheets")->required()->type_name("DIR");
+    addTriangles(*command, options->triangles, "Of each tooth");
+    command->add_option("--seed", options->seed, "The teeth of another patient (default: 0, average teeth)")
+        ->transform(seedNumber())
+        ->type_name("N");
+    command->add_option("--teeth", options->teeth, "Only these teeth (FDI numbers), larger, and no instruments")
+        ->transform(fdiNumber())
+        ->type_name("N");
+    command->add_flag("--no-cache", options->noCache, "Make all teeth anew, and do not keep them for the next time");
+}
+
+}  // namespace
+
+void addMouthWishes(CLI::App& command, MouthWishes& wishes, CLI::Option* needed) {
+    const std::vector<CLI::Option*> all = {
+        addTriangles(command, wishes.triangles, "Of each tooth", kMostOfMouth),
+        command.add_option("--seed", wishes.seed, "Another patient for each number (default: 0, average teeth)")
+            ->transform(seedNumber())
+            ->type_name("N"),
+        command.add_option("--jaw", wishes.jaw, "open (40 mm between the incisors) or closed (default)")
+            ->check(CLI::IsMember({"open", "closed"}))
+            ->type_name("POSE"),
+        command.add_option("--missing", wishes.missing, "Teeth that are lost, as 18,28,46; their places have healed")
+            ->delimiter(',')
+            ->transform(fdiNumber())
+            ->type_name("FDI"),
+        command.add_flag("--no-cache", wishes.noCache,
+                         "Make all teeth and gums anew, and do not keep them for the next time")};
+    if (needed == nullptr) return;
+    for (CLI::Option* option : all) option->needs(needed);
+}
+
+void addMouthCommands(CLI::App& program, Chosen& chosen) {
+    addBur(program, chosen);
+    addInstrument(program, chosen);
+    addTooth(program, chosen);
+    addWholeMouth(program, chosen);
+    addGallery(program, chosen);
+}
+
+}  // namespace tactooth

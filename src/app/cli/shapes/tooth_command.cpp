@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/shapes/tooth_command.h"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <utility>
+
+#include "app/common/exit_code.h"
+#include "app/cli/terminal/mesh_summary.h"
+#include "app/cli/terminal/output.h"
+#include "geometry/files/file_bytes.h"
+#include "geometry/files/file_set.h"
+#include "geometry/files/folder.h"
+#include "geometry/io/stl_writer.h"
+#include "session/simulation/tooth_cache.h"
+
+namespace tactooth {
+namespace {
+
+LesionSite siteOf(const std::string& word) {
+    static constexpr std::array<std::pair<const char*, LesionSite>, 5> kSites = {{{"occlusal", LesionSite::occlusal},
+                                                                                  {"mesial", LesionSite::mesial},
+                                                                                  {"distal", LesionSite::distal},
+                                                                                  {"buccal", LesionSite::buccal},
+                                                                                  {"lingual", LesionSite::lingual}}};
+    for (const auto& [name, site] : kSites) {
+        if (word == name) return site;
+    }
+    return LesionSite::usual;
+}
+
+void printSize(const BuiltinTooth& tooth) {
+    const Box3 box = boundingBox(tooth.outer);
+    say("{} (FDI {}): crown {:.1f} mm, root {:.1f} mm, {:.1f} x {:.1f} mm; +z to the crown, +y buccal, mesial "
+        "at {}x\n",
+        tooth.name, tooth.fdi, box.max().z(), -box.min().z(), box.sizes().x(), box.sizes().y(),
+        mesialX(tooth.fdi) > 0 ? '+' : '-');
+}
+
+}  // namespace
+
+int runTooth(const ToothOptions& options) {
+    if (!isPermanentTooth(options.fdi)) {
+        return refuse(
+            {fmt::format("{} is no permanent tooth; FDI numbers are 11-18, 21-28, 31-38 and 41-48.", options.fdi)});
+    }
+    if (options.caries == "occlusal" && isFrontTooth(options.fdi)) {
+        return refuse(
+            {fmt::format("{} is a front tooth and has no occlusal surface; choose mesial, distal, buccal or "
+                         "lingual for --caries.",
+                         options.fdi)});
+    }
+    FileSet files;
+    if (const auto made = files.makeFolder(options.out); !made) return refuse(made.error());
+    for (const char* name : {"outer.stl", "enamel.stl", "dentin.stl", "pulp.stl", "caries.stl"}) {
+        if (const auto opened = files.open(options.out / name); !opened) return refuse(opened.error());
+    }
+    ToothRequest request{options.fdi, options.triangles, options.seed, {}};
+    if (!options.caries.empty()) {
+        request.lesion = Lesion{siteOf(options.caries), options.cariesWidth, options.cariesDepth};
+    }
+    const BuiltinTooth tooth = options.noCache ? makeTooth(request) : ToothCache(usualCacheFolder()).make(request);
+    printSize(tooth);
+    std::string lines;
+    for (const auto& [name, mesh] : {std::pair("outer.stl", &tooth.outer), std::pair("enamel.stl", &tooth.enamel),
+                                     std::pair("dentin.stl", &tooth.dentin), std::pair("pulp.stl", &tooth.pulp),
+                                     std::pair("caries.stl", &tooth.caries)}) {
+        if (mesh->empty()) continue;
+        const std::filesystem::path file = options.out / name;
+        if (const auto done = writeStl(*mesh, file); !done) return refuse(done.error());
+        lines += fmt::format("{}: {}\n", shownName(file), meshSummary(reportOn(*mesh)));
+    }
+    if (const auto done = files.commit(); !done) return refuse(done.error());
+    say("{}", lines);
+    return kExitOk;
+}
+
+}  // namespace tactooth

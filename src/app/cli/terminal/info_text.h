@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "collision/solid/solid.h"
+#include "geometry/mesh/mesh_report.h"
+#include "geometry/io/remark.h"
+
+namespace tactooth {
+
+/// What there is to say about a surface: as it is stored, and as every command uses it (`examineSolid`).
+struct SurfaceFacts {
+    std::size_t storedTriangles = 0;
+    bool storedInsideOut = false;
+    bool storedOriented = true;
+    MeshReport used;
+    SolidReport solid;
+    std::vector<Remark> reading = {};  ///< on reading the file
+
+    /// Weaknesses and what was mended, a sentence each; none for a sound surface.
+    [[nodiscard]] std::vector<std::string> findings() const;
+};
+
+[[nodiscard]] SurfaceFacts surfaceFacts(const TriangleMesh& mesh);
+
+/// The facts as a table for people, or as one line of JSON. `name` of the file.
+[[nodiscard]] std::string infoTable(std::string_view name, const SurfaceFacts& facts);
+[[nodiscard]] std::string infoJson(std::string_view name, const SurfaceFacts& facts);
+
+}  // namespace tactooth

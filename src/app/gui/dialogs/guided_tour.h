@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+#include <vector>
+
+#include "app/gui/model/workbench.h"
+
+namespace tactooth {
+
+class DrillBar;
+class DrivePanel;
+class ToothView;
+
+/// The demonstration in the window: leads the mouse's hand over the tooth that is on the bench, touches, cuts and takes
+/// the cut back, and says at each step what happens and how to do it oneself. Any click or key ends it.
+class GuidedTour final : public QObject {
+    Q_OBJECT
+
+public:
+    GuidedTour(Workbench& bench, ToothView& view, DrillBar& drill, DrivePanel& drive, QObject* parent);
+
+    void start();
+    void stop();
+    [[nodiscard]] bool isRunning() const { return timer_.isActive(); }
+
+signals:
+    void says(const QString& sentence);
+    void ended();
+
+private:
+    struct Step {
+        double seconds;
+        QString sentence;
+        void (GuidedTour::*begin)();
+        bool strokes;  ///< the hand goes to and fro
+    };
+    void advance();
+    void beginStep();
+    void aim();
+    void touch();
+    void lift();
+    void cut();
+    void undo();
+    /// Where the hand points in the picture, `aside` mm to distal of the tooth's middle.
+    [[nodiscard]] PointedPicture picture() const;
+    [[nodiscard]] Vec2 pixelAt(double aside) const;
+
+    Workbench& bench_;
+    ToothView& view_;
+    DrillBar& drill_;
+    DrivePanel& drive_;
+    QTimer timer_;
+    std::vector<Step> steps_;
+    std::size_t step_ = 0;
+    double time_ = 0;  // of the step, s
+};
+
+}  // namespace tactooth

@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/dialogs/import_dialog.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QPushButton>
+#include <numbers>
+
+#include "app/gui/text/error_words.h"
+#include "app/gui/text/remark_words.h"
+#include "patient/length_unit.h"
+
+namespace tactooth {
+namespace {
+
+constexpr int kParts = 1000;  // of the progress bar
+
+QString millimetres(double length) { return QString::number(length, 'f', 1); }
+
+}  // namespace
+
+ImportDialog::ImportDialog(const QString& name, const QString& caseFile, QWidget* parent)
+    : QDialog(parent),
+      state_(new QLabel),
+      remarks_(new QTextBrowser),
+      progress_(new QProgressBar),
+      units_(new QComboBox),
+      upsideDown_(new QCheckBox(tr("Crown and root the other way up"))),
+      turn_(new QDoubleSpinBox),
+      holes_(new QComboBox),
+      inside_(new QComboBox),
+      keep_(new QCheckBox(tr("Also keep it as a case: %1").arg(QFileInfo(caseFile).fileName()))),
+      buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel)) {
+    setAttribute(Qt::WA_DeleteOnClose);
+    setWindowTitle(tr("Import a scan"));
+    auto* form = new QFormLayout(this);
+    auto* title = new QLabel("<b>" + name.toHtmlEscaped() + "</b>");
+    form->addRow(title);
+    form->addRow(state_);
+    addChoices(*form);
+    form->addRow(new QLabel(tr("What was assumed, and what was mended:")));
+    remarks_->setObjectName("remarks");
+    remarks_->setMinimumHeight(200);
+    form->addRow(remarks_);
+    keep_->setObjectName("keepCase");
+    keep_->setToolTip(caseFile);
+    form->addRow(keep_);
+    progress_->setObjectName("importProgress");
+    progress_->setRange(0, 0);
+    form->addRow(progress_);
+    buttons_->button(QDialogButtonBox::Ok)->setText(tr("Import"));
+    buttons_->setObjectName("importButtons");
+    form->addRow(buttons_);
+    connect(buttons_, &QDialogButtonBox::accepted, this, &ImportDialog::taken);
+    connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    resize(620, sizeHint().height());
+    showLooking(true);
+}
+
+void ImportDialog::addChoices(QFormLayout& form) {
+    units_->setObjectName("units");
+    units_->addItem(tr("Guessed"), QVariant());
+    for (const LengthUnit& unit : kLengthUnits) units_->addItem(unit.name, unit.mm);
+    form.addRow(tr("Unit"), units_);
+    upsideDown_->setObjectName("upsideDown");
+    form.addRow(QString(), upsideDown_);
+    turn_->setObjectName("turn");
+    turn_->setRange(-180, 180);
+    turn_->setSingleStep(15);
+    turn_->setDecimals(0);
+    turn_->setSuffix("°");
+    turn_->setKeyboardTracking(false);
+    form.addRow(tr("Turn about the long axis"), turn_);
+    holes_->setObjectName("holes");
+    holes_->addItem(tr("Fill small ones"), static_cast<int>(HolesToFill::Small));
+    holes_->addItem(tr("Fill all of them"), static_cast<int>(HolesToFill::All));
+    holes_->addItem(tr("Leave them open"), static_cast<int>(HolesToFill::None));
+    form.addRow(tr("Holes"), holes_);
+    inside_->setObjectName("inside");
+    inside_->addItem(tr("A model of enamel, dentin and pulp"), true);
+    inside_->addItem(tr("Enamel all through"), false);
+    form.addRow(tr("Inside"), inside_);
+    const auto say = [this] { emit choicesChanged(); };
+    for (QComboBox* box : {units_, holes_, inside_}) connect(box, &QComboBox::currentIndexChanged, this, say);
+    connect(upsideDown_, &QCheckBox::toggled, this, say);
+    connect(turn_, &QDoubleSpinBox::valueChanged, this, say);
+}
+
+ImportChoices ImportDialog::choices() const {
+    ImportChoices choices;
+    if (units_->currentData().isValid()) choices.mmPerUnit = units_->currentData().toDouble();
+    choices.frame.isUpsideDown = upsideDown_->isChecked();
+    choices.frame.turn = turn_->value() * std::numbers::pi / 180;
+    choices.holes = static_cast<HolesToFill>(holes_->currentData().toInt());
+    choices.modelsLayers = inside_->currentData().toBool();
+    return choices;
+}
+
+bool ImportDialog::keepsCase() const { return keep_->isChecked(); }
+
+void ImportDialog::setEnabledAll(bool enabled) {
+    for (QWidget* choice :
+         {static_cast<QWidget*>(units_), static_cast<QWidget*>(upsideDown_), static_cast<QWidget*>(turn_),
+          static_cast<QWidget*>(holes_), static_cast<QWidget*>(inside_), static_cast<QWidget*>(keep_)}) {
+        choice->setEnabled(enabled);
+    }
+}
+
+void ImportDialog::showLooking(bool isReading) {
+    state_->setText(isReading ? tr("Reading the surface…") : tr("Looking at the surface…"));
+    progress_->setRange(0, 0);
+    progress_->setVisible(true);
+    buttons_->button(QDialogButtonBox::Ok)->setEnabled(false);
+}
+
+void ImportDialog::showFindings(const Expected<ExaminedScan>& scan) {
+    progress_->setVisible(false);
+    setEnabledAll(true);
+    buttons_->button(QDialogButtonBox::Ok)->setEnabled(scan.has_value());
+    if (!scan) {
+        state_->clear();
+        remarks_->setPlainText(errorInWords(scan.error().message));
+        return;
+    }
+    const Vec3 size = boundingBox(scan->outer).sizes();
+    state_->setText(tr("%1 triangles, %2 x %3 x %4 mm")
+                        .arg(scan->outer.triangles.size())
+                        .arg(millimetres(size.x()), millimetres(size.y()), millimetres(size.z())));
+    QString list;
+    for (const Remark& remark : scan->remarks) list += "<li>" + translated(remark).toHtmlEscaped() + "</li>";
+    remarks_->setHtml("<ul>" + list + "</ul>");
+}
+
+void ImportDialog::showBuilding(double part) {
+    state_->setText(tr("Making the layers inside the tooth…"));
+    setEnabledAll(false);
+    buttons_->button(QDialogButtonBox::Ok)->setEnabled(false);
+    progress_->setVisible(true);
+    progress_->setRange(0, kParts);
+    progress_->setValue(static_cast<int>(part * kParts));
+}
+
+}  // namespace tactooth

@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/dialogs/scan_importer.h"
+
+#include <QString>
+#include <optional>
+
+#include "app/gui/text/error_words.h"
+#include "geometry/files/file_bytes.h"
+#include "geometry/io/mesh_file.h"
+#include "session/cases/case_names.h"
+#include "session/cases/case_surfaces.h"
+#include "session/cases/entry_name.h"
+#include "session/cases/make_case.h"
+#include "session/cases/write_case.h"
+
+namespace tactooth {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// One file is a tooth's surface, whatever its name says; of several the names tell.
+Expected<Scan> readScan(const std::vector<fs::path>& files) {
+    Scan scan{files.front().filename().string(), {}, {}};
+    std::optional<Vec3> common;  // all surfaces stay in one frame
+    for (const fs::path& file : files) {
+        auto read = readMesh(file);
+        if (!read) return Unexpected{read.error()};
+        if (!common) common = read->offset;
+        moveBy(read->mesh, read->offset - *common);
+        scan.remarks.insert(scan.remarks.end(), read->remarks.begin(), read->remarks.end());
+        const NamedSurface named = surfaceNamed(file);
+        const auto material = files.size() > 1 ? named.material : std::nullopt;
+        if (material) scan.name = named.body;
+        if (!addSurface(scan, material, std::move(read->mesh))) {
+            return unexpected(
+                shownName(file) +
+                ": the tooth has this surface already; drop the files of one tooth, its layers named as in "
+                "L6_enamel.stl.");
+        }
+    }
+    return scan;
+}
+
+/// Without what a system put beside them, as a folder's window drops it with the rest.
+std::vector<fs::path> ownFiles(const std::vector<fs::path>& files) {
+    std::vector<fs::path> own;
+    for (const fs::path& file : files) {
+        if (!isForeignFile(file.filename().string())) own.push_back(file);
+    }
+    return own.empty() ? files : own;
+}
+
+fs::path caseFileOf(const std::vector<fs::path>& files) {
+    fs::path file = files.front();
+    return file.replace_extension(kCaseEnding);
+}
+
+}  // namespace
+
+ScanImporter::~ScanImporter() { stop(); }
+
+void ScanImporter::stop() {
+    if (control_) control_->stops = true;
+    looking_.forget();
+    building_.forget();
+}
+
+void ScanImporter::begin(const std::vector<fs::path>& files, QWidget* parent) {
+    if (dialog_) dialog_->close();
+    stop();
+    files_ = ownFiles(files);
+    scan_ = nullptr;
+    examined_ = nullptr;
+    dialog_ = new ImportDialog(QString::fromStdString(files_.front().filename().string()),
+                               QString::fromStdString(caseFileOf(files_).string()), parent);
+    connect(dialog_.data(), &ImportDialog::choicesChanged, this, &ScanImporter::look);
+    connect(dialog_.data(), &ImportDialog::taken, this, &ScanImporter::build);
+    connect(dialog_.data(), &QDialog::rejected, this, &ScanImporter::stop);
+    dialog_->open();
+    look();
+}
+
+void ScanImporter::look() {
+    examined_ = nullptr;
+    dialog_->showLooking(scan_ == nullptr);
+    looking_.start([files = files_, scan = scan_, choices = dialog_->choices()]() -> Expected<Looked> {
+        std::shared_ptr<const Scan> read = scan;
+        if (!read) {
+            auto fresh = readScan(files);
+            if (!fresh) return Unexpected{fresh.error()};
+            read = std::make_shared<const Scan>(std::move(*fresh));
+        }
+        return Looked{read, examineScan(*read, choices)};
+    });
+}
+
+void ScanImporter::build() {
+    if (!examined_) return;
+    control_ = std::make_shared<Control>();
+    dialog_->showBuilding(0);
+    const fs::path caseFile = dialog_->keepsCase() ? caseFileOf(files_) : fs::path();
+    building_.start([control = control_, scan = *examined_, choices = dialog_->choices(), caseFile,
+                     title = files_.front().stem().string()]() -> Expected<BenchTooth> {
+        const auto goesOn = [&](double part) {
+            control->part = part;
+            return !control->stops;
+        };
+        auto tooth = finishScan(scan, choices, goesOn);
+        if (!tooth) return Unexpected{tooth.error()};
+        if (!caseFile.empty()) {
+            CaseRequest request;
+            request.title = title;
+            const auto made = caseOf(*tooth, request);
+            if (!made) return Unexpected{made.error()};
+            if (auto written = writeCase(made->files, caseFile); !written) return Unexpected{written.error()};
+        }
+        return makeBenchTooth(*tooth);
+    });
+}
+
+void ScanImporter::poll() {
+    if (auto looked = looking_.poll(); looked && dialog_) {
+        if (!*looked) {  // the file itself cannot be read: no choice helps
+            dialog_->close();
+            emit failed(errorInWords(looked->error().message));
+        } else {
+            scan_ = (*looked)->scan;
+            if ((*looked)->examined) examined_ = std::make_shared<const ExaminedScan>(*(*looked)->examined);
+            dialog_->showFindings((*looked)->examined);
+        }
+    }
+    if (building_.isBusy() && dialog_) dialog_->showBuilding(control_->part);
+    auto built = building_.poll();
+    if (!built || !dialog_) return;
+    dialog_->accept();
+    if (*built) {
+        emit imported(std::move(**built));
+    } else {
+        emit failed(errorInWords(built->error().message));
+    }
+}
+
+}  // namespace tactooth

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/dialogs/welcome_dialog.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+namespace tactooth {
+
+WelcomeDialog::WelcomeDialog(QWidget* parent) : QDialog(parent) {
+    setWindowTitle(tr("Welcome to Tactooth"));
+    setAttribute(Qt::WA_DeleteOnClose);
+    auto* column = new QVBoxLayout(this);
+    auto* greeting = new QLabel(tr("See, feel and hear a bur touch and cut a tooth. What would you like to do?"));
+    greeting->setWordWrap(true);
+    column->addWidget(greeting);
+    addChoice(tr("Practise"), tr("A lower molar with a carious lesion is ready: move the mouse over it and press."),
+              "practise", nullptr);
+    addChoice(tr("Open my tooth"),
+              tr("A scan of your own, in whatever unit and position: you see first what it is taken for."), "openMine",
+              &WelcomeDialog::toothWanted);
+    addChoice(tr("Watch the demonstration"), tr("Twenty seconds: touching, cutting, taking back."), "demonstration",
+              &WelcomeDialog::demonstrationWanted);
+    auto* later = new QLabel(tr("All of this is in the menus, too; F1 shows mouse and keys."));
+    later->setWordWrap(true);
+    column->addWidget(later);
+    constexpr int kLetters = 56;  // a line that is easy to read
+    const int wide = std::max(kLetters * fontMetrics().averageCharWidth(), minimumSizeHint().width());
+    setMinimumWidth(wide);
+    resize(wide, layout()->totalHeightForWidth(wide));  // else there is room for lines that a narrower one would have
+}
+
+void WelcomeDialog::addChoice(const QString& title, const QString& what, const char* name,
+                              void (WelcomeDialog::*wanted)()) {
+    auto* button = new QPushButton(title);  // a command link has letters of one size
+    button->setObjectName(name);
+    button->setAccessibleDescription(what);
+    QFont large = button->font();
+    large.setBold(true);
+    button->setFont(large);
+    auto* words = new QLabel(what);
+    words->setWordWrap(true);
+    words->setIndent(8);
+    layout()->addWidget(button);
+    layout()->addWidget(words);
+    connect(button, &QPushButton::clicked, this, [this, wanted] {
+        accept();
+        if (wanted != nullptr) emit(this->*wanted)();
+    });
+}
+
+}  // namespace tactooth

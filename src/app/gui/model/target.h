@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <memory>
+
+#include "assessment/cavity_account.h"
+#include "assessment/cavity_ghost.h"
+#include "view/mesh/distance_grid.h"
+
+namespace tactooth {
+
+/// The ideal shape that a tooth is compared with.
+struct Target {
+    QString name;
+    std::shared_ptr<const DistanceGrid> distances;
+    std::shared_ptr<CavityGhost> ghost;
+    std::shared_ptr<CavityAccount> account;
+};
+
+/// `ideal`: closed, in the frame of the tooth; `outer`: the uncut tooth, which lies in `box`. Takes some seconds for a
+/// large tooth.
+[[nodiscard]] Target makeTarget(const QString& name, TriangleMesh ideal, const SurfacePart& outer, const Box3& box);
+
+}  // namespace tactooth

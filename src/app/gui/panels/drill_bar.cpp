@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/panels/drill_bar.h"
+
+#include <QActionGroup>
+#include <QLabel>
+#include <QStyle>
+
+#include "app/gui/text/words.h"
+
+namespace tactooth {
+namespace {
+
+constexpr int kFileRole = Qt::UserRole + 1;  // beside the number in the catalogue
+constexpr int kNameRole = Qt::UserRole + 2;  // not translated
+
+}  // namespace
+
+DrillBar::DrillBar(QWidget* parent) : QToolBar(tr("Drill"), parent), burs_(new QComboBox), spindles_(new QComboBox) {
+    setObjectName("drillBar");
+    for (const BurSpec& spec : burCatalogue()) {
+        burs_->addItem(translated(spec.name), QString::fromStdString(spec.number));
+        burs_->setItemData(burs_->count() - 1, QString::fromStdString(spec.name), kNameRole);
+    }
+    for (const SpindlePreset& spindle : spindlePresets()) {
+        spindles_->addItem(translated(spindle.name), QString::fromStdString(spindle.name));
+    }
+    burs_->setObjectName("burs");
+    burs_->setToolTip(tr("The bur in the handpiece"));
+    burs_->setCurrentIndex(burs_->findData("4"));
+    spindles_->setToolTip(tr("What turns the bur"));
+    addWidget(new QLabel(tr(" Bur ")));
+    addWidget(burs_);
+    addWidget(new QLabel(tr("  Drive ")));
+    addWidget(spindles_);
+    addSeparator();
+    addModes();
+    connect(burs_, &QComboBox::activated, this, [this](int index) {
+        const QString file = burs_->itemData(index, kFileRole).toString();
+        if (!file.isEmpty()) emit burFileChosen(file);
+        if (const auto spec = findBur(burs_->itemData(index).toString().toStdString())) emit burChosen(*spec);
+    });
+    // In a narrow window their texts are cut short.
+    for (QComboBox* box : {burs_, spindles_}) {
+        connect(box, &QComboBox::currentTextChanged, box,
+                [box, tip = box->toolTip()](const QString& text) { box->setToolTip(tip + ": " + text); });
+        emit box->currentTextChanged(box->currentText());
+    }
+    connect(spindles_, &QComboBox::activated, this,
+            [this](int index) { emit spindleChosen(spindlePresets()[static_cast<std::size_t>(index)]); });
+}
+
+void DrillBar::addModes() {
+    auto* modes = new QActionGroup(this);
+    touch_ = modes->addAction(tr("Touch"));
+    touch_->setToolTip(tr("Touch (T): the bur stands still and feels the tooth"));
+    touch_->setShortcut(Qt::Key_T);
+    cut_ = modes->addAction(tr("Cut"));
+    cut_->setToolTip(tr("Cut (C): with the pedal down the bur turns and cuts"));
+    cut_->setShortcut(Qt::Key_C);
+    for (QAction* mode : {touch_, cut_}) mode->setCheckable(true);
+    touch_->setChecked(true);
+    addActions(modes->actions());
+    connect(cut_, &QAction::toggled, this, [this](bool cutting) {
+        if (!showing_) emit cuttingChanged(cutting);
+    });
+    addSeparator();
+    undo_ = addAction(style()->standardIcon(QStyle::SP_ArrowBack), tr("Undo cut"));
+    undo_->setToolTip(tr("Takes back the last cut (Ctrl+Z)"));
+    undo_->setShortcut(QKeySequence::Undo);
+    reset_ = addAction(style()->standardIcon(QStyle::SP_BrowserReload), tr("Reset tooth"));
+    reset_->setToolTip(tr("Puts back all that was cut (Ctrl+R)"));
+    reset_->setShortcut(QKeySequence("Ctrl+R"));
+}
+
+void DrillBar::showCutting(bool cutting) {
+    showing_ = true;
+    (cutting ? cut_ : touch_)->setChecked(true);
+    showing_ = false;
+}
+
+void DrillBar::choose(const QString& burNumber, const QString& spindleName) {
+    const int bur = burNumber.isEmpty() ? -1 : burs_->findData(burNumber);
+    if (bur >= 0) burs_->setCurrentIndex(bur), emit burs_->activated(bur);
+    const int spindle = spindles_->findData(spindleName);
+    if (spindle >= 0) spindles_->setCurrentIndex(spindle), emit spindles_->activated(spindle);
+}
+
+void DrillBar::show(const QString& name, const QString& file) {
+    int place = file.isEmpty() ? burs_->findData(name, kNameRole) : burs_->findData(file, kFileRole);
+    if (place < 0) {
+        place = burs_->count();
+        burs_->addItem(name);
+        burs_->setItemData(place, file, kFileRole);
+        burs_->setItemData(place, name, kNameRole);
+    }
+    burs_->setCurrentIndex(place);
+}
+
+}  // namespace tactooth

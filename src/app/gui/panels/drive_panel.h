@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QCheckBox>
+#include <QSlider>
+#include <QWidget>
+
+#include "app/gui/panels/dial_gauge.h"
+#include "haptics/haptic_simulation.h"
+
+namespace tactooth {
+
+/// Foot and ear of the drill: the pedal, the spindle's speed, and the force on the bur.
+class DrivePanel final : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit DrivePanel(QWidget* parent = nullptr);
+
+    /// The foot on the space key.
+    void setKeyDown(bool down);
+    [[nodiscard]] double pedal() const;
+    void setSpindle(const SpindlePreset& spindle);
+    void show(const Tick& tick);
+
+signals:
+    void pedalChanged(double pedal);
+
+private:
+    DialGauge* speed_;
+    DialGauge* force_;
+    QSlider* slider_;
+    QCheckBox* keep_;
+};
+
+}  // namespace tactooth

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QComboBox>
+#include <QLabel>
+#include <QProgressBar>
+#include <QWidget>
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "assessment/cavity_account.h"
+#include "tooth/volume/cut_volume.h"
+
+namespace tactooth {
+
+struct Exercise;
+
+/// What is practised: the choice of an exercise, how far the student has come, and what was cut beside the cavity.
+class ExercisePanel final : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ExercisePanel(QWidget* parent = nullptr);
+
+    /// The exercise on the bench, null for free practice. One that is not in the list yet is added, in the place of one
+    /// from the same file. Tells nobody.
+    void show(const std::shared_ptr<const Exercise>& exercise);
+    /// `seconds`: since the first contact; `cavity`: none without an ideal one.
+    void show(double seconds, const MaterialVolumes& removed, const std::optional<CavityProgress>& cavity);
+
+signals:
+    /// Null: free practice.
+    void chosen(const std::shared_ptr<const Exercise>& exercise);
+    /// The user wants to choose the file of an exercise.
+    void openWanted();
+    void startAgainWanted();
+    void exportWanted();
+
+private:
+    enum Fact { kTime, kBeyond, kDeepest, kLikeness, kFacts };
+
+    [[nodiscard]] QWidget* makeChoice();
+    [[nodiscard]] QWidget* makeNumbers();
+    [[nodiscard]] QString number(double value, int digits) const;
+
+    std::vector<std::shared_ptr<const Exercise>> known_;  // as the list shows them; the first: free practice
+    QComboBox* exercises_;
+    QLabel* task_;
+    QProgressBar* cleared_;
+    std::array<QLabel*, kFacts> facts_{};
+    std::array<QLabel*, kMaterialCount> removed_{};
+};
+
+}  // namespace tactooth

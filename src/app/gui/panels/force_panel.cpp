@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/panels/force_panel.h"
+
+#include <QPushButton>
+
+#include "app/gui/input/hand_control.h"
+
+namespace tactooth {
+
+ForcePanel::ForcePanel(QWidget* parent)
+    : QWidget(parent), fromMaterial_(new QCheckBox(tr("From the material"))), presets_(new QComboBox) {
+    auto* grid = new QGridLayout(this);
+    const ForceSettings usual;
+    fromMaterial_->setObjectName("fromMaterial");
+    fromMaterial_->setToolTip(
+        tr("Spring, damper and friction are those of the tissue under the bur:\nenamel is hard, dentin "
+           "softer, caries soft. Switch off to set them yourself."));
+    addPresets(*grid);
+    spring_ = new NumberRow(*grid, tr("Spring"), {0, kMostSpring, 0.05, 2, tr(" N/mm")}, usual.spring,
+                            tr("How hard the tooth feels: force for each millimetre pressed in"));
+    damper_ = new NumberRow(*grid, tr("Damper"), {0, kMostDamper, 0.0005, 4, tr(" N·s/mm")}, usual.damper,
+                            tr("Force against moving into the tooth, for each mm/s"));
+    friction_ = new NumberRow(*grid, tr("Friction"), {0, kMostFriction, 0.01, 2, QString()}, usual.friction,
+                              tr("Force against sliding, as a share of the force into the tooth"));
+    friction_->box().setObjectName("friction");
+    spring_->box().setObjectName("spring");
+    scale_ = new NumberRow(*grid, tr("Force scale"), {0, kMostForceScale, 0.05, 2, tr(" ×")}, 1,
+                           tr("Multiplies the whole force"));
+    press_ = new NumberRow(*grid, tr("Mouse presses"), {0, HandControl::kMostPressDepth, 0.1, 1, tr(" mm")}, 1,
+                           tr("How deep the mouse hand presses beyond the surface.\nThe mouse wheel in the picture "
+                              "changes it too."));
+    press_->box().setObjectName("pressDepth");
+    auto* defaults = new QPushButton(tr("Defaults"));
+    grid->addWidget(defaults, grid->rowCount(), 2);
+    grid->setRowStretch(grid->rowCount(), 1);
+    connect(fromMaterial_, &QCheckBox::toggled, this, [this](bool on) {
+        spring_->setEnabled(!on);
+        damper_->setEnabled(!on);
+        friction_->setEnabled(!on);
+        emit changed();
+    });
+    for (NumberRow* row : {spring_, damper_, friction_, scale_})
+        connect(row, &NumberRow::changed, this, &ForcePanel::changed);
+    connect(press_, &NumberRow::changed, this, &ForcePanel::pressDepthChanged);
+    connect(defaults, &QPushButton::clicked, this, [this] { set({}); });
+    fromMaterial_->setChecked(true);
+}
+
+ForceOverrides ForcePanel::overrides() const {
+    if (fromMaterial_->isChecked()) return {};
+    return {.stiffness = spring_->value(), .damping = damper_->value(), .friction = friction_->value()};
+}
+
+ForceSettings ForcePanel::settings() const {
+    return {fromMaterial_->isChecked(), spring_->value(), damper_->value(), scale_->value(), press_->value(),
+            friction_->value()};
+}
+
+void ForcePanel::set(const ForceSettings& settings) {
+    fromMaterial_->setChecked(settings.fromMaterial);
+    spring_->setValue(settings.spring);
+    damper_->setValue(settings.damper);
+    scale_->setValue(settings.scale);
+    press_->setValue(settings.press);
+    friction_->setValue(settings.friction);
+}
+
+/// The tissues whose numbers one can take for the whole tooth.
+void ForcePanel::addPresets(QGridLayout& grid) {
+    grid.addWidget(fromMaterial_, 0, 0, 1, 2);
+    grid.addWidget(presets_, 0, 2);
+    presets_->setObjectName("forcePresets");
+    presets_->setAccessibleName(tr("Feel like"));
+    presets_->setToolTip(tr("Lets the whole tooth feel like one tissue: fills in its spring, damper and friction"));
+    presets_->addItem(tr("Feel like…"));
+    const std::pair<QString, MaterialId> tissues[] = {{tr("Enamel"), MaterialId::Enamel},
+                                                      {tr("Dentin"), MaterialId::Dentin},
+                                                      {tr("Pulp"), MaterialId::Pulp},
+                                                      {tr("Caries"), MaterialId::Caries},
+                                                      {tr("Restoration"), MaterialId::Restoration}};
+    for (const auto& [name, id] : tissues) presets_->addItem(name, static_cast<int>(id));
+    connect(presets_, &QComboBox::activated, this, [this](int index) {
+        if (index > 0) feelLike(static_cast<MaterialId>(presets_->itemData(index).toInt()));
+        presets_->setCurrentIndex(0);
+    });
+}
+
+void ForcePanel::feelLike(MaterialId tissue) {
+    const Material numbers = MaterialTable()[tissue];
+    fromMaterial_->setChecked(false);
+    spring_->setValue(numbers.stiffness);
+    damper_->setValue(numbers.damping);
+    friction_->setValue(numbers.friction);
+}
+
+}  // namespace tactooth

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QWidget>
+
+#include "app/gui/panels/number_row.h"
+#include "app/gui/settings/window_settings.h"
+#include "session/simulation/simulator.h"
+
+namespace tactooth {
+
+/// The box of force parameters: spring, damper and friction (the materials' own, those of one tissue everywhere, or
+/// one's own numbers), the scale of the force, and how hard the mouse presses.
+class ForcePanel final : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ForcePanel(QWidget* parent = nullptr);
+
+    [[nodiscard]] ForceOverrides overrides() const;
+    [[nodiscard]] double forceScale() const { return scale_->value(); }
+    [[nodiscard]] ForceSettings settings() const;
+    void set(const ForceSettings& settings);
+    void setPressDepth(double depth) { press_->setValue(depth); }
+
+signals:
+    void changed();
+    void pressDepthChanged(double depth);
+
+private:
+    void addPresets(QGridLayout& grid);
+    void feelLike(MaterialId tissue);
+
+    QCheckBox* fromMaterial_;
+    QComboBox* presets_;
+    NumberRow* spring_;
+    NumberRow* damper_;
+    NumberRow* friction_;
+    NumberRow* scale_;
+    NumberRow* press_;
+};
+
+}  // namespace tactooth

@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/panels/plot_panel.h"
+
+#include <QApplication>
+#include <QChart>
+#include <QChartView>
+#include <QGraphicsLayout>
+#include <QHBoxLayout>
+#include <QLineSeries>
+#include <QSpinBox>
+#include <QToolButton>
+#include <QValueAxis>
+#include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
+
+namespace tactooth {
+namespace {
+
+void styleAxis(QValueAxis& axis) {
+    QFont small = QApplication::font();
+    small.setPointSizeF(small.pointSizeF() * 0.85);
+    axis.setLabelsFont(small);
+    axis.setGridLineColor(QApplication::palette().color(QPalette::Midlight));
+    axis.setLinePenColor(QApplication::palette().color(QPalette::Mid));
+    axis.setLabelsColor(QApplication::palette().color(QPalette::WindowText));
+}
+
+/// The next of 1, 2, 5, 10, ... that is not smaller: an axis that rests instead of trembling.
+double roundRange(double value) {
+    const double decade = std::pow(10.0, std::floor(std::log10(value)));
+    for (const double step : {1.0, 2.0, 5.0, 10.0}) {
+        if (value <= step * decade) return step * decade;
+    }
+    return value;
+}
+
+}  // namespace
+
+PlotPanel::PlotPanel(QWidget* parent)
+    : QWidget(parent), plots_(new QWidget), pause_(new QToolButton), stretch_(new QSpinBox) {
+    auto* all = new QHBoxLayout(this);
+    all->setContentsMargins(2, 2, 2, 2);
+    all->setSpacing(2);
+    all->addWidget(plots_, 1);
+    all->addWidget(makeButtons());
+    auto* row = new QHBoxLayout(plots_);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(2);
+    depth_ = addPlot(tr("Depth, mm"), QColor(0, 114, 178), 0.2);
+    speed_ = addPlot(tr("Speed, mm/s"), QColor(0, 158, 115), 10);
+    force_ = addPlot(tr("Force, N"), QColor(213, 94, 0), 0.5);
+    setColours();
+    setStretch(static_cast<int>(TickTrace::kShown));
+}
+
+QWidget* PlotPanel::makeButtons() {
+    auto* side = new QWidget;
+    auto* column = new QVBoxLayout(side);
+    column->setContentsMargins(2, 2, 2, 2);
+    pause_->setText(tr("Pause"));
+    pause_->setCheckable(true);
+    pause_->setToolTip(tr("Holds the plots still, to look at them or to export them; the simulation goes on"));
+    pause_->setObjectName("pausePlots");
+    auto* write = new QToolButton;
+    write->setText(tr("Export…"));
+    write->setToolTip(tr("Writes what is shown: a table (CSV) or a picture (PNG, SVG)"));
+    write->setObjectName("exportPlots");
+    stretch_->setRange(1, static_cast<int>(TickTrace::kShown));
+    stretch_->setSuffix(tr(" s"));
+    stretch_->setToolTip(tr("How much time is shown; the mouse wheel over a plot changes it too"));
+    stretch_->setAccessibleName(tr("Time shown"));
+    stretch_->setObjectName("plotStretch");
+    for (QWidget* widget :
+         {static_cast<QWidget*>(pause_), static_cast<QWidget*>(write), static_cast<QWidget*>(stretch_)}) {
+        widget->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+        column->addWidget(widget);
+    }
+    column->addStretch();
+    connect(write, &QToolButton::clicked, this, &PlotPanel::exportWanted);
+    connect(stretch_, &QSpinBox::valueChanged, this, &PlotPanel::setStretch);
+    return side;
+}
+
+void PlotPanel::setStretch(int seconds) {
+    stretch_->setValue(seconds);
+    for (const Plot& plot : {depth_, speed_, force_}) plot.time->setRange(-seconds, 0);
+    fitTicks();
+}
+
+/// As many figures below a plot as have room.
+void PlotPanel::fitTicks() {
+    const int seconds = stretch_->value();
+    const int letters = QFontMetrics(QApplication::font()).horizontalAdvance("-10 s") + 8;
+    const int room = plots_->width() / 3 / std::max(1, letters);
+    const int wanted = seconds % 5 == 0 && room >= 6 ? 6 : seconds % 2 == 0 && room >= 3 ? 3 : 2;
+    for (const Plot& plot : {depth_, speed_, force_}) plot.time->setTickCount(wanted);
+}
+
+void PlotPanel::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    fitTicks();
+}
+
+/// By the program's palette: a widget that is not shown yet has not heard of a change.
+void PlotPanel::setColours() {
+    for (const Plot& plot : {depth_, speed_, force_}) {
+        styleAxis(*plot.time);
+        styleAxis(*plot.value);
+        plot.chart->setTitleFont(QApplication::font());
+        plot.chart->setTitleBrush(QApplication::palette().color(QPalette::WindowText));
+        plot.chart->setBackgroundBrush(QApplication::palette().color(QPalette::Base));
+    }
+}
+
+void PlotPanel::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() != QEvent::FontChange) return;
+    setColours();
+    fitTicks();
+}
+
+/// The wheel over a plot.
+bool PlotPanel::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() != QEvent::Wheel) return QWidget::eventFilter(watched, event);
+    stretch_->stepBy(static_cast<QWheelEvent*>(event)->angleDelta().y() > 0 ? -1 : 1);
+    return true;
+}
+
+PlotPanel::Plot PlotPanel::addPlot(const QString& title, const QColor& colour, double smallestRange) {
+    auto* chart = new QChart;
+    Plot plot{new QLineSeries, new QValueAxis, new QValueAxis, smallestRange, chart};
+    plot.line->setPen(QPen(colour, 1.6));
+    chart->addSeries(plot.line);
+    chart->addAxis(plot.time, Qt::AlignBottom);
+    chart->addAxis(plot.value, Qt::AlignLeft);
+    plot.line->attachAxis(plot.time);
+    plot.line->attachAxis(plot.value);
+    plot.time->setLabelFormat("%.4g s");
+    plot.value->setRange(0, smallestRange);
+    plot.value->setTickCount(3);
+    plot.value->setLabelFormat("%.4g");
+    chart->setTitle(title);
+    chart->legend()->hide();
+    chart->setMargins({4, 0, 8, 2});
+    chart->setBackgroundRoundness(0);
+    chart->layout()->setContentsMargins(0, 0, 0, 0);
+    auto* view = new QChartView(chart);
+    view->setRenderHint(QPainter::Antialiasing);
+    view->setMinimumHeight(110);
+    view->viewport()->installEventFilter(this);
+    plots_->layout()->addWidget(view);
+    return plot;
+}
+
+void PlotPanel::draw(Plot& plot, const TickTrace& trace, double TickTrace::Point::*what) {
+    QList<QPointF> points;
+    double largest = plot.smallestRange;
+    const double now = trace.points().empty() ? 0 : trace.points().back().time;
+    for (const TickTrace::Point& point : trace.points()) {
+        points.append(QPointF(point.time - now, point.*what));
+        largest = std::max(largest, point.*what);
+    }
+    const double range = roundRange(largest);
+    if (range != plot.value->max()) plot.value->setMax(range);
+    plot.line->replace(points);
+}
+
+void PlotPanel::show(const TickTrace& trace) {
+    if (pause_->isChecked()) return;
+    const bool filled = !trace.points().empty() && trace.points().back().time > TickTrace::kShown;
+    if (std::exchange(quiet_, trace.isQuiet() && filled) && quiet_) return;
+    shown_ = trace;
+    draw(depth_, trace, &TickTrace::Point::depth);
+    draw(speed_, trace, &TickTrace::Point::speed);
+    draw(force_, trace, &TickTrace::Point::force);
+}
+
+}  // namespace tactooth

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+#include "app/gui/panels/tick_trace.h"
+
+class QChart;
+class QLineSeries;
+class QSpinBox;
+class QToolButton;
+class QValueAxis;
+
+namespace tactooth {
+
+/// Depth, speed and force over the last ten seconds.
+class PlotPanel final : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit PlotPanel(QWidget* parent = nullptr);
+    /// Costs nothing while nothing happens: flat lines are drawn once. While it is paused, nothing is drawn.
+    void show(const TickTrace& trace);
+    /// What is drawn.
+    [[nodiscard]] const TickTrace& shown() const { return shown_; }
+    [[nodiscard]] QWidget& plots() { return *plots_; }
+    /// Takes over the palette and the letters, which have changed.
+    void setColours();
+    [[nodiscard]] QSize sizeHint() const override { return {900, 170}; }
+
+signals:
+    void exportWanted();
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    struct Plot {
+        QLineSeries* line;
+        QValueAxis* time;
+        QValueAxis* value;
+        double smallestRange;  // of the value axis: noise must not fill the plot
+        QChart* chart = nullptr;
+    };
+    QWidget* makeButtons();
+    void setStretch(int seconds);
+    void fitTicks();
+    Plot addPlot(const QString& title, const QColor& colour, double smallestRange);
+    static void draw(Plot& plot, const TickTrace& trace, double TickTrace::Point::*what);
+
+    QWidget* plots_;
+    QToolButton* pause_;
+    QSpinBox* stretch_;  // s
+    Plot depth_, speed_, force_;
+    TickTrace shown_;
+    bool quiet_ = false;  // what is drawn
+};
+
+}  // namespace tactooth

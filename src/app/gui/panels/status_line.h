@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QElapsedTimer>
+#include <QLabel>
+#include <QProgressBar>
+#include <QStatusBar>
+
+#include "app/gui/panels/elided_label.h"
+#include "session/simulation/simulator.h"
+#include "sound/output/sound_output.h"
+
+namespace tactooth {
+
+/// The numbers at the window's foot: what was removed, and whether the machine keeps up.
+class StatusLine final : public QStatusBar {
+    Q_OBJECT
+
+public:
+    explicit StatusLine(QWidget* parent = nullptr);
+
+    /// Call about once a second: the rates are those since the last call.
+    void show(const Simulator& simulator, SoundStatus sound);
+    /// A hint that stays on the left side until the next one.
+    void setHint(const QString& hint) { hint_->setText(hint); }
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void fitMeter();
+    void showServo(const QString& brief, const QString& whole);
+    void showOverrun(std::uint64_t inTime, std::uint64_t missed);
+
+    ElidedLabel* hint_;
+    QLabel* removed_;
+    QLabel* servo_;
+    QProgressBar* overrun_;
+    QLabel* sound_;
+    QElapsedTimer since_;
+    std::uint64_t ticks_ = 0;
+    std::uint64_t missed_ = 0;
+    std::uint64_t updates_ = 0;
+};
+
+}  // namespace tactooth

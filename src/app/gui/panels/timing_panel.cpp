@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/panels/timing_panel.h"
+
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "app/gui/panels/elided_label.h"
+#include "app/gui/model/workbench.h"
+#include "haptics/real_time.h"
+
+namespace tactooth {
+namespace {
+
+constexpr std::array<double, 4> kQuantiles = {0.5, 0.99, 0.999, 1.0};
+const QColor kWorkColour(0, 114, 178), kLateColour(213, 94, 0);  // told apart by colour-blind people (Okabe and Ito)
+
+}  // namespace
+
+TimingPanel::TimingPanel(QWidget* parent) : QWidget(parent), picture_(new HistogramView), facts_(new ElidedLabel) {
+    picture_->setAccessibleName(tr("Histogram of the servo's ticks"));
+    picture_->setToolTip(
+        tr("How often the work of a tick, and its waking up, took so long. What reaches the dashed line "
+           "costs the hand a tick."));
+    auto* numbers = new QGridLayout;
+    numbers->setHorizontalSpacing(12);
+    numbers->setVerticalSpacing(1);
+    const std::array<QString, kRows> names = {tr("work of a tick, µs"), tr("woken late, µs"), tr("period off by, µs"),
+                                              tr("reading to force, µs")};
+    const std::array<const char*, kColumns> heads = {"p50", "p99", "p99.9", QT_TR_NOOP("max")};
+    for (std::size_t column = 0; column < kColumns; ++column) {
+        numbers->addWidget(new QLabel(tr(heads[column])), 0, static_cast<int>(column) + 1, Qt::AlignRight);
+    }
+    for (std::size_t row = 0; row < kRows; ++row) {
+        numbers->addWidget(new QLabel(names[row]), static_cast<int>(row) + 1, 0);
+        for (std::size_t column = 0; column < kColumns; ++column) {
+            cells_[row][column] = new QLabel;
+            cells_[row][column]->setAccessibleName(names[row] + " " + tr(heads[column]));
+            numbers->addWidget(cells_[row][column], static_cast<int>(row) + 1, static_cast<int>(column) + 1,
+                               Qt::AlignRight);
+        }
+    }
+    numbers->setRowStretch(static_cast<int>(kRows) + 1, 1);
+    auto* anew = new QToolButton;
+    anew->setText(tr("Count anew"));
+    anew->setToolTip(tr("Forgets all ticks so far, as those while the program started"));
+    anew->setObjectName("countAnew");
+    connect(anew, &QToolButton::clicked, this, [this] { from_ = latest_; });
+    facts_->setObjectName("timingFacts");
+    facts_->setAccessibleName(tr("Ticks"));
+    auto* head = new QHBoxLayout;
+    head->addWidget(facts_, 1);
+    head->addWidget(anew);
+    auto* body = new QHBoxLayout;
+    body->setSpacing(16);
+    body->addWidget(picture_, 1);
+    body->addLayout(numbers);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(4, 2, 4, 2);
+    column->setSpacing(2);
+    column->addLayout(head);
+    column->addLayout(body, 1);
+}
+
+TimingPanel::Moment TimingPanel::now(const Simulator& simulator) {
+    const ServoTiming& timing = simulator.timing();
+    return {
+        {timing.tick.counts(), timing.lateness.counts(), timing.jitter.counts(), simulator.deviceToForce().counts()},
+        timing.ticks.load(std::memory_order_relaxed),
+        timing.missed.load(std::memory_order_relaxed)};
+}
+
+/// Numbers of another simulator would be taken for this one's until the next look.
+void TimingPanel::forget() {
+    latest_ = from_ = {};
+    facts_->setText({});
+    for (auto& row : cells_) {
+        for (QLabel* cell : row) cell->clear();
+    }
+}
+
+void TimingPanel::show(const Simulator& simulator, const QString& device, double rateHz) {
+    latest_ = now(simulator);
+    std::array<LatencyCounts, kRows> counts;
+    for (std::size_t row = 0; row < kRows; ++row) {
+        counts[row] = latest_.rows[row].since(from_.rows[row]);
+        for (std::size_t column = 0; column < kColumns; ++column) {
+            cells_[row][column]->setText(locale().toString(counts[row].quantile(kQuantiles[column]), 'f', 0));
+        }
+    }
+    const std::uint64_t ticks = latest_.ticks - from_.ticks;
+    const std::uint64_t missed = latest_.missed - from_.missed;
+    const double share =
+        100 * static_cast<double>(missed) / static_cast<double>(std::max<std::uint64_t>(1, ticks + missed));
+    const QStringList facts = {
+        tr("%1 ticks, %2 missed (%3 %)").arg(locale().toString(ticks), locale().toString(missed)).arg(share, 0, 'f', 2),
+        tr("Device: %1").arg(device),
+        simulator.isRealTime() ? tr("Real-time priority") : tr("Ordinary priority (see 'tactooth doctor')"),
+        isMemoryLocked() ? tr("Memory locked") : tr("Memory may be swapped out (see 'tactooth doctor')"),
+        simulator.sleepsLightly() ? tr("Processors kept from deep sleep")
+                                  : tr("Processors may sleep deeply (see 'tactooth doctor')")};
+    facts_->setText(facts.join("  ·  "));
+    picture_->show({{tr("work of a tick"), kWorkColour, counts[0]}, {tr("woken late"), kLateColour, counts[1]}},
+                   1e6 / rateHz);
+}
+
+}  // namespace tactooth

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <array>
+
+#include "app/gui/panels/histogram_view.h"
+#include "session/simulation/simulator.h"
+
+class QLabel;
+
+namespace tactooth {
+
+class ElidedLabel;
+
+/// Whether the machine keeps up with the hand: how long the servo's ticks took, how late they began, how many were
+/// missed, and what the system allows.
+class TimingPanel final : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit TimingPanel(QWidget* parent = nullptr);
+
+    /// `device`: what the hand holds, for people. Call about once a second.
+    void show(const Simulator& simulator, const QString& device, double rateHz);
+    /// What is shown next belongs to another simulator, which counts from zero.
+    void forget();
+
+private:
+    static constexpr std::size_t kRows = 4, kColumns = 4;
+    /// All that is counted, at one moment.
+    struct Moment {
+        std::array<LatencyCounts, kRows> rows;
+        std::uint64_t ticks = 0, missed = 0;
+    };
+    [[nodiscard]] static Moment now(const Simulator& simulator);
+
+    HistogramView* picture_;
+    std::array<std::array<QLabel*, kColumns>, kRows> cells_{};
+    ElidedLabel* facts_;
+    Moment latest_;  // of the newest show
+    Moment from_;    // counted from here on
+};
+
+}  // namespace tactooth

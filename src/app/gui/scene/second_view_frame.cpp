@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/scene/second_view_frame.h"
+
+#include <QPainter>
+#include <cmath>
+
+#include "view/camera/second_view.h"
+
+namespace tactooth {
+namespace {
+
+const QColor kLine(235, 240, 245, 200);  // seen before the picture's dark and bright parts alike
+constexpr int kPad = 5;
+
+}  // namespace
+
+SecondViewFrame::SecondViewFrame(QWidget* parent) : QAbstractButton(parent) {
+    setObjectName("secondViewFrame");
+    setFocusPolicy(Qt::NoFocus);  // the keys belong to the picture
+    setCursor(Qt::PointingHandCursor);
+    setToolTip(tr("Click: the large picture looks from there"));
+}
+
+void SecondViewFrame::fitTo(PictureSize picture) {
+    const SecondViewPlace place = secondViewPlace(picture);
+    const double scale = 1 / devicePixelRatioF();
+    const auto scaled = [scale](int pixels) { return static_cast<int>(std::lround(scale * pixels)); };
+    setGeometry(scaled(place.left), scaled(place.top), scaled(place.size.width), scaled(place.size.height));
+}
+
+void SecondViewFrame::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.setPen(kLine);
+    painter.drawRect(rect().adjusted(0, 0, -1, -1));
+    const QRect text = fontMetrics().boundingRect(this->text()).adjusted(-kPad, -kPad / 2, kPad, kPad / 2);
+    const QRect ground(1, 1, text.width(), text.height());
+    painter.fillRect(ground, QColor(0, 0, 0, 130));
+    painter.drawText(ground, Qt::AlignCenter, this->text());
+}
+
+}  // namespace tactooth

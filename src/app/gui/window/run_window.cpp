@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/window/run_window.h"
+
+#include <unistd.h>
+
+#include <QApplication>
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+#include <QSurfaceFormat>
+#include <cstdlib>
+#include <utility>
+
+#include "app/common/exit_code.h"
+#include "app/common/display_check.h"
+#include "app/common/ending.h"
+#include "app/gui/text/error_words.h"
+#include "app/gui/window/main_window.h"
+#include "app/gui/settings/settings_keeper.h"
+#include "app/gui/window/window_holder.h"
+#include "app/gui/window/window_setup.h"
+#include "geometry/files/file_bytes.h"
+#include "geometry/files/unfinished_names.h"
+#include "haptics/real_time.h"
+#include "assessment/exercise_file.h"
+#include "sound/output/openal_output.h"
+
+namespace tactooth {
+namespace {
+
+constexpr const char* kFirstBur = "4";  // round, 1.4 mm: what one opens a fissure with
+
+Expected<void> checkOpenGl() {
+    QOpenGLContext context;
+    QOffscreenSurface surface;
+    surface.create();
+    if (context.create() && context.makeCurrent(&surface)) {
+        const auto version = context.format().version();
+        context.doneCurrent();
+        if (version >= std::pair(4, 1)) return {};
+    }
+    return unexpected(
+        "the window needs OpenGL 4.1, which this display does not offer; install the graphics driver, or Mesa's "
+        "software renderer (package libgl1-mesa-dri).");
+}
+
+/// The settings with those of the command line in their place.
+Expected<WindowSettings> withFlags(WindowSettings settings, const WindowOptions& options) {
+    for (const WindowOption& option : windowOptions()) {
+        const auto given = options.settings.find(flagOf(option));
+        if (given == options.settings.end()) continue;
+        if (auto done = setWindowOption(settings, option, given->second); !done) return Unexpected{done.error()};
+    }
+    if (settings.bur.empty()) settings.bur = std::string(kFirstBur);
+    return settings;
+}
+
+Expected<BenchTooth> exerciseOf(const std::filesystem::path& file) {
+    Expected<Exercise> read = readExercise(file);
+    if (!read) return Unexpected{read.error()};
+    return makeBenchTooth(std::make_shared<const Exercise>(std::move(*read)));
+}
+
+/// What the person should know about the file of the settings, which is put aside if nothing of it could be read.
+QString whatIsWrongWith(const Expected<KeptSettings>& settings, const std::filesystem::path& file) {
+    QStringList sentences;
+    if (settings) {
+        for (const Error& refused : settings->refused) sentences << errorInWords(refused.message);
+        if (!sentences.isEmpty()) sentences << MainWindow::tr("The usual values take their places.");
+        return sentences.join(' ');
+    }
+    sentences << errorInWords(settings.error().message);
+    if (const auto aside = putBadSettingsAside(file)) {
+        sentences << MainWindow::tr("The window starts with its defaults; the file is kept as %1.")
+                         .arg(QString::fromStdString(shownName(*aside)));
+    } else {
+        sentences << MainWindow::tr("The window starts with its defaults.");
+    }
+    return sentences.join(' ');
+}
+
+/// As if the person had closed the window and whatever stands before it.
+void closeAll() {
+    QApplication::closeAllWindows();
+    QCoreApplication::exit(kExitOk);
+}
+
+/// Zero force, and the devices' ordinary farewell.
+void letGo(Workbench& bench) {
+    bench.stop();
+    bench.useMouse();
+    bench.putSecond(nullptr);
+}
+
+WindowHolder* shownWindow = nullptr;  // while the event loop runs
+
+/// Where the display goes, its library ends the program (exit) in the midst of Qt. No part of the window can be touched
+/// then, nor destroyed, but the hand is still let go. The settings were kept as they changed.
+void letGoWithoutDisplay() {
+    if (shownWindow == nullptr) return;
+    constexpr unsigned kPatience = 5;  // s
+    ::alarm(kPatience);
+    letGo(std::exchange(shownWindow, nullptr)->window().bench());
+    removeAllUnfinished(kPatience);
+    (void)refuse({"the display is gone; the hand was let go, and the settings are kept."});
+    ::_exit(kExitBadInput);
+}
+
+}  // namespace
+
+int runWindow(const WindowOptions& options) {
+    const Expected<void> display = checkDisplay();  // before there are threads; said after what is wrong with the files
+    const std::filesystem::path settingsFile = windowSettingsFile();
+    std::error_code ignored;
+    const bool isFirstTime = !std::filesystem::exists(settingsFile, ignored);
+    Expected<KeptSettings> settings = readWindowSettings(settingsFile);
+    const std::string forgotten = settings ? forgetUnknownDevices(settings->hand, settingsFile) : std::string();
+    Expected<WindowSettings> start = withFlags(settings ? *settings : WindowSettings(), options);
+    if (!start) return refuse(start.error());
+    std::optional<BenchTooth> tooth;
+    if (options.tooth) {
+        Expected<BenchTooth> loaded = loadBenchTooth(*options.tooth, options.workOn);
+        if (!loaded) return refuse(loaded.error());
+        tooth = std::move(*loaded);
+    }
+    if (options.exercise) {
+        Expected<BenchTooth> made = exerciseOf(*options.exercise);
+        if (!made) return refuse(made.error());
+        tooth = std::move(*made);
+    }
+    std::optional<BenchBur> bur;
+    if (options.bur) {
+        Expected<BenchBur> loaded = loadBenchBur(*options.bur);
+        if (!loaded) return refuse(loaded.error());
+        bur = std::move(*loaded);
+    }
+    if (!display) return refuse(display.error());
+    int argc = 1;
+    char name[] = "tactooth";
+    char* argv[] = {name, nullptr};
+    const auto application = startApplication(argc, argv);
+    const OrderlyEnd closing([&] { QMetaObject::invokeMethod(application.get(), closeAll, Qt::QueuedConnection); });
+    if (const auto openGl = checkOpenGl(); !openGl) return refuse(openGl.error());
+
+    lockMemory();  // where it is allowed: the timing panel says so, 'tactooth doctor' how to get it
+    OpenAlOutput sound;
+    WindowHolder holder(*application, sound);
+    int exitCode = kExitOk;
+    QObject::connect(&holder, &WindowHolder::graphicsFailed, application.get(), [&](const QString& sentence) {
+        exitCode = refuse({sentence.toStdString()});
+        QApplication::exit(exitCode);
+    });
+    if (bur || (tooth && tooth->bur)) start->bur.clear();  // the one of the command line counts, or of the case
+    if (options.device) start->hand.device = *options.device;
+    MainWindow& window = holder.open(*start);
+    if (tooth) {
+        window.bench().put(std::move(*tooth));
+    } else if (options.mouth) {
+        window.bringMouth(*options.mouth);
+    } else {
+        window.bringBuiltinTooth(kBuiltinTeeth.front());
+    }
+    if (bur) window.bench().put(std::move(*bur));
+    window.show();
+    if (const QString sentences = whatIsWrongWith(settings, settingsFile); !sentences.isEmpty()) {
+        window.complain(sentences);
+    }
+    if (!forgotten.empty()) window.complain(Error{forgotten});
+    if (isFirstTime && !tooth && !options.mouth) window.welcome();
+    SettingsKeeper keeper([&] { return holder.window().settings(); }, settingsFile);
+    std::atexit(letGoWithoutDisplay);
+    shownWindow = &holder;
+    QApplication::exec();
+    shownWindow = nullptr;
+    letGo(holder.window().bench());  // first of all: what else ends with the window may take its time
+    if (const auto written = writeWindowSettings(holder.window().settings(), settingsFile); !written) {
+        (void)refuse(written.error());  // a word about it; the session itself went well
+    }
+    return exitCode;
+}
+
+}  // namespace tactooth

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "assessment/cavity_walls.h"
+#include "session/simulation/surface_change.h"
+
+namespace tactooth {
+
+/// The tags of a ghost's triangles.
+inline constexpr SurfaceTag kGhostWall = 0, kGhostRim = 1;
+
+/// The cavity that is to be cut, inside the tooth that it is to be cut into: its walls, and along their rim, which is
+/// the outline of the cavity on the tooth's surface, a thin cord. What the cut has reached is hidden.
+class CavityGhost {
+public:
+    /// `outer`: the uncut tooth, closed. Takes a second for a large tooth.
+    CavityGhost(const TriangleMesh& target, const SurfacePart& outer)
+        : CavityGhost(cavityWalls(target, outer), outer) {}
+    /// The same; `walls` are those of the target in `outer`.
+    CavityGhost(CavityWalls walls, const SurfacePart& outer);
+
+    /// Whether the target has nothing to cut.
+    [[nodiscard]] bool empty() const { return shown_.base->mesh().empty(); }
+
+    /// The ghost over `tooth`, a snapshot of the tooth: walls with tooth still before them (kGhostWall), and the whole
+    /// rim (kGhostRim). The same pointer as long as nothing new is reached or put back. Quick where `tooth` differs
+    /// little from that of the last call.
+    [[nodiscard]] std::shared_ptr<const Surface> over(const std::shared_ptr<const Surface>& tooth);
+
+private:
+    /// Wall triangles near each other, which are reached together.
+    struct Spot {
+        Vec3f before;              // a point in the cavity, near before the middle of one of them
+        std::uint32_t first, end;  // of them
+    };
+    void divideIntoSpots(TriangleMesh& walls, const SurfacePart& outer);
+    void show(const Spot& spot, bool shows);
+
+    Surface shown_;
+    std::vector<Spot> spots_;
+    TriangleMask reached_;
+    SurfaceChange change_;
+    std::shared_ptr<const Surface> last_;
+};
+
+}  // namespace tactooth

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "collision/bvh/surface.h"
+#include "tooth/model/layered_tooth.h"
+
+namespace tactooth {
+
+/// What lies deeper below the uncut surface than this is to be cut, mm: less than the 25 um between two samples of a
+/// tooth that is cut, more than storing or thinning moves the surface of a scan.
+inline constexpr double kCavityDepth = 0.02;
+
+/// No edge of the walls is longer, mm, so that they can be shown as far as they have not been reached.
+inline constexpr double kCavityEdge = 0.15;
+
+/// The walls and floors of cavities, with normals into the cavities.
+struct CavityWalls {
+    TriangleMesh mesh;
+    /// Where the walls end, kCavityDepth below the uncut surface: directed edges of `mesh`, the walls on their left as
+    /// seen from the cavity.
+    std::vector<std::array<std::uint32_t, 2>> rim;
+};
+
+/// Of the ideal shape `target` of a tooth what lies inside `outer`, the closed surface of the uncut tooth, by more than
+/// kCavityDepth: its triangles there, divided until no edge is longer than kCavityEdge and cut off along that depth.
+/// The same on any number of threads.
+[[nodiscard]] CavityWalls cavityWalls(const TriangleMesh& target, const SurfacePart& outer);
+
+/// How near the walls come to the pulp of `tooth`, mm; negative where the cavity opens it, nothing without pulp or
+/// walls.
+[[nodiscard]] std::optional<double> leastToPulp(const CavityWalls& walls, const LayeredTooth& tooth);
+
+}  // namespace tactooth

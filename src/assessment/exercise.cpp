@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "assessment/exercise.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "collision/bvh/closest_point.h"
+#include "geometry/files/file_bytes.h"
+#include "geometry/util/number_text.h"
+#include "geometry/util/pose.h"
+#include "instruments/bur_shape.h"
+#include "session/cases/own_bur.h"
+#include "session/cases/placed_tooth.h"
+#include "assessment/ideal_shape.h"
+#include "session/simulation/tooth_cache.h"
+#include "session/simulation/work_piece.h"
+
+// Measures of the cavities: an occlusal one 1.5 mm deep at the central fissure with a flat floor, an isthmus of 1.2 mm
+// and 2 mm of marginal ridge left (notes on Class II amalgam after Sturdevant's Art and Science of Operative
+// Dentistry); one at the neck 1.1 mm deep, its floor along the surface.
+
+namespace tactooth {
+namespace {
+
+constexpr double kVoxel = 0.05;    // mm, that of the tooth a student cuts
+constexpr double kClear = 20.0;    // mm: the bur comes from so far outside
+constexpr double kNear = 1e-4;     // mm, of the surface
+constexpr double kStep = 0.1;      // mm between two heights of a floor that follows the surface
+constexpr int kMostSteps = 10000;  // of the way to the surface: only a line along it needs as many
+
+ToothRequest sound(BuiltinToothKind kind) {
+    constexpr int kTriangles = 20000;
+    constexpr double kNoLesion = 0;
+    return builtinToothRequest(kind, kTriangles, kNoLesion);
+}
+
+std::vector<std::shared_ptr<const Exercise>> makeExercises() {
+    const Vec3 up = Vec3::UnitZ();
+    const Vec3 buccal = Vec3::UnitY();
+    const PreparationPlan pit{up, 1.5, true, {{{-0.5, -0.1, 0}, {-0.5, -0.1, 0}}}};
+    const PreparationPlan fissure{
+        up, 1.5, true, {{{-3, -0.1, 0}, {3, -0.1, 0}}, {{3, -0.3, 0}, {-3, -0.3, 0}}, {{-3, 0.1, 0}, {3, 0.1, 0}}}};
+    const PreparationPlan neck{
+        buccal,
+        1.1,
+        false,
+        {{{-1.2, 0, 1.4}, {1.2, 0, 1.4}}, {{1.2, 0, 1.8}, {-1.2, 0, 1.8}}, {{-1.2, 0, 2.2}, {1.2, 0, 2.2}}}};
+    const auto exercise = [](const char* name, const char* task, BuiltinToothKind tooth, const char* bur,
+                             const PreparationPlan& plan) {
+        return std::make_shared<const Exercise>(Exercise{name, task, sound(tooth), std::string(bur), plan});
+    };
+    return {exercise("Pit in the molar",
+                     "Open the central pit 1.5 mm deep, as wide as the bur: down and up again without going aside.",
+                     BuiltinToothKind::lowerFirstMolar, "330", pit),
+            exercise("Class I cavity in the molar",
+                     "Follow the central fissure, 1.5 mm deep and 1.2 mm wide with a flat floor; leave 2 mm of both "
+                     "ridges.",
+                     BuiltinToothKind::lowerFirstMolar, "245", fissure),
+            exercise("Class V cavity at the neck of the canine",
+                     "At the buccal neck, 1.1 mm deep everywhere: the floor follows the surface of the tooth.",
+                     BuiltinToothKind::upperCanine, "330", neck)};
+}
+
+/// How high the surface stands over `place` along `outward`, by steps that cannot go through it (J. C. Hart, "Sphere
+/// tracing", The Visual Computer 12, 1996); nothing where a line from there misses it.
+std::optional<double> heightOf(const SurfacePart& outer, const Vec3& place, const Vec3& outward) {
+    const Box3 box = outer.tree().box();
+    const double middle = outward.dot(box.center() - place);
+    const double reach = box.diagonal().norm() / 2;
+    double height = middle + reach;
+    for (int i = 0; i < kMostSteps && height > middle - reach; ++i) {
+        const double distance = closestPoint(outer, place + height * outward)->distance;
+        if (distance < kNear) return height;
+        height -= distance;
+    }
+    return std::nullopt;
+}
+
+std::vector<Vec3> placesOf(const PreparationPlan::Stroke& stroke) {
+    const int steps = static_cast<int>(std::ceil((stroke.to - stroke.from).norm() / kStep));
+    std::vector<Vec3> places = {stroke.from};
+    for (int i = 1; i <= steps; ++i) places.push_back(stroke.from + (stroke.to - stroke.from) * i / steps);
+    return places;
+}
+
+/// Where the bur's tip goes, stroke after stroke.
+Expected<std::vector<std::vector<Vec3>>> pathsOf(const PreparationPlan& plan, const SurfacePart& outer) {
+    std::vector<std::vector<Vec3>> paths;
+    double floor = 0;
+    for (const PreparationPlan::Stroke& stroke : plan.strokes) {
+        std::vector<Vec3> path = placesOf(stroke);
+        std::vector<double> heights;
+        for (const Vec3& place : path) {
+            const auto height = heightOf(outer, place, plan.outward);
+            if (!height) {
+                return unexpected("stroke " + std::to_string(paths.size() + 1) +
+                                  " of the cavity goes past the tooth; give places over it, in its frame, mm.");
+            }
+            heights.push_back(*height + plan.outward.dot(place));
+        }
+        if (paths.empty()) {
+            for (const double height : heights) floor += height / static_cast<double>(heights.size());
+        }
+        for (std::size_t i = 0; i < path.size(); ++i) {
+            const double height = (plan.isFlat ? floor : heights[i]) - plan.depth;
+            path[i] += (height - plan.outward.dot(path[i])) * plan.outward;
+        }
+        paths.push_back(std::move(path));
+    }
+    return paths;
+}
+
+Expected<CuttingTool> burOf(const Exercise& exercise) {
+    if (const auto* file = std::get_if<std::filesystem::path>(&exercise.bur)) {
+        const Expected<OwnBur> own = readOwnBur(*file);
+        if (!own) return Unexpected{own.error()};
+        return makeCuttingTool(own->surface);
+    }
+    const std::string& number = std::get<std::string>(exercise.bur);
+    const std::optional<BurSpec> bur = findBur(number);
+    if (!bur) return unexpected("there is no bur " + quotedWord(number) + " in the catalogue.");
+    return makeCuttingTool(makeBur(*bur).surface);
+}
+
+Expected<TriangleMesh> cutShape(const PreparationPlan& plan, const CuttingTool& tool,
+                                std::shared_ptr<const LayeredTooth> tooth) {
+    const Quat grip = shortestTurn(Vec3::UnitZ(), plan.outward);
+    const auto paths = pathsOf(plan, *tooth->ownOuter());
+    if (!paths) return Unexpected{paths.error()};
+    WorkPiece piece(std::move(tooth), kVoxel);
+    for (const std::vector<Vec3>& path : *paths) {
+        Pose before{path.front() + kClear * plan.outward, grip};
+        for (const Vec3& tip : path) {
+            const Pose next{tip, grip};
+            piece.sweep(tool, before, next);
+            before = next;
+        }
+    }
+    piece.refreshSurface();
+    return asRead(*piece.surface());
+}
+
+}  // namespace
+
+std::span<const std::shared_ptr<const Exercise>> exercises() {
+    static const std::vector<std::shared_ptr<const Exercise>> all = makeExercises();
+    return all;
+}
+
+Expected<std::shared_ptr<const LayeredTooth>> exerciseTooth(const Exercise& exercise) {
+    if (const auto* source = std::get_if<ToothSource>(&exercise.tooth)) {
+        const Expected<PlacedWork> work = loadPlacedWork(*source, {}, std::nullopt, kVoxel);
+        if (!work) return Unexpected{work.error()};
+        return work->piece->volume().tooth();
+    }
+    const ToothRequest& request = std::get<ToothRequest>(exercise.tooth);
+    Expected<LayeredTooth> tooth = layeredTooth(ToothCache(usualCacheFolder()).make(request));
+    if (!tooth) return Unexpected{tooth.error()};
+    return std::make_shared<const LayeredTooth>(std::move(*tooth));
+}
+
+Expected<TriangleMesh> idealShape(const Exercise& exercise, std::shared_ptr<const LayeredTooth> tooth) {
+    if (const auto* file = std::get_if<std::filesystem::path>(&exercise.ideal)) return loadIdealShape(*file);
+    const Expected<CuttingTool> tool = burOf(exercise);
+    if (!tool) return Unexpected{tool.error()};
+    Expected<TriangleMesh> ideal = cutShape(std::get<PreparationPlan>(exercise.ideal), *tool, std::move(tooth));
+    if (!ideal) return unexpected(shownName(exercise.file) + ": " + ideal.error().message);
+    return ideal;
+}
+
+}  // namespace tactooth

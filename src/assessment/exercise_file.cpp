@@ -1,0 +1,218 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "assessment/exercise_file.h"
+
+#include <array>
+#include <cmath>
+
+#include "geometry/files/file_bytes.h"
+#include "geometry/util/number_text.h"
+#include "instruments/bur_catalogue.h"
+#include "session/cases/case_store.h"
+#include "session/io/guarded_toml.h"
+#include "session/io/toml_reader.h"
+
+namespace tactooth {
+namespace {
+
+constexpr double kFarthest = 500;      // mm from the origin of the tooth's frame
+constexpr double kLeastDepth = 0.05;   // mm: a voxel
+constexpr double kMostDepth = 15;      // mm: more than a crown is high
+constexpr double kLongestStroke = 50;  // mm: more than a molar is wide, roots and all
+constexpr std::size_t kMostStrokes = 200;
+constexpr double kWidestLesion = 4;    // mm, as makeTooth takes it
+constexpr double kDeepestLesion = 10;  // mm
+
+constexpr std::array<std::pair<std::string_view, LesionSite>, 5> kSites = {{{"occlusal", LesionSite::occlusal},
+                                                                            {"mesial", LesionSite::mesial},
+                                                                            {"distal", LesionSite::distal},
+                                                                            {"buccal", LesionSite::buccal},
+                                                                            {"lingual", LesionSite::lingual}}};
+
+class ExerciseReader {
+public:
+    ExerciseReader(const std::string& name, const std::filesystem::path& folder) : toml_(name), folder_(folder) {}
+
+    Expected<Exercise> read(std::string_view text) {
+        const toml::table root = toml_.parse(text);
+        if (!toml_.error()) readAll(root);
+        if (toml_.error()) return Unexpected{*toml_.error()};
+        return std::move(exercise_);
+    }
+
+private:
+    void readAll(const toml::table& root) {
+        toml_.allow(root, "an exercise",
+                    {"name", "task", "tooth", "patient", "decay", "layers", "bur", "ideal", "cavity"});
+        exercise_.name = toml_.text(root, "name", true);
+        exercise_.task = toml_.text(root, "task", true);
+        readTooth(root);
+        readBur(root);
+        readIdeal(root);
+    }
+
+    /// A file that the text names.
+    std::filesystem::path beside(const toml::node& where, const std::string& entry) {
+        if (!entry.empty() && !isSafeEntry(entry)) {
+            toml_.fail(where, quotedWord(entry) +
+                                  " must lie beside this file or below it, named with '/' and without "
+                                  "'..'");
+        }
+        return folder_ / entry;
+    }
+
+    void readTooth(const toml::table& root) {
+        const toml::node* node = root.get("tooth");
+        if (node == nullptr) return toml_.fail(root, "the key 'tooth' is missing");
+        if (node->is_string()) return readOwnTooth(root, *node);
+        ToothRequest request;
+        request.fdi = toml_.integer(root, "tooth", request.fdi, 0, 99);
+        if (!isPermanentTooth(request.fdi)) {
+            toml_.fail(*node, std::to_string(request.fdi) +
+                                  " is no permanent tooth; FDI numbers are 11-18, 21-28, 31-38 and 41-48");
+        }
+        request.seed = static_cast<std::uint32_t>(toml_.integer(root, "patient", 0, 0, 1'000'000));
+        if (const toml::table* decay = toml_.table(root, "decay")) request.lesion = lesion(*decay, request.fdi);
+        if (root.get("layers") != nullptr) toml_.fail(*root.get("layers"), "a built-in tooth brings its own layers");
+        mesialX_ = mesialX(request.fdi);
+        exercise_.tooth = request;
+    }
+
+    Lesion lesion(const toml::table& decay, int fdi) {
+        toml_.allow(decay, "decay", {"site", "width", "depth"});
+        Lesion lesion;
+        const std::string site = toml_.text(decay, "site", false);
+        const auto* const known = std::ranges::find(kSites, site, &std::pair<std::string_view, LesionSite>::first);
+        if (known != kSites.end()) lesion.site = known->second;
+        if (known == kSites.end() && !site.empty()) {
+            toml_.fail(*decay.get("site"), "'site' must be occlusal, mesial, distal, buccal or lingual");
+        }
+        if (lesion.site == LesionSite::occlusal && isFrontTooth(fdi)) {
+            toml_.fail(*decay.get("site"), "a front tooth has no occlusal side; choose another site");
+        }
+        lesion.width = toml_.number(decay, "width", lesion.width, 0, kWidestLesion);
+        if (decay.get("depth") != nullptr) lesion.depth = toml_.number(decay, "depth", 1, 0, kDeepestLesion);
+        return lesion;
+    }
+
+    void readOwnTooth(const toml::table& root, const toml::node& node) {
+        ToothSource source;
+        source.outer = beside(node, toml_.text(root, "tooth", true));
+        for (const std::string_view key : {"patient", "decay"}) {
+            if (root.get(key) == nullptr) continue;
+            toml_.fail(*root.get(key), quotedWord(key) + " belongs to a built-in tooth, one by its number");
+        }
+        if (const toml::table* layers = toml_.table(root, "layers")) {
+            for (auto&& [name, entry] : *layers) {
+                if (!materialFromName(name.str())) {
+                    toml_.fail(entry, "there is no material " + quotedWord(name.str()) +
+                                          "; choose enamel, dentin, pulp, caries, restoration or other");
+                }
+                source.layers.push_back(
+                    {std::string(name.str()), beside(entry, toml_.text(*layers, name.str(), true))});
+            }
+        }
+        exercise_.tooth = source;
+    }
+
+    void readBur(const toml::table& root) {
+        const std::string bur = toml_.text(root, "bur", true);
+        if (bur.ends_with(".toml") || bur.ends_with(".stl") || bur.ends_with(".STL")) {
+            exercise_.bur = beside(*root.get("bur"), bur);
+            return;
+        }
+        exercise_.bur = bur;
+        if (!bur.empty() && !findBur(bur)) {
+            toml_.fail(*root.get("bur"), "there is no bur " + quotedWord(bur) +
+                                             " in the catalogue ('tactooth gallery' shows them); a bur of your own is "
+                                             "named by its file, .stl or .toml");
+        }
+    }
+
+    void readIdeal(const toml::table& root) {
+        const toml::table* cavity = toml_.table(root, "cavity");
+        if ((root.get("ideal") != nullptr) == (cavity != nullptr)) {
+            return toml_.fail(root,
+                              "give the ideal shape either by a file, ideal = \"FILE.stl\", or by what the bur cuts, "
+                              "below a line [cavity]");
+        }
+        if (cavity != nullptr) {
+            exercise_.ideal = plan(*cavity);
+        } else {
+            exercise_.ideal = beside(*root.get("ideal"), toml_.text(root, "ideal", true));
+        }
+    }
+
+    PreparationPlan plan(const toml::table& cavity) {
+        toml_.allow(cavity, "a cavity", {"side", "depth", "floor", "strokes"});
+        PreparationPlan plan;
+        plan.outward = side(cavity);
+        if (cavity.get("depth") == nullptr) toml_.fail(cavity, "the key 'depth' is missing");
+        plan.depth = toml_.number(cavity, "depth", 1, kLeastDepth, kMostDepth);
+        const std::string floor = toml_.text(cavity, "floor", false);
+        plan.isFlat = floor != "surface";
+        if (!floor.empty() && floor != "flat" && floor != "surface") {
+            toml_.fail(*cavity.get("floor"), "'floor' must be flat, or surface to follow that of the tooth");
+        }
+        const std::vector<const toml::table*> strokes = toml_.tables(cavity, "strokes");
+        if (strokes.empty()) toml_.fail(cavity, "there are no strokes; give at least one, [[cavity.strokes]]");
+        if (strokes.size() > kMostStrokes) toml_.fail(cavity, "there are too many strokes");
+        for (const toml::table* stroke : strokes) plan.strokes.push_back(this->stroke(*stroke));
+        return plan;
+    }
+
+    /// Out of the tooth, unit.
+    Vec3 side(const toml::table& cavity) {
+        const toml::node* node = cavity.get("side");
+        if (node != nullptr && node->is_array()) {
+            Vec3 outward = Vec3::Zero();
+            toml_.numbers(cavity, "side", {outward.data(), 3});
+            if (outward.norm() > 0) return outward.normalized();
+            toml_.fail(*node, "'side' has no direction");
+            return Vec3::UnitZ();
+        }
+        const std::string name = toml_.text(cavity, "side", false);
+        if (name.empty() || name == "occlusal") return Vec3::UnitZ();
+        if (name == "buccal") return Vec3::UnitY();
+        if (name == "lingual") return -Vec3::UnitY();
+        if (name == "mesial") return mesialX_ * Vec3::UnitX();
+        if (name == "distal") return -mesialX_ * Vec3::UnitX();
+        toml_.fail(*node, "'side' must be occlusal, buccal, lingual, mesial, distal, or a direction of three numbers");
+        return Vec3::UnitZ();
+    }
+
+    PreparationPlan::Stroke stroke(const toml::table& table) {
+        toml_.allow(table, "a stroke", {"from", "to"});
+        if (table.get("from") == nullptr) toml_.fail(table, "the key 'from' is missing");
+        PreparationPlan::Stroke stroke{Vec3::Zero(), Vec3::Zero()};
+        toml_.numbers(table, "from", {stroke.from.data(), 3});
+        stroke.to = stroke.from;  // a pit
+        toml_.numbers(table, "to", {stroke.to.data(), 3});
+        const bool isNear = std::max(stroke.from.cwiseAbs().maxCoeff(), stroke.to.cwiseAbs().maxCoeff()) <= kFarthest;
+        if (!isNear || (stroke.to - stroke.from).norm() > kLongestStroke) {
+            toml_.fail(table, "this stroke is longer or farther away than any tooth; places are in mm");
+        }
+        return stroke;
+    }
+
+    TomlReader toml_;
+    const std::filesystem::path& folder_;
+    double mesialX_ = 1;  // an opened surface is taken to have it at +x
+    Exercise exercise_;
+};
+
+}  // namespace
+
+Expected<Exercise> parseExercise(std::string_view text, const std::string& name, const std::filesystem::path& folder) {
+    return ExerciseReader(name, folder).read(text);
+}
+
+Expected<Exercise> readExercise(const std::filesystem::path& file) {
+    const Expected<FileBytes> bytes = readFile(file, kTomlLimits.bytes);
+    if (!bytes) return Unexpected{bytes.error()};
+    Expected<Exercise> exercise = parseExercise(bytes->text(), shownName(file), file.parent_path());
+    if (exercise) exercise->file = file;
+    return exercise;
+}
+
+}  // namespace tactooth

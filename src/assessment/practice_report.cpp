@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "assessment/practice_report.h"
+
+#include <algorithm>
+
+#include "geometry/util/number_text.h"
+
+namespace tactooth {
+namespace {
+
+/// A text as one field of a table.
+std::string quoted(const std::string& text) {
+    std::string result = "\"";
+    for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return result + '"';
+}
+
+std::string line(std::string_view quantity, double value, std::string_view unit) {
+    return std::string(quantity) + ',' + numberText(value) + ',' + std::string(unit) + '\n';
+}
+
+std::string linesOf(const CavityProgress& cavity) {
+    constexpr double kPercent = 100;
+    return line("ideal cavity", cavity.planned, "mm^3") + line("of it cut", cavity.cleared, "mm^3") +
+           line("of it cut", kPercent * cavity.clearedShare(), "%") + line("cut beyond it", cavity.beyond, "mm^3") +
+           line("deepest beyond it", cavity.deepest, "mm") + line("likeness", kPercent * cavity.likeness(), "%");
+}
+
+}  // namespace
+
+std::string practiceReportCsv(const PracticeReport& report) {
+    std::string text = "quantity,value,unit\ntooth," + quoted(report.tooth) + ",\n";
+    if (!report.task.empty()) text += "task," + quoted(report.task) + ",\n";
+    text += line("time since the first contact", report.seconds, "s");
+    if (report.cavity) text += linesOf(*report.cavity);
+    for (std::size_t id = 0; id < kMaterialCount; ++id) {
+        const auto material = static_cast<MaterialId>(id);
+        text += line(std::string(materialName(material)) + " removed", report.removed[id], "mm^3");
+    }
+    text += line("of it beside the tooth", report.beside, "mm^3");
+    for (const CutEventKind kind : kCutEventKinds) {
+        const auto times = std::count_if(report.events.begin(), report.events.end(),
+                                         [kind](const CutEvent& event) { return event.kind == kind; });
+        text += line(cutEventName(kind), static_cast<double>(times), "times");
+    }
+    return text;
+}
+
+}  // namespace tactooth

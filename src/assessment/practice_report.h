@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "assessment/cavity_account.h"
+#include "session/simulation/cut_events.h"
+
+namespace tactooth {
+
+/// What a student has done to a tooth.
+struct PracticeReport {
+    std::string tooth = {};
+    std::string task = {};                      ///< name of the exercise, or of the target; empty: free practice
+    double seconds = 0;                         ///< since the first contact
+    std::optional<CavityProgress> cavity = {};  ///< where there was an ideal one
+    MaterialVolumes removed{};                  ///< mm^3
+    double beside = 0;                          ///< of that, from other teeth, gum or bone
+    std::span<const CutEvent> events = {};
+};
+
+/// As a table: quantity,value,unit.
+[[nodiscard]] std::string practiceReportCsv(const PracticeReport& report);
+
+}  // namespace tactooth

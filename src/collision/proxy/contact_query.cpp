@@ -1,0 +1,329 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "collision/proxy/contact_query.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numbers>
+
+#include "collision/bvh/closest_point.h"
+#include "collision/narrow/gjk.h"
+#include "collision/narrow/triangle_penetration.h"
+
+// Penetration depth as the least translation to a free pose: S. Cameron, R. K. Culley, "Determining the Minimum
+// Translational Distance Between Two Convex Polyhedra", IEEE ICRA 1986. Differs from the paper: a tooth is
+// not convex, so the least is sought by local descent: the tool is pulled out along several candidate directions, swept
+// back to first contact and slid to the nearest free pose; the shortest wins, and is verified.
+
+namespace tactooth {
+namespace {
+
+constexpr std::size_t kFirstCapacity = 4096;
+constexpr std::size_t kFirstLook =
+    64;                        // clusters: where a tool stands in the tooth, one of so many nearly always tells
+constexpr int kMaxMoves = 64;  // moves of a few rounds each until a pulled-out tool has settled
+constexpr std::size_t kMaxNormals = 6;
+constexpr double kClearance = 4e-5;  // of the tool's radius (0.12 um for a 6 mm bur): "free" means this much further
+constexpr double kSameDirection = 0.97;  // cosine of 14 degrees: nearer candidates end in the same place
+
+/// Keeps `direction` unless a like one is there already.
+void addDirection(std::vector<Vec3>& directions, const Vec3& direction, std::size_t limit) {
+    const double length = direction.norm();
+    if (!(length > 0) || directions.size() >= limit) return;
+    const Vec3 unit = direction / length;
+    for (const Vec3& other : directions) {
+        if (unit.dot(other) > kSameDirection) return;
+    }
+    directions.push_back(unit);
+}
+
+/// The 26 directions from a cube's middle to its corners, edges and sides.
+const std::array<Vec3, 26> kAroundACube = [] {
+    std::array<Vec3, 26> directions;
+    for (int i = 0; i < 26; ++i) {
+        const int cell = i < 13 ? i : i + 1;  // number 13 is the centre itself
+        directions[i] = Vec3(cell % 3 - 1, cell / 3 % 3 - 1, cell / 9 - 1).normalized();
+    }
+    return directions;
+}();
+
+bool intersects(const Surface& surface, const ToolShape& tool, const Pose& toolInTooth, const NearPair& pair) {
+    const Triangle3 tooth = cornersOf(partOf(surface, pair.part).mesh(), pair.tooth);
+    const Triangle3 moved = tool.cornersAt(toolInTooth, pair.tool);
+    return !distanceBetween(tooth, moved, moved[0] - tooth[0]).separated;
+}
+
+}  // namespace
+
+ContactQuery::ContactQuery(std::shared_ptr<const ToolShape> tool, std::shared_ptr<const Surface> surface)
+    : tool_(std::move(tool)), surface_(std::move(surface)), body_(tool_), list_(*tool_, kFirstCapacity) {
+    body_.setSurface(surface_);
+    overlap_.pairs.reserve(kFirstCapacity);
+}
+
+std::shared_ptr<const Surface> ContactQuery::setSurface(std::shared_ptr<const Surface> surface) {
+    surface_ = std::move(surface);
+    blocking_.clear();
+    return body_.setSurface(surface_);
+}
+
+/// Calls `take` with each listed pair that intersects at this pose, until it answers false.
+template <class Take>
+void ContactQuery::forEachIntersecting(const Pose& toolInTooth, Take&& take) {
+    const Excursion still = list_.excursion(toolInTooth, toolInTooth, 0, {});
+    for (std::size_t cluster = 0; cluster < list_.clusters(); ++cluster) {
+        for (std::uint32_t doubt = list_.pairsInDoubt(cluster, still); doubt != 0; doubt &= doubt - 1) {
+            const NearPair pair = list_[PairList::placeOf(cluster, std::countr_zero(doubt))];
+            if (intersects(*surface_, *tool_, toolInTooth, pair) && !take(pair)) return;
+        }
+    }
+}
+
+/// Whether the tool, which crosses no triangle, is wholly inside.
+bool ContactQuery::isSwallowed(const Pose& toolInTooth) const {
+    return surface_->closed && contains(*surface_, toolInTooth * tool_->mesh().corner(0, 0));
+}
+
+void ContactQuery::findOverlap(const Pose& toolInTooth) {
+    overlap_.pairs.clear();
+    list_.makeAll(*surface_, toolInTooth, {});
+    forEachIntersecting(toolInTooth, [&](const NearPair& pair) {
+        overlap_.pairs.push_back(pair);
+        return true;
+    });
+    overlap_.swallowed = overlap_.pairs.empty() && isSwallowed(toolInTooth);
+}
+
+Contact ContactQuery::deepestPairAt(const Pose& toolInTooth) {
+    Contact result;
+    if (surface_->base->tree().empty() || tool_->mesh().empty()) return result;
+    findOverlap(toolInTooth);
+    result.contacts = static_cast<int>(overlap_.pairs.size());
+    result.touching = result.contacts > 0;
+    for (const NearPair& pair : overlap_.pairs) {
+        const Triangle3 tooth = cornersOf(partOf(*surface_, pair.part).mesh(), pair.tooth);
+        const Triangle3 tool = tool_->cornersAt(toolInTooth, pair.tool);
+        const TrianglePenetration penetration = penetrationOf(tooth, tool);
+        if (!std::isfinite(penetration.depth) || penetration.depth <= result.depth) continue;
+        result.depth = penetration.depth;
+        result.normal = penetration.normal;
+        result.point = *std::min_element(tool.begin(), tool.end(), [&](const Vec3& p, const Vec3& q) {
+            return p.dot(result.normal) < q.dot(result.normal);
+        });
+        result.part = pair.part;
+        result.tooth = pair.tooth;
+    }
+    return result;
+}
+
+/// Asks what blocked the tool lately first, and then ever more of what is near: one pair that intersects is enough.
+bool ContactQuery::isFree(const Pose& toolInTooth) {
+    for (std::size_t i = 0; i < blocking_.size(); ++i) {
+        if (intersects(*surface_, *tool_, toolInTooth, blocking_[i])) return false;
+    }
+    bool complete = false;
+    for (std::size_t limit = kFirstLook; !complete; limit *= 8) {
+        complete = list_.makeUpTo(*surface_, toolInTooth, limit);
+        bool free = true;
+        forEachIntersecting(toolInTooth, [&](const NearPair& pair) {
+            blocking_.add(pair);
+            return free = false;
+        });
+        if (!free) return false;
+    }
+    return !isSwallowed(toolInTooth);
+}
+
+/// Directions worth trying: the mean normal of what is touched, the way from the tool's centre to the surface, single
+/// normals that differ, and back along the shaft, which is how a bur leaves a narrow cavity.
+std::vector<Vec3> ContactQuery::waysOut(const Pose& toolInTooth, const Overlap& overlap) const {
+    std::vector<Vec3> directions;
+    Vec3 mean = Vec3::Zero();
+    for (const NearPair& pair : overlap.pairs) mean += partOf(*surface_, pair.part).mesh().areaVector(pair.tooth);
+    addDirection(directions, mean, 1);
+    const Vec3 centre = toolInTooth * tool_->centre();
+    if (const auto nearest = closestPoint(*surface_->base, centre)) {
+        const bool inside = surface_->closed && contains(*surface_, centre);
+        addDirection(directions, inside ? Vec3(nearest->point - centre) : Vec3(centre - nearest->point), 2);
+    }
+    for (const NearPair& pair : overlap.pairs) {
+        addDirection(directions, partOf(*surface_, pair.part).mesh().areaVector(pair.tooth), kMaxNormals);
+    }
+    addDirection(directions, toolInTooth.rotation * Vec3::UnitZ(), kMaxNormals + 1);
+    return directions;
+}
+
+/// How far the tool must be pulled along `direction` until it is free, more or less, if that is within `limit`.
+std::optional<double> ContactQuery::pullOut(const Pose& toolInTooth, const Vec3& direction, double limit) {
+    constexpr double kStretch = 1.6;  // of a step over the one before
+    constexpr int kHalvings = 5;      // of the last step: the way back to the tooth costs more than a few looks
+    const auto freeAt = [&](double distance) {
+        return isFree({toolInTooth.position + distance * direction, toolInTooth.rotation});
+    };
+    for (double distance = 0.01 * tool_->radius(); distance < limit; distance *= kStretch) {
+        if (!freeAt(distance)) continue;
+        double blocked = distance / kStretch;
+        for (int i = 0; i < kHalvings; ++i) {
+            const double middle = (distance + blocked) / 2;
+            (freeAt(middle) ? distance : blocked) = middle;
+        }
+        return distance;
+    }
+    return std::nullopt;
+}
+
+/// Back from where the tool is free along each of the ways out, the shortest first; from far more than the best there
+/// is, nothing better comes.
+void ContactQuery::followWaysOut(const Pose& toolInTooth, Contact& best) {
+    constexpr double kHopeless = 2;      // times the best depth
+    constexpr double kWorthPulling = 4;  // times the shortest pull
+    struct Way {
+        double distance;
+        Vec3 direction;
+    };
+    std::vector<Way> ways;
+    double limit = 2 * (surface_->base->tree().box().diagonal().norm() + 2 * tool_->radius());
+    for (const Vec3& direction : waysOut(toolInTooth, overlap_)) {
+        const std::optional<double> distance = pullOut(toolInTooth, direction, limit);
+        if (!distance) continue;
+        ways.push_back({*distance, direction});
+        limit = std::min(limit, kWorthPulling * *distance);
+    }
+    std::ranges::stable_sort(ways, {}, &Way::distance);
+    for (const auto& [distance, direction] : ways) {
+        if (best.depth > 0 && distance > kHopeless * best.depth) return;
+        keepShorter(toolInTooth, {toolInTooth.position + distance * direction, toolInTooth.rotation}, best);
+    }
+}
+
+void ContactQuery::keepShorter(const Pose& toolInTooth, const Pose& start, Contact& best) {
+    constexpr double kToTouch = 0.03;  // of the way: once the tool touches, it expects a short way and lists little
+    body_.placeAt(start);
+    MoveResult move =
+        body_.moveToward({start.position + kToTouch * (toolInTooth.position - start.position), start.rotation});
+    for (int i = 0; i < kMaxMoves; ++i) {
+        move = body_.moveToward(toolInTooth);
+        if (move.status != MoveStatus::OutOfRounds) break;
+    }
+    const Vec3 out = body_.pose().position - toolInTooth.position;
+    const double depth = out.norm();
+    if (move.contactCount == 0 || !(depth > 0) || (best.depth > 0 && depth >= best.depth)) return;
+    const auto firmest = std::max_element(move.contacts.begin(), move.contacts.begin() + move.contactCount,
+                                          [](const BodyContact& a, const BodyContact& b) { return a.share < b.share; });
+    best.depth = depth;
+    best.normal = out / depth;
+    best.point = firmest->point - out;
+    best.part = firmest->part;
+    best.tooth = firmest->tooth;
+    freePose_ = body_.pose();
+    away_.setZero();
+    for (int i = 0; i < move.contactCount; ++i) away_ += move.contacts[i].normal;
+}
+
+/// Whether the tool is free at this distance, and still is a little further on.
+bool ContactQuery::leaves(const Pose& toolInTooth, const Vec3& direction, double distance) {
+    const double further = distance + kClearance * tool_->radius();
+    return isFree({toolInTooth.position + distance * direction, toolInTooth.rotation}) &&
+           isFree({toolInTooth.position + further * direction, toolInTooth.rotation});
+}
+
+/// Where the tool, free at distance `clear`, first touches on its way back along `direction`.
+double ContactQuery::leastAlong(const Pose& toolInTooth, const Vec3& direction, double clear) {
+    const double little = kClearance * tool_->radius();
+    const auto freeAt = [&](double distance) {
+        return isFree({toolInTooth.position + distance * direction, toolInTooth.rotation});
+    };
+    double blocked = clear - little;
+    for (double stride = little; blocked > 0 && freeAt(blocked); stride *= 1.3) clear = blocked, blocked -= stride;
+    blocked = std::max(blocked, 0.0);
+    while (clear - blocked > 1e-3 * little) {
+        const double middle = (clear + blocked) / 2;
+        (freeAt(middle) ? clear : blocked) = middle;
+    }
+    return clear;
+}
+
+/// Whether the tool, on its way along `out`, gets free for good; then that way, as short as it is, is the answer.
+bool ContactQuery::takeWay(const Pose& toolInTooth, const Vec3& out, Contact& best) {
+    const Vec3 direction = out.normalized();
+    double distance = out.norm();
+    if (!leaves(toolInTooth, direction, distance)) return false;
+    distance = leastAlong(toolInTooth, direction, distance);
+    if (!leaves(toolInTooth, direction, distance)) return false;
+    best.depth = distance;
+    best.normal = direction;
+    // A hair's breadth further out than the depth, so that the pose given is free with a gap to spare.
+    freePose_.position = toolInTooth.position + (distance + kClearance * tool_->radius()) * direction;
+    return true;
+}
+
+/// In a narrow fissure the nearest free pose may lie against a wall that the way out runs into: the tool is free there,
+/// but not a hair's breadth beyond. Then the way out is bent as little as frees it for good: away from what holds it,
+/// or else to whichever side that is.
+void ContactQuery::straighten(const Pose& toolInTooth, Contact& best) {
+    const Vec3 out = best.depth * best.normal;
+    if (takeWay(toolInTooth, out, best)) return;
+    for (double bend = 2 * kClearance * tool_->radius(); bend < 2 * best.depth; bend *= 2) {
+        if (takeWay(toolInTooth, out + bend * away_, best)) return;
+        for (const Vec3& side : kAroundACube) {
+            if (takeWay(toolInTooth, out + bend * (toolInTooth.rotation * side), best)) return;
+        }
+    }
+}
+
+/// Looks around for a way out shorter than the one found, in all directions: between two cusps the normals that are
+/// touched need not show it.
+void ContactQuery::lookAround(const Pose& toolInTooth, Contact& best) {
+    constexpr double kWorthwhile = 0.97;  // of the depth: a smaller gain is left to the descent
+    for (const Vec3& direction : kAroundACube) {
+        const Vec3 out = kWorthwhile * best.depth * (toolInTooth.rotation * direction);
+        const Pose start{toolInTooth.position + out, toolInTooth.rotation};
+        if (isFree(start)) keepShorter(toolInTooth, start, best);
+    }
+}
+
+/// Looks for a shorter way out close beside the one found: facet by facet of a rounded tool, a ridge or a corner has a
+/// way out of its own, and they differ by little.
+void ContactQuery::lookBeside(const Pose& toolInTooth, Contact& best) {
+    constexpr double kOutside = 1.01;  // of the depth: where the tool is likely to be free
+    constexpr double kSamePlace = 1e-3;
+    constexpr double kNoGain = 1e-6;
+    constexpr int kSides = 8;
+    for (int round = 0; round < 3; ++round) {
+        const Contact found = best;
+        const Vec3 aside = found.normal.unitOrthogonal();
+        for (int side = 0; side < kSides; ++side) {
+            // rad: from the facet after next to within the facet itself; from what lies nearer than a way that leads
+            // back here, the way leads back here too
+            for (const double tilt : {0.5, 0.3, 0.15, 0.05}) {
+                const Eigen::AngleAxisd around(2 * std::numbers::pi * (side + tilt) / kSides, found.normal);
+                const Vec3 out = kOutside * found.depth * (found.normal + tilt * (around * aside)).normalized();
+                const Pose start{toolInTooth.position + out, toolInTooth.rotation};
+                if (!isFree(start)) continue;
+                keepShorter(toolInTooth, start, best);
+                if ((body_.pose().position - freePose_.position).norm() < kSamePlace * best.depth) break;
+            }
+        }
+        if (best.depth >= (1 - kNoGain) * found.depth) return;
+    }
+}
+
+Contact ContactQuery::at(const Pose& toolInTooth) {
+    Contact result;
+    if (surface_->base->tree().empty() || tool_->mesh().empty()) return result;
+    findOverlap(toolInTooth);
+    if (!overlap_.any()) return result;
+    result.touching = true;
+    result.contacts = static_cast<int>(overlap_.pairs.size());
+    body_.forget();  // the answer is to depend on this pose alone
+    followWaysOut(toolInTooth, result);
+    if (result.depth > 0) {
+        lookAround(toolInTooth, result);
+        lookBeside(toolInTooth, result);
+        straighten(toolInTooth, result);
+    }
+    return result;
+}
+
+}  // namespace tactooth

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "collision/proxy/sliding_body.h"
+
+namespace tactooth {
+
+/// How deep a tool stands in a tooth.
+struct Contact {
+    bool touching = false;
+    double depth = 0;            ///< mm; moving the tool by this along `normal` just frees it
+    Vec3 normal = Vec3::Zero();  ///< unit, the shortest way out that was found; zero when not touching
+    Vec3 point = Vec3::Zero();   ///< the tool's deepest point, in the tooth's frame, mm
+    int contacts = 0;            ///< pairs of triangles that intersect
+    std::uint32_t part = 0;      ///< where the tooth holds the tool (see BodyContact)
+    std::uint32_t tooth = 0;
+};
+
+/// Contact of a tool with a tooth at single poses, without any history. On an open surface only its triangles count:
+/// what is behind them is not "inside".
+///
+/// Keeps buffers from query to query; one thread at a time.
+class ContactQuery {
+public:
+    ContactQuery(std::shared_ptr<const ToolShape> tool, std::shared_ptr<const Surface> surface);
+
+    /// Asks about another surface from now on. Returns the one before, so that the caller decides where it is freed.
+    std::shared_ptr<const Surface> setSurface(std::shared_ptr<const Surface> surface);
+
+    /// Depth at one pose.
+    [[nodiscard]] Contact at(const Pose& toolInTooth);
+
+    /// The published penalty answer: the deepest pair of intersecting triangles, taken for itself. Kept for comparison:
+    /// on a fine mesh it is neither deep enough nor in the right direction to free the tool (`normal` and `depth` free
+    /// that one pair only).
+    [[nodiscard]] Contact deepestPairAt(const Pose& toolInTooth);
+
+    /// Whether nothing of the tool is in the tooth. Allocates nothing as long as no more than a few thousand pairs are
+    /// near.
+    [[nodiscard]] bool isFree(const Pose& toolInTooth);
+
+    /// The free pose that `at` found for the last touching pose.
+    [[nodiscard]] const Pose& freePose() const { return freePose_; }
+
+private:
+    struct Overlap {
+        std::vector<NearPair> pairs;
+        bool swallowed = false;  // the tool is wholly inside, touching no triangle
+        [[nodiscard]] bool any() const { return swallowed || !pairs.empty(); }
+    };
+
+    template <class Take>
+    void forEachIntersecting(const Pose& toolInTooth, Take&& take);
+    [[nodiscard]] bool isSwallowed(const Pose& toolInTooth) const;
+    void findOverlap(const Pose& toolInTooth);
+    [[nodiscard]] std::vector<Vec3> waysOut(const Pose& toolInTooth, const Overlap& overlap) const;
+    [[nodiscard]] std::optional<double> pullOut(const Pose& toolInTooth, const Vec3& direction, double limit);
+    void followWaysOut(const Pose& toolInTooth, Contact& best);
+    [[nodiscard]] bool leaves(const Pose& toolInTooth, const Vec3& direction, double distance);
+    [[nodiscard]] double leastAlong(const Pose& toolInTooth, const Vec3& direction, double clear);
+    [[nodiscard]] bool takeWay(const Pose& toolInTooth, const Vec3& out, Contact& best);
+    void straighten(const Pose& toolInTooth, Contact& best);
+    void lookAround(const Pose& toolInTooth, Contact& best);
+    void lookBeside(const Pose& toolInTooth, Contact& best);
+    void keepShorter(const Pose& toolInTooth, const Pose& start, Contact& best);
+
+    std::shared_ptr<const ToolShape> tool_;
+    std::shared_ptr<const Surface> surface_;
+    SlidingBody body_;
+    PairList list_;
+    Overlap overlap_;
+    RecentPairs blocking_;  // intersected lately; each is asked anew
+    Pose freePose_;
+    Vec3 away_ = Vec3::Zero();  // sum of the normals that hold the free pose
+};
+
+}  // namespace tactooth

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "experiments/experiment.h"
+#include "experiments/subjects.h"
+
+namespace tactooth {
+
+/// Time from an STL file to a surface that can be touched, by its number of triangles. `scratch` is a folder in which
+/// the files are made, and removed again.
+[[nodiscard]] Expected<Experiment> measureLoading(Subjects& subjects, const std::filesystem::path& scratch);
+
+/// The smallest movement of the hand that changes the depth, and the time that a force takes, at every resolution.
+[[nodiscard]] Expected<Experiment> measureMovement(Subjects& subjects);
+
+/// Depth on the ten-patch object at A, B and C against the exact answer, at hand speeds up to 1 m/s.
+[[nodiscard]] Experiment measureTenPatches(const Subjects& subjects);
+
+/// The bur comes sideways, along y, onto a molar.
+[[nodiscard]] Expected<Experiment> measureSideways(Subjects& subjects);
+
+/// Depth, velocity and force on a tooth at low and at high speed. `kind` is not Large.
+[[nodiscard]] Expected<Experiment> measureTouch(Subjects& subjects, StandardToothKind kind);
+
+}  // namespace tactooth

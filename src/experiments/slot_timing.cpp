@@ -1,0 +1,197 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/slot_timing.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+#include "instruments/bur_shape.h"
+#include "instruments/hand_instruments.h"
+#include "instruments/hand_path.h"
+#include "session/scripts/cut_run.h"
+#include "experiments/quantile.h"
+#include "session/io/softened_materials.h"
+#include "experiments/thread_clock.h"
+
+namespace tactooth {
+namespace {
+
+constexpr double kTick = 1e-3;         // s
+constexpr double kRimSpeed = 300'000;  // rev/min
+constexpr double kSoftened = 1000;     // times the materials' own removal: the bur keeps up with the hand
+constexpr double kSlotLength = 3;      // mm
+constexpr double kFeed = 10;           // mm/s, of the bur that cuts it
+constexpr double kPress = 0.2;         // mm into the floor
+constexpr double kSettle = 1;          // s: the hand arrives, the spindle comes to rest
+constexpr double kMeasure = 5;         // s
+constexpr double kLift = 5;            // mm, at kLiftSpeed
+constexpr double kLiftSpeed = 10;      // mm/s
+
+constexpr double kTremor = 0.02, kTremorHz = 9;   // mm; the physiological tremor of a hand
+constexpr double kSlideSpeed = 5, kSlideWay = 1;  // mm/s, mm
+constexpr double kTurnSpeed = 30, kTurn = 5;      // degrees
+
+int ticksIn(double seconds) { return static_cast<int>(seconds / kTick); }
+
+/// To and fro between 0 and `most` at unit speed.
+double toAndFro(double way, double most) { return most - std::abs(std::fmod(way, 2 * most) - most); }
+
+/// The tool's pose in a motion that begins at `start`, at the slot's end in the direction of +x.
+Pose moved(const Pose& start, SlotMotion motion, double time) {
+    Pose pose = start;
+    const Vec3 shaft = start.rotation * Vec3::UnitZ();
+    pose.position -= kPress * shaft;
+    switch (motion) {
+        case SlotMotion::Rest:
+            break;
+        case SlotMotion::Tremble:
+            pose.position += kTremor * std::sin(2 * std::numbers::pi * kTremorHz * time) * Vec3::UnitY();
+            break;
+        case SlotMotion::Slide:
+            pose.position -= toAndFro(kSlideSpeed * time, kSlideWay) * Vec3::UnitX();
+            break;
+        case SlotMotion::Turn: {
+            const double degrees = toAndFro(kTurnSpeed * time, kTurn);
+            pose.rotation = Quat(Eigen::AngleAxisd(degrees * std::numbers::pi / 180, shaft)) * start.rotation;
+            break;
+        }
+    }
+    return pose;
+}
+
+/// Where a bur goes that cuts the slot: down beside the middle of the tooth's top and straight along, and there it
+/// stays.
+std::vector<TimedPose> slotPath(const TriangleMesh& tooth, double depth) {
+    HandPath way;
+    way.stroke = kSlotLength;
+    const Pose above = handPath(tooth, way).front();
+    const Vec3 down(0, 0, -way.approach - depth);
+    const Vec3 along(kSlotLength, 0, 0);
+    std::vector<TimedPose> rows;
+    const auto go = [&](const Vec3& from, const Vec3& by) {
+        const int ticks = ticksIn(by.norm() / kFeed);
+        for (int i = 0; i <= ticks; ++i) {
+            const Vec3 place = from + by * (static_cast<double>(i) / ticks);
+            rows.push_back({kTick * static_cast<double>(rows.size()), {place, above.rotation}});
+        }
+    };
+    go(above.position, down);
+    go(above.position + down, along);
+    return rows;
+}
+
+/// A still tool in a piece that is cut no more; its lists are made beside the ticks, as in the program.
+class StillTool {
+public:
+    StillTool(const WorkPiece& piece, const std::shared_ptr<const ToolShape>& shape, double radius)
+        : piece_(piece),
+          simulation_(shape, radius, piece.felt(), HapticSettings()),
+          felt_(simulation_.tool(), piece.felt()) {}
+
+    Tick step(const Pose& hand, double& micros) {
+        const double start = threadMicros();
+        const Tick tick = simulation_.step({hand, 0, false}, kTick);
+        micros = threadMicros() - start;
+        feelPiece(piece_, tick, false, felt_, simulation_);
+        return tick;
+    }
+    Tick step(const Pose& hand) {
+        double micros = 0;
+        return step(hand, micros);
+    }
+
+private:
+    const WorkPiece& piece_;
+    HapticSimulation simulation_;
+    FeltSurfaces felt_;
+};
+
+SlotTiming timeMotion(StillTool& tool, const Pose& start, SlotMotion motion) {
+    SlotTiming timing{.motion = motion};
+    const Vec3 shaft = start.rotation * Vec3::UnitZ();
+    for (int i = ticksIn(kSettle); i > 0; --i) {  // from above, where there is room
+        const double above = kLift * static_cast<double>(i) / ticksIn(kSettle);
+        Pose hand = moved(start, motion, 0);
+        hand.position += above * shaft;
+        tool.step(hand);
+    }
+    std::vector<double> micros;
+    std::vector<Vec3> forces;
+    Pose first, last;
+    for (int i = 0; i < ticksIn(kSettle + kMeasure); ++i) {
+        double took = 0;
+        const Tick tick = tool.step(moved(start, motion, i * kTick), took);
+        if (i < ticksIn(kSettle)) {
+            first = tick.proxy;
+            continue;
+        }
+        last = tick.proxy;
+        micros.push_back(took);
+        forces.push_back(tick.wrench.force);
+        timing.force += tick.wrench.force.norm();
+    }
+    timing.ticks = micros.size();
+    timing.force /= static_cast<double>(timing.ticks);
+    Vec3 mean = Vec3::Zero();
+    for (const Vec3& force : forces) mean += force / static_cast<double>(forces.size());
+    for (const Vec3& force : forces) timing.noise = std::max(timing.noise, (force - mean).norm());
+    timing.sunk = (first.position - last.position).dot(shaft);
+    timing.p50 = quantile(micros, 0.5);
+    timing.p99 = quantile(micros, 0.99);
+    timing.p999 = quantile(micros, 0.999);
+    timing.largest = quantile(micros, 1);
+
+    Pose hand = moved(start, motion, kTick * ticksIn(kSettle + kMeasure));
+    Tick tick;
+    for (int i = 0; i < ticksIn(kLift / kLiftSpeed); ++i) {
+        hand.position += kLiftSpeed * kTick * shaft;
+        tick = tool.step(hand);
+    }
+    timing.leaves = tick.contacts == 0 && tick.wrench.force.isZero(0) && tick.proxy.position == hand.position;
+    return timing;
+}
+
+}  // namespace
+
+std::string_view slotMotionName(SlotMotion motion) {
+    switch (motion) {
+        case SlotMotion::Rest:
+            return "rests";
+        case SlotMotion::Tremble:
+            return "trembles";
+        case SlotMotion::Slide:
+            return "slides";
+        case SlotMotion::Turn:
+            return "turns";
+    }
+    return {};
+}
+
+std::vector<SlotTiming> timeInSlot(const std::shared_ptr<const LayeredTooth>& tooth, const BurSpec& bur, double depth,
+                                   double voxel, bool probe) {
+    WorkPiece piece(tooth, voxel);
+    TriangleMesh mesh = makeBur(bur).surface;
+    const CuttingTool tool{*RevolutionEnvelope::make(mesh), bur.sharpness};
+    const double radius = tool.envelope.maxRadius();
+    auto shape = std::make_shared<const ToolShape>(std::move(mesh));
+    HapticSettings settings;
+    settings.materials = softenedMaterials(kSoftened);
+    settings.spindle = constantSpeed(kRimSpeed);
+    HapticSimulation cutting(shape, radius, piece.felt(), settings);
+    Pose end;
+    const std::vector<TimedPose> path = slotPath(tooth->outer()->mesh(), depth);
+    // Built-in shapes and a path of our own give finite ticks.
+    [[maybe_unused]] const auto isCut = cutByLaw(path, tool, settings.materials, cutting, piece,
+                                                 [&](double, const Tick& tick, const ToothLoss&) { end = tick.proxy; });
+    assert(isCut);
+
+    if (probe) shape = std::make_shared<const ToolShape>(makePeriodontalProbe());
+    StillTool still(piece, shape, radius);
+    std::vector<SlotTiming> timings;
+    for (const SlotMotion motion : kSlotMotions) timings.push_back(timeMotion(still, end, motion));
+    return timings;
+}
+
+}  // namespace tactooth

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "geometry/util/expected.h"
+#include "geometry/mesh/triangle_mesh.h"
+#include "tooth/model/layered_tooth.h"
+
+namespace tactooth {
+
+/// The teeth that everything is measured on.
+enum class StandardToothKind {
+    Front,
+    Molar,
+    Dog,   ///< canine
+    Large  ///< of 325,312 triangles, as many as the largest published tooth has
+};
+inline constexpr std::array kStandardTeeth = {StandardToothKind::Front, StandardToothKind::Molar,
+                                              StandardToothKind::Dog, StandardToothKind::Large};
+
+struct StandardTooth {
+    std::string name;    ///< "front tooth"
+    std::string source;  ///< file in the folder of real teeth, or "built in: ..."
+    TriangleMesh mesh;   ///< closed, crown up (+z) if it stands in its jaw
+};
+
+/// The folder with the real teeth of the project: $TACTOOTH_DATA, or ../shared/data from where the program was started.
+[[nodiscard]] std::optional<std::filesystem::path> realTeethFolder();
+
+/// A real tooth where there is one, else a built-in one.
+[[nodiscard]] Expected<StandardTooth> standardTooth(StandardToothKind kind);
+
+/// A tooth of the user's own in the place of a standard one.
+[[nodiscard]] Expected<StandardTooth> ownTooth(const std::filesystem::path& file);
+
+/// A tooth of one material with that surface, before anything is cut. Fails with one sentence that names the source.
+[[nodiscard]] Expected<std::shared_ptr<const LayeredTooth>> uncut(const StandardTooth& tooth);
+
+/// The round bur of 336 triangles that measurements use.
+[[nodiscard]] TriangleMesh standardBur();
+
+/// Shares of a tooth's triangles that the resolution ladder keeps, percent.
+inline constexpr std::array kResolutions = {6, 12, 25, 50, 100};
+
+struct Resolution {
+    int percent;
+    TriangleMesh mesh;
+};
+
+/// The tooth at the given shares of its triangles (percent, rising, the last may be 100), each simplified from the next
+/// finer one.
+[[nodiscard]] std::vector<Resolution> resolutionLadder(const TriangleMesh& tooth, std::span<const int> percents);
+
+}  // namespace tactooth

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "geometry/util/byte_text.h"
+#include "geometry/util/expected.h"
+#include "geometry/util/large_pages.h"
+
+namespace tactooth {
+
+/// The content of a file, in memory.
+class FileBytes {
+public:
+    /// `data` holds `size` bytes and comes from allocateOnLargePages.
+    FileBytes(std::byte* data, std::size_t size) : data_(data), size_(size) {}
+
+    /// Keeps the first `size` bytes alone.
+    void shorten(std::size_t size) { size_ = size; }
+    [[nodiscard]] std::size_t size() const { return size_; }
+    [[nodiscard]] std::span<const std::byte> bytes() const { return {data_.get(), size_}; }
+    [[nodiscard]] std::string_view text() const { return asText(bytes()); }
+
+private:
+    struct Free {
+        void operator()(std::byte* data) const { freeLargePages(data); }
+    };
+    std::unique_ptr<std::byte[], Free> data_;
+    std::size_t size_;
+};
+
+/// The most that is read of any file: ten million triangles take a quarter of it. A larger one is a mistake.
+inline constexpr std::size_t kMostFileBytes = std::size_t{2} << 30;
+
+/// Reads the whole file at once. Fails with one sentence if `path` is missing, a folder or another thing that is not
+/// a regular file, empty, not readable for this user, larger than `most` bytes (then no memory is taken), or larger
+/// than the memory.
+[[nodiscard]] Expected<FileBytes> readFile(const std::filesystem::path& path, std::size_t most = kMostFileBytes);
+
+/// `path` as a message or a list shows it: see shownText.
+[[nodiscard]] std::string shownName(const std::filesystem::path& path);
+
+/// The last part of `path` as shownName shows it: what a file that is handed on may say of where it comes from. The
+/// folders above it may name a person.
+[[nodiscard]] std::string shownNameAlone(const std::filesystem::path& path);
+
+}  // namespace tactooth

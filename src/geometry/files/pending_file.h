@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "geometry/util/expected.h"
+#include "geometry/files/name_together.h"
+#include "geometry/files/temporary_file.h"
+
+namespace tactooth {
+
+/// The file behind an AtomicFile: written, finished, and then named, alone or together with others.
+class PendingFile {
+public:
+    /// Fails if the folder is missing or not writable, or if something other than a regular file has the name already.
+    [[nodiscard]] static Expected<std::unique_ptr<PendingFile>> open(const std::filesystem::path& path);
+
+    PendingFile(const PendingFile&) = delete;
+    PendingFile& operator=(const PendingFile&) = delete;
+    ~PendingFile();
+
+    /// As it was given to `open`.
+    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+    void write(std::span<const std::byte> bytes);
+
+    /// All is on the disk, with the mode and owner of the file that will be replaced.
+    [[nodiscard]] Expected<void> finish();
+
+    /// How the finished file gets its name.
+    [[nodiscard]] Naming naming() const;
+    /// It has got it.
+    void close();
+    [[nodiscard]] Unexpected cannotBeNamed(int reason) const;
+
+private:
+    PendingFile(std::filesystem::path path, std::filesystem::path target, TemporaryFile file);
+    void flush();
+    [[nodiscard]] int takeOverMode() const;
+
+    std::filesystem::path path_;
+    std::filesystem::path target_;  // with its links followed
+    TemporaryFile file_;
+    int failure_ = 0;  // errno of the first write that failed
+    std::vector<std::byte> buffer_;
+};
+
+}  // namespace tactooth

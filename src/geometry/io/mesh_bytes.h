@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+
+#include "geometry/util/expected.h"
+#include "geometry/io/read_mesh.h"
+
+namespace tactooth {
+
+/// What `readMesh` does, from memory; `path` gives the name for messages and the ending.
+[[nodiscard]] Expected<ReadMesh> parseReadMesh(std::span<const std::byte> bytes, const std::filesystem::path& path);
+
+/// What `loadMesh` does, from memory.
+[[nodiscard]] Expected<TriangleMesh> parseMesh(std::span<const std::byte> bytes, const std::filesystem::path& path,
+                                               std::vector<Remark>* remarks = nullptr);
+
+}  // namespace tactooth

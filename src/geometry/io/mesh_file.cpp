@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/io/mesh_file.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "geometry/util/byte_text.h"
+#include "geometry/files/file_bytes.h"
+#include "geometry/io/mesh_bytes.h"
+#include "geometry/io/obj_reader.h"
+#include "geometry/io/ply_header.h"
+#include "geometry/io/ply_reader.h"
+#include "geometry/util/small_letters.h"
+#include "geometry/io/stl_format.h"
+#include "geometry/io/stl_reader.h"
+#include "geometry/io/stl_sniffer.h"
+
+namespace tactooth {
+namespace {
+
+/// Mesh and volume formats that a dental scanner or its program may write.
+bool isOtherFormat(std::string_view extension) {
+    static constexpr std::array<std::string_view, 9> kOthers = {".off",  ".3mf", ".glb", ".gltf", ".dcm",
+                                                                ".step", ".stp", ".amf", ".nii"};
+    return std::find(kOthers.begin(), kOthers.end(), extension) != kOthers.end();
+}
+
+Expected<ReadMesh> parseAnyStl(std::span<const std::byte> bytes, const std::filesystem::path& path) {
+    if (stl::sniff(bytes) == stl::Kind::Ascii) return stl::parseAscii(asText(bytes), shownName(path));
+    Expected<TriangleMesh> mesh = parseStl(bytes, shownName(path));
+    if (!mesh) return Unexpected{mesh.error()};
+    return ReadMesh{std::move(*mesh)};
+}
+
+/// The surface, if it stands where its file has it.
+Expected<TriangleMesh> inPlace(Expected<ReadMesh> read, const std::filesystem::path& path,
+                               std::vector<Remark>* remarks) {
+    if (!read) return Unexpected{read.error()};
+    if (!read->offset.isZero(0)) {
+        return unexpected(shownName(path) +
+                          ": the surface lies too far from zero for single precision, in which its place is needed; "
+                          "move it near to zero, or make a case of it with 'tactooth case new'.");
+    }
+    if (remarks != nullptr) remarks->insert(remarks->end(), read->remarks.begin(), read->remarks.end());
+    return std::move(read->mesh);
+}
+
+}  // namespace
+
+Expected<ReadMesh> parseReadMesh(std::span<const std::byte> bytes, const std::filesystem::path& path) {
+    const std::string extension = inSmallLetters(path.extension().string());
+    if (ply::looksLikePly(asText(bytes))) return parsePly(bytes, shownName(path));
+    if (stl::sniff(bytes) == stl::Kind::Neither) {
+        if (isWideText(asText(bytes)))
+            return unexpected(shownName(path) + ": this is text in UTF-16; save it as UTF-8.");
+        if (extension == ".obj") return parseObj(bytes, shownName(path));
+        if (isOtherFormat(extension)) {
+            return unexpected(shownName(path) + ": " + extension +
+                              " files cannot be read; export the surface as STL, OBJ or PLY.");
+        }
+    }
+    return parseAnyStl(bytes, path);
+}
+
+Expected<ReadMesh> readMesh(const std::filesystem::path& path) {
+    const Expected<FileBytes> file = readFile(path);
+    if (!file) return Unexpected{file.error()};
+    Expected<ReadMesh> read = parseReadMesh(file->bytes(), path);
+    if (!read) return read;
+    // A remark may be kept with the surface, where the folder is nobody's business.
+    for (Remark& remark : read->remarks) remark.values.front() = shownName(path.filename());
+    return read;
+}
+
+Expected<TriangleMesh> parseMesh(std::span<const std::byte> bytes, const std::filesystem::path& path,
+                                 std::vector<Remark>* remarks) {
+    return inPlace(parseReadMesh(bytes, path), path, remarks);
+}
+
+Expected<TriangleMesh> loadMesh(const std::filesystem::path& path, std::vector<Remark>* remarks) {
+    return inPlace(readMesh(path), path, remarks);
+}
+
+}  // namespace tactooth

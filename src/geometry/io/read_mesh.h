@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "geometry/io/remark.h"
+#include "geometry/mesh/triangle_mesh.h"
+
+namespace tactooth {
+
+/// A surface as it was read from a file.
+struct ReadMesh {
+    TriangleMesh mesh;
+    /// What was subtracted from the coordinates before they were rounded to single precision, in the file's unit:
+    /// mesh + offset is the surface in the file's frame. Zero unless the surface lies so far from zero that single
+    /// precision would spoil it.
+    Vec3 offset = Vec3::Zero();
+    std::vector<Remark> remarks = {};  ///< what was passed over or changed; the first value is the file's name
+};
+
+}  // namespace tactooth

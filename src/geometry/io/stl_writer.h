@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <vector>
+
+#include "geometry/util/expected.h"
+#include "geometry/mesh/triangle_mesh.h"
+
+namespace tactooth {
+
+enum class StlFormat { Binary, Ascii };
+
+/// Writes `mesh` in mm, triangles in their order and every coordinate so that reading gives the same float back, bit
+/// for bit, in both formats. Normals are computed (zero for a triangle without area). The file appears complete or not
+/// at all (see AtomicFile).
+[[nodiscard]] Expected<void> writeStl(const TriangleMesh& mesh, const std::filesystem::path& path,
+                                      StlFormat format = StlFormat::Binary);
+
+/// What `writeStl` writes. `mesh` has less than 2^32 triangles.
+[[nodiscard]] std::vector<std::byte> stlBytes(const TriangleMesh& mesh, StlFormat format = StlFormat::Binary);
+
+}  // namespace tactooth

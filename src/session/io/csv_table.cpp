@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "session/io/csv_table.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "geometry/util/byte_text.h"
+#include "geometry/files/file_bytes.h"
+#include "geometry/util/number_text.h"
+#include "geometry/util/small_letters.h"
+#include "geometry/util/text_lines.h"
+#include "session/io/csv_cells.h"
+
+namespace tactooth {
+namespace {
+
+constexpr std::size_t kMostCsvBytes = std::size_t{1} << 28;  // an hour at 1 kHz, in short numbers
+std::string joined(std::span<const std::string_view> words) {
+    std::string result;
+    for (const std::string_view word : words) result.append(result.empty() ? "" : ",").append(word);
+    return result;
+}
+
+/// The cells of a line as a message may show them.
+std::string shown(std::span<const std::string_view> cells) {
+    std::string line;
+    for (const std::string_view cell : cells) line.append(line.empty() ? "" : ",").append(cell);
+    return quotedWord(line);
+}
+
+}  // namespace
+
+/// Reads a CSV text line by line and remembers where it is for messages.
+class CsvParser {
+public:
+    CsvParser(std::string_view text, std::string_view name, std::span<const std::string_view> columns,
+              std::span<const std::string_view> wordColumns)
+        : text_(text), lines_(text), columns_(columns.begin(), columns.end()) {
+        columns_.insert(columns_.end(), wordColumns.begin(), wordColumns.end());
+        table_.name_ = name;
+        table_.columns_ = columns.size();
+        table_.wordColumns_ = wordColumns.size();
+    }
+
+    Expected<CsvTable> parse() {
+        if (isWideText(text_)) return unexpected(table_.name_ + ": this is text in UTF-16; save it as UTF-8.");
+        if (!nextLine() && error_) return Unexpected{*error_};
+        if (cells_.all().empty())
+            return unexpected(table_.name_ + ": there is no line that names the columns; begin the file with " +
+                              joined(columns_) + ".");
+        if (!parseHeader()) return Unexpected{*error_};
+        while (nextLine()) {
+            if (!parseRow()) return Unexpected{*error_};
+        }
+        if (error_) return Unexpected{*error_};
+        if (table_.rows() == 0)
+            return unexpected(table_.name_ + ": there are no rows below the names of the columns; add at least one.");
+        return std::move(table_);
+    }
+
+private:
+    /// Moves to the next line that is neither empty nor a comment and splits it; false at the end, or after an error.
+    bool nextLine() {
+        for (std::string_view line; lines_.next(line);) {
+            if (const char separator = lines_.number() == 1 ? namedSeparator(line) : '\0'; separator != '\0') {
+                cells_.separateBy(separator);
+                continue;
+            }
+            const std::string_view begin = withoutBlanks(line);
+            if (begin.empty() || begin.front() == '#') continue;
+            if (cells_.split(line)) return true;
+            fail("a cell in quotes must end with its line, and nothing but a separator may follow it");
+            return false;
+        }
+        return false;
+    }
+
+    /// Where a column stands among those of the file, at or behind `from`; size() if it does not. Capitals do not count
+    /// where no column is written as asked for.
+    std::size_t find(std::string_view column, std::size_t from) const {
+        const auto cells = cells_.all();
+        const auto isSame = [&](std::string_view cell) { return inSmallLetters(std::string(cell)) == column; };
+        if (std::ranges::find(cells, column) != cells.end())
+            return static_cast<std::size_t>(
+                std::find(cells.begin() + static_cast<std::ptrdiff_t>(from), cells.end(), column) - cells.begin());
+        return static_cast<std::size_t>(
+            std::find_if(cells.begin() + static_cast<std::ptrdiff_t>(from), cells.end(), isSame) - cells.begin());
+    }
+
+    bool parseHeader() {
+        for (const std::string_view column : columns_) {
+            const std::size_t found = find(column, 0);
+            if (found == cells_.all().size()) {
+                return fail("the column '" + std::string(column) + "' is missing; expected the columns " +
+                            joined(columns_) + ", separated by commas, but found " + shown(cells_.all()));
+            }
+            if (find(column, found + 1) != cells_.all().size()) {
+                return fail("the column '" + std::string(column) + "' is named twice; remove one of the two");
+            }
+            positions_.push_back(found);
+        }
+        width_ = cells_.all().size();
+        return true;
+    }
+
+    bool parseRow() {
+        if (cells_.all().size() != width_) {
+            return fail("expected " + std::to_string(width_) + " fields, one for each named column, but found " +
+                        std::to_string(cells_.all().size()));
+        }
+        for (std::size_t column = 0; column < columns_.size(); ++column) {
+            const std::string_view field = cells_.all()[positions_[column]];
+            if (column >= table_.columns_) {
+                table_.words_.emplace_back(field);
+                continue;
+            }
+            const std::optional<double> value = toNumber<double>(field);
+            if (!value || !std::isfinite(*value)) {
+                return fail("column '" + std::string(columns_[column]) +
+                            "': expected a finite number with '.' as decimal point, but found " + quotedWord(field));
+            }
+            table_.values_.push_back(*value);
+        }
+        table_.lines_.push_back(lines_.number());
+        return true;
+    }
+
+    bool fail(const std::string& what) {
+        error_ = Error{table_.name_ + ", line " + std::to_string(lines_.number()) + ": " + what + "."};
+        return false;
+    }
+
+    std::string_view text_;
+    TextLines lines_;
+    CsvCells cells_;
+    std::vector<std::string_view> columns_;  ///< numbers first, then words
+    std::vector<std::size_t> positions_;     ///< of each wanted column among the fields
+    std::size_t width_ = 0;
+    CsvTable table_;
+    std::optional<Error> error_;
+};
+
+std::string CsvTable::where(std::size_t row) const { return name_ + ", line " + std::to_string(lines_[row]); }
+
+Expected<CsvTable> parseCsv(std::string_view text, std::string_view name, std::span<const std::string_view> columns,
+                            std::span<const std::string_view> wordColumns) {
+    return CsvParser(text, name, columns, wordColumns).parse();
+}
+
+Expected<CsvTable> readCsv(const std::filesystem::path& path, std::span<const std::string_view> columns,
+                           std::span<const std::string_view> wordColumns) {
+    const Expected<FileBytes> file = readFile(path, kMostCsvBytes);
+    if (!file) return Unexpected{file.error()};
+    return parseCsv(file->text(), shownName(path), columns, wordColumns);
+}
+
+Expected<CsvWriter> CsvWriter::create(const std::filesystem::path& path, std::span<const std::string_view> columns) {
+    Expected<AtomicFile> file = AtomicFile::create(path);
+    if (!file) return Unexpected{file.error()};
+    file->write(joined(columns) + "\n");
+    return CsvWriter(std::move(*file), columns.size());
+}
+
+void CsvWriter::row(std::span<const double> values) {
+    assert(values.size() == columns_);
+    line_.clear();
+    ++rows_;
+    for (const double value : values) {
+        if (!std::isfinite(value) && firstBadRow_ == 0) firstBadRow_ = rows_;
+        std::array<char, 32> digits;  // the longest double takes 24
+        const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+        line_.append(line_.empty() ? "" : ",").append(digits.data(), end);
+    }
+    line_ += '\n';
+    file_.write(line_);
+}
+
+Expected<void> CsvWriter::commit() {
+    if (firstBadRow_ == 0) return file_.commit();
+    return unexpected("row " + std::to_string(firstBadRow_) +
+                      " of the table has a number that is not finite, so nothing is written; check size and unit of "
+                      "the surfaces.");
+}
+
+}  // namespace tactooth

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "session/simulation/cut_events.h"
+#include "session/simulation/simulator.h"
+#include "session/simulation/spray_cloud.h"
+#include "sound/output/offline_render.h"
+
+namespace tactooth {
+
+/// What a demonstration leaves to be shown.
+struct Demonstration {
+    std::vector<Tick> ticks;             ///< one a millisecond
+    std::vector<TimedSoundState> sound;  ///< one every five
+    std::size_t touchTick = 0;           ///< the last one of the touching part
+    std::uint64_t surfaceUpdates = 0;
+    std::vector<CutEvent> events;
+    /// The bur at work: the last moment at which it cut with the pedal down, and so in its water.
+    struct Work {
+        std::size_t tick = 0;
+        std::shared_ptr<const Surface> surface;
+        std::vector<FlyingBit> flying;
+    };
+    std::optional<Work> work;  ///< none if nothing was cut so
+};
+
+/// Plays a session without clock, device or display: a practised hand touches the tooth from above (+z), strokes it,
+/// lifts, starts the turbine and cuts to and fro, with the tool turned by `grip` all the time. Equal inputs give equal
+/// results. `box`: of the tooth in `piece` that is worked on, mm. `progress` is called with 0..1.
+[[nodiscard]] Demonstration playDemonstration(WorkPiece& piece, const Box3& box, const Instrument& instrument,
+                                              const HapticSettings& settings, const Quat& grip, double seconds,
+                                              const std::function<void(double)>& progress);
+
+}  // namespace tactooth

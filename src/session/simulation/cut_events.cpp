@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "session/simulation/cut_events.h"
+
+#include <algorithm>
+
+#include "geometry/util/number_text.h"
+#include "haptics/cutting_force.h"
+
+namespace tactooth {
+namespace {
+
+constexpr double kReached = 1e-4;   // mm^3; less of a tissue, a cube of 46 um, may be the rounding of its border
+constexpr double kNothing = 1e-6;   // mm^3; no bur takes less of a body at a cut, a cube of 10 um
+constexpr double kAtMost = 1.05;    // times the volume told for what stands around: by its surface, which errs
+constexpr double kTurnsRpm = 3000;  // rev/min; faster, it has run up
+constexpr double kApart = 0.5;      // s without a touch: the next one is another
+constexpr double kPedalDown = 0.1;  // a foot that asks for a turning bur, beyond any pedal's dead band
+
+}  // namespace
+
+std::string_view cutEventName(CutEventKind kind) {
+    switch (kind) {
+        case CutEventKind::FirstContact:
+            return "first contact";
+        case CutEventKind::DentinReached:
+            return "dentin reached";
+        case CutEventKind::PulpExposed:
+            return "pulp exposed";
+        case CutEventKind::NeighbourTouched:
+            return "neighbour touched";
+        case CutEventKind::GumTouched:
+            return "gum or bone touched";
+        case CutEventKind::BesideCut:
+            return "cut beside the tooth";
+        case CutEventKind::BurStalled:
+            return "bur stalled";
+        case CutEventKind::PieceCameLoose:
+            return "piece came loose";
+    }
+    return {};
+}
+
+std::string cutEventsCsv(std::span<const CutEvent> events) {
+    std::string text = "t,event,x,y,z\n";
+    for (const auto& [kind, time, place] : events) {
+        text.append(numberText(time)).append(",").append(cutEventName(kind));
+        for (const double mm : place) text.append(",").append(numberText(mm));
+        text += '\n';
+    }
+    return text;
+}
+
+void CutEvents::tell(CutEventKind kind, double time, const Tick& tick) {
+    events_.push_back({kind, time, tick.proxy.position});
+}
+
+void CutEvents::tellOnce(CutEventKind kind, bool happened, double time, const Tick& tick) {
+    if (!happened || std::ranges::any_of(events_, [&](const CutEvent& event) { return event.kind == kind; })) return;
+    tell(kind, time, tick);
+}
+
+/// What stands around a tooth is other teeth, and gum or bone, which are of no tissue of a tooth.
+void CutEvents::watchAround(double time, const Tick& tick) {
+    if (!tick.around) return;
+    const bool isGum = *tick.around == MaterialId::Other;
+    std::optional<double>& last = isGum ? gumAt_ : neighbourAt_;
+    if (!last || time > *last + kApart) {
+        tell(isGum ? CutEventKind::GumTouched : CutEventKind::NeighbourTouched, time, tick);
+    }
+    last = time;
+}
+
+/// Counts what has gone since the last call for the tooth itself, unless its neighbours have lost something meanwhile.
+void CutEvents::count(const ToothLoss& loss) {
+    const bool isBeside = loss.beside - last_.beside > kNothing;
+    for (std::size_t i = 0; i < own_.size(); ++i) {
+        const double more = loss.removed[i] - last_.removed[i];
+        if (more < 0 || !isBeside) own_[i] = std::max(0.0, own_[i] + more);
+    }
+    last_ = loss;
+}
+
+void CutEvents::watch(double time, const Tick& tick, const ToothLoss& loss) {
+    const MaterialVolumes& removed = loss.removed;
+    if (!std::exchange(started_, true)) {
+        before_ = removed;
+        besideBefore_ = loss.beside;
+        pieces_ = loss.pieces;
+        last_ = loss;
+    }
+    for (std::size_t i = 0; i < removed.size(); ++i) before_[i] = std::min(before_[i], removed[i]);
+    besideBefore_ = std::min(besideBefore_, loss.beside);
+    count(loss);
+    // Of the tooth itself; more than the neighbours have lost of everything is it as well.
+    const auto gone = [&](MaterialId id) {
+        const auto i = static_cast<std::size_t>(id);
+        return std::max(own_[i], removed[i] - before_[i] - kAtMost * (loss.beside - besideBefore_));
+    };
+    tellOnce(CutEventKind::FirstContact, tick.contacts > 0 || total(removed) > total(before_), time, tick);
+    tellOnce(CutEventKind::DentinReached, gone(MaterialId::Dentin) > kReached, time, tick);
+    tellOnce(CutEventKind::PulpExposed, gone(MaterialId::Pulp) > kReached, time, tick);
+    watchAround(time, tick);
+    tellOnce(CutEventKind::BesideCut, loss.beside - besideBefore_ > kReached, time, tick);
+    if (loss.pieces > pieces_) tell(CutEventKind::PieceCameLoose, time, tick);
+    pieces_ = loss.pieces;
+    turned_ = turned_ || tick.speedRpm > kTurnsRpm;
+    if (turned_ && tick.speedRpm < kRubsRpm && tick.pedal > kPedalDown && tick.contacts > 0) {
+        tell(CutEventKind::BurStalled, time, tick);
+        turned_ = false;
+    }
+}
+
+}  // namespace tactooth

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "session/simulation/tooth_in_mouth.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cstdlib>
+
+#include "geometry/mesh/append_chosen.h"
+#include "geometry/util/parallel_for.h"
+
+namespace tactooth {
+namespace {
+
+bool isUpper(int fdi) { return fdi < 30; }
+
+/// Counted along its jaw: 0 to 15 from the patient's right to the left.
+int placeInArch(int fdi) {
+    const bool isRight = fdi / 10 % 4 < 2;  // quadrants 1 and 4
+    return isRight ? 8 - fdi % 10 : 7 + fdi % 10;
+}
+
+bool areBeside(int a, int b) { return isUpper(a) == isUpper(b) && std::abs(placeInArch(a) - placeInArch(b)) == 1; }
+
+BuiltinTooth moved(BuiltinTooth tooth, const Pose& pose) {
+    for (TriangleMesh* mesh : {&tooth.outer, &tooth.enamel, &tooth.dentin, &tooth.pulp, &tooth.caries})
+        *mesh = moved(std::move(*mesh), pose);
+    return tooth;
+}
+
+struct Placed {
+    const TriangleMesh* mesh;
+    Pose bodyInTooth;
+    MaterialId material;
+    bool isUpper;
+};
+
+std::vector<Placed> placedAround(const BuiltinMouth& mouth, const MouthTooth& worked) {
+    const Pose mouthInTooth = mouth.poseOf(worked).inverse();
+    std::vector<Placed> bodies = {{&mouth.upperGingiva, mouthInTooth, MaterialId::Other, true},
+                                  {&mouth.lowerGingiva, mouthInTooth * mouth.lowerJaw, MaterialId::Other, false}};
+    for (const MouthTooth& tooth : mouth.teeth) {
+        if (&tooth == &worked || areBeside(tooth.tooth.fdi, worked.tooth.fdi)) continue;
+        bodies.push_back(
+            {&tooth.tooth.outer, mouthInTooth * mouth.poseOf(tooth), MaterialId::Enamel, isUpper(tooth.tooth.fdi)});
+    }
+    return bodies;
+}
+
+ToothInMouth inMouth(const BuiltinMouth& mouth, int fdi) {
+    const MouthTooth* worked = mouth.find(fdi);
+    assert(worked != nullptr);
+    const std::vector<Placed> bodies = placedAround(mouth, *worked);
+    ToothInMouth result;
+    result.around.resize(bodies.size());
+    parallelFor(bodies.size(), [&](std::size_t i) {
+        const auto& [mesh, pose, material, upper] = bodies[i];
+        std::vector<SurfaceTag> tags(mesh->triangles.size(), static_cast<SurfaceTag>(material));
+        auto part = std::make_shared<const SurfacePart>(moved(*mesh, pose), std::move(tags), 0);
+        const bool isGum = material == MaterialId::Other;
+        auto shown = isGum ? std::shared_ptr<const TriangleMesh>(part, &part->mesh())
+                           : std::make_shared<const TriangleMesh>(moved(aboveTheGum(*mesh), pose));
+        result.around[i] = {std::move(part), std::move(shown), isGum, upper != isUpper(fdi)};
+    });
+    result.tooth = worked->tooth;
+    const Pose mouthInTooth = mouth.poseOf(*worked).inverse();
+    for (const MouthTooth& tooth : mouth.teeth) {
+        if (areBeside(tooth.tooth.fdi, fdi))
+            result.beside.push_back(moved(tooth.tooth, mouthInTooth * mouth.poseOf(tooth)));
+    }
+    return result;
+}
+
+}  // namespace
+
+Expected<ToothInMouth> toothInMouth(int fdi, const std::optional<Lesion>& lesion, const MouthRequest& mouth,
+                                    const ToothMaker& maker) {
+    const auto whole = makeMouth(mouth, maker);
+    if (!whole) return Unexpected{whole.error()};
+    ToothInMouth result = inMouth(*whole, fdi);
+    if (lesion) result.tooth = maker({fdi, mouth.triangles, mouth.seed, lesion});
+    return result;
+}
+
+Expected<ToothInMouth> toothInMouth(int fdi, const std::optional<Lesion>& lesion, const MouthRequest& mouth,
+                                    const ToothCache& cache) {
+    const auto whole = cache.makeMouth(mouth);
+    if (!whole) return Unexpected{whole.error()};
+    ToothInMouth result = inMouth(*whole, fdi);
+    if (lesion) result.tooth = cache.make({fdi, mouth.triangles, mouth.seed, lesion});
+    return result;
+}
+
+TriangleMesh aboveTheGum(const TriangleMesh& tooth) {
+    constexpr float kBelowNeck = -1.0F;  // mm: the gum's margin stands above the neck all around
+    TriangleMesh shown;
+    appendChosen(shown, tooth, [&](std::uint32_t i) {
+        return !std::ranges::all_of(tooth.triangles[i],
+                                    [&](std::uint32_t vertex) { return tooth.vertices[vertex].z() < kBelowNeck; });
+    });
+    return shown;
+}
+
+Surroundings surroundingsOf(const ToothInMouth& tooth) {
+    Surroundings bodies;
+    for (const ToothInMouth::Body& body : tooth.around) bodies.push_back(body.part);
+    return bodies;
+}
+
+Expected<LayeredTooth> layeredTooth(const ToothInMouth& tooth) { return layeredTooth(tooth.tooth, tooth.beside); }
+
+}  // namespace tactooth

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "session/simulation/tooth_source.h"
+
+#include "collision/solid/solid_file.h"
+#include "geometry/files/file_bytes.h"
+
+namespace tactooth {
+namespace {
+
+Expected<MaterialId> materialNamed(const std::string& name) {
+    if (const auto id = materialFromName(name)) return *id;
+    return unexpected("there is no material '" + name +
+                      "'; choose enamel, dentin, pulp, caries, restoration or other.");
+}
+
+}  // namespace
+
+Expected<ToothSource::Layer> parseLayer(const std::string& text) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) {
+        return unexpected("the layer '" + text + "' must be given as NAME=FILE.stl, for example dentin=dentin.stl.");
+    }
+    const std::string name = text.substr(0, equals);
+    if (const auto id = materialNamed(name); !id) return Unexpected{id.error()};
+    return ToothSource::Layer{name, text.substr(equals + 1)};
+}
+
+Expected<std::shared_ptr<const LayeredTooth>> loadLayeredTooth(const ToothSource& source,
+                                                               std::vector<Remark>* remarks) {
+    const Expected<MaterialId> body = materialNamed(source.material);
+    if (!body) return Unexpected{body.error()};
+    Expected<TriangleMesh> outer = loadSolid(source.outer, "the surface of the tooth", {}, remarks);
+    if (!outer) return Unexpected{outer.error()};
+    std::vector<LayerMesh> layers;
+    for (const ToothSource::Layer& layer : source.layers) {
+        const Expected<MaterialId> material = materialNamed(layer.material);
+        if (!material) return Unexpected{material.error()};
+        const std::string what = "the surface of layer '" + layer.material + "'";
+        Expected<TriangleMesh> mesh = loadSolid(layer.file, what, {.dropsSpecks = false}, remarks);
+        if (!mesh) return Unexpected{mesh.error()};
+        layers.push_back({layer.material, *material, std::move(*mesh)});
+    }
+    Expected<LayeredTooth> tooth = LayeredTooth::make(std::move(*outer), std::move(layers), *body);
+    if (!tooth) return unexpected(shownName(source.outer) + ": " + tooth.error().message + ".");
+    return std::shared_ptr<const LayeredTooth>(std::make_shared<const LayeredTooth>(std::move(*tooth)));
+}
+
+Expected<CuttingTool> makeCuttingTool(const TriangleMesh& bur, double sharpness) {
+    Expected<RevolutionEnvelope> envelope = RevolutionEnvelope::make(bur);
+    if (!envelope) return Unexpected{envelope.error()};
+    return CuttingTool{std::move(*envelope), sharpness};
+}
+
+}  // namespace tactooth

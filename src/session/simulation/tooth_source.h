@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "geometry/util/expected.h"
+#include "geometry/io/remark.h"
+#include "session/simulation/work_piece.h"
+#include "tooth/model/layered_tooth.h"
+
+namespace tactooth {
+
+/// Which files a tooth is made of.
+struct ToothSource {
+    struct Layer {
+        std::string material;  ///< a name of MaterialId
+        std::filesystem::path file;
+    };
+    std::filesystem::path outer;      ///< the surface that is touched
+    std::vector<Layer> layers;        ///< what is inside, closed
+    std::string material = "enamel";  ///< of the whole tooth, if there are no layers
+};
+
+/// Splits "NAME=FILE.stl" as it comes from a command line.
+[[nodiscard]] Expected<ToothSource::Layer> parseLayer(const std::string& text);
+
+/// Fails with one sentence if a file cannot be read, a material is unknown or the surfaces make no tooth that can be
+/// cut. Adds what there is to say on the files, and what was mended in the surfaces, to `remarks`, if given.
+[[nodiscard]] Expected<std::shared_ptr<const LayeredTooth>> loadLayeredTooth(const ToothSource& source,
+                                                                             std::vector<Remark>* remarks = nullptr);
+
+/// What cutting needs to know of a bur: its envelope of revolution.
+[[nodiscard]] Expected<CuttingTool> makeCuttingTool(const TriangleMesh& bur, double sharpness = 1);
+
+}  // namespace tactooth

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "geometry/util/expected.h"
+#include "sound/voices/drill_sound_state.h"
+#include "sound/voices/sound_kit.h"
+#include "sound/voices/sound_mixer.h"
+#include "sound/output/sound_placement.h"
+
+namespace tactooth {
+
+/// The drill at one moment of a session.
+struct TimedSoundState {
+    double time = 0.0;
+    DrillSoundState state;
+    SoundPlacement placement;
+};
+
+struct OfflineSettings {
+    SoundMixer mixer;
+    std::uint64_t seed = 1;
+    bool headphones = false;              ///< HRTF instead of left-right balance
+    std::shared_ptr<const SoundKit> kit;  ///< recordings instead of the synthesis; none: all of it synthesised
+};
+
+/// Two channels, left and right sample by turns, at kSoundRate.
+using StereoSamples = std::vector<float>;
+
+/// s: 0.7 GB of a WAV file.
+inline constexpr double kLongestSound = 3600;
+
+/// How many frames (one sample left, one right) a sound of that length has.
+[[nodiscard]] std::size_t framesOf(double seconds);
+
+/// Takes the next samples, left and right by turns.
+using SampleSink = std::function<void(std::span<const float> stereo)>;
+
+/// What a listener would have heard in the `seconds` from time 0: rendered through OpenAL's loopback device, no sound
+/// card needed, as fast as the machine goes. Between two states numbers go in a straight line, and the rest is held; so
+/// it is before the first and after the last; of two states at one time the later one counts from then on. Sample n
+/// belongs to the time n / kSoundRate, exactly. Errors: no state, times that run backwards, a length that is not finite
+/// or over kLongestSound, an OpenAL without loopback; then `sink` was not called. It gets framesOf(seconds) frames in
+/// all, in pieces of at most kSoundBlock, so that an hour takes no more memory than a second.
+[[nodiscard]] Expected<void> renderInPieces(std::span<const TimedSoundState> track, double seconds,
+                                            const OfflineSettings& settings, const SampleSink& sink);
+
+/// The same, all at once: for a sound that is short.
+[[nodiscard]] Expected<StereoSamples> renderOffline(std::span<const TimedSoundState> track, double seconds,
+                                                    const OfflineSettings& settings = {});
+
+}  // namespace tactooth

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string_view>
+
+#include "sound/voices/drill_sound_state.h"
+#include "sound/voices/sound_kit.h"
+#include "sound/voices/sound_mixer.h"
+#include "sound/output/sound_placement.h"
+
+namespace tactooth {
+
+enum class SoundStatus { Starting, Playing, Silent };
+
+/// A few words for a status line.
+[[nodiscard]] constexpr std::string_view statusText(SoundStatus status) {
+    switch (status) {
+        case SoundStatus::Starting:
+            return "sound starting";
+        case SoundStatus::Playing:
+            return "sound on";
+        case SoundStatus::Silent:
+            return "no sound card: silent";
+    }
+    return "";
+}
+
+/// Where the drill's sound goes. No call waits or fails; without a sound card everything works, silently.
+class SoundOutput {
+public:
+    SoundOutput() = default;
+    SoundOutput(const SoundOutput&) = delete;
+    SoundOutput& operator=(const SoundOutput&) = delete;
+    virtual ~SoundOutput() = default;
+
+    /// The newest state of the drill. One thread (the simulation's), any rate; wait-free. When the calls stop coming
+    /// the drill falls silent, as it does when the simulation is paused.
+    virtual void publish(const DrillSoundState& state) = 0;
+
+    /// One thread (the window's); wait-free.
+    virtual void setMixer(const SoundMixer& mixer) = 0;
+    virtual void setPlacement(const SoundPlacement& placement) = 0;
+    /// Whether the sound is placed by the ears' own filtering (HRTF), for headphones, or by left-right balance. The
+    /// sound stops for a moment at a change.
+    virtual void setHeadphones(bool headphones) = 0;
+
+    /// Recordings to play from now on; none: all of it synthesised.
+    virtual void setKit(std::shared_ptr<const SoundKit> kit) = 0;
+
+    /// Any thread.
+    [[nodiscard]] virtual SoundStatus status() const = 0;
+};
+
+}  // namespace tactooth

@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "sound/voices/cutting_voice.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tactooth {
+
+namespace {
+
+// Each doubling of the removal power adds about as much sound power as the last: a gentle cut is to be heard over the
+// turbine, and the 30 W of the strongest turbine are not to hurt. At kTopWatt the root mean square is kTopLevel of full
+// scale: single grains reach five times that, just below full scale.
+constexpr double kTopLevel = 0.16;
+constexpr double kTopWatt = 40.0, kFaintWatt = 0.2;
+constexpr double kLagSeconds = 0.006;
+
+// Below this speed a rotation is too slow to grind: nothing comes from a still bur.
+constexpr double kGrindingRpm = 500.0;
+
+// Throb at the rotation: a slow bur (10 000 rev/min = 167 Hz) rattles; at thousands of turns a second the ear hears no
+// throb, only side tones, which would blur the material's band.
+constexpr double kSlowThrob = 0.6, kFastThrob = 0.15;
+constexpr double kThrobFadesHz = 800.0;
+
+// Each blade that passes bites: eight blades at 10 000 rev/min sing at 1.3 kHz, six at 300 000 above hearing. They
+// swing the noise and give a tone beside it.
+constexpr double kBladeThrob = 0.35, kBladeTone = 0.7;  // the tone by the swing
+constexpr double kPassingFadesHz = 8000.0, kHighestPassingHz = 14000.0;
+
+// Chatter: what the eye sees as a trembling handpiece, from half of the load that stalls it on. Tens of times a second,
+// as the hand and the handpiece's arm swing; the depth was chosen by ear.
+constexpr double kChatterFromLoad = 0.5, kMostChatter = 0.75;
+constexpr double kGripsPerSecond = 80.0;   // new random grips: swings of up to 40 Hz
+constexpr double kGripMeanSquare = 0.247;  // of SlowWander: 1/3 at its places, eased between them
+
+constexpr float kGrainsPerFrame = 1800.0f / kSoundRate;  // some grains at each of a few hundred turns a second
+constexpr double kGrainSeconds = 0.00035;
+const auto kGrainKeep = static_cast<float>(std::exp(-1.0 / (kGrainSeconds * kSoundRate)));
+
+double amplitudeOf(const DrillSoundState& state) {
+    const double grinding = std::min(1.0, state.speedRpm / kGrindingRpm);
+    const double power = std::log1p(state.removalWatt / kFaintWatt) / std::log1p(kTopWatt / kFaintWatt);
+    return kTopLevel * state.material.level * grinding * std::sqrt(power);
+}
+
+double throbAt(double turnsPerSecond) {
+    const double slow = kThrobFadesHz / (kThrobFadesHz + turnsPerSecond);
+    return kFastThrob + (kSlowThrob - kFastThrob) * slow;
+}
+
+double bladeThrobAt(double passesPerSecond) {
+    if (passesPerSecond <= 0 || passesPerSecond > kHighestPassingHz) return 0;
+    return kBladeThrob * kPassingFadesHz / (kPassingFadesHz + passesPerSecond);
+}
+
+double chatterAt(double load) {
+    return kMostChatter * std::clamp((load - kChatterFromLoad) / (1.0 - kChatterFromLoad), 0.0, 1.0);
+}
+
+}  // namespace
+
+CuttingVoice::CuttingVoice(std::uint64_t seed)
+    : noise_(seed + 1), grains_(seed + 2), grip_(seed + 3, kGripsPerSecond) {}
+
+void GrainEnvelope::setGraininess(double graininess) {
+    // Campbell's theorem for random pulses that fall by `keep` a sample: mean and variance of their sum.
+    const double keep = kGrainKeep, rate = kGrainsPerFrame;
+    const double mean = rate / (1.0 - keep);
+    const double variance = rate * (1.0 - rate) / (1.0 - keep * keep);
+    const double pulses = graininess / std::sqrt(mean * mean + variance);
+    const double steady = 1.0 - graininess;
+    const double power = steady * steady + 2.0 * steady * pulses * mean + graininess * graininess;
+    steadyPart_ = static_cast<float>(steady / std::sqrt(power));
+    pulsePart_ = static_cast<float>(pulses / std::sqrt(power));
+}
+
+float GrainEnvelope::next() {
+    pulses_ = pulses_ * kGrainKeep + (noise_.nextPositive() < kGrainsPerFrame ? 1.0f : 0.0f);
+    return steadyPart_ + pulsePart_ * pulses_;
+}
+
+void CuttingVoice::addTo(std::span<float> out, const DrillSoundState& state, double volume,
+                         std::span<const double> turnsPerFrame) {
+    const int frames = static_cast<int>(out.size());
+    const float share = glideShare(kLagSeconds, frames);
+    const double throb = throbAt(turnsPerFrame.back() * kSoundRate);
+    const double amplitude = amplitudeOf(state) * volume;
+    if (kit_ != nullptr) addRecorded(out, state.material.kind, amplitude, turnsPerFrame);
+    const bool isRecorded = kit_ != nullptr && kit_->cutting[state.material.kind];
+    const double chatter = chatterAt(state.load);
+    if (bladeThrob_.isZero()) blades_ = state.blades;
+    const double passes = blades_ == state.blades ? blades_ * turnsPerFrame.back() * kSoundRate : 0.0;
+    const double blade = bladeThrobAt(passes);
+    const double swinging = 1.0 + 0.5 * throb * throb + 0.5 * (1.0 + kBladeTone * kBladeTone) * blade * blade;
+    const double power = swinging * (1.0 + kGripMeanSquare * chatter * chatter);
+    gain_.aim(static_cast<float>((isRecorded ? 0.0 : amplitude) / std::sqrt(power)), share, frames);
+    chatter_.aim(static_cast<float>(1.0 + chatter * static_cast<double>(grip_.advance(frames))), 1.0f, frames);
+    throb_.aim(static_cast<float>(throb), share, frames);
+    bladeThrob_.aim(static_cast<float>(blade), share, frames);
+    if (gain_.isZero()) return;
+
+    noise_.tune(state.material.bandCentreHz, state.material.bandOctaves, share);
+    grains_.setGraininess(
+        static_cast<double>(graininess_.towards(static_cast<float>(state.material.graininess), share)));
+    const bool sings = !bladeThrob_.isZero();
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        const float turning = sineOfTurns(rotation_.advance(turnsPerFrame[i]));
+        const float passing =
+            sings ? bladeThrob_.next() * sineOfTurns(passing_.advance(blades_ * turnsPerFrame[i])) : 0.0f;
+        const float swing = 1.0f + throb_.next() * turning + passing;
+        const float noise = noise_.next(swing * grains_.next());
+        out[i] += gain_.next() * chatter_.next() * (noise + static_cast<float>(kBladeTone) * passing);
+    }
+}
+
+void CuttingVoice::addRecorded(std::span<float> out, std::size_t kind, double amplitude,
+                               std::span<const double> turnsPerFrame) {
+    const float share = glideShare(kLagSeconds, static_cast<int>(out.size()));
+    for (std::size_t i = 0; i < kSoundMaterials; ++i) {
+        const auto& part = kit_->cutting[i];
+        if (part) recorded_[i].addTo(out, *part, i == kind ? amplitude : 0.0, share, turnsPerFrame);
+    }
+}
+
+}  // namespace tactooth

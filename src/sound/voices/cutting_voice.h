@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "sound/voices/band_noise.h"
+#include "sound/voices/drill_sound_state.h"
+#include "sound/voices/glide.h"
+#include "sound/voices/recorded_voice.h"
+#include "sound/voices/rotation.h"
+#include "sound/voices/sine.h"
+
+namespace tactooth {
+
+/// Separate grains breaking off: short pulses at random times. As an envelope for noise; mean square 1 together with
+/// the steady part.
+class GrainEnvelope {
+public:
+    explicit GrainEnvelope(std::uint64_t seed) : noise_(seed) {}
+    /// Share of the pulses against the steady part, 0..1.
+    void setGraininess(double graininess);
+    float next();
+
+private:
+    WhiteNoise noise_;
+    float pulses_ = 0.0f;
+    float steadyPart_ = 1.0f, pulsePart_ = 0.0f;
+};
+
+/// The noise of material being ground away. Its level follows the removal power, its band the material; it throbs
+/// with the rotation and sings with the passing of the blades, and near the stall it chatters: the bur grabs, slips and
+/// grabs again.
+class CuttingVoice {
+public:
+    explicit CuttingVoice(std::uint64_t seed);
+
+    /// Adds its sound to `out` (at most kControlFrames samples) while the bur makes `turnsPerFrame`; `volume` 0..1.
+    void addTo(std::span<float> out, const DrillSoundState& state, double volume,
+               std::span<const double> turnsPerFrame);
+
+    /// Plays the recordings of a kit where it has them, from their beginnings; null: all of it synthesised again. `kit`
+    /// stays where it is as long as it is played.
+    void use(const SoundKit* kit) {
+        kit_ = kit;
+        recorded_ = {};
+    }
+
+private:
+    void addRecorded(std::span<float> out, std::size_t kind, double amplitude, std::span<const double> turnsPerFrame);
+
+    BandNoise noise_;
+    GrainEnvelope grains_;
+    Lag graininess_;
+    Phase rotation_, passing_;
+    SlowWander grip_;
+    Glide gain_, throb_, chatter_, bladeThrob_;
+    int blades_ = 0;  // heard; another bur's come when these have faded
+    const SoundKit* kit_ = nullptr;
+    std::array<RecordedVoice, kSoundMaterials> recorded_;
+};
+
+}  // namespace tactooth

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "sound/voices/cutting_voice.h"
+#include "sound/voices/drill_sound_state.h"
+#include "sound/voices/motor_voice.h"
+#include "sound/voices/peak_limiter.h"
+#include "sound/voices/sound_mixer.h"
+#include "sound/voices/tap_voice.h"
+
+namespace tactooth {
+
+/// Makes the drill's sound out of what the simulation says: kSoundRate, one channel, within +-PeakLimiter::kCeiling.
+/// Same seed and same calls, same samples. Neither allocates nor locks. One thread at a time.
+class DrillSynthesiser {
+public:
+    /// Samples by which the output comes later than the state it belongs to.
+    static constexpr int kDelay = PeakLimiter::kDelay;
+
+    explicit DrillSynthesiser(std::uint64_t seed = 1);
+
+    /// Volumes from the next block on; they change within some hundredths of a second.
+    void setMixer(const SoundMixer& mixer);
+
+    /// Recordings to play; null: none. At once, so while it is silent. `kit` stays where it is as long as it is played.
+    void setKit(const SoundKit* kit);
+
+    /// The next `mono.size()` samples. `target` is the state at their end: the speed gets there in a straight line,
+    /// every loudness and colour within some milliseconds, so that no change clicks. Begins at standstill.
+    void render(const DrillSoundState& target, std::span<float> mono);
+
+private:
+    void renderRun(const DrillSoundState& state, std::span<float> run);
+
+    SoundMixer mixer_;
+    double speedRpm_ = 0.0;
+    Rotation rotation_;
+    MotorVoice motor_;
+    CuttingVoice cutting_;
+    TapVoice tap_;
+    Glide master_;
+    PeakLimiter limiter_;
+};
+
+}  // namespace tactooth

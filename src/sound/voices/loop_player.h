@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "sound/files/recording.h"
+
+namespace tactooth {
+
+/// Plays a recording's loop at a pitch that may change from sample to sample, without images or folding: a windowed
+/// sinc of Recording::kTaps samples between those of the level that fits the pitch. Root mean square 1 at the original
+/// pitch.
+class LoopPlayer {
+public:
+    /// Eight times as high as the recording is the highest that it plays.
+    static constexpr double kHighestStep = 1 << (Recording::kLevels - 1);
+
+    /// The next sample; `pitch` times as fast as it was recorded (0 holds still), within 0..kHighestStep after the
+    /// difference in rates. The same recording each time.
+    [[nodiscard]] float next(const Recording& recording, double pitch);
+
+private:
+    double place_ = 0.0;  // in the loop, samples of level 0
+};
+
+}  // namespace tactooth

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+
+#include "sound/voices/glide.h"
+#include "sound/voices/loop_player.h"
+#include "sound/voices/sound_kit.h"
+
+namespace tactooth {
+
+/// A recording that sounds as loud as it is told to.
+class RecordedVoice {
+public:
+    /// Adds its sound to `out` (at most kControlFrames samples) while the bur makes `turnsPerFrame`; goes towards the
+    /// root mean square `level` by `share`, as from glideShare(). The same part each time.
+    void addTo(std::span<float> out, const RecordedPart& part, double level, float share,
+               std::span<const double> turnsPerFrame);
+
+private:
+    LoopPlayer player_;
+    Glide gain_;
+};
+
+}  // namespace tactooth

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "sound/voices/drill_synthesiser.h"
+#include "sound/voices/environment_voices.h"
+#include "sound/voices/exposure_cap.h"
+#include "sound/files/sound_format.h"
+
+namespace tactooth {
+
+/// Places that sounds come from, see SoundPlacement.
+enum class SoundPlace : std::uint8_t { Bur, Mouth, Suction };
+inline constexpr std::size_t kSoundPlaces = 3;
+
+/// One block of sound for each place.
+using SoundBlock = std::array<std::array<float, kSoundBlock>, kSoundPlaces>;
+
+/// All that is heard: the drill at the bur, the spray in the mouth, the suction beside it. The three together stay
+/// below full scale, and below the exposure cap in the long run. Same seed and same calls, same samples. Neither
+/// allocates nor locks. One thread at a time.
+class Soundscape {
+public:
+    /// Samples by which the output comes later than the state it belongs to.
+    static constexpr int kDelay = DrillSynthesiser::kDelay;
+
+    /// Begins with the recordings of `kit`, see setKit().
+    explicit Soundscape(std::uint64_t seed = 1, const SoundKit* kit = nullptr);
+
+    /// Volumes from the next block on; they change within some hundredths of a second.
+    void setMixer(const SoundMixer& mixer);
+
+    /// Recordings to play; null: all of it synthesised. Changes within some hundredths of a second, silent in between.
+    /// `kit` stays where it is until kit() is another one.
+    void setKit(const SoundKit* kit) { comingKit_ = kit; }
+    [[nodiscard]] const SoundKit* kit() const { return kit_; }
+
+    /// The next block; `target` is the state at its end.
+    void render(const DrillSoundState& target, SoundBlock& block);
+
+private:
+    void renderEnvironment(const DrillSoundState& state, SoundBlock& block);
+    void protectEars(SoundBlock& block);
+    void changeKit(SoundBlock& block);
+    void useKit(const SoundKit* kit);
+
+    DrillSynthesiser drill_;
+    WaterVoice water_;
+    SuctionVoice suction_;
+    PeakLimiter waterLimiter_, suctionLimiter_;
+    ExposureCap cap_;
+    double environment_ = 1.0;
+    const SoundKit* kit_ = nullptr;
+    const SoundKit* comingKit_ = nullptr;
+    Glide kitGain_;
+};
+
+}  // namespace tactooth

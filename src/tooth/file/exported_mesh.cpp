@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tooth/file/exported_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/mesh/append_chosen.h"
+#include "tooth/file/mesh_bits.h"
+
+namespace tactooth {
+namespace {
+
+/// How many triangles of the surface's mesh are the base's own: they come first.
+std::size_t countOfBase(const Surface& surface) {
+    std::size_t count = 0;
+    for (std::uint32_t i = 0; i < surface.base->mesh().triangles.size(); ++i) {
+        const bool isThere = surface.hidden == nullptr || !isHidden(*surface.hidden, i);
+        count += static_cast<std::size_t>(isThere && !surface.base->isAround(i));
+    }
+    return count;
+}
+
+/// By the divergence theorem, mm^3; from the bit's own point, as numbers are exact near it.
+double volumeBelow(const TriangleMesh& mesh, const Triangle& triangle, const Vec3f& from) {
+    const auto corner = [&](int i) { return Vec3((mesh.vertices[triangle[i]] - from).cast<double>()); };
+    return corner(0).dot(corner(1).cross(corner(2))) / 6;
+}
+
+struct Bit {
+    double volume = 0;
+    bool isCut = false;
+};
+
+/// By the number of a bit's lowest point.
+std::vector<Bit> measured(const TriangleMesh& mesh, MeshBits& bits, std::size_t ofBase) {
+    std::vector<Bit> result(bits.points().size());
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const std::uint32_t number = bits.ofVertex(mesh.triangles[t][0]);
+        result[number].volume += volumeBelow(mesh, mesh.triangles[t], bits.points()[number]);
+        result[number].isCut = result[number].isCut || t >= ofBase;
+    }
+    return result;
+}
+
+}  // namespace
+
+TaggedMesh exportedMesh(const Surface& surface, double voxel) {
+    TaggedMesh whole = visibleToothMesh(surface);
+    if (surface.patches.empty()) return whole;
+    MeshBits bits(whole.mesh);
+    const std::vector<Bit> all = measured(whole.mesh, bits, countOfBase(surface));
+    const auto isSpeck = [&](const Bit& bit) { return bit.isCut && std::abs(bit.volume) < voxel * voxel * voxel; };
+    if (std::ranges::none_of(all, isSpeck)) return whole;
+    TaggedMesh result;
+    appendChosen(result.mesh, whole.mesh, [&](std::uint32_t t) {
+        if (isSpeck(all[bits.ofVertex(whole.mesh.triangles[t][0])])) return false;
+        result.tags.push_back(whole.tags[t]);
+        return true;
+    });
+    return result;
+}
+
+}  // namespace tactooth

@@ -1,0 +1,255 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tooth/file/saved_tooth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <type_traits>
+
+#include "tooth/file/byte_stream.h"
+
+namespace tactooth {
+namespace {
+
+constexpr std::string_view kMagic = "TACTOOTH";
+constexpr std::uint32_t kVersion = 2;      // the first one knew no Standing
+constexpr double kWidestBand = 2;          // voxels: files of the first months kept the cut distance farther
+constexpr double kFinestVoxel = 0.005;     // mm, as on the command line
+constexpr double kCoarsestVoxel = 0.5;     // mm
+constexpr int kFarthestBrick = 1 << 16;    // from the origin: 13 m at the default voxel
+constexpr float kFarthest = 1e6F;          // mm, of a vertex
+constexpr std::size_t kMostLayers = 2000;  // of a case: 200 bodies of a few layers each
+constexpr std::size_t kMostNotes = 10'000;
+
+void putMesh(ByteWriter& out, const TriangleMesh& mesh) {
+    out.put(static_cast<std::uint32_t>(mesh.vertices.size()));
+    out.put(static_cast<std::uint32_t>(mesh.triangles.size()));
+    for (const Vec3f& vertex : mesh.vertices) {
+        for (int axis = 0; axis < 3; ++axis) out.put(vertex[axis]);
+    }
+    out.putAll(std::span<const Triangle>(mesh.triangles));
+}
+
+/// Part of what is kept for each node: a bit for each that is not as untouched, then those.
+template <class Value, class Part = std::identity>
+void putField(ByteWriter& out, const std::array<Value, kBrickNodes>& values, const Value& unchanged, Part part = {}) {
+    const auto& untouched = std::invoke(part, unchanged);
+    for (int word = 0; word < kBrickNodes / 64; ++word) {
+        std::uint64_t bits = 0;
+        for (int i = 0; i < 64; ++i)
+            bits |= std::uint64_t{!(std::invoke(part, values[64 * word + i]) == untouched)} << i;
+        out.put(bits);
+    }
+    for (const Value& value : values) {
+        if (!(std::invoke(part, value) == untouched)) out.put(std::invoke(part, value));
+    }
+}
+
+void putBrick(ByteWriter& out, const BrickKey& key, const CutField& field, const CutField& untouched) {
+    for (const int place : {key.x, key.y, key.z}) out.put(std::int32_t{place});
+    putField(out, field.cut, untouched.cut[0]);
+    putField(out, field.cutNormal, untouched.cutNormal[0]);
+    for (int axis = 0; axis < 3; ++axis) {
+        putField(out, field.border[axis], untouched.border[axis][0], &BorderCrossing::place);
+        putField(out, field.border[axis], untouched.border[axis][0], &BorderCrossing::normal);
+    }
+}
+
+/// Reads a whole file, and remembers the first thing that is wrong.
+class ToothReader {
+public:
+    ToothReader(std::span<const std::byte> bytes, const std::string& name) : in_(bytes), bytes_(bytes), name_(name) {}
+
+    Expected<SavedTooth> read() {
+        readHead();
+        if (failure_.empty()) readNotes();
+        if (failure_.empty()) readMesh(tooth_.outer);
+        if (failure_.empty()) readLayers();
+        if (failure_.empty()) readStanding();
+        if (failure_.empty()) readVolume();
+        if (failure_.empty()) readEnd();
+        if (!failure_.empty()) return unexpected(name_ + ", byte " + std::to_string(in_.at()) + ": " + failure_);
+        return std::move(tooth_);
+    }
+
+private:
+    void require(bool holds, const std::string& otherwise) {
+        if (!failure_.empty()) return;
+        if (!in_.ok()) {
+            failure_ = "the file is cut short; save the tooth again or use a complete copy.";
+        } else if (!holds) {
+            failure_ = otherwise;
+        }
+    }
+
+    void readHead() {
+        const std::span<const std::byte> magic = in_.getBytes(kMagic.size());
+        const bool isOurs = in_.ok() && std::memcmp(magic.data(), kMagic.data(), kMagic.size()) == 0;
+        if (!isOurs) {
+            failure_ = "this is no saved tooth; choose a file that Tactooth has saved.";
+            return;
+        }
+        version_ = in_.get<std::uint32_t>();
+        require(version_ >= 1 && version_ <= kVersion,
+                "the file has format version " + std::to_string(version_) +
+                    ", and this program reads versions 1 and 2; open it with the program that saved it.");
+    }
+
+    void readNotes() {
+        const auto count = in_.get<std::uint32_t>();
+        require(count <= kMostNotes, kDamaged);
+        for (std::uint32_t i = 0; i < count && failure_.empty(); ++i) {
+            std::string key = in_.getText();
+            std::string value = in_.getText();
+            require(true, kDamaged);
+            tooth_.provenance.emplace_back(std::move(key), std::move(value));
+        }
+    }
+
+    void readMesh(TriangleMesh& mesh) {
+        const auto vertices = in_.get<std::uint32_t>();
+        const auto triangles = in_.get<std::uint32_t>();
+        const std::vector<std::array<float, 3>> places = in_.getAll<std::array<float, 3>>(vertices);
+        mesh.triangles = in_.getAll<Triangle>(triangles);
+        require(true, kDamaged);
+        mesh.vertices.reserve(places.size());
+        for (const auto& [x, y, z] : places) {
+            mesh.vertices.emplace_back(x, y, z);
+            const Vec3f& vertex = mesh.vertices.back();
+            require(vertex.allFinite() && vertex.cwiseAbs().maxCoeff() < kFarthest, kDamaged);
+        }
+        for (const Triangle& triangle : mesh.triangles) {
+            for (const std::uint32_t corner : triangle) require(corner < places.size(), kDamaged);
+        }
+    }
+
+    [[nodiscard]] MaterialId readMaterial() {
+        const auto id = in_.get<std::uint8_t>();
+        require(id < kMaterialCount, kDamaged);
+        return static_cast<MaterialId>(id < kMaterialCount ? id : 0);
+    }
+
+    void readLayers() {
+        const auto count = in_.get<std::uint32_t>();
+        require(count <= kMostLayers, kDamaged);
+        for (std::uint32_t i = 0; i < count && failure_.empty(); ++i) {
+            LayerMesh layer;
+            layer.material = readMaterial();
+            layer.name = in_.getText();
+            // Files are named after it.
+            require(layer.name.find_first_of(std::string_view("/\0", 2)) == std::string::npos, kDamaged);
+            readMesh(layer.mesh);
+            tooth_.layers.push_back(std::move(layer));
+        }
+        tooth_.body = readMaterial();
+    }
+
+    void readStanding() {
+        if (version_ == 1) return;
+        const auto mesial = in_.get<std::int8_t>();
+        require(mesial == 1 || mesial == -1, kDamaged);
+        tooth_.standing = {static_cast<double>(mesial), in_.get<std::uint32_t>()};
+        require(true, kDamaged);
+    }
+
+    void readVolume() {
+        tooth_.voxel = in_.get<double>();
+        require(tooth_.voxel >= kFinestVoxel && tooth_.voxel <= kCoarsestVoxel, kDamaged);
+        for (double& volume : tooth_.removed) {
+            volume = in_.get<double>();
+            require(std::isfinite(volume) && volume >= 0, kDamaged);
+        }
+        const auto count = in_.get<std::uint64_t>();
+        if (!failure_.empty()) return;
+        const CutField untouched = CutField::untouched(tooth_.voxel);
+        for (std::uint64_t i = 0; i < count && failure_.empty(); ++i) readBrick(untouched);
+    }
+
+    void readBrick(const CutField& untouched) {
+        const BrickKey key{in_.get<std::int32_t>(), in_.get<std::int32_t>(), in_.get<std::int32_t>()};
+        for (const int place : {key.x, key.y, key.z}) require(std::abs(place) < kFarthestBrick, kDamaged);
+        require(tooth_.cuts.empty() || tooth_.cuts.rbegin()->first < key, kDamaged);
+        CutField field = untouched;
+        field.isCut = true;
+        const float band = untouched.cut[0];
+        const auto widest = static_cast<float>(kWidestBand * tooth_.voxel);
+        readField(field.cut, [&](float distance) { return distance >= -widest && distance <= widest; });
+        for (float& distance : field.cut) distance = std::clamp(distance, -band, band);
+        const auto anyDirection = [](const PackedDirection&) { return true; };
+        readField(field.cutNormal, anyDirection);
+        for (auto& crossings : field.border) {
+            readField(
+                crossings, [](float place) { return place >= 0 && place <= 1; }, &BorderCrossing::place);
+            readField(crossings, anyDirection, &BorderCrossing::normal);
+        }
+        if (failure_.empty()) tooth_.cuts.emplace_hint(tooth_.cuts.end(), key, field);
+    }
+
+    /// Part of what is kept for each node, as putField writes it.
+    template <class Value, class IsValid, class Part = std::identity>
+    void readField(std::array<Value, kBrickNodes>& values, const IsValid& isValid, Part part = {}) {
+        std::array<std::uint64_t, kBrickNodes / 64> touched{};
+        for (std::uint64_t& word : touched) word = in_.get<std::uint64_t>();
+        for (int node = 0; node < kBrickNodes && in_.ok(); ++node) {
+            if ((touched[node / 64] >> (node % 64) & 1) == 0) continue;
+            auto& value = std::invoke(part, values[node]);
+            value = in_.get<std::remove_reference_t<decltype(value)>>();
+            require(isValid(value), kDamaged);
+        }
+        require(true, kDamaged);
+    }
+
+    void readEnd() {
+        const std::uint64_t expected = checksum(bytes_.first(in_.at()));
+        const auto found = in_.get<std::uint64_t>();
+        require(found == expected, kDamaged);
+        require(in_.left() == 0, "there is more in the file than the tooth; use an undamaged copy.");
+    }
+
+    static constexpr const char* kDamaged = "the file is damaged; use another copy of it.";
+
+    ByteReader in_;
+    std::span<const std::byte> bytes_;
+    const std::string& name_;
+    SavedTooth tooth_;
+    std::uint32_t version_ = 0;
+    std::string failure_;
+};
+
+}  // namespace
+
+std::vector<std::byte> savedToothBytes(const CutVolume& volume, const MaterialVolumes& removed,
+                                       const Provenance& provenance) {
+    ByteWriter out;
+    out.putAll(std::span(kMagic.data(), kMagic.size()));
+    out.put(kVersion);
+    out.put(static_cast<std::uint32_t>(provenance.size()));
+    for (const auto& [key, value] : provenance) out.putText(key), out.putText(value);
+    const LayeredTooth& tooth = *volume.tooth();
+    putMesh(out, tooth.outer()->mesh());
+    out.put(static_cast<std::uint32_t>(tooth.layers().size()));
+    for (const LayeredTooth::Layer& layer : tooth.layers()) {
+        out.put(static_cast<std::uint8_t>(layer.material));
+        out.putText(layer.name);
+        putMesh(out, layer.part->mesh());
+    }
+    out.put(static_cast<std::uint8_t>(tooth.body()));
+    out.put(static_cast<std::int8_t>(tooth.standing().mesialX < 0 ? -1 : 1));
+    out.put(tooth.standing().firstAround);
+
+    out.put(volume.lattice().spacing());
+    for (const double gone : removed) out.put(gone);
+    const std::vector<BrickKey> keys = volume.cutBricks();
+    out.put(static_cast<std::uint64_t>(keys.size()));
+    const CutField untouched = CutField::untouched(volume.lattice().spacing());
+    for (const BrickKey& key : keys) putBrick(out, key, *volume.bricks().find(key), untouched);
+    out.put(checksum(out.bytes()));
+    return out.take();
+}
+
+Expected<SavedTooth> parseSavedTooth(std::span<const std::byte> bytes, const std::string& name) {
+    return ToothReader(bytes, name).read();
+}
+
+}  // namespace tactooth

@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tooth/surface/polygon_triangulation.h"
+
+#include <algorithm>
+#include <limits>
+
+// Ear clipping (G. Meisters, "Polygons Have Ears", 1975) after joining each hole to the outline by a bridge.
+
+namespace tactooth {
+namespace {
+
+using Points = std::vector<Eigen::Vector2d>;
+
+/// A triangle whose doubled area is less than this share of the square of its longer edge counts as flat: cut lines are
+/// some hundredths of a millimetre long, and rounding to floats moves their ends by some 1e-6 of a millimetre.
+constexpr double kFlat = 1e-4;
+
+double turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
+    return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
+}
+
+bool properlyCross(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c,
+                   const Eigen::Vector2d& d) {
+    return (turn(a, b, c) > 0) != (turn(a, b, d) > 0) && (turn(c, d, a) > 0) != (turn(c, d, b) > 0);
+}
+
+bool crossesLoop(const Points& points, const PolygonLoop& loop, std::uint32_t from, std::uint32_t to) {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        const std::uint32_t a = loop[i];
+        const std::uint32_t b = loop[(i + 1) % loop.size()];
+        if (a == from || a == to || b == from || b == to) continue;
+        if (properlyCross(points[from], points[to], points[a], points[b])) return true;
+    }
+    return false;
+}
+
+/// Position in the outline of the nearest corner that `from` sees past the outline and every hole.
+std::size_t nearestVisible(const Points& points, const PolygonLoop& outline, const std::vector<PolygonLoop>& holes,
+                           std::uint32_t from) {
+    std::vector<std::size_t> order(outline.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    const auto distance = [&](std::size_t i) { return (points[outline[i]] - points[from]).squaredNorm(); };
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return distance(a) < distance(b); });
+    for (const std::size_t place : order) {
+        const auto blocks = [&](const PolygonLoop& loop) { return crossesLoop(points, loop, from, outline[place]); };
+        if (!blocks(outline) && std::none_of(holes.begin(), holes.end(), blocks)) return place;
+    }
+    return order.front();
+}
+
+void bridgeHoles(const Points& points, PolygonLoop& outline, std::vector<PolygonLoop> holes) {
+    const auto rightmost = [&](const PolygonLoop& loop) {
+        return std::max_element(loop.begin(), loop.end(),
+                                [&](std::uint32_t a, std::uint32_t b) { return points[a].x() < points[b].x(); });
+    };
+    std::stable_sort(holes.begin(), holes.end(), [&](const PolygonLoop& a, const PolygonLoop& b) {
+        return points[*rightmost(a)].x() < points[*rightmost(b)].x();
+    });
+    while (!holes.empty()) {
+        PolygonLoop& hole = holes.back();
+        std::rotate(hole.begin(), hole.begin() + (rightmost(hole) - hole.begin()), hole.end());
+        const std::size_t place = nearestVisible(points, outline, holes, hole.front());
+        PolygonLoop bridge = hole;
+        bridge.push_back(hole.front());
+        bridge.push_back(outline[place]);
+        outline.insert(outline.begin() + static_cast<std::ptrdiff_t>(place) + 1, bridge.begin(), bridge.end());
+        holes.pop_back();
+    }
+}
+
+class EarClipper {
+public:
+    EarClipper(const Points& points, PolygonLoop loop) : points_(points), loop_(std::move(loop)) {}
+
+    std::vector<Triangle> run() {
+        std::vector<Triangle> triangles;
+        triangles.reserve(loop_.size());
+        std::size_t place = 0;
+        while (loop_.size() > 3) {
+            place = nextEar(place);
+            triangles.push_back({before(place), loop_[place], after(place)});
+            loop_.erase(loop_.begin() + static_cast<std::ptrdiff_t>(place));
+            if (place >= loop_.size()) place = 0;
+        }
+        if (loop_.size() == 3) triangles.push_back({loop_[0], loop_[1], loop_[2]});
+        return triangles;
+    }
+
+private:
+    [[nodiscard]] std::uint32_t before(std::size_t i) const { return loop_[(i + loop_.size() - 1) % loop_.size()]; }
+    [[nodiscard]] std::uint32_t after(std::size_t i) const { return loop_[(i + 1) % loop_.size()]; }
+    [[nodiscard]] double turnAt(std::size_t i) const {
+        return turn(points_[before(i)], points_[loop_[i]], points_[after(i)]);
+    }
+
+    /// The next ear from `from` on. Three corners on one line must not be left to one triangle, which would have no
+    /// area: what only just holds such a line is an ear where there is no other. If rounding leaves none at all, the
+    /// corner that turns left most.
+    [[nodiscard]] std::size_t nextEar(std::size_t from) const {
+        for (const double tolerance : {kFlat, 0.0}) {
+            for (std::size_t step = 0; step < loop_.size(); ++step) {
+                const std::size_t place = (from + step) % loop_.size();
+                if (turnAt(place) > tolerance * squaredSizeAt(place) && isEmpty(place, tolerance)) return place;
+            }
+        }
+        const auto sharpest = [&](std::size_t a, std::size_t b) { return turnAt(b) > turnAt(a) ? b : a; };
+        std::size_t best = from;
+        for (std::size_t step = 1; step < loop_.size(); ++step) best = sharpest(best, (from + step) % loop_.size());
+        return best;
+    }
+
+    /// Square of the longer of the two edges at a corner.
+    [[nodiscard]] double squaredSizeAt(std::size_t i) const {
+        const Eigen::Vector2d& corner = points_[loop_[i]];
+        return std::max((points_[before(i)] - corner).squaredNorm(), (points_[after(i)] - corner).squaredNorm());
+    }
+
+    [[nodiscard]] bool isEmpty(std::size_t ear, double tolerance) const {
+        const Eigen::Vector2d& a = points_[before(ear)];
+        const Eigen::Vector2d& b = points_[loop_[ear]];
+        const Eigen::Vector2d& c = points_[after(ear)];
+        const double least = -tolerance * squaredSizeAt(ear);
+        for (std::size_t i = 0; i < loop_.size(); ++i) {
+            const Eigen::Vector2d& p = points_[loop_[i]];
+            if (p == a || p == b || p == c || turnAt(i) > tolerance * squaredSizeAt(i)) continue;
+            if (turn(a, b, p) >= least && turn(b, c, p) >= least && turn(c, a, p) >= least) return false;
+        }
+        return true;
+    }
+
+    const Points& points_;
+    PolygonLoop loop_;
+};
+
+}  // namespace
+
+double doubledArea(const Points& points, const PolygonLoop& loop) {
+    double area = 0;
+    for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
+        area += turn(points[loop[0]], points[loop[i]], points[loop[i + 1]]);
+    }
+    return area;
+}
+
+bool isWithin(const Points& points, const PolygonLoop& loop, const Eigen::Vector2d& point) {
+    bool inside = false;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        const Eigen::Vector2d& a = points[loop[i]];
+        const Eigen::Vector2d& b = points[loop[(i + 1) % loop.size()]];
+        if ((a.y() > point.y()) == (b.y() > point.y())) continue;
+        if (point.x() < a.x() + (point.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) inside = !inside;
+    }
+    return inside;
+}
+
+std::vector<Triangle> triangulate(const Points& points, PolygonLoop outline, std::vector<PolygonLoop> holes) {
+    bridgeHoles(points, outline, std::move(holes));
+    return EarClipper(points, std::move(outline)).run();
+}
+
+}  // namespace tactooth

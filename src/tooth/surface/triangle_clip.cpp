@@ -1,0 +1,218 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tooth/surface/triangle_clip.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <memory_resource>
+#include <utility>
+
+#include "tooth/surface/polygon_triangulation.h"
+
+// As in J. Smith and N. Dodgson, "A topologically robust algorithm for Boolean operations on polyhedral shapes using
+// approximate arithmetic", Computer-Aided Design 2007: which points there are and how they join is settled by
+// consistent predicates; coordinates only decide how the polygons that result are drawn as triangles.
+
+namespace tactooth {
+
+int surplusOfLeaving(std::span<const EdgeCrossing> crossings) {
+    const auto leaving = std::count_if(crossings.begin(), crossings.end(), [](const auto& c) { return c.leaves; });
+    return static_cast<int>(2 * leaving - static_cast<std::ptrdiff_t>(crossings.size()));
+}
+
+bool sortCrossings(std::span<EdgeCrossing> crossings, bool firstKept) {
+    std::sort(crossings.begin(), crossings.end(), [](const auto& a, const auto& b) { return a.liesBefore(b); });
+    const int surplus = surplusOfLeaving(crossings);
+    if (surplus < -1 || surplus > 1) return false;
+    bool expected = surplus == 0 ? firstKept : surplus > 0;
+    for (auto place = crossings.begin(); place != crossings.end(); ++place, expected = !expected) {
+        const auto fitting = std::find_if(place, crossings.end(), [&](const auto& c) { return c.leaves == expected; });
+        std::rotate(place, fitting, fitting + 1);
+    }
+    return true;
+}
+
+namespace {
+
+class Clipper {
+public:
+    Clipper(const std::array<Vec3, 3>& corners, const std::vector<ClipSegment>& segments)
+        : segments_(segments), lines_(segments.size(), &pool_) {
+        startingAt_.reserve(segments.size());
+        result_.points.reserve(3 + 2 * segments.size());
+        result_.points.assign(corners.begin(), corners.end());
+        for (std::uint32_t i = 0; i < segments.size(); ++i) {
+            lines_[i].startPoint = static_cast<std::uint32_t>(result_.points.size());
+            result_.points.push_back(segments[i].start.position);
+            if (segments[i].start.edge < 0) startingAt_.emplace_back(segments[i].start.key, i);
+        }
+        std::sort(startingAt_.begin(), startingAt_.end());
+        for (std::uint32_t i = 0; i < segments.size(); ++i) {
+            if (segments[i].end.edge < 0) continue;
+            lines_[i].endPoint = static_cast<std::uint32_t>(result_.points.size());
+            result_.points.push_back(segments[i].end.position);
+        }
+    }
+
+    std::optional<ClippedTriangle> run(const std::array<bool, 3>& isForward, const std::array<bool, 3>& keepsCorner) {
+        if (!buildRing(isForward, keepsCorner)) return std::nullopt;
+        if (ring_.size() == 3) {
+            if (keepsCorner[0]) outlines_.push_back({0, 1, 2});
+        } else if (!traceFromBorder()) {
+            return std::nullopt;
+        }
+        project();
+        if (!traceClosedLines() || !assignHoles()) return std::nullopt;
+        for (std::size_t i = 0; i < outlines_.size(); ++i) {
+            if (outlines_[i].size() < 3) continue;
+            const auto triangles = triangulate(flat_, std::move(outlines_[i]), std::move(holesOf_[i]));
+            result_.triangles.insert(result_.triangles.end(), triangles.begin(), triangles.end());
+        }
+        return std::move(result_);
+    }
+
+private:
+    static constexpr std::uint32_t kNoSegment = ~0U;
+    using Key = std::array<std::uint64_t, 2>;
+    /// What becomes of a piece of a cut line.
+    struct Line {
+        std::uint32_t startPoint = 0, endPoint = 0;  ///< in the result
+        std::size_t endStop = 0;                     ///< on the ring, if it ends there
+        bool isVisited = false;
+    };
+    /// A stop on the way around the border, counter-clockwise: a corner, or where a cut line begins or ends.
+    struct Stop {
+        std::uint32_t point;
+        std::uint32_t segment;  ///< kNoSegment at a corner
+        bool leaves;
+    };
+
+    bool buildRing(const std::array<bool, 3>& isForward, const std::array<bool, 3>& keepsCorner) {
+        ring_.reserve(3 + 2 * segments_.size());
+        crossings_.reserve(2 * segments_.size());
+        for (int edge = 0; edge < 3; ++edge) {
+            crossings_.clear();
+            for (std::uint32_t i = 0; i < segments_.size(); ++i) {
+                const auto& [start, end] = segments_[i];
+                if (start.edge == edge) crossings_.push_back({start.along, start.opponent, isForward[edge], i});
+                if (end.edge == edge) crossings_.push_back({end.along, end.opponent, !isForward[edge], i});
+            }
+            if (!sortCrossings(crossings_, keepsCorner[isForward[edge] ? edge : (edge + 1) % 3])) return false;
+            if (!isForward[edge]) std::reverse(crossings_.begin(), crossings_.end());
+            ring_.push_back({static_cast<std::uint32_t>(edge), kNoSegment, false});
+            for (const EdgeCrossing& crossing : crossings_) {
+                const bool leaves = crossing.leaves == isForward[edge];
+                const std::uint32_t i = crossing.segment;
+                if (!leaves) lines_[i].endStop = ring_.size();
+                ring_.push_back({leaves ? lines_[i].startPoint : lines_[i].endPoint, i, leaves});
+            }
+        }
+        return true;
+    }
+
+    /// To the piece that begins where `segment` ends; false if there is none.
+    bool goOn(std::uint32_t& segment) const {
+        const Key& key = segments_[segment].end.key;
+        const auto beyond = std::upper_bound(startingAt_.begin(), startingAt_.end(), std::pair(key, kNoSegment));
+        if (beyond == startingAt_.begin() || (beyond - 1)->first != key) return false;
+        segment = (beyond - 1)->second;
+        return true;
+    }
+
+    /// Follows a cut line to its end on the border; false if it breaks off.
+    bool followLine(std::uint32_t& segment, PolygonLoop& loop) {
+        for (;;) {
+            if (lines_[segment].isVisited) return false;
+            lines_[segment].isVisited = true;
+            loop.push_back(lines_[segment].startPoint);
+            if (segments_[segment].end.edge >= 0) return true;
+            if (!goOn(segment)) return false;
+        }
+    }
+
+    bool traceFromBorder() {
+        for (const Stop& stop : ring_) {
+            if (stop.segment == kNoSegment || !stop.leaves || lines_[stop.segment].isVisited) continue;
+            PolygonLoop loop;
+            loop.reserve(ring_.size());
+            std::uint32_t segment = stop.segment;
+            do {
+                if (!followLine(segment, loop)) return false;
+                loop.push_back(lines_[segment].endPoint);
+                std::size_t place = (lines_[segment].endStop + 1) % ring_.size();
+                for (; ring_[place].segment == kNoSegment; place = (place + 1) % ring_.size()) {
+                    loop.push_back(ring_[place].point);
+                }
+                if (!ring_[place].leaves) return false;
+                segment = ring_[place].segment;
+            } while (segment != stop.segment);
+            outlines_.push_back(std::move(loop));
+        }
+        return true;
+    }
+
+    bool traceClosedLines() {
+        for (std::uint32_t first = 0; first < segments_.size(); ++first) {
+            if (lines_[first].isVisited) continue;
+            PolygonLoop loop;
+            std::uint32_t segment = first;
+            do {
+                if (lines_[segment].isVisited || segments_[segment].end.edge >= 0) return false;
+                lines_[segment].isVisited = true;
+                loop.push_back(lines_[segment].startPoint);
+                if (!goOn(segment)) return false;
+            } while (segment != first);
+            (doubledArea(flat_, loop) >= 0 ? outlines_ : holes_).push_back(std::move(loop));
+        }
+        return true;
+    }
+
+    bool assignHoles() {
+        holesOf_.resize(outlines_.size());
+        for (PolygonLoop& hole : holes_) {
+            if (outlines_.empty()) return false;
+            std::size_t owner = 0;
+            for (std::size_t i = 0; i < outlines_.size(); ++i) {
+                if (isWithin(flat_, outlines_[i], flat_[hole.front()])) owner = i;
+            }
+            holesOf_[owner].push_back(std::move(hole));
+        }
+        return true;
+    }
+
+    /// Drops the axis along which the triangle faces most, keeping its sense of turning.
+    void project() {
+        const auto& p = result_.points;
+        const Vec3 normal = (p[1] - p[0]).cross(p[2] - p[0]);
+        Eigen::Index axis = 0;
+        normal.cwiseAbs().maxCoeff(&axis);
+        int u = static_cast<int>(axis + 1) % 3;
+        int v = static_cast<int>(axis + 2) % 3;
+        if (normal[axis] < 0) std::swap(u, v);
+        flat_.reserve(p.size());
+        for (const Vec3& point : p) flat_.emplace_back(point[u], point[v]);
+    }
+
+    const std::vector<ClipSegment>& segments_;
+    std::array<std::byte, 4096> memory_;  // enough for nearly every triangle; what more it takes comes from the heap
+    std::pmr::monotonic_buffer_resource pool_{memory_.data(), memory_.size()};
+    std::pmr::vector<Line> lines_;
+    ClippedTriangle result_;
+    std::pmr::vector<std::pair<Key, std::uint32_t>> startingAt_{&pool_};  // pieces that begin inside, ordered by key
+    std::pmr::vector<EdgeCrossing> crossings_{&pool_};                    // of the edge at hand
+    std::pmr::vector<Stop> ring_{&pool_};
+    std::pmr::vector<PolygonLoop> outlines_{&pool_}, holes_{&pool_};
+    std::pmr::vector<std::vector<PolygonLoop>> holesOf_{&pool_};
+    std::vector<Eigen::Vector2d> flat_;
+};
+
+}  // namespace
+
+std::optional<ClippedTriangle> clipTriangle(const std::array<Vec3, 3>& corners, const std::array<bool, 3>& isForward,
+                                            const std::vector<ClipSegment>& segments,
+                                            const std::array<bool, 3>& keepsCorner) {
+    return Clipper(corners, segments).run(isForward, keepsCorner);
+}
+
+}  // namespace tactooth

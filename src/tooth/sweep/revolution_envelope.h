@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "geometry/util/expected.h"
+#include "geometry/mesh/triangle_mesh.h"
+
+namespace tactooth {
+
+/// A distance and the direction in which it grows fastest.
+struct FieldSample {
+    double distance;  ///< mm, negative inside
+    Vec3 gradient;    ///< unit
+};
+
+/// The pieces of a profile that points of one small region can be nearest to, in single precision for eight points at a
+/// time. Heights count from the middle of the region.
+struct ProfilePart {
+    /// A straight piece: how far a point (radius, height) is along it and outside it, mm, are linear in both.
+    struct Piece {
+        float directionR, directionZ;  ///< unit
+        float along, outside;          ///< of the point (0, 0)
+        float length;
+        /// On which side points are that are nearest to an end of it: 1 (outside) where the profile bulges there,
+        /// else -1. The one at the start plus twice the one at the end.
+        float sides;
+    };
+    std::array<Piece, 48> pieces;
+    int pieceCount = 0;
+    bool bulges = false;  ///< the pieces follow each other without a dent: the distance is convex along straight paths
+};
+
+/// The solid that a bur fills while it spins about its axis (z of the tool frame, tip at the bottom): a solid of
+/// revolution that holds every triangle of the bur's STL and stands out from it by less than 1 um.
+class RevolutionEnvelope {
+public:
+    /// Corner of the profile: radius at a height, mm.
+    struct ProfilePoint {
+        double radius;
+        double z;
+    };
+
+    /// Fails with a sentence if the mesh has no extent along z or holds no triangle.
+    [[nodiscard]] static Expected<RevolutionEnvelope> make(const TriangleMesh& bur);
+
+    /// Exact distance from a point of the tool frame to the surface of revolution, negative inside, with its gradient.
+    [[nodiscard]] FieldSample sample(const Vec3& pointInTool) const;
+    [[nodiscard]] double signedDistance(const Vec3& pointInTool) const;
+
+    /// The part that matters within `reach` (mm) of a point of the tool frame that is `distance` from the surface,
+    /// whichever side it is on. False if it has too many pieces.
+    [[nodiscard]] bool findPart(const Vec3& pointInTool, double distance, double reach, ProfilePart& part) const;
+
+    /// From the axis at the bottom, along the outside, to the axis at the top.
+    [[nodiscard]] const std::vector<ProfilePoint>& profile() const { return profile_; }
+    [[nodiscard]] double maxRadius() const { return maxRadius_; }
+    [[nodiscard]] double bottom() const { return profile_.front().z; }
+    [[nodiscard]] double top() const { return profile_.back().z; }
+
+private:
+    struct Segment {
+        ProfilePoint start;
+        double directionR, directionZ;  ///< unit
+        double length;
+    };
+    struct Nearest {
+        double squaredDistance, offsetR, offsetZ;
+        std::uint32_t segment;
+        bool isWithin;  ///< the segment, not at an end of it
+    };
+
+    explicit RevolutionEnvelope(std::vector<ProfilePoint> profile);
+    void buildGrid();
+    [[nodiscard]] Nearest nearest(double radius, double z, const std::uint16_t* first, const std::uint16_t* last) const;
+    [[nodiscard]] Nearest nearest(double radius, double z) const;
+    [[nodiscard]] bool bulgesAfter(std::size_t segment) const;
+    [[nodiscard]] bool isInside(double radius, double z) const;
+    [[nodiscard]] bool isInside(const Nearest& hit, double radius, double z) const;
+
+    std::vector<ProfilePoint> profile_;
+    std::vector<Segment> segments_;
+    double maxRadius_ = 0;
+
+    // Which segments can be the nearest one, for each cell of a grid over the half-plane around the profile.
+    double cellSize_ = 0;
+    double gridBottom_ = 0;
+    int columns_ = 0;
+    int rows_ = 0;
+    std::vector<std::uint32_t> cellStart_;
+    std::vector<std::uint16_t> candidates_;
+    std::vector<std::uint16_t> allSegments_;
+};
+
+/// The profile alone: for each height the largest distance of the mesh from the z axis. Piecewise linear, never
+/// smaller than the mesh, larger by less than 1 um.
+[[nodiscard]] std::vector<RevolutionEnvelope::ProfilePoint> revolutionProfile(const TriangleMesh& mesh);
+
+}  // namespace tactooth

@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tooth/sweep/swept_envelope.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tactooth {
+namespace {
+
+constexpr double kStraightness = 1e-4;   ///< mm; sagitta of a turning point's arc within one step
+constexpr double kDistanceError = 1e-5;  ///< mm; where the search for the nearest moment stops
+constexpr int kSearchRounds = 12;        ///< tangent cuts on a unit interval; three are usual
+constexpr int kMostParts = 4;            ///< of a step: one that goes farther comes near much that it does not reach
+
+/// Farthest that a point of the bur (a cylinder about its axis) moves between two poses.
+double travelBetween(const RevolutionEnvelope& envelope, const Pose& from, const Pose& to) {
+    const double angle = from.rotation.angularDistance(to.rotation);
+    const auto axisTravel = [&](double z) { return (to * Vec3(0, 0, z) - from * Vec3(0, 0, z)).norm(); };
+    return std::max(axisTravel(envelope.bottom()), axisTravel(envelope.top())) + angle * envelope.maxRadius();
+}
+
+Box3 boxAt(const RevolutionEnvelope& envelope, const Pose& pose, double clearance) {
+    const Vec3 axis = pose.rotation * Vec3::UnitZ();
+    const Vec3 reach = envelope.maxRadius() * (Vec3::Ones() - axis.cwiseAbs2()).cwiseMax(0).cwiseSqrt();
+    Box3 box;
+    for (const double z : {envelope.bottom(), envelope.top()}) {
+        const Vec3 centre = pose * Vec3(0, 0, z);
+        box.extend(centre - reach - Vec3::Constant(clearance));
+        box.extend(centre + reach + Vec3::Constant(clearance));
+    }
+    return box;
+}
+
+}  // namespace
+
+SweepStep::SweepStep(const RevolutionEnvelope& envelope, const Pose& fromInTooth, const Pose& toInTooth,
+                     double clearance, int parts)
+    : envelope_(&envelope),
+      clearance_(clearance),
+      travel_(travelBetween(envelope, fromInTooth, toInTooth)),
+      parts_(parts) {
+    const auto place = [](const Pose& pose) {
+        const Mat3 rotation = pose.rotation.toRotationMatrix();
+        return Placed{rotation, rotation.transpose(), pose.position};
+    };
+    from_ = place(fromInTooth);
+    to_ = place(toInTooth);
+    box_ = boxAt(envelope, fromInTooth, clearance).merged(boxAt(envelope, toInTooth, clearance));
+}
+
+// Along the straight path q(s), s in [0, 1], f(s) = distance(q(s)) is convex for a convex envelope: no tangent lies
+// above it, and two tangents meet below the minimum (Kelley's cutting planes on an interval): look where they meet,
+// keep the side that falls.
+void SweepStep::searchPart(const Vec3& start, const Vec3& end, double first, double last, double limit,
+                           Nearest& best) const {
+    const auto take = [&](const FieldSample& sample, double moment) {
+        if (sample.distance < best.sample.distance) best = {sample, first + moment * (last - first)};
+    };
+    FieldSample right = envelope_->sample(end);
+    const Vec3 path = end - start;
+    double rightSlope = right.gradient.dot(path);
+    if (right.distance - std::max(0.0, rightSlope) >= limit) return;
+    take(right, 1);
+    if (rightSlope <= 0) return;
+    FieldSample left = envelope_->sample(start);
+    double leftSlope = left.gradient.dot(path);
+    take(left, 0);
+    double a = 0;
+    double b = 1;
+    for (int round = 0; round < kSearchRounds && leftSlope < 0; ++round) {
+        const double moment =
+            (right.distance - left.distance + leftSlope * a - rightSlope * b) / (leftSlope - rightSlope);
+        const double bound = left.distance + leftSlope * (moment - a);
+        if (bound >= limit || !(moment > a && moment < b) || best.sample.distance - bound < kDistanceError) return;
+        const FieldSample middle = envelope_->sample(start + moment * path);
+        const double slope = middle.gradient.dot(path);
+        take(middle, moment);
+        if (slope > 0) {
+            b = moment, right = middle, rightSlope = slope;
+        } else {
+            a = moment, left = middle, leftSlope = slope;
+        }
+    }
+}
+
+FieldSample SweepStep::sample(const Vec3& point, double atLeast) const {
+    const double limit = atLeast + clearance_;
+    Nearest best{{limit, Vec3::UnitZ()}, 1};
+    const Vec3 start = from_.toTool(point);
+    const Vec3 end = to_.toTool(point);
+    if (envelope_->signedDistance(end) - (end - start).norm() < limit) {
+        for (int part = parts_ - 1; part >= 0; --part) {
+            const double first = static_cast<double>(part) / parts_;
+            const double last = static_cast<double>(part + 1) / parts_;
+            searchPart(start + first * (end - start), start + last * (end - start), first, last, limit, best);
+        }
+    }
+    const Placed& nearest = best.moment < 0.5 ? from_ : to_;
+    return {best.sample.distance - clearance_, nearest.toothFromTool * best.sample.gradient};
+}
+
+std::vector<SweepStep> sweepSteps(const RevolutionEnvelope& envelope, const Pose& fromInTooth, const Pose& toInTooth,
+                                  double clearance, double longest) {
+    const double length = std::max(std::abs(envelope.bottom()), std::abs(envelope.top())) + envelope.maxRadius();
+    const double largestTurn = std::sqrt(8 * kStraightness / length);
+    const double travel = travelBetween(envelope, fromInTooth, toInTooth);
+    const double angle = fromInTooth.rotation.angularDistance(toInTooth.rotation);
+    const double shares = std::max(travel / (kMostParts * longest), angle / largestTurn);
+    const int count = std::max(1, static_cast<int>(std::ceil(shares)));
+    const int parts = std::max(1, static_cast<int>(std::ceil(travel / count / longest)));
+    const auto at = [&](int i) {
+        if (i == 0) return fromInTooth;
+        if (i == count) return toInTooth;
+        const double t = static_cast<double>(i) / count;
+        return Pose{(1 - t) * fromInTooth.position + t * toInTooth.position,
+                    fromInTooth.rotation.slerp(t, toInTooth.rotation)};
+    };
+    std::vector<SweepStep> steps;
+    steps.reserve(count);
+    for (int i = 0; i < count; ++i) steps.emplace_back(envelope, at(i), at(i + 1), clearance, parts);
+    return steps;
+}
+
+}  // namespace tactooth

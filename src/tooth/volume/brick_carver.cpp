@@ -1,0 +1,268 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tooth/volume/brick_carver.h"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+#include <span>
+
+#include "collision/narrow/lane_flags.h"
+#include "tooth/volume/brick_sweep.h"
+#include "tooth/volume/voxel_fraction.h"
+
+namespace tactooth {
+namespace {
+
+/// mm; a smaller change of the cut field is rounding (of a wall that a bur passes along), not cutting.
+constexpr float kLeastChange = 2e-5F;
+
+/// mm; a node that lies no deeper in what a bur sweeps stays solid. On a wall that runs through nodes the sign is only
+/// rounding: each node would choose for itself, and pockets shallower than a float resolves would fold the wall onto
+/// itself. As exact as an envelope's distance to a sweep; ten steps of a float at 10 mm.
+constexpr float kLeastDepth = 1e-5F;
+
+/// Voxels; half the diagonal of a unit cube: no plane farther from a node than this cuts its voxel.
+constexpr double kVoxelReach = 0.8660254037844386;
+
+/// Nodes of a brick that a move lowers, seldom more.
+constexpr std::size_t kUsuallyLowered = 256;
+
+using CutSample = RemovableInBrick::Sample;
+
+// Eight nodes side by side: (x, y) = (0..3, y..y+1).
+constexpr float kLaneX[8] = {0, 1, 2, 3, 0, 1, 2, 3};
+constexpr float kLaneY[8] = {0, 0, 0, 0, 1, 1, 1, 1};
+constexpr int kLaneNode[8] = {0, 1, 2, 3, kBrickSide, kBrickSide + 1, kBrickSide + 2, kBrickSide + 3};
+
+float highestCut(const Brick& brick, int block) {
+    Eigen::Array4f highest = Eigen::Array4f::Constant(-std::numeric_limits<float>::infinity());
+    for (int i = 0; i < kBlockNodes; i += kBlockSide) {
+        highest = highest.max(Eigen::Map<const Eigen::Array4f>(&brick.cut[nodeOfBlock(block, i)]));
+    }
+    return std::max(std::max(highest[0], highest[1]), std::max(highest[2], highest[3]));
+}
+
+/// Shares of nodes' voxels that lie in the tooth and, with samples of the cut field, in the removed region. Most
+/// voxels are cut by no border or by that of the removed region alone: these are counted four at a time.
+class RemovedShares {
+public:
+    RemovedShares(const Brick& brick, double spacing)
+        : brick_(brick), spacing_(spacing), reach_(kVoxelReach * spacing) {}
+
+    /// Puts the share of a sample's voxel into `share`, sooner or later: see `finish`.
+    void find(std::uint16_t node, float cut, PackedDirection normal, double& share) {
+        const float tooth = brick_.tooth[node];
+        share = 0;
+        if (cut >= reach_ || tooth >= reach_) return;
+        if (tooth > -reach_) {
+            share =
+                cubeFraction({cut / spacing_, normal.unpack()}, {tooth / spacing_, brick_.toothNormal[node].unpack()});
+        } else if (cut <= -reach_) {
+            share = 1;
+        } else {
+            distances_[count_] = cut / spacing_;
+            normals_[count_] = normal;
+            shares_[count_] = &share;
+            if (++count_ == 4) finish();
+        }
+    }
+    /// Those that are not yet found.
+    void finish() {
+        const Eigen::Array4d found = cubeFractions(distances_, PackedDirection::sizesOf(normals_));
+        for (int i = 0; i < count_; ++i) *shares_[i] = found[i];
+        count_ = 0;
+    }
+
+private:
+    const Brick& brick_;
+    double spacing_;
+    double reach_;  // mm
+    int count_ = 0;
+    Eigen::Array4d distances_ = Eigen::Array4d::Zero();
+    std::array<PackedDirection, 4> normals_{};
+    std::array<double*, 4> shares_{};
+};
+
+/// Adds a node's share of its voxel to the volumes of the materials in it.
+void book(const Brick& brick, std::uint16_t node, double share, double spacing, MaterialVolumes& volumes) {
+    const double volume = share * spacing * spacing * spacing;
+    double& mine = volumes[static_cast<std::size_t>(brick.material[node])];
+    if (brick.neighbourShare[node] == 0) {
+        mine += volume;
+        return;
+    }
+    const double beyond = volume * brick.neighbourShare[node] / 255;
+    mine += volume - beyond;
+    volumes[static_cast<std::size_t>(brick.neighbour[node])] += beyond;
+}
+
+/// What lowering the cut field of these nodes removes.
+MaterialVolumes volumesOf(const Brick& brick, std::span<const CutSample> lowered, double spacing) {
+    std::array<double, kBrickNodes> before, after;
+    RemovedShares shares(brick, spacing);
+    for (std::size_t i = 0; i < lowered.size(); ++i) {
+        const auto& [node, distance, normal] = lowered[i];
+        shares.find(node, brick.cut[node], brick.cutNormal[node], before[i]);
+        shares.find(node, distance, normal, after[i]);
+    }
+    shares.finish();
+    MaterialVolumes volumes{};
+    for (std::size_t i = 0; i < lowered.size(); ++i) {
+        book(brick, lowered[i].node, after[i] - before[i], spacing, volumes);
+    }
+    return volumes;
+}
+
+/// Eight nodes of one block, and what a sweep lowers their cut field to.
+class LoweredNodes8 {
+public:
+    /// Nodes 8 `eight` .. 8 `eight` + 7 of a block. A node counts as lowered if a step comes below what it has and
+    /// `band` (mm), unless it has -`band` already.
+    LoweredNodes8(const Brick& brick, int block, int eight, float band) {
+        const int first = nodeOfBlock(block, 8 * eight);
+        for (int lane = 0; lane < 8; ++lane) node_[lane] = static_cast<std::uint16_t>(first + kLaneNode[lane]);
+        place_ = {Float8::load(kLaneX), Float8::load(kLaneY) + Float8::all(static_cast<float>(2 * (eight & 1))),
+                  Float8::all(static_cast<float>(eight >> 1))};
+        limit_ = limitOf(Float8::load(&brick.cut[node_[0]], &brick.cut[node_[4]]), band);
+    }
+    /// The same for any nodes of one block, eight at most.
+    LoweredNodes8(const Brick& brick, std::span<const std::uint16_t> nodes, float band) {
+        float place[3][8] = {};
+        float cut[8];
+        std::fill_n(cut, 8, -band);
+        for (std::size_t lane = 0; lane < nodes.size(); ++lane) {
+            node_[lane] = nodes[lane];
+            cut[lane] = brick.cut[nodes[lane]];
+            for (int axis = 0; axis < 3; ++axis) {
+                place[axis][lane] = static_cast<float>(placeInBrick(nodes[lane], axis) % kBlockSide);
+            }
+        }
+        place_ = Vec3x8::load(place);
+        limit_ = limitOf(Float8::load(cut), band);
+    }
+
+    void lower(const SweepLanes& step) {
+        if (!step.mayReach(place_, limit_)) return;
+        const Samples8 samples = step.sample(place_, limit_);
+        const std::uint32_t lowered = ~lessEqual(limit_, samples.distance) & 0xFF;
+        if (lowered == 0) return;
+        lowered_ |= lowered;
+        const Float8 isLower = isLess(samples.distance, limit_);
+        gradient_ = choose(isLower, samples.gradient, gradient_);
+        limit_ = choose(isLower, withoutRounding(samples.distance), limit_);
+    }
+
+    /// Calls `visit(sample)` for each node that was lowered; the cut field ends at -`band` (mm).
+    template <class Visit>
+    void forEachLowered(float band, const Visit& visit) const {
+        if (lowered_ == 0) return;
+        float distance[8];
+        max(limit_, Float8::all(-band)).store(distance);
+        const std::array<PackedDirection, 8> normal = PackedDirection::pack(gradient_);
+        for (std::uint32_t left = lowered_; left != 0; left &= left - 1) {
+            const int lane = std::countr_zero(left);
+            visit(CutSample{node_[lane], distance[lane], normal[lane]});
+        }
+    }
+
+private:
+    static Float8 limitOf(Float8 cut, float band) {
+        const Float8 limit = min(cut - Float8::all(kLeastChange), Float8::all(band));
+        return whereLess(Float8::all(-band), cut, limit, Float8::all(-std::numeric_limits<float>::infinity()));
+    }
+    static Float8 withoutRounding(Float8 distance) {
+        return whereLess(distance, Float8::all(-kLeastDepth), distance, max(distance, Float8::all(0)));
+    }
+
+    std::array<std::uint16_t, 8> node_{};
+    Vec3x8 place_;  ///< in steps from the block's first node
+    Float8 limit_;  ///< what a step must come below to count: its distance, once one has
+    Vec3x8 gradient_ = Vec3x8::all(0, 0, 0);
+    std::uint32_t lowered_ = 0;
+};
+
+}  // namespace
+
+RemovableInBrick removableFromBrick(const Brick& brick, const BrickKey& key, const Lattice& lattice,
+                                    const std::vector<SweepStep>& steps) {
+    const double spacing = lattice.spacing();
+    const auto band = static_cast<float>(kCutBand * spacing);
+    RemovableInBrick result;
+    result.key = key;
+    BrickSweep sweep(key, lattice, steps, band);
+    for (int block = 0; block < kBlocks && !sweep.isClear(); ++block) {
+        const float highest = highestCut(brick, block);
+        if (highest <= -band) continue;  // nothing more to lose
+        const std::vector<SweepLanes>& near = sweep.nearNodes(block, highest);
+        if (near.empty()) continue;
+        if (result.lowered.empty()) result.lowered.reserve(kUsuallyLowered);
+        for (int eight = 0; eight < kBlockNodes / 8; ++eight) {
+            LoweredNodes8 nodes(brick, block, eight, band);
+            for (const SweepLanes& step : near) nodes.lower(step);
+            nodes.forEachLowered(band, [&](const CutSample& lowered) { result.lowered.push_back(lowered); });
+        }
+    }
+    result.volumes = volumesOf(brick, result.lowered, spacing);
+    return result;
+}
+
+RemovableInBrick removableFromNodes(const Brick& brick, const RemovableInBrick& whole, const Lattice& lattice,
+                                    const std::vector<SweepStep>& steps) {
+    const double spacing = lattice.spacing();
+    const auto band = static_cast<float>(kCutBand * spacing);
+    RemovableInBrick result;
+    result.key = whole.key;
+    BrickSweep sweep(whole.key, lattice, steps, band);
+    if (sweep.isClear()) return result;
+    for (auto most = whole.lowered.begin(); most != whole.lowered.end();) {
+        const int block = blockOf(most->node);
+        const std::vector<SweepLanes>& near = sweep.nearNodes(block, band);
+        while (most != whole.lowered.end() && blockOf(most->node) == block) {
+            std::array<std::uint16_t, 8> nodes;
+            std::size_t count = 0;
+            for (; count < 8 && most != whole.lowered.end() && blockOf(most->node) == block; ++most) {
+                nodes[count++] = most->node;
+            }
+            LoweredNodes8 eight(brick, {nodes.data(), count}, band);
+            for (const SweepLanes& step : near) eight.lower(step);
+            eight.forEachLowered(band, [&](const CutSample& lowered) { result.lowered.push_back(lowered); });
+        }
+    }
+    result.volumes = volumesOf(brick, result.lowered, spacing);
+    return result;
+}
+
+ChangedBrick carveBrick(Brick& brick, const RemovableInBrick& found, std::uint64_t carve) {
+    ChangedBrick changed{found.key};
+    brick.lastCarve = carve;
+    brick.lowered.reset();
+    brick.opened.reset();
+    for (const CutSample& lowered : found.lowered) {
+        const int node = lowered.node;
+        brick.lowered.set(node);
+        if (brick.cut[node] >= 0 && lowered.distance < 0) {
+            brick.opened.set(node);
+            brick.setRemoved(node);
+            changed.addNode(node);
+        }
+        brick.cut[node] = lowered.distance;
+        brick.cutNormal[node] = lowered.normal;
+        brick.isCut = true;
+    }
+    return changed;
+}
+
+MaterialVolumes removedFromBrick(const Brick& brick, double spacing) {
+    std::array<double, kBrickNodes> share;
+    RemovedShares shares(brick, spacing);
+    for (std::uint16_t node = 0; node < kBrickNodes; ++node) {
+        shares.find(node, brick.cut[node], brick.cutNormal[node], share[node]);
+    }
+    shares.finish();
+    MaterialVolumes volumes{};
+    for (std::uint16_t node = 0; node < kBrickNodes; ++node) book(brick, node, share[node], spacing, volumes);
+    return volumes;
+}
+
+}  // namespace tactooth

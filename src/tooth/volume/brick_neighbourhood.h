@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include "tooth/volume/brick_map.h"
+
+namespace tactooth {
+
+/// A brick among its neighbours: its nodes and those of one layer around it, local places -1 .. 8 on each axis. A
+/// missing neighbour counts as untouched (its side of the tooth does not matter).
+class BrickNeighbourhood {
+public:
+    static constexpr int kSide = kBrickSide + 2;
+    static constexpr int kNodes = kSide * kSide * kSide;
+    using Place = std::array<int, 3>;
+
+    BrickNeighbourhood(const BrickMap& bricks, const BrickKey& key, double spacing)
+        : near_(bricks.around(key)), clear_(static_cast<float>(kToothBand * spacing)) {
+        findRemoved();
+    }
+
+    /// The number of a node here.
+    [[nodiscard]] static constexpr int index(int x, int y, int z) { return x + 1 + kSide * (y + 1 + kSide * (z + 1)); }
+    [[nodiscard]] static constexpr Place placeOf(int node) {
+        return {node % kSide - 1, node / kSide % kSide - 1, node / (kSide * kSide) - 1};
+    }
+    /// From a node's number to that of the next one on an axis.
+    static constexpr std::array<int, 3> kStep = {1, kSide, kSide* kSide};
+
+    /// Which nodes of a row along x are removed: bit x + 1 for x from -1 to 8.
+    [[nodiscard]] unsigned removedRow(int y, int z) const { return removed_[y + 1 + kSide * (z + 1)]; }
+    [[nodiscard]] bool isRemoved(int node) const { return (removed_[node / kSide] >> node % kSide & 1) != 0; }
+    /// Which corners of the cell that begins at a node are removed: bit x + 2 y + 4 z.
+    [[nodiscard]] unsigned removedCorners(int cell) const {
+        const std::uint16_t* const row = &removed_[cell / kSide];
+        const int x = cell % kSide;
+        const auto pair = [&](int step) { return static_cast<unsigned>(row[step]) >> x & 3U; };
+        return pair(0) | pair(1) << 2 | pair(kSide) << 4 | pair(kSide + 1) << 6;
+    }
+    /// Whether some nodes are removed ...
+    [[nodiscard]] bool hasRemoved() const { return hasRemoved_; }
+    /// ... and others are not.
+    [[nodiscard]] bool hasBorder() const { return hasBorder_; }
+
+    /// Where the border of the removed region crosses the lattice edge from a node to the next on `axis`. One of the
+    /// two is removed, and both lie in bricks that exist.
+    [[nodiscard]] BorderCrossing border(int node, int axis) const {
+        const auto [brick, place] = find(node);
+        return brick != nullptr ? brick->border[axis][place] : BorderCrossing{0.5F, PackedDirection(Vec3::Unit(axis))};
+    }
+    [[nodiscard]] MaterialId material(int node) const {
+        const auto [brick, place] = find(node);
+        return brick != nullptr ? brick->material[place] : MaterialId{};
+    }
+    /// Distance to the tooth's surface, mm.
+    [[nodiscard]] float tooth(int node) const {
+        const auto [brick, place] = find(node);
+        return brick != nullptr ? brick->tooth[place] : clear_;
+    }
+    /// The distances of a row along x from 0 to 8; each tells bit x + 1, as in `removedRow`.
+    struct ToothRow {
+        Float8 first;
+        float last;
+
+        [[nodiscard]] unsigned above(float distance) const {
+            return (~lessEqual(first, Float8::all(distance)) & 0xFFU) << 1 | static_cast<unsigned>(last > distance)
+                                                                                 << (kBrickSide + 1);
+        }
+        [[nodiscard]] unsigned below(float distance) const {
+            return (~lessEqual(Float8::all(distance), first) & 0xFFU) << 1 | static_cast<unsigned>(last < distance)
+                                                                                 << (kBrickSide + 1);
+        }
+    };
+    [[nodiscard]] ToothRow toothRow(int y, int z) const {
+        const Brick* brick = near_[1 + 3 * part(y) + 9 * part(z)];
+        const Float8 first =
+            brick != nullptr ? Float8::load(&brick->tooth[nodeIndex(0, local(y), local(z))]) : Float8::all(clear_);
+        return {first, tooth(index(kBrickSide, y, z))};
+    }
+    /// Whether all nodes of the brick and the next ones on each axis are known to lie farther within the tooth, mm.
+    [[nodiscard]] bool isDeeperThan(float depth) const {
+        const auto isDeep = [&](int i) { return near_[i] != nullptr && near_[i]->outermost < -depth; };
+        return isDeep(13) && isDeep(14) && isDeep(16) && isDeep(22);
+    }
+
+private:
+    static constexpr int part(int place) { return place < 0 ? 0 : place < kBrickSide ? 1 : 2; }
+    static constexpr int local(int place) { return place & (kBrickSide - 1); }
+
+    /// Where a node is kept: which of the bricks, and its place there.
+    struct Kept {
+        std::uint16_t brick;
+        std::uint16_t place;
+    };
+    static constexpr std::array<Kept, kNodes> allKept() {
+        std::array<Kept, kNodes> table{};
+        for (int node = 0; node < kNodes; ++node) {
+            const auto [x, y, z] = placeOf(node);
+            table[node] = {static_cast<std::uint16_t>(part(x) + 3 * part(y) + 9 * part(z)),
+                           static_cast<std::uint16_t>(nodeIndex(local(x), local(y), local(z)))};
+        }
+        return table;
+    }
+    struct Found {
+        const Brick* brick;
+        int place;
+    };
+    [[nodiscard]] Found find(int node) const;
+
+    void findRemoved() {
+        constexpr unsigned kAll = (1U << kSide) - 1;
+        unsigned some = 0;
+        unsigned every = kAll;
+        for (int z = -1; z <= kBrickSide; ++z) {
+            std::uint16_t* const rows = &removed_[kSide * (z + 1)];
+            readRows(near_.data() + 9 * part(z), kBrickSide - 1, 1, local(z), rows);
+            readRows(near_.data() + 9 * part(z) + 3, 0, kBrickSide, local(z), rows + 1);
+            readRows(near_.data() + 9 * part(z) + 6, 0, 1, local(z), rows + kSide - 1);
+            for (int y = 0; y < kSide; ++y) some |= rows[y], every &= rows[y];
+        }
+        hasRemoved_ = some != 0;
+        hasBorder_ = hasRemoved_ && every != kAll;
+    }
+    /// The rows from `y` on of three bricks side by side.
+    static void readRows(const Brick* const* bricks, int y, int count, int z, std::uint16_t* rows) {
+        const auto layerOf = [&](int i) {
+            return bricks[i] != nullptr ? bricks[i]->removed.layer(z) >> kBrickSide * y : 0;
+        };
+        std::uint64_t before = layerOf(0) >> (kBrickSide - 1);
+        std::uint64_t here = layerOf(1);
+        std::uint64_t next = layerOf(2);
+        for (int i = 0; i < count; ++i, before >>= kBrickSide, here >>= kBrickSide, next >>= kBrickSide) {
+            rows[i] = static_cast<std::uint16_t>((before & 1) | (here & NodeBits::kFirstRow) << 1 |
+                                                 (next & 1) << (kSide - 1));
+        }
+    }
+
+    std::array<std::uint16_t, kSide * kSide> removed_;
+    const BrickMap::Around& near_;
+    float clear_;
+    bool hasRemoved_ = false;
+    bool hasBorder_ = false;
+};
+
+inline BrickNeighbourhood::Found BrickNeighbourhood::find(int node) const {
+    static constexpr std::array<Kept, kNodes> kKept = allKept();
+    return {near_[kKept[node].brick], kKept[node].place};
+}
+
+}  // namespace tactooth

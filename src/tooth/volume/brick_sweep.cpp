@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tooth/volume/brick_sweep.h"
+
+#include <cmath>
+
+namespace tactooth {
+namespace {
+
+/// Steps of the lattice; how far beyond an edge its border's normal may be taken.
+constexpr double kBeyondEdge = 0.05;
+
+}  // namespace
+
+BrickSweep::BrickSweep(const BrickKey& key, const Lattice& lattice, const std::vector<SweepStep>& steps, double reach)
+    : corner_(lattice.corner(key)), spacing_(lattice.spacing()) {
+    if (steps.size() == 1) {  // each block looks for itself
+        steps_.push_back(&steps.front());
+        return;
+    }
+    // One look from the end of the sweep: no step before it is nearer than the travel between.
+    double bound = steps.back().lowerBound(lattice.centre(key)) - lattice.halfDiagonal() - reach;
+    for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
+        if (step != steps.rbegin()) bound -= step->travel();
+        if (bound < 0) steps_.push_back(&*step);
+    }
+}
+
+const std::vector<SweepLanes>& BrickSweep::nearNodes(int block, double reach) {
+    return near(block, kBlockSide - 1, 0, reach);
+}
+
+const std::vector<SweepLanes>& BrickSweep::nearEdges(int block) { return near(block, kBlockSide, kBeyondEdge, 0); }
+
+/// Of a block's cube, `side` and `beyond` in steps of the lattice.
+const std::vector<SweepLanes>& BrickSweep::near(int block, double side, double beyond, double reach) {
+    near_.clear();
+    near_.reserve(steps_.size());
+    const Vec3 first = corner_ + kBlockSide * spacing_ * Vec3(block & 1, block >> 1 & 1, block >> 2);
+    const Vec3 middle = first + Vec3::Constant(0.5 * side * spacing_);
+    const double toCorner = (0.5 * side * std::sqrt(3.0) + beyond) * spacing_;
+    for (const SweepStep* step : steps_) {
+        const SweepStep::Look look = step->lookFrom(middle);
+        if (step->lowerBound(look) < toCorner + reach) near_.emplace_back(*step, first, spacing_, side, beyond, look);
+    }
+    return near_;
+}
+
+}  // namespace tactooth

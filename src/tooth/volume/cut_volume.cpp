@@ -1,0 +1,359 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tooth/volume/cut_volume.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <numeric>
+#include <set>
+
+#include "geometry/util/parallel_for.h"
+#include "tooth/volume/border_tracer.h"
+#include "tooth/volume/brick_carver.h"
+#include "tooth/volume/brick_maker.h"
+#include "tooth/volume/piece_remover.h"
+
+namespace tactooth {
+namespace {
+
+/// Longest step of a sweep, in voxels: within one the distance to a bur is taken as convex along the path.
+constexpr double kLongestStep = 1.0;
+
+MaterialVolumes sum(const std::vector<MaterialVolumes>& parts) {
+    MaterialVolumes volumes{};
+    for (const MaterialVolumes& part : parts) {
+        for (std::size_t i = 0; i < kMaterialCount; ++i) volumes[i] += part[i];
+    }
+    return volumes;
+}
+
+void gather(std::vector<RemovableInBrick>& parts, Removable& result) {
+    for (RemovableInBrick& part : parts) {
+        for (std::size_t m = 0; m < kMaterialCount; ++m) result.volumes[m] += part.volumes[m];
+        if (!part.lowered.empty()) result.where.push_back(std::move(part));
+    }
+}
+
+/// Where a node is along one side of a brick: 0 at the beginning, 2 at the end, 1 between.
+constexpr int endOf(int place) { return place == 0 ? 0 : place == kBrickSide - 1 ? 2 : 1; }
+
+/// By `endOf` on each axis: the bricks that have a node at most one step from such a node on each axis.
+constexpr auto kConcerned = [] {
+    std::array<std::array<std::array<std::uint32_t, 3>, 3>, 3> table{};
+    const auto reaches = [](int end, int step) { return step == 1 || step == end; };
+    for (int node = 0; node < 27; ++node) {
+        const std::array<int, 3> end = {node % 3, node / 3 % 3, node / 9};
+        std::uint32_t& bricks = table[end[0]][end[1]][end[2]];
+        for (int i = 0; i < 27; ++i) {
+            if (!reaches(end[0], i % 3) || !reaches(end[1], i / 3 % 3) || !reaches(end[2], i / 9)) continue;
+            bricks |= 1U << i;
+        }
+    }
+    return table;
+}();
+
+std::uint64_t fnv1a(std::uint64_t hash, std::uint64_t value) {
+    for (int byte = 0; byte < 8; ++byte) hash = (hash ^ (value >> (8 * byte) & 0xFF)) * 0x100000001b3ULL;
+    return hash;
+}
+
+}  // namespace
+
+void ChangedBrick::addNode(int node) {
+    const auto [x, y, z] = placeOf(node);
+    concerned |= kConcerned[endOf(x)][endOf(y)][endOf(z)];
+}
+
+void ChangedBrick::addEdge(int node, int axis) {
+    const std::array<int, 3> place = placeOf(node);
+    std::array<int, 3> ends = {endOf(place[0]), endOf(place[1]), endOf(place[2])};
+    if (place[axis] == 0) ends[axis] = 1;  // it leads away from the brick before
+    concerned |= kConcerned[ends[0]][ends[1]][ends[2]];
+}
+
+std::vector<ChangedBrick> merged(std::vector<ChangedBrick> changes) {
+    std::erase_if(changes, [](const ChangedBrick& change) { return change.isNone(); });
+    std::sort(changes.begin(), changes.end(),
+              [](const ChangedBrick& a, const ChangedBrick& b) { return a.key < b.key; });
+    std::vector<ChangedBrick> result;
+    for (const ChangedBrick& change : changes) {
+        if (!result.empty() && result.back().key == change.key) {
+            result.back().add(change);
+        } else {
+            result.push_back(change);
+        }
+    }
+    return result;
+}
+
+double total(const MaterialVolumes& volumes) { return std::accumulate(volumes.begin(), volumes.end(), 0.0); }
+
+CutVolume::CutVolume(std::shared_ptr<const LayeredTooth> tooth, double voxel)
+    : tooth_(std::move(tooth)), lattice_(voxel) {
+    assert(tooth_ && voxel > 0);
+}
+
+void CutVolume::reset() {
+    bricks_.clear();
+    journal_.clear();
+    if (stock_ != nullptr) stock_->forgetTaken();
+}
+
+/// Makes those that nobody has asked for yet; null where a brick lies clear of the tooth.
+std::vector<Brick*> CutVolume::bricksAt(const std::vector<BrickKey>& keys) {
+    std::vector<Brick*> bricks;
+    bricks.reserve(keys.size());
+    std::vector<BrickKey> missing;
+    for (const BrickKey& key : keys) {
+        const std::optional<Brick*> known = bricks_.known(key);
+        if (!known) missing.push_back(key);
+        bricks.push_back(known.value_or(nullptr));
+    }
+    if (missing.empty()) return bricks;
+    makeBricks(std::move(missing));
+    std::ranges::transform(keys, bricks.begin(), [&](const BrickKey& key) { return bricks_.find(key); });
+    return bricks;
+}
+
+void CutVolume::makeBricks(std::vector<BrickKey> missing) {
+    if (stock_ != nullptr) {
+        std::vector<std::optional<std::unique_ptr<Brick>>> ahead = stock_->take(missing);
+        std::size_t left = 0;
+        for (std::size_t i = 0; i < missing.size(); ++i) {
+            if (ahead[i]) {
+                bricks_.insert(missing[i], std::move(*ahead[i]));
+            } else {
+                missing[left++] = missing[i];
+            }
+        }
+        missing.resize(left);
+    }
+    std::vector<std::unique_ptr<Brick>> made(missing.size());
+    parallelFor(missing.size(), [&](std::size_t i) { made[i] = makeBrick(*tooth_, lattice_, missing[i]); });
+    for (std::size_t i = 0; i < missing.size(); ++i) bricks_.insert(missing[i], std::move(made[i]));
+}
+
+/// The wall in a cell is drawn from all eight nodes of it, and the farthest may lie in a brick that no bur was near.
+void CutVolume::makeConcerned(const std::vector<ChangedBrick>& changed) {
+    std::vector<BrickKey> missing;
+    for (const ChangedBrick& brick : changed) {
+        const BrickMap::Around& around = bricks_.around(brick.key);
+        brick.forEachConcerned([&](int i) {
+            if (around[i] != nullptr) return;
+            const BrickKey key = brick.key.neighbour(i);
+            if (!bricks_.knows(key)) missing.push_back(key);
+        });
+    }
+    if (missing.empty()) return;
+    std::sort(missing.begin(), missing.end());
+    missing.erase(std::unique(missing.begin(), missing.end()), missing.end());
+    makeBricks(std::move(missing));
+}
+
+CarveResult CutVolume::carve(const RevolutionEnvelope& envelope, const Pose& fromInTooth, const Pose& toInTooth,
+                             double clearance) {
+    return carve(removable(envelope, fromInTooth, toInTooth, clearance));
+}
+
+CarveResult CutVolume::carve(const Removable& removable) {
+    assert(removable.afterCarve == carves_);
+    ++carves_;
+    for (const RemovableInBrick& found : removable.where) journal_.keep(found.key, *bricks_.find(found.key));
+    std::vector<ChangedBrick> opened(removable.where.size());
+    parallelFor(opened.size(), [&](std::size_t i) {
+        const RemovableInBrick& found = removable.where[i];
+        opened[i] = carveBrick(*bricks_.find(found.key), found, carves_);
+    });
+    CarveResult result;
+    result.removed = removable.volumes;
+    result.changed = traceBorder(removable);
+    result.changed.insert(result.changed.end(), opened.begin(), opened.end());
+    result.changed = merged(std::move(result.changed));
+    makeConcerned(result.changed);
+    return result;
+}
+
+/// The lattice edges that end in a changed brick belong to it or to the one before it on an axis.
+std::vector<ChangedBrick> CutVolume::traceBorder(const Removable& carved) {
+    std::vector<BrickKey> keys;
+    for (const RemovableInBrick& brick : carved.where) {
+        const BrickKey& key = brick.key;
+        for (const BrickKey& owner : {key, key.moved(-1, 0, 0), key.moved(0, -1, 0), key.moved(0, 0, -1)}) {
+            if (bricks_.find(owner) != nullptr) keys.push_back(owner);
+        }
+    }
+    std::sort(keys.begin(), keys.end());
+    keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+    for (const BrickKey& key : keys) journal_.keep(key, *bricks_.find(key));
+    std::vector<ChangedBrick> moved(keys.size());
+    parallelFor(keys.size(), [&](std::size_t i) {
+        moved[i] = traceBorderInBrick(bricks_, keys[i], lattice_, carved.steps, carves_);
+    });
+    return moved;
+}
+
+Removable CutVolume::removable(const RevolutionEnvelope& envelope, const Pose& fromInTooth, const Pose& toInTooth,
+                               double clearance) {
+    Removable result;
+    result.clearance = clearance;
+    result.afterCarve = carves_;
+    result.steps = sweepSteps(envelope, fromInTooth, toInTooth, clearance, kLongestStep * lattice_.spacing());
+    const std::vector<BrickKey> keys = bricksInReach(*tooth_, lattice_, result.steps, kCutBand * lattice_.spacing());
+    const std::vector<Brick*> bricks = bricksAt(keys);
+    std::vector<RemovableInBrick> parts(keys.size());
+    parallelFor(keys.size(), [&](std::size_t i) {
+        if (bricks[i] != nullptr) parts[i] = removableFromBrick(*bricks[i], keys[i], lattice_, result.steps);
+    });
+    gather(parts, result);
+    return result;
+}
+
+Removable CutVolume::removableOnTheWay(const Removable& whole, const RevolutionEnvelope& envelope,
+                                       const Pose& fromInTooth, const Pose& partWay) const {
+    Removable result;
+    result.clearance = whole.clearance;
+    result.afterCarve = whole.afterCarve;
+    result.steps = sweepSteps(envelope, fromInTooth, partWay, whole.clearance, kLongestStep * lattice_.spacing());
+    std::vector<RemovableInBrick> parts(whole.where.size());
+    parallelFor(parts.size(), [&](std::size_t i) {
+        parts[i] = removableFromNodes(*bricks_.find(whole.where[i].key), whole.where[i], lattice_, result.steps);
+    });
+    gather(parts, result);
+    return result;
+}
+
+/// Makes the bricks of it that are missing.
+NodeSets CutVolume::nodesOf(const LoosePiece& piece) {
+    NodeSets nodes = piece.nodes;
+    const std::vector<Brick*> bricks = bricksAt(piece.unmade);
+    for (std::size_t i = 0; i < bricks.size(); ++i) {
+        if (bricks[i] != nullptr) nodes[piece.unmade[i]] = solidNodes(*bricks[i]);
+    }
+    return nodes;
+}
+
+FallenPieces CutVolume::dropLoose() {
+    FallenPieces fallen;
+    NodeSets all;
+    for (const LoosePiece& piece : findLoosePieces(bricks_, *tooth_, lattice_)) {
+        std::size_t count = 0;
+        for (const auto& [key, nodes] : nodesOf(piece)) {
+            all[key] |= nodes;  // two pieces may share a brick
+            count += nodes.count();
+        }
+        fallen.volumes.push_back(static_cast<double>(count) * std::pow(lattice_.spacing(), 3));
+    }
+    fallen.carve = removePieces(all);
+    return fallen;
+}
+
+CarveResult CutVolume::dropCrumbs(const NodeSets& beside) { return removePieces(beside); }
+
+CarveResult CutVolume::removePieces(const NodeSets& pieces) {
+    CarveResult result;
+    if (pieces.empty()) return result;
+    ++carves_;  // what was found removable holds no more
+    std::set<BrickKey> near;
+    for (const auto& [key, nodes] : pieces) {
+        for (int i = 0; i < 27; ++i) near.insert(key.neighbour(i));
+    }
+    (void)bricksAt({near.begin(), near.end()});
+    const NodeSets gone = nodesToRemove(bricks_, pieces);
+    const auto isTouched = [&](const BrickKey& key) {  // itself, or the far end of an edge that it owns
+        const auto hasSome = [&](const BrickKey& at) { return gone.contains(at) && gone.at(at).any(); };
+        return hasSome(key) || hasSome(key.moved(1, 0, 0)) || hasSome(key.moved(0, 1, 0)) ||
+               hasSome(key.moved(0, 0, 1));
+    };
+    for (const auto& [key, nodes] : gone) {
+        if (bricks_.find(key) == nullptr || !isTouched(key)) continue;
+        Brick& brick = *bricks_.find(key);
+        journal_.keep(key, brick);
+        const MaterialVolumes taken = nodes.any() ? removeNodes(brick, nodes, lattice_.spacing()) : MaterialVolumes{};
+        for (std::size_t m = 0; m < kMaterialCount; ++m) result.removed[m] += taken[m];
+        result.changed.push_back(ChangedBrick::all(key));
+    }
+    for (const ChangedBrick& changed : result.changed) placeBorder(bricks_, changed.key, gone);
+    return result;
+}
+
+std::vector<ChangedBrick> CutVolume::undo() {
+    std::vector<ChangedBrick> changed;
+    ++carves_;  // what was found removable holds no more
+    ++undos_;
+    for (const auto& [key, before] : journal_.takeBack()) {
+        bricks_.find(key)->setField(before);
+        changed.push_back(ChangedBrick::all(key));
+    }
+    return changed;
+}
+
+std::vector<BrickKey> CutVolume::cutBricks() const {
+    std::vector<BrickKey> keys = bricks_.keys();
+    std::erase_if(keys, [&](const BrickKey& key) { return !bricks_.find(key)->isCut; });
+    return keys;
+}
+
+std::vector<ChangedBrick> CutVolume::adopt(const std::map<BrickKey, CutField>& fields) {
+    std::vector<BrickKey> keys;
+    for (const auto& [key, field] : fields) keys.push_back(key);
+    const std::vector<Brick*> bricks = bricksAt(keys);
+    std::vector<ChangedBrick> changed;
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        if (bricks[i] == nullptr) continue;
+        bricks[i]->setField(fields.at(keys[i]));
+        changed.push_back(ChangedBrick::all(keys[i]));
+    }
+    makeConcerned(changed);
+    return changed;
+}
+
+MaterialVolumes CutVolume::removedVolume() const {
+    std::vector<MaterialVolumes> parts;
+    for (const BrickKey& key : bricks_.keys()) {
+        const Brick& brick = *bricks_.find(key);
+        if (brick.isCut) parts.push_back(removedFromBrick(brick, lattice_.spacing()));
+    }
+    return sum(parts);
+}
+
+double CutVolume::cutDistance(const Vec3& point) const {
+    const Vec3 place = (point - lattice_.node(0, 0, 0)) / lattice_.spacing();
+    const Vec3 first = place.array().floor();
+    const Vec3 share = place - first;
+    BrickKey lastKey{};
+    const Brick* brick = nullptr;
+    double distance = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+        const Eigen::Vector3i step(corner & 1, corner >> 1 & 1, corner >> 2);
+        const auto [key, node] = NodePlace(first.cast<int>() + step);
+        if (corner == 0 || key != lastKey) brick = bricks_.find(key);
+        lastKey = key;
+        double weight = 1;
+        for (int axis = 0; axis < 3; ++axis) weight *= step[axis] == 1 ? share[axis] : 1 - share[axis];
+        distance += weight * (brick != nullptr ? brick->cut[node] : kCutBand * lattice_.spacing());
+    }
+    return distance;
+}
+
+std::uint64_t CutVolume::hash() const {
+    std::uint64_t hash = 0xcbf29ce484222325ULL;
+    for (const BrickKey& key : bricks_.keys()) {
+        const Brick& brick = *bricks_.find(key);
+        if (!brick.isCut) continue;
+        for (const int place : {key.x, key.y, key.z}) hash = fnv1a(hash, static_cast<std::uint32_t>(place));
+        for (int node = 0; node < kBrickNodes; ++node) {
+            hash = fnv1a(hash, std::uint64_t{std::bit_cast<std::uint32_t>(brick.cut[node])} << 32 |
+                                   std::bit_cast<std::uint32_t>(brick.cutNormal[node]));
+            hash = fnv1a(hash, std::uint64_t{std::bit_cast<std::uint32_t>(brick.tooth[node])} << 8 |
+                                   static_cast<std::uint64_t>(brick.material[node]));
+            for (const auto& crossings : brick.border) {
+                hash = fnv1a(hash, std::uint64_t{std::bit_cast<std::uint32_t>(crossings[node].place)} << 32 |
+                                       std::bit_cast<std::uint32_t>(crossings[node].normal));
+            }
+        }
+    }
+    return hash;
+}
+
+}  // namespace tactooth

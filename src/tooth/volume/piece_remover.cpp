@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tooth/volume/piece_remover.h"
+
+#include "tooth/volume/brick_carver.h"
+
+namespace tactooth {
+namespace {
+
+/// Voxels; how far an edge too thin to hold nodes is followed. One between a wall and the tooth's surface that meet at
+/// more than 15 degrees ends within it.
+constexpr int kFringe = 4;
+/// Share of a lattice edge: on the far side of the tooth's surface, wherever that crosses it.
+constexpr float kBeyondSurface = 0.95F;
+
+NodeSet nodesAt(const NodeSets& sets, const BrickKey& key) {
+    const auto found = sets.find(key);
+    return found == sets.end() ? NodeSet() : found->second;
+}
+
+NodeSet solidAt(const BrickMap& bricks, const BrickKey& key) {
+    const Brick* brick = bricks.find(key);
+    return brick != nullptr ? solidNodes(*brick) : NodeSet();
+}
+
+/// The solid nodes that are not of the pieces, in the pieces' bricks and all around them.
+NodeSets nodesThatStay(const BrickMap& bricks, const NodeSets& pieces) {
+    NodeSets stay;
+    for (const auto& [key, nodes] : pieces) {
+        for (int i = 0; i < 27; ++i) {
+            const BrickKey near = key.neighbour(i);
+            if (!stay.contains(near)) stay[near] = solidAt(bricks, near) & ~nodesAt(pieces, near);
+        }
+    }
+    return stay;
+}
+
+}  // namespace
+
+NodeSets nodesToRemove(const BrickMap& bricks, const NodeSets& pieces) {
+    NodeSets kept = widened(nodesThatStay(bricks, pieces));
+    NodeSets gone;
+    for (auto& [key, nodes] : kept) {
+        nodes &= ~(nodesAt(pieces, key) & solidAt(bricks, key));
+        gone[key] = nodesAt(pieces, key) & ~nodes;
+    }
+    for (int step = 0; step < kFringe; ++step) {
+        gone = widened(gone);
+        for (auto& [key, nodes] : gone) nodes &= ~kept[key];
+    }
+    return gone;
+}
+
+MaterialVolumes removeNodes(Brick& brick, const NodeSet& nodes, double spacing) {
+    MaterialVolumes taken = removedFromBrick(brick, spacing);
+    for (double& volume : taken) volume = -volume;
+    for (int node = 0; node < kBrickNodes; ++node) {
+        if (!nodes[static_cast<std::size_t>(node)]) continue;
+        brick.cut[node] = static_cast<float>(-kCutBand * spacing);
+        brick.setRemoved(node);
+    }
+    brick.isCut = true;
+    const MaterialVolumes after = removedFromBrick(brick, spacing);
+    for (std::size_t i = 0; i < taken.size(); ++i) taken[i] += after[i];
+    return taken;
+}
+
+void placeBorder(BrickMap& bricks, const BrickKey& key, const NodeSets& gone) {
+    Brick& brick = *bricks.find(key);
+    for (int axis = 0; axis < 3; ++axis) {
+        const BrickFace upper{axis, true};
+        const Brick* next = std::as_const(bricks).find(upper.beyond(key));
+        const NodeSet goneHere = nodesAt(gone, key);
+        const NodeSet goneNext = nodesAt(gone, upper.beyond(key));
+        for (int node = 0; node < kBrickNodes; ++node) {
+            const bool isLast = upper.nodes()[static_cast<std::size_t>(node)];
+            const int other = node + (isLast ? 1 - kBrickSide : 1) * nodeStride(axis);
+            const Brick* const owner = isLast ? next : &brick;
+            const bool isGone = goneHere[static_cast<std::size_t>(node)];
+            const bool isOtherGone = (isLast ? goneNext : goneHere)[static_cast<std::size_t>(other)];
+            if (!isGone && !isOtherGone) continue;
+            const bool isRemoved = brick.cut[node] < 0;
+            const bool isOtherRemoved = owner != nullptr && owner->cut[other] < 0;
+            if (isRemoved == isOtherRemoved) continue;
+            brick.border[axis][node] = {isGone ? kBeyondSurface : 1 - kBeyondSurface,
+                                        PackedDirection((isGone ? 1.0 : -1.0) * Vec3::Unit(axis))};
+        }
+    }
+}
+
+}  // namespace tactooth

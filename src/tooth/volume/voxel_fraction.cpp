@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tooth/volume/voxel_fraction.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tactooth {
+namespace {
+
+/// Components of a normal below this are raised to it: the closed form divides by their product.
+constexpr double kLeastComponent = 1e-3;
+/// Slices a side for the share within two half-spaces.
+constexpr int kSlices = 4;
+
+double cubed(double value) { return value > 0 ? value * value * value : 0; }
+
+/// Volume of {x in [0,1]^3 : m . x < alpha} for positive m (R. Scardovelli, S. Zaleski, "Analytical Relations
+/// Connecting Linear Interfaces and Volume Fractions in Rectangular Grids", J. Comput. Phys. 2000).
+double corneredVolume(const Vec3& m, double alpha) {
+    const double sum = m.x() + m.y() + m.z();
+    double volume = cubed(alpha) - cubed(alpha - sum);
+    for (int axis = 0; axis < 3; ++axis) {
+        volume += cubed(alpha - sum + m[axis]) - cubed(alpha - m[axis]);
+    }
+    return std::clamp(volume / (6 * (m.x() * m.y() * m.z())), 0.0, 1.0);
+}
+
+/// The middles of a row of slices, from that of the cube.
+struct Slices {
+    static_assert(kSlices == 4);
+    Eigen::Array4d x{-0.375, -0.125, 0.125, 0.375};
+    double y, z;
+    Slices(int row, int layer) : y(x[row]), z(x[layer]) {}
+};
+
+Eigen::Array4d cubed(const Eigen::Array4d& values) {
+    const Eigen::Array4d positive = values.max(0.0);
+    return positive * positive * positive;
+}
+
+}  // namespace
+
+// Operation by operation that of one half-space, so that a node's share does not depend on the nodes beside it.
+Eigen::Array4d cubeFractions(const Eigen::Array4d& distances, const std::array<Eigen::Array4d, 3>& normalSizes) {
+    std::array<Eigen::Array4d, 3> m;
+    for (int axis = 0; axis < 3; ++axis) m[axis] = normalSizes[axis].max(kLeastComponent);
+    const Eigen::Array4d sum = m[0] + m[1] + m[2];
+    const Eigen::Array4d reach = 0.5 * sum;
+    const Eigen::Array4d alpha = reach - distances;
+    Eigen::Array4d volume = cubed(alpha) - cubed(alpha - sum);
+    for (int axis = 0; axis < 3; ++axis) volume += cubed(alpha - sum + m[axis]) - cubed(alpha - m[axis]);
+    const Eigen::Array4d share = (volume / (6 * (m[0] * m[1] * m[2]))).max(0.0).min(1.0);
+    return (distances >= reach).select(0.0, (distances <= -reach).select(1.0, share));
+}
+
+double cubeFraction(const HalfSpace& half) {
+    const Vec3 m = half.normal.cwiseAbs().cwiseMax(kLeastComponent);
+    const double reach = 0.5 * (m.x() + m.y() + m.z());
+    if (half.distance >= reach) return 0;
+    if (half.distance <= -reach) return 1;
+    return corneredVolume(m, reach - half.distance);
+}
+
+double cubeFraction(const HalfSpace& first, const HalfSpace& second) {
+    const double one = cubeFraction(first);
+    const double two = cubeFraction(second);
+    if (one == 0 || two == 0) return 0;
+    if (one == 1) return two;
+    if (two == 1) return one;
+    const auto shareOfSlices = [](const HalfSpace& half, const Slices& at) -> Eigen::Array4d {
+        const Eigen::Array4d distances =
+            half.distance + half.normal.x() * at.x + half.normal.y() * at.y + half.normal.z() * at.z;
+        return (0.5 - distances * kSlices).max(0.0).min(1.0);
+    };
+    Eigen::Array4d total = Eigen::Array4d::Zero();
+    for (int z = 0; z < kSlices; ++z) {
+        for (int y = 0; y < kSlices; ++y) {
+            const Slices row(y, z);
+            total += shareOfSlices(first, row) * shareOfSlices(second, row);
+        }
+    }
+    return total.sum() / (kSlices * kSlices * kSlices);
+}
+
+}  // namespace tactooth

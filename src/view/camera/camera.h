@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "geometry/util/pose.h"
+
+namespace tactooth {
+
+using Vec2 = Eigen::Vector2d;
+using Mat4 = Eigen::Matrix4d;
+
+/// Size of a picture in pixels.
+struct PictureSize {
+    int width = 0;
+    int height = 0;
+
+    [[nodiscard]] double aspect() const { return static_cast<double>(width) / height; }
+    bool operator==(const PictureSize&) const = default;
+};
+
+/// A half line in world coordinates; `direction` is unit.
+struct Ray {
+    Vec3 origin;
+    Vec3 direction;
+};
+
+/// An infinite plane: the points x with normal . x = offset; `normal` is unit.
+struct Plane {
+    Vec3 normal = Vec3::UnitZ();
+    double offset = 0;
+
+    [[nodiscard]] double signedDistance(const Vec3& point) const { return normal.dot(point) - offset; }
+};
+
+/// A perspective camera. It looks along its own -z; +x is to the right and +y is up in the picture.
+struct Camera {
+    Pose cameraInWorld;
+    double fieldOfView = 0.44;    ///< full vertical angle, rad; 25 degrees is what a loupe-wearing dentist's eye sees
+    double nearDistance = 1.0;    ///< mm; nothing nearer is drawn
+    double farDistance = 1000.0;  ///< mm; nothing farther is drawn
+    /// How far the picture's middle stands aside from straight ahead, in half picture heights: an eye of a stereo pair.
+    double lensShift = 0;
+};
+
+/// World coordinates to camera coordinates.
+[[nodiscard]] Mat4 viewMatrix(const Camera& camera);
+
+/// Camera coordinates to OpenGL clip coordinates, for a picture of this width / height.
+[[nodiscard]] Mat4 projectionMatrix(const Camera& camera, double aspect);
+
+/// The reflection of the world in `plane`, as a matrix on points.
+[[nodiscard]] Mat4 reflectionMatrix(const Plane& plane);
+
+/// The half line from the eye through `pixel` (origin at the picture's top left corner, y down, the first pixel's
+/// centre is at 0.5, 0.5).
+[[nodiscard]] Ray rayThrough(const Camera& camera, PictureSize size, const Vec2& pixel);
+
+/// Where `point` (world) stands in the picture; nothing if it is not in front of the eye.
+[[nodiscard]] std::optional<Vec2> project(const Camera& camera, PictureSize size, const Vec3& point);
+
+}  // namespace tactooth

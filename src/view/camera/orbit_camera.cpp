@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "view/camera/orbit_camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace tactooth {
+
+namespace {
+
+constexpr double kRightAngle = std::numbers::pi / 2;
+constexpr double kNearestEye = 1.5;   ///< mm: nearer, a single enamel prism would fill the picture
+constexpr double kFarthestEye = 2e3;  ///< mm: a mouth is 20 pixels high there
+constexpr double kMargin = 1.08;      ///< a fitted object leaves this much room around itself
+
+}  // namespace
+
+Quat OrbitCamera::rotation() const {
+    // A camera at rest looks down -z with +y up: it stands at the zenith. Tilt it down to the horizon (its up is then
+    // +z and it stands at -y), up again by the elevation, then walk around.
+    const Eigen::AngleAxisd tilt(kRightAngle - direction_.elevation, Vec3::UnitX());
+    const Eigen::AngleAxisd walk(direction_.azimuth + kRightAngle, Vec3::UnitZ());
+    return Quat(walk * tilt);
+}
+
+void OrbitCamera::fit(const Box3& box, double aspect) {
+    if (box.isEmpty()) return;
+    target_ = box.center();
+    reach_ = std::max(0.5 * box.diagonal().norm(), kNearestEye / 4);
+    const double narrowest = std::atan(std::tan(Camera{}.fieldOfView / 2) * std::min(1.0, aspect));
+    distance_ = std::clamp(kMargin * reach_ / std::sin(narrowest), kNearestEye, kFarthestEye);
+}
+
+void OrbitCamera::look(StandardView view, double mesialX) {
+    switch (view) {
+        case StandardView::Occlusal:
+            return look({-kRightAngle, kRightAngle});
+        case StandardView::Buccal:
+            return look({kRightAngle, 0});
+        case StandardView::Lingual:
+            return look({-kRightAngle, 0});
+        case StandardView::Mesial:
+            return look({mesialX > 0 ? 0 : 2 * kRightAngle, 0});
+        case StandardView::Distal:
+            return look({mesialX > 0 ? 2 * kRightAngle : 0, 0});
+    }
+}
+
+void OrbitCamera::look(Direction direction) {
+    direction_.azimuth = std::remainder(direction.azimuth, 4 * kRightAngle);
+    direction_.elevation = std::clamp(direction.elevation, -kRightAngle, kRightAngle);
+}
+
+void OrbitCamera::orbit(const Vec2& pixels, PictureSize size) {
+    const double perPixel = 2 * kRightAngle / size.height;
+    look({direction_.azimuth - pixels.x() * perPixel, direction_.elevation + pixels.y() * perPixel});
+}
+
+double OrbitCamera::pixelPitch(PictureSize size) const {
+    return 2 * distance_ * std::tan(Camera{}.fieldOfView / 2) / size.height;
+}
+
+void OrbitCamera::pan(const Vec2& pixels, PictureSize size) {
+    target_ += rotation() * Vec3(-pixels.x(), pixels.y(), 0) * pixelPitch(size);
+}
+
+void OrbitCamera::zoom(double factor, const Vec2& pixel, PictureSize size) {
+    const double before = distance_;
+    distance_ = std::clamp(distance_ * factor, kNearestEye, kFarthestEye);
+    const Vec2 fromCentre = pixel - Vec2(size.width / 2.0, size.height / 2.0);
+    pan(fromCentre * (1 - before / distance_), size);
+}
+
+void OrbitCamera::turnAround(const Vec3& point) {
+    const Vec3 eye = camera().cameraInWorld.position;
+    const Vec3 backward = rotation() * Vec3::UnitZ();
+    const double depth = std::clamp((eye - point).dot(backward), kNearestEye, kFarthestEye);
+    distance_ = depth;
+    target_ = eye - depth * backward;
+}
+
+Camera OrbitCamera::camera() const {
+    const Quat cameraRotation = rotation();
+    // Near and far follow the distance so that the 24-bit depth buffer resolves a few micrometres at the target; tools
+    // reach far to both sides of the tooth.
+    return {.cameraInWorld = {target_ + cameraRotation * Vec3(0, 0, distance_), cameraRotation},
+            .nearDistance = std::max(0.04 * distance_, 0.1),
+            .farDistance = 4 * distance_ + 10 * reach_ + 200};
+}
+
+OrbitCamera::Direction mirroredInX(OrbitCamera::Direction direction) {
+    return {2 * kRightAngle - direction.azimuth, direction.elevation};
+}
+
+}  // namespace tactooth

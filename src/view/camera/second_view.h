@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "view/camera/camera.h"
+
+namespace tactooth {
+
+/// A small picture of the same scene from another side, without mirror and handles, in the upper right corner of the
+/// picture; none in stereo.
+struct SecondView {
+    Camera camera;
+    bool anew = true;  ///< else the last one may stay, as long as its size does: it need not keep pace with the hand
+};
+
+inline constexpr double kSecondViewAspect = 4.0 / 3.0;  ///< a tooth with its bur is about as high as wide
+
+/// Where it stands, in pixels from the picture's upper left corner.
+struct SecondViewPlace {
+    int left = 0, top = 0;
+    PictureSize size;
+};
+[[nodiscard]] SecondViewPlace secondViewPlace(PictureSize picture);
+
+}  // namespace tactooth

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <epoxy/gl.h>
+
+#include <string>
+#include <utility>
+
+#include "geometry/util/expected.h"
+
+namespace tactooth::gl {
+
+/// Owns one OpenGL object; moves, never copies. Made and destroyed with its context current.
+template <class Kind>
+class Object {
+public:
+    Object() = default;
+    [[nodiscard]] static Object make() { return Object(Kind::create()); }
+    Object(Object&& other) noexcept : name_(std::exchange(other.name_, 0)) {}
+    Object& operator=(Object&& other) noexcept {
+        std::swap(name_, other.name_);
+        return *this;
+    }
+    ~Object() {
+        if (name_ != 0) Kind::destroy(name_);
+    }
+
+    [[nodiscard]] GLuint name() const { return name_; }
+    explicit operator bool() const { return name_ != 0; }
+
+private:
+    explicit Object(GLuint name) : name_(name) {}
+    GLuint name_ = 0;
+};
+
+struct BufferKind {
+    static GLuint create() {
+        GLuint name = 0;
+        return glGenBuffers(1, &name), name;
+    }
+    static void destroy(GLuint name) { glDeleteBuffers(1, &name); }
+};
+struct VertexArrayKind {
+    static GLuint create() {
+        GLuint name = 0;
+        return glGenVertexArrays(1, &name), name;
+    }
+    static void destroy(GLuint name) { glDeleteVertexArrays(1, &name); }
+};
+struct TextureKind {
+    static GLuint create() {
+        GLuint name = 0;
+        return glGenTextures(1, &name), name;
+    }
+    static void destroy(GLuint name) { glDeleteTextures(1, &name); }
+};
+struct RenderbufferKind {
+    static GLuint create() {
+        GLuint name = 0;
+        return glGenRenderbuffers(1, &name), name;
+    }
+    static void destroy(GLuint name) { glDeleteRenderbuffers(1, &name); }
+};
+struct FramebufferKind {
+    static GLuint create() {
+        GLuint name = 0;
+        return glGenFramebuffers(1, &name), name;
+    }
+    static void destroy(GLuint name) { glDeleteFramebuffers(1, &name); }
+};
+struct ProgramKind {
+    static GLuint create() { return glCreateProgram(); }
+    static void destroy(GLuint name) { glDeleteProgram(name); }
+};
+
+using Buffer = Object<BufferKind>;
+using VertexArray = Object<VertexArrayKind>;
+using Texture = Object<TextureKind>;
+using Renderbuffer = Object<RenderbufferKind>;
+using Framebuffer = Object<FramebufferKind>;
+using Program = Object<ProgramKind>;
+
+/// Fails with a sentence if OpenGL has reported an error since the last call; `doing` completes "while ...".
+[[nodiscard]] Expected<void> checkErrors(const std::string& doing);
+
+/// Makes the current texture unit's 2-D texture `texture` with storage of one level, clamped, with this filter.
+void allocateTexture(const Texture& texture, GLenum internalFormat, int width, int height, GLenum filter);
+
+/// Gives a texture of this kind (GL_TEXTURE_2D ...) to a unit and goes back to the first one.
+void bindTexture(int unit, GLenum kind, GLuint texture);
+
+}  // namespace tactooth::gl

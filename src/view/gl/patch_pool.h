@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <memory>
+
+#include "view/mesh/patch_shading.h"
+#include "view/mesh/range_allocator.h"
+#include "view/gl/triangle_buffers.h"
+
+namespace tactooth {
+
+/// The patches of one tooth on the graphics card, all in one pair of buffers so that hundreds of them are one drawing
+/// call. Only patches that are new since the last snapshot are uploaded, and those whose walls go on in them: the two
+/// are shaded as one.
+class PatchPool {
+public:
+    PatchPool();
+
+    /// Brings the pool in step with `surface`; `baseShading` are the corner normals of its base.
+    void update(const Surface& surface, const CornerShading& baseShading);
+    void draw(const ClusterCuller& culler);
+    [[nodiscard]] const Box3& box() const { return box_; }
+    /// Where the last update changed what is seen, shading apart.
+    [[nodiscard]] const Box3& changed() const { return changed_; }
+    /// Triangles uploaded by the last update.
+    [[nodiscard]] std::size_t lastUpload() const { return lastUpload_; }
+
+private:
+    struct Place {
+        explicit Place(ShadedPatch shaded) : patch(std::move(shaded)) {}
+
+        ShadedPatch patch;
+        std::uint32_t firstVertex = 0;
+        std::uint32_t vertices = 0;
+        std::uint32_t firstTriangle = 0;
+        std::uint32_t triangles = 0;
+        std::vector<TriangleCluster> clusters;
+        Box3 box;
+        bool wanted = true;
+        bool isStale = true;  ///< to be shaded and uploaded
+    };
+    void takeNew(const Surface& surface, const CornerShading& baseShading);
+    void markNeighbours();
+    void uploadStale(const SurfacePart& base, const CornerShading& baseShading);
+    [[nodiscard]] std::vector<const ShadedPatch*> neighboursOf(const Place& place) const;
+    void upload(Place& place, ShadingMesh mesh);
+    void release(const Place& place);
+    [[nodiscard]] std::uint32_t claimVertices(std::uint32_t count);
+    [[nodiscard]] std::uint32_t claimTriangles(std::uint32_t count);
+
+    TriangleBuffers buffers_;
+    RangeAllocator vertices_;
+    RangeAllocator triangles_;
+    std::map<std::uint64_t, Place> places_;  ///< by SurfacePart::id
+    std::vector<TriangleRun> runs_;
+    Box3 box_;
+    Box3 changed_;
+    std::size_t lastUpload_ = 0;
+};
+
+}  // namespace tactooth

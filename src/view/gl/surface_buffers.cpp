@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "view/gl/surface_buffers.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+
+namespace tactooth {
+
+namespace {
+
+using MeshPointer = std::shared_ptr<const TriangleMesh>;
+using SurfacePointer = std::shared_ptr<const Surface>;
+
+const TriangleMesh& meshOf(const SceneShape& shape) {
+    if (const auto* mesh = std::get_if<MeshPointer>(&shape)) return **mesh;
+    return std::get<SurfacePointer>(shape)->base->mesh();
+}
+
+std::span<const SurfaceTag> tagsOf(const SceneShape& shape) {
+    if (std::holds_alternative<MeshPointer>(shape)) return {};
+    return std::get<SurfacePointer>(shape)->base->tags();
+}
+
+/// What a place of the index buffer is to hold.
+struct Change {
+    std::uint32_t place;
+    Triangle triangle;
+};
+
+/// The numbers of the triangles whose bit differs between two masks of the same length.
+std::vector<std::uint32_t> changedTriangles(const TriangleMask& a, const TriangleMask& b) {
+    std::vector<std::uint32_t> changed;
+    for (std::size_t word = 0; word < a.size(); ++word) {
+        for (std::uint64_t bits = a[word] ^ b[word]; bits != 0; bits &= bits - 1) {
+            changed.push_back(static_cast<std::uint32_t>(64 * word) +
+                              static_cast<std::uint32_t>(std::countr_zero(bits)));
+        }
+    }
+    return changed;
+}
+
+}  // namespace
+
+bool hasTriangles(const SceneShape& shape) {
+    if (const auto* mesh = std::get_if<MeshPointer>(&shape)) return *mesh != nullptr && !(*mesh)->empty();
+    const SurfacePointer& surface = std::get<SurfacePointer>(shape);
+    return surface != nullptr && surface->base != nullptr && !surface->base->mesh().empty();
+}
+
+SurfaceBuffers::Prepared SurfaceBuffers::prepare(const SceneShape& shape) {
+    assert(hasTriangles(shape));
+    Prepared prepared;
+    prepared.shading = cornerShading(meshOf(shape), tagsOf(shape));
+    prepared.mesh = shadingMesh(meshOf(shape), prepared.shading);
+    prepared.detail = detailTree(prepared.mesh);
+    return prepared;
+}
+
+SurfaceBuffers::SurfaceBuffers(const SceneShape& shape) : SurfaceBuffers(shape, prepare(shape)) {}
+
+SurfaceBuffers::SurfaceBuffers(const SceneShape& shape, Prepared prepared)
+    : shown_(shape),
+      shading_(std::move(prepared.shading)),
+      detail_(std::move(prepared.detail)),
+      hiddenOfNode_(detail_.nodes.size()),
+      mustBeTrue_(detail_.nodes.size()),
+      placeOfTriangle_(std::move(prepared.mesh.placeOfTriangle)),
+      box_(prepared.mesh.box),
+      hidden_((placeOfTriangle_.size() + 63) / 64),
+      buffers_(static_cast<std::uint32_t>(prepared.mesh.vertices.size()),
+               static_cast<std::uint32_t>(detail_.triangles.size())) {
+    buffers_.writeVertices(0, prepared.mesh.vertices);
+    buffers_.writeTriangles(0, detail_.triangles);
+}
+
+bool SurfaceBuffers::holds(const SceneShape& shape) const {
+    if (shown_.index() != shape.index()) return false;
+    if (std::holds_alternative<MeshPointer>(shape)) return shown_ == shape;
+    return std::get<SurfacePointer>(shown_)->base->id() == std::get<SurfacePointer>(shape)->base->id();
+}
+
+bool SurfaceBuffers::update(const SceneShape& shape) {
+    assert(holds(shape));
+    if (updated_ && shown_ == shape) return false;
+    lastUpload_ = updated_ ? 0 : placeOfTriangle_.size();
+    changed_ = updated_ ? Box3() : box_;
+    if (const auto* pointer = std::get_if<SurfacePointer>(&shape)) {
+        const Surface& surface = **pointer;
+        hide(surface.hidden != nullptr ? *surface.hidden : TriangleMask{});
+        patches_.update(surface, shading_);
+        changed_.extend(patches_.changed());
+        lastUpload_ += patches_.lastUpload();
+    }
+    shown_ = shape;
+    updated_ = true;
+    return true;
+}
+
+void SurfaceBuffers::hide(const TriangleMask& mask) {
+    TriangleMask wanted = mask;
+    wanted.resize(hidden_.size());
+    const std::vector<std::uint32_t> toggled = changedTriangles(hidden_, wanted);
+    std::vector<Change> changes;
+    changes.reserve(toggled.size());
+    for (const std::uint32_t triangle : toggled) {
+        for (int corner = 0; corner < 3; ++corner) changed_.extend(meshOf(shown_).corner(triangle, corner));
+        const std::uint32_t place = placeOfTriangle_[triangle];
+        const Triangle& shown = detail_.triangles[place];
+        const bool hides = isHidden(wanted, triangle);
+        changes.push_back({place, hides ? Triangle{shown[0], shown[0], shown[0]} : shown});
+        std::uint32_t& hidden = hiddenOfNode_[place / kTrianglesPerPiece];
+        hides ? ++hidden : --hidden;
+    }
+    std::sort(changes.begin(), changes.end(), [](const Change& a, const Change& b) { return a.place < b.place; });
+    std::vector<Triangle> run;
+    for (std::size_t i = 0; i < changes.size(); ++i) {
+        run.push_back(changes[i].triangle);
+        if (i + 1 < changes.size() && changes[i + 1].place == changes[i].place + 1) continue;
+        buffers_.writeTriangles(changes[i].place + 1 - static_cast<std::uint32_t>(run.size()), run);
+        run.clear();
+    }
+    lastUpload_ += changes.size();
+    hidden_ = std::move(wanted);
+    if (!changes.empty()) markHurtNodes();
+}
+
+void SurfaceBuffers::markHurtNodes() {
+    for (std::size_t i = 0; i < detail_.nodes.size(); ++i) {
+        const DetailNode& node = detail_.nodes[i];
+        mustBeTrue_[i] = hiddenOfNode_[i] > 0;
+        for (std::size_t child = 0; child < node.children; ++child) {
+            if (mustBeTrue_[node.firstChild + child]) mustBeTrue_[i] = true;
+        }
+    }
+}
+
+void SurfaceBuffers::draw(const ClusterCuller& culler) {
+    runs_.clear();
+    visibleRuns(culler, detail_, mustBeTrue_, runs_);
+    buffers_.draw(runs_);
+    patches_.draw(culler);
+}
+
+}  // namespace tactooth

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "view/mesh/distance_grid.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "collision/bvh/closest_point.h"
+#include "geometry/util/parallel_for.h"
+
+namespace tactooth {
+
+namespace {
+
+/// From -1 to 1 in equal steps, sRGB.
+const std::array<Vec3f, 7> kStops = {{{0.50F, 0.23F, 0.03F},
+                                      {0.88F, 0.51F, 0.08F},
+                                      {0.99F, 0.80F, 0.58F},
+                                      {0.97F, 0.97F, 0.97F},
+                                      {0.70F, 0.82F, 0.93F},
+                                      {0.26F, 0.55F, 0.79F},
+                                      {0.03F, 0.19F, 0.42F}}};
+
+}  // namespace
+
+DistanceGrid distancesTo(const SurfacePart& target, const Box3& box, int longest) {
+    DistanceGrid grid;
+    grid.low = box.min();
+    grid.spacing = box.sizes().maxCoeff() / (longest - 1);
+    grid.counts = (box.sizes().array() / grid.spacing).ceil().cast<int>() + 1;
+    const int nx = grid.counts.x(), ny = grid.counts.y(), nz = grid.counts.z();  // clang 14 lets no lambda take bindings
+    grid.values.resize(static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny) * static_cast<std::size_t>(nz));
+    const auto rows = static_cast<std::size_t>(ny) * static_cast<std::size_t>(nz);
+    parallelFor(rows, [&](std::size_t row) {
+        const auto y = static_cast<double>(row % static_cast<std::size_t>(ny));
+        const auto z = static_cast<double>(row / static_cast<std::size_t>(ny));
+        for (int x = 0; x < nx; ++x) {
+            const Vec3 point = grid.low + grid.spacing * Vec3(x, y, z);
+            grid.values[row * static_cast<std::size_t>(nx) + static_cast<std::size_t>(x)] =
+                static_cast<float>(signedDistance(target, point));
+        }
+    });
+    return grid;
+}
+
+Vec3f distanceColour(double share) {
+    const double place = (std::clamp(share, -1.0, 1.0) + 1) / 2 * (kStops.size() - 1);
+    const auto below = std::min(static_cast<std::size_t>(place), kStops.size() - 2);
+    const auto part = static_cast<float>(place - static_cast<double>(below));
+    return (1 - part) * kStops[below] + part * kStops[below + 1];
+}
+
+}  // namespace tactooth

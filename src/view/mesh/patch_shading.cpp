@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "view/mesh/patch_shading.h"
+
+#include <algorithm>
+#include <map>
+
+#include "collision/bvh/closest_point.h"
+#include "view/mesh/tag_shares.h"
+
+namespace tactooth {
+
+namespace {
+
+/// A point this near to the base lies on it, mm: coordinates of a mouth in single precision are exact to 0.01 um, and
+/// no cut follows the surface to 0.2 um.
+constexpr double kOnBase = 2e-4;
+
+/// The base triangle of which triangle `t` of the patch is a piece, if it is one.
+std::optional<std::uint32_t> baseTriangle(const TriangleMesh& patch, std::uint32_t t, const SurfacePart& base) {
+    const Vec3 centre = (patch.corner(t, 0) + patch.corner(t, 1) + patch.corner(t, 2)) / 3;
+    const auto nearest = closestPoint(base, centre, kOnBase);
+    if (!nearest) return std::nullopt;
+    const Vec3 normal = base.mesh().areaVector(nearest->triangle).stableNormalized();
+    for (int corner = 0; corner < 3; ++corner) {
+        if (std::abs(normal.dot(patch.corner(t, corner) - nearest->point)) > kOnBase) return std::nullopt;
+    }
+    return nearest->triangle;
+}
+
+/// A corner of a patch: its normal and its looks.
+struct Corner {
+    Vec3f normal;
+    LookMix mix;
+};
+
+/// The shading of base triangle `t` at `point`, which lies on it.
+Corner interpolated(const TriangleMesh& base, const CornerShading& shading, std::uint32_t t, const Vec3& point) {
+    const Vec3 area = base.areaVector(t);
+    Vec3f sum = Vec3f::Zero();
+    TagShares shares;
+    for (std::uint32_t corner = 0; corner < 3; ++corner) {
+        const Vec3 a = base.corner(t, (corner + 1) % 3) - point;
+        const Vec3 b = base.corner(t, (corner + 2) % 3) - point;
+        const auto weight = static_cast<float>(std::max(0.0, a.cross(b).dot(area) / area.squaredNorm()));
+        sum += weight * shading.normals[3 * t + corner];
+        const LookMix& mix = shading.looks[3 * t + corner];
+        const float second = static_cast<float>(mix.share) / 255;
+        shares.add(mix.first, weight * (1 - second));
+        if (mix.share > 0) shares.add(mix.second, weight * second);
+    }
+    return {sum.stableNormalized(), shares.mix()};
+}
+
+/// The looks of the base where a wall's vertex stands on it. A base triangle's tag stands for all of it, while a wall
+/// knows its material to a few micrometres: without this, a scratch would show as a stripe of another colour.
+std::optional<LookMix> looksOfRim(const SurfacePart& base, const CornerShading& shading, const Vec3& vertex) {
+    const auto nearest = closestPoint(base, vertex, kOnBase);
+    if (!nearest) return std::nullopt;
+    return interpolated(base.mesh(), shading, nearest->triangle, nearest->point).mix;
+}
+
+ShadedPatch::Place placeOf(const Vec3f& v) { return {v.x(), v.y(), v.z()}; }
+
+/// A patch's wall, and what of its neighbours' walls touches it, as one mesh. Neighbours meet in vertices of equal
+/// bits.
+class JoinedWall {
+public:
+    explicit JoinedWall(const ShadedPatch& patch) : places_(patch.places) {
+        for (const ShadedPatch::Place& place : places_) mesh_.vertices.emplace_back(place.data());
+        const auto isOwn = [](std::uint32_t) { return true; };
+        addTriangles(patch, isOwn, [&](std::uint32_t vertex) { return patch.placeOfVertex[vertex]; });
+    }
+
+    void addTouching(const ShadedPatch& neighbour) {
+        const std::vector<std::uint32_t> shared = sharedPlaces(neighbour.places);
+        const auto touches = [&](std::uint32_t vertex) {
+            return shared[neighbour.placeOfVertex[vertex]] != ShadedPatch::kNotOfWall;
+        };
+        addTriangles(neighbour, touches, [&](std::uint32_t vertex) {
+            const std::uint32_t place = neighbour.placeOfVertex[vertex];
+            return shared[place] != ShadedPatch::kNotOfWall ? shared[place] : fartherVertex(neighbour.places[place]);
+        });
+    }
+
+    [[nodiscard]] CornerShading shading() const { return cornerShading(mesh_, tags_); }
+
+private:
+    /// Which of the patch's own places each of `others` is, if any. Both ascend.
+    [[nodiscard]] std::vector<std::uint32_t> sharedPlaces(const std::vector<ShadedPatch::Place>& others) const {
+        std::vector<std::uint32_t> shared(others.size(), ShadedPatch::kNotOfWall);
+        std::size_t own = 0;
+        for (std::size_t i = 0; i < others.size(); ++i) {
+            while (own < places_.size() && places_[own] < others[i]) ++own;
+            if (own < places_.size() && places_[own] == others[i]) shared[i] = static_cast<std::uint32_t>(own);
+        }
+        return shared;
+    }
+
+    /// Adds those triangles of the wall of `patch` of which a vertex `counts`, with the vertices that `joined` tells.
+    template <class Counts, class Joined>
+    void addTriangles(const ShadedPatch& patch, const Counts& counts, const Joined& joined) {
+        const TriangleMesh& mesh = patch.part->mesh();
+        for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+            const Triangle& corners = mesh.triangles[t];
+            if (patch.carriedOn[t] || std::none_of(corners.begin(), corners.end(), counts)) continue;
+            mesh_.triangles.push_back({joined(corners[0]), joined(corners[1]), joined(corners[2])});
+            tags_.push_back(patch.part->tag(t));
+        }
+    }
+
+    /// The vertex of a neighbour that the patch itself does not have.
+    std::uint32_t fartherVertex(const ShadedPatch::Place& place) {
+        const auto [known, isNew] = farther_.try_emplace(place, static_cast<std::uint32_t>(mesh_.vertices.size()));
+        if (isNew) mesh_.vertices.emplace_back(place.data());
+        return known->second;
+    }
+
+    const std::vector<ShadedPatch::Place>& places_;
+    TriangleMesh mesh_;
+    std::vector<SurfaceTag> tags_;
+    std::map<ShadedPatch::Place, std::uint32_t> farther_;
+};
+
+/// The vertices of the triangles of `patch` that are its wall, one for each of their corners.
+std::vector<std::uint32_t> cornersOfWall(const ShadedPatch& patch) {
+    const std::vector<Triangle>& triangles = patch.part->mesh().triangles;
+    std::vector<std::uint32_t> corners;
+    corners.reserve(3 * triangles.size());
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        if (!patch.carriedOn[t]) corners.insert(corners.end(), triangles[t].begin(), triangles[t].end());
+    }
+    return corners;
+}
+
+}  // namespace
+
+ShadedPatch::ShadedPatch(std::shared_ptr<const SurfacePart> patch, const SurfacePart& base,
+                         const CornerShading& baseShading)
+    : part(std::move(patch)) {
+    const TriangleMesh& mesh = part->mesh();
+    carriedOn.reserve(mesh.triangles.size());
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) carriedOn.push_back(baseTriangle(mesh, t, base));
+    const std::vector<std::uint32_t> corners = cornersOfWall(*this);
+    places.reserve(corners.size());
+    for (const std::uint32_t vertex : corners) places.push_back(placeOf(mesh.vertices[vertex]));
+    std::sort(places.begin(), places.end());
+    places.erase(std::unique(places.begin(), places.end()), places.end());
+    placeOfVertex.assign(mesh.vertices.size(), kNotOfWall);
+    for (const std::uint32_t vertex : corners) {
+        if (placeOfVertex[vertex] != kNotOfWall) continue;
+        const auto place = std::lower_bound(places.begin(), places.end(), placeOf(mesh.vertices[vertex]));
+        placeOfVertex[vertex] = static_cast<std::uint32_t>(place - places.begin());
+    }
+    rims.reserve(places.size());
+    for (const Place& place : places) {
+        const Vec3 point = Vec3f(place.data()).cast<double>();
+        wall.extend(point);
+        rims.push_back(looksOfRim(base, baseShading, point));
+    }
+}
+
+CornerShading patchShading(const ShadedPatch& patch, std::span<const ShadedPatch* const> neighbours,
+                           const SurfacePart& base, const CornerShading& baseShading) {
+    JoinedWall walls(patch);
+    for (const ShadedPatch* neighbour : neighbours) walls.addTouching(*neighbour);
+    const CornerShading joined = walls.shading();
+
+    const TriangleMesh& mesh = patch.part->mesh();
+    CornerShading shading{std::vector<Vec3f>(3 * mesh.triangles.size()),
+                          std::vector<LookMix>(3 * mesh.triangles.size())};
+    std::size_t ofWall = 0;  // its triangles stand first among the joined ones, in their order
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+        for (std::uint32_t c = 0; c < 3; ++c) {
+            Corner corner;
+            if (const auto& carried = patch.carriedOn[t]) {
+                corner = interpolated(base.mesh(), baseShading, *carried, mesh.corner(t, static_cast<int>(c)));
+            } else {
+                const auto& rim = patch.rims[patch.placeOfVertex[mesh.triangles[t][c]]];
+                corner = {joined.normals[3 * ofWall + c], rim.value_or(joined.looks[3 * ofWall + c])};
+            }
+            shading.normals[3 * t + c] = corner.normal;
+            shading.looks[3 * t + c] = corner.mix;
+        }
+        ofWall += patch.carriedOn[t] ? 0 : 1;
+    }
+    return shading;
+}
+
+}  // namespace tactooth

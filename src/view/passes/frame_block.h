@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+
+#include "view/gl/gl_objects.h"
+#include "view/scene/scene.h"
+
+namespace tactooth {
+
+/// From where one pass looks.
+struct PassView {
+    Mat4 worldToView = Mat4::Identity();
+    Mat4 viewToClip = Mat4::Identity();
+    Vec3 eye = Vec3::Zero();  ///< world, mm
+    bool mirrored = false;    ///< worldToView contains a reflection, which turns triangles around
+    Eigen::Vector4d clipPlane = Eigen::Vector4d(0, 0, 0, 1);  ///< world; only points on its positive side are drawn
+    Eigen::Vector4d section = Eigen::Vector4d(0, 0, 0, 1);    ///< likewise, for sectioned objects
+
+    [[nodiscard]] Mat4 worldToClip() const { return viewToClip * worldToView; }
+};
+
+/// The uniform block `Frame` of shaders/frame.glsl, in its std140 layout.
+struct FrameBlock {
+    Eigen::Matrix4f worldToClip;
+    Eigen::Matrix4f clipToWorld;
+    Eigen::Matrix4f worldToShadow;
+    Eigen::Vector4f eye;
+    Eigen::Vector4f clipPlane;
+    Eigen::Vector4f section;
+    Eigen::Vector4f toKey;
+    Eigen::Vector4f keyColour;
+    Eigen::Vector4f toFill;
+    Eigen::Vector4f fillColour;
+    Eigen::Vector4f skyColour;
+    Eigen::Vector4f groundColour;
+    Eigen::Vector4f backgroundTop;
+    Eigen::Vector4f backgroundBottom;
+    Eigen::Vector4f pictureSize;
+    Eigen::Vector4f shadowTexel;
+};
+static_assert(offsetof(FrameBlock, shadowTexel) == 3 * 64 + 12 * 16);
+
+/// What the shaders need to look a point up in the shadow map.
+struct ShadowLookup {
+    Mat4 worldToShadow = Mat4::Identity();
+    double texel = 1;  ///< size of a texel in texture coordinates
+    double pitch = 1;  ///< mm per texel
+    double error = 0;  ///< mm that what throws the shadow may lie off its place
+};
+
+/// mm that a surface may be drawn off its place for each mm of distance from the eye, if that is to be `pixels`.
+[[nodiscard]] double coarsenessAt(const PassView& view, PictureSize size, double pixels);
+
+/// `coarseness`: as by coarsenessAt.
+[[nodiscard]] FrameBlock frameBlock(const PassView& view, const Lighting& lighting, const Background& background,
+                                    const ShadowLookup& shadow, PictureSize size, double coarseness);
+
+}  // namespace tactooth

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "view/passes/frame_block.h"
+#include "view/scene/particle.h"
+#include "view/gl/shader_program.h"
+
+namespace tactooth {
+
+/// Draws drops and chips over the scene, hidden by what stands in front of them.
+class ParticlePass {
+public:
+    [[nodiscard]] static Expected<ParticlePass> create();
+    /// Into the bound framebuffer; the frame block of the pass before stays bound.
+    void draw(const std::vector<Particle>& particles, const PassView& view, PictureSize size) const;
+
+private:
+    ShaderProgram program_;
+    gl::VertexArray array_;
+    gl::Buffer buffer_;
+};
+
+}  // namespace tactooth

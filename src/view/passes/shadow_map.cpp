@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "view/passes/shadow_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "geometry/util/pose.h"
+#include "view/shaders.h"
+
+namespace tactooth {
+
+namespace {
+
+constexpr int kResolution = 1024;      ///< texels a side: 25 um a texel on a molar
+constexpr double kTexelsForPixel = 2;  ///< a shadow's edge may be off twice as much as the picture's: nobody compares
+constexpr double kMargin = 1.02;       ///< room for the standing-off of the lookup
+
+/// The depth reaches beyond what receives shadows by a multiple of this, mm: a tool that moves then leaves the picture
+/// of what stands still as it is. 24 bits of a hundred millimetres are 6 nm.
+constexpr double kDepthStep = 32;
+constexpr int kBorderTexels = 2;  ///< around what has changed: a texel for rounding, one for its neighbour
+constexpr PictureSize kMapSize{kResolution, kResolution};
+
+gl::Framebuffer framebufferFor(const gl::Texture& depth) {
+    gl::Framebuffer framebuffer = gl::Framebuffer::make();
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth.name(), 0);
+    glDrawBuffer(GL_NONE);
+    glReadBuffer(GL_NONE);
+    return framebuffer;
+}
+
+gl::Texture depthTexture() {
+    gl::Texture texture = gl::Texture::make();
+    gl::allocateTexture(texture, GL_DEPTH_COMPONENT24, kResolution, kResolution, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+    return texture;
+}
+
+/// World to a frame whose +z points to the light.
+Mat4 lightFrame(const Vec3& toLight) {
+    Mat4 matrix = Mat4::Identity();
+    matrix.topLeftCorner<3, 3>() = shortestTurn(toLight, Vec3::UnitZ()).toRotationMatrix();
+    return matrix;
+}
+
+/// `all` with its depth grown in steps from that of `receivers`.
+Box3 inSteps(const Box3& receivers, Box3 all) {
+    const double above = all.max().z() - receivers.max().z();
+    const double below = receivers.min().z() - all.min().z();
+    all.max().z() = receivers.max().z() + kDepthStep * std::ceil(above / kDepthStep);
+    all.min().z() = receivers.min().z() - kDepthStep * std::ceil(below / kDepthStep);
+    return all;
+}
+
+/// The parallel projection that looks down -z onto the square around the middle of `receivers`, as deep as `all`.
+Mat4 lightProjection(const Box3& receivers, const Box3& all, double halfWidth) {
+    const double depth = std::max(all.sizes().z(), 1e-3) * kMargin;
+    Mat4 matrix = Mat4::Identity();
+    matrix(0, 0) = matrix(1, 1) = 1 / halfWidth;
+    matrix(2, 2) = -2 / depth;
+    matrix(0, 3) = -receivers.center().x() / halfWidth;
+    matrix(1, 3) = -receivers.center().y() / halfWidth;
+    matrix(2, 3) = 2 * all.center().z() / depth;
+    return matrix;
+}
+
+}  // namespace
+
+Expected<ShadowMap> ShadowMap::create() {
+    ShadowMap map;
+    auto program = ShaderProgram::create("shadow", "", {shaders::kDepthVert}, {shaders::kNothingFrag});
+    if (!program) return Unexpected{program.error()};
+    map.program_ = std::move(*program);
+    map.still_ = depthTexture();
+    map.withTools_ = depthTexture();
+    map.stillFramebuffer_ = framebufferFor(map.still_);
+    map.withToolsFramebuffer_ = framebufferFor(map.withTools_);
+    const auto problem = gl::checkErrors("making the shadow map");
+    if (!problem) return Unexpected{problem.error()};
+    return map;
+}
+
+void ShadowMap::aim(const std::vector<Drawable>& drawables, const Vec3& toLight) {
+    toLight_ = toLight;
+    const Mat4 frame = lightFrame(toLight);
+    Box3 receivers;
+    Box3 all;
+    for (const Drawable& drawable : drawables) {
+        const Box3 box = boxOf(drawable, frame);
+        all.extend(box);
+        if (!drawable.object->moves) receivers.extend(box);
+    }
+    if (receivers.isEmpty()) receivers = all;
+    const double halfWidth = 0.5 * kMargin * std::max({receivers.sizes().x(), receivers.sizes().y(), 1e-3});
+    worldToClip_ = lightProjection(receivers, inSteps(receivers, all), halfWidth) * frame;
+    Mat4 clipToTexture = Mat4::Identity();
+    clipToTexture.topLeftCorner<3, 3>() *= 0.5;
+    clipToTexture.topRightCorner<3, 1>().setConstant(0.5);
+    lookup_ = {clipToTexture * worldToClip_, 1.0 / kResolution, 2 * halfWidth / kResolution};
+}
+
+PixelRectangle ShadowMap::texelsOf(const Box3& inClip) const {
+    if (inClip.isEmpty()) return {};
+    const auto texel = [](double clip) { return std::clamp((clip + 1) / 2 * kResolution, -1.0, kResolution + 1.0); };
+    const auto below = [&](double clip) { return static_cast<int>(std::floor(texel(clip))) - kBorderTexels; };
+    const auto above = [&](double clip) { return static_cast<int>(std::ceil(texel(clip))) + kBorderTexels; };
+    const PixelRectangle around{{below(inClip.min().x()), below(inClip.min().y())},
+                                {above(inClip.max().x()), above(inClip.max().y())}};
+    return around.within(PixelRectangle::whole(kMapSize));
+}
+
+PixelRectangle ShadowMap::changedTexels(const std::vector<Drawable>& drawables) const {
+    Box3 changed;
+    for (const Drawable& drawable : drawables) {
+        if (drawable.object->moves) continue;
+        changed.extend(movedBox(drawable.changed, worldToClip_ * drawable.objectToWorld));
+    }
+    return texelsOf(changed);
+}
+
+void ShadowMap::update(const std::vector<Drawable>& drawables, bool stillShapesGone, const Vec3& toLight,
+                       const Eigen::Vector4d& section, double coarseness) {
+    if (drawables.empty()) {
+        forget();
+        return;
+    }
+    aim(drawables, toLight);
+    lookup_.error = kTexelsForPixel * coarseness * lookup_.pitch;
+    std::vector<Mat4> poses;
+    bool anyTools = false;
+    for (const Drawable& drawable : drawables) {
+        if (!drawable.object->moves) poses.push_back(drawable.objectToWorld);
+        anyTools |= drawable.object->moves;
+    }
+    glViewport(0, 0, kResolution, kResolution);
+    program_.use();
+    const bool moved = std::exchange(section_, section) != section;
+    const bool refined = std::exchange(coarseness_, coarseness) != coarseness;
+    const bool isOld = stillShapesGone || moved || refined || stillAim_ != worldToClip_ || poses != stillPoses_;
+    const PixelRectangle whole = PixelRectangle::whole(kMapSize);
+    drawStill(drawables, isOld ? whole : changedTexels(drawables));
+    stillAim_ = worldToClip_;
+    stillPoses_ = std::move(poses);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, stillFramebuffer_.name());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, withToolsFramebuffer_.name());
+    glBlitFramebuffer(0, 0, kResolution, kResolution, 0, 0, kResolution, kResolution, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+    if (!anyTools) return;
+    glBindFramebuffer(GL_FRAMEBUFFER, withToolsFramebuffer_.name());
+    draw(drawables, true, whole);
+}
+
+void ShadowMap::drawStill(const std::vector<Drawable>& drawables, const PixelRectangle& part) const {
+    if (part.empty()) return;
+    glBindFramebuffer(GL_FRAMEBUFFER, stillFramebuffer_.name());
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(part.low.x(), part.low.y(), part.extent().x(), part.extent().y());
+    glClear(GL_DEPTH_BUFFER_BIT);
+    draw(drawables, false, part);
+    glDisable(GL_SCISSOR_TEST);
+}
+
+void ShadowMap::draw(const std::vector<Drawable>& drawables, bool tools, const PixelRectangle& part) const {
+    const Mat4 worldToPart = cropped(worldToClip_, part, kMapSize);
+    // The back of what a section has opened throws its shadow, too.
+    const bool inSection = !section_.head<3>().isZero();
+    // Facets steep to the light span a depth range within one texel: push them back by it.
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(1.5F, 4.0F);
+    for (const Drawable& drawable : drawables) {
+        if (drawable.object->moves != tools) continue;
+        const Mat4 objectToClip = worldToClip_ * drawable.objectToWorld;
+        const Vec3 toLightInObject = drawable.objectToWorld.topLeftCorner<3, 3>().transpose() * toLight_;
+        const bool closed = drawable.object->closed && !(inSection && drawable.object->sectioned);
+        closed ? glEnable(GL_CULL_FACE) : glDisable(GL_CULL_FACE);
+        program_.set("objectToClip", objectToClip);
+        const Eigen::Vector4d sectionInObject = drawable.objectToWorld.transpose() * section_;
+        program_.set("sectionInObject", Eigen::Vector4f(sectionInObject.cast<float>()));
+        const bool cut = inSection && drawable.object->sectioned;
+        cut ? glEnable(GL_CLIP_DISTANCE1) : glDisable(GL_CLIP_DISTANCE1);
+        drawable.buffers->draw({worldToPart * drawable.objectToWorld,
+                                Eigen::Vector4d(toLightInObject.x(), toLightInObject.y(), toLightInObject.z(), 0),
+                                closed, lookup_.error});
+    }
+    glDisable(GL_POLYGON_OFFSET_FILL);
+    glDisable(GL_CLIP_DISTANCE1);
+}
+
+}  // namespace tactooth

@@ -1,0 +1,275 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "view/passes/solid_pass.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "view/gl/grain.h"
+#include "view/passes/look_uniforms.h"
+#include "view/shaders.h"
+
+namespace tactooth {
+
+namespace {
+
+constexpr int kGrainUnit = 0;
+constexpr int kShadowUnit = 1;
+constexpr int kShellUnit = 2;
+constexpr int kFieldUnit = 3;
+constexpr int kFieldColoursUnit = 4;
+constexpr int kBackgroundVertices = 6 * 40 * 25;  ///< as background.vert.glsl counts its cells
+
+// Taps of the shadow lookup by Shadows. Twelve on a turned spiral leave no visible grain at 1080p.
+constexpr std::array<int, 3> kShadowTaps = {0, 1, 12};
+
+std::string definesFor(int shadowTaps, bool rich) {
+    return "#define SHADOW_TAPS " + std::to_string(shadowTaps) + "\n#define MAX_LOOKS " + std::to_string(kMaxLooks) +
+           "\n#define RICH " + std::to_string(rich ? 1 : 0) + "\n";
+}
+
+Expected<ShaderProgram> lit(std::string_view vertex, int shadowTaps, bool rich) {
+    auto program = ShaderProgram::create(
+        "solid", definesFor(shadowTaps, rich), {shaders::kFrame, vertex},
+        {shaders::kFrame, shaders::kColour, shaders::kDither, shaders::kEnvironment, shaders::kSolidFrag});
+    if (!program) return program;
+    program->use();
+    program->set("grainTexture", kGrainUnit);
+    program->set("shadowMap", kShadowUnit);
+    program->set("shellDepth", kShellUnit);
+    program->set("distanceField", kFieldUnit);
+    program->set("distanceColours", kFieldColoursUnit);
+    return program;
+}
+
+bool isRich(const Drawable& drawable) {
+    return drawable.object->inner || drawable.object->distances || drawable.isTransparent();
+}
+
+bool hasSection(const SolidInputs& inputs) { return !inputs.view.section.head<3>().isZero(); }
+
+/// How much coarser than true `drawable` may be, in mm for each mm of distance. Bodies and the layers in them share
+/// parts of their surfaces: where both are seen they stay true, or the one would show through the other.
+double coarsenessFor(const SolidInputs& inputs, const Drawable& drawable) {
+    const bool inLayers = drawable.object->sectioned && (hasSection(inputs) || showsLayers(inputs.drawables));
+    if (inLayers || drawable.object->inner) return 0;
+    return inputs.coarseness;
+}
+
+}  // namespace
+
+ClusterCuller cullerFor(const SolidInputs& inputs, const Drawable& drawable, bool skipBackFaces, double coarseness) {
+    const Eigen::Vector4d eyeInObject = drawable.objectToWorld.inverse() * inputs.view.eye.homogeneous();
+    return {inputs.cullMatrix * drawable.objectToWorld, eyeInObject, skipBackFaces, coarseness};
+}
+
+bool showsLayers(const std::vector<Drawable>& drawables) {
+    return std::any_of(drawables.begin(), drawables.end(),
+                       [](const Drawable& drawable) { return drawable.object->inner; });
+}
+
+Expected<SolidPass> SolidPass::create() {
+    SolidPass pass;
+    for (std::size_t i = 0; i < kShadowTaps.size(); ++i) {
+        auto plain = lit(shaders::kSolidVert, kShadowTaps[i], false);
+        if (!plain) return Unexpected{plain.error()};
+        auto rich = lit(shaders::kSolidVert, kShadowTaps[i], true);
+        if (!rich) return Unexpected{rich.error()};
+        auto section = lit(shaders::kSectionVert, kShadowTaps[i], false);
+        if (!section) return Unexpected{section.error()};
+        pass.variants_[i] = {std::move(*plain), std::move(*rich), std::move(*section)};
+    }
+    auto background = ShaderProgram::create(
+        "background", "", {shaders::kFrame, shaders::kColour, shaders::kEnvironment, shaders::kBackgroundVert},
+        {shaders::kDither, shaders::kBackgroundFrag});
+    if (!background) return Unexpected{background.error()};
+    auto depth = ShaderProgram::create("depth", "", {shaders::kDepthVert}, {shaders::kNothingFrag});
+    if (!depth) return Unexpected{depth.error()};
+    pass.background_ = std::move(*background);
+    pass.depth_ = std::move(*depth);
+    pass.grain_ = makeGrainTexture();
+    pass.frameBuffer_ = gl::Buffer::make();
+    pass.noVertices_ = gl::VertexArray::make();
+    return pass;
+}
+
+void SolidPass::prepare(const SolidInputs& inputs) const {
+    glBindBuffer(GL_UNIFORM_BUFFER, frameBuffer_.name());
+    glBufferData(GL_UNIFORM_BUFFER, sizeof inputs.frame, &inputs.frame, GL_STREAM_DRAW);
+    glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBinding, frameBuffer_.name());
+    gl::bindTexture(kGrainUnit, GL_TEXTURE_3D, grain_.name());
+    gl::bindTexture(kShadowUnit, GL_TEXTURE_2D, inputs.shadowMap.texture());
+    gl::bindTexture(kShellUnit, GL_TEXTURE_2D, inputs.shell != nullptr ? inputs.shell->depthTexture() : 0);
+    gl::bindTexture(kFieldColoursUnit, GL_TEXTURE_2D, inputs.fields.colours());
+}
+
+void SolidPass::drawBackground() const {
+    glClear(GL_DEPTH_BUFFER_BIT);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_DEPTH_TEST);
+    background_.use();
+    glBindVertexArray(noVertices_.name());
+    glDrawArrays(GL_TRIANGLES, 0, kBackgroundVertices);
+    glEnable(GL_DEPTH_TEST);
+}
+
+void SolidPass::drawOpaque(const SolidInputs& inputs) const {
+    prepare(inputs);
+    drawBackground();
+    glFrontFace(inputs.view.mirrored ? GL_CW : GL_CCW);
+    const bool marks = !inputs.ghosts.empty();
+    if (marks) beginMarks();
+    for (const Drawable& drawable : inputs.drawables) {
+        if (drawable.isTransparent()) continue;
+        if (marks) glStencilFunc(GL_ALWAYS, drawable.object->sectioned ? kSeenThrough : 0, ~0U);
+        drawObject(inputs, drawable);
+    }
+    if (marks) endMarks();
+    if (hasSection(inputs)) drawSectionFaces(inputs);
+    glFrontFace(GL_CCW);
+    glDisable(GL_CLIP_DISTANCE1);
+}
+
+/// From here on what is drawn writes the reference of the stencil's function into kSeenThrough.
+void SolidPass::beginMarks() {
+    glStencilMask(kSeenThrough);
+    glClear(GL_STENCIL_BUFFER_BIT);
+    glEnable(GL_STENCIL_TEST);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+}
+
+void SolidPass::endMarks() {
+    glDisable(GL_STENCIL_TEST);
+    glStencilMask(~0U);
+}
+
+void SolidPass::drawTransparent(const SolidInputs& inputs) const {
+    glFrontFace(inputs.view.mirrored ? GL_CW : GL_CCW);
+    for (auto drawable = inputs.drawables.rbegin(); drawable != inputs.drawables.rend(); ++drawable) {
+        if (drawable->isTransparent()) drawBlended(inputs, *drawable);
+    }
+    glFrontFace(GL_CCW);
+    glDisable(GL_CLIP_DISTANCE1);
+}
+
+void SolidPass::drawObject(const SolidInputs& inputs, const Drawable& drawable) const {
+    const Variant& variant = variants_[static_cast<std::size_t>(inputs.shadows)];
+    const bool rich = isRich(drawable);
+    const ShaderProgram& program = rich ? variant.rich : variant.plain;
+    program.use();
+    setLooks(program, drawable.object->looks);
+    program.set("lookCount", static_cast<int>(drawable.object->looks.size()));
+    program.set("objectToWorld", drawable.objectToWorld);
+    if (rich) setRichUniforms(program, inputs, drawable);
+    const bool hidesBack = drawable.hidesItsBack(hasSection(inputs));
+    hidesBack ? glEnable(GL_CULL_FACE) : glDisable(GL_CULL_FACE);
+    drawable.object->sectioned ? glEnable(GL_CLIP_DISTANCE1) : glDisable(GL_CLIP_DISTANCE1);
+    // Where a layer reaches the body's surface, the body is what is seen.
+    if (drawable.object->inner) glEnable(GL_POLYGON_OFFSET_FILL), glPolygonOffset(1.0F, 4.0F);
+    drawable.buffers->draw(cullerFor(inputs, drawable, hidesBack, coarsenessFor(inputs, drawable)));
+    glDisable(GL_POLYGON_OFFSET_FILL);
+}
+
+void SolidPass::setRichUniforms(const ShaderProgram& program, const SolidInputs& inputs,
+                                const Drawable& drawable) const {
+    setOpacities(program, drawable.object->looks);
+    program.set("inner", drawable.object->inner && inputs.shell != nullptr ? 1 : 0);
+    const auto& distances = drawable.object->distances;
+    program.set("distanceRange", distances ? static_cast<float>(distances->range) : 0.0F);
+    if (!distances) return;
+    gl::bindTexture(kFieldUnit, GL_TEXTURE_3D, inputs.fields.of(distances->grid.get()));
+    program.set("objectToField", objectToField(*distances->grid));
+}
+
+/// Its nearest faces alone, so that their order does not matter: first their depth, then their colour.
+void SolidPass::drawBlended(const SolidInputs& inputs, const Drawable& drawable) const {
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    drawObject(inputs, drawable);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDepthFunc(GL_LEQUAL);
+    glEnable(GL_BLEND);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    drawObject(inputs, drawable);
+    glDisable(GL_BLEND);
+    glDepthFunc(GL_LESS);
+}
+
+void SolidPass::drawShell(const SolidInputs& inputs, const RenderTarget& into) const {
+    into.bindForDrawing();
+    glEnable(GL_DEPTH_TEST);
+    glClear(GL_DEPTH_BUFFER_BIT);
+    const auto body = std::find_if(inputs.drawables.begin(), inputs.drawables.end(), [](const Drawable& drawable) {
+        return drawable.object->sectioned && !drawable.object->inner;
+    });
+    if (body == inputs.drawables.end()) return;
+    markInside(inputs, *body, 0);
+}
+
+/// With `bit` 0 draws depth; else turns `bit` of the stencil over with each face of the drawable, so that it is set
+/// where the section's plane runs inside it.
+void SolidPass::markInside(const SolidInputs& inputs, const Drawable& drawable, GLuint bit) const {
+    depth_.use();
+    depth_.set("objectToClip", Mat4(inputs.view.worldToClip() * drawable.objectToWorld));
+    const auto inObject = [&](const Eigen::Vector4d& plane) {
+        return Eigen::Vector4f((drawable.objectToWorld.transpose() * plane).cast<float>());
+    };
+    depth_.set("clipInObject", inObject(inputs.view.clipPlane));
+    depth_.set("sectionInObject", inObject(inputs.view.section));
+    glDisable(GL_CULL_FACE);
+    glEnable(GL_CLIP_DISTANCE1);
+    if (bit != 0) {
+        glEnable(GL_STENCIL_TEST);
+        glStencilMask(bit);
+        glClear(GL_STENCIL_BUFFER_BIT);
+        glStencilFunc(GL_ALWAYS, 0, ~0U);
+        glStencilOp(GL_INVERT, GL_INVERT, GL_INVERT);
+        glDisable(GL_DEPTH_TEST);
+        glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    }
+    drawable.buffers->draw(cullerFor(inputs, drawable, false, coarsenessFor(inputs, drawable)));
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glEnable(GL_DEPTH_TEST);
+    glDisable(GL_STENCIL_TEST);
+    glStencilMask(~0U);
+}
+
+/// What the plane runs through from outside in: the body, then its layers over it where the body still is.
+void SolidPass::drawSectionFaces(const SolidInputs& inputs) const {
+    constexpr GLuint kBody = 1, kLayer = 2;
+    // The same square for all, so that all have the same depth.
+    const Box3 around = inputs.filled.empty() ? Box3() : boxOf(inputs.filled.front(), Mat4::Identity());
+    for (const Drawable& drawable : inputs.filled) {
+        const GLuint bit = drawable.object->inner ? kLayer : kBody;
+        markInside(inputs, drawable, bit);
+        const GLuint wanted = kBody | bit;
+        glEnable(GL_STENCIL_TEST);
+        glStencilMask(kSeenThrough);
+        glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+        glStencilFunc(GL_EQUAL, static_cast<GLint>(wanted) | kSeenThrough, wanted);
+        glDepthFunc(GL_LEQUAL);  // all faces lie in one plane: the last one counts
+        drawFace(inputs, around, *drawable.object->filling);
+        glDepthFunc(GL_LESS);
+        endMarks();
+    }
+}
+
+void SolidPass::drawFace(const SolidInputs& inputs, const Box3& around, const Look& look) const {
+    const Vec3 normal = inputs.view.section.head<3>();
+    const double offset = normal.dot(around.center()) + inputs.view.section.w();
+    const Vec3 centre = around.center() - offset * normal;
+    const double reach = 0.5 * around.diagonal().norm() + std::abs(offset);
+    const Vec3 right = reach * normal.unitOrthogonal();
+    const ShaderProgram& program = variants_[static_cast<std::size_t>(inputs.shadows)].section;
+    program.use();
+    setLooks(program, {look});
+    const auto extended = [](const Vec3& v) { return Eigen::Vector4f(v.homogeneous().cast<float>()); };
+    program.set("centre", extended(centre));
+    program.set("right", extended(right));
+    program.set("up", extended(right.cross(normal)));  // counter-clockwise as seen from the open side
+    glDisable(GL_CULL_FACE);
+    glBindVertexArray(noVertices_.name());
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+}
+
+}  // namespace tactooth

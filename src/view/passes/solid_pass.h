@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "view/gl/drawable.h"
+#include "view/gl/field_textures.h"
+#include "view/passes/frame_block.h"
+#include "view/scene/render_settings.h"
+#include "view/gl/render_target.h"
+#include "view/gl/shader_program.h"
+#include "view/passes/shadow_map.h"
+
+namespace tactooth {
+
+/// What one drawing of the scene takes.
+struct SolidInputs {
+    const std::vector<Drawable>& drawables;
+    const std::vector<Drawable>& filled;  ///< ShapeCache::Result::filled
+    const std::vector<Drawable>& ghosts;
+    const PassView& view;
+    FrameBlock frame;
+    Mat4 cullMatrix;    ///< sees at most what the pass shows; runs of triangles outside it are skipped
+    double coarseness;  ///< mm for each mm of distance from the eye
+    Shadows shadows;
+    const ShadowMap& shadowMap;
+    const FieldTextures& fields;
+    const RenderTarget* shell = nullptr;  ///< the body's depth in this view, for inner objects and ghosts
+};
+
+/// The bit of the stencil that drawOpaque sets, if there are ghosts, where a sectioned object is what is seen.
+inline constexpr GLint kSeenThrough = 4;
+
+/// Whether any of them is an inner object.
+[[nodiscard]] bool showsLayers(const std::vector<Drawable>& drawables);
+
+/// Which runs of a drawable's triangles these inputs can show, and how coarse they may be.
+[[nodiscard]] ClusterCuller cullerFor(const SolidInputs& inputs, const Drawable& drawable, bool skipBackFaces,
+                                      double coarseness);
+
+/// Draws the background, the lit objects, the faces of a section and what is transparent into whatever framebuffer is
+/// bound.
+class SolidPass {
+public:
+    [[nodiscard]] static Expected<SolidPass> create();
+
+    /// The background and all that is opaque.
+    void drawOpaque(const SolidInputs& inputs) const;
+    /// What is transparent, over the opaque part.
+    void drawTransparent(const SolidInputs& inputs) const;
+    /// Depth alone of the first sectioned object, into `into`.
+    void drawShell(const SolidInputs& inputs, const RenderTarget& into) const;
+
+private:
+    struct Variant {
+        ShaderProgram plain;  ///< opaque, in the looks' colours
+        ShaderProgram rich;   ///< transparent, inner, coloured by distance
+        ShaderProgram section;
+    };
+    void prepare(const SolidInputs& inputs) const;
+    void drawBackground() const;
+    static void beginMarks();
+    static void endMarks();
+    void drawObject(const SolidInputs& inputs, const Drawable& drawable) const;
+    void drawBlended(const SolidInputs& inputs, const Drawable& drawable) const;
+    void setRichUniforms(const ShaderProgram& program, const SolidInputs& inputs, const Drawable& drawable) const;
+    void drawSectionFaces(const SolidInputs& inputs) const;
+    void markInside(const SolidInputs& inputs, const Drawable& drawable, GLuint bit) const;
+    void drawFace(const SolidInputs& inputs, const Box3& around, const Look& look) const;
+
+    std::array<Variant, 3> variants_;  ///< by Shadows
+    ShaderProgram background_;
+    ShaderProgram depth_;
+    gl::Texture grain_;
+    gl::Buffer frameBuffer_;
+    gl::VertexArray noVertices_;
+};
+
+}  // namespace tactooth

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "view/render/offscreen.h"
+
+#include <algorithm>
+
+#include "view/gl/egl_context.h"
+#include "view/gl/gl_objects.h"
+
+namespace tactooth {
+
+namespace {
+
+/// OpenGL's rows run from bottom to top, an Image's from top to bottom.
+void flipRows(Image& image) {
+    const auto row = [&](int y) { return image.pixels.begin() + std::ptrdiff_t{y} * image.size.width; };
+    for (int y = 0; y < image.size.height / 2; ++y) {
+        std::swap_ranges(row(y), row(y + 1), row(image.size.height - 1 - y));
+    }
+}
+
+}  // namespace
+
+struct OffscreenRenderer::Parts {
+    EglContext context;  // first: it must be there while the others go
+    Renderer renderer;
+    gl::Texture colour;
+    gl::Framebuffer framebuffer;
+    PictureSize size;
+
+    Expected<void> fitTo(PictureSize wanted);
+};
+
+Expected<void> OffscreenRenderer::Parts::fitTo(PictureSize wanted) {
+    if (size == wanted) return {};
+    gl::allocateTexture(colour, GL_RGBA8, wanted.width, wanted.height, GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, colour.name(), 0);
+    size = wanted;
+    return gl::checkErrors("making a picture");
+}
+
+Expected<OffscreenRenderer> OffscreenRenderer::create() {
+    auto context = EglContext::create();
+    if (!context) return Unexpected{context.error()};
+    auto renderer = Renderer::create();
+    if (!renderer) return Unexpected{renderer.error()};
+    return OffscreenRenderer(std::unique_ptr<Parts>(
+        new Parts{std::move(*context), std::move(*renderer), gl::Texture::make(), gl::Framebuffer::make(), {}}));
+}
+
+OffscreenRenderer::OffscreenRenderer(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+OffscreenRenderer::OffscreenRenderer(OffscreenRenderer&&) noexcept = default;
+OffscreenRenderer& OffscreenRenderer::operator=(OffscreenRenderer&&) noexcept = default;
+OffscreenRenderer::~OffscreenRenderer() = default;
+
+std::string OffscreenRenderer::device() const { return rendererName(); }
+std::size_t OffscreenRenderer::lastUpload() const { return parts_->renderer.lastUpload(); }
+
+Expected<Image> OffscreenRenderer::render(const Scene& scene, PictureSize size, const RenderSettings& settings) {
+    GLint largest = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+    if (std::min(size.width, size.height) <= 0 || std::max(size.width, size.height) > largest) {
+        return unexpected("a picture of " + std::to_string(size.width) + " x " + std::to_string(size.height) +
+                          " pixels cannot be drawn: choose 1 to " + std::to_string(largest) + " for each side.");
+    }
+    if (auto done = parts_->fitTo(size); !done) return Unexpected{done.error()};
+    if (auto done = parts_->renderer.render(scene, parts_->framebuffer.name(), size, settings); !done) {
+        return Unexpected{done.error()};
+    }
+    Image image{size, {}};
+    image.pixels.resize(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, size.width, size.height, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
+    flipRows(image);
+    if (auto done = gl::checkErrors("reading the picture back"); !done) return Unexpected{done.error()};
+    return image;
+}
+
+}  // namespace tactooth

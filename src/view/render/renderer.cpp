@@ -1,0 +1,386 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "view/render/renderer.h"
+
+#include "view/passes/ghost_pass.h"
+#include "view/passes/mirror_pass.h"
+#include "view/passes/occlusion_pass.h"
+#include "view/passes/particle_pass.h"
+#include "view/gl/shape_cache.h"
+#include "view/passes/stereo_pass.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace tactooth {
+
+namespace {
+
+/// A picture that is made again only when its size or its samples change.
+class ReusedTarget {
+public:
+    Expected<const RenderTarget*> fit(PictureSize size, int samples) {
+        if (!target_ || target_->size() != size || asked_ != samples) {
+            target_.reset();
+            auto made = RenderTarget::create(size, samples);
+            if (!made) return Unexpected{made.error()};
+            target_ = std::move(*made);
+            asked_ = samples;
+        }
+        return &*target_;
+    }
+
+private:
+    std::optional<RenderTarget> target_;
+    int asked_ = 0;
+};
+
+/// What one view is drawn into.
+struct ViewTargets {
+    std::array<ReusedTarget, 2> pictures;  ///< one an eye
+    ReusedTarget reflection;
+    ReusedTarget shell;
+    ReusedTarget ghost;
+};
+
+/// The second view as it was drawn last.
+struct LastSecond {
+    PictureSize size;                       ///< in the picture
+    const RenderTarget* picture = nullptr;  ///< among the targets of the second view
+};
+
+void setKnownState() {
+    glDisable(GL_BLEND);
+    glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_STENCIL_TEST);
+    glDisable(GL_CLIP_DISTANCE0);
+    glDisable(GL_CLIP_DISTANCE1);
+    glStencilMask(~0U);
+    glDisable(GL_POLYGON_OFFSET_FILL);
+    glDisable(GL_FRAMEBUFFER_SRGB);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    glDepthMask(GL_TRUE);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glCullFace(GL_BACK);
+    glFrontFace(GL_CCW);
+    glClearDepth(1.0);
+    glActiveTexture(GL_TEXTURE0);
+}
+
+void leaveCleanState(GLuint target) {
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glBindVertexArray(0);
+    glUseProgram(0);
+    glBindTexture(GL_TEXTURE_2D, 0);
+    glBindFramebuffer(GL_FRAMEBUFFER, target);
+}
+
+/// The half space in which sectioned objects are drawn; all of space without a section.
+Eigen::Vector4d keptSide(const Scene& scene) {
+    if (!scene.section) return {0, 0, 0, 1};
+    Eigen::Vector4d kept;
+    kept << -scene.section->plane.normal, scene.section->plane.offset;
+    return kept;
+}
+
+PassView directView(const Scene& scene, const Camera& camera, PictureSize size) {
+    PassView view;
+    view.section = keptSide(scene);
+    view.worldToView = viewMatrix(camera);
+    view.viewToClip = projectionMatrix(camera, size.aspect());
+    view.eye = camera.cameraInWorld.position;
+    return view;
+}
+
+/// As long as it lives, drawing changes a part of the picture alone; also an error ends it.
+class Limit {
+public:
+    explicit Limit(const PixelRectangle& part) {
+        glEnable(GL_SCISSOR_TEST);
+        to(part);
+    }
+    ~Limit() { glDisable(GL_SCISSOR_TEST); }
+    Limit(const Limit&) = delete;
+    Limit& operator=(const Limit&) = delete;
+
+    void to(const PixelRectangle& part) const {
+        glScissor(part.low.x(), part.low.y(), part.extent().x(), part.extent().y());
+    }
+};
+
+void copyPicture(const RenderTarget& from, GLuint to, const PixelRectangle& place) {
+    const PictureSize drawn = from.size();
+    const bool fits = place.extent() == Eigen::Vector2i(drawn.width, drawn.height);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, from.framebuffer());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to);
+    glBlitFramebuffer(0, 0, drawn.width, drawn.height, place.low.x(), place.low.y(), place.high.x(), place.high.y(),
+                      GL_COLOR_BUFFER_BIT, fits ? GL_NEAREST : GL_LINEAR);
+}
+
+PixelRectangle rowsFromBelow(const SecondViewPlace& place, PictureSize picture) {
+    const int top = picture.height - place.top;
+    return {{place.left, top - place.size.height}, {place.left + place.size.width, top}};
+}
+
+PictureSize scaled(PictureSize size, double share) {
+    const auto part = [share](int pixels) { return std::max(1, static_cast<int>(std::lround(share * pixels))); };
+    return {part(size.width), part(size.height)};
+}
+
+}  // namespace
+
+struct Renderer::Parts {
+    SolidPass solid;
+    MirrorPass mirror;
+    GhostPass ghosts;
+    OcclusionPass occlusion;
+    ParticlePass particles;
+    StereoPass stereo;
+    ShadowMap shadows;
+    ShapeCache shapes;
+    FieldTextures fields;
+    ViewTargets whole, second;
+    LastSecond lastSecond;
+    std::size_t lastUpload = 0;
+
+    /// What stays the same for all views of one picture.
+    struct Job {
+        const Scene& scene;
+        const ShapeCache::Result& shapes;
+        const RenderSettings& settings;
+        ViewTargets& targets;
+        PictureSize size;
+    };
+    void updateShapes(const Scene& scene, const ShapeCache::Result& result, const RenderSettings& settings);
+    /// The second view into the corner of framebuffer `target`.
+    Expected<void> drawSecond(const Job& large, GLuint target, PictureSize size);
+    /// The scene through `camera` into `into`.
+    Expected<void> drawEye(const Job& job, const Camera& camera, const RenderTarget& into);
+    /// Draws what the mirror shows; nothing if it shows nothing.
+    Expected<const RenderTarget*> drawReflection(const Job& job, const Camera& camera);
+    Expected<void> drawScene(const Job& job, const Camera& camera, const RenderTarget& into,
+                             const RenderTarget* mirrored);
+    [[nodiscard]] SolidInputs inputsFor(const Job& job, const PassView& view, const Background& background,
+                                        const Mat4& cullMatrix) const;
+    /// The depth of the body around inner objects and ghosts.
+    Expected<const RenderTarget*> drawShell(const Job& job, const SolidInputs& inputs);
+    /// The ghosts by themselves in `seen`, and the depth of the body around them; nothing where there are none.
+    Expected<const RenderTarget*> drawGhosts(const Job& job, SolidInputs& inputs, const PixelRectangle& seen);
+    /// All but the mirror's glass into the part `shown` of `into`, which is left bound for more; `inputs` but for the
+    /// shell.
+    Expected<void> drawBodies(const Job& job, SolidInputs& inputs, const RenderTarget& into,
+                              const PixelRectangle& shown);
+};
+
+SolidInputs Renderer::Parts::inputsFor(const Job& job, const PassView& view, const Background& background,
+                                       const Mat4& cullMatrix) const {
+    const double coarseness = coarsenessAt(view, job.size, job.settings.coarseness);
+    return {.drawables = job.shapes.drawables,
+            .filled = job.shapes.filled,
+            .ghosts = job.shapes.ghosts,
+            .view = view,
+            .frame = frameBlock(view, job.scene.lighting, background, shadows.lookup(), job.size, coarseness),
+            .cullMatrix = cullMatrix,
+            .coarseness = coarseness,
+            .shadows = job.settings.shadows,
+            .shadowMap = shadows,
+            .fields = fields};
+}
+
+Expected<const RenderTarget*> Renderer::Parts::drawShell(const Job& job, const SolidInputs& inputs) {
+    const auto target = job.targets.shell.fit(job.size, 0);
+    if (target) solid.drawShell(inputs, **target);
+    return target;
+}
+
+Expected<const RenderTarget*> Renderer::Parts::drawGhosts(const Job& job, SolidInputs& inputs,
+                                                          const PixelRectangle& seen) {
+    if (seen.empty()) return nullptr;
+    const Limit limit(seen);
+    const Mat4 ofAll = std::exchange(inputs.cullMatrix, cropped(inputs.view.worldToClip(), seen, job.size));
+    if (inputs.shell == nullptr) {
+        const auto around = drawShell(job, inputs);
+        if (!around) return around;
+        inputs.shell = *around;
+    }
+    const auto target = job.targets.ghost.fit(job.size, job.settings.samples);
+    if (target) ghosts.draw(inputs, **target);
+    inputs.cullMatrix = ofAll;
+    return target;
+}
+
+Expected<void> Renderer::Parts::drawBodies(const Job& job, SolidInputs& inputs, const RenderTarget& into,
+                                           const PixelRectangle& shown) {
+    if (showsLayers(inputs.drawables)) {
+        const Limit limit(shown);
+        const auto around = drawShell(job, inputs);
+        if (!around) return Unexpected{around.error()};
+        inputs.shell = *around;
+    }
+    const PixelRectangle haunted = ghostPixels(inputs.ghosts, inputs.view, job.size).within(shown);
+    const auto seen = drawGhosts(job, inputs, haunted);
+    if (!seen) return Unexpected{seen.error()};
+    const Limit limit(shown);
+    into.bindForDrawing();
+    solid.drawOpaque(inputs);
+    if (*seen != nullptr) {
+        limit.to(haunted);
+        ghosts.compose(**seen);
+        limit.to(shown);
+    }
+    solid.drawTransparent(inputs);
+    return {};
+}
+
+Expected<const RenderTarget*> Renderer::Parts::drawReflection(const Job& job, const Camera& camera) {
+    const auto& disc = job.scene.mirror;
+    const PixelRectangle covered = disc ? coveredPixels(*disc, camera, job.size) : PixelRectangle{};
+    if (covered.empty()) return nullptr;
+    const auto target = job.targets.reflection.fit(job.size, job.settings.samples);
+    if (!target) return target;
+    const PassView view = reflectedView(directView(job.scene, camera, job.size), disc->planeInWorld());
+    Background surgery = job.scene.background;
+    surgery.kind = Background::Kind::Environment;
+    glEnable(GL_CLIP_DISTANCE0);
+    SolidInputs inputs = inputsFor(job, view, surgery, cropped(view.worldToClip(), covered, job.size));
+    if (const auto done = drawBodies(job, inputs, **target, covered); !done) return Unexpected{done.error()};
+    {
+        const Limit limit(covered);
+        particles.draw(job.scene.particles, view, job.size);
+        glDisable(GL_CLIP_DISTANCE0);
+        (*target)->resolve();
+    }
+    if (job.settings.ambientOcclusion) {
+        if (const auto done = occlusion.apply(**target, covered, camera); !done) return Unexpected{done.error()};
+    }
+    return target;
+}
+
+Expected<void> Renderer::Parts::drawScene(const Job& job, const Camera& camera, const RenderTarget& into,
+                                          const RenderTarget* mirrored) {
+    const PassView view = directView(job.scene, camera, job.size);
+    glEnable(GL_DEPTH_TEST);
+    SolidInputs inputs = inputsFor(job, view, job.scene.background, view.worldToClip());
+    if (auto done = drawBodies(job, inputs, into, PixelRectangle::whole(job.size)); !done) return done;
+    if (mirrored != nullptr) {
+        mirror.draw(*job.scene.mirror, inputs.frame, *mirrored, coveredPixels(*job.scene.mirror, camera, job.size));
+    }
+    particles.draw(job.scene.particles, view, job.size);
+    into.resolve();
+    if (!job.settings.ambientOcclusion) return {};
+    return occlusion.apply(into, PixelRectangle::whole(into.size()), camera);
+}
+
+Expected<void> Renderer::Parts::drawEye(const Job& job, const Camera& camera, const RenderTarget& into) {
+    const auto mirrored = drawReflection(job, camera);
+    if (!mirrored) return Unexpected{mirrored.error()};
+    return drawScene(job, camera, into, *mirrored);
+}
+
+Expected<void> Renderer::Parts::drawSecond(const Job& large, GLuint target, PictureSize size) {
+    const SecondViewPlace place = secondViewPlace(size);
+    if (large.scene.second->anew || lastSecond.picture == nullptr || lastSecond.size != place.size) {
+        ShapeCache::Result shown = large.shapes;
+        std::erase_if(shown.drawables, [](const Drawable& drawable) { return drawable.object->handle; });
+        const Job job{large.scene, shown, large.settings, second, scaled(place.size, large.settings.resolution)};
+        const auto picture = second.pictures[0].fit(job.size, job.settings.samples);
+        if (!picture) return Unexpected{picture.error()};
+        lastSecond = {};
+        if (const auto done = drawScene(job, large.scene.second->camera, **picture, nullptr); !done) return done;
+        lastSecond = {place.size, *picture};
+    }
+    copyPicture(*lastSecond.picture, target, rowsFromBelow(place, size));
+    return {};
+}
+
+void Renderer::Parts::updateShapes(const Scene& scene, const ShapeCache::Result& result,
+                                   const RenderSettings& settings) {
+    lastUpload = result.uploadedTriangles;
+    fields.update(result.drawables);
+    if (settings.shadows == Shadows::None) {
+        shadows.forget();
+        return;
+    }
+    shadows.update(result.drawables, result.stillShapesGone, scene.lighting.toKey, keptSide(scene),
+                   settings.coarseness);
+}
+
+Expected<Renderer> Renderer::create() {
+    if (epoxy_gl_version() < 41 || !epoxy_is_desktop_gl()) {
+        return unexpected("this computer offers OpenGL " + std::to_string(epoxy_gl_version() / 10) + "." +
+                          std::to_string(epoxy_gl_version() % 10) +
+                          ", but OpenGL 4.1 or newer is needed: update the graphics driver, or set "
+                          "LIBGL_ALWAYS_SOFTWARE=1 to draw without it");
+    }
+    auto solid = SolidPass::create();
+    if (!solid) return Unexpected{solid.error()};
+    auto mirror = MirrorPass::create();
+    if (!mirror) return Unexpected{mirror.error()};
+    auto ghosts = GhostPass::create();
+    if (!ghosts) return Unexpected{ghosts.error()};
+    auto occlusion = OcclusionPass::create();
+    if (!occlusion) return Unexpected{occlusion.error()};
+    auto particles = ParticlePass::create();
+    if (!particles) return Unexpected{particles.error()};
+    auto stereo = StereoPass::create();
+    if (!stereo) return Unexpected{stereo.error()};
+    auto shadows = ShadowMap::create();
+    if (!shadows) return Unexpected{shadows.error()};
+    const auto problem = gl::checkErrors("starting the renderer");
+    if (!problem) return Unexpected{problem.error()};
+    return Renderer(std::unique_ptr<Parts>(new Parts{std::move(*solid),
+                                                     std::move(*mirror),
+                                                     std::move(*ghosts),
+                                                     std::move(*occlusion),
+                                                     std::move(*particles),
+                                                     std::move(*stereo),
+                                                     std::move(*shadows),
+                                                     {},
+                                                     {},
+                                                     {},
+                                                     {},
+                                                     {},
+                                                     0}));
+}
+
+Renderer::Renderer(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+Renderer::~Renderer() = default;
+
+std::size_t Renderer::lastUpload() const { return parts_->lastUpload; }
+
+Expected<void> Renderer::render(const Scene& scene, unsigned target, PictureSize size, const RenderSettings& settings) {
+    if (size.width <= 0 || size.height <= 0) return {};
+    setKnownState();
+    const ShapeCache::Result shapes = parts_->shapes.update(scene);
+    parts_->updateShapes(scene, shapes, settings);
+    const PictureSize ofEye =
+        scene.stereo.mode == Stereo::Mode::SideBySide ? PictureSize{(size.width + 1) / 2, size.height} : size;
+    const Parts::Job job{scene, shapes, settings, parts_->whole, scaled(ofEye, settings.resolution)};
+    const bool isStereo = scene.stereo.mode != Stereo::Mode::Off;
+    const auto eyes = eyesOf(scene.camera, scene.stereo);
+    std::array<const RenderTarget*, 2> drawn = {};
+    for (std::size_t i = 0; i < (isStereo ? 2 : 1); ++i) {
+        const auto picture = job.targets.pictures[i].fit(job.size, settings.samples);
+        if (!picture) return Unexpected{picture.error()};
+        drawn[i] = *picture;
+        auto done = parts_->drawEye(job, isStereo ? eyes[i] : scene.camera, **picture);
+        if (!done) return done;
+    }
+    if (isStereo) {
+        parts_->stereo.draw(*drawn[0], *drawn[1], scene.stereo.mode, target, size);
+    } else {
+        copyPicture(*drawn[0], target, PixelRectangle::whole(size));
+        if (scene.second) {
+            if (const auto done = parts_->drawSecond(job, target, size); !done) return done;
+        }
+    }
+    leaveCleanState(target);
+    return gl::checkErrors("drawing the picture");
+}
+
+}  // namespace tactooth

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/util/vec.h"
+
+namespace tactooth {
+
+/// A drop or a chip in the air: a soft ball that faces the eye.
+struct Particle {
+    Vec3f position = Vec3f::Zero();  ///< world, mm
+    float radius = 0.1F;             ///< mm
+    Vec3f colour = Vec3f::Ones();    ///< sRGB
+    float opacity = 1;               ///< of its middle, 0..1
+
+    bool operator==(const Particle&) const = default;
+};
+
+}  // namespace tactooth

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/panels/tick_trace.h"
+
+#include <gtest/gtest.h>
+
+namespace tactooth {
+namespace {
+
+std::vector<Tick> ticks(double from, double to) {
+    std::vector<Tick> result;
+    for (int ms = static_cast<int>(from * 1000); ms < static_cast<int>(to * 1000); ++ms) {
+        Tick tick;
+        tick.time = ms / 1000.0;
+        result.push_back(tick);
+    }
+    return result;
+}
+
+TEST(TickTrace, GivesTwentyPointsASecond) {
+    TickTrace trace;
+    trace.add(ticks(0, 1));
+    EXPECT_EQ(trace.points().size(), 19U) << "the twentieth is still growing";
+}
+
+TEST(TickTrace, KeepsAPeakOfOneTick) {
+    std::vector<Tick> some = ticks(0, 0.5);
+    some[123].depth = 0.4;
+    some[124].speed = 70;
+    some[125].wrench.force = Vec3(0, 3, 4);
+    TickTrace trace;
+    trace.add(some);
+    EXPECT_FALSE(trace.isQuiet());
+    double depth = 0, speed = 0, force = 0;
+    for (const TickTrace::Point& point : trace.points()) {
+        depth = std::max(depth, point.depth);
+        speed = std::max(speed, point.speed);
+        force = std::max(force, point.force);
+    }
+    EXPECT_EQ(depth, 0.4);
+    EXPECT_EQ(speed, 70);
+    EXPECT_EQ(force, 5);
+}
+
+TEST(TickTrace, ForgetsWhatIsOlderThanThePlot) {
+    std::vector<Tick> some = ticks(0, 12);
+    some[100].depth = 1;
+    TickTrace trace;
+    trace.add(some);
+    EXPECT_GE(trace.points().front().time, trace.points().back().time - TickTrace::kShown - 1e-6);
+    EXPECT_LE(trace.points().size(), 201U);
+    EXPECT_TRUE(trace.isQuiet());
+}
+
+TEST(TickTrace, ClearStartsANewSession) {
+    TickTrace trace;
+    trace.add(ticks(0, 5));
+    trace.clear();
+    trace.add(ticks(0, 0.2));
+    EXPECT_EQ(trace.points().size(), 3U);
+}
+
+}  // namespace
+}  // namespace tactooth

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "assessment/cavity_ghost.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "session/block_with_cavity.h"
+#include "session/simulation/work_piece.h"
+#include "support/shapes.h"
+
+namespace tactooth {
+namespace {
+
+class CavityGhostTest : public ::testing::Test {
+protected:
+    /// Takes a round hole of 1 mm radius out of the cavity's place, as deep as it, from x = `from` to `to`.
+    void cut(double from, double to) {
+        const CuttingTool bur{*RevolutionEnvelope::make(test::cylinder(Vec3::Zero(), 1, 4, 48)), 1};
+        piece_.sweep(bur, {Vec3(from, 0, 3), Quat::Identity()}, {Vec3(to, 0, 3), Quat::Identity()});
+        piece_.refreshSurface();
+    }
+    /// The middles of the walls that `ghost` shows over the tooth as it is.
+    std::vector<Vec3> shownBy(CavityGhost& ghost) const {
+        const std::shared_ptr<const Surface> shown = ghost.over(piece_.surface());
+        const TaggedMesh seen = visibleMesh(*shown);
+        std::vector<Vec3> middles;
+        for (std::size_t i = 0; i < seen.mesh.triangles.size(); ++i) {
+            if (seen.tags[i] != kGhostWall) continue;
+            middles.push_back((seen.mesh.corner(i, 0) + seen.mesh.corner(i, 1) + seen.mesh.corner(i, 2)) / 3);
+        }
+        return middles;
+    }
+
+    std::shared_ptr<const LayeredTooth> tooth_ =
+        std::make_shared<const LayeredTooth>(*LayeredTooth::make(test::box(Vec3(-5, -5, -5), Vec3(5, 5, 5))));
+    TriangleMesh target_ = test::blockWithCavity(Vec3(-2, -2, 3), Vec3(2, 2, 5));
+    CavityGhost ghost_{target_, *tooth_->outer()};
+    WorkPiece piece_{tooth_, 0.05};
+};
+
+TEST_F(CavityGhostTest, ShowsAllWallsOfAWholeTooth) {
+    const std::size_t walls = cavityWalls(target_, *tooth_->outer()).mesh.triangles.size();
+    EXPECT_EQ(shownBy(ghost_).size(), walls);
+    EXPECT_FALSE(ghost_.empty());
+}
+
+TEST_F(CavityGhostTest, IsEmptyForTheToothItself) {
+    const CavityGhost ghost(tooth_->outer()->mesh(), *tooth_->outer());
+    EXPECT_TRUE(ghost.empty());
+}
+
+TEST_F(CavityGhostTest, HidesTheWallsThatACutHasReached) {
+    const std::vector<Vec3> walls = shownBy(ghost_);
+    cut(-1, 1);
+    const std::vector<Vec3> left = shownBy(ghost_);
+    int hidden = 0;
+    for (const Vec3& place : walls) {
+        const double fromWay = std::hypot(place.x() - std::clamp(place.x(), -1.0, 1.0), place.y());
+        const bool isShown = std::find(left.begin(), left.end(), place) != left.end();
+        // Walls are hidden by spots of 0.1 mm: at the bur's edge it may be either.
+        if (fromWay < 0.8 && place.z() < 3.001) {
+            EXPECT_FALSE(isShown) << place.transpose();
+            ++hidden;
+        }
+        if (fromWay > 1.2) {
+            EXPECT_TRUE(isShown) << place.transpose();
+        }
+    }
+    EXPECT_GT(hidden, 200);
+}
+
+TEST_F(CavityGhostTest, ShowsThemAgainWhenTheCutIsTakenBack) {
+    const std::vector<Vec3> whole = shownBy(ghost_);
+    piece_.mark();
+    cut(-1, 1);
+    EXPECT_LT(shownBy(ghost_).size(), whole.size());
+    ASSERT_TRUE(piece_.undo());
+    EXPECT_EQ(shownBy(ghost_), whole);
+}
+
+TEST_F(CavityGhostTest, StepByStepShowsTheSameAsAtOnce) {
+    const std::pair<double, double> ways[] = {{-1, -0.8}, {-0.8, 0.5}, {1, 0.9}, {0.9, 0.5}};
+    for (const auto& [from, to] : ways) {
+        cut(from, to);
+        CavityGhost fresh(target_, *tooth_->outer());
+        EXPECT_EQ(shownBy(ghost_), shownBy(fresh));
+    }
+}
+
+TEST_F(CavityGhostTest, KeepsTheRimOfAFinishedCavity) {
+    const auto rimOf = [&](CavityGhost& ghost) {
+        const std::vector<SurfaceTag> tags = visibleMesh(*ghost.over(piece_.surface())).tags;
+        return std::count(tags.begin(), tags.end(), kGhostRim);
+    };
+    const auto whole = rimOf(ghost_);
+    EXPECT_GT(whole, 12 * 100);  // 16 mm of it, twelve triangles every 0.15 mm
+    cut(-1, 1);
+    EXPECT_EQ(rimOf(ghost_), whole);
+}
+
+TEST_F(CavityGhostTest, IsTheSameObjectUntilSomethingChanges) {
+    const std::shared_ptr<const Surface> before = ghost_.over(piece_.surface());
+    EXPECT_EQ(ghost_.over(piece_.surface()), before);
+    cut(-1, 1);
+    const std::shared_ptr<const Surface> after = ghost_.over(piece_.surface());
+    EXPECT_NE(after, before);
+    EXPECT_EQ(after->base, before->base);  // what is on the graphics card stays there
+    EXPECT_EQ(ghost_.over(piece_.surface()), after);
+}
+
+}  // namespace
+}  // namespace tactooth

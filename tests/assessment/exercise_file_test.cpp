@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "assessment/exercise_file.h"
+
+#include <gmock/gmock.h>
+
+#include "geometry/mesh/mesh_report.h"
+#include "geometry/io/stl_writer.h"
+#include "support/shapes.h"
+#include "support/test_data.h"
+#include "support/text_file.h"
+
+namespace tactooth {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// A complete exercise on the built-in molar, with `change` in the place of `line`.
+std::string exerciseWith(std::string_view line = {}, std::string_view change = {}) {
+    std::string text =
+        "name = \"Pit\"\n"
+        "task = \"Drill.\"\n"
+        "tooth = 36\n"
+        "bur = \"330\"\n"
+        "[cavity]\n"
+        "depth = 1.5\n"
+        "[[cavity.strokes]]\n"
+        "from = [0.5, 0, 0]\n";
+    if (!line.empty()) text.replace(text.find(line), line.size(), change);
+    return text;
+}
+
+Expected<Exercise> parsed(const std::string& text) { return parseExercise(text, "pit.toml", "/somewhere"); }
+
+TEST(ExerciseFile, DescribesABuiltInToothABurAndWhatItCuts) {
+    const auto exercise =
+        parsed(exerciseWith("tooth = 36", "tooth = 36\npatient = 7\ndecay = {site = \"occlusal\", width = 1.5}"));
+    ASSERT_TRUE(exercise) << exercise.error().message;
+    EXPECT_EQ(exercise->name, "Pit");
+    EXPECT_EQ(exercise->task, "Drill.");
+    const auto& tooth = std::get<ToothRequest>(exercise->tooth);
+    EXPECT_EQ(tooth.fdi, 36);
+    EXPECT_EQ(tooth.seed, 7U);
+    EXPECT_EQ(tooth.lesion->site, LesionSite::occlusal);
+    EXPECT_EQ(tooth.lesion->width, 1.5);
+    EXPECT_EQ(std::get<std::string>(exercise->bur), "330");
+    const auto& plan = std::get<PreparationPlan>(exercise->ideal);
+    EXPECT_EQ(plan.outward, Vec3::UnitZ());
+    EXPECT_EQ(plan.depth, 1.5);
+    EXPECT_TRUE(plan.isFlat);
+    ASSERT_EQ(plan.strokes.size(), 1U);
+    EXPECT_EQ(plan.strokes[0].from, Vec3(0.5, 0, 0));
+    EXPECT_EQ(plan.strokes[0].to, Vec3(0.5, 0, 0));
+}
+
+TEST(ExerciseFile, NamesFilesBesideIt) {
+    const auto exercise = parsed(
+        "name = \"Own\"\ntask = \"Cut.\"\ntooth = \"teeth/own.stl\"\nlayers = {dentin = \"dentin.stl\"}\n"
+        "bur = \"bur.stl\"\nideal = \"ideal.stl\"\n");
+    ASSERT_TRUE(exercise) << exercise.error().message;
+    const auto& source = std::get<ToothSource>(exercise->tooth);
+    EXPECT_EQ(source.outer, "/somewhere/teeth/own.stl");
+    ASSERT_EQ(source.layers.size(), 1U);
+    EXPECT_EQ(source.layers[0].material, "dentin");
+    EXPECT_EQ(source.layers[0].file, "/somewhere/dentin.stl");
+    EXPECT_EQ(std::get<std::filesystem::path>(exercise->bur), "/somewhere/bur.stl");
+    EXPECT_EQ(std::get<std::filesystem::path>(exercise->ideal), "/somewhere/ideal.stl");
+}
+
+TEST(ExerciseFile, KnowsWhereMesialIs) {
+    const auto side = [](const char* tooth, const char* name) {
+        std::string text = exerciseWith("tooth = 36", tooth);
+        text.replace(text.find("depth"), 0, std::string("side = ") + name + "\n");
+        return std::get<PreparationPlan>(parsed(text)->ideal).outward;
+    };
+    EXPECT_EQ(side("tooth = 36", "\"mesial\""), Vec3::UnitX());
+    EXPECT_EQ(side("tooth = 46", "\"mesial\""), -Vec3::UnitX());
+    EXPECT_EQ(side("tooth = 46", "\"distal\""), Vec3::UnitX());
+    EXPECT_EQ(side("tooth = 46", "\"lingual\""), -Vec3::UnitY());
+    EXPECT_EQ(side("tooth = 46", "[0, 3, 0]"), Vec3::UnitY());
+}
+
+TEST(ExerciseFile, IsRefusedWithASentenceThatNamesTheLine) {
+    const std::vector<std::array<std::string, 3>> mistakes = {
+        {"name = \"Pit\"\n", "", "the key 'name' is missing"},
+        {"tooth = 36", "tooth = 39", "line 3: 39 is no permanent tooth"},
+        {"tooth = 36", "tooth = \"../own.stl\"", "line 3: '../own.stl' must lie beside this file"},
+        {"tooth = 36", "tooth = 36\ndecay = {site = \"top\"}", "'site' must be"},
+        {"tooth = 36", "tooth = 11\ndecay = {site = \"occlusal\"}", "a front tooth has no occlusal side"},
+        {"tooth = 36", "tooth = \"a.stl\"\npatient = 3", "'patient' belongs to a built-in tooth"},
+        {"tooth = 36", "tooth = 36\nlayers = {dentin = \"d.stl\"}", "a built-in tooth brings its own layers"},
+        {"tooth = 36", "tooth = \"a.stl\"\nlayers = {gold = \"d.stl\"}", "there is no material 'gold'"},
+        {"tooth = 36", "teeth = 36", "an exercise has no key 'teeth'"},
+        {"bur = \"330\"", "bur = \"999\"", "line 4: there is no bur '999'"},
+        {"bur = \"330\"", "bur = 330", "line 4: 'bur' must be a text"},
+        {"[cavity]", "ideal = \"i.stl\"\n[cavity]", "give the ideal shape either"},
+        {"depth = 1.5", "depth = 0", "line 6: 'depth' must be a number from 0.05 to 15"},
+        {"depth = 1.5\n", "", "the key 'depth' is missing"},
+        {"depth = 1.5", "depth = 1.5\nside = \"above\"", "'side' must be"},
+        {"depth = 1.5", "depth = 1.5\nside = [0, 0, 0]", "'side' has no direction"},
+        {"depth = 1.5", "depth = 1.5\nfloor = \"round\"", "'floor' must be flat"},
+        {"[[cavity.strokes]]\nfrom = [0.5, 0, 0]\n", "", "there are no strokes"},
+        {"from = [0.5, 0, 0]", "to = [0.5, 0, 0]", "the key 'from' is missing"},
+        {"from = [0.5, 0, 0]", "from = [0.5, 0]", "line 8: 'from' must be a list of 3 numbers"},
+        {"from = [0.5, 0, 0]", "from = [0.5, 0, 0]\nto = [0, 90, 0]", "longer or farther away than any tooth"},
+        {"name = \"Pit\"", "name = ", "line 1: this is not TOML"}};
+    for (const auto& [line, change, words] : mistakes) {
+        const auto exercise = parsed(exerciseWith(line, change));
+        ASSERT_FALSE(exercise) << words;
+        EXPECT_THAT(exercise.error().message, HasSubstr(words));
+        EXPECT_THAT(exercise.error().message, HasSubstr("pit.toml, line "));
+    }
+}
+
+TEST(ExerciseFile, AStrokeBesideTheToothIsRefused) {
+    const auto exercise = parsed(exerciseWith("from = [0.5, 0, 0]", "from = [0.5, 0, 0]\nto = [30, 0, 0]"));
+    ASSERT_TRUE(exercise);
+    const auto ideal = idealShape(*exercise, *exerciseTooth(*exercise));
+    ASSERT_FALSE(ideal);
+    EXPECT_THAT(ideal.error().message, HasSubstr("stroke 1 of the cavity goes past the tooth"));
+}
+
+TEST(ExerciseFile, AnIdealShapeOfOnesOwnIsTakenAsItIsAndMustBeClosed) {
+    const test::TemporaryFolder folder;
+    TriangleMesh block = test::box(Vec3(-2, -2, -3), Vec3(2, 2, 0));
+    ASSERT_TRUE(writeStl(block, folder / "block.stl"));
+    ASSERT_TRUE(writeStl(test::box(Vec3(-2, -2, -3), Vec3(2, 2, -1)), folder / "ideal.stl"));
+    block.triangles.pop_back();
+    ASSERT_TRUE(writeStl(block, folder / "open.stl"));
+    test::writeText(
+        folder / "lower.toml",
+        "name = \"Lower\"\ntask = \"Grind.\"\ntooth = \"block.stl\"\nbur = \"330\"\nideal = \"ideal.stl\"\n");
+    test::writeText(folder / "open.toml",
+                    "name = \"Open\"\ntask = \"Grind.\"\ntooth = \"block.stl\"\nbur = \"330\"\nideal = \"open.stl\"\n");
+    const auto lower = readExercise(folder / "lower.toml");
+    ASSERT_TRUE(lower) << lower.error().message;
+    EXPECT_EQ(lower->file, folder / "lower.toml");
+    const auto tooth = exerciseTooth(*lower);
+    ASSERT_TRUE(tooth) << tooth.error().message;
+    const auto ideal = idealShape(*lower, *tooth);
+    ASSERT_TRUE(ideal) << ideal.error().message;
+    EXPECT_NEAR(*reportOn(*ideal).volume(), 32, 1e-3);
+    const auto open = readExercise(folder / "open.toml");
+    ASSERT_TRUE(open);
+    const auto refused = idealShape(*open, *tooth);
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(refused.error().message, HasSubstr("is open (3 edges without a neighbour)"));
+}
+
+TEST(ExerciseFile, AFileThatIsNotThereIsRefused) {
+    const auto missing = readExercise("/nowhere/pit.toml");
+    ASSERT_FALSE(missing);
+    EXPECT_THAT(missing.error().message, HasSubstr("/nowhere/pit.toml"));
+}
+
+}  // namespace
+}  // namespace tactooth

@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "session/simulation/tooth_file.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <fstream>
+#include <random>
+
+#include "bench_scene.h"
+#include "support/test_data.h"
+#include "tooth/file/byte_stream.h"
+
+namespace tactooth {
+namespace {
+
+using test::at;
+using test::cutBlock;
+
+const Provenance kNotes = {{"tooth", "block.stl"}, {"who", "a student of dentistry, 3rd year"}};
+
+TEST(ToothFile, BringsBackEveryBit) {
+    const auto piece = cutBlock();
+    const test::TemporaryFolder folder;
+    const auto path = folder / "cut.tactooth";
+    ASSERT_TRUE(saveTooth(*piece, kNotes, path));
+    const auto opened = openTooth(path);
+    ASSERT_TRUE(opened) << opened.error().message;
+    EXPECT_EQ(opened->provenance, kNotes);
+    const WorkPiece& again = *opened->piece;
+    EXPECT_EQ(again.hash(), piece->hash());
+    EXPECT_EQ(again.removed(), piece->removed());
+    EXPECT_EQ(again.tooth().layers().size(), 2U);
+    EXPECT_EQ(again.tooth().layers()[1].name, "core");
+    const TaggedMesh before = visibleMesh(*piece->surface());
+    const TaggedMesh after = visibleMesh(*again.surface());
+    EXPECT_EQ(after.mesh.vertices, before.mesh.vertices);
+    EXPECT_EQ(after.mesh.triangles, before.mesh.triangles);
+    EXPECT_EQ(after.tags, before.tags);
+    EXPECT_EQ(toothFileBytes(again, kNotes), toothFileBytes(*piece, kNotes));
+}
+
+TEST(ToothFile, AnOpenedToothIsCutOnAsIfItHadNeverBeenSaved) {
+    const auto piece = cutBlock();
+    const test::TemporaryFolder folder;
+    ASSERT_TRUE(saveTooth(*piece, {}, folder / "cut.tactooth"));
+    const auto opened = openTooth(folder / "cut.tactooth");
+    ASSERT_TRUE(opened) << opened.error().message;
+    const auto cutOn = [](WorkPiece& one) {
+        return one.sweep(test::flatBur().cutting, at(0.5, 0.3, -0.5), at(-0.6, 0.4, -0.7));
+    };
+    const MaterialVolumes removed = cutOn(*piece);
+    EXPECT_EQ(cutOn(*opened->piece), removed);
+    EXPECT_GT(removed[static_cast<std::size_t>(MaterialId::Dentin)], 0.01);
+    EXPECT_EQ(opened->piece->hash(), piece->hash());
+}
+
+TEST(ToothFile, AWholeToothIsSavedToo) {
+    const auto piece = test::blockOnTheBench();
+    const test::TemporaryFolder folder;
+    ASSERT_TRUE(saveTooth(*piece, {}, folder / "whole.tactooth"));
+    const auto opened = openTooth(folder / "whole.tactooth");
+    ASSERT_TRUE(opened) << opened.error().message;
+    EXPECT_EQ(opened->piece->hash(), piece->hash());
+    EXPECT_TRUE(opened->piece->surface()->patches.empty());
+}
+
+TEST(ToothFile, KnowsHowTheToothStandsAndWhatIsAroundIt) {
+    TriangleMesh outer = test::box(Vec3(-2, -2, -3), Vec3(2, 2, 0));
+    append(outer, test::box(Vec3(3, -2, -3), Vec3(5, 2, 0)));
+    std::vector<LayerMesh> layers;
+    for (int i = 0; i < 100; ++i) {  // as many as a whole mouth has
+        const double x = -1.9 + 0.03 * i;
+        layers.push_back(
+            {"layer " + std::to_string(i), MaterialId::Dentin, test::box(Vec3(x, -0.5, -2), Vec3(x + 0.02, 0.5, -1))});
+    }
+    auto tooth = LayeredTooth::make(outer, std::move(layers), MaterialId::Enamel, {.mesialX = -1, .firstAround = 12});
+    ASSERT_TRUE(tooth) << tooth.error().message;
+    const WorkPiece piece(std::make_shared<const LayeredTooth>(std::move(*tooth)), test::kVoxel);
+    const test::TemporaryFolder folder;
+    ASSERT_TRUE(saveTooth(piece, {}, folder / "x.tactooth"));
+    const auto opened = openTooth(folder / "x.tactooth");
+    ASSERT_TRUE(opened) << opened.error().message;
+    const LayeredTooth& again = opened->piece->tooth();
+    EXPECT_EQ(again.layers().size(), 100U);
+    EXPECT_EQ(again.standing().mesialX, -1);
+    EXPECT_EQ(again.ownBox().max(), Vec3(2, 2, 0));
+    const Surface& felt = *opened->piece->felt();
+    EXPECT_FALSE(felt.base->isAround(11));
+    EXPECT_TRUE(felt.base->isAround(12));
+}
+
+/// Version 1 ended its surfaces with the material of the rest.
+TEST(ToothFile, OfTheFirstVersionIsStillRead) {
+    std::vector<std::byte> bytes = toothFileBytes(*cutBlock(), kNotes);
+    std::vector<std::byte> voxel(sizeof(double));
+    std::memcpy(voxel.data(), &test::kVoxel, sizeof(double));
+    const auto volume = std::search(bytes.begin(), bytes.end(), voxel.begin(), voxel.end());
+    ASSERT_NE(volume, bytes.end());
+    bytes.erase(volume - 5, volume);
+    bytes[8] = std::byte{1};
+    const std::uint64_t sum = checksum(std::span(bytes).first(bytes.size() - sizeof sum));
+    std::memcpy(bytes.data() + bytes.size() - sizeof sum, &sum, sizeof sum);
+    const auto parsed = parseSavedTooth(bytes, "old");
+    ASSERT_TRUE(parsed) << parsed.error().message;
+    EXPECT_EQ(parsed->cuts.size(), cutBlock()->volume().cutBricks().size());
+    EXPECT_EQ(parsed->standing.mesialX, 1);
+    EXPECT_EQ(parsed->standing.firstAround, UINT32_MAX);
+}
+
+TEST(ToothFile, SaysWhatIsWrongWithOtherFiles) {
+    const test::TemporaryFolder folder;
+    const auto refusal = [&](const std::string& bytes) {
+        std::ofstream(folder / "x.tactooth", std::ios::binary) << bytes;
+        const auto opened = openTooth(folder / "x.tactooth");
+        return opened ? std::string("opened") : opened.error().message;
+    };
+    EXPECT_NE(refusal("solid tooth").find("no saved tooth"), std::string::npos);
+    EXPECT_NE(refusal("").find("empty"), std::string::npos);
+    const std::vector<std::byte> good = toothFileBytes(*cutBlock(), kNotes);
+    std::string bytes(reinterpret_cast<const char*>(good.data()), good.size());
+    EXPECT_EQ(refusal(bytes), "opened");
+    EXPECT_NE(refusal(bytes.substr(0, bytes.size() - 1)).find("cut short"), std::string::npos);
+    EXPECT_NE(refusal(bytes + "x").find("more in the file"), std::string::npos);
+    bytes[8] = 9;
+    EXPECT_NE(refusal(bytes).find("format version 9"), std::string::npos);
+    EXPECT_NE(openTooth(folder / "missing").error().message.find("no such file"), std::string::npos);
+}
+
+TEST(ToothFile, OneChangedByteAnywhereIsNoticed) {
+    const std::vector<std::byte> good = toothFileBytes(*cutBlock(), kNotes);
+    std::mt19937 random(4);
+    for (int i = 0; i < 300; ++i) {
+        std::vector<std::byte> bytes = good;
+        bytes[random() % bytes.size()] ^= static_cast<std::byte>(1 + random() % 255);
+        const auto parsed = parseSavedTooth(bytes, "tooth");
+        ASSERT_FALSE(parsed);
+        EXPECT_TRUE(parsed.error().message.starts_with("tooth, byte "));
+        EXPECT_TRUE(parsed.error().message.ends_with("."));
+    }
+}
+
+TEST(ToothFile, NotesOfThisProgramAreAddedBehindThoseBefore) {
+    const Provenance notes = savedNow(kNotes);
+    ASSERT_EQ(notes.size(), kNotes.size() + 2);  // neither command nor path: a file may be given away
+    EXPECT_EQ(notes[1], kNotes[1]);
+    EXPECT_EQ(notes[2].first, "saved");
+    EXPECT_EQ(notes[2].second.substr(0, 2), "20");
+}
+
+}  // namespace
+}  // namespace tactooth

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "view/passes/shadow_map.h"
+
+#include <gtest/gtest.h>
+
+#include "support/shapes.h"
+#include "view/renderer_fixture.h"
+
+namespace tactooth {
+namespace {
+
+using test::objectOf;
+
+/// All triangles, one lookup a pixel: what the shadow map holds then follows from the scene alone.
+constexpr RenderSettings kEveryTriangle{.shadows = Shadows::Hard};
+
+/// A ball that is cut, a floor below it on which its shadow falls, and a tool between light and ball.
+class ShadowMapTest : public test::RendererTest {
+protected:
+    void SetUp() override {
+        tool_.moves = true;
+        tool_.objectInWorld.position = Vec3(-1, 0, 6);
+        surface_.base = std::make_shared<const SurfacePart>(test::sphere(Vec3::Zero(), 3, 48, 24));
+    }
+
+    [[nodiscard]] Scene scene() const {
+        SceneObject tooth;
+        tooth.shape = std::make_shared<const Surface>(surface_);
+        tooth.looks = {looks::enamel()};
+        Scene scene = test::sceneOf({tooth, floor_, post_, tool_}, {-1.5707963, 1.0});
+        scene.lighting.toKey = Vec3(0.4, 0.2, 1).normalized();
+        return scene;
+    }
+
+    /// The triangles from `first` up to, not including, `end` are gone.
+    void hide(std::uint32_t first, std::uint32_t end) {
+        auto mask = std::make_shared<TriangleMask>((surface_.base->mesh().triangles.size() + 63) / 64);
+        for (std::uint32_t t = first; t < end; ++t) (*mask)[t / 64] |= std::uint64_t{1} << (t % 64);
+        surface_.hidden = std::move(mask);
+    }
+
+    void addPatch(const Vec3& centre) {
+        surface_.patches.push_back(std::make_shared<const SurfacePart>(test::sphere(centre, 0.6, 16, 8)));
+    }
+
+    /// After a scene that shares nothing with this one, so that all of the map is drawn.
+    static Image drawnAnew(const Scene& scene) {
+        draw(test::sceneOf({objectOf(test::sphere(Vec3::Zero(), 1, 12, 6))}), kEveryTriangle);
+        return draw(scene, kEveryTriangle);
+    }
+
+    /// The picture that follows the last one. Its shadow differs from that of the uncut ball.
+    void expectThatOfAnewOne() const {
+        const Image followed = draw(scene(), kEveryTriangle);
+        EXPECT_EQ(followed, drawnAnew(scene()));
+    }
+
+    SceneObject floor_ = objectOf(test::box(Vec3(-8, -8, -4), Vec3(8, 8, -3.5)));
+    SceneObject post_ = objectOf(test::box(Vec3(7, 7, -4), Vec3(8, 8, 5)));  // holds the map's frame still
+    SceneObject tool_ = objectOf(test::sphere(Vec3::Zero(), 0.5, 24, 12), looks::steel());
+    Surface surface_;
+};
+
+TEST_F(ShadowMapTest, WhatIsCutAndWhatComesThrowsItsShadowAtOnce) {
+    const Image whole = drawnAnew(scene());
+    hide(0, 900);  // the light falls through
+    expectThatOfAnewOne();
+    addPatch(Vec3(4.5, -2, 0));
+    expectThatOfAnewOne();
+    EXPECT_NE(draw(scene(), kEveryTriangle), whole);
+}
+
+TEST_F(ShadowMapTest, WhatIsTakenBackTakesItsShadowAlong) {
+    hide(0, 900);
+    addPatch(Vec3(4.5, -2, 0));
+    addPatch(Vec3(-4.5, -2, 0));
+    drawnAnew(scene());
+    surface_.patches.erase(surface_.patches.begin());
+    expectThatOfAnewOne();
+    hide(0, 0);
+    expectThatOfAnewOne();
+}
+
+TEST_F(ShadowMapTest, ChangesOfPicturesWithoutShadowAreNotForgotten) {
+    drawnAnew(scene());
+    hide(0, 900);
+    draw(scene(), {.shadows = Shadows::None});
+    expectThatOfAnewOne();
+}
+
+TEST_F(ShadowMapTest, WhatOtherShapesReplaceThrowsNoShadowAnyMore) {
+    Scene large = scene(), small = large;
+    large.objects.push_back(objectOf(test::sphere(Vec3(4.5, -2, 0), 1, 24, 12)));
+    small.objects.push_back(objectOf(test::sphere(Vec3(4.5, -2, 0), 0.3, 24, 12)));
+    drawnAnew(large);
+    const Image followed = draw(small, kEveryTriangle);
+    EXPECT_EQ(followed, drawnAnew(small));
+}
+
+TEST_F(ShadowMapTest, ToolsThatMoveNearerToTheLightAreAllInTheMap) {
+    drawnAnew(scene());
+    for (const double height : {7.0, 20.0, 60.0, 5.0}) {
+        tool_.objectInWorld.position = Vec3(0.4, 0.2, 1) * height;
+        addPatch(Vec3(4.5, -height / 20, 0));
+        expectThatOfAnewOne();
+        const Scene shaded = scene();
+        Scene open = shaded;
+        open.objects.pop_back();
+        const Image with = draw(shaded, kEveryTriangle), without = draw(open, kEveryTriangle);
+        EXPECT_NE(with, without) << height;
+    }
+}
+
+}  // namespace
+}  // namespace tactooth
