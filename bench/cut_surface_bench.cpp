@@ -10,10 +10,10 @@
 #include <cstdio>
 #include <limits>
 
-#include "milling.h"
-#include "session/io/run_facts.h"
 #include "experiments/thread_clock.h"
-#include "tooth/surface/live_surface.h"
+#include "milling.h"
+#include "session/io/run_metadata.h"
+#include "tooth/surface/incremental_surface.h"
 
 namespace tactooth {
 namespace {
@@ -87,28 +87,28 @@ std::size_t timeWalks(const char* way, double reach, const VisibleBase& base, co
 void timeThinning(const Surface& surface) {
     const AabbTree& whole = surface.base->tree();
     const double start = wallMillis();
-    TreeThinner thinner(whole);
+    MaskedBvh thinner(whole);
     const double ready = wallMillis();
     for (std::uint32_t t = 0; t < surface.base->mesh().triangles.size(); ++t)
         if (isHidden(*surface.hidden, t)) thinner.setHidden(t, true);
     double least = std::numeric_limits<double>::infinity();
     for (int run = 0; run < kRuns; ++run) {
         const double begin = threadMicros();
-        const AabbTree tree = thinner.thinned();
+        const AabbTree tree = thinner.maskedTree();
         least = std::min(least, threadMicros() - begin);
     }
     std::printf("Thinner made in %.2f ms; a thinned tree in %.0f us, %zu KB of its own beside %zu KB shared.\n\n",
-                ready - start, least, (surface.thinned->bytes() - whole.bytes()) / 1024, whole.bytes() / 1024);
+                ready - start, least, (surface.maskedTree->bytes() - whole.bytes()) / 1024, whole.bytes() / 1024);
 }
 
 int runBench(double voxel) {
-    const RunFacts facts = currentRunFacts();
+    const RunMetadata facts = currentRunMetadata();
     std::printf("%s, %s, commit %s, %s\n%s\n\n", facts.machine.c_str(), facts.compiler.c_str(), facts.commit.c_str(),
                 facts.date.c_str(), facts.command.c_str());
     const auto tooth = std::make_shared<const LayeredTooth>(std::move(*LayeredTooth::make(largeTooth())));
     const RevolutionEnvelope bur = *RevolutionEnvelope::make(test::cylinder(Vec3::Zero(), 0.6, 4.2, 96));
     CutVolume volume(tooth, voxel);
-    LiveSurface live(volume);
+    IncrementalSurface live(volume);
     const Box3 box = tooth->outer()->tree().box();
     for (int i = 0; i < kMoves; ++i) {
         const CarveResult result =

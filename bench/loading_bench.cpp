@@ -16,13 +16,13 @@
 
 #include "collision/bvh/aabb_tree.h"
 #include "collision/solid/solid.h"
+#include "experiments/thread_clock.h"
 #include "geometry/files/file_bytes.h"
-#include "geometry/mesh/simplify.h"
 #include "geometry/io/stl_reader.h"
 #include "geometry/io/stl_writer.h"
+#include "geometry/mesh/simplify.h"
 #include "geometry/mesh/subdivide.h"
-#include "session/io/run_facts.h"
-#include "experiments/thread_clock.h"
+#include "session/io/run_metadata.h"
 #include "support/shapes.h"
 #include "support/test_data.h"
 
@@ -133,7 +133,7 @@ TriangleMesh tooth() {
 }
 
 int runBench(int runs) {
-    const RunFacts facts = currentRunFacts();
+    const RunMetadata facts = currentRunMetadata();
     std::printf("%s, %s, commit %s, %s\n%s\n\n", facts.machine.c_str(), facts.compiler.c_str(), facts.commit.c_str(),
                 facts.date.c_str(), facts.command.c_str());
     const TriangleMesh whole = tooth();

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "geometry/util/pose.h"
 #include "geometry/io/stl_reader.h"
+#include "geometry/util/pose.h"
 #include "support/shapes.h"
 #include "support/test_data.h"
 

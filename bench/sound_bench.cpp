@@ -50,7 +50,7 @@ int main() {
     cutting.speedRpm = 300000.0;
     cutting.pedal = 1.0;
     cutting.load = 0.25;
-    cutting.removalWatt = 10.0;
+    cutting.removalPower = 10.0;
     cutting.material = soundCharacterOf("enamel");
     std::puts("scene,p50_us,p99_us,max_us,core_percent,peak");
     measure("standstill", still);

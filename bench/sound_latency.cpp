@@ -16,9 +16,9 @@
 #include <thread>
 #include <vector>
 
+#include "sound/files/sound_format.h"
 #include "sound/output/audio_libraries.h"
 #include "sound/output/openal_output.h"
-#include "sound/files/sound_format.h"
 
 namespace tactooth {
 namespace {
@@ -26,18 +26,18 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-constexpr float kHeard = 2e-3f;  // a knock begins in silence
+constexpr float kOnsetLevel = 2e-3f;  // a knock begins in silence
 
 std::int64_t now() { return Clock::now().time_since_epoch() / 1ns; }
 
 /// Notes when the first loud sample after `arm()` came in.
-class Ear {
+class OnsetDetector {
 public:
     void arm() {
-        heardAt_ = 0;
+        onsetAt_ = 0;
         armed_ = true;
     }
-    [[nodiscard]] std::int64_t heardAt() const { return heardAt_; }
+    [[nodiscard]] std::int64_t onsetAt() const { return onsetAt_; }
 
     void listen() {
         std::array<float, 2048> samples;
@@ -47,21 +47,21 @@ public:
             const std::int64_t time = now();
             const std::ptrdiff_t count = bytes / static_cast<ssize_t>(sizeof(float));
             const auto end = samples.begin() + count;
-            const auto loud = std::find_if(samples.begin(), end, [](float s) { return std::abs(s) > kHeard; });
+            const auto loud = std::find_if(samples.begin(), end, [](float s) { return std::abs(s) > kOnsetLevel; });
             if (loud == end || !armed_.exchange(false)) continue;
-            heardAt_ = time - (end - loud) / 2 * 1'000'000'000 / kSoundRate;
+            onsetAt_ = time - (end - loud) / 2 * 1'000'000'000 / kSoundRate;
         }
     }
 
 private:
     std::atomic<bool> armed_{false};
-    std::atomic<std::int64_t> heardAt_{0};
+    std::atomic<std::int64_t> onsetAt_{0};
 };
 
-void run(std::vector<double>& measured, std::vector<double>& told) {
-    constexpr int kKnocks = 100;
-    static Ear ear;
-    std::thread([] { ear.listen(); }).detach();  // reads until the input ends
+void run(std::vector<double>& measured, std::vector<double>& reported) {
+    constexpr int kImpacts = 100;
+    static OnsetDetector onsetDetector;
+    std::thread([] { onsetDetector.listen(); }).detach();  // reads until the input ends
     OpenAlOutput output;
     DrillSoundState state;
     state.material = soundCharacterOf("enamel");
@@ -71,15 +71,16 @@ void run(std::vector<double>& measured, std::vector<double>& told) {
             output.publish(state);
     };
     publishFor(4s);  // a sound server may take its time to start
-    for (int knock = 0; knock < kKnocks; ++knock) {
+    for (int knock = 0; knock < kImpacts; ++knock) {
         publishFor(250ms + knock % 17 * 1300us);  // at any moment of a block
-        ear.arm();
+        onsetDetector.arm();
         ++state.contactCount;
         const std::int64_t start = now();
         output.publish(state);
-        told.push_back(1e3 * output.latency());
+        reported.push_back(1e3 * output.latency());
         publishFor(200ms);
-        if (ear.heardAt() > 0) measured.push_back(1e-6 * static_cast<double>(ear.heardAt() - start));
+        if (onsetDetector.onsetAt() > 0)
+            measured.push_back(1e-6 * static_cast<double>(onsetDetector.onsetAt() - start));
     }
 }
 
@@ -88,15 +89,15 @@ void run(std::vector<double>& measured, std::vector<double>& told) {
 
 int main() {
     tactooth::prepareAudioLibraries();
-    std::vector<double> measured, told;
-    tactooth::run(measured, told);
+    std::vector<double> measured, reported;
+    tactooth::run(measured, reported);
     if (measured.empty()) {
         std::fputs("nothing was heard on standard input; see the head of bench/sound_latency.cpp\n", stderr);
         return 2;
     }
     std::sort(measured.begin(), measured.end());
-    std::sort(told.begin(), told.end());
+    std::sort(reported.begin(), reported.end());
     std::puts("knocks_heard,p50_ms,p90_ms,max_ms,told_p50_ms,told_max_ms");
     std::printf("%zu,%.1f,%.1f,%.1f,%.1f,%.1f\n", measured.size(), measured[measured.size() / 2],
-                measured[measured.size() * 9 / 10], measured.back(), told[told.size() / 2], told.back());
+                measured[measured.size() * 9 / 10], measured.back(), reported[reported.size() / 2], reported.back());
 }

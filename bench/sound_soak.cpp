@@ -21,7 +21,7 @@
 #include <thread>
 #include <vector>
 
-#include "haptics/light_sleep.h"
+#include "haptics/cpu_latency_request.h"
 #include "haptics/real_time.h"
 #include "sound/output/audio_libraries.h"
 #include "sound/output/openal_output.h"
@@ -55,20 +55,20 @@ DrillSoundState cuttingAt(double time) {
     state.speedRpm = 300000.0 + 60000.0 * std::sin(time);
     state.pedal = state.water = state.suction = 1.0;
     state.load = 0.4;
-    state.removalWatt = 5.0 + 4.0 * std::sin(3.0 * time);
+    state.removalPower = 5.0 + 4.0 * std::sin(3.0 * time);
     state.material = materials[static_cast<std::size_t>(time) % 3];
     return state;
 }
 
 /// One thread for each core sleeps for 1 ms at a time at real-time priority, and notes when it was woken late.
-class MachineWatch {
+class StallMonitor {
 public:
-    MachineWatch() {
+    StallMonitor() {
         for (unsigned core = 0; core < std::thread::hardware_concurrency(); ++core) {
             threads_.emplace_back([this, core](const std::stop_token& stop) { run(core, stop); });
         }
     }
-    [[nodiscard]] bool stoodStill(Clock::time_point from, Clock::time_point to) const {
+    [[nodiscard]] bool stalled(Clock::time_point from, Clock::time_point to) const {
         const std::lock_guard lock(mutex_);
         return std::any_of(late_.begin(), late_.end(), [&](auto when) { return when >= from && when <= to; });
     }
@@ -89,7 +89,7 @@ private:
         CPU_ZERO(&cores);
         CPU_SET(core, &cores);
         pthread_setaffinity_np(pthread_self(), sizeof cores, &cores);
-        (void)takeRealTimePriority();
+        (void)acquireRealTimePriority();
         for (auto due = Clock::now() + 1ms; !stop.stop_requested(); due = Clock::now() + 1ms) {
             std::this_thread::sleep_until(due);
             const double late = std::chrono::duration<double>(Clock::now() - due).count();
@@ -107,14 +107,14 @@ private:
 };
 
 /// When the sound ran dry, as it is seen from outside.
-class GapLog {
+class UnderrunLog {
 public:
-    void look(const OpenAlOutput& output) {
+    void poll(const OpenAlOutput& output) {
         for (; seen_ < output.underruns(); ++seen_) gaps_.push_back(Clock::now());
     }
-    [[nodiscard]] std::size_t ownGaps(const MachineWatch& machine) const {
+    [[nodiscard]] std::size_t ownUnderruns(const StallMonitor& machine) const {
         return static_cast<std::size_t>(std::count_if(gaps_.begin(), gaps_.end(), [&machine](auto when) {
-            return !machine.stoodStill(when - 100ms, when + 100ms);
+            return !machine.stalled(when - 100ms, when + 100ms);
         }));
     }
 
@@ -129,7 +129,7 @@ private:
 int main(int argc, char** argv) {
     using namespace tactooth;
     const double length = argc > 1 ? std::atof(argv[1]) : 600.0;
-    const LightSleep asWhileAServoRuns;
+    const CpuLatencyRequest asWhileAServoRuns;
     prepareAudioLibraries();
     OpenAlOutput output;
     while (output.status() == SoundStatus::Starting) std::this_thread::sleep_for(1ms);
@@ -141,8 +141,8 @@ int main(int argc, char** argv) {
     std::jthread busy([&](const std::stop_token& stop) {
         while (!stop.stop_requested()) work.fetch_add(1, std::memory_order_relaxed);
     });
-    MachineWatch machine;
-    GapLog gaps;
+    StallMonitor machine;
+    UnderrunLog gaps;
     std::vector<float> latencies;
     latencies.reserve(static_cast<std::size_t>(1100 * length));
     const auto start = Clock::now();
@@ -158,7 +158,7 @@ int main(int argc, char** argv) {
         if (latencies.size() % kTicksPerPicture == 0)
             output.setPlacement({{100.0 * std::sin(passed()), 0.0, -100.0}, {}});
         latencies.push_back(static_cast<float>(output.latency()));
-        gaps.look(output);
+        gaps.poll(output);
     }
     std::this_thread::sleep_for(150ms);  // a stop that the last gap was due to may be noted later
     const double used = ownTime() - usedBefore;
@@ -172,6 +172,6 @@ int main(int argc, char** argv) {
         "latency_p99_ms,latency_max_ms");
     std::printf("%.0f,%llu,%llu,%zu,%zu,%.1f,%.2f,%.1f,%.1f,%.1f\n", passed(),
                 static_cast<unsigned long long>(output.playedBlocks()),
-                static_cast<unsigned long long>(output.underruns()), gaps.ownGaps(machine), machine.stops(),
+                static_cast<unsigned long long>(output.underruns()), gaps.ownUnderruns(machine), machine.stops(),
                 1e3 * machine.longest(), 100.0 * used / passed(), quantile(0.5), quantile(0.99), quantile(1.0));
 }

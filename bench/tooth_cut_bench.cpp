@@ -11,8 +11,8 @@
 
 #include "milling.h"
 #include "support/shapes.h"
+#include "tooth/surface/incremental_surface.h"
 #include "tooth/volume/bur_feed.h"
-#include "tooth/surface/live_surface.h"
 
 namespace tactooth {
 namespace {
@@ -37,7 +37,7 @@ void carveAndUpdate(benchmark::State& state) {
     const double voxel = 1e-3 * static_cast<double>(state.range(0));
     const double step = static_cast<double>(state.range(1)) / static_cast<double>(state.range(2));
     CutVolume volume(molar(), voxel);
-    LiveSurface surface(volume);
+    IncrementalSurface surface(volume);
     const Box3 box = molar()->outer()->tree().box();
     double length = 0;
     double removed = 0;
@@ -74,22 +74,22 @@ void feedAndUpdate(benchmark::State& state) {
     const double work = 1e-3 * static_cast<double>(state.range(1));
     constexpr double kAhead = 0.1;  // mm
     CutVolume volume(molar(), voxel);
-    LiveSurface surface(volume);
+    IncrementalSurface surface(volume);
     const Box3 box = molar()->outer()->tree().box();
     double length = 0.3;  // just above the tooth
-    double lastWay = 0;
+    double lastFeedLength = 0;
     double removed = 0;
     std::vector<double> search, all;
     for (auto _ : state) {
         const auto begin = std::chrono::steady_clock::now();
-        const double enough = std::max(2 * lastWay, voxel) / kAhead;
+        const double enough = std::max(2 * lastFeedLength, voxel) / kAhead;
         const FeedResult result = feedBur(volume, fissureBur(), poseAlongPath(box, length, 0),
                                           poseAlongPath(box, length + kAhead, 0), work, {}, 1, enough);
         const std::chrono::duration<double, std::milli> found = std::chrono::steady_clock::now() - begin;
         surface.update(volume, result.carve.changed);
         const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
-        lastWay = result.fraction * kAhead;
-        length += lastWay;
+        lastFeedLength = result.fraction * kAhead;
+        length += lastFeedLength;
         removed += total(result.carve.removed);
         if (result.fraction == 1) continue;  // still in the air
         search.push_back(found.count());
@@ -112,7 +112,7 @@ void firstCut(benchmark::State& state) {
     const Box3 box = molar()->outer()->tree().box();
     for (auto _ : state) {
         CutVolume volume(molar(), 0.05);
-        LiveSurface surface(volume);
+        IncrementalSurface surface(volume);
         const CarveResult result = volume.carve(fissureBur(), poseAlongPath(box, 1.5, 0), poseAlongPath(box, 1.6, 0));
         surface.update(volume, result.changed);
         benchmark::DoNotOptimize(surface.snapshot());

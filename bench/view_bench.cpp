@@ -13,18 +13,18 @@
 
 #include "geometry/io/stl_reader.h"
 #include "support/shapes.h"
+#include "view/camera/orbit_camera.h"
 #include "view/gl/drawable.h"
 #include "view/gl/egl_context.h"
-#include "view/camera/orbit_camera.h"
 #include "view/gl/render_target.h"
-#include "view/render/renderer.h"
 #include "view/gl/shader_program.h"
 #include "view/gl/triangle_buffers.h"
+#include "view/render/renderer.h"
 
 namespace tactooth {
 namespace {
 
-constexpr PictureSize kSize{1280, 800};
+constexpr ImageSize kSize{1280, 800};
 constexpr int kPictures = 25;
 
 /// A ball with the wrinkles of a molar's size, for machines without a scanned tooth.
@@ -40,7 +40,7 @@ TriangleMesh wrinkledBall(int sectors, int rings) {
 Camera cameraAt(const Box3& box, int picture) {
     OrbitCamera camera;
     camera.fit(box, kSize.aspect());
-    camera.look({std::numbers::pi / 180 * picture, 0.6});
+    camera.setView({std::numbers::pi / 180 * picture, 0.6});
     return camera.camera();
 }
 
@@ -81,7 +81,7 @@ public:
         glEnable(GL_CULL_FACE);
         program_.use();
         program_.set("m", Mat4(projectionMatrix(camera, kSize.aspect()) * viewMatrix(camera)));
-        const TriangleRun all{0, triangles_};
+        const TriangleRange all{0, triangles_};
         buffers_.draw({&all, 1});
     }
 
@@ -95,7 +95,7 @@ Scene sceneOf(const std::shared_ptr<const TriangleMesh>& mesh) {
     Scene scene;
     SceneObject tooth;
     tooth.shape = mesh;
-    tooth.looks = {looks::enamel()};
+    tooth.appearances = {appearances::enamel()};
     scene.objects = {tooth};
     return scene;
 }

@@ -53,7 +53,7 @@ def offences(path, name):
         if name.startswith("src/app/cli/") and RAW_NAME.search(line):
             yield f"{name}:{number}: show a path by shownName; where its bytes are meant, use native()"
         if name.startswith("src/") and name != TOML_GUARD and BARE_TOML.search(line):
-            yield f"{name}:{number}: TOML is read by parseToml of session/io/guarded_toml.h alone"
+            yield f"{name}:{number}: TOML is read by parseToml of session/io/limited_toml.h alone"
         if name.startswith(PURE_LAYERS) and IMPURE_INCLUDE.search(line):
             yield f"{name}:{number}: this layer may know no screen, sound or device"
 

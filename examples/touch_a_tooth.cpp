@@ -15,7 +15,7 @@ int main(int argc, char** argv) {
 
     tactooth::RigidPose hand{{std::atof(argv[3]), std::atof(argv[4]), std::atof(argv[5])}};
     for (int tick = 0; tick < 2000; ++tick, hand.position[2] -= 0.01) {
-        const tactooth::Felt felt = touch->follow(hand, 0.001);
+        const tactooth::TouchResult felt = touch->follow(hand, 0.001);
         if (felt.touching)
             std::printf("z %.3f mm: depth %.4f mm, force %.3f N\n", hand.position[2], felt.depth, felt.force[2]);
         if (felt.depth > 0.3) break;

@@ -18,8 +18,8 @@
 #include <sstream>
 
 #include "app/gui/panels/drive_panel.h"
-#include "app/gui/window/main_window.h"
 #include "app/gui/scene/tooth_view.h"
+#include "app/gui/window/main_window.h"
 #include "app/gui/window/window_setup.h"
 #include "sound/output/openal_output.h"
 
@@ -55,9 +55,9 @@ public:
 
     template <class Act>
     void run(const char* name, double seconds, Act act) {
-        const std::uint64_t updates = window_.bench().simulator()->surfaceUpdates();
-        const auto ticks = [&] { return window_.bench().simulator()->timing().ticks.load(); };
-        const auto missed = [&] { return window_.bench().simulator()->timing().missed.load(); };
+        const std::uint64_t updates = window_.model().simulator()->surfaceUpdates();
+        const auto ticks = [&] { return window_.model().simulator()->timing().ticks.load(); };
+        const auto missed = [&] { return window_.model().simulator()->timing().missed.load(); };
         const auto ticksBefore = static_cast<double>(ticks()), missedBefore = static_cast<double>(missed());
         const auto before = processorTimes();
         pictures_ = 0;
@@ -68,7 +68,7 @@ public:
         const double late = static_cast<double>(missed()) - missedBefore;
         const double all = static_cast<double>(ticks()) - ticksBefore + late;
         std::printf("%s,%.1f,%.1f,%.2f", name,
-                    static_cast<double>(window_.bench().simulator()->surfaceUpdates() - updates) / now, pictures_ / now,
+                    static_cast<double>(window_.model().simulator()->surfaceUpdates() - updates) / now, pictures_ / now,
                     1000 * late / std::max(1.0, all));
         double sum = 0;
         for (const auto& [thread, time] : processorTimes()) {
@@ -90,16 +90,16 @@ int run(double seconds, const QString& file) {
     OpenAlOutput sound;
     MainWindow window(sound);
     if (file.isEmpty()) {
-        window.bringBuiltinTooth(kBuiltinTeeth.front());
+        window.loadBuiltinTooth(kBuiltinTeeth.front());
     } else {
         ToothSource source;
         source.outer = file.toStdString();
         window.openTooth(source);
     }
-    window.bringBur(*findBur("58"));
+    window.loadBur(*findBur("58"));
     window.show();
     if (!QTest::qWaitForWindowExposed(&window)) return 1;
-    if (!QTest::qWaitFor([&] { return !window.bench().isBusy() && window.bench().simulator() != nullptr; }, 60000)) {
+    if (!QTest::qWaitFor([&] { return !window.model().isBusy() && window.model().simulator() != nullptr; }, 60000)) {
         return 1;
     }
     auto& view = *window.findChild<ToothView*>("toothView");
@@ -125,7 +125,7 @@ int run(double seconds, const QString& file) {
             });
         }
     }
-    const double removed = total(window.bench().simulator()->removed());
+    const double removed = total(window.model().simulator()->removed());
     std::printf("# removed %.2f mm3\n", removed);
     QTest::mouseRelease(&view, Qt::LeftButton, {}, start);
     QTest::mouseMove(&view, start + QPoint(0, -100));  // clear of the tooth

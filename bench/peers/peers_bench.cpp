@@ -8,17 +8,17 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "peers/peer.h"
 #include "experiments/contact_timing.h"
 #include "experiments/quantile.h"
-#include "session/io/run_facts.h"
 #include "experiments/standard_teeth.h"
 #include "experiments/thread_clock.h"
+#include "peers/peer.h"
+#include "session/io/run_metadata.h"
 
 namespace tactooth::bench {
 namespace {
 
-class Ours final : public Peer {
+class Ours final : public Baseline {
 public:
     Ours(const std::shared_ptr<const Surface>& surface, const std::shared_ptr<const ToolShape>& tool, const Pose& start)
         : body_(tool) {
@@ -27,10 +27,10 @@ public:
     }
     [[nodiscard]] std::string name() const override { return "Tactooth, one tick of the proxy"; }
     [[nodiscard]] std::string gives() const override { return "exact depth"; }
-    bool tick(const Pose& handInTooth) override { return body_.moveToward(handInTooth).contactCount > 0; }
+    bool tick(const Pose& deviceInTooth) override { return body_.moveToward(deviceInTooth).contactCount > 0; }
 
 private:
-    SlidingBody body_;
+    ProxySolver body_;
 };
 
 struct Times {
@@ -77,7 +77,7 @@ void print(const Peers& peers, std::vector<Times> times) {
 void compare(const StandardTooth& tooth, double speed) {
     const TriangleMesh bur = standardBur();
     const TriangleMesh hull = convexHull(bur);
-    const std::vector<Pose> hand = handPath(tooth.mesh, standardHand(speed));
+    const std::vector<Pose> hand = toolTrajectory(tooth.mesh, standardToolPath(speed));
     Peers peers;
     peers.push_back(
         std::make_unique<Ours>(plainSurface(tooth.mesh), std::make_shared<const ToolShape>(bur), hand.front()));
@@ -96,7 +96,7 @@ void compare(const StandardTooth& tooth, double speed) {
 }
 
 int run(const std::string& only) {
-    const RunFacts facts = currentRunFacts();
+    const RunMetadata facts = currentRunMetadata();
     std::printf("machine:  %s\ncompiler: %s\ncommit:   %s\ncommand:  %s\n", facts.machine.c_str(),
                 facts.compiler.c_str(), facts.commit.c_str(), facts.command.c_str());
 #if !defined(TACTOOTH_WITH_FCL)
@@ -109,7 +109,7 @@ int run(const std::string& only) {
         const auto tooth = standardTooth(kind);
         if (!tooth) return std::fprintf(stderr, "%s\n", tooth.error().message.c_str()), 2;
         if (tooth->name.find(only) == std::string::npos) continue;
-        for (const double speed : {kSlowHand, kFastHand}) compare(*tooth, speed);
+        for (const double speed : {kSlowSpeed, kFastSpeed}) compare(*tooth, speed);
     }
     return 0;
 }

@@ -25,7 +25,7 @@ struct TouchSettings {
 };
 
 /// What the hand feels at one moment, in the tooth's frame.
-struct Felt {
+struct TouchResult {
     bool touching = false;
     double depth = 0;                       ///< from the hand's pose to the proxy's, mm
     std::array<double, 3> normal{0, 0, 0};  ///< unit, out of the tooth; zero without contact
@@ -47,12 +47,12 @@ public:
     Touch& operator=(const Touch&) = delete;
 
     /// The hand holds the tool at `toolInTooth`, `dt` seconds after the call before.
-    Felt follow(const RigidPose& toolInTooth, double dt);
+    TouchResult follow(const RigidPose& toolInTooth, double dt);
 
 private:
-    class Hidden;
-    explicit Touch(std::unique_ptr<Hidden> hidden);
-    std::unique_ptr<Hidden> hidden_;
+    class Impl;
+    explicit Touch(std::unique_ptr<Impl> hidden);
+    std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace tactooth

@@ -7,16 +7,16 @@
 #include <string>
 
 #include "app/cli/command_line.h"
+#include "app/cli/terminal/too_large_message.h"
 #include "app/common/exit_code.h"
-#include "app/cli/terminal/too_large.h"
-#include "app/common/ending.h"
+#include "app/common/termination.h"
 
 namespace {
 
 using namespace tactooth;
 
 int refuseTooLarge(int argc, char** argv) {
-    return refuse({whatIsTooLarge(std::span<const char* const>(argv, static_cast<std::size_t>(argc)))});
+    return reportError({tooLargeMessage(std::span<const char* const>(argv, static_cast<std::size_t>(argc)))});
 }
 
 int run(int argc, char** argv) {
@@ -27,13 +27,13 @@ int run(int argc, char** argv) {
     } catch (const std::length_error&) {  // more than any memory
         return refuseTooLarge(argc, argv);
     } catch (const std::exception& exception) {
-        return refuse({std::string("this should not have happened: ") + exception.what() + "; please report it."});
+        return reportError({std::string("this should not have happened: ") + exception.what() + "; please report it."});
     }
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    prepareEnding();
-    return endAsAsked(run(argc, argv));
+    installTerminationHandlers();
+    return exitAsRequested(run(argc, argv));
 }

@@ -12,7 +12,7 @@
 namespace tactooth {
 namespace {
 
-constexpr double kSpot = 0.1;         // mm: what is reached together; five pixels of a whole crown
+constexpr double kGhostPatch = 0.1;   // mm: what is reached together; five pixels of a whole crown
 constexpr double kReached = 0.05;     // mm: two samples of a cut tooth; what is left before a wall counts as nothing
 constexpr float kCordRadius = 0.04F;  // mm: half of it stands out of the enamel; three pixels of a whole crown
 constexpr std::uint32_t kCordSides = 6;
@@ -21,9 +21,9 @@ Vec3 middleOf(const TriangleMesh& mesh, std::size_t triangle) {
     return (mesh.corner(triangle, 0) + mesh.corner(triangle, 1) + mesh.corner(triangle, 2)) / 3;
 }
 
-/// The cell of a grid of kSpot mm that a point lies in.
+/// The cell of a grid of kGhostPatch mm that a point lies in.
 std::array<int, 3> cellOf(const Vec3& point) {
-    const Eigen::Array3i cell = (point / kSpot).array().floor().cast<int>();
+    const Eigen::Array3i cell = (point / kGhostPatch).array().floor().cast<int>();
     return {cell.x(), cell.y(), cell.z()};
 }
 
@@ -76,7 +76,7 @@ TriangleMesh cordAlongRim(const CavityWalls& walls, const SurfacePart& outer) {
 }  // namespace
 
 CavityGhost::CavityGhost(CavityWalls walls, const SurfacePart& outer) {
-    divideIntoSpots(walls.mesh, outer);
+    divideIntoPatches(walls.mesh, outer);
     const TriangleMesh cord = cordAlongRim(walls, outer);
     std::vector<SurfaceTag> tags(walls.mesh.triangles.size(), kGhostWall);
     tags.resize(tags.size() + cord.triangles.size(), kGhostRim);
@@ -87,7 +87,7 @@ CavityGhost::CavityGhost(CavityWalls walls, const SurfacePart& outer) {
 }
 
 /// Brings the triangles into the order of their spots.
-void CavityGhost::divideIntoSpots(TriangleMesh& walls, const SurfacePart& outer) {
+void CavityGhost::divideIntoPatches(TriangleMesh& walls, const SurfacePart& outer) {
     std::vector<std::pair<std::array<int, 3>, std::uint32_t>> placed;
     for (std::uint32_t i = 0; i < walls.triangles.size(); ++i) placed.emplace_back(cellOf(middleOf(walls, i)), i);
     std::sort(placed.begin(), placed.end());
@@ -95,18 +95,20 @@ void CavityGhost::divideIntoSpots(TriangleMesh& walls, const SurfacePart& outer)
     for (std::uint32_t i = 0; i < placed.size(); ++i) {
         ordered.push_back(walls.triangles[placed[i].second]);
         const bool isNew = i == 0 || placed[i].first != placed[i - 1].first;
-        if (isNew) spots_.push_back({Vec3f::Zero(), i, i});
-        spots_.back().end = i + 1;
+        if (isNew) ghostPatches_.push_back({Vec3f::Zero(), i, i});
+        ghostPatches_.back().end = i + 1;
     }
     walls.triangles = std::move(ordered);
     constexpr std::size_t kGrain = 64;  // measures: about half a millisecond
     parallelFor(
-        spots_.size(),
-        [&](std::size_t i) { spots_[i].before = pointBefore(walls, (spots_[i].first + spots_[i].end) / 2, outer); },
+        ghostPatches_.size(),
+        [&](std::size_t i) {
+            ghostPatches_[i].before = pointBefore(walls, (ghostPatches_[i].first + ghostPatches_[i].end) / 2, outer);
+        },
         kGrain);
 }
 
-void CavityGhost::show(const Spot& spot, bool shows) {
+void CavityGhost::show(const GhostPatch& spot, bool shows) {
     for (std::uint32_t i = spot.first; i < spot.end; ++i) {
         const std::uint64_t bit = std::uint64_t{1} << (i % 64);
         shows ? reached_[i / 64] &= ~bit : reached_[i / 64] |= bit;
@@ -114,12 +116,12 @@ void CavityGhost::show(const Spot& spot, bool shows) {
 }
 
 std::shared_ptr<const Surface> CavityGhost::over(const std::shared_ptr<const Surface>& tooth) {
-    Box3 changed = change_.upTo(*tooth);
+    Box3 changed = change_.changedBox(*tooth);
     if (changed.isEmpty()) return last_;
     changed.min().array() -= kReached;
     changed.max().array() += kReached;
     const TriangleMask before = reached_;
-    for (const Spot& spot : spots_) {
+    for (const GhostPatch& spot : ghostPatches_) {
         const Vec3 point = spot.before.cast<double>();
         if (changed.contains(point)) show(spot, contains(*tooth, point));
     }

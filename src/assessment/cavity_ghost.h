@@ -30,15 +30,15 @@ public:
 
 private:
     /// Wall triangles near each other, which are reached together.
-    struct Spot {
+    struct GhostPatch {
         Vec3f before;              // a point in the cavity, near before the middle of one of them
         std::uint32_t first, end;  // of them
     };
-    void divideIntoSpots(TriangleMesh& walls, const SurfacePart& outer);
-    void show(const Spot& spot, bool shows);
+    void divideIntoPatches(TriangleMesh& walls, const SurfacePart& outer);
+    void show(const GhostPatch& spot, bool shows);
 
     Surface shown_;
-    std::vector<Spot> spots_;
+    std::vector<GhostPatch> ghostPatches_;
     TriangleMask reached_;
     SurfaceChange change_;
     std::shared_ptr<const Surface> last_;

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "collision/bvh/closest_point.h"
-#include "geometry/mesh/append_chosen.h"
+#include "geometry/mesh/append_subset.h"
 #include "geometry/util/parallel_for.h"
 
 // The distance to a surface changes by no more than the way one goes (it is 1-Lipschitz): an edge whose ends are both
@@ -19,7 +19,7 @@ namespace {
 
 using Edge = std::array<std::uint32_t, 2>;  // lower vertex first
 
-constexpr int kMostRounds = 32;  // of halving: a metre becomes less than a nanometre; no edge ever needs as many
+constexpr int kMaxRounds = 32;  // of halving: a metre becomes less than a nanometre; no edge ever needs as many
 
 Edge edgeOf(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::max(a, b)}; }
 
@@ -61,7 +61,7 @@ public:
     }
 
     void halveLongEdges() {
-        for (int round = 0; round < kMostRounds; ++round) {
+        for (int round = 0; round < kMaxRounds; ++round) {
             const std::vector<Edge> halved = edgesWhere([&](const Edge& edge) { return mustBeHalved(edge); });
             if (halved.empty()) return;
             addVertices(halved, [](const Edge&) { return 0.5; });
@@ -83,7 +83,7 @@ public:
 private:
     void forgetUnusedVertices() {
         TriangleMesh used;
-        appendChosen(used, mesh_, [](std::uint32_t) { return true; });
+        appendSubset(used, mesh_, [](std::uint32_t) { return true; });
         mesh_ = std::move(used);
     }
 

@@ -6,16 +6,16 @@
 #include <cmath>
 #include <string>
 
+#include "assessment/ideal_shape.h"
 #include "collision/bvh/closest_point.h"
 #include "geometry/files/file_bytes.h"
 #include "geometry/util/number_text.h"
 #include "geometry/util/pose.h"
 #include "instruments/bur_shape.h"
-#include "session/cases/own_bur.h"
-#include "session/cases/placed_tooth.h"
-#include "assessment/ideal_shape.h"
+#include "session/cases/custom_bur.h"
+#include "session/cases/loaded_tooth.h"
+#include "session/simulation/cut_model.h"
 #include "session/simulation/tooth_cache.h"
-#include "session/simulation/work_piece.h"
 
 // Measures of the cavities: an occlusal one 1.5 mm deep at the central fissure with a flat floor, an isthmus of 1.2 mm
 // and 2 mm of marginal ridge left (notes on Class II amalgam after Sturdevant's Art and Science of Operative
@@ -24,11 +24,11 @@
 namespace tactooth {
 namespace {
 
-constexpr double kVoxel = 0.05;    // mm, that of the tooth a student cuts
-constexpr double kClear = 20.0;    // mm: the bur comes from so far outside
-constexpr double kNear = 1e-4;     // mm, of the surface
-constexpr double kStep = 0.1;      // mm between two heights of a floor that follows the surface
-constexpr int kMostSteps = 10000;  // of the way to the surface: only a line along it needs as many
+constexpr double kVoxel = 0.05;   // mm, that of the tooth a student cuts
+constexpr double kClear = 20.0;   // mm: the bur comes from so far outside
+constexpr double kNear = 1e-4;    // mm, of the surface
+constexpr double kStep = 0.1;     // mm between two heights of a floor that follows the surface
+constexpr int kMaxSteps = 10000;  // of the way to the surface: only a line along it needs as many
 
 ToothRequest sound(BuiltinToothKind kind) {
     constexpr int kTriangles = 20000;
@@ -70,7 +70,7 @@ std::optional<double> heightOf(const SurfacePart& outer, const Vec3& place, cons
     const double middle = outward.dot(box.center() - place);
     const double reach = box.diagonal().norm() / 2;
     double height = middle + reach;
-    for (int i = 0; i < kMostSteps && height > middle - reach; ++i) {
+    for (int i = 0; i < kMaxSteps && height > middle - reach; ++i) {
         const double distance = closestPoint(outer, place + height * outward)->distance;
         if (distance < kNear) return height;
         height -= distance;
@@ -114,7 +114,7 @@ Expected<std::vector<std::vector<Vec3>>> pathsOf(const PreparationPlan& plan, co
 
 Expected<CuttingTool> burOf(const Exercise& exercise) {
     if (const auto* file = std::get_if<std::filesystem::path>(&exercise.bur)) {
-        const Expected<OwnBur> own = readOwnBur(*file);
+        const Expected<CustomBur> own = readCustomBur(*file);
         if (!own) return Unexpected{own.error()};
         return makeCuttingTool(own->surface);
     }
@@ -126,10 +126,10 @@ Expected<CuttingTool> burOf(const Exercise& exercise) {
 
 Expected<TriangleMesh> cutShape(const PreparationPlan& plan, const CuttingTool& tool,
                                 std::shared_ptr<const LayeredTooth> tooth) {
-    const Quat grip = shortestTurn(Vec3::UnitZ(), plan.outward);
+    const Quat grip = shortestRotation(Vec3::UnitZ(), plan.outward);
     const auto paths = pathsOf(plan, *tooth->ownOuter());
     if (!paths) return Unexpected{paths.error()};
-    WorkPiece piece(std::move(tooth), kVoxel);
+    CutModel piece(std::move(tooth), kVoxel);
     for (const std::vector<Vec3>& path : *paths) {
         Pose before{path.front() + kClear * plan.outward, grip};
         for (const Vec3& tip : path) {
@@ -139,7 +139,7 @@ Expected<TriangleMesh> cutShape(const PreparationPlan& plan, const CuttingTool& 
         }
     }
     piece.refreshSurface();
-    return asRead(*piece.surface());
+    return asReadFromFile(*piece.surface());
 }
 
 }  // namespace
@@ -151,12 +151,12 @@ std::span<const std::shared_ptr<const Exercise>> exercises() {
 
 Expected<std::shared_ptr<const LayeredTooth>> exerciseTooth(const Exercise& exercise) {
     if (const auto* source = std::get_if<ToothSource>(&exercise.tooth)) {
-        const Expected<PlacedWork> work = loadPlacedWork(*source, {}, std::nullopt, kVoxel);
+        const Expected<LoadedModel> work = loadModelOrCase(*source, {}, std::nullopt, kVoxel);
         if (!work) return Unexpected{work.error()};
         return work->piece->volume().tooth();
     }
     const ToothRequest& request = std::get<ToothRequest>(exercise.tooth);
-    Expected<LayeredTooth> tooth = layeredTooth(ToothCache(usualCacheFolder()).make(request));
+    Expected<LayeredTooth> tooth = layeredTooth(ToothCache(defaultCacheFolder()).make(request));
     if (!tooth) return Unexpected{tooth.error()};
     return std::make_shared<const LayeredTooth>(std::move(*tooth));
 }
@@ -166,7 +166,7 @@ Expected<TriangleMesh> idealShape(const Exercise& exercise, std::shared_ptr<cons
     const Expected<CuttingTool> tool = burOf(exercise);
     if (!tool) return Unexpected{tool.error()};
     Expected<TriangleMesh> ideal = cutShape(std::get<PreparationPlan>(exercise.ideal), *tool, std::move(tooth));
-    if (!ideal) return unexpected(shownName(exercise.file) + ": " + ideal.error().message);
+    if (!ideal) return unexpected(displayName(exercise.file) + ": " + ideal.error().message);
     return ideal;
 }
 

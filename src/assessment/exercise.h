@@ -30,7 +30,7 @@ struct Exercise {
     std::string name;                                            ///< for people
     std::string task;                                            ///< a sentence
     std::variant<ToothRequest, ToothSource> tooth;               ///< a built-in one, or files
-    std::variant<std::string, std::filesystem::path> bur;        ///< number in the catalogue, or a file (readOwnBur)
+    std::variant<std::string, std::filesystem::path> bur;        ///< number in the catalogue, or a file (readCustomBur)
     std::variant<PreparationPlan, std::filesystem::path> ideal;  ///< or a file (loadIdealShape)
     std::filesystem::path file = {};                             ///< that describes it; empty: it is built in
 };

@@ -9,17 +9,17 @@
 #include "geometry/util/number_text.h"
 #include "instruments/bur_catalogue.h"
 #include "session/cases/case_store.h"
-#include "session/io/guarded_toml.h"
+#include "session/io/limited_toml.h"
 #include "session/io/toml_reader.h"
 
 namespace tactooth {
 namespace {
 
 constexpr double kFarthest = 500;      // mm from the origin of the tooth's frame
-constexpr double kLeastDepth = 0.05;   // mm: a voxel
-constexpr double kMostDepth = 15;      // mm: more than a crown is high
+constexpr double kMinDepth = 0.05;     // mm: a voxel
+constexpr double kMaxDepth = 15;       // mm: more than a crown is high
 constexpr double kLongestStroke = 50;  // mm: more than a molar is wide, roots and all
-constexpr std::size_t kMostStrokes = 200;
+constexpr std::size_t kMaxStrokes = 200;
 constexpr double kWidestLesion = 4;    // mm, as makeTooth takes it
 constexpr double kDeepestLesion = 10;  // mm
 
@@ -64,7 +64,7 @@ private:
     void readTooth(const toml::table& root) {
         const toml::node* node = root.get("tooth");
         if (node == nullptr) return toml_.fail(root, "the key 'tooth' is missing");
-        if (node->is_string()) return readOwnTooth(root, *node);
+        if (node->is_string()) return readCustomTooth(root, *node);
         ToothRequest request;
         request.fdi = toml_.integer(root, "tooth", request.fdi, 0, 99);
         if (!isPermanentTooth(request.fdi)) {
@@ -87,7 +87,7 @@ private:
         if (known == kSites.end() && !site.empty()) {
             toml_.fail(*decay.get("site"), "'site' must be occlusal, mesial, distal, buccal or lingual");
         }
-        if (lesion.site == LesionSite::occlusal && isFrontTooth(fdi)) {
+        if (lesion.site == LesionSite::occlusal && isAnteriorTooth(fdi)) {
             toml_.fail(*decay.get("site"), "a front tooth has no occlusal side; choose another site");
         }
         lesion.width = toml_.number(decay, "width", lesion.width, 0, kWidestLesion);
@@ -95,7 +95,7 @@ private:
         return lesion;
     }
 
-    void readOwnTooth(const toml::table& root, const toml::node& node) {
+    void readCustomTooth(const toml::table& root, const toml::node& node) {
         ToothSource source;
         source.outer = beside(node, toml_.text(root, "tooth", true));
         for (const std::string_view key : {"patient", "decay"}) {
@@ -148,7 +148,7 @@ private:
         PreparationPlan plan;
         plan.outward = side(cavity);
         if (cavity.get("depth") == nullptr) toml_.fail(cavity, "the key 'depth' is missing");
-        plan.depth = toml_.number(cavity, "depth", 1, kLeastDepth, kMostDepth);
+        plan.depth = toml_.number(cavity, "depth", 1, kMinDepth, kMaxDepth);
         const std::string floor = toml_.text(cavity, "floor", false);
         plan.isFlat = floor != "surface";
         if (!floor.empty() && floor != "flat" && floor != "surface") {
@@ -156,7 +156,7 @@ private:
         }
         const std::vector<const toml::table*> strokes = toml_.tables(cavity, "strokes");
         if (strokes.empty()) toml_.fail(cavity, "there are no strokes; give at least one, [[cavity.strokes]]");
-        if (strokes.size() > kMostStrokes) toml_.fail(cavity, "there are too many strokes");
+        if (strokes.size() > kMaxStrokes) toml_.fail(cavity, "there are too many strokes");
         for (const toml::table* stroke : strokes) plan.strokes.push_back(this->stroke(*stroke));
         return plan;
     }
@@ -210,7 +210,7 @@ Expected<Exercise> parseExercise(std::string_view text, const std::string& name,
 Expected<Exercise> readExercise(const std::filesystem::path& file) {
     const Expected<FileBytes> bytes = readFile(file, kTomlLimits.bytes);
     if (!bytes) return Unexpected{bytes.error()};
-    Expected<Exercise> exercise = parseExercise(bytes->text(), shownName(file), file.parent_path());
+    Expected<Exercise> exercise = parseExercise(bytes->text(), displayName(file), file.parent_path());
     if (exercise) exercise->file = file;
     return exercise;
 }

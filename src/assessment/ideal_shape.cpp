@@ -8,7 +8,7 @@
 
 namespace tactooth {
 
-TriangleMesh asRead(const Surface& tooth) {
+TriangleMesh asReadFromFile(const Surface& tooth) {
     const TriangleMesh mesh = visibleToothMesh(tooth).mesh;
     std::vector<Vec3f> corners;
     corners.reserve(3 * mesh.triangles.size());
@@ -18,11 +18,12 @@ TriangleMesh asRead(const Surface& tooth) {
     return weld(corners);
 }
 
-Expected<TriangleMesh> loadIdealShape(const std::filesystem::path& file, std::vector<Remark>* remarks) {
-    if (!isToothFile(file)) return loadSolid(file, "the ideal shape, the whole tooth with its cavity,", {}, remarks);
+Expected<TriangleMesh> loadIdealShape(const std::filesystem::path& file, std::vector<ImportNote>* importNotes) {
+    if (!isToothFile(file))
+        return loadSolid(file, "the ideal shape, the whole tooth with its cavity,", {}, importNotes);
     const Expected<OpenedTooth> opened = openTooth(file);
     if (!opened) return Unexpected{opened.error()};
-    return asRead(*opened->piece->surface());
+    return asReadFromFile(*opened->piece->surface());
 }
 
 }  // namespace tactooth

@@ -6,17 +6,17 @@
 #include <vector>
 
 #include "collision/bvh/surface.h"
+#include "geometry/io/import_note.h"
 #include "geometry/util/expected.h"
-#include "geometry/io/remark.h"
 
 namespace tactooth {
 
 /// The visible surface of a tooth (of it alone) as it would be read from a file of it: equal positions are one vertex.
-[[nodiscard]] TriangleMesh asRead(const Surface& tooth);
+[[nodiscard]] TriangleMesh asReadFromFile(const Surface& tooth);
 
 /// The ideal shape of a tooth, in the tooth's frame: from a surface (STL, OBJ, PLY), or from a saved tooth that an
 /// expert has cut. Fails with one sentence.
 [[nodiscard]] Expected<TriangleMesh> loadIdealShape(const std::filesystem::path& file,
-                                                    std::vector<Remark>* remarks = nullptr);
+                                                    std::vector<ImportNote>* importNotes = nullptr);
 
 }  // namespace tactooth

@@ -45,11 +45,11 @@ double greatestDistance(const TriangleMesh& of, const TriangleMesh& to) {
 
 }  // namespace
 
-double greatestDeviation(const TriangleMesh& one, const TriangleMesh& other) {
+double hausdorffDistance(const TriangleMesh& one, const TriangleMesh& other) {
     return std::max(greatestDistance(one, other), greatestDistance(other, one));
 }
 
-double greatestVertexDistance(const TriangleMesh& of, const TriangleMesh& to) {
+double maxVertexDistance(const TriangleMesh& of, const TriangleMesh& to) {
     FarthestFrom farthest(to);
     farthest.seeVertices(of);
     return farthest.distance();

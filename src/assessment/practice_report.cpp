@@ -23,8 +23,8 @@ std::string line(std::string_view quantity, double value, std::string_view unit)
 std::string linesOf(const CavityProgress& cavity) {
     constexpr double kPercent = 100;
     return line("ideal cavity", cavity.planned, "mm^3") + line("of it cut", cavity.cleared, "mm^3") +
-           line("of it cut", kPercent * cavity.clearedShare(), "%") + line("cut beyond it", cavity.beyond, "mm^3") +
-           line("deepest beyond it", cavity.deepest, "mm") + line("likeness", kPercent * cavity.likeness(), "%");
+           line("of it cut", kPercent * cavity.clearedFraction(), "%") + line("cut beyond it", cavity.beyond, "mm^3") +
+           line("deepest beyond it", cavity.maxOverPreparation, "mm") + line("likeness", kPercent * cavity.dice(), "%");
 }
 
 }  // namespace

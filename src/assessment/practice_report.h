@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "assessment/cavity_account.h"
+#include "assessment/cavity_metrics.h"
 #include "session/simulation/cut_events.h"
 
 namespace tactooth {

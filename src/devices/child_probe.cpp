@@ -23,16 +23,16 @@ namespace {
 // What the child says last, behind its answer. An exit status alone proves nothing: a library that calls exit(0) while
 // it is loaded ends with the same one. No answer holds a byte of zero.
 constexpr std::string_view kOk("\0ok", 3);
-constexpr int kEnded = 3;     // exit status of a child that a library has ended
-constexpr int kUnheard = 4;   // of one that could not say its answer
-constexpr int kGlanceMs = 5;  // between two looks whether a child has ended that has closed its pipe
+constexpr int kEnded = 3;          // exit status of a child that a library has ended
+constexpr int kUnheard = 4;        // of one that could not say its answer
+constexpr int kPollTimeoutMs = 5;  // between two looks whether a child has ended that has closed its pipe
 
 /// exit() would run what the whole program does at its end: settings saved, files removed, threads waited for that are
 /// not there. What is registered last comes first.
 void endAtOnce() { _exit(kEnded); }
 
 /// As if nothing had been set: the program may catch or block signals that shall end this child.
-void forgetSignals() {
+void resetSignals() {
     for (const int number : {SIGSEGV, SIGABRT, SIGBUS, SIGILL, SIGFPE, SIGTERM, SIGINT, SIGHUP, SIGPIPE, SIGXFSZ}) {
         signal(number, SIG_DFL);
     }
@@ -58,31 +58,31 @@ bool writeAll(int pipe, std::string_view text) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);  // a Ctrl+C ends the program alone: the child is of another group
     const int nowhere = open("/dev/null", O_RDWR);
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(nowhere, stream);
-    forgetSignals();
+    resetSignals();
     std::atexit(endAtOnce);
     const std::string text = probe();
     _exit(writeAll(pipe, text) && writeAll(pipe, kOk) ? 0 : kUnheard);
 }
 
-enum class Heard { Answer, Nothing, TooLate };
+enum class ReceiveStatus { Answer, Nothing, TooLate };
 
 /// Reads until the child has said that it is done, or has closed its end. Whoever else may hold the pipe open, as a
 /// process that a library has left behind, is not waited for.
-Heard readAnswer(int pipe, MonotonicClock::time_point end, std::string& text) {
+ReceiveStatus readAnswer(int pipe, MonotonicClock::time_point end, std::string& text) {
     std::array<char, 4096> buffer;
     while (!text.ends_with(kOk)) {
         const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - MonotonicClock::now()).count();
         pollfd waiting{pipe, POLLIN, 0};
         const int ready = left > 0 ? poll(&waiting, 1, static_cast<int>(left)) : 0;
         if (ready < 0 && errno == EINTR) continue;
-        if (ready <= 0) return Heard::TooLate;
+        if (ready <= 0) return ReceiveStatus::TooLate;
         const ssize_t count = read(pipe, buffer.data(), buffer.size());
         if (count < 0 && errno == EINTR) continue;
-        if (count <= 0) return Heard::Nothing;
+        if (count <= 0) return ReceiveStatus::Nothing;
         text.append(buffer.data(), static_cast<std::size_t>(count));
     }
     text.resize(text.size() - kOk.size());
-    return Heard::Answer;
+    return ReceiveStatus::Answer;
 }
 
 /// Why there is no answer, a few words. The child is not waited for so that nobody else gets its number yet.
@@ -93,7 +93,7 @@ std::string wordsFor(pid_t child, MonotonicClock::time_point end) {
         if (failed != 0 && errno != EINTR) break;  // this program waits for no child: how it ended is not known
         if (info.si_pid != 0) break;
         if (MonotonicClock::now() > end) return "it does not return";
-        poll(nullptr, 0, kGlanceMs);
+        poll(nullptr, 0, kPollTimeoutMs);
     }
     if (info.si_code == CLD_KILLED || info.si_code == CLD_DUMPED) {
         return std::string("it crashes (") + strsignal(info.si_status) + ")";
@@ -103,7 +103,7 @@ std::string wordsFor(pid_t child, MonotonicClock::time_point end) {
 }
 
 /// Ends the child with all that it has started.
-void endFamily(pid_t child) {
+void killProcessGroup(pid_t child) {
     kill(-child, SIGKILL);
     kill(child, SIGKILL);
     while (waitpid(child, nullptr, 0) < 0 && errno == EINTR) {
@@ -125,11 +125,11 @@ Expected<std::string> inChildProcess(const std::function<std::string()>& probe, 
     setpgid(child, child);  // whoever comes first
     const MonotonicClock::time_point end = secondsFromNow(seconds);
     std::string text;
-    const Heard heard = readAnswer(ends[0], end, text);
+    const ReceiveStatus heard = readAnswer(ends[0], end, text);
     close(ends[0]);
-    const std::string why = heard == Heard::Nothing ? wordsFor(child, end) : "it does not return";
-    endFamily(child);
-    if (heard == Heard::Answer) return text;
+    const std::string why = heard == ReceiveStatus::Nothing ? wordsFor(child, end) : "it does not return";
+    killProcessGroup(child);
+    if (heard == ReceiveStatus::Answer) return text;
     return unexpected(why);
 }
 

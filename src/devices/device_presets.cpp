@@ -29,7 +29,7 @@ const std::array<DevicePreset, 5> kDevices = {{
      Vec3(300, 200, 300)},
 }};
 
-constexpr std::array<HandPreset, 3> kHands = {{
+constexpr std::array<HandImpedance, 3> kHands = {{
     {"loose", 0.05 * kKilogram, 2 * kPerMetre, 175 * kPerMetre},
     {"nominal", 0.15 * kKilogram, 5.5 * kPerMetre, 550 * kPerMetre},
     {"firm", 0.3 * kKilogram, 15 * kPerMetre, 1500 * kPerMetre},
@@ -66,7 +66,7 @@ ForceLimits limitsOf(const DevicePreset& preset, double driverPeak, double drive
     return limitsOf(bounded);
 }
 
-std::span<const HandPreset> handPresets() { return kHands; }
-const HandPreset* findHandPreset(std::string_view name) { return findNamed(kHands, name); }
+std::span<const HandImpedance> handImpedances() { return kHands; }
+const HandImpedance* findHandImpedance(std::string_view name) { return findNamed(kHands, name); }
 
 }  // namespace tactooth

@@ -42,7 +42,7 @@ struct DevicePreset {
 [[nodiscard]] ForceLimits limitsOf(const DevicePreset& preset, double driverPeak, double driverContinuous);
 
 /// How a hand holds the pen: a mass on a spring and a damper, whose other end goes where the person wants.
-struct HandPreset {
+struct HandImpedance {
     std::string_view name;
     double mass;       ///< N*s^2/mm
     double damping;    ///< N*s/mm
@@ -50,7 +50,7 @@ struct HandPreset {
 };
 
 /// loose, nominal, firm.
-[[nodiscard]] std::span<const HandPreset> handPresets();
-[[nodiscard]] const HandPreset* findHandPreset(std::string_view name);
+[[nodiscard]] std::span<const HandImpedance> handImpedances();
+[[nodiscard]] const HandImpedance* findHandImpedance(std::string_view name);
 
 }  // namespace tactooth

@@ -13,7 +13,7 @@ constexpr double kFollowRate = 60;  // 1/s, critically damped: within 5 % of a j
 
 MouseDevice::MouseDevice(const Pose& start) : target_(DeviceSample{start, 0, 0, true}), hand_(start) {
     info_.name = "mouse";
-    info_.poseLimits = PoseLimits::unbound();
+    info_.poseLimits = PoseLimits::unlimited();
     info_.hasPedal = true;
     info_.buttonCount = 2;
 }

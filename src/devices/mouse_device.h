@@ -3,7 +3,7 @@
 #pragma once
 
 #include "devices/haptic_device.h"
-#include "geometry/util/latest_value.h"
+#include "geometry/util/triple_buffer.h"
 
 namespace tactooth {
 
@@ -24,7 +24,7 @@ public:
 
 private:
     DeviceInfo info_;
-    LatestValue<DeviceSample> target_;
+    TripleBuffer<DeviceSample> target_;
     Pose hand_;
     Vec3 velocity_ = Vec3::Zero();
 };

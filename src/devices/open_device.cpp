@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* kMouse = "mouse";
 constexpr const char* kNoDevice = "none";  // for the second hand
-constexpr double kUsualRate = 1000;        // Hz
+constexpr double kDefaultRate = 1000;      // Hz
 
 constexpr std::array<DeviceKind, 5> kKinds = {{
     {kMouse, "Mouse and keyboard"},
@@ -28,7 +28,7 @@ constexpr std::array<DeviceKind, 5> kKinds = {{
 /// `own`: what stands behind the colon.
 std::unique_ptr<HapticDevice> makeDevice(const std::string& kind, const std::string& own, bool leftHanded,
                                          double rateHz) {
-    if (kind == "pen") return std::make_unique<OpenHapticsDevice>(own, HdLibrary::usualPath(), rateHz);
+    if (kind == "pen") return std::make_unique<OpenHapticsDevice>(own, HdLibrary::defaultPath(), rateHz);
     if (kind == "inverse3") return std::make_unique<HaplyDevice>(own);
     if (kind == "gamepad") return std::make_unique<GamepadDevice>(own, leftHanded);
     if (kind == "spacemouse" && own.empty()) return std::make_unique<SpaceMouseDevice>();
@@ -58,7 +58,7 @@ std::span<const DeviceKind> deviceKinds() { return kKinds; }
 Expected<void> checkDeviceName(const std::string& name, const std::string& option, bool isSecond) {
     const DeviceName parts(name);
     const bool isKnown = name == (isSecond ? kNoDevice : kMouse) || isReplay(name) ||
-                         makeDevice(parts.kind, parts.own, false, kUsualRate) != nullptr;
+                         makeDevice(parts.kind, parts.own, false, kDefaultRate) != nullptr;
     if (isKnown) return {};
     return Unexpected{unknownDevice(name, option, isSecond)};
 }
@@ -68,7 +68,8 @@ Expected<std::unique_ptr<HapticDevice>> openDevice(const std::string& name, bool
     std::unique_ptr<HapticDevice> device = makeDevice(parts.kind, parts.own, leftHanded, rateHz);
     if (device == nullptr) return Unexpected{unknownDevice(name, "--device", false)};
     if (parts.kind == "pen") {
-        if (const auto tried = HdLibrary::tryOut(HdLibrary::usualPath()); !tried) return Unexpected{tried.error()};
+        if (const auto tried = HdLibrary::probeLibrary(HdLibrary::defaultPath()); !tried)
+            return Unexpected{tried.error()};
     }
     if (const auto opened = device->open(); !opened) return Unexpected{opened.error()};
     return device;

@@ -22,7 +22,7 @@ struct DeviceKind {
 /// "pen:NAME" is the pen of that name in the vendor's setup program.
 inline constexpr std::string_view kNamedPen = "pen:";
 
-/// "replay:FILE" is a hand that goes the way of a file; not openDevice opens it, but openHand of the session.
+/// "replay:FILE" is a hand that goes the way of a file; not openDevice opens it, but openDeviceOrReplay of the session.
 inline constexpr std::string_view kReplay = "replay:";
 [[nodiscard]] inline bool isReplay(const std::string& name) {
     return name.starts_with(kReplay) && name.size() > kReplay.size();

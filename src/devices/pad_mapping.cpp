@@ -8,38 +8,38 @@
 namespace tactooth {
 namespace {
 
-constexpr double kStickSlack = 0.15;    // of its way: worn sticks come back to within this
-constexpr double kTriggerSlack = 0.04;  // of its way
-constexpr double kFineness = 1.6;       // power: half the way moves a third as fast, for small work
-constexpr double kFastest = 25;         // mm/s across: over a crown of 10 mm in half a second
-constexpr double kFastestDown = 25;     // mm/s: a trigger pulled through presses 3 N
-constexpr double kFastestLift = 30;     // mm/s
-constexpr double kFastestLean = 1.2;    // rad/s
+constexpr double kStickDeadZone = 0.15;    // of its way: worn sticks come back to within this
+constexpr double kTriggerDeadZone = 0.04;  // of its way
+constexpr double kMotionScaling = 1.6;     // power: half the way moves a third as fast, for small work
+constexpr double kFastest = 25;            // mm/s across: over a crown of 10 mm in half a second
+constexpr double kFastestDown = 25;        // mm/s: a trigger pulled through presses 3 N
+constexpr double kFastestLift = 30;        // mm/s
+constexpr double kFastestLean = 1.2;       // rad/s
 
 /// Part of the way beyond the slack, 0..1.
-double beyond(double way, double slack) { return std::clamp((way - slack) / (1 - slack), 0.0, 1.0); }
+double beyond(double way, double deadZone) { return std::clamp((way - deadZone) / (1 - deadZone), 0.0, 1.0); }
 
 }  // namespace
 
-std::array<double, 2> stickWithoutSlack(const std::array<double, 2>& stick) {
+std::array<double, 2> applyStickDeadZone(const std::array<double, 2>& stick) {
     const double way = std::hypot(stick[0], stick[1]);
-    if (!(way > kStickSlack)) return {};
-    const double scale = std::pow(beyond(way, kStickSlack), kFineness) / way;
+    if (!(way > kStickDeadZone)) return {};
+    const double scale = std::pow(beyond(way, kStickDeadZone), kMotionScaling) / way;
     return {scale * stick[0], scale * stick[1]};
 }
 
-double triggerWithoutSlack(double trigger) { return trigger > 0 ? beyond(trigger, kTriggerSlack) : 0; }
+double applyTriggerDeadZone(double trigger) { return trigger > 0 ? beyond(trigger, kTriggerDeadZone) : 0; }
 
-PadWish wishOf(const PadState& pad, bool leftHanded) {
-    const auto across = stickWithoutSlack(leftHanded ? pad.rightStick : pad.leftStick);
-    const auto lean = stickWithoutSlack(leftHanded ? pad.leftStick : pad.rightStick);
-    const double press = triggerWithoutSlack(leftHanded ? pad.rightTrigger : pad.leftTrigger);
+PadCommand padCommand(const PadState& pad, bool leftHanded) {
+    const auto across = applyStickDeadZone(leftHanded ? pad.rightStick : pad.leftStick);
+    const auto lean = applyStickDeadZone(leftHanded ? pad.leftStick : pad.rightStick);
+    const double press = applyTriggerDeadZone(leftHanded ? pad.rightTrigger : pad.leftTrigger);
     const double lift = pad.lift ? kFastestLift : 0;
-    PadWish wish;
+    PadCommand wish;
     wish.rate.speed = Vec3(kFastest * across[0], -kFastest * across[1], lift - kFastestDown * press);
     // Pushing the stick to the right leans the shaft's upper end to the right: a turn about +y; away: about -x.
     wish.rate.turn = kFastestLean * Vec3(lean[1], lean[0], 0);
-    wish.pedal = triggerWithoutSlack(leftHanded ? pad.leftTrigger : pad.rightTrigger);
+    wish.pedal = applyTriggerDeadZone(leftHanded ? pad.leftTrigger : pad.rightTrigger);
     return wish;
 }
 

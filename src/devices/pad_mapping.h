@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdint>
 
-#include "devices/rate_hand.h"
+#include "devices/rate_controller.h"
 
 namespace tactooth {
 
@@ -21,19 +21,19 @@ struct PadState {
 };
 
 /// What the hands on the pad want.
-struct PadWish {
-    HandRate rate;
+struct PadCommand {
+    RateCommand rate;
     double pedal = 0;  ///< 0..1
 };
 
 /// A stick's value without the slack around its middle, finer near it. Both axes together, so that a stick that is
 /// pushed aslant goes aslant.
-[[nodiscard]] std::array<double, 2> stickWithoutSlack(const std::array<double, 2>& stick);
+[[nodiscard]] std::array<double, 2> applyStickDeadZone(const std::array<double, 2>& stick);
 /// Likewise for a trigger, from its slack to its end.
-[[nodiscard]] double triggerWithoutSlack(double trigger);
+[[nodiscard]] double applyTriggerDeadZone(double trigger);
 
 /// Left stick: right, left, away, near. Left trigger presses the tool down, the shoulder over it lifts it. Right stick:
 /// leans the tool. Right trigger: the pedal. Left-handed: the other way round.
-[[nodiscard]] PadWish wishOf(const PadState& pad, bool leftHanded);
+[[nodiscard]] PadCommand padCommand(const PadState& pad, bool leftHanded);
 
 }  // namespace tactooth

@@ -7,12 +7,12 @@
 
 namespace tactooth {
 
-ScriptedDevice::ScriptedDevice(std::vector<ScriptedMoment> script, std::string name, bool isInTooth)
+ScriptedDevice::ScriptedDevice(std::vector<DeviceKeyframe> script, std::string name, bool isInToothFrame)
     : script_(std::move(script)) {
     assert(!script_.empty());
     info_.name = std::move(name);
-    info_.poseLimits = PoseLimits::unbound();
-    info_.isInTooth = isInTooth;
+    info_.poseLimits = PoseLimits::unlimited();
+    info_.isInToothFrame = isInToothFrame;
     info_.rendersForce = info_.sensesRotation = info_.hasPedal = true;
     info_.buttonCount = 2;
     time_ = script_.front().time;
@@ -29,8 +29,8 @@ DeviceSample ScriptedDevice::read(double elapsed) {
     while (next_ < script_.size() && script_[next_].time <= time_) ++next_;
     if (next_ == script_.size()) return script_.back().sample;
     if (next_ == 0) return script_.front().sample;
-    const ScriptedMoment& before = script_[next_ - 1];
-    const ScriptedMoment& after = script_[next_];
+    const DeviceKeyframe& before = script_[next_ - 1];
+    const DeviceKeyframe& after = script_[next_];
     const double part = (time_ - before.time) / (after.time - before.time);
     DeviceSample sample = before.sample;
     sample.hand.position += part * (after.sample.hand.position - before.sample.hand.position);

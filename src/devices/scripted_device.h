@@ -9,7 +9,7 @@
 namespace tactooth {
 
 /// A hand and a foot at one moment of a script.
-struct ScriptedMoment {
+struct DeviceKeyframe {
     double time;  ///< s
     DeviceSample sample;
 };
@@ -19,9 +19,9 @@ struct ScriptedMoment {
 class ScriptedDevice final : public HapticDevice {
 public:
     /// `script` is not empty and its times do not descend.
-    /// `isInTooth`: its places are the tool's in the tooth's frame.
-    explicit ScriptedDevice(std::vector<ScriptedMoment> script, std::string name = "scripted hand",
-                            bool isInTooth = false);
+    /// `isInToothFrame`: its places are the tool's in the tooth's frame.
+    explicit ScriptedDevice(std::vector<DeviceKeyframe> script, std::string name = "scripted hand",
+                            bool isInToothFrame = false);
 
     [[nodiscard]] const DeviceInfo& info() const override { return info_; }
     [[nodiscard]] Expected<void> open() override;
@@ -34,7 +34,7 @@ public:
 
 private:
     DeviceInfo info_;
-    std::vector<ScriptedMoment> script_;
+    std::vector<DeviceKeyframe> script_;
     std::size_t next_ = 0;  // first moment that is not reached
     double time_ = 0;
     Vec3 lastForce_ = Vec3::Zero();

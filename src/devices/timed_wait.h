@@ -10,7 +10,7 @@ namespace tactooth {
 
 /// Until someone posts, or for `longest` s. Whoever sets the computer's clock changes nothing; on Windows, whose
 /// threads know no other, that wait alone.
-inline void waitForPost(sem_t& semaphore, double longest) {
+inline void waitForSemaphore(sem_t& semaphore, double longest) {
 #ifdef _WIN32
     const auto wait =
         std::chrono::duration_cast<std::chrono::system_clock::duration>(std::chrono::duration<double>(longest));

@@ -11,15 +11,17 @@ WorkspaceFit fitWorkspace(const Vec3& room, const Vec3& box) {
     constexpr double kSteps = 10;       // from one whole number to the next
     constexpr double kRounding = 1e-9;  // a room that is just large enough is
     const double most = room.cwiseQuotient(box).minCoeff();
-    if (!(most >= kLeastFineness - kRounding)) return {kLeastFineness, false};
-    return {std::clamp(std::floor(kSteps * most + kRounding) / kSteps, kLeastFineness, kMostFineness), true};
+    if (!(most >= kMinMotionScaling - kRounding)) return {kMinMotionScaling, false};
+    return {std::clamp(std::floor(kSteps * most + kRounding) / kSteps, kMinMotionScaling, kMaxMotionScaling), true};
 }
 
-Vec3 sizeAlongHand(const Vec3& size, const Quat& turn) { return turn.toRotationMatrix().transpose().cwiseAbs() * size; }
+Vec3 sizeInDeviceFrame(const Vec3& size, const Quat& turn) {
+    return turn.toRotationMatrix().transpose().cwiseAbs() * size;
+}
 
-bool isAtEndOfRoom(const DeviceInfo& device, const Vec3& hand, double margin) {
-    if (!device.middle) return false;
-    const Vec3 left = 0.5 * device.workspace - (hand - *device.middle).cwiseAbs();
+bool isNearWorkspaceLimit(const DeviceInfo& device, const Vec3& hand, double margin) {
+    if (!device.workspaceCentre) return false;
+    const Vec3 left = 0.5 * device.workspace - (hand - *device.workspaceCentre).cwiseAbs();
     return left.minCoeff() < margin;
 }
 

@@ -6,12 +6,12 @@
 
 namespace tactooth {
 
-inline constexpr double kLeastFineness = 1, kMostFineness = 3;  ///< mm of the hand for each mm of the tool
+inline constexpr double kMinMotionScaling = 1, kMaxMotionScaling = 3;  ///< mm of the hand for each mm of the tool
 
 /// How finely a hand can work.
 struct WorkspaceFit {
-    double fineness = kLeastFineness;
-    bool reachesAll = true;  ///< from one place of the clutch
+    double motionScaling = kMinMotionScaling;
+    bool coversBox = true;  ///< from one place of the clutch
 };
 
 /// The greatest fineness at which a hand in a room of this size brings the tool to all of a box of that size, both in
@@ -20,10 +20,10 @@ struct WorkspaceFit {
 [[nodiscard]] WorkspaceFit fitWorkspace(const Vec3& room, const Vec3& box);
 
 /// The size along the hand's axes of a box that lies along the tooth's. `turn`: from the hand's frame into the tooth's.
-[[nodiscard]] Vec3 sizeAlongHand(const Vec3& size, const Quat& turn);
+[[nodiscard]] Vec3 sizeInDeviceFrame(const Vec3& size, const Quat& turn);
 
 /// Whether a hand is no more than `margin` mm inside the room of its device, or outside; false where it is not known
 /// where that room is.
-[[nodiscard]] bool isAtEndOfRoom(const DeviceInfo& device, const Vec3& hand, double margin);
+[[nodiscard]] bool isNearWorkspaceLimit(const DeviceInfo& device, const Vec3& hand, double margin);
 
 }  // namespace tactooth

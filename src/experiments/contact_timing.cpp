@@ -10,8 +10,8 @@
 
 namespace tactooth {
 
-HandPath standardHand(double speed) {
-    HandPath path;
+ToolTrajectory standardToolPath(double speed) {
+    ToolTrajectory path;
     path.speed = speed;
     path.strokes = speed > 50 ? 12 : 4;  // some thousand ticks either way
     return path;
@@ -28,7 +28,7 @@ ContactTiming timeContact(const std::shared_ptr<const Surface>& surface, const s
     std::vector<double> micros(hand.size(), std::numeric_limits<double>::infinity());
     std::vector<MoveResult> results(hand.size());
     for (int run = 0; run < repeat; ++run) {
-        SlidingBody body(tool, freedom);
+        ProxySolver body(tool, freedom);
         body.setSurface(surface);
         body.placeAt(hand.front());
         for (std::size_t i = 0; i < hand.size(); ++i) {
@@ -41,17 +41,17 @@ ContactTiming timeContact(const std::shared_ptr<const Surface>& surface, const s
     timing.ticks = hand.size();
     std::vector<double> inContact;
     for (std::size_t i = 0; i < hand.size(); ++i) {
-        timing.outOfRounds += results[i].status == MoveStatus::OutOfRounds ? 1 : 0;
+        timing.iterationLimitHits += results[i].status == MoveStatus::OutOfIterations ? 1 : 0;
         timing.overlapping += results[i].status == MoveStatus::Overlapping ? 1 : 0;
         timing.largest = std::max(timing.largest, micros[i]);
         if (results[i].contactCount == 0) continue;
         inContact.push_back(micros[i]);
         timing.contacts += results[i].contactCount;
-        timing.rounds += results[i].rounds;
+        timing.iterations += results[i].iterations;
         timing.distances += results[i].distances;
     }
     timing.inContact = inContact.size();
-    for (double* sum : {&timing.contacts, &timing.rounds, &timing.distances}) {
+    for (double* sum : {&timing.contacts, &timing.iterations, &timing.distances}) {
         *sum /= std::max<double>(1, static_cast<double>(timing.inContact));
     }
     timing.p50 = quantile(inContact, 0.5);

@@ -9,13 +9,13 @@
 #include <fstream>
 #include <utility>
 
+#include "experiments/quantile.h"
+#include "experiments/thread_clock.h"
 #include "geometry/util/parallel_for.h"
 #include "instruments/bur_shape.h"
-#include "instruments/hand_path.h"
-#include "session/scripts/cut_run.h"
-#include "experiments/quantile.h"
+#include "instruments/tool_trajectory.h"
 #include "session/io/softened_materials.h"
-#include "experiments/thread_clock.h"
+#include "session/scripts/cut_run.h"
 
 namespace tactooth {
 namespace {
@@ -23,7 +23,7 @@ namespace {
 constexpr double kTick = 1e-3;            // s
 constexpr double kRimSpeed = 300'000;     // rev/min: an air turbine that cuts
 constexpr double kTurn = 20;              // degrees/s that the hand turns the bur, to and fro
-constexpr double kGreatestTurn = 5;       // degrees: a hand that mills a slot
+constexpr double kMaxTurn = 5;            // degrees: a hand that mills a slot
 constexpr double kRoundHeadLength = 0.8;  // diameters: where a round bur's neck begins
 
 double residentMegabytes() {
@@ -35,21 +35,21 @@ double residentMegabytes() {
 }
 
 /// The four threads of a simulator, played one after the other on a clock of their own.
-class CutPlay {
+class CutTimingSimulation {
 public:
-    CutPlay(const std::shared_ptr<const LayeredTooth>& tooth, const CutCase& cut)
-        : materials_(softenedMaterials(cut.removal)), piece_(tooth, cut.voxel), voxel_(cut.voxel), cores_(cut.cores) {
+    CutTimingSimulation(const std::shared_ptr<const LayeredTooth>& tooth, const CutCase& cut)
+        : materials_(softenedMaterials(cut.removal)), model_(tooth, cut.voxel), voxel_(cut.voxel), cores_(cut.cores) {
         TriangleMesh bur = makeBur(cut.bur).surface;
         tool_.emplace(CuttingTool{std::move(*RevolutionEnvelope::make(bur)), cut.bur.sharpness});
         HapticSettings settings;
         settings.materials = materials_;
         settings.spindle = constantSpeed(kRimSpeed);
         simulation_.emplace(std::make_shared<const ToolShape>(std::move(bur)), tool_->envelope.maxRadius(),
-                            piece_.surface(), settings);
-        simulation_->letOthersPlace();
-        felt_.emplace(simulation_->tool(), piece_.felt());
-        newest_ = piece_.surface();
-        (void)piece_.stock();
+                            model_.surface(), settings);
+        simulation_->deferPlacement();
+        felt_.emplace(simulation_->tool(), model_.felt());
+        newest_ = model_.surface();
+        (void)model_.pool();
     }
 
     CutTiming run(std::span<const Pose> hand) {
@@ -60,40 +60,40 @@ public:
 
 private:
     void play(double now, const Pose& hand) {
-        while (!coming_.empty() && coming_.front().from <= now) feelNewSurface(now);
+        while (!coming_.empty() && coming_.front().from <= now) useNewSurface(now);
         const double start = threadMicros();
         const Tick tick = simulation_->step({hand, 1, true}, kTick);
         const double micros = threadMicros() - start;
         if (tick.contacts > 0) tickMicros_.push_back(micros);
         timing_.deepest = std::max(timing_.deepest, tick.depth);
         if (tick.contacts > 0) working_.push_back(now);
-        letListerWork(now, tick);
-        letCutterWork(now, tick);
-        if (now >= makerFreeAt_) letMakerWork(now, tick);
+        stepNeighbourLists(now, tick);
+        stepCarving(now, tick);
+        if (now >= prefetchFreeAt_) stepBrickPrefetch(now, tick);
     }
 
     /// Its bricks are found by the cutter from the next tick on: to make some at once takes less.
-    void letMakerWork(double now, const Tick& tick) {
+    void stepBrickPrefetch(double now, const Tick& tick) {
         const double start = threadMicros();
-        (void)piece_.stock()->makeAround(tool_->envelope, tick.proxy);
+        (void)model_.pool()->makeAround(tool_->envelope, tick.proxy);
         const double took = threadMicros() - start;
-        makerMicros_ += took;
-        makerFreeAt_ = now + 1e-6 * took;
+        prefetchMicros_ += took;
+        prefetchFreeAt_ = now + 1e-6 * took;
     }
 
     /// Goes on with this tick as soon as it is done with the one before.
-    void letCutterWork(double now, const Tick& tick) {
-        const double begin = std::max(now, cutterFreeAt_);
+    void stepCarving(double now, const Tick& tick) {
+        const double begin = std::max(now, carvingFreeAt_);
         if (begin >= now + kTick) return;
         const auto millis = [this] { return cores_ > 1 ? wallMillis() : 1e-3 * threadMicros(); };
         const double start = millis();
-        const bool changed = piece_.feed(*tool_, tick, materials_);
+        const bool changed = model_.feed(*tool_, tick, materials_);
         const double took = millis() - start;
-        cutterMillis_ += took;
-        cutterFreeAt_ = begin + 1e-3 * took;
+        carvingMillis_ += took;
+        carvingFreeAt_ = begin + 1e-3 * took;
         if (changed) {
             updateMillis_.push_back(took);
-            cuts_.push_back({piece_.surface(), *piece_.reached(), cutterFreeAt_, begin, now});
+            cuts_.push_back({model_.surface(), *model_.reached(), carvingFreeAt_, begin, now});
             lastCutTick_ = now;
         } else {
             while (!working_.empty() && working_.back() > lastCutTick_) working_.pop_back();  // nothing comes of these
@@ -101,45 +101,45 @@ private:
     }
 
     /// Looks after the tool at each tick, and is woken by a cut.
-    void letListerWork(double now, const Tick& tick) {
-        if (listerFreeAt_ <= now && (cuts_.empty() || cuts_.front().from > now)) {
+    void stepNeighbourLists(double now, const Tick& tick) {
+        if (neighbourListFreeAt_ <= now && (cuts_.empty() || cuts_.front().from > now)) {
             watch(now, tick);
-            list(now, [&] { return tick.placed ? felt_->renew() : felt_->place(newest_, tick.hand); });
+            list(now, [&] { return tick.placed ? felt_->rebuild() : felt_->place(newest_, tick.hand); });
         }
-        while (!cuts_.empty() && std::max(cuts_.front().from, listerFreeAt_) < now + kTick) {
+        while (!cuts_.empty() && std::max(cuts_.front().from, neighbourListFreeAt_) < now + kTick) {
             const Cut cut = cuts_.front();
             cuts_.pop_front();
-            if (!cuts_.empty() && cuts_.front().from <= listerFreeAt_) continue;  // there is a newer one
+            if (!cuts_.empty() && cuts_.front().from <= neighbourListFreeAt_) continue;  // there is a newer one
             watch(now, tick);
             newest_ = cut.surface;
             newestCut_ = cut;
-            list(std::max({now, cut.from, listerFreeAt_}),
+            list(std::max({now, cut.from, neighbourListFreeAt_}),
                  [&] { return felt_->make(cut.surface, tick.proxy, cut.reached); });
         }
     }
     void watch(double now, const Tick& tick) {
-        if (tick.placed) felt_->watch(now, tick.proxy, tick.ownLists);
+        if (tick.placed) felt_->watch(now, tick.proxy, tick.ownListRebuilds);
     }
     template <class Make>
     void list(double begin, const Make& make) {
         const double start = threadMicros();
-        FeltSurface* felt = make();
+        HapticSurface* felt = make();
         const double took = 1e-3 * (threadMicros() - start);
-        listerFreeAt_ = begin + 1e-3 * took;
+        neighbourListFreeAt_ = begin + 1e-3 * took;
         if (felt == nullptr) return;
-        coming_.push_back({felt, listerFreeAt_, newestCut_.begun, newestCut_.tick});
+        coming_.push_back({felt, neighbourListFreeAt_, newestCut_.begun, newestCut_.tick});
         listMillis_.push_back(took);
     }
 
-    void feelNewSurface(double now) {
+    void useNewSurface(double now) {
         const Coming coming = coming_.front();
         coming_.pop_front();
         simulation_->setSurface(*coming.felt);
-        felt_->giveBack(coming.felt);
-        if (coming.cutBegun > feltUpTo_) carvedMillis_.push_back(1e3 * (now - coming.cutBegun));
-        feltUpTo_ = std::max(feltUpTo_, coming.cutBegun);
+        felt_->recycle(coming.felt);
+        if (coming.cutBegun > touchedUpTo_) carvedMillis_.push_back(1e3 * (now - coming.cutBegun));
+        touchedUpTo_ = std::max(touchedUpTo_, coming.cutBegun);
         while (!working_.empty() && working_.front() <= coming.cutTick) {
-            feltMillis_.push_back(1e3 * (now - working_.front()));
+            touchMillis_.push_back(1e3 * (now - working_.front()));
             working_.pop_front();
         }
     }
@@ -152,8 +152,8 @@ private:
         timing_.p50 = quantile(tickMicros_, 0.5);
         timing_.p99 = quantile(tickMicros_, 0.99);
         timing_.p999 = quantile(tickMicros_, 0.999);
-        timing_.feltP50 = quantile(feltMillis_, 0.5);
-        timing_.feltP99 = quantile(feltMillis_, 0.99);
+        timing_.touchP50 = quantile(touchMillis_, 0.5);
+        timing_.touchP99 = quantile(touchMillis_, 0.99);
         timing_.carvedP50 = quantile(carvedMillis_, 0.5);
         timing_.carvedP99 = quantile(carvedMillis_, 0.99);
         timing_.updateP50 = quantile(updateMillis_, 0.5);
@@ -162,21 +162,21 @@ private:
         timing_.lists = listMillis_.size();
         timing_.listP50 = quantile(listMillis_, 0.5);
         timing_.updatesPerSecond = static_cast<double>(timing_.updates) / (kTick * static_cast<double>(timing_.ticks));
-        timing_.makerShare = 1e-6 * makerMicros_ / (kTick * static_cast<double>(played_));
-        timing_.removed = total(piece_.removed());
-        timing_.nanosPerVoxel = 1e6 * cutterMillis_ / (timing_.removed / (voxel_ * voxel_ * voxel_));
-        timing_.brickMegabytes = 1e-6 * static_cast<double>(piece_.bytes());
+        timing_.prefetchShare = 1e-6 * prefetchMicros_ / (kTick * static_cast<double>(played_));
+        timing_.removed = total(model_.removed());
+        timing_.nanosPerVoxel = 1e6 * carvingMillis_ / (timing_.removed / (voxel_ * voxel_ * voxel_));
+        timing_.brickMegabytes = 1e-6 * static_cast<double>(model_.bytes());
         timing_.residentMegabytes = residentMegabytes();
         return timing_;
     }
 
     MaterialTable materials_;
-    WorkPiece piece_;
+    CutModel model_;
     double voxel_;
     int cores_;
     std::optional<CuttingTool> tool_;
     std::optional<HapticSimulation> simulation_;
-    std::optional<FeltSurfaces> felt_;
+    std::optional<HapticSurfaceBuilder> felt_;
 
     // Times in s: when a thing is there, when the carve began that it comes of, and the last tick that knew of.
     struct Cut {
@@ -187,7 +187,7 @@ private:
         double tick = 0;
     };
     struct Coming {
-        FeltSurface* felt;
+        HapticSurface* felt;
         double from;
         double cutBegun;
         double cutTick;
@@ -196,16 +196,16 @@ private:
     Cut newestCut_;         // that the lister knows of
     std::shared_ptr<const Surface> newest_;
     std::deque<Coming> coming_;  // that the servo has not felt yet
-    double cutterFreeAt_ = 0;    // s
-    double listerFreeAt_ = 0;
-    double makerFreeAt_ = 0;
+    double carvingFreeAt_ = 0;   // s
+    double neighbourListFreeAt_ = 0;
+    double prefetchFreeAt_ = 0;
     double lastCutTick_ = 0;
-    double feltUpTo_ = 0;         // the beginning of the last carve that the servo has felt
+    double touchedUpTo_ = 0;      // the beginning of the last carve that the servo has felt
     std::deque<double> working_;  // ticks in which the bur worked and that have not been felt yet
 
-    std::vector<double> tickMicros_, feltMillis_, carvedMillis_, updateMillis_, listMillis_;
-    double cutterMillis_ = 0;
-    double makerMicros_ = 0;
+    std::vector<double> tickMicros_, touchMillis_, carvedMillis_, updateMillis_, listMillis_;
+    double carvingMillis_ = 0;
+    double prefetchMicros_ = 0;
     std::size_t played_ = 0;  // ticks
     CutTiming timing_;
 };
@@ -217,17 +217,17 @@ BurSpec roundBur(double diameter) {
 }
 
 CutTiming timeCutting(const std::shared_ptr<const LayeredTooth>& tooth, const CutCase& cut) {
-    HandPath path;
+    ToolTrajectory path;
     path.speed = cut.speed;
     path.press = cut.engagement * cut.bur.headLength;
     path.approach = 0.2;
     path.stroke = cut.stroke;
     path.strokes = cut.strokes;
     path.turn = kTurn;
-    path.greatestTurn = kGreatestTurn;
-    const std::vector<Pose> hand = handPath(tooth->outer()->mesh(), path);
+    path.maxRotation = kMaxTurn;
+    const std::vector<Pose> hand = toolTrajectory(tooth->outer()->mesh(), path);
     const ThreadLimit cores(static_cast<std::size_t>(cut.cores));
-    return CutPlay(tooth, cut).run(hand);
+    return CutTimingSimulation(tooth, cut).run(hand);
 }
 
 }  // namespace tactooth

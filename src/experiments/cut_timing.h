@@ -28,7 +28,7 @@ struct CutTiming {
     std::size_t ticks = 0;                ///< while the bur touched
     double p50 = 0, p99 = 0;              ///< of a tick, us
     double p999 = 0, largest = 0;         ///< of a tick, us
-    double feltP50 = 0, feltP99 = 0;      ///< from a tick in which the bur works to the tick that feels what it cut, ms
+    double touchP50 = 0, touchP99 = 0;    ///< from a tick in which the bur works to the tick that feels what it cut, ms
     double carvedP50 = 0, carvedP99 = 0;  ///< from the beginning of a carve to the tick that feels it, ms
     std::size_t updates = 0;              ///< new surfaces
     double updateP50 = 0;                 ///< carve and new surface, ms
@@ -37,7 +37,7 @@ struct CutTiming {
     std::size_t lists = 0;                ///< made ahead for the servo, with a new surface or without
     double listP50 = 0;                   ///< of one, ms
     double updatesPerSecond = 0;          ///< while the bur works
-    double makerShare = 0;                ///< of a core: what it takes to make bricks ahead of the bur
+    double prefetchShare = 0;             ///< of a core: what it takes to make bricks ahead of the bur
     double firstUpdate = 0;               ///< from a tooth without any brick to its first cut surface, ms
     double removed = 0;                   ///< mm^3
     double nanosPerVoxel = 0;             ///< cutter's time for each voxel of removed volume

@@ -3,24 +3,24 @@
 #pragma once
 
 #include "experiments/experiment.h"
-#include "experiments/subjects.h"
+#include "experiments/test_teeth.h"
 
 namespace tactooth {
 
 /// Time from an STL file to a surface that can be touched, by its number of triangles. `scratch` is a folder in which
 /// the files are made, and removed again.
-[[nodiscard]] Expected<Experiment> measureLoading(Subjects& subjects, const std::filesystem::path& scratch);
+[[nodiscard]] Expected<Experiment> measureLoading(TestTeeth& testTeeth, const std::filesystem::path& scratch);
 
 /// The smallest movement of the hand that changes the depth, and the time that a force takes, at every resolution.
-[[nodiscard]] Expected<Experiment> measureMovement(Subjects& subjects);
+[[nodiscard]] Expected<Experiment> measureMovement(TestTeeth& testTeeth);
 
 /// Depth on the ten-patch object at A, B and C against the exact answer, at hand speeds up to 1 m/s.
-[[nodiscard]] Experiment measureTenPatches(const Subjects& subjects);
+[[nodiscard]] Experiment measureTenPatches(const TestTeeth& testTeeth);
 
 /// The bur comes sideways, along y, onto a molar.
-[[nodiscard]] Expected<Experiment> measureSideways(Subjects& subjects);
+[[nodiscard]] Expected<Experiment> measureSideways(TestTeeth& testTeeth);
 
 /// Depth, velocity and force on a tooth at low and at high speed. `kind` is not Large.
-[[nodiscard]] Expected<Experiment> measureTouch(Subjects& subjects, StandardToothKind kind);
+[[nodiscard]] Expected<Experiment> measureTouch(TestTeeth& testTeeth, StandardToothKind kind);
 
 }  // namespace tactooth

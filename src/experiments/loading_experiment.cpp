@@ -4,12 +4,12 @@
 #include <limits>
 
 #include "collision/bvh/aabb_tree.h"
-#include "geometry/io/mesh_file.h"
-#include "geometry/util/number_text.h"
-#include "geometry/io/stl_writer.h"
 #include "experiments/experiments.h"
 #include "experiments/published.h"
 #include "experiments/thread_clock.h"
+#include "geometry/io/mesh_file.h"
+#include "geometry/io/stl_writer.h"
+#include "geometry/util/number_text.h"
 
 namespace tactooth {
 namespace {
@@ -52,7 +52,7 @@ Expected<LoadTime> addMesh(const std::string& name, int percent, const TriangleM
 
 }  // namespace
 
-Expected<Experiment> measureLoading(Subjects& subjects, const std::filesystem::path& scratch) {
+Expected<Experiment> measureLoading(TestTeeth& testTeeth, const std::filesystem::path& scratch) {
     Experiment experiment{"table2", "Loading", "", {"tooth", "percent", "triangles", "read_ms", "tree_ms", "total_ms"},
                           {},       1,         {}, {}};
     experiment.method =
@@ -62,14 +62,14 @@ Expected<Experiment> measureLoading(Subjects& subjects, const std::filesystem::p
     ExperimentPlot panel{"From the file to a surface that can be touched", "triangles", "ms", true, true, {}};
     const std::filesystem::path file = scratch / "table2-scratch.stl";
     PlotSeries bur{"bur", {}, true, false};
-    const auto least = addMesh("bur", 100, subjects.bur()->mesh(), file, experiment, bur);
+    const auto least = addMesh("bur", 100, testTeeth.bur()->mesh(), file, experiment, bur);
     if (!least) return Unexpected{least.error()};
     panel.series.push_back(bur);
     double longest = 0;
     for (const StandardToothKind kind : kStandardTeeth) {
-        const auto ladder = subjects.ladder(kind);
+        const auto ladder = testTeeth.ladder(kind);
         if (!ladder) return Unexpected{ladder.error()};
-        const std::string name = (*subjects.tooth(kind))->name;
+        const std::string name = (*testTeeth.tooth(kind))->name;
         PlotSeries series{name, {}, true, false};
         for (const Resolution& resolution : **ladder) {
             const auto time = addMesh(name, resolution.percent, resolution.mesh, file, experiment, series);
@@ -79,8 +79,7 @@ Expected<Experiment> measureLoading(Subjects& subjects, const std::filesystem::p
         panel.series.push_back(series);
     }
     using namespace published;
-    panel.series.push_back(
-        {"published", {{kFewestTriangles, kShortestLoad}, {kMostTriangles, kLongestLoad}}, true, true});
+    panel.series.push_back({"published", {{kMinTriangles, kShortestLoad}, {kMaxTriangles, kLongestLoad}}, true, true});
     experiment.panels.push_back(panel);
     experiment.comparisons = {
         {"Shortest time to load (288 triangles published, our bur here)", numberText(kShortestLoad) + " ms",

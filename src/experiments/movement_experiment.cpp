@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <limits>
 
-#include "geometry/util/number_text.h"
 #include "experiments/contact_timing.h"
 #include "experiments/experiments.h"
 #include "experiments/published.h"
-#include "experiments/touching_hand.h"
+#include "experiments/touch_simulation.h"
+#include "geometry/util/number_text.h"
 
 namespace tactooth {
 namespace {
@@ -61,13 +61,13 @@ double leastNoticed(std::span<const Noticed> noticed) {
 
 struct AtResolution {
     std::array<Noticed, kMovements.size()> noticed;
-    ForceMicros force;
+    ForceTiming force;
 };
 
 AtResolution measureAt(const TriangleMesh& mesh, const std::shared_ptr<const ToolShape>& bur) {
     const auto surface = plainSurface(mesh);
-    const std::vector<Pose> hand = handPath(mesh, standardHand(kSlowHand));
-    const std::vector<Tick> ticks = feelPath(bur, surface, hand, kRepeat);
+    const std::vector<Pose> hand = toolTrajectory(mesh, standardToolPath(kSlowSpeed));
+    const std::vector<Tick> ticks = touchPath(bur, surface, hand, kRepeat);
     const Pose pressed = pressedPose(hand, ticks);
     HapticSimulation arrived = enamelSimulation(bur, surface);
     for (const Pose& pose : hand) {
@@ -103,9 +103,9 @@ public:
             if (greatest_[i] > 0) plot.series[0].points.push_back({kMovements[i], greatest_[i]});
             if (least_[i] > 0) plot.series[1].points.push_back({kMovements[i], least_[i]});
         }
-        for (const double limit : {published::kLeastMovement, published::kLeastMovementCoarse}) {
+        for (const double limit : {published::kMinMovement, published::kMinMovementCoarse}) {
             plot.series.push_back(
-                {"published limit, " + std::string(limit == published::kLeastMovement ? "25 to 100 %" : "6, 12 %"),
+                {"published limit, " + std::string(limit == published::kMinMovement ? "25 to 100 %" : "6, 12 %"),
                  {{limit, kMovements.back()}, {limit, kMovements.front()}},
                  false,
                  true});
@@ -145,7 +145,7 @@ std::vector<std::string> columnNames() {
 
 }  // namespace
 
-Expected<Experiment> measureMovement(Subjects& subjects) {
+Expected<Experiment> measureMovement(TestTeeth& testTeeth) {
     Experiment experiment{"table4", "Smallest movement, and time to compute a force", "", columnNames(), {}, 2, {}, {}};
     experiment.method =
         "The bur is pressed into the tooth; then the hand moves further in, against the force, eight times by the same "
@@ -156,12 +156,12 @@ Expected<Experiment> measureMovement(Subjects& subjects) {
     double least = 0, leastCoarse = 0;  // um: the greatest of the smallest movements noticed
     double shortest = std::numeric_limits<double>::infinity(), longest = 0;
     for (const StandardToothKind kind : kStandardTeeth) {
-        const auto ladder = subjects.ladder(kind);
+        const auto ladder = testTeeth.ladder(kind);
         if (!ladder) return Unexpected{ladder.error()};
-        const std::string name = (*subjects.tooth(kind))->name;
+        const std::string name = (*testTeeth.tooth(kind))->name;
         PlotSeries times{name, {}, true, false};
         for (const Resolution& resolution : **ladder) {
-            const AtResolution found = measureAt(resolution.mesh, subjects.bur());
+            const AtResolution found = measureAt(resolution.mesh, testTeeth.bur());
             addRow(experiment, name, resolution, found);
             times.points.push_back({static_cast<double>(resolution.mesh.triangles.size()), found.force.p50});
             shortest = std::min(shortest, found.force.p50);
@@ -174,13 +174,13 @@ Expected<Experiment> measureMovement(Subjects& subjects) {
     }
     using namespace published;
     time.series.push_back({"published, least and greatest",
-                           {{kFewestTriangles, kShortestForce}, {kMostTriangles, kLongestForce}},
+                           {{kMinTriangles, kShortestForce}, {kMaxTriangles, kLongestForce}},
                            true,
                            true});
     experiment.panels = {extremes.plot(), time};
     experiment.comparisons = {{"Smallest movement noticed at every resolution of every tooth",
-                               numberText(kLeastMovement) + " um", shortNumber(least) + " um"},
-                              {"Smallest movement noticed at 6 and 12 %", numberText(kLeastMovementCoarse) + " um",
+                               numberText(kMinMovement) + " um", shortNumber(least) + " um"},
+                              {"Smallest movement noticed at 6 and 12 %", numberText(kMinMovementCoarse) + " um",
                                shortNumber(leastCoarse) + " um"},
                               {"Time to compute a force, from and to (medians)",
                                numberText(kShortestForce) + " to " + numberText(kLongestForce) + " us",

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/util/number_text.h"
 #include "experiments/contact_timing.h"
 #include "experiments/experiments.h"
-#include "experiments/touching_hand.h"
+#include "experiments/touch_simulation.h"
+#include "geometry/util/number_text.h"
 
 namespace tactooth {
 namespace {
@@ -14,16 +14,16 @@ namespace {
 constexpr double kPress = 0.5;  // mm beyond the place of first contact
 
 /// Where the bur's tip begins: beside the crown, high up, its shaft upright.
-Vec3 besideTheCrown(const Box3& tooth, const ToolShape& bur) {
+Vec3 nextToCrown(const Box3& tooth, const ToolShape& bur) {
     constexpr double kUp = 0.85, kGap = 0.3;  // share of the height; mm
     return {tooth.center().x(), tooth.min().y() - kGap - bur.radius(), tooth.min().z() + kUp * tooth.sizes().z()};
 }
 
 /// How far along +y the bur goes from `start` before the tooth stops it, mm.
-double wayToContact(const std::shared_ptr<const Surface>& surface, const std::shared_ptr<const ToolShape>& bur,
-                    const Vec3& start) {
+double distanceToContact(const std::shared_ptr<const Surface>& surface, const std::shared_ptr<const ToolShape>& bur,
+                         const Vec3& start) {
     constexpr double kStep = 0.01;  // mm
-    SlidingBody body(bur);
+    ProxySolver body(bur);
     body.setSurface(surface);
     body.placeAt({start, Quat::Identity()});
     const double farthest = surface->base->tree().box().max().y() - start.y();
@@ -48,11 +48,11 @@ std::vector<Pose> thereAndBack(const Vec3& start, double contact, double speed) 
 
 }  // namespace
 
-Expected<Experiment> measureSideways(Subjects& subjects) {
-    const auto tooth = subjects.tooth(StandardToothKind::Molar);
+Expected<Experiment> measureSideways(TestTeeth& testTeeth) {
+    const auto tooth = testTeeth.tooth(StandardToothKind::Molar);
     if (!tooth) return Unexpected{tooth.error()};
     const auto surface = plainSurface((*tooth)->mesh);
-    const auto& bur = subjects.bur();
+    const auto& bur = testTeeth.bur();
     Experiment experiment{"fig13", "The bur onto a molar along y",
                           "",      {"mm_per_s", "t", "hand_y", "proxy_y", "depth", "fx", "fy", "fz"},
                           {},      2,
@@ -61,12 +61,12 @@ Expected<Experiment> measureSideways(Subjects& subjects) {
         "The bur stands upright beside the crown and comes along y until it is pressed 0.5 mm beyond the first "
         "contact, "
         "and goes back. The hand's way and the proxy's part where the tooth is met; the force follows the depth.";
-    const Vec3 start = besideTheCrown(surface->base->tree().box(), *bur);
-    const double contact = wayToContact(surface, bur, start);
+    const Vec3 start = nextToCrown(surface->base->tree().box(), *bur);
+    const double contact = distanceToContact(surface, bur, start);
     double deepest = 0;
-    for (const double speed : {kSlowHand, kFastHand}) {
+    for (const double speed : {kSlowSpeed, kFastSpeed}) {
         const std::vector<Pose> hand = thereAndBack(start, contact, speed);
-        const std::vector<Tick> ticks = feelPath(bur, surface, hand, 1);
+        const std::vector<Tick> ticks = touchPath(bur, surface, hand, 1);
         const std::string at = numberText(speed / 10) + " cm/s";
         ExperimentPlot way{"Way along y, " + at,
                            "time, ms",

@@ -7,13 +7,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "experiments/quantile.h"
+#include "experiments/thread_clock.h"
 #include "instruments/bur_shape.h"
 #include "instruments/hand_instruments.h"
-#include "instruments/hand_path.h"
-#include "session/scripts/cut_run.h"
-#include "experiments/quantile.h"
+#include "instruments/tool_trajectory.h"
 #include "session/io/softened_materials.h"
-#include "experiments/thread_clock.h"
+#include "session/scripts/cut_run.h"
 
 namespace tactooth {
 namespace {
@@ -29,9 +29,9 @@ constexpr double kMeasure = 5;         // s
 constexpr double kLift = 5;            // mm, at kLiftSpeed
 constexpr double kLiftSpeed = 10;      // mm/s
 
-constexpr double kTremor = 0.02, kTremorHz = 9;   // mm; the physiological tremor of a hand
-constexpr double kSlideSpeed = 5, kSlideWay = 1;  // mm/s, mm
-constexpr double kTurnSpeed = 30, kTurn = 5;      // degrees
+constexpr double kTremor = 0.02, kTremorHz = 9;      // mm; the physiological tremor of a hand
+constexpr double kSlideSpeed = 5, kSlideLength = 1;  // mm/s, mm
+constexpr double kTurnSpeed = 30, kTurn = 5;         // degrees
 
 int ticksIn(double seconds) { return static_cast<int>(seconds / kTick); }
 
@@ -46,11 +46,11 @@ Pose moved(const Pose& start, SlotMotion motion, double time) {
     switch (motion) {
         case SlotMotion::Rest:
             break;
-        case SlotMotion::Tremble:
+        case SlotMotion::Tremor:
             pose.position += kTremor * std::sin(2 * std::numbers::pi * kTremorHz * time) * Vec3::UnitY();
             break;
         case SlotMotion::Slide:
-            pose.position -= toAndFro(kSlideSpeed * time, kSlideWay) * Vec3::UnitX();
+            pose.position -= toAndFro(kSlideSpeed * time, kSlideLength) * Vec3::UnitX();
             break;
         case SlotMotion::Turn: {
             const double degrees = toAndFro(kTurnSpeed * time, kTurn);
@@ -64,9 +64,9 @@ Pose moved(const Pose& start, SlotMotion motion, double time) {
 /// Where a bur goes that cuts the slot: down beside the middle of the tooth's top and straight along, and there it
 /// stays.
 std::vector<TimedPose> slotPath(const TriangleMesh& tooth, double depth) {
-    HandPath way;
+    ToolTrajectory way;
     way.stroke = kSlotLength;
-    const Pose above = handPath(tooth, way).front();
+    const Pose above = toolTrajectory(tooth, way).front();
     const Vec3 down(0, 0, -way.approach - depth);
     const Vec3 along(kSlotLength, 0, 0);
     std::vector<TimedPose> rows;
@@ -85,8 +85,8 @@ std::vector<TimedPose> slotPath(const TriangleMesh& tooth, double depth) {
 /// A still tool in a piece that is cut no more; its lists are made beside the ticks, as in the program.
 class StillTool {
 public:
-    StillTool(const WorkPiece& piece, const std::shared_ptr<const ToolShape>& shape, double radius)
-        : piece_(piece),
+    StillTool(const CutModel& piece, const std::shared_ptr<const ToolShape>& shape, double radius)
+        : model_(piece),
           simulation_(shape, radius, piece.felt(), HapticSettings()),
           felt_(simulation_.tool(), piece.felt()) {}
 
@@ -94,7 +94,7 @@ public:
         const double start = threadMicros();
         const Tick tick = simulation_.step({hand, 0, false}, kTick);
         micros = threadMicros() - start;
-        feelPiece(piece_, tick, false, felt_, simulation_);
+        updateHapticSurface(model_, tick, false, felt_, simulation_);
         return tick;
     }
     Tick step(const Pose& hand) {
@@ -103,9 +103,9 @@ public:
     }
 
 private:
-    const WorkPiece& piece_;
+    const CutModel& model_;
     HapticSimulation simulation_;
-    FeltSurfaces felt_;
+    HapticSurfaceBuilder felt_;
 };
 
 SlotTiming timeMotion(StillTool& tool, const Pose& start, SlotMotion motion) {
@@ -159,7 +159,7 @@ std::string_view slotMotionName(SlotMotion motion) {
     switch (motion) {
         case SlotMotion::Rest:
             return "rests";
-        case SlotMotion::Tremble:
+        case SlotMotion::Tremor:
             return "trembles";
         case SlotMotion::Slide:
             return "slides";
@@ -171,7 +171,7 @@ std::string_view slotMotionName(SlotMotion motion) {
 
 std::vector<SlotTiming> timeInSlot(const std::shared_ptr<const LayeredTooth>& tooth, const BurSpec& bur, double depth,
                                    double voxel, bool probe) {
-    WorkPiece piece(tooth, voxel);
+    CutModel piece(tooth, voxel);
     TriangleMesh mesh = makeBur(bur).surface;
     const CuttingTool tool{*RevolutionEnvelope::make(mesh), bur.sharpness};
     const double radius = tool.envelope.maxRadius();
@@ -183,8 +183,9 @@ std::vector<SlotTiming> timeInSlot(const std::shared_ptr<const LayeredTooth>& to
     Pose end;
     const std::vector<TimedPose> path = slotPath(tooth->outer()->mesh(), depth);
     // Built-in shapes and a path of our own give finite ticks.
-    [[maybe_unused]] const auto isCut = cutByLaw(path, tool, settings.materials, cutting, piece,
-                                                 [&](double, const Tick& tick, const ToothLoss&) { end = tick.proxy; });
+    [[maybe_unused]] const auto isCut =
+        cutWithRemovalLaw(path, tool, settings.materials, cutting, piece,
+                          [&](double, const Tick& tick, const ToothLoss&) { end = tick.proxy; });
     assert(isCut);
 
     if (probe) shape = std::make_shared<const ToolShape>(makePeriodontalProbe());

@@ -14,12 +14,12 @@ namespace tactooth {
 
 /// What a still tool does in the slot that a bur has just cut.
 enum class SlotMotion {
-    Rest,     ///< is pressed into the slot's floor
-    Tremble,  ///< the same with a tremor of 20 um at 9 Hz across the slot
-    Slide,    ///< goes to and fro along the slot at 5 mm/s
-    Turn      ///< turns about its shaft to and fro, 5 degrees at 30 degrees a second
+    Rest,    ///< is pressed into the slot's floor
+    Tremor,  ///< the same with a tremor of 20 um at 9 Hz across the slot
+    Slide,   ///< goes to and fro along the slot at 5 mm/s
+    Turn     ///< turns about its shaft to and fro, 5 degrees at 30 degrees a second
 };
-inline constexpr std::array kSlotMotions = {SlotMotion::Rest, SlotMotion::Tremble, SlotMotion::Slide, SlotMotion::Turn};
+inline constexpr std::array kSlotMotions = {SlotMotion::Rest, SlotMotion::Tremor, SlotMotion::Slide, SlotMotion::Turn};
 /// "rests", "trembles", "slides", "turns".
 [[nodiscard]] std::string_view slotMotionName(SlotMotion motion);
 

@@ -6,18 +6,18 @@
 #include <array>
 #include <cmath>
 
-#include "devices/scripted_hand.h"
+#include "devices/simulated_device.h"
+#include "experiments/stability_specimens.h"
+#include "experiments/standard_teeth.h"
 #include "haptics/cutting_force.h"
 #include "haptics/force_pipeline.h"
 #include "haptics/haptic_simulation.h"
-#include "experiments/stability_pieces.h"
-#include "experiments/standard_teeth.h"
 
 namespace tactooth {
 namespace {
 
-constexpr std::array<std::string_view, kSituationCount> kSituations = {"tap",  "press",  "limit", "cusp",  "fissure",
-                                                                       "slot", "let-go", "cut",   "tremor"};
+constexpr std::array<std::string_view, kScenarioCount> kScenarios = {"tap",  "press",  "limit", "cusp",  "fissure",
+                                                                     "slot", "let-go", "cut",   "tremor"};
 constexpr double kHeadroom = 0.5;   // mm over the surface at the start
 constexpr double kSettled = 1.2;    // s at which all motion has been asked for
 constexpr double kEnd = 2.7;        // s
@@ -29,7 +29,7 @@ constexpr double kFastest = 500;    // mm/s: ... but no faster than a hand, on a
 constexpr double kFaint = 0.05;     // N: below, a ripple means nothing
 
 /// At the rate of the case, N/mm.
-double stiffestOf(const StabilityCase& one) { return stiffestAt(one.device->stiffness, one.rateHz); }
+double stiffestOf(const StabilityCase& one) { return maxStiffnessAt(one.device->stiffness, one.rateHz); }
 
 /// The spring that the hand will meet, N/mm.
 double springOf(const StabilityCase& one) {
@@ -39,61 +39,61 @@ double springOf(const StabilityCase& one) {
     return materials[*one.material].stiffness * std::min(1.0, stiffestOf(one) / hardest);
 }
 
-ScriptedMoment at(double time, double x, double z) { return {time, {{Vec3(x, 0, z), Quat::Identity()}, 0, 0, true}}; }
+DeviceKeyframe at(double time, double x, double z) { return {time, {{Vec3(x, 0, z), Quat::Identity()}, 0, 0, true}}; }
 
 /// Where the hand has to want to be so that its spring and the tooth's, one behind the other, hold `force`.
 double pressedDepth(const StabilityCase& one, double force) {
     return force / one.hand->stiffness + force / springOf(one) + one.device->friction / one.hand->stiffness;
 }
 
-std::vector<ScriptedMoment> scriptFor(const StabilityCase& one) {
+std::vector<DeviceKeyframe> scriptFor(const StabilityCase& one) {
     const double depth = pressedDepth(one, kPressure);
     switch (one.situation) {
-        case Situation::Tap: {
+        case StabilityScenario::Tap: {
             const double quick = std::max(kQuick, (kHeadroom + depth) / kFastest);
             return {at(0, 0, kHeadroom),           at(0.5, 0, kHeadroom),
                     at(0.5 + quick, 0, -depth),    at(0.7, 0, -depth),
                     at(0.7 + quick, 0, kHeadroom), at(kSettled - quick, 0, kHeadroom),
                     at(kSettled, 0, -depth),       at(kEnd, 0, -depth)};
         }
-        case Situation::PressToLimit: {
+        case StabilityScenario::PressToLimit: {
             const double most = pressedDepth(one, kOverLimit * one.device->peakForce);
             return {at(0, 0, kHeadroom), at(0.5, 0, kHeadroom), at(kSettled, 0, -most), at(kEnd, 0, -most)};
         }
-        case Situation::Cut:  // on a slope, where the bur pulls aside
-        case Situation::Cusp:
+        case StabilityScenario::Cut:  // on a slope, where the bur pulls aside
+        case StabilityScenario::Cusp:
             return {at(0, -1.5, kHeadroom),
                     at(0.5, -1.5, kHeadroom),
                     at(0.7, -1.5, -1.5 - 0.5 * depth),
                     at(1.0, 0, -0.5 * depth),
                     at(kSettled, 0.8, -0.8 - 0.5 * depth),
                     at(kEnd, 0.8, -0.8 - 0.5 * depth)};
-        case Situation::Fissure:
+        case StabilityScenario::Fissure:
             return {at(0, 0.4, kHeadroom), at(0.5, 0.4, kHeadroom), at(kSettled, 0, -kGrooveRest - depth),
                     at(kEnd, 0, -kGrooveRest - depth)};
-        case Situation::Slot:
+        case StabilityScenario::Slot:
             return {at(0, 0, kHeadroom), at(0.5, 0, kHeadroom), at(0.9, 0, -kSlotDepth - depth),
                     at(kSettled, 0.5 * depth, -kSlotDepth - depth), at(kEnd, 0.5 * depth, -kSlotDepth - depth)};
-        case Situation::Press:
-        case Situation::LetGo:
-        case Situation::Tremor:
+        case StabilityScenario::Press:
+        case StabilityScenario::Release:
+        case StabilityScenario::Tremor:
             break;
     }
     return {at(0, 0, kHeadroom), at(0.5, 0, kHeadroom), at(kSettled, 0, -depth), at(kEnd, 0, -depth)};
 }
 
-std::shared_ptr<const Surface> pieceFor(const StabilityCase& one) {
+std::shared_ptr<const Surface> specimenFor(const StabilityCase& one) {
     const MaterialId material = one.material.value_or(MaterialId::Enamel);
     switch (one.situation) {
-        case Situation::Cusp:
-        case Situation::Cut:
-            return ridgePiece(material);
-        case Situation::Fissure:
-            return groovePiece(material);
-        case Situation::Slot:
-            return slotPiece(material);
+        case StabilityScenario::Cusp:
+        case StabilityScenario::Cut:
+            return ridgeSpecimen(material);
+        case StabilityScenario::Fissure:
+            return grooveSpecimen(material);
+        case StabilityScenario::Slot:
+            return slotSpecimen(material);
         default:
-            return flatPiece(material);
+            return flatSpecimen(material);
     }
 }
 
@@ -119,37 +119,39 @@ private:
 
 bool isStable(const StabilityCase& one, const StabilityResult& result, const ForceLimits& limits) {
     constexpr double kRounding = 1e-9;
-    const bool rests = one.situation == Situation::LetGo || result.restForce > kFaint;
-    return rests && result.ripple < result.mostRipple && result.leastEnergy >= 0 &&
-           result.strongest <= limits.force + kRounding && result.steepest <= 1e-3 * limits.slew + kRounding;
+    const bool rests = one.situation == StabilityScenario::Release || result.restForce > kFaint;
+    return rests && result.ripple < result.maxRipple && result.minEnergy >= 0 &&
+           result.maxForce <= limits.force + kRounding && result.maxForceRate <= 1e-3 * limits.slew + kRounding;
 }
 
 /// A cut shakes by a part of its force, and a tremor moves the hand to and fro on the spring.
-double mostRippleOf(const StabilityCase& one, const StabilityResult& result) {
-    if (one.situation == Situation::Cut) return kMostRipple + kShake;
-    if (one.situation != Situation::Tremor || result.restForce < kFaint) return kMostRipple;
-    return kMostRipple + result.stiffness * kTremor / result.restForce;
+double maxRippleOf(const StabilityCase& one, const StabilityResult& result) {
+    if (one.situation == StabilityScenario::Cut) return kMaxRipple + kVibrationRatio;
+    if (one.situation != StabilityScenario::Tremor || result.restForce < kFaint) return kMaxRipple;
+    return kMaxRipple + result.stiffness * kTremor / result.restForce;
 }
 
 }  // namespace
 
-std::string_view situationName(Situation situation) { return kSituations[static_cast<std::size_t>(situation)]; }
+std::string_view stabilityScenarioName(StabilityScenario situation) {
+    return kScenarios[static_cast<std::size_t>(situation)];
+}
 
 std::string_view materialNameOf(const StabilityCase& one) {
     return one.material ? materialName(*one.material) : std::string_view("stiffest");
 }
 
 StabilityResult runStability(const StabilityCase& one) {
-    ScriptedHand::Habits habits;
-    if (one.situation == Situation::LetGo) habits.letsGoAt = kSettled + 0.3;
-    if (one.situation == Situation::Tremor) habits.tremor = kTremor;
-    const bool cuts = one.situation == Situation::Cut;
-    ScriptedHand hand(*one.device, *one.hand, scriptFor(one), habits);
+    SimulatedDevice::OperatorBehaviour habits;
+    if (one.situation == StabilityScenario::Release) habits.releaseTime = kSettled + 0.3;
+    if (one.situation == StabilityScenario::Tremor) habits.tremor = kTremor;
+    const bool cuts = one.situation == StabilityScenario::Cut;
+    SimulatedDevice hand(*one.device, *one.hand, scriptFor(one), habits);
     HapticSettings settings;
     if (!one.material) settings.force.stiffness = stiffestOf(one);
     static const auto tool = std::make_shared<const ToolShape>(standardBur());
-    HapticSimulation simulation(tool, kStandardBurRadius, pieceFor(one), settings);
-    simulation.force().setStiffest(stiffestOf(one));
+    HapticSimulation simulation(tool, kStandardBurRadius, specimenFor(one), settings);
+    simulation.force().setMaxStiffness(stiffestOf(one));
     ForcePipeline pipeline(hand.info().limits);
 
     StabilityResult result;
@@ -160,21 +162,21 @@ StabilityResult runStability(const StabilityCase& one) {
     for (int i = 0; i < ticks; ++i) {
         const DeviceSample sample = hand.read(dt);
         const Tick tick = simulation.step({sample.hand, cuts ? 1.0 : 0.0, cuts}, dt);
-        WantedForce wanted = wantedFrom(tick);
+        ForceCommand wanted = forceCommandFrom(tick);
         wanted.hand = sample.hand.position;
         const SafeWrench sent = pipeline.pass(wanted, dt);
         hand.write(sent);
         const double force = sent.force().norm();
         if ((i + 1) * dt > kEnd - kRest) rest.add(force);
         result.stiffness = std::max(result.stiffness, tick.stiffness);
-        result.leastEnergy = std::min(result.leastEnergy, pipeline.passivity().energy());
-        result.strongest = std::max(result.strongest, force);
-        result.steepest = std::max(result.steepest, (sent.force() - last).norm() / dt * 1e-3);
+        result.minEnergy = std::min(result.minEnergy, pipeline.passivity().energy());
+        result.maxForce = std::max(result.maxForce, force);
+        result.maxForceRate = std::max(result.maxForceRate, (sent.force() - last).norm() / dt * 1e-3);
         last = sent.force();
     }
     result.restForce = rest.mean();
     result.ripple = rest.ripple();
-    result.mostRipple = mostRippleOf(one, result);
+    result.maxRipple = maxRippleOf(one, result);
     result.stable = isStable(one, result, hand.info().limits);
     return result;
 }

@@ -27,7 +27,7 @@ Origin originOf(StandardToothKind kind) {
             return {"front tooth", "openmandible/whole/L1_whole.stl", upperCentralIncisor, 10000};
         case StandardToothKind::Molar:
             return {"molar", "openmandible/whole/L6_whole.stl", lowerFirstMolar, 10000};
-        case StandardToothKind::Dog:
+        case StandardToothKind::Canine:
             return {"dog tooth", "openmandible/whole/L3_whole.stl", upperCanine, 10000};
         case StandardToothKind::Large:
             return {"large tooth", "microct-meshes/tooth_2_outer.stl", lowerFirstMolar, 325312};
@@ -56,7 +56,7 @@ Expected<StandardTooth> standardTooth(StandardToothKind kind) {
     return StandardTooth{origin.name, "built in: " + tooth.name, std::move(tooth.outer)};
 }
 
-Expected<StandardTooth> ownTooth(const std::filesystem::path& file) {
+Expected<StandardTooth> customTooth(const std::filesystem::path& file) {
     auto mesh = loadMesh(file);
     if (!mesh) return Unexpected{mesh.error()};
     return StandardTooth{file.stem().string(), file.string(), std::move(*mesh)};

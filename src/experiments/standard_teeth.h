@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "geometry/util/expected.h"
 #include "geometry/mesh/triangle_mesh.h"
+#include "geometry/util/expected.h"
 #include "tooth/model/layered_tooth.h"
 
 namespace tactooth {
@@ -20,11 +20,11 @@ namespace tactooth {
 enum class StandardToothKind {
     Front,
     Molar,
-    Dog,   ///< canine
-    Large  ///< of 325,312 triangles, as many as the largest published tooth has
+    Canine,  ///< canine
+    Large    ///< of 325,312 triangles, as many as the largest published tooth has
 };
 inline constexpr std::array kStandardTeeth = {StandardToothKind::Front, StandardToothKind::Molar,
-                                              StandardToothKind::Dog, StandardToothKind::Large};
+                                              StandardToothKind::Canine, StandardToothKind::Large};
 
 struct StandardTooth {
     std::string name;    ///< "front tooth"
@@ -39,7 +39,7 @@ struct StandardTooth {
 [[nodiscard]] Expected<StandardTooth> standardTooth(StandardToothKind kind);
 
 /// A tooth of the user's own in the place of a standard one.
-[[nodiscard]] Expected<StandardTooth> ownTooth(const std::filesystem::path& file);
+[[nodiscard]] Expected<StandardTooth> customTooth(const std::filesystem::path& file);
 
 /// A tooth of one material with that surface, before anything is cut. Fails with one sentence that names the source.
 [[nodiscard]] Expected<std::shared_ptr<const LayeredTooth>> uncut(const StandardTooth& tooth);

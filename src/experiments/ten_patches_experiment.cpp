@@ -3,11 +3,11 @@
 #include <algorithm>
 
 #include "collision/proxy/contact_query.h"
-#include "geometry/util/number_text.h"
-#include "instruments/ten_patches.h"
 #include "experiments/contact_timing.h"
 #include "experiments/experiments.h"
 #include "experiments/published.h"
+#include "geometry/util/number_text.h"
+#include "instruments/ten_patches.h"
 
 namespace tactooth {
 namespace {
@@ -54,12 +54,12 @@ std::vector<Pose> touchAt(const Place& place, double speed, double shift) {
 struct PatchTick {
     double exact, ours;  // depth, mm
     double error;        // between the two answers' places, um
-    bool outOfRounds;
+    bool iterationLimitHits;
 };
 
 std::vector<PatchTick> follow(const TenPatches& piece, const std::shared_ptr<const Surface>& surface,
                               const std::shared_ptr<const ToolShape>& bur, std::span<const Pose> hand) {
-    SlidingBody body(bur);
+    ProxySolver body(bur);
     body.setSurface(surface);
     body.placeAt(hand.front());
     std::vector<PatchTick> ticks;
@@ -68,7 +68,7 @@ std::vector<PatchTick> follow(const TenPatches& piece, const std::shared_ptr<con
         const Vec3 exact = nearestFreeTip(piece, bur->mesh(), pose);
         const Vec3 ours = body.pose().position;
         ticks.push_back({(exact - pose.position).norm(), (ours - pose.position).norm(), kPerMm * (ours - exact).norm(),
-                         result.status == MoveStatus::OutOfRounds});
+                         result.status == MoveStatus::OutOfIterations});
     }
     return ticks;
 }
@@ -96,7 +96,7 @@ ExperimentPlot depthPanel(const Place& place, std::span<const PatchTick> ticks) 
 
 }  // namespace
 
-Experiment measureTenPatches(const Subjects& subjects) {
+Experiment measureTenPatches(const TestTeeth& testTeeth) {
     const TenPatches piece = makeTenPatches();
     const auto surface = plainSurface(piece.surface);
     Experiment experiment{
@@ -121,24 +121,24 @@ Experiment measureTenPatches(const Subjects& subjects) {
         PlotSeries series{place.name, {}, true, false};
         for (std::size_t s = 0; s < kSpeeds.size(); ++s) {
             double error = 0, deepest = 0;
-            std::size_t count = 0, touching = 0, outOfRounds = 0;
+            std::size_t count = 0, touching = 0, iterationLimitHits = 0;
             for (int touch = 0; touch < kTouches; ++touch) {
                 const auto hand = touchAt(place, kSpeeds[s], static_cast<double>(touch) / kTouches);
-                const auto ticks = follow(piece, surface, subjects.bur(), hand);
+                const auto ticks = follow(piece, surface, testTeeth.bur(), hand);
                 for (const PatchTick& tick : ticks) {
                     error = std::max(error, tick.error);
                     deepest = std::max(deepest, tick.exact);
                     touching += tick.exact > 0 ? 1 : 0;
-                    outOfRounds += tick.outOfRounds ? 1 : 0;
+                    iterationLimitHits += tick.iterationLimitHits ? 1 : 0;
                 }
                 count += ticks.size();
                 if (touch == 0 && kSpeeds[s] == kShownSpeed) experiment.panels.push_back(depthPanel(place, ticks));
             }
             experiment.rows.push_back({std::string(place.name), kSpeeds[s], static_cast<double>(count),
                                        static_cast<double>(touching), deepest, error,
-                                       static_cast<double>(outOfRounds)});
-            constexpr double kLeastShown = 1e-6;  // um: a logarithmic axis has no zero
-            series.points.push_back({kSpeeds[s] / 10, std::max(error, kLeastShown)});
+                                       static_cast<double>(iterationLimitHits)});
+            constexpr double kMinShown = 1e-6;  // um: a logarithmic axis has no zero
+            series.points.push_back({kSpeeds[s] / 10, std::max(error, kMinShown)});
             worst[s] = std::max(worst[s], error);
         }
         errors.series.push_back(series);

@@ -4,11 +4,11 @@
 #include <cassert>
 
 #include "collision/proxy/contact_query.h"
-#include "geometry/util/number_text.h"
 #include "experiments/contact_timing.h"
 #include "experiments/experiments.h"
 #include "experiments/published.h"
-#include "experiments/touching_hand.h"
+#include "experiments/touch_simulation.h"
+#include "geometry/util/number_text.h"
 
 namespace tactooth {
 namespace {
@@ -23,9 +23,9 @@ struct Figure {
 Figure figureOf(StandardToothKind kind) {
     switch (kind) {
         case StandardToothKind::Front:
-            return {"fig15", published::kFrontTooth};
-        case StandardToothKind::Dog:
-            return {"fig16", published::kDogTooth};
+            return {"fig15", published::kAnteriorTooth};
+        case StandardToothKind::Canine:
+            return {"fig16", published::kCanine};
         case StandardToothKind::Molar:
             return {"fig17", published::kMolar};
         case StandardToothKind::Large:
@@ -65,8 +65,8 @@ Reliability watchProxy(const std::shared_ptr<const Surface>& surface, const std:
     Reliability found;
     ContactQuery query(bur, surface);
     for (const double speed : {10.0, 66.0, 100.0, 250.0, 500.0, 1000.0}) {
-        const std::vector<Pose> hand = handPath(surface->base->mesh(), standardHand(speed));
-        for (const Tick& tick : feelPath(bur, surface, hand, 1)) {
+        const std::vector<Pose> hand = toolTrajectory(surface->base->mesh(), standardToolPath(speed));
+        for (const Tick& tick : touchPath(bur, surface, hand, 1)) {
             if (tick.contacts == 0) continue;
             ++found.touching;
             found.inside += query.isFree(tick.proxy) ? 0 : 1;
@@ -77,8 +77,8 @@ Reliability watchProxy(const std::shared_ptr<const Surface>& surface, const std:
 
 }  // namespace
 
-Expected<Experiment> measureTouch(Subjects& subjects, StandardToothKind kind) {
-    const auto tooth = subjects.tooth(kind);
+Expected<Experiment> measureTouch(TestTeeth& testTeeth, StandardToothKind kind) {
+    const auto tooth = testTeeth.tooth(kind);
     if (!tooth) return Unexpected{tooth.error()};
     const auto surface = plainSurface((*tooth)->mesh);
     const Figure figure = figureOf(kind);
@@ -90,12 +90,12 @@ Expected<Experiment> measureTouch(Subjects& subjects, StandardToothKind kind) {
                         std::to_string((*tooth)->mesh.triangles.size()) +
                         " triangles), is pressed 0.3 mm in, slides to and fro and leaves, at low (1 cm/s) and at high "
                         "speed (10 cm/s), turning the bur 60 degrees/s about its tip.";
-    std::array<Run, 2> runs = {Run{kSlowHand, {}}, Run{kFastHand, {}}};
+    std::array<Run, 2> runs = {Run{kSlowSpeed, {}}, Run{kFastSpeed, {}}};
     for (Run& run : runs) {
-        HandPath path;
+        ToolTrajectory path;
         path.speed = run.speed;
         path.strokes = 2;
-        run.ticks = feelPath(subjects.bur(), surface, handPath((*tooth)->mesh, path), kRepeat);
+        run.ticks = touchPath(testTeeth.bur(), surface, toolTrajectory((*tooth)->mesh, path), kRepeat);
         addRows(experiment, run);
     }
     struct Curve {
@@ -113,10 +113,10 @@ Expected<Experiment> measureTouch(Subjects& subjects, StandardToothKind kind) {
         }
     }
     const auto ours = [](const Run& run) {
-        const ForceMicros micros = forceMicros(run.ticks);
+        const ForceTiming micros = forceMicros(run.ticks);
         return shortNumber(micros.p50) + " us (median), " + shortNumber(micros.p99) + " us (99 %)";
     };
-    const Reliability reliability = watchProxy(surface, subjects.bur());
+    const Reliability reliability = watchProxy(surface, testTeeth.bur());
     experiment.comparisons = {
         {"Time to compute a force, low speed", numberText(figure.published.slow) + " us", ours(runs[0])},
         {"Time to compute a force, high speed", numberText(figure.published.fast) + " us", ours(runs[1])},

@@ -20,10 +20,11 @@ constexpr double kBlendSlew = 50;
 
 }  // namespace
 
-ContactForce::Feel ContactForce::feelOf(const ContactState& contact, const MaterialTable& materials) {
-    Feel feel{0, 0, 0};
+ContactForce::SurfaceProperties ContactForce::propertiesOf(const ContactState& contact,
+                                                           const MaterialTable& materials) {
+    SurfaceProperties feel{0, 0, 0};
     double weight = 0;
-    for (const HeldAt& held : contact.held) {
+    for (const ContactPoint& held : contact.held) {
         const Material& material = materials[held.material];
         const double share = std::max(held.share, 1e-12);  // a contact that just touches still has a material
         feel.stiffness += share * material.stiffness;
@@ -35,65 +36,65 @@ ContactForce::Feel ContactForce::feelOf(const ContactState& contact, const Mater
 }
 
 /// The spring that is rendered, before `scale_`.
-double ContactForce::springOf(const Feel& feel, const MaterialTable& materials) const {
-    if (!std::isfinite(stiffest_)) return overrides_.stiffness.value_or(feel.stiffness);
+double ContactForce::stiffnessOf(const SurfaceProperties& feel, const MaterialTable& materials) const {
+    if (!std::isfinite(maxStiffness_)) return overrides_.stiffness.value_or(feel.stiffness);
     double hardest = 0;
     for (std::size_t i = 0; i < kMaterialCount; ++i) {
         hardest = std::max(hardest, materials[static_cast<MaterialId>(i)].stiffness);
     }
-    const double softened = hardest > stiffest_ ? feel.stiffness * stiffest_ / hardest : feel.stiffness;
+    const double softened = hardest > maxStiffness_ ? feel.stiffness * maxStiffness_ / hardest : feel.stiffness;
     const double spring = overrides_.stiffness.value_or(softened);
-    return scale_ > 0 ? std::min(spring, stiffest_ / scale_) : spring;
+    return scale_ > 0 ? std::min(spring, maxStiffness_ / scale_) : spring;
 }
 
 Wrench ContactForce::at(const ContactState& contact, const MaterialTable& materials) {
-    normalForce_ = stiffness_ = stretch_ = 0;
+    normalForce_ = stiffness_ = deflection_ = 0;
     const double depth = contact.offset.norm();
     if (contact.held.empty() || !(depth > 0)) {
-        feel_.reset();
+        properties_.reset();
         friction_.reset();
         return {};
     }
-    const Feel target = feelOf(contact, materials);
-    const Feel old = feel_.value_or(target);
+    const SurfaceProperties target = propertiesOf(contact, materials);
+    const SurfaceProperties old = properties_.value_or(target);
     const double byTravel = 1 - std::exp(-contact.travel / kBlendTravel);
     const double step = std::abs(target.stiffness - old.stiffness) * depth * scale_;  // N, of the whole blend
     const double blend = step > 0 ? std::min(byTravel, kBlendSlew * contact.dt / step) : byTravel;
-    feel_ = Feel{old.stiffness + blend * (target.stiffness - old.stiffness),
-                 old.damping + blend * (target.damping - old.damping),
-                 old.friction + blend * (target.friction - old.friction)};
+    properties_ = SurfaceProperties{old.stiffness + blend * (target.stiffness - old.stiffness),
+                                    old.damping + blend * (target.damping - old.damping),
+                                    old.friction + blend * (target.friction - old.friction)};
 
-    const double stiffness = springOf(*feel_, materials);
+    const double stiffness = stiffnessOf(*properties_, materials);
     stiffness_ = scale_ * stiffness;
-    const double damping = overrides_.damping.value_or(feel_->damping);
-    const double frictionCoefficient = overrides_.friction.value_or(feel_->friction);
+    const double damping = overrides_.damping.value_or(properties_->damping);
+    const double frictionCoefficient = overrides_.friction.value_or(properties_->friction);
 
     const Vec3 normal = contact.offset / depth;
     Vec3 moment = Vec3::Zero();  // what the push does to a turn, as `normal` is what it does to a shift
-    for (const HeldAt& held : contact.held) {
+    for (const ContactPoint& held : contact.held) {
         moment += held.share / depth * (held.point - contact.device - contact.offset).cross(held.normal);
     }
     const double approach = -contact.velocity.dot(normal);
-    const double sinking = approach - contact.spin.dot(moment);
-    const double push = stiffness * depth + damping * sinking;
+    const double penetrationRate = approach - contact.spin.dot(moment);
+    const double push = stiffness * depth + damping * penetrationRate;
     normalForce_ = push <= 0 ? 0 : scale_ * push;  // what is no number stays none, so that it is seen
     const Vec3 friction = friction_.at(contact.device + contact.offset, normal, stiffness_,
-                                       frictionCoefficient * normalForce_, contact.rubbed);
-    stretch_ = std::hypot(depth, friction_.stretch().norm());
+                                       frictionCoefficient * normalForce_, contact.rimTravel);
+    deflection_ = std::hypot(depth, friction_.deflection().norm());
 
     Wrench wrench;
     wrench.force = normalForce_ * normal + friction;
     double shares = 0;
-    for (const HeldAt& held : contact.held) shares += held.share;
-    for (const HeldAt& held : contact.held) {
+    for (const ContactPoint& held : contact.held) shares += held.share;
+    for (const ContactPoint& held : contact.held) {
         const Vec3 part =
             held.share / depth * normalForce_ * held.normal + (shares > 0 ? held.share / shares : 0) * friction;
         wrench.torque += (held.point - contact.device - contact.offset).cross(part);
     }
     if (!wrench.force.allFinite() || !wrench.torque.allFinite()) {  // which the blend and the friction would keep
-        feel_.reset();
+        properties_.reset();
         friction_.reset();
-        normalForce_ = stiffness_ = stretch_ = 0;
+        normalForce_ = stiffness_ = deflection_ = 0;
     }
     return wrench;
 }

@@ -15,12 +15,12 @@
 namespace tactooth {
 
 /// A place where the tooth holds the proxy.
-struct HeldAt {
+struct ContactPoint {
     Vec3 point = Vec3::Zero();   ///< mm
     Vec3 normal = Vec3::Zero();  ///< unit, out of the tooth
     double share = 0;            ///< mm; proxy - device = sum of share * normal
     MaterialId material{};
-    bool isAround = false;  ///< it is a body around the tooth that holds
+    bool isAdjacent = false;  ///< it is a body around the tooth that holds
 };
 
 /// What the force is computed from, all in the tooth's frame.
@@ -29,10 +29,10 @@ struct ContactState {
     Vec3 offset;        ///< from there to the proxy's tip, mm; its length is the depth
     Vec3 velocity;      ///< of the hand's tip, mm/s
     double travel = 0;  ///< of the proxy since the last tick, mm
-    std::span<const HeldAt> held;
+    std::span<const ContactPoint> held;
     Vec3 spin = Vec3::Zero();  ///< of the hand, rad/s, if the proxy turns on its own; else zero
     double dt = std::numeric_limits<double>::infinity();  ///< since the last tick, s
-    double rubbed = 0;                                    ///< travel of the turning bur's rim since then, mm
+    double rimTravel = 0;                                 ///< travel of the turning bur's rim since then, mm
 };
 
 /// Instead of the materials' own numbers, for experiments. They hold at once, without a blend.
@@ -55,7 +55,7 @@ public:
 
     /// The stiffest spring that the device renders without shaking, N/mm. Materials are softened together, so that the
     /// harder one stays the harder one.
-    void setStiffest(double stiffest) { stiffest_ = stiffest; }
+    void setMaxStiffness(double stiffest) { maxStiffness_ = stiffest; }
 
     [[nodiscard]] Wrench at(const ContactState& contact, const MaterialTable& materials);
 
@@ -64,22 +64,22 @@ public:
     /// Of the spring at the last call, N/mm; 0 without contact.
     [[nodiscard]] double stiffness() const { return stiffness_; }
     /// How far the hand has drawn that spring at the last call, inwards and against friction, mm.
-    [[nodiscard]] double stretch() const { return stretch_; }
+    [[nodiscard]] double deflection() const { return deflection_; }
 
 private:
-    struct Feel {
+    struct SurfaceProperties {
         double stiffness, damping, friction;
     };
-    [[nodiscard]] double springOf(const Feel& feel, const MaterialTable& materials) const;
-    [[nodiscard]] static Feel feelOf(const ContactState& contact, const MaterialTable& materials);
+    [[nodiscard]] double stiffnessOf(const SurfaceProperties& feel, const MaterialTable& materials) const;
+    [[nodiscard]] static SurfaceProperties propertiesOf(const ContactState& contact, const MaterialTable& materials);
 
     ForceOverrides overrides_;
     double scale_ = 1;
-    double stiffest_ = std::numeric_limits<double>::infinity();
-    std::optional<Feel> feel_;  // none while nothing is touched
+    double maxStiffness_ = std::numeric_limits<double>::infinity();
+    std::optional<SurfaceProperties> properties_;  // none while nothing is touched
     double normalForce_ = 0;
     double stiffness_ = 0;
-    double stretch_ = 0;
+    double deflection_ = 0;
     DryFriction friction_;
 };
 

@@ -8,13 +8,13 @@ namespace tactooth {
 
 /// Of the normal force: how hard the cut pulls at the rim, against the rotation (measured on glass ceramic: 0.4 to 0.6
 /// between 0.6 and 2.9 N).
-inline constexpr double kTangentialShare = 0.5;
+inline constexpr double kTangentialRatio = 0.5;
 
 /// Of the normal force: how hard a cut shakes, 40 mN at 1 N, about what a hand just feels as a shake.
-inline constexpr double kShake = 0.04;
+inline constexpr double kVibrationRatio = 0.04;
 
 /// A bur that turns slower, rev/min, rubs and does not cut.
-inline constexpr double kRubsRpm = 300;
+inline constexpr double kMinCuttingRpm = 300;
 
 /// A turning bur in contact, in the tooth's frame.
 struct CuttingContact {
@@ -34,11 +34,11 @@ public:
 
     /// How fast a bur shakes the hand, Hz: once a turn, or as many octaves lower as the drive's free speed is above
     /// what a hand feels and a device can follow. So the pitch falls as the bur slows down under its load.
-    [[nodiscard]] static double shakingFrequency(double speedRpm, double freeSpeedRpm);
+    [[nodiscard]] static double vibrationFrequency(double speedRpm, double freeSpeedRpm);
 
 private:
-    double bite_ = 0;   // 0 still or in the air .. 1 cutting
-    double phase_ = 0;  // of the shaking, rad
+    double engagement_ = 0;  // 0 still or in the air .. 1 cutting
+    double phase_ = 0;       // of the shaking, rad
 };
 
 }  // namespace tactooth

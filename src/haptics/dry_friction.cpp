@@ -17,20 +17,20 @@ constexpr double kTearOff = 0.05;  // mm that a rim travels until what it clung 
 
 }  // namespace
 
-Vec3 DryFriction::at(const Vec3& proxy, const Vec3& normal, double stiffness, double most, double rubbed) {
-    stretch_ += proxy - last_.value_or(proxy);
+Vec3 DryFriction::at(const Vec3& proxy, const Vec3& normal, double stiffness, double most, double rimTravel) {
+    deflection_ += proxy - last_.value_or(proxy);
     last_ = proxy;
-    stretch_ -= stretch_.dot(normal) * normal;
-    stretch_ *= std::exp(-rubbed / kTearOff);
+    deflection_ -= deflection_.dot(normal) * normal;
+    deflection_ *= std::exp(-rimTravel / kTearOff);
     const double longest = stiffness > 0 ? most / stiffness : 0;
-    const double length = stretch_.norm();
-    if (length > longest) stretch_ *= longest / length;
-    return -stiffness * stretch_;
+    const double length = deflection_.norm();
+    if (length > longest) deflection_ *= longest / length;
+    return -stiffness * deflection_;
 }
 
 void DryFriction::reset() {
     last_.reset();
-    stretch_.setZero();
+    deflection_.setZero();
 }
 
 }  // namespace tactooth

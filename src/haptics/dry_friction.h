@@ -15,19 +15,19 @@ namespace tactooth {
 class DryFriction {
 public:
     /// One tick in contact; gives the force on the hand, N, across the normal. `proxy`: where its tip is, mm; `normal`:
-    /// unit; `stiffness` N/mm: with which it clings; `most` N: what it holds; `rubbed` mm: travel of a turning bur's
+    /// unit; `stiffness` N/mm: with which it clings; `most` N: what it holds; `rimTravel` mm: travel of a turning bur's
     /// rim since the last tick, which tears the tool off whatever it clings to.
-    [[nodiscard]] Vec3 at(const Vec3& proxy, const Vec3& normal, double stiffness, double most, double rubbed);
+    [[nodiscard]] Vec3 at(const Vec3& proxy, const Vec3& normal, double stiffness, double most, double rimTravel);
 
     /// Forgets the place; for a tick without contact.
     void reset();
 
     /// From the place to the proxy, across the normal, at the last call, mm.
-    [[nodiscard]] const Vec3& stretch() const { return stretch_; }
+    [[nodiscard]] const Vec3& deflection() const { return deflection_; }
 
 private:
     std::optional<Vec3> last_;
-    Vec3 stretch_ = Vec3::Zero();
+    Vec3 deflection_ = Vec3::Zero();
 };
 
 }  // namespace tactooth

@@ -20,8 +20,8 @@
 namespace tactooth {
 namespace {
 
-constexpr double kMostCredit = 0.02;      // N*mm: rubbing for minutes must not pay for a shake later
-constexpr double kMostDamping = 0.005;    // N*s/mm: ten times what sampling 1 N/mm at 1 kHz gives (k * T / 2)
+constexpr double kMaxCredit = 0.02;       // N*mm: rubbing for minutes must not pay for a shake later
+constexpr double kMaxDamping = 0.005;     // N*s/mm: ten times what sampling 1 N/mm at 1 kHz gives (k * T / 2)
 constexpr double kTrustedFriction = 0.5;  // of what the maker says: it differs from place to place
 constexpr double kSpeedLag = 0.005;       // s: an encoder's single step is no speed
 constexpr double kStill = 1e-6;           // mm in a tick: less is no motion to damp
@@ -29,14 +29,14 @@ constexpr double kRelease = 0.98;         // of the damping is left a tick later
 constexpr double kOverdue = 2;            // pauses between two steps, after which the hand is taken to rest
 
 /// Energy of the spring, N*mm; its force is cut off at a bound.
-double stored(const SpringState& spring, double stretch, double stiffness) {
-    if (!(stiffness > 0) || !(stretch > 0)) return 0;
-    const double soft = std::min(stretch, spring.bound / stiffness);
-    return spring.strength * (0.5 * stiffness * soft * soft + spring.bound * (stretch - soft));
+double stored(const SpringState& spring, double deflection, double stiffness) {
+    if (!(stiffness > 0) || !(deflection > 0)) return 0;
+    const double soft = std::min(deflection, spring.bound / stiffness);
+    return spring.strength * (0.5 * stiffness * soft * soft + spring.bound * (deflection - soft));
 }
 
 /// What a step of that length leaks, N*mm: the force of the tick before is held through all of it.
-double leakOf(const SpringState& spring, double length) {
+double energyLeak(const SpringState& spring, double length) {
     return 0.5 * spring.strength * std::max(spring.stiffness, 0.0) * length * length;
 }
 
@@ -52,10 +52,10 @@ void PassivityController::reset() {
 
 /// A slow hand moves an encoder by a step every few ticks: between two of them its speed is that of the last one, until
 /// the next is overdue.
-void PassivityController::followSpeed(const Vec3& way, double elapsed) {
+void PassivityController::updateSpeed(const Vec3& displacement, double elapsed) {
     idle_ += elapsed;
-    if (way.norm() > kStill) {
-        step_ = way;
+    if (displacement.norm() > kStill) {
+        step_ = displacement;
         pause_ = std::exchange(idle_, 0);
     }
     const Vec3 speed = idle_ <= kOverdue * pause_ ? Vec3(step_ / std::max(pause_, idle_)) : Vec3(Vec3::Zero());
@@ -63,34 +63,34 @@ void PassivityController::followSpeed(const Vec3& way, double elapsed) {
 }
 
 /// Sums that are no number would stay so for ever.
-bool PassivityController::isSound() const {
+bool PassivityController::isValid() const {
     return std::isfinite(energy_) && std::isfinite(reserve_) && std::isfinite(damping_) && speed_.allFinite();
 }
 
 Vec3 PassivityController::damp(const Vec3& hand, const Vec3& rendered, const SpringState& spring, double elapsed) {
     if (!std::exchange(started_, true) || !(elapsed > 0)) {
-        lastHand_ = hand;
-        lastStretch_ = spring.stretch;
+        lastDevice_ = hand;
+        lastDeflection_ = spring.deflection;
         lastStiffness_ = spring.stiffness;
         return Vec3::Zero();
     }
-    const Vec3 way = hand - lastHand_;
+    const Vec3 displacement = hand - lastDevice_;
     // Both states of the spring under today's bound and strength: what a ramp does is meant, and no leak.
-    energy_ += -rendered.dot(way) -
-               (stored(spring, spring.stretch, spring.stiffness) - stored(spring, lastStretch_, lastStiffness_));
-    lastHand_ = hand;
-    lastStretch_ = spring.stretch;
+    energy_ += -rendered.dot(displacement) -
+               (stored(spring, spring.deflection, spring.stiffness) - stored(spring, lastDeflection_, lastStiffness_));
+    lastDevice_ = hand;
+    lastDeflection_ = spring.deflection;
     lastStiffness_ = spring.stiffness;
 
-    const double length = way.norm();
-    energy_ = std::min(energy_ + kTrustedFriction * friction_ * length, kMostCredit);
-    followSpeed(way, elapsed);
-    reserve_ = std::max(kRelease * reserve_, leakOf(spring, length));
+    const double length = displacement.norm();
+    energy_ = std::min(energy_ + kTrustedFriction * friction_ * length, kMaxCredit);
+    updateSpeed(displacement, elapsed);
+    reserve_ = std::max(kRelease * reserve_, energyLeak(spring, length));
     damping_ *= kRelease;
-    const double missing = std::min(reserve_, kMostCredit) - energy_;
+    const double missing = std::min(reserve_, kMaxCredit) - energy_;
     if (missing > 0 && length > kStill) damping_ = std::max(damping_, missing * pause_ / (length * length));
-    damping_ = std::min(damping_, kMostDamping);
-    if (!isSound()) {
+    damping_ = std::min(damping_, kMaxDamping);
+    if (!isValid()) {
         reset();
         return Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
     }

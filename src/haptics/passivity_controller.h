@@ -8,10 +8,10 @@ namespace tactooth {
 
 /// What pushes at one tick: a spring, and how much of it comes out.
 struct SpringState {
-    double stretch = 0;    ///< mm
-    double stiffness = 0;  ///< N/mm
-    double bound = 0;      ///< N: the spring's force is cut off here
-    double strength = 1;   ///< 0..1: and then multiplied by this
+    double deflection = 0;  ///< mm
+    double stiffness = 0;   ///< N/mm
+    double bound = 0;       ///< N: the spring's force is cut off here
+    double strength = 1;    ///< 0..1: and then multiplied by this
 };
 
 /// Watches the energy that passes between hand and tooth, and takes out by damping what the loop's sampling puts in.
@@ -35,8 +35,8 @@ public:
     [[nodiscard]] double energy() const { return energy_; }
 
 private:
-    void followSpeed(const Vec3& way, double elapsed);
-    [[nodiscard]] bool isSound() const;
+    void updateSpeed(const Vec3& displacement, double elapsed);
+    [[nodiscard]] bool isValid() const;
 
     double friction_;
     bool started_ = false;
@@ -47,9 +47,9 @@ private:
     double idle_ = 0;            // s since then
     Vec3 speed_ = Vec3::Zero();  // low-passed, mm/s
     double damping_ = 0;         // N*s/mm, of the last tick
-    double lastStretch_ = 0;
+    double lastDeflection_ = 0;
     double lastStiffness_ = 0;
-    Vec3 lastHand_ = Vec3::Zero();
+    Vec3 lastDevice_ = Vec3::Zero();
 };
 
 }  // namespace tactooth

@@ -10,7 +10,7 @@
 
 #include <atomic>
 
-#include "haptics/light_sleep.h"
+#include "haptics/cpu_latency_request.h"
 
 namespace tactooth {
 namespace {
@@ -29,7 +29,7 @@ bool mayLockMemory() { return geteuid() == 0 || limitOf(RLIMIT_MEMLOCK).rlim_cur
 
 }  // namespace
 
-bool takeRealTimePriority() {
+bool acquireRealTimePriority() {
     sched_param parameters{};
     parameters.sched_priority = kPriority;
     return pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters) == 0;
@@ -47,7 +47,7 @@ RealTimeRights realTimeRights() {
     RealTimeRights rights;
     rights.priority = geteuid() == 0 || limitOf(RLIMIT_RTPRIO).rlim_cur >= static_cast<rlim_t>(kPriority);
     rights.memory = mayLockMemory();
-    rights.lightSleep = mayLightenSleep();
+    rights.cpuLatency = mayLimitCpuLatency();
     return rights;
 }
 
@@ -58,7 +58,7 @@ std::string missingRights(const RealTimeRights& rights) {
     };
     add(rights.priority, "real-time priority");
     add(rights.memory, "locked memory");
-    add(rights.lightSleep, "keeping the processors from deep sleep");
+    add(rights.cpuLatency, "keeping the processors from deep sleep");
     return missing;
 }
 
@@ -69,7 +69,7 @@ std::string realTimeHint(const RealTimeRights& rights) {
             "For a steadier force write '@audio - rtprio 95' and '@audio - memlock unlimited' to "
             "/etc/security/limits.d/tactooth.conf, add yourself to the group 'audio' and log in again.";
     }
-    if (!rights.lightSleep) {
+    if (!rights.cpuLatency) {
         hint += std::string(hint.empty() ? "" : " ") +
                 "To keep the processors from deep sleep between two ticks write "
                 "'KERNEL==\"cpu_dma_latency\", GROUP=\"audio\", MODE=\"0660\"' to "

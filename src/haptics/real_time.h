@@ -7,7 +7,7 @@
 namespace tactooth {
 
 /// Gives the calling thread a fixed real-time priority above everything ordinary. False where the system forbids it.
-[[nodiscard]] bool takeRealTimePriority();
+[[nodiscard]] bool acquireRealTimePriority();
 
 /// Keeps the program's memory from being moved out to disk, also what it takes later. False where the system forbids
 /// it; a small allowance counts as forbidden, since threads would then fail to start.
@@ -19,7 +19,7 @@ bool lockMemory();
 struct RealTimeRights {
     bool priority = false;
     bool memory = false;
-    bool lightSleep = false;  ///< LightSleep
+    bool cpuLatency = false;  ///< CpuLatencyRequest
 };
 [[nodiscard]] RealTimeRights realTimeRights();
 

@@ -15,13 +15,13 @@ Vec3 shortened(const Vec3& vector, double longest) {
 
 }  // namespace
 
-bool SafetyLimiter::isSound(const Wrench& wanted, double elapsed, double speed) const {
+bool SafetyLimiter::isValid(const Wrench& wanted, double elapsed, double speed) const {
     const bool finite = wanted.force.allFinite() && wanted.torque.allFinite() && std::isfinite(speed) && speed >= 0;
-    return finite && elapsed >= 0 && elapsed <= limits_.stallTime;
+    return finite && elapsed >= 0 && elapsed <= limits_.tickTimeout;
 }
 
 SafeWrench SafetyLimiter::limit(const Wrench& wanted, double elapsed, bool enabled, double speed) {
-    const bool sound = isSound(wanted, elapsed, speed);
+    const bool sound = isValid(wanted, elapsed, speed);
     if (!sound) ++faults_;
     if (!sound || !enabled) {
         strength_ = 0;

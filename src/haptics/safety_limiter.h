@@ -11,12 +11,12 @@ namespace tactooth {
 
 /// What a device may be asked for.
 struct ForceLimits {
-    double force = 3.3;        ///< N; the peak of a Touch
-    double torque = 0;         ///< N*mm; 0: the device renders none
-    double slew = 300;         ///< N/s: 0.3 N a millisecond, steeper steps feel like a kick (and are one)
-    double rampTime = 0.5;     ///< s from zero to full strength after switching on
-    double stallTime = 0.003;  ///< s without a tick after which the force starts from zero again
-    double torqueSlew = 3000;  ///< N*mm/s: a force's slew on a lever of 10 mm, from the bur's tip to the fingers
+    double force = 3.3;          ///< N; the peak of a Touch
+    double torque = 0;           ///< N*mm; 0: the device renders none
+    double slew = 300;           ///< N/s: 0.3 N a millisecond, steeper steps feel like a kick (and are one)
+    double rampTime = 0.5;       ///< s from zero to full strength after switching on
+    double tickTimeout = 0.003;  ///< s without a tick after which the force starts from zero again
+    double torqueSlew = 3000;    ///< N*mm/s: a force's slew on a lever of 10 mm, from the bur's tip to the fingers
     double continuousForce = std::numeric_limits<double>::infinity();  ///< N that the motors bear for ever
     double friction = 0;                                               ///< N, dry, of the device's own mechanics
     /// N*mm/s (1e-3 W): force times speed of the hand. The default is a Touch's; see limitsOf in
@@ -54,7 +54,7 @@ public:
     [[nodiscard]] double strength() const { return strength_; }
 
 private:
-    [[nodiscard]] bool isSound(const Wrench& wanted, double elapsed, double speed) const;
+    [[nodiscard]] bool isValid(const Wrench& wanted, double elapsed, double speed) const;
 
     ForceLimits limits_;
     Wrench last_;

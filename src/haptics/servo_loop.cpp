@@ -7,16 +7,16 @@
 #include <cmath>
 #include <ctime>
 
-#include "haptics/light_sleep.h"
+#include "haptics/cpu_latency_request.h"
 #include "haptics/real_time.h"
 
 namespace tactooth {
 namespace {
 
 constexpr long kNanosPerSecond = 1'000'000'000L;
-constexpr double kLongestWait = 0.004;  // s for a device's next tick: a lost one is limp within 5 ms
+constexpr double kMaxWait = 0.004;  // s for a device's next tick: a lost one is limp within 5 ms
 
-constexpr double kShortestTick = 0.0002;  // s: 5 kHz, more than any device's; one that calls more often is at fault
+constexpr double kMinTickPeriod = 0.0002;  // s: 5 kHz, more than any device's; one that calls more often is at fault
 
 double seconds(const timespec& later, const timespec& earlier) {
     return static_cast<double>(later.tv_sec - earlier.tv_sec) +
@@ -37,8 +37,8 @@ void advance(timespec& time, long nanos) {
 
 /// Until a tick may follow the one that began at `last`: at real-time priority, a device that calls without end would
 /// leave the machine to nobody else.
-void keepApart(timespec last, const std::stop_token& stop) {
-    advance(last, static_cast<long>(kShortestTick * static_cast<double>(kNanosPerSecond)));
+void limitRate(timespec last, const std::stop_token& stop) {
+    advance(last, static_cast<long>(kMinTickPeriod * static_cast<double>(kNanosPerSecond)));
     while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &last, nullptr) != 0 && !stop.stop_requested()) {
     }
 }
@@ -54,17 +54,17 @@ ServoLoop::~ServoLoop() = default;
 
 void ServoLoop::run(const std::stop_token& stop) {
     pthread_setname_np(pthread_self(), "servo");  // for debuggers and profilers
-    realTime_.store(takeRealTimePriority(), std::memory_order_relaxed);
-    const LightSleep sleep;
-    lightSleep_.store(sleep.isGranted(), std::memory_order_relaxed);
+    realTime_.store(acquireRealTimePriority(), std::memory_order_relaxed);
+    const CpuLatencyRequest sleep;
+    cpuLatency_.store(sleep.isGranted(), std::memory_order_relaxed);
     const long period = static_cast<long>(static_cast<double>(kNanosPerSecond) / rateHz_);
     timespec due = now();
     timespec last = due;
     while (!stop.stop_requested()) {
         advance(due, period);
         if (pace_) {
-            pace_(kLongestWait);
-            if (seconds(now(), last) < kShortestTick) keepApart(last, stop);
+            pace_(kMaxWait);
+            if (seconds(now(), last) < kMinTickPeriod) limitRate(last, stop);
         } else {
             while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &due, nullptr) != 0 && !stop.stop_requested()) {
             }

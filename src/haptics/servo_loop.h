@@ -36,8 +36,8 @@ public:
     [[nodiscard]] double rateHz() const { return rateHz_; }
     /// Whether the thread runs at real-time priority; without the right to it everything works, with more jitter.
     [[nodiscard]] bool isRealTime() const { return realTime_.load(std::memory_order_relaxed); }
-    /// Whether the processors are kept from deep sleep as long as it runs (LightSleep).
-    [[nodiscard]] bool sleepsLightly() const { return lightSleep_.load(std::memory_order_relaxed); }
+    /// Whether the processors are kept from deep sleep as long as it runs (CpuLatencyRequest).
+    [[nodiscard]] bool limitsCpuLatency() const { return cpuLatency_.load(std::memory_order_relaxed); }
 
 private:
     void run(const std::stop_token& stop);
@@ -47,7 +47,7 @@ private:
     std::function<void(double)> pace_;
     ServoTiming timing_;
     std::atomic<bool> realTime_{false};
-    std::atomic<bool> lightSleep_{false};
+    std::atomic<bool> cpuLatency_{false};
     std::jthread thread_;  // last: it uses all of the above
 };
 

@@ -27,13 +27,13 @@ HapticSettings settingsFor(const TouchSettings& settings) {
 
 }  // namespace
 
-class Touch::Hidden {
+class Touch::Impl {
 public:
-    Hidden(std::shared_ptr<const Surface> tooth, const std::shared_ptr<const ToolShape>& tool,
-           const TouchSettings& settings)
+    Impl(std::shared_ptr<const Surface> tooth, const std::shared_ptr<const ToolShape>& tool,
+         const TouchSettings& settings)
         : simulation_(tool, tool->radius(), std::move(tooth), settingsFor(settings)) {}
 
-    Felt follow(const RigidPose& toolInTooth, double dt) {
+    TouchResult follow(const RigidPose& toolInTooth, double dt) {
         const Tick tick = simulation_.step({poseOf(toolInTooth), 0, false}, dt);
         return {tick.contacts > 0,           tick.depth,
                 arrayOf(tick.normal),        arrayOf(tick.wrench.force),
@@ -50,12 +50,12 @@ std::unique_ptr<Touch> Touch::load(const std::filesystem::path& tooth, const std
     if (!surface) return error = surface.error().message, nullptr;
     const auto shape = loadTool(tool);
     if (!shape) return error = shape.error().message, nullptr;
-    return std::unique_ptr<Touch>(new Touch(std::make_unique<Hidden>(*surface, *shape, settings)));
+    return std::unique_ptr<Touch>(new Touch(std::make_unique<Impl>(*surface, *shape, settings)));
 }
 
-Touch::Touch(std::unique_ptr<Hidden> hidden) : hidden_(std::move(hidden)) {}
+Touch::Touch(std::unique_ptr<Impl> hidden) : impl_(std::move(hidden)) {}
 Touch::~Touch() = default;
 
-Felt Touch::follow(const RigidPose& toolInTooth, double dt) { return hidden_->follow(toolInTooth, dt); }
+TouchResult Touch::follow(const RigidPose& toolInTooth, double dt) { return impl_->follow(toolInTooth, dt); }
 
 }  // namespace tactooth

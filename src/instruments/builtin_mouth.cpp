@@ -7,21 +7,21 @@
 #include <cassert>
 #include <cmath>
 
-#include "collision/solid/untangle.h"
-#include "geometry/util/disjoint_sets.h"
+#include "collision/solid/self_intersection_repair.h"
 #include "geometry/field/isosurface.h"
+#include "geometry/util/disjoint_sets.h"
 #include "geometry/util/parallel_for.h"
 #include "instruments/mouth/gingiva.h"
-#include "instruments/mouth/sound_gum.h"
-#include "instruments/mouth/tooth_places.h"
-#include "instruments/mouth_setting.h"
+#include "instruments/mouth/tooth_arrangement.h"
+#include "instruments/mouth/valid_gingiva.h"
+#include "instruments/mouth_layout.h"
 #include "tooth/file/byte_stream.h"
 
 namespace tactooth {
 namespace {
 
 /// A gum's triangles are longer than those of its teeth, within what its thin margins need and what is of use.
-double gumCell(int triangles) {
+double gingivaCell(int triangles) {
     constexpr double kOf20000 = 0.4, kFinest = 0.2, kCoarsest = 0.4;  // mm
     return std::clamp(kOf20000 * std::sqrt(20000.0 / triangles), kFinest, kCoarsest);
 }
@@ -49,7 +49,7 @@ TriangleMesh largestPiece(const TriangleMesh& mesh) {
     return piece;
 }
 
-TriedGum gumMesh(const GingivaBody& body, bool upper, double cell) {
+GingivaCandidate gingivaMesh(const GingivaBody& body, bool upper, double cell) {
     const double up = upper ? -1 : 1;
     // Away from the margins heights are stretched, up to this many times: longer triangles, and fewer.
     constexpr double kStretch = 2.5, kOnset = 3;
@@ -58,20 +58,20 @@ TriedGum gumMesh(const GingivaBody& body, bool upper, double cell) {
         if (below <= 0) return p;
         return {p.x(), p.y(), p.z() - up * (kStretch - 1) * below * below / (below + kOnset)};
     };
-    constexpr double kSteepest = 1.6;
+    constexpr double kMaxSlope = 1.6;
     const auto field = [&](const Vec3& p) { return body.field(stretched(p)); };
-    EvenedSurface surface = evenedSurface(field, body.bounds, {cell, kSteepest * kStretch});
-    for (auto* vertices : {&surface.mesh.vertices, &surface.home}) {
+    RelaxedSurface surface = relaxedIsosurface(field, body.bounds, {cell, kMaxSlope * kStretch});
+    for (auto* vertices : {&surface.mesh.vertices, &surface.restPositions}) {
         for (Vec3f& vertex : *vertices) vertex = stretched(vertex.cast<double>()).cast<float>();
     }
-    const bool untangled = untangle(surface.mesh, surface.home);
+    const bool untangled = repairSelfIntersections(surface.mesh, surface.restPositions);
     return {largestPiece(surface.mesh), !untangled};
 }
 
-Expected<TriangleMesh> gumOf(const ToothPlaces& places, bool upper, const MouthRequest& request) {
+Expected<TriangleMesh> gingivaOf(const ToothArrangement& places, bool upper, const MouthRequest& request) {
     const GingivaBody body = gingivaBody(places, upper, request.missing);
-    return firstSoundGum(
-        gumCell(request.triangles), [&](double cell) { return gumMesh(body, upper, cell); },
+    return firstValidGingiva(
+        gingivaCell(request.triangles), [&](double cell) { return gingivaMesh(body, upper, cell); },
         std::string(upper ? "The upper" : "The lower") + " gum of the mouth with seed " + std::to_string(request.seed) +
             " and " + std::to_string(request.triangles) + " triangles a tooth");
 }
@@ -101,36 +101,36 @@ Pose lowerJawPose(JawPose jaw) {
     return {hinge + slide - turn * hinge, turn};
 }
 
-TriangleMesh moved(TriangleMesh mesh, const Pose& pose) {
+TriangleMesh transformed(TriangleMesh mesh, const Pose& pose) {
     for (Vec3f& vertex : mesh.vertices) vertex = (pose * vertex.cast<double>()).cast<float>();
     return mesh;
 }
 
-Expected<MouthSetting> makeMouthSetting(const MouthRequest& request) {
+Expected<MouthLayout> makeMouthLayout(const MouthRequest& request) {
     assert(request.triangles > 0);
-    const ToothPlaces places = placeTeeth(request.seed);
-    MouthSetting setting;
-    for (std::size_t i = 0; i < MouthSetting::kPlaces; ++i) {
-        const JawSide& side = i < kTeethOfSide ? places.upper : places.lower;
-        setting.toothInMouth[i] = side.teeth[i % kTeethOfSide].shapeInMouth;
+    const ToothArrangement places = arrangeTeeth(request.seed);
+    MouthLayout layout;
+    for (std::size_t i = 0; i < MouthLayout::kPlaces; ++i) {
+        const JawQuadrant& side = i < kTeethPerQuadrant ? places.upper : places.lower;
+        layout.toothInMouth[i] = side.teeth[i % kTeethPerQuadrant].shapeInMouth;
     }
     std::array<Expected<TriangleMesh>, 2> gums = {TriangleMesh(), TriangleMesh()};
-    parallelFor(2, [&](std::size_t i) { gums[i] = gumOf(places, i == 0, request); });
+    parallelFor(2, [&](std::size_t i) { gums[i] = gingivaOf(places, i == 0, request); });
     for (const auto& gum : gums) {
         if (!gum) return Unexpected{gum.error()};
     }
-    setting.upperGingiva = std::move(*gums[0]);
-    setting.lowerGingiva = std::move(*gums[1]);
-    return setting;
+    layout.upperGingiva = std::move(*gums[0]);
+    layout.lowerGingiva = std::move(*gums[1]);
+    return layout;
 }
 
-std::uint64_t mouthSettingFingerprint(const MouthRequest& request) {
+std::uint64_t mouthLayoutFingerprint(const MouthRequest& request) {
     constexpr std::uint32_t kModel = 3;  // grows whenever the same teeth are set or their gums are made otherwise
     ByteWriter facts;
     facts.put(kModel);
     facts.put(request.triangles);
-    for (std::size_t i = 0; i < MouthSetting::kPlaces; ++i) {
-        facts.put(toothFingerprint({toothOfPlace(i), request.triangles, request.seed, {}}));
+    for (std::size_t i = 0; i < MouthLayout::kPlaces; ++i) {
+        facts.put(toothFingerprint({fdiOfPlace(i), request.triangles, request.seed, {}}));
     }
     std::vector<int> missing = request.missing;
     std::ranges::sort(missing);
@@ -138,15 +138,16 @@ std::uint64_t mouthSettingFingerprint(const MouthRequest& request) {
     return checksum(facts.bytes());
 }
 
-Expected<BuiltinMouth> makeMouth(const MouthRequest& request, const ToothMaker& teeth, const SettingMaker& setting) {
+Expected<BuiltinMouth> makeMouth(const MouthRequest& request, const ToothGenerator& teeth,
+                                 const LayoutGenerator& layout) {
     assert(request.triangles > 0);
-    std::array<BuiltinTooth, MouthSetting::kPlaces> made;
-    Expected<MouthSetting> set = MouthSetting();
+    std::array<BuiltinTooth, MouthLayout::kPlaces> made;
+    Expected<MouthLayout> set = MouthLayout();
     parallelFor(made.size() + 1, [&](std::size_t i) {
         if (i == 0) {
-            set = setting(request);
+            set = layout(request);
         } else {
-            made[i - 1] = teeth({toothOfPlace(i - 1), request.triangles, request.seed, {}});
+            made[i - 1] = teeth({fdiOfPlace(i - 1), request.triangles, request.seed, {}});
         }
     });
     if (!set) return Unexpected{set.error()};
@@ -159,15 +160,15 @@ Expected<BuiltinMouth> makeMouth(const MouthRequest& request, const ToothMaker& 
         if (!isMissing) mouth.teeth.push_back({std::move(tooth), pose});
     };
     for (std::size_t i = 0; i < made.size(); ++i) {
-        put(otherSide(made[i]), mirroredInX(set->toothInMouth[i]));
+        put(contralateral(made[i]), mirroredInX(set->toothInMouth[i]));
         put(std::move(made[i]), set->toothInMouth[i]);
     }
     std::ranges::sort(mouth.teeth, {}, [](const MouthTooth& one) { return chartPlace(one.tooth.fdi); });
     return mouth;
 }
 
-Expected<BuiltinMouth> makeMouth(const MouthRequest& request, const ToothMaker& maker) {
-    return makeMouth(request, maker, makeMouthSetting);
+Expected<BuiltinMouth> makeMouth(const MouthRequest& request, const ToothGenerator& maker) {
+    return makeMouth(request, maker, makeMouthLayout);
 }
 
 }  // namespace tactooth

@@ -48,16 +48,16 @@ struct BuiltinMouth {
 };
 
 /// Makes a tooth: makeTooth, or one that remembers.
-using ToothMaker = std::function<BuiltinTooth(const ToothRequest&)>;
+using ToothGenerator = std::function<BuiltinTooth(const ToothRequest&)>;
 
 /// Makes a mouth. The same request gives the same bits, on any number of threads. `maker` is called from several
 /// threads at once. Fails with a sentence if no sound gum can be made for the request.
-[[nodiscard]] Expected<BuiltinMouth> makeMouth(const MouthRequest& request, const ToothMaker& maker = makeTooth);
+[[nodiscard]] Expected<BuiltinMouth> makeMouth(const MouthRequest& request, const ToothGenerator& maker = makeTooth);
 
 /// How the lower jaw stands.
 [[nodiscard]] Pose lowerJawPose(JawPose jaw);
 
-/// `mesh` moved to another frame.
-[[nodiscard]] TriangleMesh moved(TriangleMesh mesh, const Pose& pose);
+/// `mesh` transformed to another frame.
+[[nodiscard]] TriangleMesh transformed(TriangleMesh mesh, const Pose& pose);
 
 }  // namespace tactooth

@@ -9,7 +9,7 @@
 
 #include "instruments/anatomy/lesion.h"
 #include "instruments/anatomy/variation.h"
-#include "instruments/modelling/folds.h"
+#include "instruments/modelling/fold_check.h"
 #include "tooth/file/byte_stream.h"
 
 namespace tactooth {
@@ -43,8 +43,8 @@ Vec3 stretched(const Vec3& p) {
 
 TriangleMesh meshOf(const ScalarField& body, const Box3& bounds, double cellSize, int relaxations) {
     const auto field = [&](const Vec3& p) { return body(stretched(p)); };
-    constexpr double kSteepest = 1.3 * kRootStretch;
-    TriangleMesh mesh = isosurface(field, bounds, {cellSize, kSteepest, relaxations});
+    constexpr double kMaxSlope = 1.3 * kRootStretch;
+    TriangleMesh mesh = isosurface(field, bounds, {cellSize, kMaxSlope, relaxations});
     for (Vec3f& vertex : mesh.vertices) vertex = stretched(vertex.cast<double>()).cast<float>();
     return mesh;
 }
@@ -96,7 +96,7 @@ BuiltinTooth makeTooth(const ToothRequest& request) {
     double cellSize = cellSizeFor(shape, request.triangles);
     BuiltinTooth tooth = meshed(shape, cellSize);
     constexpr int kTries = 5;  // one is enough for nearly every tooth
-    for (int i = 1; i < kTries && (isFolded(tooth.outer) || isFolded(tooth.enamel) || isFolded(tooth.dentin)); ++i) {
+    for (int i = 1; i < kTries && (hasFolds(tooth.outer) || hasFolds(tooth.enamel) || hasFolds(tooth.dentin)); ++i) {
         cellSize *= 0.97;
         tooth = meshed(shape, cellSize);
     }
@@ -135,7 +135,7 @@ std::uint64_t toothFingerprint(const ToothRequest& request) {
     return checksum(facts.bytes());
 }
 
-BuiltinTooth otherSide(BuiltinTooth tooth) {
+BuiltinTooth contralateral(BuiltinTooth tooth) {
     constexpr std::array<int, 4> kOther = {2, 1, 4, 3};  // quadrant
     mirrorLayers(tooth);
     tooth.fdi = 10 * kOther[static_cast<std::size_t>(tooth.fdi / 10 - 1)] + tooth.fdi % 10;
@@ -157,19 +157,19 @@ std::vector<LayerMesh> layersOf(const BuiltinTooth& tooth) {
     return layers;
 }
 
-Expected<LayeredTooth> layeredTooth(const BuiltinTooth& tooth, std::span<const BuiltinTooth> beside) {
+Expected<LayeredTooth> layeredTooth(const BuiltinTooth& tooth, std::span<const BuiltinTooth> adjacent) {
     TriangleMesh outer = tooth.outer;
     std::vector<LayerMesh> layers = layersOf(tooth);
-    Standing standing{.mesialX = mesialX(tooth.fdi)};
-    if (!beside.empty()) standing.firstAround = static_cast<std::uint32_t>(outer.triangles.size());
-    for (const BuiltinTooth& other : beside) {
+    ToothContext toothContext{.mesialX = mesialX(tooth.fdi)};
+    if (!adjacent.empty()) toothContext.firstAdjacent = static_cast<std::uint32_t>(outer.triangles.size());
+    for (const BuiltinTooth& other : adjacent) {
         append(outer, other.outer);
         for (LayerMesh& layer : layersOf(other)) {
             layer.name = std::to_string(other.fdi) + " " + layer.name;
             layers.push_back(std::move(layer));
         }
     }
-    return LayeredTooth::make(std::move(outer), std::move(layers), MaterialId::Enamel, standing);
+    return LayeredTooth::make(std::move(outer), std::move(layers), MaterialId::Enamel, toothContext);
 }
 
 }  // namespace tactooth

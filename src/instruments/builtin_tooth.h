@@ -70,7 +70,7 @@ struct ToothRequest {
 }
 
 /// Incisors and canines have an edge instead of a chewing surface: they have no occlusal lesion.
-[[nodiscard]] constexpr bool isFrontTooth(int fdi) { return fdi % 10 <= 3; }
+[[nodiscard]] constexpr bool isAnteriorTooth(int fdi) { return fdi % 10 <= 3; }
 
 /// "Upper right first molar".
 [[nodiscard]] std::string toothName(int fdi);
@@ -88,7 +88,7 @@ struct ToothRequest {
 [[nodiscard]] std::uint64_t toothFingerprint(const ToothRequest& request);
 
 /// The same tooth of the other side of the mouth, with its number and name; `tooth` is mirrored in x.
-[[nodiscard]] BuiltinTooth otherSide(BuiltinTooth tooth);
+[[nodiscard]] BuiltinTooth contralateral(BuiltinTooth tooth);
 
 /// The layers as LayeredTooth::make takes them beside `outer`.
 [[nodiscard]] std::vector<LayerMesh> layersOf(const BuiltinTooth& tooth);

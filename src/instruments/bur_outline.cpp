@@ -120,7 +120,7 @@ std::vector<Piece> wheelPieces(const BurSpec& spec) {
             arc(top, kEdge, kEdge, pi / 2, pi, inner)};
 }
 
-std::vector<Piece> piecesOf(const BurSpec& spec) {
+std::vector<Piece> connectedComponents(const BurSpec& spec) {
     const double r = spec.headDiameter / 2;
     switch (spec.kind) {
         case BurKind::round:
@@ -153,7 +153,7 @@ std::vector<Piece> piecesOf(const BurSpec& spec) {
 
 std::vector<OutlinePoint> burOutline(const BurSpec& spec, int count) {
     assert(spec.headDiameter > 0 && spec.headLength > 0 && count > 0);
-    const std::vector<Piece> pieces = piecesOf(spec);
+    const std::vector<Piece> pieces = connectedComponents(spec);
     double weight = 0;
     int needed = 0;
     for (const Piece& piece : pieces) {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "instruments/bur_catalogue.h"
-#include "instruments/modelling/lathe.h"
+#include "instruments/modelling/surface_of_revolution.h"
 
 namespace tactooth {
 

@@ -27,31 +27,31 @@ struct Ring {
 
 /// A corner of the section of one blade: where it lies within the blade's share of the turn (0: edge, toward 1: the
 /// foot of the next blade's rake face), and how far down the gullet it is (0: edge, 1: bottom).
-struct BladeCorner {
+struct BladeVertex {
     double turn = 0;
     double drop = 0;
 };
 
 // A bur turns clockwise seen from the handpiece, that is toward falling angles: the rake face is steep and lies before
 // the edge; behind it the clearance falls slowly into the gullet.
-constexpr BladeCorner kBlade2[] = {{0, 0}, {0.84, 1}};
-constexpr BladeCorner kBlade3[] = {{0, 0}, {0.30, 0.42}, {0.84, 1}};
-constexpr BladeCorner kBlade6[] = {{0, 0}, {0.10, 0.10}, {0.30, 0.45}, {0.55, 0.88}, {0.78, 1}, {0.90, 0.80}};
+constexpr BladeVertex kBlade2[] = {{0, 0}, {0.84, 1}};
+constexpr BladeVertex kBlade3[] = {{0, 0}, {0.30, 0.42}, {0.84, 1}};
+constexpr BladeVertex kBlade6[] = {{0, 0}, {0.10, 0.10}, {0.30, 0.45}, {0.55, 0.88}, {0.78, 1}, {0.90, 0.80}};
 
 constexpr double kGulletDepth = 0.30;          // of the radius: a carbide's core is about two thirds of its head
 constexpr double kFinishingDepth = 0.12;       // of the radius, of the many small gullets of a finishing bur
 constexpr int kManyBlades = 12;                // a finishing bur
 constexpr double kNotchDepth = 0.10;           // of the radius, of a cross-cut blade's notches
 constexpr double kRoundTwist = 0.9;            // rad from tip to neck of a ball
-constexpr double kMostTwist = 0.12;            // rad from ring to ring: edges sink below the outline by 0.2 % at most
+constexpr double kMaxTwist = 0.12;             // rad from ring to ring: edges sink below the outline by 0.2 % at most
 constexpr double kHelixAngle = 15 * pi / 180;  // of a fissure bur's blades, right-handed: lifts the chips
 constexpr double kNeckPart = 0.62;             // neck radius of a ball as a part of its radius
 constexpr double kNeckLength = 1.2;            // mm, from the head to where the neck begins to widen
 constexpr double kNeckAngle = 12 * pi / 180;   // half angle of the cone from neck to shank
 constexpr double kVisibleLength = 11.0;        // mm from the tip to the end that is hidden in the handpiece
-[[maybe_unused]] constexpr double kLongestHead = 8.5;  // mm; longer heads would end in the handpiece
+[[maybe_unused]] constexpr double kMaxHeadLength = 8.5;  // mm; longer heads would end in the handpiece
 
-std::span<const BladeCorner> bladeSection(int triangles) {
+std::span<const BladeVertex> bladeSection(int triangles) {
     constexpr int kCoarse = 700;  // below it, each triangle is needed along the axis
     constexpr int kMiddle = 2500;
     if (triangles < kCoarse) return kBlade2;
@@ -70,7 +70,7 @@ void cutBlades(std::vector<Ring>& rings, const BurSpec& spec) {
     const double end = rings.back().z;
     const double helix =
         spec.kind == BurKind::round ? kRoundTwist / spec.headDiameter : std::tan(kHelixAngle) / (spec.headDiameter / 2);
-    const double twistPerLength = std::min(helix, kMostTwist / std::max(longestStep(rings), 1e-6));
+    const double twistPerLength = std::min(helix, kMaxTwist / std::max(longestStep(rings), 1e-6));
     for (Ring& ring : rings) {
         constexpr double kRunOut = 0.2;  // of the head's length
         const double left = std::clamp((end - ring.z) / (kRunOut * end), 0.0, 1.0);
@@ -140,7 +140,7 @@ void addShaftRings(std::vector<Ring>& rings, const BurSpec& spec) {
 
 class Lathe {
 public:
-    Lathe(int flutes, std::span<const BladeCorner> blade) : flutes_(flutes), blade_(blade) {}
+    Lathe(int flutes, std::span<const BladeVertex> blade) : flutes_(flutes), blade_(blade) {}
 
     [[nodiscard]] int sectors() const { return flutes_ * static_cast<int>(blade_.size()); }
 
@@ -168,7 +168,7 @@ private:
         const auto corners = static_cast<int>(blade_.size());
         const double bladed = std::min(ring.gulletDepth / kFinishingDepth, 1.0);
         for (int sector = 0; sector < sectors(); ++sector) {
-            const BladeCorner& corner = blade_[sector % corners];
+            const BladeVertex& corner = blade_[sector % corners];
             // Without gullets the vertices stand evenly, for the roundest neck and shank.
             const double even = static_cast<double>(sector % corners) / corners;
             const double turn = std::lerp(even, corner.turn, bladed);
@@ -199,7 +199,7 @@ private:
     }
 
     int flutes_;
-    std::span<const BladeCorner> blade_;
+    std::span<const BladeVertex> blade_;
 };
 
 /// How many times what pattern goes around.
@@ -231,7 +231,7 @@ void splitEdge(TriangleMesh& mesh, std::uint32_t from, std::uint32_t to) {
 
 }  // namespace
 
-Bur makeBurOf(const BurSpec& spec, int triangles) {
+Bur makeBurWithTriangles(const BurSpec& spec, int triangles) {
     Bur bur = makeBur(spec, triangles);
     TriangleMesh& mesh = bur.surface;
     const auto around = static_cast<std::uint32_t>(latheFor(spec, triangles).sectors());
@@ -245,10 +245,10 @@ Bur makeBurOf(const BurSpec& spec, int triangles) {
 }
 
 Bur makeBur(const BurSpec& spec, int triangles) {
-    assert(spec.headDiameter > 0 && spec.headLength > 0 && spec.headLength <= kLongestHead);
+    assert(spec.headDiameter > 0 && spec.headLength > 0 && spec.headLength <= kMaxHeadLength);
     const Lathe lathe = latheFor(spec, triangles);
-    constexpr int kFewestHeadRings = 5;
-    const int rings = std::max(kFewestHeadRings, triangles / (2 * lathe.sectors()) - kShaftRings);
+    constexpr int kMinHeadRings = 5;
+    const int rings = std::max(kMinHeadRings, triangles / (2 * lathe.sectors()) - kShaftRings);
     std::vector<Ring> outline = headRings(spec, rings, lathe.sectors());
     addShaftRings(outline, spec);
     return {spec, lathe.turn(outline)};

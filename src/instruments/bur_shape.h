@@ -25,6 +25,6 @@ inline constexpr double kShankDiameter = 1.6;
 
 /// The same with just `triangles` of them, or one fewer where that is odd: a closed surface has an even number. What is
 /// missing to it is split off along the shank, whose shape stays. More than asked for where fewer show no blade.
-[[nodiscard]] Bur makeBurOf(const BurSpec& spec, int triangles);
+[[nodiscard]] Bur makeBurWithTriangles(const BurSpec& spec, int triangles);
 
 }  // namespace tactooth

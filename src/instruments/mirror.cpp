@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "instruments/modelling/lathe.h"
+#include "instruments/modelling/surface_of_revolution.h"
 
 namespace tactooth {
 namespace {
@@ -34,13 +34,13 @@ TriangleMesh metalHead(double radius) {
                                                {recess, floor},
                                                {0, floor}};
     constexpr int kSides = 96;
-    return turned(outline, kSides);
+    return revolved(outline, kSides);
 }
 
 TriangleMesh glassPlate(double radius) {
     const std::vector<OutlinePoint> outline = {{0, -kGlassThickness}, {radius, -kGlassThickness}, {radius, 0}, {0, 0}};
     constexpr int kSides = 96;
-    return turned(outline, kSides);
+    return revolved(outline, kSides);
 }
 
 /// Stem, socket and handle along +z, from the end at the head.
@@ -56,7 +56,7 @@ TriangleMesh stemAndHandle() {
     outline.insert(outline.end(),
                    {{3.0, 90}, {2.9, 130}, {3.0, 141}, {2.95, 143}, {2.6, 144.2}, {1.8, 144.8}, {0, 145}});
     constexpr int kSides = 36;
-    return turned(outline, kSides);
+    return revolved(outline, kSides);
 }
 
 /// Where the stem stands: its end beside the lower edge of the head, its axis rising behind the glass.

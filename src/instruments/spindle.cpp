@@ -66,10 +66,10 @@ const std::vector<SpindlePreset>& spindlePresets() {
 }
 
 double targetSpeedRpm(const SpindlePreset& preset, double pedal) {
-    const double way = (std::clamp(pedal, 0.0, 1.0) - preset.pedalDeadBand) / (1 - preset.pedalDeadBand);
-    if (way <= 0) return 0;
-    if (preset.pedalCurve == PedalCurve::air) return preset.freeSpeedRpm * std::sqrt(way);
-    return std::lerp(preset.lowestSpeedRpm, preset.freeSpeedRpm, way);
+    const double travel = (std::clamp(pedal, 0.0, 1.0) - preset.pedalDeadBand) / (1 - preset.pedalDeadBand);
+    if (travel <= 0) return 0;
+    if (preset.pedalCurve == PedalCurve::air) return preset.freeSpeedRpm * std::sqrt(travel);
+    return std::lerp(preset.minSpeedRpm, preset.freeSpeedRpm, travel);
 }
 
 double driveTorque(const SpindlePreset& preset, double speedRpm, double pedal) {

@@ -15,14 +15,14 @@ enum class PedalCurve {
 
 /// The drive that turns the bur: a torque that falls linearly with speed between limits. Torque in N*mm.
 struct SpindlePreset {
-    std::string name;           ///< for people
-    double freeSpeedRpm = 0;    ///< without load, pedal down
-    double stallTorque = 0;     ///< largest driving torque
-    double brakeTorque = 0;     ///< largest braking torque, when the bur turns faster than the pedal asks
-    double droopRpm = 0;        ///< speed lost from no load to the largest torque; the free speed for a turbine
-    double inertia = 0;         ///< rotor and bur, N*mm*s^2 (1 kg*m^2 = 1000 N*mm*s^2)
-    double pedalDeadBand = 0;   ///< part of the pedal's way that does nothing
-    double lowestSpeedRpm = 0;  ///< electric: speed just above the dead band
+    std::string name;          ///< for people
+    double freeSpeedRpm = 0;   ///< without load, pedal down
+    double stallTorque = 0;    ///< largest driving torque
+    double brakeTorque = 0;    ///< largest braking torque, when the bur turns faster than the pedal asks
+    double droopRpm = 0;       ///< speed lost from no load to the largest torque; the free speed for a turbine
+    double inertia = 0;        ///< rotor and bur, N*mm*s^2 (1 kg*m^2 = 1000 N*mm*s^2)
+    double pedalDeadBand = 0;  ///< part of the pedal's way that does nothing
+    double minSpeedRpm = 0;    ///< electric: speed just above the dead band
     PedalCurve pedalCurve = PedalCurve::air;
 };
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "instruments/modelling/lathe.h"
+#include "instruments/modelling/surface_of_revolution.h"
 
 namespace tactooth {
 
@@ -13,7 +13,7 @@ TriangleMesh makeSuctionTube() {
     const std::vector<OutlinePoint> outline = {{0, 14},    {2.2, 14}, {2.2, 0.5}, {2.3, 0.15}, {2.6, 0},  {2.85, 0.15},
                                                {3.0, 0.5}, {3.0, 60}, {3.3, 62},  {3.3, 88},   {3.0, 90}, {0, 90}};
     constexpr int kSides = 48;
-    return turned(outline, kSides);
+    return revolved(outline, kSides);
 }
 
 }  // namespace tactooth

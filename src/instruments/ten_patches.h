@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "collision/proxy/nearest_in_polyhedron.h"
+#include "collision/proxy/qp3.h"
 #include "geometry/mesh/triangle_mesh.h"
 
 namespace tactooth {

@@ -6,7 +6,7 @@
 
 namespace tactooth {
 
-std::optional<Vec3> archMiddle(std::span<const Vec3> crowns) {
+std::optional<Vec3> archCentre(std::span<const Vec3> crowns) {
     if (crowns.size() < 3) return std::nullopt;
     Vec3 mean = Vec3::Zero();
     for (const Vec3& crown : crowns) mean += crown / static_cast<double>(crowns.size());

@@ -12,15 +12,15 @@ namespace tactooth {
 namespace {
 
 Box3 boxOf(const Scan& scan) {
-    Box3 box = boxWithoutSpecks(scan.outer);
-    for (const LayerMesh& layer : scan.layers) box.extend(boxWithoutSpecks(layer.mesh));
+    Box3 box = boxExcludingSpecks(scan.outer);
+    for (const LayerMesh& layer : scan.layers) box.extend(boxExcludingSpecks(layer.mesh));
     return box;
 }
 
 /// The middle of the enamel, or of all where there is none.
 Vec3 crownOf(const Scan& scan, const Box3& box) {
     for (const LayerMesh& layer : scan.layers) {
-        if (layer.material == MaterialId::Enamel) return boxWithoutSpecks(layer.mesh).center();
+        if (layer.material == MaterialId::Enamel) return boxExcludingSpecks(layer.mesh).center();
     }
     return box.center();
 }
@@ -46,8 +46,8 @@ Expected<JawFrame> findJawFrame(std::span<const Scan> teeth, std::optional<doubl
         jaw.why.push_back(std::move(guess.why));
     }
     for (Vec3& crown : crowns) crown *= jaw.mmPerUnit;
-    if (const auto middle = archMiddle(crowns)) {
-        for (const Vec3& crown : crowns) jaw.cheeks.emplace_back(crown - *middle);
+    if (const auto middle = archCentre(crowns)) {
+        for (const Vec3& crown : crowns) jaw.buccalDirections.emplace_back(crown - *middle);
     }
     return jaw;
 }

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "geometry/io/import_note.h"
 #include "geometry/util/expected.h"
-#include "geometry/io/remark.h"
 #include "patient/scan_import.h"
 
 namespace tactooth {
@@ -15,8 +15,8 @@ namespace tactooth {
 /// What several teeth of one jaw tell about each other.
 struct JawFrame {
     double mmPerUnit = 1;
-    std::vector<Remark> why;   ///< of a unit that was guessed
-    std::vector<Vec3> cheeks;  ///< of each tooth: toward its cheek, about; empty if their arch does not tell
+    std::vector<ImportNote> why;         ///< of a unit that was guessed
+    std::vector<Vec3> buccalDirections;  ///< of each tooth: toward its cheek, about; empty if their arch does not tell
 };
 
 /// Teeth of one jaw come in one unit, that of the middle one by size (if `mmPerUnit` does not tell it), and their

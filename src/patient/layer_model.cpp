@@ -10,8 +10,8 @@
 #include "collision/bvh/closest_point.h"
 #include "geometry/field/isosurface.h"
 #include "geometry/mesh/mesh_repair.h"
-#include "patient/outer_skin.h"
-#include "patient/pulp_tree.h"
+#include "patient/exterior_surface.h"
+#include "patient/pulp_segments.h"
 #include "patient/tooth_sections.h"
 
 namespace tactooth {
@@ -38,38 +38,38 @@ double enamelAt(double z, double crown, double thickest) {
 }
 
 /// Distance to a cone with round ends, about.
-double distanceTo(const PulpLimb& limb, const Vec3& point) {
-    const Vec3 along = limb.b - limb.a;
-    const double share = std::clamp(along.dot(point - limb.a) / std::max(along.squaredNorm(), 1e-9), 0.0, 1.0);
-    return (point - limb.a - share * along).norm() - (limb.radiusA + share * (limb.radiusB - limb.radiusA));
+double distanceTo(const PulpSegment& segment, const Vec3& point) {
+    const Vec3 along = segment.b - segment.a;
+    const double share = std::clamp(along.dot(point - segment.a) / std::max(along.squaredNorm(), 1e-9), 0.0, 1.0);
+    return (point - segment.a - share * along).norm() - (segment.radiusA + share * (segment.radiusB - segment.radiusA));
 }
 
-TriangleMesh pulpFrom(const std::vector<PulpLimb>& limbs, const DepthField& depth) {
-    if (limbs.empty()) return {};
+TriangleMesh pulpFrom(const std::vector<PulpSegment>& segments, const DepthField& depth) {
+    if (segments.empty()) return {};
     Box3 box;
-    for (const PulpLimb& limb : limbs) {
-        const double radius = std::max(limb.radiusA, limb.radiusB) + 1;
-        for (const Vec3& end : {limb.a, limb.b}) {
+    for (const PulpSegment& segment : segments) {
+        const double radius = std::max(segment.radiusA, segment.radiusB) + 1;
+        for (const Vec3& end : {segment.a, segment.b}) {
             box.extend(Vec3(end.array() - radius));
             box.extend(Vec3(end.array() + radius));
         }
     }
     const ScalarField field = [&](const Vec3& point) {
         double nearest = std::numeric_limits<double>::infinity();
-        for (const PulpLimb& limb : limbs) nearest = std::min(nearest, distanceTo(limb, point));
+        for (const PulpSegment& segment : segments) nearest = std::min(nearest, distanceTo(segment, point));
         return nearest > 1 ? nearest : std::max(nearest, kPulpWall - depth(point));
     };
     const TriangleMesh mesh = isosurface(field, box, {.cellSize = kPulpTriangles});
-    return mesh.empty() ? mesh : piecesOf(mesh).front();
+    return mesh.empty() ? mesh : connectedComponents(mesh).front();
 }
 
 /// A scanner that sees inside finds the pulp space itself: the surface then has walls that no enamel lies on.
 class EnamelDepth {
 public:
     EnamelDepth(const SurfacePart& surface, const DepthField& depth) : depth_(depth) {
-        OuterSkin skin = outerSkin(surface);
+        ExteriorSurface skin = exteriorSurface(surface);
         constexpr double kSpecks = 10;  // mm^2: bottoms of deep fissures, no pulp space
-        if (skin.hollowArea > kSpecks) skin_ = std::make_unique<const SurfacePart>(std::move(skin.skin));
+        if (skin.pulpWallArea > kSpecks) skin_ = std::make_unique<const SurfacePart>(std::move(skin.skin));
     }
 
     [[nodiscard]] bool hasHollow() const { return skin_ != nullptr; }
@@ -93,18 +93,18 @@ TriangleMesh dentinOf(const TriangleMesh& outer, const EnamelDepth& depth) {
     };
     const Box3 around(box.min().array() - 1, box.max().array() + 1);
     // The enamel's edge at the neck is steep: a tenth of a millimetre up it is a quarter of one thick.
-    return isosurface(field, around, {.cellSize = kDentinTriangles, .steepest = 4});
+    return isosurface(field, around, {.cellSize = kDentinTriangles, .lipschitzBound = 4});
 }
 
-std::vector<Remark> wordsOn(double enamel, bool hasHollow, bool hasPulp) {
+std::vector<ImportNote> notesOn(double enamel, bool hasHollow, bool hasPulp) {
     const char* const pulp = hasHollow ? "The surface encloses a hollow: it is taken as the pulp space, which is empty."
                              : hasPulp ? "The pulp is a model, too: a chamber at the neck and a canal down each root."
                                        : "There is no room for a pulp: the tooth has none.";
-    return {{RemarkTopic::Layers,
+    return {{ImportNoteTopic::Layers,
              "Only the outer surface is known: enamel and dentin are a model, with enamel up to %1 mm thick "
              "that thins to nothing at the neck. They are no measurement of this tooth.",
              {rounded(enamel, 1)}},
-            {RemarkTopic::Layers, pulp}};
+            {ImportNoteTopic::Layers, pulp}};
 }
 
 }  // namespace
@@ -121,15 +121,15 @@ Expected<LayerModel> modelLayers(const TriangleMesh& outer, const Progress& prog
     const EnamelDepth enamel(surface, depth);
     if (!goesOn(0.3)) return unexpected("stopped");
     TriangleMesh dentin = dentinOf(outer, enamel);
-    std::vector<PulpLimb> limbs;
+    std::vector<PulpSegment> segments;
     if (!enamel.hasHollow()) {
-        limbs = pulpTree(depth, surface.tree().box(), [&](double part) { return goesOn(0.5 + 0.3 * part); });
+        segments = pulpSegments(depth, surface.tree().box(), [&](double part) { return goesOn(0.5 + 0.3 * part); });
     }
     if (!goesOn(0.8)) return unexpected("stopped");
-    TriangleMesh pulp = pulpFrom(limbs, depth);
+    TriangleMesh pulp = pulpFrom(segments, depth);
     if (!goesOn(1)) return unexpected("stopped");
     LayerModel model;
-    model.how = wordsOn(thickestEnamel(outer), enamel.hasHollow(), !pulp.empty());
+    model.how = notesOn(thickestEnamel(outer), enamel.hasHollow(), !pulp.empty());
     model.layers.push_back({"enamel", MaterialId::Enamel, outer});
     if (!dentin.empty()) model.layers.push_back({"dentin", MaterialId::Dentin, std::move(dentin)});
     if (!pulp.empty()) model.layers.push_back({"pulp", MaterialId::Pulp, std::move(pulp)});

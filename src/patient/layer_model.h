@@ -5,8 +5,8 @@
 #include <functional>
 #include <vector>
 
+#include "geometry/io/import_note.h"
 #include "geometry/util/expected.h"
-#include "geometry/io/remark.h"
 #include "tooth/model/layered_tooth.h"
 
 namespace tactooth {
@@ -17,7 +17,7 @@ using Progress = std::function<bool(double)>;
 /// Layers inside a tooth of which only the surface is known.
 struct LayerModel {
     std::vector<LayerMesh> layers;  ///< enamel (the whole surface), dentin, and pulp if there is room for one
-    std::vector<Remark> how;
+    std::vector<ImportNote> how;
 };
 
 /// A model after textbook anatomy, no measurement. `outer`: closed, in the tooth frame with the neck at z = 0, mm.

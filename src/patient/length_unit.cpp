@@ -14,8 +14,8 @@ struct Range {
     double low, high;  // mm
     [[nodiscard]] bool holds(double length) const { return low <= length && length <= high; }
 };
-constexpr Range kTooth = {12, 34};
-constexpr Range kCrown = {5, 12};
+constexpr Range kToothLength = {12, 34};
+constexpr Range kCrownLength = {5, 12};
 constexpr double kAverageTooth = 21;  // mm: mean length of Wheeler's 32 teeth
 
 }  // namespace
@@ -30,16 +30,16 @@ ScaleGuess guessScale(double longest) {
     assert(longest > 0);
     const char* const tooth = "Units taken as %1, because the longest side would be %2 mm, as that of a whole tooth.";
     const char* const crown = "Units taken as %1, because the longest side would be %2 mm, as that of a crown.";
-    if (kCrown.holds(longest)) return {1, {RemarkTopic::Units, crown, {"mm", rounded(longest, 1)}}};
-    for (const auto& [range, words] : {std::pair(kTooth, tooth), std::pair(kCrown, crown)}) {
+    if (kCrownLength.holds(longest)) return {1, {ImportNoteTopic::Units, crown, {"mm", rounded(longest, 1)}}};
+    for (const auto& [range, words] : {std::pair(kToothLength, tooth), std::pair(kCrownLength, crown)}) {
         for (const LengthUnit& unit : kLengthUnits) {
             if (!range.holds(longest * unit.mm)) continue;
-            return {unit.mm, {RemarkTopic::Units, words, {unit.name, rounded(longest * unit.mm, 1)}}};
+            return {unit.mm, {ImportNoteTopic::Units, words, {unit.name, rounded(longest * unit.mm, 1)}}};
         }
     }
     const double scale = kAverageTooth / longest;
     return {scale,
-            {RemarkTopic::Units,
+            {ImportNoteTopic::Units,
              "No unit of length makes this a tooth (longest side %1): scaled by %2 to the %3 mm of an average tooth.",
              {rounded(longest, 2), rounded(scale, 5), rounded(kAverageTooth, 0)}}};
 }

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string_view>
 
-#include "geometry/io/remark.h"
+#include "geometry/io/import_note.h"
 #include "geometry/mesh/triangle_mesh.h"
 
 namespace tactooth {
@@ -25,7 +25,7 @@ inline constexpr std::array<LengthUnit, 5> kLengthUnits = {
 /// How large one unit of a file is.
 struct ScaleGuess {
     double mmPerUnit = 1;
-    Remark why;
+    ImportNote why;
 };
 
 /// The longest side of a tooth's box tells its unit: the first of mm, cm, inch, m and um in which it is as long as a

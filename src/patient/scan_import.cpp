@@ -6,8 +6,8 @@
 #include <iterator>
 
 #include "collision/solid/solid.h"
-#include "patient/joined_layers.h"
 #include "patient/length_unit.h"
+#include "patient/merged_layers.h"
 
 namespace tactooth {
 namespace {
@@ -17,11 +17,11 @@ Vec3 middleOf(const TriangleMesh& mesh) { return boundingBox(mesh).center(); }
 /// Does the work on one scan; the remarks gather on the way.
 class Examination {
 public:
-    Examination(const Scan& scan, const ImportChoices& choices) : choices_(choices) {
+    Examination(const Scan& scan, const ImportOptions& options) : options_(options) {
         result_.name = scan.name;
         result_.outer = scan.outer;
         result_.layers = scan.layers;
-        result_.remarks = scan.remarks;
+        result_.importNotes = scan.importNotes;
     }
 
     Expected<ExaminedScan> run() && {
@@ -36,14 +36,14 @@ public:
                 return Unexpected{done.error()};
         }
         if (result_.outer.empty()) {
-            auto joined = joinLayers(result_.layers);
+            auto joined = mergeLayers(result_.layers);
             if (!joined) return unexpected(result_.name + ": " + joined.error().message + ".");
             result_.outer = std::move(joined->outer);
-            result_.remarks.push_back(std::move(joined->how));
+            result_.importNotes.push_back(std::move(joined->how));
         } else if (auto done = makeSolid(result_.outer, "outer", mended_.back(), true); !done) {
             return Unexpected{done.error()};
         }
-        standUp();
+        makeUpright();
         return std::move(result_);
     }
 
@@ -52,26 +52,27 @@ private:
         Box3 box = boundingBox(result_.outer);
         for (const LayerMesh& layer : result_.layers) box.extend(boundingBox(layer.mesh));
         const double longest = box.sizes().maxCoeff();
-        if (choices_.mmPerUnit) {
-            result_.mmPerUnit = *choices_.mmPerUnit;
-            result_.remarks.push_back({RemarkTopic::Units,
-                                       "Scaled by %1, as chosen: the longest side is %2 mm.",
-                                       {rounded(*choices_.mmPerUnit, 5), rounded(longest * *choices_.mmPerUnit, 1)}});
+        if (options_.mmPerUnit) {
+            result_.mmPerUnit = *options_.mmPerUnit;
+            result_.importNotes.push_back(
+                {ImportNoteTopic::Units,
+                 "Scaled by %1, as chosen: the longest side is %2 mm.",
+                 {rounded(*options_.mmPerUnit, 5), rounded(longest * *options_.mmPerUnit, 1)}});
         } else if (longest > 0) {
             ScaleGuess guess = guessScale(longest);
             result_.mmPerUnit = guess.mmPerUnit;
-            result_.remarks.push_back(std::move(guess.why));
+            result_.importNotes.push_back(std::move(guess.why));
         }
         scaleToMm(result_.outer, result_.mmPerUnit);
         for (LayerMesh& layer : result_.layers) scaleToMm(layer.mesh, result_.mmPerUnit);
     }
 
-    void remark(const char* text, std::vector<std::string> values) {
-        result_.remarks.push_back({RemarkTopic::Closedness, text, std::move(values)});
+    void importNote(const char* text, std::vector<std::string> values) {
+        result_.importNotes.push_back({ImportNoteTopic::Closedness, text, std::move(values)});
     }
 
     [[nodiscard]] RepairReport mend(TriangleMesh& mesh) const {
-        RepairedMesh mended = repaired(mesh, {.holes = choices_.holes});
+        RepairedMesh mended = repaired(mesh, {.holes = options_.holes});
         mesh = std::move(mended.mesh);
         return mended.report;
     }
@@ -80,33 +81,33 @@ private:
     void tell(const RepairReport& done, const SolidReport& now, const std::string& what, std::size_t triangles) {
         const auto number = [](std::size_t count) { return std::to_string(count); };
         if (done.cracks.moved > 0) {
-            remark("%1: %2 corners that differ in their last digits were welded, within %3 mm.",
-                   {what, number(done.cracks.moved), rounded(done.cracks.tolerance * result_.mmPerUnit, 6)});
+            importNote("%1: %2 corners that differ in their last digits were welded, within %3 mm.",
+                       {what, number(done.cracks.moved), rounded(done.cracks.tolerance * result_.mmPerUnit, 6)});
         }
         if (done.droppedDegenerate + done.droppedDuplicates > 0) {
-            remark("%1: %2 empty or doubled triangles were dropped.",
-                   {what, number(done.droppedDegenerate + done.droppedDuplicates)});
+            importNote("%1: %2 empty or doubled triangles were dropped.",
+                       {what, number(done.droppedDegenerate + done.droppedDuplicates)});
         }
         if (done.droppedPieces > 0)
-            remark("%1: %2 crumbs beside the surface were dropped.", {what, number(done.droppedPieces)});
-        if (done.turnedTriangles > 0)
-            remark("%1: %2 triangles were turned to look outward.", {what, number(done.turnedTriangles)});
+            importNote("%1: %2 crumbs beside the surface were dropped.", {what, number(done.droppedPieces)});
+        if (done.flippedTriangles > 0)
+            importNote("%1: %2 triangles were turned to look outward.", {what, number(done.flippedTriangles)});
         if (done.filledHoles > 0) {
-            remark("%1: %2 holes were filled, the largest with a rim of %3 mm.",
-                   {what, number(done.filledHoles), rounded(done.longestFilledRim * result_.mmPerUnit, 2)});
+            importNote("%1: %2 holes were filled, the largest with a rim of %3 mm.",
+                       {what, number(done.filledHoles), rounded(done.longestFilledRim * result_.mmPerUnit, 2)});
         }
-        std::vector<Remark> solid = remarksOn(now, what);
+        std::vector<ImportNote> solid = notesOn(now, what);
         if (!done.changedAnything() && solid.empty())
-            remark("%1: closed and sound as it came, %2 triangles.", {what, number(triangles)});
-        std::ranges::move(solid, std::back_inserter(result_.remarks));
-        if (now.shells > 1) remark("%1: consists of %2 separate shells.", {what, number(now.shells)});
+            importNote("%1: closed and sound as it came, %2 triangles.", {what, number(triangles)});
+        std::ranges::move(solid, std::back_inserter(result_.importNotes));
+        if (now.shells > 1) importNote("%1: consists of %2 separate shells.", {what, number(now.shells)});
     }
 
     /// Why a surface that was mended is no solid: a sentence.
     [[nodiscard]] std::string refusal(const RepairReport& done, const SolidReport& now, const std::string& what) const {
         const std::string& name = result_.name;
         const std::string edges = std::to_string(now.openEdges);
-        if (now.flaw == SolidFlaw::Open && done.openHoles > 0 && choices_.holes != HolesToFill::All) {
+        if (now.flaw == SolidFlaw::Open && done.openHoles > 0 && options_.holes != HolesToFill::All) {
             return name + ": the surface '" + what + "' has " + std::to_string(done.openHoles) +
                    " holes that are too wide to be filled unasked (" + edges +
                    " open edges); ask for all holes to be filled, or close it in a mesh program.";
@@ -144,25 +145,25 @@ private:
         return way.norm() > kClear ? std::optional(way) : std::nullopt;
     }
 
-    void standUp() {
-        FrameHints hints = choices_.frame;
+    void makeUpright() {
+        FrameHints hints = options_.frame;
         if (!hints.crown) hints.crown = crownHint();
         FrameGuess guess = guessToothFrame(result_.outer, hints);
         result_.toothInFile = guess.toothInFile;
-        std::ranges::move(guess.why, std::back_inserter(result_.remarks));
+        std::ranges::move(guess.why, std::back_inserter(result_.importNotes));
         const Pose fileInTooth = guess.toothInFile.inverse();
         result_.outer = transformed(result_.outer, fileInTooth);
         for (LayerMesh& layer : result_.layers) layer.mesh = transformed(layer.mesh, fileInTooth);
     }
 
-    const ImportChoices& choices_;
+    const ImportOptions& options_;
     ExaminedScan result_;
     std::vector<RepairReport> mended_;  // of the layers, then of the outer surface
 };
 
 }  // namespace
 
-bool addSurface(Scan& scan, const std::optional<MaterialId>& material, TriangleMesh mesh) {
+bool addLayer(Scan& scan, const std::optional<MaterialId>& material, TriangleMesh mesh) {
     if (!material) {
         if (!scan.outer.empty()) return false;
         scan.outer = std::move(mesh);
@@ -174,27 +175,27 @@ bool addSurface(Scan& scan, const std::optional<MaterialId>& material, TriangleM
     return true;
 }
 
-Expected<ExaminedScan> examineScan(const Scan& scan, const ImportChoices& choices) {
-    return Examination(scan, choices).run();
+Expected<ExaminedScan> examineScan(const Scan& scan, const ImportOptions& options) {
+    return Examination(scan, options).run();
 }
 
-Expected<ExaminedScan> finishScan(ExaminedScan scan, const ImportChoices& choices, const Progress& progress) {
-    if (scan.layers.empty() && choices.modelsLayers) {
+Expected<ExaminedScan> finishScan(ExaminedScan scan, const ImportOptions& options, const Progress& progress) {
+    if (scan.layers.empty() && options.modelsLayers) {
         auto model = modelLayers(scan.outer, progress);
         if (!model) return Unexpected{model.error()};
         scan.layers = std::move(model->layers);
         scan.layersAreModelled = scan.enamelIsOuter = true;
-        std::ranges::move(model->how, std::back_inserter(scan.remarks));
+        std::ranges::move(model->how, std::back_inserter(scan.importNotes));
     } else if (scan.layers.empty()) {
-        scan.remarks.push_back({RemarkTopic::Layers, "The whole tooth is taken as enamel, as chosen."});
+        scan.importNotes.push_back({ImportNoteTopic::Layers, "The whole tooth is taken as enamel, as chosen."});
     }
     const bool hasEnamel =
         std::ranges::any_of(scan.layers, [](const LayerMesh& layer) { return layer.material == MaterialId::Enamel; });
     if (!scan.layers.empty() && !hasEnamel) {
         scan.layers.insert(scan.layers.begin(), {"enamel", MaterialId::Enamel, scan.outer});
         scan.enamelIsOuter = true;
-        scan.remarks.push_back(
-            {RemarkTopic::Layers, "No enamel is given: what no other layer holds is taken as enamel."});
+        scan.importNotes.push_back(
+            {ImportNoteTopic::Layers, "No enamel is given: what no other layer holds is taken as enamel."});
     }
     const auto tooth = LayeredTooth::make(scan.outer, scan.layers);
     if (!tooth) return unexpected(scan.name + ": " + tooth.error().message + ".");

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "geometry/io/import_note.h"
 #include "geometry/mesh/mesh_repair.h"
-#include "geometry/io/remark.h"
 #include "patient/layer_model.h"
 #include "patient/tooth_frame.h"
 
@@ -15,17 +15,17 @@ namespace tactooth {
 
 /// Surfaces of one tooth as a scanner's program wrote them, in whatever unit and position.
 struct Scan {
-    std::string name;                  ///< for messages
-    TriangleMesh outer;                ///< empty: made from the layers
-    std::vector<LayerMesh> layers;     ///< empty: modelled
-    std::vector<Remark> remarks = {};  ///< on reading the files
+    std::string name;                          ///< for messages
+    TriangleMesh outer;                        ///< empty: made from the layers
+    std::vector<LayerMesh> layers;             ///< empty: modelled
+    std::vector<ImportNote> importNotes = {};  ///< on reading the files
 };
 
 /// Takes the layer of a material, or the outer surface where there is none. False if the scan has that surface already.
-[[nodiscard]] bool addSurface(Scan& scan, const std::optional<MaterialId>& material, TriangleMesh mesh);
+[[nodiscard]] bool addLayer(Scan& scan, const std::optional<MaterialId>& material, TriangleMesh mesh);
 
 /// What a person says about a scan; what is left open is guessed.
-struct ImportChoices {
+struct ImportOptions {
     std::optional<double> mmPerUnit;
     FrameHints frame = {};
     HolesToFill holes = HolesToFill::Small;
@@ -39,18 +39,18 @@ struct ExaminedScan {
     std::vector<LayerMesh> layers;
     double mmPerUnit = 1;
     Pose toothInFile;  ///< the file's frame scaled to mm
-    std::vector<Remark> remarks;
+    std::vector<ImportNote> importNotes;
     bool layersAreModelled = false;
     bool enamelIsOuter = false;  ///< the enamel is what the other layers leave of the outer surface
 };
 
 /// Mends, scales and turns. Fails with one sentence, which begins with the scan's name, if the surfaces are empty or
 /// cannot be closed.
-[[nodiscard]] Expected<ExaminedScan> examineScan(const Scan& scan, const ImportChoices& choices);
+[[nodiscard]] Expected<ExaminedScan> examineScan(const Scan& scan, const ImportOptions& options);
 
-/// Gives a scan without layers those of a model (if `choices` want that), takes what no layer holds as enamel, and
+/// Gives a scan without layers those of a model (if `options` want that), takes what no layer holds as enamel, and
 /// looks whether it is a tooth that can be cut. Takes some seconds; fails with "stopped" when `progress` says stop.
-[[nodiscard]] Expected<ExaminedScan> finishScan(ExaminedScan scan, const ImportChoices& choices,
+[[nodiscard]] Expected<ExaminedScan> finishScan(ExaminedScan scan, const ImportOptions& options,
                                                 const Progress& progress = {});
 
 }  // namespace tactooth

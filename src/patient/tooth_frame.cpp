@@ -14,8 +14,8 @@
 namespace tactooth {
 namespace {
 
-constexpr double kStandsUp = 30 * std::numbers::pi / 180;  // rad: teeth in a jaw lean by up to 20 degrees
-constexpr double kCube = 1.15;                             // a body that is longer than wide by less has no long axis
+constexpr double kUprightTolerance = 30 * std::numbers::pi / 180;  // rad: teeth in a jaw lean by up to 20 degrees
+constexpr double kMinElongation = 1.15;  // a body that is longer than wide by less has no long axis
 
 struct LongAxis {
     Vec3 middle;  ///< of the surface, mm
@@ -37,19 +37,19 @@ LongAxis longAxisOf(const TriangleMesh& mesh) {
     middle /= area;
     const Eigen::SelfAdjointEigenSolver<Mat3> moments(second / area - middle * middle.transpose());
     const double ratio = std::sqrt(moments.eigenvalues()[2] / std::max(moments.eigenvalues()[1], 1e-12));
-    return {middle, moments.eigenvectors().col(2), ratio > kCube};
+    return {middle, moments.eigenvectors().col(2), ratio > kMinElongation};
 }
 
 /// Positive if the upper half of the body along z is the thicker one.
-double thickerAbove(const TriangleMesh& mesh, const Quat& upright) {
+double volumeImbalance(const TriangleMesh& mesh, const Quat& upright) {
     const SectionProfile profile = sectionProfile(transformed(mesh, {Vec3::Zero(), upright}));
     const auto half = profile.areas.begin() + static_cast<std::ptrdiff_t>(profile.areas.size() / 2);
     return std::accumulate(half, profile.areas.end(), 0.0) - std::accumulate(profile.areas.begin(), half, 0.0);
 }
 
-/// The turn of the file's frame that brings `crown` up and, of all of those, `cheek` to +y.
-Quat uprightTurn(const Vec3& crown, const Vec3& cheek) {
-    const Vec3 x = cheek.cross(crown).normalized();
+/// The turn of the file's frame that brings `crown` up and, of all of those, `buccal` to +y.
+Quat uprightRotation(const Vec3& crown, const Vec3& buccal) {
+    const Vec3 x = buccal.cross(crown).normalized();
     Mat3 rows;
     rows.row(0) = x;
     rows.row(1) = crown.cross(x);
@@ -57,14 +57,14 @@ Quat uprightTurn(const Vec3& crown, const Vec3& cheek) {
     return Quat(rows).normalized();
 }
 
-struct Standing {
+struct Orientation {
     Quat upright;  ///< turns the file's directions into the tooth's
-    std::vector<Remark> why;
+    std::vector<ImportNote> why;
 };
 
 Vec3 crownDirection(const TriangleMesh& outer, const FrameHints& hints, const LongAxis& shape,
-                    std::vector<Remark>& why) {
-    const auto add = [&](const char* text) { why.push_back({RemarkTopic::Orientation, text}); };
+                    std::vector<ImportNote>& why) {
+    const auto add = [&](const char* text) { why.push_back({ImportNoteTopic::Orientation, text}); };
     Vec3 axis = shape.isClear ? shape.axis : Vec3::UnitZ();
     if (!shape.isClear) {
         add("The surface is about as long as wide: +z of the file is taken as the crown's side.");
@@ -72,57 +72,57 @@ Vec3 crownDirection(const TriangleMesh& outer, const FrameHints& hints, const Lo
         if (axis.dot(*hints.crown) < 0) axis = -axis;
         add("The crown is where the enamel is.");
     } else {
-        if (thickerAbove(outer, shortestTurn(axis, Vec3::UnitZ())) < 0) axis = -axis;
+        if (volumeImbalance(outer, shortestRotation(axis, Vec3::UnitZ())) < 0) axis = -axis;
         add("The thicker end of the long axis is taken as the crown.");
     }
     return axis;
 }
 
-Standing standingOf(const TriangleMesh& outer, const FrameHints& hints, const LongAxis& shape) {
-    Standing standing;
+Orientation orientationOf(const TriangleMesh& outer, const FrameHints& hints, const LongAxis& shape) {
+    Orientation orientation;
     const auto add = [&](const char* text, std::vector<std::string> values = {}) {
-        standing.why.push_back({RemarkTopic::Orientation, text, std::move(values)});
+        orientation.why.push_back({ImportNoteTopic::Orientation, text, std::move(values)});
     };
-    const Vec3 crown = crownDirection(outer, hints, shape, standing.why);
+    const Vec3 crown = crownDirection(outer, hints, shape, orientation.why);
     const double tilt = std::acos(std::clamp(crown.z(), -1.0, 1.0));
     constexpr double kClear = 0.2;  // sine of the angle to the long axis: a cheek nearer to it is none
-    if (hints.cheek && hints.cheek->cross(crown).norm() > kClear * hints.cheek->norm()) {
-        standing.upright = uprightTurn(crown, *hints.cheek);
+    if (hints.buccal && hints.buccal->cross(crown).norm() > kClear * hints.buccal->norm()) {
+        orientation.upright = uprightRotation(crown, *hints.buccal);
         add("The cheek's side is the one that looks away from the middle of the arch.");
-    } else if (tilt < kStandsUp) {
-        standing.upright = Quat::Identity();
+    } else if (tilt < kUprightTolerance) {
+        orientation.upright = Quat::Identity();
         add("It stands crown up as it came (%1 degrees from +z): its axes are kept, with the cheek at +y.",
             {rounded(tilt * 180 / std::numbers::pi, 0)});
     } else {
-        standing.upright = shortestTurn(crown, Vec3::UnitZ());
+        orientation.upright = shortestRotation(crown, Vec3::UnitZ());
         add("Turned by %1 degrees to stand crown up; the cheek's side cannot be seen from one surface and is taken to "
             "be +y of the file.",
             {rounded(tilt * 180 / std::numbers::pi, 0)});
     }
-    return standing;
+    return orientation;
 }
 
 }  // namespace
 
 FrameGuess guessToothFrame(const TriangleMesh& outer, const FrameHints& hints) {
     const LongAxis shape = longAxisOf(outer);
-    Standing standing = standingOf(outer, hints, shape);
-    Quat upright = standing.upright;
-    if (hints.isUpsideDown) {
+    Orientation orientation = orientationOf(outer, hints, shape);
+    Quat upright = orientation.upright;
+    if (hints.isFlipped) {
         upright = Quat(Eigen::AngleAxisd(std::numbers::pi, Vec3::UnitY())) * upright;
-        standing.why.push_back({RemarkTopic::Orientation, "Turned upside down, as chosen."});
+        orientation.why.push_back({ImportNoteTopic::Orientation, "Turned upside down, as chosen."});
     }
     if (hints.turn != 0) {
         upright = Quat(Eigen::AngleAxisd(hints.turn, Vec3::UnitZ())) * upright;
-        standing.why.push_back({RemarkTopic::Orientation,
-                                "Turned by %1 degrees about the long axis, as chosen.",
-                                {rounded(hints.turn * 180 / std::numbers::pi, 0)}});
+        orientation.why.push_back({ImportNoteTopic::Orientation,
+                                   "Turned by %1 degrees about the long axis, as chosen.",
+                                   {rounded(hints.turn * 180 / std::numbers::pi, 0)}});
     }
     const TriangleMesh turned = transformed(outer, {Vec3::Zero(), upright});
     Vec3 origin = upright * shape.middle;
     origin.z() = neckHeight(sectionProfile(turned));
     const Quat back = upright.conjugate();
-    return {{back * origin, back}, std::move(standing.why)};
+    return {{back * origin, back}, std::move(orientation.why)};
 }
 
 }  // namespace tactooth

@@ -18,7 +18,7 @@ constexpr double kAbove = 4;      // mm, free of the tooth
 constexpr double kAside = 6;      // mm
 constexpr double kFelt = 0.3;     // N
 constexpr double kEnoughCut = 0.02;  // mm^3
-constexpr int kPatience = 20000;     // ms that only a broken program takes
+constexpr int kTimeout = 20000;      // ms that only a broken program takes
 
 }  // namespace
 
@@ -40,17 +40,17 @@ void DeviceSession::chooseDevice(const char* list, const QString& name) const {
 void DeviceSession::waitUntilRead() const {
     constexpr long kOnTheWay = 5;  // exchanges
     const long before = exchanges();
-    QTRY_VERIFY_WITH_TIMEOUT(exchanges() > before + kOnTheWay, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(exchanges() > before + kOnTheWay, kTimeout);
     for (int step = 0; step < 3; ++step) {  // the window's: one sends, one hears, and one may have been under way
-        const double time = window_->bench().newest().time;
-        QTRY_VERIFY_WITH_TIMEOUT(window_->bench().newest().time > time, kPatience);
+        const double time = window_->model().newest().time;
+        QTRY_VERIFY_WITH_TIMEOUT(window_->model().newest().time > time, kTimeout);
     }
 }
 
 void DeviceSession::waitForHand() const {
     constexpr long kArrives = 250;  // exchanges: its spring is critically damped, at 50/s
     const long before = exchanges();
-    QTRY_VERIFY_WITH_TIMEOUT(exchanges() > before + kArrives, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(exchanges() > before + kArrives, kTimeout);
     waitUntilRead();
 }
 
@@ -64,7 +64,7 @@ void DeviceSession::clickButton(int button) const {
 /// A device that is lost stays where it was, and may come back later: see lean.
 void DeviceSession::liftOff() const {
     moveHand(0, kAbove);
-    (void)QTest::qWaitFor([this] { return force() == 0 && window_->bench().newest().contacts == 0; }, 3000);
+    (void)QTest::qWaitFor([this] { return force() == 0 && window_->model().newest().contacts == 0; }, 3000);
 }
 
 /// A machine that stalls makes the device let go, and only who lifts off feels it again.
@@ -80,22 +80,22 @@ void DeviceSession::lean() const {
 
 void DeviceSession::touchTheTooth() const {
     lean();
-    QTRY_VERIFY(window_->bench().newest().contacts > 0);
+    QTRY_VERIFY(window_->model().newest().contacts > 0);
     QCOMPARE(removed(), 0.0);
     const auto isOn = [this] {
         if (!state().contains("The force is on")) lean();
         return state().contains("The force is on");
     };
-    QTRY_VERIFY2_WITH_TIMEOUT(isOn(), qPrintable(state()), kPatience);
+    QTRY_VERIFY2_WITH_TIMEOUT(isOn(), qPrintable(state()), kTimeout);
 }
 
 void DeviceSession::cutByButtonAndPedal(int button, double seconds) const {
     liftOff();
     clickButton(button);
-    QTRY_VERIFY_WITH_TIMEOUT(window_->bench().newest().cutting, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().newest().cutting, kTimeout);
     auto* pedal = window_->findChild<QCheckBox*>("keepPedal");
     pedal->setChecked(true);
-    QTRY_VERIFY_WITH_TIMEOUT(window_->bench().newest().speedRpm > 300'000, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().newest().speedRpm > 300'000, kTimeout);
     const double before = removed();
     QElapsedTimer since;
     since.start();
@@ -104,11 +104,11 @@ void DeviceSession::cutByButtonAndPedal(int button, double seconds) const {
         moveHand(0.8 * std::sin(3 * t), -kIntoTooth);
         return t > seconds && removed() > before + kEnoughCut;
     };
-    QTRY_VERIFY_WITH_TIMEOUT(isCut(), kPatience + static_cast<int>(1000 * seconds));
+    QTRY_VERIFY_WITH_TIMEOUT(isCut(), kTimeout + static_cast<int>(1000 * seconds));
     pedal->setChecked(false);
     liftOff();
     clickButton(button);
-    QTRY_VERIFY_WITH_TIMEOUT(!window_->bench().newest().cutting, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->model().newest().cutting, kTimeout);
 }
 
 void DeviceSession::takeTheMirrorByButton(int button) const {
@@ -117,38 +117,38 @@ void DeviceSession::takeTheMirrorByButton(int button) const {
     const Vec3 tool = toolTip(), mirror = mirrorMotion();
     clickButton(button);
     moveHand(kAside, kAbove);
-    QTRY_VERIFY_WITH_TIMEOUT((mirrorMotion() - mirror).norm() > 4, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT((mirrorMotion() - mirror).norm() > 4, kTimeout);
     QVERIFY((toolTip() - tool).norm() < 0.5);
     waitForHand();
     clickButton(button);
     moveHand(0, kAbove);
-    QTRY_VERIFY_WITH_TIMEOUT((toolTip() - tool).norm() > 4, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT((toolTip() - tool).norm() > 4, kTimeout);
     waitForHand();
     moveHand(kAside, kAbove);
-    QTRY_VERIFY_WITH_TIMEOUT((toolTip() - tool).norm() < 1, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT((toolTip() - tool).norm() < 1, kTimeout);
     waitForHand();
 }
 
-void DeviceSession::sufferMidPress(int fault, const QString& sentence, std::optional<long> longestForce) const {
+void DeviceSession::breakMidPress(int fault, const QString& sentence, std::optional<long> longestForce) const {
     lean();
     const double before = removed();
-    const Simulator* const session = window_->bench().simulator();
-    const std::size_t events = window_->bench().events().all().size();
-    const double began = window_->bench().newest().time;
+    const Simulator* const session = window_->model().simulator();
+    const std::size_t events = window_->model().events().all().size();
+    const double began = window_->model().newest().time;
     setFault(fault);
-    QTRY_VERIFY2_WITH_TIMEOUT(state().contains(sentence), qPrintable(state()), kPatience);
-    QTRY_VERIFY2_WITH_TIMEOUT(hint().contains(sentence), qPrintable(hint()), kPatience);
+    QTRY_VERIFY2_WITH_TIMEOUT(state().contains(sentence), qPrintable(state()), kTimeout);
+    QTRY_VERIFY2_WITH_TIMEOUT(hint().contains(sentence), qPrintable(hint()), kTimeout);
     if (longestForce) {
         QTest::qWait(50);  // for a force that came late
         QVERIFY2(lastForceSinceFault() <= *longestForce, qPrintable(QString::number(lastForceSinceFault())));
         QCOMPARE(force(), 0.0);
     }
     setFault(0);
-    QTRY_VERIFY2_WITH_TIMEOUT(!state().contains(sentence), qPrintable(state()), kPatience);
+    QTRY_VERIFY2_WITH_TIMEOUT(!state().contains(sentence), qPrintable(state()), kTimeout);
     QCOMPARE(dismissMessages(), QString());  // which would take the keys and the pedal
     QCOMPARE(removed(), before);
-    QVERIFY(window_->bench().simulator() == session && window_->bench().newest().time > began);
-    QVERIFY(window_->bench().events().all().size() >= events);
+    QVERIFY(window_->model().simulator() == session && window_->model().newest().time > began);
+    QVERIFY(window_->model().events().all().size() >= events);
     lean();
 }
 

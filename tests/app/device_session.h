@@ -32,8 +32,8 @@ protected:
     [[nodiscard]] QString hint() const;
     /// What the messages in front say, which are closed.
     [[nodiscard]] QString dismissMessages() const;
-    [[nodiscard]] Vec3 toolTip() const { return window_->bench().newest().hand.position; }
-    [[nodiscard]] Vec3 mirrorMotion() const { return window_->bench().simulator()->mirrorMotion().position; }
+    [[nodiscard]] Vec3 toolTip() const { return window_->model().newest().hand.position; }
+    [[nodiscard]] Vec3 mirrorMotion() const { return window_->model().simulator()->mirrorMotion().position; }
     void chooseDevice(const char* list, const QString& name) const;
 
     /// Until what was set in the stand-in and in the window has arrived at the simulation and come back.
@@ -52,7 +52,7 @@ protected:
     void takeTheMirrorByButton(int button) const;
     /// Mid-press: the window says `sentence`, no force is made later than so many exchanges after the fault (none: it
     /// may be), all that was done is kept, and the same device goes on.
-    void sufferMidPress(int fault, const QString& sentence, std::optional<long> longestForce) const;
+    void breakMidPress(int fault, const QString& sentence, std::optional<long> longestForce) const;
 };
 
 }  // namespace tactooth::test

@@ -60,7 +60,7 @@ void HaplySessionTest::initTestCase() {
     settings.hand.device = "inverse3";  // as by --device inverse3
     window_->apply(settings);
     waitForTooth();
-    QTRY_VERIFY_WITH_TIMEOUT(window_->bench().device() != nullptr, 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().device() != nullptr, 20000);
 }
 
 void HaplySessionTest::theArmTakesTheTool() {
@@ -74,9 +74,9 @@ void HaplySessionTest::theArmTakesTheTool() {
 
 void HaplySessionTest::theGripTurnsTheBur() {
     liftOff();
-    const Vec3 shaft = window_->bench().newest().hand.rotation * Vec3::UnitZ();
+    const Vec3 shaft = window_->model().newest().hand.rotation * Vec3::UnitZ();
     const auto leansBy = [&](double cosine) {
-        const Vec3 now = window_->bench().newest().hand.rotation * Vec3::UnitZ();
+        const Vec3 now = window_->model().newest().hand.rotation * Vec3::UnitZ();
         return std::abs(now.dot(shaft) - cosine) < 1e-3;
     };
     const double half = 0.25;  // rad
@@ -122,11 +122,12 @@ void HaplySessionTest::eachFaultMidPressIsSaidAndKeepsTheSession_data() {
     QTest::newRow("two answers a message") << HaplyFault::Double << "sends more answers" << true;
     QTest::newRow("twenty answers a message") << HaplyFault::Twenty << "sends more answers" << true;
     QTest::newRow("20,000 answers a second") << HaplyFault::Flood << "sends more answers" << true;
-    QTest::newRow("four numbers that are no turn") << HaplyFault::BrokenTurn << "a direction that is none" << false;
+    QTest::newRow("four numbers that are no turn")
+        << HaplyFault::InvalidRotation << "a direction that is none" << false;
     QTest::newRow("turned to and fro") << HaplyFault::FlippingTurn << "direction has jumped" << false;
     QTest::newRow("jitter of 4.9 mm") << HaplyFault::Jitter << "place has jumped" << false;
     QTest::newRow("drift of 3 m/s") << HaplyFault::Drift << "place has jumped" << false;
-    QTest::newRow("place is no number") << HaplyFault::NoNumber << "does not know where it is" << false;
+    QTest::newRow("place is no number") << HaplyFault::NotANumber << "does not know where it is" << false;
     QTest::newRow("no power") << HaplyFault::NoPower << "plug in its power supply" << false;
     QTest::newRow("calibration lost") << HaplyFault::NotCalibrated << "is not calibrated" << false;
     QTest::newRow("not ready") << HaplyFault::NotReady << "is not ready" << false;
@@ -137,7 +138,7 @@ void HaplySessionTest::eachFaultMidPressIsSaidAndKeepsTheSession() {
     QFETCH(const QString, sentence);
     QFETCH(const bool, isLoss);
     // In messages, one a millisecond: the first is under way when the fault begins, then 5 ms, or 2.
-    sufferMidPress(static_cast<int>(fault), sentence, isLoss ? 6 : 3);
+    breakMidPress(static_cast<int>(fault), sentence, isLoss ? 6 : 3);
     QCOMPARE(service_.connections(), 1);
 }
 
@@ -167,11 +168,11 @@ void HaplySessionTest::aServiceThatCannotBeUsedLeavesTheMouseAndSaysWhatToDo() {
     QFETCH(const QString, device);
     QFETCH(const QString, sentence);
     service_.setFault(fault);
-    window_->steerBy(device);
+    window_->openFirstDevice(device);
     QString said;
     QTRY_VERIFY_WITH_TIMEOUT((said += dismissMessages()).contains(sentence), 20000);
     QCOMPARE(window_->findChild<QComboBox*>("devices")->currentData(), QVariant("mouse"));
-    QVERIFY(window_->bench().device() == nullptr);
+    QVERIFY(window_->model().device() == nullptr);
 }
 
 }  // namespace tactooth

@@ -50,8 +50,8 @@ private:
     [[nodiscard]] QPushButton* importButton() const {
         return dialog()->findChild<QDialogButtonBox*>("importButtons")->button(QDialogButtonBox::Ok);
     }
-    [[nodiscard]] QString remarks() const { return dialog()->findChild<QTextBrowser*>("remarks")->toPlainText(); }
-    void waitForRemarks(const QString& words);
+    [[nodiscard]] QString importNotes() const { return dialog()->findChild<QTextBrowser*>("remarks")->toPlainText(); }
+    void waitForImportNotes(const QString& words);
     void waitForToothNamed(const std::string& name);
 
     std::filesystem::path scan_;
@@ -70,13 +70,14 @@ void ImportWindowTest::drop(const std::vector<std::filesystem::path>& files) {
     QApplication::sendEvent(window_.get(), &drop);
 }
 
-void ImportWindowTest::waitForRemarks(const QString& words) {
-    QTRY_VERIFY_WITH_TIMEOUT(dialog() != nullptr && importButton()->isEnabled() && remarks().contains(words), 60000);
+void ImportWindowTest::waitForImportNotes(const QString& words) {
+    QTRY_VERIFY_WITH_TIMEOUT(dialog() != nullptr && importButton()->isEnabled() && importNotes().contains(words),
+                             60000);
 }
 
 void ImportWindowTest::waitForToothNamed(const std::string& name) {
     QTRY_VERIFY_WITH_TIMEOUT(
-        !window_->bench().isBusy() && window_->bench().simulator() != nullptr && window_->bench().tooth()->name == name,
+        !window_->model().isBusy() && window_->model().simulator() != nullptr && window_->model().tooth()->name == name,
         120000);
 }
 
@@ -94,22 +95,22 @@ void ImportWindowTest::initTestCase() {
 void ImportWindowTest::aDroppedSurfaceIsShownBeforeItIsTaken() {
     drop({scan_});
     QVERIFY(dialog() != nullptr);
-    waitForRemarks("Units taken as cm");
-    QVERIFY2(remarks().contains("to stand crown up"), qPrintable(remarks()));
-    QVERIFY2(remarks().contains("closed and sound as it came"), qPrintable(remarks()));
-    QVERIFY(window_->bench().tooth() == std::nullopt || window_->bench().tooth()->name != "molar.stl");
+    waitForImportNotes("Units taken as cm");
+    QVERIFY2(importNotes().contains("to stand crown up"), qPrintable(importNotes()));
+    QVERIFY2(importNotes().contains("closed and sound as it came"), qPrintable(importNotes()));
+    QVERIFY(window_->model().tooth() == std::nullopt || window_->model().tooth()->name != "molar.stl");
 }
 
 void ImportWindowTest::aChoiceIsFollowed() {
     dialog()->findChild<QCheckBox*>("upsideDown")->click();
-    waitForRemarks("Turned upside down, as chosen.");
+    waitForImportNotes("Turned upside down, as chosen.");
     dialog()->findChild<QCheckBox*>("upsideDown")->click();
-    QTRY_VERIFY_WITH_TIMEOUT(importButton()->isEnabled() && !remarks().contains("upside down"), 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(importButton()->isEnabled() && !importNotes().contains("upside down"), 60000);
     auto* units = dialog()->findChild<QComboBox*>("units");
     units->setCurrentIndex(units->findText("inch"));
-    waitForRemarks("Scaled by 25.40000, as chosen");
+    waitForImportNotes("Scaled by 25.40000, as chosen");
     units->setCurrentIndex(0);
-    waitForRemarks("Units taken as cm");
+    waitForImportNotes("Units taken as cm");
 }
 
 void ImportWindowTest::theWindowStaysAliveWhileTheLayersAreMade() {
@@ -135,7 +136,7 @@ void ImportWindowTest::theWindowStaysAliveWhileTheLayersAreMade() {
     QVERIFY(turns > 1 || passed.elapsed() < kTooQuickToTell);  // one, if the work held it up
     QVERIFY(part > 0.05 || passed.elapsed() < kTooQuickToTell);
     waitForToothNamed("molar.stl");
-    const BenchTooth& tooth = *window_->bench().tooth();
+    const SessionTooth& tooth = *window_->model().tooth();
     QVERIFY(tooth.box().sizes().z() > 15 && tooth.box().sizes().z() < 30);
     QCOMPARE(tooth.piece->tooth().layers().size(), std::size_t{3});
     const auto kept = openCase(folder_ / "molar.ttcase");
@@ -144,15 +145,15 @@ void ImportWindowTest::theWindowStaysAliveWhileTheLayersAreMade() {
 }
 
 void ImportWindowTest::theImportCanBeCancelled() {
-    window_->bringBuiltinTooth(kBuiltinTeeth.front());
+    window_->loadBuiltinTooth(kBuiltinTeeth.front());
     waitForToothNamed(kBuiltinTeeth.front().name);
     drop({scan_});
-    waitForRemarks("Units taken as cm");
+    waitForImportNotes("Units taken as cm");
     importButton()->click();
     dialog()->findChild<QDialogButtonBox*>("importButtons")->button(QDialogButtonBox::Cancel)->click();
     QTRY_VERIFY_WITH_TIMEOUT(dialog() == nullptr, 10000);
     QTest::qWait(1500);
-    QCOMPARE(window_->bench().tooth()->name, std::string(kBuiltinTeeth.front().name));
+    QCOMPARE(window_->model().tooth()->name, std::string(kBuiltinTeeth.front().name));
     QVERIFY(window_->findChild<QMessageBox*>() == nullptr);
 }
 
@@ -184,10 +185,10 @@ void ImportWindowTest::aWideHoleIsFilledWhenChosen() {
     const auto file = folder_ / "open.stl";
     QVERIFY(writeStl(open, file).has_value());
     drop({file});
-    QTRY_VERIFY_WITH_TIMEOUT(dialog() != nullptr && remarks().contains("too wide to be filled unasked"), 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(dialog() != nullptr && importNotes().contains("too wide to be filled unasked"), 30000);
     QVERIFY(!importButton()->isEnabled());
     dialog()->findChild<QComboBox*>("holes")->setCurrentIndex(1);
-    waitForRemarks("1 holes were filled");
+    waitForImportNotes("1 holes were filled");
     dialog()->reject();
     QTRY_VERIFY(dialog() == nullptr);
 }

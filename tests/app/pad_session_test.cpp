@@ -14,9 +14,9 @@
 #include <functional>
 #include <numbers>
 
-#include "app/gui/panels/elided_label.h"
-#include "app/gui/dialogs/sheet_dialog.h"
+#include "app/gui/dialogs/text_dialog.h"
 #include "app/gui/dialogs/welcome_dialog.h"
+#include "app/gui/panels/elided_label.h"
 #include "app/gui/window/window_setup.h"
 #include "app/window_session.h"
 #include "devices/virtual_pad.h"
@@ -55,8 +55,8 @@ private:
     void choose(const QAction* entry);
     [[nodiscard]] static QMenu* menu() { return qobject_cast<QMenu*>(QApplication::activePopupWidget()); }
     [[nodiscard]] QAction* entry(const QString& text) const;
-    [[nodiscard]] Pose tool() const { return window_->bench().newest().hand; }
-    [[nodiscard]] bool isCutting() const { return window_->bench().newest().cutting; }
+    [[nodiscard]] Pose tool() const { return window_->model().newest().hand; }
+    [[nodiscard]] bool isCutting() const { return window_->model().newest().cutting; }
     [[nodiscard]] QString hint() const { return window_->findChild<ElidedLabel*>("hint")->text(); }
 
     std::unique_ptr<test::VirtualPad> pad_;
@@ -96,7 +96,7 @@ void PadSessionTest::liftOff() {
     stick(SDL_CONTROLLER_AXIS_TRIGGERRIGHT, -1);
     stick(SDL_CONTROLLER_AXIS_LEFTX, 0);
     hold(SDL_CONTROLLER_BUTTON_LEFTSHOULDER, 300);
-    QTRY_COMPARE_WITH_TIMEOUT(window_->bench().newest().contacts, 0U, 10000);
+    QTRY_COMPARE_WITH_TIMEOUT(window_->model().newest().contacts, 0U, 10000);
 }
 
 QAction* PadSessionTest::entry(const QString& text) const {
@@ -137,7 +137,7 @@ void PadSessionTest::initTestCase() {
     settings.hand.device = "gamepad";
     window_->apply(settings);
     window_->welcome();
-    QTRY_VERIFY_WITH_TIMEOUT(window_->bench().device() != nullptr, 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().device() != nullptr, 20000);
     waitForTooth();
     QApplication::setActiveWindow(window_->findChild<WelcomeDialog*>());  // a bare X server has nobody who would do it
 }
@@ -161,7 +161,7 @@ void PadSessionTest::theWelcomeIsAnsweredByThePad() {
 
 void PadSessionTest::theToothIsTouchedWithinHalfAMinute() {
     stick(SDL_CONTROLLER_AXIS_TRIGGERLEFT, 0.2);
-    QTRY_VERIFY_WITH_TIMEOUT(window_->bench().newest().contacts > 0, 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().newest().contacts > 0, 20000);
     QVERIFY2(sinceOpened_.elapsed() < 30000, qPrintable(QString::number(sinceOpened_.elapsed())));
     QCOMPARE(removed(), 0.0);
     liftOff();
@@ -171,7 +171,7 @@ void PadSessionTest::theToothIsCut() {
     press(SDL_CONTROLLER_BUTTON_A);
     QTRY_VERIFY_WITH_TIMEOUT(isCutting(), 5000);
     stick(SDL_CONTROLLER_AXIS_TRIGGERRIGHT, 1);
-    QTRY_VERIFY_WITH_TIMEOUT(window_->bench().newest().speedRpm > 200'000, 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().newest().speedRpm > 200'000, 10000);
     stick(SDL_CONTROLLER_AXIS_TRIGGERLEFT, 0.3);
     QElapsedTimer since;
     since.start();
@@ -193,7 +193,7 @@ void PadSessionTest::theMenuTakesTheCutBack() {
 
 void PadSessionTest::aMenuShowsTheToothFromAbove() {
     choose(entry("Occlusal"));
-    QTRY_VERIFY(std::abs(view().eye().direction().elevation - std::numbers::pi / 2) < 1e-6);
+    QTRY_VERIFY(std::abs(view().orbitCamera().direction().elevation - std::numbers::pi / 2) < 1e-6);
 }
 
 void PadSessionTest::whileAMenuIsOpenTheToolStaysAndNothingToggles() {
@@ -203,7 +203,7 @@ void PadSessionTest::whileAMenuIsOpenTheToolStaysAndNothingToggles() {
     QTest::qWait(200);
     const Pose before = tool();
     const bool cutting = isCutting();
-    const OrbitCamera::Direction eye = view().eye().direction();
+    const OrbitCamera::Direction eye = view().orbitCamera().direction();
     stick(SDL_CONTROLLER_AXIS_LEFTX, 1);
     stick(SDL_CONTROLLER_AXIS_RIGHTY, 1);
     press(SDL_CONTROLLER_BUTTON_DPAD_RIGHT, 2);
@@ -219,7 +219,7 @@ void PadSessionTest::whileAMenuIsOpenTheToolStaysAndNothingToggles() {
     QVERIFY2(moved() < 0.01, qPrintable(QString("%1 mm after it").arg(moved())));
     QVERIFY(tool().rotation.angularDistance(before.rotation) < 0.01);
     QCOMPARE(isCutting(), cutting);
-    QCOMPARE(view().eye().direction().azimuth, eye.azimuth);
+    QCOMPARE(view().orbitCamera().direction().azimuth, eye.azimuth);
     // The pad is at work again, and it is still the turbine that it moves.
     stick(SDL_CONTROLLER_AXIS_LEFTX, 1);
     QTRY_VERIFY(moved() > 1);
@@ -272,22 +272,25 @@ void PadSessionTest::anArrowThatIsHeldGoesOn() {
 }
 
 void PadSessionTest::thePadTurnsShiftsAndEnlargesThePicture() {
-    view().lookAsUsual();
-    const OrbitCamera before = view().eye();
+    view().resetView();
+    const OrbitCamera before = view().orbitCamera();
     const Pose held = tool();
     holdUntil(SDL_CONTROLLER_BUTTON_DPAD_RIGHT,
-              [&] { return before.direction().azimuth - view().eye().direction().azimuth > 0.2; });
+              [&] { return before.direction().azimuth - view().orbitCamera().direction().azimuth > 0.2; });
     pad_->button(SDL_CONTROLLER_BUTTON_RIGHTSHOULDER, true);
     QTest::qWait(100);
-    holdUntil(SDL_CONTROLLER_BUTTON_DPAD_UP, [&] { return (view().eye().target() - before.target()).norm() > 0.5; });
+    holdUntil(SDL_CONTROLLER_BUTTON_DPAD_UP,
+              [&] { return (view().orbitCamera().target() - before.target()).norm() > 0.5; });
     pad_->button(SDL_CONTROLLER_BUTTON_RIGHTSHOULDER, false);
-    holdUntil(SDL_CONTROLLER_BUTTON_RIGHTSTICK, [&] { return view().eye().distance() < 0.8 * before.distance(); });
-    holdUntil(SDL_CONTROLLER_BUTTON_LEFTSTICK, [&] { return view().eye().distance() > 0.95 * before.distance(); });
+    holdUntil(SDL_CONTROLLER_BUTTON_RIGHTSTICK,
+              [&] { return view().orbitCamera().distance() < 0.8 * before.distance(); });
+    holdUntil(SDL_CONTROLLER_BUTTON_LEFTSTICK,
+              [&] { return view().orbitCamera().distance() > 0.95 * before.distance(); });
     QVERIFY((tool().position - held.position).norm() < 0.01);
 }
 
 void PadSessionTest::anotherBurIsTakenInTheDrillBar() {
-    const std::string before = window_->bench().bur()->name;
+    const std::string before = window_->model().bur()->name;
     press(SDL_CONTROLLER_BUTTON_BACK);
     QTRY_COMPARE(window_->focusWidget()->objectName(), QString("burs"));
     press(SDL_CONTROLLER_BUTTON_A);
@@ -295,32 +298,32 @@ void PadSessionTest::anotherBurIsTakenInTheDrillBar() {
     press(SDL_CONTROLLER_BUTTON_DPAD_DOWN);
     press(SDL_CONTROLLER_BUTTON_A);
     QTRY_VERIFY(QApplication::activePopupWidget() == nullptr);
-    QTRY_VERIFY_WITH_TIMEOUT(!window_->bench().isBusy() && window_->bench().bur()->name != before, 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->model().isBusy() && window_->model().bur()->name != before, 20000);
 }
 
 void PadSessionTest::aParameterIsChangedInAPanel() {
-    const auto isFineness = [this] { return window_->focusWidget()->accessibleName().contains("ineness"); };
-    const double before = window_->bench().controls.fineness;
-    for (int i = 0; i < 20 && !isFineness(); ++i) {
+    const auto isMotionScaling = [this] { return window_->focusWidget()->accessibleName().contains("ineness"); };
+    const double before = window_->model().controls.motionScaling;
+    for (int i = 0; i < 20 && !isMotionScaling(); ++i) {
         press(SDL_CONTROLLER_BUTTON_RIGHTSHOULDER);
-        for (int k = 0; k < 8 && !isFineness(); ++k) press(SDL_CONTROLLER_BUTTON_DPAD_DOWN);
+        for (int k = 0; k < 8 && !isMotionScaling(); ++k) press(SDL_CONTROLLER_BUTTON_DPAD_DOWN);
     }
-    QVERIFY(isFineness());
+    QVERIFY(isMotionScaling());
     QVERIFY(!window_->focusWidget()->visibleRegion().isEmpty());  // it was behind another panel
     press(SDL_CONTROLLER_BUTTON_DPAD_RIGHT, 3);
-    QTRY_VERIFY(window_->bench().controls.fineness > before);
+    QTRY_VERIFY(window_->model().controls.motionScaling > before);
     press(SDL_CONTROLLER_BUTTON_DPAD_LEFT, 3);
-    QTRY_VERIFY(std::abs(window_->bench().controls.fineness - before) < 1e-9);
+    QTRY_VERIFY(std::abs(window_->model().controls.motionScaling - before) < 1e-9);
     press(SDL_CONTROLLER_BUTTON_B);
     QTRY_COMPARE(window_->focusWidget(), &view());
 }
 
 void PadSessionTest::aDialogIsReadAndLeft() {
     choose(entry("&Mouse and keys"));
-    QTRY_VERIFY(window_->findChild<SheetDialog*>() != nullptr);
-    QVERIFY(window_->findChild<SheetDialog*>()->text().contains("Gamepad: Start, Back"));
+    QTRY_VERIFY(window_->findChild<TextDialog*>() != nullptr);
+    QVERIFY(window_->findChild<TextDialog*>()->text().contains("Gamepad: Start, Back"));
     press(SDL_CONTROLLER_BUTTON_B);
-    QTRY_VERIFY(window_->findChild<SheetDialog*>() == nullptr);
+    QTRY_VERIFY(window_->findChild<TextDialog*>() == nullptr);
 }
 
 void PadSessionTest::aFileIsAskedForByADialogThatThePadReaches() {
@@ -332,12 +335,12 @@ void PadSessionTest::aFileIsAskedForByADialogThatThePadReaches() {
 }
 
 void PadSessionTest::withTheMouseThePadOpensNothing() {
-    window_->steerBy("mouse");
-    QTRY_VERIFY(window_->bench().device() == nullptr);
+    window_->openFirstDevice("mouse");
+    QTRY_VERIFY(window_->model().device() == nullptr);
     press(SDL_CONTROLLER_BUTTON_START);
     QTest::qWait(200);
     QVERIFY(menu() == nullptr);
-    QVERIFY(!window_->bench().controls.clutch);
+    QVERIFY(!window_->model().controls.clutch);
 }
 
 void PadSessionTest::cleanupTestCase() {

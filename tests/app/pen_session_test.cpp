@@ -56,14 +56,14 @@ private:
     [[nodiscard]] long lastForceSinceFault() const override { return standin_->lastForceSinceFault(); }
 
     [[nodiscard]] QCheckBox& fit() const { return *window_->findChild<QCheckBox*>("fitFineness"); }
-    [[nodiscard]] QDoubleSpinBox& fineness() const;
+    [[nodiscard]] QDoubleSpinBox& motionScaling() const;
 
     const test::HdStandinControl* standin_ = nullptr;
 };
 
 namespace {
 
-constexpr double kMostForce = 3.3;  // N, of the stand-in
+constexpr double kMaxForce = 3.3;  // N, of the stand-in
 
 const test::HdStandinControl* standin() {
     return static_cast<const test::HdStandinControl*>(
@@ -80,7 +80,7 @@ void PenSessionTest::initTestCase() {
     QVERIFY(state().contains("mouse"));
 }
 
-QDoubleSpinBox& PenSessionTest::fineness() const {
+QDoubleSpinBox& PenSessionTest::motionScaling() const {
     for (QDoubleSpinBox* box : window_->findChildren<QDoubleSpinBox*>()) {
         if (box->accessibleName() == "Fineness") return *box;
     }
@@ -92,11 +92,11 @@ void PenSessionTest::aMouseHasNoRoomThatFits() {
     QVERIFY(note->isHidden());
     fit().setChecked(true);
     QTRY_VERIFY(!note->isHidden() && note->text().contains("1 : 1"));
-    QVERIFY(!fineness().isEnabled());
+    QVERIFY(!motionScaling().isEnabled());
     fit().setChecked(false);
     QTRY_VERIFY(note->isHidden());
-    QVERIFY(fineness().isEnabled());
-    QCOMPARE(fineness().value(), 1.0);
+    QVERIFY(motionScaling().isEnabled());
+    QCOMPARE(motionScaling().value(), 1.0);
 }
 
 void PenSessionTest::eachHandMayChooseAPenByItsName() {
@@ -113,7 +113,7 @@ void PenSessionTest::eachHandMayChooseAPenByItsName() {
 void PenSessionTest::anUncalibratedPenAsksForItsInkwell() {
     standin_->setFault(static_cast<int>(HdFault::NeedsInkwell));
     chooseDevice("devices", "pen");
-    QTRY_VERIFY_WITH_TIMEOUT(window_->bench().device() != nullptr, 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().device() != nullptr, 20000);
     QTRY_VERIFY_WITH_TIMEOUT(state().contains("inkwell"), 20000);
     QCOMPARE(force(), 0.0);
     QTRY_VERIFY(hint().contains("inkwell"));
@@ -127,7 +127,7 @@ void PenSessionTest::anUncalibratedPenAsksForItsInkwell() {
 void PenSessionTest::itsBlueButtonCutsAndThePedalTurnsTheBur() {
     const char* const seconds = std::getenv("TACTOOTH_SESSION_SECONDS");
     cutByButtonAndPedal(1, seconds != nullptr ? std::atof(seconds) : 3);
-    QVERIFY(standin_->strongestForce() <= kMostForce);
+    QVERIFY(standin_->strongestForce() <= kMaxForce);
 }
 
 void PenSessionTest::theClutchHoldsTheBur() {
@@ -157,16 +157,16 @@ void PenSessionTest::fitToTheToothItIsFinerAndMovesNothing() {
     waitForHand();
     const Vec3 tool = toolTip();
     fit().setChecked(true);
-    QTRY_VERIFY_WITH_TIMEOUT(window_->bench().fineness() > 1.5, 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().motionScaling() > 1.5, 10000);
     waitUntilRead();
     QVERIFY((toolTip() - tool).norm() < 0.05);
-    QTRY_COMPARE(fineness().value(), window_->bench().fineness());
-    QVERIFY(!fineness().isEnabled());
+    QTRY_COMPARE(motionScaling().value(), window_->model().motionScaling());
+    QVERIFY(!motionScaling().isEnabled());
     QVERIFY(window_->findChild<QLabel*>("fitNote")->isHidden());
-    QCOMPARE(window_->settings().hand.fineness, kFit);
+    QCOMPARE(window_->settings().hand.motionScaling, kAutoScaling);
     moveHand(0, 10);
     waitForHand();
-    QVERIFY(std::abs((toolTip() - tool).z() - 6 / window_->bench().fineness()) < 0.05);
+    QVERIFY(std::abs((toolTip() - tool).z() - 6 / window_->model().motionScaling()) < 0.05);
 }
 
 /// Its room ends 80 mm to the right.
@@ -179,15 +179,15 @@ void PenSessionTest::atTheEndOfItsRoomTheClutchIsNamed() {
     QTRY_VERIFY2_WITH_TIMEOUT(!hint().contains(told), qPrintable(hint()), 10000);
     waitForHand();
     const Vec3 tool = toolTip();
-    const double fitted = fineness().value();
+    const double fitted = motionScaling().value();
     fit().setChecked(false);
     waitUntilRead();
     QVERIFY((toolTip() - tool).norm() < 0.05);
-    QCOMPARE(window_->settings().hand.fineness, fitted);
-    fineness().setValue(1);
+    QCOMPARE(window_->settings().hand.motionScaling, fitted);
+    motionScaling().setValue(1);
     waitUntilRead();
     QVERIFY((toolTip() - tool).norm() < 0.05);
-    QCOMPARE(window_->bench().fineness(), 1.0);
+    QCOMPARE(window_->model().motionScaling(), 1.0);
 }
 
 void PenSessionTest::theOtherPenHoldsTheMirror() {
@@ -195,7 +195,7 @@ void PenSessionTest::theOtherPenHoldsTheMirror() {
     const double before = removed();
     chooseDevice("secondDevices", "pen:Left");
     QTRY_COMPARE_WITH_TIMEOUT(standin_->startedPens(), 2, 10000);
-    QTRY_VERIFY_WITH_TIMEOUT(window_->bench().simulator() != nullptr, 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().simulator() != nullptr, 10000);
     const auto* second = window_->findChild<QLabel*>("secondDeviceState");
     QTRY_COMPARE(second->text(), QString("Touch (stand-in) 'Left': ready"));
     QVERIFY(!second->isHidden());
@@ -205,7 +205,7 @@ void PenSessionTest::theOtherPenHoldsTheMirror() {
     liftOff();
     chooseDevice("secondDevices", "none");
     QTRY_COMPARE_WITH_TIMEOUT(standin_->startedPens(), 1, 10000);
-    QTRY_VERIFY_WITH_TIMEOUT(window_->bench().simulator() != nullptr, 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().simulator() != nullptr, 10000);
 }
 
 void PenSessionTest::eachFaultMidPressIsSaidAndKeepsTheSession_data() {
@@ -228,7 +228,7 @@ void PenSessionTest::eachFaultMidPressIsSaidAndKeepsTheSession() {
     QFETCH(const QString, sentence);
     QFETCH(const bool, isLimp);
     // 2 ms after the first bad reading, of the driver's own time.
-    sufferMidPress(static_cast<int>(fault), sentence, isLimp ? std::optional(3L) : std::nullopt);
+    breakMidPress(static_cast<int>(fault), sentence, isLimp ? std::optional(3L) : std::nullopt);
 }
 
 void PenSessionTest::backToTheMouseThePenIsClosedAndLimp() {
@@ -242,13 +242,13 @@ void PenSessionTest::backToTheMouseThePenIsClosedAndLimp() {
 
 void PenSessionTest::aPenThatIsNotThereLeavesTheMouseAndSaysWhatToDo() {
     const auto* devices = window_->findChild<QComboBox*>("devices");
-    window_->steerBy("pen:Third");
+    window_->openFirstDevice("pen:Third");
     QCOMPARE(devices->currentText(), QString("Haptic pen Third"));
     QString said;
     QTRY_VERIFY_WITH_TIMEOUT((said += dismissMessages()).contains("one that is set up (Default Device, Left, Right)"),
                              20000);
     QCOMPARE(devices->currentIndex(), 0);
-    QVERIFY(window_->bench().device() == nullptr);
+    QVERIFY(window_->model().device() == nullptr);
 }
 
 void PenSessionTest::aDeviceThatFailsAtTheStartIsTriedAgainNextTime() {

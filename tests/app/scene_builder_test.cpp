@@ -4,14 +4,14 @@
 
 #include <gtest/gtest.h>
 
-#include "app/common/spray_look.h"
+#include "app/common/spray_particles.h"
 #include "geometry/util/pose.h"
 #include "support/shapes.h"
 
 namespace tactooth {
 namespace {
 
-SceneContents benchWithEverything() {
+SceneContents modelWithEverything() {
     SceneContents contents;
     auto surface = std::make_shared<Surface>();
     surface->base = std::make_shared<const SurfacePart>(test::box(Vec3(-5, -5, -10), Vec3(5, 5, 7)));
@@ -28,7 +28,7 @@ SceneContents benchWithEverything() {
 }
 
 TEST(SceneBuilder, ShowsToothBurTurbineAndMirror) {
-    const Scene scene = makeScene(benchWithEverything());
+    const Scene scene = makeScene(modelWithEverything());
     ASSERT_EQ(scene.objects.size(), 4U);
     EXPECT_EQ(scene.objects[1].spin, 0.5);
     EXPECT_EQ(scene.objects[1].objectInWorld.position, Vec3(1, 2, 3));
@@ -39,7 +39,7 @@ TEST(SceneBuilder, ShowsToothBurTurbineAndMirror) {
 }
 
 TEST(SceneBuilder, AStillBurShowsItsBladesAndAFastOneTheBodyTheySweep) {
-    SceneContents contents = benchWithEverything();
+    SceneContents contents = modelWithEverything();
     contents.tool->blurred = std::make_shared<const TriangleMesh>(test::sphere(Vec3::Zero(), 1.1, 8, 8));
     EXPECT_EQ(makeScene(contents).objects.size(), 4U);
     contents.tool->speedRpm = 60;
@@ -56,7 +56,7 @@ TEST(SceneBuilder, AStillBurShowsItsBladesAndAFastOneTheBodyTheySweep) {
 }
 
 TEST(SceneBuilder, ManyBladesRunIntoEachOtherSoonerThanFewAndGrainsSoonerStill) {
-    SceneContents contents = benchWithEverything();
+    SceneContents contents = modelWithEverything();
     contents.tool->blurred = std::make_shared<const TriangleMesh>(test::sphere(Vec3::Zero(), 1.1, 8, 8));
     contents.tool->speedRpm = 20;
     const auto cover = [&](const BurEdge& edge) {
@@ -83,16 +83,16 @@ TEST(SceneBuilder, TheSuctionTubeOpensBesideTheCrownAndLeavesDistally) {
 TEST(SceneBuilder, WaterAndChipsHaveTheirColours) {
     MaterialTable materials;
     materials[MaterialId::Dentin].colour = {0.5F, 0.25F, 0.1F};
-    FlyingBit chip, drop;
-    chip.kind = FlyingKind::Chip;
+    SprayParticle chip, drop;
+    chip.kind = SprayParticleKind::Chip;
     chip.material = MaterialId::Dentin;
     chip.lifetime = drop.lifetime = 1;
     chip.radius = drop.radius = 0.1F;
     drop.place = Vec3f(1, 2, 3);
-    FlyingBit wet = chip, old = drop;
+    SprayParticle wet = chip, old = drop;
     wet.wetness = 1;
     old.age = 0.9F;
-    const FlyingBit all[] = {chip, wet, drop, old};
+    const SprayParticle all[] = {chip, wet, drop, old};
     const std::vector<Particle> seen = particlesOf(all, materials);
     ASSERT_EQ(seen.size(), 4U);
     EXPECT_TRUE(seen[0].colour.isApprox(Vec3f(0.8F, 0.7F, 0.64F), 1e-6F)) << "paler than the solid, of the same hue";
@@ -109,9 +109,9 @@ TEST(SceneBuilder, WhatIsNotThereIsNotDrawn) {
 }
 
 TEST(SceneBuilder, EachMaterialIsDrawnInTheColourOfItsTable) {
-    SceneContents contents = benchWithEverything();
+    SceneContents contents = modelWithEverything();
     contents.materials[MaterialId::Pulp].colour = {0.25F, 0.5F, 0.75F};
-    const std::vector<Look> drawn = makeScene(contents).objects[0].looks;
+    const std::vector<Appearance> drawn = makeScene(contents).objects[0].looks;
     ASSERT_EQ(drawn.size(), kMaterialCount);
     EXPECT_EQ(drawn[static_cast<std::size_t>(MaterialId::Pulp)].colour, Vec3f(0.25F, 0.5F, 0.75F));
 }
@@ -122,7 +122,7 @@ TEST(SceneBuilder, WhatStandsAroundIsDrawnButTheOtherJawOnlyWhereItHidesNothing)
     contents.around = {{ball, {}, looks::enamel(), false}, {ball, {Vec3(0, 0, 20), Quat::Identity()}, {}, true}};
     contents.camera.cameraInWorld = {Vec3(0, 0, 90), Quat::Identity()};  // from above
     EXPECT_EQ(makeScene(contents).objects.size(), 1U);
-    contents.camera.cameraInWorld.rotation = shortestTurn(Vec3::UnitZ(), Vec3::UnitY());
+    contents.camera.cameraInWorld.rotation = shortestRotation(Vec3::UnitZ(), Vec3::UnitY());
     const Scene scene = makeScene(contents);
     ASSERT_EQ(scene.objects.size(), 2U);
     EXPECT_EQ(scene.objects[1].objectInWorld.position, Vec3(0, 0, 20));

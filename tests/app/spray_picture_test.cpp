@@ -5,13 +5,13 @@
 
 #include "app/common/scene_builder.h"
 #include "app/common/spin_blur.h"
-#include "app/common/spray_look.h"
+#include "app/common/spray_particles.h"
 #include "image/molar_fixture.h"
 #include "instruments/bur_shape.h"
 #include "instruments/suction_tube.h"
 #include "instruments/turbine.h"
+#include "session/simulation/cut_model.h"
 #include "session/simulation/tooth_source.h"
-#include "session/simulation/work_piece.h"
 
 namespace tactooth {
 namespace {
@@ -35,7 +35,7 @@ protected:
     }
 
     /// Where the bur bites when it comes down from `above`.
-    static Vec3 letDown(WorkPiece& piece, Vec3 above, const Quat& grip) {
+    static Vec3 letDown(CutModel& piece, Vec3 above, const Quat& grip) {
         constexpr double kStep = 0.05;  // mm
         while (total(piece.removed()) == 0 && above.z() > 0) {
             const Pose before{above, grip};
@@ -47,16 +47,16 @@ protected:
 
     /// The scene after half a second of cutting.
     static Scene atWork(double water, bool suction) {
-        WorkPiece piece(tooth_, 0.1);
+        CutModel piece(tooth_, 0.1);
         const Box3 box = tooth_->outer()->tree().box();
         const Quat grip = uprightGrip(mesialX_, 0.2);
         const Vec3 start = letDown(piece, Vec3(box.center().x() + 1, box.center().y(), box.max().z()), grip);
-        SprayCloud spray(tool_->envelope.maxRadius(), parkedSuction(box, mesialX_).position);
-        SprayMoment now{.toolInTooth = {start, grip},
-                        .normal = Vec3::UnitZ(),
-                        .speedRpm = 300000,
-                        .water = water,
-                        .suction = suction};
+        SprayParticleSystem spray(tool_->envelope.maxRadius(), parkedSuction(box, mesialX_).position);
+        SprayInput now{.toolInTooth = {start, grip},
+                       .normal = Vec3::UnitZ(),
+                       .speedRpm = 300000,
+                       .water = water,
+                       .suction = suction};
         for (int i = 0; i < 30; ++i) {
             const Pose before = now.toolInTooth;
             now.toolInTooth.position -= Vec3(0, 0, 0.02);
@@ -71,14 +71,14 @@ protected:
                                   .turbine = turbine_,
                                   .toolInTooth = now.toolInTooth,
                                   .speedRpm = now.speedRpm,
-                                  .blurred = std::make_shared<const TriangleMesh>(spinningShape(tool_->envelope))};
+                                  .blurred = std::make_shared<const TriangleMesh>(spinEnvelopeMesh(tool_->envelope))};
         if (suction) {
             contents.suction =
                 ShownSuction{std::make_shared<const TriangleMesh>(makeSuctionTube()), parkedSuction(box, mesialX_)};
         }
-        contents.flying = particlesOf(spray.bits(), contents.materials);
+        contents.flying = particlesOf(spray.particles(), contents.materials);
         OrbitCamera camera;
-        camera.look(mesialX_ < 0 ? mirroredInX({1.9, 0.6}) : OrbitCamera::Direction{1.9, 0.6});
+        camera.setView(mesialX_ < 0 ? mirroredInX({1.9, 0.6}) : OrbitCamera::Direction{1.9, 0.6});
         const Vec3 middle = start + Vec3(0, 0, 2);
         camera.fit(Box3(middle.array() - 5, middle.array() + 5), test::kTestSize.aspect());
         contents.camera = camera.camera();

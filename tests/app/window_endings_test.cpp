@@ -16,7 +16,7 @@
 #include <thread>
 #include <utility>
 
-#include "app/gui/settings/settings_keeper.h"
+#include "app/gui/settings/settings_autosave.h"
 #include "cli/run_program.h"
 #include "support/test_data.h"
 
@@ -61,7 +61,7 @@ TEST_P(WindowEndings, ASignalClosesTheWindowAsByHand) {
     const auto kept = readWindowSettings(settings);
     ASSERT_TRUE(kept) << kept.error().message;
     EXPECT_TRUE(kept->refused.empty()) << "it was written anew";
-    EXPECT_EQ(kept->hand.fineness, 2);
+    EXPECT_EQ(kept->hand.motionScaling, 2);
 }
 INSTANTIATE_TEST_SUITE_P(All, WindowEndings, ::testing::Values(SIGTERM, SIGINT, SIGHUP),
                          [](const auto& each) { return std::string(sigabbrev_np(each.param)); });
@@ -147,7 +147,7 @@ bool passUntil(const Condition& condition, qint64 milliseconds) {
     return condition();
 }
 
-TEST(SettingsKeeper, WritesSoonAfterAChangeAndNotWithoutOne) {
+TEST(SettingsAutosave, WritesSoonAfterAChangeAndNotWithoutOne) {
     int argc = 1;
     char name[] = "tests";
     char* argv[] = {name, nullptr};
@@ -155,7 +155,7 @@ TEST(SettingsKeeper, WritesSoonAfterAChangeAndNotWithoutOne) {
     const TemporaryFolder home;
     const fs::path file = home / "tactooth/window.toml";
     WindowSettings settings;
-    SettingsKeeper keeper([&] { return settings; }, file);
+    SettingsAutosave autosave([&] { return settings; }, file);
     EXPECT_FALSE(passUntil([&] { return fs::exists(file); }, 3500)) << "nothing has changed";
     for (const double rate : {2000.0, 1500.0, 3000.0}) {
         settings.hand.rate = rate;

@@ -13,7 +13,7 @@
 #include <QToolButton>
 #include <fstream>
 
-#include "app/gui/window/window_holder.h"
+#include "app/gui/window/window_owner.h"
 #include "app/gui/window/window_setup.h"
 #include "app/window_session.h"
 #include "geometry/io/stl_writer.h"
@@ -60,13 +60,13 @@ void WindowExerciseTest::anExerciseCountsWhatIsCutOfItAndBeside() {
     QVERIFY(task->text().contains("1.5 mm deep"));
     QTRY_VERIFY_WITH_TIMEOUT(ghost->isChecked(), 60000);
     QVERIFY(window_->windowTitle().contains("Pit in the molar"));
-    QCOMPARE(QString::fromStdString(window_->bench().bur()->name),
+    QCOMPARE(QString::fromStdString(window_->model().bur()->name),
              window_->findChild<QComboBox*>("burs")->currentText());
     QTRY_VERIFY(cleared->isEnabled());
     QCOMPARE(cleared->value(), 0);
     QCOMPARE(fact("Time"), "0:00");
 
-    window_->bench().hand().setPressDepth(2);
+    window_->model().manipulator().setPressDepth(2);
     key(Qt::Key_C);
     QTest::keyPress(&view(), Qt::Key_Space);
     QTRY_VERIFY_WITH_TIMEOUT(gauge("speedGauge") > 300, 20000);
@@ -92,7 +92,7 @@ void WindowExerciseTest::anExerciseCountsWhatIsCutOfItAndBeside() {
     QTest::keyClick(choice, Qt::Key_Up);
     QTRY_VERIFY(!cleared->isEnabled());
     QVERIFY(!ghost->isEnabled());
-    bringMolar();
+    loadMolar();
 }
 
 void WindowExerciseTest::anExerciseOfOnesOwnIsOpenedFromTheMenu() {
@@ -112,7 +112,7 @@ void WindowExerciseTest::anExerciseOfOnesOwnIsOpenedFromTheMenu() {
     QCOMPARE(choice->count(), before + 1);
     QCOMPARE(choice->currentText(), "Distal pit");
     QCOMPARE(window_->findChild<QLabel*>("task")->text(), "Deep down.");
-    QTRY_VERIFY(QString::fromStdString(window_->bench().bur()->name).contains("245"));
+    QTRY_VERIFY(QString::fromStdString(window_->model().bur()->name).contains("245"));
     QVERIFY(window_->settings().recent.find("own.toml") != std::string::npos);
 
     // The teacher goes on writing: the same file has one entry in the list.
@@ -123,7 +123,7 @@ void WindowExerciseTest::anExerciseOfOnesOwnIsOpenedFromTheMenu() {
     QTRY_VERIFY_WITH_TIMEOUT(window_->windowTitle().contains("deeper"), 60000);
     QCOMPARE(choice->count(), before + 1);
     QCOMPARE(choice->currentText(), "Distal pit, deeper");
-    bringMolar();
+    loadMolar();
     QTRY_COMPARE(choice->currentIndex(), 0);
 }
 
@@ -144,12 +144,12 @@ void WindowExerciseTest::anExerciseThatCannotBeUsedIsRefusedAndTheToothStays() {
 }
 
 void WindowExerciseTest::anotherLanguageKeepsTargetExerciseAndLook() {
-    WindowHolder holder(*qApp, *sound_);
+    WindowOwner holder(*qApp, *sound_);
     MainWindow* window = &holder.open(window_->settings());
-    window->bringBuiltinTooth(kBuiltinTeeth.front());
+    window->loadBuiltinTooth(kBuiltinTeeth.front());
     window->show();
-    QTRY_VERIFY_WITH_TIMEOUT(!window->bench().isBusy() && window->bench().simulator() != nullptr, 60000);
-    const Box3 box = window->bench().tooth()->box();
+    QTRY_VERIFY_WITH_TIMEOUT(!window->model().isBusy() && window->model().simulator() != nullptr, 60000);
+    const Box3 box = window->model().tooth()->box();
     const auto file = folder_ / "kept.stl";
     QVERIFY(writeStl(test::sphere(Vec3(0, 0, box.max().z() - 3), 2, 40, 30), file).has_value());
     window->openTarget(QString::fromStdString(file.string()));
@@ -158,7 +158,7 @@ void WindowExerciseTest::anotherLanguageKeepsTargetExerciseAndLook() {
     find("ghost")->click();
     window->findChild<QComboBox*>("section")->setCurrentIndex(2);
     auto* view = window->findChild<ToothView*>("toothView");
-    view->look(StandardView::Lingual);
+    view->setView(StandardView::Lingual);
     const Vec3 eye = view->camera().cameraInWorld.position;
     const auto choose = [&](int language) {
         holder.window().findChild<QMenu*>("language")->actions()[language]->trigger();
@@ -172,7 +172,7 @@ void WindowExerciseTest::anotherLanguageKeepsTargetExerciseAndLook() {
     const auto* now = holder.window().findChild<ToothView*>("toothView");
     QVERIFY((now->camera().cameraInWorld.position - eye).norm() < 1e-9);
 
-    holder.window().practise(exercises()[0]);
+    holder.window().startExercise(exercises()[0]);
     QTRY_VERIFY_WITH_TIMEOUT(holder.window().windowTitle().startsWith(QStringLiteral("臼歯")), 60000);
     QTRY_VERIFY_WITH_TIMEOUT(find("ghost")->isChecked(), 60000);
     choose(1);

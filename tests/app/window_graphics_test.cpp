@@ -97,7 +97,7 @@ void WindowGraphicsTest::whatTheDesktopWantsAgainIsNotDrawnAnew() {
         QTest::qWait(50);
     }
     QCOMPARE(view().pictures(), drawn);
-    view().look(StandardView::Distal);
+    view().setView(StandardView::Distal);
     QTRY_VERIFY(view().pictures() > drawn);
 }
 

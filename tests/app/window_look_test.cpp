@@ -17,11 +17,11 @@
 #include <QTranslator>
 #include <fstream>
 
-#include "app/gui/panels/elided_label.h"
 #include "app/gui/dialogs/guided_tour.h"
-#include "app/gui/panels/timing_panel.h"
 #include "app/gui/dialogs/welcome_dialog.h"
-#include "app/gui/window/window_holder.h"
+#include "app/gui/panels/elided_label.h"
+#include "app/gui/panels/timing_panel.h"
+#include "app/gui/window/window_owner.h"
 #include "app/gui/window/window_setup.h"
 #include "app/slow_device.h"
 #include "app/window_session.h"
@@ -90,7 +90,7 @@ void WindowLookTest::synthesisedSoundsWinOverARecordingThatIsStillRead() {
 }
 
 void WindowLookTest::theInsideOfTheToothIsShown() {
-    bringMolar();
+    loadMolar();
     const QImage whole = view().grabFramebuffer();
     auto* section = window_->findChild<QComboBox*>("section");
     section->setFocus();
@@ -113,7 +113,7 @@ void WindowLookTest::theInsideOfTheToothIsShown() {
 }
 
 void WindowLookTest::aSecondViewShowsAnotherSideAndAClickGoesThere() {
-    bringMolar();
+    loadMolar();
     view().setFocus();
     auto* frame = window_->findChild<QAbstractButton*>("secondViewFrame");
     QVERIFY(!frame->isVisible());
@@ -136,7 +136,7 @@ void WindowLookTest::aSecondViewShowsAnotherSideAndAClickGoesThere() {
 
     QTest::mouseClick(frame, Qt::LeftButton);
     QVERIFY(view().camera().cameraInWorld.position.y() < -10);  // buccal is +y
-    QVERIFY(!window_->bench().hand().isPressing());
+    QVERIFY(!window_->model().manipulator().isPressing());
     key(Qt::Key_0, Qt::ControlModifier);
     QTRY_VERIFY(!frame->isVisible());
     key(Qt::Key_0);
@@ -156,7 +156,7 @@ void WindowLookTest::aTargetColoursTheTooth() {
 }
 
 void WindowLookTest::theGhostOfATargetIsSwitchedByClickAndKey() {
-    bringMolar();
+    loadMolar();
     auto* ghost = window_->findChild<QCheckBox*>("ghost");
     auto* coloured = window_->findChild<QCheckBox*>("coloured");
     auto* entry = window_->findChild<QAction*>("showGhost");
@@ -164,7 +164,7 @@ void WindowLookTest::theGhostOfATargetIsSwitchedByClickAndKey() {
     QVERIFY(ghost->toolTip().contains("Choose a target first"));
     const QImage plain = view().grabFramebuffer();
     // A ball of 2 mm in the fossa, which lies some millimetres below the cusps.
-    const Box3 box = window_->bench().tooth()->box();
+    const Box3 box = window_->model().tooth()->box();
     const auto file = folder_ / "cavity.stl";
     QVERIFY(writeStl(test::sphere(Vec3(0, 0, box.max().z() - 3), 2, 40, 30), file).has_value());
     window_->openTarget(QString::fromStdString(file.string()));
@@ -182,7 +182,7 @@ void WindowLookTest::theGhostOfATargetIsSwitchedByClickAndKey() {
     QVERIFY(ghost->isChecked());
     QTest::mouseClick(coloured, Qt::LeftButton, {}, QPoint(8, coloured->height() / 2));
     QVERIFY(!ghost->isChecked() && coloured->isChecked());
-    bringMolar();  // another tooth: the target was not for it
+    loadMolar();  // another tooth: the target was not for it
     QVERIFY(!ghost->isEnabled() && !entry->isEnabled() && !ghost->isChecked());
 }
 
@@ -201,7 +201,7 @@ void WindowLookTest::aTargetWithoutACavityHasNoGhost() {
 void WindowLookTest::thePlotsHoldStillZoomAndAreExported() {
     auto* pause = window_->findChild<QToolButton*>("pausePlots");
     auto* stretch = window_->findChild<QSpinBox*>("plotStretch");
-    QTRY_VERIFY_WITH_TIMEOUT(window_->bench().newest().time > 1, 20000);  // something to show
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().newest().time > 1, 20000);  // something to show
     QTest::mouseClick(pause, Qt::LeftButton);
     QVERIFY(pause->isChecked());
     stretch->setValue(4);
@@ -227,11 +227,11 @@ QAction* WindowLookTest::action(const QString& text) const {
 }
 
 void WindowLookTest::aHeavySceneIsSaidWithoutTakingTheKeys() {
-    window_->bench().put(std::make_unique<test::SlowDevice>());
+    window_->model().install(std::make_unique<test::SlowDevice>());
     const auto* hint = window_->findChild<ElidedLabel*>("hint");
     QTRY_VERIFY_WITH_TIMEOUT(hint->text().contains("heavy for this machine"), 20000);
     QCOMPARE(QApplication::activeModalWidget(), nullptr);
-    window_->bench().useMouse();
+    window_->model().useMouse();
 }
 
 void WindowLookTest::theRealTimePanelShowsTheTicksAndCountsAnew() {
@@ -244,12 +244,12 @@ void WindowLookTest::theRealTimePanelShowsTheTicksAndCountsAnew() {
     QTRY_VERIFY_WITH_TIMEOUT(ticks() > 3000, 20000);
     QVERIFY(facts->text().contains("Device: mouse"));
     const auto all = ticks();
-    QVERIFY(all <= window_->bench().simulator()->timing().ticks);
+    QVERIFY(all <= window_->model().simulator()->timing().ticks);
     QTest::mouseClick(window_->findChild<QToolButton*>("countAnew"), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(ticks() > 0 && ticks() < all, 20000);
     auto* panel = window_->findChild<TimingPanel*>();
-    panel->forget();  // as for another simulator
-    panel->show(*window_->bench().simulator(), "mouse", 1000);
+    panel->reset();  // as for another simulator
+    panel->show(*window_->model().simulator(), "mouse", 1000);
     QVERIFY(ticks() >= all);
     window_->findChild<QDockWidget*>("Last ten seconds")->raise();
 }
@@ -258,8 +258,8 @@ void WindowLookTest::openedTeethAreInTheRecentMenu() {
     const auto file = folder_ / "ball.stl";
     QVERIFY(writeStl(test::sphere(Vec3(20, 0, 0), 5, 40, 30), file).has_value());
     window_->openTooth({.outer = file, .layers = {}});
-    QTRY_COMPARE_WITH_TIMEOUT(window_->bench().tooth()->name, std::string("ball.stl"), 30000);
-    bringMolar();
+    QTRY_COMPARE_WITH_TIMEOUT(window_->model().tooth()->name, std::string("ball.stl"), 30000);
+    loadMolar();
     auto* recent = window_->findChild<QMenu*>("recent");
     emit recent->aboutToShow();
     QVERIFY(!recent->actions().isEmpty());
@@ -267,7 +267,7 @@ void WindowLookTest::openedTeethAreInTheRecentMenu() {
     for (QAction* each : recent->actions()) ball = each->text() == "ball.stl" ? each : ball;
     QVERIFY(ball != nullptr);
     ball->trigger();
-    QTRY_COMPARE_WITH_TIMEOUT(window_->bench().tooth()->name, std::string("ball.stl"), 30000);
+    QTRY_COMPARE_WITH_TIMEOUT(window_->model().tooth()->name, std::string("ball.stl"), 30000);
     waitForTooth();
     QVERIFY(window_->settings().recent.find("ball.stl") != std::string::npos);
 }
@@ -283,14 +283,14 @@ void WindowLookTest::darkColoursAndBack() {
 }
 
 void WindowLookTest::anotherLanguageComesAtOnceWithTheToothAsItIs() {
-    WindowHolder holder(*qApp, *sound_);
+    WindowOwner holder(*qApp, *sound_);
     WindowSettings settings = window_->settings();
     settings.bur = "245";
     MainWindow* window = &holder.open(settings);
-    window->bringBuiltinTooth(kBuiltinTeeth[1]);
+    window->loadBuiltinTooth(kBuiltinTeeth[1]);
     window->show();
-    QTRY_VERIFY_WITH_TIMEOUT(!window->bench().isBusy() && window->bench().simulator() != nullptr, 60000);
-    const WorkPiece* piece = window->bench().tooth()->piece.get();
+    QTRY_VERIFY_WITH_TIMEOUT(!window->model().isBusy() && window->model().simulator() != nullptr, 60000);
+    const CutModel* piece = window->model().tooth()->piece.get();
     const auto languages = [&] { return holder.window().findChild<QMenu*>("language")->actions(); };
     const auto title = [&] { return holder.window().menuBar()->actions().front()->text(); };
     QCOMPARE(languages().size(), 3);
@@ -301,14 +301,14 @@ void WindowLookTest::anotherLanguageComesAtOnceWithTheToothAsItIs() {
     QCOMPARE(QCoreApplication::translate("QPlatformTheme", "Cancel"), QStringLiteral("キャンセル"));  // Qt's own words
     QVERIFY(languages()[2]->isChecked());
     QCOMPARE(holder.window().settings().language, std::string("ja"));
-    QTRY_VERIFY_WITH_TIMEOUT(holder.window().bench().simulator() != nullptr, 60000);
-    QCOMPARE(holder.window().bench().tooth()->piece.get(), piece);  // with all that was cut from it
+    QTRY_VERIFY_WITH_TIMEOUT(holder.window().model().simulator() != nullptr, 60000);
+    QCOMPARE(holder.window().model().tooth()->piece.get(), piece);  // with all that was cut from it
     QTRY_VERIFY(holder.window().windowTitle().startsWith(QStringLiteral("上顎中切歯")));
-    QTRY_VERIFY(!holder.window().bench().isBusy());
+    QTRY_VERIFY(!holder.window().model().isBusy());
     QCOMPARE(holder.window().settings().bur, std::string("245"));
     languages()[1]->trigger();
     QTRY_COMPARE(title(), "&File");
-    QCOMPARE(holder.window().bench().tooth()->piece.get(), piece);
+    QCOMPARE(holder.window().model().tooth()->piece.get(), piece);
     languages()[0]->trigger();
     QTRY_COMPARE(holder.window().settings().language, std::string());
 }
@@ -350,7 +350,7 @@ void WindowLookTest::theWelcomeOffersThreeWaysToBegin() {
 }
 
 void WindowLookTest::theDemonstrationTouchesAndEndsWithAClick() {
-    bringMolar();
+    loadMolar();
     action("Watch the &demonstration")->trigger();
     auto* tour = window_->findChild<GuidedTour*>();
     QVERIFY(tour->isRunning());

@@ -13,7 +13,7 @@
 #include <QScrollArea>
 #include <set>
 
-#include "app/gui/dialogs/sheet_dialog.h"
+#include "app/gui/dialogs/text_dialog.h"
 #include "app/gui/window/window_setup.h"
 #include "app/window_session.h"
 
@@ -113,7 +113,7 @@ void WindowMenuTest::everyEntryOfEveryMenuCanBeClickedAndEveryDialogBeLeft() {
     }
     QVERIFY2(clicked_.size() > 40, qPrintable(QString::number(clicked_.size())));
     window_->apply(before);
-    bringMolar();
+    loadMolar();
 }
 
 std::vector<QAction*> WindowMenuTest::leaves() const {
@@ -150,11 +150,11 @@ void WindowMenuTest::aboutTellsTheVersion() {
 
 void WindowMenuTest::theShortcutSheetNamesEveryKeyOfTheMenus() {
     key(Qt::Key_F1);
-    auto* dialog = window_->findChild<SheetDialog*>();
+    auto* dialog = window_->findChild<TextDialog*>();
     QVERIFY(dialog != nullptr && dialog->isVisible());
     const QString sheet = dialog->text();
     QTest::keyClick(dialog, Qt::Key_Escape);
-    QTRY_VERIFY(window_->findChild<SheetDialog*>() == nullptr);
+    QTRY_VERIFY(window_->findChild<TextDialog*>() == nullptr);
     for (QAction* entry : leaves()) {
         const QString keys = entry->shortcut().toString();
         if (keys.isEmpty() || keys == "F1" || keys == "Ctrl+Q") continue;
@@ -186,10 +186,10 @@ void WindowMenuTest::everyControlIsReachedByTab() {
 
 void WindowMenuTest::theBurIsMovedAndPressedByKeys() {
     view().setFocus();
-    const Vec3 before = window_->bench().hand().hand().position;
+    const Vec3 before = window_->model().manipulator().pose().position;
     for (int i = 0; i < 6; ++i) QTest::keyClick(&view(), Qt::Key_Left);
     QTest::qWait(300);
-    QVERIFY((window_->bench().hand().hand().position - before).norm() > 0.05);
+    QVERIFY((window_->model().manipulator().pose().position - before).norm() > 0.05);
     QTest::keyPress(&view(), Qt::Key_Return);
     QTRY_VERIFY_WITH_TIMEOUT(gauge("forceGauge") > 0.1, 10000);
     QTest::keyRelease(&view(), Qt::Key_Return);
@@ -200,18 +200,18 @@ void WindowMenuTest::theBurIsMovedAndPressedByKeys() {
 void WindowMenuTest::keysThatAreHeldAreLetGoWhenAnotherWindowComesInFront() {
     view().setFocus();
     QTest::keyPress(&view(), Qt::Key_Space);
-    QTRY_COMPARE(window_->bench().controls.pedal, 1.0);
+    QTRY_COMPARE(window_->model().controls.pedal, 1.0);
     QTest::keyPress(&view(), Qt::Key_Return);
-    QVERIFY(window_->bench().hand().isPressing());
+    QVERIFY(window_->model().manipulator().isPressing());
     QEvent deactivated(QEvent::WindowDeactivate);
     QApplication::sendEvent(window_.get(), &deactivated);
     QFocusEvent unfocused(QEvent::FocusOut, Qt::ActiveWindowFocusReason);
     QApplication::sendEvent(&view(), &unfocused);
-    QVERIFY(!window_->bench().hand().isPressing());
-    QTRY_COMPARE(window_->bench().controls.pedal, 0.0);
+    QVERIFY(!window_->model().manipulator().isPressing());
+    QTRY_COMPARE(window_->model().controls.pedal, 0.0);
     pressBurOn(middle());
     QApplication::sendEvent(&view(), &unfocused);
-    QVERIFY(window_->bench().hand().isPressing());  // the mouse is still held, and its release will come here
+    QVERIFY(window_->model().manipulator().isPressing());  // the mouse is still held, and its release will come here
     liftBur(middle());
 }
 
@@ -243,7 +243,7 @@ void WindowMenuTest::aToothIsCutAndLookedAtByKeysAlone() {
 }
 
 void WindowMenuTest::waterAndSuctionAreSwitchedByKeys() {
-    const auto flying = [&] { return window_->bench().flying().size(); };
+    const auto flying = [&] { return window_->model().flying().size(); };
     key(Qt::Key_C);
     QTest::keyPress(&view(), Qt::Key_Space);
     QTRY_VERIFY_WITH_TIMEOUT(flying() > 30, 20000);
@@ -293,10 +293,10 @@ void WindowMenuTest::aTissueFillsInTheForceParameters() {
     QVERIFY(!window_->findChild<QCheckBox*>("fromMaterial")->isChecked());
     QCOMPARE(window_->findChild<QDoubleSpinBox*>("spring")->value(), numbers.stiffness);
     QCOMPARE(window_->findChild<QDoubleSpinBox*>("friction")->value(), numbers.friction);
-    QCOMPARE(window_->bench().controls.force.friction.value_or(-1), numbers.friction);
-    QCOMPARE(window_->bench().controls.force.stiffness.value_or(-1), numbers.stiffness);
+    QCOMPARE(window_->model().controls.force.friction.value_or(-1), numbers.friction);
+    QCOMPARE(window_->model().controls.force.stiffness.value_or(-1), numbers.stiffness);
     window_->findChild<QCheckBox*>("fromMaterial")->setChecked(true);
-    QVERIFY(!window_->bench().controls.force.friction.has_value());
+    QVERIFY(!window_->model().controls.force.friction.has_value());
 }
 
 void WindowMenuTest::largeTextFitsIntoTheWindow() {
@@ -324,7 +324,7 @@ void WindowMenuTest::largeTextFitsIntoTheWindow() {
                  area->widget()->metaObject()->className());
     }
     key(Qt::Key_F1);
-    auto* sheet = window_->findChild<SheetDialog*>();
+    auto* sheet = window_->findChild<TextDialog*>();
     QVERIFY(sheet != nullptr);
     const QSize screen = window_->screen()->size();
     QVERIFY(sheet->width() > 400 && sheet->width() <= screen.width() && sheet->height() <= screen.height());

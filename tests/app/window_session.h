@@ -6,8 +6,8 @@
 #include <QTest>
 
 #include "app/gui/panels/dial_gauge.h"
-#include "app/gui/window/main_window.h"
 #include "app/gui/scene/tooth_view.h"
+#include "app/gui/window/main_window.h"
 #include "sound/output/openal_output.h"
 #include "support/test_data.h"
 
@@ -22,12 +22,12 @@ protected:
     void closeWindow();
     void waitForTooth();
     /// Puts the built-in molar on the bench.
-    void bringMolar();
+    void loadMolar();
     [[nodiscard]] QPoint middle() const { return view().rect().center(); }
     [[nodiscard]] ToothView& view() const { return *window_->findChild<ToothView*>("toothView"); }
     [[nodiscard]] double gauge(const char* name) const { return window_->findChild<DialGauge*>(name)->value(); }
-    [[nodiscard]] double removed() const { return total(window_->bench().simulator()->removed()); }
-    [[nodiscard]] const Surface& surface() const { return *window_->bench().simulator()->surface(); }
+    [[nodiscard]] double removed() const { return total(window_->model().simulator()->removed()); }
+    [[nodiscard]] const Surface& surface() const { return *window_->model().simulator()->surface(); }
     void key(Qt::Key which, Qt::KeyboardModifiers with = {}) const;
     void pressBurOn(const QPoint& place) const;
     void liftBur(const QPoint& place) const;

@@ -16,14 +16,14 @@
 #include <ctime>
 #include <fstream>
 
-#include "app/gui/panels/elided_label.h"
 #include "app/gui/dialogs/open_tooth_dialog.h"
 #include "app/gui/dialogs/welcome_dialog.h"
+#include "app/gui/panels/elided_label.h"
 #include "app/gui/window/window_setup.h"
 #include "app/window_session.h"
 #include "geometry/io/mesh_file.h"
-#include "geometry/mesh/mesh_report.h"
 #include "geometry/io/stl_writer.h"
+#include "geometry/mesh/mesh_report.h"
 #include "session/simulation/tooth_file.h"
 #include "sound/sound_files.h"
 #include "support/sanitizer.h"
@@ -88,7 +88,7 @@ void WindowTest::aNewcomerTouchesTheToothWithinHalfAMinute() {
     QTest::mouseClick(welcome->findChild<QPushButton*>("practise"), Qt::LeftButton);
     waitForTooth();
     pressBurOn(middle());
-    QTRY_VERIFY_WITH_TIMEOUT(window_->bench().newest().contacts > 0, 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().newest().contacts > 0, 20000);
     QVERIFY2(test::isSanitized() || started_.elapsed() < 30000, qPrintable(QString::number(started_.elapsed())));
     liftBur(middle());
     QTRY_COMPARE_WITH_TIMEOUT(gauge("forceGauge"), 0.0, 10000);
@@ -113,7 +113,7 @@ void WindowTest::theMouseTouchesTheToothAndTheMeterShowsIt() {
     QCOMPARE(gauge("forceGauge"), 0.0);
     pressBurOn(middle());
     QTRY_VERIFY_WITH_TIMEOUT(gauge("forceGauge") > 0.3, 10000);
-    QVERIFY(window_->bench().newest().contacts > 0);
+    QVERIFY(window_->model().newest().contacts > 0);
     liftBur(middle());
     QTRY_COMPARE_WITH_TIMEOUT(gauge("forceGauge"), 0.0, 10000);
 }
@@ -179,15 +179,15 @@ void WindowTest::aCuttingBurRemovesEnamel() {
     key(Qt::Key_C);
     QTRY_VERIFY_WITH_TIMEOUT(gauge("speedGauge") > 300, 10000);
     pressBurOn(middle());
-    QTRY_VERIFY_WITH_TIMEOUT(window_->bench().simulator()->surfaceUpdates() > 0, 20000);
-    const std::uint64_t updatesBefore = window_->bench().simulator()->surfaceUpdates();
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().simulator()->surfaceUpdates() > 0, 20000);
+    const std::uint64_t updatesBefore = window_->model().simulator()->surfaceUpdates();
     const std::clock_t processorBefore = std::clock();
     for (int i = 1; i <= 10; ++i) {
         QTest::mouseMove(&view(), middle() + QPoint(2 * i, 0));
         QTest::qWait(100);
     }
     QTRY_VERIFY_WITH_TIMEOUT(removed() > 0.05, 20000);
-    const auto updates = static_cast<double>(window_->bench().simulator()->surfaceUpdates() - updatesBefore);
+    const auto updates = static_cast<double>(window_->model().simulator()->surfaceUpdates() - updatesBefore);
     const double onTwoCores = static_cast<double>(std::clock() - processorBefore) / CLOCKS_PER_SEC / 2;
     QVERIFY2(test::isSanitized() || updates > 20 * onTwoCores,
              qPrintable(QString("%1 in %2 s").arg(updates).arg(onTwoCores)));
@@ -207,7 +207,7 @@ void WindowTest::whatHappenedIsListedAndExported() {
     std::getline(table, first);
     QCOMPARE(head, std::string("t,event,x,y,z"));
     QVERIFY(first.find(",first contact,") != std::string::npos);
-    const Vec3 place = window_->bench().events().all().front().place;
+    const Vec3 place = window_->model().events().all().front().place;
     emit events->itemActivated(events->item(0, 1));
     const auto pixel = project(view().camera(), {200, 100}, place);
     QVERIFY(pixel && (*pixel - Vec2(100, 50)).norm() < 0.01);
@@ -235,7 +235,7 @@ void WindowTest::atRestNothingIsDrawnAndASpinningBurIs() {
 
 /// The exercise has a clock, which goes on behind its tab, and the status line a meter.
 void WindowTest::aWindowThatRestsIsSeldomComposed() {
-    QVERIFY(window_->bench().workSeconds() > 0);
+    QVERIFY(window_->model().workSeconds() > 0);
     auto* pedal = window_->findChild<QCheckBox*>("keepPedal");
     pedal->setChecked(false);
     QTRY_VERIFY_WITH_TIMEOUT(gauge("speedGauge") < 1, 20000);
@@ -287,11 +287,11 @@ void WindowTest::resetPutsEverythingBack() {
 }
 
 void WindowTest::anotherBurIsTaken() {
-    const std::string before = window_->bench().bur()->name;
+    const std::string before = window_->model().bur()->name;
     auto* burs = window_->findChild<QComboBox*>("burs");
     burs->setFocus();
     QTest::keyClick(burs, Qt::Key_Down);
-    QTRY_VERIFY_WITH_TIMEOUT(window_->bench().bur()->name != before, 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().bur()->name != before, 10000);
     waitForTooth();
 }
 
@@ -309,7 +309,7 @@ void WindowTest::aToothIsOpenedFromAFile() {
     const auto file = folder_ / "ball.stl";
     QVERIFY(writeStl(test::sphere(Vec3(20, 0, 0), 5, 40, 30), file).has_value());
     openInDialog(QString::fromStdString(file.string()));
-    QTRY_COMPARE_WITH_TIMEOUT(window_->bench().tooth()->name, std::string("ball.stl"), 30000);
+    QTRY_COMPARE_WITH_TIMEOUT(window_->model().tooth()->name, std::string("ball.stl"), 30000);
     waitForTooth();
     QCOMPARE(dismissMessage(), QString());
     pressBurOn(middle() + QPoint(0, 40));
@@ -343,7 +343,7 @@ void WindowTest::unusableFilesAreRefusedWithASentenceAndTheToothStays() {
     const QString message = dismissMessage();
     QVERIFY2(message.contains(file), qPrintable(message));
     QCOMPARE(&surface(), before);
-    QCOMPARE(window_->bench().tooth()->name, std::string("ball.stl"));
+    QCOMPARE(window_->model().tooth()->name, std::string("ball.stl"));
 }
 
 void WindowTest::everyViewTurnsThePicture() {
@@ -390,9 +390,9 @@ void WindowTest::aToothOfTheWholeMouthIsChosenFromTheMenu() {
     const QList<QAction*> quadrants = window_->findChild<QMenu*>("mouth")->actions();
     QCOMPARE(quadrants.size(), 4);
     quadrants[2]->menu()->actions()[5]->trigger();
-    QTRY_COMPARE_WITH_TIMEOUT(window_->bench().tooth()->name, std::string("36"), 120000);
+    QTRY_COMPARE_WITH_TIMEOUT(window_->model().tooth()->name, std::string("36"), 120000);
     waitForTooth();
-    QCOMPARE(window_->bench().felt()->patches.size(), std::size_t{29 + 2});  // but for both neighbours, which
+    QCOMPARE(window_->model().felt()->patches.size(), std::size_t{29 + 2});  // but for both neighbours, which
                                                                              // can be cut: the other teeth, both gums
     QVERIFY(surface().patches.empty());
     pressBurOn(middle() + QPoint(0, 40));
@@ -425,8 +425,8 @@ void WindowTest::anotherWindowTakesOverTheSettings() {
     QVERIFY(taken.headphones);
     QCOMPARE(taken.folder, settings.folder);
     QCOMPARE(other.size(), window_->size());
-    QCOMPARE(other.bench().controls.forceScale, 1.5);
-    QCOMPARE(other.bench().spindle().name, settings.spindle);
+    QCOMPARE(other.model().controls.forceScale, 1.5);
+    QCOMPARE(other.model().spindle().name, settings.spindle);
 }
 
 void WindowTest::settingsThatMakeNoSenseChangeNothing() {

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "session/block_with_cavity.h"
-#include "session/simulation/work_piece.h"
+#include "session/simulation/cut_model.h"
 #include "support/shapes.h"
 
 namespace tactooth {
@@ -19,12 +19,12 @@ protected:
     /// Takes a round hole of 1 mm radius out of the cavity's place, as deep as it, from x = `from` to `to`.
     void cut(double from, double to) {
         const CuttingTool bur{*RevolutionEnvelope::make(test::cylinder(Vec3::Zero(), 1, 4, 48)), 1};
-        piece_.sweep(bur, {Vec3(from, 0, 3), Quat::Identity()}, {Vec3(to, 0, 3), Quat::Identity()});
-        piece_.refreshSurface();
+        model_.sweep(bur, {Vec3(from, 0, 3), Quat::Identity()}, {Vec3(to, 0, 3), Quat::Identity()});
+        model_.refreshSurface();
     }
     /// The middles of the walls that `ghost` shows over the tooth as it is.
     std::vector<Vec3> shownBy(CavityGhost& ghost) const {
-        const std::shared_ptr<const Surface> shown = ghost.over(piece_.surface());
+        const std::shared_ptr<const Surface> shown = ghost.over(model_.surface());
         const TaggedMesh seen = visibleMesh(*shown);
         std::vector<Vec3> middles;
         for (std::size_t i = 0; i < seen.mesh.triangles.size(); ++i) {
@@ -38,7 +38,7 @@ protected:
         std::make_shared<const LayeredTooth>(*LayeredTooth::make(test::box(Vec3(-5, -5, -5), Vec3(5, 5, 5))));
     TriangleMesh target_ = test::blockWithCavity(Vec3(-2, -2, 3), Vec3(2, 2, 5));
     CavityGhost ghost_{target_, *tooth_->outer()};
-    WorkPiece piece_{tooth_, 0.05};
+    CutModel model_{tooth_, 0.05};
 };
 
 TEST_F(CavityGhostTest, ShowsAllWallsOfAWholeTooth) {
@@ -74,10 +74,10 @@ TEST_F(CavityGhostTest, HidesTheWallsThatACutHasReached) {
 
 TEST_F(CavityGhostTest, ShowsThemAgainWhenTheCutIsTakenBack) {
     const std::vector<Vec3> whole = shownBy(ghost_);
-    piece_.mark();
+    model_.mark();
     cut(-1, 1);
     EXPECT_LT(shownBy(ghost_).size(), whole.size());
-    ASSERT_TRUE(piece_.undo());
+    ASSERT_TRUE(model_.undo());
     EXPECT_EQ(shownBy(ghost_), whole);
 }
 
@@ -92,7 +92,7 @@ TEST_F(CavityGhostTest, StepByStepShowsTheSameAsAtOnce) {
 
 TEST_F(CavityGhostTest, KeepsTheRimOfAFinishedCavity) {
     const auto rimOf = [&](CavityGhost& ghost) {
-        const std::vector<SurfaceTag> tags = visibleMesh(*ghost.over(piece_.surface())).tags;
+        const std::vector<SurfaceTag> tags = visibleMesh(*ghost.over(model_.surface())).tags;
         return std::count(tags.begin(), tags.end(), kGhostRim);
     };
     const auto whole = rimOf(ghost_);
@@ -102,13 +102,13 @@ TEST_F(CavityGhostTest, KeepsTheRimOfAFinishedCavity) {
 }
 
 TEST_F(CavityGhostTest, IsTheSameObjectUntilSomethingChanges) {
-    const std::shared_ptr<const Surface> before = ghost_.over(piece_.surface());
-    EXPECT_EQ(ghost_.over(piece_.surface()), before);
+    const std::shared_ptr<const Surface> before = ghost_.over(model_.surface());
+    EXPECT_EQ(ghost_.over(model_.surface()), before);
     cut(-1, 1);
-    const std::shared_ptr<const Surface> after = ghost_.over(piece_.surface());
+    const std::shared_ptr<const Surface> after = ghost_.over(model_.surface());
     EXPECT_NE(after, before);
     EXPECT_EQ(after->base, before->base);  // what is on the graphics card stays there
-    EXPECT_EQ(ghost_.over(piece_.surface()), after);
+    EXPECT_EQ(ghost_.over(model_.surface()), after);
 }
 
 }  // namespace

@@ -4,8 +4,8 @@
 
 #include <gmock/gmock.h>
 
-#include "geometry/mesh/mesh_report.h"
 #include "geometry/io/stl_writer.h"
+#include "geometry/mesh/mesh_report.h"
 #include "support/shapes.h"
 #include "support/test_data.h"
 #include "support/text_file.h"

@@ -4,10 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include "assessment/cavity_metrics.h"
 #include "collision/bvh/closest_point.h"
 #include "geometry/mesh/mesh_report.h"
 #include "instruments/bur_catalogue.h"
-#include "assessment/cavity_account.h"
 
 namespace tactooth {
 namespace {
@@ -23,10 +23,10 @@ TEST_P(EachExercise, HasAClosedIdealShapeThatABeginnerCouldCut) {
     const MeshReport report = reportOn(*ideal);
     ASSERT_TRUE(report.watertight());
     const auto target = std::make_shared<const SurfacePart>(*ideal);
-    CavityAccount account(target, *tooth_->outer());
+    CavityMetrics metrics(target, *tooth_->outer());
     Surface whole;
     whole.base = tooth_->outer();
-    const double volume = account.of(whole, 0).planned;
+    const double volume = metrics.of(whole, 0).planned;
     EXPECT_GT(volume, 0.5);
     EXPECT_LT(volume, 30);
     EXPECT_NEAR(volume, *reportOn(tooth_->outer()->mesh()).volume() - *report.volume(), 0.03 * volume);
@@ -36,11 +36,11 @@ TEST_P(EachExercise, LeavesThePulpCovered) {
     const auto ideal = idealShape(*GetParam(), tooth_);
     ASSERT_TRUE(ideal);
     const SurfacePart target(*ideal);
-    constexpr double kLeastDentin = 0.5;  // mm
+    constexpr double kMinDentin = 0.5;  // mm
     for (const LayeredTooth::Layer& layer : tooth_->layers()) {
         if (layer.material != MaterialId::Pulp) continue;
         for (const Vec3f& vertex : layer.part->mesh().vertices) {
-            ASSERT_LT(signedDistance(target, vertex.cast<double>()), -kLeastDentin);
+            ASSERT_LT(signedDistance(target, vertex.cast<double>()), -kMinDentin);
         }
     }
 }

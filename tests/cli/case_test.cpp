@@ -4,9 +4,9 @@
 #include <fstream>
 
 #include "cli/cli_test.h"
-#include "geometry/mesh/mesh_report.h"
 #include "geometry/io/stl_reader.h"
 #include "geometry/io/stl_writer.h"
+#include "geometry/mesh/mesh_report.h"
 #include "support/shapes.h"
 #include "support/test_data.h"
 

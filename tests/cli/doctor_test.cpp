@@ -22,7 +22,7 @@ Json finding(const Json& findings, const std::string& area, const std::string& b
     return found == findings.end() ? Json{{"verdict", "there is none"}, {"text", ""}} : *found;
 }
 
-TEST(Doctor, LooksAtEverything) {
+TEST(Doctor, ChecksEverything) {
     const ProgramRun run = runTactooth({"doctor", "--json"});
     const auto json = Json::parse(run.out);
     std::vector<std::string> areas;

@@ -6,9 +6,9 @@
 
 #include <cstdlib>
 
-#include "geometry/util/number_text.h"
-#include "geometry/util/shown_text.h"
 #include "geometry/io/stl_writer.h"
+#include "geometry/util/display_text.h"
+#include "geometry/util/number_text.h"
 #include "support/shapes.h"
 #include "support/text_file.h"
 
@@ -63,7 +63,7 @@ std::string HostileFolder::tried(const Attack& attack, const std::string& instea
 std::string shownAttack(const Attack& attack, const std::string& instead) {
     std::string line;
     for (const std::string& word : attack) line += (line.empty() ? "" : " ") + word;
-    return line + "   @ = " + shownShort(instead, 100);
+    return line + "   @ = " + displayShort(instead, 100);
 }
 
 }  // namespace tactooth::test

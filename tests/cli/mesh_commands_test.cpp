@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/cli_test.h"
-#include "geometry/mesh/mesh_report.h"
 #include "geometry/io/stl_reader.h"
 #include "geometry/io/stl_writer.h"
+#include "geometry/mesh/mesh_report.h"
 #include "support/shapes.h"
 #include "support/test_data.h"
 

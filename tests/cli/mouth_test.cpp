@@ -4,8 +4,8 @@
 #include <fstream>
 
 #include "cli/cli_test.h"
-#include "geometry/mesh/mesh_report.h"
 #include "geometry/io/stl_reader.h"
+#include "geometry/mesh/mesh_report.h"
 #include "support/few_teeth.h"
 #include "support/test_data.h"
 
@@ -26,7 +26,7 @@ protected:
 
 TEST_F(MouthCommand, WritesAllTeethThatAreLeftAndBothGumsClosed) {
     std::string missing;
-    for (const int fdi : allTeethBut({11, 38, 48})) missing += (missing.empty() ? "" : ",") + std::to_string(fdi);
+    for (const int fdi : allTeethExcept({11, 38, 48})) missing += (missing.empty() ? "" : ",") + std::to_string(fdi);
     const ProgramRun run =
         runTactooth({"mouth", "--out", folder_ / "m", "--triangles", "1000", "--missing", missing, "--jaw", "open"});
     EXPECT_EQ(run.exitCode, 0) << run.err;

@@ -9,8 +9,8 @@
 #include "geometry/io/stl_writer.h"
 #include "support/shapes.h"
 #include "support/test_data.h"
-#include "view/render/image.h"
 #include "view/camera/second_view.h"
+#include "view/render/image.h"
 
 namespace tactooth {
 namespace {
@@ -51,7 +51,7 @@ protected:
 
 TEST_F(RenderCommand, WritesAPictureOfTheSizeAskedFor) {
     const Image image = picture({"--view", "buccal"});
-    EXPECT_EQ(image.size, (PictureSize{160, 120}));
+    EXPECT_EQ(image.size, (ImageSize{160, 120}));
     EXPECT_NE(image.at(80, 60), image.at(2, 2));
 }
 
@@ -116,7 +116,7 @@ TEST_F(RenderCommand, SideBySideShowsTheToothTwice) {
 TEST_F(RenderCommand, ASecondViewStandsInTheCornerAlone) {
     const Image one = picture({"--no-background"});
     const Image both = picture({"--no-background", "--second", "occlusal"});
-    const SecondViewPlace place = secondViewPlace(one.size);
+    const SecondViewRectangle place = secondViewRectangle(one.size);
     std::size_t inCorner = 0, elsewhere = 0;
     for (int y = 0; y < one.size.height; ++y) {
         for (int x = 0; x < one.size.width; ++x) {

@@ -9,8 +9,8 @@
 #include <sstream>
 
 #include "cli/cli_test.h"
-#include "sound/sound_files.h"
 #include "sound/files/sound_format.h"
+#include "sound/sound_files.h"
 #include "sound/spectrum.h"
 #include "support/test_data.h"
 #include "support/text_file.h"

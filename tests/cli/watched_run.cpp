@@ -17,7 +17,7 @@
 #include <stdexcept>
 
 #include "geometry/io/mesh_file.h"
-#include "geometry/util/shown_text.h"
+#include "geometry/util/display_text.h"
 #include "support/sanitizer.h"
 #include "support/test_data.h"
 #include "support/text_file.h"
@@ -25,9 +25,9 @@
 namespace tactooth::test {
 namespace {
 
-constexpr double kMostSeconds = 10;
+constexpr double kMaxSeconds = 10;
 constexpr std::size_t kMostBytes = std::size_t{1} << 30;
-constexpr int kPatienceMs = 100'000;
+constexpr int kTimeoutMs = 100'000;
 
 double secondsOf(const timeval& time) {
     return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
@@ -100,7 +100,7 @@ WatchedRun watchTactooth(const std::vector<std::string>& arguments, const std::f
     const pid_t process = start(arguments, folder, out, err);
     WatchedRun run;
     pollfd end{static_cast<int>(::syscall(SYS_pidfd_open, process, 0)), POLLIN, 0};  // its header is no C++
-    run.isLate = ::poll(&end, 1, kPatienceMs) == 0;
+    run.isLate = ::poll(&end, 1, kTimeoutMs) == 0;
     if (run.isLate) ::kill(process, SIGKILL);
     int status = 0;
     rusage used{};
@@ -119,12 +119,12 @@ std::string faultOf(const WatchedRun& run) {
     if (run.isLate) return "it did not end";
     if (run.exitCode < 0) return "it was ended by signal " + std::to_string(run.signal);
     if (run.exitCode > 2) return "it ended with " + std::to_string(run.exitCode);
-    if (!isSanitized() && run.processorSeconds > kMostSeconds)
+    if (!isSanitized() && run.processorSeconds > kMaxSeconds)
         return "it took " + std::to_string(run.processorSeconds) + " s";
     if (!isSanitized() && run.peakBytes > kMostBytes) return "it took " + std::to_string(run.peakBytes) + " bytes";
     for (const std::string& text : {run.out, run.err}) {
         for (const std::string& line : linesOf(text)) {
-            if (!isShownAsItIs(line)) return "a stream holds what a terminal obeys: " + shownText(line);
+            if (!isShownAsItIs(line)) return "a stream holds what a terminal obeys: " + displayText(line);
         }
     }
     if (hasNotFinite(run.out)) return "it says a number that is not finite: " + run.out;

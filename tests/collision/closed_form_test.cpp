@@ -7,15 +7,15 @@
 
 #include <random>
 
+#include "collision/contact_oracle.h"
 #include "collision/proxy/contact_query.h"
-#include "collision/judged.h"
 #include "support/shapes.h"
 
 namespace tactooth {
 namespace {
 
 constexpr double kNanometre = 1e-6;  // mm
-constexpr int kHands = 400;
+constexpr int kMotions = 400;
 
 double allowed(double depth) { return kNanometre + 1e-9 * depth; }
 
@@ -36,17 +36,17 @@ std::vector<Vec3> edgesOf(const TriangleMesh& mesh, const Quat& rotation) {
     return edges;
 }
 
-struct WayOut {
+struct ExitDirection {
     double depth;
     Vec3 direction;
 };
 
 /// The least way by which one convex body leaves another: the least overlap along any direction, and the directions
 /// worth trying are the faces of their difference: faces of either, and cross products of their edges.
-WayOut convexWayOut(const TriangleMesh& fixed, const TriangleMesh& moving, const Pose& pose) {
+ExitDirection convexPenetrationDepth(const TriangleMesh& fixed, const TriangleMesh& moving, const Pose& pose) {
     const std::vector<Vec3> a = cornersAt(fixed, {});
     const std::vector<Vec3> b = cornersAt(moving, pose);
-    WayOut best{std::numeric_limits<double>::infinity(), Vec3::Zero()};
+    ExitDirection best{std::numeric_limits<double>::infinity(), Vec3::Zero()};
     const auto consider = [&](const Vec3& axis) {
         const double length = axis.norm();
         if (length < 1e-9) return;
@@ -75,7 +75,7 @@ Quat randomRotation(std::mt19937& random) {
 
 /// The proxy's depth once it has settled, coming straight from outside at 10 cm/s. (A leap of millimetres may end in
 /// another minimum: one of these hands is 0.5387 mm deep along two directions 10 degrees apart, to 0.2 um.)
-double settledDepth(SlidingBody& body, const Pose& hand, const Vec3& outward) {
+double settledDepth(ProxySolver& body, const Pose& hand, const Vec3& outward) {
     constexpr int kTicks = 20;
     for (int tick = 0; tick <= kTicks; ++tick) {
         const Pose before{hand.position + 0.1 * (kTicks - tick) * outward, hand.rotation};
@@ -91,17 +91,17 @@ void pressOnBlock(const Vec3& place, const Vec3& outward, unsigned seed) {
     const TriangleMesh block = test::box(Vec3(-9, -9, -9), Vec3(0, 0, 0));
     const TriangleMesh tool = ball();
     ContactQuery query(test::toolOf(tool), test::surfaceOf(block));
-    SlidingBody body(test::toolOf(tool));
+    ProxySolver body(test::toolOf(tool));
     body.setSurface(test::surfaceOf(block));
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> height(0.25, 0.69);
     std::uniform_real_distribution<double> aside(-0.2, 0.2);
-    for (int i = 0; i < kHands; ++i) {
+    for (int i = 0; i < kMotions; ++i) {
         const double x = aside(random);
         const double y = aside(random);
         const Vec3 beside(x, y, aside(random));
         const Pose hand{place + height(random) * outward + 0.5 * beside, randomRotation(random)};
-        const WayOut exact = convexWayOut(block, tool, hand);
+        const ExitDirection exact = convexPenetrationDepth(block, tool, hand);
         const Contact contact = query.at(hand);
         if (exact.depth <= 0) {
             EXPECT_FALSE(contact.touching);
@@ -115,7 +115,7 @@ void pressOnBlock(const Vec3& place, const Vec3& outward, unsigned seed) {
 }
 
 /// Space above all of these planes is free.
-double wayOutOfPlanes(const std::vector<HalfSpace>& walls, const TriangleMesh& tool, const Pose& hand) {
+double exitFromPlanes(const std::vector<HalfSpace>& walls, const TriangleMesh& tool, const Pose& hand) {
     std::vector<HalfSpace> forTheCentre = walls;
     for (HalfSpace& wall : forTheCentre) wall.offset -= lowestAlong(cornersAt(tool, hand), wall.normal);
     // The nearest point of an intersection of up to three half-spaces through no more than that many of them: try all.
@@ -145,16 +145,16 @@ void pressIntoWalls(const TriangleMesh& mesh, const std::vector<HalfSpace>& wall
                     const Vec3& outward, unsigned seed) {
     const TriangleMesh tool = ball();
     ContactQuery query(test::toolOf(tool), test::surfaceOf(mesh, false));
-    SlidingBody body(test::toolOf(tool));
+    ProxySolver body(test::toolOf(tool));
     body.setSurface(test::surfaceOf(mesh, false));
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> aside(-0.15, 0.15);
     int touching = 0;
-    for (int i = 0; i < kHands; ++i) {
+    for (int i = 0; i < kMotions; ++i) {
         const double x = aside(random);
         const double y = aside(random);
         const Pose hand{middle + Vec3(x, y, aside(random)), randomRotation(random)};
-        const double exact = wayOutOfPlanes(walls, tool, hand);
+        const double exact = exitFromPlanes(walls, tool, hand);
         const Contact contact = query.at(hand);
         ASSERT_EQ(contact.touching, exact > 0) << i;
         if (!contact.touching) continue;
@@ -162,7 +162,7 @@ void pressIntoWalls(const TriangleMesh& mesh, const std::vector<HalfSpace>& wall
         EXPECT_NEAR(contact.depth, exact, allowed(exact)) << i;
         EXPECT_NEAR(settledDepth(body, hand, outward), exact, allowed(exact)) << i;
     }
-    EXPECT_GT(touching, kHands / 2);
+    EXPECT_GT(touching, kMotions / 2);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 // The stateless depth on every tooth at hand, judged by exact geometry. The full numbers are in long_judged_test.cpp.
 #include <gtest/gtest.h>
 
-#include "collision/judged_contact.h"
+#include "collision/contact_checks.h"
 #include "support/sanitizer.h"
 
 namespace tactooth {
@@ -22,7 +22,7 @@ TEST(ExactContact, NoneOfTwoThousandPosesIsMissed) {
         for (const test::NamedMesh& tool : test::everyKindOfTool()) {
             const bool coarse = tool.mesh.triangles.size() < kSmallTool && tooth.mesh.triangles.size() < 100000;
             const int share = coarse ? kWanted * 11 / 10 / static_cast<int>(4 * test::everyTooth().size()) + 1 : 3;
-            const test::TouchVerdict verdict = test::judgeTouch(tooth.mesh, tool.mesh, share, 17);
+            const test::TouchReport verdict = test::checkTouch(tooth.mesh, tool.mesh, share, 17);
             EXPECT_EQ(verdict.wrong, 0) << tooth.name << " " << tool.name;
             poses += share;
             touching += verdict.touching;
@@ -38,7 +38,7 @@ TEST(ExactContact, TheDepthFreesEveryToolOnEveryToothAndATenthOfAMicrometreLessD
         for (const test::NamedMesh& tool : test::everyKindOfTool()) {
             if (tool.mesh.triangles.size() > kSmallTool) continue;
             SCOPED_TRACE(tooth.name + " " + tool.name);
-            const test::ContactVerdict verdict = test::judgeContact(tooth.mesh, tool.mesh, kPosesOfAPair, 0, 23);
+            const test::ContactReport verdict = test::checkContact(tooth.mesh, tool.mesh, kPosesOfAPair, 0, 23);
             EXPECT_EQ(verdict.wrongTouch, 0);
             EXPECT_EQ(verdict.notFreed, 0);
             EXPECT_EQ(verdict.freedEarly, 0);
@@ -49,9 +49,9 @@ TEST(ExactContact, TheDepthFreesEveryToolOnEveryToothAndATenthOfAMicrometreLessD
 
 // Poses that all but touch: half a nanometre on either side of the depth found.
 TEST(ExactContact, TouchingIsDecidedToHalfANanometre) {
-    for (const test::NamedMesh& tooth : test::judgedTeeth()) {
-        const TriangleMesh& tool = test::judgedTools()[0].mesh;
-        const test::Judge judge(tooth.mesh, tool);
+    for (const test::NamedMesh& tooth : test::oracleTeeth()) {
+        const TriangleMesh& tool = test::oracleTools()[0].mesh;
+        const test::Oracle oracle(tooth.mesh, tool);
         ContactQuery query(test::toolOf(tool), test::surfaceOf(tooth.mesh));
         std::mt19937 random(31);
         int free = 0;
@@ -63,8 +63,8 @@ TEST(ExactContact, TouchingIsDecidedToHalfANanometre) {
             ++i;
             for (const double beside : {-5e-7, 5e-7}) {
                 const Pose grazing{pose.position + (contact.depth + beside) * contact.normal, pose.rotation};
-                ASSERT_EQ(query.isFree(grazing), judge.isFree(grazing)) << tooth.name << " " << i << " " << beside;
-                free += judge.isFree(grazing) ? 1 : 0;
+                ASSERT_EQ(query.isFree(grazing), oracle.isFree(grazing)) << tooth.name << " " << i << " " << beside;
+                free += oracle.isFree(grazing) ? 1 : 0;
             }
         }
         EXPECT_EQ(free, kPoses) << tooth.name;  // all of the outer ones and none of the inner

@@ -4,7 +4,7 @@
 // resolutions. Each step must make the depth grow, by the stateless query and by the proxy.
 #include <gtest/gtest.h>
 
-#include "collision/judged_contact.h"
+#include "collision/contact_checks.h"
 #include "geometry/mesh/simplify.h"
 
 namespace tactooth {
@@ -20,7 +20,7 @@ std::string percentName(const ::testing::TestParamInfo<int>& percent) {
 }
 
 TriangleMesh toothAt(int percent) {
-    const TriangleMesh& tooth = test::judgedTeeth()[2].mesh;
+    const TriangleMesh& tooth = test::oracleTeeth()[2].mesh;
     return percent == 100 ? tooth : simplified(tooth, tooth.triangles.size() * static_cast<std::size_t>(percent) / 100);
 }
 
@@ -41,9 +41,9 @@ std::vector<std::pair<Pose, Vec3>> touchingPoses(const TriangleMesh& tooth, Cont
 TEST_P(FineMovement, EachStepDownToANanometreMakesTheDepthGrow) {
     const TriangleMesh tooth = toothAt(GetParam());
     const auto surface = test::surfaceOf(tooth);
-    const auto tool = test::toolOf(test::judgedTools()[0].mesh);
+    const auto tool = test::toolOf(test::oracleTools()[0].mesh);
     ContactQuery query(tool, surface);
-    SlidingBody body(tool);
+    ProxySolver body(tool);
     body.setSurface(surface);
     for (const auto& [start, outward] : touchingPoses(tooth, query, 6)) {
         for (const double movement : kMovements) {

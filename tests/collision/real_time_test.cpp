@@ -5,8 +5,8 @@
 
 #include <bit>
 
-#include "collision/judged.h"
-#include "collision/proxy/sliding_body.h"
+#include "collision/contact_oracle.h"
+#include "collision/proxy/proxy_solver.h"
 #include "support/heap_counter.h"
 #include "support/sanitizer.h"
 #include "support/shapes.h"
@@ -71,7 +71,7 @@ TriangleMesh ball() {
 }
 
 /// A hand that wanders over the plate and presses into it.
-Pose nextHand(const Pose& hand, Dice& dice) {
+Pose nextGoal(const Pose& hand, Dice& dice) {
     Pose next = hand;
     next.position += 0.04 * dice.vector() - 0.01 * (hand.position - Vec3(0, 0, -0.1));
     const Vec3 turn = 0.01 * dice.vector();
@@ -89,7 +89,7 @@ std::uint64_t mixed(std::uint64_t hash, double value) {
 
 /// Walks and returns a hash of every pose (FNV-1a by 64-bit words).
 std::uint64_t walk(int ticks, long& allocated, int& held) {
-    SlidingBody body(test::toolOf(ball()));
+    ProxySolver body(test::toolOf(ball()));
     body.setSurface(test::surfaceOf(bumps(), false));
     Dice dice;
     Pose hand{Vec3(0, 0, 1), Quat::Identity()};
@@ -97,7 +97,7 @@ std::uint64_t walk(int ticks, long& allocated, int& held) {
     std::uint64_t hash = 0xCBF29CE484222325ULL;
     const long before = test::heapCalls();
     for (int tick = 0; tick < ticks; ++tick) {
-        hand = nextHand(hand, dice);
+        hand = nextGoal(hand, dice);
         const MoveResult result = body.moveToward(hand);
         held += result.contactCount > 0 ? 1 : 0;
         for (int axis = 0; axis < 3; ++axis) hash = mixed(hash, body.pose().position[axis]);

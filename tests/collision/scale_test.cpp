@@ -4,8 +4,8 @@
 // a metre away the same one.
 #include <gtest/gtest.h>
 
-#include "collision/judged_contact.h"
-#include "instruments/hand_path.h"
+#include "collision/contact_checks.h"
+#include "instruments/tool_trajectory.h"
 
 namespace tactooth {
 namespace {
@@ -23,17 +23,17 @@ TriangleMesh rounded(TriangleMesh mesh) {
 
 /// Depth of the proxy at every tick of a slide at 2 cm/s, everything times `scale`, then moved by `offset`.
 std::vector<double> depthsAlong(const TriangleMesh& tooth, const TriangleMesh& tool, double scale, const Vec3& offset) {
-    HandPath how;
+    ToolTrajectory how;
     how.speed = 20;
     how.stroke = 2;
     how.strokes = 1;
     how.press = 0.2;
     TriangleMesh moved = scaled(tooth, scale);
     for (Vec3f& v : moved.vertices) v = (v.cast<double>() + offset).cast<float>();
-    SlidingBody body(test::toolOf(scaled(tool, scale)));
+    ProxySolver body(test::toolOf(scaled(tool, scale)));
     body.setSurface(test::surfaceOf(moved));
     std::vector<double> depths;
-    for (const Pose& pose : handPath(tooth, how)) {
+    for (const Pose& pose : toolTrajectory(tooth, how)) {
         const Pose hand{scale * pose.position + offset, pose.rotation};
         if (depths.empty()) body.placeAt(hand);
         body.moveToward(hand);
@@ -42,8 +42,8 @@ std::vector<double> depthsAlong(const TriangleMesh& tooth, const TriangleMesh& t
     return depths;
 }
 
-const TriangleMesh& molar() { return test::judgedTeeth()[2].mesh; }
-const TriangleMesh& bur() { return test::judgedTools()[0].mesh; }
+const TriangleMesh& molar() { return test::oracleTeeth()[2].mesh; }
+const TriangleMesh& bur() { return test::oracleTools()[0].mesh; }
 
 }  // namespace
 

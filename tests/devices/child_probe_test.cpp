@@ -147,9 +147,9 @@ INSTANTIATE_TEST_SUITE_P(All, LibraryEndings,
                              return name;
                          });
 
-TEST(LibraryTrial, ALibraryThatExitsWhileItIsLoadedIsRefusedWithASentence) {
+TEST(LibraryProbe, ALibraryThatExitsWhileItIsLoadedIsRefusedWithASentence) {
     const test::ScopedVariable how("TACTOOTH_TEST_ENDING", "exit");
-    const auto tried = HdLibrary::tryOut(TACTOOTH_ENDING_HD);
+    const auto tried = HdLibrary::probeLibrary(TACTOOTH_ENDING_HD);
     ASSERT_FALSE(tried);
     EXPECT_EQ(tried.error().message, TACTOOTH_ENDING_HD
               " is broken, it ends the program that uses it: install the device's driver anew; Tactooth leaves it "

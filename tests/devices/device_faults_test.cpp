@@ -11,8 +11,8 @@
 #include <random>
 
 #include "devices/device_presets.h"
-#include "session/control/hands.h"
 #include "haptics/haptic_simulation.h"
+#include "session/control/device_set.h"
 #include "support/shapes.h"
 
 namespace tactooth {
@@ -77,7 +77,7 @@ public:
     }
     void tick() {
         hands.read(dt_, {});
-        simulation.force().setStiffest(stiffestAt(hands.stiffest(), 1 / dt_));
+        simulation.force().setMaxStiffness(maxStiffnessAt(hands.maxStiffness(), 1 / dt_));
         last = simulation.step({hands.turbine(), cutting ? 1.0 : 0.0, cutting}, dt_);
         hands.write(last, true, dt_);
         time_ += dt_;
@@ -97,7 +97,7 @@ public:
     [[nodiscard]] double dt() const { return dt_; }
 
     FaultyDevice device;
-    Hands hands;
+    DeviceSet hands;
     HapticSimulation simulation;
     Tick last;
     bool cutting = false;
@@ -150,7 +150,8 @@ const Case kCases[] = {
          s.isFresh = false;
      }},
     {"AgeIsNoNumber", "come too late", [](DeviceSample& s, int, double) { s.age = kNan; }},
-    {"HeatIsNoNumber", "no number and was switched off", [](DeviceSample& s, int, double) { s.motorHeat = kNan; }},
+    {"HeatIsNoNumber", "no number and was switched off",
+     [](DeviceSample& s, int, double) { s.motorTemperature = kNan; }},
 };
 
 class DeviceFaults : public ::testing::TestWithParam<std::tuple<Case, double>> {};
@@ -172,8 +173,8 @@ TEST_P(DeviceFaults, MidPressEndTheForceInTimeAndItComesBackWhenTheBurHasBeenFre
     EXPECT_LE(lastForce, kKnowable);
     RecordProperty("last_force_ms", std::to_string(1e3 * lastForce));
     if (fault.sentence != nullptr) {
-        ASSERT_NE(bench.device.trouble(), nullptr);
-        EXPECT_THAT(bench.device.trouble(), HasSubstr(fault.sentence));
+        ASSERT_NE(bench.device.faultMessage(), nullptr);
+        EXPECT_THAT(bench.device.faultMessage(), HasSubstr(fault.sentence));
     }
     EXPECT_NE(bench.hands.forceState(), ForceState::On) << "what stays where it has jumped to is believed at last";
     bench.device.fault = nullptr;
@@ -202,7 +203,7 @@ TEST(DeviceFaultsNone, AQuaternionThatChangesItsSignsIsFeltAsNothing) {
     };
     bench.run(0.5);
     EXPECT_LT((bench.device.force - force).norm(), 1e-6);
-    EXPECT_EQ(bench.device.trouble(), nullptr);
+    EXPECT_EQ(bench.device.faultMessage(), nullptr);
 }
 
 TEST(DeviceFaultsNone, AReadingThatIsSeenAgainAndAgainIsNoneForAsLongAsItIsYoung) {
@@ -214,7 +215,7 @@ TEST(DeviceFaultsNone, AReadingThatIsSeenAgainAndAgainIsNoneForAsLongAsItIsYoung
     };
     bench.run(0.5);
     EXPECT_GT(bench.device.force.norm(), 0.3);
-    EXPECT_EQ(bench.device.trouble(), nullptr);
+    EXPECT_EQ(bench.device.faultMessage(), nullptr);
 }
 
 TEST(DeviceFaultsNone, WhileAPoseIsAtFaultNothingIsCut) {

@@ -13,9 +13,9 @@ namespace {
 TEST(DevicePresets, AreFoundByName) {
     EXPECT_EQ(devicePresets().size(), 5U);
     for (const DevicePreset& preset : devicePresets()) EXPECT_EQ(findDevicePreset(preset.name), &preset);
-    for (const HandPreset& preset : handPresets()) EXPECT_EQ(findHandPreset(preset.name), &preset);
+    for (const HandImpedance& preset : handImpedances()) EXPECT_EQ(findHandImpedance(preset.name), &preset);
     EXPECT_EQ(findDevicePreset("joystick"), nullptr);
-    EXPECT_EQ(findHandPreset(""), nullptr);
+    EXPECT_EQ(findHandImpedance(""), nullptr);
 }
 
 TEST(DevicePresets, TheLimiterKeepsToTheDevicesNumbers) {
@@ -59,10 +59,10 @@ TEST(DevicePresets, ThePowerIsTwiceThatOfAWallThatThrowsTheBareArmBack) {
 }
 
 TEST(DevicePresets, AFirmerHandIsHeavierStifferAndDampsMore) {
-    for (std::size_t i = 1; i < handPresets().size(); ++i) {
-        EXPECT_GT(handPresets()[i].mass, handPresets()[i - 1].mass);
-        EXPECT_GT(handPresets()[i].stiffness, handPresets()[i - 1].stiffness);
-        EXPECT_GT(handPresets()[i].damping, handPresets()[i - 1].damping);
+    for (std::size_t i = 1; i < handImpedances().size(); ++i) {
+        EXPECT_GT(handImpedances()[i].mass, handImpedances()[i - 1].mass);
+        EXPECT_GT(handImpedances()[i].stiffness, handImpedances()[i - 1].stiffness);
+        EXPECT_GT(handImpedances()[i].damping, handImpedances()[i - 1].damping);
     }
 }
 

@@ -61,7 +61,7 @@ TEST(GamepadDevice, SticksMoveAndLeanTheTool) {
     pad.axis(SDL_CONTROLLER_AXIS_LEFTY, 0);
     pad.axis(SDL_CONTROLLER_AXIS_RIGHTX, 1);
     EXPECT_TRUE(playUntil(device, [](const DeviceSample& s) { return (s.hand.rotation * Vec3::UnitZ()).x() > 0.3; }));
-    EXPECT_EQ(device.trouble(), nullptr);
+    EXPECT_EQ(device.faultMessage(), nullptr);
 }
 
 TEST(GamepadDevice, AShortPressOfAMenuButtonIsNotLost) {
@@ -111,12 +111,12 @@ TEST(GamepadDevice, PressingOnAToothRumblesAndLettingGoEndsIt) {
     pad.axis(SDL_CONTROLLER_AXIS_TRIGGERRIGHT, -1);
     ForcePipeline pipeline(device.info().limits);
     const auto onFloor = [&](const DeviceSample& sample) {  // of 1 N/mm, 1 mm below the start
-        WantedForce wanted;
+        ForceCommand wanted;
         wanted.hand = sample.hand.position;
-        wanted.stretch = std::max(0.0, -1 - sample.hand.position.z());
-        wanted.touching = wanted.stretch > 0;
+        wanted.deflection = std::max(0.0, -1 - sample.hand.position.z());
+        wanted.touching = wanted.deflection > 0;
         wanted.stiffness = wanted.touching ? 1 : 0;
-        wanted.wrench.force.z() = wanted.stretch;
+        wanted.wrench.force.z() = wanted.deflection;
         device.write(pipeline.pass(wanted, kTick));
     };
     pad.axis(SDL_CONTROLLER_AXIS_TRIGGERLEFT, 1);
@@ -166,11 +166,11 @@ TEST(GamepadDevice, APadThatIsUnpluggedIsLostAndComesBack) {
     EXPECT_TRUE(playUntil(device, [](const DeviceSample& s) { return s.connected && s.hand.position.x() > 1; }));
     pad.reset();
     EXPECT_TRUE(playUntil(device, [](const DeviceSample& s) { return !s.connected; }));
-    ASSERT_NE(device.trouble(), nullptr);
-    EXPECT_THAT(device.trouble(), HasSubstr("plug it in again"));
+    ASSERT_NE(device.faultMessage(), nullptr);
+    EXPECT_THAT(device.faultMessage(), HasSubstr("plug it in again"));
     pad = std::make_unique<VirtualPad>("Test Pad");
     EXPECT_TRUE(playUntil(device, [](const DeviceSample& s) { return s.connected; }));
-    EXPECT_EQ(device.trouble(), nullptr);
+    EXPECT_EQ(device.faultMessage(), nullptr);
 }
 
 TEST(GamepadDevice, ThatRestsTakesNothingForAWish) {
@@ -180,7 +180,7 @@ TEST(GamepadDevice, ThatRestsTakesNothingForAWish) {
     pad.axis(SDL_CONTROLLER_AXIS_LEFTX, 1);
     pad.button(SDL_CONTROLLER_BUTTON_B, true);
     ASSERT_TRUE(playUntil(device, [](const DeviceSample& s) { return s.buttons == 1 && s.hand.position.x() > 1; }));
-    device.letRest(true);
+    device.suspendInput(true);
     Vec3 place = device.read(kTick).hand.position;
     for (int i = 0; i < 1000; ++i) place = device.read(kTick).hand.position;  // a hand does not stop dead
     for (int i = 0; i < 100; ++i) {
@@ -188,7 +188,7 @@ TEST(GamepadDevice, ThatRestsTakesNothingForAWish) {
         ASSERT_EQ(sample.buttons, 0U);
         ASSERT_LT((sample.hand.position - place).norm(), 1e-6);
     }
-    device.letRest(false);
+    device.suspendInput(false);
     EXPECT_TRUE(playUntil(
         device, [&](const DeviceSample& s) { return s.buttons == 1 && s.hand.position.x() > place.x() + 1; }));
 }

@@ -51,7 +51,7 @@ TEST(HaplyDevice, TellsWhatTheDeviceIs) {
     EXPECT_EQ(device.info().stiffness, 0.8);
     EXPECT_EQ(device.info().buttonCount, 3);
     EXPECT_TRUE(device.info().sensesRotation);
-    EXPECT_FALSE(device.setsPace());
+    EXPECT_FALSE(device.drivesServoRate());
     HaplyDevice second(StandinHaply::kSecond, service.address());
     ASSERT_TRUE(second.open());
     EXPECT_FALSE(second.info().sensesRotation) << "there is one grip, and the first arm has it";
@@ -73,7 +73,7 @@ TEST(HaplyDevice, TouchesAPlaneAndStops) {
         EXPECT_TRUE(soon([&] { return lean(service) && soon(isFelt, 2s); }));
         service.setGrip({1, 0, 0, 0}, 5);
         EXPECT_TRUE(soon([&] { return servo.buttons() == 5; }));
-        EXPECT_EQ(device.trouble(), nullptr);
+        EXPECT_EQ(device.faultMessage(), nullptr);
     }
     EXPECT_EQ(service.force(), 0);
 }
@@ -120,8 +120,8 @@ TEST(HaplyDevice, EachFailureToStartHasItsSentence) {
 
 /// A machine that stalls is a trouble of its own, and may be said before.
 bool says(const HapticDevice& device, const std::string& part) {
-    const char* const trouble = device.trouble();
-    return trouble != nullptr && std::string(trouble).find(part) != std::string::npos;
+    const char* const faultMessage = device.faultMessage();
+    return faultMessage != nullptr && std::string(faultMessage).find(part) != std::string::npos;
 }
 
 struct Fault {
@@ -169,12 +169,12 @@ INSTANTIATE_TEST_SUITE_P(
                       Fault{HaplyFault::Version, "Version", "install version 3", true},
                       Fault{HaplyFault::Units, "Units", "not in metres", true},
                       Fault{HaplyFault::Gone, "Gone", "is gone", true},
-                      Fault{HaplyFault::NoNumber, "NoNumber", "does not know where it is", false},
+                      Fault{HaplyFault::NotANumber, "NoNumber", "does not know where it is", false},
                       Fault{HaplyFault::Jump, "Jump", "has jumped", false},
                       Fault{HaplyFault::Double, "Double", "sends more answers", true},
                       Fault{HaplyFault::Twenty, "Twenty", "sends more answers", true},
                       Fault{HaplyFault::Flood, "Flood", "sends more answers", true},
-                      Fault{HaplyFault::BrokenTurn, "BrokenTurn", "a direction that is none", false},
+                      Fault{HaplyFault::InvalidRotation, "BrokenTurn", "a direction that is none", false},
                       Fault{HaplyFault::FlippingTurn, "FlippingTurn", "direction has jumped", false},
                       Fault{HaplyFault::Jitter, "Jitter", "place has jumped", false},
                       Fault{HaplyFault::Drift, "Drift", "place has jumped", false},
@@ -229,9 +229,9 @@ TEST(HaplyDevice, ATroubleThatIsOverIsNotShownForEver) {
     ASSERT_TRUE(device.open());
     const PlaneServo servo(device);
     service.setFault(HaplyFault::NoPower);
-    ASSERT_TRUE(soon([&] { return device.trouble() != nullptr; }));
+    ASSERT_TRUE(soon([&] { return device.faultMessage() != nullptr; }));
     service.setFault(HaplyFault::None);
-    EXPECT_TRUE(soon([&] { return device.trouble() == nullptr; }));
+    EXPECT_TRUE(soon([&] { return device.faultMessage() == nullptr; }));
 }
 
 TEST(HaplyDevice, OneLateAnswerEndsTheForceAndIsNotWorthASentence) {
@@ -244,7 +244,7 @@ TEST(HaplyDevice, OneLateAnswerEndsTheForceAndIsNotWorthASentence) {
     service.setFault(HaplyFault::Hiccup);
     EXPECT_TRUE(soon([&] { return servo.faults() > faults; }));
     EXPECT_LE(servo.oldestWithForce(), kLoss);
-    EXPECT_EQ(device.trouble(), nullptr);
+    EXPECT_EQ(device.faultMessage(), nullptr);
     EXPECT_TRUE(lean(service));
 }
 

@@ -61,7 +61,7 @@ TEST(HaplyMessage, MetresBecomeMillimetresAndAxesStay) {
     EXPECT_EQ(reading.hand.position, Vec3(10, -20, 150));
     EXPECT_EQ(reading.hand.rotation.coeffs(), Quat::Identity().coeffs()) << "there is no grip";
     EXPECT_TRUE(reading.usable);
-    EXPECT_EQ(reading.trouble, nullptr);
+    EXPECT_EQ(reading.faultMessage, nullptr);
 }
 
 TEST(HaplyMessage, TheGripTurnsTheHandAndPressesItsButtons) {
@@ -96,27 +96,27 @@ TEST(HaplyMessage, FourNumbersThatAreNoTurnAreAFaultAndNotAnotherTurn) {
         const std::string grip = std::string(R"({"device_id":"61576","state":{"orientation":{)") + turn + "}}}";
         const HaplyReading reading = readingOf(messageWith(kMiddle, "{}", grip));
         EXPECT_FALSE(reading.usable) << turn;
-        ASSERT_NE(reading.trouble, nullptr);
-        EXPECT_THAT(reading.trouble, HasSubstr("a direction that is none"));
+        ASSERT_NE(reading.faultMessage, nullptr);
+        EXPECT_THAT(reading.faultMessage, HasSubstr("a direction that is none"));
     }
     const std::string rounded = R"({"device_id":"61576","state":{"orientation":{"w":0.7,"x":0.71,"y":0.0,"z":0.04}}})";
     EXPECT_TRUE(readingOf(messageWith(kMiddle, "{}", rounded)).hasTurn) << "text may be rounded";
 }
 
 TEST(HaplyMessage, EachStateThatKeepsItFromWorkingHasItsSentence) {
-    const auto expectTrouble = [](const std::string& message, const char* part, bool usable) {
+    const auto expectFault = [](const std::string& message, const char* part, bool usable) {
         const HaplyReading reading = readingOf(message);
-        ASSERT_NE(reading.trouble, nullptr) << part;
-        EXPECT_THAT(reading.trouble, HasSubstr(part));
+        ASSERT_NE(reading.faultMessage, nullptr) << part;
+        EXPECT_THAT(reading.faultMessage, HasSubstr(part));
         EXPECT_EQ(reading.usable, usable) << part;
     };
-    expectTrouble(messageWith(kMiddle, R"({"power_supply":false})"), "plug in its power supply", false);
-    expectTrouble(messageWith(kMiddle, R"({"calibrated":false})"), "rest position until its light", false);
-    expectTrouble(messageWith(kMiddle, R"({"ready":false})"), "is not ready", false);
-    expectTrouble(messageWith(R"({"x":null,"y":0,"z":0})"), "does not know where it is", false);
-    expectTrouble(messageWith(R"({"x":0,"y":0})"), "does not know where it is", false);
-    expectTrouble(messageWith(kMiddle, "{}", R"({"device_id":"61576","status":{"awake":false}})"),
-                  "press one of its buttons", true);
+    expectFault(messageWith(kMiddle, R"({"power_supply":false})"), "plug in its power supply", false);
+    expectFault(messageWith(kMiddle, R"({"calibrated":false})"), "rest position until its light", false);
+    expectFault(messageWith(kMiddle, R"({"ready":false})"), "is not ready", false);
+    expectFault(messageWith(R"({"x":null,"y":0,"z":0})"), "does not know where it is", false);
+    expectFault(messageWith(R"({"x":0,"y":0})"), "does not know where it is", false);
+    expectFault(messageWith(kMiddle, "{}", R"({"device_id":"61576","status":{"awake":false}})"),
+                "press one of its buttons", true);
 }
 
 TEST(HaplyMessage, WhatCannotBeMeantIsRefusedWithItsSentence) {
@@ -136,8 +136,8 @@ TEST(HaplyMessage, AForceIsWrittenAsTheServiceReadsIt) {
     EXPECT_EQ(
         haplyForce("049D", Vec3(0.5, 0, -1.25)),
         R"({"inverse3":[{"device_id":"049D","commands":{"set_cursor_force":{"values":{"x":0.5,"y":0,"z":-1.25}}}}]})");
-    EXPECT_EQ(haplyGreeting("049D"), R"({"session":{"configure":{"profile":{"name":"org.tactooth:tactooth"}}},)" +
-                                         haplyForce("049D", Vec3::Zero()).substr(1));
+    EXPECT_EQ(haplyHandshake("049D"), R"({"session":{"configure":{"profile":{"name":"org.tactooth:tactooth"}}},)" +
+                                          haplyForce("049D", Vec3::Zero()).substr(1));
 }
 
 TEST(HaplyMessage, NoTextWhateverBreaksTheReader) {

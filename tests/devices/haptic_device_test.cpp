@@ -32,7 +32,7 @@ static_assert(std::has_virtual_destructor_v<HapticDevice>);
 TEST(HapticDevice, EveryDeviceOpensTellsWhatItIsAndIsConnected) {
     MouseDevice mouse{Pose{}};
     NullDevice none{Pose{}};
-    ScriptedDevice script(std::vector<ScriptedMoment>{{0, {}}});
+    ScriptedDevice script(std::vector<DeviceKeyframe>{{0, {}}});
     for (HapticDevice* device :
          {static_cast<HapticDevice*>(&mouse), static_cast<HapticDevice*>(&none), static_cast<HapticDevice*>(&script)}) {
         EXPECT_TRUE(device->open());

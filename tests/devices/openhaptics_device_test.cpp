@@ -73,9 +73,9 @@ TEST_F(OpenHaptics, TellsWhatTheDeviceIs) {
     EXPECT_EQ(device.info().limits.force, 3.3);
     EXPECT_EQ(device.info().limits.continuousForce, 0.88);
     EXPECT_EQ(device.info().workspace, Vec3(160, 70, 120));
-    EXPECT_EQ(device.info().middle, Vec3(0, -5, 5));
+    EXPECT_EQ(device.info().workspaceCentre, Vec3(0, -5, 5));
     EXPECT_EQ(device.info().stiffness, 0.5);
-    EXPECT_TRUE(device.setsPace());
+    EXPECT_TRUE(device.drivesServoRate());
     EXPECT_EQ(standin().startedPens(), 1);
     device.close();
     EXPECT_EQ(standin().startedPens(), 0);
@@ -92,7 +92,7 @@ TEST_F(OpenHaptics, TouchesAPlaneAndStops) {
         EXPECT_TRUE(soon([&] { return lean() && soon(isFelt, 2s); }));
         standin().setButtons(3);
         EXPECT_TRUE(soon([&] { return servo.buttons() == 3; }));
-        EXPECT_EQ(device.trouble(), nullptr);
+        EXPECT_EQ(device.faultMessage(), nullptr);
     }
     EXPECT_EQ(force(), 0);
     EXPECT_LE(standin().strongestForce(), 3.3);
@@ -178,13 +178,13 @@ TEST_P(OpenHapticsLoss, MidPressGivesNoForceAndASentenceAndThePenComesBack) {
     EXPECT_TRUE(soonSays(device, GetParam().sentence));
     std::this_thread::sleep_for(100ms);
     EXPECT_EQ(standin().strongestWhileFaulty(), 0) << "from 5 ms on";
-    if (device.trouble() != nullptr) {
-        EXPECT_THAT(device.trouble(), HasSubstr(GetParam().sentence));
+    if (device.faultMessage() != nullptr) {
+        EXPECT_THAT(device.faultMessage(), HasSubstr(GetParam().sentence));
     }
     EXPECT_LE(standin().lastForceSinceFault(), kBadReading) << "its force is taken back in the tick that tells";
     RecordProperty("last_tick_with_force", std::to_string(standin().lastForceSinceFault()));
     set(HdFault::None);
-    EXPECT_TRUE(soon([&] { return device.trouble() == nullptr; }));
+    EXPECT_TRUE(soon([&] { return device.faultMessage() == nullptr; }));
     EXPECT_TRUE(lean());
 }
 
@@ -282,12 +282,12 @@ TEST_F(OpenHaptics, APenThatIsNotCalibratedIsLimpAndSaysWhatToDo) {
     ASSERT_TRUE(device.open());
     const Servo servo(device);
     standin().wantPosition(0, kWall - 4, 0);
-    ASSERT_TRUE(soon([&] { return device.trouble() != nullptr; }));
-    EXPECT_THAT(device.trouble(), HasSubstr("into its inkwell"));
+    ASSERT_TRUE(soon([&] { return device.faultMessage() != nullptr; }));
+    EXPECT_THAT(device.faultMessage(), HasSubstr("into its inkwell"));
     std::this_thread::sleep_for(200ms);
     EXPECT_EQ(force(), 0);
     set(HdFault::None);
-    EXPECT_TRUE(soon([&] { return device.trouble() == nullptr; }));
+    EXPECT_TRUE(soon([&] { return device.faultMessage() == nullptr; }));
     EXPECT_TRUE(lean());
 }
 
@@ -302,8 +302,8 @@ TEST_F(OpenHaptics, WarmMotorsAreSpared) {
     }));
     set(HdFault::WarmMotors);
     EXPECT_TRUE(soon([&] { return servo.state() == ForceState::Warm && force() < 0.9; }));
-    ASSERT_NE(device.trouble(), nullptr);
-    EXPECT_THAT(device.trouble(), HasSubstr("motors are warm"));
+    ASSERT_NE(device.faultMessage(), nullptr);
+    EXPECT_THAT(device.faultMessage(), HasSubstr("motors are warm"));
 }
 
 TEST_F(OpenHaptics, ACutForceIsSaidAndTheSessionGoesOn) {
@@ -312,10 +312,10 @@ TEST_F(OpenHaptics, ACutForceIsSaidAndTheSessionGoesOn) {
     const Servo servo(device);
     ASSERT_TRUE(lean());
     set(HdFault::TooMuchForce);
-    ASSERT_TRUE(soon([&] { return device.trouble() != nullptr; }));
-    EXPECT_THAT(device.trouble(), HasSubstr("press more gently"));
+    ASSERT_TRUE(soon([&] { return device.faultMessage() != nullptr; }));
+    EXPECT_THAT(device.faultMessage(), HasSubstr("press more gently"));
     EXPECT_TRUE(soon([] { return force() > 0.3; }));
-    EXPECT_TRUE(soon([&] { return device.trouble() == nullptr; })) << "it is not shown for ever";
+    EXPECT_TRUE(soon([&] { return device.faultMessage() == nullptr; })) << "it is not shown for ever";
 }
 
 TEST_F(OpenHaptics, AStallOfTheDriverStartsTheForceFromZeroAgain) {
@@ -366,10 +366,10 @@ TEST_F(OpenHaptics, ALostPenLeavesTheOtherHandAlone) {
         EXPECT_EQ(standin().schedulerStarts(), before);
     }
     EXPECT_TRUE(lean());
-    EXPECT_EQ(right.trouble(), nullptr);
+    EXPECT_EQ(right.faultMessage(), nullptr);
     set(HdFault::None);
     standin().wantPosition(0, 5, 0);  // a hand that presses nothing may be left alone for the time of a start
-    EXPECT_TRUE(soon([&] { return left.trouble() == nullptr; }));
+    EXPECT_TRUE(soon([&] { return left.faultMessage() == nullptr; }));
 }
 
 TEST_F(OpenHaptics, AServoThatHangsRendersNothing) {

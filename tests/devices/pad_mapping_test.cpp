@@ -10,18 +10,18 @@ namespace tactooth {
 namespace {
 
 TEST(PadMapping, AStickHasSlackAroundItsMiddle) {
-    EXPECT_EQ(stickWithoutSlack({0.14, 0})[0], 0);
-    EXPECT_EQ(stickWithoutSlack({-0.1, 0.1})[1], 0);
-    EXPECT_GT(stickWithoutSlack({0.16, 0})[0], 0);
-    EXPECT_LT(stickWithoutSlack({0.16, 0})[0], 0.01) << "and does not jump behind it";
-    EXPECT_NEAR(stickWithoutSlack({1, 0})[0], 1, 1e-12);
-    EXPECT_NEAR(stickWithoutSlack({0, -1})[1], -1, 1e-12);
+    EXPECT_EQ(applyStickDeadZone({0.14, 0})[0], 0);
+    EXPECT_EQ(applyStickDeadZone({-0.1, 0.1})[1], 0);
+    EXPECT_GT(applyStickDeadZone({0.16, 0})[0], 0);
+    EXPECT_LT(applyStickDeadZone({0.16, 0})[0], 0.01) << "and does not jump behind it";
+    EXPECT_NEAR(applyStickDeadZone({1, 0})[0], 1, 1e-12);
+    EXPECT_NEAR(applyStickDeadZone({0, -1})[1], -1, 1e-12);
 }
 
 TEST(PadMapping, AStickKeepsItsDirectionAndIsNeverFasterThanItsEnd) {
     for (double angle = 0; angle < 6.28; angle += 0.1) {
         for (const double way : {0.3, 0.8, 1.0, 1.41}) {
-            const auto value = stickWithoutSlack({way * std::cos(angle), way * std::sin(angle)});
+            const auto value = applyStickDeadZone({way * std::cos(angle), way * std::sin(angle)});
             EXPECT_NEAR(std::atan2(value[1], value[0]), std::remainder(angle, 2 * M_PI), 1e-9);
             EXPECT_LE(std::hypot(value[0], value[1]), 1 + 1e-12);
         }
@@ -29,44 +29,44 @@ TEST(PadMapping, AStickKeepsItsDirectionAndIsNeverFasterThanItsEnd) {
 }
 
 TEST(PadMapping, AStickIsFineNearItsMiddle) {
-    EXPECT_LT(stickWithoutSlack({0.575, 0})[0], 0.35) << "half the way beyond the slack";
+    EXPECT_LT(applyStickDeadZone({0.575, 0})[0], 0.35) << "half the way beyond the slack";
 }
 
 TEST(PadMapping, ATriggerGoesFromItsSlackToItsEnd) {
-    EXPECT_EQ(triggerWithoutSlack(-1), 0);
-    EXPECT_EQ(triggerWithoutSlack(0.03), 0);
-    EXPECT_NEAR(triggerWithoutSlack(0.52), 0.5, 1e-12);
-    EXPECT_EQ(triggerWithoutSlack(1), 1);
+    EXPECT_EQ(applyTriggerDeadZone(-1), 0);
+    EXPECT_EQ(applyTriggerDeadZone(0.03), 0);
+    EXPECT_NEAR(applyTriggerDeadZone(0.52), 0.5, 1e-12);
+    EXPECT_EQ(applyTriggerDeadZone(1), 1);
 }
 
 TEST(PadMapping, EachPartMovesWhatItShould) {
     PadState pad;
-    EXPECT_EQ(wishOf(pad, false).rate.speed, Vec3::Zero());
+    EXPECT_EQ(padCommand(pad, false).rate.speed, Vec3::Zero());
     pad.leftStick = {1, 0};
-    EXPECT_NEAR(wishOf(pad, false).rate.speed.x(), 25, 1e-9) << "right";
+    EXPECT_NEAR(padCommand(pad, false).rate.speed.x(), 25, 1e-9) << "right";
     pad.leftStick = {0, -1};
-    EXPECT_NEAR(wishOf(pad, false).rate.speed.y(), 25, 1e-9) << "pushed away";
+    EXPECT_NEAR(padCommand(pad, false).rate.speed.y(), 25, 1e-9) << "pushed away";
     pad = {};
     pad.leftTrigger = 1;
-    EXPECT_NEAR(wishOf(pad, false).rate.speed.z(), -25, 1e-9) << "presses";
+    EXPECT_NEAR(padCommand(pad, false).rate.speed.z(), -25, 1e-9) << "presses";
     pad = {};
     pad.lift = true;
-    EXPECT_GT(wishOf(pad, false).rate.speed.z(), 20);
+    EXPECT_GT(padCommand(pad, false).rate.speed.z(), 20);
     pad = {};
     pad.rightStick = {1, 0};
-    EXPECT_GT(wishOf(pad, false).rate.turn.y(), 1) << "the shaft's end goes right";
+    EXPECT_GT(padCommand(pad, false).rate.turn.y(), 1) << "the shaft's end goes right";
     pad.rightStick = {0, -1};
-    EXPECT_LT(wishOf(pad, false).rate.turn.x(), -1) << "the shaft's end goes away";
+    EXPECT_LT(padCommand(pad, false).rate.turn.x(), -1) << "the shaft's end goes away";
     pad = {};
     pad.rightTrigger = 1;
-    EXPECT_EQ(wishOf(pad, false).pedal, 1);
+    EXPECT_EQ(padCommand(pad, false).pedal, 1);
 }
 
 TEST(PadMapping, LeftHandedIsTheOtherWayRound) {
     PadState pad;
     pad.rightStick = {1, 0};
     pad.leftTrigger = 1;
-    const PadWish wish = wishOf(pad, true);
+    const PadCommand wish = padCommand(pad, true);
     EXPECT_NEAR(wish.rate.speed.x(), 25, 1e-9);
     EXPECT_EQ(wish.rate.speed.z(), 0);
     EXPECT_EQ(wish.pedal, 1);

@@ -14,16 +14,16 @@ namespace tactooth {
 namespace {
 
 using namespace std::chrono_literals;
-using Kind = PedalChoice::Kind;
+using Kind = PedalBinding::Kind;
 
 JoystickState joystick(const std::string& name, std::vector<double> axes, std::vector<bool> buttons = {}) {
     return {name, false, false, std::move(axes), std::move(buttons)};
 }
 
 TEST(Pedal, IsNamedByAxisOrButtonAndJoystick) {
-    EXPECT_EQ(*parsePedal(""), PedalChoice{});
-    EXPECT_EQ(*parsePedal("axis:2"), (PedalChoice{Kind::Axis, 2, ""}));
-    EXPECT_EQ(*parsePedal("button:0:Foot: Switch"), (PedalChoice{Kind::Button, 0, "Foot: Switch"}));
+    EXPECT_EQ(*parsePedal(""), PedalBinding{});
+    EXPECT_EQ(*parsePedal("axis:2"), (PedalBinding{Kind::Axis, 2, ""}));
+    EXPECT_EQ(*parsePedal("button:0:Foot: Switch"), (PedalBinding{Kind::Button, 0, "Foot: Switch"}));
     for (const char* text : {"", "axis:2", "button:31:Foot: Switch"}) EXPECT_EQ(pedalText(*parsePedal(text)), text);
 }
 
@@ -36,7 +36,7 @@ TEST(Pedal, WhatIsNoneIsRefusedWithASentence) {
 }
 
 TEST(Pedal, AnAxisGoesBetweenItsTwoEnds) {
-    PedalChoice choice{Kind::Axis, 1, "", 0.2, 0.8};
+    PedalBinding choice{Kind::Axis, 1, "", 0.2, 0.8};
     const auto at = [&](double value) {
         const std::vector<JoystickState> one = {joystick("Foot", {0, value})};
         return pedalOf(choice, one);
@@ -64,31 +64,31 @@ TEST(Pedal, IsFoundByNameAndMissedWhenItIsNotThere) {
     EXPECT_EQ(pedalOf({}, two), std::nullopt);
 }
 
-TEST(PedalTeacher, TakesTheAxisThatWasPressedAndLetGo) {
-    PedalTeacher teacher;
-    const auto look = [&](double pedal, double noise) {
+TEST(PedalCalibrator, TakesTheAxisThatWasPressedAndLetGo) {
+    PedalCalibrator teacher;
+    const auto update = [&](double pedal, double noise) {
         const std::vector<JoystickState> one = {joystick("Foot", {0.5 + noise, pedal})};
-        return teacher.look(one);
+        return teacher.update(one);
     };
-    EXPECT_FALSE(look(0.9, 0));
-    EXPECT_FALSE(look(0.5, 0.1));
-    EXPECT_FALSE(look(0.15, 0));
-    EXPECT_FALSE(look(0.3, 0.05));
-    const auto taught = look(0.88, 0);
+    EXPECT_FALSE(update(0.9, 0));
+    EXPECT_FALSE(update(0.5, 0.1));
+    EXPECT_FALSE(update(0.15, 0));
+    EXPECT_FALSE(update(0.3, 0.05));
+    const auto taught = update(0.88, 0);
     ASSERT_TRUE(taught);
-    EXPECT_EQ(*taught, (PedalChoice{Kind::Axis, 1, "Foot", 0.9, 0.15}));
+    EXPECT_EQ(*taught, (PedalBinding{Kind::Axis, 1, "Foot", 0.9, 0.15}));
 }
 
-TEST(PedalTeacher, TakesAButtonAndBeginsAnewWhenSomethingIsPluggedIn) {
-    PedalTeacher teacher;
+TEST(PedalCalibrator, TakesAButtonAndBeginsAnewWhenSomethingIsPluggedIn) {
+    PedalCalibrator teacher;
     const std::vector<JoystickState> pressed = {joystick("Foot", {}, {false, true})};
     const std::vector<JoystickState> up = {joystick("Foot", {}, {false, false})};
-    EXPECT_FALSE(teacher.look({}));
-    EXPECT_FALSE(teacher.look(up));
-    EXPECT_FALSE(teacher.look(pressed));
-    const auto taught = teacher.look(up);
+    EXPECT_FALSE(teacher.update({}));
+    EXPECT_FALSE(teacher.update(up));
+    EXPECT_FALSE(teacher.update(pressed));
+    const auto taught = teacher.update(up);
     ASSERT_TRUE(taught);
-    EXPECT_EQ(*taught, (PedalChoice{Kind::Button, 1, "Foot"}));
+    EXPECT_EQ(*taught, (PedalBinding{Kind::Button, 1, "Foot"}));
 }
 
 TEST(Pedal, ARealJoystickIsReadWithItsAxesAndButtons) {
@@ -97,7 +97,7 @@ TEST(Pedal, ARealJoystickIsReadWithItsAxesAndButtons) {
     ASSERT_TRUE(joysticks);
     foot.axis(2, 1);
     foot.button(1, true);
-    const auto seen = [&](const PedalChoice& choice, double value) {
+    const auto seen = [&](const PedalBinding& choice, double value) {
         for (int i = 0; i < 1000; ++i) {
             const auto states = (*joysticks)->states();
             if (pedalOf(choice, states) == value) return true;

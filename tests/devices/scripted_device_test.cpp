@@ -7,7 +7,7 @@
 namespace tactooth {
 namespace {
 
-ScriptedMoment moment(double time, double x, double pedal = 0, std::uint32_t buttons = 0, double turn = 0) {
+DeviceKeyframe moment(double time, double x, double pedal = 0, std::uint32_t buttons = 0, double turn = 0) {
     return {time, {{Vec3(x, 0, 0), Quat(Eigen::AngleAxisd(turn, Vec3::UnitZ()))}, pedal, buttons, true}};
 }
 
@@ -57,7 +57,7 @@ TEST(ScriptedDevice, OpeningStartsTheScriptAnew) {
 }
 
 TEST(ScriptedDevice, ALossOfTheDeviceCanBeScripted) {
-    ScriptedMoment lost = moment(1, 0);
+    DeviceKeyframe lost = moment(1, 0);
     lost.sample.connected = false;
     ScriptedDevice device({moment(0, 0), lost, moment(2, 0)});
     EXPECT_TRUE(device.read(0.5).connected);

@@ -52,16 +52,16 @@ TEST_F(SpaceMouse, WithoutItsDriverItSaysWhatToDo) {
 TEST_F(SpaceMouse, ItsAxesAreSpeeds) {
     SpaceMouseState state;
     state.axes = {350, 0, 0, 0, 0, 0};
-    EXPECT_NEAR(rateOf(state).speed.x(), 25, 1e-9) << "right";
+    EXPECT_NEAR(rateCommand(state).speed.x(), 25, 1e-9) << "right";
     state.axes = {0, -350, 0, 0, 0, 0};
-    EXPECT_NEAR(rateOf(state).speed.z(), -25, 1e-9) << "pushed down";
+    EXPECT_NEAR(rateCommand(state).speed.z(), -25, 1e-9) << "pushed down";
     state.axes = {0, 0, 700, 0, 0, 0};
-    EXPECT_NEAR(rateOf(state).speed.y(), 25, 1e-9) << "away, and never faster";
+    EXPECT_NEAR(rateCommand(state).speed.y(), 25, 1e-9) << "away, and never faster";
     state.axes = {10, -10, 17, 10, 10, 10};
-    EXPECT_EQ(rateOf(state).speed, Vec3::Zero()) << "slack";
-    EXPECT_EQ(rateOf(state).turn, Vec3::Zero());
+    EXPECT_EQ(rateCommand(state).speed, Vec3::Zero()) << "slack";
+    EXPECT_EQ(rateCommand(state).turn, Vec3::Zero());
     state.axes = {0, 0, 0, 0, 350, 0};
-    EXPECT_NEAR(rateOf(state).turn.z(), 1.2, 1e-9) << "turned about the upright";
+    EXPECT_NEAR(rateCommand(state).turn.z(), 1.2, 1e-9) << "turned about the upright";
 }
 
 TEST_F(SpaceMouse, TheCapMovesAndTurnsTheTool) {
@@ -79,7 +79,7 @@ TEST_F(SpaceMouse, TheCapMovesAndTurnsTheTool) {
     EXPECT_TRUE(playUntil(device, [&](const DeviceSample& s) {
         return (std::exchange(last, s.hand.position) - s.hand.position).norm() < 1e-9;
     }));
-    EXPECT_EQ(device.trouble(), nullptr);
+    EXPECT_EQ(device.faultMessage(), nullptr);
 }
 
 TEST_F(SpaceMouse, ButtonsComeThrough) {
@@ -102,11 +102,11 @@ TEST_F(SpaceMouse, ADriverThatStopsMeansLostAndOneThatStartsAgainIsFound) {
     EXPECT_TRUE(playUntil(device, [](const DeviceSample& s) { return s.hand.position.x() > 1; }));
     driver.reset();
     EXPECT_TRUE(playUntil(device, [](const DeviceSample& s) { return !s.connected; }));
-    ASSERT_NE(device.trouble(), nullptr);
-    EXPECT_THAT(device.trouble(), HasSubstr("start it again"));
+    ASSERT_NE(device.faultMessage(), nullptr);
+    EXPECT_THAT(device.faultMessage(), HasSubstr("start it again"));
     driver = std::make_unique<StandinSpacenavd>(socket_);
     EXPECT_TRUE(playUntil(device, [](const DeviceSample& s) { return s.connected; }));
-    EXPECT_EQ(device.trouble(), nullptr);
+    EXPECT_EQ(device.faultMessage(), nullptr);
 }
 
 TEST_F(SpaceMouse, OnlyOneSteers) {

@@ -8,10 +8,10 @@
 #include <optional>
 #include <thread>
 
-#include "session/control/hands.h"
 #include "devices/haply/haply_device.h"
 #include "devices/openhaptics/openhaptics_device.h"
 #include "haptics/servo_loop.h"
+#include "session/control/device_set.h"
 #include "standin/plane_servo.h"
 #include "standin/standin_haply.h"
 #include "standin/standin_hd.h"
@@ -37,7 +37,7 @@ Tick tickOnPlane(const Pose& tool) {
     Tick tick;
     tick.placed = tool.position.allFinite();
     tick.depth = std::max(0.0, kWall - tool.position.z());
-    tick.stretch = tick.depth;
+    tick.deflection = tick.depth;
     tick.contacts = tick.depth > 0 ? 1 : 0;
     tick.stiffness = tick.depth > 0 ? test::kWallStiffness : 0;
     if (tick.placed) tick.wrench.force = Vec3(0, 0, test::kWallStiffness * tick.depth);
@@ -45,9 +45,9 @@ Tick tickOnPlane(const Pose& tool) {
 }
 
 /// A servo for two hands over the plane.
-class HandsServo {
+class DeviceSetServo {
 public:
-    HandsServo(HapticDevice& first, HapticDevice& second)
+    DeviceSetServo(HapticDevice& first, HapticDevice& second)
         : hands_(first, &second, {}),
           loop_(
               1000, [this](double elapsed) { tick(elapsed); },
@@ -58,7 +58,7 @@ private:
         hands_.read(elapsed, {});
         hands_.write(tickOnPlane(hands_.turbine()), true, elapsed);
     }
-    Hands hands_;
+    DeviceSet hands_;
     ServoLoop loop_;
 };
 
@@ -97,7 +97,7 @@ struct PenAndArm {
     StandinHaply service;
     OpenHapticsDevice pen{"", TACTOOTH_STANDIN_HD};
     HaplyDevice arm{"", service.address()};
-    std::optional<HandsServo> servo;
+    std::optional<DeviceSetServo> servo;
 };
 
 TEST_F(TwoDevices, TwoPensExchangeTurbineAndMirror) {
@@ -105,7 +105,7 @@ TEST_F(TwoDevices, TwoPensExchangeTurbineAndMirror) {
     OpenHapticsDevice left("Left", TACTOOTH_STANDIN_HD);
     ASSERT_TRUE(right.open());
     ASSERT_TRUE(left.open());
-    const HandsServo servo(right, left);
+    const DeviceSetServo servo(right, left);
     ASSERT_TRUE(leanPens(0));
     EXPECT_EQ(standin().forceOf(1), 0) << "a mirror touches nothing";
     swapByButton();
@@ -138,11 +138,11 @@ TEST_F(TwoDevices, AnInverse3ThatIsLostLeavesThePenAlone) {
     ASSERT_NO_FATAL_FAILURE(both.open());
     ASSERT_TRUE(leanPens(0));
     both.service.setFault(test::HaplyFault::Drop);
-    ASSERT_TRUE(soon([&] { return both.arm.trouble() != nullptr; }));
+    ASSERT_TRUE(soon([&] { return both.arm.faultMessage() != nullptr; }));
     std::this_thread::sleep_for(1500ms);
     EXPECT_TRUE(leanPens(0));
-    EXPECT_NE(both.arm.trouble(), nullptr);
-    EXPECT_EQ(both.pen.trouble(), nullptr);
+    EXPECT_NE(both.arm.faultMessage(), nullptr);
+    EXPECT_EQ(both.pen.faultMessage(), nullptr);
 }
 
 }  // namespace

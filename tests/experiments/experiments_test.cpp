@@ -6,10 +6,10 @@
 
 #include <cmath>
 
-#include "geometry/mesh/mesh_report.h"
 #include "experiments/contact_timing.h"
 #include "experiments/quantile.h"
 #include "experiments/slot_timing.h"
+#include "geometry/mesh/mesh_report.h"
 #include "support/shapes.h"
 #include "support/test_data.h"
 
@@ -41,7 +41,8 @@ TEST(StandardTeeth, LadderKeepsItsSharesAndTheToothClosed) {
 }
 
 TEST(StandardTeeth, EachHasANameASourceAndAClosedSurface) {
-    for (const StandardToothKind kind : {StandardToothKind::Front, StandardToothKind::Molar, StandardToothKind::Dog}) {
+    for (const StandardToothKind kind :
+         {StandardToothKind::Front, StandardToothKind::Molar, StandardToothKind::Canine}) {
         const auto tooth = standardTooth(kind);
         ASSERT_TRUE(tooth);
         EXPECT_FALSE(tooth->name.empty());
@@ -53,14 +54,14 @@ TEST(StandardTeeth, EachHasANameASourceAndAClosedSurface) {
 TEST(ContactTiming, CountsTheTicksInContact) {
     const TriangleMesh plate = test::box(Vec3(-9, -9, -5), Vec3(9, 9, 0));
     const auto ball = std::make_shared<const ToolShape>(test::sphere(Vec3(0, 0, 0.7), 0.7, 16, 8));
-    const std::vector<Pose> hand = handPath(plate, standardHand(kFastHand));
+    const std::vector<Pose> hand = toolTrajectory(plate, standardToolPath(kFastSpeed));
     const ContactTiming timing = timeContact(plainSurface(plate), ball, hand, 2);
     EXPECT_EQ(timing.ticks, hand.size());
     EXPECT_GT(timing.inContact, timing.ticks / 2);
     EXPECT_LT(timing.inContact, timing.ticks);
     EXPECT_EQ(timing.overlapping, 0U);
     EXPECT_GE(timing.contacts, 1);
-    EXPECT_GE(timing.rounds, 1);
+    EXPECT_GE(timing.iterations, 1);
     EXPECT_GT(timing.p50, 0);
     EXPECT_LE(timing.p50, timing.p99);
     EXPECT_LE(timing.p99, timing.p999);
@@ -68,7 +69,7 @@ TEST(ContactTiming, CountsTheTicksInContact) {
 }
 
 TEST(TenPatchesExperiment, ProxyIsExactUpToTheSpeedOfAHand) {
-    const Experiment experiment = measureTenPatches(Subjects());
+    const Experiment experiment = measureTenPatches(TestTeeth());
     ASSERT_EQ(experiment.rows.size(), 18U);
     for (const std::vector<Cell>& row : experiment.rows) {
         ASSERT_EQ(row.size(), experiment.columns.size());
@@ -81,8 +82,8 @@ TEST(TenPatchesExperiment, ProxyIsExactUpToTheSpeedOfAHand) {
 }
 
 TEST(SidewaysExperiment, ProxyStopsWhereTheHandGoesOn) {
-    Subjects subjects;
-    const auto experiment = measureSideways(subjects);
+    TestTeeth testTeeth;
+    const auto experiment = measureSideways(testTeeth);
     ASSERT_TRUE(experiment);
     double deepest = 0, farthestApart = 0;
     for (const std::vector<Cell>& row : experiment->rows) {
@@ -98,8 +99,8 @@ TEST(SidewaysExperiment, ProxyStopsWhereTheHandGoesOn) {
 }
 
 TEST(TouchExperiment, ForceComesWithDepthAtBothSpeeds) {
-    Subjects subjects;
-    const auto experiment = measureTouch(subjects, StandardToothKind::Front);
+    TestTeeth testTeeth;
+    const auto experiment = measureTouch(testTeeth, StandardToothKind::Front);
     ASSERT_TRUE(experiment);
     EXPECT_EQ(experiment->id, "fig15");
     EXPECT_EQ(experiment->panels.size(), 6U);
@@ -108,7 +109,7 @@ TEST(TouchExperiment, ForceComesWithDepthAtBothSpeeds) {
         if (number(row[2]) == 0) {
             EXPECT_EQ(number(row[4]), 0);
         }
-        if (number(row[4]) > 0) ++(number(row[0]) == kSlowHand ? slow : fast);
+        if (number(row[4]) > 0) ++(number(row[0]) == kSlowSpeed ? slow : fast);
     }
     EXPECT_GT(slow, 5 * fast);
     EXPECT_GT(fast, 20U);

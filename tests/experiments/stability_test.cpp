@@ -4,27 +4,29 @@
 
 #include <gtest/gtest.h>
 
+#include "experiments/stability_specimens.h"
 #include "geometry/mesh/mesh_report.h"
-#include "experiments/stability_pieces.h"
 
 namespace tactooth {
 namespace {
 
-StabilityCase caseOf(const char* device, const char* hand, std::optional<MaterialId> material, Situation situation) {
-    return {findDevicePreset(device), findHandPreset(hand), material, situation, 1000};
+StabilityCase caseOf(const char* device, const char* hand, std::optional<MaterialId> material,
+                     StabilityScenario situation) {
+    return {findDevicePreset(device), findHandImpedance(hand), material, situation, 1000};
 }
 
 TEST(Stability, EveryDeviceAndHandStaysSteadyOnEnamelAndAtTheStiffestWall) {
     for (const DevicePreset& device : devicePresets()) {
-        for (const HandPreset& hand : handPresets()) {
+        for (const HandImpedance& hand : handImpedances()) {
             for (const auto& material : {std::optional(MaterialId::Enamel), std::optional<MaterialId>()}) {
-                for (const Situation situation :
-                     {Situation::Tap, Situation::Fissure, Situation::LetGo, Situation::Cut, Situation::Tremor}) {
+                for (const StabilityScenario situation :
+                     {StabilityScenario::Tap, StabilityScenario::Fissure, StabilityScenario::Release,
+                      StabilityScenario::Cut, StabilityScenario::Tremor}) {
                     const StabilityCase one{&device, &hand, material, situation, 1000};
                     const StabilityResult result = runStability(one);
                     EXPECT_TRUE(result.stable) << device.name << ' ' << hand.name << ' ' << materialNameOf(one) << ' '
-                                               << situationName(situation) << ": ripple " << result.ripple
-                                               << ", energy " << result.leastEnergy;
+                                               << stabilityScenarioName(situation) << ": ripple " << result.ripple
+                                               << ", energy " << result.minEnergy;
                 }
             }
         }
@@ -32,7 +34,8 @@ TEST(Stability, EveryDeviceAndHandStaysSteadyOnEnamelAndAtTheStiffestWall) {
 }
 
 TEST(Stability, ATouchXRendersOneNewtonAMillimetre) {
-    const StabilityResult result = runStability(caseOf("touch-x", "loose", MaterialId::Enamel, Situation::Press));
+    const StabilityResult result =
+        runStability(caseOf("touch-x", "loose", MaterialId::Enamel, StabilityScenario::Press));
     EXPECT_TRUE(result.stable);
     EXPECT_NEAR(result.stiffness, 1.0, 1e-9);
     EXPECT_NEAR(result.restForce, 1.0, 0.1);
@@ -40,67 +43,68 @@ TEST(Stability, ATouchXRendersOneNewtonAMillimetre) {
 
 // A loose hand: a firm one holds the bur in place against the pull.
 TEST(Stability, ACutPullsAsideAndShakes) {
-    const StabilityResult still = runStability(caseOf("touch-x", "loose", MaterialId::Enamel, Situation::Cusp));
-    const StabilityResult cut = runStability(caseOf("touch-x", "loose", MaterialId::Enamel, Situation::Cut));
+    const StabilityResult still = runStability(caseOf("touch-x", "loose", MaterialId::Enamel, StabilityScenario::Cusp));
+    const StabilityResult cut = runStability(caseOf("touch-x", "loose", MaterialId::Enamel, StabilityScenario::Cut));
     EXPECT_GT(cut.restForce, 1.05 * still.restForce) << "half of the normal force pulls along the rim";
     EXPECT_GT(cut.ripple, 0.005);
     EXPECT_LT(still.ripple, 1e-6);
-    EXPECT_GE(cut.leastEnergy, 0) << "the drive pays for its pull";
+    EXPECT_GE(cut.minEnergy, 0) << "the drive pays for its pull";
 }
 
 // On an arm without friction, which would swallow it.
 TEST(Stability, ATremorShakesTheForce) {
     DevicePreset smooth = *findDevicePreset("omega");
     smooth.friction = 0;
-    const auto run = [&](Situation situation) {
-        return runStability({&smooth, findHandPreset("nominal"), MaterialId::Enamel, situation, 1000});
+    const auto run = [&](StabilityScenario situation) {
+        return runStability({&smooth, findHandImpedance("nominal"), MaterialId::Enamel, situation, 1000});
     };
-    const StabilityResult press = run(Situation::Press), tremor = run(Situation::Tremor);
-    EXPECT_LT(press.ripple, kMostRipple);
+    const StabilityResult press = run(StabilityScenario::Press), tremor = run(StabilityScenario::Tremor);
+    EXPECT_LT(press.ripple, kMaxRipple);
     EXPECT_GT(tremor.ripple, 10 * press.ripple);
     EXPECT_NEAR(tremor.restForce, press.restForce, 0.1);
 }
 
 TEST(Stability, ASofterDeviceSoftensAllMaterialsTogether) {
     const auto stiffnessOf = [](MaterialId material) {
-        return runStability(caseOf("omni", "firm", material, Situation::Press)).stiffness;
+        return runStability(caseOf("omni", "firm", material, StabilityScenario::Press)).stiffness;
     };
     EXPECT_NEAR(stiffnessOf(MaterialId::Enamel), 0.5, 1e-9);
     EXPECT_NEAR(stiffnessOf(MaterialId::Dentin), 0.325, 1e-9);
 }
 
 TEST(Stability, PressingToTheLimitGivesTheDevicesForceAndNoMore) {
-    const StabilityResult result = runStability(caseOf("touch", "firm", MaterialId::Enamel, Situation::PressToLimit));
+    const StabilityResult result =
+        runStability(caseOf("touch", "firm", MaterialId::Enamel, StabilityScenario::PressToLimit));
     EXPECT_NEAR(result.restForce, 3.3, 1e-6);
-    EXPECT_LE(result.strongest, 3.3 + 1e-9);
+    EXPECT_LE(result.maxForce, 3.3 + 1e-9);
 }
 
 TEST(Stability, AWallThatNoDeviceBearsIsCalledUnstable) {
     DevicePreset device = *findDevicePreset("omega");
     device.stiffness = 60;  // twenty times what it renders
     device.friction = device.damping = 0;
-    const StabilityCase one{&device, findHandPreset("loose"), std::nullopt, Situation::Press, 1000};
+    const StabilityCase one{&device, findHandImpedance("loose"), std::nullopt, StabilityScenario::Press, 1000};
     EXPECT_FALSE(runStability(one).stable);
 }
 
 TEST(Stability, EqualRunsGiveEqualBits) {
-    const StabilityCase one = caseOf("inverse3", "nominal", MaterialId::Caries, Situation::Cusp);
+    const StabilityCase one = caseOf("inverse3", "nominal", MaterialId::Caries, StabilityScenario::Cusp);
     const StabilityResult first = runStability(one);
     const StabilityResult second = runStability(one);
     EXPECT_EQ(first.restForce, second.restForce);
-    EXPECT_EQ(first.leastEnergy, second.leastEnergy);
-    EXPECT_EQ(first.steepest, second.steepest);
+    EXPECT_EQ(first.minEnergy, second.minEnergy);
+    EXPECT_EQ(first.maxForceRate, second.maxForceRate);
 }
 
-TEST(StabilityPieces, EncloseTheVolumeOfTheirProfile) {
+TEST(StabilitySpecimens, EncloseTheVolumeOfTheirProfile) {
     // 80 mm wide and long, 60 mm high, less what the profile takes away.
     const auto volumeOf = [](const std::shared_ptr<const Surface>& piece) {
         return reportOn(piece->base->mesh()).signedVolume;
     };
-    EXPECT_NEAR(volumeOf(flatPiece(MaterialId::Enamel)), 80 * 80 * 60, 1e-3);
-    EXPECT_NEAR(volumeOf(ridgePiece(MaterialId::Enamel)), 80 * (80 * 60 - 40 * 40), 1e-3);
-    EXPECT_NEAR(volumeOf(groovePiece(MaterialId::Enamel)), 80 * (80 * 60 - 1), 1e-3);
-    EXPECT_NEAR(volumeOf(slotPiece(MaterialId::Enamel)), 80 * (80 * 60 - 2 * 0.77), 1e-3);
+    EXPECT_NEAR(volumeOf(flatSpecimen(MaterialId::Enamel)), 80 * 80 * 60, 1e-3);
+    EXPECT_NEAR(volumeOf(ridgeSpecimen(MaterialId::Enamel)), 80 * (80 * 60 - 40 * 40), 1e-3);
+    EXPECT_NEAR(volumeOf(grooveSpecimen(MaterialId::Enamel)), 80 * (80 * 60 - 1), 1e-3);
+    EXPECT_NEAR(volumeOf(slotSpecimen(MaterialId::Enamel)), 80 * (80 * 60 - 2 * 0.77), 1e-3);
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ bool isOpened(std::span<const std::byte> bytes) {
 
 bool accepts(std::span<const std::byte> bytes) {
     const bool isArchive = isOpened(bytes);
-    const auto packed = packedCase({{"case.toml", {bytes.begin(), bytes.end()}}, {"a.stl", smallSurface()}});
+    const auto packed = packCase({{"case.toml", {bytes.begin(), bytes.end()}}, {"a.stl", smallSurface()}});
     require(packed.has_value(), "any text can be packed");
     const bool isDescription = isOpened(*packed);
     return isArchive || isDescription;

@@ -27,7 +27,8 @@ bool isTrajectory(std::string_view text) {
 bool isSoundProfile(std::string_view text) {
     const auto track = parseSoundProfile(text, "fuzz", spindlePresets().front());
     if (!track) return requireSentence(track.error(), 1000), false;
-    require(track->back().time > 0 && track->back().time <= kLongestSound, "a profile spans a time that can be heard");
+    require(track->back().time > 0 && track->back().time <= kMaxSoundLength,
+            "a profile spans a time that can be heard");
     for (const TimedSoundState& moment : *track) {
         require(std::isfinite(moment.state.load) && moment.state.load >= 0 && moment.state.load <= 1,
                 "load is a share");

@@ -52,7 +52,7 @@ int tryDamagedSeeds(const FuzzTarget& target, int mostRounds, Clock::duration lo
     int accepted = 0, round = 0;
     while (round < mostRounds && last - begin < longest && !testing::Test::HasFailure()) {
         std::string bytes = seeds[below(random, seeds.size())];
-        for (std::size_t changes = 1 + below(random, 2); changes > 0; --changes) damage(bytes, seeds, random);
+        for (std::size_t changes = 1 + below(random, 2); changes > 0; --changes) mutate(bytes, seeds, random);
         accepted += tryTarget(target, bytes);
         ++round;
         const Clock::time_point now = Clock::now();

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "geometry/util/expected.h"
 #include "geometry/mesh/triangle_mesh.h"
+#include "geometry/util/expected.h"
 
 namespace tactooth::test {
 

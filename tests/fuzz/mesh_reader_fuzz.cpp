@@ -3,9 +3,9 @@
 // Whatever the bytes: the readers of OBJ and PLY refuse them with a sentence, or give a surface that is valid and not
 // larger than the bytes can hold.
 #include "fuzz/fuzz_target.h"
-#include "geometry/mesh/mesh_report.h"
 #include "geometry/io/obj_reader.h"
 #include "geometry/io/ply_reader.h"
+#include "geometry/mesh/mesh_report.h"
 
 namespace tactooth::test {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 bool keepsPromises(const Expected<ReadMesh>& read, std::size_t bytes) {
     if (!read) return requireSentence(read.error()), false;
     const TriangleMesh* const mesh = &read->mesh;
-    for (const Remark& remark : read->remarks) requireSentence({inWords(remark)});
+    for (const ImportNote& importNote : read->importNotes) requireSentence({inWords(importNote)});
     require(!mesh->empty() && mesh->triangles.size() <= bytes && mesh->vertices.size() <= bytes,
             "a surface is no larger than its file");
     requireValid(*mesh);

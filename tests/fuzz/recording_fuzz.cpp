@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "fuzz/fuzz_target.h"
-#include "sound/voices/loop_player.h"
 #include "sound/files/recording_file.h"
+#include "sound/voices/loop_player.h"
 
 // libsndfile 1.2 gives up on a damaged Ogg head without giving back what libvorbis took. Read by the leak sanitizer.
 extern "C" const char* __lsan_default_suppressions();  // NOLINT(bugprone-reserved-identifier): the sanitizer's name

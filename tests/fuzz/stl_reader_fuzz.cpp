@@ -3,9 +3,9 @@
 // Whatever the bytes: the STL reader refuses them with a sentence, or gives a surface that is valid and survives being
 // written and read again.
 #include "fuzz/fuzz_target.h"
-#include "geometry/mesh/mesh_report.h"
 #include "geometry/io/stl_reader.h"
 #include "geometry/io/stl_writer.h"
+#include "geometry/mesh/mesh_report.h"
 
 namespace tactooth::test {
 namespace {

@@ -4,12 +4,12 @@
 // names the line, or every number in them is one that can be meant, and what can be written is read again.
 #include <cmath>
 
+#include "assessment/exercise_file.h"
 #include "fuzz/fuzz_target.h"
 #include "fuzz/small_surface.h"
-#include "session/cases/own_bur.h"
-#include "assessment/exercise_file.h"
-#include "session/io/material_file.h"
 #include "session/audio/sound_preset.h"
+#include "session/cases/custom_bur.h"
+#include "session/io/material_file.h"
 
 namespace tactooth::test {
 namespace {
@@ -23,21 +23,21 @@ bool isMaterials(std::string_view text) {
                                    material.soundCentre, material.soundBrightness}) {
             require(std::isfinite(value) && value >= 0, "a material's numbers are finite and not negative");
         }
-        require(material.stiffness <= kMostMaterialStiffness && material.damping <= kMostMaterialDamping &&
-                    material.friction <= kMostMaterialFriction,
+        require(material.stiffness <= kMaxMaterialStiffness && material.damping <= kMaxMaterialDamping &&
+                    material.friction <= kMaxMaterialFriction,
                 "a material is one that a device may render");
     }
     return true;
 }
 
 bool isBur(std::string_view text) {
-    const auto readBeside = [](const std::string&) -> Expected<std::vector<std::byte>> { return smallSurface(); };
-    const auto bur = parseOwnBur(text, "fuzz", readBeside);
+    const auto readSibling = [](const std::string&) -> Expected<std::vector<std::byte>> { return smallSurface(); };
+    const auto bur = parseCustomBur(text, "fuzz", readSibling);
     if (!bur) return requireSentence(bur.error(), 1000), false;
     requireValid(bur->surface);
     require(bur->sharpness >= 0 && bur->sharpness <= 10, "a bur cuts ten times as fast as a new one at most");
     require(bur->flutes >= 0 && std::isfinite(bur->gritMicrometres), "an edge can be made");
-    const auto again = parseOwnBur(ownBurText(*bur, "a.stl"), "fuzz", readBeside);
+    const auto again = parseCustomBur(customBurText(*bur, "a.stl"), "fuzz", readSibling);
     require(again && again->name == bur->name && again->flutes == bur->flutes,
             "what was read can be written and read again");
     return true;

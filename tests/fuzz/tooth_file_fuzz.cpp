@@ -21,8 +21,8 @@ void requireValidTooth(const SavedTooth& tooth) {
         for (const float cut : field.cut) {
             require(std::abs(cut) <= static_cast<float>(kCutBand * tooth.voxel), "distances stay in their band");
         }
-        for (const auto& crossings : field.border) {
-            for (const BorderCrossing& crossing : crossings)
+        for (const auto& crossings : field.boundary) {
+            for (const HermiteSample& crossing : crossings)
                 require(crossing.place >= 0 && crossing.place <= 1, "borders lie between two nodes");
         }
     }

@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "geometry/io/mesh_file.h"
-#include "geometry/mesh/mesh_report.h"
-#include "geometry/stl_bytes.h"
 #include "geometry/io/stl_reader.h"
 #include "geometry/io/stl_writer.h"
+#include "geometry/mesh/mesh_report.h"
+#include "geometry/stl_bytes.h"
 #include "support/test_data.h"
 
 namespace tactooth {

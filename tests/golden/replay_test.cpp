@@ -52,10 +52,10 @@ struct Outcome {
 
 /// Touches the fissure of a crown whose highest point is at `top`, strokes it, lifts off while the turbine starts, and
 /// cuts into it, leaning a little.
-std::vector<ScriptedMoment> script(double top) {
+std::vector<DeviceKeyframe> script(double top) {
     const auto moment = [&](double time, const Vec3& tip, double lean, std::uint32_t buttons) {
         const Quat rotation(Eigen::AngleAxisd(lean, Vec3::UnitX()));
-        return ScriptedMoment{time, {{tip + Vec3(0, 0, top), rotation}, buttons ? 1.0 : 0.0, buttons, true}};
+        return DeviceKeyframe{time, {{tip + Vec3(0, 0, top), rotation}, buttons ? 1.0 : 0.0, buttons, true}};
     };
     return {moment(0.00, Vec3(-0.2, 0.1, 0.3), 0, 0),          moment(0.08, Vec3(-0.2, 0.1, -2.4), 0, 0),
             moment(0.16, Vec3(-1.2, -0.4, -2.4), 0.2, 0),      moment(0.18, Vec3(-0.4, 0, 0.3), 0.1, kCutButton),
@@ -76,13 +76,13 @@ Outcome replay(const BuiltinTooth& molar) {
     const double top = boundingBox(molar.outer).max().z();
     auto tooth = LayeredTooth::make(molar.outer, layersOf(molar));
     EXPECT_TRUE(tooth);
-    WorkPiece piece(std::make_shared<const LayeredTooth>(std::move(*tooth)), kVoxel);
+    CutModel piece(std::make_shared<const LayeredTooth>(std::move(*tooth)), kVoxel);
     const Bur bur = makeBur(*findBur("4"));
     const CuttingTool cutting{*RevolutionEnvelope::make(bur.surface), bur.spec.sharpness};
     HapticSimulation simulation(std::make_shared<const ToolShape>(bur.surface), cutting.envelope.maxRadius(),
                                 piece.surface(), HapticSettings());
-    FeltSurfaces surfaces(simulation.tool(), piece.felt());
-    const std::vector<ScriptedMoment> moments = script(top);
+    HapticSurfaceBuilder surfaces(simulation.tool(), piece.felt());
+    const std::vector<DeviceKeyframe> moments = script(top);
     ScriptedDevice hand(moments);
 
     Outcome outcome;
@@ -93,7 +93,7 @@ Outcome replay(const BuiltinTooth& molar) {
         const DeviceSample sample = hand.read(kTick);
         const bool cuts = sample.buttons == kCutButton;
         const Tick tick = simulation.step({sample.hand, sample.pedal, cuts}, kTick);
-        feelPiece(piece, tick, cuts && piece.feed(cutting, tick, MaterialTable()), surfaces, simulation);
+        updateHapticSurface(piece, tick, cuts && piece.feed(cutting, tick, MaterialTable()), surfaces, simulation);
         fingerprint.add(tick.wrench.force);
         fingerprint.add(tick.wrench.torque);
         fingerprint.add(tick.proxy.position);

@@ -11,7 +11,7 @@
 #include "instruments/bur_shape.h"
 #include "scene.h"
 #include "support/heap_counter.h"
-#include "tooth/surface/live_surface.h"
+#include "tooth/surface/incremental_surface.h"
 
 namespace tactooth {
 namespace {
@@ -31,7 +31,7 @@ HapticSimulation simulationOn(std::shared_ptr<const Surface> surface, ContactMod
 }
 
 /// A hand that circles over the block and presses into it, lifting off now and then.
-HandInput circling(int step, bool cuts) {
+OperatorInput circling(int step, bool cuts) {
     const double angle = 0.002 * step;
     const Vec3 tip(1.5 * std::cos(angle), 1.5 * std::sin(angle), 0.1 - 0.3 * std::sin(0.01 * step));
     return {{tip, Quat(Eigen::AngleAxisd(0.3 * std::sin(angle), Vec3::UnitX()))}, 1, cuts};
@@ -41,7 +41,7 @@ HandInput circling(int step, bool cuts) {
 Surfaces slotInTheMaking(int stages) {
     auto tooth = LayeredTooth::make(test::box(Vec3(-3, -3, -2), Vec3(3, 3, 0)), {}, MaterialId::Dentin);
     CutVolume volume(std::make_shared<const LayeredTooth>(std::move(*tooth)), 0.05);
-    LiveSurface live(volume);
+    IncrementalSurface live(volume);
     const RevolutionEnvelope envelope = *RevolutionEnvelope::make(roundBur().surface);
     Surfaces surfaces = {live.snapshot()};
     for (int i = 0; i < stages; ++i) {
@@ -71,7 +71,7 @@ TEST(Allocation, TouchingUsesNoHeap) {
         const long before = test::heapCalls();
         for (int i = 1; i <= kSteps; ++i) {
             const Tick tick = simulation.step(circling(i, false), kTick);
-            (void)pipeline.pass(wantedFrom(tick), kTick);
+            (void)pipeline.pass(forceCommandFrom(tick), kTick);
             touched += tick.contacts > 0;
         }
         EXPECT_EQ(test::heapCalls(), before);
@@ -81,7 +81,7 @@ TEST(Allocation, TouchingUsesNoHeap) {
 
 TEST(Allocation, AHandInTheToothThatWaitsForAPlaceUsesNoHeap) {
     HapticSimulation simulation = simulationOn(test::block(), ContactMode::Proxy);
-    simulation.letOthersPlace();
+    simulation.deferPlacement();
     simulation.step({test::at(0, 0, -0.3), 1, true}, kTick);
     const long before = test::heapCalls();
     for (int i = 1; i <= kSteps / 10; ++i) {

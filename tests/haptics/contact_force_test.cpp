@@ -14,14 +14,14 @@ const MaterialTable kMaterials;
 const Material kEnamel = kMaterials[MaterialId::Enamel];
 const Material kDentin = kMaterials[MaterialId::Dentin];
 
-HeldAt heldBy(MaterialId material, double depth, const Vec3& point = Vec3::Zero()) {
+ContactPoint heldBy(MaterialId material, double depth, const Vec3& point = Vec3::Zero()) {
     return {point, Vec3::UnitZ(), depth, material};
 }
 
 /// The hand is `depth` below a horizontal plane and moves at `velocity`.
 Wrench onPlane(ContactForce& law, double depth, const Vec3& velocity, double travel = 0,
                MaterialId material = MaterialId::Enamel, const Vec3& place = Vec3::Zero()) {
-    const HeldAt held = heldBy(material, depth);
+    const ContactPoint held = heldBy(material, depth);
     return law.at({place - Vec3(0, 0, depth), Vec3(0, 0, depth), velocity, travel, {&held, 1}}, kMaterials);
 }
 
@@ -74,17 +74,17 @@ TEST(ContactForce, FrictionGrowsWithTheWayFromRestToTheCone) {
     EXPECT_NEAR(at(cone / 2).force.x(), -full / 2, 1e-12);
     EXPECT_NEAR(at(cone / 2).force.x(), -full / 2, 1e-12) << "a hand that stops is held";
     EXPECT_NEAR(at(5).force.x(), -full, 1e-12);
-    EXPECT_NEAR(law.stretch(), std::hypot(0.3, cone), 1e-12);
+    EXPECT_NEAR(law.deflection(), std::hypot(0.3, cone), 1e-12);
     EXPECT_NEAR(at(5 - cone).force.x(), 0, 1e-12) << "on the way back first what was drawn is let go";
 }
 
 TEST(ContactForce, ATurningRimSlidesOnItsOwnWay) {
     ContactForce law;
-    const HeldAt held = heldBy(MaterialId::Enamel, 0.3);
+    const ContactPoint held = heldBy(MaterialId::Enamel, 0.3);
     ContactState contact{Vec3(0, 0, -0.3), Vec3(0, 0, 0.3), Vec3::Zero(), 0, {&held, 1}};
     (void)law.at(contact, kMaterials);
     contact.device.x() = 1;
-    contact.rubbed = 20;  // mm in a tick: 1.4 mm of bur at 300,000 rpm
+    contact.rimTravel = 20;  // mm in a tick: 1.4 mm of bur at 300,000 rpm
     EXPECT_NEAR(law.at(contact, kMaterials).force.x(), 0, 1e-12);
 }
 
@@ -129,7 +129,7 @@ TEST(ContactForce, TwoMaterialsShareByWhatEachHolds) {
 
 TEST(ContactForce, AContactThatJustTouchesHasAMaterialToo) {
     ContactForce law;
-    const HeldAt held = heldBy(MaterialId::Dentin, 0);
+    const ContactPoint held = heldBy(MaterialId::Dentin, 0);
     const Wrench wrench = law.at({Vec3::Zero(), Vec3(0, 0, 1e-9), Vec3::Zero(), 0, {&held, 1}}, kMaterials);
     EXPECT_NEAR(wrench.force.z(), 1e-9 * kDentin.stiffness, 1e-15);
     EXPECT_TRUE(wrench.torque.allFinite());
@@ -152,7 +152,7 @@ TEST(ContactForce, AnOffCentreContactTurnsTheTool) {
     ContactForce law;
     const Vec3 tip(3, 4, 5);
     const Vec3 arm(0.7, -0.2, 1.1);
-    const HeldAt held = heldBy(MaterialId::Enamel, 0.2, tip + Vec3(0, 0, 0.2) + arm);
+    const ContactPoint held = heldBy(MaterialId::Enamel, 0.2, tip + Vec3(0, 0, 0.2) + arm);
     const Wrench wrench = law.at({tip, Vec3(0, 0, 0.2), Vec3(8, 0, 0), 0, {&held, 1}}, kMaterials);
     EXPECT_TRUE(wrench.torque.isApprox(arm.cross(wrench.force), 1e-12));
     EXPECT_GT(wrench.torque.norm(), 0.05);
@@ -160,7 +160,7 @@ TEST(ContactForce, AnOffCentreContactTurnsTheTool) {
 
 TEST(ContactForce, AHandThatTurnsIntoAContactIsDampedAsOneThatMovesIntoIt) {
     const Vec3 tip(3, 4, 5);
-    const HeldAt held = heldBy(MaterialId::Enamel, 0.2, tip + Vec3(2, 0, 0.2));
+    const ContactPoint held = heldBy(MaterialId::Enamel, 0.2, tip + Vec3(2, 0, 0.2));
     const Vec3 offset(0, 0, 0.2);
     ContactForce moving, turning;
     const Wrench moved = moving.at({tip, offset, Vec3(0, 0, -6), 0, {&held, 1}}, kMaterials);
@@ -186,7 +186,7 @@ TEST(ContactForce, NeverStepsByMoreThanATwentiethOfANewtonAMillisecondAtABorder)
             ContactForce law;
             double last = 0;
             for (int i = 0; i < 300; ++i) {
-                const HeldAt held = heldBy(i < 100 ? MaterialId::Caries : MaterialId::Enamel, depth);
+                const ContactPoint held = heldBy(i < 100 ? MaterialId::Caries : MaterialId::Enamel, depth);
                 const ContactState contact{Vec3(0, 0, -depth), Vec3(0, 0, depth), Vec3::Zero(), travel,
                                            {&held, 1},         Vec3::Zero(),      kTick};
                 const double force = law.at(contact, kMaterials).force.z();
@@ -207,7 +207,7 @@ TEST(ContactForce, WhatIsNoNumberIsHandedOnAndForgotten) {
     for (int what = 0; what < 4; ++what) {
         ContactForce law;
         (void)onPlane(law, 0.1, Vec3::Zero());
-        const HeldAt held = heldBy(MaterialId::Enamel, what == 3 ? bad : 0.1);
+        const ContactPoint held = heldBy(MaterialId::Enamel, what == 3 ? bad : 0.1);
         const Vec3 offset(0, 0, 0.1);
         const Vec3 wrong(0, 0, bad);
         const Wrench wrench = law.at({what == 0 ? wrong : Vec3(-offset),

@@ -51,14 +51,14 @@ TEST(CuttingForce, IsNothingForAStillBurAndInTheAir) {
 }
 
 TEST(CuttingForce, ShakesAtTwoHundredAndFiftyHertzAtMost) {
-    const double frequency = CuttingForce::shakingFrequency(kTurbine, kTurbine);
+    const double frequency = CuttingForce::vibrationFrequency(kTurbine, kTurbine);
     EXPECT_EQ(frequency, 5000.0 / 32);
     for (double free = 300; free < 500'000; free *= 1.07) {
-        EXPECT_LE(CuttingForce::shakingFrequency(free, free), 250) << free;
-        EXPECT_DOUBLE_EQ(CuttingForce::shakingFrequency(free / 3, free),
-                         CuttingForce::shakingFrequency(free, free) / 3);
+        EXPECT_LE(CuttingForce::vibrationFrequency(free, free), 250) << free;
+        EXPECT_DOUBLE_EQ(CuttingForce::vibrationFrequency(free / 3, free),
+                         CuttingForce::vibrationFrequency(free, free) / 3);
     }
-    EXPECT_DOUBLE_EQ(CuttingForce::shakingFrequency(10'000, 10'000), 10'000 / 60.0);
+    EXPECT_DOUBLE_EQ(CuttingForce::vibrationFrequency(10'000, 10'000), 10'000 / 60.0);
 }
 
 TEST(CuttingForce, ShakesAtOneFrequencyByFourHundredthsOfTheNormalForce) {
@@ -68,7 +68,7 @@ TEST(CuttingForce, ShakesAtOneFrequencyByFourHundredthsOfTheNormalForce) {
     double atPitch = 0;  // of it at the one frequency
     double real = 0;
     double imaginary = 0;
-    const double turn = 2 * std::numbers::pi * kTick * CuttingForce::shakingFrequency(kTurbine, kTurbine);
+    const double turn = 2 * std::numbers::pi * kTick * CuttingForce::vibrationFrequency(kTurbine, kTurbine);
     for (std::size_t i = 0; i < forces.size(); ++i) {
         const Vec3 shake = forces[i] - mean;
         ASSERT_NEAR(shake.norm(), 0.04, 1e-3);
@@ -83,10 +83,10 @@ TEST(CuttingForce, ShakesAtOneFrequencyByFourHundredthsOfTheNormalForce) {
 TEST(CuttingForce, ComesAndGoesWithoutAStep) {
     CuttingForce law;
     Vec3 last = Vec3::Zero();
-    const double ofShaking = 0.04 * 2 * std::sin(std::numbers::pi * kTick * 5000 / 32);  // from tick to tick, N
+    const double ofVibration = 0.04 * 2 * std::sin(std::numbers::pi * kTick * 5000 / 32);  // from tick to tick, N
     for (int i = 0; i < 400; ++i) {
         const Vec3 force = law.at(cutting(1, i < 200 ? kTurbine : 0), kTick);
-        EXPECT_LT((force - last).norm(), 0.03 + ofShaking) << i;
+        EXPECT_LT((force - last).norm(), 0.03 + ofVibration) << i;
         last = force;
     }
     EXPECT_NEAR(last.norm(), 0, 1e-4);

@@ -14,8 +14,8 @@ constexpr double kStiffness = 0.5;  // N/mm
 constexpr double kMost = 0.15;      // N
 const Vec3 kUp = Vec3::UnitZ();
 
-Vec3 pull(DryFriction& friction, const Vec3& hand, double rubbed = 0) {
-    return friction.at(hand, kUp, kStiffness, kMost, rubbed);
+Vec3 pull(DryFriction& friction, const Vec3& hand, double rimTravel = 0) {
+    return friction.at(hand, kUp, kStiffness, kMost, rimTravel);
 }
 
 TEST(DryFriction, ClingsLikeASpringAndThenDrags) {
@@ -41,7 +41,7 @@ TEST(DryFriction, ActsAcrossTheNormalAlone) {
         const Vec3 force = friction.at(hand, normal, kStiffness, kMost, 0);
         EXPECT_NEAR(force.dot(normal), 0, 1e-15);
         EXPECT_LE(force.norm(), kMost * (1 + 1e-12));
-        EXPECT_NEAR(friction.stretch().norm() * kStiffness, force.norm(), 1e-15);
+        EXPECT_NEAR(friction.deflection().norm() * kStiffness, force.norm(), 1e-15);
         slid += force.norm() > 0.999 * kMost;
     }
     EXPECT_GT(slid, 100);
@@ -73,7 +73,7 @@ TEST(DryFriction, ATurningRimTearsItOff) {
     DryFriction friction;
     (void)pull(friction, Vec3::Zero());
     (void)pull(friction, Vec3(0.2, 0, 0));
-    const double before = friction.stretch().norm();
+    const double before = friction.deflection().norm();
     EXPECT_NEAR(pull(friction, Vec3(0.2, 0, 0), 0.05).norm(), kStiffness * before / std::exp(1), 1e-12);
     EXPECT_LT(pull(friction, Vec3(0.4, 0, 0), 20).norm(), 1e-12);
 }

@@ -24,19 +24,19 @@ ForceLimits touchLimits() {
     return limits;
 }
 
-WantedForce inAir() { return {}; }
+ForceCommand inAir() { return {}; }
 
 /// A hand at rest that a spring of 1 N/mm pushes along `way`.
-WantedForce pushed(const Vec3& force) {
-    WantedForce wanted;
+ForceCommand pushed(const Vec3& force) {
+    ForceCommand wanted;
     wanted.wrench.force = force;
-    wanted.stretch = force.norm();
+    wanted.deflection = force.norm();
     wanted.stiffness = 1;
     wanted.touching = true;
     return wanted;
 }
 
-WantedForce pushed(double newton) { return pushed(Vec3(0, 0, newton)); }
+ForceCommand pushed(double newton) { return pushed(Vec3(0, 0, newton)); }
 
 /// A pipeline that has been on in the air for a second: at full strength.
 ForcePipeline ready(const ForceLimits& limits = touchLimits()) {
@@ -45,7 +45,7 @@ ForcePipeline ready(const ForceLimits& limits = touchLimits()) {
     return pipeline;
 }
 
-double settled(ForcePipeline& pipeline, const WantedForce& wanted, int ticks = 50) {
+double settled(ForcePipeline& pipeline, const ForceCommand& wanted, int ticks = 50) {
     double force = 0;
     for (int i = 0; i < ticks; ++i) force = pipeline.pass(wanted, kTick).force().norm();
     return force;
@@ -61,7 +61,7 @@ TEST(ForcePipeline, AHandThatRestsFeelsWhatIsWanted) {
 TEST(ForcePipeline, StartingInsideTheToothGivesNothingUntilTheToolWasFree) {
     ForcePipeline pipeline(touchLimits());
     EXPECT_EQ(settled(pipeline, pushed(2), 3000), 0);
-    EXPECT_EQ(pipeline.state(), ForceState::WaitsForFree);
+    EXPECT_EQ(pipeline.state(), ForceState::AwaitsFreeSpace);
     (void)pipeline.pass(inAir(), kTick);
     EXPECT_NEAR(settled(pipeline, pushed(2)), 2, kRounding);
     EXPECT_EQ(pipeline.state(), ForceState::On);
@@ -70,7 +70,7 @@ TEST(ForcePipeline, StartingInsideTheToothGivesNothingUntilTheToolWasFree) {
 TEST(ForcePipeline, SwitchingOffMidPressFadesOutAndOnAgainWaitsUntilFree) {
     ForcePipeline pipeline = ready();
     double last = settled(pipeline, pushed(2));
-    WantedForce off = pushed(2);
+    ForceCommand off = pushed(2);
     off.allowed = false;
     int ticks = 0;
     while (last > 0) {
@@ -92,27 +92,27 @@ TEST(ForcePipeline, SwitchingOffMidPressFadesOutAndOnAgainWaitsUntilFree) {
 }
 
 TEST(ForcePipeline, ALostDeviceOrAHandThatIsNoNumberGivesNothingInTheSameTick) {
-    std::vector<WantedForce> broken(13, pushed(2));
+    std::vector<ForceCommand> broken(13, pushed(2));
     broken[0].connected = false;
     broken[1].hand.y() = kNan;
     broken[2].wrench.force.x() = kNan;
-    broken[3].stretch = kNan;
+    broken[3].deflection = kNan;
     broken[4].stiffness = std::numeric_limits<double>::infinity();
     broken[5].stiffness = -1;
-    broken[6].stretch = -std::numeric_limits<double>::infinity();
-    broken[7].motorHeat = kNan;
-    broken[8].drivePull.z() = kNan;
+    broken[6].deflection = -std::numeric_limits<double>::infinity();
+    broken[7].motorTemperature = kNan;
+    broken[8].driveForce.z() = kNan;
     broken[9].turn.coeffs() *= 1.1;
     broken[10].turn.w() = kNan;
     broken[11].turn = Quat(Eigen::AngleAxisd(0.5, Vec3::UnitX()));
     broken[12].age = 0.006;
-    for (const WantedForce& wanted : broken) {
+    for (const ForceCommand& wanted : broken) {
         ForcePipeline pipeline = ready();
         settled(pipeline, pushed(2));
         EXPECT_EQ(pipeline.pass(wanted, kTick).force(), Vec3::Zero());
         EXPECT_EQ(pipeline.state(), ForceState::Fault);
         EXPECT_EQ(pipeline.faults(), 1U);
-        EXPECT_EQ(pipeline.fault() == HandFault::None, !wanted.connected)
+        EXPECT_EQ(pipeline.fault() == PoseFault::None, !wanted.connected)
             << "what is wrong with a device it says itself";
         EXPECT_EQ(settled(pipeline, pushed(2), 1000), 0) << "waits until the tool was free";
         (void)pipeline.pass(inAir(), kTick);
@@ -124,7 +124,7 @@ TEST(ForcePipeline, AHandThatJumpsIsAFault) {
     for (const double jump : {12.0, 50.0, 1e300, std::numeric_limits<double>::infinity()}) {
         ForcePipeline pipeline = ready();
         settled(pipeline, pushed(2));
-        WantedForce wanted = pushed(2);
+        ForceCommand wanted = pushed(2);
         wanted.hand = Vec3(0, jump, 0);
         EXPECT_EQ(pipeline.pass(wanted, kTick).force(), Vec3::Zero()) << jump;
         EXPECT_EQ(pipeline.state(), ForceState::Fault);
@@ -134,8 +134,8 @@ TEST(ForcePipeline, AHandThatJumpsIsAFault) {
 
 TEST(ForcePipeline, AQuickHandGetsNoMorePowerThanTheDeviceMayGive) {
     ForcePipeline pipeline = ready();
-    WantedForce wanted = pushed(3.3);
-    wanted.drivePull = wanted.wrench.force;  // which no controller of energy damps
+    ForceCommand wanted = pushed(3.3);
+    wanted.driveForce = wanted.wrench.force;  // which no controller of energy damps
     for (int i = 0; i < 200; ++i) {
         wanted.hand.x() += 0.005 * i;  // up to 1 m/s
         const double force = pipeline.pass(wanted, kTick).force().norm();
@@ -148,10 +148,10 @@ TEST(ForcePipeline, AQuickHandGetsNoMorePowerThanTheDeviceMayGive) {
 TEST(ForcePipeline, AHandThatIsBackGetsItsForceWithTheRamp) {
     ForcePipeline pipeline = ready();
     settled(pipeline, pushed(2));
-    WantedForce aside = pushed(2);
+    ForceCommand aside = pushed(2);
     aside.hand.x() = 4.9;
     (void)pipeline.pass(aside, kTick);
-    EXPECT_EQ(pipeline.fault(), HandFault::Jump);
+    EXPECT_EQ(pipeline.fault(), PoseFault::Jump);
     aside.touching = false;
     aside.wrench.force.setZero();
     EXPECT_EQ(settled(pipeline, aside, 99), 0);
@@ -171,7 +171,7 @@ TEST(ForcePipeline, AHandThatIsBackGetsItsForceWithTheRamp) {
 
 TEST(ForcePipeline, TheQuickestHandIsNoFault) {
     ForcePipeline pipeline = ready();
-    WantedForce wanted = inAir();
+    ForceCommand wanted = inAir();
     for (int i = 0; i < 100; ++i) {
         wanted.hand.x() += 2.0;  // 2 m/s
         (void)pipeline.pass(wanted, kTick);
@@ -216,8 +216,8 @@ TEST(ForcePipeline, ALongPressGoesDownToWhatTheMotorsBear) {
 
 TEST(ForcePipeline, MotorsThatReportHeatGetTheContinuousForceOnly) {
     ForcePipeline pipeline = ready();
-    WantedForce hot = pushed(3);
-    hot.motorHeat = 1;
+    ForceCommand hot = pushed(3);
+    hot.motorTemperature = 1;
     EXPECT_NEAR(settled(pipeline, hot), 0.88, kRounding);
     EXPECT_EQ(pipeline.state(), ForceState::Warm);
 }
@@ -227,7 +227,7 @@ TEST(ForcePipeline, DampingNeverTurnsAPushIntoAPull) {
     double z = 0;
     for (int i = 0; i < 2000; ++i) {
         z = -0.2 + 0.2 * std::cos(0.9 * i);  // far quicker than a hand: the spring leaks at every tick
-        WantedForce wanted = pushed(-z);
+        ForceCommand wanted = pushed(-z);
         wanted.hand = Vec3(0, 0, z);
         ASSERT_GE(pipeline.pass(wanted, kTick).force().z(), -kRounding);
     }
@@ -241,7 +241,7 @@ TEST(ForcePipeline, EqualCallsGiveEqualBits) {
     Vec3 hand = Vec3::Zero();
     for (int i = 0; i < 20'000; ++i) {
         hand += 0.02 * Vec3(some(random), some(random), some(random));
-        WantedForce wanted = pushed(Vec3(some(random), some(random), some(random)));
+        ForceCommand wanted = pushed(Vec3(some(random), some(random), some(random)));
         wanted.hand = hand;
         wanted.touching = i % 300 != 0;
         ASSERT_EQ(first.pass(wanted, kTick).force(), second.pass(wanted, kTick).force());
@@ -249,20 +249,20 @@ TEST(ForcePipeline, EqualCallsGiveEqualBits) {
 }
 
 /// Mostly a hand that wanders in and out of a tooth; now and then something is broken.
-class HostileHand {
+class ErraticDevice {
 public:
-    WantedForce wanted() {
+    ForceCommand wanted() {
         hand_ += 0.05 * Vec3(from_.part(), from_.part(), from_.part());
-        WantedForce wanted = pushed(4 * Vec3(from_.part(), from_.part(), 1 + from_.part()));
+        ForceCommand wanted = pushed(4 * Vec3(from_.part(), from_.part(), 1 + from_.part()));
         wanted.hand = hand_;
         wanted.touching = !from_.oneIn(50);
         wanted.allowed = !from_.oneIn(2000);
         wanted.connected = !from_.oneIn(5000);
         if (from_.oneIn(1000)) wanted.wrench = {from_.vector(), from_.vector()};
         if (from_.oneIn(5000)) wanted.hand = from_.vector();
-        if (from_.oneIn(5000)) wanted.stretch = from_.number();
+        if (from_.oneIn(5000)) wanted.deflection = from_.number();
         if (from_.oneIn(5000)) wanted.stiffness = from_.number();
-        if (from_.oneIn(2000)) wanted.motorHeat = from_.number();
+        if (from_.oneIn(2000)) wanted.motorTemperature = from_.number();
         return wanted;
     }
     double elapsed() {
@@ -278,12 +278,12 @@ private:
 TEST(ForcePipeline, AMillionHostileTicksStayWithinForceAndSlewAndAreNumbers) {
     const ForceLimits allowed = touchLimits();
     ForcePipeline pipeline(allowed);
-    HostileHand adversary;
+    ErraticDevice adversary;
     Vec3 last = Vec3::Zero();
     long strong = 0;
     long stopped = 0;
     for (int i = 0; i < 1'000'000; ++i) {
-        const WantedForce wanted = adversary.wanted();
+        const ForceCommand wanted = adversary.wanted();
         const double elapsed = adversary.elapsed();
         const Vec3 force = pipeline.pass(wanted, elapsed).force();
         ASSERT_TRUE(force.allFinite()) << i;

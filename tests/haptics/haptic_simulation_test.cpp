@@ -28,16 +28,16 @@ HapticSimulation simulationOf(const HapticSettings& settings = {},
     return {test::ball(), test::kBallRadius, std::move(surface), settings};
 }
 
-HandInput touching(const Pose& hand) { return {hand, 0, false}; }
-HandInput cutting(const Pose& hand, double pedal = 1) { return {hand, pedal, true}; }
+OperatorInput touching(const Pose& hand) { return {hand, 0, false}; }
+OperatorInput cutting(const Pose& hand, double pedal = 1) { return {hand, pedal, true}; }
 
 double rimSpeed(double rpm) { return rpm / 60 * 2 * std::numbers::pi * test::kBallRadius * 1e-3; }
 
 /// Every field, bit for bit.
 bool equalBits(const Tick& a, const Tick& b) {
     const auto numbers = [](const Tick& t) {
-        std::vector<double> all = {t.time,     t.depth, t.speed,       double(t.contacts), t.pedal,
-                                   t.speedRpm, t.load,  t.removalWatt, t.cutWork,          t.landingSpeed};
+        std::vector<double> all = {t.time,     t.depth, t.speed,        double(t.contacts), t.pedal,
+                                   t.speedRpm, t.load,  t.removalPower, t.cutWork,          t.impactSpeed};
         for (const Vec3& v : {t.hand.position, t.proxy.position, t.normal, t.wrench.force, t.wrench.torque}) {
             all.insert(all.end(), v.data(), v.data() + 3);
         }
@@ -49,14 +49,14 @@ bool equalBits(const Tick& a, const Tick& b) {
     const std::vector<double> first = numbers(a);
     const std::vector<double> second = numbers(b);
     return std::memcmp(first.data(), second.data(), first.size() * sizeof(double)) == 0 && a.placed == b.placed &&
-           a.cutting == b.cutting && a.material == b.material && a.landings == b.landings;
+           a.cutting == b.cutting && a.material == b.material && a.contactOnsets == b.contactOnsets;
 }
 
 /// A hand that wanders about the top of the block, turning, cutting now and then.
-std::vector<HandInput> wandering(int ticks) {
+std::vector<OperatorInput> wandering(int ticks) {
     std::mt19937 random(20260205);
     std::normal_distribution<double> step(0, 0.02);
-    std::vector<HandInput> result;
+    std::vector<OperatorInput> result;
     Pose hand = at(0, 0, 0.1);
     for (int i = 0; i < ticks; ++i) {
         hand.position += Vec3(step(random), step(random), step(random) - 0.02 * hand.position.z());
@@ -108,11 +108,11 @@ TEST(HapticSimulation, CountsLandingsWithTheirSpeed) {
     for (int landing = 1; landing <= 3; ++landing) {
         for (int i = 0; i < 40; ++i) tick = simulation.step(touching(at(0, 0, 0.405 - 0.01 * landing * i)), kTick);
         for (int i = 0; i < 10; ++i) tick = simulation.step(touching(at(0, 0, -0.1)), kTick);
-        ASSERT_EQ(tick.landings, static_cast<std::uint32_t>(landing));
+        ASSERT_EQ(tick.contactOnsets, static_cast<std::uint32_t>(landing));
         for (int i = 0; i < 40; ++i) tick = simulation.step(touching(at(0, 0, 0.405)), kTick);
-        ASSERT_EQ(tick.landings, static_cast<std::uint32_t>(landing));
+        ASSERT_EQ(tick.contactOnsets, static_cast<std::uint32_t>(landing));
         if (landing > 1) {
-            EXPECT_NEAR(tick.landingSpeed, 10 * landing, 0.1 * landing);
+            EXPECT_NEAR(tick.impactSpeed, 10 * landing, 0.1 * landing);
         }
     }
 }
@@ -123,7 +123,7 @@ TEST(HapticSimulation, AHandThatStartsInsideIsPushedOut) {
     ASSERT_TRUE(tick.placed);
     EXPECT_NEAR(tick.depth, 0.6, 1e-4);
     EXPECT_NEAR(tick.wrench.force.z(), 0.6 * kMaterials[MaterialId::Enamel].stiffness, 1e-4);
-    EXPECT_EQ(tick.landings, 1U);
+    EXPECT_EQ(tick.contactOnsets, 1U);
 }
 
 TEST(HapticSimulation, EqualInputsGiveEqualBits) {
@@ -133,7 +133,7 @@ TEST(HapticSimulation, EqualInputsGiveEqualBits) {
         HapticSimulation first = simulationOf(settings);
         HapticSimulation second = simulationOf(settings);
         int touched = 0;
-        for (const HandInput& hand : wandering(2000)) {
+        for (const OperatorInput& hand : wandering(2000)) {
             const Tick tick = first.step(hand, kTick);
             ASSERT_TRUE(equalBits(tick, second.step(hand, kTick))) << tick.time;
             touched += tick.contacts > 0;
@@ -193,7 +193,7 @@ TEST(HapticSimulation, BooksNormalForceTimesRimTravel) {
         const double powerBefore = std::exchange(power, normalForce * rimSpeed(tick.speedRpm));
         booked += (powerBefore + power) / 2 * kTick;
         ASSERT_NEAR(tick.cutWork, booked, 1e-12 * (1 + booked));
-        ASSERT_NEAR(tick.removalWatt, 0.5 * normalForce * rimSpeed(tick.speedRpm), 1e-12 * tick.removalWatt);
+        ASSERT_NEAR(tick.removalPower, 0.5 * normalForce * rimSpeed(tick.speedRpm), 1e-12 * tick.removalPower);
         ASSERT_NEAR(tick.load, 0.5 * normalForce * test::kBallRadius, 1e-12 * tick.load);
         // The hand feels it, beside the shaking (4 %, across the axis: the normal strays from it by a few hundredths).
         ASSERT_NEAR(tick.wrench.force.dot(tick.normal), normalForce, 4e-3 * normalForce);
@@ -283,10 +283,10 @@ TEST(HapticSimulation, TheMaterialIsThatOfTheSurfaceTouched) {
 TEST(HapticSimulation, AToolThatMayTurnGivesTheTorqueOfItsTurn) {
     const auto plank = std::make_shared<const ToolShape>(test::box(Vec3(-1, -0.5, 0), Vec3(1, 0.5, 6)));
     HapticSettings settings;
-    settings.freedom = Freedom::ShiftAndTurn;
+    settings.freedom = Freedom::TranslationAndRotation;
     settings.force.friction = 0;
     HapticSimulation simulation(plank, 1, test::block(), settings);
-    const double turnLength = SlidingBody(plank, Freedom::ShiftAndTurn).turnLength();
+    const double characteristicLength = ProxySolver(plank, Freedom::TranslationAndRotation).characteristicLength();
     const double stiffness = kMaterials[MaterialId::Enamel].stiffness;
     Tick tick;
     for (int i = 0; i <= 300; ++i) {
@@ -300,7 +300,7 @@ TEST(HapticSimulation, AToolThatMayTurnGivesTheTorqueOfItsTurn) {
     ASSERT_GT(turn.angle(), 0.005);  // it lies down on the block, in part
     EXPECT_NEAR((tick.wrench.force - stiffness * shift).norm(), 0, 1e-4);
     const Vec3 aboutCentre = tick.wrench.torque - (centre - tick.proxy.position).cross(tick.wrench.force);
-    const Vec3 expected = stiffness * turnLength * turnLength * turn.angle() * turn.axis();
+    const Vec3 expected = stiffness * characteristicLength * characteristicLength * turn.angle() * turn.axis();
     EXPECT_NEAR((aboutCentre - expected).norm(), 0, 1e-3 * expected.norm());
 }
 

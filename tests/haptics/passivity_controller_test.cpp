@@ -187,7 +187,7 @@ TEST(PassivityController, SumsThatAreNoNumberAreSaidAndBeginAnew) {
         PassivityController controller;
         (void)controller.damp(at(0), Vec3::Zero(), springAt(0), kTick);
         SpringState spring = springAt(-0.1);
-        if (what == 0) spring.stretch = spring.stiffness = bad;
+        if (what == 0) spring.deflection = spring.stiffness = bad;
         if (what == 3) spring.bound = bad;
         if (what == 4) spring.strength = bad;
         const Vec3 added = controller.damp(what == 1 ? at(bad) : at(-0.1), what == 2 ? at(bad) : at(0), spring, kTick);

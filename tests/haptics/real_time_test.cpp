@@ -13,7 +13,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 TEST(RealTimeRights, WhoHasAllIsToldNothing) {
-    const RealTimeRights all{.priority = true, .memory = true, .lightSleep = true};
+    const RealTimeRights all{.priority = true, .memory = true, .cpuLatency = true};
     EXPECT_EQ(missingRights(all), "");
     EXPECT_EQ(realTimeHint(all), "");
 }
@@ -21,9 +21,9 @@ TEST(RealTimeRights, WhoHasAllIsToldNothing) {
 TEST(RealTimeRights, WhatIsMissingIsNamedWithTheFileToWrite) {
     EXPECT_EQ(missingRights({}), "real-time priority, locked memory, keeping the processors from deep sleep");
     EXPECT_THAT(realTimeHint({}), AllOf(HasSubstr("limits.d/tactooth.conf"), HasSubstr("rules.d/99-tactooth.rules")));
-    EXPECT_THAT(realTimeHint({.priority = true, .memory = false, .lightSleep = true}),
+    EXPECT_THAT(realTimeHint({.priority = true, .memory = false, .cpuLatency = true}),
                 AllOf(HasSubstr("memlock"), Not(HasSubstr("rules.d"))));
-    EXPECT_THAT(realTimeHint({.priority = true, .memory = true, .lightSleep = false}),
+    EXPECT_THAT(realTimeHint({.priority = true, .memory = true, .cpuLatency = false}),
                 AllOf(HasSubstr("cpu_dma_latency"), Not(HasSubstr("limits.d"))));
 }
 

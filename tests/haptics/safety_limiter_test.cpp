@@ -134,7 +134,7 @@ TEST(SafetyLimiter, AMillionHostileWrenchesStayWithinMagnitudeAndSlew) {
     const ForceLimits allowed = limits();
     SafetyLimiter limiter(allowed);
     test::Adversary adversary(20260203);
-    const auto hostileTime = [&] {
+    const auto erraticTime = [&] {
         if (adversary.oneIn(16)) return adversary.oddTime();
         return adversary.oneIn(16) ? 0.004 * std::abs(adversary.part()) : kTick;
     };
@@ -143,11 +143,11 @@ TEST(SafetyLimiter, AMillionHostileWrenchesStayWithinMagnitudeAndSlew) {
     long zero = 0;
     for (int i = 0; i < 1'000'000; ++i) {
         const Wrench wanted = i % 64 < 40 ? push(10) : Wrench{adversary.vector(), adversary.vector()};
-        const double elapsed = i % 64 < 40 ? kTick : hostileTime();
+        const double elapsed = i % 64 < 40 ? kTick : erraticTime();
         const bool enabled = !adversary.oneIn(500);
         const SafeWrench got = limiter.limit(wanted, elapsed, enabled, 0);
         const bool allowedToPush = wanted.force.allFinite() && wanted.torque.allFinite() && elapsed >= 0 &&
-                                   elapsed <= allowed.stallTime && enabled;
+                                   elapsed <= allowed.tickTimeout && enabled;
         if (allowedToPush) {
             ASSERT_LE(got.force().norm(), allowed.force * (1 + 1e-12));
             ASSERT_LE(got.torque().norm(), allowed.torque * (1 + 1e-12));

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "felt_path.h"
 #include "geometry/mesh/simplify.h"
 #include "geometry/mesh/subdivide.h"
+#include "haptic_path.h"
 #include "support/shapes.h"
 
 namespace tactooth {
@@ -54,13 +54,13 @@ double degreesBetween(const Vec3& a, const Vec3& b) {
 }  // namespace
 
 TEST(SmoothForce, TheSameSurfaceCutIntoMoreTrianglesFeelsTheSame) {
-    TriangleMesh tooth = simplified(test::judgedTeeth()[2].mesh, 9500);
+    TriangleMesh tooth = simplified(test::oracleTeeth()[2].mesh, 9500);
     const TriangleMesh ground = tooth;
-    const test::Felt coarse = test::forceAlong(ground, tooth, 10);
+    const test::ForceStats coarse = test::forceAlong(ground, tooth, 10);
     EXPECT_GT(coarse.mean, 0.02);
     for (int level = 0; level < 2; ++level) {
         tooth = subdivided(tooth, 1);
-        const test::Felt fine = test::forceAlong(ground, tooth, 10);
+        const test::ForceStats fine = test::forceAlong(ground, tooth, 10);
         EXPECT_NEAR(fine.mean, coarse.mean, 0.02 * coarse.mean) << tooth.triangles.size();
         EXPECT_NEAR(fine.peak, coarse.peak, 0.02 * coarse.peak) << tooth.triangles.size();
     }
@@ -93,11 +93,11 @@ TEST(SmoothForce, ItsDirectionTurnsWithTheBallUnderIt) {
 }
 
 TEST(SmoothForce, AHandAtRestFeelsNoNoise) {
-    for (const test::NamedMesh& tooth : test::judgedTeeth()) {
-        HandPath how;
+    for (const test::NamedMesh& tooth : test::oracleTeeth()) {
+        ToolTrajectory how;
         how.speed = 30;
-        const std::vector<Pose> path = handPath(tooth.mesh, how);
-        HapticSimulation simulation = test::simulationOn(tooth.mesh, test::judgedTools()[0].mesh);
+        const std::vector<Pose> path = toolTrajectory(tooth.mesh, how);
+        HapticSimulation simulation = test::simulationOn(tooth.mesh, test::oracleTools()[0].mesh);
         int pressed = 0;
         for (std::size_t i = 0; i < path.size(); ++i) {
             (void)simulation.step({path[i], 0, false}, kTick);

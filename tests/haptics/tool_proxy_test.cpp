@@ -36,7 +36,7 @@ TEST(ToolProxy, OnAPlaneItStaysAboveTheHand) {
     EXPECT_TRUE(state.offset.isApprox(Vec3(0, 0, 0.4), kRounding));
     ASSERT_GT(state.contacts, 0);
     Vec3 sum = Vec3::Zero();
-    for (const HeldAt& held : state.heldAt()) {
+    for (const ContactPoint& held : state.contactPoints()) {
         EXPECT_EQ(held.material, MaterialId::Dentin);
         EXPECT_NEAR(held.point.z(), 0, kRounding);
         sum += held.share * held.normal;
@@ -175,7 +175,7 @@ TEST(ToolProxy, PenaltyModeFreesTheDeepestPairAndKeepsNoHistory) {
         EXPECT_GT(state.offset.norm(), 0);
         EXPECT_EQ(state.offset, Vec3(pair.depth * pair.normal));
         EXPECT_EQ(state.contacts, pair.contacts);
-        ASSERT_EQ(state.heldCount, 1);
+        ASSERT_EQ(state.contactPointCount, 1);
         EXPECT_EQ(state.held[0].material, MaterialId::Caries);
     }
     EXPECT_EQ(proxy.follow(at(0, 0, 0.5)).contacts, 0);

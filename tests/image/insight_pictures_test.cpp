@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
 // Ways of looking into a tooth, and what is in the air around it, against stored pictures.
+#include "assessment/cavity_ghost.h"
 #include "geometry/util/pose.h"
 #include "image/molar_fixture.h"
-#include "assessment/cavity_ghost.h"
-#include "session/simulation/work_piece.h"
+#include "session/simulation/cut_model.h"
 #include "support/shapes.h"
 
 namespace tactooth {
@@ -14,31 +14,32 @@ using test::objectOf;
 
 class InsightPictures : public test::MolarPictures {
 protected:
-    static std::vector<Look> materialLooks() {
-        return {looks::enamel(), looks::dentin(), looks::pulp(), looks::bone(), looks::bone(), looks::caries()};
+    static std::vector<Appearance> materialAppearances() {
+        return {appearances::enamel(), appearances::dentin(), appearances::pulp(),
+                appearances::bone(),   appearances::bone(),   appearances::caries()};
     }
-    static Look lookOf(MaterialId id) { return materialLooks()[static_cast<std::size_t>(id)]; }
+    static Appearance appearanceOf(MaterialId id) { return materialAppearances()[static_cast<std::size_t>(id)]; }
 
     static SceneObject body(std::shared_ptr<const Surface> surface) {
         SceneObject object;
         object.shape = std::move(surface);
-        object.looks = materialLooks();
+        object.appearances = materialAppearances();
         object.sectioned = true;
-        object.filling = lookOf(tooth_->body());
+        object.filling = appearanceOf(tooth_->body());
         return object;
     }
     static SceneObject layer(const LayeredTooth::Layer& from) {
         SceneObject object;
         object.shape = std::shared_ptr<const TriangleMesh>(from.part, &from.part->mesh());
-        object.looks = {lookOf(from.material)};
-        object.filling = object.looks.front();
+        object.appearances = {appearanceOf(from.material)};
+        object.filling = object.appearances.front();
         object.sectioned = object.inner = true;
         object.visible = false;
         return object;
     }
     /// The tooth, whole or with a slot of 0.8 mm radius across its fossa, and its layers.
     static std::vector<SceneObject> molar(bool cut) {
-        WorkPiece piece(tooth_, 0.05);
+        CutModel piece(tooth_, 0.05);
         if (cut) {
             const TriangleMesh bur = test::cylinder(Vec3::Zero(), 0.8, 6, 32);
             const double top = tooth_->outer()->tree().box().max().z();
@@ -53,7 +54,7 @@ protected:
     }
     /// The tooth with a slot across its fossa, `depth` mm below its highest cusp.
     static std::shared_ptr<const Surface> slotted(double radius, double halfLength, double depth) {
-        WorkPiece piece(tooth_, 0.05);
+        CutModel piece(tooth_, 0.05);
         const TriangleMesh bur = test::cylinder(Vec3::Zero(), radius, 8, 32);
         const double z = tooth_->outer()->tree().box().max().z() - depth;
         const CuttingTool tool{*RevolutionEnvelope::make(bur), 1};
@@ -66,18 +67,18 @@ protected:
         CavityGhost cavity(visibleMesh(*slotted(1.2, 2.4, 4.2)).mesh, *tooth_->outer());
         SceneObject ghost;
         ghost.shape = cavity.over(tooth);
-        ghost.looks = {looks::toCut(), looks::outline()};
+        ghost.appearances = {appearances::toCut(), appearances::outline()};
         ghost.sectioned = ghost.ghost = true;
         return {body(tooth), ghost};
     }
-    static std::shared_ptr<const Surface> uncut() { return WorkPiece(tooth_, 0.05).surface(); }
+    static std::shared_ptr<const Surface> uncut() { return CutModel(tooth_, 0.05).surface(); }
     static Scene seenFrom(std::vector<SceneObject> objects, OrbitCamera::Direction direction) {
         Scene scene = lit(std::move(objects), direction);
         OrbitCamera camera;
         Box3 crown = tooth_->outer()->tree().box();
         crown.min().z() = crown.max().z() - 8;
         camera.fit(crown, test::kTestSize.aspect());
-        camera.look(direction);
+        camera.setView(direction);
         scene.camera = camera.camera();
         scene.lighting = operatingLight(scene.camera);
         return scene;
@@ -89,7 +90,7 @@ protected:
     }
     static Scene glassy(bool cut) {
         Scene scene = seenFrom(molar(cut), {1.3, 0.7});
-        scene.objects.front().looks.front().opacity = 0.35F;
+        scene.objects.front().appearances.front().opacity = 0.35F;
         for (SceneObject& object : scene.objects) object.visible = true;
         scene.objects[1].visible = false;  // enamel: its outside is the body's
         return scene;
@@ -102,8 +103,8 @@ protected:
         const Vec3 crown = tooth_->outer()->tree().box().center() + Vec3(0, 0, 6);
         mirror.mirrorInWorld.position = crown + Vec3(4, -10, 1);
         const Vec3 toEye = (scene.camera.cameraInWorld.position - mirror.mirrorInWorld.position).normalized();
-        mirror.mirrorInWorld.rotation =
-            shortestTurn(Vec3::UnitZ(), (toEye + (crown - mirror.mirrorInWorld.position).normalized()).normalized());
+        mirror.mirrorInWorld.rotation = shortestRotation(
+            Vec3::UnitZ(), (toEye + (crown - mirror.mirrorInWorld.position).normalized()).normalized());
         return mirror;
     }
 };
@@ -117,7 +118,7 @@ TEST_F(InsightPictures, FiveStandardViews) {
     const std::vector<SceneObject> whole = molar(false);
     for (const auto& [name, view] : views) {
         OrbitCamera camera;
-        camera.look(view, mesialX_);
+        camera.setView(view, mesialX_);
         expectBaseline(name, seenFrom({whole.front()}, camera.direction()));
     }
 }
@@ -140,7 +141,7 @@ TEST_F(InsightPictures, SectionInTheMirror) {
     mirror.mirrorInWorld.position = crown + Vec3(-9, 10, 0);
     const Vec3 toEye = (scene.camera.cameraInWorld.position - mirror.mirrorInWorld.position).normalized();
     const Vec3 toCrown = (crown - mirror.mirrorInWorld.position).normalized();
-    mirror.mirrorInWorld.rotation = shortestTurn(Vec3::UnitZ(), (toEye + toCrown).normalized());
+    mirror.mirrorInWorld.rotation = shortestRotation(Vec3::UnitZ(), (toEye + toCrown).normalized());
     scene.mirror = mirror;
     expectBaseline("section-mirror", scene);
 }
@@ -154,7 +155,7 @@ TEST_F(InsightPictures, ColoursByDistance) {
     const SurfacePart target(test::sphere(Vec3(0, 0, 2), 5, 64, 32));
     const Box3 box = tooth_->outer()->tree().box();
     scene.objects.front().distances =
-        ColourByDistance{std::make_shared<const DistanceGrid>(distancesTo(target, box, 48)), 2};
+        DistanceColourMap{std::make_shared<const DistanceGrid>(sampleDistances(target, box, 48)), 2};
     expectBaseline("distances", scene);
 }
 
@@ -177,7 +178,7 @@ TEST_F(InsightPictures, TheGhostIsCutByASection) {
 
 TEST_F(InsightPictures, AnInstrumentHidesTheGhostBehindIt) {
     std::vector<SceneObject> objects = withGhost(uncut());
-    SceneObject bur = objectOf(test::cylinder(Vec3::Zero(), 0.7, 9, 24), looks::carbide());
+    SceneObject bur = objectOf(test::cylinder(Vec3::Zero(), 0.7, 9, 24), appearances::carbide());
     bur.objectInWorld.position = Vec3(-0.6, 0, tooth_->outer()->tree().box().max().z() - 1.5);
     bur.moves = true;
     objects.push_back(bur);

@@ -19,7 +19,7 @@ inline constexpr double kShareTolerance = 0.01;
 class Pictures : public RendererTest {
 protected:
     static void expectBaseline(const std::string& name, const Scene& scene, const RenderSettings& settings = kFine,
-                               PictureSize size = kTestSize) {
+                               ImageSize size = kTestSize) {
         const std::filesystem::path baseline = std::filesystem::path(TACTOOTH_BASELINES) / (name + ".png");
         const Image image = draw(scene, settings, size);
         if (std::getenv("TACTOOTH_UPDATE_BASELINES") != nullptr) {

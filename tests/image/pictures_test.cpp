@@ -23,15 +23,17 @@ TriangleMesh crown() {
     return mesh;
 }
 
-TEST_F(Pictures, Enamel) { expectBaseline("enamel", lit({objectOf(crown(), looks::enamel())}, {1.0, 0.6})); }
+TEST_F(Pictures, Enamel) { expectBaseline("enamel", lit({objectOf(crown(), appearances::enamel())}, {1.0, 0.6})); }
 
 TEST_F(Pictures, EnamelWithoutShadowsAndSamples) {
-    expectBaseline("enamel-plain", lit({objectOf(crown(), looks::enamel())}, {1.0, 0.6}), {.shadows = Shadows::None});
+    expectBaseline("enamel-plain", lit({objectOf(crown(), appearances::enamel())}, {1.0, 0.6}),
+                   {.shadows = Shadows::None});
 }
 
 TEST_F(Pictures, Materials) {
-    const Look all[] = {looks::enamel(), looks::dentin(), looks::pulp(),    looks::caries(), looks::gingiva(),
-                        looks::bone(),   looks::steel(),  looks::carbide(), looks::diamond()};
+    const Appearance all[] = {appearances::enamel(), appearances::dentin(),  appearances::pulp(),
+                              appearances::caries(), appearances::gingiva(), appearances::bone(),
+                              appearances::steel(),  appearances::carbide(), appearances::diamond()};
     std::vector<SceneObject> balls;
     for (int i = 0; i < 9; ++i) {
         balls.push_back(objectOf(test::sphere(Vec3(2.2 * (i % 3), -2.2 * (i / 3), 0), 1, 64, 32), all[i]));
@@ -40,22 +42,22 @@ TEST_F(Pictures, Materials) {
 }
 
 TEST_F(Pictures, BurOnCrown) {
-    SceneObject bur = objectOf(test::cylinder(Vec3::Zero(), 0.6, 9, 12), looks::carbide());
+    SceneObject bur = objectOf(test::cylinder(Vec3::Zero(), 0.6, 9, 12), appearances::carbide());
     bur.objectInWorld = {Vec3(0.5, 0, 2.6), Quat(Eigen::AngleAxisd(0.3, Vec3::UnitX()))};
     bur.moves = true;
-    expectBaseline("bur-on-crown", lit({objectOf(crown(), looks::enamel()), bur}, {0.8, 0.7}));
+    expectBaseline("bur-on-crown", lit({objectOf(crown(), appearances::enamel()), bur}, {0.8, 0.7}));
 }
 
 TEST_F(Pictures, MirrorBehindCrown) {
-    Scene scene =
-        lit({objectOf(crown(), looks::enamel()), objectOf(test::sphere(Vec3(0, 4.6, 0), 0.7, 48, 24), looks::caries())},
-            {-1.4, 0.3});
+    Scene scene = lit({objectOf(crown(), appearances::enamel()),
+                       objectOf(test::sphere(Vec3(0, 4.6, 0), 0.7, 48, 24), appearances::caries())},
+                      {-1.4, 0.3});
     SceneMirror mirror;
     mirror.radius = 5;
     mirror.mirrorInWorld.position = Vec3(4, 8, 2);
     const Vec3 toEye = (scene.camera.cameraInWorld.position - mirror.mirrorInWorld.position).normalized();
     const Vec3 toCaries = (Vec3(0, 4.6, 0) - mirror.mirrorInWorld.position).normalized();
-    mirror.mirrorInWorld.rotation = shortestTurn(Vec3::UnitZ(), toEye + toCaries);
+    mirror.mirrorInWorld.rotation = shortestRotation(Vec3::UnitZ(), toEye + toCaries);
     scene.mirror = mirror;
     expectBaseline("mirror", scene);
 }

@@ -9,9 +9,9 @@
 #include "collision/bvh/closest_point.h"
 #include "geometry/mesh/mesh_report.h"
 #include "instruments/mesh_checks.h"
-#include "instruments/mouth/tooth_places.h"
+#include "instruments/mouth/tooth_arrangement.h"
 #include "instruments/mouth_checks.h"
-#include "instruments/mouth_setting.h"
+#include "instruments/mouth_layout.h"
 #include "support/few_teeth.h"
 #include "support/mesh_checks.h"
 
@@ -69,8 +69,8 @@ TEST(BuiltinMouth, NeighboursTouchWithinATenthOfAMillimetreAndDoNotIntersect) {
 TEST(BuiltinMouth, BackTeethBiteOnTheirOpponentsAndNoneCutsIntoThem) {
     for (int place = 1; place <= 8; ++place) {
         double least = 1;
-        for (int opponent = std::max(1, place - 2); opponent <= std::min(8, place + 2); ++opponent) {
-            least = std::min(least, between(placed(mouth(), 10 + place), placed(mouth(), 40 + opponent)));
+        for (int crossingFace = std::max(1, place - 2); crossingFace <= std::min(8, place + 2); ++crossingFace) {
+            least = std::min(least, between(placed(mouth(), 10 + place), placed(mouth(), 40 + crossingFace)));
         }
         EXPECT_GT(least, 0.01) << place;
         if (place > 3) {
@@ -99,27 +99,27 @@ TEST(BuiltinMouth, ArchesAreAsWideAsAveragePeoples) {
 }
 
 TEST(BuiltinMouth, GumsAreClosedBodiesWithoutHolesThatDoNotIntersectThemselves) {
-    for (const TriangleMesh* gum : {&mouth().upperGingiva, &mouth().lowerGingiva}) {
-        const MeshReport report = reportOn(*gum);
+    for (const TriangleMesh* gingiva : {&mouth().upperGingiva, &mouth().lowerGingiva}) {
+        const MeshReport report = reportOn(*gingiva);
         EXPECT_TRUE(report.watertight());
         EXPECT_EQ(report.shells.size(), 1u);
         EXPECT_GT(report.signedVolume, 10000);
-        EXPECT_FALSE(test::intersectsItself(*gum));
+        EXPECT_FALSE(test::selfIntersects(*gingiva));
     }
 }
 
 TEST(BuiltinMouth, NoGumStandsBetweenTheTeethAboveTheirContacts) {
     const SurfacePart upper(mouth().upperGingiva), lower(mouth().lowerGingiva);
-    const ToothPlaces places = placeTeeth(0);
-    for (const JawSide* side : {&places.upper, &places.lower}) {
-        const SurfacePart& gum = side->upper ? upper : lower;
+    const ToothArrangement places = arrangeTeeth(0);
+    for (const JawQuadrant* side : {&places.upper, &places.lower}) {
+        const SurfacePart& gingiva = side->upper ? upper : lower;
         const Vec3 crownward = (side->upper ? -1 : 1) * Vec3::UnitZ();
-        for (std::size_t i = 0; i < kTeethOfSide; ++i) {
+        for (std::size_t i = 0; i < kTeethPerQuadrant; ++i) {
             const Vec3& contact = side->contacts[i].point;
             const Vec3 across = places.line.at(places.line.of(contact.x(), contact.y()).s).outward;
             for (double out = -5; out <= 5; out += 0.25) {
                 for (double above = -0.5; above < 3; above += 0.25) {
-                    EXPECT_FALSE(contains(gum, contact + out * across + above * crownward)) << i << " " << out;
+                    EXPECT_FALSE(contains(gingiva, contact + out * across + above * crownward)) << i << " " << out;
                 }
             }
         }
@@ -127,43 +127,43 @@ TEST(BuiltinMouth, NoGumStandsBetweenTheTeethAboveTheirContacts) {
 }
 
 TEST(BuiltinMouth, GumsKeepClearOfTheTeethAndCoverTheirNecks) {
-    const SurfacePart gum(mouth().lowerGingiva);
+    const SurfacePart gingiva(mouth().lowerGingiva);
     for (const int fdi : {41, 43, 44, 46}) {
         const MouthTooth* tooth = mouth().find(fdi);
         const TriangleMesh outer = placed(mouth(), fdi);
         for (std::size_t i = 0; i < outer.vertices.size(); i += 3) {
-            ASSERT_FALSE(contains(gum, outer.vertices[i].cast<double>())) << fdi;
+            ASSERT_FALSE(contains(gingiva, outer.vertices[i].cast<double>())) << fdi;
         }
         for (const double side : {-1.0, 1.0}) {  // just outside the root, a little below the cervical line
             double y = 0;
             const SurfacePart root(tooth->tooth.outer);
             while (contains(root, Vec3(0, y, -2))) y += 0.05 * side;
-            EXPECT_TRUE(contains(gum, tooth->toothInMouth * Vec3(0, y + 0.6 * side, -2))) << fdi << " " << side;
-            EXPECT_FALSE(contains(gum, tooth->toothInMouth * Vec3(0, y + 0.6 * side, 4))) << fdi << " " << side;
+            EXPECT_TRUE(contains(gingiva, tooth->toothInMouth * Vec3(0, y + 0.6 * side, -2))) << fdi << " " << side;
+            EXPECT_FALSE(contains(gingiva, tooth->toothInMouth * Vec3(0, y + 0.6 * side, 4))) << fdi << " " << side;
         }
     }
 }
 
 /// Where the upper gum ends toward the crowns, along a vertical line through any of `ys` at `x`.
-double marginOf(const SurfacePart& gum, double x, double fromY, double toY) {
+double marginOf(const SurfacePart& gingiva, double x, double fromY, double toY) {
     for (double z = -4; z < 15; z += 0.05) {
         for (double y = fromY; y < toY; y += 0.1) {
-            if (contains(gum, Vec3(x, y, z))) return z;
+            if (contains(gingiva, Vec3(x, y, z))) return z;
         }
     }
     return 15;
 }
 
 TEST(BuiltinMouth, PapillaeReachFartherDownThanTheMarginsBesideThem) {
-    const SurfacePart gum(mouth().upperGingiva);
+    const SurfacePart gingiva(mouth().upperGingiva);
     const double middle = boundingBox(placed(mouth(), 11)).center().x();
-    const double papilla = marginOf(gum, 0, -6, 3), margin = marginOf(gum, middle, -1, 5);
+    const double papilla = marginOf(gingiva, 0, -6, 3), margin = marginOf(gingiva, middle, -1, 5);
     EXPECT_GT(margin - papilla, 1.2);
     EXPECT_LT(margin - papilla, 4.5);
 }
 
 TEST(BuiltinMouth, MissingTeethLeaveAHealedPlace) {
-    const BuiltinMouth gap = *makeMouth({.triangles = 2000, .missing = test::allTeethBut({36, 45, 47})});
+    const BuiltinMouth gap = *makeMouth({.triangles = 2000, .missing = test::allTeethExcept({36, 45, 47})});
     EXPECT_EQ(gap.teeth.size(), 3u);
     EXPECT_EQ(gap.find(46), nullptr);
     EXPECT_NE(gap.find(36), nullptr);
@@ -183,7 +183,7 @@ TEST(BuiltinMouth, TheOpenJawParts40MillimetresAtTheIncisors) {
 }
 
 TEST(BuiltinMouth, TheSameRequestGivesTheSameBits) {
-    const MouthSetting again = *makeMouthSetting({.triangles = kTriangles, .missing = {}});
+    const MouthLayout again = *makeMouthLayout({.triangles = kTriangles, .missing = {}});
     EXPECT_TRUE(test::areBitEqual(again.upperGingiva, mouth().upperGingiva));
     EXPECT_TRUE(test::areBitEqual(makeTooth({26, kTriangles, 0, {}}).outer, mouth().find(26)->tooth.outer));
     EXPECT_EQ(again.toothInMouth[5].position, mouth().find(16)->toothInMouth.position);
@@ -191,7 +191,7 @@ TEST(BuiltinMouth, TheSameRequestGivesTheSameBits) {
 
 TEST(BuiltinMouth, ToothOfTheOtherSideIsTheToothThatIsMadeThere) {
     const BuiltinTooth right = makeTooth({16, 3000, 5, {}}), left = makeTooth({26, 3000, 5, {}});
-    const BuiltinTooth other = otherSide(right);
+    const BuiltinTooth other = contralateral(right);
     EXPECT_EQ(other.fdi, 26);
     EXPECT_EQ(other.name, left.name);
     EXPECT_TRUE(test::areBitEqual(other.outer, left.outer));

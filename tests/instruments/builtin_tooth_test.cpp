@@ -81,13 +81,13 @@ TEST_P(EveryTooth, LayersAreOnePieceWithoutHandles) {
 }
 
 TEST_P(EveryTooth, LayersDoNotIntersectThemselves) {
-    for (const TriangleMesh* layer : meshesOf(tooth_)) EXPECT_FALSE(test::intersectsItself(*layer));
+    for (const TriangleMesh* layer : meshesOf(tooth_)) EXPECT_FALSE(test::selfIntersects(*layer));
 }
 
 TEST_P(EveryTooth, LayersDoNotIntersectThemselvesAtOtherFinenesses) {
     for (const int triangles : {6000, 13000, 35000}) {
         const BuiltinTooth tooth = makeBuiltinTooth(average_.kind, triangles);
-        for (const TriangleMesh* layer : meshesOf(tooth)) EXPECT_FALSE(test::intersectsItself(*layer)) << triangles;
+        for (const TriangleMesh* layer : meshesOf(tooth)) EXPECT_FALSE(test::selfIntersects(*layer)) << triangles;
     }
 }
 

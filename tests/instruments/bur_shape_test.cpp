@@ -37,7 +37,7 @@ TEST_P(EveryBur, IsClosedOrientedAndDoesNotIntersectItself) {
         const TriangleMesh surface = makeBur(spec_, triangles).surface;
         EXPECT_EQ(test::unpairedEdges(surface), 0);
         EXPECT_GT(test::volumeOf(surface), 0);
-        EXPECT_FALSE(test::intersectsItself(surface));
+        EXPECT_FALSE(test::selfIntersects(surface));
     }
 }
 
@@ -115,12 +115,12 @@ TEST_P(EveryBur, HasAFewHundredTrianglesByDefault) {
 
 TEST_P(EveryBur, HasAsManyTrianglesAsAreAskedForOrOneFewerOfAnOddNumber) {
     for (const int triangles : {333, 334, 1999, 20988}) {
-        const TriangleMesh surface = makeBurOf(spec_, triangles).surface;
+        const TriangleMesh surface = makeBurWithTriangles(spec_, triangles).surface;
         EXPECT_EQ(surface.triangles.size(), static_cast<std::size_t>(triangles / 2 * 2));
         EXPECT_EQ(test::unpairedEdges(surface), 0);
         EXPECT_NEAR(test::volumeOf(surface), test::volumeOf(makeBur(spec_, triangles).surface), 1e-5);
         if (triangles < 1000) {
-            EXPECT_FALSE(test::intersectsItself(surface));
+            EXPECT_FALSE(test::selfIntersects(surface));
         }
     }
 }

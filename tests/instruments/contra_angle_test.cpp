@@ -18,7 +18,7 @@ TEST(ContraAngle, IsOneClosedBodyOfAsManyTrianglesAsAskedFor) {
     const TriangleMesh mesh = makeContraAngle(9000);
     EXPECT_NEAR(static_cast<double>(mesh.triangles.size()), 9000, 10);
     EXPECT_EQ(test::unpairedEdges(mesh), 0);
-    EXPECT_FALSE(test::intersectsItself(mesh));
+    EXPECT_FALSE(test::selfIntersects(mesh));
     EXPECT_EQ(static_cast<int>(mesh.vertices.size()) - static_cast<int>(mesh.triangles.size() / 2), 2);
 }
 

@@ -18,7 +18,7 @@ void expectSound(const TriangleMesh& mesh) {
     EXPECT_TRUE(reportOn(mesh).watertight());
     EXPECT_GT(reportOn(mesh).signedVolume, 0);
     EXPECT_EQ(reportOn(mesh).shells.size(), 1u);
-    EXPECT_FALSE(test::intersectsItself(mesh));
+    EXPECT_FALSE(test::selfIntersects(mesh));
 }
 
 TEST(HandInstruments, AreClosedAndDoNotIntersectThemselves) {

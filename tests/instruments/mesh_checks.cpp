@@ -11,7 +11,7 @@
 
 namespace tactooth::test {
 
-bool intersectsItself(const TriangleMesh& mesh) {
+bool selfIntersects(const TriangleMesh& mesh) {
     using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
     using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
     Surface surface;

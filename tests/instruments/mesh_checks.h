@@ -7,7 +7,7 @@
 namespace tactooth::test {
 
 /// Independent judge: CGAL.
-[[nodiscard]] bool intersectsItself(const TriangleMesh& mesh);
+[[nodiscard]] bool selfIntersects(const TriangleMesh& mesh);
 
 /// Solid angle of the mesh seen from `point`, as a part of the full sphere: 1 inside, 0 outside (A. van Oosterom,
 /// J. Strackee 1983). Slow and exact.

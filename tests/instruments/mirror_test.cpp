@@ -19,7 +19,7 @@ TEST(Mirror, IsClosedAndItsPartsDoNotIntersect) {
         const DentalMirror mirror = makeMirror(diameter);
         EXPECT_EQ(test::unpairedEdges(mirror.surface), 0);
         EXPECT_GT(test::volumeOf(mirror.surface), 1000);
-        EXPECT_FALSE(test::intersectsItself(mirror.surface));
+        EXPECT_FALSE(test::selfIntersects(mirror.surface));
     }
 }
 

@@ -35,19 +35,19 @@ double clearance(const TriangleMesh& a, const TriangleMesh& b) {
 
 TriangleMesh placed(const BuiltinMouth& in, int fdi) {
     const MouthTooth* tooth = in.find(fdi);
-    return moved(tooth->tooth.outer, in.poseOf(*tooth));
+    return transformed(tooth->tooth.outer, in.poseOf(*tooth));
 }
 
 double between(const TriangleMesh& a, const TriangleMesh& b) { return std::min(clearance(a, b), clearance(b, a)); }
 
-void expectSoundGums(const MouthSetting& setting) {
-    for (const TriangleMesh* gum : {&setting.upperGingiva, &setting.lowerGingiva}) {
-        SCOPED_TRACE(gum == &setting.upperGingiva ? "upper gum" : "lower gum");
+void expectValidGingivae(const MouthLayout& layout) {
+    for (const TriangleMesh* gum : {&layout.upperGingiva, &layout.lowerGingiva}) {
+        SCOPED_TRACE(gum == &layout.upperGingiva ? "upper gum" : "lower gum");
         const MeshReport report = reportOn(*gum);
         EXPECT_TRUE(report.watertight());
         EXPECT_EQ(report.shells.size(), 1u);
         EXPECT_GT(report.signedVolume, 10000);
-        EXPECT_FALSE(intersectsItself(*gum));
+        EXPECT_FALSE(selfIntersects(*gum));
     }
 }
 

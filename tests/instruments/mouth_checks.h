@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "instruments/mouth_setting.h"
+#include "instruments/mouth_layout.h"
 
 namespace tactooth::test {
 
@@ -13,6 +13,6 @@ namespace tactooth::test {
 [[nodiscard]] double between(const TriangleMesh& a, const TriangleMesh& b);
 
 /// Both gums: closed, oriented, of one piece, and not intersecting themselves as CGAL judges.
-void expectSoundGums(const MouthSetting& setting);
+void expectValidGingivae(const MouthLayout& layout);
 
 }  // namespace tactooth::test

@@ -15,9 +15,9 @@ TEST(OtherMouths, FitTogetherToo) {
             EXPECT_GT(test::between(test::placed(other, fdi - 1), test::placed(other, fdi)), 0) << seed << " " << fdi;
         }
         EXPECT_GT(test::between(test::placed(other, 16), test::placed(other, 46)), 0) << seed;
-        for (const TriangleMesh* gum : {&other.upperGingiva, &other.lowerGingiva}) {
-            EXPECT_TRUE(reportOn(*gum).watertight()) << seed;
-            EXPECT_EQ(reportOn(*gum).shells.size(), 1u) << seed;
+        for (const TriangleMesh* gingiva : {&other.upperGingiva, &other.lowerGingiva}) {
+            EXPECT_TRUE(reportOn(*gingiva).watertight()) << seed;
+            EXPECT_EQ(reportOn(*gingiva).shells.size(), 1u) << seed;
         }
     }
 }
@@ -25,13 +25,13 @@ TEST(OtherMouths, FitTogetherToo) {
 TEST(OtherMouths, HaveGumsThatDoNotIntersectThemselves) {
     for (std::uint32_t seed = 0; seed < 12; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
-        test::expectSoundGums(*makeMouthSetting({.seed = seed, .missing = {}}));
+        test::expectValidGingivae(*makeMouthLayout({.seed = seed, .missing = {}}));
     }
 }
 
 TEST(OtherMouths, HaveFineGumsAndHealedOnesThatDoNotIntersectThemselves) {
-    test::expectSoundGums(*makeMouthSetting({.triangles = 60000, .seed = 2, .missing = {}}));
-    test::expectSoundGums(*makeMouthSetting({.seed = 0, .missing = {18, 14, 24, 25, 41, 46, 47, 48}}));
+    test::expectValidGingivae(*makeMouthLayout({.triangles = 60000, .seed = 2, .missing = {}}));
+    test::expectValidGingivae(*makeMouthLayout({.seed = 0, .missing = {18, 14, 24, 25, 41, 46, 47, 48}}));
 }
 
 }  // namespace

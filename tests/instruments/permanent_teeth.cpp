@@ -31,13 +31,13 @@ double leastDepth(const TriangleMesh& inner, const TriangleMesh& outer, double f
 
 }  // namespace
 
-void expectSoundLayers(const BuiltinTooth& tooth) {
+void expectValidLayers(const BuiltinTooth& tooth) {
     for (const TriangleMesh* layer : {&tooth.outer, &tooth.enamel, &tooth.dentin, &tooth.pulp}) {
         const MeshReport report = reportOn(*layer);
         EXPECT_TRUE(report.watertight()) << tooth.fdi;
         EXPECT_GT(report.signedVolume, 0) << tooth.fdi;
         EXPECT_EQ(report.shells.size(), 1u) << tooth.fdi;
-        EXPECT_FALSE(intersectsItself(*layer)) << tooth.fdi;
+        EXPECT_FALSE(selfIntersects(*layer)) << tooth.fdi;
     }
 }
 

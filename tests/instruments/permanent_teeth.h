@@ -34,7 +34,7 @@ inline constexpr std::array<AverageTooth, 16> kAverageTeeth = {{{11, 10.5, 13.0,
                                                                 {48, 7.0, 11.0, 10.0, 9.5, 7.5, 9.0, 1.0, 0.0}}};
 
 /// Every layer is closed, faces outward, is one piece and does not cut through itself.
-void expectSoundLayers(const BuiltinTooth& tooth);
+void expectValidLayers(const BuiltinTooth& tooth);
 
 /// The pulp stays at least 0.05 mm within the dentin, and the dentin of the crown within the enamel.
 void expectNestedLayers(const BuiltinTooth& tooth);

@@ -79,13 +79,13 @@ TEST_P(PermanentTooth, HasTheNeckOfTheAverageTooth) {
 }
 
 TEST_P(PermanentTooth, HasSoundNestedLayers) {
-    test::expectSoundLayers(tooth_);
+    test::expectValidLayers(tooth_);
     test::expectNestedLayers(tooth_);
 }
 
 TEST_P(PermanentTooth, IsSoundInAnotherMouthToo) {
     const BuiltinTooth other = makeTooth({average_.fdi, kTriangles, static_cast<std::uint32_t>(average_.fdi), {}});
-    test::expectSoundLayers(other);
+    test::expectValidLayers(other);
     test::expectNestedLayers(other);
     EXPECT_FALSE(test::areBitEqual(other.outer, tooth_.outer));
 }

@@ -78,9 +78,9 @@ TEST(Spindle, PedalFollowsTheRootOfThePressureAboveItsDeadBand) {
 
 TEST(Spindle, ElectricPedalIsLinearFromTheLowestSpeed) {
     EXPECT_EQ(targetSpeedRpm(electric(), 0), 0);
-    EXPECT_NEAR(targetSpeedRpm(electric(), electric().pedalDeadBand + 1e-9), electric().lowestSpeedRpm, 1);
+    EXPECT_NEAR(targetSpeedRpm(electric(), electric().pedalDeadBand + 1e-9), electric().minSpeedRpm, 1);
     const double middle = electric().pedalDeadBand + (1 - electric().pedalDeadBand) / 2;
-    EXPECT_NEAR(targetSpeedRpm(electric(), middle), (electric().lowestSpeedRpm + electric().freeSpeedRpm) / 2, 1e-6);
+    EXPECT_NEAR(targetSpeedRpm(electric(), middle), (electric().minSpeedRpm + electric().freeSpeedRpm) / 2, 1e-6);
 }
 
 TEST(Spindle, ElectricHoldsItsSpeedWhereTheTurbineGivesWay) {

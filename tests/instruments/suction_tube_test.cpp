@@ -17,7 +17,7 @@ TEST(SuctionTube, IsClosedAndTurnedOutward) {
     const TriangleMesh mesh = makeSuctionTube();
     EXPECT_EQ(test::unpairedEdges(mesh), 0);
     EXPECT_GT(test::volumeOf(mesh), 1000);
-    EXPECT_FALSE(test::intersectsItself(mesh));
+    EXPECT_FALSE(test::selfIntersects(mesh));
 }
 
 TEST(SuctionTube, OpensAtTheOrigin) {

@@ -30,7 +30,7 @@ TEST(TenPatches, IsOneClosedBlockThatDoesNotCutItself) {
     EXPECT_EQ(report.shells.size(), 1U);
     EXPECT_GT(report.signedVolume, 200);
     EXPECT_EQ(report.flatTriangles, 0U);
-    EXPECT_FALSE(test::intersectsItself(makeTenPatches().surface));
+    EXPECT_FALSE(test::selfIntersects(makeTenPatches().surface));
 }
 
 TEST(TenPatches, EveryPatchLiesInItsPlaneAndUnderNoOther) {

@@ -24,7 +24,7 @@ const TriangleMesh& turbine() {
 TEST(Turbine, IsOneClosedBodyThatDoesNotIntersectItself) {
     EXPECT_EQ(test::unpairedEdges(turbine()), 0);
     EXPECT_GT(test::volumeOf(turbine()), 1000);
-    EXPECT_FALSE(test::intersectsItself(turbine()));
+    EXPECT_FALSE(test::selfIntersects(turbine()));
     EXPECT_EQ(static_cast<int>(turbine().vertices.size()) - static_cast<int>(turbine().triangles.size() / 2), 2);
 }
 

@@ -31,7 +31,7 @@ TEST(JawFrame, TheTeethShareOneUnitWhichIsExplained) {
     ASSERT_TRUE(jaw);
     EXPECT_EQ(jaw->mmPerUnit, 10);
     ASSERT_EQ(jaw->why.size(), 1u);
-    EXPECT_EQ(jaw->why[0].topic, RemarkTopic::Units);
+    EXPECT_EQ(jaw->why[0].topic, ImportNoteTopic::Units);
 }
 
 TEST(JawFrame, AUnitThatIsToldNeedsNoReason) {
@@ -44,17 +44,17 @@ TEST(JawFrame, AUnitThatIsToldNeedsNoReason) {
 TEST(JawFrame, CheeksLookAwayFromTheMiddleOfTheArch) {
     const auto jaw = findJawFrame(arch(5, 10), std::nullopt);
     ASSERT_TRUE(jaw);
-    ASSERT_EQ(jaw->cheeks.size(), 5u);
+    ASSERT_EQ(jaw->buccalDirections.size(), 5u);
     for (int i = 0; i < 5; ++i) {
         const Vec3 outward(25 * std::cos(0.3 * i), 25 * std::sin(0.3 * i), 0);
-        EXPECT_LT((jaw->cheeks[static_cast<std::size_t>(i)] - outward).norm(), 1e-4) << i;
+        EXPECT_LT((jaw->buccalDirections[static_cast<std::size_t>(i)] - outward).norm(), 1e-4) << i;
     }
 }
 
 TEST(JawFrame, TwoTeethDoNotTellWhereTheirCheeksAre) {
     const auto jaw = findJawFrame(arch(2, 1), std::nullopt);
     ASSERT_TRUE(jaw);
-    EXPECT_TRUE(jaw->cheeks.empty());
+    EXPECT_TRUE(jaw->buccalDirections.empty());
 }
 
 TEST(JawFrame, AScanWithoutASurfaceIsNamed) {

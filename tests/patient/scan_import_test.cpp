@@ -26,7 +26,7 @@ TriangleMesh scaled(TriangleMesh mesh, float factor) {
 
 std::string allWords(const ExaminedScan& scan) {
     std::string words;
-    for (const Remark& remark : scan.remarks) words += inWords(remark) + "\n";
+    for (const ImportNote& importNote : scan.importNotes) words += inWords(importNote) + "\n";
     return words;
 }
 
@@ -81,7 +81,7 @@ TEST(ScanImport, AWideHoleIsFilledOnlyWhenAskedFor) {
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().message.rfind("crown.stl: the surface 'outer' has 1 holes that are too wide", 0), 0u)
         << refused.error().message;
-    ImportChoices all;
+    ImportOptions all;
     all.holes = HolesToFill::All;
     const auto scan = examineScan({"crown.stl", crownOnly(), {}}, all);
     ASSERT_TRUE(scan);
@@ -136,8 +136,8 @@ TEST(ScanImport, HolesThatShareCornersAreFilled) {
         TriangleMesh mesh = molar().outer;
         std::size_t around = 0, gone = 0;
         std::erase_if(mesh.triangles, [&](const Triangle& t) {
-            const bool isAround = std::ranges::find(t, vertex) != t.end();
-            return isAround && around++ % 2 == 0 && ++gone > 0;
+            const bool isAdjacent = std::ranges::find(t, vertex) != t.end();
+            return isAdjacent && around++ % 2 == 0 && ++gone > 0;
         });
         ASSERT_GE(gone, 2u);
         const auto scan = examineScan({"t", mesh, {}}, {.holes = HolesToFill::All});

@@ -49,7 +49,7 @@ TEST(ToothFrame, TheEnamelTellsTheCrown) {
 
 TEST(ToothFrame, TheCheekIsWhereTheArchSaysIt) {
     FrameHints hints;
-    hints.cheek = Vec3(1, 0.1, 0.3);
+    hints.buccal = Vec3(1, 0.1, 0.3);
     const FrameGuess guess = guessToothFrame(molar(), hints);
     EXPECT_GT((guess.toothInFile.rotation * Vec3::UnitY()).x(), 0.95);
     EXPECT_GT((guess.toothInFile.rotation * Vec3::UnitZ()).z(), 0.95);
@@ -59,7 +59,7 @@ TEST(ToothFrame, ACheekAlongTheLongAxisTellsNothing) {
     const FrameGuess plain = guessToothFrame(molar());
     FrameHints hints;
     for (const Vec3& along : {Vec3(plain.toothInFile.rotation * Vec3::UnitZ()), Vec3(Vec3::Zero())}) {
-        hints.cheek = along;
+        hints.buccal = along;
         const FrameGuess guess = guessToothFrame(molar(), hints);
         EXPECT_TRUE(guess.toothInFile.rotation.isApprox(plain.toothInFile.rotation, 1e-12));
     }
@@ -67,7 +67,7 @@ TEST(ToothFrame, ACheekAlongTheLongAxisTellsNothing) {
 
 TEST(ToothFrame, WhatAPersonChoosesIsDone) {
     FrameHints hints;
-    hints.isUpsideDown = true;
+    hints.isFlipped = true;
     hints.turn = 90 * kDegree;
     const FrameGuess guess = guessToothFrame(molar(), hints);
     EXPECT_LT((guess.toothInFile.rotation * Vec3::UnitZ()).z(), -0.9);

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "assessment/mesh_deviation.h"
-#include "session/simulation/work_piece.h"
+#include "session/simulation/cut_model.h"
 
 // What a cut has left, to hold two ways of telling the same path against each other.
 namespace tactooth::test {
@@ -14,7 +14,7 @@ struct CutOutcome {
     double removed;  // mm^3
     TriangleMesh surface;
 
-    explicit CutOutcome(WorkPiece& piece)
+    explicit CutOutcome(CutModel& piece)
         : removed(total(piece.removed())), surface(visibleMesh(*piece.surface()).mesh) {}
 };
 
@@ -24,7 +24,7 @@ inline void expectSame(const CutOutcome& one, const CutOutcome& other) {
     constexpr double kSameSurface = 0.005;  // mm
     ASSERT_GT(one.removed, 1e-3);
     EXPECT_NEAR(other.removed, one.removed, kSameVolume * one.removed);
-    EXPECT_LE(greatestDeviation(one.surface, other.surface), kSameSurface);
+    EXPECT_LE(hausdorffDistance(one.surface, other.surface), kSameSurface);
 }
 
 }  // namespace tactooth::test

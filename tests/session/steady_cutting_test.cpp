@@ -51,19 +51,19 @@ struct Felt {
 Felt mill() {
     const TriangleMesh bur = test::sphere(Vec3(0, 0, kRadius), kRadius, 48, 24);
     const CuttingTool tool{*RevolutionEnvelope::make(bur), 1};
-    WorkPiece piece(halfDecayedBlock(), kVoxel);
+    CutModel piece(halfDecayedBlock(), kVoxel);
     HapticSettings settings;
     settings.spindle = constantSpeed(kSpeed);
     HapticSimulation simulation(std::make_shared<const ToolShape>(bur), kRadius, piece.surface(), settings);
     const double rimTravel = kSpeed / 60 * 2 * std::numbers::pi * kRadius * 1e-3 * kTick;  // m a tick
     Felt felt;
     double work = 0;
-    EXPECT_TRUE(cutByLaw(millingPath(), tool, settings.materials, simulation, piece,
-                         [&](double, const Tick& tick, const ToothLoss&) {
-                             felt.normal.push_back((tick.cutWork - work) / rimTravel);
-                             felt.force.push_back(tick.wrench.force);
-                             work = tick.cutWork;
-                         }));
+    EXPECT_TRUE(cutWithRemovalLaw(millingPath(), tool, settings.materials, simulation, piece,
+                                  [&](double, const Tick& tick, const ToothLoss&) {
+                                      felt.normal.push_back((tick.cutWork - work) / rimTravel);
+                                      felt.force.push_back(tick.wrench.force);
+                                      work = tick.cutWork;
+                                  }));
     return felt;
 }
 

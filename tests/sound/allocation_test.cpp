@@ -3,9 +3,9 @@
 // The sound must neither wait for the heap nor keep it from others: counts each call of operator new in this program.
 #include <gtest/gtest.h>
 
-#include "geometry/util/latest_value.h"
-#include "sound/voices/drill_synthesiser.h"
+#include "geometry/util/triple_buffer.h"
 #include "sound/files/sound_format.h"
+#include "sound/voices/drill_synthesiser.h"
 #include "sound/voices/soundscape.h"
 #include "spectrum.h"
 #include "support/heap_counter.h"
@@ -36,7 +36,7 @@ TEST(Allocation, TheWholeSoundscapeUsesNoHeap) {
 
 TEST(Allocation, RenderingAndHandingOverUseNoHeap) {
     DrillSynthesiser synthesiser;
-    LatestValue<DrillSoundState> mailbox;
+    TripleBuffer<DrillSoundState> mailbox;
     DrillSoundState state = test::cutting("enamel", 20.0);
     const DrillSoundState other = test::cutting("caries", 3.0);
     std::array<float, kSoundBlock> block;

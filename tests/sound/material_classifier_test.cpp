@@ -63,14 +63,15 @@ std::vector<Example> examples(unsigned seed, int each) {
 
 class Classifier {
 public:
-    explicit Classifier(const std::vector<Example>& lessons) {
+    explicit Classifier(const std::vector<Example>& trainingSet) {
         means_.fill(Features::Zero());
-        const double each = static_cast<double>(lessons.size()) / kMaterials.size();
-        for (const Example& lesson : lessons) means_[lesson.material] += lesson.features / each;
+        const double each = static_cast<double>(trainingSet.size()) / kMaterials.size();
+        for (const Example& trainingSample : trainingSet)
+            means_[trainingSample.material] += trainingSample.features / each;
         Eigen::Matrix<double, kBands, kBands> covariance = Eigen::Matrix<double, kBands, kBands>::Identity();  // 1 dB^2
-        for (const Example& lesson : lessons) {
-            const Features off = lesson.features - means_[lesson.material];
-            covariance += off * off.transpose() / static_cast<double>(lessons.size());
+        for (const Example& trainingSample : trainingSet) {
+            const Features off = trainingSample.features - means_[trainingSample.material];
+            covariance += off * off.transpose() / static_cast<double>(trainingSet.size());
         }
         precision_ = covariance.inverse();
     }

@@ -160,7 +160,7 @@ DrillSoundState spinning(double speedRpm, double pedal) {
 DrillSoundState cutting(const char* material, double watt, double speedRpm) {
     DrillSoundState state = spinning(speedRpm);
     state.load = 0.25;
-    state.removalWatt = watt;
+    state.removalPower = watt;
     state.material = soundCharacterOf(material);
     return state;
 }

@@ -9,7 +9,7 @@
 namespace tactooth::test {
 
 /// FDI numbers of the teeth that a mouth has lost when only these are left: it is made in a fraction of the time.
-inline std::vector<int> allTeethBut(std::initializer_list<int> left) {
+inline std::vector<int> allTeethExcept(std::initializer_list<int> left) {
     std::vector<int> missing;
     for (const int quadrant : {10, 20, 30, 40}) {
         for (int place = 1; place <= 8; ++place) {

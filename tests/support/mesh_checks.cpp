@@ -6,8 +6,8 @@
 #include <map>
 #include <utility>
 
-#include "geometry/util/disjoint_sets.h"
 #include "geometry/mesh/vertex_welder.h"
+#include "geometry/util/disjoint_sets.h"
 
 namespace tactooth::test {
 namespace {

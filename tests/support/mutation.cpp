@@ -49,7 +49,7 @@ constexpr std::string_view kWords[] = {"nan",
 
 std::size_t below(std::mt19937& random, std::size_t limit) { return random() % std::max<std::size_t>(limit, 1); }
 
-void damage(std::string& bytes, std::span<const std::string> others, std::mt19937& random) {
+void mutate(std::string& bytes, std::span<const std::string> others, std::mt19937& random) {
     const std::string& other = others[below(random, others.size())];
     const std::size_t at = below(random, random() % 2 == 0 ? std::min(bytes.size(), kHead) : bytes.size());
     const std::size_t length = below(random, kPiece);

@@ -13,6 +13,6 @@ namespace tactooth::test {
 
 /// Damages a file's bytes once, its head more often than the rest: changes a byte, flips a bit, cuts, repeats, puts in
 /// what a hostile head or text would hold, or moves a piece of another file in.
-void damage(std::string& bytes, std::span<const std::string> others, std::mt19937& random);
+void mutate(std::string& bytes, std::span<const std::string> others, std::mt19937& random);
 
 }  // namespace tactooth::test

@@ -10,7 +10,7 @@
 #include "collision/bvh/closest_point.h"
 #include "support/mesh_checks.h"
 #include "support/shapes.h"
-#include "tooth/surface/live_surface.h"
+#include "tooth/surface/incremental_surface.h"
 
 namespace tactooth {
 namespace {
@@ -49,7 +49,7 @@ struct Block {
     [[nodiscard]] double lost() const { return 48 - test::volumeOf(mesh()); }
 
     CutVolume volume;
-    LiveSurface surface;
+    IncrementalSurface surface;
 };
 
 /// How far the wall's vertices and triangle centres below the block's top lie from where they should, mm.

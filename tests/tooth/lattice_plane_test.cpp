@@ -7,14 +7,14 @@
 #include <numbers>
 #include <random>
 
-#include "geometry/mesh/mesh_report.h"
-#include "geometry/util/pose.h"
 #include "geometry/io/stl_reader.h"
 #include "geometry/io/stl_writer.h"
+#include "geometry/mesh/mesh_report.h"
+#include "geometry/util/pose.h"
 #include "support/sanitizer.h"
 #include "support/shapes.h"
-#include "tooth/file/layer_remains.h"
-#include "tooth/surface/live_surface.h"
+#include "tooth/file/remaining_layers.h"
+#include "tooth/surface/incremental_surface.h"
 
 namespace tactooth {
 namespace {
@@ -38,7 +38,7 @@ struct Slot {
         tip[axis] = height;
         tip[(axis + 1) % 3] = along;
         tip[(axis + 2) % 3] = side + kRadius;
-        return {tip, shortestTurn(Vec3::UnitZ(), -inward * Vec3::Unit(axis))};
+        return {tip, shortestRotation(Vec3::UnitZ(), -inward * Vec3::Unit(axis))};
     }
     [[nodiscard]] double volume() const {
         const double depth = kBlock + inward * floor;
@@ -69,7 +69,7 @@ struct Piece {
     }
 
     CutVolume volume;
-    LiveSurface surface;
+    IncrementalSurface surface;
 };
 
 /// As whoever reads the file sees it: equal points are one.
@@ -167,7 +167,7 @@ TEST(LatticePlane, LayersCutAtZeroAreClosedOneByOne) {
     piece.mill(slot, 3);
     expectSound(reportOnFileOf(visibleMesh(*piece.surface.snapshot()).mesh));
     double lost = 0;
-    for (const LayerRemains& remains : remainsOfLayers(piece.volume)) {
+    for (const RemainingLayer& remains : remainingLayers(piece.volume)) {
         const MeshReport report = reportOnFileOf(remains.mesh);
         EXPECT_TRUE(report.watertight()) << remains.name;
         EXPECT_EQ(report.duplicateTriangles, 0U) << remains.name;

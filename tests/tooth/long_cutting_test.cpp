@@ -7,13 +7,13 @@
 #include <random>
 #include <set>
 
-#include "geometry/mesh/mesh_report.h"
 #include "geometry/io/stl_reader.h"
 #include "geometry/io/stl_writer.h"
+#include "geometry/mesh/mesh_report.h"
 #include "support/mesh_checks.h"
 #include "support/shapes.h"
 #include "support/test_data.h"
-#include "tooth/surface/live_surface.h"
+#include "tooth/surface/incremental_surface.h"
 
 namespace tactooth {
 namespace {
@@ -43,7 +43,7 @@ void cutAtRandom(TriangleMesh outer, unsigned seed, int strokes) {
     const double whole = test::volumeOf(outer);
     const Box3 box = boundingBox(outer);
     CutVolume volume(std::make_shared<const LayeredTooth>(std::move(*LayeredTooth::make(std::move(outer)))), kVoxel);
-    LiveSurface surface(volume);
+    IncrementalSurface surface(volume);
     const std::vector<RevolutionEnvelope> burs = {
         *RevolutionEnvelope::make(test::cylinder(Vec3::Zero(), 0.25, 3, 48)),
         *RevolutionEnvelope::make(test::sphere(Vec3(0, 0, 0.4), 0.4, 48, 32))};

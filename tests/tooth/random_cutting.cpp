@@ -9,7 +9,7 @@
 #include "geometry/util/pose.h"
 #include "instruments/bur_shape.h"
 #include "support/mesh_checks.h"
-#include "tooth/file/crumbs.h"
+#include "tooth/file/debris.h"
 
 namespace tactooth::test {
 namespace {
@@ -23,7 +23,7 @@ std::shared_ptr<const LayeredTooth> toothOf(TriangleMesh outer) {
 }
 
 /// The shaft along `axis`, out of the tooth.
-Quat shaftAlong(const Vec3& axis) { return shortestTurn(Vec3::UnitZ(), axis); }
+Quat shaftAlong(const Vec3& axis) { return shortestRotation(Vec3::UnitZ(), axis); }
 
 }  // namespace
 
@@ -59,18 +59,18 @@ void RandomCutting::move(const RevolutionEnvelope& bur, const Pose& from, const 
         const CarveResult result = volume_.carve(bur, at(i), at(i + 1));
         surface_.update(volume_, result.changed);
         removed_ += total(result.removed);
-        if (look_) look_();
+        if (check_) check_();
     }
 }
 
-std::size_t RandomCutting::letFall() {
-    const FallenPieces fallen = volume_.dropLoose();
-    surface_.update(volume_, fallen.carve.changed);
-    const CarveResult crumbs =
-        volume_.dropCrumbs(nodesBesideCrumbs(*surface_.snapshot(), volume_.bricks(), volume_.lattice()));
-    surface_.update(volume_, crumbs.changed);
-    removed_ += total(fallen.carve.removed) + total(crumbs.removed);
-    return fallen.volumes.size();
+std::size_t RandomCutting::removeDetached() {
+    const DetachedPieces detached = volume_.removeDetached();
+    surface_.update(volume_, detached.carve.changed);
+    const CarveResult debris =
+        volume_.removeDebris(nodesBesideDebris(*surface_.snapshot(), volume_.bricks(), volume_.lattice()));
+    surface_.update(volume_, debris.changed);
+    removed_ += total(detached.carve.removed) + total(debris.removed);
+    return detached.volumes.size();
 }
 
 void RandomCutting::stroke() {
@@ -81,7 +81,7 @@ void RandomCutting::stroke() {
         case 1:
             return thinWall(bur);
         case 2:
-            return looseBit(bur);
+            return detachedBit(bur);
         case 3:
             return alongNodes(bur);
         default:
@@ -117,7 +117,7 @@ void RandomCutting::thinWall(const RevolutionEnvelope& bur) {
 }
 
 /// Once around a cone, the tip in its point: what stands inside comes loose if the bur reaches out of the tooth.
-void RandomCutting::looseBit(const RevolutionEnvelope& bur) {
+void RandomCutting::detachedBit(const RevolutionEnvelope& bur) {
     const Quat frame = shaftAlong(direction());
     const Vec3 tip = placeInside();
     const double lean = 0.5 + 0.2 * unit();

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "tooth/file/exported_mesh.h"
-#include "tooth/surface/live_surface.h"
+#include "tooth/surface/incremental_surface.h"
 
 namespace tactooth::test {
 
@@ -23,9 +23,9 @@ public:
 
     void stroke();
     /// Lets fall what has come loose; how many pieces.
-    std::size_t letFall();
+    std::size_t removeDetached();
     /// To be called after each move of the strokes to come: a stroke is some tens of them.
-    void lookAfterEachMove(std::function<void()> look) { look_ = std::move(look); }
+    void checkAfterEachMove(std::function<void()> look) { check_ = std::move(look); }
 
     /// What a hand feels ...
     [[nodiscard]] TriangleMesh mesh() const { return visibleMesh(*surface_.snapshot()).mesh; }
@@ -33,7 +33,7 @@ public:
     [[nodiscard]] TriangleMesh exported() const {
         return exportedMesh(*surface_.snapshot(), volume_.lattice().spacing()).mesh;
     }
-    /// See LiveSurface::failures.
+    /// See IncrementalSurface::failures.
     [[nodiscard]] std::size_t failures() const { return surface_.failures(); }
     /// Summed over the moves, mm^3.
     [[nodiscard]] double removed() const { return removed_; }
@@ -48,17 +48,17 @@ private:
     void anywhere(const RevolutionEnvelope& bur);
     void through(const RevolutionEnvelope& bur);
     void thinWall(const RevolutionEnvelope& bur);
-    void looseBit(const RevolutionEnvelope& bur);
+    void detachedBit(const RevolutionEnvelope& bur);
     void alongNodes(const RevolutionEnvelope& bur);
 
     CutVolume volume_;
-    LiveSurface surface_;
+    IncrementalSurface surface_;
     std::vector<RevolutionEnvelope> burs_;
     Box3 box_;
     std::mt19937 random_;
     double whole_;
     double removed_ = 0;
-    std::function<void()> look_;
+    std::function<void()> check_;
 };
 
 }  // namespace tactooth::test

@@ -7,12 +7,12 @@
 #include <algorithm>
 #include <optional>
 
-#include "view/render/offscreen.h"
 #include "view/camera/orbit_camera.h"
+#include "view/render/offscreen.h"
 
 namespace tactooth::test {
 
-inline constexpr PictureSize kTestSize{320, 240};
+inline constexpr ImageSize kTestSize{320, 240};
 
 /// A renderer that all pictures of a test program share, as making one takes a while.
 class RendererTest : public ::testing::Test {
@@ -24,7 +24,7 @@ protected:
     }
     static void TearDownTestSuite() { renderer_.reset(); }
 
-    static Image draw(const Scene& scene, const RenderSettings& settings = kQuick, PictureSize size = kTestSize) {
+    static Image draw(const Scene& scene, const RenderSettings& settings = kQuick, ImageSize size = kTestSize) {
         auto image = renderer_->render(scene, size, settings);
         EXPECT_TRUE(image) << image.error().message;
         return image ? std::move(*image)
@@ -36,10 +36,10 @@ private:
     static inline std::optional<OffscreenRenderer> renderer_;
 };
 
-inline SceneObject objectOf(TriangleMesh mesh, const Look& look = looks::enamel()) {
+inline SceneObject objectOf(TriangleMesh mesh, const Appearance& look = appearances::enamel()) {
     SceneObject object;
     object.shape = std::make_shared<const TriangleMesh>(std::move(mesh));
-    object.looks = {look};
+    object.appearances = {look};
     return object;
 }
 
@@ -50,7 +50,7 @@ inline Scene sceneOf(std::vector<SceneObject> objects, OrbitCamera::Direction di
     scene.background.kind = Background::Kind::Transparent;
     OrbitCamera camera;
     camera.fit(boundingBox(scene), kTestSize.aspect());
-    camera.look(direction);
+    camera.setView(direction);
     scene.camera = camera.camera();
     return scene;
 }

@@ -8,31 +8,31 @@
 #include <string>
 #include <system_error>
 
-#include "app/cli/terminal/command_registry.h"
+#include "app/cli/cases/exercise_command.h"
+#include "app/cli/cases/score_command.h"
+#include "app/cli/mesh/info_command.h"
+#include "app/cli/pictures/window_command.h"
 #include "app/cli/runs/contact_command.h"
 #include "app/cli/runs/cut_command.h"
 #include "app/cli/runs/demo_command.h"
-#include "app/cli/cases/exercise_command.h"
-#include "app/common/exit_code.h"
 #include "app/cli/runs/feel_command.h"
-#include "app/cli/mesh/info_command.h"
+#include "app/cli/runs/sound_command.h"
+#include "app/cli/terminal/command_registry.h"
 #include "app/cli/terminal/number_range.h"
 #include "app/cli/terminal/output.h"
-#include "app/cli/cases/score_command.h"
-#include "app/cli/runs/sound_command.h"
-#include "app/cli/pictures/window_command.h"
+#include "app/common/exit_code.h"
+#include "geometry/util/display_text.h"
 #include "geometry/util/number_text.h"
-#include "geometry/util/shown_text.h"
 
 namespace tactooth {
 namespace {
 
 // What 'feel' computes with is no device's force, so it may be harder than any device renders.
-constexpr double kMostStiffness = 1000;  // N/mm: a tenth of a tooth
-constexpr double kMostDamping = 100;     // N*s/mm
-constexpr double kMostFriction = 10;
+constexpr double kMaxStiffness = 1000;  // N/mm: a tenth of a tooth
+constexpr double kMostDamping = 100;    // N*s/mm
+constexpr double kMaxFriction = 10;
 
-void addInfo(CLI::App& program, Chosen& chosen) {
+void addInfo(CLI::App& program, CommandAction& chosen) {
     const auto options = std::make_shared<InfoOptions>();
     CLI::App* command =
         addCommand(program, chosen, "info",
@@ -57,7 +57,7 @@ void addWorkOn(CLI::App& command, std::string& name) {
         ->type_name("NAME");
 }
 
-void addContact(CLI::App& program, Chosen& chosen) {
+void addContact(CLI::App& program, CommandAction& chosen) {
     const auto options = std::make_shared<ContactOptions>();
     CLI::App* command =
         addCommand(program, chosen, "contact",
@@ -75,7 +75,7 @@ void addContact(CLI::App& program, Chosen& chosen) {
         ->type_name("FILE");
 }
 
-void addFeel(CLI::App& program, Chosen& chosen) {
+void addFeel(CLI::App& program, CommandAction& chosen) {
     const auto options = std::make_shared<FeelOptions>();
     CLI::App* command = addCommand(program, chosen, "feel",
                                    "What a hand that follows a trajectory feels, tick by tick.", options, runFeel);
@@ -105,7 +105,7 @@ void addFeel(CLI::App& program, Chosen& chosen) {
         ->check(CLI::IsMember({3, 6}))
         ->type_name("DEGREES");
     command->add_option("--stiffness", options->stiffness, "Spring, N/mm (default: the material's)")
-        ->transform(numberFrom(0, kMostStiffness))
+        ->transform(numberFrom(0, kMaxStiffness))
         ->type_name("K");
     command->add_option("--damping", options->damping, "Damper, N*s/mm (default: the material's)")
         ->transform(numberFrom(0, kMostDamping))
@@ -113,11 +113,11 @@ void addFeel(CLI::App& program, Chosen& chosen) {
     command
         ->add_option("--friction", options->friction,
                      "Coulomb friction coefficient (default: 0, the bare spring and damper)")
-        ->transform(numberFrom(0, kMostFriction))
+        ->transform(numberFrom(0, kMaxFriction))
         ->type_name("MU");
 }
 
-void addCut(CLI::App& program, Chosen& chosen) {
+void addCut(CLI::App& program, CommandAction& chosen) {
     const auto options = std::make_shared<CutOptions>();
     CLI::App* command =
         addCommand(program, chosen, "cut", "Cuts a tooth with a spinning bur along a trajectory.", options, runCut);
@@ -189,7 +189,7 @@ void addCut(CLI::App& program, Chosen& chosen) {
         ->type_name("FILE");
 }
 
-void addExercise(CLI::App& program, Chosen& chosen) {
+void addExercise(CLI::App& program, CommandAction& chosen) {
     const auto options = std::make_shared<ExerciseOptions>();
     CLI::App* command =
         addCommand(program, chosen, "exercise",
@@ -201,7 +201,7 @@ void addExercise(CLI::App& program, Chosen& chosen) {
     command->add_option("--out", options->out, "Write the ideal shape as STL")->type_name("FILE");
 }
 
-void addScore(CLI::App& program, Chosen& chosen) {
+void addScore(CLI::App& program, CommandAction& chosen) {
     const auto options = std::make_shared<ScoreOptions>();
     CLI::App* command =
         addCommand(program, chosen, "score",
@@ -219,7 +219,7 @@ void addScore(CLI::App& program, Chosen& chosen) {
     command->add_flag("--json", options->json, "Write one JSON object instead of a table");
 }
 
-void addDemo(CLI::App& program, Chosen& chosen) {
+void addDemo(CLI::App& program, CommandAction& chosen) {
     const auto options = std::make_shared<DemoOptions>();
     CLI::App* command = addCommand(
         program, chosen, "demo",
@@ -251,7 +251,7 @@ void addDemo(CLI::App& program, Chosen& chosen) {
         ->type_name("FILE");
 }
 
-void addSound(CLI::App& program, Chosen& chosen) {
+void addSound(CLI::App& program, CommandAction& chosen) {
     const auto options = std::make_shared<SoundOptions>();
     CLI::App* command =
         addCommand(program, chosen, "sound",
@@ -293,7 +293,7 @@ int withOutputFlushed(int exitCode) {
     const int reason = outputError();
     if (reason == 0 || exitCode == kExitBadInput) return exitCode;
     const std::string why = reason < 0 ? "" : " (" + std::generic_category().message(reason) + ")";
-    return refuse({"the output could not be written" + why + "; check the disk or the pipe that it goes to."});
+    return reportError({"the output could not be written" + why + "; check the disk or the pipe that it goes to."});
 }
 
 void replaceFirst(std::string& text, std::string_view what, std::string_view by) {
@@ -325,7 +325,7 @@ Error usageError(const CLI::App& program, const CLI::ParseError& error) {
         replaceFirst(sentence, ": must be ", " must be ");
         sentence = asChoice(sentence);
     }
-    return {shownShort(sentence, kLongest).append("; see '").append(command).append(" --help'.")};
+    return {displayShort(sentence, kLongest).append("; see '").append(command).append(" --help'.")};
 }
 
 }  // namespace
@@ -340,7 +340,7 @@ int runCommandLine(int argc, const char* const* argv) {
     program.require_subcommand(0, 1);
     WindowArguments window;
     addWindowArguments(program, window);
-    Chosen chosen = [&window] { return runWindowCommand(window); };
+    CommandAction chosen = [&window] { return runWindowCommand(window); };
     addInfo(program, chosen);
     addContact(program, chosen);
     addFeel(program, chosen);
@@ -362,7 +362,7 @@ int runCommandLine(int argc, const char* const* argv) {
         writeTo(stdout, text.str());
         return withOutputFlushed(exitCode);
     } catch (const CLI::ParseError& error) {
-        return refuse(usageError(program, error));
+        return reportError(usageError(program, error));
     }
     return withOutputFlushed(chosen());
 }

@@ -4,7 +4,7 @@
 
 #include <QPainter>
 
-#include "app/common/picture_application.h"
+#include "app/common/offscreen_application.h"
 
 namespace tactooth {
 namespace {
@@ -13,7 +13,7 @@ constexpr int kWordHeight = 18;  // pixels under each picture
 
 }  // namespace
 
-ContactSheet::ContactSheet(int columns, int rows, PictureSize tile)
+ContactSheet::ContactSheet(int columns, int rows, ImageSize tile)
     : tile_(tile), sheet_(columns * tile.width, rows * (tile.height + kWordHeight), QImage::Format_RGB32) {
     sheet_.fill(QColor(52, 60, 70));
 }

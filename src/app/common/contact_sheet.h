@@ -14,13 +14,13 @@ namespace tactooth {
 /// Many small pictures on one sheet, in rows and columns, with a word under each.
 class ContactSheet {
 public:
-    ContactSheet(int columns, int rows, PictureSize tile);
+    ContactSheet(int columns, int rows, ImageSize tile);
 
     void place(int column, int row, const Image& picture, const std::string& word);
     [[nodiscard]] Expected<void> save(const std::filesystem::path& png) const;
 
 private:
-    PictureSize tile_;
+    ImageSize tile_;
     QImage sheet_;
 };
 

@@ -17,9 +17,9 @@
 namespace tactooth {
 namespace {
 
-constexpr double kPatience = 20;         // s for all that Qt does: a display on another computer may be far away
-constexpr double kServerPatience = 1.5;  // s for the server's first answer, through ssh a tenth of that
-constexpr double kLittlePatience = 0.5;  // s for Qt where one of two servers does not answer
+constexpr double kTimeout = 20;         // s for all that Qt does: a display on another computer may be far away
+constexpr double kServerTimeout = 1.5;  // s for the server's first answer, through ssh a tenth of that
+constexpr double kShortTimeout = 0.5;   // s for Qt where one of two servers does not answer
 
 std::string valueOf(const char* name) {
     const char* const value = std::getenv(name);
@@ -27,13 +27,13 @@ std::string valueOf(const char* name) {
 }
 
 /// Qt's last word before it aborts; an exit leaves no core file and no entry in the system's list of crashes.
-void endOnFatal(QtMsgType type, const QMessageLogContext&, const QString&) {
+void exitOnFatal(QtMsgType type, const QMessageLogContext&, const QString&) {
     if (type == QtFatalMsg) _exit(1);
 }
 
 /// All that Qt does before the first window, so that no platform and no way to it has to be known here.
 std::string startQt() {
-    qInstallMessageHandler(endOnFatal);
+    qInstallMessageHandler(exitOnFatal);
     int argc = 1;
     char name[] = "tactooth";
     char* argv[] = {name, nullptr};
@@ -75,7 +75,7 @@ std::vector<Server> serversAskedFor() {
 const char* silentServer(const std::vector<Server>& servers) {
     for (const Server& server : servers) {
         const auto probe = [&] { return std::string(server.answers() ? "ok" : ""); };
-        if (!inChildProcess(probe, kServerPatience)) return server.variable;
+        if (!inChildProcess(probe, kServerTimeout)) return server.variable;
     }
     return nullptr;
 }
@@ -100,7 +100,7 @@ Expected<void> checkDisplay() {
     const std::vector<Server> servers = serversAskedFor();
     const char* const silent = silentServer(servers);
     const bool isHopeless = silent != nullptr && servers.size() == 1;
-    if (!isHopeless && inChildProcess(startQt, silent == nullptr ? kPatience : kLittlePatience)) return {};
+    if (!isHopeless && inChildProcess(startQt, silent == nullptr ? kTimeout : kShortTimeout)) return {};
     const std::string why =
         silent == nullptr ? whatIsWrong() : "the display '" + valueOf(silent) + "' (" + silent + ") does not answer; ";
     return unexpected(why +

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/common/picture_application.h"
+#include "app/common/offscreen_application.h"
 #include "view/mesh/distance_grid.h"
 
 namespace tactooth {
@@ -31,7 +31,7 @@ void drawRow(QPainter& painter, const QRectF& bar) {
 }  // namespace
 
 void drawDistanceLegend(Image& image, double range) {
-    const PictureApplication application;
+    const OffscreenApplication application;
     QImage canvas(reinterpret_cast<uchar*>(image.pixels.data()), image.size.width, image.size.height,
                   QImage::Format_RGBA8888);
     QPainter painter(&canvas);

@@ -5,17 +5,17 @@
 #include <algorithm>
 #include <numbers>
 
-#include "geometry/util/number_text.h"
 #include "experiments/published.h"
 #include "experiments/quantile.h"
 #include "experiments/thread_clock.h"
-#include "view/render/offscreen.h"
+#include "geometry/util/number_text.h"
 #include "view/camera/orbit_camera.h"
+#include "view/render/offscreen.h"
 
 namespace tactooth {
 namespace {
 
-constexpr PictureSize kSize{1280, 800};
+constexpr ImageSize kSize{1280, 800};
 constexpr int kPictures = 9;
 constexpr int kWarmUp = 2;  // pictures in which shapes go to the graphics card
 
@@ -24,13 +24,13 @@ Expected<double> timeDrawing(OffscreenRenderer& renderer, const TriangleMesh& me
     Scene scene;
     SceneObject tooth;
     tooth.shape = std::make_shared<const TriangleMesh>(mesh);
-    tooth.looks = {looks::enamel()};
+    tooth.appearances = {appearances::enamel()};
     scene.objects = {tooth};
     std::vector<double> times;
     for (int i = 0; i < kPictures + kWarmUp; ++i) {
         OrbitCamera camera;
         camera.fit(boundingBox(mesh), kSize.aspect());
-        camera.look({std::numbers::pi / 180 * i, 0.6});
+        camera.setView({std::numbers::pi / 180 * i, 0.6});
         scene.camera = camera.camera();
         const double start = wallMillis();
         const auto image = renderer.render(scene, kSize, kQuick);
@@ -42,7 +42,7 @@ Expected<double> timeDrawing(OffscreenRenderer& renderer, const TriangleMesh& me
 
 }  // namespace
 
-Expected<Experiment> measureDrawing(Subjects& subjects) {
+Expected<Experiment> measureDrawing(TestTeeth& testTeeth) {
     auto renderer = OffscreenRenderer::create();
     if (!renderer) return Unexpected{renderer.error()};
     Experiment experiment{"table3", "Drawing", "", {"tooth", "percent", "triangles", "picture_ms"}, {}, 1, {}, {}};
@@ -64,12 +64,12 @@ Expected<Experiment> measureDrawing(Subjects& subjects) {
         return {};
     };
     PlotSeries bur{"bur", {}, true, false};
-    if (const auto done = add("bur", 100, subjects.bur()->mesh(), bur); !done) return Unexpected{done.error()};
+    if (const auto done = add("bur", 100, testTeeth.bur()->mesh(), bur); !done) return Unexpected{done.error()};
     panel.series.push_back(bur);
     for (const StandardToothKind kind : kStandardTeeth) {
-        const auto ladder = subjects.ladder(kind);
+        const auto ladder = testTeeth.ladder(kind);
         if (!ladder) return Unexpected{ladder.error()};
-        PlotSeries series{(*subjects.tooth(kind))->name, {}, true, false};
+        PlotSeries series{(*testTeeth.tooth(kind))->name, {}, true, false};
         for (const Resolution& resolution : **ladder) {
             const auto done = add(series.name, resolution.percent, resolution.mesh, series);
             if (!done) return Unexpected{done.error()};
@@ -77,8 +77,7 @@ Expected<Experiment> measureDrawing(Subjects& subjects) {
         panel.series.push_back(series);
     }
     using namespace published;
-    panel.series.push_back(
-        {"published", {{kFewestTriangles, kShortestDraw}, {kMostTriangles, kLongestDraw}}, true, true});
+    panel.series.push_back({"published", {{kMinTriangles, kShortestDraw}, {kMaxTriangles, kLongestDraw}}, true, true});
     experiment.panels.push_back(panel);
     experiment.comparisons = {
         {"Shortest time of a picture", numberText(kShortestDraw) + " ms", shortNumber(shortest) + " ms"},

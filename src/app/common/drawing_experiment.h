@@ -7,6 +7,6 @@
 namespace tactooth {
 
 /// Time that a picture of a tooth takes, by its number of triangles; drawn without a window.
-[[nodiscard]] Expected<Experiment> measureDrawing(Subjects& subjects);
+[[nodiscard]] Expected<Experiment> measureDrawing(TestTeeth& testTeeth);
 
 }  // namespace tactooth

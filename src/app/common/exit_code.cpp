@@ -5,16 +5,17 @@
 #include <cstdio>
 #include <string>
 
-#include "geometry/util/shown_text.h"
+#include "geometry/util/display_text.h"
 
 namespace tactooth {
 
-void printRemarks(const std::vector<Remark>& remarks) {
-    for (const Remark& remark : remarks) std::fprintf(stderr, "tactooth: %s\n", shownText(inWords(remark)).c_str());
+void printImportNotes(const std::vector<ImportNote>& importNotes) {
+    for (const ImportNote& importNote : importNotes)
+        std::fprintf(stderr, "tactooth: %s\n", displayText(inWords(importNote)).c_str());
 }
 
-int refuse(const Error& error) {
-    std::string sentence = shownText(error.message);
+int reportError(const Error& error) {
+    std::string sentence = displayText(error.message);
     if (!sentence.ends_with('.')) sentence += '.';  // a library's own words may have none
     std::fprintf(stderr, "tactooth: %s\n", sentence.c_str());
     return kExitBadInput;

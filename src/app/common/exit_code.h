@@ -4,8 +4,8 @@
 
 #include <vector>
 
+#include "geometry/io/import_note.h"
 #include "geometry/util/expected.h"
-#include "geometry/io/remark.h"
 
 namespace tactooth {
 
@@ -17,10 +17,10 @@ enum ExitCode {
 };
 
 /// Writes what there is to say on the files that were read to stderr, a line each.
-void printRemarks(const std::vector<Remark>& remarks);
+void printImportNotes(const std::vector<ImportNote>& importNotes);
 
-/// Writes the sentence to stderr as shownText shows it, with the program's name before it, and gives the exit code that
-/// goes with it.
-int refuse(const Error& error);
+/// Writes the sentence to stderr as displayText shows it, with the program's name before it, and gives the exit code
+/// that goes with it.
+int reportError(const Error& error);
 
 }  // namespace tactooth

@@ -9,8 +9,8 @@ namespace tactooth {
 namespace {
 
 /// Colours must be compared over the whole tooth: no gloss, no light from inside.
-Look mat(const Look& look) {
-    Look result = look;
+Appearance mat(const Appearance& appearance) {
+    Appearance result = appearance;
     result.roughness = 0.8F;
     result.translucency = 0;
     result.wetness = 0;
@@ -18,12 +18,12 @@ Look mat(const Look& look) {
     return result;
 }
 
-SceneObject layerObject(const LayeredTooth::Layer& layer, const Look& look) {
+SceneObject layerObject(const LayeredTooth::Layer& layer, const Appearance& appearance) {
     SceneObject object;
     object.shape = std::shared_ptr<const TriangleMesh>(layer.part, &layer.part->mesh());
-    object.looks = {look};
-    object.filling = look;
-    object.filling->opacity = 1;
+    object.appearances = {appearance};
+    object.capAppearance = appearance;
+    object.capAppearance->opacity = 1;
     object.sectioned = true;
     object.inner = true;
     return object;
@@ -32,7 +32,7 @@ SceneObject layerObject(const LayeredTooth::Layer& layer, const Look& look) {
 SceneObject ghostObject(CavityGhost& ghost, const std::shared_ptr<const Surface>& tooth) {
     SceneObject object;
     object.shape = ghost.over(tooth);
-    object.looks = {looks::toCut(), looks::outline()};
+    object.appearances = {appearances::toCut(), appearances::outline()};
     static_assert(kGhostWall == 0 && kGhostRim == 1);
     object.sectioned = true;
     object.ghost = true;
@@ -56,15 +56,15 @@ Box3 crownBox(const Box3& tooth, double above) {
     return crown;
 }
 
-Camera crownFrom(StandardView side, double mesialX, const Box3& box) {
+Camera crownCamera(StandardView side, double mesialX, const Box3& box) {
     constexpr double kAbove = 2;  // mm: the bur is seen as well
     OrbitCamera camera;
     camera.fit(crownBox(box, kAbove), kSecondViewAspect);
-    camera.look(side, mesialX);
+    camera.setView(side, mesialX);
     return camera.camera();
 }
 
-Vec3 sideOf(StandardView side, double mesialX) {
+Vec3 viewDirection(StandardView side, double mesialX) {
     switch (side) {
         case StandardView::Occlusal:
             return Vec3::UnitZ();
@@ -80,23 +80,23 @@ Vec3 sideOf(StandardView side, double mesialX) {
     return Vec3::UnitZ();
 }
 
-Plane sectionAt(StandardView side, double mesialX, const Box3& box, double fromMiddle) {
-    const Vec3 normal = sideOf(side, mesialX);
+Plane sectionPlane(StandardView side, double mesialX, const Box3& box, double fromMiddle) {
+    const Vec3 normal = viewDirection(side, mesialX);
     return {normal, normal.dot(box.center()) + fromMiddle};
 }
 
-void inspect(Scene& scene, const LayeredTooth& tooth, const Inspection& inspection) {
-    assert(!scene.objects.empty() && scene.objects.front().looks.size() == kMaterialCount);
+void applyInspection(Scene& scene, const LayeredTooth& tooth, const Inspection& inspection) {
+    assert(!scene.objects.empty() && scene.objects.front().appearances.size() == kMaterialCount);
     SceneObject& body = scene.objects.front();
     if (inspection.section) scene.section = Section{*inspection.section};
-    const std::vector<Look> solid = body.looks;
+    const std::vector<Appearance> solid = body.appearances;
     for (std::size_t i = 0; i < kMaterialCount; ++i) {
-        body.looks[i].opacity = inspection.opacity[i];
-        if (inspection.distances) body.looks[i] = mat(body.looks[i]);
+        body.appearances[i].opacity = inspection.opacity[i];
+        if (inspection.distances) body.appearances[i] = mat(body.appearances[i]);
     }
     body.distances = inspection.distances;
     body.sectioned = true;
-    body.filling = solid[static_cast<std::size_t>(tooth.body())];
+    body.capAppearance = solid[static_cast<std::size_t>(tooth.body())];
     if (inspection.ghost != nullptr && !inspection.ghost->empty()) {
         const auto& cut = std::get<std::shared_ptr<const Surface>>(body.shape);
         scene.objects.push_back(ghostObject(*inspection.ghost, cut));
@@ -107,11 +107,11 @@ void inspect(Scene& scene, const LayeredTooth& tooth, const Inspection& inspecti
     std::vector<SceneObject> layers;
     for (const LayeredTooth::Layer& layer : tooth.layers()) {
         const auto material = static_cast<std::size_t>(layer.material);
-        Look look = solid[material];
-        look.opacity = inspection.opacity[material];
-        layers.push_back(layerObject(layer, look));
+        Appearance appearance = solid[material];
+        appearance.opacity = inspection.opacity[material];
+        layers.push_back(layerObject(layer, appearance));
         // Enamel is the outermost: its own outside is the body's.
-        layers.back().visible = seesInside && layer.material != MaterialId::Enamel && look.opacity > 0;
+        layers.back().visible = seesInside && layer.material != MaterialId::Enamel && appearance.opacity > 0;
     }
     scene.objects.insert(scene.objects.begin() + 1, layers.begin(), layers.end());
 }

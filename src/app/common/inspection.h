@@ -26,26 +26,26 @@ inline constexpr std::array<std::pair<std::string_view, StandardView>, 5> kStand
 struct Inspection {
     std::optional<Plane> section;  ///< tooth frame; takes away what lies on its positive side
     std::array<float, kMaterialCount> opacity = {1, 1, 1, 1, 1, 1};  ///< by MaterialId, 0..1
-    std::optional<ColourByDistance> distances;
+    std::optional<DistanceColourMap> distances;
     std::shared_ptr<CavityGhost> ghost;  ///< of the tooth's own target; null: none
 
     bool operator==(const Inspection& other) const;
 };
 
 /// The unit vector toward the eye of a standard view, tooth frame.
-[[nodiscard]] Vec3 sideOf(StandardView side, double mesialX);
+[[nodiscard]] Vec3 viewDirection(StandardView side, double mesialX);
 
 /// The part of a tooth with this box that is worked on, and so many mm above it.
 [[nodiscard]] Box3 crownBox(const Box3& tooth, double above);
 
 /// What the second view shows: the crown of a tooth with this box, whole, wherever the first one has gone.
-[[nodiscard]] Camera crownFrom(StandardView side, double mesialX, const Box3& box);
+[[nodiscard]] Camera crownCamera(StandardView side, double mesialX, const Box3& box);
 
 /// The plane square to `side`, `fromMiddle` mm from the middle of `box` toward that side.
-[[nodiscard]] Plane sectionAt(StandardView side, double mesialX, const Box3& box, double fromMiddle);
+[[nodiscard]] Plane sectionPlane(StandardView side, double mesialX, const Box3& box, double fromMiddle);
 
 /// Lets `scene`, whose first object is the tooth, show what `inspection` asks for: adds the layers, which fill a
 /// section and appear where the tissue around them is transparent, and the ghost.
-void inspect(Scene& scene, const LayeredTooth& tooth, const Inspection& inspection);
+void applyInspection(Scene& scene, const LayeredTooth& tooth, const Inspection& inspection);
 
 }  // namespace tactooth

@@ -6,10 +6,10 @@ namespace tactooth {
 namespace {
 
 /// Teeth in place are wet, and a little yellower than the cut face of enamel.
-Look toothLook() {
-    Look look = looks::enamel();
-    look.wetness = std::max(look.wetness, 0.7F);
-    return look;
+Appearance toothAppearance() {
+    Appearance appearance = appearances::enamel();
+    appearance.wetness = std::max(appearance.wetness, 0.7F);
+    return appearance;
 }
 
 }  // namespace
@@ -17,21 +17,23 @@ Look toothLook() {
 std::vector<ShownBody> shownAround(const ToothInMouth& tooth) {
     std::vector<ShownBody> bodies;
     for (const ToothInMouth::Body& body : tooth.around) {
-        bodies.push_back({body.shown, {}, body.isGum ? looks::gingiva() : toothLook(), body.isOpposite});
+        bodies.push_back(
+            {body.shown, {}, body.isGingiva ? appearances::gingiva() : toothAppearance(), body.isOpposite});
     }
     return bodies;
 }
 
 std::vector<ShownBody> shownMouth(const BuiltinMouth& mouth, ShownJaws jaws) {
     std::vector<ShownBody> bodies;
-    const auto add = [&](TriangleMesh mesh, const Pose& pose, const Look& look) {
-        bodies.push_back({std::make_shared<const TriangleMesh>(std::move(mesh)), pose, look, false});
+    const auto add = [&](TriangleMesh mesh, const Pose& pose, const Appearance& appearance) {
+        bodies.push_back({std::make_shared<const TriangleMesh>(std::move(mesh)), pose, appearance, false});
     };
     const bool upper = jaws != ShownJaws::lower, lower = jaws != ShownJaws::upper;
-    if (upper) add(mouth.upperGingiva, {}, looks::gingiva());
-    if (lower) add(mouth.lowerGingiva, mouth.lowerJaw, looks::gingiva());
+    if (upper) add(mouth.upperGingiva, {}, appearances::gingiva());
+    if (lower) add(mouth.lowerGingiva, mouth.lowerJaw, appearances::gingiva());
     for (const MouthTooth& tooth : mouth.teeth) {
-        if (tooth.tooth.fdi < 30 ? upper : lower) add(aboveTheGum(tooth.tooth.outer), mouth.poseOf(tooth), toothLook());
+        if (tooth.tooth.fdi < 30 ? upper : lower)
+            add(supragingivalMesh(tooth.tooth.outer), mouth.poseOf(tooth), toothAppearance());
     }
     return bodies;
 }

@@ -15,7 +15,7 @@
 #include <cmath>
 #include <limits>
 
-#include "app/common/picture_application.h"
+#include "app/common/offscreen_application.h"
 
 namespace tactooth {
 namespace {
@@ -141,7 +141,7 @@ QPixmap drawPanel(const ExperimentPlot& panel, int width, int height) {
 }  // namespace
 
 Expected<void> writePanels(const Experiment& experiment, const std::filesystem::path& path) {
-    const PictureApplication application;
+    const OffscreenApplication application;
     const int columns = experiment.plotColumns;
     const int count = static_cast<int>(experiment.panels.size());
     const int width = kWidth / columns;

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "app/common/picture_application.h"
+#include "app/common/offscreen_application.h"
 
 namespace tactooth {
 namespace {
@@ -75,7 +75,7 @@ void drawPlot(QPainter& painter, const Plot& plot, std::span<const Tick> ticks, 
 
 Expected<void> writeForcePlot(const std::filesystem::path& path, std::span<const Tick> ticks) {
     if (ticks.empty()) return unexpected("there is nothing to plot: the session has no ticks.");
-    const PictureApplication application;
+    const OffscreenApplication application;
     const Plot plots[] = {
         {"Depth: how far the hand is behind the surface", "mm", QColor(0x1b, 0x6c, 0xa8),
          [](const Tick& t) { return t.depth; }},

@@ -13,20 +13,20 @@ namespace tactooth {
 namespace {
 
 /// What a material looks like beside its colour and roughness.
-Look characterOf(MaterialId id) {
+Appearance characterOf(MaterialId id) {
     switch (id) {
         case MaterialId::Enamel:
-            return looks::enamel();
+            return appearances::enamel();
         case MaterialId::Dentin:
-            return looks::dentin();
+            return appearances::dentin();
         case MaterialId::Pulp:
-            return looks::pulp();
+            return appearances::pulp();
         case MaterialId::Caries:
-            return looks::caries();
+            return appearances::caries();
         case MaterialId::Restoration:
             return {.translucency = 0.3F, .wetness = 0.6F, .grain = 0.05F};
         case MaterialId::Other:
-            return looks::bone();
+            return appearances::bone();
     }
     return {};
 }
@@ -36,16 +36,16 @@ void addBur(Scene& scene, const ShownTool& tool) {
     SceneObject bur;
     bur.shape = tool.bur;
     bur.objectInWorld = tool.toolInTooth;
-    bur.looks = {tool.material == BurMaterial::diamond ? looks::diamond() : looks::carbide()};
+    bur.appearances = {tool.material == BurMaterial::diamond ? appearances::diamond() : appearances::carbide()};
     bur.moves = true;
-    const float blur = tool.blurred != nullptr ? blurOf(tool.speedRpm, tool.edge) : 0;
+    const float blur = tool.blurred != nullptr ? spinBlur(tool.speedRpm, tool.edge) : 0;
     bur.spin = blur < 1 ? tool.spin : 0;
     scene.objects.push_back(bur);
     if (blur == 0) return;
     constexpr float kCover = 0.86F;  // what lies between the blades shimmers through even at full speed
     bur.shape = tool.blurred;
     bur.spin = 0;
-    bur.looks.front().opacity = kCover * blur;
+    bur.appearances.front().opacity = kCover * blur;
     scene.objects.push_back(std::move(bur));
 }
 
@@ -55,7 +55,7 @@ void addTool(Scene& scene, const ShownTool& tool) {
     SceneObject turbine;
     turbine.shape = tool.turbine;
     turbine.objectInWorld = tool.toolInTooth;
-    turbine.looks = {looks::steel()};
+    turbine.appearances = {appearances::steel()};
     turbine.moves = true;
     turbine.handle = true;
     scene.objects.push_back(std::move(turbine));
@@ -65,7 +65,7 @@ void addMirror(Scene& scene, const ShownMirror& mirror) {
     SceneObject body;
     body.shape = mirror.mesh;
     body.objectInWorld = mirror.mirrorInTooth;
-    body.looks = {looks::steel()};
+    body.appearances = {appearances::steel()};
     body.handle = true;
     scene.objects.push_back(std::move(body));
     scene.mirror = SceneMirror{.mirrorInWorld = mirror.mirrorInTooth,
@@ -80,7 +80,8 @@ void addSuction(Scene& scene, const ShownSuction& suction) {
     SceneObject tube;
     tube.shape = suction.mesh;
     tube.objectInWorld = suction.tubeInTooth;
-    tube.looks = {Look{.colour = {0.62F, 0.78F, 0.86F}, .roughness = 0.3F, .translucency = 0.6F, .wetness = 0.4F}};
+    tube.appearances = {
+        Appearance{.colour = {0.62F, 0.78F, 0.86F}, .roughness = 0.3F, .translucency = 0.6F, .wetness = 0.4F}};
     tube.handle = true;
     scene.objects.push_back(std::move(tube));
 }
@@ -108,15 +109,15 @@ Vec3 crownOf(const Surface& tooth) {
 
 }  // namespace
 
-std::vector<Look> looksOf(const MaterialTable& materials) {
-    std::vector<Look> result;
+std::vector<Appearance> appearancesOf(const MaterialTable& materials) {
+    std::vector<Appearance> result;
     for (std::size_t i = 0; i < kMaterialCount; ++i) {
         const auto id = static_cast<MaterialId>(i);
-        Look look = characterOf(id);
+        Appearance appearance = characterOf(id);
         const std::array<float, 3>& colour = materials[id].colour;
-        look.colour = Vec3f(colour[0], colour[1], colour[2]);
-        look.roughness = materials[id].roughness;
-        result.push_back(look);
+        appearance.colour = Vec3f(colour[0], colour[1], colour[2]);
+        appearance.roughness = materials[id].roughness;
+        result.push_back(appearance);
     }
     return result;
 }
@@ -131,7 +132,7 @@ Scene makeScene(const SceneContents& contents) {
     if (contents.tooth != nullptr) {
         SceneObject tooth;
         tooth.shape = contents.tooth;
-        tooth.looks = looksOf(contents.materials);
+        tooth.appearances = appearancesOf(contents.materials);
         tooth.closed = contents.tooth->closed;
         scene.objects.push_back(std::move(tooth));
     }
@@ -146,7 +147,7 @@ Scene makeScene(const SceneContents& contents) {
         SceneObject object;
         object.shape = body.mesh;
         object.objectInWorld = body.bodyInTooth;
-        object.looks = {body.look};
+        object.appearances = {body.appearance};
         scene.objects.push_back(std::move(object));
     }
     if (contents.mirror && contents.tooth != nullptr) lightByMirror(scene, crownOf(*contents.tooth));
@@ -179,7 +180,7 @@ Pose parkedSuction(const Box3& tooth, double mesialX) {
     const Vec3 opening(mesialX > 0 ? tooth.min().x() - kBeside : tooth.max().x() + kBeside,
                        tooth.center().y() + kBuccal, tooth.max().z() - kBelowTop);
     const Vec3 away = Vec3(-0.80 * mesialX, 0.25, 0.55).normalized();
-    return {opening, shortestTurn(Vec3::UnitZ(), away)};
+    return {opening, shortestRotation(Vec3::UnitZ(), away)};
 }
 
 }  // namespace tactooth

@@ -19,7 +19,7 @@ struct ShownTool {
     double speedRpm = 0;
     BurEdge edge = {};
     std::shared_ptr<const TriangleMesh> blurred =
-        {};  ///< the bur as the eye sees it turning fast (spinningShape), or null
+        {};  ///< the bur as the eye sees it turning fast (spinEnvelopeMesh), or null
 };
 
 /// The mirror, as it is drawn.
@@ -40,7 +40,7 @@ struct ShownSuction {
 struct ShownBody {
     std::shared_ptr<const TriangleMesh> mesh;
     Pose bodyInTooth;
-    Look look;
+    Appearance appearance;
     bool opposite = false;  ///< of the other jaw: left out where it would stand between the eye and the tooth
 };
 
@@ -57,7 +57,7 @@ struct SceneContents {
 };
 
 /// One look for each MaterialId, in their order: colour and roughness from the table.
-[[nodiscard]] std::vector<Look> looksOf(const MaterialTable& materials);
+[[nodiscard]] std::vector<Appearance> appearancesOf(const MaterialTable& materials);
 
 /// Towards a lamp 15 degrees above the eye and to its left: it lights what the eye sees, and leaves it a little shadow
 /// to show its depth.

@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-#include "app/common/picture_application.h"
+#include "app/common/offscreen_application.h"
 #include "sound/files/sound_format.h"
 
 namespace tactooth {
@@ -91,7 +91,7 @@ void drawLegend(QPainter& painter) {
 }  // namespace
 
 Expected<void> writeSpectrogram(const std::filesystem::path& path, const Spectrogram& spectrogram, double seconds) {
-    const PictureApplication application;
+    const OffscreenApplication application;
     QImage image(kLeft + kPlotWidth + kLegend, kTop + kPlotHeight + kBottom, QImage::Format_RGB32);
     image.fill(Qt::white);
     QPainter painter(&image);

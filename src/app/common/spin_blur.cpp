@@ -4,18 +4,18 @@
 
 #include <algorithm>
 
-#include "instruments/modelling/lathe.h"
+#include "instruments/modelling/surface_of_revolution.h"
 
 namespace tactooth {
 
-TriangleMesh spinningShape(const RevolutionEnvelope& envelope) {
+TriangleMesh spinEnvelopeMesh(const RevolutionEnvelope& envelope) {
     std::vector<OutlinePoint> outline;
     for (const auto& [radius, z] : envelope.profile()) outline.push_back({radius, z});
     constexpr int kSides = 48;
     return turned(outline, kSides);
 }
 
-float blurOf(double speedRpm, const BurEdge& edge) {
+float spinBlur(double speedRpm, const BurEdge& edge) {
     constexpr double kGrains = 40;               // around a diamond of 1.4 mm with grains of 0.1 mm
     constexpr double kPicturesPerMinute = 1500;  // 25 a second
     const double edges = edge.flutes > 0 ? edge.flutes : kGrains;

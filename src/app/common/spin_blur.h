@@ -8,10 +8,10 @@
 namespace tactooth {
 
 /// The body that a spinning bur seems to be, in the tool frame.
-[[nodiscard]] TriangleMesh spinningShape(const RevolutionEnvelope& envelope);
+[[nodiscard]] TriangleMesh spinEnvelopeMesh(const RevolutionEnvelope& envelope);
 
 /// How far the blades or grains of a bur run into each other for the eye, 0..1: 1 where one comes to the place of the
 /// next within the time in which an eye takes in a picture.
-[[nodiscard]] float blurOf(double speedRpm, const BurEdge& edge);
+[[nodiscard]] float spinBlur(double speedRpm, const BurEdge& edge);
 
 }  // namespace tactooth

@@ -1696,7 +1696,7 @@ The mouse wheel in the picture changes it too.</source>
     </message>
 </context>
 <context>
-    <name>tactooth::InsidePanel</name>
+    <name>tactooth::InspectionPanel</name>
     <message>
         <source>Where the section runs: from the far to the near side</source>
         <translation>断面の位置：奥側から手前側まで</translation>
@@ -2781,7 +2781,7 @@ More than 1 % is felt: close other programs, or take a tooth with fewer triangle
     </message>
 </context>
 <context>
-    <name>tactooth::HandPanel</name>
+    <name>tactooth::DevicePanel</name>
     <message>
         <source>Rate</source>
         <translation>更新周波数</translation>

@@ -9,8 +9,8 @@
 #include <limits>
 #include <memory>
 
-#include "collision/bvh/binned_split.h"
-#include "collision/bvh/curve_order.h"
+#include "collision/bvh/binned_sah.h"
+#include "collision/bvh/hilbert_order.h"
 #include "geometry/util/parallel_for.h"
 
 // Binned surface-area heuristic: I. Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", IEEE
@@ -106,7 +106,7 @@ std::unique_ptr<BuildNode> buildInOrder(const TreeRange& all) {
 }
 
 std::unique_ptr<BuildNode> buildQuickly(const TreeRange& all) {
-    sortAlongCurve(all);
+    sortByHilbertIndex(all);
     return buildInOrder(all);
 }
 
@@ -125,8 +125,8 @@ void fillLeaf(AabbTree::Leaf& leaf, const TriangleMesh& mesh, std::span<const Tr
     }
 }
 
-constexpr std::uint32_t kMostLeavesOfADisc = 512;  // what is larger is not flat
-constexpr float kRoundUp = 1.00001F;               // of a length: what single precision may have lost
+constexpr std::uint32_t kMaxLeavesOfDisc = 512;  // what is larger is not flat
+constexpr float kRoundUp = 1.00001F;             // of a length: what single precision may have lost
 
 /// The mean normal of leaves: that of the sum of their triangles' area vectors, along which what is nearly flat is
 /// thinnest. Zero: there is none.
@@ -150,8 +150,8 @@ void encloseInDisc(std::span<const AabbTree::Leaf> leaves, AabbTree::Node& node,
     for (int axis = 0; axis < 3; ++axis) low[axis] = node.low[axis][child], high[axis] = node.high[axis][child];
     Vec3f centre = (low + high) / 2;
     Vec3f normal = Vec3f::Zero();
-    float thick = 0, wide = (high - low).norm() / 2;
-    if (leaves.size() <= kMostLeavesOfADisc) {
+    float halfThickness = 0, discRadius = (high - low).norm() / 2;
+    if (leaves.size() <= kMaxLeavesOfDisc) {
         normal = meanNormal(leaves);
         const Vec3x8 n = Vec3x8::all(normal.x(), normal.y(), normal.z());
         const Vec3x8 c = Vec3x8::all(centre.x(), centre.y(), centre.z());
@@ -168,16 +168,16 @@ void encloseInDisc(std::span<const AabbTree::Leaf> leaves, AabbTree::Node& node,
                 squared = max(squared, dot(across, across));
             }
         }
-        thick = (highest(top) - lowest(bottom)) / 2;
-        wide = std::sqrt(highest(squared));
+        halfThickness = (highest(top) - lowest(bottom)) / 2;
+        discRadius = std::sqrt(highest(squared));
         centre += (highest(top) + lowest(bottom)) / 2 * normal;
     }
     for (int axis = 0; axis < 3; ++axis) {
         node.centre[axis][child] = centre[axis];
         node.normal[axis][child] = normal[axis];
     }
-    node.thick[child] = kRoundUp * thick;
-    node.wide[child] = kRoundUp * wide;
+    node.halfThickness[child] = kRoundUp * halfThickness;
+    node.discRadius[child] = kRoundUp * discRadius;
 }
 
 /// Writes a tree into memory, depth first: a child follows its parent closely.
@@ -204,7 +204,7 @@ public:
             fillLeaf(leaves_[leafAt[i]], mesh_, from.children[i].range.items);
         });
         for (int i = 0; i < AabbTree::kWidth; ++i) {
-            to.thick[i] = to.wide[i] = 0;
+            to.halfThickness[i] = to.discRadius[i] = 0;
             for (int axis = 0; axis < 3; ++axis) to.centre[axis][i] = to.normal[axis][i] = 0;
             if (i < from.count) encloseInDisc({leaves_ + leafAt[i], from.inner[i] ? from.inner[i]->leaves : 1}, to, i);
         }

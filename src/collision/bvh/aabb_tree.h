@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "collision/narrow/simd8.h"
-#include "geometry/util/large_pages.h"
 #include "geometry/mesh/triangle_mesh.h"
+#include "geometry/util/large_pages.h"
 
 namespace tactooth {
 
@@ -46,10 +46,10 @@ public:
         float low[3][kWidth];
         float high[3][kWidth];
         Link child[kWidth];
-        float centre[3][kWidth];  ///< of the disc
-        float normal[3][kWidth];  ///< unit, or zero where the disc is a ball
-        float thick[kWidth];      ///< from the centre along the normal, either way, mm
-        float wide[kWidth];       ///< from the centre across the normal, mm
+        float centre[3][kWidth];      ///< of the disc
+        float normal[3][kWidth];      ///< unit, or zero where the disc is a ball
+        float halfThickness[kWidth];  ///< from the centre along the normal, either way, mm
+        float discRadius[kWidth];     ///< from the centre across the normal, mm
     };
 
     /// Up to eight triangles, corner by corner and axis by axis. Unused lanes repeat the first triangle.
@@ -87,7 +87,7 @@ public:
     static constexpr int kStackSize = (kWidth - 1) * kMaxDepth + 1;
 
 private:
-    friend class TreeThinner;
+    friend class MaskedBvh;
     struct Arrays {
         LargeVector<Node> nodes;
         LargeVector<Leaf> leaves;

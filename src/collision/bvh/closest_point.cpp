@@ -6,7 +6,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "collision/bvh/near_point.h"
+#include "collision/bvh/point_box_distance.h"
 #include "collision/bvh/ray_crossing.h"
 #include "collision/narrow/triangle_point.h"
 
@@ -48,7 +48,7 @@ std::optional<ClosestPoint> closestPoint(const SurfacePart& part, const Vec3& qu
     const AabbTree& tree = part.tree();
     if (tree.empty()) return std::nullopt;
     const double slack = slackNear(query);
-    const Vec3x8 query8 = inAllLanes(query);
+    const Vec3x8 query8 = broadcastPoint(query);
     std::array<Visit, AabbTree::kStackSize> stack;
     int size = 0;
     stack[size++] = {tree.rootLink(), 0.0F};

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <limits>
 
-#include "collision/bvh/near_point.h"
+#include "collision/bvh/point_box_distance.h"
 #include "collision/bvh/surface.h"
 
 namespace tactooth {

@@ -5,7 +5,7 @@
 #include <atomic>
 #include <cassert>
 
-#include "geometry/mesh/append_chosen.h"
+#include "geometry/mesh/append_subset.h"
 
 namespace tactooth {
 namespace {
@@ -25,7 +25,7 @@ bool isCollapsed(const TriangleMesh& mesh, const Triangle& triangle) {
 
 template <class LeavesOut>
 void append(TaggedMesh& result, const SurfacePart& part, const LeavesOut& leavesOut) {
-    appendChosen(result.mesh, part.mesh(), [&](std::uint32_t i) {
+    appendSubset(result.mesh, part.mesh(), [&](std::uint32_t i) {
         if (leavesOut(i)) return false;
         result.tags.push_back(part.tag(i));
         return true;
@@ -48,10 +48,10 @@ TaggedMesh visible(const Surface& surface, const LeavesOut& leavesOut) {
 
 }  // namespace
 
-SurfacePart::SurfacePart(TriangleMesh mesh, std::vector<SurfaceTag> tags, std::uint32_t firstAround, TreeBuild build)
+SurfacePart::SurfacePart(TriangleMesh mesh, std::vector<SurfaceTag> tags, std::uint32_t firstAdjacent, TreeBuild build)
     : mesh_(std::move(mesh)),
       tags_(std::move(tags)),
-      firstAround_(firstAround),
+      firstAdjacent_(firstAdjacent),
       tree_(mesh_, build),
       id_(nextPartId()) {
     assert(tags_.empty() || tags_.size() == mesh_.triangles.size());
@@ -62,7 +62,7 @@ TaggedMesh visibleMesh(const Surface& surface) {
 }
 
 TaggedMesh visibleToothMesh(const Surface& surface) {
-    return visible(surface, [](const SurfacePart& part, std::uint32_t triangle) { return part.isAround(triangle); });
+    return visible(surface, [](const SurfacePart& part, std::uint32_t triangle) { return part.isAdjacent(triangle); });
 }
 
 }  // namespace tactooth

@@ -18,20 +18,20 @@ using SurfaceTag = std::uint8_t;
 /// number of threads may read it.
 class SurfacePart {
 public:
-    /// `tags` holds one tag a triangle, or nothing (every tag is then 0). Triangles from `firstAround` on belong to
+    /// `tags` holds one tag a triangle, or nothing (every tag is then 0). Triangles from `firstAdjacent` on belong to
     /// bodies around the tooth.
-    explicit SurfacePart(TriangleMesh mesh, std::vector<SurfaceTag> tags = {}, std::uint32_t firstAround = kNoneAround,
-                         TreeBuild build = TreeBuild::Best);
+    explicit SurfacePart(TriangleMesh mesh, std::vector<SurfaceTag> tags = {},
+                         std::uint32_t firstAdjacent = kNoneAdjacent, TreeBuild build = TreeBuild::Best);
 
-    static constexpr std::uint32_t kNoneAround = UINT32_MAX;
+    static constexpr std::uint32_t kNoneAdjacent = UINT32_MAX;
 
     [[nodiscard]] const TriangleMesh& mesh() const { return mesh_; }
     [[nodiscard]] const std::vector<SurfaceTag>& tags() const { return tags_; }
     [[nodiscard]] SurfaceTag tag(std::uint32_t triangle) const {
         return tags_.empty() ? SurfaceTag{0} : tags_[triangle];
     }
-    [[nodiscard]] std::uint32_t firstAround() const { return firstAround_; }
-    [[nodiscard]] bool isAround(std::uint32_t triangle) const { return triangle >= firstAround_; }
+    [[nodiscard]] std::uint32_t firstAdjacent() const { return firstAdjacent_; }
+    [[nodiscard]] bool isAdjacent(std::uint32_t triangle) const { return triangle >= firstAdjacent_; }
     [[nodiscard]] const AabbTree& tree() const { return tree_; }
     /// A number that no other part of this process has: what was computed for a part stays valid as long as its id.
     [[nodiscard]] std::uint64_t id() const { return id_; }
@@ -39,7 +39,7 @@ public:
 private:
     TriangleMesh mesh_;
     std::vector<SurfaceTag> tags_;
-    std::uint32_t firstAround_;
+    std::uint32_t firstAdjacent_;
     AabbTree tree_;
     std::uint64_t id_;
 };
@@ -62,7 +62,7 @@ struct Surface {
     std::uint64_t revision = 0;  ///< grows by one with every snapshot of the same tooth
     bool closed = true;          ///< whether "inside" has a meaning; false: only the triangles themselves are felt
     /// The base's tree without the hidden triangles, for those who walk; null: nobody has made it.
-    std::shared_ptr<const AabbTree> thinned = nullptr;
+    std::shared_ptr<const AabbTree> maskedTree = nullptr;
 };
 
 /// The part of `surface` that a number names: 0 = the surface's base, i + 1 = its patch i.
@@ -77,7 +77,7 @@ struct VisibleBase {
     const TriangleMask* hidden;
 };
 [[nodiscard]] inline VisibleBase visibleBase(const Surface& surface) {
-    if (surface.thinned != nullptr) return {*surface.thinned, nullptr};
+    if (surface.maskedTree != nullptr) return {*surface.maskedTree, nullptr};
     return {surface.base->tree(), surface.hidden.get()};
 }
 

@@ -18,7 +18,7 @@ namespace {
 
 using Points = std::span<const Vec3>;
 
-constexpr int kMaxRounds = 24;         // 9 to 18 support points exist: 4-5 rounds are usual, more means rounding
+constexpr int kMaxIterations = 24;     // 9 to 18 support points exist: 4-5 rounds are usual, more means rounding
 constexpr double kTouching = 1e-14;    // of the triangles' size: closer than this is contact
 constexpr double kFairGap = 0.5;       // of the distance: less than that of a slab is a fault of its direction
 constexpr double kNearlyAsWide = 0.7;  // of the distance: a slab that is remembered shall last for some steps
@@ -67,9 +67,9 @@ void refineNormal(Points a, Points b, const MinkowskiSimplex& simplex, GjkResult
 }
 
 /// The slab across the way to the nearest point found so far.
-GjkResult slabAcross(Points a, Points b, const Vec3& nearest, int rounds) {
+GjkResult slabAcross(Points a, Points b, const Vec3& nearest, int iterations) {
     GjkResult result;
-    result.rounds = rounds;
+    result.iterations = iterations;
     result.distance = nearest.norm();
     result.normal = nearest / result.distance;
     result.gap = slabWidth(a, b, result.normal);
@@ -77,11 +77,11 @@ GjkResult slabAcross(Points a, Points b, const Vec3& nearest, int rounds) {
     return result;
 }
 
-GjkResult separatedResult(Points a, Points b, const MinkowskiSimplex& simplex, const Vec3& nearest, int rounds) {
-    GjkResult result = slabAcross(a, b, nearest, rounds);
+GjkResult separatedResult(Points a, Points b, const MinkowskiSimplex& simplex, const Vec3& nearest, int iterations) {
+    GjkResult result = slabAcross(a, b, nearest, iterations);
     if (result.gap < result.distance * (1 - 1e-9)) refineNormal(a, b, simplex, result);
     result.separated = result.gap > 0;
-    if (!result.separated) return {.rounds = rounds};
+    if (!result.separated) return {.iterations = iterations};
     for (int i = 0; i < simplex.size(); ++i) {
         result.onA += simplex.weight(i) * a[simplex.point(i).onA];
         result.onB += simplex.weight(i) * b[simplex.point(i).onB];
@@ -97,9 +97,9 @@ GjkResult search(Points a, Points b, const Vec3& guess, const IsEnough& isEnough
     simplex.add(support(a, b, -guess));
     const double touching = kTouching * kTouching * std::max(squaredSize(a), squaredSize(b));
     Vec3 nearest = simplex.nearestToOrigin();
-    for (int round = 1; round <= kMaxRounds; ++round) {
+    for (int round = 1; round <= kMaxIterations; ++round) {
         const double squared = nearest.squaredNorm();
-        if (squared <= touching) return {.rounds = round};
+        if (squared <= touching) return {.iterations = round};
         const MinkowskiPoint next = support(a, b, -nearest);
         const double along = nearest.dot(next.point);
         const bool converged = simplex.holds(next) || squared - along <= kDualityGap * squared;
@@ -107,9 +107,9 @@ GjkResult search(Points a, Points b, const Vec3& guess, const IsEnough& isEnough
         if (isEnough(squared, along)) return slabAcross(a, b, nearest, round);
         simplex.add(next);
         nearest = simplex.nearestToOrigin();
-        if (simplex.size() == 4) return {.rounds = round};  // the origin is inside: overlap
+        if (simplex.size() == 4) return {.iterations = round};  // the origin is inside: overlap
     }
-    return separatedResult(a, b, simplex, nearest, kMaxRounds);
+    return separatedResult(a, b, simplex, nearest, kMaxIterations);
 }
 
 }  // namespace
@@ -118,7 +118,7 @@ GjkResult distanceBetween(Points a, Points b, const Vec3& guess) {
     return search(a, b, guess, [](double, double) { return false; });
 }
 
-GjkResult partBetween(Points a, Points b, const Vec3& guess, double least) {
+GjkResult separateConvex(Points a, Points b, const Vec3& guess, double least) {
     return search(a, b, guess, [least](double squared, double along) {
         return along > kNearlyAsWide * squared && along > least * std::sqrt(squared);
     });

@@ -16,17 +16,18 @@ struct GjkResult {
     Vec3 normal = Vec3::Zero();  ///< unit, from `a` to `b`; zero when not separated
     Vec3 onA = Vec3::Zero();     ///< nearest points
     Vec3 onB = Vec3::Zero();
-    int rounds = 0;
+    int iterations = 0;
 };
 
 /// Distance between the convex hulls of two small sets of points: triangles, or a triangle swept along a step (six
-/// points). `guess` is a direction from `a` to `b` to start from (the normal found at the last tick saves most rounds);
-/// any value is allowed.
+/// points). `guess` is a direction from `a` to `b` to start from (the normal found at the last tick saves most
+/// iterations); any value is allowed.
 [[nodiscard]] GjkResult distanceBetween(std::span<const Vec3> a, std::span<const Vec3> b, const Vec3& guess);
 
 /// Only what proves that they are apart: the first slab found that is wider than `least` (mm) and nearly as wide as the
 /// distance lets it be. Where there is none, the result of distanceBetween. `distance` and the nearest points are not
 /// exact.
-[[nodiscard]] GjkResult partBetween(std::span<const Vec3> a, std::span<const Vec3> b, const Vec3& guess, double least);
+[[nodiscard]] GjkResult separateConvex(std::span<const Vec3> a, std::span<const Vec3> b, const Vec3& guess,
+                                       double least);
 
 }  // namespace tactooth

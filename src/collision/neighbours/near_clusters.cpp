@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "collision/neighbours/leaf_walk.h"
+#include "collision/neighbours/leaf_traversal.h"
 
 // Simultaneous descent of two trees: G. van den Bergen, "Efficient Collision Detection of Complex Deformable Models
 // using AABB Trees", J. Graphics Tools 2(4), 1997. Differs from the paper: the walk happens in the tool's frame, into
@@ -15,12 +15,12 @@
 // reached, as in T.-Y. Li, J.-S. Chen, "Incremental 3D Collision Detection with Hierarchical Data Structures", VRST
 // 1998; differs: a disc around a branch of the tooth and a side of the tool part most branches near a contact from the
 // whole tool at once. It ends at a leaf of the tooth against a triangle of the tool: what goes on between their
-// triangles is asked later, and of few (see PairList).
+// triangles is asked later, and of few (see NeighbourList).
 
 namespace tactooth {
 namespace {
 
-using namespace nearby;
+using namespace broadphase;
 
 // What the slab of a node may hide, of a coordinate's slack: it is found in the tooth's frame, far from the origin.
 constexpr double kNodeSlacks = 3;
@@ -36,7 +36,7 @@ double roundingSlack(const SurfacePart& tooth, const ToolShape& tool, const Pose
 }  // namespace
 
 /// Boxes of a tooth node in the tool's frame, grown by the skin's shifts.
-Box8 NearWalk::turned(const AabbTree::Node& node) const {
+Box8 BvhTraversal::turned(const AabbTree::Node& node) const {
     const Vec3x8 low = Vec3x8::load(node.low);
     const Vec3x8 high = Vec3x8::load(node.high);
     const Float8 half = Float8::all(0.5F);
@@ -46,24 +46,24 @@ Box8 NearWalk::turned(const AabbTree::Node& node) const {
     const Vec3x8 halfSize = {difference.x * half, difference.y * half, difference.z * half};
     const Vec3x8 extent = {dot(turn_.absolute[0], halfSize), dot(turn_.absolute[1], halfSize),
                            dot(turn_.absolute[2], halfSize)};
-    return {centre - extent - everywhere(shifts_.high), centre + extent - everywhere(shifts_.low)};
+    return {centre - extent - broadcast(translations_.high), centre + extent - broadcast(translations_.low)};
 }
 
 /// The slabs between the tool and those children named by `near`, along the directions of `side` and those beside it.
 /// Returns the children whose slab a move may close.
-std::uint32_t NearWalk::findSlabs(const AabbTree::Node& node, ToolSides::Number side, std::uint32_t near, float slack,
-                                  NearNode& found) const {
-    const ToolSides& sides = tool_->sides();
+std::uint32_t BvhTraversal::findSlabs(const AabbTree::Node& node, SupportPlanes::Number side, std::uint32_t near,
+                                      float slack, NearNode& found) const {
+    const SupportPlanes& sides = tool_->sides();
     const Vec3x8 centre = turn_.point(Vec3x8::load(node.centre));
     const Vec3x8 normal = turn_.direction(Vec3x8::load(node.normal));
     const Float8 zero = Float8::all(0);
     Float8 furthest = Float8::all(-std::numeric_limits<float>::infinity());
     Float8 place = zero;
     Vec3x8 inward = Vec3x8::all(0, 0, 0);
-    const ToolSides::Beside& beside = sides.beside(side);
-    for (int i = 0; i < ToolSides::kBeside; ++i) {
-        const ToolSides::Side& one = sides[beside[i]];
-        const Vec3x8 d = everywhere(one.inward);
+    const SupportPlanes::Neighbours& beside = sides.beside(side);
+    for (int i = 0; i < SupportPlanes::kNeighbours; ++i) {
+        const SupportPlanes::Plane& one = sides[beside[i]];
+        const Vec3x8 d = broadcast(one.inward);
         const Float8 beyond = Float8::all(one.low) - dot(d, centre);
         const auto wider = [&](Float8 mine, Float8 its) { return whereLess(furthest, beyond, its, mine); };
         inward = {wider(inward.x, d.x), wider(inward.y, d.y), wider(inward.z, d.z)};
@@ -72,9 +72,9 @@ std::uint32_t NearWalk::findSlabs(const AabbTree::Node& node, ToolSides::Number 
     }
     const Float8 across = dot(inward, normal);
     const Float8 reach =
-        max(across, zero - across) * Float8::load(node.thick) +
+        max(across, zero - across) * Float8::load(node.halfThickness) +
         sqrt(max(Float8::all(1) - across * across, zero) + Float8::all(static_cast<float>(kFewRoundings))) *
-            Float8::load(node.wide);
+            Float8::load(node.discRadius);
     const Float8 gap = furthest - reach - Float8::all(slack);
     inward.store(found.normal);
     gap.store(found.gap);
@@ -84,14 +84,15 @@ std::uint32_t NearWalk::findSlabs(const AabbTree::Node& node, ToolSides::Number 
         found.side[i] = beside[static_cast<std::size_t>(placed[i])];
         found.loss[i] = losses_[found.side[i]];
     }
-    const Float8 closing = Float8::all(shifts_.around) + max(zero - dot(inward, everywhere(shifts_.along)), zero);
-    return near & lessEqual(gap, closing + Float8::all(spin_) * Float8::load(found.loss));
+    const Float8 closing =
+        Float8::all(translations_.around) + max(zero - dot(inward, broadcast(translations_.along)), zero);
+    return near & lessEqual(gap, closing + Float8::all(chord_) * Float8::load(found.loss));
 }
 
-void NearWalk::addNode(std::uint32_t part, const AabbTree::Node& node, std::optional<ToolSides::Number> side,
-                       NearClusters& out) const {
+void BvhTraversal::addNode(std::uint32_t part, const AabbTree::Node& node, std::optional<SupportPlanes::Number> side,
+                           NearClusters& out) const {
     const ToolShape::Bound& bound = tool_->bound(tool_->part().tree().rootLink());
-    const std::uint32_t near = overlaps(turned(node), Float8::all(bound.far * spin_), bound);
+    const std::uint32_t near = overlaps(turned(node), Float8::all(bound.far * chord_), bound);
     if (near == 0) return;
     if (out.nodeCount == out.nodes.size()) {
         out.complete = false;
@@ -114,7 +115,7 @@ void NearWalk::addNode(std::uint32_t part, const AabbTree::Node& node, std::opti
 }
 
 /// A box of the tool's frame around all children of a node, grown by the skin's shifts.
-Boxf NearWalk::boxAround(const AabbTree::Node& node) const {
+Boxf BvhTraversal::boxAround(const AabbTree::Node& node) const {
     // An absent child's box is inverted and infinite.
     Vec3f low, high;
     for (int axis = 0; axis < 3; ++axis) {
@@ -125,17 +126,17 @@ Boxf NearWalk::boxAround(const AabbTree::Node& node) const {
     const Vec3f extent = toTooth_.transpose().cwiseAbs() * ((high - low) / 2);
     Boxf box;
     for (int axis = 0; axis < 3; ++axis) {
-        box.low[axis] = centre[axis] - extent[axis] - shifts_.high[axis];
-        box.high[axis] = centre[axis] + extent[axis] - shifts_.low[axis];
+        box.low[axis] = centre[axis] - extent[axis] - translations_.high[axis];
+        box.high[axis] = centre[axis] + extent[axis] - translations_.low[axis];
     }
     return box;
 }
 
 /// Whether a box meets any triangle's of a node of the tool.
-bool NearWalk::meetsTool(const Boxf& box, AabbTree::Link link) const {
+bool BvhTraversal::meetsTool(const Boxf& box, AabbTree::Link link) const {
     const AabbTree::Node& node = tool_->part().tree().node(link);
-    const Float8 spin = Float8::all(spin_);
-    const Float8 grow = Float8::load(tool_->far(link).data()) * spin;
+    const Float8 chord = Float8::all(chord_);
+    const Float8 grow = Float8::load(tool_->far(link).data()) * chord;
     std::uint32_t hits = overlaps({Vec3x8::load(node.low), Vec3x8::load(node.high)}, grow, box);
     for (; hits != 0; hits &= hits - 1) {
         const AabbTree::Link child = node.child[std::countr_zero(hits)];
@@ -144,23 +145,24 @@ bool NearWalk::meetsTool(const Boxf& box, AabbTree::Link link) const {
             continue;
         }
         const ToolShape::Faces& faces = tool_->faces(child);
-        if (overlaps({Vec3x8::load(faces.low), Vec3x8::load(faces.high)}, Float8::load(faces.far) * spin, box) != 0)
+        if (overlaps({Vec3x8::load(faces.low), Vec3x8::load(faces.high)}, Float8::load(faces.far) * chord, box) != 0)
             return true;
     }
     return false;
 }
 
-const AabbTree& NearWalk::treeOf(std::uint32_t part) const {
+const AabbTree& BvhTraversal::treeOf(std::uint32_t part) const {
     return part == 0 ? visibleBase(*surface_).tree : surface_->patches[part - 1]->tree();
 }
 
-float NearWalk::gapAlong(std::size_t node, int child, const ToolSides::Side& side, const NearClusters& out) const {
+float BvhTraversal::gapAlong(std::size_t node, int child, const SupportPlanes::Plane& side,
+                             const NearClusters& out) const {
     const NearNode& near = out.nodes[node];
     const AabbTree::Leaf& leaf = treeOf(near.part).leaf(near.child[child]);
     // The direction is turned, not the leaf's many corners.
     const Vec3f& d = side.inward;
     const Vec3f inTooth = toTooth_ * d;
-    const Vec3x8 along = everywhere(inTooth);
+    const Vec3x8 along = broadcast(inTooth);
     const Float8 a = dot(along, Vec3x8::load(leaf.corner[0]));
     const Float8 b = dot(along, Vec3x8::load(leaf.corner[1]));
     const Float8 c = dot(along, Vec3x8::load(leaf.corner[2]));
@@ -168,7 +170,7 @@ float NearWalk::gapAlong(std::size_t node, int child, const ToolSides::Side& sid
     return side.low - high - static_cast<float>(kNodeSlacks * out.slack);
 }
 
-void NearWalk::open(const NearNode& node, int child, std::size_t limit, NearClusters& out) const {
+void BvhTraversal::open(const NearNode& node, int child, std::size_t limit, NearClusters& out) const {
     const std::uint32_t part = node.part;
     const AabbTree::Link link = node.child[child];
     const AabbTree& tree = treeOf(part);
@@ -177,29 +179,31 @@ void NearWalk::open(const NearNode& node, int child, std::size_t limit, NearClus
         if (meetsTool(boxAround(below), tool_->part().tree().rootLink())) addNode(part, below, node.side[child], out);
         return;
     }
-    LeafWalk(*tool_, part == 0 ? visibleBase(*surface_).hidden : nullptr, part, turn_, shifts_, spin_, limit, out)
-        .meetLeaf(tree.leaf(link));
+    LeafTraversal(*tool_, part == 0 ? visibleBase(*surface_).hidden : nullptr, part, turn_, translations_, chord_,
+                  limit, out)
+        .visitLeaf(tree.leaf(link));
 }
 
-void NearWalk::begin(const Surface& surface, const ToolShape& tool, const Pose& toolInTooth, const Skin& skin,
-                     NearClusters& out) {
+void BvhTraversal::begin(const Surface& surface, const ToolShape& tool, const Pose& toolInTooth,
+                         const ContactMargin& contactMargin, NearClusters& out) {
     out.nodeCount = out.leafCount = out.count = 0;
     out.complete = true;
     surface_ = &surface;
     tool_ = &tool;
     if (surface.base->tree().empty() || tool.part().tree().empty()) return;
     out.slack = roundingSlack(*surface.base, tool, toolInTooth);
-    turn_ = Turn(toolInTooth);
+    turn_ = FrameTransform(toolInTooth);
     toTooth_ = toolInTooth.rotation.toRotationMatrix().cast<float>();
     origin_ = toolInTooth.position.cast<float>();
-    shifts_ = Shifts(skin, toolInTooth, out.slack);
-    spin_ = static_cast<float>(skin.turn);
-    losses_ = tool.sides().losses(skin.turn);
+    translations_ = TranslationBounds(contactMargin, toolInTooth, out.slack);
+    chord_ = static_cast<float>(contactMargin.turn);
+    losses_ = tool.sides().losses(contactMargin.turn);
     const VisibleBase base = visibleBase(surface);
     if (!base.tree.empty()) addNode(0, base.tree.root(), {}, out);
     // A cheap ball test first: cutting leaves hundreds of patches, of which the tool is near a handful.
     const Vec3 centre = toolInTooth * tool.centre();
-    const double ball = tool.radius() + skin.length() + skin.turn * (tool.centre().norm() + tool.radius()) + out.slack;
+    const double ball = tool.radius() + contactMargin.length() +
+                        contactMargin.turn * (tool.centre().norm() + tool.radius()) + out.slack;
     for (std::size_t i = 0; i < surface.patches.size(); ++i) {
         const AabbTree& tree = surface.patches[i]->tree();
         if (tree.empty() || tree.box().squaredExteriorDistance(centre) > ball * ball) continue;

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "collision/neighbours/pair_list.h"
+#include "collision/neighbours/neighbour_list.h"
 
 namespace tactooth {
 

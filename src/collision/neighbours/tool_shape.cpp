@@ -76,7 +76,7 @@ ToolShape::Bound boundOf(const AabbTree::Node& node, const ToolShape::Far& far) 
 
 }  // namespace
 
-ToolShape::ToolShape(TriangleMesh mesh) : part_(std::move(mesh)), sides_(part_.mesh()) {
+ToolShape::ToolShape(TriangleMesh mesh) : part_(std::move(mesh)), supportPlanes_(part_.mesh()) {
     const TriangleMesh& own = part_.mesh();
     corners_.reserve(own.triangles.size());
     for (const Triangle& t : own.triangles)

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "collision/bvh/surface.h"
-#include "collision/neighbours/tool_sides.h"
 #include "collision/narrow/triangle3.h"
+#include "collision/neighbours/support_planes.h"
 #include "geometry/util/pose.h"
 
 namespace tactooth {
@@ -67,7 +67,7 @@ public:
     };
     [[nodiscard]] const Bound& bound(AabbTree::Link node) const { return bounds_[node.index()]; }
     /// How far the tool as a whole reaches.
-    [[nodiscard]] const ToolSides& sides() const { return sides_; }
+    [[nodiscard]] const SupportPlanes& sides() const { return supportPlanes_; }
     /// Centre of the bounding box in the tool frame, mm.
     [[nodiscard]] const Vec3& centre() const { return centre_; }
     /// Every vertex lies within this distance of the centre, mm.
@@ -82,7 +82,7 @@ private:
     std::vector<Faces> faces_;
     std::vector<Far> far_;
     std::vector<Bound> bounds_;
-    ToolSides sides_;
+    SupportPlanes supportPlanes_;
     Vec3 centre_ = Vec3::Zero();
     double radius_ = 0;
 };

@@ -20,7 +20,7 @@ namespace tactooth {
 namespace {
 
 constexpr std::size_t kFirstCapacity = 4096;
-constexpr std::size_t kFirstLook =
+constexpr std::size_t kFirstQuery =
     64;                        // clusters: where a tool stands in the tooth, one of so many nearly always tells
 constexpr int kMaxMoves = 64;  // moves of a few rounds each until a pulled-out tool has settled
 constexpr std::size_t kMaxNormals = 6;
@@ -71,28 +71,29 @@ std::shared_ptr<const Surface> ContactQuery::setSurface(std::shared_ptr<const Su
 /// Calls `take` with each listed pair that intersects at this pose, until it answers false.
 template <class Take>
 void ContactQuery::forEachIntersecting(const Pose& toolInTooth, Take&& take) {
-    const Excursion still = list_.excursion(toolInTooth, toolInTooth, 0, {});
+    const ToolMotion still = list_.motion(toolInTooth, toolInTooth, 0, {});
     for (std::size_t cluster = 0; cluster < list_.clusters(); ++cluster) {
-        for (std::uint32_t doubt = list_.pairsInDoubt(cluster, still); doubt != 0; doubt &= doubt - 1) {
-            const NearPair pair = list_[PairList::placeOf(cluster, std::countr_zero(doubt))];
+        for (std::uint32_t uncertain = list_.uncertainPairs(cluster, still); uncertain != 0;
+             uncertain &= uncertain - 1) {
+            const NearPair pair = list_[NeighbourList::placeOf(cluster, std::countr_zero(uncertain))];
             if (intersects(*surface_, *tool_, toolInTooth, pair) && !take(pair)) return;
         }
     }
 }
 
 /// Whether the tool, which crosses no triangle, is wholly inside.
-bool ContactQuery::isSwallowed(const Pose& toolInTooth) const {
+bool ContactQuery::isEnclosed(const Pose& toolInTooth) const {
     return surface_->closed && contains(*surface_, toolInTooth * tool_->mesh().corner(0, 0));
 }
 
 void ContactQuery::findOverlap(const Pose& toolInTooth) {
     overlap_.pairs.clear();
-    list_.makeAll(*surface_, toolInTooth, {});
+    list_.buildAll(*surface_, toolInTooth, {});
     forEachIntersecting(toolInTooth, [&](const NearPair& pair) {
         overlap_.pairs.push_back(pair);
         return true;
     });
-    overlap_.swallowed = overlap_.pairs.empty() && isSwallowed(toolInTooth);
+    overlap_.enclosed = overlap_.pairs.empty() && isEnclosed(toolInTooth);
 }
 
 Contact ContactQuery::deepestPairAt(const Pose& toolInTooth) {
@@ -123,8 +124,8 @@ bool ContactQuery::isFree(const Pose& toolInTooth) {
         if (intersects(*surface_, *tool_, toolInTooth, blocking_[i])) return false;
     }
     bool complete = false;
-    for (std::size_t limit = kFirstLook; !complete; limit *= 8) {
-        complete = list_.makeUpTo(*surface_, toolInTooth, limit);
+    for (std::size_t limit = kFirstQuery; !complete; limit *= 8) {
+        complete = list_.buildUpTo(*surface_, toolInTooth, limit);
         bool free = true;
         forEachIntersecting(toolInTooth, [&](const NearPair& pair) {
             blocking_.add(pair);
@@ -132,12 +133,12 @@ bool ContactQuery::isFree(const Pose& toolInTooth) {
         });
         if (!free) return false;
     }
-    return !isSwallowed(toolInTooth);
+    return !isEnclosed(toolInTooth);
 }
 
 /// Directions worth trying: the mean normal of what is touched, the way from the tool's centre to the surface, single
 /// normals that differ, and back along the shaft, which is how a bur leaves a narrow cavity.
-std::vector<Vec3> ContactQuery::waysOut(const Pose& toolInTooth, const Overlap& overlap) const {
+std::vector<Vec3> ContactQuery::exitDirections(const Pose& toolInTooth, const Overlap& overlap) const {
     std::vector<Vec3> directions;
     Vec3 mean = Vec3::Zero();
     for (const NearPair& pair : overlap.pairs) mean += partOf(*surface_, pair.part).mesh().areaVector(pair.tooth);
@@ -155,7 +156,7 @@ std::vector<Vec3> ContactQuery::waysOut(const Pose& toolInTooth, const Overlap& 
 }
 
 /// How far the tool must be pulled along `direction` until it is free, more or less, if that is within `limit`.
-std::optional<double> ContactQuery::pullOut(const Pose& toolInTooth, const Vec3& direction, double limit) {
+std::optional<double> ContactQuery::exitDistance(const Pose& toolInTooth, const Vec3& direction, double limit) {
     constexpr double kStretch = 1.6;  // of a step over the one before
     constexpr int kHalvings = 5;      // of the last step: the way back to the tooth costs more than a few looks
     const auto freeAt = [&](double distance) {
@@ -175,50 +176,52 @@ std::optional<double> ContactQuery::pullOut(const Pose& toolInTooth, const Vec3&
 
 /// Back from where the tool is free along each of the ways out, the shortest first; from far more than the best there
 /// is, nothing better comes.
-void ContactQuery::followWaysOut(const Pose& toolInTooth, Contact& best) {
-    constexpr double kHopeless = 2;      // times the best depth
-    constexpr double kWorthPulling = 4;  // times the shortest pull
-    struct Way {
+void ContactQuery::tryExitDirections(const Pose& toolInTooth, Contact& best) {
+    constexpr double kNoProgress = 2;  // times the best depth
+    constexpr double kWorthExit = 4;   // times the shortest pull
+    struct Displacement {
         double distance;
         Vec3 direction;
     };
-    std::vector<Way> ways;
+    std::vector<Displacement> ways;
     double limit = 2 * (surface_->base->tree().box().diagonal().norm() + 2 * tool_->radius());
-    for (const Vec3& direction : waysOut(toolInTooth, overlap_)) {
-        const std::optional<double> distance = pullOut(toolInTooth, direction, limit);
+    for (const Vec3& direction : exitDirections(toolInTooth, overlap_)) {
+        const std::optional<double> distance = exitDistance(toolInTooth, direction, limit);
         if (!distance) continue;
         ways.push_back({*distance, direction});
-        limit = std::min(limit, kWorthPulling * *distance);
+        limit = std::min(limit, kWorthExit * *distance);
     }
-    std::ranges::stable_sort(ways, {}, &Way::distance);
+    std::ranges::stable_sort(ways, {}, &Displacement::distance);
     for (const auto& [distance, direction] : ways) {
-        if (best.depth > 0 && distance > kHopeless * best.depth) return;
-        keepShorter(toolInTooth, {toolInTooth.position + distance * direction, toolInTooth.rotation}, best);
+        if (best.depth > 0 && distance > kNoProgress * best.depth) return;
+        keepShallowerExit(toolInTooth, {toolInTooth.position + distance * direction, toolInTooth.rotation}, best);
     }
 }
 
-void ContactQuery::keepShorter(const Pose& toolInTooth, const Pose& start, Contact& best) {
-    constexpr double kToTouch = 0.03;  // of the way: once the tool touches, it expects a short way and lists little
+void ContactQuery::keepShallowerExit(const Pose& toolInTooth, const Pose& start, Contact& best) {
+    constexpr double kApproachShare =
+        0.03;  // of the way: once the tool touches, it expects a short way and lists little
     body_.placeAt(start);
     MoveResult move =
-        body_.moveToward({start.position + kToTouch * (toolInTooth.position - start.position), start.rotation});
+        body_.moveToward({start.position + kApproachShare * (toolInTooth.position - start.position), start.rotation});
     for (int i = 0; i < kMaxMoves; ++i) {
         move = body_.moveToward(toolInTooth);
-        if (move.status != MoveStatus::OutOfRounds) break;
+        if (move.status != MoveStatus::OutOfIterations) break;
     }
     const Vec3 out = body_.pose().position - toolInTooth.position;
     const double depth = out.norm();
     if (move.contactCount == 0 || !(depth > 0) || (best.depth > 0 && depth >= best.depth)) return;
-    const auto firmest = std::max_element(move.contacts.begin(), move.contacts.begin() + move.contactCount,
-                                          [](const BodyContact& a, const BodyContact& b) { return a.share < b.share; });
+    const auto strongest =
+        std::max_element(move.contacts.begin(), move.contacts.begin() + move.contactCount,
+                         [](const BodyContact& a, const BodyContact& b) { return a.share < b.share; });
     best.depth = depth;
     best.normal = out / depth;
-    best.point = firmest->point - out;
-    best.part = firmest->part;
-    best.tooth = firmest->tooth;
+    best.point = strongest->point - out;
+    best.part = strongest->part;
+    best.tooth = strongest->tooth;
     freePose_ = body_.pose();
-    away_.setZero();
-    for (int i = 0; i < move.contactCount; ++i) away_ += move.contacts[i].normal;
+    normalSum_.setZero();
+    for (int i = 0; i < move.contactCount; ++i) normalSum_ += move.contacts[i].normal;
 }
 
 /// Whether the tool is free at this distance, and still is a little further on.
@@ -245,7 +248,7 @@ double ContactQuery::leastAlong(const Pose& toolInTooth, const Vec3& direction, 
 }
 
 /// Whether the tool, on its way along `out`, gets free for good; then that way, as short as it is, is the answer.
-bool ContactQuery::takeWay(const Pose& toolInTooth, const Vec3& out, Contact& best) {
+bool ContactQuery::tryExit(const Pose& toolInTooth, const Vec3& out, Contact& best) {
     const Vec3 direction = out.normalized();
     double distance = out.norm();
     if (!leaves(toolInTooth, direction, distance)) return false;
@@ -261,31 +264,31 @@ bool ContactQuery::takeWay(const Pose& toolInTooth, const Vec3& out, Contact& be
 /// In a narrow fissure the nearest free pose may lie against a wall that the way out runs into: the tool is free there,
 /// but not a hair's breadth beyond. Then the way out is bent as little as frees it for good: away from what holds it,
 /// or else to whichever side that is.
-void ContactQuery::straighten(const Pose& toolInTooth, Contact& best) {
+void ContactQuery::refineDirection(const Pose& toolInTooth, Contact& best) {
     const Vec3 out = best.depth * best.normal;
-    if (takeWay(toolInTooth, out, best)) return;
+    if (tryExit(toolInTooth, out, best)) return;
     for (double bend = 2 * kClearance * tool_->radius(); bend < 2 * best.depth; bend *= 2) {
-        if (takeWay(toolInTooth, out + bend * away_, best)) return;
+        if (tryExit(toolInTooth, out + bend * normalSum_, best)) return;
         for (const Vec3& side : kAroundACube) {
-            if (takeWay(toolInTooth, out + bend * (toolInTooth.rotation * side), best)) return;
+            if (tryExit(toolInTooth, out + bend * (toolInTooth.rotation * side), best)) return;
         }
     }
 }
 
 /// Looks around for a way out shorter than the one found, in all directions: between two cusps the normals that are
 /// touched need not show it.
-void ContactQuery::lookAround(const Pose& toolInTooth, Contact& best) {
+void ContactQuery::searchAround(const Pose& toolInTooth, Contact& best) {
     constexpr double kWorthwhile = 0.97;  // of the depth: a smaller gain is left to the descent
     for (const Vec3& direction : kAroundACube) {
         const Vec3 out = kWorthwhile * best.depth * (toolInTooth.rotation * direction);
         const Pose start{toolInTooth.position + out, toolInTooth.rotation};
-        if (isFree(start)) keepShorter(toolInTooth, start, best);
+        if (isFree(start)) keepShallowerExit(toolInTooth, start, best);
     }
 }
 
 /// Looks for a shorter way out close beside the one found: facet by facet of a rounded tool, a ridge or a corner has a
 /// way out of its own, and they differ by little.
-void ContactQuery::lookBeside(const Pose& toolInTooth, Contact& best) {
+void ContactQuery::searchBeside(const Pose& toolInTooth, Contact& best) {
     constexpr double kOutside = 1.01;  // of the depth: where the tool is likely to be free
     constexpr double kSamePlace = 1e-3;
     constexpr double kNoGain = 1e-6;
@@ -301,7 +304,7 @@ void ContactQuery::lookBeside(const Pose& toolInTooth, Contact& best) {
                 const Vec3 out = kOutside * found.depth * (found.normal + tilt * (around * aside)).normalized();
                 const Pose start{toolInTooth.position + out, toolInTooth.rotation};
                 if (!isFree(start)) continue;
-                keepShorter(toolInTooth, start, best);
+                keepShallowerExit(toolInTooth, start, best);
                 if ((body_.pose().position - freePose_.position).norm() < kSamePlace * best.depth) break;
             }
         }
@@ -317,11 +320,11 @@ Contact ContactQuery::at(const Pose& toolInTooth) {
     result.touching = true;
     result.contacts = static_cast<int>(overlap_.pairs.size());
     body_.forget();  // the answer is to depend on this pose alone
-    followWaysOut(toolInTooth, result);
+    tryExitDirections(toolInTooth, result);
     if (result.depth > 0) {
-        lookAround(toolInTooth, result);
-        lookBeside(toolInTooth, result);
-        straighten(toolInTooth, result);
+        searchAround(toolInTooth, result);
+        searchBeside(toolInTooth, result);
+        refineDirection(toolInTooth, result);
     }
     return result;
 }

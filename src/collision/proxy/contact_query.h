@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "collision/proxy/sliding_body.h"
+#include "collision/proxy/proxy_solver.h"
 
 namespace tactooth {
 
@@ -50,33 +50,33 @@ public:
 private:
     struct Overlap {
         std::vector<NearPair> pairs;
-        bool swallowed = false;  // the tool is wholly inside, touching no triangle
-        [[nodiscard]] bool any() const { return swallowed || !pairs.empty(); }
+        bool enclosed = false;  // the tool is wholly inside, touching no triangle
+        [[nodiscard]] bool any() const { return enclosed || !pairs.empty(); }
     };
 
     template <class Take>
     void forEachIntersecting(const Pose& toolInTooth, Take&& take);
-    [[nodiscard]] bool isSwallowed(const Pose& toolInTooth) const;
+    [[nodiscard]] bool isEnclosed(const Pose& toolInTooth) const;
     void findOverlap(const Pose& toolInTooth);
-    [[nodiscard]] std::vector<Vec3> waysOut(const Pose& toolInTooth, const Overlap& overlap) const;
-    [[nodiscard]] std::optional<double> pullOut(const Pose& toolInTooth, const Vec3& direction, double limit);
-    void followWaysOut(const Pose& toolInTooth, Contact& best);
+    [[nodiscard]] std::vector<Vec3> exitDirections(const Pose& toolInTooth, const Overlap& overlap) const;
+    [[nodiscard]] std::optional<double> exitDistance(const Pose& toolInTooth, const Vec3& direction, double limit);
+    void tryExitDirections(const Pose& toolInTooth, Contact& best);
     [[nodiscard]] bool leaves(const Pose& toolInTooth, const Vec3& direction, double distance);
     [[nodiscard]] double leastAlong(const Pose& toolInTooth, const Vec3& direction, double clear);
-    [[nodiscard]] bool takeWay(const Pose& toolInTooth, const Vec3& out, Contact& best);
-    void straighten(const Pose& toolInTooth, Contact& best);
-    void lookAround(const Pose& toolInTooth, Contact& best);
-    void lookBeside(const Pose& toolInTooth, Contact& best);
-    void keepShorter(const Pose& toolInTooth, const Pose& start, Contact& best);
+    [[nodiscard]] bool tryExit(const Pose& toolInTooth, const Vec3& out, Contact& best);
+    void refineDirection(const Pose& toolInTooth, Contact& best);
+    void searchAround(const Pose& toolInTooth, Contact& best);
+    void searchBeside(const Pose& toolInTooth, Contact& best);
+    void keepShallowerExit(const Pose& toolInTooth, const Pose& start, Contact& best);
 
     std::shared_ptr<const ToolShape> tool_;
     std::shared_ptr<const Surface> surface_;
-    SlidingBody body_;
-    PairList list_;
+    ProxySolver body_;
+    NeighbourList list_;
     Overlap overlap_;
     RecentPairs blocking_;  // intersected lately; each is asked anew
     Pose freePose_;
-    Vec3 away_ = Vec3::Zero();  // sum of the normals that hold the free pose
+    Vec3 normalSum_ = Vec3::Zero();  // sum of the normals that hold the free pose
 };
 
 }  // namespace tactooth

@@ -43,7 +43,7 @@ private:
 
 struct Shell {
     std::vector<std::uint32_t> triangles;
-    bool isTwisted = false;
+    bool isNonOrientable = false;
     bool crosses = false;
     bool isInward = false;  // with those of its triangles turned that disagree with the first one
 };
@@ -59,7 +59,7 @@ Shell gather(std::uint32_t first, const Neighbours& neighbours, std::vector<std:
         for (const auto& [other, agrees] : neighbours.of(here)) {
             const auto wanted = static_cast<std::uint8_t>(agrees ? turned[here] : 1 - turned[here]);
             if (reached[other] != 0) {
-                shell.isTwisted |= turned[other] != wanted;
+                shell.isNonOrientable |= turned[other] != wanted;
                 continue;
             }
             reached[other] = 1;
@@ -71,7 +71,7 @@ Shell gather(std::uint32_t first, const Neighbours& neighbours, std::vector<std:
 }
 
 /// Whether a shell looks inward, as its largest triangles say.
-bool looksInward(const SurfacePart& part, const Shell& shell, const std::vector<std::uint8_t>& turned) {
+bool facesInward(const SurfacePart& part, const Shell& shell, const std::vector<std::uint8_t>& turned) {
     std::vector<std::pair<double, std::uint32_t>> largest;
     for (const std::uint32_t t : shell.triangles) largest.emplace_back(-part.mesh().areaVector(t).squaredNorm(), t);
     const std::size_t votes = std::min(kVotes, largest.size());
@@ -105,25 +105,25 @@ double volumeOf(const TriangleMesh& mesh, const Shell& shell, const std::vector<
 
 }  // namespace
 
-ShellTurn turnShells(const SurfacePart& part, std::span<const std::uint32_t> crossing, TriangleMesh& mesh) {
+ShellOrientation orientShells(const SurfacePart& part, std::span<const std::uint32_t> crossing, TriangleMesh& mesh) {
     const Neighbours neighbours(part.mesh());
     std::vector<std::uint8_t> reached(mesh.triangles.size(), 0), turned(mesh.triangles.size(), 0);
     std::vector<Shell> shells;
-    ShellTurn result;
+    ShellOrientation result;
     std::vector<std::uint8_t> crosses(mesh.triangles.size(), 0);
     for (const std::uint32_t t : crossing) crosses[t] = 1;
     for (std::uint32_t t = 0; t < reached.size(); ++t) {
         if (reached[t] != 0 || isDegenerate(mesh.triangles[t])) continue;
         Shell& shell = shells.emplace_back(gather(t, neighbours, reached, turned));
         shell.crosses = std::ranges::any_of(shell.triangles, [&](std::uint32_t one) { return crosses[one] != 0; });
-        result.isTwisted |= shell.isTwisted;
+        result.isNonOrientable |= shell.isNonOrientable;
     }
     result.shells = shells.size();
-    if (result.isTwisted) return result;
+    if (result.isNonOrientable) return result;
     const Vec3 middle = part.tree().box().center();
     double volumeOfCrossing = 0;
     for (Shell& shell : shells) {
-        shell.isInward = shell.crosses ? mostDisagree(shell, turned) : looksInward(part, shell, turned);
+        shell.isInward = shell.crosses ? mostDisagree(shell, turned) : facesInward(part, shell, turned);
         if (shell.crosses) volumeOfCrossing += (shell.isInward ? -1 : 1) * volumeOf(mesh, shell, turned, middle);
     }
     for (Shell& shell : shells) {
@@ -134,7 +134,7 @@ ShellTurn turnShells(const SurfacePart& part, std::span<const std::uint32_t> cro
         for (const std::uint32_t t : shell.triangles) {
             if ((turned[t] != 0) == shell.isInward) continue;
             std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
-            ++result.turnedTriangles;
+            ++result.flippedTriangles;
         }
     }
     return result;

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <span>
 
-#include "collision/solid/crossing_search.h"
+#include "collision/solid/self_intersection.h"
 #include "collision/solid/shells.h"
 #include "collision/solid/winding.h"
 #include "geometry/mesh/mesh_edges.h"
@@ -17,23 +17,23 @@ namespace {
 
 /// mm: what a CT of a tooth resolves, and layers that lie as near are welded. Surfaces of fewer triangles fold by as
 /// much.
-constexpr double kHarmlessOverlap = 0.05;
+constexpr double kTolerableOverlap = 0.05;
 
 /// How thick the room is that two parts claim, or none, beside a place of a triangle that is no border of inside and
 /// outside; else 0.
-double overlapAt(const SurfacePart& part, std::uint32_t triangle, const InTriangle& place) {
+double overlapAt(const SurfacePart& part, std::uint32_t triangle, const Barycentric& place) {
     const int winding = windingInFront(part, triangle, place);
-    return winding == 0 ? 0 : roomBeside(part, triangle, winding < 0, place);
+    return winding == 0 ? 0 : clearanceFrom(part, triangle, winding < 0, place);
 }
 
 /// Places all over a triangle, from nearly its corners on.
-std::vector<InTriangle> placesOfTriangle() {
+std::vector<Barycentric> placesOfTriangle() {
     constexpr int kSteps = 8;
     constexpr double kInward = 1e-3;  // a corner itself belongs to other triangles, too
-    std::vector<InTriangle> places;
+    std::vector<Barycentric> places;
     for (int i = 0; i <= kSteps; ++i) {
         for (int j = 0; i + j <= kSteps; ++j) {
-            const InTriangle place(i, j, kSteps - i - j);
+            const Barycentric place(i, j, kSteps - i - j);
             places.emplace_back((1 - kInward) / kSteps * place + kInward * kMiddle);
         }
     }
@@ -48,13 +48,13 @@ double overlapOf(const SurfacePart& part, std::span<const std::uint32_t> crossin
         thickness.size(),
         [&](std::size_t t) { thickness[t] = overlapAt(part, static_cast<std::uint32_t>(t), kMiddle); }, 256);
     constexpr std::size_t kMost = 1024;  // of those that cross: enough, and bounded in time
-    const std::vector<InTriangle> places = placesOfTriangle();
+    const std::vector<Barycentric> places = placesOfTriangle();
     const std::size_t stride = std::max<std::size_t>(1, crossing.size() / kMost);
     parallelFor(
         crossing.size() / stride,
         [&](std::size_t i) {
             const std::uint32_t t = crossing[i * stride];
-            for (const InTriangle& place : places) thickness[t] = std::max(thickness[t], overlapAt(part, t, place));
+            for (const Barycentric& place : places) thickness[t] = std::max(thickness[t], overlapAt(part, t, place));
         },
         8);
     return std::min(*std::ranges::max_element(thickness), part.tree().box().diagonal().norm());
@@ -76,7 +76,7 @@ private:
     TriangleMesh& mesh() { return result_.mesh; }
 
     SolidFlaw examine() {
-        report().droppedDoubles = dropDoubles(mesh());
+        report().droppedDuplicates = removeDuplicates(mesh());
         if (edgeBalance(mesh()).odd > 0) report().cracks = weldCracks(mesh());
         if (options_.dropsSpecks) report().droppedSpecks = dropSpecks(mesh());
         if (!hasArea()) return SolidFlaw::Empty;
@@ -84,17 +84,17 @@ private:
         if (report().openEdges > 0) return SolidFlaw::Open;
         // The tree of a surface knows only where its triangles are, not how they are turned.
         const SurfacePart part(mesh());
-        const auto crossing = crossingTriangles(part);
-        if (!crossing) return SolidFlaw::Tangled;
-        report().crossingTriangles = crossing->size();
-        const ShellTurn turn = turnShells(part, *crossing, mesh());
-        if (turn.isTwisted) return SolidFlaw::Twisted;
-        report().turnedTriangles = turn.turnedTriangles;
+        const auto crossing = selfIntersectingTriangles(part);
+        if (!crossing) return SolidFlaw::SelfIntersecting;
+        report().selfIntersectingTriangles = crossing->size();
+        const ShellOrientation turn = orientShells(part, *crossing, mesh());
+        if (turn.isNonOrientable) return SolidFlaw::NonOrientable;
+        report().flippedTriangles = turn.flippedTriangles;
         report().shells = turn.shells;
         report().hollows = turn.hollows;
         if (!crossing->empty()) {
-            report().overlap = overlapOf(turn.turnedTriangles > 0 ? SurfacePart(mesh()) : part, *crossing);
-            if (report().overlap > kHarmlessOverlap) return SolidFlaw::Overlapping;
+            report().overlap = overlapOf(turn.flippedTriangles > 0 ? SurfacePart(mesh()) : part, *crossing);
+            if (report().overlap > kTolerableOverlap) return SolidFlaw::Overlapping;
         }
         return turn.volume > 0 ? SolidFlaw::None : SolidFlaw::Empty;
     }
@@ -117,26 +117,26 @@ ExaminedSolid examineSolid(TriangleMesh mesh, const SolidOptions& options) {
     return SolidExamination(std::move(mesh), options).run();
 }
 
-std::vector<Remark> remarksOn(const SolidReport& report, const std::string& what) {
-    std::vector<Remark> remarks;
+std::vector<ImportNote> notesOn(const SolidReport& report, const std::string& what) {
+    std::vector<ImportNote> importNotes;
     const auto add = [&](std::size_t count, const char* text, std::vector<std::string> values = {}) {
         if (count == 0) return;
         values.insert(values.begin(), {what, std::to_string(count)});
-        remarks.push_back({RemarkTopic::Closedness, text, std::move(values)});
+        importNotes.push_back({ImportNoteTopic::Closedness, text, std::move(values)});
     };
     add(report.cracks.moved, "%1: %2 corners that differ in their last digits were welded, within %3 mm.",
         {rounded(report.cracks.tolerance, 6)});
-    add(report.droppedDoubles, "%1: %2 triangles that are stored twice, or lie back to back, were dropped.");
+    add(report.droppedDuplicates, "%1: %2 triangles that are stored twice, or lie back to back, were dropped.");
     add(report.droppedSpecks, "%1: %2 specks beside the surface were dropped.");
-    add(report.turnedTriangles, "%1: %2 triangles were turned, so that all look at the outside.");
-    add(report.turnedTriangles > 0 ? report.hollows : 0,
+    add(report.flippedTriangles, "%1: %2 triangles were turned, so that all look at the outside.");
+    add(report.flippedTriangles > 0 ? report.hollows : 0,
         "%1: %2 shells lie within another one and are taken as the walls of hollows.");
-    constexpr double kToSay = 0.0005;  // mm: what only touches is no news
-    if (report.isSolid() && report.overlap > kToSay) {
-        add(report.crossingTriangles, "%1: %2 triangles cross others by %3 mm at most; they are left as they are.",
-            {rounded(report.overlap, 3)});
+    constexpr double kMinReportedOverlap = 0.0005;  // mm: what only touches is no news
+    if (report.isSolid() && report.overlap > kMinReportedOverlap) {
+        add(report.selfIntersectingTriangles,
+            "%1: %2 triangles cross others by %3 mm at most; they are left as they are.", {rounded(report.overlap, 3)});
     }
-    return remarks;
+    return importNotes;
 }
 
 std::string flawSentence(const SolidReport& report, const std::string& what) {
@@ -148,13 +148,13 @@ std::string flawSentence(const SolidReport& report, const std::string& what) {
         case SolidFlaw::Open:
             return what + " is open (" + std::to_string(report.openEdges) +
                    " edges without a neighbour), so it has no inside: close its holes first";
-        case SolidFlaw::Twisted:
+        case SolidFlaw::NonOrientable:
             return what + " is twisted: it has no outside; mend it in a mesh program";
         case SolidFlaw::Overlapping:
             return what + " has parts that reach into each other by " + rounded(report.overlap, 2) + " mm (" +
-                   std::to_string(report.crossingTriangles) +
+                   std::to_string(report.selfIntersectingTriangles) +
                    " triangles cross), so what is inside is unclear: unite them in a mesh program";
-        case SolidFlaw::Tangled:
+        case SolidFlaw::SelfIntersecting:
             return what + " bounds no body: its triangles cross each other nearly everywhere; export it again";
     }
     return {};

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "geometry/io/import_note.h"
 #include "geometry/mesh/crack_weld.h"
-#include "geometry/io/remark.h"
 
 namespace tactooth {
 
@@ -18,25 +18,26 @@ namespace tactooth {
 /// Why a surface bounds no solid.
 enum class SolidFlaw {
     None,
-    Empty,        ///< no triangle with an area
-    Open,         ///< edges with an odd number of triangles
-    Twisted,      ///< a band that has but one side
-    Overlapping,  ///< parts reach into each other, or the surface crosses itself
-    Tangled,      ///< its triangles cross each other nearly everywhere
+    Empty,             ///< no triangle with an area
+    Open,              ///< edges with an odd number of triangles
+    NonOrientable,     ///< a band that has but one side
+    Overlapping,       ///< parts reach into each other, or the surface crosses itself
+    SelfIntersecting,  ///< its triangles cross each other nearly everywhere
 };
 
 /// What was found in a surface, and what was done about it. Lengths in the unit of the mesh.
 struct SolidReport {
     SolidFlaw flaw = SolidFlaw::None;
     CrackWeld cracks;
-    std::size_t droppedDoubles = 0;     ///< triangles that were stored twice, or back to back
+    std::size_t droppedDuplicates = 0;  ///< triangles that were stored twice, or back to back
     std::size_t droppedSpecks = 0;      ///< pieces beside the largest body
-    std::size_t turnedTriangles = 0;    ///< that looked the wrong way
+    std::size_t flippedTriangles = 0;   ///< that looked the wrong way
     std::size_t shells = 0;             ///< what hangs together over edges of two triangles
     std::size_t hollows = 0;            ///< shells that are the wall of a hollow
     std::size_t openEdges = 0;          ///< of an open surface
-    std::size_t crossingTriangles = 0;  ///< triangles that meet others elsewhere than at common edges and corners
-    double overlap = 0;                 ///< how thick the room is that two parts claim, at most
+    std::size_t selfIntersectingTriangles =
+        0;               ///< triangles that meet others elsewhere than at common edges and corners
+    double overlap = 0;  ///< how thick the room is that two parts claim, at most
 
     [[nodiscard]] bool isSolid() const { return flaw == SolidFlaw::None; }
 };
@@ -57,7 +58,7 @@ struct ExaminedSolid {
 [[nodiscard]] ExaminedSolid examineSolid(TriangleMesh mesh, const SolidOptions& options = {});
 
 /// What was done, and what is assumed, in sentences that begin with `what` ("outer").
-[[nodiscard]] std::vector<Remark> remarksOn(const SolidReport& report, const std::string& what);
+[[nodiscard]] std::vector<ImportNote> notesOn(const SolidReport& report, const std::string& what);
 
 /// Why `what` ("the surface of the tooth") is no solid, and what to do: a sentence without its full stop; empty if it
 /// is one.

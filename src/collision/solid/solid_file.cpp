@@ -11,23 +11,23 @@
 namespace tactooth {
 
 Expected<TriangleMesh> solidFrom(TriangleMesh mesh, const std::string& name, const std::string& what,
-                                 const SolidOptions& options, std::vector<Remark>* remarks) {
+                                 const SolidOptions& options, std::vector<ImportNote>* importNotes) {
     ExaminedSolid examined = examineSolid(std::move(mesh), options);
     if (!examined.report.isSolid()) return unexpected(name + ": " + flawSentence(examined.report, what) + ".");
-    if (remarks != nullptr) std::ranges::move(remarksOn(examined.report, name), std::back_inserter(*remarks));
+    if (importNotes != nullptr) std::ranges::move(notesOn(examined.report, name), std::back_inserter(*importNotes));
     return std::move(examined.mesh);
 }
 
 Expected<TriangleMesh> loadSolid(const std::filesystem::path& file, const std::string& what,
-                                 const SolidOptions& options, std::vector<Remark>* remarks) {
-    std::vector<Remark> done;
+                                 const SolidOptions& options, std::vector<ImportNote>* importNotes) {
+    std::vector<ImportNote> done;
     Expected<TriangleMesh> mesh = loadMesh(file, &done);
     if (!mesh) return mesh;
-    auto solid = solidFrom(std::move(*mesh), shownName(file), what, options, &done);
-    if (remarks == nullptr) return solid;
-    for (Remark& remark : done) {
-        remark.values.front() = shownName(file.filename());  // remarks are saved with a tooth: no paths
-        remarks->push_back(std::move(remark));
+    auto solid = solidFrom(std::move(*mesh), displayName(file), what, options, &done);
+    if (importNotes == nullptr) return solid;
+    for (ImportNote& importNote : done) {
+        importNote.values.front() = displayName(file.filename());  // remarks are saved with a tooth: no paths
+        importNotes->push_back(std::move(importNote));
     }
     return solid;
 }

@@ -12,14 +12,14 @@
 namespace tactooth {
 
 /// `mesh`, which came from `name`, as a solid. Fails with one sentence, in which `what` ("the surface of the tooth") is
-/// its subject. `remarks`, if given, gets what was done.
+/// its subject. `importNotes`, if given, gets what was done.
 [[nodiscard]] Expected<TriangleMesh> solidFrom(TriangleMesh mesh, const std::string& name, const std::string& what,
                                                const SolidOptions& options = {},
-                                               std::vector<Remark>* remarks = nullptr);
+                                               std::vector<ImportNote>* importNotes = nullptr);
 
 /// The same of a mesh file. Fails also if it cannot be read.
 [[nodiscard]] Expected<TriangleMesh> loadSolid(const std::filesystem::path& file, const std::string& what,
                                                const SolidOptions& options = {},
-                                               std::vector<Remark>* remarks = nullptr);
+                                               std::vector<ImportNote>* importNotes = nullptr);
 
 }  // namespace tactooth

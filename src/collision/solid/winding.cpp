@@ -7,13 +7,13 @@
 namespace tactooth {
 namespace {
 
-Vec3 pointAt(const TriangleMesh& mesh, std::uint32_t t, const InTriangle& place) {
+Vec3 pointAt(const TriangleMesh& mesh, std::uint32_t t, const Barycentric& place) {
     return place[0] * mesh.corner(t, 0) + place[1] * mesh.corner(t, 1) + place[2] * mesh.corner(t, 2);
 }
 
 }  // namespace
 
-int windingInFront(const SurfacePart& part, std::uint32_t triangle, const InTriangle& place) {
+int windingInFront(const SurfacePart& part, std::uint32_t triangle, const Barycentric& place) {
     const TriangleMesh& mesh = part.mesh();
     const Vec3 normal = mesh.areaVector(triangle);
     if (normal.squaredNorm() == 0) return 0;
@@ -33,7 +33,7 @@ int windingInFront(const SurfacePart& part, std::uint32_t triangle, const InTria
     return 0;  // every ray grazes
 }
 
-double roomBeside(const SurfacePart& part, std::uint32_t triangle, bool inFront, const InTriangle& place) {
+double clearanceFrom(const SurfacePart& part, std::uint32_t triangle, bool inFront, const Barycentric& place) {
     const TriangleMesh& mesh = part.mesh();
     const Vec3 normal = mesh.areaVector(triangle).normalized();
     const Vec3 direction = inFront ? normal : Vec3(-normal);

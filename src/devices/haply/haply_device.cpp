@@ -19,27 +19,27 @@
 namespace tactooth {
 namespace {
 
-constexpr double kPatience = 1;             // s to connect: the service is on this machine
+constexpr double kConnectTimeout = 1;       // s to connect: the service is on this machine
 constexpr double kLongestSilence = 0.0035;  // s: three answers were left out, so the device is lost; limp within 5 ms
 constexpr double kLateAnswer = 0.003;       // s: from then on a zero force is sent without waiting for the answer
 constexpr double kLateForce = 0.003;        // s without a new force: the servo hangs, so nothing is rendered
 constexpr double kBroken = 1;               // s without any answer: the connection is given up
-constexpr double kGlance = 0.02;            // s between two looks at whether the program wants to end
-constexpr double kFarewell = 0.2;           // s for the answer to the last zero
+constexpr double kPollTimeout = 0.02;       // s between two looks at whether the program wants to end
+constexpr double kCloseTimeout = 0.2;       // s for the answer to the last zero
 constexpr double kShownFor = 3;             // s that a passing trouble is shown
-constexpr double kToldAfter = 0.05;         // s: an answer that is so late is told at once
-constexpr double kDistrust = 0.1;           // s after an answer too many that no answer is believed
+constexpr double kReportDelay = 0.05;       // s: an answer that is so late is told at once
+constexpr double kRecoveryTime = 0.1;       // s after an answer too many that no answer is believed
 constexpr double kGripPeriod = 0.02;        // s: a VerseGrip is read some 50 times a second, whatever the arm is
 constexpr auto kRetry = std::chrono::seconds(1);
 constexpr int kGripButtons = 3;
 
 constexpr const char* kSlow =
     "The Haply Inverse Service answers too slowly: close other programs that keep this machine busy.";
-constexpr const char* kSurplus =
+constexpr const char* kTooManyAnswers =
     "The Haply Inverse Service sends more answers than it is asked for, so the force is off: restart the service.";
 constexpr const char* kLost =
     "The Haply Inverse Service has closed the connection: start it again; it is tried again every second.";
-constexpr const char* kMute =
+constexpr const char* kNoAnswer =
     "The Haply Inverse Service has stopped answering: restart it; it is tried again every second.";
 
 /// A sentence that stays as long as the program; there are few different ones.
@@ -63,7 +63,7 @@ HaplyDevice::~HaplyDevice() {
     sem_destroy(&wake_);
 }
 
-std::string HaplyDevice::usualAddress() {
+std::string HaplyDevice::defaultAddress() {
     const char* const own = std::getenv("TACTOOTH_HAPLY");
     return own != nullptr && *own != 0 ? own : "localhost:10001";
 }
@@ -75,40 +75,41 @@ void HaplyDevice::describe() {
     info_.sensesRotation = !names_.grip.empty();
     info_.buttonCount = names_.grip.empty() ? 0 : kGripButtons;
     info_.limits = limitsOf(preset);
-    info_.poseLimits.turnPeriod = kGripPeriod;
+    info_.poseLimits.rotationPeriod = kGripPeriod;
     info_.workspace = preset.workspace;
     info_.stiffness = preset.stiffness;
 }
 
 /// Connects and finds out who is there. The thread's, or open()'s before there is one.
-Expected<std::unique_ptr<HaplyLink>> HaplyDevice::meet(const std::string& wanted) {
-    auto link = HaplyLink::open(address_, kPatience);
+Expected<std::unique_ptr<HaplyConnection>> HaplyDevice::handshake(const std::string& wanted) {
+    auto link = HaplyConnection::open(address_, kConnectTimeout);
     if (!link) return link;
     std::string first;
-    if ((*link)->receive(first, kPatience) != HaplyLink::Heard::Message) return unexpected(kMute);
+    if ((*link)->receive(first, kConnectTimeout) != HaplyConnection::ReceiveStatus::Message)
+        return unexpected(kNoAnswer);
     const Expected<HaplyNames> names = findHaply(first, wanted);
     if (!names) return Unexpected{names.error()};
     const Expected<HaplyReading> reading = readHaply(first, *names);
     if (!reading) return Unexpected{reading.error()};
-    if (!(*link)->send(haplyGreeting(names->device), kPatience) ||
-        (*link)->receive(first, kPatience) != HaplyLink::Heard::Message) {
-        return unexpected(kMute);
+    if (!(*link)->send(haplyHandshake(names->device), kConnectTimeout) ||
+        (*link)->receive(first, kConnectTimeout) != HaplyConnection::ReceiveStatus::Message) {
+        return unexpected(kNoAnswer);
     }
     names_ = *names;
-    owed_ = 0;
+    outstanding_ = 0;
     return link;
 }
 
 Expected<void> HaplyDevice::open() {
     close();
-    auto link = meet(wanted_);
+    auto link = handshake(wanted_);
     if (!link) return Unexpected{link.error()};
-    link_ = std::move(*link);
+    connection_ = std::move(*link);
     describe();
-    trouble_.store(nullptr);
+    faultMessage_.store(nullptr);
     force_.write(Vec3::Zero());
     turn_ = Quat::Identity();
-    surplusAt_ = -1;
+    surplusAnswerAt_ = -1;
     thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
     return {};
 }
@@ -117,31 +118,31 @@ void HaplyDevice::close() {
     if (!thread_.joinable()) return;
     thread_ = {};
     // The thread is gone, and what it said last may have been a force: with the answer to this the arm is limp.
-    if (link_ && link_->send(haplyForce(names_.device, Vec3::Zero()), kGlance)) {
-        const double end = monotonicSeconds() + kFarewell;
-        for (++owed_; owed_ > 0 && monotonicSeconds() < end; --owed_) {
-            if (link_->receive(text_, end - monotonicSeconds()) != HaplyLink::Heard::Message) break;
+    if (connection_ && connection_->send(haplyForce(names_.device, Vec3::Zero()), kPollTimeout)) {
+        const double end = monotonicSeconds() + kCloseTimeout;
+        for (++outstanding_; outstanding_ > 0 && monotonicSeconds() < end; --outstanding_) {
+            if (connection_->receive(text_, end - monotonicSeconds()) != HaplyConnection::ReceiveStatus::Message) break;
         }
     }
-    link_.reset();
+    connection_.reset();
 }
 
 void HaplyDevice::run(const std::stop_token& stop) {
     pthread_setname_np(pthread_self(), "haply");  // for debuggers and profilers
-    (void)takeRealTimePriority();                 // without the right to it everything works, with more jitter
+    (void)acquireRealTimePriority();              // without the right to it everything works, with more jitter
     std::mutex alone;
     std::condition_variable_any wake;
     while (!stop.stop_requested()) {
         if (exchange(stop)) continue;
-        link_.reset();
+        connection_.reset();
         std::unique_lock lock(alone);
         (void)wake.wait_for(lock, stop, kRetry, [] { return false; });
         if (stop.stop_requested()) return;
-        auto link = meet(names_.device);
+        auto link = handshake(names_.device);
         if (link) {
-            link_ = std::move(*link);
+            connection_ = std::move(*link);
         } else {
-            complain(kept(link.error().message));
+            setFault(kept(link.error().message));
         }
     }
 }
@@ -151,65 +152,67 @@ bool HaplyDevice::waitForForce() {
     while (sem_trywait(&wake_) == 0) {  // forces that were made while an answer was on its way
     }
     if (force_.refresh()) return true;
-    waitForPost(wake_, kLateForce);
+    waitForSemaphore(wake_, kLateForce);
     return force_.refresh();
 }
 
 /// Counts answers that have come; more than there were messages is a fault of the service.
-void HaplyDevice::settleAccount(int answers) {
-    owed_ -= answers;
-    if (owed_ >= 0) return;
-    owed_ = 0;
-    surplusAt_ = monotonicSeconds();
-    complain(kSurplus);
+void HaplyDevice::countAnswers(int answers) {
+    outstanding_ -= answers;
+    if (outstanding_ >= 0) return;
+    outstanding_ = 0;
+    surplusAnswerAt_ = monotonicSeconds();
+    setFault(kTooManyAnswers);
 }
 
-bool HaplyDevice::isTrusted() const { return surplusAt_ < 0 || monotonicSeconds() - surplusAt_ > kDistrust; }
+bool HaplyDevice::isConnectionValid() const {
+    return surplusAnswerAt_ < 0 || monotonicSeconds() - surplusAnswerAt_ > kRecoveryTime;
+}
 
 /// What has come since the last answer; false if the connection is broken.
-bool HaplyDevice::takeUnasked() {
+bool HaplyDevice::drainPending() {
     int unasked = 0;
-    const HaplyLink::Heard heard = link_->receiveWaiting(text_, unasked);
-    settleAccount(unasked);
-    return heard != HaplyLink::Heard::Broken;
+    const HaplyConnection::ReceiveStatus status = connection_->receivePending(text_, unasked);
+    countAnswers(unasked);
+    return status != HaplyConnection::ReceiveStatus::Broken;
 }
 
 /// Takes in the answer that has just come, or a newer one that has come since; false if the connection is broken.
-bool HaplyDevice::takeAnswers() {
+bool HaplyDevice::receiveAnswers() {
     int answers = 1;
-    const HaplyLink::Heard heard = link_->receiveWaiting(text_, answers);
-    settleAccount(answers);
-    if (heard == HaplyLink::Heard::Broken) return false;
-    if (owed_ == 0) hear();
+    const HaplyConnection::ReceiveStatus status = connection_->receivePending(text_, answers);
+    countAnswers(answers);
+    if (status == HaplyConnection::ReceiveStatus::Broken) return false;
+    if (outstanding_ == 0) parseAnswer();
     return true;
 }
 
 /// One message and its answer; false if the connection is broken.
 bool HaplyDevice::exchange(const std::stop_token& stop) {
-    if (!link_) return false;
+    if (!connection_) return false;
     const bool isFresh = waitForForce();
-    const bool isOpen = takeUnasked();
-    const Vec3 force = isFresh && isTrusted() ? force_.value() : Vec3(Vec3::Zero());
-    if (!isOpen || !link_->send(haplyForce(names_.device, force), kBroken)) {
-        complain(kLost);
+    const bool isOpen = drainPending();
+    const Vec3 force = isFresh && isConnectionValid() ? force_.value() : Vec3(Vec3::Zero());
+    if (!isOpen || !connection_->send(haplyForce(names_.device, force), kBroken)) {
+        setFault(kLost);
         return false;
     }
-    ++owed_;
-    switch (link_->receive(text_, kLateAnswer)) {
-        case HaplyLink::Heard::Message:
-            if (takeAnswers()) return true;
+    ++outstanding_;
+    switch (connection_->receive(text_, kLateAnswer)) {
+        case HaplyConnection::ReceiveStatus::Message:
+            if (receiveAnswers()) return true;
             break;
-        case HaplyLink::Heard::Nothing:
+        case HaplyConnection::ReceiveStatus::Nothing:
             return waitForLateAnswer(stop);
-        case HaplyLink::Heard::Broken:
+        case HaplyConnection::ReceiveStatus::Broken:
             break;
     }
-    complain(kLost);
+    setFault(kLost);
     return false;
 }
 
 /// Counts one more answer that is late at this time, s. The force ends with each of them; a person hears of many.
-bool HaplyDevice::isOftenLate(double now) {
+bool HaplyDevice::isRepeatedlyLate(double now) {
     std::rotate(lateAnswers_.begin(), lateAnswers_.begin() + 1, lateAnswers_.end());
     lateAnswers_.back() = now;
     return now - lateAnswers_.front() < 1;
@@ -218,55 +221,55 @@ bool HaplyDevice::isOftenLate(double now) {
 /// The device must not go on with a force while its answer is late.
 bool HaplyDevice::waitForLateAnswer(const std::stop_token& stop) {
     const double began = monotonicSeconds();
-    if (isOftenLate(began)) complain(kSlow);
-    bool sound = link_->send(haplyForce(names_.device, Vec3::Zero()), kBroken);
-    ++owed_;
-    while (sound && owed_ > 0 && monotonicSeconds() < began + kBroken && !stop.stop_requested()) {
-        if (monotonicSeconds() > began + kToldAfter) complain(kSlow);
-        switch (link_->receive(text_, kGlance)) {
-            case HaplyLink::Heard::Message:
-                sound = takeAnswers();
+    if (isRepeatedlyLate(began)) setFault(kSlow);
+    bool sound = connection_->send(haplyForce(names_.device, Vec3::Zero()), kBroken);
+    ++outstanding_;
+    while (sound && outstanding_ > 0 && monotonicSeconds() < began + kBroken && !stop.stop_requested()) {
+        if (monotonicSeconds() > began + kReportDelay) setFault(kSlow);
+        switch (connection_->receive(text_, kPollTimeout)) {
+            case HaplyConnection::ReceiveStatus::Message:
+                sound = receiveAnswers();
                 break;
-            case HaplyLink::Heard::Nothing:
+            case HaplyConnection::ReceiveStatus::Nothing:
                 break;
-            case HaplyLink::Heard::Broken:
+            case HaplyConnection::ReceiveStatus::Broken:
                 sound = false;
         }
     }
-    if (sound && owed_ == 0) return true;
-    complain(sound ? kMute : kLost);
+    if (sound && outstanding_ == 0) return true;
+    setFault(sound ? kNoAnswer : kLost);
     return false;
 }
 
 /// Takes in an answer.
-void HaplyDevice::hear() {
+void HaplyDevice::parseAnswer() {
     Expected<HaplyReading> reading = readHaply(text_, names_);
     if (!reading) {  // the servo shall not go on with the place before until that is old
         HaplyReading none;
         none.usable = false;
         none.time = monotonicSeconds();
         reading_.write(none);
-        return complain(kept(reading.error().message));
+        return setFault(kept(reading.error().message));
     }
     reading->time = monotonicSeconds();
     if (reading->hasTurn) turn_ = reading->hand.rotation;
     reading->hand.rotation = turn_;  // a grip that sleeps keeps its direction
-    reading->usable &= isTrusted();
+    reading->usable &= isConnectionValid();
     reading_.write(*reading);
-    if (reading->trouble != nullptr) return complain(reading->trouble);
-    settle();
+    if (reading->faultMessage != nullptr) return setFault(reading->faultMessage);
+    clearOldFault();
 }
 
-void HaplyDevice::complain(const char* sentence) {
-    trouble_.store(sentence, std::memory_order_release);
-    complainedAt_ = monotonicSeconds();
+void HaplyDevice::setFault(const char* sentence) {
+    faultMessage_.store(sentence, std::memory_order_release);
+    faultSetAt_ = monotonicSeconds();
 }
 
 /// All is well: a sentence about what is over stays long enough to be read.
-void HaplyDevice::settle() {
-    if (complainedAt_ > 0 && monotonicSeconds() - complainedAt_ > kShownFor) {
-        trouble_.store(nullptr, std::memory_order_relaxed);
-        complainedAt_ = 0;
+void HaplyDevice::clearOldFault() {
+    if (faultSetAt_ > 0 && monotonicSeconds() - faultSetAt_ > kShownFor) {
+        faultMessage_.store(nullptr, std::memory_order_relaxed);
+        faultSetAt_ = 0;
     }
 }
 
@@ -287,9 +290,10 @@ void HaplyDevice::write(const SafeWrench& wrench) {
     sem_post(&wake_);
 }
 
-const char* HaplyDevice::trouble() const {
-    if (const char* const text = trouble_.load(std::memory_order_acquire)) return text;  // with the letters behind it
-    return HapticDevice::trouble();
+const char* HaplyDevice::faultMessage() const {
+    if (const char* const text = faultMessage_.load(std::memory_order_acquire))
+        return text;  // with the letters behind it
+    return HapticDevice::faultMessage();
 }
 
 }  // namespace tactooth

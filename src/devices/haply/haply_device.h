@@ -10,10 +10,10 @@
 #include <string>
 #include <thread>
 
-#include "devices/haply/haply_link.h"
+#include "devices/haply/haply_connection.h"
 #include "devices/haply/haply_message.h"
 #include "devices/haptic_device.h"
-#include "geometry/util/latest_value.h"
+#include "geometry/util/triple_buffer.h"
 
 namespace tactooth {
 
@@ -27,34 +27,34 @@ namespace tactooth {
 class HaplyDevice final : public HapticDevice {
 public:
     /// `device`: its name with the service, four letters and digits; empty: the first. `address`: "host:port".
-    explicit HaplyDevice(std::string device, std::string address = usualAddress());
+    explicit HaplyDevice(std::string device, std::string address = defaultAddress());
     ~HaplyDevice() override;
 
     /// $TACTOOTH_HAPLY, else the service's own: localhost:10001.
-    [[nodiscard]] static std::string usualAddress();
+    [[nodiscard]] static std::string defaultAddress();
 
     [[nodiscard]] const DeviceInfo& info() const override { return info_; }
     [[nodiscard]] Expected<void> open() override;
     void close() override;
     [[nodiscard]] DeviceSample read(double elapsed) override;
     void write(const SafeWrench& wrench) override;
-    [[nodiscard]] const char* trouble() const override;
+    [[nodiscard]] const char* faultMessage() const override;
 
 private:
-    [[nodiscard]] Expected<std::unique_ptr<HaplyLink>> meet(const std::string& wanted);
+    [[nodiscard]] Expected<std::unique_ptr<HaplyConnection>> handshake(const std::string& wanted);
     void describe();
     void run(const std::stop_token& stop);
     [[nodiscard]] bool exchange(const std::stop_token& stop);
     [[nodiscard]] bool waitForLateAnswer(const std::stop_token& stop);
-    [[nodiscard]] bool isOftenLate(double now);
+    [[nodiscard]] bool isRepeatedlyLate(double now);
     [[nodiscard]] bool waitForForce();
-    [[nodiscard]] bool takeUnasked();
-    [[nodiscard]] bool takeAnswers();
-    void settleAccount(int answers);
-    [[nodiscard]] bool isTrusted() const;
-    void hear();
-    void complain(const char* sentence);
-    void settle();
+    [[nodiscard]] bool drainPending();
+    [[nodiscard]] bool receiveAnswers();
+    void countAnswers(int answers);
+    [[nodiscard]] bool isConnectionValid() const;
+    void parseAnswer();
+    void setFault(const char* sentence);
+    void clearOldFault();
 
     std::string wanted_;
     std::string address_;
@@ -62,20 +62,20 @@ private:
     HaplyNames names_;
 
     // The thread's own.
-    std::unique_ptr<HaplyLink> link_;
+    std::unique_ptr<HaplyConnection> connection_;
     std::string text_;
-    double complainedAt_ = 0;       // s
-    int owed_ = 0;                  // answers to messages that were sent
-    double surplusAt_ = -1;         // s: when an answer too many came last
+    double faultSetAt_ = 0;         // s
+    int outstanding_ = 0;           // answers to messages that were sent
+    double surplusAnswerAt_ = -1;   // s: when an answer too many came last
     Quat turn_ = Quat::Identity();  // that the grip told last
     /// s: when the last answers were late. Three within a second are told: one alone is a hiccup of the machine.
     std::array<double, 3> lateAnswers_ = {-1, -1, -1};
 
     // Between the threads.
-    LatestValue<HaplyReading> reading_;      // to the servo
-    LatestValue<Vec3> force_{Vec3::Zero()};  // from the servo, N
-    sem_t wake_;                             // posted by the servo after each force
-    std::atomic<const char*> trouble_{nullptr};
+    TripleBuffer<HaplyReading> reading_;      // to the servo
+    TripleBuffer<Vec3> force_{Vec3::Zero()};  // from the servo, N
+    sem_t wake_;                              // posted by the servo after each force
+    std::atomic<const char*> faultMessage_{nullptr};
 
     std::jthread thread_;  // last: it uses all of the above
 };

@@ -122,7 +122,7 @@ std::string gripAt(const Json& json, std::size_t index) {
     return {};
 }
 
-const char* troubleIn(const Json& status) {
+const char* faultIn(const Json& status) {
     if (isDenied(status, "power_supply")) return kNoPower;
     if (isDenied(status, "calibrated")) return kNotCalibrated;
     return isDenied(status, "ready") ? kNotReady : nullptr;
@@ -134,7 +134,8 @@ void readGrip(const Json& json, const std::string& name, HaplyReading& reading) 
     if (grip == nullptr) grip = findIn(member(json, "wireless_verse_grip"), name);
     if (grip == nullptr) return;
     reading.buttons = buttonsOf(member(member(*grip, "state"), "buttons"));
-    if (reading.trouble == nullptr && isDenied(member(*grip, "status"), "awake")) reading.trouble = kGripAsleep;
+    if (reading.faultMessage == nullptr && isDenied(member(*grip, "status"), "awake"))
+        reading.faultMessage = kGripAsleep;
     const Json& orientation = member(member(*grip, "state"), "orientation");
     if (!orientation.is_object()) return;
     if (const std::optional<Quat> rotation = rotationOf(orientation)) {
@@ -142,7 +143,7 @@ void readGrip(const Json& json, const std::string& name, HaplyReading& reading) 
         reading.hasTurn = true;
     } else {
         reading.usable = false;
-        if (reading.trouble == nullptr) reading.trouble = kGripBroken;
+        if (reading.faultMessage == nullptr) reading.faultMessage = kGripBroken;
     }
 }
 
@@ -186,8 +187,8 @@ Expected<HaplyReading> readHaply(std::string_view message, const HaplyNames& nam
     if (metres.allFinite() && metres.cwiseAbs().maxCoeff() > kFurthest) return unexpected(kOtherUnits);
     HaplyReading reading;
     reading.hand.position = kMillimetres * metres;
-    reading.trouble = metres.allFinite() ? troubleIn(member(*device, "status")) : kNoPlace;
-    reading.usable = reading.trouble == nullptr;
+    reading.faultMessage = metres.allFinite() ? faultIn(member(*device, "status")) : kNoPlace;
+    reading.usable = reading.faultMessage == nullptr;
     readGrip(*json, names.grip, reading);
     return reading;
 }
@@ -197,7 +198,7 @@ std::string haplyForce(const std::string& device, const Vec3& force) {
            numberText(force.x()) + R"(,"y":)" + numberText(force.y()) + R"(,"z":)" + numberText(force.z()) + "}}}}]}";
 }
 
-std::string haplyGreeting(const std::string& device) {
+std::string haplyHandshake(const std::string& device) {
     std::string text = haplyForce(device, Vec3::Zero());
     text.replace(0, 1, R"({"session":{"configure":{"profile":{"name":"org.tactooth:tactooth"}}},)");
     return text;

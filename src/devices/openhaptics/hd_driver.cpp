@@ -15,12 +15,12 @@ namespace tactooth {
 namespace {
 
 constexpr unsigned kStaleTicks = 2;       // of the driver without a new force: the servo hangs, so nothing is rendered
-constexpr unsigned kLookEvery = 100;      // ticks between two looks at the motors' temperature
-constexpr unsigned kSilences = 10;        // ticks in which a pen that is lost is told to make no force
-constexpr unsigned kTroubleTicks = 3000;  // that a passing trouble is shown for
-constexpr int kMostErrors = 16;           // in a tick: the list is the driver's, and it may be broken
+constexpr unsigned kScanInterval = 100;   // ticks between two looks at the motors' temperature
+constexpr unsigned kZeroForceTicks = 10;  // ticks in which a pen that is lost is told to make no force
+constexpr unsigned kFaultTicks = 3000;    // that a passing trouble is shown for
+constexpr int kMaxErrors = 16;            // in a tick: the list is the driver's, and it may be broken
 constexpr double kCountFor = 0.01;        // s over which the driver's ticks are counted
-constexpr double kMostTimes = 4;          // what was asked for; a driver that has stalled may catch up with some
+constexpr double kMaxTimes = 4;           // what was asked for; a driver that has stalled may catch up with some
 constexpr auto kRetry = std::chrono::seconds(1);
 constexpr const char* kFlood =
     "The device's driver calls far too often, so the force is off: restart the vendor's service, or the computer.";
@@ -52,7 +52,7 @@ std::string whyNotStarted(const std::string& name, std::uint32_t code) {
 
 /// A motor's temperature as the driver reports it, 0 cold .. 1 hot. What is no number may be anything, so it counts as
 /// hot; what is out of its range is of a model that tells something else.
-double heatOf(double reported) {
+double motorTemperatureOf(double reported) {
     if (std::isnan(reported)) return 1;
     return reported >= 0 && reported <= 1 ? reported : 0;
 }
@@ -127,10 +127,10 @@ void HdDriver::describe(HdPen& pen, DeviceInfo& info) {
     std::array<double, 6> room{};
     call_.getDoubles(hd::kUsableWorkspace, room.data());
     info.workspace = Vec3(room[3] - room[0], room[5] - room[2], room[4] - room[1]);
-    info.middle = 0.5 * Vec3(room[3] + room[0], -room[5] - room[2], room[4] + room[1]);
+    info.workspaceCentre = 0.5 * Vec3(room[3] + room[0], -room[5] - room[2], room[4] + room[1]);
     if (!info.workspace.allFinite() || info.workspace.minCoeff() <= 0) {
         info.workspace = preset.workspace;
-        info.middle.reset();
+        info.workspaceCentre.reset();
     }
     info.stiffness = preset.stiffness;
     info.rendersForce = info.sensesRotation = true;
@@ -149,10 +149,10 @@ Expected<HdPen*> HdDriver::start(const std::string& name, DeviceInfo& info) {
     if (handle) {
         pen->name = name;
         pen->handle = *handle;
-        pen->ticks = pen->forceAge = pen->troubleTicks = 0;
-        pen->motorHeat = 0;
+        pen->ticks = pen->forceAge = pen->faultTicks = 0;
+        pen->motorTemperature = 0;
         pen->calibrated = false;
-        pen->trouble = nullptr;
+        pen->faultMessage = nullptr;
         pen->lost = false;
         pen->force.write(Vec3::Zero());
         describe(*pen, info);
@@ -167,7 +167,7 @@ void HdDriver::stop(HdPen& pen) {
     const std::lock_guard lock(mutex_);
     pause();
     pen.active = false;
-    silence(pen);  // whatever its last tick has set
+    sendZeroForce(pen);  // whatever its last tick has set
     call_.disableDevice(pen.handle);
     resume();
 }
@@ -179,8 +179,8 @@ std::uint32_t HdDriver::onTick(void* driver) {
         if (!pen.active) continue;
         if (!pen.lost.load(std::memory_order_relaxed)) {
             self->exchange(pen);
-        } else if (pen.silences > 0) {
-            self->silence(pen);
+        } else if (pen.zeroForcesLeft > 0) {
+            self->sendZeroForce(pen);
         }
     }
     return kHdContinue;
@@ -191,10 +191,10 @@ void HdDriver::countTick() {
     const double now = monotonicSeconds();
     ++counted_;
     const double passed = now - countedFrom_;
-    const bool isTooMany = counted_ > kMostTimes * rateHz_ * std::max(kCountFor, passed);
-    flooded_ = flooded_ || isTooMany;
+    const bool isTooMany = counted_ > kMaxTimes * rateHz_ * std::max(kCountFor, passed);
+    rateFault_ = rateFault_ || isTooMany;
     if (passed < kCountFor) return;
-    flooded_ = isTooMany;
+    rateFault_ = isTooMany;
     countedFrom_ = now;
     counted_ = 0;
 }
@@ -207,80 +207,81 @@ void HdDriver::exchange(HdPen& pen) {
     std::int32_t buttons = 0;
     call_.getIntegers(hd::kButtons, &buttons);
     reading.buttons = static_cast<std::uint32_t>(buttons);
-    const bool isTurn = pen.ticks++ % kLookEvery == 0;
-    if (isTurn) lookAtMotors(pen);
-    lookAtCalibration(pen, isTurn);
+    const bool isTurn = pen.ticks++ % kScanInterval == 0;
+    if (isTurn) monitorMotors(pen);
+    monitorCalibration(pen, isTurn);
     pen.forceAge = pen.force.refresh() ? 0 : pen.forceAge + 1;
-    const bool mayPush = pen.calibrated && !flooded_ && pen.forceAge < kStaleTicks;
+    const bool mayPush = pen.calibrated && !rateFault_ && pen.forceAge < kStaleTicks;
     const Vec3 force = mayPush ? pen.force.value() : Vec3::Zero();
     call_.setDoubles(hd::kForce, force.data());
-    pen.pushes.store(!force.isZero(0), std::memory_order_relaxed);
+    pen.forceActive.store(!force.isZero(0), std::memory_order_relaxed);
     call_.endFrame(pen.handle);
     takeErrors(pen);
-    if (flooded_) {
-        pen.trouble.store(kFlood);
-        pen.troubleTicks = kTroubleTicks;
+    if (rateFault_) {
+        pen.faultMessage.store(kFlood);
+        pen.faultTicks = kFaultTicks;
     }
-    if (pen.lost.load(std::memory_order_relaxed)) silence(pen);
-    reading.motorHeat = pen.motorHeat;
-    reading.calibrated = pen.calibrated && !flooded_;
+    if (pen.lost.load(std::memory_order_relaxed)) sendZeroForce(pen);
+    reading.motorTemperature = pen.motorTemperature;
+    reading.calibrated = pen.calibrated && !rateFault_;
     reading.time = monotonicSeconds();
     pen.reading.write(reading);
     sem_post(&pen.ready);
 }
 
 /// A fault need not be the motors': the library goes on with the last force until it is given another one.
-void HdDriver::silence(HdPen& pen) {
-    if (pen.silences > 0) --pen.silences;
+void HdDriver::sendZeroForce(HdPen& pen) {
+    if (pen.zeroForcesLeft > 0) --pen.zeroForcesLeft;
     const Vec3 nothing = Vec3::Zero();
     call_.makeCurrent(pen.handle);
     call_.beginFrame(pen.handle);
     call_.setDoubles(hd::kForce, nothing.data());
     call_.endFrame(pen.handle);
     call_.disable(hd::kForceOutput);
-    for (int i = 0; i < kMostErrors && call_.getError().code != 0; ++i) {  // of a device that is gone; it is said
+    for (int i = 0; i < kMaxErrors && call_.getError().code != 0; ++i) {  // of a device that is gone; it is said
     }
 }
 
-void HdDriver::lookAtMotors(HdPen& pen) {
+void HdDriver::monitorMotors(HdPen& pen) {
     std::array<double, 6> temperature{};
     call_.getDoubles(hd::kMotorTemperature, temperature.data());
-    pen.motorHeat = 0;
-    for (const double motor : temperature) pen.motorHeat = std::max(pen.motorHeat, heatOf(motor));
+    pen.motorTemperature = 0;
+    for (const double motor : temperature)
+        pen.motorTemperature = std::max(pen.motorTemperature, motorTemperatureOf(motor));
 }
 
 /// At every tick: the place of a pen that has lost its calibration is not to be trusted, and so no force may come of
 /// it.
-void HdDriver::lookAtCalibration(HdPen& pen, bool mayUpdate) {
+void HdDriver::monitorCalibration(HdPen& pen, bool mayUpdate) {
     const HdEnum state = call_.checkCalibration();
     if (mayUpdate && state == hd::kNeedsUpdate) call_.updateCalibration(static_cast<HdEnum>(pen.calibrationStyle));
     pen.calibrated = state == hd::kCalibrated;
     if (pen.calibrated) {
         const char* docked = kDockPen;
-        pen.trouble.compare_exchange_strong(docked, nullptr);
+        pen.faultMessage.compare_exchange_strong(docked, nullptr);
     } else {
-        pen.trouble.store(kDockPen);
+        pen.faultMessage.store(kDockPen);
     }
 }
 
 void HdDriver::takeErrors(HdPen& pen) {
-    if (pen.troubleTicks > 0 && --pen.troubleTicks == 0) pen.trouble.store(nullptr);
-    for (int i = 0; i < kMostErrors; ++i) {
+    if (pen.faultTicks > 0 && --pen.faultTicks == 0) pen.faultMessage.store(nullptr);
+    for (int i = 0; i < kMaxErrors; ++i) {
         const std::uint32_t code = call_.getError().code;
         if (code == 0) return;
-        pen.trouble.store(hdErrorText(code));
-        pen.troubleTicks = kTroubleTicks;
-        if (code == hd::kWarmMotors) pen.motorHeat = 1;
-        if (!isHdErrorPassing(code) && !pen.lost.exchange(true)) {
-            pen.silences = kSilences;
-            pen.pushes.store(false, std::memory_order_relaxed);
+        pen.faultMessage.store(hdErrorText(code));
+        pen.faultTicks = kFaultTicks;
+        if (code == hd::kWarmMotors) pen.motorTemperature = 1;
+        if (!isHdErrorTransient(code) && !pen.lost.exchange(true)) {
+            pen.zeroForcesLeft = kZeroForceTicks;
+            pen.forceActive.store(false, std::memory_order_relaxed);
         }
     }
 }
 
 /// To start a pen, the driver's ticks have to stop: not while another hand feels something.
-bool HdDriver::isAnyPushing() const {
-    return std::ranges::any_of(pens_, [](const HdPen& pen) { return pen.active && !pen.lost && pen.pushes; });
+bool HdDriver::isAnyForceActive() const {
+    return std::ranges::any_of(pens_, [](const HdPen& pen) { return pen.active && !pen.lost && pen.forceActive; });
 }
 
 /// Tries lost pens again.
@@ -289,14 +290,14 @@ void HdDriver::maintain(const std::stop_token& stop) {
     std::unique_lock lock(mutex_);
     while (!wake.wait_for(lock, stop, kRetry, [] { return false; }) && !stop.stop_requested()) {
         for (HdPen& pen : pens_) {
-            if (!pen.active || !pen.lost.load() || isAnyPushing()) continue;
+            if (!pen.active || !pen.lost.load() || isAnyForceActive()) continue;
             pause();
             call_.disableDevice(pen.handle);
             if (const Expected<HdHandle> handle = startDevice(pen.name)) {
                 pen.handle = *handle;
                 pen.calibrated = false;
-                pen.ticks = pen.troubleTicks = 0;
-                pen.trouble.store(nullptr);
+                pen.ticks = pen.faultTicks = 0;
+                pen.faultMessage.store(nullptr);
                 pen.lost.store(false);
             }
             resume();

@@ -11,7 +11,7 @@
 
 #include "devices/haptic_device.h"
 #include "devices/openhaptics/hd_library.h"
-#include "geometry/util/latest_value.h"
+#include "geometry/util/triple_buffer.h"
 
 namespace tactooth {
 
@@ -19,7 +19,7 @@ namespace tactooth {
 struct HdReading {
     std::array<double, 16> transform{};  // as HDAPI gives it
     std::uint32_t buttons = 0;
-    double motorHeat = 0;
+    double motorTemperature = 0;
     bool calibrated = false;
     double time = 0;  // s of the monotonic clock
 };
@@ -31,12 +31,12 @@ struct HdPen {
     HdPen(const HdPen&) = delete;
     HdPen& operator=(const HdPen&) = delete;
 
-    LatestValue<HdReading> reading;         // callback -> servo
-    LatestValue<Vec3> force{Vec3::Zero()};  // servo -> callback; N, in HDAPI's frame
-    sem_t ready;                            // posted by the callback after each reading
-    std::atomic<const char*> trouble{nullptr};
+    TripleBuffer<HdReading> reading;         // callback -> servo
+    TripleBuffer<Vec3> force{Vec3::Zero()};  // servo -> callback; N, in HDAPI's frame
+    sem_t ready;                             // posted by the callback after each reading
+    std::atomic<const char*> faultMessage{nullptr};
     std::atomic<bool> lost{false};
-    std::atomic<bool> pushes{false};  // its last force was one
+    std::atomic<bool> forceActive{false};  // its last force was one
 
     // The callback's, or the maintenance's while no callback is scheduled.
     std::string name;
@@ -45,16 +45,16 @@ struct HdPen {
     std::int32_t calibrationStyle = 0;
     unsigned forceAge = 0;  // ticks since the servo's last force
     unsigned ticks = 0;
-    unsigned troubleTicks = 0;  // left for a trouble that passes
-    unsigned silences = 0;      // how often a lost pen is still told to make no force
-    double motorHeat = 0;
+    unsigned faultTicks = 0;      // left for a trouble that passes
+    unsigned zeroForcesLeft = 0;  // how often a lost pen is still told to make no force
+    double motorTemperature = 0;
     bool calibrated = false;
 };
 
 /// The vendor's scheduler with all pens of this process: one callback serves them all.
 class HdDriver {
 public:
-    static constexpr std::size_t kMostPens = 4;
+    static constexpr std::size_t kMaxPens = 4;
 
     /// The one of this process; made when there is none.
     [[nodiscard]] static Expected<std::shared_ptr<HdDriver>> shared(const std::string& library, double rateHz);
@@ -71,12 +71,12 @@ private:
     static std::uint32_t onTick(void* driver);
     void countTick();
     void exchange(HdPen& pen);
-    void lookAtMotors(HdPen& pen);
-    void lookAtCalibration(HdPen& pen, bool mayUpdate);
-    void silence(HdPen& pen);
+    void monitorMotors(HdPen& pen);
+    void monitorCalibration(HdPen& pen, bool mayUpdate);
+    void sendZeroForce(HdPen& pen);
     void takeErrors(HdPen& pen);
     [[nodiscard]] Expected<HdHandle> startDevice(const std::string& name);
-    [[nodiscard]] bool isAnyPushing() const;
+    [[nodiscard]] bool isAnyForceActive() const;
     void describe(HdPen& pen, DeviceInfo& info);
     void pause();
     void resume();
@@ -85,14 +85,14 @@ private:
     std::shared_ptr<const HdLibrary> library_;
     const HdFunctions& call_;
     std::mutex mutex_;  // of everything but the callback
-    std::array<HdPen, kMostPens> pens_;
+    std::array<HdPen, kMaxPens> pens_;
     bool running_ = false;
     unsigned long task_ = 0;
     double rateHz_;
     // The callback's.
     double countedFrom_ = 0;    // s of the monotonic clock
     unsigned counted_ = 0;      // ticks since then
-    bool flooded_ = false;      // they come far too often: how old a force is cannot be told by them
+    bool rateFault_ = false;    // they come far too often: how old a force is cannot be told by them
     std::jthread maintenance_;  // last: it uses all of the above
 };
 

@@ -11,9 +11,9 @@ namespace tactooth {
 namespace {
 
 #ifdef _WIN32
-constexpr const char* kUsualName = "HD.dll";
+constexpr const char* kDefaultName = "HD.dll";
 #else
-constexpr const char* kUsualName = "libHD.so";
+constexpr const char* kDefaultName = "libHD.so";
 #endif
 
 struct ErrorText {
@@ -73,9 +73,9 @@ const char* firstMissing(void* library, HdFunctions& f) {
 
 }  // namespace
 
-std::string HdLibrary::usualPath() {
+std::string HdLibrary::defaultPath() {
     const char* const own = std::getenv("TACTOOTH_LIBHD");
-    return own != nullptr && *own != 0 ? own : kUsualName;
+    return own != nullptr && *own != 0 ? own : kDefaultName;
 }
 
 Expected<std::shared_ptr<const HdLibrary>> HdLibrary::load(const std::string& path) {
@@ -99,6 +99,6 @@ const char* hdErrorText(std::uint32_t code) {
                : found->text;
 }
 
-bool isHdErrorPassing(std::uint32_t code) { return code >= hd::kWarmMotors && code <= hd::kTooFast; }
+bool isHdErrorTransient(std::uint32_t code) { return code >= hd::kWarmMotors && code <= hd::kTooFast; }
 
 }  // namespace tactooth

@@ -86,9 +86,9 @@ public:
     /// Starts and ends a device of the library in a child process, unless that went well before: one that crashes or
     /// hangs takes the child with it and not the program. Fails only then; a device that is not there is no matter
     /// here.
-    [[nodiscard]] static Expected<void> tryOut(const std::string& path);
+    [[nodiscard]] static Expected<void> probeLibrary(const std::string& path);
     /// $TACTOOTH_LIBHD, else libHD.so, on Windows HD.dll.
-    [[nodiscard]] static std::string usualPath();
+    [[nodiscard]] static std::string defaultPath();
 
     [[nodiscard]] const HdFunctions& call() const { return functions_; }
 
@@ -100,6 +100,6 @@ private:
 [[nodiscard]] const char* hdErrorText(std::uint32_t code);
 
 /// Whether the device can go on after this error.
-[[nodiscard]] bool isHdErrorPassing(std::uint32_t code);
+[[nodiscard]] bool isHdErrorTransient(std::uint32_t code);
 
 }  // namespace tactooth

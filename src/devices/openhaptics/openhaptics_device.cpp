@@ -12,7 +12,7 @@ namespace tactooth {
 namespace {
 
 constexpr double kLongestSilence = 2.5;  // ticks: two were left out, so the pen counts as lost
-constexpr double kMostBent = 0.01;       // of the axes' lengths and of the cosines between them
+constexpr double kMaxBent = 0.01;        // of the axes' lengths and of the cosines between them
 constexpr double kLongestStart = 0.5;    // s: until the first reading; before it nothing has stopped
 constexpr const char* kSilent =
     "The device has stopped answering: check its cable and power supply; the session goes on when it is back.";
@@ -26,7 +26,7 @@ Vec3 toHd(const Vec3& v) { return {v.x(), v.z(), -v.y()}; }
 Quat turnOf(const Eigen::Matrix3d& axes) {
     if (!axes.allFinite()) return {std::numeric_limits<double>::quiet_NaN(), 0, 0, 0};
     const double bent = (axes.transpose() * axes - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
-    if (bent > kMostBent || axes.determinant() < 0) return {0, 0, 0, 0};
+    if (bent > kMaxBent || axes.determinant() < 0) return {0, 0, 0, 0};
     return Quat(axes).normalized();
 }
 
@@ -58,7 +58,7 @@ Expected<void> OpenHapticsDevice::open() {
     if (!pen) return Unexpected{pen.error()};
     driver_ = std::move(*driver);
     pen_ = *pen;
-    heard_ = false;
+    hasReading_ = false;
     silence_ = 0;
     return {};
 }
@@ -72,23 +72,23 @@ void OpenHapticsDevice::close() {
 }
 
 void OpenHapticsDevice::waitForTick(double longest) {
-    waitForPost(pen_->ready, longest);
+    waitForSemaphore(pen_->ready, longest);
     while (sem_trywait(&pen_->ready) == 0) {  // readings that came while the last one was worked on
     }
 }
 
 DeviceSample OpenHapticsDevice::read(double elapsed) {
     const bool isFresh = pen_->reading.refresh();
-    heard_ |= isFresh;
+    hasReading_ |= isFresh;
     silence_ = isFresh ? 0 : silence_ + elapsed;
     const HdReading& reading = pen_->reading.value();
-    const bool silent = silence_ > (heard_ ? kLongestSilence / rateHz_ : kLongestStart);
+    const bool silent = silence_ > (hasReading_ ? kLongestSilence / rateHz_ : kLongestStart);
     silent_.store(silent, std::memory_order_relaxed);
     DeviceSample sample;
-    sample.connected = heard_ && !silent && reading.calibrated && !pen_->lost.load(std::memory_order_relaxed);
+    sample.connected = hasReading_ && !silent && reading.calibrated && !pen_->lost.load(std::memory_order_relaxed);
     sample.hand = poseOf(reading.transform);
     sample.buttons = reading.buttons;
-    sample.motorHeat = reading.motorHeat;
+    sample.motorTemperature = reading.motorTemperature;
     sample.age = reading.time > 0 ? monotonicSeconds() - reading.time : 0;
     sample.isFresh = isFresh;
     return sample;
@@ -96,10 +96,10 @@ DeviceSample OpenHapticsDevice::read(double elapsed) {
 
 void OpenHapticsDevice::write(const SafeWrench& wrench) { pen_->force.write(toHd(wrench.force())); }
 
-const char* OpenHapticsDevice::trouble() const {
+const char* OpenHapticsDevice::faultMessage() const {
     if (pen_ == nullptr) return nullptr;
-    if (const char* const text = pen_->trouble.load(std::memory_order_relaxed)) return text;
-    return silent_.load(std::memory_order_relaxed) ? kSilent : HapticDevice::trouble();
+    if (const char* const text = pen_->faultMessage.load(std::memory_order_relaxed)) return text;
+    return silent_.load(std::memory_order_relaxed) ? kSilent : HapticDevice::faultMessage();
 }
 
 }  // namespace tactooth

@@ -27,11 +27,11 @@ public:
     [[nodiscard]] const DeviceInfo& info() const override { return info_; }
     [[nodiscard]] Expected<void> open() override;
     void close() override;
-    [[nodiscard]] bool setsPace() const override { return true; }
+    [[nodiscard]] bool drivesServoRate() const override { return true; }
     void waitForTick(double longest) override;
     [[nodiscard]] DeviceSample read(double elapsed) override;
     void write(const SafeWrench& wrench) override;
-    [[nodiscard]] const char* trouble() const override;
+    [[nodiscard]] const char* faultMessage() const override;
 
 private:
     std::string name_;
@@ -39,9 +39,9 @@ private:
     double rateHz_;
     DeviceInfo info_;
     std::shared_ptr<HdDriver> driver_;
-    HdPen* pen_ = nullptr;  // of the driver
-    bool heard_ = false;    // there has been a reading
-    double silence_ = 0;    // s since the last reading, or since it was opened
+    HdPen* pen_ = nullptr;     // of the driver
+    bool hasReading_ = false;  // there has been a reading
+    double silence_ = 0;       // s since the last reading, or since it was opened
     std::atomic<bool> silent_{false};
 };
 

@@ -13,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Newer drivers keep their settings in the first of them; what an older one has left behind does not count then.
-std::vector<fs::path> usualHomes() {
+std::vector<fs::path> defaultFolders() {
     std::vector<fs::path> homes = {"/usr/share/3DSystems", "/opt/geomagic_touch_device_driver"};
     const char* const user = std::getenv("HOME");
     if (user != nullptr && *user != 0) homes.insert(homes.begin(), fs::path(user) / ".3dsystems");
@@ -23,7 +23,7 @@ std::vector<fs::path> usualHomes() {
 fs::path settingsFolder() {
     const char* const own = std::getenv("GTDD_HOME");
     if (own != nullptr && *own != 0) return fs::path(own) / "config";
-    for (const fs::path& home : usualHomes()) {
+    for (const fs::path& home : defaultFolders()) {
         std::error_code unknown;
         if (fs::is_directory(home / "config", unknown)) return home / "config";
     }

@@ -16,11 +16,11 @@ constexpr const char* kLost = "The gamepad has been unplugged: plug it in again,
 
 GamepadDevice::GamepadDevice(std::string name, bool leftHanded) : name_(std::move(name)), leftHanded_(leftHanded) {
     info_.name = "gamepad";
-    info_.poseLimits = PoseLimits::unbound();
+    info_.poseLimits = PoseLimits::unlimited();
     info_.sensesRotation = info_.hasPedal = true;
     info_.buttonCount = 5;
     info_.stiffness = kStiffness;
-    info_.workspace = Vec3::Constant(2 * RateHand::kReach);
+    info_.workspace = Vec3::Constant(2 * RateController::kReach);
 }
 
 GamepadDevice::~GamepadDevice() { close(); }
@@ -43,8 +43,8 @@ Expected<void> GamepadDevice::open() {
     if (auto fed = (*joysticks)->feed(&port_, name_); !fed) return fed;
     joysticks_ = std::move(*joysticks);
     info_.name = pad->name;
-    hand_ = RateHand();
-    sense_ = RumbleSense();
+    hand_ = RateController();
+    rumbleFilter_ = RumbleFilter();
     return {};
 }
 
@@ -59,8 +59,8 @@ DeviceSample GamepadDevice::read(double elapsed) {
     port_.state.refresh();
     const PadState& pad = port_.state.value();
     lost_.store(!pad.connected, std::memory_order_relaxed);
-    const bool atRest = atRest_.load(std::memory_order_relaxed);
-    const PadWish wish = atRest ? PadWish() : wishOf(pad, leftHanded_);
+    const bool atRest = inputSuspended_.load(std::memory_order_relaxed);
+    const PadCommand wish = atRest ? PadCommand() : padCommand(pad, leftHanded_);
     DeviceSample sample;
     sample.connected = pad.connected;
     sample.hand = hand_.advance(wish.rate, elapsed);
@@ -70,13 +70,13 @@ DeviceSample GamepadDevice::read(double elapsed) {
 }
 
 void GamepadDevice::write(const SafeWrench& wrench) {
-    hand_.feel(wrench.force());
-    sense_.add(wrench.force(), elapsed_);
-    port_.rumble.write({sense_.steady() / kFullForce, sense_.shaking() / kFullShake});
+    hand_.setForce(wrench.force());
+    rumbleFilter_.add(wrench.force(), elapsed_);
+    port_.rumble.write({rumbleFilter_.steady() / kFullForce, rumbleFilter_.vibration() / kFullShake});
 }
 
-const char* GamepadDevice::trouble() const {
-    return lost_.load(std::memory_order_relaxed) ? kLost : HapticDevice::trouble();
+const char* GamepadDevice::faultMessage() const {
+    return lost_.load(std::memory_order_relaxed) ? kLost : HapticDevice::faultMessage();
 }
 
 }  // namespace tactooth

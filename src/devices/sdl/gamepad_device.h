@@ -7,14 +7,14 @@
 #include <string>
 
 #include "devices/haptic_device.h"
-#include "devices/rate_hand.h"
-#include "devices/rumble_sense.h"
+#include "devices/rate_controller.h"
+#include "devices/rumble_filter.h"
 #include "devices/sdl/joysticks.h"
 
 namespace tactooth {
 
-/// A gamepad that steers the tool by speed (see wishOf) and renders the force by its two motors. One that is plugged
-/// out is lost and comes back by itself when it, or another that fits, is plugged in.
+/// A gamepad that steers the tool by speed (see padCommand) and renders the force by its two motors. One that is
+/// plugged out is lost and comes back by itself when it, or another that fits, is plugged in.
 class GamepadDevice final : public HapticDevice {
 public:
     /// `name`: a part of the pad's name; empty for the first one.
@@ -27,8 +27,8 @@ public:
     void close() override;
     [[nodiscard]] DeviceSample read(double elapsed) override;
     void write(const SafeWrench& wrench) override;
-    void letRest(bool rests) override { atRest_.store(rests, std::memory_order_relaxed); }
-    [[nodiscard]] const char* trouble() const override;
+    void suspendInput(bool suspended) override { inputSuspended_.store(suspended, std::memory_order_relaxed); }
+    [[nodiscard]] const char* faultMessage() const override;
 
 private:
     std::string name_;
@@ -36,11 +36,11 @@ private:
     DeviceInfo info_;
     std::shared_ptr<SdlJoysticks> joysticks_;  // while open
     PadPort port_;
-    RateHand hand_;
-    RumbleSense sense_;
+    RateController hand_;
+    RumbleFilter rumbleFilter_;
     double elapsed_ = 0;  // of the last read, s
     std::atomic<bool> lost_{false};
-    std::atomic<bool> atRest_{false};
+    std::atomic<bool> inputSuspended_{false};
 };
 
 }  // namespace tactooth

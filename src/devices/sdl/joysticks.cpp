@@ -13,11 +13,11 @@ namespace tactooth {
 namespace {
 
 constexpr auto kPeriod = std::chrono::milliseconds(4);  // 250 Hz: what USB pads send at most, or near it
-constexpr unsigned kRumbleEvery = 5;   // periods between two orders to the motors: radio pads drop more
-constexpr Uint32 kRumbleMs = 100;      // that an order lasts: a servo that hangs falls silent
-constexpr double kFullAxis = 32767;    // SDL's
-constexpr double kFullMotor = 65535;   // SDL's
-constexpr std::size_t kMostAxes = 32;  // a driver that claims more is broken
+constexpr unsigned kRumbleEvery = 5;  // periods between two orders to the motors: radio pads drop more
+constexpr Uint32 kRumbleMs = 100;     // that an order lasts: a servo that hangs falls silent
+constexpr double kFullAxis = 32767;   // SDL's
+constexpr double kFullMotor = 65535;  // SDL's
+constexpr std::size_t kMaxAxes = 32;  // a driver that claims more is broken
 
 double fromAxis(Sint16 value) { return std::max(-1.0, static_cast<double>(value) / kFullAxis); }
 
@@ -27,7 +27,7 @@ JoystickState stateOf(SDL_Joystick* joystick, bool isPad) {
     state.name = name != nullptr ? name : "joystick";
     state.isPad = isPad;
     state.rumbles = SDL_JoystickHasRumble(joystick) == SDL_TRUE;
-    const auto count = [](int number) { return std::min(static_cast<std::size_t>(std::max(0, number)), kMostAxes); };
+    const auto count = [](int number) { return std::min(static_cast<std::size_t>(std::max(0, number)), kMaxAxes); };
     state.axes.resize(count(SDL_JoystickNumAxes(joystick)));
     for (std::size_t i = 0; i < state.axes.size(); ++i) {
         state.axes[i] = (1 + fromAxis(SDL_JoystickGetAxis(joystick, static_cast<int>(i)))) / 2;

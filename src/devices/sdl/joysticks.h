@@ -12,7 +12,7 @@
 
 #include "devices/pad_mapping.h"
 #include "geometry/util/expected.h"
-#include "geometry/util/latest_value.h"
+#include "geometry/util/triple_buffer.h"
 
 namespace tactooth {
 
@@ -47,8 +47,8 @@ struct Rumble {
 
 /// A pad between the thread of the joysticks and the servo.
 struct PadPort {
-    LatestValue<PadState> state;  // joysticks -> servo
-    LatestValue<Rumble> rumble;   // servo -> joysticks
+    TripleBuffer<PadState> state;  // joysticks -> servo
+    TripleBuffer<Rumble> rumble;   // servo -> joysticks
 };
 
 /// All joysticks of this computer, read by a thread of its own 250 times a second (SDL's joystick subsystem alone, no

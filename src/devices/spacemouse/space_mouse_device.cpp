@@ -14,13 +14,13 @@
 namespace tactooth {
 namespace {
 
-constexpr double kFullAxis = 350;     // counts of a cap that is pushed as far as it goes
-constexpr double kSlack = 0.05;       // of that: a cap comes back to within this
-constexpr double kFastest = 25;       // mm/s, as with a gamepad
-constexpr double kFastestTurn = 1.2;  // rad/s
-constexpr double kStiffness = 2;      // N/mm: the hand gives way, so a stiffer wall is no stronger
-constexpr int kPatienceMs = 100;      // for the next event: closing takes no longer
-constexpr int kMostEvents = 1000;     // at once: a driver that never stops must not keep the newest from the hand
+constexpr double kFullAxis = 350;       // counts of a cap that is pushed as far as it goes
+constexpr double kDeadZone = 0.05;      // of that: a cap comes back to within this
+constexpr double kFastest = 25;         // mm/s, as with a gamepad
+constexpr double kFastestTurn = 1.2;    // rad/s
+constexpr double kStiffness = 2;        // N/mm: the hand gives way, so a stiffer wall is no stronger
+constexpr int kConnectTimeoutMs = 100;  // for the next event: closing takes no longer
+constexpr int kMaxEvents = 1000;        // at once: a driver that never stops must not keep the newest from the hand
 constexpr auto kRetry = std::chrono::seconds(1);
 constexpr const char* kNoDriver =
     "The SpaceMouse's driver does not run: install spacenavd, start it (sudo systemctl start spacenavd) and plug the "
@@ -32,7 +32,7 @@ std::atomic<bool> libraryInUse{false};
 
 double part(int count) {
     const double way = std::clamp(count / kFullAxis, -1.0, 1.0);
-    return std::copysign(std::max(0.0, std::abs(way) - kSlack) / (1 - kSlack), way);
+    return std::copysign(std::max(0.0, std::abs(way) - kDeadZone) / (1 - kDeadZone), way);
 }
 
 void take(const spnav_event& event, SpaceMouseState& state) {
@@ -48,12 +48,12 @@ void take(const spnav_event& event, SpaceMouseState& state) {
 /// Whether the connection to the driver still stands; waits for its next word.
 bool waitForEvent() {
     pollfd waiting{spnav_fd(), POLLIN, 0};
-    return poll(&waiting, 1, kPatienceMs) >= 0 && (waiting.revents & (POLLHUP | POLLERR | POLLNVAL)) == 0;
+    return poll(&waiting, 1, kConnectTimeoutMs) >= 0 && (waiting.revents & (POLLHUP | POLLERR | POLLNVAL)) == 0;
 }
 
 }  // namespace
 
-HandRate rateOf(const SpaceMouseState& state) {
+RateCommand rateCommand(const SpaceMouseState& state) {
     const auto& [x, y, z, rx, ry, rz] = state.axes;
     // The driver counts right, up, away, and its turns are right-handed about these (libspnav, spnav_posrot_moveobj).
     return {kFastest * Vec3(part(x), part(z), part(y)), kFastestTurn * Vec3(part(rx), part(rz), part(ry))};
@@ -61,11 +61,11 @@ HandRate rateOf(const SpaceMouseState& state) {
 
 SpaceMouseDevice::SpaceMouseDevice() {
     info_.name = "SpaceMouse";
-    info_.poseLimits = PoseLimits::unbound();
+    info_.poseLimits = PoseLimits::unlimited();
     info_.sensesRotation = true;
     info_.buttonCount = 2;
     info_.stiffness = kStiffness;
-    info_.workspace = Vec3::Constant(2 * RateHand::kReach);
+    info_.workspace = Vec3::Constant(2 * RateController::kReach);
 }
 
 SpaceMouseDevice::~SpaceMouseDevice() { close(); }
@@ -78,7 +78,7 @@ Expected<void> SpaceMouseDevice::open() {
         return unexpected(kNoDriver);
     }
     open_ = true;
-    hand_ = RateHand();
+    hand_ = RateController();
     SpaceMouseState atRest;
     atRest.connected = true;
     state_.write(atRest);
@@ -104,7 +104,7 @@ void SpaceMouseDevice::run(const std::stop_token& stop) {
         if (there) {
             state.connected = true;
             spnav_event event{};
-            for (int i = 0; i < kMostEvents && spnav_poll_event(&event) != 0; ++i) take(event, state);
+            for (int i = 0; i < kMaxEvents && spnav_poll_event(&event) != 0; ++i) take(event, state);
         } else if (std::exchange(state, {}).connected) {
             spnav_close();
         }
@@ -119,13 +119,13 @@ DeviceSample SpaceMouseDevice::read(double elapsed) {
     lost_.store(!state.connected, std::memory_order_relaxed);
     DeviceSample sample;
     sample.connected = state.connected;
-    sample.hand = hand_.advance(rateOf(state), elapsed);
+    sample.hand = hand_.advance(rateCommand(state), elapsed);
     sample.buttons = state.buttons;
     return sample;
 }
 
-const char* SpaceMouseDevice::trouble() const {
-    return lost_.load(std::memory_order_relaxed) ? kLost : HapticDevice::trouble();
+const char* SpaceMouseDevice::faultMessage() const {
+    return lost_.load(std::memory_order_relaxed) ? kLost : HapticDevice::faultMessage();
 }
 
 }  // namespace tactooth

@@ -7,8 +7,8 @@
 #include <thread>
 
 #include "devices/haptic_device.h"
-#include "devices/rate_hand.h"
-#include "geometry/util/latest_value.h"
+#include "devices/rate_controller.h"
+#include "geometry/util/triple_buffer.h"
 
 namespace tactooth {
 
@@ -20,7 +20,7 @@ struct SpaceMouseState {
 };
 
 /// What the hand on the cap wants. The cap's axes count to about 350 each.
-[[nodiscard]] HandRate rateOf(const SpaceMouseState& state);
+[[nodiscard]] RateCommand rateCommand(const SpaceMouseState& state);
 
 /// A SpaceMouse through the free driver spacenavd: its six axes steer the tool by speed. A driver that is started again
 /// is found again. One of these at a time in a process, as libspnav has one connection.
@@ -34,15 +34,15 @@ public:
     [[nodiscard]] Expected<void> open() override;
     void close() override;
     [[nodiscard]] DeviceSample read(double elapsed) override;
-    void write(const SafeWrench& wrench) override { hand_.feel(wrench.force()); }
-    [[nodiscard]] const char* trouble() const override;
+    void write(const SafeWrench& wrench) override { hand_.setForce(wrench.force()); }
+    [[nodiscard]] const char* faultMessage() const override;
 
 private:
     void run(const std::stop_token& stop);
 
     DeviceInfo info_;
-    LatestValue<SpaceMouseState> state_;  // listener -> servo
-    RateHand hand_;
+    TripleBuffer<SpaceMouseState> state_;  // listener -> servo
+    RateController hand_;
     std::atomic<bool> lost_{false};
     bool open_ = false;
     std::jthread listener_;  // last: it uses all of the above

@@ -48,7 +48,7 @@ public:
     }
 
     /// Half way to the middle of the neighbours, but along the surface only.
-    [[nodiscard]] Vec3 evened(std::size_t vertex, const std::vector<Vec3>& at) const {
+    [[nodiscard]] Vec3 relaxed(std::size_t vertex, const std::vector<Vec3>& at) const {
         const Vec3& here = at[vertex];
         Vec3 sum = Vec3::Zero(), normal = Vec3::Zero();
         for (std::uint32_t i = begin_[vertex]; i < begin_[vertex + 1]; ++i) {
@@ -80,15 +80,15 @@ private:
 /// Evens out the vertices and puts them on the exact surface; none strays far from its cell. Returns the slopes there.
 std::vector<Vec3> relax(DualMesh& mesh, const ScalarField& field, const IsosurfaceOptions& options) {
     const Neighbours neighbours(mesh);
-    const std::vector<Vec3> home = mesh.vertices;
+    const std::vector<Vec3> restPositions = mesh.vertices;
     std::vector<Vec3> moved(mesh.vertices.size()), gradients(mesh.vertices.size());
-    const auto nearHome = [&](std::size_t i, const Vec3& target) -> Vec3 {
-        const Vec3 away = target - home[i];
+    const auto nearRest = [&](std::size_t i, const Vec3& target) -> Vec3 {
+        const Vec3 away = target - restPositions[i];
         const double far = away.norm();
-        return home[i] + (far > options.cellSize ? options.cellSize / far : 1.0) * away;
+        return restPositions[i] + (far > options.cellSize ? options.cellSize / far : 1.0) * away;
     };
     for (int round = 0; round < options.relaxations; ++round) {
-        parallelFor(moved.size(), [&](std::size_t i) { moved[i] = nearHome(i, neighbours.evened(i, mesh.vertices)); });
+        parallelFor(moved.size(), [&](std::size_t i) { moved[i] = nearRest(i, neighbours.relaxed(i, mesh.vertices)); });
         mesh.vertices.swap(moved);
     }
     const double reach = options.cellSize / 2;
@@ -97,8 +97,8 @@ std::vector<Vec3> relax(DualMesh& mesh, const ScalarField& field, const Isosurfa
         Vec3& at = mesh.vertices[i];
         const double value = field(at);
         gradients[i] = gradientAt(field, at, value, reach);
-        at = nearHome(i, projected(at, value, gradients[i], reach));
-        at = nearHome(i, projected(at, field(at), gradients[i], reach));
+        at = nearRest(i, projected(at, value, gradients[i], reach));
+        at = nearRest(i, projected(at, field(at), gradients[i], reach));
     });
     return gradients;
 }
@@ -122,11 +122,11 @@ std::array<Triangle, 2> split(const std::array<std::uint32_t, 4>& q, const std::
 
 }  // namespace
 
-EvenedSurface evenedSurface(const ScalarField& field, const Box3& box, const IsosurfaceOptions& options) {
+RelaxedSurface relaxedIsosurface(const ScalarField& field, const Box3& box, const IsosurfaceOptions& options) {
     DualMesh dual = DualMesher(SampledGrid(field, box, options)).mesh();
-    EvenedSurface surface;
-    surface.home.reserve(dual.vertices.size());
-    for (const Vec3& vertex : dual.vertices) surface.home.push_back(vertex.cast<float>());
+    RelaxedSurface surface;
+    surface.restPositions.reserve(dual.vertices.size());
+    for (const Vec3& vertex : dual.vertices) surface.restPositions.push_back(vertex.cast<float>());
     const std::vector<Vec3> slopes = relax(dual, field, options);
 
     TriangleMesh& mesh = surface.mesh;
@@ -142,7 +142,7 @@ EvenedSurface evenedSurface(const ScalarField& field, const Box3& box, const Iso
 }
 
 TriangleMesh isosurface(const ScalarField& field, const Box3& box, const IsosurfaceOptions& options) {
-    return evenedSurface(field, box, options).mesh;
+    return relaxedIsosurface(field, box, options).mesh;
 }
 
 }  // namespace tactooth

@@ -14,9 +14,9 @@ namespace tactooth {
 using ScalarField = std::function<double(const Vec3&)>;
 
 struct IsosurfaceOptions {
-    double cellSize = 0.2;  ///< mm; triangles have about this edge length
-    double steepest = 1.5;  ///< no two points differ in value by more than this times their distance
-    int relaxations = 3;    ///< rounds that even out the triangles before the vertices go to the exact surface
+    double cellSize = 0.2;        ///< mm; triangles have about this edge length
+    double lipschitzBound = 1.5;  ///< no two points differ in value by more than this times their distance
+    int relaxations = 3;          ///< rounds that even out the triangles before the vertices go to the exact surface
 };
 
 /// The surface field = 0 within `box`: closed (where the body ends within the box), oriented, every edge with two
@@ -26,10 +26,11 @@ struct IsosurfaceOptions {
 
 /// The surface that `isosurface` makes, and where its vertices stood in the cells of the grid before they were evened
 /// out: less smooth there, but the two sides of a thin place lie apart.
-struct EvenedSurface {
+struct RelaxedSurface {
     TriangleMesh mesh;
-    std::vector<Vec3f> home;
+    std::vector<Vec3f> restPositions;
 };
-[[nodiscard]] EvenedSurface evenedSurface(const ScalarField& field, const Box3& box, const IsosurfaceOptions& options);
+[[nodiscard]] RelaxedSurface relaxedIsosurface(const ScalarField& field, const Box3& box,
+                                               const IsosurfaceOptions& options);
 
 }  // namespace tactooth

@@ -21,7 +21,7 @@ SampledGrid::SampledGrid(const ScalarField& field, const Box3& box, const Isosur
     const Index3 cells = Index3(high.array().ceil().cast<int>() + 1) - origin_;
     blocks_ = (cells.array() + kBlock - 1) / kBlock;
     points_ = blocks_ * kBlock + Index3::Ones();
-    findActiveBlocks(field, options.steepest);
+    findActiveBlocks(field, options.lipschitzBound);
     values_.assign(static_cast<std::size_t>(points_.x()) * points_.y() * points_.z(), kUnknown);
     do {
         sample(field);
@@ -34,7 +34,7 @@ Index3 SampledGrid::blockAt(std::size_t number) const {
 }
 
 /// From large cubes of blocks to single ones: what lies far from the surface is found out by few values.
-void SampledGrid::findActiveBlocks(const ScalarField& field, double steepest) {
+void SampledGrid::findActiveBlocks(const ScalarField& field, double lipschitzBound) {
     active_.assign(static_cast<std::size_t>(blocks_.x()) * blocks_.y() * blocks_.z(), 0);
     constexpr int kLargest = 8;  // blocks along a cube
     std::vector<Index3> cubes;
@@ -44,7 +44,7 @@ void SampledGrid::findActiveBlocks(const ScalarField& field, double steepest) {
         }
     }
     for (int side = kLargest; side > 0; side /= 2) {
-        const double half = 0.5 * side * kBlock * size_, reach = steepest * std::sqrt(3.0) * half;
+        const double half = 0.5 * side * kBlock * size_, reach = lipschitzBound * std::sqrt(3.0) * half;
         std::vector<std::uint8_t> isNear(cubes.size());
         parallelFor(cubes.size(), [&](std::size_t i) {
             isNear[i] = std::abs(field(position(cubes[i] * kBlock) + Vec3::Constant(half))) <= reach;

@@ -34,7 +34,7 @@ private:
         return (static_cast<std::size_t>(p.z()) * points_.y() + p.y()) * points_.x() + p.x();
     }
     [[nodiscard]] Index3 blockAt(std::size_t number) const;
-    void findActiveBlocks(const ScalarField& field, double steepest);
+    void findActiveBlocks(const ScalarField& field, double lipschitzBound);
     [[nodiscard]] std::vector<std::uint8_t> neededPoints() const;
     void sample(const ScalarField& field);
     [[nodiscard]] bool isCrossed(const Index3& block, int axis, int side) const;

@@ -2,19 +2,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/files/atomic_file.h"
 
-#include "geometry/util/byte_text.h"
-#include "geometry/files/file_set.h"
+#include "geometry/files/file_transaction.h"
 #include "geometry/files/pending_file.h"
-#include "geometry/files/unfinished_names.h"
+#include "geometry/files/unfinished_files.h"
+#include "geometry/util/byte_text.h"
 
 namespace tactooth {
 namespace {
 
-Expected<void> nameAlone(PendingFile& file) {
+Expected<void> renameAlone(PendingFile& file) {
     int reason = 0;
     {
-        const auto lock = whileNamesChange();
-        reason = nameTogether({file.naming()}).reason;
+        const auto lock = lockRenames();
+        reason = renameTogether({file.naming()}).reason;
         if (reason == 0) file.close();
     }
     if (reason != 0) return file.cannotBeNamed(reason);
@@ -24,7 +24,7 @@ Expected<void> nameAlone(PendingFile& file) {
 }  // namespace
 
 Expected<AtomicFile> AtomicFile::create(const std::filesystem::path& path) {
-    if (FileSet* set = FileSet::current(); set != nullptr) {
+    if (FileTransaction* set = FileTransaction::current(); set != nullptr) {
         if (auto file = set->handOut(path)) return AtomicFile(std::move(file), set);
     }
     auto file = PendingFile::open(path);
@@ -32,7 +32,7 @@ Expected<AtomicFile> AtomicFile::create(const std::filesystem::path& path) {
     return AtomicFile(std::move(*file), nullptr);
 }
 
-AtomicFile::AtomicFile(std::unique_ptr<PendingFile> file, FileSet* set) : file_(std::move(file)), set_(set) {}
+AtomicFile::AtomicFile(std::unique_ptr<PendingFile> file, FileTransaction* set) : file_(std::move(file)), set_(set) {}
 AtomicFile::AtomicFile(AtomicFile&&) noexcept = default;
 AtomicFile::~AtomicFile() = default;
 
@@ -47,7 +47,7 @@ Expected<void> AtomicFile::commit() {
         set_->takeFinished(std::move(file));
         return {};
     }
-    return nameAlone(*file);
+    return renameAlone(*file);
 }
 
 Expected<void> writeFile(const std::filesystem::path& path, std::span<const std::byte> bytes) {

@@ -12,7 +12,7 @@
 
 namespace tactooth {
 
-class FileSet;
+class FileTransaction;
 class PendingFile;
 
 /// A file that appears under its name only when it is complete and on the disk. It is written without a name, or where
@@ -22,7 +22,7 @@ class PendingFile;
 class AtomicFile {
 public:
     /// Fails if the folder is missing or not writable, or if something other than a regular file has the name already
-    /// (a device is never replaced). A file that a FileSet has opened beforehand is that one.
+    /// (a device is never replaced). A file that a FileTransaction has opened beforehand is that one.
     [[nodiscard]] static Expected<AtomicFile> create(const std::filesystem::path& path);
 
     AtomicFile(AtomicFile&& other) noexcept;
@@ -38,10 +38,10 @@ public:
     [[nodiscard]] Expected<void> commit();
 
 private:
-    AtomicFile(std::unique_ptr<PendingFile> file, FileSet* set);
+    AtomicFile(std::unique_ptr<PendingFile> file, FileTransaction* set);
 
     std::unique_ptr<PendingFile> file_;
-    FileSet* set_;
+    FileTransaction* set_;
 };
 
 /// Writes a whole file: afterwards `path` holds `bytes`, or there is an error and `path` is as it was.

@@ -9,7 +9,7 @@
 #include <cerrno>
 #include <system_error>
 
-#include "geometry/util/shown_text.h"
+#include "geometry/util/display_text.h"
 
 namespace tactooth {
 namespace {
@@ -58,7 +58,7 @@ Expected<std::size_t> sizeOfRegularFile(const Descriptor& file, const std::strin
 }  // namespace
 
 Expected<FileBytes> readFile(const std::filesystem::path& path, std::size_t most) {
-    const std::string name = shownName(path);
+    const std::string name = displayName(path);
     const Descriptor file(path);
     if (!file.valid()) return cannotOpen(name, errno);
     const Expected<std::size_t> size = sizeOfRegularFile(file, name);
@@ -84,11 +84,11 @@ Expected<FileBytes> readFile(const std::filesystem::path& path, std::size_t most
     return whole;
 }
 
-std::string shownName(const std::filesystem::path& path) { return shownText(path.native()); }
+std::string displayName(const std::filesystem::path& path) { return displayText(path.native()); }
 
-std::string shownNameAlone(const std::filesystem::path& path) {
+std::string displayFileName(const std::filesystem::path& path) {
     const std::filesystem::path plain = path.lexically_normal();
-    return shownName(plain.has_filename() ? plain.filename() : plain.parent_path().filename());
+    return displayName(plain.has_filename() ? plain.filename() : plain.parent_path().filename());
 }
 
 }  // namespace tactooth

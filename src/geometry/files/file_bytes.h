@@ -36,18 +36,18 @@ private:
 };
 
 /// The most that is read of any file: ten million triangles take a quarter of it. A larger one is a mistake.
-inline constexpr std::size_t kMostFileBytes = std::size_t{2} << 30;
+inline constexpr std::size_t kMaxFileBytes = std::size_t{2} << 30;
 
 /// Reads the whole file at once. Fails with one sentence if `path` is missing, a folder or another thing that is not
 /// a regular file, empty, not readable for this user, larger than `most` bytes (then no memory is taken), or larger
 /// than the memory.
-[[nodiscard]] Expected<FileBytes> readFile(const std::filesystem::path& path, std::size_t most = kMostFileBytes);
+[[nodiscard]] Expected<FileBytes> readFile(const std::filesystem::path& path, std::size_t most = kMaxFileBytes);
 
-/// `path` as a message or a list shows it: see shownText.
-[[nodiscard]] std::string shownName(const std::filesystem::path& path);
+/// `path` as a message or a list shows it: see displayText.
+[[nodiscard]] std::string displayName(const std::filesystem::path& path);
 
-/// The last part of `path` as shownName shows it: what a file that is handed on may say of where it comes from. The
+/// The last part of `path` as displayName shows it: what a file that is handed on may say of where it comes from. The
 /// folders above it may name a person.
-[[nodiscard]] std::string shownNameAlone(const std::filesystem::path& path);
+[[nodiscard]] std::string displayFileName(const std::filesystem::path& path);
 
 }  // namespace tactooth

@@ -12,7 +12,7 @@ Expected<void> makeFolder(const std::filesystem::path& folder) {
     std::error_code failure;
     std::filesystem::create_directories(folder, failure);
     if (!failure) return {};
-    return unexpected("the folder " + shownName(folder) + " cannot be made (" + failure.message() +
+    return unexpected("the folder " + displayName(folder) + " cannot be made (" + failure.message() +
                       "); give one that you may write to.");
 }
 

@@ -12,8 +12,8 @@
 #include <utility>
 
 #include "geometry/files/file_bytes.h"
-#include "geometry/files/file_place.h"
-#include "geometry/files/unfinished_names.h"
+#include "geometry/files/file_identity.h"
+#include "geometry/files/unfinished_files.h"
 
 namespace tactooth {
 namespace {
@@ -25,7 +25,7 @@ constexpr std::size_t kBufferBytes = 64 * 1024;
 constexpr mode_t kModeBits = 07777;
 
 Unexpected cannotWrite(const fs::path& path, int reason) {
-    const std::string name = shownName(path);
+    const std::string name = displayName(path);
     if (reason == ENOENT || reason == ENOTDIR)
         return unexpected(name + ": cannot be written: its folder does not exist; make the folder first.");
     if (reason == EACCES || reason == EPERM || reason == EROFS) {
@@ -48,7 +48,7 @@ void removeStaleOnce(const fs::path& folder) {
     static std::mutex mutex;
     static auto* const seen = new std::set<fs::path>;
     const std::lock_guard lock(mutex);
-    if (seen->insert(FilePlace::of(folder).way).second) removeStale(folder);
+    if (seen->insert(FileIdentity::of(folder).way).second) removeStale(folder);
 }
 
 }  // namespace
@@ -57,10 +57,10 @@ Expected<std::unique_ptr<PendingFile>> PendingFile::open(const fs::path& path) {
     std::error_code ignored;
     const fs::file_status status = fs::status(path, ignored);
     if (fs::is_directory(status)) {
-        return unexpected(shownName(path) + ": cannot be written: this is a folder; name a file inside it.");
+        return unexpected(displayName(path) + ": cannot be written: this is a folder; name a file inside it.");
     }
     if (fs::exists(status) && !fs::is_regular_file(status)) {
-        return unexpected(shownName(path) + ": cannot be written: this is not a regular file; choose another name.");
+        return unexpected(displayName(path) + ": cannot be written: this is not a regular file; choose another name.");
     }
     fs::path target = linksFollowed(path);
     if (!target.has_filename()) return cannotWrite(path, ENOENT);
@@ -81,9 +81,9 @@ PendingFile::PendingFile(fs::path path, fs::path target, TemporaryFile file)
 PendingFile::~PendingFile() {
     if (file_.descriptor < 0) return;
     if (!file_.name.empty()) {
-        const auto lock = whileNamesChange();
+        const auto lock = lockRenames();
         ::unlink(file_.name.c_str());
-        forgetUnfinished(file_.name);
+        unregisterUnfinished(file_.name);
     }
     ::close(file_.descriptor);
 }
@@ -103,7 +103,7 @@ void PendingFile::flush() {
 }
 
 /// Only the superuser may give a file away: for others it stays their own.
-int PendingFile::takeOverMode() const {
+int PendingFile::copyModeFrom() const {
     struct stat old {};
     if (::stat(target_.c_str(), &old) != 0) return 0;
     struct stat own {};
@@ -115,14 +115,14 @@ int PendingFile::takeOverMode() const {
 
 Expected<void> PendingFile::finish() {
     flush();
-    if (failure_ == 0) failure_ = takeOverMode();
+    if (failure_ == 0) failure_ = copyModeFrom();
     // Data that the system only promised to write may find the disk full or broken.
     if (failure_ == 0 && ::fsync(file_.descriptor) != 0 && errno != EINVAL) failure_ = errno;
     if (failure_ == 0) return {};
     return cannotWrite(path_, failure_);
 }
 
-Naming PendingFile::naming() const {
+PendingRename PendingFile::naming() const {
     std::error_code ignored;
     const bool isOpen = file_.name.empty();
     return {.from = isOpen ? openFileName(file_.descriptor) : file_.name.string(),
@@ -134,7 +134,7 @@ Naming PendingFile::naming() const {
 }
 
 void PendingFile::close() {
-    if (!file_.name.empty()) forgetUnfinished(file_.name);
+    if (!file_.name.empty()) unregisterUnfinished(file_.name);
     ::close(std::exchange(file_.descriptor, -1));
     syncFolder(target_.parent_path());
 }

@@ -8,9 +8,9 @@
 #include <span>
 #include <vector>
 
-#include "geometry/util/expected.h"
-#include "geometry/files/name_together.h"
+#include "geometry/files/rename_together.h"
 #include "geometry/files/temporary_file.h"
+#include "geometry/util/expected.h"
 
 namespace tactooth {
 
@@ -33,7 +33,7 @@ public:
     [[nodiscard]] Expected<void> finish();
 
     /// How the finished file gets its name.
-    [[nodiscard]] Naming naming() const;
+    [[nodiscard]] PendingRename naming() const;
     /// It has got it.
     void close();
     [[nodiscard]] Unexpected cannotBeNamed(int reason) const;
@@ -41,7 +41,7 @@ public:
 private:
     PendingFile(std::filesystem::path path, std::filesystem::path target, TemporaryFile file);
     void flush();
-    [[nodiscard]] int takeOverMode() const;
+    [[nodiscard]] int copyModeFrom() const;
 
     std::filesystem::path path_;
     std::filesystem::path target_;  // with its links followed

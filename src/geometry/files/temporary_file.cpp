@@ -16,7 +16,7 @@
 #include <cstdio>
 #include <string>
 
-#include "geometry/files/unfinished_names.h"
+#include "geometry/files/unfinished_files.h"
 
 namespace tactooth {
 namespace {
@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 constexpr std::string_view kPrefix = ".tactooth-", kSuffix = ".tmp";
 constexpr std::size_t kDigits = 16;
 constexpr mode_t kUsualMode = 0666;  // less what the user's umask takes away
-constexpr int kMostTries = 100;      // a name of 64 random bits is not taken twice, but what is stale may be removed
+constexpr int kMaxTries = 100;       // a name of 64 random bits is not taken twice, but what is stale may be removed
 
 std::uint64_t randomBits() {
     std::uint64_t bits = 0;
@@ -90,15 +90,15 @@ int openUnnamed(const fs::path& folder, TemporaryFile& file) {
 }
 
 int openNamed(const fs::path& folder, TemporaryFile& file) {
-    const auto lock = whileNamesChange();
-    for (int i = 0; i < kMostTries; ++i) {
+    const auto lock = lockRenames();
+    for (int i = 0; i < kMaxTries; ++i) {
         const fs::path name = randomNameIn(folder);
         const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kUsualMode);
         if (descriptor < 0 && errno == EEXIST) continue;
         if (descriptor < 0) return errno;
         (void)::flock(descriptor, LOCK_EX);  // waits for who clears up, and for nobody else
         if (hasName(descriptor)) {
-            noteUnfinished(name, Unfinished::File);
+            registerUnfinished(name, Unfinished::File);
             file = {descriptor, name};
             return 0;
         }

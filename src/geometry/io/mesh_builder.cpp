@@ -12,8 +12,9 @@ void MeshBuilder::endStrip() {
     for (std::size_t i = 2; i < corners_.size(); ++i) {
         const bool isTurned = i % 2 != 0;
         const Triangle triangle = {corners_[isTurned ? i - 1 : i - 2], corners_[isTurned ? i - 2 : i - 1], corners_[i]};
-        const bool onlyLeadsOn = triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0];
-        if (!onlyLeadsOn) mesh_.triangles.push_back(triangle);
+        const bool isDegenerateStripCorner =
+            triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0];
+        if (!isDegenerateStripCorner) mesh_.triangles.push_back(triangle);
     }
     corners_.clear();
 }
@@ -23,16 +24,16 @@ TriangleMesh MeshBuilder::take() {
     return std::move(mesh_);
 }
 
-Expected<ReadMesh> readNearZero(const std::string& name, const std::function<Reading(const Vec3& offset)>& read) {
-    Reading first = read(Vec3::Zero());
+Expected<ReadMesh> readWithOffset(const std::string& name, const std::function<ReadAttempt(const Vec3& offset)>& read) {
+    ReadAttempt first = read(Vec3::Zero());
     // Also after an error: the outline of a face may cross itself only because its corners were rounded.
     const std::optional<Vec3> offset = first.rounding.betterOffset();
     if (!offset) return std::move(first.mesh);
-    Reading again = read(*offset);
+    ReadAttempt again = read(*offset);
     if (!again.mesh) return std::move(again.mesh);
     again.mesh->offset = *offset;
-    again.mesh->remarks.push_back(
-        {RemarkTopic::File,
+    again.mesh->importNotes.push_back(
+        {ImportNoteTopic::File,
          "%1: the surface lies too far from zero for single precision: %2, %3, %4 were subtracted from its coordinates "
          "before they were rounded.",
          {name, numberText(offset->x()), numberText(offset->y()), numberText(offset->z())}});

@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "geometry/util/expected.h"
-#include "geometry/mesh/face_splitter.h"
-#include "geometry/mesh/position_rounding.h"
 #include "geometry/io/read_mesh.h"
+#include "geometry/mesh/polygon_triangulator.h"
+#include "geometry/mesh/position_rounding.h"
 #include "geometry/mesh/vertex_welder.h"
+#include "geometry/util/expected.h"
 
 namespace tactooth {
 
@@ -45,7 +45,7 @@ public:
             mesh_.triangles.push_back({corners_[0], corners_[1], corners_[2]});
             return nullptr;
         }
-        return corners_.size() < 3 ? nullptr : splitter_.split(welder_.vertices(), corners_, mesh_.triangles);
+        return corners_.size() < 3 ? nullptr : triangulator_.split(welder_.vertices(), corners_, mesh_.triangles);
     }
     /// Takes the corners as a strip: each corner from the third on makes a triangle with the two before it, and every
     /// other one is turned. Those of two equal corners only lead from one place to another.
@@ -59,21 +59,21 @@ public:
 private:
     PositionRounding rounding_;
     VertexWelder welder_;
-    FaceSplitter splitter_;
+    PolygonTriangulator triangulator_;
     std::vector<std::uint32_t> vertices_;  ///< of the file, as welded
     std::vector<std::uint32_t> corners_;   ///< of the face at hand, as welded
     TriangleMesh mesh_;
 };
 
 /// What one reading of a file gave.
-struct Reading {
+struct ReadAttempt {
     Expected<ReadMesh> mesh;
     PositionRounding rounding;
 };
 
 /// Reads a file with no offset, and again with one where its coordinates are too large for single precision; says so
 /// in a remark that begins with `name`.
-[[nodiscard]] Expected<ReadMesh> readNearZero(const std::string& name,
-                                              const std::function<Reading(const Vec3& offset)>& read);
+[[nodiscard]] Expected<ReadMesh> readWithOffset(const std::string& name,
+                                                const std::function<ReadAttempt(const Vec3& offset)>& read);
 
 }  // namespace tactooth

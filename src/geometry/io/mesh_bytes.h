@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <span>
 
-#include "geometry/util/expected.h"
 #include "geometry/io/read_mesh.h"
+#include "geometry/util/expected.h"
 
 namespace tactooth {
 
@@ -16,6 +16,6 @@ namespace tactooth {
 
 /// What `loadMesh` does, from memory.
 [[nodiscard]] Expected<TriangleMesh> parseMesh(std::span<const std::byte> bytes, const std::filesystem::path& path,
-                                               std::vector<Remark>* remarks = nullptr);
+                                               std::vector<ImportNote>* importNotes = nullptr);
 
 }  // namespace tactooth

@@ -7,16 +7,16 @@
 #include <string>
 #include <string_view>
 
-#include "geometry/util/byte_text.h"
 #include "geometry/files/file_bytes.h"
 #include "geometry/io/mesh_bytes.h"
 #include "geometry/io/obj_reader.h"
 #include "geometry/io/ply_header.h"
 #include "geometry/io/ply_reader.h"
-#include "geometry/util/small_letters.h"
 #include "geometry/io/stl_format.h"
 #include "geometry/io/stl_reader.h"
 #include "geometry/io/stl_sniffer.h"
+#include "geometry/util/byte_text.h"
+#include "geometry/util/lower_case.h"
 
 namespace tactooth {
 namespace {
@@ -29,36 +29,37 @@ bool isOtherFormat(std::string_view extension) {
 }
 
 Expected<ReadMesh> parseAnyStl(std::span<const std::byte> bytes, const std::filesystem::path& path) {
-    if (stl::sniff(bytes) == stl::Kind::Ascii) return stl::parseAscii(asText(bytes), shownName(path));
-    Expected<TriangleMesh> mesh = parseStl(bytes, shownName(path));
+    if (stl::sniff(bytes) == stl::Kind::Ascii) return stl::parseAscii(asText(bytes), displayName(path));
+    Expected<TriangleMesh> mesh = parseStl(bytes, displayName(path));
     if (!mesh) return Unexpected{mesh.error()};
     return ReadMesh{std::move(*mesh)};
 }
 
 /// The surface, if it stands where its file has it.
 Expected<TriangleMesh> inPlace(Expected<ReadMesh> read, const std::filesystem::path& path,
-                               std::vector<Remark>* remarks) {
+                               std::vector<ImportNote>* importNotes) {
     if (!read) return Unexpected{read.error()};
     if (!read->offset.isZero(0)) {
-        return unexpected(shownName(path) +
+        return unexpected(displayName(path) +
                           ": the surface lies too far from zero for single precision, in which its place is needed; "
                           "move it near to zero, or make a case of it with 'tactooth case new'.");
     }
-    if (remarks != nullptr) remarks->insert(remarks->end(), read->remarks.begin(), read->remarks.end());
+    if (importNotes != nullptr)
+        importNotes->insert(importNotes->end(), read->importNotes.begin(), read->importNotes.end());
     return std::move(read->mesh);
 }
 
 }  // namespace
 
 Expected<ReadMesh> parseReadMesh(std::span<const std::byte> bytes, const std::filesystem::path& path) {
-    const std::string extension = inSmallLetters(path.extension().string());
-    if (ply::looksLikePly(asText(bytes))) return parsePly(bytes, shownName(path));
+    const std::string extension = toLowerCase(path.extension().string());
+    if (ply::looksLikePly(asText(bytes))) return parsePly(bytes, displayName(path));
     if (stl::sniff(bytes) == stl::Kind::Neither) {
         if (isWideText(asText(bytes)))
-            return unexpected(shownName(path) + ": this is text in UTF-16; save it as UTF-8.");
-        if (extension == ".obj") return parseObj(bytes, shownName(path));
+            return unexpected(displayName(path) + ": this is text in UTF-16; save it as UTF-8.");
+        if (extension == ".obj") return parseObj(bytes, displayName(path));
         if (isOtherFormat(extension)) {
-            return unexpected(shownName(path) + ": " + extension +
+            return unexpected(displayName(path) + ": " + extension +
                               " files cannot be read; export the surface as STL, OBJ or PLY.");
         }
     }
@@ -71,17 +72,17 @@ Expected<ReadMesh> readMesh(const std::filesystem::path& path) {
     Expected<ReadMesh> read = parseReadMesh(file->bytes(), path);
     if (!read) return read;
     // A remark may be kept with the surface, where the folder is nobody's business.
-    for (Remark& remark : read->remarks) remark.values.front() = shownName(path.filename());
+    for (ImportNote& importNote : read->importNotes) importNote.values.front() = displayName(path.filename());
     return read;
 }
 
 Expected<TriangleMesh> parseMesh(std::span<const std::byte> bytes, const std::filesystem::path& path,
-                                 std::vector<Remark>* remarks) {
-    return inPlace(parseReadMesh(bytes, path), path, remarks);
+                                 std::vector<ImportNote>* importNotes) {
+    return inPlace(parseReadMesh(bytes, path), path, importNotes);
 }
 
-Expected<TriangleMesh> loadMesh(const std::filesystem::path& path, std::vector<Remark>* remarks) {
-    return inPlace(readMesh(path), path, remarks);
+Expected<TriangleMesh> loadMesh(const std::filesystem::path& path, std::vector<ImportNote>* importNotes) {
+    return inPlace(readMesh(path), path, importNotes);
 }
 
 }  // namespace tactooth

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "geometry/util/expected.h"
 #include "geometry/io/read_mesh.h"
+#include "geometry/util/expected.h"
 
 namespace tactooth {
 
@@ -18,8 +18,8 @@ namespace tactooth {
 [[nodiscard]] Expected<ReadMesh> readMesh(const std::filesystem::path& path);
 
 /// The surface in the file's frame, for all that measures there. Fails also if the surface lies too far from zero for
-/// single precision: it is never shifted in silence. Adds the remarks to `remarks`, if that is given.
+/// single precision: it is never shifted in silence. Adds the remarks to `importNotes`, if that is given.
 [[nodiscard]] Expected<TriangleMesh> loadMesh(const std::filesystem::path& path,
-                                              std::vector<Remark>* remarks = nullptr);
+                                              std::vector<ImportNote>* importNotes = nullptr);
 
 }  // namespace tactooth

@@ -58,13 +58,13 @@ public:
     bool next(std::string_view& line) {
         if (!lines_.next(line)) return false;
         number_ = lines_.number();
-        if (!goesOn(line) || !holdsNumbers(Words(line).next())) return true;
+        if (!continues(line) || !holdsNumbers(Words(line).next())) return true;
         joined_.clear();
         bool more = true;
         do {
             joined_.append(line.substr(0, line.rfind('\\'))) += ' ';
             more = lines_.next(line);
-        } while (more && goesOn(line));
+        } while (more && continues(line));
         if (more) joined_.append(line);
         line = joined_;
         return true;
@@ -74,7 +74,7 @@ public:
     [[nodiscard]] std::size_t number() const { return number_; }
 
 private:
-    static bool goesOn(std::string_view line) {
+    static bool continues(std::string_view line) {
         const std::size_t last = line.find_last_not_of(kBlank);
         return last != line.npos && line[last] == '\\';
     }

@@ -9,10 +9,10 @@
 #include <string>
 #include <utility>
 
-#include "geometry/util/byte_text.h"
 #include "geometry/io/mesh_builder.h"
-#include "geometry/util/number_text.h"
 #include "geometry/io/obj_lines.h"
+#include "geometry/util/byte_text.h"
+#include "geometry/util/number_text.h"
 
 namespace tactooth {
 namespace {
@@ -24,7 +24,7 @@ public:
     ObjParser(std::string_view text, std::string name, const Vec3& offset)
         : lines_(text), name_(std::move(name)), mesh_(text.size() / kBytesPerVertex + 2, offset) {}
 
-    Reading parse() { return {parseLines(), mesh_.rounding()}; }
+    ReadAttempt parse() { return {parseLines(), mesh_.rounding()}; }
 
 private:
     Expected<ReadMesh> parseLines() {
@@ -38,7 +38,7 @@ private:
             return unexpected(name_ + ": the file holds no faces; export the surface again, as triangles.");
         }
         ReadMesh read{mesh_.take()};
-        if (unknownLines_ > 0) read.remarks.push_back(onUnknownLines());
+        if (unknownLines_ > 0) read.importNotes.push_back(onUnknownLines());
         return read;
     }
 
@@ -101,13 +101,13 @@ private:
         return value;
     }
 
-    [[nodiscard]] Remark onUnknownLines() const {
+    [[nodiscard]] ImportNote onUnknownLines() const {
         if (unknownLines_ == 1) {
-            return {RemarkTopic::File,
+            return {ImportNoteTopic::File,
                     "%1: line %2 was not understood and passed over; it begins with %3.",
                     {name_, std::to_string(firstUnknown_), unknownWord_}};
         }
-        return {RemarkTopic::File,
+        return {ImportNoteTopic::File,
                 "%1: %2 lines were not understood and passed over; the first is line %3, which begins with %4.",
                 {name_, std::to_string(unknownLines_), std::to_string(firstUnknown_), unknownWord_}};
     }
@@ -130,7 +130,7 @@ private:
 
 Expected<ReadMesh> parseObj(std::span<const std::byte> bytes, std::string_view name) {
     const std::string shown(name);
-    return readNearZero(shown, [&](const Vec3& offset) { return ObjParser(asText(bytes), shown, offset).parse(); });
+    return readWithOffset(shown, [&](const Vec3& offset) { return ObjParser(asText(bytes), shown, offset).parse(); });
 }
 
 }  // namespace tactooth

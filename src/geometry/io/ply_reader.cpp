@@ -10,10 +10,10 @@
 #include <string>
 #include <utility>
 
-#include "geometry/util/byte_text.h"
 #include "geometry/io/mesh_builder.h"
-#include "geometry/util/number_text.h"
 #include "geometry/io/ply_header.h"
+#include "geometry/util/byte_text.h"
+#include "geometry/util/number_text.h"
 
 namespace tactooth {
 namespace {
@@ -84,7 +84,7 @@ public:
           name_(std::move(name)),
           mesh_(kFirstVertices, offset) {}
 
-    Reading read() { return {readElements(), mesh_.rounding()}; }
+    ReadAttempt read() { return {readElements(), mesh_.rounding()}; }
 
 private:
     static constexpr std::size_t kFirstVertices = 1024;
@@ -180,7 +180,7 @@ Expected<ReadMesh> parsePly(std::span<const std::byte> bytes, std::string_view n
     const std::string shown(name);
     const Expected<ply::Header> header = ply::parseHeader(file, shown);
     if (!header) return Unexpected{header.error()};
-    return readNearZero(shown, [&](const Vec3& offset) { return PlyBody(file, *header, shown, offset).read(); });
+    return readWithOffset(shown, [&](const Vec3& offset) { return PlyBody(file, *header, shown, offset).read(); });
 }
 
 }  // namespace tactooth

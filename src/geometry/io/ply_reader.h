@@ -6,16 +6,16 @@
 #include <span>
 #include <string_view>
 
-#include "geometry/util/expected.h"
 #include "geometry/io/read_mesh.h"
+#include "geometry/util/expected.h"
 
 namespace tactooth {
 
 /// Reads the surface of a PLY file, ASCII or binary of either byte order, from memory; `name` stands for the file in
 /// error messages. Taken are x, y, z of the element `vertex`, the corners of the element `face` (`vertex_indices` or
-/// `vertex_index`), polygons split within their outline (FaceSplitter), and triangle strips (`tristrips`, in which -1
-/// begins a new one); vertices at equal positions are made one; all else is passed over. Coordinates far from zero: see
-/// ReadMesh::offset. Memory use is bounded by a small multiple of `bytes.size()`, whatever the header claims.
+/// `vertex_index`), polygons split within their outline (PolygonTriangulator), and triangle strips (`tristrips`, in
+/// which -1 begins a new one); vertices at equal positions are made one; all else is passed over. Coordinates far from
+/// zero: see ReadMesh::offset. Memory use is bounded by a small multiple of `bytes.size()`, whatever the header claims.
 ///
 /// Fails with one sentence on a file that is cut short, has no vertices or faces, names a vertex that is not there, or
 /// has a face whose outline crosses itself.

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "geometry/io/remark.h"
+#include "geometry/io/import_note.h"
 #include "geometry/mesh/triangle_mesh.h"
 
 namespace tactooth {
@@ -16,7 +16,7 @@ struct ReadMesh {
     /// mesh + offset is the surface in the file's frame. Zero unless the surface lies so far from zero that single
     /// precision would spoil it.
     Vec3 offset = Vec3::Zero();
-    std::vector<Remark> remarks = {};  ///< what was passed over or changed; the first value is the file's name
+    std::vector<ImportNote> importNotes = {};  ///< what was passed over or changed; the first value is the file's name
 };
 
 }  // namespace tactooth

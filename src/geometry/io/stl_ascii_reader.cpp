@@ -4,11 +4,11 @@
 #include <cmath>
 #include <optional>
 
-#include "geometry/util/byte_text.h"
 #include "geometry/io/mesh_builder.h"
-#include "geometry/util/number_text.h"
 #include "geometry/io/stl_format.h"
 #include "geometry/mesh/vertex_welder.h"
+#include "geometry/util/byte_text.h"
+#include "geometry/util/number_text.h"
 
 namespace tactooth::stl {
 namespace {
@@ -34,7 +34,7 @@ public:
         mesh_.triangles.reserve(text.size() / (2 * kBytesPerVertex) + 2);
     }
 
-    Reading parse() { return {parseSolids(), rounding_}; }
+    ReadAttempt parse() { return {parseSolids(), rounding_}; }
 
 private:
     Expected<ReadMesh> parseSolids() {
@@ -140,7 +140,7 @@ private:
 }  // namespace
 
 Expected<ReadMesh> parseAscii(std::string_view text, const std::string& name) {
-    return readNearZero(name, [&](const Vec3& offset) { return AsciiParser(text, name, offset).parse(); });
+    return readWithOffset(name, [&](const Vec3& offset) { return AsciiParser(text, name, offset).parse(); });
 }
 
 Expected<ReadMesh> parseAsciiInPlace(std::string_view text, const std::string& name) {

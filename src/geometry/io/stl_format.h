@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "geometry/util/expected.h"
 #include "geometry/io/read_mesh.h"
+#include "geometry/util/expected.h"
 
 // What the STL reader's and writer's files share. The format: 3D Systems, "StereoLithography Interface Specification"
 // (1989).

@@ -8,11 +8,11 @@
 #include <cstring>
 #include <string>
 
-#include "geometry/util/byte_text.h"
 #include "geometry/files/file_bytes.h"
 #include "geometry/io/stl_format.h"
 #include "geometry/io/stl_sniffer.h"
 #include "geometry/mesh/vertex_welder.h"
+#include "geometry/util/byte_text.h"
 
 namespace tactooth {
 
@@ -93,7 +93,7 @@ Expected<TriangleMesh> parseStl(std::span<const std::byte> bytes, std::string_vi
 Expected<TriangleMesh> readStl(const std::filesystem::path& path) {
     const Expected<FileBytes> file = readFile(path);
     if (!file) return Unexpected{file.error()};
-    return parseStl(file->bytes(), shownName(path));
+    return parseStl(file->bytes(), displayName(path));
 }
 
 }  // namespace tactooth

@@ -7,8 +7,8 @@
 #include <span>
 #include <string_view>
 
-#include "geometry/util/expected.h"
 #include "geometry/mesh/triangle_mesh.h"
+#include "geometry/util/expected.h"
 
 namespace tactooth {
 

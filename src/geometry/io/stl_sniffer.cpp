@@ -9,8 +9,8 @@
 #include <cstring>
 #include <string_view>
 
-#include "geometry/util/byte_text.h"
 #include "geometry/io/stl_format.h"
+#include "geometry/util/byte_text.h"
 
 namespace tactooth::stl {
 namespace {
@@ -18,7 +18,7 @@ namespace {
 /// How much of a file is looked at to tell text from bytes.
 constexpr std::size_t kBeginning = 512;
 
-std::uint32_t announcedCount(std::span<const std::byte> bytes) {
+std::uint32_t declaredCount(std::span<const std::byte> bytes) {
     std::uint32_t count = 0;
     std::memcpy(&count, bytes.data() + kHeaderBytes, sizeof count);
     return count;
@@ -84,7 +84,7 @@ Error notStl(const std::string& name, std::string_view what) {
 }
 
 Error wrongCount(std::span<const std::byte> bytes, const std::string& name) {
-    const std::uint32_t count = announcedCount(bytes);
+    const std::uint32_t count = declaredCount(bytes);
     const bool tooShort = bytes.size() < binarySize(count);
     return {name +
             (tooShort ? ": the file is cut short or its count is wrong"
@@ -97,7 +97,7 @@ Error wrongCount(std::span<const std::byte> bytes, const std::string& name) {
 }  // namespace
 
 Kind sniff(std::span<const std::byte> bytes) {
-    if (bytes.size() >= kFirstRecord && bytes.size() == binarySize(announcedCount(bytes))) return Kind::Binary;
+    if (bytes.size() >= kFirstRecord && bytes.size() == binarySize(declaredCount(bytes))) return Kind::Binary;
     const std::string_view beginning = beginningOf(bytes);
     return beginsWithSolid(beginning) && isText(beginning) ? Kind::Ascii : Kind::Neither;
 }

@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "geometry/util/expected.h"
 #include "geometry/mesh/triangle_mesh.h"
+#include "geometry/util/expected.h"
 
 namespace tactooth {
 

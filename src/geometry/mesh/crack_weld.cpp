@@ -79,7 +79,7 @@ CrackWeld weldCracks(TriangleMesh& mesh) {
         TriangleMesh welded = weldedWithin(mesh, tolerance, &moved, mayMove);
         if (moved == 0) continue;
         std::erase_if(welded.triangles, isDegenerate);
-        dropDoubles(welded);
+        removeDuplicates(welded);
         const std::size_t open = openEdges(welded);
         if (open >= fewest) continue;
         fewest = open;
@@ -91,7 +91,7 @@ CrackWeld weldCracks(TriangleMesh& mesh) {
     return done;
 }
 
-std::size_t dropDoubles(TriangleMesh& mesh) {
+std::size_t removeDuplicates(TriangleMesh& mesh) {
     // Gathered at their lowest corner (a counting sort), where only a handful meet.
     struct Entry {
         std::uint64_t others;  // the two other corners, the lower one first

@@ -23,6 +23,6 @@ CrackWeld weldCracks(TriangleMesh& mesh);
 
 /// Of triangles with the same three corners those that lie back to back cancel each other, and of the others one stays:
 /// neither changes what is inside. The first ones stay in their order. Returns how many were dropped.
-std::size_t dropDoubles(TriangleMesh& mesh);
+std::size_t removeDuplicates(TriangleMesh& mesh);
 
 }  // namespace tactooth

@@ -13,11 +13,11 @@ constexpr double kFlat = 1e-4;
 
 }  // namespace
 
-void EarClipper::begin(const PlaneOutline& outline, std::size_t mostTests) {
+void EarClipper::begin(const ProjectedPolygon& outline, std::size_t maxTests) {
     outline_ = &outline;
     left_ = outline.size();
     tests_ = 0;
-    mostTests_ = mostTests;
+    maxTests_ = maxTests;
     next_.resize(left_);
     previous_.resize(left_);
     for (Corner corner = 0; corner < left_; ++corner) {
@@ -36,13 +36,13 @@ void EarClipper::begin(const PlaneOutline& outline, std::size_t mostTests) {
     });
 }
 
-EarClipper::Result EarClipper::clip(const PlaneOutline& outline, std::size_t mostTests,
+EarClipper::Result EarClipper::clip(const ProjectedPolygon& outline, std::size_t maxTests,
                                     std::vector<Triangle>& triangles) {
-    begin(outline, mostTests);
+    begin(outline, maxTests);
     Corner ear = 0;
     for (bool goesBack = false; left_ > 3; goesBack = !goesBack) {
-        if (!findEar(ear, Care::NoFlatEar) && !findEar(ear, Care::AnyEar))
-            return tests_ > mostTests_ ? Result::TooMuchWork : Result::NoEar;
+        if (!findEar(ear, EarPolicy::NoFlatEar) && !findEar(ear, EarPolicy::AnyEar))
+            return tests_ > maxTests_ ? Result::LimitReached : Result::NoEar;
         const Corner a = previous_[ear], c = next_[ear];
         triangles.push_back({outline.vertex(a), outline.vertex(ear), outline.vertex(c)});
         remove(ear);
@@ -58,35 +58,35 @@ EarClipper::Result EarClipper::clip(const PlaneOutline& outline, std::size_t mos
 }
 
 /// The next ear from `from` on; `from` stays where there is none.
-bool EarClipper::findEar(Corner& from, Care care) {
+bool EarClipper::findEar(Corner& from, EarPolicy policy) {
     Corner corner = from;
-    for (std::size_t step = 0; step < left_ && tests_ <= mostTests_; ++step, corner = next_[corner]) {
-        if (!isEar(corner, care)) continue;
+    for (std::size_t step = 0; step < left_ && tests_ <= maxTests_; ++step, corner = next_[corner]) {
+        if (!isEar(corner, policy)) continue;
         from = corner;
         return true;
     }
     return false;
 }
 
-bool EarClipper::isEar(Corner ear, Care care) {
+bool EarClipper::isEar(Corner ear, EarPolicy policy) {
     const Corner a = previous_[ear], c = next_[ear];
     ++tests_;
-    if (care == Care::NoFlatEar ? !turnsClearly(ear) : outline_->side(a, ear, c) <= 0) return false;
+    if (policy == EarPolicy::NoFlatEar ? !turnsClearly(ear) : outline_->side(a, ear, c) <= 0) return false;
     if (!isWithinCorners(a, c, ear)) return false;
     const auto [least, most] = std::minmax({outline_->x(a), outline_->x(ear), outline_->x(c)});
     auto each = std::ranges::lower_bound(blockers_, least, {}, [&](Corner corner) { return outline_->x(corner); });
     for (; each != blockers_.end() && outline_->x(*each) <= most; ++each) {
         ++tests_;
-        if (mayBlock_[*each] && blocks(*each, a, ear, c, care)) return false;
+        if (mayBlock_[*each] && blocks(*each, a, ear, c, policy)) return false;
     }
     return true;
 }
 
-bool EarClipper::blocks(Corner corner, Corner a, Corner b, Corner c, Care care) const {
+bool EarClipper::blocks(Corner corner, Corner a, Corner b, Corner c, EarPolicy policy) const {
     const std::uint32_t vertex = outline_->vertex(corner);
     // Where the outline touches itself, the angles at the two corners do not cover each other.
     if (vertex == outline_->vertex(a) || vertex == outline_->vertex(b) || vertex == outline_->vertex(c)) return false;
-    if (care == Care::AnyEar) {
+    if (policy == EarPolicy::AnyEar) {
         return outline_->side(a, b, corner) >= 0 && outline_->side(b, c, corner) >= 0 &&
                outline_->side(c, a, corner) >= 0;
     }

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/mesh/plane_outline.h"
+#include "geometry/mesh/projected_polygon.h"
 #include "geometry/mesh/triangle_mesh.h"
 
 namespace tactooth {
@@ -15,34 +15,34 @@ namespace tactooth {
 /// it makes no triangle that is all but flat of corners on one line.
 class EarClipper {
 public:
-    enum class Result { Done, NoEar, TooMuchWork };
+    enum class Result { Done, NoEar, LimitReached };
 
     /// Adds the triangles, in vertex numbers of the outline; all look to its viewer and together cover it once, if no
-    /// two of its edges cross. Without an ear, or after `mostTests` tests of a corner against a triangle, those that
+    /// two of its edges cross. Without an ear, or after `maxTests` tests of a corner against a triangle, those that
     /// were found are added nevertheless: the caller takes them back.
-    [[nodiscard]] Result clip(const PlaneOutline& outline, std::size_t mostTests, std::vector<Triangle>& triangles);
+    [[nodiscard]] Result clip(const ProjectedPolygon& outline, std::size_t maxTests, std::vector<Triangle>& triangles);
 
 private:
     using Corner = std::uint32_t;
-    enum class Care { NoFlatEar, AnyEar };
+    enum class EarPolicy { NoFlatEar, AnyEar };
 
-    void begin(const PlaneOutline& outline, std::size_t mostTests);
-    [[nodiscard]] bool findEar(Corner& from, Care care);
-    [[nodiscard]] bool isEar(Corner ear, Care care);
-    [[nodiscard]] bool blocks(Corner corner, Corner a, Corner b, Corner c, Care care) const;
+    void begin(const ProjectedPolygon& outline, std::size_t maxTests);
+    [[nodiscard]] bool findEar(Corner& from, EarPolicy policy);
+    [[nodiscard]] bool isEar(Corner ear, EarPolicy policy);
+    [[nodiscard]] bool blocks(Corner corner, Corner a, Corner b, Corner c, EarPolicy policy) const;
     [[nodiscard]] bool isWithinCorners(Corner a, Corner c, Corner b) const;
     [[nodiscard]] bool turnsClearly(Corner corner) const;
     void remove(Corner corner);
     Corner removeSpikes(Corner corner);
     void forgetBlockers();
 
-    const PlaneOutline* outline_ = nullptr;
+    const ProjectedPolygon* outline_ = nullptr;
     std::vector<Corner> next_, previous_;
     std::vector<bool> mayBlock_;    ///< corners that turn right or hardly at all: only they can lie in an ear
     std::vector<Corner> blockers_;  ///< in the order of x; some have become others meanwhile
     std::size_t liveBlockers_ = 0;
     std::size_t left_ = 0;  ///< corners of the outline that is left
-    std::size_t tests_ = 0, mostTests_ = 0;
+    std::size_t tests_ = 0, maxTests_ = 0;
 };
 
 }  // namespace tactooth

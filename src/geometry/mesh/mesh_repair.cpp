@@ -6,10 +6,10 @@
 #include <map>
 #include <vector>
 
+#include "geometry/mesh/boundary_loops.h"
 #include "geometry/mesh/crack_weld.h"
-#include "geometry/util/disjoint_sets.h"
-#include "geometry/mesh/hole_rims.h"
 #include "geometry/mesh/mesh_edges.h"
+#include "geometry/util/disjoint_sets.h"
 
 namespace tactooth {
 namespace {
@@ -18,7 +18,7 @@ void dropUseless(TriangleMesh& mesh, RepairReport& report) {
     const std::size_t before = mesh.triangles.size();
     std::erase_if(mesh.triangles, isDegenerate);
     report.droppedDegenerate = before - mesh.triangles.size();
-    report.droppedDuplicates = dropDoubles(mesh);
+    report.droppedDuplicates = removeDuplicates(mesh);
     report.cracks = weldCracks(mesh);
 }
 
@@ -106,7 +106,7 @@ std::vector<Piece> gather(const TriangleMesh& mesh, DisjointSets& sets) {
 void turn(Triangle& triangle) { std::swap(triangle[1], triangle[2]); }
 
 /// A piece that looks inward is turned, unless it lies within the largest one: it may be the wall of a hollow.
-void lookOutward(TriangleMesh& mesh, const std::vector<Piece>& pieces, std::vector<bool>& turned) {
+void orientOutward(TriangleMesh& mesh, const std::vector<Piece>& pieces, std::vector<bool>& turned) {
     const Piece& body = largestBody(pieces);
     for (const Piece& piece : pieces) {
         const bool isHollow = &piece != &body && body.box.contains(piece.box);
@@ -125,12 +125,13 @@ void orient(TriangleMesh& mesh, const RepairOptions& options, RepairReport& repo
         if (turned[t]) turn(mesh.triangles[t]);
     }
     std::vector<Piece> pieces = gather(mesh, neighbours.pieces);
-    lookOutward(mesh, pieces, turned);
+    orientOutward(mesh, pieces, turned);
     const Piece& body = largestBody(pieces);
     const auto isSpeck = [&](const Piece& piece) {
-        const bool isThin = piece.area < options.crumb * options.crumb * body.area && !body.box.contains(piece.box);
+        const bool isThin =
+            piece.area < options.speckSize * options.speckSize * body.area && !body.box.contains(piece.box);
         const bool isLone = piece.triangles.size() == 1;  // it bounds nothing, however large it is
-        return &piece != &body && (piece.size() < options.crumb * body.size() || isThin || isLone);
+        return &piece != &body && (piece.size() < options.speckSize * body.size() || isThin || isLone);
     };
     double area = 0, areaOfSpecks = 0;
     for (const Piece& piece : pieces) {
@@ -140,15 +141,15 @@ void orient(TriangleMesh& mesh, const RepairOptions& options, RepairReport& repo
     const bool dropsSpecks = areaOfSpecks <= (1 - kLeastBody) * area;  // else they are no specks beside a body
     std::vector<bool> kept(mesh.triangles.size(), false);
     for (const Piece& piece : pieces) {
-        const bool isCrumb = dropsSpecks && isSpeck(piece);
-        report.droppedPieces += isCrumb;
-        for (const std::uint32_t t : piece.triangles) kept[t] = !isCrumb;
+        const bool isDroppedSpeck = dropsSpecks && isSpeck(piece);
+        report.droppedPieces += isDroppedSpeck;
+        for (const std::uint32_t t : piece.triangles) kept[t] = !isDroppedSpeck;
     }
     std::vector<Triangle> rest;
     rest.reserve(mesh.triangles.size());
     for (std::size_t t = 0; t < kept.size(); ++t) {
         if (!kept[t]) continue;
-        report.turnedTriangles += turned[t];
+        report.flippedTriangles += turned[t];
         rest.push_back(mesh.triangles[t]);
     }
     mesh.triangles = std::move(rest);
@@ -178,7 +179,7 @@ void fill(TriangleMesh& mesh, const Loop& loop) {
 
 void fillHoles(TriangleMesh& mesh, const RepairOptions& options, RepairReport& report) {
     const double longest = options.smallHole * boundingBox(mesh).diagonal().norm();
-    for (const Loop& loop : holeRims(mesh, report.openHoles)) {
+    for (const Loop& loop : boundaryLoops(mesh, report.openHoles)) {
         const double rim = lengthOf(mesh, loop);
         const bool fills = options.holes == HolesToFill::All || (options.holes == HolesToFill::Small && rim <= longest);
         if (!fills) {
@@ -203,7 +204,7 @@ RepairedMesh repaired(const TriangleMesh& mesh, const RepairOptions& options) {
     return result;
 }
 
-std::vector<TriangleMesh> piecesOf(const TriangleMesh& mesh) {
+std::vector<TriangleMesh> connectedComponents(const TriangleMesh& mesh) {
     Neighbours neighbours(mesh);
     std::vector<TriangleMesh> result;
     for (const Piece& piece : gather(mesh, neighbours.pieces)) {

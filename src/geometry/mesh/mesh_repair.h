@@ -15,23 +15,25 @@ enum class HolesToFill { None, Small, All };
 
 struct RepairOptions {
     HolesToFill holes = HolesToFill::Small;
-    double smallHole = 0.15;  ///< a hole is small if its rim is no longer than this part of the box's diagonal
-    double crumb = kSpeck;    ///< pieces smaller than this part of the largest body are dropped
+    double smallHole = 0.15;    ///< a hole is small if its rim is no longer than this part of the box's diagonal
+    double speckSize = kSpeck;  ///< pieces smaller than this part of the largest body are dropped
 };
 
 /// What was mended.
 struct RepairReport {
     CrackWeld cracks;
     std::size_t droppedDegenerate = 0;  ///< triangles with two equal corners
-    std::size_t droppedDuplicates = 0;  ///< triangles that are stored twice or lie back to back (see `dropDoubles`)
-    std::size_t droppedPieces = 0;      ///< crumbs beside the surface
-    std::size_t turnedTriangles = 0;    ///< to agree with their neighbours, or to point outward
+    std::size_t droppedDuplicates =
+        0;                             ///< triangles that are stored twice or lie back to back (see `removeDuplicates`)
+    std::size_t droppedPieces = 0;     ///< crumbs beside the surface
+    std::size_t flippedTriangles = 0;  ///< to agree with their neighbours, or to point outward
     std::size_t filledHoles = 0;
     double longestFilledRim = 0;  ///< mm
     std::size_t openHoles = 0;    ///< left open: too wide, or with a rim that does not close
 
     [[nodiscard]] bool changedAnything() const {
-        return cracks.moved + droppedDegenerate + droppedDuplicates + droppedPieces + turnedTriangles + filledHoles > 0;
+        return cracks.moved + droppedDegenerate + droppedDuplicates + droppedPieces + flippedTriangles + filledHoles >
+               0;
     }
 };
 
@@ -46,6 +48,6 @@ struct RepairedMesh {
 [[nodiscard]] RepairedMesh repaired(const TriangleMesh& mesh, const RepairOptions& options = {});
 
 /// The pieces of a surface that hang together over common edges, largest box first; vertices are numbered anew.
-[[nodiscard]] std::vector<TriangleMesh> piecesOf(const TriangleMesh& mesh);
+[[nodiscard]] std::vector<TriangleMesh> connectedComponents(const TriangleMesh& mesh);
 
 }  // namespace tactooth

@@ -8,8 +8,8 @@
 #include <limits>
 #include <numeric>
 
-#include "geometry/util/disjoint_sets.h"
 #include "geometry/mesh/mesh_edges.h"
+#include "geometry/util/disjoint_sets.h"
 
 namespace tactooth {
 namespace {

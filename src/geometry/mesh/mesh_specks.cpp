@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "geometry/util/disjoint_sets.h"
 #include "geometry/mesh/mesh_edges.h"
+#include "geometry/util/disjoint_sets.h"
 
 namespace tactooth {
 namespace {
@@ -71,7 +71,7 @@ std::size_t dropSpecks(TriangleMesh& mesh) {
     return dropped;
 }
 
-Box3 boxWithoutSpecks(TriangleMesh mesh) {
+Box3 boxExcludingSpecks(TriangleMesh mesh) {
     dropSpecks(mesh);
     return boundingBox(mesh);
 }

@@ -22,6 +22,6 @@ inline constexpr double kLeastBody = 0.98;
 std::size_t dropSpecks(TriangleMesh& mesh);
 
 /// The box of what `dropSpecks` leaves.
-[[nodiscard]] Box3 boxWithoutSpecks(TriangleMesh mesh);
+[[nodiscard]] Box3 boxExcludingSpecks(TriangleMesh mesh);
 
 }  // namespace tactooth

@@ -7,11 +7,11 @@
 namespace tactooth {
 
 /// The most triangles that a subdivided mesh may have.
-inline constexpr std::size_t kMostSubdivided = 10'000'000;
+inline constexpr std::size_t kMaxSubdivided = 10'000'000;
 
 /// The same surface from more triangles: every edge is halved `times` times, so each triangle becomes 4^times. Its old
 /// vertices are its first ones. A closed surface stays closed, an edge of three triangles stays one. New vertices lie
-/// on the old edges as far as single precision goes. The result has at most kMostSubdivided triangles (the caller has
+/// on the old edges as far as single precision goes. The result has at most kMaxSubdivided triangles (the caller has
 /// seen to that).
 [[nodiscard]] TriangleMesh subdivided(const TriangleMesh& mesh, int times);
 

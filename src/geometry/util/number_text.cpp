@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "geometry/util/shown_text.h"
+#include "geometry/util/display_text.h"
 
 namespace tactooth {
 
@@ -15,7 +15,7 @@ std::string numberText(double value) {
 
 std::string quotedWord(std::string_view word) {
     constexpr std::size_t kLongest = 24;  // characters
-    return "'" + shownShort(word, kLongest) + "'";
+    return "'" + displayShort(word, kLongest) + "'";
 }
 
 }  // namespace tactooth

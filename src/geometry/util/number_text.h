@@ -33,7 +33,7 @@ template <class Number>
 /// The shortest text that toNumber reads as the same double, whatever the locale.
 [[nodiscard]] std::string numberText(double value);
 
-/// A word of an untrusted file as a message may show it: in quotes, at most 24 characters, as shownText shows them.
+/// A word of an untrusted file as a message may show it: in quotes, at most 24 characters, as displayText shows them.
 [[nodiscard]] std::string quotedWord(std::string_view word);
 
 }  // namespace tactooth

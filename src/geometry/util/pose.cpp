@@ -4,6 +4,6 @@
 
 namespace tactooth {
 
-Quat shortestTurn(const Vec3& from, const Vec3& to) { return Quat::FromTwoVectors(from, to); }
+Quat shortestRotation(const Vec3& from, const Vec3& to) { return Quat::FromTwoVectors(from, to); }
 
 }  // namespace tactooth

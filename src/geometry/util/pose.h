@@ -25,6 +25,6 @@ struct Pose {
 /// The shortest turn that brings one direction onto another; neither is zero, nor need they be unit. Opposite ones have
 /// many: then about some axis across them. In a file of its own, since Eigen solves that case by a decomposition that
 /// takes the compiler ten seconds wherever it is used.
-[[nodiscard]] Quat shortestTurn(const Vec3& from, const Vec3& to);
+[[nodiscard]] Quat shortestRotation(const Vec3& from, const Vec3& to);
 
 }  // namespace tactooth

@@ -11,7 +11,7 @@ namespace tactooth {
 namespace {
 
 /// Where a lesion breaks the surface, which way it grows, and how thick the enamel is there.
-struct LesionPlace {
+struct LesionOrigin {
     Vec3 site, inward;
     double enamel = 1;
 };
@@ -36,8 +36,8 @@ double crownHeight(const ToothShape& shape) {
     return z;
 }
 
-LesionPlace placeAlong(const ToothShape& shape, const Vec3& from, const Vec3& outward) {
-    LesionPlace place;
+LesionOrigin placeAlong(const ToothShape& shape, const Vec3& from, const Vec3& outward) {
+    LesionOrigin place;
     place.inward = -outward;
     double way = 0;
     while (shape.outer(from + way * outward) < 0) way += kStep;
@@ -48,7 +48,7 @@ LesionPlace placeAlong(const ToothShape& shape, const Vec3& from, const Vec3& ou
     return place;
 }
 
-LesionPlace placeOf(const ToothShape& shape, LesionSite site) {
+LesionOrigin placeOf(const ToothShape& shape, LesionSite site) {
     constexpr double kContact = 0.60;  // of the crown's height: just below the contact, where plaque stays
     constexpr double kNeck = 1.4;      // mm above the cervical line
     const double contact = kContact * crownHeight(shape);
@@ -71,7 +71,7 @@ LesionPlace placeOf(const ToothShape& shape, LesionSite site) {
 }  // namespace
 
 ScalarField lesionBody(const ToothShape& shape, const Lesion& lesion) {
-    const LesionPlace place = placeOf(shape, lesion.site);
+    const LesionOrigin place = placeOf(shape, lesion.site);
     const double width = lesion.width;
     // How far the middle of what spreads in the dentin lies below the enamel, and its half height.
     double middle = 0.10 * width, half = 0.36 * width;

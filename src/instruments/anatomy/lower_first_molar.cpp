@@ -3,7 +3,7 @@
 //
 // Lower right first molar (46). Lengths and diameters: Wheeler's table of average teeth; pulp chamber: A. S. Deutsch,
 // B. L. Musikant, J. Endod. 30 (2004) 388. Everything else is modelled after textbook drawings.
-#include "instruments/anatomy/back_tooth.h"
+#include "instruments/anatomy/posterior_tooth.h"
 
 namespace tactooth {
 namespace {
@@ -72,7 +72,7 @@ const std::vector<Section> kDistalCanal = {{-12.5, 0.14, 0.14, 0.18, 0.18, 2, -3
 }  // namespace
 
 ToothShape lowerFirstMolar() {
-    BackToothPlan plan;
+    PosteriorToothPlan plan;
     plan.name = "Lower right first molar";
     plan.fdi = 46;
     plan.bounds = Box3(Vec3(-6.5, -6.5, -14.8), Vec3(6.5, 6.5, 8.2));
@@ -83,13 +83,13 @@ ToothShape lowerFirstMolar() {
     plan.ridges = kMarginalRidges;
     plan.grooves = kGrooves;
     plan.pits = kPits;
-    plan.wallGrooves = {{true, 1.10, 0.38, 0.55}, {true, -2.55, 0.30, 0.5}, {false, 0.50, 0.34, 0.6}};
+    plan.developmentalGrooves = {{true, 1.10, 0.38, 0.55}, {true, -2.55, 0.30, 0.5}, {false, 0.50, 0.34, 0.6}};
     plan.roots = {{kMesialRoot, -14.05, 0.35, 0}, {kDistalRoot, -13.25, 0.6 * 0.35, 0}};
     // Between z = -0.45 and 1.1: 6.4 mm and 8 mm below the highest cusp.
     plan.chamber = Vec3(-0.1, 0, 0.33);
     plan.chamberHalf = Vec3(2.55, 2.0, 0.78);
     plan.canals = {kMesiobuccalCanal, kMesiolingualCanal, kDistalCanal};
-    return backTooth(plan);
+    return posteriorTooth(plan);
 }
 
 }  // namespace tactooth

@@ -3,16 +3,16 @@
 //
 // Lower right incisors (41, 42). Lengths, diameters and cervical curves: Wheeler's table of average teeth; the outlines
 // between are modelled after textbook drawings.
-#include "instruments/anatomy/front_tooth.h"
+#include "instruments/anatomy/anterior_tooth.h"
 
 namespace tactooth {
 namespace {
 
-constexpr FrontToothSize kCentral{9.0, 12.5, 5.0, 3.5, 6.0, 5.3}, kLateral{9.5, 14.0, 5.5, 4.0, 6.5, 5.8};
+constexpr AnteriorToothSize kCentral{9.0, 12.5, 5.0, 3.5, 6.0, 5.3}, kLateral{9.5, 14.0, 5.5, 4.0, 6.5, 5.8};
 
 /// A chisel: narrow, even on both sides, its lingual face smooth, its edge behind the root's axis; a flat root.
-FrontToothPlan central() {
-    FrontToothPlan plan;
+AnteriorToothPlan central() {
+    AnteriorToothPlan plan;
     plan.name = "Lower right central incisor";
     plan.fdi = 41;
     // Columns: z, mesial, distal, labial, lingual, squareness, x, y.
@@ -26,8 +26,8 @@ FrontToothPlan central() {
     plan.apex = -12.55;
     plan.edgeX = 0.0;
     plan.edgeZ = 8.88;
-    plan.mesialFall = 0.03;
-    plan.distalFall = 0.05;
+    plan.mesialEdgeSlope = 0.03;
+    plan.distalEdgeSlope = 0.05;
     plan.edgeRoundness = 0.8;
     plan.bevel = -0.22;
     plan.lingual = {{0.0, 1.3, 3.6, 7.0, 0.16}};
@@ -46,19 +46,19 @@ FrontToothPlan central() {
 
 }  // namespace
 
-ToothShape lowerCentralIncisor() { return frontTooth(central()); }
+ToothShape lowerCentralIncisor() { return anteriorTooth(central()); }
 
 ToothShape lowerLateralIncisor() {
-    FrontToothPlan plan = resized(central(), kCentral, kLateral);
+    AnteriorToothPlan plan = resized(central(), kCentral, kLateral);
     plan.name = "Lower right lateral incisor";
     plan.fdi = 42;
     plan.edgeX = 0.4;
-    plan.distalFall = 0.10;
+    plan.distalEdgeSlope = 0.10;
     for (Section& s : plan.body) {
         constexpr double kLean = 0.12;  // mm: the crown leans a little to distal on its root
         if (s.z > 0) s.x -= kLean * s.z / kLateral.crown;
     }
-    return frontTooth(plan);
+    return anteriorTooth(plan);
 }
 
 }  // namespace tactooth

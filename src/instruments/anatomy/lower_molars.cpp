@@ -3,24 +3,25 @@
 //
 // Lower right second and third molar (47, 48). Lengths and diameters: Wheeler's table of average teeth. Everything else
 // is modelled after textbook drawings.
-#include "instruments/anatomy/back_tooth.h"
+#include "instruments/anatomy/posterior_tooth.h"
 #include "instruments/anatomy/tooth_form.h"
 
 namespace tactooth {
 namespace {
 
-void addRoot(BackToothPlan& plan, const RootForm& form, std::initializer_list<CanalForm> canals, double hollow) {
-    plan.roots.push_back({rootSections(form), -form.length - 0.05, hollow, form.bendY, 1 - form.length});
+void addRoot(PosteriorToothPlan& plan, const RootForm& form, std::initializer_list<CanalForm> canals,
+             double concavity) {
+    plan.roots.push_back({rootSections(form), -form.length - 0.05, concavity, form.bendY, 1 - form.length});
     for (const CanalForm& canal : canals) plan.canals.push_back(canalSections(form, canal));
 }
 
-BackToothPlan lowerMolar(const char* name, int fdi, const CrownForm& crown, double root) {
-    BackToothPlan plan;
+PosteriorToothPlan lowerMolar(const char* name, int fdi, const CrownForm& crown, double root) {
+    PosteriorToothPlan plan;
     plan.name = name;
     plan.fdi = fdi;
     plan.bounds = Box3(Vec3(-7, -6.5, -root - 0.8), Vec3(7, 6.5, crown.length + 0.9));
     plan.crown = crownSections(crown);
-    plan.neckFillet = 0.7;
+    plan.cervicalFillet = 0.7;
     plan.cervicalHalfWidth = crown.cervixMesiodistal / 2;
     return plan;
 }
@@ -42,7 +43,7 @@ ToothShape lowerSecondMolar() {
                     .buccalTop = 0.58,
                     .lingualTop = 0.74,
                     .topSquareness = 2.6};
-    BackToothPlan plan = lowerMolar("Lower right second molar", 47, crown, 13.0);
+    PosteriorToothPlan plan = lowerMolar("Lower right second molar", 47, crown, 13.0);
     plan.narrowsLingually = 0.006;
     plan.narrowsDistally = 0.014;
     plan.fossa = 4.35;
@@ -60,11 +61,11 @@ ToothShape lowerSecondMolar() {
                     {-1.5, 0.0, -1.3, 1.8, 0.12, 0.32},     {1.7, -0.1, 2.6, -1.8, 0.13, 0.34},
                     {-1.5, -0.1, -1.4, -1.9, 0.12, 0.32},   {-2.2, -0.1, -2.9, 1.6, 0.12, 0.32}};
     plan.pits = {{0.10, 0.00, 0.24, 0.50}, {3.20, -0.10, 0.22, 0.44}, {-3.05, -0.10, 0.22, 0.44}};
-    plan.wallGrooves = {{true, 0.15, 0.40, 0.58}, {false, 0.05, 0.32, 0.58}};
+    plan.developmentalGrooves = {{true, 0.15, 0.40, 0.58}, {false, 0.05, 0.32, 0.58}};
     addRoot(plan,
             {.length = 13.0,
-             .neckX = 1.9,
-             .neckY = 0,
+             .cervixX = 1.9,
+             .cervixY = 0,
              .bendX = 2.6,
              .bendY = 0,
              .apexX = 0.5,
@@ -75,8 +76,8 @@ ToothShape lowerSecondMolar() {
             {{1.5, 0.34, 0.36}, {-1.5, 0.34, 0.36}}, 0.35);
     addRoot(plan,
             {.length = 12.4,
-             .neckX = -2.0,
-             .neckY = 0,
+             .cervixX = -2.0,
+             .cervixY = 0,
              .bendX = -2.7,
              .bendY = 0,
              .apexX = -3.1,
@@ -87,7 +88,7 @@ ToothShape lowerSecondMolar() {
             {{0, 0.45, 0.95}}, 0.2);
     plan.chamber = Vec3(-0.1, 0, 0.25);
     plan.chamberHalf = Vec3(2.35, 1.9, 0.78);
-    return backTooth(plan);
+    return posteriorTooth(plan);
 }
 
 ToothShape lowerThirdMolar() {
@@ -106,7 +107,7 @@ ToothShape lowerThirdMolar() {
                     .lingualTop = 0.70,
                     .cervixSquareness = 2.3,
                     .topSquareness = 2.2};
-    BackToothPlan plan = lowerMolar("Lower right third molar", 48, crown, 11.0);
+    PosteriorToothPlan plan = lowerMolar("Lower right third molar", 48, crown, 11.0);
     plan.narrowsLingually = 0.012;
     plan.narrowsDistally = 0.028;
     plan.fossa = 4.45;
@@ -125,11 +126,11 @@ ToothShape lowerThirdMolar() {
                     {1.4, -0.2, 1.2, -1.7, 0.16, 0.34},      {-1.2, 0.0, -1.0, -1.7, 0.16, 0.34},
                     {2.0, -0.2, 2.9, -1.5, 0.14, 0.32}};
     plan.pits = {{0.80, -0.25, 0.22, 0.48}, {2.95, -0.05, 0.20, 0.42}, {-2.60, -0.45, 0.20, 0.42}};
-    plan.wallGrooves = {{true, 0.80, 0.30, 0.58}, {false, 0.20, 0.26, 0.58}};
+    plan.developmentalGrooves = {{true, 0.80, 0.30, 0.58}, {false, 0.20, 0.26, 0.58}};
     addRoot(plan,
             {.length = 11.0,
-             .neckX = 1.5,
-             .neckY = 0,
+             .cervixX = 1.5,
+             .cervixY = 0,
              .bendX = 1.9,
              .bendY = 0.1,
              .apexX = -0.7,
@@ -140,8 +141,8 @@ ToothShape lowerThirdMolar() {
             {{1.1, 0.32, 0.36}, {-1.1, 0.32, 0.36}}, 0.3);
     addRoot(plan,
             {.length = 10.2,
-             .neckX = -1.7,
-             .neckY = 0,
+             .cervixX = -1.7,
+             .cervixY = 0,
              .bendX = -2.3,
              .bendY = 0,
              .apexX = -3.3,
@@ -152,7 +153,7 @@ ToothShape lowerThirdMolar() {
             {{0, 0.42, 0.85}}, 0.2);
     plan.chamber = Vec3(-0.1, 0, 0.25);
     plan.chamberHalf = Vec3(2.1, 1.8, 0.75);
-    return backTooth(plan);
+    return posteriorTooth(plan);
 }
 
 }  // namespace tactooth

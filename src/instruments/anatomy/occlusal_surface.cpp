@@ -37,7 +37,7 @@ double cuspHeight(const Cusp& cusp, double tip, double x, double y, double least
 
 }  // namespace
 
-double occlusalHeight(const BackToothPlan& plan, double x, double y) {
+double occlusalHeight(const PosteriorToothPlan& plan, double x, double y) {
     constexpr double kBlend = 0.55;      // mm, over which slopes run into each other
     constexpr double kRidgeRound = 0.4;  // mm, of a ridge's crest
     double height = plan.fossa;
@@ -52,7 +52,7 @@ double occlusalHeight(const BackToothPlan& plan, double x, double y) {
     return height;
 }
 
-double grooveDepth(const BackToothPlan& plan, double x, double y) {
+double grooveDepth(const PosteriorToothPlan& plan, double x, double y) {
     constexpr double kGone = 18;  // squared widths away from a groove's middle: less than a millionth of it is left
     double deepest = 0;
     for (const OcclusalGroove& g : plan.grooves) {

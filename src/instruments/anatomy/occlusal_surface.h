@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "instruments/anatomy/back_tooth.h"
+#include "instruments/anatomy/posterior_tooth.h"
 
 namespace tactooth {
 
 /// Height of a back tooth's chewing surface over (x, y), without its grooves.
-[[nodiscard]] double occlusalHeight(const BackToothPlan& plan, double x, double y);
+[[nodiscard]] double occlusalHeight(const PosteriorToothPlan& plan, double x, double y);
 
 /// How deep grooves and pits are cut into it at (x, y).
-[[nodiscard]] double grooveDepth(const BackToothPlan& plan, double x, double y);
+[[nodiscard]] double grooveDepth(const PosteriorToothPlan& plan, double x, double y);
 
 }  // namespace tactooth

@@ -9,14 +9,14 @@
 namespace tactooth {
 namespace {
 
-using MakeShape = ToothShape (*)();
+using ShapeFactory = ToothShape (*)();
 
-constexpr std::array<MakeShape, 8> kUpper = {upperCentralIncisor, upperLateralIncisor, upperCanine,
-                                             upperFirstPremolar,  upperSecondPremolar, upperFirstMolar,
-                                             upperSecondMolar,    upperThirdMolar};
-constexpr std::array<MakeShape, 8> kLower = {lowerCentralIncisor, lowerLateralIncisor, lowerCanine,
-                                             lowerFirstPremolar,  lowerSecondPremolar, lowerFirstMolar,
-                                             lowerSecondMolar,    lowerThirdMolar};
+constexpr std::array<ShapeFactory, 8> kUpper = {upperCentralIncisor, upperLateralIncisor, upperCanine,
+                                                upperFirstPremolar,  upperSecondPremolar, upperFirstMolar,
+                                                upperSecondMolar,    upperThirdMolar};
+constexpr std::array<ShapeFactory, 8> kLower = {lowerCentralIncisor, lowerLateralIncisor, lowerCanine,
+                                                lowerFirstPremolar,  lowerSecondPremolar, lowerFirstMolar,
+                                                lowerSecondMolar,    lowerThirdMolar};
 
 }  // namespace
 

@@ -3,30 +3,31 @@
 //
 // Upper right and lower right premolars (14, 15, 44, 45). Lengths and diameters: Wheeler's table of average teeth.
 // Everything else is modelled after textbook drawings.
-#include "instruments/anatomy/back_tooth.h"
+#include "instruments/anatomy/posterior_tooth.h"
 #include "instruments/anatomy/tooth_form.h"
 
 namespace tactooth {
 namespace {
 
-void addRoot(BackToothPlan& plan, const RootForm& form, std::initializer_list<CanalForm> canals, double hollow = 0) {
-    plan.roots.push_back({rootSections(form), -form.length - 0.05, hollow, form.bendY, 1 - form.length});
+void addRoot(PosteriorToothPlan& plan, const RootForm& form, std::initializer_list<CanalForm> canals,
+             double concavity = 0) {
+    plan.roots.push_back({rootSections(form), -form.length - 0.05, concavity, form.bendY, 1 - form.length});
     for (const CanalForm& canal : canals) plan.canals.push_back(canalSections(form, canal));
 }
 
-BackToothPlan premolar(const char* name, int fdi, const CrownForm& crown, double root) {
-    BackToothPlan plan;
+PosteriorToothPlan premolar(const char* name, int fdi, const CrownForm& crown, double root) {
+    PosteriorToothPlan plan;
     plan.name = name;
     plan.fdi = fdi;
     plan.bounds = Box3(Vec3(-5, -6, -root - 0.8), Vec3(5, 6, crown.length + 0.9));
     plan.crown = crownSections(crown);
     plan.tip = 0.30;
     plan.enamel = 1.35;
-    plan.spur = 0;
+    plan.projection = 0;
     plan.mesialRise = 1.0;
     plan.distalRise = 0.3;
     plan.cervicalHalfWidth = crown.cervixMesiodistal / 2;
-    plan.neckFillet = 0.2;
+    plan.cervicalFillet = 0.2;
     plan.rootTop = 0.25;  // one root is as wide as the neck
     plan.rootTopRound = 0.3;
     plan.trunkEnd = -2.2;
@@ -54,7 +55,7 @@ ToothShape upperFirstPremolar() {
                     .lingualTop = 0.60,
                     .cervixSquareness = 2.2,
                     .topSquareness = 2.1};
-    BackToothPlan plan = premolar("Upper right first premolar", 14, crown, 14.0);
+    PosteriorToothPlan plan = premolar("Upper right first premolar", 14, crown, 14.0);
     plan.functionalSide = -1;
     plan.narrowsLingually = 0.035;
     plan.fossa = 5.3;
@@ -67,8 +68,8 @@ ToothShape upperFirstPremolar() {
     plan.trunkEnd = -2.6;
     addRoot(plan,
             {.length = 14.0,
-             .neckX = 0,
-             .neckY = 1.55,
+             .cervixX = 0,
+             .cervixY = 1.55,
              .bendX = 0.1,
              .bendY = 2.2,
              .apexX = -0.5,
@@ -78,8 +79,8 @@ ToothShape upperFirstPremolar() {
             {{0, 0.32, 0.40}});
     addRoot(plan,
             {.length = 13.2,
-             .neckX = 0,
-             .neckY = -1.6,
+             .cervixX = 0,
+             .cervixY = -1.6,
              .bendX = 0.1,
              .bendY = -2.3,
              .apexX = -0.3,
@@ -89,7 +90,7 @@ ToothShape upperFirstPremolar() {
             {{0, 0.32, 0.40}});
     plan.chamber = Vec3(0, 0.1, 0.7);
     plan.chamberHalf = Vec3(0.75, 2.25, 1.0);
-    return backTooth(plan);
+    return posteriorTooth(plan);
 }
 
 ToothShape upperSecondPremolar() {
@@ -108,7 +109,7 @@ ToothShape upperSecondPremolar() {
                     .lingualTop = 0.64,
                     .cervixSquareness = 2.1,
                     .topSquareness = 2.1};
-    BackToothPlan plan = premolar("Upper right second premolar", 15, crown, 14.0);
+    PosteriorToothPlan plan = premolar("Upper right second premolar", 15, crown, 14.0);
     plan.functionalSide = -1;
     plan.narrowsLingually = 0.012;
     plan.fossa = 5.5;
@@ -122,8 +123,8 @@ ToothShape upperSecondPremolar() {
     plan.pits = {{0.0, 0.05, 0.10, 0.5}, {1.15, 0.05, 0.18, 0.40}, {-1.20, 0.05, 0.18, 0.40}};
     addRoot(plan,
             {.length = 14.0,
-             .neckX = 0,
-             .neckY = 0,
+             .cervixX = 0,
+             .cervixY = 0,
              .bendX = 0.15,
              .bendY = 0,
              .apexX = -0.8,
@@ -134,7 +135,7 @@ ToothShape upperSecondPremolar() {
             {{0, 0.38, 0.95}}, 0.3);
     plan.chamber = Vec3(0, 0.05, 0.7);
     plan.chamberHalf = Vec3(0.72, 2.15, 1.0);
-    return backTooth(plan);
+    return posteriorTooth(plan);
 }
 
 ToothShape lowerFirstPremolar() {
@@ -154,7 +155,7 @@ ToothShape lowerFirstPremolar() {
                     .buccalShift = -0.05,
                     .cervixSquareness = 2.1,
                     .topSquareness = 2.05};
-    BackToothPlan plan = premolar("Lower right first premolar", 44, crown, 14.0);
+    PosteriorToothPlan plan = premolar("Lower right first premolar", 44, crown, 14.0);
     plan.narrowsLingually = 0.055;
     plan.fossa = 5.0;
     plan.cusps = {{0.05, 0.75, 8.62, 0.0, -1.0, 0.80, 0.85, 0.70}, {0.15, -2.95, 6.35, 0.0, 1.0, 0.45, 1.10, 0.70}};
@@ -167,8 +168,8 @@ ToothShape lowerFirstPremolar() {
     plan.pits = {{1.45, -0.95, 0.28, 0.44}, {-1.45, -0.95, 0.28, 0.44}};
     addRoot(plan,
             {.length = 14.0,
-             .neckX = 0,
-             .neckY = 0,
+             .cervixX = 0,
+             .cervixY = 0,
              .bendX = 0.1,
              .bendY = 0,
              .apexX = -0.5,
@@ -179,7 +180,7 @@ ToothShape lowerFirstPremolar() {
             {{0, 0.36, 0.72}}, 0.15);
     plan.chamber = Vec3(0, 0.1, 0.8);
     plan.chamberHalf = Vec3(0.68, 1.35, 1.1);
-    return backTooth(plan);
+    return posteriorTooth(plan);
 }
 
 ToothShape lowerSecondPremolar() {
@@ -198,7 +199,7 @@ ToothShape lowerSecondPremolar() {
                     .lingualTop = 0.82,
                     .cervixSquareness = 2.1,
                     .topSquareness = 2.4};
-    BackToothPlan plan = premolar("Lower right second premolar", 45, crown, 14.5);
+    PosteriorToothPlan plan = premolar("Lower right second premolar", 45, crown, 14.5);
     plan.fossa = 5.2;
     plan.cusps = {{0.10, 1.55, 8.15, 0.0, -1.0, 0.78, 0.90, 0.62},      // buccal
                   {1.15, -2.45, 7.10, -0.25, 0.97, 0.80, 1.15, 0.68},   // mesiolingual
@@ -213,8 +214,8 @@ ToothShape lowerSecondPremolar() {
     plan.pits = {{-0.30, -0.75, 0.22, 0.44}, {1.65, 0.05, 0.20, 0.40}, {-1.75, 0.0, 0.20, 0.40}};
     addRoot(plan,
             {.length = 14.5,
-             .neckX = 0,
-             .neckY = 0,
+             .cervixX = 0,
+             .cervixY = 0,
              .bendX = 0.1,
              .bendY = 0,
              .apexX = -0.7,
@@ -225,7 +226,7 @@ ToothShape lowerSecondPremolar() {
             {{0, 0.38, 0.80}}, 0.15);
     plan.chamber = Vec3(0, 0, 0.7);
     plan.chamberHalf = Vec3(0.75, 1.6, 1.0);
-    return backTooth(plan);
+    return posteriorTooth(plan);
 }
 
 }  // namespace tactooth

@@ -51,21 +51,22 @@ double centreAt(double down, double neck, double bend, double apex) {
 }  // namespace
 
 std::vector<Section> crownSections(const CrownForm& form) {
-    const double neckX = form.cervixMesiodistal / 2, neckY = form.cervixBuccolingual / 2;
+    const double cervixX = form.cervixMesiodistal / 2, cervixY = form.cervixBuccolingual / 2;
     std::vector<Section> sections;
     for (const auto& [z, part] : kTrunk) {
         const double left = 1 - (1 - form.trunkNarrowing) * part;
-        sections.push_back({z, left * neckX, left * neckX, left * neckY, left * neckY, form.cervixSquareness, 0, 0});
+        sections.push_back(
+            {z, left * cervixX, left * cervixX, left * cervixY, left * cervixY, form.cervixSquareness, 0, 0});
     }
     const double halfX = form.mesiodistal / 2, buccal = form.buccolingual / 2 + form.buccalShift,
                  lingual = form.buccolingual / 2 - form.buccalShift;
     for (const double height : {0.0, 0.13, 0.27, 0.40, 0.52, 0.64, 0.76, 0.88, kTopHeight}) {
         Section s;
         s.z = height * form.length;
-        s.plusX = sideAt(height, neckX, form.mesialContact, halfX, form.mesialTop * halfX);
-        s.minusX = sideAt(height, neckX, form.distalContact, halfX, form.distalTop * halfX);
-        s.plusY = sideAt(height, neckY, form.buccalCrest, buccal, form.buccalTop * buccal);
-        s.minusY = sideAt(height, neckY, form.lingualCrest, lingual, form.lingualTop * lingual);
+        s.plusX = sideAt(height, cervixX, form.mesialContact, halfX, form.mesialTop * halfX);
+        s.minusX = sideAt(height, cervixX, form.distalContact, halfX, form.distalTop * halfX);
+        s.plusY = sideAt(height, cervixY, form.buccalCrest, buccal, form.buccalTop * buccal);
+        s.minusY = sideAt(height, cervixY, form.lingualCrest, lingual, form.lingualTop * lingual);
         s.squareness = std::lerp(form.cervixSquareness, form.topSquareness, std::min(height, 1.0));
         sections.push_back(s);
     }
@@ -79,8 +80,8 @@ std::vector<Section> rootSections(const RootForm& form) {
                      b = form.halfBuccolingual * std::pow(buccolingual, 1 / form.fullness);
         const double squareness = std::lerp(form.squareness, 2.0, down);
         sections.push_back({-down * form.length, a, a, b, b, squareness,
-                            centreAt(down, form.neckX, form.bendX, form.apexX),
-                            centreAt(down, form.neckY, form.bendY, form.apexY)});
+                            centreAt(down, form.cervixX, form.bendX, form.apexX),
+                            centreAt(down, form.cervixY, form.bendY, form.apexY)});
     }
     return sections;
 }
@@ -98,8 +99,8 @@ std::vector<Section> canalSections(const RootForm& root, const CanalForm& form) 
         const double inward = std::lerp(kIntoChamber, 1.0, std::min(1.0, down / 0.25));
         sections.push_back(
             {down > 0 ? -down * root.length : 0.4, a, a, b, b, 2,
-             inward * centreAt(down, root.neckX, root.bendX, root.apexX),
-             inward * centreAt(down, root.neckY, root.bendY, root.apexY) + form.aside * std::max(spread, part)});
+             inward * centreAt(down, root.cervixX, root.bendX, root.apexX),
+             inward * centreAt(down, root.cervixY, root.bendY, root.apexY) + form.aside * std::max(spread, part)});
     }
     return sections;
 }

@@ -29,8 +29,8 @@ struct CrownForm {
 /// A root: its centre line bends from the neck by `bend` to the apex.
 struct RootForm {
     double length = 13;
-    double neckX = 0, neckY = 0;  ///< its middle at the neck
-    double bendX = 0, bendY = 0;  ///< where the middle of the centre line is drawn to
+    double cervixX = 0, cervixY = 0;  ///< its middle at the neck
+    double bendX = 0, bendY = 0;      ///< where the middle of the centre line is drawn to
     double apexX = 0, apexY = 0;
     double halfMesiodistal = 2, halfBuccolingual = 3;  ///< at the neck
     double squareness = 2.3;

@@ -5,7 +5,7 @@
 // Deutsch, B. L. Musikant, J. Endod. 30 (2004) 388. Everything else is modelled after textbook drawings.
 #include <cmath>
 
-#include "instruments/anatomy/back_tooth.h"
+#include "instruments/anatomy/posterior_tooth.h"
 #include "instruments/anatomy/tooth_form.h"
 
 namespace tactooth {
@@ -13,8 +13,8 @@ namespace {
 
 /// What the upper molars have in common: a rhombus with its sharp corners mesiobuccally and distolingually, three
 /// roots, enamel that is thickest over the palatal cusps.
-BackToothPlan upperMolar(const char* name, int fdi, const CrownForm& crown) {
-    BackToothPlan plan;
+PosteriorToothPlan upperMolar(const char* name, int fdi, const CrownForm& crown) {
+    PosteriorToothPlan plan;
     plan.name = name;
     plan.fdi = fdi;
     plan.bounds = Box3(Vec3(-7, -7.5, -14.5), Vec3(7, 7.5, crown.length + 0.9));
@@ -26,7 +26,7 @@ BackToothPlan upperMolar(const char* name, int fdi, const CrownForm& crown) {
     plan.trunkEnd = -3.0;
     plan.mesialRise = 1.0;
     plan.distalRise = 0.2;
-    plan.spurX = 0;
+    plan.projectionX = 0;
     plan.cervicalHalfWidth = crown.cervixMesiodistal / 2;
     plan.chamberRound = 0.6;
     plan.hornBase = 0.55;
@@ -34,8 +34,9 @@ BackToothPlan upperMolar(const char* name, int fdi, const CrownForm& crown) {
     return plan;
 }
 
-void addRoot(BackToothPlan& plan, const RootForm& form, std::initializer_list<CanalForm> canals, double hollow = 0) {
-    plan.roots.push_back({rootSections(form), -form.length - 0.05, hollow, form.bendY, 1 - form.length});
+void addRoot(PosteriorToothPlan& plan, const RootForm& form, std::initializer_list<CanalForm> canals,
+             double concavity = 0) {
+    plan.roots.push_back({rootSections(form), -form.length - 0.05, concavity, form.bendY, 1 - form.length});
     for (const CanalForm& canal : canals) plan.canals.push_back(canalSections(form, canal));
 }
 
@@ -56,7 +57,7 @@ ToothShape upperFirstMolar() {
                     .buccalTop = 0.78,
                     .lingualTop = 0.70,
                     .topSquareness = 2.8};
-    BackToothPlan plan = upperMolar("Upper right first molar", 16, crown);
+    PosteriorToothPlan plan = upperMolar("Upper right first molar", 16, crown);
     plan.fossa = 4.55;
     plan.cusps = {{2.45, 3.15, 7.25, -0.25, -0.97, 0.84, 1.30, 0.78},   // mesiobuccal
                   {-1.75, 3.05, 6.95, 0.52, -0.85, 0.72, 1.30, 0.80},   // distobuccal, ridge to the mesiopalatal
@@ -74,11 +75,11 @@ ToothShape upperFirstMolar() {
                     {2.5, 0.3, 3.1, 2.1, 0.12, 0.32},        {1.9, 0.4, 2.6, -1.6, 0.13, 0.34},
                     {-2.2, 0.3, -2.5, 2.0, 0.12, 0.32}};
     plan.pits = {{0.60, 0.80, 0.26, 0.50}, {3.35, 0.15, 0.22, 0.42}, {-2.60, -0.15, 0.22, 0.44}};
-    plan.wallGrooves = {{true, 0.35, 0.36, 0.60}, {false, -0.95, 0.38, 0.62}};
+    plan.developmentalGrooves = {{true, 0.35, 0.36, 0.60}, {false, -0.95, 0.38, 0.62}};
     addRoot(plan,
             {.length = 12.0,
-             .neckX = 1.9,
-             .neckY = 2.2,
+             .cervixX = 1.9,
+             .cervixY = 2.2,
              .bendX = 3.7,
              .bendY = 3.4,
              .apexX = 1.5,
@@ -89,8 +90,8 @@ ToothShape upperFirstMolar() {
             {{1.0, 0.32, 0.38}, {-0.85, 0.26, 0.30}}, 0.25);
     addRoot(plan,
             {.length = 11.6,
-             .neckX = -1.6,
-             .neckY = 2.3,
+             .cervixX = -1.6,
+             .cervixY = 2.3,
              .bendX = -2.9,
              .bendY = 3.3,
              .apexX = -2.3,
@@ -100,8 +101,8 @@ ToothShape upperFirstMolar() {
             {{0, 0.36, 0.42}});
     addRoot(plan,
             {.length = 13.0,
-             .neckX = 0,
-             .neckY = -2.5,
+             .cervixX = 0,
+             .cervixY = -2.5,
              .bendX = -0.2,
              .bendY = -5.6,
              .apexX = -0.1,
@@ -112,7 +113,7 @@ ToothShape upperFirstMolar() {
             {{0, 0.55, 0.45}});
     plan.chamber = Vec3(-0.1, 0.1, 0.45);
     plan.chamberHalf = Vec3(2.0, 2.6, 0.85);
-    return backTooth(plan);
+    return posteriorTooth(plan);
 }
 
 ToothShape upperSecondMolar() {
@@ -130,7 +131,7 @@ ToothShape upperSecondMolar() {
                     .buccalTop = 0.76,
                     .lingualTop = 0.66,
                     .topSquareness = 2.6};
-    BackToothPlan plan = upperMolar("Upper right second molar", 17, crown);
+    PosteriorToothPlan plan = upperMolar("Upper right second molar", 17, crown);
     plan.skew = 0.16;
     plan.narrowsDistally = 0.02;
     plan.fossa = 4.25;
@@ -149,11 +150,11 @@ ToothShape upperSecondMolar() {
                     {1.2, 0.6, 1.6, 2.2, 0.13, 0.34},        {1.6, 0.4, 2.2, -1.5, 0.13, 0.34},
                     {-2.0, 0.3, -2.2, 1.9, 0.12, 0.32}};
     plan.pits = {{0.55, 0.75, 0.25, 0.48}, {3.00, 0.15, 0.20, 0.42}, {-2.30, -0.15, 0.20, 0.42}};
-    plan.wallGrooves = {{true, 0.30, 0.34, 0.58}, {false, -1.10, 0.34, 0.60}};
+    plan.developmentalGrooves = {{true, 0.30, 0.34, 0.58}, {false, -1.10, 0.34, 0.60}};
     addRoot(plan,
             {.length = 11.0,
-             .neckX = 1.6,
-             .neckY = 2.1,
+             .cervixX = 1.6,
+             .cervixY = 2.1,
              .bendX = 2.5,
              .bendY = 3.0,
              .apexX = 0.3,
@@ -164,8 +165,8 @@ ToothShape upperSecondMolar() {
             {{0.6, 0.32, 0.45}}, 0.2);
     addRoot(plan,
             {.length = 10.7,
-             .neckX = -1.25,
-             .neckY = 2.2,
+             .cervixX = -1.25,
+             .cervixY = 2.2,
              .bendX = -2.7,
              .bendY = 2.8,
              .apexX = -2.7,
@@ -175,8 +176,8 @@ ToothShape upperSecondMolar() {
             {{0, 0.34, 0.42}});
     addRoot(plan,
             {.length = 12.0,
-             .neckX = 0,
-             .neckY = -2.4,
+             .cervixX = 0,
+             .cervixY = -2.4,
              .bendX = -0.5,
              .bendY = -4.6,
              .apexX = -0.9,
@@ -186,7 +187,7 @@ ToothShape upperSecondMolar() {
             {{0, 0.50, 0.45}});
     plan.chamber = Vec3(-0.1, 0.1, 0.35);
     plan.chamberHalf = Vec3(1.7, 2.5, 0.82);
-    return backTooth(plan);
+    return posteriorTooth(plan);
 }
 
 ToothShape upperThirdMolar() {
@@ -205,7 +206,7 @@ ToothShape upperThirdMolar() {
                     .lingualTop = 0.62,
                     .cervixSquareness = 2.3,
                     .topSquareness = 2.15};
-    BackToothPlan plan = upperMolar("Upper right third molar", 18, crown);
+    PosteriorToothPlan plan = upperMolar("Upper right third molar", 18, crown);
     plan.skew = 0.10;
     plan.narrowsLingually = 0.03;
     plan.narrowsDistally = 0.03;
@@ -222,11 +223,11 @@ ToothShape upperThirdMolar() {
                     {-0.6, 0.2, -0.5, -1.2, 0.16, 0.34},    {1.3, 0.5, 1.6, 1.9, 0.14, 0.32},
                     {-1.2, 0.3, -1.6, 1.6, 0.14, 0.32}};
     plan.pits = {{0.45, 0.45, 0.24, 0.48}, {2.55, 0.20, 0.18, 0.40}, {-2.30, 0.00, 0.18, 0.40}};
-    plan.wallGrooves = {{true, 0.15, 0.28, 0.60}};
+    plan.developmentalGrooves = {{true, 0.15, 0.28, 0.60}};
     addRoot(plan,
             {.length = 11.0,
-             .neckX = 1.2,
-             .neckY = 1.8,
+             .cervixX = 1.2,
+             .cervixY = 1.8,
              .bendX = 1.6,
              .bendY = 2.2,
              .apexX = -1.4,
@@ -236,8 +237,8 @@ ToothShape upperThirdMolar() {
             {{0.3, 0.32, 0.42}}, 0.15);
     addRoot(plan,
             {.length = 10.2,
-             .neckX = -1.2,
-             .neckY = 1.7,
+             .cervixX = -1.2,
+             .cervixY = 1.7,
              .bendX = -2.2,
              .bendY = 2.1,
              .apexX = -2.9,
@@ -247,8 +248,8 @@ ToothShape upperThirdMolar() {
             {{0, 0.32, 0.38}});
     addRoot(plan,
             {.length = 10.8,
-             .neckX = -0.1,
-             .neckY = -2.0,
+             .cervixX = -0.1,
+             .cervixY = -2.0,
              .bendX = -0.6,
              .bendY = -3.0,
              .apexX = -1.8,
@@ -258,7 +259,7 @@ ToothShape upperThirdMolar() {
             {{0, 0.45, 0.42}});
     plan.chamber = Vec3(-0.1, 0.1, 0.25);
     plan.chamberHalf = Vec3(1.5, 2.1, 0.75);
-    return backTooth(plan);
+    return posteriorTooth(plan);
 }
 
 }  // namespace tactooth

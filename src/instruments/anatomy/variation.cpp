@@ -14,26 +14,26 @@ namespace tactooth {
 namespace {
 
 /// A number between -range and range.
-double sway(std::mt19937& random, double range) {
+double deviation(std::mt19937& random, double range) {
     constexpr double kHalf = 2147483648.0;  // of the values that the generator gives
     return range * (static_cast<double>(random()) / kHalf - 1);
 }
 
 /// Leads a point of the varied tooth to that of the average tooth. Bends less than a fifth, so that layers that nest
 /// stay nested and lengths of functions stay about distances.
-class Warp {
+class ShapeWarp {
 public:
-    Warp(std::uint32_t seed, int fdi) {
+    ShapeWarp(std::uint32_t seed, int fdi) {
         std::mt19937 mouth(seed), tooth(seed * 100 + static_cast<std::uint32_t>(10 * (fdi / 10 > 2) + fdi % 10));
-        const double size = 1 + sway(mouth, 0.045), slender = sway(mouth, 0.025);
-        crown_ = size + slender + sway(tooth, 0.03);
-        root_ = size + slender + sway(tooth, 0.09);
-        wide_ = Vec3(size - slender + sway(tooth, 0.03), size - slender + sway(tooth, 0.03), 1);
-        bendX_ = sway(tooth, 0.006);
-        bendY_ = sway(tooth, 0.004);
-        twist_ = sway(tooth, 0.012);
-        for (Vec3& wave : waves_) wave = Vec3(sway(tooth, 0.75), sway(tooth, 0.75), sway(tooth, 0.55));
-        for (double& phase : phases_) phase = sway(tooth, std::numbers::pi);
+        const double size = 1 + deviation(mouth, 0.045), slender = deviation(mouth, 0.025);
+        crown_ = size + slender + deviation(tooth, 0.03);
+        root_ = size + slender + deviation(tooth, 0.09);
+        wide_ = Vec3(size - slender + deviation(tooth, 0.03), size - slender + deviation(tooth, 0.03), 1);
+        bendX_ = deviation(tooth, 0.006);
+        bendY_ = deviation(tooth, 0.004);
+        twist_ = deviation(tooth, 0.012);
+        for (Vec3& wave : waves_) wave = Vec3(deviation(tooth, 0.75), deviation(tooth, 0.75), deviation(tooth, 0.55));
+        for (double& phase : phases_) phase = deviation(tooth, std::numbers::pi);
     }
 
     [[nodiscard]] Vec3 operator()(const Vec3& p) const {
@@ -65,7 +65,7 @@ private:
 };
 
 /// The point of the varied tooth that the warp leads to `average`.
-Vec3 unwarped(const Warp& warp, const Vec3& average) {
+Vec3 unwarped(const ShapeWarp& warp, const Vec3& average) {
     constexpr int kRounds = 30;  // the warp is near to the identity: each round leaves a fifth of the error
     Vec3 point = average;
     for (int i = 0; i < kRounds; ++i) point += average - warp(point);
@@ -76,7 +76,7 @@ Vec3 unwarped(const Warp& warp, const Vec3& average) {
 
 ToothShape varied(const ToothShape& average, std::uint32_t seed) {
     if (seed == 0) return average;
-    const Warp warp(seed, average.fdi);
+    const ShapeWarp warp(seed, average.fdi);
     const auto through = [&](const ScalarField& field) {
         return [field, warp](const Vec3& p) { return field(warp(p)); };
     };

@@ -30,12 +30,12 @@ public:
 
     /// `carved`: how deep the handle's surface lies here below its sections.
     [[nodiscard]] double operator()(const Vec3& p, double carved) const {
-        constexpr double kBottomEdge = 0.3, kLeastFillet = 0.05;
+        constexpr double kBottomEdge = 0.3, kMinFillet = 0.05;
         const double around = smoothIntersection(head_(p), form_.headBottom - p.z(), kBottomEdge);
         const double head = smoothIntersection(around, p.z() - form_.headTop, form_.headEdge);
         const double sheath = handle_(Vec3(p.z(), p.y(), p.x())) + carved;
         const double handle = smoothIntersection(std::max(sheath, -p.x()), p.x() - form_.handleEnd, form_.handleEdge);
-        const double fillet = form_.fillet * smoothStep(form_.filletTo, form_.filletFrom, p.z()) + kLeastFillet;
+        const double fillet = form_.fillet * smoothStep(form_.filletTo, form_.filletFrom, p.z()) + kMinFillet;
         return smoothUnion(head, handle, fillet);
     }
 

@@ -47,9 +47,9 @@ double ArchCurve::length(double x) const {
 
 ArchCurve::Place ArchCurve::at(double s) const {
     constexpr int kRounds = 12;  // of Newton's method, from below: each doubles the digits
-    const double way = std::abs(s);
-    double x = 0.5 * way;
-    for (int i = 0; i < kRounds; ++i) x -= (length(x) - way) / std::hypot(1.0, slope(x));
+    const double distance = std::abs(s);
+    double x = 0.5 * distance;
+    for (int i = 0; i < kRounds; ++i) x -= (length(x) - distance) / std::hypot(1.0, slope(x));
     const double side = s < 0 ? -1 : 1;
     const Vec3 along = Vec3(1, -side * slope(x), 0).normalized();
     return {Vec3(side * x, -depth(x), 0), along, Vec3(-along.y(), along.x(), 0)};

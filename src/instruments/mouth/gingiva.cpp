@@ -37,7 +37,7 @@ struct Papilla {
 };
 
 /// A tooth that the gum stands around.
-struct Rooted {
+struct SocketTooth {
     ScalarField outer;
     Box3 bounds;  ///< of its shape
     Pose mouthInShape;
@@ -47,7 +47,7 @@ struct Rooted {
 
 class Gingiva {
 public:
-    Gingiva(const ToothPlaces& places, bool upper, const std::vector<int>& missing);
+    Gingiva(const ToothArrangement& places, bool upper, const std::vector<int>& missing);
 
     [[nodiscard]] double operator()(const Vec3& p) const;
     [[nodiscard]] Box3 bounds() const;
@@ -61,8 +61,8 @@ private:
         double rise = 0;                 ///< from the margin of a tooth, 0, to the papilla, 1
         double middle = 0, half = 0;     ///< of the ridge: outward from the line; half its width at the margin
     };
-    void addSide(const JawSide& side, bool right, const std::vector<int>& missing);
-    void addPapillae(const JawSide& side);
+    void addSide(const JawQuadrant& side, bool right, const std::vector<int>& missing);
+    void addPapillae(const JawQuadrant& side);
     void heal();
     void fillTable();
     [[nodiscard]] Line marginAt(double s) const;
@@ -81,15 +81,15 @@ private:
     double facial_ = 0, lingual_ = 0;   // mean heights of the margins
     std::vector<ToothMargin> margins_;  // from the patient's left to the right
     std::vector<Papilla> papillae_;     // one more than margins: before the first, between, after the last
-    std::vector<Rooted> teeth_;
+    std::vector<SocketTooth> teeth_;
     std::vector<Line> table_;
 };
 
 constexpr double kTableStep = 0.2, kTableEnd = 90;  // mm along the line, to both sides
 
-Gingiva::Gingiva(const ToothPlaces& places, bool upper, const std::vector<int>& missing)
+Gingiva::Gingiva(const ToothArrangement& places, bool upper, const std::vector<int>& missing)
     : line_(places.line), upper_(upper) {
-    const JawSide& side = upper ? places.upper : places.lower;
+    const JawQuadrant& side = upper ? places.upper : places.lower;
     addSide(side, false, missing);
     std::ranges::reverse(margins_);
     addSide(side, true, missing);
@@ -104,22 +104,23 @@ Gingiva::Gingiva(const ToothPlaces& places, bool upper, const std::vector<int>& 
     fillTable();
 }
 
-void Gingiva::addPapillae(const JawSide& side) {
+void Gingiva::addPapillae(const JawQuadrant& side) {
     const double sign = upper_ ? -1 : 1;
     std::vector<Papilla> right;
-    for (std::size_t i = 0; i < kTeethOfSide; ++i) {
+    for (std::size_t i = 0; i < kTeethPerQuadrant; ++i) {
         const Vec3& contact = side.contacts[i].point;
         constexpr double kBelowContact = 1.0;  // mm
         constexpr double kHighest = 4.4;       // mm over the margins beside it: Golestan's mean and two deviations
-        const double here = margins_[kTeethOfSide + i].facial;
-        const double before = i > 0 ? margins_[kTeethOfSide + i - 1].facial : here;
+        const double here = margins_[kTeethPerQuadrant + i].facial;
+        const double before = i > 0 ? margins_[kTeethPerQuadrant + i - 1].facial : here;
         const double tip = std::min(sign * contact.z() - kBelowContact, (here + before) / 2 + kHighest);
         const auto at = line_.of(contact.x(), contact.y());
         right.push_back({i == 0 ? 0 : std::abs(at.s), tip, at.outward});
     }
     constexpr double kLast = 1.2;  // mm: behind the last tooth it rises little
     right.push_back({end_ + 1, margins_.back().facial + kLast, margins_.back().middle});
-    for (std::size_t i = kTeethOfSide; i > 0; --i) papillae_.push_back({-right[i].s, right[i].tip, right[i].outward});
+    for (std::size_t i = kTeethPerQuadrant; i > 0; --i)
+        papillae_.push_back({-right[i].s, right[i].tip, right[i].outward});
     papillae_.insert(papillae_.end(), right.begin(), right.end());
 }
 
@@ -153,10 +154,10 @@ Gingiva::Line Gingiva::lookUp(double s) const {
             std::lerp(a.half, b.half, part)};
 }
 
-void Gingiva::addSide(const JawSide& side, bool right, const std::vector<int>& missing) {
+void Gingiva::addSide(const JawQuadrant& side, bool right, const std::vector<int>& missing) {
     const double sign = upper_ ? -1 : 1;
     const bool mirrored = right != upper_;  // the upper teeth of the right side, the lower ones of the left are given
-    for (const ToothPlace& place : side.teeth) {
+    for (const PlacedShape& place : side.teeth) {
         const int quadrant = upper_ ? (right ? 1 : 2) : (right ? 4 : 3);
         const int fdi = 10 * quadrant + place.shape.fdi % 10;
         const bool isMissing = std::ranges::find(missing, fdi) != missing.end();
@@ -213,10 +214,10 @@ double Gingiva::marginOver(double outward, const Line& line) const {
     const double across = smoothStep(-0.7 * line.half, 0.7 * line.half, outward - line.middle);
     const double margin = std::lerp(line.lingual, line.facial, across);
     constexpr double kTipHalf = 0.4,
-                     kAtFace = 0.55;   // part of the way to the face; of the papilla's height left there
-    constexpr double kLeastReach = 2;  // mm
+                     kAtFace = 0.55;  // part of the way to the face; of the papilla's height left there
+    constexpr double kMinReach = 2;   // mm
     const double aside = outward - line.outward;
-    const double reach = std::max(line.half + (aside > 0 ? 1 : -1) * (line.middle - line.outward), kLeastReach);
+    const double reach = std::max(line.half + (aside > 0 ? 1 : -1) * (line.middle - line.outward), kMinReach);
     const double left = 1 - (1 - kAtFace) * smoothStep(kTipHalf, 1, std::abs(aside) / reach);
     return margin + line.rise * left * (line.tip - margin);
 }
@@ -243,7 +244,7 @@ double Gingiva::toTeeth(const Vec3& p, double s, double& second) const {
     constexpr double kFar = 4, kAside = 9;  // mm; along the line
     double first = kFar;
     second = kFar;
-    for (const Rooted& tooth : teeth_) {
+    for (const SocketTooth& tooth : teeth_) {
         if (std::abs(tooth.s - s) > kAside) continue;
         const Vec3 local = tooth.mouthInShape * (tooth.mirrored ? Vec3(-p.x(), p.y(), p.z()) : p);
         if (tooth.bounds.squaredExteriorDistance(local) > kFar * kFar) continue;
@@ -310,8 +311,8 @@ double Gingiva::operator()(const Vec3& p) const {
         tooth - std::lerp(kThin, kThick, smoothStep(0, kDeep, depth)) + kFlat * smoothStep(kJuga, kNoJuga, depth);
     constexpr double kFillet = 2.2;
     double body = smoothUnion(ridge(at.s, at.outward, crownward, line), cover, kFillet);
-    constexpr double kLeastWall = 0.85, kWallRound = 0.5;  // mm: nowhere is a root covered by less
-    body = smoothUnion(body, tooth - kLeastWall, kWallRound);
+    constexpr double kMinWall = 0.85, kWallRound = 0.5;  // mm: nowhere is a root covered by less
+    body = smoothUnion(body, tooth - kMinWall, kWallRound);
     if (upper_) {
         constexpr double kFoot = 5;
         const double inside = (at.outward - line.middle) / 1.2;  // the vault ends within the ridge
@@ -338,7 +339,7 @@ Box3 Gingiva::bounds() const {
 
 }  // namespace
 
-GingivaBody gingivaBody(const ToothPlaces& places, bool upper, const std::vector<int>& missing) {
+GingivaBody gingivaBody(const ToothArrangement& places, bool upper, const std::vector<int>& missing) {
     const auto gingiva = std::make_shared<const Gingiva>(places, upper, missing);
     return {[gingiva](const Vec3& p) { return (*gingiva)(p); }, gingiva->bounds(), gingiva->smoothBelow()};
 }

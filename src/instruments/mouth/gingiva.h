@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "geometry/field/isosurface.h"
-#include "instruments/mouth/tooth_places.h"
+#include "instruments/mouth/tooth_arrangement.h"
 
 namespace tactooth {
 
@@ -18,6 +18,6 @@ struct GingivaBody {
 };
 
 /// `missing`: FDI numbers of teeth whose places have healed over.
-[[nodiscard]] GingivaBody gingivaBody(const ToothPlaces& places, bool upper, const std::vector<int>& missing);
+[[nodiscard]] GingivaBody gingivaBody(const ToothArrangement& places, bool upper, const std::vector<int>& missing);
 
 }  // namespace tactooth

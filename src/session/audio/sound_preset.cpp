@@ -9,7 +9,7 @@
 #include "geometry/files/file_bytes.h"
 #include "geometry/util/number_text.h"
 #include "session/cases/case_store.h"
-#include "session/io/guarded_toml.h"
+#include "session/io/limited_toml.h"
 #include "sound/files/recording_file.h"
 
 namespace tactooth {
@@ -25,8 +25,7 @@ using Part = std::optional<RecordedPart>;
 /// Takes the parts of a preset over into a kit, until something is wrong.
 class PresetReader {
 public:
-    PresetReader(std::string name, const ReadNamedRecording& readNamed)
-        : name_(std::move(name)), readNamed_(readNamed) {}
+    PresetReader(std::string name, const RecordingReader& readNamed) : name_(std::move(name)), readNamed_(readNamed) {}
 
     Expected<SoundKit> read(const toml::table& root) {
         for (auto&& [key, node] : root) {
@@ -127,7 +126,7 @@ private:
     }
 
     std::string name_;
-    const ReadNamedRecording& readNamed_;
+    const RecordingReader& readNamed_;
     SoundKit kit_;
     Error error_;
 };
@@ -135,20 +134,19 @@ private:
 Expected<SoundKit> readPreset(const std::filesystem::path& path) {
     const Expected<FileBytes> file = readFile(path, kTomlLimits.bytes);
     if (!file) return Unexpected{file.error()};
-    const auto readBeside = [&](const std::string& name) -> Expected<Recording> {
-        if (!staysBelow(path.parent_path(), name)) {
+    const auto readSibling = [&](const std::string& name) -> Expected<Recording> {
+        if (!isWithinFolder(path.parent_path(), name)) {
             return unexpected(quotedWord(name) +
                               " is a link that leads out of the folder of this file; put a copy there instead.");
         }
         return readRecording(path.parent_path() / name);
     };
-    return parseSoundPreset(file->text(), shownName(path), readBeside);
+    return parseSoundPreset(file->text(), displayName(path), readSibling);
 }
 
 }  // namespace
 
-Expected<SoundKit> parseSoundPreset(std::string_view text, const std::string& name,
-                                    const ReadNamedRecording& readNamed) {
+Expected<SoundKit> parseSoundPreset(std::string_view text, const std::string& name, const RecordingReader& readNamed) {
     const Expected<toml::table> root = parseToml(text, name);
     if (!root) return Unexpected{root.error()};
     return PresetReader(name, readNamed).read(*root);

@@ -24,10 +24,10 @@ namespace tactooth {
                                                                      const SpindlePreset& drive);
 
 /// Reads a recording by the path that stands in a preset.
-using ReadNamedRecording = std::function<Expected<Recording>(const std::string& path)>;
+using RecordingReader = std::function<Expected<Recording>(const std::string& path)>;
 
 /// A preset from memory; `name` stands for the file in messages.
 [[nodiscard]] Expected<SoundKit> parseSoundPreset(std::string_view text, const std::string& name,
-                                                  const ReadNamedRecording& readNamed);
+                                                  const RecordingReader& readNamed);
 
 }  // namespace tactooth

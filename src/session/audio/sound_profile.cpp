@@ -9,8 +9,8 @@
 #include <string>
 
 #include "geometry/util/number_text.h"
-#include "session/io/csv_table.h"
 #include "session/audio/tick_sound.h"
+#include "session/io/csv_table.h"
 
 namespace tactooth {
 namespace {
@@ -19,9 +19,9 @@ constexpr std::array<std::string_view, 3> kNumbers = {"t", "speed_rpm", "power"}
 constexpr std::array<std::string_view, 1> kWords = {"material"};
 constexpr std::string_view kNothing = "none";
 
-constexpr double kMostSpeed = 1e6;       // rev/min: twice the fastest turbine on sale
-constexpr double kMostPower = 1000;      // W: the strongest dental drive gives 60
-constexpr double kLandingSpeed = 20;     // mm/s: a careful hand
+constexpr double kMaxSpeed = 1e6;        // rev/min: twice the fastest turbine on sale
+constexpr double kMaxPower = 1000;       // W: the strongest dental drive gives 60
+constexpr double kImpactSpeed = 20;      // mm/s: a careful hand
 constexpr double kSlowestSpeedRpm = 60;  // below it a torque from power over speed means nothing
 
 /// Torque on the bur as a share of the drive's largest.
@@ -36,7 +36,7 @@ DrillSoundState stateAt(double speedRpm, double watt, const SpindlePreset& drive
     state.motor = motorOf(drive);
     state.speedRpm = speedRpm;
     state.freeSpeedRpm = drive.freeSpeedRpm;
-    state.removalWatt = watt;
+    state.removalPower = watt;
     state.load = loadShare(speedRpm, watt, drive);
     state.pedal = std::min(1.0, (speedRpm + state.load * drive.droopRpm) / drive.freeSpeedRpm);
     return state;
@@ -47,9 +47,9 @@ std::optional<std::string> faultIn(const CsvTable& table, std::size_t row) {
     const std::string& material = table.wordAt(row, 0);
     if (row > 0 && time < table.at(row - 1, 0))
         return "time runs backwards (t is less than in the row above); sort the rows by t.";
-    if (speed < 0 || speed > kMostSpeed)
+    if (speed < 0 || speed > kMaxSpeed)
         return "speed_rpm must be from 0 to 1000000 rev/min, but is " + numberText(speed) + ".";
-    if (power < 0 || power > kMostPower) return "power must be from 0 to 1000 W, but is " + numberText(power) + ".";
+    if (power < 0 || power > kMaxPower) return "power must be from 0 to 1000 W, but is " + numberText(power) + ".";
     if (material != kNothing && !findSoundCharacter(material)) {
         return "there is no material " + quotedWord(material) +
                "; write enamel, dentin, pulp, caries, amalgam, composite, restoration, other or none.";
@@ -70,21 +70,21 @@ Expected<std::vector<TimedSoundState>> soundsOf(const Expected<CsvTable>& table,
     if (!table) return Unexpected{table.error()};
     std::vector<TimedSoundState> track;
     track.reserve(table->rows());
-    std::uint32_t landings = 0;
+    std::uint32_t contactOnsets = 0;
     for (std::size_t row = 0; row < table->rows(); ++row) {
         if (const auto fault = faultIn(*table, row)) return unexpected(table->where(row) + ": " + *fault);
         const bool cuts = table->wordAt(row, 0) != kNothing;
-        if (cuts && row > 0 && table->wordAt(row - 1, 0) == kNothing) ++landings;
+        if (cuts && row > 0 && table->wordAt(row - 1, 0) == kNothing) ++contactOnsets;
         DrillSoundState state = stateAt(table->at(row, 1), cuts ? table->at(row, 2) : 0, drive);
-        state.contactCount = landings;
-        state.contactSpeed = kLandingSpeed;
+        state.contactCount = contactOnsets;
+        state.contactSpeed = kImpactSpeed;
         track.push_back({table->at(row, 0) - table->at(0, 0), state, {}});
     }
     if (track.back().time <= 0) {
         return unexpected(table->where(table->rows() - 1) +
                           ": the rows span no time, so there is nothing to hear; add a row with a later t.");
     }
-    if (track.back().time > kLongestSound) {
+    if (track.back().time > kMaxSoundLength) {
         return unexpected(table->where(table->rows() - 1) +
                           ": this is more than an hour after the first row; cut the profile into shorter ones.");
     }

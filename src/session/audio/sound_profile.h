@@ -22,7 +22,7 @@ namespace tactooth {
 ///
 /// Fails with one sentence with file and line on everything that readCsv refuses, a speed or power that is negative or
 /// higher than any drive's, an unknown material, a time before the one of the row above; and if the rows span
-/// no time or more than kLongestSound.
+/// no time or more than kMaxSoundLength.
 [[nodiscard]] Expected<std::vector<TimedSoundState>> readSoundProfile(const std::filesystem::path& path,
                                                                       const SpindlePreset& drive);
 

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kTurbineFromRpm = 100000;  // air drives: turbines run at 200,000 and more, air motors below 40,000
 constexpr double kCoarsestGrit = 180;       // um: a super-coarse diamond tears grains out, a super-fine one hisses
-constexpr double kMostGrainier = 0.5;       // of what is missing to separate grains
+constexpr double kMaxGrainier = 0.5;        // of what is missing to separate grains
 
 }  // namespace
 
@@ -26,15 +26,15 @@ DrillSoundState soundOf(const Tick& tick, const SpindlePreset& spindle, const Ma
     state.freeSpeedRpm = spindle.freeSpeedRpm;
     state.pedal = tick.cutting ? tick.pedal : 0;  // in touch mode the pedal drives nothing
     state.load = std::clamp(tick.load / spindle.stallTorque, 0.0, 1.0);
-    state.removalWatt = tick.removalWatt;
+    state.removalPower = tick.removalPower;
     state.material = soundCharacterOf(materialName(tick.material));
     state.material.bandCentreHz = materials[tick.material].soundCentre;
     state.material.level = materials[tick.material].soundBrightness;
     const double coarseness = std::clamp(edge.gritMicrometres / kCoarsestGrit, 0.0, 1.0);
-    state.material.graininess += kMostGrainier * coarseness * (1 - state.material.graininess);
+    state.material.graininess += kMaxGrainier * coarseness * (1 - state.material.graininess);
     state.blades = edge.flutes;
-    state.contactCount = tick.landings;
-    state.contactSpeed = tick.landingSpeed;
+    state.contactCount = tick.contactOnsets;
+    state.contactSpeed = tick.impactSpeed;
     state.water = state.pedal;
     state.suction = tick.cutting ? 1 : 0;
     return state;

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <set>
 
+#include "geometry/util/display_text.h"
 #include "geometry/util/number_text.h"
-#include "geometry/util/shown_text.h"
 #include "instruments/builtin_tooth.h"
 #include "session/cases/case_store.h"
 #include "session/io/toml_reader.h"
@@ -18,8 +18,8 @@ namespace tactooth {
 namespace {
 
 constexpr int kFormat = 1;
-constexpr std::size_t kMostBodies = 200;  // teeth, and things around them: a mouth has 32 and some
-constexpr double kFarthest = 1000;        // mm from the case's origin
+constexpr std::size_t kMaxBodies = 200;  // teeth, and things around them: a mouth has 32 and some
+constexpr double kFarthest = 1000;       // mm from the case's origin
 
 class CaseReader {
 public:
@@ -48,7 +48,7 @@ private:
         case_.materials = entry(root, "materials", false);
         const auto teeth = toml_.tables(root, "tooth"), around = toml_.tables(root, "around");
         if (teeth.empty()) toml_.fail(root, "there is no [[tooth]]");
-        if (teeth.size() + around.size() > kMostBodies) return toml_.fail(*teeth.front(), "there are too many teeth");
+        if (teeth.size() + around.size() > kMaxBodies) return toml_.fail(*teeth.front(), "there are too many teeth");
         for (const toml::table* table : teeth) readTooth(*table);
         for (const toml::table* table : around) readSurrounding(*table);
         for (const toml::table* table : toml_.tables(root, "bur")) {
@@ -192,7 +192,7 @@ std::string toothText(const CaseTooth& tooth) {
 
 std::string tomlText(const std::string& text) {
     std::string result = "\"";
-    for (const char letter : shownText(validUtf8(text))) {
+    for (const char letter : displayText(validUtf8(text))) {
         if (letter == '"' || letter == '\\') result += '\\';
         result += letter;
     }

@@ -42,7 +42,7 @@ struct CaseDescription {
     std::string materials = {};  ///< a file like data/materials.toml; empty: the program's own
     std::vector<CaseTooth> teeth;
     std::vector<CaseSurrounding> around = {};
-    std::vector<std::string> burs = {};  ///< files as readOwnBur takes them
+    std::vector<std::string> burs = {};  ///< files as readCustomBur takes them
 };
 
 /// Reads case.toml; `name` stands for it in messages. Fails with one sentence with file and line.

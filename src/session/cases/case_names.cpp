@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-#include "geometry/util/small_letters.h"
+#include "geometry/util/lower_case.h"
 #include "instruments/builtin_tooth.h"
 #include "session/io/unicode_text.h"
 
@@ -23,7 +23,7 @@ bool isPlain(char letter) {
 NamedSurface surfaceNamed(const std::filesystem::path& file) {
     const std::string stem = file.stem().string();
     const std::size_t split = stem.find_last_of("_- ");
-    const std::string last = inSmallLetters(split == std::string::npos ? stem : stem.substr(split + 1));
+    const std::string last = toLowerCase(split == std::string::npos ? stem : stem.substr(split + 1));
     for (const std::string_view word : {"bone", "jaw", "gum", "gums", "gingiva", "mandible", "maxilla"}) {
         if (last == word) return {stem, std::nullopt, true};
     }
@@ -48,7 +48,7 @@ std::string EntryNames::make(const std::string& name) {
     std::string plain;
     for (const char letter : name.substr(0, kLongest)) plain += isPlain(letter) ? letter : '-';
     std::string entry = plain;
-    for (int number = 2; !taken_.insert(inSmallLetters(entry)).second; ++number) {
+    for (int number = 2; !taken_.insert(toLowerCase(entry)).second; ++number) {
         entry = plain + "-" + std::to_string(number);
     }
     return entry;

@@ -17,7 +17,7 @@ namespace tactooth {
 struct NamedSurface {
     std::string body;                    ///< of the tooth, or of what is around
     std::optional<MaterialId> material;  ///< none: the outer surface
-    bool isAround = false;
+    bool isAdjacent = false;
 };
 [[nodiscard]] NamedSurface surfaceNamed(const std::filesystem::path& file);
 

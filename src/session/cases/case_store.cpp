@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "geometry/files/file_bytes.h"
-#include "session/io/unicode_text.h"
 #include "session/cases/zip_archive.h"
+#include "session/io/unicode_text.h"
 
 namespace tactooth {
 
@@ -24,7 +24,7 @@ std::string tooMuch(const std::string& what, std::uint64_t size, std::uint64_t m
 struct StoredFile {
     std::string name;   ///< as entryName() gives it
     std::string place;  ///< as the folder or archive has it
-    bool isForeign;
+    bool isSystem;
 };
 
 bool isBefore(const StoredFile& a, const StoredFile& b) {
@@ -37,26 +37,26 @@ Expected<std::vector<StoredFile>> filesBelow(const fs::path& folder) {
     std::vector<StoredFile> files;
     std::error_code error;
     for (fs::recursive_directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
-        if (isForeignFile(at->path().filename().string())) at.disable_recursion_pending();
+        if (isSystemFile(at->path().filename().string())) at.disable_recursion_pending();
         if (!at->is_regular_file(error)) continue;
         const std::string place = at->path().lexically_relative(folder).generic_string();
         const EntryName entry = entryName(place);
-        files.push_back({entry.fault == EntryFault::None ? entry.name : place, place, isForeignEntry(place)});
+        files.push_back({entry.fault == EntryFault::None ? entry.name : place, place, isSystemEntry(place)});
         if (files.size() > kCaseLimits.entries) {
-            return unexpected(shownName(folder) + ": the folder holds more than " +
+            return unexpected(displayName(folder) + ": the folder holds more than " +
                               std::to_string(kCaseLimits.entries) + " files; give a case a folder of its own.");
         }
     }
-    if (error) return unexpected(shownName(folder) + ": the folder cannot be read (" + error.message() + ").");
+    if (error) return unexpected(displayName(folder) + ": the folder cannot be read (" + error.message() + ").");
     std::ranges::sort(files, isBefore);
     return files;
 }
 
 /// A name of an archive as a message shows it: in one line of bounded length.
 std::string shownEntry(std::string_view name) {
-    constexpr std::size_t kMost = 100;  // bytes
-    if (name.size() <= kMost) return shownName(fs::path(validUtf8(name)));
-    return shownName(fs::path(validUtf8(name.substr(0, kMost)))) + "...";
+    constexpr std::size_t kMax = 100;  // bytes
+    if (name.size() <= kMax) return displayName(fs::path(validUtf8(name)));
+    return displayName(fs::path(validUtf8(name.substr(0, kMax)))) + "...";
 }
 
 Expected<std::vector<StoredFile>> filesOf(const ZipArchive& archive, const std::string& shown) {
@@ -64,13 +64,13 @@ Expected<std::vector<StoredFile>> filesOf(const ZipArchive& archive, const std::
     for (const ZipEntry& entry : archive.entries()) {
         const std::string file = shownEntry(entry.name);
         const EntryName read = entryName(entry.name);
-        if (entry.isLink || read.fault == EntryFault::PointsOut)
+        if (entry.isLink || read.fault == EntryFault::PathTraversal)
             return unexpected(shown + ": the archive holds a file named '" + file +
                               "', which points out of it; it is not meant well.");
         std::string slashes = entry.name;
         std::ranges::replace(slashes, '\\', '/');
-        const bool isForeign = isForeignEntry(slashes);
-        if (isForeign && read.fault != EntryFault::None) continue;
+        const bool isSystem = isSystemEntry(slashes);
+        if (isSystem && read.fault != EntryFault::None) continue;
         if (read.fault == EntryFault::ControlCharacter)
             return unexpected(shown + ": the archive holds a file named '" + file +
                               "', which has control characters in its name; give it another one and pack anew.");
@@ -78,11 +78,11 @@ Expected<std::vector<StoredFile>> filesOf(const ZipArchive& archive, const std::
             return unexpected(shown + ": the archive holds a file named '" + file +
                               "', whose name is longer than 1000 bytes; give it a shorter one and pack anew.");
         if (read.fault != EntryFault::None) continue;  // a folder, or nothing
-        files.push_back({read.name, entry.name, isForeign});
+        files.push_back({read.name, entry.name, isSystem});
     }
     std::ranges::sort(files, isBefore);
     const auto twice = std::ranges::adjacent_find(files, {}, &StoredFile::name);
-    if (twice != files.end() && !twice->isForeign)
+    if (twice != files.end() && !twice->isSystem)
         return unexpected(shown + ": the archive holds two files of the same name; pack it anew.");
     return files;
 }
@@ -92,7 +92,7 @@ Expected<std::string> topFolder(const std::vector<StoredFile>& files, const std:
     std::vector<std::string> tops;
     for (const StoredFile& file : files) {
         const std::size_t slash = file.name.rfind('/') + 1;  // npos + 1 = 0
-        if (file.isForeign || file.name.substr(slash) != kCaseText) continue;
+        if (file.isSystem || file.name.substr(slash) != kCaseText) continue;
         const auto depth = [](const std::string& folder) { return std::ranges::count(folder, '/'); };
         const std::string top = file.name.substr(0, slash);
         if (!tops.empty() && depth(top) < depth(tops.front())) tops.clear();
@@ -106,7 +106,7 @@ Expected<std::string> topFolder(const std::vector<StoredFile>& files, const std:
 
 }  // namespace
 
-bool staysBelow(const fs::path& folder, const std::string& entry) {
+bool isWithinFolder(const fs::path& folder, const std::string& entry) {
     std::error_code error;
     const fs::path home = fs::canonical(folder.empty() ? "." : folder, error);
     const fs::path place = fs::weakly_canonical(folder / entry, error);
@@ -126,7 +126,7 @@ struct CaseStore::Content {
     void take(std::vector<StoredFile> found) {
         files = std::move(found);
         for (const StoredFile& file : files) {
-            if (!file.isForeign) entries.push_back(file.name);
+            if (!file.isSystem) entries.push_back(file.name);
         }
     }
 };
@@ -138,7 +138,7 @@ CaseStore::~CaseStore() = default;
 
 const std::vector<std::string>& CaseStore::entries() const { return content_->entries; }
 
-std::string CaseStore::shown(const std::string& entry) const { return content_->name + ": " + shownName(entry); }
+std::string CaseStore::shown(const std::string& entry) const { return content_->name + ": " + displayName(entry); }
 
 Expected<CaseStore> CaseStore::open(const fs::path& path) {
     std::error_code error;
@@ -146,17 +146,18 @@ Expected<CaseStore> CaseStore::open(const fs::path& path) {
         auto content = std::make_unique<Content>();
         content->folder = fs::is_directory(path, error) ? path : path.parent_path();
         if (content->folder.empty()) content->folder = ".";
-        content->name = shownName(content->folder);
+        content->name = displayName(content->folder);
         auto files = filesBelow(content->folder);
         if (!files) return Unexpected{files.error()};
         content->take(std::move(*files));
         return CaseStore(std::move(content));
     }
     const std::uintmax_t size = fs::file_size(path, error);
-    if (!error && size > kCaseLimits.allBytes) return unexpected(tooMuch(shownName(path), size, kCaseLimits.allBytes));
+    if (!error && size > kCaseLimits.allBytes)
+        return unexpected(tooMuch(displayName(path), size, kCaseLimits.allBytes));
     auto bytes = readFile(path);
     if (!bytes) return Unexpected{bytes.error()};
-    auto store = openArchive(bytes->bytes(), shownName(path));
+    auto store = openArchive(bytes->bytes(), displayName(path));
     if (store) store->content_->bytes.emplace(std::move(*bytes));
     return store;
 }
@@ -189,7 +190,7 @@ Expected<std::vector<std::byte>> CaseStore::read(const std::string& entry) const
     const std::string& place = (exact == last ? first : exact)->place;
     if (content_->archive) return content_->archive->read(place);
     const fs::path file = content_->folder / fs::path(place);
-    if (!staysBelow(content_->folder, place)) {
+    if (!isWithinFolder(content_->folder, place)) {
         return unexpected(shown(entry) + ": the link leads out of the case's folder; put a copy there instead.");
     }
     std::error_code error;

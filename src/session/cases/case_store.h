@@ -33,11 +33,11 @@ inline constexpr CaseLimits kCaseLimits = {};
 
 /// Whether a file in `folder` is still below it when all links are followed. One that is not there is: whoever reads
 /// it says so.
-[[nodiscard]] bool staysBelow(const std::filesystem::path& folder, const std::string& entry);
+[[nodiscard]] bool isWithinFolder(const std::filesystem::path& folder, const std::string& entry);
 
 /// The files of a case: a folder, or a zip archive, which is read in memory and never unpacked to the disk. Whatever
 /// the bytes claim, no more memory is taken than `kCaseLimits` allows. What systems put beside files of their own
-/// (isForeignFile) is passed over, and so is the folder that some programs put above all of an archive. Used from one
+/// (isSystemFile) is passed over, and so is the folder that some programs put above all of an archive. Used from one
 /// thread.
 class CaseStore {
 public:
@@ -69,7 +69,7 @@ struct CaseFile {
     std::string entry;
     std::vector<std::byte> bytes;
 };
-[[nodiscard]] Expected<std::vector<std::byte>> packedCase(std::vector<CaseFile> files);
+[[nodiscard]] Expected<std::vector<std::byte>> packCase(std::vector<CaseFile> files);
 
 /// Whether a path is that of a case: an archive by its ending, a folder that holds the text, or that text itself.
 [[nodiscard]] bool isCase(const std::filesystem::path& path);

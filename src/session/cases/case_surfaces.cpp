@@ -7,7 +7,7 @@
 
 #include "geometry/files/file_bytes.h"
 #include "geometry/io/mesh_file.h"
-#include "geometry/util/small_letters.h"
+#include "geometry/util/lower_case.h"
 #include "session/cases/case_names.h"
 #include "session/cases/case_store.h"
 #include "session/cases/entry_name.h"
@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 bool isSurfaceFile(const fs::path& path) {
-    const std::string ending = inSmallLetters(path.extension().string());
+    const std::string ending = toLowerCase(path.extension().string());
     return ending == ".stl" || ending == ".obj" || ending == ".ply";
 }
 
@@ -32,16 +32,16 @@ Expected<std::vector<fs::path>> surfaceFiles(const std::vector<fs::path>& from) 
             continue;
         }
         for (fs::recursive_directory_iterator at(path, error), end; !error && at != end; at.increment(error)) {
-            if (isForeignFile(at->path().filename().string())) {
+            if (isSystemFile(at->path().filename().string())) {
                 at.disable_recursion_pending();
             } else if (isSurfaceFile(at->path()) && at->is_regular_file(error)) {
                 files.push_back(at->path());
             }
             if (files.size() > kCaseLimits.entries) {
-                return unexpected(shownName(path) + ": the folder holds too many surfaces for one case.");
+                return unexpected(displayName(path) + ": the folder holds too many surfaces for one case.");
             }
         }
-        if (error) return unexpected(shownName(path) + ": the folder cannot be read (" + error.message() + ").");
+        if (error) return unexpected(displayName(path) + ": the folder cannot be read (" + error.message() + ").");
     }
     std::ranges::sort(files);
     if (files.empty()) return unexpected("there is no STL, OBJ or PLY file to make a case of.");
@@ -50,7 +50,7 @@ Expected<std::vector<fs::path>> surfaceFiles(const std::vector<fs::path>& from) 
 
 }  // namespace
 
-void moveBy(TriangleMesh& mesh, const Vec3& step) {
+void translateMesh(TriangleMesh& mesh, const Vec3& step) {
     if (step.isZero(0)) return;
     for (Vec3f& vertex : mesh.vertices) vertex = (vertex.cast<double>() + step).cast<float>();
 }
@@ -65,14 +65,15 @@ Expected<CaseSurfaces> readCaseSurfaces(const std::vector<fs::path>& from) {
         auto read = readMesh(file);
         if (!read) return Unexpected{read.error()};
         if (!common) common = read->offset;
-        moveBy(read->mesh, read->offset - *common);
+        translateMesh(read->mesh, read->offset - *common);
         const NamedSurface named = surfaceNamed(file);
-        std::vector<Remark>& remarks = named.isAround ? surfaces.aroundRemarks[named.body] : byName[named.body].remarks;
-        remarks.insert(remarks.end(), read->remarks.begin(), read->remarks.end());
-        const bool isNew = named.isAround ? surfaces.around.emplace(named.body, std::move(read->mesh)).second
-                                          : addSurface(byName[named.body], named.material, std::move(read->mesh));
+        std::vector<ImportNote>& importNotes =
+            named.isAdjacent ? surfaces.aroundImportNotes[named.body] : byName[named.body].importNotes;
+        importNotes.insert(importNotes.end(), read->importNotes.begin(), read->importNotes.end());
+        const bool isNew = named.isAdjacent ? surfaces.around.emplace(named.body, std::move(read->mesh)).second
+                                            : addSurface(byName[named.body], named.material, std::move(read->mesh));
         if (!isNew) {
-            return unexpected(shownName(file) + ": the case has this surface already; give each tooth its own name.");
+            return unexpected(displayName(file) + ": the case has this surface already; give each tooth its own name.");
         }
         surfaces.files.push_back(file.filename().string());
     }

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "geometry/io/import_note.h"
 #include "geometry/util/expected.h"
-#include "geometry/io/remark.h"
 #include "patient/scan_import.h"
 
 namespace tactooth {
@@ -16,14 +16,14 @@ namespace tactooth {
 /// The surfaces that a new case is made of, as their files hold them, all in one frame (that of the first, less its
 /// offset; see ReadMesh).
 struct CaseSurfaces {
-    std::vector<Scan> teeth;                                   ///< at least one, by name
-    std::map<std::string, TriangleMesh> around;                ///< by name
-    std::map<std::string, std::vector<Remark>> aroundRemarks;  ///< on reading them
-    std::vector<std::string> files;                            ///< their names, in the order in which they were read
+    std::vector<Scan> teeth;                                           ///< at least one, by name
+    std::map<std::string, TriangleMesh> around;                        ///< by name
+    std::map<std::string, std::vector<ImportNote>> aroundImportNotes;  ///< on reading them
+    std::vector<std::string> files;  ///< their names, in the order in which they were read
 };
 
 /// Moves every vertex: two surfaces that were read with offsets of their own come into one frame.
-void moveBy(TriangleMesh& mesh, const Vec3& step);
+void translateMesh(TriangleMesh& mesh, const Vec3& step);
 
 /// Reads surfaces and all surfaces below folders, and sorts them by their names (surfaceNamed), so that the same folder
 /// gives the same case. Hidden files and others that a system puts into folders are passed over. Fails with one

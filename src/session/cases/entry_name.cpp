@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "geometry/util/small_letters.h"
+#include "geometry/util/lower_case.h"
 #include "session/io/unicode_text.h"
 
 namespace tactooth {
@@ -40,14 +40,14 @@ EntryName entryName(std::string_view written) {
     if (written.size() > kLongest) return {{}, EntryFault::TooLong};
     std::string path(written);
     std::ranges::replace(path, '\\', '/');
-    if (isAbsolute(path)) return {{}, EntryFault::PointsOut};
+    if (isAbsolute(path)) return {{}, EntryFault::PathTraversal};
     std::string name;
-    const bool staysInside = allParts(path, [&](std::string_view part) {
+    const bool isWithin = allParts(path, [&](std::string_view part) {
         if (part == "..") return false;
         if (!part.empty() && part != ".") name.append(name.empty() ? "" : "/").append(part);
         return true;
     });
-    if (!staysInside) return {{}, EntryFault::PointsOut};
+    if (!isWithin) return {{}, EntryFault::PathTraversal};
     if (std::ranges::any_of(name, isControl)) return {{}, EntryFault::ControlCharacter};
     if (name.empty() || path.back() == '/') return {{}, EntryFault::NoFile};
     return {composed(name), EntryFault::None};
@@ -57,7 +57,7 @@ bool isSafeEntry(std::string_view path) { return entryName(path).fault == EntryF
 
 std::string inWords(EntryFault fault, const std::string& name) {
     switch (fault) {
-        case EntryFault::PointsOut:
+        case EntryFault::PathTraversal:
             return name + " points out of the case; give a path inside its folder, with '/' and without '..'";
         case EntryFault::ControlCharacter:
             return name + " has control characters in its name; give the file another one";
@@ -71,14 +71,15 @@ std::string inWords(EntryFault fault, const std::string& name) {
     return {};
 }
 
-bool isForeignFile(std::string_view name) {
-    static constexpr std::array<std::string_view, 4> kForeign = {"__macosx", "thumbs.db", "ehthumbs.db", "desktop.ini"};
+bool isSystemFile(std::string_view name) {
+    static constexpr std::array<std::string_view, 4> kSystemNames = {"__macosx", "thumbs.db", "ehthumbs.db",
+                                                                     "desktop.ini"};
     if (name.starts_with('.') && name != "." && name != "..") return true;
-    return name == "Icon\r" || std::ranges::find(kForeign, inSmallLetters(std::string(name))) != kForeign.end();
+    return name == "Icon\r" || std::ranges::find(kSystemNames, toLowerCase(std::string(name))) != kSystemNames.end();
 }
 
-bool isForeignEntry(std::string_view path) {
-    return !allParts(path, [](std::string_view part) { return !isForeignFile(part); });
+bool isSystemEntry(std::string_view path) {
+    return !allParts(path, [](std::string_view part) { return !isSystemFile(part); });
 }
 
 }  // namespace tactooth

@@ -8,7 +8,7 @@
 namespace tactooth {
 
 /// What may be wrong with the name of a file in a case.
-enum class EntryFault { None, NoFile, PointsOut, ControlCharacter, TooLong };
+enum class EntryFault { None, NoFile, PathTraversal, ControlCharacter, TooLong };
 
 /// The name of a file in a case, as it was written and as it is looked for.
 struct EntryName {
@@ -29,9 +29,9 @@ struct EntryName {
 
 /// Whether a file is none of its owner's but put beside others by a system: hidden (a name that begins with '.', as the
 /// Mac's "._36.stl"), or "Thumbs.db" and the like. `name` is that of the file alone.
-[[nodiscard]] bool isForeignFile(std::string_view name);
+[[nodiscard]] bool isSystemFile(std::string_view name);
 
 /// The same for a path with '/': whether it or a folder of it is foreign.
-[[nodiscard]] bool isForeignEntry(std::string_view path);
+[[nodiscard]] bool isSystemEntry(std::string_view path);
 
 }  // namespace tactooth

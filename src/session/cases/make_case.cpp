@@ -5,24 +5,24 @@
 #include <algorithm>
 
 #include "collision/solid/solid.h"
-#include "geometry/util/byte_text.h"
 #include "geometry/files/file_bytes.h"
 #include "geometry/io/stl_writer.h"
+#include "geometry/util/byte_text.h"
 #include "patient/jaw_frame.h"
 #include "patient/length_unit.h"
 #include "session/cases/case_names.h"
 #include "session/cases/case_surfaces.h"
-#include "session/io/guarded_toml.h"
-#include "session/cases/own_bur.h"
-#include "session/io/run_facts.h"
+#include "session/cases/custom_bur.h"
+#include "session/io/limited_toml.h"
 #include "session/io/material_file.h"
+#include "session/io/run_metadata.h"
 
 namespace tactooth {
 namespace {
 
-std::vector<std::string> words(const std::vector<Remark>& remarks) {
+std::vector<std::string> words(const std::vector<ImportNote>& importNotes) {
     std::vector<std::string> sentences;
-    for (const Remark& remark : remarks) sentences.push_back(inWords(remark));
+    for (const ImportNote& importNote : importNotes) sentences.push_back(inWords(importNote));
     return sentences;
 }
 
@@ -30,7 +30,7 @@ class CaseMaker {
 public:
     CaseMaker(const CaseRequest& request, const CaseProgress& progress) : request_(request), progress_(progress) {}
 
-    Expected<MadeCase> make() {
+    Expected<NewCase> make() {
         auto surfaces = readCaseSurfaces(request_.from);
         if (!surfaces) return Unexpected{surfaces.error()};
         surfaces_ = std::move(*surfaces);
@@ -43,12 +43,12 @@ public:
             if (auto done = import(i); !done) return Unexpected{done.error()};
         }
         for (auto& [name, mesh] : surfaces_.around) {
-            if (auto done = importAround(name, std::move(mesh)); !done) return Unexpected{done.error()};
+            if (auto done = importSurroundings(name, std::move(mesh)); !done) return Unexpected{done.error()};
         }
         return finish();
     }
 
-    Expected<MadeCase> makeOf(const ExaminedScan& tooth) {
+    Expected<NewCase> makeOf(const ExaminedScan& tooth) {
         addTooth(tooth, {});
         return finish();
     }
@@ -58,16 +58,16 @@ private:
         return !progress_ || progress_(name, part);
     }
 
-    [[nodiscard]] ImportChoices choicesFor(std::size_t place) const {
-        ImportChoices choices = request_.choices;
+    [[nodiscard]] ImportOptions choicesFor(std::size_t place) const {
+        ImportOptions choices = request_.choices;
         if (jaw_) choices.mmPerUnit = jaw_->mmPerUnit;
-        if (jaw_ && !jaw_->cheeks.empty()) choices.frame.cheek = jaw_->cheeks[place];
+        if (jaw_ && !jaw_->buccalDirections.empty()) choices.frame.buccal = jaw_->buccalDirections[place];
         return choices;
     }
 
     Expected<void> import(std::size_t place) {
         const Scan& scan = surfaces_.teeth[place];
-        const ImportChoices choices = choicesFor(place);
+        const ImportOptions choices = choicesFor(place);
         if (!goesOn(scan.name, 0)) return unexpected("stopped");
         auto examined = examineScan(scan, choices);
         if (!examined) return Unexpected{examined.error()};
@@ -75,8 +75,9 @@ private:
         if (!tooth) return Unexpected{tooth.error()};
         if (jaw_ && !jaw_->why.empty()) {
             // The unit was guessed for all teeth together.
-            std::erase_if(tooth->remarks, [](const Remark& remark) { return remark.topic == RemarkTopic::Units; });
-            tooth->remarks.insert(tooth->remarks.begin(), jaw_->why.begin(), jaw_->why.end());
+            std::erase_if(tooth->importNotes,
+                          [](const ImportNote& importNote) { return importNote.topic == ImportNoteTopic::Units; });
+            tooth->importNotes.insert(tooth->importNotes.begin(), jaw_->why.begin(), jaw_->why.end());
         }
         const bool isAlone = !jaw_ && surfaces_.around.empty();
         addTooth(*tooth, isAlone ? Pose() : tooth->toothInFile);
@@ -101,11 +102,11 @@ private:
         std::ranges::sort(entry.layers, {}, [](const auto& layer) { return layer.first; });
         entry.isModelled = tooth.layersAreModelled;
         entry.toothInCase = toothInCase;
-        entry.assumed = words(tooth.remarks);
+        entry.assumed = words(tooth.importNotes);
         made_.description.teeth.push_back(std::move(entry));
     }
 
-    Expected<void> importAround(const std::string& name, TriangleMesh mesh) {
+    Expected<void> importSurroundings(const std::string& name, TriangleMesh mesh) {
         scaleToMm(mesh, mmPerUnit_);
         RepairedMesh mended = repaired(mesh, {.holes = request_.choices.holes});
         ExaminedSolid solid = examineSolid(std::move(mended.mesh));
@@ -113,14 +114,14 @@ private:
             return unexpected(name + ": " + flawSentence(solid.report, "the surface") +
                               ". Leave it out, or ask for all holes to be filled.");
         }
-        const std::vector<Remark> remarks = remarksOn(solid.report, name);
-        const bool isMended = mended.report.changedAnything() || !remarks.empty();
+        const std::vector<ImportNote> importNotes = notesOn(solid.report, name);
+        const bool isMended = mended.report.changedAnything() || !importNotes.empty();
         CaseSurrounding body;
         body.name = bodyNames_.make(name);
-        body.assumed = words(surfaces_.aroundRemarks[name]);
-        body.surface = "around/" + aroundNames_.make(name) + ".stl";
+        body.assumed = words(surfaces_.aroundImportNotes[name]);
+        body.surface = "around/" + surroundingNames_.make(name) + ".stl";
         body.assumed.push_back(isMended ? "The surface was mended." : "Closed and sound as it came.");
-        for (const std::string& sentence : words(remarks)) body.assumed.push_back(sentence);
+        for (const std::string& sentence : words(importNotes)) body.assumed.push_back(sentence);
         made_.files.push_back({body.surface, stlBytes(solid.mesh)});
         made_.description.around.push_back(std::move(body));
         return {};
@@ -128,23 +129,23 @@ private:
 
     Expected<void> addBurs() {
         for (std::size_t i = 0; i < request_.burs.size(); ++i) {
-            const auto bur = readOwnBur(request_.burs[i]);
+            const auto bur = readCustomBur(request_.burs[i]);
             if (!bur) return Unexpected{bur.error()};
             const std::string stem = "burs/" + std::to_string(i + 1);
-            made_.files.push_back({stem + ".toml", bytesOf(ownBurText(*bur, std::to_string(i + 1) + ".stl"))});
+            made_.files.push_back({stem + ".toml", bytesOf(customBurText(*bur, std::to_string(i + 1) + ".stl"))});
             made_.files.push_back({stem + ".stl", stlBytes(bur->surface)});
             made_.description.burs.push_back(stem + ".toml");
         }
         return {};
     }
 
-    Expected<MadeCase> finish() {
+    Expected<NewCase> finish() {
         CaseDescription& description = made_.description;
         description.title = request_.title.empty() ? description.teeth.front().name : request_.title;
         description.licence = request_.licence.empty() ? "not stated" : request_.licence;
         if (!request_.provenance.empty()) description.provenance.push_back(request_.provenance);
         for (const std::string& file : surfaces_.files) description.provenance.push_back("from " + file);
-        description.provenance.push_back("made " + currentRunFacts().date + " by Tactooth");
+        description.provenance.push_back("made " + currentRunMetadata().date + " by Tactooth");
         if (!request_.materials.empty()) {
             if (const auto known = readMaterials(request_.materials); !known) return Unexpected{known.error()};
             const auto bytes = readFile(request_.materials, kTomlLimits.bytes);
@@ -166,18 +167,18 @@ private:
     CaseSurfaces surfaces_;
     std::optional<JawFrame> jaw_;  // of several teeth
     double mmPerUnit_ = 1;         // of the teeth
-    EntryNames teethNames_, aroundNames_;
+    EntryNames teethNames_, surroundingNames_;
     BodyNames bodyNames_;
-    MadeCase made_;
+    NewCase made_;
 };
 
 }  // namespace
 
-Expected<MadeCase> makeCase(const CaseRequest& request, const CaseProgress& progress) {
+Expected<NewCase> makeCase(const CaseRequest& request, const CaseProgress& progress) {
     return CaseMaker(request, progress).make();
 }
 
-Expected<MadeCase> caseOf(const ExaminedScan& tooth, const CaseRequest& request) {
+Expected<NewCase> caseOf(const ExaminedScan& tooth, const CaseRequest& request) {
     return CaseMaker(request, {}).makeOf(tooth);
 }
 

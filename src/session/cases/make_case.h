@@ -22,13 +22,13 @@ struct CaseRequest {
     std::string licence = {};
     std::string provenance = {};
     std::optional<int> quadrant = {};  ///< 1..4: a name that ends in 1..8 is a tooth of this quarter of the mouth
-    ImportChoices choices = {};
-    std::vector<std::filesystem::path> burs = {};  ///< as readOwnBur takes them
+    ImportOptions choices = {};
+    std::vector<std::filesystem::path> burs = {};  ///< as readCustomBur takes them
     std::filesystem::path materials = {};
 };
 
 /// A case that has been made and not been written yet.
-struct MadeCase {
+struct NewCase {
     CaseDescription description;
     std::vector<CaseFile> files;  ///< with case.toml
 };
@@ -38,9 +38,9 @@ using CaseProgress = std::function<bool(const std::string& body, double part)>;
 
 /// Imports the surfaces of one or several teeth. Several keep their places to each other; their cheeks look away from
 /// the middle of their arch. Fails with one sentence.
-[[nodiscard]] Expected<MadeCase> makeCase(const CaseRequest& request, const CaseProgress& progress = {});
+[[nodiscard]] Expected<NewCase> makeCase(const CaseRequest& request, const CaseProgress& progress = {});
 
 /// A case of one tooth that was imported before.
-[[nodiscard]] Expected<MadeCase> caseOf(const ExaminedScan& tooth, const CaseRequest& request);
+[[nodiscard]] Expected<NewCase> caseOf(const ExaminedScan& tooth, const CaseRequest& request);
 
 }  // namespace tactooth

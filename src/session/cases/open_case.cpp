@@ -6,11 +6,11 @@
 
 #include "collision/bvh/closest_point.h"
 #include "collision/solid/solid_file.h"
-#include "geometry/util/byte_text.h"
 #include "geometry/io/mesh_bytes.h"
+#include "geometry/util/byte_text.h"
 #include "instruments/builtin_tooth.h"
-#include "session/io/unicode_text.h"
 #include "session/io/material_file.h"
+#include "session/io/unicode_text.h"
 
 namespace tactooth {
 namespace {
@@ -19,11 +19,12 @@ bool isSame(const Pose& pose) { return pose.position.isZero(0) && pose.rotation.
 
 /// The solid of a file, moved to another frame; a sound one that stays where it is keeps every bit.
 Expected<TriangleMesh> readSurface(const CaseStore& store, const std::string& entry, const Pose& pose,
-                                   std::vector<Remark>& remarks) {
+                                   std::vector<ImportNote>& importNotes) {
     const auto bytes = store.read(entry);
     if (!bytes) return Unexpected{bytes.error()};
     auto mesh = parseMesh(*bytes, store.shown(entry));
-    if (mesh) mesh = solidFrom(std::move(*mesh), store.shown(entry), "the surface", {.dropsSpecks = false}, &remarks);
+    if (mesh)
+        mesh = solidFrom(std::move(*mesh), store.shown(entry), "the surface", {.dropsSpecks = false}, &importNotes);
     if (!mesh || isSame(pose)) return mesh;
     return transformed(*mesh, pose);
 }
@@ -35,10 +36,10 @@ public:
         : store_(store), description_(description), chosen_(chosen), caseInTooth_(chosen.toothInCase.inverse()) {}
 
     /// What was mended in the surfaces.
-    [[nodiscard]] std::vector<Remark> takeRemarks() { return std::move(remarks_); }
+    [[nodiscard]] std::vector<ImportNote> takeImportNotes() { return std::move(remarks_); }
 
     Expected<std::shared_ptr<const LayeredTooth>> assemble() {
-        if (chosen_.fdi != 0) standing_.mesialX = mesialX(chosen_.fdi);
+        if (chosen_.fdi != 0) toothContext_.mesialX = mesialX(chosen_.fdi);
         // The chosen tooth first: its triangles keep their numbers.
         if (auto done = add(chosen_); !done) return Unexpected{done.error()};
         for (const CaseTooth& tooth : description_.teeth) {
@@ -53,7 +54,7 @@ public:
         }
         const bool isPlain = description_.teeth.size() == 1 && description_.around.empty() && chosen_.layers.empty();
         if (isPlain) layers_.clear();
-        auto tooth = LayeredTooth::make(std::move(outer_), std::move(layers_), chosen_.material, standing_);
+        auto tooth = LayeredTooth::make(std::move(outer_), std::move(layers_), chosen_.material, toothContext_);
         if (!tooth) return unexpected(store_.shown(std::string(kCaseText)) + ": " + tooth.error().message + ".");
         return std::shared_ptr<const LayeredTooth>(std::make_shared<const LayeredTooth>(std::move(*tooth)));
     }
@@ -65,7 +66,7 @@ private:
         const std::string prefix = isChosen ? "" : tooth.name + " ";
         auto outer = readSurface(store_, tooth.outer, pose, remarks_);
         if (!outer) return Unexpected{outer.error()};
-        if (isChosen) standing_.firstAround = static_cast<std::uint32_t>(outer->triangles.size());
+        if (isChosen) toothContext_.firstAdjacent = static_cast<std::uint32_t>(outer->triangles.size());
         for (const auto& [id, file] : tooth.layers) {
             auto mesh =
                 file == tooth.outer ? Expected<TriangleMesh>(*outer) : readSurface(store_, file, pose, remarks_);
@@ -85,8 +86,8 @@ private:
     Pose caseInTooth_;
     TriangleMesh outer_;
     std::vector<LayerMesh> layers_;
-    Standing standing_;
-    std::vector<Remark> remarks_;
+    ToothContext toothContext_;
+    std::vector<ImportNote> remarks_;
 };
 
 Expected<const CaseTooth*> findTooth(const CaseDescription& description, const std::string& wanted,
@@ -113,8 +114,8 @@ Expected<void> readExtras(const CaseStore& store, OpenedCase& opened) {
         const auto bytes = store.read(file);
         if (!bytes) return Unexpected{bytes.error()};
         const std::string folder = file.substr(0, file.rfind('/') + 1);
-        auto bur = parseOwnBur(asText(*bytes), store.shown(file),
-                               [&](const std::string& beside) { return store.read(folder + beside); });
+        auto bur = parseCustomBur(asText(*bytes), store.shown(file),
+                                  [&](const std::string& beside) { return store.read(folder + beside); });
         if (!bur) return Unexpected{bur.error()};
         if (!opened.bur) opened.bur = std::move(*bur);
     }
@@ -151,10 +152,10 @@ Expected<OpenedCase> openCase(const CaseStore& store, const std::string& tooth) 
     Assembly assembly(store, opened.description, **chosen);
     auto teeth = assembly.assemble();
     if (!teeth) return Unexpected{teeth.error()};
-    opened.remarks = assembly.takeRemarks();
+    opened.importNotes = assembly.takeImportNotes();
     opened.teeth = std::move(*teeth);
     opened.box = opened.teeth->ownBox();
-    opened.mesialX = opened.teeth->standing().mesialX;
+    opened.mesialX = opened.teeth->toothContext().mesialX;
     if (auto extras = readExtras(store, opened); !extras) return Unexpected{extras.error()};
     return opened;
 }
@@ -168,8 +169,8 @@ Expected<OpenedCase> openCase(const std::filesystem::path& path, const std::stri
 Expected<std::vector<CaseBody>> caseBodies(const CaseStore& store, const CaseDescription& description) {
     std::vector<CaseBody> bodies;
     const auto add = [&](const std::string& name, const std::string& entry, const Pose& pose) -> Expected<void> {
-        std::vector<Remark> remarks;  // they were told when the case was opened
-        auto mesh = readSurface(store, entry, pose, remarks);
+        std::vector<ImportNote> importNotes;  // they were told when the case was opened
+        auto mesh = readSurface(store, entry, pose, importNotes);
         if (!mesh) return Unexpected{mesh.error()};
         bodies.push_back({name, std::move(*mesh)});
         return {};

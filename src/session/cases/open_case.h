@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "geometry/io/import_note.h"
 #include "geometry/util/expected.h"
-#include "geometry/io/remark.h"
 #include "session/cases/case_description.h"
 #include "session/cases/case_store.h"
-#include "session/cases/own_bur.h"
+#include "session/cases/custom_bur.h"
 #include "tooth/model/layered_tooth.h"
 
 namespace tactooth {
@@ -26,8 +26,8 @@ struct OpenedCase {
     Box3 box;            ///< of the tooth that is worked on, mm
     double mesialX = 1;  ///< direction of mesial along x
     std::optional<MaterialTable> materials;
-    std::optional<OwnBur> bur;    ///< the first one
-    std::vector<Remark> remarks;  ///< what was mended in its surfaces (`examineSolid`)
+    std::optional<CustomBur> bur;         ///< the first one
+    std::vector<ImportNote> importNotes;  ///< what was mended in its surfaces (`examineSolid`)
 };
 
 /// Reads and checks a case. `tooth`: the one to work on, by its name or FDI number; empty: the first. Its layers keep

@@ -4,8 +4,8 @@
 
 #include "geometry/files/atomic_file.h"
 #include "geometry/files/file_bytes.h"
+#include "geometry/files/staging_folder.h"
 #include "geometry/files/temporary_file.h"
-#include "geometry/files/unfinished_folder.h"
 
 namespace tactooth {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 Unexpected cannotMake(const fs::path& folder, const std::string& why) {
-    return unexpected(shownName(folder) + ": the folder cannot be made (" + why + ").");
+    return unexpected(displayName(folder) + ": the folder cannot be made (" + why + ").");
 }
 
 /// `shownAs`: the folder's name in messages.
@@ -25,8 +25,8 @@ Expected<void> writeFiles(const std::vector<CaseFile>& files, const fs::path& fo
         if (error) return cannotMake(shown.parent_path(), error.message());
         if (auto written = writeFile(path, file.bytes); !written) {
             std::string why = written.error().message;
-            if (const std::string name = shownName(path); why.starts_with(name)) {
-                why.replace(0, name.size(), shownName(shown));
+            if (const std::string name = displayName(path); why.starts_with(name)) {
+                why.replace(0, name.size(), displayName(shown));
             }
             return unexpected(std::move(why));
         }
@@ -36,7 +36,7 @@ Expected<void> writeFiles(const std::vector<CaseFile>& files, const fs::path& fo
 
 /// Into a folder that is there and stays the same one: somebody may stand in it, or it may be a disk of its own.
 Expected<void> fillFolder(const std::vector<CaseFile>& files, const fs::path& folder) {
-    auto unfinished = UnfinishedFolder::make(folder);
+    auto unfinished = StagingFolder::make(folder);
     if (!unfinished) return cannotMake(folder, unfinished.error().message);
     if (auto done = writeFiles(files, unfinished->path(), folder); !done) return done;
     if (auto done = unfinished->moveUp(); !done) return cannotMake(folder, done.error().message);
@@ -51,7 +51,7 @@ Expected<void> writeNewFolder(const std::vector<CaseFile>& files, const fs::path
     fs::create_directories(folder.parent_path(), error);
     if (error) return cannotMake(to, error.message());
     removeStale(folder.parent_path());
-    auto unfinished = UnfinishedFolder::make(folder.parent_path());
+    auto unfinished = StagingFolder::make(folder.parent_path());
     if (!unfinished) return cannotMake(to, unfinished.error().message);
     if (auto done = writeFiles(files, unfinished->path(), to); !done) return done;
     if (auto done = unfinished->becomes(folder); !done) return cannotMake(to, done.error().message);
@@ -65,13 +65,13 @@ Expected<void> checkCaseTarget(const fs::path& to) {
     if (to.extension() == kCaseEnding || !fs::exists(to, error)) return {};
     if (fs::is_directory(to, error)) removeStale(to);
     if (fs::is_directory(to, error) && fs::is_empty(to, error)) return {};
-    return unexpected(shownName(to) + ": there is something already; give a new folder, or a name that ends in " +
+    return unexpected(displayName(to) + ": there is something already; give a new folder, or a name that ends in " +
                       std::string(kCaseEnding) + ".");
 }
 
 Expected<void> writeCase(const std::vector<CaseFile>& files, const fs::path& to) {
     if (to.extension() == kCaseEnding) {
-        const auto bytes = packedCase(files);
+        const auto bytes = packCase(files);
         if (!bytes) return Unexpected{bytes.error()};
         return writeFile(to, *bytes);
     }

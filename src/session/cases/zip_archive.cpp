@@ -89,7 +89,7 @@ Expected<void> ZipArchive::list() {
         }
         const std::string entry = stat.name;
         if (!entry.empty() && (entry.back() == '/' || entry.back() == '\\')) continue;  // a folder
-        if (auto claims = checkClaims(stat, name_ + ": " + shownName(entry)); !claims) return claims;
+        if (auto claims = checkClaims(stat, name_ + ": " + displayName(entry)); !claims) return claims;
         all += stat.size;
         entries_.push_back({entry, i, stat.size, stat.comp_size, isLink(archive_.get(), i)});
     }
@@ -102,7 +102,7 @@ Expected<void> ZipArchive::list() {
 
 Expected<std::vector<std::byte>> ZipArchive::read(const std::string& entry) const {
     const auto found = std::ranges::find(entries_, entry, &ZipEntry::name);
-    const std::string shown = name_ + ": " + shownName(entry);
+    const std::string shown = name_ + ": " + displayName(entry);
     if (found == entries_.end()) return unexpected(shown + ": there is no such file in the archive.");
     const std::unique_ptr<zip_file_t, CloseFile> file(zip_fopen_index(archive_.get(), found->index, 0));
     if (file == nullptr) return unexpected(shown + ": the file is damaged inside the archive.");
@@ -123,7 +123,7 @@ Expected<std::vector<std::byte>> ZipArchive::read(const std::string& entry) cons
     return bytes;
 }
 
-Expected<std::vector<std::byte>> packedCase(std::vector<CaseFile> files) {
+Expected<std::vector<std::byte>> packCase(std::vector<CaseFile> files) {
     const auto failed = [] { return unexpected("the case could not be packed: there is not enough memory."); };
     std::ranges::sort(files, {}, &CaseFile::entry);
     zip_error_t error;

@@ -9,17 +9,17 @@
 #include <cmath>
 #include <optional>
 
-#include "geometry/util/byte_text.h"
 #include "geometry/files/file_bytes.h"
+#include "geometry/util/byte_text.h"
+#include "geometry/util/lower_case.h"
 #include "geometry/util/number_text.h"
-#include "geometry/util/small_letters.h"
 #include "geometry/util/text_lines.h"
-#include "session/io/csv_cells.h"
+#include "session/io/csv_fields.h"
 
 namespace tactooth {
 namespace {
 
-constexpr std::size_t kMostCsvBytes = std::size_t{1} << 28;  // an hour at 1 kHz, in short numbers
+constexpr std::size_t kMaxCsvBytes = std::size_t{1} << 28;  // an hour at 1 kHz, in short numbers
 std::string joined(std::span<const std::string_view> words) {
     std::string result;
     for (const std::string_view word : words) result.append(result.empty() ? "" : ",").append(word);
@@ -71,7 +71,7 @@ private:
                 cells_.separateBy(separator);
                 continue;
             }
-            const std::string_view begin = withoutBlanks(line);
+            const std::string_view begin = trimmed(line);
             if (begin.empty() || begin.front() == '#') continue;
             if (cells_.split(line)) return true;
             fail("a cell in quotes must end with its line, and nothing but a separator may follow it");
@@ -84,7 +84,7 @@ private:
     /// where no column is written as asked for.
     std::size_t find(std::string_view column, std::size_t from) const {
         const auto cells = cells_.all();
-        const auto isSame = [&](std::string_view cell) { return inSmallLetters(std::string(cell)) == column; };
+        const auto isSame = [&](std::string_view cell) { return toLowerCase(std::string(cell)) == column; };
         if (std::ranges::find(cells, column) != cells.end())
             return static_cast<std::size_t>(
                 std::find(cells.begin() + static_cast<std::ptrdiff_t>(from), cells.end(), column) - cells.begin());
@@ -137,7 +137,7 @@ private:
 
     std::string_view text_;
     TextLines lines_;
-    CsvCells cells_;
+    CsvFields cells_;
     std::vector<std::string_view> columns_;  ///< numbers first, then words
     std::vector<std::size_t> positions_;     ///< of each wanted column among the fields
     std::size_t width_ = 0;
@@ -154,9 +154,9 @@ Expected<CsvTable> parseCsv(std::string_view text, std::string_view name, std::s
 
 Expected<CsvTable> readCsv(const std::filesystem::path& path, std::span<const std::string_view> columns,
                            std::span<const std::string_view> wordColumns) {
-    const Expected<FileBytes> file = readFile(path, kMostCsvBytes);
+    const Expected<FileBytes> file = readFile(path, kMaxCsvBytes);
     if (!file) return Unexpected{file.error()};
-    return parseCsv(file->text(), shownName(path), columns, wordColumns);
+    return parseCsv(file->text(), displayName(path), columns, wordColumns);
 }
 
 Expected<CsvWriter> CsvWriter::create(const std::filesystem::path& path, std::span<const std::string_view> columns) {

@@ -9,12 +9,12 @@
 
 #include "geometry/files/file_bytes.h"
 #include "geometry/util/number_text.h"
-#include "session/io/guarded_toml.h"
+#include "session/io/limited_toml.h"
 
 namespace tactooth {
 namespace {
 
-constexpr double kMostRemoval = 10;     // mm^3/(N*m): butter; pulp has 0.3
+constexpr double kMaxRemoval = 10;      // mm^3/(N*m): butter; pulp has 0.3
 constexpr double kHighestCentre = 2e4;  // Hz: what an ear hears
 
 struct NumberKey {
@@ -23,10 +23,10 @@ struct NumberKey {
     void (*set)(Material&, double);
 };
 constexpr std::array<NumberKey, 7> kNumberKeys = {{
-    {"stiffness", kMostMaterialStiffness, [](Material& m, double value) { m.stiffness = value; }},
-    {"damping", kMostMaterialDamping, [](Material& m, double value) { m.damping = value; }},
-    {"friction", kMostMaterialFriction, [](Material& m, double value) { m.friction = value; }},
-    {"removal", kMostRemoval, [](Material& m, double value) { m.removal = value; }},
+    {"stiffness", kMaxMaterialStiffness, [](Material& m, double value) { m.stiffness = value; }},
+    {"damping", kMaxMaterialDamping, [](Material& m, double value) { m.damping = value; }},
+    {"friction", kMaxMaterialFriction, [](Material& m, double value) { m.friction = value; }},
+    {"removal", kMaxRemoval, [](Material& m, double value) { m.removal = value; }},
     {"roughness", 1, [](Material& m, double value) { m.roughness = static_cast<float>(value); }},
     {"sound_centre", kHighestCentre, [](Material& m, double value) { m.soundCentre = value; }},
     {"sound_level", 1, [](Material& m, double value) { m.soundBrightness = value; }},
@@ -155,7 +155,7 @@ MaterialTable defaultMaterials() {
 Expected<MaterialTable> readMaterials(const std::filesystem::path& path) {
     const Expected<FileBytes> file = readFile(path, kTomlLimits.bytes);
     if (!file) return Unexpected{file.error()};
-    return parseMaterials(file->text(), shownName(path), defaultMaterials());
+    return parseMaterials(file->text(), displayName(path), defaultMaterials());
 }
 
 Expected<MaterialTable> materialsFrom(const std::filesystem::path& fileOrNothing) {

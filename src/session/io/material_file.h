@@ -12,9 +12,9 @@ namespace tactooth {
 
 /// The most that a file may ask of a material, above twice of what any device renders: a file, above all one that came
 /// with a case, may be anybody's, and what it says is felt by a hand.
-inline constexpr double kMostMaterialStiffness = 5;   ///< N/mm
-inline constexpr double kMostMaterialDamping = 0.02;  ///< N*s/mm
-inline constexpr double kMostMaterialFriction = 2;    ///< Coulomb coefficient
+inline constexpr double kMaxMaterialStiffness = 5;   ///< N/mm
+inline constexpr double kMaxMaterialDamping = 0.02;  ///< N*s/mm
+inline constexpr double kMaxMaterialFriction = 2;    ///< Coulomb coefficient
 
 /// The text of data/materials.toml, which is built into the program. It explains itself, so it also serves as the
 /// pattern for a file of one's own.

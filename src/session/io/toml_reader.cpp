@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/util/display_text.h"
 #include "geometry/util/number_text.h"
-#include "geometry/util/shown_text.h"
-#include "session/io/guarded_toml.h"
+#include "session/io/limited_toml.h"
 
 namespace tactooth {
 namespace {
@@ -78,30 +78,30 @@ std::vector<std::string> TomlReader::texts(const toml::table& table, std::string
     return result;
 }
 
-double TomlReader::number(const toml::table& table, std::string_view key, double otherwise, double low, double high) {
+double TomlReader::number(const toml::table& table, std::string_view key, double fallback, double low, double high) {
     const toml::node* node = table.get(key);
-    if (node == nullptr) return otherwise;
+    if (node == nullptr) return fallback;
     const std::optional<double> value = node->is_number() ? node->value<double>() : std::nullopt;
     if (value && *value >= low && *value <= high) return *value;
     fail(*node, quoted(key) + " must be a number from " + numberText(low) + " to " + numberText(high));
-    return otherwise;
+    return fallback;
 }
 
-int TomlReader::integer(const toml::table& table, std::string_view key, int otherwise, int low, int high) {
+int TomlReader::integer(const toml::table& table, std::string_view key, int fallback, int low, int high) {
     const toml::node* node = table.get(key);
-    if (node == nullptr) return otherwise;
+    if (node == nullptr) return fallback;
     const auto value = node->value_exact<std::int64_t>();
     if (value && *value >= low && *value <= high) return static_cast<int>(*value);
     fail(*node, quoted(key) + " must be a whole number from " + std::to_string(low) + " to " + std::to_string(high));
-    return otherwise;
+    return fallback;
 }
 
-bool TomlReader::flag(const toml::table& table, std::string_view key, bool otherwise) {
+bool TomlReader::flag(const toml::table& table, std::string_view key, bool fallback) {
     const toml::node* node = table.get(key);
-    if (node == nullptr) return otherwise;
+    if (node == nullptr) return fallback;
     if (const auto value = node->value_exact<bool>()) return *value;
     fail(*node, quoted(key) + " must be true or false");
-    return otherwise;
+    return fallback;
 }
 
 void TomlReader::numbers(const toml::table& table, std::string_view key, std::span<double> values) {

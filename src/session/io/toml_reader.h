@@ -30,10 +30,10 @@ public:
 
     [[nodiscard]] std::string text(const toml::table& table, std::string_view key, bool isNeeded);
     [[nodiscard]] std::vector<std::string> texts(const toml::table& table, std::string_view key);
-    [[nodiscard]] double number(const toml::table& table, std::string_view key, double otherwise, double low,
+    [[nodiscard]] double number(const toml::table& table, std::string_view key, double fallback, double low,
                                 double high);
-    [[nodiscard]] int integer(const toml::table& table, std::string_view key, int otherwise, int low, int high);
-    [[nodiscard]] bool flag(const toml::table& table, std::string_view key, bool otherwise);
+    [[nodiscard]] int integer(const toml::table& table, std::string_view key, int fallback, int low, int high);
+    [[nodiscard]] bool flag(const toml::table& table, std::string_view key, bool fallback);
     /// `values` stays as it is if the key is not there.
     void numbers(const toml::table& table, std::string_view key, std::span<double> values);
     /// The tables below [[key]].

@@ -10,9 +10,9 @@
 
 #include "geometry/files/atomic_file.h"
 #include "geometry/files/file_bytes.h"
+#include "geometry/util/display_text.h"
 #include "geometry/util/parallel_for.h"
-#include "geometry/util/shown_text.h"
-#include "tooth/volume/remaining_shares.h"
+#include "tooth/volume/remaining_fractions.h"
 
 namespace tactooth {
 namespace {
@@ -56,7 +56,7 @@ public:
         voxels_[material] += static_cast<double>(nodes) * nodes * nodes;
     }
 
-    void add(const BrickKey& key, const BrickShares& shares) {
+    void add(const BrickKey& key, const BrickFractions& shares) {
         for (std::size_t m = 0; m < kMaterialCount; ++m) {
             openvdb::FloatTree::LeafNodeType* leaf = nullptr;
             for (int node = 0; node < kBrickNodes; ++node) {
@@ -91,14 +91,14 @@ private:
 };
 
 Grids gridsOf(const CutVolume& volume) {
-    const RemainingShares remains(volume);
+    const RemainingFractions remains(volume);
     Grids grids(volume.lattice());
     for (const SolidBlock& block : remains.blocks()) grids.add(block);
     const std::vector<BrickKey>& keys = remains.mixed();
-    std::vector<BrickShares> shares(std::min(kBatch, keys.size()));
+    std::vector<BrickFractions> shares(std::min(kBatch, keys.size()));
     for (std::size_t first = 0; first < keys.size(); first += kBatch) {
         const std::size_t count = std::min(kBatch, keys.size() - first);
-        parallelFor(count, [&](std::size_t i) { shares[i] = remains.sharesOf(keys[first + i]); });
+        parallelFor(count, [&](std::size_t i) { shares[i] = remains.fractionsOf(keys[first + i]); });
         for (std::size_t i = 0; i < count; ++i) grids.add(keys[first + i], shares[i]);
     }
     return grids;
@@ -124,7 +124,7 @@ Expected<void> writeVdb(const CutVolume& volume, const Provenance& provenance, c
         openvdb::initialize();
         file->write(MemoryArchive().bytesOf(gridsOf(volume).finished(), metadataOf(provenance)));
     } catch (const std::exception& error) {  // the library throws
-        return unexpected(shownName(path) + ": cannot be written: OpenVDB says: " + shownText(error.what()) + ".");
+        return unexpected(displayName(path) + ": cannot be written: OpenVDB says: " + displayText(error.what()) + ".");
     }
     return file->commit();
 }

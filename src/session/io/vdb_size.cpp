@@ -9,7 +9,7 @@
 namespace tactooth {
 namespace {
 
-constexpr double kMostBytes = 4e9;  // in memory: a molar with its layers at 5 um
+constexpr double kMaxBytes = 4e9;  // in memory: a molar with its layers at 5 um
 
 double areaOf(const TriangleMesh& mesh) {
     double twice = 0;
@@ -29,7 +29,7 @@ Expected<void> checkVdbSize(const LayeredTooth& tooth, double voxel) {
     // Where a surface passes, a brick of voxels is kept for the material of either side; inside a few blocks will do.
     const double side = kBrickSide * voxel;
     const double bytes = area / (side * side) * 2 * kBrickNodes * sizeof(float);
-    if (bytes <= kMostBytes) return {};
+    if (bytes <= kMaxBytes) return {};
     return unexpected("the voxel file would hold about " + std::to_string(std::llround(bytes / 1e9)) + " GB at " +
                       numberText(voxel) + " mm a voxel; give a coarser --voxel (is the surface in micrometres?).");
 }

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <numbers>
 
-#include "session/scripts/feel_run.h"
 #include "session/io/finite_tick.h"
+#include "session/scripts/touch_run.h"
 
 namespace tactooth {
 namespace {
@@ -27,16 +27,16 @@ Tick rigidTick(const TimedPose& row, const Vec3& step, double dt) {
 SpindlePreset constantSpeed(double speedRpm) {
     SpindlePreset preset;
     preset.name = "constant speed";
-    preset.freeSpeedRpm = preset.lowestSpeedRpm = std::max(speedRpm, 1.0);  // no drive stands still at full pedal
-    preset.stallTorque = preset.brakeTorque = 1e6;                          // N*mm: nothing slows it
+    preset.freeSpeedRpm = preset.minSpeedRpm = std::max(speedRpm, 1.0);  // no drive stands still at full pedal
+    preset.stallTorque = preset.brakeTorque = 1e6;                       // N*mm: nothing slows it
     preset.droopRpm = 1e-3;
     preset.inertia = 1e-9;
     preset.pedalCurve = PedalCurve::electric;
     return preset;
 }
 
-Expected<void> cutRigidly(std::span<const TimedPose> path, const CuttingTool& tool, double speedRpm,
-                          const MaterialTable& materials, WorkPiece& piece, const CutVisitor& visit) {
+Expected<void> cutKinematically(std::span<const TimedPose> path, const CuttingTool& tool, double speedRpm,
+                                const MaterialTable& materials, CutModel& piece, const CutCallback& visit) {
     const double rimSpeed = speedRpm / 60 * 2 * std::numbers::pi * tool.envelope.maxRadius() * 1e-3;  // m/s
     for (std::size_t i = 0; i < path.size(); ++i) {
         const TimedPose& before = path[i == 0 ? 0 : i - 1];
@@ -59,20 +59,21 @@ Expected<void> cutRigidly(std::span<const TimedPose> path, const CuttingTool& to
     return {};
 }
 
-void feelPiece(const WorkPiece& piece, const Tick& tick, bool isCut, FeltSurfaces& surfaces,
-               HapticSimulation& simulation) {
-    if (tick.placed) surfaces.watch(tick.time, tick.proxy, tick.ownLists);
-    FeltSurface* felt =
-        isCut ? surfaces.make(piece.felt(), tick.proxy, piece.reached().value_or(tick.proxy)) : surfaces.renew();
+void updateHapticSurface(const CutModel& piece, const Tick& tick, bool isCut, HapticSurfaceBuilder& surfaces,
+                         HapticSimulation& simulation) {
+    if (tick.placed) surfaces.watch(tick.time, tick.proxy, tick.ownListRebuilds);
+    HapticSurface* felt =
+        isCut ? surfaces.make(piece.felt(), tick.proxy, piece.reached().value_or(tick.proxy)) : surfaces.rebuild();
     if (felt == nullptr) return;
     simulation.setSurface(*felt);
-    surfaces.giveBack(felt);
+    surfaces.recycle(felt);
 }
 
-Expected<void> cutByLaw(std::span<const TimedPose> path, const CuttingTool& tool, const MaterialTable& materials,
-                        HapticSimulation& simulation, WorkPiece& piece, const CutVisitor& visit) {
-    simulation.setTickWork(kUnlimitedWork);  // nobody waits for a tick, and a bur that is late cuts more
-    FeltSurfaces surfaces(simulation.tool(), piece.felt());
+Expected<void> cutWithRemovalLaw(std::span<const TimedPose> path, const CuttingTool& tool,
+                                 const MaterialTable& materials, HapticSimulation& simulation, CutModel& piece,
+                                 const CutCallback& visit) {
+    simulation.setTickBudget(kUnlimitedWork);  // nobody waits for a tick, and a bur that is late cuts more
+    HapticSurfaceBuilder surfaces(simulation.tool(), piece.felt());
     double last = path.empty() ? 0 : path.front().time;
     double lastCut = last;
     for (const TimedPose& row : path) {
@@ -83,11 +84,11 @@ Expected<void> cutByLaw(std::span<const TimedPose> path, const CuttingTool& tool
         if (auto finite = checkFinite(row.time, tick); !finite) return finite;
         const bool isTurnToCut = row.time - lastCut >= kSurfaceDelay - 1e-9;
         if (isTurnToCut) lastCut = row.time;
-        const bool isCut = isTurnToCut && (piece.feed(tool, tick, materials) || piece.letFall(tick));
-        feelPiece(piece, tick, isCut, surfaces, simulation);
+        const bool isCut = isTurnToCut && (piece.feed(tool, tick, materials) || piece.removeLoosePieces(tick));
+        updateHapticSurface(piece, tick, isCut, surfaces, simulation);
         visit(row.time, tick, piece.loss());
     }
-    piece.letFall();
+    piece.removeLoosePieces();
     return {};
 }
 

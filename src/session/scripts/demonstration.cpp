@@ -4,19 +4,19 @@
 
 #include <chrono>
 
-#include "session/scripts/cut_run.h"
-#include "session/scripts/practised_hand.h"
 #include "session/audio/tick_sound.h"
+#include "session/scripts/cut_run.h"
+#include "session/scripts/scripted_operator.h"
 
 namespace tactooth {
 namespace {
 
 constexpr double kTick = 0.001;  // s
 constexpr int kTicksPerCut = 5;  // the felt surface follows the cut within 5 ms
-constexpr std::size_t kTouchPassages = 2;
+constexpr std::size_t kTouchPhases = 2;
 
 /// Come down and touch, stroke, lift off, cut, lift again: shares of the whole.
-std::vector<Passage> lesson(const Vec3& middle, double reach, double seconds) {
+std::vector<OperatorPhase> script(const Vec3& middle, double reach, double seconds) {
     const Vec3 left = middle - Vec3(reach, 0, 0);
     const Vec3 right = middle + Vec3(reach, 0, 0);
     return {
@@ -26,7 +26,7 @@ std::vector<Passage> lesson(const Vec3& middle, double reach, double seconds) {
     };
 }
 
-SprayMoment sprayOf(const Tick& tick, const WorkPiece& piece) {
+SprayInput sprayOf(const Tick& tick, const CutModel& piece) {
     return {.toolInTooth = tick.proxy,
             .normal = tick.normal,
             .speedRpm = tick.speedRpm,
@@ -36,18 +36,18 @@ SprayMoment sprayOf(const Tick& tick, const WorkPiece& piece) {
 
 }  // namespace
 
-Demonstration playDemonstration(WorkPiece& piece, const Box3& box, const Instrument& instrument,
+Demonstration playDemonstration(CutModel& piece, const Box3& box, const Instrument& instrument,
                                 const HapticSettings& settings, const Quat& grip, double seconds,
                                 const std::function<void(double)>& progress) {
     const Vec3 middle = box.center();
     const double reach = 0.12 * box.sizes().x();
     constexpr double kHeadroom = 6.0;  // mm above the highest cusp: the cavity can be seen under the waiting bur
-    PractisedHand hand(Vec3(middle.x() - reach, middle.y(), box.max().z() + kHeadroom), grip,
-                       lesson(middle, reach, seconds));
+    ScriptedOperator hand(Vec3(middle.x() - reach, middle.y(), box.max().z() + kHeadroom), grip,
+                          script(middle, reach, seconds));
     HapticSimulation simulation(instrument.shape, instrument.cutting.envelope.maxRadius(), piece.felt(), settings);
-    FeltSurfaces surfaces(simulation.tool(), piece.felt());
+    HapticSurfaceBuilder surfaces(simulation.tool(), piece.felt());
     ForcePipeline pipeline(hand.info().limits);
-    SprayCloud spray(instrument.cutting.envelope.maxRadius());
+    SprayParticleSystem spray(instrument.cutting.envelope.maxRadius());
 
     CutEvents events;
     Demonstration result;
@@ -55,21 +55,22 @@ Demonstration playDemonstration(WorkPiece& piece, const Box3& box, const Instrum
     result.ticks.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
         const DeviceSample sample = hand.read(kTick);
-        if (hand.passageNumber() < kTouchPassages) result.touchTick = i;
+        if (hand.phaseIndex() < kTouchPhases) result.touchTick = i;
         const auto start = std::chrono::steady_clock::now();
-        Tick tick = simulation.step({sample.hand, sample.pedal, hand.passage().cutting}, kTick);
-        hand.write(pipeline.pass(wantedFrom(tick), kTick));
+        Tick tick = simulation.step({sample.hand, sample.pedal, hand.phase().cutting}, kTick);
+        hand.write(pipeline.pass(forceCommandFrom(tick), kTick));
         tick.micros = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
         result.ticks.push_back(tick);
-        events.watch(tick.time, tick, piece.loss());
+        events.update(tick.time, tick, piece.loss());
         const bool isTurnToCut = i % kTicksPerCut == 0;
         const bool isCut = isTurnToCut && tick.cutting && piece.feed(instrument.cutting, tick, settings.materials);
-        const bool isChanged = isCut || (isTurnToCut && piece.letFall(tick));
-        feelPiece(piece, tick, isChanged, surfaces, simulation);
+        const bool isChanged = isCut || (isTurnToCut && piece.removeLoosePieces(tick));
+        updateHapticSurface(piece, tick, isChanged, surfaces, simulation);
         if (isChanged) ++result.surfaceUpdates;
         if (!isTurnToCut) continue;
         spray.advance(sprayOf(tick, piece), kTicksPerCut * kTick);
-        if (isCut && tick.pedal > 0) result.work = {i, piece.surface(), {spray.bits().begin(), spray.bits().end()}};
+        if (isCut && tick.pedal > 0)
+            result.work = {i, piece.surface(), {spray.particles().begin(), spray.particles().end()}};
         result.sound.push_back({tick.time, soundOf(tick, settings.spindle, settings.materials, instrument.edge), {}});
         progress(static_cast<double>(i) / static_cast<double>(count));
     }

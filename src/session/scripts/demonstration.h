@@ -8,7 +8,7 @@
 
 #include "session/simulation/cut_events.h"
 #include "session/simulation/simulator.h"
-#include "session/simulation/spray_cloud.h"
+#include "session/simulation/spray_particle_system.h"
 #include "sound/output/offline_render.h"
 
 namespace tactooth {
@@ -24,7 +24,7 @@ struct Demonstration {
     struct Work {
         std::size_t tick = 0;
         std::shared_ptr<const Surface> surface;
-        std::vector<FlyingBit> flying;
+        std::vector<SprayParticle> flying;
     };
     std::optional<Work> work;  ///< none if nothing was cut so
 };
@@ -32,7 +32,7 @@ struct Demonstration {
 /// Plays a session without clock, device or display: a practised hand touches the tooth from above (+z), strokes it,
 /// lifts, starts the turbine and cuts to and fro, with the tool turned by `grip` all the time. Equal inputs give equal
 /// results. `box`: of the tooth in `piece` that is worked on, mm. `progress` is called with 0..1.
-[[nodiscard]] Demonstration playDemonstration(WorkPiece& piece, const Box3& box, const Instrument& instrument,
+[[nodiscard]] Demonstration playDemonstration(CutModel& piece, const Box3& box, const Instrument& instrument,
                                               const HapticSettings& settings, const Quat& grip, double seconds,
                                               const std::function<void(double)>& progress);
 

@@ -29,13 +29,13 @@ std::string_view cutEventName(CutEventKind kind) {
             return "pulp exposed";
         case CutEventKind::NeighbourTouched:
             return "neighbour touched";
-        case CutEventKind::GumTouched:
+        case CutEventKind::GingivaTouched:
             return "gum or bone touched";
-        case CutEventKind::BesideCut:
+        case CutEventKind::AdjacentCut:
             return "cut beside the tooth";
         case CutEventKind::BurStalled:
             return "bur stalled";
-        case CutEventKind::PieceCameLoose:
+        case CutEventKind::FragmentReleased:
             return "piece came loose";
     }
     return {};
@@ -51,22 +51,22 @@ std::string cutEventsCsv(std::span<const CutEvent> events) {
     return text;
 }
 
-void CutEvents::tell(CutEventKind kind, double time, const Tick& tick) {
+void CutEvents::report(CutEventKind kind, double time, const Tick& tick) {
     events_.push_back({kind, time, tick.proxy.position});
 }
 
-void CutEvents::tellOnce(CutEventKind kind, bool happened, double time, const Tick& tick) {
+void CutEvents::reportOnce(CutEventKind kind, bool happened, double time, const Tick& tick) {
     if (!happened || std::ranges::any_of(events_, [&](const CutEvent& event) { return event.kind == kind; })) return;
-    tell(kind, time, tick);
+    report(kind, time, tick);
 }
 
 /// What stands around a tooth is other teeth, and gum or bone, which are of no tissue of a tooth.
-void CutEvents::watchAround(double time, const Tick& tick) {
+void CutEvents::updateSurroundings(double time, const Tick& tick) {
     if (!tick.around) return;
-    const bool isGum = *tick.around == MaterialId::Other;
-    std::optional<double>& last = isGum ? gumAt_ : neighbourAt_;
+    const bool isGingiva = *tick.around == MaterialId::Other;
+    std::optional<double>& last = isGingiva ? gingivaTouchedAt_ : neighbourAt_;
     if (!last || time > *last + kApart) {
-        tell(isGum ? CutEventKind::GumTouched : CutEventKind::NeighbourTouched, time, tick);
+        report(isGingiva ? CutEventKind::GingivaTouched : CutEventKind::NeighbourTouched, time, tick);
     }
     last = time;
 }
@@ -81,7 +81,7 @@ void CutEvents::count(const ToothLoss& loss) {
     last_ = loss;
 }
 
-void CutEvents::watch(double time, const Tick& tick, const ToothLoss& loss) {
+void CutEvents::update(double time, const Tick& tick, const ToothLoss& loss) {
     const MaterialVolumes& removed = loss.removed;
     if (!std::exchange(started_, true)) {
         before_ = removed;
@@ -97,16 +97,16 @@ void CutEvents::watch(double time, const Tick& tick, const ToothLoss& loss) {
         const auto i = static_cast<std::size_t>(id);
         return std::max(own_[i], removed[i] - before_[i] - kAtMost * (loss.beside - besideBefore_));
     };
-    tellOnce(CutEventKind::FirstContact, tick.contacts > 0 || total(removed) > total(before_), time, tick);
-    tellOnce(CutEventKind::DentinReached, gone(MaterialId::Dentin) > kReached, time, tick);
-    tellOnce(CutEventKind::PulpExposed, gone(MaterialId::Pulp) > kReached, time, tick);
-    watchAround(time, tick);
-    tellOnce(CutEventKind::BesideCut, loss.beside - besideBefore_ > kReached, time, tick);
-    if (loss.pieces > pieces_) tell(CutEventKind::PieceCameLoose, time, tick);
+    reportOnce(CutEventKind::FirstContact, tick.contacts > 0 || total(removed) > total(before_), time, tick);
+    reportOnce(CutEventKind::DentinReached, gone(MaterialId::Dentin) > kReached, time, tick);
+    reportOnce(CutEventKind::PulpExposed, gone(MaterialId::Pulp) > kReached, time, tick);
+    updateSurroundings(time, tick);
+    reportOnce(CutEventKind::AdjacentCut, loss.beside - besideBefore_ > kReached, time, tick);
+    if (loss.pieces > pieces_) report(CutEventKind::FragmentReleased, time, tick);
     pieces_ = loss.pieces;
     turned_ = turned_ || tick.speedRpm > kTurnsRpm;
-    if (turned_ && tick.speedRpm < kRubsRpm && tick.pedal > kPedalDown && tick.contacts > 0) {
-        tell(CutEventKind::BurStalled, time, tick);
+    if (turned_ && tick.speedRpm < kMinCuttingRpm && tick.pedal > kPedalDown && tick.contacts > 0) {
+        report(CutEventKind::BurStalled, time, tick);
         turned_ = false;
     }
 }

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "haptics/haptic_simulation.h"
-#include "session/simulation/work_piece.h"
+#include "session/simulation/cut_model.h"
 
 namespace tactooth {
 
@@ -20,15 +20,16 @@ enum class CutEventKind {
     DentinReached,
     PulpExposed,
     NeighbourTouched,
-    GumTouched,
-    BesideCut,
+    GingivaTouched,
+    AdjacentCut,
     BurStalled,
-    PieceCameLoose
+    FragmentReleased
 };
 
-inline constexpr std::array kCutEventKinds = {
-    CutEventKind::FirstContact, CutEventKind::DentinReached, CutEventKind::PulpExposed, CutEventKind::NeighbourTouched,
-    CutEventKind::GumTouched,   CutEventKind::BesideCut,     CutEventKind::BurStalled,  CutEventKind::PieceCameLoose};
+inline constexpr std::array kCutEventKinds = {CutEventKind::FirstContact,   CutEventKind::DentinReached,
+                                              CutEventKind::PulpExposed,    CutEventKind::NeighbourTouched,
+                                              CutEventKind::GingivaTouched, CutEventKind::AdjacentCut,
+                                              CutEventKind::BurStalled,     CutEventKind::FragmentReleased};
 
 /// "first contact", "dentin reached", "pulp exposed", "neighbour touched", "gum or bone touched", "cut beside the
 /// tooth", "bur stalled", "piece came loose".
@@ -51,15 +52,15 @@ class CutEvents {
 public:
     /// `loss`: everything up to this tick. The first call tells what had been cut before; what is put back (undo,
     /// reset) and cut again is no news.
-    void watch(double time, const Tick& tick, const ToothLoss& loss);
+    void update(double time, const Tick& tick, const ToothLoss& loss);
 
     /// In the order of their times.
     [[nodiscard]] const std::vector<CutEvent>& all() const { return events_; }
 
 private:
-    void tell(CutEventKind kind, double time, const Tick& tick);
-    void tellOnce(CutEventKind kind, bool happened, double time, const Tick& tick);
-    void watchAround(double time, const Tick& tick);
+    void report(CutEventKind kind, double time, const Tick& tick);
+    void reportOnce(CutEventKind kind, bool happened, double time, const Tick& tick);
+    void updateSurroundings(double time, const Tick& tick);
     void count(const ToothLoss& loss);
 
     std::vector<CutEvent> events_;
@@ -69,8 +70,8 @@ private:
     MaterialVolumes own_{};   // of the tooth itself, since the first call, mm^3
     std::size_t pieces_ = 0;  // that had fallen at the last call
     bool started_ = false;
-    bool turned_ = false;                        // the bur did, since it stalled last
-    std::optional<double> neighbourAt_, gumAt_;  // when it was touched last, s
+    bool turned_ = false;                                   // the bur did, since it stalled last
+    std::optional<double> neighbourAt_, gingivaTouchedAt_;  // when it was touched last, s
 };
 
 }  // namespace tactooth

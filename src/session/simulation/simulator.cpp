@@ -18,9 +18,9 @@ constexpr auto kLongestFade = std::chrono::milliseconds(100);  // 20 N take 67 m
 constexpr double kPauseBetweenCuts = 0.4;  // s without contact: the bur was lifted, a new cut begins (mark for undo)
 
 /// Whether a tool has been put down: looked at now and then, it needs no attention at every tick.
-class RestWatch {
+class IdleDetector {
 public:
-    [[nodiscard]] bool rests(const Tick& now) {
+    [[nodiscard]] bool idle(const Tick& now) {
         if (now.proxy.position != place_) place_ = now.proxy.position, movedAt_ = now.time;
         return now.time > movedAt_ + kRests;
     }
@@ -32,56 +32,57 @@ private:
 
 }  // namespace
 
-Simulator::Simulator(std::shared_ptr<WorkPiece> piece, Instrument instrument, const HapticSettings& settings,
-                     HapticDevice& device, TickListener onTick, double rateHz, std::optional<Seat> seat,
-                     HapticDevice* second, double fineness)
-    : piece_(std::move(piece)),
+Simulator::Simulator(std::shared_ptr<CutModel> piece, Instrument instrument, const HapticSettings& settings,
+                     HapticDevice& device, TickListener onTick, double rateHz,
+                     std::optional<DeviceRegistration> registration, HapticDevice* second, double motionScaling)
+    : model_(std::move(piece)),
       instrument_(std::move(instrument)),
       settings_(settings),
       rateHz_(rateHz),
       device_(device),
       second_(second),
       onTick_(std::move(onTick)),
-      simulation_(instrument_.shape, instrument_.cutting.envelope.maxRadius(), piece_->felt(), settings),
-      hands_(device, second, seat),
-      controls_(SimulatorControls{.force = settings.force, .fineness = fineness}),
-      surfaces_(simulation_.tool(), piece_->felt()),
-      newest_(piece_->felt()),
-      watchedSurface_(piece_->surface()),
-      watchedLoss_(piece_->loss()) {
-    simulation_.letOthersPlace();
+      simulation_(instrument_.shape, instrument_.cutting.envelope.maxRadius(), model_->felt(), settings),
+      devices_(device, second, registration),
+      controls_(SimulatorControls{.force = settings.force, .motionScaling = motionScaling}),
+      surfaces_(simulation_.tool(), model_->felt()),
+      newest_(model_->felt()),
+      publishedSurface_(model_->surface()),
+      publishedLoss_(model_->loss()) {
+    simulation_.deferPlacement();
     std::function<void(double)> pace;
-    if (device.setsPace()) pace = [&device](double longest) { device.waitForTick(longest); };
+    if (device.drivesServoRate()) pace = [&device](double longest) { device.waitForTick(longest); };
     loop_ = std::make_unique<ServoLoop>(
         rateHz, [this](double elapsed) { servoTick(elapsed); }, std::move(pace));
-    cutter_ = std::jthread([this](const std::stop_token& stop) { runCutter(stop); });
-    maker_ = std::jthread([this, stock = piece_->stock()](const std::stop_token& stop) { runMaker(stop, *stock); });
-    lister_ = std::jthread([this](const std::stop_token& stop) { runLister(stop); });
+    carvingThread_ = std::jthread([this](const std::stop_token& stop) { runCarving(stop); });
+    brickPrefetchThread_ =
+        std::jthread([this, pool = model_->pool()](const std::stop_token& stop) { runBrickPrefetch(stop, *pool); });
+    neighbourListThread_ = std::jthread([this](const std::stop_token& stop) { runNeighbourLists(stop); });
 }
 
 /// A force that ends within one tick is a kick: the servo takes it back as fast as any force may change.
 void Simulator::fadeOut() {
-    leaving_.store(true);
+    fadingOut_.store(true);
     const auto end = std::chrono::steady_clock::now() + kLongestFade;
     while (!silent_.load() && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(kPause);
 }
 
 Simulator::~Simulator() {
     fadeOut();
-    cutter_ = {};  // joins
-    maker_ = {};
-    lister_ = {};  // after this nobody fills the queues
+    carvingThread_ = {};  // joins
+    brickPrefetchThread_ = {};
+    neighbourListThread_ = {};  // after this nobody fills the queues
     loop_.reset();
     device_.write(SafeWrench());
     if (second_ != nullptr) second_->write(SafeWrench());
 }
 
 /// Swaps in what has come. What was felt before goes back to the lister: to free it would stall the servo.
-void Simulator::takeNewSurface() {
-    FeltSurface* felt = nullptr;
-    while (fresh_.pop(felt)) {
+void Simulator::adoptNewSurface() {
+    HapticSurface* felt = nullptr;
+    while (pendingSurfaces_.pop(felt)) {
         simulation_.setSurface(*felt);
-        returned_.push(felt);
+        retiredSurfaces_.push(felt);
     }
 }
 
@@ -89,146 +90,147 @@ void Simulator::servoTick(double elapsed) {
     const auto start = std::chrono::steady_clock::now();
     controls_.refresh();
     const SimulatorControls& controls = controls_.value();
-    takeNewSurface();
+    adoptNewSurface();
     simulation_.force().setOverrides(controls.force);
     simulation_.force().setScale(controls.forceScale);
 
-    hands_.read(elapsed, {controls.clutch, controls.fineness, controls.buttons});
-    mirrorForWatcher_.write(hands_.mirror());
-    simulation_.force().setStiffest(stiffestAt(hands_.stiffest(), rateHz_));
-    const double pedal = std::max(controls.pedal, hands_.pedal());
-    Tick tick = simulation_.step({hands_.turbine(), pedal, controls.cutting != hands_.cutToggled()}, elapsed);
-    hands_.write(tick, controls.forceEnabled && !leaving_.load(std::memory_order_relaxed), elapsed);
-    forceState_.store(hands_.forceState(), std::memory_order_relaxed);
-    handAtEnd_.store(hands_.isAtEnd(), std::memory_order_relaxed);
-    silent_.store(hands_.isSilent(), std::memory_order_relaxed);
+    devices_.read(elapsed, {controls.clutch, controls.motionScaling, controls.buttons});
+    mirrorForObserver_.write(devices_.mirror());
+    simulation_.force().setMaxStiffness(maxStiffnessAt(devices_.maxStiffness(), rateHz_));
+    const double pedal = std::max(controls.pedal, devices_.pedal());
+    Tick tick = simulation_.step({devices_.turbine(), pedal, controls.cutting != devices_.cutToggled()}, elapsed);
+    devices_.write(tick, controls.forceEnabled && !fadingOut_.load(std::memory_order_relaxed), elapsed);
+    forceState_.store(devices_.forceState(), std::memory_order_relaxed);
+    deviceAtWorkspaceLimit_.store(devices_.isAtWorkspaceLimit(), std::memory_order_relaxed);
+    silent_.store(devices_.isSilent(), std::memory_order_relaxed);
 
     tick.micros = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
-    deviceToForce_.add(1e6 * hands_.age() + tick.micros);
-    tickForCutter_.write(tick);
-    tickForLister_.write(tick);
-    ticksForWatcher_.push(tick);
+    deviceToForce_.add(1e6 * devices_.age() + tick.micros);
+    tickForCarving_.write(tick);
+    tickForNeighbourLists_.write(tick);
+    ticksForObserver_.push(tick);
     if (onTick_) onTick_(tick);
 }
 
 void Simulator::fetchTicks(std::vector<Tick>& ticks) {
-    ticksForWatcher_.consume_all([&](const Tick& tick) { ticks.push_back(tick); });
+    ticksForObserver_.consume_all([&](const Tick& tick) { ticks.push_back(tick); });
 }
 
 std::shared_ptr<const Surface> Simulator::surface() const {
-    const std::lock_guard lock(watched_);
-    return watchedSurface_;
+    const std::lock_guard lock(publishedMutex_);
+    return publishedSurface_;
 }
 
-TaggedMesh Simulator::exported() const { return exportedMesh(*surface(), piece_->volume().lattice().spacing()); }
+TaggedMesh Simulator::exported() const { return exportedMesh(*surface(), model_->volume().lattice().spacing()); }
 
 ToothLoss Simulator::loss() const {
-    const std::lock_guard lock(watched_);
-    return watchedLoss_;
+    const std::lock_guard lock(publishedMutex_);
+    return publishedLoss_;
 }
 
 void Simulator::publishSurface() {
-    CutSurface cut{piece_->felt(), piece_->reached()};
+    CarvedSurface cut{model_->felt(), model_->reached()};
     {
-        const std::lock_guard lock(watched_);
-        watchedSurface_ = piece_->surface();
-        watchedLoss_ = piece_->loss();
-        unlisted_ = std::move(cut);
+        const std::lock_guard lock(publishedMutex_);
+        publishedSurface_ = model_->surface();
+        publishedLoss_ = model_->loss();
+        surfaceToList_ = std::move(cut);
     }
-    cutCame_.notify_one();
+    cutAvailable_.notify_one();
     surfaceUpdates_.fetch_add(1, std::memory_order_relaxed);
 }
 
 std::vector<std::byte> Simulator::toothFile(const Provenance& provenance) const {
-    const std::lock_guard lock(pieceInUse_);
-    return toothFileBytes(*piece_, provenance);
+    const std::lock_guard lock(modelMutex_);
+    return toothFileBytes(*model_, provenance);
 }
 
-bool Simulator::undoAsAsked() {
+bool Simulator::processUndoRequest() {
     bool changed = false;
-    for (int left = undosRequested_.exchange(0); left > 0; --left) changed |= piece_->undo();
+    for (int left = undosRequested_.exchange(0); left > 0; --left) changed |= model_->undo();
     lastCut_ = -std::numeric_limits<double>::infinity();  // what comes next is a cut of its own
     return changed;
 }
 
-bool Simulator::cutAsAsked() {
-    const Tick& tick = tickForCutter_.value();
-    if (tick.contacts > 0 && tick.speedRpm > 0 && tick.time > lastCut_ + kPauseBetweenCuts) piece_->mark();
+bool Simulator::processCutRequest() {
+    const Tick& tick = tickForCarving_.value();
+    if (tick.contacts > 0 && tick.speedRpm > 0 && tick.time > lastCut_ + kPauseBetweenCuts) model_->mark();
     if (tick.contacts > 0 && tick.speedRpm > 0) lastCut_ = tick.time;
-    return piece_->feed(instrument_.cutting, tick, settings_.materials);
+    return model_->feed(instrument_.cutting, tick, settings_.materials);
 }
 
 /// One turn of the cutter. True if the surface has changed.
-bool Simulator::workOnPiece() {
-    const std::lock_guard lock(pieceInUse_);
+bool Simulator::processModel() {
+    const std::lock_guard lock(modelMutex_);
     if (resetRequested_.exchange(false)) {
-        piece_->reset();
+        model_->reset();
         return true;
     }
-    if (undosRequested_.load() > 0) return undoAsAsked();
-    if (!tickForCutter_.refresh()) return false;
-    const Tick& now = tickForCutter_.value();
-    cuttingAt_.write(now.cutting && now.speedRpm > 0 ? std::optional(now.proxy) : std::nullopt);
-    return (tickForCutter_.value().cutting && cutAsAsked()) || piece_->letFall(tickForCutter_.value());
+    if (undosRequested_.load() > 0) return processUndoRequest();
+    if (!tickForCarving_.refresh()) return false;
+    const Tick& now = tickForCarving_.value();
+    carvingPose_.write(now.cutting && now.speedRpm > 0 ? std::optional(now.proxy) : std::nullopt);
+    return (tickForCarving_.value().cutting && processCutRequest()) ||
+           model_->removeLoosePieces(tickForCarving_.value());
 }
 
-void Simulator::runCutter(const std::stop_token& stop) {
+void Simulator::runCarving(const std::stop_token& stop) {
     pthread_setname_np(pthread_self(), "cutter");  // for debuggers and profilers
-    RestWatch watch;
+    IdleDetector watch;
     while (!stop.stop_requested()) {
-        if (workOnPiece()) {
+        if (processModel()) {
             publishSurface();
         } else {
-            std::this_thread::sleep_for(watch.rests(tickForCutter_.value()) ? kRest : kPause);
+            std::this_thread::sleep_for(watch.idle(tickForCarving_.value()) ? kRest : kPause);
         }
     }
 }
 
-void Simulator::runMaker(const std::stop_token& stop, BrickStock& stock) {
+void Simulator::runBrickPrefetch(const std::stop_token& stop, BrickPool& pool) {
     pthread_setname_np(pthread_self(), "maker");  // for debuggers and profilers
     while (!stop.stop_requested()) {
-        (void)cuttingAt_.refresh();
-        const std::optional<Pose>& at = cuttingAt_.value();
-        if (at && stock.makeAround(instrument_.cutting.envelope, *at) > 0) continue;
+        (void)carvingPose_.refresh();
+        const std::optional<Pose>& at = carvingPose_.value();
+        if (at && pool.makeAround(instrument_.cutting.envelope, *at) > 0) continue;
         std::this_thread::sleep_for(at ? kPause : kRest);
     }
 }
 
 /// What the cutter has made since the last call, if that comes before the tool has moved on.
-std::optional<Simulator::CutSurface> Simulator::waitForCut(const std::stop_token& stop, bool rests) {
-    std::unique_lock lock(watched_);
-    (void)cutCame_.wait_for(lock, stop, rests ? kRest : kPause, [this] { return unlisted_.has_value(); });
-    return std::exchange(unlisted_, std::nullopt);
+std::optional<Simulator::CarvedSurface> Simulator::waitForCutSurface(const std::stop_token& stop, bool idle) {
+    std::unique_lock lock(publishedMutex_);
+    (void)cutAvailable_.wait_for(lock, stop, idle ? kRest : kPause, [this] { return surfaceToList_.has_value(); });
+    return std::exchange(surfaceToList_, std::nullopt);
 }
 
 /// Hands a surface or a list to the servo; false if it has not taken the last ones yet.
-bool Simulator::send(FeltSurface* felt) {
-    if (fresh_.push(felt)) return true;
-    surfaces_.giveBack(felt);
+bool Simulator::send(HapticSurface* felt) {
+    if (pendingSurfaces_.push(felt)) return true;
+    surfaces_.recycle(felt);
     return false;
 }
 
 /// Lists what is near the tool, in each new surface and wherever the tool goes, and finds a place for a tool whose hand
 /// came into the tooth, before the servo would have to do so within a tick. On a thread of its own: a cut takes longer
 /// than a list lasts.
-void Simulator::runLister(const std::stop_token& stop) {
+void Simulator::runNeighbourLists(const std::stop_token& stop) {
     pthread_setname_np(pthread_self(), "lister");
-    RestWatch watch;
-    bool rests = false;
-    std::optional<CutSurface> unsent;
+    IdleDetector watch;
+    bool idle = false;
+    std::optional<CarvedSurface> unsent;
     while (!stop.stop_requested()) {
-        if (std::optional<CutSurface> cut = waitForCut(stop, rests)) {
+        if (std::optional<CarvedSurface> cut = waitForCutSurface(stop, idle)) {
             newest_ = cut->felt;
             unsent = std::move(cut);
         }
-        returned_.consume_all([this](FeltSurface* felt) { surfaces_.giveBack(felt); });
-        (void)tickForLister_.refresh();
-        const Tick& now = tickForLister_.value();
-        rests = watch.rests(now);
-        if (now.placed) surfaces_.watch(now.time, now.proxy, now.ownLists);
+        retiredSurfaces_.consume_all([this](HapticSurface* felt) { surfaces_.recycle(felt); });
+        (void)tickForNeighbourLists_.refresh();
+        const Tick& now = tickForNeighbourLists_.value();
+        idle = watch.idle(now);
+        if (now.placed) surfaces_.watch(now.time, now.proxy, now.ownListRebuilds);
         if (unsent) {
             if (send(surfaces_.make(unsent->felt, now.proxy, unsent->reached.value_or(now.proxy)))) unsent.reset();
-        } else if (FeltSurface* felt = now.placed ? surfaces_.renew() : surfaces_.place(newest_, now.hand)) {
+        } else if (HapticSurface* felt = now.placed ? surfaces_.rebuild() : surfaces_.place(newest_, now.hand)) {
             (void)send(felt);  // what the servo does not take, it has no need of
         }
     }

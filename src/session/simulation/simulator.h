@@ -14,13 +14,13 @@
 #include <thread>
 #include <vector>
 
-#include "session/control/hands.h"
-#include "geometry/util/latest_value.h"
+#include "geometry/util/triple_buffer.h"
 #include "haptics/haptic_simulation.h"
 #include "haptics/servo_loop.h"
 #include "instruments/bur_catalogue.h"
+#include "session/control/device_set.h"
+#include "session/simulation/cut_model.h"
 #include "session/simulation/tooth_file.h"
-#include "session/simulation/work_piece.h"
 
 namespace tactooth {
 
@@ -39,7 +39,7 @@ struct SimulatorControls {
     bool cutting = false;      ///< touch or cut
     bool forceEnabled = true;  ///< off: the device is limp, everything else goes on
     bool clutch = false;       ///< the tool stays where it is while the hand moves on
-    double fineness = 1;       ///< mm that the hand moves for each mm of the tool: 3 for fine work
+    double motionScaling = 1;  ///< mm that the hand moves for each mm of the tool: 3 for fine work
     ButtonMap buttons = {};
 };
 
@@ -53,12 +53,13 @@ public:
 
     /// `device` is open and outlives the simulator. `onTick` runs on the servo thread after every tick: it must not
     /// block (publish to the sound, for example). The work piece may bring cuts from an earlier simulator.
-    /// `seat`: for a device whose frame has nothing to do with the tooth; without it the device's frame is the tooth's.
-    /// `second`: a device for the other hand, which begins with the mirror; open, and outlives the simulator as well.
-    /// `fineness`: until other controls are set.
-    Simulator(std::shared_ptr<WorkPiece> piece, Instrument instrument, const HapticSettings& settings,
-              HapticDevice& device, TickListener onTick, double rateHz = 1000, std::optional<Seat> seat = {},
-              HapticDevice* second = nullptr, double fineness = 1);
+    /// `registration`: for a device whose frame has nothing to do with the tooth; without it the device's frame is the
+    /// tooth's. `second`: a device for the other hand, which begins with the mirror; open, and outlives the simulator
+    /// as well. `motionScaling`: until other controls are set.
+    Simulator(std::shared_ptr<CutModel> piece, Instrument instrument, const HapticSettings& settings,
+              HapticDevice& device, TickListener onTick, double rateHz = 1000,
+              std::optional<DeviceRegistration> registration = {}, HapticDevice* second = nullptr,
+              double motionScaling = 1);
     ~Simulator();
     Simulator(const Simulator&) = delete;
     Simulator& operator=(const Simulator&) = delete;
@@ -78,15 +79,17 @@ public:
     [[nodiscard]] ToothLoss loss() const;
     [[nodiscard]] const ServoTiming& timing() const { return loop_->timing(); }
     /// One thread (the window's): how the hand has moved the mirror since the start, in the tooth's frame.
-    [[nodiscard]] const Pose& mirrorMotion() { return mirrorForWatcher_.refresh(), mirrorForWatcher_.value(); }
+    [[nodiscard]] const Pose& mirrorMotion() { return mirrorForObserver_.refresh(), mirrorForObserver_.value(); }
     /// From the device's reading of a hand to the force that answers it, us.
     [[nodiscard]] const LatencyHistogram& deviceToForce() const { return deviceToForce_; }
     /// Why the hand feels what it feels.
     [[nodiscard]] ForceState forceState() const { return forceState_.load(std::memory_order_relaxed); }
     /// See Hands.
-    [[nodiscard]] bool isHandAtEnd() const { return handAtEnd_.load(std::memory_order_relaxed); }
+    [[nodiscard]] bool isDeviceAtWorkspaceLimit() const {
+        return deviceAtWorkspaceLimit_.load(std::memory_order_relaxed);
+    }
     [[nodiscard]] bool isRealTime() const { return loop_->isRealTime(); }
-    [[nodiscard]] bool sleepsLightly() const { return loop_->sleepsLightly(); }
+    [[nodiscard]] bool limitsCpuLatency() const { return loop_->limitsCpuLatency(); }
     /// Surfaces published by the cutter so far.
     [[nodiscard]] std::uint64_t surfaceUpdates() const { return surfaceUpdates_.load(std::memory_order_relaxed); }
     /// Puts the tooth back as it was. Any thread; done by the cutter thread at its next turn.
@@ -98,30 +101,30 @@ public:
     [[nodiscard]] std::vector<std::byte> toothFile(const Provenance& provenance) const;
 
 private:
-    template <std::size_t kRoom>
-    using SurfaceQueue = boost::lockfree::spsc_queue<FeltSurface*, boost::lockfree::capacity<kRoom>>;
-    static constexpr std::size_t kKeptTicks = 2048;
+    template <std::size_t kCapacity>
+    using SurfaceQueue = boost::lockfree::spsc_queue<HapticSurface*, boost::lockfree::capacity<kCapacity>>;
+    static constexpr std::size_t kTickCapacity = 2048;
 
     /// What the cutter has made.
-    struct CutSurface {
+    struct CarvedSurface {
         std::shared_ptr<const Surface> felt;
         std::optional<Pose> reached;  ///< where the cut lets the tool go to
     };
 
     void servoTick(double elapsed);
     void fadeOut();
-    void takeNewSurface();
-    void runCutter(const std::stop_token& stop);
-    void runLister(const std::stop_token& stop);
-    void runMaker(const std::stop_token& stop, BrickStock& stock);
-    [[nodiscard]] bool workOnPiece();
-    [[nodiscard]] bool undoAsAsked();
-    [[nodiscard]] bool cutAsAsked();
+    void adoptNewSurface();
+    void runCarving(const std::stop_token& stop);
+    void runNeighbourLists(const std::stop_token& stop);
+    void runBrickPrefetch(const std::stop_token& stop, BrickPool& pool);
+    [[nodiscard]] bool processModel();
+    [[nodiscard]] bool processUndoRequest();
+    [[nodiscard]] bool processCutRequest();
     void publishSurface();
-    [[nodiscard]] std::optional<CutSurface> waitForCut(const std::stop_token& stop, bool rests);
-    [[nodiscard]] bool send(FeltSurface* felt);
+    [[nodiscard]] std::optional<CarvedSurface> waitForCutSurface(const std::stop_token& stop, bool idle);
+    [[nodiscard]] bool send(HapticSurface* felt);
 
-    std::shared_ptr<WorkPiece> piece_;
+    std::shared_ptr<CutModel> model_;
     Instrument instrument_;
     HapticSettings settings_;
     double rateHz_;
@@ -131,22 +134,22 @@ private:
 
     // Servo thread's.
     HapticSimulation simulation_;
-    Hands hands_;
+    DeviceSet devices_;
 
     // Between threads.
-    LatestValue<SimulatorControls> controls_;
-    LatestValue<Tick> tickForCutter_;
-    LatestValue<Tick> tickForLister_;
-    LatestValue<std::optional<Pose>> cuttingAt_;  // cutter -> maker; nothing while the bur only touches
-    boost::lockfree::spsc_queue<Tick, boost::lockfree::capacity<kKeptTicks>> ticksForWatcher_;
-    SurfaceQueue<8> fresh_;      // lister -> servo
-    SurfaceQueue<32> returned_;  // and back, with the surface felt before: the servo never frees one
-    LatestValue<Pose> mirrorForWatcher_;
+    TripleBuffer<SimulatorControls> controls_;
+    TripleBuffer<Tick> tickForCarving_;
+    TripleBuffer<Tick> tickForNeighbourLists_;
+    TripleBuffer<std::optional<Pose>> carvingPose_;  // cutter -> maker; nothing while the bur only touches
+    boost::lockfree::spsc_queue<Tick, boost::lockfree::capacity<kTickCapacity>> ticksForObserver_;
+    SurfaceQueue<8> pendingSurfaces_;   // lister -> servo
+    SurfaceQueue<32> retiredSurfaces_;  // and back, with the surface felt before: the servo never frees one
+    TripleBuffer<Pose> mirrorForObserver_;
     LatencyHistogram deviceToForce_;
     std::atomic<ForceState> forceState_{ForceState::Off};
-    std::atomic<bool> handAtEnd_{false};
-    std::atomic<bool> leaving_{false};  // the force fades out
-    std::atomic<bool> silent_{true};    // it has
+    std::atomic<bool> deviceAtWorkspaceLimit_{false};
+    std::atomic<bool> fadingOut_{false};  // the force fades out
+    std::atomic<bool> silent_{true};      // it has
     std::atomic<bool> resetRequested_{false};
     std::atomic<int> undosRequested_{0};
     std::atomic<std::uint64_t> surfaceUpdates_{0};
@@ -155,23 +158,23 @@ private:
     double lastCut_ = -std::numeric_limits<double>::infinity();  ///< Tick::time, s
 
     // Lister's.
-    FeltSurfaces surfaces_;
+    HapticSurfaceBuilder surfaces_;
     std::shared_ptr<const Surface> newest_;  ///< that it knows of
 
     /// The cutter's while it works, and that of anyone who looks at the work piece; never the servo's.
-    mutable std::mutex pieceInUse_;
+    mutable std::mutex modelMutex_;
 
     // Cutter, lister and watchers; never the servo.
-    mutable std::mutex watched_;
-    std::shared_ptr<const Surface> watchedSurface_;
-    ToothLoss watchedLoss_;
-    std::optional<CutSurface> unlisted_;
-    std::condition_variable_any cutCame_;
+    mutable std::mutex publishedMutex_;
+    std::shared_ptr<const Surface> publishedSurface_;
+    ToothLoss publishedLoss_;
+    std::optional<CarvedSurface> surfaceToList_;
+    std::condition_variable_any cutAvailable_;
 
     std::unique_ptr<ServoLoop> loop_;
-    std::jthread cutter_;
-    std::jthread maker_;
-    std::jthread lister_;
+    std::jthread carvingThread_;
+    std::jthread brickPrefetchThread_;
+    std::jthread neighbourListThread_;
 };
 
 }  // namespace tactooth

@@ -15,7 +15,7 @@ bool isEarlier(const std::shared_ptr<const SurfacePart>& a, const std::shared_pt
 
 }  // namespace
 
-Box3 SurfaceChange::upTo(const Surface& tooth) {
+Box3 SurfaceChange::changedBox(const Surface& tooth) {
     std::vector<std::shared_ptr<const SurfacePart>> patches = tooth.patches;
     std::sort(patches.begin(), patches.end(), isEarlier);
     std::vector<std::shared_ptr<const SurfacePart>> changed;

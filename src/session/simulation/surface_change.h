@@ -15,7 +15,7 @@ public:
     /// The box around the patches that only one of `tooth` and the last call's tooth has, mm: all that went or came
     /// back lies in it, the middle of a large piece, too. Empty: nothing has changed. The first call compares with the
     /// uncut tooth.
-    [[nodiscard]] Box3 upTo(const Surface& tooth);
+    [[nodiscard]] Box3 changedBox(const Surface& tooth);
 
 private:
     std::vector<std::shared_ptr<const SurfacePart>> patches_;  // of the last call, in the order of their addresses

@@ -88,7 +88,7 @@ std::optional<BuiltinTooth> toothFrom(std::span<const std::byte> bytes) {
 }
 
 /// Where the teeth stand, the upper gum, the lower one.
-std::vector<std::byte> bytesOf(const MouthSetting& setting) {
+std::vector<std::byte> bytesOf(const MouthLayout& setting) {
     ByteWriter content;
     for (const Pose& pose : setting.toothInMouth) {
         const auto& [position, rotation] = pose;
@@ -100,10 +100,10 @@ std::vector<std::byte> bytesOf(const MouthSetting& setting) {
     return sealed(kMouthMagic, content);
 }
 
-std::optional<MouthSetting> settingFrom(std::span<const std::byte> bytes) {
+std::optional<MouthLayout> layoutFrom(std::span<const std::byte> bytes) {
     ByteReader file(bytes);
     if (!isUnbroken(kMouthMagic, bytes, file)) return std::nullopt;
-    MouthSetting setting;
+    MouthLayout setting;
     for (Pose& pose : setting.toothInMouth) {
         for (double& number : pose.position) number = file.get<double>();
         for (double& number : pose.rotation.coeffs()) number = file.get<double>();
@@ -141,7 +141,7 @@ fs::path ToothCache::fileOf(const ToothRequest& request) const {
 fs::path ToothCache::fileOf(const MouthRequest& request) const {
     std::array<char, 32> name{};
     std::snprintf(name.data(), name.size(), "%016llx",
-                  static_cast<unsigned long long>(mouthSettingFingerprint(request)));
+                  static_cast<unsigned long long>(mouthLayoutFingerprint(request)));
     return folder_ / (std::string(name.data()) + kExtensions[1]);
 }
 
@@ -150,27 +150,27 @@ BuiltinTooth ToothCache::make(const ToothRequest& request) const {
     const fs::path file = fileOf(request);
     if (auto tooth = kept(file, toothFrom); tooth && tooth->fdi == request.fdi) return std::move(*tooth);
     BuiltinTooth tooth = makeTooth(request);
-    keep(bytesOf(tooth), file);
+    store(bytesOf(tooth), file);
     return tooth;
 }
 
 Expected<BuiltinMouth> ToothCache::makeMouth(const MouthRequest& request) const {
     return tactooth::makeMouth(
         request, [this](const ToothRequest& tooth) { return make(tooth); },
-        [this](const MouthRequest& mouth) { return makeSetting(mouth); });
+        [this](const MouthRequest& mouth) { return makeLayout(mouth); });
 }
 
-Expected<MouthSetting> ToothCache::makeSetting(const MouthRequest& request) const {
-    if (folder_.empty()) return makeMouthSetting(request);
+Expected<MouthLayout> ToothCache::makeLayout(const MouthRequest& request) const {
+    if (folder_.empty()) return makeMouthLayout(request);
     const fs::path file = fileOf(request);
-    if (auto setting = kept(file, settingFrom)) return std::move(*setting);
-    Expected<MouthSetting> setting = makeMouthSetting(request);
-    if (setting) keep(bytesOf(*setting), file);
+    if (auto setting = kept(file, layoutFrom)) return std::move(*setting);
+    Expected<MouthLayout> setting = makeMouthLayout(request);
+    if (setting) store(bytesOf(*setting), file);
     return setting;
 }
 
 /// A cache that cannot be written is none: no reason to fail.
-void ToothCache::keep(std::span<const std::byte> bytes, const fs::path& file) const {
+void ToothCache::store(std::span<const std::byte> bytes, const fs::path& file) const {
     if (bytes.size() > limit_) return;
     std::error_code none;
     fs::create_directories(folder_, none);
@@ -203,7 +203,7 @@ void ToothCache::removeOldest() const {
     }
 }
 
-fs::path usualCacheFolder() {
+fs::path defaultCacheFolder() {
     const auto folder = [](const char* name) {
         const char* value = std::getenv(name);
         return fs::path(value != nullptr ? value : "");

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <span>
 
-#include "instruments/mouth_setting.h"
+#include "instruments/mouth_layout.h"
 
 namespace tactooth {
 
@@ -16,9 +16,9 @@ namespace tactooth {
 class ToothCache {
 public:
     /// Most bytes that the folder keeps; what was not asked for the longest goes first.
-    static constexpr std::uintmax_t kUsualLimit = 256ULL << 20;
+    static constexpr std::uintmax_t kDefaultLimit = 256ULL << 20;
 
-    explicit ToothCache(std::filesystem::path folder, std::uintmax_t limit = kUsualLimit);
+    explicit ToothCache(std::filesystem::path folder, std::uintmax_t limit = kDefaultLimit);
 
     /// makeTooth(request), bit for bit.
     [[nodiscard]] BuiltinTooth make(const ToothRequest& request) const;
@@ -32,8 +32,8 @@ public:
     [[nodiscard]] std::filesystem::path fileOf(const MouthRequest& request) const;
 
 private:
-    [[nodiscard]] Expected<MouthSetting> makeSetting(const MouthRequest& request) const;
-    void keep(std::span<const std::byte> bytes, const std::filesystem::path& file) const;
+    [[nodiscard]] Expected<MouthLayout> makeLayout(const MouthRequest& request) const;
+    void store(std::span<const std::byte> bytes, const std::filesystem::path& file) const;
     void removeOldest() const;
 
     std::filesystem::path folder_;
@@ -41,6 +41,6 @@ private:
 };
 
 /// The user's folder for this: $XDG_CACHE_HOME/tactooth, ~/.cache/tactooth without it; empty if there is neither.
-[[nodiscard]] std::filesystem::path usualCacheFolder();
+[[nodiscard]] std::filesystem::path defaultCacheFolder();
 
 }  // namespace tactooth

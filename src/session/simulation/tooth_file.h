@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "geometry/io/remark.h"
+#include "geometry/io/import_note.h"
+#include "session/simulation/cut_model.h"
 #include "session/simulation/tooth_source.h"
-#include "session/simulation/work_piece.h"
 #include "tooth/file/saved_tooth.h"
 
 namespace tactooth {
@@ -19,23 +19,23 @@ namespace tactooth {
 inline constexpr std::string_view kToothFileEnding = ".tactooth";
 
 /// The tooth on the bench as a file's bytes.
-[[nodiscard]] std::vector<std::byte> toothFileBytes(const WorkPiece& piece, const Provenance& provenance);
+[[nodiscard]] std::vector<std::byte> toothFileBytes(const CutModel& piece, const Provenance& provenance);
 /// The same into a file, which appears when it is complete.
-[[nodiscard]] Expected<void> saveTooth(const WorkPiece& piece, const Provenance& provenance,
+[[nodiscard]] Expected<void> saveTooth(const CutModel& piece, const Provenance& provenance,
                                        const std::filesystem::path& path);
 
 /// A tooth from a file, ready to be cut further.
 struct OpenedTooth {
-    std::shared_ptr<WorkPiece> piece;
+    std::shared_ptr<CutModel> piece;
     Provenance provenance;
-    std::vector<Remark> remarks = {};  ///< on the files that were read, and what was mended
+    std::vector<ImportNote> importNotes = {};  ///< on the files that were read, and what was mended
 };
 [[nodiscard]] Expected<OpenedTooth> openTooth(const std::filesystem::path& path);
 
 /// A tooth for the bench: from surfaces, or a saved one if the source's outer surface names such a file. `voxel`:
-/// spacing of the cut volume, mm; without it a saved tooth keeps its own, and another takes `usualVoxel`.
+/// spacing of the cut volume, mm; without it a saved tooth keeps its own, and another takes `defaultVoxel`.
 [[nodiscard]] Expected<OpenedTooth> loadTooth(const ToothSource& source, std::optional<double> voxel,
-                                              double usualVoxel);
+                                              double defaultVoxel);
 
 /// Whether a file's name says that it holds a saved tooth.
 [[nodiscard]] bool isToothFile(const std::filesystem::path& path);

@@ -6,7 +6,7 @@
 #include <cassert>
 #include <cstdlib>
 
-#include "geometry/mesh/append_chosen.h"
+#include "geometry/mesh/append_subset.h"
 #include "geometry/util/parallel_for.h"
 
 namespace tactooth {
@@ -22,9 +22,9 @@ int placeInArch(int fdi) {
 
 bool areBeside(int a, int b) { return isUpper(a) == isUpper(b) && std::abs(placeInArch(a) - placeInArch(b)) == 1; }
 
-BuiltinTooth moved(BuiltinTooth tooth, const Pose& pose) {
+BuiltinTooth transformed(BuiltinTooth tooth, const Pose& pose) {
     for (TriangleMesh* mesh : {&tooth.outer, &tooth.enamel, &tooth.dentin, &tooth.pulp, &tooth.caries})
-        *mesh = moved(std::move(*mesh), pose);
+        *mesh = transformed(std::move(*mesh), pose);
     return tooth;
 }
 
@@ -56,17 +56,17 @@ ToothInMouth inMouth(const BuiltinMouth& mouth, int fdi) {
     parallelFor(bodies.size(), [&](std::size_t i) {
         const auto& [mesh, pose, material, upper] = bodies[i];
         std::vector<SurfaceTag> tags(mesh->triangles.size(), static_cast<SurfaceTag>(material));
-        auto part = std::make_shared<const SurfacePart>(moved(*mesh, pose), std::move(tags), 0);
-        const bool isGum = material == MaterialId::Other;
-        auto shown = isGum ? std::shared_ptr<const TriangleMesh>(part, &part->mesh())
-                           : std::make_shared<const TriangleMesh>(moved(aboveTheGum(*mesh), pose));
-        result.around[i] = {std::move(part), std::move(shown), isGum, upper != isUpper(fdi)};
+        auto part = std::make_shared<const SurfacePart>(transformed(*mesh, pose), std::move(tags), 0);
+        const bool isGingiva = material == MaterialId::Other;
+        auto shown = isGingiva ? std::shared_ptr<const TriangleMesh>(part, &part->mesh())
+                               : std::make_shared<const TriangleMesh>(transformed(supragingivalMesh(*mesh), pose));
+        result.around[i] = {std::move(part), std::move(shown), isGingiva, upper != isUpper(fdi)};
     });
     result.tooth = worked->tooth;
     const Pose mouthInTooth = mouth.poseOf(*worked).inverse();
     for (const MouthTooth& tooth : mouth.teeth) {
         if (areBeside(tooth.tooth.fdi, fdi))
-            result.beside.push_back(moved(tooth.tooth, mouthInTooth * mouth.poseOf(tooth)));
+            result.beside.push_back(transformed(tooth.tooth, mouthInTooth * mouth.poseOf(tooth)));
     }
     return result;
 }
@@ -74,7 +74,7 @@ ToothInMouth inMouth(const BuiltinMouth& mouth, int fdi) {
 }  // namespace
 
 Expected<ToothInMouth> toothInMouth(int fdi, const std::optional<Lesion>& lesion, const MouthRequest& mouth,
-                                    const ToothMaker& maker) {
+                                    const ToothGenerator& maker) {
     const auto whole = makeMouth(mouth, maker);
     if (!whole) return Unexpected{whole.error()};
     ToothInMouth result = inMouth(*whole, fdi);
@@ -91,10 +91,10 @@ Expected<ToothInMouth> toothInMouth(int fdi, const std::optional<Lesion>& lesion
     return result;
 }
 
-TriangleMesh aboveTheGum(const TriangleMesh& tooth) {
+TriangleMesh supragingivalMesh(const TriangleMesh& tooth) {
     constexpr float kBelowNeck = -1.0F;  // mm: the gum's margin stands above the neck all around
     TriangleMesh shown;
-    appendChosen(shown, tooth, [&](std::uint32_t i) {
+    appendSubset(shown, tooth, [&](std::uint32_t i) {
         return !std::ranges::all_of(tooth.triangles[i],
                                     [&](std::uint32_t vertex) { return tooth.vertices[vertex].z() < kBelowNeck; });
     });

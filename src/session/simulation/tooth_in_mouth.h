@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "instruments/builtin_mouth.h"
+#include "session/simulation/cut_model.h"
 #include "session/simulation/tooth_cache.h"
-#include "session/simulation/work_piece.h"
 
 namespace tactooth {
 
@@ -17,7 +17,7 @@ struct ToothInMouth {
     struct Body {
         std::shared_ptr<const SurfacePart> part;    ///< in the frame of `tooth`, tagged by MaterialId
         std::shared_ptr<const TriangleMesh> shown;  ///< what of it can be seen
-        bool isGum = false;
+        bool isGingiva = false;
         bool isOpposite = false;  ///< of the other jaw
     };
     std::vector<Body> around = {};  ///< all others
@@ -26,14 +26,14 @@ struct ToothInMouth {
 /// `tooth.fdi` is a tooth of the mouth that is not missing; its fineness and seed are the mouth's. Takes the time that
 /// a mouth takes, and fails where makeMouth does.
 [[nodiscard]] Expected<ToothInMouth> toothInMouth(int fdi, const std::optional<Lesion>& lesion,
-                                                  const MouthRequest& mouth, const ToothMaker& maker = makeTooth);
+                                                  const MouthRequest& mouth, const ToothGenerator& maker = makeTooth);
 
 /// The same, with teeth and gums that were made before: a matter of a second.
 [[nodiscard]] Expected<ToothInMouth> toothInMouth(int fdi, const std::optional<Lesion>& lesion,
                                                   const MouthRequest& mouth, const ToothCache& cache);
 
 /// A tooth without what is sure to lie below the gum, to be drawn: open at its end.
-[[nodiscard]] TriangleMesh aboveTheGum(const TriangleMesh& tooth);
+[[nodiscard]] TriangleMesh supragingivalMesh(const TriangleMesh& tooth);
 
 [[nodiscard]] Surroundings surroundingsOf(const ToothInMouth& tooth);
 

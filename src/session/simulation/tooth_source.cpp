@@ -27,22 +27,22 @@ Expected<ToothSource::Layer> parseLayer(const std::string& text) {
 }
 
 Expected<std::shared_ptr<const LayeredTooth>> loadLayeredTooth(const ToothSource& source,
-                                                               std::vector<Remark>* remarks) {
+                                                               std::vector<ImportNote>* importNotes) {
     const Expected<MaterialId> body = materialNamed(source.material);
     if (!body) return Unexpected{body.error()};
-    Expected<TriangleMesh> outer = loadSolid(source.outer, "the surface of the tooth", {}, remarks);
+    Expected<TriangleMesh> outer = loadSolid(source.outer, "the surface of the tooth", {}, importNotes);
     if (!outer) return Unexpected{outer.error()};
     std::vector<LayerMesh> layers;
     for (const ToothSource::Layer& layer : source.layers) {
         const Expected<MaterialId> material = materialNamed(layer.material);
         if (!material) return Unexpected{material.error()};
         const std::string what = "the surface of layer '" + layer.material + "'";
-        Expected<TriangleMesh> mesh = loadSolid(layer.file, what, {.dropsSpecks = false}, remarks);
+        Expected<TriangleMesh> mesh = loadSolid(layer.file, what, {.dropsSpecks = false}, importNotes);
         if (!mesh) return Unexpected{mesh.error()};
         layers.push_back({layer.material, *material, std::move(*mesh)});
     }
     Expected<LayeredTooth> tooth = LayeredTooth::make(std::move(*outer), std::move(layers), *body);
-    if (!tooth) return unexpected(shownName(source.outer) + ": " + tooth.error().message + ".");
+    if (!tooth) return unexpected(displayName(source.outer) + ": " + tooth.error().message + ".");
     return std::shared_ptr<const LayeredTooth>(std::make_shared<const LayeredTooth>(std::move(*tooth)));
 }
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "geometry/io/import_note.h"
 #include "geometry/util/expected.h"
-#include "geometry/io/remark.h"
-#include "session/simulation/work_piece.h"
+#include "session/simulation/cut_model.h"
 #include "tooth/model/layered_tooth.h"
 
 namespace tactooth {
@@ -29,9 +29,9 @@ struct ToothSource {
 [[nodiscard]] Expected<ToothSource::Layer> parseLayer(const std::string& text);
 
 /// Fails with one sentence if a file cannot be read, a material is unknown or the surfaces make no tooth that can be
-/// cut. Adds what there is to say on the files, and what was mended in the surfaces, to `remarks`, if given.
-[[nodiscard]] Expected<std::shared_ptr<const LayeredTooth>> loadLayeredTooth(const ToothSource& source,
-                                                                             std::vector<Remark>* remarks = nullptr);
+/// cut. Adds what there is to say on the files, and what was mended in the surfaces, to `importNotes`, if given.
+[[nodiscard]] Expected<std::shared_ptr<const LayeredTooth>> loadLayeredTooth(
+    const ToothSource& source, std::vector<ImportNote>* importNotes = nullptr);
 
 /// What cutting needs to know of a bur: its envelope of revolution.
 [[nodiscard]] Expected<CuttingTool> makeCuttingTool(const TriangleMesh& bur, double sharpness = 1);

@@ -39,7 +39,7 @@ Samples withoutMean(std::span<const float> samples) {
 }
 
 /// Correlation of two pieces, -1..1.
-double likeness(std::span<const float> a, std::span<const float> b) {
+double correlation(std::span<const float> a, std::span<const float> b) {
     double product = 0.0, powerA = 1e-20, powerB = 1e-20;
     for (std::size_t i = 0; i < a.size(); ++i) {
         const auto x = static_cast<double>(a[i]), y = static_cast<double>(b[i]);
@@ -53,7 +53,7 @@ double likeness(std::span<const float> a, std::span<const float> b) {
 struct Seam {
     std::size_t fade = 0;  // samples
     std::size_t end = 0;   // of the sound that is used
-    double likeness = 0.0;
+    double correlation = 0.0;
 };
 
 Seam bestSeam(std::span<const float> sound, double rate) {
@@ -61,8 +61,8 @@ Seam bestSeam(std::span<const float> sound, double rate) {
     const auto search = std::min(static_cast<std::size_t>(kSearchSeconds * rate), sound.size() / 8);
     Seam best{fade, sound.size(), -2.0};
     for (std::size_t end = sound.size() - search; end <= sound.size(); ++end) {
-        const double found = likeness(sound.first(fade), sound.subspan(end - fade, fade));
-        if (found > best.likeness) best = {fade, end, found};
+        const double found = correlation(sound.first(fade), sound.subspan(end - fade, fade));
+        if (found > best.correlation) best = {fade, end, found};
     }
     best.fade -= kMultiple - (best.end - best.fade) % kMultiple;  // a few samples less, for the length
     return best;
@@ -75,7 +75,7 @@ Samples looped(std::span<const float> sound, double rate) {
     for (std::size_t i = 0; i < seam.fade; ++i) {
         const double angle = 0.5 * std::numbers::pi * (static_cast<double>(i) + 0.5) / static_cast<double>(seam.fade);
         const double in = std::sin(angle), out = std::cos(angle);
-        const double power = 1.0 + 2.0 * std::max(0.0, seam.likeness) * in * out;
+        const double power = 1.0 + 2.0 * std::max(0.0, seam.correlation) * in * out;
         const double tail = static_cast<double>(sound[seam.end - seam.fade + i]);
         loop[i] = static_cast<float>((in * static_cast<double>(sound[i]) + out * tail) / std::sqrt(power));
     }
@@ -123,12 +123,12 @@ std::string secondsText(double seconds) {
 
 Expected<void> check(std::span<const float> mono, double rate, std::string_view name) {
     const std::string who(name);
-    if (!(rate >= Recording::kLowestRate && rate <= Recording::kHighestRate)) {
+    if (!(rate >= Recording::kMinRate && rate <= Recording::kMaxRate)) {
         return unexpected(who + ": the recording has " + std::to_string(std::lround(std::clamp(rate, -1e9, 1e9))) +
                           " samples a second, but 4000 to 192000 are needed; save it at 48000.");
     }
     const double seconds = static_cast<double>(mono.size()) / rate;
-    if (seconds < Recording::kShortest || seconds > Recording::kLongest) {
+    if (seconds < Recording::kMinLength || seconds > Recording::kMaxLength) {
         return unexpected(who + ": the recording lasts " + secondsText(seconds) +
                           " s, but a loop needs 0.05 to 30 s; cut out a steady piece.");
     }

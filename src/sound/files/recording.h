@@ -19,8 +19,8 @@ namespace tactooth {
 /// (L. Williams, "Pyramidal parametrics", SIGGRAPH 1983, the idea for pictures).
 class Recording {
 public:
-    static constexpr double kShortest = 0.05, kLongest = 30.0;          ///< s
-    static constexpr double kLowestRate = 4000, kHighestRate = 192000;  ///< samples a second
+    static constexpr double kMinLength = 0.05, kMaxLength = 30.0;  ///< s
+    static constexpr double kMinRate = 4000, kMaxRate = 192000;    ///< samples a second
     static constexpr int kLevels = 4;
     static constexpr int kTaps = 32;  ///< samples around a place that playing it needs
 

@@ -14,7 +14,7 @@ namespace tactooth {
 
 namespace {
 
-constexpr int kMostChannels = 8;
+constexpr int kMaxChannels = 8;
 
 std::uint32_t littleEndian(std::span<const std::byte> bytes) {
     std::uint32_t value = 0;
@@ -48,7 +48,7 @@ bool isCutOff(std::span<const std::byte> bytes, int kind) {
 }
 
 /// What libsndfile says, without its full stop and line ends.
-std::string reasonOf(SNDFILE* file) {
+std::string errorText(SNDFILE* file) {
     std::string reason = sf_strerror(file);
     std::replace_if(
         reason.begin(), reason.end(), [](unsigned char letter) { return std::iscntrl(letter) != 0; }, ' ');
@@ -60,11 +60,11 @@ Expected<void> check(const SF_INFO& info, std::span<const std::byte> bytes, cons
     const int kind = info.format & SF_FORMAT_TYPEMASK;
     if (kind != SF_FORMAT_WAV && kind != SF_FORMAT_WAVEX && kind != SF_FORMAT_FLAC && kind != SF_FORMAT_OGG)
         return unexpected(name + ": this is neither WAV, FLAC nor Ogg; save the recording as one of these.");
-    if (info.channels < 1 || info.channels > kMostChannels) {
+    if (info.channels < 1 || info.channels > kMaxChannels) {
         return unexpected(name + ": the recording has " + std::to_string(info.channels) +
                           " channels, but 1 to 8 are expected; save it with one.");
     }
-    const double longest = Recording::kLongest * std::clamp<double>(info.samplerate, 1.0, Recording::kHighestRate);
+    const double longest = Recording::kMaxLength * std::clamp<double>(info.samplerate, 1.0, Recording::kMaxRate);
     if (info.frames < 0 || static_cast<double>(info.frames) > longest)
         return unexpected(name + ": the recording lasts longer than the 30 s of a loop; cut out a steady piece.");
     if (isCutOff(bytes, kind))
@@ -76,7 +76,7 @@ Expected<std::vector<float>> readMono(SNDFILE* file, const SF_INFO& info, const 
     const auto channels = static_cast<std::size_t>(info.channels);
     std::vector<float> all(static_cast<std::size_t>(info.frames) * channels);
     if (sf_readf_float(file, all.data(), info.frames) != info.frames)
-        return unexpected(name + ": the file breaks off or is damaged (" + reasonOf(file) +
+        return unexpected(name + ": the file breaks off or is damaged (" + errorText(file) +
                           "); copy or record it again.");
     std::vector<float> mono(static_cast<std::size_t>(info.frames));
     for (std::size_t frame = 0; frame < mono.size(); ++frame) {
@@ -97,7 +97,7 @@ Expected<Recording> parseRecording(std::span<const std::byte> bytes, std::string
     SF_INFO info{};
     const SoundFile file = openInMemory(memory, SFM_READ, info);
     if (file == nullptr) {
-        return unexpected(who + ": this is not a recording that can be read (" + reasonOf(nullptr) +
+        return unexpected(who + ": this is not a recording that can be read (" + errorText(nullptr) +
                           "); save it as WAV, FLAC or Ogg.");
     }
     if (auto checked = check(info, memory.bytes, who); !checked) return Unexpected{checked.error()};
@@ -109,7 +109,7 @@ Expected<Recording> parseRecording(std::span<const std::byte> bytes, std::string
 Expected<Recording> readRecording(const std::filesystem::path& path) {
     const Expected<FileBytes> file = readFile(path);
     if (!file) return Unexpected{file.error()};
-    return parseRecording(file->bytes(), shownName(path));
+    return parseRecording(file->bytes(), displayName(path));
 }
 
 }  // namespace tactooth

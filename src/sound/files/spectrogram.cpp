@@ -71,7 +71,7 @@ float decibelOf(float amplitude) {
 
 }  // namespace
 
-struct SpectrogramMaker::State {
+struct SpectrogramBuilder::State {
     Spectrogram made;
     Fourier fourier;
     std::size_t frames;
@@ -107,7 +107,7 @@ struct SpectrogramMaker::State {
     }
 };
 
-SpectrogramMaker::SpectrogramMaker(std::size_t frames, std::size_t times)
+SpectrogramBuilder::SpectrogramBuilder(std::size_t frames, std::size_t times)
     : state_(std::make_unique<State>(
           State{.made = {times, kWindow / 2, std::vector<float>(times * kWindow / 2, Spectrogram::kSilence)},
                 .fourier = {},
@@ -116,10 +116,10 @@ SpectrogramMaker::SpectrogramMaker(std::size_t frames, std::size_t times)
     state_->begin();
 }
 
-SpectrogramMaker::SpectrogramMaker(SpectrogramMaker&&) noexcept = default;
-SpectrogramMaker::~SpectrogramMaker() = default;
+SpectrogramBuilder::SpectrogramBuilder(SpectrogramBuilder&&) noexcept = default;
+SpectrogramBuilder::~SpectrogramBuilder() = default;
 
-void SpectrogramMaker::add(std::span<const float> stereo) {
+void SpectrogramBuilder::add(std::span<const float> stereo) {
     State& state = *state_;
     for (std::size_t i = 0; i + 1 < stereo.size(); i += 2) state.mono.push_back(0.5f * (stereo[i] + stereo[i + 1]));
     const auto isComplete = [&] { return state.middle + kWindow <= state.first + state.mono.size(); };
@@ -127,14 +127,14 @@ void SpectrogramMaker::add(std::span<const float> stereo) {
     state.forget();
 }
 
-Spectrogram SpectrogramMaker::finish() {
+Spectrogram SpectrogramBuilder::finish() {
     State& state = *state_;
     while (state.time < state.made.times) state.take();
     return std::move(state.made);
 }
 
 Spectrogram spectrogramOf(std::span<const float> stereo, std::size_t times) {
-    SpectrogramMaker maker(stereo.size() / 2, times);
+    SpectrogramBuilder maker(stereo.size() / 2, times);
     maker.add(stereo);
     return maker.finish();
 }

@@ -23,12 +23,12 @@ struct Spectrogram {
 /// Makes the spectrogram of a sound that comes in pieces, of which only the last window stays in memory: of the mean of
 /// left and right samples by turns, cut into `times` pieces of equal length. Of a piece that is longer than one window,
 /// the loudest of its windows counts for each frequency, so that no click is missed.
-class SpectrogramMaker {
+class SpectrogramBuilder {
 public:
     /// `frames`: pairs of samples that will come. `times`: at least 1.
-    SpectrogramMaker(std::size_t frames, std::size_t times);
-    SpectrogramMaker(SpectrogramMaker&&) noexcept;
-    ~SpectrogramMaker();
+    SpectrogramBuilder(std::size_t frames, std::size_t times);
+    SpectrogramBuilder(SpectrogramBuilder&&) noexcept;
+    ~SpectrogramBuilder();
 
     void add(std::span<const float> stereo);
     /// To be called once, after all frames.

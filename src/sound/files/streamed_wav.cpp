@@ -15,11 +15,11 @@
 namespace tactooth {
 namespace {
 
-constexpr std::size_t kFileHead = 12;             // "RIFF", length, "WAVE"
-constexpr std::size_t kChunkHead = 8;             // name and length
-constexpr std::size_t kLengthAt = 4;              // in both
-constexpr std::uint64_t kLeastMark = 0x7FFFF000;  // from here on a length only says that none is known
-constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
+constexpr std::size_t kFileHead = 12;           // "RIFF", length, "WAVE"
+constexpr std::size_t kChunkHead = 8;           // name and length
+constexpr std::size_t kLengthAt = 4;            // in both
+constexpr std::uint64_t kMinMark = 0x7FFFF000;  // from here on a length only says that none is known
+constexpr std::uint64_t kMax = std::numeric_limits<std::uint32_t>::max();
 
 class Wav {
 public:
@@ -67,7 +67,7 @@ private:
     std::vector<std::byte>& bytes_;
 };
 
-bool isMark(std::uint64_t length) { return length == 0 || length >= kLeastMark; }
+bool isMark(std::uint64_t length) { return length == 0 || length >= kMinMark; }
 
 /// What an RF64 file says in its first chunk about the length of the samples.
 std::uint64_t longLength(const Wav& wav) {
@@ -81,24 +81,24 @@ std::uint64_t longLength(const Wav& wav) {
 void completeStreamedWav(std::vector<std::byte>& bytes) {
     Wav wav(bytes);
     const bool isLong = wav.isAt(0, "RF64");
-    if ((!isLong && !wav.isAt(0, "RIFF")) || !wav.isAt(8, "WAVE") || wav.size() > kMost) return;
+    if ((!isLong && !wav.isAt(0, "RIFF")) || !wav.isAt(8, "WAVE") || wav.size() > kMax) return;
     const auto data = wav.find("data");
     if (!data) return;
     const std::uint64_t rest = wav.size() - *data - kChunkHead;
     std::uint64_t length = wav.number(*data + kLengthAt);
-    if (isLong && length == kMost) length = longLength(wav);
+    if (isLong && length == kMax) length = longLength(wav);
     const bool isEmpty = length == 0 && wav.isChunksFrom(*data + kChunkHead);
     if (isMark(length) && !isEmpty) length = rest;
     const std::uint64_t file = wav.number(kLengthAt);
-    const bool saysWhole = !isLong && !isMark(file) && file + kChunkHead <= wav.size();
-    if (saysWhole) length = std::min(length, rest);
+    const bool claimsComplete = !isLong && !isMark(file) && file + kChunkHead <= wav.size();
+    if (claimsComplete) length = std::min(length, rest);
     if (isLong) {
         wav.write(0, "RIFF");
         if (const auto longs = wav.find("ds64")) wav.write(*longs, "JUNK");
     }
-    wav.write(*data + kLengthAt, std::min(length, kMost));
+    wav.write(*data + kLengthAt, std::min(length, kMax));
     // A length of the file that is wrong, or that of a file that was cut off: as the samples say.
-    if (isLong || isMark(file)) wav.write(kLengthAt, std::min(kMost, *data + std::max(length, rest)));
+    if (isLong || isMark(file)) wav.write(kLengthAt, std::min(kMax, *data + std::max(length, rest)));
 }
 
 }  // namespace tactooth

@@ -68,8 +68,8 @@ std::int16_t pcmOf(float sample) {
 }  // namespace
 
 Expected<WavWriter> WavWriter::create(const std::filesystem::path& path, std::size_t frames) {
-    constexpr std::size_t kMostFrames = (std::numeric_limits<std::uint32_t>::max() - kHeadBytes) / kFrameBytes;
-    if (frames > kMostFrames) {
+    constexpr std::size_t kMaxFrames = (std::numeric_limits<std::uint32_t>::max() - kHeadBytes) / kFrameBytes;
+    if (frames > kMaxFrames) {
         return unexpected("The sound could not be made into a WAV file, which holds at most 4 GB; make it shorter.");
     }
     Expected<AtomicFile> file = AtomicFile::create(path);
@@ -79,19 +79,19 @@ Expected<WavWriter> WavWriter::create(const std::filesystem::path& path, std::si
 }
 
 void WavWriter::write(std::span<const float> stereo) {
-    assert(stereo.size() <= missing_);
-    missing_ -= stereo.size();
-    piece_.clear();
+    assert(stereo.size() <= remaining_);
+    remaining_ -= stereo.size();
+    chunk_.clear();
     for (const float sample : stereo) {
         const auto bits = static_cast<std::uint16_t>(pcmOf(sample));
-        piece_.push_back(static_cast<std::byte>(bits));
-        piece_.push_back(static_cast<std::byte>(bits >> 8));
+        chunk_.push_back(static_cast<std::byte>(bits));
+        chunk_.push_back(static_cast<std::byte>(bits >> 8));
     }
-    file_.write(piece_);
+    file_.write(chunk_);
 }
 
 Expected<void> WavWriter::commit() {
-    assert(missing_ == 0);
+    assert(remaining_ == 0);
     return file_.commit();
 }
 

@@ -27,11 +27,11 @@ public:
     [[nodiscard]] Expected<void> commit();
 
 private:
-    WavWriter(AtomicFile file, std::size_t samples) : file_(std::move(file)), missing_(samples) {}
+    WavWriter(AtomicFile file, std::size_t samples) : file_(std::move(file)), remaining_(samples) {}
 
     AtomicFile file_;
-    std::size_t missing_;  ///< samples that are still to come
-    std::vector<std::byte> piece_;
+    std::size_t remaining_;  ///< samples that are still to come
+    std::vector<std::byte> chunk_;
 };
 
 /// Writes all samples of such a file at once.

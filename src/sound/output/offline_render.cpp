@@ -62,7 +62,7 @@ private:
         now.state.speedRpm = std::lerp(a.state.speedRpm, b.state.speedRpm, share);
         now.state.pedal = std::lerp(a.state.pedal, b.state.pedal, share);
         now.state.load = std::lerp(a.state.load, b.state.load, share);
-        now.state.removalWatt = std::lerp(a.state.removalWatt, b.state.removalWatt, share);
+        now.state.removalPower = std::lerp(a.state.removalPower, b.state.removalPower, share);
         now.state.water = std::lerp(a.state.water, b.state.water, share);
         now.state.suction = std::lerp(a.state.suction, b.state.suction, share);
         now.placement.source += share * (b.placement.source - a.placement.source);
@@ -74,9 +74,9 @@ private:
 };
 
 Expected<void> check(std::span<const TimedSoundState> track, double seconds) {
-    if (!(seconds > 0.0 && seconds <= kLongestSound)) {
+    if (!(seconds > 0.0 && seconds <= kMaxSoundLength)) {
         return unexpected("The length of the sound has to be more than 0 and at most " +
-                          std::to_string(static_cast<int>(kLongestSound)) + " s, but is " + std::to_string(seconds) +
+                          std::to_string(static_cast<int>(kMaxSoundLength)) + " s, but is " + std::to_string(seconds) +
                           " s.");
     }
     if (track.empty()) return unexpected("There is nothing to make a sound of: the session has no moment at all.");
@@ -93,7 +93,7 @@ Expected<void> check(std::span<const TimedSoundState> track, double seconds) {
 
 std::size_t framesOf(double seconds) { return static_cast<std::size_t>(std::llround(seconds * kSoundRate)); }
 
-Expected<void> renderInPieces(std::span<const TimedSoundState> track, double seconds, const OfflineSettings& settings,
+Expected<void> renderInChunks(std::span<const TimedSoundState> track, double seconds, const OfflineSettings& settings,
                               const SampleSink& sink) {
     if (Expected<void> checked = check(track, seconds); !checked) return checked;
     const LoopbackFunctions loopback = loopbackFunctions();
@@ -129,7 +129,7 @@ Expected<StereoSamples> renderOffline(std::span<const TimedSoundState> track, do
                                       const OfflineSettings& settings) {
     StereoSamples all;
     const auto keep = [&](std::span<const float> stereo) { all.insert(all.end(), stereo.begin(), stereo.end()); };
-    if (const auto done = renderInPieces(track, seconds, settings, keep); !done) return Unexpected{done.error()};
+    if (const auto done = renderInChunks(track, seconds, settings, keep); !done) return Unexpected{done.error()};
     return all;
 }
 

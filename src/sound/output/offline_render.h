@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "geometry/util/expected.h"
+#include "sound/output/sound_placement.h"
 #include "sound/voices/drill_sound_state.h"
 #include "sound/voices/sound_kit.h"
 #include "sound/voices/sound_mixer.h"
-#include "sound/output/sound_placement.h"
 
 namespace tactooth {
 
@@ -34,7 +34,7 @@ struct OfflineSettings {
 using StereoSamples = std::vector<float>;
 
 /// s: 0.7 GB of a WAV file.
-inline constexpr double kLongestSound = 3600;
+inline constexpr double kMaxSoundLength = 3600;
 
 /// How many frames (one sample left, one right) a sound of that length has.
 [[nodiscard]] std::size_t framesOf(double seconds);
@@ -46,9 +46,9 @@ using SampleSink = std::function<void(std::span<const float> stereo)>;
 /// card needed, as fast as the machine goes. Between two states numbers go in a straight line, and the rest is held; so
 /// it is before the first and after the last; of two states at one time the later one counts from then on. Sample n
 /// belongs to the time n / kSoundRate, exactly. Errors: no state, times that run backwards, a length that is not finite
-/// or over kLongestSound, an OpenAL without loopback; then `sink` was not called. It gets framesOf(seconds) frames in
+/// or over kMaxSoundLength, an OpenAL without loopback; then `sink` was not called. It gets framesOf(seconds) frames in
 /// all, in pieces of at most kSoundBlock, so that an hour takes no more memory than a second.
-[[nodiscard]] Expected<void> renderInPieces(std::span<const TimedSoundState> track, double seconds,
+[[nodiscard]] Expected<void> renderInChunks(std::span<const TimedSoundState> track, double seconds,
                                             const OfflineSettings& settings, const SampleSink& sink);
 
 /// The same, all at once: for a sound that is short.

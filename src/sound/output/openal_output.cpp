@@ -25,11 +25,11 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-constexpr auto kPoll = 2500us;          // a block: what a period took is replaced before the next one
-constexpr auto kRetryAfter = 3s;        // for a sound card that is plugged in later
-constexpr double kMostLatency = 0.030;  // s: up to here a queue that ran dry is made longer
-constexpr int kStaleBlocks = 80;        // 0.2 s without a new state: the simulation is paused or gone
-constexpr int kConnectedEvery = 100;    // blocks between two looks at the device's plug
+constexpr auto kPoll = 2500us;         // a block: what a period took is replaced before the next one
+constexpr auto kRetryAfter = 3s;       // for a sound card that is plugged in later
+constexpr double kMaxLatency = 0.030;  // s: up to here a queue that ran dry is made longer
+constexpr int kStaleBlocks = 80;       // 0.2 s without a new state: the simulation is paused or gone
+constexpr int kConnectedEvery = 100;   // blocks between two looks at the device's plug
 
 // Waits, unless the end is asked for first.
 void pause(const std::stop_token& stop, std::chrono::seconds time) {
@@ -40,7 +40,7 @@ void pause(const std::stop_token& stop, std::chrono::seconds time) {
 }
 
 std::unique_ptr<OpenAlStream> openDefaultDevice(bool headphones) {
-    if (!isSoundSystemThere()) return nullptr;
+    if (!hasSoundSystem()) return nullptr;
     silenceAlsaMessages();
     // The sound is limited already (PeakLimiter); OpenAL's own limiter would be a quarter of its cost for nothing.
     const std::array<ALCint, 7> attributes{
@@ -92,23 +92,23 @@ private:
         ++output_.underruns_;
         constexpr double kBlockSeconds = static_cast<double>(kSoundBlock) / kSoundRate;
         longest_ = std::max(longest_, output_.latency());
-        if (longest_ + kBlockSeconds > kMostLatency) return;
+        if (longest_ + kBlockSeconds > kMaxLatency) return;
         longest_ += kBlockSeconds;
-        stream_.lengthenQueue();
+        stream_.growQueue();
     }
 
     void feedBlock() {
-        const auto lastLook = std::exchange(looked_, Clock::now());
+        const auto lastPoll = std::exchange(polled_, Clock::now());
         staleBlocks_ = output_.state_.refresh() ? 0 : std::min(staleBlocks_ + 1, kStaleBlocks);
         if (output_.mixer_.refresh()) soundscape_.setMixer(output_.mixer_.value());
         if (output_.kit_.refresh()) soundscape_.setKit(output_.kit_.value().kit);
         if (output_.placement_.refresh()) stream_.place(output_.placement_.value());
         soundscape_.render(staleBlocks_ < kStaleBlocks ? output_.state_.value() : stillDrill(), block_);
         if (const NumberedKit& newest = output_.kit_.value(); soundscape_.kit() == newest.kit)
-            output_.settledKit_.store(newest.number, std::memory_order_release);
-        const double sinceLook = started_ ? std::chrono::duration<double>(Clock::now() - lastLook).count() : 0.0;
+            output_.activeKit_.store(newest.number, std::memory_order_release);
+        const double sincePoll = started_ ? std::chrono::duration<double>(Clock::now() - lastPoll).count() : 0.0;
         constexpr double kLimiter = static_cast<double>(Soundscape::kDelay) / kSoundRate;
-        output_.latency_.store(sinceLook + stream_.delay() + kLimiter, std::memory_order_relaxed);
+        output_.latency_.store(sincePoll + stream_.delay() + kLimiter, std::memory_order_relaxed);
         stream_.queue(block_);
         ++output_.playedBlocks_;
     }
@@ -129,7 +129,7 @@ private:
     OpenAlStream& stream_;
     Soundscape soundscape_;
     SoundBlock block_{};
-    Clock::time_point looked_ = Clock::now();  // when the mailboxes were last emptied
+    Clock::time_point polled_ = Clock::now();  // when the mailboxes were last emptied
     int staleBlocks_ = 0;
     std::uint64_t blocks_ = 0;
     bool started_ = false;
@@ -143,7 +143,7 @@ OpenAlOutput::OpenAlOutput(const OpenAlOutputSettings& settings)
 
 // Once the newest kit is the one that is played, none before it is needed any more.
 void OpenAlOutput::setKit(std::shared_ptr<const SoundKit> kit) {
-    if (kitsSet_ > 0 && settledKit_.load(std::memory_order_acquire) == kitsSet_)
+    if (kitsSet_ > 0 && activeKit_.load(std::memory_order_acquire) == kitsSet_)
         kits_.erase(kits_.begin(), kits_.end() - 1);
     kit_.write({kit.get(), ++kitsSet_});
     kits_.push_back(std::move(kit));

@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "geometry/util/latest_value.h"
+#include "geometry/util/triple_buffer.h"
 #include "sound/output/sound_output.h"
 
 namespace tactooth {
@@ -47,15 +47,15 @@ private:
     class Feeder;
 
     OpenAlOutputSettings settings_;
-    LatestValue<DrillSoundState> state_;
-    LatestValue<SoundMixer> mixer_;
-    LatestValue<SoundPlacement> placement_;
+    TripleBuffer<DrillSoundState> state_;
+    TripleBuffer<SoundMixer> mixer_;
+    TripleBuffer<SoundPlacement> placement_;
     struct NumberedKit {
         const SoundKit* kit = nullptr;
         std::uint64_t number = 0;  // how many have been set
     };
-    LatestValue<NumberedKit> kit_;
-    std::atomic<std::uint64_t> settledKit_{0};           // number of the one that alone is being played
+    TripleBuffer<NumberedKit> kit_;
+    std::atomic<std::uint64_t> activeKit_{0};            // number of the one that alone is being played
     std::vector<std::shared_ptr<const SoundKit>> kits_;  // of the thread that sets them: what may still be playing
     std::uint64_t kitsSet_ = 0;                          // likewise
     std::atomic<bool> headphones_;

@@ -57,14 +57,14 @@ bool OpenAlStream::makeSources(float gain) {
     offsetAndLatency_ = latencyQuestion();
     alGetError();
     alGenSources(static_cast<ALsizei>(sources_.size()), sources_.data());
-    queueLength_ = std::clamp(blocksTakenAtOnce(device_) + kSpareBlocks, 1, kLongestQueue);
+    queueLength_ = std::clamp(blocksTakenAtOnce(device_) + kSpareBlocks, 1, kMaxQueue);
     for (std::size_t place = 0; place < sources_.size(); ++place) {
-        alGenBuffers(kLongestQueue, buffers_[place].data());
+        alGenBuffers(kMaxQueue, buffers_[place].data());
         alSourcef(sources_[place], AL_GAIN, gain);
         alSourcef(sources_[place], AL_ROLLOFF_FACTOR, 0.0f);  // direction only, see SoundPlacement
     }
     free_ = buffers_;
-    freeCount_ = kLongestQueue;
+    freeCount_ = kMaxQueue;
     return alGetError() == AL_NO_ERROR;
 }
 
@@ -74,7 +74,7 @@ OpenAlStream::~OpenAlStream() {
         const auto count = static_cast<ALsizei>(sources_.size());
         alSourceStopv(count, sources_.data());
         alDeleteSources(count, sources_.data());
-        for (const Buffers& buffers : buffers_) alDeleteBuffers(kLongestQueue, buffers.data());
+        for (const Buffers& buffers : buffers_) alDeleteBuffers(kMaxQueue, buffers.data());
     }
     alcDestroyContext(context_);
     alcCloseDevice(device_);
@@ -82,7 +82,7 @@ OpenAlStream::~OpenAlStream() {
 
 void OpenAlStream::reclaim() {
     // The mixer may come in between two of these questions: what all have played is the least of the answers.
-    ALint played = kLongestQueue - freeCount_;
+    ALint played = kMaxQueue - freeCount_;
     for (const unsigned source : sources_) {
         ALint own = 0;
         alGetSourcei(source, AL_BUFFERS_PROCESSED, &own);
@@ -106,7 +106,7 @@ void OpenAlStream::queue(const SoundBlock& block) {
 }
 
 double OpenAlStream::delay() const {
-    const double queued = static_cast<double>((kLongestQueue - freeCount_) * kSoundBlock) / kSoundRate;
+    const double queued = static_cast<double>((kMaxQueue - freeCount_) * kSoundBlock) / kSoundRate;
     if (offsetAndLatency_ == nullptr) return queued;
     std::array<ALdouble, 2> heard{};  // s: place within the queue that the mixer has reached, and its way to the ear
     offsetAndLatency_(sources_[0], AL_SEC_OFFSET_LATENCY_SOFT, heard.data());
@@ -127,7 +127,7 @@ void OpenAlStream::place(const SoundPlacement& placement) {
     const Eigen::Vector3f ahead = (placement.listenerInWorld.rotation * -Vec3::UnitZ()).cast<float>();
     const Eigen::Vector3f up = (placement.listenerInWorld.rotation * Vec3::UnitY()).cast<float>();
     const std::array<float, 6> facing{ahead.x(), ahead.y(), ahead.z(), up.x(), up.y(), up.z()};
-    const std::array<const Vec3*, kSoundPlaces> places{&placement.source, &placement.mouth, &placement.suction};
+    const std::array<const Vec3*, kSoundSources> places{&placement.source, &placement.mouth, &placement.suction};
     for (std::size_t place = 0; place < sources_.size(); ++place) {
         const Eigen::Vector3f at = (*places[place] * kMetresPerMm).cast<float>();
         alSource3f(sources_[place], AL_POSITION, at.x(), at.y(), at.z());

@@ -46,11 +46,11 @@ public:
     /// Takes back the blocks that have been played. Once before filling up, not in between: in a source that ran dry
     /// each block counts as played as soon as it is queued.
     void reclaim();
-    [[nodiscard]] bool hasRoom() const { return kLongestQueue - freeCount_ < queueLength_; }
+    [[nodiscard]] bool hasRoom() const { return kMaxQueue - freeCount_ < queueLength_; }
     /// Blocks that the queue holds: what the device takes at a time, and enough more for a thread that is woken late.
     [[nodiscard]] int queueLength() const { return queueLength_; }
     /// Holds one block more from now on, for a thread that is woken later than was thought.
-    void lengthenQueue() { queueLength_ = std::min(queueLength_ + 1, kLongestQueue); }
+    void growQueue() { queueLength_ = std::min(queueLength_ + 1, kMaxQueue); }
     /// Appends a block for each place. Needs room.
     void queue(const SoundBlock& block);
     /// How long a sample that is queued now waits until it is heard, s: for what is before it in the queue, and for the
@@ -61,8 +61,8 @@ public:
     void place(const SoundPlacement& placement);
 
 private:
-    static constexpr int kLongestQueue = 32;
-    using Buffers = std::array<unsigned, kLongestQueue>;
+    static constexpr int kMaxQueue = 32;
+    using Buffers = std::array<unsigned, kMaxQueue>;
 
     OpenAlStream(ALCdevice* device, ALCcontext* context) : device_(device), context_(context) {}
     bool makeSources(float gain);
@@ -70,10 +70,10 @@ private:
     ALCdevice* device_;
     ALCcontext* context_;
     LPALGETSOURCEDVSOFT offsetAndLatency_ = nullptr;  // null where OpenAL cannot tell
-    std::array<unsigned, kSoundPlaces> sources_{};
+    std::array<unsigned, kSoundSources> sources_{};
     int queueLength_ = 0;
-    std::array<Buffers, kSoundPlaces> buffers_{};
-    std::array<Buffers, kSoundPlaces> free_{};
+    std::array<Buffers, kSoundSources> buffers_{};
+    std::array<Buffers, kSoundSources> free_{};
     int freeCount_ = 0;  // as many of each
 };
 

@@ -10,8 +10,8 @@
 
 namespace tactooth {
 
-std::string usualSoundDevice() {
-    if (!isSoundSystemThere()) return {};
+std::string defaultSoundDevice() {
+    if (!hasSoundSystem()) return {};
     silenceAlsaMessages();
     ALCdevice* const device = alcOpenDevice(nullptr);
     if (device == nullptr) return {};

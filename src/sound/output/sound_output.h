@@ -5,10 +5,10 @@
 #include <memory>
 #include <string_view>
 
+#include "sound/output/sound_placement.h"
 #include "sound/voices/drill_sound_state.h"
 #include "sound/voices/sound_kit.h"
 #include "sound/voices/sound_mixer.h"
-#include "sound/output/sound_placement.h"
 
 namespace tactooth {
 

@@ -59,7 +59,7 @@ bool hasServer(const fs::path& root, const fs::path& home, const VariableLookup&
 
 }  // namespace
 
-bool isSoundSystemThere(const fs::path& root, const VariableLookup& variable) {
+bool hasSoundSystem(const fs::path& root, const VariableLookup& variable) {
 #ifdef __linux__
     const fs::path home = valueOf("HOME", variable);
     const bool hasCard = holds(root / "dev/snd", beginsWith("pcm")) || isThere(root / "dev/dsp");

@@ -32,8 +32,8 @@ void BandNoise::tune(double centreHz, double octaves, float share) {
     if (!tuned_) share = 1.0f;
     tuned_ = true;
     const double centre =
-        std::exp2(static_cast<double>(logCentre_.towards(static_cast<float>(std::log2(centreHz)), share)));
-    const double quality = qualityOf(static_cast<double>(octaves_.towards(static_cast<float>(octaves), share)));
+        std::exp2(static_cast<double>(logCentre_.step(static_cast<float>(std::log2(centreHz)), share)));
+    const double quality = qualityOf(static_cast<double>(octaves_.step(static_cast<float>(octaves), share)));
     wide_.tune(static_cast<float>(centre), static_cast<float>(quality));
     narrow_.tune(static_cast<float>(centre), static_cast<float>(quality));
 

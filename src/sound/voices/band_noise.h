@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "sound/voices/glide.h"
+#include "sound/voices/gain_smoother.h"
 #include "sound/voices/white_noise.h"
 
 namespace tactooth {
@@ -35,7 +35,7 @@ public:
     explicit BandNoise(std::uint64_t seed) : noise_(seed) {}
 
     /// Sends the band's centre (Hz) and width (octaves between the half-power points) towards new values; `share` as
-    /// from glideShare(). The first call sets them.
+    /// from smoothingCoefficient(). The first call sets them.
     void tune(double centreHz, double octaves, float share);
     /// The next sample; `strength` is that of the noise before the filters, so that whatever it does (grains,
     /// throbbing) stays within the band.
@@ -44,7 +44,7 @@ public:
 private:
     WhiteNoise noise_;
     BandPass wide_, narrow_;
-    Lag logCentre_, octaves_;
+    OnePoleSmoother logCentre_, octaves_;
     float loudness_ = 0.0f;
     bool tuned_ = false;
 };

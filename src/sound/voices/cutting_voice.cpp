@@ -21,19 +21,19 @@ constexpr double kGrindingRpm = 500.0;
 
 // Throb at the rotation: a slow bur (10 000 rev/min = 167 Hz) rattles; at thousands of turns a second the ear hears no
 // throb, only side tones, which would blur the material's band.
-constexpr double kSlowThrob = 0.6, kFastThrob = 0.15;
-constexpr double kThrobFadesHz = 800.0;
+constexpr double kSlowModulation = 0.6, kFastModulation = 0.15;
+constexpr double kModulationFadeHz = 800.0;
 
 // Each blade that passes bites: eight blades at 10 000 rev/min sing at 1.3 kHz, six at 300 000 above hearing. They
 // swing the noise and give a tone beside it.
-constexpr double kBladeThrob = 0.35, kBladeTone = 0.7;  // the tone by the swing
+constexpr double kBladeModulation = 0.35, kBladeTone = 0.7;  // the tone by the swing
 constexpr double kPassingFadesHz = 8000.0, kHighestPassingHz = 14000.0;
 
 // Chatter: what the eye sees as a trembling handpiece, from half of the load that stalls it on. Tens of times a second,
 // as the hand and the handpiece's arm swing; the depth was chosen by ear.
-constexpr double kChatterFromLoad = 0.5, kMostChatter = 0.75;
-constexpr double kGripsPerSecond = 80.0;   // new random grips: swings of up to 40 Hz
-constexpr double kGripMeanSquare = 0.247;  // of SlowWander: 1/3 at its places, eased between them
+constexpr double kChatterFromLoad = 0.5, kMaxChatter = 0.75;
+constexpr double kStickSlipsPerSecond = 80.0;   // new random grips: swings of up to 40 Hz
+constexpr double kStickSlipMeanSquare = 0.247;  // of RandomModulator: 1/3 at its places, eased between them
 
 constexpr float kGrainsPerFrame = 1800.0f / kSoundRate;  // some grains at each of a few hundred turns a second
 constexpr double kGrainSeconds = 0.00035;
@@ -41,28 +41,28 @@ const auto kGrainKeep = static_cast<float>(std::exp(-1.0 / (kGrainSeconds * kSou
 
 double amplitudeOf(const DrillSoundState& state) {
     const double grinding = std::min(1.0, state.speedRpm / kGrindingRpm);
-    const double power = std::log1p(state.removalWatt / kFaintWatt) / std::log1p(kTopWatt / kFaintWatt);
+    const double power = std::log1p(state.removalPower / kFaintWatt) / std::log1p(kTopWatt / kFaintWatt);
     return kTopLevel * state.material.level * grinding * std::sqrt(power);
 }
 
-double throbAt(double turnsPerSecond) {
-    const double slow = kThrobFadesHz / (kThrobFadesHz + turnsPerSecond);
-    return kFastThrob + (kSlowThrob - kFastThrob) * slow;
+double modulationAt(double turnsPerSecond) {
+    const double slow = kModulationFadeHz / (kModulationFadeHz + turnsPerSecond);
+    return kFastModulation + (kSlowModulation - kFastModulation) * slow;
 }
 
-double bladeThrobAt(double passesPerSecond) {
+double bladeModulationAt(double passesPerSecond) {
     if (passesPerSecond <= 0 || passesPerSecond > kHighestPassingHz) return 0;
-    return kBladeThrob * kPassingFadesHz / (kPassingFadesHz + passesPerSecond);
+    return kBladeModulation * kPassingFadesHz / (kPassingFadesHz + passesPerSecond);
 }
 
 double chatterAt(double load) {
-    return kMostChatter * std::clamp((load - kChatterFromLoad) / (1.0 - kChatterFromLoad), 0.0, 1.0);
+    return kMaxChatter * std::clamp((load - kChatterFromLoad) / (1.0 - kChatterFromLoad), 0.0, 1.0);
 }
 
 }  // namespace
 
 CuttingVoice::CuttingVoice(std::uint64_t seed)
-    : noise_(seed + 1), grains_(seed + 2), grip_(seed + 3, kGripsPerSecond) {}
+    : noise_(seed + 1), grains_(seed + 2), stickSlip_(seed + 3, kStickSlipsPerSecond) {}
 
 void GrainEnvelope::setGraininess(double graininess) {
     // Campbell's theorem for random pulses that fall by `keep` a sample: mean and variance of their sum.
@@ -84,32 +84,31 @@ float GrainEnvelope::next() {
 void CuttingVoice::addTo(std::span<float> out, const DrillSoundState& state, double volume,
                          std::span<const double> turnsPerFrame) {
     const int frames = static_cast<int>(out.size());
-    const float share = glideShare(kLagSeconds, frames);
-    const double throb = throbAt(turnsPerFrame.back() * kSoundRate);
+    const float share = smoothingCoefficient(kLagSeconds, frames);
+    const double throb = modulationAt(turnsPerFrame.back() * kSoundRate);
     const double amplitude = amplitudeOf(state) * volume;
     if (kit_ != nullptr) addRecorded(out, state.material.kind, amplitude, turnsPerFrame);
     const bool isRecorded = kit_ != nullptr && kit_->cutting[state.material.kind];
     const double chatter = chatterAt(state.load);
-    if (bladeThrob_.isZero()) blades_ = state.blades;
+    if (bladeModulation_.isZero()) blades_ = state.blades;
     const double passes = blades_ == state.blades ? blades_ * turnsPerFrame.back() * kSoundRate : 0.0;
-    const double blade = bladeThrobAt(passes);
+    const double blade = bladeModulationAt(passes);
     const double swinging = 1.0 + 0.5 * throb * throb + 0.5 * (1.0 + kBladeTone * kBladeTone) * blade * blade;
-    const double power = swinging * (1.0 + kGripMeanSquare * chatter * chatter);
+    const double power = swinging * (1.0 + kStickSlipMeanSquare * chatter * chatter);
     gain_.aim(static_cast<float>((isRecorded ? 0.0 : amplitude) / std::sqrt(power)), share, frames);
-    chatter_.aim(static_cast<float>(1.0 + chatter * static_cast<double>(grip_.advance(frames))), 1.0f, frames);
-    throb_.aim(static_cast<float>(throb), share, frames);
-    bladeThrob_.aim(static_cast<float>(blade), share, frames);
+    chatter_.aim(static_cast<float>(1.0 + chatter * static_cast<double>(stickSlip_.advance(frames))), 1.0f, frames);
+    rotationModulation_.aim(static_cast<float>(throb), share, frames);
+    bladeModulation_.aim(static_cast<float>(blade), share, frames);
     if (gain_.isZero()) return;
 
     noise_.tune(state.material.bandCentreHz, state.material.bandOctaves, share);
-    grains_.setGraininess(
-        static_cast<double>(graininess_.towards(static_cast<float>(state.material.graininess), share)));
-    const bool sings = !bladeThrob_.isZero();
+    grains_.setGraininess(static_cast<double>(graininess_.step(static_cast<float>(state.material.graininess), share)));
+    const bool sings = !bladeModulation_.isZero();
     for (std::size_t i = 0; i < out.size(); ++i) {
         const float turning = sineOfTurns(rotation_.advance(turnsPerFrame[i]));
         const float passing =
-            sings ? bladeThrob_.next() * sineOfTurns(passing_.advance(blades_ * turnsPerFrame[i])) : 0.0f;
-        const float swing = 1.0f + throb_.next() * turning + passing;
+            sings ? bladeModulation_.next() * sineOfTurns(passing_.advance(blades_ * turnsPerFrame[i])) : 0.0f;
+        const float swing = 1.0f + rotationModulation_.next() * turning + passing;
         const float noise = noise_.next(swing * grains_.next());
         out[i] += gain_.next() * chatter_.next() * (noise + static_cast<float>(kBladeTone) * passing);
     }
@@ -117,7 +116,7 @@ void CuttingVoice::addTo(std::span<float> out, const DrillSoundState& state, dou
 
 void CuttingVoice::addRecorded(std::span<float> out, std::size_t kind, double amplitude,
                                std::span<const double> turnsPerFrame) {
-    const float share = glideShare(kLagSeconds, static_cast<int>(out.size()));
+    const float share = smoothingCoefficient(kLagSeconds, static_cast<int>(out.size()));
     for (std::size_t i = 0; i < kSoundMaterials; ++i) {
         const auto& part = kit_->cutting[i];
         if (part) recorded_[i].addTo(out, *part, i == kind ? amplitude : 0.0, share, turnsPerFrame);

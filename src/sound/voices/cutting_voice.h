@@ -8,7 +8,7 @@
 
 #include "sound/voices/band_noise.h"
 #include "sound/voices/drill_sound_state.h"
-#include "sound/voices/glide.h"
+#include "sound/voices/gain_smoother.h"
 #include "sound/voices/recorded_voice.h"
 #include "sound/voices/rotation.h"
 #include "sound/voices/sine.h"
@@ -53,10 +53,10 @@ private:
 
     BandNoise noise_;
     GrainEnvelope grains_;
-    Lag graininess_;
+    OnePoleSmoother graininess_;
     Phase rotation_, passing_;
-    SlowWander grip_;
-    Glide gain_, throb_, chatter_, bladeThrob_;
+    RandomModulator stickSlip_;
+    GainSmoother gain_, rotationModulation_, chatter_, bladeModulation_;
     int blades_ = 0;  // heard; another bur's come when these have faded
     const SoundKit* kit_ = nullptr;
     std::array<RecordedVoice, kSoundMaterials> recorded_;

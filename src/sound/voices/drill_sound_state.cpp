@@ -27,7 +27,7 @@ constexpr std::array<SoundCharacter, kSoundMaterials> kCharacters{{{7700.0, 0.75
 constexpr double kTopSpeedRpm = 1.0e6;    // twice the fastest turbine on sale
 constexpr double kTopRemovalWatt = 1000;  // a turbine gives 30 W at most
 constexpr double kTopContactSpeed = 1e4;  // mm/s: faster than any hand
-constexpr int kMostBlades = 60;           // finishing burs have 30
+constexpr int kMaxBlades = 60;            // finishing burs have 30
 
 double within(double value, double low, double high, double otherwise) {
     return std::isfinite(value) ? std::clamp(value, low, high) : otherwise;
@@ -65,8 +65,8 @@ DrillSoundState sanitised(const DrillSoundState& state) {
     safe.freeSpeedRpm = within(state.freeSpeedRpm, 1.0, kTopSpeedRpm, kTopSpeedRpm);
     safe.pedal = within(state.pedal, 0.0, 1.0, 0.0);
     safe.load = within(state.load, 0.0, 1.0, 0.0);
-    safe.removalWatt = within(state.removalWatt, 0.0, kTopRemovalWatt, 0.0);
-    safe.blades = std::clamp(state.blades, 0, kMostBlades);
+    safe.removalPower = within(state.removalPower, 0.0, kTopRemovalWatt, 0.0);
+    safe.blades = std::clamp(state.blades, 0, kMaxBlades);
     safe.contactSpeed = within(state.contactSpeed, 0.0, kTopContactSpeed, 0.0);
     safe.water = within(state.water, 0.0, 1.0, 0.0);
     safe.suction = within(state.suction, 0.0, 1.0, 0.0);

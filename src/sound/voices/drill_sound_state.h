@@ -43,7 +43,7 @@ struct DrillSoundState {
     double freeSpeedRpm = 400000.0;  ///< without load at full pedal: the speed at which the motor is loudest
     double pedal = 0.0;              ///< 0 released .. 1 fully pressed: the drive air
     double load = 0.0;               ///< torque on the bur as a share of the torque that stalls it, 0..1
-    double removalWatt = 0.0;        ///< power that goes into the cut: tangential force times rim speed
+    double removalPower = 0.0;       ///< power that goes into the cut: tangential force times rim speed
     SoundCharacter material;         ///< of what is being cut or was touched
     std::uint32_t contactCount = 0;  ///< goes up by one each time the instrument lands on something
     double contactSpeed = 0.0;       ///< of the last landing, along the surface's normal, mm/s

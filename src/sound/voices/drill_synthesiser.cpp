@@ -57,7 +57,8 @@ void DrillSynthesiser::renderRun(const DrillSoundState& state, std::span<float> 
     tap_.addTo(run, state, mixer_.cutting);
 
     const int frames = static_cast<int>(run.size());
-    master_.aim(mixer_.muted ? 0.0f : static_cast<float>(mixer_.master), glideShare(kMasterLagSeconds, frames), frames);
+    master_.aim(mixer_.muted ? 0.0f : static_cast<float>(mixer_.master),
+                smoothingCoefficient(kMasterLagSeconds, frames), frames);
     for (float& sample : run) sample *= master_.next();
 }
 

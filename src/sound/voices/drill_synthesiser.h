@@ -7,10 +7,10 @@
 
 #include "sound/voices/cutting_voice.h"
 #include "sound/voices/drill_sound_state.h"
+#include "sound/voices/impact_voice.h"
 #include "sound/voices/motor_voice.h"
 #include "sound/voices/peak_limiter.h"
 #include "sound/voices/sound_mixer.h"
-#include "sound/voices/tap_voice.h"
 
 namespace tactooth {
 
@@ -41,8 +41,8 @@ private:
     Rotation rotation_;
     MotorVoice motor_;
     CuttingVoice cutting_;
-    TapVoice tap_;
-    Glide master_;
+    ImpactVoice tap_;
+    GainSmoother master_;
     PeakLimiter limiter_;
 };
 

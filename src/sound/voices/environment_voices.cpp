@@ -35,7 +35,7 @@ WaterVoice::WaterVoice(std::uint64_t seed) : hiss_(seed), trickle_(seed + 1, kTr
 
 void WaterVoice::addTo(std::span<float> out, double flow, double volume) {
     const int frames = static_cast<int>(out.size());
-    const float share = glideShare(kValveSeconds, frames);
+    const float share = smoothingCoefficient(kValveSeconds, frames);
     const double level = kWaterLevel * flow * volume;
     if (part_ != nullptr) return recorded_.addTo(out, *part_, level, share, kNoTurns);
     gain_.aim(static_cast<float>(level), share, frames);
@@ -46,18 +46,18 @@ void WaterVoice::addTo(std::span<float> out, double flow, double volume) {
 }
 
 SuctionVoice::SuctionVoice(std::uint64_t seed)
-    : rush_(seed), tube_(seed + 1), slurp_(seed + 2, kSlurp), gulp_(seed + 3, 7.0) {
+    : rush_(seed), tube_(seed + 1), slurp_(seed + 2, kSlurp), slurpModulator_(seed + 3, 7.0) {
     rush_.tune(kRushHz, kRushOctaves, 1.0f);
     tube_.tune(kTubeHz, kTubeOctaves, 1.0f);
 }
 
 void SuctionVoice::addTo(std::span<float> out, double flow, double water, double volume) {
     const int frames = static_cast<int>(out.size());
-    const float share = glideShare(kValveSeconds, frames);
+    const float share = smoothingCoefficient(kValveSeconds, frames);
     const double level = kSuctionLevel * flow * volume;
     if (part_ != nullptr) return recorded_.addTo(out, *part_, level, share, kNoTurns);
     gain_.aim(static_cast<float>(level), share, frames);
-    const float gulp = 0.5f + 0.5f * gulp_.advance(frames);
+    const float gulp = 0.5f + 0.5f * slurpModulator_.advance(frames);
     wet_.aim(kSlurpShare * static_cast<float>(water) * gulp * gulp, share, frames);
     if (gain_.isZero()) return;
     std::array<float, kControlFrames> slurp{};

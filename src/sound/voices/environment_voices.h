@@ -7,7 +7,7 @@
 
 #include "sound/voices/band_noise.h"
 #include "sound/voices/bubbles.h"
-#include "sound/voices/glide.h"
+#include "sound/voices/gain_smoother.h"
 #include "sound/voices/recorded_voice.h"
 #include "sound/voices/rotation.h"
 
@@ -30,7 +30,7 @@ private:
     RecordedVoice recorded_;
     BandNoise hiss_;
     Bubbles trickle_;
-    Glide gain_;
+    GainSmoother gain_;
 };
 
 /// The suction tube: rushing air with the tube's own tone, and a slurp where it meets water.
@@ -50,8 +50,8 @@ private:
     RecordedVoice recorded_;
     BandNoise rush_, tube_;
     Bubbles slurp_;
-    SlowWander gulp_;
-    Glide gain_, wet_;
+    RandomModulator slurpModulator_;
+    GainSmoother gain_, wet_;
 };
 
 }  // namespace tactooth

@@ -47,21 +47,21 @@ float interpolated(const Recording& recording, int level, double place) {
 }  // namespace
 
 float LoopPlayer::next(const Recording& recording, double pitch) {
-    const double step = std::clamp(pitch * recording.rate() / kSoundRate, 0.0, kHighestStep);
-    place_ += step;
+    const double step = std::clamp(pitch * recording.rate() / kSoundRate, 0.0, kMaxStep);
+    position_ += step;
     const auto size = static_cast<double>(recording.size());
-    if (place_ >= size) place_ = std::fmod(place_, size);
+    if (position_ >= size) position_ = std::fmod(position_, size);
 
     // A level holds out until 1.2 times its step (what is kept of it then reaches half the rate); up to there the next
     // one takes over bit by bit, so that no change of pitch is heard as a switch.
     constexpr double kHoldsOut = 1.2;
     int level = 0;
     while (level + 1 < Recording::kLevels && step > kHoldsOut * (1 << level)) ++level;
-    const float here = interpolated(recording, level, place_);
+    const float here = interpolated(recording, level, position_);
     const double beyond = step / (1 << level) - 1.0;
     if (beyond <= 0.0 || level + 1 == Recording::kLevels) return here;
     const auto share = static_cast<float>(beyond / (kHoldsOut - 1.0));
-    return here + share * (interpolated(recording, level + 1, place_) - here);
+    return here + share * (interpolated(recording, level + 1, position_) - here);
 }
 
 }  // namespace tactooth

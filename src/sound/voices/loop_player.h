@@ -14,14 +14,14 @@ namespace tactooth {
 class LoopPlayer {
 public:
     /// Eight times as high as the recording is the highest that it plays.
-    static constexpr double kHighestStep = 1 << (Recording::kLevels - 1);
+    static constexpr double kMaxStep = 1 << (Recording::kLevels - 1);
 
-    /// The next sample; `pitch` times as fast as it was recorded (0 holds still), within 0..kHighestStep after the
+    /// The next sample; `pitch` times as fast as it was recorded (0 holds still), within 0..kMaxStep after the
     /// difference in rates. The same recording each time.
     [[nodiscard]] float next(const Recording& recording, double pitch);
 
 private:
-    double place_ = 0.0;  // in the loop, samples of level 0
+    double position_ = 0.0;  // in the loop, samples of level 0
 };
 
 }  // namespace tactooth

@@ -19,13 +19,13 @@ constexpr double kAirSeconds = 0.03;      // of the drive air behind its valve
 constexpr int kCageTone = 4;
 constexpr double kCageSlip = 0.015;
 
-struct ToneRecipe {
+struct TonePartial {
     double ratio;  // frequency over the rotation's
     double level;  // amplitude over the rotation's tone
 };
 
-struct MotorRecipe {
-    std::array<ToneRecipe, MotorVoice::kTones> tones;
+struct MotorSpectrum {
+    std::array<TonePartial, MotorVoice::kTones> tones;
     double level;      // of all tones against an air turbine's
     double hissLevel;  // root mean square at full pedal, share of full scale
 };
@@ -34,7 +34,7 @@ struct MotorRecipe {
 // (above hearing at full speed: measured peaks at 5.6 and 46.5 kHz; heard as a falling whistle while it runs down).
 // Electric 1:5: bearings and gears without drive air, the motor's own turns at a fifth of the bur's,
 // gear mesh at 2.2. Low speed: purr of the rotation with many gear tones between 1 and 5 kHz at 25 000 rev/min.
-constexpr std::array<MotorRecipe, 3> kMotors{{
+constexpr std::array<MotorSpectrum, 3> kMotors{{
     {{{{1.0, 1.0}, {2.0, 0.35}, {3.0, 0.18}, {4.0, 0.1}, {0.4, 0.056}, {8.0, 0.2}}}, 1.0, 0.013},
     {{{{1.0, 1.0}, {2.0, 0.3}, {0.2, 0.5}, {2.2, 0.2}, {0.4, 0.056}, {3.0, 0.12}}}, 0.6, 0.004},
     {{{{1.0, 1.0}, {2.0, 0.6}, {3.0, 0.3}, {7.0, 0.35}, {0.4, 0.1}, {11.0, 0.2}}}, 0.5, 0.002},
@@ -55,22 +55,23 @@ float belowHalfRate(double turns) {
 // Amplitude against the free speed's: aerodynamic and bearing noise grow a little faster than the speed itself.
 double loudnessAt(double speedShare) { return std::pow(std::min(speedShare, 1.5), 1.2); }
 
-const MotorRecipe& recipeOf(MotorKind kind) { return kMotors[static_cast<std::size_t>(kind) % kMotors.size()]; }
+const MotorSpectrum& motorSpectrum(MotorKind kind) { return kMotors[static_cast<std::size_t>(kind) % kMotors.size()]; }
 
 }  // namespace
 
-MotorVoice::MotorVoice(std::uint64_t seed) : cageSlip_(seed + 1, 2.0), breath_(seed + 2, 5.0), hiss_(seed + 3) {}
+MotorVoice::MotorVoice(std::uint64_t seed)
+    : cageSlipModulator_(seed + 1, 2.0), airModulator_(seed + 2, 5.0), hiss_(seed + 3) {}
 
 void MotorVoice::addTo(std::span<float> out, const DrillSoundState& state, double volume,
                        std::span<const double> turnsPerFrame) {
     const int frames = static_cast<int>(out.size());
     if (part_ != nullptr) {
         const double level = kRecordedLevel * volume * loudnessAt(state.speedRpm / state.freeSpeedRpm);
-        recorded_.addTo(out, *part_, level, glideShare(kLagSeconds, frames), turnsPerFrame);
+        recorded_.addTo(out, *part_, level, smoothingCoefficient(kLagSeconds, frames), turnsPerFrame);
         return;
     }
     aimTones(state, volume, frames);
-    const MotorRecipe& recipe = recipeOf(state.motor);
+    const MotorSpectrum& recipe = motorSpectrum(state.motor);
     for (int i = 0; i < kTones; ++i) {
         if (tones_[i].gain.isZero()) continue;
         addTone(out, i, i == kCageTone ? cageTurns_ : recipe.tones[i].ratio, turnsPerFrame);
@@ -79,14 +80,15 @@ void MotorVoice::addTo(std::span<float> out, const DrillSoundState& state, doubl
 }
 
 void MotorVoice::aimTones(const DrillSoundState& state, double volume, int frames) {
-    const MotorRecipe& recipe = recipeOf(state.motor);
-    cageTurns_ = recipe.tones[kCageTone].ratio * (1.0 + kCageSlip * static_cast<double>(cageSlip_.advance(frames)));
-    const double breath = 1.0 + 0.06 * static_cast<double>(breath_.advance(frames));
+    const MotorSpectrum& recipe = motorSpectrum(state.motor);
+    cageTurns_ =
+        recipe.tones[kCageTone].ratio * (1.0 + kCageSlip * static_cast<double>(cageSlipModulator_.advance(frames)));
+    const double breath = 1.0 + 0.06 * static_cast<double>(airModulator_.advance(frames));
     const double level =
         kRotationLevel * recipe.level * volume * breath * loudnessAt(state.speedRpm / state.freeSpeedRpm);
-    const float share = glideShare(kLagSeconds, frames);
+    const float share = smoothingCoefficient(kLagSeconds, frames);
     for (int i = 0; i < kTones; ++i) {
-        const ToneRecipe& tone = recipe.tones[i];
+        const TonePartial& tone = recipe.tones[i];
         // A loaded spindle strains: overtones and the cage come forward, the rotation's tone stays.
         const double strain = i == 0 ? 1.0 : 1.0 + (i == kCageTone ? 3.0 : 0.7) * state.load;
         tones_[i].gain.aim(static_cast<float>(level * tone.level * strain), share, frames);
@@ -105,9 +107,9 @@ void MotorVoice::addTone(std::span<float> out, int index, double ratio, std::spa
 // The air goes on hissing through a rotor that has stalled: that, without the whine, is how a stall sounds.
 void MotorVoice::addHiss(std::span<float> out, const DrillSoundState& state, double volume) {
     const int frames = static_cast<int>(out.size());
-    const float share = glideShare(kAirSeconds, frames);
+    const float share = smoothingCoefficient(kAirSeconds, frames);
     const double flow = state.pedal * (0.6 + 0.4 * std::min(1.0, state.speedRpm / state.freeSpeedRpm));
-    hissGain_.aim(static_cast<float>(recipeOf(state.motor).hissLevel * flow * volume), share, frames);
+    hissGain_.aim(static_cast<float>(motorSpectrum(state.motor).hissLevel * flow * volume), share, frames);
     if (hissGain_.isZero()) return;
     hiss_.tune(kHissCentreHz, kHissOctaves, share);
     for (float& sample : out) sample += hissGain_.next() * hiss_.next();

@@ -8,7 +8,7 @@
 
 #include "sound/voices/band_noise.h"
 #include "sound/voices/drill_sound_state.h"
-#include "sound/voices/glide.h"
+#include "sound/voices/gain_smoother.h"
 #include "sound/voices/recorded_voice.h"
 #include "sound/voices/rotation.h"
 #include "sound/voices/sine.h"
@@ -37,17 +37,17 @@ public:
 private:
     struct Tone {
         Phase phase;
-        Glide gain;
+        GainSmoother gain;
     };
     void aimTones(const DrillSoundState& state, double volume, int frames);
     void addTone(std::span<float> out, int index, double ratio, std::span<const double> turnsPerFrame);
     void addHiss(std::span<float> out, const DrillSoundState& state, double volume);
 
     std::array<Tone, kTones> tones_;
-    SlowWander cageSlip_, breath_;
+    RandomModulator cageSlipModulator_, airModulator_;
     double cageTurns_ = 0.0;  // of the cage for each turn of the bur
     BandNoise hiss_;
-    Glide hissGain_;
+    GainSmoother hissGain_;
     const RecordedPart* part_ = nullptr;
     RecordedVoice recorded_;
 };

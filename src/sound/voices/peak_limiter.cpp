@@ -21,7 +21,9 @@ PeakLimiter::PeakLimiter(float ceiling) : ceiling_(ceiling) {
     allowed_.fill(1.0f);
 }
 
-float PeakLimiter::neededGain() const { return loud_ == 0 ? 1.0f : *std::min_element(needed_.begin(), needed_.end()); }
+float PeakLimiter::neededGain() const {
+    return limitedCount_ == 0 ? 1.0f : *std::min_element(needed_.begin(), needed_.end());
+}
 
 // The mean over kWindow of gains that are each low enough for the oldest sample in the window is low enough for it,
 // too, and comes down in a straight line.
@@ -29,17 +31,17 @@ void PeakLimiter::process(std::span<float> samples) {
     for (float& sample : samples) {
         const float peak = std::abs(sample);
         const float needed = peak > ceiling_ ? ceiling_ / peak : 1.0f;
-        loud_ += static_cast<int>(needed < 1.0f) - static_cast<int>(needed_[place_] < 1.0f);
-        needed_[place_] = needed;
-        samples_[place_] = sample;
+        limitedCount_ += static_cast<int>(needed < 1.0f) - static_cast<int>(needed_[position_] < 1.0f);
+        needed_[position_] = needed;
+        samples_[position_] = sample;
 
         gain_ = std::min(neededGain(), gain_ + (1.0f - gain_) * kRelease);
-        if (loud_ == 0 && gain_ > kBackAtOne) gain_ = 1.0f;
-        allowedSum_ += static_cast<double>(gain_) - static_cast<double>(allowed_[place_]);
-        allowed_[place_] = gain_;
+        if (limitedCount_ == 0 && gain_ > kBackAtOne) gain_ = 1.0f;
+        allowedSum_ += static_cast<double>(gain_) - static_cast<double>(allowed_[position_]);
+        allowed_[position_] = gain_;
 
-        place_ = (place_ + 1) % kWindow;  // now the oldest sample's
-        sample = samples_[place_] * static_cast<float>(allowedSum_ / kWindow);
+        position_ = (position_ + 1) % kWindow;  // now the oldest sample's
+        sample = samples_[position_] * static_cast<float>(allowedSum_ / kWindow);
     }
 }
 

@@ -24,8 +24,8 @@ private:
     float ceiling_;
     // Rings of the last kWindow samples, of the gain each of them needs, and of the gain that was allowed.
     std::array<float, kWindow> samples_{}, needed_, allowed_;
-    int place_ = 0;
-    int loud_ = 0;  // entries of needed_ below 1
+    int position_ = 0;
+    int limitedCount_ = 0;  // entries of needed_ below 1
     float gain_ = 1.0f;
     double allowedSum_ = kWindow;
 };

@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "sound/voices/glide.h"
+#include "sound/voices/gain_smoother.h"
 #include "sound/voices/loop_player.h"
 #include "sound/voices/sound_kit.h"
 
@@ -14,13 +14,13 @@ namespace tactooth {
 class RecordedVoice {
 public:
     /// Adds its sound to `out` (at most kControlFrames samples) while the bur makes `turnsPerFrame`; goes towards the
-    /// root mean square `level` by `share`, as from glideShare(). The same part each time.
+    /// root mean square `level` by `share`, as from smoothingCoefficient(). The same part each time.
     void addTo(std::span<float> out, const RecordedPart& part, double level, float share,
                std::span<const double> turnsPerFrame);
 
 private:
     LoopPlayer player_;
-    Glide gain_;
+    GainSmoother gain_;
 };
 
 }  // namespace tactooth

@@ -12,10 +12,10 @@ constexpr double kFlutter = 0.001;  // share of the speed
 
 }  // namespace
 
-SlowWander::SlowWander(std::uint64_t seed, double timesPerSecond)
+RandomModulator::RandomModulator(std::uint64_t seed, double timesPerSecond)
     : noise_(seed), placesPerFrame_(static_cast<float>(timesPerSecond / kSoundRate)) {}
 
-float SlowWander::advance(int frames) {
+float RandomModulator::advance(int frames) {
     progress_ += placesPerFrame_ * static_cast<float>(frames);
     if (progress_ >= 1.0f) {
         progress_ = 0.0f;
@@ -28,7 +28,7 @@ float SlowWander::advance(int frames) {
 
 void Rotation::advanceTo(double speedRpm, std::span<double> turnsPerFrame) {
     const int frames = static_cast<int>(turnsPerFrame.size());
-    const double flutter = 1.0 + kFlutter * static_cast<double>(wander_.advance(frames));
+    const double flutter = 1.0 + kFlutter * static_cast<double>(modulator_.advance(frames));
     const double target = speedRpm / 60.0 / kSoundRate * flutter;
     const double step = (target - turns_) / frames;
     for (double& turns : turnsPerFrame) turns = turns_ += step;

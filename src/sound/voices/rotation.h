@@ -10,9 +10,9 @@
 namespace tactooth {
 
 /// A random value that wanders smoothly within [-1, 1], to a new place some times a second.
-class SlowWander {
+class RandomModulator {
 public:
-    SlowWander(std::uint64_t seed, double timesPerSecond);
+    RandomModulator(std::uint64_t seed, double timesPerSecond);
     /// The value `frames` samples later.
     float advance(int frames);
 
@@ -28,13 +28,13 @@ private:
 /// handpieces wander by 1-3 %; that much belongs to the speed model, which the tone has to follow within 0.5 %.)
 class Rotation {
 public:
-    explicit Rotation(std::uint64_t seed) : wander_(seed, 6.0) {}
+    explicit Rotation(std::uint64_t seed) : modulator_(seed, 6.0) {}
 
     /// Fills in the turns that the bur makes in each sample; the last one is at `speedRpm`.
     void advanceTo(double speedRpm, std::span<double> turnsPerFrame);
 
 private:
-    SlowWander wander_;
+    RandomModulator modulator_;
     double turns_ = 0.0;  // per sample, at the end of the last run
 };
 

@@ -6,8 +6,8 @@
 #include <memory>
 #include <optional>
 
-#include "sound/voices/drill_sound_state.h"
 #include "sound/files/recording.h"
+#include "sound/voices/drill_sound_state.h"
 
 namespace tactooth {
 

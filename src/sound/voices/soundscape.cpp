@@ -14,7 +14,7 @@ constexpr float kWaterCeiling = 0.045f, kSuctionCeiling = 0.06f;
 
 double share(double value) { return std::isfinite(value) ? std::clamp(value, 0.0, 1.0) : 0.0; }
 
-std::array<float, kSoundBlock>& at(SoundBlock& block, SoundPlace place) {
+std::array<float, kSoundBlock>& at(SoundBlock& block, SoundSource place) {
     return block[static_cast<std::size_t>(place)];
 }
 
@@ -26,7 +26,7 @@ Soundscape::Soundscape(std::uint64_t seed, const SoundKit* kit)
       suction_(seed * 16 + 13),
       waterLimiter_(kWaterCeiling),
       suctionLimiter_(kSuctionCeiling),
-      comingKit_(kit) {
+      pendingKit_(kit) {
     kitGain_.jumpTo(1.0f);
     useKit(kit);
 }
@@ -37,15 +37,15 @@ void Soundscape::setMixer(const SoundMixer& mixer) {
 }
 
 void Soundscape::render(const DrillSoundState& target, SoundBlock& block) {
-    drill_.render(target, at(block, SoundPlace::Bur));
+    drill_.render(target, at(block, SoundSource::Bur));
     renderEnvironment(sanitised(target), block);
     changeKit(block);
-    protectEars(block);
+    limitExposure(block);
 }
 
 void Soundscape::renderEnvironment(const DrillSoundState& state, SoundBlock& block) {
-    auto& mouth = at(block, SoundPlace::Mouth);
-    auto& tube = at(block, SoundPlace::Suction);
+    auto& mouth = at(block, SoundSource::Mouth);
+    auto& tube = at(block, SoundSource::Suction);
     mouth.fill(0.0f);
     tube.fill(0.0f);
     for (std::size_t done = 0; done < kSoundBlock; done += kControlFrames) {
@@ -59,14 +59,14 @@ void Soundscape::renderEnvironment(const DrillSoundState& state, SoundBlock& blo
 
 void Soundscape::changeKit(SoundBlock& block) {
     constexpr double kSeconds = 0.004;
-    kitGain_.aim(kit_ == comingKit_ ? 1.0f : 0.0f, glideShare(kSeconds, kSoundBlock), kSoundBlock);
+    kitGain_.aim(kit_ == pendingKit_ ? 1.0f : 0.0f, smoothingCoefficient(kSeconds, kSoundBlock), kSoundBlock);
     if (kitGain_.isOne()) return;
     std::array<float, kSoundBlock> gains;
     for (float& gain : gains) gain = kitGain_.next();
     for (auto& place : block) {
         for (std::size_t i = 0; i < kSoundBlock; ++i) place[i] *= gains[i];
     }
-    if (kitGain_.isZero()) useKit(comingKit_);
+    if (kitGain_.isZero()) useKit(pendingKit_);
 }
 
 void Soundscape::useKit(const SoundKit* kit) {
@@ -76,12 +76,12 @@ void Soundscape::useKit(const SoundKit* kit) {
     suction_.use(kit != nullptr && kit->suction ? &*kit->suction : nullptr);
 }
 
-void Soundscape::protectEars(SoundBlock& block) {
+void Soundscape::limitExposure(SoundBlock& block) {
     std::array<float, kSoundBlock> sum{};
     for (const auto& place : block) {
         for (std::size_t i = 0; i < kSoundBlock; ++i) sum[i] += place[i];
     }
-    const Ramp gain = cap_.gainFor(sum);
+    const Ramp gain = exposureLimiter_.gainFor(sum);
     if (gain.isOne()) return;
     for (auto& place : block) {
         Ramp way = gain;

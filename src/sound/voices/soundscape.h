@@ -5,19 +5,19 @@
 #include <array>
 #include <cstdint>
 
+#include "sound/files/sound_format.h"
 #include "sound/voices/drill_synthesiser.h"
 #include "sound/voices/environment_voices.h"
-#include "sound/voices/exposure_cap.h"
-#include "sound/files/sound_format.h"
+#include "sound/voices/exposure_limiter.h"
 
 namespace tactooth {
 
 /// Places that sounds come from, see SoundPlacement.
-enum class SoundPlace : std::uint8_t { Bur, Mouth, Suction };
-inline constexpr std::size_t kSoundPlaces = 3;
+enum class SoundSource : std::uint8_t { Bur, Mouth, Suction };
+inline constexpr std::size_t kSoundSources = 3;
 
 /// One block of sound for each place.
-using SoundBlock = std::array<std::array<float, kSoundBlock>, kSoundPlaces>;
+using SoundBlock = std::array<std::array<float, kSoundBlock>, kSoundSources>;
 
 /// All that is heard: the drill at the bur, the spray in the mouth, the suction beside it. The three together stay
 /// below full scale, and below the exposure cap in the long run. Same seed and same calls, same samples. Neither
@@ -35,7 +35,7 @@ public:
 
     /// Recordings to play; null: all of it synthesised. Changes within some hundredths of a second, silent in between.
     /// `kit` stays where it is until kit() is another one.
-    void setKit(const SoundKit* kit) { comingKit_ = kit; }
+    void setKit(const SoundKit* kit) { pendingKit_ = kit; }
     [[nodiscard]] const SoundKit* kit() const { return kit_; }
 
     /// The next block; `target` is the state at its end.
@@ -43,7 +43,7 @@ public:
 
 private:
     void renderEnvironment(const DrillSoundState& state, SoundBlock& block);
-    void protectEars(SoundBlock& block);
+    void limitExposure(SoundBlock& block);
     void changeKit(SoundBlock& block);
     void useKit(const SoundKit* kit);
 
@@ -51,11 +51,11 @@ private:
     WaterVoice water_;
     SuctionVoice suction_;
     PeakLimiter waterLimiter_, suctionLimiter_;
-    ExposureCap cap_;
+    ExposureLimiter exposureLimiter_;
     double environment_ = 1.0;
     const SoundKit* kit_ = nullptr;
-    const SoundKit* comingKit_ = nullptr;
-    Glide kitGain_;
+    const SoundKit* pendingKit_ = nullptr;
+    GainSmoother kitGain_;
 };
 
 }  // namespace tactooth

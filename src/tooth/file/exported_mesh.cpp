@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/mesh/append_chosen.h"
-#include "tooth/file/mesh_bits.h"
+#include "geometry/mesh/append_subset.h"
+#include "tooth/file/mesh_components.h"
 
 namespace tactooth {
 namespace {
@@ -16,7 +16,7 @@ std::size_t countOfBase(const Surface& surface) {
     std::size_t count = 0;
     for (std::uint32_t i = 0; i < surface.base->mesh().triangles.size(); ++i) {
         const bool isThere = surface.hidden == nullptr || !isHidden(*surface.hidden, i);
-        count += static_cast<std::size_t>(isThere && !surface.base->isAround(i));
+        count += static_cast<std::size_t>(isThere && !surface.base->isAdjacent(i));
     }
     return count;
 }
@@ -33,7 +33,7 @@ struct Bit {
 };
 
 /// By the number of a bit's lowest point.
-std::vector<Bit> measured(const TriangleMesh& mesh, MeshBits& bits, std::size_t ofBase) {
+std::vector<Bit> measured(const TriangleMesh& mesh, MeshComponents& bits, std::size_t ofBase) {
     std::vector<Bit> result(bits.points().size());
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         const std::uint32_t number = bits.ofVertex(mesh.triangles[t][0]);
@@ -48,12 +48,12 @@ std::vector<Bit> measured(const TriangleMesh& mesh, MeshBits& bits, std::size_t 
 TaggedMesh exportedMesh(const Surface& surface, double voxel) {
     TaggedMesh whole = visibleToothMesh(surface);
     if (surface.patches.empty()) return whole;
-    MeshBits bits(whole.mesh);
+    MeshComponents bits(whole.mesh);
     const std::vector<Bit> all = measured(whole.mesh, bits, countOfBase(surface));
     const auto isSpeck = [&](const Bit& bit) { return bit.isCut && std::abs(bit.volume) < voxel * voxel * voxel; };
     if (std::ranges::none_of(all, isSpeck)) return whole;
     TaggedMesh result;
-    appendChosen(result.mesh, whole.mesh, [&](std::uint32_t t) {
+    appendSubset(result.mesh, whole.mesh, [&](std::uint32_t t) {
         if (isSpeck(all[bits.ofVertex(whole.mesh.triangles[t][0])])) return false;
         result.tags.push_back(whole.tags[t]);
         return true;

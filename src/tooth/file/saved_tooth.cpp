@@ -13,14 +13,14 @@ namespace tactooth {
 namespace {
 
 constexpr std::string_view kMagic = "TACTOOTH";
-constexpr std::uint32_t kVersion = 2;      // the first one knew no Standing
-constexpr double kWidestBand = 2;          // voxels: files of the first months kept the cut distance farther
-constexpr double kFinestVoxel = 0.005;     // mm, as on the command line
-constexpr double kCoarsestVoxel = 0.5;     // mm
-constexpr int kFarthestBrick = 1 << 16;    // from the origin: 13 m at the default voxel
-constexpr float kFarthest = 1e6F;          // mm, of a vertex
-constexpr std::size_t kMostLayers = 2000;  // of a case: 200 bodies of a few layers each
-constexpr std::size_t kMostNotes = 10'000;
+constexpr std::uint32_t kVersion = 2;     // the first one knew no Standing
+constexpr double kWidestBand = 2;         // voxels: files of the first months kept the cut distance farther
+constexpr double kFinestVoxel = 0.005;    // mm, as on the command line
+constexpr double kCoarsestVoxel = 0.5;    // mm
+constexpr int kFarthestBrick = 1 << 16;   // from the origin: 13 m at the default voxel
+constexpr float kFarthest = 1e6F;         // mm, of a vertex
+constexpr std::size_t kMaxLayers = 2000;  // of a case: 200 bodies of a few layers each
+constexpr std::size_t kMaxNotes = 10'000;
 
 void putMesh(ByteWriter& out, const TriangleMesh& mesh) {
     out.put(static_cast<std::uint32_t>(mesh.vertices.size()));
@@ -51,8 +51,8 @@ void putBrick(ByteWriter& out, const BrickKey& key, const CutField& field, const
     putField(out, field.cut, untouched.cut[0]);
     putField(out, field.cutNormal, untouched.cutNormal[0]);
     for (int axis = 0; axis < 3; ++axis) {
-        putField(out, field.border[axis], untouched.border[axis][0], &BorderCrossing::place);
-        putField(out, field.border[axis], untouched.border[axis][0], &BorderCrossing::normal);
+        putField(out, field.boundary[axis], untouched.boundary[axis][0], &HermiteSample::place);
+        putField(out, field.boundary[axis], untouched.boundary[axis][0], &HermiteSample::normal);
     }
 }
 
@@ -66,7 +66,7 @@ public:
         if (failure_.empty()) readNotes();
         if (failure_.empty()) readMesh(tooth_.outer);
         if (failure_.empty()) readLayers();
-        if (failure_.empty()) readStanding();
+        if (failure_.empty()) readToothContext();
         if (failure_.empty()) readVolume();
         if (failure_.empty()) readEnd();
         if (!failure_.empty()) return unexpected(name_ + ", byte " + std::to_string(in_.at()) + ": " + failure_);
@@ -98,7 +98,7 @@ private:
 
     void readNotes() {
         const auto count = in_.get<std::uint32_t>();
-        require(count <= kMostNotes, kDamaged);
+        require(count <= kMaxNotes, kDamaged);
         for (std::uint32_t i = 0; i < count && failure_.empty(); ++i) {
             std::string key = in_.getText();
             std::string value = in_.getText();
@@ -132,7 +132,7 @@ private:
 
     void readLayers() {
         const auto count = in_.get<std::uint32_t>();
-        require(count <= kMostLayers, kDamaged);
+        require(count <= kMaxLayers, kDamaged);
         for (std::uint32_t i = 0; i < count && failure_.empty(); ++i) {
             LayerMesh layer;
             layer.material = readMaterial();
@@ -145,11 +145,11 @@ private:
         tooth_.body = readMaterial();
     }
 
-    void readStanding() {
+    void readToothContext() {
         if (version_ == 1) return;
         const auto mesial = in_.get<std::int8_t>();
         require(mesial == 1 || mesial == -1, kDamaged);
-        tooth_.standing = {static_cast<double>(mesial), in_.get<std::uint32_t>()};
+        tooth_.toothContext = {static_cast<double>(mesial), in_.get<std::uint32_t>()};
         require(true, kDamaged);
     }
 
@@ -176,12 +176,12 @@ private:
         const auto widest = static_cast<float>(kWidestBand * tooth_.voxel);
         readField(field.cut, [&](float distance) { return distance >= -widest && distance <= widest; });
         for (float& distance : field.cut) distance = std::clamp(distance, -band, band);
-        const auto anyDirection = [](const PackedDirection&) { return true; };
+        const auto anyDirection = [](const OctahedralNormal&) { return true; };
         readField(field.cutNormal, anyDirection);
-        for (auto& crossings : field.border) {
+        for (auto& crossings : field.boundary) {
             readField(
-                crossings, [](float place) { return place >= 0 && place <= 1; }, &BorderCrossing::place);
-            readField(crossings, anyDirection, &BorderCrossing::normal);
+                crossings, [](float place) { return place >= 0 && place <= 1; }, &HermiteSample::place);
+            readField(crossings, anyDirection, &HermiteSample::normal);
         }
         if (failure_.empty()) tooth_.cuts.emplace_hint(tooth_.cuts.end(), key, field);
     }
@@ -235,8 +235,8 @@ std::vector<std::byte> savedToothBytes(const CutVolume& volume, const MaterialVo
         putMesh(out, layer.part->mesh());
     }
     out.put(static_cast<std::uint8_t>(tooth.body()));
-    out.put(static_cast<std::int8_t>(tooth.standing().mesialX < 0 ? -1 : 1));
-    out.put(tooth.standing().firstAround);
+    out.put(static_cast<std::int8_t>(tooth.toothContext().mesialX < 0 ? -1 : 1));
+    out.put(tooth.toothContext().firstAdjacent);
 
     out.put(volume.lattice().spacing());
     for (const double gone : removed) out.put(gone);

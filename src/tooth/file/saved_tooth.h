@@ -22,7 +22,7 @@ struct SavedTooth {
     TriangleMesh outer;
     std::vector<LayerMesh> layers;
     MaterialId body = MaterialId::Enamel;
-    Standing standing;
+    ToothContext toothContext;
     double voxel = 0;           ///< mm
     MaterialVolumes removed{};  ///< mm^3
     std::map<BrickKey, CutField> cuts;

@@ -7,9 +7,9 @@
 #include <limits>
 
 #include "collision/bvh/closest_point.h"
-#include "collision/solid/crossing_search.h"
+#include "collision/solid/self_intersection.h"
 #include "geometry/mesh/mesh_edges.h"
-#include "geometry/mesh/mesh_reach.h"
+#include "geometry/mesh/mesh_extent.h"
 #include "geometry/util/parallel_for.h"
 
 namespace tactooth {
@@ -28,7 +28,7 @@ double signedVolume(const TriangleMesh& mesh) {
 
 Expected<void> checkClosed(const TriangleMesh& mesh, const std::string& what) {
     if (mesh.empty()) return unexpected("the surface of " + what + " holds no triangle: give a closed STL surface");
-    if (auto reach = checkReach(mesh, "the surface of " + what); !reach) return reach;
+    if (auto reach = checkExtent(mesh, "the surface of " + what); !reach) return reach;
     if (const EdgeBalance edges = edgeBalance(mesh); !edges.closed()) {
         return unexpected("the surface of " + what + " is open (" + std::to_string(edges.odd + edges.against) +
                           " edges without a neighbour), so it has no inside to cut: close its holes first");
@@ -80,22 +80,22 @@ bool areApart(const SurfacePart& a, const SurfacePart& b) {
 }  // namespace
 
 Expected<LayeredTooth> LayeredTooth::make(TriangleMesh outer, std::vector<LayerMesh> layers, MaterialId body,
-                                          const Standing& standing) {
+                                          const ToothContext& toothContext) {
     if (auto closed = checkClosed(outer, "the tooth"); !closed) return unexpected(closed.error().message);
     if (auto checked = checkLayers(outer, layers); !checked) return unexpected(checked.error().message);
     std::stable_sort(layers.begin(), layers.end(),
                      [](const LayerMesh& a, const LayerMesh& b) { return a.material < b.material; });
     LayeredTooth tooth;
     tooth.body_ = body;
-    tooth.standing_ = standing;
+    tooth.toothContext_ = toothContext;
     for (LayerMesh& layer : layers) {
         auto part = std::make_shared<const SurfacePart>(std::move(layer.mesh));
         tooth.layers_.push_back({std::move(layer.name), layer.material, std::move(part)});
     }
     std::vector<SurfaceTag> tags = tooth.tagsOf(outer);
-    tooth.outer_ = std::make_shared<const SurfacePart>(std::move(outer), std::move(tags), standing.firstAround);
-    const bool isAlone = standing.firstAround >= tooth.outer_->mesh().triangles.size();
-    if (!isAlone) tooth.bodiesOverlap_ = crossingTriangles(*tooth.outer_).value_or(std::vector{0U}).size() > 0;
+    tooth.outer_ = std::make_shared<const SurfacePart>(std::move(outer), std::move(tags), toothContext.firstAdjacent);
+    const bool isAlone = toothContext.firstAdjacent >= tooth.outer_->mesh().triangles.size();
+    if (!isAlone) tooth.bodiesOverlap_ = selfIntersectingTriangles(*tooth.outer_).value_or(std::vector{0U}).size() > 0;
     for (const Layer& layer : tooth.layers_) {
         if (areApart(*tooth.outer_, *layer.part)) return unexpected(outsideSentence("layer '" + layer.name + "'"));
     }
@@ -103,7 +103,7 @@ Expected<LayeredTooth> LayeredTooth::make(TriangleMesh outer, std::vector<LayerM
 }
 
 std::shared_ptr<const SurfacePart> LayeredTooth::ownOuter() const {
-    if (standing_.firstAround >= outer_->mesh().triangles.size()) return outer_;
+    if (toothContext_.firstAdjacent >= outer_->mesh().triangles.size()) return outer_;
     TaggedMesh own = visibleToothMesh(Surface{.base = outer_});
     return std::make_shared<const SurfacePart>(std::move(own.mesh), std::move(own.tags));
 }
@@ -111,7 +111,7 @@ std::shared_ptr<const SurfacePart> LayeredTooth::ownOuter() const {
 Box3 LayeredTooth::ownBox() const {
     const TriangleMesh& mesh = outer_->mesh();
     Box3 box;
-    for (std::uint32_t t = 0; t < mesh.triangles.size() && t < standing_.firstAround; ++t) {
+    for (std::uint32_t t = 0; t < mesh.triangles.size() && t < toothContext_.firstAdjacent; ++t) {
         for (int corner = 0; corner < 3; ++corner) box.extend(mesh.corner(t, corner));
     }
     return box;

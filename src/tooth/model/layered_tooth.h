@@ -20,9 +20,9 @@ struct LayerMesh {
 };
 
 /// How a tooth stands in its frame, and among others.
-struct Standing {
-    double mesialX = 1;                      ///< direction of mesial along x: 1 or -1
-    std::uint32_t firstAround = UINT32_MAX;  ///< from this triangle on its outer surface is that of bodies around it
+struct ToothContext {
+    double mesialX = 1;                        ///< direction of mesial along x: 1 or -1
+    std::uint32_t firstAdjacent = UINT32_MAX;  ///< from this triangle on its outer surface is that of bodies around it
 };
 
 /// A tooth before anything is cut: its outer surface, which is what is touched, and the closed layers inside it.
@@ -40,7 +40,7 @@ public:
     /// given twice, or a layer lies outside the tooth.
     [[nodiscard]] static Expected<LayeredTooth> make(TriangleMesh outer, std::vector<LayerMesh> layers = {},
                                                      MaterialId body = MaterialId::Enamel,
-                                                     const Standing& standing = {});
+                                                     const ToothContext& toothContext = {});
 
     /// The surface that is touched; each triangle's tag is the MaterialId just behind it.
     [[nodiscard]] const std::shared_ptr<const SurfacePart>& outer() const { return outer_; }
@@ -53,7 +53,7 @@ public:
     [[nodiscard]] bool bodiesOverlap() const { return bodiesOverlap_; }
     /// What the tooth is made of where it has no layers.
     [[nodiscard]] MaterialId body() const { return body_; }
-    [[nodiscard]] const Standing& standing() const { return standing_; }
+    [[nodiscard]] const ToothContext& toothContext() const { return toothContext_; }
     /// Of the tooth without what stands around it, mm.
     [[nodiscard]] Box3 ownBox() const;
 
@@ -67,7 +67,7 @@ private:
     std::shared_ptr<const SurfacePart> outer_;
     std::vector<Layer> layers_;
     MaterialId body_ = MaterialId::Enamel;
-    Standing standing_;
+    ToothContext toothContext_;
     bool bodiesOverlap_ = false;
 };
 

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "collision/narrow/lane_flags.h"
+#include "tooth/surface/wall_loops.h"
 #include "tooth/surface/wall_polygons.h"
-#include "tooth/surface/wall_rounds.h"
 
 namespace tactooth {
 namespace {
@@ -28,20 +28,20 @@ public:
     WallBuilder(const BrickNeighbourhood& nodes, const NodePoints& points, const BrickKey& key)
         : nodes_(nodes), points_(points), key_(key) {}
 
-    /// `vertexAt(i)` gives them as WallRounds::Vertex.
+    /// `vertexAt(i)` gives them as WallLoops::Vertex.
     template <class VertexAt>
     void addVertices(std::size_t count, const VertexAt& vertexAt) {
         wall_.mesh.vertices.resize(count + 1);  // see foldsOf
         for (std::size_t i = 0; i < count; ++i) wall_.mesh.vertices[i] = vertexAt(i).point.template cast<float>();
     }
 
-    void addTriangles(std::span<const WallPolygon> polygons, std::span<const WallRounds::Fan> fans) {
+    void addTriangles(std::span<const WallPolygon> polygons, std::span<const WallLoops::Fan> fans) {
         std::size_t count = 2 * (polygons.size() - fans.size());
-        for (const WallRounds::Fan& fan : fans) count += static_cast<std::size_t>(fan.size) - 2;
+        for (const WallLoops::Fan& fan : fans) count += static_cast<std::size_t>(fan.size) - 2;
         wall_.mesh.triangles.resize(count);
         wall_.tags.resize(count);
         std::size_t next = 0;
-        for (const WallRounds::Fan& fan : fans) {
+        for (const WallLoops::Fan& fan : fans) {
             addQuads(polygons.subspan(next, fan.polygon - next));
             addFan(fan, polygons[fan.polygon].tag);
             next = fan.polygon + 1;
@@ -51,7 +51,7 @@ public:
 
     /// What is known of those polygons alone that may cross the tooth's surface.
     template <class VertexAt>
-    void addAtSurface(std::span<const WallPolygon> polygons, std::span<const WallRounds::Fan> fans,
+    void addAtSurface(std::span<const WallPolygon> polygons, std::span<const WallLoops::Fan> fans,
                       const VertexAt& vertexAt) {
         const std::size_t count = wall_.mesh.triangles.size();
         wall_.places.reserve(count);
@@ -99,7 +99,7 @@ private:
             for (const std::uint32_t i : wall_.mesh.triangles[t]) {
                 if (isSeen[i]) continue;
                 isSeen[i] = true;
-                const WallRounds::Vertex vertex = vertexAt(i);
+                const WallLoops::Vertex vertex = vertexAt(i);
                 wall_.sides[i] = sideOf(vertex.point, vertex.cell);
                 wall_.vertexIds[i] = numberOf(vertex.cell, vertex.kind);
             }
@@ -147,7 +147,7 @@ private:
         const auto& [a, b, c, d] = corners;
         return lessEqual(one8(), isLess(bendsAlong(b, c, d, a), bendsAlong(a, b, c, d)));
     }
-    void addFan(const WallRounds::Fan& fan, SurfaceTag tag) {
+    void addFan(const WallLoops::Fan& fan, SurfaceTag tag) {
         for (int i = 1; i + 1 < fan.size; ++i) {
             addTriangle({fan.corners[0], fan.corners[i], fan.corners[i + 1]}, tag);
         }
@@ -167,7 +167,7 @@ private:
 }  // namespace
 
 CavityWall extractWall(const BrickNeighbourhood& nodes, const Lattice& lattice, const BrickKey& key) {
-    if (!nodes.hasBorder()) return {};
+    if (!nodes.hasBoundary()) return {};
     WallPolygons found(nodes, lattice.spacing());
     const std::span<WallPolygon> polygons = found.polygons();
     const std::span<const std::uint16_t> cells = found.cells();
@@ -175,18 +175,18 @@ CavityWall extractWall(const BrickNeighbourhood& nodes, const Lattice& lattice, 
     const NodePoints points(lattice, key);
     const WallVertices ofCells(nodes, cells);
     WallBuilder wall(nodes, points, key);
-    const auto build = [&](std::size_t count, std::span<const WallRounds::Fan> fans, const auto& vertexAt) {
+    const auto build = [&](std::size_t count, std::span<const WallLoops::Fan> fans, const auto& vertexAt) {
         wall.addVertices(count, vertexAt);
         wall.addTriangles(polygons, fans);
         if (found.isAtSurface()) wall.addAtSurface(polygons, fans, vertexAt);
     };
     if (ofCells.areSimple()) {
         build(cells.size(), {}, [&](std::size_t i) {
-            return WallRounds::Vertex{ofCells.point(i, points), cells[i], 0};
+            return WallLoops::Vertex{ofCells.point(i, points), cells[i], 0};
         });
     } else {
-        const WallRounds rounds(nodes, points, cells, ofCells, polygons);
-        build(rounds.vertices().size(), rounds.fans(), [&](std::size_t i) { return rounds.vertices()[i]; });
+        const WallLoops loops(nodes, points, cells, ofCells, polygons);
+        build(loops.vertices().size(), loops.fans(), [&](std::size_t i) { return loops.vertices()[i]; });
     }
     return wall.take();
 }

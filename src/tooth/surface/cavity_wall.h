@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "collision/bvh/surface.h"
-#include "tooth/volume/brick_neighbourhood.h"
 #include "tooth/surface/wall_vertices.h"
+#include "tooth/volume/brick_neighbourhood.h"
 
 namespace tactooth {
 

@@ -14,11 +14,11 @@ namespace tactooth {
 /// the surface a manifold (S. Schaefer, T. Ju, J. Warren, "Manifold Dual Contouring", 2007; G. Nielson, "Dual Marching
 /// Cubes", 2004). On a face with two inside corners at opposite ends these are joined, which both cells at that face
 /// see alike, and which is how a convex region passes through it.
-struct CellRounds {
-    std::array<std::int8_t, 12> roundOfEdge;    ///< -1: the border does not cross this edge
-    std::array<std::uint16_t, 4> edgesOfRound;  ///< one bit an edge
+struct CellLoops {
+    std::array<std::int8_t, 12> loopOfEdge;    ///< -1: the border does not cross this edge
+    std::array<std::uint16_t, 4> edgesOfLoop;  ///< one bit an edge
     std::int8_t count;
-    bool hasTwiceCrossedFace;  ///< with two inside corners at opposite ends
+    bool hasAmbiguousFace;  ///< with two inside corners at opposite ends
 };
 
 [[nodiscard]] constexpr int cellEdge(int axis, int u, int v) { return 4 * axis + u + 2 * v; }
@@ -31,21 +31,21 @@ struct CellRounds {
 
 namespace detail {
 
-constexpr bool crossesBorder(int inside, int edge) {
+constexpr bool crossesBoundary(int inside, int edge) {
     const auto [a, b] = cellEdgeCorners(edge);
     return ((inside >> a) & 1) != ((inside >> b) & 1);
 }
 
 /// Gives all edges of one round the same number.
-constexpr void join(CellRounds& rounds, int first, int second) {
-    const std::int8_t from = rounds.roundOfEdge[first];
-    const std::int8_t to = rounds.roundOfEdge[second];
-    for (std::int8_t& round : rounds.roundOfEdge) {
-        if (round == from) round = to;
+constexpr void join(CellLoops& loops, int first, int second) {
+    const std::int8_t from = loops.loopOfEdge[first];
+    const std::int8_t to = loops.loopOfEdge[second];
+    for (std::int8_t& loop : loops.loopOfEdge) {
+        if (loop == from) loop = to;
     }
 }
 
-constexpr void joinOnFace(CellRounds& rounds, int inside, int axis, int side) {
+constexpr void joinOnFace(CellLoops& loops, int inside, int axis, int side) {
     const int u = (axis + 1) % 3;
     const int v = (axis + 2) % 3;
     // The four edges of the face, and for each of its corners the two that meet there.
@@ -54,50 +54,49 @@ constexpr void joinOnFace(CellRounds& rounds, int inside, int axis, int side) {
     std::array<int, 4> crossed{};
     int count = 0;
     for (const int edge : {edgesU[0], edgesU[1], edgesV[0], edgesV[1]}) {
-        if (crossesBorder(inside, edge)) crossed[count++] = edge;
+        if (crossesBoundary(inside, edge)) crossed[count++] = edge;
     }
-    if (count == 2) join(rounds, crossed[0], crossed[1]);
+    if (count == 2) join(loops, crossed[0], crossed[1]);
     if (count != 4) return;
-    rounds.hasTwiceCrossedFace = true;
+    loops.hasAmbiguousFace = true;
     for (int corner = 0; corner < 4; ++corner) {
         const int number = side << axis | (corner & 1) << u | (corner >> 1) << v;
-        if (((inside >> number) & 1) == 0) join(rounds, edgesU[corner >> 1], edgesV[corner & 1]);
+        if (((inside >> number) & 1) == 0) join(loops, edgesU[corner >> 1], edgesV[corner & 1]);
     }
 }
 
-constexpr CellRounds roundsOf(int inside) {
-    CellRounds rounds{};
+constexpr CellLoops loopsOf(int inside) {
+    CellLoops loops{};
     for (int edge = 0; edge < 12; ++edge) {
-        rounds.roundOfEdge[edge] = static_cast<std::int8_t>(crossesBorder(inside, edge) ? edge : -1);
+        loops.loopOfEdge[edge] = static_cast<std::int8_t>(crossesBoundary(inside, edge) ? edge : -1);
     }
     for (int axis = 0; axis < 3; ++axis) {
-        for (int side = 0; side < 2; ++side) joinOnFace(rounds, inside, axis, side);
+        for (int side = 0; side < 2; ++side) joinOnFace(loops, inside, axis, side);
     }
     std::array<std::int8_t, 12> renumbered{};
     renumbered.fill(-1);
-    for (std::int8_t& round : rounds.roundOfEdge) {
-        if (round < 0) continue;
-        if (renumbered[round] < 0) renumbered[round] = rounds.count++;
-        round = renumbered[round];
+    for (std::int8_t& loop : loops.loopOfEdge) {
+        if (loop < 0) continue;
+        if (renumbered[loop] < 0) renumbered[loop] = loops.count++;
+        loop = renumbered[loop];
     }
     for (int edge = 0; edge < 12; ++edge) {
-        const std::int8_t round = rounds.roundOfEdge[edge];
-        if (round >= 0)
-            rounds.edgesOfRound[round] = static_cast<std::uint16_t>(rounds.edgesOfRound[round] | 1U << edge);
+        const std::int8_t loop = loops.loopOfEdge[edge];
+        if (loop >= 0) loops.edgesOfLoop[loop] = static_cast<std::uint16_t>(loops.edgesOfLoop[loop] | 1U << edge);
     }
-    return rounds;
+    return loops;
 }
 
-constexpr std::array<CellRounds, 256> allRounds() {
-    std::array<CellRounds, 256> table{};
-    for (int inside = 0; inside < 256; ++inside) table[inside] = roundsOf(inside);
+constexpr std::array<CellLoops, 256> allLoops() {
+    std::array<CellLoops, 256> table{};
+    for (int inside = 0; inside < 256; ++inside) table[inside] = loopsOf(inside);
     return table;
 }
 
 }  // namespace detail
 
 /// By the bits of the corners that are inside.
-inline constexpr std::array<CellRounds, 256> kCellRounds = detail::allRounds();
+inline constexpr std::array<CellLoops, 256> kCellLoops = detail::allLoops();
 
 /// The edges of a cell that the border crosses.
 struct CellCrossings {
@@ -116,10 +115,10 @@ constexpr CellCrossings crossingsOf(int inside) {
         const std::array<int, 3> corner = {place % 2, place / 6 % 2, place / 12};
         if (corner[axis] != 0) continue;
         const int edge = cellEdge(axis, corner[(axis + 1) % 3], corner[(axis + 2) % 3]);
-        if (crossesBorder(inside, edge)) crossings.edges[crossings.count++] = static_cast<std::uint8_t>(edge);
+        if (crossesBoundary(inside, edge)) crossings.edges[crossings.count++] = static_cast<std::uint8_t>(edge);
     }
     for (int i = crossings.count; i < 12; ++i) crossings.edges[i] = crossings.edges[0];
-    crossings.isSimple = kCellRounds[inside].count == 1 && !kCellRounds[inside].hasTwiceCrossedFace;
+    crossings.isSimple = kCellLoops[inside].count == 1 && !kCellLoops[inside].hasAmbiguousFace;
     return crossings;
 }
 

@@ -10,7 +10,7 @@
 namespace tactooth {
 
 /// Whose cut walls a brick can hold: those of the tooth, of bodies around it, or of either.
-enum class BrickBodies { Tooth, Around, Either };
+enum class BrickBodies { Tooth, Adjacent, Either };
 
 /// `near`: the triangles of `base` that touch the brick; `middle`: of the brick, mm. Where no surface is near, a brick
 /// lies within one body.

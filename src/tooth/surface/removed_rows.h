@@ -14,7 +14,7 @@ namespace tactooth {
 class RemovedRows {
 public:
     using Place = BrickNeighbourhood::Place;
-    enum class Share { None, Some, All };
+    enum class Coverage { None, Some, All };
 
     explicit RemovedRows(const BrickNeighbourhood& nodes) {
         for (int z = -1; z <= kBrickSide; ++z) {
@@ -27,7 +27,7 @@ public:
     }
 
     /// How many of the nodes from `low` to `high`, all of them here, are removed.
-    [[nodiscard]] Share share(const Place& low, const Place& high) const {
+    [[nodiscard]] Coverage coverage(const Place& low, const Place& high) const {
         const std::uint64_t row = ((std::uint64_t{1} << (high[0] - low[0] + 1)) - 1) << (low[0] + 1);
         const std::uint64_t four = row | row << kRow | row << 2 * kRow | row << 3 * kRow;
         bool some = false;
@@ -40,9 +40,9 @@ public:
                 some |= removed != 0;
                 all &= removed == asked;
             }
-            if (some && !all) return Share::Some;
+            if (some && !all) return Coverage::Some;
         }
-        return all ? Share::All : Share::None;
+        return all ? Coverage::All : Coverage::None;
     }
 
 private:

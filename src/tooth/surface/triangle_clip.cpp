@@ -16,14 +16,14 @@
 
 namespace tactooth {
 
-int surplusOfLeaving(std::span<const EdgeCrossing> crossings) {
+int exitSurplus(std::span<const EdgeCrossing> crossings) {
     const auto leaving = std::count_if(crossings.begin(), crossings.end(), [](const auto& c) { return c.leaves; });
     return static_cast<int>(2 * leaving - static_cast<std::ptrdiff_t>(crossings.size()));
 }
 
 bool sortCrossings(std::span<EdgeCrossing> crossings, bool firstKept) {
     std::sort(crossings.begin(), crossings.end(), [](const auto& a, const auto& b) { return a.liesBefore(b); });
-    const int surplus = surplusOfLeaving(crossings);
+    const int surplus = exitSurplus(crossings);
     if (surplus < -1 || surplus > 1) return false;
     bool expected = surplus == 0 ? firstKept : surplus > 0;
     for (auto place = crossings.begin(); place != crossings.end(); ++place, expected = !expected) {
@@ -59,7 +59,7 @@ public:
         if (!buildRing(isForward, keepsCorner)) return std::nullopt;
         if (ring_.size() == 3) {
             if (keepsCorner[0]) outlines_.push_back({0, 1, 2});
-        } else if (!traceFromBorder()) {
+        } else if (!traceFromBoundary()) {
             return std::nullopt;
         }
         project();
@@ -95,8 +95,8 @@ private:
             crossings_.clear();
             for (std::uint32_t i = 0; i < segments_.size(); ++i) {
                 const auto& [start, end] = segments_[i];
-                if (start.edge == edge) crossings_.push_back({start.along, start.opponent, isForward[edge], i});
-                if (end.edge == edge) crossings_.push_back({end.along, end.opponent, !isForward[edge], i});
+                if (start.edge == edge) crossings_.push_back({start.along, start.crossingFace, isForward[edge], i});
+                if (end.edge == edge) crossings_.push_back({end.along, end.crossingFace, !isForward[edge], i});
             }
             if (!sortCrossings(crossings_, keepsCorner[isForward[edge] ? edge : (edge + 1) % 3])) return false;
             if (!isForward[edge]) std::reverse(crossings_.begin(), crossings_.end());
@@ -131,7 +131,7 @@ private:
         }
     }
 
-    bool traceFromBorder() {
+    bool traceFromBoundary() {
         for (const Stop& stop : ring_) {
             if (stop.segment == kNoSegment || !stop.leaves || lines_[stop.segment].isVisited) continue;
             PolygonLoop loop;

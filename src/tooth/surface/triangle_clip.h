@@ -17,7 +17,7 @@ struct ClipPoint {
     Vec3 position;
     int edge = -1;                       ///< edge of the triangle, from corner `edge` to the next; -1 = inside
     double along = 0;                    ///< on an edge: place from its canonical first end, 0..1
-    std::uint64_t opponent = 0;          ///< on an edge: number of the face that runs through it, to break ties
+    std::uint64_t crossingFace = 0;      ///< on an edge: number of the face that runs through it, to break ties
     std::array<std::uint64_t, 2> key{};  ///< inside: what the two pieces that meet there have in common
 };
 
@@ -43,17 +43,17 @@ struct ClippedTriangle {
 /// Where a cut line crosses an edge, seen along the canonical direction: it either leaves the kept part or enters it.
 struct EdgeCrossing {
     double along;
-    std::uint64_t opponent;
+    std::uint64_t crossingFace;
     bool leaves;  ///< in canonical direction
     std::uint32_t segment;
 
     [[nodiscard]] bool liesBefore(const EdgeCrossing& other) const {
-        return along != other.along ? along < other.along : opponent < other.opponent;
+        return along != other.along ? along < other.along : crossingFace < other.crossingFace;
     }
 };
 /// How many more of the crossings of an edge leave the kept part than enter it. They can alternate if it is 1 or -1,
 /// which tells what becomes of the ends, or 0: then both are kept or neither.
-[[nodiscard]] int surplusOfLeaving(std::span<const EdgeCrossing> crossings);
+[[nodiscard]] int exitSurplus(std::span<const EdgeCrossing> crossings);
 /// Brings the crossings of one edge into an order in which they alternate, as near as can be to that in which they lie
 /// on it: rounding may swap near neighbours, and so does a wall that is folded there. `firstKept`: the canonical first
 /// end, where the crossings do not tell. False if they cannot alternate.

@@ -22,7 +22,7 @@ struct EdgeEnds {
 class VertexGroups {
 public:
     /// The weight of what lines that separate two vertices tell about them: more than any distance.
-    static constexpr double kProof = 1e9;
+    static constexpr double kCertain = 1e9;
 
     explicit VertexGroups(std::size_t count) : parent_(count), known_(count), weight_(count, -1.0) {
         std::iota(parent_.begin(), parent_.end(), 0U);
@@ -37,16 +37,16 @@ public:
         if (weight_[b] > weight_[a]) weight_[a] = weight_[b], known_[a] = known_[b];
     }
     /// `weight`: how sure this is, mm from the cut. Of two that are equally sure the first counts.
-    void tell(std::uint32_t vertex, bool kept, double weight) {
+    void report(std::uint32_t vertex, bool kept, double weight) {
         const std::uint32_t group = find(vertex);
         if (weight > weight_[group]) weight_[group] = weight, known_[group] = kept;
     }
     /// Takes in an edge: its ends go together unless cut lines separate them.
-    void learn(std::uint32_t first, std::uint32_t second, const std::optional<EdgeEnds>& ends) {
+    void addEdge(std::uint32_t first, std::uint32_t second, const std::optional<EdgeEnds>& ends) {
         if (!ends || ends->firstKept == ends->secondKept) join(first, second);
         if (!ends) return;
-        tell(first, ends->firstKept, ends->weight);
-        tell(second, ends->secondKept, ends->weight);
+        report(first, ends->firstKept, ends->weight);
+        report(second, ends->secondKept, ends->weight);
     }
     [[nodiscard]] std::optional<bool> isKept(std::uint32_t vertex) {
         const std::uint32_t group = find(vertex);

@@ -96,7 +96,7 @@ void WallPolygons::add(const BrickNeighbourhood& nodes, int row, const Edges& ed
         polygon.axis = axis;
         polygon.isReversed = nodes.isRemoved(node);
         polygon.isAtSurface = (edges.atSurface >> x & 1) != 0;
-        const bool isFirstBehind = (edges.beforeBorder >> x & 1) != 0;
+        const bool isFirstBehind = (edges.beforeBoundary >> x & 1) != 0;
         polygon.tag =
             static_cast<SurfaceTag>(nodes.material(isFirstBehind ? node : node + BrickNeighbourhood::kStep[axis]));
         const std::array<int, 4> cells = {node - kU - kV, node - kV, node, node - kU};

@@ -34,8 +34,8 @@ public:
     /// Whether some polygon may cross the tooth's surface.
     [[nodiscard]] bool isAtSurface() const { return isAtSurface_; }
 
-    static constexpr int kMostPolygons = 3 * kBrickNodes;
-    static constexpr int kMostCells = (kBrickSide + 1) * (kBrickSide + 1) * (kBrickSide + 1);
+    static constexpr int kMaxPolygons = 3 * kBrickNodes;
+    static constexpr int kMaxCellCount = (kBrickSide + 1) * (kBrickSide + 1) * (kBrickSide + 1);
 
 private:
     class RowInTooth;
@@ -45,16 +45,16 @@ private:
     /// One bit an edge, that of its first node as in `BrickNeighbourhood::removedRow`.
     struct Edges {
         unsigned crossed;
-        unsigned atSurface;     ///< see WallPolygon
-        unsigned beforeBorder;  ///< the material of the polygon is that at the first node
+        unsigned atSurface;       ///< see WallPolygon
+        unsigned beforeBoundary;  ///< the material of the polygon is that at the first node
     };
     template <int axis>
     void add(const BrickNeighbourhood& nodes, int row, const Edges& edges);
     [[nodiscard]] std::uint16_t numberOfCell(int cell);
 
     // Left as they are until they are filled.
-    std::array<WallPolygon, kMostPolygons> polygons_;
-    std::array<std::uint16_t, kMostCells> cells_;
+    std::array<WallPolygon, kMaxPolygons> polygons_;
+    std::array<std::uint16_t, kMaxCellCount> cells_;
     std::array<std::uint16_t, BrickNeighbourhood::kNodes> cellAt_;  // number of the cell that begins at a node
     std::size_t polygonCount_ = 0;
     std::size_t cellCount_ = 0;

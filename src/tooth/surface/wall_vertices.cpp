@@ -6,7 +6,7 @@
 #include <bit>
 
 #include "collision/narrow/lane_flags.h"
-#include "tooth/surface/cell_planes.h"
+#include "tooth/surface/cell_qef.h"
 #include "tooth/surface/cell_topology.h"
 
 // T. Ju, F. Losasso, S. Schaefer, J. Warren, "Dual Contouring of Hermite Data", SIGGRAPH 2002. Differs from the paper:
@@ -54,7 +54,7 @@ constexpr std::array<int, 12> kEdgeNodes = [] {
 struct Crossings8 {
     std::array<const float*, 8> edges;  // their places
     std::array<float, 8> along;
-    std::array<PackedDirection, 8> normals;
+    std::array<OctahedralNormal, 8> normals;
 
     /// From the middles of the cells.
     [[nodiscard]] Vec3x8 points() const {
@@ -107,17 +107,17 @@ void WallVertices::placeEight(const BrickNeighbourhood& nodes, std::size_t first
     for (int i = 0; i < most; ++i) {
         for (int lane = 0; lane < 8; ++lane) {
             const int edge = crossed[lane]->edges[i];
-            const BorderCrossing border = nodes.border(cells[lane] + kEdgeNodes[edge], edge / 4);
+            const HermiteSample boundary = nodes.boundary(cells[lane] + kEdgeNodes[edge], edge / 4);
             crossings[i].edges[lane] = kEdgePlaces[edge].data();
-            crossings[i].along[lane] = border.place;
-            crossings[i].normals[lane] = border.normal;
+            crossings[i].along[lane] = boundary.place;
+            crossings[i].normals[lane] = boundary.normal;
         }
     }
-    CellPlanes8 planes;
+    CellQef8 planes;
     const Float8 count = Float8::load(counts.data());
     for (int i = 0; i < most; ++i) {
         const Float8 isThere = isLess(Float8::all(static_cast<float>(i)), count);
-        planes.add(PackedDirection::unpack(crossings[i].normals), crossings[i].points(), isThere);
+        planes.add(OctahedralNormal::unpack(crossings[i].normals), crossings[i].points(), isThere);
     }
 
     // A flat border moves its vertices along its normal alone, so that they keep their places.

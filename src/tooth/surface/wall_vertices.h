@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <span>
 
-#include "tooth/volume/brick_neighbourhood.h"
 #include "tooth/surface/wall_polygons.h"
+#include "tooth/volume/brick_neighbourhood.h"
 
 namespace tactooth {
 
@@ -50,7 +50,7 @@ public:
 private:
     void placeEight(const BrickNeighbourhood& nodes, std::size_t first);
 
-    static constexpr std::size_t kRoom = (WallPolygons::kMostCells + 7) / 8 * 8;
+    static constexpr std::size_t kRoom = (WallPolygons::kMaxCellCount + 7) / 8 * 8;
 
     std::span<const std::uint16_t> cells_;
     std::array<std::array<float, kRoom>, 3> places_;  // voxels from the middle of the cell; the last eight are padded

@@ -57,9 +57,9 @@ Vec3x8 SweepLanes::Frame::at(const Vec3x8& place) const {
 }
 
 SweepLanes::SweepLanes(const SweepStep& step, const Vec3& first, double spacing, double side, double beyond,
-                       const SweepStep::Look& middle)
+                       const SweepStep::MidpointQuery& middle)
     : step_(step), first_(first), spacing_(spacing) {
-    const double reach = (0.5 * side * std::sqrt(3.0) + beyond) * spacing + middle.way / 2;
+    const double reach = (0.5 * side * std::sqrt(3.0) + beyond) * spacing + middle.path / 2;
     hasPart_ = step.envelope_->findPart(middle.pointInTool, middle.sample.distance, reach * (1 + kRounding), part_);
     searchedParts_ = part_.bulges ? 1 : step.parts_;
     const auto planeOf = [&](const Vec3& firstInTool, const Mat3& steps) {
@@ -145,17 +145,17 @@ Samples8 SweepLanes::sampleOneByOne(const Vec3x8& place, Float8 atLeast) const {
 /// Eight points on their way through a part of the step, and the nearest of what was met so far.
 struct SweepLanes::Search {
     Float8 limit;      ///< what a distance must come below to count
-    Float8 moment;     ///< of the nearest: 0 at the step's start, 1 at its end
+    Float8 time;       ///< of the nearest: 0 at the step's start, 1 at its end
     Profile8 nearest;  ///< its distance at `limit` where nothing counts
 };
 
 // SweepStep::searchPart, lane by lane: a flag tells which lanes still take part.
 void SweepLanes::searchPart(const Vec3x8& start, const Vec3x8& end, float first, float last, Search& search) const {
-    const auto take = [&](const Profile8& profile, Float8 moment, Float8 flag) {
+    const auto take = [&](const Profile8& profile, Float8 time, Float8 flag) {
         const Float8 isBetter = flag * isLess(profile.distance, search.nearest.distance);
         search.nearest.distance = choose(isBetter, profile.distance, search.nearest.distance);
         search.nearest.gradient = choose(isBetter, profile.gradient, search.nearest.gradient);
-        search.moment = choose(isBetter, Float8::all(first) + moment * Float8::all(last - first), search.moment);
+        search.time = choose(isBetter, Float8::all(first) + time * Float8::all(last - first), search.time);
     };
     const Profile8 right = sampleProfile(end);
     const Vec3x8 path = end - start;
@@ -175,21 +175,21 @@ void SweepLanes::searchPart(const Vec3x8& start, const Vec3x8& end, float first,
     for (int round = 0; round < kSearchRounds && isAny(searching); ++round) {
         const Float8 meeting =
             (rightDistance - leftDistance + leftSlope * a - rightSlope * b) / (leftSlope - rightSlope);
-        const Float8 moment = min(max(meeting, a), b);  // all but equal slopes meet where rounding will have it
-        const Float8 bound = leftDistance + leftSlope * (moment - a);
-        searching = searching * isLess(a, moment) * isLess(moment, b) *
+        const Float8 time = min(max(meeting, a), b);  // all but equal slopes meet where rounding will have it
+        const Float8 bound = leftDistance + leftSlope * (time - a);
+        searching = searching * isLess(a, time) * isLess(time, b) *
                     isLess(bound + Float8::all(kDistanceError), search.nearest.distance);
         if (!isAny(searching)) break;
         const Profile8 middle =
-            sampleProfile({start.x + moment * path.x, start.y + moment * path.y, start.z + moment * path.z});
+            sampleProfile({start.x + time * path.x, start.y + time * path.y, start.z + time * path.z});
         const Float8 slope = middle.slope(path);
-        take(middle, moment, searching);
+        take(middle, time, searching);
         const Float8 rises = searching * isLess(zero8(), slope);
         const Float8 falls = searching - rises;
-        b = choose(rises, moment, b);
+        b = choose(rises, time, b);
         rightDistance = choose(rises, middle.distance, rightDistance);
         rightSlope = choose(rises, slope, rightSlope);
-        a = choose(falls, moment, a);
+        a = choose(falls, time, a);
         leftDistance = choose(falls, middle.distance, leftDistance);
         leftSlope = choose(falls, slope, leftSlope);
     }
@@ -205,8 +205,8 @@ Samples8 SweepLanes::sample(const Vec3x8& place, Float8 atLeast) const {
         searchPart(start, end, 0, 1, search);
     } else {
         const Vec3x8 path = end - start;
-        const auto at = [&](float moment) {
-            const Float8 share = Float8::all(moment);
+        const auto at = [&](float time) {
+            const Float8 share = Float8::all(time);
             return Vec3x8{start.x + share * path.x, start.y + share * path.y, start.z + share * path.z};
         };
         for (int part = searchedParts_ - 1; part >= 0; --part) {
@@ -217,7 +217,7 @@ Samples8 SweepLanes::sample(const Vec3x8& place, Float8 atLeast) const {
     }
     const Float8 isFound = isLess(search.nearest.distance, search.limit);
     Vec3x8 gradient = turned(search.nearest.gradient, step_.to_.toothFromTool);
-    const Float8 isEarly = isLess(search.moment, Float8::all(0.5F));
+    const Float8 isEarly = isLess(search.time, Float8::all(0.5F));
     if (isAny(isEarly)) {
         gradient = choose(isEarly, turned(search.nearest.gradient, step_.from_.toothFromTool), gradient);
     }

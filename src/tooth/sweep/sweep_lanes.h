@@ -20,9 +20,10 @@ public:
     /// The cube begins at the node at `first` (tooth frame) and is `side` steps of `spacing` wide; points may lie
     /// `beyond` more steps outside it. The step outlives this. `middle`: the step as seen from the cube's middle.
     SweepLanes(const SweepStep& step, const Vec3& first, double spacing, double side, double beyond,
-               const SweepStep::Look& middle);
+               const SweepStep::MidpointQuery& middle);
     SweepLanes(const SweepStep& step, const Vec3& first, double spacing, double side, double beyond)
-        : SweepLanes(step, first, spacing, side, beyond, step.lookFrom(first + Vec3::Constant(0.5 * side * spacing))) {}
+        : SweepLanes(step, first, spacing, side, beyond, step.queryFrom(first + Vec3::Constant(0.5 * side * spacing))) {
+    }
 
     /// SweepStep::sample at places within the cube, told in steps from its first node.
     [[nodiscard]] Samples8 sample(const Vec3x8& place, Float8 atLeast) const;

@@ -11,7 +11,7 @@ namespace {
 constexpr double kStraightness = 1e-4;   ///< mm; sagitta of a turning point's arc within one step
 constexpr double kDistanceError = 1e-5;  ///< mm; where the search for the nearest moment stops
 constexpr int kSearchRounds = 12;        ///< tangent cuts on a unit interval; three are usual
-constexpr int kMostParts = 4;            ///< of a step: one that goes farther comes near much that it does not reach
+constexpr int kMaxParts = 4;             ///< of a step: one that goes farther comes near much that it does not reach
 
 /// Farthest that a point of the bur (a cylinder about its axis) moves between two poses.
 double travelBetween(const RevolutionEnvelope& envelope, const Pose& from, const Pose& to) {
@@ -54,8 +54,8 @@ SweepStep::SweepStep(const RevolutionEnvelope& envelope, const Pose& fromInTooth
 // keep the side that falls.
 void SweepStep::searchPart(const Vec3& start, const Vec3& end, double first, double last, double limit,
                            Nearest& best) const {
-    const auto take = [&](const FieldSample& sample, double moment) {
-        if (sample.distance < best.sample.distance) best = {sample, first + moment * (last - first)};
+    const auto take = [&](const FieldSample& sample, double time) {
+        if (sample.distance < best.sample.distance) best = {sample, first + time * (last - first)};
     };
     FieldSample right = envelope_->sample(end);
     const Vec3 path = end - start;
@@ -69,17 +69,17 @@ void SweepStep::searchPart(const Vec3& start, const Vec3& end, double first, dou
     double a = 0;
     double b = 1;
     for (int round = 0; round < kSearchRounds && leftSlope < 0; ++round) {
-        const double moment =
+        const double time =
             (right.distance - left.distance + leftSlope * a - rightSlope * b) / (leftSlope - rightSlope);
-        const double bound = left.distance + leftSlope * (moment - a);
-        if (bound >= limit || !(moment > a && moment < b) || best.sample.distance - bound < kDistanceError) return;
-        const FieldSample middle = envelope_->sample(start + moment * path);
+        const double bound = left.distance + leftSlope * (time - a);
+        if (bound >= limit || !(time > a && time < b) || best.sample.distance - bound < kDistanceError) return;
+        const FieldSample middle = envelope_->sample(start + time * path);
         const double slope = middle.gradient.dot(path);
-        take(middle, moment);
+        take(middle, time);
         if (slope > 0) {
-            b = moment, right = middle, rightSlope = slope;
+            b = time, right = middle, rightSlope = slope;
         } else {
-            a = moment, left = middle, leftSlope = slope;
+            a = time, left = middle, leftSlope = slope;
         }
     }
 }
@@ -96,7 +96,7 @@ FieldSample SweepStep::sample(const Vec3& point, double atLeast) const {
             searchPart(start + first * (end - start), start + last * (end - start), first, last, limit, best);
         }
     }
-    const Placed& nearest = best.moment < 0.5 ? from_ : to_;
+    const Placed& nearest = best.time < 0.5 ? from_ : to_;
     return {best.sample.distance - clearance_, nearest.toothFromTool * best.sample.gradient};
 }
 
@@ -106,7 +106,7 @@ std::vector<SweepStep> sweepSteps(const RevolutionEnvelope& envelope, const Pose
     const double largestTurn = std::sqrt(8 * kStraightness / length);
     const double travel = travelBetween(envelope, fromInTooth, toInTooth);
     const double angle = fromInTooth.rotation.angularDistance(toInTooth.rotation);
-    const double shares = std::max(travel / (kMostParts * longest), angle / largestTurn);
+    const double shares = std::max(travel / (kMaxParts * longest), angle / largestTurn);
     const int count = std::max(1, static_cast<int>(std::ceil(shares)));
     const int parts = std::max(1, static_cast<int>(std::ceil(travel / count / longest)));
     const auto at = [&](int i) {

@@ -12,7 +12,7 @@ namespace tactooth {
 /// tool frame.
 class SweepStep {
 public:
-    /// `parts`: in how many equal ones the step is searched for its nearest moment where the envelope has dents.
+    /// `parts`: in how many equal ones the step is searched for its nearest time where the envelope has dents.
     SweepStep(const RevolutionEnvelope& envelope, const Pose& fromInTooth, const Pose& toInTooth, double clearance,
               int parts = 1);
 
@@ -22,20 +22,22 @@ public:
     [[nodiscard]] FieldSample sample(const Vec3& point, double atLeast) const;
 
     /// One look at the profile, from the middle of a point's way.
-    struct Look {
+    struct MidpointQuery {
         Vec3 pointInTool;
         FieldSample sample;  ///< in the tool frame
-        double way;          ///< of the point in the tool frame during the step, mm
+        double path;         ///< of the point in the tool frame during the step, mm
     };
-    [[nodiscard]] Look lookFrom(const Vec3& point) const {
-        const auto [middle, way] = wayOf(point);
-        return {middle, envelope_->sample(middle), way};
+    [[nodiscard]] MidpointQuery queryFrom(const Vec3& point) const {
+        const auto [middle, path] = pathOf(point);
+        return {middle, envelope_->sample(middle), path};
     }
-    /// Lower bound of `sample` from such a look.
-    [[nodiscard]] double lowerBound(const Look& look) const { return look.sample.distance - look.way / 2 - clearance_; }
+    /// Lower bound of `sample` from such a query.
+    [[nodiscard]] double lowerBound(const MidpointQuery& query) const {
+        return query.sample.distance - query.path / 2 - clearance_;
+    }
     [[nodiscard]] double lowerBound(const Vec3& point) const {
-        const auto [middle, way] = wayOf(point);
-        return envelope_->signedDistance(middle) - way / 2 - clearance_;
+        const auto [middle, path] = pathOf(point);
+        return envelope_->signedDistance(middle) - path / 2 - clearance_;
     }
 
     /// No point of the bur moves farther, mm.
@@ -54,13 +56,13 @@ private:
     };
     struct Nearest {
         FieldSample sample;  ///< in the tool frame
-        double moment;       ///< 0 at the step's start, 1 at its end
+        double time;         ///< 0 at the step's start, 1 at its end
     };
-    struct Way {
+    struct PointPath {
         Vec3 middle;  ///< in the tool frame
         double length;
     };
-    [[nodiscard]] Way wayOf(const Vec3& point) const {
+    [[nodiscard]] PointPath pathOf(const Vec3& point) const {
         const Vec3 start = from_.toTool(point);
         const Vec3 end = to_.toTool(point);
         return {(start + end) / 2, (end - start).norm()};

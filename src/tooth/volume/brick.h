@@ -16,10 +16,10 @@ namespace tactooth {
 
 /// A unit direction in four bytes, to 6e-5 rad: the octahedron map (Z. Cigolle et al., "A Survey of Efficient
 /// Representations for Independent Unit Vectors", JCGT 2014).
-class PackedDirection {
+class OctahedralNormal {
 public:
-    PackedDirection() = default;
-    explicit PackedDirection(const Vec3& direction) {
+    OctahedralNormal() = default;
+    explicit OctahedralNormal(const Vec3& direction) {
         const double sum = direction.cwiseAbs().sum();
         if (sum == 0) return;
         double u = direction.x() / sum;
@@ -33,7 +33,7 @@ public:
         v_ = rounded(v * kScale);
     }
     /// Eight directions of length 1 or almost, from single precision.
-    [[nodiscard]] static std::array<PackedDirection, 8> pack(const Vec3x8& directions) {
+    [[nodiscard]] static std::array<OctahedralNormal, 8> pack(const Vec3x8& directions) {
         const Float8 zero = Float8::all(0);
         const Float8 one = Float8::all(1);
         const auto sizeOf = [&](Float8 value) { return max(value, zero - value); };
@@ -45,7 +45,7 @@ public:
         float us[8], vs[8];
         (scale * whereLess(directions.z, zero, (one - sizeOf(v)) * signOf(u), u)).store(us);
         (scale * whereLess(directions.z, zero, (one - sizeOf(u)) * signOf(v), v)).store(vs);
-        std::array<PackedDirection, 8> packed;
+        std::array<OctahedralNormal, 8> packed;
         for (int lane = 0; lane < 8; ++lane) {
             packed[lane].u_ = rounded(us[lane]);
             packed[lane].v_ = rounded(vs[lane]);
@@ -56,7 +56,7 @@ public:
     /// In single precision.
     [[nodiscard]] Vec3f unpackSingle() const { return unpackAs<float>(); }
     /// Eight at once: the same numbers as those of `unpackSingle`.
-    [[nodiscard]] static Vec3x8 unpack(const std::array<PackedDirection, 8>& directions) {
+    [[nodiscard]] static Vec3x8 unpack(const std::array<OctahedralNormal, 8>& directions) {
         static_assert(sizeof(directions) == 16 * sizeof(std::int16_t));
         const auto [us, vs] = Float8::loadPairs(&directions[0].u_);
         const Float8 zero = Float8::all(0);
@@ -73,7 +73,8 @@ public:
         return {x / length, y / length, z / length};
     }
     /// The sizes of the components of four at once: the same numbers as those of `unpack`.
-    [[nodiscard]] static std::array<Eigen::Array4d, 3> sizesOf(const std::array<PackedDirection, 4>& directions) {
+    [[nodiscard]] static std::array<Eigen::Array4d, 3> absComponentsOf(
+        const std::array<OctahedralNormal, 4>& directions) {
         Eigen::Array4d u, v;
         for (int i = 0; i < 4; ++i) {
             u[i] = std::abs(static_cast<int>(directions[i].u_));
@@ -87,7 +88,7 @@ public:
         const Eigen::Array4d length = (x * x + y * y + z * z).sqrt();
         return {x / length, y / length, z.abs() / length};
     }
-    friend bool operator==(const PackedDirection&, const PackedDirection&) = default;
+    friend bool operator==(const OctahedralNormal&, const OctahedralNormal&) = default;
 
 private:
     template <class Real>
@@ -100,7 +101,7 @@ private:
             v = (1 - std::abs(u)) * (v >= 0 ? 1 : -1);
             u = unfolded;
         }
-        return Eigen::Matrix<Real, 3, 1>(u, v, z) / std::sqrt(u * u + v * v + z * z);  // as `sizesOf` adds
+        return Eigen::Matrix<Real, 3, 1>(u, v, z) / std::sqrt(u * u + v * v + z * z);  // as `absComponentsOf` adds
     }
 
     static constexpr double kScale = 32767.0;
@@ -153,18 +154,18 @@ inline constexpr double kCutBand = 1.25;
 inline constexpr double kToothBand = 4.0;
 
 /// Where the border of the removed region crosses a lattice edge: 0 at its first node, 1 at the next.
-struct BorderCrossing {
+struct HermiteSample {
     float place = 0;
-    PackedDirection normal;
+    OctahedralNormal normal;
 };
 
 /// What burs have done to one brick: the part of it that changes.
 struct CutField {
-    std::array<float, kBrickNodes> cut;                  ///< to the region that burs have swept, mm, negative inside
-    std::array<PackedDirection, kBrickNodes> cutNormal;  ///< gradient of `cut`, out of the removed region
+    std::array<float, kBrickNodes> cut;                   ///< to the region that burs have swept, mm, negative inside
+    std::array<OctahedralNormal, kBrickNodes> cutNormal;  ///< gradient of `cut`, out of the removed region
 
     /// For the lattice edge from each node to the next one on each axis, if just one of the two is removed.
-    std::array<std::array<BorderCrossing, kBrickNodes>, 3> border;
+    std::array<std::array<HermiteSample, kBrickNodes>, 3> boundary;
 
     bool isCut = false;  ///< some node has been reached by a sweep
 
@@ -172,20 +173,20 @@ struct CutField {
     static CutField untouched(double spacing) {
         CutField field;
         field.cut.fill(static_cast<float>(kCutBand * spacing));
-        field.cutNormal.fill(PackedDirection(Vec3::UnitZ()));
-        for (auto& crossings : field.border) crossings.fill({});
+        field.cutNormal.fill(OctahedralNormal(Vec3::UnitZ()));
+        for (auto& crossings : field.boundary) crossings.fill({});
         return field;
     }
 };
 
 /// 8x8x8 nodes of the two distance fields that make a cut tooth: the solid is where `tooth < 0` and `cut > 0`.
 struct Brick : CutField {
-    std::array<float, kBrickNodes> tooth;                  ///< to the tooth's own surface, mm, negative inside
-    float outermost = kUnknown;                            ///< the greatest of `tooth`
-    std::array<PackedDirection, kBrickNodes> toothNormal;  ///< gradient of `tooth`, out of the tooth
+    std::array<float, kBrickNodes> tooth;                   ///< to the tooth's own surface, mm, negative inside
+    float maxToothDistance = kUnknown;                      ///< the greatest of `tooth`
+    std::array<OctahedralNormal, kBrickNodes> toothNormal;  ///< gradient of `tooth`, out of the tooth
     std::array<MaterialId, kBrickNodes> material;
-    std::array<MaterialId, kBrickNodes> neighbour;         ///< the material beyond a layer's border in the node's voxel
-    std::array<std::uint8_t, kBrickNodes> neighbourShare;  ///< its share of the voxel, in 255ths
+    std::array<MaterialId, kBrickNodes> neighbour;  ///< the material beyond a layer's border in the node's voxel
+    std::array<std::uint8_t, kBrickNodes> neighbourFraction;  ///< its share of the voxel, in 255ths
 
     NodeBits removed;  ///< nodes where `cut < 0`
 

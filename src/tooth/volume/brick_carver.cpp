@@ -28,7 +28,7 @@ constexpr double kVoxelReach = 0.8660254037844386;
 /// Nodes of a brick that a move lowers, seldom more.
 constexpr std::size_t kUsuallyLowered = 256;
 
-using CutSample = RemovableInBrick::Sample;
+using CutSample = BrickRemoval::Sample;
 
 // Eight nodes side by side: (x, y) = (0..3, y..y+1).
 constexpr float kLaneX[8] = {0, 1, 2, 3, 0, 1, 2, 3};
@@ -45,13 +45,13 @@ float highestCut(const Brick& brick, int block) {
 
 /// Shares of nodes' voxels that lie in the tooth and, with samples of the cut field, in the removed region. Most
 /// voxels are cut by no border or by that of the removed region alone: these are counted four at a time.
-class RemovedShares {
+class RemovedFractions {
 public:
-    RemovedShares(const Brick& brick, double spacing)
+    RemovedFractions(const Brick& brick, double spacing)
         : brick_(brick), spacing_(spacing), reach_(kVoxelReach * spacing) {}
 
     /// Puts the share of a sample's voxel into `share`, sooner or later: see `finish`.
-    void find(std::uint16_t node, float cut, PackedDirection normal, double& share) {
+    void find(std::uint16_t node, float cut, OctahedralNormal normal, double& share) {
         const float tooth = brick_.tooth[node];
         share = 0;
         if (cut >= reach_ || tooth >= reach_) return;
@@ -69,7 +69,7 @@ public:
     }
     /// Those that are not yet found.
     void finish() {
-        const Eigen::Array4d found = cubeFractions(distances_, PackedDirection::sizesOf(normals_));
+        const Eigen::Array4d found = cubeFractions(distances_, OctahedralNormal::absComponentsOf(normals_));
         for (int i = 0; i < count_; ++i) *shares_[i] = found[i];
         count_ = 0;
     }
@@ -80,7 +80,7 @@ private:
     double reach_;  // mm
     int count_ = 0;
     Eigen::Array4d distances_ = Eigen::Array4d::Zero();
-    std::array<PackedDirection, 4> normals_{};
+    std::array<OctahedralNormal, 4> normals_{};
     std::array<double*, 4> shares_{};
 };
 
@@ -88,11 +88,11 @@ private:
 void book(const Brick& brick, std::uint16_t node, double share, double spacing, MaterialVolumes& volumes) {
     const double volume = share * spacing * spacing * spacing;
     double& mine = volumes[static_cast<std::size_t>(brick.material[node])];
-    if (brick.neighbourShare[node] == 0) {
+    if (brick.neighbourFraction[node] == 0) {
         mine += volume;
         return;
     }
-    const double beyond = volume * brick.neighbourShare[node] / 255;
+    const double beyond = volume * brick.neighbourFraction[node] / 255;
     mine += volume - beyond;
     volumes[static_cast<std::size_t>(brick.neighbour[node])] += beyond;
 }
@@ -100,7 +100,7 @@ void book(const Brick& brick, std::uint16_t node, double share, double spacing, 
 /// What lowering the cut field of these nodes removes.
 MaterialVolumes volumesOf(const Brick& brick, std::span<const CutSample> lowered, double spacing) {
     std::array<double, kBrickNodes> before, after;
-    RemovedShares shares(brick, spacing);
+    RemovedFractions shares(brick, spacing);
     for (std::size_t i = 0; i < lowered.size(); ++i) {
         const auto& [node, distance, normal] = lowered[i];
         shares.find(node, brick.cut[node], brick.cutNormal[node], before[i]);
@@ -159,7 +159,7 @@ public:
         if (lowered_ == 0) return;
         float distance[8];
         max(limit_, Float8::all(-band)).store(distance);
-        const std::array<PackedDirection, 8> normal = PackedDirection::pack(gradient_);
+        const std::array<OctahedralNormal, 8> normal = OctahedralNormal::pack(gradient_);
         for (std::uint32_t left = lowered_; left != 0; left &= left - 1) {
             const int lane = std::countr_zero(left);
             visit(CutSample{node_[lane], distance[lane], normal[lane]});
@@ -184,11 +184,11 @@ private:
 
 }  // namespace
 
-RemovableInBrick removableFromBrick(const Brick& brick, const BrickKey& key, const Lattice& lattice,
-                                    const std::vector<SweepStep>& steps) {
+BrickRemoval removableFromBrick(const Brick& brick, const BrickKey& key, const Lattice& lattice,
+                                const std::vector<SweepStep>& steps) {
     const double spacing = lattice.spacing();
     const auto band = static_cast<float>(kCutBand * spacing);
-    RemovableInBrick result;
+    BrickRemoval result;
     result.key = key;
     BrickSweep sweep(key, lattice, steps, band);
     for (int block = 0; block < kBlocks && !sweep.isClear(); ++block) {
@@ -207,11 +207,11 @@ RemovableInBrick removableFromBrick(const Brick& brick, const BrickKey& key, con
     return result;
 }
 
-RemovableInBrick removableFromNodes(const Brick& brick, const RemovableInBrick& whole, const Lattice& lattice,
-                                    const std::vector<SweepStep>& steps) {
+BrickRemoval removableFromNodes(const Brick& brick, const BrickRemoval& whole, const Lattice& lattice,
+                                const std::vector<SweepStep>& steps) {
     const double spacing = lattice.spacing();
     const auto band = static_cast<float>(kCutBand * spacing);
-    RemovableInBrick result;
+    BrickRemoval result;
     result.key = whole.key;
     BrickSweep sweep(whole.key, lattice, steps, band);
     if (sweep.isClear()) return result;
@@ -233,7 +233,7 @@ RemovableInBrick removableFromNodes(const Brick& brick, const RemovableInBrick& 
     return result;
 }
 
-ChangedBrick carveBrick(Brick& brick, const RemovableInBrick& found, std::uint64_t carve) {
+ChangedBrick carveBrick(Brick& brick, const BrickRemoval& found, std::uint64_t carve) {
     ChangedBrick changed{found.key};
     brick.lastCarve = carve;
     brick.lowered.reset();
@@ -255,7 +255,7 @@ ChangedBrick carveBrick(Brick& brick, const RemovableInBrick& found, std::uint64
 
 MaterialVolumes removedFromBrick(const Brick& brick, double spacing) {
     std::array<double, kBrickNodes> share;
-    RemovedShares shares(brick, spacing);
+    RemovedFractions shares(brick, spacing);
     for (std::uint16_t node = 0; node < kBrickNodes; ++node) {
         shares.find(node, brick.cut[node], brick.cutNormal[node], share[node]);
     }

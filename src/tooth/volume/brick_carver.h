@@ -9,14 +9,14 @@
 namespace tactooth {
 
 /// Finds what lowering the cut field of `brick` to the distance to the swept steps would do. Changes nothing.
-[[nodiscard]] RemovableInBrick removableFromBrick(const Brick& brick, const BrickKey& key, const Lattice& lattice,
-                                                  const std::vector<SweepStep>& steps);
+[[nodiscard]] BrickRemoval removableFromBrick(const Brick& brick, const BrickKey& key, const Lattice& lattice,
+                                              const std::vector<SweepStep>& steps);
 /// The same for steps that reach no other nodes than those found for `whole`.
-[[nodiscard]] RemovableInBrick removableFromNodes(const Brick& brick, const RemovableInBrick& whole,
-                                                  const Lattice& lattice, const std::vector<SweepStep>& steps);
+[[nodiscard]] BrickRemoval removableFromNodes(const Brick& brick, const BrickRemoval& whole, const Lattice& lattice,
+                                              const std::vector<SweepStep>& steps);
 
 /// Does what was found. `carve` numbers the whole carve. Returns which nodes it has removed.
-[[nodiscard]] ChangedBrick carveBrick(Brick& brick, const RemovableInBrick& found, std::uint64_t carve);
+[[nodiscard]] ChangedBrick carveBrick(Brick& brick, const BrickRemoval& found, std::uint64_t carve);
 
 /// What has been removed from the tooth within one brick.
 [[nodiscard]] MaterialVolumes removedFromBrick(const Brick& brick, double spacing);

@@ -27,8 +27,8 @@ struct BrickKey {
 };
 
 /// A node by its number on each axis of the whole lattice.
-struct NodePlace {
-    explicit NodePlace(const Eigen::Vector3i& number)  // eight nodes a side
+struct LatticeNode {
+    explicit LatticeNode(const Eigen::Vector3i& number)  // eight nodes a side
         : key{number.x() >> 3, number.y() >> 3, number.z() >> 3},
           node(nodeIndex(number.x() & 7, number.y() & 7, number.z() & 7)) {}
 

@@ -44,13 +44,14 @@ public:
     /// Whether some nodes are removed ...
     [[nodiscard]] bool hasRemoved() const { return hasRemoved_; }
     /// ... and others are not.
-    [[nodiscard]] bool hasBorder() const { return hasBorder_; }
+    [[nodiscard]] bool hasBoundary() const { return hasBoundary_; }
 
     /// Where the border of the removed region crosses the lattice edge from a node to the next on `axis`. One of the
     /// two is removed, and both lie in bricks that exist.
-    [[nodiscard]] BorderCrossing border(int node, int axis) const {
+    [[nodiscard]] HermiteSample boundary(int node, int axis) const {
         const auto [brick, place] = find(node);
-        return brick != nullptr ? brick->border[axis][place] : BorderCrossing{0.5F, PackedDirection(Vec3::Unit(axis))};
+        return brick != nullptr ? brick->boundary[axis][place]
+                                : HermiteSample{0.5F, OctahedralNormal(Vec3::Unit(axis))};
     }
     [[nodiscard]] MaterialId material(int node) const {
         const auto [brick, place] = find(node);
@@ -83,7 +84,7 @@ public:
     }
     /// Whether all nodes of the brick and the next ones on each axis are known to lie farther within the tooth, mm.
     [[nodiscard]] bool isDeeperThan(float depth) const {
-        const auto isDeep = [&](int i) { return near_[i] != nullptr && near_[i]->outermost < -depth; };
+        const auto isDeep = [&](int i) { return near_[i] != nullptr && near_[i]->maxToothDistance < -depth; };
         return isDeep(13) && isDeep(14) && isDeep(16) && isDeep(22);
     }
 
@@ -123,7 +124,7 @@ private:
             for (int y = 0; y < kSide; ++y) some |= rows[y], every &= rows[y];
         }
         hasRemoved_ = some != 0;
-        hasBorder_ = hasRemoved_ && every != kAll;
+        hasBoundary_ = hasRemoved_ && every != kAll;
     }
     /// The rows from `y` on of three bricks side by side.
     static void readRows(const Brick* const* bricks, int y, int count, int z, std::uint16_t* rows) {
@@ -143,7 +144,7 @@ private:
     const BrickMap::Around& near_;
     float clear_;
     bool hasRemoved_ = false;
-    bool hasBorder_ = false;
+    bool hasBoundary_ = false;
 };
 
 inline BrickNeighbourhood::Found BrickNeighbourhood::find(int node) const {

@@ -40,8 +40,8 @@ const std::vector<SweepLanes>& BrickSweep::near(int block, double side, double b
     const Vec3 middle = first + Vec3::Constant(0.5 * side * spacing_);
     const double toCorner = (0.5 * side * std::sqrt(3.0) + beyond) * spacing_;
     for (const SweepStep* step : steps_) {
-        const SweepStep::Look look = step->lookFrom(middle);
-        if (step->lowerBound(look) < toCorner + reach) near_.emplace_back(*step, first, spacing_, side, beyond, look);
+        const SweepStep::MidpointQuery query = step->queryFrom(middle);
+        if (step->lowerBound(query) < toCorner + reach) near_.emplace_back(*step, first, spacing_, side, beyond, query);
     }
     return near_;
 }

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "tooth/volume/brick_map.h"
 #include "tooth/sweep/sweep_lanes.h"
+#include "tooth/volume/brick_map.h"
 
 namespace tactooth {
 

@@ -21,18 +21,18 @@ constexpr double kAim = 0.985;         // of the work: a trial that misses by a 
 /// Cuts a part of a way of which a share of `high` (`whole`) is too dear. The Illinois method (M. Dowell, P. Jarratt,
 /// "A Modified Regula Falsi Method", BIT 11, 1971): an end that stays for a second time counts half.
 template <class CostOf>
-FeedResult feedOnTheWay(CutVolume& volume, const RevolutionEnvelope& envelope, const Pose& from, const Pose& to,
-                        double work, double high, const Removable& whole, const CostOf& costOf) {
+FeedResult feedPartWay(CutVolume& volume, const RevolutionEnvelope& envelope, const Pose& from, const Pose& to,
+                       double work, double high, const PlannedRemoval& whole, const CostOf& costOf) {
     FeedResult result;
     result.wanted = costOf(whole);
-    Removable best;
+    PlannedRemoval best;
     double low = 0;
     double below = -kAim * work;
     double above = result.wanted - kAim * work;
     bool wasAbove = true;
     for (int trial = 0; trial < kTrials && work > 0 && std::isfinite(above); ++trial) {
         const double middle = low - (high - low) * below / (above - below);
-        Removable part = volume.removableOnTheWay(whole, envelope, from, between(from, to, middle));
+        PlannedRemoval part = volume.removablePartWay(whole, envelope, from, between(from, to, middle));
         const double cost = costOf(part);
         const bool isAbove = cost > work;
         (isAbove ? above : below) = cost - kAim * work;
@@ -69,16 +69,16 @@ Pose between(const Pose& from, const Pose& to, double fraction) {
 
 FeedResult feedBur(CutVolume& volume, const RevolutionEnvelope& envelope, const Pose& from, const Pose& to, double work,
                    const MaterialTable& materials, double sharpness, double enough) {
-    const auto costOf = [&](const Removable& part) { return workFor(part.volumes, materials, sharpness); };
+    const auto costOf = [&](const PlannedRemoval& part) { return workFor(part.volumes, materials, sharpness); };
     double high = std::min(enough, 1.0);
-    Removable whole = volume.removable(envelope, from, between(from, to, high));
+    PlannedRemoval whole = volume.removable(envelope, from, between(from, to, high));
     if (high < 1 && costOf(whole) <= work) whole = volume.removable(envelope, from, between(from, to, high = 1));
     FeedResult result;
     if (costOf(whole) <= work) {
         result.fraction = 1;
         result.carve = volume.carve(whole);
     } else {
-        result = feedOnTheWay(volume, envelope, from, to, work, high, whole, costOf);
+        result = feedPartWay(volume, envelope, from, to, work, high, whole, costOf);
     }
     result.work = workFor(result.carve.removed, materials, sharpness);
     return result;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "tooth/volume/cut_volume.h"
 #include "tooth/model/material.h"
+#include "tooth/volume/cut_volume.h"
 
 namespace tactooth {
 

@@ -9,12 +9,12 @@ namespace tactooth {
 
 bool CutJournal::mark() {
     if (!pages_.empty() && pages_.back().empty()) return false;
-    if (pages_.size() == kMostMarks) pages_.erase(pages_.begin());
+    if (pages_.size() == kMaxCheckpoints) pages_.erase(pages_.begin());
     pages_.emplace_back();
     return true;
 }
 
-std::map<BrickKey, CutField> CutJournal::takeBack() {
+std::map<BrickKey, CutField> CutJournal::rollBack() {
     assert(!pages_.empty());
     if (pages_.back().empty() && pages_.size() > 1) pages_.pop_back();
     std::map<BrickKey, CutField> page = std::move(pages_.back());

@@ -15,7 +15,7 @@ namespace tactooth {
 class CutJournal {
 public:
     /// How many marks are kept; the oldest one goes when another is set.
-    static constexpr std::size_t kMostMarks = 24;
+    static constexpr std::size_t kMaxCheckpoints = 24;
 
     /// Does nothing, and says false, if nothing has changed since the last one.
     bool mark();
@@ -28,7 +28,7 @@ public:
 
     /// The bricks changed since the last mark before any change, as they were then; forgets the mark. There must be
     /// one.
-    [[nodiscard]] std::map<BrickKey, CutField> takeBack();
+    [[nodiscard]] std::map<BrickKey, CutField> rollBack();
 
     void clear() { pages_.clear(); }
     [[nodiscard]] std::size_t bytes() const;

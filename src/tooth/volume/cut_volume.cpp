@@ -9,9 +9,9 @@
 #include <set>
 
 #include "geometry/util/parallel_for.h"
-#include "tooth/volume/border_tracer.h"
 #include "tooth/volume/brick_carver.h"
-#include "tooth/volume/brick_maker.h"
+#include "tooth/volume/brick_sampler.h"
+#include "tooth/volume/hermite_data.h"
 #include "tooth/volume/piece_remover.h"
 
 namespace tactooth {
@@ -28,8 +28,8 @@ MaterialVolumes sum(const std::vector<MaterialVolumes>& parts) {
     return volumes;
 }
 
-void gather(std::vector<RemovableInBrick>& parts, Removable& result) {
-    for (RemovableInBrick& part : parts) {
+void gather(std::vector<BrickRemoval>& parts, PlannedRemoval& result) {
+    for (BrickRemoval& part : parts) {
         for (std::size_t m = 0; m < kMaterialCount; ++m) result.volumes[m] += part.volumes[m];
         if (!part.lowered.empty()) result.where.push_back(std::move(part));
     }
@@ -39,7 +39,7 @@ void gather(std::vector<RemovableInBrick>& parts, Removable& result) {
 constexpr int endOf(int place) { return place == 0 ? 0 : place == kBrickSide - 1 ? 2 : 1; }
 
 /// By `endOf` on each axis: the bricks that have a node at most one step from such a node on each axis.
-constexpr auto kConcerned = [] {
+constexpr auto kAffected = [] {
     std::array<std::array<std::array<std::uint32_t, 3>, 3>, 3> table{};
     const auto reaches = [](int end, int step) { return step == 1 || step == end; };
     for (int node = 0; node < 27; ++node) {
@@ -62,14 +62,14 @@ std::uint64_t fnv1a(std::uint64_t hash, std::uint64_t value) {
 
 void ChangedBrick::addNode(int node) {
     const auto [x, y, z] = placeOf(node);
-    concerned |= kConcerned[endOf(x)][endOf(y)][endOf(z)];
+    affected |= kAffected[endOf(x)][endOf(y)][endOf(z)];
 }
 
 void ChangedBrick::addEdge(int node, int axis) {
     const std::array<int, 3> place = placeOf(node);
     std::array<int, 3> ends = {endOf(place[0]), endOf(place[1]), endOf(place[2])};
     if (place[axis] == 0) ends[axis] = 1;  // it leads away from the brick before
-    concerned |= kConcerned[ends[0]][ends[1]][ends[2]];
+    affected |= kAffected[ends[0]][ends[1]][ends[2]];
 }
 
 std::vector<ChangedBrick> merged(std::vector<ChangedBrick> changes) {
@@ -97,7 +97,7 @@ CutVolume::CutVolume(std::shared_ptr<const LayeredTooth> tooth, double voxel)
 void CutVolume::reset() {
     bricks_.clear();
     journal_.clear();
-    if (stock_ != nullptr) stock_->forgetTaken();
+    if (pool_ != nullptr) pool_->forgetTaken();
 }
 
 /// Makes those that nobody has asked for yet; null where a brick lies clear of the tooth.
@@ -117,8 +117,8 @@ std::vector<Brick*> CutVolume::bricksAt(const std::vector<BrickKey>& keys) {
 }
 
 void CutVolume::makeBricks(std::vector<BrickKey> missing) {
-    if (stock_ != nullptr) {
-        std::vector<std::optional<std::unique_ptr<Brick>>> ahead = stock_->take(missing);
+    if (pool_ != nullptr) {
+        std::vector<std::optional<std::unique_ptr<Brick>>> ahead = pool_->take(missing);
         std::size_t left = 0;
         for (std::size_t i = 0; i < missing.size(); ++i) {
             if (ahead[i]) {
@@ -130,16 +130,16 @@ void CutVolume::makeBricks(std::vector<BrickKey> missing) {
         missing.resize(left);
     }
     std::vector<std::unique_ptr<Brick>> made(missing.size());
-    parallelFor(missing.size(), [&](std::size_t i) { made[i] = makeBrick(*tooth_, lattice_, missing[i]); });
+    parallelFor(missing.size(), [&](std::size_t i) { made[i] = sampleBrick(*tooth_, lattice_, missing[i]); });
     for (std::size_t i = 0; i < missing.size(); ++i) bricks_.insert(missing[i], std::move(made[i]));
 }
 
 /// The wall in a cell is drawn from all eight nodes of it, and the farthest may lie in a brick that no bur was near.
-void CutVolume::makeConcerned(const std::vector<ChangedBrick>& changed) {
+void CutVolume::makeAffected(const std::vector<ChangedBrick>& changed) {
     std::vector<BrickKey> missing;
     for (const ChangedBrick& brick : changed) {
         const BrickMap::Around& around = bricks_.around(brick.key);
-        brick.forEachConcerned([&](int i) {
+        brick.forEachAffected([&](int i) {
             if (around[i] != nullptr) return;
             const BrickKey key = brick.key.neighbour(i);
             if (!bricks_.knows(key)) missing.push_back(key);
@@ -156,28 +156,28 @@ CarveResult CutVolume::carve(const RevolutionEnvelope& envelope, const Pose& fro
     return carve(removable(envelope, fromInTooth, toInTooth, clearance));
 }
 
-CarveResult CutVolume::carve(const Removable& removable) {
+CarveResult CutVolume::carve(const PlannedRemoval& removable) {
     assert(removable.afterCarve == carves_);
     ++carves_;
-    for (const RemovableInBrick& found : removable.where) journal_.keep(found.key, *bricks_.find(found.key));
+    for (const BrickRemoval& found : removable.where) journal_.keep(found.key, *bricks_.find(found.key));
     std::vector<ChangedBrick> opened(removable.where.size());
     parallelFor(opened.size(), [&](std::size_t i) {
-        const RemovableInBrick& found = removable.where[i];
+        const BrickRemoval& found = removable.where[i];
         opened[i] = carveBrick(*bricks_.find(found.key), found, carves_);
     });
     CarveResult result;
     result.removed = removable.volumes;
-    result.changed = traceBorder(removable);
+    result.changed = updateHermiteData(removable);
     result.changed.insert(result.changed.end(), opened.begin(), opened.end());
     result.changed = merged(std::move(result.changed));
-    makeConcerned(result.changed);
+    makeAffected(result.changed);
     return result;
 }
 
 /// The lattice edges that end in a changed brick belong to it or to the one before it on an axis.
-std::vector<ChangedBrick> CutVolume::traceBorder(const Removable& carved) {
+std::vector<ChangedBrick> CutVolume::updateHermiteData(const PlannedRemoval& carved) {
     std::vector<BrickKey> keys;
-    for (const RemovableInBrick& brick : carved.where) {
+    for (const BrickRemoval& brick : carved.where) {
         const BrickKey& key = brick.key;
         for (const BrickKey& owner : {key, key.moved(-1, 0, 0), key.moved(0, -1, 0), key.moved(0, 0, -1)}) {
             if (bricks_.find(owner) != nullptr) keys.push_back(owner);
@@ -188,20 +188,20 @@ std::vector<ChangedBrick> CutVolume::traceBorder(const Removable& carved) {
     for (const BrickKey& key : keys) journal_.keep(key, *bricks_.find(key));
     std::vector<ChangedBrick> moved(keys.size());
     parallelFor(keys.size(), [&](std::size_t i) {
-        moved[i] = traceBorderInBrick(bricks_, keys[i], lattice_, carved.steps, carves_);
+        moved[i] = updateHermiteInBrick(bricks_, keys[i], lattice_, carved.steps, carves_);
     });
     return moved;
 }
 
-Removable CutVolume::removable(const RevolutionEnvelope& envelope, const Pose& fromInTooth, const Pose& toInTooth,
-                               double clearance) {
-    Removable result;
+PlannedRemoval CutVolume::removable(const RevolutionEnvelope& envelope, const Pose& fromInTooth, const Pose& toInTooth,
+                                    double clearance) {
+    PlannedRemoval result;
     result.clearance = clearance;
     result.afterCarve = carves_;
     result.steps = sweepSteps(envelope, fromInTooth, toInTooth, clearance, kLongestStep * lattice_.spacing());
     const std::vector<BrickKey> keys = bricksInReach(*tooth_, lattice_, result.steps, kCutBand * lattice_.spacing());
     const std::vector<Brick*> bricks = bricksAt(keys);
-    std::vector<RemovableInBrick> parts(keys.size());
+    std::vector<BrickRemoval> parts(keys.size());
     parallelFor(keys.size(), [&](std::size_t i) {
         if (bricks[i] != nullptr) parts[i] = removableFromBrick(*bricks[i], keys[i], lattice_, result.steps);
     });
@@ -209,13 +209,13 @@ Removable CutVolume::removable(const RevolutionEnvelope& envelope, const Pose& f
     return result;
 }
 
-Removable CutVolume::removableOnTheWay(const Removable& whole, const RevolutionEnvelope& envelope,
-                                       const Pose& fromInTooth, const Pose& partWay) const {
-    Removable result;
+PlannedRemoval CutVolume::removablePartWay(const PlannedRemoval& whole, const RevolutionEnvelope& envelope,
+                                           const Pose& fromInTooth, const Pose& partWay) const {
+    PlannedRemoval result;
     result.clearance = whole.clearance;
     result.afterCarve = whole.afterCarve;
     result.steps = sweepSteps(envelope, fromInTooth, partWay, whole.clearance, kLongestStep * lattice_.spacing());
-    std::vector<RemovableInBrick> parts(whole.where.size());
+    std::vector<BrickRemoval> parts(whole.where.size());
     parallelFor(parts.size(), [&](std::size_t i) {
         parts[i] = removableFromNodes(*bricks_.find(whole.where[i].key), whole.where[i], lattice_, result.steps);
     });
@@ -224,31 +224,31 @@ Removable CutVolume::removableOnTheWay(const Removable& whole, const RevolutionE
 }
 
 /// Makes the bricks of it that are missing.
-NodeSets CutVolume::nodesOf(const LoosePiece& piece) {
+NodeSets CutVolume::nodesOf(const DetachedPiece& piece) {
     NodeSets nodes = piece.nodes;
-    const std::vector<Brick*> bricks = bricksAt(piece.unmade);
+    const std::vector<Brick*> bricks = bricksAt(piece.unsampled);
     for (std::size_t i = 0; i < bricks.size(); ++i) {
-        if (bricks[i] != nullptr) nodes[piece.unmade[i]] = solidNodes(*bricks[i]);
+        if (bricks[i] != nullptr) nodes[piece.unsampled[i]] = solidNodes(*bricks[i]);
     }
     return nodes;
 }
 
-FallenPieces CutVolume::dropLoose() {
-    FallenPieces fallen;
+DetachedPieces CutVolume::removeDetached() {
+    DetachedPieces detached;
     NodeSets all;
-    for (const LoosePiece& piece : findLoosePieces(bricks_, *tooth_, lattice_)) {
+    for (const DetachedPiece& piece : findDetachedPieces(bricks_, *tooth_, lattice_)) {
         std::size_t count = 0;
         for (const auto& [key, nodes] : nodesOf(piece)) {
             all[key] |= nodes;  // two pieces may share a brick
             count += nodes.count();
         }
-        fallen.volumes.push_back(static_cast<double>(count) * std::pow(lattice_.spacing(), 3));
+        detached.volumes.push_back(static_cast<double>(count) * std::pow(lattice_.spacing(), 3));
     }
-    fallen.carve = removePieces(all);
-    return fallen;
+    detached.carve = removePieces(all);
+    return detached;
 }
 
-CarveResult CutVolume::dropCrumbs(const NodeSets& beside) { return removePieces(beside); }
+CarveResult CutVolume::removeDebris(const NodeSets& beside) { return removePieces(beside); }
 
 CarveResult CutVolume::removePieces(const NodeSets& pieces) {
     CarveResult result;
@@ -273,7 +273,7 @@ CarveResult CutVolume::removePieces(const NodeSets& pieces) {
         for (std::size_t m = 0; m < kMaterialCount; ++m) result.removed[m] += taken[m];
         result.changed.push_back(ChangedBrick::all(key));
     }
-    for (const ChangedBrick& changed : result.changed) placeBorder(bricks_, changed.key, gone);
+    for (const ChangedBrick& changed : result.changed) placeBoundary(bricks_, changed.key, gone);
     return result;
 }
 
@@ -281,7 +281,7 @@ std::vector<ChangedBrick> CutVolume::undo() {
     std::vector<ChangedBrick> changed;
     ++carves_;  // what was found removable holds no more
     ++undos_;
-    for (const auto& [key, before] : journal_.takeBack()) {
+    for (const auto& [key, before] : journal_.rollBack()) {
         bricks_.find(key)->setField(before);
         changed.push_back(ChangedBrick::all(key));
     }
@@ -304,7 +304,7 @@ std::vector<ChangedBrick> CutVolume::adopt(const std::map<BrickKey, CutField>& f
         bricks[i]->setField(fields.at(keys[i]));
         changed.push_back(ChangedBrick::all(keys[i]));
     }
-    makeConcerned(changed);
+    makeAffected(changed);
     return changed;
 }
 
@@ -326,7 +326,7 @@ double CutVolume::cutDistance(const Vec3& point) const {
     double distance = 0;
     for (int corner = 0; corner < 8; ++corner) {
         const Eigen::Vector3i step(corner & 1, corner >> 1 & 1, corner >> 2);
-        const auto [key, node] = NodePlace(first.cast<int>() + step);
+        const auto [key, node] = LatticeNode(first.cast<int>() + step);
         if (corner == 0 || key != lastKey) brick = bricks_.find(key);
         lastKey = key;
         double weight = 1;
@@ -347,7 +347,7 @@ std::uint64_t CutVolume::hash() const {
                                    std::bit_cast<std::uint32_t>(brick.cutNormal[node]));
             hash = fnv1a(hash, std::uint64_t{std::bit_cast<std::uint32_t>(brick.tooth[node])} << 8 |
                                    static_cast<std::uint64_t>(brick.material[node]));
-            for (const auto& crossings : brick.border) {
+            for (const auto& crossings : brick.boundary) {
                 hash = fnv1a(hash, std::uint64_t{std::bit_cast<std::uint32_t>(crossings[node].place)} << 32 |
                                        std::bit_cast<std::uint32_t>(crossings[node].normal));
             }

@@ -9,13 +9,13 @@
 #include <memory>
 #include <vector>
 
-#include "tooth/volume/brick_map.h"
-#include "tooth/volume/brick_stock.h"
-#include "tooth/volume/cut_journal.h"
 #include "tooth/model/layered_tooth.h"
-#include "tooth/volume/loose_pieces.h"
 #include "tooth/sweep/revolution_envelope.h"
 #include "tooth/sweep/swept_envelope.h"
+#include "tooth/volume/brick_map.h"
+#include "tooth/volume/brick_pool.h"
+#include "tooth/volume/cut_journal.h"
+#include "tooth/volume/detached_pieces.h"
 
 namespace tactooth {
 
@@ -28,20 +28,20 @@ using MaterialVolumes = std::array<double, kMaterialCount>;
 /// this concerns.
 struct ChangedBrick {
     BrickKey key;
-    std::uint32_t concerned = 0;  ///< bit i: BrickKey::neighbour(i)
+    std::uint32_t affected = 0;  ///< bit i: BrickKey::neighbour(i)
 
     [[nodiscard]] static ChangedBrick all(const BrickKey& key) { return {key, (1U << 27) - 1}; }
-    [[nodiscard]] bool isNone() const { return concerned == 0; }
+    [[nodiscard]] bool isNone() const { return affected == 0; }
     /// A node was removed: all cells around it.
     void addNode(int node);
     /// The border was moved on the lattice edge from a node to the next one on `axis`: the four cells around that.
     void addEdge(int node, int axis);
-    void add(const ChangedBrick& other) { concerned |= other.concerned; }
+    void add(const ChangedBrick& other) { affected |= other.affected; }
 
-    /// Calls `visit(i)` for the bricks that are concerned, by their numbers as neighbours.
+    /// Calls `visit(i)` for the bricks that are affected, by their numbers as neighbours.
     template <class Visit>
-    void forEachConcerned(const Visit& visit) const {
-        for (std::uint32_t left = concerned; left != 0; left &= left - 1) visit(std::countr_zero(left));
+    void forEachAffected(const Visit& visit) const {
+        for (std::uint32_t left = affected; left != 0; left &= left - 1) visit(std::countr_zero(left));
     }
 };
 
@@ -54,11 +54,11 @@ struct CarveResult {
 };
 
 /// What a move of the bur would remove from one brick, and what the cut field would become.
-struct RemovableInBrick {
+struct BrickRemoval {
     struct Sample {
         std::uint16_t node;  ///< nodeIndex
         float distance;      ///< of the cut field, mm
-        PackedDirection normal;
+        OctahedralNormal normal;
     };
     BrickKey key{};
     MaterialVolumes volumes{};
@@ -66,16 +66,16 @@ struct RemovableInBrick {
 };
 
 /// What a move of the bur would remove, with all that is needed to remove it.
-struct Removable {
+struct PlannedRemoval {
     MaterialVolumes volumes{};
-    std::vector<RemovableInBrick> where;  ///< in ascending order of the keys
+    std::vector<BrickRemoval> where;  ///< in ascending order of the keys
     std::vector<SweepStep> steps;
     double clearance = 0;          ///< that it was asked with, mm
     std::uint64_t afterCarve = 0;  ///< it holds until the next one
 };
 
 /// Pieces that burs have cut off all around and that are no longer there.
-struct FallenPieces {
+struct DetachedPieces {
     std::vector<double> volumes;  ///< of each, mm^3, to a voxel or so at its surface
     CarveResult carve;            ///< what went with them
 };
@@ -94,9 +94,9 @@ public:
 
     /// Where bricks are taken from that were made ahead, for the same tooth and spacing; null: each is made when it is
     /// needed. Changes no result.
-    void setStock(std::shared_ptr<BrickStock> stock) { stock_ = std::move(stock); }
+    void setPool(std::shared_ptr<BrickPool> pool) { pool_ = std::move(pool); }
 
-    /// Removes everything that `envelope`, widened by `clearance` (mm), sweeps on its way between two poses of the tool
+    /// Removes everything that `envelope`, dilated by `clearance` (mm), sweeps on its way between two poses of the tool
     /// in the tooth's frame. Volumes are counted below the voxel: to about 0.1 % of a cut some voxels wide.
     CarveResult carve(const RevolutionEnvelope& envelope, const Pose& fromInTooth, const Pose& toInTooth,
                       double clearance);
@@ -106,27 +106,27 @@ public:
 
     /// What the same `carve` would remove. Changes nothing (bricks that are needed for the answer are kept). The
     /// envelope outlives the answer.
-    [[nodiscard]] Removable removable(const RevolutionEnvelope& envelope, const Pose& fromInTooth,
-                                      const Pose& toInTooth, double clearance);
-    [[nodiscard]] Removable removable(const RevolutionEnvelope& envelope, const Pose& fromInTooth,
-                                      const Pose& toInTooth) {
+    [[nodiscard]] PlannedRemoval removable(const RevolutionEnvelope& envelope, const Pose& fromInTooth,
+                                           const Pose& toInTooth, double clearance);
+    [[nodiscard]] PlannedRemoval removable(const RevolutionEnvelope& envelope, const Pose& fromInTooth,
+                                           const Pose& toInTooth) {
         return removable(envelope, fromInTooth, toInTooth, kDefaultClearance * lattice_.spacing());
     }
     /// Does it, unless something was carved meanwhile.
-    CarveResult carve(const Removable& removable);
+    CarveResult carve(const PlannedRemoval& removable);
     /// The same for the first part of that move, up to `partWay`: looks nowhere but at the nodes that the whole move
     /// reaches.
-    [[nodiscard]] Removable removableOnTheWay(const Removable& whole, const RevolutionEnvelope& envelope,
-                                              const Pose& fromInTooth, const Pose& partWay) const;
+    [[nodiscard]] PlannedRemoval removablePartWay(const PlannedRemoval& whole, const RevolutionEnvelope& envelope,
+                                                  const Pose& fromInTooth, const Pose& partWay) const;
 
-    /// Removes every piece that hangs together with nothing any more (findLoosePieces).
-    FallenPieces dropLoose();
-    /// Removes the crumbs that have these nodes beside them in the air (nodesBesideCrumbs).
-    CarveResult dropCrumbs(const NodeSets& beside);
+    /// Removes every piece that hangs together with nothing any more (findDetachedPieces).
+    DetachedPieces removeDetached();
+    /// Removes the crumbs that have these nodes beside them in the air (nodesBesideDebris).
+    CarveResult removeDebris(const NodeSets& beside);
 
     /// Sets a mark that `undo` goes back to; false if nothing has changed since the last one, which then serves.
     bool mark() { return journal_.mark(); }
-    /// How many times `undo` can go back: as many as marks were set, and CutJournal::kMostMarks at most.
+    /// How many times `undo` can go back: as many as marks were set, and CutJournal::kMaxCheckpoints at most.
     [[nodiscard]] std::size_t marks() const { return journal_.marks(); }
     /// Everything as it was at the last mark that anything came after, bit for bit; forgets that mark. Returns the
     /// bricks that changed.
@@ -159,16 +159,16 @@ public:
 private:
     [[nodiscard]] std::vector<Brick*> bricksAt(const std::vector<BrickKey>& keys);
     void makeBricks(std::vector<BrickKey> missing);
-    void makeConcerned(const std::vector<ChangedBrick>& changed);
-    [[nodiscard]] NodeSets nodesOf(const LoosePiece& piece);
+    void makeAffected(const std::vector<ChangedBrick>& changed);
+    [[nodiscard]] NodeSets nodesOf(const DetachedPiece& piece);
     CarveResult removePieces(const NodeSets& pieces);
-    [[nodiscard]] std::vector<ChangedBrick> traceBorder(const Removable& carved);
+    [[nodiscard]] std::vector<ChangedBrick> updateHermiteData(const PlannedRemoval& carved);
 
     std::shared_ptr<const LayeredTooth> tooth_;
     Lattice lattice_;
     BrickMap bricks_;
     CutJournal journal_;
-    std::shared_ptr<BrickStock> stock_;
+    std::shared_ptr<BrickPool> pool_;
     std::uint64_t carves_ = 0;
     std::uint64_t undos_ = 0;
 };

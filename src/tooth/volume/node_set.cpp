@@ -6,7 +6,7 @@ namespace tactooth {
 namespace {
 
 /// From a node on one face of a brick to the one opposite.
-constexpr int acrossOf(int axis) { return (kBrickSide - 1) * nodeStride(axis); }
+constexpr int perpendicularTo(int axis) { return (kBrickSide - 1) * nodeStride(axis); }
 
 NodeSet nodesOf(const BrickFace& face) {
     NodeSet nodes;
@@ -20,7 +20,7 @@ NodeSet nodesOf(const BrickFace& face) {
 NodeSet up(const NodeSet& nodes, int axis) { return (nodes & ~BrickFace{axis, true}.nodes()) << nodeStride(axis); }
 NodeSet down(const NodeSet& nodes, int axis) { return (nodes & ~BrickFace{axis, false}.nodes()) >> nodeStride(axis); }
 
-NodeSets widenedAlong(const NodeSets& sets, int axis) {
+NodeSets dilatedAlong(const NodeSets& sets, int axis) {
     NodeSets result;
     for (const auto& [key, nodes] : sets) {
         NodeSet wide = nodes | up(nodes, axis) | down(nodes, axis);
@@ -47,7 +47,9 @@ const NodeSet& BrickFace::nodes() const {
     return kFaces[2 * axis + (isUpper ? 1 : 0)];
 }
 
-NodeSet BrickFace::across(const NodeSet& own) const { return isUpper ? own >> acrossOf(axis) : own << acrossOf(axis); }
+NodeSet BrickFace::across(const NodeSet& own) const {
+    return isUpper ? own >> perpendicularTo(axis) : own << perpendicularTo(axis);
+}
 
 NodeSet solidNodes(const Brick& brick) {
     NodeSet solid;
@@ -57,7 +59,7 @@ NodeSet solidNodes(const Brick& brick) {
     return solid;
 }
 
-NodeSet firstConnected(const NodeSet& all) {
+NodeSet firstComponent(const NodeSet& all) {
     NodeSet reached;
     for (std::size_t node = 0; node < all.size() && reached.none(); ++node) reached[node] = all[node];
     while (true) {
@@ -68,6 +70,6 @@ NodeSet firstConnected(const NodeSet& all) {
     }
 }
 
-NodeSets widened(const NodeSets& sets) { return widenedAlong(widenedAlong(widenedAlong(sets, 0), 1), 2); }
+NodeSets dilated(const NodeSets& sets) { return dilatedAlong(dilatedAlong(dilatedAlong(sets, 0), 1), 2); }
 
 }  // namespace tactooth

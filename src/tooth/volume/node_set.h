@@ -35,10 +35,10 @@ inline constexpr BrickFace kBrickFaces[] = {{0, false}, {0, true}, {1, false}, {
 [[nodiscard]] NodeSet solidNodes(const Brick& brick);
 
 /// What hangs together with the first node of `all`, node beside node along the axes.
-[[nodiscard]] NodeSet firstConnected(const NodeSet& all);
+[[nodiscard]] NodeSet firstComponent(const NodeSet& all);
 
 /// With all nodes one step away, diagonals too, in the bricks that `sets` names; neighbours that it does not name are
 /// empty.
-[[nodiscard]] NodeSets widened(const NodeSets& sets);
+[[nodiscard]] NodeSets dilated(const NodeSets& sets);
 
 }  // namespace tactooth

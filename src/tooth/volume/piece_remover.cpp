@@ -38,14 +38,14 @@ NodeSets nodesThatStay(const BrickMap& bricks, const NodeSets& pieces) {
 }  // namespace
 
 NodeSets nodesToRemove(const BrickMap& bricks, const NodeSets& pieces) {
-    NodeSets kept = widened(nodesThatStay(bricks, pieces));
+    NodeSets kept = dilated(nodesThatStay(bricks, pieces));
     NodeSets gone;
     for (auto& [key, nodes] : kept) {
         nodes &= ~(nodesAt(pieces, key) & solidAt(bricks, key));
         gone[key] = nodesAt(pieces, key) & ~nodes;
     }
     for (int step = 0; step < kFringe; ++step) {
-        gone = widened(gone);
+        gone = dilated(gone);
         for (auto& [key, nodes] : gone) nodes &= ~kept[key];
     }
     return gone;
@@ -65,7 +65,7 @@ MaterialVolumes removeNodes(Brick& brick, const NodeSet& nodes, double spacing) 
     return taken;
 }
 
-void placeBorder(BrickMap& bricks, const BrickKey& key, const NodeSets& gone) {
+void placeBoundary(BrickMap& bricks, const BrickKey& key, const NodeSets& gone) {
     Brick& brick = *bricks.find(key);
     for (int axis = 0; axis < 3; ++axis) {
         const BrickFace upper{axis, true};
@@ -82,8 +82,8 @@ void placeBorder(BrickMap& bricks, const BrickKey& key, const NodeSets& gone) {
             const bool isRemoved = brick.cut[node] < 0;
             const bool isOtherRemoved = owner != nullptr && owner->cut[other] < 0;
             if (isRemoved == isOtherRemoved) continue;
-            brick.border[axis][node] = {isGone ? kBeyondSurface : 1 - kBeyondSurface,
-                                        PackedDirection((isGone ? 1.0 : -1.0) * Vec3::Unit(axis))};
+            brick.boundary[axis][node] = {isGone ? kBeyondSurface : 1 - kBeyondSurface,
+                                          OctahedralNormal((isGone ? 1.0 : -1.0) * Vec3::Unit(axis))};
         }
     }
 }

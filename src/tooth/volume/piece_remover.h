@@ -18,6 +18,6 @@ MaterialVolumes removeNodes(Brick& brick, const NodeSet& nodes, double spacing);
 
 /// Puts the border of the removed region on the lattice edges of one brick that lead from a node of `gone` to one that
 /// is not removed: right before that, since what is gone reaches no farther than the tooth's surface.
-void placeBorder(BrickMap& bricks, const BrickKey& key, const NodeSets& gone);
+void placeBoundary(BrickMap& bricks, const BrickKey& key, const NodeSets& gone);
 
 }  // namespace tactooth

@@ -42,9 +42,9 @@ Eigen::Array4d cubed(const Eigen::Array4d& values) {
 }  // namespace
 
 // Operation by operation that of one half-space, so that a node's share does not depend on the nodes beside it.
-Eigen::Array4d cubeFractions(const Eigen::Array4d& distances, const std::array<Eigen::Array4d, 3>& normalSizes) {
+Eigen::Array4d cubeFractions(const Eigen::Array4d& distances, const std::array<Eigen::Array4d, 3>& absNormals) {
     std::array<Eigen::Array4d, 3> m;
-    for (int axis = 0; axis < 3; ++axis) m[axis] = normalSizes[axis].max(kLeastComponent);
+    for (int axis = 0; axis < 3; ++axis) m[axis] = absNormals[axis].max(kLeastComponent);
     const Eigen::Array4d sum = m[0] + m[1] + m[2];
     const Eigen::Array4d reach = 0.5 * sum;
     const Eigen::Array4d alpha = reach - distances;
@@ -68,7 +68,7 @@ double cubeFraction(const HalfSpace& first, const HalfSpace& second) {
     if (one == 0 || two == 0) return 0;
     if (one == 1) return two;
     if (two == 1) return one;
-    const auto shareOfSlices = [](const HalfSpace& half, const Slices& at) -> Eigen::Array4d {
+    const auto fractionOfSlices = [](const HalfSpace& half, const Slices& at) -> Eigen::Array4d {
         const Eigen::Array4d distances =
             half.distance + half.normal.x() * at.x + half.normal.y() * at.y + half.normal.z() * at.z;
         return (0.5 - distances * kSlices).max(0.0).min(1.0);
@@ -77,7 +77,7 @@ double cubeFraction(const HalfSpace& first, const HalfSpace& second) {
     for (int z = 0; z < kSlices; ++z) {
         for (int y = 0; y < kSlices; ++y) {
             const Slices row(y, z);
-            total += shareOfSlices(first, row) * shareOfSlices(second, row);
+            total += fractionOfSlices(first, row) * fractionOfSlices(second, row);
         }
     }
     return total.sum() / (kSlices * kSlices * kSlices);

@@ -20,7 +20,7 @@ struct HalfSpace {
 
 /// The same for four half-spaces at once; of the normals the sizes of their components tell all.
 [[nodiscard]] Eigen::Array4d cubeFractions(const Eigen::Array4d& distances,
-                                           const std::array<Eigen::Array4d, 3>& normalSizes);
+                                           const std::array<Eigen::Array4d, 3>& absNormals);
 
 /// Share of a unit cube that lies within both, to about 0.01.
 [[nodiscard]] double cubeFraction(const HalfSpace& first, const HalfSpace& second);

@@ -36,14 +36,14 @@ Mat4 reflectionMatrix(const Plane& plane) {
     return matrix;
 }
 
-Ray rayThrough(const Camera& camera, PictureSize size, const Vec2& pixel) {
+Ray rayThrough(const Camera& camera, ImageSize size, const Vec2& pixel) {
     const double halfHeight = std::tan(camera.fieldOfView / 2);
     const Vec3 inCamera(((2 * pixel.x() / size.width - 1) * size.aspect() + camera.lensShift) * halfHeight,
                         (1 - 2 * pixel.y() / size.height) * halfHeight, -1);
     return {camera.cameraInWorld.position, (camera.cameraInWorld.rotation * inCamera).normalized()};
 }
 
-std::optional<Vec2> project(const Camera& camera, PictureSize size, const Vec3& point) {
+std::optional<Vec2> project(const Camera& camera, ImageSize size, const Vec3& point) {
     const Vec3 inCamera = camera.cameraInWorld.inverse() * point;
     if (inCamera.z() >= 0) return std::nullopt;
     const double scale = size.height / (2 * std::tan(camera.fieldOfView / 2) * -inCamera.z());

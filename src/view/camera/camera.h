@@ -12,12 +12,12 @@ using Vec2 = Eigen::Vector2d;
 using Mat4 = Eigen::Matrix4d;
 
 /// Size of a picture in pixels.
-struct PictureSize {
+struct ImageSize {
     int width = 0;
     int height = 0;
 
     [[nodiscard]] double aspect() const { return static_cast<double>(width) / height; }
-    bool operator==(const PictureSize&) const = default;
+    bool operator==(const ImageSize&) const = default;
 };
 
 /// A half line in world coordinates; `direction` is unit.
@@ -55,9 +55,9 @@ struct Camera {
 
 /// The half line from the eye through `pixel` (origin at the picture's top left corner, y down, the first pixel's
 /// centre is at 0.5, 0.5).
-[[nodiscard]] Ray rayThrough(const Camera& camera, PictureSize size, const Vec2& pixel);
+[[nodiscard]] Ray rayThrough(const Camera& camera, ImageSize size, const Vec2& pixel);
 
 /// Where `point` (world) stands in the picture; nothing if it is not in front of the eye.
-[[nodiscard]] std::optional<Vec2> project(const Camera& camera, PictureSize size, const Vec3& point);
+[[nodiscard]] std::optional<Vec2> project(const Camera& camera, ImageSize size, const Vec3& point);
 
 }  // namespace tactooth

@@ -28,52 +28,52 @@ Quat OrbitCamera::rotation() const {
 void OrbitCamera::fit(const Box3& box, double aspect) {
     if (box.isEmpty()) return;
     target_ = box.center();
-    reach_ = std::max(0.5 * box.diagonal().norm(), kNearestEye / 4);
+    sceneRadius_ = std::max(0.5 * box.diagonal().norm(), kNearestEye / 4);
     const double narrowest = std::atan(std::tan(Camera{}.fieldOfView / 2) * std::min(1.0, aspect));
-    distance_ = std::clamp(kMargin * reach_ / std::sin(narrowest), kNearestEye, kFarthestEye);
+    distance_ = std::clamp(kMargin * sceneRadius_ / std::sin(narrowest), kNearestEye, kFarthestEye);
 }
 
-void OrbitCamera::look(StandardView view, double mesialX) {
+void OrbitCamera::setView(StandardView view, double mesialX) {
     switch (view) {
         case StandardView::Occlusal:
-            return look({-kRightAngle, kRightAngle});
+            return setView({-kRightAngle, kRightAngle});
         case StandardView::Buccal:
-            return look({kRightAngle, 0});
+            return setView({kRightAngle, 0});
         case StandardView::Lingual:
-            return look({-kRightAngle, 0});
+            return setView({-kRightAngle, 0});
         case StandardView::Mesial:
-            return look({mesialX > 0 ? 0 : 2 * kRightAngle, 0});
+            return setView({mesialX > 0 ? 0 : 2 * kRightAngle, 0});
         case StandardView::Distal:
-            return look({mesialX > 0 ? 2 * kRightAngle : 0, 0});
+            return setView({mesialX > 0 ? 2 * kRightAngle : 0, 0});
     }
 }
 
-void OrbitCamera::look(Direction direction) {
+void OrbitCamera::setView(Direction direction) {
     direction_.azimuth = std::remainder(direction.azimuth, 4 * kRightAngle);
     direction_.elevation = std::clamp(direction.elevation, -kRightAngle, kRightAngle);
 }
 
-void OrbitCamera::orbit(const Vec2& pixels, PictureSize size) {
+void OrbitCamera::orbit(const Vec2& pixels, ImageSize size) {
     const double perPixel = 2 * kRightAngle / size.height;
-    look({direction_.azimuth - pixels.x() * perPixel, direction_.elevation + pixels.y() * perPixel});
+    setView({direction_.azimuth - pixels.x() * perPixel, direction_.elevation + pixels.y() * perPixel});
 }
 
-double OrbitCamera::pixelPitch(PictureSize size) const {
+double OrbitCamera::pixelPitch(ImageSize size) const {
     return 2 * distance_ * std::tan(Camera{}.fieldOfView / 2) / size.height;
 }
 
-void OrbitCamera::pan(const Vec2& pixels, PictureSize size) {
+void OrbitCamera::pan(const Vec2& pixels, ImageSize size) {
     target_ += rotation() * Vec3(-pixels.x(), pixels.y(), 0) * pixelPitch(size);
 }
 
-void OrbitCamera::zoom(double factor, const Vec2& pixel, PictureSize size) {
+void OrbitCamera::zoom(double factor, const Vec2& pixel, ImageSize size) {
     const double before = distance_;
     distance_ = std::clamp(distance_ * factor, kNearestEye, kFarthestEye);
     const Vec2 fromCentre = pixel - Vec2(size.width / 2.0, size.height / 2.0);
     pan(fromCentre * (1 - before / distance_), size);
 }
 
-void OrbitCamera::turnAround(const Vec3& point) {
+void OrbitCamera::setPivot(const Vec3& point) {
     const Vec3 eye = camera().cameraInWorld.position;
     const Vec3 backward = rotation() * Vec3::UnitZ();
     const double depth = std::clamp((eye - point).dot(backward), kNearestEye, kFarthestEye);
@@ -87,7 +87,7 @@ Camera OrbitCamera::camera() const {
     // reach far to both sides of the tooth.
     return {.cameraInWorld = {target_ + cameraRotation * Vec3(0, 0, distance_), cameraRotation},
             .nearDistance = std::max(0.04 * distance_, 0.1),
-            .farDistance = 4 * distance_ + 10 * reach_ + 200};
+            .farDistance = 4 * distance_ + 10 * sceneRadius_ + 200};
 }
 
 OrbitCamera::Direction mirroredInX(OrbitCamera::Direction direction) {

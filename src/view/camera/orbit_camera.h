@@ -23,17 +23,17 @@ public:
     /// Shows `box` (world, mm) whole from the same direction, whatever way it is turned.
     void fit(const Box3& box, double aspect);
     /// Turns to a standard view; target and distance stay. `mesialX`: 1 where mesial is +x, -1 where it is -x.
-    void look(StandardView view, double mesialX = 1);
-    void look(Direction direction);
+    void setView(StandardView view, double mesialX = 1);
+    void setView(Direction direction);
 
     /// Drags the object by (dx, dy) pixels: half a picture height turns it by 90 degrees.
-    void orbit(const Vec2& pixels, PictureSize size);
+    void orbit(const Vec2& pixels, ImageSize size);
     /// Shifts the picture so that what lies at the target's depth follows the mouse.
-    void pan(const Vec2& pixels, PictureSize size);
+    void pan(const Vec2& pixels, ImageSize size);
     /// Comes nearer (factor < 1) or goes back (> 1); what lies under `pixel` at the target's depth stays there.
-    void zoom(double factor, const Vec2& pixel, PictureSize size);
+    void zoom(double factor, const Vec2& pixel, ImageSize size);
     /// Makes `point` (world) what the camera turns around; the picture does not jump: the eye and its direction stay.
-    void turnAround(const Vec3& point);
+    void setPivot(const Vec3& point);
 
     /// Brings `point` (world) to the middle of the picture; direction and distance stay.
     void centreOn(const Vec3& point) { target_ = point; }
@@ -43,14 +43,14 @@ public:
     [[nodiscard]] double distance() const { return distance_; }
     [[nodiscard]] Direction direction() const { return direction_; }
     /// mm that one pixel covers at the target's depth.
-    [[nodiscard]] double pixelPitch(PictureSize size) const;
+    [[nodiscard]] double pixelPitch(ImageSize size) const;
 
 private:
     [[nodiscard]] Quat rotation() const;
 
     Vec3 target_ = Vec3::Zero();
-    double distance_ = 60;  ///< mm
-    double reach_ = 60;     ///< mm: everything of interest lies this near to the target
+    double distance_ = 60;     ///< mm
+    double sceneRadius_ = 60;  ///< mm: everything of interest lies this near to the target
     Direction direction_{1.2, 0.5};
 };
 

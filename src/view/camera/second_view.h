@@ -10,16 +10,16 @@ namespace tactooth {
 /// picture; none in stereo.
 struct SecondView {
     Camera camera;
-    bool anew = true;  ///< else the last one may stay, as long as its size does: it need not keep pace with the hand
+    bool redraw = true;  ///< else the last one may stay, as long as its size does: it need not keep pace with the hand
 };
 
 inline constexpr double kSecondViewAspect = 4.0 / 3.0;  ///< a tooth with its bur is about as high as wide
 
 /// Where it stands, in pixels from the picture's upper left corner.
-struct SecondViewPlace {
+struct SecondViewRectangle {
     int left = 0, top = 0;
-    PictureSize size;
+    ImageSize size;
 };
-[[nodiscard]] SecondViewPlace secondViewPlace(PictureSize picture);
+[[nodiscard]] SecondViewRectangle secondViewRectangle(ImageSize picture);
 
 }  // namespace tactooth

@@ -6,7 +6,7 @@
 
 namespace tactooth {
 
-std::array<Camera, 2> eyesOf(const Camera& camera, const Stereo& stereo) {
+std::array<Camera, 2> stereoCameras(const Camera& camera, const Stereo& stereo) {
     std::array<Camera, 2> eyes = {camera, camera};
     const double halfHeightAtFocus = stereo.focus * std::tan(camera.fieldOfView / 2);
     for (std::size_t i = 0; i < eyes.size(); ++i) {

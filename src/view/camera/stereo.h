@@ -24,6 +24,6 @@ struct Stereo {
 
 /// The left and the right eye around `camera`: side by side, looking in parallel, their pictures shifted so that they
 /// agree at `stereo.focus` (no keystone, no vertical parallax).
-[[nodiscard]] std::array<Camera, 2> eyesOf(const Camera& camera, const Stereo& stereo);
+[[nodiscard]] std::array<Camera, 2> stereoCameras(const Camera& camera, const Stereo& stereo);
 
 }  // namespace tactooth

@@ -7,10 +7,11 @@
 namespace tactooth {
 
 bool Drawable::isTransparent() const {
-    return std::any_of(object->looks.begin(), object->looks.end(), [](const Look& look) { return look.opacity < 1; });
+    return std::any_of(object->appearances.begin(), object->appearances.end(),
+                       [](const Appearance& appearance) { return appearance.opacity < 1; });
 }
 
-bool Drawable::hidesItsBack(bool inSection) const {
+bool Drawable::cullsBackFaces(bool inSection) const {
     return object->closed && (!inSection || !object->sectioned || object->filling);
 }
 
@@ -27,10 +28,10 @@ Mat4 objectToWorld(const SceneObject& object) {
 }
 
 Box3 boxOf(const Drawable& drawable, const Mat4& worldToFrame) {
-    return movedBox(drawable.buffers->box(), worldToFrame * drawable.objectToWorld);
+    return transformedBox(drawable.buffers->box(), worldToFrame * drawable.objectToWorld);
 }
 
-Box3 movedBox(const Box3& box, const Mat4& toFrame) {
+Box3 transformedBox(const Box3& box, const Mat4& toFrame) {
     Box3 result;
     if (box.isEmpty()) return result;
     for (int i = 0; i < 8; ++i) {

@@ -16,7 +16,7 @@ struct Drawable {
     /// Whether light passes: it is blended over all that is opaque.
     [[nodiscard]] bool isTransparent() const;
     /// Whether faces that look away from the eye cannot be seen.
-    [[nodiscard]] bool hidesItsBack(bool inSection) const;
+    [[nodiscard]] bool cullsBackFaces(bool inSection) const;
 };
 
 /// `pose` as a matrix on points.
@@ -28,6 +28,6 @@ struct Drawable {
 /// The axis-parallel box around `drawable`, in the frame that `worldToFrame` leads to.
 [[nodiscard]] Box3 boxOf(const Drawable& drawable, const Mat4& worldToFrame);
 /// Likewise around `box`, which `toFrame` leads there; empty if `box` is.
-[[nodiscard]] Box3 movedBox(const Box3& box, const Mat4& toFrame);
+[[nodiscard]] Box3 transformedBox(const Box3& box, const Mat4& toFrame);
 
 }  // namespace tactooth

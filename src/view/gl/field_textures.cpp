@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "view/scene/look.h"
+#include "view/scene/appearance.h"
 
 namespace tactooth {
 

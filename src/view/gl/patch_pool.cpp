@@ -25,23 +25,23 @@ void PatchPool::update(const Surface& surface, const CornerShading& baseShading)
     markNeighbours();
     uploadStale(*surface.base, baseShading);
     box_ = Box3();
-    for (const auto& [id, place] : places_) box_.extend(place.box);
+    for (const auto& [id, slot] : slots_) box_.extend(slot.box);
 }
 
 /// Lets go of the patches that are gone and takes in those that have come.
 void PatchPool::takeNew(const Surface& surface, const CornerShading& baseShading) {
-    for (auto& [id, place] : places_) place.wanted = false;
+    for (auto& [id, slot] : slots_) slot.wanted = false;
     std::vector<std::shared_ptr<const SurfacePart>> missing;
     for (const auto& patch : surface.patches) {
-        const auto known = places_.find(patch->id());
-        if (known != places_.end()) {
+        const auto known = slots_.find(patch->id());
+        if (known != slots_.end()) {
             known->second.wanted = true;
         } else if (!patch->mesh().empty()) {
             missing.push_back(patch);
         }
     }
     changed_ = Box3();
-    std::erase_if(places_, [&](const auto& entry) {
+    std::erase_if(slots_, [&](const auto& entry) {
         if (entry.second.wanted) return false;
         changed_.extend(entry.second.box);
         release(entry.second);
@@ -50,27 +50,27 @@ void PatchPool::takeNew(const Surface& surface, const CornerShading& baseShading
     for (const auto& patch : missing) changed_.extend(patch->tree().box());
     std::vector<std::optional<ShadedPatch>> shaded(missing.size());
     parallelFor(missing.size(), [&](std::size_t i) { shaded[i].emplace(missing[i], *surface.base, baseShading); });
-    for (std::size_t i = 0; i < missing.size(); ++i) places_.emplace(missing[i]->id(), std::move(*shaded[i]));
+    for (std::size_t i = 0; i < missing.size(); ++i) slots_.emplace(missing[i]->id(), std::move(*shaded[i]));
 }
 
 /// A wall that ends where a new one begins is shaded anew with it.
 void PatchPool::markNeighbours() {
-    std::vector<const Place*> fresh;
-    for (const auto& [id, place] : places_) {
-        if (place.isStale) fresh.push_back(&place);
+    std::vector<const Slot*> fresh;
+    for (const auto& [id, slot] : slots_) {
+        if (slot.isStale) fresh.push_back(&slot);
     }
-    for (auto& [id, place] : places_) {
-        const Box3& wall = place.patch.wall;  // clang 14 lets no lambda take a binding
-        const auto meets = [&](const Place* other) { return other->patch.wall.intersects(wall); };
-        place.isStale = place.isStale || std::any_of(fresh.begin(), fresh.end(), meets);
+    for (auto& [id, slot] : slots_) {
+        const Box3& wall = slot.patch.wall;  // clang 14 lets no lambda take a binding
+        const auto meets = [&](const Slot* other) { return other->patch.wall.intersects(wall); };
+        slot.isStale = slot.isStale || std::any_of(fresh.begin(), fresh.end(), meets);
     }
 }
 
 /// Shades on all processors, then sends one after the other.
 void PatchPool::uploadStale(const SurfacePart& base, const CornerShading& baseShading) {
-    std::vector<Place*> stale;
-    for (auto& [id, place] : places_) {
-        if (place.isStale) stale.push_back(&place);
+    std::vector<Slot*> stale;
+    for (auto& [id, slot] : slots_) {
+        if (slot.isStale) stale.push_back(&slot);
     }
     std::vector<ShadingMesh> meshes(stale.size());
     parallelFor(stale.size(), [&](std::size_t i) {
@@ -81,39 +81,39 @@ void PatchPool::uploadStale(const SurfacePart& base, const CornerShading& baseSh
     for (std::size_t i = 0; i < stale.size(); ++i) upload(*stale[i], std::move(meshes[i]));
 }
 
-std::vector<const ShadedPatch*> PatchPool::neighboursOf(const Place& place) const {
+std::vector<const ShadedPatch*> PatchPool::neighboursOf(const Slot& slot) const {
     std::vector<const ShadedPatch*> neighbours;
-    for (const auto& [id, other] : places_) {
-        if (&other != &place && other.patch.wall.intersects(place.patch.wall)) neighbours.push_back(&other.patch);
+    for (const auto& [id, other] : slots_) {
+        if (&other != &slot && other.patch.wall.intersects(slot.patch.wall)) neighbours.push_back(&other.patch);
     }
     return neighbours;
 }
 
-void PatchPool::upload(Place& place, ShadingMesh mesh) {
-    release(place);
-    place.vertices = static_cast<std::uint32_t>(mesh.vertices.size());
-    place.triangles = static_cast<std::uint32_t>(mesh.triangles.size());
-    place.firstVertex = claimVertices(place.vertices);
-    place.firstTriangle = claimTriangles(place.triangles);
+void PatchPool::upload(Slot& slot, ShadingMesh mesh) {
+    release(slot);
+    slot.vertices = static_cast<std::uint32_t>(mesh.vertices.size());
+    slot.triangles = static_cast<std::uint32_t>(mesh.triangles.size());
+    slot.firstVertex = allocateVertices(slot.vertices);
+    slot.firstTriangle = allocateTriangles(slot.triangles);
     for (Triangle& triangle : mesh.triangles) {
-        for (std::uint32_t& vertex : triangle) vertex += place.firstVertex;
+        for (std::uint32_t& vertex : triangle) vertex += slot.firstVertex;
     }
-    for (TriangleCluster& cluster : mesh.clusters) cluster.firstTriangle += place.firstTriangle;
-    buffers_.writeVertices(place.firstVertex, mesh.vertices);
-    buffers_.writeTriangles(place.firstTriangle, mesh.triangles);
-    place.clusters = std::move(mesh.clusters);
-    place.box = mesh.box;
-    place.isStale = false;
-    lastUpload_ += place.triangles;
+    for (TriangleCluster& cluster : mesh.clusters) cluster.firstTriangle += slot.firstTriangle;
+    buffers_.writeVertices(slot.firstVertex, mesh.vertices);
+    buffers_.writeTriangles(slot.firstTriangle, mesh.triangles);
+    slot.clusters = std::move(mesh.clusters);
+    slot.box = mesh.box;
+    slot.isStale = false;
+    lastUpload_ += slot.triangles;
 }
 
-void PatchPool::release(const Place& place) {
-    if (place.triangles == 0) return;
-    vertices_.release(place.firstVertex, place.vertices);
-    triangles_.release(place.firstTriangle, place.triangles);
+void PatchPool::release(const Slot& slot) {
+    if (slot.triangles == 0) return;
+    vertices_.release(slot.firstVertex, slot.vertices);
+    triangles_.release(slot.firstTriangle, slot.triangles);
 }
 
-std::uint32_t PatchPool::claimVertices(std::uint32_t count) {
+std::uint32_t PatchPool::allocateVertices(std::uint32_t count) {
     if (const auto first = vertices_.allocate(count)) return *first;
     const std::uint32_t capacity = std::max(2 * vertices_.capacity(), vertices_.capacity() + count);
     buffers_.growVertices(capacity);
@@ -121,7 +121,7 @@ std::uint32_t PatchPool::claimVertices(std::uint32_t count) {
     return *vertices_.allocate(count);
 }
 
-std::uint32_t PatchPool::claimTriangles(std::uint32_t count) {
+std::uint32_t PatchPool::allocateTriangles(std::uint32_t count) {
     if (const auto first = triangles_.allocate(count)) return *first;
     const std::uint32_t capacity = std::max(2 * triangles_.capacity(), triangles_.capacity() + count);
     buffers_.growTriangles(capacity);
@@ -130,9 +130,9 @@ std::uint32_t PatchPool::claimTriangles(std::uint32_t count) {
 }
 
 void PatchPool::draw(const ClusterCuller& culler) {
-    runs_.clear();
-    for (const auto& [id, place] : places_) visibleRuns(culler, place.clusters, runs_);
-    buffers_.draw(runs_);
+    ranges_.clear();
+    for (const auto& [id, slot] : slots_) visibleRanges(culler, slot.clusters, ranges_);
+    buffers_.draw(ranges_);
 }
 
 }  // namespace tactooth

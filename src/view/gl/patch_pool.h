@@ -5,9 +5,9 @@
 #include <map>
 #include <memory>
 
+#include "view/gl/triangle_buffers.h"
 #include "view/mesh/patch_shading.h"
 #include "view/mesh/range_allocator.h"
-#include "view/gl/triangle_buffers.h"
 
 namespace tactooth {
 
@@ -28,8 +28,8 @@ public:
     [[nodiscard]] std::size_t lastUpload() const { return lastUpload_; }
 
 private:
-    struct Place {
-        explicit Place(ShadedPatch shaded) : patch(std::move(shaded)) {}
+    struct Slot {
+        explicit Slot(ShadedPatch shaded) : patch(std::move(shaded)) {}
 
         ShadedPatch patch;
         std::uint32_t firstVertex = 0;
@@ -44,17 +44,17 @@ private:
     void takeNew(const Surface& surface, const CornerShading& baseShading);
     void markNeighbours();
     void uploadStale(const SurfacePart& base, const CornerShading& baseShading);
-    [[nodiscard]] std::vector<const ShadedPatch*> neighboursOf(const Place& place) const;
-    void upload(Place& place, ShadingMesh mesh);
-    void release(const Place& place);
-    [[nodiscard]] std::uint32_t claimVertices(std::uint32_t count);
-    [[nodiscard]] std::uint32_t claimTriangles(std::uint32_t count);
+    [[nodiscard]] std::vector<const ShadedPatch*> neighboursOf(const Slot& slot) const;
+    void upload(Slot& slot, ShadingMesh mesh);
+    void release(const Slot& slot);
+    [[nodiscard]] std::uint32_t allocateVertices(std::uint32_t count);
+    [[nodiscard]] std::uint32_t allocateTriangles(std::uint32_t count);
 
     TriangleBuffers buffers_;
     RangeAllocator vertices_;
     RangeAllocator triangles_;
-    std::map<std::uint64_t, Place> places_;  ///< by SurfacePart::id
-    std::vector<TriangleRun> runs_;
+    std::map<std::uint64_t, Slot> slots_;  ///< by SurfacePart::id
+    std::vector<TriangleRange> ranges_;
     Box3 box_;
     Box3 changed_;
     std::size_t lastUpload_ = 0;

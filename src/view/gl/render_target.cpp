@@ -6,7 +6,7 @@
 
 namespace tactooth {
 
-Mat4 cropped(const Mat4& worldToClip, const PixelRectangle& rectangle, PictureSize size) {
+Mat4 cropped(const Mat4& worldToClip, const PixelRectangle& rectangle, ImageSize size) {
     const Eigen::Array2d whole(size.width, size.height);
     const Eigen::Array2d low = 2 * rectangle.low.cast<double>().array() / whole - 1;
     const Eigen::Array2d high = 2 * rectangle.high.cast<double>().array() / whole - 1;
@@ -18,7 +18,7 @@ Mat4 cropped(const Mat4& worldToClip, const PixelRectangle& rectangle, PictureSi
     return crop * worldToClip;
 }
 
-Expected<RenderTarget> RenderTarget::create(PictureSize size, int samples) {
+Expected<RenderTarget> RenderTarget::create(ImageSize size, int samples) {
     GLint mostSamples = 0;
     glGetIntegerv(GL_MAX_SAMPLES, &mostSamples);
     RenderTarget target;

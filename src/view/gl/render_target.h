@@ -12,7 +12,7 @@ struct PixelRectangle {
     Eigen::Vector2i low = Eigen::Vector2i::Zero();
     Eigen::Vector2i high = Eigen::Vector2i::Zero();
 
-    [[nodiscard]] static PixelRectangle whole(PictureSize size) { return {{0, 0}, {size.width, size.height}}; }
+    [[nodiscard]] static PixelRectangle whole(ImageSize size) { return {{0, 0}, {size.width, size.height}}; }
     [[nodiscard]] bool empty() const { return (high.array() <= low.array()).any(); }
     [[nodiscard]] Eigen::Vector2i extent() const { return high - low; }
     [[nodiscard]] PixelRectangle within(const PixelRectangle& other) const {
@@ -21,16 +21,16 @@ struct PixelRectangle {
 };
 
 /// Shrinks the clip volume of `worldToClip` to `rectangle` of the picture.
-[[nodiscard]] Mat4 cropped(const Mat4& worldToClip, const PixelRectangle& rectangle, PictureSize size);
+[[nodiscard]] Mat4 cropped(const Mat4& worldToClip, const PixelRectangle& rectangle, ImageSize size);
 
 /// Colour, depth and stencil to draw into, colour and depth readable as textures afterwards. With `samples` > 0 drawing
 /// goes to multisampled buffers, and `resolve` brings the means over into the textures.
 class RenderTarget {
 public:
     RenderTarget() = default;
-    [[nodiscard]] static Expected<RenderTarget> create(PictureSize size, int samples);
+    [[nodiscard]] static Expected<RenderTarget> create(ImageSize size, int samples);
 
-    [[nodiscard]] PictureSize size() const { return size_; }
+    [[nodiscard]] ImageSize size() const { return size_; }
     [[nodiscard]] int samples() const { return samples_; }
     void bindForDrawing() const;
     void resolve() const;
@@ -43,7 +43,7 @@ public:
 private:
     void makeMultisampled();
 
-    PictureSize size_;
+    ImageSize size_;
     int samples_ = 0;
     gl::Texture colour_;
     gl::Texture depth_;

@@ -22,14 +22,14 @@ ShapeCache::Result ShapeCache::update(const Scene& scene) {
         if (!hasTriangles(object.shape)) continue;
         Entry& entry = entryFor(object);
         entry.used = true;
-        entry.throwsStillShadow = !object.moves && !object.ghost;
-        const bool onlyInSection = !object.visible && object.filling && scene.section;
+        entry.castsStaticShadow = !object.moves && !object.ghost;
+        const bool onlyInSection = !object.visible && object.capAppearance && scene.section;
         if (!object.visible && !onlyInSection) continue;
         const bool changed = entry.buffers.update(object.shape);
         if (changed) result.uploadedTriangles += entry.buffers.lastUpload();
         Drawable drawable{&object, &entry.buffers, objectToWorld(object)};
         if (changed) drawable.changed = entry.buffers.changed();
-        if (object.filling && scene.section) result.filled.push_back(drawable);
+        if (object.capAppearance && scene.section) result.capped.push_back(drawable);
         if (onlyInSection) continue;
         if (object.ghost) {
             result.ghosts.push_back(drawable);
@@ -38,7 +38,7 @@ ShapeCache::Result ShapeCache::update(const Scene& scene) {
         result.drawables.push_back(drawable);
     }
     std::erase_if(entries_, [&](const Entry& entry) {
-        result.stillShapesGone |= !entry.used && entry.throwsStillShadow;
+        result.staticShapesRemoved |= !entry.used && entry.castsStaticShadow;
         return !entry.used;
     });
     return result;

@@ -12,10 +12,10 @@ namespace tactooth {
 class ShapeCache {
 public:
     struct Result {
-        std::vector<Drawable> drawables;  ///< the visible objects of the scene but the ghosts, in its order
-        std::vector<Drawable> ghosts;     ///< likewise
-        std::vector<Drawable> filled;     ///< those that a section shows filled; empty without a section
-        bool stillShapesGone = false;     ///< a shape that does not move was removed
+        std::vector<Drawable> drawables;   ///< the visible objects of the scene but the ghosts, in its order
+        std::vector<Drawable> ghosts;      ///< likewise
+        std::vector<Drawable> capped;      ///< those that a section shows filled; empty without a section
+        bool staticShapesRemoved = false;  ///< a shape that does not move was removed
         std::size_t uploadedTriangles = 0;
     };
     /// `scene` must live as long as the result.
@@ -25,7 +25,7 @@ private:
     struct Entry {
         SurfaceBuffers buffers;
         bool used = false;
-        bool throwsStillShadow = true;
+        bool castsStaticShadow = true;
     };
     [[nodiscard]] Entry& entryFor(const SceneObject& object);
     std::list<Entry> entries_;

@@ -54,7 +54,7 @@ SurfaceBuffers::Prepared SurfaceBuffers::prepare(const SceneShape& shape) {
     Prepared prepared;
     prepared.shading = cornerShading(meshOf(shape), tagsOf(shape));
     prepared.mesh = shadingMesh(meshOf(shape), prepared.shading);
-    prepared.detail = detailTree(prepared.mesh);
+    prepared.lodTree = buildLodTree(prepared.mesh);
     return prepared;
 }
 
@@ -63,16 +63,16 @@ SurfaceBuffers::SurfaceBuffers(const SceneShape& shape) : SurfaceBuffers(shape, 
 SurfaceBuffers::SurfaceBuffers(const SceneShape& shape, Prepared prepared)
     : shown_(shape),
       shading_(std::move(prepared.shading)),
-      detail_(std::move(prepared.detail)),
-      hiddenOfNode_(detail_.nodes.size()),
-      mustBeTrue_(detail_.nodes.size()),
-      placeOfTriangle_(std::move(prepared.mesh.placeOfTriangle)),
+      lodTree_(std::move(prepared.lodTree)),
+      hiddenInNode_(lodTree_.nodes.size()),
+      mustRefine_(lodTree_.nodes.size()),
+      drawIndexOfTriangle_(std::move(prepared.mesh.drawIndexOfTriangle)),
       box_(prepared.mesh.box),
-      hidden_((placeOfTriangle_.size() + 63) / 64),
+      hidden_((drawIndexOfTriangle_.size() + 63) / 64),
       buffers_(static_cast<std::uint32_t>(prepared.mesh.vertices.size()),
-               static_cast<std::uint32_t>(detail_.triangles.size())) {
+               static_cast<std::uint32_t>(lodTree_.triangles.size())) {
     buffers_.writeVertices(0, prepared.mesh.vertices);
-    buffers_.writeTriangles(0, detail_.triangles);
+    buffers_.writeTriangles(0, lodTree_.triangles);
 }
 
 bool SurfaceBuffers::holds(const SceneShape& shape) const {
@@ -84,7 +84,7 @@ bool SurfaceBuffers::holds(const SceneShape& shape) const {
 bool SurfaceBuffers::update(const SceneShape& shape) {
     assert(holds(shape));
     if (updated_ && shown_ == shape) return false;
-    lastUpload_ = updated_ ? 0 : placeOfTriangle_.size();
+    lastUpload_ = updated_ ? 0 : drawIndexOfTriangle_.size();
     changed_ = updated_ ? Box3() : box_;
     if (const auto* pointer = std::get_if<SurfacePointer>(&shape)) {
         const Surface& surface = **pointer;
@@ -106,11 +106,11 @@ void SurfaceBuffers::hide(const TriangleMask& mask) {
     changes.reserve(toggled.size());
     for (const std::uint32_t triangle : toggled) {
         for (int corner = 0; corner < 3; ++corner) changed_.extend(meshOf(shown_).corner(triangle, corner));
-        const std::uint32_t place = placeOfTriangle_[triangle];
-        const Triangle& shown = detail_.triangles[place];
+        const std::uint32_t place = drawIndexOfTriangle_[triangle];
+        const Triangle& shown = lodTree_.triangles[place];
         const bool hides = isHidden(wanted, triangle);
         changes.push_back({place, hides ? Triangle{shown[0], shown[0], shown[0]} : shown});
-        std::uint32_t& hidden = hiddenOfNode_[place / kTrianglesPerPiece];
+        std::uint32_t& hidden = hiddenInNode_[place / kTrianglesPerLeaf];
         hides ? ++hidden : --hidden;
     }
     std::sort(changes.begin(), changes.end(), [](const Change& a, const Change& b) { return a.place < b.place; });
@@ -123,23 +123,23 @@ void SurfaceBuffers::hide(const TriangleMask& mask) {
     }
     lastUpload_ += changes.size();
     hidden_ = std::move(wanted);
-    if (!changes.empty()) markHurtNodes();
+    if (!changes.empty()) markChangedNodes();
 }
 
-void SurfaceBuffers::markHurtNodes() {
-    for (std::size_t i = 0; i < detail_.nodes.size(); ++i) {
-        const DetailNode& node = detail_.nodes[i];
-        mustBeTrue_[i] = hiddenOfNode_[i] > 0;
+void SurfaceBuffers::markChangedNodes() {
+    for (std::size_t i = 0; i < lodTree_.nodes.size(); ++i) {
+        const LodNode& node = lodTree_.nodes[i];
+        mustRefine_[i] = hiddenInNode_[i] > 0;
         for (std::size_t child = 0; child < node.children; ++child) {
-            if (mustBeTrue_[node.firstChild + child]) mustBeTrue_[i] = true;
+            if (mustRefine_[node.firstChild + child]) mustRefine_[i] = true;
         }
     }
 }
 
 void SurfaceBuffers::draw(const ClusterCuller& culler) {
-    runs_.clear();
-    visibleRuns(culler, detail_, mustBeTrue_, runs_);
-    buffers_.draw(runs_);
+    ranges_.clear();
+    visibleRanges(culler, lodTree_, mustRefine_, ranges_);
+    buffers_.draw(ranges_);
     patches_.draw(culler);
 }
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "view/mesh/detail_tree.h"
 #include "view/gl/patch_pool.h"
+#include "view/mesh/lod_tree.h"
 #include "view/scene/scene.h"
 
 namespace tactooth {
@@ -32,26 +32,26 @@ private:
     struct Prepared {
         CornerShading shading;
         ShadingMesh mesh;
-        DetailTree detail;
+        LodTree lodTree;
     };
     [[nodiscard]] static Prepared prepare(const SceneShape& shape);
     SurfaceBuffers(const SceneShape& shape, Prepared prepared);
     void hide(const TriangleMask& mask);
-    void markHurtNodes();
+    void markChangedNodes();
 
     SceneShape shown_;  ///< held, so that its address names nothing else
     bool updated_ = false;
     CornerShading shading_;                    ///< of the base
-    DetailTree detail_;                        ///< of the base, with none of its triangles hidden
-    std::vector<std::uint32_t> hiddenOfNode_;  ///< triangles, of nodes that are pieces of the true surface
-    std::vector<bool> mustBeTrue_;             ///< of each node: whether a triangle below it is hidden
-    std::vector<std::uint32_t> placeOfTriangle_;
+    LodTree lodTree_;                          ///< of the base, with none of its triangles hidden
+    std::vector<std::uint32_t> hiddenInNode_;  ///< triangles, of nodes that are pieces of the true surface
+    std::vector<bool> mustRefine_;             ///< of each node: whether a triangle below it is hidden
+    std::vector<std::uint32_t> drawIndexOfTriangle_;
     Box3 box_;
     Box3 changed_;
     TriangleMask hidden_;
     TriangleBuffers buffers_;
     PatchPool patches_;
-    std::vector<TriangleRun> runs_;
+    std::vector<TriangleRange> ranges_;
     std::size_t lastUpload_ = 0;
 };
 

@@ -55,7 +55,7 @@ void TriangleBuffers::describeVertices() const {
     glEnableVertexAttribArray(1);
     glVertexAttribPointer(1, 4, GL_INT_2_10_10_10_REV, GL_TRUE, kStride, at(offsetof(ShadingVertex, normal)));
     glEnableVertexAttribArray(2);
-    glVertexAttribIPointer(2, 1, GL_UNSIGNED_INT, kStride, at(offsetof(ShadingVertex, looks)));
+    glVertexAttribIPointer(2, 1, GL_UNSIGNED_INT, kStride, at(offsetof(ShadingVertex, appearances)));
     glBindVertexArray(0);
 }
 
@@ -79,17 +79,17 @@ void TriangleBuffers::writeTriangles(std::uint32_t first, std::span<const Triang
     write(triangles_, first, triangles);
 }
 
-void TriangleBuffers::draw(std::span<const TriangleRun> runs) {
-    if (runs.empty()) return;
+void TriangleBuffers::draw(std::span<const TriangleRange> ranges) {
+    if (ranges.empty()) return;
     counts_.clear();
     offsets_.clear();
-    for (const TriangleRun& run : runs) {
+    for (const TriangleRange& run : ranges) {
         counts_.push_back(static_cast<GLsizei>(3 * run.count));
         offsets_.push_back(reinterpret_cast<const void*>(std::uintptr_t{run.first} * sizeof(Triangle)));
     }
     glBindVertexArray(array_.name());
     glMultiDrawElements(GL_TRIANGLES, counts_.data(), GL_UNSIGNED_INT, offsets_.data(),
-                        static_cast<GLsizei>(runs.size()));
+                        static_cast<GLsizei>(ranges.size()));
     glBindVertexArray(0);
 }
 

@@ -4,8 +4,8 @@
 
 #include <span>
 
-#include "view/mesh/cluster_culling.h"
 #include "view/gl/gl_objects.h"
+#include "view/mesh/cluster_culling.h"
 #include "view/mesh/shading_mesh.h"
 
 namespace tactooth {
@@ -20,7 +20,7 @@ public:
     void growTriangles(std::uint32_t capacity);
     void writeVertices(std::uint32_t first, std::span<const ShadingVertex> vertices) const;
     void writeTriangles(std::uint32_t first, std::span<const Triangle> triangles) const;
-    void draw(std::span<const TriangleRun> runs);
+    void draw(std::span<const TriangleRange> ranges);
 
 private:
     void describeVertices() const;

@@ -7,32 +7,32 @@
 namespace tactooth {
 
 ClusterCuller::ClusterCuller(const Mat4& objectToClip, const Eigen::Vector4d& eye, bool skipBackFaces,
-                             double coarseness)
-    : eye_(eye.cast<float>()), skipBackFaces_(skipBackFaces), coarseness_(static_cast<float>(coarseness)) {
+                             double lodTolerance)
+    : eye_(eye.cast<float>()), skipBackFaces_(skipBackFaces), lodTolerance_(static_cast<float>(lodTolerance)) {
     // A point is inside where -w <= x, y, z <= w in clip coordinates: each bound is a row combination of the matrix.
     // G. Gribb, K. Hartmann, Fast extraction of viewing frustum planes from the world-view-projection matrix, 2001.
     for (int axis = 0; axis < 3; ++axis) {
         for (int side = 0; side < 2; ++side) {
             const double sign = side == 0 ? 1.0 : -1.0;
             const Eigen::Vector4d plane = (objectToClip.row(3) + sign * objectToClip.row(axis)).transpose();
-            sides_[static_cast<std::size_t>(2 * axis + side)] = (plane / plane.head<3>().norm()).cast<float>();
+            planes_[static_cast<std::size_t>(2 * axis + side)] = (plane / plane.head<3>().norm()).cast<float>();
         }
     }
 }
 
-bool ClusterCuller::mayShow(const TriangleCluster& cluster) const {
-    for (const Eigen::Vector4f& side : sides_) {
+bool ClusterCuller::mayBeVisible(const TriangleCluster& cluster) const {
+    for (const Eigen::Vector4f& side : planes_) {
         if (side.head<3>().dot(cluster.centre) + side.w() < -cluster.radius) return false;
     }
-    return !skipBackFaces_ || !looksAway(cluster);
+    return !skipBackFaces_ || !isBackFacing(cluster);
 }
 
 float ClusterCuller::allowedError(const Vec3f& centre, float radius) const {
-    if (eye_.w() == 0) return coarseness_;
-    return coarseness_ * std::max(0.0F, (centre - eye_.head<3>()).norm() - radius);
+    if (eye_.w() == 0) return lodTolerance_;
+    return lodTolerance_ * std::max(0.0F, (centre - eye_.head<3>()).norm() - radius);
 }
 
-bool ClusterCuller::looksAway(const TriangleCluster& cluster) const {
+bool ClusterCuller::isBackFacing(const TriangleCluster& cluster) const {
     if (cluster.coneSine > 1) return false;
     // Every facet normal is within asin(coneSine) of the axis, and the direction from any point of the ball to the eye
     // is within asin(radius / distance) of the one from its centre. All facets look away if the angle between axis and
@@ -48,14 +48,14 @@ bool ClusterCuller::looksAway(const TriangleCluster& cluster) const {
     return sumBelowRightAngle && cluster.axis.dot(fromEye) > sineOfSum * distance;
 }
 
-void visibleRuns(const ClusterCuller& culler, std::span<const TriangleCluster> clusters,
-                 std::vector<TriangleRun>& runs) {
+void visibleRanges(const ClusterCuller& culler, std::span<const TriangleCluster> clusters,
+                   std::vector<TriangleRange>& ranges) {
     for (const TriangleCluster& cluster : clusters) {
-        if (!culler.mayShow(cluster)) continue;
-        if (!runs.empty() && runs.back().first + runs.back().count == cluster.firstTriangle) {
-            runs.back().count += cluster.triangles;
+        if (!culler.mayBeVisible(cluster)) continue;
+        if (!ranges.empty() && ranges.back().first + ranges.back().count == cluster.firstTriangle) {
+            ranges.back().count += cluster.triangles;
         } else {
-            runs.push_back({cluster.firstTriangle, cluster.triangles});
+            ranges.push_back({cluster.firstTriangle, cluster.triangles});
         }
     }
 }

@@ -16,34 +16,34 @@ class ClusterCuller {
 public:
     /// `objectToClip` maps points of the object to OpenGL clip coordinates; `eye` is in the object's frame, with w = 0
     /// for a parallel view (then the direction to the eye). Runs that look away are skipped only if `skipBackFaces`.
-    /// What is drawn may lie off the true surface by `coarseness` mm for each mm of distance from the eye (in a
-    /// parallel view: by `coarseness` mm); 0 is the true surface.
-    ClusterCuller(const Mat4& objectToClip, const Eigen::Vector4d& eye, bool skipBackFaces, double coarseness = 0);
+    /// What is drawn may lie off the true surface by `lodTolerance` mm for each mm of distance from the eye (in a
+    /// parallel view: by `lodTolerance` mm); 0 is the true surface.
+    ClusterCuller(const Mat4& objectToClip, const Eigen::Vector4d& eye, bool skipBackFaces, double lodTolerance = 0);
 
     /// Whether any triangle of `cluster` could show. Never wrong when it says no.
-    [[nodiscard]] bool mayShow(const TriangleCluster& cluster) const;
+    [[nodiscard]] bool mayBeVisible(const TriangleCluster& cluster) const;
 
     /// How far off the true surface anything in this ball may be drawn, mm.
     [[nodiscard]] float allowedError(const Vec3f& centre, float radius) const;
 
 private:
-    [[nodiscard]] bool looksAway(const TriangleCluster& cluster) const;
+    [[nodiscard]] bool isBackFacing(const TriangleCluster& cluster) const;
 
-    std::array<Eigen::Vector4f, 6> sides_;
+    std::array<Eigen::Vector4f, 6> planes_;
     Eigen::Vector4f eye_;
     bool skipBackFaces_;
-    float coarseness_;
+    float lodTolerance_;
 };
 
 /// A run of triangles in drawing order.
-struct TriangleRun {
+struct TriangleRange {
     std::uint32_t first = 0;
     std::uint32_t count = 0;
-    bool operator==(const TriangleRun&) const = default;
+    bool operator==(const TriangleRange&) const = default;
 };
 
-/// Adds to `runs` the clusters that may show, neighbours joined.
-void visibleRuns(const ClusterCuller& culler, std::span<const TriangleCluster> clusters,
-                 std::vector<TriangleRun>& runs);
+/// Adds to `ranges` the clusters that may show, neighbours joined.
+void visibleRanges(const ClusterCuller& culler, std::span<const TriangleCluster> clusters,
+                   std::vector<TriangleRange>& ranges);
 
 }  // namespace tactooth

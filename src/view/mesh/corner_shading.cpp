@@ -7,7 +7,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "view/mesh/tag_shares.h"
+#include "view/mesh/tag_weights.h"
 
 namespace tactooth {
 
@@ -59,16 +59,17 @@ struct Facets {
 };
 
 constexpr std::uint8_t kNoGroup = 255;
-constexpr std::uint8_t kMostGroups = 254;
+constexpr std::uint8_t kMaxGroups = 254;
 
-class VertexGrouping {
+class SmoothingGroups {
 public:
-    VertexGrouping(const TriangleMesh& mesh, const Facets& facets, std::span<const SurfaceTag> tags)
+    SmoothingGroups(const TriangleMesh& mesh, const Facets& facets, std::span<const SurfaceTag> tags)
         : mesh_(mesh),
           facets_(facets),
           tags_(tags),
           groups_(3 * mesh.triangles.size(), kNoGroup),
-          shading_{std::vector<Vec3f>(3 * mesh.triangles.size()), std::vector<LookMix>(3 * mesh.triangles.size())} {}
+          shading_{std::vector<Vec3f>(3 * mesh.triangles.size()),
+                   std::vector<AppearanceMix>(3 * mesh.triangles.size())} {}
 
     [[nodiscard]] CornerShading takeShading() { return std::move(shading_); }
 
@@ -77,7 +78,7 @@ public:
         for (std::size_t i = 0; i < corners.size(); ++i) {
             if (groups_[corners[i]] != kNoGroup) continue;
             flood(corners, corners[i], groups);
-            if (groups < kMostGroups) ++groups;
+            if (groups < kMaxGroups) ++groups;
         }
         for (std::uint8_t g = 0; g < groups; ++g) shade(corners, g);
     }
@@ -119,11 +120,11 @@ private:
             shares_.add(tags_.empty() ? SurfaceTag{0} : tags_[corner / 3], facets_.weights[corner]);
         }
         const Vec3f normal = sum.squaredNorm() > 0 ? sum.normalized().eval() : Vec3f::UnitZ().eval();
-        const LookMix mix = shares_.mix();
+        const AppearanceMix mix = shares_.mix();
         for (const std::uint32_t corner : corners) {
             if (groups_[corner] != group) continue;
             shading_.normals[corner] = normal;
-            shading_.looks[corner] = mix;
+            shading_.appearances[corner] = mix;
         }
     }
 
@@ -132,7 +133,7 @@ private:
     std::span<const SurfaceTag> tags_;
     std::vector<std::uint8_t> groups_;  ///< numbers the groups of each vertex from 0, one entry a corner
     CornerShading shading_;
-    TagShares shares_;
+    TagWeights shares_;
     std::vector<std::uint32_t> front_;
 };
 
@@ -142,7 +143,7 @@ CornerShading cornerShading(const TriangleMesh& mesh, std::span<const SurfaceTag
     assert(tags.empty() || tags.size() == mesh.triangles.size());
     const Facets facets(mesh);
     const CornersOfVertex cornersOfVertex(mesh);
-    VertexGrouping grouping(mesh, facets, tags);
+    SmoothingGroups grouping(mesh, facets, tags);
     for (std::size_t vertex = 0; vertex < mesh.vertices.size(); ++vertex) grouping.group(cornersOfVertex.of(vertex));
     return grouping.takeShading();
 }

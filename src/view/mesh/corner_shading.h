@@ -15,18 +15,18 @@ namespace tactooth {
 inline constexpr double kCreaseAngle = 0.70;
 
 /// Which looks meet at a corner: those of two surface tags. Where more than two meet, the two largest.
-struct LookMix {
+struct AppearanceMix {
     SurfaceTag first = 0;
     SurfaceTag second = 0;
     std::uint8_t share = 0;  ///< of `second`, in 255ths
 
-    bool operator==(const LookMix&) const = default;
+    bool operator==(const AppearanceMix&) const = default;
 };
 
 /// What the corners of a mesh hand to the shaders, corner c of triangle t in entry 3 t + c.
 struct CornerShading {
     std::vector<Vec3f> normals;  ///< unit
-    std::vector<LookMix> looks;
+    std::vector<AppearanceMix> appearances;
 };
 
 /// Smooth shading. Around a vertex, triangles joined by edges flatter than the crease angle share one normal and one

@@ -24,12 +24,13 @@ const std::array<Vec3f, 7> kStops = {{{0.50F, 0.23F, 0.03F},
 
 }  // namespace
 
-DistanceGrid distancesTo(const SurfacePart& target, const Box3& box, int longest) {
+DistanceGrid sampleDistances(const SurfacePart& target, const Box3& box, int longest) {
     DistanceGrid grid;
     grid.low = box.min();
     grid.spacing = box.sizes().maxCoeff() / (longest - 1);
     grid.counts = (box.sizes().array() / grid.spacing).ceil().cast<int>() + 1;
-    const int nx = grid.counts.x(), ny = grid.counts.y(), nz = grid.counts.z();  // clang 14 lets no lambda take bindings
+    const int nx = grid.counts.x(), ny = grid.counts.y(),
+              nz = grid.counts.z();  // clang 14 lets no lambda take bindings
     grid.values.resize(static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny) * static_cast<std::size_t>(nz));
     const auto rows = static_cast<std::size_t>(ny) * static_cast<std::size_t>(nz);
     parallelFor(rows, [&](std::size_t row) {

@@ -19,14 +19,14 @@ struct DistanceGrid {
 
 /// Samples the distance to the closed surface `target` all over `box`, `longest` samples along its longest side. The
 /// same on any number of threads.
-[[nodiscard]] DistanceGrid distancesTo(const SurfacePart& target, const Box3& box, int longest = 96);
+[[nodiscard]] DistanceGrid sampleDistances(const SurfacePart& target, const Box3& box, int longest = 96);
 
 /// Colours a surface by its distance to another one: `distanceColour` from -range to range.
-struct ColourByDistance {
+struct DistanceColourMap {
     std::shared_ptr<const DistanceGrid> grid;  ///< frame of the object that is coloured
     double range = 1;                          ///< mm
 
-    bool operator==(const ColourByDistance&) const = default;
+    bool operator==(const DistanceColourMap&) const = default;
 };
 
 /// The colour (sRGB) for `share` = distance / range in -1..1: orange where the surface lies inside the target (too much

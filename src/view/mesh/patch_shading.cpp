@@ -6,7 +6,7 @@
 #include <map>
 
 #include "collision/bvh/closest_point.h"
-#include "view/mesh/tag_shares.h"
+#include "view/mesh/tag_weights.h"
 
 namespace tactooth {
 
@@ -31,20 +31,20 @@ std::optional<std::uint32_t> baseTriangle(const TriangleMesh& patch, std::uint32
 /// A corner of a patch: its normal and its looks.
 struct Corner {
     Vec3f normal;
-    LookMix mix;
+    AppearanceMix mix;
 };
 
 /// The shading of base triangle `t` at `point`, which lies on it.
 Corner interpolated(const TriangleMesh& base, const CornerShading& shading, std::uint32_t t, const Vec3& point) {
     const Vec3 area = base.areaVector(t);
     Vec3f sum = Vec3f::Zero();
-    TagShares shares;
+    TagWeights shares;
     for (std::uint32_t corner = 0; corner < 3; ++corner) {
         const Vec3 a = base.corner(t, (corner + 1) % 3) - point;
         const Vec3 b = base.corner(t, (corner + 2) % 3) - point;
         const auto weight = static_cast<float>(std::max(0.0, a.cross(b).dot(area) / area.squaredNorm()));
         sum += weight * shading.normals[3 * t + corner];
-        const LookMix& mix = shading.looks[3 * t + corner];
+        const AppearanceMix& mix = shading.appearances[3 * t + corner];
         const float second = static_cast<float>(mix.share) / 255;
         shares.add(mix.first, weight * (1 - second));
         if (mix.share > 0) shares.add(mix.second, weight * second);
@@ -54,32 +54,33 @@ Corner interpolated(const TriangleMesh& base, const CornerShading& shading, std:
 
 /// The looks of the base where a wall's vertex stands on it. A base triangle's tag stands for all of it, while a wall
 /// knows its material to a few micrometres: without this, a scratch would show as a stripe of another colour.
-std::optional<LookMix> looksOfRim(const SurfacePart& base, const CornerShading& shading, const Vec3& vertex) {
+std::optional<AppearanceMix> rimAppearanceAt(const SurfacePart& base, const CornerShading& shading,
+                                             const Vec3& vertex) {
     const auto nearest = closestPoint(base, vertex, kOnBase);
     if (!nearest) return std::nullopt;
     return interpolated(base.mesh(), shading, nearest->triangle, nearest->point).mix;
 }
 
-ShadedPatch::Place placeOf(const Vec3f& v) { return {v.x(), v.y(), v.z()}; }
+ShadedPatch::Position placeOf(const Vec3f& v) { return {v.x(), v.y(), v.z()}; }
 
 /// A patch's wall, and what of its neighbours' walls touches it, as one mesh. Neighbours meet in vertices of equal
 /// bits.
 class JoinedWall {
 public:
-    explicit JoinedWall(const ShadedPatch& patch) : places_(patch.places) {
-        for (const ShadedPatch::Place& place : places_) mesh_.vertices.emplace_back(place.data());
+    explicit JoinedWall(const ShadedPatch& patch) : places_(patch.positions) {
+        for (const ShadedPatch::Position& place : places_) mesh_.vertices.emplace_back(place.data());
         const auto isOwn = [](std::uint32_t) { return true; };
-        addTriangles(patch, isOwn, [&](std::uint32_t vertex) { return patch.placeOfVertex[vertex]; });
+        addTriangles(patch, isOwn, [&](std::uint32_t vertex) { return patch.positionOfVertex[vertex]; });
     }
 
     void addTouching(const ShadedPatch& neighbour) {
-        const std::vector<std::uint32_t> shared = sharedPlaces(neighbour.places);
+        const std::vector<std::uint32_t> shared = sharedPlaces(neighbour.positions);
         const auto touches = [&](std::uint32_t vertex) {
-            return shared[neighbour.placeOfVertex[vertex]] != ShadedPatch::kNotOfWall;
+            return shared[neighbour.positionOfVertex[vertex]] != ShadedPatch::kNotOfWall;
         };
         addTriangles(neighbour, touches, [&](std::uint32_t vertex) {
-            const std::uint32_t place = neighbour.placeOfVertex[vertex];
-            return shared[place] != ShadedPatch::kNotOfWall ? shared[place] : fartherVertex(neighbour.places[place]);
+            const std::uint32_t place = neighbour.positionOfVertex[vertex];
+            return shared[place] != ShadedPatch::kNotOfWall ? shared[place] : fartherVertex(neighbour.positions[place]);
         });
     }
 
@@ -87,7 +88,7 @@ public:
 
 private:
     /// Which of the patch's own places each of `others` is, if any. Both ascend.
-    [[nodiscard]] std::vector<std::uint32_t> sharedPlaces(const std::vector<ShadedPatch::Place>& others) const {
+    [[nodiscard]] std::vector<std::uint32_t> sharedPlaces(const std::vector<ShadedPatch::Position>& others) const {
         std::vector<std::uint32_t> shared(others.size(), ShadedPatch::kNotOfWall);
         std::size_t own = 0;
         for (std::size_t i = 0; i < others.size(); ++i) {
@@ -103,23 +104,23 @@ private:
         const TriangleMesh& mesh = patch.part->mesh();
         for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
             const Triangle& corners = mesh.triangles[t];
-            if (patch.carriedOn[t] || std::none_of(corners.begin(), corners.end(), counts)) continue;
+            if (patch.baseTriangles[t] || std::none_of(corners.begin(), corners.end(), counts)) continue;
             mesh_.triangles.push_back({joined(corners[0]), joined(corners[1]), joined(corners[2])});
             tags_.push_back(patch.part->tag(t));
         }
     }
 
     /// The vertex of a neighbour that the patch itself does not have.
-    std::uint32_t fartherVertex(const ShadedPatch::Place& place) {
+    std::uint32_t fartherVertex(const ShadedPatch::Position& place) {
         const auto [known, isNew] = farther_.try_emplace(place, static_cast<std::uint32_t>(mesh_.vertices.size()));
         if (isNew) mesh_.vertices.emplace_back(place.data());
         return known->second;
     }
 
-    const std::vector<ShadedPatch::Place>& places_;
+    const std::vector<ShadedPatch::Position>& places_;
     TriangleMesh mesh_;
     std::vector<SurfaceTag> tags_;
-    std::map<ShadedPatch::Place, std::uint32_t> farther_;
+    std::map<ShadedPatch::Position, std::uint32_t> farther_;
 };
 
 /// The vertices of the triangles of `patch` that are its wall, one for each of their corners.
@@ -128,7 +129,7 @@ std::vector<std::uint32_t> cornersOfWall(const ShadedPatch& patch) {
     std::vector<std::uint32_t> corners;
     corners.reserve(3 * triangles.size());
     for (std::size_t t = 0; t < triangles.size(); ++t) {
-        if (!patch.carriedOn[t]) corners.insert(corners.end(), triangles[t].begin(), triangles[t].end());
+        if (!patch.baseTriangles[t]) corners.insert(corners.end(), triangles[t].begin(), triangles[t].end());
     }
     return corners;
 }
@@ -139,24 +140,24 @@ ShadedPatch::ShadedPatch(std::shared_ptr<const SurfacePart> patch, const Surface
                          const CornerShading& baseShading)
     : part(std::move(patch)) {
     const TriangleMesh& mesh = part->mesh();
-    carriedOn.reserve(mesh.triangles.size());
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) carriedOn.push_back(baseTriangle(mesh, t, base));
+    baseTriangles.reserve(mesh.triangles.size());
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) baseTriangles.push_back(baseTriangle(mesh, t, base));
     const std::vector<std::uint32_t> corners = cornersOfWall(*this);
-    places.reserve(corners.size());
-    for (const std::uint32_t vertex : corners) places.push_back(placeOf(mesh.vertices[vertex]));
-    std::sort(places.begin(), places.end());
-    places.erase(std::unique(places.begin(), places.end()), places.end());
-    placeOfVertex.assign(mesh.vertices.size(), kNotOfWall);
+    positions.reserve(corners.size());
+    for (const std::uint32_t vertex : corners) positions.push_back(placeOf(mesh.vertices[vertex]));
+    std::sort(positions.begin(), positions.end());
+    positions.erase(std::unique(positions.begin(), positions.end()), positions.end());
+    positionOfVertex.assign(mesh.vertices.size(), kNotOfWall);
     for (const std::uint32_t vertex : corners) {
-        if (placeOfVertex[vertex] != kNotOfWall) continue;
-        const auto place = std::lower_bound(places.begin(), places.end(), placeOf(mesh.vertices[vertex]));
-        placeOfVertex[vertex] = static_cast<std::uint32_t>(place - places.begin());
+        if (positionOfVertex[vertex] != kNotOfWall) continue;
+        const auto place = std::lower_bound(positions.begin(), positions.end(), placeOf(mesh.vertices[vertex]));
+        positionOfVertex[vertex] = static_cast<std::uint32_t>(place - positions.begin());
     }
-    rims.reserve(places.size());
-    for (const Place& place : places) {
+    rimAppearances.reserve(positions.size());
+    for (const Position& place : positions) {
         const Vec3 point = Vec3f(place.data()).cast<double>();
         wall.extend(point);
-        rims.push_back(looksOfRim(base, baseShading, point));
+        rimAppearances.push_back(rimAppearanceAt(base, baseShading, point));
     }
 }
 
@@ -168,21 +169,21 @@ CornerShading patchShading(const ShadedPatch& patch, std::span<const ShadedPatch
 
     const TriangleMesh& mesh = patch.part->mesh();
     CornerShading shading{std::vector<Vec3f>(3 * mesh.triangles.size()),
-                          std::vector<LookMix>(3 * mesh.triangles.size())};
+                          std::vector<AppearanceMix>(3 * mesh.triangles.size())};
     std::size_t ofWall = 0;  // its triangles stand first among the joined ones, in their order
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
         for (std::uint32_t c = 0; c < 3; ++c) {
             Corner corner;
-            if (const auto& carried = patch.carriedOn[t]) {
+            if (const auto& carried = patch.baseTriangles[t]) {
                 corner = interpolated(base.mesh(), baseShading, *carried, mesh.corner(t, static_cast<int>(c)));
             } else {
-                const auto& rim = patch.rims[patch.placeOfVertex[mesh.triangles[t][c]]];
-                corner = {joined.normals[3 * ofWall + c], rim.value_or(joined.looks[3 * ofWall + c])};
+                const auto& rim = patch.rimAppearances[patch.positionOfVertex[mesh.triangles[t][c]]];
+                corner = {joined.normals[3 * ofWall + c], rim.value_or(joined.appearances[3 * ofWall + c])};
             }
             shading.normals[3 * t + c] = corner.normal;
-            shading.looks[3 * t + c] = corner.mix;
+            shading.appearances[3 * t + c] = corner.mix;
         }
-        ofWall += patch.carriedOn[t] ? 0 : 1;
+        ofWall += patch.baseTriangles[t] ? 0 : 1;
     }
     return shading;
 }

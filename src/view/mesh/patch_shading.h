@@ -18,15 +18,16 @@ struct ShadedPatch {
     /// `baseShading`: of the corners of `base`.
     ShadedPatch(std::shared_ptr<const SurfacePart> patch, const SurfacePart& base, const CornerShading& baseShading);
 
-    using Place = std::array<float, 3>;
+    using Position = std::array<float, 3>;
     static constexpr std::uint32_t kNotOfWall = UINT32_MAX;
 
     std::shared_ptr<const SurfacePart> part;
-    std::vector<std::optional<std::uint32_t>> carriedOn;  ///< one a triangle: of the base
-    Box3 wall;                                            ///< of the wall's vertices
-    std::vector<Place> places;                            ///< of the wall's vertices, ascending, each once
-    std::vector<std::uint32_t> placeOfVertex;             ///< one a vertex: in `places`, or kNotOfWall
-    std::vector<std::optional<LookMix>> rims;             ///< one a place: the looks of the base, where it lies there
+    std::vector<std::optional<std::uint32_t>> baseTriangles;  ///< one a triangle: of the base
+    Box3 wall;                                                ///< of the wall's vertices
+    std::vector<Position> positions;                          ///< of the wall's vertices, ascending, each once
+    std::vector<std::uint32_t> positionOfVertex;              ///< one a vertex: in `positions`, or kNotOfWall
+    std::vector<std::optional<AppearanceMix>>
+        rimAppearances;  ///< one a place: the looks of the base, where it lies there
 };
 
 /// Shading of a patch. Where it carries on the surface of `base`, it takes over the shading of `base` (`baseShading`),

@@ -65,14 +65,15 @@ public:
     std::uint32_t vertexFor(std::uint32_t triangle, std::size_t corner) {
         const std::uint32_t vertex = mesh_.triangles[triangle][corner];
         const std::uint32_t normal = packNormal(shading_.normals[3 * triangle + corner]);
-        const std::uint32_t looks = packLooks(shading_.looks[3 * triangle + corner]);
+        const std::uint32_t appearances = packAppearances(shading_.appearances[3 * triangle + corner]);
         std::uint32_t* link = &first_[vertex];
-        while (*link != kUnset && (out_[*link].normal != normal || out_[*link].looks != looks)) link = &next_[*link];
+        while (*link != kUnset && (out_[*link].normal != normal || out_[*link].appearances != appearances))
+            link = &next_[*link];
         if (*link != kUnset) return *link;
         const auto made = static_cast<std::uint32_t>(out_.size());
         *link = made;
         const Vec3f& position = mesh_.vertices[vertex];
-        out_.push_back({{position.x(), position.y(), position.z()}, normal, looks});
+        out_.push_back({{position.x(), position.y(), position.z()}, normal, appearances});
         next_.push_back(kUnset);
         return made;
     }
@@ -129,21 +130,21 @@ std::uint32_t packNormal(const Vec3f& normal) {
     return bits(0) | (bits(1) << 10U) | (bits(2) << 20U);
 }
 
-std::uint32_t packLooks(const LookMix& mix) {
+std::uint32_t packAppearances(const AppearanceMix& mix) {
     return mix.first | (std::uint32_t{mix.second} << 8U) | (std::uint32_t{mix.share} << 16U);
 }
 
 ShadingMesh shadingMesh(const TriangleMesh& mesh, const CornerShading& shading) {
-    assert(shading.normals.size() == 3 * mesh.triangles.size() && shading.looks.size() == shading.normals.size());
+    assert(shading.normals.size() == 3 * mesh.triangles.size() && shading.appearances.size() == shading.normals.size());
     ShadingMesh result;
     result.box = boundingBox(mesh);
     result.triangles.resize(mesh.triangles.size());
-    result.placeOfTriangle.resize(mesh.triangles.size());
+    result.drawIndexOfTriangle.resize(mesh.triangles.size());
     const HalvedBoxes boxes(mesh);
     const std::vector<std::uint32_t>& order = boxes.order();
     VertexSplitter splitter(mesh, shading, result.vertices);
     for (std::uint32_t place = 0; place < order.size(); ++place) {
-        result.placeOfTriangle[order[place]] = place;
+        result.drawIndexOfTriangle[order[place]] = place;
         for (std::size_t corner = 0; corner < 3; ++corner) {
             result.triangles[place][corner] = splitter.vertexFor(order[place], corner);
         }

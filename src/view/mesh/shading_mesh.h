@@ -11,7 +11,7 @@ namespace tactooth {
 struct ShadingVertex {
     std::array<float, 3> position;  ///< object frame, mm
     std::uint32_t normal;           ///< unit, three signed 10-bit numbers (GL_INT_2_10_10_10_REV)
-    std::uint32_t looks;            ///< a LookMix: first, second and share, a byte each from the lowest
+    std::uint32_t appearances;      ///< a AppearanceMix: first, second and share, a byte each from the lowest
 };
 
 /// Small enough that a run of a scanned tooth looks one way (about 0.5 mm across at 60 um per edge), large enough that
@@ -32,8 +32,8 @@ struct TriangleCluster {
 /// patches; whole runs that look away or lie outside the picture are then skipped without touching their vertices.
 struct ShadingMesh {
     std::vector<ShadingVertex> vertices;
-    std::vector<Triangle> triangles;             ///< in drawing order
-    std::vector<std::uint32_t> placeOfTriangle;  ///< where triangle t of the surface went in drawing order
+    std::vector<Triangle> triangles;                 ///< in drawing order
+    std::vector<std::uint32_t> drawIndexOfTriangle;  ///< where triangle t of the surface went in drawing order
     std::vector<TriangleCluster> clusters;
     Box3 box;  ///< object frame
 };
@@ -48,6 +48,6 @@ void appendClusters(std::span<const ShadingVertex> vertices, std::span<const Tri
 /// A unit vector in 3 x 10 bits.
 [[nodiscard]] std::uint32_t packNormal(const Vec3f& normal);
 /// As ShadingVertex::looks.
-[[nodiscard]] std::uint32_t packLooks(const LookMix& mix);
+[[nodiscard]] std::uint32_t packAppearances(const AppearanceMix& mix);
 
 }  // namespace tactooth

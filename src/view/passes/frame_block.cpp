@@ -11,13 +11,13 @@ Eigen::Vector4f extended(const Vec3& vector) { return extended(vector.cast<float
 
 }  // namespace
 
-double coarsenessAt(const PassView& view, PictureSize size, double pixels) {
+double lodToleranceAt(const PassView& view, ImageSize size, double pixels) {
     const double pixelsPerRadian = 0.5 * size.height * view.viewToClip(1, 1);
     return pixels / pixelsPerRadian;
 }
 
 FrameBlock frameBlock(const PassView& view, const Lighting& lighting, const Background& background,
-                      const ShadowLookup& shadow, PictureSize size, double coarseness) {
+                      const ShadowLookup& shadow, ImageSize size, double lodTolerance) {
     const auto width = static_cast<float>(size.width);
     const auto height = static_cast<float>(size.height);
     return {.worldToClip = view.worldToClip().cast<float>(),
@@ -34,9 +34,9 @@ FrameBlock frameBlock(const PassView& view, const Lighting& lighting, const Back
             .groundColour = extended(lighting.groundColour),
             .backgroundTop = extended(background.top),
             .backgroundBottom = extended(background.bottom, static_cast<float>(background.kind)),
-            .pictureSize = {width, height, 1 / width, 1 / height},
+            .imageSize = {width, height, 1 / width, 1 / height},
             .shadowTexel = {static_cast<float>(shadow.texel), static_cast<float>(shadow.pitch),
-                            static_cast<float>(coarseness), static_cast<float>(shadow.error)}};
+                            static_cast<float>(lodTolerance), static_cast<float>(shadow.error)}};
 }
 
 }  // namespace tactooth

@@ -37,7 +37,7 @@ struct FrameBlock {
     Eigen::Vector4f groundColour;
     Eigen::Vector4f backgroundTop;
     Eigen::Vector4f backgroundBottom;
-    Eigen::Vector4f pictureSize;
+    Eigen::Vector4f imageSize;
     Eigen::Vector4f shadowTexel;
 };
 static_assert(offsetof(FrameBlock, shadowTexel) == 3 * 64 + 12 * 16);
@@ -51,10 +51,10 @@ struct ShadowLookup {
 };
 
 /// mm that a surface may be drawn off its place for each mm of distance from the eye, if that is to be `pixels`.
-[[nodiscard]] double coarsenessAt(const PassView& view, PictureSize size, double pixels);
+[[nodiscard]] double lodToleranceAt(const PassView& view, ImageSize size, double pixels);
 
-/// `coarseness`: as by coarsenessAt.
+/// `lodTolerance`: as by lodToleranceAt.
 [[nodiscard]] FrameBlock frameBlock(const PassView& view, const Lighting& lighting, const Background& background,
-                                    const ShadowLookup& shadow, PictureSize size, double coarseness);
+                                    const ShadowLookup& shadow, ImageSize size, double lodTolerance);
 
 }  // namespace tactooth

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "view/passes/ghost_pass.h"
 
-#include "view/passes/look_uniforms.h"
+#include "view/passes/appearance_uniforms.h"
 #include "view/shaders.h"
 
 namespace tactooth {
@@ -19,7 +19,7 @@ constexpr float kFarCover = 1.0F, kNearCover = 0.55F;
 
 }  // namespace
 
-PixelRectangle ghostPixels(const std::vector<Drawable>& ghosts, const PassView& view, PictureSize size) {
+PixelRectangle ghostPixels(const std::vector<Drawable>& ghosts, const PassView& view, ImageSize size) {
     Eigen::AlignedBox2d covered;
     for (const Drawable& ghost : ghosts) {
         const Mat4 toClip = view.worldToClip() * ghost.objectToWorld;
@@ -40,9 +40,9 @@ PixelRectangle ghostPixels(const std::vector<Drawable>& ghosts, const PassView& 
 
 Expected<GhostPass> GhostPass::create() {
     GhostPass pass;
-    auto body = ShaderProgram::create("ghost", "#define MAX_LOOKS " + std::to_string(kMaxLooks) + "\n#define RICH 1\n",
-                                      {shaders::kFrame, shaders::kSolidVert},
-                                      {shaders::kFrame, shaders::kColour, shaders::kGhostFrag});
+    auto body = ShaderProgram::create(
+        "ghost", "#define MAX_APPEARANCES " + std::to_string(kMaxAppearances) + "\n#define RICH 1\n",
+        {shaders::kFrame, shaders::kSolidVert}, {shaders::kFrame, shaders::kColour, shaders::kGhostFrag});
     if (!body) return Unexpected{body.error()};
     auto compose =
         ShaderProgram::create("ghost on picture", "", {shaders::kWholePictureVert}, {shaders::kGhostComposeFrag});
@@ -82,13 +82,13 @@ void GhostPass::draw(const SolidInputs& inputs, const RenderTarget& into) const 
 /// The nearest faces of the layer alone, so that their order does not matter. The far layer of the first ghost
 /// has nothing behind it to be mixed with; of the others first the depth is drawn, then the colour.
 void GhostPass::drawLayer(const SolidInputs& inputs, const Drawable& drawable, GLenum culled, float cover) const {
-    setLooks(body_, drawable.object->looks);
-    setOpacities(body_, drawable.object->looks);
-    body_.set("lookCount", static_cast<int>(drawable.object->looks.size()));
+    setAppearances(body_, drawable.object->appearances);
+    setOpacities(body_, drawable.object->appearances);
+    body_.set("appearanceCount", static_cast<int>(drawable.object->appearances.size()));
     body_.set("objectToWorld", drawable.objectToWorld);
     body_.set("cover", cover);
     glCullFace(culled);
-    const ClusterCuller culler = cullerFor(inputs, drawable, false, inputs.coarseness);
+    const ClusterCuller culler = cullerFor(inputs, drawable, false, inputs.lodTolerance);
     if (culled == kFarLayer && &drawable == &inputs.ghosts.front()) return drawable.buffers->draw(culler);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     drawable.buffers->draw(culler);
@@ -115,7 +115,7 @@ void GhostPass::compose(const RenderTarget& drawn) const {
     glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
     glBindVertexArray(noVertices_.name());
     for (const bool throughTooth : {true, false}) {
-        glStencilFunc(GL_EQUAL, throughTooth ? kSeenThrough : 0, kSeenThrough);
+        glStencilFunc(GL_EQUAL, throughTooth ? kStencilSeenThrough : 0, kStencilSeenThrough);
         glDepthFunc(throughTooth ? GL_ALWAYS : GL_LESS);
         glDrawArrays(GL_TRIANGLES, 0, 3);
     }

@@ -7,7 +7,7 @@
 namespace tactooth {
 
 /// The pixels that ghosts can cover; empty if there are none, or none in the picture.
-[[nodiscard]] PixelRectangle ghostPixels(const std::vector<Drawable>& ghosts, const PassView& view, PictureSize size);
+[[nodiscard]] PixelRectangle ghostPixels(const std::vector<Drawable>& ghosts, const PassView& view, ImageSize size);
 
 /// Draws the ghosts of a scene: bodies that are seen through what is sectioned, but not through the instruments in
 /// front of it.

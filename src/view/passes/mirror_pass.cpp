@@ -24,7 +24,7 @@ std::pair<Vec3, Vec3> discAxes(const SceneMirror& mirror) {
 
 }  // namespace
 
-PixelRectangle coveredPixels(const SceneMirror& mirror, const Camera& camera, PictureSize size) {
+PixelRectangle coveredPixels(const SceneMirror& mirror, const Camera& camera, ImageSize size) {
     if (mirror.planeInWorld().signedDistance(camera.cameraInWorld.position) <= kGlassClearance) return {};
     const auto [right, up] = discAxes(mirror);
     const Vec3 centre = mirror.mirrorInWorld * mirror.centre;

@@ -8,7 +8,7 @@
 namespace tactooth {
 
 /// The pixels that `mirror` can cover; empty if it is seen from behind or not at all.
-[[nodiscard]] PixelRectangle coveredPixels(const SceneMirror& mirror, const Camera& camera, PictureSize size);
+[[nodiscard]] PixelRectangle coveredPixels(const SceneMirror& mirror, const Camera& camera, ImageSize size);
 
 /// The view by way of the mirror: the world reflected in its plane, and nothing from behind the glass.
 [[nodiscard]] PassView reflectedView(const PassView& direct, const Plane& mirror);

@@ -34,35 +34,35 @@ Expected<OcclusionPass> OcclusionPass::create() {
     if (!darken) return Unexpected{darken.error()};
     pass.measure_ = std::move(*measure);
     pass.darken_ = std::move(*darken);
-    pass.opennessFramebuffer_ = gl::Framebuffer::make();
+    pass.ambientVisibilityFramebuffer_ = gl::Framebuffer::make();
     pass.colourFramebuffer_ = gl::Framebuffer::make();
     pass.noVertices_ = gl::VertexArray::make();
     return pass;
 }
 
-Expected<void> OcclusionPass::fitTo(PictureSize size) {
-    const PictureSize half{(size.width + 1) / 2, (size.height + 1) / 2};
+Expected<void> OcclusionPass::fitTo(ImageSize size) {
+    const ImageSize half{(size.width + 1) / 2, (size.height + 1) / 2};
     if (half == halfSize_) return {};
     halfSize_ = half;
-    openness_ = gl::Texture::make();
-    gl::allocateTexture(openness_, GL_R8, half.width, half.height, GL_NEAREST);
-    glBindFramebuffer(GL_FRAMEBUFFER, opennessFramebuffer_.name());
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, openness_.name(), 0);
+    ambientVisibility_ = gl::Texture::make();
+    gl::allocateTexture(ambientVisibility_, GL_R8, half.width, half.height, GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, ambientVisibilityFramebuffer_.name());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, ambientVisibility_.name(), 0);
     return gl::checkErrors("preparing ambient occlusion");
 }
 
 Expected<void> OcclusionPass::apply(const RenderTarget& target, const PixelRectangle& region, const Camera& camera) {
-    const PictureSize size = target.size();
+    const ImageSize size = target.size();
     if (auto problem = fitTo(size); !problem) return problem;
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     glBindVertexArray(noVertices_.name());
     glActiveTexture(GL_TEXTURE1);
-    glBindTexture(GL_TEXTURE_2D, openness_.name());
+    glBindTexture(GL_TEXTURE_2D, ambientVisibility_.name());
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, target.depthTexture());
 
-    glBindFramebuffer(GL_FRAMEBUFFER, opennessFramebuffer_.name());
+    glBindFramebuffer(GL_FRAMEBUFFER, ambientVisibilityFramebuffer_.name());
     glViewport(0, 0, halfSize_.width, halfSize_.height);
     glEnable(GL_SCISSOR_TEST);
     scissor({region.low / 2, (region.high + Eigen::Vector2i::Ones()) / 2});
@@ -81,7 +81,7 @@ Expected<void> OcclusionPass::apply(const RenderTarget& target, const PixelRecta
     darken_.use();
     darken_.set("region", corners(region));
     darken_.set("depthPicture", 0);
-    darken_.set("opennessPicture", 1);
+    darken_.set("ambientVisibilityMap", 1);
     darken_.set("depthRange",
                 Eigen::Vector4f(static_cast<float>(camera.nearDistance), static_cast<float>(camera.farDistance), 0, 0));
     glEnable(GL_BLEND);

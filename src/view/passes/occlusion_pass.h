@@ -17,13 +17,13 @@ public:
     [[nodiscard]] Expected<void> apply(const RenderTarget& target, const PixelRectangle& region, const Camera& camera);
 
 private:
-    [[nodiscard]] Expected<void> fitTo(PictureSize size);
+    [[nodiscard]] Expected<void> fitTo(ImageSize size);
 
     ShaderProgram measure_;
     ShaderProgram darken_;
-    PictureSize halfSize_;
-    gl::Texture openness_;
-    gl::Framebuffer opennessFramebuffer_;
+    ImageSize halfSize_;
+    gl::Texture ambientVisibility_;
+    gl::Framebuffer ambientVisibilityFramebuffer_;
     gl::Framebuffer colourFramebuffer_;  ///< the target's colour alone, so that its depth can be read
     gl::VertexArray noVertices_;
 };

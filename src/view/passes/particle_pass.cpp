@@ -33,7 +33,7 @@ Expected<ParticlePass> ParticlePass::create() {
     return pass;
 }
 
-void ParticlePass::draw(const std::vector<Particle>& particles, const PassView& view, PictureSize size) const {
+void ParticlePass::draw(const std::vector<Particle>& particles, const PassView& view, ImageSize size) const {
     if (particles.empty()) return;
     glBindBuffer(GL_ARRAY_BUFFER, buffer_.name());
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(particles.size() * sizeof(Particle)), particles.data(),

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "view/gl/shader_program.h"
 #include "view/passes/frame_block.h"
 #include "view/scene/particle.h"
-#include "view/gl/shader_program.h"
 
 namespace tactooth {
 
@@ -13,7 +13,7 @@ class ParticlePass {
 public:
     [[nodiscard]] static Expected<ParticlePass> create();
     /// Into the bound framebuffer; the frame block of the pass before stays bound.
-    void draw(const std::vector<Particle>& particles, const PassView& view, PictureSize size) const;
+    void draw(const std::vector<Particle>& particles, const PassView& view, ImageSize size) const;
 
 private:
     ShaderProgram program_;

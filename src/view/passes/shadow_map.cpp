@@ -21,7 +21,7 @@ constexpr double kMargin = 1.02;       ///< room for the standing-off of the loo
 /// of what stands still as it is. 24 bits of a hundred millimetres are 6 nm.
 constexpr double kDepthStep = 32;
 constexpr int kBorderTexels = 2;  ///< around what has changed: a texel for rounding, one for its neighbour
-constexpr PictureSize kMapSize{kResolution, kResolution};
+constexpr ImageSize kMapSize{kResolution, kResolution};
 
 gl::Framebuffer framebufferFor(const gl::Texture& depth) {
     gl::Framebuffer framebuffer = gl::Framebuffer::make();
@@ -43,7 +43,7 @@ gl::Texture depthTexture() {
 /// World to a frame whose +z points to the light.
 Mat4 lightFrame(const Vec3& toLight) {
     Mat4 matrix = Mat4::Identity();
-    matrix.topLeftCorner<3, 3>() = shortestTurn(toLight, Vec3::UnitZ()).toRotationMatrix();
+    matrix.topLeftCorner<3, 3>() = shortestRotation(toLight, Vec3::UnitZ()).toRotationMatrix();
     return matrix;
 }
 
@@ -75,16 +75,16 @@ Expected<ShadowMap> ShadowMap::create() {
     auto program = ShaderProgram::create("shadow", "", {shaders::kDepthVert}, {shaders::kNothingFrag});
     if (!program) return Unexpected{program.error()};
     map.program_ = std::move(*program);
-    map.still_ = depthTexture();
-    map.withTools_ = depthTexture();
-    map.stillFramebuffer_ = framebufferFor(map.still_);
-    map.withToolsFramebuffer_ = framebufferFor(map.withTools_);
+    map.staticMap_ = depthTexture();
+    map.combinedMap_ = depthTexture();
+    map.staticFramebuffer_ = framebufferFor(map.staticMap_);
+    map.combinedFramebuffer_ = framebufferFor(map.combinedMap_);
     const auto problem = gl::checkErrors("making the shadow map");
     if (!problem) return Unexpected{problem.error()};
     return map;
 }
 
-void ShadowMap::aim(const std::vector<Drawable>& drawables, const Vec3& toLight) {
+void ShadowMap::fitLightFrustum(const std::vector<Drawable>& drawables, const Vec3& toLight) {
     toLight_ = toLight;
     const Mat4 frame = lightFrame(toLight);
     Box3 receivers;
@@ -117,19 +117,19 @@ PixelRectangle ShadowMap::changedTexels(const std::vector<Drawable>& drawables) 
     Box3 changed;
     for (const Drawable& drawable : drawables) {
         if (drawable.object->moves) continue;
-        changed.extend(movedBox(drawable.changed, worldToClip_ * drawable.objectToWorld));
+        changed.extend(transformedBox(drawable.changed, worldToClip_ * drawable.objectToWorld));
     }
     return texelsOf(changed);
 }
 
-void ShadowMap::update(const std::vector<Drawable>& drawables, bool stillShapesGone, const Vec3& toLight,
-                       const Eigen::Vector4d& section, double coarseness) {
+void ShadowMap::update(const std::vector<Drawable>& drawables, bool staticShapesRemoved, const Vec3& toLight,
+                       const Eigen::Vector4d& section, double lodTolerance) {
     if (drawables.empty()) {
-        forget();
+        invalidate();
         return;
     }
-    aim(drawables, toLight);
-    lookup_.error = kTexelsForPixel * coarseness * lookup_.pitch;
+    fitLightFrustum(drawables, toLight);
+    lookup_.error = kTexelsForPixel * lodTolerance * lookup_.pitch;
     std::vector<Mat4> poses;
     bool anyTools = false;
     for (const Drawable& drawable : drawables) {
@@ -139,23 +139,24 @@ void ShadowMap::update(const std::vector<Drawable>& drawables, bool stillShapesG
     glViewport(0, 0, kResolution, kResolution);
     program_.use();
     const bool moved = std::exchange(section_, section) != section;
-    const bool refined = std::exchange(coarseness_, coarseness) != coarseness;
-    const bool isOld = stillShapesGone || moved || refined || stillAim_ != worldToClip_ || poses != stillPoses_;
+    const bool refined = std::exchange(lodTolerance_, lodTolerance) != lodTolerance;
+    const bool isOld =
+        staticShapesRemoved || moved || refined || staticWorldToClip_ != worldToClip_ || poses != staticPoses_;
     const PixelRectangle whole = PixelRectangle::whole(kMapSize);
-    drawStill(drawables, isOld ? whole : changedTexels(drawables));
-    stillAim_ = worldToClip_;
-    stillPoses_ = std::move(poses);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, stillFramebuffer_.name());
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, withToolsFramebuffer_.name());
+    drawStatic(drawables, isOld ? whole : changedTexels(drawables));
+    staticWorldToClip_ = worldToClip_;
+    staticPoses_ = std::move(poses);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, staticFramebuffer_.name());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, combinedFramebuffer_.name());
     glBlitFramebuffer(0, 0, kResolution, kResolution, 0, 0, kResolution, kResolution, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
     if (!anyTools) return;
-    glBindFramebuffer(GL_FRAMEBUFFER, withToolsFramebuffer_.name());
+    glBindFramebuffer(GL_FRAMEBUFFER, combinedFramebuffer_.name());
     draw(drawables, true, whole);
 }
 
-void ShadowMap::drawStill(const std::vector<Drawable>& drawables, const PixelRectangle& part) const {
+void ShadowMap::drawStatic(const std::vector<Drawable>& drawables, const PixelRectangle& part) const {
     if (part.empty()) return;
-    glBindFramebuffer(GL_FRAMEBUFFER, stillFramebuffer_.name());
+    glBindFramebuffer(GL_FRAMEBUFFER, staticFramebuffer_.name());
     glEnable(GL_SCISSOR_TEST);
     glScissor(part.low.x(), part.low.y(), part.extent().x(), part.extent().y());
     glClear(GL_DEPTH_BUFFER_BIT);

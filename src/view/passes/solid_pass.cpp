@@ -6,15 +6,15 @@
 #include <cassert>
 #include <cmath>
 
-#include "view/gl/grain.h"
-#include "view/passes/look_uniforms.h"
+#include "view/gl/noise_texture.h"
+#include "view/passes/appearance_uniforms.h"
 #include "view/shaders.h"
 
 namespace tactooth {
 
 namespace {
 
-constexpr int kGrainUnit = 0;
+constexpr int kNoiseUnit = 0;
 constexpr int kShadowUnit = 1;
 constexpr int kShellUnit = 2;
 constexpr int kFieldUnit = 3;
@@ -25,8 +25,8 @@ constexpr int kBackgroundVertices = 6 * 40 * 25;  ///< as background.vert.glsl c
 constexpr std::array<int, 3> kShadowTaps = {0, 1, 12};
 
 std::string definesFor(int shadowTaps, bool rich) {
-    return "#define SHADOW_TAPS " + std::to_string(shadowTaps) + "\n#define MAX_LOOKS " + std::to_string(kMaxLooks) +
-           "\n#define RICH " + std::to_string(rich ? 1 : 0) + "\n";
+    return "#define SHADOW_TAPS " + std::to_string(shadowTaps) + "\n#define MAX_APPEARANCES " +
+           std::to_string(kMaxAppearances) + "\n#define RICH " + std::to_string(rich ? 1 : 0) + "\n";
 }
 
 Expected<ShaderProgram> lit(std::string_view vertex, int shadowTaps, bool rich) {
@@ -35,7 +35,7 @@ Expected<ShaderProgram> lit(std::string_view vertex, int shadowTaps, bool rich) 
         {shaders::kFrame, shaders::kColour, shaders::kDither, shaders::kEnvironment, shaders::kSolidFrag});
     if (!program) return program;
     program->use();
-    program->set("grainTexture", kGrainUnit);
+    program->set("noiseTexture", kNoiseUnit);
     program->set("shadowMap", kShadowUnit);
     program->set("shellDepth", kShellUnit);
     program->set("distanceField", kFieldUnit);
@@ -51,17 +51,17 @@ bool hasSection(const SolidInputs& inputs) { return !inputs.view.section.head<3>
 
 /// How much coarser than true `drawable` may be, in mm for each mm of distance. Bodies and the layers in them share
 /// parts of their surfaces: where both are seen they stay true, or the one would show through the other.
-double coarsenessFor(const SolidInputs& inputs, const Drawable& drawable) {
+double lodToleranceFor(const SolidInputs& inputs, const Drawable& drawable) {
     const bool inLayers = drawable.object->sectioned && (hasSection(inputs) || showsLayers(inputs.drawables));
     if (inLayers || drawable.object->inner) return 0;
-    return inputs.coarseness;
+    return inputs.lodTolerance;
 }
 
 }  // namespace
 
-ClusterCuller cullerFor(const SolidInputs& inputs, const Drawable& drawable, bool skipBackFaces, double coarseness) {
+ClusterCuller cullerFor(const SolidInputs& inputs, const Drawable& drawable, bool skipBackFaces, double lodTolerance) {
     const Eigen::Vector4d eyeInObject = drawable.objectToWorld.inverse() * inputs.view.eye.homogeneous();
-    return {inputs.cullMatrix * drawable.objectToWorld, eyeInObject, skipBackFaces, coarseness};
+    return {inputs.cullMatrix * drawable.objectToWorld, eyeInObject, skipBackFaces, lodTolerance};
 }
 
 bool showsLayers(const std::vector<Drawable>& drawables) {
@@ -88,7 +88,7 @@ Expected<SolidPass> SolidPass::create() {
     if (!depth) return Unexpected{depth.error()};
     pass.background_ = std::move(*background);
     pass.depth_ = std::move(*depth);
-    pass.grain_ = makeGrainTexture();
+    pass.noiseTexture_ = makeNoiseTexture();
     pass.frameBuffer_ = gl::Buffer::make();
     pass.noVertices_ = gl::VertexArray::make();
     return pass;
@@ -98,7 +98,7 @@ void SolidPass::prepare(const SolidInputs& inputs) const {
     glBindBuffer(GL_UNIFORM_BUFFER, frameBuffer_.name());
     glBufferData(GL_UNIFORM_BUFFER, sizeof inputs.frame, &inputs.frame, GL_STREAM_DRAW);
     glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBinding, frameBuffer_.name());
-    gl::bindTexture(kGrainUnit, GL_TEXTURE_3D, grain_.name());
+    gl::bindTexture(kNoiseUnit, GL_TEXTURE_3D, noiseTexture_.name());
     gl::bindTexture(kShadowUnit, GL_TEXTURE_2D, inputs.shadowMap.texture());
     gl::bindTexture(kShellUnit, GL_TEXTURE_2D, inputs.shell != nullptr ? inputs.shell->depthTexture() : 0);
     gl::bindTexture(kFieldColoursUnit, GL_TEXTURE_2D, inputs.fields.colours());
@@ -119,27 +119,27 @@ void SolidPass::drawOpaque(const SolidInputs& inputs) const {
     drawBackground();
     glFrontFace(inputs.view.mirrored ? GL_CW : GL_CCW);
     const bool marks = !inputs.ghosts.empty();
-    if (marks) beginMarks();
+    if (marks) beginStencil();
     for (const Drawable& drawable : inputs.drawables) {
         if (drawable.isTransparent()) continue;
-        if (marks) glStencilFunc(GL_ALWAYS, drawable.object->sectioned ? kSeenThrough : 0, ~0U);
+        if (marks) glStencilFunc(GL_ALWAYS, drawable.object->sectioned ? kStencilSeenThrough : 0, ~0U);
         drawObject(inputs, drawable);
     }
-    if (marks) endMarks();
-    if (hasSection(inputs)) drawSectionFaces(inputs);
+    if (marks) endStencil();
+    if (hasSection(inputs)) drawSectionCaps(inputs);
     glFrontFace(GL_CCW);
     glDisable(GL_CLIP_DISTANCE1);
 }
 
-/// From here on what is drawn writes the reference of the stencil's function into kSeenThrough.
-void SolidPass::beginMarks() {
-    glStencilMask(kSeenThrough);
+/// From here on what is drawn writes the reference of the stencil's function into kStencilSeenThrough.
+void SolidPass::beginStencil() {
+    glStencilMask(kStencilSeenThrough);
     glClear(GL_STENCIL_BUFFER_BIT);
     glEnable(GL_STENCIL_TEST);
     glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
 }
 
-void SolidPass::endMarks() {
+void SolidPass::endStencil() {
     glDisable(GL_STENCIL_TEST);
     glStencilMask(~0U);
 }
@@ -158,22 +158,22 @@ void SolidPass::drawObject(const SolidInputs& inputs, const Drawable& drawable) 
     const bool rich = isRich(drawable);
     const ShaderProgram& program = rich ? variant.rich : variant.plain;
     program.use();
-    setLooks(program, drawable.object->looks);
-    program.set("lookCount", static_cast<int>(drawable.object->looks.size()));
+    setAppearances(program, drawable.object->appearances);
+    program.set("appearanceCount", static_cast<int>(drawable.object->appearances.size()));
     program.set("objectToWorld", drawable.objectToWorld);
     if (rich) setRichUniforms(program, inputs, drawable);
-    const bool hidesBack = drawable.hidesItsBack(hasSection(inputs));
+    const bool hidesBack = drawable.cullsBackFaces(hasSection(inputs));
     hidesBack ? glEnable(GL_CULL_FACE) : glDisable(GL_CULL_FACE);
     drawable.object->sectioned ? glEnable(GL_CLIP_DISTANCE1) : glDisable(GL_CLIP_DISTANCE1);
     // Where a layer reaches the body's surface, the body is what is seen.
     if (drawable.object->inner) glEnable(GL_POLYGON_OFFSET_FILL), glPolygonOffset(1.0F, 4.0F);
-    drawable.buffers->draw(cullerFor(inputs, drawable, hidesBack, coarsenessFor(inputs, drawable)));
+    drawable.buffers->draw(cullerFor(inputs, drawable, hidesBack, lodToleranceFor(inputs, drawable)));
     glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
 void SolidPass::setRichUniforms(const ShaderProgram& program, const SolidInputs& inputs,
                                 const Drawable& drawable) const {
-    setOpacities(program, drawable.object->looks);
+    setOpacities(program, drawable.object->appearances);
     program.set("inner", drawable.object->inner && inputs.shell != nullptr ? 1 : 0);
     const auto& distances = drawable.object->distances;
     program.set("distanceRange", distances ? static_cast<float>(distances->range) : 0.0F);
@@ -203,12 +203,12 @@ void SolidPass::drawShell(const SolidInputs& inputs, const RenderTarget& into) c
         return drawable.object->sectioned && !drawable.object->inner;
     });
     if (body == inputs.drawables.end()) return;
-    markInside(inputs, *body, 0);
+    stencilInside(inputs, *body, 0);
 }
 
 /// With `bit` 0 draws depth; else turns `bit` of the stencil over with each face of the drawable, so that it is set
 /// where the section's plane runs inside it.
-void SolidPass::markInside(const SolidInputs& inputs, const Drawable& drawable, GLuint bit) const {
+void SolidPass::stencilInside(const SolidInputs& inputs, const Drawable& drawable, GLuint bit) const {
     depth_.use();
     depth_.set("objectToClip", Mat4(inputs.view.worldToClip() * drawable.objectToWorld));
     const auto inObject = [&](const Eigen::Vector4d& plane) {
@@ -227,7 +227,7 @@ void SolidPass::markInside(const SolidInputs& inputs, const Drawable& drawable, 
         glDisable(GL_DEPTH_TEST);
         glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     }
-    drawable.buffers->draw(cullerFor(inputs, drawable, false, coarsenessFor(inputs, drawable)));
+    drawable.buffers->draw(cullerFor(inputs, drawable, false, lodToleranceFor(inputs, drawable)));
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glEnable(GL_DEPTH_TEST);
     glDisable(GL_STENCIL_TEST);
@@ -235,26 +235,26 @@ void SolidPass::markInside(const SolidInputs& inputs, const Drawable& drawable, 
 }
 
 /// What the plane runs through from outside in: the body, then its layers over it where the body still is.
-void SolidPass::drawSectionFaces(const SolidInputs& inputs) const {
+void SolidPass::drawSectionCaps(const SolidInputs& inputs) const {
     constexpr GLuint kBody = 1, kLayer = 2;
     // The same square for all, so that all have the same depth.
-    const Box3 around = inputs.filled.empty() ? Box3() : boxOf(inputs.filled.front(), Mat4::Identity());
-    for (const Drawable& drawable : inputs.filled) {
+    const Box3 around = inputs.capped.empty() ? Box3() : boxOf(inputs.capped.front(), Mat4::Identity());
+    for (const Drawable& drawable : inputs.capped) {
         const GLuint bit = drawable.object->inner ? kLayer : kBody;
-        markInside(inputs, drawable, bit);
+        stencilInside(inputs, drawable, bit);
         const GLuint wanted = kBody | bit;
         glEnable(GL_STENCIL_TEST);
-        glStencilMask(kSeenThrough);
+        glStencilMask(kStencilSeenThrough);
         glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
-        glStencilFunc(GL_EQUAL, static_cast<GLint>(wanted) | kSeenThrough, wanted);
+        glStencilFunc(GL_EQUAL, static_cast<GLint>(wanted) | kStencilSeenThrough, wanted);
         glDepthFunc(GL_LEQUAL);  // all faces lie in one plane: the last one counts
-        drawFace(inputs, around, *drawable.object->filling);
+        drawCap(inputs, around, *drawable.object->capAppearance);
         glDepthFunc(GL_LESS);
-        endMarks();
+        endStencil();
     }
 }
 
-void SolidPass::drawFace(const SolidInputs& inputs, const Box3& around, const Look& look) const {
+void SolidPass::drawCap(const SolidInputs& inputs, const Box3& around, const Appearance& appearance) const {
     const Vec3 normal = inputs.view.section.head<3>();
     const double offset = normal.dot(around.center()) + inputs.view.section.w();
     const Vec3 centre = around.center() - offset * normal;
@@ -262,7 +262,7 @@ void SolidPass::drawFace(const SolidInputs& inputs, const Box3& around, const Lo
     const Vec3 right = reach * normal.unitOrthogonal();
     const ShaderProgram& program = variants_[static_cast<std::size_t>(inputs.shadows)].section;
     program.use();
-    setLooks(program, {look});
+    setAppearances(program, {appearance});
     const auto extended = [](const Vec3& v) { return Eigen::Vector4f(v.homogeneous().cast<float>()); };
     program.set("centre", extended(centre));
     program.set("right", extended(right));

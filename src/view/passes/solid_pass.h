@@ -4,23 +4,23 @@
 
 #include "view/gl/drawable.h"
 #include "view/gl/field_textures.h"
-#include "view/passes/frame_block.h"
-#include "view/scene/render_settings.h"
 #include "view/gl/render_target.h"
 #include "view/gl/shader_program.h"
+#include "view/passes/frame_block.h"
 #include "view/passes/shadow_map.h"
+#include "view/scene/render_settings.h"
 
 namespace tactooth {
 
 /// What one drawing of the scene takes.
 struct SolidInputs {
     const std::vector<Drawable>& drawables;
-    const std::vector<Drawable>& filled;  ///< ShapeCache::Result::filled
+    const std::vector<Drawable>& capped;  ///< ShapeCache::Result::filled
     const std::vector<Drawable>& ghosts;
     const PassView& view;
     FrameBlock frame;
-    Mat4 cullMatrix;    ///< sees at most what the pass shows; runs of triangles outside it are skipped
-    double coarseness;  ///< mm for each mm of distance from the eye
+    Mat4 cullMatrix;      ///< sees at most what the pass shows; runs of triangles outside it are skipped
+    double lodTolerance;  ///< mm for each mm of distance from the eye
     Shadows shadows;
     const ShadowMap& shadowMap;
     const FieldTextures& fields;
@@ -28,14 +28,14 @@ struct SolidInputs {
 };
 
 /// The bit of the stencil that drawOpaque sets, if there are ghosts, where a sectioned object is what is seen.
-inline constexpr GLint kSeenThrough = 4;
+inline constexpr GLint kStencilSeenThrough = 4;
 
 /// Whether any of them is an inner object.
 [[nodiscard]] bool showsLayers(const std::vector<Drawable>& drawables);
 
 /// Which runs of a drawable's triangles these inputs can show, and how coarse they may be.
 [[nodiscard]] ClusterCuller cullerFor(const SolidInputs& inputs, const Drawable& drawable, bool skipBackFaces,
-                                      double coarseness);
+                                      double lodTolerance);
 
 /// Draws the background, the lit objects, the faces of a section and what is transparent into whatever framebuffer is
 /// bound.
@@ -58,19 +58,19 @@ private:
     };
     void prepare(const SolidInputs& inputs) const;
     void drawBackground() const;
-    static void beginMarks();
-    static void endMarks();
+    static void beginStencil();
+    static void endStencil();
     void drawObject(const SolidInputs& inputs, const Drawable& drawable) const;
     void drawBlended(const SolidInputs& inputs, const Drawable& drawable) const;
     void setRichUniforms(const ShaderProgram& program, const SolidInputs& inputs, const Drawable& drawable) const;
-    void drawSectionFaces(const SolidInputs& inputs) const;
-    void markInside(const SolidInputs& inputs, const Drawable& drawable, GLuint bit) const;
-    void drawFace(const SolidInputs& inputs, const Box3& around, const Look& look) const;
+    void drawSectionCaps(const SolidInputs& inputs) const;
+    void stencilInside(const SolidInputs& inputs, const Drawable& drawable, GLuint bit) const;
+    void drawCap(const SolidInputs& inputs, const Box3& around, const Appearance& appearance) const;
 
     std::array<Variant, 3> variants_;  ///< by Shadows
     ShaderProgram background_;
     ShaderProgram depth_;
-    gl::Texture grain_;
+    gl::Texture noiseTexture_;
     gl::Buffer frameBuffer_;
     gl::VertexArray noVertices_;
 };

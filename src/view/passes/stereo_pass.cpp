@@ -16,7 +16,7 @@ Expected<StereoPass> StereoPass::create() {
 }
 
 void StereoPass::draw(const RenderTarget& left, const RenderTarget& right, Stereo::Mode mode, GLuint target,
-                      PictureSize size) const {
+                      ImageSize size) const {
     glBindFramebuffer(GL_FRAMEBUFFER, target);
     glViewport(0, 0, size.width, size.height);
     glDisable(GL_DEPTH_TEST);

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "view/camera/stereo.h"
 #include "view/gl/render_target.h"
 #include "view/gl/shader_program.h"
-#include "view/camera/stereo.h"
 
 namespace tactooth {
 
@@ -14,7 +14,7 @@ public:
     [[nodiscard]] static Expected<StereoPass> create();
     /// Over the whole of framebuffer `target`, which has `size`.
     void draw(const RenderTarget& left, const RenderTarget& right, Stereo::Mode mode, GLuint target,
-              PictureSize size) const;
+              ImageSize size) const;
 
 private:
     ShaderProgram program_;

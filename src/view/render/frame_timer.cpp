@@ -12,10 +12,10 @@
 
 #include "view/gl/egl_context.h"
 #include "view/gl/render_target.h"
-#include "view/render/renderer.h"
 #include "view/gl/shader_program.h"
-#include "view/shaders.h"
 #include "view/gl/shape_cache.h"
+#include "view/render/renderer.h"
+#include "view/shaders.h"
 
 namespace tactooth {
 
@@ -86,9 +86,9 @@ struct FrameTimer::Parts {
     RenderTarget target;
 
     Expected<void> drawBare(const Scene& scene, ShapeCache& shapes);
-    Expected<void> draw(const Reel& reel, int picture, Turn& turn);
-    Expected<void> timeOne(const Reel& reel, int picture, Turn& turn);
-    Expected<void> timeRun(const Reel& reel, int first, int end, Turn& turn);
+    Expected<void> draw(const Candidate& candidate, int picture, Turn& turn);
+    Expected<void> timeOne(const Candidate& candidate, int picture, Turn& turn);
+    Expected<void> timeRun(const Candidate& candidate, int first, int end, Turn& turn);
 };
 
 Expected<void> FrameTimer::Parts::drawBare(const Scene& scene, ShapeCache& shapes) {
@@ -107,16 +107,16 @@ Expected<void> FrameTimer::Parts::drawBare(const Scene& scene, ShapeCache& shape
     return gl::checkErrors("drawing in one colour");
 }
 
-Expected<void> FrameTimer::Parts::draw(const Reel& reel, int picture, Turn& turn) {
-    const Scene scene = reel.film(picture);
-    return reel.settings ? turn.renderer.render(scene, target.framebuffer(), target.size(), *reel.settings)
-                         : drawBare(scene, turn.shapes);
+Expected<void> FrameTimer::Parts::draw(const Candidate& candidate, int picture, Turn& turn) {
+    const Scene scene = candidate.sequence(picture);
+    return candidate.settings ? turn.renderer.render(scene, target.framebuffer(), target.size(), *candidate.settings)
+                              : drawBare(scene, turn.shapes);
 }
 
-Expected<void> FrameTimer::Parts::timeOne(const Reel& reel, int picture, Turn& turn) {
+Expected<void> FrameTimer::Parts::timeOne(const Candidate& candidate, int picture, Turn& turn) {
     const double begin = wallMs();
     const double processorBegin = processorMs();
-    if (const auto done = draw(reel, picture, turn); !done) return done;
+    if (const auto done = draw(candidate, picture, turn); !done) return done;
     glFinish();
     if (picture < 0) return {};
     turn.wall.push_back(wallMs() - begin);
@@ -124,11 +124,11 @@ Expected<void> FrameTimer::Parts::timeOne(const Reel& reel, int picture, Turn& t
     return {};
 }
 
-Expected<void> FrameTimer::Parts::timeRun(const Reel& reel, int first, int end, Turn& turn) {
+Expected<void> FrameTimer::Parts::timeRun(const Candidate& candidate, int first, int end, Turn& turn) {
     const double begin = wallMs();
     Fence before;
     for (int picture = first; picture < end; ++picture) {
-        if (const auto done = draw(reel, picture, turn); !done) return done;
+        if (const auto done = draw(candidate, picture, turn); !done) return done;
         Fence drawn;
         drawn.set();
         before.wait();
@@ -139,7 +139,7 @@ Expected<void> FrameTimer::Parts::timeRun(const Reel& reel, int first, int end, 
     return {};
 }
 
-Expected<FrameTimer> FrameTimer::create(PictureSize size) {
+Expected<FrameTimer> FrameTimer::create(ImageSize size) {
     auto context = EglContext::create();
     if (!context) return Unexpected{context.error()};
     auto program = ShaderProgram::create("one colour", "", {shaders::kDepthVert}, {kOneColour});
@@ -156,22 +156,23 @@ FrameTimer::~FrameTimer() = default;
 
 std::string FrameTimer::device() const { return rendererName(); }
 
-Expected<std::vector<FrameTimes>> FrameTimer::inTurn(const std::vector<Reel>& reels, int frames) {
+Expected<std::vector<FrameTimes>> FrameTimer::measureInterleaved(const std::vector<Candidate>& candidates, int frames) {
     std::vector<Turn> turns;
-    for (std::size_t i = 0; i < reels.size(); ++i) {
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
         auto renderer = Renderer::create();
         if (!renderer) return Unexpected{renderer.error()};
         turns.push_back({std::move(*renderer), {}});
     }
     for (int picture = -kUnmeasured; picture < frames; ++picture) {
-        for (std::size_t i = 0; i < reels.size(); ++i) {
-            if (const auto done = parts_->timeOne(reels[i], picture, turns[i]); !done) return Unexpected{done.error()};
+        for (std::size_t i = 0; i < candidates.size(); ++i) {
+            if (const auto done = parts_->timeOne(candidates[i], picture, turns[i]); !done)
+                return Unexpected{done.error()};
         }
     }
     for (int first = 0; first < frames; first += kRun) {
         const int end = std::min(frames, first + kRun);
-        for (std::size_t i = 0; i < reels.size(); ++i) {
-            if (const auto done = parts_->timeRun(reels[i], first, end, turns[i]); !done) {
+        for (std::size_t i = 0; i < candidates.size(); ++i) {
+            if (const auto done = parts_->timeRun(candidates[i], first, end, turns[i]); !done) {
                 return Unexpected{done.error()};
             }
         }

@@ -28,26 +28,27 @@ struct FrameTimes {
 class FrameTimer {
 public:
     /// The scene for picture number i.
-    using Film = std::function<Scene(int i)>;
+    using SceneSequence = std::function<Scene(int i)>;
 
-    [[nodiscard]] static Expected<FrameTimer> create(PictureSize size);
+    [[nodiscard]] static Expected<FrameTimer> create(ImageSize size);
     FrameTimer(FrameTimer&&) noexcept;
     FrameTimer& operator=(FrameTimer&&) noexcept;
     ~FrameTimer();
 
     /// One way to draw pictures.
-    struct Reel {
-        Film film;
+    struct Candidate {
+        SceneSequence sequence;
         /// As the window draws them. None: the same triangles in one colour, without light, mirror and culling, the
         /// least that drawing them can cost.
         std::optional<RenderSettings> settings;
     };
 
-    /// `frames` pictures of each reel; two more come before them unmeasured. The reels take turns picture by picture,
-    /// so that whatever else the computer does meets all of them alike; each has a renderer of its own. Then the same
-    /// pictures again in short runs for the rate: one drawn at a time would have a graphics card wait for the processor
-    /// and this for the card.
-    [[nodiscard]] Expected<std::vector<FrameTimes>> inTurn(const std::vector<Reel>& reels, int frames);
+    /// `frames` pictures of each reel; two more come before them unmeasured. The candidates take turns picture by
+    /// picture, so that whatever else the computer does meets all of them alike; each has a renderer of its own. Then
+    /// the same pictures again in short runs for the rate: one drawn at a time would have a graphics card wait for the
+    /// processor and this for the card.
+    [[nodiscard]] Expected<std::vector<FrameTimes>> measureInterleaved(const std::vector<Candidate>& candidates,
+                                                                       int frames);
     /// What draws, as the driver names itself.
     [[nodiscard]] std::string device() const;
 

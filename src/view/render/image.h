@@ -17,7 +17,7 @@ using Rgba = std::array<std::uint8_t, 4>;
 
 /// A picture, rows from top to bottom.
 struct Image {
-    PictureSize size;
+    ImageSize size;
     std::vector<Rgba> pixels;
 
     [[nodiscard]] const Rgba& at(int x, int y) const {

@@ -26,12 +26,12 @@ struct OffscreenRenderer::Parts {
     Renderer renderer;
     gl::Texture colour;
     gl::Framebuffer framebuffer;
-    PictureSize size;
+    ImageSize size;
 
-    Expected<void> fitTo(PictureSize wanted);
+    Expected<void> fitTo(ImageSize wanted);
 };
 
-Expected<void> OffscreenRenderer::Parts::fitTo(PictureSize wanted) {
+Expected<void> OffscreenRenderer::Parts::fitTo(ImageSize wanted) {
     if (size == wanted) return {};
     gl::allocateTexture(colour, GL_RGBA8, wanted.width, wanted.height, GL_NEAREST);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
@@ -57,7 +57,7 @@ OffscreenRenderer::~OffscreenRenderer() = default;
 std::string OffscreenRenderer::device() const { return rendererName(); }
 std::size_t OffscreenRenderer::lastUpload() const { return parts_->renderer.lastUpload(); }
 
-Expected<Image> OffscreenRenderer::render(const Scene& scene, PictureSize size, const RenderSettings& settings) {
+Expected<Image> OffscreenRenderer::render(const Scene& scene, ImageSize size, const RenderSettings& settings) {
     GLint largest = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
     if (std::min(size.width, size.height) <= 0 || std::max(size.width, size.height) > largest) {

@@ -16,7 +16,7 @@ public:
     OffscreenRenderer& operator=(OffscreenRenderer&&) noexcept;
     ~OffscreenRenderer();
 
-    [[nodiscard]] Expected<Image> render(const Scene& scene, PictureSize size, const RenderSettings& settings = kFine);
+    [[nodiscard]] Expected<Image> render(const Scene& scene, ImageSize size, const RenderSettings& settings = kFine);
 
     /// What draws, as the driver names itself ("llvmpipe (LLVM 15.0.6, 256 bits)").
     [[nodiscard]] std::string device() const;

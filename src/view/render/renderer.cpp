@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "view/render/renderer.h"
 
+#include "view/gl/shape_cache.h"
 #include "view/passes/ghost_pass.h"
 #include "view/passes/mirror_pass.h"
 #include "view/passes/occlusion_pass.h"
 #include "view/passes/particle_pass.h"
-#include "view/gl/shape_cache.h"
 #include "view/passes/stereo_pass.h"
 
 #include <algorithm>
@@ -18,9 +18,9 @@ namespace tactooth {
 namespace {
 
 /// A picture that is made again only when its size or its samples change.
-class ReusedTarget {
+class ReusableTarget {
 public:
-    Expected<const RenderTarget*> fit(PictureSize size, int samples) {
+    Expected<const RenderTarget*> fit(ImageSize size, int samples) {
         if (!target_ || target_->size() != size || asked_ != samples) {
             target_.reset();
             auto made = RenderTarget::create(size, samples);
@@ -38,15 +38,15 @@ private:
 
 /// What one view is drawn into.
 struct ViewTargets {
-    std::array<ReusedTarget, 2> pictures;  ///< one an eye
-    ReusedTarget reflection;
-    ReusedTarget shell;
-    ReusedTarget ghost;
+    std::array<ReusableTarget, 2> pictures;  ///< one an eye
+    ReusableTarget reflection;
+    ReusableTarget shell;
+    ReusableTarget ghost;
 };
 
 /// The second view as it was drawn last.
-struct LastSecond {
-    PictureSize size;                       ///< in the picture
+struct SecondViewCache {
+    ImageSize size;                         ///< in the picture
     const RenderTarget* picture = nullptr;  ///< among the targets of the second view
 };
 
@@ -86,7 +86,7 @@ Eigen::Vector4d keptSide(const Scene& scene) {
     return kept;
 }
 
-PassView directView(const Scene& scene, const Camera& camera, PictureSize size) {
+PassView directView(const Scene& scene, const Camera& camera, ImageSize size) {
     PassView view;
     view.section = keptSide(scene);
     view.worldToView = viewMatrix(camera);
@@ -112,7 +112,7 @@ public:
 };
 
 void copyPicture(const RenderTarget& from, GLuint to, const PixelRectangle& place) {
-    const PictureSize drawn = from.size();
+    const ImageSize drawn = from.size();
     const bool fits = place.extent() == Eigen::Vector2i(drawn.width, drawn.height);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, from.framebuffer());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to);
@@ -120,12 +120,12 @@ void copyPicture(const RenderTarget& from, GLuint to, const PixelRectangle& plac
                       GL_COLOR_BUFFER_BIT, fits ? GL_NEAREST : GL_LINEAR);
 }
 
-PixelRectangle rowsFromBelow(const SecondViewPlace& place, PictureSize picture) {
+PixelRectangle rowsFromBelow(const SecondViewRectangle& place, ImageSize picture) {
     const int top = picture.height - place.top;
     return {{place.left, top - place.size.height}, {place.left + place.size.width, top}};
 }
 
-PictureSize scaled(PictureSize size, double share) {
+ImageSize scaled(ImageSize size, double share) {
     const auto part = [share](int pixels) { return std::max(1, static_cast<int>(std::lround(share * pixels))); };
     return {part(size.width), part(size.height)};
 }
@@ -143,7 +143,7 @@ struct Renderer::Parts {
     ShapeCache shapes;
     FieldTextures fields;
     ViewTargets whole, second;
-    LastSecond lastSecond;
+    SecondViewCache lastSecond;
     std::size_t lastUpload = 0;
 
     /// What stays the same for all views of one picture.
@@ -152,11 +152,11 @@ struct Renderer::Parts {
         const ShapeCache::Result& shapes;
         const RenderSettings& settings;
         ViewTargets& targets;
-        PictureSize size;
+        ImageSize size;
     };
     void updateShapes(const Scene& scene, const ShapeCache::Result& result, const RenderSettings& settings);
     /// The second view into the corner of framebuffer `target`.
-    Expected<void> drawSecond(const Job& large, GLuint target, PictureSize size);
+    Expected<void> drawSecond(const Job& large, GLuint target, ImageSize size);
     /// The scene through `camera` into `into`.
     Expected<void> drawEye(const Job& job, const Camera& camera, const RenderTarget& into);
     /// Draws what the mirror shows; nothing if it shows nothing.
@@ -177,14 +177,14 @@ struct Renderer::Parts {
 
 SolidInputs Renderer::Parts::inputsFor(const Job& job, const PassView& view, const Background& background,
                                        const Mat4& cullMatrix) const {
-    const double coarseness = coarsenessAt(view, job.size, job.settings.coarseness);
+    const double lodTolerance = lodToleranceAt(view, job.size, job.settings.lodTolerance);
     return {.drawables = job.shapes.drawables,
-            .filled = job.shapes.filled,
+            .capped = job.shapes.capped,
             .ghosts = job.shapes.ghosts,
             .view = view,
-            .frame = frameBlock(view, job.scene.lighting, background, shadows.lookup(), job.size, coarseness),
+            .frame = frameBlock(view, job.scene.lighting, background, shadows.lookup(), job.size, lodTolerance),
             .cullMatrix = cullMatrix,
-            .coarseness = coarseness,
+            .lodTolerance = lodTolerance,
             .shadows = job.settings.shadows,
             .shadowMap = shadows,
             .fields = fields};
@@ -220,14 +220,14 @@ Expected<void> Renderer::Parts::drawBodies(const Job& job, SolidInputs& inputs, 
         if (!around) return Unexpected{around.error()};
         inputs.shell = *around;
     }
-    const PixelRectangle haunted = ghostPixels(inputs.ghosts, inputs.view, job.size).within(shown);
-    const auto seen = drawGhosts(job, inputs, haunted);
+    const PixelRectangle ghostRegion = ghostPixels(inputs.ghosts, inputs.view, job.size).within(shown);
+    const auto seen = drawGhosts(job, inputs, ghostRegion);
     if (!seen) return Unexpected{seen.error()};
     const Limit limit(shown);
     into.bindForDrawing();
     solid.drawOpaque(inputs);
     if (*seen != nullptr) {
-        limit.to(haunted);
+        limit.to(ghostRegion);
         ghosts.compose(**seen);
         limit.to(shown);
     }
@@ -280,9 +280,9 @@ Expected<void> Renderer::Parts::drawEye(const Job& job, const Camera& camera, co
     return drawScene(job, camera, into, *mirrored);
 }
 
-Expected<void> Renderer::Parts::drawSecond(const Job& large, GLuint target, PictureSize size) {
-    const SecondViewPlace place = secondViewPlace(size);
-    if (large.scene.second->anew || lastSecond.picture == nullptr || lastSecond.size != place.size) {
+Expected<void> Renderer::Parts::drawSecond(const Job& large, GLuint target, ImageSize size) {
+    const SecondViewRectangle place = secondViewRectangle(size);
+    if (large.scene.second->redraw || lastSecond.picture == nullptr || lastSecond.size != place.size) {
         ShapeCache::Result shown = large.shapes;
         std::erase_if(shown.drawables, [](const Drawable& drawable) { return drawable.object->handle; });
         const Job job{large.scene, shown, large.settings, second, scaled(place.size, large.settings.resolution)};
@@ -301,11 +301,11 @@ void Renderer::Parts::updateShapes(const Scene& scene, const ShapeCache::Result&
     lastUpload = result.uploadedTriangles;
     fields.update(result.drawables);
     if (settings.shadows == Shadows::None) {
-        shadows.forget();
+        shadows.invalidate();
         return;
     }
-    shadows.update(result.drawables, result.stillShapesGone, scene.lighting.toKey, keptSide(scene),
-                   settings.coarseness);
+    shadows.update(result.drawables, result.staticShapesRemoved, scene.lighting.toKey, keptSide(scene),
+                   settings.lodTolerance);
 }
 
 Expected<Renderer> Renderer::create() {
@@ -353,16 +353,16 @@ Renderer::~Renderer() = default;
 
 std::size_t Renderer::lastUpload() const { return parts_->lastUpload; }
 
-Expected<void> Renderer::render(const Scene& scene, unsigned target, PictureSize size, const RenderSettings& settings) {
+Expected<void> Renderer::render(const Scene& scene, unsigned target, ImageSize size, const RenderSettings& settings) {
     if (size.width <= 0 || size.height <= 0) return {};
     setKnownState();
     const ShapeCache::Result shapes = parts_->shapes.update(scene);
     parts_->updateShapes(scene, shapes, settings);
-    const PictureSize ofEye =
-        scene.stereo.mode == Stereo::Mode::SideBySide ? PictureSize{(size.width + 1) / 2, size.height} : size;
+    const ImageSize ofEye =
+        scene.stereo.mode == Stereo::Mode::SideBySide ? ImageSize{(size.width + 1) / 2, size.height} : size;
     const Parts::Job job{scene, shapes, settings, parts_->whole, scaled(ofEye, settings.resolution)};
     const bool isStereo = scene.stereo.mode != Stereo::Mode::Off;
-    const auto eyes = eyesOf(scene.camera, scene.stereo);
+    const auto eyes = stereoCameras(scene.camera, scene.stereo);
     std::array<const RenderTarget*, 2> drawn = {};
     for (std::size_t i = 0; i < (isStereo ? 2 : 1); ++i) {
         const auto picture = job.targets.pictures[i].fit(job.size, settings.samples);

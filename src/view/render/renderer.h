@@ -21,7 +21,7 @@ public:
 
     /// Draws `scene` over the whole of framebuffer `target` (OpenGL name; one sample a pixel, 8 bits a channel, at
     /// least `size`). The bindings of the context are then those of a new context, but for `target`, which stays bound.
-    [[nodiscard]] Expected<void> render(const Scene& scene, unsigned target, PictureSize size,
+    [[nodiscard]] Expected<void> render(const Scene& scene, unsigned target, ImageSize size,
                                         const RenderSettings& settings = kQuick);
 
     /// Triangles sent to the graphics card for the last picture.

@@ -20,13 +20,13 @@ struct RenderSettings {
 
     /// Pixels by which a surface may be drawn off its place, so that what is far or small takes fewer triangles; 0
     /// draws every triangle.
-    double coarseness = 0;
+    double lodTolerance = 0;
 
     bool operator==(const RenderSettings&) const = default;
 };
 /// While things move, on a computer without a graphics card, and with one.
-inline constexpr RenderSettings kQuick{.coarseness = 0.5};
-inline constexpr RenderSettings kSmooth{.samples = 4, .shadows = Shadows::Soft, .coarseness = 0.5};
+inline constexpr RenderSettings kQuick{.lodTolerance = 0.5};
+inline constexpr RenderSettings kSmooth{.samples = 4, .shadows = Shadows::Soft, .lodTolerance = 0.5};
 /// At rest.
 inline constexpr RenderSettings kFine{.samples = 4, .shadows = Shadows::Soft, .ambientOcclusion = true};
 

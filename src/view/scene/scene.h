@@ -11,11 +11,11 @@
 #include "collision/bvh/surface.h"
 #include "geometry/mesh/triangle_mesh.h"
 #include "view/camera/camera.h"
-#include "view/mesh/distance_grid.h"
-#include "view/scene/look.h"
-#include "view/scene/particle.h"
 #include "view/camera/second_view.h"
 #include "view/camera/stereo.h"
+#include "view/mesh/distance_grid.h"
+#include "view/scene/appearance.h"
+#include "view/scene/particle.h"
 
 namespace tactooth {
 
@@ -27,23 +27,25 @@ using SceneShape = std::variant<std::shared_ptr<const TriangleMesh>, std::shared
 struct SceneObject {
     SceneShape shape;
     Pose objectInWorld;
-    double spin = 0;                     ///< rad, about the object's own z axis, before objectInWorld: a turning bur
-    std::vector<Look> looks = {Look{}};  ///< one a surface tag; tags beyond the last use the last. At most kMaxLooks
+    double spin = 0;  ///< rad, about the object's own z axis, before objectInWorld: a turning bur
+    std::vector<Appearance> appearances = {
+        Appearance{}};  ///< one a surface tag; tags beyond the last use the last. At most kMaxAppearances
     bool visible = true;
     bool closed = true;      ///< the surface has no holes, so that what looks away need not be drawn
     bool moves = false;      ///< a tool: its shadow is drawn anew in each picture, that of the others only on change
     bool handle = false;     ///< of an instrument: left out of the second view, where it would hide the tooth
     bool sectioned = false;  ///< the scene's section takes its part of it away
-    std::optional<Look> filling;  ///< what a section through it shows; without one it is hollow. Needs `closed`
+    std::optional<Appearance>
+        capAppearance;  ///< what a section through it shows; without one it is hollow. Needs `closed`
     /// What fills a body from inside, a layer of a tooth: seen only where that body (the first sectioned object) still
     /// is, so that nothing of it stands in a cavity. One that is not visible still shows in the section.
     bool inner = false;
     /// The wall of a hollow that is to be: seen through sectioned objects as tinted glass, whatever is before it of
     /// them. Throws no shadow.
     bool ghost = false;
-    std::optional<ColourByDistance> distances;  ///< replaces the colours of the looks
+    std::optional<DistanceColourMap> distances;  ///< replaces the colours of the looks
 };
-inline constexpr std::size_t kMaxLooks = 8;
+inline constexpr std::size_t kMaxAppearances = 8;
 
 /// A round flat mirror that shows the scene in front of it.
 struct SceneMirror {

@@ -3,11 +3,11 @@
 // A body of tinted glass inside another one: its form by the light at the eye, its depth by its tint.
 in vec3 worldPosition;
 in vec3 worldNormal;
-in vec4 surfaceLook;
-in float lookOpacity;
+in vec4 surfaceAppearance;
+in float appearanceOpacity;
 
 uniform sampler2D shellDepth;  // of the body around it
-uniform float cover;           // factor on the look's opacity
+uniform float cover;           // factor on the appearance's opacity
 
 layout(location = 0) out vec4 fragment;
 
@@ -28,8 +28,8 @@ void main() {
     // Light comes from the eye, and a little from above: floors and walls differ from wherever one looks.
     float shade = 0.45 + 0.45 * squareOn + 0.10 * abs(normalize(worldNormal).z);
     float deep = 1.0 - exp(-depthBelow() / kDeep);
-    vec3 tint = surfaceLook.rgb * mix(vec3(1.0), vec3(0.10, 0.24, 0.45), deep);
+    vec3 tint = surfaceAppearance.rgb * mix(vec3(1.0), vec3(0.10, 0.24, 0.45), deep);
     // Glass is darkest where one looks along it.
-    float opacity = mix(lookOpacity, 1.0, 0.6 * edgeOn * edgeOn * step(lookOpacity, 0.999)) * cover;
+    float opacity = mix(appearanceOpacity, 1.0, 0.6 * edgeOn * edgeOn * step(appearanceOpacity, 0.999)) * cover;
     fragment = vec4(toSrgb(tint * shade) * opacity, opacity);
 }

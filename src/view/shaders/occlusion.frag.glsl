@@ -8,7 +8,7 @@ uniform float pixelsPerRadian;  // picture height / (2 tan(field of view / 2))
 uniform float reach;            // mm
 uniform vec4 region;            // first and last pixel that was drawn
 
-layout(location = 0) out float openness;
+layout(location = 0) out float ambientVisibility;
 
 const int kTaps = 14;
 
@@ -32,7 +32,7 @@ vec3 slope(vec3 here, vec3 before, vec3 after) {
 void main() {
     ivec2 pixel = 2 * ivec2(gl_FragCoord.xy);
     if (texelFetch(depthPicture, clamp(pixel, ivec2(region.xy), ivec2(region.zw)), 0).r >= 1.0) {
-        openness = 1.0;
+        ambientVisibility = 1.0;
         return;
     }
     vec3 here = viewPoint(pixel);
@@ -50,5 +50,5 @@ void main() {
         float falloff = max(1.0 - distance2 / (reach * reach), 0.0);
         hidden += max(rise, 0.0) * inversesqrt(distance2 + 1e-4) * falloff;
     }
-    openness = clamp(1.0 - 2.1 * hidden / float(kTaps), 0.0, 1.0);
+    ambientVisibility = clamp(1.0 - 2.1 * hidden / float(kTaps), 0.0, 1.0);
 }

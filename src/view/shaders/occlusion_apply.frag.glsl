@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// Brings the half-size openness up to the picture, over pixels of the same depth only, and darkens with it.
+// Brings the half-size ambient visibility up to the picture, over pixels of the same depth only, and darkens with it.
 uniform sampler2D depthPicture;
-uniform sampler2D opennessPicture;
+uniform sampler2D ambientVisibilityMap;
 uniform vec4 depthRange;  // near, far
 uniform vec4 region;      // first and last pixel that was drawn
 
@@ -24,7 +24,7 @@ void main() {
         for (int x = 0; x < 4; ++x) {
             ivec2 half_ = clamp(corner + ivec2(x, y), ivec2(region.xy) / 2, ivec2(region.zw) / 2);
             float weight = 1.0 / (0.02 + abs(distanceAt(2 * half_) - here) / (0.01 * here));
-            sum += weight * texelFetch(opennessPicture, half_, 0).r;
+            sum += weight * texelFetch(ambientVisibilityMap, half_, 0).r;
             weights += weight;
         }
     }

@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// The cut face: a square on the section's plane, shaded as a surface of one look.
+// The cut face: a square on the section's plane, shaded as a surface of one appearance.
 uniform vec4 centre;  // world, mm
 uniform vec4 right;   // world, along the plane, half as long as the square
 uniform vec4 up;
-uniform vec4 looks[2];
+uniform vec4 appearances[2];
 
 out vec3 worldPosition;
 out vec3 worldNormal;
 out vec3 objectPosition;
-out vec4 surfaceLook;
-out vec4 materialLook;
+out vec4 surfaceAppearance;
+out vec4 materialAppearance;
 out float gl_ClipDistance[2];
 
 void main() {
@@ -18,8 +18,8 @@ void main() {
     worldPosition = centre.xyz + corner.x * right.xyz + corner.y * up.xyz;
     worldNormal = -section.xyz;
     objectPosition = worldPosition;
-    surfaceLook = looks[0];
-    materialLook = looks[1];
+    surfaceAppearance = appearances[0];
+    materialAppearance = appearances[1];
     gl_Position = worldToClip * vec4(worldPosition, 1.0);
     gl_ClipDistance[0] = dot(clipPlane, vec4(worldPosition, 1.0));
     gl_ClipDistance[1] = 1.0;

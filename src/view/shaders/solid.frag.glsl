@@ -3,25 +3,25 @@
 in vec3 worldPosition;
 in vec3 worldNormal;
 in vec3 objectPosition;
-in vec4 surfaceLook;
-in vec4 materialLook;
+in vec4 surfaceAppearance;
+in vec4 materialAppearance;
 
-uniform sampler3D grainTexture;
+uniform sampler3D noiseTexture;
 #if RICH
-in float lookOpacity;
+in float appearanceOpacity;
 uniform sampler2D shellDepth;      // of the body around an inner object
 uniform int inner;                 // 1: only what lies behind the shell is seen
 uniform sampler3D distanceField;   // object frame, mm
 uniform mat4 objectToField;        // to texture coordinates
 uniform sampler2D distanceColours; // linear, from -range to range
-uniform float distanceRange;       // mm; 0: the looks' own colours
+uniform float distanceRange;       // mm; 0: the appearances' own colours
 #endif
 uniform sampler2DShadow shadowMap;
 
 layout(location = 0) out vec4 fragment;
 
 const float kPi = 3.14159265;
-const float kGrainTile = 1.9;  // mm: the grain pattern repeats unnoticed beyond a cusp
+const float kNoiseTile = 1.9;  // mm: the grain pattern repeats unnoticed beyond a cusp
 
 // A row of the linear part of worldToShadow.
 vec3 shadowRow(int i) { return vec3(worldToShadow[0][i], worldToShadow[1][i], worldToShadow[2][i]); }
@@ -83,12 +83,12 @@ vec2 environmentShare(float nv, float roughness) {
 }
 
 void main() {
-    vec3 colour = surfaceLook.rgb;
-    float roughness = surfaceLook.a;
-    float metalness = materialLook.x;
-    float translucency = materialLook.y;
-    float wetness = materialLook.z;
-    float grain = materialLook.w;
+    vec3 colour = surfaceAppearance.rgb;
+    float roughness = surfaceAppearance.a;
+    float metalness = materialAppearance.x;
+    float translucency = materialAppearance.y;
+    float wetness = materialAppearance.z;
+    float grain = materialAppearance.w;
 
 #if RICH
     if (inner == 1 && gl_FragCoord.z < texelFetch(shellDepth, ivec2(gl_FragCoord.xy), 0).r) discard;
@@ -100,7 +100,7 @@ void main() {
     vec3 toEye = normalize(eye.xyz - worldPosition);
     vec3 smoothNormal = normalize(worldNormal);
     if (!gl_FrontFacing) smoothNormal = -smoothNormal;
-    vec4 bumps = texture(grainTexture, objectPosition / kGrainTile) - 0.5;
+    vec4 bumps = texture(noiseTexture, objectPosition / kNoiseTile) - 0.5;
     vec3 normal = normalize(smoothNormal + grain * 0.5 * bumps.xyz);
     colour *= 1.0 + grain * 0.5 * bumps.w;
 
@@ -153,7 +153,7 @@ void main() {
 
 #if RICH
     // Glass-like: a rim seen edge on hides more than a face seen square on.
-    float opacity = mix(lookOpacity, 1.0, 0.75 * edgeOn * edgeOn * step(lookOpacity, 0.999));
+    float opacity = mix(appearanceOpacity, 1.0, 0.75 * edgeOn * edgeOn * step(appearanceOpacity, 0.999));
 #else
     const float opacity = 1.0;
 #endif

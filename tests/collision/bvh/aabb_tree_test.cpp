@@ -57,8 +57,8 @@ void expectDiscHolds(const AabbTree& tree, const AabbTree::Node& node, int i, Aa
         for (int lane = 0; lane < AabbTree::kWidth; ++lane) {
             const Vec3 away = of(corner, lane) - centre;
             const double along = normal.dot(away);
-            EXPECT_LE(std::abs(along), node.thick[i] + 1e-6);
-            EXPECT_LE((away - along * normal).norm(), node.wide[i] + 1e-6);
+            EXPECT_LE(std::abs(along), node.halfThickness[i] + 1e-6);
+            EXPECT_LE((away - along * normal).norm(), node.discRadius[i] + 1e-6);
         }
     }
 }
@@ -166,7 +166,7 @@ TEST(AabbTree, DiscsHoldWhatHangsOnEachChild) {
             for (int i = 0; i < AabbTree::kWidth; ++i) {
                 if (node.low[0][i] > node.high[0][i]) continue;
                 expectDiscHolds(tree, node, i, node.child[i]);
-                thinnest = std::min(thinnest, node.thick[i] / node.wide[i]);
+                thinnest = std::min(thinnest, node.halfThickness[i] / node.discRadius[i]);
             }
         }
         EXPECT_LT(thinnest, 0.1F);

@@ -63,7 +63,7 @@ TEST(Gjk, PartsWithAPlaneThatIsNearlyAsWideAsTheDistance) {
         Triangle3 b = randomTriangle(random, 1);
         for (Vec3& corner : b) corner += Vec3(0.3, 0.2, 0.1);
         const GjkResult exact = distanceBetween(a, b, b[0] - a[0]);
-        const GjkResult parted = partBetween(a, b, b[0] - a[0], kLeast);
+        const GjkResult parted = separateConvex(a, b, b[0] - a[0], kLeast);
         ASSERT_EQ(parted.separated, exact.separated) << i;
         if (!exact.separated) continue;
         ASSERT_LE(parted.gap, lowestAlong(b, parted.normal) - highestAlong(a, parted.normal));
@@ -71,7 +71,7 @@ TEST(Gjk, PartsWithAPlaneThatIsNearlyAsWideAsTheDistance) {
         if (exact.distance <= kLeast) {
             ASSERT_EQ(parted.gap, exact.gap) << i;
         }
-        sooner += parted.rounds < exact.rounds ? 1 : 0;
+        sooner += parted.iterations < exact.iterations ? 1 : 0;
         ++wide;
     }
     EXPECT_GT(wide, 3000);
@@ -127,16 +127,16 @@ TEST(Gjk, HandlesNeedlesPointsAndCoincidence) {
 
 TEST(Gjk, NeedsFewRoundsFromAGoodGuess) {
     std::mt19937 random(5);
-    int rounds = 0;
+    int iterations = 0;
     constexpr int kPairs = 1000;
     for (int i = 0; i < kPairs; ++i) {
         const Triangle3 a = randomTriangle(random, 1);
         Triangle3 b = randomTriangle(random, 1);
         for (Vec3& corner : b) corner.x() += 2.5;
         const GjkResult cold = distanceBetween(a, b, b[0] - a[0]);
-        rounds += distanceBetween(a, b, cold.normal).rounds;
+        iterations += distanceBetween(a, b, cold.normal).iterations;
     }
-    EXPECT_LT(rounds, 5 * kPairs);
+    EXPECT_LT(iterations, 5 * kPairs);
 }
 
 }  // namespace tactooth

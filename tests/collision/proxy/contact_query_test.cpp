@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "collision/judged_contact.h"
+#include "collision/contact_checks.h"
 #include "support/sanitizer.h"
 #include "support/shapes.h"
 
@@ -34,9 +34,9 @@ TriangleMesh ball() { return test::sphere(Vec3(0, 0, 1), 1, 48, 24); }
 TEST(ContactQuery, AgreesWithTheJudgeOnRandomPosesOfEveryTooth) {
     for (std::size_t tooth = 0; tooth < test::cases<std::size_t>(3, 1); ++tooth) {
         for (std::size_t tool = 0; tool < 2; ++tool) {
-            SCOPED_TRACE(test::judgedTeeth()[tooth].name + " " + test::judgedTools()[tool].name);
-            const test::ContactVerdict verdict =
-                test::judgeContact(test::judgedTeeth()[tooth].mesh, test::judgedTools()[tool].mesh, 60, 0, 7);
+            SCOPED_TRACE(test::oracleTeeth()[tooth].name + " " + test::oracleTools()[tool].name);
+            const test::ContactReport verdict =
+                test::checkContact(test::oracleTeeth()[tooth].mesh, test::oracleTools()[tool].mesh, 60, 0, 7);
             EXPECT_EQ(verdict.wrongTouch, 0);
             EXPECT_EQ(verdict.notFreed, 0);
             EXPECT_EQ(verdict.freedEarly, 0);
@@ -46,8 +46,8 @@ TEST(ContactQuery, AgreesWithTheJudgeOnRandomPosesOfEveryTooth) {
 }
 
 TEST(ContactQuery, DepthIsNearlyTheLeastThatRandomDirectionsFind) {
-    const test::ContactVerdict verdict =
-        test::judgeContact(test::judgedTeeth()[2].mesh, test::judgedTools()[0].mesh, 60, 100, 11);
+    const test::ContactReport verdict =
+        test::checkContact(test::oracleTeeth()[2].mesh, test::oracleTools()[0].mesh, 60, 100, 11);
     EXPECT_LE(test::excessAt(verdict, 0.9), 1.05);
     EXPECT_LE(test::excessAt(verdict, 0.99), 1.25);
 }
@@ -87,8 +87,8 @@ TEST(ContactQuery, ABallInAVGrooveLeavesUpward) {
 }
 
 TEST(ContactQuery, AnswersTheSameAMetreAway) {
-    const TriangleMesh& tooth = test::judgedTeeth()[2].mesh;
-    const TriangleMesh& tool = test::judgedTools()[0].mesh;
+    const TriangleMesh& tooth = test::oracleTeeth()[2].mesh;
+    const TriangleMesh& tool = test::oracleTools()[0].mesh;
     // Whole multiples of 2^-10 mm stay exact in single precision a metre away.
     TriangleMesh rounded = tooth;
     for (Vec3f& v : rounded.vertices) v = (v * 1024).array().round().matrix() / 1024;
@@ -119,12 +119,12 @@ TEST(ContactQuery, DetectsMovementsDownToANanometreInOrder) {
 }
 
 TEST(ContactQuery, AnAnswerDoesNotDependOnTheOnesBefore) {
-    const auto tool = test::toolOf(test::judgedTools()[1].mesh);
-    const auto tooth = test::surfaceOf(test::judgedTeeth()[2].mesh);
+    const auto tool = test::toolOf(test::oracleTools()[1].mesh);
+    const auto tooth = test::surfaceOf(test::oracleTeeth()[2].mesh);
     std::mt19937 random(5);
     std::vector<Pose> poses;
     for (int i = 0; i < test::cases(30, 6); ++i)
-        poses.push_back(test::randomPoseNear(test::judgedTeeth()[2].mesh, 0.5, random));
+        poses.push_back(test::randomPoseNear(test::oracleTeeth()[2].mesh, 0.5, random));
     ContactQuery query(tool, tooth);
     std::vector<Contact> answers;
     for (const Pose& pose : poses) answers.push_back(query.at(pose));

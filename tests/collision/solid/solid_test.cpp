@@ -29,7 +29,7 @@ TriangleMesh cube(double half) { return test::box(Vec3(-half, -half, -half), Vec
 
 std::string wordsOf(const SolidReport& report) {
     std::string words;
-    for (const Remark& remark : remarksOn(report, "outer")) words += inWords(remark) + '\n';
+    for (const ImportNote& importNote : notesOn(report, "outer")) words += inWords(importNote) + '\n';
     return words;
 }
 
@@ -69,7 +69,7 @@ TEST_P(NestedShells, AreTurnedByHowTheyAreNested) {
     EXPECT_EQ(examined.report.hollows, 3u);
     const ExaminedSolid again = examineSolid(examined.mesh);
     EXPECT_EQ(again.mesh.triangles, examined.mesh.triangles);
-    EXPECT_EQ(again.report.turnedTriangles, 0u);
+    EXPECT_EQ(again.report.flippedTriangles, 0u);
 }
 
 INSTANTIATE_TEST_SUITE_P(EveryMixOfTurnedOnes, NestedShells, ::testing::Range(0, 16));
@@ -181,7 +181,7 @@ TEST_P(OverlappingBodies, AreNoSolid) {
     const ExaminedSolid examined = examineSolid(overlapping(GetParam()));
     EXPECT_EQ(examined.report.flaw, SolidFlaw::Overlapping);
     EXPECT_GT(examined.report.overlap, 0.1);
-    EXPECT_GT(examined.report.crossingTriangles, 0u);
+    EXPECT_GT(examined.report.selfIntersectingTriangles, 0u);
     EXPECT_THAT(flawSentence(examined.report, "it"), HasSubstr("reach into each other by"));
 }
 
@@ -219,7 +219,7 @@ TEST(Solid, ASurfaceWithOneSideIsTwisted) {
                       {1, 2, 4}, {2, 3, 5}, {3, 4, 1}, {4, 5, 2}, {5, 1, 3}};
     ASSERT_EQ(edgeBalance(mesh).odd, 0u);
     const SolidFlaw flaw = examineSolid(mesh).report.flaw;
-    EXPECT_TRUE(flaw == SolidFlaw::Twisted || flaw == SolidFlaw::Tangled);
+    EXPECT_TRUE(flaw == SolidFlaw::NonOrientable || flaw == SolidFlaw::SelfIntersecting);
 }
 
 TEST(Solid, OneTriangleThatLooksTheWrongWayIsTurned) {
@@ -228,7 +228,7 @@ TEST(Solid, OneTriangleThatLooksTheWrongWayIsTurned) {
         std::swap(mesh.triangles[t][0], mesh.triangles[t][1]);
         const ExaminedSolid examined = examineSolid(mesh);
         EXPECT_TRUE(examined.report.isSolid());
-        EXPECT_EQ(examined.report.turnedTriangles, 1u);
+        EXPECT_EQ(examined.report.flippedTriangles, 1u);
         EXPECT_NEAR(reportOn(examined.mesh).signedVolume, 64, 1e-6);
     }
 }
@@ -242,9 +242,9 @@ TEST(Winding, CountsTheBodiesInFrontOfATriangle) {
         EXPECT_EQ(windingInFront(part, t), 0);
         EXPECT_EQ(windingInFront(part, 12 + t), 1);
         EXPECT_EQ(windingInFront(part, 24 + t), 1);  // looks into itself: two bodies around it, less itself
-        EXPECT_NEAR(roomBeside(part, t, false), 2, 1e-9);
-        EXPECT_NEAR(roomBeside(part, 12 + t, true), 2, 1e-9);
-        EXPECT_TRUE(std::isinf(roomBeside(part, t, true)));
+        EXPECT_NEAR(clearanceFrom(part, t, false), 2, 1e-9);
+        EXPECT_NEAR(clearanceFrom(part, 12 + t, true), 2, 1e-9);
+        EXPECT_TRUE(std::isinf(clearanceFrom(part, t, true)));
     }
 }
 

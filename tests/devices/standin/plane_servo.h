@@ -29,8 +29,8 @@ bool soon(const Condition& condition, std::chrono::seconds limit = std::chrono::
 /// Whether a device soon says this. A busy machine may stall it for a moment, of which it speaks first.
 inline bool soonSays(const HapticDevice& device, const std::string& text) {
     return soon([&] {
-        const char* const trouble = device.trouble();
-        return trouble != nullptr && std::string(trouble).find(text) != std::string::npos;
+        const char* const faultMessage = device.faultMessage();
+        return faultMessage != nullptr && std::string(faultMessage).find(text) != std::string::npos;
     });
 }
 
@@ -45,7 +45,7 @@ public:
           pipeline_(device.info().limits, device.info().poseLimits),
           loop_(
               1000, [this](double elapsed) { tick(elapsed); },
-              device.setsPace()
+              device.drivesServoRate()
                   ? std::function<void(double)>([&device](double longest) { device.waitForTick(longest); })
                   : std::function<void(double)>()) {}
 
@@ -65,17 +65,17 @@ private:
             std::this_thread::sleep_for(std::chrono::milliseconds(pause));
         }
         const DeviceSample sample = device_.read(elapsed);
-        WantedForce wanted;
+        ForceCommand wanted;
         wanted.connected = sample.connected;
         wanted.hand = sample.hand.position;
         wanted.turn = sample.hand.rotation;
         wanted.age = sample.age;
         wanted.isFresh = sample.isFresh;
-        wanted.motorHeat = sample.motorHeat;
-        wanted.stretch = std::max(0.0, kWall - sample.hand.position.z());
-        wanted.stiffness = wanted.stretch > 0 ? kWallStiffness : 0;
-        wanted.touching = wanted.stretch > 0;
-        wanted.wrench.force = Vec3(0, 0, kWallStiffness * wanted.stretch);
+        wanted.motorTemperature = sample.motorTemperature;
+        wanted.deflection = std::max(0.0, kWall - sample.hand.position.z());
+        wanted.stiffness = wanted.deflection > 0 ? kWallStiffness : 0;
+        wanted.touching = wanted.deflection > 0;
+        wanted.wrench.force = Vec3(0, 0, kWallStiffness * wanted.deflection);
         const SafeWrench sent = pipeline_.pass(wanted, elapsed);
         device_.write(sent);
         device_.judge(pipeline_.fault(), elapsed);

@@ -85,12 +85,12 @@ void StandinHaply::serve(int socket, const std::stop_token& stop) {
     WebSocketServer web(socket);
     bool foreign = false;
     {
-        const std::lock_guard lock(guard_);
+        const std::lock_guard lock(validator_);
         foreign = foreign_;
     }
-    if (!(foreign ? web.refuseHandshake() : web.shakeHands())) return;
+    if (!(foreign ? web.refuseHandshake() : web.handshakeWith())) return;
     {
-        const std::lock_guard lock(guard_);
+        const std::lock_guard lock(validator_);
         ++connections_;
     }
     bool open = web.send(state(true));
@@ -107,20 +107,20 @@ void StandinHaply::serve(int socket, const std::stop_token& stop) {
         if (isLate()) std::this_thread::sleep_for(kSlowness);
         for (int i = answersToAMessage(); i > 0 && open; --i) open = web.send(state(false));
     }
-    const std::lock_guard lock(guard_);
+    const std::lock_guard lock(validator_);
     --connections_;
     for (Hand& hand : hands_) hand.force = {};  // a device without commands makes no force
 }
 
 bool StandinHaply::isLate() const {
-    const std::lock_guard lock(guard_);
+    const std::lock_guard lock(validator_);
     return fault_ == HaplyFault::Slow || (fault_ == HaplyFault::Hiccup && sinceFault_ == 1);
 }
 
 /// Takes the force of a message and lets the hand that feels it move.
 void StandinHaply::take(const std::string& message) {
     const auto json = nlohmann::json::parse(message);
-    const std::lock_guard lock(guard_);
+    const std::lock_guard lock(validator_);
     for (const auto& device : json.at("inverse3")) {
         Hand& hand = hands_[device.at("device_id") == kFirst ? 0 : 1];
         const auto& values = device.at("commands").at("set_cursor_force").at("values");
@@ -172,7 +172,7 @@ double StandinHaply::aside() const {
 std::string StandinHaply::turnOfGrip() const {
     std::array<double, 4> turn = grip_;
     const bool isOdd = sinceFault_ % 2 == 1;
-    if (fault_ == HaplyFault::BrokenTurn) turn = {0.3, 0.1, 0, 0.2};
+    if (fault_ == HaplyFault::InvalidRotation) turn = {0.3, 0.1, 0, 0.2};
     if (fault_ == HaplyFault::FlippingTurn && isOdd) turn = {0.70710678, 0.70710678, 0, 0};
     if (fault_ == HaplyFault::NegatedTurn && isOdd) {
         for (double& number : turn) number = -number;
@@ -182,13 +182,13 @@ std::string StandinHaply::turnOfGrip() const {
 
 std::string StandinHaply::placeOf(const Hand& hand) const {
     const double scale = fault_ == HaplyFault::Units ? 1 : 1e-3;
-    if (fault_ == HaplyFault::NoNumber) return R"({"x":null,"y":0.0,"z":0.0})";
+    if (fault_ == HaplyFault::NotANumber) return R"({"x":null,"y":0.0,"z":0.0})";
     return numbers(R"({"x":%.9f,"y":%.9f,"z":%.9f})", scale * (hand.position[0] + aside()), scale * hand.position[1],
                    scale * hand.position[2]);
 }
 
 std::string StandinHaply::state(bool isFirst) {
-    const std::lock_guard lock(guard_);
+    const std::lock_guard lock(validator_);
     if (isFirst && !firstMessage_.empty()) return firstMessage_;
     if (fault_ == HaplyFault::Malformed) return R"({"inverse3":[{"device_id":"049D","state":{"cursor_)";
     if (fault_ == HaplyFault::Version) return R"({"devices":[{"type":"inverse3","id":7,"pos":[0.1,0.2,0.3]}]})";
@@ -211,69 +211,69 @@ std::string StandinHaply::state(bool isFirst) {
 }
 
 HaplyFault StandinHaply::fault() const {
-    const std::lock_guard lock(guard_);
+    const std::lock_guard lock(validator_);
     return fault_;
 }
 
 void StandinHaply::setFault(HaplyFault fault) {
-    const std::lock_guard lock(guard_);
+    const std::lock_guard lock(validator_);
     fault_ = fault;
     sinceFault_ = lastForce_ = 0;
 }
 
 void StandinHaply::wantPosition(double x, double y, double z) {
-    const std::lock_guard lock(guard_);
+    const std::lock_guard lock(validator_);
     wanted_ = {1000 * x, 1000 * y, 1000 * z};
 }
 
 void StandinHaply::setGrip(std::array<double, 4> orientation, unsigned buttons) {
-    const std::lock_guard lock(guard_);
+    const std::lock_guard lock(validator_);
     grip_ = orientation;
     buttons_ = buttons;
 }
 
 void StandinHaply::setGripThere(bool there) {
-    const std::lock_guard lock(guard_);
+    const std::lock_guard lock(validator_);
     gripThere_ = there;
 }
 
 void StandinHaply::setFirstMessage(std::string text) {
-    const std::lock_guard lock(guard_);
+    const std::lock_guard lock(validator_);
     firstMessage_ = std::move(text);
 }
 
 void StandinHaply::setForeign(bool foreign) {
-    const std::lock_guard lock(guard_);
+    const std::lock_guard lock(validator_);
     foreign_ = foreign;
 }
 
 double StandinHaply::force() const {
-    const std::lock_guard lock(guard_);
+    const std::lock_guard lock(validator_);
     return std::hypot(hands_[0].force[0], hands_[0].force[1], hands_[0].force[2]);
 }
 
 double StandinHaply::lastTold() const {
-    const std::lock_guard lock(guard_);
+    const std::lock_guard lock(validator_);
     return lastTold_;
 }
 
 long StandinHaply::messagesSinceFault() const {
-    const std::lock_guard lock(guard_);
+    const std::lock_guard lock(validator_);
     return sinceFault_;
 }
 
 long StandinHaply::lastForceSinceFault() const {
-    const std::lock_guard lock(guard_);
+    const std::lock_guard lock(validator_);
     return lastForce_;
 }
 
 long StandinHaply::messages() const {
-    const std::lock_guard lock(guard_);
+    const std::lock_guard lock(validator_);
     return messages_;
 }
 
 int StandinHaply::connections() const {
-    const std::lock_guard lock(guard_);
+    const std::lock_guard lock(validator_);
     return connections_;
 }
 

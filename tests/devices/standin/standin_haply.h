@@ -14,27 +14,27 @@ namespace tactooth::test {
 /// What goes wrong in the stand-in service.
 enum class HaplyFault {
     None,
-    Drop,       ///< the connection is closed; new ones are taken
-    Slow,       ///< every answer comes 20 ms late
-    Hiccup,     ///< the next one does
-    Mute,       ///< no answer at all
-    Malformed,  ///< text that is no JSON
-    Version,    ///< messages of another version
-    Units,      ///< places in millimetres
-    NoNumber,   ///< a place that is no number
-    Jump,       ///< of 50 mm, to and fro
-    Gone,       ///< the device is not in the list
-    NoPower,    ///< its status says so
+    Drop,        ///< the connection is closed; new ones are taken
+    Slow,        ///< every answer comes 20 ms late
+    Hiccup,      ///< the next one does
+    Mute,        ///< no answer at all
+    Malformed,   ///< text that is no JSON
+    Version,     ///< messages of another version
+    Units,       ///< places in millimetres
+    NotANumber,  ///< a place that is no number
+    Jump,        ///< of 50 mm, to and fro
+    Gone,        ///< the device is not in the list
+    NoPower,     ///< its status says so
     NotCalibrated,
     NotReady,
-    Double,        ///< two answers to each message
-    Twenty,        ///< twenty
-    Flood,         ///< 20,000 answers a second that nobody has asked for
-    BrokenTurn,    ///< the grip tells four numbers that are no turn
-    NegatedTurn,   ///< the same turn, with all four signs changed at every other message: no fault
-    FlippingTurn,  ///< a quarter turn to and fro
-    Jitter,        ///< of 4.9 mm, to and fro
-    Drift,         ///< of 3 m/s
+    Double,           ///< two answers to each message
+    Twenty,           ///< twenty
+    Flood,            ///< 20,000 answers a second that nobody has asked for
+    InvalidRotation,  ///< the grip tells four numbers that are no turn
+    NegatedTurn,      ///< the same turn, with all four signs changed at every other message: no fault
+    FlippingTurn,     ///< a quarter turn to and fro
+    Jitter,           ///< of 4.9 mm, to and fro
+    Drift,            ///< of 3 m/s
 };
 
 /// The Haply Inverse Service without a device, on a free port of this machine: a WebSocket server of its own, and for
@@ -92,7 +92,7 @@ private:
 
     int listener_ = -1;
     int port_ = 0;
-    mutable std::mutex guard_;  // of everything below
+    mutable std::mutex validator_;  // of everything below
     HaplyFault fault_ = HaplyFault::None;
     std::array<Hand, 2> hands_{{{kFirst}, {kSecond}}};
     std::array<double, 3> wanted_{};  // mm

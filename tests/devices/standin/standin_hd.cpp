@@ -31,7 +31,7 @@ struct ErrorRecord {
     std::uint32_t device;
 };
 
-constexpr std::uint32_t kMostPens = 2;
+constexpr std::uint32_t kMaxPens = 2;
 constexpr double kTick = 0.001;
 constexpr double kMass = 2e-4, kSpring = 0.5, kDamper = 0.02;  // N*s^2/mm, N/mm, N*s/mm: a hand with its pen
 
@@ -42,7 +42,7 @@ struct Pen {
 };
 
 std::mutex guard;  // of everything below
-std::array<Pen, kMostPens> pens;
+std::array<Pen, kMaxPens> pens;
 std::deque<std::uint32_t> errors;
 std::array<double, 3> wanted{};
 int buttons = 0;
@@ -191,7 +191,7 @@ int startedPens() {
 void readTransform(double* out) {
     std::fill(out, out + 16, 0.0);
     out[0] = out[5] = out[10] = out[15] = 1;
-    const Pen& pen = pens[std::min(current, kMostPens - 1)];
+    const Pen& pen = pens[std::min(current, kMaxPens - 1)];
     for (std::size_t i = 0; i < 3; ++i) out[12 + i] = pen.position[i];
     if (fault == HdFault::NanPose) out[13] = std::numeric_limits<double>::quiet_NaN();
     if (fault == HdFault::Jump) out[12] += 50;
@@ -233,7 +233,7 @@ std::uint32_t hdInitDevice(const char* name) {
 
 void hdDisableDevice(std::uint32_t pen) {
     const std::lock_guard lock(guard);
-    if (pen < kMostPens) pens[pen].started = false;
+    if (pen < kMaxPens) pens[pen].started = false;
 }
 
 void hdMakeCurrentDevice(std::uint32_t pen) { current = pen; }
@@ -257,7 +257,7 @@ ErrorRecord hdGetError() {
 
 void switchForce(std::uint32_t what, bool on) {
     const std::lock_guard lock(guard);
-    Pen& pen = pens[std::min(current, kMostPens - 1)];
+    Pen& pen = pens[std::min(current, kMaxPens - 1)];
     if (what != 0x4000) return;
     pen.makesForce = on;
     if (!on) pen.force = {};
@@ -287,7 +287,7 @@ void hdGetDoublev(std::uint32_t what, double* out) {
 
 void hdSetDoublev(std::uint32_t what, const double* in) {
     const std::lock_guard lock(guard);
-    if (what != 0x2700 || current >= kMostPens || !pens[current].makesForce) return;
+    if (what != 0x2700 || current >= kMaxPens || !pens[current].makesForce) return;
     std::copy(in, in + 3, pens[current].force.begin());
 }
 

@@ -87,7 +87,7 @@ bool WebSocketServer::refuseHandshake() {
     return false;
 }
 
-bool WebSocketServer::shakeHands() {
+bool WebSocketServer::handshakeWith() {
     std::string request;
     if (!readRequest(request)) return false;
     constexpr std::string_view kField = "Sec-WebSocket-Key: ";

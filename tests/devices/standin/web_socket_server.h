@@ -12,7 +12,7 @@ class WebSocketServer {
 public:
     explicit WebSocketServer(int socket) : socket_(socket) {}
 
-    [[nodiscard]] bool shakeHands();
+    [[nodiscard]] bool handshakeWith();
     /// Answers as a web server that knows no WebSocket; false, for then there is none.
     [[nodiscard]] bool refuseHandshake();
     [[nodiscard]] bool send(const std::string& text);

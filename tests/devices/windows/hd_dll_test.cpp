@@ -59,7 +59,7 @@ private:
     /// Under Wine no thread has real-time priority: a busy machine would rarely let half a second pass without a stall.
     static ForceLimits patient(ForceLimits limits) {
         limits.rampTime = 0.02;
-        limits.stallTime = 0.1;
+        limits.tickTimeout = 0.1;
         return limits;
     }
     void tick() {
@@ -68,13 +68,13 @@ private:
         const double elapsed = now - last_;
         last_ = now;
         const DeviceSample sample = device_.read(elapsed);
-        WantedForce wanted;
+        ForceCommand wanted;
         wanted.connected = sample.connected;
         wanted.hand = sample.hand.position;
-        wanted.stretch = std::max(0.0, -2 - sample.hand.position.z());
-        wanted.touching = wanted.stretch > 0;
+        wanted.deflection = std::max(0.0, -2 - sample.hand.position.z());
+        wanted.touching = wanted.deflection > 0;
         wanted.stiffness = wanted.touching ? 0.4 : 0;
-        wanted.wrench.force = Vec3(0, 0, 0.4 * wanted.stretch);
+        wanted.wrench.force = Vec3(0, 0, 0.4 * wanted.deflection);
         device_.write(pipeline_.pass(wanted, elapsed));
     }
 
@@ -91,7 +91,7 @@ std::string openError(const std::string& library) {
 }
 
 bool says(const HapticDevice& device, const std::string& part) {
-    return device.trouble() != nullptr && contains(device.trouble(), part);
+    return device.faultMessage() != nullptr && contains(device.faultMessage(), part);
 }
 
 void leanAndLose(const std::string& library, const HdStandinControl& pen) {
@@ -110,7 +110,7 @@ void leanAndLose(const std::string& library, const HdStandinControl& pen) {
     expect(pen.lastForceSinceFault() <= 3, "the force ended within two ticks");
     pen.setFault(static_cast<int>(HdFault::None));
     pen.wantPosition(0, 5, 0);
-    expect(servo.runUntil([&] { return device.trouble() == nullptr; }), "it comes back");
+    expect(servo.runUntil([&] { return device.faultMessage() == nullptr; }), "it comes back");
     device.close();
     expect(pen.startedPens() == 0, "the pen is closed");
 }
@@ -121,7 +121,7 @@ void leanAndLose(const std::string& library, const HdStandinControl& pen) {
 int main(int argc, char** argv) {
     using namespace tactooth;
     if (argc != 3) return 2;
-    expect(HdLibrary::usualPath() == "HD.dll", "the library has its name on Windows");
+    expect(HdLibrary::defaultPath() == "HD.dll", "the library has its name on Windows");
     expect(contains(openError("no_such.dll"), "no_such.dll cannot be loaded ("), "a missing library is said");
     expect(contains(openError(argv[2]), "has no function hd"), "another version is said");
     const auto library = loadSharedLibrary(argv[1]);

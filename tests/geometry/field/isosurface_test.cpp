@@ -58,7 +58,7 @@ double noise(const Vec3& p) {
 }
 
 TEST(Isosurface, IsAManifoldEvenForNoise) {
-    const TriangleMesh mesh = isosurface(noise, kBox, {.cellSize = 0.1, .steepest = 1000, .relaxations = 0});
+    const TriangleMesh mesh = isosurface(noise, kBox, {.cellSize = 0.1, .lipschitzBound = 1000, .relaxations = 0});
     EXPECT_GT(mesh.triangles.size(), 50000u);
     EXPECT_EQ(test::unpairedEdges(mesh), 0);
 }
@@ -75,8 +75,8 @@ TEST(Isosurface, TrianglesAreWellShaped) {
 }
 
 TEST(Isosurface, SkippingFarBlocksChangesNothing) {
-    const TriangleMesh skipping = isosurface(ring, kBox, {.cellSize = 0.07, .steepest = 1});
-    const TriangleMesh all = isosurface(ring, kBox, {.cellSize = 0.07, .steepest = 1000});
+    const TriangleMesh skipping = isosurface(ring, kBox, {.cellSize = 0.07, .lipschitzBound = 1});
+    const TriangleMesh all = isosurface(ring, kBox, {.cellSize = 0.07, .lipschitzBound = 1000});
     EXPECT_EQ(skipping.vertices.size(), all.vertices.size());
     EXPECT_EQ(skipping.triangles.size(), all.triangles.size());
     EXPECT_NEAR(test::volumeOf(skipping), test::volumeOf(all), 1e-6);

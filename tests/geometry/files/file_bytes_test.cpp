@@ -25,7 +25,7 @@ TEST(FileBytes, RefusesALargerOneWithoutTakingItsMemory) {
     const test::TemporaryFolder folder;
     test::writeText(folder / "huge.csv", "t,x\n");
     for (const std::uintmax_t size :
-         std::array<std::uintmax_t, 5>{kMostFileBytes + 1, std::uintmax_t{3} << 30, std::uintmax_t{10} << 30,
+         std::array<std::uintmax_t, 5>{kMaxFileBytes + 1, std::uintmax_t{3} << 30, std::uintmax_t{10} << 30,
                                        std::uintmax_t{1} << 36, std::uintmax_t{1} << 40}) {
         std::error_code tooSmallADisk;
         std::filesystem::resize_file(folder / "huge.csv", size, tooSmallADisk);  // a hole, it takes no place
@@ -39,8 +39,8 @@ TEST(FileBytes, RefusesALargerOneWithoutTakingItsMemory) {
 }
 
 TEST(FileBytes, NamesAreShownWithoutControlCharacters) {
-    EXPECT_EQ(shownName("a\x1b[31m.stl"), "a?[31m.stl");
-    EXPECT_EQ(shownName("z\xC3\xA4hne/36.stl"), "z\xC3\xA4hne/36.stl");
+    EXPECT_EQ(displayName("a\x1b[31m.stl"), "a?[31m.stl");
+    EXPECT_EQ(displayName("z\xC3\xA4hne/36.stl"), "z\xC3\xA4hne/36.stl");
 }
 
 }  // namespace

@@ -13,8 +13,8 @@
 #include <set>
 
 #include "geometry/files/atomic_file.h"
-#include "geometry/files/unfinished_folder.h"
-#include "geometry/files/unfinished_names.h"
+#include "geometry/files/staging_folder.h"
+#include "geometry/files/unfinished_files.h"
 #include "support/test_data.h"
 
 namespace tactooth {
@@ -32,7 +32,7 @@ void killAWriterIn(const fs::path& folder) {
     if (child == 0) {
         TemporaryFile file;
         if (openNamed(folder, file) != 0) _exit(1);
-        const auto unfinished = UnfinishedFolder::make(folder);
+        const auto unfinished = StagingFolder::make(folder);
         std::ofstream(unfinished->path() / "part") << "x";
         ::raise(SIGKILL);
     }
@@ -66,7 +66,7 @@ TEST(TemporaryFile, BothKindsHaveTheModeOfANewFile) {
         EXPECT_EQ(status.st_mode & 07777, 0640U);
         ::close(file.descriptor);
         ::unlink(file.name.c_str());
-        if (!file.name.empty()) forgetUnfinished(file.name);
+        if (!file.name.empty()) unregisterUnfinished(file.name);
     }
     ::umask(before);
 }
@@ -84,14 +84,14 @@ TEST(TemporaryFile, WhatALivingWriterHasIsLeftAlone) {
     TemporaryFile file;
     ASSERT_EQ(openNamed(folder.path(), file), 0);
     {
-        const auto unfinished = UnfinishedFolder::make(folder.path());
+        const auto unfinished = StagingFolder::make(folder.path());
         ASSERT_TRUE(unfinished);
         removeStale(folder.path());
         EXPECT_EQ(entriesIn(folder.path()), 2U);
     }
     ::close(file.descriptor);
     removeStale(folder.path());
-    forgetUnfinished(file.name);
+    unregisterUnfinished(file.name);
     EXPECT_EQ(entriesIn(folder.path()), 0U);
 }
 
@@ -105,9 +105,9 @@ TEST(TemporaryFile, NothingElseIsRemoved) {
     EXPECT_EQ(entriesIn(folder.path()), 5U);
 }
 
-TEST(UnfinishedFolder, BecomesTheFolderOrMovesItsContentUp) {
+TEST(StagingFolder, BecomesTheFolderOrMovesItsContentUp) {
     const test::TemporaryFolder folder;
-    auto whole = UnfinishedFolder::make(folder.path());
+    auto whole = StagingFolder::make(folder.path());
     ASSERT_TRUE(whole);
     std::ofstream(whole->path() / "file") << "x";
     ASSERT_TRUE(whole->becomes(folder / "whole"));
@@ -115,7 +115,7 @@ TEST(UnfinishedFolder, BecomesTheFolderOrMovesItsContentUp) {
 
     fs::create_directory(folder / "there");
     {
-        auto content = UnfinishedFolder::make(folder / "there");
+        auto content = StagingFolder::make(folder / "there");
         ASSERT_TRUE(content);
         for (const char* name : {"a", "b"}) std::ofstream(content->path() / name) << "x";
         fs::create_directory(content->path() / "below");
@@ -132,13 +132,13 @@ TEST(UnfinishedNames, AreAllRemovedBeforeTheProgramEnds) {
     if (child == 0) {
         TemporaryFile file;
         if (openNamed(folder.path(), file) != 0) _exit(1);
-        const auto unfinished = UnfinishedFolder::make(folder.path());
+        const auto unfinished = StagingFolder::make(folder.path());
         std::ofstream(unfinished->path() / "part") << "x";
         fs::create_directories(folder / "made/below");
         fs::create_directories(folder / "used/below");
         std::ofstream(folder / "used/mine") << "x";
         for (const char* name : {"made", "made/below", "used", "used/below"}) {
-            noteUnfinished(folder / name, Unfinished::EmptyFolder);
+            registerUnfinished(folder / name, Unfinished::EmptyFolder);
         }
         removeAllUnfinished(1);
         _exit(0);

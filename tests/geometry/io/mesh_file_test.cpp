@@ -77,7 +77,7 @@ TEST(ReadMesh, AFarSurfaceComesWithItsOffsetAndTheFileNameAlone) {
     ASSERT_TRUE(read) << read.error().message;
     EXPECT_EQ(read->offset, Vec3(1000010, 10, 0));
     EXPECT_EQ(read->mesh.vertices[0], Vec3f(-9.999F, -10, 0));
-    EXPECT_TRUE(inWords(read->remarks.at(0)).starts_with("a.stl: the surface lies too far from zero"));
+    EXPECT_TRUE(inWords(read->importNotes.at(0)).starts_with("a.stl: the surface lies too far from zero"));
 }
 
 TEST(LoadMesh, NeverShiftsInSilence) {
@@ -89,9 +89,9 @@ TEST(LoadMesh, NeverShiftsInSilence) {
 TEST(LoadMesh, HandsRemarksOn) {
     const test::TemporaryFolder folder;
     write(folder / "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nwhat\n");
-    std::vector<Remark> remarks;
-    EXPECT_TRUE(loadMesh(folder / "a.obj", &remarks));
-    EXPECT_EQ(remarks.size(), 1u);
+    std::vector<ImportNote> importNotes;
+    EXPECT_TRUE(loadMesh(folder / "a.obj", &importNotes));
+    EXPECT_EQ(importNotes.size(), 1u);
     EXPECT_TRUE(loadMesh(folder / "a.obj"));
 }
 

@@ -20,7 +20,7 @@ Expected<ReadMesh> read(const std::string& text) { return parseObj(std::as_bytes
 Expected<TriangleMesh> parse(const std::string& text) {
     auto mesh = read(text);
     if (!mesh) return Unexpected{mesh.error()};
-    EXPECT_TRUE(mesh->remarks.empty()) << inWords(mesh->remarks.front());
+    EXPECT_TRUE(mesh->importNotes.empty()) << inWords(mesh->importNotes.front());
     return std::move(mesh->mesh);
 }
 
@@ -98,10 +98,10 @@ TEST(ObjReader, CountsLinesThatWereContinued) {
 TEST(ObjReader, NamesLinesThatItDoesNotUnderstand) {
     const auto one = read(kTetrahedron + "w 1 2 3\n");
     ASSERT_TRUE(one);
-    EXPECT_EQ(inWords(one->remarks.at(0)), "a.obj: line 9 was not understood and passed over; it begins with 'w'.");
+    EXPECT_EQ(inWords(one->importNotes.at(0)), "a.obj: line 9 was not understood and passed over; it begins with 'w'.");
     const auto three = read("vv 1 2\n" + kTetrahedron + "surf 0 1\nV 1 1 1\n");
     ASSERT_TRUE(three);
-    EXPECT_EQ(inWords(three->remarks.at(0)),
+    EXPECT_EQ(inWords(three->importNotes.at(0)),
               "a.obj: 3 lines were not understood and passed over; the first is line 1, which begins with 'vv'.");
 }
 
@@ -142,8 +142,8 @@ TEST(ObjReader, SubtractsAnOffsetBeforeItRoundsAndSaysSo) {
         ASSERT_TRUE(mesh) << mesh.error().message;
         EXPECT_NEAR(reportOn(mesh->mesh).signedVolume, 8000.0 / 6, 1e-3);
         EXPECT_NEAR((mesh->mesh.vertices[0].cast<double>() + mesh->offset - at - Vec3(0.001, 0, 0)).norm(), 0, 1e-5);
-        ASSERT_EQ(mesh->remarks.size(), 1u);
-        EXPECT_THAT(inWords(mesh->remarks[0]), HasSubstr("were subtracted from its coordinates"));
+        ASSERT_EQ(mesh->importNotes.size(), 1u);
+        EXPECT_THAT(inWords(mesh->importNotes[0]), HasSubstr("were subtracted from its coordinates"));
     }
 }
 

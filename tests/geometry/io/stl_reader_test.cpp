@@ -12,8 +12,8 @@
 #include <limits>
 #include <random>
 
-#include "geometry/util/byte_text.h"
 #include "geometry/stl_bytes.h"
+#include "geometry/util/byte_text.h"
 #include "support/test_data.h"
 
 namespace tactooth {

@@ -9,8 +9,8 @@
 #include <cmath>
 #include <random>
 
-#include "geometry/stl_bytes.h"
 #include "geometry/io/stl_reader.h"
+#include "geometry/stl_bytes.h"
 #include "support/shapes.h"
 #include "support/test_data.h"
 

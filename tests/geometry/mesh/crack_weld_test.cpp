@@ -86,35 +86,35 @@ TEST(CrackWeld, NoEdgeIsWeldedAway) {
 Triangle turnedBack(const Triangle& t) { return {t[0], t[2], t[1]}; }
 Triangle rotated(const Triangle& t) { return {t[1], t[2], t[0]}; }
 
-TEST(DropDoubles, LeavesOneOfEqualsAndNoneOfPairsBackToBack) {
+TEST(RemoveDuplicates, LeavesOneOfEqualsAndNoneOfPairsBackToBack) {
     const TriangleMesh sound = ball();
     TriangleMesh mesh = sound;
-    EXPECT_EQ(dropDoubles(mesh), 0u);
+    EXPECT_EQ(removeDuplicates(mesh), 0u);
     mesh.triangles.push_back(rotated(sound.triangles[5]));
-    EXPECT_EQ(dropDoubles(mesh), 1u);
+    EXPECT_EQ(removeDuplicates(mesh), 1u);
     EXPECT_EQ(mesh.triangles, sound.triangles);
     // A fin: two triangles back to back beside the ball.
     const Triangle fin = {0, 100, 200};
     mesh.triangles.push_back(fin);
     mesh.triangles.push_back(rotated(turnedBack(fin)));
-    EXPECT_EQ(dropDoubles(mesh), 2u);
+    EXPECT_EQ(removeDuplicates(mesh), 2u);
     EXPECT_EQ(mesh.triangles, sound.triangles);
     // Stored forward, back and forward again: forward once.
     mesh.triangles.push_back(turnedBack(sound.triangles[7]));
     mesh.triangles.push_back(sound.triangles[7]);
-    EXPECT_EQ(dropDoubles(mesh), 2u);
+    EXPECT_EQ(removeDuplicates(mesh), 2u);
     EXPECT_EQ(mesh.triangles, sound.triangles);
 }
 
-TEST(DropDoubles, AWholeBodyStoredThreeTimesIsOneBody) {
+TEST(RemoveDuplicates, AWholeBodyStoredThreeTimesIsOneBody) {
     TriangleMesh mesh = ball();
     const auto once = mesh.triangles;
     for (int i = 0; i < 2; ++i) mesh.triangles.insert(mesh.triangles.end(), once.begin(), once.end());
-    EXPECT_EQ(dropDoubles(mesh), 2 * once.size());
+    EXPECT_EQ(removeDuplicates(mesh), 2 * once.size());
     EXPECT_EQ(mesh.triangles, once);
 }
 
-TEST(DropDoubles, TwoBoxesWithAWallInCommonBecomeOne) {
+TEST(RemoveDuplicates, TwoBoxesWithAWallInCommonBecomeOne) {
     TriangleMesh mesh = test::box(Vec3(0, 0, 0), Vec3(1, 1, 1));
     TriangleMesh mirrored = mesh;  // in the plane of that wall, which it divides along the same diagonal
     for (Vec3f& vertex : mirrored.vertices) vertex.x() = 2 - vertex.x();
@@ -125,7 +125,7 @@ TEST(DropDoubles, TwoBoxesWithAWallInCommonBecomeOne) {
         for (const std::uint32_t vertex : t) corners.push_back(mesh.vertices[vertex]);
     }
     mesh = weld(corners);
-    EXPECT_EQ(dropDoubles(mesh), 4u);
+    EXPECT_EQ(removeDuplicates(mesh), 4u);
     EXPECT_TRUE(edgeBalance(mesh).closed());
     EXPECT_NEAR(reportOn(mesh).signedVolume, 2, 1e-6);
 }

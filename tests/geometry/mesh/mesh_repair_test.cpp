@@ -24,7 +24,7 @@ TEST(MeshRepair, TurnsWhatDisagrees) {
     const RepairedMesh mended = repaired(mesh);
     EXPECT_TRUE(reportOn(mended.mesh).watertight());
     EXPECT_GT(reportOn(mended.mesh).signedVolume, 0);
-    EXPECT_EQ(mended.report.turnedTriangles, (mesh.triangles.size() + 4) / 5);
+    EXPECT_EQ(mended.report.flippedTriangles, (mesh.triangles.size() + 4) / 5);
 }
 
 TEST(MeshRepair, TurnsTheWholeOutward) {
@@ -70,7 +70,7 @@ TEST(MeshRepair, DropsDoubledAndEmptyTrianglesAndCrumbs) {
 TEST(MeshRepair, PiecesComeLargestFirst) {
     TriangleMesh mesh = test::box(Vec3(9, 9, 9), Vec3(10, 10, 10));
     append(mesh, ball());
-    const auto pieces = piecesOf(mesh);
+    const auto pieces = connectedComponents(mesh);
     ASSERT_EQ(pieces.size(), 2u);
     EXPECT_EQ(pieces[0].triangles.size(), ball().triangles.size());
     EXPECT_TRUE(reportOn(pieces[1]).watertight());

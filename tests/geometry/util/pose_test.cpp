@@ -19,28 +19,28 @@ TEST(Pose, InverseUndoesAndProductsChain) {
     EXPECT_LT((a.inverse() * (a * point) - point).norm(), 1e-14);
 }
 
-TEST(ShortestTurn, BringsOneDirectionOntoTheOtherByTheAngleBetween) {
+TEST(ShortestRotation, BringsOneDirectionOntoTheOtherByTheAngleBetween) {
     std::mt19937 random(7);
     std::normal_distribution<double> normal;
     const auto any = [&] { return Vec3(normal(random), normal(random), normal(random)); };
     for (int i = 0; i < 1000; ++i) {
         const Vec3 from = any();
         const Vec3 to = any();
-        const Quat turn = shortestTurn(from, to);
+        const Quat turn = shortestRotation(from, to);
         EXPECT_LT((turn * from.normalized() - to.normalized()).norm(), 1e-12);
         const double between = std::atan2(from.cross(to).norm(), from.dot(to));
         EXPECT_NEAR(2 * std::atan2(turn.vec().norm(), std::abs(turn.w())), between, 1e-12);
     }
 }
 
-TEST(ShortestTurn, OfOppositeDirectionsIsHalfATurnAboutAnAxisAcross) {
+TEST(ShortestRotation, OfOppositeDirectionsIsHalfATurnAboutAnAxisAcross) {
     for (const Vec3& from : {Vec3(0, 0, 1), Vec3(2, 0, 0), Vec3(1, -3, 0.2)}) {
-        const Quat turn = shortestTurn(from, -from);
+        const Quat turn = shortestRotation(from, -from);
         EXPECT_NEAR(turn.norm(), 1, 1e-12);
         EXPECT_LT((turn * from + from).norm(), 1e-7 * from.norm());
         EXPECT_NEAR(turn.vec().dot(from), 0, 1e-7 * from.norm());
     }
-    EXPECT_TRUE(shortestTurn(Vec3(0, 3, 0), Vec3(0, 1, 0)).isApprox(Quat::Identity()));
+    EXPECT_TRUE(shortestRotation(Vec3(0, 3, 0), Vec3(0, 1, 0)).isApprox(Quat::Identity()));
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ TEST(SoundProfile, ReadsTimesFromTheFirstRowOnAndWhatTheBurDoes) {
     EXPECT_EQ(state.motor, MotorKind::AirTurbine);
     EXPECT_EQ(state.speedRpm, 300000);
     EXPECT_EQ(state.freeSpeedRpm, 400000);
-    EXPECT_EQ(state.removalWatt, 4);
+    EXPECT_EQ(state.removalPower, 4);
     EXPECT_EQ(state.material.bandCentreHz, soundCharacterOf("dentin").bandCentreHz);
 }
 
@@ -61,7 +61,7 @@ TEST(SoundProfile, ABurAtRestHasNoAirAndALoadedOneMore) {
 TEST(SoundProfile, NoneCutsNothingAndSoundsLikeWhatComesNext) {
     const auto track = read("0,300000,0,none\n1,300000,5,none\n2,300000,5,caries\n3,300000,0,none\n");
     ASSERT_TRUE(track);
-    EXPECT_EQ((*track)[1].state.removalWatt, 0);
+    EXPECT_EQ((*track)[1].state.removalPower, 0);
     EXPECT_EQ((*track)[1].state.material.bandCentreHz, soundCharacterOf("caries").bandCentreHz);
 }
 

@@ -13,10 +13,10 @@ Tick cuttingTick() {
     tick.pedal = 0.8;
     tick.speedRpm = 350000;
     tick.load = 0.7;
-    tick.removalWatt = 3;
+    tick.removalPower = 3;
     tick.material = MaterialId::Caries;
-    tick.landings = 4;
-    tick.landingSpeed = 12;
+    tick.contactOnsets = 4;
+    tick.impactSpeed = 12;
     return tick;
 }
 
@@ -27,7 +27,7 @@ TEST(TickSound, HandsOnWhatTheTickFound) {
     EXPECT_EQ(state.freeSpeedRpm, turbine.freeSpeedRpm);
     EXPECT_EQ(state.pedal, 0.8);
     EXPECT_EQ(state.load, 0.7 / turbine.stallTorque);
-    EXPECT_EQ(state.removalWatt, 3);
+    EXPECT_EQ(state.removalPower, 3);
     EXPECT_EQ(state.contactCount, 4U);
     EXPECT_EQ(state.contactSpeed, 12);
 }

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "geometry/util/byte_text.h"
 #include "geometry/io/stl_writer.h"
+#include "geometry/util/byte_text.h"
 #include "session/cases/case_store.h"
 #include "support/shapes.h"
 
@@ -44,7 +44,7 @@ position = [0.0, 0.0, -12.0]
 inline std::vector<std::byte> archiveWith(const std::string& name, const std::string& content = "x") {
     // The name has the same length as a safe one, which is then replaced in the bytes.
     std::string safe(name.size(), 'a');
-    std::string bytes(asText(packedCase({{safe, bytesOf(content)}}).value()));
+    std::string bytes(asText(packCase({{safe, bytesOf(content)}}).value()));
     for (std::size_t at = bytes.find(safe); at != std::string::npos; at = bytes.find(safe, at + 1)) {
         bytes.replace(at, safe.size(), name);
     }

@@ -14,14 +14,14 @@ TEST(CaseNames, NamesTellWhatASurfaceIs) {
     EXPECT_FALSE(surfaceNamed("L6_whole.stl").material);
     EXPECT_EQ(surfaceNamed("tooth_2_outer.stl").body, "tooth_2");
     EXPECT_EQ(surfaceNamed("my molar.ply").body, "my molar");
-    EXPECT_TRUE(surfaceNamed("mandible_cortical_bone.stl").isAround);
-    EXPECT_TRUE(surfaceNamed("gum.obj").isAround);
-    EXPECT_FALSE(surfaceNamed("bonehead.stl").isAround);
+    EXPECT_TRUE(surfaceNamed("mandible_cortical_bone.stl").isAdjacent);
+    EXPECT_TRUE(surfaceNamed("gum.obj").isAdjacent);
+    EXPECT_FALSE(surfaceNamed("bonehead.stl").isAdjacent);
 }
 
 TEST(CaseNames, CapitalsDoNotCount) {
     EXPECT_EQ(surfaceNamed("L6_ENAMEL.STL").material, MaterialId::Enamel);
-    EXPECT_TRUE(surfaceNamed("GUM.stl").isAround);
+    EXPECT_TRUE(surfaceNamed("GUM.stl").isAdjacent);
 }
 
 TEST(CaseNames, TheNumberOfAToothIsTheEndOfItsName) {

@@ -23,7 +23,7 @@ using test::archiveWith;
 
 /// The size that the archive's lists claim for its only file is replaced.
 std::vector<std::byte> archiveClaiming(std::uint32_t claimed, std::size_t real) {
-    std::string bytes(asText(packedCase({{"case.toml", bytesOf(std::string(real, 'x'))}}).value()));
+    std::string bytes(asText(packCase({{"case.toml", bytesOf(std::string(real, 'x'))}}).value()));
     const auto word = [](std::size_t value) {
         std::string text;
         for (int i = 0; i < 4; ++i) text += static_cast<char>(value >> (8 * i) & 0xff);
@@ -41,7 +41,7 @@ TEST(CaseStore, FolderAndArchiveHoldTheSame) {
         fs::create_directories((folder / file.entry).parent_path());
         ASSERT_TRUE(writeFile(folder / file.entry, file.bytes));
     }
-    const auto packed = packedCase(test::blockCase());
+    const auto packed = packCase(test::blockCase());
     ASSERT_TRUE(packed);
     const auto fromFolder = CaseStore::open(folder.path());
     const auto fromText = CaseStore::open(folder / "case.toml");
@@ -57,15 +57,15 @@ TEST(CaseStore, FolderAndArchiveHoldTheSame) {
 
 TEST(CaseStore, TheSameFilesGiveTheSameBytes) {
     auto files = test::blockCase();
-    const auto once = packedCase(files).value();
+    const auto once = packCase(files).value();
     std::ranges::reverse(files);
-    EXPECT_EQ(packedCase(files).value(), once);
+    EXPECT_EQ(packCase(files).value(), once);
 }
 
 TEST(CaseStore, AnArchiveOfAFolderIsReadFromThatFolder) {
     auto files = test::blockCase();
     for (CaseFile& file : files) file.entry = "mouth/" + file.entry;
-    const auto bytes = packedCase(files).value();
+    const auto bytes = packCase(files).value();
     const auto store = CaseStore::openArchive(bytes, "x.ttcase");
     ASSERT_TRUE(store);
     EXPECT_TRUE(store->read("case.toml"));
@@ -108,7 +108,7 @@ TEST(CaseStore, ClaimsOfGigabytesAreRefusedAtOnce) {
 }
 
 TEST(CaseStore, ABombIsRefusedByWhatItClaims) {
-    const auto bytes = packedCase({{"case.toml", std::vector<std::byte>(std::size_t{40} << 20)}});
+    const auto bytes = packCase({{"case.toml", std::vector<std::byte>(std::size_t{40} << 20)}});
     ASSERT_TRUE(bytes);
     ASSERT_LT(bytes->size(), 100'000u);  // zeros pack a thousand times smaller
     const auto store = CaseStore::openArchive(*bytes, "bomb.ttcase");
@@ -128,7 +128,7 @@ TEST(CaseStore, ABombThatClaimsToBeSmallGivesNoMoreThanItClaims) {
 TEST(CaseStore, TooManyFilesAreRefused) {
     std::vector<CaseFile> files;
     for (std::size_t i = 0; i <= kCaseLimits.entries; ++i) files.push_back({std::to_string(i), bytesOf("x")});
-    const auto bytes = packedCase(files).value();
+    const auto bytes = packCase(files).value();
     const auto store = CaseStore::openArchive(bytes, "many.ttcase");
     ASSERT_FALSE(store);
     EXPECT_NE(store.error().message.find("1001 files"), std::string::npos) << store.error().message;
@@ -153,7 +153,7 @@ TEST(CaseStore, CasesAreToldByName) {
 
 /// Two hundred damaged archives: each is opened, or refused with one sentence.
 TEST(CaseStore, DamagedArchivesAreOpenedOrRefused) {
-    const std::string sound(asText(packedCase(test::blockCase()).value()));
+    const std::string sound(asText(packCase(test::blockCase()).value()));
     const std::vector<std::string> seeds = {sound};
     std::mt19937 random(20261121);
     int refused = 0;

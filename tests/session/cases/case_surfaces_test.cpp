@@ -94,10 +94,10 @@ TEST_F(CaseSurfaceFiles, HandOnWhatReadingThemSays) {
     std::ofstream(folder_ / "jaw.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nwhat\n";
     const auto surfaces = readCaseSurfaces({folder_.path()});
     ASSERT_TRUE(surfaces) << surfaces.error().message;
-    ASSERT_EQ(surfaces->teeth[0].remarks.size(), 1u);
-    EXPECT_EQ(surfaces->teeth[0].remarks[0].topic, RemarkTopic::File);
-    EXPECT_THAT(inWords(surfaces->teeth[0].remarks[0]), testing::StartsWith("36.obj: line 5 was not understood"));
-    EXPECT_EQ(surfaces->aroundRemarks.at("jaw").size(), 1u);
+    ASSERT_EQ(surfaces->teeth[0].importNotes.size(), 1u);
+    EXPECT_EQ(surfaces->teeth[0].importNotes[0].topic, ImportNoteTopic::File);
+    EXPECT_THAT(inWords(surfaces->teeth[0].importNotes[0]), testing::StartsWith("36.obj: line 5 was not understood"));
+    EXPECT_EQ(surfaces->aroundImportNotes.at("jaw").size(), 1u);
 }
 
 TEST_F(CaseSurfaceFiles, FarFromZeroStayInOneFrame) {

@@ -32,7 +32,7 @@ TEST(EntryName, IsTheSameHoweverItIsWritten) {
 
 TEST(EntryName, OnlyWhatLeadsOutPointsOut) {
     for (const char* const path : {"../a", "a/../b", "/a", "\\a", "C:\\a", "x:/a", ".."})
-        EXPECT_EQ(entryName(path).fault, EntryFault::PointsOut) << path;
+        EXPECT_EQ(entryName(path).fault, EntryFault::PathTraversal) << path;
     EXPECT_EQ(entryName(std::string(2000, 'a')).fault, EntryFault::TooLong);
     EXPECT_EQ(entryName("a\tb").fault, EntryFault::ControlCharacter);
     EXPECT_EQ(entryName("a/").fault, EntryFault::NoFile);
@@ -41,12 +41,12 @@ TEST(EntryName, OnlyWhatLeadsOutPointsOut) {
 TEST(EntryName, ForeignFilesAreToldByTheirNames) {
     for (const char* const name : {"._36.stl", ".DS_Store", "Thumbs.db", "thumbs.DB", "desktop.ini", "Desktop.ini",
                                    "__MACOSX", ".hidden", "Icon\r"}) {
-        EXPECT_TRUE(isForeignFile(name)) << name;
-        EXPECT_TRUE(isForeignEntry(std::string("a/") + name)) << name;
-        EXPECT_TRUE(isForeignEntry(std::string(name) + "/36.stl")) << name;
+        EXPECT_TRUE(isSystemFile(name)) << name;
+        EXPECT_TRUE(isSystemEntry(std::string("a/") + name)) << name;
+        EXPECT_TRUE(isSystemEntry(std::string(name) + "/36.stl")) << name;
     }
     for (const char* const name : {"36.stl", "_36.stl", "Thumbs.stl", "MACOSX", "..", ".", ""})
-        EXPECT_FALSE(isForeignFile(name)) << name;
+        EXPECT_FALSE(isSystemFile(name)) << name;
 }
 
 }  // namespace

@@ -6,9 +6,9 @@
 
 #include <fstream>
 
-#include "geometry/mesh/mesh_report.h"
 #include "geometry/io/stl_reader.h"
 #include "geometry/io/stl_writer.h"
+#include "geometry/mesh/mesh_report.h"
 #include "instruments/builtin_tooth.h"
 #include "session/cases/open_case.h"
 #include "session/cases/write_case.h"
@@ -49,7 +49,7 @@ TEST_F(MouthOfFiles, BecomesACaseWhereAllStandsInPlace) {
     ASSERT_TRUE(made) << made.error().message;
     ASSERT_EQ(made->description.teeth.size(), 4u);
     ASSERT_EQ(made->description.around.size(), 1u);
-    const auto bytes = packedCase(made->files).value();
+    const auto bytes = packCase(made->files).value();
     const auto store = CaseStore::openArchive(bytes, "m.ttcase");
     ASSERT_TRUE(store) << store.error().message;
     const auto bodies = caseBodies(*store, *readCaseDescription(*store));
@@ -108,7 +108,7 @@ TEST(MakeCase, ASingleSurfaceGetsAModelAndSaysSo) {
     ASSERT_EQ(tooth.layers.size(), 3u);
     EXPECT_EQ(tooth.layers.front().second, tooth.outer);  // enamel is what the dentin leaves
     EXPECT_NE(tooth.assumed.front().find("Units taken as cm"), std::string::npos);
-    const auto bytes = packedCase(made->files).value();
+    const auto bytes = packCase(made->files).value();
     EXPECT_TRUE(openCase(CaseStore::openArchive(bytes, "x").value()));
 }
 
@@ -126,7 +126,7 @@ TEST(MakeCase, NamesThatDifferInForeignLettersAloneGetFilesOfTheirOwn) {
     EXPECT_EQ(made->description.teeth[1].name, "左");
     EXPECT_NE(made->description.teeth[0].outer, made->description.teeth[1].outer);
     EXPECT_EQ(made->files.size(), 5u);
-    const auto bytes = packedCase(made->files);
+    const auto bytes = packCase(made->files);
     ASSERT_TRUE(bytes) << bytes.error().message;
     EXPECT_TRUE(openCase(CaseStore::openArchive(*bytes, "x").value()));
 }
@@ -156,7 +156,7 @@ TEST(MakeCase, TheTeethOfACtBecomeOneCase) {
     // The lower left molar's cheek is on the patient's left, the incisor's lip in front (x to the left, y to the back).
     EXPECT_GT((made->description.teeth[5].toothInCase.rotation * Vec3::UnitY()).x(), 0.6);
     EXPECT_LT((made->description.teeth[0].toothInCase.rotation * Vec3::UnitY()).y(), -0.6);
-    const auto bytes = packedCase(made->files).value();
+    const auto bytes = packCase(made->files).value();
     const auto opened = openCase(CaseStore::openArchive(bytes, "ct.ttcase").value(), "36");
     ASSERT_TRUE(opened) << opened.error().message;
     EXPECT_EQ(opened->teeth->layers().size(), 22u);

@@ -5,10 +5,10 @@
 #include <gtest/gtest.h>
 
 #include "geometry/files/atomic_file.h"
-#include "geometry/mesh/mesh_report.h"
 #include "geometry/io/stl_reader.h"
+#include "geometry/mesh/mesh_report.h"
 #include "session/cases/block_case.h"
-#include "session/cases/placed_tooth.h"
+#include "session/cases/loaded_tooth.h"
 #include "support/test_data.h"
 
 namespace tactooth {
@@ -21,7 +21,7 @@ Expected<OpenedCase> openChanged(const std::string& from, const std::string& to,
     const std::size_t at = text.find(from);
     if (at != std::string::npos) text.replace(at, from.size(), to);
     files[0].bytes = bytesOf(text);
-    const auto bytes = packedCase(files).value();
+    const auto bytes = packCase(files).value();
     const auto store = CaseStore::openArchive(bytes, "x.ttcase");
     if (!store) return Unexpected{store.error()};
     return openCase(*store, tooth);
@@ -88,7 +88,7 @@ TEST(OpenCase, MaterialsAndBurOfTheCaseAreRead) {
     files.push_back({"burs/mine.toml", bytesOf("surface = \"mine.stl\"\nmaterial = \"diamond\"\ngrit_um = 106\n"
                                                "sharpness = 0.5\n")});
     files.push_back({"burs/mine.stl", stlBytes(test::cylinder(Vec3::Zero(), 0.5, 4, 24))});
-    const auto bytes = packedCase(files).value();
+    const auto bytes = packCase(files).value();
     const auto opened = openCase(CaseStore::openArchive(bytes, "x.ttcase").value());
     ASSERT_TRUE(opened) << opened.error().message;
     EXPECT_EQ((*opened->materials)[MaterialId::Enamel].stiffness, 0.9);
@@ -112,7 +112,7 @@ TEST(OpenCase, OverlapsAreFound) {
 TEST(OpenCase, TheOthersAndWhatIsAroundAreNotTheToothThatIsWorkedOn) {
     const auto opened = openChanged("", "", "37");
     ASSERT_TRUE(opened) << opened.error().message;
-    const WorkPiece piece(opened->teeth, 0.1);
+    const CutModel piece(opened->teeth, 0.1);
     HapticSettings settings;
     HapticSimulation simulation(std::make_shared<const ToolShape>(test::cylinder(Vec3::Zero(), 0.5, 6, 24)), 0.5,
                                 piece.felt(), settings);
@@ -129,9 +129,9 @@ TEST(OpenCase, TheOthersAndWhatIsAroundAreNotTheToothThatIsWorkedOn) {
 
 TEST(OpenCase, EveryToothOfACaseCanBeCut) {
     const test::TemporaryFolder folder;
-    const auto bytes = packedCase(test::blockCase()).value();
+    const auto bytes = packCase(test::blockCase()).value();
     ASSERT_TRUE(writeFile(folder / "x.ttcase", bytes));
-    const auto tooth = loadPlacedWork({.outer = folder / "x.ttcase", .layers = {}}, "37", 0.1, 0.1);
+    const auto tooth = loadModelOrCase({.outer = folder / "x.ttcase", .layers = {}}, "37", 0.1, 0.1);
     ASSERT_TRUE(tooth) << tooth.error().message;
     EXPECT_EQ(tooth->place.name, "Two blocks, 37");
     EXPECT_EQ(tooth->place.teethOfCase, (std::vector<std::string>{"36", "37"}));

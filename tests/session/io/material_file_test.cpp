@@ -122,9 +122,9 @@ TEST(MaterialFile, RefusesWhatNoDeviceMayRender) {
     EXPECT_THAT(refusal("[dentin]\nremoval = 11"), HasSubstr("from 0 to 10, but is 11"));
     EXPECT_THAT(refusal("[dentin]\nsound_centre = 1e5"), HasSubstr("from 0 to 20000, but is 1e+05"));
     const MaterialTable most = parsed("[other]\nstiffness = 5\ndamping = 0.02\nfriction = 2\n");
-    EXPECT_EQ(most[MaterialId::Other].stiffness, kMostMaterialStiffness);
-    EXPECT_EQ(most[MaterialId::Other].damping, kMostMaterialDamping);
-    EXPECT_EQ(most[MaterialId::Other].friction, kMostMaterialFriction);
+    EXPECT_EQ(most[MaterialId::Other].stiffness, kMaxMaterialStiffness);
+    EXPECT_EQ(most[MaterialId::Other].damping, kMaxMaterialDamping);
+    EXPECT_EQ(most[MaterialId::Other].friction, kMaxMaterialFriction);
 }
 
 TEST(MaterialFile, RefusesAColourThatIsNone) {

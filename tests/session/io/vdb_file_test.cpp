@@ -56,7 +56,7 @@ struct Read {
 
 class VdbFile : public ::testing::Test {
 protected:
-    Read written(const WorkPiece& piece) {
+    Read written(const CutModel& piece) {
         const auto done = writeVdb(piece.volume(), kNotes, folder_ / "cut.vdb");
         EXPECT_TRUE(done) << done.error().message;
         return Read(folder_ / "cut.vdb");
@@ -133,7 +133,7 @@ TEST_F(VdbFile, VoxelsLieWhereTheSurfaceIs) {
 TEST_F(VdbFile, AnUncutToothIsWhole) {
     auto tooth = LayeredTooth::make(test::sphere(Vec3(0.1, 0.2, 0.3), 2, 96, 64), {}, MaterialId::Dentin);
     const double whole = test::volumeOf(tooth->outer()->mesh());
-    const WorkPiece piece(std::make_shared<const LayeredTooth>(std::move(*tooth)), 0.04);
+    const CutModel piece(std::make_shared<const LayeredTooth>(std::move(*tooth)), 0.04);
     const Read read = written(piece);
     ASSERT_EQ(read.grids.size(), 1U);
     EXPECT_NEAR(read.voxelsOf("dentin") * 0.04 * 0.04 * 0.04, whole, 0.0005 * whole);

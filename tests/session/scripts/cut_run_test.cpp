@@ -61,22 +61,23 @@ std::vector<TimedPose> pathOf(const Slot& slot, double tick) {
 }
 
 CutOutcome sweptRigidly(const Slot& slot, double tick) {
-    WorkPiece piece(block(), slot.voxel);
+    CutModel piece(block(), slot.voxel);
     const CuttingTool tool{*RevolutionEnvelope::make(slot.bur), 1};
-    EXPECT_TRUE(cutRigidly(pathOf(slot, tick), tool, kSpeed, {}, piece, [](double, const Tick&, const ToothLoss&) {}));
+    EXPECT_TRUE(
+        cutKinematically(pathOf(slot, tick), tool, kSpeed, {}, piece, [](double, const Tick&, const ToothLoss&) {}));
     return CutOutcome(piece);
 }
 
 /// By a bur that keeps up with its hand.
 CutOutcome cutOutByLaw(const Slot& slot, double tick) {
-    WorkPiece piece(block(), slot.voxel);
+    CutModel piece(block(), slot.voxel);
     const CuttingTool tool{*RevolutionEnvelope::make(slot.bur), 1};
     HapticSettings settings;
     settings.materials = softenedMaterials(1000);
     settings.spindle = constantSpeed(kSpeed);
     HapticSimulation simulation(std::make_shared<const ToolShape>(slot.bur), kRadius, piece.surface(), settings);
-    EXPECT_TRUE(cutByLaw(pathOf(slot, tick), tool, settings.materials, simulation, piece,
-                         [](double, const Tick&, const ToothLoss&) {}));
+    EXPECT_TRUE(cutWithRemovalLaw(pathOf(slot, tick), tool, settings.materials, simulation, piece,
+                                  [](double, const Tick&, const ToothLoss&) {}));
     return CutOutcome(piece);
 }
 

@@ -33,13 +33,13 @@ ToothLoss gone(double enamel, double dentin, double pulp, std::size_t pieces = 0
 
 TEST(CutEvents, AreToldOnceInTheirOrderWithTimeAndPlace) {
     CutEvents events;
-    events.watch(0.0, tickAt(0.2, 0), gone(0, 0, 0));
+    events.update(0.0, tickAt(0.2, 0), gone(0, 0, 0));
     EXPECT_TRUE(events.all().empty());
-    events.watch(0.1, tickAt(0, 1), gone(0, 0, 0));
-    events.watch(0.2, tickAt(-0.5, 1), gone(0.3, 1e-5, 0));
-    events.watch(0.3, tickAt(-1, 1), gone(0.5, 0.1, 0));
-    events.watch(0.4, tickAt(-2, 1), gone(0.5, 0.4, 0.01));
-    events.watch(0.5, tickAt(-3, 1), gone(0.5, 0.5, 0.1));
+    events.update(0.1, tickAt(0, 1), gone(0, 0, 0));
+    events.update(0.2, tickAt(-0.5, 1), gone(0.3, 1e-5, 0));
+    events.update(0.3, tickAt(-1, 1), gone(0.5, 0.1, 0));
+    events.update(0.4, tickAt(-2, 1), gone(0.5, 0.4, 0.01));
+    events.update(0.5, tickAt(-3, 1), gone(0.5, 0.5, 0.1));
     const std::vector<CutEventKind> kinds = {CutEventKind::FirstContact, CutEventKind::DentinReached,
                                              CutEventKind::PulpExposed};
     ASSERT_EQ(events.all().size(), kinds.size());
@@ -51,35 +51,35 @@ TEST(CutEvents, AreToldOnceInTheirOrderWithTimeAndPlace) {
 
 TEST(CutEvents, WhatWasCutBeforeIsNoNews) {
     CutEvents events;
-    events.watch(0.0, tickAt(1, 0), gone(1, 1, 1));
-    events.watch(0.1, tickAt(1, 0), gone(1, 1, 1));
+    events.update(0.0, tickAt(1, 0), gone(1, 1, 1));
+    events.update(0.1, tickAt(1, 0), gone(1, 1, 1));
     EXPECT_TRUE(events.all().empty());
-    events.watch(0.2, tickAt(0, 1), gone(1, 1, 1.1));
+    events.update(0.2, tickAt(0, 1), gone(1, 1, 1.1));
     EXPECT_EQ(events.all().size(), 2U);
 }
 
 TEST(CutEvents, APieceThatCameLooseIsToldEachTime) {
     CutEvents events;
-    events.watch(0.0, tickAt(1, 0), gone(1, 0, 0, 2));  // of an earlier session
-    events.watch(0.1, tickAt(1, 0), gone(2, 0, 0, 3));
-    events.watch(0.2, tickAt(1, 0), gone(2, 0, 0, 3));
-    events.watch(0.3, tickAt(1, 0), gone(1, 0, 0, 2));  // taken back
-    events.watch(0.4, tickAt(1, 0), gone(3, 0, 0, 4));
+    events.update(0.0, tickAt(1, 0), gone(1, 0, 0, 2));  // of an earlier session
+    events.update(0.1, tickAt(1, 0), gone(2, 0, 0, 3));
+    events.update(0.2, tickAt(1, 0), gone(2, 0, 0, 3));
+    events.update(0.3, tickAt(1, 0), gone(1, 0, 0, 2));  // taken back
+    events.update(0.4, tickAt(1, 0), gone(3, 0, 0, 4));
     std::vector<double> times;
     for (const CutEvent& event : events.all()) {
-        if (event.kind == CutEventKind::PieceCameLoose) times.push_back(event.time);
+        if (event.kind == CutEventKind::FragmentReleased) times.push_back(event.time);
     }
     EXPECT_EQ(times, (std::vector<double>{0.1, 0.4}));
-    EXPECT_EQ(cutEventName(CutEventKind::PieceCameLoose), "piece came loose");
+    EXPECT_EQ(cutEventName(CutEventKind::FragmentReleased), "piece came loose");
 }
 
 TEST(CutEvents, WhatIsPutBackAndCutAgainIsNoNews) {
     CutEvents events;
-    events.watch(0.0, tickAt(1, 0), gone(5, 1, 0.3));  // an undo comes a moment later
-    events.watch(0.1, tickAt(1, 0), gone(0, 0, 0));
+    events.update(0.0, tickAt(1, 0), gone(5, 1, 0.3));  // an undo comes a moment later
+    events.update(0.1, tickAt(1, 0), gone(0, 0, 0));
     EXPECT_TRUE(events.all().empty());
-    events.watch(0.2, tickAt(0, 1), gone(0.2, 0, 0));
-    events.watch(0.3, tickAt(0, 1), gone(0.5, 0.1, 0.01));  // less than there was before the undo
+    events.update(0.2, tickAt(0, 1), gone(0.2, 0, 0));
+    events.update(0.3, tickAt(0, 1), gone(0.5, 0.1, 0.01));  // less than there was before the undo
     ASSERT_EQ(events.all().size(), 3U);
     EXPECT_EQ(events.all()[2].kind, CutEventKind::PulpExposed);
     EXPECT_EQ(events.all()[2].time, 0.3);
@@ -88,22 +88,22 @@ TEST(CutEvents, WhatIsPutBackAndCutAgainIsNoNews) {
 TEST(CutEvents, TellEachTouchOfWhatStandsAround) {
     CutEvents events;
     Tick tick = tickAt(0, 1);
-    const auto watch = [&](double time, std::optional<MaterialId> around) {
+    const auto update = [&](double time, std::optional<MaterialId> around) {
         tick.around = around;
-        events.watch(time, tick, {});
+        events.update(time, tick, {});
     };
-    watch(0.0, {});
-    watch(0.1, MaterialId::Enamel);
-    watch(0.2, {});                  // the bur skips
-    watch(0.3, MaterialId::Dentin);  // its root
-    watch(0.4, MaterialId::Other);
-    watch(0.9, {});
-    watch(1.0, MaterialId::Enamel);
+    update(0.0, {});
+    update(0.1, MaterialId::Enamel);
+    update(0.2, {});                  // the bur skips
+    update(0.3, MaterialId::Dentin);  // its root
+    update(0.4, MaterialId::Other);
+    update(0.9, {});
+    update(1.0, MaterialId::Enamel);
     std::vector<std::pair<CutEventKind, double>> told;
     for (const CutEvent& event : events.all()) told.emplace_back(event.kind, event.time);
     const std::vector<std::pair<CutEventKind, double>> expected = {{CutEventKind::FirstContact, 0.0},
                                                                    {CutEventKind::NeighbourTouched, 0.1},
-                                                                   {CutEventKind::GumTouched, 0.4},
+                                                                   {CutEventKind::GingivaTouched, 0.4},
                                                                    {CutEventKind::NeighbourTouched, 1.0}};
     EXPECT_EQ(told, expected);
     EXPECT_EQ(cutEventsCsv(std::span(events.all()).subspan(1, 1)), "t,event,x,y,z\n0.1,neighbour touched,0,0,0\n");
@@ -111,15 +111,15 @@ TEST(CutEvents, TellEachTouchOfWhatStandsAround) {
 
 TEST(CutEvents, ACutIntoWhatStandsAroundIsToldOnce) {
     CutEvents events;
-    events.watch(0.0, tickAt(0, 0), {.beside = 0.3});  // of an earlier session
-    events.watch(0.1, tickAt(0, 0), {.beside = 0.3});
+    events.update(0.0, tickAt(0, 0), {.beside = 0.3});  // of an earlier session
+    events.update(0.1, tickAt(0, 0), {.beside = 0.3});
     EXPECT_TRUE(events.all().empty());
-    events.watch(0.2, tickAt(0, 0), {.beside = 0.31});
-    events.watch(0.3, tickAt(0, 0), {.beside = 0.4});
+    events.update(0.2, tickAt(0, 0), {.beside = 0.31});
+    events.update(0.3, tickAt(0, 0), {.beside = 0.4});
     ASSERT_EQ(events.all().size(), 1U);
-    EXPECT_EQ(events.all()[0].kind, CutEventKind::BesideCut);
+    EXPECT_EQ(events.all()[0].kind, CutEventKind::AdjacentCut);
     EXPECT_EQ(events.all()[0].time, 0.2);
-    EXPECT_EQ(cutEventName(CutEventKind::BesideCut), "cut beside the tooth");
+    EXPECT_EQ(cutEventName(CutEventKind::AdjacentCut), "cut beside the tooth");
 }
 
 TEST(CutEvents, ANeighboursDentinIsNotThatOfTheTooth) {
@@ -133,32 +133,32 @@ TEST(CutEvents, ANeighboursDentinIsNotThatOfTheTooth) {
         return std::ranges::any_of(events.all(),
                                    [](const CutEvent& event) { return event.kind == CutEventKind::DentinReached; });
     };
-    events.watch(0.0, tickAt(0, 1), lost(0, 0));
-    for (int i = 1; i < 50; ++i) events.watch(0.01 * i, tickAt(0, 1), lost(0.01 * i, 0.0099 * i));
+    events.update(0.0, tickAt(0, 1), lost(0, 0));
+    for (int i = 1; i < 50; ++i) events.update(0.01 * i, tickAt(0, 1), lost(0.01 * i, 0.0099 * i));
     EXPECT_FALSE(isReached()) << "what is left is the error of a surface's volume";
     CutEvents both = events;
-    events.watch(0.6, tickAt(0, 1), lost(0.49005, 0.4851));
+    events.update(0.6, tickAt(0, 1), lost(0.49005, 0.4851));
     EXPECT_FALSE(isReached());
-    events.watch(0.7, tickAt(0, 1), lost(0.5, 0.4851));
+    events.update(0.7, tickAt(0, 1), lost(0.5, 0.4851));
     EXPECT_TRUE(isReached()) << "nothing has gone beside";
-    both.watch(0.6, tickAt(0, 1), lost(0.8, 0.6));
+    both.update(0.6, tickAt(0, 1), lost(0.8, 0.6));
     EXPECT_EQ(both.all().back().kind, CutEventKind::DentinReached) << "more than all that has gone beside";
 }
 
 TEST(CutEvents, ABurStallsEachTimeThatItHadRunUpAndTheFootStaysDown) {
     CutEvents events;
-    events.watch(0.0, tickAt(0, 1, 0), {});  // has not run up yet
-    EXPECT_EQ(events.all().size(), 1U);      // the contact
-    events.watch(0.1, tickAt(0, 1), {});
-    events.watch(0.2, tickAt(0, 1, 100), {});
-    events.watch(0.3, tickAt(0, 1, 0), {});
+    events.update(0.0, tickAt(0, 1, 0), {});  // has not run up yet
+    EXPECT_EQ(events.all().size(), 1U);       // the contact
+    events.update(0.1, tickAt(0, 1), {});
+    events.update(0.2, tickAt(0, 1, 100), {});
+    events.update(0.3, tickAt(0, 1, 0), {});
     EXPECT_EQ(events.all().size(), 2U);
     EXPECT_EQ(events.all().back().kind, CutEventKind::BurStalled);
     EXPECT_EQ(events.all().back().time, 0.2);
-    events.watch(0.4, tickAt(0, 1), {});
-    events.watch(0.5, tickAt(0, 1, 0, 0), {});  // the foot has let it run down
-    events.watch(0.6, tickAt(0, 1), {});
-    events.watch(0.7, tickAt(0, 1, 0), {});
+    events.update(0.4, tickAt(0, 1), {});
+    events.update(0.5, tickAt(0, 1, 0, 0), {});  // the foot has let it run down
+    events.update(0.6, tickAt(0, 1), {});
+    events.update(0.7, tickAt(0, 1, 0), {});
     EXPECT_EQ(events.all().size(), 3U);
 }
 
@@ -174,7 +174,7 @@ TEST(CutEvents, TooMuchLoadStallsTheTurbine) {
         const double z = i < 2000 ? 0.2 : 0.2 - 0.001 * std::min(i - 2000, 800);  // runs up, then is pressed by 12 N
         const Tick tick = simulation.step({at(0, 0, z), 1, true}, 0.001);
         if (i >= 2000) slowest = std::min(slowest, tick.speedRpm);
-        events.watch(tick.time, tick, {});
+        events.update(tick.time, tick, {});
     }
     EXPECT_EQ(slowest, 0);
     ASSERT_EQ(events.all().size(), 2U);

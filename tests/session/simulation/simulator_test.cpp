@@ -22,9 +22,9 @@ using test::at;
 using Clock = std::chrono::steady_clock;
 
 /// A hand of the test's own: its pose, its cable and its force may be looked at from outside while the servo runs.
-class WatchedDevice final : public HapticDevice {
+class SpyDevice final : public HapticDevice {
 public:
-    explicit WatchedDevice(std::vector<ScriptedMoment> script) : script_(std::move(script)) { info_ = script_.info(); }
+    explicit SpyDevice(std::vector<DeviceKeyframe> script) : script_(std::move(script)) { info_ = script_.info(); }
     [[nodiscard]] const DeviceInfo& info() const override { return info_; }
     [[nodiscard]] Expected<void> open() override { return script_.open(); }
     void close() override {}
@@ -38,7 +38,7 @@ public:
     void write(const SafeWrench& wrench) override {
         const double force = wrench.force().norm();
         const double step = (wrench.force() - lastForce_).norm();
-        const bool afterStall = elapsed_ > info_.limits.stallTime && force == 0;
+        const bool afterStall = elapsed_ > info_.limits.tickTimeout && force == 0;
         if (step > info_.limits.slew * elapsed_ + 1e-9 && !afterStall) jumped_ = true;
         lastForce_ = wrench.force();
         forceBefore_ = force_.load();
@@ -51,7 +51,7 @@ public:
     [[nodiscard]] double force() const { return force_; }
     [[nodiscard]] double forceBefore() const { return forceBefore_; }
     [[nodiscard]] double strongest() const { return strongest_; }
-    [[nodiscard]] bool wasTooStrong() const { return tooStrong_; }
+    [[nodiscard]] bool wasForceTooLarge() const { return tooStrong_; }
     /// Whether the force has ever changed by more than 0.3 N a millisecond, but for a stall of the machine.
     [[nodiscard]] bool hasJumped() const { return jumped_; }
 
@@ -68,21 +68,21 @@ private:
     Vec3 lastForce_ = Vec3::Zero();
 };
 
-ScriptedMoment moment(double time, const Pose& hand, double pedal) { return {time, {hand, pedal, 0, true}}; }
+DeviceKeyframe moment(double time, const Pose& hand, double pedal) { return {time, {hand, pedal, 0, true}}; }
 
 /// Comes down on the block, then strokes over it, half a millimetre deep.
-std::vector<ScriptedMoment> stroking() {
-    std::vector<ScriptedMoment> script = {moment(0, at(-0.5, 0, 0.3), 1), moment(0.3, at(-0.5, 0, -0.5), 1)};
+std::vector<DeviceKeyframe> stroking() {
+    std::vector<DeviceKeyframe> script = {moment(0, at(-0.5, 0, 0.3), 1), moment(0.3, at(-0.5, 0, -0.5), 1)};
     for (int i = 1; i <= 20; ++i) script.push_back(moment(0.3 + 0.3 * i, at(i % 2 ? 0.5 : -0.5, 0, -0.5), 1));
     return script;
 }
 
-std::vector<ScriptedMoment> resting(double z) { return {moment(0, at(0, 0, z), 1)}; }
+std::vector<DeviceKeyframe> resting(double z) { return {moment(0, at(0, 0, z), 1)}; }
 
 /// Comes down on the block, rests there and lifts off again, over and over: after a stall of the machine the force
 /// waits until the bur was free.
-std::vector<ScriptedMoment> dipping() {
-    std::vector<ScriptedMoment> script;
+std::vector<DeviceKeyframe> dipping() {
+    std::vector<DeviceKeyframe> script;
     for (int i = 0; i < 60; ++i) {
         const double start = 0.8 * i;
         script.push_back(moment(start, at(0, 0, 0.3), 1));
@@ -111,7 +111,7 @@ bool soon(const Condition& condition, std::chrono::seconds limit = 20s) {
 
 TEST(Simulator, CutsABlockLive) {
     const auto piece = test::blockOnTheBench();
-    WatchedDevice device(stroking());
+    SpyDevice device(stroking());
     std::atomic<std::uint64_t> heard{0};
     std::vector<Tick> ticks;
     double removedOnline = 0;
@@ -131,7 +131,7 @@ TEST(Simulator, CutsABlockLive) {
     // A voxel's share falls a little where the last sweep turned the wall's normal: never by as much as the voxel.
     EXPECT_GE(total(piece->removed()), removedOnline - std::pow(test::kVoxel, 3));
     EXPECT_GT(heard, 100U);
-    EXPECT_FALSE(device.wasTooStrong());
+    EXPECT_FALSE(device.wasForceTooLarge());
     EXPECT_GT(device.strongest(), 0.05);
     EXPECT_EQ(device.force(), 0);  // the last that a device hears is zero
     ASSERT_GT(ticks.size(), 100U);
@@ -141,7 +141,7 @@ TEST(Simulator, CutsABlockLive) {
 
 TEST(Simulator, InTouchModeNothingIsCut) {
     const auto piece = test::blockOnTheBench();
-    WatchedDevice device(stroking());
+    SpyDevice device(stroking());
     {
         Simulator simulator(piece, test::flatBur(), HapticSettings(), device, {});
         EXPECT_TRUE(soon([&] { return device.strongest() > 0.05; }));
@@ -150,7 +150,7 @@ TEST(Simulator, InTouchModeNothingIsCut) {
 }
 
 TEST(Simulator, ForceSwitchedOffLeavesTheDeviceLimp) {
-    WatchedDevice device(dipping());
+    SpyDevice device(dipping());
     Simulator simulator(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device, {});
     EXPECT_TRUE(soon([&] { return device.force() > 0.01; }));
     SimulatorControls off;
@@ -163,18 +163,19 @@ TEST(Simulator, ForceSwitchedOffLeavesTheDeviceLimp) {
 }
 
 TEST(Simulator, StartingInsideTheToothGivesNoForce) {
-    WatchedDevice device(resting(-0.5));
+    SpyDevice device(resting(-0.5));
     Simulator simulator(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device, {});
-    EXPECT_TRUE(soon([&] { return simulator.forceState() == ForceState::WaitsForFree; })) << "a place was found for it";
+    EXPECT_TRUE(soon([&] { return simulator.forceState() == ForceState::AwaitsFreeSpace; }))
+        << "a place was found for it";
     const auto ticks = simulator.timing().ticks.load();
     EXPECT_TRUE(soon([&] { return simulator.timing().ticks > ticks + 300; }));
     EXPECT_EQ(device.strongest(), 0);
-    EXPECT_EQ(simulator.forceState(), ForceState::WaitsForFree);
+    EXPECT_EQ(simulator.forceState(), ForceState::AwaitsFreeSpace);
 }
 
 TEST(Simulator, EndingMidPressFadesTheForceOutFirst) {
     for (int i = 0; i < 5; ++i) {
-        WatchedDevice device(dipping());
+        SpyDevice device(dipping());
         {
             Simulator simulator(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device, {});
             EXPECT_TRUE(soon([&] { return device.force() > 0.05; }));
@@ -191,12 +192,12 @@ Instrument thickBur() {
 
 /// What the window does for another bur, tooth or drive: one simulator ends, and the next begins with the same device.
 TEST(Simulator, AnotherBurToothOrDriveMidPressChangesTheForceGently) {
-    WatchedDevice device(dipping());
+    SpyDevice device(dipping());
     auto piece = test::blockOnTheBench();
     Instrument bur = test::flatBur();
     HapticSettings settings;
     // A tick that takes longer than the device's stall time makes no force, and a sanitizer makes it ten times slower.
-    if (test::isSanitized()) settings.tickWork = kTickWork / 10;
+    if (test::isSanitized()) settings.tickBudget = kTickBudget / 10;
     const std::function<void()> changes[] = {[] {}, [&] { piece = test::blockOnTheBench(); }, [&] { bur = thickBur(); },
                                              [&] { settings.spindle = spindlePresets().back(); }};
     for (const auto& change : changes) {
@@ -210,9 +211,8 @@ TEST(Simulator, AnotherBurToothOrDriveMidPressChangesTheForceGently) {
 }
 
 TEST(Simulator, TwoDevicesMoveTurbineAndMirror) {
-    WatchedDevice first(dipping());
-    WatchedDevice second(
-        {moment(0, at(10, 20, 30), 0), moment(0.2, at(10, 20, 30), 0), moment(0.3, at(12, 20, 30), 0)});
+    SpyDevice first(dipping());
+    SpyDevice second({moment(0, at(10, 20, 30), 0), moment(0.2, at(10, 20, 30), 0), moment(0.3, at(12, 20, 30), 0)});
     Simulator simulator(test::blockOnTheBench(), test::flatBur(), HapticSettings(), first, {}, 1000, {}, &second);
     EXPECT_TRUE(soon([&] { return std::abs(simulator.mirrorMotion().position.x() - 2) < 1e-9; }));
     EXPECT_TRUE(soon([&] { return first.force() > 0.01; }));
@@ -220,7 +220,7 @@ TEST(Simulator, TwoDevicesMoveTurbineAndMirror) {
 }
 
 TEST(Simulator, WhatWasCutIsKeptWhenTheDeviceIsLost) {
-    WatchedDevice device(stroking());
+    SpyDevice device(stroking());
     Simulator simulator(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device, {});
     simulator.setControls(cutting());
     ASSERT_TRUE(soon([&] { return total(simulator.removed()) > 0.01; }));
@@ -234,13 +234,13 @@ TEST(Simulator, WhatWasCutIsKeptWhenTheDeviceIsLost) {
 }
 
 TEST(Simulator, ASeatedHandStartsWhereTheToolIsAndMovesItFinely) {
-    WatchedDevice device(
+    SpyDevice device(
         {moment(0, at(100, 50, -30), 0), moment(0.2, at(100, 50, -30), 0), moment(0.3, at(103, 50, -30), 0)});
     std::vector<Tick> ticks;
-    const Seat seat{at(1, 2, 5), Quat(Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitZ()))};
-    Simulator simulator(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device, {}, 1000, seat);
+    const DeviceRegistration registration{at(1, 2, 5), Quat(Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitZ()))};
+    Simulator simulator(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device, {}, 1000, registration);
     SimulatorControls controls;
-    controls.fineness = 3;
+    controls.motionScaling = 3;
     simulator.setControls(controls);
     EXPECT_TRUE(soon([&] {
         simulator.fetchTicks(ticks);
@@ -250,10 +250,11 @@ TEST(Simulator, ASeatedHandStartsWhereTheToolIsAndMovesItFinely) {
 }
 
 TEST(Simulator, AHandWithAPlaceOfItsOwnIsFineFromTheFirstTickOn) {
-    WatchedDevice device({moment(0, at(103, 50, -30), 0)});
+    SpyDevice device({moment(0, at(103, 50, -30), 0)});
     std::vector<Tick> ticks;
-    const Seat seat{at(1, 2, 5), Quat::Identity(), Vec3(100, 50, -30)};
-    Simulator simulator(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device, {}, 1000, seat, nullptr, 3);
+    const DeviceRegistration registration{at(1, 2, 5), Quat::Identity(), Vec3(100, 50, -30)};
+    Simulator simulator(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device, {}, 1000, registration,
+                        nullptr, 3);
     EXPECT_TRUE(soon([&] {
         simulator.fetchTicks(ticks);
         return ticks.size() > 10;
@@ -262,10 +263,10 @@ TEST(Simulator, AHandWithAPlaceOfItsOwnIsFineFromTheFirstTickOn) {
 }
 
 TEST(Simulator, AButtonOfTheDeviceTurnsTouchIntoCut) {
-    std::vector<ScriptedMoment> script = {moment(0, at(0, 0, 3), 1), moment(0.3, at(0, 0, 3), 1),
+    std::vector<DeviceKeyframe> script = {moment(0, at(0, 0, 3), 1), moment(0.3, at(0, 0, 3), 1),
                                           moment(0.4, at(0, 0, 3), 1)};
     script[1].sample.buttons = 2;
-    WatchedDevice device(script);
+    SpyDevice device(script);
     std::atomic<bool> cutting{false};
     Simulator simulator(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device,
                         [&](const Tick& tick) { cutting = tick.cutting; });
@@ -273,10 +274,10 @@ TEST(Simulator, AButtonOfTheDeviceTurnsTouchIntoCut) {
 }
 
 TEST(Simulator, AButtonHandsOverToTheMirrorWhileTheToolStays) {
-    std::vector<ScriptedMoment> script = {moment(0, at(0, 0, 3), 1), moment(0.3, at(0, 0, 3), 1),
+    std::vector<DeviceKeyframe> script = {moment(0, at(0, 0, 3), 1), moment(0.3, at(0, 0, 3), 1),
                                           moment(0.4, at(0, 0, 3), 1), moment(0.6, at(4, 0, 3), 1)};
     script[1].sample.buttons = 1;
-    WatchedDevice device(script);
+    SpyDevice device(script);
     std::vector<Tick> ticks;
     Simulator simulator(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device, {});
     EXPECT_TRUE(soon([&] { return std::abs(simulator.mirrorMotion().position.x() - 4) < 1e-9; }));
@@ -285,7 +286,7 @@ TEST(Simulator, AButtonHandsOverToTheMirrorWhileTheToolStays) {
 }
 
 TEST(Simulator, ALostDeviceGetsNoForceAndComesBackWithARamp) {
-    WatchedDevice device(dipping());
+    SpyDevice device(dipping());
     Simulator simulator(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device, {});
     EXPECT_TRUE(soon([&] { return device.force() > 0.01; }));
     device.plugIn(false);
@@ -295,11 +296,11 @@ TEST(Simulator, ALostDeviceGetsNoForceAndComesBackWithARamp) {
     EXPECT_EQ(device.force(), 0);
     device.plugIn(true);
     EXPECT_TRUE(soon([&] { return device.force() > 0.01; }));
-    EXPECT_FALSE(device.wasTooStrong());
+    EXPECT_FALSE(device.wasForceTooLarge());
 }
 
 TEST(Simulator, ADeviceThatIsLostFromTheStartIsNoHand) {
-    WatchedDevice device(resting(-0.5));
+    SpyDevice device(resting(-0.5));
     device.plugIn(false);
     std::atomic<bool> placed{false};
     Simulator simulator(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device,
@@ -313,7 +314,7 @@ TEST(Simulator, TheForceOverridesOfTheSettingsHoldUntilTheControlsSayOtherwise) 
     HapticSettings soft;
     soft.force.stiffness = 0.0;
     soft.force.damping = 0.0;
-    WatchedDevice device(dipping());
+    SpyDevice device(dipping());
     Simulator simulator(test::blockOnTheBench(), test::flatBur(), soft, device, {});
     EXPECT_TRUE(soon([&] { return simulator.timing().ticks > 100; }));
     EXPECT_EQ(device.strongest(), 0);
@@ -322,7 +323,7 @@ TEST(Simulator, TheForceOverridesOfTheSettingsHoldUntilTheControlsSayOtherwise) 
 }
 
 TEST(Simulator, TheLargerOfBothPedalsCounts) {
-    WatchedDevice device({moment(0, at(0, 0, 1), 0.25)});
+    SpyDevice device({moment(0, at(0, 0, 1), 0.25)});
     std::atomic<double> pedal{-1};
     Simulator simulator(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device,
                         [&](const Tick& tick) { pedal = tick.pedal; });
@@ -335,7 +336,7 @@ TEST(Simulator, TheLargerOfBothPedalsCounts) {
 
 TEST(Simulator, AResetPutsTheToothBackWhileItRuns) {
     const auto piece = test::blockOnTheBench(MaterialId::Caries);
-    WatchedDevice device(stroking());
+    SpyDevice device(stroking());
     Simulator simulator(piece, test::flatBur(), HapticSettings(), device, {});
     simulator.setControls(cutting());
     ASSERT_TRUE(soon([&] { return total(simulator.removed()) > 0.01; }));
@@ -350,7 +351,7 @@ TEST(Simulator, WhatIsLooseFallsWhileTheBurIsInTheAir) {
     const auto piece = test::blockOnTheBench();
     test::cutARidgeOff(*piece);
     const double ground = total(piece->removed());
-    WatchedDevice device({moment(0, at(0, 0, -0.99), 0), moment(0.5, at(0, 0, -1.05), 0), moment(1, at(0, 0, 1), 0)});
+    SpyDevice device({moment(0, at(0, 0, -0.99), 0), moment(0.5, at(0, 0, -1.05), 0), moment(1, at(0, 0, 1), 0)});
     Simulator simulator(piece, test::flatBur(), HapticSettings(), device, {});
     EXPECT_TRUE(soon([&] { return simulator.loss().pieces == 1; }));
     EXPECT_GT(total(simulator.removed()), ground + 1);
@@ -360,9 +361,9 @@ TEST(Simulator, WhatIsLooseFallsWhileTheBurIsInTheAir) {
 TEST(Simulator, UndoTakesBackTheCutsSinceTheBurWasLiftedWhileItRuns) {
     const auto piece = test::blockOnTheBench(MaterialId::Caries);
     // Two cuts, with the bur in the air for 0.8 s between them, and then a rest in the air.
-    WatchedDevice device({moment(0, at(-0.5, 0, 0.3), 1), moment(0.3, at(-0.5, 0, -0.3), 1),
-                          moment(0.6, at(-0.5, 0, 0.3), 1), moment(1.4, at(0.5, 0, 0.3), 1),
-                          moment(1.7, at(0.5, 0, -0.4), 1), moment(2.0, at(0.5, 0, 0.5), 1)});
+    SpyDevice device({moment(0, at(-0.5, 0, 0.3), 1), moment(0.3, at(-0.5, 0, -0.3), 1),
+                      moment(0.6, at(-0.5, 0, 0.3), 1), moment(1.4, at(0.5, 0, 0.3), 1),
+                      moment(1.7, at(0.5, 0, -0.4), 1), moment(2.0, at(0.5, 0, 0.5), 1)});
     Simulator simulator(piece, test::flatBur(), HapticSettings(), device, {});
     simulator.setControls(cutting());
     ASSERT_TRUE(soon([&] { return simulator.surface()->patches.empty() == false; }));
@@ -382,7 +383,7 @@ TEST(Simulator, UndoTakesBackTheCutsSinceTheBurWasLiftedWhileItRuns) {
 
 TEST(Simulator, TheToothCanBeSavedWhileItIsCut) {
     const auto piece = test::blockOnTheBench(MaterialId::Caries);
-    WatchedDevice device(stroking());
+    SpyDevice device(stroking());
     Simulator simulator(piece, test::flatBur(), HapticSettings(), device, {});
     simulator.setControls(cutting());
     ASSERT_TRUE(soon([&] { return total(simulator.removed()) > 0.01; }));
@@ -396,7 +397,7 @@ TEST(Simulator, AWorkPieceGoesOnFromOneSimulatorToTheNext) {
     const auto piece = test::blockOnTheBench(MaterialId::Caries);
     for (int round = 0; round < 3; ++round) {
         const double before = total(piece->removed());
-        WatchedDevice device(stroking());
+        SpyDevice device(stroking());
         Simulator simulator(piece, test::flatBur(), HapticSettings(), device, {});
         EXPECT_EQ(total(simulator.removed()), before);
         simulator.setControls(cutting());
@@ -407,7 +408,7 @@ TEST(Simulator, AWorkPieceGoesOnFromOneSimulatorToTheNext) {
 TEST(Simulator, StopsCleanlyInAnyState) {
     const auto piece = test::blockOnTheBench(MaterialId::Caries);
     for (int i = 0; i < 25; ++i) {
-        WatchedDevice device(stroking());
+        SpyDevice device(stroking());
         {
             Simulator simulator(piece, test::flatBur(), HapticSettings(), device, {});
             simulator.setControls(cutting());

@@ -93,7 +93,7 @@ TEST(ToothCache, DamagedFilesAreMadeAnew) {
     }
 }
 
-const MouthRequest kMouth{.triangles = 1000, .missing = test::allTeethBut({16, 11, 33, 35, 46})};
+const MouthRequest kMouth{.triangles = 1000, .missing = test::allTeethExcept({16, 11, 33, 35, 46})};
 
 void expectSame(const BuiltinMouth& a, const BuiltinMouth& b) {
     EXPECT_TRUE(test::areBitEqual(a.upperGingiva, b.upperGingiva));
@@ -179,9 +179,9 @@ TEST(ToothCache, StandsWhereTheUserWantsCaches) {
     const char* const before = std::getenv("XDG_CACHE_HOME");
     const std::string kept = before != nullptr ? before : "";
     setenv("XDG_CACHE_HOME", "/somewhere", 1);
-    EXPECT_EQ(usualCacheFolder(), fs::path("/somewhere/tactooth"));
+    EXPECT_EQ(defaultCacheFolder(), fs::path("/somewhere/tactooth"));
     setenv("XDG_CACHE_HOME", "relative", 1);
-    EXPECT_NE(usualCacheFolder(), fs::path("relative/tactooth"));
+    EXPECT_NE(defaultCacheFolder(), fs::path("relative/tactooth"));
     before != nullptr ? setenv("XDG_CACHE_HOME", kept.c_str(), 1) : unsetenv("XDG_CACHE_HOME");
 }
 

@@ -29,7 +29,7 @@ TEST(ToothFile, BringsBackEveryBit) {
     const auto opened = openTooth(path);
     ASSERT_TRUE(opened) << opened.error().message;
     EXPECT_EQ(opened->provenance, kNotes);
-    const WorkPiece& again = *opened->piece;
+    const CutModel& again = *opened->piece;
     EXPECT_EQ(again.hash(), piece->hash());
     EXPECT_EQ(again.removed(), piece->removed());
     EXPECT_EQ(again.tooth().layers().size(), 2U);
@@ -48,7 +48,7 @@ TEST(ToothFile, AnOpenedToothIsCutOnAsIfItHadNeverBeenSaved) {
     ASSERT_TRUE(saveTooth(*piece, {}, folder / "cut.tactooth"));
     const auto opened = openTooth(folder / "cut.tactooth");
     ASSERT_TRUE(opened) << opened.error().message;
-    const auto cutOn = [](WorkPiece& one) {
+    const auto cutOn = [](CutModel& one) {
         return one.sweep(test::flatBur().cutting, at(0.5, 0.3, -0.5), at(-0.6, 0.4, -0.7));
     };
     const MaterialVolumes removed = cutOn(*piece);
@@ -76,20 +76,20 @@ TEST(ToothFile, KnowsHowTheToothStandsAndWhatIsAroundIt) {
         layers.push_back(
             {"layer " + std::to_string(i), MaterialId::Dentin, test::box(Vec3(x, -0.5, -2), Vec3(x + 0.02, 0.5, -1))});
     }
-    auto tooth = LayeredTooth::make(outer, std::move(layers), MaterialId::Enamel, {.mesialX = -1, .firstAround = 12});
+    auto tooth = LayeredTooth::make(outer, std::move(layers), MaterialId::Enamel, {.mesialX = -1, .firstAdjacent = 12});
     ASSERT_TRUE(tooth) << tooth.error().message;
-    const WorkPiece piece(std::make_shared<const LayeredTooth>(std::move(*tooth)), test::kVoxel);
+    const CutModel piece(std::make_shared<const LayeredTooth>(std::move(*tooth)), test::kVoxel);
     const test::TemporaryFolder folder;
     ASSERT_TRUE(saveTooth(piece, {}, folder / "x.tactooth"));
     const auto opened = openTooth(folder / "x.tactooth");
     ASSERT_TRUE(opened) << opened.error().message;
     const LayeredTooth& again = opened->piece->tooth();
     EXPECT_EQ(again.layers().size(), 100U);
-    EXPECT_EQ(again.standing().mesialX, -1);
+    EXPECT_EQ(again.toothContext().mesialX, -1);
     EXPECT_EQ(again.ownBox().max(), Vec3(2, 2, 0));
     const Surface& felt = *opened->piece->felt();
-    EXPECT_FALSE(felt.base->isAround(11));
-    EXPECT_TRUE(felt.base->isAround(12));
+    EXPECT_FALSE(felt.base->isAdjacent(11));
+    EXPECT_TRUE(felt.base->isAdjacent(12));
 }
 
 /// Version 1 ended its surfaces with the material of the rest.
@@ -106,8 +106,8 @@ TEST(ToothFile, OfTheFirstVersionIsStillRead) {
     const auto parsed = parseSavedTooth(bytes, "old");
     ASSERT_TRUE(parsed) << parsed.error().message;
     EXPECT_EQ(parsed->cuts.size(), cutBlock()->volume().cutBricks().size());
-    EXPECT_EQ(parsed->standing.mesialX, 1);
-    EXPECT_EQ(parsed->standing.firstAround, UINT32_MAX);
+    EXPECT_EQ(parsed->toothContext.mesialX, 1);
+    EXPECT_EQ(parsed->toothContext.firstAdjacent, UINT32_MAX);
 }
 
 TEST(ToothFile, SaysWhatIsWrongWithOtherFiles) {

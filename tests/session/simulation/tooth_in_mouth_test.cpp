@@ -15,7 +15,7 @@ namespace {
 const ToothInMouth& premolar() {
     static const ToothInMouth made = *toothInMouth(
         35, std::nullopt,
-        {.triangles = 2000, .jaw = JawPose::open, .missing = test::allTeethBut({11, 26, 33, 34, 35, 37})});
+        {.triangles = 2000, .jaw = JawPose::open, .missing = test::allTeethExcept({11, 26, 33, 34, 35, 37})});
     return made;
 }
 
@@ -24,7 +24,7 @@ TEST(ToothInMouth, StandsAmongAllOtherTeethAndBothGums) {
     ASSERT_EQ(premolar().beside.size(), 1u);  // 36 is lost
     EXPECT_EQ(premolar().beside[0].fdi, 34);
     EXPECT_EQ(premolar().around.size(), 4u + 2u);
-    EXPECT_EQ(std::ranges::count_if(premolar().around, &ToothInMouth::Body::isGum), 2);
+    EXPECT_EQ(std::ranges::count_if(premolar().around, &ToothInMouth::Body::isGingiva), 2);
     EXPECT_EQ(std::ranges::count_if(premolar().around, &ToothInMouth::Body::isOpposite), 2 + 1);
     EXPECT_EQ(surroundingsOf(premolar()).size(), premolar().around.size());
 }
@@ -40,9 +40,9 @@ double gapBetween(const TriangleMesh& a, const SurfacePart& b) {
 TEST(ToothInMouth, NeighboursAreInItsFrameAndTaggedByWhatTheyAreMadeOf) {
     for (const ToothInMouth::Body& body : premolar().around) {
         const auto material = static_cast<MaterialId>(body.part->tag(0));
-        EXPECT_EQ(material, body.isGum ? MaterialId::Other : MaterialId::Enamel);
-        EXPECT_TRUE(body.part->isAround(0));
-        if (!body.isGum) {
+        EXPECT_EQ(material, body.isGingiva ? MaterialId::Other : MaterialId::Enamel);
+        EXPECT_TRUE(body.part->isAdjacent(0));
+        if (!body.isGingiva) {
             EXPECT_EQ(gapBetween(premolar().tooth.outer, *body.part), 1) << "they are not next to it";
         }
     }
@@ -62,28 +62,28 @@ std::vector<Vec3> trianglesOf(const TriangleMesh& mesh) {
 TEST(ToothInMouth, IsCutTogetherWithTheTeethBesideIt) {
     const LayeredTooth alone = *layeredTooth(premolar().tooth);
     const LayeredTooth both = *layeredTooth(premolar());
-    EXPECT_EQ(both.standing().firstAround, alone.outer()->mesh().triangles.size());
+    EXPECT_EQ(both.toothContext().firstAdjacent, alone.outer()->mesh().triangles.size());
     EXPECT_EQ(trianglesOf(both.ownOuter()->mesh()), trianglesOf(alone.outer()->mesh()));
     EXPECT_EQ(both.ownOuter()->tags(), alone.outer()->tags());
     EXPECT_EQ(both.ownBox().max(), alone.ownBox().max());
     EXPECT_EQ(both.layers().size(), 2 * alone.layers().size());
     // What lies behind its neighbour's surface is known as well.
     const SurfacePart& outer = *both.outer();
-    const auto from = outer.tags().begin() + both.standing().firstAround;
+    const auto from = outer.tags().begin() + both.toothContext().firstAdjacent;
     EXPECT_GT(std::count(from, outer.tags().end(), static_cast<SurfaceTag>(MaterialId::Enamel)), 300);
     EXPECT_GT(std::count(from, outer.tags().end(), static_cast<SurfaceTag>(MaterialId::Dentin)), 300);
 }
 
 TEST(ToothInMouth, TheFrontTeethOfBothSidesAreBesideEachOther) {
     const ToothInMouth incisor =
-        *toothInMouth(41, std::nullopt, {.triangles = 1000, .missing = test::allTeethBut({11, 31, 32, 41, 42, 48})});
+        *toothInMouth(41, std::nullopt, {.triangles = 1000, .missing = test::allTeethExcept({11, 31, 32, 41, 42, 48})});
     ASSERT_EQ(incisor.beside.size(), 2u);
     EXPECT_EQ(incisor.beside[0].fdi, 31);
     EXPECT_EQ(incisor.beside[1].fdi, 42);
 }
 
 TEST(ToothInMouth, OnlyWhatStandsOutOfTheGumIsDrawn) {
-    const TriangleMesh shown = aboveTheGum(premolar().tooth.outer);
+    const TriangleMesh shown = supragingivalMesh(premolar().tooth.outer);
     EXPECT_LT(shown.triangles.size(), premolar().tooth.outer.triangles.size());
     EXPECT_LT(boundingBox(shown).min().z(), -0.9);
     EXPECT_GT(boundingBox(shown).min().z(), -4);
@@ -97,8 +97,9 @@ TEST(ToothInMouth, DecayComesWithTheToothThatIsWorkedOn) {
         if (request.lesion) ++made;
         return makeTooth(request);
     };
-    const ToothInMouth decayed = *toothInMouth(41, Lesion{LesionSite::mesial, 1.5, {}},
-                                               {.triangles = 1000, .missing = test::allTeethBut({31, 41, 42})}, count);
+    const ToothInMouth decayed =
+        *toothInMouth(41, Lesion{LesionSite::mesial, 1.5, {}},
+                      {.triangles = 1000, .missing = test::allTeethExcept({31, 41, 42})}, count);
     EXPECT_EQ(made, 1);
     EXPECT_FALSE(decayed.tooth.caries.empty());
 }

@@ -9,8 +9,8 @@
 #include <numbers>
 #include <random>
 
-#include "sound/voices/loop_player.h"
 #include "sound/files/sound_format.h"
+#include "sound/voices/loop_player.h"
 #include "spectrum.h"
 
 namespace tactooth {

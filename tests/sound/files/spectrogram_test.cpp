@@ -73,7 +73,7 @@ TEST(Spectrogram, IsTheSameOfASoundThatComesInPieces) {
         std::vector<float> stereo(2 * frames);
         for (float& sample : stereo) sample = anywhere(random);
         for (const std::size_t times : {1U, 7U, 1100U}) {
-            SpectrogramMaker maker(frames, times);
+            SpectrogramBuilder maker(frames, times);
             for (std::size_t at = 0; at < stereo.size();) {
                 const std::size_t count = std::min<std::size_t>(2 * (1 + random() % 400), stereo.size() - at);
                 maker.add(std::span<const float>(stereo).subspan(at, count));

@@ -9,8 +9,8 @@
 #include <cstdlib>
 #include <thread>
 
-#include "sound/output/audio_libraries.h"
 #include "sound/files/sound_format.h"
+#include "sound/output/audio_libraries.h"
 #include "spectrum.h"
 #include "support/heap_counter.h"
 #include "support/sanitizer.h"

@@ -9,7 +9,7 @@ namespace tactooth {
 namespace {
 
 TEST(SoundDeviceName, TheNullDriverIsKnown) {
-    EXPECT_TRUE(isNullSoundDevice(usualSoundDevice())) << usualSoundDevice();
+    EXPECT_TRUE(isNullSoundDevice(defaultSoundDevice())) << defaultSoundDevice();
     EXPECT_FALSE(isNullSoundDevice("Built-in Audio Analog Stereo"));
     EXPECT_FALSE(isNullSoundDevice(""));
 }

@@ -25,7 +25,7 @@ public:
     }
     [[nodiscard]] std::string at(const std::string& path) const { return (folder_.path() / path).string(); }
     [[nodiscard]] bool hasSound() const {
-        return isSoundSystemThere(folder_.path(), [this](const char* name) -> const char* {
+        return hasSoundSystem(folder_.path(), [this](const char* name) -> const char* {
             const auto found = variables_.find(name);
             return found == variables_.end() ? nullptr : found->second.c_str();
         });

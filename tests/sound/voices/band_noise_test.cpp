@@ -43,7 +43,7 @@ TEST(BandNoise, CentreGlidesToItsNewPlace) {
     BandNoise noise(5);
     noise.tune(2000.0, 0.3, 1.0f);
     for (int run = 0; run < 2000; ++run) {
-        noise.tune(8000.0, 0.3, glideShare(0.01, kControlFrames));
+        noise.tune(8000.0, 0.3, smoothingCoefficient(0.01, kControlFrames));
         for (int i = 0; i < kControlFrames; ++i) (void)noise.next();
     }
     std::vector<float> samples(kSoundRate);

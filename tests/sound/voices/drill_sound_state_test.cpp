@@ -25,7 +25,7 @@ TEST(DrillSoundState, SensibleValuesAreLeftAlone) {
     state.speedRpm = 312345.0;
     state.pedal = 0.7;
     state.load = 0.3;
-    state.removalWatt = 4.5;
+    state.removalPower = 4.5;
     state.material = soundCharacterOf("enamel");
     state.contactSpeed = 12.0;
     state.water = 0.4;
@@ -34,7 +34,7 @@ TEST(DrillSoundState, SensibleValuesAreLeftAlone) {
     EXPECT_EQ(safe.speedRpm, 312345.0);
     EXPECT_EQ(safe.pedal, 0.7);
     EXPECT_EQ(safe.load, 0.3);
-    EXPECT_EQ(safe.removalWatt, 4.5);
+    EXPECT_EQ(safe.removalPower, 4.5);
     EXPECT_EQ(safe.material.bandCentreHz, state.material.bandCentreHz);
     EXPECT_EQ(safe.contactSpeed, 12.0);
     EXPECT_EQ(safe.water, 0.4);
@@ -52,7 +52,7 @@ TEST(DrillSoundState, NonsenseBecomesTheNearestSense) {
     state.speedRpm = std::nan("");
     state.pedal = 7.0;
     state.load = -1.0;
-    state.removalWatt = std::nan("");
+    state.removalPower = std::nan("");
     state.blades = -3;
     state.material.bandCentreHz = 1e9;
     state.material.level = std::nan("");
@@ -61,7 +61,7 @@ TEST(DrillSoundState, NonsenseBecomesTheNearestSense) {
     EXPECT_EQ(safe.pedal, 1.0);
     EXPECT_EQ(safe.blades, 0);
     EXPECT_EQ(safe.load, 0.0);
-    EXPECT_EQ(safe.removalWatt, 0.0);
+    EXPECT_EQ(safe.removalPower, 0.0);
     EXPECT_EQ(safe.material.bandCentreHz, 16000.0);
     EXPECT_EQ(safe.material.level, 0.0);
 }

@@ -90,8 +90,8 @@ TEST(SoundKit, WaterAndSuctionAreRecordingsToo) {
     Soundscape soundscape(1, &kit);
     DrillSoundState state;
     state.water = state.suction = 1.0;
-    const auto water = rendered(soundscape, state, 1.0, static_cast<std::size_t>(SoundPlace::Mouth));
-    const auto suction = rendered(soundscape, state, 1.0, static_cast<std::size_t>(SoundPlace::Suction));
+    const auto water = rendered(soundscape, state, 1.0, static_cast<std::size_t>(SoundSource::Mouth));
+    const auto suction = rendered(soundscape, state, 1.0, static_cast<std::size_t>(SoundSource::Suction));
     EXPECT_NEAR(averageSpectrum(water, 8192).peakHz(50.0, 20000.0), 2000.0, 5.0);
     EXPECT_NEAR(averageSpectrum(suction, 8192).peakHz(50.0, 20000.0), 500.0, 5.0);
 }

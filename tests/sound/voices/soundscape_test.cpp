@@ -14,13 +14,13 @@ namespace {
 using namespace test;
 
 // What comes from each place.
-std::array<std::vector<float>, kSoundPlaces> rendered(Soundscape& soundscape, const DrillSoundState& state,
-                                                      double seconds) {
-    std::array<std::vector<float>, kSoundPlaces> sounds;
+std::array<std::vector<float>, kSoundSources> rendered(Soundscape& soundscape, const DrillSoundState& state,
+                                                       double seconds) {
+    std::array<std::vector<float>, kSoundSources> sounds;
     SoundBlock block;
     for (int i = 0; i < static_cast<int>(seconds * kSoundRate) / kSoundBlock; ++i) {
         soundscape.render(state, block);
-        for (std::size_t place = 0; place < kSoundPlaces; ++place)
+        for (std::size_t place = 0; place < kSoundSources; ++place)
             sounds[place].insert(sounds[place].end(), block[place].begin(), block[place].end());
     }
     return sounds;
@@ -89,7 +89,7 @@ TEST(Soundscape, NonsenseStaysFinite) {
     DrillSoundState state;
     state.water = nan;
     state.suction = -std::numeric_limits<double>::infinity();
-    state.removalWatt = nan;
+    state.removalPower = nan;
     for (const auto& sound : rendered(soundscape, state, 0.5)) EXPECT_LE(peak(sound), 1.0f);
 }
 

@@ -17,31 +17,31 @@ TEST(CellTopology, ExactlyTheEdgesWithOneInsideEndBelongToARound) {
         for (int edge = 0; edge < 12; ++edge) {
             const auto [a, b] = cellEdgeCorners(edge);
             const bool crossed = ((inside >> a) & 1) != ((inside >> b) & 1);
-            EXPECT_EQ(kCellRounds[inside].roundOfEdge[edge] >= 0, crossed);
-            if (crossed) rounds.insert(kCellRounds[inside].roundOfEdge[edge]);
+            EXPECT_EQ(kCellLoops[inside].loopOfEdge[edge] >= 0, crossed);
+            if (crossed) rounds.insert(kCellLoops[inside].loopOfEdge[edge]);
         }
-        EXPECT_EQ(static_cast<int>(rounds.size()), kCellRounds[inside].count);
+        EXPECT_EQ(static_cast<int>(rounds.size()), kCellLoops[inside].count);
     }
 }
 
 TEST(CellTopology, ARoundHasAtLeastThreeEdges) {
-    for (const CellRounds& rounds : kCellRounds) {
+    for (const CellLoops& rounds : kCellLoops) {
         for (int round = 0; round < rounds.count; ++round) {
-            EXPECT_GE(std::count(rounds.roundOfEdge.begin(), rounds.roundOfEdge.end(), round), 3);
+            EXPECT_GE(std::count(rounds.loopOfEdge.begin(), rounds.loopOfEdge.end(), round), 3);
         }
     }
 }
 
-TEST(CellTopology, OneInsideCornerIsOneRound) { EXPECT_EQ(kCellRounds[1].count, 1); }
+TEST(CellTopology, OneInsideCornerIsOneRound) { EXPECT_EQ(kCellLoops[1].count, 1); }
 
 TEST(CellTopology, InsideCornersAreJoinedAcrossAFaceAndApartAcrossTheCell) {
-    EXPECT_EQ(kCellRounds[0b00001001].count, 1);
-    EXPECT_EQ(kCellRounds[0b10000001].count, 2);
+    EXPECT_EQ(kCellLoops[0b00001001].count, 1);
+    EXPECT_EQ(kCellLoops[0b10000001].count, 2);
 }
 
 TEST(CellTopology, OutsideCornersAreKeptApart) {
-    EXPECT_EQ(kCellRounds[0b11110110].count, 2);  // across a face
-    EXPECT_EQ(kCellRounds[0b01101001].count, 4);  // on a tetrahedron
+    EXPECT_EQ(kCellLoops[0b11110110].count, 2);  // across a face
+    EXPECT_EQ(kCellLoops[0b01101001].count, 4);  // on a tetrahedron
 }
 
 TEST(CellTopology, CrossedEdgesComeInTheOrderOfTheLattice) {
@@ -52,13 +52,13 @@ TEST(CellTopology, CrossedEdgesComeInTheOrderOfTheLattice) {
         for (int i = 0; i < crossings.count; ++i) {
             const int edge = crossings.edges[i];
             edges.insert(edge);
-            EXPECT_GE(kCellRounds[inside].roundOfEdge[edge], 0);
+            EXPECT_GE(kCellLoops[inside].loopOfEdge[edge], 0);
             const int corner = cellEdgeCorners(edge)[0];
             const std::array<int, 4> place = {corner >> 2, corner >> 1 & 1, edge / 4, corner & 1};
             EXPECT_LT(last, place);
             last = place;
         }
-        const auto& rounds = kCellRounds[inside].roundOfEdge;
+        const auto& rounds = kCellLoops[inside].loopOfEdge;
         EXPECT_EQ(static_cast<int>(edges.size()), 12 - std::count(rounds.begin(), rounds.end(), -1));
         for (int i = crossings.count; i < 12; ++i) EXPECT_EQ(crossings.edges[i], crossings.edges[0]);
     }

@@ -9,7 +9,7 @@
 namespace tactooth {
 namespace {
 
-using Share = RemovedRows::Share;
+using Coverage = RemovedRows::Coverage;
 
 /// Three bricks side by side, in which nodes are removed here and there in clumps.
 BrickMap clumps(std::mt19937& random) {
@@ -36,7 +36,7 @@ BrickMap clumps(std::mt19937& random) {
 }
 
 /// Node by node.
-Share shareOf(const BrickNeighbourhood& nodes, const RemovedRows::Place& low, const RemovedRows::Place& high) {
+Coverage shareOf(const BrickNeighbourhood& nodes, const RemovedRows::Place& low, const RemovedRows::Place& high) {
     bool some = false;
     bool all = true;
     for (int z = low[2]; z <= high[2]; ++z) {
@@ -48,7 +48,7 @@ Share shareOf(const BrickNeighbourhood& nodes, const RemovedRows::Place& low, co
             }
         }
     }
-    return all ? Share::All : some ? Share::Some : Share::None;
+    return all ? Coverage::All : some ? Coverage::Some : Coverage::None;
 }
 
 TEST(RemovedRows, TheShareIsThatOfTheNodesInTheBox) {
@@ -66,8 +66,8 @@ TEST(RemovedRows, TheShareIsThatOfTheNodesInTheBox) {
                 high[axis] = std::min(kBrickSide, low[axis] + place(random) / (box % 3 + 1));
                 high[axis] = std::max(low[axis], high[axis]);
             }
-            const Share expected = shareOf(nodes, low, high);
-            ASSERT_EQ(rows.share(low, high), expected);
+            const Coverage expected = shareOf(nodes, low, high);
+            ASSERT_EQ(rows.coverage(low, high), expected);
             ++seen[static_cast<std::size_t>(expected)];
         }
     }

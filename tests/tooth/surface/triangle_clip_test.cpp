@@ -104,7 +104,7 @@ TEST(TriangleClip, TheCornersTellWhereAFoldedLineChangesPlaces) {
 
 TEST(TriangleClip, CrossingsThatRoundingSwappedAlternateAgain) {
     std::vector<EdgeCrossing> crossings = {{0.1, 1, true, 0}, {0.5, 2, true, 1}, {0.5000001, 3, false, 2}};
-    EXPECT_EQ(surplusOfLeaving(crossings), 1);
+    EXPECT_EQ(exitSurplus(crossings), 1);
     ASSERT_TRUE(sortCrossings(crossings, false));
     EXPECT_EQ(crossings[0].segment, 0U);
     EXPECT_EQ(crossings[1].segment, 2U);
@@ -113,7 +113,7 @@ TEST(TriangleClip, CrossingsThatRoundingSwappedAlternateAgain) {
 
 TEST(TriangleClip, WhereAsManyCrossingsLeaveAsEnterTheFirstEndDecides) {
     const std::vector<EdgeCrossing> crossings = {{0.1, 1, true, 0}, {0.1000001, 2, false, 1}};
-    EXPECT_EQ(surplusOfLeaving(crossings), 0);
+    EXPECT_EQ(exitSurplus(crossings), 0);
     std::vector<EdgeCrossing> kept = crossings;
     ASSERT_TRUE(sortCrossings(kept, true));
     EXPECT_EQ(kept[0].segment, 0U);

@@ -74,7 +74,7 @@ TEST(BrickNeighbourhood, KnowsHowFarNodesAreFromTheToothsSurface) {
         if (brick == nullptr) continue;
         for (int node = 0; node < kBrickNodes; ++node)
             brick->tooth[node] = -0.001F * static_cast<float>(100 * i + node);
-        brick->outermost = -0.1F * static_cast<float>(i);
+        brick->maxToothDistance = -0.1F * static_cast<float>(i);
     }
     const BrickNeighbourhood nodes(bricks, middle, 0.1);
     EXPECT_EQ(nodes.tooth(BrickNeighbourhood::index(2, 3, 4)), -0.001F * (1300 + nodeIndex(2, 3, 4)));
@@ -91,7 +91,7 @@ TEST(BrickNeighbourhood, KnowsHowFarNodesAreFromTheToothsSurface) {
     EXPECT_FALSE(nodes.isDeeperThan(0));  // one is absent
     bricks.insert(absent, std::make_unique<Brick>());
     EXPECT_FALSE(BrickNeighbourhood(bricks, middle, 0.1).isDeeperThan(0));  // it does not know how deep it is
-    bricks.find(absent)->outermost = -1.4F;
+    bricks.find(absent)->maxToothDistance = -1.4F;
     EXPECT_TRUE(BrickNeighbourhood(bricks, middle, 0.1).isDeeperThan(1.2F));
     EXPECT_FALSE(BrickNeighbourhood(bricks, middle, 0.1).isDeeperThan(1.35F));  // the brick itself
 }

@@ -14,32 +14,32 @@ Vec3 randomDirection(std::mt19937& random) {
     return Vec3(normal(random), normal(random), normal(random)).normalized();
 }
 
-TEST(PackedDirection, UnpacksToTheSameDirection) {
+TEST(OctahedralNormal, UnpacksToTheSameDirection) {
     std::mt19937 random(1);
     for (int i = 0; i < 1000; ++i) {
         const Vec3 direction = randomDirection(random);
-        const PackedDirection packed(direction);
+        const OctahedralNormal packed(direction);
         EXPECT_LT((packed.unpack() - direction).norm(), 6e-5);
         EXPECT_LT((packed.unpackSingle().cast<double>() - packed.unpack()).norm(), 2e-7);
     }
 }
 
-TEST(PackedDirection, TheAxesAreExact) {
+TEST(OctahedralNormal, TheAxesAreExact) {
     for (int axis = 0; axis < 3; ++axis) {
         for (const double sign : {-1.0, 1.0}) {
-            const PackedDirection packed(sign * Vec3::Unit(axis));
+            const OctahedralNormal packed(sign * Vec3::Unit(axis));
             EXPECT_EQ(packed.unpack(), Vec3(sign * Vec3::Unit(axis)));
             EXPECT_EQ(packed.unpackSingle(), Vec3f(static_cast<float>(sign) * Vec3f::Unit(axis)));
         }
     }
 }
 
-TEST(PackedDirection, SizesOfFourAreThoseOfEachToTheLastBit) {
+TEST(OctahedralNormal, SizesOfFourAreThoseOfEachToTheLastBit) {
     std::mt19937 random(2);
     for (int i = 0; i < 500; ++i) {
-        std::array<PackedDirection, 4> four;
-        for (PackedDirection& one : four) one = PackedDirection(randomDirection(random));
-        const auto sizes = PackedDirection::sizesOf(four);
+        std::array<OctahedralNormal, 4> four;
+        for (OctahedralNormal& one : four) one = OctahedralNormal(randomDirection(random));
+        const auto sizes = OctahedralNormal::absComponentsOf(four);
         for (int lane = 0; lane < 4; ++lane) {
             for (int axis = 0; axis < 3; ++axis) {
                 ASSERT_EQ(sizes[axis][lane], std::abs(four[lane].unpack()[axis]));
@@ -48,20 +48,20 @@ TEST(PackedDirection, SizesOfFourAreThoseOfEachToTheLastBit) {
     }
 }
 
-TEST(PackedDirection, EightUnpackedAtOnceAreThoseOfEachToTheLastBit) {
+TEST(OctahedralNormal, EightUnpackedAtOnceAreThoseOfEachToTheLastBit) {
     std::mt19937 random(6);
     for (int i = 0; i < 500; ++i) {
-        std::array<PackedDirection, 8> eight;
-        for (PackedDirection& one : eight) one = PackedDirection(randomDirection(random));
+        std::array<OctahedralNormal, 8> eight;
+        for (OctahedralNormal& one : eight) one = OctahedralNormal(randomDirection(random));
         float lanes[3][8];
-        PackedDirection::unpack(eight).store(lanes);
+        OctahedralNormal::unpack(eight).store(lanes);
         for (int lane = 0; lane < 8; ++lane) {
             for (int axis = 0; axis < 3; ++axis) ASSERT_EQ(lanes[axis][lane], eight[lane].unpackSingle()[axis]);
         }
     }
 }
 
-TEST(PackedDirection, EightAtOnceAreThoseOfEachToAStep) {
+TEST(OctahedralNormal, EightAtOnceAreThoseOfEachToAStep) {
     std::mt19937 random(3);
     for (int i = 0; i < 500; ++i) {
         std::array<Vec3, 8> directions;
@@ -70,11 +70,11 @@ TEST(PackedDirection, EightAtOnceAreThoseOfEachToAStep) {
             directions[lane] = i == 0 ? Vec3((lane < 4 ? 1 : -1) * Vec3::Unit(lane % 3)) : randomDirection(random);
             for (int axis = 0; axis < 3; ++axis) lanes[axis][lane] = static_cast<float>(directions[lane][axis]);
         }
-        const auto packed = PackedDirection::pack(Vec3x8::load(lanes));
+        const auto packed = OctahedralNormal::pack(Vec3x8::load(lanes));
         for (int lane = 0; lane < 8; ++lane) {
             EXPECT_LT((packed[lane].unpack() - directions[lane]).norm(), 6.2e-5);
             if (i == 0) {
-                EXPECT_EQ(packed[lane], PackedDirection(directions[lane]));
+                EXPECT_EQ(packed[lane], OctahedralNormal(directions[lane]));
             }
         }
     }

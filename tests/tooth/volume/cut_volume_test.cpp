@@ -54,7 +54,7 @@ std::uint32_t bricksWithNodes(const std::array<int, 3>& low, const std::array<in
     for (int x = low[0]; x <= high[0]; ++x) {
         for (int y = low[1]; y <= high[1]; ++y) {
             for (int z = low[2]; z <= high[2]; ++z) {
-                const BrickKey key = NodePlace({x, y, z}).key;
+                const BrickKey key = LatticeNode({x, y, z}).key;
                 bricks |= 1U << (13 + key.x + 3 * key.y + 9 * key.z);
             }
         }
@@ -71,13 +71,13 @@ TEST(ChangedBrick, ConcernsTheBricksWithANodeInACellAroundWhatHasChanged) {
         }
         ChangedBrick removed{{}};
         removed.addNode(node);
-        ASSERT_EQ(removed.concerned, bricksWithNodes(before, after)) << node;
+        ASSERT_EQ(removed.affected, bricksWithNodes(before, after)) << node;
         for (int axis = 0; axis < 3; ++axis) {
             std::array<int, 3> first = before;
             ++first[axis];  // no cell around an edge begins before it does
             ChangedBrick moved{{}};
             moved.addEdge(node, axis);
-            ASSERT_EQ(moved.concerned, bricksWithNodes(first, after)) << node << " on axis " << axis;
+            ASSERT_EQ(moved.affected, bricksWithNodes(first, after)) << node << " on axis " << axis;
         }
     }
 }
@@ -89,13 +89,12 @@ TEST(ChangedBrick, TellsOfEachBrickOnce) {
     changed.addNode(nodeIndex(0, 3, 3));
     changed.addNode(nodeIndex(3, 7, 3));
     changed.addNode(nodeIndex(0, 3, 3));
-    std::vector<BrickKey> concerned;
-    changed.forEachConcerned([&](int i) { concerned.push_back(key.neighbour(i)); });
-    EXPECT_EQ(concerned,
-              (std::vector<BrickKey>{key.moved(-1, 0, 0), key, key.moved(0, 1, 0)}));  // and none at an angle
+    std::vector<BrickKey> affected;
+    changed.forEachAffected([&](int i) { affected.push_back(key.neighbour(i)); });
+    EXPECT_EQ(affected, (std::vector<BrickKey>{key.moved(-1, 0, 0), key, key.moved(0, 1, 0)}));  // and none at an angle
 
     std::size_t all = 0;
-    ChangedBrick::all(key).forEachConcerned([&](int) { ++all; });
+    ChangedBrick::all(key).forEachAffected([&](int) { ++all; });
     EXPECT_EQ(all, 27U);
 }
 
@@ -198,8 +197,8 @@ TEST(CutVolume, APartOfTheWayIsForetoldFromTheNodesOfTheWhole) {
         CutVolume volume(block(), kVoxel);
         CutVolume other(block(), kVoxel);
         for (CutVolume* one : {&volume, &other}) one->carve(bur, at(0, 0, 0.5), start);
-        const Removable whole = volume.removable(bur, start, at(0.2, 0, -0.7));
-        const Removable foretold = volume.removableOnTheWay(whole, bur, start, end);
+        const PlannedRemoval whole = volume.removable(bur, start, at(0.2, 0, -0.7));
+        const PlannedRemoval foretold = volume.removablePartWay(whole, bur, start, end);
         (void)other.removable(bur, start, at(0.2, 0, -0.7));  // makes the same bricks
         const double alone = total(other.carve(bur, start, end).removed);
         EXPECT_GT(alone, 0) << part;
@@ -248,7 +247,7 @@ std::size_t unknownBesideTheWall(const CutVolume& volume) {
             const Eigen::Vector3i number = kBrickSide * Eigen::Vector3i(key.x, key.y, key.z) + Eigen::Vector3i(x, y, z);
             for (int i = 0; i < 27; ++i) {
                 const Eigen::Vector3i beside = number + Eigen::Vector3i(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
-                unknown += !volume.bricks().knows(NodePlace(beside).key);
+                unknown += !volume.bricks().knows(LatticeNode(beside).key);
             }
         }
     }

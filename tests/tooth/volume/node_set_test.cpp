@@ -64,7 +64,7 @@ TEST(NodeSet, WideningTakesInAllNeighboursAcrossBricks) {
         std::erase_if(expected, [](const Node& node) {  // in bricks that the sets do not name
             return std::ranges::any_of(node, [](int place) { return place < -8 || place > 15; });
         });
-        EXPECT_EQ(nodesOf(widened(sets)), expected);
+        EXPECT_EQ(nodesOf(dilated(sets)), expected);
     }
 }
 
@@ -90,7 +90,7 @@ TEST(NodeSet, WhatHangsTogetherIsFoundByWaysAlongTheAxes) {
                 if (isIn(next) && reached.insert(next).second) todo.push_back(next);
             }
         }
-        EXPECT_EQ(nodesOf({{{0, 0, 0}, firstConnected(all)}}), reached);
+        EXPECT_EQ(nodesOf({{{0, 0, 0}, firstComponent(all)}}), reached);
         apart += reached.size() < all.count();
     }
     EXPECT_GE(apart, 3);

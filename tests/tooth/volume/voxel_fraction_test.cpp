@@ -17,7 +17,7 @@ Vec3 randomDirection(std::mt19937& random) {
 }
 
 /// Share by counting a fine grid of points.
-double countedShare(const HalfSpace& half) {
+double countedFraction(const HalfSpace& half) {
     constexpr int kSide = 30;
     int inside = 0;
     for (int i = 0; i < kSide * kSide * kSide; ++i) {
@@ -41,7 +41,7 @@ TEST(VoxelFraction, RandomPlanesAgreeWithCounting) {
     std::uniform_real_distribution<double> offset(-0.7, 0.7);
     for (int i = 0; i < 50; ++i) {
         const HalfSpace half{offset(random), randomDirection(random)};
-        EXPECT_NEAR(cubeFraction(half), countedShare(half), 5e-3);
+        EXPECT_NEAR(cubeFraction(half), countedFraction(half), 5e-3);
     }
 }
 
@@ -51,12 +51,12 @@ TEST(VoxelFraction, FourAtOnceAreTheSameNumbers) {
     int cut = 0;
     for (int i = 0; i < 500; ++i) {
         Eigen::Array4d distances;
-        std::array<PackedDirection, 4> normals;
+        std::array<OctahedralNormal, 4> normals;
         for (int lane = 0; lane < 4; ++lane) {
             distances[lane] = offset(random);
-            normals[lane] = PackedDirection(i % 7 == 0 ? Vec3::Unit(lane % 3) : randomDirection(random));
+            normals[lane] = OctahedralNormal(i % 7 == 0 ? Vec3::Unit(lane % 3) : randomDirection(random));
         }
-        const Eigen::Array4d shares = cubeFractions(distances, PackedDirection::sizesOf(normals));
+        const Eigen::Array4d shares = cubeFractions(distances, OctahedralNormal::absComponentsOf(normals));
         for (int lane = 0; lane < 4; ++lane) {
             ASSERT_EQ(shares[lane], cubeFraction({distances[lane], normals[lane].unpack()}));
             cut += shares[lane] > 0 && shares[lane] < 1;

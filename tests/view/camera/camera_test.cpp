@@ -10,7 +10,7 @@
 namespace tactooth {
 namespace {
 
-constexpr PictureSize kSize{640, 400};
+constexpr ImageSize kSize{640, 400};
 
 Camera tiltedCamera() {
     return {.cameraInWorld = {Vec3(3, -40, 12), Quat(Eigen::AngleAxisd(1.3, Vec3(1, 0.2, -0.1).normalized()))}};

@@ -10,7 +10,7 @@
 namespace tactooth {
 namespace {
 
-constexpr PictureSize kSize{800, 600};
+constexpr ImageSize kSize{800, 600};
 
 const Box3 kTooth(Vec3(-5, -5, -14), Vec3(6, 5, 8));
 
@@ -28,7 +28,7 @@ struct Stand {
 };
 Stand standOf(StandardView view) {
     OrbitCamera camera = fitted();
-    camera.look(view);
+    camera.setView(view);
     const Pose pose = camera.camera().cameraInWorld;
     return {pose.rotation * Vec3::UnitZ(), pose.rotation * Vec3::UnitY(), pose.rotation * Vec3::UnitX()};
 }
@@ -58,11 +58,11 @@ TEST(OrbitCamera, SideViewsStandOnTheirSideWithTheCrownUp) {
 }
 
 TEST(OrbitCamera, FittedBoxIsInThePictureFromAllSides) {
-    for (const PictureSize size : {PictureSize{800, 600}, PictureSize{300, 900}}) {
+    for (const ImageSize size : {ImageSize{800, 600}, ImageSize{300, 900}}) {
         OrbitCamera camera;
         camera.fit(kTooth, size.aspect());
         for (double azimuth = 0; azimuth < 6.3; azimuth += 0.3) {
-            camera.look({azimuth, 0.7});
+            camera.setView({azimuth, 0.7});
             for (int corner = 0; corner < 8; ++corner) {
                 const Vec3 point = kTooth.corner(static_cast<Box3::CornerType>(corner));
                 const auto pixel = project(camera.camera(), size, point);
@@ -92,7 +92,7 @@ TEST(OrbitCamera, OrbitKeepsTargetAndDistance) {
 
 TEST(OrbitCamera, DraggingRightTurnsTheNearSideRight) {
     OrbitCamera camera = fitted();
-    camera.look(StandardView::Buccal);
+    camera.setView(StandardView::Buccal);
     const Vec3 nearSide = camera.target() + Vec3(0, 3, 0);
     const double before = project(camera.camera(), kSize, nearSide)->x();
     camera.orbit(Vec2(20, 0), kSize);
@@ -101,7 +101,7 @@ TEST(OrbitCamera, DraggingRightTurnsTheNearSideRight) {
 
 TEST(OrbitCamera, DraggingDownTurnsTheNearSideDown) {
     OrbitCamera camera = fitted();
-    camera.look(StandardView::Buccal);
+    camera.setView(StandardView::Buccal);
     const Vec3 nearSide = camera.target() + Vec3(0, 3, 0);
     const double before = project(camera.camera(), kSize, nearSide)->y();
     camera.orbit(Vec2(0, 20), kSize);
@@ -148,7 +148,7 @@ TEST(OrbitCamera, ZoomNeverReachesTheTarget) {
 TEST(OrbitCamera, TurningAroundAPointDoesNotMoveTheEye) {
     OrbitCamera camera = fitted();
     const Pose before = camera.camera().cameraInWorld;
-    camera.turnAround(Vec3(2, 1, 6));
+    camera.setPivot(Vec3(2, 1, 6));
     const Pose after = camera.camera().cameraInWorld;
     EXPECT_LT((before.position - after.position).norm(), 1e-9);
     EXPECT_NEAR(before.rotation.angularDistance(after.rotation), 0, 1e-12);
@@ -157,18 +157,18 @@ TEST(OrbitCamera, TurningAroundAPointDoesNotMoveTheEye) {
 
 TEST(OrbitCamera, WhereMesialIsMinusXTheMesialAndTheDistalViewChangePlaces) {
     OrbitCamera camera;
-    camera.look(StandardView::Mesial, -1);
+    camera.setView(StandardView::Mesial, -1);
     EXPECT_NEAR((camera.camera().cameraInWorld.rotation * Vec3::UnitZ()).x(), -1, 1e-12);
-    camera.look(StandardView::Distal, -1);
+    camera.setView(StandardView::Distal, -1);
     EXPECT_NEAR((camera.camera().cameraInWorld.rotation * Vec3::UnitZ()).x(), 1, 1e-12);
-    camera.look(StandardView::Buccal, -1);
+    camera.setView(StandardView::Buccal, -1);
     EXPECT_NEAR((camera.camera().cameraInWorld.rotation * Vec3::UnitZ()).y(), 1, 1e-12);
 }
 
 TEST(OrbitCamera, AMirroredDirectionHasItsEyeOnTheOtherSideOfX) {
     OrbitCamera one, other;
-    one.look({1.25, 0.62});
-    other.look(mirroredInX({1.25, 0.62}));
+    one.setView({1.25, 0.62});
+    other.setView(mirroredInX({1.25, 0.62}));
     const Vec3 eye = one.camera().cameraInWorld.position, mirrored = other.camera().cameraInWorld.position;
     EXPECT_TRUE(mirrored.isApprox(Vec3(-eye.x(), eye.y(), eye.z()), 1e-12));
 }

@@ -20,13 +20,13 @@ class SecondViewTest : public test::RendererTest {};
 Scene sceneWithSides() {
     Scene scene = sceneOf(
         {objectOf(test::box(Vec3(-3, -2, -1), Vec3(3, 2, 1))), objectOf(test::sphere(Vec3(2, 1, 1), 1, 40, 20))});
-    scene.objects.back().looks = {looks::caries()};
-    scene.objects.push_back(objectOf(test::sphere(Vec3(0, 0, 4), 1, 40, 20), looks::steel()));
+    scene.objects.back().appearances = {appearances::caries()};
+    scene.objects.push_back(objectOf(test::sphere(Vec3(0, 0, 4), 1, 40, 20), appearances::steel()));
     scene.objects.back().handle = true;
     scene.background.kind = Background::Kind::Gradient;
     SceneMirror mirror;
     mirror.mirrorInWorld.position = Vec3(0, -6, 0);
-    mirror.mirrorInWorld.rotation = shortestTurn(Vec3::UnitZ(), Vec3::UnitY());
+    mirror.mirrorInWorld.rotation = shortestRotation(Vec3::UnitZ(), Vec3::UnitY());
     mirror.radius = 4;
     scene.mirror = mirror;
     return scene;
@@ -35,11 +35,11 @@ Scene sceneWithSides() {
 Camera fromAbove(const Scene& scene) {
     OrbitCamera camera;
     camera.fit(boundingBox(scene), 4.0 / 3.0);
-    camera.look(StandardView::Occlusal);
+    camera.setView(StandardView::Occlusal);
     return camera.camera();
 }
 
-Image cutOut(const Image& picture, const SecondViewPlace& place) {
+Image cutOut(const Image& picture, const SecondViewRectangle& place) {
     Image part{place.size, {}};
     for (int y = 0; y < place.size.height; ++y) {
         for (int x = 0; x < place.size.width; ++x) part.pixels.push_back(picture.at(place.left + x, place.top + y));
@@ -47,9 +47,9 @@ Image cutOut(const Image& picture, const SecondViewPlace& place) {
     return part;
 }
 
-TEST(SecondViewPlace, IsInTheUpperRightCornerOfEveryPicture) {
-    for (const PictureSize size : {PictureSize{1280, 800}, {320, 240}, {3000, 500}, {400, 1600}, {2, 2}, {1, 1}}) {
-        const SecondViewPlace place = secondViewPlace(size);
+TEST(SecondViewRectangle, IsInTheUpperRightCornerOfEveryPicture) {
+    for (const ImageSize size : {ImageSize{1280, 800}, {320, 240}, {3000, 500}, {400, 1600}, {2, 2}, {1, 1}}) {
+        const SecondViewRectangle place = secondViewRectangle(size);
         EXPECT_GE(place.size.width, 1);
         EXPECT_GE(place.size.height, 1);
         EXPECT_GE(place.left, 0);
@@ -57,8 +57,8 @@ TEST(SecondViewPlace, IsInTheUpperRightCornerOfEveryPicture) {
         EXPECT_LE(place.left + place.size.width, size.width);
         EXPECT_LE(place.top + place.size.height, size.height);
     }
-    const SecondViewPlace usual = secondViewPlace({1280, 800});
-    EXPECT_EQ(usual.size, (PictureSize{384, 288}));
+    const SecondViewRectangle usual = secondViewRectangle({1280, 800});
+    EXPECT_EQ(usual.size, (ImageSize{384, 288}));
     EXPECT_EQ(usual.left, 1280 - 384 - usual.top);
 }
 
@@ -67,7 +67,7 @@ TEST_F(SecondViewTest, IsThePictureOfItsOwnCameraWithoutMirrorAndHandlesAndTheRe
         settings.shadows = Shadows::None;  // the handle throws its shadow, seen or not
         Scene scene = sceneWithSides();
         const Image whole = draw(scene, settings);
-        const SecondViewPlace place = secondViewPlace(kTestSize);
+        const SecondViewRectangle place = secondViewRectangle(kTestSize);
         Scene alone = scene;
         alone.camera = fromAbove(scene);
         alone.mirror.reset();
@@ -92,14 +92,14 @@ TEST_F(SecondViewTest, IsThePictureOfItsOwnCameraWithoutMirrorAndHandlesAndTheRe
 TEST_F(SecondViewTest, StaysAsItWasUntilItIsDrawnAnew) {
     Scene scene = sceneWithSides();
     scene.second = SecondView{fromAbove(scene)};
-    const SecondViewPlace place = secondViewPlace(kTestSize);
+    const SecondViewRectangle place = secondViewRectangle(kTestSize);
     const Image before = draw(scene);
     scene.objects[1].objectInWorld.position = Vec3(-4, -2, 0);
     scene.second->anew = false;
     const Image moved = draw(scene);
     EXPECT_NE(moved.pixels, before.pixels);
     EXPECT_EQ(cutOut(moved, place).pixels, cutOut(before, place).pixels);
-    const PictureSize larger{400, 300};
+    const ImageSize larger{400, 300};
     const Image resized = draw(scene, kQuick, larger);
     scene.second->anew = true;
     EXPECT_EQ(draw(scene, kQuick, larger).pixels, resized.pixels) << "in another size the old one is of no use";

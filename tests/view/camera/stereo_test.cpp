@@ -7,11 +7,11 @@
 namespace tactooth {
 namespace {
 
-constexpr PictureSize kSize{640, 400};
+constexpr ImageSize kSize{640, 400};
 
 TEST(Stereo, WhatLiesAtTheFocusStandsAtTheSamePixelForBothEyes) {
     const Stereo stereo{Stereo::Mode::SideBySide, 50, 2};
-    const auto [left, right] = eyesOf(Camera(), stereo);
+    const auto [left, right] = stereoCameras(Camera(), stereo);
     for (const Vec3& point : {Vec3(0, 0, -50), Vec3(3, -2, -50)}) {
         const auto inLeft = project(left, kSize, point);
         const auto inRight = project(right, kSize, point);
@@ -22,7 +22,7 @@ TEST(Stereo, WhatLiesAtTheFocusStandsAtTheSamePixelForBothEyes) {
 }
 
 TEST(Stereo, WhatIsNearerStandsFartherRightForTheLeftEyeAndNothingMovesUpOrDown) {
-    const auto [left, right] = eyesOf(Camera(), {Stereo::Mode::SideBySide, 50, 2});
+    const auto [left, right] = stereoCameras(Camera(), {Stereo::Mode::SideBySide, 50, 2});
     const Vec3 near(1, 1, -40);
     const Vec2 inLeft = *project(left, kSize, near);
     const Vec2 inRight = *project(right, kSize, near);

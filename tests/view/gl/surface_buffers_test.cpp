@@ -54,7 +54,7 @@ protected:
     static Scene sceneOf(const Surface& surface) {
         SceneObject tooth;
         tooth.shape = std::make_shared<const Surface>(surface);
-        tooth.looks = {looks::enamel(), looks::pulp()};
+        tooth.appearances = {appearances::enamel(), appearances::pulp()};
         return test::sceneOf({tooth}, {-1.5707963, 1.5707963});
     }
 
@@ -71,7 +71,7 @@ protected:
     }
 };
 
-TEST_F(SurfaceBuffersTest, TagsChooseTheLook) {
+TEST_F(SurfaceBuffersTest, TagsChooseTheAppearance) {
     const Scene scene = sceneOf(surfaceOf(plate()));
     const Image image = draw(scene);
     const Rgba enamel = colourAt(scene, image, Vec3(2, 1, 0));
@@ -134,8 +134,8 @@ TEST_F(SurfaceBuffersTest, CoarsePictureOfAHurtSurfaceIsThatOfTheTrueOne) {
     for (const std::uint32_t first : {0U, 9000U, 30000U}) {
         surface.hidden = hiding(*ball, first, 2500);
         scene.objects[0].shape = std::make_shared<const Surface>(surface);
-        const Image coarse = draw(scene, {.shadows = Shadows::None, .coarseness = 0.5});
-        const Image full = draw(scene, {.shadows = Shadows::None, .coarseness = 0});
+        const Image coarse = draw(scene, {.shadows = Shadows::None, .lodTolerance = 0.5});
+        const Image full = draw(scene, {.shadows = Shadows::None, .lodTolerance = 0});
         EXPECT_NE(coarse, full) << first;
         const ImageDifference difference = compare(coarse, full);
         EXPECT_LT(difference.mean, 1.0) << first;

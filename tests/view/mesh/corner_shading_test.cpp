@@ -62,17 +62,17 @@ CornerShading shadingOfFold(double angle) {
 
 TEST(CornerShading, MaterialsPassIntoEachOtherAtTheirBorder) {
     const CornerShading shading = shadingOfFold(0.1);
-    EXPECT_EQ(shading.looks[0], (LookMix{2, 2, 0})) << "away from the border";
-    EXPECT_EQ(shading.looks[7], (LookMix{5, 5, 0}));
-    EXPECT_EQ(shading.looks[2], (LookMix{2, 5, 85})) << "90 degrees of one and 45 of the other at (1, 1)";
-    EXPECT_EQ(shading.looks[2], shading.looks[8]) << "the same from both sides";
+    EXPECT_EQ(shading.appearances[0], (AppearanceMix{2, 2, 0})) << "away from the border";
+    EXPECT_EQ(shading.appearances[7], (AppearanceMix{5, 5, 0}));
+    EXPECT_EQ(shading.appearances[2], (AppearanceMix{2, 5, 85})) << "90 degrees of one and 45 of the other at (1, 1)";
+    EXPECT_EQ(shading.appearances[2], shading.appearances[8]) << "the same from both sides";
     EXPECT_EQ(shading.normals[2], shading.normals[8]);
 }
 
 TEST(CornerShading, MaterialsStayApartAcrossASharpEdge) {
     const CornerShading shading = shadingOfFold(0.9);
-    EXPECT_EQ(shading.looks[2], (LookMix{2, 2, 0}));
-    EXPECT_EQ(shading.looks[8], (LookMix{5, 5, 0}));
+    EXPECT_EQ(shading.appearances[2], (AppearanceMix{2, 2, 0}));
+    EXPECT_EQ(shading.appearances[8], (AppearanceMix{5, 5, 0}));
 }
 
 TEST(CornerShading, TriangleWithoutAreaGetsAUnitNormal) {

@@ -5,14 +5,14 @@
 #include <gtest/gtest.h>
 
 #include "support/shapes.h"
-#include "view/scene/look.h"
+#include "view/scene/appearance.h"
 
 namespace tactooth {
 namespace {
 
 TEST(DistanceGrid, HoldsTheDistancesToABall) {
     const SurfacePart ball(test::sphere(Vec3(1, 2, 3), 2, 200, 100));
-    const DistanceGrid grid = distancesTo(ball, Box3(Vec3(-2, -1, 0), Vec3(4, 5, 5)), 13);
+    const DistanceGrid grid = sampleDistances(ball, Box3(Vec3(-2, -1, 0), Vec3(4, 5, 5)), 13);
     EXPECT_EQ(grid.counts.x(), 13);
     EXPECT_EQ(grid.counts.z(), 11);
     std::size_t place = 0;

@@ -32,10 +32,10 @@ TEST(PatchShading, PieceOfABaseTriangleTakesOverItsShading) {
     EXPECT_LT((shading.normals[0] - whole.normals[3 * parent]).norm(), 1e-3F);
     EXPECT_LT((shading.normals[1] - (whole.normals[3 * parent] + whole.normals[3 * parent + 1]).normalized()).norm(),
               1e-3F);
-    EXPECT_EQ(shading.looks[0].first, 1);
-    EXPECT_EQ(shading.looks[0].second, 4);
-    const double wanted = (whole.looks[3 * parent].share + whole.looks[3 * parent + 1].share) / 2.0;
-    EXPECT_NEAR(shading.looks[1].share, wanted, 1);
+    EXPECT_EQ(shading.appearances[0].first, 1);
+    EXPECT_EQ(shading.appearances[0].second, 4);
+    const double wanted = (whole.appearances[3 * parent].share + whole.appearances[3 * parent + 1].share) / 2.0;
+    EXPECT_NEAR(shading.appearances[1].share, wanted, 1);
 }
 
 TEST(PatchShading, CutSurfaceKeepsItsOwnShading) {
@@ -94,7 +94,7 @@ TEST(PatchShading, TheWallKeepsItsEdgeTowardThePiecesOfTheBase) {
     for (std::size_t corner = 3; corner < 9; ++corner) EXPECT_LT((shading.normals[corner] - wall).norm(), 1e-3F);
 }
 
-TEST(PatchShading, WhereTheWallBeginsItHasTheLooksOfTheBase) {
+TEST(PatchShading, WhereTheWallBeginsItHasTheAppearancesOfTheBase) {
     const TriangleMesh block = test::box(Vec3(0, 0, -5), Vec3(5, 5, 0));
     const std::vector<SurfaceTag> tags(block.triangles.size(), 5);
     const SurfacePart base(block, tags);
@@ -104,7 +104,7 @@ TEST(PatchShading, WhereTheWallBeginsItHasTheLooksOfTheBase) {
     const CornerShading shading = patchShading(patchOf(wall, base, {1, 1}), {}, base, cornerShading(block, tags));
     const std::array<SurfaceTag, 6> wanted = {5, 1, 1, 5, 1, 5};
     for (std::size_t corner = 0; corner < wanted.size(); ++corner) {
-        EXPECT_EQ(shading.looks[corner].first, wanted[corner]) << corner;
+        EXPECT_EQ(shading.appearances[corner].first, wanted[corner]) << corner;
     }
 }
 

@@ -21,7 +21,7 @@ TEST(ShadingMesh, EveryTriangleFindsItsPlace) {
     ASSERT_EQ(mesh.triangles.size(), ball.triangles.size());
     std::vector<bool> taken(ball.triangles.size());
     for (std::size_t t = 0; t < ball.triangles.size(); ++t) {
-        const std::uint32_t place = mesh.placeOfTriangle[t];
+        const std::uint32_t place = mesh.drawIndexOfTriangle[t];
         ASSERT_FALSE(taken[place]);
         taken[place] = true;
         for (std::size_t c = 0; c < 3; ++c) {
@@ -37,17 +37,17 @@ TEST(ShadingMesh, SmoothMeshKeepsItsVertexCountAndABoxSplitsCorners) {
     EXPECT_EQ(shadingMesh(box, cornerShading(box)).vertices.size(), 24U);
 }
 
-TEST(ShadingMesh, LooksReachTheVerticesOfTheirTriangles) {
+TEST(ShadingMesh, AppearancesReachTheVerticesOfTheirTriangles) {
     const TriangleMesh ball = test::sphere(Vec3::Zero(), 4, 12, 6);
     CornerShading shading = cornerShading(ball);
-    for (std::size_t corner = 0; corner < shading.looks.size(); ++corner) {
-        shading.looks[corner] = {static_cast<SurfaceTag>(corner % 3), 7, static_cast<std::uint8_t>(corner % 5)};
+    for (std::size_t corner = 0; corner < shading.appearances.size(); ++corner) {
+        shading.appearances[corner] = {static_cast<SurfaceTag>(corner % 3), 7, static_cast<std::uint8_t>(corner % 5)};
     }
     const ShadingMesh mesh = shadingMesh(ball, shading);
     for (std::size_t t = 0; t < ball.triangles.size(); ++t) {
         for (std::size_t c = 0; c < 3; ++c) {
-            const ShadingVertex& vertex = mesh.vertices[mesh.triangles[mesh.placeOfTriangle[t]][c]];
-            EXPECT_EQ(vertex.looks, (3 * t + c) % 3 + 256 * 7 + 65536 * ((3 * t + c) % 5));
+            const ShadingVertex& vertex = mesh.vertices[mesh.triangles[mesh.drawIndexOfTriangle[t]][c]];
+            EXPECT_EQ(vertex.appearances, (3 * t + c) % 3 + 256 * 7 + 65536 * ((3 * t + c) % 5));
         }
     }
 }
@@ -86,12 +86,12 @@ TEST(ClusterCulling, NeverSkipsATriangleThatShows) {
     Camera camera;
     camera.nearDistance = 0.5;
     for (const Vec3& eye : {Vec3(0, 0, 20), Vec3(9, 2, -3), Vec3(0, 4.3, 0.5)}) {
-        camera.cameraInWorld = {eye, shortestTurn(Vec3::UnitZ(), eye)};
+        camera.cameraInWorld = {eye, shortestRotation(Vec3::UnitZ(), eye)};
         const Mat4 worldToClip = projectionMatrix(camera, 1) * viewMatrix(camera);
         const ClusterCuller culler(worldToClip, Eigen::Vector4d(eye.homogeneous()), true);
         std::size_t skipped = 0;
         for (const TriangleCluster& cluster : mesh.clusters) {
-            if (culler.mayShow(cluster)) continue;
+            if (culler.mayBeVisible(cluster)) continue;
             ++skipped;
             for (std::uint32_t t = cluster.firstTriangle; t < cluster.firstTriangle + cluster.triangles; ++t) {
                 const Vec3 a = positionOf(mesh, mesh.triangles[t][0]).cast<double>();
@@ -113,8 +113,8 @@ TEST(ClusterCulling, ParallelViewSkipsTheFarSide) {
     Mat4 flatten = Mat4::Identity() * 0.5;
     flatten(3, 3) = 1;
     const ClusterCuller culler(flatten, Eigen::Vector4d(0, 0, 1, 0), true);
-    const auto shown = static_cast<std::size_t>(
-        std::count_if(mesh.clusters.begin(), mesh.clusters.end(), [&](const auto& c) { return culler.mayShow(c); }));
+    const auto shown = static_cast<std::size_t>(std::count_if(mesh.clusters.begin(), mesh.clusters.end(),
+                                                              [&](const auto& c) { return culler.mayBeVisible(c); }));
     EXPECT_GT(shown, mesh.clusters.size() * 2 / 5);
     EXPECT_LT(shown, mesh.clusters.size() * 7 / 10);
 }
@@ -127,9 +127,9 @@ TEST(ClusterCulling, NeighbouringRunsAreJoined) {
         clusters[i].centre = Vec3f(i == 2 ? 9.0F : 0.0F, 0, 0);
         clusters[i].radius = 0.1F;
     }
-    std::vector<TriangleRun> runs;
-    visibleRuns(ClusterCuller(Mat4::Identity(), Eigen::Vector4d(0, 0, 1, 0), false), clusters, runs);
-    EXPECT_EQ(runs, (std::vector<TriangleRun>{{0, 20}}));
+    std::vector<TriangleRange> runs;
+    visibleRanges(ClusterCuller(Mat4::Identity(), Eigen::Vector4d(0, 0, 1, 0), false), clusters, runs);
+    EXPECT_EQ(runs, (std::vector<TriangleRange>{{0, 20}}));
 }
 
 }  // namespace

@@ -15,10 +15,10 @@ using test::objectOf;
 
 /// Three coloured bodies whose picture has no symmetry at all, on a table.
 std::vector<SceneObject> bodies() {
-    return {objectOf(test::box(Vec3(-1, 0, 0), Vec3(0.5, 2, 1.5)), looks::dentin()),
-            objectOf(test::sphere(Vec3(1.6, 0.4, 0.8), 0.8, 64, 32), looks::pulp()),
-            objectOf(test::cylinder(Vec3(0.4, -1.4, 0), 0.5, 2.4, 48), looks::enamel()),
-            objectOf(test::box(Vec3(-4, -4, -0.5), Vec3(4, 4, 0)), looks::gingiva())};
+    return {objectOf(test::box(Vec3(-1, 0, 0), Vec3(0.5, 2, 1.5)), appearances::dentin()),
+            objectOf(test::sphere(Vec3(1.6, 0.4, 0.8), 0.8, 64, 32), appearances::pulp()),
+            objectOf(test::cylinder(Vec3(0.4, -1.4, 0), 0.5, 2.4, 48), appearances::enamel()),
+            objectOf(test::box(Vec3(-4, -4, -0.5), Vec3(4, 4, 0)), appearances::gingiva())};
 }
 
 Camera cameraAt(const Vec3& eye, const Vec3& target) {
@@ -33,7 +33,7 @@ Camera cameraAt(const Vec3& eye, const Vec3& target) {
 SceneMirror mirrorBetween(const Vec3& place, const Vec3& eye, const Vec3& target, double radius) {
     SceneMirror mirror;
     const Vec3 normal = ((eye - place).normalized() + (target - place).normalized()).normalized();
-    mirror.mirrorInWorld = {place, shortestTurn(Vec3::UnitZ(), normal)};
+    mirror.mirrorInWorld = {place, shortestRotation(Vec3::UnitZ(), normal)};
     mirror.radius = radius;
     mirror.reflectance = 1;
     return mirror;
@@ -127,7 +127,7 @@ TEST_F(MirrorTest, ReflectedBodyIsAsBrightWhereverTheMirrorStandsInThePicture) {
     const Vec3 place(0, 4, 1);
     for (const Vec3& lookAt : {Vec3(0, 4, 1), Vec3(-4, 4, -2), Vec3(4, 4, -2), Vec3(-4, 4, 3), Vec3(4, 4, 3)}) {
         Scene scene;
-        scene.objects = {objectOf(test::sphere(Vec3(0, -2, 0), 1.2, 64, 32), looks::enamel())};
+        scene.objects = {objectOf(test::sphere(Vec3(0, -2, 0), 1.2, 64, 32), appearances::enamel())};
         scene.camera = cameraAt(eye, lookAt);
         scene.mirror = mirrorBetween(place, eye, Vec3(0, -2, 0), 1.5);
         scene.lighting.toKey = (place - Vec3(0, -2, 0)).normalized();  // on the side that the mirror sees
@@ -161,7 +161,7 @@ TEST_F(MirrorTest, IsTrueWithDarkenedContactsToo) {
 TEST_F(MirrorTest, NothingBehindTheGlassIsReflected) {
     // A red ball just behind the mirror: the mirrored eye looks straight through it.
     Scene scene;
-    scene.objects = {objectOf(test::sphere(Vec3(0, 1.2, 0), 1.0, 48, 24), looks::pulp())};
+    scene.objects = {objectOf(test::sphere(Vec3(0, 1.2, 0), 1.0, 48, 24), appearances::pulp())};
     const Vec3 eye(0, -20, 0);
     scene.camera = cameraAt(eye, Vec3::Zero());
     scene.mirror = mirrorBetween(Vec3::Zero(), eye, eye, 2);
@@ -186,11 +186,11 @@ TEST_F(MirrorTest, BackOfTheMirrorShowsNothing) {
 TEST_F(MirrorTest, StandsInFrontOfItsOwnGlassAndBehindWhatIsNearer) {
     const Vec3 eye(0, -20, 0);
     Scene scene;
-    SceneObject frame = objectOf(test::cylinder(Vec3(0, 0, -1), 2.2, 1, 64), looks::pulp());
+    SceneObject frame = objectOf(test::cylinder(Vec3(0, 0, -1), 2.2, 1, 64), appearances::pulp());
     scene.camera = cameraAt(eye, Vec3::Zero());
     scene.mirror = mirrorBetween(Vec3::Zero(), eye, eye, 2);
     frame.objectInWorld = scene.mirror->mirrorInWorld;
-    scene.objects = {frame, objectOf(test::sphere(Vec3(0, -3, 0), 0.4, 32, 16), looks::dentin())};
+    scene.objects = {frame, objectOf(test::sphere(Vec3(0, -3, 0), 0.4, 32, 16), appearances::dentin())};
     const Image image = draw(scene);
     const auto at = [&](const Vec3& point) {
         const Vec2 place = project(scene.camera, test::kTestSize, point).value();

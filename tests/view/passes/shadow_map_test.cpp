@@ -27,7 +27,7 @@ protected:
     [[nodiscard]] Scene scene() const {
         SceneObject tooth;
         tooth.shape = std::make_shared<const Surface>(surface_);
-        tooth.looks = {looks::enamel()};
+        tooth.appearances = {appearances::enamel()};
         Scene scene = test::sceneOf({tooth, floor_, post_, tool_}, {-1.5707963, 1.0});
         scene.lighting.toKey = Vec3(0.4, 0.2, 1).normalized();
         return scene;
@@ -58,7 +58,7 @@ protected:
 
     SceneObject floor_ = objectOf(test::box(Vec3(-8, -8, -4), Vec3(8, 8, -3.5)));
     SceneObject post_ = objectOf(test::box(Vec3(7, 7, -4), Vec3(8, 8, 5)));  // holds the map's frame still
-    SceneObject tool_ = objectOf(test::sphere(Vec3::Zero(), 0.5, 24, 12), looks::steel());
+    SceneObject tool_ = objectOf(test::sphere(Vec3::Zero(), 0.5, 24, 12), appearances::steel());
     Surface surface_;
 };
 

@@ -34,11 +34,11 @@ TEST_F(RendererTest, SilhouetteOfABallIsItsProjectedCircle) {
 }
 
 TEST_F(RendererTest, MaterialsHaveTheirColours) {
-    const auto colourOf = [](const Look& look) { return meanColour(draw(sceneOf({objectOf(ball(), look)}))); };
-    const Vec3 enamel = colourOf(looks::enamel());
-    const Vec3 dentin = colourOf(looks::dentin());
-    const Vec3 pulp = colourOf(looks::pulp());
-    const Vec3 caries = colourOf(looks::caries());
+    const auto colourOf = [](const Appearance& look) { return meanColour(draw(sceneOf({objectOf(ball(), look)}))); };
+    const Vec3 enamel = colourOf(appearances::enamel());
+    const Vec3 dentin = colourOf(appearances::dentin());
+    const Vec3 pulp = colourOf(appearances::pulp());
+    const Vec3 caries = colourOf(appearances::caries());
     EXPECT_GT(enamel.minCoeff(), 120);
     EXPECT_LT(enamel.x() - enamel.z(), 45);
     EXPECT_GT(dentin.x() - dentin.z(), 50);
@@ -56,7 +56,7 @@ TEST_F(RendererTest, SidesTurnedToTheLightAreBrighter) {
 }
 
 TEST_F(RendererTest, AToolThrowsItsShadow) {
-    SceneObject tool = objectOf(ball(0.8, Vec3(0, 0, 4)), looks::steel());
+    SceneObject tool = objectOf(ball(0.8, Vec3(0, 0, 4)), appearances::steel());
     tool.moves = true;
     Scene scene = sceneOf({objectOf(test::box(Vec3(-4, -4, -1), Vec3(4, 4, 0))), tool}, {-1.5707963, 1.0});
     scene.lighting.toKey = Vec3(0, 0, 1);
@@ -156,7 +156,7 @@ TEST_F(RendererTest, EmptyScenesAndEmptyMeshesAreDrawn) {
 }
 
 TEST_F(RendererTest, ImpossibleSizesAreASentence) {
-    for (const PictureSize size : {PictureSize{0, 10}, PictureSize{10, -1}, PictureSize{1000000, 10}}) {
+    for (const ImageSize size : {ImageSize{0, 10}, ImageSize{10, -1}, ImageSize{1000000, 10}}) {
         const auto image = renderer().render(sceneOf({}), size);
         ASSERT_FALSE(image);
         EXPECT_NE(image.error().message.find("choose"), std::string::npos);

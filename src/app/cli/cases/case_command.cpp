@@ -9,26 +9,26 @@
 #include <numbers>
 #include <set>
 
-#include "app/common/exit_code.h"
 #include "app/cli/terminal/output.h"
+#include "app/common/exit_code.h"
 #include "geometry/files/file_bytes.h"
-#include "geometry/files/file_set.h"
+#include "geometry/files/file_transaction.h"
 #include "geometry/mesh/mesh_report.h"
+#include "geometry/util/display_text.h"
 #include "geometry/util/number_text.h"
-#include "geometry/util/shown_text.h"
 #include "patient/length_unit.h"
 #include "session/cases/make_case.h"
 #include "session/cases/open_case.h"
-#include "session/io/unicode_text.h"
 #include "session/cases/write_case.h"
+#include "session/io/unicode_text.h"
 
 namespace tactooth {
 namespace {
 
 constexpr double kFinestUnit = 1e-6, kCoarsestUnit = 1e6;  // mm
 
-Expected<ImportChoices> choicesOf(const CaseNewOptions& options) {
-    ImportChoices choices;
+Expected<ImportOptions> choicesOf(const CaseNewOptions& options) {
+    ImportOptions choices;
     if (!options.units.empty()) {
         if (const auto unit = lengthUnitFromName(options.units)) {
             choices.mmPerUnit = unit->mm;
@@ -44,14 +44,14 @@ Expected<ImportChoices> choicesOf(const CaseNewOptions& options) {
     choices.holes = options.holes == "all"    ? HolesToFill::All
                     : options.holes == "none" ? HolesToFill::None
                                               : HolesToFill::Small;
-    choices.frame.isUpsideDown = options.upsideDown;
+    choices.frame.isFlipped = options.upsideDown;
     choices.frame.turn = options.turnDegrees * std::numbers::pi / 180;
     choices.modelsLayers = !options.noModel;
     return choices;
 }
 
 void printSentences(const std::vector<std::string>& sentences) {
-    for (const std::string& sentence : sentences) say("    {}\n", shownText(sentence));
+    for (const std::string& sentence : sentences) print("    {}\n", displayText(sentence));
 }
 
 /// "enamel, dentin and pulp (a model)".
@@ -65,16 +65,16 @@ std::string layersOf(const CaseTooth& tooth) {
 void printBodies(const CaseDescription& description, bool withAssumptions) {
     for (const CaseTooth& tooth : description.teeth) {
         const Vec3& at = tooth.toothInCase.position;
-        say("  tooth {}{}: {}; at {:.1f}, {:.1f}, {:.1f} mm\n", shownText(tooth.name),
-            tooth.fdi != 0 ? fmt::format(" (FDI {})", tooth.fdi) : "", layersOf(tooth), at.x(), at.y(), at.z());
+        print("  tooth {}{}: {}; at {:.1f}, {:.1f}, {:.1f} mm\n", displayText(tooth.name),
+              tooth.fdi != 0 ? fmt::format(" (FDI {})", tooth.fdi) : "", layersOf(tooth), at.x(), at.y(), at.z());
         if (withAssumptions) printSentences(tooth.assumed);
     }
     for (const CaseSurrounding& body : description.around) {
-        say("  around: {}, taken as {}\n", shownText(body.name), materialName(body.material));
+        print("  around: {}, taken as {}\n", displayText(body.name), materialName(body.material));
         if (withAssumptions) printSentences(body.assumed);
     }
-    for (const std::string& bur : description.burs) say("  bur: {}\n", shownText(bur));
-    if (!description.materials.empty()) say("  materials of its own: {}\n", shownText(description.materials));
+    for (const std::string& bur : description.burs) print("  bur: {}\n", displayText(bur));
+    if (!description.materials.empty()) print("  materials of its own: {}\n", displayText(description.materials));
 }
 
 /// Files that the description does not name: they may be meant to be there, and do nothing.
@@ -113,77 +113,77 @@ Expected<std::vector<CaseFile>> filesOf(const CaseStore& store) {
 
 int runCaseNew(const CaseNewOptions& options) {
     const auto choices = choicesOf(options);
-    if (!choices) return refuse(choices.error());
-    if (const auto done = checkCaseTarget(options.out); !done) return refuse(done.error());
-    FileSet set;
+    if (!choices) return reportError(choices.error());
+    if (const auto done = checkCaseTarget(options.out); !done) return reportError(done.error());
+    FileTransaction set;
     for (const auto& input : options.from) set.reads(input);
     for (const auto& input : options.burs) set.reads(input);
     set.reads(options.materials);
     if (options.out.extension() == kCaseEnding) {
-        if (const auto opened = set.open(options.out); !opened) return refuse(opened.error());
+        if (const auto opened = set.open(options.out); !opened) return reportError(opened.error());
     }
     const CaseRequest request{options.from,     options.title, options.licence, options.provenance,
                               options.quadrant, *choices,      options.burs,    options.materials};
     std::string last;
     const auto made = makeCase(request, [&](const std::string& body, double /*part*/) {
-        if (body != last) say("importing {}\n", shownText(body));
+        if (body != last) print("importing {}\n", displayText(body));
         last = body;
         std::fflush(stdout);
         return true;
     });
-    if (!made) return refuse(made.error());
-    if (const auto written = writeCase(made->files, options.out); !written) return refuse(written.error());
-    if (const auto named = set.commit(); !named) return refuse(named.error());
+    if (!made) return reportError(made.error());
+    if (const auto written = writeCase(made->files, options.out); !written) return reportError(written.error());
+    if (const auto named = set.commit(); !named) return reportError(named.error());
     printBodies(made->description, true);
-    say("{}: {} teeth and {} bodies around them; licence: {}\n", shownName(options.out), made->description.teeth.size(),
-        made->description.around.size(), shownText(made->description.licence));
+    print("{}: {} teeth and {} bodies around them; licence: {}\n", displayName(options.out),
+          made->description.teeth.size(), made->description.around.size(), displayText(made->description.licence));
     return kExitOk;
 }
 
 int runCaseCheck(const CaseCheckOptions& options) {
     const auto store = CaseStore::open(options.path);
-    if (!store) return refuse(store.error());
+    if (!store) return reportError(store.error());
     const auto opened = openCase(*store);
     if (!opened) {
-        refuse(opened.error());
+        reportError(opened.error());
         return kExitNegative;
     }
-    printRemarks(opened->remarks);
+    printImportNotes(opened->importNotes);
     const auto bodies = caseBodies(*store, opened->description);
-    if (!bodies) return refuse(bodies.error());
+    if (!bodies) return reportError(bodies.error());
     for (const CaseBody& body : *bodies) {
         const MeshReport report = reportOn(body.surface);
-        say("{}: {} triangles, closed\n", body.name, report.triangles);
-        for (const std::string& finding : findings(report)) say("    {}\n", finding);
+        print("{}: {} triangles, closed\n", body.name, report.triangles);
+        for (const std::string& finding : findings(report)) print("    {}\n", finding);
     }
     for (const CaseOverlap& overlap : overlaps(*bodies)) {
-        say("{} and {} share room, {:.3f} mm deep: both cannot be cut truly there\n", overlap.first, overlap.second,
-            overlap.deepest);
+        print("{} and {} share room, {:.3f} mm deep: both cannot be cut truly there\n", overlap.first, overlap.second,
+              overlap.deepest);
     }
     for (const std::string& entry : unusedFiles(*store, opened->description)) {
-        say("{}: case.toml does not name this file\n", shownName(entry));
+        print("{}: case.toml does not name this file\n", displayName(entry));
     }
-    say("{} can be opened\n", shownName(options.path));
+    print("{} can be opened\n", displayName(options.path));
     return kExitOk;
 }
 
 int runCaseInfo(const CaseInfoOptions& options) {
     const auto store = CaseStore::open(options.path);
-    if (!store) return refuse(store.error());
+    if (!store) return reportError(store.error());
     const auto description = readCaseDescription(*store);
-    if (!description) return refuse(description.error());
-    say("{}\nlicence: {}\n", description->title, description->licence);
-    for (const std::string& line : description->provenance) say("  {}\n", line);
+    if (!description) return reportError(description.error());
+    print("{}\nlicence: {}\n", description->title, description->licence);
+    for (const std::string& line : description->provenance) print("  {}\n", line);
     printBodies(*description, true);
     return kExitOk;
 }
 
 int runCasePack(const CasePackOptions& options) {
     const auto store = CaseStore::open(options.folder);
-    if (!store) return refuse(store.error());
-    if (const auto opened = openCase(*store); !opened) return refuse(opened.error());
+    if (!store) return reportError(store.error());
+    if (const auto opened = openCase(*store); !opened) return reportError(opened.error());
     auto files = filesOf(*store);
-    if (!files) return refuse(files.error());
+    if (!files) return reportError(files.error());
     std::filesystem::path out = options.out;
     if (out.empty()) {
         std::error_code error;
@@ -192,12 +192,12 @@ int runCasePack(const CasePackOptions& options) {
         out += kCaseEnding;
     }
     if (out.extension() != kCaseEnding) {
-        return refuse(
-            {shownName(out) + ": a packed case is a file whose name ends in " + std::string(kCaseEnding) + "."});
+        return reportError(
+            {displayName(out) + ": a packed case is a file whose name ends in " + std::string(kCaseEnding) + "."});
     }
     const std::size_t count = files->size();
-    if (const auto written = writeCase(*files, out); !written) return refuse(written.error());
-    say("{}: {} files\n", shownName(out), count);
+    if (const auto written = writeCase(*files, out); !written) return reportError(written.error());
+    print("{}: {} files\n", displayName(out), count);
     return kExitOk;
 }
 

@@ -29,7 +29,7 @@ void addScanOptions(CLI::App& command, CaseNewOptions& options) {
         ->type_name("N");
 }
 
-void addNew(CLI::App& parent, Chosen& chosen) {
+void addNew(CLI::App& parent, CommandAction& chosen) {
     const auto options = std::make_shared<CaseNewOptions>();
     CLI::App* command = addCommand(
         parent, chosen, "new",
@@ -60,7 +60,7 @@ void addNew(CLI::App& parent, Chosen& chosen) {
 }
 
 template <class Options>
-void addForOneCase(CLI::App& parent, Chosen& chosen, const char* name, const char* description,
+void addForOneCase(CLI::App& parent, CommandAction& chosen, const char* name, const char* description,
                    int (*run)(const Options&)) {
     const auto options = std::make_shared<Options>();
     addCommand(parent, chosen, name, description, options, run)
@@ -69,7 +69,7 @@ void addForOneCase(CLI::App& parent, Chosen& chosen, const char* name, const cha
         ->type_name("");
 }
 
-void addPack(CLI::App& parent, Chosen& chosen) {
+void addPack(CLI::App& parent, CommandAction& chosen) {
     const auto options = std::make_shared<CasePackOptions>();
     CLI::App* command =
         addCommand(parent, chosen, "pack", "Packs a case's folder into one .ttcase file.", options, runCasePack);
@@ -80,7 +80,7 @@ void addPack(CLI::App& parent, Chosen& chosen) {
 
 }  // namespace
 
-void addCaseCommands(CLI::App& program, Chosen& chosen) {
+void addCaseCommands(CLI::App& program, CommandAction& chosen) {
     CLI::App* parent =
         program.add_subcommand("case", "Teeth with their places, layers, burs and licence in one folder or file.");
     parent->group("Commands")->footer("")->require_subcommand(1);

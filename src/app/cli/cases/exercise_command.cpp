@@ -4,35 +4,35 @@
 
 #include <fmt/core.h>
 
-#include "app/common/exit_code.h"
 #include "app/cli/terminal/output.h"
+#include "app/common/exit_code.h"
+#include "assessment/cavity_metrics.h"
+#include "assessment/exercise_file.h"
 #include "geometry/files/file_bytes.h"
-#include "geometry/files/file_set.h"
+#include "geometry/files/file_transaction.h"
 #include "geometry/io/stl_writer.h"
 #include "instruments/bur_catalogue.h"
-#include "session/cases/own_bur.h"
-#include "assessment/cavity_account.h"
-#include "assessment/exercise_file.h"
+#include "session/cases/custom_bur.h"
 
 namespace tactooth {
 namespace {
 
 std::string toothOf(const Exercise& exercise) {
     const auto* request = std::get_if<ToothRequest>(&exercise.tooth);
-    if (request == nullptr) return shownName(std::get<ToothSource>(exercise.tooth).outer);
+    if (request == nullptr) return displayName(std::get<ToothSource>(exercise.tooth).outer);
     return fmt::format("{}, {}", request->fdi, toothName(request->fdi));
 }
 
 Expected<std::string> burOf(const Exercise& exercise) {
     const auto* number = std::get_if<std::string>(&exercise.bur);
     if (number != nullptr) return findBur(*number)->name;
-    const Expected<OwnBur> own = readOwnBur(std::get<std::filesystem::path>(exercise.bur));
+    const Expected<CustomBur> own = readCustomBur(std::get<std::filesystem::path>(exercise.bur));
     if (!own) return Unexpected{own.error()};
     return own->name;
 }
 
 Expected<void> tell(const ExerciseOptions& options) {
-    FileSet files;
+    FileTransaction files;
     files.reads(options.file);
     if (auto opened = files.open(options.out); !opened) return opened;
     const Expected<Exercise> exercise = readExercise(options.file);
@@ -49,24 +49,24 @@ Expected<void> tell(const ExerciseOptions& options) {
     const auto surface = std::make_shared<const SurfacePart>(std::move(*ideal));
     const auto outer = (*tooth)->ownOuter();
     const CavityWalls walls = cavityWalls(surface->mesh(), *outer);
-    CavityAccount account(surface, *outer, walls);
-    if (account.empty()) {
+    CavityMetrics metrics(surface, *outer, walls);
+    if (metrics.empty()) {
         return unexpected(
-            shownName(options.file) +
+            displayName(options.file) +
             ": the ideal shape leaves nothing to cut; it must lie in the frame of the tooth, and have its "
             "cavity inside it.");
     }
     if (auto named = files.commit(); !named) return named;
     Surface whole;
     whole.base = outer;
-    say("{}\n{}\n", exercise->name, exercise->task);
-    say("  tooth           {}\n  bur             {}\n", toothOf(*exercise), *bur);
-    say("  ideal cavity    {:.2f} mm3\n", account.of(whole, 0).planned);
+    print("{}\n{}\n", exercise->name, exercise->task);
+    print("  tooth           {}\n  bur             {}\n", toothOf(*exercise), *bur);
+    print("  ideal cavity    {:.2f} mm3\n", metrics.of(whole, 0).planned);
     if (const auto left = leastToPulp(walls, **tooth)) {
-        if (*left > 0) say("  to the pulp     {:.2f} mm at least\n", *left);
-        if (*left <= 0) say("  to the pulp     nothing: the cavity opens it\n");
+        if (*left > 0) print("  to the pulp     {:.2f} mm at least\n", *left);
+        if (*left <= 0) print("  to the pulp     nothing: the cavity opens it\n");
     }
-    if (!options.out.empty()) say("  ideal shape     {}\n", shownName(options.out));
+    if (!options.out.empty()) print("  ideal shape     {}\n", displayName(options.out));
     return {};
 }
 
@@ -74,7 +74,7 @@ Expected<void> tell(const ExerciseOptions& options) {
 
 int runExercise(const ExerciseOptions& options) {
     const auto done = tell(options);
-    return done ? kExitOk : refuse(done.error());
+    return done ? kExitOk : reportError(done.error());
 }
 
 }  // namespace tactooth

@@ -7,11 +7,11 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "app/common/exit_code.h"
 #include "app/cli/terminal/output.h"
-#include "geometry/files/file_bytes.h"
-#include "assessment/cavity_account.h"
+#include "app/common/exit_code.h"
+#include "assessment/cavity_metrics.h"
 #include "assessment/ideal_shape.h"
+#include "geometry/files/file_bytes.h"
 #include "session/simulation/tooth_file.h"
 
 namespace tactooth {
@@ -19,25 +19,29 @@ namespace {
 
 constexpr double kPercent = 100;
 
-Expected<CavityProgress> progressOf(const WorkPiece& piece, const std::filesystem::path& target) {
-    std::vector<Remark> remarks;
-    Expected<TriangleMesh> ideal = loadIdealShape(target, &remarks);
+Expected<CavityProgress> progressOf(const CutModel& piece, const std::filesystem::path& target) {
+    std::vector<ImportNote> importNotes;
+    Expected<TriangleMesh> ideal = loadIdealShape(target, &importNotes);
     if (!ideal) return Unexpected{ideal.error()};
-    printRemarks(remarks);
-    CavityAccount account(std::make_shared<const SurfacePart>(std::move(*ideal)), *piece.tooth().ownOuter());
-    if (account.empty()) {
-        return unexpected(shownName(target) +
+    printImportNotes(importNotes);
+    CavityMetrics metrics(std::make_shared<const SurfacePart>(std::move(*ideal)), *piece.tooth().ownOuter());
+    if (metrics.empty()) {
+        return unexpected(displayName(target) +
                           " leaves nothing to cut: no part of it lies inside the uncut tooth; choose the same tooth "
                           "with its cavity, in the same frame.");
     }
-    return account.of(*piece.surface(), total(piece.removed()));
+    return metrics.of(*piece.surface(), total(piece.removed()));
 }
 
 std::string asJson(const ScoreOptions& options, const CavityProgress& cavity, const ToothLoss& loss) {
-    nlohmann::ordered_json json = {
-        {"tooth", shownName(options.tooth)},   {"target", shownName(options.target)},    {"ideal_mm3", cavity.planned},
-        {"cleared_mm3", cavity.cleared},       {"cleared_share", cavity.clearedShare()}, {"beyond_mm3", cavity.beyond},
-        {"deepest_beyond_mm", cavity.deepest}, {"likeness", cavity.likeness()}};
+    nlohmann::ordered_json json = {{"tooth", displayName(options.tooth)},
+                                   {"target", displayName(options.target)},
+                                   {"ideal_mm3", cavity.planned},
+                                   {"cleared_mm3", cavity.cleared},
+                                   {"cleared_share", cavity.clearedFraction()},
+                                   {"beyond_mm3", cavity.beyond},
+                                   {"deepest_beyond_mm", cavity.maxOverPreparation},
+                                   {"likeness", cavity.dice()}};
     for (std::size_t id = 0; id < kMaterialCount; ++id)
         json["removed_mm3"][std::string(materialName(static_cast<MaterialId>(id)))] = loss.removed[id];
     json["removed_beside_mm3"] = loss.beside;
@@ -45,11 +49,13 @@ std::string asJson(const ScoreOptions& options, const CavityProgress& cavity, co
 }
 
 std::string asTable(const ScoreOptions& options, const CavityProgress& cavity, const ToothLoss& loss) {
-    std::string text = fmt::format("{} against {}\n", shownName(options.tooth), shownName(options.target));
+    std::string text = fmt::format("{} against {}\n", displayName(options.tooth), displayName(options.target));
     text += fmt::format("  ideal cavity   {:8.2f} mm3\n", cavity.planned);
-    text += fmt::format("  of it cut      {:8.2f} mm3, {:.0f} %\n", cavity.cleared, kPercent * cavity.clearedShare());
-    text += fmt::format("  cut beyond it  {:8.2f} mm3, {:.2f} mm deep at worst\n", cavity.beyond, cavity.deepest);
-    text += fmt::format("  likeness       {:8.0f} %\n", kPercent * cavity.likeness());
+    text +=
+        fmt::format("  of it cut      {:8.2f} mm3, {:.0f} %\n", cavity.cleared, kPercent * cavity.clearedFraction());
+    text += fmt::format("  cut beyond it  {:8.2f} mm3, {:.2f} mm deep at worst\n", cavity.beyond,
+                        cavity.maxOverPreparation);
+    text += fmt::format("  likeness       {:8.0f} %\n", kPercent * cavity.dice());
     for (std::size_t id = 0; id < kMaterialCount; ++id) {
         if (loss.removed[id] <= 0) continue;
         text +=
@@ -63,14 +69,15 @@ std::string asTable(const ScoreOptions& options, const CavityProgress& cavity, c
 
 int runScore(const ScoreOptions& options) {
     if (!isToothFile(options.tooth)) {
-        return refuse({shownName(options.tooth) +
-                       " is no saved tooth: give one that 'tactooth cut --save' or the window (Ctrl+S) has written, "
-                       "which knows what was cut from it."});
+        return reportError(
+            {displayName(options.tooth) +
+             " is no saved tooth: give one that 'tactooth cut --save' or the window (Ctrl+S) has written, "
+             "which knows what was cut from it."});
     }
     const Expected<OpenedTooth> opened = openTooth(options.tooth);
-    if (!opened) return refuse(opened.error());
+    if (!opened) return reportError(opened.error());
     const Expected<CavityProgress> cavity = progressOf(*opened->piece, options.target);
-    if (!cavity) return refuse(cavity.error());
+    if (!cavity) return reportError(cavity.error());
     const ToothLoss& loss = opened->piece->loss();
     writeTo(stdout, options.json ? asJson(options, *cavity, loss) : asTable(options, *cavity, loss));
     return kExitOk;

@@ -6,14 +6,14 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "app/common/exit_code.h"
 #include "app/cli/terminal/output.h"
+#include "app/common/exit_code.h"
+#include "experiments/contact_timing.h"
+#include "experiments/standard_teeth.h"
 #include "geometry/files/file_bytes.h"
 #include "geometry/io/mesh_file.h"
 #include "geometry/mesh/mesh_report.h"
-#include "experiments/contact_timing.h"
-#include "session/io/run_facts.h"
-#include "experiments/standard_teeth.h"
+#include "session/io/run_metadata.h"
 
 namespace tactooth {
 namespace {
@@ -33,7 +33,7 @@ class BenchOutput {
 public:
     BenchOutput(const BenchContactOptions& options, const std::string& tool, std::size_t toolTriangles)
         : isJson_(options.json) {
-        const RunFacts facts = currentRunFacts();
+        const RunMetadata facts = currentRunMetadata();
         if (isJson_) {
             json_ = {{"machine", facts.machine},
                      {"compiler", facts.compiler},
@@ -45,27 +45,28 @@ public:
                      {"tool_triangles", toolTriangles},
                      {"degrees_of_freedom", options.freedom},
                      {"repeat", options.repeat},
-                     {"turning_degrees_per_s", HandPath{}.turn},
+                     {"turning_degrees_per_s", ToolTrajectory{}.turn},
                      {"cases", Json::array()}};
             return;
         }
-        say("machine:  {}\ncompiler: {}\ncommit:   {}\ncommand:  {}\n", facts.machine, facts.compiler, facts.commit,
-            facts.command);
-        say("tool:     {}, {} triangles\n", tool, toolTriangles);
-        say("Microseconds of processor time a tick of 1 ms, least of {} runs; p50 to p99.9 of the ticks in contact, "
+        print("machine:  {}\ncompiler: {}\ncommit:   {}\ncommand:  {}\n", facts.machine, facts.compiler, facts.commit,
+              facts.command);
+        print("tool:     {}, {} triangles\n", tool, toolTriangles);
+        print(
+            "Microseconds of processor time a tick of 1 ms, least of {} runs; p50 to p99.9 of the ticks in contact, "
             "max of all.\nThe hand turns the tool {:.0f} degrees/s about its tip; the tool has {} degrees of "
             "freedom.\n\n",
-            options.repeat, HandPath{}.turn, options.freedom);
-        say("{:<14} {:>4} {:>9} {:>5} {:>6} {:>7} {:>7} {:>7} {:>7} {:>8} {:>6} {:>5}\n", "tooth", "%", "triangles",
-            "cm/s", "ticks", "p50", "p99", "p99.9", "max", "contacts", "rounds", "gjk");
+            options.repeat, ToolTrajectory{}.turn, options.freedom);
+        print("{:<14} {:>4} {:>9} {:>5} {:>6} {:>7} {:>7} {:>7} {:>7} {:>8} {:>6} {:>5}\n", "tooth", "%", "triangles",
+              "cm/s", "ticks", "p50", "p99", "p99.9", "max", "contacts", "rounds", "gjk");
     }
 
     void add(const Case& c) {
         const ContactTiming& t = c.timing;
         if (!isJson_) {
-            say("{:<14} {:>4} {:>9} {:>5.0f} {:>6} {:>7.1f} {:>7.1f} {:>7.1f} {:>7.1f} {:>8.2f} {:>6.2f} {:>5.1f}\n",
-                c.tooth.name, c.percent, c.triangles, c.speed / 10, t.ticks, t.p50, t.p99, t.p999, t.largest,
-                t.contacts, t.rounds, t.distances);
+            print("{:<14} {:>4} {:>9} {:>5.0f} {:>6} {:>7.1f} {:>7.1f} {:>7.1f} {:>7.1f} {:>8.2f} {:>6.2f} {:>5.1f}\n",
+                  c.tooth.name, c.percent, c.triangles, c.speed / 10, t.ticks, t.p50, t.p99, t.p999, t.largest,
+                  t.contacts, t.iterations, t.distances);
             std::fflush(stdout);
             return;
         }
@@ -81,14 +82,14 @@ public:
                                   {"p999_us", t.p999},
                                   {"max_us", t.largest},
                                   {"contacts", t.contacts},
-                                  {"rounds", t.rounds},
+                                  {"rounds", t.iterations},
                                   {"gjk_runs", t.distances},
-                                  {"out_of_rounds", t.outOfRounds},
+                                  {"out_of_rounds", t.iterationLimitHits},
                                   {"overlapping", t.overlapping}});
     }
 
     void end() {
-        if (isJson_) say("{}\n", json_.dump(1, ' ', false, Json::error_handler_t::replace));
+        if (isJson_) print("{}\n", json_.dump(1, ' ', false, Json::error_handler_t::replace));
     }
 
 private:
@@ -98,13 +99,13 @@ private:
 
 void benchTooth(const StandardTooth& tooth, const std::shared_ptr<const ToolShape>& tool,
                 const BenchContactOptions& options, std::span<const int> percents, BenchOutput& output) {
-    say(options.json ? stderr : stdout, "{}: {}\n", tooth.name, tooth.source);
-    const Freedom freedom = options.freedom == 6 ? Freedom::ShiftAndTurn : Freedom::Shift;
+    print(options.json ? stderr : stdout, "{}: {}\n", tooth.name, tooth.source);
+    const Freedom freedom = options.freedom == 6 ? Freedom::TranslationAndRotation : Freedom::Translation;
     for (Resolution& resolution : resolutionLadder(tooth.mesh, percents)) {
         const std::size_t triangles = resolution.mesh.triangles.size();
         const auto surface = plainSurface(std::move(resolution.mesh));
-        for (const double speed : {kSlowHand, kFastHand}) {
-            const std::vector<Pose> hand = handPath(surface->base->mesh(), standardHand(speed));
+        for (const double speed : {kSlowSpeed, kFastSpeed}) {
+            const std::vector<Pose> hand = toolTrajectory(surface->base->mesh(), standardToolPath(speed));
             output.add({tooth, resolution.percent, triangles, speed,
                         timeContact(surface, tool, hand, options.repeat, freedom)});
         }
@@ -129,20 +130,21 @@ int runBenchContact(const BenchContactOptions& options) {
         bur = standardBur();
     } else {
         auto mesh = loadMesh(options.tool);
-        if (!mesh) return refuse(mesh.error());
+        if (!mesh) return reportError(mesh.error());
         bur = std::move(*mesh);
-        burName = shownName(options.tool);
+        burName = displayName(options.tool);
     }
     std::optional<StandardTooth> own;
     if (!options.tooth.empty()) {
-        auto tooth = ownTooth(options.tooth);
-        if (!tooth) return refuse(tooth.error());
+        auto tooth = customTooth(options.tooth);
+        if (!tooth) return reportError(tooth.error());
         own = std::move(*tooth);
     }
     const std::vector<int> percents = percentsOf(options);
     if (own && percents.front() < 100 && !reportOn(own->mesh).watertight()) {
-        return refuse({shownName(options.tooth) +
-                       " is not closed, so its triangles cannot be made fewer; measure it with --resolution 100."});
+        return reportError(
+            {displayName(options.tooth) +
+             " is not closed, so its triangles cannot be made fewer; measure it with --resolution 100."});
     }
     const auto tool = std::make_shared<const ToolShape>(std::move(bur));
     BenchOutput output(options, burName, tool->mesh().triangles.size());
@@ -151,7 +153,7 @@ int runBenchContact(const BenchContactOptions& options) {
     } else {
         for (const StandardToothKind kind : kStandardTeeth) {
             const auto tooth = standardTooth(kind);
-            if (!tooth) return refuse(tooth.error());
+            if (!tooth) return reportError(tooth.error());
             benchTooth(*tooth, tool, options, percents, output);
         }
     }

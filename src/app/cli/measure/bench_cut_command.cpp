@@ -7,11 +7,11 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "app/common/exit_code.h"
 #include "app/cli/terminal/output.h"
+#include "app/common/exit_code.h"
 #include "experiments/cut_timing.h"
-#include "session/io/run_facts.h"
 #include "experiments/standard_teeth.h"
+#include "session/io/run_metadata.h"
 
 namespace tactooth {
 namespace {
@@ -24,7 +24,7 @@ constexpr double kMillimetre = 1e-3;  // a micrometre in mm
 class CutOutput {
 public:
     CutOutput(bool json, int cores, const StandardTooth& tooth) : isJson_(json) {
-        const RunFacts facts = currentRunFacts();
+        const RunMetadata facts = currentRunMetadata();
         if (isJson_) {
             json_ = {{"machine", facts.machine},
                      {"compiler", facts.compiler},
@@ -39,17 +39,19 @@ public:
                      {"cases", Json::array()}};
             return;
         }
-        say("machine:  {}\ncompiler: {}\ncommit:   {}\ncommand:  {}\n", facts.machine, facts.compiler, facts.commit,
-            facts.command);
-        say("tooth:    {}, {}, {} triangles\n", tooth.name, tooth.source, tooth.mesh.triangles.size());
-        say("A bur goes into the tooth, its whole head deep, and mills slots at the speed of the hand.\n"
+        print("machine:  {}\ncompiler: {}\ncommit:   {}\ncommand:  {}\n", facts.machine, facts.compiler, facts.commit,
+              facts.command);
+        print("tooth:    {}, {}, {} triangles\n", tooth.name, tooth.source, tooth.mesh.triangles.size());
+        print(
+            "A bur goes into the tooth, its whole head deep, and mills slots at the speed of the hand.\n"
             "{}: tick, us; update (carve and new surface), ms; felt: from a tick in which\n"
             "the bur works to the tick that feels what it cut, and from the beginning of that carve, ms; ns for each "
             "voxel\n"
             "of removed volume; ahead: what the thread that makes bricks ahead of the bur takes of a core, %.\n\n",
             cores > 1 ? fmt::format("Processor time, of the cutter the time that passes on {} cores", cores)
                       : "Processor time of one core for each");
-        say("{:<22} {:>5} {:>6} {:>6} {:>6} {:>6} {:>6} | {:>6} {:>6} {:>6} {:>6} | {:>5} {:>5} {:>6} {:>5} | {:>6} "
+        print(
+            "{:<22} {:>5} {:>6} {:>6} {:>6} {:>6} {:>6} | {:>6} {:>6} {:>6} {:>6} | {:>5} {:>5} {:>6} {:>5} | {:>6} "
             "{:>5} {:>6} {:>7} {:>5} {:>5}\n",
             "bur", "voxel", "mm/s", "p50", "p99", "p99.9", "max", "up p50", "p99", "max", "1/s", "felt", "p99",
             "carved", "p99", "first", "ahead", "mm^3", "ns/vox", "MB", "all");
@@ -57,12 +59,13 @@ public:
 
     void add(const CutCase& c, const CutTiming& t) {
         if (!isJson_) {
-            say("{:<22} {:>5.0f} {:>6.1f} {:>6.0f} {:>6.0f} {:>6.0f} {:>6.0f} | {:>6.1f} {:>6.1f} {:>6.1f} "
+            print(
+                "{:<22} {:>5.0f} {:>6.1f} {:>6.0f} {:>6.0f} {:>6.0f} {:>6.0f} | {:>6.1f} {:>6.1f} {:>6.1f} "
                 "{:>6.0f} | {:>5.1f} {:>5.1f} {:>6.1f} {:>5.1f} | {:>6.1f} {:>5.0f} {:>6.2f} {:>7.0f} {:>5.0f} "
                 "{:>5.0f}\n",
                 nameOf(c), c.voxel / kMillimetre, c.speed, t.p50, t.p99, t.p999, t.largest, t.updateP50, t.updateP99,
-                t.updateLargest, t.updatesPerSecond, t.feltP50, t.feltP99, t.carvedP50, t.carvedP99, t.firstUpdate,
-                100 * t.makerShare, t.removed, t.nanosPerVoxel, t.brickMegabytes, t.residentMegabytes);
+                t.updateLargest, t.updatesPerSecond, t.touchP50, t.touchP99, t.carvedP50, t.carvedP99, t.firstUpdate,
+                100 * t.prefetchShare, t.removed, t.nanosPerVoxel, t.brickMegabytes, t.residentMegabytes);
             std::fflush(stdout);
             return;
         }
@@ -84,12 +87,12 @@ public:
                                   {"updates_per_s", t.updatesPerSecond},
                                   {"lists", t.lists},
                                   {"list_p50_ms", t.listP50},
-                                  {"felt_p50_ms", t.feltP50},
-                                  {"felt_p99_ms", t.feltP99},
+                                  {"felt_p50_ms", t.touchP50},
+                                  {"felt_p99_ms", t.touchP99},
                                   {"carve_to_felt_p50_ms", t.carvedP50},
                                   {"carve_to_felt_p99_ms", t.carvedP99},
                                   {"first_update_ms", t.firstUpdate},
-                                  {"maker_share", t.makerShare},
+                                  {"maker_share", t.prefetchShare},
                                   {"removed_mm3", t.removed},
                                   {"ns_per_voxel", t.nanosPerVoxel},
                                   {"brick_megabytes", t.brickMegabytes},
@@ -98,7 +101,7 @@ public:
     }
 
     void end() {
-        if (isJson_) say("{}\n", json_.dump(1, ' ', false, Json::error_handler_t::replace));
+        if (isJson_) print("{}\n", json_.dump(1, ' ', false, Json::error_handler_t::replace));
     }
 
 private:
@@ -134,10 +137,10 @@ std::vector<CutCase> casesOf(const BenchCutOptions& options) {
 }  // namespace
 
 int runBenchCut(const BenchCutOptions& options) {
-    const auto tooth = options.tooth.empty() ? standardTooth(StandardToothKind::Large) : ownTooth(options.tooth);
-    if (!tooth) return refuse(tooth.error());
+    const auto tooth = options.tooth.empty() ? standardTooth(StandardToothKind::Large) : customTooth(options.tooth);
+    if (!tooth) return reportError(tooth.error());
     const auto whole = uncut(*tooth);
-    if (!whole) return refuse(whole.error());
+    if (!whole) return reportError(whole.error());
     CutOutput output(options.json, options.cores, *tooth);
     for (CutCase one : casesOf(options)) {
         one.cores = options.cores;

@@ -10,7 +10,7 @@
 namespace tactooth {
 
 Expected<Scene> benchMouth() {
-    const ToothCache cache(usualCacheFolder());
+    const ToothCache cache(defaultCacheFolder());
     const Expected<BuiltinMouth> mouth = cache.makeMouth({.jaw = JawPose::open, .missing = {}});
     if (!mouth) return Unexpected{mouth.error()};
     SceneContents contents;
@@ -20,7 +20,7 @@ Expected<Scene> benchMouth() {
     const MouthTooth& molar = *mouth->find(46);
     const Vec3 toMolar = (mouth->poseOf(molar) * boundingBox(molar.tooth.outer).center() - glass).normalized();
     const Vec3 toEye(0, 0.92, 0.39);  // as the pictures begin: from the front and a little above
-    const Pose held{glass, shortestTurn(Vec3::UnitZ(), (toEye + toMolar).normalized())};
+    const Pose held{glass, shortestRotation(Vec3::UnitZ(), (toEye + toMolar).normalized())};
     contents.mirror = ShownMirror{std::make_shared<const TriangleMesh>(std::move(mirror.surface)), mirror.disc, held};
     return makeScene(contents);
 }

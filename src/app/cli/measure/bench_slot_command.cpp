@@ -4,11 +4,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/common/exit_code.h"
 #include "app/cli/terminal/output.h"
-#include "session/io/run_facts.h"
+#include "app/common/exit_code.h"
 #include "experiments/slot_timing.h"
 #include "experiments/standard_teeth.h"
+#include "session/io/run_metadata.h"
 
 namespace tactooth {
 namespace {
@@ -18,12 +18,12 @@ using Json = nlohmann::ordered_json;
 constexpr double kMillimetre = 1e-3;  // a micrometre in mm
 constexpr double kDepth = 2;          // mm, of the slot
 
-struct Toolful {
+struct SlotTool {
     const char* name;
     std::vector<SlotTiming> timings;
 };
 
-Json jsonOf(const Toolful& tool) {
+Json jsonOf(const SlotTool& tool) {
     Json rows = Json::array();
     for (const SlotTiming& t : tool.timings) {
         rows.push_back({{"tool", tool.name},
@@ -41,16 +41,17 @@ Json jsonOf(const Toolful& tool) {
     return rows;
 }
 
-void printTable(const std::vector<Toolful>& tools) {
-    say("\nA fissure bur of 1.0 mm has cut a slot 2 mm deep. With its spindle still it, and then a probe, is pressed\n"
+void printTable(const std::vector<SlotTool>& tools) {
+    print(
+        "\nA fissure bur of 1.0 mm has cut a slot 2 mm deep. With its spindle still it, and then a probe, is pressed\n"
         "0.2 mm into the floor. Processor time of a tick, us; noise: largest difference of a force from the mean.\n\n"
         "{:<8} {:<10} {:>6} {:>6} {:>6} {:>6} | {:>7} {:>9} {:>8}  {}\n",
         "tool", "it", "p50", "p99", "p99.9", "max", "force N", "noise mN", "sunk um", "leaves");
-    for (const Toolful& tool : tools) {
+    for (const SlotTool& tool : tools) {
         for (const SlotTiming& t : tool.timings) {
-            say("{:<8} {:<10} {:>6.0f} {:>6.0f} {:>6.0f} {:>6.0f} | {:>7.3f} {:>9.2f} {:>8.2f}  {}\n", tool.name,
-                slotMotionName(t.motion), t.p50, t.p99, t.p999, t.largest, t.force, 1e3 * t.noise, t.sunk / kMillimetre,
-                t.leaves ? "yes" : "NO");
+            print("{:<8} {:<10} {:>6.0f} {:>6.0f} {:>6.0f} {:>6.0f} | {:>7.3f} {:>9.2f} {:>8.2f}  {}\n", tool.name,
+                  slotMotionName(t.motion), t.p50, t.p99, t.p999, t.largest, t.force, 1e3 * t.noise,
+                  t.sunk / kMillimetre, t.leaves ? "yes" : "NO");
         }
     }
 }
@@ -58,21 +59,21 @@ void printTable(const std::vector<Toolful>& tools) {
 }  // namespace
 
 int runBenchSlot(const BenchSlotOptions& options) {
-    const auto tooth = options.tooth.empty() ? standardTooth(StandardToothKind::Large) : ownTooth(options.tooth);
-    if (!tooth) return refuse(tooth.error());
+    const auto tooth = options.tooth.empty() ? standardTooth(StandardToothKind::Large) : customTooth(options.tooth);
+    if (!tooth) return reportError(tooth.error());
     const auto whole = uncut(*tooth);
-    if (!whole) return refuse(whole.error());
+    if (!whole) return reportError(whole.error());
     const auto measured = [&](bool probe) {
         return timeInSlot(*whole, *findBur("57"), kDepth, options.voxel * kMillimetre, probe);
     };
-    const std::vector<Toolful> tools = {{"bur", measured(false)}, {"probe", measured(true)}};
+    const std::vector<SlotTool> tools = {{"bur", measured(false)}, {"probe", measured(true)}};
 
-    const RunFacts facts = currentRunFacts();
+    const RunMetadata facts = currentRunMetadata();
     if (!options.json) {
-        say("machine:  {}\ncompiler: {}\ncommit:   {}\ncommand:  {}\n", facts.machine, facts.compiler, facts.commit,
-            facts.command);
-        say("tooth:    {}, {}, {} triangles, voxel {} um\n", tooth->name, tooth->source, tooth->mesh.triangles.size(),
-            options.voxel);
+        print("machine:  {}\ncompiler: {}\ncommit:   {}\ncommand:  {}\n", facts.machine, facts.compiler, facts.commit,
+              facts.command);
+        print("tooth:    {}, {}, {} triangles, voxel {} um\n", tooth->name, tooth->source, tooth->mesh.triangles.size(),
+              options.voxel);
         printTable(tools);
         return kExitOk;
     }
@@ -81,10 +82,10 @@ int runBenchSlot(const BenchSlotOptions& options) {
                  {"date", facts.date},        {"tooth", tooth->name},
                  {"source", tooth->source},   {"triangles", tooth->mesh.triangles.size()},
                  {"voxel_um", options.voxel}, {"cases", Json::array()}};
-    for (const Toolful& tool : tools) {
+    for (const SlotTool& tool : tools) {
         for (const Json& row : jsonOf(tool)) json["cases"].push_back(row);
     }
-    say("{}\n", json.dump(1, ' ', false, Json::error_handler_t::replace));
+    print("{}\n", json.dump(1, ' ', false, Json::error_handler_t::replace));
     return kExitOk;
 }
 

@@ -7,15 +7,15 @@
 #include <numbers>
 
 #include "app/cli/measure/bench_mouth.h"
-#include "app/cli/measure/bench_work.h"
-#include "app/common/exit_code.h"
+#include "app/cli/measure/drilling_scene.h"
+#include "app/cli/pictures/render_arguments.h"
 #include "app/cli/terminal/output.h"
-#include "app/cli/pictures/render_words.h"
-#include "session/io/run_facts.h"
+#include "app/common/exit_code.h"
 #include "experiments/standard_teeth.h"
+#include "session/io/run_metadata.h"
+#include "view/camera/orbit_camera.h"
 #include "view/gl/egl_context.h"
 #include "view/render/frame_timer.h"
-#include "view/camera/orbit_camera.h"
 
 namespace tactooth {
 namespace {
@@ -27,7 +27,7 @@ constexpr double kStep = std::numbers::pi / 180;  // the eye goes on by a degree
 /// One line of the table. The first of a scene is what its others are held against.
 struct Case {
     std::string what;
-    FrameTimer::Reel reel;
+    FrameTimer::Candidate candidate;
 };
 
 /// One scene, and the ways in which it is drawn in turn.
@@ -38,11 +38,11 @@ struct Subject {
 };
 
 /// The eye turns around `scene`, and the light with it.
-FrameTimer::Film turning(const Scene& scene, const OrbitCamera& eye) {
+FrameTimer::SceneSequence turning(const Scene& scene, const OrbitCamera& eye) {
     return [scene, eye](int i) {
         Scene turned = scene;
         OrbitCamera moved = eye;
-        moved.look({eye.direction().azimuth + kStep * i, eye.direction().elevation});
+        moved.setView({eye.direction().azimuth + kStep * i, eye.direction().elevation});
         turned.camera = moved.camera();
         turned.lighting = operatingLight(turned.camera);
         return turned;
@@ -52,7 +52,7 @@ FrameTimer::Film turning(const Scene& scene, const OrbitCamera& eye) {
 Scene toothScene(const TriangleMesh& mesh) {
     SceneObject object;
     object.shape = std::make_shared<const TriangleMesh>(mesh);
-    object.looks = {looks::enamel()};
+    object.appearances = {appearances::enamel()};
     Scene scene;
     scene.objects.push_back(std::move(object));
     return scene;
@@ -66,34 +66,34 @@ std::size_t trianglesOf(const Scene& scene) {
     return sum;
 }
 
-Subject toothSubject(const TriangleMesh& mesh, PictureSize size) {
+Subject toothSubject(const TriangleMesh& mesh, ImageSize size) {
     const Scene scene = toothScene(mesh);
     OrbitCamera eye;
     eye.fit(boundingBox(scene), size.aspect());
-    eye.look({1.25, 0.62});
-    const FrameTimer::Film film = turning(scene, eye);
+    eye.setView({1.25, 0.62});
+    const FrameTimer::SceneSequence sequence = turning(scene, eye);
     return {"tooth",
             trianglesOf(scene),
-            {{"bare, in one colour", {film, std::nullopt}},
-             {"light and shadow", {film, kQuick}},
-             {"smooth edges, soft", {film, kSmooth}},
-             {"all of it", {film, kFine}}}};
+            {{"bare, in one colour", {sequence, std::nullopt}},
+             {"light and shadow", {sequence, kQuick}},
+             {"smooth edges, soft", {sequence, kSmooth}},
+             {"all of it", {sequence, kFine}}}};
 }
 
-Expected<Subject> mouthSubject(PictureSize size, const RenderSettings& moved) {
+Expected<Subject> mouthSubject(ImageSize size, const RenderSettings& moved) {
     const Expected<Scene> scene = benchMouth();
     if (!scene) return Unexpected{scene.error()};
     OrbitCamera eye;
     eye.fit(Box3(Vec3(-32, -52, -45), Vec3(32, 6, 12)), size.aspect());
-    eye.look({1.57, 0.4});
-    const FrameTimer::Film film = turning(*scene, eye);
+    eye.setView({1.57, 0.4});
+    const FrameTimer::SceneSequence sequence = turning(*scene, eye);
     return Subject{"mouth",
                    trianglesOf(*scene),
-                   {{"bare, in one colour", {film, std::nullopt}}, {"light, shadow, mirror", {film, moved}}}};
+                   {{"bare, in one colour", {sequence, std::nullopt}}, {"light, shadow, mirror", {sequence, moved}}}};
 }
 
 /// `moved`: how the window draws what moves.
-Subject workSubject(const std::string& name, const BenchWork& work, const RenderSettings& moved) {
+Subject workSubject(const std::string& name, const DrillingScene& work, const RenderSettings& moved) {
     return {name,
             work.triangles(),
             {{"bur moves", {work.moving(), moved}},
@@ -103,38 +103,38 @@ Subject workSubject(const std::string& name, const BenchWork& work, const Render
 }
 
 /// The molar of an exercise, with its target.
-Expected<BenchWork> workOnMolar(PictureSize size, int frames) {
+Expected<DrillingScene> workOnMolar(ImageSize size, int frames) {
     const Exercise& exercise = *exercises()[1];
     const auto tooth = exerciseTooth(exercise);
     if (!tooth) return Unexpected{tooth.error()};
     const Expected<TriangleMesh> target = idealShape(exercise, *tooth);
     if (!target) return Unexpected{target.error()};
-    return BenchWork::make(*tooth, *target, size, frames);
+    return DrillingScene::make(*tooth, *target, size, frames);
 }
 
-Expected<BenchWork> workOn(const TriangleMesh& mesh, PictureSize size, int frames) {
+Expected<DrillingScene> workOn(const TriangleMesh& mesh, ImageSize size, int frames) {
     Expected<LayeredTooth> layered = LayeredTooth::make(mesh, {});
     if (!layered) return unexpected("the tooth cannot be cut: " + layered.error().message + ".");
-    return BenchWork::make(std::make_shared<const LayeredTooth>(std::move(*layered)), std::nullopt, size, frames);
+    return DrillingScene::make(std::make_shared<const LayeredTooth>(std::move(*layered)), std::nullopt, size, frames);
 }
 
 class Report {
 public:
-    Report(const BenchViewOptions& options, PictureSize size, const std::string& device) : isJson_(options.json) {
-        const RunFacts facts = currentRunFacts();
+    Report(const BenchViewOptions& options, ImageSize size, const std::string& device) : isJson_(options.json) {
+        const RunMetadata facts = currentRunMetadata();
         const bool bySoftware = isSoftwareRenderer(device);
         json_ = {{"machine", facts.machine}, {"compiler", facts.compiler}, {"commit", facts.commit},
                  {"command", facts.command}, {"date", facts.date},         {"opengl", device},
                  {"software", bySoftware},   {"width", size.width},        {"height", size.height},
                  {"cases", Json::array()}};
         if (isJson_) return;
-        say("machine:  {}\ncommit:   {}\ncommand:  {}\nOpenGL:   {}, {}\n", facts.machine, facts.commit, facts.command,
-            device, bySoftware ? "drawn by the processor" : "drawn by a graphics card");
-        say("{} x {} pixels; ms, the mean of {} pictures; the ways of one scene take turns\n\n", size.width,
-            size.height, options.frames);
-        say("{:60} {:>19} {:>18}\n", "", "one at a time, ms", "of first, by");
-        say("{:<14} {:<22} {:>9} {:>9} {:>9} {:>9} {:>7} {:>9} {:>9}\n", "scene", "drawn", "triangles", "wall", "p99",
-            "processor", "1/s", "processor", "rate");
+        print("machine:  {}\ncommit:   {}\ncommand:  {}\nOpenGL:   {}, {}\n", facts.machine, facts.commit,
+              facts.command, device, bySoftware ? "drawn by the processor" : "drawn by a graphics card");
+        print("{} x {} pixels; ms, the mean of {} pictures; the ways of one scene take turns\n\n", size.width,
+              size.height, options.frames);
+        print("{:60} {:>19} {:>18}\n", "", "one at a time, ms", "of first, by");
+        print("{:<14} {:<22} {:>9} {:>9} {:>9} {:>9} {:>7} {:>9} {:>9}\n", "scene", "drawn", "triangles", "wall", "p99",
+              "processor", "1/s", "processor", "rate");
     }
 
     void add(const Subject& subject, const std::vector<FrameTimes>& times) {
@@ -151,15 +151,15 @@ public:
                                       {"of_first", ratio},
                                       {"of_first_by_rate", slower}});
             if (isJson_) continue;
-            say("{:<14} {:<22} {:>9} {:>9.2f} {:>9.2f} {:>9.2f} {:>7.1f} {:>9.2f} {:>9.2f}\n", subject.name,
-                subject.cases[i].what, subject.triangles, times[i].wall, times[i].wallP99, times[i].processor,
-                times[i].rate, ratio, slower);
+            print("{:<14} {:<22} {:>9} {:>9.2f} {:>9.2f} {:>9.2f} {:>7.1f} {:>9.2f} {:>9.2f}\n", subject.name,
+                  subject.cases[i].what, subject.triangles, times[i].wall, times[i].wallP99, times[i].processor,
+                  times[i].rate, ratio, slower);
         }
         std::fflush(stdout);
     }
 
     void finish() const {
-        if (isJson_) say("{}\n", json_.dump(1, ' ', false, Json::error_handler_t::replace));
+        if (isJson_) print("{}\n", json_.dump(1, ' ', false, Json::error_handler_t::replace));
     }
 
 private:
@@ -175,15 +175,15 @@ Expected<void> measure(const BenchViewOptions& options) {
     Report report(options, *size, timer->device());
     const RenderSettings moved = isSoftwareRenderer(timer->device()) ? kQuick : kSmooth;  // as the window draws
     const auto add = [&](const Subject& subject) -> Expected<void> {
-        std::vector<FrameTimer::Reel> reels;
-        for (const Case& one : subject.cases) reels.push_back(one.reel);
-        const auto times = timer->inTurn(reels, options.frames);
+        std::vector<FrameTimer::Candidate> candidates;
+        for (const Case& one : subject.cases) candidates.push_back(one.candidate);
+        const auto times = timer->measureInterleaved(candidates, options.frames);
         if (!times) return Unexpected{times.error()};
         report.add(subject, *times);
         return {};
     };
     if (!options.mouth) {
-        const auto tooth = options.tooth.empty() ? standardTooth(StandardToothKind::Large) : ownTooth(options.tooth);
+        const auto tooth = options.tooth.empty() ? standardTooth(StandardToothKind::Large) : customTooth(options.tooth);
         if (!tooth) return Unexpected{tooth.error()};
         if (const auto done = add(toothSubject(tooth->mesh, *size)); !done) return done;
         const auto onTooth = workOn(tooth->mesh, *size, options.frames);
@@ -206,7 +206,7 @@ Expected<void> measure(const BenchViewOptions& options) {
 
 int runBenchView(const BenchViewOptions& options) {
     const auto done = measure(options);
-    return done ? kExitOk : refuse(done.error());
+    return done ? kExitOk : reportError(done.error());
 }
 
 }  // namespace tactooth

@@ -5,12 +5,12 @@
 #include "app/cli/measure/bench_slot_command.h"
 #include "app/cli/measure/bench_stability_command.h"
 #include "app/cli/measure/bench_view_command.h"
-#include "app/cli/terminal/command_registry.h"
+#include "app/cli/measure/reproduce_command.h"
 #include "app/cli/runs/devices_command.h"
 #include "app/cli/runs/doctor_command.h"
-#include "app/cli/terminal/number_range.h"
 #include "app/cli/runs/realtime_command.h"
-#include "app/cli/measure/reproduce_command.h"
+#include "app/cli/terminal/command_registry.h"
+#include "app/cli/terminal/number_range.h"
 
 namespace tactooth {
 namespace {
@@ -35,7 +35,7 @@ void addRate(CLI::App& command, double& rateHz) {
         ->type_name("HZ");
 }
 
-void addBenchContact(CLI::App& bench, Chosen& chosen) {
+void addBenchContact(CLI::App& bench, CommandAction& chosen) {
     const auto options = std::make_shared<BenchContactOptions>();
     CLI::App* command = addCommand(bench, chosen, "contact",
                                    "Time of a tick of contact while a bur comes down on a tooth, is pressed in, slides "
@@ -69,7 +69,7 @@ void addBenchContact(CLI::App& bench, Chosen& chosen) {
     addJson(*command, options->json);
 }
 
-void addBenchCut(CLI::App& bench, Chosen& chosen) {
+void addBenchCut(CLI::App& bench, CommandAction& chosen) {
     const auto options = std::make_shared<BenchCutOptions>();
     CLI::App* command = addCommand(bench, chosen, "cut",
                                    "Time of ticks and of new surfaces while a bur mills slots into a tooth, its whole "
@@ -92,7 +92,7 @@ void addBenchCut(CLI::App& bench, Chosen& chosen) {
     addJson(*command, options->json);
 }
 
-void addBenchSlot(CLI::App& bench, Chosen& chosen) {
+void addBenchSlot(CLI::App& bench, CommandAction& chosen) {
     const auto options = std::make_shared<BenchSlotOptions>();
     CLI::App* command = addCommand(bench, chosen, "slot",
                                    "Time of a tick, and how steady the force is, while a still bur, and then a probe, "
@@ -105,7 +105,7 @@ void addBenchSlot(CLI::App& bench, Chosen& chosen) {
     addJson(*command, options->json);
 }
 
-void addBenchView(CLI::App& bench, Chosen& chosen) {
+void addBenchView(CLI::App& bench, CommandAction& chosen) {
     const auto options = std::make_shared<BenchViewOptions>();
     CLI::App* command = addCommand(bench, chosen, "view",
                                    "Time of a picture of a large tooth and of a whole mouth with mirror, against the "
@@ -121,7 +121,7 @@ void addBenchView(CLI::App& bench, Chosen& chosen) {
     addJson(*command, options->json);
 }
 
-void addBenchStability(CLI::App& bench, Chosen& chosen) {
+void addBenchStability(CLI::App& bench, CommandAction& chosen) {
     const auto options = std::make_shared<BenchStabilityOptions>();
     CLI::App* command = addCommand(
         bench, chosen, "stability",
@@ -150,7 +150,7 @@ void addBenchStability(CLI::App& bench, Chosen& chosen) {
     addJson(*command, options->json);
 }
 
-void addBench(CLI::App& program, Chosen& chosen) {
+void addBench(CLI::App& program, CommandAction& chosen) {
     CLI::App* bench = program.add_subcommand("bench", "Measures how long things take on this machine.");
     bench->group("Commands")->footer("")->require_subcommand(1);
     bench->get_formatter()->label("SUBCOMMAND", "WHAT");
@@ -161,7 +161,7 @@ void addBench(CLI::App& program, Chosen& chosen) {
     addBenchStability(*bench, chosen);
 }
 
-void addRealtime(CLI::App& program, Chosen& chosen) {
+void addRealtime(CLI::App& program, CommandAction& chosen) {
     const auto options = std::make_shared<RealtimeOptions>();
     CLI::App* command = addCommand(program, chosen, "realtime",
                                    "How well this machine keeps time while a simulated hand touches and cuts the "
@@ -175,7 +175,7 @@ void addRealtime(CLI::App& program, Chosen& chosen) {
     addJson(*command, options->json);
 }
 
-void addDevices(CLI::App& program, Chosen& chosen) {
+void addDevices(CLI::App& program, CommandAction& chosen) {
     const auto devices = std::make_shared<DevicesOptions>();
     addCommand(program, chosen, "devices",
                "Which devices are there, and what each can do; why one is not there or not usable, and what to do.",
@@ -189,7 +189,7 @@ void addDevices(CLI::App& program, Chosen& chosen) {
         ->add_flag("--json", doctor->json, "Write one JSON array instead of lines");
 }
 
-void addReproduce(CLI::App& program, Chosen& chosen) {
+void addReproduce(CLI::App& program, CommandAction& chosen) {
     const auto options = std::make_shared<ReproduceOptions>();
     CLI::App* command = addCommand(
         program, chosen, "reproduce",
@@ -213,7 +213,7 @@ void addReproduce(CLI::App& program, Chosen& chosen) {
 
 }  // namespace
 
-void addMeasuringCommands(CLI::App& program, Chosen& chosen) {
+void addMeasuringCommands(CLI::App& program, CommandAction& chosen) {
     addBench(program, chosen);
     addRealtime(program, chosen);
     addDevices(program, chosen);

@@ -6,16 +6,16 @@
 #include <array>
 #include <cstdio>
 
-#include "app/common/exit_code.h"
-#include "app/cli/terminal/output.h"
 #include "app/cli/measure/reproduce_page.h"
+#include "app/cli/terminal/output.h"
 #include "app/common/drawing_experiment.h"
+#include "app/common/exit_code.h"
 #include "app/common/panel_image.h"
-#include "geometry/files/file_bytes.h"
-#include "geometry/files/file_set.h"
-#include "geometry/files/folder.h"
-#include "geometry/files/unfinished_folder.h"
 #include "experiments/thread_clock.h"
+#include "geometry/files/file_bytes.h"
+#include "geometry/files/file_transaction.h"
+#include "geometry/files/folder.h"
+#include "geometry/files/staging_folder.h"
 
 namespace tactooth {
 namespace {
@@ -24,18 +24,18 @@ namespace fs = std::filesystem;
 
 struct Named {
     const char* name;
-    Expected<Experiment> (*measure)(Subjects&, const fs::path& folder);
+    Expected<Experiment> (*measure)(TestTeeth&, const fs::path& folder);
 };
 
 constexpr std::array kExperiments = {
-    Named{"table2", [](Subjects& s, const fs::path& folder) { return measureLoading(s, folder); }},
-    Named{"table3", [](Subjects& s, const fs::path&) { return measureDrawing(s); }},
-    Named{"table4", [](Subjects& s, const fs::path&) { return measureMovement(s); }},
-    Named{"fig11", [](Subjects& s, const fs::path&) { return Expected<Experiment>(measureTenPatches(s)); }},
-    Named{"fig13", [](Subjects& s, const fs::path&) { return measureSideways(s); }},
-    Named{"fig15", [](Subjects& s, const fs::path&) { return measureTouch(s, StandardToothKind::Front); }},
-    Named{"fig16", [](Subjects& s, const fs::path&) { return measureTouch(s, StandardToothKind::Dog); }},
-    Named{"fig17", [](Subjects& s, const fs::path&) { return measureTouch(s, StandardToothKind::Molar); }}};
+    Named{"table2", [](TestTeeth& s, const fs::path& folder) { return measureLoading(s, folder); }},
+    Named{"table3", [](TestTeeth& s, const fs::path&) { return measureDrawing(s); }},
+    Named{"table4", [](TestTeeth& s, const fs::path&) { return measureMovement(s); }},
+    Named{"fig11", [](TestTeeth& s, const fs::path&) { return Expected<Experiment>(measureTenPatches(s)); }},
+    Named{"fig13", [](TestTeeth& s, const fs::path&) { return measureSideways(s); }},
+    Named{"fig15", [](TestTeeth& s, const fs::path&) { return measureTouch(s, StandardToothKind::Front); }},
+    Named{"fig16", [](TestTeeth& s, const fs::path&) { return measureTouch(s, StandardToothKind::Canine); }},
+    Named{"fig17", [](TestTeeth& s, const fs::path&) { return measureTouch(s, StandardToothKind::Molar); }}};
 
 bool isWanted(const ReproduceOptions& options, const std::string& name) {
     return std::ranges::any_of(options.what, [&](const std::string& w) { return w == "all" || w == name; });
@@ -47,14 +47,14 @@ Expected<void> writeDown(const Experiment& experiment, const fs::path& folder) {
 }
 
 void sayOf(const Experiment& experiment, double seconds) {
-    say("{}: {} ({:.1f} s)\n", experiment.id, experiment.title, seconds);
+    print("{}: {} ({:.1f} s)\n", experiment.id, experiment.title, seconds);
     for (const Comparison& c : experiment.comparisons) {
-        say("    {}: published {}, here {}\n", c.what, c.published, c.ours);
+        print("    {}: published {}, here {}\n", c.what, c.published, c.ours);
     }
     std::fflush(stdout);
 }
 
-Expected<void> openFiles(const ReproduceOptions& options, FileSet& files) {
+Expected<void> openFiles(const ReproduceOptions& options, FileTransaction& files) {
     if (auto made = files.makeFolder(options.out); !made) return made;
     for (const Named& named : kExperiments) {
         if (!isWanted(options, named.name)) continue;
@@ -74,29 +74,30 @@ std::vector<std::string> experimentNames() {
 }
 
 int runReproduce(const ReproduceOptions& options) {
-    FileSet files;
-    if (const auto opened = openFiles(options, files); !opened) return refuse(opened.error());
-    const auto scratch = UnfinishedFolder::make(options.out);
-    if (!scratch) return refuse({shownName(options.out) + ": cannot be written: " + scratch.error().message + "."});
+    FileTransaction files;
+    if (const auto opened = openFiles(options, files); !opened) return reportError(opened.error());
+    const auto scratch = StagingFolder::make(options.out);
+    if (!scratch)
+        return reportError({displayName(options.out) + ": cannot be written: " + scratch.error().message + "."});
     const auto data = realTeethFolder();
-    say("teeth: {}\n", data ? "real ones from " + shownName(*data)
-                            : "built-in ones ($TACTOOTH_DATA and ../shared/data hold no real ones)");
-    Subjects subjects;
+    print("teeth: {}\n", data ? "real ones from " + displayName(*data)
+                              : "built-in ones ($TACTOOTH_DATA and ../shared/data hold no real ones)");
+    TestTeeth testTeeth;
     std::vector<Experiment> done;
     for (const Named& named : kExperiments) {
         if (!isWanted(options, named.name)) continue;
-        say(stderr, "measuring {}\n", named.name);
+        print(stderr, "measuring {}\n", named.name);
         const double start = wallMillis();
-        auto experiment = named.measure(subjects, scratch->path());
-        if (!experiment) return refuse(experiment.error());
-        if (const auto written = writeDown(*experiment, options.out); !written) return refuse(written.error());
+        auto experiment = named.measure(testTeeth, scratch->path());
+        if (!experiment) return reportError(experiment.error());
+        if (const auto written = writeDown(*experiment, options.out); !written) return reportError(written.error());
         sayOf(*experiment, 1e-3 * (wallMillis() - start));
         done.push_back(std::move(*experiment));
     }
-    if (const auto page = writeReproducePage(done, subjectsText(subjects), options.out / "index.html"); !page)
-        return refuse(page.error());
-    if (const auto named = files.commit(); !named) return refuse(named.error());
-    say("open {} for all of it\n", shownName(options.out / "index.html"));
+    if (const auto page = writeReproducePage(done, subjectsText(testTeeth), options.out / "index.html"); !page)
+        return reportError(page.error());
+    if (const auto named = files.commit(); !named) return reportError(named.error());
+    print("open {} for all of it\n", displayName(options.out / "index.html"));
     return kExitOk;
 }
 

@@ -5,7 +5,7 @@
 #include <fmt/core.h>
 
 #include "geometry/files/atomic_file.h"
-#include "session/io/run_facts.h"
+#include "session/io/run_metadata.h"
 
 namespace tactooth {
 namespace {
@@ -43,9 +43,9 @@ std::string escaped(std::string_view text) {
     return safe;
 }
 
-std::string factsText(const std::string& subjects) {
-    const RunFacts facts = currentRunFacts();
-    return fmt::format("<p class=\"facts\">{}<br>{}; {}; commit {}; {}<br><code>{}</code></p>\n", escaped(subjects),
+std::string factsText(const std::string& testTeeth) {
+    const RunMetadata facts = currentRunMetadata();
+    return fmt::format("<p class=\"facts\">{}<br>{}; {}; commit {}; {}<br><code>{}</code></p>\n", escaped(testTeeth),
                        escaped(facts.machine), escaped(facts.compiler), escaped(facts.commit), escaped(facts.date),
                        escaped(facts.command));
 }
@@ -67,16 +67,16 @@ std::string section(const Experiment& experiment) {
 
 }  // namespace
 
-std::string subjectsText(const Subjects& subjects) {
+std::string subjectsText(const TestTeeth& testTeeth) {
     std::string text =
-        "Measured with a round bur of " + std::to_string(subjects.bur()->mesh().triangles.size()) + " triangles";
-    for (const StandardTooth* tooth : subjects.used()) {
+        "Measured with a round bur of " + std::to_string(testTeeth.bur()->mesh().triangles.size()) + " triangles";
+    for (const StandardTooth* tooth : testTeeth.used()) {
         text += fmt::format("; {} ({}, {} triangles)", tooth->name, tooth->source, tooth->mesh.triangles.size());
     }
     return text + ".";
 }
 
-Expected<void> writeReproducePage(std::span<const Experiment> experiments, const std::string& subjects,
+Expected<void> writeReproducePage(std::span<const Experiment> experiments, const std::string& testTeeth,
                                   const std::filesystem::path& path) {
     std::string html(kHead);
     html +=
@@ -84,7 +84,7 @@ Expected<void> writeReproducePage(std::span<const Experiment> experiments, const
         "kind (surface meshes of real teeth, AABB trees, GJK), made again with Tactooth on this machine. Everything "
         "in the last column was measured in this run; of the published tables only the numbers shown are known to "
         "us, and they were taken on another machine with other teeth.</p>\n";
-    html += factsText(subjects);
+    html += factsText(testTeeth);
     html += "<nav>";
     for (const Experiment& experiment : experiments) {
         html += fmt::format("<a href=\"#{0}\">{0}</a>", experiment.id);

@@ -9,10 +9,10 @@
 namespace tactooth {
 
 /// Which teeth and which bur were measured, as one sentence.
-[[nodiscard]] std::string subjectsText(const Subjects& subjects);
+[[nodiscard]] std::string subjectsText(const TestTeeth& testTeeth);
 
 /// Writes one page (HTML) over all experiments; their pictures and tables lie beside it.
-[[nodiscard]] Expected<void> writeReproducePage(std::span<const Experiment> experiments, const std::string& subjects,
+[[nodiscard]] Expected<void> writeReproducePage(std::span<const Experiment> experiments, const std::string& testTeeth,
                                                 const std::filesystem::path& path);
 
 }  // namespace tactooth

@@ -4,9 +4,9 @@
 
 #include <cstdio>
 
-#include "app/common/exit_code.h"
 #include "app/cli/terminal/info_text.h"
 #include "app/cli/terminal/output.h"
+#include "app/common/exit_code.h"
 #include "geometry/files/file_bytes.h"
 #include "geometry/io/mesh_file.h"
 
@@ -28,13 +28,13 @@ int runInfo(const InfoOptions& options) {
     for (const std::filesystem::path& file : options.files) {
         const Expected<ReadMesh> read = readMesh(file);
         if (!read) {
-            exitCode = refuse(read.error());
+            exitCode = reportError(read.error());
             continue;
         }
         SurfaceFacts facts = surfaceFacts(read->mesh);
         facts.used = movedBy(std::move(facts.used), read->offset);
-        facts.reading = read->remarks;
-        const std::string name = shownName(file);
+        facts.reading = read->importNotes;
+        const std::string name = displayName(file);
         if (!options.json && !first) std::puts("");
         writeTo(stdout, options.json ? infoJson(name, facts) : infoTable(name, facts));
         first = false;

@@ -43,7 +43,7 @@ std::string infoJson(std::string_view name, const SurfaceFacts& facts) {
                  {"euler_characteristic", report.eulerCharacteristic},
                  {"boundary_edges", report.boundaryEdges},
                  {"non_manifold_edges", report.nonManifoldEdges},
-                 {"crossing_triangles", facts.solid.crossingTriangles},
+                 {"crossing_triangles", facts.solid.selfIntersectingTriangles},
                  {"overlap", facts.solid.overlap},
                  {"inconsistent_edges", report.inconsistentEdges},
                  {"pinched_vertices", report.pinchedVertices},
@@ -54,7 +54,7 @@ std::string infoJson(std::string_view name, const SurfaceFacts& facts) {
                  {"findings", facts.findings()}};
     for (const ShellReport& shell : report.shells) json["shells"].push_back(toJson(shell));
     json["remarks"] = Json::array();
-    for (const Remark& remark : facts.reading) json["remarks"].push_back(inWords(remark));
+    for (const ImportNote& importNote : facts.reading) json["remarks"].push_back(inWords(importNote));
     // A file name may hold bytes that are no UTF-8, and JSON may not.
     return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -23,7 +23,7 @@ std::string orientationOf(const SurfaceFacts& facts) {
 
 std::string volumeOf(const SurfaceFacts& facts) {
     if (facts.solid.isSolid() && facts.used.volume()) return fmt::format("{:.2f} mm3", *facts.used.volume());
-    return facts.solid.flaw == SolidFlaw::Overlapping || facts.solid.flaw == SolidFlaw::Tangled
+    return facts.solid.flaw == SolidFlaw::Overlapping || facts.solid.flaw == SolidFlaw::SelfIntersecting
                ? "none: parts of the surface reach into each other"
                : "none: the surface has no inside";
 }

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/terminal/command_registry.h"
-#include "app/cli/terminal/number_range.h"
 #include "app/cli/mesh/simplify_command.h"
 #include "app/cli/mesh/subdivide_command.h"
+#include "app/cli/terminal/command_registry.h"
+#include "app/cli/terminal/number_range.h"
 #include "geometry/mesh/subdivide.h"
 
 namespace tactooth {
 namespace {
 
-void addSimplify(CLI::App& program, Chosen& chosen) {
+void addSimplify(CLI::App& program, CommandAction& chosen) {
     const auto options = std::make_shared<SimplifyOptions>();
     CLI::App* command = addCommand(
         program, chosen, "simplify",
@@ -21,7 +21,7 @@ void addSimplify(CLI::App& program, Chosen& chosen) {
     command->add_option("--out", options->out, "STL file to write")->required()->type_name("FILE");
 }
 
-void addSubdivide(CLI::App& program, Chosen& chosen) {
+void addSubdivide(CLI::App& program, CommandAction& chosen) {
     const auto options = std::make_shared<SubdivideOptions>();
     CLI::App* command = addCommand(program, chosen, "subdivide",
                                    "Writes the same surface from more triangles (without --triangles and --times: from "
@@ -31,7 +31,7 @@ void addSubdivide(CLI::App& program, Chosen& chosen) {
     command->add_option("--out", options->out, "STL file to write")->required()->type_name("FILE");
     CLI::Option* triangles =
         command->add_option("--triangles", options->triangles, "How many, longest edges halved first");
-    triangles->transform(wholeNumberFrom(1, kMostSubdivided))->type_name("N");
+    triangles->transform(wholeNumberFrom(1, kMaxSubdivided))->type_name("N");
     command->add_option("--times", options->times, "How often every edge is halved: 4^N as many triangles")
         ->transform(wholeNumberFrom(0, 12))
         ->type_name("N")
@@ -40,7 +40,7 @@ void addSubdivide(CLI::App& program, Chosen& chosen) {
 
 }  // namespace
 
-void addMeshCommands(CLI::App& program, Chosen& chosen) {
+void addMeshCommands(CLI::App& program, CommandAction& chosen) {
     addSimplify(program, chosen);
     addSubdivide(program, chosen);
 }

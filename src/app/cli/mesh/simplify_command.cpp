@@ -7,17 +7,17 @@
 #include <cmath>
 #include <cstdio>
 
-#include "app/common/exit_code.h"
 #include "app/cli/terminal/mesh_summary.h"
 #include "app/cli/terminal/output.h"
+#include "app/common/exit_code.h"
+#include "assessment/mesh_deviation.h"
 #include "collision/solid/solid_file.h"
 #include "geometry/files/file_bytes.h"
-#include "geometry/files/file_set.h"
-#include "geometry/mesh/mesh_edges.h"
-#include "geometry/util/number_text.h"
-#include "geometry/mesh/simplify.h"
+#include "geometry/files/file_transaction.h"
 #include "geometry/io/stl_writer.h"
-#include "assessment/mesh_deviation.h"
+#include "geometry/mesh/mesh_edges.h"
+#include "geometry/mesh/simplify.h"
+#include "geometry/util/number_text.h"
 
 namespace tactooth {
 namespace {
@@ -37,28 +37,28 @@ Expected<std::size_t> wantedTriangles(std::string_view keep, std::size_t triangl
 }  // namespace
 
 int runSimplify(const SimplifyOptions& options) {
-    FileSet files;
+    FileTransaction files;
     files.reads(options.in);
-    if (const auto opened = files.open(options.out); !opened) return refuse(opened.error());
-    if (const auto wanted = wantedTriangles(options.keep, 1); !wanted) return refuse(wanted.error());
-    std::vector<Remark> remarks;
-    auto mesh = loadSolid(options.in, "the surface", {.dropsSpecks = false}, &remarks);
-    if (!mesh) return refuse(mesh.error());
-    printRemarks(remarks);
+    if (const auto opened = files.open(options.out); !opened) return reportError(opened.error());
+    if (const auto wanted = wantedTriangles(options.keep, 1); !wanted) return reportError(wanted.error());
+    std::vector<ImportNote> importNotes;
+    auto mesh = loadSolid(options.in, "the surface", {.dropsSpecks = false}, &importNotes);
+    if (!mesh) return reportError(mesh.error());
+    printImportNotes(importNotes);
     std::erase_if(mesh->triangles, [](const Triangle& triangle) { return isDegenerate(triangle); });
     const std::size_t wanted = *wantedTriangles(options.keep, mesh->triangles.size());
-    say(stderr, "simplifying {} triangles to {}\n", mesh->triangles.size(), wanted);
+    print(stderr, "simplifying {} triangles to {}\n", mesh->triangles.size(), wanted);
     const TriangleMesh fewer = simplified(*mesh, wanted);
     if (const SolidReport now = examineSolid(fewer, {.dropsSpecks = false}).report; !now.isSolid()) {
-        return refuse(
+        return reportError(
             {fmt::format("{}: with {} triangles the surface would cross itself by {:.2f} mm; keep more of them.",
-                         shownName(options.in), fewer.triangles.size(), now.overlap)});
+                         displayName(options.in), fewer.triangles.size(), now.overlap)});
     }
-    if (const auto done = writeStl(fewer, options.out); !done) return refuse(done.error());
-    if (const auto done = files.commit(); !done) return refuse(done.error());
-    printChange(options.in, *mesh, options.out, fewer, greatestDeviation(*mesh, fewer));
+    if (const auto done = writeStl(fewer, options.out); !done) return reportError(done.error());
+    if (const auto done = files.commit(); !done) return reportError(done.error());
+    printChange(options.in, *mesh, options.out, fewer, hausdorffDistance(*mesh, fewer));
     if (fewer.triangles.size() > wanted) {
-        say("more triangles than asked for are needed to keep the surface closed and its triangles well shaped\n");
+        print("more triangles than asked for are needed to keep the surface closed and its triangles well shaped\n");
     }
     return kExitOk;
 }

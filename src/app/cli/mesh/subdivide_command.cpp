@@ -6,38 +6,38 @@
 
 #include <cmath>
 
-#include "app/common/exit_code.h"
 #include "app/cli/terminal/mesh_summary.h"
 #include "app/cli/terminal/output.h"
+#include "app/common/exit_code.h"
+#include "assessment/mesh_deviation.h"
 #include "geometry/files/file_bytes.h"
-#include "geometry/files/file_set.h"
+#include "geometry/files/file_transaction.h"
 #include "geometry/io/mesh_file.h"
 #include "geometry/io/stl_writer.h"
 #include "geometry/mesh/subdivide.h"
-#include "assessment/mesh_deviation.h"
 
 namespace tactooth {
 
 int runSubdivide(const SubdivideOptions& options) {
-    FileSet files;
+    FileTransaction files;
     files.reads(options.in);
-    if (const auto opened = files.open(options.out); !opened) return refuse(opened.error());
+    if (const auto opened = files.open(options.out); !opened) return reportError(opened.error());
     const auto read = readMesh(options.in);
-    if (!read) return refuse(read.error());
-    printRemarks(read->remarks);
+    if (!read) return reportError(read.error());
+    printImportNotes(read->importNotes);
     const TriangleMesh* const mesh = &read->mesh;
     const int times = options.times.value_or(1);
     const double wanted = options.triangles ? static_cast<double>(*options.triangles)
                                             : static_cast<double>(mesh->triangles.size()) * std::pow(4.0, times);
-    if (wanted > static_cast<double>(kMostSubdivided)) {
-        return refuse({fmt::format("{}: {:.0f} triangles would be made, and {} are the most; ask for fewer.",
-                                   shownName(options.in), wanted, kMostSubdivided)});
+    if (wanted > static_cast<double>(kMaxSubdivided)) {
+        return reportError({fmt::format("{}: {:.0f} triangles would be made, and {} are the most; ask for fewer.",
+                                        displayName(options.in), wanted, kMaxSubdivided)});
     }
-    say(stderr, "subdividing {} triangles to {:.0f}\n", mesh->triangles.size(), wanted);
+    print(stderr, "subdividing {} triangles to {:.0f}\n", mesh->triangles.size(), wanted);
     const TriangleMesh more = options.triangles ? subdividedTo(*mesh, *options.triangles) : subdivided(*mesh, times);
-    if (const auto done = writeStl(more, options.out); !done) return refuse(done.error());
-    if (const auto done = files.commit(); !done) return refuse(done.error());
-    printChange(options.in, *mesh, options.out, more, greatestVertexDistance(more, *mesh));
+    if (const auto done = writeStl(more, options.out); !done) return reportError(done.error());
+    if (const auto done = files.commit(); !done) return reportError(done.error());
+    printChange(options.in, *mesh, options.out, more, maxVertexDistance(more, *mesh));
     return kExitOk;
 }
 

@@ -14,9 +14,9 @@ SurfaceFacts surfaceFacts(const TriangleMesh& mesh) {
 
 std::vector<std::string> SurfaceFacts::findings() const {
     std::vector<std::string> sentences = tactooth::findings(used);
-    for (const Remark& remark : remarksOn(solid, "When used")) sentences.push_back(inWords(remark));
-    if (solid.flaw == SolidFlaw::Overlapping || solid.flaw == SolidFlaw::Tangled || solid.flaw == SolidFlaw::Empty ||
-        (solid.flaw == SolidFlaw::Twisted && used.oriented())) {
+    for (const ImportNote& importNote : notesOn(solid, "When used")) sentences.push_back(inWords(importNote));
+    if (solid.flaw == SolidFlaw::Overlapping || solid.flaw == SolidFlaw::SelfIntersecting ||
+        solid.flaw == SolidFlaw::Empty || (solid.flaw == SolidFlaw::NonOrientable && used.oriented())) {
         sentences.push_back(flawSentence(solid, "The surface") + ".");
     }
     return sentences;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/pictures/render_command.h"
 #include "app/cli/terminal/command_registry.h"
 #include "app/cli/terminal/number_range.h"
-#include "app/cli/pictures/render_command.h"
 #include "app/common/inspection.h"
 
 namespace tactooth {
@@ -42,7 +42,7 @@ void addMouth(CLI::App& command, RenderOptions& options) {
     CLI::Option* mouth = command.add_flag("--mouth", options.mouth,
                                           "The whole built-in mouth; then --view is front, right, left, upper, lower, "
                                           "dentist, or AZIMUTH,ELEVATION (90,0 from the front)");
-    addMouthWishes(command, options.mouthWishes, mouth);
+    addMouthSpecOptions(command, options.mouthSpec, mouth);
     for (const char* other : {"--tooth", "--layer", "--materials", "--mirror", "--clip", "--transparent", "--target",
                               "--stereo", "--second"}) {
         mouth->excludes(other);
@@ -82,7 +82,7 @@ void addEye(CLI::App& command, RenderOptions& options) {
         ->type_name("VIEW");
 }
 
-void addInsight(CLI::App& command, RenderOptions& options) {
+void addInspection(CLI::App& command, RenderOptions& options) {
     command
         .add_option("--clip", options.clip,
                     "Takes away what lies on this side (occlusal, buccal, lingual, mesial, distal) of the tooth's "
@@ -112,7 +112,7 @@ void addInsight(CLI::App& command, RenderOptions& options) {
 
 }  // namespace
 
-void addPictureCommands(CLI::App& program, Chosen& chosen) {
+void addPictureCommands(CLI::App& program, CommandAction& chosen) {
     const auto options = std::make_shared<RenderOptions>();
     CLI::App* command = addCommand(
         program, chosen, "render",
@@ -120,7 +120,7 @@ void addPictureCommands(CLI::App& program, Chosen& chosen) {
         runRender);
     addSubject(*command, *options);
     addEye(*command, *options);
-    addInsight(*command, *options);
+    addInspection(*command, *options);
     addMouth(*command, *options);
     command->add_option("--size", options->size, "Pixels (default: 1600x1000; at most 4096x4096 in all)")
         ->type_name("WxH");

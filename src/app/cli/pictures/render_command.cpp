@@ -4,17 +4,17 @@
 
 #include <numbers>
 
-#include "app/common/exit_code.h"
-#include "app/cli/terminal/output.h"
+#include "app/cli/pictures/render_arguments.h"
 #include "app/cli/pictures/render_mouth.h"
-#include "app/cli/pictures/render_words.h"
+#include "app/cli/terminal/output.h"
 #include "app/common/distance_legend.h"
+#include "app/common/exit_code.h"
 #include "app/common/inspection.h"
-#include "app/gui/model/bench_parts.h"
+#include "app/gui/model/session_parts.h"
+#include "assessment/ideal_shape.h"
 #include "geometry/files/atomic_file.h"
 #include "geometry/files/file_bytes.h"
-#include "geometry/files/file_set.h"
-#include "assessment/ideal_shape.h"
+#include "geometry/files/file_transaction.h"
 #include "session/io/material_file.h"
 #include "view/render/offscreen.h"
 
@@ -24,24 +24,24 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kEyesPerFocus = 1.0 / 30;  // eye distance by the distance of what is looked at: easy to fuse
 
-Expected<BenchTooth> toothOf(const RenderOptions& options) {
-    if (options.tooth.empty()) return makeBenchTooth(kBuiltinTeeth.front());
+Expected<SessionTooth> toothOf(const RenderOptions& options) {
+    if (options.tooth.empty()) return makeSessionTooth(kBuiltinTeeth.front());
     ToothSource source{.outer = options.tooth, .layers = {}};
     for (const std::string& text : options.layers) {
         Expected<ToothSource::Layer> layer = parseLayer(text);
         if (!layer) return Unexpected{layer.error()};
         source.layers.push_back(std::move(*layer));
     }
-    return loadBenchTooth(source, options.workOn);
+    return loadSessionTooth(source, options.workOn);
 }
 
-Expected<ColourByDistance> distancesFor(const RenderOptions& options, const Box3& box) {
+Expected<DistanceColourMap> distancesFor(const RenderOptions& options, const Box3& box) {
     auto mesh = loadIdealShape(options.target);
     if (!mesh) return Unexpected{mesh.error()};
     const SurfacePart target(std::move(*mesh));
     constexpr double kMargin = 0.1;  // mm: the grid reaches beyond the surface that looks it up
     const Box3 around(box.min().array() - kMargin, box.max().array() + kMargin);
-    return ColourByDistance{std::make_shared<const DistanceGrid>(distancesTo(target, around)), options.range};
+    return DistanceColourMap{std::make_shared<const DistanceGrid>(sampleDistances(target, around)), options.range};
 }
 
 Expected<std::shared_ptr<CavityGhost>> ghostFor(const RenderOptions& options, const SurfacePart& uncut) {
@@ -49,19 +49,19 @@ Expected<std::shared_ptr<CavityGhost>> ghostFor(const RenderOptions& options, co
     if (!mesh) return Unexpected{mesh.error()};
     auto ghost = std::make_shared<CavityGhost>(*mesh, uncut);
     if (ghost->empty()) {
-        return unexpected(shownName(options.target) +
+        return unexpected(displayName(options.target) +
                           " leaves nothing to cut: no part of it lies inside the uncut tooth, so there is no ghost; "
                           "choose the surface of the same tooth with its cavity, in the same frame.");
     }
     return ghost;
 }
 
-Expected<Inspection> inspectionOf(const RenderOptions& options, const BenchTooth& tooth) {
+Expected<Inspection> inspectionOf(const RenderOptions& options, const SessionTooth& tooth) {
     Inspection inspection;
     if (!options.clip.empty()) {
         const auto clip = parseClip(options.clip);
         if (!clip) return Unexpected{clip.error()};
-        inspection.section = sectionAt(clip->side, tooth.mesialX, tooth.box(), clip->fromMiddle);
+        inspection.section = sectionPlane(clip->side, tooth.mesialX, tooth.box(), clip->fromMiddle);
     }
     for (const std::string& text : options.transparent) {
         const auto layer = parseOpacity(text);
@@ -81,16 +81,16 @@ Expected<Inspection> inspectionOf(const RenderOptions& options, const BenchTooth
 }
 
 /// The eye that the options ask for.
-Expected<OrbitCamera> eyeOf(const RenderOptions& options, const BenchTooth& tooth, PictureSize size) {
+Expected<OrbitCamera> eyeOf(const RenderOptions& options, const SessionTooth& tooth, ImageSize size) {
     const auto direction = parseView(options.view);
     if (!direction) return Unexpected{direction.error()};
     OrbitCamera camera;
     // Of a case all is shown, unless one of its teeth was asked for.
     camera.fit(options.workOn.empty() ? tooth.piece->tooth().outer()->tree().box() : tooth.box(), size.aspect());
     if (direction->standard) {
-        camera.look(*direction->standard, tooth.mesialX);
+        camera.setView(*direction->standard, tooth.mesialX);
     } else {
-        camera.look(tooth.mesialX < 0 ? mirroredInX(direction->free) : direction->free);
+        camera.setView(tooth.mesialX < 0 ? mirroredInX(direction->free) : direction->free);
     }
     if (!options.at.empty()) {
         const auto middle = parsePoint(options.at);
@@ -110,17 +110,17 @@ Stereo::Mode stereoOf(const std::string& name) {
 }
 
 /// All that stays the same in the pictures of one run.
-struct Studio {
+struct RenderSetup {
     const RenderOptions& options;
-    BenchTooth tooth;
+    SessionTooth tooth;
     MaterialTable materials;
     Inspection inspection;
     std::optional<DentalMirror> mirror;
-    PictureSize size;
+    ImageSize size;
     OffscreenRenderer renderer;
 };
 
-Scene sceneFor(const Studio& studio, const OrbitCamera& eye) {
+Scene sceneFor(const RenderSetup& studio, const OrbitCamera& eye) {
     SceneContents contents;
     contents.tooth = studio.tooth.piece->surface();
     contents.materials = studio.materials;
@@ -132,7 +132,7 @@ Scene sceneFor(const Studio& studio, const OrbitCamera& eye) {
                         parkedMirror(studio.tooth.box(), studio.mirror->disc, toEye, studio.tooth.mesialX)};
     }
     Scene scene = makeScene(contents);
-    inspect(scene, studio.tooth.piece->tooth(), studio.inspection);
+    applyInspection(scene, studio.tooth.piece->tooth(), studio.inspection);
     if (scene.mirror) {
         scene.mirror->fog = static_cast<float>(studio.options.fog);
         scene.mirror->drops = static_cast<float>(studio.options.drops);
@@ -140,25 +140,25 @@ Scene sceneFor(const Studio& studio, const OrbitCamera& eye) {
     if (studio.options.noBackground) scene.background.kind = Background::Kind::Transparent;
     scene.stereo = {stereoOf(studio.options.stereo), eye.distance(), kEyesPerFocus * eye.distance()};
     if (const StandardView* second = standardView(studio.options.second)) {
-        scene.second = SecondView{crownFrom(*second, studio.tooth.mesialX, studio.tooth.box())};
+        scene.second = SecondView{crownCamera(*second, studio.tooth.mesialX, studio.tooth.box())};
     }
     return scene;
 }
 
-Expected<void> takePicture(Studio& studio, const OrbitCamera& eye, const std::filesystem::path& file) {
+Expected<void> takePicture(RenderSetup& studio, const OrbitCamera& eye, const std::filesystem::path& file) {
     Expected<Image> image = studio.renderer.render(sceneFor(studio, eye), studio.size);
     if (!image) return Unexpected{image.error()};
     if (studio.inspection.distances) drawDistanceLegend(*image, studio.inspection.distances->range);
     if (auto written = writePng(*image, file); !written) return written;
-    say("{}: {}, {} x {}\n", shownName(file), studio.tooth.name, studio.size.width, studio.size.height);
+    print("{}: {}, {} x {}\n", displayName(file), studio.tooth.name, studio.size.width, studio.size.height);
     return {};
 }
 
-Expected<void> takeTurn(Studio& studio, OrbitCamera eye) {
+Expected<void> takeTurn(RenderSetup& studio, OrbitCamera eye) {
     const int count = studio.options.turntable;
     for (int i = 0; i < count; ++i) {
         OrbitCamera turned = eye;
-        turned.look({eye.direction().azimuth + 360 * kDegree * i / count, eye.direction().elevation});
+        turned.setView({eye.direction().azimuth + 360 * kDegree * i / count, eye.direction().elevation});
         auto done = takePicture(studio, turned, numberedFile(studio.options.out, i));
         if (!done) return done;
     }
@@ -179,13 +179,13 @@ Expected<void> render(const RenderOptions& options) {
     if (!eye) return Unexpected{eye.error()};
     auto renderer = OffscreenRenderer::create();
     if (!renderer) return Unexpected{renderer.error()};
-    Studio studio{options, std::move(*tooth), *materials, std::move(*inspection), {}, *size, std::move(*renderer)};
+    RenderSetup studio{options, std::move(*tooth), *materials, std::move(*inspection), {}, *size, std::move(*renderer)};
     if (options.mirror) studio.mirror = makeMirror(*options.mirror);
     return options.turntable > 0 ? takeTurn(studio, *eye) : takePicture(studio, *eye, options.out);
 }
 
 /// Before the work: what stands in the way of a picture is then said at once.
-Expected<void> openFiles(const RenderOptions& options, FileSet& files) {
+Expected<void> openFiles(const RenderOptions& options, FileTransaction& files) {
     for (const auto& input : {options.tooth, options.materials, options.target}) files.reads(input);
     for (const std::string& layer : options.layers) files.reads(layer.substr(layer.find('=') + 1));
     if (options.turntable == 0) return files.open(options.out);
@@ -200,11 +200,12 @@ Expected<void> openFiles(const RenderOptions& options, FileSet& files) {
 }  // namespace
 
 int runRender(const RenderOptions& options) {
-    FileSet files;
-    if (const auto opened = openFiles(options, files); !opened) return refuse(opened.error());
-    if (const auto done = options.mouth ? renderMouth(options) : render(options); !done) return refuse(done.error());
+    FileTransaction files;
+    if (const auto opened = openFiles(options, files); !opened) return reportError(opened.error());
+    if (const auto done = options.mouth ? renderMouth(options) : render(options); !done)
+        return reportError(done.error());
     const auto named = files.commit();
-    return named ? kExitOk : refuse(named.error());
+    return named ? kExitOk : reportError(named.error());
 }
 
 }  // namespace tactooth

@@ -34,7 +34,7 @@ struct RenderOptions {
     double drops = 0;
     bool noBackground = false;
     bool mouth = false;  ///< the whole built-in mouth instead of a tooth
-    MouthWishes mouthWishes;
+    MouthSpec mouthSpec;
 };
 
 /// Writes a picture of a tooth, or the pictures of a turn around it.

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <string_view>
 
+#include "app/cli/pictures/render_arguments.h"
 #include "app/cli/terminal/output.h"
-#include "app/cli/pictures/render_words.h"
 #include "app/common/mouth_scene.h"
 #include "geometry/files/file_bytes.h"
 #include "view/render/offscreen.h"
@@ -56,10 +56,10 @@ Box3 boxOf(const BuiltinMouth& mouth, ShownJaws jaws) {
 }
 
 /// The eye that the options ask for.
-Expected<OrbitCamera> eyeOf(const RenderOptions& options, const MouthView& view, const Box3& box, PictureSize size) {
+Expected<OrbitCamera> eyeOf(const RenderOptions& options, const MouthView& view, const Box3& box, ImageSize size) {
     OrbitCamera eye;
     eye.fit(box, size.aspect());
-    eye.look(view.direction);
+    eye.setView(view.direction);
     constexpr double kNearer = 0.75;  // the box fits from every side; from one side the mouth is smaller
     eye.zoom(kNearer, Vec2(size.width / 2.0, size.height / 2.0), size);
     if (!options.at.empty()) {
@@ -76,14 +76,14 @@ Expected<OrbitCamera> eyeOf(const RenderOptions& options, const MouthView& view,
 }
 
 /// Pictures of one run.
-struct Studio {
+struct RenderSetup {
     const RenderOptions& options;
     std::vector<ShownBody> bodies;
-    PictureSize size;
+    ImageSize size;
     OffscreenRenderer renderer;
 };
 
-Expected<void> takePicture(Studio& studio, const OrbitCamera& eye, const std::filesystem::path& file) {
+Expected<void> takePicture(RenderSetup& studio, const OrbitCamera& eye, const std::filesystem::path& file) {
     SceneContents contents;
     contents.around = studio.bodies;
     contents.camera = eye.camera();
@@ -92,7 +92,7 @@ Expected<void> takePicture(Studio& studio, const OrbitCamera& eye, const std::fi
     const Expected<Image> image = studio.renderer.render(scene, studio.size);
     if (!image) return Unexpected{image.error()};
     if (auto written = writePng(*image, file); !written) return written;
-    say("{}: the built-in mouth, {} x {}\n", shownName(file), studio.size.width, studio.size.height);
+    print("{}: the built-in mouth, {} x {}\n", displayName(file), studio.size.width, studio.size.height);
     return {};
 }
 
@@ -103,17 +103,17 @@ Expected<void> renderMouth(const RenderOptions& options) {
     if (!size) return Unexpected{size.error()};
     const auto view = viewOf(options.view);
     if (!view) return Unexpected{view.error()};
-    const auto mouth = mouthAsWished(options.mouthWishes);
+    const auto mouth = mouthFromSpec(options.mouthSpec);
     if (!mouth) return Unexpected{mouth.error()};
     const auto eye = eyeOf(options, *view, boxOf(*mouth, view->jaws), *size);
     if (!eye) return Unexpected{eye.error()};
     auto renderer = OffscreenRenderer::create();
     if (!renderer) return Unexpected{renderer.error()};
-    Studio studio{options, shownMouth(*mouth, view->jaws), *size, std::move(*renderer)};
+    RenderSetup studio{options, shownMouth(*mouth, view->jaws), *size, std::move(*renderer)};
     if (options.turntable == 0) return takePicture(studio, *eye, options.out);
     for (int i = 0; i < options.turntable; ++i) {
         OrbitCamera turned = *eye;
-        turned.look({view->direction.azimuth + 360 * kDegree * i / options.turntable, view->direction.elevation});
+        turned.setView({view->direction.azimuth + 360 * kDegree * i / options.turntable, view->direction.elevation});
         if (auto done = takePicture(studio, turned, numberedFile(options.out, i)); !done) return done;
     }
     return {};

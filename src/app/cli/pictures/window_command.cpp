@@ -6,8 +6,8 @@
 #include <filesystem>
 
 #include "app/common/exit_code.h"
-#include "app/gui/window/run_window.h"
 #include "app/gui/settings/window_settings.h"
+#include "app/gui/window/run_window.h"
 #include "devices/open_device.h"
 #include "geometry/util/number_text.h"
 
@@ -58,7 +58,7 @@ void addMouthAndBur(CLI::App& program, WindowArguments& arguments) {
     CLI::Option* mouth = program.add_option_function<std::string>(
         "--mouth",
         [&arguments](const std::string& fdi) {
-            arguments.mouth = fdi.empty() ? BenchMouth().fdi : toNumber<int>(fdi).value_or(0);
+            arguments.mouth = fdi.empty() ? MouthChoice().fdi : toNumber<int>(fdi).value_or(0);
         },
         "The whole built-in mouth, to work on this tooth of it (default: 46)");
     mouth->type_name("[FDI]")->expected(0, 1)->excludes("--tooth")->group(kGroup);
@@ -121,27 +121,27 @@ void addWindowArguments(CLI::App& program, WindowArguments& arguments) {
 }
 
 int runWindowCommand(const WindowArguments& arguments) {
-    if (const auto known = checkDevices(arguments); !known) return refuse(known.error());
+    if (const auto known = checkDevices(arguments); !known) return reportError(known.error());
     WindowOptions options;
     if (!arguments.tooth.empty()) {
         const std::filesystem::path file = arguments.tooth;
         std::error_code unused;
         if (!file.has_extension() && !std::filesystem::exists(file, unused)) {
-            return refuse({"there is no command and no case '" + arguments.tooth + "'; see 'tactooth --help'."});
+            return reportError({"there is no command and no case '" + arguments.tooth + "'; see 'tactooth --help'."});
         }
         options.tooth = ToothSource{.outer = file, .layers = {}};
         options.workOn = arguments.workOn;
     }
     if (arguments.mouth) {
         if (!isPermanentTooth(*arguments.mouth)) {
-            return refuse(
+            return reportError(
                 {"what follows --mouth must be the number of a permanent tooth: 11-18, 21-28, 31-38 or 41-48."});
         }
-        options.mouth = BenchMouth{*arguments.mouth, !arguments.noCache};
+        options.mouth = MouthChoice{*arguments.mouth, !arguments.noCache};
     }
     for (const std::string& text : arguments.layers) {
         Expected<ToothSource::Layer> layer = parseLayer(text);
-        if (!layer) return refuse(layer.error());
+        if (!layer) return reportError(layer.error());
         options.tooth->layers.push_back(std::move(*layer));
     }
     if (!arguments.exercise.empty()) options.exercise = arguments.exercise;

@@ -4,15 +4,15 @@
 
 #include <array>
 
-#include "app/common/exit_code.h"
 #include "app/cli/terminal/output.h"
+#include "app/common/exit_code.h"
 #include "collision/proxy/contact_query.h"
 #include "geometry/files/file_bytes.h"
-#include "geometry/files/file_set.h"
+#include "geometry/files/file_transaction.h"
 #include "haptics/load_surface.h"
 #include "session/io/csv_table.h"
-#include "session/scripts/feel_run.h"
 #include "session/io/finite_tick.h"
+#include "session/scripts/touch_run.h"
 
 namespace tactooth {
 namespace {
@@ -30,33 +30,33 @@ void writeRow(CsvWriter& file, double time, const Contact& contact, double micro
 }  // namespace
 
 int runContact(const ContactOptions& options) {
-    FileSet files;
+    FileTransaction files;
     for (const auto& input : {options.poses, options.tooth, options.tool}) files.reads(input);
-    if (const auto opened = files.open(options.out); !opened) return refuse(opened.error());
+    if (const auto opened = files.open(options.out); !opened) return reportError(opened.error());
     const auto trajectory = readTrajectory(options.poses);
-    if (!trajectory) return refuse(trajectory.error());
-    std::vector<Remark> remarks;
-    const auto tooth = loadSurface(options.tooth, &remarks);
-    if (!tooth) return refuse(tooth.error());
-    const auto tool = loadTool(options.tool, &remarks);
-    if (!tool) return refuse(tool.error());
-    printRemarks(remarks);
+    if (!trajectory) return reportError(trajectory.error());
+    std::vector<ImportNote> importNotes;
+    const auto tooth = loadSurface(options.tooth, &importNotes);
+    if (!tooth) return reportError(tooth.error());
+    const auto tool = loadTool(options.tool, &importNotes);
+    if (!tool) return reportError(tool.error());
+    printImportNotes(importNotes);
     auto file = CsvWriter::create(options.out, kColumns);
-    if (!file) return refuse(file.error());
+    if (!file) return reportError(file.error());
 
     ContactQuery query(*tool, *tooth);
     std::size_t touching = 0;
     for (const TimedPose& row : *trajectory) {
         double micros = 0;
         const Contact contact = timed(micros, [&] { return query.at(row.toolInTooth); });
-        if (const auto finite = checkFinite(row.time, contact); !finite) return refuse(finite.error());
+        if (const auto finite = checkFinite(row.time, contact); !finite) return reportError(finite.error());
         touching += contact.touching ? 1 : 0;
         writeRow(*file, row.time, contact, micros);
     }
-    if (const auto done = file->commit(); !done) return refuse(done.error());
-    if (const auto done = files.commit(); !done) return refuse(done.error());
-    if (!(*tooth)->closed) say("The tooth is not closed: only its triangles count, nothing is inside.\n");
-    say("{} poses, {} of them touching, written to {}\n", trajectory->size(), touching, shownName(options.out));
+    if (const auto done = file->commit(); !done) return reportError(done.error());
+    if (const auto done = files.commit(); !done) return reportError(done.error());
+    if (!(*tooth)->closed) print("The tooth is not closed: only its triangles count, nothing is inside.\n");
+    print("{} poses, {} of them touching, written to {}\n", trajectory->size(), touching, displayName(options.out));
     return kExitOk;
 }
 

@@ -7,23 +7,23 @@
 #include <array>
 #include <optional>
 
-#include "app/common/exit_code.h"
 #include "app/cli/terminal/output.h"
+#include "app/common/exit_code.h"
 #include "collision/bvh/surface.h"
 #include "geometry/files/atomic_file.h"
 #include "geometry/files/file_bytes.h"
-#include "geometry/files/file_set.h"
+#include "geometry/files/file_transaction.h"
 #include "geometry/files/folder.h"
-#include "geometry/util/shown_text.h"
 #include "geometry/io/stl_writer.h"
-#include "session/cases/placed_tooth.h"
-#include "session/simulation/cut_events.h"
-#include "session/scripts/cut_run.h"
+#include "geometry/util/display_text.h"
+#include "session/cases/loaded_tooth.h"
 #include "session/io/material_file.h"
 #include "session/io/tick_csv.h"
-#include "session/simulation/tooth_file.h"
 #include "session/io/vdb_file.h"
-#include "tooth/file/layer_remains.h"
+#include "session/scripts/cut_run.h"
+#include "session/simulation/cut_events.h"
+#include "session/simulation/tooth_file.h"
+#include "tooth/file/remaining_layers.h"
 
 namespace tactooth {
 namespace {
@@ -81,11 +81,11 @@ public:
     void row(double time, const Tick& tick, const ToothLoss& loss) {
         if (forces_) forces_->write(time, tick);
         if (removed_) removed_->row(removedRow(time, loss.removed));
-        watched_.watch(time, tick, loss);
+        watched_.update(time, tick, loss);
     }
 
     /// Writes all that is known at the end.
-    [[nodiscard]] Expected<void> finish(const CutOptions& options, const TriangleMesh& cut, const WorkPiece& piece,
+    [[nodiscard]] Expected<void> finish(const CutOptions& options, const TriangleMesh& cut, const CutModel& piece,
                                         const Provenance& provenance) {
         if (auto done = writeStl(cut, options.out); !done) return done;
         if (forces_) {
@@ -110,7 +110,7 @@ public:
     }
 
     void printLayers() const {
-        for (const std::string& line : layerLines_) say("{}\n", line);
+        for (const std::string& line : layerLines_) print("{}\n", line);
     }
 
 private:
@@ -120,7 +120,7 @@ private:
 
     /// One STL file a layer, named after it.
     [[nodiscard]] Expected<void> writeLayers(const CutVolume& volume, const std::filesystem::path& folder) {
-        for (const LayerRemains& layer : remainsOfLayers(volume)) {
+        for (const RemainingLayer& layer : remainingLayers(volume)) {
             const std::filesystem::path file = layerFile(folder, layer.name);
             if (layer.mesh.empty()) {
                 layerLines_.push_back(fmt::format("nothing is left of layer '{}'", layer.name));
@@ -128,12 +128,12 @@ private:
             }
             if (auto written = writeStl(layer.mesh, file); !written) return written;
             layerLines_.push_back(fmt::format("{} triangles of layer '{}' written to {}", layer.mesh.triangles.size(),
-                                              shownText(layer.name), shownName(file)));
+                                              displayText(layer.name), displayName(file)));
         }
         return {};
     }
 
-    FileSet set_;
+    FileTransaction set_;
     std::optional<TickCsv> forces_;
     std::optional<CsvWriter> removed_;
     CutEvents watched_;
@@ -151,8 +151,9 @@ Expected<ToothSource> toothSource(const CutOptions& options) {
 }
 
 /// The bur that is named, else the one that the case brings.
-Expected<OwnBur> burOf(const CutOptions& options, const ToothPlace& place, std::vector<Remark>& remarks) {
-    if (!options.tool.empty()) return readOwnBur(options.tool, &remarks);
+Expected<CustomBur> burOf(const CutOptions& options, const ToothPlacement& place,
+                          std::vector<ImportNote>& importNotes) {
+    if (!options.tool.empty()) return readCustomBur(options.tool, &importNotes);
     if (place.bur) return *place.bur;
     return unexpected("there is no bur: give --tool, or a case that brings one.");
 }
@@ -160,62 +161,63 @@ Expected<OwnBur> burOf(const CutOptions& options, const ToothPlace& place, std::
 void printLoss(const ToothLoss& loss) {
     for (std::size_t i = 0; i < kMaterialCount; ++i) {
         if (loss.removed[i] > 0)
-            say("removed {:>12}: {:8.3f} mm^3\n", materialName(static_cast<MaterialId>(i)), loss.removed[i]);
+            print("removed {:>12}: {:8.3f} mm^3\n", materialName(static_cast<MaterialId>(i)), loss.removed[i]);
     }
-    if (loss.beside > 0) say("of it beside the tooth: {:.3f} mm^3\n", loss.beside);
+    if (loss.beside > 0) print("of it beside the tooth: {:.3f} mm^3\n", loss.beside);
 }
 
 }  // namespace
 
 int runCut(const CutOptions& options) {
     if (!options.vdb.empty()) {
-        if (const auto can = checkVdb(); !can) return refuse(can.error());
+        if (const auto can = checkVdb(); !can) return reportError(can.error());
     }
     const auto source = toothSource(options);
-    if (!source) return refuse(source.error());
+    if (!source) return reportError(source.error());
     CutFiles files;
-    if (const auto opened = files.open(options); !opened) return refuse(opened.error());
+    if (const auto opened = files.open(options); !opened) return reportError(opened.error());
     const auto path = readTrajectory(options.trajectory);
-    if (!path) return refuse(path.error());
-    const auto tooth = loadPlacedWork(*source, options.workOn, options.voxel, kUsualVoxel);
-    if (!tooth) return refuse(tooth.error());
-    std::vector<Remark> remarks = tooth->remarks;
-    auto bur = burOf(options, tooth->place, remarks);
-    if (!bur) return refuse(bur.error());
-    printRemarks(remarks);
+    if (!path) return reportError(path.error());
+    const auto tooth = loadModelOrCase(*source, options.workOn, options.voxel, kUsualVoxel);
+    if (!tooth) return reportError(tooth.error());
+    std::vector<ImportNote> importNotes = tooth->importNotes;
+    auto bur = burOf(options, tooth->place, importNotes);
+    if (!bur) return reportError(bur.error());
+    printImportNotes(importNotes);
     const auto tool = makeCuttingTool(bur->surface, bur->sharpness);
-    if (!tool) return refuse({bur->name + ": " + tool.error().message});
-    WorkPiece& piece = *tooth->piece;
+    if (!tool) return reportError({bur->name + ": " + tool.error().message});
+    CutModel& piece = *tooth->piece;
     const MaterialVolumes before = piece.removed();
     const auto materials = options.materials.empty() && tooth->place.materials ? *tooth->place.materials
                                                                                : materialsFrom(options.materials);
-    if (!materials) return refuse(materials.error());
+    if (!materials) return reportError(materials.error());
     if (!options.vdb.empty()) {
         if (const auto fits = checkVdbSize(piece.tooth(), piece.volume().lattice().spacing()); !fits)
-            return refuse(fits.error());
+            return reportError(fits.error());
     }
-    if (const auto begun = files.begin(options, piece.tooth()); !begun) return refuse(begun.error());
+    if (const auto begun = files.begin(options, piece.tooth()); !begun) return reportError(begun.error());
 
     const auto visit = [&](double time, const Tick& tick, const ToothLoss& loss) { files.row(time, tick, loss); };
     if (options.feed == "rigid") {
-        if (const auto done = cutRigidly(*path, *tool, options.speedRpm, *materials, piece, visit); !done)
-            return refuse(done.error());
+        if (const auto done = cutKinematically(*path, *tool, options.speedRpm, *materials, piece, visit); !done)
+            return reportError(done.error());
     } else {
         HapticSettings settings;
         settings.materials = *materials;
         settings.spindle = constantSpeed(options.speedRpm);
         HapticSimulation simulation(std::make_shared<const ToolShape>(std::move(bur->surface)),
                                     tool->envelope.maxRadius(), piece.surface(), settings);
-        if (const auto done = cutByLaw(*path, *tool, *materials, simulation, piece, visit); !done)
-            return refuse(done.error());
+        if (const auto done = cutWithRemovalLaw(*path, *tool, *materials, simulation, piece, visit); !done)
+            return reportError(done.error());
     }
     const TaggedMesh cut = piece.exported();
-    if (const auto done = files.finish(options, cut.mesh, piece, tooth->provenance); !done) return refuse(done.error());
-    if (!options.vdb.empty()) say("voxels written to {}\n", shownName(options.vdb));
+    if (const auto done = files.finish(options, cut.mesh, piece, tooth->provenance); !done)
+        return reportError(done.error());
+    if (!options.vdb.empty()) print("voxels written to {}\n", displayName(options.vdb));
     files.printLayers();
     printLoss(piece.loss());
-    if (total(before) > 0) say("of which before:      {:8.3f} mm^3\n", total(before));
-    say("{} triangles written to {}\n", cut.mesh.triangles.size(), shownName(options.out));
+    if (total(before) > 0) print("of which before:      {:8.3f} mm^3\n", total(before));
+    print("{} triangles written to {}\n", cut.mesh.triangles.size(), displayName(options.out));
     return kExitOk;
 }
 

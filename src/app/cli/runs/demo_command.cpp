@@ -8,20 +8,20 @@
 
 #include "app/cli/runs/demo_pictures.h"
 #include "app/cli/runs/demo_summary.h"
-#include "app/common/exit_code.h"
 #include "app/cli/terminal/output.h"
+#include "app/common/exit_code.h"
 #include "app/common/mouth_scene.h"
 #include "app/common/plot_image.h"
 #include "app/common/spin_blur.h"
 #include "geometry/files/atomic_file.h"
 #include "geometry/files/file_bytes.h"
-#include "geometry/files/file_set.h"
+#include "geometry/files/file_transaction.h"
 #include "geometry/files/folder.h"
 #include "geometry/io/stl_writer.h"
 #include "instruments/builtin_tooth.h"
 #include "instruments/bur_shape.h"
 #include "instruments/turbine.h"
-#include "session/cases/placed_tooth.h"
+#include "session/cases/loaded_tooth.h"
 #include "session/io/material_file.h"
 #include "session/io/tick_csv.h"
 #include "session/simulation/tooth_cache.h"
@@ -38,21 +38,21 @@ constexpr double kVoxel = 0.05;             // mm
 constexpr int kPictureBurTriangles = 5000;  // the blades then look ground
 constexpr const char* kDefaultBur = "57";   // straight fissure, 1.0 mm: leaves its cavity as it came
 
-struct Cast {
+struct DemoInputs {
     std::string toothName;
     std::string burName;
     std::shared_ptr<const LayeredTooth> tooth;
     Box3 box;  // of the tooth that is worked on
     std::optional<MaterialTable> materials;
-    std::optional<OwnBur> ownBur;
+    std::optional<CustomBur> customBur;
     Surroundings surroundings;
     std::optional<Instrument> instrument;
     DemoProps props;
 };
 
 /// The lower first molar in an open mouth.
-Expected<ToothInMouth> castMouth(Cast& cast) {
-    const ToothCache cache(usualCacheFolder());
+Expected<ToothInMouth> makeDemoMouth(DemoInputs& cast) {
+    const ToothCache cache(defaultCacheFolder());
     Expected<ToothInMouth> made = toothInMouth(46, Lesion{}, {.jaw = JawPose::open, .missing = {}}, cache);
     if (!made) return made;
     cast.props.around = shownAround(*made);
@@ -60,7 +60,7 @@ Expected<ToothInMouth> castMouth(Cast& cast) {
     return made;
 }
 
-Expected<void> castTooth(const DemoOptions& options, Cast& cast) {
+Expected<void> loadDemoTooth(const DemoOptions& options, DemoInputs& cast) {
     if (!options.tooth.empty()) {
         ToothSource source{options.tooth, {}, "enamel"};
         for (const std::string& text : options.layers) {
@@ -68,20 +68,20 @@ Expected<void> castTooth(const DemoOptions& options, Cast& cast) {
             if (!layer) return Unexpected{layer.error()};
             source.layers.push_back(std::move(*layer));
         }
-        auto placed = loadPlacedTooth(source, options.workOn);
+        auto placed = loadToothOrCase(source, options.workOn);
         if (!placed) return Unexpected{placed.error()};
-        printRemarks(placed->remarks);
-        ToothPlace& place = placed->place;
-        cast.toothName = place.teethOfCase.empty() ? shownNameAlone(options.tooth) : place.name;
+        printImportNotes(placed->importNotes);
+        ToothPlacement& place = placed->place;
+        cast.toothName = place.teethOfCase.empty() ? displayFileName(options.tooth) : place.name;
         cast.tooth = std::move(placed->tooth);
         cast.box = place.box;
         cast.props.mesialX = place.mesialX;
         cast.materials = std::move(place.materials);
-        cast.ownBur = std::move(place.bur);
+        cast.customBur = std::move(place.bur);
         return {};
     }
     const Expected<ToothInMouth> molar =
-        options.mouth ? castMouth(cast)
+        options.mouth ? makeDemoMouth(cast)
                       : Expected<ToothInMouth>({.tooth = makeBuiltinTooth(BuiltinToothKind::lowerFirstMolar)});
     if (!molar) return Unexpected{molar.error()};
     auto tooth = layeredTooth(*molar);
@@ -93,21 +93,21 @@ Expected<void> castTooth(const DemoOptions& options, Cast& cast) {
     return {};
 }
 
-Expected<void> castBur(const DemoOptions& options, Cast& cast) {
+Expected<void> loadDemoBur(const DemoOptions& options, DemoInputs& cast) {
     TriangleMesh felt;
     double sharpness = 1;
     if (!options.bur.empty()) {
-        auto own = readOwnBur(options.bur);
+        auto own = readCustomBur(options.bur);
         if (!own) return Unexpected{own.error()};
-        cast.ownBur = std::move(*own);
+        cast.customBur = std::move(*own);
     }
-    if (cast.ownBur) {
-        felt = cast.ownBur->surface;
-        sharpness = cast.ownBur->sharpness;
-        cast.burName = cast.ownBur->name;
+    if (cast.customBur) {
+        felt = cast.customBur->surface;
+        sharpness = cast.customBur->sharpness;
+        cast.burName = cast.customBur->name;
         cast.props.tool.bur = std::make_shared<const TriangleMesh>(felt);
-        cast.props.tool.material = cast.ownBur->material;
-        cast.props.tool.edge = cast.ownBur->edge();
+        cast.props.tool.material = cast.customBur->material;
+        cast.props.tool.edge = cast.customBur->edge();
     } else {
         const BurSpec spec = findBur(kDefaultBur).value();
         felt = makeBur(spec).surface;
@@ -120,13 +120,13 @@ Expected<void> castBur(const DemoOptions& options, Cast& cast) {
     }
     auto cutting = makeCuttingTool(felt, sharpness);
     if (!cutting) return unexpected(cast.burName + ": " + cutting.error().message);
-    cast.props.tool.blurred = std::make_shared<const TriangleMesh>(spinningShape(cutting->envelope));
+    cast.props.tool.blurred = std::make_shared<const TriangleMesh>(spinEnvelopeMesh(cutting->envelope));
     cast.instrument =
         Instrument{std::make_shared<const ToolShape>(std::move(felt)), std::move(*cutting), cast.props.tool.edge};
     return {};
 }
 
-void castMirror(Cast& cast) {
+void makeDemoMirror(DemoInputs& cast) {
     DentalMirror mirror = makeMirror();
     ShownMirror shown;
     shown.disc = mirror.disc;
@@ -142,8 +142,8 @@ Expected<void> writeTicks(const fs::path& path, const std::vector<Tick>& ticks) 
 }
 
 /// Everything but the picture of the touch, which is made before the tooth is cut.
-Expected<void> writeResults(const fs::path& folder, const Demonstration& played, const WorkPiece& piece,
-                            const Cast& cast, double seconds) {
+Expected<void> writeResults(const fs::path& folder, const Demonstration& played, const CutModel& piece,
+                            const DemoInputs& cast, double seconds) {
     const Tick& last = played.ticks.back();
     if (const auto& work = played.work) {
         const DemoMoment moment{work->surface, played.ticks[work->tick], work->flying};
@@ -156,7 +156,7 @@ Expected<void> writeResults(const fs::path& folder, const Demonstration& played,
     auto wav = WavWriter::create(folder / "session.wav", framesOf(seconds));
     if (!wav) return Unexpected{wav.error()};
     const auto toFile = [&](std::span<const float> stereo) { wav->write(stereo); };
-    if (auto done = renderInPieces(played.sound, seconds, {}, toFile); !done) return done;
+    if (auto done = renderInChunks(played.sound, seconds, {}, toFile); !done) return done;
     if (auto done = wav->commit(); !done) return done;
     if (auto done = writeTicks(folder / "forces.csv", played.ticks); !done) return done;
     if (auto done = writeStl(piece.exported().mesh, folder / "cut.stl"); !done) return done;
@@ -164,7 +164,7 @@ Expected<void> writeResults(const fs::path& folder, const Demonstration& played,
 }
 
 /// Before the work: what stands in the way of a result is then said at once.
-Expected<void> openFiles(const DemoOptions& options, FileSet& files) {
+Expected<void> openFiles(const DemoOptions& options, FileTransaction& files) {
     for (const auto& input : {options.tooth, options.bur, options.materials}) files.reads(input);
     for (const std::string& layer : options.layers) files.reads(layer.substr(layer.find('=') + 1));
     if (auto made = files.makeFolder(options.out); !made) return made;
@@ -178,20 +178,20 @@ Expected<void> openFiles(const DemoOptions& options, FileSet& files) {
 }  // namespace
 
 int runDemo(const DemoOptions& options) {
-    FileSet files;
-    if (const auto done = openFiles(options, files); !done) return refuse(done.error());
-    Cast cast;
-    if (const auto done = castTooth(options, cast); !done) return refuse(done.error());
-    if (const auto done = castBur(options, cast); !done) return refuse(done.error());
+    FileTransaction files;
+    if (const auto done = openFiles(options, files); !done) return reportError(done.error());
+    DemoInputs cast;
+    if (const auto done = loadDemoTooth(options, cast); !done) return reportError(done.error());
+    if (const auto done = loadDemoBur(options, cast); !done) return reportError(done.error());
     const auto materials =
         options.materials.empty() && cast.materials ? *cast.materials : materialsFrom(options.materials);
-    if (!materials) return refuse(materials.error());
+    if (!materials) return reportError(materials.error());
     cast.props.materials = *materials;
-    castMirror(cast);
+    makeDemoMirror(cast);
     cast.props.box = cast.box;
 
-    say("tooth: {}\nbur:   {}\n", cast.toothName, cast.burName);
-    WorkPiece piece(cast.tooth, kVoxel);
+    print("tooth: {}\nbur:   {}\n", cast.toothName, cast.burName);
+    CutModel piece(cast.tooth, kVoxel);
     piece.surroundBy(cast.surroundings);
     const std::shared_ptr<const Surface> uncut = piece.surface();
     int told = 0;
@@ -199,7 +199,7 @@ int runDemo(const DemoOptions& options) {
         const int tenths = static_cast<int>(10 * part);
         if (tenths <= told) return;
         told = tenths;
-        say("playing {:.0f} s of touching and cutting: {} %\n", options.seconds, 10 * tenths);
+        print("playing {:.0f} s of touching and cutting: {} %\n", options.seconds, 10 * tenths);
         std::fflush(stdout);
     };
     HapticSettings settings;
@@ -207,16 +207,16 @@ int runDemo(const DemoOptions& options) {
     const Quat grip = uprightGrip(cast.props.mesialX, 0);
     const Demonstration played =
         playDemonstration(piece, cast.box, *cast.instrument, settings, grip, options.seconds, progress);
-    say("drawing, plotting, rendering the sound\n");
+    print("drawing, plotting, rendering the sound\n");
     const DemoMoment touch{uncut, played.ticks[played.touchTick]};
     if (const auto done = writeDemoPicture(options.out / "touch.png", DemoView::Touch, touch, cast.props); !done)
-        return refuse(done.error());
+        return reportError(done.error());
     if (const auto done = writeResults(options.out, played, piece, cast, options.seconds); !done)
-        return refuse(done.error());
-    if (const auto done = files.commit(); !done) return refuse(done.error());
-    say("removed {:.3f} mm^3 in {} surface updates\n", total(piece.removed()), played.surfaceUpdates);
-    say("touch.png, {}cut.png, forces.png, session.wav, forces.csv, cut.stl and summary.json are in {}\n",
-        played.work ? "spray.png, " : "", shownName(options.out));
+        return reportError(done.error());
+    if (const auto done = files.commit(); !done) return reportError(done.error());
+    print("removed {:.3f} mm^3 in {} surface updates\n", total(piece.removed()), played.surfaceUpdates);
+    print("touch.png, {}cut.png, forces.png, session.wav, forces.csv, cut.stl and summary.json are in {}\n",
+          played.work ? "spray.png, " : "", displayName(options.out));
     return kExitOk;
 }
 

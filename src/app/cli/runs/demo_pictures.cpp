@@ -5,18 +5,18 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/common/spray_look.h"
+#include "app/common/spray_particles.h"
+#include "view/camera/orbit_camera.h"
 #include "view/render/image.h"
 #include "view/render/offscreen.h"
-#include "view/camera/orbit_camera.h"
 
 namespace tactooth {
 namespace {
 
-constexpr PictureSize kSize{1600, 1000};
+constexpr ImageSize kSize{1600, 1000};
 
 /// How a picture is taken.
-struct Shot {
+struct CameraSetup {
     OrbitCamera::Direction direction;  ///< rad, for a tooth with +x mesial
     double around = 0;                 ///< mm around its subject that the picture shows
     double above = 0;                  ///< mm from the subject up to the middle of the picture
@@ -24,7 +24,7 @@ struct Shot {
     bool loupeLamp = false;            ///< the light comes from near the eye and reaches the floor of a cavity
 };
 
-Shot shotOf(DemoView view) {
+CameraSetup cameraSetupOf(DemoView view) {
     switch (view) {
         case DemoView::Touch:
             return {.direction = {1.80, 0.62}, .around = 5.0, .above = 1.2};  // over the cheek, as an assistant looks
@@ -43,10 +43,10 @@ Vec3 subjectOf(const Surface& tooth, const Tick& tick) {
     return cavity.isEmpty() ? tick.proxy.position : Vec3(cavity.center().x(), cavity.center().y(), cavity.max().z());
 }
 
-Camera cameraOf(const Shot& shot, const Vec3& subject, double mesialX) {
+Camera cameraOf(const CameraSetup& shot, const Vec3& subject, double mesialX) {
     const Vec3 middle = subject + shot.above * Vec3::UnitZ();
     OrbitCamera camera;
-    camera.look(mesialX < 0 ? mirroredInX(shot.direction) : shot.direction);
+    camera.setView(mesialX < 0 ? mirroredInX(shot.direction) : shot.direction);
     camera.fit(Box3(middle.array() - shot.around, middle.array() + shot.around), kSize.aspect());
     return camera.camera();
 }
@@ -58,7 +58,7 @@ Expected<void> writeDemoPicture(const std::filesystem::path& path, DemoView view
     const auto& [tooth, tick, flying] = moment;
     Expected<OffscreenRenderer> renderer = OffscreenRenderer::create();
     if (!renderer) return Unexpected{renderer.error()};
-    const Shot shot = shotOf(view);
+    const CameraSetup shot = cameraSetupOf(view);
     const Vec3 subject = subjectOf(*tooth, tick);
     SceneContents contents;
     contents.tooth = tooth;

@@ -7,7 +7,7 @@
 #include "app/common/scene_builder.h"
 #include "geometry/util/expected.h"
 #include "haptics/haptic_simulation.h"
-#include "session/simulation/spray_cloud.h"
+#include "session/simulation/spray_particle_system.h"
 
 namespace tactooth {
 
@@ -32,7 +32,7 @@ enum class DemoView {
 struct DemoMoment {
     std::shared_ptr<const Surface> tooth;
     const Tick& tick;
-    std::span<const FlyingBit> flying = {};
+    std::span<const SprayParticle> flying = {};
 };
 
 /// Writes a picture (PNG, 1600 x 1000) of the tooth and the instrument. Needs no display.

@@ -9,7 +9,7 @@
 
 namespace tactooth {
 
-std::string demoSummary(const Demonstration& demonstration, const WorkPiece& piece, const std::string& tooth,
+std::string demoSummary(const Demonstration& demonstration, const CutModel& piece, const std::string& tooth,
                         const std::string& bur) {
     LatencyHistogram micros;
     double peak = 0;

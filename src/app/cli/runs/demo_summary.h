@@ -5,12 +5,12 @@
 #include <string>
 
 #include "session/scripts/demonstration.h"
-#include "session/simulation/work_piece.h"
+#include "session/simulation/cut_model.h"
 
 namespace tactooth {
 
 /// What the session was, as JSON for people and programs: lengths mm, forces N, volumes mm^3, times s or us.
-[[nodiscard]] std::string demoSummary(const Demonstration& demonstration, const WorkPiece& piece,
+[[nodiscard]] std::string demoSummary(const Demonstration& demonstration, const CutModel& piece,
                                       const std::string& tooth, const std::string& bur);
 
 }  // namespace tactooth

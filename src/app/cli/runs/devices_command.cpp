@@ -7,10 +7,10 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "app/common/exit_code.h"
 #include "app/cli/terminal/output.h"
-#include "devices/device_survey.h"
-#include "geometry/util/shown_text.h"
+#include "app/common/exit_code.h"
+#include "devices/device_enumeration.h"
+#include "geometry/util/display_text.h"
 
 namespace tactooth {
 namespace {
@@ -19,13 +19,13 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::array<const char*, 3> kStates = {"ready", "not there", "not usable"};
 
-const char* stateOf(const SurveyedDevice& device) { return kStates[static_cast<std::size_t>(device.state)]; }
+const char* stateOf(const DetectedDevice& device) { return kStates[static_cast<std::size_t>(device.state)]; }
 
 /// What is not known has no member.
-Json jsonOf(const SurveyedDevice& device) {
-    const DeviceAbilities& can = device.abilities;
-    Json json = {{"name", shownText(device.name)},
-                 {"backend", shownText(device.backend)},
+Json jsonOf(const DetectedDevice& device) {
+    const DeviceCapabilities& can = device.capabilities;
+    Json json = {{"name", displayText(device.name)},
+                 {"backend", displayText(device.backend)},
                  {"ready", device.state == DeviceState::Ready},
                  {"state", stateOf(device)}};
     if (can.force) json["force_n"] = *can.force;
@@ -33,33 +33,33 @@ Json jsonOf(const SurveyedDevice& device) {
     if (can.workspace) json["workspace_mm"] = {can.workspace->x(), can.workspace->y(), can.workspace->z()};
     if (can.stiffness) json["stiffness_n_per_mm"] = *can.stiffness;
     if (can.buttons) json["buttons"] = *can.buttons;
-    json["text"] = shownText(device.text);
+    json["text"] = displayText(device.text);
     return json;
 }
 
-void printJson(const std::vector<SurveyedDevice>& devices) {
+void printJson(const std::vector<DetectedDevice>& devices) {
     Json json = Json::array();
-    for (const SurveyedDevice& device : devices) json.push_back(jsonOf(device));
-    say("{}\n", json.dump(1, ' ', false, Json::error_handler_t::replace));
+    for (const DetectedDevice& device : devices) json.push_back(jsonOf(device));
+    print("{}\n", json.dump(1, ' ', false, Json::error_handler_t::replace));
 }
 
-void printTable(const std::vector<SurveyedDevice>& devices) {
+void printTable(const std::vector<DetectedDevice>& devices) {
     std::size_t name = 0, backend = 0, state = 0;
-    for (const SurveyedDevice& device : devices) {
+    for (const DetectedDevice& device : devices) {
         name = std::max(name, device.name.size());
         backend = std::max(backend, device.backend.size());
         state = std::max(state, std::string_view(stateOf(device)).size());
     }
-    for (const SurveyedDevice& device : devices) {
-        say("{:<{}}  {:<{}}  {:<{}}  {}\n", device.name, name, device.backend, backend, stateOf(device), state,
-            device.text);
+    for (const DetectedDevice& device : devices) {
+        print("{:<{}}  {:<{}}  {:<{}}  {}\n", device.name, name, device.backend, backend, stateOf(device), state,
+              device.text);
     }
 }
 
 }  // namespace
 
 int runDevices(const DevicesOptions& options) {
-    const std::vector<SurveyedDevice> devices = surveyDevices();
+    const std::vector<DetectedDevice> devices = enumerateDevices();
     options.json ? printJson(devices) : printTable(devices);
     return kExitOk;
 }

@@ -7,12 +7,12 @@
 
 #include "app/cli/runs/doctor_finding.h"
 #include "app/cli/runs/doctor_sound.h"
-#include "app/common/exit_code.h"
 #include "app/cli/terminal/output.h"
 #include "app/common/display_check.h"
+#include "app/common/exit_code.h"
 #include "devices/child_probe.h"
-#include "devices/device_survey.h"
-#include "geometry/util/shown_text.h"
+#include "devices/device_enumeration.h"
+#include "geometry/util/display_text.h"
 #include "haptics/real_time.h"
 #include "view/gl/egl_context.h"
 
@@ -23,19 +23,19 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::array<const char*, 3> kVerdicts = {"fine", "optional", "missing"};
 
-Finding lookAtDisplay() {
+Finding checkDisplayServer() {
     const Expected<void> display = checkDisplay();
     if (!display) return {"display", Verdict::Missing, asSentence(display.error().message)};
     return {"display", Verdict::Fine, "A window can be opened."};
 }
 
-Finding lookAtOpenGl() {
+Finding checkOpenGlRenderer() {
     const auto answer = inChildProcess(
         [] {
             const auto context = EglContext::create();
             return context ? std::string() : context.error().message;
         },
-        kDriverPatience);
+        kDriverTimeout);
     if (!answer) {
         return {"OpenGL", Verdict::Missing,
                 "The graphics driver is broken, " + answer.error().message + ": install it anew."};
@@ -44,7 +44,7 @@ Finding lookAtOpenGl() {
     return {"OpenGL", Verdict::Fine, "OpenGL 4.1 works."};
 }
 
-Finding lookAtRealTime() {
+Finding checkRealTime() {
     const RealTimeRights rights = realTimeRights();
     const std::string missing = missingRights(rights);
     if (missing.empty()) {
@@ -55,16 +55,16 @@ Finding lookAtRealTime() {
 }
 
 /// One of several of its kind is told from the others by the name that --device takes.
-std::string titleOf(const SurveyedDevice& device) {
+std::string titleOf(const DetectedDevice& device) {
     const bool isOneOfSeveral = device.name.find(':') != std::string::npos;
     return isOneOfSeveral ? device.name + ", " + device.backend : device.backend;
 }
 
 std::vector<Finding> examine() {
-    std::vector<Finding> findings = {lookAtDisplay(), lookAtOpenGl()};
-    for (Finding& finding : lookAtSound()) findings.push_back(std::move(finding));
-    findings.push_back(lookAtRealTime());
-    for (const SurveyedDevice& device : surveyDevices()) {
+    std::vector<Finding> findings = {checkDisplayServer(), checkOpenGlRenderer()};
+    for (Finding& finding : checkSound()) findings.push_back(std::move(finding));
+    findings.push_back(checkRealTime());
+    for (const DetectedDevice& device : enumerateDevices()) {
         const bool isReady = device.state == DeviceState::Ready;
         findings.push_back(
             {"device", isReady ? Verdict::Fine : Verdict::Optional, titleOf(device) + ": " + device.text});
@@ -81,12 +81,12 @@ int runDoctor(const DoctorOptions& options) {
         const char* const verdict = kVerdicts[static_cast<std::size_t>(finding.verdict)];
         usable &= finding.verdict != Verdict::Missing;
         if (options.json) {
-            json.push_back({{"area", finding.area}, {"verdict", verdict}, {"text", shownText(finding.text)}});
+            json.push_back({{"area", finding.area}, {"verdict", verdict}, {"text", displayText(finding.text)}});
         } else {
-            say("{:<12}  {:<8}  {}\n", finding.area, verdict, finding.text);
+            print("{:<12}  {:<8}  {}\n", finding.area, verdict, finding.text);
         }
     }
-    if (options.json) say("{}\n", json.dump(1, ' ', false, Json::error_handler_t::replace));
+    if (options.json) print("{}\n", json.dump(1, ' ', false, Json::error_handler_t::replace));
     return usable ? kExitOk : kExitNegative;
 }
 

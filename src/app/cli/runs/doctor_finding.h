@@ -20,7 +20,7 @@ struct Finding {
 };
 
 /// s for a graphics or sound driver to answer.
-inline constexpr double kDriverPatience = 20;
+inline constexpr double kDriverTimeout = 20;
 
 /// `text` with a capital letter and a full stop.
 [[nodiscard]] std::string asSentence(std::string text);

@@ -38,7 +38,7 @@ std::string tryToPlay() {
         }
         plays = output.status() == SoundStatus::Playing;
     }
-    return plays ? '+' + usualSoundDevice() : "-";
+    return plays ? '+' + defaultSoundDevice() : "-";
 }
 
 std::string nullDriverText() {
@@ -53,8 +53,8 @@ std::string nullDriverText() {
            "PulseAudio), and see that 'drivers' in ~/.alsoftrc or /etc/openal/alsoft.conf does not choose it.";
 }
 
-Finding lookAtSoundCard() {
-    const auto answer = inChildProcess(tryToPlay, kDriverPatience);
+Finding checkSoundCard() {
+    const auto answer = inChildProcess(tryToPlay, kDriverTimeout);
     if (!answer) {
         return {kCard, Verdict::Missing,
                 "The sound card's driver is broken, " + answer.error().message +
@@ -71,8 +71,8 @@ Finding lookAtSoundCard() {
 
 }  // namespace
 
-std::vector<Finding> lookAtSound() {
-    const auto answer = inChildProcess(tryToMix, kDriverPatience);
+std::vector<Finding> checkSound() {
+    const auto answer = inChildProcess(tryToMix, kDriverTimeout);
     if (!answer) {
         return {{kSystem, Verdict::Missing,
                  "The sound library (OpenAL) is broken, " + answer.error().message +
@@ -81,7 +81,7 @@ std::vector<Finding> lookAtSound() {
     }
     const bool mixes = answer->empty();
     return {{kSystem, mixes ? Verdict::Fine : Verdict::Optional, mixes ? "OpenAL works." : asSentence(*answer)},
-            lookAtSoundCard()};
+            checkSoundCard()};
 }
 
 }  // namespace tactooth

@@ -9,6 +9,6 @@
 namespace tactooth {
 
 /// Sound system (the library) and sound card. Tries both in child processes: call it while the program has one thread.
-[[nodiscard]] std::vector<Finding> lookAtSound();
+[[nodiscard]] std::vector<Finding> checkSound();
 
 }  // namespace tactooth

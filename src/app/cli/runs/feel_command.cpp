@@ -4,16 +4,16 @@
 
 #include <algorithm>
 
-#include "app/common/exit_code.h"
 #include "app/cli/terminal/output.h"
+#include "app/common/exit_code.h"
 #include "geometry/files/file_bytes.h"
-#include "geometry/files/file_set.h"
+#include "geometry/files/file_transaction.h"
 #include "haptics/latency_histogram.h"
 #include "haptics/load_surface.h"
 #include "session/cases/open_case.h"
-#include "session/scripts/feel_run.h"
 #include "session/io/material_file.h"
 #include "session/io/tick_csv.h"
+#include "session/scripts/touch_run.h"
 
 namespace tactooth {
 namespace {
@@ -25,9 +25,9 @@ struct FeltTooth {
 };
 
 /// All of a case in the frame of one of its teeth, or a surface, which may be open.
-Expected<FeltTooth> toothOf(const FeelOptions& options, std::vector<Remark>& remarks) {
+Expected<FeltTooth> toothOf(const FeelOptions& options, std::vector<ImportNote>& importNotes) {
     if (!isCase(options.tooth)) {
-        auto surface = loadSurface(options.tooth, &remarks);
+        auto surface = loadSurface(options.tooth, &importNotes);
         if (!surface) return Unexpected{surface.error()};
         return FeltTooth{std::move(*surface), {}};
     }
@@ -41,42 +41,42 @@ Expected<FeltTooth> toothOf(const FeelOptions& options, std::vector<Remark>& rem
 }  // namespace
 
 int runFeel(const FeelOptions& options) {
-    FileSet files;
+    FileTransaction files;
     for (const auto& input : {options.trajectory, options.tooth, options.tool, options.materials}) files.reads(input);
-    if (const auto opened = files.open(options.out); !opened) return refuse(opened.error());
+    if (const auto opened = files.open(options.out); !opened) return reportError(opened.error());
     const auto trajectory = readTrajectory(options.trajectory);
-    if (!trajectory) return refuse(trajectory.error());
-    std::vector<Remark> remarks;
-    const auto tooth = toothOf(options, remarks);
-    if (!tooth) return refuse(tooth.error());
-    const auto tool = loadTool(options.tool, &remarks);
-    if (!tool) return refuse(tool.error());
-    printRemarks(remarks);
+    if (!trajectory) return reportError(trajectory.error());
+    std::vector<ImportNote> importNotes;
+    const auto tooth = toothOf(options, importNotes);
+    if (!tooth) return reportError(tooth.error());
+    const auto tool = loadTool(options.tool, &importNotes);
+    if (!tool) return reportError(tool.error());
+    printImportNotes(importNotes);
     const auto materials =
         options.materials.empty() && tooth->materials ? *tooth->materials : materialsFrom(options.materials);
-    if (!materials) return refuse(materials.error());
+    if (!materials) return reportError(materials.error());
     auto file = TickCsv::create(options.out);
-    if (!file) return refuse(file.error());
+    if (!file) return reportError(file.error());
 
     HapticSettings settings;
     settings.materials = *materials;
     settings.mode = options.mode == "penalty" ? ContactMode::Penalty : ContactMode::Proxy;
-    settings.freedom = options.freedom == 6 ? Freedom::ShiftAndTurn : Freedom::Shift;
+    settings.freedom = options.freedom == 6 ? Freedom::TranslationAndRotation : Freedom::Translation;
     settings.force = {options.stiffness, options.damping, options.friction};
     HapticSimulation simulation(*tool, (*tool)->radius(), tooth->surface, settings);
     LatencyHistogram micros;
-    double strongest = 0;
-    const auto felt = feelAlong(*trajectory, simulation, [&](double time, const Tick& tick) {
+    double maxForce = 0;
+    const auto felt = runTouchPath(*trajectory, simulation, [&](double time, const Tick& tick) {
         file->write(time, tick);
         micros.add(tick.micros);
-        strongest = std::max(strongest, tick.wrench.force.norm());
+        maxForce = std::max(maxForce, tick.wrench.force.norm());
     });
-    if (!felt) return refuse(felt.error());
-    if (const auto done = file->commit(); !done) return refuse(done.error());
-    if (const auto done = files.commit(); !done) return refuse(done.error());
-    say("{} ticks written to {}\n", trajectory->size(), shownName(options.out));
-    say("largest force {:.3f} N; time per tick p50 {:.1f}, p99 {:.1f}, max {:.1f} us\n", strongest,
-        micros.quantile(0.5), micros.quantile(0.99), micros.largest());
+    if (!felt) return reportError(felt.error());
+    if (const auto done = file->commit(); !done) return reportError(done.error());
+    if (const auto done = files.commit(); !done) return reportError(done.error());
+    print("{} ticks written to {}\n", trajectory->size(), displayName(options.out));
+    print("largest force {:.3f} N; time per tick p50 {:.1f}, p99 {:.1f}, max {:.1f} us\n", maxForce,
+          micros.quantile(0.5), micros.quantile(0.99), micros.largest());
     return kExitOk;
 }
 

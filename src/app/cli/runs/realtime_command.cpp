@@ -8,16 +8,16 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "app/common/exit_code.h"
 #include "app/cli/terminal/output.h"
 #include "app/cli/terminal/timing_bars.h"
-#include "devices/scripted_hand.h"
+#include "app/common/exit_code.h"
+#include "devices/simulated_device.h"
 #include "geometry/mesh/triangle_mesh.h"
+#include "haptics/overload_check.h"
 #include "haptics/real_time.h"
-#include "haptics/scene_load.h"
 #include "instruments/builtin_tooth.h"
 #include "instruments/bur_shape.h"
-#include "session/io/run_facts.h"
+#include "session/io/run_metadata.h"
 #include "session/simulation/simulator.h"
 #include "session/simulation/tooth_source.h"
 
@@ -32,12 +32,12 @@ constexpr double kStrokeTime = 0.25;  // s
 constexpr double kSink = 1.5;         // mm that the hand wants to be in the tooth: about 1 N
 
 /// Comes down on the middle of the tooth and strokes to and fro, lifting now and then.
-std::vector<ScriptedMoment> strokes(const Box3& box, double seconds) {
+std::vector<DeviceKeyframe> strokes(const Box3& box, double seconds) {
     const Vec3 middle = box.center();
     const auto at = [&](double time, double x, double z) {
-        return ScriptedMoment{time, {{Vec3(middle.x() + x, middle.y(), z), Quat::Identity()}, 1, 0, true}};
+        return DeviceKeyframe{time, {{Vec3(middle.x() + x, middle.y(), z), Quat::Identity()}, 1, 0, true}};
     };
-    std::vector<ScriptedMoment> script = {at(0, 0, box.max().z() + 2)};
+    std::vector<DeviceKeyframe> script = {at(0, 0, box.max().z() + 2)};
     double time = 0.5;
     for (int i = 0; time < seconds; ++i, time += kStrokeTime) {
         const bool lifted = i % 12 == 0;
@@ -47,9 +47,9 @@ std::vector<ScriptedMoment> strokes(const Box3& box, double seconds) {
 }
 
 /// Keeps cores busy as long as it lives.
-class BusyCores {
+class CpuLoad {
 public:
-    explicit BusyCores(unsigned count) {
+    explicit CpuLoad(unsigned count) {
         for (unsigned i = 0; i < count; ++i) {
             threads_.emplace_back([](const std::stop_token& stop) {
                 volatile double x = 1;
@@ -71,26 +71,26 @@ struct Line {
 
 void printTable(const RealtimeOptions& options, const Simulator& simulator, std::span<const Line> lines,
                 bool memoryLocked) {
-    const RunFacts facts = currentRunFacts();
-    say("machine:  {}\ncommit:   {}\ncommand:  {}\n", facts.machine, facts.commit, facts.command);
-    say("A simulated hand touched and cut the built-in molar for {:.0f} s at {:.0f} Hz{}.\n", options.seconds,
-        options.rateHz, options.load ? ", with all other cores busy" : "");
-    say("Priority: {}; memory: {}; processors: {}.\n\n", simulator.isRealTime() ? "real-time (SCHED_FIFO)" : "ordinary",
-        memoryLocked ? "locked" : "not locked",
-        simulator.sleepsLightly() ? "kept from deep sleep" : "may sleep deeply");
-    say("{:<34} {:>8} {:>8} {:>8} {:>9}\n", "us", "p50", "p99", "p99.9", "max");
+    const RunMetadata facts = currentRunMetadata();
+    print("machine:  {}\ncommit:   {}\ncommand:  {}\n", facts.machine, facts.commit, facts.command);
+    print("A simulated hand touched and cut the built-in molar for {:.0f} s at {:.0f} Hz{}.\n", options.seconds,
+          options.rateHz, options.load ? ", with all other cores busy" : "");
+    print("Priority: {}; memory: {}; processors: {}.\n\n",
+          simulator.isRealTime() ? "real-time (SCHED_FIFO)" : "ordinary", memoryLocked ? "locked" : "not locked",
+          simulator.limitsCpuLatency() ? "kept from deep sleep" : "may sleep deeply");
+    print("{:<34} {:>8} {:>8} {:>8} {:>9}\n", "us", "p50", "p99", "p99.9", "max");
     std::vector<TimingBars> bars;
     for (const auto& [key, title, head, histogram] : lines) {
         bars.push_back({head, histogram->counts()});
-        say("{:<34} {:>8.1f} {:>8.1f} {:>8.1f} {:>9.1f}\n", title, histogram->quantile(0.5), histogram->quantile(0.99),
-            histogram->quantile(0.999), histogram->largest());
+        print("{:<34} {:>8.1f} {:>8.1f} {:>8.1f} {:>9.1f}\n", title, histogram->quantile(0.5),
+              histogram->quantile(0.99), histogram->quantile(0.999), histogram->largest());
     }
-    say("\nHow often it was so long; the bars grow with the logarithm.\n{}", timingBars(bars));
+    print("\nHow often it was so long; the bars grow with the logarithm.\n{}", timingBars(bars));
     const ServoTiming& timing = simulator.timing();
     const auto ticks = static_cast<double>(timing.ticks.load());
     const auto missed = static_cast<double>(timing.missed.load());
-    say("\n{:.0f} ticks, {:.0f} deadlines missed ({:.3f} %).\n", ticks, missed,
-        100 * missed / std::max(1.0, ticks + missed));
+    print("\n{:.0f} ticks, {:.0f} deadlines missed ({:.3f} %).\n", ticks, missed,
+          100 * missed / std::max(1.0, ticks + missed));
 }
 
 /// Upper edges and numbers of an octave each.
@@ -103,7 +103,7 @@ Json binsOf(const LatencyHistogram& histogram) {
 }
 
 Json jsonOf(const RealtimeOptions& options, const Simulator& simulator, std::span<const Line> lines, bool locked) {
-    const RunFacts facts = currentRunFacts();
+    const RunMetadata facts = currentRunMetadata();
     Json json = {{"machine", facts.machine},
                  {"commit", facts.commit},
                  {"command", facts.command},
@@ -113,10 +113,10 @@ Json jsonOf(const RealtimeOptions& options, const Simulator& simulator, std::spa
                  {"load", options.load},
                  {"real_time_priority", simulator.isRealTime()},
                  {"memory_locked", locked},
-                 {"light_sleep", simulator.sleepsLightly()},
+                 {"light_sleep", simulator.limitsCpuLatency()},
                  {"ticks", simulator.timing().ticks.load()},
                  {"missed", simulator.timing().missed.load()},
-                 {"heavy_scene", isSceneHeavy(simulator.timing(), options.rateHz)}};
+                 {"heavy_scene", isOverloaded(simulator.timing(), options.rateHz)}};
     for (const auto& [key, title, head, histogram] : lines) {
         json[key] = {{"p50_us", histogram->quantile(0.5)},
                      {"p99_us", histogram->quantile(0.99)},
@@ -129,10 +129,10 @@ Json jsonOf(const RealtimeOptions& options, const Simulator& simulator, std::spa
 
 /// What to do about it, if the loop was late.
 void printAdvice(const ServoTiming& timing, double rateHz) {
-    const std::string advice = heavySceneAdvice(timing, rateHz);
-    if (!advice.empty()) say("{}\n", advice);
+    const std::string advice = overloadAdvice(timing, rateHz);
+    if (!advice.empty()) print("{}\n", advice);
     const std::string hint = realTimeHint(realTimeRights());
-    if (!hint.empty()) say("{}\n", hint);
+    if (!hint.empty()) print("{}\n", hint);
 }
 
 }  // namespace
@@ -140,16 +140,16 @@ void printAdvice(const ServoTiming& timing, double rateHz) {
 int runRealtime(const RealtimeOptions& options) {
     const BuiltinTooth molar = makeBuiltinTooth(BuiltinToothKind::lowerFirstMolar);
     auto tooth = layeredTooth(molar);
-    if (!tooth) return refuse(tooth.error());
+    if (!tooth) return reportError(tooth.error());
     const BurSpec spec = findBur("57").value();
     const TriangleMesh bur = makeBur(spec).surface;
     auto cutting = makeCuttingTool(bur, spec.sharpness);
-    if (!cutting) return refuse(cutting.error());
-    const auto piece = std::make_shared<WorkPiece>(std::make_shared<const LayeredTooth>(std::move(*tooth)), kVoxel);
-    ScriptedHand hand(*findDevicePreset("touch-x"), *findHandPreset("nominal"),
-                      strokes(boundingBox(molar.outer), options.seconds + 1));
+    if (!cutting) return reportError(cutting.error());
+    const auto piece = std::make_shared<CutModel>(std::make_shared<const LayeredTooth>(std::move(*tooth)), kVoxel);
+    SimulatedDevice hand(*findDevicePreset("touch-x"), *findHandImpedance("nominal"),
+                         strokes(boundingBox(molar.outer), options.seconds + 1));
     const bool locked = lockMemory();
-    const BusyCores busy(options.load ? std::max(1U, std::thread::hardware_concurrency()) - 1 : 0);
+    const CpuLoad busy(options.load ? std::max(1U, std::thread::hardware_concurrency()) - 1 : 0);
 
     Simulator simulator(piece, Instrument{std::make_shared<const ToolShape>(bur), std::move(*cutting), spec.edge()},
                         HapticSettings(), hand, {}, options.rateHz);
@@ -170,14 +170,14 @@ int runRealtime(const RealtimeOptions& options) {
          {"lateness", "waking up: late by", "woken late by", &timing.lateness},
          {"device_to_force", "from the reading to its force", "reading to force", &simulator.deviceToForce()}}};
     if (options.json) {
-        say("{}\n", jsonOf(options, simulator, lines, locked).dump(1, ' ', false, Json::error_handler_t::replace));
+        print("{}\n", jsonOf(options, simulator, lines, locked).dump(1, ' ', false, Json::error_handler_t::replace));
     } else {
         printTable(options, simulator, lines, locked);
         printAdvice(timing, options.rateHz);
     }
     const auto all = static_cast<double>(timing.ticks + timing.missed);
-    constexpr double kMostMissed = 0.01;  // of the deadlines: a hand feels more
-    return static_cast<double>(timing.missed) > kMostMissed * all ? kExitNegative : kExitOk;
+    constexpr double kMaxMissed = 0.01;  // of the deadlines: a hand feels more
+    return static_cast<double>(timing.missed) > kMaxMissed * all ? kExitNegative : kExitOk;
 }
 
 }  // namespace tactooth

@@ -6,16 +6,16 @@
 
 #include <optional>
 
-#include "app/common/exit_code.h"
 #include "app/cli/terminal/output.h"
+#include "app/common/exit_code.h"
 #include "app/common/spectrogram_image.h"
 #include "geometry/files/atomic_file.h"
 #include "geometry/files/file_bytes.h"
-#include "geometry/files/file_set.h"
+#include "geometry/files/file_transaction.h"
 #include "session/audio/sound_preset.h"
 #include "session/audio/sound_profile.h"
-#include "sound/output/audio_libraries.h"
 #include "sound/files/wav_file.h"
+#include "sound/output/audio_libraries.h"
 
 namespace tactooth {
 namespace {
@@ -31,9 +31,9 @@ Expected<void> write(const SoundOptions& options, std::span<const TimedSoundStat
     const std::size_t frames = framesOf(seconds);
     auto wav = WavWriter::create(options.out, frames);
     if (!wav) return Unexpected{wav.error()};
-    std::optional<SpectrogramMaker> spectrogram;
+    std::optional<SpectrogramBuilder> spectrogram;
     if (!options.spectrogram.empty()) spectrogram.emplace(frames, kSpectrogramTimes);
-    auto rendered = renderInPieces(track, seconds, settings, [&](std::span<const float> stereo) {
+    auto rendered = renderInChunks(track, seconds, settings, [&](std::span<const float> stereo) {
         wav->write(stereo);
         if (spectrogram) spectrogram->add(stereo);
     });
@@ -47,13 +47,13 @@ Expected<void> write(const SoundOptions& options, std::span<const TimedSoundStat
 }  // namespace
 
 int runSound(const SoundOptions& options) {
-    FileSet files;
+    FileTransaction files;
     for (const auto& input : {options.profile, options.sounds}) files.reads(input);
     for (const auto& output : {options.out, options.spectrogram}) {
-        if (const auto opened = files.open(output); !opened) return refuse(opened.error());
+        if (const auto opened = files.open(output); !opened) return reportError(opened.error());
     }
     auto track = readSoundProfile(options.profile, driveNamed(options.drive));
-    if (!track) return refuse(track.error());
+    if (!track) return reportError(track.error());
     for (TimedSoundState& moment : *track) {
         moment.state.blades = options.blades;
         if (options.water) moment.state.water = moment.state.pedal;
@@ -62,15 +62,15 @@ int runSound(const SoundOptions& options) {
     OfflineSettings settings;
     if (!options.sounds.empty()) {
         const auto kit = readSoundKit(options.sounds, driveNamed(options.drive));
-        if (!kit) return refuse(kit.error());
+        if (!kit) return reportError(kit.error());
         settings.kit = *kit;
     }
     prepareAudioLibraries();
     settings.headphones = options.headphones;
-    if (const auto done = write(options, *track, settings); !done) return refuse(done.error());
-    if (const auto done = files.commit(); !done) return refuse(done.error());
-    say("{:.3f} s of sound written to {}\n", track->back().time, shownName(options.out));
-    if (!options.spectrogram.empty()) say("its spectrum over time is in {}\n", shownName(options.spectrogram));
+    if (const auto done = write(options, *track, settings); !done) return reportError(done.error());
+    if (const auto done = files.commit(); !done) return reportError(done.error());
+    print("{:.3f} s of sound written to {}\n", track->back().time, displayName(options.out));
+    if (!options.spectrogram.empty()) print("its spectrum over time is in {}\n", displayName(options.spectrogram));
     return kExitOk;
 }
 

@@ -4,9 +4,9 @@
 
 #include <fmt/core.h>
 
-#include "app/common/exit_code.h"
 #include "app/cli/terminal/mesh_summary.h"
 #include "app/cli/terminal/output.h"
+#include "app/common/exit_code.h"
 #include "geometry/files/file_bytes.h"
 #include "geometry/io/stl_writer.h"
 #include "instruments/contra_angle.h"
@@ -23,10 +23,10 @@ std::string edgeOf(const BurSpec& spec) {
 }
 
 int printList() {
-    say("{:<9}{:<21}{:>5}{:>7}{:>7}  {:<10}{}\n", "number", "ISO 6360", "mm", "long", "taper", "cuts with", "name");
+    print("{:<9}{:<21}{:>5}{:>7}{:>7}  {:<10}{}\n", "number", "ISO 6360", "mm", "long", "taper", "cuts with", "name");
     for (const BurSpec& spec : burCatalogue()) {
-        say("{:<9}{:<21}{:>5.1f}{:>7.2f}{:>7.0f}  {:<10}{}\n", spec.number, isoNumber(spec), spec.headDiameter,
-            spec.headLength, spec.taperDegrees, edgeOf(spec), spec.name);
+        print("{:<9}{:<21}{:>5.1f}{:>7.2f}{:>7.0f}  {:<10}{}\n", spec.number, isoNumber(spec), spec.headDiameter,
+              spec.headLength, spec.taperDegrees, edgeOf(spec), spec.name);
     }
     return kExitOk;
 }
@@ -35,17 +35,17 @@ int printList() {
 
 int runBur(const BurOptions& options) {
     if (options.list) return printList();
-    if (options.number.empty()) return refuse({"no bur is named; give a number, or --list for all of them."});
+    if (options.number.empty()) return reportError({"no bur is named; give a number, or --list for all of them."});
     const auto spec = findBur(options.number);
     if (!spec) {
-        return refuse(
+        return reportError(
             {fmt::format("the catalogue has no bur '{}'; 'tactooth bur --list' shows what it has.", options.number)});
     }
-    if (options.out.empty()) return refuse({"--out is missing; name the STL file to write."});
-    const Bur bur = makeBurOf(*spec, options.triangles);
-    if (const auto done = writeStl(bur.surface, options.out); !done) return refuse(done.error());
-    say("{} (ISO {}), head {:.2f} x {:.2f} mm\n{}: {}\n", spec->name, isoNumber(*spec), spec->headDiameter,
-        spec->headLength, shownName(options.out), meshSummary(reportOn(bur.surface)));
+    if (options.out.empty()) return reportError({"--out is missing; name the STL file to write."});
+    const Bur bur = makeBurWithTriangles(*spec, options.triangles);
+    if (const auto done = writeStl(bur.surface, options.out); !done) return reportError(done.error());
+    print("{} (ISO {}), head {:.2f} x {:.2f} mm\n{}: {}\n", spec->name, isoNumber(*spec), spec->headDiameter,
+          spec->headLength, displayName(options.out), meshSummary(reportOn(bur.surface)));
     return kExitOk;
 }
 
@@ -57,8 +57,8 @@ int runInstrument(const InstrumentOptions& options) {
     if (options.name == "mirror-24") mesh = makeMirror(24).surface;
     if (options.name == "explorer") mesh = makeExplorer();
     if (options.name == "probe") mesh = makePeriodontalProbe();
-    if (const auto done = writeStl(mesh, options.out); !done) return refuse(done.error());
-    say("{}: {}\n", shownName(options.out), meshSummary(reportOn(mesh)));
+    if (const auto done = writeStl(mesh, options.out); !done) return reportError(done.error());
+    print("{}: {}\n", displayName(options.out), meshSummary(reportOn(mesh)));
     return kExitOk;
 }
 

@@ -7,13 +7,13 @@
 #include <array>
 #include <utility>
 
-#include "app/common/exit_code.h"
 #include "app/cli/shapes/gallery_pictures.h"
 #include "app/cli/terminal/output.h"
 #include "app/common/contact_sheet.h"
-#include "app/common/picture_application.h"
+#include "app/common/exit_code.h"
+#include "app/common/offscreen_application.h"
 #include "geometry/files/file_bytes.h"
-#include "geometry/files/file_set.h"
+#include "geometry/files/file_transaction.h"
 #include "geometry/files/folder.h"
 #include "instruments/contra_angle.h"
 #include "instruments/hand_instruments.h"
@@ -32,14 +32,14 @@ constexpr std::array kUpper = {18, 17, 16, 15, 14, 13, 12, 11, 21, 22, 23, 24, 2
 constexpr std::array kLower = {48, 47, 46, 45, 44, 43, 42, 41, 31, 32, 33, 34, 35, 36, 37, 38};
 
 Expected<std::shared_ptr<const Surface>> surfaceOf(int fdi, const GalleryOptions& options) {
-    const ToothCache cache(options.noCache ? std::filesystem::path() : usualCacheFolder());
+    const ToothCache cache(options.noCache ? std::filesystem::path() : defaultCacheFolder());
     return shownSurface(cache.make({fdi, options.triangles, options.seed, {}}));
 }
 
 /// The three views of a tooth below each other, from `row` on; an upper tooth's chewing surface comes last, a lower
 /// one's first, as the arches face each other.
 Expected<void> placeTooth(ContactSheet& sheet, OffscreenRenderer& renderer, const GalleryOptions& options, int fdi,
-                          int column, int firstRow, PictureSize tile) {
+                          int column, int firstRow, ImageSize tile) {
     constexpr double kHeight = 27.5, kAcross = 15.5;  // mm: the longest tooth, the widest crown
     const auto surface = surfaceOf(fdi, options);
     if (!surface) return Unexpected{surface.error()};
@@ -54,7 +54,7 @@ Expected<void> placeTooth(ContactSheet& sheet, OffscreenRenderer& renderer, cons
 }
 
 Expected<void> drawTeeth(OffscreenRenderer& renderer, const GalleryOptions& options) {
-    constexpr PictureSize kTile{150, 190};
+    constexpr ImageSize kTile{150, 190};
     ContactSheet sheet(static_cast<int>(kUpper.size()), 6, kTile);
     for (int column = 0; column < static_cast<int>(kUpper.size()); ++column) {
         if (auto done = placeTooth(sheet, renderer, options, kUpper[column], column, 0, kTile); !done) return done;
@@ -65,7 +65,7 @@ Expected<void> drawTeeth(OffscreenRenderer& renderer, const GalleryOptions& opti
 
 /// Only the named teeth, larger.
 Expected<void> drawSome(OffscreenRenderer& renderer, const GalleryOptions& options) {
-    constexpr PictureSize kTile{420, 480};
+    constexpr ImageSize kTile{420, 480};
     ContactSheet sheet(static_cast<int>(options.teeth.size()), 3, kTile);
     for (int column = 0; column < static_cast<int>(options.teeth.size()); ++column) {
         if (auto done = placeTooth(sheet, renderer, options, options.teeth[column], column, 0, kTile); !done)
@@ -75,7 +75,7 @@ Expected<void> drawSome(OffscreenRenderer& renderer, const GalleryOptions& optio
 }
 
 Expected<void> drawInstruments(OffscreenRenderer& renderer, const std::filesystem::path& out) {
-    constexpr PictureSize kTile{150, 260};
+    constexpr ImageSize kTile{150, 260};
     constexpr double kBurHeight = 12;  // mm
     constexpr int kColumns = 14;
     const std::vector<BurSpec>& burs = burCatalogue();
@@ -104,7 +104,7 @@ std::vector<const char*> sheetsOf(const GalleryOptions& options) {
     return options.teeth.empty() ? std::vector{"teeth.png", "instruments.png"} : std::vector{"teeth.png"};
 }
 
-Expected<void> openFiles(const GalleryOptions& options, FileSet& files) {
+Expected<void> openFiles(const GalleryOptions& options, FileTransaction& files) {
     if (auto made = files.makeFolder(options.out); !made) return made;
     for (const char* name : sheetsOf(options)) {
         if (auto opened = files.open(options.out / name); !opened) return opened;
@@ -115,29 +115,29 @@ Expected<void> openFiles(const GalleryOptions& options, FileSet& files) {
 }  // namespace
 
 int runGallery(const GalleryOptions& options) {
-    constexpr std::size_t kMostTeeth = 32;
-    if (options.teeth.size() > kMostTeeth) {
-        return refuse({fmt::format("--teeth names {} teeth, and a sheet has room for {}; name each once.",
-                                   options.teeth.size(), kMostTeeth)});
+    constexpr std::size_t kMaxTeeth = 32;
+    if (options.teeth.size() > kMaxTeeth) {
+        return reportError({fmt::format("--teeth names {} teeth, and a sheet has room for {}; name each once.",
+                                        options.teeth.size(), kMaxTeeth)});
     }
     for (const int fdi : options.teeth) {
         if (!isPermanentTooth(fdi)) {
-            return refuse(
+            return reportError(
                 {fmt::format("{} is no permanent tooth; FDI numbers are 11-18, 21-28, 31-38 and 41-48.", fdi)});
         }
     }
-    FileSet files;
-    if (const auto opened = openFiles(options, files); !opened) return refuse(opened.error());
-    const PictureApplication application;
+    FileTransaction files;
+    if (const auto opened = openFiles(options, files); !opened) return reportError(opened.error());
+    const OffscreenApplication application;
     Expected<OffscreenRenderer> renderer = OffscreenRenderer::create();
-    if (!renderer) return refuse(renderer.error());
+    if (!renderer) return reportError(renderer.error());
     const auto teeth = options.teeth.empty() ? drawTeeth(*renderer, options) : drawSome(*renderer, options);
-    if (!teeth) return refuse(teeth.error());
+    if (!teeth) return reportError(teeth.error());
     if (options.teeth.empty()) {
-        if (const auto done = drawInstruments(*renderer, options.out); !done) return refuse(done.error());
+        if (const auto done = drawInstruments(*renderer, options.out); !done) return reportError(done.error());
     }
-    if (const auto done = files.commit(); !done) return refuse(done.error());
-    for (const char* name : sheetsOf(options)) say("{}\n", shownName(options.out / name));
+    if (const auto done = files.commit(); !done) return reportError(done.error());
+    for (const char* name : sheetsOf(options)) print("{}\n", displayName(options.out / name));
     return kExitOk;
 }
 

@@ -12,7 +12,7 @@ namespace tactooth {
 namespace {
 
 /// A camera that shows a cube of this size around `centre`, from afar so that sizes can be compared.
-Camera cameraOn(const Vec3& centre, double millimetres, OrbitCamera orbit, PictureSize size) {
+Camera cameraOn(const Vec3& centre, double millimetres, OrbitCamera orbit, ImageSize size) {
     const double half = millimetres / 2;
     orbit.fit(Box3(centre.array() - half / std::numbers::sqrt3, centre.array() + half / std::numbers::sqrt3),
               size.aspect() > 1 ? size.aspect() : 1);
@@ -30,7 +30,7 @@ Background plainBackground() {
     return {Background::Kind::Gradient, grey, 1.18F * grey};
 }
 
-Expected<Image> draw(OffscreenRenderer& renderer, Scene scene, PictureSize size) {
+Expected<Image> draw(OffscreenRenderer& renderer, Scene scene, ImageSize size) {
     scene.background = plainBackground();
     return renderer.render(scene, size);
 }
@@ -46,10 +46,10 @@ Expected<std::shared_ptr<const Surface>> shownSurface(const BuiltinTooth& tooth)
 }
 
 Expected<Image> toothPicture(OffscreenRenderer& renderer, const std::shared_ptr<const Surface>& surface, int fdi,
-                             StandardView view, double millimetres, PictureSize size) {
+                             StandardView view, double millimetres, ImageSize size) {
     const bool upper = fdi < 30, occlusal = view == StandardView::Occlusal;
     OrbitCamera orbit;
-    orbit.look(view, mesialX(fdi));
+    orbit.setView(view, mesialX(fdi));
     const Quat turn = upper && !occlusal ? rootsUp(view) : Quat::Identity();
     const Box3 box = surface->base->tree().box();
     SceneContents contents;
@@ -61,7 +61,7 @@ Expected<Image> toothPicture(OffscreenRenderer& renderer, const std::shared_ptr<
     return draw(renderer, std::move(scene), size);
 }
 
-Expected<Image> burPicture(OffscreenRenderer& renderer, const BurSpec& spec, double millimetres, PictureSize size) {
+Expected<Image> burPicture(OffscreenRenderer& renderer, const BurSpec& spec, double millimetres, ImageSize size) {
     constexpr int kTriangles = 20000;
     SceneContents contents;
     contents.tool = ShownTool{.bur = std::make_shared<const TriangleMesh>(makeBur(spec, kTriangles).surface),
@@ -70,19 +70,19 @@ Expected<Image> burPicture(OffscreenRenderer& renderer, const BurSpec& spec, dou
                               .toolInTooth = {},
                               .spin = 0};
     OrbitCamera orbit;
-    orbit.look({.azimuth = 0.6, .elevation = -0.25});
+    orbit.setView({.azimuth = 0.6, .elevation = -0.25});
     contents.camera = cameraOn(Vec3(0, 0, 0.44 * millimetres), millimetres, orbit, size);
     return draw(renderer, makeScene(contents), size);
 }
 
-Expected<Image> instrumentPicture(OffscreenRenderer& renderer, const TriangleMesh& mesh, PictureSize size) {
+Expected<Image> instrumentPicture(OffscreenRenderer& renderer, const TriangleMesh& mesh, ImageSize size) {
     Scene scene;
     SceneObject object;
     object.shape = std::make_shared<const TriangleMesh>(mesh);
-    object.looks = {looks::steel()};
+    object.appearances = {appearances::steel()};
     scene.objects.push_back(std::move(object));
     OrbitCamera orbit;
-    orbit.look({.azimuth = 1.2, .elevation = 0.35});
+    orbit.setView({.azimuth = 1.2, .elevation = 0.35});
     orbit.fit(boundingBox(mesh), size.aspect());
     scene.camera = orbit.camera();
     scene.lighting = operatingLight(scene.camera);

@@ -7,25 +7,24 @@
 #include "geometry/util/expected.h"
 #include "instruments/builtin_tooth.h"
 #include "instruments/bur_catalogue.h"
-#include "view/render/offscreen.h"
 #include "view/camera/orbit_camera.h"
+#include "view/render/offscreen.h"
 
 namespace tactooth {
 
 /// A tooth from one of the standard sides, all teeth in one scale: `millimetres` along the height of the picture. Upper
 /// teeth stand as in the mouth, their roots up.
 [[nodiscard]] Expected<Image> toothPicture(OffscreenRenderer& renderer, const std::shared_ptr<const Surface>& surface,
-                                           int fdi, StandardView view, double millimetres, PictureSize size);
+                                           int fdi, StandardView view, double millimetres, ImageSize size);
 
 /// The tooth's surface, each triangle tagged by its material.
 [[nodiscard]] Expected<std::shared_ptr<const Surface>> shownSurface(const BuiltinTooth& tooth);
 
 /// A bur, standing on its tip.
 [[nodiscard]] Expected<Image> burPicture(OffscreenRenderer& renderer, const BurSpec& spec, double millimetres,
-                                         PictureSize size);
+                                         ImageSize size);
 
 /// Any other instrument of steel, as large as the picture allows.
-[[nodiscard]] Expected<Image> instrumentPicture(OffscreenRenderer& renderer, const TriangleMesh& mesh,
-                                                PictureSize size);
+[[nodiscard]] Expected<Image> instrumentPicture(OffscreenRenderer& renderer, const TriangleMesh& mesh, ImageSize size);
 
 }  // namespace tactooth

@@ -7,11 +7,11 @@
 #include <algorithm>
 #include <array>
 
-#include "app/common/exit_code.h"
 #include "app/cli/terminal/mesh_summary.h"
 #include "app/cli/terminal/output.h"
+#include "app/common/exit_code.h"
 #include "geometry/files/file_bytes.h"
-#include "geometry/files/file_set.h"
+#include "geometry/files/file_transaction.h"
 #include "geometry/files/folder.h"
 #include "geometry/io/stl_writer.h"
 #include "session/simulation/tooth_cache.h"
@@ -25,7 +25,7 @@ constexpr std::array kLayerFiles = {"outer.stl", "enamel.stl", "dentin.stl", "pu
 constexpr std::array kGumFiles = {"gingiva-upper.stl", "gingiva-lower.stl"};
 
 /// All that will be written, before the teeth are made.
-Expected<void> openAll(const MouthOptions& options, FileSet& files) {
+Expected<void> openAll(const MouthOptions& options, FileTransaction& files) {
     if (auto done = files.makeFolder(options.out); !done) return done;
     for (int fdi = 11; fdi <= 48; ++fdi) {
         if (!isPermanentTooth(fdi) || std::ranges::count(options.mouth.missing, fdi) > 0) continue;
@@ -44,15 +44,15 @@ Expected<void> openAll(const MouthOptions& options, FileSet& files) {
 Expected<void> writeTooth(const BuiltinTooth& tooth, const Pose& pose, const fs::path& folder) {
     const std::array meshes = {&tooth.outer, &tooth.enamel, &tooth.dentin, &tooth.pulp};
     for (std::size_t i = 0; i < meshes.size(); ++i) {
-        if (auto done = writeStl(moved(*meshes[i], pose), folder / kLayerFiles[i]); !done) return done;
+        if (auto done = writeStl(transformed(*meshes[i], pose), folder / kLayerFiles[i]); !done) return done;
     }
     return {};
 }
 
 Expected<void> writeMouth(const MouthOptions& options) {
-    FileSet files;
+    FileTransaction files;
     if (auto done = openAll(options, files); !done) return done;
-    const auto mouth = mouthAsWished(options.mouth);
+    const auto mouth = mouthFromSpec(options.mouth);
     if (!mouth) return Unexpected{mouth.error()};
     std::size_t triangles = 0;
     for (const MouthTooth& tooth : mouth->teeth) {
@@ -60,37 +60,37 @@ Expected<void> writeMouth(const MouthOptions& options) {
         if (auto done = writeTooth(tooth.tooth, mouth->poseOf(tooth), folder); !done) return done;
         triangles += tooth.tooth.outer.triangles.size();
     }
-    const std::array gums = {mouth->upperGingiva, moved(mouth->lowerGingiva, mouth->lowerJaw)};
+    const std::array gums = {mouth->upperGingiva, transformed(mouth->lowerGingiva, mouth->lowerJaw)};
     for (std::size_t i = 0; i < gums.size(); ++i) {
         if (auto done = writeStl(gums[i], options.out / kGumFiles[i]); !done) return done;
     }
     if (auto done = files.commit(); !done) return done;
-    say("{} teeth in {}, each with outer.stl, enamel.stl, dentin.stl and pulp.stl; {} outer triangles in all\n",
-        mouth->teeth.size(), shownName(options.out), triangles);
+    print("{} teeth in {}, each with outer.stl, enamel.stl, dentin.stl and pulp.stl; {} outer triangles in all\n",
+          mouth->teeth.size(), displayName(options.out), triangles);
     for (std::size_t i = 0; i < gums.size(); ++i) {
-        say("{}: {}\n", shownName(options.out / kGumFiles[i]), meshSummary(reportOn(gums[i])));
+        print("{}: {}\n", displayName(options.out / kGumFiles[i]), meshSummary(reportOn(gums[i])));
     }
-    say("frame: +x to the patient's right, +y forward, +z up, mm; the jaw is {}\n", options.mouth.jaw);
+    print("frame: +x to the patient's right, +y forward, +z up, mm; the jaw is {}\n", options.mouth.jaw);
     return {};
 }
 
 }  // namespace
 
-Expected<BuiltinMouth> mouthAsWished(const MouthWishes& wishes) {
-    for (const int fdi : wishes.missing) {
+Expected<BuiltinMouth> mouthFromSpec(const MouthSpec& spec) {
+    for (const int fdi : spec.missing) {
         if (isPermanentTooth(fdi)) continue;
         return unexpected(
             fmt::format("{} in --missing is no permanent tooth; FDI numbers are 11-18, 21-28, 31-38 and 41-48.", fdi));
     }
-    const ToothCache cache(wishes.noCache ? fs::path() : usualCacheFolder());
-    const MouthRequest request{wishes.triangles, wishes.seed, wishes.jaw == "open" ? JawPose::open : JawPose::closed,
-                               wishes.missing};
+    const ToothCache cache(spec.noCache ? fs::path() : defaultCacheFolder());
+    const MouthRequest request{spec.triangles, spec.seed, spec.jaw == "open" ? JawPose::open : JawPose::closed,
+                               spec.missing};
     return cache.makeMouth(request);
 }
 
 int runMouth(const MouthOptions& options) {
     const auto done = writeMouth(options);
-    return done ? kExitOk : refuse(done.error());
+    return done ? kExitOk : reportError(done.error());
 }
 
 }  // namespace tactooth

@@ -13,7 +13,7 @@
 namespace tactooth {
 
 /// Which mouth is wanted.
-struct MouthWishes {
+struct MouthSpec {
     int triangles = 20000;
     std::uint32_t seed = 0;
     std::string jaw = "closed";  ///< or "open"
@@ -22,10 +22,10 @@ struct MouthWishes {
 };
 
 /// Fails with a sentence where a tooth that is to be missing is none.
-[[nodiscard]] Expected<BuiltinMouth> mouthAsWished(const MouthWishes& wishes);
+[[nodiscard]] Expected<BuiltinMouth> mouthFromSpec(const MouthSpec& spec);
 
 struct MouthOptions {
-    MouthWishes mouth;
+    MouthSpec mouth;
     std::filesystem::path out;
 };
 

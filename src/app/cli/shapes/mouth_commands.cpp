@@ -1,25 +1,25 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/shapes/bur_command.h"
-#include "app/cli/terminal/command_registry.h"
 #include "app/cli/shapes/gallery_command.h"
 #include "app/cli/shapes/mouth_command.h"
-#include "app/cli/terminal/number_range.h"
 #include "app/cli/shapes/tooth_command.h"
+#include "app/cli/terminal/command_registry.h"
+#include "app/cli/terminal/number_range.h"
 
 namespace tactooth {
 namespace {
 
 // Of one tooth, and of each of the 32 that a mouth keeps at once: a gigabyte.
-constexpr int kMostOfTooth = 2'000'000, kMostOfMouth = 250'000;
+constexpr int kMaxOfTooth = 2'000'000, kMaxOfMouth = 250'000;
 
-CLI::Option* addTriangles(CLI::App& command, int& triangles, const std::string& ofWhat, int most = kMostOfTooth) {
+CLI::Option* addTriangles(CLI::App& command, int& triangles, const std::string& ofWhat, int most = kMaxOfTooth) {
     return command.add_option("--triangles", triangles, ofWhat + ", about (default: 20000)")
         ->transform(wholeNumberFrom(1000, most))
         ->type_name("N");
 }
 
-void addBur(CLI::App& program, Chosen& chosen) {
+void addBur(CLI::App& program, CommandAction& chosen) {
     const auto options = std::make_shared<BurOptions>();
     CLI::App* command = addCommand(program, chosen, "bur",
                                    "Writes a bur of the catalogue as a closed STL surface: tip at the origin, +z along "
@@ -36,7 +36,7 @@ void addBur(CLI::App& program, Chosen& chosen) {
         ->type_name("N");
 }
 
-void addInstrument(CLI::App& program, Chosen& chosen) {
+void addInstrument(CLI::App& program, CommandAction& chosen) {
     const auto options = std::make_shared<InstrumentOptions>();
     CLI::App* command =
         addCommand(program, chosen, "instrument", "Writes a handpiece or hand instrument as a closed STL surface, mm.",
@@ -54,7 +54,7 @@ void addInstrument(CLI::App& program, Chosen& chosen) {
         ->type_name("N");
 }
 
-void addTooth(CLI::App& program, Chosen& chosen) {
+void addTooth(CLI::App& program, CommandAction& chosen) {
     const auto options = std::make_shared<ToothOptions>();
     CLI::App* command = addCommand(program, chosen, "tooth",
                                    "Makes a permanent tooth with enamel, dentin and pulp and writes its layers as "
@@ -86,7 +86,7 @@ void addTooth(CLI::App& program, Chosen& chosen) {
         ->type_name("MM");
 }
 
-void addWholeMouth(CLI::App& program, Chosen& chosen) {
+void addWholeMouth(CLI::App& program, CommandAction& chosen) {
     const auto options = std::make_shared<MouthOptions>();
     CLI::App* command = addCommand(program, chosen, "mouth",
                                    "Makes all teeth of a mouth, in place on two arches, with their layers and the "
@@ -95,10 +95,10 @@ void addWholeMouth(CLI::App& program, Chosen& chosen) {
     command->add_option("--out", options->out, "Folder for gingiva-upper.stl, gingiva-lower.stl and 46/outer.stl etc.")
         ->required()
         ->type_name("DIR");
-    addMouthWishes(*command, options->mouth, nullptr);
+    addMouthSpecOptions(*command, options->mouth, nullptr);
 }
 
-void addGallery(CLI::App& program, Chosen& chosen) {
+void addGallery(CLI::App& program, CommandAction& chosen) {
     const auto options = std::make_shared<GalleryOptions>();
     CLI::App* command = addCommand(program, chosen, "gallery",
                                    "Draws the built-in teeth and instruments as contact sheets, teeth.png and "
@@ -117,26 +117,26 @@ void addGallery(CLI::App& program, Chosen& chosen) {
 
 }  // namespace
 
-void addMouthWishes(CLI::App& command, MouthWishes& wishes, CLI::Option* needed) {
+void addMouthSpecOptions(CLI::App& command, MouthSpec& spec, CLI::Option* needed) {
     const std::vector<CLI::Option*> all = {
-        addTriangles(command, wishes.triangles, "Of each tooth", kMostOfMouth),
-        command.add_option("--seed", wishes.seed, "Another patient for each number (default: 0, average teeth)")
+        addTriangles(command, spec.triangles, "Of each tooth", kMaxOfMouth),
+        command.add_option("--seed", spec.seed, "Another patient for each number (default: 0, average teeth)")
             ->transform(seedNumber())
             ->type_name("N"),
-        command.add_option("--jaw", wishes.jaw, "open (40 mm between the incisors) or closed (default)")
+        command.add_option("--jaw", spec.jaw, "open (40 mm between the incisors) or closed (default)")
             ->check(CLI::IsMember({"open", "closed"}))
             ->type_name("POSE"),
-        command.add_option("--missing", wishes.missing, "Teeth that are lost, as 18,28,46; their places have healed")
+        command.add_option("--missing", spec.missing, "Teeth that are lost, as 18,28,46; their places have healed")
             ->delimiter(',')
             ->transform(fdiNumber())
             ->type_name("FDI"),
-        command.add_flag("--no-cache", wishes.noCache,
+        command.add_flag("--no-cache", spec.noCache,
                          "Make all teeth and gums anew, and do not keep them for the next time")};
     if (needed == nullptr) return;
     for (CLI::Option* option : all) option->needs(needed);
 }
 
-void addMouthCommands(CLI::App& program, Chosen& chosen) {
+void addMouthCommands(CLI::App& program, CommandAction& chosen) {
     addBur(program, chosen);
     addInstrument(program, chosen);
     addTooth(program, chosen);

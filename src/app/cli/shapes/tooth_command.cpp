@@ -7,11 +7,11 @@
 #include <array>
 #include <utility>
 
-#include "app/common/exit_code.h"
 #include "app/cli/terminal/mesh_summary.h"
 #include "app/cli/terminal/output.h"
+#include "app/common/exit_code.h"
 #include "geometry/files/file_bytes.h"
-#include "geometry/files/file_set.h"
+#include "geometry/files/file_transaction.h"
 #include "geometry/files/folder.h"
 #include "geometry/io/stl_writer.h"
 #include "session/simulation/tooth_cache.h"
@@ -33,7 +33,8 @@ LesionSite siteOf(const std::string& word) {
 
 void printSize(const BuiltinTooth& tooth) {
     const Box3 box = boundingBox(tooth.outer);
-    say("{} (FDI {}): crown {:.1f} mm, root {:.1f} mm, {:.1f} x {:.1f} mm; +z to the crown, +y buccal, mesial "
+    print(
+        "{} (FDI {}): crown {:.1f} mm, root {:.1f} mm, {:.1f} x {:.1f} mm; +z to the crown, +y buccal, mesial "
         "at {}x\n",
         tooth.name, tooth.fdi, box.max().z(), -box.min().z(), box.sizes().x(), box.sizes().y(),
         mesialX(tooth.fdi) > 0 ? '+' : '-');
@@ -43,25 +44,25 @@ void printSize(const BuiltinTooth& tooth) {
 
 int runTooth(const ToothOptions& options) {
     if (!isPermanentTooth(options.fdi)) {
-        return refuse(
+        return reportError(
             {fmt::format("{} is no permanent tooth; FDI numbers are 11-18, 21-28, 31-38 and 41-48.", options.fdi)});
     }
-    if (options.caries == "occlusal" && isFrontTooth(options.fdi)) {
-        return refuse(
+    if (options.caries == "occlusal" && isAnteriorTooth(options.fdi)) {
+        return reportError(
             {fmt::format("{} is a front tooth and has no occlusal surface; choose mesial, distal, buccal or "
                          "lingual for --caries.",
                          options.fdi)});
     }
-    FileSet files;
-    if (const auto made = files.makeFolder(options.out); !made) return refuse(made.error());
+    FileTransaction files;
+    if (const auto made = files.makeFolder(options.out); !made) return reportError(made.error());
     for (const char* name : {"outer.stl", "enamel.stl", "dentin.stl", "pulp.stl", "caries.stl"}) {
-        if (const auto opened = files.open(options.out / name); !opened) return refuse(opened.error());
+        if (const auto opened = files.open(options.out / name); !opened) return reportError(opened.error());
     }
     ToothRequest request{options.fdi, options.triangles, options.seed, {}};
     if (!options.caries.empty()) {
         request.lesion = Lesion{siteOf(options.caries), options.cariesWidth, options.cariesDepth};
     }
-    const BuiltinTooth tooth = options.noCache ? makeTooth(request) : ToothCache(usualCacheFolder()).make(request);
+    const BuiltinTooth tooth = options.noCache ? makeTooth(request) : ToothCache(defaultCacheFolder()).make(request);
     printSize(tooth);
     std::string lines;
     for (const auto& [name, mesh] : {std::pair("outer.stl", &tooth.outer), std::pair("enamel.stl", &tooth.enamel),
@@ -69,11 +70,11 @@ int runTooth(const ToothOptions& options) {
                                      std::pair("caries.stl", &tooth.caries)}) {
         if (mesh->empty()) continue;
         const std::filesystem::path file = options.out / name;
-        if (const auto done = writeStl(*mesh, file); !done) return refuse(done.error());
-        lines += fmt::format("{}: {}\n", shownName(file), meshSummary(reportOn(*mesh)));
+        if (const auto done = writeStl(*mesh, file); !done) return reportError(done.error());
+        lines += fmt::format("{}: {}\n", displayName(file), meshSummary(reportOn(*mesh)));
     }
-    if (const auto done = files.commit(); !done) return refuse(done.error());
-    say("{}", lines);
+    if (const auto done = files.commit(); !done) return reportError(done.error());
+    print("{}", lines);
     return kExitOk;
 }
 

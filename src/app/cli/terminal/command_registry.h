@@ -10,31 +10,31 @@
 namespace tactooth {
 
 /// What the arguments ask for: filled while they are read, run once all of them were understood.
-using Chosen = std::function<int()>;
+using CommandAction = std::function<int()>;
 
 /// Adds the command `name` with its options; choosing it on the command line makes `run(options)` the thing to do.
 template <class Options>
-CLI::App* addCommand(CLI::App& program, Chosen& chosen, const std::string& name, const std::string& description,
+CLI::App* addCommand(CLI::App& program, CommandAction& chosen, const std::string& name, const std::string& description,
                      std::shared_ptr<Options> options, int (*run)(const Options&)) {
     CLI::App* command = program.add_subcommand(name, description)->group("Commands")->footer("");
     command->callback([&chosen, options, run] { chosen = [options, run] { return run(*options); }; });
     return command;
 }
 
-struct MouthWishes;
+struct MouthSpec;
 /// --triangles, --seed, --jaw, --missing and --no-cache. `needed`: the option without which these mean nothing; null if
 /// there is none.
-void addMouthWishes(CLI::App& command, MouthWishes& wishes, CLI::Option* needed);
+void addMouthSpecOptions(CLI::App& command, MouthSpec& spec, CLI::Option* needed);
 
 /// case new, check, info and pack.
-void addCaseCommands(CLI::App& program, Chosen& chosen);
+void addCaseCommands(CLI::App& program, CommandAction& chosen);
 /// simplify and subdivide.
-void addMeshCommands(CLI::App& program, Chosen& chosen);
+void addMeshCommands(CLI::App& program, CommandAction& chosen);
 /// bur, instrument, tooth, mouth and gallery: what the program makes by itself.
-void addMouthCommands(CLI::App& program, Chosen& chosen);
+void addMouthCommands(CLI::App& program, CommandAction& chosen);
 /// render.
-void addPictureCommands(CLI::App& program, Chosen& chosen);
+void addPictureCommands(CLI::App& program, CommandAction& chosen);
 /// bench, realtime, devices, doctor and reproduce.
-void addMeasuringCommands(CLI::App& program, Chosen& chosen);
+void addMeasuringCommands(CLI::App& program, CommandAction& chosen);
 
 }  // namespace tactooth

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "collision/solid/solid.h"
+#include "geometry/io/import_note.h"
 #include "geometry/mesh/mesh_report.h"
-#include "geometry/io/remark.h"
 
 namespace tactooth {
 
@@ -19,7 +19,7 @@ struct SurfaceFacts {
     bool storedOriented = true;
     MeshReport used;
     SolidReport solid;
-    std::vector<Remark> reading = {};  ///< on reading the file
+    std::vector<ImportNote> reading = {};  ///< on reading the file
 
     /// Weaknesses and what was mended, a sentence each; none for a sound surface.
     [[nodiscard]] std::vector<std::string> findings() const;

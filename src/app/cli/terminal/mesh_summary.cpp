@@ -20,9 +20,9 @@ std::string meshSummary(const MeshReport& report) {
 void printChange(const std::filesystem::path& in, const TriangleMesh& before, const std::filesystem::path& out,
                  const TriangleMesh& after, double deviation) {
     constexpr double kMicrons = 1e3;  // in a mm
-    say("{}: {}\n", shownName(in), meshSummary(reportOn(before)));
-    say("{}: {}\n", shownName(out), meshSummary(reportOn(after)));
-    say("greatest deviation {:.3g} um\n", kMicrons * deviation);
+    print("{}: {}\n", displayName(in), meshSummary(reportOn(before)));
+    print("{}: {}\n", displayName(out), meshSummary(reportOn(after)));
+    print("greatest deviation {:.3g} um\n", kMicrons * deviation);
 }
 
 }  // namespace tactooth

@@ -19,11 +19,11 @@ void writeTo(std::FILE* stream, std::string_view text);
 
 /// As fmt::print.
 template <class... Values>
-void say(std::FILE* stream, fmt::format_string<Values...> text, Values&&... values) {
+void print(std::FILE* stream, fmt::format_string<Values...> text, Values&&... values) {
     writeTo(stream, fmt::format(text, std::forward<Values>(values)...));
 }
 template <class... Values>
-void say(fmt::format_string<Values...> text, Values&&... values) {
+void print(fmt::format_string<Values...> text, Values&&... values) {
     writeTo(stdout, fmt::format(text, std::forward<Values>(values)...));
 }
 

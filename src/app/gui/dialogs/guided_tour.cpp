@@ -19,8 +19,8 @@ constexpr double kBelowTop = 2.5;  // mm from the cusps down to the fossa of a m
 
 }  // namespace
 
-GuidedTour::GuidedTour(Workbench& bench, ToothView& view, DrillBar& drill, DrivePanel& drive, QObject* parent)
-    : QObject(parent), bench_(bench), view_(view), drill_(drill), drive_(drive) {
+GuidedTour::GuidedTour(SessionModel& model, ToothView& view, DrillBar& drill, DrivePanel& drive, QObject* parent)
+    : QObject(parent), model_(model), view_(view), drill_(drill), drive_(drive) {
     steps_ = {
         {3, tr("Demonstration: the bur hovers where the mouse points"), &GuidedTour::aim, true},
         {4, tr("Left button: the bur presses; the gauge shows the force"), &GuidedTour::touch, true},
@@ -32,8 +32,8 @@ GuidedTour::GuidedTour(Workbench& bench, ToothView& view, DrillBar& drill, Drive
 }
 
 void GuidedTour::start() {
-    if (bench_.simulator() == nullptr) return;
-    view_.lookAsUsual();
+    if (model_.simulator() == nullptr) return;
+    view_.resetView();
     view_.fit();
     step_ = 0;
     beginStep();
@@ -51,7 +51,7 @@ void GuidedTour::stop() {
 void GuidedTour::beginStep() {
     time_ = 0;
     (this->*steps_[step_].begin)();
-    emit says(steps_[step_].sentence);
+    emit stepExplained(steps_[step_].sentence);
 }
 
 void GuidedTour::advance() {
@@ -60,21 +60,21 @@ void GuidedTour::advance() {
         if (++step_ == steps_.size()) return stop();
         return beginStep();
     }
-    if (!steps_[step_].strokes || bench_.simulator() == nullptr) return;
+    if (!steps_[step_].strokes || model_.simulator() == nullptr) return;
     const double aside = kStroke * std::sin(2 * std::numbers::pi * kStrokesPerSecond * time_);
-    if (bench_.hand().isPressing()) {
-        bench_.hand().drag(picture(), pixelAt(aside));
+    if (model_.manipulator().isPressing()) {
+        model_.manipulator().drag(picture(), pixelAt(aside));
     } else {
-        bench_.hand().aim(picture(), pixelAt(aside), *bench_.simulator()->surface());
+        model_.manipulator().aim(picture(), pixelAt(aside), *model_.simulator()->surface());
     }
 }
 
 void GuidedTour::aim() { drill_.touchAction()->trigger(); }
 
-void GuidedTour::touch() { bench_.hand().press(picture(), pixelAt(0)); }
+void GuidedTour::touch() { model_.manipulator().press(picture(), pixelAt(0)); }
 
 void GuidedTour::lift() {
-    bench_.hand().release();
+    model_.manipulator().release();
     drive_.setKeyDown(false);
 }
 
@@ -86,11 +86,11 @@ void GuidedTour::cut() {
 
 void GuidedTour::undo() { drill_.undoAction()->trigger(); }
 
-PointedPicture GuidedTour::picture() const { return view_.pointedPicture(); }
+Viewport GuidedTour::picture() const { return view_.viewport(); }
 
 Vec2 GuidedTour::pixelAt(double aside) const {
-    const Box3 box = bench_.tooth()->box();
-    const Vec3 fossa(box.center().x() - bench_.mesialX() * aside, box.center().y(), box.max().z() - kBelowTop);
+    const Box3 box = model_.tooth()->box();
+    const Vec3 fossa(box.center().x() - model_.mesialX() * aside, box.center().y(), box.max().z() - kBelowTop);
     const auto pixel = project(picture().camera, picture().size, fossa);
     return pixel.value_or(Vec2(picture().size.width / 2.0, picture().size.height / 2.0));
 }

@@ -6,7 +6,7 @@
 #include <QTimer>
 #include <vector>
 
-#include "app/gui/model/workbench.h"
+#include "app/gui/model/session_model.h"
 
 namespace tactooth {
 
@@ -20,14 +20,14 @@ class GuidedTour final : public QObject {
     Q_OBJECT
 
 public:
-    GuidedTour(Workbench& bench, ToothView& view, DrillBar& drill, DrivePanel& drive, QObject* parent);
+    GuidedTour(SessionModel& model, ToothView& view, DrillBar& drill, DrivePanel& drive, QObject* parent);
 
     void start();
     void stop();
     [[nodiscard]] bool isRunning() const { return timer_.isActive(); }
 
 signals:
-    void says(const QString& sentence);
+    void stepExplained(const QString& sentence);
     void ended();
 
 private:
@@ -45,10 +45,10 @@ private:
     void cut();
     void undo();
     /// Where the hand points in the picture, `aside` mm to distal of the tooth's middle.
-    [[nodiscard]] PointedPicture picture() const;
+    [[nodiscard]] Viewport picture() const;
     [[nodiscard]] Vec2 pixelAt(double aside) const;
 
-    Workbench& bench_;
+    SessionModel& model_;
     ToothView& view_;
     DrillBar& drill_;
     DrivePanel& drive_;

@@ -11,8 +11,8 @@
 #include <QPushButton>
 #include <numbers>
 
-#include "app/gui/text/error_words.h"
-#include "app/gui/text/remark_words.h"
+#include "app/gui/text/error_translation.h"
+#include "app/gui/text/import_note_translation.h"
 #include "patient/length_unit.h"
 
 namespace tactooth {
@@ -27,7 +27,7 @@ QString millimetres(double length) { return QString::number(length, 'f', 1); }
 ImportDialog::ImportDialog(const QString& name, const QString& caseFile, QWidget* parent)
     : QDialog(parent),
       state_(new QLabel),
-      remarks_(new QTextBrowser),
+      importNotes_(new QTextBrowser),
       progress_(new QProgressBar),
       units_(new QComboBox),
       upsideDown_(new QCheckBox(tr("Crown and root the other way up"))),
@@ -44,9 +44,9 @@ ImportDialog::ImportDialog(const QString& name, const QString& caseFile, QWidget
     form->addRow(state_);
     addChoices(*form);
     form->addRow(new QLabel(tr("What was assumed, and what was mended:")));
-    remarks_->setObjectName("remarks");
-    remarks_->setMinimumHeight(200);
-    form->addRow(remarks_);
+    importNotes_->setObjectName("remarks");
+    importNotes_->setMinimumHeight(200);
+    form->addRow(importNotes_);
     keep_->setObjectName("keepCase");
     keep_->setToolTip(caseFile);
     form->addRow(keep_);
@@ -56,10 +56,10 @@ ImportDialog::ImportDialog(const QString& name, const QString& caseFile, QWidget
     buttons_->button(QDialogButtonBox::Ok)->setText(tr("Import"));
     buttons_->setObjectName("importButtons");
     form->addRow(buttons_);
-    connect(buttons_, &QDialogButtonBox::accepted, this, &ImportDialog::taken);
+    connect(buttons_, &QDialogButtonBox::accepted, this, &ImportDialog::importAccepted);
     connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
     resize(620, sizeHint().height());
-    showLooking(true);
+    showExamining(true);
 }
 
 void ImportDialog::addChoices(QFormLayout& form) {
@@ -91,17 +91,17 @@ void ImportDialog::addChoices(QFormLayout& form) {
     connect(turn_, &QDoubleSpinBox::valueChanged, this, say);
 }
 
-ImportChoices ImportDialog::choices() const {
-    ImportChoices choices;
+ImportOptions ImportDialog::choices() const {
+    ImportOptions choices;
     if (units_->currentData().isValid()) choices.mmPerUnit = units_->currentData().toDouble();
-    choices.frame.isUpsideDown = upsideDown_->isChecked();
+    choices.frame.isFlipped = upsideDown_->isChecked();
     choices.frame.turn = turn_->value() * std::numbers::pi / 180;
     choices.holes = static_cast<HolesToFill>(holes_->currentData().toInt());
     choices.modelsLayers = inside_->currentData().toBool();
     return choices;
 }
 
-bool ImportDialog::keepsCase() const { return keep_->isChecked(); }
+bool ImportDialog::savesCase() const { return keep_->isChecked(); }
 
 void ImportDialog::setEnabledAll(bool enabled) {
     for (QWidget* choice :
@@ -111,7 +111,7 @@ void ImportDialog::setEnabledAll(bool enabled) {
     }
 }
 
-void ImportDialog::showLooking(bool isReading) {
+void ImportDialog::showExamining(bool isReading) {
     state_->setText(isReading ? tr("Reading the surface…") : tr("Looking at the surface…"));
     progress_->setRange(0, 0);
     progress_->setVisible(true);
@@ -124,7 +124,7 @@ void ImportDialog::showFindings(const Expected<ExaminedScan>& scan) {
     buttons_->button(QDialogButtonBox::Ok)->setEnabled(scan.has_value());
     if (!scan) {
         state_->clear();
-        remarks_->setPlainText(errorInWords(scan.error().message));
+        importNotes_->setPlainText(translatedError(scan.error().message));
         return;
     }
     const Vec3 size = boundingBox(scan->outer).sizes();
@@ -132,8 +132,9 @@ void ImportDialog::showFindings(const Expected<ExaminedScan>& scan) {
                         .arg(scan->outer.triangles.size())
                         .arg(millimetres(size.x()), millimetres(size.y()), millimetres(size.z())));
     QString list;
-    for (const Remark& remark : scan->remarks) list += "<li>" + translated(remark).toHtmlEscaped() + "</li>";
-    remarks_->setHtml("<ul>" + list + "</ul>");
+    for (const ImportNote& importNote : scan->importNotes)
+        list += "<li>" + translated(importNote).toHtmlEscaped() + "</li>";
+    importNotes_->setHtml("<ul>" + list + "</ul>");
 }
 
 void ImportDialog::showBuilding(double part) {

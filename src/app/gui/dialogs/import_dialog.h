@@ -26,12 +26,12 @@ public:
     /// `name`: of the scan; `caseFile`: where it can be kept as a case.
     ImportDialog(const QString& name, const QString& caseFile, QWidget* parent = nullptr);
 
-    [[nodiscard]] ImportChoices choices() const;
+    [[nodiscard]] ImportOptions choices() const;
     /// Whether the person wants the case file.
-    [[nodiscard]] bool keepsCase() const;
+    [[nodiscard]] bool savesCase() const;
 
     /// The scan is being looked at.
-    void showLooking(bool isReading);
+    void showExamining(bool isReading);
     /// What was found, or why it cannot be taken with these choices.
     void showFindings(const Expected<ExaminedScan>& scan);
     /// The layers are being made; `part` of it is done.
@@ -40,14 +40,14 @@ public:
 signals:
     void choicesChanged();
     /// The person takes the scan as it was shown.
-    void taken();
+    void importAccepted();
 
 private:
     void addChoices(QFormLayout& form);
     void setEnabledAll(bool enabled);
 
     QLabel* state_;
-    QTextBrowser* remarks_;
+    QTextBrowser* importNotes_;
     QProgressBar* progress_;
     QComboBox* units_;
     QCheckBox* upsideDown_;

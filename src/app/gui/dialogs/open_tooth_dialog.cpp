@@ -10,7 +10,7 @@
 #include <QPushButton>
 #include <array>
 
-#include "app/gui/text/words.h"
+#include "app/gui/text/term_translation.h"
 
 namespace tactooth {
 namespace {

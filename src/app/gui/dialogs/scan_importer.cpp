@@ -5,7 +5,7 @@
 #include <QString>
 #include <optional>
 
-#include "app/gui/text/error_words.h"
+#include "app/gui/text/error_translation.h"
 #include "geometry/files/file_bytes.h"
 #include "geometry/io/mesh_file.h"
 #include "session/cases/case_names.h"
@@ -27,14 +27,14 @@ Expected<Scan> readScan(const std::vector<fs::path>& files) {
         auto read = readMesh(file);
         if (!read) return Unexpected{read.error()};
         if (!common) common = read->offset;
-        moveBy(read->mesh, read->offset - *common);
-        scan.remarks.insert(scan.remarks.end(), read->remarks.begin(), read->remarks.end());
+        translateMesh(read->mesh, read->offset - *common);
+        scan.importNotes.insert(scan.importNotes.end(), read->importNotes.begin(), read->importNotes.end());
         const NamedSurface named = surfaceNamed(file);
         const auto material = files.size() > 1 ? named.material : std::nullopt;
         if (material) scan.name = named.body;
         if (!addSurface(scan, material, std::move(read->mesh))) {
             return unexpected(
-                shownName(file) +
+                displayName(file) +
                 ": the tooth has this surface already; drop the files of one tooth, its layers named as in "
                 "L6_enamel.stl.");
         }
@@ -46,7 +46,7 @@ Expected<Scan> readScan(const std::vector<fs::path>& files) {
 std::vector<fs::path> ownFiles(const std::vector<fs::path>& files) {
     std::vector<fs::path> own;
     for (const fs::path& file : files) {
-        if (!isForeignFile(file.filename().string())) own.push_back(file);
+        if (!isSystemFile(file.filename().string())) own.push_back(file);
     }
     return own.empty() ? files : own;
 }
@@ -62,8 +62,8 @@ ScanImporter::~ScanImporter() { stop(); }
 
 void ScanImporter::stop() {
     if (control_) control_->stops = true;
-    looking_.forget();
-    building_.forget();
+    examining_.cancel();
+    building_.cancel();
 }
 
 void ScanImporter::begin(const std::vector<fs::path>& files, QWidget* parent) {
@@ -74,24 +74,24 @@ void ScanImporter::begin(const std::vector<fs::path>& files, QWidget* parent) {
     examined_ = nullptr;
     dialog_ = new ImportDialog(QString::fromStdString(files_.front().filename().string()),
                                QString::fromStdString(caseFileOf(files_).string()), parent);
-    connect(dialog_.data(), &ImportDialog::choicesChanged, this, &ScanImporter::look);
-    connect(dialog_.data(), &ImportDialog::taken, this, &ScanImporter::build);
+    connect(dialog_.data(), &ImportDialog::choicesChanged, this, &ScanImporter::examine);
+    connect(dialog_.data(), &ImportDialog::importAccepted, this, &ScanImporter::build);
     connect(dialog_.data(), &QDialog::rejected, this, &ScanImporter::stop);
     dialog_->open();
-    look();
+    examine();
 }
 
-void ScanImporter::look() {
+void ScanImporter::examine() {
     examined_ = nullptr;
-    dialog_->showLooking(scan_ == nullptr);
-    looking_.start([files = files_, scan = scan_, choices = dialog_->choices()]() -> Expected<Looked> {
+    dialog_->showExamining(scan_ == nullptr);
+    examining_.start([files = files_, scan = scan_, choices = dialog_->choices()]() -> Expected<Examined> {
         std::shared_ptr<const Scan> read = scan;
         if (!read) {
             auto fresh = readScan(files);
             if (!fresh) return Unexpected{fresh.error()};
             read = std::make_shared<const Scan>(std::move(*fresh));
         }
-        return Looked{read, examineScan(*read, choices)};
+        return Examined{read, examineScan(*read, choices)};
     });
 }
 
@@ -99,9 +99,9 @@ void ScanImporter::build() {
     if (!examined_) return;
     control_ = std::make_shared<Control>();
     dialog_->showBuilding(0);
-    const fs::path caseFile = dialog_->keepsCase() ? caseFileOf(files_) : fs::path();
+    const fs::path caseFile = dialog_->savesCase() ? caseFileOf(files_) : fs::path();
     building_.start([control = control_, scan = *examined_, choices = dialog_->choices(), caseFile,
-                     title = files_.front().stem().string()]() -> Expected<BenchTooth> {
+                     title = files_.front().stem().string()]() -> Expected<SessionTooth> {
         const auto goesOn = [&](double part) {
             control->part = part;
             return !control->stops;
@@ -115,15 +115,15 @@ void ScanImporter::build() {
             if (!made) return Unexpected{made.error()};
             if (auto written = writeCase(made->files, caseFile); !written) return Unexpected{written.error()};
         }
-        return makeBenchTooth(*tooth);
+        return makeSessionTooth(*tooth);
     });
 }
 
 void ScanImporter::poll() {
-    if (auto looked = looking_.poll(); looked && dialog_) {
+    if (auto looked = examining_.poll(); looked && dialog_) {
         if (!*looked) {  // the file itself cannot be read: no choice helps
             dialog_->close();
-            emit failed(errorInWords(looked->error().message));
+            emit failed(translatedError(looked->error().message));
         } else {
             scan_ = (*looked)->scan;
             if ((*looked)->examined) examined_ = std::make_shared<const ExaminedScan>(*(*looked)->examined);
@@ -137,7 +137,7 @@ void ScanImporter::poll() {
     if (*built) {
         emit imported(std::move(**built));
     } else {
-        emit failed(errorInWords(built->error().message));
+        emit failed(translatedError(built->error().message));
     }
 }
 

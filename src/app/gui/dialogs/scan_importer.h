@@ -9,9 +9,9 @@
 #include <memory>
 #include <vector>
 
-#include "app/gui/model/bench_parts.h"
-#include "app/gui/model/errand.h"
 #include "app/gui/dialogs/import_dialog.h"
+#include "app/gui/model/session_parts.h"
+#include "app/gui/model/task.h"
 
 namespace tactooth {
 
@@ -29,14 +29,14 @@ public:
     void begin(const std::vector<std::filesystem::path>& files, QWidget* parent);
     /// Takes what has been done. Call often, from the window's thread; returns at once.
     void poll();
-    [[nodiscard]] bool isBusy() const { return looking_.isBusy() || building_.isBusy(); }
+    [[nodiscard]] bool isBusy() const { return examining_.isBusy() || building_.isBusy(); }
 
 signals:
-    void imported(BenchTooth tooth);
+    void imported(SessionTooth tooth);
     void failed(const QString& sentence);
 
 private:
-    struct Looked {
+    struct Examined {
         std::shared_ptr<const Scan> scan;
         Expected<ExaminedScan> examined;
     };
@@ -44,7 +44,7 @@ private:
         std::atomic<double> part{0};
         std::atomic<bool> stops{false};
     };
-    void look();
+    void examine();
     void build();
     void stop();
 
@@ -53,8 +53,8 @@ private:
     std::shared_ptr<const Scan> scan_;  // null until it has been read
     std::shared_ptr<const ExaminedScan> examined_;
     std::shared_ptr<Control> control_;
-    Errand<Looked> looking_;
-    Errand<BenchTooth> building_;
+    Task<Examined> examining_;
+    Task<SessionTooth> building_;
 };
 
 }  // namespace tactooth

@@ -20,9 +20,9 @@ WelcomeDialog::WelcomeDialog(QWidget* parent) : QDialog(parent) {
               "practise", nullptr);
     addChoice(tr("Open my tooth"),
               tr("A scan of your own, in whatever unit and position: you see first what it is taken for."), "openMine",
-              &WelcomeDialog::toothWanted);
+              &WelcomeDialog::toothRequested);
     addChoice(tr("Watch the demonstration"), tr("Twenty seconds: touching, cutting, taking back."), "demonstration",
-              &WelcomeDialog::demonstrationWanted);
+              &WelcomeDialog::demonstrationRequested);
     auto* later = new QLabel(tr("All of this is in the menus, too; F1 shows mouse and keys."));
     later->setWordWrap(true);
     column->addWidget(later);
@@ -33,7 +33,7 @@ WelcomeDialog::WelcomeDialog(QWidget* parent) : QDialog(parent) {
 }
 
 void WelcomeDialog::addChoice(const QString& title, const QString& what, const char* name,
-                              void (WelcomeDialog::*wanted)()) {
+                              void (WelcomeDialog::*requested)()) {
     auto* button = new QPushButton(title);  // a command link has letters of one size
     button->setObjectName(name);
     button->setAccessibleDescription(what);
@@ -45,9 +45,9 @@ void WelcomeDialog::addChoice(const QString& title, const QString& what, const c
     words->setIndent(8);
     layout()->addWidget(button);
     layout()->addWidget(words);
-    connect(button, &QPushButton::clicked, this, [this, wanted] {
+    connect(button, &QPushButton::clicked, this, [this, requested] {
         accept();
-        if (wanted != nullptr) emit(this->*wanted)();
+        if (requested != nullptr) emit(this->*requested)();
     });
 }
 

@@ -14,11 +14,11 @@ public:
     explicit WelcomeDialog(QWidget* parent = nullptr);
 
 signals:
-    void toothWanted();
-    void demonstrationWanted();
+    void toothRequested();
+    void demonstrationRequested();
 
 private:
-    void addChoice(const QString& title, const QString& what, const char* name, void (WelcomeDialog::*wanted)());
+    void addChoice(const QString& title, const QString& what, const char* name, void (WelcomeDialog::*requested)());
 };
 
 }  // namespace tactooth

@@ -5,7 +5,7 @@
 namespace tactooth {
 
 Expected<void> FootPedal::listen() {
-    if (choice_.kind == PedalChoice::Kind::None && !teacher_) {
+    if (choice_.kind == PedalBinding::Kind::None && !calibrator_) {
         joysticks_.reset();
         return {};
     }
@@ -13,31 +13,31 @@ Expected<void> FootPedal::listen() {
     auto joysticks = SdlJoysticks::shared();
     if (!joysticks) {
         choice_ = {};
-        teacher_.reset();
+        calibrator_.reset();
         return Unexpected{joysticks.error()};
     }
     joysticks_ = std::move(*joysticks);
     return {};
 }
 
-Expected<void> FootPedal::choose(const PedalChoice& choice) {
+Expected<void> FootPedal::choose(const PedalBinding& choice) {
     choice_ = choice;
     return listen();
 }
 
-Expected<void> FootPedal::teach(bool on) {
-    teacher_.reset();
-    if (on) teacher_.emplace();
+Expected<void> FootPedal::setCalibrating(bool on) {
+    calibrator_.reset();
+    if (on) calibrator_.emplace();
     return listen();
 }
 
 double FootPedal::step() {
     if (joysticks_ == nullptr) return 0;
     const std::vector<JoystickState> states = joysticks_->states();
-    if (teacher_) {
-        if (const auto taught = teacher_->look(states)) {
+    if (calibrator_) {
+        if (const auto taught = calibrator_->update(states)) {
             choice_ = *taught;
-            teacher_.reset();
+            calibrator_.reset();
         }
         return 0;  // the foot shows the pedal, it does not drill
     }

@@ -11,10 +11,10 @@ namespace tactooth {
 class FootPedal {
 public:
     /// Fails with a sentence if joysticks cannot be read; then there is none.
-    [[nodiscard]] Expected<void> choose(const PedalChoice& choice);
-    [[nodiscard]] const PedalChoice& choice() const { return choice_; }
-    [[nodiscard]] Expected<void> teach(bool on);
-    [[nodiscard]] bool isTeaching() const { return teacher_.has_value(); }
+    [[nodiscard]] Expected<void> choose(const PedalBinding& choice);
+    [[nodiscard]] const PedalBinding& choice() const { return choice_; }
+    [[nodiscard]] Expected<void> setCalibrating(bool on);
+    [[nodiscard]] bool isCalibrating() const { return calibrator_.has_value(); }
 
     /// Call at least as often as the picture changes: 0 up .. 1 down. A pedal that is not plugged in is up.
     [[nodiscard]] double step();
@@ -22,8 +22,8 @@ public:
 private:
     [[nodiscard]] Expected<void> listen();
 
-    PedalChoice choice_;
-    std::optional<PedalTeacher> teacher_;
+    PedalBinding choice_;
+    std::optional<PedalCalibrator> calibrator_;
     std::shared_ptr<SdlJoysticks> joysticks_;
 };
 

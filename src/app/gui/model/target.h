@@ -5,8 +5,8 @@
 #include <QString>
 #include <memory>
 
-#include "assessment/cavity_account.h"
 #include "assessment/cavity_ghost.h"
+#include "assessment/cavity_metrics.h"
 #include "view/mesh/distance_grid.h"
 
 namespace tactooth {
@@ -16,7 +16,7 @@ struct Target {
     QString name;
     std::shared_ptr<const DistanceGrid> distances;
     std::shared_ptr<CavityGhost> ghost;
-    std::shared_ptr<CavityAccount> account;
+    std::shared_ptr<CavityMetrics> metrics;
 };
 
 /// `ideal`: closed, in the frame of the tooth; `outer`: the uncut tooth, which lies in `box`. Takes some seconds for a

@@ -21,7 +21,7 @@ DialGauge::DialGauge(Face face, QWidget* parent) : QWidget(parent), face_(std::m
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
-double DialGauge::grown() const {
+double DialGauge::fontScale() const {
     constexpr double kUsualLine = 16;  // pixels
     return std::max(1.0, fontMetrics().height() / kUsualLine);
 }

@@ -23,15 +23,15 @@ public:
     void setLargest(double largest);
     void setValue(double value);
     [[nodiscard]] double value() const { return value_; }
-    [[nodiscard]] QSize sizeHint() const override { return QSize(140, 128) * grown(); }
-    [[nodiscard]] QSize minimumSizeHint() const override { return QSize(120, 110) * grown(); }
+    [[nodiscard]] QSize sizeHint() const override { return QSize(140, 128) * fontScale(); }
+    [[nodiscard]] QSize minimumSizeHint() const override { return QSize(120, 110) * fontScale(); }
 
 protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
     /// With larger letters.
-    [[nodiscard]] double grown() const;
+    [[nodiscard]] double fontScale() const;
 
     Face face_;
     double value_ = 0;

@@ -6,7 +6,7 @@
 #include <QLabel>
 #include <QStyle>
 
-#include "app/gui/text/words.h"
+#include "app/gui/text/term_translation.h"
 
 namespace tactooth {
 namespace {

@@ -8,7 +8,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "app/gui/text/words.h"
+#include "app/gui/text/term_translation.h"
 
 namespace tactooth {
 namespace {
@@ -39,7 +39,7 @@ EventPanel::EventPanel(QWidget* parent) : QWidget(parent), lines_(new QTableWidg
     write->setToolTip(tr("Writes the list as a table (CSV)"));
     write->setObjectName("exportEvents");
     write->setEnabled(false);
-    connect(write, &QToolButton::clicked, this, &EventPanel::exportWanted);
+    connect(write, &QToolButton::clicked, this, &EventPanel::exportRequested);
     write_ = write;
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(2, 2, 2, 2);
@@ -60,7 +60,7 @@ void EventPanel::addLine(const CutEvent& event) {
         cell(QString("%1   %2   %3").arg(number(event.place.x()), number(event.place.y()), number(event.place.z()))));
     lines_->scrollToBottom();
     places_.push_back(event.place);
-    if (event.kind != CutEventKind::FirstContact) emit told(tr("At %1 s: %2").arg(time, what));
+    if (event.kind != CutEventKind::FirstContact) emit notified(tr("At %1 s: %2").arg(time, what));
 }
 
 void EventPanel::show(std::span<const CutEvent> events) {

@@ -24,10 +24,10 @@ public:
 
 signals:
     /// Something that a student should hear of at once: a sentence.
-    void told(const QString& sentence);
+    void notified(const QString& sentence);
     /// A line was chosen: its place in the tooth, mm.
     void placeChosen(const Vec3& place);
-    void exportWanted();
+    void exportRequested();
 
 private:
     void addLine(const CutEvent& event);

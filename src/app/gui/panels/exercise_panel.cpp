@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/gui/text/words.h"
+#include "app/gui/text/term_translation.h"
 #include "assessment/exercise.h"
 
 namespace tactooth {
@@ -56,9 +56,9 @@ QWidget* ExercisePanel::makeChoice() {
         button(tr("Start again"), tr("The whole tooth again, and the time from its first contact"), "startAgain");
     auto* report = button(tr("Report…"), tr("Writes time, volumes and what happened as a table (CSV)"), "exportReport");
     auto* open = button(tr("Open…"), tr("An exercise of your own: a TOML file (docs/exercises.md)"), "openExercise");
-    connect(open, &QToolButton::clicked, this, &ExercisePanel::openWanted);
-    connect(again, &QToolButton::clicked, this, &ExercisePanel::startAgainWanted);
-    connect(report, &QToolButton::clicked, this, &ExercisePanel::exportWanted);
+    connect(open, &QToolButton::clicked, this, &ExercisePanel::openRequested);
+    connect(again, &QToolButton::clicked, this, &ExercisePanel::restartRequested);
+    connect(report, &QToolButton::clicked, this, &ExercisePanel::exportRequested);
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(again);
     buttons->addWidget(report);
@@ -74,7 +74,7 @@ QWidget* ExercisePanel::makeChoice() {
 }
 
 QWidget* ExercisePanel::makeNumbers() {
-    const std::array<std::pair<QString, QString>, kFacts> facts = {
+    const std::array<std::pair<QString, QString>, kMetricCount> facts = {
         {{tr("Time"), tr("Since the first contact")},
          {tr("Cut beyond"), tr("Volume that was cut outside of the ideal cavity")},
          {tr("Deepest beyond"), tr("How far the cut goes beyond the ideal walls at its worst")},
@@ -90,11 +90,11 @@ QWidget* ExercisePanel::makeNumbers() {
     cleared_->setToolTip(cleared_->accessibleName());
     cleared_->setRange(0, kPercent);
     grid->addWidget(cleared_, 0, 0, 1, 4);
-    for (int fact = 0; fact < kFacts; ++fact) {
+    for (int fact = 0; fact < kMetricCount; ++fact) {
         const auto& [name, tip] = facts[static_cast<std::size_t>(fact)];
         auto* title = new QLabel(name);
         title->setToolTip(tip);
-        auto* value = facts_[static_cast<std::size_t>(fact)] = new QLabel;
+        auto* value = values_[static_cast<std::size_t>(fact)] = new QLabel;
         value->setAccessibleName(name);
         value->setToolTip(tip);
         grid->addWidget(title, fact + 1, 0);
@@ -136,17 +136,17 @@ void ExercisePanel::show(const std::shared_ptr<const Exercise>& exercise) {
 
 void ExercisePanel::show(double seconds, const MaterialVolumes& removed, const std::optional<CavityProgress>& cavity) {
     const int whole = static_cast<int>(seconds);
-    facts_[kTime]->setText(QString("%1:%2").arg(whole / 60).arg(whole % 60, 2, 10, QChar('0')));
+    values_[kTime]->setText(QString("%1:%2").arg(whole / 60).arg(whole % 60, 2, 10, QChar('0')));
     for (std::size_t id = 0; id < kMaterialCount; ++id) {
         if (removed_[id] != nullptr) removed_[id]->setText(tr("%1 mm³").arg(number(removed[id], 2)));
     }
     cleared_->setEnabled(cavity.has_value());
-    cleared_->setValue(cavity ? static_cast<int>(std::floor(kPercent * cavity->clearedShare())) : 0);
+    cleared_->setValue(cavity ? static_cast<int>(std::floor(kPercent * cavity->clearedFraction())) : 0);
     cleared_->setFormat(cavity ? tr("%p % of the cavity") : tr("no ideal cavity"));
     const QString none = QStringLiteral("–");
-    facts_[kBeyond]->setText(cavity ? tr("%1 mm³").arg(number(cavity->beyond, 2)) : none);
-    facts_[kDeepest]->setText(cavity ? tr("%1 mm").arg(number(cavity->deepest, 2)) : none);
-    facts_[kLikeness]->setText(cavity ? tr("%1 %").arg(number(kPercent * cavity->likeness(), 0)) : none);
+    values_[kOverPreparation]->setText(cavity ? tr("%1 mm³").arg(number(cavity->beyond, 2)) : none);
+    values_[kMaxOverPreparation]->setText(cavity ? tr("%1 mm").arg(number(cavity->maxOverPreparation, 2)) : none);
+    values_[kDice]->setText(cavity ? tr("%1 %").arg(number(kPercent * cavity->dice(), 0)) : none);
 }
 
 }  // namespace tactooth

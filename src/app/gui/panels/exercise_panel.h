@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "assessment/cavity_account.h"
+#include "assessment/cavity_metrics.h"
 #include "tooth/volume/cut_volume.h"
 
 namespace tactooth {
@@ -35,12 +35,12 @@ signals:
     /// Null: free practice.
     void chosen(const std::shared_ptr<const Exercise>& exercise);
     /// The user wants to choose the file of an exercise.
-    void openWanted();
-    void startAgainWanted();
-    void exportWanted();
+    void openRequested();
+    void restartRequested();
+    void exportRequested();
 
 private:
-    enum Fact { kTime, kBeyond, kDeepest, kLikeness, kFacts };
+    enum Metric { kTime, kOverPreparation, kMaxOverPreparation, kDice, kMetricCount };
 
     [[nodiscard]] QWidget* makeChoice();
     [[nodiscard]] QWidget* makeNumbers();
@@ -50,7 +50,7 @@ private:
     QComboBox* exercises_;
     QLabel* task_;
     QProgressBar* cleared_;
-    std::array<QLabel*, kFacts> facts_{};
+    std::array<QLabel*, kMetricCount> values_{};
     std::array<QLabel*, kMaterialCount> removed_{};
 };
 

@@ -4,7 +4,7 @@
 
 #include <QPushButton>
 
-#include "app/gui/input/hand_control.h"
+#include "app/gui/input/mouse_manipulator.h"
 
 namespace tactooth {
 
@@ -17,17 +17,17 @@ ForcePanel::ForcePanel(QWidget* parent)
         tr("Spring, damper and friction are those of the tissue under the bur:\nenamel is hard, dentin "
            "softer, caries soft. Switch off to set them yourself."));
     addPresets(*grid);
-    spring_ = new NumberRow(*grid, tr("Spring"), {0, kMostSpring, 0.05, 2, tr(" N/mm")}, usual.spring,
+    spring_ = new NumberRow(*grid, tr("Spring"), {0, kMaxSpring, 0.05, 2, tr(" N/mm")}, usual.spring,
                             tr("How hard the tooth feels: force for each millimetre pressed in"));
-    damper_ = new NumberRow(*grid, tr("Damper"), {0, kMostDamper, 0.0005, 4, tr(" N·s/mm")}, usual.damper,
+    damper_ = new NumberRow(*grid, tr("Damper"), {0, kMaxDamper, 0.0005, 4, tr(" N·s/mm")}, usual.damper,
                             tr("Force against moving into the tooth, for each mm/s"));
-    friction_ = new NumberRow(*grid, tr("Friction"), {0, kMostFriction, 0.01, 2, QString()}, usual.friction,
+    friction_ = new NumberRow(*grid, tr("Friction"), {0, kMaxFriction, 0.01, 2, QString()}, usual.friction,
                               tr("Force against sliding, as a share of the force into the tooth"));
     friction_->box().setObjectName("friction");
     spring_->box().setObjectName("spring");
-    scale_ = new NumberRow(*grid, tr("Force scale"), {0, kMostForceScale, 0.05, 2, tr(" ×")}, 1,
+    scale_ = new NumberRow(*grid, tr("Force scale"), {0, kMaxForceScale, 0.05, 2, tr(" ×")}, 1,
                            tr("Multiplies the whole force"));
-    press_ = new NumberRow(*grid, tr("Mouse presses"), {0, HandControl::kMostPressDepth, 0.1, 1, tr(" mm")}, 1,
+    press_ = new NumberRow(*grid, tr("Mouse presses"), {0, MouseManipulator::kMaxPressDepth, 0.1, 1, tr(" mm")}, 1,
                            tr("How deep the mouse hand presses beyond the surface.\nThe mouse wheel in the picture "
                               "changes it too."));
     press_->box().setObjectName("pressDepth");
@@ -81,12 +81,12 @@ void ForcePanel::addPresets(QGridLayout& grid) {
                                                       {tr("Restoration"), MaterialId::Restoration}};
     for (const auto& [name, id] : tissues) presets_->addItem(name, static_cast<int>(id));
     connect(presets_, &QComboBox::activated, this, [this](int index) {
-        if (index > 0) feelLike(static_cast<MaterialId>(presets_->itemData(index).toInt()));
+        if (index > 0) applyPreset(static_cast<MaterialId>(presets_->itemData(index).toInt()));
         presets_->setCurrentIndex(0);
     });
 }
 
-void ForcePanel::feelLike(MaterialId tissue) {
+void ForcePanel::applyPreset(MaterialId tissue) {
     const Material numbers = MaterialTable()[tissue];
     fromMaterial_->setChecked(false);
     spring_->setValue(numbers.stiffness);

@@ -32,7 +32,7 @@ signals:
 
 private:
     void addPresets(QGridLayout& grid);
-    void feelLike(MaterialId tissue);
+    void applyPreset(MaterialId tissue);
 
     QCheckBox* fromMaterial_;
     QComboBox* presets_;

@@ -10,7 +10,7 @@
 #include <array>
 #include <span>
 
-#include "app/common/picture_application.h"
+#include "app/common/offscreen_application.h"
 #include "geometry/files/atomic_file.h"
 #include "session/io/csv_table.h"
 

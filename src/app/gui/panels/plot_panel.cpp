@@ -78,7 +78,7 @@ QWidget* PlotPanel::makeButtons() {
         column->addWidget(widget);
     }
     column->addStretch();
-    connect(write, &QToolButton::clicked, this, &PlotPanel::exportWanted);
+    connect(write, &QToolButton::clicked, this, &PlotPanel::exportRequested);
     connect(stretch_, &QSpinBox::valueChanged, this, &PlotPanel::setStretch);
     return side;
 }
@@ -170,7 +170,7 @@ void PlotPanel::draw(Plot& plot, const TickTrace& trace, double TickTrace::Point
 void PlotPanel::show(const TickTrace& trace) {
     if (pause_->isChecked()) return;
     const bool filled = !trace.points().empty() && trace.points().back().time > TickTrace::kShown;
-    if (std::exchange(quiet_, trace.isQuiet() && filled) && quiet_) return;
+    if (std::exchange(flat_, trace.isFlat() && filled) && flat_) return;
     shown_ = trace;
     draw(depth_, trace, &TickTrace::Point::depth);
     draw(speed_, trace, &TickTrace::Point::speed);

@@ -30,7 +30,7 @@ public:
     [[nodiscard]] QSize sizeHint() const override { return {900, 170}; }
 
 signals:
-    void exportWanted();
+    void exportRequested();
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -56,7 +56,7 @@ private:
     QSpinBox* stretch_;  // s
     Plot depth_, speed_, force_;
     TickTrace shown_;
-    bool quiet_ = false;  // what is drawn
+    bool flat_ = false;  // what is drawn
 };
 
 }  // namespace tactooth

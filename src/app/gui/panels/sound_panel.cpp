@@ -96,7 +96,7 @@ void SoundPanel::showSounds(const QString& file) {
 void SoundPanel::chooseSounds(int index) {
     if (index == sounds_->count() - 1) {
         showSounds(shownFile_);
-        emit ownSoundsWanted();
+        emit ownSoundsRequested();
     } else if (index == kSynthesised) {
         showSounds({});
         emit synthesisChosen();

@@ -32,7 +32,7 @@ signals:
     void headphonesChanged(bool headphones);
     void synthesisChosen();
     /// The user wants to choose a file.
-    void ownSoundsWanted();
+    void ownSoundsRequested();
 
 private:
     void chooseSounds(int index);

@@ -13,8 +13,8 @@ namespace tactooth {
 /// in it, so that no peak is lost.
 class TickTrace {
 public:
-    static constexpr double kStretch = 0.05;  // s: 20 points a second are finer than the plot's pixels
-    static constexpr double kShown = 10;      // s
+    static constexpr double kInterval = 0.05;  // s: 20 points a second are finer than the plot's pixels
+    static constexpr double kShown = 10;       // s
 
     struct Point {
         double time;   ///< end of the stretch, s
@@ -31,11 +31,11 @@ public:
     [[nodiscard]] const std::deque<Point>& points() const { return points_; }
 
     /// Whether nothing but rest is to be seen in the points.
-    [[nodiscard]] bool isQuiet() const;
+    [[nodiscard]] bool isFlat() const;
 
 private:
     std::deque<Point> points_;
-    Point growing_{kStretch, 0, 0, 0};
+    Point current_{kInterval, 0, 0, 0};
 };
 
 }  // namespace tactooth

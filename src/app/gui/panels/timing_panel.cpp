@@ -10,8 +10,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/gui/model/session_model.h"
 #include "app/gui/panels/elided_label.h"
-#include "app/gui/model/workbench.h"
 #include "haptics/real_time.h"
 
 namespace tactooth {
@@ -22,7 +22,7 @@ const QColor kWorkColour(0, 114, 178), kLateColour(213, 94, 0);  // told apart b
 
 }  // namespace
 
-TimingPanel::TimingPanel(QWidget* parent) : QWidget(parent), picture_(new HistogramView), facts_(new ElidedLabel) {
+TimingPanel::TimingPanel(QWidget* parent) : QWidget(parent), picture_(new HistogramView), summary_(new ElidedLabel) {
     picture_->setAccessibleName(tr("Histogram of the servo's ticks"));
     picture_->setToolTip(
         tr("How often the work of a tick, and its waking up, took so long. What reaches the dashed line "
@@ -51,10 +51,10 @@ TimingPanel::TimingPanel(QWidget* parent) : QWidget(parent), picture_(new Histog
     anew->setToolTip(tr("Forgets all ticks so far, as those while the program started"));
     anew->setObjectName("countAnew");
     connect(anew, &QToolButton::clicked, this, [this] { from_ = latest_; });
-    facts_->setObjectName("timingFacts");
-    facts_->setAccessibleName(tr("Ticks"));
+    summary_->setObjectName("timingFacts");
+    summary_->setAccessibleName(tr("Ticks"));
     auto* head = new QHBoxLayout;
-    head->addWidget(facts_, 1);
+    head->addWidget(summary_, 1);
     head->addWidget(anew);
     auto* body = new QHBoxLayout;
     body->setSpacing(16);
@@ -67,7 +67,7 @@ TimingPanel::TimingPanel(QWidget* parent) : QWidget(parent), picture_(new Histog
     column->addLayout(body, 1);
 }
 
-TimingPanel::Moment TimingPanel::now(const Simulator& simulator) {
+TimingPanel::Snapshot TimingPanel::now(const Simulator& simulator) {
     const ServoTiming& timing = simulator.timing();
     return {
         {timing.tick.counts(), timing.lateness.counts(), timing.jitter.counts(), simulator.deviceToForce().counts()},
@@ -76,9 +76,9 @@ TimingPanel::Moment TimingPanel::now(const Simulator& simulator) {
 }
 
 /// Numbers of another simulator would be taken for this one's until the next look.
-void TimingPanel::forget() {
+void TimingPanel::reset() {
     latest_ = from_ = {};
-    facts_->setText({});
+    summary_->setText({});
     for (auto& row : cells_) {
         for (QLabel* cell : row) cell->clear();
     }
@@ -102,9 +102,9 @@ void TimingPanel::show(const Simulator& simulator, const QString& device, double
         tr("Device: %1").arg(device),
         simulator.isRealTime() ? tr("Real-time priority") : tr("Ordinary priority (see 'tactooth doctor')"),
         isMemoryLocked() ? tr("Memory locked") : tr("Memory may be swapped out (see 'tactooth doctor')"),
-        simulator.sleepsLightly() ? tr("Processors kept from deep sleep")
-                                  : tr("Processors may sleep deeply (see 'tactooth doctor')")};
-    facts_->setText(facts.join("  ·  "));
+        simulator.limitsCpuLatency() ? tr("Processors kept from deep sleep")
+                                     : tr("Processors may sleep deeply (see 'tactooth doctor')")};
+    summary_->setText(facts.join("  ·  "));
     picture_->show({{tr("work of a tick"), kWorkColour, counts[0]}, {tr("woken late"), kLateColour, counts[1]}},
                    1e6 / rateHz);
 }

@@ -25,22 +25,22 @@ public:
     /// `device`: what the hand holds, for people. Call about once a second.
     void show(const Simulator& simulator, const QString& device, double rateHz);
     /// What is shown next belongs to another simulator, which counts from zero.
-    void forget();
+    void reset();
 
 private:
     static constexpr std::size_t kRows = 4, kColumns = 4;
     /// All that is counted, at one moment.
-    struct Moment {
+    struct Snapshot {
         std::array<LatencyCounts, kRows> rows;
         std::uint64_t ticks = 0, missed = 0;
     };
-    [[nodiscard]] static Moment now(const Simulator& simulator);
+    [[nodiscard]] static Snapshot now(const Simulator& simulator);
 
     HistogramView* picture_;
     std::array<std::array<QLabel*, kColumns>, kRows> cells_{};
-    ElidedLabel* facts_;
-    Moment latest_;  // of the newest show
-    Moment from_;    // counted from here on
+    ElidedLabel* summary_;
+    Snapshot latest_;  // of the newest show
+    Snapshot from_;    // counted from here on
 };
 
 }  // namespace tactooth

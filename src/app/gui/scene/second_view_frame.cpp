@@ -22,8 +22,8 @@ SecondViewFrame::SecondViewFrame(QWidget* parent) : QAbstractButton(parent) {
     setToolTip(tr("Click: the large picture looks from there"));
 }
 
-void SecondViewFrame::fitTo(PictureSize picture) {
-    const SecondViewPlace place = secondViewPlace(picture);
+void SecondViewFrame::fitTo(ImageSize picture) {
+    const SecondViewRectangle place = secondViewRectangle(picture);
     const double scale = 1 / devicePixelRatioF();
     const auto scaled = [scale](int pixels) { return static_cast<int>(std::lround(scale * pixels)); };
     setGeometry(scaled(place.left), scaled(place.top), scaled(place.size.width), scaled(place.size.height));

@@ -17,7 +17,7 @@ public:
     explicit SecondViewFrame(QWidget* parent);
 
     /// Stands where the picture is drawn in a view of this many pixels.
-    void fitTo(PictureSize picture);
+    void fitTo(ImageSize picture);
 
 protected:
     void paintEvent(QPaintEvent* event) override;

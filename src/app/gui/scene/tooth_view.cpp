@@ -25,7 +25,7 @@ constexpr double kKeyTurn = 6;      // times that when the tooth is turned
 
 /// A twentieth of a pixel at a bur's rim; so the last creeping of a bur that runs down is not drawn.
 constexpr double kSeenSpin = 0.003;  // rad
-constexpr float kSeenBlur = 0.02F;   // of blurOf
+constexpr float kSeenBlur = 0.02F;   // of spinBlur
 
 bool samePose(const Pose& a, const Pose& b) {
     constexpr double kSeen = 0.002;  // mm, and rad times a tool's length: a twentieth of a pixel
@@ -34,10 +34,10 @@ bool samePose(const Pose& a, const Pose& b) {
 
 }  // namespace
 
-ToothView::ToothView(Workbench& bench, QWidget* parent)
-    : QOpenGLWidget(parent), bench_(bench), secondFrame_(new SecondViewFrame(this)) {
+ToothView::ToothView(SessionModel& model, QWidget* parent)
+    : QOpenGLWidget(parent), model_(model), secondFrame_(new SecondViewFrame(this)) {
     secondFrame_->hide();
-    connect(secondFrame_, &SecondViewFrame::clicked, this, [this] { look(*second_); });
+    connect(secondFrame_, &SecondViewFrame::clicked, this, [this] { setView(*second_); });
     setUpdateBehavior(PartialUpdate);  // the last picture stays
     setMinimumSize(320, 240);
     setMouseTracking(true);
@@ -47,14 +47,14 @@ ToothView::ToothView(Workbench& bench, QWidget* parent)
     rest_.setSingleShot(true);
     connect(&rest_, &QTimer::timeout, this, [this] {
         // On a slow computer the next quick picture may just be late: a careful one now would make it later still.
-        careful_ = changeTo(bench_.contents(showsTurbine_, showsMirror_)) == PicturePace::Change::None;
+        careful_ = changeTo(model_.contents(showsTurbine_, showsMirror_)) == FramePacer::Change::None;
         if (careful_) {
             redraw();
         } else {
             rest_.start(kRestMs);
         }
     });
-    lookAsUsual();
+    resetView();
 }
 
 ToothView::~ToothView() {
@@ -70,7 +70,7 @@ void ToothView::forgetRenderer() {
     doneCurrent();
 }
 
-PictureSize ToothView::pictureSize() const {
+ImageSize ToothView::imageSize() const {
     const double ratio = devicePixelRatioF();
     return {std::max(1, static_cast<int>(std::lround(width() * ratio))),
             std::max(1, static_cast<int>(std::lround(height() * ratio)))};
@@ -92,7 +92,7 @@ void ToothView::initializeGL() {
     Expected<Renderer> renderer = Renderer::create();
     if (renderer) {
         renderer_.emplace(std::move(*renderer));
-        letSoftwareRendererGiveWay();
+        lowerSoftwareRendererPriority();
     } else {
         report(renderer.error());
     }
@@ -106,32 +106,32 @@ void ToothView::redraw() {
 
 void ToothView::paintGL() {
     if (!renderer_ || failed_) return;
-    SceneContents contents = bench_.contents(showsTurbine_, showsMirror_);
-    if (!std::exchange(isStale_, false) && changeTo(contents) == PicturePace::Change::None) return;
+    SceneContents contents = model_.contents(showsTurbine_, showsMirror_);
+    if (!std::exchange(isStale_, false) && changeTo(contents) == FramePacer::Change::None) return;
     contents.camera = camera_.camera();
     drawn_ = contents;
     sinceDrawn_.start();
     const bool careful = std::exchange(careful_, false);
-    const PicturePace::Change change = std::exchange(change_, PicturePace::Change::Motion);
+    const FramePacer::Change change = std::exchange(change_, FramePacer::Change::Motion);
     RenderSettings settings = kFine;
     if (!careful) {
-        settings = pace_.isSmooth() && change == PicturePace::Change::Motion ? kSmooth : kQuick;
-        settings.resolution = pace_.resolution(change);
+        settings = framePacer_.isSmooth() && change == FramePacer::Change::Motion ? kSmooth : kQuick;
+        settings.resolution = framePacer_.resolution(change);
         rest_.start(kRestMs);
     }
     Scene scene = sceneFor(contents);
     scene.second = secondPicture(careful);
-    auto done = renderer_->render(scene, defaultFramebufferObject(), pictureSize(), settings);
+    auto done = renderer_->render(scene, defaultFramebufferObject(), imageSize(), settings);
     if (!done) report(done.error());
     context()->functions()->glFinish();  // a software renderer works after the last call, too
-    if (!careful) pace_.drew(change, 1e-6 * static_cast<double>(sinceDrawn_.nsecsElapsed()));
+    if (!careful) framePacer_.recordFrame(change, 1e-6 * static_cast<double>(sinceDrawn_.nsecsElapsed()));
     ++pictures_;
 }
 
 Scene ToothView::sceneFor(const SceneContents& contents) const {
     Scene scene = makeScene(contents);
     if (contents.tooth != nullptr && inspection_ != Inspection()) {
-        inspect(scene, bench_.tooth()->piece->tooth(), inspection_);
+        applyInspection(scene, model_.tooth()->piece->tooth(), inspection_);
     }
     constexpr double kEyesPerFocus = 1.0 / 30;  // eye distance by that of the tooth: easy to look at
     scene.stereo = {stereo_, camera_.distance(), kEyesPerFocus * camera_.distance()};
@@ -139,18 +139,18 @@ Scene ToothView::sceneFor(const SceneContents& contents) const {
 }
 
 /// Not where there is nothing to be seen yet, and not for two eyes.
-bool ToothView::drawsSecond() const { return second_ && bench_.tooth() && stereo_ == Stereo::Mode::Off; }
+bool ToothView::drawsSecond() const { return second_ && model_.tooth() && stereo_ == Stereo::Mode::Off; }
 
 /// While things move it is not drawn as often as the large one.
 std::optional<SecondView> ToothView::secondPicture(bool careful) {
     if (!drawsSecond()) return std::nullopt;
     const bool anew = careful || secondAge_ == 0;
     secondAge_ = anew ? 1 : (secondAge_ + 1) % kSecondLasts;
-    return SecondView{crownFrom(*second_, bench_.mesialX(), bench_.tooth()->box()), anew};
+    return SecondView{crownCamera(*second_, model_.mesialX(), model_.tooth()->box()), anew};
 }
 
-PicturePace::Change ToothView::changeTo(const SceneContents& now) const {
-    using enum PicturePace::Change;
+FramePacer::Change ToothView::changeTo(const SceneContents& now) const {
+    using enum FramePacer::Change;
     if (now.tooth != drawn_.tooth || now.tool.has_value() != drawn_.tool.has_value() ||
         now.mirror.has_value() != drawn_.mirror.has_value() || now.suction.has_value() != drawn_.suction.has_value() ||
         now.flying != drawn_.flying) {
@@ -165,8 +165,8 @@ PicturePace::Change ToothView::changeTo(const SceneContents& now) const {
         !samePose(now.tool->toolInTooth, drawn_.tool->toolInTooth)) {
         return Motion;
     }
-    const float blur = blurOf(now.tool->speedRpm, now.tool->edge);
-    if (std::abs(blur - blurOf(drawn_.tool->speedRpm, drawn_.tool->edge)) > kSeenBlur) return Spin;
+    const float blur = spinBlur(now.tool->speedRpm, now.tool->edge);
+    if (std::abs(blur - spinBlur(drawn_.tool->speedRpm, drawn_.tool->edge)) > kSeenBlur) return Spin;
     if (blur == 1 && now.tool->blurred != nullptr) return None;  // the same at every turn
     const double turned = std::remainder(now.tool->spin - drawn_.tool->spin, 2 * std::numbers::pi);
     return std::abs(turned) > kSeenSpin && (second_ || seesTip(now)) ? Spin : None;
@@ -174,7 +174,7 @@ PicturePace::Change ToothView::changeTo(const SceneContents& now) const {
 
 /// Whether the bur may be in the picture.
 bool ToothView::seesTip(const SceneContents& now) const {
-    const PictureSize size = pictureSize();
+    const ImageSize size = imageSize();
     const auto pixel = project(camera_.camera(), size, now.tool->toolInTooth.position);
     constexpr double kAround = 0.3;  // of the picture's size: the shaft is still seen where the tip has left
     return pixel && std::abs(pixel->x() / size.width - 0.5) < 0.5 + kAround &&
@@ -183,37 +183,37 @@ bool ToothView::seesTip(const SceneContents& now) const {
 
 void ToothView::refresh() {
     secondFrame_->setVisible(drawsSecond());  // a tooth has come
-    const PicturePace::Change change = changeTo(bench_.contents(showsTurbine_, showsMirror_));
-    if (sinceDrawn_.isValid() && !pace_.isDue(change, static_cast<double>(sinceDrawn_.elapsed()))) return;
+    const FramePacer::Change change = changeTo(model_.contents(showsTurbine_, showsMirror_));
+    if (sinceDrawn_.isValid() && !framePacer_.isDue(change, static_cast<double>(sinceDrawn_.elapsed()))) return;
     change_ = change;
     redraw();
 }
 
 void ToothView::fit() {
-    if (!bench_.tooth()) return;
+    if (!model_.tooth()) return;
     // The crown is what is worked on; the roots may leave the picture, the head of the handpiece should not.
     constexpr double kAbove = 13;  // mm
-    camera_.fit(crownBox(bench_.tooth()->box(), kAbove), pictureSize().aspect());
+    camera_.fit(crownBox(model_.tooth()->box(), kAbove), imageSize().aspect());
     redraw();
 }
 
-void ToothView::setEye(const OrbitCamera& eye) {
+void ToothView::setOrbitCamera(const OrbitCamera& eye) {
     camera_ = eye;
     redraw();
 }
 
-void ToothView::moveEye(const Vec2& way, bool shifts) {
-    moveCamera(pictureSize().height * way, shifts ? Qt::MiddleButton : Qt::RightButton);
+void ToothView::orbitBy(const Vec2& way, bool shifts) {
+    moveCamera(imageSize().height * way, shifts ? Qt::MiddleButton : Qt::RightButton);
 }
 
-void ToothView::comeNearer(double factor) {
-    const PictureSize size = pictureSize();
+void ToothView::zoomBy(double factor) {
+    const ImageSize size = imageSize();
     camera_.zoom(factor, Vec2(size.width / 2.0, size.height / 2.0), size);
     redraw();
 }
 
-void ToothView::look(StandardView view) {
-    camera_.look(view, bench_.mesialX());
+void ToothView::setView(StandardView view) {
+    camera_.setView(view, model_.mesialX());
     redraw();
 }
 
@@ -222,8 +222,8 @@ void ToothView::centreOn(const Vec3& place) {
     redraw();
 }
 
-void ToothView::lookAsUsual() {
-    camera_.look(bench_.usualView());
+void ToothView::resetView() {
+    camera_.setView(model_.defaultView());
     redraw();
 }
 
@@ -255,23 +255,23 @@ void ToothView::setSecondView(std::optional<StandardView> view, const QString& t
 void ToothView::resizeEvent(QResizeEvent* event) {
     isStale_ = true;
     QOpenGLWidget::resizeEvent(event);
-    secondFrame_->fitTo(pictureSize());
+    secondFrame_->fitTo(imageSize());
 }
 
 void ToothView::mousePressEvent(QMouseEvent* event) {
     mouse_ = toPixel(event->position());
-    if (event->button() == Qt::LeftButton) bench_.hand().press(pointedPicture(), mouse_);
+    if (event->button() == Qt::LeftButton) model_.manipulator().press(viewport(), mouse_);
 }
 
 void ToothView::mouseReleaseEvent(QMouseEvent* event) {
-    if (event->button() == Qt::LeftButton) bench_.hand().release();
+    if (event->button() == Qt::LeftButton) model_.manipulator().release();
 }
 
 void ToothView::moveCamera(const Vec2& way, Qt::MouseButtons buttons) {
     if (buttons & Qt::RightButton) {
-        camera_.orbit(way, pictureSize());
+        camera_.orbit(way, imageSize());
     } else {
-        camera_.pan(way, pictureSize());
+        camera_.pan(way, imageSize());
     }
     redraw();
 }
@@ -289,13 +289,13 @@ void ToothView::mouseMoveEvent(QMouseEvent* event) {
 void ToothView::moveHand(const Vec2& to, Qt::KeyboardModifiers with) {
     const Vec2 way = to - mouse_;
     mouse_ = to;
-    if (bench_.simulator() == nullptr) return;
+    if (model_.simulator() == nullptr) return;
     if (with & Qt::ShiftModifier) {
-        bench_.hand().lean(pointedPicture(), way);
-    } else if (bench_.hand().isPressing()) {
-        bench_.hand().drag(pointedPicture(), to);
+        model_.manipulator().tilt(viewport(), way);
+    } else if (model_.manipulator().isPressing()) {
+        model_.manipulator().drag(viewport(), to);
     } else {
-        bench_.hand().aim(pointedPicture(), to, *bench_.felt());
+        model_.manipulator().aim(viewport(), to, *model_.felt());
     }
 }
 
@@ -305,7 +305,7 @@ bool ToothView::obeyKey(const QKeyEvent& key) {
                                                        {Qt::Key_Right, Vec2(1, 0)},
                                                        {Qt::Key_Up, Vec2(0, -1)},
                                                        {Qt::Key_Down, Vec2(0, 1)}}};
-    const PictureSize size = pictureSize();
+    const ImageSize size = imageSize();
     if (mouse_.x() < 0) mouse_ = Vec2(size.width / 2.0, size.height / 2.0);
     for (const auto& [code, way] : ways) {
         if (key.key() != code) continue;
@@ -319,7 +319,7 @@ bool ToothView::obeyKey(const QKeyEvent& key) {
     }
     if (key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter) {
         if (key.isAutoRepeat()) return true;
-        bench_.hand().press(pointedPicture(), mouse_);
+        model_.manipulator().press(viewport(), mouse_);
         isPressedByKey_ = true;
         return true;
     }
@@ -346,18 +346,18 @@ void ToothView::focusOutEvent(QFocusEvent* event) {
 }
 
 void ToothView::endKeyPress() {
-    if (std::exchange(isPressedByKey_, false)) bench_.hand().release();
+    if (std::exchange(isPressedByKey_, false)) model_.manipulator().release();
 }
 
 void ToothView::wheelEvent(QWheelEvent* event) {
     constexpr double kNotch = 120;  // eighths of a degree
     const double notches = event->angleDelta().y() / kNotch;
     if (event->modifiers() & Qt::ControlModifier) {
-        camera_.zoom(std::pow(kZoomStep, notches), toPixel(event->position()), pictureSize());
+        camera_.zoom(std::pow(kZoomStep, notches), toPixel(event->position()), imageSize());
         redraw();
     } else {
-        bench_.hand().setPressDepth(bench_.hand().pressDepth() + kPressStep * notches);
-        emit pressDepthChanged(bench_.hand().pressDepth());
+        model_.manipulator().setPressDepth(model_.manipulator().pressDepth() + kPressStep * notches);
+        emit pressDepthChanged(model_.manipulator().pressDepth());
     }
     event->accept();
 }

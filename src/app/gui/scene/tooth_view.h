@@ -7,9 +7,9 @@
 #include <QTimer>
 
 #include "app/common/inspection.h"
-#include "app/gui/scene/picture_pace.h"
+#include "app/gui/model/session_model.h"
+#include "app/gui/scene/frame_pacer.h"
 #include "app/gui/scene/second_view_frame.h"
-#include "app/gui/model/workbench.h"
 #include "view/camera/orbit_camera.h"
 #include "view/render/renderer.h"
 
@@ -21,7 +21,7 @@ class ToothView final : public QOpenGLWidget {
     Q_OBJECT
 
 public:
-    explicit ToothView(Workbench& bench, QWidget* parent = nullptr);
+    explicit ToothView(SessionModel& model, QWidget* parent = nullptr);
     ~ToothView() override;
 
     /// Draws again if what there is to see has changed and it is time for it.
@@ -29,18 +29,19 @@ public:
     /// Pictures drawn so far.
     [[nodiscard]] std::uint64_t pictures() const { return pictures_; }
     void fit();
-    void look(StandardView view);
+    void setView(StandardView view);
     /// Shows this place of the tooth in the middle.
     void centreOn(const Vec3& place);
     /// How the picture is turned, shifted and enlarged.
-    [[nodiscard]] const OrbitCamera& eye() const { return camera_; }
-    void setEye(const OrbitCamera& eye);
-    /// Turns the tooth by `way`, in heights of the picture: half of one by 90 degrees. `shifts`: shifts it instead.
-    void moveEye(const Vec2& way, bool shifts);
+    [[nodiscard]] const OrbitCamera& orbitCamera() const { return camera_; }
+    void setOrbitCamera(const OrbitCamera& eye);
+    /// Turns the tooth by `displacement`, in heights of the picture: half of one by 90 degrees. `shifts`: shifts it
+    /// instead.
+    void orbitBy(const Vec2& displacement, bool shifts);
     /// Leaves `factor` of the distance to the middle of the picture.
-    void comeNearer(double factor);
+    void zoomBy(double factor);
     /// From buccal and above, as a dentist sees a lower tooth.
-    void lookAsUsual();
+    void resetView();
     void setShowsTurbine(bool shows);
     void setShowsMirror(bool shows);
     /// How one looks into the tooth.
@@ -48,7 +49,7 @@ public:
     /// A small picture from another side as well; none without a view.
     void setSecondView(std::optional<StandardView> view, const QString& title = {});
     /// What the mouse points into.
-    [[nodiscard]] PointedPicture pointedPicture() const { return {camera_.camera(), pictureSize()}; }
+    [[nodiscard]] Viewport viewport() const { return {camera_.camera(), imageSize()}; }
     [[nodiscard]] Camera camera() const { return camera_.camera(); }
     [[nodiscard]] bool showsTurbine() const { return showsTurbine_; }
     [[nodiscard]] bool showsMirror() const { return showsMirror_; }
@@ -72,14 +73,14 @@ protected:
     void focusOutEvent(QFocusEvent* event) override;
 
 private:
-    [[nodiscard]] PictureSize pictureSize() const;
+    [[nodiscard]] ImageSize imageSize() const;
     [[nodiscard]] Vec2 toPixel(const QPointF& position) const;
-    [[nodiscard]] PicturePace::Change changeTo(const SceneContents& now) const;
+    [[nodiscard]] FramePacer::Change changeTo(const SceneContents& now) const;
     [[nodiscard]] Scene sceneFor(const SceneContents& contents) const;
     [[nodiscard]] bool seesTip(const SceneContents& now) const;
     [[nodiscard]] bool drawsSecond() const;
     [[nodiscard]] std::optional<SecondView> secondPicture(bool careful);
-    void moveCamera(const Vec2& way, Qt::MouseButtons buttons);
+    void moveCamera(const Vec2& displacement, Qt::MouseButtons buttons);
     void moveHand(const Vec2& to, Qt::KeyboardModifiers with);
     [[nodiscard]] bool obeyKey(const QKeyEvent& key);
     void endKeyPress();
@@ -87,7 +88,7 @@ private:
     void forgetRenderer();
     void redraw();
 
-    Workbench& bench_;
+    SessionModel& model_;
     OrbitCamera camera_;
     std::optional<Renderer> renderer_;
     bool failed_ = false;
@@ -101,9 +102,9 @@ private:
     SceneContents drawn_;
     bool careful_ = false;  // the next picture
     bool isStale_ = true;   // the last picture: beside what changeTo sees
-    PicturePace pace_;
-    PicturePace::Change change_ = PicturePace::Change::Motion;  // that the next picture shows
-    QTimer rest_;                                               // runs out when nothing has moved for a while
+    FramePacer framePacer_;
+    FramePacer::Change change_ = FramePacer::Change::Motion;  // that the next picture shows
+    QTimer rest_;                                             // runs out when nothing has moved for a while
     QElapsedTimer sinceDrawn_;
     std::uint64_t pictures_ = 0;
     bool isPressedByKey_ = false;

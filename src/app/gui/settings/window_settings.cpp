@@ -11,7 +11,7 @@
 #include "devices/open_device.h"
 #include "geometry/files/atomic_file.h"
 #include "geometry/files/file_bytes.h"
-#include "session/io/guarded_toml.h"
+#include "session/io/limited_toml.h"
 
 namespace tactooth {
 namespace {
@@ -27,7 +27,7 @@ public:
         if (const auto* held = found->as_string()) {
             value = held->get();
         } else {
-            refuse(*found, key, "a text in quotes");
+            reportError(*found, key, "a text in quotes");
         }
     }
     void yesOrNo(std::string_view table, std::string_view key, bool& value) {
@@ -36,7 +36,7 @@ public:
         if (const auto* held = found->as_boolean()) {
             value = held->get();
         } else {
-            refuse(*found, key, "true or false");
+            reportError(*found, key, "true or false");
         }
     }
     void number(const WindowOption& option, double& value) {
@@ -54,7 +54,7 @@ public:
         std::ostringstream wanted;
         wanted << "a number from " << option.lowest << " to " << option.highest;
         if (option.zero != nullptr) wanted << ", or \"" << option.zero << '"';
-        refuse(*found, option.key, wanted.str());
+        reportError(*found, option.key, wanted.str());
     }
     [[nodiscard]] const std::vector<Error>& refused() const { return refused_; }
 
@@ -63,12 +63,12 @@ private:
         const toml::node* section = root_.get(table);
         if (section == nullptr) return nullptr;
         if (!section->is_table()) {
-            refuse(*section, table, "a table");
+            reportError(*section, table, "a table");
             return nullptr;
         }
         return section->as_table()->get(key);
     }
-    void refuse(const toml::node& node, std::string_view key, std::string_view wanted) {
+    void reportError(const toml::node& node, std::string_view key, std::string_view wanted) {
         Error error{std::string(name_) + ", line " + std::to_string(node.source().begin.line) + ": '" +
                     std::string(key) + "' must be " + std::string(wanted) + "."};
         // What should be a table is asked for each of its keys.
@@ -80,9 +80,9 @@ private:
     std::vector<Error> refused_;
 };
 
-KeptSettings settingsFrom(const toml::table& root, std::string_view name) {
+ParsedSettings settingsFrom(const toml::table& root, std::string_view name) {
     SettingsReader reader(root, name);
-    KeptSettings settings;
+    ParsedSettings settings;
     for (const WindowOption& option : windowOptions()) {
         if (const auto* text = std::get_if<WindowOption::Text>(&option.value)) {
             reader.text(option.table, option.key, (*text)(settings));
@@ -103,7 +103,7 @@ std::filesystem::path windowSettingsFile() {
     return std::filesystem::path(folder.toStdString()) / "tactooth" / "window.toml";
 }
 
-Expected<KeptSettings> parseWindowSettings(std::string_view text, std::string_view name) {
+Expected<ParsedSettings> parseWindowSettings(std::string_view text, std::string_view name) {
     const Expected<toml::table> root = parseToml(text, name);
     if (!root) return Unexpected{root.error()};
     return settingsFrom(*root, name);
@@ -126,15 +126,15 @@ std::string windowSettingsText(const WindowSettings& settings) {
     return text.str();
 }
 
-Expected<KeptSettings> readWindowSettings(const std::filesystem::path& file) {
+Expected<ParsedSettings> readWindowSettings(const std::filesystem::path& file) {
     std::error_code none;
-    if (!std::filesystem::exists(file, none)) return KeptSettings();
+    if (!std::filesystem::exists(file, none)) return ParsedSettings();
     const Expected<FileBytes> content = readFile(file, kTomlLimits.bytes);
     if (!content) return Unexpected{content.error()};
-    return parseWindowSettings(content->text(), shownName(file));
+    return parseWindowSettings(content->text(), displayName(file));
 }
 
-Expected<std::filesystem::path> putBadSettingsAside(const std::filesystem::path& file) {
+Expected<std::filesystem::path> backUpInvalidSettings(const std::filesystem::path& file) {
     std::filesystem::path aside = file;
     aside += ".bad";
     std::error_code failure;
@@ -143,18 +143,18 @@ Expected<std::filesystem::path> putBadSettingsAside(const std::filesystem::path&
     return aside;
 }
 
-std::string forgetUnknownDevices(HandSettings& hand, const std::filesystem::path& file) {
-    const HandSettings usual;
+std::string resetUnknownDevices(DeviceSettings& hand, const std::filesystem::path& file) {
+    const DeviceSettings usual;
     std::string forgotten;
-    const auto keepKnown = [&](std::string& device, const std::string& otherwise, const char* key, bool isSecond) {
+    const auto keepValid = [&](std::string& device, const std::string& otherwise, const char* key, bool isSecond) {
         if (checkDeviceName(device, key, isSecond)) return;
         forgotten += (forgotten.empty() ? "'" : " and no '") + device + "' (" + key + ")";
         device = otherwise;
     };
-    keepKnown(hand.device, usual.device, "device", false);
-    keepKnown(hand.secondDevice, usual.secondDevice, "second_device", true);
+    keepValid(hand.device, usual.device, "device", false);
+    keepValid(hand.secondDevice, usual.secondDevice, "second_device", true);
     if (forgotten.empty()) return {};
-    return shownName(file) + ": Tactooth knows no device " + forgotten +
+    return displayName(file) + ": Tactooth knows no device " + forgotten +
            "; the usual one takes its place, choose another in the panel Hand.";
 }
 

@@ -28,10 +28,10 @@ struct ForceSettings {
     bool operator==(const ForceSettings&) const = default;
 };
 /// Which device steers and how, as it was set.
-struct HandSettings {
+struct DeviceSettings {
     std::string device = "mouse";       ///< see openDevice
     std::string secondDevice = "none";  ///< of the other hand, likewise
-    double fineness = 1;                ///< mm of the hand for each mm of the tool, or kFit
+    double motionScaling = 1;           ///< mm of the hand for each mm of the tool, or kAutoScaling
     double rate = 1000;                 ///< forces a second
     bool leftHanded = false;
     double swapButton = 1;  ///< turbine or mirror; buttons are counted from 1, 0 is none
@@ -41,19 +41,19 @@ struct HandSettings {
     double pedalUp = 0, pedalDown = 1;
     std::string pedalKey = "Space";  ///< as Qt writes keys in English
 
-    bool operator==(const HandSettings&) const = default;
+    bool operator==(const DeviceSettings&) const = default;
 };
-inline constexpr double kFit = 0;  ///< as fine as the device's room allows: see Workbench::fit
-inline constexpr double kLeastRate = 500, kMostRate = 4000;  ///< Hz
-inline constexpr double kMostButton = 8;
+inline constexpr double kAutoScaling = 0;                 ///< as fine as the device's room allows: see Workbench::fit
+inline constexpr double kMinRate = 500, kMaxRate = 4000;  ///< Hz
+inline constexpr double kMaxButton = 8;
 
 // Ranges: a desk-top device renders 1 N/mm cleanly and 3 N/mm with luck; 2 N*s/m is what a hand does not feel as
 // viscous, ten times that it does.
-inline constexpr double kMostSpring = 3;     ///< N/mm
-inline constexpr double kMostDamper = 0.02;  ///< N*s/mm
-inline constexpr double kMostForceScale = 3;
-inline constexpr double kMostFriction = 1;
-inline constexpr double kLeastTextScale = 1, kMostTextScale = 2;
+inline constexpr double kMaxSpring = 3;     ///< N/mm
+inline constexpr double kMaxDamper = 0.02;  ///< N*s/mm
+inline constexpr double kMaxForceScale = 3;
+inline constexpr double kMaxFriction = 1;
+inline constexpr double kMinTextScale = 1, kMaxTextScale = 2;
 
 /// The mouth mirror in the window.
 struct MirrorSettings {
@@ -79,7 +79,7 @@ struct WindowSettings {
     bool showsTurbine = true;
     bool showsMirror = true;
     ForceSettings force;
-    HandSettings hand;
+    DeviceSettings hand;
     SoundMixer sound;
     bool headphones = false;
     std::string ownSounds;  ///< file of the recordings that are played; empty: all synthesised
@@ -89,7 +89,7 @@ struct WindowSettings {
     MirrorSettings mirror;
     bool water = true;                ///< the spray comes with the pedal
     bool suction = false;             ///< an assistant holds the tube
-    double textScale = 1;             ///< of all texts, kLeastTextScale..kMostTextScale
+    double textScale = 1;             ///< of all texts, kMinTextScale..kMaxTextScale
     std::string secondView = "none";  ///< or one of kStandardViews
 };
 
@@ -121,7 +121,7 @@ struct WindowOption {
 [[nodiscard]] std::filesystem::path windowSettingsFile();
 
 /// What was read of a file.
-struct KeptSettings : WindowSettings {
+struct ParsedSettings : WindowSettings {
     std::vector<Error>
         refused;  ///< for each value that cannot be meant, and has its default: one sentence with its line
 };
@@ -129,17 +129,17 @@ struct KeptSettings : WindowSettings {
 /// Value by value: one that cannot be meant costs only itself. Fails with one sentence that names the line if the text
 /// is not TOML. Keys that are not known belong to another version and are passed over. `name`: of the file, for the
 /// sentences.
-[[nodiscard]] Expected<KeptSettings> parseWindowSettings(std::string_view text, std::string_view name);
+[[nodiscard]] Expected<ParsedSettings> parseWindowSettings(std::string_view text, std::string_view name);
 [[nodiscard]] std::string windowSettingsText(const WindowSettings& settings);
 
 /// The settings of the last time; the defaults if there is no file yet.
-[[nodiscard]] Expected<KeptSettings> readWindowSettings(const std::filesystem::path& file);
+[[nodiscard]] Expected<ParsedSettings> readWindowSettings(const std::filesystem::path& file);
 /// Puts a file aside that cannot be read, as "window.toml.bad" in the place of an older one of that name, before a new
 /// one is written. Fails with a few words of the system.
-[[nodiscard]] Expected<std::filesystem::path> putBadSettingsAside(const std::filesystem::path& file);
+[[nodiscard]] Expected<std::filesystem::path> backUpInvalidSettings(const std::filesystem::path& file);
 /// Puts the defaults in the place of devices that no Tactooth knows, so that a slip of the pen is not kept for ever.
 /// One sentence that says so and names the file; empty if all are known.
-[[nodiscard]] std::string forgetUnknownDevices(HandSettings& hand, const std::filesystem::path& file);
+[[nodiscard]] std::string resetUnknownDevices(DeviceSettings& hand, const std::filesystem::path& file);
 /// Makes the folder if need be.
 [[nodiscard]] Expected<void> writeWindowSettings(const WindowSettings& settings, const std::filesystem::path& file);
 

@@ -17,24 +17,24 @@
 #include <array>
 #include <utility>
 
+#include "app/gui/dialogs/guided_tour.h"
+#include "app/gui/dialogs/open_tooth_dialog.h"
+#include "app/gui/dialogs/scan_importer.h"
+#include "app/gui/panels/device_panel.h"
 #include "app/gui/panels/drill_bar.h"
 #include "app/gui/panels/drive_panel.h"
-#include "app/gui/text/error_words.h"
 #include "app/gui/panels/event_panel.h"
 #include "app/gui/panels/exercise_panel.h"
 #include "app/gui/panels/force_panel.h"
-#include "app/gui/dialogs/guided_tour.h"
-#include "app/gui/panels/hand_panel.h"
-#include "app/gui/panels/inside_panel.h"
-#include "app/gui/dialogs/open_tooth_dialog.h"
+#include "app/gui/panels/inspection_panel.h"
 #include "app/gui/panels/plot_panel.h"
-#include "app/gui/text/remark_words.h"
-#include "app/gui/dialogs/scan_importer.h"
 #include "app/gui/panels/sound_panel.h"
 #include "app/gui/panels/status_line.h"
 #include "app/gui/panels/timing_panel.h"
 #include "app/gui/scene/tooth_view.h"
-#include "app/gui/text/words.h"
+#include "app/gui/text/error_translation.h"
+#include "app/gui/text/import_note_translation.h"
+#include "app/gui/text/term_translation.h"
 #include "geometry/io/stl_writer.h"
 
 namespace tactooth {
@@ -70,17 +70,17 @@ bool isInSight(const QWidget& panel) { return !panel.visibleRegion().isEmpty(); 
 
 MainWindow::MainWindow(SoundOutput& sound)
     : sound_(sound),
-      bench_(sound),
-      view_(new ToothView(bench_)),
+      model_(sound),
+      view_(new ToothView(model_)),
       drill_(new DrillBar),
       drive_(new DrivePanel),
       force_(new ForcePanel),
-      inside_(new InsidePanel),
-      handPanel_(new HandPanel),
-      tour_(new GuidedTour(bench_, *view_, *drill_, *drive_, this)),
-      volumes_(new SoundPanel),
+      inspectionPanel_(new InspectionPanel),
+      devicePanel_(new DevicePanel),
+      tour_(new GuidedTour(model_, *view_, *drill_, *drive_, this)),
+      soundPanel_(new SoundPanel),
       plots_(new PlotPanel),
-      happened_(new EventPanel),
+      eventPanel_(new EventPanel),
       exercise_(new ExercisePanel),
       timing_(new TimingPanel),
       importer_(new ScanImporter(this)),
@@ -88,7 +88,7 @@ MainWindow::MainWindow(SoundOutput& sound)
       busy_(new QProgressBar),
       fileBar_(addToolBar(tr("File"))),
       viewBar_(new QToolBar(tr("View"))),
-      pad_(*this, *view_) {
+      gamepad_(*this, *view_) {
     setWindowTitle(tr("Tactooth"));
     setAcceptDrops(true);
     setCentralWidget(view_);
@@ -103,7 +103,7 @@ MainWindow::MainWindow(SoundOutput& sound)
     connect(&stepTimer_, &QTimer::timeout, this, &MainWindow::step);
     connect(&numbersTimer_, &QTimer::timeout, this, &MainWindow::showNumbers);
     connect(&statusTimer_, &QTimer::timeout, this, [this] {
-        if (bench_.simulator() != nullptr) showStatus(*bench_.simulator());
+        if (model_.simulator() != nullptr) showStatus(*model_.simulator());
     });
     stepTimer_.start(kStepMs);
     numbersTimer_.start(kNumbersMs);
@@ -116,7 +116,7 @@ MainWindow::~MainWindow() = default;
 QDockWidget* MainWindow::addDock(QWidget& panel, const QString& title, Qt::DockWidgetArea area) {
     auto* dock = new QDockWidget(title);
     dock->setObjectName(title);
-    const bool scrolls = &panel != plots_ && &panel != happened_;  // these two take any size
+    const bool scrolls = &panel != plots_ && &panel != eventPanel_;  // these two take any size
     dock->setWidget(scrolls ? scrolling(panel, area != Qt::RightDockWidgetArea) : &panel);
     addDockWidget(area, dock);
     return dock;
@@ -133,21 +133,22 @@ void MainWindow::addPanels() {
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     QDockWidget* drill = addDock(*drive_, tr("Drill"), Qt::RightDockWidgetArea);
     QDockWidget* force = addDock(*force_, tr("Force"), Qt::RightDockWidgetArea);
-    QDockWidget* hand = addDock(*handPanel_, tr("Hand"), Qt::RightDockWidgetArea);
-    QDockWidget* sound = addDock(*volumes_, tr("Sound"), Qt::RightDockWidgetArea);
+    QDockWidget* hand = addDock(*devicePanel_, tr("Hand"), Qt::RightDockWidgetArea);
+    QDockWidget* sound = addDock(*soundPanel_, tr("Sound"), Qt::RightDockWidgetArea);
     tabifyDockWidget(force, hand);
     tabifyDockWidget(hand, sound);  // what one sets once; all of them one below the other are higher than most screens
     force->raise();
-    QDockWidget* inside = addDock(*inside_, tr("Look inside"), Qt::RightDockWidgetArea);
+    QDockWidget* inside = addDock(*inspectionPanel_, tr("Look inside"), Qt::RightDockWidgetArea);
     QDockWidget* plots = addDock(*plots_, tr("Last ten seconds"), Qt::BottomDockWidgetArea);
     tabifyDockWidget(plots, addDock(*exercise_, tr("Exercise"), Qt::BottomDockWidgetArea));
-    tabifyDockWidget(plots, addDock(*happened_, tr("What happened"), Qt::BottomDockWidgetArea));
+    tabifyDockWidget(plots, addDock(*eventPanel_, tr("What happened"), Qt::BottomDockWidgetArea));
     tabifyDockWidget(plots, addDock(*timing_, tr("Real time"), Qt::BottomDockWidgetArea));
     plots->raise();
     fitPanels();
     // What stands behind the first tab may be scrolled; what is seen at once is seen whole.
     resizeDocks({drill, force, inside},
-                {drive_->sizeHint().height(), force_->sizeHint().height(), inside_->sizeHint().height()}, Qt::Vertical);
+                {drive_->sizeHint().height(), force_->sizeHint().height(), inspectionPanel_->sizeHint().height()},
+                Qt::Vertical);
     busy_->setRange(0, 0);
     busy_->setMaximumWidth(120);
     busy_->setObjectName("busy");
@@ -157,7 +158,7 @@ void MainWindow::addPanels() {
 
 /// All but the lowest need no more than their contents; that takes what is left.
 int MainWindow::tabHeight() const {
-    return std::max({force_->sizeHint().height(), handPanel_->sizeHint().height(), volumes_->sizeHint().height()});
+    return std::max({force_->sizeHint().height(), devicePanel_->sizeHint().height(), soundPanel_->sizeHint().height()});
 }
 
 /// All but the lowest need no more than their contents; that takes what is left. The gauges are always seen whole.
@@ -168,7 +169,7 @@ void MainWindow::fitPanels() {
         panel.ensurePolished();
         panel.layout()->invalidate();  // its size is that of the letters before
         area->setMinimumWidth(panel.minimumSizeHint().width() + style()->pixelMetric(QStyle::PM_ScrollBarExtent));
-        if (&panel == inside_) continue;
+        if (&panel == inspectionPanel_) continue;
         area->setMaximumHeight(&panel == drive_ ? panel.sizeHint().height() : tabHeight());
         if (&panel == drive_) area->setMinimumHeight(panel.sizeHint().height());
     }
@@ -196,7 +197,7 @@ void MainWindow::addFileMenu() {
     open->setShortcut(QKeySequence::Open);
     QMenu* builtin = menu->addMenu(tr("&Built-in teeth"));
     for (const BuiltinToothEntry& entry : kBuiltinTeeth) {
-        builtin->addAction(translated(entry.name), this, [this, &entry] { bringBuiltinTooth(entry); });
+        builtin->addAction(translated(entry.name), this, [this, &entry] { loadBuiltinTooth(entry); });
     }
     addMouthMenu(*menu);
     recentMenu_ = menu->addMenu(tr("Open &recent"));
@@ -227,21 +228,21 @@ void MainWindow::addMouthMenu(QMenu& menu) {
     for (int quadrant = 1; quadrant <= 4; ++quadrant) {
         QMenu* side = mouth->addMenu(quadrants[static_cast<std::size_t>(quadrant - 1)]);
         for (int fdi = 10 * quadrant + 1; isPermanentTooth(fdi); ++fdi) {
-            side->addAction(QString::number(fdi), this, [this, fdi] { bringMouth({.fdi = fdi}); });
+            side->addAction(QString::number(fdi), this, [this, fdi] { loadMouth({.fdi = fdi}); });
         }
     }
 }
 
 void MainWindow::addDrillAndSoundMenus() {
     QMenu* menu = menuBar()->addMenu(tr("&Drill"));
-    menu->addActions({drill_->touchAction(), drill_->cutAction(), handPanel_->clutchAction()});
+    menu->addActions({drill_->touchAction(), drill_->cutAction(), devicePanel_->clutchAction()});
     menu->addSeparator();
-    menu->addAction(tr("Stand the bur &upright"), this, [this] { bench_.hand().standUpright(); })
+    menu->addAction(tr("Stand the bur &upright"), this, [this] { model_.manipulator().resetOrientation(); })
         ->setShortcut(QKeySequence("U"));
     constexpr double kTurn = 0.2;  // rad for one press of the key
-    menu->addAction(tr("Turn the handle &left"), this, [this] { bench_.hand().turnHandle(kTurn); })
+    menu->addAction(tr("Turn the handle &left"), this, [this] { model_.manipulator().rotateHandle(kTurn); })
         ->setShortcut(QKeySequence("Q"));
-    menu->addAction(tr("Turn the handle &right"), this, [this] { bench_.hand().turnHandle(-kTurn); })
+    menu->addAction(tr("Turn the handle &right"), this, [this] { model_.manipulator().rotateHandle(-kTurn); })
         ->setShortcut(QKeySequence("E"));
     menu->addSeparator();
     addSpraySwitches(*menu);
@@ -251,8 +252,8 @@ void MainWindow::addDrillAndSoundMenus() {
     QAction* mute = menuBar()->addMenu(tr("&Sound"))->addAction(tr("&Mute"));
     mute->setCheckable(true);
     mute->setShortcut(QKeySequence("Ctrl+M"));
-    connect(mute, &QAction::toggled, volumes_, &SoundPanel::setMuted);
-    connect(volumes_, &SoundPanel::mutedChanged, mute, &QAction::setChecked);
+    connect(mute, &QAction::toggled, soundPanel_, &SoundPanel::setMuted);
+    connect(soundPanel_, &SoundPanel::mutedChanged, mute, &QAction::setChecked);
 }
 
 void MainWindow::addHelpMenu() {
@@ -264,19 +265,19 @@ void MainWindow::addHelpMenu() {
 }
 
 void MainWindow::connectPanels() {
-    connect(drill_, &DrillBar::burChosen, this, &MainWindow::bringBur);
+    connect(drill_, &DrillBar::burChosen, this, &MainWindow::loadBur);
     connect(drill_, &DrillBar::burFileChosen, this, &MainWindow::openBur);
     connect(drill_, &DrillBar::spindleChosen, this, [this](const SpindlePreset& spindle) {
-        bench_.setSpindle(spindle);
+        model_.setSpindle(spindle);
         drive_->setSpindle(spindle);
     });
     connect(drill_, &DrillBar::cuttingChanged, this, [this](bool cutting) {
-        bench_.setCutting(cutting);
+        model_.setCutting(cutting);
         showUsualHint();
     });
-    connect(drill_->resetAction(), &QAction::triggered, this, [this] { bench_.resetTooth(); });
+    connect(drill_->resetAction(), &QAction::triggered, this, [this] { model_.resetTooth(); });
     connect(drill_->undoAction(), &QAction::triggered, this, [this] {
-        if (bench_.simulator() != nullptr) bench_.simulator()->requestUndo();
+        if (model_.simulator() != nullptr) model_.simulator()->requestUndo();
     });
     connect(drive_, &DrivePanel::pedalChanged, this, [this](double pedal) {
         if (pedal > 0 && !drill_->isCutting()) {
@@ -284,39 +285,40 @@ void MainWindow::connectPanels() {
         }
     });
     connect(force_, &ForcePanel::changed, this, [this] {
-        bench_.controls.force = force_->overrides();
-        bench_.controls.forceScale = force_->forceScale();
+        model_.controls.force = force_->overrides();
+        model_.controls.forceScale = force_->forceScale();
     });
-    connect(force_, &ForcePanel::pressDepthChanged, this, [this](double mm) { bench_.hand().setPressDepth(mm); });
+    connect(force_, &ForcePanel::pressDepthChanged, this,
+            [this](double mm) { model_.manipulator().setPressDepth(mm); });
     connect(view_, &ToothView::pressDepthChanged, force_, &ForcePanel::setPressDepth);
     connect(view_, &ToothView::failed, this, &MainWindow::graphicsFailed, Qt::QueuedConnection);
-    connect(importer_, &ScanImporter::failed, this, qOverload<const QString&>(&MainWindow::complain));
-    connect(importer_, &ScanImporter::imported, this, [this](const BenchTooth& tooth) {
+    connect(importer_, &ScanImporter::failed, this, qOverload<const QString&>(&MainWindow::showError));
+    connect(importer_, &ScanImporter::imported, this, [this](const SessionTooth& tooth) {
         status_->setHint(tr("%1 was imported").arg(QString::fromStdString(tooth.name)));
-        bench_.put(tooth);
+        model_.install(tooth);
     });
     connectSound();
-    connectInside();
+    connectInspection();
     connectRecords();
     connectExercise();
-    connectHand();
+    connectDevice();
 }
 
 void MainWindow::connectRecords() {
-    connect(plots_, &PlotPanel::exportWanted, this, &MainWindow::askForPlotFile);
-    connect(happened_, &EventPanel::exportWanted, this, &MainWindow::askForEventFile);
-    connect(happened_, &EventPanel::told, status_, &StatusLine::setHint);
-    connect(happened_, &EventPanel::placeChosen, view_, &ToothView::centreOn);
+    connect(plots_, &PlotPanel::exportRequested, this, &MainWindow::askForPlotFile);
+    connect(eventPanel_, &EventPanel::exportRequested, this, &MainWindow::askForEventFile);
+    connect(eventPanel_, &EventPanel::notified, status_, &StatusLine::setHint);
+    connect(eventPanel_, &EventPanel::placeChosen, view_, &ToothView::centreOn);
 }
 
 /// A window that nobody uses leaves the computer to others.
-void MainWindow::paceSteps() {
-    const Vec3& place = bench_.newest().proxy.position;
+void MainWindow::adaptStepInterval() {
+    const Vec3& place = model_.newest().proxy.position;
     const bool isStill =
-        (place - lastPlace_).norm() < kSeenMove && bench_.newest().speedRpm < kStandsStill && !bench_.isBusy();
+        (place - lastPlace_).norm() < kSeenMove && model_.newest().speedRpm < kStandsStill && !model_.isBusy();
     lastPlace_ = place;
-    stillSteps_ = isStill ? stillSteps_ + 1 : 0;
-    const bool rests = stillSteps_ > kRestAfter;
+    idleSteps_ = isStill ? idleSteps_ + 1 : 0;
+    const bool rests = idleSteps_ > kRestAfter;
     const auto pace = [](QTimer& timer, int pause) {
         if (timer.interval() != pause) timer.setInterval(pause);
     };
@@ -327,28 +329,28 @@ void MainWindow::paceSteps() {
 void MainWindow::step() {
     const double dt = sinceStep_.isValid() ? static_cast<double>(sinceStep_.restart()) / 1000 : (sinceStep_.start(), 0);
     stepPedal();
-    takeDevices();
-    stepPad(std::min(dt, kLongestStep));
-    takeNews(bench_.step(std::min(dt, kLongestStep)));
+    collectDevices();
+    stepGamepad(std::min(dt, kLongestStep));
+    applyStepResult(model_.step(std::min(dt, kLongestStep)));
     followButtons();
-    takeSounds();
-    takeTarget();
-    keepAccount();
+    collectSounds();
+    collectTarget();
+    updateMetrics();
     importer_->poll();
     placeSounds();
-    trace_.add(bench_.ticks());
-    busy_->setVisible(bench_.isBusy() || importer_->isBusy());
+    trace_.add(model_.ticks());
+    busy_->setVisible(model_.isBusy() || importer_->isBusy());
     view_->refresh();
-    paceSteps();
+    adaptStepInterval();
 }
 
 void MainWindow::showUsualHint() {
-    if (bench_.device() == nullptr) {
+    if (model_.device() == nullptr) {
         status_->setHint(
             tr("Left button: press the bur on the tooth · wheel: harder, softer · right: turn · space: pedal"));
-    } else if (pad_.isInPanels()) {
+    } else if (gamepad_.isInPanels()) {
         status_->setHint(tr("D-pad: control and value · shoulders: panel · A: press · B: back to the tooth"));
-    } else if (isSteeredByPad()) {
+    } else if (usesGamepad()) {
         status_->setHint(
             tr("Left stick: move · left trigger: press · left shoulder: lift · right stick: lean · right trigger: "
                "pedal · A: touch or cut · d-pad: turn · Start: menus · Back: panels"));
@@ -357,47 +359,48 @@ void MainWindow::showUsualHint() {
     }
 }
 
-void MainWindow::takeNews(const Workbench::News& news) {
-    if (news.failure) {
-        complain(Error{*news.failure});
-        exercise_->show(practised_);  // the tooth of another one may not have come
+void MainWindow::applyStepResult(const SessionModel::StepResult& stepResult) {
+    if (stepResult.failure) {
+        showError(Error{*stepResult.failure});
+        exercise_->show(activeExercise_);  // the tooth of another one may not have come
     }
     // No message that would take the keys and the pedal from a hand at work.
-    if (news.trouble) {
-        *news.trouble != nullptr ? status_->setHint(errorInWords(*news.trouble)) : showUsualHint();
-        handHint_ = HandHint::None;
+    if (stepResult.faultMessage) {
+        *stepResult.faultMessage != nullptr ? status_->setHint(translatedError(*stepResult.faultMessage))
+                                            : showUsualHint();
+        deviceHint_ = DeviceHint::None;
     }
-    if (news.heavyTick) {
+    if (stepResult.heavyTick) {
         status_->setHint(
             tr("The scene is heavy for this machine: one tick in a hundred takes %1 of the %2 µs that there are; "
                "take a tooth of fewer triangles ('tactooth simplify') or a bur of fewer triangles, and close "
                "other programs.")
-                .arg(*news.heavyTick, 0, 'f', 0)
-                .arg(1e6 / bench_.rate(), 0, 'f', 0));
+                .arg(*stepResult.heavyTick, 0, 'f', 0)
+                .arg(1e6 / model_.rate(), 0, 'f', 0));
     }
-    if (news.newSimulator) {
+    if (stepResult.newSimulator) {
         trace_.clear();
-        timing_->forget();
-        drill_->show(QString::fromStdString(bench_.bur()->name), QString::fromStdString(bench_.bur()->file.string()));
+        timing_->reset();
+        drill_->show(QString::fromStdString(model_.bur()->name), QString::fromStdString(model_.bur()->file.string()));
     }
-    if (!news.newTooth) return;
-    setWindowTitle(tr("%1 — Tactooth").arg(translated(bench_.tooth()->name)));
+    if (!stepResult.newTooth) return;
+    setWindowTitle(tr("%1 — Tactooth").arg(translated(model_.tooth()->name)));
     showUsualHint();
     QStringList hints;
-    for (const Remark& remark : bench_.tooth()->remarks) hints.push_back(translated(remark));
-    if (bench_.tooth()->materials) {
+    for (const ImportNote& importNote : model_.tooth()->importNotes) hints.push_back(translated(importNote));
+    if (model_.tooth()->materials) {
         hints.push_back(tr("This case brings its own materials: it may feel harder, softer or rougher than others"));
     }
     if (!hints.isEmpty()) status_->setHint(hints.join(' '));
-    view_->lookAsUsual();
+    view_->resetView();
     view_->fit();
-    dropTarget();  // it is in the frame of the tooth before
-    practised_ = bench_.tooth()->exercise;
-    exercise_->show(practised_);
-    if (keptLook_) return takeLook(*std::exchange(keptLook_, std::nullopt));
-    if (practised_ == nullptr) return;
-    lookFor(*practised_);
-    bringIdealShape(practised_);
+    clearTarget();  // it is in the frame of the tooth before
+    activeExercise_ = model_.tooth()->exercise;
+    exercise_->show(activeExercise_);
+    if (pendingViewState_) return restoreViewState(*std::exchange(pendingViewState_, std::nullopt));
+    if (activeExercise_ == nullptr) return;
+    showCavityOf(*activeExercise_);
+    loadIdealShapeOf(activeExercise_);
 }
 
 void MainWindow::apply(const WindowSettings& settings) {
@@ -415,13 +418,13 @@ void MainWindow::apply(const WindowSettings& settings) {
     setTextScale(settings.textScale);
     recent_ = QString::fromStdString(settings.recent).split('\n', Qt::SkipEmptyParts);
     force_->set(settings.force);
-    applyHand(settings.hand);
+    applyDeviceSettings(settings.hand);
     setMirror(settings.mirror);
     setSecondView(QString::fromStdString(settings.secondView));
     waterSwitch_->setChecked(settings.water);
     suctionSwitch_->setChecked(settings.suction);
-    volumes_->setMixer(settings.sound);
-    volumes_->setHeadphones(settings.headphones);
+    soundPanel_->setMixer(settings.sound);
+    soundPanel_->setHeadphones(settings.headphones);
     if (!settings.ownSounds.empty()) openSounds(QString::fromStdString(settings.ownSounds));
 }
 
@@ -434,9 +437,9 @@ WindowSettings MainWindow::settings() const {
             .showsTurbine = turbineSwitch_->isChecked(),
             .showsMirror = mirrorSwitch_->isChecked(),
             .force = force_->settings(),
-            .hand = handSettings(),
-            .sound = volumes_->mixer(),
-            .headphones = volumes_->headphones(),
+            .hand = deviceSettings(),
+            .sound = soundPanel_->mixer(),
+            .headphones = soundPanel_->headphones(),
             .ownSounds = soundsFile_.toStdString(),
             .language = language_.toStdString(),
             .dark = darkSwitch_->isChecked(),
@@ -451,20 +454,20 @@ WindowSettings MainWindow::settings() const {
 void MainWindow::showStatus(const Simulator& simulator) {
     status_->show(simulator, sound_.status());
     if (!isInSight(*timing_)) return;
-    const HapticDevice* device = bench_.device();
+    const HapticDevice* device = model_.device();
     timing_->show(simulator, device != nullptr ? QString::fromStdString(device->info().name) : tr("mouse"),
-                  bench_.rate());
+                  model_.rate());
 }
 
 void MainWindow::showNumbers() {
-    drive_->show(bench_.newest());
+    drive_->show(model_.newest());
     plots_->show(trace_);
-    happened_->show(bench_.events().all());
+    eventPanel_->show(model_.events().all());
     // A clock behind another tab would have the whole window composed anew each second.
-    if (bench_.simulator() != nullptr && isInSight(*exercise_)) {
-        exercise_->show(bench_.workSeconds(), bench_.simulator()->removed(), progress_);
+    if (model_.simulator() != nullptr && isInSight(*exercise_)) {
+        exercise_->show(model_.workSeconds(), model_.simulator()->removed(), progress_);
     }
-    showHand();
+    showDeviceState();
 }
 
 }  // namespace tactooth

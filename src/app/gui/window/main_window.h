@@ -9,14 +9,14 @@
 #include <filesystem>
 #include <vector>
 
-#include "app/gui/model/errand.h"
 #include "app/gui/input/foot_pedal.h"
-#include "app/gui/panels/inside_panel.h"
-#include "app/gui/scene/pad_keys.h"
+#include "app/gui/model/session_model.h"
 #include "app/gui/model/target.h"
+#include "app/gui/model/task.h"
+#include "app/gui/panels/inspection_panel.h"
 #include "app/gui/panels/tick_trace.h"
+#include "app/gui/scene/gamepad_navigation.h"
 #include "app/gui/settings/window_settings.h"
-#include "app/gui/model/workbench.h"
 #include "sound/output/sound_output.h"
 
 class QActionGroup;
@@ -30,7 +30,7 @@ class EventPanel;
 class ExercisePanel;
 class ForcePanel;
 class GuidedTour;
-class HandPanel;
+class DevicePanel;
 class PlotPanel;
 class ScanImporter;
 class SoundPanel;
@@ -47,21 +47,21 @@ public:
     explicit MainWindow(SoundOutput& sound);
     ~MainWindow() override;
 
-    [[nodiscard]] Workbench& bench() { return bench_; }
-    void bringBuiltinTooth(const BuiltinToothEntry& entry);
+    [[nodiscard]] SessionModel& model() { return model_; }
+    void loadBuiltinTooth(const BuiltinToothEntry& entry);
     /// A tooth among its neighbours and gums.
-    void bringMouth(const BenchMouth& mouth);
+    void loadMouth(const MouthChoice& mouth);
     void openTooth(const ToothSource& source, const std::string& workOn = {});
     /// Surfaces of one tooth in whatever unit and position: shows what was assumed before it takes them.
     void importScan(const std::vector<std::filesystem::path>& files);
-    void bringBur(const BurSpec& spec);
+    void loadBur(const BurSpec& spec);
     void openBur(const QString& file);
     /// The window as it was the last time. Call before it is shown.
     void apply(const WindowSettings& settings);
     [[nodiscard]] WindowSettings settings() const;
     /// A message that does not stop the simulation.
-    void complain(const QString& sentence);
-    void complain(const Error& error);
+    void showError(const QString& sentence);
+    void showError(const Error& error);
     /// Plays the user's own sounds (see readSoundKit) as soon as they are read.
     void openSounds(const QString& file);
     /// Writes the tooth as it is now; says so if that fails.
@@ -77,34 +77,34 @@ public:
     /// Writes the list of what has happened; says so if that fails.
     void exportEventsTo(const QString& file);
     /// Brings the tooth, bur and target of an exercise; null: free practice, on the tooth as it is.
-    void practise(const std::shared_ptr<const Exercise>& exercise);
+    void startExercise(const std::shared_ptr<const Exercise>& exercise);
     /// The same for one that a file describes; says so if that fails.
     void openExercise(const QString& file);
     /// Writes how far the student has come; says so if that fails.
     void exportReportTo(const QString& file);
     /// Opens a device (see openDevice), which then moves the bur; "mouse" for none. Says so if that fails, and the
     /// mouse goes on.
-    void steerBy(const QString& name);
+    void openFirstDevice(const QString& name);
     /// The same for the other hand, which begins with the mirror; "none" leaves it empty.
-    void holdMirrorBy(const QString& name);
+    void openSecondDevice(const QString& name);
 
     /// How the work is looked at, and what it is compared with.
-    struct Look {
+    struct ViewState {
         OrbitCamera eye;
-        InsidePanel::Choice inside;
+        InspectionPanel::Choice inside;
         Target target;       ///< empty: none, or it has not come yet
         QString targetFile;  ///< of one's own
     };
     /// What is worked on, and what the menus know of it.
-    struct Work {
-        std::optional<BenchTooth> tooth;
-        std::optional<BenchBur> bur;
+    struct SessionState {
+        std::optional<SessionTooth> tooth;
+        std::optional<SessionBur> bur;
         ToothSource source;  ///< of the tooth
-        Look look;
+        ViewState viewState;
     };
     /// Ends the simulation: the work goes on in another window.
-    [[nodiscard]] Work handOver();
-    void takeOver(Work work);
+    [[nodiscard]] SessionState releaseSession();
+    void restoreSession(SessionState work);
 
 signals:
     /// Another language than that of this window, which settings() tells.
@@ -133,36 +133,36 @@ private:
     void addHelpMenu();
     void addSpraySwitches(QMenu& menu);
     void addMirrorMenu();
-    void takeMirrorFromMenu();
+    void replaceMirrorFromMenu();
     void setMirror(const MirrorSettings& mirror);
     [[nodiscard]] MirrorSettings mirror() const;
     QDockWidget* addDock(QWidget& panel, const QString& title, Qt::DockWidgetArea area);
     void connectPanels();
     void connectSound();
-    void connectInside();
+    void connectInspection();
     void connectRecords();
     void connectExercise();
-    void connectHand();
-    void takeHandSettings();
-    void applyHand(const HandSettings& settings);
-    [[nodiscard]] HandSettings handSettings() const;
-    void takeDevices();
+    void connectDevice();
+    void readDeviceSettings();
+    void applyDeviceSettings(const DeviceSettings& settings);
+    [[nodiscard]] DeviceSettings deviceSettings() const;
+    void collectDevices();
     void stepPedal();
-    [[nodiscard]] bool isSteeredByPad() const;
-    void stepPad(double dt);
+    [[nodiscard]] bool usesGamepad() const;
+    void stepGamepad(double dt);
     void followButtons();
-    void showHand();
-    void hintAtHand();
-    void inspectAnew();
+    void showDeviceState();
+    void showDeviceHint();
+    void updateInspection();
     void askForExercise();
     void openFile(const QString& file);
-    void lookFor(const Exercise& exercise);
-    void bringIdealShape(const std::shared_ptr<const Exercise>& exercise);
-    void takeLook(Look look);
+    void showCavityOf(const Exercise& exercise);
+    void loadIdealShapeOf(const std::shared_ptr<const Exercise>& exercise);
+    void restoreViewState(ViewState viewState);
     void setTarget(Target target);
-    void dropTarget();
-    void takeTarget();
-    void keepAccount();
+    void clearTarget();
+    void collectTarget();
+    void updateMetrics();
     void setDark(bool dark);
     void addTextSizeMenu();
     void setTextScale(double scale);
@@ -174,12 +174,12 @@ private:
     QAction* addViewAction(const QString& text, const QString& keys, void (ToothView::*act)());
 
     void step();
-    void paceSteps();
+    void adaptStepInterval();
     void showNumbers();
     void showStatus(const Simulator& simulator);
     void showUsualHint();
-    void takeNews(const Workbench::News& news);
-    void takeSounds();
+    void applyStepResult(const SessionModel::StepResult& stepResult);
+    void collectSounds();
     void placeSounds();
     void askForTooth();
     void askForScan();
@@ -203,18 +203,18 @@ private:
     };
 
     SoundOutput& sound_;
-    Workbench bench_;
+    SessionModel model_;
     TickTrace trace_;
     ToothView* view_;
     DrillBar* drill_;
     DrivePanel* drive_;
     ForcePanel* force_;
-    InsidePanel* inside_;
-    HandPanel* handPanel_;
+    InspectionPanel* inspectionPanel_;
+    DevicePanel* devicePanel_;
     GuidedTour* tour_;
-    SoundPanel* volumes_;
+    SoundPanel* soundPanel_;
     PlotPanel* plots_;
-    EventPanel* happened_;
+    EventPanel* eventPanel_;
     ExercisePanel* exercise_;
     TimingPanel* timing_;
     ScanImporter* importer_;
@@ -242,31 +242,31 @@ private:
     QAction* dropsSwitch_ = nullptr;
     QString folder_;      // of the last file
     QString soundsFile_;  // that is played; empty: the synthesised sounds
-    Errand<OwnSounds> comingSounds_;
-    Errand<Target> comingTarget_;
-    Target target_;                              // on the bench; empty: none
-    QString targetFile_;                         // of one's own, once it is wanted
-    std::shared_ptr<const Exercise> practised_;  // none: free practice
-    std::optional<Look> keptLook_;               // for the tooth that another window has handed over
-    Errand<CavityProgress> comingProgress_;
-    std::optional<CavityProgress> progress_;    // the newest
-    std::shared_ptr<const Surface> accounted_;  // the tooth that it is of
-    QElapsedTimer sinceAccount_;
-    Errand<std::unique_ptr<HapticDevice>> comingDevice_, comingSecond_;
+    Task<OwnSounds> pendingSounds_;
+    Task<Target> pendingTarget_;
+    Target target_;                                   // on the bench; empty: none
+    QString targetFile_;                              // of one's own, once it is wanted
+    std::shared_ptr<const Exercise> activeExercise_;  // none: free practice
+    std::optional<ViewState> pendingViewState_;       // for the tooth that another window has handed over
+    Task<CavityProgress> pendingProgress_;
+    std::optional<CavityProgress> progress_;          // the newest
+    std::shared_ptr<const Surface> measuredSurface_;  // the tooth that it is of
+    QElapsedTimer sinceMetrics_;
+    Task<std::unique_ptr<HapticDevice>> pendingDevice_, pendingSecondDevice_;
     std::string device_ = "mouse", second_ = "none";  // to be remembered, also where today it could not be opened
     FootPedal pedal_;
-    PadKeys pad_;
+    GamepadNavigation gamepad_;
     Qt::Key pedalKey_ = Qt::Key_Space;
     double disagreesSince_ = 0;  // tick's time, s: bar and device about touch or cut
     /// Why the hand's work does not do what it is meant to.
-    enum class HandHint { None, ForceWaits, AtEnd, BurStands, OnlyTouches };
-    [[nodiscard]] HandHint handHint();
-    [[nodiscard]] QString hintText(HandHint hint) const;
-    HandHint handHint_ = HandHint::None;  // that the status line shows
+    enum class DeviceHint { None, ForceWaits, WorkspaceEnd, BurStopped, OnlyTouches };
+    [[nodiscard]] DeviceHint deviceHint();
+    [[nodiscard]] QString deviceHintText(DeviceHint hint) const;
+    DeviceHint deviceHint_ = DeviceHint::None;  // that the status line shows
     QTimer stepTimer_, numbersTimer_, statusTimer_;
     QElapsedTimer sinceStep_;
     Vec3 lastPlace_ = Vec3::Zero();
-    int stillSteps_ = 0;  // since something moved
+    int idleSteps_ = 0;  // since something moved
 };
 
 }  // namespace tactooth

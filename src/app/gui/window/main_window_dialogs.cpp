@@ -8,20 +8,20 @@
 #include <QMessageBox>
 #include <QMimeData>
 
+#include "app/gui/dialogs/guided_tour.h"
+#include "app/gui/dialogs/open_tooth_dialog.h"
+#include "app/gui/dialogs/scan_importer.h"
+#include "app/gui/dialogs/text_dialog.h"
+#include "app/gui/dialogs/welcome_dialog.h"
 #include "app/gui/panels/drill_bar.h"
 #include "app/gui/panels/drive_panel.h"
-#include "app/gui/text/error_words.h"
-#include "app/gui/dialogs/guided_tour.h"
-#include "app/gui/window/main_window.h"
-#include "app/gui/dialogs/open_tooth_dialog.h"
 #include "app/gui/panels/plot_export.h"
 #include "app/gui/panels/plot_panel.h"
-#include "app/gui/dialogs/scan_importer.h"
-#include "app/gui/dialogs/sheet_dialog.h"
 #include "app/gui/panels/status_line.h"
 #include "app/gui/scene/tooth_view.h"
-#include "app/gui/dialogs/welcome_dialog.h"
-#include "app/gui/text/words.h"
+#include "app/gui/text/error_translation.h"
+#include "app/gui/text/term_translation.h"
+#include "app/gui/window/main_window.h"
 #include "geometry/files/atomic_file.h"
 #include "geometry/io/stl_writer.h"
 #include "session/cases/case_store.h"
@@ -53,31 +53,34 @@ QString folderOf(const QString& file) { return QFileInfo(file).absolutePath(); }
 
 }  // namespace
 
-void MainWindow::bringBuiltinTooth(const BuiltinToothEntry& entry) {
+void MainWindow::loadBuiltinTooth(const BuiltinToothEntry& entry) {
     status_->setHint(tr("Making the tooth: %1…").arg(translated(entry.name)));
-    bench_.bring([entry] { return makeBenchTooth(entry); });
+    model_.load([entry] { return makeSessionTooth(entry); });
 }
 
-void MainWindow::bringMouth(const BenchMouth& mouth) {
+void MainWindow::loadMouth(const MouthChoice& mouth) {
     status_->setHint(tr("Making the whole mouth around tooth %1…").arg(mouth.fdi));
-    bench_.bring([mouth] { return makeBenchTooth(mouth); });
+    model_.load([mouth] { return makeSessionTooth(mouth); });
 }
 
-MainWindow::Work MainWindow::handOver() {
-    Work work{bench_.tooth(), bench_.bur(), source_, {view_->eye(), inside_->choice(), target_, targetFile_}};
-    if (work.tooth) work.tooth->exercise = practised_;
-    bench_.stop();
+MainWindow::SessionState MainWindow::releaseSession() {
+    SessionState work{model_.tooth(),
+                      model_.bur(),
+                      source_,
+                      {view_->orbitCamera(), inspectionPanel_->choice(), target_, targetFile_}};
+    if (work.tooth) work.tooth->exercise = activeExercise_;
+    model_.stop();
     return work;
 }
 
-void MainWindow::takeOver(Work work) {
+void MainWindow::restoreSession(SessionState work) {
     source_ = std::move(work.source);
     if (work.tooth) {
         work.tooth->bur.reset();  // it was put into the handpiece when it came; another one may be in it now
-        bench_.put(std::move(*work.tooth));
-        keptLook_ = std::move(work.look);
+        model_.install(std::move(*work.tooth));
+        pendingViewState_ = std::move(work.viewState);
     }
-    if (work.bur) bench_.put(std::move(*work.bur));
+    if (work.bur) model_.install(std::move(*work.bur));
 }
 
 void MainWindow::openTooth(const ToothSource& source, const std::string& workOn) {
@@ -85,7 +88,7 @@ void MainWindow::openTooth(const ToothSource& source, const std::string& workOn)
     folder_ = folderOf(QString::fromStdString(source.outer.string()));
     remember(QString::fromStdString(source.outer.string()));
     source_ = source;
-    bench_.bring(Errand<BenchTooth>::Work([source, workOn] { return loadBenchTooth(source, workOn); }));
+    model_.load(Task<SessionTooth>::Function([source, workOn] { return loadSessionTooth(source, workOn); }));
 }
 
 /// A tooth, or the description of an exercise.
@@ -99,35 +102,35 @@ void MainWindow::importScan(const std::vector<std::filesystem::path>& files) {
     importer_->begin(files, this);
 }
 
-void MainWindow::bringBur(const BurSpec& spec) {
-    bench_.bring(Errand<BenchBur>::Work([spec] { return makeBenchBur(spec); }));
+void MainWindow::loadBur(const BurSpec& spec) {
+    model_.load(Task<SessionBur>::Function([spec] { return makeSessionBur(spec); }));
 }
 
 void MainWindow::openBur(const QString& file) {
     folder_ = folderOf(file);
-    bench_.bring(Errand<BenchBur>::Work([path = file.toStdString()] { return loadBenchBur(path); }));
+    model_.load(Task<SessionBur>::Function([path = file.toStdString()] { return loadSessionBur(path); }));
 }
 
 void MainWindow::exportTooth(const QString& file) {
-    if (bench_.simulator() == nullptr) return;
+    if (model_.simulator() == nullptr) return;
     folder_ = folderOf(file);
-    const Expected<void> written = writeStl(bench_.simulator()->exported().mesh, file.toStdString());
-    if (!written) return complain(written.error());
+    const Expected<void> written = writeStl(model_.simulator()->exported().mesh, file.toStdString());
+    if (!written) return showError(written.error());
     status_->setHint(tr("The tooth was written to %1").arg(file));
 }
 
 void MainWindow::saveTooth(const QString& file) {
-    if (bench_.simulator() == nullptr) return;
+    if (model_.simulator() == nullptr) return;
     folder_ = folderOf(file);
-    const auto bytes = bench_.simulator()->toothFile(savedNow(bench_.tooth()->provenance));
+    const auto bytes = model_.simulator()->toothFile(savedNow(model_.tooth()->provenance));
     const Expected<void> written = writeFile(file.toStdString(), bytes);
-    if (!written) return complain(written.error());
+    if (!written) return showError(written.error());
     status_->setHint(tr("The tooth was saved to %1").arg(file));
 }
 
-void MainWindow::complain(const Error& error) { complain(errorInWords(error.message)); }
+void MainWindow::showError(const Error& error) { showError(translatedError(error.message)); }
 
-void MainWindow::complain(const QString& sentence) {
+void MainWindow::showError(const QString& sentence) {
     status_->setHint(sentence);
     say(this, QMessageBox::Warning, tr("Tactooth"), sentence);
 }
@@ -153,7 +156,7 @@ void MainWindow::askForScan() {
 /// Another tooth of the same case to work on.
 void MainWindow::fillCaseMenu() {
     caseMenu_->clear();
-    const std::vector<std::string> teeth = bench_.tooth() ? bench_.tooth()->teethOfCase : std::vector<std::string>();
+    const std::vector<std::string> teeth = model_.tooth() ? model_.tooth()->teethOfCase : std::vector<std::string>();
     for (const std::string& name : teeth) {
         caseMenu_->addAction(QString::fromStdString(name), this, [this, name] { openTooth(source_, name); });
     }
@@ -195,7 +198,7 @@ void MainWindow::askForPlotFile() {
 void MainWindow::exportPlotsTo(const QString& file) {
     folder_ = folderOf(file);
     const Expected<void> written = exportPlots(plots_->shown(), plots_->plots(), file.toStdString());
-    if (!written) return complain(written.error());
+    if (!written) return showError(written.error());
     status_->setHint(tr("The plots were written to %1").arg(file));
 }
 
@@ -205,8 +208,8 @@ void MainWindow::askForEventFile() {
 
 void MainWindow::exportEventsTo(const QString& file) {
     folder_ = folderOf(file);
-    const Expected<void> written = writeFile(file.toStdString(), cutEventsCsv(bench_.events().all()));
-    if (!written) return complain(written.error());
+    const Expected<void> written = writeFile(file.toStdString(), cutEventsCsv(model_.events().all()));
+    if (!written) return showError(written.error());
     status_->setHint(tr("The list was written to %1").arg(file));
 }
 
@@ -230,8 +233,8 @@ void MainWindow::fillRecentMenu() {
 
 void MainWindow::welcome() {
     auto* dialog = new WelcomeDialog(this);
-    connect(dialog, &WelcomeDialog::toothWanted, this, &MainWindow::askForScan);
-    connect(dialog, &WelcomeDialog::demonstrationWanted, this, &MainWindow::showDemonstration);
+    connect(dialog, &WelcomeDialog::toothRequested, this, &MainWindow::askForScan);
+    connect(dialog, &WelcomeDialog::demonstrationRequested, this, &MainWindow::showDemonstration);
     dialog->open();
 }
 
@@ -259,7 +262,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
 bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
     const bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease;
     if (event->type() == QEvent::KeyPress || event->type() == QEvent::MouseButtonPress) tour_->stop();
-    if (isKey || event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseMove) stillSteps_ = 0;
+    if (isKey || event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseMove) idleSteps_ = 0;
     // Another window is in front and gets the key's release.
     if (watched == this && event->type() == QEvent::WindowDeactivate && !tour_->isRunning()) drive_->setKeyDown(false);
     if (!isKey || !watched->isWidgetType() || static_cast<QWidget*>(watched)->window() != this) {
@@ -312,7 +315,7 @@ void MainWindow::showMouseAndKeys() {
     text += row(tr("Ctrl + M"), tr("mute"));
     text += row(tr("Tab, Alt + letter"), tr("go on to the next control; open a menu"));
     text += row(tr("Esc"), tr("leave a dialog"));
-    (new SheetDialog(tr("Mouse and keys"), text + "</table>", this))->open();
+    (new TextDialog(tr("Mouse and keys"), text + "</table>", this))->open();
 }
 
 void MainWindow::showAbout() {

@@ -7,62 +7,62 @@
 #include <cmath>
 
 #include "app/gui/panels/exercise_panel.h"
-#include "app/gui/panels/inside_panel.h"
-#include "app/gui/window/main_window.h"
+#include "app/gui/panels/inspection_panel.h"
 #include "app/gui/panels/status_line.h"
 #include "app/gui/scene/tooth_view.h"
-#include "app/gui/text/words.h"
-#include "geometry/files/atomic_file.h"
+#include "app/gui/text/term_translation.h"
+#include "app/gui/window/main_window.h"
 #include "assessment/exercise_file.h"
 #include "assessment/ideal_shape.h"
 #include "assessment/practice_report.h"
+#include "geometry/files/atomic_file.h"
 
 namespace tactooth {
 namespace {
 
-constexpr qint64 kAccountMs = 300;  // a student looks up from the tooth no more often
+constexpr qint64 kMetricsMs = 300;  // a student looks up from the tooth no more often
 
 }  // namespace
 
 void MainWindow::connectExercise() {
-    connect(inside_, &InsidePanel::targetWanted, this, &MainWindow::askForTarget);
-    connect(exercise_, &ExercisePanel::chosen, this, &MainWindow::practise);
-    connect(exercise_, &ExercisePanel::openWanted, this, &MainWindow::askForExercise);
-    connect(exercise_, &ExercisePanel::startAgainWanted, this, [this] { bench_.resetTooth(); });
-    connect(exercise_, &ExercisePanel::exportWanted, this, &MainWindow::askForReportFile);
+    connect(inspectionPanel_, &InspectionPanel::targetRequested, this, &MainWindow::askForTarget);
+    connect(exercise_, &ExercisePanel::chosen, this, &MainWindow::startExercise);
+    connect(exercise_, &ExercisePanel::openRequested, this, &MainWindow::askForExercise);
+    connect(exercise_, &ExercisePanel::restartRequested, this, [this] { model_.resetTooth(); });
+    connect(exercise_, &ExercisePanel::exportRequested, this, &MainWindow::askForReportFile);
 }
 
-void MainWindow::practise(const std::shared_ptr<const Exercise>& exercise) {
+void MainWindow::startExercise(const std::shared_ptr<const Exercise>& exercise) {
     exercise_->show(exercise);
-    if (exercise == nullptr) return dropTarget();
+    if (exercise == nullptr) return clearTarget();
     status_->setHint(tr("Preparing the exercise: %1…").arg(translated(exercise->name)));
-    bench_.bring(Errand<BenchTooth>::Work([exercise] { return makeBenchTooth(exercise); }));
+    model_.load(Task<SessionTooth>::Function([exercise] { return makeSessionTooth(exercise); }));
 }
 
 void MainWindow::openExercise(const QString& file) {
     folder_ = QFileInfo(file).absolutePath();
     Expected<Exercise> read = readExercise(file.toStdString());
-    if (!read) return complain(read.error());
+    if (!read) return showError(read.error());
     remember(file);
-    practise(std::make_shared<const Exercise>(std::move(*read)));
+    startExercise(std::make_shared<const Exercise>(std::move(*read)));
 }
 
 /// Turns the picture to the side that is worked on.
-void MainWindow::lookFor(const Exercise& exercise) {
+void MainWindow::showCavityOf(const Exercise& exercise) {
     const auto* plan = std::get_if<PreparationPlan>(&exercise.ideal);
     if (plan == nullptr) return;
     const Vec3& outward = plan->outward;
-    const double mesial = bench_.mesialX() * outward.x();
+    const double mesial = model_.mesialX() * outward.x();
     if (std::abs(outward.y()) > std::max(outward.z(), std::abs(mesial))) {
-        view_->look(outward.y() > 0 ? StandardView::Buccal : StandardView::Lingual);
+        view_->setView(outward.y() > 0 ? StandardView::Buccal : StandardView::Lingual);
     } else if (std::abs(mesial) > outward.z()) {
-        view_->look(mesial > 0 ? StandardView::Mesial : StandardView::Distal);
+        view_->setView(mesial > 0 ? StandardView::Mesial : StandardView::Distal);
     }
 }
 
-void MainWindow::bringIdealShape(const std::shared_ptr<const Exercise>& exercise) {
-    comingTarget_.start([exercise, name = translated(exercise->name), tooth = bench_.tooth()->piece->volume().tooth(),
-                         box = bench_.tooth()->box()]() -> Expected<Target> {
+void MainWindow::loadIdealShapeOf(const std::shared_ptr<const Exercise>& exercise) {
+    pendingTarget_.start([exercise, name = translated(exercise->name), tooth = model_.tooth()->piece->volume().tooth(),
+                          box = model_.tooth()->box()]() -> Expected<Target> {
         Expected<TriangleMesh> ideal = idealShape(*exercise, tooth);
         if (!ideal) return Unexpected{ideal.error()};
         return makeTarget(name, std::move(*ideal), *tooth->ownOuter(), box);
@@ -70,77 +70,78 @@ void MainWindow::bringIdealShape(const std::shared_ptr<const Exercise>& exercise
 }
 
 /// The work of another window goes on as it was seen there.
-void MainWindow::takeLook(Look look) {
-    view_->setEye(look.eye);
-    if (look.target.account != nullptr) {
-        if (practised_ != nullptr) look.target.name = translated(practised_->name);  // in the language of this window
-        setTarget(std::move(look.target));
-        targetFile_ = look.targetFile;
-    } else if (practised_ != nullptr) {
-        bringIdealShape(practised_);
-    } else if (!look.targetFile.isEmpty()) {
-        openTarget(look.targetFile);
+void MainWindow::restoreViewState(ViewState viewState) {
+    view_->setOrbitCamera(viewState.eye);
+    if (viewState.target.metrics != nullptr) {
+        if (activeExercise_ != nullptr)
+            viewState.target.name = translated(activeExercise_->name);  // in the language of this window
+        setTarget(std::move(viewState.target));
+        targetFile_ = viewState.targetFile;
+    } else if (activeExercise_ != nullptr) {
+        loadIdealShapeOf(activeExercise_);
+    } else if (!viewState.targetFile.isEmpty()) {
+        openTarget(viewState.targetFile);
     }
-    inside_->choose(look.inside);
+    inspectionPanel_->choose(viewState.inside);
 }
 
 void MainWindow::openTarget(const QString& file) {
-    if (!bench_.tooth()) return;
+    if (!model_.tooth()) return;
     folder_ = QFileInfo(file).absolutePath();
     status_->setHint(tr("Measuring the distance to %1…").arg(QFileInfo(file).fileName()));
-    practised_ = nullptr;
-    exercise_->show(practised_);
+    activeExercise_ = nullptr;
+    exercise_->show(activeExercise_);
     targetFile_ = file;
-    comingTarget_.start(
-        [file, outer = bench_.tooth()->piece->tooth().ownOuter(), box = bench_.tooth()->box()]() -> Expected<Target> {
+    pendingTarget_.start(
+        [file, outer = model_.tooth()->piece->tooth().ownOuter(), box = model_.tooth()->box()]() -> Expected<Target> {
             Expected<TriangleMesh> ideal = loadIdealShape(file.toStdString());
             if (!ideal) return Unexpected{ideal.error()};
             return makeTarget(QFileInfo(file).fileName(), std::move(*ideal), *outer, box);
         });
 }
 
-void MainWindow::dropTarget() {
-    comingTarget_.forget();
-    practised_ = nullptr;
+void MainWindow::clearTarget() {
+    pendingTarget_.cancel();
+    activeExercise_ = nullptr;
     targetFile_.clear();
     setTarget({});
 }
 
 void MainWindow::setTarget(Target target) {
-    comingProgress_.forget();
+    pendingProgress_.cancel();
     progress_.reset();
-    accounted_.reset();
+    measuredSurface_.reset();
     target_ = std::move(target);
-    inside_->setTarget(target_);
+    inspectionPanel_->setTarget(target_);
 }
 
-void MainWindow::takeTarget() {
-    auto target = comingTarget_.poll();
+void MainWindow::collectTarget() {
+    auto target = pendingTarget_.poll();
     if (!target) return;
     if (!*target) {
-        if (target_.account == nullptr) targetFile_.clear();
-        return complain(target->error());
+        if (target_.metrics == nullptr) targetFile_.clear();
+        return showError(target->error());
     }
     setTarget(std::move(**target));
-    if (practised_ == nullptr) {
+    if (activeExercise_ == nullptr) {
         status_->setHint(tr("Blue: still to cut. White: as the target. Orange: cut too deep. Strongest at 0.5 mm."));
         return;
     }
-    inside_->ghostAction()->setChecked(true);
-    status_->setHint(translated(practised_->task));
+    inspectionPanel_->ghostAction()->setChecked(true);
+    status_->setHint(translated(activeExercise_->task));
 }
 
 /// Counts anew when the tooth has changed, in a thread of its own.
-void MainWindow::keepAccount() {
-    if (auto progress = comingProgress_.poll()) progress_ = **progress;
-    if (target_.account == nullptr || target_.account->empty() || bench_.simulator() == nullptr) return;
-    if (comingProgress_.isBusy() || (sinceAccount_.isValid() && sinceAccount_.elapsed() < kAccountMs)) return;
-    const std::shared_ptr<const Surface> tooth = bench_.simulator()->surface();
-    if (tooth == accounted_) return;
-    accounted_ = tooth;
-    sinceAccount_.start();
-    comingProgress_.start([account = target_.account, tooth, removed = total(bench_.simulator()->removed())] {
-        return Expected<CavityProgress>(account->of(*tooth, removed));
+void MainWindow::updateMetrics() {
+    if (auto progress = pendingProgress_.poll()) progress_ = **progress;
+    if (target_.metrics == nullptr || target_.metrics->empty() || model_.simulator() == nullptr) return;
+    if (pendingProgress_.isBusy() || (sinceMetrics_.isValid() && sinceMetrics_.elapsed() < kMetricsMs)) return;
+    const std::shared_ptr<const Surface> tooth = model_.simulator()->surface();
+    if (tooth == measuredSurface_) return;
+    measuredSurface_ = tooth;
+    sinceMetrics_.start();
+    pendingProgress_.start([metrics = target_.metrics, tooth, removed = total(model_.simulator()->removed())] {
+        return Expected<CavityProgress>(metrics->of(*tooth, removed));
     });
 }
 
@@ -166,17 +167,17 @@ void MainWindow::askForReportFile() {
 }
 
 void MainWindow::exportReportTo(const QString& file) {
-    if (bench_.simulator() == nullptr) return;
+    if (model_.simulator() == nullptr) return;
     folder_ = QFileInfo(file).absolutePath();
-    const std::string report = practiceReportCsv({.tooth = bench_.tooth()->name,
+    const std::string report = practiceReportCsv({.tooth = model_.tooth()->name,
                                                   .task = target_.name.toStdString(),
-                                                  .seconds = bench_.workSeconds(),
+                                                  .seconds = model_.workSeconds(),
                                                   .cavity = progress_,
-                                                  .removed = bench_.simulator()->removed(),
-                                                  .beside = bench_.simulator()->loss().beside,
-                                                  .events = bench_.events().all()});
+                                                  .removed = model_.simulator()->removed(),
+                                                  .beside = model_.simulator()->loss().beside,
+                                                  .events = model_.events().all()});
     const Expected<void> written = writeFile(file.toStdString(), report);
-    if (!written) return complain(written.error());
+    if (!written) return showError(written.error());
     status_->setHint(tr("The report was written to %1").arg(file));
 }
 

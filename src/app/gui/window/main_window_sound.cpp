@@ -6,21 +6,21 @@
 #include <QFileInfo>
 
 #include "app/gui/panels/drill_bar.h"
-#include "app/gui/window/main_window.h"
 #include "app/gui/panels/sound_panel.h"
 #include "app/gui/panels/status_line.h"
 #include "app/gui/scene/tooth_view.h"
-#include "session/audio/sound_places.h"
+#include "app/gui/window/main_window.h"
 #include "session/audio/sound_preset.h"
+#include "session/audio/sound_sources.h"
 
 namespace tactooth {
 
 void MainWindow::connectSound() {
-    connect(volumes_, &SoundPanel::changed, this, [this] { sound_.setMixer(volumes_->mixer()); });
-    connect(volumes_, &SoundPanel::headphonesChanged, this, [this](bool on) { sound_.setHeadphones(on); });
-    connect(volumes_, &SoundPanel::ownSoundsWanted, this, &MainWindow::askForSounds);
-    connect(volumes_, &SoundPanel::synthesisChosen, this, [this] {
-        comingSounds_.forget();  // a recording that is still being read must not win
+    connect(soundPanel_, &SoundPanel::changed, this, [this] { sound_.setMixer(soundPanel_->mixer()); });
+    connect(soundPanel_, &SoundPanel::headphonesChanged, this, [this](bool on) { sound_.setHeadphones(on); });
+    connect(soundPanel_, &SoundPanel::ownSoundsRequested, this, &MainWindow::askForSounds);
+    connect(soundPanel_, &SoundPanel::synthesisChosen, this, [this] {
+        pendingSounds_.cancel();  // a recording that is still being read must not win
         soundsFile_.clear();
         sound_.setKit(nullptr);
     });
@@ -39,7 +39,7 @@ void MainWindow::askForSounds() {
 }
 
 void MainWindow::openSounds(const QString& file) {
-    comingSounds_.start([file = file.toStdString(), drive = bench_.spindle()]() -> Expected<OwnSounds> {
+    pendingSounds_.start([file = file.toStdString(), drive = model_.spindle()]() -> Expected<OwnSounds> {
         auto kit = readSoundKit(file, drive);
         if (!kit) return Unexpected{kit.error()};
         return OwnSounds{file, std::move(*kit)};
@@ -47,19 +47,19 @@ void MainWindow::openSounds(const QString& file) {
 }
 
 /// A file that cannot be used leaves what was played before.
-void MainWindow::takeSounds() {
-    auto sounds = comingSounds_.poll();
+void MainWindow::collectSounds() {
+    auto sounds = pendingSounds_.poll();
     if (!sounds) return;
-    if (!*sounds) return complain(sounds->error());
+    if (!*sounds) return showError(sounds->error());
     soundsFile_ = QString::fromStdString((*sounds)->file);
-    volumes_->showSounds(soundsFile_);
+    soundPanel_->showSounds(soundsFile_);
     sound_.setKit((*sounds)->kit);
 }
 
 void MainWindow::placeSounds() {
-    if (bench_.simulator() == nullptr) return;
-    sound_.setPlacement(placesAround(bench_.tooth()->box(), bench_.mesialX(), bench_.newest().proxy.position,
-                                     view_->camera().cameraInWorld));
+    if (model_.simulator() == nullptr) return;
+    sound_.setPlacement(soundPlacementAt(model_.tooth()->box(), model_.mesialX(), model_.newest().proxy.position,
+                                         view_->camera().cameraInWorld));
 }
 
 }  // namespace tactooth

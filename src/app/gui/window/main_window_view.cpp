@@ -10,11 +10,11 @@
 
 #include "app/common/inspection.h"
 #include "app/gui/dialogs/guided_tour.h"
-#include "app/gui/panels/inside_panel.h"
-#include "app/gui/window/main_window.h"
+#include "app/gui/panels/inspection_panel.h"
 #include "app/gui/panels/plot_panel.h"
 #include "app/gui/panels/status_line.h"
 #include "app/gui/scene/tooth_view.h"
+#include "app/gui/window/main_window.h"
 #include "app/gui/window/window_setup.h"
 
 namespace tactooth {
@@ -28,7 +28,7 @@ QAction* MainWindow::addViewAction(const QString& text, const QString& keys, voi
 
 void MainWindow::addViewMenu() {
     viewMenu_ = menuBar()->addMenu(tr("&View"));
-    addViewAction(tr("Dentist's view"), "0", &ToothView::lookAsUsual);
+    addViewAction(tr("Dentist's view"), "0", &ToothView::resetView);
     const std::array<std::pair<QString, StandardView>, 5> views = {{{tr("Occlusal"), StandardView::Occlusal},
                                                                     {tr("Buccal"), StandardView::Buccal},
                                                                     {tr("Lingual"), StandardView::Lingual},
@@ -38,7 +38,7 @@ void MainWindow::addViewMenu() {
     QStringList titles;
     for (const auto& [name, view] : views) {
         titles.append(name);
-        QAction* action = viewMenu_->addAction(name, this, [this, view = view] { view_->look(view); });
+        QAction* action = viewMenu_->addAction(name, this, [this, view = view] { view_->setView(view); });
         action->setShortcut(QKeySequence(QString::number(key++)));
         viewBar_->addAction(action);
     }
@@ -58,7 +58,7 @@ void MainWindow::addViewMenu() {
     mirrorSwitch_ = addSwitch(tr("Mirror"), "M", &ToothView::setShowsMirror);
     turbineSwitch_ = addSwitch(tr("Turbine"), "H", &ToothView::setShowsTurbine);
     addMirrorMenu();
-    viewMenu_->addAction(inside_->ghostAction());
+    viewMenu_->addAction(inspectionPanel_->ghostAction());
     viewMenu_->addSeparator();
     addAppearanceMenu();
     for (QDockWidget* dock : findChildren<QDockWidget*>()) viewMenu_->addAction(dock->toggleViewAction());
@@ -119,7 +119,7 @@ void MainWindow::addTextSizeMenu() {
 }
 
 void MainWindow::setTextScale(double scale) {
-    textScale_ = std::clamp(scale, kLeastTextScale, kMostTextScale);
+    textScale_ = std::clamp(scale, kMinTextScale, kMaxTextScale);
     for (QAction* action : textSizes_->actions()) action->setChecked(action->data().toDouble() == textScale_);
     applyTextScale(textScale_);
     fitPanels();
@@ -155,9 +155,9 @@ void MainWindow::setLanguage(const QString& code) {
     for (QAction* action : languages_->actions()) action->setChecked(action->data().toString() == code);
 }
 
-void MainWindow::connectInside() {
-    connect(inside_, &InsidePanel::changed, this, &MainWindow::inspectAnew);
-    connect(inside_->ghostAction(), &QAction::toggled, this, [this](bool on) {
+void MainWindow::connectInspection() {
+    connect(inspectionPanel_, &InspectionPanel::changed, this, &MainWindow::updateInspection);
+    connect(inspectionPanel_->ghostAction(), &QAction::toggled, this, [this](bool on) {
         if (!on) return showUsualHint();
         status_->setHint(tr("Blue glass: still to cut, darker where deeper. Dark line: the outline."));
     });
@@ -165,9 +165,10 @@ void MainWindow::connectInside() {
     connect(tour_, &GuidedTour::ended, this, &MainWindow::showUsualHint);
 }
 
-void MainWindow::inspectAnew() {
-    if (!bench_.tooth()) return;
-    view_->setInspection(inside_->inspection(bench_.tooth()->box(), bench_.mesialX()), inside_->stereo());
+void MainWindow::updateInspection() {
+    if (!model_.tooth()) return;
+    view_->setInspection(inspectionPanel_->inspection(model_.tooth()->box(), model_.mesialX()),
+                         inspectionPanel_->stereo());
 }
 
 void MainWindow::showDemonstration() { tour_->start(); }

@@ -11,18 +11,18 @@
 #include <cstdlib>
 #include <utility>
 
-#include "app/common/exit_code.h"
 #include "app/common/display_check.h"
-#include "app/common/ending.h"
-#include "app/gui/text/error_words.h"
+#include "app/common/exit_code.h"
+#include "app/common/termination.h"
+#include "app/gui/settings/settings_autosave.h"
+#include "app/gui/text/error_translation.h"
 #include "app/gui/window/main_window.h"
-#include "app/gui/settings/settings_keeper.h"
-#include "app/gui/window/window_holder.h"
+#include "app/gui/window/window_owner.h"
 #include "app/gui/window/window_setup.h"
-#include "geometry/files/file_bytes.h"
-#include "geometry/files/unfinished_names.h"
-#include "haptics/real_time.h"
 #include "assessment/exercise_file.h"
+#include "geometry/files/file_bytes.h"
+#include "geometry/files/unfinished_files.h"
+#include "haptics/real_time.h"
 #include "sound/output/openal_output.h"
 
 namespace tactooth {
@@ -55,24 +55,24 @@ Expected<WindowSettings> withFlags(WindowSettings settings, const WindowOptions&
     return settings;
 }
 
-Expected<BenchTooth> exerciseOf(const std::filesystem::path& file) {
+Expected<SessionTooth> exerciseOf(const std::filesystem::path& file) {
     Expected<Exercise> read = readExercise(file);
     if (!read) return Unexpected{read.error()};
-    return makeBenchTooth(std::make_shared<const Exercise>(std::move(*read)));
+    return makeSessionTooth(std::make_shared<const Exercise>(std::move(*read)));
 }
 
 /// What the person should know about the file of the settings, which is put aside if nothing of it could be read.
-QString whatIsWrongWith(const Expected<KeptSettings>& settings, const std::filesystem::path& file) {
+QString whatIsWrongWith(const Expected<ParsedSettings>& settings, const std::filesystem::path& file) {
     QStringList sentences;
     if (settings) {
-        for (const Error& refused : settings->refused) sentences << errorInWords(refused.message);
+        for (const Error& refused : settings->refused) sentences << translatedError(refused.message);
         if (!sentences.isEmpty()) sentences << MainWindow::tr("The usual values take their places.");
         return sentences.join(' ');
     }
-    sentences << errorInWords(settings.error().message);
-    if (const auto aside = putBadSettingsAside(file)) {
+    sentences << translatedError(settings.error().message);
+    if (const auto aside = backUpInvalidSettings(file)) {
         sentences << MainWindow::tr("The window starts with its defaults; the file is kept as %1.")
-                         .arg(QString::fromStdString(shownName(*aside)));
+                         .arg(QString::fromStdString(displayName(*aside)));
     } else {
         sentences << MainWindow::tr("The window starts with its defaults.");
     }
@@ -86,23 +86,23 @@ void closeAll() {
 }
 
 /// Zero force, and the devices' ordinary farewell.
-void letGo(Workbench& bench) {
-    bench.stop();
-    bench.useMouse();
-    bench.putSecond(nullptr);
+void letGo(SessionModel& model) {
+    model.stop();
+    model.useMouse();
+    model.installSecond(nullptr);
 }
 
-WindowHolder* shownWindow = nullptr;  // while the event loop runs
+WindowOwner* shownWindow = nullptr;  // while the event loop runs
 
 /// Where the display goes, its library ends the program (exit) in the midst of Qt. No part of the window can be touched
 /// then, nor destroyed, but the hand is still let go. The settings were kept as they changed.
 void letGoWithoutDisplay() {
     if (shownWindow == nullptr) return;
-    constexpr unsigned kPatience = 5;  // s
-    ::alarm(kPatience);
-    letGo(std::exchange(shownWindow, nullptr)->window().bench());
-    removeAllUnfinished(kPatience);
-    (void)refuse({"the display is gone; the hand was let go, and the settings are kept."});
+    constexpr unsigned kTimeout = 5;  // s
+    ::alarm(kTimeout);
+    letGo(std::exchange(shownWindow, nullptr)->window().model());
+    removeAllUnfinished(kTimeout);
+    (void)reportError({"the display is gone; the hand was let go, and the settings are kept."});
     ::_exit(kExitBadInput);
 }
 
@@ -113,68 +113,69 @@ int runWindow(const WindowOptions& options) {
     const std::filesystem::path settingsFile = windowSettingsFile();
     std::error_code ignored;
     const bool isFirstTime = !std::filesystem::exists(settingsFile, ignored);
-    Expected<KeptSettings> settings = readWindowSettings(settingsFile);
-    const std::string forgotten = settings ? forgetUnknownDevices(settings->hand, settingsFile) : std::string();
+    Expected<ParsedSettings> settings = readWindowSettings(settingsFile);
+    const std::string forgotten = settings ? resetUnknownDevices(settings->hand, settingsFile) : std::string();
     Expected<WindowSettings> start = withFlags(settings ? *settings : WindowSettings(), options);
-    if (!start) return refuse(start.error());
-    std::optional<BenchTooth> tooth;
+    if (!start) return reportError(start.error());
+    std::optional<SessionTooth> tooth;
     if (options.tooth) {
-        Expected<BenchTooth> loaded = loadBenchTooth(*options.tooth, options.workOn);
-        if (!loaded) return refuse(loaded.error());
+        Expected<SessionTooth> loaded = loadSessionTooth(*options.tooth, options.workOn);
+        if (!loaded) return reportError(loaded.error());
         tooth = std::move(*loaded);
     }
     if (options.exercise) {
-        Expected<BenchTooth> made = exerciseOf(*options.exercise);
-        if (!made) return refuse(made.error());
+        Expected<SessionTooth> made = exerciseOf(*options.exercise);
+        if (!made) return reportError(made.error());
         tooth = std::move(*made);
     }
-    std::optional<BenchBur> bur;
+    std::optional<SessionBur> bur;
     if (options.bur) {
-        Expected<BenchBur> loaded = loadBenchBur(*options.bur);
-        if (!loaded) return refuse(loaded.error());
+        Expected<SessionBur> loaded = loadSessionBur(*options.bur);
+        if (!loaded) return reportError(loaded.error());
         bur = std::move(*loaded);
     }
-    if (!display) return refuse(display.error());
+    if (!display) return reportError(display.error());
     int argc = 1;
     char name[] = "tactooth";
     char* argv[] = {name, nullptr};
     const auto application = startApplication(argc, argv);
-    const OrderlyEnd closing([&] { QMetaObject::invokeMethod(application.get(), closeAll, Qt::QueuedConnection); });
-    if (const auto openGl = checkOpenGl(); !openGl) return refuse(openGl.error());
+    const GracefulShutdown closing(
+        [&] { QMetaObject::invokeMethod(application.get(), closeAll, Qt::QueuedConnection); });
+    if (const auto openGl = checkOpenGl(); !openGl) return reportError(openGl.error());
 
     lockMemory();  // where it is allowed: the timing panel says so, 'tactooth doctor' how to get it
     OpenAlOutput sound;
-    WindowHolder holder(*application, sound);
+    WindowOwner holder(*application, sound);
     int exitCode = kExitOk;
-    QObject::connect(&holder, &WindowHolder::graphicsFailed, application.get(), [&](const QString& sentence) {
-        exitCode = refuse({sentence.toStdString()});
+    QObject::connect(&holder, &WindowOwner::graphicsFailed, application.get(), [&](const QString& sentence) {
+        exitCode = reportError({sentence.toStdString()});
         QApplication::exit(exitCode);
     });
     if (bur || (tooth && tooth->bur)) start->bur.clear();  // the one of the command line counts, or of the case
     if (options.device) start->hand.device = *options.device;
     MainWindow& window = holder.open(*start);
     if (tooth) {
-        window.bench().put(std::move(*tooth));
+        window.model().install(std::move(*tooth));
     } else if (options.mouth) {
-        window.bringMouth(*options.mouth);
+        window.loadMouth(*options.mouth);
     } else {
-        window.bringBuiltinTooth(kBuiltinTeeth.front());
+        window.loadBuiltinTooth(kBuiltinTeeth.front());
     }
-    if (bur) window.bench().put(std::move(*bur));
+    if (bur) window.model().install(std::move(*bur));
     window.show();
     if (const QString sentences = whatIsWrongWith(settings, settingsFile); !sentences.isEmpty()) {
-        window.complain(sentences);
+        window.showError(sentences);
     }
-    if (!forgotten.empty()) window.complain(Error{forgotten});
+    if (!forgotten.empty()) window.showError(Error{forgotten});
     if (isFirstTime && !tooth && !options.mouth) window.welcome();
-    SettingsKeeper keeper([&] { return holder.window().settings(); }, settingsFile);
+    SettingsAutosave autosave([&] { return holder.window().settings(); }, settingsFile);
     std::atexit(letGoWithoutDisplay);
     shownWindow = &holder;
     QApplication::exec();
     shownWindow = nullptr;
-    letGo(holder.window().bench());  // first of all: what else ends with the window may take its time
+    letGo(holder.window().model());  // first of all: what else ends with the window may take its time
     if (const auto written = writeWindowSettings(holder.window().settings(), settingsFile); !written) {
-        (void)refuse(written.error());  // a word about it; the session itself went well
+        (void)reportError(written.error());  // a word about it; the session itself went well
     }
     return exitCode;
 }

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "app/gui/model/bench_parts.h"
+#include "app/gui/model/session_parts.h"
 #include "session/simulation/tooth_source.h"
 
 namespace tactooth {
@@ -15,8 +15,8 @@ namespace tactooth {
 /// What the window opens with; whatever is not given is the built-in one.
 struct WindowOptions {
     std::optional<ToothSource> tooth;
-    std::string workOn;               ///< tooth of a case; empty: the first
-    std::optional<BenchMouth> mouth;  ///< the whole mouth around one of its teeth; `tooth` is not given then
+    std::string workOn;                ///< tooth of a case; empty: the first
+    std::optional<MouthChoice> mouth;  ///< the whole mouth around one of its teeth; `tooth` is not given then
     std::optional<std::filesystem::path> exercise;  ///< neither `tooth` nor `mouth` is given then
     std::optional<std::filesystem::path> bur;
     std::map<std::string, std::string> settings;  ///< by their flag (see windowOptions); they win over the file's

@@ -13,7 +13,7 @@
 namespace tactooth {
 namespace {
 
-using Kind = PedalChoice::Kind;
+using Kind = PedalBinding::Kind;
 
 bool soon(const std::function<bool()>& condition) {
     for (int i = 0; i < 1000; ++i) {
@@ -44,8 +44,8 @@ TEST(FootPedal, LearnsThePedalFromAFoot) {
     test::VirtualPad foot("Foot Switch", SDL_JOYSTICK_TYPE_UNKNOWN);
     foot.axis(3, 0.8);
     FootPedal pedal;
-    ASSERT_TRUE(pedal.teach(true));
-    EXPECT_TRUE(pedal.isTeaching());
+    ASSERT_TRUE(pedal.setCalibrating(true));
+    EXPECT_TRUE(pedal.isCalibrating());
     const auto play = [&](double to) {
         foot.axis(3, to);
         for (int i = 0; i < 30; ++i) {
@@ -56,7 +56,7 @@ TEST(FootPedal, LearnsThePedalFromAFoot) {
     play(0.8);
     play(-0.9);
     play(0.8);
-    EXPECT_TRUE(soon([&] { return (void)pedal.step(), !pedal.isTeaching(); }));
+    EXPECT_TRUE(soon([&] { return (void)pedal.step(), !pedal.isCalibrating(); }));
     EXPECT_EQ(pedalText(pedal.choice()), "axis:3:Foot Switch");
     EXPECT_NEAR(pedal.choice().up, 0.9, 0.01);
     EXPECT_NEAR(pedal.choice().down, 0.05, 0.01);

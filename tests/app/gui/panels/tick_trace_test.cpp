@@ -30,7 +30,7 @@ TEST(TickTrace, KeepsAPeakOfOneTick) {
     some[125].wrench.force = Vec3(0, 3, 4);
     TickTrace trace;
     trace.add(some);
-    EXPECT_FALSE(trace.isQuiet());
+    EXPECT_FALSE(trace.isFlat());
     double depth = 0, speed = 0, force = 0;
     for (const TickTrace::Point& point : trace.points()) {
         depth = std::max(depth, point.depth);
@@ -49,7 +49,7 @@ TEST(TickTrace, ForgetsWhatIsOlderThanThePlot) {
     trace.add(some);
     EXPECT_GE(trace.points().front().time, trace.points().back().time - TickTrace::kShown - 1e-6);
     EXPECT_LE(trace.points().size(), 201U);
-    EXPECT_TRUE(trace.isQuiet());
+    EXPECT_TRUE(trace.isFlat());
 }
 
 TEST(TickTrace, ClearStartsANewSession) {

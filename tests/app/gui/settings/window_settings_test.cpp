@@ -79,14 +79,14 @@ TEST(WindowSettings, ComeBackAsTheyWereWritten) {
     expectEqual(*again, unusual());
 }
 
-TEST(WindowSettings, AFinenessThatFitsIsWrittenAsAWord) {
+TEST(WindowSettings, AMotionScalingThatFitsIsWrittenAsAWord) {
     WindowSettings settings;
-    settings.hand.fineness = kFit;
+    settings.hand.motionScaling = kAutoScaling;
     const std::string text = windowSettingsText(settings);
     EXPECT_NE(text.find("fineness = 'fit'"), std::string::npos) << text;
     const auto again = parseWindowSettings(text, "window.toml");
     ASSERT_TRUE(again.has_value()) << again.error().message;
-    EXPECT_EQ(again->hand.fineness, kFit);
+    EXPECT_EQ(again->hand.motionScaling, kAutoScaling);
     EXPECT_EQ(refusal("[hand]\nfineness = 0.5\n"),
               "window.toml, line 2: 'fineness' must be a number from 1 to 3, or \"fit\".");
     EXPECT_EQ(refusal("[hand]\nfineness = \"fits\"\n"),
@@ -125,9 +125,9 @@ TEST(WindowSettings, AValueThatCannotBeMeantCostsOnlyItself) {
         "window.toml");
     ASSERT_TRUE(settings.has_value());
     ASSERT_EQ(settings->refused.size(), 4U) << "each is told, and a table once";
-    EXPECT_EQ(settings->hand.fineness, 2);
+    EXPECT_EQ(settings->hand.motionScaling, 2);
     EXPECT_EQ(settings->hand.device, "pen");
-    EXPECT_EQ(settings->hand.rate, HandSettings().rate);
+    EXPECT_EQ(settings->hand.rate, DeviceSettings().rate);
     EXPECT_EQ(settings->sound.master, 0.5);
     EXPECT_FALSE(settings->sound.muted);
     EXPECT_TRUE(settings->dark);
@@ -141,7 +141,7 @@ TEST(WindowSettings, AFileThatCannotBeReadIsPutAsideAndAnOlderOneThereGoes) {
     const auto file = folder / "window.toml";
     for (const std::string text : {"one = [", "two = ["}) {
         std::ofstream(file) << text;
-        const auto aside = putBadSettingsAside(file);
+        const auto aside = backUpInvalidSettings(file);
         ASSERT_TRUE(aside.has_value());
         EXPECT_EQ(*aside, folder / "window.toml.bad");
         EXPECT_FALSE(std::filesystem::exists(file));
@@ -149,7 +149,7 @@ TEST(WindowSettings, AFileThatCannotBeReadIsPutAsideAndAnOlderOneThereGoes) {
         std::getline(std::ifstream(*aside), kept);
         EXPECT_EQ(kept, text);
     }
-    EXPECT_FALSE(putBadSettingsAside(file).has_value()) << "there is none any more";
+    EXPECT_FALSE(backUpInvalidSettings(file).has_value()) << "there is none any more";
 }
 
 TEST(WindowSettings, WhatIsNotTomlIsRefusedWithItsLine) {
@@ -174,19 +174,19 @@ TEST(WindowSettings, AnyTruncatedFileGivesSettingsOrASentence) {
 }
 
 TEST(WindowSettings, ADeviceThatNobodyKnowsIsForgottenWithOneSentence) {
-    HandSettings hand = unusual().hand;
-    EXPECT_EQ(forgetUnknownDevices(hand, "window.toml"), "");
+    DeviceSettings hand = unusual().hand;
+    EXPECT_EQ(resetUnknownDevices(hand, "window.toml"), "");
     EXPECT_EQ(hand, unusual().hand);
     hand.device = "joystick";
     EXPECT_EQ(
-        forgetUnknownDevices(hand, "window.toml"),
+        resetUnknownDevices(hand, "window.toml"),
         "window.toml: Tactooth knows no device 'joystick' (device); the usual one takes its place, choose another "
         "in the panel Hand.");
     EXPECT_EQ(hand.device, "mouse");
     EXPECT_EQ(hand.secondDevice, unusual().hand.secondDevice);
     hand.device = "joystick";
     hand.secondDevice = "bogus";
-    EXPECT_TRUE(forgetUnknownDevices(hand, "window.toml").find("'joystick' (device) and no 'bogus' (second_device)") !=
+    EXPECT_TRUE(resetUnknownDevices(hand, "window.toml").find("'joystick' (device) and no 'bogus' (second_device)") !=
                 std::string::npos);
     EXPECT_EQ(hand.secondDevice, "none");
 }
@@ -206,9 +206,9 @@ TEST(WindowSettings, EachIsAFlagToo) {
     EXPECT_EQ(setOption(settings, "--force-spring", "0.5"), "");
     EXPECT_EQ(setOption(settings, "--force-from-material", "no"), "");
     EXPECT_EQ(setOption(settings, "--hand-fineness", "2.5"), "");
-    EXPECT_EQ(settings.hand.fineness, 2.5);
+    EXPECT_EQ(settings.hand.motionScaling, 2.5);
     EXPECT_EQ(setOption(settings, "--hand-fineness", "fit"), "");
-    EXPECT_EQ(settings.hand.fineness, kFit);
+    EXPECT_EQ(settings.hand.motionScaling, kAutoScaling);
     EXPECT_EQ(setOption(settings, "--window-language", "ja"), "");
     EXPECT_EQ(settings.force.spring, 0.5);
     EXPECT_FALSE(settings.force.fromMaterial);

@@ -54,7 +54,7 @@ TEST(RunWindow, ADeviceThatNobodyKnowsIsSaidOnceAndNotKept) {
     WindowSettings settings;
     settings.hand.device = "joystick";
     settings.hand.secondDevice = "bogus";
-    settings.hand.fineness = 2;
+    settings.hand.motionScaling = 2;
     ASSERT_TRUE(writeWindowSettings(settings, windowSettingsFile()));
     EXPECT_EQ(runWindow({}), kExitOk);
     ASSERT_EQ(messages.size(), 1U);
@@ -64,7 +64,7 @@ TEST(RunWindow, ADeviceThatNobodyKnowsIsSaidOnceAndNotKept) {
     ASSERT_TRUE(kept) << kept.error().message;
     EXPECT_EQ(kept->hand.device, "mouse");
     EXPECT_EQ(kept->hand.secondDevice, "none");
-    EXPECT_EQ(kept->hand.fineness, 2) << "all else is kept";
+    EXPECT_EQ(kept->hand.motionScaling, 2) << "all else is kept";
 }
 
 }  // namespace

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/terminal/too_large_message.h"
+
+#include <fmt/core.h>
+
+#include <exception>
+#include <filesystem>
+#include <optional>
+
+#include "geometry/files/file_bytes.h"
+#include "geometry/io/mesh_file.h"
+
+namespace tactooth {
+namespace {
+
+constexpr double kLargestMouth = 300;  // mm
+
+/// The box of a surface; none if the argument is no readable one.
+std::optional<Box3> boxOf(const std::filesystem::path& file) {
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(file, ignored)) return std::nullopt;
+    try {
+        const auto mesh = loadMesh(file);
+        if (mesh) return boundingBox(*mesh);
+    } catch (const std::exception&) {  // it may be this very file that does not fit
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::string tooLargeMessage(std::span<const char* const> arguments) {
+    std::string sentence =
+        "the memory does not suffice for this; ask for less (coarser voxels, fewer triangles, a smaller picture), or "
+        "close other programs.";
+    double largest = kLargestMouth;
+    for (const std::string argument : arguments) {
+        const std::filesystem::path file = argument.substr(argument.find('=') + 1);  // "enamel=FILE"
+        const std::optional<Box3> box = boxOf(file);
+        if (!box || !(box->sizes().maxCoeff() > largest)) continue;
+        largest = box->sizes().maxCoeff();
+        const Vec3 size = box->sizes();
+        sentence = fmt::format("{}: {:.0f} x {:.0f} x {:.0f} mm do not fit into memory; is it in micrometres?",
+                               displayName(file), size.x(), size.y(), size.z());
+    }
+    return sentence;
+}
+
+}  // namespace tactooth

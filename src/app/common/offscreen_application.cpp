@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/common/offscreen_application.h"
+
+#include <QApplication>
+#include <QBuffer>
+#include <QImage>
+#include <cstdio>
+#include <span>
+
+#include "geometry/files/atomic_file.h"
+#include "geometry/files/file_bytes.h"
+
+namespace tactooth {
+namespace {
+
+/// Passes Qt's messages on, but for the one on a missing XDG_RUNTIME_DIR, which a picture does not need.
+void passOnMessages(QtMsgType, const QMessageLogContext&, const QString& text) {
+    if (!text.startsWith("QStandardPaths: XDG_RUNTIME_DIR")) std::fprintf(stderr, "%s\n", qPrintable(text));
+}
+
+}  // namespace
+
+OffscreenApplication::OffscreenApplication() {
+    if (QCoreApplication::instance() != nullptr) return;
+    static int argc = 1;  // Qt keeps references to both
+    static char name[] = "tactooth";
+    static char* argv[] = {name, nullptr};
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    qInstallMessageHandler(passOnMessages);
+    application_ = std::make_unique<QApplication>(argc, argv);
+}
+
+OffscreenApplication::~OffscreenApplication() = default;
+
+Expected<void> savePng(const QImage& image, const std::filesystem::path& path) {
+    QByteArray encoded;
+    QBuffer buffer(&encoded);
+    buffer.open(QIODevice::WriteOnly);
+    if (!image.save(&buffer, "PNG")) {
+        return unexpected("the plot " + displayName(path) + " could not be drawn: it does not fit into memory.");
+    }
+    return writeFile(path, std::as_bytes(std::span(encoded.constData(), static_cast<std::size_t>(encoded.size()))));
+}
+
+}  // namespace tactooth

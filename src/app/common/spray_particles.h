@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "session/simulation/spray_particle_system.h"
+#include "tooth/model/material.h"
+#include "view/scene/particle.h"
+
+namespace tactooth {
+
+/// What a cloud of water and chips looks like: chips in the colour of what was cut, paler where water carries them.
+[[nodiscard]] std::vector<Particle> particlesOf(std::span<const SprayParticle> bits, const MaterialTable& materials);
+
+}  // namespace tactooth

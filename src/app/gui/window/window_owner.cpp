@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/window/window_owner.h"
+
+#include <QApplication>
+
+#include "app/gui/window/main_window.h"
+#include "app/gui/window/window_setup.h"
+
+namespace tactooth {
+
+WindowOwner::WindowOwner(QApplication& application, SoundOutput& sound) : application_(application), sound_(sound) {}
+WindowOwner::~WindowOwner() = default;
+
+MainWindow& WindowOwner::open(const WindowSettings& settings) {
+    applyLanguage(application_, QString::fromStdString(settings.language));
+    window_ = std::make_unique<MainWindow>(sound_);
+    connect(window_.get(), &MainWindow::graphicsFailed, this, &WindowOwner::graphicsFailed);
+    connect(window_.get(), &MainWindow::languageChosen, this, &WindowOwner::reopen, Qt::QueuedConnection);
+    window_->apply(settings);
+    return *window_;
+}
+
+void WindowOwner::reopen() {
+    WindowSettings settings = window_->settings();
+    MainWindow::SessionState work = window_->releaseSession();
+    if (work.bur && !work.bur->file.empty()) settings.bur.clear();
+    const bool quits = QApplication::quitOnLastWindowClosed();
+    QApplication::setQuitOnLastWindowClosed(false);
+    window_.reset();
+    open(settings);
+    if (!work.tooth) window_->loadBuiltinTooth(kBuiltinTeeth.front());  // none has come yet
+    window_->restoreSession(std::move(work));
+    window_->show();
+    QApplication::setQuitOnLastWindowClosed(quits);
+}
+
+}  // namespace tactooth

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "geometry/mesh/triangle_mesh.h"
+
+namespace tactooth {
+
+/// Adds to `mesh` the triangles of `from` for which `predicate(number)` is true, and the vertices that they use, in the
+/// order in which the triangles have them. Each triangle is asked for once, in order.
+template <class Chooses>
+void appendSubset(TriangleMesh& mesh, const TriangleMesh& from, const Chooses& predicate) {
+    constexpr std::uint32_t kUnused = UINT32_MAX;
+    std::vector<std::uint32_t> numbers(from.vertices.size(), kUnused);
+    for (std::uint32_t t = 0; t < from.triangles.size(); ++t) {
+        if (!predicate(t)) continue;
+        Triangle triangle = from.triangles[t];
+        for (std::uint32_t& vertex : triangle) {
+            std::uint32_t& number = numbers[vertex];
+            if (number == kUnused) {
+                number = static_cast<std::uint32_t>(mesh.vertices.size());
+                mesh.vertices.push_back(from.vertices[vertex]);
+            }
+            vertex = number;
+        }
+        mesh.triangles.push_back(triangle);
+    }
+}
+
+}  // namespace tactooth

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/util/vec.h"
+
+namespace tactooth {
+
+/// The outline of a plane or nearly plane face, seen along the axis to which the face looks most, so that it goes
+/// counter-clockwise. The view drops one coordinate and keeps the others as they are: which side a corner lies on is
+/// told exactly.
+class ProjectedPolygon {
+public:
+    /// `corners` are numbers of `positions`, which stay where they are. `normal` is not zero.
+    void set(std::span<const Vec3f> positions, std::span<const std::uint32_t> corners, const Vec3& normal);
+
+    [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(corners_.size()); }
+    /// The vertex at a corner: corners at the same position have the same.
+    [[nodiscard]] std::uint32_t vertex(std::uint32_t corner) const { return corners_[corner]; }
+    [[nodiscard]] double x(std::uint32_t corner) const { return points_[corner].x(); }
+    [[nodiscard]] double y(std::uint32_t corner) const { return points_[corner].y(); }
+
+    /// Twice the signed area of a triangle of corners, rounded.
+    [[nodiscard]] double doubledArea(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+        const Eigen::Vector2d u = points_[b] - points_[a], v = points_[c] - points_[a];
+        return u.x() * v.y() - u.y() * v.x();
+    }
+    /// Its exact sign: 1 if c lies to the left of the way from a to b.
+    [[nodiscard]] int side(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+        const Eigen::Vector2d u = points_[b] - points_[a], v = points_[c] - points_[a];
+        const double left = u.x() * v.y(), right = u.y() * v.x();
+        constexpr double kFilter = 4.5e-16;  // Shewchuk's (3 + 16 e) e, e = 2^-53, and some more
+        const double bound = kFilter * (std::abs(left) + std::abs(right));
+        if (left - right > bound) return 1;
+        if (left - right < -bound) return -1;
+        return exactSide(a, b, c);
+    }
+    [[nodiscard]] double squaredDistance(std::uint32_t a, std::uint32_t b) const {
+        return (points_[b] - points_[a]).squaredNorm();
+    }
+
+    enum class Crossing { None, Found, NotKnown };
+    /// Whether two edges cross each other properly: edges that only touch or cover each other do not. At most
+    /// `maxTests` pairs of edges are looked at.
+    [[nodiscard]] Crossing crossing(std::size_t maxTests) const;
+
+private:
+    [[nodiscard]] int exactSide(std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
+    [[nodiscard]] bool cross(std::uint32_t a, std::uint32_t c) const;
+    [[nodiscard]] std::uint32_t after(std::uint32_t corner) const { return corner + 1 == size() ? 0 : corner + 1; }
+
+    std::span<const Vec3f> positions_;
+    std::vector<std::uint32_t> corners_;
+    std::vector<Eigen::Vector2d> points_;
+    int axis_ = 2;
+    bool isMirrored_ = false;
+};
+
+}  // namespace tactooth

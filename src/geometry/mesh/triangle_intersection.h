@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include "geometry/mesh/triangle_mesh.h"
+
+namespace tactooth {
+
+/// Triangles that come as near count as crossing: a nanometre is far above the rounding of double precision and far
+/// below that of the vertices.
+inline constexpr double kIntersectionDistance = 1e-6;  // mm
+
+/// Whether two triangles of a mesh meet elsewhere than in the corners or the edge that both have.
+[[nodiscard]] bool trianglesIntersect(const TriangleMesh& mesh, std::uint32_t a, std::uint32_t b);
+
+}  // namespace tactooth

@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "instruments/anatomy/posterior_tooth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "instruments/anatomy/occlusal_surface.h"
+#include "instruments/modelling/blend.h"
+
+namespace tactooth {
+namespace {
+
+// Heights beyond which a part of the tooth is so far from the rest that it need not be asked: cusps below the first,
+// roots above it, the crown's trunk this much below its end.
+constexpr double kBelowCusps = 0.5, kBelowTrunkEnd = 1.9;
+
+constexpr double kFillet = 0.9;    // mm, over which surfaces run into each other
+constexpr double kThinnest = 0.4;  // of the enamel's thickness, left under the deepest groove
+
+class PosteriorTooth {
+public:
+    explicit PosteriorTooth(PosteriorToothPlan plan) : plan_(std::move(plan)), crown_(plan_.crown) {
+        for (const RootPlan& root : plan_.roots) roots_.emplace_back(root.sections);
+        for (const std::vector<Section>& canal : plan_.canals) canals_.emplace_back(canal);
+        for (const OcclusalGroove& groove : plan_.grooves) deepestGroove_ = std::max(deepestGroove_, groove.depth);
+        for (const OcclusalPit& pit : plan_.pits) deepestGroove_ += pit.depth;
+    }
+
+    [[nodiscard]] const PosteriorToothPlan& plan() const { return plan_; }
+    [[nodiscard]] double outer(const Vec3& p) const { return body(p).grooved; }
+
+    /// Enamel is thinner under a groove: the core does not follow it.
+    [[nodiscard]] double core(const Vec3& p) const {
+        const Body surface = body(p);
+        const double height = cervical(p);
+        if (height <= 0) return surface.grooved;
+        const double thickness = enamel(p, height);
+        return std::max(surface.smooth + thickness, surface.grooved + kThinnest * thickness);
+    }
+
+    [[nodiscard]] double cervical(const Vec3& p) const {
+        const double part = p.x() / plan_.cervicalHalfWidth;
+        const double rise = (p.x() > 0 ? plan_.mesialRise : plan_.distalRise) * part * part;
+        return p.z() - rise + plan_.projection * (bump(p.x() - plan_.projectionX, 1.0) - 1);
+    }
+
+    [[nodiscard]] double pulp(const Vec3& p) const;
+
+private:
+    /// With the grooves of the chewing surface and without.
+    struct Body {
+        double grooved, smooth;
+    };
+    [[nodiscard]] Body body(const Vec3& p) const {
+        if (p.z() < plan_.trunkEnd - kBelowTrunkEnd) return both(roots(p));
+        if (p.z() < kBelowCusps) return both(smoothUnion(trunk(p), roots(p), plan_.cervicalFillet));
+        const double side = wall(p);
+        if (side > occlusal(p.z() - plan_.fossa + deepestGroove_) + kFillet) return both(side);
+        const double above = p.z() - occlusalHeight(plan_, p.x(), p.y());
+        return {smoothIntersection(side, occlusal(above + grooveDepth(plan_, p.x(), p.y())), kFillet),
+                smoothIntersection(side, occlusal(above), kFillet)};
+    }
+    [[nodiscard]] static Body both(double distance) { return {distance, distance}; }
+
+    /// Coordinates in which the crown is neither narrower to one side nor skew.
+    [[nodiscard]] Vec3 straightened(const Vec3& p) const {
+        constexpr double kReach = 6.0;  // mm: farther away, the space around the tooth is not to fold
+        const double x = p.x() - plan_.skew * std::clamp(p.y(), -kReach, kReach);
+        return {x / (1 + plan_.narrowsLingually * std::clamp(p.y(), -kReach, kReach)),
+                p.y() / (1 + plan_.narrowsDistally * std::clamp(p.x(), -kReach, kReach)), p.z()};
+    }
+
+    /// Sides of the crown with their developmental grooves and the step at the cervical line.
+    [[nodiscard]] double wall(const Vec3& p) const {
+        double distance = crown_(straightened(p));
+        const double high = smoothStep(1.5, 4.5, p.z());
+        double furrow = 0;
+        for (const DevelopmentalGroove& g : plan_.developmentalGrooves) {
+            if (g.buccal == (p.y() > 0)) furrow += g.depth * bump(p.x() - g.x, g.width);
+        }
+        distance += high * furrow;
+        constexpr double kStep = 0.07;  // mm by which the crown stands out over the root
+        return distance + kStep * (1 - smoothStep(-0.15, 0.35, cervical(p)));
+    }
+
+    /// About the distance to the chewing surface from a point so high above it.
+    [[nodiscard]] static double occlusal(double above) {
+        constexpr double kSlope = 1.25;  // length of the height function's gradient, typically
+        return above / kSlope;
+    }
+
+    [[nodiscard]] double trunk(const Vec3& p) const {
+        constexpr double kArch = 1.6;  // mm
+        return smoothIntersection(wall(p), plan_.trunkEnd - p.z(), kArch);
+    }
+
+    /// The roots, which begin within the trunk. Their broad sides are hollowed.
+    [[nodiscard]] double roots(const Vec3& p) const {
+        constexpr double kApexRound = 0.25;  // mm
+        double all = 0;
+        for (std::size_t i = 0; i < roots_.size(); ++i) {
+            const RootPlan& plan = plan_.roots[i];
+            constexpr double kFade = 3.0;  // mm
+            const double heights =
+                smoothStep(-1.5, -4.5, p.z()) * smoothStep(plan.concavityEnd, plan.concavityEnd + kFade, p.z());
+            const double concavity = plan.concavity * bump(p.y() - plan.concavityY, 1.4) * heights;
+            const double root = smoothIntersection(roots_[i](p) + concavity, plan.apex - p.z(), kApexRound);
+            all = i == 0 ? root : smoothUnion(all, root, kFillet);
+        }
+        return smoothIntersection(all, p.z() - plan_.rootTop, plan_.rootTopRound);
+    }
+
+    /// Thickness of the enamel at a height above the cervical line: a feather edge, 1.3 mm at the sides, more on top.
+    [[nodiscard]] double enamel(const Vec3& p, double height) const {
+        constexpr double kFeather = 1.7;
+        const double functional = 0.15 * smoothStep(-1.0, 2.5, plan_.functionalSide * p.y());  // these carry the load
+        return (plan_.enamel + functional) * (1 - std::exp(-height / kFeather));
+    }
+
+    PosteriorToothPlan plan_;
+    SectionLoft crown_;
+    std::vector<SectionLoft> roots_, canals_;
+    double deepestGroove_ = 0;  // mm: no groove with its pits is deeper
+};
+
+double canalDistance(const SectionLoft& loft, const Vec3& p, double end) {
+    return std::max(smoothIntersection(loft(p), end - p.z(), 0.15), p.z() - 0.3);
+}
+
+/// The chamber, a horn under each cusp, and the root canals.
+double PosteriorTooth::pulp(const Vec3& p) const {
+    const double round = plan_.chamberRound;
+    const Vec3 out = (p - plan_.chamber).cwiseAbs() - (plan_.chamberHalf - Vec3::Constant(round));
+    double chamber = out.cwiseMax(0).norm() + std::min(out.maxCoeff(), 0.0) - round;
+    for (const Cusp& cusp : plan_.cusps) {
+        const Vec3 base(0.66 * cusp.x, 0.48 * cusp.y, 0.4), tip(0.80 * cusp.x, 0.62 * cusp.y, cusp.z - plan_.hornRise);
+        chamber = smoothUnion(chamber, taperedCapsule(p, base, plan_.hornBase, tip, 0.15), 0.5);
+    }
+    double canals = canalDistance(canals_[0], p, plan_.canals[0][0].z);
+    for (std::size_t i = 1; i < canals_.size(); ++i) {
+        canals = std::min(canals, canalDistance(canals_[i], p, plan_.canals[i][0].z));
+    }
+    return smoothUnion(chamber, canals, 0.4);
+}
+
+}  // namespace
+
+ToothShape posteriorTooth(const PosteriorToothPlan& plan) {
+    const auto tooth = std::make_shared<const PosteriorTooth>(plan);
+    const OcclusalPit& pit = plan.pits.front();
+    ToothShape shape;
+    shape.name = plan.name;
+    shape.fdi = plan.fdi;
+    shape.bounds = plan.bounds;
+    shape.outer = [tooth](const Vec3& p) { return tooth->outer(p); };
+    shape.core = [tooth](const Vec3& p) { return tooth->core(p); };
+    shape.cervical = [tooth](const Vec3& p) { return tooth->cervical(p); };
+    shape.pulp = [tooth](const Vec3& p) { return tooth->pulp(p); };
+    shape.lesionSite = Vec3(pit.x, pit.y, occlusalHeight(plan, pit.x, pit.y) - grooveDepth(plan, pit.x, pit.y));
+    shape.lesionInward = -Vec3::UnitZ();
+    shape.lesionEnamel = 0.9;
+    return shape;
+}
+
+}  // namespace tactooth

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "instruments/anatomy/tooth_shape.h"
+#include "instruments/modelling/section_loft.h"
+
+namespace tactooth {
+
+/// A cusp is a rounded pyramid: ridges run from its tip inward, outward and along the row of cusps.
+struct Cusp {
+    double x, y, z;          // tip
+    double inX, inY;         // unit, the way of its ridge toward the middle of the crown
+    double inward, outward;  // slopes of those ridges
+    double along;            // slope of the ridges beside them
+};
+
+/// Ridge along a straight line, with the same slope to both sides: marginal, transverse or oblique.
+struct OcclusalRidge {
+    double ax, ay, bx, by, z, slope;
+};
+
+struct OcclusalGroove {
+    double ax, ay, bx, by, depth, width;
+};
+
+struct OcclusalPit {
+    double x, y, depth, width;
+};
+
+/// A developmental groove of the crown's buccal or lingual side, which runs out toward the neck.
+struct DevelopmentalGroove {
+    bool buccal;
+    double x, depth, width;
+};
+
+/// A root: outlines from its apex to within the crown.
+struct RootPlan {
+    std::vector<Section> sections;
+    double apex = 0;            ///< height of its end
+    double concavity = 0;       ///< depth of the furrows on its mesial and distal side
+    double concavityY = 0;      ///< where they are
+    double concavityEnd = -13;  ///< height below which they have run out
+};
+
+/// Everything that makes one premolar or molar different from another; mm. +x mesial, +y buccal.
+struct PosteriorToothPlan {
+    std::string name;
+    int fdi = 0;
+    Box3 bounds;
+    std::vector<Section> crown;   ///< from below the furcation to above the cusps
+    double narrowsLingually = 0;  ///< part of the mesiodistal width gained for each mm to buccal
+    double narrowsDistally = 0;   ///< part of the buccolingual width gained for each mm to mesial
+    double skew = 0;              ///< mm that the buccal side lies farther to mesial, for each mm to buccal
+    double fossa = 4.75;          ///< height that no part of the occlusal surface falls below
+    double tip = 0.45;            ///< mm of height that the rounding takes from a cusp's tip
+    std::vector<Cusp> cusps;
+    std::vector<OcclusalRidge> ridges;
+    std::vector<OcclusalGroove> grooves;
+    std::vector<OcclusalPit> pits;  ///< the first one is where fissure caries begins
+    std::vector<DevelopmentalGroove> developmentalGrooves;
+    double cervicalFillet = 0.9;                ///< over which the trunk runs into the roots
+    double rootTop = -0.8, rootTopRound = 1.2;  ///< where the roots end within the trunk, and how softly
+    double trunkEnd = -2.9;  ///< height at which the roots' common trunk ends; with its rounding, lower
+    std::vector<RootPlan> roots;
+    double mesialRise = 1.0, distalRise = 0.3,
+           projection = 0.25;  ///< of the cervical line; the spur dips to the furcation
+    double projectionX = -0.2, cervicalHalfWidth = 4.5;
+    double enamel = 1.5;        ///< thickness at the sides
+    double functionalSide = 1;  ///< where the enamel is thicker: 1 buccal (lower teeth), -1 lingual (upper teeth)
+    Vec3 chamber, chamberHalf;  ///< middle and half size of the pulp chamber
+    double chamberRound = 0.7;
+    double hornBase = 0.62, hornRise = 5.0;  ///< radius of the pulp horns, and how far below the cusps they end
+    std::vector<std::vector<Section>> canals;
+};
+
+[[nodiscard]] ToothShape posteriorTooth(const PosteriorToothPlan& plan);
+
+}  // namespace tactooth

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "geometry/mesh/triangle_mesh.h"
+
+namespace tactooth {
+
+/// How a hand leads a tool over the top (+z) of a tooth.
+struct ToolTrajectory {
+    double speed = 10;        ///< mm/s along the path
+    double press = 0.3;       ///< mm that the hand stays below the surface
+    double approach = 0.5;    ///< mm above the tooth where it begins and ends; negative: below the surface, inside
+    double stroke = 4;        ///< mm: length of a slide across cusps and fissures
+    int strokes = 4;          ///< to and fro, each 0.3 mm beside the last
+    double turn = 60;         ///< degrees/s about the tip, to and fro
+    double maxRotation = 20;  ///< degrees
+};
+
+/// The hand's pose at every millisecond: approach, press, slide, retract. The tool's tip is its origin, its shaft +z.
+[[nodiscard]] std::vector<Pose> toolTrajectory(const TriangleMesh& tooth, const ToolTrajectory& path);
+
+}  // namespace tactooth

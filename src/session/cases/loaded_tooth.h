@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/io/import_note.h"
+#include "session/cases/custom_bur.h"
+#include "session/simulation/tooth_file.h"
+
+namespace tactooth {
+
+/// How a tooth stands that was loaded, and what its case brings with it.
+struct ToothPlacement {
+    std::string name;                             ///< for people
+    Box3 box;                                     ///< of the tooth that is worked on, mm
+    double mesialX = 1;                           ///< direction of mesial along x; a surface is taken to have it at +x
+    std::optional<MaterialTable> materials = {};  ///< of the case
+    std::optional<CustomBur> bur = {};            ///< of the case
+    std::vector<std::string> teethOfCase = {};    ///< names; empty: it is no case
+};
+
+struct LoadedTooth {
+    std::shared_ptr<const LayeredTooth> tooth;  ///< of a case: all of it, in the frame of the one that is worked on
+    ToothPlacement place;
+    Provenance provenance = {};
+    std::vector<ImportNote> importNotes = {};  ///< on the files that were read, and what was mended
+};
+
+/// A tooth from surfaces, or from a case if the source's outer surface names one (docs/cases.md); `workOn` is then the
+/// tooth to work on, by name or FDI number, or the first if empty. Fails with one sentence.
+[[nodiscard]] Expected<LoadedTooth> loadToothOrCase(const ToothSource& source, const std::string& workOn);
+
+/// A tooth ready to be cut.
+struct LoadedModel {
+    std::shared_ptr<CutModel> piece;
+    ToothPlacement place;
+    Provenance provenance = {};
+    std::vector<ImportNote> importNotes = {};  ///< on the files that were read, and what was mended
+};
+
+/// The same for the bench, and also a saved tooth; `voxel` and `defaultVoxel` as for loadTooth.
+[[nodiscard]] Expected<LoadedModel> loadModelOrCase(const ToothSource& source, const std::string& workOn,
+                                                    std::optional<double> voxel, double defaultVoxel);
+
+}  // namespace tactooth

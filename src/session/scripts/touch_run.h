@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <span>
+
+#include "haptics/haptic_simulation.h"
+#include "session/scripts/trajectory.h"
+
+namespace tactooth {
+
+/// Times `work` and writes the duration, us, to `micros`.
+template <class Work>
+auto timed(double& micros, Work&& work) {
+    const auto start = std::chrono::steady_clock::now();
+    auto result = work();
+    micros = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
+    return result;
+}
+
+/// One haptic run along a trajectory, at its own time steps: a still tool in the touch mode. `visit(time, tick)` is
+/// called for every row. Fails with one sentence at the first tick that is not finite (see checkFinite).
+[[nodiscard]] Expected<void> runTouchPath(std::span<const TimedPose> trajectory, HapticSimulation& simulation,
+                                          const std::function<void(double, const Tick&)>& visit);
+
+}  // namespace tactooth

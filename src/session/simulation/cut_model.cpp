@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "session/simulation/cut_model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "tooth/file/debris.h"
+
+namespace tactooth {
+namespace {
+
+// Work that no cut has spent is kept for this long a push only: a bur that was held on glass does not jump ahead when
+// it finds caries. N*m; about 20 ms at 1 N and 300,000 rev/min.
+constexpr double kKeptWork = 0.3;
+
+// The bur never gains more than this at one update, mm: 20 mm/s at an update each 5 ms, faster than any hand feeds.
+// Keeps the search for the way that the work pays for short where a hand is far behind its bur.
+constexpr double kLongestFeed = 0.1;
+
+// s without contact: the bur was lifted and not just on its way over a gap.
+constexpr double kLifted = 0.1;
+
+}  // namespace
+
+std::shared_ptr<const Surface> surrounded(std::shared_ptr<const Surface> surface, const Surroundings& bodies) {
+    if (bodies.empty()) return surface;
+    auto all = std::make_shared<Surface>(*surface);
+    all->patches.insert(all->patches.end(), bodies.begin(), bodies.end());
+    return all;
+}
+
+CutModel::CutModel(std::shared_ptr<const LayeredTooth> tooth, double voxel)
+    : tooth_(tooth), volume_(std::move(tooth), voxel), live_(volume_) {}
+
+const std::shared_ptr<BrickPool>& CutModel::pool() {
+    if (pool_ == nullptr) {
+        pool_ = std::make_shared<BrickPool>(tooth_, volume_.lattice().spacing());
+        volume_.setPool(pool_);
+    }
+    return pool_;
+}
+
+void CutModel::addRemoved(const CarveResult& carve) {
+    for (std::size_t i = 0; i < kMaterialCount; ++i) loss_.removed[i] += carve.removed[i];
+    mayBeDetached_ = mayBeDetached_ || !carve.changed.empty();
+    changed_.insert(changed_.end(), carve.changed.begin(), carve.changed.end());
+}
+
+MaterialVolumes CutModel::sweep(const CuttingTool& tool, const Pose& from, const Pose& to) {
+    constexpr double kNoClearance = 0;  // what is swept goes, and nothing else
+    const CarveResult carve = volume_.carve(tool.envelope, from, to, kNoClearance);
+    addRemoved(carve);
+    return carve.removed;
+}
+
+/// Where the cut goes on: at the bur, or where the last cut lets it go to, if it is still on its way there.
+Pose CutModel::startOf(const Tick& tick) const {
+    if (!reached_) return tick.proxy;
+    const Vec3 left = reached_->position - tick.proxy.position;
+    const Vec3 toDevice = tick.hand.position - tick.proxy.position;
+    const bool isMovingTo = left.norm() <= kLongestFeed && left.dot(toDevice) >= left.squaredNorm();
+    return isMovingTo ? *reached_ : tick.proxy;
+}
+
+bool CutModel::feed(const CuttingTool& tool, const Tick& tick, const MaterialTable& materials) {
+    updateContact(tick);
+    const double work = tick.cutWork - workSpent_;
+    const bool hasWorked = tick.cutWork > workSeen_;  // else what was too dear the last time still is
+    workSeen_ = tick.cutWork;
+    if (tick.contacts == 0 || !(work > 0)) {
+        workSpent_ = tick.cutWork;
+        reached_.reset();
+        return false;
+    }
+    if (!hasWorked) return false;
+    const Pose start = startOf(tick);
+    const double toDevice = (tick.hand.position - start.position).norm();
+    const double way = std::min(toDevice, kLongestFeed);
+    const Pose goal = between(start, tick.hand, toDevice > kLongestFeed ? kLongestFeed / toDevice : 1);
+    // As far as the last time and once more; a step of the sweep costs no less where it is shorter than a voxel.
+    const double enough = std::max(2 * lastFeedLength_, volume_.lattice().spacing()) / way;
+    const FeedResult result = feedBur(volume_, tool.envelope, start, goal, work, materials, tool.sharpness, enough);
+    lastFeedLength_ = result.fraction * way;
+    reached_ = between(start, goal, result.fraction);
+    // A broad bur in hard enamel must save up for its smallest step, which the clearance of the cut gives.
+    const double kept = std::isfinite(result.wanted) ? std::max(kKeptWork, result.wanted) : kKeptWork;
+    workSpent_ = std::max(workSpent_ + result.work, tick.cutWork - kept);
+    addRemoved(result.carve);
+    const bool changed = !changed_.empty();
+    refreshSurface();
+    return changed;
+}
+
+/// Time begins anew with each simulation that the piece is put into.
+void CutModel::updateContact(const Tick& tick) {
+    if (tick.contacts > 0 || tick.time < touchedAt_) touchedAt_ = tick.time;
+}
+
+bool CutModel::removeLoosePieces(const Tick& tick) {
+    updateContact(tick);
+    return tick.time > touchedAt_ + kLifted && removeLoosePieces();
+}
+
+bool CutModel::removeLoosePieces() {
+    if (!std::exchange(mayBeDetached_, false)) return false;
+    const std::uint64_t revision = surface()->revision;
+    refreshSurface();
+    const DetachedPieces pieces = volume_.removeDetached();
+    addFallen(pieces.carve);
+    loss_.pieces += static_cast<std::size_t>(
+        std::ranges::count_if(pieces.volumes, [](double volume) { return volume >= kVisiblePiece; }));
+    addFallen(volume_.removeDebris(nodesBesideDebris(*surface(), volume_.bricks(), volume_.lattice())));
+    mayBeDetached_ = false;  // what falls sets nothing free
+    return surface()->revision != revision;
+}
+
+void CutModel::addFallen(const CarveResult& carve) {
+    for (std::size_t i = 0; i < kMaterialCount; ++i) loss_.detached[i] += carve.removed[i];
+    addRemoved(carve);
+    refreshSurface();
+}
+
+void CutModel::refreshSurface() {
+    if (changed_.empty()) return;
+    live_.update(volume_, merged(std::move(changed_)));
+    changed_.clear();
+    loss_.beside = live_.lostAdjacent();
+}
+
+void CutModel::adopt(const std::map<BrickKey, CutField>& fields, const MaterialVolumes& removed) {
+    changed_ = volume_.adopt(fields);
+    loss_ = {.removed = removed};
+    refreshSurface();
+}
+
+void CutModel::mark() {
+    if (!volume_.mark()) return;
+    if (lossAt_.size() == volume_.marks()) lossAt_.erase(lossAt_.begin());  // the oldest was forgotten
+    lossAt_.push_back(loss_);
+}
+
+bool CutModel::undo() {
+    if (marks() == 0) return false;
+    reached_.reset();
+    const std::vector<ChangedBrick> changed = volume_.undo();
+    changed_.insert(changed_.end(), changed.begin(), changed.end());
+    loss_ = lossAt_[marks()];
+    lossAt_.resize(marks());
+    refreshSurface();
+    return true;
+}
+
+void CutModel::reset() {
+    volume_.reset();
+    live_.reset();
+    loss_ = {};
+    lossAt_.clear();
+    changed_.clear();
+    reached_.reset();
+    lastFeedLength_ = 0;
+}
+
+}  // namespace tactooth

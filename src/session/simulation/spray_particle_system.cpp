@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "session/simulation/spray_particle_system.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace tactooth {
+namespace {
+
+// Jets: three holes under the head of the handpiece aim at the bur's tip. They are so fast (metres in a second) that an
+// eye sees lines: drops are laid anew along them at each call.
+constexpr int kJets = 3;
+constexpr int kDropsPerJet = 40;
+constexpr double kHoleRadius = 2.9, kHoleHeight = 9.3;  // mm in the tool frame: beside the chuck's nose
+constexpr double kAimHeight = 0.8;                      // mm above the tip
+constexpr double kJetSpread = 0.22;                     // mm at its end
+
+// Mist: what 50 ml/min become is far more than can be drawn; this many balls a second stand for it.
+constexpr double kMistPerSecond = 1600;
+constexpr double kMistLife = 0.32, kChipLife = 0.45;        // s, until they are too thin to be seen
+constexpr float kMistGrowth = 2.2F;                         // mm/s: eddies widen what a ball stands for
+constexpr double kMinGrain = 0.008, kLargestGrain = 0.024;  // mm across
+constexpr double kFastest = 20000;                          // mm/s: rim of a 1.3 mm bur at 300,000 rev/min
+
+// Air brakes a small ball of density rho and width d within rho d^2 / (18 mu) (G. G. Stokes, 1851): 3.1 us for a
+// micrometre of water in air (18 uPa s). A chip is 2.9 times as heavy and breaks up: the same number serves.
+constexpr double kRelaxation = 3.1;  // s/mm^2
+constexpr double kGravity = 9810;    // mm/s^2, toward the roots
+constexpr double kTubeRadius = 3;    // mm
+constexpr double kTubeFlow = 3.3e5;  // mm^3/s: 20 l/min, a saliva ejector that lets one still see the spray
+constexpr double kTwoPi = 2 * std::numbers::pi;
+
+/// How far the sink draws what stands at distance `r` from a tube in `dt`: air comes in through a half sphere, so
+/// r^3 falls by 3 Q t / (2 pi).
+double drawnTo(double r, double dt) { return std::cbrt(std::max(0.0, r * r * r - 3 * kTubeFlow * dt / kTwoPi)); }
+
+float radiusOfChip() { return static_cast<float>(std::cbrt(3 * SprayParticleSystem::kChipVolume / (2 * kTwoPi))); }
+
+}  // namespace
+
+SprayParticleSystem::SprayParticleSystem(double burRadius, const Vec3& tube)
+    : burRadius_(burRadius), tube_(tube.cast<float>()) {}
+
+/// Evenly distributed; the same numbers on every computer.
+float SprayParticleSystem::random(double low, double high) {
+    return static_cast<float>(low + (high - low) * static_cast<double>(random_()) / 4294967296.0);
+}
+
+void SprayParticleSystem::advance(const SprayInput& now, double dt) {
+    std::erase_if(particles_, [](const SprayParticle& bit) { return bit.kind == SprayParticleKind::Jet; });
+    fly(now, static_cast<float>(dt));
+    if (now.water > 0) {
+        emitMist(now, dt);
+        emitJets(now);
+    }
+    emitChips(now, dt);
+    if (particles_.size() > kMaxParticles)
+        particles_.erase(particles_.begin(), particles_.end() - static_cast<std::ptrdiff_t>(kMaxParticles));
+}
+
+void SprayParticleSystem::fly(const SprayInput& now, float dt) {
+    for (SprayParticle& bit : particles_) {
+        const Vec3f air(0, 0, static_cast<float>(-kGravity) * bit.relaxation);
+        const float left = std::exp(-dt / bit.relaxation);
+        bit.place += air * dt + (bit.velocity - air) * (bit.relaxation * (1 - left));
+        bit.velocity = air + (bit.velocity - air) * left;
+        bit.age += dt;
+        if (bit.kind == SprayParticleKind::Mist) bit.radius += kMistGrowth * dt;
+        if (!now.suction) continue;
+        const Vec3f away = bit.place - tube_;
+        const double distance = away.norm();
+        const double drawn = drawnTo(distance, dt);
+        if (drawn < kTubeRadius) bit.age = bit.lifetime;
+        bit.place = tube_ + away * static_cast<float>(drawn / std::max(distance, 1e-9));
+    }
+    std::erase_if(particles_, [](const SprayParticle& bit) { return bit.age >= bit.lifetime; });
+}
+
+void SprayParticleSystem::emitJets(const SprayInput& now) {
+    for (int jet = 0; jet < kJets; ++jet) {
+        const double angle = kTwoPi * (jet + 0.25) / kJets;
+        const Vec3 hole(kHoleRadius * std::cos(angle), kHoleRadius * std::sin(angle), kHoleHeight);
+        const Vec3 aim(0, 0, kAimHeight);
+        for (int i = 0; i < kDropsPerJet; ++i) {
+            const double way = random(0, 1);
+            const double spread = kJetSpread * way;
+            const Vec3 aside{random(-spread, spread), random(-spread, spread), random(-spread, spread)};
+            SprayParticle drop;
+            drop.place = (now.toolInTooth * (hole + way * (aim - hole) + aside)).cast<float>();
+            drop.radius = random(0.04, 0.09) * static_cast<float>(std::sqrt(now.water));
+            drop.kind = SprayParticleKind::Jet;
+            particles_.push_back(drop);
+        }
+    }
+}
+
+/// Something that leaves the rim during the last `dt`: along the rim, scattered, away from the tooth if there is one.
+SprayParticle SprayParticleSystem::thrown(const SprayInput& now, double dt) {
+    const double angle = random(0, kTwoPi);
+    const Vec3 rim(burRadius_ * std::cos(angle), burRadius_ * std::sin(angle), random(0.1, 0.9));
+    const Vec3 along(std::sin(angle), -std::cos(angle), 0);                       // clockwise, seen from the shaft
+    const Vec3 scatter{random(-0.5, 0.5), random(-0.5, 0.5), random(-0.2, 0.6)};  // braces: in this order
+    Vec3 way = now.toolInTooth.rotation * (along + scatter);
+    way += std::max(0.0, 0.15 - way.dot(now.normal)) * now.normal;
+    const double speed = std::min(kFastest, burRadius_ * kTwoPi * now.speedRpm / 60) * random(0.1, 1);
+    const double grain = random(kMinGrain, kLargestGrain);
+    SprayParticle bit;
+    bit.place = (now.toolInTooth * rim).cast<float>();
+    bit.velocity = (speed * way.normalized()).cast<float>();
+    bit.relaxation = static_cast<float>(kRelaxation * grain * grain);
+    bit.age = -random(0, dt);  // it left some time during the step: not all fly as far
+    const float flown = static_cast<float>(dt) + bit.age;
+    bit.place += bit.velocity * (bit.relaxation * (1 - std::exp(-flown / bit.relaxation)));
+    bit.velocity *= std::exp(-flown / bit.relaxation);
+    bit.age = flown;
+    return bit;
+}
+
+void SprayParticleSystem::emitMist(const SprayInput& now, double dt) {
+    mistDue_ += kMistPerSecond * now.water * dt;
+    for (; mistDue_ >= 1; mistDue_ -= 1) {
+        SprayParticle drop = thrown(now, dt);
+        drop.kind = SprayParticleKind::Mist;
+        drop.radius = random(0.02, 0.12) + kMistGrowth * drop.age;
+        drop.lifetime = static_cast<float>(kMistLife) * random(0.4, 1);
+        particles_.push_back(drop);
+    }
+}
+
+void SprayParticleSystem::emitChips(const SprayInput& now, double dt) {
+    for (std::size_t m = 0; m < kMaterialCount; ++m) {
+        // Less than before: a cut was taken back, or another tooth is on the bench.
+        if (started_ && now.ground[m] > ground_[m]) chipsDue_[m] += now.ground[m] - ground_[m];
+        for (; chipsDue_[m] >= kChipVolume; chipsDue_[m] -= kChipVolume) {
+            SprayParticle chip = thrown(now, dt);
+            chip.kind = SprayParticleKind::Chip;
+            chip.material = static_cast<MaterialId>(m);
+            chip.wetness = static_cast<float>(now.water);
+            chip.radius = radiusOfChip();
+            chip.lifetime = static_cast<float>(kChipLife) * random(0.4, 1);
+            particles_.push_back(chip);
+        }
+    }
+    ground_ = now.ground;
+    started_ = true;
+}
+
+}  // namespace tactooth

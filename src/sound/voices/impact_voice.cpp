@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "sound/voices/impact_voice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "sound/files/sound_format.h"
+
+namespace tactooth {
+
+namespace {
+
+// Loudness of a landing: in step with its speed when gentle, at most kTopLevel of full scale. A careful hand lands
+// at 5-50 mm/s.
+constexpr double kTopLevel = 0.3;
+constexpr double kHalfSpeed = 30.0;
+
+// Tones of a short stubby beam: a crown is one. Higher ones die sooner.
+constexpr std::array<double, 3> kModeRatios{1.0, 1.9, 3.1};
+constexpr double kTopModeHz = 18000.0;
+constexpr double kDecaysUntilSilent = 11.5;  // e^-11.5 = -100 dB
+
+// The push is a half period of the lowest tone: it excites that tone fully and the higher ones less.
+constexpr double kPushPeriods = 0.5;
+
+double amplitudeAt(double contactSpeed) { return kTopLevel * contactSpeed / (contactSpeed + kHalfSpeed); }
+
+}  // namespace
+
+void ImpactVoice::strike(const DrillSoundState& state, double volume) {
+    const SoundCharacter& material = state.material;
+    const double amplitude = amplitudeAt(state.contactSpeed) * volume;
+    pushFrames_ = std::max(3, static_cast<int>(kPushPeriods * kSoundRate / material.tapHz));
+    pushDone_ = 0;
+    ringFrames_ = pushFrames_ + static_cast<int>(kDecaysUntilSilent * material.tapDecay * kSoundRate);
+    for (std::size_t i = 0; i < modes_.size(); ++i) {
+        const double hz = std::min(kTopModeHz, material.tapHz * kModeRatios[i]);
+        const double decay = material.tapDecay / kModeRatios[i];
+        const double share = i == 0 ? 1.0 : material.tapBrightness / static_cast<double>(i + 1);
+        modes_[i].turn = std::polar(static_cast<float>(std::exp(-1.0 / (decay * kSoundRate))),
+                                    static_cast<float>(2.0 * std::numbers::pi * hz / kSoundRate));
+        modes_[i].push = static_cast<float>(amplitude * share * 2.0 / pushFrames_);
+    }
+}
+
+void ImpactVoice::addTo(std::span<float> out, const DrillSoundState& state, double volume) {
+    if (counting_ && state.contactCount != count_) strike(state, volume);
+    counting_ = true;
+    count_ = state.contactCount;
+    if (ringFrames_ <= 0) return;
+
+    for (float& sample : out) {
+        float push = 0.0f;
+        if (pushDone_ < pushFrames_) {
+            const float t = (static_cast<float>(++pushDone_) - 0.5f) / static_cast<float>(pushFrames_);
+            push = 2.0f * t * (1.0f - t);  // a smooth hump, mean 1/3
+        }
+        for (Mode& mode : modes_) {
+            mode.state = mode.state * mode.turn + mode.push * push;
+            sample += mode.state.imag();
+        }
+    }
+    ringFrames_ -= static_cast<int>(out.size());
+    if (ringFrames_ <= 0) {
+        for (Mode& mode : modes_) mode.state = 0.0f;
+    }
+}
+
+}  // namespace tactooth

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tooth/file/remaining_layers.h"
+
+#include "tooth/file/exported_mesh.h"
+#include "tooth/surface/incremental_surface.h"
+
+namespace tactooth {
+namespace {
+
+/// A layer is cut as a tooth of its own, by what was removed from the whole one.
+TriangleMesh remainsOf(const TriangleMesh& layer, double voxel, const std::map<BrickKey, CutField>& cuts) {
+    auto tooth = LayeredTooth::make(layer);
+    if (!tooth) return {};  // cannot be: the layer was looked at when the tooth was made
+    CutVolume volume(std::make_shared<const LayeredTooth>(std::move(*tooth)), voxel);
+    IncrementalSurface surface(volume);
+    surface.update(volume, volume.adopt(cuts));
+    return exportedMesh(*surface.snapshot(), voxel).mesh;
+}
+
+}  // namespace
+
+std::vector<std::string> remainingLayerNames(const LayeredTooth& tooth) {
+    std::vector<std::string> names;
+    for (const LayeredTooth::Layer& layer : tooth.layers()) names.push_back(layer.name);
+    if (names.empty()) names.emplace_back(materialName(tooth.body()));
+    return names;
+}
+
+std::vector<RemainingLayer> remainingLayers(const CutVolume& volume) {
+    std::map<BrickKey, CutField> cuts;
+    for (const BrickKey& key : volume.cutBricks()) cuts.emplace_hint(cuts.end(), key, *volume.bricks().find(key));
+    const LayeredTooth& tooth = *volume.tooth();
+    const double voxel = volume.lattice().spacing();
+    std::vector<RemainingLayer> remains;
+    for (const LayeredTooth::Layer& layer : tooth.layers()) {
+        remains.push_back({layer.name, remainsOf(layer.part->mesh(), voxel, cuts)});
+    }
+    if (remains.empty()) {
+        const std::string name(materialName(tooth.body()));
+        remains.push_back({name, remainsOf(tooth.outer()->mesh(), voxel, cuts)});
+    }
+    return remains;
+}
+
+}  // namespace tactooth

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tooth/surface/base_clipper.h"
+
+#include <cmath>
+
+#include "geometry/util/index_bitset.h"
+#include "geometry/util/parallel_for.h"
+#include "tooth/surface/margin_clipper.h"
+#include "tooth/surface/vertex_groups.h"
+
+namespace tactooth {
+namespace {
+
+std::array<bool, 3> forwardEdges(const Triangle& v) { return {v[0] < v[1], v[1] < v[2], v[2] < v[0]}; }
+
+/// The vertices that a list of triangles uses, numbered from 0.
+struct LocalVertices {
+    LocalVertices(const TriangleMesh& mesh, const std::vector<std::uint32_t>& triangles) : corners(triangles.size()) {
+        IndexBitset used(mesh.vertices.size());
+        for (const std::uint32_t triangle : triangles) {
+            for (const std::uint32_t vertex : mesh.triangles[triangle]) used.add(vertex);
+        }
+        global = used.sorted();
+        const BitsetRank places(used);
+        for (std::size_t i = 0; i < triangles.size(); ++i) {
+            for (int c = 0; c < 3; ++c) corners[i][c] = places[mesh.triangles[triangles[i]][c]];
+        }
+    }
+    std::vector<std::uint32_t> global;
+    std::vector<Triangle> corners;  ///< of each triangle of the list, in local numbers
+};
+
+/// Which vertices are kept: told by the cut lines beside them, else by the cut field, farthest from its border.
+VertexGroups groupVertices(const CutVolume& volume, const LocalVertices& vertices,
+                           const std::vector<std::vector<ClipSegment>>& segments) {
+    const TriangleMesh& mesh = volume.tooth()->outer()->mesh();
+    std::vector<double> cut(vertices.global.size());
+    parallelFor(cut.size(),
+                [&](std::size_t i) { cut[i] = volume.cutDistance(mesh.vertices[vertices.global[i]].cast<double>()); });
+    VertexGroups groups(cut.size());
+    for (std::uint32_t i = 0; i < cut.size(); ++i) groups.report(i, cut[i] >= 0, std::abs(cut[i]));
+    for (std::size_t i = 0; i < vertices.corners.size(); ++i) {
+        const Triangle& v = vertices.corners[i];  // local numbers keep the order of the global ones
+        const auto ends = endsOfEdges(segments[i], forwardEdges(v));
+        for (int edge = 0; edge < 3; ++edge) groups.addEdge(v[edge], v[(edge + 1) % 3], ends[edge]);
+    }
+    return groups;
+}
+
+void clip(const TriangleMesh& mesh, std::uint32_t t, const std::vector<ClipSegment>& segments,
+          const std::array<bool, 3>& keepsCorner, ClippedBaseTriangle& remains) {
+    const auto clipped = clipTriangle({mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)},
+                                      forwardEdges(mesh.triangles[t]), segments, keepsCorner);
+    if (!clipped) {
+        remains.failed = true;  // it stays or goes as a whole
+        return;
+    }
+    remains.hidden = true;
+    for (const Triangle& piece : clipped->triangles) {
+        remains.pieces.emplace_back();
+        for (int c = 0; c < 3; ++c) remains.pieces.back()[c] = clipped->points[piece[c]].cast<float>();
+    }
+}
+
+}  // namespace
+
+std::vector<ClippedBaseTriangle> clipBase(const CutVolume& volume, const std::vector<std::uint32_t>& triangles,
+                                          const std::vector<std::vector<ClipSegment>>& segments) {
+    const TriangleMesh& mesh = volume.tooth()->outer()->mesh();
+    const LocalVertices vertices(mesh, triangles);
+    VertexGroups groups = groupVertices(volume, vertices, segments);
+    std::vector<ClippedBaseTriangle> results(triangles.size());
+    std::vector<std::array<bool, 3>> keepsCorner(triangles.size());
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        for (int c = 0; c < 3; ++c) keepsCorner[i][c] = *groups.isKept(vertices.corners[i][c]);
+        results[i].hidden = !keepsCorner[i][0];
+    }
+    parallelFor(triangles.size(), [&](std::size_t i) {
+        if (!segments[i].empty()) clip(mesh, triangles[i], segments[i], keepsCorner[i], results[i]);
+    });
+    return results;
+}
+
+}  // namespace tactooth

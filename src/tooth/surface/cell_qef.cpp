@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tooth/surface/cell_qef.h"
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "collision/narrow/lane_flags.h"
+
+// The quadric of T. Ju, F. Losasso, S. Schaefer, J. Warren, "Dual Contouring of Hermite Data", SIGGRAPH 2002, section
+// 2.3. Differs from the paper: a cell whose planes agree, as most do, needs no eigenvalues; and the vertex is kept in a
+// room.
+
+namespace tactooth {
+namespace {
+
+/// Directions in which the planes of a cell agree to this share of their weight are not an edge: the vertex stays at
+/// the mean of the crossings there. Keeps edges sharper than about 20 degrees.
+constexpr double kFlat = 0.03;
+
+Vec3 clamped(const Vec3& point, const Box3& room) { return point.cwiseMax(room.min()).cwiseMin(room.max()); }
+
+/// The least-squares point of planes, told by the sums over them; offsets count from the centre.
+struct Quadric {
+    Mat3 products;
+    Vec3 offsets;
+
+    /// The way from the centre to the nearest point, along axes that are free (1) or held (0).
+    [[nodiscard]] Vec3 nearestOffset(const Vec3& held, const Vec3& free) const {
+        Eigen::SelfAdjointEigenSolver<Mat3> solver;
+        solver.computeDirect(free.asDiagonal() * products * free.asDiagonal());
+        const Vec3 wanted = free.asDiagonal() * (offsets - products * held);
+        const double largest = solver.eigenvalues()[2];
+        Vec3 offset = held;
+        for (int i = 0; i < 3; ++i) {
+            const double value = solver.eigenvalues()[i];
+            const Vec3 direction = solver.eigenvectors().col(i);
+            if (value > kFlat * largest) offset += direction * (direction.dot(wanted) / value);
+        }
+        return offset;
+    }
+};
+
+}  // namespace
+
+void CellQef8::add(const Vec3x8& normal, const Vec3x8& point, Float8 counts) {
+    const Vec3x8 n = normal * counts;
+    const Vec3x8 p = point * counts;
+    count_ = count_ + counts;
+    points_ = points_ + p;
+    normals_ = normals_ + n;
+    offsets_ = offsets_ + n * dot(n, p);
+    productsX_ = productsX_ + n * n.x;
+    yy_ = yy_ + n.y * n.y;
+    yz_ = yz_ + n.y * n.z;
+}
+
+/// The sum of the normals' products with themselves, times a vector.
+Vec3x8 CellQef8::timesProducts(const Vec3x8& v) const {
+    const auto& [xx, xy, xz] = productsX_;
+    const Float8 zz = count_ - xx - yy_;  // the normals are of unit length
+    return {dot(productsX_, v), dot({xy, yy_, yz_}, v), dot({xz, yz_, zz}, v)};
+}
+
+CellQef8::Flat CellQef8::flat() const {
+    const Float8 along = dotAsEigen(normals_, timesProducts(normals_));
+    // The weight in all other directions together is what the mean one leaves of the planes'.
+    const Float8 across = count_ * dotAsEigen(normals_, normals_) - along;
+    const Vec3x8 centres = means();
+    const Vec3x8 offsets = offsets_ - timesProducts(centres);
+    return {isLess(across, Float8::all(static_cast<float>(kFlat)) * along),
+            centres + normals_ * (dotAsEigen(normals_, offsets) / along)};
+}
+
+Vec3f CellQef8::nearestPoint(int lane, const Box3& room) const {
+    const auto of = [lane](const Vec3x8& vectors) {
+        float lanes[3][8];
+        vectors.store(lanes);
+        return Vec3(lanes[0][lane], lanes[1][lane], lanes[2][lane]);
+    };
+    const Vec3x8 centres = means();
+    const Vec3 centre = of(centres);
+    Quadric quadric{Mat3(), of(offsets_ - timesProducts(centres))};
+    quadric.products.col(0) = of(timesProducts(Vec3x8::all(1, 0, 0)));
+    quadric.products.col(1) = of(timesProducts(Vec3x8::all(0, 1, 0)));
+    quadric.products.col(2) = of(timesProducts(Vec3x8::all(0, 0, 1)));
+    Vec3 held = Vec3::Zero();  // how far the centre is moved along the axes that are not free
+    Vec3 free = Vec3::Ones();
+    Vec3 offset = quadric.nearestOffset(held, free);
+    for (int i = 0; i < 3 && !room.contains(centre + offset); ++i) {
+        const Vec3 inside = clamped(centre + offset, room) - centre;
+        int worst = 0;
+        (inside - offset).cwiseAbs().maxCoeff(&worst);
+        held[worst] = inside[worst];
+        free[worst] = 0;
+        offset = quadric.nearestOffset(held, free);
+    }
+    return clamped(centre + offset, room).cast<float>();
+}
+
+}  // namespace tactooth

@@ -1,0 +1,297 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tooth/surface/incremental_surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "geometry/util/index_bitset.h"
+#include "geometry/util/parallel_for.h"
+#include "tooth/surface/base_clipper.h"
+#include "tooth/surface/box_query.h"
+#include "tooth/surface/removed_rows.h"
+
+namespace tactooth {
+namespace {
+
+Box3 triangleBox(const TriangleMesh& mesh, std::uint32_t t) {
+    Box3 box(mesh.corner(t, 0));
+    box.extend(mesh.corner(t, 1));
+    box.extend(mesh.corner(t, 2));
+    return box;
+}
+
+Box3 grown(const Box3& box, double margin) {
+    return {box.min() - Vec3::Constant(margin), box.max() + Vec3::Constant(margin)};
+}
+
+// Voxels; a wall triangle lies within 1.35 of the lattice edge that it is made for (kWallReach), which ends a node
+// further on: nodes in this range about a triangle tell whether any may touch it.
+constexpr float kNodesBefore = 1.5F;
+constexpr float kNodesBeyond = 3.0F;
+
+/// Six times what a triangle adds to the volume of its body, by the divergence theorem.
+double sixfoldOf(const TriangleMesh& mesh, std::uint32_t t) {
+    return mesh.corner(t, 0).dot(mesh.corner(t, 1).cross(mesh.corner(t, 2)));
+}
+
+bool isPartlyAdjacent(const SurfacePart& part) { return part.firstAdjacent() < part.mesh().triangles.size(); }
+
+double sixfoldAdjacent(const SurfacePart& part) {
+    double sum = 0;
+    for (std::uint32_t t = part.firstAdjacent(); t < part.mesh().triangles.size(); ++t)
+        sum += sixfoldOf(part.mesh(), t);
+    return sum;
+}
+
+/// The next whole number down, of one that an int holds.
+int roundedDown(float value) {
+    const int whole = static_cast<int>(value);
+    return whole - static_cast<int>(value < static_cast<float>(whole));
+}
+
+/// All that the triangles of a brick's wall can touch.
+Box3 wallBox(const Lattice& lattice, const BrickKey& key) {
+    const Vec3 low = lattice.corner(key);
+    const Box3 nodes(low, low + Vec3::Constant((kBrickSide - 1) * lattice.spacing()));
+    return grown(nodes, kWallReach * lattice.spacing());
+}
+
+}  // namespace
+
+IncrementalSurface::IncrementalSurface(const CutVolume& volume)
+    : base_(volume.tooth()->outer()),
+      lattice_(volume.lattice()),
+      marginSegments_(base_->mesh().triangles.size()),
+      thinner_(base_->tree()) {
+    snapshot_ = std::make_shared<const Surface>(uncut(0));
+}
+
+Surface IncrementalSurface::uncut(std::uint64_t revision) const { return {base_, nullptr, {}, revision}; }
+
+void IncrementalSurface::reset() {
+    cells_.clear();
+    patchKeys_.clear();
+    patches_.clear();
+    std::ranges::fill(marginSegments_, std::uint32_t{0});
+    hidden_.clear();
+    thinner_.showAll();
+    sixfoldAdjacent_ = 0;
+    adjacentPatches_ = 0;
+    failures_ = 0;
+    snapshot_ = std::make_shared<const Surface>(uncut(snapshot_->revision + 1));
+}
+
+void IncrementalSurface::update(const CutVolume& volume, const std::vector<ChangedBrick>& changed) {
+    if (changed.empty()) return;
+    onlyGrows_ = std::exchange(undosSeen_, volume.undos()) == volume.undos();
+    if (!onlyGrows_) {  // what was passed may be met again
+        for (auto& [key, cell] : cells_) cell.knowsBase = false;
+    }
+    const std::vector<BrickKey> keys = bricksToExtract(volume, changed);
+    std::vector<Cell*> cells;
+    for (const BrickKey& key : keys) cells.push_back(&cells_[key]);
+    countMargin(cells, ~0U);
+    parallelFor(keys.size(), [&](std::size_t i) { extract(volume, keys[i], *cells[i]); });
+    countMargin(cells, 1);
+
+    std::vector<BrickKey> dirty;
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        failures_ += static_cast<std::size_t>(cells[i]->wall.failures);
+        if (cells[i]->isNew) dirty.push_back(keys[i]);
+    }
+    const std::vector<std::uint32_t> triangles = affectedBase(cells);
+    storeBase(triangles, clipBase(volume, triangles, cutLines(triangles)), dirty);
+    publish(dirty);
+}
+
+/// A change beside the faces of a brick moves the wall of the bricks beyond, too.
+std::vector<BrickKey> IncrementalSurface::bricksToExtract(const CutVolume& volume,
+                                                          const std::vector<ChangedBrick>& changed) const {
+    std::vector<BrickKey> keys;
+    for (const ChangedBrick& brick : changed) {
+        brick.forEachAffected([&](int i) { keys.push_back(brick.key.neighbour(i)); });
+    }
+    std::sort(keys.begin(), keys.end());
+    keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+    std::erase_if(keys, [&](const BrickKey& key) { return volume.bricks().find(key) == nullptr; });
+    return keys;
+}
+
+void IncrementalSurface::extract(const CutVolume& volume, const BrickKey& key, Cell& cell) const {
+    if (!cell.knowsBase) {
+        const Box3 box = wallBox(lattice_, key);
+        const std::vector<std::uint32_t> near = trianglesTouching(*base_, box);
+        cell.base.clear();
+        for (const std::uint32_t t : near) cell.base.push_back(boxed(t));
+        cell.bodies = bodiesIn(*base_, near, box.center());
+        cell.knowsBase = true;
+    }
+    const BrickNeighbourhood nodes(volume.bricks(), key, lattice_.spacing());
+    CavityWall wall = extractWall(nodes, lattice_, key);
+    cell.margin = findMargin(wall, base_->mesh(), findAffected(nodes, key, cell));
+    WallPatch patch = clipWall(std::move(wall), cell.margin, *base_);
+    cell.isNew = !patch.isIdentical(cell.wall);
+    cell.wall = std::move(patch);
+}
+
+IncrementalSurface::TriangleBounds IncrementalSurface::boxed(std::uint32_t triangle) const {
+    const auto& [a, b, c] = base_->mesh().triangles[triangle];
+    const auto& vertices = base_->mesh().vertices;
+    return {triangle, vertices[a].cwiseMin(vertices[b]).cwiseMin(vertices[c]),
+            vertices[a].cwiseMax(vertices[b]).cwiseMax(vertices[c])};
+}
+
+/// A triangle of the base changes where the wall is near it; these are returned. What lies among removed nodes alone is
+/// looked at once more and then forgotten: they stay removed, so no wall comes near it again.
+std::vector<std::uint32_t> IncrementalSurface::findAffected(const BrickNeighbourhood& nodes, const BrickKey& key,
+                                                            Cell& cell) const {
+    using Coverage = RemovedRows::Coverage;
+    std::vector<std::uint32_t> nearWall;
+    cell.affected.clear();
+    if (!nodes.hasRemoved() && onlyGrows_) return nearWall;
+    const RemovedRows rows(nodes);
+    nearWall.reserve(cell.base.size());
+    const Vec3f corner = lattice_.corner(key).cast<float>();
+    const auto voxels = static_cast<float>(1 / lattice_.spacing());
+    const auto place = [&](const Vec3f& point, float beyond) {
+        BrickNeighbourhood::Place at;
+        for (int axis = 0; axis < 3; ++axis) {
+            const float exact = (point[axis] - corner[axis]) * voxels + beyond;
+            // Places beyond the nodes that are here are all one; numbers far beyond would not fit.
+            at[axis] = roundedDown(std::clamp(exact, -1.0F, static_cast<float>(kBrickSide)));
+        }
+        return at;
+    };
+    std::erase_if(cell.base, [&](const TriangleBounds& base) {
+        const Coverage coverage = rows.coverage(place(base.low, -kNodesBefore), place(base.high, kNodesBeyond));
+        if (coverage != Coverage::None || !onlyGrows_) cell.affected.push_back(base.triangle);
+        if (coverage == Coverage::Some) nearWall.push_back(base.triangle);
+        return coverage == Coverage::All;
+    });
+    return nearWall;
+}
+
+std::vector<std::uint32_t> IncrementalSurface::affectedBase(const std::vector<Cell*>& cells) const {
+    IndexBitset triangles(base_->mesh().triangles.size());
+    for (const Cell* cell : cells) {
+        for (const std::uint32_t triangle : cell->affected) triangles.add(triangle);
+    }
+    return triangles.sorted();
+}
+
+void IncrementalSurface::countMargin(const std::vector<Cell*>& cells, std::uint32_t step) {
+    for (const Cell* cell : cells) {
+        for (const MarginSegment& piece : cell->margin) marginSegments_[piece.base] += step;
+    }
+}
+
+std::vector<const MarginSegment*> IncrementalSurface::marginOf(std::uint32_t triangle) const {
+    std::vector<const MarginSegment*> pieces;
+    if (marginSegments_[triangle] == 0) return pieces;
+    const Box3 box = grown(triangleBox(base_->mesh(), triangle), kWallReach * lattice_.spacing());
+    for (const BrickKey& key : lattice_.bricksTouching(box)) {
+        const auto cell = cells_.find(key);
+        if (cell == cells_.end()) continue;
+        const auto& margin = cell->second.margin;
+        auto piece = std::lower_bound(margin.begin(), margin.end(), triangle,
+                                      [](const MarginSegment& a, std::uint32_t t) { return a.base < t; });
+        for (; piece != margin.end() && piece->base == triangle; ++piece) pieces.push_back(&*piece);
+    }
+    return pieces;
+}
+
+std::vector<std::vector<ClipSegment>> IncrementalSurface::cutLines(const std::vector<std::uint32_t>& triangles) const {
+    std::vector<std::vector<ClipSegment>> segments(triangles.size());
+    parallelFor(triangles.size(), [&](std::size_t i) { segments[i] = segmentsOnBase(marginOf(triangles[i])); });
+    return segments;
+}
+
+/// Whether this changes anything.
+bool IncrementalSurface::setRemains(const BrickKey& home, std::uint32_t triangle, Remains pieces) {
+    const auto cell = cells_.find(home);
+    if (pieces.empty()) return cell != cells_.end() && cell->second.remains.erase(triangle) > 0;
+    Remains& kept = (cell != cells_.end() ? cell->second : cells_[home]).remains[triangle];
+    if (kept == pieces) return false;
+    kept = std::move(pieces);
+    return true;
+}
+
+void IncrementalSurface::storeBase(const std::vector<std::uint32_t>& triangles,
+                                   std::vector<ClippedBaseTriangle> results, std::vector<BrickKey>& dirty) {
+    const TriangleMesh& mesh = base_->mesh();
+    if (hidden_.empty()) hidden_.assign((mesh.triangles.size() + 63) / 64, 0);
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        const std::uint32_t t = triangles[i];
+        const std::uint64_t bit = std::uint64_t{1} << (t % 64);
+        if (base_->isAdjacent(t) && results[i].hidden != isHidden(hidden_, t))
+            sixfoldAdjacent_ += (results[i].hidden ? -1 : 1) * sixfoldOf(mesh, t);
+        hidden_[t / 64] = results[i].hidden ? hidden_[t / 64] | bit : hidden_[t / 64] & ~bit;
+        thinner_.setHidden(t, results[i].hidden);
+        failures_ += results[i].failed;
+        const BrickKey home = lattice_.brickAt((mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3);
+        if (setRemains(home, t, std::move(results[i].pieces))) dirty.push_back(home);
+    }
+    std::sort(dirty.begin(), dirty.end());
+    dirty.erase(std::unique(dirty.begin(), dirty.end()), dirty.end());
+}
+
+/// What cutting has left in a brick: its wall, then what remains of base triangles. Null: nothing.
+std::shared_ptr<const SurfacePart> IncrementalSurface::patchOf(const Cell& cell) const {
+    std::size_t remaining = 0;
+    for (const auto& [triangle, remains] : cell.remains) remaining += remains.size();
+    if (cell.wall.mesh.empty() && remaining == 0) return nullptr;
+    TaggedMesh patch;
+    auto& [mesh, tags] = patch;
+    const auto startWith = [](auto& to, const auto& from, std::size_t more) {
+        to.reserve(from.size() + more);
+        to.assign(from.begin(), from.end());
+    };
+    startWith(mesh.vertices, cell.wall.mesh.vertices, 3 * remaining);
+    startWith(mesh.triangles, cell.wall.mesh.triangles, remaining);
+    startWith(tags, cell.wall.tags, remaining);
+    for (const auto& [triangle, remains] : cell.remains) {
+        for (const std::array<Vec3f, 3>& corners : remains) {
+            const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+            mesh.vertices.insert(mesh.vertices.end(), corners.begin(), corners.end());
+            mesh.triangles.push_back({first, first + 1, first + 2});
+            tags.push_back(base_->tag(triangle));
+        }
+    }
+    return patchPart(std::move(patch), cell.bodies, *base_);
+}
+
+void IncrementalSurface::setPatch(const BrickKey& key, std::shared_ptr<const SurfacePart> patch) {
+    const auto place = std::lower_bound(patchKeys_.begin(), patchKeys_.end(), key);
+    const auto part = patches_.begin() + (place - patchKeys_.begin());
+    const bool isKnown = place != patchKeys_.end() && *place == key;
+    if (isKnown && isPartlyAdjacent(**part)) --adjacentPatches_, sixfoldAdjacent_ -= sixfoldAdjacent(**part);
+    if (patch && isPartlyAdjacent(*patch)) ++adjacentPatches_, sixfoldAdjacent_ += sixfoldAdjacent(*patch);
+    if (patch && isKnown) {
+        *part = std::move(patch);
+    } else if (patch) {
+        patchKeys_.insert(place, key);
+        patches_.insert(part, std::move(patch));
+    } else if (isKnown) {
+        patchKeys_.erase(place);
+        patches_.erase(part);
+    }
+}
+
+void IncrementalSurface::publish(const std::vector<BrickKey>& dirty) {
+    std::vector<std::shared_ptr<const SurfacePart>> parts(dirty.size());
+    parallelFor(dirty.size(), [&](std::size_t i) { parts[i] = patchOf(cells_.at(dirty[i])); });
+    for (std::size_t i = 0; i < dirty.size(); ++i) setPatch(dirty[i], std::move(parts[i]));
+    Surface surface = uncut(snapshot_->revision + 1);
+    surface.hidden = std::make_shared<const TriangleMask>(hidden_);
+    surface.maskedTree = std::make_shared<const AabbTree>(thinner_.maskedTree());
+    surface.patches = patches_;
+    snapshot_ = std::make_shared<const Surface>(std::move(surface));
+}
+
+double IncrementalSurface::lostAdjacent() const {
+    return adjacentPatches_ > 0 ? std::max(0.0, -sixfoldAdjacent_ / 6) : 0;
+}
+
+}  // namespace tactooth

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "tooth/surface/cell_topology.h"
+#include "tooth/surface/wall_polygons.h"
+#include "tooth/surface/wall_vertices.h"
+
+namespace tactooth {
+
+/// The corners of a wall's polygons where the border passes through some cells in several rounds, or twice through a
+/// face: each round has a vertex of its own, and so has such a face. Few bricks have any of these.
+class WallLoops {
+public:
+    /// The `corners` of `polygons`, which are numbers of `cells`, become numbers of `vertices()`.
+    WallLoops(const BrickNeighbourhood& nodes, const NodePoints& points, std::span<const std::uint16_t> cells,
+              const WallVertices& ofCells, std::span<WallPolygon> polygons);
+
+    struct Vertex {
+        Vec3 point;          ///< mm
+        std::uint16_t cell;  ///< the node at which it begins, or where the face does
+        int kind;            ///< tells the vertices of one cell apart, below 16
+    };
+    [[nodiscard]] std::span<const Vertex> vertices() const { return vertices_; }
+
+    /// A polygon with more than four corners, at most eight: to be drawn as triangles about the first one. That is one
+    /// on a face: a diagonal between the cells at its sides would be drawn by two polygons.
+    struct Fan {
+        std::size_t polygon;
+        std::array<std::uint16_t, 8> corners;
+        int size;
+    };
+    /// In the order of the polygons.
+    [[nodiscard]] std::span<const Fan> fans() const { return fans_; }
+
+private:
+    static constexpr std::uint16_t kNone = 0xFFFF;
+    static constexpr int kMaxLoops = 4;  ///< in one cell; kinds from here on are those of faces
+
+    void addCorners(const WallPolygon& polygon, Fan& fan);
+    std::uint16_t vertexOfCell(std::size_t number);
+    std::uint16_t vertexOfLoop(int cell, const CellLoops& loops, int loop);
+    void addVertexOnFace(int face, int faceAxis, const WallPolygon& polygon, Fan& fan);
+    [[nodiscard]] std::uint16_t find(int cell, int kind) const;
+    std::uint16_t add(const Vec3& point, int cell, int kind);
+    [[nodiscard]] Vec3 crossing(int node, int axis) const;
+
+    const BrickNeighbourhood& nodes_;
+    const NodePoints& points_;
+    const std::span<const std::uint16_t> cells_;
+    const WallVertices& ofCells_;
+    std::vector<std::uint16_t> vertexOfCell_;  // with just one round
+    std::vector<Vertex> vertices_;
+    std::vector<Fan> fans_;
+};
+
+}  // namespace tactooth

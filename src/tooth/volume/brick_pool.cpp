@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tooth/volume/brick_pool.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "tooth/volume/brick_sampler.h"
+
+namespace tactooth {
+namespace {
+
+constexpr double kAhead = 12;              // voxels: at 25 um a bur of 10 mm/s needs 30 ms for it
+constexpr std::size_t kAtOnce = 16;        // bricks, less than a millisecond: then the bur is looked at again
+constexpr std::size_t kMaxSampled = 4096;  // bricks, 90 MB: of more, what the bur has left behind is given up
+
+}  // namespace
+
+std::vector<BrickKey> bricksInReach(const LayeredTooth& tooth, const Lattice& lattice,
+                                    const std::vector<SweepStep>& steps, double reach) {
+    const double toCentre = lattice.halfDiagonal() + reach;
+    const Vec3 toothMargin = Vec3::Constant(kToothBand * lattice.spacing());
+    Box3 swept;
+    for (const SweepStep& step : steps) swept.extend(step.box());
+    const Box3& outer = tooth.outer()->tree().box();
+    const Box3 common = Box3(swept.min() - Vec3::Constant(reach), swept.max() + Vec3::Constant(reach))
+                            .intersection(Box3(outer.min() - toothMargin, outer.max() + toothMargin));
+    if (common.isEmpty()) return {};
+    double earlier = 0;  // travel before the last step, mm: one look from there leaves out most bricks
+    for (std::size_t i = 0; i + 1 < steps.size(); ++i) earlier += steps[i].travel();
+    std::vector<BrickKey> keys = lattice.bricksTouching(common);
+    std::erase_if(keys, [&](const BrickKey& key) {
+        const Vec3 centre = lattice.centre(key);
+        if (steps.back().lowerBound(centre) - earlier >= toCentre) return true;
+        const auto isFar = [&](const SweepStep& step) { return step.lowerBound(centre) >= toCentre; };
+        return steps.size() > 1 && std::ranges::all_of(steps, isFar);
+    });
+    return keys;
+}
+
+/// Some of those that are neither made nor taken, the nearest first.
+std::vector<BrickKey> BrickPool::wanted(const RevolutionEnvelope& envelope, const Pose& toolInTooth) {
+    const std::vector<SweepStep> here = {SweepStep(envelope, toolInTooth, toolInTooth, 0)};
+    std::vector<BrickKey> keys = bricksInReach(*tooth_, lattice_, here, (kCutBand + kAhead) * lattice_.spacing());
+    {
+        const std::lock_guard lock(mutex_);
+        if (made_.size() >= kMaxSampled) {
+            std::erase_if(made_, [&](const auto& made) { return !std::ranges::binary_search(keys, made.first); });
+        }
+        if (made_.size() >= kMaxSampled) return {};
+        std::erase_if(keys, [&](const BrickKey& key) { return made_.contains(key) || taken_.contains(key); });
+    }
+    std::vector<std::pair<double, BrickKey>> byDistance;
+    for (const BrickKey& key : keys) byDistance.emplace_back(here.front().lowerBound(lattice_.centre(key)), key);
+    const std::size_t count = std::min(kAtOnce, keys.size());
+    std::partial_sort(byDistance.begin(), byDistance.begin() + static_cast<std::ptrdiff_t>(count), byDistance.end());
+    keys.resize(count);
+    for (std::size_t i = 0; i < count; ++i) keys[i] = byDistance[i].second;
+    return keys;
+}
+
+std::size_t BrickPool::makeAround(const RevolutionEnvelope& envelope, const Pose& toolInTooth) {
+    const std::vector<BrickKey> keys = wanted(envelope, toolInTooth);
+    for (const BrickKey& key : keys) {
+        std::unique_ptr<Brick> brick = sampleBrick(*tooth_, lattice_, key);
+        const std::lock_guard lock(mutex_);
+        if (!taken_.contains(key)) made_.insert_or_assign(key, std::move(brick));
+    }
+    return keys.size();
+}
+
+std::vector<std::optional<std::unique_ptr<Brick>>> BrickPool::take(const std::vector<BrickKey>& keys) {
+    std::vector<std::optional<std::unique_ptr<Brick>>> bricks(keys.size());
+    const std::lock_guard lock(mutex_);
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        taken_.insert(keys[i]);
+        const auto made = made_.find(keys[i]);
+        if (made == made_.end()) continue;
+        bricks[i] = std::move(made->second);
+        made_.erase(made);
+    }
+    return bricks;
+}
+
+void BrickPool::forgetTaken() {
+    const std::lock_guard lock(mutex_);
+    taken_.clear();
+}
+
+}  // namespace tactooth

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "tooth/volume/cut_volume.h"
+
+namespace tactooth {
+
+/// Finds where the border of the removed region now crosses the lattice edges of one brick, exactly on the envelope
+/// that was swept there. Only edges with an end that carve `carve` has changed are looked at; reads the neighbours' cut
+/// fields, writes this brick alone. Returns the lower ends of the edges on which the border has moved.
+[[nodiscard]] ChangedBrick updateHermiteInBrick(BrickMap& bricks, const BrickKey& key, const Lattice& lattice,
+                                                const std::vector<SweepStep>& steps, std::uint64_t carve);
+
+}  // namespace tactooth

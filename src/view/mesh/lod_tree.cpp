@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "view/mesh/lod_tree.h"
+
+#include <meshoptimizer.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "geometry/util/parallel_for.h"
+
+// Two neighbouring pieces are joined, the border of the two is kept, half of the triangles go: the binary case of
+// P. Cignoni et al., Batched multi triangulation, IEEE Visualization 2005. Edges go in the order of the error quadrics
+// of M. Garland, P. Heckbert, Surface simplification using quadric error metrics, SIGGRAPH 1997, as meshoptimizer has
+// them.
+
+namespace tactooth {
+
+namespace {
+
+constexpr double kWorthwhile = 0.75;  ///< more than this share of the triangles left saves too little to keep it
+constexpr std::size_t kFewestTriangles = 64;  ///< half a cluster: fewer are drawn no sooner
+constexpr std::uint32_t kNoVertex = std::numeric_limits<std::uint32_t>::max();
+constexpr float kNotDrawn = std::numeric_limits<float>::infinity();
+
+/// What one node shows.
+struct Piece {
+    std::vector<Triangle> triangles;
+    float error = 0;      ///< of what `triangles` show
+    bool isDrawn = true;  ///< else it only goes on to the piece above it
+};
+
+bool hasOneAppearance(const ShadingMesh& mesh, const Triangle& triangle) {
+    const auto appearances = [&](std::size_t corner) { return mesh.vertices[triangle[corner]].appearances; };
+    return appearances(0) == appearances(1) && appearances(1) == appearances(2);
+}
+
+/// Triangles with vertices numbered among themselves, as the work of simplifying grows with the numbers.
+struct LocalMesh {
+    std::vector<std::uint32_t> vertices;  ///< of the whole mesh
+    std::vector<Vec3f> positions;
+    std::vector<std::uint32_t> indices;
+
+    LocalMesh(const ShadingMesh& mesh, std::span<const Triangle> triangles) {
+        std::uint32_t low = kNoVertex, high = 0;
+        for (const Triangle& triangle : triangles) {
+            const auto [least, most] = std::minmax_element(triangle.begin(), triangle.end());
+            low = std::min(low, *least);
+            high = std::max(high, *most);
+        }
+        std::vector<std::uint32_t> known(high - low + 1, kNoVertex);
+        indices.reserve(3 * triangles.size());
+        for (const Triangle& triangle : triangles) {
+            for (const std::uint32_t vertex : triangle) indices.push_back(numberOf(mesh, vertex, known[vertex - low]));
+        }
+    }
+
+private:
+    std::uint32_t numberOf(const ShadingMesh& mesh, std::uint32_t vertex, std::uint32_t& known) {
+        if (known == kNoVertex) {
+            known = static_cast<std::uint32_t>(vertices.size());
+            vertices.push_back(vertex);
+            positions.emplace_back(mesh.vertices[vertex].position.data());
+        }
+        return known;
+    }
+};
+
+/// `piece` with half of its triangles, if that many can go.
+Piece halved(const ShadingMesh& mesh, Piece piece) {
+    const auto oneAppearance = std::stable_partition(piece.triangles.begin(), piece.triangles.end(),
+                                                     [&](const Triangle& t) { return !hasOneAppearance(mesh, t); });
+    piece.isDrawn = false;
+    if (oneAppearance == piece.triangles.end()) return piece;
+    const LocalMesh local(mesh, {oneAppearance, piece.triangles.end()});
+    const float* positions = local.positions.front().data();
+    std::vector<std::uint32_t> left(local.indices.size());
+    float error = 0;
+    left.resize(meshopt_simplify(left.data(), local.indices.data(), left.size(), positions, local.positions.size(),
+                                 sizeof(Vec3f), left.size() / 6 * 3, std::numeric_limits<float>::max(),
+                                 meshopt_SimplifyLockBorder, &error));
+    const auto fixed = static_cast<std::size_t>(oneAppearance - piece.triangles.begin());
+    const std::size_t triangles = fixed + left.size() / 3;
+    if (static_cast<double>(triangles) > kWorthwhile * static_cast<double>(piece.triangles.size())) return piece;
+    piece.triangles.resize(fixed);
+    for (std::size_t i = 0; i < left.size(); i += 3) {
+        piece.triangles.push_back({local.vertices[left[i]], local.vertices[left[i + 1]], local.vertices[left[i + 2]]});
+    }
+    piece.error += error * meshopt_simplifyScale(positions, local.positions.size(), sizeof(Vec3f));
+    piece.isDrawn = true;
+    return piece;
+}
+
+Piece joined(std::span<const Piece> pieces) {
+    Piece all;
+    for (const Piece& piece : pieces) {
+        all.triangles.insert(all.triangles.end(), piece.triangles.begin(), piece.triangles.end());
+        all.error = std::max(all.error, piece.error);
+    }
+    return all;
+}
+
+/// The children of piece `i` of the next layer.
+std::span<const Piece> childrenOf(const std::vector<Piece>& layer, std::size_t i) {
+    return std::span(layer).subspan(2 * i, std::min<std::size_t>(2, layer.size() - 2 * i));
+}
+
+void setBall(LodNode& node, const ShadingMesh& mesh, std::span<const Triangle> triangles) {
+    Eigen::AlignedBox3f box;
+    for (const Triangle& triangle : triangles) {
+        for (const std::uint32_t vertex : triangle) box.extend(Vec3f(mesh.vertices[vertex].position.data()));
+    }
+    node.centre = box.center();
+    node.radius = 0.5F * box.diagonal().norm();
+}
+
+LodNode parentNode(LodTree& tree, const ShadingMesh& mesh, const Piece& piece) {
+    LodNode node;
+    setBall(node, mesh, piece.triangles);
+    node.error = piece.isDrawn ? piece.error : kNotDrawn;
+    if (!piece.isDrawn) return node;
+    node.clusters.first = static_cast<std::uint32_t>(tree.clusters.size());
+    const auto first = static_cast<std::uint32_t>(tree.triangles.size());
+    tree.triangles.insert(tree.triangles.end(), piece.triangles.begin(), piece.triangles.end());
+    appendClusters(mesh.vertices, tree.triangles, first, tree.clusters);
+    node.clusters.count = static_cast<std::uint32_t>(tree.clusters.size()) - node.clusters.first;
+    return node;
+}
+
+/// The true surface in pieces, as nodes of `tree` and to go on with.
+std::vector<Piece> trueLayer(LodTree& tree, const ShadingMesh& mesh) {
+    std::vector<Piece> layer;
+    constexpr std::uint32_t kClusters = kTrianglesPerLeaf / kTrianglesPerCluster;
+    static_assert(kTrianglesPerLeaf % kTrianglesPerCluster == 0);
+    for (std::size_t first = 0; first < mesh.triangles.size(); first += kTrianglesPerLeaf) {
+        const std::size_t count = std::min<std::size_t>(kTrianglesPerLeaf, mesh.triangles.size() - first);
+        const auto triangles = std::span(mesh.triangles).subspan(first, count);
+        LodNode node;
+        setBall(node, mesh, triangles);
+        node.clusters.first = static_cast<std::uint32_t>(tree.nodes.size()) * kClusters;
+        node.clusters.count = static_cast<std::uint32_t>((count + kTrianglesPerCluster - 1) / kTrianglesPerCluster);
+        tree.nodes.push_back(node);
+        layer.push_back({{triangles.begin(), triangles.end()}, 0, true});
+    }
+    return layer;
+}
+
+/// The layer above `layer`, whose nodes are the last of `tree`.
+std::vector<Piece> nextLayer(LodTree& tree, const ShadingMesh& mesh, const std::vector<Piece>& layer) {
+    std::vector<Piece> next((layer.size() + 1) / 2);
+    parallelFor(next.size(), [&](std::size_t i) { next[i] = halved(mesh, joined(childrenOf(layer, i))); });
+    const std::size_t firstBelow = tree.nodes.size() - layer.size();
+    for (std::size_t i = 0; i < next.size(); ++i) {
+        LodNode node = parentNode(tree, mesh, next[i]);
+        node.firstChild = static_cast<std::uint32_t>(firstBelow + 2 * i);
+        node.children = static_cast<std::uint32_t>(childrenOf(layer, i).size());
+        tree.nodes.push_back(node);
+    }
+    return next;
+}
+
+void addRuns(const ClusterCuller& culler, const LodTree& tree, const std::vector<bool>& mustRefine, std::size_t number,
+             std::vector<TriangleRange>& ranges) {
+    const LodNode& node = tree.nodes[number];
+    const bool isFine = node.error < culler.allowedError(node.centre, node.radius);
+    if (node.children == 0 || (isFine && (mustRefine.empty() || !mustRefine[number]))) {
+        visibleRanges(culler, std::span(tree.clusters).subspan(node.clusters.first, node.clusters.count), ranges);
+        return;
+    }
+    for (std::size_t i = 0; i < node.children; ++i) addRuns(culler, tree, mustRefine, node.firstChild + i, ranges);
+}
+
+}  // namespace
+
+LodTree buildLodTree(const ShadingMesh& mesh) {
+    LodTree tree{mesh.triangles, mesh.clusters, {}};
+    std::vector<Piece> layer = trueLayer(tree, mesh);
+    while (layer.size() > 1 || (layer.front().isDrawn && layer.front().triangles.size() > kFewestTriangles)) {
+        layer = nextLayer(tree, mesh, layer);
+    }
+    return tree;
+}
+
+void visibleRanges(const ClusterCuller& culler, const LodTree& tree, const std::vector<bool>& mustRefine,
+                   std::vector<TriangleRange>& ranges) {
+    addRuns(culler, tree, mustRefine, tree.nodes.size() - 1, ranges);
+}
+
+}  // namespace tactooth

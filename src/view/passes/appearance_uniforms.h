@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "view/gl/shader_program.h"
+#include "view/scene/appearance.h"
+
+namespace tactooth {
+
+/// Hands `appearances` (at most kMaxAppearances) to the program in use: (linear colour, roughness), (metalness,
+/// translucency, wetness, grain).
+void setAppearances(const ShaderProgram& program, const std::vector<Appearance>& appearances);
+/// The same for what `setAppearances` leaves out.
+void setOpacities(const ShaderProgram& program, const std::vector<Appearance>& appearances);
+
+}  // namespace tactooth

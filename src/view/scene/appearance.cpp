@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "view/scene/appearance.h"
+
+#include <cmath>
+
+namespace tactooth {
+
+Vec3f linearColour(const Vec3f& srgb) {
+    return srgb.unaryExpr([](float c) { return c <= 0.04045F ? c / 12.92F : std::pow((c + 0.055F) / 1.055F, 2.4F); });
+}
+
+namespace appearances {
+
+// Enamel follows shade A1-A2 of the common tooth shade guides, dentin the two shades below (A3-A3.5); the others were
+// chosen by eye against clinical photographs.
+Appearance enamel() {
+    return {
+        .colour = {0.93F, 0.895F, 0.82F}, .roughness = 0.34F, .translucency = 0.75F, .wetness = 0.9F, .grain = 0.12F};
+}
+Appearance dentin() {
+    return {.colour = {0.90F, 0.80F, 0.60F}, .roughness = 0.62F, .translucency = 0.4F, .wetness = 0.22F, .grain = 0.3F};
+}
+Appearance pulp() {
+    return {.colour = {0.72F, 0.17F, 0.16F}, .roughness = 0.4F, .translucency = 0.6F, .wetness = 0.9F, .grain = 0.3F};
+}
+Appearance caries() {
+    return {.colour = {0.36F, 0.22F, 0.11F}, .roughness = 0.75F, .translucency = 0.1F, .wetness = 0.25F, .grain = 0.9F};
+}
+Appearance gingiva() {
+    return {.colour = {0.86F, 0.50F, 0.48F}, .roughness = 0.45F, .translucency = 0.7F, .wetness = 0.75F, .grain = 0.5F};
+}
+Appearance bone() {
+    return {.colour = {0.88F, 0.83F, 0.72F}, .roughness = 0.7F, .translucency = 0.3F, .wetness = 0.1F, .grain = 0.6F};
+}
+Appearance steel() { return {.colour = {0.83F, 0.84F, 0.86F}, .roughness = 0.14F, .metalness = 1.0F, .grain = 0.05F}; }
+Appearance carbide() {
+    return {.colour = {0.74F, 0.75F, 0.77F}, .roughness = 0.20F, .metalness = 1.0F, .grain = 0.06F};
+}
+Appearance diamond() { return {.colour = {0.60F, 0.59F, 0.57F}, .roughness = 0.5F, .metalness = 0.85F, .grain = 1.0F}; }
+// Blue differs from all tissues, which run from white over yellow to red, for eyes of all common kinds of colour
+// blindness (M. Okabe, K. Ito, Color universal design, 2008: their sky blue and blue).
+Appearance toCut() { return {.colour = {0.34F, 0.71F, 0.91F}, .opacity = 0.55F}; }
+Appearance outline() { return {.colour = {0.0F, 0.27F, 0.60F}, .opacity = 1}; }
+
+}  // namespace appearances
+
+}  // namespace tactooth

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/util/vec.h"
+
+namespace tactooth {
+
+/// What a material looks like.
+struct Appearance {
+    Vec3f colour = Vec3f(0.8F, 0.8F, 0.8F);  ///< sRGB, 0..1, as a colour picker shows it
+    float roughness = 0.5F;                  ///< 0 = polished, 1 = mat
+    float metalness = 0;                     ///< 1 = metal: reflects in its own colour
+    float translucency = 0;                  ///< 0..1: how far light creeps around edges inside the material
+    float wetness = 0;                       ///< 0..1: cover of saliva or water, which gives sharp highlights
+    float grain = 0;                         ///< 0..1: fine unevenness of surface and colour
+    float opacity = 1;                       ///< 0..1: below 1 shows what is behind, most where seen square on
+};
+
+/// sRGB to linear light, channel by channel.
+[[nodiscard]] Vec3f linearColour(const Vec3f& srgb);
+
+/// The materials of this simulator, in one place so that every picture agrees.
+namespace appearances {
+
+[[nodiscard]] Appearance enamel();
+[[nodiscard]] Appearance dentin();
+[[nodiscard]] Appearance pulp();
+[[nodiscard]] Appearance caries();
+[[nodiscard]] Appearance gingiva();
+[[nodiscard]] Appearance bone();
+[[nodiscard]] Appearance steel();    ///< turbine, mirror frame, shank
+[[nodiscard]] Appearance carbide();  ///< tungsten carbide bur head
+[[nodiscard]] Appearance diamond();  ///< diamond-coated bur head
+[[nodiscard]] Appearance toCut();    ///< wall of a cavity that is to be, as a ghost: blue as what is still to cut
+[[nodiscard]] Appearance outline();  ///< rim of it
+
+}  // namespace appearances
+
+}  // namespace tactooth

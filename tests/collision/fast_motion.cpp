@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "collision/fast_motion.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace tactooth::test {
+namespace {
+
+/// Directions evenly spread over the sphere: R. Swinbank, R. J. Purser, "Fibonacci Grids", Q. J. Royal Meteorological
+/// Society 132, 2006.
+Vec3 spread(int i, int count) {
+    const double z = 1 - (2 * i + 1.0) / count;
+    const double azimuth = 2 * std::numbers::pi * i / std::numbers::phi;
+    const double radius = std::sqrt(1 - z * z);
+    return {radius * std::cos(azimuth), radius * std::sin(azimuth), z};
+}
+
+/// Whether a straight way is free, looked at every half micrometre or closer; closest where it begins: a tool that
+/// stands a tenth of a micrometre beside an edge must get over that. A pose beyond a wall, however thin, is none that a
+/// tool could have come to.
+bool isPathFree(const ExactIntersection& oracle, const Pose& from, const Vec3& displacement) {
+    constexpr int kLooks = 80;
+    for (int i = 1; i <= kLooks; ++i) {
+        const double share = static_cast<double>(i * i) / (kLooks * kLooks);
+        if (oracle.at({from.position + share * displacement, from.rotation})) return false;
+    }
+    return true;
+}
+
+/// Whether no straight way from `pose` leads nearer to the hand by more than what is exact enough.
+bool isProvenMinimum(const ExactIntersection& oracle, const Pose& pose, const Pose& hand) {
+    constexpr int kDirections = 400;
+    const Vec3 toHand = hand.position - pose.position;
+    for (const double reach : {0.003, 0.02}) {  // mm
+        for (int i = 0; i < kDirections; ++i) {
+            const Vec3 step = reach * spread(i, kDirections);
+            if ((toHand - step).norm() > toHand.norm() - kExactEnough) continue;
+            if (!oracle.at({pose.position + step, pose.rotation}) && isPathFree(oracle, pose, step)) return false;
+        }
+    }
+    return true;
+}
+
+void count(SpeedReport& verdict, bool wrong, double error) {
+    if (wrong && verdict.firstWrong < 0) verdict.firstWrong = verdict.ticks;
+    verdict.wrong += wrong ? 1 : 0;
+    if (wrong) verdict.worst = std::max(verdict.worst, error);
+    ++verdict.ticks;
+}
+
+}  // namespace
+
+std::vector<Pose> pathOver(const Vec3& place, double speed) {
+    const Vec3 corners[] = {Vec3(0, 0, 2),      Vec3(0, 0, -0.4),      Vec3(1.2, 0.3, -0.4), Vec3(-1.2, -0.4, -0.4),
+                            Vec3(0.2, 1, -0.1), Vec3(0.1, -0.6, -0.6), Vec3(0, 0, 2)};
+    std::vector<Pose> poses;
+    double into = 0;  // mm of the present leg
+    for (std::size_t leg = 0; leg + 1 < std::size(corners); ++leg) {
+        const Vec3 displacement = corners[leg + 1] - corners[leg];
+        for (; into < displacement.norm(); into += speed * kTick) {
+            const double turn = 0.35 * std::sin(3 * kTick * static_cast<double>(poses.size()));
+            poses.push_back({place + corners[leg] + into * displacement.normalized(),
+                             Quat(Eigen::AngleAxisd(turn, Vec3(0.6, 0.64, 0.48)))});
+        }
+        into -= displacement.norm();
+    }
+    return poses;
+}
+
+SpeedReport checkOverPatches(const TenPatches& piece, const TriangleMesh& tool, const Vec3& place, double speed) {
+    const std::vector<Pose> path = pathOver(place, speed);
+    const ExactIntersection oracle(piece.surface, tool);
+    ProxySolver body(toolOf(tool));
+    body.setSurface(surfaceOf(piece.surface));
+    body.placeAt(path.front());
+    SpeedReport verdict;
+    for (const Pose& hand : path) {
+        verdict.touching += body.moveToward(hand).contactCount > 0 ? 1 : 0;
+        verdict.intersecting += oracle.at(body.pose()) ? 1 : 0;
+        const double exact = (nearestFreeTip(piece, tool, hand) - hand.position).norm();
+        const double error = std::abs((body.pose().position - hand.position).norm() - exact);
+        count(verdict, error > kExactEnough || !body.pose().rotation.isApprox(hand.rotation, 1e-12), error);
+    }
+    return verdict;
+}
+
+SpeedReport checkOverTooth(const TriangleMesh& tooth, const TriangleMesh& tool, double speed, int strokes,
+                           int subSteps) {
+    ToolTrajectory how;
+    how.speed = speed;
+    how.stroke = 3;
+    how.strokes = strokes;
+    const std::vector<Pose> path = toolTrajectory(tooth, how);
+    const ExactIntersection oracle(tooth, tool);
+    const auto surface = surfaceOf(tooth);
+    const auto shape = toolOf(tool);
+    ProxySolver body(shape);
+    ProxySolver patient(shape);
+    for (ProxySolver* each : {&body, &patient}) {
+        each->setSurface(surface);
+        each->placeAt(path.front());
+    }
+    SpeedReport verdict;
+    Pose last = path.front();
+    for (const Pose& hand : path) {
+        verdict.touching += body.moveToward(hand).contactCount > 0 ? 1 : 0;
+        for (int i = 1; i <= subSteps; ++i) {
+            const double share = static_cast<double>(i) / subSteps;
+            const Vec3 position = last.position + share * (hand.position - last.position);
+            patient.moveToward({position, i == subSteps ? hand.rotation : last.rotation.slerp(share, hand.rotation)});
+        }
+        last = hand;
+        const double error =
+            std::abs((body.pose().position - hand.position).norm() - (patient.pose().position - hand.position).norm());
+        const bool turned = body.pose().rotation.isApprox(hand.rotation, 1e-12);
+        count(verdict, !turned || (error > kExactEnough && !isProvenMinimum(oracle, body.pose(), hand)), error);
+        if (verdict.ticks % 5 == 0) verdict.intersecting += oracle.at(body.pose()) ? 1 : 0;
+    }
+    return verdict;
+}
+
+}  // namespace tactooth::test

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+// The full number of poses and directions: minutes.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "collision/contact_checks.h"
+
+namespace tactooth {
+namespace {
+
+/// How many of `poses` to spend on a pair: the oracle takes its time with millions of pairs of triangles.
+int fewerIfLarge(int poses, const test::NamedMesh& tooth, const test::NamedMesh& tool) {
+    if (tooth.mesh.triangles.size() > 100000) poses /= 10;
+    if (tool.mesh.triangles.size() > 1000) poses /= 10;
+    return poses;
+}
+
+}  // namespace
+
+TEST(LongContactOracle, NoneOfAHundredThousandPosesIsMissed) {
+    int poses = 0;
+    int touching = 0;
+    const int share = 130000 / static_cast<int>(test::everyTooth().size() * test::everyKindOfTool().size());
+    for (unsigned seed = 1; poses < 100000; ++seed) {
+        for (const test::NamedMesh& tooth : test::everyTooth()) {
+            for (const test::NamedMesh& tool : test::everyKindOfTool()) {
+                const int some = fewerIfLarge(share, tooth, tool);
+                const test::TouchReport verdict = test::checkTouch(tooth.mesh, tool.mesh, some, seed);
+                EXPECT_EQ(verdict.wrong, 0) << tooth.name << " " << tool.name << " " << seed;
+                poses += some;
+                touching += verdict.touching;
+            }
+        }
+    }
+    EXPECT_GT(touching, poses / 2);
+    EXPECT_LT(touching, poses * 95 / 100);
+}
+
+TEST(LongContactOracle, EveryDepthFreesAndIsNearlyTheLeastOfAThousandDirections) {
+    std::vector<double> excess;
+    const int pairs = static_cast<int>(test::everyTooth().size() * test::everyKindOfTool().size());
+    const int share = std::max(100, 2000 / pairs);
+    for (const test::NamedMesh& tooth : test::everyTooth()) {
+        for (const test::NamedMesh& tool : test::everyKindOfTool()) {
+            SCOPED_TRACE(tooth.name + " " + tool.name);
+            const int poses = fewerIfLarge(share, tooth, tool);
+            const test::ContactReport verdict = test::checkContact(tooth.mesh, tool.mesh, poses, 1000, 2024);
+            EXPECT_EQ(verdict.wrongTouch, 0);
+            EXPECT_EQ(verdict.notFreed, 0);
+            EXPECT_EQ(verdict.freedEarly, 0);
+            EXPECT_LE(test::excessAt(verdict, 0.9), 1.05);
+            EXPECT_LE(test::excessAt(verdict, 0.99), 1.25);
+            excess.insert(excess.end(), verdict.excess.begin(), verdict.excess.end());
+        }
+    }
+    EXPECT_GT(excess.size(), 1000U);
+}
+
+TEST(LongContactOracle, FourHundredPosesOfEveryPairAreFreedByTheirDepth) {
+    for (const test::NamedMesh& tooth : test::everyTooth()) {
+        for (const test::NamedMesh& tool : test::everyKindOfTool()) {
+            SCOPED_TRACE(tooth.name + " " + tool.name);
+            const test::ContactReport verdict =
+                test::checkContact(tooth.mesh, tool.mesh, fewerIfLarge(400, tooth, tool), 0, 4);
+            EXPECT_EQ(verdict.notFreed, 0);
+            EXPECT_EQ(verdict.freedEarly, 0);
+        }
+    }
+}
+
+}  // namespace tactooth

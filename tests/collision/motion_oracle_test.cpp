@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+// The proxy on whole teeth, judged by code that shares nothing with it.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "collision/contact_oracle.h"
+#include "collision/proxy/contact_query.h"
+#include "instruments/tool_trajectory.h"
+#include "support/sanitizer.h"
+
+namespace tactooth {
+namespace {
+
+constexpr std::size_t kTeeth = test::cases<std::size_t>(3, 1);
+
+/// One case: a tooth, a tool and how closely to look.
+struct Case {
+    std::size_t tooth;
+    std::size_t tool;
+    ToolTrajectory path;
+    std::size_t judgeEvery = 1;    // ticks
+    std::size_t insideEvery = 25;  // ticks
+};
+
+/// Leads a body along a hand path and judges its poses. Returns the share of ticks with contact.
+double checkAlong(const Case& what) {
+    const TriangleMesh& tooth = test::oracleTeeth()[what.tooth].mesh;
+    const TriangleMesh& tool = test::oracleTools()[what.tool].mesh;
+    const test::Oracle oracle(tooth, tool);
+    const auto surface = test::surfaceOf(tooth);
+    const auto shape = test::toolOf(tool);
+    const std::vector<Pose> hand = toolTrajectory(tooth, what.path);
+    ContactQuery query(shape, surface);
+    ProxySolver body(shape);
+    body.setSurface(surface);
+    const bool startsInside = !oracle.isFree(hand.front());
+    EXPECT_EQ(startsInside, what.path.approach < 0);
+    EXPECT_EQ(query.at(hand.front()).touching, startsInside);
+    body.placeAt(startsInside ? query.freePose() : hand.front());
+    std::size_t held = 0;
+    for (std::size_t tick = 0; tick < hand.size(); ++tick) {
+        const MoveResult result = body.moveToward(hand[tick]);
+        EXPECT_NE(result.status, MoveStatus::Overlapping) << tick;
+        Vec3 pushed = Vec3::Zero();
+        for (int i = 0; i < result.contactCount; ++i) pushed += result.contacts[i].share * result.contacts[i].normal;
+        held += result.contactCount > 0 ? 1 : 0;
+        const bool tight = result.status == MoveStatus::InContact && body.pose().rotation.isApprox(hand[tick].rotation);
+        if (tight) {
+            EXPECT_NEAR((body.pose().position - hand[tick].position - pushed).norm(), 0, 1e-3) << tick;
+        }
+
+        const bool judged = tick % what.judgeEvery == 0;
+        if (judged && oracle.touches(body.pose())) return ADD_FAILURE() << "intersects at tick " << tick, 0;
+        const bool looked = tick % what.insideEvery == 0 || tick + 1 == hand.size();
+        if (looked && oracle.encloses(body.pose())) return ADD_FAILURE() << "is inside at tick " << tick, 0;
+    }
+    EXPECT_LT((body.pose().position - hand.back().position).norm(), what.path.approach < 0 ? 10 : 1e-9);
+    return static_cast<double>(held) / static_cast<double>(hand.size());
+}
+
+ToolTrajectory pathAt(double speed, double press) {
+    ToolTrajectory path;
+    path.speed = speed;
+    path.press = press;
+    path.stroke = 3;
+    path.strokes = speed > 50 ? 6 : 1;
+    return path;
+}
+
+}  // namespace
+
+TEST(MotionOracle, ACatalogueBurAtOneCentimetreASecondNeverIntersects) {
+    for (std::size_t tooth = 0; tooth < kTeeth; ++tooth) EXPECT_GT(checkAlong({tooth, 0, pathAt(10, 0.3)}), 0.3);
+}
+
+TEST(MotionOracle, ACatalogueBurAtTenCentimetresASecondNeverIntersects) {
+    for (std::size_t tooth = 0; tooth < kTeeth; ++tooth) EXPECT_GT(checkAlong({tooth, 1, pathAt(100, 0.5)}), 0.3);
+}
+
+TEST(MotionOracle, AFinelyMeshedBurNeverIntersects) {
+    if (test::oracleTools().size() < 3) GTEST_SKIP() << "the tapered bur is not at hand";
+    EXPECT_GT(checkAlong({2, 2, pathAt(10, 0.5), 3}), 0.3);
+    EXPECT_GT(checkAlong({0, 2, pathAt(100, 0.3), 3}), 0.3);
+}
+
+TEST(MotionOracle, AHandThatStartsInsideFindsAFreePoseAndGoesOnFromThere) {
+    for (std::size_t tooth = 0; tooth < kTeeth; ++tooth) {
+        ToolTrajectory path = pathAt(100, 0.5);
+        path.approach = -0.7;
+        checkAlong({tooth, 1, path});
+    }
+}
+
+TEST(MotionOracle, ARandomWalkOverAToothNeverIntersects) {
+    const TriangleMesh& tooth = test::oracleTeeth()[2].mesh;
+    const TriangleMesh& tool = test::oracleTools()[1].mesh;
+    const test::Oracle oracle(tooth, tool);
+    const std::vector<Pose> path = toolTrajectory(tooth, pathAt(10, 1.0));
+    const Vec3 home = path[path.size() / 2].position;  // 1 mm below the surface
+    for (unsigned seed = 1; seed <= test::cases(3U, 1U); ++seed) {
+        std::mt19937 random(seed);
+        std::normal_distribution<double> normal;
+        const auto kick = [&] { return Vec3(normal(random), normal(random), normal(random)); };
+        ProxySolver body(test::toolOf(tool));
+        body.setSurface(test::surfaceOf(tooth));
+        Pose hand{Vec3(home.x(), home.y(), boundingBox(tooth).max().z() + 0.2), Quat::Identity()};
+        body.placeAt(hand);
+        int held = 0;
+        for (int tick = 0; tick < 800; ++tick) {
+            const double size = tick % 100 == 99 ? 1.0 : 0.05;  // now and then a jump
+            hand.position += size * kick() - 0.02 * (hand.position - home);
+            const Vec3 axis = kick();
+            hand.rotation =
+                (Quat(Eigen::AngleAxisd(0.02 * axis.norm(), axis.normalized())) * hand.rotation).normalized();
+            const MoveResult result = body.moveToward(hand);
+            ASSERT_NE(result.status, MoveStatus::Overlapping) << seed << " " << tick;
+            ASSERT_FALSE(oracle.touches(body.pose())) << seed << " " << tick;
+            if (tick % 50 == 49) {
+                ASSERT_FALSE(oracle.encloses(body.pose())) << seed << " " << tick;
+            }
+
+            held += result.contactCount > 0 ? 1 : 0;
+        }
+        EXPECT_GT(held, 200) << seed;
+    }
+}
+
+TEST(MotionOracle, AHandThatCrossesTheToothDoesNotPullTheToolThroughIt) {
+    const TriangleMesh& tooth = test::oracleTeeth()[0].mesh;
+    const TriangleMesh& tool = test::oracleTools()[0].mesh;
+    const test::Oracle oracle(tooth, tool);
+    const Box3 box = boundingBox(tooth);
+    ProxySolver body(test::toolOf(tool));
+    body.setSurface(test::surfaceOf(tooth));
+    const Vec3 middle(box.center().x(), box.center().y(), box.max().z() - 5);
+    for (const double speed : {0.05, 1.0, 20.0}) {  // mm a tick
+        const Pose start{Vec3(middle.x(), box.min().y() - 3, middle.z()), Quat(Eigen::AngleAxisd(1.5, Vec3::UnitX()))};
+        ASSERT_TRUE(oracle.isFree(start));
+        body.placeAt(start);
+        Pose hand = start;
+        while (hand.position.y() < middle.y()) {
+            hand.position.y() += speed;
+            body.moveToward(hand);
+            ASSERT_TRUE(oracle.isFree(body.pose())) << speed;
+        }
+        for (int i = 0; i < 20; ++i) body.moveToward({middle, start.rotation});
+        EXPECT_LT(body.pose().position.y(), middle.y()) << speed;
+        EXPECT_TRUE(oracle.isFree(body.pose())) << speed;
+    }
+}
+
+}  // namespace tactooth
