@@ -7,6 +7,7 @@ option(TACTOOTH_BENCHMARKS "Build the benchmarks" ${PROJECT_IS_TOP_LEVEL})
 option(TACTOOTH_WERROR "Treat warnings as errors" OFF)
 option(TACTOOTH_LIBRARY_ONLY "Build the layers that know no screen, sound or device (Eigen, TBB and Boost headers only)" OFF)
 option(TACTOOTH_OPENVDB "Write .vdb files, if OpenVDB is found" ON)
+option(TACTOOTH_ASSERTS "Check the asserts (geometry/util/assert.h)" OFF)
 set(TACTOOTH_SANITIZE "" CACHE STRING "Sanitizers to build with: '', 'address,undefined' or 'thread'")
 
 # Widest vector unit that this processor has. Only the width of a register changes with it, never a
@@ -46,7 +47,8 @@ target_compile_options(tactooth_settings INTERFACE
   $<$<BOOL:${TACTOOTH_WERROR}>:-Werror>
   $<$<STREQUAL:${TACTOOTH_SIMD},avx2>:-mavx2>)
 target_compile_definitions(tactooth_settings INTERFACE
-  $<$<STREQUAL:${TACTOOTH_SIMD},scalar>:TACTOOTH_SIMD_SCALAR>)
+  $<$<STREQUAL:${TACTOOTH_SIMD},scalar>:TACTOOTH_SIMD_SCALAR>
+  $<$<BOOL:${TACTOOTH_ASSERTS}>:TACTOOTH_ASSERTS>)
 if(TACTOOTH_SANITIZE)
   target_compile_options(tactooth_settings INTERFACE -fsanitize=${TACTOOTH_SANITIZE} -fno-omit-frame-pointer -g1)
   target_link_options(tactooth_settings INTERFACE -fsanitize=${TACTOOTH_SANITIZE})

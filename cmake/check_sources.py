@@ -19,11 +19,11 @@ PURE_LAYERS = ("src/geometry/", "src/collision/", "src/tooth/", "src/patient/", 
 IMPURE_INCLUDE = re.compile(r'#\s*include\s*[<"](Q[A-Z]|Qt|GL/|GLES|EGL/|epoxy/|AL/|sndfile|HD/|HL/)')
 # The library's checks of numbers take "nan" and read "010" as eight: src/app/cli/terminal/number_range.h does neither.
 LIBRARY_RANGE = re.compile(r"\bCLI::(Range|Bound|PositiveNumber|NonNegativeNumber|Number|TypeValidator)\b")
-# What a command prints of a path goes through shownName: names may hold what a terminal obeys.
+# What a command prints of a path goes through displayName: names may hold what a terminal obeys.
 RAW_NAME = re.compile(r"(\.|->)string\(\)")
 # A hostile text of 100 kB overflows the stack of the parser; one place guards it.
 BARE_TOML = re.compile(r"\btoml::parse(_file)?\s*\(")
-TOML_GUARD = "src/session/io/guarded_toml.cpp"
+TOML_GUARD = "src/session/io/limited_toml.cpp"
 UNFINISHED = re.compile(r"\b(TODO|FIXME|XXX|HACK)\b")
 
 
@@ -51,7 +51,7 @@ def offences(path, name):
         if name.startswith("src/") and LIBRARY_RANGE.search(line):
             yield f"{name}:{number}: check numbers by numberFrom and wholeNumberFrom of app/cli/terminal/number_range.h"
         if name.startswith("src/app/cli/") and RAW_NAME.search(line):
-            yield f"{name}:{number}: show a path by shownName; where its bytes are meant, use native()"
+            yield f"{name}:{number}: show a path by displayName; where its bytes are meant, use native()"
         if name.startswith("src/") and name != TOML_GUARD and BARE_TOML.search(line):
             yield f"{name}:{number}: TOML is read by parseToml of session/io/limited_toml.h alone"
         if name.startswith(PURE_LAYERS) and IMPURE_INCLUDE.search(line):

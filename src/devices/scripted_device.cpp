@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "devices/scripted_device.h"
 
-#include <cassert>
 #include <utility>
+
+#include "geometry/util/assert.h"
 
 namespace tactooth {
 
 ScriptedDevice::ScriptedDevice(std::vector<DeviceKeyframe> script, std::string name, bool isInToothFrame)
     : script_(std::move(script)) {
-    assert(!script_.empty());
+    TACTOOTH_ASSERT(!script_.empty());
     info_.name = std::move(name);
     info_.poseLimits = PoseLimits::unlimited();
     info_.isInToothFrame = isInToothFrame;

@@ -3,9 +3,10 @@
 #include "devices/simulated_device.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <numbers>
+
+#include "geometry/util/assert.h"
 
 // Integrates by the semi-implicit Euler method; dry friction takes from the speed what it can within a step, so that a
 // pen that it holds stands still (J. Bender, K. Erleben, J. Trinkle, "Interactive Simulation of Rigid Body Dynamics in
@@ -30,7 +31,7 @@ SimulatedDevice::SimulatedDevice(const DevicePreset& device, const HandImpedance
       reference_(std::move(script)),
       lastCommand_(reference_.read(0).hand.position),
       tip_(lastCommand_) {
-    assert(device.delayTicks >= 0 && device.delayTicks <= kMaxDelay);
+    TACTOOTH_ASSERT(device.delayTicks >= 0 && device.delayTicks <= kMaxDelay);
     info_ = reference_.info();
     info_.name = std::string(device.title) + " (simulated)";
     info_.limits = limitsOf(device);

@@ -3,12 +3,12 @@
 #include "experiments/slot_timing.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <numbers>
 
 #include "experiments/quantile.h"
 #include "experiments/thread_clock.h"
+#include "geometry/util/assert.h"
 #include "instruments/bur_shape.h"
 #include "instruments/hand_instruments.h"
 #include "instruments/tool_trajectory.h"
@@ -186,7 +186,7 @@ std::vector<SlotTiming> timeInSlot(const std::shared_ptr<const LayeredTooth>& to
     [[maybe_unused]] const auto isCut =
         cutWithRemovalLaw(path, tool, settings.materials, cutting, piece,
                           [&](double, const Tick& tick, const ToothLoss&) { end = tick.proxy; });
-    assert(isCut);
+    TACTOOTH_ASSERT(isCut);
 
     if (probe) shape = std::make_shared<const ToolShape>(makePeriodontalProbe());
     StillTool still(piece, shape, radius);

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cassert>
 
 #include "collision/proxy/contact_query.h"
 #include "experiments/contact_timing.h"
 #include "experiments/experiments.h"
 #include "experiments/published.h"
 #include "experiments/touch_simulation.h"
+#include "geometry/util/assert.h"
 #include "geometry/util/number_text.h"
 
 namespace tactooth {
@@ -31,7 +31,7 @@ Figure figureOf(StandardToothKind kind) {
         case StandardToothKind::Large:
             break;
     }
-    assert(false);
+    TACTOOTH_ASSERT(false);
     return {};
 }
 

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 
 #include "collision/solid/self_intersection_repair.h"
 #include "geometry/field/isosurface.h"
+#include "geometry/util/assert.h"
 #include "geometry/util/disjoint_sets.h"
 #include "geometry/util/parallel_for.h"
 #include "instruments/mouth/gingiva.h"
@@ -107,7 +107,7 @@ TriangleMesh transformed(TriangleMesh mesh, const Pose& pose) {
 }
 
 Expected<MouthLayout> makeMouthLayout(const MouthRequest& request) {
-    assert(request.triangles > 0);
+    TACTOOTH_ASSERT(request.triangles > 0);
     const ToothArrangement places = arrangeTeeth(request.seed);
     MouthLayout layout;
     for (std::size_t i = 0; i < MouthLayout::kPlaces; ++i) {
@@ -140,7 +140,7 @@ std::uint64_t mouthLayoutFingerprint(const MouthRequest& request) {
 
 Expected<BuiltinMouth> makeMouth(const MouthRequest& request, const ToothGenerator& teeth,
                                  const LayoutGenerator& layout) {
-    assert(request.triangles > 0);
+    TACTOOTH_ASSERT(request.triangles > 0);
     std::array<BuiltinTooth, MouthLayout::kPlaces> made;
     Expected<MouthLayout> set = MouthLayout();
     parallelFor(made.size() + 1, [&](std::size_t i) {

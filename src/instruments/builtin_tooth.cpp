@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 
+#include "geometry/util/assert.h"
 #include "instruments/anatomy/lesion.h"
 #include "instruments/anatomy/variation.h"
 #include "instruments/modelling/fold_check.h"
@@ -91,7 +91,7 @@ TriangleMesh lesionMesh(const ToothShape& shape, const Lesion& lesion, int trian
 }  // namespace
 
 BuiltinTooth makeTooth(const ToothRequest& request) {
-    assert(isPermanentTooth(request.fdi) && request.triangles > 0);
+    TACTOOTH_ASSERT(isPermanentTooth(request.fdi) && request.triangles > 0);
     const ToothShape shape = varied(toothShape(request.fdi), request.seed);
     double cellSize = cellSizeFor(shape, request.triangles);
     BuiltinTooth tooth = meshed(shape, cellSize);
@@ -106,7 +106,7 @@ BuiltinTooth makeTooth(const ToothRequest& request) {
 }
 
 ToothRequest builtinToothRequest(BuiltinToothKind kind, int triangles, double lesionWidth) {
-    assert(lesionWidth >= 0 && lesionWidth <= 4);
+    TACTOOTH_ASSERT(lesionWidth >= 0 && lesionWidth <= 4);
     ToothRequest request{.fdi = numberOf(kind), .triangles = triangles, .seed = 0, .lesion = {}};
     if (lesionWidth > 0) request.lesion = Lesion{LesionSite::usual, lesionWidth, {}};
     return request;

@@ -3,10 +3,11 @@
 #include "instruments/bur_outline.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <functional>
 #include <numbers>
+
+#include "geometry/util/assert.h"
 
 namespace tactooth {
 namespace {
@@ -152,7 +153,7 @@ std::vector<Piece> connectedComponents(const BurSpec& spec) {
 }  // namespace
 
 std::vector<OutlinePoint> burOutline(const BurSpec& spec, int count) {
-    assert(spec.headDiameter > 0 && spec.headLength > 0 && count > 0);
+    TACTOOTH_ASSERT(spec.headDiameter > 0 && spec.headLength > 0 && count > 0);
     const std::vector<Piece> pieces = connectedComponents(spec);
     double weight = 0;
     int needed = 0;

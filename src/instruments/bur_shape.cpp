@@ -3,11 +3,11 @@
 #include "instruments/bur_shape.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <numbers>
 #include <span>
 
+#include "geometry/util/assert.h"
 #include "instruments/bur_outline.h"
 
 namespace tactooth {
@@ -226,7 +226,7 @@ void splitEdge(TriangleMesh& mesh, std::uint32_t from, std::uint32_t to) {
         *atTo = middle;
         mesh.triangles.push_back(half);
     }
-    assert(mesh.triangles.size() == before + 2);
+    TACTOOTH_ASSERT(mesh.triangles.size() == before + 2);
 }
 
 }  // namespace
@@ -245,7 +245,7 @@ Bur makeBurWithTriangles(const BurSpec& spec, int triangles) {
 }
 
 Bur makeBur(const BurSpec& spec, int triangles) {
-    assert(spec.headDiameter > 0 && spec.headLength > 0 && spec.headLength <= kMaxHeadLength);
+    TACTOOTH_ASSERT(spec.headDiameter > 0 && spec.headLength > 0 && spec.headLength <= kMaxHeadLength);
     const Lathe lathe = latheFor(spec, triangles);
     constexpr int kMinHeadRings = 5;
     const int rings = std::max(kMinHeadRings, triangles / (2 * lathe.sectors()) - kShaftRings);

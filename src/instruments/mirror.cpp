@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "instruments/mirror.h"
 
-#include <cassert>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
+#include "geometry/util/assert.h"
 #include "instruments/modelling/surface_of_revolution.h"
 
 namespace tactooth {
@@ -69,7 +69,7 @@ Pose stemInMirror(double radius) {
 }  // namespace
 
 DentalMirror makeMirror(double headDiameter) {
-    assert(headDiameter >= 10 && headDiameter <= 40);
+    TACTOOTH_ASSERT(headDiameter >= 10 && headDiameter <= 40);
     const double radius = headDiameter / 2;
     DentalMirror mirror;
     mirror.surface = metalHead(radius);

@@ -7,9 +7,10 @@
 #include "instruments/spindle.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <numbers>
+
+#include "geometry/util/assert.h"
 
 namespace tactooth {
 namespace {
@@ -78,7 +79,7 @@ double driveTorque(const SpindlePreset& preset, double speedRpm, double pedal) {
 }
 
 SpindleState stepSpindle(const SpindlePreset& preset, SpindleState state, double pedal, double loadTorque, double dt) {
-    assert(loadTorque >= 0 && dt >= 0);
+    TACTOOTH_ASSERT(loadTorque >= 0 && dt >= 0);
     const double target = targetSpeedRpm(preset, pedal) * kRadPerSecPerRpm;
     double speed = state.speedRpm * kRadPerSecPerRpm;
     double left = dt;

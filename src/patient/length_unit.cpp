@@ -3,7 +3,8 @@
 #include "patient/length_unit.h"
 
 #include <algorithm>
-#include <cassert>
+
+#include "geometry/util/assert.h"
 
 namespace tactooth {
 namespace {
@@ -27,7 +28,7 @@ std::optional<LengthUnit> lengthUnitFromName(std::string_view name) {
 }
 
 ScaleGuess guessScale(double longest) {
-    assert(longest > 0);
+    TACTOOTH_ASSERT(longest > 0);
     const char* const tooth = "Units taken as %1, because the longest side would be %2 mm, as that of a whole tooth.";
     const char* const crown = "Units taken as %1, because the longest side would be %2 mm, as that of a crown.";
     if (kCrownLength.holds(longest)) return {1, {ImportNoteTopic::Units, crown, {"mm", rounded(longest, 1)}}};

@@ -3,7 +3,8 @@
 #include "app/common/inspection.h"
 
 #include <algorithm>
-#include <cassert>
+
+#include "geometry/util/assert.h"
 
 namespace tactooth {
 namespace {
@@ -86,7 +87,7 @@ Plane sectionPlane(StandardView side, double mesialX, const Box3& box, double fr
 }
 
 void applyInspection(Scene& scene, const LayeredTooth& tooth, const Inspection& inspection) {
-    assert(!scene.objects.empty() && scene.objects.front().appearances.size() == kMaterialCount);
+    TACTOOTH_ASSERT(!scene.objects.empty() && scene.objects.front().appearances.size() == kMaterialCount);
     SceneObject& body = scene.objects.front();
     if (inspection.section) scene.section = Section{*inspection.section};
     const std::vector<Appearance> solid = body.appearances;

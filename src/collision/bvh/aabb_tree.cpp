@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <memory>
 
 #include "collision/bvh/binned_sah.h"
 #include "collision/bvh/hilbert_order.h"
+#include "geometry/util/assert.h"
 #include "geometry/util/parallel_for.h"
 
 // Binned surface-area heuristic: I. Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", IEEE
@@ -221,7 +221,7 @@ private:
 AabbTree::AabbTree(const TriangleMesh& mesh, TreeBuild build) {
     if (mesh.empty()) return;
     const std::size_t count = mesh.triangles.size();
-    assert(count < (std::size_t{1} << 31));
+    TACTOOTH_ASSERT(count < (std::size_t{1} << 31));
     LargeVector<TreeItem> items(count);
     LargeVector<std::uint8_t> bins(count);
     const auto enclose = [&](std::size_t i) {

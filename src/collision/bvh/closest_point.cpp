@@ -3,12 +3,12 @@
 #include "collision/bvh/closest_point.h"
 
 #include <array>
-#include <cassert>
 #include <cmath>
 
 #include "collision/bvh/point_box_distance.h"
 #include "collision/bvh/ray_crossing.h"
 #include "collision/narrow/triangle_point.h"
+#include "geometry/util/assert.h"
 
 // Best-first descent with the children of a node visited nearest first: N. Roussopoulos, S. Kelley, F. Vincent,
 // "Nearest Neighbor Queries", SIGMOD 1995. Inside test: parity of the crossings of one ray; a ray that grazes an edge
@@ -117,7 +117,7 @@ bool contains(const SurfacePart& part, const Vec3& query) {
 
 double signedDistance(const SurfacePart& part, const Vec3& query) {
     const std::optional<ClosestPoint> closest = closestPoint(part, query);
-    assert(closest.has_value());
+    TACTOOTH_ASSERT(closest.has_value());
     return contains(part, query) ? -closest->distance : closest->distance;
 }
 

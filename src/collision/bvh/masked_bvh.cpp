@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cassert>
 #include <limits>
 
+#include "geometry/util/assert.h"
 #include "geometry/util/parallel_for.h"
 
 // A new version of the tree copies the way from the root to what has changed and shares the rest: J. R. Driscoll et
@@ -40,7 +40,7 @@ MaskedBvh::MaskedBvh(const AabbTree& whole)
       children_(whole.wholeNodes_),
       someHidden_(whole.wholeNodes_),
       allHidden_(whole.wholeNodes_) {
-    assert(whole.nodes_.empty());
+    TACTOOTH_ASSERT(whole.nodes_.empty());
     if (whole.empty()) return;
     std::size_t triangles = 0;
     for (const AabbTree::Leaf& leaf : whole.leaves()) triangles += leaf.count;
@@ -166,8 +166,8 @@ MaskedBvh::Kept MaskedBvh::keepNode(std::uint32_t number, AabbTree& tree) const 
             node.centre[axis][count] = from.centre[axis][child];  // the disc holds what is left as well
             node.normal[axis][count] = from.normal[axis][child];
         }
-        node.thick[count] = from.thick[child];
-        node.wide[count] = from.wide[child];
+        node.halfThickness[count] = from.halfThickness[child];
+        node.discRadius[count] = from.discRadius[child];
         node.child[count++] = kept.link;
     }
     Kept whole{{}, {}, {}};

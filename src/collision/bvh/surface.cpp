@@ -3,9 +3,9 @@
 #include "collision/bvh/surface.h"
 
 #include <atomic>
-#include <cassert>
 
 #include "geometry/mesh/append_subset.h"
+#include "geometry/util/assert.h"
 
 namespace tactooth {
 namespace {
@@ -54,7 +54,7 @@ SurfacePart::SurfacePart(TriangleMesh mesh, std::vector<SurfaceTag> tags, std::u
       firstAdjacent_(firstAdjacent),
       tree_(mesh_, build),
       id_(nextPartId()) {
-    assert(tags_.empty() || tags_.size() == mesh_.triangles.size());
+    TACTOOTH_ASSERT(tags_.empty() || tags_.size() == mesh_.triangles.size());
 }
 
 TaggedMesh visibleMesh(const Surface& surface) {

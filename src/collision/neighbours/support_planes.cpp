@@ -129,7 +129,7 @@ void SupportPlanes::findNeighbours() {
         const auto end =
             order.begin() + std::min<std::ptrdiff_t>(kNeighbours, static_cast<std::ptrdiff_t>(order.size()));
         std::partial_sort(order.begin(), end, order.end(), isNearer);
-        Beside& beside = neighbours_.emplace_back();
+        Neighbours& beside = neighbours_.emplace_back();
         beside.fill(order.front());
         std::copy(order.begin(), end, beside.begin());
     }

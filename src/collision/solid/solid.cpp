@@ -34,7 +34,7 @@ std::vector<Barycentric> placesOfTriangle() {
     for (int i = 0; i <= kSteps; ++i) {
         for (int j = 0; i + j <= kSteps; ++j) {
             const Barycentric place(i, j, kSteps - i - j);
-            places.emplace_back((1 - kInward) / kSteps * place + kInward * kMiddle);
+            places.emplace_back((1 - kInward) / kSteps * place + kInward * kCentroid);
         }
     }
     return places;
@@ -46,7 +46,7 @@ double overlapOf(const SurfacePart& part, std::span<const std::uint32_t> crossin
     std::vector<double> thickness(part.mesh().triangles.size(), 0);
     parallelFor(
         thickness.size(),
-        [&](std::size_t t) { thickness[t] = overlapAt(part, static_cast<std::uint32_t>(t), kMiddle); }, 256);
+        [&](std::size_t t) { thickness[t] = overlapAt(part, static_cast<std::uint32_t>(t), kCentroid); }, 256);
     constexpr std::size_t kMost = 1024;  // of those that cross: enough, and bounded in time
     const std::vector<Barycentric> places = placesOfTriangle();
     const std::size_t stride = std::max<std::size_t>(1, crossing.size() / kMost);

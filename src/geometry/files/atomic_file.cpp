@@ -5,6 +5,7 @@
 #include "geometry/files/file_transaction.h"
 #include "geometry/files/pending_file.h"
 #include "geometry/files/unfinished_files.h"
+#include "geometry/util/assert.h"
 #include "geometry/util/byte_text.h"
 
 namespace tactooth {
@@ -40,7 +41,7 @@ void AtomicFile::write(std::span<const std::byte> bytes) { file_->write(bytes); 
 void AtomicFile::write(std::string_view text) { file_->write(asBytes(text)); }
 
 Expected<void> AtomicFile::commit() {
-    assert(file_ != nullptr);
+    TACTOOTH_ASSERT(file_ != nullptr);
     std::unique_ptr<PendingFile> file = std::move(file_);
     if (auto done = file->finish(); !done) return done;
     if (set_ != nullptr) {

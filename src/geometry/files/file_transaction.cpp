@@ -8,13 +8,13 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cassert>
 
 #include "geometry/files/file_bytes.h"
 #include "geometry/files/file_identity.h"
 #include "geometry/files/folder.h"
 #include "geometry/files/pending_file.h"
 #include "geometry/files/unfinished_files.h"
+#include "geometry/util/assert.h"
 
 namespace tactooth {
 namespace {
@@ -51,7 +51,7 @@ private:
 }  // namespace
 
 FileTransaction::FileTransaction() {
-    assert(theSet == nullptr);
+    TACTOOTH_ASSERT(theSet == nullptr);
     theSet = this;
 }
 

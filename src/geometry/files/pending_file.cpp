@@ -48,7 +48,7 @@ void removeStaleOnce(const fs::path& folder) {
     static std::mutex mutex;
     static auto* const seen = new std::set<fs::path>;
     const std::lock_guard lock(mutex);
-    if (seen->insert(FileIdentity::of(folder).way).second) removeStale(folder);
+    if (seen->insert(FileIdentity::of(folder).canonicalPath).second) removeStale(folder);
 }
 
 }  // namespace

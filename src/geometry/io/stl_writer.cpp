@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/io/stl_writer.h"
 
-#include <cassert>
 #include <charconv>
 #include <cstdint>
 #include <cstring>
@@ -11,6 +10,7 @@
 
 #include "geometry/files/atomic_file.h"
 #include "geometry/io/stl_format.h"
+#include "geometry/util/assert.h"
 
 namespace tactooth {
 namespace {
@@ -23,7 +23,7 @@ Vec3f normalOf(const TriangleMesh& mesh, std::size_t triangle) {
 }
 
 std::vector<std::byte> binaryBytes(const TriangleMesh& mesh) {
-    assert(mesh.triangles.size() <= std::numeric_limits<std::uint32_t>::max());
+    TACTOOTH_ASSERT(mesh.triangles.size() <= std::numeric_limits<std::uint32_t>::max());
     std::vector<std::byte> bytes(stl::kFirstRecord + mesh.triangles.size() * stl::kRecordBytes);
     std::memcpy(bytes.data(), kBinaryHeader.data(), kBinaryHeader.size());
     const auto count = static_cast<std::uint32_t>(mesh.triangles.size());

@@ -3,9 +3,10 @@
 #include "geometry/mesh/mesh_edges.h"
 
 #include <algorithm>
-#include <cassert>
 #include <limits>
 #include <numeric>
+
+#include "geometry/util/assert.h"
 
 namespace tactooth {
 namespace {
@@ -24,7 +25,7 @@ void forEachSide(const TriangleMesh& mesh, Visit&& visit) {
 }  // namespace
 
 MeshEdges::MeshEdges(const TriangleMesh& mesh) : firstUse_(mesh.vertices.size() + 1, 0) {
-    assert(mesh.triangles.size() < std::numeric_limits<std::uint32_t>::max() / 3);
+    TACTOOTH_ASSERT(mesh.triangles.size() < std::numeric_limits<std::uint32_t>::max() / 3);
     // A counting sort by the smaller vertex, then a sort of the few edges that leave each vertex.
     forEachSide(mesh, [&](std::uint32_t, std::uint32_t from, std::uint32_t to) { ++firstUse_[std::min(from, to)]; });
     std::exclusive_scan(firstUse_.begin(), firstUse_.end(), firstUse_.begin(), std::size_t{0});

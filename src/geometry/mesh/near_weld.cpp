@@ -3,10 +3,11 @@
 #include "geometry/mesh/near_weld.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <unordered_map>
 #include <vector>
+
+#include "geometry/util/assert.h"
 
 namespace tactooth {
 namespace {
@@ -74,7 +75,7 @@ private:
 
 TriangleMesh weldedWithin(const TriangleMesh& mesh, double tolerance, std::size_t* moved,
                           std::span<const std::uint8_t> mayMove) {
-    assert(tolerance > 0);
+    TACTOOTH_ASSERT(tolerance > 0);
     Kept kept(tolerance);
     std::vector<std::uint32_t> place(mesh.vertices.size());
     std::vector<std::uint32_t> newNumber(mesh.vertices.size());

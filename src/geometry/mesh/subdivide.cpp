@@ -8,11 +8,11 @@
 #include "geometry/mesh/subdivide.h"
 
 #include <algorithm>
-#include <cassert>
 #include <limits>
 #include <tuple>
 
 #include "geometry/mesh/mesh_edges.h"
+#include "geometry/util/assert.h"
 
 namespace tactooth {
 namespace {
@@ -106,7 +106,7 @@ std::vector<LongEdge> longEdges(const TriangleMesh& mesh, const MeshEdges& edges
 }  // namespace
 
 TriangleMesh subdivided(const TriangleMesh& mesh, int times) {
-    assert(times >= 0);
+    TACTOOTH_ASSERT(times >= 0);
     TriangleMesh result = mesh;
     for (int round = 0; round < times; ++round) {
         const TriangleMesh coarse = std::move(result);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "geometry/util/assert.h"
+
 namespace tactooth {
 
 VertexWelder::VertexWelder(std::size_t expectedVertices)
@@ -34,7 +36,7 @@ void VertexWelder::addAll(std::span<const Vec3f> positions, std::uint32_t* numbe
 
 std::uint32_t VertexWelder::insert(const Vec3f& position, std::size_t slot) {
     const auto vertex = static_cast<std::uint32_t>(vertices_.size());
-    assert(vertex != kFree);
+    TACTOOTH_ASSERT(vertex != kFree);
     vertices_.push_back(position);
     table_[slot] = vertex;
     if (2 * vertices_.size() > table_.size()) grow();
@@ -52,7 +54,7 @@ void VertexWelder::grow() {
 }
 
 TriangleMesh weld(std::span<const Vec3f> corners) {
-    assert(corners.size() % 3 == 0);
+    TACTOOTH_ASSERT(corners.size() % 3 == 0);
     VertexWelder welder(corners.size() / 6 + 2);  // a closed surface has half as many vertices as triangles
     TriangleMesh mesh;
     mesh.triangles.resize(corners.size() / 3);

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cassert>
 #include <string>
 #include <utility>
 #include <variant>
+
+#include "geometry/util/assert.h"
 
 namespace tactooth {
 
@@ -33,16 +34,16 @@ public:
     [[nodiscard]] bool has_value() const { return state_.index() == 0; }
     explicit operator bool() const { return has_value(); }
 
-    [[nodiscard]] T& value() & { return assert(has_value()), *std::get_if<0>(&state_); }
-    [[nodiscard]] const T& value() const& { return assert(has_value()), *std::get_if<0>(&state_); }
-    [[nodiscard]] T&& value() && { return assert(has_value()), std::move(*std::get_if<0>(&state_)); }
+    [[nodiscard]] T& value() & { return TACTOOTH_ASSERT(has_value()), *std::get_if<0>(&state_); }
+    [[nodiscard]] const T& value() const& { return TACTOOTH_ASSERT(has_value()), *std::get_if<0>(&state_); }
+    [[nodiscard]] T&& value() && { return TACTOOTH_ASSERT(has_value()), std::move(*std::get_if<0>(&state_)); }
     [[nodiscard]] T& operator*() & { return value(); }
     [[nodiscard]] const T& operator*() const& { return value(); }
     [[nodiscard]] T&& operator*() && { return std::move(*this).value(); }
     [[nodiscard]] T* operator->() { return &value(); }
     [[nodiscard]] const T* operator->() const { return &value(); }
 
-    [[nodiscard]] const Error& error() const { return assert(!has_value()), *std::get_if<1>(&state_); }
+    [[nodiscard]] const Error& error() const { return TACTOOTH_ASSERT(!has_value()), *std::get_if<1>(&state_); }
 
 private:
     std::variant<T, Error> state_;
@@ -57,7 +58,7 @@ public:
 
     [[nodiscard]] bool has_value() const { return ok_; }
     explicit operator bool() const { return ok_; }
-    [[nodiscard]] const Error& error() const { return assert(!ok_), error_; }
+    [[nodiscard]] const Error& error() const { return TACTOOTH_ASSERT(!ok_), error_; }
 
 private:
     Error error_;

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
 #include <array>
-#include <cassert>
 #include <string_view>
 
+#include "geometry/util/assert.h"
 #include "instruments/anatomy/tooth_shape.h"
 
 namespace tactooth {
@@ -22,7 +22,7 @@ constexpr std::array<ShapeFactory, 8> kLower = {lowerCentralIncisor, lowerLatera
 
 ToothShape toothShape(int fdi) {
     const int quadrant = fdi / 10, place = fdi % 10;
-    assert(quadrant >= 1 && quadrant <= 4 && place >= 1 && place <= 8);
+    TACTOOTH_ASSERT(quadrant >= 1 && quadrant <= 4 && place >= 1 && place <= 8);
     ToothShape shape = (quadrant <= 2 ? kUpper : kLower)[static_cast<std::size_t>(place - 1)]();
     const bool leftSide = quadrant == 2 || quadrant == 3;
     constexpr std::string_view kRight = "right", kLeft = "left";

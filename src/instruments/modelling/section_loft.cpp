@@ -8,8 +8,9 @@
 #include "instruments/modelling/section_loft.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
+
+#include "geometry/util/assert.h"
 
 namespace tactooth {
 namespace {
@@ -19,9 +20,9 @@ enum Column { plusX, minusX, plusY, minusY, squareness, centreX, centreY };
 }  // namespace
 
 SectionLoft::SectionLoft(std::span<const Section> sections) {
-    assert(sections.size() >= 2);
+    TACTOOTH_ASSERT(sections.size() >= 2);
     for (const Section& s : sections) {
-        assert(heights_.empty() || s.z > heights_.back());
+        TACTOOTH_ASSERT(heights_.empty() || s.z > heights_.back());
         heights_.push_back(s.z);
         values_.push_back((Row() << s.plusX, s.minusX, s.plusY, s.minusY, s.squareness, s.x, s.y).finished());
     }

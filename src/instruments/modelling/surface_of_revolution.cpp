@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "instruments/modelling/surface_of_revolution.h"
 
-#include <cassert>
 #include <cmath>
 #include <numbers>
+
+#include "geometry/util/assert.h"
 
 namespace tactooth {
 
 TriangleMesh revolved(std::span<const OutlinePoint> outline, int sides) {
-    assert(outline.size() >= 3 && sides >= 3 && outline.front().radius == 0 && outline.back().radius == 0);
+    TACTOOTH_ASSERT(outline.size() >= 3 && sides >= 3 && outline.front().radius == 0 && outline.back().radius == 0);
     TriangleMesh body;
     body.vertices.push_back(Vec3(0, 0, outline.front().z).cast<float>());
     const int rings = static_cast<int>(outline.size()) - 2;

@@ -6,9 +6,10 @@
 #include "instruments/modelling/tube.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <numbers>
+
+#include "geometry/util/assert.h"
 
 namespace tactooth {
 namespace {
@@ -30,7 +31,7 @@ void addRing(TriangleMesh& mesh, const TubePoint& point, const Vec3& along, cons
 }  // namespace
 
 TriangleMesh tube(std::span<const TubePoint> points, int sides) {
-    assert(points.size() >= 2 && sides >= 3);
+    TACTOOTH_ASSERT(points.size() >= 2 && sides >= 3);
     TriangleMesh mesh;
     Vec3 first = directionAt(points, 0).unitOrthogonal();
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -55,7 +56,7 @@ TriangleMesh tube(std::span<const TubePoint> points, int sides) {
 }
 
 std::vector<TubePoint> smoothed(std::span<const TubePoint> points, int steps) {
-    assert(points.size() >= 2 && steps >= 1);
+    TACTOOTH_ASSERT(points.size() >= 2 && steps >= 1);
     std::vector<TubePoint> result;
     const auto centre = [&](std::ptrdiff_t i) -> Vec3 {
         return points[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(i, 0, std::ssize(points) - 1))].centre;

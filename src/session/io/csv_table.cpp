@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <charconv>
 #include <cmath>
 #include <optional>
 
 #include "geometry/files/file_bytes.h"
+#include "geometry/util/assert.h"
 #include "geometry/util/byte_text.h"
 #include "geometry/util/lower_case.h"
 #include "geometry/util/number_text.h"
@@ -167,7 +167,7 @@ Expected<CsvWriter> CsvWriter::create(const std::filesystem::path& path, std::sp
 }
 
 void CsvWriter::row(std::span<const double> values) {
-    assert(values.size() == columns_);
+    TACTOOTH_ASSERT(values.size() == columns_);
     line_.clear();
     ++rows_;
     for (const double value : values) {

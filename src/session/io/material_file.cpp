@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 
 #include "geometry/files/file_bytes.h"
+#include "geometry/util/assert.h"
 #include "geometry/util/number_text.h"
 #include "session/io/limited_toml.h"
 
@@ -148,7 +148,7 @@ Expected<MaterialTable> parseMaterials(std::string_view text, std::string_view n
 
 MaterialTable defaultMaterials() {
     const Expected<MaterialTable> table = parseMaterials(defaultMaterialsText(), "data/materials.toml", {});
-    assert(table.has_value());  // a test parses the same text
+    TACTOOTH_ASSERT(table.has_value());  // a test parses the same text
     return table ? *table : MaterialTable();
 }
 

@@ -3,9 +3,10 @@
 #include "session/scripts/scripted_operator.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <numbers>
+
+#include "geometry/util/assert.h"
 
 namespace tactooth {
 namespace {
@@ -19,7 +20,7 @@ constexpr double kSideways = 12;  // mm/s at most: a stroke of a trained hand
 
 ScriptedOperator::ScriptedOperator(const Vec3& start, const Quat& grip, std::vector<OperatorPhase> script)
     : script_(std::move(script)), waitingHeight_(start.z()), tip_(start), grip_(grip) {
-    assert(!script_.empty());
+    TACTOOTH_ASSERT(!script_.empty());
     info_.name = "practised hand";
     info_.rendersForce = info_.hasPedal = true;
 }

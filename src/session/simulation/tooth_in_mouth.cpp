@@ -3,10 +3,10 @@
 #include "session/simulation/tooth_in_mouth.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cstdlib>
 
 #include "geometry/mesh/append_subset.h"
+#include "geometry/util/assert.h"
 #include "geometry/util/parallel_for.h"
 
 namespace tactooth {
@@ -49,7 +49,7 @@ std::vector<Placed> placedAround(const BuiltinMouth& mouth, const MouthTooth& wo
 
 ToothInMouth inMouth(const BuiltinMouth& mouth, int fdi) {
     const MouthTooth* worked = mouth.find(fdi);
-    assert(worked != nullptr);
+    TACTOOTH_ASSERT(worked != nullptr);
     const std::vector<Placed> bodies = placedAround(mouth, *worked);
     ToothInMouth result;
     result.around.resize(bodies.size());

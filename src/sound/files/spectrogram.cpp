@@ -7,10 +7,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <complex>
 #include <numbers>
+
+#include "geometry/util/assert.h"
 
 namespace tactooth {
 namespace {
@@ -112,7 +113,7 @@ SpectrogramBuilder::SpectrogramBuilder(std::size_t frames, std::size_t times)
           State{.made = {times, kWindow / 2, std::vector<float>(times * kWindow / 2, Spectrogram::kSilence)},
                 .fourier = {},
                 .frames = frames})) {
-    assert(times > 0);
+    TACTOOTH_ASSERT(times > 0);
     state_->begin();
 }
 

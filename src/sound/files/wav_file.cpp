@@ -7,11 +7,11 @@
 #include "sound/files/wav_file.h"
 
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 
+#include "geometry/util/assert.h"
 #include "sound/files/sound_format.h"
 
 namespace tactooth {
@@ -79,7 +79,7 @@ Expected<WavWriter> WavWriter::create(const std::filesystem::path& path, std::si
 }
 
 void WavWriter::write(std::span<const float> stereo) {
-    assert(stereo.size() <= remaining_);
+    TACTOOTH_ASSERT(stereo.size() <= remaining_);
     remaining_ -= stereo.size();
     chunk_.clear();
     for (const float sample : stereo) {
@@ -91,7 +91,7 @@ void WavWriter::write(std::span<const float> stereo) {
 }
 
 Expected<void> WavWriter::commit() {
-    assert(remaining_ == 0);
+    TACTOOTH_ASSERT(remaining_ == 0);
     return file_.commit();
 }
 

@@ -6,7 +6,8 @@
 #include <AL/alext.h>
 
 #include <algorithm>
-#include <cassert>
+
+#include "geometry/util/assert.h"
 
 namespace tactooth {
 
@@ -95,7 +96,7 @@ void OpenAlStream::reclaim() {
 }
 
 void OpenAlStream::queue(const SoundBlock& block) {
-    assert(freeCount_ > 0);
+    TACTOOTH_ASSERT(freeCount_ > 0);
     --freeCount_;
     for (std::size_t place = 0; place < sources_.size(); ++place) {
         const unsigned buffer = free_[place][static_cast<std::size_t>(freeCount_)];

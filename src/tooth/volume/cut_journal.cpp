@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tooth/volume/cut_journal.h"
 
-#include <cassert>
 #include <utility>
+
+#include "geometry/util/assert.h"
 
 namespace tactooth {
 
@@ -15,7 +16,7 @@ bool CutJournal::mark() {
 }
 
 std::map<BrickKey, CutField> CutJournal::rollBack() {
-    assert(!pages_.empty());
+    TACTOOTH_ASSERT(!pages_.empty());
     if (pages_.back().empty() && pages_.size() > 1) pages_.pop_back();
     std::map<BrickKey, CutField> page = std::move(pages_.back());
     pages_.pop_back();

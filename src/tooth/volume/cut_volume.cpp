@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <bit>
-#include <cassert>
 #include <numeric>
 #include <set>
 
+#include "geometry/util/assert.h"
 #include "geometry/util/parallel_for.h"
 #include "tooth/volume/brick_carver.h"
 #include "tooth/volume/brick_sampler.h"
@@ -91,7 +91,7 @@ double total(const MaterialVolumes& volumes) { return std::accumulate(volumes.be
 
 CutVolume::CutVolume(std::shared_ptr<const LayeredTooth> tooth, double voxel)
     : tooth_(std::move(tooth)), lattice_(voxel) {
-    assert(tooth_ && voxel > 0);
+    TACTOOTH_ASSERT(tooth_ && voxel > 0);
 }
 
 void CutVolume::reset() {
@@ -157,7 +157,7 @@ CarveResult CutVolume::carve(const RevolutionEnvelope& envelope, const Pose& fro
 }
 
 CarveResult CutVolume::carve(const PlannedRemoval& removable) {
-    assert(removable.afterCarve == carves_);
+    TACTOOTH_ASSERT(removable.afterCarve == carves_);
     ++carves_;
     for (const BrickRemoval& found : removable.where) journal_.keep(found.key, *bricks_.find(found.key));
     std::vector<ChangedBrick> opened(removable.where.size());

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "view/camera/camera.h"
 
-#include <cassert>
 #include <cmath>
+
+#include "geometry/util/assert.h"
 
 namespace tactooth {
 
@@ -16,7 +17,7 @@ Mat4 viewMatrix(const Camera& camera) {
 }
 
 Mat4 projectionMatrix(const Camera& camera, double aspect) {
-    assert(camera.nearDistance > 0 && camera.farDistance > camera.nearDistance && aspect > 0);
+    TACTOOTH_ASSERT(camera.nearDistance > 0 && camera.farDistance > camera.nearDistance && aspect > 0);
     const double scale = 1 / std::tan(camera.fieldOfView / 2);
     const double depth = camera.farDistance - camera.nearDistance;
     Mat4 matrix = Mat4::Zero();

@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <bit>
-#include <cassert>
+
+#include "geometry/util/assert.h"
 
 namespace tactooth {
 
@@ -50,7 +51,7 @@ bool hasTriangles(const SceneShape& shape) {
 }
 
 SurfaceBuffers::Prepared SurfaceBuffers::prepare(const SceneShape& shape) {
-    assert(hasTriangles(shape));
+    TACTOOTH_ASSERT(hasTriangles(shape));
     Prepared prepared;
     prepared.shading = cornerShading(meshOf(shape), tagsOf(shape));
     prepared.mesh = shadingMesh(meshOf(shape), prepared.shading);
@@ -82,7 +83,7 @@ bool SurfaceBuffers::holds(const SceneShape& shape) const {
 }
 
 bool SurfaceBuffers::update(const SceneShape& shape) {
-    assert(holds(shape));
+    TACTOOTH_ASSERT(holds(shape));
     if (updated_ && shown_ == shape) return false;
     lastUpload_ = updated_ ? 0 : drawIndexOfTriangle_.size();
     changed_ = updated_ ? Box3() : box_;

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 
+#include "geometry/util/assert.h"
 #include "view/mesh/tag_weights.h"
 
 namespace tactooth {
@@ -140,7 +140,7 @@ private:
 }  // namespace
 
 CornerShading cornerShading(const TriangleMesh& mesh, std::span<const SurfaceTag> tags) {
-    assert(tags.empty() || tags.size() == mesh.triangles.size());
+    TACTOOTH_ASSERT(tags.empty() || tags.size() == mesh.triangles.size());
     const Facets facets(mesh);
     const CornersOfVertex cornersOfVertex(mesh);
     SmoothingGroups grouping(mesh, facets, tags);

@@ -3,12 +3,13 @@
 #include "view/mesh/range_allocator.h"
 
 #include <algorithm>
-#include <cassert>
+
+#include "geometry/util/assert.h"
 
 namespace tactooth {
 
 std::optional<std::uint32_t> RangeAllocator::allocate(std::uint32_t count) {
-    assert(count > 0);
+    TACTOOTH_ASSERT(count > 0);
     const auto range = std::find_if(free_.begin(), free_.end(), [&](const auto& free) { return free.second >= count; });
     if (range == free_.end()) return std::nullopt;
     const auto [first, available] = *range;
@@ -18,16 +19,16 @@ std::optional<std::uint32_t> RangeAllocator::allocate(std::uint32_t count) {
 }
 
 void RangeAllocator::release(std::uint32_t first, std::uint32_t count) {
-    assert(count > 0 && first + count <= capacity_);
+    TACTOOTH_ASSERT(count > 0 && first + count <= capacity_);
     auto next = free_.lower_bound(first);
-    assert(next == free_.end() || next->first >= first + count);
+    TACTOOTH_ASSERT(next == free_.end() || next->first >= first + count);
     if (next != free_.end() && next->first == first + count) {
         count += next->second;
         next = free_.erase(next);
     }
     if (next != free_.begin()) {
         const auto before = std::prev(next);
-        assert(before->first + before->second <= first);
+        TACTOOTH_ASSERT(before->first + before->second <= first);
         if (before->first + before->second == first) {
             before->second += count;
             return;
@@ -37,7 +38,7 @@ void RangeAllocator::release(std::uint32_t first, std::uint32_t count) {
 }
 
 void RangeAllocator::grow(std::uint32_t capacity) {
-    assert(capacity >= capacity_);
+    TACTOOTH_ASSERT(capacity >= capacity_);
     if (capacity == capacity_) return;
     const std::uint32_t old = capacity_;
     capacity_ = capacity;

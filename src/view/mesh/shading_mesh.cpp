@@ -4,9 +4,10 @@
 
 #include <algorithm>
 #include <bit>
-#include <cassert>
 #include <cmath>
 #include <numeric>
+
+#include "geometry/util/assert.h"
 
 namespace tactooth {
 
@@ -135,7 +136,8 @@ std::uint32_t packAppearances(const AppearanceMix& mix) {
 }
 
 ShadingMesh shadingMesh(const TriangleMesh& mesh, const CornerShading& shading) {
-    assert(shading.normals.size() == 3 * mesh.triangles.size() && shading.appearances.size() == shading.normals.size());
+    TACTOOTH_ASSERT(shading.normals.size() == 3 * mesh.triangles.size() &&
+                    shading.appearances.size() == shading.normals.size());
     ShadingMesh result;
     result.box = boundingBox(mesh);
     result.triangles.resize(mesh.triangles.size());

@@ -3,14 +3,14 @@
 #include "view/passes/appearance_uniforms.h"
 
 #include <array>
-#include <cassert>
 
+#include "geometry/util/assert.h"
 #include "view/scene/scene.h"
 
 namespace tactooth {
 
 void setAppearances(const ShaderProgram& program, const std::vector<Appearance>& appearances) {
-    assert(!appearances.empty() && appearances.size() <= kMaxAppearances);
+    TACTOOTH_ASSERT(!appearances.empty() && appearances.size() <= kMaxAppearances);
     std::array<Eigen::Vector4f, 2 * kMaxAppearances> packed;
     for (std::size_t i = 0; i < appearances.size(); ++i) {
         const Appearance& appearance = appearances[i];

@@ -5,11 +5,11 @@
 #include <png.h>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <cstddef>
 
 #include "geometry/files/atomic_file.h"
+#include "geometry/util/assert.h"
 
 namespace tactooth {
 
@@ -29,8 +29,8 @@ struct PngImage {
 }  // namespace
 
 Expected<void> writePng(const Image& image, const std::filesystem::path& file) {
-    assert(image.pixels.size() ==
-           static_cast<std::size_t>(image.size.width) * static_cast<std::size_t>(image.size.height));
+    TACTOOTH_ASSERT(image.pixels.size() ==
+                    static_cast<std::size_t>(image.size.width) * static_cast<std::size_t>(image.size.height));
     PngImage png;
     png.header.width = static_cast<png_uint_32>(image.size.width);
     png.header.height = static_cast<png_uint_32>(image.size.height);
@@ -64,7 +64,7 @@ Expected<Image> readPng(const std::filesystem::path& file) {
 }
 
 ImageDifference compare(const Image& a, const Image& b) {
-    assert(a.size == b.size && !a.pixels.empty());
+    TACTOOTH_ASSERT(a.size == b.size && !a.pixels.empty());
     double sum = 0;
     double visible = 0;
     for (std::size_t i = 0; i < a.pixels.size(); ++i) {
