@@ -101,7 +101,7 @@ Pose lowerJawPose(JawPose jaw) {
     return {hinge + slide - turn * hinge, turn};
 }
 
-TriangleMesh transformed(TriangleMesh mesh, const Pose& pose) {
+TriangleMesh rigidlyMoved(TriangleMesh mesh, const Pose& pose) {
     for (Vec3f& vertex : mesh.vertices) vertex = (pose * vertex.cast<double>()).cast<float>();
     return mesh;
 }

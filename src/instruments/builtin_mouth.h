@@ -57,7 +57,7 @@ using ToothGenerator = std::function<BuiltinTooth(const ToothRequest&)>;
 /// How the lower jaw stands.
 [[nodiscard]] Pose lowerJawPose(JawPose jaw);
 
-/// `mesh` transformed to another frame.
-[[nodiscard]] TriangleMesh transformed(TriangleMesh mesh, const Pose& pose);
+/// `mesh` in another frame, rotated by the quaternion itself: its last bits differ from those of `transformed`.
+[[nodiscard]] TriangleMesh rigidlyMoved(TriangleMesh mesh, const Pose& pose);
 
 }  // namespace tactooth
