@@ -56,11 +56,12 @@ def _unordered_folders(tree, layer, architecture):
     """Folders that an order forgets, and folders that it names but that are not there."""
     for parent, order in architecture.orders.items():
         if parent.split("/")[0] == layer:
-            path = tree.root / "src" / parent
-            with_code = {p.name for p in path.iterdir() if p.is_dir() and any(p.rglob("*.[hc]*"))} if path.is_dir() else set()
-            for folder in sorted(with_code.symmetric_difference(order)):
-                what = "is not in the FOLDERS of its" if folder in with_code else "is in the FOLDERS but not there; see its"
-                yield f"src/{parent}/{folder}: {what} CMakeLists.txt"
+            paths = (tree.root / "src" / parent).glob("*/")
+            with_code = {p.name for p in paths if any(p.rglob("*.h")) or any(p.rglob("*.cpp"))}
+            for folder in sorted(with_code.difference(order)):
+                yield f"src/{parent}/{folder}: is not in the FOLDERS of its CMakeLists.txt"
+            for folder in sorted(set(order).difference(with_code)):
+                yield f"src/{parent}/{folder}: is in the FOLDERS but not there; see its CMakeLists.txt"
 
 
 def why_not(name, included, architecture):

@@ -52,9 +52,9 @@ class SourceTree:
     @cached_property
     def files(self):
         paths = [p for folder in FOLDERS for p in sorted((self.root / folder).rglob("*"))]
-        paths = [p for p in paths if (p.suffix in SUFFIXES or p.name in ROOT_FILES) and p.is_file() and "corpus" not in p.parts]
-        paths += [p for p in map(self.root.joinpath, ROOT_FILES) if p.is_file()]
-        return [SourceFile(self.root, p) for p in paths]
+        paths = [p for p in paths if (p.suffix in SUFFIXES or p.name in ROOT_FILES) and "corpus" not in p.parts]
+        paths += map(self.root.joinpath, ROOT_FILES)
+        return [SourceFile(self.root, p) for p in paths if p.is_file()]
 
     @cached_property
     def cpp_files(self):

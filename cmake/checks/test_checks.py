@@ -103,7 +103,8 @@ class Sizes(CheckTest):
                             f"src/low/x.cpp:{line}: {name} has 81 lines")
 
     def test_the_lines_of_a_table_do_not_count(self):
-        table = "void f() {\n    const std::vector<Row> rows = {\n" + '        {"a", {1, 2}},\n' * 90 + "    };\n    g();\n}\n"
+        rows = '        {"a", {1, 2}},\n' * 90
+        table = "void f() {\n    const std::vector<Row> rows = {\n" + rows + "    };\n    g();\n}\n"
         self.assertEqual(self.offences(sizes.function_offences, {"src/low/x.cpp": table}), [])
         blocks = "void f() {\n" + "    if (a) {\n        g();\n    }\n" * 27 + "}\n"
         self.expect_one(sizes.function_offences, {"src/low/x.cpp": blocks}, "src/low/x.cpp:1: f has 81 lines")
