@@ -6,6 +6,7 @@
 #include <tbb/global_control.h>
 
 #include <bit>
+#include <string>
 
 #include "devices/scripted_device.h"
 #include "instruments/builtin_tooth.h"
