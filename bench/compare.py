@@ -94,7 +94,11 @@ def table(base, head):
 
 def run(folder, bench):
     program, *options = BENCHES[bench]
-    done = subprocess.run((str(Path(folder, program)), *options), capture_output=True, text=True, check=False)
+    try:
+        done = subprocess.run((str(Path(folder, program)), *options), capture_output=True, text=True, check=False)
+    except OSError as error:
+        print(f"{folder}/{program} cannot be started: {error.strerror}", file=sys.stderr)
+        sys.exit(2)
     if done.returncode != 0:
         print(f"{folder}/{program} {' '.join(options)} failed:\n{done.stderr}", file=sys.stderr)
         sys.exit(2)

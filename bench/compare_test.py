@@ -104,6 +104,12 @@ class Program(unittest.TestCase):
         self.assertEqual(done.returncode, 2)
         self.assertIn("bench contact", done.stderr)
 
+    def test_a_program_that_is_missing_is_named(self):
+        done = subprocess.run((sys.executable, compare.__file__, "--base", "/nowhere", "--head", "/nowhere"),
+                              capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("/nowhere/tactooth cannot be started", done.stderr)
+
 
 if __name__ == "__main__":
     unittest.main()
