@@ -92,7 +92,7 @@ const MouthTooth* BuiltinMouth::find(int fdi) const {
 }
 
 Pose lowerJawPose(JawPose jaw) {
-    if (jaw == JawPose::closed) return {};
+    if (jaw == JawPose::Closed) return {};
     // Between the condyles: Bonwill's triangle of four inches, and 35 mm above the occlusal plane.
     const Vec3 hinge(0, -88, 35);
     constexpr double kOpening = 0.507;  // rad: 40 mm between the edges, a usual opening for work

@@ -14,14 +14,14 @@
 namespace tactooth {
 
 enum class JawPose {
-    closed,  ///< the teeth bite on each other
-    open,    ///< as wide as for work: 40 mm between the incisors' edges
+    Closed,  ///< the teeth bite on each other
+    Open,    ///< as wide as for work: 40 mm between the incisors' edges
 };
 
 struct MouthRequest {
     int triangles = 20000;   ///< of each tooth's outer surface, about; the gingiva is as fine in proportion
     std::uint32_t seed = 0;  ///< 0: average teeth; any other number: another patient
-    JawPose jaw = JawPose::closed;
+    JawPose jaw = JawPose::Closed;
     std::vector<int> missing;  ///< FDI numbers; their places have healed over
 };
 

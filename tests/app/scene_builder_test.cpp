@@ -18,7 +18,7 @@ SceneContents modelWithEverything() {
     contents.tooth = surface;
     contents.tool = ShownTool{.bur = std::make_shared<const TriangleMesh>(test::sphere(Vec3::Zero(), 1, 8, 8)),
                               .turbine = std::make_shared<const TriangleMesh>(test::box(-Vec3::Ones(), Vec3::Ones())),
-                              .material = BurMaterial::diamond,
+                              .material = BurMaterial::Diamond,
                               .toolInTooth = {Vec3(1, 2, 3), Quat::Identity()},
                               .spin = 0.5};
     contents.mirror = ShownMirror{.mesh = std::make_shared<const TriangleMesh>(test::box(-Vec3::Ones(), Vec3::Ones())),

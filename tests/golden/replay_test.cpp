@@ -109,7 +109,7 @@ Outcome replay(const BuiltinTooth& molar) {
 }
 
 TEST(Replay, GivesTheSameBitsOnAnyRunAnyBuildAndAnyNumberOfThreads) {
-    const BuiltinTooth molar = makeBuiltinTooth(BuiltinToothKind::lowerFirstMolar, 4000);
+    const BuiltinTooth molar = makeBuiltinTooth(BuiltinToothKind::LowerFirstMolar, 4000);
     const Outcome first = replay(molar);
     RecordProperty("hash", std::to_string(first.hash));  // compared across compilers by .github/workflows/ci.yml
     EXPECT_GT(first.touched, 50);

@@ -41,7 +41,7 @@ TEST(ToothCache, GivesBackTheToothBitForBit) {
     expectSame(made, makeTooth(kTooth));
     expectSame(cache.make(kTooth), made);
     ToothRequest decayed = kTooth;
-    decayed.lesion = Lesion{LesionSite::mesial, 1.5, {}};
+    decayed.lesion = Lesion{LesionSite::Mesial, 1.5, {}};
     expectSame(cache.make(decayed), makeTooth(decayed));
     expectSame(cache.make(decayed), makeTooth(decayed));
 }
@@ -136,7 +136,7 @@ TEST(ToothCache, OtherMouthsHaveOtherFilesButTheOpenOneIsTheClosedOneMoved) {
     gap.missing = {46};
     twoGaps.missing = {46, 11};
     sameGaps.missing = {11, 46};
-    open.jaw = JawPose::open;
+    open.jaw = JawPose::Open;
     for (const MouthRequest& other : {seed, resolution, gap, twoGaps}) {
         EXPECT_NE(cache.fileOf(other), cache.fileOf(kMouth));
     }

@@ -83,7 +83,7 @@ Expected<BuiltinMouth> mouthFromSpec(const MouthSpec& spec) {
             fmt::format("{} in --missing is no permanent tooth; FDI numbers are 11-18, 21-28, 31-38 and 41-48.", fdi));
     }
     const ToothCache cache(spec.noCache ? fs::path() : defaultCacheFolder());
-    const MouthRequest request{spec.triangles, spec.seed, spec.jaw == "open" ? JawPose::open : JawPose::closed,
+    const MouthRequest request{spec.triangles, spec.seed, spec.jaw == "open" ? JawPose::Open : JawPose::Closed,
                                spec.missing};
     return cache.makeMouth(request);
 }
