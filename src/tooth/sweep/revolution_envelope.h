@@ -8,6 +8,7 @@
 
 #include "geometry/mesh/triangle_mesh.h"
 #include "geometry/util/expected.h"
+#include "tooth/sweep/revolution_profile.h"
 
 namespace tactooth {
 
@@ -38,11 +39,7 @@ struct ProfilePart {
 /// revolution that holds every triangle of the bur's STL and stands out from it by less than 1 um.
 class RevolutionEnvelope {
 public:
-    /// Corner of the profile: radius at a height, mm.
-    struct ProfilePoint {
-        double radius;
-        double z;
-    };
+    using ProfilePoint = RevolutionProfilePoint;
 
     /// Fails with a sentence if the mesh has no extent along z or holds no triangle.
     [[nodiscard]] static Expected<RevolutionEnvelope> make(const TriangleMesh& bur);
@@ -94,9 +91,5 @@ private:
     std::vector<std::uint16_t> candidates_;
     std::vector<std::uint16_t> allSegments_;
 };
-
-/// The profile alone: for each height the largest distance of the mesh from the z axis. Piecewise linear, never
-/// smaller than the mesh, larger by less than 1 um.
-[[nodiscard]] std::vector<RevolutionEnvelope::ProfilePoint> revolutionProfile(const TriangleMesh& mesh);
 
 }  // namespace tactooth

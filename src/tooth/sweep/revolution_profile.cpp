@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
+#include "tooth/sweep/revolution_profile.h"
+
 #include <algorithm>
 #include <cmath>
-
-#include "tooth/sweep/revolution_envelope.h"
+#include <utility>
 
 // A plane of constant z cuts a triangle in a segment, whose farthest point from the axis is one of its ends: only the
 // mesh's edges matter. Along an edge the squared radius is a parabola in z, so the radius is a convex arc (a hyperbola
@@ -13,7 +14,7 @@
 namespace tactooth {
 namespace {
 
-using ProfilePoint = RevolutionEnvelope::ProfilePoint;
+using ProfilePoint = RevolutionProfilePoint;
 
 constexpr double kSameHeight = 1e-6;        ///< mm; vertex heights closer than this are one (an STL's rounding)
 constexpr double kChordError = 0.0004;      ///< mm; how far a chord may stand out from its arc

@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
-#include "tooth/volume/cut_volume.h"
+#include "tooth/volume/brick.h"
+#include "tooth/volume/changed_brick.h"
+#include "tooth/volume/lattice.h"
+#include "tooth/volume/planned_removal.h"
 
 namespace tactooth {
 

@@ -6,7 +6,7 @@
 
 #include "tooth/model/layered_tooth.h"
 #include "tooth/volume/brick.h"
-#include "tooth/volume/brick_map.h"
+#include "tooth/volume/lattice.h"
 
 namespace tactooth {
 

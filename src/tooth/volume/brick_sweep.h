@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "tooth/sweep/sweep_lanes.h"
-#include "tooth/volume/brick_map.h"
+#include "tooth/volume/brick.h"
+#include "tooth/volume/lattice.h"
 
 namespace tactooth {
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tooth/model/material.h"
+#include "tooth/volume/carve_result.h"
 #include "tooth/volume/cut_volume.h"
 
 namespace tactooth {

@@ -6,7 +6,8 @@
 #include <map>
 #include <vector>
 
-#include "tooth/volume/brick_map.h"
+#include "tooth/volume/brick.h"
+#include "tooth/volume/brick_key.h"
 
 namespace tactooth {
 

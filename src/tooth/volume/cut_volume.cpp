@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <numeric>
 #include <set>
 
 #include "geometry/util/assert.h"
@@ -35,59 +34,12 @@ void gather(std::vector<BrickRemoval>& parts, PlannedRemoval& result) {
     }
 }
 
-/// Where a node is along one side of a brick: 0 at the beginning, 2 at the end, 1 between.
-constexpr int endOf(int place) { return place == 0 ? 0 : place == kBrickSide - 1 ? 2 : 1; }
-
-/// By `endOf` on each axis: the bricks that have a node at most one step from such a node on each axis.
-constexpr auto kAffected = [] {
-    std::array<std::array<std::array<std::uint32_t, 3>, 3>, 3> table{};
-    const auto reaches = [](int end, int step) { return step == 1 || step == end; };
-    for (int node = 0; node < 27; ++node) {
-        const std::array<int, 3> end = {node % 3, node / 3 % 3, node / 9};
-        std::uint32_t& bricks = table[end[0]][end[1]][end[2]];
-        for (int i = 0; i < 27; ++i) {
-            if (!reaches(end[0], i % 3) || !reaches(end[1], i / 3 % 3) || !reaches(end[2], i / 9)) continue;
-            bricks |= 1U << i;
-        }
-    }
-    return table;
-}();
-
 std::uint64_t fnv1a(std::uint64_t hash, std::uint64_t value) {
     for (int byte = 0; byte < 8; ++byte) hash = (hash ^ (value >> (8 * byte) & 0xFF)) * 0x100000001b3ULL;
     return hash;
 }
 
 }  // namespace
-
-void ChangedBrick::addNode(int node) {
-    const auto [x, y, z] = placeOf(node);
-    affected |= kAffected[endOf(x)][endOf(y)][endOf(z)];
-}
-
-void ChangedBrick::addEdge(int node, int axis) {
-    const std::array<int, 3> place = placeOf(node);
-    std::array<int, 3> ends = {endOf(place[0]), endOf(place[1]), endOf(place[2])};
-    if (place[axis] == 0) ends[axis] = 1;  // it leads away from the brick before
-    affected |= kAffected[ends[0]][ends[1]][ends[2]];
-}
-
-std::vector<ChangedBrick> merged(std::vector<ChangedBrick> changes) {
-    std::erase_if(changes, [](const ChangedBrick& change) { return change.isNone(); });
-    std::sort(changes.begin(), changes.end(),
-              [](const ChangedBrick& a, const ChangedBrick& b) { return a.key < b.key; });
-    std::vector<ChangedBrick> result;
-    for (const ChangedBrick& change : changes) {
-        if (!result.empty() && result.back().key == change.key) {
-            result.back().add(change);
-        } else {
-            result.push_back(change);
-        }
-    }
-    return result;
-}
-
-double total(const MaterialVolumes& volumes) { return std::accumulate(volumes.begin(), volumes.end(), 0.0); }
 
 CutVolume::CutVolume(std::shared_ptr<const LayeredTooth> tooth, double voxel)
     : tooth_(std::move(tooth)), lattice_(voxel) {

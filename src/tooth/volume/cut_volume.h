@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
-#include <bit>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -11,74 +9,14 @@
 
 #include "tooth/model/layered_tooth.h"
 #include "tooth/sweep/revolution_envelope.h"
-#include "tooth/sweep/swept_envelope.h"
 #include "tooth/volume/brick_map.h"
 #include "tooth/volume/brick_pool.h"
+#include "tooth/volume/carve_result.h"
 #include "tooth/volume/cut_journal.h"
 #include "tooth/volume/detached_pieces.h"
+#include "tooth/volume/planned_removal.h"
 
 namespace tactooth {
-
-/// Volumes by MaterialId, mm^3.
-using MaterialVolumes = std::array<double, kMaterialCount>;
-
-[[nodiscard]] double total(const MaterialVolumes& volumes);
-
-/// A brick in which a carve has moved the border of the removed region, and which bricks have a node in a cell that
-/// this concerns.
-struct ChangedBrick {
-    BrickKey key;
-    std::uint32_t affected = 0;  ///< bit i: BrickKey::neighbour(i)
-
-    [[nodiscard]] static ChangedBrick all(const BrickKey& key) { return {key, (1U << 27) - 1}; }
-    [[nodiscard]] bool isNone() const { return affected == 0; }
-    /// A node was removed: all cells around it.
-    void addNode(int node);
-    /// The border was moved on the lattice edge from a node to the next one on `axis`: the four cells around that.
-    void addEdge(int node, int axis);
-    void add(const ChangedBrick& other) { affected |= other.affected; }
-
-    /// Calls `visit(i)` for the bricks that are affected, by their numbers as neighbours.
-    template <class Visit>
-    void forEachAffected(const Visit& visit) const {
-        for (std::uint32_t left = affected; left != 0; left &= left - 1) visit(std::countr_zero(left));
-    }
-};
-
-/// One entry a brick that covers all changes of it, in ascending order of their keys; bricks without one are left out.
-[[nodiscard]] std::vector<ChangedBrick> merged(std::vector<ChangedBrick> changes);
-
-struct CarveResult {
-    MaterialVolumes removed{};
-    std::vector<ChangedBrick> changed;  ///< in ascending order of their keys
-};
-
-/// What a move of the bur would remove from one brick, and what the cut field would become.
-struct BrickRemoval {
-    struct Sample {
-        std::uint16_t node;  ///< nodeIndex
-        float distance;      ///< of the cut field, mm
-        OctahedralNormal normal;
-    };
-    BrickKey key{};
-    MaterialVolumes volumes{};
-    std::vector<Sample> lowered;
-};
-
-/// What a move of the bur would remove, with all that is needed to remove it.
-struct PlannedRemoval {
-    MaterialVolumes volumes{};
-    std::vector<BrickRemoval> where;  ///< in ascending order of the keys
-    std::vector<SweepStep> steps;
-    double clearance = 0;          ///< that it was asked with, mm
-    std::uint64_t afterCarve = 0;  ///< it holds until the next one
-};
-
-/// Pieces that burs have cut off all around and that are no longer there.
-struct DetachedPieces {
-    std::vector<double> volumes;  ///< of each, mm^3, to a voxel or so at its surface
-    CarveResult carve;            ///< what went with them
-};
 
 /// How much wider than the bur the cut is by default, in voxels: room for the chords of the extracted surface, so that
 /// a bur at rest in its own cut does not touch it. A flat bur of 1 mm that mills a slot at 50 um: none is left in its

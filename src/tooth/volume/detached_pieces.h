@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tooth/model/layered_tooth.h"
+#include "tooth/volume/brick_map.h"
 #include "tooth/volume/node_set.h"
 
 namespace tactooth {

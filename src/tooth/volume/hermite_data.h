@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
-#include "tooth/volume/cut_volume.h"
+#include "tooth/sweep/swept_envelope.h"
+#include "tooth/volume/brick_map.h"
+#include "tooth/volume/changed_brick.h"
 
 namespace tactooth {
 

@@ -5,7 +5,8 @@
 #include <bitset>
 #include <map>
 
-#include "tooth/volume/brick_map.h"
+#include "tooth/volume/brick.h"
+#include "tooth/volume/brick_key.h"
 
 namespace tactooth {
 

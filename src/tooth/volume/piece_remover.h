@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "tooth/volume/cut_volume.h"
+#include "tooth/volume/brick_map.h"
+#include "tooth/volume/material_volumes.h"
 #include "tooth/volume/node_set.h"
 
 namespace tactooth {

@@ -47,57 +47,6 @@ MaterialVolumes carvePath(CutVolume& volume, const RevolutionEnvelope& bur, int 
     return removed;
 }
 
-/// The bricks that have a node from `low` to `high`, places beside a brick's first node, as bits of
-/// BrickKey::neighbour.
-std::uint32_t bricksWithNodes(const std::array<int, 3>& low, const std::array<int, 3>& high) {
-    std::uint32_t bricks = 0;
-    for (int x = low[0]; x <= high[0]; ++x) {
-        for (int y = low[1]; y <= high[1]; ++y) {
-            for (int z = low[2]; z <= high[2]; ++z) {
-                const BrickKey key = LatticeNode({x, y, z}).key;
-                bricks |= 1U << (13 + key.x + 3 * key.y + 9 * key.z);
-            }
-        }
-    }
-    return bricks;
-}
-
-TEST(ChangedBrick, ConcernsTheBricksWithANodeInACellAroundWhatHasChanged) {
-    for (int node = 0; node < kBrickNodes; ++node) {
-        std::array<int, 3> before, after;
-        for (int axis = 0; axis < 3; ++axis) {
-            before[axis] = placeOf(node)[axis] - 1;
-            after[axis] = placeOf(node)[axis] + 1;
-        }
-        ChangedBrick removed{{}};
-        removed.addNode(node);
-        ASSERT_EQ(removed.affected, bricksWithNodes(before, after)) << node;
-        for (int axis = 0; axis < 3; ++axis) {
-            std::array<int, 3> first = before;
-            ++first[axis];  // no cell around an edge begins before it does
-            ChangedBrick moved{{}};
-            moved.addEdge(node, axis);
-            ASSERT_EQ(moved.affected, bricksWithNodes(first, after)) << node << " on axis " << axis;
-        }
-    }
-}
-
-TEST(ChangedBrick, TellsOfEachBrickOnce) {
-    const BrickKey key{4, -2, 7};
-    ChangedBrick changed{key};
-    EXPECT_TRUE(changed.isNone());
-    changed.addNode(nodeIndex(0, 3, 3));
-    changed.addNode(nodeIndex(3, 7, 3));
-    changed.addNode(nodeIndex(0, 3, 3));
-    std::vector<BrickKey> affected;
-    changed.forEachAffected([&](int i) { affected.push_back(key.neighbour(i)); });
-    EXPECT_EQ(affected, (std::vector<BrickKey>{key.moved(-1, 0, 0), key, key.moved(0, 1, 0)}));  // and none at an angle
-
-    std::size_t all = 0;
-    ChangedBrick::all(key).forEachAffected([&](int) { ++all; });
-    EXPECT_EQ(all, 27U);
-}
-
 TEST(CutVolume, StraightHoleByAFlatBur) {
     CutVolume volume(block(), kVoxel);
     const auto removed = volume.carve(flatBur(0.6), at(0.01, 0.02, 0.5), at(0.01, 0.02, -1.5), 0).removed;
