@@ -6,11 +6,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
 #include <vector>
+
+#include "geometry/util/assert.h"
 
 namespace tactooth {
 
@@ -38,6 +41,7 @@ public:
         bytes_.insert(bytes_.end(), raw.begin(), raw.end());
     }
     void putText(std::string_view text) {
+        TACTOOTH_ASSERT(text.size() <= std::numeric_limits<std::uint32_t>::max());
         put(static_cast<std::uint32_t>(text.size()));
         putAll(std::span(text.data(), text.size()));
     }
@@ -81,6 +85,7 @@ public:
         if (!ok_) return {};
         const auto part = bytes_.subspan(at_, count);
         at_ += count;
+        TACTOOTH_ASSERT(at_ <= bytes_.size());
         return part;
     }
 

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "geometry/util/assert.h"
 #include "tooth/file/mesh_components.h"
 
 namespace tactooth {
@@ -16,6 +17,7 @@ struct NodesAround {
 };
 
 NodesAround nodesAround(const BrickMap& bricks, const Lattice& lattice, const Vec3& point) {
+    TACTOOTH_ASSERT(point.allFinite());
     const Vec3 first = ((point - lattice.node(0, 0, 0)) / lattice.spacing()).array().floor();
     NodesAround around;
     for (int corner = 0; corner < 8; ++corner) {
@@ -36,6 +38,7 @@ NodesAround nodesAround(const BrickMap& bricks, const Lattice& lattice, const Ve
 }  // namespace
 
 NodeSets nodesBesideDebris(const Surface& surface, const BrickMap& bricks, const Lattice& lattice) {
+    TACTOOTH_ASSERT(surface.base != nullptr);
     MeshComponents bits(visibleMesh(surface).mesh);
     const std::vector<Vec3f>& points = bits.points();
     std::vector<bool> isAttached(points.size());  // by the first point of each bit: the lowest number

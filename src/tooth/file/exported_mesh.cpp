@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "geometry/mesh/append_subset.h"
+#include "geometry/util/assert.h"
 #include "tooth/file/mesh_components.h"
 
 namespace tactooth {
@@ -37,6 +38,7 @@ std::vector<Bit> measured(const TriangleMesh& mesh, MeshComponents& bits, std::s
     std::vector<Bit> result(bits.points().size());
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         const std::uint32_t number = bits.ofVertex(mesh.triangles[t][0]);
+        TACTOOTH_ASSERT(number < result.size());
         result[number].volume += volumeBelow(mesh, mesh.triangles[t], bits.points()[number]);
         result[number].isCut = result[number].isCut || t >= ofBase;
     }
@@ -46,7 +48,10 @@ std::vector<Bit> measured(const TriangleMesh& mesh, MeshComponents& bits, std::s
 }  // namespace
 
 TaggedMesh exportedMesh(const Surface& surface, double voxel) {
+    TACTOOTH_ASSERT(surface.base != nullptr);
+    TACTOOTH_ASSERT(std::isfinite(voxel) && voxel > 0);
     TaggedMesh whole = visibleToothMesh(surface);
+    TACTOOTH_ASSERT(whole.tags.size() == whole.mesh.triangles.size());
     if (surface.patches.empty()) return whole;
     MeshComponents bits(whole.mesh);
     const std::vector<Bit> all = measured(whole.mesh, bits, countOfBase(surface));
@@ -58,6 +63,7 @@ TaggedMesh exportedMesh(const Surface& surface, double voxel) {
         result.tags.push_back(whole.tags[t]);
         return true;
     });
+    TACTOOTH_ASSERT(result.tags.size() == result.mesh.triangles.size());
     return result;
 }
 

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <type_traits>
 
+#include "geometry/util/assert.h"
 #include "tooth/file/byte_stream.h"
 
 namespace tactooth {
@@ -23,6 +25,8 @@ constexpr std::size_t kMaxLayers = 2000;  // of a case: 200 bodies of a few laye
 constexpr std::size_t kMaxNotes = 10'000;
 
 void putMesh(ByteWriter& out, const TriangleMesh& mesh) {
+    TACTOOTH_ASSERT(mesh.vertices.size() <= std::numeric_limits<std::uint32_t>::max());
+    TACTOOTH_ASSERT(mesh.triangles.size() <= std::numeric_limits<std::uint32_t>::max());
     out.put(static_cast<std::uint32_t>(mesh.vertices.size()));
     out.put(static_cast<std::uint32_t>(mesh.triangles.size()));
     for (const Vec3f& vertex : mesh.vertices) {
@@ -47,6 +51,7 @@ void putField(ByteWriter& out, const std::array<Value, kBrickNodes>& values, con
 }
 
 void putBrick(ByteWriter& out, const BrickKey& key, const CutField& field, const CutField& untouched) {
+    TACTOOTH_ASSERT(key.isInRange());
     for (const int place : {key.x, key.y, key.z}) out.put(std::int32_t{place});
     putField(out, field.cut, untouched.cut[0]);
     putField(out, field.cutNormal, untouched.cutNormal[0]);
@@ -239,7 +244,10 @@ std::vector<std::byte> savedToothBytes(const CutVolume& volume, const MaterialVo
     out.put(tooth.toothContext().firstAdjacent);
 
     out.put(volume.lattice().spacing());
-    for (const double gone : removed) out.put(gone);
+    for (const double gone : removed) {
+        TACTOOTH_ASSERT(std::isfinite(gone) && gone >= 0);
+        out.put(gone);
+    }
     const std::vector<BrickKey> keys = volume.cutBricks();
     out.put(static_cast<std::uint64_t>(keys.size()));
     const CutField untouched = CutField::untouched(volume.lattice().spacing());

@@ -60,6 +60,10 @@ public:
     /// The material at a point inside the tooth, mm. A point in a gap between layers belongs to the nearest one.
     [[nodiscard]] MaterialId materialAt(const Vec3& point) const;
 
+    /// Asserts all that a tooth promises: closed surfaces with their normals outward, one tag a triangle, names that
+    /// occur once, layers in rising order of their materials. Time in proportion to its triangles.
+    void validate() const;
+
 private:
     LayeredTooth() = default;
     [[nodiscard]] std::vector<SurfaceTag> tagsOf(const TriangleMesh& outer) const;

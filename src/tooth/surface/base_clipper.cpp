@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tooth/surface/base_clipper.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "geometry/util/assert.h"
 #include "geometry/util/index_bitset.h"
 #include "geometry/util/parallel_for.h"
 #include "tooth/surface/margin_clipper.h"
@@ -19,6 +21,7 @@ struct LocalVertices {
     LocalVertices(const TriangleMesh& mesh, const std::vector<std::uint32_t>& triangles) : corners(triangles.size()) {
         IndexBitset used(mesh.vertices.size());
         for (const std::uint32_t triangle : triangles) {
+            TACTOOTH_ASSERT(triangle < mesh.triangles.size());
             for (const std::uint32_t vertex : mesh.triangles[triangle]) used.add(vertex);
         }
         global = used.sorted();
@@ -58,6 +61,8 @@ void clip(const TriangleMesh& mesh, std::uint32_t t, const std::vector<ClipSegme
     }
     remains.hidden = true;
     for (const Triangle& piece : clipped->triangles) {
+        TACTOOTH_ASSERT(
+            std::ranges::all_of(piece, [&](std::uint32_t point) { return point < clipped->points.size(); }));
         remains.pieces.emplace_back();
         for (int c = 0; c < 3; ++c) remains.pieces.back()[c] = clipped->points[piece[c]].cast<float>();
     }
@@ -67,13 +72,19 @@ void clip(const TriangleMesh& mesh, std::uint32_t t, const std::vector<ClipSegme
 
 std::vector<ClippedBaseTriangle> clipBase(const CutVolume& volume, const std::vector<std::uint32_t>& triangles,
                                           const std::vector<std::vector<ClipSegment>>& segments) {
+    TACTOOTH_ASSERT(segments.size() == triangles.size());
     const TriangleMesh& mesh = volume.tooth()->outer()->mesh();
     const LocalVertices vertices(mesh, triangles);
     VertexGroups groups = groupVertices(volume, vertices, segments);
     std::vector<ClippedBaseTriangle> results(triangles.size());
     std::vector<std::array<bool, 3>> keepsCorner(triangles.size());
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-        for (int c = 0; c < 3; ++c) keepsCorner[i][c] = *groups.isKept(vertices.corners[i][c]);
+        for (int c = 0; c < 3; ++c) {
+            TACTOOTH_ASSERT(groups.isKept(vertices.corners[i][c]).has_value());
+            keepsCorner[i][c] = *groups.isKept(vertices.corners[i][c]);
+        }
+        TACTOOTH_ASSERT(!segments[i].empty() ||
+                        (keepsCorner[i][0] == keepsCorner[i][1] && keepsCorner[i][1] == keepsCorner[i][2]));
         results[i].hidden = !keepsCorner[i][0];
     }
     parallelFor(triangles.size(), [&](std::size_t i) {

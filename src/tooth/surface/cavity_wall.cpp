@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tooth/surface/cavity_wall.h"
 
+#include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "collision/narrow/lane_flags.h"
+#include "geometry/util/assert.h"
 #include "tooth/surface/wall_loops.h"
 #include "tooth/surface/wall_polygons.h"
 
@@ -42,11 +45,13 @@ public:
         wall_.tags.resize(count);
         std::size_t next = 0;
         for (const WallLoops::Fan& fan : fans) {
+            TACTOOTH_ASSERT(fan.polygon >= next && fan.polygon < polygons.size());
             addQuads(polygons.subspan(next, fan.polygon - next));
             addFan(fan, polygons[fan.polygon].tag);
             next = fan.polygon + 1;
         }
         addQuads(polygons.subspan(next));
+        TACTOOTH_ASSERT(triangleCount_ == count);
     }
 
     /// What is known of those polygons alone that may cross the tooth's surface.
@@ -68,10 +73,13 @@ public:
                 wall_.faceIds.push_back(id + static_cast<std::uint64_t>(t));
             }
         }
+        TACTOOTH_ASSERT(fan == fans.end());
+        TACTOOTH_ASSERT(wall_.places.size() == count && wall_.faceIds.size() == count);
         addSides(vertexAt);
     }
 
     CavityWall take() {
+        TACTOOTH_ASSERT(!wall_.mesh.vertices.empty());
         wall_.mesh.vertices.pop_back();
         return std::move(wall_);
     }
@@ -80,6 +88,7 @@ private:
     /// A number that this node of the lattice alone has, with room for 16 kinds of things that belong to it.
     [[nodiscard]] std::uint64_t numberOf(int node, int kind) const {
         constexpr std::uint64_t kMask = (1U << 20) - 1;
+        TACTOOTH_ASSERT(kind >= 0 && kind < 16);
         const auto coordinate = [](int brick, int local) {
             return static_cast<std::uint64_t>(kBrickSide * brick + local + (1 << 19)) & kMask;
         };
@@ -134,6 +143,7 @@ private:
     }
     /// Which of eight are to be folded from their second corner to the fourth: one bit each.
     [[nodiscard]] unsigned foldsOf(std::span<const WallPolygon> eight) const {
+        TACTOOTH_ASSERT(!eight.empty() && eight.size() <= 8);
         std::array<Vec3x8, 4> corners;
         for (int i = 0; i < 4; ++i) {
             std::array<const float*, 8> points;
@@ -148,11 +158,14 @@ private:
         return lessEqual(one8(), isLess(bendsAlong(b, c, d, a), bendsAlong(a, b, c, d)));
     }
     void addFan(const WallLoops::Fan& fan, SurfaceTag tag) {
+        TACTOOTH_ASSERT(fan.size > 4 && fan.size <= static_cast<int>(fan.corners.size()));
         for (int i = 1; i + 1 < fan.size; ++i) {
             addTriangle({fan.corners[0], fan.corners[i], fan.corners[i + 1]}, tag);
         }
     }
     void addTriangle(const Triangle& triangle, SurfaceTag tag) {
+        TACTOOTH_ASSERT(triangleCount_ < wall_.mesh.triangles.size());
+        TACTOOTH_ASSERT(std::max({triangle[0], triangle[1], triangle[2]}) + 1 < wall_.mesh.vertices.size());
         wall_.mesh.triangles[triangleCount_] = triangle;
         wall_.tags[triangleCount_++] = tag;
     }
@@ -172,6 +185,7 @@ CavityWall extractWall(const BrickNeighbourhood& nodes, const Lattice& lattice, 
     const std::span<WallPolygon> polygons = found.polygons();
     const std::span<const std::uint16_t> cells = found.cells();
     if (polygons.empty()) return {};
+    TACTOOTH_ASSERT(cells.size() >= 4);  // a polygon has four corners
     const NodePoints points(lattice, key);
     const WallVertices ofCells(nodes, cells);
     WallBuilder wall(nodes, points, key);
@@ -189,6 +203,28 @@ CavityWall extractWall(const BrickNeighbourhood& nodes, const Lattice& lattice, 
         build(loops.vertices().size(), loops.fans(), [&](std::size_t i) { return loops.vertices()[i]; });
     }
     return wall.take();
+}
+
+void CavityWall::validate() const {
+    TACTOOTH_ASSERT(tags.size() == mesh.triangles.size());
+    for (const Vec3f& vertex : mesh.vertices) TACTOOTH_ASSERT(vertex.allFinite());
+    for (const Triangle& triangle : mesh.triangles) {
+        for (const std::uint32_t corner : triangle) TACTOOTH_ASSERT(corner < mesh.vertices.size());
+    }
+    TACTOOTH_ASSERT(places.empty() || places.size() == mesh.triangles.size());
+    TACTOOTH_ASSERT(faceIds.size() == places.size());
+    TACTOOTH_ASSERT(sides.size() == vertexIds.size());
+    TACTOOTH_ASSERT(places.empty() ? sides.empty() : sides.size() == mesh.vertices.size());
+    TACTOOTH_ASSERT(std::set(faceIds.begin(), faceIds.end()).size() == faceIds.size());
+    std::set<std::uint32_t> atSurface;
+    for (std::size_t t = 0; t < places.size(); ++t) {
+        if (places[t] == Place::AtSurface) atSurface.insert(mesh.triangles[t].begin(), mesh.triangles[t].end());
+    }
+    std::set<std::uint64_t> ids;
+    for (const std::uint32_t vertex : atSurface) {
+        TACTOOTH_ASSERT(ids.insert(vertexIds[vertex]).second);
+        TACTOOTH_ASSERT(sides[vertex] >= -1 && sides[vertex] <= 1);
+    }
 }
 
 }  // namespace tactooth

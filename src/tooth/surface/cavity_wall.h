@@ -28,6 +28,10 @@ struct CavityWall {
     std::vector<std::uint64_t> vertexIds;
     /// ... and -1 where it is surely inside the tooth, 1 surely outside, 0 not known. 0 for all other vertices.
     std::vector<std::int8_t> sides;
+
+    /// Asserts that the lists have one entry each, that corners are vertices of the wall and that the numbers of its
+    /// triangles and of the vertices at the tooth's surface occur once. Time in proportion to the wall.
+    void validate() const;
 };
 
 /// Extracts the wall of the brick `key` from the fields of it and its neighbours.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "collision/narrow/lane_flags.h"
+#include "geometry/util/assert.h"
 
 // The quadric of T. Ju, F. Losasso, S. Schaefer, J. Warren, "Dual Contouring of Hermite Data", SIGGRAPH 2002, section
 // 2.3. Differs from the paper: a cell whose planes agree, as most do, needs no eigenvalues; and the vertex is kept in a
@@ -73,6 +74,8 @@ CellQef8::Flat CellQef8::flat() const {
 }
 
 Vec3f CellQef8::nearestPoint(int lane, const Box3& room) const {
+    TACTOOTH_ASSERT(lane >= 0 && lane < 8);
+    TACTOOTH_ASSERT(!room.isEmpty());
     const auto of = [lane](const Vec3x8& vectors) {
         float lanes[3][8];
         vectors.store(lanes);
@@ -95,6 +98,7 @@ Vec3f CellQef8::nearestPoint(int lane, const Box3& room) const {
         free[worst] = 0;
         offset = quadric.nearestOffset(held, free);
     }
+    TACTOOTH_ASSERT(centre.allFinite() && offset.allFinite());
     return clamped(centre + offset, room).cast<float>();
 }
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstdint>
 
+#include "geometry/util/assert.h"
+
 namespace tactooth {
 
 /// How the border of a region passes through a cell of eight corners, by which of them are inside. Corner number =
@@ -21,9 +23,14 @@ struct CellLoops {
     bool hasAmbiguousFace;  ///< with two inside corners at opposite ends
 };
 
-[[nodiscard]] constexpr int cellEdge(int axis, int u, int v) { return 4 * axis + u + 2 * v; }
+[[nodiscard]] constexpr int cellEdge(int axis, int u, int v) {
+    TACTOOTH_ASSERT(axis >= 0 && axis < 3);
+    TACTOOTH_ASSERT((u == 0 || u == 1) && (v == 0 || v == 1));
+    return 4 * axis + u + 2 * v;
+}
 /// First and second corner of an edge, along its axis.
 [[nodiscard]] constexpr std::array<int, 2> cellEdgeCorners(int edge) {
+    TACTOOTH_ASSERT(edge >= 0 && edge < 12);
     const int axis = edge / 4;
     const int first = (edge & 1) << ((axis + 1) % 3) | (edge >> 1 & 1) << ((axis + 2) % 3);
     return {first, first | 1 << axis};
@@ -40,6 +47,7 @@ constexpr bool crossesBoundary(int inside, int edge) {
 constexpr void join(CellLoops& loops, int first, int second) {
     const std::int8_t from = loops.loopOfEdge[first];
     const std::int8_t to = loops.loopOfEdge[second];
+    TACTOOTH_ASSERT(from >= 0 && to >= 0);
     for (std::int8_t& loop : loops.loopOfEdge) {
         if (loop == from) loop = to;
     }
@@ -78,6 +86,7 @@ constexpr CellLoops loopsOf(int inside) {
     for (std::int8_t& loop : loops.loopOfEdge) {
         if (loop < 0) continue;
         if (renumbered[loop] < 0) renumbered[loop] = loops.count++;
+        TACTOOTH_ASSERT(loops.count <= 4);
         loop = renumbered[loop];
     }
     for (int edge = 0; edge < 12; ++edge) {

@@ -6,6 +6,9 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/mesh/mesh_edges.h"
+#include "geometry/mesh/vertex_welder.h"
+#include "geometry/util/assert.h"
 #include "geometry/util/index_bitset.h"
 #include "geometry/util/parallel_for.h"
 #include "tooth/surface/base_clipper.h"
@@ -45,8 +48,21 @@ double sixfoldAdjacent(const SurfacePart& part) {
     return sum;
 }
 
+/// Whether each edge is run through as often in one direction as in the other, where equal points are one vertex.
+bool isClosed(TriangleMesh mesh) {
+    std::vector<std::uint32_t> pointOf(mesh.vertices.size());
+    VertexWelder welder(mesh.vertices.size());
+    welder.addAll(mesh.vertices, pointOf.data());
+    for (Triangle& triangle : mesh.triangles) {
+        for (std::uint32_t& corner : triangle) corner = pointOf[corner];
+    }
+    mesh.vertices = welder.takeVertices();
+    return edgeBalance(mesh).closed();
+}
+
 /// The next whole number down, of one that an int holds.
 int roundedDown(float value) {
+    TACTOOTH_ASSERT(std::abs(value) < 1e6F);
     const int whole = static_cast<int>(value);
     return whole - static_cast<int>(value < static_cast<float>(whole));
 }
@@ -84,6 +100,8 @@ void IncrementalSurface::reset() {
 }
 
 void IncrementalSurface::update(const CutVolume& volume, const std::vector<ChangedBrick>& changed) {
+    TACTOOTH_ASSERT(volume.tooth()->outer() == base_);
+    TACTOOTH_ASSERT(volume.lattice().spacing() == lattice_.spacing());
     if (changed.empty()) return;
     onlyGrows_ = std::exchange(undosSeen_, volume.undos()) == volume.undos();
     if (!onlyGrows_) {  // what was passed may be met again
@@ -137,6 +155,7 @@ void IncrementalSurface::extract(const CutVolume& volume, const BrickKey& key, C
 }
 
 IncrementalSurface::TriangleBounds IncrementalSurface::boxed(std::uint32_t triangle) const {
+    TACTOOTH_ASSERT(triangle < base_->mesh().triangles.size());
     const auto& [a, b, c] = base_->mesh().triangles[triangle];
     const auto& vertices = base_->mesh().vertices;
     return {triangle, vertices[a].cwiseMin(vertices[b]).cwiseMin(vertices[c]),
@@ -183,12 +202,16 @@ std::vector<std::uint32_t> IncrementalSurface::affectedBase(const std::vector<Ce
 
 void IncrementalSurface::countMargin(const std::vector<Cell*>& cells, std::uint32_t step) {
     for (const Cell* cell : cells) {
-        for (const MarginSegment& piece : cell->margin) marginSegments_[piece.base] += step;
+        for (const MarginSegment& piece : cell->margin) {
+            TACTOOTH_ASSERT(step == 1 || marginSegments_[piece.base] > 0);
+            marginSegments_[piece.base] += step;
+        }
     }
 }
 
 std::vector<const MarginSegment*> IncrementalSurface::marginOf(std::uint32_t triangle) const {
     std::vector<const MarginSegment*> pieces;
+    TACTOOTH_ASSERT(triangle < marginSegments_.size());
     if (marginSegments_[triangle] == 0) return pieces;
     const Box3 box = grown(triangleBox(base_->mesh(), triangle), kWallReach * lattice_.spacing());
     for (const BrickKey& key : lattice_.bricksTouching(box)) {
@@ -199,6 +222,7 @@ std::vector<const MarginSegment*> IncrementalSurface::marginOf(std::uint32_t tri
                                       [](const MarginSegment& a, std::uint32_t t) { return a.base < t; });
         for (; piece != margin.end() && piece->base == triangle; ++piece) pieces.push_back(&*piece);
     }
+    TACTOOTH_ASSERT(pieces.size() == marginSegments_[triangle]);
     return pieces;
 }
 
@@ -221,9 +245,11 @@ bool IncrementalSurface::setRemains(const BrickKey& home, std::uint32_t triangle
 void IncrementalSurface::storeBase(const std::vector<std::uint32_t>& triangles,
                                    std::vector<ClippedBaseTriangle> results, std::vector<BrickKey>& dirty) {
     const TriangleMesh& mesh = base_->mesh();
+    TACTOOTH_ASSERT(results.size() == triangles.size());
     if (hidden_.empty()) hidden_.assign((mesh.triangles.size() + 63) / 64, 0);
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const std::uint32_t t = triangles[i];
+        TACTOOTH_ASSERT(results[i].hidden || results[i].pieces.empty());
         const std::uint64_t bit = std::uint64_t{1} << (t % 64);
         if (base_->isAdjacent(t) && results[i].hidden != isHidden(hidden_, t))
             sixfoldAdjacent_ += (results[i].hidden ? -1 : 1) * sixfoldOf(mesh, t);
@@ -259,14 +285,17 @@ std::shared_ptr<const SurfacePart> IncrementalSurface::patchOf(const Cell& cell)
             tags.push_back(base_->tag(triangle));
         }
     }
+    TACTOOTH_ASSERT(tags.size() == mesh.triangles.size());
     return patchPart(std::move(patch), cell.bodies, *base_);
 }
 
 void IncrementalSurface::setPatch(const BrickKey& key, std::shared_ptr<const SurfacePart> patch) {
+    TACTOOTH_ASSERT(patchKeys_.size() == patches_.size());
     const auto place = std::lower_bound(patchKeys_.begin(), patchKeys_.end(), key);
     const auto part = patches_.begin() + (place - patchKeys_.begin());
     const bool isKnown = place != patchKeys_.end() && *place == key;
     if (isKnown && isPartlyAdjacent(**part)) --adjacentPatches_, sixfoldAdjacent_ -= sixfoldAdjacent(**part);
+    TACTOOTH_ASSERT(adjacentPatches_ <= patches_.size());
     if (patch && isPartlyAdjacent(*patch)) ++adjacentPatches_, sixfoldAdjacent_ += sixfoldAdjacent(*patch);
     if (patch && isKnown) {
         *part = std::move(patch);
@@ -292,6 +321,61 @@ void IncrementalSurface::publish(const std::vector<BrickKey>& dirty) {
 
 double IncrementalSurface::lostAdjacent() const {
     return adjacentPatches_ > 0 ? std::max(0.0, -sixfoldAdjacent_ / 6) : 0;
+}
+
+void IncrementalSurface::validateCell(const BrickKey& key, const Cell& cell) const {
+    TACTOOTH_ASSERT(key.isInRange());
+    TACTOOTH_ASSERT(std::ranges::is_sorted(cell.margin, [](const MarginSegment& a, const MarginSegment& b) {
+        return a.base != b.base ? a.base < b.base : a.wall < b.wall;
+    }));
+    TACTOOTH_ASSERT(cell.wall.tags.size() == cell.wall.mesh.triangles.size());
+    for (const Triangle& triangle : cell.wall.mesh.triangles) {
+        for (const std::uint32_t corner : triangle) TACTOOTH_ASSERT(corner < cell.wall.mesh.vertices.size());
+    }
+    std::size_t triangles = cell.wall.mesh.triangles.size();
+    for (const auto& [triangle, remains] : cell.remains) {
+        TACTOOTH_ASSERT(!remains.empty());
+        TACTOOTH_ASSERT(isHidden(hidden_, triangle));
+        triangles += remains.size();
+    }
+    const auto place = std::ranges::lower_bound(patchKeys_, key);
+    const bool hasPatch = place != patchKeys_.end() && *place == key;
+    TACTOOTH_ASSERT(hasPatch == (triangles > 0));
+    if (!hasPatch) return;
+    const SurfacePart& patch = *patches_[static_cast<std::size_t>(place - patchKeys_.begin())];
+    TACTOOTH_ASSERT(patch.mesh().triangles.size() == triangles);
+}
+
+void IncrementalSurface::validateMask() const {
+    const std::size_t count = base_->mesh().triangles.size();
+    TACTOOTH_ASSERT(hidden_.empty() || hidden_.size() == (count + 63) / 64);
+    for (std::size_t t = count; t < 64 * hidden_.size(); ++t)
+        TACTOOTH_ASSERT(!isHidden(hidden_, static_cast<std::uint32_t>(t)));
+    TACTOOTH_ASSERT(snapshot_->hidden == nullptr ? hidden_.empty() : *snapshot_->hidden == hidden_);
+    TACTOOTH_ASSERT((snapshot_->hidden == nullptr) == (snapshot_->maskedTree == nullptr));
+}
+
+void IncrementalSurface::validate() const {
+    TACTOOTH_ASSERT(patchKeys_.size() == patches_.size());
+    TACTOOTH_ASSERT(std::ranges::is_sorted(patchKeys_));
+    TACTOOTH_ASSERT(std::ranges::adjacent_find(patchKeys_) == patchKeys_.end());
+    std::vector<std::uint32_t> segments(marginSegments_.size());
+    for (const auto& [key, cell] : cells_) {
+        validateCell(key, cell);
+        for (const MarginSegment& piece : cell.margin) ++segments[piece.base];
+    }
+    TACTOOTH_ASSERT(segments == marginSegments_);
+    for (const BrickKey& key : patchKeys_) TACTOOTH_ASSERT(cells_.contains(key));
+    std::size_t adjacent = 0;
+    for (const auto& patch : patches_) {
+        TACTOOTH_ASSERT(patch != nullptr);
+        adjacent += isPartlyAdjacent(*patch) ? 1 : 0;
+    }
+    TACTOOTH_ASSERT(adjacent == adjacentPatches_);
+    validateMask();
+    TACTOOTH_ASSERT(snapshot_->base == base_);
+    TACTOOTH_ASSERT(snapshot_->patches == patches_);
+    if (failures_ == 0) TACTOOTH_ASSERT(isClosed(visibleMesh(*snapshot_).mesh));
 }
 
 }  // namespace tactooth

@@ -39,6 +39,11 @@ public:
     /// itself. Each leaves a gap or an overlap of its own size.
     [[nodiscard]] std::size_t failures() const { return failures_; }
 
+    /// Asserts that the mask, the patches and the counts agree with what is kept for each brick, that the snapshot
+    /// shows them, and, while `failures` is 0, that the surface is closed: both sides of each rim run along the same
+    /// edges. For tests: time in proportion to the surface, and more for its edges.
+    void validate() const;
+
 private:
     using Remains = std::vector<std::array<Vec3f, 3>>;  ///< of one triangle of the tooth's surface
     struct TriangleBounds {
@@ -73,6 +78,8 @@ private:
     [[nodiscard]] std::shared_ptr<const SurfacePart> patchOf(const Cell& cell) const;
     void setPatch(const BrickKey& key, std::shared_ptr<const SurfacePart> patch);
     void publish(const std::vector<BrickKey>& dirty);
+    void validateCell(const BrickKey& key, const Cell& cell) const;
+    void validateMask() const;
 
     std::shared_ptr<const SurfacePart> base_;
     Lattice lattice_;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "geometry/util/assert.h"
+
 // The filter of exact_sign.cpp (J. R. Shewchuk 1997) in single precision. Corners of a tooth's triangles lie so close
 // together that their differences lose next to nothing, and nearly all pairs that do not cross are told apart by it.
 
@@ -54,6 +56,7 @@ IntersectionFilter::IntersectionFilter(const TriangleMesh& mesh, std::span<const
         std::fill_n(&corner[0][0][0], 3 * 3 * 8, kAbsent);
         for (std::size_t lane = 0; lane < count; ++lane) {
             eight.triangle[lane] = triangles[first + lane];
+            TACTOOTH_ASSERT(eight.triangle[lane] < mesh.triangles.size());
             const Triangle& v = mesh.triangles[eight.triangle[lane]];
             for (int c = 0; c < 3; ++c) {
                 for (int axis = 0; axis < 3; ++axis) corner[c][axis][lane] = mesh.vertices[v[c]][axis];

@@ -11,6 +11,7 @@
 
 #include "collision/narrow/simd8.h"
 #include "geometry/mesh/triangle_mesh.h"
+#include "geometry/util/assert.h"
 
 namespace tactooth {
 
@@ -26,6 +27,7 @@ public:
     /// do (`intersectionOf`), and few others.
     template <class Visit>
     void forCandidates(const std::array<Vec3f, 3>& corners, const Visit& visit) const {
+        TACTOOTH_ASSERT(corners[0].allFinite() && corners[1].allFinite() && corners[2].allFinite());
         const Vec3f low = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]);
         const Vec3f high = corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]);
         std::optional<Face> face;  // not needed by most

@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "collision/bvh/closest_point.h"
+#include "geometry/util/assert.h"
 #include "tooth/surface/intersection_filter.h"
 #include "tooth/surface/vertex_groups.h"
 
@@ -42,7 +43,10 @@ class WallClipper {
 public:
     WallClipper(const CavityWall& wall, const std::vector<MarginSegment>& margin, const SurfacePart& base)
         : wall_(wall), base_(base), linesBefore_(wall.mesh.triangles.size() + 1), groups_(wall.mesh.vertices.size()) {
-        for (const MarginSegment& piece : margin) ++linesBefore_[piece.wall + 1];
+        for (const MarginSegment& piece : margin) {
+            TACTOOTH_ASSERT(piece.wall < wall.mesh.triangles.size());
+            ++linesBefore_[piece.wall + 1];
+        }
         std::partial_sum(linesBefore_.begin(), linesBefore_.end(), linesBefore_.begin());
         lines_.resize(margin.size());
         std::vector<std::uint32_t> next(linesBefore_.begin(), linesBefore_.end() - 1);
@@ -74,6 +78,7 @@ private:
 
     /// The cut lines in a triangle; good until it is asked for those of another.
     const std::vector<ClipSegment>& linesIn(std::uint32_t t) {
+        TACTOOTH_ASSERT(t + 1 < linesBefore_.size());
         segments_.clear();
         for (std::uint32_t i = linesBefore_[t]; i < linesBefore_[t + 1]; ++i) {
             const auto& [base, wall, wallId, crossing] = *lines_[i];
@@ -141,6 +146,7 @@ private:
         for (const Triangle& triangle : clipped->triangles) {
             Triangle placed;
             for (int i = 0; i < 3; ++i) {
+                TACTOOTH_ASSERT(triangle[i] < clipped->points.size());
                 placed[i] =
                     triangle[i] < 3 ? patchVertexOf(v[triangle[i]]) : marginVertex(clipped->points[triangle[i]]);
             }
@@ -166,11 +172,15 @@ std::vector<MarginSegment> findMargin(const CavityWall& wall, const TriangleMesh
                                       std::span<const std::uint32_t> near) {
     std::vector<MarginSegment> margin;
     if (wall.places.empty()) return margin;
+    TACTOOTH_ASSERT(wall.places.size() == wall.mesh.triangles.size());
+    TACTOOTH_ASSERT(wall.faceIds.size() == wall.places.size());
+    TACTOOTH_ASSERT(wall.vertexIds.size() == wall.mesh.vertices.size());
     const IntersectionFilter filter(base, near);
     for (std::uint32_t w = 0; w < wall.places.size() && !filter.empty(); ++w) {
         if (wall.places[w] != CavityWall::Place::AtSurface) continue;
         const IntersectingFace face = wallFace(wall, w);
         filter.forCandidates(face.corner, [&](std::uint32_t t) {
+            TACTOOTH_ASSERT(t < base.triangles.size());
             if (const auto crossing = intersectionOf(baseFace(base, t), face)) {
                 margin.push_back({t, w, wall.faceIds[w], *crossing});
             }
@@ -183,6 +193,8 @@ std::vector<MarginSegment> findMargin(const CavityWall& wall, const TriangleMesh
 }
 
 WallPatch clipWall(CavityWall wall, const std::vector<MarginSegment>& margin, const SurfacePart& base) {
+    TACTOOTH_ASSERT(wall.tags.size() == wall.mesh.triangles.size());
+    TACTOOTH_ASSERT(!wall.places.empty() || margin.empty());
     const auto isInside = [](CavityWall::Place place) { return place == CavityWall::Place::Inside; };
     if (std::all_of(wall.places.begin(), wall.places.end(), isInside)) {
         return {std::move(wall.mesh), std::move(wall.tags), 0};
@@ -193,6 +205,8 @@ WallPatch clipWall(CavityWall wall, const std::vector<MarginSegment>& margin, co
 std::vector<ClipSegment> segmentsOnBase(const std::vector<const MarginSegment*>& pieces) {
     std::vector<ClipSegment> segments;
     for (const MarginSegment* piece : pieces) {
+        TACTOOTH_ASSERT(piece != nullptr);
+        TACTOOTH_ASSERT(piece->base == pieces.front()->base);
         segments.push_back({asSeenFrom(piece->crossing.start, true, piece->wallId),
                             asSeenFrom(piece->crossing.end, true, piece->wallId)});
     }
@@ -211,6 +225,7 @@ std::array<std::optional<EdgeEnds>, 3> endsOfEdges(const std::vector<ClipSegment
         crossings.clear();
         for (std::uint32_t i = 0; i < segments.size(); ++i) {
             const auto& [start, end] = segments[i];
+            TACTOOTH_ASSERT(start.edge >= -1 && start.edge < 3 && end.edge >= -1 && end.edge < 3);
             if (start.edge == edge) crossings.push_back({start.along, start.crossingFace, isForward[edge], i});
             if (end.edge == edge) crossings.push_back({end.along, end.crossingFace, !isForward[edge], i});
         }
@@ -218,6 +233,7 @@ std::array<std::optional<EdgeEnds>, 3> endsOfEdges(const std::vector<ClipSegment
         const int surplus = exitSurplus(crossings);
         if (surplus == 0) {
             std::sort(crossings.begin(), crossings.end(), [](const auto& a, const auto& b) { return a.liesBefore(b); });
+            TACTOOTH_ASSERT(crossings.size() >= 2);
             const bool isKept = crossings[0].leaves;
             const auto pointOf = [&](const EdgeCrossing& crossing) {
                 const auto& [start, end] = segments[crossing.segment];

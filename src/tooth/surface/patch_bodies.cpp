@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "collision/bvh/closest_point.h"
+#include "geometry/util/assert.h"
 
 namespace tactooth {
 namespace {
@@ -28,6 +29,7 @@ std::vector<bool> adjacentFlags(const TriangleMesh& mesh, const SurfacePart& bas
 }  // namespace
 
 BrickBodies bodiesIn(const SurfacePart& base, const std::vector<std::uint32_t>& near, const Vec3& middle) {
+    TACTOOTH_ASSERT(middle.allFinite());
     if (standsAlone(base)) return BrickBodies::Tooth;
     if (near.empty()) return isAdjacentAt(base, middle) ? BrickBodies::Adjacent : BrickBodies::Tooth;
     const auto isAdjacent = [&](std::uint32_t triangle) { return base.isAdjacent(triangle); };
@@ -47,6 +49,8 @@ std::shared_ptr<const SurfacePart> quickPart(TriangleMesh mesh, std::vector<Surf
 
 std::shared_ptr<const SurfacePart> patchPart(TaggedMesh patch, BrickBodies bodies, const SurfacePart& base) {
     auto& [mesh, tags] = patch;
+    TACTOOTH_ASSERT(!mesh.empty());
+    TACTOOTH_ASSERT(tags.size() == mesh.triangles.size());
     if (standsAlone(base) || bodies == BrickBodies::Tooth)
         return quickPart(std::move(mesh), std::move(tags), SurfacePart::kNoneAdjacent);
     if (bodies == BrickBodies::Adjacent) return quickPart(std::move(mesh), std::move(tags), 0);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "geometry/util/assert.h"
+
 // Ear clipping (G. Meisters, "Polygons Have Ears", 1975) after joining each hole to the outline by a bridge.
 
 namespace tactooth {
@@ -38,6 +40,8 @@ bool crossesLoop(const Points& points, const PolygonLoop& loop, std::uint32_t fr
 /// Position in the outline of the nearest corner that `from` sees past the outline and every hole.
 std::size_t nearestVisible(const Points& points, const PolygonLoop& outline, const std::vector<PolygonLoop>& holes,
                            std::uint32_t from) {
+    TACTOOTH_ASSERT(!outline.empty());
+    TACTOOTH_ASSERT(from < points.size());
     std::vector<std::size_t> order(outline.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
     const auto distance = [&](std::size_t i) { return (points[outline[i]] - points[from]).squaredNorm(); };
@@ -60,8 +64,10 @@ void bridgeHoles(const Points& points, PolygonLoop& outline, std::vector<Polygon
     });
     while (!holes.empty()) {
         PolygonLoop& hole = holes.back();
+        TACTOOTH_ASSERT(hole.size() >= 3);
         std::rotate(hole.begin(), hole.begin() + (rightmost(hole) - hole.begin()), hole.end());
         const std::size_t place = nearestVisible(points, outline, holes, hole.front());
+        TACTOOTH_ASSERT(place < outline.size());
         PolygonLoop bridge = hole;
         bridge.push_back(hole.front());
         bridge.push_back(outline[place]);
@@ -80,6 +86,7 @@ public:
         std::size_t place = 0;
         while (loop_.size() > 3) {
             place = nextEar(place);
+            TACTOOTH_ASSERT(place < loop_.size());
             triangles.push_back({before(place), loop_[place], after(place)});
             loop_.erase(loop_.begin() + static_cast<std::ptrdiff_t>(place));
             if (place >= loop_.size()) place = 0;
@@ -137,6 +144,7 @@ private:
 }  // namespace
 
 double doubledArea(const Points& points, const PolygonLoop& loop) {
+    TACTOOTH_ASSERT(loop.empty() || loop.front() < points.size());
     double area = 0;
     for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
         area += turn(points[loop[0]], points[loop[i]], points[loop[i + 1]]);
@@ -156,8 +164,12 @@ bool isWithin(const Points& points, const PolygonLoop& loop, const Eigen::Vector
 }
 
 std::vector<Triangle> triangulate(const Points& points, PolygonLoop outline, std::vector<PolygonLoop> holes) {
+    TACTOOTH_ASSERT(outline.size() >= 3);
     bridgeHoles(points, outline, std::move(holes));
-    return EarClipper(points, std::move(outline)).run();
+    const std::size_t corners = outline.size();
+    std::vector<Triangle> triangles = EarClipper(points, std::move(outline)).run();
+    TACTOOTH_ASSERT(triangles.size() + 2 == corners);
+    return triangles;
 }
 
 }  // namespace tactooth

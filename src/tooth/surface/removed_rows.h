@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 
+#include "geometry/util/assert.h"
 #include "tooth/volume/brick_neighbourhood.h"
 
 namespace tactooth {
@@ -28,6 +29,8 @@ public:
 
     /// How many of the nodes from `low` to `high`, all of them here, are removed.
     [[nodiscard]] Coverage coverage(const Place& low, const Place& high) const {
+        for (int axis = 0; axis < 3; ++axis)
+            TACTOOTH_ASSERT(low[axis] >= -1 && low[axis] <= high[axis] && high[axis] <= kBrickSide);
         const std::uint64_t row = ((std::uint64_t{1} << (high[0] - low[0] + 1)) - 1) << (low[0] + 1);
         const std::uint64_t four = row | row << kRow | row << 2 * kRow | row << 3 * kRow;
         bool some = false;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/util/assert.h"
 #include "geometry/util/exact_sign.h"
 
 // Simulation of simplicity (H. Edelsbrunner, E. Muecke, 1990), applied to the relative place of two surfaces, not to
@@ -54,9 +55,11 @@ bool passesThrough(const Vec3f& from, const Vec3f& to, const IntersectingFace& f
 /// Computed from the edge's lower end, so that every face on that edge gets the same bits. Within the box of the face
 /// that it lies on: rounding lifts no point off a face that is level.
 IntersectionPoint pointOn(const IntersectingFace& edgeFace, int edge, const IntersectingFace& face, bool onBaseEdge) {
+    TACTOOTH_ASSERT(edge >= 0 && edge < 3);
     int low = edge;
     int high = (edge + 1) % 3;
     if (edgeFace.id[low] > edgeFace.id[high]) std::swap(low, high);
+    TACTOOTH_ASSERT(edgeFace.id[low] < edgeFace.id[high]);
     const Vec3 a = edgeFace.corner[low].cast<double>();
     const Vec3 b = edgeFace.corner[high].cast<double>();
     const Vec3 origin = face.corner[0].cast<double>();
@@ -68,12 +71,15 @@ IntersectionPoint pointOn(const IntersectingFace& edgeFace, int edge, const Inte
     const Vec3f lowest = face.corner[0].cwiseMin(face.corner[1]).cwiseMin(face.corner[2]);
     const Vec3f highest = face.corner[0].cwiseMax(face.corner[1]).cwiseMax(face.corner[2]);
     const Vec3 point = (a + along * (b - a)).cwiseMax(lowest.cast<double>()).cwiseMin(highest.cast<double>());
+    TACTOOTH_ASSERT(point.allFinite());
+    TACTOOTH_ASSERT(along >= 0 && along <= 1);
     return {point, onBaseEdge, edge, along, {edgeFace.id[low], edgeFace.id[high]}};
 }
 
 }  // namespace
 
 std::optional<FaceIntersection> intersectionOf(const IntersectingFace& base, const IntersectingFace& wall) {
+    for (int i = 0; i < 3; ++i) TACTOOTH_ASSERT(base.corner[i].allFinite() && wall.corner[i].allFinite());
     const auto sidesOf = [](const IntersectingFace& face, const IntersectingFace& other, bool faceIsWall) {
         const ExactPlane plane(face.corner[0], face.corner[1], face.corner[2]);
         std::array<int, 3> side;

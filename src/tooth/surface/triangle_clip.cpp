@@ -8,6 +8,7 @@
 #include <memory_resource>
 #include <utility>
 
+#include "geometry/util/assert.h"
 #include "tooth/surface/polygon_triangulation.h"
 
 // As in J. Smith and N. Dodgson, "A topologically robust algorithm for Boolean operations on polyhedral shapes using
@@ -28,6 +29,7 @@ bool sortCrossings(std::span<EdgeCrossing> crossings, bool firstKept) {
     bool expected = surplus == 0 ? firstKept : surplus > 0;
     for (auto place = crossings.begin(); place != crossings.end(); ++place, expected = !expected) {
         const auto fitting = std::find_if(place, crossings.end(), [&](const auto& c) { return c.leaves == expected; });
+        TACTOOTH_ASSERT(fitting != crossings.end());
         std::rotate(place, fitting, fitting + 1);
     }
     return true;
@@ -43,6 +45,8 @@ public:
         result_.points.reserve(3 + 2 * segments.size());
         result_.points.assign(corners.begin(), corners.end());
         for (std::uint32_t i = 0; i < segments.size(); ++i) {
+            TACTOOTH_ASSERT(segments[i].start.edge < 3 && segments[i].end.edge < 3);
+            TACTOOTH_ASSERT(segments[i].start.position.allFinite() && segments[i].end.position.allFinite());
             lines_[i].startPoint = static_cast<std::uint32_t>(result_.points.size());
             result_.points.push_back(segments[i].start.position);
             if (segments[i].start.edge < 0) startingAt_.emplace_back(segments[i].start.key, i);
@@ -66,6 +70,7 @@ public:
         if (!traceClosedLines() || !assignHoles()) return std::nullopt;
         for (std::size_t i = 0; i < outlines_.size(); ++i) {
             if (outlines_[i].size() < 3) continue;
+            TACTOOTH_ASSERT(i < holesOf_.size());
             const auto triangles = triangulate(flat_, std::move(outlines_[i]), std::move(holesOf_[i]));
             result_.triangles.insert(result_.triangles.end(), triangles.begin(), triangles.end());
         }
@@ -113,6 +118,7 @@ private:
 
     /// To the piece that begins where `segment` ends; false if there is none.
     bool goOn(std::uint32_t& segment) const {
+        TACTOOTH_ASSERT(segment < segments_.size() && segments_[segment].end.edge < 0);
         const Key& key = segments_[segment].end.key;
         const auto beyond = std::upper_bound(startingAt_.begin(), startingAt_.end(), std::pair(key, kNoSegment));
         if (beyond == startingAt_.begin() || (beyond - 1)->first != key) return false;
@@ -139,6 +145,7 @@ private:
             std::uint32_t segment = stop.segment;
             do {
                 if (!followLine(segment, loop)) return false;
+                TACTOOTH_ASSERT(lines_[segment].endPoint >= 3 && lines_[segment].endStop < ring_.size());
                 loop.push_back(lines_[segment].endPoint);
                 std::size_t place = (lines_[segment].endStop + 1) % ring_.size();
                 for (; ring_[place].segment == kNoSegment; place = (place + 1) % ring_.size()) {
@@ -172,6 +179,7 @@ private:
         holesOf_.resize(outlines_.size());
         for (PolygonLoop& hole : holes_) {
             if (outlines_.empty()) return false;
+            TACTOOTH_ASSERT(hole.size() >= 3);
             std::size_t owner = 0;
             for (std::size_t i = 0; i < outlines_.size(); ++i) {
                 if (isWithin(flat_, outlines_[i], flat_[hole.front()])) owner = i;
@@ -192,6 +200,7 @@ private:
         if (normal[axis] < 0) std::swap(u, v);
         flat_.reserve(p.size());
         for (const Vec3& point : p) flat_.emplace_back(point[u], point[v]);
+        TACTOOTH_ASSERT(flat_.size() == p.size());
     }
 
     const std::vector<ClipSegment>& segments_;
@@ -212,6 +221,7 @@ private:
 std::optional<ClippedTriangle> clipTriangle(const std::array<Vec3, 3>& corners, const std::array<bool, 3>& isForward,
                                             const std::vector<ClipSegment>& segments,
                                             const std::array<bool, 3>& keepsCorner) {
+    TACTOOTH_ASSERT(corners[0].allFinite() && corners[1].allFinite() && corners[2].allFinite());
     return Clipper(corners, segments).run(isForward, keepsCorner);
 }
 

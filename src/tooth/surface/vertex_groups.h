@@ -7,6 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "geometry/util/assert.h"
+
 namespace tactooth {
 
 /// What the cut lines that cross an edge tell about its two ends.
@@ -38,6 +40,7 @@ public:
     }
     /// `weight`: how sure this is, mm from the cut. Of two that are equally sure the first counts.
     void report(std::uint32_t vertex, bool kept, double weight) {
+        TACTOOTH_ASSERT(weight >= 0);
         const std::uint32_t group = find(vertex);
         if (weight > weight_[group]) weight_[group] = weight, known_[group] = kept;
     }
@@ -56,6 +59,7 @@ public:
 
 private:
     std::uint32_t find(std::uint32_t vertex) {
+        TACTOOTH_ASSERT(vertex < parent_.size());
         while (parent_[vertex] != vertex) vertex = parent_[vertex] = parent_[parent_[vertex]];
         return vertex;
     }

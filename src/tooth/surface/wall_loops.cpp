@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "geometry/util/assert.h"
+
 // Differs from dual contouring with a vertex for each round (see cell_topology.h): where two rounds of one cell share a
 // face, the border gets a vertex on that face, so that no edge has four triangles.
 // Two rounds of one cell are the two sides of a ridge or a gap thinner than a voxel, whose planes meet beyond it:
@@ -20,6 +22,7 @@ WallLoops::WallLoops(const BrickNeighbourhood& nodes, const NodePoints& points, 
         WallPolygon& polygon = polygons[i];
         Fan fan{i, {}, 0};
         addCorners(polygon, fan);
+        TACTOOTH_ASSERT(fan.size >= 4 && fan.size <= static_cast<int>(fan.corners.size()));
         const auto begin = fan.corners.begin();
         const auto end = begin + fan.size;
         if (polygon.isReversed) std::reverse(begin, end);
@@ -27,7 +30,9 @@ WallLoops::WallLoops(const BrickNeighbourhood& nodes, const NodePoints& points, 
             std::copy(begin, end, polygon.corners.begin());
         } else {
             const auto isOnFace = [&](std::uint16_t vertex) { return vertices_[vertex].kind >= kMaxLoops; };
-            std::rotate(begin, std::find_if(begin, end, isOnFace), end);
+            const auto first = std::find_if(begin, end, isOnFace);
+            TACTOOTH_ASSERT(first != end);
+            std::rotate(begin, first, end);
             fans_.push_back(fan);
         }
     }
@@ -46,6 +51,8 @@ void WallLoops::addCorners(const WallPolygon& polygon, Fan& fan) {
         {{beforeV, u}, {polygon.node, v}, {polygon.node, u}, {beforeU, v}}};
     for (int i = 0; i < 4; ++i) {
         const std::size_t number = polygon.corners[polygon.isReversed ? 3 - i : i];
+        TACTOOTH_ASSERT(number < cells_.size());
+        TACTOOTH_ASSERT(fan.size < static_cast<int>(fan.corners.size()));
         const int cell = cells_[number];
         const CellLoops& loops = kCellLoops[nodes_.removedCorners(cell)];
         fan.corners[fan.size++] =
@@ -55,6 +62,7 @@ void WallLoops::addCorners(const WallPolygon& polygon, Fan& fan) {
 }
 
 std::uint16_t WallLoops::vertexOfCell(std::size_t number) {
+    TACTOOTH_ASSERT(number < vertexOfCell_.size());
     std::uint16_t& vertex = vertexOfCell_[number];
     if (vertex == kNone) vertex = add(ofCells_.point(number, points_), cells_[number], 0);
     return vertex;
@@ -62,6 +70,7 @@ std::uint16_t WallLoops::vertexOfCell(std::size_t number) {
 
 /// One of several: see the top, each keeps to its own side.
 std::uint16_t WallLoops::vertexOfLoop(int cell, const CellLoops& loops, int loop) {
+    TACTOOTH_ASSERT(loop >= 0 && loop < loops.count);
     if (const std::uint16_t known = find(cell, loop); known != kNone) return known;
     int count = 0;
     Vec3 sum = Vec3::Zero();
@@ -72,6 +81,7 @@ std::uint16_t WallLoops::vertexOfLoop(int cell, const CellLoops& loops, int loop
                             BrickNeighbourhood::index(0, 0, 0),
                         edge / 4);
     }
+    TACTOOTH_ASSERT(count >= 3);  // a loop crosses three edges of its cell at least
     return add(sum / count, cell, loop);
 }
 
@@ -95,6 +105,7 @@ void WallLoops::addVertexOnFace(int face, int faceAxis, const WallPolygon& polyg
         const Vec3 onV = crossing(face + (isAfterU ? stepU : 0), v);
         vertex = add(0.5 * (onU + onV), face, kind);
     }
+    TACTOOTH_ASSERT(fan.size < static_cast<int>(fan.corners.size()));
     fan.corners[fan.size++] = vertex;
 }
 
@@ -105,6 +116,9 @@ std::uint16_t WallLoops::find(int cell, int kind) const {
 }
 
 std::uint16_t WallLoops::add(const Vec3& point, int cell, int kind) {
+    TACTOOTH_ASSERT(vertices_.size() < kNone);
+    TACTOOTH_ASSERT(kind >= 0 && kind < 16);
+    TACTOOTH_ASSERT(point.allFinite());
     vertices_.push_back({point, static_cast<std::uint16_t>(cell), kind});
     return static_cast<std::uint16_t>(vertices_.size() - 1);
 }

@@ -3,6 +3,9 @@
 #include "tooth/surface/wall_polygons.h"
 
 #include <bit>
+#include <cmath>
+
+#include "geometry/util/assert.h"
 
 namespace tactooth {
 namespace {
@@ -45,6 +48,7 @@ private:
 };
 
 WallPolygons::WallPolygons(const BrickNeighbourhood& nodes, double spacing) {
+    TACTOOTH_ASSERT(std::isfinite(spacing) && spacing > 0);
     cellAt_.fill(kNoCell);
     if (nodes.isDeeperThan(static_cast<float>(kTriangleReach * spacing))) {
         addDeepInTooth(nodes);
@@ -91,6 +95,7 @@ void WallPolygons::add(const BrickNeighbourhood& nodes, int row, const Edges& ed
     for (unsigned left = edges.crossed; left != 0; left &= left - 1) {
         const int x = std::countr_zero(left);
         const int node = row + x;
+        TACTOOTH_ASSERT(polygonCount_ < polygons_.size());
         WallPolygon& polygon = polygons_[polygonCount_++];
         polygon.node = static_cast<std::uint16_t>(node);
         polygon.axis = axis;
@@ -105,8 +110,10 @@ void WallPolygons::add(const BrickNeighbourhood& nodes, int row, const Edges& ed
 }
 
 std::uint16_t WallPolygons::numberOfCell(int cell) {
+    TACTOOTH_ASSERT(cell >= 0 && cell < BrickNeighbourhood::kNodes);
     std::uint16_t& number = cellAt_[cell];
     if (number == kNoCell) {
+        TACTOOTH_ASSERT(cellCount_ < cells_.size());
         number = static_cast<std::uint16_t>(cellCount_);
         cells_[cellCount_++] = static_cast<std::uint16_t>(cell);
     }

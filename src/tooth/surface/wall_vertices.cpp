@@ -6,6 +6,7 @@
 #include <bit>
 
 #include "collision/narrow/lane_flags.h"
+#include "geometry/util/assert.h"
 #include "tooth/surface/cell_qef.h"
 #include "tooth/surface/cell_topology.h"
 
@@ -86,6 +87,7 @@ Box3 roomOf(unsigned inside) {
 }  // namespace
 
 WallVertices::WallVertices(const BrickNeighbourhood& nodes, std::span<const std::uint16_t> cells) : cells_(cells) {
+    TACTOOTH_ASSERT(cells.size() <= kRoom);
     for (std::size_t first = 0; first < cells.size(); first += 8) placeEight(nodes, first);
 }
 
@@ -98,6 +100,7 @@ void WallVertices::placeEight(const BrickNeighbourhood& nodes, std::size_t first
     for (std::size_t lane = 0; lane < 8; ++lane) {
         cells[lane] = cells_[first + std::min(lane, lanes - 1)];
         crossed[lane] = &kCellCrossings[nodes.removedCorners(cells[lane])];
+        TACTOOTH_ASSERT(crossed[lane]->count >= 3);  // the boundary passes through the cell
         counts[lane] = crossed[lane]->count;
         most = std::max<int>(most, crossed[lane]->count);
         areSimple_ &= crossed[lane]->isSimple;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 
+#include "geometry/util/assert.h"
 #include "tooth/surface/wall_polygons.h"
 #include "tooth/volume/brick_neighbourhood.h"
 
@@ -41,6 +42,7 @@ public:
 
     /// The vertex of the cell of this number, mm.
     [[nodiscard]] Vec3 point(std::size_t number, const NodePoints& nodes) const {
+        TACTOOTH_ASSERT(number < cells_.size());
         const Vec3 inCell(places_[0][number], places_[1][number], places_[2][number]);
         return nodes.point(cells_[number]) + nodes.spacing() * (inCell + Vec3::Constant(0.5));
     }

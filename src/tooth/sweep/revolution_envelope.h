@@ -58,6 +58,9 @@ public:
     [[nodiscard]] double bottom() const { return profile_.front().z; }
     [[nodiscard]] double top() const { return profile_.back().z; }
 
+    /// Asserts the invariants of the profile and of the search grid. Time in proportion to the grid.
+    void validate() const;
+
 private:
     struct Segment {
         ProfilePoint start;

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
+
+#include "geometry/util/assert.h"
 
 // A plane of constant z cuts a triangle in a segment, whose farthest point from the axis is one of its ends: only the
 // mesh's edges matter. Along an edge the squared radius is a parabola in z, so the radius is a convex arc (a hyperbola
@@ -45,9 +48,13 @@ std::vector<double> vertexHeights(const TriangleMesh& mesh) {
 
 /// Halves every gap wider than `step`, so that chords stay close to their arcs.
 std::vector<double> refined(const std::vector<double>& heights, double step) {
+    TACTOOTH_ASSERT(heights.size() >= 2);
+    TACTOOTH_ASSERT(std::isfinite(step) && step > 0);
     std::vector<double> result;
     for (std::size_t i = 0; i + 1 < heights.size(); ++i) {
         const double gap = heights[i + 1] - heights[i];
+        TACTOOTH_ASSERT(gap > 0);
+        TACTOOTH_ASSERT(gap / step < std::numeric_limits<int>::max());
         const int parts = std::max(1, static_cast<int>(std::ceil(gap / step)));
         for (int part = 0; part < parts; ++part) result.push_back(heights[i] + gap * part / parts);
     }
@@ -62,6 +69,7 @@ struct Slab {
 };
 
 std::vector<Slab> slabs(const TriangleMesh& mesh, const std::vector<double>& heights) {
+    TACTOOTH_ASSERT(heights.size() >= 2);
     std::vector<Slab> result(heights.size() - 1);
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         for (int corner = 0; corner < 3; ++corner) {
@@ -89,6 +97,7 @@ double distanceToChord(const ProfilePoint& point, const ProfilePoint& from, cons
 
 /// Douglas and Peucker (1973), without recursion.
 std::vector<ProfilePoint> simplified(const std::vector<ProfilePoint>& points) {
+    TACTOOTH_ASSERT(points.size() >= 2);
     std::vector<bool> kept(points.size(), false);
     kept.front() = kept.back() = true;
     std::vector<std::pair<std::size_t, std::size_t>> open = {{0, points.size() - 1}};
@@ -134,6 +143,8 @@ std::vector<ProfilePoint> bridged(const std::vector<ProfilePoint>& points) {
         }
         kept.push_back(i);
     }
+    TACTOOTH_ASSERT(kept.size() >= 2);
+    TACTOOTH_ASSERT(kept.front() == 0 && kept.back() + 1 == points.size());
     std::vector<ProfilePoint> result;
     for (const std::size_t i : kept) result.push_back(points[i]);
     return result;
@@ -141,6 +152,7 @@ std::vector<ProfilePoint> bridged(const std::vector<ProfilePoint>& points) {
 
 /// Moves the outer corners out by the error of the simplification, so that the profile holds the mesh again.
 void inflate(std::vector<ProfilePoint>& profile, bool wasSimplified) {
+    TACTOOTH_ASSERT(profile.size() >= 2);
     if (!wasSimplified) return;
     for (std::size_t i = 1; i + 1 < profile.size(); ++i) profile[i].radius += kSimplification;
     profile.front().z -= kSimplification;
@@ -159,6 +171,7 @@ std::vector<ProfilePoint> revolutionProfile(const TriangleMesh& mesh) {
         widest = std::max(widest, std::hypot(double{vertex.x()}, double{vertex.y()}));
     // A hyperbola of an edge that passes the axis at distance a bends by at most gap^2 / (8 a); edges that come nearer
     // than a tenth of the widest radius never make the outline of a bur over a whole slab.
+    TACTOOTH_ASSERT(std::isfinite(widest));
     const double step = std::sqrt(8 * 0.1 * std::max(widest, 1e-3) * kChordError);
     const std::vector<double> heights = refined(levels, step);
 
@@ -184,6 +197,7 @@ std::vector<ProfilePoint> revolutionProfile(const TriangleMesh& mesh) {
         error = std::max(error, nearest);
     }
     inflate(profile, error > 1e-9);
+    TACTOOTH_ASSERT(profile.front().radius < 1e-9 && profile.back().radius < 1e-9);
     return profile;
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "collision/narrow/lane_flags.h"
+#include "geometry/util/assert.h"
 
 namespace tactooth {
 namespace {
@@ -59,9 +60,16 @@ Vec3x8 SweepLanes::Frame::at(const Vec3x8& place) const {
 SweepLanes::SweepLanes(const SweepStep& step, const Vec3& first, double spacing, double side, double beyond,
                        const SweepStep::MidpointQuery& middle)
     : step_(step), first_(first), spacing_(spacing) {
+    TACTOOTH_ASSERT(first.allFinite());
+    TACTOOTH_ASSERT(std::isfinite(spacing) && spacing > 0);
+    TACTOOTH_ASSERT(side > 0 && beyond >= 0);
+    TACTOOTH_ASSERT(middle.path >= 0);
+    TACTOOTH_ASSERT(std::abs(middle.sample.gradient.squaredNorm() - 1) < 1e-6);
     const double reach = (0.5 * side * std::sqrt(3.0) + beyond) * spacing + middle.path / 2;
     hasPart_ = step.envelope_->findPart(middle.pointInTool, middle.sample.distance, reach * (1 + kRounding), part_);
     searchedParts_ = part_.bulges ? 1 : step.parts_;
+    TACTOOTH_ASSERT(searchedParts_ >= 1);
+    TACTOOTH_ASSERT(!hasPart_ || part_.pieceCount <= static_cast<int>(part_.pieces.size()));
     const auto planeOf = [&](const Vec3& firstInTool, const Mat3& steps) {
         const Vec3& normal = middle.sample.gradient;
         const double distance = middle.sample.distance + normal.dot(firstInTool - middle.pointInTool);
@@ -136,6 +144,7 @@ Samples8 SweepLanes::sampleOneByOne(const Vec3x8& place, Float8 atLeast) const {
     for (int lane = 0; lane < 8; ++lane) {
         const Vec3 point = first_ + spacing_ * Vec3(places[0][lane], places[1][lane], places[2][lane]);
         const FieldSample sample = step_.sample(point, limits[lane]);
+        TACTOOTH_ASSERT(std::isfinite(sample.distance) || std::isinf(limits[lane]));
         distances[lane] = static_cast<float>(sample.distance);
         for (int axis = 0; axis < 3; ++axis) gradients[axis][lane] = static_cast<float>(sample.gradient[axis]);
     }
@@ -151,6 +160,7 @@ struct SweepLanes::Search {
 
 // SweepStep::searchPart, lane by lane: a flag tells which lanes still take part.
 void SweepLanes::searchPart(const Vec3x8& start, const Vec3x8& end, float first, float last, Search& search) const {
+    TACTOOTH_ASSERT(first >= 0 && first < last && last <= 1);
     const auto take = [&](const Profile8& profile, Float8 time, Float8 flag) {
         const Float8 isBetter = flag * isLess(profile.distance, search.nearest.distance);
         search.nearest.distance = choose(isBetter, profile.distance, search.nearest.distance);
@@ -196,6 +206,7 @@ void SweepLanes::searchPart(const Vec3x8& start, const Vec3x8& end, float first,
 }
 
 Samples8 SweepLanes::sample(const Vec3x8& place, Float8 atLeast) const {
+    TACTOOTH_ASSERT((lessEqual(atLeast, atLeast) & 0xFFU) == 0xFFU);  // no lane is NaN
     if (!hasPart_) return sampleOneByOne(place, atLeast);
     const Float8 clearance = Float8::all(static_cast<float>(step_.clearance_));
     const Vec3x8 start = from_.at(place);

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <vector>
 
+#include "geometry/util/assert.h"
 #include "tooth/sweep/revolution_envelope.h"
 
 namespace tactooth {
@@ -28,11 +30,13 @@ public:
         double path;         ///< of the point in the tool frame during the step, mm
     };
     [[nodiscard]] MidpointQuery queryFrom(const Vec3& point) const {
+        TACTOOTH_ASSERT(point.allFinite());
         const auto [middle, path] = pathOf(point);
         return {middle, envelope_->sample(middle), path};
     }
     /// Lower bound of `sample` from such a query.
     [[nodiscard]] double lowerBound(const MidpointQuery& query) const {
+        TACTOOTH_ASSERT(query.path >= 0 && !std::isnan(query.sample.distance));
         return query.sample.distance - query.path / 2 - clearance_;
     }
     [[nodiscard]] double lowerBound(const Vec3& point) const {

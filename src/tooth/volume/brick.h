@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "collision/narrow/simd8.h"
+#include "geometry/util/assert.h"
 #include "geometry/util/vec.h"
 #include "tooth/model/material.h"
 
@@ -20,6 +21,7 @@ class OctahedralNormal {
 public:
     OctahedralNormal() = default;
     explicit OctahedralNormal(const Vec3& direction) {
+        TACTOOTH_ASSERT(direction.allFinite());
         const double sum = direction.cwiseAbs().sum();
         if (sum == 0) return;
         double u = direction.x() / sum;
@@ -108,6 +110,7 @@ private:
     /// std::lround, without a call.
     template <class Real>
     static std::int16_t rounded(Real value) {
+        TACTOOTH_ASSERT(value >= -static_cast<Real>(kScale) && value <= static_cast<Real>(kScale));
         const Real half = static_cast<Real>(0.5);
         return static_cast<std::int16_t>(value + (value < 0 ? -half : half));
     }
@@ -119,13 +122,22 @@ private:
 inline constexpr int kBrickSide = 8;
 inline constexpr int kBrickNodes = kBrickSide * kBrickSide * kBrickSide;
 
-[[nodiscard]] constexpr int nodeIndex(int x, int y, int z) { return x + kBrickSide * (y + kBrickSide * z); }
+[[nodiscard]] constexpr int nodeIndex(int x, int y, int z) {
+    TACTOOTH_ASSERT(x >= 0 && x < kBrickSide);
+    TACTOOTH_ASSERT(y >= 0 && y < kBrickSide);
+    TACTOOTH_ASSERT(z >= 0 && z < kBrickSide);
+    return x + kBrickSide * (y + kBrickSide * z);
+}
 /// The place of a node in its brick, 0..7 on each axis.
 [[nodiscard]] constexpr std::array<int, 3> placeOf(int node) {
+    TACTOOTH_ASSERT(node >= 0 && node < kBrickNodes);
     return {node % kBrickSide, node / kBrickSide % kBrickSide, node / (kBrickSide * kBrickSide)};
 }
 /// From a node's index to that of the next one on an axis.
-[[nodiscard]] constexpr int nodeStride(int axis) { return nodeIndex(axis == 0, axis == 1, axis == 2); }
+[[nodiscard]] constexpr int nodeStride(int axis) {
+    TACTOOTH_ASSERT(axis >= 0 && axis < 3);
+    return nodeIndex(axis == 0, axis == 1, axis == 2);
+}
 
 /// Some nodes of a brick, one bit each in the order of nodeIndex: a word for each layer of constant z.
 class NodeBits {
@@ -133,12 +145,28 @@ public:
     static constexpr std::uint64_t kFirstColumn = 0x0101010101010101;  ///< of a layer: the nodes at x = 0 ...
     static constexpr std::uint64_t kFirstRow = 0xFF;                   ///< ... and those at y = 0
 
-    void set(int node) { layers_[node / 64] |= std::uint64_t{1} << node % 64; }
+    void set(int node) {
+        TACTOOTH_ASSERT(node >= 0 && node < kBrickNodes);
+        layers_[node / 64] |= std::uint64_t{1} << node % 64;
+    }
     void reset() { layers_.fill(0); }
-    [[nodiscard]] bool operator[](int node) const { return (layers_[node / 64] >> node % 64 & 1) != 0; }
-    [[nodiscard]] std::uint64_t layer(int z) const { return layers_[z]; }
-    [[nodiscard]] unsigned row(int y, int z) const { return layers_[z] >> kBrickSide * y & kFirstRow; }
+    [[nodiscard]] bool operator[](int node) const {
+        TACTOOTH_ASSERT(node >= 0 && node < kBrickNodes);
+        return (layers_[node / 64] >> node % 64 & 1) != 0;
+    }
+    [[nodiscard]] std::uint64_t layer(int z) const {
+        TACTOOTH_ASSERT(z >= 0 && z < kBrickSide);
+        return layers_[z];
+    }
+    [[nodiscard]] unsigned row(int y, int z) const {
+        TACTOOTH_ASSERT(y >= 0 && y < kBrickSide);
+        TACTOOTH_ASSERT(z >= 0 && z < kBrickSide);
+        return layers_[z] >> kBrickSide * y & kFirstRow;
+    }
     void setRow(int y, int z, std::uint64_t bits) {
+        TACTOOTH_ASSERT(y >= 0 && y < kBrickSide);
+        TACTOOTH_ASSERT(z >= 0 && z < kBrickSide);
+        TACTOOTH_ASSERT(bits <= kFirstRow);
         layers_[z] = (layers_[z] & ~(kFirstRow << kBrickSide * y)) | bits << kBrickSide * y;
     }
 
@@ -171,12 +199,17 @@ struct CutField {
 
     /// As long as no bur has come near.
     static CutField untouched(double spacing) {
+        TACTOOTH_ASSERT(std::isfinite(spacing) && spacing > 0);
         CutField field;
         field.cut.fill(static_cast<float>(kCutBand * spacing));
         field.cutNormal.fill(OctahedralNormal(Vec3::UnitZ()));
         for (auto& crossings : field.boundary) crossings.fill({});
         return field;
     }
+
+    /// Asserts that the distances keep to their band, that the boundary crosses edges within them, and that a field
+    /// that is not cut is untouched. Looks at every node.
+    void validate(double spacing) const;
 };
 
 /// 8x8x8 nodes of the two distance fields that make a cut tooth: the solid is where `tooth < 0` and `cut > 0`.
@@ -207,6 +240,9 @@ struct Brick : CutField {
             removed.setRow(row % kBrickSide, row / kBrickSide, ~lessEqual(Float8::all(0), distances) & 0xFF);
         }
     }
+    /// Asserts the invariants of the brick: those of its cut field, the bits of the removed nodes, the distances to the
+    /// tooth and the shares of neighbouring materials. Looks at every node.
+    void validate(double spacing) const;
 };
 
 }  // namespace tactooth

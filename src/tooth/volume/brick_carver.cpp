@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <limits>
 #include <span>
 
 #include "collision/narrow/lane_flags.h"
+#include "geometry/util/assert.h"
 #include "tooth/volume/brick_sweep.h"
 #include "tooth/volume/voxel_fraction.h"
 
@@ -52,6 +54,8 @@ public:
 
     /// Puts the share of a sample's voxel into `share`, sooner or later: see `finish`.
     void find(std::uint16_t node, float cut, OctahedralNormal normal, double& share) {
+        TACTOOTH_ASSERT(node < kBrickNodes);
+        TACTOOTH_ASSERT(!std::isnan(cut));
         const float tooth = brick_.tooth[node];
         share = 0;
         if (cut >= reach_ || tooth >= reach_) return;
@@ -70,6 +74,7 @@ public:
     /// Those that are not yet found.
     void finish() {
         const Eigen::Array4d found = cubeFractions(distances_, OctahedralNormal::absComponentsOf(normals_));
+        TACTOOTH_ASSERT(count_ <= 4 && (found >= 0).all());
         for (int i = 0; i < count_; ++i) *shares_[i] = found[i];
         count_ = 0;
     }
@@ -86,6 +91,7 @@ private:
 
 /// Adds a node's share of its voxel to the volumes of the materials in it.
 void book(const Brick& brick, std::uint16_t node, double share, double spacing, MaterialVolumes& volumes) {
+    TACTOOTH_ASSERT(std::abs(share) <= 1);
     const double volume = share * spacing * spacing * spacing;
     double& mine = volumes[static_cast<std::size_t>(brick.material[node])];
     if (brick.neighbourFraction[node] == 0) {
@@ -99,6 +105,7 @@ void book(const Brick& brick, std::uint16_t node, double share, double spacing, 
 
 /// What lowering the cut field of these nodes removes.
 MaterialVolumes volumesOf(const Brick& brick, std::span<const CutSample> lowered, double spacing) {
+    TACTOOTH_ASSERT(lowered.size() <= kBrickNodes);
     std::array<double, kBrickNodes> before, after;
     RemovedFractions shares(brick, spacing);
     for (std::size_t i = 0; i < lowered.size(); ++i) {
@@ -120,6 +127,7 @@ public:
     /// Nodes 8 `eight` .. 8 `eight` + 7 of a block. A node counts as lowered if a step comes below what it has and
     /// `band` (mm), unless it has -`band` already.
     LoweredNodes8(const Brick& brick, int block, int eight, float band) {
+        TACTOOTH_ASSERT(band > 0);
         const int first = nodeOfBlock(block, 8 * eight);
         for (int lane = 0; lane < 8; ++lane) node_[lane] = static_cast<std::uint16_t>(first + kLaneNode[lane]);
         place_ = {Float8::load(kLaneX), Float8::load(kLaneY) + Float8::all(static_cast<float>(2 * (eight & 1))),
@@ -128,6 +136,8 @@ public:
     }
     /// The same for any nodes of one block, eight at most.
     LoweredNodes8(const Brick& brick, std::span<const std::uint16_t> nodes, float band) {
+        TACTOOTH_ASSERT(!nodes.empty() && nodes.size() <= 8);
+        TACTOOTH_ASSERT(band > 0);
         float place[3][8] = {};
         float cut[8];
         std::fill_n(cut, 8, -band);
@@ -215,6 +225,7 @@ BrickRemoval removableFromNodes(const Brick& brick, const BrickRemoval& whole, c
     result.key = whole.key;
     BrickSweep sweep(whole.key, lattice, steps, band);
     if (sweep.isClear()) return result;
+    TACTOOTH_ASSERT(whole.lowered.size() <= kBrickNodes);
     for (auto most = whole.lowered.begin(); most != whole.lowered.end();) {
         const int block = blockOf(most->node);
         const std::vector<SweepLanes>& near = sweep.nearNodes(block, band);
@@ -234,12 +245,15 @@ BrickRemoval removableFromNodes(const Brick& brick, const BrickRemoval& whole, c
 }
 
 ChangedBrick carveBrick(Brick& brick, const BrickRemoval& found, std::uint64_t carve) {
+    TACTOOTH_ASSERT(carve > brick.lastCarve);
+    TACTOOTH_ASSERT(found.lowered.size() <= kBrickNodes);
     ChangedBrick changed{found.key};
     brick.lastCarve = carve;
     brick.lowered.reset();
     brick.opened.reset();
     for (const CutSample& lowered : found.lowered) {
         const int node = lowered.node;
+        TACTOOTH_ASSERT(lowered.distance < brick.cut[node]);
         brick.lowered.set(node);
         if (brick.cut[node] >= 0 && lowered.distance < 0) {
             brick.opened.set(node);
@@ -254,6 +268,7 @@ ChangedBrick carveBrick(Brick& brick, const BrickRemoval& found, std::uint64_t c
 }
 
 MaterialVolumes removedFromBrick(const Brick& brick, double spacing) {
+    TACTOOTH_ASSERT(std::isfinite(spacing) && spacing > 0);
     std::array<double, kBrickNodes> share;
     RemovedFractions shares(brick, spacing);
     for (std::uint16_t node = 0; node < kBrickNodes; ++node) {

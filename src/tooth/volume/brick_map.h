@@ -9,6 +9,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "geometry/util/assert.h"
 #include "tooth/volume/brick.h"
 #include "tooth/volume/brick_key.h"
 #include "tooth/volume/lattice.h"
@@ -43,6 +44,8 @@ public:
     }
     /// A key that is not known yet.
     void insert(const BrickKey& key, std::unique_ptr<Brick> brick) {
+        TACTOOTH_ASSERT(!knows(key));
+        TACTOOTH_ASSERT(key.isInRange());
         Entry& entry = bricks_[key];
         entry.brick = std::move(brick);
         for (int i = 0; i < 27; ++i) {
@@ -61,6 +64,16 @@ public:
         }
         std::sort(result.begin(), result.end());
         return result;
+    }
+
+    /// Asserts the invariants of every brick, and that each one knows its neighbours. Looks at every node.
+    void validate(double spacing) const {
+        for (const auto& [key, entry] : bricks_) {
+            TACTOOTH_ASSERT(key.isInRange());
+            TACTOOTH_ASSERT(entry.around[13] == entry.brick.get());
+            for (int i = 0; i < 27; ++i) TACTOOTH_ASSERT(entry.around[i] == find(key.neighbour(i)));
+            if (entry.brick) entry.brick->validate(spacing);
+        }
     }
 
 private:

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 
+#include "geometry/util/assert.h"
 #include "tooth/volume/brick_map.h"
 
 namespace tactooth {
@@ -20,22 +22,38 @@ public:
 
     BrickNeighbourhood(const BrickMap& bricks, const BrickKey& key, double spacing)
         : near_(bricks.around(key)), clear_(static_cast<float>(kToothBand * spacing)) {
+        TACTOOTH_ASSERT(std::isfinite(spacing) && spacing > 0);
         findRemoved();
     }
 
     /// The number of a node here.
-    [[nodiscard]] static constexpr int index(int x, int y, int z) { return x + 1 + kSide * (y + 1 + kSide * (z + 1)); }
+    [[nodiscard]] static constexpr int index(int x, int y, int z) {
+        TACTOOTH_ASSERT(x >= -1 && x <= kBrickSide);
+        TACTOOTH_ASSERT(y >= -1 && y <= kBrickSide);
+        TACTOOTH_ASSERT(z >= -1 && z <= kBrickSide);
+        return x + 1 + kSide * (y + 1 + kSide * (z + 1));
+    }
     [[nodiscard]] static constexpr Place placeOf(int node) {
+        TACTOOTH_ASSERT(node >= 0 && node < kNodes);
         return {node % kSide - 1, node / kSide % kSide - 1, node / (kSide * kSide) - 1};
     }
     /// From a node's number to that of the next one on an axis.
     static constexpr std::array<int, 3> kStep = {1, kSide, kSide* kSide};
 
     /// Which nodes of a row along x are removed: bit x + 1 for x from -1 to 8.
-    [[nodiscard]] unsigned removedRow(int y, int z) const { return removed_[y + 1 + kSide * (z + 1)]; }
-    [[nodiscard]] bool isRemoved(int node) const { return (removed_[node / kSide] >> node % kSide & 1) != 0; }
+    [[nodiscard]] unsigned removedRow(int y, int z) const {
+        TACTOOTH_ASSERT(y >= -1 && y <= kBrickSide);
+        TACTOOTH_ASSERT(z >= -1 && z <= kBrickSide);
+        return removed_[y + 1 + kSide * (z + 1)];
+    }
+    [[nodiscard]] bool isRemoved(int node) const {
+        TACTOOTH_ASSERT(node >= 0 && node < kNodes);
+        return (removed_[node / kSide] >> node % kSide & 1) != 0;
+    }
     /// Which corners of the cell that begins at a node are removed: bit x + 2 y + 4 z.
     [[nodiscard]] unsigned removedCorners(int cell) const {
+        TACTOOTH_ASSERT(cell >= 0 && cell + kStep[0] + kStep[1] + kStep[2] < kNodes);
+        TACTOOTH_ASSERT(cell % kSide != kSide - 1);
         const std::uint16_t* const row = &removed_[cell / kSide];
         const int x = cell % kSide;
         const auto pair = [&](int step) { return static_cast<unsigned>(row[step]) >> x & 3U; };
@@ -49,6 +67,8 @@ public:
     /// Where the border of the removed region crosses the lattice edge from a node to the next on `axis`. One of the
     /// two is removed, and both lie in bricks that exist.
     [[nodiscard]] HermiteSample boundary(int node, int axis) const {
+        TACTOOTH_ASSERT(axis >= 0 && axis < 3);
+        TACTOOTH_ASSERT(isRemoved(node) != isRemoved(node + kStep[axis]));
         const auto [brick, place] = find(node);
         return brick != nullptr ? brick->boundary[axis][place]
                                 : HermiteSample{0.5F, OctahedralNormal(Vec3::Unit(axis))};
@@ -84,6 +104,7 @@ public:
     }
     /// Whether all nodes of the brick and the next ones on each axis are known to lie farther within the tooth, mm.
     [[nodiscard]] bool isDeeperThan(float depth) const {
+        TACTOOTH_ASSERT(depth >= 0);
         const auto isDeep = [&](int i) { return near_[i] != nullptr && near_[i]->maxToothDistance < -depth; };
         return isDeep(13) && isDeep(14) && isDeep(16) && isDeep(22);
     }
@@ -149,6 +170,7 @@ private:
 
 inline BrickNeighbourhood::Found BrickNeighbourhood::find(int node) const {
     static constexpr std::array<Kept, kNodes> kKept = allKept();
+    TACTOOTH_ASSERT(node >= 0 && node < kNodes);
     return {near_[kKept[node].brick], kKept[node].place};
 }
 

@@ -3,8 +3,10 @@
 #include "tooth/volume/brick_pool.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "geometry/util/assert.h"
 #include "tooth/volume/brick_sampler.h"
 
 namespace tactooth {
@@ -18,6 +20,8 @@ constexpr std::size_t kMaxSampled = 4096;  // bricks, 90 MB: of more, what the b
 
 std::vector<BrickKey> bricksInReach(const LayeredTooth& tooth, const Lattice& lattice,
                                     const std::vector<SweepStep>& steps, double reach) {
+    TACTOOTH_ASSERT(!steps.empty());
+    TACTOOTH_ASSERT(std::isfinite(reach) && reach >= 0);
     const double toCentre = lattice.halfDiagonal() + reach;
     const Vec3 toothMargin = Vec3::Constant(kToothBand * lattice.spacing());
     Box3 swept;
@@ -56,6 +60,7 @@ std::vector<BrickKey> BrickPool::wanted(const RevolutionEnvelope& envelope, cons
     std::partial_sort(byDistance.begin(), byDistance.begin() + static_cast<std::ptrdiff_t>(count), byDistance.end());
     keys.resize(count);
     for (std::size_t i = 0; i < count; ++i) keys[i] = byDistance[i].second;
+    TACTOOTH_ASSERT(keys.size() <= kAtOnce);
     return keys;
 }
 
@@ -65,6 +70,7 @@ std::size_t BrickPool::makeAround(const RevolutionEnvelope& envelope, const Pose
         std::unique_ptr<Brick> brick = sampleBrick(*tooth_, lattice_, key);
         const std::lock_guard lock(mutex_);
         if (!taken_.contains(key)) made_.insert_or_assign(key, std::move(brick));
+        TACTOOTH_ASSERT(made_.size() < kMaxSampled + kAtOnce);
     }
     return keys.size();
 }
@@ -85,6 +91,18 @@ std::vector<std::optional<std::unique_ptr<Brick>>> BrickPool::take(const std::ve
 void BrickPool::forgetTaken() {
     const std::lock_guard lock(mutex_);
     taken_.clear();
+}
+
+void BrickPool::validate() {
+    const std::lock_guard lock(mutex_);
+    TACTOOTH_ASSERT(made_.size() < kMaxSampled + kAtOnce);
+    for (const auto& [key, brick] : made_) {
+        TACTOOTH_ASSERT(key.isInRange());
+        TACTOOTH_ASSERT(!taken_.contains(key));
+        if (brick == nullptr) continue;
+        TACTOOTH_ASSERT(!brick->isCut);
+        brick->validate(lattice_.spacing());
+    }
 }
 
 }  // namespace tactooth

@@ -9,6 +9,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "geometry/util/assert.h"
 #include "tooth/model/layered_tooth.h"
 #include "tooth/sweep/swept_envelope.h"
 #include "tooth/volume/brick_map.h"
@@ -24,7 +25,14 @@ namespace tactooth {
 /// on the tooth alone: a cut is the same to the last bit with a stock and without.
 class BrickPool {
 public:
-    BrickPool(std::shared_ptr<const LayeredTooth> tooth, double voxel) : tooth_(std::move(tooth)), lattice_(voxel) {}
+    BrickPool(std::shared_ptr<const LayeredTooth> tooth, double voxel) : tooth_(std::move(tooth)), lattice_(voxel) {
+        TACTOOTH_ASSERT(tooth_ != nullptr);
+    }
+
+    /// Whether it makes the bricks of this tooth at this spacing, mm.
+    [[nodiscard]] bool isFor(const std::shared_ptr<const LayeredTooth>& tooth, double voxel) const {
+        return tooth_ == tooth && lattice_.spacing() == voxel;
+    }
 
     /// Makes some of the bricks that a bur at this pose may come to soon, the nearest first. Returns how many: 0 once
     /// all are there. One thread.
@@ -36,6 +44,10 @@ public:
 
     /// What was taken is given up again, as the whole tooth is wanted anew.
     void forgetTaken();
+
+    /// Asserts that no brick is made and taken at once, that the pool holds no more than it may, and the invariants of
+    /// the bricks that it holds. Any thread; looks at every node.
+    void validate();
 
 private:
     [[nodiscard]] std::vector<BrickKey> wanted(const RevolutionEnvelope& envelope, const Pose& toolInTooth);

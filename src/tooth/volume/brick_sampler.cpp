@@ -7,6 +7,7 @@
 
 #include "collision/bvh/closest_point.h"
 #include "collision/narrow/triangle_point.h"
+#include "geometry/util/assert.h"
 #include "tooth/model/leaf_cache.h"
 #include "tooth/volume/voxel_fraction.h"
 
@@ -42,6 +43,7 @@ public:
           corner_(lattice.corner(key)),
           spacing_(lattice.spacing()),
           band_(band) {
+        TACTOOTH_ASSERT(std::isfinite(band) && band > 0);
         const Vec3 centre = lattice.centre(key);
         field_.uniform = near_.empty();
         if (field_.uniform) {
@@ -75,6 +77,7 @@ private:
         const Vec3 point = corner_ + spacing_ * Vec3(x, y, z);
         const auto hit = near_.closest(point, reachAt(point));
         const double distance = hit ? std::min(hit->distance, band_) : band_;
+        TACTOOTH_ASSERT(distance >= 0 && distance <= band_);
         const Vec3 away = hit ? Vec3(point - hit->point) : Vec3::UnitZ();
         if (previous_ + distance <= spacing_ * (1 + 1e-6) || first_) inside_ = isInsideNear(point, away, hit);
         first_ = false;
@@ -89,6 +92,7 @@ private:
     [[nodiscard]] double reachAt(const Vec3& point) {
         if (!nearest_) return std::min(band_, previous_ + spacing_ * (1 + 1e-6));
         const TriangleMesh& mesh = part_.mesh();
+        TACTOOTH_ASSERT(*nearest_ < mesh.triangles.size());
         const Vec3 there =
             closestOnTriangle(point, mesh.corner(*nearest_, 0), mesh.corner(*nearest_, 1), mesh.corner(*nearest_, 2));
         return std::min(band_, (there - point).norm() * (1 + 1e-12));
@@ -119,6 +123,7 @@ private:
 void shareVoxel(Brick& brick, int node, MaterialId layer, const SignedField& field, double spacing) {
     const double distance = field.distance[node];
     const double within = cubeFraction({distance / spacing, field.gradient[node].unpack()});
+    TACTOOTH_ASSERT(within >= 0 && within <= 1);
     if (within == 0) return;
     brick.neighbour[node] = distance < 0 ? brick.material[node] : layer;
     brick.neighbourFraction[node] = static_cast<std::uint8_t>(std::lround(255 * (distance < 0 ? 1 - within : within)));
@@ -153,6 +158,7 @@ void fillMaterials(Brick& brick, const LayeredTooth& tooth, const Lattice& latti
 }  // namespace
 
 std::unique_ptr<Brick> sampleBrick(const LayeredTooth& tooth, const Lattice& lattice, const BrickKey& key) {
+    TACTOOTH_ASSERT(key.isInRange());
     const double spacing = lattice.spacing();
     const SignedSampler outer(*tooth.outer(), lattice, key, kToothBand * spacing, !tooth.bodiesOverlap());
     const auto& distance = outer.field().distance;
@@ -163,6 +169,7 @@ std::unique_ptr<Brick> sampleBrick(const LayeredTooth& tooth, const Lattice& lat
     brick->setField(CutField::untouched(spacing));
     brick->tooth = distance;
     brick->maxToothDistance = *std::max_element(distance.begin(), distance.end());
+    TACTOOTH_ASSERT(std::abs(brick->maxToothDistance) <= static_cast<float>(kToothBand * spacing));
     brick->toothNormal = outer.field().gradient;
     fillMaterials(*brick, tooth, lattice, key);
     return brick;

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "geometry/util/assert.h"
+
 namespace tactooth {
 namespace {
 
@@ -14,6 +16,8 @@ constexpr double kBeyondEdge = 0.05;
 
 BrickSweep::BrickSweep(const BrickKey& key, const Lattice& lattice, const std::vector<SweepStep>& steps, double reach)
     : corner_(lattice.corner(key)), spacing_(lattice.spacing()) {
+    TACTOOTH_ASSERT(!steps.empty());
+    TACTOOTH_ASSERT(std::isfinite(reach) && reach >= 0);
     if (steps.size() == 1) {  // each block looks for itself
         steps_.push_back(&steps.front());
         return;
@@ -34,6 +38,8 @@ const std::vector<SweepLanes>& BrickSweep::nearEdges(int block) { return near(bl
 
 /// Of a block's cube, `side` and `beyond` in steps of the lattice.
 const std::vector<SweepLanes>& BrickSweep::near(int block, double side, double beyond, double reach) {
+    TACTOOTH_ASSERT(block >= 0 && block < kBlocks);
+    TACTOOTH_ASSERT(side > 0 && beyond >= 0 && !std::isnan(reach));
     near_.clear();
     near_.reserve(steps_.size());
     const Vec3 first = corner_ + kBlockSide * spacing_ * Vec3(block & 1, block >> 1 & 1, block >> 2);

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "geometry/util/assert.h"
 #include "tooth/sweep/sweep_lanes.h"
 #include "tooth/volume/brick.h"
 #include "tooth/volume/lattice.h"
@@ -15,13 +16,19 @@ inline constexpr int kBlockSide = 4;
 inline constexpr int kBlockNodes = kBlockSide * kBlockSide * kBlockSide;
 inline constexpr int kBlocks = kBrickNodes / kBlockNodes;
 
-[[nodiscard]] constexpr int placeInBrick(int node, int axis) { return node >> (3 * axis) & 7; }  // eight nodes a side
+[[nodiscard]] constexpr int placeInBrick(int node, int axis) {
+    TACTOOTH_ASSERT(node >= 0 && node < kBrickNodes);
+    TACTOOTH_ASSERT(axis >= 0 && axis < 3);
+    return node >> (3 * axis) & 7;  // eight nodes a side
+}
 [[nodiscard]] constexpr int blockOf(int node) {
     return placeInBrick(node, 0) / kBlockSide + 2 * (placeInBrick(node, 1) / kBlockSide) +
            4 * (placeInBrick(node, 2) / kBlockSide);
 }
 /// The nodes of a block, x + 4 y + 16 z.
 [[nodiscard]] constexpr int nodeOfBlock(int block, int i) {
+    TACTOOTH_ASSERT(block >= 0 && block < kBlocks);
+    TACTOOTH_ASSERT(i >= 0 && i < kBlockNodes);
     return nodeIndex(kBlockSide * (block & 1) + i % kBlockSide,
                      kBlockSide * (block >> 1 & 1) + i / kBlockSide % kBlockSide,
                      kBlockSide * (block >> 2) + i / (kBlockSide * kBlockSide));

@@ -7,6 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include "geometry/util/assert.h"
+
 // Removal law: the volume cut grows with normal force and rim travel (F. W. Preston, "The Theory and Design of Plate
 // Glass Polishing Machines", J. Soc. Glass Technology 11, 1927), with one coefficient a material.
 
@@ -23,15 +25,19 @@ constexpr double kAim = 0.985;         // of the work: a trial that misses by a 
 template <class CostOf>
 FeedResult feedPartWay(CutVolume& volume, const RevolutionEnvelope& envelope, const Pose& from, const Pose& to,
                        double work, double high, const PlannedRemoval& whole, const CostOf& costOf) {
+    TACTOOTH_ASSERT(high > 0 && high <= 1);
     FeedResult result;
     result.wanted = costOf(whole);
+    TACTOOTH_ASSERT(result.wanted > work);
     PlannedRemoval best;
     double low = 0;
     double below = -kAim * work;
     double above = result.wanted - kAim * work;
     bool wasAbove = true;
     for (int trial = 0; trial < kTrials && work > 0 && std::isfinite(above); ++trial) {
+        TACTOOTH_ASSERT(low <= high && below < 0 && above > 0);
         const double middle = low - (high - low) * below / (above - below);
+        TACTOOTH_ASSERT(middle >= low && middle <= high);
         PlannedRemoval part = volume.removablePartWay(whole, envelope, from, between(from, to, middle));
         const double cost = costOf(part);
         const bool isAbove = cost > work;
@@ -54,14 +60,17 @@ FeedResult feedPartWay(CutVolume& volume, const RevolutionEnvelope& envelope, co
 }  // namespace
 
 double workFor(const MaterialVolumes& volumes, const MaterialTable& materials, double sharpness) {
+    TACTOOTH_ASSERT(std::isfinite(sharpness) && sharpness >= 0);
     double work = 0;
     for (std::size_t i = 0; i < kMaterialCount; ++i) {
         if (volumes[i] > 0) work += volumes[i] / (materials[static_cast<MaterialId>(i)].removal * sharpness);
     }
+    TACTOOTH_ASSERT(work >= 0);
     return sharpness > 0 || work == 0 ? work : std::numeric_limits<double>::infinity();
 }
 
 Pose between(const Pose& from, const Pose& to, double fraction) {
+    TACTOOTH_ASSERT(fraction >= 0);
     if (fraction >= 1) return to;
     return {from.position + fraction * (to.position - from.position),
             from.rotation.slerp(fraction, to.rotation).normalized()};
@@ -69,6 +78,8 @@ Pose between(const Pose& from, const Pose& to, double fraction) {
 
 FeedResult feedBur(CutVolume& volume, const RevolutionEnvelope& envelope, const Pose& from, const Pose& to, double work,
                    const MaterialTable& materials, double sharpness, double enough) {
+    TACTOOTH_ASSERT(work >= 0);
+    TACTOOTH_ASSERT(enough > 0);
     const auto costOf = [&](const PlannedRemoval& part) { return workFor(part.volumes, materials, sharpness); };
     double high = std::min(enough, 1.0);
     PlannedRemoval whole = volume.removable(envelope, from, between(from, to, high));
@@ -81,6 +92,8 @@ FeedResult feedBur(CutVolume& volume, const RevolutionEnvelope& envelope, const 
         result = feedPartWay(volume, envelope, from, to, work, high, whole, costOf);
     }
     result.work = workFor(result.carve.removed, materials, sharpness);
+    TACTOOTH_ASSERT(result.work <= work);
+    TACTOOTH_ASSERT(result.fraction >= 0 && result.fraction <= 1);
     return result;
 }
 

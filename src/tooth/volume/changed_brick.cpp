@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "geometry/util/assert.h"
 #include "tooth/volume/brick.h"
 
 namespace tactooth {
@@ -36,6 +37,7 @@ void ChangedBrick::addNode(int node) {
 }
 
 void ChangedBrick::addEdge(int node, int axis) {
+    TACTOOTH_ASSERT(axis >= 0 && axis < 3);
     const std::array<int, 3> place = placeOf(node);
     std::array<int, 3> ends = {endOf(place[0]), endOf(place[1]), endOf(place[2])};
     if (place[axis] == 0) ends[axis] = 1;  // it leads away from the brick before

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "geometry/util/assert.h"
 #include "tooth/volume/brick_key.h"
 
 namespace tactooth {
@@ -22,11 +23,15 @@ struct ChangedBrick {
     void addNode(int node);
     /// The border was moved on the lattice edge from a node to the next one on `axis`: the four cells around that.
     void addEdge(int node, int axis);
-    void add(const ChangedBrick& other) { affected |= other.affected; }
+    void add(const ChangedBrick& other) {
+        TACTOOTH_ASSERT(other.key == key);
+        affected |= other.affected;
+    }
 
     /// Calls `visit(i)` for the bricks that are affected, by their numbers as neighbours.
     template <class Visit>
     void forEachAffected(const Visit& visit) const {
+        TACTOOTH_ASSERT(affected < 1U << 27);
         for (std::uint32_t left = affected; left != 0; left &= left - 1) visit(std::countr_zero(left));
     }
 };

@@ -6,8 +6,7 @@
 #include <map>
 #include <vector>
 
-#include "tooth/volume/brick.h"
-#include "tooth/volume/brick_key.h"
+#include "tooth/volume/brick_map.h"
 
 namespace tactooth {
 
@@ -32,6 +31,9 @@ public:
     [[nodiscard]] std::map<BrickKey, CutField> rollBack();
 
     void clear() { pages_.clear(); }
+    /// Asserts that no more marks are kept than may be, that the last page alone may be empty, and that each brick that
+    /// was kept still exists with a valid field. Looks at every node of them.
+    void validate(const BrickMap& bricks, double spacing) const;
     [[nodiscard]] std::size_t bytes() const;
 
 private:

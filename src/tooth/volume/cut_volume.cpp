@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <set>
 
 #include "geometry/util/assert.h"
@@ -43,7 +44,7 @@ std::uint64_t fnv1a(std::uint64_t hash, std::uint64_t value) {
 
 CutVolume::CutVolume(std::shared_ptr<const LayeredTooth> tooth, double voxel)
     : tooth_(std::move(tooth)), lattice_(voxel) {
-    TACTOOTH_ASSERT(tooth_ && voxel > 0);
+    TACTOOTH_ASSERT(tooth_ != nullptr);
 }
 
 void CutVolume::reset() {
@@ -71,6 +72,7 @@ std::vector<Brick*> CutVolume::bricksAt(const std::vector<BrickKey>& keys) {
 void CutVolume::makeBricks(std::vector<BrickKey> missing) {
     if (pool_ != nullptr) {
         std::vector<std::optional<std::unique_ptr<Brick>>> ahead = pool_->take(missing);
+        TACTOOTH_ASSERT(ahead.size() == missing.size());
         std::size_t left = 0;
         for (std::size_t i = 0; i < missing.size(); ++i) {
             if (ahead[i]) {
@@ -90,6 +92,7 @@ void CutVolume::makeBricks(std::vector<BrickKey> missing) {
 void CutVolume::makeAffected(const std::vector<ChangedBrick>& changed) {
     std::vector<BrickKey> missing;
     for (const ChangedBrick& brick : changed) {
+        TACTOOTH_ASSERT(bricks_.find(brick.key) != nullptr);
         const BrickMap::Around& around = bricks_.around(brick.key);
         brick.forEachAffected([&](int i) {
             if (around[i] != nullptr) return;
@@ -111,7 +114,10 @@ CarveResult CutVolume::carve(const RevolutionEnvelope& envelope, const Pose& fro
 CarveResult CutVolume::carve(const PlannedRemoval& removable) {
     TACTOOTH_ASSERT(removable.afterCarve == carves_);
     ++carves_;
-    for (const BrickRemoval& found : removable.where) journal_.keep(found.key, *bricks_.find(found.key));
+    for (const BrickRemoval& found : removable.where) {
+        TACTOOTH_ASSERT(bricks_.find(found.key) != nullptr);
+        journal_.keep(found.key, *bricks_.find(found.key));
+    }
     std::vector<ChangedBrick> opened(removable.where.size());
     parallelFor(opened.size(), [&](std::size_t i) {
         const BrickRemoval& found = removable.where[i];
@@ -147,6 +153,7 @@ std::vector<ChangedBrick> CutVolume::updateHermiteData(const PlannedRemoval& car
 
 PlannedRemoval CutVolume::removable(const RevolutionEnvelope& envelope, const Pose& fromInTooth, const Pose& toInTooth,
                                     double clearance) {
+    TACTOOTH_ASSERT(std::isfinite(clearance) && clearance >= 0);
     PlannedRemoval result;
     result.clearance = clearance;
     result.afterCarve = carves_;
@@ -163,6 +170,7 @@ PlannedRemoval CutVolume::removable(const RevolutionEnvelope& envelope, const Po
 
 PlannedRemoval CutVolume::removablePartWay(const PlannedRemoval& whole, const RevolutionEnvelope& envelope,
                                            const Pose& fromInTooth, const Pose& partWay) const {
+    TACTOOTH_ASSERT(whole.afterCarve == carves_);
     PlannedRemoval result;
     result.clearance = whole.clearance;
     result.afterCarve = whole.afterCarve;
@@ -212,6 +220,7 @@ CarveResult CutVolume::removePieces(const NodeSets& pieces) {
     }
     (void)bricksAt({near.begin(), near.end()});
     const NodeSets gone = nodesToRemove(bricks_, pieces);
+    TACTOOTH_ASSERT(gone.size() >= pieces.size());
     const auto isTouched = [&](const BrickKey& key) {  // itself, or the far end of an edge that it owns
         const auto hasSome = [&](const BrickKey& at) { return gone.contains(at) && gone.at(at).any(); };
         return hasSome(key) || hasSome(key.moved(1, 0, 0)) || hasSome(key.moved(0, 1, 0)) ||
@@ -230,11 +239,14 @@ CarveResult CutVolume::removePieces(const NodeSets& pieces) {
 }
 
 std::vector<ChangedBrick> CutVolume::undo() {
+    TACTOOTH_ASSERT(marks() > 0);
     std::vector<ChangedBrick> changed;
     ++carves_;  // what was found removable holds no more
     ++undos_;
     for (const auto& [key, before] : journal_.rollBack()) {
-        bricks_.find(key)->setField(before);
+        Brick* brick = bricks_.find(key);
+        TACTOOTH_ASSERT(brick != nullptr);
+        brick->setField(before);
         changed.push_back(ChangedBrick::all(key));
     }
     return changed;
@@ -247,6 +259,8 @@ std::vector<BrickKey> CutVolume::cutBricks() const {
 }
 
 std::vector<ChangedBrick> CutVolume::adopt(const std::map<BrickKey, CutField>& fields) {
+    TACTOOTH_ASSERT(cutBricks().empty());
+    TACTOOTH_ASSERT(marks() == 0);
     std::vector<BrickKey> keys;
     for (const auto& [key, field] : fields) keys.push_back(key);
     const std::vector<Brick*> bricks = bricksAt(keys);
@@ -270,6 +284,7 @@ MaterialVolumes CutVolume::removedVolume() const {
 }
 
 double CutVolume::cutDistance(const Vec3& point) const {
+    TACTOOTH_ASSERT(point.allFinite());
     const Vec3 place = (point - lattice_.node(0, 0, 0)) / lattice_.spacing();
     const Vec3 first = place.array().floor();
     const Vec3 share = place - first;
@@ -285,7 +300,21 @@ double CutVolume::cutDistance(const Vec3& point) const {
         for (int axis = 0; axis < 3; ++axis) weight *= step[axis] == 1 ? share[axis] : 1 - share[axis];
         distance += weight * (brick != nullptr ? brick->cut[node] : kCutBand * lattice_.spacing());
     }
+    TACTOOTH_ASSERT(std::abs(distance) <= kCutBand * lattice_.spacing() * (1 + 1e-6));
     return distance;
+}
+
+void CutVolume::validate() const {
+    bricks_.validate(lattice_.spacing());
+    journal_.validate(bricks_, lattice_.spacing());
+    if (pool_ != nullptr) pool_->validate();
+    for (const BrickKey& key : bricks_.keys()) {
+        const Brick& brick = *bricks_.find(key);
+        TACTOOTH_ASSERT(brick.lastCarve <= carves_);
+        for (int node = 0; node < kBrickNodes && brick.lastCarve == carves_; ++node) {
+            TACTOOTH_ASSERT(!brick.opened[node] || brick.removed[node]);
+        }
+    }
 }
 
 std::uint64_t CutVolume::hash() const {

@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "geometry/util/assert.h"
 #include "tooth/model/layered_tooth.h"
 #include "tooth/sweep/revolution_envelope.h"
 #include "tooth/volume/brick_map.h"
@@ -32,7 +33,10 @@ public:
 
     /// Where bricks are taken from that were made ahead, for the same tooth and spacing; null: each is made when it is
     /// needed. Changes no result.
-    void setPool(std::shared_ptr<BrickPool> pool) { pool_ = std::move(pool); }
+    void setPool(std::shared_ptr<BrickPool> pool) {
+        TACTOOTH_ASSERT(pool == nullptr || pool->isFor(tooth_, lattice_.spacing()));
+        pool_ = std::move(pool);
+    }
 
     /// Removes everything that `envelope`, dilated by `clearance` (mm), sweeps on its way between two poses of the tool
     /// in the tooth's frame. Volumes are counted below the voxel: to about 0.1 % of a cut some voxels wide.
@@ -92,6 +96,9 @@ public:
     [[nodiscard]] const BrickMap& bricks() const { return bricks_; }
     [[nodiscard]] const Lattice& lattice() const { return lattice_; }
     [[nodiscard]] const std::shared_ptr<const LayeredTooth>& tooth() const { return tooth_; }
+    /// Asserts the invariants of the bricks, their neighbours, the journal and the pool. For tests: looks at every
+    /// node.
+    void validate() const;
     [[nodiscard]] std::size_t bytes() const { return bricks_.keys().size() * sizeof(Brick) + journal_.bytes(); }
 
 private:

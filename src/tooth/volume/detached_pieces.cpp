@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "collision/bvh/closest_point.h"
+#include "geometry/util/assert.h"
 #include "geometry/util/disjoint_sets.h"
 #include "tooth/model/leaf_cache.h"
 
@@ -65,6 +66,7 @@ private:
         NodeSet left = solidNodes(*bricks_.find(key));
         while (left.any()) {
             parts_.push_back({key, firstComponent(left)});
+            TACTOOTH_ASSERT(parts_.back().nodes.any());
             left &= ~parts_.back().nodes;
         }
         partsOf_[key] = {first, parts_.size()};
@@ -91,6 +93,7 @@ private:
 
     /// Goes on from some nodes of a brick to those beyond one of its faces.
     void cross(const BrickKey& key, const BrickFace& face, const NodeSet& from) {
+        TACTOOTH_ASSERT((from & ~face.nodes()).none());
         if (from.none()) return;
         const BrickKey beyond = face.beyond(key);
         if (!bricks_.knows(beyond)) return meetUnsampled(beyond);
@@ -103,6 +106,7 @@ private:
     }
 
     void meetPart(std::size_t i) {
+        TACTOOTH_ASSERT(i < parts_.size());
         if (!isNew(parts_[i].piece)) return;
         parts_[i].piece = number_;
         piece_.parts.push_back(i);
@@ -207,6 +211,7 @@ std::vector<DetachedPiece> findDetachedPieces(const BrickMap& bricks, const Laye
         DetachedPiece& piece = detached.emplace_back();
         piece.unsampled = pieces[i].unsampled;
         for (const std::size_t part : pieces[i].parts) piece.nodes[search.part(part).key] |= search.part(part).nodes;
+        TACTOOTH_ASSERT(!piece.nodes.empty());
     }
     return detached;
 }

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tooth/volume/hermite_data.h"
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <numeric>
 
 #include "collision/narrow/lane_flags.h"
+#include "geometry/util/assert.h"
 #include "tooth/volume/brick_sweep.h"
 
 namespace tactooth {
@@ -31,6 +34,10 @@ public:
     /// Adds an edge whose removed end is at `end`, in steps from the block's first node; `direction` leads to the solid
     /// one. `place` and `normal`: of the boundary as far as it is known.
     void add(const std::array<int, 3>& end, int axis, float direction, float place, const Vec3f& normal) {
+        TACTOOTH_ASSERT(count_ < 8);
+        TACTOOTH_ASSERT(axis >= 0 && axis < 3);
+        TACTOOTH_ASSERT(std::abs(direction) == 1);
+        TACTOOTH_ASSERT(place >= 0 && place <= 1);
         for (int i = 0; i < 3; ++i) {
             end_[i][count_] = static_cast<float>(end[i]);
             direction_[i][count_] = i == axis ? direction : 0;
@@ -38,13 +45,18 @@ public:
         }
         place_[count_++] = place;
     }
-    [[nodiscard]] float place(int lane) const { return place_[lane]; }
+    [[nodiscard]] float place(int lane) const {
+        TACTOOTH_ASSERT(lane >= 0 && lane < count_);
+        return place_[lane];
+    }
     [[nodiscard]] std::array<OctahedralNormal, 8> normals() const {
         return OctahedralNormal::pack(Vec3x8::load(normal_));
     }
 
     /// Carries the borders outward as long as one of the steps holds them.
     void extend(const std::vector<SweepLanes>& steps, double spacing) {
+        TACTOOTH_ASSERT(count_ > 0);
+        TACTOOTH_ASSERT(spacing > 0);
         fill();
         Float8 carried = Float8::all(-1);  // the step that a border was carried out of last: it does not hold it
         bool moved = true;
@@ -219,6 +231,7 @@ private:
             for (int axis = 0; axis < 3; ++axis) {
                 for (std::uint64_t left = crossed_[axis][layer] & inBlock; left != 0; left &= left - 1) {
                     const int node = nodeIndex(0, 0, layer) + std::countr_zero(left);
+                    TACTOOTH_ASSERT(count_ < static_cast<int>(edges_.size()));
                     edges_[count_++] = {placeOf(node), axis};
                     // Read when the sweep near the block is known: time enough for the memory.
                     __builtin_prefetch(&brick_.boundary[axis][node], 1);
@@ -245,6 +258,7 @@ private:
         const End low = lowEnd(edge);
         const bool isUpward = low.isRemoved();
         const End removed = isUpward ? low : highEnd(edge);
+        TACTOOTH_ASSERT(removed.isRemoved() && low.isRemoved() != highEnd(edge).isRemoved());
         std::array<int, 3> end = edge.low;
         if (!isUpward) ++end[edge.axis];
         for (int i = 0; i < 3; ++i) end[i] -= edge.low[i] / kBlockSide * kBlockSide;
@@ -260,6 +274,7 @@ private:
 
     void store(const Crossed& edge, float place, OctahedralNormal turned) {
         const End low = lowEnd(edge);
+        TACTOOTH_ASSERT(!std::isnan(place));
         const float share = std::clamp(place, 0.0F, 1.0F);
         const float moved = low.isRemoved() ? share : 1 - share;
         HermiteSample& stored = brick_.boundary[edge.axis][low.node];
@@ -283,6 +298,8 @@ private:
 
 ChangedBrick updateHermiteInBrick(BrickMap& bricks, const BrickKey& key, const Lattice& lattice,
                                   const std::vector<SweepStep>& steps, std::uint64_t carve) {
+    TACTOOTH_ASSERT(bricks.find(key) != nullptr);
+    TACTOOTH_ASSERT(!steps.empty());
     return BrickHermiteTracer(bricks, key, lattice, steps, carve).run();
 }
 

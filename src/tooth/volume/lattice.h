@@ -4,8 +4,10 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
+#include "geometry/util/assert.h"
 #include "geometry/util/vec.h"
 #include "tooth/volume/brick.h"
 #include "tooth/volume/brick_key.h"
@@ -25,7 +27,7 @@ struct LatticeNode {
 /// The lattice of nodes: node (i, j, k) stands at origin + spacing * (i, j, k).
 class Lattice {
 public:
-    explicit Lattice(double spacing) : spacing_(spacing) {}
+    explicit Lattice(double spacing) : spacing_(spacing) { TACTOOTH_ASSERT(std::isfinite(spacing) && spacing > 0); }
 
     [[nodiscard]] double spacing() const { return spacing_; }
     [[nodiscard]] Vec3 node(int i, int j, int k) const {
@@ -48,12 +50,15 @@ public:
     [[nodiscard]] double halfDiagonal() const { return 0.5 * (kBrickSide - 1) * spacing_ * std::sqrt(3.0); }
     /// The brick whose nodes and the cells above them hold `point`.
     [[nodiscard]] BrickKey brickAt(const Vec3& point) const {
+        TACTOOTH_ASSERT(point.allFinite());
         const Vec3 place = (point - node(0, 0, 0)) / (kBrickSide * spacing_);
+        TACTOOTH_ASSERT(place.cwiseAbs().maxCoeff() < std::numeric_limits<int>::max());
         return {static_cast<int>(std::floor(place.x())), static_cast<int>(std::floor(place.y())),
                 static_cast<int>(std::floor(place.z()))};
     }
     /// Every brick that owns a node or a cell within `box`, in ascending order.
     [[nodiscard]] std::vector<BrickKey> bricksTouching(const Box3& box) const {
+        TACTOOTH_ASSERT(!box.isEmpty());
         const BrickKey low = brickAt(box.min());
         const BrickKey high = brickAt(box.max());
         std::vector<BrickKey> keys;

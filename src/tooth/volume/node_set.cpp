@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tooth/volume/node_set.h"
 
+#include "geometry/util/assert.h"
+
 namespace tactooth {
 namespace {
 
@@ -44,10 +46,12 @@ const NodeSet& BrickFace::nodes() const {
         for (int i = 0; i < 6; ++i) faces[i] = nodesOf(kBrickFaces[i]);
         return faces;
     }();
+    TACTOOTH_ASSERT(axis >= 0 && axis < 3);
     return kFaces[2 * axis + (isUpper ? 1 : 0)];
 }
 
 NodeSet BrickFace::across(const NodeSet& own) const {
+    TACTOOTH_ASSERT((own & ~nodes()).none());
     return isUpper ? own >> perpendicularTo(axis) : own << perpendicularTo(axis);
 }
 
@@ -65,6 +69,7 @@ NodeSet firstComponent(const NodeSet& all) {
     while (true) {
         NodeSet more = reached;
         for (int axis = 0; axis < 3; ++axis) more |= (up(more, axis) | down(more, axis)) & all;
+        TACTOOTH_ASSERT((more & ~all).none());
         if (more == reached) return reached;
         reached = more;
     }

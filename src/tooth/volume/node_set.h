@@ -5,6 +5,7 @@
 #include <bitset>
 #include <map>
 
+#include "geometry/util/assert.h"
 #include "tooth/volume/brick.h"
 #include "tooth/volume/brick_key.h"
 
@@ -21,6 +22,7 @@ struct BrickFace {
     bool isUpper;
 
     [[nodiscard]] BrickKey beyond(const BrickKey& key) const {
+        TACTOOTH_ASSERT(axis >= 0 && axis < 3);
         const int step = isUpper ? 1 : -1;
         return key.moved(axis == 0 ? step : 0, axis == 1 ? step : 0, axis == 2 ? step : 0);
     }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tooth/volume/piece_remover.h"
 
+#include "geometry/util/assert.h"
 #include "tooth/volume/brick_carver.h"
 
 namespace tactooth {
@@ -38,6 +39,7 @@ NodeSets nodesThatStay(const BrickMap& bricks, const NodeSets& pieces) {
 }  // namespace
 
 NodeSets nodesToRemove(const BrickMap& bricks, const NodeSets& pieces) {
+    TACTOOTH_ASSERT(!pieces.empty());
     NodeSets kept = dilated(nodesThatStay(bricks, pieces));
     NodeSets gone;
     for (auto& [key, nodes] : kept) {
@@ -52,6 +54,7 @@ NodeSets nodesToRemove(const BrickMap& bricks, const NodeSets& pieces) {
 }
 
 MaterialVolumes removeNodes(Brick& brick, const NodeSet& nodes, double spacing) {
+    TACTOOTH_ASSERT(nodes.any());
     MaterialVolumes taken = removedFromBrick(brick, spacing);
     for (double& volume : taken) volume = -volume;
     for (int node = 0; node < kBrickNodes; ++node) {
@@ -66,6 +69,7 @@ MaterialVolumes removeNodes(Brick& brick, const NodeSet& nodes, double spacing) 
 }
 
 void placeBoundary(BrickMap& bricks, const BrickKey& key, const NodeSets& gone) {
+    TACTOOTH_ASSERT(bricks.find(key) != nullptr);
     Brick& brick = *bricks.find(key);
     for (int axis = 0; axis < 3; ++axis) {
         const BrickFace upper{axis, true};
@@ -75,6 +79,7 @@ void placeBoundary(BrickMap& bricks, const BrickKey& key, const NodeSets& gone) 
         for (int node = 0; node < kBrickNodes; ++node) {
             const bool isLast = upper.nodes()[static_cast<std::size_t>(node)];
             const int other = node + (isLast ? 1 - kBrickSide : 1) * nodeStride(axis);
+            TACTOOTH_ASSERT(other >= 0 && other < kBrickNodes);
             const Brick* const owner = isLast ? next : &brick;
             const bool isGone = goneHere[static_cast<std::size_t>(node)];
             const bool isOtherGone = (isLast ? goneNext : goneHere)[static_cast<std::size_t>(other)];

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/util/assert.h"
+
 namespace tactooth {
 namespace {
 
@@ -18,6 +20,7 @@ double cubed(double value) { return value > 0 ? value * value * value : 0; }
 /// Volume of {x in [0,1]^3 : m . x < alpha} for positive m (R. Scardovelli, S. Zaleski, "Analytical Relations
 /// Connecting Linear Interfaces and Volume Fractions in Rectangular Grids", J. Comput. Phys. 2000).
 double corneredVolume(const Vec3& m, double alpha) {
+    TACTOOTH_ASSERT(m.minCoeff() > 0);
     const double sum = m.x() + m.y() + m.z();
     double volume = cubed(alpha) - cubed(alpha - sum);
     for (int axis = 0; axis < 3; ++axis) {
@@ -43,6 +46,8 @@ Eigen::Array4d cubed(const Eigen::Array4d& values) {
 
 // Operation by operation that of one half-space, so that a node's share does not depend on the nodes beside it.
 Eigen::Array4d cubeFractions(const Eigen::Array4d& distances, const std::array<Eigen::Array4d, 3>& absNormals) {
+    TACTOOTH_ASSERT(distances.allFinite());
+    TACTOOTH_ASSERT((absNormals[0] >= 0 && absNormals[1] >= 0 && absNormals[2] >= 0).all());
     std::array<Eigen::Array4d, 3> m;
     for (int axis = 0; axis < 3; ++axis) m[axis] = absNormals[axis].max(kLeastComponent);
     const Eigen::Array4d sum = m[0] + m[1] + m[2];
@@ -55,6 +60,8 @@ Eigen::Array4d cubeFractions(const Eigen::Array4d& distances, const std::array<E
 }
 
 double cubeFraction(const HalfSpace& half) {
+    TACTOOTH_ASSERT(!std::isnan(half.distance));
+    TACTOOTH_ASSERT(std::abs(half.normal.squaredNorm() - 1) < 1e-6);
     const Vec3 m = half.normal.cwiseAbs().cwiseMax(kLeastComponent);
     const double reach = 0.5 * (m.x() + m.y() + m.z());
     if (half.distance >= reach) return 0;
@@ -80,6 +87,7 @@ double cubeFraction(const HalfSpace& first, const HalfSpace& second) {
             total += fractionOfSlices(first, row) * fractionOfSlices(second, row);
         }
     }
+    TACTOOTH_ASSERT(total.sum() >= 0 && total.sum() <= kSlices * kSlices * kSlices);
     return total.sum() / (kSlices * kSlices * kSlices);
 }
 

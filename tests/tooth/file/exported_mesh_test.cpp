@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/expect_assert.h"
 #include "support/mesh_checks.h"
 #include "support/shapes.h"
 
@@ -69,6 +70,12 @@ TEST(ExportedMesh, WhatNoBurHasTouchedStaysHoweverSmall) {
     EXPECT_EQ(exported.mesh.triangles.size(), 24U);
     EXPECT_EQ(exported.tags.front(), 1);
     EXPECT_EQ(exported.tags.back(), 2);
+}
+
+TEST(ExportedMeshAsserts, AVoxelHasASize) {
+    const auto ball = std::make_shared<const SurfacePart>(test::sphere(Vec3::Zero(), 1, 16, 8));
+    EXPECT_ASSERT(static_cast<void>(exportedMesh({.base = ball}, 0)));
+    EXPECT_ASSERT(static_cast<void>(exportedMesh({.base = nullptr}, 0.1)));
 }
 
 }  // namespace

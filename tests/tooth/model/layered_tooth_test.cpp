@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "support/expect_assert.h"
 #include "support/shapes.h"
 
 namespace tactooth {
@@ -103,6 +105,14 @@ TEST(LayeredTooth, ALayerBesideTheToothIsRefusedThoughItsBoxMeetsTheTooths) {
               std::string::npos);
     LayerMesh around{"enamel", MaterialId::Enamel, test::sphere(Vec3::Zero(), 3, 48, 32)};
     EXPECT_TRUE(LayeredTooth::make(test::sphere(Vec3::Zero(), 2, 48, 32), {around}));
+}
+
+TEST(LayeredToothAsserts, MesialIsOneWayOrTheOther) {
+    const TriangleMesh outer = test::box(Vec3(-1, -1, -1), Vec3(1, 1, 1));
+    EXPECT_ASSERT(static_cast<void>(LayeredTooth::make(outer, {}, MaterialId::Enamel, {.mesialX = 0.5})));
+    const LayeredTooth tooth = *LayeredTooth::make(outer);
+    EXPECT_ASSERT(static_cast<void>(tooth.materialAt(Vec3(0, 0, std::nan("")))));
+    tooth.validate();
 }
 
 }  // namespace

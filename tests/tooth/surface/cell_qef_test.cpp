@@ -9,6 +9,8 @@
 #include <random>
 #include <vector>
 
+#include "support/expect_assert.h"
+
 namespace tactooth {
 namespace {
 
@@ -186,6 +188,12 @@ TEST(CellQef, EightCellsGetTheBitsOfEachByItself) {
         }
     }
     for (const int count : seen) EXPECT_GT(count, 200);
+}
+
+TEST(CellQefAsserts, ALaneIsOneOfEightAndARoomHoldsAPoint) {
+    const CellQef8 planes = planesOf(crossedAlongZ({0, 0, 0.2F}, Vec3f::UnitZ()));
+    EXPECT_ASSERT(static_cast<void>(planes.nearestPoint(8, kCell)));
+    EXPECT_ASSERT(static_cast<void>(planes.nearestPoint(0, Box3())));
 }
 
 }  // namespace

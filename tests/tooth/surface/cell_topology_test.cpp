@@ -8,6 +8,8 @@
 #include <array>
 #include <set>
 
+#include "support/expect_assert.h"
+
 namespace tactooth {
 namespace {
 
@@ -62,6 +64,12 @@ TEST(CellTopology, CrossedEdgesComeInTheOrderOfTheLattice) {
         EXPECT_EQ(static_cast<int>(edges.size()), 12 - std::count(rounds.begin(), rounds.end(), -1));
         for (int i = crossings.count; i < 12; ++i) EXPECT_EQ(crossings.edges[i], crossings.edges[0]);
     }
+}
+
+TEST(CellTopologyAsserts, ACellHasTwelveEdgesOnThreeAxes) {
+    EXPECT_ASSERT(static_cast<void>(cellEdge(3, 0, 0)));
+    EXPECT_ASSERT(static_cast<void>(cellEdge(0, 2, 0)));
+    EXPECT_ASSERT(static_cast<void>(cellEdgeCorners(12)));
 }
 
 }  // namespace

@@ -9,6 +9,8 @@
 #include <numeric>
 #include <random>
 
+#include "support/expect_assert.h"
+
 namespace tactooth {
 namespace {
 
@@ -95,6 +97,12 @@ TEST(PolygonTriangulation, APointIsWithinALoopOrNot) {
     EXPECT_TRUE(isWithin(points, loop, {0.5, 2}));
     EXPECT_FALSE(isWithin(points, loop, {2, 2}));
     EXPECT_FALSE(isWithin(points, loop, {5, 1}));
+}
+
+TEST(PolygonTriangulationAsserts, AnOutlineHasThreeCornersAndSoHasAHole) {
+    const Points points = {{0, 0}, {1, 0}, {0, 1}, {0.1, 0.1}, {0.2, 0.1}};
+    EXPECT_ASSERT(static_cast<void>(triangulate(points, {0, 1}, {})));
+    EXPECT_ASSERT(static_cast<void>(triangulate(points, {0, 1, 2}, {{3, 4}})));
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 
 #include <random>
 
+#include "support/expect_assert.h"
+
 namespace tactooth {
 namespace {
 
@@ -72,6 +74,15 @@ TEST(RemovedRows, TheShareIsThatOfTheNodesInTheBox) {
         }
     }
     for (const int count : seen) EXPECT_GT(count, 200);
+}
+
+TEST(RemovedRowsAsserts, ABoxOfNodesIsNotTurnedRoundAndLiesInside) {
+    std::mt19937 random(3);
+    const BrickMap bricks = clumps(random);
+    const BrickNeighbourhood nodes(bricks, {0, 0, 0}, 0.1);
+    const RemovedRows rows(nodes);
+    EXPECT_ASSERT(static_cast<void>(rows.coverage({2, 0, 0}, {1, 3, 3})));
+    EXPECT_ASSERT(static_cast<void>(rows.coverage({0, 0, 0}, {1, 3, kBrickSide + 1})));
 }
 
 }  // namespace

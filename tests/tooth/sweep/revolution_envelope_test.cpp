@@ -7,6 +7,7 @@
 #include <cmath>
 #include <random>
 
+#include "support/expect_assert.h"
 #include "support/shapes.h"
 
 namespace tactooth {
@@ -130,6 +131,21 @@ TEST(RevolutionEnvelope, AWaistIsNoShallowDent) {
     ProfilePart part;
     ASSERT_TRUE(envelope->findPart(waist, envelope->signedDistance(waist), 0.1, part));
     EXPECT_FALSE(part.bulges);
+}
+
+TEST(RevolutionEnvelopeAsserts, PointsAreFiniteAndAReachIsNotNegative) {
+    const RevolutionEnvelope bur = *RevolutionEnvelope::make(test::cylinder(Vec3::Zero(), 0.5, 4, 32));
+    EXPECT_ASSERT(static_cast<void>(bur.sample(Vec3(std::nan(""), 0, 0))));
+    EXPECT_ASSERT(static_cast<void>(bur.signedDistance(Vec3(0, 0, std::nan("")))));
+    ProfilePart part;
+    EXPECT_ASSERT(static_cast<void>(bur.findPart(Vec3::Zero(), 0, -1, part)));
+}
+
+TEST(RevolutionEnvelope, KeepsItsInvariantsForEachShape) {
+    for (const TriangleMesh& mesh : {test::cylinder(Vec3::Zero(), 0.5, 4, 32), test::sphere(Vec3(0, 0, 1), 1, 48, 24),
+                                     test::box(Vec3(-1, -1, 0), Vec3(1, 1, 3))}) {
+        RevolutionEnvelope::make(mesh)->validate();
+    }
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "support/expect_assert.h"
 #include "support/shapes.h"
 
 namespace tactooth {
@@ -147,6 +148,13 @@ TEST(BurFeed, InTheAirItCostsNothing) {
     EXPECT_EQ(result.fraction, 1);
     EXPECT_EQ(result.work, 0);
     EXPECT_TRUE(result.carve.changed.empty());
+}
+
+TEST(BurFeedAsserts, WorkAndSharpnessAreNotNegativeAndNumbers) {
+    CutVolume volume = blockOf(MaterialId::Enamel);
+    EXPECT_ASSERT(push(volume, -1));
+    EXPECT_ASSERT(static_cast<void>(workFor({}, {}, std::nan(""))));
+    EXPECT_ASSERT(static_cast<void>(between(atDepth(0), atDepth(1), -0.5)));
 }
 
 }  // namespace

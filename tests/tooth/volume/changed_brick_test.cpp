@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 
+#include "support/expect_assert.h"
 #include "tooth/volume/lattice.h"
 
 namespace tactooth {
@@ -61,6 +62,13 @@ TEST(ChangedBrick, TellsOfEachBrickOnce) {
     std::size_t all = 0;
     ChangedBrick::all(key).forEachAffected([&](int) { ++all; });
     EXPECT_EQ(all, 27U);
+}
+
+TEST(ChangedBrickAsserts, ChangesOfTwoBricksAreNotAddedUp) {
+    ChangedBrick changed{{1, 2, 3}};
+    EXPECT_ASSERT(changed.add(ChangedBrick{{1, 2, 4}}));
+    EXPECT_ASSERT(changed.addEdge(0, 3));
+    EXPECT_ASSERT(changed.addNode(kBrickNodes));
 }
 
 }  // namespace

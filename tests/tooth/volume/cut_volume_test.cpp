@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <numbers>
 
+#include "support/expect_assert.h"
 #include "support/shapes.h"
 
 namespace tactooth {
@@ -237,6 +238,33 @@ TEST(CutVolume, ResetBringsBackTheWholeTooth) {
     volume.reset();
     EXPECT_EQ(total(volume.removedVolume()), 0);
     EXPECT_EQ(cut(), first);
+}
+
+TEST(CutVolumeAsserts, AToothAndAClearanceAreGiven) {
+    EXPECT_ASSERT(CutVolume(nullptr, kVoxel));
+    CutVolume volume(block(), kVoxel);
+    EXPECT_ASSERT(volume.carve(flatBur(0.4), at(0, 0, 0.5), at(0, 0, -0.5), -0.01));
+    EXPECT_ASSERT(static_cast<void>(volume.cutDistance(Vec3(0, 0, std::nan("")))));
+}
+
+TEST(CutVolumeAsserts, APlanHoldsUntilTheNextCut) {
+    CutVolume volume(block(), kVoxel);
+    const auto bur = flatBur(0.4);
+    const PlannedRemoval planned = volume.removable(bur, at(0, 0, 0.5), at(0, 0, -0.5));
+    (void)volume.carve(planned);
+    EXPECT_ASSERT(volume.carve(planned));
+    EXPECT_ASSERT(static_cast<void>(volume.removablePartWay(planned, bur, at(0, 0, 0.5), at(0, 0, 0))));
+}
+
+TEST(CutVolumeAsserts, WithoutAMarkNothingIsUndone) {
+    CutVolume volume(block(), kVoxel);
+    EXPECT_ASSERT(static_cast<void>(volume.undo()));
+}
+
+TEST(CutVolumeAsserts, AVolumeThatIsCutAdoptsNothing) {
+    CutVolume volume(block(), kVoxel);
+    volume.carve(flatBur(0.4), at(0, 0, 0.5), at(0, 0, -0.5));
+    EXPECT_ASSERT(static_cast<void>(volume.adopt({})));
 }
 
 }  // namespace

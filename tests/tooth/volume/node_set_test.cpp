@@ -7,6 +7,8 @@
 #include <random>
 #include <set>
 
+#include "support/expect_assert.h"
+
 namespace tactooth {
 namespace {
 
@@ -106,6 +108,13 @@ TEST(NodeSet, SolidIsWhatIsToothAndNotRemoved) {
     NodeSet expected;
     expected.set(7).set(9);
     EXPECT_EQ(solidNodes(brick), expected);
+}
+
+TEST(NodeSetAsserts, NodesThatAreNotOnTheFaceHaveNothingAcrossIt) {
+    NodeSet middle;
+    middle.set(static_cast<std::size_t>(nodeIndex(3, 3, 3)));
+    EXPECT_ASSERT(static_cast<void>(kBrickFaces[0].across(middle)));
+    EXPECT_ASSERT(static_cast<void>(BrickFace{3, true}.nodes()));
 }
 
 }  // namespace
