@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Seeded random sequences of everything that a user can do to a tooth: cutting, marks, undo, reset, removing what came
-// loose, saving and opening. After each step the volume and its surface assert their invariants.
+// Seeded random sequences of all operations on a tooth: cutting, marks, undo, reset, removal of detached pieces, save
+// and open. After each operation the volume and its surface validate their invariants.
 
 #include <gtest/gtest.h>
 
@@ -31,7 +31,7 @@ std::shared_ptr<const LayeredTooth> ball() {
                                       {{"dentin", MaterialId::Dentin, test::sphere(Vec3::Zero(), 1.1, 32, 16)}})));
 }
 
-/// A volume with its surface, worked on at random.
+/// A volume with its surface, changed by random operations.
 class Operated {
 public:
     explicit Operated(unsigned seed) : random_(seed) { volume_.setPool(pool_); }
@@ -69,7 +69,7 @@ public:
         surface_.validate();
     }
 
-    /// As a file does: the cut fields alone, taken over by a volume of the same tooth.
+    /// Saves and opens: a volume of the same tooth adopts the cut fields.
     void validateCopy() const {
         std::map<BrickKey, CutField> fields;
         for (const BrickKey& key : volume_.cutBricks()) fields[key] = *volume_.bricks().find(key);

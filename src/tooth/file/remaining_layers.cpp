@@ -9,11 +9,11 @@
 namespace tactooth {
 namespace {
 
-/// A layer is cut as a tooth of its own, by what was removed from the whole one.
+/// Cuts a layer as if it were a tooth of its own, with the cut field of the whole tooth.
 TriangleMesh remainsOf(const TriangleMesh& layer, double voxel, const std::map<BrickKey, CutField>& cuts) {
     auto tooth = LayeredTooth::make(layer);
     TACTOOTH_ASSERT(tooth.has_value());
-    if (!tooth) return {};  // cannot be: the layer was looked at when the tooth was made
+    if (!tooth) return {};  // cannot happen: the layer was checked when the tooth was made
     CutVolume volume(std::make_shared<const LayeredTooth>(std::move(*tooth)), voxel);
     IncrementalSurface surface(volume);
     surface.update(volume, volume.adopt(cuts));

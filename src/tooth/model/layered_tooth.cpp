@@ -16,7 +16,7 @@
 namespace tactooth {
 namespace {
 
-/// How far behind a triangle its material is looked up, mm: layers of one tooth from a CT agree to 0.02 mm only.
+/// mm behind a triangle where its material is looked up. Layers of one tooth from a CT agree to 0.02 mm only.
 constexpr double kBehindSurface = 0.05;
 
 double signedVolume(const TriangleMesh& mesh) {
@@ -62,7 +62,7 @@ Expected<void> checkLayers(const TriangleMesh& outer, const std::vector<LayerMes
     return {};
 }
 
-/// Whether some vertices of `mesh` lie within `body` or on its surface.
+/// Whether some of the sampled vertices of `mesh` lie within `body` or on its surface.
 bool reachesInto(const SurfacePart& body, const TriangleMesh& mesh) {
     constexpr std::size_t kLooks = 200;
     TACTOOTH_ASSERT(!mesh.empty());
@@ -74,7 +74,7 @@ bool reachesInto(const SurfacePart& body, const TriangleMesh& mesh) {
     return false;
 }
 
-/// Two bodies whose boxes meet may still be apart: a layer of the tooth beside this one.
+/// Boxes of two bodies may overlap although the bodies do not: a layer of the tooth beside this one.
 bool areApart(const SurfacePart& a, const SurfacePart& b) {
     return !reachesInto(a, b.mesh()) && !reachesInto(b, a.mesh());
 }

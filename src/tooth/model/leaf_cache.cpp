@@ -12,10 +12,13 @@
 #include "collision/narrow/triangle_point.h"
 #include "geometry/util/assert.h"
 
+// Own method. One traversal of the tree collects the leaves within a ball. Each query then tests the boxes of these
+// leaves, eight at a time, and the triangles of the leaves that are near enough.
+
 namespace tactooth {
 namespace {
 
-/// One bit for each of eight boxes at such a squared distance that come within `reach` of the point.
+/// One bit for each of eight boxes: whether its squared distance is within `reach`.
 std::uint32_t boxesWithin(const Float8& squaredDistances, double reach) {
     return lessEqual(squaredDistances, Float8::all(static_cast<float>(reach * reach * (1 + 1e-6))));
 }
@@ -41,7 +44,7 @@ LeafCache::LeafCache(const SurfacePart& part, const Vec3& centre, double reach) 
         std::uint32_t near = boxesWithin(squaredBoxDistances(node, query), farthest);
         for (; near != 0; near &= near - 1) {
             const int child = std::countr_zero(near);
-            if (!(node.low[0][child] <= node.high[0][child])) continue;  // absent
+            if (!(node.low[0][child] <= node.high[0][child])) continue;  // no child
             const AabbTree::Link link = node.child[child];
             if (!link.isLeaf()) {
                 TACTOOTH_ASSERT(size < AabbTree::kStackSize);

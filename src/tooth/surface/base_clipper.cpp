@@ -11,12 +11,16 @@
 #include "tooth/surface/margin_clipper.h"
 #include "tooth/surface/vertex_groups.h"
 
+// Own method. The cut lines decide which vertices of the tooth's own surface are kept, in groups that no line
+// separates. The cut field decides for groups without a line. Triangles that a line crosses are clipped by
+// triangle_clip.cpp.
+
 namespace tactooth {
 namespace {
 
 std::array<bool, 3> forwardEdges(const Triangle& v) { return {v[0] < v[1], v[1] < v[2], v[2] < v[0]}; }
 
-/// The vertices that a list of triangles uses, numbered from 0.
+/// The vertices of a list of triangles, numbered from 0.
 struct LocalVertices {
     LocalVertices(const TriangleMesh& mesh, const std::vector<std::uint32_t>& triangles) : corners(triangles.size()) {
         IndexBitset used(mesh.vertices.size());
@@ -31,10 +35,11 @@ struct LocalVertices {
         }
     }
     std::vector<std::uint32_t> global;
-    std::vector<Triangle> corners;  ///< of each triangle of the list, in local numbers
+    std::vector<Triangle> corners;  ///< of each triangle of the list, as local numbers
 };
 
-/// Which vertices are kept: told by the cut lines beside them, else by the cut field, farthest from its border.
+/// Decides which vertices are kept. Cut lines at an edge decide first, else the cut field at the vertex of the group
+/// that is farthest from the boundary.
 VertexGroups groupVertices(const CutVolume& volume, const LocalVertices& vertices,
                            const std::vector<std::vector<ClipSegment>>& segments) {
     const TriangleMesh& mesh = volume.tooth()->outer()->mesh();
@@ -44,7 +49,7 @@ VertexGroups groupVertices(const CutVolume& volume, const LocalVertices& vertice
     VertexGroups groups(cut.size());
     for (std::uint32_t i = 0; i < cut.size(); ++i) groups.report(i, cut[i] >= 0, std::abs(cut[i]));
     for (std::size_t i = 0; i < vertices.corners.size(); ++i) {
-        const Triangle& v = vertices.corners[i];  // local numbers keep the order of the global ones
+        const Triangle& v = vertices.corners[i];  // local numbers have the same order as the global ones
         const auto ends = endsOfEdges(segments[i], forwardEdges(v));
         for (int edge = 0; edge < 3; ++edge) groups.addEdge(v[edge], v[(edge + 1) % 3], ends[edge]);
     }
@@ -56,7 +61,7 @@ void clip(const TriangleMesh& mesh, std::uint32_t t, const std::vector<ClipSegme
     const auto clipped = clipTriangle({mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)},
                                       forwardEdges(mesh.triangles[t]), segments, keepsCorner);
     if (!clipped) {
-        remains.failed = true;  // it stays or goes as a whole
+        remains.failed = true;  // kept or dropped as a whole
         return;
     }
     remains.hidden = true;

@@ -11,10 +11,13 @@
 #include "tooth/surface/wall_loops.h"
 #include "tooth/surface/wall_polygons.h"
 
+// Dual contouring; wall_vertices.cpp and wall_loops.cpp name the sources. Differences: each brick makes its wall by
+// itself, and neighbouring walls meet in equal bits. A quad is split along the diagonal that bends the surface less.
+
 namespace tactooth {
 namespace {
 
-/// Grows with the angle between the two triangles on either side of the diagonal from `a` to `c`.
+/// A measure that grows with the angle between the two triangles on either side of the diagonal from `a` to `c`.
 Float8 bendsAlong(const Vec3x8& a, const Vec3x8& b, const Vec3x8& c, const Vec3x8& d) {
     const Vec3x8 diagonal = c - a;
     const Vec3x8 one = cross(b - a, diagonal);
@@ -25,16 +28,16 @@ Float8 bendsAlong(const Vec3x8& a, const Vec3x8& b, const Vec3x8& c, const Vec3x
     return whereLess(zero8(), squares, minus * max(cosine, minus) / squares, zero8());
 }
 
-/// Puts the wall together: its vertices, and triangles for its polygons.
+/// Assembles the wall: its vertices, and the triangles of its polygons.
 class WallBuilder {
 public:
     WallBuilder(const BrickNeighbourhood& nodes, const NodePoints& points, const BrickKey& key)
         : nodes_(nodes), points_(points), key_(key) {}
 
-    /// `vertexAt(i)` gives them as WallLoops::Vertex.
+    /// `vertexAt(i)` returns vertex i as a WallLoops::Vertex.
     template <class VertexAt>
     void addVertices(std::size_t count, const VertexAt& vertexAt) {
-        wall_.mesh.vertices.resize(count + 1);  // see foldsOf
+        wall_.mesh.vertices.resize(count + 1);  // one spare vertex: see foldsOf
         for (std::size_t i = 0; i < count; ++i) wall_.mesh.vertices[i] = vertexAt(i).point.template cast<float>();
     }
 
@@ -54,7 +57,7 @@ public:
         TACTOOTH_ASSERT(triangleCount_ == count);
     }
 
-    /// What is known of those polygons alone that may cross the tooth's surface.
+    /// Fills the lists that exist only if some polygon may cross the tooth's surface.
     template <class VertexAt>
     void addAtSurface(std::span<const WallPolygon> polygons, std::span<const WallLoops::Fan> fans,
                       const VertexAt& vertexAt) {
@@ -66,7 +69,7 @@ public:
             const WallPolygon& polygon = polygons[i];
             const bool isFan = fan != fans.end() && fan->polygon == i;
             const int triangles = isFan ? fan++->size - 2 : 2;
-            const std::uint64_t id = 8 * numberOf(polygon.node, polygon.axis);  // at most six triangles
+            const std::uint64_t id = 8 * numberOf(polygon.node, polygon.axis);  // room for at most six triangles
             const auto place = polygon.isAtSurface ? CavityWall::Place::AtSurface : CavityWall::Place::Inside;
             for (int t = 1; t <= triangles; ++t) {
                 wall_.places.push_back(place);
@@ -85,7 +88,7 @@ public:
     }
 
 private:
-    /// A number that this node of the lattice alone has, with room for 16 kinds of things that belong to it.
+    /// A number that is unique in the lattice for a node and one of its 16 kinds of items.
     [[nodiscard]] std::uint64_t numberOf(int node, int kind) const {
         constexpr std::uint64_t kMask = (1U << 20) - 1;
         TACTOOTH_ASSERT(kind >= 0 && kind < 16);
@@ -115,8 +118,8 @@ private:
         }
     }
 
-    /// A distance changes by no more than the way: a corner of the cell that is farther from the tooth's surface than
-    /// from the vertex has the vertex on its side.
+    /// A distance field changes by no more than the displacement. If a corner of the cell is farther from the tooth's
+    /// surface than from the vertex, both are on the same side.
     [[nodiscard]] std::int8_t sideOf(const Vec3& point, int cell) const {
         for (int corner = 0; corner < 8; ++corner) {
             const int node = cell + BrickNeighbourhood::index(corner & 1, corner >> 1 & 1, corner >> 2) -
@@ -127,7 +130,7 @@ private:
         return 0;
     }
 
-    /// Four-sided polygons are folded along the diagonal that leaves the smaller bend.
+    /// Splits quads along the diagonal that bends the surface less.
     void addQuads(std::span<const WallPolygon> polygons) {
         for (std::size_t first = 0; first < polygons.size(); first += 8) {
             const auto eight = polygons.subspan(first, std::min<std::size_t>(8, polygons.size() - first));
@@ -141,7 +144,7 @@ private:
             }
         }
     }
-    /// Which of eight are to be folded from their second corner to the fourth: one bit each.
+    /// Which of eight quads are to be split from their second to their fourth corner: one bit each.
     [[nodiscard]] unsigned foldsOf(std::span<const WallPolygon> eight) const {
         TACTOOTH_ASSERT(!eight.empty() && eight.size() <= 8);
         std::array<Vec3x8, 4> corners;
@@ -151,7 +154,7 @@ private:
                 const WallPolygon& polygon = eight[std::min(lane, eight.size() - 1)];
                 points[lane] = wall_.mesh.vertices[polygon.corners[i]].data();
             }
-            const auto [x, y, z, nextX] = Float8::loadFours(points);  // the last vertex has one behind it
+            const auto [x, y, z, nextX] = Float8::loadFours(points);  // reads past the vertex
             corners[i] = {x, y, z};
         }
         const auto& [a, b, c, d] = corners;

@@ -15,6 +15,9 @@
 #include "tooth/surface/box_query.h"
 #include "tooth/surface/removed_rows.h"
 
+// Own method. After a carve, only the bricks around the change get a new wall, only base triangles near these walls are
+// clipped again, and only the patches that differ are replaced. The snapshots share everything else.
+
 namespace tactooth {
 namespace {
 
@@ -29,12 +32,12 @@ Box3 grown(const Box3& box, double margin) {
     return {box.min() - Vec3::Constant(margin), box.max() + Vec3::Constant(margin)};
 }
 
-// Voxels; a wall triangle lies within 1.35 of the lattice edge that it is made for (kWallReach), which ends a node
-// further on: nodes in this range about a triangle tell whether any may touch it.
+// Voxels. A wall triangle lies within 1.35 of its lattice edge (kWallReach), and the edge ends one node further on. The
+// nodes in this range around a triangle tell whether a wall may touch it.
 constexpr float kNodesBefore = 1.5F;
 constexpr float kNodesBeyond = 3.0F;
 
-/// Six times what a triangle adds to the volume of its body, by the divergence theorem.
+/// Six times the contribution of a triangle to the volume of its body (divergence theorem).
 double sixfoldOf(const TriangleMesh& mesh, std::uint32_t t) {
     return mesh.corner(t, 0).dot(mesh.corner(t, 1).cross(mesh.corner(t, 2)));
 }
@@ -48,7 +51,7 @@ double sixfoldAdjacent(const SurfacePart& part) {
     return sum;
 }
 
-/// Whether each edge is run through as often in one direction as in the other, where equal points are one vertex.
+/// Whether each edge is used as often in one direction as in the other. Equal points count as one vertex.
 bool isClosed(TriangleMesh mesh) {
     std::vector<std::uint32_t> pointOf(mesh.vertices.size());
     VertexWelder welder(mesh.vertices.size());
@@ -60,14 +63,14 @@ bool isClosed(TriangleMesh mesh) {
     return edgeBalance(mesh).closed();
 }
 
-/// The next whole number down, of one that an int holds.
+/// The largest int that is not above `value`.
 int roundedDown(float value) {
     TACTOOTH_ASSERT(std::abs(value) < 1e6F);
     const int whole = static_cast<int>(value);
     return whole - static_cast<int>(value < static_cast<float>(whole));
 }
 
-/// All that the triangles of a brick's wall can touch.
+/// A box that holds all triangles of a brick's wall.
 Box3 wallBox(const Lattice& lattice, const BrickKey& key) {
     const Vec3 low = lattice.corner(key);
     const Box3 nodes(low, low + Vec3::Constant((kBrickSide - 1) * lattice.spacing()));
@@ -80,7 +83,7 @@ IncrementalSurface::IncrementalSurface(const CutVolume& volume)
     : base_(volume.tooth()->outer()),
       lattice_(volume.lattice()),
       marginSegments_(base_->mesh().triangles.size()),
-      thinner_(base_->tree()) {
+      maskedBvh_(base_->tree()) {
     snapshot_ = std::make_shared<const Surface>(uncut(0));
 }
 
@@ -92,7 +95,7 @@ void IncrementalSurface::reset() {
     patches_.clear();
     std::ranges::fill(marginSegments_, std::uint32_t{0});
     hidden_.clear();
-    thinner_.showAll();
+    maskedBvh_.showAll();
     sixfoldAdjacent_ = 0;
     adjacentPatches_ = 0;
     failures_ = 0;
@@ -104,7 +107,7 @@ void IncrementalSurface::update(const CutVolume& volume, const std::vector<Chang
     TACTOOTH_ASSERT(volume.lattice().spacing() == lattice_.spacing());
     if (changed.empty()) return;
     onlyGrows_ = std::exchange(undosSeen_, volume.undos()) == volume.undos();
-    if (!onlyGrows_) {  // what was passed may be met again
+    if (!onlyGrows_) {  // an undo may bring back triangles that a bur has passed
         for (auto& [key, cell] : cells_) cell.knowsBase = false;
     }
     const std::vector<BrickKey> keys = bricksToExtract(volume, changed);
@@ -124,7 +127,7 @@ void IncrementalSurface::update(const CutVolume& volume, const std::vector<Chang
     publish(dirty);
 }
 
-/// A change beside the faces of a brick moves the wall of the bricks beyond, too.
+/// A change next to the faces of a brick also moves the walls of the neighbouring bricks.
 std::vector<BrickKey> IncrementalSurface::bricksToExtract(const CutVolume& volume,
                                                           const std::vector<ChangedBrick>& changed) const {
     std::vector<BrickKey> keys;
@@ -162,8 +165,8 @@ IncrementalSurface::TriangleBounds IncrementalSurface::boxed(std::uint32_t trian
             vertices[a].cwiseMax(vertices[b]).cwiseMax(vertices[c])};
 }
 
-/// A triangle of the base changes where the wall is near it; these are returned. What lies among removed nodes alone is
-/// looked at once more and then forgotten: they stay removed, so no wall comes near it again.
+/// Returns the base triangles that a wall may touch. A triangle whose nodes are all removed is reported as affected
+/// once more and then forgotten: its nodes stay removed, so that no wall comes near it again.
 std::vector<std::uint32_t> IncrementalSurface::findAffected(const BrickNeighbourhood& nodes, const BrickKey& key,
                                                             Cell& cell) const {
     using Coverage = RemovedRows::Coverage;
@@ -178,7 +181,7 @@ std::vector<std::uint32_t> IncrementalSurface::findAffected(const BrickNeighbour
         BrickNeighbourhood::Place at;
         for (int axis = 0; axis < 3; ++axis) {
             const float exact = (point[axis] - corner[axis]) * voxels + beyond;
-            // Places beyond the nodes that are here are all one; numbers far beyond would not fit.
+            // The neighbourhood ends here. Clamping also keeps far places within the range of an int.
             at[axis] = roundedDown(std::clamp(exact, -1.0F, static_cast<float>(kBrickSide)));
         }
         return at;
@@ -232,7 +235,7 @@ std::vector<std::vector<ClipSegment>> IncrementalSurface::cutLines(const std::ve
     return segments;
 }
 
-/// Whether this changes anything.
+/// Returns whether this changes anything.
 bool IncrementalSurface::setRemains(const BrickKey& home, std::uint32_t triangle, Remains pieces) {
     const auto cell = cells_.find(home);
     if (pieces.empty()) return cell != cells_.end() && cell->second.remains.erase(triangle) > 0;
@@ -254,7 +257,7 @@ void IncrementalSurface::storeBase(const std::vector<std::uint32_t>& triangles,
         if (base_->isAdjacent(t) && results[i].hidden != isHidden(hidden_, t))
             sixfoldAdjacent_ += (results[i].hidden ? -1 : 1) * sixfoldOf(mesh, t);
         hidden_[t / 64] = results[i].hidden ? hidden_[t / 64] | bit : hidden_[t / 64] & ~bit;
-        thinner_.setHidden(t, results[i].hidden);
+        maskedBvh_.setHidden(t, results[i].hidden);
         failures_ += results[i].failed;
         const BrickKey home = lattice_.brickAt((mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3);
         if (setRemains(home, t, std::move(results[i].pieces))) dirty.push_back(home);
@@ -263,7 +266,7 @@ void IncrementalSurface::storeBase(const std::vector<std::uint32_t>& triangles,
     dirty.erase(std::unique(dirty.begin(), dirty.end()), dirty.end());
 }
 
-/// What cutting has left in a brick: its wall, then what remains of base triangles. Null: nothing.
+/// The patch of a brick: its wall, then what remains of base triangles. Null if there is nothing.
 std::shared_ptr<const SurfacePart> IncrementalSurface::patchOf(const Cell& cell) const {
     std::size_t remaining = 0;
     for (const auto& [triangle, remains] : cell.remains) remaining += remains.size();
@@ -314,7 +317,7 @@ void IncrementalSurface::publish(const std::vector<BrickKey>& dirty) {
     for (std::size_t i = 0; i < dirty.size(); ++i) setPatch(dirty[i], std::move(parts[i]));
     Surface surface = uncut(snapshot_->revision + 1);
     surface.hidden = std::make_shared<const TriangleMask>(hidden_);
-    surface.maskedTree = std::make_shared<const AabbTree>(thinner_.maskedTree());
+    surface.maskedTree = std::make_shared<const AabbTree>(maskedBvh_.maskedTree());
     surface.patches = patches_;
     snapshot_ = std::make_shared<const Surface>(std::move(surface));
 }

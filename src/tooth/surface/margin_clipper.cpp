@@ -14,6 +14,10 @@
 #include "tooth/surface/intersection_filter.h"
 #include "tooth/surface/vertex_groups.h"
 
+// Own method. surface_intersection.cpp finds the segments of the cavity margin, and triangle_clip.cpp clips single
+// triangles. This file decides which vertices of a wall are kept: cut lines decide for connected groups of vertices,
+// and a test against the tooth decides for the others.
+
 namespace tactooth {
 namespace {
 
@@ -38,7 +42,7 @@ std::array<bool, 3> forwardEdges(const std::array<std::uint64_t, 3>& id) {
     return {id[0] < id[1], id[1] < id[2], id[2] < id[0]};
 }
 
-/// Cuts one brick's wall at the tooth's surface.
+/// Clips the wall of one brick at the tooth's surface.
 class WallClipper {
 public:
     WallClipper(const CavityWall& wall, const std::vector<MarginSegment>& margin, const SurfacePart& base)
@@ -76,13 +80,13 @@ private:
 
     [[nodiscard]] bool isCrossed(std::uint32_t t) const { return linesBefore_[t] != linesBefore_[t + 1]; }
 
-    /// The cut lines in a triangle; good until it is asked for those of another.
+    /// The cut lines in a triangle. Valid until the next call.
     const std::vector<ClipSegment>& linesIn(std::uint32_t t) {
         TACTOOTH_ASSERT(t + 1 < linesBefore_.size());
         segments_.clear();
         for (std::uint32_t i = linesBefore_[t]; i < linesBefore_[t + 1]; ++i) {
             const auto& [base, wall, wallId, crossing] = *lines_[i];
-            // On the wall the way runs back.
+            // On the wall the line runs in the opposite direction.
             segments_.push_back({asSeenFrom(crossing.end, false, base), asSeenFrom(crossing.start, false, base)});
         }
         return segments_;
@@ -157,8 +161,8 @@ private:
 
     const CavityWall& wall_;
     const SurfacePart& base_;
-    std::vector<std::uint32_t> linesBefore_;   // how many cut lines the wall's triangles before this one have
-    std::vector<const MarginSegment*> lines_;  // of one triangle after the other
+    std::vector<std::uint32_t> linesBefore_;   // number of cut lines in the triangles before each one
+    std::vector<const MarginSegment*> lines_;  // grouped by triangle
     std::vector<ClipSegment> segments_;
     VertexGroups groups_;
     std::vector<std::uint32_t> patchVertex_;
@@ -217,7 +221,7 @@ std::array<std::optional<EdgeEnds>, 3> endsOfEdges(const std::vector<ClipSegment
                                                    const std::array<bool, 3>& isForward) {
     std::array<std::optional<EdgeEnds>, 3> result;
     if (segments.empty()) return result;
-    std::array<std::byte, 1024> memory;  // mostly enough
+    std::array<std::byte, 1024> memory;  // enough in most cases
     std::pmr::monotonic_buffer_resource pool(memory.data(), memory.size());
     std::pmr::vector<EdgeCrossing> crossings(&pool);
     crossings.reserve(2 * segments.size());

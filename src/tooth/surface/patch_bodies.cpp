@@ -13,7 +13,7 @@ namespace {
 
 bool standsAlone(const SurfacePart& base) { return base.firstAdjacent() >= base.mesh().triangles.size(); }
 
-/// Bodies do not touch, so what is next to a point in one of them or on its surface is its own surface.
+/// Bodies do not touch, so that the surface nearest to a point of a body is its own.
 bool isAdjacentAt(const SurfacePart& base, const Vec3& point) {
     const auto nearest = closestPoint(base, point);
     return nearest && base.isAdjacent(nearest->triangle);
@@ -39,7 +39,7 @@ BrickBodies bodiesIn(const SurfacePart& base, const std::vector<std::uint32_t>& 
 
 namespace {
 
-/// With a tree that is made soon: the next cut may replace it.
+/// Builds the tree quickly, since the next cut may replace it.
 std::shared_ptr<const SurfacePart> quickPart(TriangleMesh mesh, std::vector<SurfaceTag> tags,
                                              std::uint32_t firstAdjacent) {
     return std::make_shared<const SurfacePart>(std::move(mesh), std::move(tags), firstAdjacent, TreeBuild::Quick);

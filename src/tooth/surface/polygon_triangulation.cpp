@@ -7,15 +7,16 @@
 
 #include "geometry/util/assert.h"
 
-// Ear clipping (G. Meisters, "Polygons Have Ears", 1975) after joining each hole to the outline by a bridge.
+// Source: ear clipping (G. Meisters, "Polygons Have Ears", American Mathematical Monthly 82, 1975). Differences: a
+// bridge joins each hole to the outline first, and nearly flat ears come last.
 
 namespace tactooth {
 namespace {
 
 using Points = std::vector<Eigen::Vector2d>;
 
-/// A triangle whose doubled area is less than this share of the square of its longer edge counts as flat: cut lines are
-/// some hundredths of a millimetre long, and rounding to floats moves their ends by some 1e-6 of a millimetre.
+/// A triangle counts as flat if its doubled area is less than this share of the square of its longer edge. Cut lines
+/// are some hundredths of a millimetre long, and rounding to floats moves their ends by about 1e-6 mm.
 constexpr double kFlat = 1e-4;
 
 double turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
@@ -37,7 +38,7 @@ bool crossesLoop(const Points& points, const PolygonLoop& loop, std::uint32_t fr
     return false;
 }
 
-/// Position in the outline of the nearest corner that `from` sees past the outline and every hole.
+/// Position in the outline of the nearest corner that is visible from `from`, past the outline and all holes.
 std::size_t nearestVisible(const Points& points, const PolygonLoop& outline, const std::vector<PolygonLoop>& holes,
                            std::uint32_t from) {
     TACTOOTH_ASSERT(!outline.empty());
@@ -102,9 +103,9 @@ private:
         return turn(points_[before(i)], points_[loop_[i]], points_[after(i)]);
     }
 
-    /// The next ear from `from` on. Three corners on one line must not be left to one triangle, which would have no
-    /// area: what only just holds such a line is an ear where there is no other. If rounding leaves none at all, the
-    /// corner that turns left most.
+    /// The next ear from `from` on. Three corners on one line must not remain as one triangle, which would have no
+    /// area. So a flat ear is taken only if there is no other. If rounding leaves no ear at all, the corner with the
+    /// largest left turn is taken.
     [[nodiscard]] std::size_t nextEar(std::size_t from) const {
         for (const double tolerance : {kFlat, 0.0}) {
             for (std::size_t step = 0; step < loop_.size(); ++step) {
@@ -118,7 +119,7 @@ private:
         return best;
     }
 
-    /// Square of the longer of the two edges at a corner.
+    /// Square of the longer one of the two edges at a corner.
     [[nodiscard]] double squaredSizeAt(std::size_t i) const {
         const Eigen::Vector2d& corner = points_[loop_[i]];
         return std::max((points_[before(i)] - corner).squaredNorm(), (points_[after(i)] - corner).squaredNorm());

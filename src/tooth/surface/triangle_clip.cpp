@@ -11,9 +11,10 @@
 #include "geometry/util/assert.h"
 #include "tooth/surface/polygon_triangulation.h"
 
-// As in J. Smith and N. Dodgson, "A topologically robust algorithm for Boolean operations on polyhedral shapes using
-// approximate arithmetic", Computer-Aided Design 2007: which points there are and how they join is settled by
-// consistent predicates; coordinates only decide how the polygons that result are drawn as triangles.
+// Source: J. Smith and N. Dodgson, "A topologically robust algorithm for Boolean operations on polyhedral shapes using
+// approximate arithmetic", Computer-Aided Design 39, 2007. As there, consistent predicates decide which points exist
+// and how they are joined. Coordinates decide only how the resulting polygons are split into triangles. Difference:
+// only one triangle is clipped at a time.
 
 namespace tactooth {
 
@@ -80,13 +81,13 @@ public:
 private:
     static constexpr std::uint32_t kNoSegment = ~0U;
     using Key = std::array<std::uint64_t, 2>;
-    /// What becomes of a piece of a cut line.
+    /// State of one segment of a cut line.
     struct Line {
-        std::uint32_t startPoint = 0, endPoint = 0;  ///< in the result
-        std::size_t endStop = 0;                     ///< on the ring, if it ends there
+        std::uint32_t startPoint = 0, endPoint = 0;  ///< in the points of the result
+        std::size_t endStop = 0;                     ///< on the ring, if the segment ends there
         bool isVisited = false;
     };
-    /// A stop on the way around the border, counter-clockwise: a corner, or where a cut line begins or ends.
+    /// A stop on the ring around the triangle, counter-clockwise: a corner, or the start or end of a cut line.
     struct Stop {
         std::uint32_t point;
         std::uint32_t segment;  ///< kNoSegment at a corner
@@ -116,8 +117,8 @@ private:
         return true;
     }
 
-    /// To the piece that begins where `segment` ends; false if there is none.
-    bool goOn(std::uint32_t& segment) const {
+    /// Moves on to the segment that starts where `segment` ends. False if there is none.
+    bool advance(std::uint32_t& segment) const {
         TACTOOTH_ASSERT(segment < segments_.size() && segments_[segment].end.edge < 0);
         const Key& key = segments_[segment].end.key;
         const auto beyond = std::upper_bound(startingAt_.begin(), startingAt_.end(), std::pair(key, kNoSegment));
@@ -126,14 +127,14 @@ private:
         return true;
     }
 
-    /// Follows a cut line to its end on the border; false if it breaks off.
+    /// Follows a cut line to its end on the ring. False if the line is interrupted.
     bool followLine(std::uint32_t& segment, PolygonLoop& loop) {
         for (;;) {
             if (lines_[segment].isVisited) return false;
             lines_[segment].isVisited = true;
             loop.push_back(lines_[segment].startPoint);
             if (segments_[segment].end.edge >= 0) return true;
-            if (!goOn(segment)) return false;
+            if (!advance(segment)) return false;
         }
     }
 
@@ -168,7 +169,7 @@ private:
                 if (lines_[segment].isVisited || segments_[segment].end.edge >= 0) return false;
                 lines_[segment].isVisited = true;
                 loop.push_back(lines_[segment].startPoint);
-                if (!goOn(segment)) return false;
+                if (!advance(segment)) return false;
             } while (segment != first);
             (doubledArea(flat_, loop) >= 0 ? outlines_ : holes_).push_back(std::move(loop));
         }
@@ -189,7 +190,7 @@ private:
         return true;
     }
 
-    /// Drops the axis along which the triangle faces most, keeping its sense of turning.
+    /// Drops the axis in which the triangle's normal is longest, and keeps the orientation.
     void project() {
         const auto& p = result_.points;
         const Vec3 normal = (p[1] - p[0]).cross(p[2] - p[0]);
@@ -204,12 +205,12 @@ private:
     }
 
     const std::vector<ClipSegment>& segments_;
-    std::array<std::byte, 4096> memory_;  // enough for nearly every triangle; what more it takes comes from the heap
+    std::array<std::byte, 4096> memory_;  // enough for nearly every triangle; the rest comes from the heap
     std::pmr::monotonic_buffer_resource pool_{memory_.data(), memory_.size()};
     std::pmr::vector<Line> lines_;
     ClippedTriangle result_;
-    std::pmr::vector<std::pair<Key, std::uint32_t>> startingAt_{&pool_};  // pieces that begin inside, ordered by key
-    std::pmr::vector<EdgeCrossing> crossings_{&pool_};                    // of the edge at hand
+    std::pmr::vector<std::pair<Key, std::uint32_t>> startingAt_{&pool_};  // segments that start inside, ordered by key
+    std::pmr::vector<EdgeCrossing> crossings_{&pool_};                    // of the current edge
     std::pmr::vector<Stop> ring_{&pool_};
     std::pmr::vector<PolygonLoop> outlines_{&pool_}, holes_{&pool_};
     std::pmr::vector<std::vector<PolygonLoop>> holesOf_{&pool_};

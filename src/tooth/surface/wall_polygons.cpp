@@ -10,17 +10,17 @@
 namespace tactooth {
 namespace {
 
-/// Voxels; a wall triangle lies within sqrt(3) * 1.5 of either node of its lattice edge ...
+/// Voxels. A wall triangle lies within sqrt(3) * 1.5 of either node of its lattice edge ...
 constexpr double kTriangleReach = 2.6;
 /// ... and within sqrt(1.5^2 + 1.5^2 + 0.5^2) of the nearer one.
 constexpr double kNearerReach = 2.2;
-/// The nodes of a row that lie in the brick.
+/// Bits of the nodes of a row that lie in the brick.
 constexpr unsigned kInBrick = ((1U << kBrickSide) - 1) << 1;
 constexpr std::uint16_t kNoCell = 0xFFFF;
 
 }  // namespace
 
-/// What the distances of a row's nodes to the tooth's surface tell of the edges that begin there or end there.
+/// The position of a row of nodes relative to the tooth's surface, for the edges that begin or end there.
 class WallPolygons::RowInTooth {
 public:
     RowInTooth(const BrickNeighbourhood::ToothRow& row, double spacing)
@@ -29,16 +29,18 @@ public:
           isDeep_(row.below(static_cast<float>(-kTriangleReach * spacing))),
           isInside_(row.below(0)) {}
 
-    /// Of the next nodes along x.
+    /// The row of the next nodes along x.
     [[nodiscard]] RowInTooth next() const {
         RowInTooth moved = *this;
         for (unsigned* bits : {&moved.isFar_, &moved.isBeyond_, &moved.isDeep_, &moved.isInside_}) *bits >>= 1;
         return moved;
     }
-    /// `crossed`: edges from this row to `ends`, at whose first nodes `removed` tells of the cavity.
+    /// Edges from this row to `ends`. `crossed`: those that the boundary crosses. `removed`: those whose first nodes
+    /// are removed.
     [[nodiscard]] Edges edges(unsigned crossed, unsigned removed, const RowInTooth& ends) const {
         const unsigned outside = (isFar_ & ends.isFar_) | isBeyond_ | ends.isBeyond_;
-        // Behind the wall is the solid node, or the removed one if the solid one lies outside the tooth.
+        // The material behind the wall is that of the solid node, or of the removed node if the solid one lies outside
+        // the tooth.
         const unsigned firstIsBehind = (~removed & isInside_) | (removed & ~ends.isInside_);
         return {crossed & ~outside, crossed & ~outside & ~(isDeep_ | ends.isDeep_), firstIsBehind};
     }

@@ -9,14 +9,17 @@
 
 #include "geometry/util/assert.h"
 
+// Own method. The signed distance to a solid of revolution is that to its profile in the half-plane of radius and
+// height. A uniform grid lists the segments that can be nearest to the points of each of its cells.
+
 namespace tactooth {
 namespace {
 
-constexpr double kGridMargin = 0.5;      ///< mm around the profile; farther points are rare and ask every segment
-constexpr double kFinestCell = 0.04;     ///< mm; a cell then holds two or three segments of a usual bur
-constexpr double kMaxCells = 20'000;     ///< keeps a 30 mm long tool below 200 KB
-constexpr double kOnSurface = 1e-9;      ///< mm; nearer than this the offset has no direction: take the normal
-constexpr double kTieTolerance = 1e-18;  ///< mm^2; two segments meet in their corner at the same distance
+constexpr double kGridMargin = 0.5;      ///< mm around the profile; the rare farther points test every segment
+constexpr double kFinestCell = 0.04;     ///< mm; a cell holds two or three segments of a usual bur
+constexpr double kMaxCells = 20'000;     ///< keeps the grid of a tool 30 mm long below 200 KB
+constexpr double kOnSurface = 1e-9;      ///< mm; a shorter offset has no direction, so that the normal is used
+constexpr double kTieTolerance = 1e-18;  ///< mm^2; two segments have the same distance at their common corner
 
 }  // namespace
 
@@ -119,7 +122,7 @@ bool RevolutionEnvelope::isInside(double radius, double z) const {
     return radius < lower->radius + t * (upper->radius - lower->radius);
 }
 
-/// Nearest within a segment, a point lies on the side to which its offset points.
+/// If the nearest point lies within a segment, the offset tells the side.
 bool RevolutionEnvelope::isInside(const Nearest& hit, double radius, double z) const {
     if (!hit.isWithin || hit.squaredDistance <= kOnSurface * kOnSurface) return isInside(radius, z);
     TACTOOTH_ASSERT(hit.segment < segments_.size());
@@ -148,7 +151,7 @@ FieldSample RevolutionEnvelope::sample(const Vec3& pointInTool) const {
         const double scale = (inside ? -1.0 : 1.0) / distance;
         slopeR = hit.offsetR * scale;
         slopeZ = hit.offsetZ * scale;
-    } else {  // the profile runs upward on the outside, so its outward normal is the direction turned to the right
+    } else {  // the profile runs upward on the outside: its outward normal is the direction turned to the right
         slopeR = segment.directionZ;
         slopeZ = -segment.directionR;
     }
@@ -157,8 +160,8 @@ FieldSample RevolutionEnvelope::sample(const Vec3& pointInTool) const {
     return {inside ? -distance : distance, Vec3(slopeR * outward.x(), slopeR * outward.y(), slopeZ)};
 }
 
-/// Whether the corner at the end of a segment stands out. The profile runs upward on the outside, so inward is to the
-/// left; on the axis it meets its own mirror image.
+/// Whether the profile is convex at the end of a segment. The profile runs upward on the outside, so that inward is to
+/// the left. On the axis it meets its own mirror image.
 bool RevolutionEnvelope::bulgesAfter(std::size_t segment) const {
     TACTOOTH_ASSERT(segment < segments_.size());
     if (segment + 1 == segments_.size()) return true;
@@ -174,7 +177,9 @@ bool RevolutionEnvelope::findPart(const Vec3& pointInTool, double distance, doub
     const double z = pointInTool.z();
     const double farthest = std::abs(distance) + 2 * reach;
     const auto topOf = [](const Segment& s) { return s.start.z + s.length * s.directionZ; };
-    const auto isBelow = [&](const Segment& s) { return topOf(s) < z - farthest; };  // a profile never falls
+    const auto isBelow = [&](const Segment& s) {
+        return topOf(s) < z - farthest;
+    };  // heights of the profile never decrease
     const auto first = std::partition_point(segments_.begin(), segments_.end(), isBelow);
     const auto sideAfter = [&](std::size_t segment) { return bulgesAfter(segment) ? 1.0F : -1.0F; };
     part.pieceCount = 0;

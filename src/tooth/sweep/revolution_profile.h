@@ -14,8 +14,8 @@ struct RevolutionProfilePoint {
     double z;
 };
 
-/// The profile alone: for each height the largest distance of the mesh from the z axis. Piecewise linear, never
-/// smaller than the mesh, larger by less than 1 um.
+/// The profile of a mesh: for each height the largest distance from the z axis. Piecewise linear, never smaller than
+/// the mesh, larger by less than 1 um. Empty if the mesh has no extent along z.
 [[nodiscard]] std::vector<RevolutionProfilePoint> revolutionProfile(const TriangleMesh& mesh);
 
 }  // namespace tactooth

@@ -11,17 +11,17 @@
 namespace tactooth {
 namespace {
 
-constexpr double kStraightness = 1e-4;   ///< mm; sagitta of a turning point's arc within one step
-constexpr double kDistanceError = 1e-5;  ///< mm; where the search for the nearest moment stops
-constexpr int kSearchRounds = 12;        ///< tangent cuts on a unit interval; three are usual
-constexpr double kUnitTolerance = 1e-4;  ///< of a quaternion's squared length, as files round it
-constexpr int kMaxParts = 4;             ///< of a step: one that goes farther comes near much that it does not reach
+constexpr double kStraightness = 1e-4;   ///< mm; sagitta of the arc of a rotating point within one step
+constexpr double kDistanceError = 1e-5;  ///< mm; the search for the nearest time stops here
+constexpr int kSearchRounds = 12;        ///< tangent cuts of the unit interval; three are usual
+constexpr double kUnitTolerance = 1e-4;  ///< of the squared length of a quaternion; files round it
+constexpr int kMaxParts = 4;             ///< of a step; a longer step comes near many bricks that it does not reach
 
 bool isPose(const Pose& pose) {
     return pose.position.allFinite() && std::abs(pose.rotation.squaredNorm() - 1) < kUnitTolerance;
 }
 
-/// Farthest that a point of the bur (a cylinder about its axis) moves between two poses.
+/// Upper bound of the displacement of a point of the bur (a cylinder about its axis) between two poses.
 double travelBetween(const RevolutionEnvelope& envelope, const Pose& from, const Pose& to) {
     const double angle = from.rotation.angularDistance(to.rotation);
     const auto axisTravel = [&](double z) { return (to * Vec3(0, 0, z) - from * Vec3(0, 0, z)).norm(); };
@@ -62,9 +62,9 @@ SweepStep::SweepStep(const RevolutionEnvelope& envelope, const Pose& fromInTooth
     TACTOOTH_ASSERT(std::isfinite(travel_));
 }
 
-// Along the straight path q(s), s in [0, 1], f(s) = distance(q(s)) is convex for a convex envelope: no tangent lies
-// above it, and two tangents meet below the minimum (Kelley's cutting planes on an interval): look where they meet,
-// keep the side that falls.
+// Source: J. Kelley, "The Cutting-Plane Method for Solving Convex Programs", 1960, here on an interval. Along the
+// straight path q(s), s in [0, 1], f(s) = distance(q(s)) is convex for a convex envelope. No tangent lies above f, and
+// two tangents meet below the minimum. The search samples f where they meet and keeps the side on which f decreases.
 void SweepStep::searchPart(const Vec3& start, const Vec3& end, double first, double last, double limit,
                            Nearest& best) const {
     TACTOOTH_ASSERT(first >= 0 && first < last && last <= 1);

@@ -16,14 +16,14 @@
 
 namespace tactooth {
 
-/// The bricks that have been made so far. A brick clear of the tooth is remembered as absent.
+/// The bricks that were sampled so far. The map remembers a brick that is clear of the tooth as absent.
 class BrickMap {
 public:
-    /// A brick and those around it, as BrickKey::neighbour counts them; null where there is none.
+    /// A brick and its neighbours, in the order of BrickKey::neighbour. Null where no brick exists.
     using Around = std::array<const Brick*, 27>;
 
     [[nodiscard]] bool knows(const BrickKey& key) const { return bricks_.contains(key); }
-    /// What `find` gives, if the map knows of it.
+    /// The result of `find` if the map knows the key, else nothing.
     [[nodiscard]] std::optional<Brick*> known(const BrickKey& key) {
         const auto found = bricks_.find(key);
         return found == bricks_.end() ? std::nullopt : std::optional(found->second.brick.get());
@@ -36,13 +36,13 @@ public:
         const auto found = bricks_.find(key);
         return found == bricks_.end() ? nullptr : found->second.brick.get();
     }
-    /// Kept with each brick, since its surface is asked for far more often than bricks are made.
+    /// The neighbours are stored with each brick, since surfaces ask for them far more often than bricks are made.
     [[nodiscard]] const Around& around(const BrickKey& key) const {
         static constexpr Around kNone{};
         const auto found = bricks_.find(key);
         return found == bricks_.end() ? kNone : found->second.around;
     }
-    /// A key that is not known yet.
+    /// Adds a brick, or null for an absent one. The map must not know the key yet.
     void insert(const BrickKey& key, std::unique_ptr<Brick> brick) {
         TACTOOTH_ASSERT(!knows(key));
         TACTOOTH_ASSERT(key.isInRange());
@@ -56,7 +56,7 @@ public:
         }
     }
     void clear() { bricks_.clear(); }
-    /// Keys of the bricks that exist, in ascending order.
+    /// Keys of the existing bricks, in ascending order.
     [[nodiscard]] std::vector<BrickKey> keys() const {
         std::vector<BrickKey> result;
         for (const auto& [key, entry] : bricks_) {
@@ -66,7 +66,7 @@ public:
         return result;
     }
 
-    /// Asserts the invariants of every brick, and that each one knows its neighbours. Looks at every node.
+    /// Asserts the invariants of every brick and of the lists of neighbours. Looks at every node. `spacing` in mm.
     void validate(double spacing) const {
         for (const auto& [key, entry] : bricks_) {
             TACTOOTH_ASSERT(key.isInRange());

@@ -11,30 +11,35 @@
 #include "tooth/model/leaf_cache.h"
 #include "tooth/volume/voxel_fraction.h"
 
+// Own method. The exact distances come from nearest-point queries to the triangles near the brick (LeafCache). The
+// normal of the nearest face or the neighbouring node gives the sign; a ray test decides the rest.
+
 namespace tactooth {
 namespace {
 
-/// A brick whose nodes are all this many voxels outside the tooth is left out. A wall triangle that is kept starts at a
-/// node within 2.2, and its vertices take in crossings of cells that reach sqrt(3) farther.
+/// Voxels. A brick whose nodes are all farther outside the tooth is absent. A wall triangle that is kept starts at a
+/// node within 2.2, and its vertices use crossings of cells that reach sqrt(3) farther.
 constexpr double kAirMargin = 3.95;
-/// How far a layer's distance is followed, in voxels: enough to name the nearest layer beside a narrow gap.
+/// Voxels. Band of a layer's distance: wide enough to find the nearest layer beside a narrow gap.
 constexpr double kLayerBand = 2.0;
-/// Cosine above which the way to the nearest point counts as that face's normal, which then tells the side.
+/// If the cosine between the offset from the nearest point and the normal of its face exceeds this, the normal tells
+/// the side.
 constexpr double kAlongNormal = 1 - 1e-7;
-/// mm; nearer than this the way to the surface has no direction.
+/// mm; a shorter offset from the surface has no direction.
 constexpr double kOnSurface = 1e-6;
 
 struct SignedField {
     std::array<float, kBrickNodes> distance;
     std::array<OctahedralNormal, kBrickNodes> gradient;
-    bool uniform = false;  ///< the surface is farther than the band from every node
+    bool uniform = false;  ///< the surface is beyond the band at every node
 };
 
-/// Walks over the nodes of one brick so that each stands beside the one before it: two distances that sum to
-/// more than the step between their nodes belong to the same side, which saves most inside tests.
+/// Computes the signed distances at the nodes of one brick. It visits the nodes so that each one is next to the one
+/// before. If two distances sum to more than the step between their nodes, both nodes are on the same side. This saves
+/// most inside tests.
 class SignedSampler {
 public:
-    /// `signFromNormals`: of a solid, whose triangles all look at the outside. Else every side is asked of a ray.
+    /// `signFromNormals`: the surface is a solid whose normals all point outward. Else a ray test decides each side.
     SignedSampler(const SurfacePart& part, const Lattice& lattice, const BrickKey& key, double band,
                   bool signFromNormals)
         : part_(part),
@@ -88,7 +93,7 @@ private:
         field_.gradient[node] = OctahedralNormal(inside_ ? Vec3(-away) : away);
     }
 
-    /// The triangle that was nearest to the node before is near this one, too.
+    /// The triangle nearest to the node before gives an upper bound at this node.
     [[nodiscard]] double reachAt(const Vec3& point) {
         if (!nearest_) return std::min(band_, previous_ + spacing_ * (1 + 1e-6));
         const TriangleMesh& mesh = part_.mesh();
@@ -116,10 +121,10 @@ private:
     bool first_ = true;
     bool inside_ = false;
     double previous_ = std::numeric_limits<double>::infinity();
-    std::optional<std::uint32_t> nearest_;  // triangle
+    std::optional<std::uint32_t> nearest_;  // triangle nearest to the node before
 };
 
-/// The border of a layer that runs through a node's voxel leaves a part of it to what is there without the layer.
+/// A layer whose border runs through a node's voxel leaves a part of the voxel to the material without the layer.
 void shareVoxel(Brick& brick, int node, MaterialId layer, const SignedField& field, double spacing) {
     const double distance = field.distance[node];
     const double within = cubeFraction({distance / spacing, field.gradient[node].unpack()});

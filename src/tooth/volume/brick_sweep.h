@@ -11,7 +11,7 @@
 
 namespace tactooth {
 
-/// Nodes along one side of the blocks of a brick that are looked at together.
+/// Nodes along one side of a block. A brick has eight blocks, which are processed one by one.
 inline constexpr int kBlockSide = 4;
 inline constexpr int kBlockNodes = kBlockSide * kBlockSide * kBlockSide;
 inline constexpr int kBlocks = kBrickNodes / kBlockNodes;
@@ -25,7 +25,7 @@ inline constexpr int kBlocks = kBrickNodes / kBlockNodes;
     return placeInBrick(node, 0) / kBlockSide + 2 * (placeInBrick(node, 1) / kBlockSide) +
            4 * (placeInBrick(node, 2) / kBlockSide);
 }
-/// The nodes of a block, x + 4 y + 16 z.
+/// Index of a node of a block. `i` = x + 4 y + 16 z.
 [[nodiscard]] constexpr int nodeOfBlock(int block, int i) {
     TACTOOTH_ASSERT(block >= 0 && block < kBlocks);
     TACTOOTH_ASSERT(i >= 0 && i < kBlockNodes);
@@ -34,17 +34,18 @@ inline constexpr int kBlocks = kBrickNodes / kBlockNodes;
                      kBlockSide * (block >> 2) + i / (kBlockSide * kBlockSide));
 }
 
-/// The steps of a sweep that come near one brick, and of these the ones near one block of it at a time.
+/// The steps of a sweep that come near one brick, and those near one of its blocks at a time.
 class BrickSweep {
 public:
-    /// `reach`: how near to a node, mm.
+    /// `reach`: how near to a node, mm. `steps` is not empty and outlives this.
     BrickSweep(const BrickKey& key, const Lattice& lattice, const std::vector<SweepStep>& steps, double reach);
 
     [[nodiscard]] bool isClear() const { return steps_.empty(); }
 
-    /// The steps that come nearer than `reach` to a node of a block, the last one first: it reaches farthest as a rule.
+    /// The steps that come nearer than `reach` to a node of a block. The last step comes first, since it usually
+    /// reaches farthest.
     const std::vector<SweepLanes>& nearNodes(int block, double reach);
-    /// The steps that come to the lattice edges that begin in a block.
+    /// The steps that reach lattice edges that begin in a block.
     const std::vector<SweepLanes>& nearEdges(int block);
 
 private:

@@ -9,19 +9,21 @@
 
 #include "geometry/util/assert.h"
 
-// Removal law: the volume cut grows with normal force and rim travel (F. W. Preston, "The Theory and Design of Plate
-// Glass Polishing Machines", J. Soc. Glass Technology 11, 1927), with one coefficient a material.
+// Source of the removal law: F. W. Preston, "The Theory and Design of Plate Glass Polishing Machines", J. Soc. Glass
+// Technology 11, 1927. The removed volume is proportional to normal force times rim travel. Difference: each material
+// has its own coefficient.
 
 namespace tactooth {
 namespace {
 
-constexpr int kTrials = 6;             // two or three as a rule: the cost is smooth and grows with the way
-constexpr double kCloseEnough = 0.97;  // of the work: a last per cent is cut at the next update
-constexpr double kStepAtLeast = 1.05;  // of the price of the least step that was tried: one a hair longer is found, too
-constexpr double kAim = 0.985;         // of the work: a trial that misses by a hair shall miss on the affordable side
+constexpr int kTrials = 6;             // two or three are usual, since the cost is smooth and grows with the path
+constexpr double kCloseEnough = 0.97;  // share of the work; the rest is cut at the next update
+constexpr double kStepAtLeast = 1.05;  // share of the least price that was tried; finds a slightly longer step too
+constexpr double kAim = 0.985;         // share of the work to aim at, so that a near miss stays affordable
 
-/// Cuts a part of a way of which a share of `high` (`whole`) is too dear. The Illinois method (M. Dowell, P. Jarratt,
-/// "A Modified Regula Falsi Method", BIT 11, 1971): an end that stays for a second time counts half.
+/// Cuts the affordable part of a path. A share of `high` (the removal `whole`) is too expensive. Source: the Illinois
+/// method (M. Dowell, P. Jarratt, "A Modified Regula Falsi Method", BIT 11, 1971): an end that stays for a second time
+/// counts half.
 template <class CostOf>
 FeedResult feedPartWay(CutVolume& volume, const RevolutionEnvelope& envelope, const Pose& from, const Pose& to,
                        double work, double high, const PlannedRemoval& whole, const CostOf& costOf) {
@@ -53,7 +55,7 @@ FeedResult feedPartWay(CutVolume& volume, const RevolutionEnvelope& envelope, co
     }
     result.wanted *= kStepAtLeast;
     result.fraction = low;
-    if (low > 0) result.carve = volume.carve(best);  // else nothing is affordable yet: the work is kept
+    if (low > 0) result.carve = volume.carve(best);  // else nothing is affordable yet, and the work is kept
     return result;
 }
 

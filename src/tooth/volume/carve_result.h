@@ -11,13 +11,13 @@ namespace tactooth {
 
 struct CarveResult {
     MaterialVolumes removed{};
-    std::vector<ChangedBrick> changed;  ///< in ascending order of their keys
+    std::vector<ChangedBrick> changed;  ///< in ascending order of the keys
 };
 
-/// Pieces that burs have cut off all around and that are no longer there.
+/// The pieces that burs have cut off all around, after their removal.
 struct DetachedPieces {
-    std::vector<double> volumes;  ///< of each, mm^3, to a voxel or so at its surface
-    CarveResult carve;            ///< what went with them
+    std::vector<double> volumes;  ///< volume of each piece, mm^3, exact to about a voxel at its surface
+    CarveResult carve;            ///< what was removed with them
 };
 
 }  // namespace tactooth

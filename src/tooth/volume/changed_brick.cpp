@@ -11,10 +11,10 @@
 namespace tactooth {
 namespace {
 
-/// Where a node is along one side of a brick: 0 at the beginning, 2 at the end, 1 between.
+/// Position of a node along one side of a brick: 0 at the beginning, 2 at the end, 1 between.
 constexpr int endOf(int place) { return place == 0 ? 0 : place == kBrickSide - 1 ? 2 : 1; }
 
-/// By `endOf` on each axis: the bricks that have a node at most one step from such a node on each axis.
+/// By `endOf` on each axis: the bricks that have a node within one step of such a node on each axis.
 constexpr auto kAffected = [] {
     std::array<std::array<std::array<std::uint32_t, 3>, 3>, 3> table{};
     const auto reaches = [](int end, int step) { return step == 1 || step == end; };
@@ -40,7 +40,7 @@ void ChangedBrick::addEdge(int node, int axis) {
     TACTOOTH_ASSERT(axis >= 0 && axis < 3);
     const std::array<int, 3> place = placeOf(node);
     std::array<int, 3> ends = {endOf(place[0]), endOf(place[1]), endOf(place[2])};
-    if (place[axis] == 0) ends[axis] = 1;  // it leads away from the brick before
+    if (place[axis] == 0) ends[axis] = 1;  // the edge leads away from the brick before
     affected |= kAffected[ends[0]][ends[1]][ends[2]];
 }
 

@@ -11,24 +11,24 @@
 
 namespace tactooth {
 
-/// A brick in which a carve has moved the border of the removed region, and which bricks have a node in a cell that
-/// this concerns.
+/// A brick in which a carve has moved the boundary of the removed region, and the neighbours with a node in an affected
+/// cell.
 struct ChangedBrick {
     BrickKey key;
     std::uint32_t affected = 0;  ///< bit i: BrickKey::neighbour(i)
 
     [[nodiscard]] static ChangedBrick all(const BrickKey& key) { return {key, (1U << 27) - 1}; }
     [[nodiscard]] bool isNone() const { return affected == 0; }
-    /// A node was removed: all cells around it.
+    /// Adds all cells around a removed node.
     void addNode(int node);
-    /// The border was moved on the lattice edge from a node to the next one on `axis`: the four cells around that.
+    /// Adds the four cells around a lattice edge, from a node to the next one on `axis`, whose crossing was moved.
     void addEdge(int node, int axis);
     void add(const ChangedBrick& other) {
         TACTOOTH_ASSERT(other.key == key);
         affected |= other.affected;
     }
 
-    /// Calls `visit(i)` for the bricks that are affected, by their numbers as neighbours.
+    /// Calls `visit(i)` for each affected brick, by its number as a neighbour.
     template <class Visit>
     void forEachAffected(const Visit& visit) const {
         TACTOOTH_ASSERT(affected < 1U << 27);
@@ -36,7 +36,7 @@ struct ChangedBrick {
     }
 };
 
-/// One entry a brick that covers all changes of it, in ascending order of their keys; bricks without one are left out.
+/// Merges changes to one entry for each brick, in ascending order of the keys. Drops entries without a change.
 [[nodiscard]] std::vector<ChangedBrick> merged(std::vector<ChangedBrick> changes);
 
 }  // namespace tactooth

@@ -17,7 +17,7 @@
 namespace tactooth {
 namespace {
 
-/// Longest step of a sweep, in voxels: within one the distance to a bur is taken as convex along the path.
+/// Voxels. Longest step of a sweep: within one step the distance to a bur counts as convex along the path.
 constexpr double kLongestStep = 1.0;
 
 MaterialVolumes sum(const std::vector<MaterialVolumes>& parts) {
@@ -53,7 +53,7 @@ void CutVolume::reset() {
     if (pool_ != nullptr) pool_->forgetTaken();
 }
 
-/// Makes those that nobody has asked for yet; null where a brick lies clear of the tooth.
+/// Returns the bricks at these keys and makes those that are still unknown. Null where a brick is clear of the tooth.
 std::vector<Brick*> CutVolume::bricksAt(const std::vector<BrickKey>& keys) {
     std::vector<Brick*> bricks;
     bricks.reserve(keys.size());
@@ -88,7 +88,7 @@ void CutVolume::makeBricks(std::vector<BrickKey> missing) {
     for (std::size_t i = 0; i < missing.size(); ++i) bricks_.insert(missing[i], std::move(made[i]));
 }
 
-/// The wall in a cell is drawn from all eight nodes of it, and the farthest may lie in a brick that no bur was near.
+/// The wall in a cell needs all eight nodes of the cell. The farthest may lie in a brick that no bur was near.
 void CutVolume::makeAffected(const std::vector<ChangedBrick>& changed) {
     std::vector<BrickKey> missing;
     for (const ChangedBrick& brick : changed) {
@@ -132,7 +132,7 @@ CarveResult CutVolume::carve(const PlannedRemoval& removable) {
     return result;
 }
 
-/// The lattice edges that end in a changed brick belong to it or to the one before it on an axis.
+/// Lattice edges that end in a changed brick belong to it or to the brick before it on an axis.
 std::vector<ChangedBrick> CutVolume::updateHermiteData(const PlannedRemoval& carved) {
     std::vector<BrickKey> keys;
     for (const BrickRemoval& brick : carved.where) {
@@ -183,7 +183,7 @@ PlannedRemoval CutVolume::removablePartWay(const PlannedRemoval& whole, const Re
     return result;
 }
 
-/// Makes the bricks of it that are missing.
+/// The nodes of a piece. Makes its unsampled bricks.
 NodeSets CutVolume::nodesOf(const DetachedPiece& piece) {
     NodeSets nodes = piece.nodes;
     const std::vector<Brick*> bricks = bricksAt(piece.unsampled);
@@ -213,7 +213,7 @@ CarveResult CutVolume::removeDebris(const NodeSets& beside) { return removePiece
 CarveResult CutVolume::removePieces(const NodeSets& pieces) {
     CarveResult result;
     if (pieces.empty()) return result;
-    ++carves_;  // what was found removable holds no more
+    ++carves_;  // plans made before are invalid
     std::set<BrickKey> near;
     for (const auto& [key, nodes] : pieces) {
         for (int i = 0; i < 27; ++i) near.insert(key.neighbour(i));
@@ -221,7 +221,7 @@ CarveResult CutVolume::removePieces(const NodeSets& pieces) {
     (void)bricksAt({near.begin(), near.end()});
     const NodeSets gone = nodesToRemove(bricks_, pieces);
     TACTOOTH_ASSERT(gone.size() >= pieces.size());
-    const auto isTouched = [&](const BrickKey& key) {  // itself, or the far end of an edge that it owns
+    const auto isTouched = [&](const BrickKey& key) {  // the brick itself, or the far end of an edge that it owns
         const auto hasSome = [&](const BrickKey& at) { return gone.contains(at) && gone.at(at).any(); };
         return hasSome(key) || hasSome(key.moved(1, 0, 0)) || hasSome(key.moved(0, 1, 0)) ||
                hasSome(key.moved(0, 0, 1));
@@ -241,7 +241,7 @@ CarveResult CutVolume::removePieces(const NodeSets& pieces) {
 std::vector<ChangedBrick> CutVolume::undo() {
     TACTOOTH_ASSERT(marks() > 0);
     std::vector<ChangedBrick> changed;
-    ++carves_;  // what was found removable holds no more
+    ++carves_;  // plans made before are invalid
     ++undos_;
     for (const auto& [key, before] : journal_.rollBack()) {
         Brick* brick = bricks_.find(key);

@@ -14,31 +14,31 @@
 
 namespace tactooth {
 
-/// A node by its number on each axis of the whole lattice.
+/// A node, by its coordinates in the whole lattice.
 struct LatticeNode {
     explicit LatticeNode(const Eigen::Vector3i& number)  // eight nodes a side
         : key{number.x() >> 3, number.y() >> 3, number.z() >> 3},
           node(nodeIndex(number.x() & 7, number.y() & 7, number.z() & 7)) {}
 
     BrickKey key;
-    int node;  ///< nodeIndex in that brick
+    int node;  ///< nodeIndex in the brick
 };
 
-/// The lattice of nodes: node (i, j, k) stands at origin + spacing * (i, j, k).
+/// The lattice of nodes with its spacing in mm: node (i, j, k) is at origin + spacing * (i, j, k).
 class Lattice {
 public:
     explicit Lattice(double spacing) : spacing_(spacing) { TACTOOTH_ASSERT(std::isfinite(spacing) && spacing > 0); }
 
     [[nodiscard]] double spacing() const { return spacing_; }
     [[nodiscard]] Vec3 node(int i, int j, int k) const {
-        // Off the round numbers on which flat faces of modelled shapes lie: a node on a face has no clear side.
+        // Not on the round numbers of flat faces of modelled shapes: a node on a face would have no defined side.
         return spacing_ * Vec3(i + 0.371, j + 0.443, k + 0.517);
     }
-    /// A node by its place in or beside a brick: the same bits whichever brick it is counted from.
+    /// The point of a node by its position in or beside a brick. The bits are the same from each brick.
     [[nodiscard]] Vec3 node(const BrickKey& key, const std::array<int, 3>& place) const {
         return node(kBrickSide * key.x + place[0], kBrickSide * key.y + place[1], kBrickSide * key.z + place[2]);
     }
-    /// First node of a brick.
+    /// Point of the first node of a brick.
     [[nodiscard]] Vec3 corner(const BrickKey& key) const {
         return node(kBrickSide * key.x, kBrickSide * key.y, kBrickSide * key.z);
     }
@@ -48,7 +48,7 @@ public:
     }
     /// Distance from the centre of a brick to its corner nodes, mm.
     [[nodiscard]] double halfDiagonal() const { return 0.5 * (kBrickSide - 1) * spacing_ * std::sqrt(3.0); }
-    /// The brick whose nodes and the cells above them hold `point`.
+    /// The brick whose nodes, and the cells that begin at them, hold `point`.
     [[nodiscard]] BrickKey brickAt(const Vec3& point) const {
         TACTOOTH_ASSERT(point.allFinite());
         const Vec3 place = (point - node(0, 0, 0)) / (kBrickSide * spacing_);
@@ -56,7 +56,7 @@ public:
         return {static_cast<int>(std::floor(place.x())), static_cast<int>(std::floor(place.y())),
                 static_cast<int>(std::floor(place.z()))};
     }
-    /// Every brick that owns a node or a cell within `box`, in ascending order.
+    /// Every brick that owns a node or a cell within `box`, in ascending order. The box is not empty.
     [[nodiscard]] std::vector<BrickKey> bricksTouching(const Box3& box) const {
         TACTOOTH_ASSERT(!box.isEmpty());
         const BrickKey low = brickAt(box.min());

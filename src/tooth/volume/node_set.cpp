@@ -4,10 +4,13 @@
 
 #include "geometry/util/assert.h"
 
+// Morphological dilation (J. Serra, "Image Analysis and Mathematical Morphology", 1982) and connected components of a
+// brick's nodes. Difference: all nodes of a brick move at once, by shifts of its 512 bits.
+
 namespace tactooth {
 namespace {
 
-/// From a node on one face of a brick to the one opposite.
+/// Step from a node on one face of a brick to the opposite one.
 constexpr int perpendicularTo(int axis) { return (kBrickSide - 1) * nodeStride(axis); }
 
 NodeSet nodesOf(const BrickFace& face) {

@@ -5,13 +5,16 @@
 #include "geometry/util/assert.h"
 #include "tooth/volume/brick_carver.h"
 
+// Own method. A detached piece is removed node by node, together with the air around it, so that its thin edges go too.
+// Nodes next to solid nodes that stay are left as they are.
+
 namespace tactooth {
 namespace {
 
-/// Voxels; how far an edge too thin to hold nodes is followed. One between a wall and the tooth's surface that meet at
-/// more than 15 degrees ends within it.
+/// Voxels. How far the search follows an edge that is too thin to hold nodes. An edge between a wall and the tooth's
+/// surface ends within this length if they meet at more than 15 degrees.
 constexpr int kFringe = 4;
-/// Share of a lattice edge: on the far side of the tooth's surface, wherever that crosses it.
+/// Share of a lattice edge: beyond the tooth's surface, wherever it crosses the edge.
 constexpr float kBeyondSurface = 0.95F;
 
 NodeSet nodesAt(const NodeSets& sets, const BrickKey& key) {
@@ -24,7 +27,7 @@ NodeSet solidAt(const BrickMap& bricks, const BrickKey& key) {
     return brick != nullptr ? solidNodes(*brick) : NodeSet();
 }
 
-/// The solid nodes that are not of the pieces, in the pieces' bricks and all around them.
+/// The solid nodes outside the pieces, in the bricks of the pieces and all bricks around them.
 NodeSets nodesThatStay(const BrickMap& bricks, const NodeSets& pieces) {
     NodeSets stay;
     for (const auto& [key, nodes] : pieces) {

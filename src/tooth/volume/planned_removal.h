@@ -12,11 +12,11 @@
 
 namespace tactooth {
 
-/// What a move of the bur would remove from one brick, and what the cut field would become.
+/// What a move of the bur would remove from one brick, and the new values of the cut field.
 struct BrickRemoval {
     struct Sample {
         std::uint16_t node;  ///< nodeIndex
-        float distance;      ///< of the cut field, mm
+        float distance;      ///< new value of the cut field, mm
         OctahedralNormal normal;
     };
     BrickKey key{};
@@ -24,13 +24,13 @@ struct BrickRemoval {
     std::vector<Sample> lowered;
 };
 
-/// What a move of the bur would remove, with all that is needed to remove it.
+/// A plan: what a move of the bur would remove, and all data to remove it.
 struct PlannedRemoval {
     MaterialVolumes volumes{};
     std::vector<BrickRemoval> where;  ///< in ascending order of the keys
     std::vector<SweepStep> steps;
-    double clearance = 0;          ///< that it was asked with, mm
-    std::uint64_t afterCarve = 0;  ///< it holds until the next one
+    double clearance = 0;          ///< clearance of the plan, mm
+    std::uint64_t afterCarve = 0;  ///< number of the carve before; the plan is valid until the next one
 };
 
 }  // namespace tactooth

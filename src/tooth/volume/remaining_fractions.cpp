@@ -10,13 +10,16 @@
 #include "tooth/volume/brick_sampler.h"
 #include "tooth/volume/voxel_fraction.h"
 
+// Own method. Cubes of bricks are divided into eight, as in an octree, until one material fills a cube or a cube is a
+// single brick.
+
 namespace tactooth {
 namespace {
 
-/// Bricks a side of the largest blocks: a quarter of a molar at 25 um.
+/// Bricks along a side of the largest blocks: a quarter of a molar at 25 um.
 constexpr int kLargestBlock = 32;
 
-/// Voxels; half the diagonal of a unit cube: no plane farther from a node than this cuts its voxel.
+/// Voxels. Half the diagonal of a unit cube: a plane farther from a node does not cut its voxel.
 constexpr double kVoxelReach = 0.8660254037844386;
 
 double remainingFraction(const Brick& brick, int node, double spacing) {
@@ -33,7 +36,7 @@ int roundedDown(int place, int step) {
     return (place >= 0 ? place : place - step + 1) / step * step;
 }
 
-/// Whether a key lies in the cube of `side` bricks from `first` on.
+/// Whether a key lies in the cube of `side` bricks that begins at `first`.
 bool isIn(const BrickKey& key, const BrickKey& first, int side) {
     const auto within = [&](int place, int low) { return place >= low && place < low + side; };
     return within(key.x, first.x) && within(key.y, first.y) && within(key.z, first.z);

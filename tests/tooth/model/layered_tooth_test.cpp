@@ -32,7 +32,7 @@ TEST(LayeredTooth, WithoutLayersItIsOneMaterial) {
     EXPECT_EQ(tooth->outer()->tag(0), static_cast<SurfaceTag>(MaterialId::Dentin));
 }
 
-TEST(LayeredTooth, TheInnerOfNestedLayersWinsInAnyOrderOfGiving) {
+TEST(LayeredTooth, TheInnerOfNestedLayersWinsInAnyOrder) {
     const auto tooth = LayeredTooth::make(
         test::box(kLow, kHigh), {boxLayer("pulp", MaterialId::Pulp, 0.5), boxLayer("enamel", MaterialId::Enamel, 2),
                                  boxLayer("dentin", MaterialId::Dentin, 1.5)});
@@ -99,7 +99,7 @@ TEST(LayeredTooth, RepeatedNamesAndLayersElsewhereAreRefused) {
 }
 
 TEST(LayeredTooth, ALayerBesideTheToothIsRefusedThoughItsBoxMeetsTheTooths) {
-    // A ball's box has room for a small ball in each corner.
+    // The box of a ball has room for a small ball in each corner.
     LayerMesh corner{"pulp", MaterialId::Pulp, test::sphere(Vec3(1.7, 1.7, 1.7), 0.2, 12, 8)};
     EXPECT_NE(failure(test::sphere(Vec3::Zero(), 2, 48, 32), {corner}).find("'pulp' lies outside the tooth"),
               std::string::npos);

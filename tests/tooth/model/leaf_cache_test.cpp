@@ -13,7 +13,7 @@
 namespace tactooth {
 namespace {
 
-TEST(LeafCache, FindTheSamePointAsAWalkDownTheTree) {
+TEST(LeafCache, FindTheSamePointAsATraversalOfTheTree) {
     const SurfacePart ball(test::sphere(Vec3(0.1, -0.2, 0.3), 1, 96, 48));
     std::mt19937 random(7);
     std::uniform_real_distribution<double> unit(-1, 1);

@@ -13,7 +13,7 @@
 namespace tactooth {
 namespace {
 
-TEST(CellTopology, ExactlyTheEdgesWithOneInsideEndBelongToARound) {
+TEST(CellTopology, ExactlyTheEdgesWithOneInsideEndBelongToALoop) {
     for (int inside = 0; inside < 256; ++inside) {
         std::set<int> rounds;
         for (int edge = 0; edge < 12; ++edge) {
@@ -26,7 +26,7 @@ TEST(CellTopology, ExactlyTheEdgesWithOneInsideEndBelongToARound) {
     }
 }
 
-TEST(CellTopology, ARoundHasAtLeastThreeEdges) {
+TEST(CellTopology, ALoopHasAtLeastThreeEdges) {
     for (const CellLoops& rounds : kCellLoops) {
         for (int round = 0; round < rounds.count; ++round) {
             EXPECT_GE(std::count(rounds.loopOfEdge.begin(), rounds.loopOfEdge.end(), round), 3);
@@ -34,7 +34,7 @@ TEST(CellTopology, ARoundHasAtLeastThreeEdges) {
     }
 }
 
-TEST(CellTopology, OneInsideCornerIsOneRound) { EXPECT_EQ(kCellLoops[1].count, 1); }
+TEST(CellTopology, OneInsideCornerIsOneLoop) { EXPECT_EQ(kCellLoops[1].count, 1); }
 
 TEST(CellTopology, InsideCornersAreJoinedAcrossAFaceAndApartAcrossTheCell) {
     EXPECT_EQ(kCellLoops[0b00001001].count, 1);
@@ -42,8 +42,8 @@ TEST(CellTopology, InsideCornersAreJoinedAcrossAFaceAndApartAcrossTheCell) {
 }
 
 TEST(CellTopology, OutsideCornersAreKeptApart) {
-    EXPECT_EQ(kCellLoops[0b11110110].count, 2);  // across a face
-    EXPECT_EQ(kCellLoops[0b01101001].count, 4);  // on a tetrahedron
+    EXPECT_EQ(kCellLoops[0b11110110].count, 2);  // two loops across a face
+    EXPECT_EQ(kCellLoops[0b01101001].count, 4);  // corners of a tetrahedron
 }
 
 TEST(CellTopology, CrossedEdgesComeInTheOrderOfTheLattice) {

@@ -27,7 +27,7 @@ double coveredArea(const Points& points, const std::vector<Triangle>& triangles,
     return sum;
 }
 
-/// Adds a star-shaped ring of points and returns its numbers.
+/// Adds the points of a star-shaped ring and returns their numbers.
 PolygonLoop addStar(Points& points, const Eigen::Vector2d& centre, double radius, int count, std::mt19937& random) {
     std::uniform_real_distribution<double> share(0.4, 1);
     PolygonLoop loop;

@@ -13,7 +13,7 @@ namespace {
 
 using Coverage = RemovedRows::Coverage;
 
-/// Three bricks side by side, in which nodes are removed here and there in clumps.
+/// Three bricks side by side with random boxes of removed nodes.
 BrickMap clumps(std::mt19937& random) {
     BrickMap bricks;
     std::uniform_int_distribution<int> side(0, kBrickSide - 1);
@@ -37,7 +37,7 @@ BrickMap clumps(std::mt19937& random) {
     return bricks;
 }
 
-/// Node by node.
+/// The reference: node by node.
 Coverage shareOf(const BrickNeighbourhood& nodes, const RemovedRows::Place& low, const RemovedRows::Place& high) {
     bool some = false;
     bool all = true;

@@ -85,10 +85,10 @@ TEST(RevolutionEnvelope, GradientIsTheSlopeOfTheDistance) {
         const double slope = (envelope->signedDistance(ahead) - sample.distance) / kStep;
         compared += std::abs(slope - 1) < 1e-3;
     }
-    EXPECT_GE(compared, 1900);  // the rest stand on the inner ridge, where the nearest facet changes
+    EXPECT_GE(compared, 1900);  // the others are at the inner ridge, where the nearest facet changes
 }
 
-TEST(RevolutionEnvelope, FarPointsAskTheWholeProfile) {
+TEST(RevolutionEnvelope, FarPointsTestTheWholeProfile) {
     const auto envelope = RevolutionEnvelope::make(test::cylinder(Vec3::Zero(), 0.5, 2, 48));
     ASSERT_TRUE(envelope);
     EXPECT_NEAR(envelope->signedDistance(Vec3(0, 0, -30)), 30, 1e-9);
@@ -104,7 +104,8 @@ TEST(RevolutionEnvelope, AFlatMeshIsRefused) {
     EXPECT_NE(envelope.error().message.find("along its axis"), std::string::npos);
 }
 
-// A facet that turns about an axis beside it makes a hollow band: less than half a micrometre deep, it is left out.
+// A facet that rotates about an axis beside it makes a hollow band. It is less than half a micrometre deep and is
+// bridged.
 TEST(RevolutionEnvelope, TheShallowDentsOfAFacetedBallAreBridged) {
     const auto ball = RevolutionEnvelope::make(test::sphere(Vec3(0, 0, 0.5), 0.5, 24, 12));
     ASSERT_TRUE(ball);

@@ -22,7 +22,7 @@ double nearestOf(const std::vector<SweepStep>& steps, const Vec3& point) {
     return nearest;
 }
 
-/// Smallest distance over many poses on the way.
+/// The smallest distance over many poses on the path.
 double sampledDistance(const RevolutionEnvelope& envelope, const Pose& from, const Pose& to, const Vec3& point) {
     constexpr int kPoses = 4000;
     double nearest = kNoBound;

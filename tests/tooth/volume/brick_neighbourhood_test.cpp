@@ -11,7 +11,7 @@
 namespace tactooth {
 namespace {
 
-/// A brick and those around it but for one, where nodes are removed up to a height.
+/// A brick and its neighbours except one. Nodes are removed up to a height.
 BrickMap bricksRemovedBelow(int height, const BrickKey& absent) {
     BrickMap bricks;
     const BrickKey middle{3, -2, 7};
@@ -92,12 +92,12 @@ TEST(BrickNeighbourhood, KnowsHowFarNodesAreFromTheToothsSurface) {
             EXPECT_EQ(row.below(distance) >> (x + 1) & 1U, tooth < distance ? 1U : 0U);
         }
     }
-    EXPECT_FALSE(nodes.isDeeperThan(0));  // one is absent
+    EXPECT_FALSE(nodes.isDeeperThan(0));  // one neighbour is absent
     bricks.insert(absent, std::make_unique<Brick>());
-    EXPECT_FALSE(BrickNeighbourhood(bricks, middle, 0.1).isDeeperThan(0));  // it does not know how deep it is
+    EXPECT_FALSE(BrickNeighbourhood(bricks, middle, 0.1).isDeeperThan(0));  // its depth is unknown
     bricks.find(absent)->maxToothDistance = -1.4F;
     EXPECT_TRUE(BrickNeighbourhood(bricks, middle, 0.1).isDeeperThan(1.2F));
-    EXPECT_FALSE(BrickNeighbourhood(bricks, middle, 0.1).isDeeperThan(1.35F));  // the brick itself
+    EXPECT_FALSE(BrickNeighbourhood(bricks, middle, 0.1).isDeeperThan(1.35F));  // the brick itself is not so deep
 }
 
 TEST(BrickNeighbourhoodAsserts, NodesAndEdgesOutsideAreRefused) {

@@ -41,7 +41,7 @@ std::uint64_t hashWithoutPool() {
     return hashOfCut(volume);
 }
 
-/// A volume that takes its bricks from a stock.
+/// A volume that takes its bricks from a pool.
 struct Supplied {
     CutVolume volume{ball(), kVoxel};
     std::shared_ptr<BrickPool> pool = std::make_shared<BrickPool>(volume.tooth(), kVoxel);
@@ -77,7 +77,7 @@ TEST(BrickPool, HasWhatTheBurComesToNext) {
     EXPECT_GT(bricks, 20);
 }
 
-TEST(BrickPool, MakesNothingAgainThatWasTakenUntilThatIsForgotten) {
+TEST(BrickPool, MakesNoTakenBrickAgainUntilItIsForgotten) {
     const auto tooth = ball();
     BrickPool pool(tooth, kVoxel);
     const RevolutionEnvelope tool = bur();

@@ -88,7 +88,7 @@ TEST(Brick, KnowsTheRemovedNodesOfTheFieldThatItTakesOver) {
     CutField field = CutField::untouched(0.1);
     for (float& distance : field.cut) distance = static_cast<float>(static_cast<int>(random() % 3) - 1);  // -1, 0 or 1
     Brick brick;
-    brick.setRemoved(5);  // of the field before
+    brick.setRemoved(5);  // of the previous field
     brick.setField(field);
     for (int node = 0; node < kBrickNodes; ++node) {
         const auto [x, y, z] = placeOf(node);

@@ -26,7 +26,7 @@ RevolutionEnvelope flatBur() { return *RevolutionEnvelope::make(test::cylinder(V
 
 Pose atDepth(double depth) { return {Vec3(0.01, 0.02, -depth), Quat::Identity()}; }
 
-/// Pushes a flat bur from the surface toward 0.5 mm below it.
+/// Pushes a flat bur from the surface toward a depth of 0.5 mm.
 FeedResult push(CutVolume& volume, double work, double sharpness = 1) {
     return feedBur(volume, flatBur(), atDepth(0), atDepth(0.5), work, {}, sharpness);
 }
@@ -84,7 +84,7 @@ TEST(BurFeed, AShareThoughtToBeEnoughChangesNoMoreThanTheTrials) {
     }
 }
 
-TEST(BurFeed, WhatIsNotAffordableTellsItsPrice) {
+TEST(BurFeed, AnUnaffordableStepReturnsItsPrice) {
     CutVolume volume = blockOf(MaterialId::Enamel);
     const double hair = 1e-9;
     const FeedResult result = push(volume, hair);

@@ -13,8 +13,8 @@
 namespace tactooth {
 namespace {
 
-/// The bricks that have a node from `low` to `high`, places beside a brick's first node, as bits of
-/// BrickKey::neighbour.
+/// The bricks that have a node from `low` to `high`, as bits of BrickKey::neighbour. Places count from the brick's
+/// first node.
 std::uint32_t bricksWithNodes(const std::array<int, 3>& low, const std::array<int, 3>& high) {
     std::uint32_t bricks = 0;
     for (int x = low[0]; x <= high[0]; ++x) {
@@ -40,7 +40,7 @@ TEST(ChangedBrick, ConcernsTheBricksWithANodeInACellAroundWhatHasChanged) {
         ASSERT_EQ(removed.affected, bricksWithNodes(before, after)) << node;
         for (int axis = 0; axis < 3; ++axis) {
             std::array<int, 3> first = before;
-            ++first[axis];  // no cell around an edge begins before it does
+            ++first[axis];  // no cell around an edge begins before the edge
             ChangedBrick moved{{}};
             moved.addEdge(node, axis);
             ASSERT_EQ(moved.affected, bricksWithNodes(first, after)) << node << " on axis " << axis;
@@ -48,7 +48,7 @@ TEST(ChangedBrick, ConcernsTheBricksWithANodeInACellAroundWhatHasChanged) {
     }
 }
 
-TEST(ChangedBrick, TellsOfEachBrickOnce) {
+TEST(ChangedBrick, ListsEachBrickOnce) {
     const BrickKey key{4, -2, 7};
     ChangedBrick changed{key};
     EXPECT_TRUE(changed.isNone());
@@ -57,7 +57,8 @@ TEST(ChangedBrick, TellsOfEachBrickOnce) {
     changed.addNode(nodeIndex(0, 3, 3));
     std::vector<BrickKey> affected;
     changed.forEachAffected([&](int i) { affected.push_back(key.neighbour(i)); });
-    EXPECT_EQ(affected, (std::vector<BrickKey>{key.moved(-1, 0, 0), key, key.moved(0, 1, 0)}));  // and none at an angle
+    EXPECT_EQ(affected,
+              (std::vector<BrickKey>{key.moved(-1, 0, 0), key, key.moved(0, 1, 0)}));  // and no diagonal neighbour
 
     std::size_t all = 0;
     ChangedBrick::all(key).forEachAffected([&](int) { ++all; });

@@ -18,7 +18,7 @@ Vec3 randomDirection(std::mt19937& random) {
     return Vec3(normal(random), normal(random), normal(random)).normalized();
 }
 
-/// Share by counting a fine grid of points.
+/// The reference: counts the points of a fine grid.
 double countedFraction(const HalfSpace& half) {
     constexpr int kSide = 30;
     int inside = 0;
