@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// What is left after a cut, against the closed form of what the bur has swept, at the voxels of everyday use.
+// Compares what is left after a cut with the closed form of the swept region, at voxels of everyday use.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -24,7 +24,7 @@ Pose at(double x, double y, double z) { return {Vec3(x, y, z), Quat::Identity()}
 RevolutionEnvelope flatBur() { return *RevolutionEnvelope::make(test::cylinder(Vec3::Zero(), kRadius, 4, 256)); }
 RevolutionEnvelope ballBur() { return *RevolutionEnvelope::make(test::sphere(Vec3(0, 0, kRadius), kRadius, 256, 192)); }
 
-/// A block with its top at z = 0 that is cut without clearance.
+/// A block with its top at z = 0. It is cut without clearance.
 struct Block {
     explicit Block(double voxel = kVoxel)
         : volume(std::make_shared<const LayeredTooth>(
@@ -36,7 +36,7 @@ struct Block {
         show();
         return removed;
     }
-    /// Without a new surface: `show` brings it up to all that was carved.
+    /// Carves only. `show` updates the surface to all carves so far.
     double carve(const RevolutionEnvelope& bur, const Pose& from, const Pose& to) {
         return total(volume.carve(bur, from, to, kNoClearance).removed);
     }
@@ -52,7 +52,7 @@ struct Block {
     IncrementalSurface surface;
 };
 
-/// How far the wall's vertices and triangle centres below the block's top lie from where they should, mm.
+/// Distances of the wall's vertices and triangle centres below the block's top from their exact places, mm.
 struct Deviation {
     double rms = 0;
     double largest = 0;
@@ -153,7 +153,7 @@ TEST(CutGeometry, ATiltedHoleIsATiltedCylinder) {
 
 TEST(CutGeometry, ABallThatTurnsAboutAFarPointMillsATorus) {
     Block block;
-    const Vec3 pivot(0, 0, 4.2);  // on the shaft; the ball's centre swings about it, 4.4 mm below
+    const Vec3 pivot(0, 0, 4.2);  // on the shaft; the centre of the ball swings about it, 4.4 mm below
     const double arm = 4.4;
     const auto pose = [&](double angle) {
         const Quat turn(Eigen::AngleAxisd(angle, Vec3::UnitX()));
@@ -182,8 +182,8 @@ TEST(CutGeometry, HalfTheVoxelIsAtMostHalfTheError) {
     for (std::size_t i = 1; i < byVoxel.size(); ++i) EXPECT_LT(byVoxel[i].rms, 0.5 * byVoxel[i - 1].rms) << i;
 }
 
-/// A dive, a stroke that leans over, and a way out, as a fast hand makes them in 0.1 s.
-Pose handAt(double time) {
+/// A plunge, a stroke with a rotation, and a retreat: a fast motion of 0.1 s.
+Pose devicePoseAt(double time) {
     const double t = time / 0.1;
     const Quat lean(Eigen::AngleAxisd(0.25 * std::sin(3 * t), Vec3(0.6, 0.8, 0)));
     return {Vec3(-0.6 + 1.2 * t, 0.3 * std::sin(5 * t), 0.4 - 1.1 * std::sin(kPi * t)), lean};
@@ -197,7 +197,7 @@ TEST(CutGeometry, OneAndFourKilohertzCutTheSame) {
         const auto bur = flatBur();
         double sum = 0;
         const int ticks = static_cast<int>(std::lround(0.1 * rate));
-        for (int i = 0; i < ticks; ++i) sum += block.carve(bur, handAt(i / rate), handAt((i + 1) / rate));
+        for (int i = 0; i < ticks; ++i) sum += block.carve(bur, devicePoseAt(i / rate), devicePoseAt((i + 1) / rate));
         block.show();
         removed.push_back(sum);
         meshes.push_back(block.mesh());

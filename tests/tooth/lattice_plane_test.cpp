@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// Flat walls where numbers are special: on the planes of the lattice's nodes, on its round multiples, and through zero,
-// where the same point computed in two ways keeps the difference when it is stored as a float.
+// Flat walls at special numbers: on planes of the lattice's nodes, on round multiples of the spacing, and through zero.
+// There the same point, computed in two ways, may differ after rounding to a float.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -20,15 +20,15 @@ namespace tactooth {
 namespace {
 
 constexpr double kRadius = 0.5;
-constexpr double kBlock = 1.713;  ///< half the block's side, mm; no round number of any lattice below
+constexpr double kBlock = 1.713;  ///< half the side of the block, mm; not a round number of any lattice below
 
 RevolutionEnvelope flatBur() { return *RevolutionEnvelope::make(test::cylinder(Vec3::Zero(), kRadius, 4, 64)); }
 
-/// A slot in a cubic block: a flat bur goes in along -`inward` * `axis` until its end stands at `floor`, then moves on
-/// across, from `from` to `to` on the axis after it, its sides at `side` and 2 * kRadius above that on the third.
+/// A slot in a cubic block. A flat bur goes in along -`inward` * `axis` until its end stands at `floor`. Then it moves
+/// across, from `from` to `to` on the next axis. Its sides are at `side` and 2 * kRadius above that on the third axis.
 struct Slot {
     int axis;
-    int inward;  ///< -1: comes from above; 1: from below
+    int inward;  ///< -1: from above; 1: from below
     double floor;
     double from, to;
     double side;
@@ -72,7 +72,7 @@ struct Piece {
     IncrementalSurface surface;
 };
 
-/// As whoever reads the file sees it: equal points are one.
+/// The report on the mesh as a reader of the file sees it: equal points are one.
 MeshReport reportOnFileOf(const TriangleMesh& mesh) { return reportOn(*parseStl(stlBytes(mesh), "cut")); }
 
 void expectSound(const MeshReport& report) {
@@ -95,7 +95,7 @@ void expectExactSlot(const Slot& slot, double voxel, int steps) {
     EXPECT_NEAR(lost, slot.volume(), 0.005 * slot.volume());
 }
 
-/// The coordinate of node `i` of a lattice on `axis`.
+/// The coordinate of the plane of nodes `i` on `axis`.
 double nodePlane(double voxel, int axis, int i) { return Lattice(voxel).node(i, i, i)[axis]; }
 
 TEST(LatticePlane, AFlatBurThatStopsAtZeroLeavesAClosedSurface) {
@@ -122,7 +122,7 @@ TEST(LatticePlane, FloorAndSidesOnNodesLeaveAClosedSurface) {
     for (const double voxel : {0.1, 0.05}) {
         if (voxel < test::cases(0.0, 0.06)) continue;
         for (int axis = 0; axis < 3; ++axis) {
-            for (const int node : {-8, -1, 0, 3}) {  // the first is the first of a brick, the second the last of one
+            for (const int node : {-8, -1, 0, 3}) {  // the first one begins a brick, the second one ends a brick
                 SCOPED_TRACE(testing::Message() << "voxel " << voxel << " axis " << axis << " node " << node);
                 const double floor = nodePlane(voxel, axis, node);
                 const double side = nodePlane(voxel, (axis + 2) % 3, node);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// What is left after a cut along a path that leans and turns, against OpenVDB: level sets of the tooth's and the bur's
-// triangles, the bur taken away at each of many poses (CSG of level sets, K. Museth, "VDB: High-Resolution Sparse
-// Volumes with Dynamic Topology", ACM TOG 32, 2013). Shares no code with what it judges.
+// Compares what is left after a cut with OpenVDB. The bur leans and rotates along its path. OpenVDB makes level sets of
+// the triangles of tooth and bur and subtracts the bur at each of many poses (CSG of level sets, K. Museth, "VDB:
+// High-Resolution Sparse Volumes with Dynamic Topology", ACM TOG 32, 2013). It shares no code with the tested program.
 #include <gtest/gtest.h>
 #include <openvdb/openvdb.h>
 #include <openvdb/tools/Composite.h>
@@ -24,8 +24,8 @@ namespace {
 using openvdb::FloatGrid;
 
 constexpr double kVoxel = 0.025;    // mm, of the cut
-constexpr double kFine = 0.02;      // mm, of the judge
-constexpr double kRms = 0.005;      // mm, of the walls from where the judge has them
+constexpr double kFine = 0.02;      // mm, of the oracle
+constexpr double kRms = 0.005;      // mm, RMS distance of the walls from those of the oracle
 constexpr double kLargest = 0.012;  // mm
 
 FloatGrid::Ptr levelSetOf(const TriangleMesh& mesh, const Pose& pose, const openvdb::math::Transform& transform) {
@@ -40,8 +40,8 @@ FloatGrid::Ptr levelSetOf(const TriangleMesh& mesh, const Pose& pose, const open
     return openvdb::tools::meshToLevelSet<FloatGrid>(transform, points, triangles);
 }
 
-/// Summed over the voxels, each as far as a plane through it at that distance leaves of it inside, mm^3. (The library's
-/// own levelSetVolume integrates over the surface and is 5 % off where the intersection of two bodies has sharp edges.)
+/// Sum over the voxels of the part inside a plane at the voxel's distance, mm^3. (levelSetVolume of the library
+/// integrates over the surface and is off by 5 % where the intersection of two bodies has sharp edges.)
 double volumeOf(const FloatGrid& body, const FloatGrid& around) {
     const auto values = body.getConstAccessor();
     double voxels = 0;
@@ -51,8 +51,8 @@ double volumeOf(const FloatGrid& body, const FloatGrid& around) {
     return voxels * kFine * kFine * kFine;
 }
 
-/// A stroke of about a millimetre that begins above a place on the tooth, goes into it and leans while it goes; `step`
-/// mm from pose to pose.
+/// A stroke of about a millimetre. It begins above a place on the tooth, goes into it and leans as it goes. `step`: mm
+/// from pose to pose.
 std::vector<Pose> stroke(const Vec3& place, double step, std::mt19937& random) {
     std::uniform_real_distribution<double> unit(-1, 1);
     const auto lean = [&] {
@@ -77,7 +77,7 @@ std::vector<Pose> stroke(const Vec3& place, double step, std::mt19937& random) {
 
 struct Bur {
     TriangleMesh mesh;
-    double step;  ///< mm; what stays between two of the judge's poses is to be small beside the bounds
+    double step;  ///< mm; what remains between two poses of the oracle is small compared with the bounds
 };
 
 void expectAsTheLevelSet(const TriangleMesh& outer, const Vec3& place, const Bur& bur, unsigned seed) {
@@ -121,7 +121,7 @@ void expectAsTheLevelSet(const TriangleMesh& outer, const Vec3& place, const Bur
 }
 
 Bur ball() { return {test::sphere(Vec3(0, 0, 0.4), 0.4, 128, 96), 0.02}; }
-/// A flat end that leans leaves a stair from pose to pose.
+/// A flat end that leans leaves a step from pose to pose.
 Bur fissure() { return {test::cylinder(Vec3::Zero(), 0.4, 0.8, 128), 0.01}; }
 
 TEST(LevelSetOracle, FindsTheSameLeftOfABlock) {

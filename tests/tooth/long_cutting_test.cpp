@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// Thousands of random moves: each time that one looks, the surface is closed, oriented and a manifold, keeps the file's
-// triangles where no bur has been, and has lost what the ticks have counted.
+// Thousands of random moves. At each check the surface is closed, oriented and manifold, keeps the triangles of the
+// file where no bur has been, and has lost the counted volume.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kVoxel = 0.05;
 
-/// What the file of the surface as it is now is like, and that it keeps the triangles that were not hidden.
+/// The report on the file of the present surface. Checks that it keeps the triangles that are not hidden.
 MeshReport written(const Surface& surface) {
     const test::TemporaryFolder folder;
     EXPECT_TRUE(writeStl(visibleMesh(surface).mesh, folder / "cut.stl"));
@@ -38,7 +38,7 @@ MeshReport written(const Surface& surface) {
     return reportOn(back);
 }
 
-/// Strokes that begin and end anywhere around and in the body, each in ten moves, with a bur that leans and turns.
+/// Strokes that begin and end anywhere around and in the body. Each has ten moves, with a bur that leans and rotates.
 void cutAtRandom(TriangleMesh outer, unsigned seed, int strokes) {
     const double whole = test::volumeOf(outer);
     const Box3 box = boundingBox(outer);
@@ -78,7 +78,7 @@ void cutAtRandom(TriangleMesh outer, unsigned seed, int strokes) {
     EXPECT_EQ(surface.failures(), 0U);
 }
 
-/// The strokes leave ridges thinner than a voxel at the ball's surface: the 45th, the 69th.
+/// The 45th and the 69th stroke leave ridges thinner than a voxel at the surface of the ball.
 TEST(LongCutting, ABallStaysClosed) { cutAtRandom(test::sphere(Vec3(0.03, -0.02, -2), 2, 96, 64), 1, 120); }
 
 TEST(LongCutting, AThinPlateFullOfHolesStaysClosed) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// As judged_export_test.cpp, but until little is left.
+// As oracle_export_test.cpp, but until little is left.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@
 namespace tactooth {
 namespace {
 
-/// A hand sees the surface of every move, not of every stroke alone.
+/// The user sees the surface after every move, and not only after every stroke.
 void expectClosedAfterEveryMove(TriangleMesh outer, unsigned seed, int strokes) {
     test::RandomCutting tooth(std::move(outer), 0.05, {"2", "57", "35", "170", "330"}, seed);
     int moves = 0;
@@ -42,7 +42,7 @@ TEST(LongOracleExport, APlateIsClosedAfterEveryMove) {
     expectClosedAfterEveryMove(test::box(Vec3(-2.5, -2.5, -0.3), Vec3(2.5, 2.5, 0)), 3, 40);
 }
 
-/// Teeth as CT has captured them, one with 325,312 triangles.
+/// Teeth from CT, one of them with 325,312 triangles.
 std::map<std::string, TriangleMesh> scans() {
     const auto folder = test::realTeethFolder();
     if (!folder) {
@@ -56,7 +56,7 @@ std::map<std::string, TriangleMesh> scans() {
     return teeth;
 }
 
-/// After each stroke all that has come loose falls.
+/// After each stroke all detached pieces are removed.
 void expectOnePieceAfterEveryStroke(TriangleMesh outer, unsigned seed, int strokes) {
     test::RandomCutting tooth(std::move(outer), 0.05, {"2", "57", "35", "170", "330"}, seed);
     std::size_t detached = 0;
@@ -68,7 +68,7 @@ void expectOnePieceAfterEveryStroke(TriangleMesh outer, unsigned seed, int strok
         const test::ExportCheck verdict = test::judged(mesh);
         SCOPED_TRACE(::testing::Message() << "seed " << seed << ", stroke " << stroke);
         EXPECT_TRUE(verdict.isValid()) << verdict;
-        EXPECT_EQ(test::openEdges(tooth.mesh()), 0);  // with the specks that files leave out
+        EXPECT_EQ(test::openEdges(tooth.mesh()), 0);  // includes the specks that files leave out
         EXPECT_EQ(test::pieceVolumes(mesh).size(), 1U) << verdict;
         EXPECT_NEAR(tooth.whole() - verdict.volume, tooth.removed(), 0.003 * tooth.removed() + 1e-4);
     }
@@ -91,7 +91,7 @@ TEST(LongOracleExport, BallsAreSoundUntilLittleIsLeft) {
     }
 }
 
-/// What goes wrong once in some hundred strokes shows here.
+/// Finds errors that occur once in some hundred strokes.
 TEST(LongOracleExport, BallsByTheDozenAreClosed) {
     const unsigned last = test::cases(160U, 104U);
     for (unsigned seed = 101; seed <= last; ++seed) {

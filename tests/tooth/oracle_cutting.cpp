@@ -13,12 +13,12 @@ namespace {
 
 const std::vector<std::string> kBurs{"2", "57", "35", "170", "330"};
 
-constexpr double kVolumeBound = 0.004;  // share of the counted volume by which that of the surface may differ
-/// mm; a float at 8 mm is exact to 5e-7, and a triangle whose corners lie off by that crosses its neighbour by as much.
+constexpr double kVolumeBound = 0.004;  // relative difference of the surface's volume from the counted one
+/// mm. A float at 8 mm is exact to 5e-7. A triangle whose corners are off by that crosses its neighbour by as much.
 constexpr double kRounding = 1e-5;
-/// Share of the facets that may cross another deeper than that, beside some, and how deep, in voxels (docs/cutting.md).
-/// 1.3e-3 and 0.38 were measured. Where only crumbs of the whole are left, nearly all is wall: 3e-3 of a ball of which
-/// a twenty-seventh is left.
+/// Limits: the share of the facets that may cross another one deeper than kRounding, beside a few, and the depth in
+/// voxels (docs/cutting.md). Measured: 1.3e-3 and 0.38. If little of the tooth is left, nearly all facets are walls:
+/// 3e-3 of a ball of which a twenty-seventh is left.
 constexpr double kMaxCrossings = 2e-3, kMaxDebrisVolume = 4e-3;
 constexpr double kDebris = 0.05;
 constexpr double kCrossingsBeside = 10;
@@ -48,9 +48,9 @@ void expectValidThroughout(TriangleMesh outer, const OracleCutting& cutting) {
         tooth.stroke();
         if (stroke % cutting.check != 0) continue;
         const TriangleMesh mesh = tooth.exported();
-        if (mesh.triangles.empty()) break;  // all is cut away
+        if (mesh.triangles.empty()) break;  // nothing is left
         SCOPED_TRACE(::testing::Message() << "seed " << cutting.seed << ", stroke " << stroke);
-        EXPECT_EQ(openEdges(tooth.mesh()), 0);  // with the specks that files leave out
+        EXPECT_EQ(openEdges(tooth.mesh()), 0);  // includes the specks that files leave out
         const ExportCheck verdict = judged(mesh);
         expectSound(verdict, 1 - tooth.removed() / tooth.whole(), cutting.voxel);
         EXPECT_NEAR(tooth.whole() - verdict.volume, tooth.removed(), kVolumeBound * tooth.removed() + 1e-3);

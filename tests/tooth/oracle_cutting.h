@@ -7,23 +7,23 @@
 
 namespace tactooth::test {
 
-/// What the judge says of the file of a surface.
+/// What the oracle reports about the file of a surface.
 [[nodiscard]] ExportCheck judged(const TriangleMesh& mesh);
 
 struct OracleCutting {
     unsigned seed = 1;
     int strokes = 20;
-    int check = 4;               ///< strokes from one look of the judge to the next
+    int check = 4;               ///< strokes between two checks by the oracle
     double voxel = 0.05;         ///< mm
-    double leastRemoved = 0.05;  ///< share of the whole that has to go, or little was tried
+    double leastRemoved = 0.05;  ///< share of the tooth that must be removed, so that the test covers enough
 };
 
-/// Cuts at random and expects that each time that the judge looks, what is written is closed, oriented, 2-manifold and
-/// bounds a volume, which is the one that the moves have left, and crosses itself hardly anywhere.
+/// Cuts at random. At each check by the oracle the file must be closed, oriented, 2-manifold and bound a volume. The
+/// volume must be the one that the moves have left. The surface may intersect itself hardly anywhere.
 void expectValidThroughout(TriangleMesh outer, const OracleCutting& cutting);
 
-/// The same without the judge, far faster: cuts, and expects that what is left is closed and that all cut lines fitted
-/// together.
+/// The same without the oracle, and far faster. What is left must be closed, and all cut lines must have been
+/// consistent.
 void expectClosedAfter(TriangleMesh outer, const OracleCutting& cutting);
 
 }  // namespace tactooth::test

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// What is written after random cutting, in the eyes of a reader that shares no code with the program.
+// Judges files after random cutting with a reader that shares no code with the program.
 #include <gtest/gtest.h>
 
 #include "geometry/io/stl_writer.h"
@@ -19,8 +19,8 @@ TEST(OracleExport, AnUncutToothIsSound) {
     EXPECT_TRUE(verdict.crossings.empty()) << verdict;
 }
 
-/// The judge is one only if it can say no.
-TEST(OracleExport, TheJudgeSeesEachFault) {
+/// An oracle is of use only if it finds faults.
+TEST(OracleExport, TheOracleFindsEachFault) {
     const TriangleMesh ball = test::sphere(Vec3::Zero(), 1, 24, 16);
     EXPECT_TRUE(test::judged(ball).isValid());
     TriangleMesh open = ball;
@@ -47,15 +47,15 @@ TEST(OracleExport, ABallIsSoundThroughRandomCutting) {
                                 {.seed = 3, .strokes = test::cases(12, 4)});
 }
 
-/// In these two balls a wall folds over itself where it meets the ball's own surface, which once left a hole: the cut
-/// lines of one edge said two things of its ends.
+/// In these two balls a wall folds over itself where it meets the ball's own surface. This once left a hole: the cut
+/// lines of one edge made contradictory statements about its ends.
 TEST(OracleExport, ABallIsClosedWhereItsWallFoldsAtAnEdge) {
     const TriangleMesh ball = test::sphere(Vec3(0.03, -0.02, -2), 2, 96, 64);
     test::expectClosedAfter(ball, {.seed = 124, .strokes = 4});
     test::expectClosedAfter(ball, {.seed = 107, .strokes = 12});
 }
 
-/// Here a wall is drawn from a node of a brick that no bur was near.
+/// Here the wall needs a node of a brick that no bur was near.
 TEST(OracleExport, ABallIsClosedWhereAWallEndsInTheCornerOfABrick) {
     test::expectClosedAfter(test::sphere(Vec3(0.03, -0.02, -2), 2, 96, 64),
                             {.seed = 510, .strokes = 7, .voxel = 0.025, .leastRemoved = 0.02});

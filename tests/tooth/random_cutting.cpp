@@ -14,15 +14,15 @@
 namespace tactooth::test {
 namespace {
 
-constexpr double kStep = 0.1;      // mm a carve: a hand at 10 mm/s, ten milliseconds
-constexpr double kPlunge = 0.5;    // mm a carve of the long ways through
+constexpr double kStep = 0.1;      // mm for each carve: 10 mm/s for ten milliseconds
+constexpr double kPlunge = 0.5;    // mm for each carve of the long paths through the tooth
 constexpr double kThickest = 0.1;  // mm, of a thin wall
 
 std::shared_ptr<const LayeredTooth> toothOf(TriangleMesh outer) {
     return std::make_shared<const LayeredTooth>(std::move(*LayeredTooth::make(std::move(outer))));
 }
 
-/// The shaft along `axis`, out of the tooth.
+/// The rotation that brings the shaft to `axis`.
 Quat shaftAlong(const Vec3& axis) { return shortestRotation(Vec3::UnitZ(), axis); }
 
 }  // namespace
@@ -37,11 +37,11 @@ RandomCutting::RandomCutting(TriangleMesh outer, double voxel, const std::vector
 }
 
 Vec3 RandomCutting::direction() {
-    Vec3 way;
+    Vec3 vector;
     do {
-        way = Vec3(unit(), unit(), unit());
-    } while (way.norm() < 0.1 || way.norm() > 1);
-    return way.normalized();
+        vector = Vec3(unit(), unit(), unit());
+    } while (vector.norm() < 0.1 || vector.norm() > 1);
+    return vector.normalized();
 }
 
 Vec3 RandomCutting::placeInside() {
@@ -49,8 +49,8 @@ Vec3 RandomCutting::placeInside() {
 }
 
 void RandomCutting::move(const RevolutionEnvelope& bur, const Pose& from, const Pose& to, double longestStep) {
-    const double way = (to.position - from.position).norm() + from.rotation.angularDistance(to.rotation);
-    const int steps = std::max(1, static_cast<int>(std::ceil(way / longestStep)));
+    const double length = (to.position - from.position).norm() + from.rotation.angularDistance(to.rotation);
+    const int steps = std::max(1, static_cast<int>(std::ceil(length / longestStep)));
     const auto at = [&](int i) {
         const double t = static_cast<double>(i) / steps;
         return Pose{Vec3(from.position + t * (to.position - from.position)), from.rotation.slerp(t, to.rotation)};
@@ -89,14 +89,14 @@ void RandomCutting::stroke() {
     }
 }
 
-/// Begins and ends anywhere, leans and turns.
+/// Begins and ends anywhere, leans and rotates.
 void RandomCutting::anywhere(const RevolutionEnvelope& bur) {
     const Pose from{placeInside(), shaftAlong(direction())};
     const Pose to{from.position + direction(), from.rotation.slerp(0.2, shaftAlong(direction()))};
     move(bur, from, to, kStep);
 }
 
-/// Tip first through the tooth and out on the other side.
+/// With the tip first through the tooth and out on the other side.
 void RandomCutting::through(const RevolutionEnvelope& bur) {
     const Vec3 axis = direction();
     const Vec3 place = placeInside();
@@ -104,7 +104,7 @@ void RandomCutting::through(const RevolutionEnvelope& bur) {
     move(bur, {place + reach * axis, shaftAlong(axis)}, {place - 0.3 * reach * axis, shaftAlong(axis)}, kPlunge);
 }
 
-/// Two slots side by side; the wall between them is thinner than a bur can feel, or not there at all.
+/// Two slots side by side. The wall between them is thinner than a voxel, or does not exist.
 void RandomCutting::thinWall(const RevolutionEnvelope& bur) {
     const Quat shaft = shaftAlong(direction());
     const Vec3 along = shaft * Vec3::UnitX();
@@ -116,7 +116,7 @@ void RandomCutting::thinWall(const RevolutionEnvelope& bur) {
     move(bur, {place + across, shaft}, {place + across + along + skew, shaft}, kStep);
 }
 
-/// Once around a cone, the tip in its point: what stands inside comes loose if the bur reaches out of the tooth.
+/// Once around a cone with the tip at its apex. The piece inside is detached if the bur reaches out of the tooth.
 void RandomCutting::detachedBit(const RevolutionEnvelope& bur) {
     const Quat frame = shaftAlong(direction());
     const Vec3 tip = placeInside();
@@ -131,7 +131,7 @@ void RandomCutting::detachedBit(const RevolutionEnvelope& bur) {
     for (int i = 0; i < kSides; ++i) move(bur, at(i), at(i + 1), kStep);
 }
 
-/// Along an axis of the lattice, the tip on a plane of its nodes, one side of the bur on another.
+/// Along an axis of the lattice, with the tip on a plane of nodes and one side of the bur on another.
 void RandomCutting::alongNodes(const RevolutionEnvelope& bur) {
     const int axis = static_cast<int>(random_() % 3);
     const double sign = random_() % 2 == 0 ? 1 : -1;

@@ -13,31 +13,30 @@
 
 namespace tactooth::test {
 
-/// A tooth that is cut by seeded random strokes which look for trouble: at all angles and anywhere, through the whole
-/// tooth, in pairs with a thin wall between them, around a bit that comes loose, and along planes of the lattice's
-/// nodes.
+/// A tooth that is cut by seeded random strokes. They cover difficult cases: all angles and places, paths through the
+/// whole tooth, thin walls, detached pieces, and planes of the lattice's nodes.
 class RandomCutting {
 public:
-    /// `burs` by catalogue number; mm.
+    /// `burs`: catalogue numbers. `voxel` in mm.
     RandomCutting(TriangleMesh outer, double voxel, const std::vector<std::string>& burs, unsigned seed);
 
     void stroke();
-    /// Lets fall what has come loose; how many pieces.
+    /// Removes all detached pieces and debris. Returns the number of pieces.
     std::size_t removeDetached();
-    /// To be called after each move of the strokes to come: a stroke is some tens of them.
-    void checkAfterEachMove(std::function<void()> look) { check_ = std::move(look); }
+    /// Calls `check` after each move of the next strokes. A stroke has some tens of moves.
+    void checkAfterEachMove(std::function<void()> check) { check_ = std::move(check); }
 
-    /// What a hand feels ...
+    /// The mesh that the tool touches ...
     [[nodiscard]] TriangleMesh mesh() const { return visibleMesh(*surface_.snapshot()).mesh; }
-    /// ... and what files have of it.
+    /// ... and the mesh of the files.
     [[nodiscard]] TriangleMesh exported() const {
         return exportedMesh(*surface_.snapshot(), volume_.lattice().spacing()).mesh;
     }
     /// See IncrementalSurface::failures.
     [[nodiscard]] std::size_t failures() const { return surface_.failures(); }
-    /// Summed over the moves, mm^3.
+    /// Sum over the moves, mm^3.
     [[nodiscard]] double removed() const { return removed_; }
-    /// Of the whole tooth, mm^3.
+    /// Volume of the uncut tooth, mm^3.
     [[nodiscard]] double whole() const { return whole_; }
 
 private:

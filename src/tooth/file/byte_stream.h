@@ -6,24 +6,27 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
 #include <vector>
 
+#include "geometry/util/assert.h"
+
 namespace tactooth {
 
 static_assert(std::endian::native == std::endian::little, "files are little-endian, and written as memory is");
 
-/// Tells a damaged file from a whole one (FNV-1a, 64 bit).
+/// Detects damage of a file (FNV-1a, 64 bit).
 [[nodiscard]] inline std::uint64_t checksum(std::span<const std::byte> bytes) {
     std::uint64_t hash = 0xcbf29ce484222325ULL;
     for (const std::byte byte : bytes) hash = (hash ^ static_cast<std::uint64_t>(byte)) * 0x100000001b3ULL;
     return hash;
 }
 
-/// Bytes of a file that is being made.
+/// Collects the bytes of a file.
 class ByteWriter {
 public:
     template <class Value>
@@ -38,6 +41,7 @@ public:
         bytes_.insert(bytes_.end(), raw.begin(), raw.end());
     }
     void putText(std::string_view text) {
+        TACTOOTH_ASSERT(text.size() <= std::numeric_limits<std::uint32_t>::max());
         put(static_cast<std::uint32_t>(text.size()));
         putAll(std::span(text.data(), text.size()));
     }
@@ -49,8 +53,8 @@ private:
     std::vector<std::byte> bytes_;
 };
 
-/// Reads what a ByteWriter wrote, from bytes that nobody vouches for. After the first read that goes beyond the end
-/// every read gives zeros, and `ok` stays false.
+/// Reads what a ByteWriter wrote. The bytes may be damaged or hostile. After the first read beyond the end every read
+/// returns zeros, and `ok` stays false.
 class ByteReader {
 public:
     explicit ByteReader(std::span<const std::byte> bytes) : bytes_(bytes) {}
@@ -63,7 +67,7 @@ public:
         if (!raw.empty()) std::memcpy(&value, raw.data(), sizeof(Value));
         return value;
     }
-    /// `count` values; none if there are not so many.
+    /// Returns `count` values, or none if the bytes hold fewer.
     template <class Value>
     std::vector<Value> getAll(std::uint64_t count) {
         if (count > left() / sizeof(Value)) ok_ = false;
@@ -81,6 +85,7 @@ public:
         if (!ok_) return {};
         const auto part = bytes_.subspan(at_, count);
         at_ += count;
+        TACTOOTH_ASSERT(at_ <= bytes_.size());
         return part;
     }
 

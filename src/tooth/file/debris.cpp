@@ -4,18 +4,20 @@
 
 #include <vector>
 
+#include "geometry/util/assert.h"
 #include "tooth/file/mesh_components.h"
 
 namespace tactooth {
 namespace {
 
-/// What of the lattice is beside one point.
+/// The lattice around one point.
 struct NodesAround {
-    NodeSets air;             ///< neither tooth nor removed, of the eight around it
-    bool isAttached = false;  ///< one of the eight is solid, or no bur has been there
+    NodeSets air;             ///< nodes of the eight around the point that are neither tooth nor removed
+    bool isAttached = false;  ///< one of the eight nodes is solid, or its brick was never sampled
 };
 
 NodesAround nodesAround(const BrickMap& bricks, const Lattice& lattice, const Vec3& point) {
+    TACTOOTH_ASSERT(point.allFinite());
     const Vec3 first = ((point - lattice.node(0, 0, 0)) / lattice.spacing()).array().floor();
     NodesAround around;
     for (int corner = 0; corner < 8; ++corner) {
@@ -36,16 +38,18 @@ NodesAround nodesAround(const BrickMap& bricks, const Lattice& lattice, const Ve
 }  // namespace
 
 NodeSets nodesBesideDebris(const Surface& surface, const BrickMap& bricks, const Lattice& lattice) {
-    MeshComponents bits(visibleMesh(surface).mesh);
-    const std::vector<Vec3f>& points = bits.points();
-    std::vector<bool> isAttached(points.size());  // by the first point of each bit: the lowest number
+    TACTOOTH_ASSERT(surface.base != nullptr);
+    MeshComponents components(visibleMesh(surface).mesh);
+    const std::vector<Vec3f>& points = components.points();
+    std::vector<bool> isAttached(points.size());  // by the number of a component, which is that of its first point
     for (std::uint32_t i = 0; i < points.size(); ++i) {
-        const std::uint32_t bit = bits.ofPoint(i);
-        if (!isAttached[bit]) isAttached[bit] = nodesAround(bricks, lattice, points[i].cast<double>()).isAttached;
+        const std::uint32_t component = components.ofPoint(i);
+        if (!isAttached[component])
+            isAttached[component] = nodesAround(bricks, lattice, points[i].cast<double>()).isAttached;
     }
     NodeSets beside;
     for (std::uint32_t i = 0; i < points.size(); ++i) {
-        if (isAttached[bits.ofPoint(i)]) continue;
+        if (isAttached[components.ofPoint(i)]) continue;
         const NodesAround around = nodesAround(bricks, lattice, points[i].cast<double>());
         for (const auto& [key, nodes] : around.air) beside[key] |= nodes;
     }

@@ -7,9 +7,10 @@
 
 namespace tactooth {
 
-/// Bits of surface that hang together with nothing and hold no node of the lattice: flakes thinner than a voxel, left
-/// where a cut ran out through the tooth's own surface. Returns the nodes in the air beside them that no bur has
-/// removed: with these gone (nodesToRemove) so are they. `surface` is that of the bricks as they are.
+/// Finds debris: components of the surface that hold no node of the lattice. These are flakes thinner than a voxel,
+/// left where a cut ran out through the tooth's own surface. Returns the nodes in the air beside them that no bur has
+/// removed. When these nodes are removed (nodesToRemove), the debris is gone too. `surface` belongs to the present
+/// state of `bricks`.
 [[nodiscard]] NodeSets nodesBesideDebris(const Surface& surface, const BrickMap& bricks, const Lattice& lattice);
 
 }  // namespace tactooth

@@ -6,9 +6,9 @@
 
 namespace tactooth {
 
-/// What files have of a tooth: `visibleToothMesh` without specks. A speck is a bit that hangs together with nothing,
-/// has walls of a cut, and holds less than a cube of `voxel` (mm): dust of a cut, too small for the volume to know its
-/// shape, so that it may even cross itself. What no bur has touched stays, however small.
+/// The mesh that is written to files: `visibleToothMesh` without specks. A speck is a component with walls of a cut and
+/// a volume of less than a cube of `voxel` (mm). The cut volume cannot resolve its shape, so it may even intersect
+/// itself. A component that no bur has touched stays, however small it is.
 [[nodiscard]] TaggedMesh exportedMesh(const Surface& surface, double voxel);
 
 }  // namespace tactooth

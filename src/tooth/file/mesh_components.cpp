@@ -3,6 +3,7 @@
 #include "tooth/file/mesh_components.h"
 
 #include "geometry/mesh/vertex_welder.h"
+#include "geometry/util/assert.h"
 
 namespace tactooth {
 namespace {
@@ -18,6 +19,7 @@ std::vector<Vec3f> distinctPoints(const TriangleMesh& mesh, std::vector<std::uin
 
 MeshComponents::MeshComponents(const TriangleMesh& mesh)
     : points_(distinctPoints(mesh, pointOf_)), joined_(points_.size()) {
+    TACTOOTH_ASSERT(pointOf_.size() == mesh.vertices.size());
     for (const Triangle& triangle : mesh.triangles) {
         joined_.join(pointOf_[triangle[0]], pointOf_[triangle[1]]);
         joined_.join(pointOf_[triangle[1]], pointOf_[triangle[2]]);

@@ -2,16 +2,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tooth/file/remaining_layers.h"
 
+#include "geometry/util/assert.h"
 #include "tooth/file/exported_mesh.h"
 #include "tooth/surface/incremental_surface.h"
 
 namespace tactooth {
 namespace {
 
-/// A layer is cut as a tooth of its own, by what was removed from the whole one.
+/// Cuts a layer as if it were a tooth of its own, with the cut field of the whole tooth.
 TriangleMesh remainsOf(const TriangleMesh& layer, double voxel, const std::map<BrickKey, CutField>& cuts) {
     auto tooth = LayeredTooth::make(layer);
-    if (!tooth) return {};  // cannot be: the layer was looked at when the tooth was made
+    TACTOOTH_ASSERT(tooth.has_value());
+    if (!tooth) return {};  // cannot happen: the layer was checked when the tooth was made
     CutVolume volume(std::make_shared<const LayeredTooth>(std::move(*tooth)), voxel);
     IncrementalSurface surface(volume);
     surface.update(volume, volume.adopt(cuts));
@@ -40,6 +42,7 @@ std::vector<RemainingLayer> remainingLayers(const CutVolume& volume) {
         const std::string name(materialName(tooth.body()));
         remains.push_back({name, remainsOf(tooth.outer()->mesh(), voxel, cuts)});
     }
+    TACTOOTH_ASSERT(!remains.empty());
     return remains;
 }
 

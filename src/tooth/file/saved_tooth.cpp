@@ -5,24 +5,28 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <type_traits>
 
+#include "geometry/util/assert.h"
 #include "tooth/file/byte_stream.h"
 
 namespace tactooth {
 namespace {
 
 constexpr std::string_view kMagic = "TACTOOTH";
-constexpr std::uint32_t kVersion = 2;     // the first one knew no Standing
-constexpr double kWidestBand = 2;         // voxels: files of the first months kept the cut distance farther
-constexpr double kFinestVoxel = 0.005;    // mm, as on the command line
-constexpr double kCoarsestVoxel = 0.5;    // mm
-constexpr int kFarthestBrick = 1 << 16;   // from the origin: 13 m at the default voxel
-constexpr float kFarthest = 1e6F;         // mm, of a vertex
-constexpr std::size_t kMaxLayers = 2000;  // of a case: 200 bodies of a few layers each
+constexpr std::uint32_t kVersion = 2;         // version 1 had no ToothContext
+constexpr double kWidestBand = 2;             // voxels; the first files kept the cut distance in a wider band
+constexpr double kFinestVoxel = 0.005;        // mm, the limit of the command line
+constexpr double kCoarsestVoxel = 0.5;        // mm
+constexpr int kFarthestBrick = 1 << 16;       // bricks from the origin: 13 m at the default voxel
+constexpr float kMaxVertexCoordinate = 1e6F;  // mm, of a vertex
+constexpr std::size_t kMaxLayers = 2000;      // of a case: 200 bodies of a few layers each
 constexpr std::size_t kMaxNotes = 10'000;
 
 void putMesh(ByteWriter& out, const TriangleMesh& mesh) {
+    TACTOOTH_ASSERT(mesh.vertices.size() <= std::numeric_limits<std::uint32_t>::max());
+    TACTOOTH_ASSERT(mesh.triangles.size() <= std::numeric_limits<std::uint32_t>::max());
     out.put(static_cast<std::uint32_t>(mesh.vertices.size()));
     out.put(static_cast<std::uint32_t>(mesh.triangles.size()));
     for (const Vec3f& vertex : mesh.vertices) {
@@ -31,7 +35,8 @@ void putMesh(ByteWriter& out, const TriangleMesh& mesh) {
     out.putAll(std::span<const Triangle>(mesh.triangles));
 }
 
-/// Part of what is kept for each node: a bit for each that is not as untouched, then those.
+/// Writes one part of each node's value: first a bit for each node that differs from the untouched value, then these
+/// values.
 template <class Value, class Part = std::identity>
 void putField(ByteWriter& out, const std::array<Value, kBrickNodes>& values, const Value& unchanged, Part part = {}) {
     const auto& untouched = std::invoke(part, unchanged);
@@ -47,6 +52,7 @@ void putField(ByteWriter& out, const std::array<Value, kBrickNodes>& values, con
 }
 
 void putBrick(ByteWriter& out, const BrickKey& key, const CutField& field, const CutField& untouched) {
+    TACTOOTH_ASSERT(key.isInRange());
     for (const int place : {key.x, key.y, key.z}) out.put(std::int32_t{place});
     putField(out, field.cut, untouched.cut[0]);
     putField(out, field.cutNormal, untouched.cutNormal[0]);
@@ -56,7 +62,7 @@ void putBrick(ByteWriter& out, const BrickKey& key, const CutField& field, const
     }
 }
 
-/// Reads a whole file, and remembers the first thing that is wrong.
+/// Reads a whole file and keeps the first error.
 class ToothReader {
 public:
     ToothReader(std::span<const std::byte> bytes, const std::string& name) : in_(bytes), bytes_(bytes), name_(name) {}
@@ -117,7 +123,7 @@ private:
         for (const auto& [x, y, z] : places) {
             mesh.vertices.emplace_back(x, y, z);
             const Vec3f& vertex = mesh.vertices.back();
-            require(vertex.allFinite() && vertex.cwiseAbs().maxCoeff() < kFarthest, kDamaged);
+            require(vertex.allFinite() && vertex.cwiseAbs().maxCoeff() < kMaxVertexCoordinate, kDamaged);
         }
         for (const Triangle& triangle : mesh.triangles) {
             for (const std::uint32_t corner : triangle) require(corner < places.size(), kDamaged);
@@ -137,7 +143,7 @@ private:
             LayerMesh layer;
             layer.material = readMaterial();
             layer.name = in_.getText();
-            // Files are named after it.
+            // Files are named after the layer.
             require(layer.name.find_first_of(std::string_view("/\0", 2)) == std::string::npos, kDamaged);
             readMesh(layer.mesh);
             tooth_.layers.push_back(std::move(layer));
@@ -186,7 +192,7 @@ private:
         if (failure_.empty()) tooth_.cuts.emplace_hint(tooth_.cuts.end(), key, field);
     }
 
-    /// Part of what is kept for each node, as putField writes it.
+    /// Reads one part of each node's value, as putField writes it.
     template <class Value, class IsValid, class Part = std::identity>
     void readField(std::array<Value, kBrickNodes>& values, const IsValid& isValid, Part part = {}) {
         std::array<std::uint64_t, kBrickNodes / 64> touched{};
@@ -239,7 +245,10 @@ std::vector<std::byte> savedToothBytes(const CutVolume& volume, const MaterialVo
     out.put(tooth.toothContext().firstAdjacent);
 
     out.put(volume.lattice().spacing());
-    for (const double gone : removed) out.put(gone);
+    for (const double gone : removed) {
+        TACTOOTH_ASSERT(std::isfinite(gone) && gone >= 0);
+        out.put(gone);
+    }
     const std::vector<BrickKey> keys = volume.cutBricks();
     out.put(static_cast<std::uint64_t>(keys.size()));
     const CutField untouched = CutField::untouched(volume.lattice().spacing());

@@ -14,10 +14,10 @@
 
 namespace tactooth {
 
-/// Where a saved tooth comes from: what and who, in the order in which it happened.
+/// History of a saved tooth: pairs of key and value, in the order of the events.
 using Provenance = std::vector<std::pair<std::string, std::string>>;
 
-/// All that a saved tooth is made of: the surfaces as they were before the first cut, bit for bit, and what was cut.
+/// The contents of a saved tooth: the surfaces before the first cut, bit for bit, and the cut fields.
 struct SavedTooth {
     TriangleMesh outer;
     std::vector<LayerMesh> layers;
@@ -29,12 +29,12 @@ struct SavedTooth {
     Provenance provenance;
 };
 
-/// A cut tooth as the bytes of a file (docs/tooth-file.md).
+/// Writes a cut tooth as the bytes of a file (docs/tooth-file.md).
 [[nodiscard]] std::vector<std::byte> savedToothBytes(const CutVolume& volume, const MaterialVolumes& removed,
                                                      const Provenance& provenance);
 
-/// Reads such bytes; `name` stands for the file in messages. Fails with one sentence with the byte's place if anything
-/// is not as a writer leaves it.
+/// Reads such bytes. Messages name the file `name`. Fails with one sentence that tells the position of the byte if the
+/// bytes are not as savedToothBytes writes them.
 [[nodiscard]] Expected<SavedTooth> parseSavedTooth(std::span<const std::byte> bytes, const std::string& name);
 
 }  // namespace tactooth

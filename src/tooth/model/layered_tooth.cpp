@@ -10,12 +10,13 @@
 #include "collision/solid/self_intersection.h"
 #include "geometry/mesh/mesh_edges.h"
 #include "geometry/mesh/mesh_extent.h"
+#include "geometry/util/assert.h"
 #include "geometry/util/parallel_for.h"
 
 namespace tactooth {
 namespace {
 
-/// How far behind a triangle its material is looked up, mm: layers of one tooth from a CT agree to 0.02 mm only.
+/// mm behind a triangle where its material is looked up. Layers of one tooth from a CT agree to 0.02 mm only.
 constexpr double kBehindSurface = 0.05;
 
 double signedVolume(const TriangleMesh& mesh) {
@@ -61,9 +62,10 @@ Expected<void> checkLayers(const TriangleMesh& outer, const std::vector<LayerMes
     return {};
 }
 
-/// Whether some vertices of `mesh` lie within `body` or on its surface.
+/// Whether some of the sampled vertices of `mesh` lie within `body` or on its surface.
 bool reachesInto(const SurfacePart& body, const TriangleMesh& mesh) {
     constexpr std::size_t kLooks = 200;
+    TACTOOTH_ASSERT(!mesh.empty());
     const std::size_t stride = std::max<std::size_t>(1, mesh.vertices.size() / kLooks);
     for (std::size_t v = 0; v < mesh.vertices.size(); v += stride) {
         const Vec3 point = mesh.vertices[v].cast<double>();
@@ -72,7 +74,7 @@ bool reachesInto(const SurfacePart& body, const TriangleMesh& mesh) {
     return false;
 }
 
-/// Two bodies whose boxes meet may still be apart: a layer of the tooth beside this one.
+/// Boxes of two bodies may overlap although the bodies do not: a layer of the tooth beside this one.
 bool areApart(const SurfacePart& a, const SurfacePart& b) {
     return !reachesInto(a, b.mesh()) && !reachesInto(b, a.mesh());
 }
@@ -81,6 +83,7 @@ bool areApart(const SurfacePart& a, const SurfacePart& b) {
 
 Expected<LayeredTooth> LayeredTooth::make(TriangleMesh outer, std::vector<LayerMesh> layers, MaterialId body,
                                           const ToothContext& toothContext) {
+    TACTOOTH_ASSERT(std::abs(toothContext.mesialX) == 1);
     if (auto closed = checkClosed(outer, "the tooth"); !closed) return unexpected(closed.error().message);
     if (auto checked = checkLayers(outer, layers); !checked) return unexpected(checked.error().message);
     std::stable_sort(layers.begin(), layers.end(),
@@ -96,6 +99,8 @@ Expected<LayeredTooth> LayeredTooth::make(TriangleMesh outer, std::vector<LayerM
     tooth.outer_ = std::make_shared<const SurfacePart>(std::move(outer), std::move(tags), toothContext.firstAdjacent);
     const bool isAlone = toothContext.firstAdjacent >= tooth.outer_->mesh().triangles.size();
     if (!isAlone) tooth.bodiesOverlap_ = selfIntersectingTriangles(*tooth.outer_).value_or(std::vector{0U}).size() > 0;
+    TACTOOTH_ASSERT(tooth.outer_->tags().empty() ||
+                    tooth.outer_->tags().size() == tooth.outer_->mesh().triangles.size());
     for (const Layer& layer : tooth.layers_) {
         if (areApart(*tooth.outer_, *layer.part)) return unexpected(outsideSentence("layer '" + layer.name + "'"));
     }
@@ -103,12 +108,14 @@ Expected<LayeredTooth> LayeredTooth::make(TriangleMesh outer, std::vector<LayerM
 }
 
 std::shared_ptr<const SurfacePart> LayeredTooth::ownOuter() const {
+    TACTOOTH_ASSERT(outer_ != nullptr);
     if (toothContext_.firstAdjacent >= outer_->mesh().triangles.size()) return outer_;
     TaggedMesh own = visibleToothMesh(Surface{.base = outer_});
     return std::make_shared<const SurfacePart>(std::move(own.mesh), std::move(own.tags));
 }
 
 Box3 LayeredTooth::ownBox() const {
+    TACTOOTH_ASSERT(outer_ != nullptr);
     const TriangleMesh& mesh = outer_->mesh();
     Box3 box;
     for (std::uint32_t t = 0; t < mesh.triangles.size() && t < toothContext_.firstAdjacent; ++t) {
@@ -118,6 +125,7 @@ Box3 LayeredTooth::ownBox() const {
 }
 
 MaterialId LayeredTooth::materialAt(const Vec3& point) const {
+    TACTOOTH_ASSERT(point.allFinite());
     for (auto layer = layers_.rbegin(); layer != layers_.rend(); ++layer) {
         if (layer->part->tree().box().contains(point) && contains(*layer->part, point)) return layer->material;
     }
@@ -150,6 +158,26 @@ std::vector<SurfaceTag> LayeredTooth::tagsOf(const TriangleMesh& outer) const {
         tags[t] = static_cast<SurfaceTag>(materialAt(behind));
     });
     return tags;
+}
+
+void LayeredTooth::validate() const {
+    const auto validatePart = [](const SurfacePart* part) {
+        TACTOOTH_ASSERT(part != nullptr);
+        TACTOOTH_ASSERT(!part->mesh().empty());
+        TACTOOTH_ASSERT(edgeBalance(part->mesh()).closed());
+        TACTOOTH_ASSERT(signedVolume(part->mesh()) > 0);
+        TACTOOTH_ASSERT(part->tags().empty() || part->tags().size() == part->mesh().triangles.size());
+    };
+    validatePart(outer_.get());
+    TACTOOTH_ASSERT(outer_->firstAdjacent() == toothContext_.firstAdjacent);
+    TACTOOTH_ASSERT(std::abs(toothContext_.mesialX) == 1);
+    TACTOOTH_ASSERT(outer_->tree().box().contains(ownBox()));
+    for (std::size_t i = 0; i < layers_.size(); ++i) {
+        validatePart(layers_[i].part.get());
+        TACTOOTH_ASSERT(layers_[i].part->tree().box().intersects(outer_->tree().box()));
+        TACTOOTH_ASSERT(i == 0 || layers_[i - 1].material <= layers_[i].material);
+        for (std::size_t j = 0; j < i; ++j) TACTOOTH_ASSERT(layers_[j].name != layers_[i].name);
+    }
 }
 
 }  // namespace tactooth

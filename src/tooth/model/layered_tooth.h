@@ -12,22 +12,22 @@
 
 namespace tactooth {
 
-/// One closed body inside a tooth, as `examineSolid` leaves it.
+/// One closed body inside a tooth. examineSolid has checked it.
 struct LayerMesh {
-    std::string name;  ///< for messages: the user's word for it, unique within a tooth
+    std::string name;  ///< the user's name for it, unique within a tooth; used in messages
     MaterialId material;
     TriangleMesh mesh;  ///< closed, welded, normals outward
 };
 
-/// How a tooth stands in its frame, and among others.
+/// The orientation of a tooth in its frame, and its neighbours.
 struct ToothContext {
     double mesialX = 1;                        ///< direction of mesial along x: 1 or -1
-    std::uint32_t firstAdjacent = UINT32_MAX;  ///< from this triangle on its outer surface is that of bodies around it
+    std::uint32_t firstAdjacent = UINT32_MAX;  ///< first triangle of bodies around the tooth
 };
 
-/// A tooth before anything is cut: its outer surface, which is what is touched, and the closed layers inside it.
-/// Layers may lie side by side or within one another; where several hold a point, the latest in the order of
-/// MaterialId wins. Immutable.
+/// A tooth before anything is cut: its outer surface and the closed layers inside it. The tool touches the outer
+/// surface. Layers may lie side by side or within one another. Where several layers hold a point, the last one in the
+/// order of MaterialId decides. Immutable.
 class LayeredTooth {
 public:
     struct Layer {
@@ -36,29 +36,33 @@ public:
         std::shared_ptr<const SurfacePart> part;
     };
 
-    /// Without layers the whole tooth is `body`. Fails with one sentence if a surface is open or inside out, a name is
-    /// given twice, or a layer lies outside the tooth.
+    /// Makes a tooth. Without layers the whole tooth is `body`. `toothContext.mesialX` is 1 or -1. Fails with one
+    /// sentence if a surface is open or inside out, a name is given twice, or a layer lies outside the tooth.
     [[nodiscard]] static Expected<LayeredTooth> make(TriangleMesh outer, std::vector<LayerMesh> layers = {},
                                                      MaterialId body = MaterialId::Enamel,
                                                      const ToothContext& toothContext = {});
 
-    /// The surface that is touched; each triangle's tag is the MaterialId just behind it.
+    /// The outer surface. The tag of each triangle is the MaterialId just behind it.
     [[nodiscard]] const std::shared_ptr<const SurfacePart>& outer() const { return outer_; }
-    /// The same without what stands around the tooth: made anew where something does.
+    /// The outer surface without the bodies around the tooth. Builds a new part if there are such bodies.
     [[nodiscard]] std::shared_ptr<const SurfacePart> ownOuter() const;
-    /// In rising order of victory.
+    /// In the order of precedence: a later layer overrides an earlier one.
     [[nodiscard]] const std::vector<Layer>& layers() const { return layers_; }
-    /// Whether bodies around the tooth reach into it, or into each other: then the nearest triangle does not tell what
-    /// is inside. What two of them claim counts as air.
+    /// Whether bodies around the tooth overlap it or each other. Then the nearest triangle does not tell what is
+    /// inside, and the region that two of them share counts as air.
     [[nodiscard]] bool bodiesOverlap() const { return bodiesOverlap_; }
-    /// What the tooth is made of where it has no layers.
+    /// The material of a tooth without layers.
     [[nodiscard]] MaterialId body() const { return body_; }
     [[nodiscard]] const ToothContext& toothContext() const { return toothContext_; }
-    /// Of the tooth without what stands around it, mm.
+    /// Bounding box of the tooth without the bodies around it, mm.
     [[nodiscard]] Box3 ownBox() const;
 
-    /// The material at a point inside the tooth, mm. A point in a gap between layers belongs to the nearest one.
+    /// The material at a point inside the tooth, mm. In a gap between layers the nearest layer decides.
     [[nodiscard]] MaterialId materialAt(const Vec3& point) const;
+
+    /// Asserts the invariants: closed surfaces with outward normals, one tag for each triangle, unique names, layers in
+    /// ascending order of their materials. Takes time in proportion to the number of triangles.
+    void validate() const;
 
 private:
     LayeredTooth() = default;

@@ -10,11 +10,15 @@
 
 #include "collision/bvh/point_box_distance.h"
 #include "collision/narrow/triangle_point.h"
+#include "geometry/util/assert.h"
+
+// Own method. One traversal of the tree collects the leaves within a ball. Each query then tests the boxes of these
+// leaves, eight at a time, and the triangles of the leaves that are near enough.
 
 namespace tactooth {
 namespace {
 
-/// One bit for each of eight boxes at such a squared distance that come within `reach` of the point.
+/// One bit for each of eight boxes: whether its squared distance is within `reach`.
 std::uint32_t boxesWithin(const Float8& squaredDistances, double reach) {
     return lessEqual(squaredDistances, Float8::all(static_cast<float>(reach * reach * (1 + 1e-6))));
 }
@@ -26,6 +30,8 @@ std::uint32_t trianglesWithin(const AabbTree::Leaf& leaf, const Vec3x8& query, d
 }  // namespace
 
 LeafCache::LeafCache(const SurfacePart& part, const Vec3& centre, double reach) {
+    TACTOOTH_ASSERT(centre.allFinite());
+    TACTOOTH_ASSERT(std::isfinite(reach) && reach >= 0);
     const AabbTree& tree = part.tree();
     if (tree.empty()) return;
     const Vec3x8 query = broadcastPoint(centre);
@@ -38,9 +44,10 @@ LeafCache::LeafCache(const SurfacePart& part, const Vec3& centre, double reach) 
         std::uint32_t near = boxesWithin(squaredBoxDistances(node, query), farthest);
         for (; near != 0; near &= near - 1) {
             const int child = std::countr_zero(near);
-            if (!(node.low[0][child] <= node.high[0][child])) continue;  // absent
+            if (!(node.low[0][child] <= node.high[0][child])) continue;  // no child
             const AabbTree::Link link = node.child[child];
             if (!link.isLeaf()) {
+                TACTOOTH_ASSERT(size < AabbTree::kStackSize);
                 stack[size++] = link;
             } else if (trianglesWithin(tree.leaf(link), query, farthest) != 0) {
                 add(node, child, tree.leaf(link));
@@ -50,6 +57,9 @@ LeafCache::LeafCache(const SurfacePart& part, const Vec3& centre, double reach) 
 }
 
 void LeafCache::add(const AabbTree::Node& node, int child, const AabbTree::Leaf& leaf) {
+    TACTOOTH_ASSERT(child >= 0 && child < AabbTree::kWidth);
+    TACTOOTH_ASSERT(leaf.count > 0 && leaf.count <= 8);
+    TACTOOTH_ASSERT(last_ > 0 && last_ <= 8);
     if (last_ == 8) {
         Group& group = groups_.emplace_back();
         for (int axis = 0; axis < 3; ++axis) {
@@ -67,6 +77,8 @@ void LeafCache::add(const AabbTree::Node& node, int child, const AabbTree::Leaf&
 }
 
 std::optional<ClosestPoint> LeafCache::closest(const Vec3& query, double within) const {
+    TACTOOTH_ASSERT(query.allFinite());
+    TACTOOTH_ASSERT(within >= 0);
     const double slack = slackNear(query);
     const Vec3x8 query8 = broadcastPoint(query);
     std::optional<ClosestPoint> best;
@@ -91,6 +103,7 @@ std::optional<ClosestPoint> LeafCache::closest(const Vec3& query, double within)
         }
     }
     if (best) best->distance = std::sqrt(bestSquared);
+    TACTOOTH_ASSERT(!best || best->distance <= within * (1 + 1e-12));
     return best;
 }
 

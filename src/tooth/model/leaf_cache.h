@@ -9,20 +9,21 @@
 
 namespace tactooth {
 
-/// The triangles of a surface near one place, for many questions about points around it: a brick asks for the nearest
-/// point 512 times, and a walk down the tree for each would cost more than the triangles themselves.
+/// The leaves of a surface's tree near one place, for many nearest-point queries around it. A brick makes 512 such
+/// queries. A traversal of the tree for each would cost more than the tests of the triangles.
 class LeafCache {
 public:
-    /// Finds all that lies within `reach` (mm) of `centre`. `part` outlives this.
+    /// Collects all leaves with a triangle within `reach` (mm) of `centre`. `part` must outlive this.
     LeafCache(const SurfacePart& part, const Vec3& centre, double reach);
 
     [[nodiscard]] bool empty() const { return groups_.empty(); }
 
-    /// The same as `closestPoint`, bit for bit, wherever the ball of `within` around `query` lies in what was found.
+    /// Returns the result of `closestPoint`, bit for bit, if the ball of radius `within` around `query` lies inside the
+    /// ball of the constructor.
     [[nodiscard]] std::optional<ClosestPoint> closest(const Vec3& query, double within) const;
 
 private:
-    /// Eight leaves of the tree with their boxes side by side; those that are not there are infinitely far.
+    /// Eight leaves with their boxes side by side. Unused entries are infinitely far away.
     struct alignas(32) Group {
         float low[3][8];
         float high[3][8];
@@ -31,7 +32,7 @@ private:
     void add(const AabbTree::Node& node, int child, const AabbTree::Leaf& leaf);
 
     std::vector<Group> groups_;
-    int last_ = 8;  // leaves in the last group
+    int last_ = 8;  // number of leaves in the last group
 };
 
 }  // namespace tactooth

@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <array>
 
+#include "geometry/util/assert.h"
+
 namespace tactooth {
 
 std::vector<std::uint32_t> trianglesTouching(const SurfacePart& part, const Box3& box) {
+    TACTOOTH_ASSERT(!box.isEmpty());
     std::vector<std::uint32_t> found;
     const AabbTree& tree = part.tree();
     if (tree.empty()) return found;
@@ -32,6 +35,7 @@ std::vector<std::uint32_t> trianglesTouching(const SurfacePart& part, const Box3
             }
             continue;
         }
+        TACTOOTH_ASSERT(size + AabbTree::kWidth <= AabbTree::kStackSize);
         const AabbTree::Node& node = tree.node(link);
         for (int child = 0; child < AabbTree::kWidth; ++child) {
             const auto low = [&](int axis) { return node.low[axis][child]; };

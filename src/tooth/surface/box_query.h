@@ -9,7 +9,7 @@
 
 namespace tactooth {
 
-/// Numbers of the triangles of `part` whose own boxes touch `box`, in ascending order.
+/// Returns the numbers of the triangles of `part` whose bounding boxes touch `box`, in ascending order.
 [[nodiscard]] std::vector<std::uint32_t> trianglesTouching(const SurfacePart& part, const Box3& box);
 
 }  // namespace tactooth

@@ -2,16 +2,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tooth/surface/cavity_wall.h"
 
+#include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "collision/narrow/lane_flags.h"
+#include "geometry/util/assert.h"
 #include "tooth/surface/wall_loops.h"
 #include "tooth/surface/wall_polygons.h"
+
+// Dual contouring; wall_vertices.cpp and wall_loops.cpp name the sources. Differences: each brick makes its wall by
+// itself, and neighbouring walls meet in equal bits. A quad is split along the diagonal that bends the surface less.
 
 namespace tactooth {
 namespace {
 
-/// Grows with the angle between the two triangles on either side of the diagonal from `a` to `c`.
+/// A measure that grows with the angle between the two triangles on either side of the diagonal from `a` to `c`.
 Float8 bendsAlong(const Vec3x8& a, const Vec3x8& b, const Vec3x8& c, const Vec3x8& d) {
     const Vec3x8 diagonal = c - a;
     const Vec3x8 one = cross(b - a, diagonal);
@@ -22,16 +28,16 @@ Float8 bendsAlong(const Vec3x8& a, const Vec3x8& b, const Vec3x8& c, const Vec3x
     return whereLess(zero8(), squares, minus * max(cosine, minus) / squares, zero8());
 }
 
-/// Puts the wall together: its vertices, and triangles for its polygons.
+/// Assembles the wall: its vertices, and the triangles of its polygons.
 class WallBuilder {
 public:
     WallBuilder(const BrickNeighbourhood& nodes, const NodePoints& points, const BrickKey& key)
         : nodes_(nodes), points_(points), key_(key) {}
 
-    /// `vertexAt(i)` gives them as WallLoops::Vertex.
+    /// `vertexAt(i)` returns vertex i as a WallLoops::Vertex.
     template <class VertexAt>
     void addVertices(std::size_t count, const VertexAt& vertexAt) {
-        wall_.mesh.vertices.resize(count + 1);  // see foldsOf
+        wall_.mesh.vertices.resize(count + 1);  // one spare vertex: see foldsOf
         for (std::size_t i = 0; i < count; ++i) wall_.mesh.vertices[i] = vertexAt(i).point.template cast<float>();
     }
 
@@ -42,14 +48,16 @@ public:
         wall_.tags.resize(count);
         std::size_t next = 0;
         for (const WallLoops::Fan& fan : fans) {
+            TACTOOTH_ASSERT(fan.polygon >= next && fan.polygon < polygons.size());
             addQuads(polygons.subspan(next, fan.polygon - next));
             addFan(fan, polygons[fan.polygon].tag);
             next = fan.polygon + 1;
         }
         addQuads(polygons.subspan(next));
+        TACTOOTH_ASSERT(triangleCount_ == count);
     }
 
-    /// What is known of those polygons alone that may cross the tooth's surface.
+    /// Fills the lists that exist only if some polygon may cross the tooth's surface.
     template <class VertexAt>
     void addAtSurface(std::span<const WallPolygon> polygons, std::span<const WallLoops::Fan> fans,
                       const VertexAt& vertexAt) {
@@ -61,25 +69,29 @@ public:
             const WallPolygon& polygon = polygons[i];
             const bool isFan = fan != fans.end() && fan->polygon == i;
             const int triangles = isFan ? fan++->size - 2 : 2;
-            const std::uint64_t id = 8 * numberOf(polygon.node, polygon.axis);  // at most six triangles
+            const std::uint64_t id = 8 * numberOf(polygon.node, polygon.axis);  // room for at most six triangles
             const auto place = polygon.isAtSurface ? CavityWall::Place::AtSurface : CavityWall::Place::Inside;
             for (int t = 1; t <= triangles; ++t) {
                 wall_.places.push_back(place);
                 wall_.faceIds.push_back(id + static_cast<std::uint64_t>(t));
             }
         }
+        TACTOOTH_ASSERT(fan == fans.end());
+        TACTOOTH_ASSERT(wall_.places.size() == count && wall_.faceIds.size() == count);
         addSides(vertexAt);
     }
 
     CavityWall take() {
+        TACTOOTH_ASSERT(!wall_.mesh.vertices.empty());
         wall_.mesh.vertices.pop_back();
         return std::move(wall_);
     }
 
 private:
-    /// A number that this node of the lattice alone has, with room for 16 kinds of things that belong to it.
+    /// A number that is unique in the lattice for a node and one of its 16 kinds of items.
     [[nodiscard]] std::uint64_t numberOf(int node, int kind) const {
         constexpr std::uint64_t kMask = (1U << 20) - 1;
+        TACTOOTH_ASSERT(kind >= 0 && kind < 16);
         const auto coordinate = [](int brick, int local) {
             return static_cast<std::uint64_t>(kBrickSide * brick + local + (1 << 19)) & kMask;
         };
@@ -106,8 +118,8 @@ private:
         }
     }
 
-    /// A distance changes by no more than the way: a corner of the cell that is farther from the tooth's surface than
-    /// from the vertex has the vertex on its side.
+    /// A distance field changes by no more than the displacement. If a corner of the cell is farther from the tooth's
+    /// surface than from the vertex, both are on the same side.
     [[nodiscard]] std::int8_t sideOf(const Vec3& point, int cell) const {
         for (int corner = 0; corner < 8; ++corner) {
             const int node = cell + BrickNeighbourhood::index(corner & 1, corner >> 1 & 1, corner >> 2) -
@@ -118,7 +130,7 @@ private:
         return 0;
     }
 
-    /// Four-sided polygons are folded along the diagonal that leaves the smaller bend.
+    /// Splits quads along the diagonal that bends the surface less.
     void addQuads(std::span<const WallPolygon> polygons) {
         for (std::size_t first = 0; first < polygons.size(); first += 8) {
             const auto eight = polygons.subspan(first, std::min<std::size_t>(8, polygons.size() - first));
@@ -132,8 +144,9 @@ private:
             }
         }
     }
-    /// Which of eight are to be folded from their second corner to the fourth: one bit each.
+    /// Which of eight quads are to be split from their second to their fourth corner: one bit each.
     [[nodiscard]] unsigned foldsOf(std::span<const WallPolygon> eight) const {
+        TACTOOTH_ASSERT(!eight.empty() && eight.size() <= 8);
         std::array<Vec3x8, 4> corners;
         for (int i = 0; i < 4; ++i) {
             std::array<const float*, 8> points;
@@ -141,18 +154,21 @@ private:
                 const WallPolygon& polygon = eight[std::min(lane, eight.size() - 1)];
                 points[lane] = wall_.mesh.vertices[polygon.corners[i]].data();
             }
-            const auto [x, y, z, nextX] = Float8::loadFours(points);  // the last vertex has one behind it
+            const auto [x, y, z, nextX] = Float8::loadFours(points);  // reads past the vertex
             corners[i] = {x, y, z};
         }
         const auto& [a, b, c, d] = corners;
         return lessEqual(one8(), isLess(bendsAlong(b, c, d, a), bendsAlong(a, b, c, d)));
     }
     void addFan(const WallLoops::Fan& fan, SurfaceTag tag) {
+        TACTOOTH_ASSERT(fan.size > 4 && fan.size <= static_cast<int>(fan.corners.size()));
         for (int i = 1; i + 1 < fan.size; ++i) {
             addTriangle({fan.corners[0], fan.corners[i], fan.corners[i + 1]}, tag);
         }
     }
     void addTriangle(const Triangle& triangle, SurfaceTag tag) {
+        TACTOOTH_ASSERT(triangleCount_ < wall_.mesh.triangles.size());
+        TACTOOTH_ASSERT(std::max({triangle[0], triangle[1], triangle[2]}) + 1 < wall_.mesh.vertices.size());
         wall_.mesh.triangles[triangleCount_] = triangle;
         wall_.tags[triangleCount_++] = tag;
     }
@@ -172,6 +188,7 @@ CavityWall extractWall(const BrickNeighbourhood& nodes, const Lattice& lattice, 
     const std::span<WallPolygon> polygons = found.polygons();
     const std::span<const std::uint16_t> cells = found.cells();
     if (polygons.empty()) return {};
+    TACTOOTH_ASSERT(cells.size() >= 4);  // a polygon has four corners
     const NodePoints points(lattice, key);
     const WallVertices ofCells(nodes, cells);
     WallBuilder wall(nodes, points, key);
@@ -189,6 +206,28 @@ CavityWall extractWall(const BrickNeighbourhood& nodes, const Lattice& lattice, 
         build(loops.vertices().size(), loops.fans(), [&](std::size_t i) { return loops.vertices()[i]; });
     }
     return wall.take();
+}
+
+void CavityWall::validate() const {
+    TACTOOTH_ASSERT(tags.size() == mesh.triangles.size());
+    for (const Vec3f& vertex : mesh.vertices) TACTOOTH_ASSERT(vertex.allFinite());
+    for (const Triangle& triangle : mesh.triangles) {
+        for (const std::uint32_t corner : triangle) TACTOOTH_ASSERT(corner < mesh.vertices.size());
+    }
+    TACTOOTH_ASSERT(places.empty() || places.size() == mesh.triangles.size());
+    TACTOOTH_ASSERT(faceIds.size() == places.size());
+    TACTOOTH_ASSERT(sides.size() == vertexIds.size());
+    TACTOOTH_ASSERT(places.empty() ? sides.empty() : sides.size() == mesh.vertices.size());
+    TACTOOTH_ASSERT(std::set(faceIds.begin(), faceIds.end()).size() == faceIds.size());
+    std::set<std::uint32_t> atSurface;
+    for (std::size_t t = 0; t < places.size(); ++t) {
+        if (places[t] == Place::AtSurface) atSurface.insert(mesh.triangles[t].begin(), mesh.triangles[t].end());
+    }
+    std::set<std::uint64_t> ids;
+    for (const std::uint32_t vertex : atSurface) {
+        TACTOOTH_ASSERT(ids.insert(vertexIds[vertex]).second);
+        TACTOOTH_ASSERT(sides[vertex] >= -1 && sides[vertex] <= 1);
+    }
 }
 
 }  // namespace tactooth

@@ -6,26 +6,27 @@
 #include <cmath>
 
 #include "collision/narrow/lane_flags.h"
+#include "geometry/util/assert.h"
 
-// The quadric of T. Ju, F. Losasso, S. Schaefer, J. Warren, "Dual Contouring of Hermite Data", SIGGRAPH 2002, section
-// 2.3. Differs from the paper: a cell whose planes agree, as most do, needs no eigenvalues; and the vertex is kept in a
-// room.
+// Source: T. Ju, F. Losasso, S. Schaefer, J. Warren, "Dual Contouring of Hermite Data", SIGGRAPH 2002, section 2.3.
+// Differences from the paper: a cell whose planes agree, as most do, needs no eigenvalues. The vertex stays within a
+// box.
 
 namespace tactooth {
 namespace {
 
-/// Directions in which the planes of a cell agree to this share of their weight are not an edge: the vertex stays at
-/// the mean of the crossings there. Keeps edges sharper than about 20 degrees.
+/// An eigenvalue below this share of the largest one counts as zero: the planes have no edge in that direction, and the
+/// vertex stays at the mean of the crossings. Edges sharper than about 20 degrees stay sharp.
 constexpr double kFlat = 0.03;
 
 Vec3 clamped(const Vec3& point, const Box3& room) { return point.cwiseMax(room.min()).cwiseMin(room.max()); }
 
-/// The least-squares point of planes, told by the sums over them; offsets count from the centre.
+/// Sums over the planes for the least-squares point. Offsets count from the centre.
 struct Quadric {
     Mat3 products;
     Vec3 offsets;
 
-    /// The way from the centre to the nearest point, along axes that are free (1) or held (0).
+    /// The displacement from the centre to the nearest point along the free axes (1). Held axes have 0.
     [[nodiscard]] Vec3 nearestOffset(const Vec3& held, const Vec3& free) const {
         Eigen::SelfAdjointEigenSolver<Mat3> solver;
         solver.computeDirect(free.asDiagonal() * products * free.asDiagonal());
@@ -55,16 +56,16 @@ void CellQef8::add(const Vec3x8& normal, const Vec3x8& point, Float8 counts) {
     yz_ = yz_ + n.y * n.z;
 }
 
-/// The sum of the normals' products with themselves, times a vector.
+/// The sum of the outer products of the normals, times a vector.
 Vec3x8 CellQef8::timesProducts(const Vec3x8& v) const {
     const auto& [xx, xy, xz] = productsX_;
-    const Float8 zz = count_ - xx - yy_;  // the normals are of unit length
+    const Float8 zz = count_ - xx - yy_;  // the normals have unit length
     return {dot(productsX_, v), dot({xy, yy_, yz_}, v), dot({xz, yz_, zz}, v)};
 }
 
 CellQef8::Flat CellQef8::flat() const {
     const Float8 along = dotAsEigen(normals_, timesProducts(normals_));
-    // The weight in all other directions together is what the mean one leaves of the planes'.
+    // What the mean direction leaves of the total weight belongs to all other directions.
     const Float8 across = count_ * dotAsEigen(normals_, normals_) - along;
     const Vec3x8 centres = means();
     const Vec3x8 offsets = offsets_ - timesProducts(centres);
@@ -73,6 +74,8 @@ CellQef8::Flat CellQef8::flat() const {
 }
 
 Vec3f CellQef8::nearestPoint(int lane, const Box3& room) const {
+    TACTOOTH_ASSERT(lane >= 0 && lane < 8);
+    TACTOOTH_ASSERT(!room.isEmpty());
     const auto of = [lane](const Vec3x8& vectors) {
         float lanes[3][8];
         vectors.store(lanes);
@@ -84,7 +87,7 @@ Vec3f CellQef8::nearestPoint(int lane, const Box3& room) const {
     quadric.products.col(0) = of(timesProducts(Vec3x8::all(1, 0, 0)));
     quadric.products.col(1) = of(timesProducts(Vec3x8::all(0, 1, 0)));
     quadric.products.col(2) = of(timesProducts(Vec3x8::all(0, 0, 1)));
-    Vec3 held = Vec3::Zero();  // how far the centre is moved along the axes that are not free
+    Vec3 held = Vec3::Zero();  // displacement along the axes that are not free
     Vec3 free = Vec3::Ones();
     Vec3 offset = quadric.nearestOffset(held, free);
     for (int i = 0; i < 3 && !room.contains(centre + offset); ++i) {
@@ -95,6 +98,7 @@ Vec3f CellQef8::nearestPoint(int lane, const Box3& room) const {
         free[worst] = 0;
         offset = quadric.nearestOffset(held, free);
     }
+    TACTOOTH_ASSERT(centre.allFinite() && offset.allFinite());
     return clamped(centre + offset, room).cast<float>();
 }
 

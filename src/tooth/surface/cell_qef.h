@@ -7,39 +7,40 @@
 
 namespace tactooth {
 
-/// The planes in which a border crosses the edges of a cell, and where they put the cell's vertex (the quadric of dual
-/// contouring), for eight cells side by side and in single precision. Places count in steps of the lattice from the
-/// middle of each cell, so that its vertex is true to a ten-millionth of a step. Equal planes in equal order give equal
-/// bits.
+/// The quadratic error function (QEF) of dual contouring: the planes in which the boundary crosses the edges of a cell,
+/// and the vertex that they define. Works on eight cells side by side in single precision. Positions count in steps of
+/// the lattice from the middle of each cell, so that the vertex is exact to 1e-7 of a step. Equal planes in equal order
+/// give equal bits.
 class CellQef8 {
 public:
-    /// One plane to each cell, by its normal and a point on it; `counts`: 1, or 0 for a cell that gets none.
+    /// Adds one plane to each cell, by its unit normal and a point on it. `counts` is 1, or 0 for a cell that gets no
+    /// plane.
     void add(const Vec3x8& normal, const Vec3x8& point, Float8 counts);
 
-    /// Of the points in which the edges are crossed.
+    /// Means of the crossing points.
     [[nodiscard]] Vec3x8 means() const { return {points_.x / count_, points_.y / count_, points_.z / count_}; }
 
-    /// Cells whose normals agree so well that the mean one alone counts (1, else 0), and the points of their border
-    /// along it from the means.
+    /// `isFlat` is 1 for cells whose normals agree so well that the mean normal alone counts, else 0. `points` are the
+    /// points on the boundary along the mean normal, starting from the means.
     struct Flat {
         Float8 isFlat;
         Vec3x8 points;
     };
     [[nodiscard]] Flat flat() const;
 
-    /// The point of `room` nearest to all planes of one cell and then to their mean, directions without an edge left
-    /// out. Where the planes meet outside, the point slides along the wall of the room: a sharp edge that leaves
-    /// through it stays sharp.
+    /// The point of `room` that is nearest to all planes of one cell and then to their mean. Directions without an edge
+    /// do not count. If the planes meet outside the room, the point slides along the wall of the room, so that a sharp
+    /// edge that leaves the room stays sharp.
     [[nodiscard]] Vec3f nearestPoint(int lane, const Box3& room) const;
 
 private:
     [[nodiscard]] Vec3x8 timesProducts(const Vec3x8& vectors) const;
 
     Float8 count_ = Float8::all(0);
-    Vec3x8 points_ = Vec3x8::all(0, 0, 0);     // their sum
-    Vec3x8 normals_ = Vec3x8::all(0, 0, 0);    // their sum
-    Vec3x8 offsets_ = Vec3x8::all(0, 0, 0);    // sum of the normals times the points' heights along them
-    Vec3x8 productsX_ = Vec3x8::all(0, 0, 0);  // sums of the normals' products xx, xy, xz
+    Vec3x8 points_ = Vec3x8::all(0, 0, 0);     // sum of the points
+    Vec3x8 normals_ = Vec3x8::all(0, 0, 0);    // sum of the normals
+    Vec3x8 offsets_ = Vec3x8::all(0, 0, 0);    // sum of the normals times the heights of the points along them
+    Vec3x8 productsX_ = Vec3x8::all(0, 0, 0);  // sums of the products xx, xy, xz of the normals' components
     Float8 yy_ = Float8::all(0);
     Float8 yz_ = Float8::all(0);
 };

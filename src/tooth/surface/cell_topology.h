@@ -5,25 +5,32 @@
 #include <array>
 #include <cstdint>
 
+#include "geometry/util/assert.h"
+
 namespace tactooth {
 
-/// How the border of a region passes through a cell of eight corners, by which of them are inside. Corner number =
-/// x + 2 y + 4 z. Edge number = 4 * axis + u + 2 v, (u, v) its place on the two axes that follow, cyclically.
+/// How the boundary of a region passes through a cell, for each set of inside corners. Corner number = x + 2 y + 4 z.
+/// Edge number = 4 * axis + u + 2 v, where (u, v) is the position on the two axes that follow cyclically.
 ///
-/// The border is one or more closed rounds over faces of the cell; each round gets a vertex of its own, which keeps
-/// the surface a manifold (S. Schaefer, T. Ju, J. Warren, "Manifold Dual Contouring", 2007; G. Nielson, "Dual Marching
-/// Cubes", 2004). On a face with two inside corners at opposite ends these are joined, which both cells at that face
-/// see alike, and which is how a convex region passes through it.
+/// The boundary is one or more closed loops over the faces of the cell. Each loop gets a vertex of its own, which keeps
+/// the surface manifold (S. Schaefer, T. Ju, J. Warren, "Manifold Dual Contouring", 2007; G. Nielson, "Dual Marching
+/// Cubes", 2004). An ambiguous face has two inside corners at opposite ends. These are joined there: both cells at the
+/// face decide alike, and a convex region passes through the face in this way.
 struct CellLoops {
-    std::array<std::int8_t, 12> loopOfEdge;    ///< -1: the border does not cross this edge
+    std::array<std::int8_t, 12> loopOfEdge;    ///< -1: the boundary does not cross this edge
     std::array<std::uint16_t, 4> edgesOfLoop;  ///< one bit an edge
     std::int8_t count;
     bool hasAmbiguousFace;  ///< with two inside corners at opposite ends
 };
 
-[[nodiscard]] constexpr int cellEdge(int axis, int u, int v) { return 4 * axis + u + 2 * v; }
-/// First and second corner of an edge, along its axis.
+[[nodiscard]] constexpr int cellEdge(int axis, int u, int v) {
+    TACTOOTH_ASSERT(axis >= 0 && axis < 3);
+    TACTOOTH_ASSERT((u == 0 || u == 1) && (v == 0 || v == 1));
+    return 4 * axis + u + 2 * v;
+}
+/// First and second corner of an edge, in the direction of its axis.
 [[nodiscard]] constexpr std::array<int, 2> cellEdgeCorners(int edge) {
+    TACTOOTH_ASSERT(edge >= 0 && edge < 12);
     const int axis = edge / 4;
     const int first = (edge & 1) << ((axis + 1) % 3) | (edge >> 1 & 1) << ((axis + 2) % 3);
     return {first, first | 1 << axis};
@@ -36,10 +43,11 @@ constexpr bool crossesBoundary(int inside, int edge) {
     return ((inside >> a) & 1) != ((inside >> b) & 1);
 }
 
-/// Gives all edges of one round the same number.
+/// Gives all edges of two loops the same number.
 constexpr void join(CellLoops& loops, int first, int second) {
     const std::int8_t from = loops.loopOfEdge[first];
     const std::int8_t to = loops.loopOfEdge[second];
+    TACTOOTH_ASSERT(from >= 0 && to >= 0);
     for (std::int8_t& loop : loops.loopOfEdge) {
         if (loop == from) loop = to;
     }
@@ -48,9 +56,9 @@ constexpr void join(CellLoops& loops, int first, int second) {
 constexpr void joinOnFace(CellLoops& loops, int inside, int axis, int side) {
     const int u = (axis + 1) % 3;
     const int v = (axis + 2) % 3;
-    // The four edges of the face, and for each of its corners the two that meet there.
-    const std::array<int, 2> edgesU = {cellEdge(u, 0, side), cellEdge(u, 1, side)};  // by the place on v
-    const std::array<int, 2> edgesV = {cellEdge(v, side, 0), cellEdge(v, side, 1)};  // by the place on u
+    // The four edges of the face. Two of them meet at each corner.
+    const std::array<int, 2> edgesU = {cellEdge(u, 0, side), cellEdge(u, 1, side)};  // by the position on v
+    const std::array<int, 2> edgesV = {cellEdge(v, side, 0), cellEdge(v, side, 1)};  // by the position on u
     std::array<int, 4> crossed{};
     int count = 0;
     for (const int edge : {edgesU[0], edgesU[1], edgesV[0], edgesV[1]}) {
@@ -78,6 +86,7 @@ constexpr CellLoops loopsOf(int inside) {
     for (std::int8_t& loop : loops.loopOfEdge) {
         if (loop < 0) continue;
         if (renumbered[loop] < 0) renumbered[loop] = loops.count++;
+        TACTOOTH_ASSERT(loops.count <= 4);
         loop = renumbered[loop];
     }
     for (int edge = 0; edge < 12; ++edge) {
@@ -95,15 +104,15 @@ constexpr std::array<CellLoops, 256> allLoops() {
 
 }  // namespace detail
 
-/// By the bits of the corners that are inside.
+/// Indexed by the bits of the inside corners.
 inline constexpr std::array<CellLoops, 256> kCellLoops = detail::allLoops();
 
-/// The edges of a cell that the border crosses.
+/// The edges of a cell that the boundary crosses.
 struct CellCrossings {
-    /// By the z, then the y of their first corners, their axis and x; then the first one again.
+    /// Ordered by z, then y of their first corners, then axis and x. Unused entries repeat the first one.
     std::array<std::uint8_t, 12> edges;
     std::uint8_t count;
-    bool isSimple;  ///< one round, which crosses no face twice
+    bool isSimple;  ///< one loop, which crosses no face twice
 };
 
 namespace detail {
@@ -130,7 +139,7 @@ constexpr std::array<CellCrossings, 256> allCrossings() {
 
 }  // namespace detail
 
-/// By the bits of the corners that are inside.
+/// Indexed by the bits of the inside corners.
 inline constexpr std::array<CellCrossings, 256> kCellCrossings = detail::allCrossings();
 
 }  // namespace tactooth

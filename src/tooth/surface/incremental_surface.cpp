@@ -6,11 +6,17 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/mesh/mesh_edges.h"
+#include "geometry/mesh/vertex_welder.h"
+#include "geometry/util/assert.h"
 #include "geometry/util/index_bitset.h"
 #include "geometry/util/parallel_for.h"
 #include "tooth/surface/base_clipper.h"
 #include "tooth/surface/box_query.h"
 #include "tooth/surface/removed_rows.h"
+
+// Own method. After a carve, only the bricks around the change get a new wall, only base triangles near these walls are
+// clipped again, and only the patches that differ are replaced. The snapshots share everything else.
 
 namespace tactooth {
 namespace {
@@ -26,12 +32,12 @@ Box3 grown(const Box3& box, double margin) {
     return {box.min() - Vec3::Constant(margin), box.max() + Vec3::Constant(margin)};
 }
 
-// Voxels; a wall triangle lies within 1.35 of the lattice edge that it is made for (kWallReach), which ends a node
-// further on: nodes in this range about a triangle tell whether any may touch it.
+// Voxels. A wall triangle lies within 1.35 of its lattice edge (kWallReach), and the edge ends one node further on. The
+// nodes in this range around a triangle tell whether a wall may touch it.
 constexpr float kNodesBefore = 1.5F;
 constexpr float kNodesBeyond = 3.0F;
 
-/// Six times what a triangle adds to the volume of its body, by the divergence theorem.
+/// Six times the contribution of a triangle to the volume of its body (divergence theorem).
 double sixfoldOf(const TriangleMesh& mesh, std::uint32_t t) {
     return mesh.corner(t, 0).dot(mesh.corner(t, 1).cross(mesh.corner(t, 2)));
 }
@@ -45,13 +51,26 @@ double sixfoldAdjacent(const SurfacePart& part) {
     return sum;
 }
 
-/// The next whole number down, of one that an int holds.
+/// Whether each edge is used as often in one direction as in the other. Equal points count as one vertex.
+bool isClosed(TriangleMesh mesh) {
+    std::vector<std::uint32_t> pointOf(mesh.vertices.size());
+    VertexWelder welder(mesh.vertices.size());
+    welder.addAll(mesh.vertices, pointOf.data());
+    for (Triangle& triangle : mesh.triangles) {
+        for (std::uint32_t& corner : triangle) corner = pointOf[corner];
+    }
+    mesh.vertices = welder.takeVertices();
+    return edgeBalance(mesh).closed();
+}
+
+/// The largest int that is not above `value`.
 int roundedDown(float value) {
+    TACTOOTH_ASSERT(std::abs(value) < 1e6F);
     const int whole = static_cast<int>(value);
     return whole - static_cast<int>(value < static_cast<float>(whole));
 }
 
-/// All that the triangles of a brick's wall can touch.
+/// A box that holds all triangles of a brick's wall.
 Box3 wallBox(const Lattice& lattice, const BrickKey& key) {
     const Vec3 low = lattice.corner(key);
     const Box3 nodes(low, low + Vec3::Constant((kBrickSide - 1) * lattice.spacing()));
@@ -64,7 +83,7 @@ IncrementalSurface::IncrementalSurface(const CutVolume& volume)
     : base_(volume.tooth()->outer()),
       lattice_(volume.lattice()),
       marginSegments_(base_->mesh().triangles.size()),
-      thinner_(base_->tree()) {
+      maskedBvh_(base_->tree()) {
     snapshot_ = std::make_shared<const Surface>(uncut(0));
 }
 
@@ -76,7 +95,7 @@ void IncrementalSurface::reset() {
     patches_.clear();
     std::ranges::fill(marginSegments_, std::uint32_t{0});
     hidden_.clear();
-    thinner_.showAll();
+    maskedBvh_.showAll();
     sixfoldAdjacent_ = 0;
     adjacentPatches_ = 0;
     failures_ = 0;
@@ -84,9 +103,11 @@ void IncrementalSurface::reset() {
 }
 
 void IncrementalSurface::update(const CutVolume& volume, const std::vector<ChangedBrick>& changed) {
+    TACTOOTH_ASSERT(volume.tooth()->outer() == base_);
+    TACTOOTH_ASSERT(volume.lattice().spacing() == lattice_.spacing());
     if (changed.empty()) return;
     onlyGrows_ = std::exchange(undosSeen_, volume.undos()) == volume.undos();
-    if (!onlyGrows_) {  // what was passed may be met again
+    if (!onlyGrows_) {  // an undo may bring back triangles that a bur has passed
         for (auto& [key, cell] : cells_) cell.knowsBase = false;
     }
     const std::vector<BrickKey> keys = bricksToExtract(volume, changed);
@@ -106,7 +127,7 @@ void IncrementalSurface::update(const CutVolume& volume, const std::vector<Chang
     publish(dirty);
 }
 
-/// A change beside the faces of a brick moves the wall of the bricks beyond, too.
+/// A change next to the faces of a brick also moves the walls of the neighbouring bricks.
 std::vector<BrickKey> IncrementalSurface::bricksToExtract(const CutVolume& volume,
                                                           const std::vector<ChangedBrick>& changed) const {
     std::vector<BrickKey> keys;
@@ -137,14 +158,15 @@ void IncrementalSurface::extract(const CutVolume& volume, const BrickKey& key, C
 }
 
 IncrementalSurface::TriangleBounds IncrementalSurface::boxed(std::uint32_t triangle) const {
+    TACTOOTH_ASSERT(triangle < base_->mesh().triangles.size());
     const auto& [a, b, c] = base_->mesh().triangles[triangle];
     const auto& vertices = base_->mesh().vertices;
     return {triangle, vertices[a].cwiseMin(vertices[b]).cwiseMin(vertices[c]),
             vertices[a].cwiseMax(vertices[b]).cwiseMax(vertices[c])};
 }
 
-/// A triangle of the base changes where the wall is near it; these are returned. What lies among removed nodes alone is
-/// looked at once more and then forgotten: they stay removed, so no wall comes near it again.
+/// Returns the base triangles that a wall may touch. A triangle whose nodes are all removed is reported as affected
+/// once more and then forgotten: its nodes stay removed, so that no wall comes near it again.
 std::vector<std::uint32_t> IncrementalSurface::findAffected(const BrickNeighbourhood& nodes, const BrickKey& key,
                                                             Cell& cell) const {
     using Coverage = RemovedRows::Coverage;
@@ -159,7 +181,7 @@ std::vector<std::uint32_t> IncrementalSurface::findAffected(const BrickNeighbour
         BrickNeighbourhood::Place at;
         for (int axis = 0; axis < 3; ++axis) {
             const float exact = (point[axis] - corner[axis]) * voxels + beyond;
-            // Places beyond the nodes that are here are all one; numbers far beyond would not fit.
+            // The neighbourhood ends here. Clamping also keeps far places within the range of an int.
             at[axis] = roundedDown(std::clamp(exact, -1.0F, static_cast<float>(kBrickSide)));
         }
         return at;
@@ -183,12 +205,16 @@ std::vector<std::uint32_t> IncrementalSurface::affectedBase(const std::vector<Ce
 
 void IncrementalSurface::countMargin(const std::vector<Cell*>& cells, std::uint32_t step) {
     for (const Cell* cell : cells) {
-        for (const MarginSegment& piece : cell->margin) marginSegments_[piece.base] += step;
+        for (const MarginSegment& piece : cell->margin) {
+            TACTOOTH_ASSERT(step == 1 || marginSegments_[piece.base] > 0);
+            marginSegments_[piece.base] += step;
+        }
     }
 }
 
 std::vector<const MarginSegment*> IncrementalSurface::marginOf(std::uint32_t triangle) const {
     std::vector<const MarginSegment*> pieces;
+    TACTOOTH_ASSERT(triangle < marginSegments_.size());
     if (marginSegments_[triangle] == 0) return pieces;
     const Box3 box = grown(triangleBox(base_->mesh(), triangle), kWallReach * lattice_.spacing());
     for (const BrickKey& key : lattice_.bricksTouching(box)) {
@@ -199,6 +225,7 @@ std::vector<const MarginSegment*> IncrementalSurface::marginOf(std::uint32_t tri
                                       [](const MarginSegment& a, std::uint32_t t) { return a.base < t; });
         for (; piece != margin.end() && piece->base == triangle; ++piece) pieces.push_back(&*piece);
     }
+    TACTOOTH_ASSERT(pieces.size() == marginSegments_[triangle]);
     return pieces;
 }
 
@@ -208,7 +235,7 @@ std::vector<std::vector<ClipSegment>> IncrementalSurface::cutLines(const std::ve
     return segments;
 }
 
-/// Whether this changes anything.
+/// Returns whether this changes anything.
 bool IncrementalSurface::setRemains(const BrickKey& home, std::uint32_t triangle, Remains pieces) {
     const auto cell = cells_.find(home);
     if (pieces.empty()) return cell != cells_.end() && cell->second.remains.erase(triangle) > 0;
@@ -221,14 +248,16 @@ bool IncrementalSurface::setRemains(const BrickKey& home, std::uint32_t triangle
 void IncrementalSurface::storeBase(const std::vector<std::uint32_t>& triangles,
                                    std::vector<ClippedBaseTriangle> results, std::vector<BrickKey>& dirty) {
     const TriangleMesh& mesh = base_->mesh();
+    TACTOOTH_ASSERT(results.size() == triangles.size());
     if (hidden_.empty()) hidden_.assign((mesh.triangles.size() + 63) / 64, 0);
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const std::uint32_t t = triangles[i];
+        TACTOOTH_ASSERT(results[i].hidden || results[i].pieces.empty());
         const std::uint64_t bit = std::uint64_t{1} << (t % 64);
         if (base_->isAdjacent(t) && results[i].hidden != isHidden(hidden_, t))
             sixfoldAdjacent_ += (results[i].hidden ? -1 : 1) * sixfoldOf(mesh, t);
         hidden_[t / 64] = results[i].hidden ? hidden_[t / 64] | bit : hidden_[t / 64] & ~bit;
-        thinner_.setHidden(t, results[i].hidden);
+        maskedBvh_.setHidden(t, results[i].hidden);
         failures_ += results[i].failed;
         const BrickKey home = lattice_.brickAt((mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3);
         if (setRemains(home, t, std::move(results[i].pieces))) dirty.push_back(home);
@@ -237,7 +266,7 @@ void IncrementalSurface::storeBase(const std::vector<std::uint32_t>& triangles,
     dirty.erase(std::unique(dirty.begin(), dirty.end()), dirty.end());
 }
 
-/// What cutting has left in a brick: its wall, then what remains of base triangles. Null: nothing.
+/// The patch of a brick: its wall, then what remains of base triangles. Null if there is nothing.
 std::shared_ptr<const SurfacePart> IncrementalSurface::patchOf(const Cell& cell) const {
     std::size_t remaining = 0;
     for (const auto& [triangle, remains] : cell.remains) remaining += remains.size();
@@ -259,14 +288,17 @@ std::shared_ptr<const SurfacePart> IncrementalSurface::patchOf(const Cell& cell)
             tags.push_back(base_->tag(triangle));
         }
     }
+    TACTOOTH_ASSERT(tags.size() == mesh.triangles.size());
     return patchPart(std::move(patch), cell.bodies, *base_);
 }
 
 void IncrementalSurface::setPatch(const BrickKey& key, std::shared_ptr<const SurfacePart> patch) {
+    TACTOOTH_ASSERT(patchKeys_.size() == patches_.size());
     const auto place = std::lower_bound(patchKeys_.begin(), patchKeys_.end(), key);
     const auto part = patches_.begin() + (place - patchKeys_.begin());
     const bool isKnown = place != patchKeys_.end() && *place == key;
     if (isKnown && isPartlyAdjacent(**part)) --adjacentPatches_, sixfoldAdjacent_ -= sixfoldAdjacent(**part);
+    TACTOOTH_ASSERT(adjacentPatches_ <= patches_.size());
     if (patch && isPartlyAdjacent(*patch)) ++adjacentPatches_, sixfoldAdjacent_ += sixfoldAdjacent(*patch);
     if (patch && isKnown) {
         *part = std::move(patch);
@@ -285,13 +317,68 @@ void IncrementalSurface::publish(const std::vector<BrickKey>& dirty) {
     for (std::size_t i = 0; i < dirty.size(); ++i) setPatch(dirty[i], std::move(parts[i]));
     Surface surface = uncut(snapshot_->revision + 1);
     surface.hidden = std::make_shared<const TriangleMask>(hidden_);
-    surface.maskedTree = std::make_shared<const AabbTree>(thinner_.maskedTree());
+    surface.maskedTree = std::make_shared<const AabbTree>(maskedBvh_.maskedTree());
     surface.patches = patches_;
     snapshot_ = std::make_shared<const Surface>(std::move(surface));
 }
 
 double IncrementalSurface::lostAdjacent() const {
     return adjacentPatches_ > 0 ? std::max(0.0, -sixfoldAdjacent_ / 6) : 0;
+}
+
+void IncrementalSurface::validateCell(const BrickKey& key, const Cell& cell) const {
+    TACTOOTH_ASSERT(key.isInRange());
+    TACTOOTH_ASSERT(std::ranges::is_sorted(cell.margin, [](const MarginSegment& a, const MarginSegment& b) {
+        return a.base != b.base ? a.base < b.base : a.wall < b.wall;
+    }));
+    TACTOOTH_ASSERT(cell.wall.tags.size() == cell.wall.mesh.triangles.size());
+    for (const Triangle& triangle : cell.wall.mesh.triangles) {
+        for (const std::uint32_t corner : triangle) TACTOOTH_ASSERT(corner < cell.wall.mesh.vertices.size());
+    }
+    std::size_t triangles = cell.wall.mesh.triangles.size();
+    for (const auto& [triangle, remains] : cell.remains) {
+        TACTOOTH_ASSERT(!remains.empty());
+        TACTOOTH_ASSERT(isHidden(hidden_, triangle));
+        triangles += remains.size();
+    }
+    const auto place = std::ranges::lower_bound(patchKeys_, key);
+    const bool hasPatch = place != patchKeys_.end() && *place == key;
+    TACTOOTH_ASSERT(hasPatch == (triangles > 0));
+    if (!hasPatch) return;
+    const SurfacePart& patch = *patches_[static_cast<std::size_t>(place - patchKeys_.begin())];
+    TACTOOTH_ASSERT(patch.mesh().triangles.size() == triangles);
+}
+
+void IncrementalSurface::validateMask() const {
+    const std::size_t count = base_->mesh().triangles.size();
+    TACTOOTH_ASSERT(hidden_.empty() || hidden_.size() == (count + 63) / 64);
+    for (std::size_t t = count; t < 64 * hidden_.size(); ++t)
+        TACTOOTH_ASSERT(!isHidden(hidden_, static_cast<std::uint32_t>(t)));
+    TACTOOTH_ASSERT(snapshot_->hidden == nullptr ? hidden_.empty() : *snapshot_->hidden == hidden_);
+    TACTOOTH_ASSERT((snapshot_->hidden == nullptr) == (snapshot_->maskedTree == nullptr));
+}
+
+void IncrementalSurface::validate() const {
+    TACTOOTH_ASSERT(patchKeys_.size() == patches_.size());
+    TACTOOTH_ASSERT(std::ranges::is_sorted(patchKeys_));
+    TACTOOTH_ASSERT(std::ranges::adjacent_find(patchKeys_) == patchKeys_.end());
+    std::vector<std::uint32_t> segments(marginSegments_.size());
+    for (const auto& [key, cell] : cells_) {
+        validateCell(key, cell);
+        for (const MarginSegment& piece : cell.margin) ++segments[piece.base];
+    }
+    TACTOOTH_ASSERT(segments == marginSegments_);
+    for (const BrickKey& key : patchKeys_) TACTOOTH_ASSERT(cells_.contains(key));
+    std::size_t adjacent = 0;
+    for (const auto& patch : patches_) {
+        TACTOOTH_ASSERT(patch != nullptr);
+        adjacent += isPartlyAdjacent(*patch) ? 1 : 0;
+    }
+    TACTOOTH_ASSERT(adjacent == adjacentPatches_);
+    validateMask();
+    TACTOOTH_ASSERT(snapshot_->base == base_);
+    TACTOOTH_ASSERT(snapshot_->patches == patches_);
+    if (failures_ == 0) TACTOOTH_ASSERT(isClosed(visibleMesh(*snapshot_).mesh));
 }
 
 }  // namespace tactooth

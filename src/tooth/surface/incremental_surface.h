@@ -16,28 +16,35 @@
 
 namespace tactooth {
 
-/// The surface of a tooth while it is cut: the triangles of its file, bit for bit, wherever no bur has been; where one
-/// has crossed them, what is left of them; and the walls of the cavities. Both sides of a margin are cut along the
-/// very same line, so the surface stays closed. One thread calls `update`; the snapshots go to any number of others.
+/// The surface of a tooth while it is cut. Where no bur has been, it has the triangles of the file, bit for bit.
+/// Triangles that a bur has crossed are clipped. The walls of the cavities are added. Wall and tooth are clipped along
+/// the same line, so that the surface stays closed. One thread calls `update`; any number of threads may read the
+/// snapshots.
 class IncrementalSurface {
 public:
     explicit IncrementalSurface(const CutVolume& volume);
 
-    /// Brings the surface up to what `changed` (the result of a carve) did to `volume`, the volume it was made with.
+    /// Brings the surface up to date after a carve. `changed` is the result of the carve in `volume`. `volume` is the
+    /// one of the constructor.
     void update(const CutVolume& volume, const std::vector<ChangedBrick>& changed);
 
-    /// The surface now. Shares with the one before all that did not change.
+    /// The current surface. It shares all unchanged parts with the snapshot before.
     [[nodiscard]] const std::shared_ptr<const Surface>& snapshot() const { return snapshot_; }
 
-    /// The whole tooth again, as after `CutVolume::reset`.
+    /// Restores the surface of the uncut tooth, as after `CutVolume::reset`.
     void reset();
 
-    /// What the bodies around the tooth (SurfacePart::isAdjacent) have lost, mm^3.
+    /// The volume that the bodies around the tooth (SurfacePart::isAdjacent) have lost, mm^3.
     [[nodiscard]] double lostAdjacent() const;
 
-    /// Triangles whose cut lines did not fit together, in all updates: 0 unless the tooth's surface runs through
-    /// itself. Each leaves a gap or an overlap of its own size.
+    /// Number of triangles with inconsistent cut lines in all updates. It is 0 unless the tooth's surface intersects
+    /// itself. Each such triangle leaves a gap or an overlap of its own size.
     [[nodiscard]] std::size_t failures() const { return failures_; }
+
+    /// Asserts that the mask, the patches and the counters agree with the data of each brick, and that the snapshot
+    /// shows them. While `failures` is 0, also asserts that the surface is closed: at each margin both sides share the
+    /// same edges. For tests: takes time in proportion to the surface, n log n for its edges.
+    void validate() const;
 
 private:
     using Remains = std::vector<std::array<Vec3f, 3>>;  ///< of one triangle of the tooth's surface
@@ -45,16 +52,16 @@ private:
         std::uint32_t triangle;  ///< of the tooth's surface
         Vec3f low, high;
     };
-    /// What the surface keeps for one brick.
+    /// The data of one brick.
     struct Cell {
         bool knowsBase = false;
-        std::vector<TriangleBounds> base;     ///< those that the brick's wall is near or may still come to
-        std::vector<std::uint32_t> affected;  ///< those of them of which the last update has changed something
+        std::vector<TriangleBounds> base;     ///< base triangles that the brick's wall touches or may still reach
+        std::vector<std::uint32_t> affected;  ///< those of `base` that the last update may have changed
         BrickBodies bodies = BrickBodies::Either;
         std::vector<MarginSegment> margin;
         WallPatch wall;
         bool isNew = false;  ///< the last update has changed the wall
-        /// Pieces of the base triangles whose middle lies in this brick, by triangle.
+        /// Clipped pieces of the base triangles whose centroid lies in this brick, by triangle.
         std::map<std::uint32_t, Remains> remains;
     };
     [[nodiscard]] Surface uncut(std::uint64_t revision) const;
@@ -73,21 +80,23 @@ private:
     [[nodiscard]] std::shared_ptr<const SurfacePart> patchOf(const Cell& cell) const;
     void setPatch(const BrickKey& key, std::shared_ptr<const SurfacePart> patch);
     void publish(const std::vector<BrickKey>& dirty);
+    void validateCell(const BrickKey& key, const Cell& cell) const;
+    void validateMask() const;
 
     std::shared_ptr<const SurfacePart> base_;
     Lattice lattice_;
     std::unordered_map<BrickKey, Cell, BrickKeyHash> cells_;
-    std::vector<BrickKey> patchKeys_;                          ///< of the bricks that have a patch, ascending
-    std::vector<std::shared_ptr<const SurfacePart>> patches_;  ///< theirs
-    std::vector<std::uint32_t> marginSegments_;                ///< how many there are of each base triangle
+    std::vector<BrickKey> patchKeys_;                          ///< of the bricks that have a patch, in ascending order
+    std::vector<std::shared_ptr<const SurfacePart>> patches_;  ///< the patches of these bricks
+    std::vector<std::uint32_t> marginSegments_;                ///< number of margin segments of each base triangle
     TriangleMask hidden_;
-    MaskedBvh thinner_;  ///< of the same triangles
+    MaskedBvh maskedBvh_;  ///< of the base, without hidden triangles
     std::shared_ptr<const Surface> snapshot_;
-    double sixfoldAdjacent_ = 0;  ///< what cutting has added to six times the volume of the bodies around the tooth
-    std::size_t adjacentPatches_ = 0;  ///< that hold some of their triangles
+    double sixfoldAdjacent_ = 0;       ///< change of six times the volume of the bodies around the tooth
+    std::size_t adjacentPatches_ = 0;  ///< number of patches with triangles of these bodies
     std::size_t failures_ = 0;
     std::uint64_t undosSeen_ = 0;
-    bool onlyGrows_ = true;  ///< the removed region, in the update at hand
+    bool onlyGrows_ = true;  ///< whether the removed region only grows in the current update
 };
 
 }  // namespace tactooth

@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <limits>
 
-// The filter of exact_sign.cpp (J. R. Shewchuk 1997) in single precision. Corners of a tooth's triangles lie so close
-// together that their differences lose next to nothing, and nearly all pairs that do not cross are told apart by it.
+#include "geometry/util/assert.h"
+
+// Source: the filter of exact_sign.cpp (J. R. Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust
+// Geometric Predicates", 1997). Difference: single precision. Corners of a tooth's triangles lie so close together that
+// their differences lose almost nothing, so that the filter separates nearly all pairs that do not cross.
 
 namespace tactooth {
 namespace {
@@ -26,7 +29,7 @@ IntersectionFilter::Planes IntersectionFilter::Planes::through(const Vec3x8& a, 
 
 std::uint32_t IntersectionFilter::Planes::leaveOnOneSide(const std::array<Vec3x8, 3>& points) const {
     const Float8 filter = Float8::all(16 * std::numeric_limits<float>::epsilon());
-    const Float8 underflow = Float8::all(1e-30F);  // more than what products too small for a float may have lost
+    const Float8 underflow = Float8::all(1e-30F);  // exceeds what products lose that are too small for a float
     std::uint32_t inFront = 0xFF;
     std::uint32_t behind = 0xFF;
     for (const Vec3x8& point : points) {
@@ -54,6 +57,7 @@ IntersectionFilter::IntersectionFilter(const TriangleMesh& mesh, std::span<const
         std::fill_n(&corner[0][0][0], 3 * 3 * 8, kAbsent);
         for (std::size_t lane = 0; lane < count; ++lane) {
             eight.triangle[lane] = triangles[first + lane];
+            TACTOOTH_ASSERT(eight.triangle[lane] < mesh.triangles.size());
             const Triangle& v = mesh.triangles[eight.triangle[lane]];
             for (int c = 0; c < 3; ++c) {
                 for (int axis = 0; axis < 3; ++axis) corner[c][axis][lane] = mesh.vertices[v[c]][axis];

@@ -11,24 +11,26 @@
 
 #include "collision/narrow/simd8.h"
 #include "geometry/mesh/triangle_mesh.h"
+#include "geometry/util/assert.h"
 
 namespace tactooth {
 
-/// Some triangles of a mesh, to be asked again and again which of them may cross another one. Looks at eight at a time:
-/// at their boxes, then whether one of the two clearly lies on one side of the other's plane.
+/// A quick test which triangles of a mesh may cross another triangle. It tests eight triangles at a time: first their
+/// bounding boxes, then whether one triangle clearly lies on one side of the other's plane.
 class IntersectionFilter {
 public:
     IntersectionFilter(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles);
 
     [[nodiscard]] bool empty() const { return eights_.empty(); }
 
-    /// Calls `visit(triangle)` for each one that may cross a triangle with these corners, in their order: for all that
-    /// do (`intersectionOf`), and few others.
+    /// Calls `visit(triangle)` for each triangle that may cross a triangle with these corners, in their order. This
+    /// includes all that do (`intersectionOf`), and few others.
     template <class Visit>
     void forCandidates(const std::array<Vec3f, 3>& corners, const Visit& visit) const {
+        TACTOOTH_ASSERT(corners[0].allFinite() && corners[1].allFinite() && corners[2].allFinite());
         const Vec3f low = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]);
         const Vec3f high = corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]);
-        std::optional<Face> face;  // not needed by most
+        std::optional<Face> face;  // most queries do not need it
         for (const Eight& eight : eights_) {
             std::uint32_t touching = eight.touching(low, high);
             if (touching == 0) continue;
@@ -39,17 +41,17 @@ public:
     }
 
 private:
-    /// Eight planes through three points each, or eight times the same one.
+    /// Eight planes through three points each, or one plane eight times.
     struct Planes {
         Vec3x8 origin;
         Vec3x8 normal;
-        Vec3x8 permanent;  ///< the same sum as `normal`, of absolute values
+        Vec3x8 permanent;  ///< the same sum as `normal`, with absolute values
 
         static Planes through(const Vec3x8& a, const Vec3x8& b, const Vec3x8& c);
-        /// Which lanes have all three points clearly on one side.
+        /// The lanes in which all three points are clearly on one side.
         [[nodiscard]] std::uint32_t leaveOnOneSide(const std::array<Vec3x8, 3>& points) const;
     };
-    /// The triangle that is asked about, eight times.
+    /// The queried triangle, eight times.
     struct Face {
         explicit Face(const std::array<Vec3f, 3>& corners);
         std::array<Vec3x8, 3> corner;
@@ -57,7 +59,7 @@ private:
     };
     struct Eight {
         std::array<Vec3x8, 3> corner;
-        Vec3x8 low, high;  ///< not a number where there is no triangle: touches nothing
+        Vec3x8 low, high;  ///< NaN in unused lanes, so that they touch nothing
         Planes planes;
         std::array<std::uint32_t, 8> triangle;
 

@@ -10,8 +10,13 @@
 #include <numeric>
 
 #include "collision/bvh/closest_point.h"
+#include "geometry/util/assert.h"
 #include "tooth/surface/intersection_filter.h"
 #include "tooth/surface/vertex_groups.h"
+
+// Own method. surface_intersection.cpp finds the segments of the cavity margin, and triangle_clip.cpp clips single
+// triangles. This file decides which vertices of a wall are kept: cut lines decide for connected groups of vertices,
+// and a test against the tooth decides for the others.
 
 namespace tactooth {
 namespace {
@@ -37,12 +42,15 @@ std::array<bool, 3> forwardEdges(const std::array<std::uint64_t, 3>& id) {
     return {id[0] < id[1], id[1] < id[2], id[2] < id[0]};
 }
 
-/// Cuts one brick's wall at the tooth's surface.
+/// Clips the wall of one brick at the tooth's surface.
 class WallClipper {
 public:
     WallClipper(const CavityWall& wall, const std::vector<MarginSegment>& margin, const SurfacePart& base)
         : wall_(wall), base_(base), linesBefore_(wall.mesh.triangles.size() + 1), groups_(wall.mesh.vertices.size()) {
-        for (const MarginSegment& piece : margin) ++linesBefore_[piece.wall + 1];
+        for (const MarginSegment& piece : margin) {
+            TACTOOTH_ASSERT(piece.wall < wall.mesh.triangles.size());
+            ++linesBefore_[piece.wall + 1];
+        }
         std::partial_sum(linesBefore_.begin(), linesBefore_.end(), linesBefore_.begin());
         lines_.resize(margin.size());
         std::vector<std::uint32_t> next(linesBefore_.begin(), linesBefore_.end() - 1);
@@ -72,12 +80,13 @@ private:
 
     [[nodiscard]] bool isCrossed(std::uint32_t t) const { return linesBefore_[t] != linesBefore_[t + 1]; }
 
-    /// The cut lines in a triangle; good until it is asked for those of another.
+    /// The cut lines in a triangle. Valid until the next call.
     const std::vector<ClipSegment>& linesIn(std::uint32_t t) {
+        TACTOOTH_ASSERT(t + 1 < linesBefore_.size());
         segments_.clear();
         for (std::uint32_t i = linesBefore_[t]; i < linesBefore_[t + 1]; ++i) {
             const auto& [base, wall, wallId, crossing] = *lines_[i];
-            // On the wall the way runs back.
+            // On the wall the line runs in the opposite direction.
             segments_.push_back({asSeenFrom(crossing.end, false, base), asSeenFrom(crossing.start, false, base)});
         }
         return segments_;
@@ -141,6 +150,7 @@ private:
         for (const Triangle& triangle : clipped->triangles) {
             Triangle placed;
             for (int i = 0; i < 3; ++i) {
+                TACTOOTH_ASSERT(triangle[i] < clipped->points.size());
                 placed[i] =
                     triangle[i] < 3 ? patchVertexOf(v[triangle[i]]) : marginVertex(clipped->points[triangle[i]]);
             }
@@ -151,8 +161,8 @@ private:
 
     const CavityWall& wall_;
     const SurfacePart& base_;
-    std::vector<std::uint32_t> linesBefore_;   // how many cut lines the wall's triangles before this one have
-    std::vector<const MarginSegment*> lines_;  // of one triangle after the other
+    std::vector<std::uint32_t> linesBefore_;   // number of cut lines in the triangles before each one
+    std::vector<const MarginSegment*> lines_;  // grouped by triangle
     std::vector<ClipSegment> segments_;
     VertexGroups groups_;
     std::vector<std::uint32_t> patchVertex_;
@@ -166,11 +176,15 @@ std::vector<MarginSegment> findMargin(const CavityWall& wall, const TriangleMesh
                                       std::span<const std::uint32_t> near) {
     std::vector<MarginSegment> margin;
     if (wall.places.empty()) return margin;
+    TACTOOTH_ASSERT(wall.places.size() == wall.mesh.triangles.size());
+    TACTOOTH_ASSERT(wall.faceIds.size() == wall.places.size());
+    TACTOOTH_ASSERT(wall.vertexIds.size() == wall.mesh.vertices.size());
     const IntersectionFilter filter(base, near);
     for (std::uint32_t w = 0; w < wall.places.size() && !filter.empty(); ++w) {
         if (wall.places[w] != CavityWall::Place::AtSurface) continue;
         const IntersectingFace face = wallFace(wall, w);
         filter.forCandidates(face.corner, [&](std::uint32_t t) {
+            TACTOOTH_ASSERT(t < base.triangles.size());
             if (const auto crossing = intersectionOf(baseFace(base, t), face)) {
                 margin.push_back({t, w, wall.faceIds[w], *crossing});
             }
@@ -183,6 +197,8 @@ std::vector<MarginSegment> findMargin(const CavityWall& wall, const TriangleMesh
 }
 
 WallPatch clipWall(CavityWall wall, const std::vector<MarginSegment>& margin, const SurfacePart& base) {
+    TACTOOTH_ASSERT(wall.tags.size() == wall.mesh.triangles.size());
+    TACTOOTH_ASSERT(!wall.places.empty() || margin.empty());
     const auto isInside = [](CavityWall::Place place) { return place == CavityWall::Place::Inside; };
     if (std::all_of(wall.places.begin(), wall.places.end(), isInside)) {
         return {std::move(wall.mesh), std::move(wall.tags), 0};
@@ -193,6 +209,8 @@ WallPatch clipWall(CavityWall wall, const std::vector<MarginSegment>& margin, co
 std::vector<ClipSegment> segmentsOnBase(const std::vector<const MarginSegment*>& pieces) {
     std::vector<ClipSegment> segments;
     for (const MarginSegment* piece : pieces) {
+        TACTOOTH_ASSERT(piece != nullptr);
+        TACTOOTH_ASSERT(piece->base == pieces.front()->base);
         segments.push_back({asSeenFrom(piece->crossing.start, true, piece->wallId),
                             asSeenFrom(piece->crossing.end, true, piece->wallId)});
     }
@@ -203,7 +221,7 @@ std::array<std::optional<EdgeEnds>, 3> endsOfEdges(const std::vector<ClipSegment
                                                    const std::array<bool, 3>& isForward) {
     std::array<std::optional<EdgeEnds>, 3> result;
     if (segments.empty()) return result;
-    std::array<std::byte, 1024> memory;  // mostly enough
+    std::array<std::byte, 1024> memory;  // enough in most cases
     std::pmr::monotonic_buffer_resource pool(memory.data(), memory.size());
     std::pmr::vector<EdgeCrossing> crossings(&pool);
     crossings.reserve(2 * segments.size());
@@ -211,6 +229,7 @@ std::array<std::optional<EdgeEnds>, 3> endsOfEdges(const std::vector<ClipSegment
         crossings.clear();
         for (std::uint32_t i = 0; i < segments.size(); ++i) {
             const auto& [start, end] = segments[i];
+            TACTOOTH_ASSERT(start.edge >= -1 && start.edge < 3 && end.edge >= -1 && end.edge < 3);
             if (start.edge == edge) crossings.push_back({start.along, start.crossingFace, isForward[edge], i});
             if (end.edge == edge) crossings.push_back({end.along, end.crossingFace, !isForward[edge], i});
         }
@@ -218,6 +237,7 @@ std::array<std::optional<EdgeEnds>, 3> endsOfEdges(const std::vector<ClipSegment
         const int surplus = exitSurplus(crossings);
         if (surplus == 0) {
             std::sort(crossings.begin(), crossings.end(), [](const auto& a, const auto& b) { return a.liesBefore(b); });
+            TACTOOTH_ASSERT(crossings.size() >= 2);
             const bool isKept = crossings[0].leaves;
             const auto pointOf = [&](const EdgeCrossing& crossing) {
                 const auto& [start, end] = segments[crossing.segment];

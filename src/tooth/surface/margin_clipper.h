@@ -16,35 +16,37 @@
 
 namespace tactooth {
 
-/// Where one triangle of the tooth's surface crosses one of a cavity's wall.
+/// The intersection of one triangle of the tooth's surface with one triangle of a cavity wall.
 struct MarginSegment {
     std::uint32_t base;    ///< triangle of the tooth's surface
     std::uint32_t wall;    ///< triangle of the brick's wall
-    std::uint64_t wallId;  ///< its number in the lattice
+    std::uint64_t wallId;  ///< number of the wall triangle, unique in the lattice
     FaceIntersection crossing;
 };
 
-/// Finds all crossings of a brick's wall with the triangles of the tooth's surface near it, ordered by base, then wall.
+/// Finds all intersections of a brick's wall with the triangles `near` of the tooth's surface, ordered by base, then
+/// wall.
 [[nodiscard]] std::vector<MarginSegment> findMargin(const CavityWall& wall, const TriangleMesh& base,
                                                     std::span<const std::uint32_t> near);
 
-/// The part of a wall that lies within the tooth, as one mesh with a tag a triangle.
+/// The part of a wall that lies within the tooth: a mesh with one tag for each triangle.
 struct WallPatch {
     TriangleMesh mesh;
     std::vector<SurfaceTag> tags;
-    int failures = 0;  ///< triangles whose cut lines did not fit together; they are left whole
+    int failures = 0;  ///< number of triangles with inconsistent cut lines; they are kept whole
 
-    /// The same triangles with the same tags.
+    /// Whether both have the same triangles and the same tags.
     [[nodiscard]] bool isIdentical(const WallPatch& other) const {
         return tags == other.tags && mesh.triangles == other.mesh.triangles && mesh.vertices == other.mesh.vertices;
     }
 };
 [[nodiscard]] WallPatch clipWall(CavityWall wall, const std::vector<MarginSegment>& margin, const SurfacePart& base);
 
-/// The view of the crossings from a base triangle; `pieces` all belong to it.
+/// The margin segments as cut lines of one base triangle. All of `pieces` belong to that triangle.
 [[nodiscard]] std::vector<ClipSegment> segmentsOnBase(const std::vector<const MarginSegment*>& pieces);
 
-/// What the cut lines that cross the edges of a triangle tell about their ends; nothing for an edge without any.
+/// For each edge of a triangle: whether the cut lines that cross it keep its two ends. Nothing for an edge that no line
+/// crosses.
 [[nodiscard]] std::array<std::optional<EdgeEnds>, 3> endsOfEdges(const std::vector<ClipSegment>& segments,
                                                                  const std::array<bool, 3>& isForward);
 

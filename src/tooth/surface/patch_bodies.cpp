@@ -6,13 +6,14 @@
 #include <numeric>
 
 #include "collision/bvh/closest_point.h"
+#include "geometry/util/assert.h"
 
 namespace tactooth {
 namespace {
 
 bool standsAlone(const SurfacePart& base) { return base.firstAdjacent() >= base.mesh().triangles.size(); }
 
-/// Bodies do not touch, so what is next to a point in one of them or on its surface is its own surface.
+/// Bodies do not touch, so that the surface nearest to a point of a body is its own.
 bool isAdjacentAt(const SurfacePart& base, const Vec3& point) {
     const auto nearest = closestPoint(base, point);
     return nearest && base.isAdjacent(nearest->triangle);
@@ -28,6 +29,7 @@ std::vector<bool> adjacentFlags(const TriangleMesh& mesh, const SurfacePart& bas
 }  // namespace
 
 BrickBodies bodiesIn(const SurfacePart& base, const std::vector<std::uint32_t>& near, const Vec3& middle) {
+    TACTOOTH_ASSERT(middle.allFinite());
     if (standsAlone(base)) return BrickBodies::Tooth;
     if (near.empty()) return isAdjacentAt(base, middle) ? BrickBodies::Adjacent : BrickBodies::Tooth;
     const auto isAdjacent = [&](std::uint32_t triangle) { return base.isAdjacent(triangle); };
@@ -37,7 +39,7 @@ BrickBodies bodiesIn(const SurfacePart& base, const std::vector<std::uint32_t>& 
 
 namespace {
 
-/// With a tree that is made soon: the next cut may replace it.
+/// Builds the tree quickly, since the next cut may replace it.
 std::shared_ptr<const SurfacePart> quickPart(TriangleMesh mesh, std::vector<SurfaceTag> tags,
                                              std::uint32_t firstAdjacent) {
     return std::make_shared<const SurfacePart>(std::move(mesh), std::move(tags), firstAdjacent, TreeBuild::Quick);
@@ -47,6 +49,8 @@ std::shared_ptr<const SurfacePart> quickPart(TriangleMesh mesh, std::vector<Surf
 
 std::shared_ptr<const SurfacePart> patchPart(TaggedMesh patch, BrickBodies bodies, const SurfacePart& base) {
     auto& [mesh, tags] = patch;
+    TACTOOTH_ASSERT(!mesh.empty());
+    TACTOOTH_ASSERT(tags.size() == mesh.triangles.size());
     if (standsAlone(base) || bodies == BrickBodies::Tooth)
         return quickPart(std::move(mesh), std::move(tags), SurfacePart::kNoneAdjacent);
     if (bodies == BrickBodies::Adjacent) return quickPart(std::move(mesh), std::move(tags), 0);

@@ -9,14 +9,14 @@
 
 namespace tactooth {
 
-/// Whose cut walls a brick can hold: those of the tooth, of bodies around it, or of either.
+/// The owner of the walls in a brick: the tooth, bodies around it, or either of them.
 enum class BrickBodies { Tooth, Adjacent, Either };
 
-/// `near`: the triangles of `base` that touch the brick; `middle`: of the brick, mm. Where no surface is near, a brick
-/// lies within one body.
+/// Decides who may own walls in a brick. `near` are the triangles of `base` that touch the brick, `middle` is its
+/// middle, mm. A brick that no surface touches lies within one body.
 [[nodiscard]] BrickBodies bodiesIn(const SurfacePart& base, const std::vector<std::uint32_t>& near, const Vec3& middle);
 
-/// The part for what cutting has left in a brick, the triangles of bodies around the tooth last.
+/// Makes the part of a patch. Triangles of bodies around the tooth come last. `patch` has one tag for each triangle.
 [[nodiscard]] std::shared_ptr<const SurfacePart> patchPart(TaggedMesh patch, BrickBodies bodies,
                                                            const SurfacePart& base);
 

@@ -5,15 +5,18 @@
 #include <algorithm>
 #include <limits>
 
-// Ear clipping (G. Meisters, "Polygons Have Ears", 1975) after joining each hole to the outline by a bridge.
+#include "geometry/util/assert.h"
+
+// Source: ear clipping (G. Meisters, "Polygons Have Ears", American Mathematical Monthly 82, 1975). Differences: a
+// bridge joins each hole to the outline first, and nearly flat ears come last.
 
 namespace tactooth {
 namespace {
 
 using Points = std::vector<Eigen::Vector2d>;
 
-/// A triangle whose doubled area is less than this share of the square of its longer edge counts as flat: cut lines are
-/// some hundredths of a millimetre long, and rounding to floats moves their ends by some 1e-6 of a millimetre.
+/// A triangle counts as flat if its doubled area is less than this share of the square of its longer edge. Cut lines
+/// are some hundredths of a millimetre long, and rounding to floats moves their ends by about 1e-6 mm.
 constexpr double kFlat = 1e-4;
 
 double turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
@@ -35,9 +38,11 @@ bool crossesLoop(const Points& points, const PolygonLoop& loop, std::uint32_t fr
     return false;
 }
 
-/// Position in the outline of the nearest corner that `from` sees past the outline and every hole.
+/// Position in the outline of the nearest corner that is visible from `from`, past the outline and all holes.
 std::size_t nearestVisible(const Points& points, const PolygonLoop& outline, const std::vector<PolygonLoop>& holes,
                            std::uint32_t from) {
+    TACTOOTH_ASSERT(!outline.empty());
+    TACTOOTH_ASSERT(from < points.size());
     std::vector<std::size_t> order(outline.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
     const auto distance = [&](std::size_t i) { return (points[outline[i]] - points[from]).squaredNorm(); };
@@ -60,8 +65,10 @@ void bridgeHoles(const Points& points, PolygonLoop& outline, std::vector<Polygon
     });
     while (!holes.empty()) {
         PolygonLoop& hole = holes.back();
+        TACTOOTH_ASSERT(hole.size() >= 3);
         std::rotate(hole.begin(), hole.begin() + (rightmost(hole) - hole.begin()), hole.end());
         const std::size_t place = nearestVisible(points, outline, holes, hole.front());
+        TACTOOTH_ASSERT(place < outline.size());
         PolygonLoop bridge = hole;
         bridge.push_back(hole.front());
         bridge.push_back(outline[place]);
@@ -80,6 +87,7 @@ public:
         std::size_t place = 0;
         while (loop_.size() > 3) {
             place = nextEar(place);
+            TACTOOTH_ASSERT(place < loop_.size());
             triangles.push_back({before(place), loop_[place], after(place)});
             loop_.erase(loop_.begin() + static_cast<std::ptrdiff_t>(place));
             if (place >= loop_.size()) place = 0;
@@ -95,9 +103,9 @@ private:
         return turn(points_[before(i)], points_[loop_[i]], points_[after(i)]);
     }
 
-    /// The next ear from `from` on. Three corners on one line must not be left to one triangle, which would have no
-    /// area: what only just holds such a line is an ear where there is no other. If rounding leaves none at all, the
-    /// corner that turns left most.
+    /// The next ear from `from` on. Three corners on one line must not remain as one triangle, which would have no
+    /// area. So a flat ear is taken only if there is no other. If rounding leaves no ear at all, the corner with the
+    /// largest left turn is taken.
     [[nodiscard]] std::size_t nextEar(std::size_t from) const {
         for (const double tolerance : {kFlat, 0.0}) {
             for (std::size_t step = 0; step < loop_.size(); ++step) {
@@ -111,7 +119,7 @@ private:
         return best;
     }
 
-    /// Square of the longer of the two edges at a corner.
+    /// Square of the longer one of the two edges at a corner.
     [[nodiscard]] double squaredSizeAt(std::size_t i) const {
         const Eigen::Vector2d& corner = points_[loop_[i]];
         return std::max((points_[before(i)] - corner).squaredNorm(), (points_[after(i)] - corner).squaredNorm());
@@ -137,6 +145,7 @@ private:
 }  // namespace
 
 double doubledArea(const Points& points, const PolygonLoop& loop) {
+    TACTOOTH_ASSERT(loop.empty() || loop.front() < points.size());
     double area = 0;
     for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
         area += turn(points[loop[0]], points[loop[i]], points[loop[i + 1]]);
@@ -156,8 +165,12 @@ bool isWithin(const Points& points, const PolygonLoop& loop, const Eigen::Vector
 }
 
 std::vector<Triangle> triangulate(const Points& points, PolygonLoop outline, std::vector<PolygonLoop> holes) {
+    TACTOOTH_ASSERT(outline.size() >= 3);
     bridgeHoles(points, outline, std::move(holes));
-    return EarClipper(points, std::move(outline)).run();
+    const std::size_t corners = outline.size();
+    std::vector<Triangle> triangles = EarClipper(points, std::move(outline)).run();
+    TACTOOTH_ASSERT(triangles.size() + 2 == corners);
+    return triangles;
 }
 
 }  // namespace tactooth

@@ -10,19 +10,19 @@
 
 namespace tactooth {
 
-/// A closed line through numbered points; the last joins the first.
+/// A closed polygon as point numbers; the last point is joined to the first.
 using PolygonLoop = std::vector<std::uint32_t>;
 
 /// Twice the signed area of a loop, positive if counter-clockwise.
 [[nodiscard]] double doubledArea(const std::vector<Eigen::Vector2d>& points, const PolygonLoop& loop);
 
-/// Whether `point` lies within the loop (parity of crossings).
+/// Whether `point` lies within the loop (parity of the crossings).
 [[nodiscard]] bool isWithin(const std::vector<Eigen::Vector2d>& points, const PolygonLoop& loop,
                             const Eigen::Vector2d& point);
 
-/// Cuts a counter-clockwise outline with clockwise holes into triangles that use the given points only. Always gives
-/// (corners + 2 * holes - 2) triangles that close up, however thin the polygon is; only for a simple polygon
-/// do none of them overlap.
+/// Splits a counter-clockwise outline with clockwise holes into triangles between the given points. The outline and
+/// each hole have at least three corners. Always returns (corners + 2 * holes - 2) triangles that form a closed sheet,
+/// however thin the polygon is. They do not overlap if the polygon is simple.
 [[nodiscard]] std::vector<Triangle> triangulate(const std::vector<Eigen::Vector2d>& points, PolygonLoop outline,
                                                 std::vector<PolygonLoop> holes);
 

@@ -8,11 +8,13 @@
 #include <memory_resource>
 #include <utility>
 
+#include "geometry/util/assert.h"
 #include "tooth/surface/polygon_triangulation.h"
 
-// As in J. Smith and N. Dodgson, "A topologically robust algorithm for Boolean operations on polyhedral shapes using
-// approximate arithmetic", Computer-Aided Design 2007: which points there are and how they join is settled by
-// consistent predicates; coordinates only decide how the polygons that result are drawn as triangles.
+// Source: J. Smith and N. Dodgson, "A topologically robust algorithm for Boolean operations on polyhedral shapes using
+// approximate arithmetic", Computer-Aided Design 39, 2007. As there, consistent predicates decide which points exist
+// and how they are joined. Coordinates decide only how the resulting polygons are split into triangles. Difference:
+// only one triangle is clipped at a time.
 
 namespace tactooth {
 
@@ -28,6 +30,7 @@ bool sortCrossings(std::span<EdgeCrossing> crossings, bool firstKept) {
     bool expected = surplus == 0 ? firstKept : surplus > 0;
     for (auto place = crossings.begin(); place != crossings.end(); ++place, expected = !expected) {
         const auto fitting = std::find_if(place, crossings.end(), [&](const auto& c) { return c.leaves == expected; });
+        TACTOOTH_ASSERT(fitting != crossings.end());
         std::rotate(place, fitting, fitting + 1);
     }
     return true;
@@ -43,6 +46,8 @@ public:
         result_.points.reserve(3 + 2 * segments.size());
         result_.points.assign(corners.begin(), corners.end());
         for (std::uint32_t i = 0; i < segments.size(); ++i) {
+            TACTOOTH_ASSERT(segments[i].start.edge < 3 && segments[i].end.edge < 3);
+            TACTOOTH_ASSERT(segments[i].start.position.allFinite() && segments[i].end.position.allFinite());
             lines_[i].startPoint = static_cast<std::uint32_t>(result_.points.size());
             result_.points.push_back(segments[i].start.position);
             if (segments[i].start.edge < 0) startingAt_.emplace_back(segments[i].start.key, i);
@@ -66,6 +71,7 @@ public:
         if (!traceClosedLines() || !assignHoles()) return std::nullopt;
         for (std::size_t i = 0; i < outlines_.size(); ++i) {
             if (outlines_[i].size() < 3) continue;
+            TACTOOTH_ASSERT(i < holesOf_.size());
             const auto triangles = triangulate(flat_, std::move(outlines_[i]), std::move(holesOf_[i]));
             result_.triangles.insert(result_.triangles.end(), triangles.begin(), triangles.end());
         }
@@ -75,13 +81,13 @@ public:
 private:
     static constexpr std::uint32_t kNoSegment = ~0U;
     using Key = std::array<std::uint64_t, 2>;
-    /// What becomes of a piece of a cut line.
+    /// State of one segment of a cut line.
     struct Line {
-        std::uint32_t startPoint = 0, endPoint = 0;  ///< in the result
-        std::size_t endStop = 0;                     ///< on the ring, if it ends there
+        std::uint32_t startPoint = 0, endPoint = 0;  ///< in the points of the result
+        std::size_t endStop = 0;                     ///< on the ring, if the segment ends there
         bool isVisited = false;
     };
-    /// A stop on the way around the border, counter-clockwise: a corner, or where a cut line begins or ends.
+    /// A stop on the ring around the triangle, counter-clockwise: a corner, or the start or end of a cut line.
     struct Stop {
         std::uint32_t point;
         std::uint32_t segment;  ///< kNoSegment at a corner
@@ -111,8 +117,9 @@ private:
         return true;
     }
 
-    /// To the piece that begins where `segment` ends; false if there is none.
-    bool goOn(std::uint32_t& segment) const {
+    /// Moves on to the segment that starts where `segment` ends. False if there is none.
+    bool advance(std::uint32_t& segment) const {
+        TACTOOTH_ASSERT(segment < segments_.size() && segments_[segment].end.edge < 0);
         const Key& key = segments_[segment].end.key;
         const auto beyond = std::upper_bound(startingAt_.begin(), startingAt_.end(), std::pair(key, kNoSegment));
         if (beyond == startingAt_.begin() || (beyond - 1)->first != key) return false;
@@ -120,14 +127,14 @@ private:
         return true;
     }
 
-    /// Follows a cut line to its end on the border; false if it breaks off.
+    /// Follows a cut line to its end on the ring. False if the line is interrupted.
     bool followLine(std::uint32_t& segment, PolygonLoop& loop) {
         for (;;) {
             if (lines_[segment].isVisited) return false;
             lines_[segment].isVisited = true;
             loop.push_back(lines_[segment].startPoint);
             if (segments_[segment].end.edge >= 0) return true;
-            if (!goOn(segment)) return false;
+            if (!advance(segment)) return false;
         }
     }
 
@@ -139,6 +146,7 @@ private:
             std::uint32_t segment = stop.segment;
             do {
                 if (!followLine(segment, loop)) return false;
+                TACTOOTH_ASSERT(lines_[segment].endPoint >= 3 && lines_[segment].endStop < ring_.size());
                 loop.push_back(lines_[segment].endPoint);
                 std::size_t place = (lines_[segment].endStop + 1) % ring_.size();
                 for (; ring_[place].segment == kNoSegment; place = (place + 1) % ring_.size()) {
@@ -161,7 +169,7 @@ private:
                 if (lines_[segment].isVisited || segments_[segment].end.edge >= 0) return false;
                 lines_[segment].isVisited = true;
                 loop.push_back(lines_[segment].startPoint);
-                if (!goOn(segment)) return false;
+                if (!advance(segment)) return false;
             } while (segment != first);
             (doubledArea(flat_, loop) >= 0 ? outlines_ : holes_).push_back(std::move(loop));
         }
@@ -172,6 +180,7 @@ private:
         holesOf_.resize(outlines_.size());
         for (PolygonLoop& hole : holes_) {
             if (outlines_.empty()) return false;
+            TACTOOTH_ASSERT(hole.size() >= 3);
             std::size_t owner = 0;
             for (std::size_t i = 0; i < outlines_.size(); ++i) {
                 if (isWithin(flat_, outlines_[i], flat_[hole.front()])) owner = i;
@@ -181,7 +190,7 @@ private:
         return true;
     }
 
-    /// Drops the axis along which the triangle faces most, keeping its sense of turning.
+    /// Drops the axis in which the triangle's normal is longest, and keeps the orientation.
     void project() {
         const auto& p = result_.points;
         const Vec3 normal = (p[1] - p[0]).cross(p[2] - p[0]);
@@ -192,15 +201,16 @@ private:
         if (normal[axis] < 0) std::swap(u, v);
         flat_.reserve(p.size());
         for (const Vec3& point : p) flat_.emplace_back(point[u], point[v]);
+        TACTOOTH_ASSERT(flat_.size() == p.size());
     }
 
     const std::vector<ClipSegment>& segments_;
-    std::array<std::byte, 4096> memory_;  // enough for nearly every triangle; what more it takes comes from the heap
+    std::array<std::byte, 4096> memory_;  // enough for nearly every triangle; the rest comes from the heap
     std::pmr::monotonic_buffer_resource pool_{memory_.data(), memory_.size()};
     std::pmr::vector<Line> lines_;
     ClippedTriangle result_;
-    std::pmr::vector<std::pair<Key, std::uint32_t>> startingAt_{&pool_};  // pieces that begin inside, ordered by key
-    std::pmr::vector<EdgeCrossing> crossings_{&pool_};                    // of the edge at hand
+    std::pmr::vector<std::pair<Key, std::uint32_t>> startingAt_{&pool_};  // segments that start inside, ordered by key
+    std::pmr::vector<EdgeCrossing> crossings_{&pool_};                    // of the current edge
     std::pmr::vector<Stop> ring_{&pool_};
     std::pmr::vector<PolygonLoop> outlines_{&pool_}, holes_{&pool_};
     std::pmr::vector<std::vector<PolygonLoop>> holesOf_{&pool_};
@@ -212,6 +222,7 @@ private:
 std::optional<ClippedTriangle> clipTriangle(const std::array<Vec3, 3>& corners, const std::array<bool, 3>& isForward,
                                             const std::vector<ClipSegment>& segments,
                                             const std::array<bool, 3>& keepsCorner) {
+    TACTOOTH_ASSERT(corners[0].allFinite() && corners[1].allFinite() && corners[2].allFinite());
     return Clipper(corners, segments).run(isForward, keepsCorner);
 }
 

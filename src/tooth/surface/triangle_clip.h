@@ -12,16 +12,16 @@
 
 namespace tactooth {
 
-/// An end of a cut line in a triangle: on its border, or inside it where the next piece of the line begins.
+/// An end of a cut line's segment in a triangle: on the triangle's outline, or inside it where the next segment starts.
 struct ClipPoint {
     Vec3 position;
     int edge = -1;                       ///< edge of the triangle, from corner `edge` to the next; -1 = inside
-    double along = 0;                    ///< on an edge: place from its canonical first end, 0..1
-    std::uint64_t crossingFace = 0;      ///< on an edge: number of the face that runs through it, to break ties
-    std::array<std::uint64_t, 2> key{};  ///< inside: what the two pieces that meet there have in common
+    double along = 0;                    ///< on an edge: position from its canonical first end, 0..1
+    std::uint64_t crossingFace = 0;      ///< on an edge: number of the face that passes through it, to break ties
+    std::array<std::uint64_t, 2> key{};  ///< inside: what the two segments that meet there share
 };
 
-/// A piece of a cut line; the part of the triangle to keep is on its left.
+/// A segment of a cut line. The part of the triangle to keep is on its left.
 struct ClipSegment {
     ClipPoint start;
     ClipPoint end;
@@ -32,15 +32,15 @@ struct ClippedTriangle {
     std::vector<Triangle> triangles;
 };
 
-/// Cuts a triangle along lines that run from border to border or close within it, and keeps what is left of them.
-/// `isForward[i]`: edge i runs from its canonical first end to its second. `keepsCorner`: what holds for each corner,
-/// where the lines do not tell. Nothing if the lines do not fit together.
+/// Clips a triangle along lines that run from edge to edge or that are closed inside it. `isForward[i]`: edge i runs
+/// from its canonical first end to its second. `keepsCorner`: whether each corner is kept where the lines do not decide
+/// it. Returns nothing if the lines are inconsistent.
 [[nodiscard]] std::optional<ClippedTriangle> clipTriangle(const std::array<Vec3, 3>& corners,
                                                           const std::array<bool, 3>& isForward,
                                                           const std::vector<ClipSegment>& segments,
                                                           const std::array<bool, 3>& keepsCorner);
 
-/// Where a cut line crosses an edge, seen along the canonical direction: it either leaves the kept part or enters it.
+/// A crossing of a cut line with an edge, in the canonical direction of the edge: it leaves the kept part or enters it.
 struct EdgeCrossing {
     double along;
     std::uint64_t crossingFace;
@@ -51,12 +51,12 @@ struct EdgeCrossing {
         return along != other.along ? along < other.along : crossingFace < other.crossingFace;
     }
 };
-/// How many more of the crossings of an edge leave the kept part than enter it. They can alternate if it is 1 or -1,
-/// which tells what becomes of the ends, or 0: then both are kept or neither.
+/// Number of crossings that leave the kept part minus those that enter it. With 1 or -1 the crossings can alternate and
+/// decide both ends. With 0 they can alternate, and both ends are kept or neither is.
 [[nodiscard]] int exitSurplus(std::span<const EdgeCrossing> crossings);
-/// Brings the crossings of one edge into an order in which they alternate, as near as can be to that in which they lie
-/// on it: rounding may swap near neighbours, and so does a wall that is folded there. `firstKept`: the canonical first
-/// end, where the crossings do not tell. False if they cannot alternate.
+/// Sorts the crossings of one edge so that they alternate, as close as possible to their order on the edge. Rounding
+/// may swap near neighbours, and so may a folded wall. `firstKept`: whether the canonical first end is kept, where the
+/// crossings do not decide it. False if the crossings cannot alternate.
 [[nodiscard]] bool sortCrossings(std::span<EdgeCrossing> crossings, bool firstKept);
 
 }  // namespace tactooth

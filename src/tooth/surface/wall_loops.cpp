@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <bit>
 
-// Differs from dual contouring with a vertex for each round (see cell_topology.h): where two rounds of one cell share a
-// face, the border gets a vertex on that face, so that no edge has four triangles.
-// Two rounds of one cell are the two sides of a ridge or a gap thinner than a voxel, whose planes meet beyond it:
-// vertices placed by them would change sides and fold the wall over, so there each round has the mean of its own
-// crossings, which the nodes between keep apart.
+#include "geometry/util/assert.h"
+
+// Source: S. Schaefer, T. Ju, J. Warren, "Manifold Dual Contouring", IEEE TVCG 13, 2007 (see cell_topology.h).
+// Differences: where two loops of one cell share a face, the face gets a vertex too, so that no edge has four
+// triangles. Two loops of one cell are the two sides of a ridge or gap thinner than a voxel. Their planes meet beyond
+// it, so that the QEF would put the vertices on the wrong sides and fold the wall. There the vertex of a loop is the
+// mean of its crossings, which the nodes in between keep apart.
 
 namespace tactooth {
 
@@ -20,6 +22,7 @@ WallLoops::WallLoops(const BrickNeighbourhood& nodes, const NodePoints& points, 
         WallPolygon& polygon = polygons[i];
         Fan fan{i, {}, 0};
         addCorners(polygon, fan);
+        TACTOOTH_ASSERT(fan.size >= 4 && fan.size <= static_cast<int>(fan.corners.size()));
         const auto begin = fan.corners.begin();
         const auto end = begin + fan.size;
         if (polygon.isReversed) std::reverse(begin, end);
@@ -27,25 +30,30 @@ WallLoops::WallLoops(const BrickNeighbourhood& nodes, const NodePoints& points, 
             std::copy(begin, end, polygon.corners.begin());
         } else {
             const auto isOnFace = [&](std::uint16_t vertex) { return vertices_[vertex].kind >= kMaxLoops; };
-            std::rotate(begin, std::find_if(begin, end, isOnFace), end);
+            const auto first = std::find_if(begin, end, isOnFace);
+            TACTOOTH_ASSERT(first != end);
+            std::rotate(begin, first, end);
             fans_.push_back(fan);
         }
     }
 }
 
-/// In the order that has the removed region behind the edge's end.
+/// Adds the corners in the order of a polygon whose edge begins in the solid.
 void WallLoops::addCorners(const WallPolygon& polygon, Fan& fan) {
     const int u = (polygon.axis + 1) % 3;
     const int v = (polygon.axis + 2) % 3;
     const int beforeU = polygon.node - BrickNeighbourhood::kStep[u];
     const int beforeV = polygon.node - BrickNeighbourhood::kStep[v];
-    // Where the edge is in each of the cells, and the face between that cell and the next: where it begins, its axis.
+    // For each of the four cells: the number of the edge in it. For each face between a cell and the next: the node at
+    // which it begins, and its axis.
     const std::array<int, 4> edges = {cellEdge(polygon.axis, 1, 1), cellEdge(polygon.axis, 0, 1),
                                       cellEdge(polygon.axis, 0, 0), cellEdge(polygon.axis, 1, 0)};
     const std::array<std::pair<int, int>, 4> faces = {
         {{beforeV, u}, {polygon.node, v}, {polygon.node, u}, {beforeU, v}}};
     for (int i = 0; i < 4; ++i) {
         const std::size_t number = polygon.corners[polygon.isReversed ? 3 - i : i];
+        TACTOOTH_ASSERT(number < cells_.size());
+        TACTOOTH_ASSERT(fan.size < static_cast<int>(fan.corners.size()));
         const int cell = cells_[number];
         const CellLoops& loops = kCellLoops[nodes_.removedCorners(cell)];
         fan.corners[fan.size++] =
@@ -55,13 +63,15 @@ void WallLoops::addCorners(const WallPolygon& polygon, Fan& fan) {
 }
 
 std::uint16_t WallLoops::vertexOfCell(std::size_t number) {
+    TACTOOTH_ASSERT(number < vertexOfCell_.size());
     std::uint16_t& vertex = vertexOfCell_[number];
     if (vertex == kNone) vertex = add(ofCells_.point(number, points_), cells_[number], 0);
     return vertex;
 }
 
-/// One of several: see the top, each keeps to its own side.
+/// For a cell with several loops: the mean of the loop's crossings, see the top of the file.
 std::uint16_t WallLoops::vertexOfLoop(int cell, const CellLoops& loops, int loop) {
+    TACTOOTH_ASSERT(loop >= 0 && loop < loops.count);
     if (const std::uint16_t known = find(cell, loop); known != kNone) return known;
     int count = 0;
     Vec3 sum = Vec3::Zero();
@@ -72,10 +82,11 @@ std::uint16_t WallLoops::vertexOfLoop(int cell, const CellLoops& loops, int loop
                             BrickNeighbourhood::index(0, 0, 0),
                         edge / 4);
     }
+    TACTOOTH_ASSERT(count >= 3);  // a loop crosses at least three edges of its cell
     return add(sum / count, cell, loop);
 }
 
-/// If the border crosses the face twice: the vertex on it on the side of the polygon's edge.
+/// If the boundary crosses the face twice: adds the vertex on the face, on the side of the polygon's edge.
 void WallLoops::addVertexOnFace(int face, int faceAxis, const WallPolygon& polygon, Fan& fan) {
     const int u = (faceAxis + 1) % 3;
     const int v = (faceAxis + 2) % 3;
@@ -95,6 +106,7 @@ void WallLoops::addVertexOnFace(int face, int faceAxis, const WallPolygon& polyg
         const Vec3 onV = crossing(face + (isAfterU ? stepU : 0), v);
         vertex = add(0.5 * (onU + onV), face, kind);
     }
+    TACTOOTH_ASSERT(fan.size < static_cast<int>(fan.corners.size()));
     fan.corners[fan.size++] = vertex;
 }
 
@@ -105,6 +117,9 @@ std::uint16_t WallLoops::find(int cell, int kind) const {
 }
 
 std::uint16_t WallLoops::add(const Vec3& point, int cell, int kind) {
+    TACTOOTH_ASSERT(vertices_.size() < kNone);
+    TACTOOTH_ASSERT(kind >= 0 && kind < 16);
+    TACTOOTH_ASSERT(point.allFinite());
     vertices_.push_back({point, static_cast<std::uint16_t>(cell), kind});
     return static_cast<std::uint16_t>(vertices_.size() - 1);
 }

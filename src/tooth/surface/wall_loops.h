@@ -13,23 +13,23 @@
 
 namespace tactooth {
 
-/// The corners of a wall's polygons where the border passes through some cells in several rounds, or twice through a
-/// face: each round has a vertex of its own, and so has such a face. Few bricks have any of these.
+/// The corners of a wall's polygons where cells have several loops or ambiguous faces. Each loop has a vertex of its
+/// own, and so has each side of an ambiguous face. Few bricks have such cells.
 class WallLoops {
 public:
-    /// The `corners` of `polygons`, which are numbers of `cells`, become numbers of `vertices()`.
+    /// Turns the `corners` of `polygons` from numbers of `cells` into numbers of `vertices()`.
     WallLoops(const BrickNeighbourhood& nodes, const NodePoints& points, std::span<const std::uint16_t> cells,
               const WallVertices& ofCells, std::span<WallPolygon> polygons);
 
     struct Vertex {
         Vec3 point;          ///< mm
-        std::uint16_t cell;  ///< the node at which it begins, or where the face does
-        int kind;            ///< tells the vertices of one cell apart, below 16
+        std::uint16_t cell;  ///< the node at which the cell begins, or the face
+        int kind;            ///< distinguishes the vertices of one cell, below 16
     };
     [[nodiscard]] std::span<const Vertex> vertices() const { return vertices_; }
 
-    /// A polygon with more than four corners, at most eight: to be drawn as triangles about the first one. That is one
-    /// on a face: a diagonal between the cells at its sides would be drawn by two polygons.
+    /// A polygon with five to eight corners, to be split into triangles around the first one. The first corner is a
+    /// vertex on a face: two polygons would share a diagonal between the cells at its sides.
     struct Fan {
         std::size_t polygon;
         std::array<std::uint16_t, 8> corners;
@@ -40,7 +40,7 @@ public:
 
 private:
     static constexpr std::uint16_t kNone = 0xFFFF;
-    static constexpr int kMaxLoops = 4;  ///< in one cell; kinds from here on are those of faces
+    static constexpr int kMaxLoops = 4;  ///< in one cell; higher kinds belong to faces
 
     void addCorners(const WallPolygon& polygon, Fan& fan);
     std::uint16_t vertexOfCell(std::size_t number);
@@ -54,7 +54,7 @@ private:
     const NodePoints& points_;
     const std::span<const std::uint16_t> cells_;
     const WallVertices& ofCells_;
-    std::vector<std::uint16_t> vertexOfCell_;  // with just one round
+    std::vector<std::uint16_t> vertexOfCell_;  // for cells with one loop
     std::vector<Vertex> vertices_;
     std::vector<Fan> fans_;
 };

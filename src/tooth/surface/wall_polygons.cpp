@@ -3,21 +3,24 @@
 #include "tooth/surface/wall_polygons.h"
 
 #include <bit>
+#include <cmath>
+
+#include "geometry/util/assert.h"
 
 namespace tactooth {
 namespace {
 
-/// Voxels; a wall triangle lies within sqrt(3) * 1.5 of either node of its lattice edge ...
+/// Voxels. A wall triangle lies within sqrt(3) * 1.5 of either node of its lattice edge ...
 constexpr double kTriangleReach = 2.6;
 /// ... and within sqrt(1.5^2 + 1.5^2 + 0.5^2) of the nearer one.
 constexpr double kNearerReach = 2.2;
-/// The nodes of a row that lie in the brick.
+/// Bits of the nodes of a row that lie in the brick.
 constexpr unsigned kInBrick = ((1U << kBrickSide) - 1) << 1;
 constexpr std::uint16_t kNoCell = 0xFFFF;
 
 }  // namespace
 
-/// What the distances of a row's nodes to the tooth's surface tell of the edges that begin there or end there.
+/// The position of a row of nodes relative to the tooth's surface, for the edges that begin or end there.
 class WallPolygons::RowInTooth {
 public:
     RowInTooth(const BrickNeighbourhood::ToothRow& row, double spacing)
@@ -26,16 +29,18 @@ public:
           isDeep_(row.below(static_cast<float>(-kTriangleReach * spacing))),
           isInside_(row.below(0)) {}
 
-    /// Of the next nodes along x.
+    /// The row of the next nodes along x.
     [[nodiscard]] RowInTooth next() const {
         RowInTooth moved = *this;
         for (unsigned* bits : {&moved.isFar_, &moved.isBeyond_, &moved.isDeep_, &moved.isInside_}) *bits >>= 1;
         return moved;
     }
-    /// `crossed`: edges from this row to `ends`, at whose first nodes `removed` tells of the cavity.
+    /// Edges from this row to `ends`. `crossed`: those that the boundary crosses. `removed`: those whose first nodes
+    /// are removed.
     [[nodiscard]] Edges edges(unsigned crossed, unsigned removed, const RowInTooth& ends) const {
         const unsigned outside = (isFar_ & ends.isFar_) | isBeyond_ | ends.isBeyond_;
-        // Behind the wall is the solid node, or the removed one if the solid one lies outside the tooth.
+        // The material behind the wall is that of the solid node, or of the removed node if the solid one lies outside
+        // the tooth.
         const unsigned firstIsBehind = (~removed & isInside_) | (removed & ~ends.isInside_);
         return {crossed & ~outside, crossed & ~outside & ~(isDeep_ | ends.isDeep_), firstIsBehind};
     }
@@ -45,6 +50,7 @@ private:
 };
 
 WallPolygons::WallPolygons(const BrickNeighbourhood& nodes, double spacing) {
+    TACTOOTH_ASSERT(std::isfinite(spacing) && spacing > 0);
     cellAt_.fill(kNoCell);
     if (nodes.isDeeperThan(static_cast<float>(kTriangleReach * spacing))) {
         addDeepInTooth(nodes);
@@ -91,6 +97,7 @@ void WallPolygons::add(const BrickNeighbourhood& nodes, int row, const Edges& ed
     for (unsigned left = edges.crossed; left != 0; left &= left - 1) {
         const int x = std::countr_zero(left);
         const int node = row + x;
+        TACTOOTH_ASSERT(polygonCount_ < polygons_.size());
         WallPolygon& polygon = polygons_[polygonCount_++];
         polygon.node = static_cast<std::uint16_t>(node);
         polygon.axis = kAxis;
@@ -105,8 +112,10 @@ void WallPolygons::add(const BrickNeighbourhood& nodes, int row, const Edges& ed
 }
 
 std::uint16_t WallPolygons::numberOfCell(int cell) {
+    TACTOOTH_ASSERT(cell >= 0 && cell < BrickNeighbourhood::kNodes);
     std::uint16_t& number = cellAt_[cell];
     if (number == kNoCell) {
+        TACTOOTH_ASSERT(cellCount_ < cells_.size());
         number = static_cast<std::uint16_t>(cellCount_);
         cells_[cellCount_++] = static_cast<std::uint16_t>(cell);
     }

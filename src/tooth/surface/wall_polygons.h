@@ -11,25 +11,25 @@
 
 namespace tactooth {
 
-/// The polygon around one lattice edge that the border of the removed region crosses.
+/// The polygon around one lattice edge that the boundary of the removed region crosses.
 struct WallPolygon {
-    std::array<std::uint16_t, 4> corners;  ///< counter-clockwise, seen from the cavity
-    std::uint16_t node;                    ///< in the neighbourhood: where the edge begins
+    std::array<std::uint16_t, 4> corners;  ///< counter-clockwise seen from the cavity
+    std::uint16_t node;                    ///< first node of the edge, a number in the neighbourhood
     std::uint8_t axis;                     ///< of the edge
     SurfaceTag tag;                        ///< the material behind it
-    bool isReversed;                       ///< the edge begins in the removed region
-    bool isAtSurface;                      ///< it may cross the tooth's surface
+    bool isReversed;                       ///< the first node of the edge is removed
+    bool isAtSurface;                      ///< the polygon may cross the tooth's surface
 };
 
 /// The polygons of a brick's wall that may lie in the tooth or at its surface, in the order of the lattice, and the
-/// cells that they have corners in.
+/// cells that hold their corners.
 class WallPolygons {
 public:
     WallPolygons(const BrickNeighbourhood& nodes, double spacing);
 
-    /// `corners` are numbers of `cells`.
+    /// `corners` are indices of `cells()`.
     [[nodiscard]] std::span<WallPolygon> polygons() { return {polygons_.data(), polygonCount_}; }
-    /// The nodes at which they begin, in the order in which the polygons come to them.
+    /// The nodes at which the cells begin, in the order in which the polygons use them.
     [[nodiscard]] std::span<const std::uint16_t> cells() const { return {cells_.data(), cellCount_}; }
     /// Whether some polygon may cross the tooth's surface.
     [[nodiscard]] bool isAtSurface() const { return isAtSurface_; }
@@ -42,20 +42,20 @@ private:
     void addDeepInTooth(const BrickNeighbourhood& nodes);
     void addAroundSurface(const BrickNeighbourhood& nodes, double spacing);
 
-    /// One bit an edge, that of its first node as in `BrickNeighbourhood::removedRow`.
+    /// One bit for each edge, at its first node as in `BrickNeighbourhood::removedRow`.
     struct Edges {
         unsigned crossed;
         unsigned atSurface;       ///< see WallPolygon
-        unsigned beforeBoundary;  ///< the material of the polygon is that at the first node
+        unsigned beforeBoundary;  ///< the polygon has the material of the first node
     };
     template <int kAxis>
     void add(const BrickNeighbourhood& nodes, int row, const Edges& edges);
     [[nodiscard]] std::uint16_t numberOfCell(int cell);
 
-    // Left as they are until they are filled.
+    // Uninitialised up to the counts.
     std::array<WallPolygon, kMaxPolygons> polygons_;
     std::array<std::uint16_t, kMaxCellCount> cells_;
-    std::array<std::uint16_t, BrickNeighbourhood::kNodes> cellAt_;  // number of the cell that begins at a node
+    std::array<std::uint16_t, BrickNeighbourhood::kNodes> cellAt_;  // index of the cell that begins at a node
     std::size_t polygonCount_ = 0;
     std::size_t cellCount_ = 0;
     bool isAtSurface_ = false;

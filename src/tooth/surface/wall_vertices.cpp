@@ -6,29 +6,29 @@
 #include <bit>
 
 #include "collision/narrow/lane_flags.h"
+#include "geometry/util/assert.h"
 #include "tooth/surface/cell_qef.h"
 #include "tooth/surface/cell_topology.h"
 
-// T. Ju, F. Losasso, S. Schaefer, J. Warren, "Dual Contouring of Hermite Data", SIGGRAPH 2002. Differs from the paper:
-// crossings and normals of the lattice edges come from the distance and the gradient that each node keeps from the bur
-// that passed nearest, which are exact planes; a sharp edge's vertex stays in the room of its cell (roomOf), on the
-// planes as far as they are in it; and eight cells are done at a time, since one by one they took most of what a wall
-// costs.
+// Source: T. Ju, F. Losasso, S. Schaefer, J. Warren, "Dual Contouring of Hermite Data", SIGGRAPH 2002. Differences:
+// crossings and normals come from the swept envelope of the bur, which gives exact planes. The vertex of a sharp edge
+// stays in a box around its cell (roomOf) and on the planes as far as they pass through the box. Eight cells are
+// processed at a time, since single cells took most of the time of a wall.
 
 namespace tactooth {
 namespace {
 
-/// Voxels; vertices of sharp edges stay so far on their own sides of the face between neighbouring cells, so that they
-/// neither change places nor meet. More makes fewer walls that cross themselves, but puts the vertex of an edge that
-/// runs close to a face too far off it (docs/cutting.md).
-constexpr double kApart = 0.15;
-/// Voxels; how far a vertex may leave its cell through a face that the border does not cross: a sharp edge can poke
-/// through it between its corners, and there is no vertex behind it.
-constexpr double kPokesOut = kWallReach - 1 - kApart;
-/// Bits of a cell's corners on its lower side of each axis.
+/// Voxels. Vertices of sharp edges keep this distance from the face between neighbouring cells, so that they neither
+/// swap nor meet. A larger value gives fewer walls that intersect themselves, but moves the vertex of an edge near a
+/// face too far off the edge (docs/cutting.md).
+constexpr double kFaceGap = 0.15;
+/// Voxels. A vertex may leave its cell by this distance through a face that the boundary does not cross: a sharp edge
+/// can poke through the face between its corners, and no vertex lies behind it.
+constexpr double kOvershoot = kWallReach - 1 - kFaceGap;
+/// Bits of the corners on the lower side of each axis.
 constexpr std::array<unsigned, 3> kLowCorners = {0x55, 0x33, 0x0F};
 
-/// Where each edge of a cell lies from the middle of the cell; 0 on its own axis.
+/// Position of each edge from the middle of its cell. 0 on its own axis.
 using EdgePlace = std::array<float, 4>;
 constexpr std::array<EdgePlace, 12> kEdgePlaces = [] {
     std::array<EdgePlace, 12> places{};
@@ -40,7 +40,7 @@ constexpr std::array<EdgePlace, 12> kEdgePlaces = [] {
     }
     return places;
 }();
-/// From the node where a cell begins to the one where each of its edges does.
+/// Step from the first node of a cell to the first node of each edge.
 constexpr std::array<int, 12> kEdgeNodes = [] {
     std::array<int, 12> nodes{};
     for (int edge = 0; edge < 12; ++edge) {
@@ -50,13 +50,13 @@ constexpr std::array<int, 12> kEdgeNodes = [] {
     return nodes;
 }();
 
-/// Where the border crosses one edge of each of eight cells.
+/// The crossing of the boundary with one edge of each of eight cells.
 struct Crossings8 {
-    std::array<const float*, 8> edges;  // their places
+    std::array<const float*, 8> edges;  // their positions
     std::array<float, 8> along;
     std::array<OctahedralNormal, 8> normals;
 
-    /// From the middles of the cells.
+    /// Crossing points from the middles of the cells.
     [[nodiscard]] Vec3x8 points() const {
         const Float8 onAxis = Float8::load(along.data()) - Float8::all(0.5F);
         const auto placeOn = [&](Float8 place) { return whereLess(place * place, Float8::all(0.1F), onAxis, place); };
@@ -65,14 +65,14 @@ struct Crossings8 {
     }
 };
 
-/// How far a vertex may be beyond a face of which these corners are inside.
+/// How far a vertex may lie beyond a face. `inside`: which of the `corners` of the face are inside.
 double beyond(unsigned inside, unsigned corners) {
     const bool isCrossed = inside != 0 && inside != corners;
-    return isCrossed ? -kApart : kPokesOut;
+    return isCrossed ? -kFaceGap : kOvershoot;
 }
 
-/// Where the vertex of a cell with these corners inside may be, from the middle of the cell: not beyond a face behind
-/// which there is another.
+/// The box for the vertex of a cell with these inside corners, from the middle of the cell. It does not extend beyond a
+/// face that has another vertex behind it.
 Box3 roomOf(unsigned inside) {
     Box3 room;
     for (int axis = 0; axis < 3; ++axis) {
@@ -86,6 +86,7 @@ Box3 roomOf(unsigned inside) {
 }  // namespace
 
 WallVertices::WallVertices(const BrickNeighbourhood& nodes, std::span<const std::uint16_t> cells) : cells_(cells) {
+    TACTOOTH_ASSERT(cells.size() <= kCapacity);
     for (std::size_t first = 0; first < cells.size(); first += 8) placeEight(nodes, first);
 }
 
@@ -98,11 +99,12 @@ void WallVertices::placeEight(const BrickNeighbourhood& nodes, std::size_t first
     for (std::size_t lane = 0; lane < 8; ++lane) {
         cells[lane] = cells_[first + std::min(lane, lanes - 1)];
         crossed[lane] = &kCellCrossings[nodes.removedCorners(cells[lane])];
+        TACTOOTH_ASSERT(crossed[lane]->count >= 3);  // the boundary passes through the cell
         counts[lane] = crossed[lane]->count;
         most = std::max<int>(most, crossed[lane]->count);
         areSimple_ &= crossed[lane]->isSimple;
     }
-    // First the memory, all at once: what is computed from it would let it wait.
+    // Reads the memory first, all at once, so that the arithmetic does not wait for it.
     std::array<Crossings8, 12> crossings;
     for (int i = 0; i < most; ++i) {
         for (int lane = 0; lane < 8; ++lane) {
@@ -120,10 +122,10 @@ void WallVertices::placeEight(const BrickNeighbourhood& nodes, std::size_t first
         planes.add(OctahedralNormal::unpack(crossings[i].normals), crossings[i].points(), isThere);
     }
 
-    // A flat border moves its vertices along its normal alone, so that they keep their places.
+    // A flat boundary moves its vertices along its normal only, so that they stay evenly spaced.
     const auto [isFlat, points] = planes.flat();
     const Vec3x8 sizes = max(points, Vec3x8::all(0, 0, 0) - points);
-    const Float8 farthest = Float8::all(static_cast<float>(0.5 + kPokesOut));
+    const Float8 farthest = Float8::all(static_cast<float>(0.5 + kOvershoot));
     const Float8 isFar = isLess(farthest, max(sizes.x, max(sizes.y, sizes.z)));
     const Vec3x8 placed = choose(isFar, planes.means(), points);
     placed.x.store(&places_[0][first]);

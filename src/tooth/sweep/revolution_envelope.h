@@ -8,51 +8,49 @@
 
 #include "geometry/mesh/triangle_mesh.h"
 #include "geometry/util/expected.h"
+#include "tooth/sweep/revolution_profile.h"
 
 namespace tactooth {
 
-/// A distance and the direction in which it grows fastest.
+/// A signed distance and its gradient.
 struct FieldSample {
     double distance;  ///< mm, negative inside
     Vec3 gradient;    ///< unit
 };
 
-/// The pieces of a profile that points of one small region can be nearest to, in single precision for eight points at a
-/// time. Heights count from the middle of the region.
+/// The segments of a profile that can be nearest to the points of a small region, in single precision for eight points
+/// at a time. Heights count from the middle of the region.
 struct ProfilePart {
-    /// A straight piece: how far a point (radius, height) is along it and outside it, mm, are linear in both.
+    /// A straight segment. The position of a point along it and outside it, mm, is linear in radius and height.
     struct Piece {
         float directionR, directionZ;  ///< unit
-        float along, outside;          ///< of the point (0, 0)
+        float along, outside;          ///< position of the point (0, 0)
         float length;
-        /// On which side points are that are nearest to an end of it: 1 (outside) where the profile bulges there,
-        /// else -1. The one at the start plus twice the one at the end.
+        /// The side of points that are nearest to an end of the segment: 1 (outside) where the profile is convex, else
+        /// -1. The value at the start plus twice the value at the end.
         float sides;
     };
     std::array<Piece, 48> pieces;
     int pieceCount = 0;
-    bool bulges = false;  ///< the pieces follow each other without a dent: the distance is convex along straight paths
+    bool bulges = false;  ///< the segments are consecutive and convex: the distance is convex along straight paths
 };
 
-/// The solid that a bur fills while it spins about its axis (z of the tool frame, tip at the bottom): a solid of
-/// revolution that holds every triangle of the bur's STL and stands out from it by less than 1 um.
+/// The solid that a bur fills while it spins about its axis (z of the tool frame, tip at the bottom). It is a solid of
+/// revolution that contains every triangle of the bur's STL and exceeds it by less than 1 um.
 class RevolutionEnvelope {
 public:
-    /// Corner of the profile: radius at a height, mm.
-    struct ProfilePoint {
-        double radius;
-        double z;
-    };
+    using ProfilePoint = RevolutionProfilePoint;
 
-    /// Fails with a sentence if the mesh has no extent along z or holds no triangle.
+    /// Fails with a sentence if the mesh has no extent along z or has no triangle.
     [[nodiscard]] static Expected<RevolutionEnvelope> make(const TriangleMesh& bur);
 
-    /// Exact distance from a point of the tool frame to the surface of revolution, negative inside, with its gradient.
+    /// Exact signed distance of a point of the tool frame to the surface of revolution, with its gradient. The point is
+    /// finite.
     [[nodiscard]] FieldSample sample(const Vec3& pointInTool) const;
     [[nodiscard]] double signedDistance(const Vec3& pointInTool) const;
 
-    /// The part that matters within `reach` (mm) of a point of the tool frame that is `distance` from the surface,
-    /// whichever side it is on. False if it has too many pieces.
+    /// Finds the segments that can be nearest within `reach` (mm) of a point of the tool frame. `distance` is the
+    /// distance of that point from the surface, of either sign. False if there are too many segments.
     [[nodiscard]] bool findPart(const Vec3& pointInTool, double distance, double reach, ProfilePart& part) const;
 
     /// From the axis at the bottom, along the outside, to the axis at the top.
@@ -60,6 +58,9 @@ public:
     [[nodiscard]] double maxRadius() const { return maxRadius_; }
     [[nodiscard]] double bottom() const { return profile_.front().z; }
     [[nodiscard]] double top() const { return profile_.back().z; }
+
+    /// Asserts the invariants of the profile and of the search grid. Takes time in proportion to the grid.
+    void validate() const;
 
 private:
     struct Segment {
@@ -70,7 +71,7 @@ private:
     struct Nearest {
         double squaredDistance, offsetR, offsetZ;
         std::uint32_t segment;
-        bool isWithin;  ///< the segment, not at an end of it
+        bool isWithin;  ///< nearest point within the segment, not at an end
     };
 
     explicit RevolutionEnvelope(std::vector<ProfilePoint> profile);
@@ -85,7 +86,7 @@ private:
     std::vector<Segment> segments_;
     double maxRadius_ = 0;
 
-    // Which segments can be the nearest one, for each cell of a grid over the half-plane around the profile.
+    // Candidates for the nearest segment, for each cell of a grid over the half-plane around the profile.
     double cellSize_ = 0;
     double gridBottom_ = 0;
     int columns_ = 0;
@@ -94,9 +95,5 @@ private:
     std::vector<std::uint16_t> candidates_;
     std::vector<std::uint16_t> allSegments_;
 };
-
-/// The profile alone: for each height the largest distance of the mesh from the z axis. Piecewise linear, never
-/// smaller than the mesh, larger by less than 1 um.
-[[nodiscard]] std::vector<RevolutionEnvelope::ProfilePoint> revolutionProfile(const TriangleMesh& mesh);
 
 }  // namespace tactooth

@@ -1,24 +1,28 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
+#include "tooth/sweep/revolution_profile.h"
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
-#include "tooth/sweep/revolution_envelope.h"
+#include "geometry/util/assert.h"
 
-// A plane of constant z cuts a triangle in a segment, whose farthest point from the axis is one of its ends: only the
-// mesh's edges matter. Along an edge the squared radius is a parabola in z, so the radius is a convex arc (a hyperbola
-// or a line). Between two neighbouring vertex heights no arc begins or ends, the largest of convex arcs is convex, and
-// a chord never lies below it: chords give a conservative profile.
+// Own method. A plane of constant z cuts a triangle in a segment whose farthest point from the axis is one of its ends.
+// So only the edges of the mesh matter. Along an edge the squared radius is a parabola in z, and the radius is a convex
+// arc (a hyperbola or a line). Between two neighbouring vertex heights no arc begins or ends. The maximum of convex
+// arcs is convex, and a chord never lies below it. So chords give a conservative profile.
 
 namespace tactooth {
 namespace {
 
-using ProfilePoint = RevolutionEnvelope::ProfilePoint;
+using ProfilePoint = RevolutionProfilePoint;
 
-constexpr double kSameHeight = 1e-6;        ///< mm; vertex heights closer than this are one (an STL's rounding)
-constexpr double kChordError = 0.0004;      ///< mm; how far a chord may stand out from its arc
-constexpr double kSimplification = 0.0002;  ///< mm; how far a dropped corner may lie from the simplified profile
-constexpr double kShallow = 0.002;          ///< mm; a dent no deeper is bridged
+constexpr double kSameHeight = 1e-6;        ///< mm; closer vertex heights count as one (rounding of an STL)
+constexpr double kChordError = 0.0004;      ///< mm; largest distance of a chord from its arc
+constexpr double kSimplification = 0.0002;  ///< mm; largest distance of a dropped corner from the simplified profile
+constexpr double kShallow = 0.002;          ///< mm; a dent up to this depth is bridged
 
 struct Edge {
     Vec3 low, high;
@@ -42,11 +46,15 @@ std::vector<double> vertexHeights(const TriangleMesh& mesh) {
     return distinct;
 }
 
-/// Halves every gap wider than `step`, so that chords stay close to their arcs.
+/// Divides every gap wider than `step` into equal parts, so that chords stay close to their arcs.
 std::vector<double> refined(const std::vector<double>& heights, double step) {
+    TACTOOTH_ASSERT(heights.size() >= 2);
+    TACTOOTH_ASSERT(std::isfinite(step) && step > 0);
     std::vector<double> result;
     for (std::size_t i = 0; i + 1 < heights.size(); ++i) {
         const double gap = heights[i + 1] - heights[i];
+        TACTOOTH_ASSERT(gap > 0);
+        TACTOOTH_ASSERT(gap / step < std::numeric_limits<int>::max());
         const int parts = std::max(1, static_cast<int>(std::ceil(gap / step)));
         for (int part = 0; part < parts; ++part) result.push_back(heights[i] + gap * part / parts);
     }
@@ -54,13 +62,14 @@ std::vector<double> refined(const std::vector<double>& heights, double step) {
     return result;
 }
 
-/// Radius just above and just below each height: they differ at a flat shoulder.
+/// Radius just above and just below each height. They differ at a flat shoulder.
 struct Slab {
     double bottomRadius = 0;
     double topRadius = 0;
 };
 
 std::vector<Slab> slabs(const TriangleMesh& mesh, const std::vector<double>& heights) {
+    TACTOOTH_ASSERT(heights.size() >= 2);
     std::vector<Slab> result(heights.size() - 1);
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         for (int corner = 0; corner < 3; ++corner) {
@@ -86,8 +95,10 @@ double distanceToChord(const ProfilePoint& point, const ProfilePoint& from, cons
     return std::hypot(point.radius - from.radius - t * dr, point.z - from.z - t * dz);
 }
 
-/// Douglas and Peucker (1973), without recursion.
+/// Simplifies a polyline (D. Douglas, T. Peucker, "Algorithms for the reduction of the number of points required to
+/// represent a digitized line or its caricature", 1973), with a stack instead of recursion.
 std::vector<ProfilePoint> simplified(const std::vector<ProfilePoint>& points) {
+    TACTOOTH_ASSERT(points.size() >= 2);
     std::vector<bool> kept(points.size(), false);
     kept.front() = kept.back() = true;
     std::vector<std::pair<std::size_t, std::size_t>> open = {{0, points.size() - 1}};
@@ -112,8 +123,9 @@ std::vector<ProfilePoint> simplified(const std::vector<ProfilePoint>& points) {
     return result;
 }
 
-/// Leaves out shallow dents: each facet of a bur makes one (see above), and where the profile bulges everywhere a sweep
-/// is told apart from its steps with less ado (SweepLanes). As Graham's scan (1972) makes a hull, if no dent is deep.
+/// Removes shallow dents. Each facet of a bur makes one (see above), and a profile without dents makes the sweep faster
+/// (SweepLanes). The method is the scan of R. Graham, "An efficient algorithm for determining the convex hull of a
+/// finite planar set", 1972. Difference: deep dents stay.
 std::vector<ProfilePoint> bridged(const std::vector<ProfilePoint>& points) {
     std::vector<std::size_t> kept;
     const auto isDent = [&](std::size_t before, std::size_t at, std::size_t after) {
@@ -133,13 +145,16 @@ std::vector<ProfilePoint> bridged(const std::vector<ProfilePoint>& points) {
         }
         kept.push_back(i);
     }
+    TACTOOTH_ASSERT(kept.size() >= 2);
+    TACTOOTH_ASSERT(kept.front() == 0 && kept.back() + 1 == points.size());
     std::vector<ProfilePoint> result;
     for (const std::size_t i : kept) result.push_back(points[i]);
     return result;
 }
 
-/// Moves the outer corners out by the error of the simplification, so that the profile holds the mesh again.
+/// Moves the corners outward by the error of the simplification, so that the profile contains the mesh again.
 void inflate(std::vector<ProfilePoint>& profile, bool wasSimplified) {
+    TACTOOTH_ASSERT(profile.size() >= 2);
     if (!wasSimplified) return;
     for (std::size_t i = 1; i + 1 < profile.size(); ++i) profile[i].radius += kSimplification;
     profile.front().z -= kSimplification;
@@ -156,8 +171,9 @@ std::vector<ProfilePoint> revolutionProfile(const TriangleMesh& mesh) {
     double widest = 0;
     for (const Vec3f& vertex : mesh.vertices)
         widest = std::max(widest, std::hypot(double{vertex.x()}, double{vertex.y()}));
-    // A hyperbola of an edge that passes the axis at distance a bends by at most gap^2 / (8 a); edges that come nearer
-    // than a tenth of the widest radius never make the outline of a bur over a whole slab.
+    // The hyperbola of an edge at distance a from the axis deviates from a chord by at most gap^2 / (8 a). Edges nearer
+    // than a tenth of the largest radius never form the outline of a bur over a whole slab.
+    TACTOOTH_ASSERT(std::isfinite(widest));
     const double step = std::sqrt(8 * 0.1 * std::max(widest, 1e-3) * kChordError);
     const std::vector<double> heights = refined(levels, step);
 
@@ -183,6 +199,7 @@ std::vector<ProfilePoint> revolutionProfile(const TriangleMesh& mesh) {
         error = std::max(error, nearest);
     }
     inflate(profile, error > 1e-9);
+    TACTOOTH_ASSERT(profile.front().radius < 1e-9 && profile.back().radius < 1e-9);
     return profile;
 }
 

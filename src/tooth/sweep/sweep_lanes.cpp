@@ -6,19 +6,24 @@
 #include <limits>
 
 #include "collision/narrow/lane_flags.h"
+#include "geometry/util/assert.h"
+
+// The search of swept_envelope.cpp (J. Kelley, "The Cutting-Plane Method for Solving Convex Programs", 1960) for eight
+// points at a time. Difference: single precision, with the segments of the profile that can be nearest to the points of
+// a small cube.
 
 namespace tactooth {
 namespace {
 
-constexpr float kDistanceError = 1e-5F;  ///< mm; where the search for the nearest moment stops
-constexpr int kSearchRounds = 12;        ///< tangent cuts on a unit interval; three are usual
-constexpr double kPlaneError = 1e-5;     ///< mm; more than rounding can take from a plane's distance
-/// mm; nearer than this the offset to a corner of the profile has no direction.
+constexpr float kDistanceError = 1e-5F;  ///< mm; the search for the nearest time stops here
+constexpr int kSearchRounds = 12;        ///< tangent cuts of the unit interval; three are usual
+constexpr double kPlaneError = 1e-5;     ///< mm; exceeds the rounding error of a plane's distance
+/// mm; a shorter offset from a corner of the profile has no direction.
 constexpr float kNoDirection = 1e-6F;
-/// mm; of two pieces that all but go straight on, rounding may take the wrong one for the nearest: by as much as its
-/// square is less than this times the distance, a point can be beyond the end of a piece that it is really beside.
+/// mm. Where two segments are almost collinear, rounding may choose the wrong one as the nearest. Such a point appears
+/// to lie beyond the end of its segment, and the square of that excess is less than this times the distance.
 constexpr float kBesideError = 1e-6F;
-/// Share by which a region is looked at wider: its points are rounded.
+/// Share by which the region is enlarged, since its points are rounded.
 constexpr double kRounding = 1e-6;
 
 Vec3x8 turned(const Vec3x8& direction, const Mat3& rotation) {
@@ -32,7 +37,7 @@ Vec3x8 turned(const Vec3x8& direction, const Mat3& rotation) {
 
 }  // namespace
 
-/// The envelope's distance at eight points of the tool frame.
+/// The distance of the envelope at eight points of the tool frame.
 struct SweepLanes::Profile8 {
     Float8 distance;
     Vec3x8 gradient;
@@ -59,9 +64,16 @@ Vec3x8 SweepLanes::Frame::at(const Vec3x8& place) const {
 SweepLanes::SweepLanes(const SweepStep& step, const Vec3& first, double spacing, double side, double beyond,
                        const SweepStep::MidpointQuery& middle)
     : step_(step), first_(first), spacing_(spacing) {
+    TACTOOTH_ASSERT(first.allFinite());
+    TACTOOTH_ASSERT(std::isfinite(spacing) && spacing > 0);
+    TACTOOTH_ASSERT(side > 0 && beyond >= 0);
+    TACTOOTH_ASSERT(middle.path >= 0);
+    TACTOOTH_ASSERT(std::abs(middle.sample.gradient.squaredNorm() - 1) < 1e-6);
     const double reach = (0.5 * side * std::sqrt(3.0) + beyond) * spacing + middle.path / 2;
     hasPart_ = step.envelope_->findPart(middle.pointInTool, middle.sample.distance, reach * (1 + kRounding), part_);
     searchedParts_ = part_.bulges ? 1 : step.parts_;
+    TACTOOTH_ASSERT(searchedParts_ >= 1);
+    TACTOOTH_ASSERT(!hasPart_ || part_.pieceCount <= static_cast<int>(part_.pieces.size()));
     const auto planeOf = [&](const Vec3& firstInTool, const Mat3& steps) {
         const Vec3& normal = middle.sample.gradient;
         const double distance = middle.sample.distance + normal.dot(firstInTool - middle.pointInTool);
@@ -79,7 +91,7 @@ SweepLanes::SweepLanes(const SweepStep& step, const Vec3& first, double spacing,
     place(step.to_, to_, planeTo_);
 }
 
-/// RevolutionEnvelope::sample for points of the region that `part_` was found for.
+/// RevolutionEnvelope::sample for points of the region of `part_`.
 SweepLanes::Profile8 SweepLanes::sampleProfile(const Vec3x8& point) const {
     const Float8 radius = sqrt(point.x * point.x + point.y * point.y);
     Float8 best = Float8::all(std::numeric_limits<float>::max());
@@ -103,7 +115,7 @@ SweepLanes::Profile8 SweepLanes::sampleProfile(const Vec3x8& point) const {
         sides = whereLess(squared, best, Float8::all(piece.sides), sides);
         best = min(best, squared);
     }
-    // Nearest within a piece, a point lies on the side to which its offset points, and has the piece's normal.
+    // Within a segment, the offset tells the side, and the normal is that of the segment.
     Float8 distance = outside;
     Float8 slopeR = directionZ;
     Float8 slopeZ = zero8() - directionR;
@@ -125,7 +137,7 @@ SweepLanes::Profile8 SweepLanes::sampleProfile(const Vec3x8& point) const {
     return {distance, {choose(onAxis, slopeR, outward * point.x), choose(onAxis, zero8(), outward * point.y), slopeZ}};
 }
 
-/// Where the profile has too many pieces near the cube.
+/// Used where the profile has too many segments near the cube.
 Samples8 SweepLanes::sampleOneByOne(const Vec3x8& place, Float8 atLeast) const {
     float places[3][8];
     float limits[8];
@@ -136,21 +148,23 @@ Samples8 SweepLanes::sampleOneByOne(const Vec3x8& place, Float8 atLeast) const {
     for (int lane = 0; lane < 8; ++lane) {
         const Vec3 point = first_ + spacing_ * Vec3(places[0][lane], places[1][lane], places[2][lane]);
         const FieldSample sample = step_.sample(point, limits[lane]);
+        TACTOOTH_ASSERT(std::isfinite(sample.distance) || std::isinf(limits[lane]));
         distances[lane] = static_cast<float>(sample.distance);
         for (int axis = 0; axis < 3; ++axis) gradients[axis][lane] = static_cast<float>(sample.gradient[axis]);
     }
     return {Float8::load(distances), Vec3x8::load(gradients)};
 }
 
-/// Eight points on their way through a part of the step, and the nearest of what was met so far.
+/// State of the search for eight points in a part of the step.
 struct SweepLanes::Search {
-    Float8 limit;      ///< what a distance must come below to count
-    Float8 time;       ///< of the nearest: 0 at the step's start, 1 at its end
-    Profile8 nearest;  ///< its distance at `limit` where nothing counts
+    Float8 limit;      ///< only smaller distances count
+    Float8 time;       ///< of the nearest point: 0 at the start of the step, 1 at its end
+    Profile8 nearest;  ///< its distance is `limit` while nothing counts
 };
 
-// SweepStep::searchPart, lane by lane: a flag tells which lanes still take part.
+// SweepStep::searchPart for eight lanes. A flag tells which lanes are still searching.
 void SweepLanes::searchPart(const Vec3x8& start, const Vec3x8& end, float first, float last, Search& search) const {
+    TACTOOTH_ASSERT(first >= 0 && first < last && last <= 1);
     const auto take = [&](const Profile8& profile, Float8 time, Float8 flag) {
         const Float8 isBetter = flag * isLess(profile.distance, search.nearest.distance);
         search.nearest.distance = choose(isBetter, profile.distance, search.nearest.distance);
@@ -175,7 +189,7 @@ void SweepLanes::searchPart(const Vec3x8& start, const Vec3x8& end, float first,
     for (int round = 0; round < kSearchRounds && isAny(searching); ++round) {
         const Float8 meeting =
             (rightDistance - leftDistance + leftSlope * a - rightSlope * b) / (leftSlope - rightSlope);
-        const Float8 time = min(max(meeting, a), b);  // all but equal slopes meet where rounding will have it
+        const Float8 time = min(max(meeting, a), b);  // almost equal slopes meet at a place that rounding decides
         const Float8 bound = leftDistance + leftSlope * (time - a);
         searching = searching * isLess(a, time) * isLess(time, b) *
                     isLess(bound + Float8::all(kDistanceError), search.nearest.distance);
@@ -196,6 +210,7 @@ void SweepLanes::searchPart(const Vec3x8& start, const Vec3x8& end, float first,
 }
 
 Samples8 SweepLanes::sample(const Vec3x8& place, Float8 atLeast) const {
+    TACTOOTH_ASSERT((lessEqual(atLeast, atLeast) & 0xFFU) == 0xFFU);  // no lane is NaN
     if (!hasPart_) return sampleOneByOne(place, atLeast);
     const Float8 clearance = Float8::all(static_cast<float>(step_.clearance_));
     const Vec3x8 start = from_.at(place);

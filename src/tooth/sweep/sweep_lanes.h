@@ -7,38 +7,39 @@
 
 namespace tactooth {
 
-/// Eight of SweepStep's samples: distances in mm, unit gradients in the tooth frame.
+/// Eight samples of SweepStep: distances in mm, unit gradients in the tooth frame.
 struct Samples8 {
     Float8 distance;
     Vec3x8 gradient;
 };
 
-/// One step of a sweep as a small cube of lattice nodes sees it: eight points at a time in single precision. Heights
-/// count from the middle of the cube, so that what a float rounds away is below 1e-6 mm.
+/// One step of a sweep, prepared for a small cube of lattice nodes: eight points at a time in single precision. Heights
+/// count from the middle of the cube, so that rounding to floats costs less than 1e-6 mm.
 class SweepLanes {
 public:
-    /// The cube begins at the node at `first` (tooth frame) and is `side` steps of `spacing` wide; points may lie
-    /// `beyond` more steps outside it. The step outlives this. `middle`: the step as seen from the cube's middle.
+    /// The cube begins at the node at `first` (tooth frame) and is `side` steps of `spacing` wide. Points may lie up to
+    /// `beyond` steps outside it. The step must outlive this. `middle` is the query of the step at the middle of the
+    /// cube.
     SweepLanes(const SweepStep& step, const Vec3& first, double spacing, double side, double beyond,
                const SweepStep::MidpointQuery& middle);
     SweepLanes(const SweepStep& step, const Vec3& first, double spacing, double side, double beyond)
         : SweepLanes(step, first, spacing, side, beyond, step.queryFrom(first + Vec3::Constant(0.5 * side * spacing))) {
     }
 
-    /// SweepStep::sample at places within the cube, told in steps from its first node.
+    /// SweepStep::sample at places in the cube, in steps from its first node.
     [[nodiscard]] Samples8 sample(const Vec3x8& place, Float8 atLeast) const;
 
-    /// False if `sample` finds less than `atLeast` at none of the places. Where the envelope bulges, no distance lies
-    /// below the plane that touches it at the middle of the cube.
+    /// False if `sample` finds no distance below `atLeast` at any place. Where the envelope is convex, no distance is
+    /// smaller than that to the tangent plane at the middle of the cube.
     [[nodiscard]] bool mayReach(const Vec3x8& place, Float8 atLeast) const {
         return !part_.bulges || (lessEqual(atLeast, min(planeFrom_.at(place), planeTo_.at(place))) & 0xFFU) != 0xFFU;
     }
 
 private:
-    /// From places in the cube to the tool frame.
+    /// Maps places in the cube to the tool frame.
     struct Frame {
         float first[3];
-        float steps[3][3];  ///< by axis of the tool, then of the lattice
+        float steps[3][3];  ///< by axis of the tool, then axis of the lattice
         [[nodiscard]] Vec3x8 at(const Vec3x8& place) const;
     };
     /// A distance that is linear in the place.
@@ -62,11 +63,11 @@ private:
     double spacing_;
     Frame from_;
     Frame to_;
-    Plane planeFrom_;  ///< at the start of the step and at its end
+    Plane planeFrom_;  ///< at the start and at the end of the step
     Plane planeTo_;
     ProfilePart part_;
     bool hasPart_;
-    int searchedParts_;  ///< one where the distance is convex along the whole step
+    int searchedParts_;  ///< 1 if the distance is convex along the whole step
 };
 
 }  // namespace tactooth

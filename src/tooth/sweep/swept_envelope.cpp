@@ -4,16 +4,24 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "geometry/util/assert.h"
 
 namespace tactooth {
 namespace {
 
-constexpr double kStraightness = 1e-4;   ///< mm; sagitta of a turning point's arc within one step
-constexpr double kDistanceError = 1e-5;  ///< mm; where the search for the nearest moment stops
-constexpr int kSearchRounds = 12;        ///< tangent cuts on a unit interval; three are usual
-constexpr int kMaxParts = 4;             ///< of a step: one that goes farther comes near much that it does not reach
+constexpr double kStraightness = 1e-4;   ///< mm; sagitta of the arc of a rotating point within one step
+constexpr double kDistanceError = 1e-5;  ///< mm; the search for the nearest time stops here
+constexpr int kSearchRounds = 12;        ///< tangent cuts of the unit interval; three are usual
+constexpr double kUnitTolerance = 1e-4;  ///< of the squared length of a quaternion; files round it
+constexpr int kMaxParts = 4;             ///< of a step; a longer step comes near many bricks that it does not reach
 
-/// Farthest that a point of the bur (a cylinder about its axis) moves between two poses.
+bool isPose(const Pose& pose) {
+    return pose.position.allFinite() && std::abs(pose.rotation.squaredNorm() - 1) < kUnitTolerance;
+}
+
+/// Upper bound of the displacement of a point of the bur (a cylinder about its axis) between two poses.
 double travelBetween(const RevolutionEnvelope& envelope, const Pose& from, const Pose& to) {
     const double angle = from.rotation.angularDistance(to.rotation);
     const auto axisTravel = [&](double z) { return (to * Vec3(0, 0, z) - from * Vec3(0, 0, z)).norm(); };
@@ -40,6 +48,9 @@ SweepStep::SweepStep(const RevolutionEnvelope& envelope, const Pose& fromInTooth
       clearance_(clearance),
       travel_(travelBetween(envelope, fromInTooth, toInTooth)),
       parts_(parts) {
+    TACTOOTH_ASSERT(isPose(fromInTooth) && isPose(toInTooth));
+    TACTOOTH_ASSERT(std::isfinite(clearance) && clearance >= 0);
+    TACTOOTH_ASSERT(parts >= 1);
     const auto place = [](const Pose& pose) {
         const Mat3 rotation = pose.rotation.toRotationMatrix();
         return Placed{rotation, rotation.transpose(), pose.position};
@@ -47,13 +58,17 @@ SweepStep::SweepStep(const RevolutionEnvelope& envelope, const Pose& fromInTooth
     from_ = place(fromInTooth);
     to_ = place(toInTooth);
     box_ = boxAt(envelope, fromInTooth, clearance).merged(boxAt(envelope, toInTooth, clearance));
+    TACTOOTH_ASSERT(!box_.isEmpty());
+    TACTOOTH_ASSERT(std::isfinite(travel_));
 }
 
-// Along the straight path q(s), s in [0, 1], f(s) = distance(q(s)) is convex for a convex envelope: no tangent lies
-// above it, and two tangents meet below the minimum (Kelley's cutting planes on an interval): look where they meet,
-// keep the side that falls.
+// Source: J. Kelley, "The Cutting-Plane Method for Solving Convex Programs", 1960, here on an interval. Along the
+// straight path q(s), s in [0, 1], f(s) = distance(q(s)) is convex for a convex envelope. No tangent lies above f, and
+// two tangents meet below the minimum. The search samples f where they meet and keeps the side on which f decreases.
 void SweepStep::searchPart(const Vec3& start, const Vec3& end, double first, double last, double limit,
                            Nearest& best) const {
+    TACTOOTH_ASSERT(first >= 0 && first < last && last <= 1);
+    TACTOOTH_ASSERT(best.sample.distance <= limit);
     const auto take = [&](const FieldSample& sample, double time) {
         if (sample.distance < best.sample.distance) best = {sample, first + time * (last - first)};
     };
@@ -85,6 +100,8 @@ void SweepStep::searchPart(const Vec3& start, const Vec3& end, double first, dou
 }
 
 FieldSample SweepStep::sample(const Vec3& point, double atLeast) const {
+    TACTOOTH_ASSERT(point.allFinite());
+    TACTOOTH_ASSERT(!std::isnan(atLeast));
     const double limit = atLeast + clearance_;
     Nearest best{{limit, Vec3::UnitZ()}, 1};
     const Vec3 start = from_.toTool(point);
@@ -96,17 +113,21 @@ FieldSample SweepStep::sample(const Vec3& point, double atLeast) const {
             searchPart(start + first * (end - start), start + last * (end - start), first, last, limit, best);
         }
     }
+    TACTOOTH_ASSERT(best.time >= 0 && best.time <= 1);
     const Placed& nearest = best.time < 0.5 ? from_ : to_;
     return {best.sample.distance - clearance_, nearest.toothFromTool * best.sample.gradient};
 }
 
 std::vector<SweepStep> sweepSteps(const RevolutionEnvelope& envelope, const Pose& fromInTooth, const Pose& toInTooth,
                                   double clearance, double longest) {
+    TACTOOTH_ASSERT(isPose(fromInTooth) && isPose(toInTooth));
+    TACTOOTH_ASSERT(std::isfinite(longest) && longest > 0);
     const double length = std::max(std::abs(envelope.bottom()), std::abs(envelope.top())) + envelope.maxRadius();
     const double largestTurn = std::sqrt(8 * kStraightness / length);
     const double travel = travelBetween(envelope, fromInTooth, toInTooth);
     const double angle = fromInTooth.rotation.angularDistance(toInTooth.rotation);
     const double shares = std::max(travel / (kMaxParts * longest), angle / largestTurn);
+    TACTOOTH_ASSERT(shares >= 0 && shares < std::numeric_limits<int>::max());
     const int count = std::max(1, static_cast<int>(std::ceil(shares)));
     const int parts = std::max(1, static_cast<int>(std::ceil(travel / count / longest)));
     const auto at = [&](int i) {

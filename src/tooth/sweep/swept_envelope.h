@@ -2,37 +2,42 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <vector>
 
+#include "geometry/util/assert.h"
 #include "tooth/sweep/revolution_envelope.h"
 
 namespace tactooth {
 
-/// One short piece of a bur's motion, seen from the bur: within it a point of the tooth moves on a straight line of the
+/// One short step of a bur's motion, seen from the bur. Within it a point of the tooth moves on a straight line of the
 /// tool frame.
 class SweepStep {
 public:
-    /// `parts`: in how many equal ones the step is searched for its nearest time where the envelope has dents.
+    /// Poses are finite with unit rotations. `clearance` (mm) is not negative. `parts`: number of equal parts that are
+    /// searched for the nearest time where the envelope has dents.
     SweepStep(const RevolutionEnvelope& envelope, const Pose& fromInTooth, const Pose& toInTooth, double clearance,
               int parts = 1);
 
-    /// Distance from a point of the tooth frame to the region swept, with its gradient. Exact for an envelope whose
-    /// distance is convex along each part (every convex bur); else too large by at most half a part's length.
-    /// Once the distance is known to be `atLeast` or more, that lower bound is returned instead.
+    /// Distance from a point of the tooth frame to the swept region, with its gradient. It is exact for an envelope
+    /// whose distance is convex along each part (every convex bur). Else it is too large by at most half the length of
+    /// a part. Where the distance is `atLeast` or more, returns that lower bound.
     [[nodiscard]] FieldSample sample(const Vec3& point, double atLeast) const;
 
-    /// One look at the profile, from the middle of a point's way.
+    /// One sample of the profile at the middle of a point's path.
     struct MidpointQuery {
         Vec3 pointInTool;
         FieldSample sample;  ///< in the tool frame
-        double path;         ///< of the point in the tool frame during the step, mm
+        double path;         ///< length of the point's path in the tool frame during the step, mm
     };
     [[nodiscard]] MidpointQuery queryFrom(const Vec3& point) const {
+        TACTOOTH_ASSERT(point.allFinite());
         const auto [middle, path] = pathOf(point);
         return {middle, envelope_->sample(middle), path};
     }
     /// Lower bound of `sample` from such a query.
     [[nodiscard]] double lowerBound(const MidpointQuery& query) const {
+        TACTOOTH_ASSERT(query.path >= 0 && !std::isnan(query.sample.distance));
         return query.sample.distance - query.path / 2 - clearance_;
     }
     [[nodiscard]] double lowerBound(const Vec3& point) const {
@@ -40,10 +45,10 @@ public:
         return envelope_->signedDistance(middle) - path / 2 - clearance_;
     }
 
-    /// No point of the bur moves farther, mm.
+    /// Upper bound of the displacement of all points of the bur, mm.
     [[nodiscard]] double travel() const { return travel_; }
 
-    /// What the step can have swept, in the tooth frame.
+    /// A box that holds the region that the step sweeps, tooth frame.
     [[nodiscard]] const Box3& box() const { return box_; }
 
 private:
@@ -78,9 +83,9 @@ private:
     Box3 box_;
 };
 
-/// The motion of a bur from one pose to another, translation and rotation, cut into steps short enough: with so little
-/// turning that a straight path in the tool frame is true to 0.1 um, and a few times `longest` mm of travel at most,
-/// each searched in parts no longer than that.
+/// Divides the motion of a bur between two poses, translation and rotation, into steps. The rotation of a step is so
+/// small that a straight path in the tool frame is exact to 0.1 um. A step travels at most a few times `longest` (mm)
+/// and is searched in parts that are no longer than that.
 [[nodiscard]] std::vector<SweepStep> sweepSteps(const RevolutionEnvelope& envelope, const Pose& fromInTooth,
                                                 const Pose& toInTooth, double clearance, double longest);
 

@@ -4,28 +4,34 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <limits>
 #include <span>
 
 #include "collision/narrow/lane_flags.h"
+#include "geometry/util/assert.h"
 #include "tooth/volume/brick_sweep.h"
 #include "tooth/volume/voxel_fraction.h"
+
+// Own method. A sweep lowers the cut field of a node to its signed distance to the swept steps if that is smaller (a
+// union of regions). The removed volume is the change of the volume fractions of the nodes' voxels
+// (voxel_fraction.cpp), which counts below the size of a voxel. Eight nodes are processed at a time.
 
 namespace tactooth {
 namespace {
 
-/// mm; a smaller change of the cut field is rounding (of a wall that a bur passes along), not cutting.
+/// mm. A smaller change of the cut field is rounding at a wall that a bur passes along.
 constexpr float kLeastChange = 2e-5F;
 
-/// mm; a node that lies no deeper in what a bur sweeps stays solid. On a wall that runs through nodes the sign is only
-/// rounding: each node would choose for itself, and pockets shallower than a float resolves would fold the wall onto
-/// itself. As exact as an envelope's distance to a sweep; ten steps of a float at 10 mm.
+/// mm. A node that lies no deeper in the swept region stays solid. On a wall through nodes the sign is only rounding:
+/// each node would decide for itself, and pockets too shallow for a float would fold the wall. The value is the error
+/// of an envelope's distance to a sweep, and ten steps of a float at 10 mm.
 constexpr float kLeastDepth = 1e-5F;
 
-/// Voxels; half the diagonal of a unit cube: no plane farther from a node than this cuts its voxel.
+/// Voxels. Half the diagonal of a unit cube: a plane farther from a node does not cut its voxel.
 constexpr double kVoxelReach = 0.8660254037844386;
 
-/// Nodes of a brick that a move lowers, seldom more.
+/// Usual upper limit of the nodes of a brick that a move lowers.
 constexpr std::size_t kUsuallyLowered = 256;
 
 using CutSample = BrickRemoval::Sample;
@@ -43,15 +49,17 @@ float highestCut(const Brick& brick, int block) {
     return std::max(std::max(highest[0], highest[1]), std::max(highest[2], highest[3]));
 }
 
-/// Shares of nodes' voxels that lie in the tooth and, with samples of the cut field, in the removed region. Most
-/// voxels are cut by no border or by that of the removed region alone: these are counted four at a time.
+/// The volume fractions of nodes' voxels that lie in the tooth and in the removed region. Most voxels are cut by no
+/// boundary, or only by that of the removed region. These are computed four at a time.
 class RemovedFractions {
 public:
     RemovedFractions(const Brick& brick, double spacing)
         : brick_(brick), spacing_(spacing), reach_(kVoxelReach * spacing) {}
 
-    /// Puts the share of a sample's voxel into `share`, sooner or later: see `finish`.
+    /// Writes the fraction of a sample's voxel into `share`, at the latest in `finish`.
     void find(std::uint16_t node, float cut, OctahedralNormal normal, double& share) {
+        TACTOOTH_ASSERT(node < kBrickNodes);
+        TACTOOTH_ASSERT(!std::isnan(cut));
         const float tooth = brick_.tooth[node];
         share = 0;
         if (cut >= reach_ || tooth >= reach_) return;
@@ -67,9 +75,10 @@ public:
             if (++count_ == 4) finish();
         }
     }
-    /// Those that are not yet found.
+    /// Computes the fractions that are still waiting.
     void finish() {
         const Eigen::Array4d found = cubeFractions(distances_, OctahedralNormal::absComponentsOf(normals_));
+        TACTOOTH_ASSERT(count_ <= 4 && (found >= 0).all());
         for (int i = 0; i < count_; ++i) *shares_[i] = found[i];
         count_ = 0;
     }
@@ -84,8 +93,9 @@ private:
     std::array<double*, 4> shares_{};
 };
 
-/// Adds a node's share of its voxel to the volumes of the materials in it.
-void book(const Brick& brick, std::uint16_t node, double share, double spacing, MaterialVolumes& volumes) {
+/// Adds a share of a node's voxel to the volumes of its materials.
+void addShare(const Brick& brick, std::uint16_t node, double share, double spacing, MaterialVolumes& volumes) {
+    TACTOOTH_ASSERT(std::abs(share) <= 1);
     const double volume = share * spacing * spacing * spacing;
     double& mine = volumes[static_cast<std::size_t>(brick.material[node])];
     if (brick.neighbourFraction[node] == 0) {
@@ -97,8 +107,9 @@ void book(const Brick& brick, std::uint16_t node, double share, double spacing, 
     volumes[static_cast<std::size_t>(brick.neighbour[node])] += beyond;
 }
 
-/// What lowering the cut field of these nodes removes.
+/// The volumes that lowering the cut field of these nodes removes.
 MaterialVolumes volumesOf(const Brick& brick, std::span<const CutSample> lowered, double spacing) {
+    TACTOOTH_ASSERT(lowered.size() <= kBrickNodes);
     std::array<double, kBrickNodes> before, after;
     RemovedFractions shares(brick, spacing);
     for (std::size_t i = 0; i < lowered.size(); ++i) {
@@ -109,25 +120,28 @@ MaterialVolumes volumesOf(const Brick& brick, std::span<const CutSample> lowered
     shares.finish();
     MaterialVolumes volumes{};
     for (std::size_t i = 0; i < lowered.size(); ++i) {
-        book(brick, lowered[i].node, after[i] - before[i], spacing, volumes);
+        addShare(brick, lowered[i].node, after[i] - before[i], spacing, volumes);
     }
     return volumes;
 }
 
-/// Eight nodes of one block, and what a sweep lowers their cut field to.
+/// Eight nodes of one block, and the values to which a sweep lowers their cut field.
 class LoweredNodes8 {
 public:
-    /// Nodes 8 `eight` .. 8 `eight` + 7 of a block. A node counts as lowered if a step comes below what it has and
-    /// `band` (mm), unless it has -`band` already.
+    /// Nodes 8 `eight` .. 8 `eight` + 7 of a block. A step lowers a node if its distance is less than the node's value
+    /// and less than `band` (mm). A node with the value -`band` cannot be lowered.
     LoweredNodes8(const Brick& brick, int block, int eight, float band) {
+        TACTOOTH_ASSERT(band > 0);
         const int first = nodeOfBlock(block, 8 * eight);
         for (int lane = 0; lane < 8; ++lane) node_[lane] = static_cast<std::uint16_t>(first + kLaneNode[lane]);
         place_ = {Float8::load(kLaneX), Float8::load(kLaneY) + Float8::all(static_cast<float>(2 * (eight & 1))),
                   Float8::all(static_cast<float>(eight >> 1))};
         limit_ = limitOf(Float8::load(&brick.cut[node_[0]], &brick.cut[node_[4]]), band);
     }
-    /// The same for any nodes of one block, eight at most.
+    /// The same for one to eight nodes of one block.
     LoweredNodes8(const Brick& brick, std::span<const std::uint16_t> nodes, float band) {
+        TACTOOTH_ASSERT(!nodes.empty() && nodes.size() <= 8);
+        TACTOOTH_ASSERT(band > 0);
         float place[3][8] = {};
         float cut[8];
         std::fill_n(cut, 8, -band);
@@ -153,7 +167,7 @@ public:
         limit_ = choose(isLower, withoutRounding(samples.distance), limit_);
     }
 
-    /// Calls `visit(sample)` for each node that was lowered; the cut field ends at -`band` (mm).
+    /// Calls `visit(sample)` for each lowered node. Values are clamped at -`band` (mm).
     template <class Visit>
     void forEachLowered(float band, const Visit& visit) const {
         if (lowered_ == 0) return;
@@ -177,7 +191,7 @@ private:
 
     std::array<std::uint16_t, 8> node_{};
     Vec3x8 place_;  ///< in steps from the block's first node
-    Float8 limit_;  ///< what a step must come below to count: its distance, once one has
+    Float8 limit_;  ///< a distance must be below it to count; the least distance so far
     Vec3x8 gradient_ = Vec3x8::all(0, 0, 0);
     std::uint32_t lowered_ = 0;
 };
@@ -193,7 +207,7 @@ BrickRemoval removableFromBrick(const Brick& brick, const BrickKey& key, const L
     BrickSweep sweep(key, lattice, steps, band);
     for (int block = 0; block < kBlocks && !sweep.isClear(); ++block) {
         const float highest = highestCut(brick, block);
-        if (highest <= -band) continue;  // nothing more to lose
+        if (highest <= -band) continue;  // cannot be lowered any more
         const std::vector<SweepLanes>& near = sweep.nearNodes(block, highest);
         if (near.empty()) continue;
         if (result.lowered.empty()) result.lowered.reserve(kUsuallyLowered);
@@ -215,6 +229,7 @@ BrickRemoval removableFromNodes(const Brick& brick, const BrickRemoval& whole, c
     result.key = whole.key;
     BrickSweep sweep(whole.key, lattice, steps, band);
     if (sweep.isClear()) return result;
+    TACTOOTH_ASSERT(whole.lowered.size() <= kBrickNodes);
     for (auto most = whole.lowered.begin(); most != whole.lowered.end();) {
         const int block = blockOf(most->node);
         const std::vector<SweepLanes>& near = sweep.nearNodes(block, band);
@@ -234,12 +249,15 @@ BrickRemoval removableFromNodes(const Brick& brick, const BrickRemoval& whole, c
 }
 
 ChangedBrick carveBrick(Brick& brick, const BrickRemoval& found, std::uint64_t carve) {
+    TACTOOTH_ASSERT(carve > brick.lastCarve);
+    TACTOOTH_ASSERT(found.lowered.size() <= kBrickNodes);
     ChangedBrick changed{found.key};
     brick.lastCarve = carve;
     brick.lowered.reset();
     brick.opened.reset();
     for (const CutSample& lowered : found.lowered) {
         const int node = lowered.node;
+        TACTOOTH_ASSERT(lowered.distance < brick.cut[node]);
         brick.lowered.set(node);
         if (brick.cut[node] >= 0 && lowered.distance < 0) {
             brick.opened.set(node);
@@ -254,6 +272,7 @@ ChangedBrick carveBrick(Brick& brick, const BrickRemoval& found, std::uint64_t c
 }
 
 MaterialVolumes removedFromBrick(const Brick& brick, double spacing) {
+    TACTOOTH_ASSERT(std::isfinite(spacing) && spacing > 0);
     std::array<double, kBrickNodes> share;
     RemovedFractions shares(brick, spacing);
     for (std::uint16_t node = 0; node < kBrickNodes; ++node) {
@@ -261,7 +280,7 @@ MaterialVolumes removedFromBrick(const Brick& brick, double spacing) {
     }
     shares.finish();
     MaterialVolumes volumes{};
-    for (std::uint16_t node = 0; node < kBrickNodes; ++node) book(brick, node, share[node], spacing, volumes);
+    for (std::uint16_t node = 0; node < kBrickNodes; ++node) addShare(brick, node, share[node], spacing, volumes);
     return volumes;
 }
 

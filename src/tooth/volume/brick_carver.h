@@ -2,23 +2,28 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
-#include "tooth/volume/cut_volume.h"
+#include "tooth/volume/brick.h"
+#include "tooth/volume/changed_brick.h"
+#include "tooth/volume/lattice.h"
+#include "tooth/volume/planned_removal.h"
 
 namespace tactooth {
 
-/// Finds what lowering the cut field of `brick` to the distance to the swept steps would do. Changes nothing.
+/// Finds what lowering the cut field of `brick` to the distance from the swept steps would remove. Changes nothing.
 [[nodiscard]] BrickRemoval removableFromBrick(const Brick& brick, const BrickKey& key, const Lattice& lattice,
                                               const std::vector<SweepStep>& steps);
-/// The same for steps that reach no other nodes than those found for `whole`.
+/// The same for steps that reach no nodes other than those of `whole`.
 [[nodiscard]] BrickRemoval removableFromNodes(const Brick& brick, const BrickRemoval& whole, const Lattice& lattice,
                                               const std::vector<SweepStep>& steps);
 
-/// Does what was found. `carve` numbers the whole carve. Returns which nodes it has removed.
+/// Lowers the cut field as `found` says. `carve` is the number of the carve; it is higher than that of the brick's last
+/// carve. Returns which nodes were removed.
 [[nodiscard]] ChangedBrick carveBrick(Brick& brick, const BrickRemoval& found, std::uint64_t carve);
 
-/// What has been removed from the tooth within one brick.
+/// The volumes removed from the tooth within one brick, mm^3. `spacing` in mm.
 [[nodiscard]] MaterialVolumes removedFromBrick(const Brick& brick, double spacing);
 
 }  // namespace tactooth

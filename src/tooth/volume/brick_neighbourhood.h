@@ -4,14 +4,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 
+#include "geometry/util/assert.h"
 #include "tooth/volume/brick_map.h"
 
 namespace tactooth {
 
-/// A brick among its neighbours: its nodes and those of one layer around it, local places -1 .. 8 on each axis. A
-/// missing neighbour counts as untouched (its side of the tooth does not matter).
+/// The nodes of a brick and one layer of nodes around it, with local positions -1 .. 8 on each axis. An absent
+/// neighbour counts as untouched; its side of the tooth does not matter.
 class BrickNeighbourhood {
 public:
     static constexpr int kSide = kBrickSide + 2;
@@ -20,22 +22,38 @@ public:
 
     BrickNeighbourhood(const BrickMap& bricks, const BrickKey& key, double spacing)
         : near_(bricks.around(key)), clear_(static_cast<float>(kToothBand * spacing)) {
+        TACTOOTH_ASSERT(std::isfinite(spacing) && spacing > 0);
         findRemoved();
     }
 
-    /// The number of a node here.
-    [[nodiscard]] static constexpr int index(int x, int y, int z) { return x + 1 + kSide * (y + 1 + kSide * (z + 1)); }
+    /// The number of a node in the neighbourhood.
+    [[nodiscard]] static constexpr int index(int x, int y, int z) {
+        TACTOOTH_ASSERT(x >= -1 && x <= kBrickSide);
+        TACTOOTH_ASSERT(y >= -1 && y <= kBrickSide);
+        TACTOOTH_ASSERT(z >= -1 && z <= kBrickSide);
+        return x + 1 + kSide * (y + 1 + kSide * (z + 1));
+    }
     [[nodiscard]] static constexpr Place placeOf(int node) {
+        TACTOOTH_ASSERT(node >= 0 && node < kNodes);
         return {node % kSide - 1, node / kSide % kSide - 1, node / (kSide * kSide) - 1};
     }
-    /// From a node's number to that of the next one on an axis.
+    /// Step from a node's number to that of the next node on an axis.
     static constexpr std::array<int, 3> kStep = {1, kSide, kSide* kSide};
 
-    /// Which nodes of a row along x are removed: bit x + 1 for x from -1 to 8.
-    [[nodiscard]] unsigned removedRow(int y, int z) const { return removed_[y + 1 + kSide * (z + 1)]; }
-    [[nodiscard]] bool isRemoved(int node) const { return (removed_[node / kSide] >> node % kSide & 1) != 0; }
-    /// Which corners of the cell that begins at a node are removed: bit x + 2 y + 4 z.
+    /// The removed nodes of a row along x: bit x + 1 for x from -1 to 8.
+    [[nodiscard]] unsigned removedRow(int y, int z) const {
+        TACTOOTH_ASSERT(y >= -1 && y <= kBrickSide);
+        TACTOOTH_ASSERT(z >= -1 && z <= kBrickSide);
+        return removed_[y + 1 + kSide * (z + 1)];
+    }
+    [[nodiscard]] bool isRemoved(int node) const {
+        TACTOOTH_ASSERT(node >= 0 && node < kNodes);
+        return (removed_[node / kSide] >> node % kSide & 1) != 0;
+    }
+    /// The removed corners of the cell that begins at a node: bit x + 2 y + 4 z.
     [[nodiscard]] unsigned removedCorners(int cell) const {
+        TACTOOTH_ASSERT(cell >= 0 && cell + kStep[0] + kStep[1] + kStep[2] < kNodes);
+        TACTOOTH_ASSERT(cell % kSide != kSide - 1);
         const std::uint16_t* const row = &removed_[cell / kSide];
         const int x = cell % kSide;
         const auto pair = [&](int step) { return static_cast<unsigned>(row[step]) >> x & 3U; };
@@ -46,9 +64,11 @@ public:
     /// ... and others are not.
     [[nodiscard]] bool hasBoundary() const { return hasBoundary_; }
 
-    /// Where the border of the removed region crosses the lattice edge from a node to the next on `axis`. One of the
-    /// two is removed, and both lie in bricks that exist.
+    /// The crossing of the boundary with the lattice edge from a node to the next one on `axis`. Exactly one of the two
+    /// nodes is removed.
     [[nodiscard]] HermiteSample boundary(int node, int axis) const {
+        TACTOOTH_ASSERT(axis >= 0 && axis < 3);
+        TACTOOTH_ASSERT(isRemoved(node) != isRemoved(node + kStep[axis]));
         const auto [brick, place] = find(node);
         return brick != nullptr ? brick->boundary[axis][place]
                                 : HermiteSample{0.5F, OctahedralNormal(Vec3::Unit(axis))};
@@ -57,12 +77,12 @@ public:
         const auto [brick, place] = find(node);
         return brick != nullptr ? brick->material[place] : MaterialId{};
     }
-    /// Distance to the tooth's surface, mm.
+    /// Signed distance to the tooth's surface, mm.
     [[nodiscard]] float tooth(int node) const {
         const auto [brick, place] = find(node);
         return brick != nullptr ? brick->tooth[place] : clear_;
     }
-    /// The distances of a row along x from 0 to 8; each tells bit x + 1, as in `removedRow`.
+    /// The distances of a row along x from 0 to 8. Masks use bit x + 1, as in `removedRow`.
     struct ToothRow {
         Float8 first;
         float last;
@@ -82,8 +102,10 @@ public:
             brick != nullptr ? Float8::load(&brick->tooth[nodeIndex(0, local(y), local(z))]) : Float8::all(clear_);
         return {first, tooth(index(kBrickSide, y, z))};
     }
-    /// Whether all nodes of the brick and the next ones on each axis are known to lie farther within the tooth, mm.
+    /// Whether all nodes of the brick and the next ones on each axis lie deeper than `depth` (mm) within the tooth.
+    /// False if that is unknown.
     [[nodiscard]] bool isDeeperThan(float depth) const {
+        TACTOOTH_ASSERT(depth >= 0);
         const auto isDeep = [&](int i) { return near_[i] != nullptr && near_[i]->maxToothDistance < -depth; };
         return isDeep(13) && isDeep(14) && isDeep(16) && isDeep(22);
     }
@@ -92,7 +114,7 @@ private:
     static constexpr int part(int place) { return place < 0 ? 0 : place < kBrickSide ? 1 : 2; }
     static constexpr int local(int place) { return place & (kBrickSide - 1); }
 
-    /// Where a node is kept: which of the bricks, and its place there.
+    /// Where a node is stored: the brick and the index in it.
     struct Kept {
         std::uint16_t brick;
         std::uint16_t place;
@@ -126,7 +148,7 @@ private:
         hasRemoved_ = some != 0;
         hasBoundary_ = hasRemoved_ && every != kAll;
     }
-    /// The rows from `y` on of three bricks side by side.
+    /// Reads the rows from `y` on of three bricks side by side.
     static void readRows(const Brick* const* bricks, int y, int count, int z, std::uint16_t* rows) {
         const auto layerOf = [&](int i) {
             return bricks[i] != nullptr ? bricks[i]->removed.layer(z) >> kBrickSide * y : 0;
@@ -149,6 +171,7 @@ private:
 
 inline BrickNeighbourhood::Found BrickNeighbourhood::find(int node) const {
     static constexpr std::array<Kept, kNodes> kKept = allKept();
+    TACTOOTH_ASSERT(node >= 0 && node < kNodes);
     return {near_[kKept[node].brick], kKept[node].place};
 }
 

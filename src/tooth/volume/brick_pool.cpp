@@ -3,21 +3,25 @@
 #include "tooth/volume/brick_pool.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "geometry/util/assert.h"
 #include "tooth/volume/brick_sampler.h"
 
 namespace tactooth {
 namespace {
 
-constexpr double kAhead = 12;              // voxels: at 25 um a bur of 10 mm/s needs 30 ms for it
-constexpr std::size_t kAtOnce = 16;        // bricks, less than a millisecond: then the bur is looked at again
-constexpr std::size_t kMaxSampled = 4096;  // bricks, 90 MB: of more, what the bur has left behind is given up
+constexpr double kPrefetchReach = 12;      // voxels; at 25 um a bur at 10 mm/s needs 30 ms for this
+constexpr std::size_t kBatch = 16;         // bricks, less than a millisecond; then the bur's pose is read again
+constexpr std::size_t kMaxSampled = 4096;  // bricks, 90 MB; beyond this, bricks behind the bur are dropped
 
 }  // namespace
 
 std::vector<BrickKey> bricksInReach(const LayeredTooth& tooth, const Lattice& lattice,
                                     const std::vector<SweepStep>& steps, double reach) {
+    TACTOOTH_ASSERT(!steps.empty());
+    TACTOOTH_ASSERT(std::isfinite(reach) && reach >= 0);
     const double toCentre = lattice.halfDiagonal() + reach;
     const Vec3 toothMargin = Vec3::Constant(kToothBand * lattice.spacing());
     Box3 swept;
@@ -26,7 +30,7 @@ std::vector<BrickKey> bricksInReach(const LayeredTooth& tooth, const Lattice& la
     const Box3 common = Box3(swept.min() - Vec3::Constant(reach), swept.max() + Vec3::Constant(reach))
                             .intersection(Box3(outer.min() - toothMargin, outer.max() + toothMargin));
     if (common.isEmpty()) return {};
-    double earlier = 0;  // travel before the last step, mm: one look from there leaves out most bricks
+    double earlier = 0;  // travel before the last step, mm: one query at the last step excludes most bricks
     for (std::size_t i = 0; i + 1 < steps.size(); ++i) earlier += steps[i].travel();
     std::vector<BrickKey> keys = lattice.bricksTouching(common);
     std::erase_if(keys, [&](const BrickKey& key) {
@@ -38,10 +42,11 @@ std::vector<BrickKey> bricksInReach(const LayeredTooth& tooth, const Lattice& la
     return keys;
 }
 
-/// Some of those that are neither made nor taken, the nearest first.
+/// The nearest bricks that are neither made nor taken, at most kBatch.
 std::vector<BrickKey> BrickPool::wanted(const RevolutionEnvelope& envelope, const Pose& toolInTooth) {
     const std::vector<SweepStep> here = {SweepStep(envelope, toolInTooth, toolInTooth, 0)};
-    std::vector<BrickKey> keys = bricksInReach(*tooth_, lattice_, here, (kCutBand + kAhead) * lattice_.spacing());
+    std::vector<BrickKey> keys =
+        bricksInReach(*tooth_, lattice_, here, (kCutBand + kPrefetchReach) * lattice_.spacing());
     {
         const std::lock_guard lock(mutex_);
         if (made_.size() >= kMaxSampled) {
@@ -52,10 +57,11 @@ std::vector<BrickKey> BrickPool::wanted(const RevolutionEnvelope& envelope, cons
     }
     std::vector<std::pair<double, BrickKey>> byDistance;
     for (const BrickKey& key : keys) byDistance.emplace_back(here.front().lowerBound(lattice_.centre(key)), key);
-    const std::size_t count = std::min(kAtOnce, keys.size());
+    const std::size_t count = std::min(kBatch, keys.size());
     std::partial_sort(byDistance.begin(), byDistance.begin() + static_cast<std::ptrdiff_t>(count), byDistance.end());
     keys.resize(count);
     for (std::size_t i = 0; i < count; ++i) keys[i] = byDistance[i].second;
+    TACTOOTH_ASSERT(keys.size() <= kBatch);
     return keys;
 }
 
@@ -65,6 +71,7 @@ std::size_t BrickPool::makeAround(const RevolutionEnvelope& envelope, const Pose
         std::unique_ptr<Brick> brick = sampleBrick(*tooth_, lattice_, key);
         const std::lock_guard lock(mutex_);
         if (!taken_.contains(key)) made_.insert_or_assign(key, std::move(brick));
+        TACTOOTH_ASSERT(made_.size() < kMaxSampled + kBatch);
     }
     return keys.size();
 }
@@ -85,6 +92,18 @@ std::vector<std::optional<std::unique_ptr<Brick>>> BrickPool::take(const std::ve
 void BrickPool::forgetTaken() {
     const std::lock_guard lock(mutex_);
     taken_.clear();
+}
+
+void BrickPool::validate() {
+    const std::lock_guard lock(mutex_);
+    TACTOOTH_ASSERT(made_.size() < kMaxSampled + kBatch);
+    for (const auto& [key, brick] : made_) {
+        TACTOOTH_ASSERT(key.isInRange());
+        TACTOOTH_ASSERT(!taken_.contains(key));
+        if (brick == nullptr) continue;
+        TACTOOTH_ASSERT(!brick->isCut);
+        brick->validate(lattice_.spacing());
+    }
 }
 
 }  // namespace tactooth

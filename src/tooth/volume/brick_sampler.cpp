@@ -7,33 +7,39 @@
 
 #include "collision/bvh/closest_point.h"
 #include "collision/narrow/triangle_point.h"
+#include "geometry/util/assert.h"
 #include "tooth/model/leaf_cache.h"
 #include "tooth/volume/voxel_fraction.h"
+
+// Own method. The exact distances come from nearest-point queries to the triangles near the brick (LeafCache). The
+// normal of the nearest face or the neighbouring node gives the sign; a ray test decides the rest.
 
 namespace tactooth {
 namespace {
 
-/// A brick whose nodes are all this many voxels outside the tooth is left out. A wall triangle that is kept starts at a
-/// node within 2.2, and its vertices take in crossings of cells that reach sqrt(3) farther.
+/// Voxels. A brick whose nodes are all farther outside the tooth is absent. A wall triangle that is kept starts at a
+/// node within 2.2, and its vertices use crossings of cells that reach sqrt(3) farther.
 constexpr double kAirMargin = 3.95;
-/// How far a layer's distance is followed, in voxels: enough to name the nearest layer beside a narrow gap.
+/// Voxels. Band of a layer's distance: wide enough to find the nearest layer beside a narrow gap.
 constexpr double kLayerBand = 2.0;
-/// Cosine above which the way to the nearest point counts as that face's normal, which then tells the side.
+/// If the cosine between the offset from the nearest point and the normal of its face exceeds this, the normal tells
+/// the side.
 constexpr double kAlongNormal = 1 - 1e-7;
-/// mm; nearer than this the way to the surface has no direction.
+/// mm; a shorter offset from the surface has no direction.
 constexpr double kOnSurface = 1e-6;
 
 struct SignedField {
     std::array<float, kBrickNodes> distance;
     std::array<OctahedralNormal, kBrickNodes> gradient;
-    bool uniform = false;  ///< the surface is farther than the band from every node
+    bool uniform = false;  ///< the surface is beyond the band at every node
 };
 
-/// Walks over the nodes of one brick so that each stands beside the one before it: two distances that sum to
-/// more than the step between their nodes belong to the same side, which saves most inside tests.
+/// Computes the signed distances at the nodes of one brick. It visits the nodes so that each one is next to the one
+/// before. If two distances sum to more than the step between their nodes, both nodes are on the same side. This saves
+/// most inside tests.
 class SignedSampler {
 public:
-    /// `signFromNormals`: of a solid, whose triangles all look at the outside. Else every side is asked of a ray.
+    /// `signFromNormals`: the surface is a solid whose normals all point outward. Else a ray test decides each side.
     SignedSampler(const SurfacePart& part, const Lattice& lattice, const BrickKey& key, double band,
                   bool signFromNormals)
         : part_(part),
@@ -42,6 +48,7 @@ public:
           corner_(lattice.corner(key)),
           spacing_(lattice.spacing()),
           band_(band) {
+        TACTOOTH_ASSERT(std::isfinite(band) && band > 0);
         const Vec3 centre = lattice.centre(key);
         field_.uniform = near_.empty();
         if (field_.uniform) {
@@ -75,6 +82,7 @@ private:
         const Vec3 point = corner_ + spacing_ * Vec3(x, y, z);
         const auto hit = near_.closest(point, reachAt(point));
         const double distance = hit ? std::min(hit->distance, band_) : band_;
+        TACTOOTH_ASSERT(distance >= 0 && distance <= band_);
         const Vec3 away = hit ? Vec3(point - hit->point) : Vec3::UnitZ();
         if (previous_ + distance <= spacing_ * (1 + 1e-6) || first_) inside_ = isInsideNear(point, away, hit);
         first_ = false;
@@ -85,10 +93,11 @@ private:
         field_.gradient[node] = OctahedralNormal(inside_ ? Vec3(-away) : away);
     }
 
-    /// The triangle that was nearest to the node before is near this one, too.
+    /// The triangle nearest to the node before gives an upper bound at this node.
     [[nodiscard]] double reachAt(const Vec3& point) {
         if (!nearest_) return std::min(band_, previous_ + spacing_ * (1 + 1e-6));
         const TriangleMesh& mesh = part_.mesh();
+        TACTOOTH_ASSERT(*nearest_ < mesh.triangles.size());
         const Vec3 there =
             closestOnTriangle(point, mesh.corner(*nearest_, 0), mesh.corner(*nearest_, 1), mesh.corner(*nearest_, 2));
         return std::min(band_, (there - point).norm() * (1 + 1e-12));
@@ -112,13 +121,14 @@ private:
     bool first_ = true;
     bool inside_ = false;
     double previous_ = std::numeric_limits<double>::infinity();
-    std::optional<std::uint32_t> nearest_;  // triangle
+    std::optional<std::uint32_t> nearest_;  // triangle nearest to the node before
 };
 
-/// The border of a layer that runs through a node's voxel leaves a part of it to what is there without the layer.
+/// A layer whose border runs through a node's voxel leaves a part of the voxel to the material without the layer.
 void shareVoxel(Brick& brick, int node, MaterialId layer, const SignedField& field, double spacing) {
     const double distance = field.distance[node];
     const double within = cubeFraction({distance / spacing, field.gradient[node].unpack()});
+    TACTOOTH_ASSERT(within >= 0 && within <= 1);
     if (within == 0) return;
     brick.neighbour[node] = distance < 0 ? brick.material[node] : layer;
     brick.neighbourFraction[node] = static_cast<std::uint8_t>(std::lround(255 * (distance < 0 ? 1 - within : within)));
@@ -153,6 +163,7 @@ void fillMaterials(Brick& brick, const LayeredTooth& tooth, const Lattice& latti
 }  // namespace
 
 std::unique_ptr<Brick> sampleBrick(const LayeredTooth& tooth, const Lattice& lattice, const BrickKey& key) {
+    TACTOOTH_ASSERT(key.isInRange());
     const double spacing = lattice.spacing();
     const SignedSampler outer(*tooth.outer(), lattice, key, kToothBand * spacing, !tooth.bodiesOverlap());
     const auto& distance = outer.field().distance;
@@ -163,6 +174,7 @@ std::unique_ptr<Brick> sampleBrick(const LayeredTooth& tooth, const Lattice& lat
     brick->setField(CutField::untouched(spacing));
     brick->tooth = distance;
     brick->maxToothDistance = *std::max_element(distance.begin(), distance.end());
+    TACTOOTH_ASSERT(std::abs(brick->maxToothDistance) <= static_cast<float>(kToothBand * spacing));
     brick->toothNormal = outer.field().gradient;
     fillMaterials(*brick, tooth, lattice, key);
     return brick;

@@ -6,12 +6,12 @@
 
 #include "tooth/model/layered_tooth.h"
 #include "tooth/volume/brick.h"
-#include "tooth/volume/brick_map.h"
+#include "tooth/volume/lattice.h"
 
 namespace tactooth {
 
 /// Samples the uncut tooth at the nodes of one brick: exact distance to its surface (clamped to kToothBand), and
-/// material. Null if every node is so far outside that no cut there can reach the surface.
+/// material. Null if every node is so far outside that no cut in the brick can reach the surface.
 [[nodiscard]] std::unique_ptr<Brick> sampleBrick(const LayeredTooth& tooth, const Lattice& lattice,
                                                  const BrickKey& key);
 

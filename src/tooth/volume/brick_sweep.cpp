@@ -4,21 +4,25 @@
 
 #include <cmath>
 
+#include "geometry/util/assert.h"
+
 namespace tactooth {
 namespace {
 
-/// Steps of the lattice; how far beyond an edge its border's normal may be taken.
+/// Lattice steps. How far beyond an edge the normal of its crossing may be sampled.
 constexpr double kBeyondEdge = 0.05;
 
 }  // namespace
 
 BrickSweep::BrickSweep(const BrickKey& key, const Lattice& lattice, const std::vector<SweepStep>& steps, double reach)
     : corner_(lattice.corner(key)), spacing_(lattice.spacing()) {
-    if (steps.size() == 1) {  // each block looks for itself
+    TACTOOTH_ASSERT(!steps.empty());
+    TACTOOTH_ASSERT(std::isfinite(reach) && reach >= 0);
+    if (steps.size() == 1) {  // each block queries it by itself
         steps_.push_back(&steps.front());
         return;
     }
-    // One look from the end of the sweep: no step before it is nearer than the travel between.
+    // One query at the last step. No earlier step is nearer than that, less the travel in between.
     double bound = steps.back().lowerBound(lattice.centre(key)) - lattice.halfDiagonal() - reach;
     for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
         if (step != steps.rbegin()) bound -= step->travel();
@@ -32,8 +36,10 @@ const std::vector<SweepLanes>& BrickSweep::nearNodes(int block, double reach) {
 
 const std::vector<SweepLanes>& BrickSweep::nearEdges(int block) { return near(block, kBlockSide, kBeyondEdge, 0); }
 
-/// Of a block's cube, `side` and `beyond` in steps of the lattice.
+/// For a block's cube. `side` and `beyond` count in steps of the lattice.
 const std::vector<SweepLanes>& BrickSweep::near(int block, double side, double beyond, double reach) {
+    TACTOOTH_ASSERT(block >= 0 && block < kBlocks);
+    TACTOOTH_ASSERT(side > 0 && beyond >= 0 && !std::isnan(reach));
     near_.clear();
     near_.reserve(steps_.size());
     const Vec3 first = corner_ + kBlockSide * spacing_ * Vec3(block & 1, block >> 1 & 1, block >> 2);

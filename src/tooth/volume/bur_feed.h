@@ -3,29 +3,30 @@
 #pragma once
 
 #include "tooth/model/material.h"
+#include "tooth/volume/carve_result.h"
 #include "tooth/volume/cut_volume.h"
 
 namespace tactooth {
 
-/// How far the removal law let a bur go.
+/// Result of a feed under the removal law.
 struct FeedResult {
-    double fraction = 0;  ///< of the way wanted, 0..1
+    double fraction = 0;  ///< of the path, 0..1
     double work = 0;      ///< spent, N*m
-    double wanted = 0;    ///< that would have paid for a step, where none was affordable, N*m; infinite: no work does
+    double wanted = 0;    ///< work for the smallest step tried, if none was affordable, N*m; infinite if none suffices
     CarveResult carve;
 };
 
-/// Work (normal force times rim travel, N*m) that the removal law asks for these volumes: dV = removal * sharpness *
-/// work for each material. Infinite for a bur that does not cut.
+/// Work (normal force times rim travel, N*m) that these volumes need: dV = removal * sharpness * work for each
+/// material. `sharpness` is not negative. Infinite for a bur that does not cut.
 [[nodiscard]] double workFor(const MaterialVolumes& volumes, const MaterialTable& materials, double sharpness);
 
-/// Cuts from one pose of the spinning bur toward another as far as `work` (N*m) pays for, and no further. `enough`: a
-/// share of the way that is thought to be dearer than that; to look at the rest of it then takes no time.
+/// Cuts from one pose of the spinning bur toward another as far as `work` (N*m, not negative) pays for. `enough` (above
+/// 0): a share of the path that probably costs more than `work`; the rest of the path is tried only if it does not.
 [[nodiscard]] FeedResult feedBur(CutVolume& volume, const RevolutionEnvelope& envelope, const Pose& from,
                                  const Pose& to, double work, const MaterialTable& materials, double sharpness,
                                  double enough = 1);
 
-/// The pose a fraction of the way from one to the other.
+/// The pose at a fraction of the path, not negative. From 1 on it is `to`.
 [[nodiscard]] Pose between(const Pose& from, const Pose& to, double fraction);
 
 }  // namespace tactooth

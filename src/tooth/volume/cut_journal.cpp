@@ -12,6 +12,7 @@ bool CutJournal::mark() {
     if (!pages_.empty() && pages_.back().empty()) return false;
     if (pages_.size() == kMaxCheckpoints) pages_.erase(pages_.begin());
     pages_.emplace_back();
+    TACTOOTH_ASSERT(pages_.size() <= kMaxCheckpoints);
     return true;
 }
 
@@ -21,6 +22,17 @@ std::map<BrickKey, CutField> CutJournal::rollBack() {
     std::map<BrickKey, CutField> page = std::move(pages_.back());
     pages_.pop_back();
     return page;
+}
+
+void CutJournal::validate(const BrickMap& bricks, double spacing) const {
+    TACTOOTH_ASSERT(pages_.size() <= kMaxCheckpoints);
+    for (std::size_t i = 0; i < pages_.size(); ++i) {
+        TACTOOTH_ASSERT(!pages_[i].empty() || i + 1 == pages_.size());
+        for (const auto& [key, field] : pages_[i]) {
+            TACTOOTH_ASSERT(bricks.find(key) != nullptr);
+            field.validate(spacing);
+        }
+    }
 }
 
 std::size_t CutJournal::bytes() const {

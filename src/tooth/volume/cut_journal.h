@@ -10,27 +10,30 @@
 
 namespace tactooth {
 
-/// What bricks were like before they were cut, back to each of a number of marks. Keeps a copy of a brick once a mark,
-/// when it is cut for the first time after it.
+/// Copies of bricks before they were cut, for undo. After each mark it keeps one copy of a brick, made at its first
+/// cut.
 class CutJournal {
 public:
-    /// How many marks are kept; the oldest one goes when another is set.
+    /// Number of marks that are kept. A further mark drops the oldest one.
     static constexpr std::size_t kMaxCheckpoints = 24;
 
-    /// Does nothing, and says false, if nothing has changed since the last one.
+    /// Sets a mark. Does nothing and returns false if nothing has changed since the last one.
     bool mark();
     [[nodiscard]] std::size_t marks() const { return pages_.size(); }
 
-    /// To be called before a brick is changed.
+    /// Must be called before a brick is changed.
     void keep(const BrickKey& key, const CutField& before) {
         if (!pages_.empty()) pages_.back().try_emplace(key, before);
     }
 
-    /// The bricks changed since the last mark before any change, as they were then; forgets the mark. There must be
-    /// one.
+    /// Returns the bricks that changed after the last mark with a change, in their state before, and forgets that mark.
+    /// There must be a mark.
     [[nodiscard]] std::map<BrickKey, CutField> rollBack();
 
     void clear() { pages_.clear(); }
+    /// Asserts the limit of marks, that only the last page may be empty, and that each kept brick still exists and has
+    /// a valid field. Looks at every node. `spacing` in mm.
+    void validate(const BrickMap& bricks, double spacing) const;
     [[nodiscard]] std::size_t bytes() const;
 
 private:

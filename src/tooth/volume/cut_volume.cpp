@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <bit>
-#include <numeric>
+#include <cmath>
 #include <set>
 
 #include "geometry/util/assert.h"
@@ -17,7 +17,7 @@
 namespace tactooth {
 namespace {
 
-/// Longest step of a sweep, in voxels: within one the distance to a bur is taken as convex along the path.
+/// Voxels. Longest step of a sweep: within one step the distance to a bur counts as convex along the path.
 constexpr double kLongestStep = 1.0;
 
 MaterialVolumes sum(const std::vector<MaterialVolumes>& parts) {
@@ -35,24 +35,6 @@ void gather(std::vector<BrickRemoval>& parts, PlannedRemoval& result) {
     }
 }
 
-/// Where a node is along one side of a brick: 0 at the beginning, 2 at the end, 1 between.
-constexpr int endOf(int place) { return place == 0 ? 0 : place == kBrickSide - 1 ? 2 : 1; }
-
-/// By `endOf` on each axis: the bricks that have a node at most one step from such a node on each axis.
-constexpr auto kAffected = [] {
-    std::array<std::array<std::array<std::uint32_t, 3>, 3>, 3> table{};
-    const auto reaches = [](int end, int step) { return step == 1 || step == end; };
-    for (int node = 0; node < 27; ++node) {
-        const std::array<int, 3> end = {node % 3, node / 3 % 3, node / 9};
-        std::uint32_t& bricks = table[end[0]][end[1]][end[2]];
-        for (int i = 0; i < 27; ++i) {
-            if (!reaches(end[0], i % 3) || !reaches(end[1], i / 3 % 3) || !reaches(end[2], i / 9)) continue;
-            bricks |= 1U << i;
-        }
-    }
-    return table;
-}();
-
 std::uint64_t fnv1a(std::uint64_t hash, std::uint64_t value) {
     for (int byte = 0; byte < 8; ++byte) hash = (hash ^ (value >> (8 * byte) & 0xFF)) * 0x100000001b3ULL;
     return hash;
@@ -60,38 +42,9 @@ std::uint64_t fnv1a(std::uint64_t hash, std::uint64_t value) {
 
 }  // namespace
 
-void ChangedBrick::addNode(int node) {
-    const auto [x, y, z] = placeOf(node);
-    affected |= kAffected[endOf(x)][endOf(y)][endOf(z)];
-}
-
-void ChangedBrick::addEdge(int node, int axis) {
-    const std::array<int, 3> place = placeOf(node);
-    std::array<int, 3> ends = {endOf(place[0]), endOf(place[1]), endOf(place[2])};
-    if (place[axis] == 0) ends[axis] = 1;  // it leads away from the brick before
-    affected |= kAffected[ends[0]][ends[1]][ends[2]];
-}
-
-std::vector<ChangedBrick> merged(std::vector<ChangedBrick> changes) {
-    std::erase_if(changes, [](const ChangedBrick& change) { return change.isNone(); });
-    std::sort(changes.begin(), changes.end(),
-              [](const ChangedBrick& a, const ChangedBrick& b) { return a.key < b.key; });
-    std::vector<ChangedBrick> result;
-    for (const ChangedBrick& change : changes) {
-        if (!result.empty() && result.back().key == change.key) {
-            result.back().add(change);
-        } else {
-            result.push_back(change);
-        }
-    }
-    return result;
-}
-
-double total(const MaterialVolumes& volumes) { return std::accumulate(volumes.begin(), volumes.end(), 0.0); }
-
 CutVolume::CutVolume(std::shared_ptr<const LayeredTooth> tooth, double voxel)
     : tooth_(std::move(tooth)), lattice_(voxel) {
-    TACTOOTH_ASSERT(tooth_ && voxel > 0);
+    TACTOOTH_ASSERT(tooth_ != nullptr);
 }
 
 void CutVolume::reset() {
@@ -100,7 +53,7 @@ void CutVolume::reset() {
     if (pool_ != nullptr) pool_->forgetTaken();
 }
 
-/// Makes those that nobody has asked for yet; null where a brick lies clear of the tooth.
+/// Returns the bricks at these keys and makes those that are still unknown. Null where a brick is clear of the tooth.
 std::vector<Brick*> CutVolume::bricksAt(const std::vector<BrickKey>& keys) {
     std::vector<Brick*> bricks;
     bricks.reserve(keys.size());
@@ -119,6 +72,7 @@ std::vector<Brick*> CutVolume::bricksAt(const std::vector<BrickKey>& keys) {
 void CutVolume::makeBricks(std::vector<BrickKey> missing) {
     if (pool_ != nullptr) {
         std::vector<std::optional<std::unique_ptr<Brick>>> ahead = pool_->take(missing);
+        TACTOOTH_ASSERT(ahead.size() == missing.size());
         std::size_t left = 0;
         for (std::size_t i = 0; i < missing.size(); ++i) {
             if (ahead[i]) {
@@ -134,10 +88,11 @@ void CutVolume::makeBricks(std::vector<BrickKey> missing) {
     for (std::size_t i = 0; i < missing.size(); ++i) bricks_.insert(missing[i], std::move(made[i]));
 }
 
-/// The wall in a cell is drawn from all eight nodes of it, and the farthest may lie in a brick that no bur was near.
+/// The wall in a cell needs all eight nodes of the cell. The farthest may lie in a brick that no bur was near.
 void CutVolume::makeAffected(const std::vector<ChangedBrick>& changed) {
     std::vector<BrickKey> missing;
     for (const ChangedBrick& brick : changed) {
+        TACTOOTH_ASSERT(bricks_.find(brick.key) != nullptr);
         const BrickMap::Around& around = bricks_.around(brick.key);
         brick.forEachAffected([&](int i) {
             if (around[i] != nullptr) return;
@@ -159,7 +114,10 @@ CarveResult CutVolume::carve(const RevolutionEnvelope& envelope, const Pose& fro
 CarveResult CutVolume::carve(const PlannedRemoval& removable) {
     TACTOOTH_ASSERT(removable.afterCarve == carves_);
     ++carves_;
-    for (const BrickRemoval& found : removable.where) journal_.keep(found.key, *bricks_.find(found.key));
+    for (const BrickRemoval& found : removable.where) {
+        TACTOOTH_ASSERT(bricks_.find(found.key) != nullptr);
+        journal_.keep(found.key, *bricks_.find(found.key));
+    }
     std::vector<ChangedBrick> opened(removable.where.size());
     parallelFor(opened.size(), [&](std::size_t i) {
         const BrickRemoval& found = removable.where[i];
@@ -174,7 +132,7 @@ CarveResult CutVolume::carve(const PlannedRemoval& removable) {
     return result;
 }
 
-/// The lattice edges that end in a changed brick belong to it or to the one before it on an axis.
+/// Lattice edges that end in a changed brick belong to it or to the brick before it on an axis.
 std::vector<ChangedBrick> CutVolume::updateHermiteData(const PlannedRemoval& carved) {
     std::vector<BrickKey> keys;
     for (const BrickRemoval& brick : carved.where) {
@@ -195,6 +153,7 @@ std::vector<ChangedBrick> CutVolume::updateHermiteData(const PlannedRemoval& car
 
 PlannedRemoval CutVolume::removable(const RevolutionEnvelope& envelope, const Pose& fromInTooth, const Pose& toInTooth,
                                     double clearance) {
+    TACTOOTH_ASSERT(std::isfinite(clearance) && clearance >= 0);
     PlannedRemoval result;
     result.clearance = clearance;
     result.afterCarve = carves_;
@@ -211,6 +170,7 @@ PlannedRemoval CutVolume::removable(const RevolutionEnvelope& envelope, const Po
 
 PlannedRemoval CutVolume::removablePartWay(const PlannedRemoval& whole, const RevolutionEnvelope& envelope,
                                            const Pose& fromInTooth, const Pose& partWay) const {
+    TACTOOTH_ASSERT(whole.afterCarve == carves_);
     PlannedRemoval result;
     result.clearance = whole.clearance;
     result.afterCarve = whole.afterCarve;
@@ -223,7 +183,7 @@ PlannedRemoval CutVolume::removablePartWay(const PlannedRemoval& whole, const Re
     return result;
 }
 
-/// Makes the bricks of it that are missing.
+/// The nodes of a piece. Makes its unsampled bricks.
 NodeSets CutVolume::nodesOf(const DetachedPiece& piece) {
     NodeSets nodes = piece.nodes;
     const std::vector<Brick*> bricks = bricksAt(piece.unsampled);
@@ -253,14 +213,15 @@ CarveResult CutVolume::removeDebris(const NodeSets& beside) { return removePiece
 CarveResult CutVolume::removePieces(const NodeSets& pieces) {
     CarveResult result;
     if (pieces.empty()) return result;
-    ++carves_;  // what was found removable holds no more
+    ++carves_;  // plans made before are invalid
     std::set<BrickKey> near;
     for (const auto& [key, nodes] : pieces) {
         for (int i = 0; i < 27; ++i) near.insert(key.neighbour(i));
     }
     (void)bricksAt({near.begin(), near.end()});
     const NodeSets gone = nodesToRemove(bricks_, pieces);
-    const auto isTouched = [&](const BrickKey& key) {  // itself, or the far end of an edge that it owns
+    TACTOOTH_ASSERT(gone.size() >= pieces.size());
+    const auto isTouched = [&](const BrickKey& key) {  // the brick itself, or the far end of an edge that it owns
         const auto hasSome = [&](const BrickKey& at) { return gone.contains(at) && gone.at(at).any(); };
         return hasSome(key) || hasSome(key.moved(1, 0, 0)) || hasSome(key.moved(0, 1, 0)) ||
                hasSome(key.moved(0, 0, 1));
@@ -278,11 +239,14 @@ CarveResult CutVolume::removePieces(const NodeSets& pieces) {
 }
 
 std::vector<ChangedBrick> CutVolume::undo() {
+    TACTOOTH_ASSERT(marks() > 0);
     std::vector<ChangedBrick> changed;
-    ++carves_;  // what was found removable holds no more
+    ++carves_;  // plans made before are invalid
     ++undos_;
     for (const auto& [key, before] : journal_.rollBack()) {
-        bricks_.find(key)->setField(before);
+        Brick* brick = bricks_.find(key);
+        TACTOOTH_ASSERT(brick != nullptr);
+        brick->setField(before);
         changed.push_back(ChangedBrick::all(key));
     }
     return changed;
@@ -295,6 +259,8 @@ std::vector<BrickKey> CutVolume::cutBricks() const {
 }
 
 std::vector<ChangedBrick> CutVolume::adopt(const std::map<BrickKey, CutField>& fields) {
+    TACTOOTH_ASSERT(cutBricks().empty());
+    TACTOOTH_ASSERT(marks() == 0);
     std::vector<BrickKey> keys;
     for (const auto& [key, field] : fields) keys.push_back(key);
     const std::vector<Brick*> bricks = bricksAt(keys);
@@ -318,6 +284,7 @@ MaterialVolumes CutVolume::removedVolume() const {
 }
 
 double CutVolume::cutDistance(const Vec3& point) const {
+    TACTOOTH_ASSERT(point.allFinite());
     const Vec3 place = (point - lattice_.node(0, 0, 0)) / lattice_.spacing();
     const Vec3 first = place.array().floor();
     const Vec3 share = place - first;
@@ -333,7 +300,21 @@ double CutVolume::cutDistance(const Vec3& point) const {
         for (int axis = 0; axis < 3; ++axis) weight *= step[axis] == 1 ? share[axis] : 1 - share[axis];
         distance += weight * (brick != nullptr ? brick->cut[node] : kCutBand * lattice_.spacing());
     }
+    TACTOOTH_ASSERT(std::abs(distance) <= kCutBand * lattice_.spacing() * (1 + 1e-6));
     return distance;
+}
+
+void CutVolume::validate() const {
+    bricks_.validate(lattice_.spacing());
+    journal_.validate(bricks_, lattice_.spacing());
+    if (pool_ != nullptr) pool_->validate();
+    for (const BrickKey& key : bricks_.keys()) {
+        const Brick& brick = *bricks_.find(key);
+        TACTOOTH_ASSERT(brick.lastCarve <= carves_);
+        for (int node = 0; node < kBrickNodes && brick.lastCarve == carves_; ++node) {
+            TACTOOTH_ASSERT(!brick.opened[node] || brick.removed[node]);
+        }
+    }
 }
 
 std::uint64_t CutVolume::hash() const {

@@ -7,30 +7,32 @@
 #include <unordered_map>
 
 #include "collision/bvh/closest_point.h"
+#include "geometry/util/assert.h"
 #include "geometry/util/disjoint_sets.h"
 #include "tooth/model/leaf_cache.h"
 
-// A flood fill over the solid nodes of the bricks that exist, all those of a brick that hang together taken as one
-// part, and over the bricks between them that nobody has made. Where the tooth's surface runs through one of those it
-// counts as solid throughout: a piece may be held by that where nothing holds it, and is never dropped while held.
+// Own method: a flood fill (connected components). The connected solid nodes of a brick form one part. The fill also
+// passes through bricks between them that were never sampled. Such a brick counts as solid throughout if the tooth's
+// surface runs through it. So a piece may count as attached where nothing holds it, but no attached piece is ever
+// dropped.
 
 namespace tactooth {
 namespace {
 
-constexpr int kNobody = -1;
+constexpr int kUnvisited = -1;
 constexpr int kAir = -2;
 
-/// What hangs together within one brick.
+/// Connected solid nodes of one brick.
 struct Part {
     BrickKey key;
     NodeSet nodes;
-    int piece = kNobody;
+    int piece = kUnvisited;
 };
 
 struct Piece {
     std::vector<std::size_t> parts;
     std::vector<BrickKey> unsampled;
-    bool isLarge = false;  ///< more than was looked at
+    bool isLarge = false;  ///< too large: the search has stopped before its end
 
     [[nodiscard]] std::size_t size() const { return parts.size() + unsampled.size(); }
 };
@@ -45,7 +47,7 @@ public:
     [[nodiscard]] std::vector<Piece> run() {
         std::vector<Piece> pieces;
         for (std::size_t i = 0; i < parts_.size(); ++i) {
-            if (parts_[i].piece != kNobody) continue;
+            if (parts_[i].piece != kUnvisited) continue;
             number_ = static_cast<int>(pieces.size());
             piece_ = {};
             flood(i);
@@ -65,14 +67,15 @@ private:
         NodeSet left = solidNodes(*bricks_.find(key));
         while (left.any()) {
             parts_.push_back({key, firstComponent(left)});
+            TACTOOTH_ASSERT(parts_.back().nodes.any());
             left &= ~parts_.back().nodes;
         }
         partsOf_[key] = {first, parts_.size()};
     }
 
-    /// Parts come before unmade bricks: a large piece has all its parts before it is given up as too large.
+    /// Parts come before unsampled bricks, so that a large piece has all its parts before the search stops.
     void flood(std::size_t first) {
-        meetPart(first);
+        visitPart(first);
         while (!partsToDo_.empty() || !unsampledToDo_.empty()) {
             if (!partsToDo_.empty()) {
                 const Part& part = parts_[partsToDo_.back()];
@@ -89,40 +92,42 @@ private:
         }
     }
 
-    /// Goes on from some nodes of a brick to those beyond one of its faces.
+    /// Continues from some nodes on a face of a brick to those beyond the face.
     void cross(const BrickKey& key, const BrickFace& face, const NodeSet& from) {
+        TACTOOTH_ASSERT((from & ~face.nodes()).none());
         if (from.none()) return;
         const BrickKey beyond = face.beyond(key);
-        if (!bricks_.knows(beyond)) return meetUnsampled(beyond);
+        if (!bricks_.knows(beyond)) return visitUnsampled(beyond);
         const auto found = partsOf_.find(beyond);
         if (found == partsOf_.end()) return;
         const NodeSet there = face.across(from);
         for (std::size_t i = found->second.first; i < found->second.end; ++i) {
-            if ((parts_[i].nodes & there).any()) meetPart(i);
+            if ((parts_[i].nodes & there).any()) visitPart(i);
         }
     }
 
-    void meetPart(std::size_t i) {
-        if (!isNew(parts_[i].piece)) return;
+    void visitPart(std::size_t i) {
+        TACTOOTH_ASSERT(i < parts_.size());
+        if (!isUnvisited(parts_[i].piece)) return;
         parts_[i].piece = number_;
         piece_.parts.push_back(i);
         partsToDo_.push_back(i);
     }
 
-    void meetUnsampled(const BrickKey& key) {
-        int& piece = unsampled_.try_emplace(key, kNobody).first->second;
-        if (piece == kNobody && !mayBeSolid(key)) piece = kAir;
-        if (piece == kAir || !isNew(piece)) return;
+    void visitUnsampled(const BrickKey& key) {
+        int& piece = unsampled_.try_emplace(key, kUnvisited).first->second;
+        if (piece == kUnvisited && !mayBeSolid(key)) piece = kAir;
+        if (piece == kAir || !isUnvisited(piece)) return;
         piece = number_;
         piece_.unsampled.push_back(key);
         unsampledToDo_.push_back(key);
     }
 
-    /// Whether nobody has been here. Only a piece that was given up can have been, other than this one: all others are
-    /// known to their ends.
-    [[nodiscard]] bool isNew(int piece) {
-        piece_.isLarge = piece_.isLarge || (piece != kNobody && piece != number_);
-        return piece == kNobody;
+    /// Whether no piece has reached this place. Another piece can have been here only if its search was stopped: all
+    /// others are known completely.
+    [[nodiscard]] bool isUnvisited(int piece) {
+        piece_.isLarge = piece_.isLarge || (piece != kUnvisited && piece != number_);
+        return piece == kUnvisited;
     }
 
     [[nodiscard]] bool mayBeSolid(const BrickKey& key) const {
@@ -136,7 +141,7 @@ private:
     const Lattice& lattice_;
     std::vector<Part> parts_;
     std::unordered_map<BrickKey, Range, BrickKeyHash> partsOf_;
-    std::unordered_map<BrickKey, int, BrickKeyHash> unsampled_;  // which piece they belong to
+    std::unordered_map<BrickKey, int, BrickKeyHash> unsampled_;  // number of the piece
     std::vector<std::size_t> partsToDo_;
     std::deque<BrickKey> unsampledToDo_;
     Piece piece_;
@@ -153,7 +158,7 @@ public:
         }
     }
 
-    /// The one whose surface is within `reach` (mm) of a point.
+    /// The body whose surface is within `reach` (mm) of a point.
     [[nodiscard]] std::optional<std::uint32_t> near(const Vec3& point, double reach) {
         const auto closest = closestPoint(outer_, point, reach);
         if (!closest) return std::nullopt;
@@ -165,7 +170,7 @@ private:
     DisjointSets vertices_;
 };
 
-/// Tells of which body a piece is; nothing for a piece from the midst of one, with nothing of its surface.
+/// The body of a piece. Nothing for a piece from the interior of a body, without any of its surface.
 std::optional<std::uint32_t> bodyOf(const Piece& piece, const ComponentSearch& search, const BrickMap& bricks,
                                     const Lattice& lattice, Bodies& bodies) {
     const double reach = kToothBand * lattice.spacing();
@@ -193,7 +198,7 @@ std::vector<DetachedPiece> findDetachedPieces(const BrickMap& bricks, const Laye
 
     Bodies bodies(*tooth.outer());
     std::vector<std::optional<std::uint32_t>> bodyOfPiece(pieces.size());
-    std::map<std::uint32_t, std::size_t> largest;  // closed piece of each body
+    std::map<std::uint32_t, std::size_t> largest;  // largest piece of each body
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         bodyOfPiece[i] = bodyOf(pieces[i], search, bricks, lattice, bodies);
         if (!bodyOfPiece[i]) continue;
@@ -207,6 +212,7 @@ std::vector<DetachedPiece> findDetachedPieces(const BrickMap& bricks, const Laye
         DetachedPiece& piece = detached.emplace_back();
         piece.unsampled = pieces[i].unsampled;
         for (const std::size_t part : pieces[i].parts) piece.nodes[search.part(part).key] |= search.part(part).nodes;
+        TACTOOTH_ASSERT(!piece.nodes.empty());
     }
     return detached;
 }

@@ -2,35 +2,47 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tooth/volume/hermite_data.h"
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <numeric>
 
 #include "collision/narrow/lane_flags.h"
+#include "geometry/util/assert.h"
 #include "tooth/volume/brick_sweep.h"
+
+// Keeps the Hermite data of dual contouring (T. Ju, F. Losasso, S. Schaefer, J. Warren, "Dual Contouring of Hermite
+// Data", SIGGRAPH 2002): the crossing of the boundary with each lattice edge, and the normal there. Difference: a
+// crossing is found on the swept envelope itself, by Newton's method with bisection, and moves outward with each carve.
 
 namespace tactooth {
 namespace {
 
 constexpr float kNoBound = std::numeric_limits<float>::infinity();
-constexpr float kOnBoundary = 1e-5F;  ///< mm; as exact as an envelope's distance to a sweep
-/// Share of a lattice edge; how far outside the border its normal is taken. On the line that a sharp rim has swept the
-/// direction of the nearest point is only rounding; a little outside it is the normal of that line's surface.
+constexpr float kOnBoundary = 1e-5F;  ///< mm; the error of an envelope's distance to a sweep
+/// Share of a lattice edge. The normal is sampled this far outside the boundary. On the line that a sharp rim has
+/// swept, the direction of the nearest point is only rounding. A little outside it is the normal of the surface of that
+/// line.
 constexpr float kNormalOffset = 0.04F;
-/// mm; nearer than this one more step of Newton lands on the border: to 2e-6 even on a rim rounded to 0.05 mm, and to a
-/// tenth of a micrometre where it is sharp.
+/// mm. Within this distance one more Newton step ends on the boundary: to 2e-6 mm on a rim rounded to 0.05 mm, and to
+/// 1e-4 mm on a sharp one.
 constexpr float kLastStep = 2e-4F;
-constexpr int kNewtonRounds = 20;  ///< halves the rest of the edge where Newton leaves it: 50 um / 2^20 at worst
-constexpr int kExtensions = 4;     ///< steps of one move that each carry the border farther along the same edge
+constexpr int kNewtonRounds = 20;  ///< bisects where a Newton step leaves the edge: 50 um / 2^20 at worst
+constexpr int kExtensions = 4;     ///< steps of one move that each move the crossing farther along the same edge
 
-/// Eight lattice edges of one block, each from its removed end (place 0) to its solid one (place 1), and where the
-/// border of the removed region crosses them.
+/// Eight lattice edges of one block, each from its removed end (place 0) to its solid end (place 1), and the crossings
+/// of the boundary with them.
 class Edges8 {
 public:
-    /// Adds an edge whose removed end is at `end`, in steps from the block's first node; `direction` leads to the solid
-    /// one. `place` and `normal`: of the boundary as far as it is known.
+    /// Adds an edge. `end`: its removed end, in steps from the block's first node. `direction` (1 or -1) leads to the
+    /// solid end. `place` (0..1) and `normal`: the known crossing.
     void add(const std::array<int, 3>& end, int axis, float direction, float place, const Vec3f& normal) {
+        TACTOOTH_ASSERT(count_ < 8);
+        TACTOOTH_ASSERT(axis >= 0 && axis < 3);
+        TACTOOTH_ASSERT(std::abs(direction) == 1);
+        TACTOOTH_ASSERT(place >= 0 && place <= 1);
         for (int i = 0; i < 3; ++i) {
             end_[i][count_] = static_cast<float>(end[i]);
             direction_[i][count_] = i == axis ? direction : 0;
@@ -38,22 +50,27 @@ public:
         }
         place_[count_++] = place;
     }
-    [[nodiscard]] float place(int lane) const { return place_[lane]; }
+    [[nodiscard]] float place(int lane) const {
+        TACTOOTH_ASSERT(lane >= 0 && lane < count_);
+        return place_[lane];
+    }
     [[nodiscard]] std::array<OctahedralNormal, 8> normals() const {
         return OctahedralNormal::pack(Vec3x8::load(normal_));
     }
 
-    /// Carries the borders outward as long as one of the steps holds them.
+    /// Moves the crossings outward as long as one of the steps contains them.
     void extend(const std::vector<SweepLanes>& steps, double spacing) {
+        TACTOOTH_ASSERT(count_ > 0);
+        TACTOOTH_ASSERT(spacing > 0);
         fill();
-        Float8 carried = Float8::all(-1);  // the step that a border was carried out of last: it does not hold it
+        Float8 lastStep = Float8::all(-1);  // a crossing is no longer inside the step that moved it last
         bool moved = true;
         for (int round = 0; round < kExtensions && moved; ++round) {
             moved = false;
             for (std::size_t i = 0; i < steps.size(); ++i) {
                 const Float8 number = Float8::all(static_cast<float>(i));
-                const Float8 isOther = isLess(carried, number) + isLess(number, carried);
-                moved |= carryOut(steps[i], number, isOther, carried, static_cast<float>(spacing));
+                const Float8 isOther = isLess(lastStep, number) + isLess(number, lastStep);
+                moved |= moveOut(steps[i], number, isOther, lastStep, static_cast<float>(spacing));
             }
         }
     }
@@ -61,7 +78,7 @@ public:
 private:
     static Float8 sizeOf(Float8 distance) { return max(distance, zero8() - distance); }
 
-    /// Lanes without an edge follow the first one.
+    /// Lanes without an edge repeat the first one.
     void fill() {
         for (int lane = count_; lane < 8; ++lane) {
             place_[lane] = place_[0];
@@ -78,8 +95,9 @@ private:
         return {end.x + place * direction.x, end.y + place * direction.y, end.z + place * direction.z};
     }
 
-    /// Moves the borders that `step` holds to where their edges leave the region that it sweeps; true if one has moved.
-    bool carryOut(const SweepLanes& step, Float8 number, Float8 isOther, Float8& carried, float spacing) {
+    /// Moves the crossings inside the region swept by `step` to where their edges leave it. Returns whether one has
+    /// moved.
+    bool moveOut(const SweepLanes& step, Float8 number, Float8 isOther, Float8& lastStep, float spacing) {
         if (!isAny(isOther)) return false;
         const Float8 start = Float8::load(place_);
         const Float8 onBoundary = Float8::all(-kOnBoundary);
@@ -92,12 +110,12 @@ private:
         const Vec3x8 normal = step.sample(at(exit + Float8::all(kNormalOffset)), Float8::all(kNoBound)).gradient;
         choose(holds, exit, start).store(place_);
         choose(holds, normal, Vec3x8::load(normal_)).store(normal_);
-        carried = choose(holds, number, carried);
+        lastStep = choose(holds, number, lastStep);
         return true;
     }
 
-    /// Where the edges in `searching` leave the region that `step` sweeps, going out from `start`, where its distance
-    /// is `sample`: Newton's steps, halving the rest of the edge where one leaves it.
+    /// Where the edges in `searching` leave the region swept by `step`, from `start` outward. `sample` is the sample of
+    /// the step at `start`. Newton's method, with bisection of the rest of the edge where a step leaves it.
     [[nodiscard]] Float8 exitOf(const SweepLanes& step, Float8 start, Samples8 sample, Float8 searching,
                                 float spacing) const {
         const Vec3x8 direction = Vec3x8::load(direction_);
@@ -160,7 +178,7 @@ private:
             return brick->lastCarve == carve && brick->opened[node];
         }
     };
-    /// A lattice edge that the border crosses and an end of which the carve has lowered.
+    /// A lattice edge that crosses the boundary and has an end that the carve has lowered.
     struct Crossed {
         std::array<int, 3> low;  ///< its lower end in the brick
         int axis;
@@ -176,8 +194,9 @@ private:
         return {isBeyond ? next_[edge.axis] : &brick_, nodeIndex(place[0], place[1], place[2])};
     }
 
-    /// By layers: which edges on each axis that begin there have one end removed, and one that the carve has lowered.
-    /// An edge that leaves the brick ends in the next one; where there is none the border goes no farther.
+    /// For each layer: the edges on each axis that begin there, have exactly one removed end, and one end that the
+    /// carve has lowered. An edge that leaves the brick ends in the next one. Without a next brick the boundary goes no
+    /// farther.
     void findCrossed() {
         const auto lowered = [&](const Brick* brick, int z) {
             return brick->lastCarve == carve_ ? brick->lowered.layer(z) : 0;
@@ -209,9 +228,9 @@ private:
         for (const auto& layers : crossed_) any = std::accumulate(layers.begin(), layers.end(), any, std::bit_or());
         return any != 0;
     }
-    /// Those that begin in a block.
+    /// Lists the crossed edges that begin in a block.
     void listCrossed(int block) {
-        constexpr std::uint64_t kCorner = 0x0F0F0F0F;  // of a layer: the first block's nodes
+        constexpr std::uint64_t kCorner = 0x0F0F0F0F;  // the nodes of the first block in a layer
         const auto [x, y, z] = placeOf(nodeOfBlock(block, 0));
         const std::uint64_t inBlock = kCorner << nodeIndex(x, y, 0);
         count_ = 0;
@@ -219,14 +238,16 @@ private:
             for (int axis = 0; axis < 3; ++axis) {
                 for (std::uint64_t left = crossed_[axis][layer] & inBlock; left != 0; left &= left - 1) {
                     const int node = nodeIndex(0, 0, layer) + std::countr_zero(left);
+                    TACTOOTH_ASSERT(count_ < static_cast<int>(edges_.size()));
                     edges_[count_++] = {placeOf(node), axis};
-                    // Read when the sweep near the block is known: time enough for the memory.
+                    // The value is read after the sweep near the block is known, which leaves time for the memory
+                    // access.
                     __builtin_prefetch(&brick_.boundary[axis][node], 1);
                 }
             }
         }
     }
-    /// Carries on the borders of those that are listed.
+    /// Updates the crossings of the listed edges.
     void trace(int block, BrickSweep& sweep) {
         if (count_ == 0) return;
         const std::vector<SweepLanes>& steps = sweep.nearEdges(block);
@@ -240,11 +261,12 @@ private:
         }
     }
 
-    /// With the border that is stored, or at the very end that the carve has removed.
+    /// Adds an edge with its stored crossing, or with a crossing at the end that the carve has removed.
     void add(const Crossed& edge, Edges8& eight) const {
         const End low = lowEnd(edge);
         const bool isUpward = low.isRemoved();
         const End removed = isUpward ? low : highEnd(edge);
+        TACTOOTH_ASSERT(removed.isRemoved() && low.isRemoved() != highEnd(edge).isRemoved());
         std::array<int, 3> end = edge.low;
         if (!isUpward) ++end[edge.axis];
         for (int i = 0; i < 3; ++i) end[i] -= edge.low[i] / kBlockSide * kBlockSide;
@@ -260,6 +282,7 @@ private:
 
     void store(const Crossed& edge, float place, OctahedralNormal turned) {
         const End low = lowEnd(edge);
+        TACTOOTH_ASSERT(!std::isnan(place));
         const float share = std::clamp(place, 0.0F, 1.0F);
         const float moved = low.isRemoved() ? share : 1 - share;
         HermiteSample& stored = brick_.boundary[edge.axis][low.node];
@@ -274,8 +297,8 @@ private:
     const Lattice& lattice_;
     const std::vector<SweepStep>& steps_;
     const std::uint64_t carve_;
-    std::array<std::array<std::uint64_t, kBrickSide>, 3> crossed_;  // a bit for each edge, by axis and layer
-    std::array<Crossed, 3 * kBlockNodes> edges_;                    // of the block at hand
+    std::array<std::array<std::uint64_t, kBrickSide>, 3> crossed_;  // one bit for each edge, by axis and layer
+    std::array<Crossed, 3 * kBlockNodes> edges_;                    // of the current block
     int count_ = 0;
 };
 
@@ -283,6 +306,8 @@ private:
 
 ChangedBrick updateHermiteInBrick(BrickMap& bricks, const BrickKey& key, const Lattice& lattice,
                                   const std::vector<SweepStep>& steps, std::uint64_t carve) {
+    TACTOOTH_ASSERT(bricks.find(key) != nullptr);
+    TACTOOTH_ASSERT(!steps.empty());
     return BrickHermiteTracer(bricks, key, lattice, steps, carve).run();
 }
 

@@ -2,15 +2,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
-#include "tooth/volume/cut_volume.h"
+#include "tooth/sweep/swept_envelope.h"
+#include "tooth/volume/brick_map.h"
+#include "tooth/volume/changed_brick.h"
 
 namespace tactooth {
 
-/// Finds where the border of the removed region now crosses the lattice edges of one brick, exactly on the envelope
-/// that was swept there. Only edges with an end that carve `carve` has changed are looked at; reads the neighbours' cut
-/// fields, writes this brick alone. Returns the lower ends of the edges on which the border has moved.
+/// Finds the new crossings of the boundary with the lattice edges of one brick, exactly on the swept envelope. Looks
+/// only at edges with an end that carve `carve` has changed. Reads the cut fields of the neighbours and writes this
+/// brick only. The brick exists, and `steps` is not empty. Returns the lower ends of the edges whose crossings have
+/// moved.
 [[nodiscard]] ChangedBrick updateHermiteInBrick(BrickMap& bricks, const BrickKey& key, const Lattice& lattice,
                                                 const std::vector<SweepStep>& steps, std::uint64_t carve);
 

@@ -2,10 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tooth/volume/node_set.h"
 
+#include "geometry/util/assert.h"
+
+// Morphological dilation (J. Serra, "Image Analysis and Mathematical Morphology", 1982) and connected components of a
+// brick's nodes. Difference: all nodes of a brick move at once, by shifts of its 512 bits.
+
 namespace tactooth {
 namespace {
 
-/// From a node on one face of a brick to the one opposite.
+/// Step from a node on one face of a brick to the opposite one.
 constexpr int perpendicularTo(int axis) { return (kBrickSide - 1) * nodeStride(axis); }
 
 NodeSet nodesOf(const BrickFace& face) {
@@ -44,10 +49,12 @@ const NodeSet& BrickFace::nodes() const {
         for (int i = 0; i < 6; ++i) faces[i] = nodesOf(kBrickFaces[i]);
         return faces;
     }();
+    TACTOOTH_ASSERT(axis >= 0 && axis < 3);
     return kFaces[2 * axis + (isUpper ? 1 : 0)];
 }
 
 NodeSet BrickFace::across(const NodeSet& own) const {
+    TACTOOTH_ASSERT((own & ~nodes()).none());
     return isUpper ? own >> perpendicularTo(axis) : own << perpendicularTo(axis);
 }
 
@@ -65,6 +72,7 @@ NodeSet firstComponent(const NodeSet& all) {
     while (true) {
         NodeSet more = reached;
         for (int axis = 0; axis < 3; ++axis) more |= (up(more, axis) | down(more, axis)) & all;
+        TACTOOTH_ASSERT((more & ~all).none());
         if (more == reached) return reached;
         reached = more;
     }

@@ -5,13 +5,15 @@
 #include <bitset>
 #include <map>
 
-#include "tooth/volume/brick_map.h"
+#include "geometry/util/assert.h"
+#include "tooth/volume/brick.h"
+#include "tooth/volume/brick_key.h"
 
 namespace tactooth {
 
-/// Some nodes of one brick, by nodeIndex.
+/// A set of nodes of one brick, by nodeIndex.
 using NodeSet = std::bitset<kBrickNodes>;
-/// Some nodes of some bricks.
+/// Node sets of several bricks.
 using NodeSets = std::map<BrickKey, NodeSet>;
 
 /// One of the six faces of a brick.
@@ -20,13 +22,14 @@ struct BrickFace {
     bool isUpper;
 
     [[nodiscard]] BrickKey beyond(const BrickKey& key) const {
+        TACTOOTH_ASSERT(axis >= 0 && axis < 3);
         const int step = isUpper ? 1 : -1;
         return key.moved(axis == 0 ? step : 0, axis == 1 ? step : 0, axis == 2 ? step : 0);
     }
     [[nodiscard]] BrickFace opposite() const { return {axis, !isUpper}; }
     /// The nodes on this face.
     [[nodiscard]] const NodeSet& nodes() const;
-    /// Those of the neighbour that stand beside `own`, which are on this face.
+    /// The nodes of the neighbour that are next to `own`. All of `own` are on this face.
     [[nodiscard]] NodeSet across(const NodeSet& own) const;
 };
 inline constexpr BrickFace kBrickFaces[] = {{0, false}, {0, true}, {1, false}, {1, true}, {2, false}, {2, true}};
@@ -34,11 +37,11 @@ inline constexpr BrickFace kBrickFaces[] = {{0, false}, {0, true}, {1, false}, {
 /// The nodes of a brick that are tooth and not removed.
 [[nodiscard]] NodeSet solidNodes(const Brick& brick);
 
-/// What hangs together with the first node of `all`, node beside node along the axes.
+/// The connected component of the first node of `all`. Nodes are connected along the axes.
 [[nodiscard]] NodeSet firstComponent(const NodeSet& all);
 
-/// With all nodes one step away, diagonals too, in the bricks that `sets` names; neighbours that it does not name are
-/// empty.
+/// Dilation: adds all nodes one step away, diagonals included, in the bricks of `sets`. Bricks that are not in `sets`
+/// count as empty.
 [[nodiscard]] NodeSets dilated(const NodeSets& sets);
 
 }  // namespace tactooth

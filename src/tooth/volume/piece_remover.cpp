@@ -2,15 +2,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tooth/volume/piece_remover.h"
 
+#include "geometry/util/assert.h"
 #include "tooth/volume/brick_carver.h"
+
+// Own method. A detached piece is removed node by node, together with the air around it, so that its thin edges go too.
+// Nodes next to solid nodes that stay are left as they are.
 
 namespace tactooth {
 namespace {
 
-/// Voxels; how far an edge too thin to hold nodes is followed. One between a wall and the tooth's surface that meet at
-/// more than 15 degrees ends within it.
+/// Voxels. How far the search follows an edge that is too thin to hold nodes. An edge between a wall and the tooth's
+/// surface ends within this length if they meet at more than 15 degrees.
 constexpr int kFringe = 4;
-/// Share of a lattice edge: on the far side of the tooth's surface, wherever that crosses it.
+/// Share of a lattice edge: beyond the tooth's surface, wherever it crosses the edge.
 constexpr float kBeyondSurface = 0.95F;
 
 NodeSet nodesAt(const NodeSets& sets, const BrickKey& key) {
@@ -23,7 +27,7 @@ NodeSet solidAt(const BrickMap& bricks, const BrickKey& key) {
     return brick != nullptr ? solidNodes(*brick) : NodeSet();
 }
 
-/// The solid nodes that are not of the pieces, in the pieces' bricks and all around them.
+/// The solid nodes outside the pieces, in the bricks of the pieces and all bricks around them.
 NodeSets nodesThatStay(const BrickMap& bricks, const NodeSets& pieces) {
     NodeSets stay;
     for (const auto& [key, nodes] : pieces) {
@@ -38,6 +42,7 @@ NodeSets nodesThatStay(const BrickMap& bricks, const NodeSets& pieces) {
 }  // namespace
 
 NodeSets nodesToRemove(const BrickMap& bricks, const NodeSets& pieces) {
+    TACTOOTH_ASSERT(!pieces.empty());
     NodeSets kept = dilated(nodesThatStay(bricks, pieces));
     NodeSets gone;
     for (auto& [key, nodes] : kept) {
@@ -52,6 +57,7 @@ NodeSets nodesToRemove(const BrickMap& bricks, const NodeSets& pieces) {
 }
 
 MaterialVolumes removeNodes(Brick& brick, const NodeSet& nodes, double spacing) {
+    TACTOOTH_ASSERT(nodes.any());
     MaterialVolumes taken = removedFromBrick(brick, spacing);
     for (double& volume : taken) volume = -volume;
     for (int node = 0; node < kBrickNodes; ++node) {
@@ -66,6 +72,7 @@ MaterialVolumes removeNodes(Brick& brick, const NodeSet& nodes, double spacing) 
 }
 
 void placeBoundary(BrickMap& bricks, const BrickKey& key, const NodeSets& gone) {
+    TACTOOTH_ASSERT(bricks.find(key) != nullptr);
     Brick& brick = *bricks.find(key);
     for (int axis = 0; axis < 3; ++axis) {
         const BrickFace upper{axis, true};
@@ -75,6 +82,7 @@ void placeBoundary(BrickMap& bricks, const BrickKey& key, const NodeSets& gone) 
         for (int node = 0; node < kBrickNodes; ++node) {
             const bool isLast = upper.nodes()[static_cast<std::size_t>(node)];
             const int other = node + (isLast ? 1 - kBrickSide : 1) * nodeStride(axis);
+            TACTOOTH_ASSERT(other >= 0 && other < kBrickNodes);
             const Brick* const owner = isLast ? next : &brick;
             const bool isGone = goneHere[static_cast<std::size_t>(node)];
             const bool isOtherGone = (isLast ? goneNext : goneHere)[static_cast<std::size_t>(other)];

@@ -2,22 +2,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "tooth/volume/cut_volume.h"
+#include "tooth/volume/brick_map.h"
+#include "tooth/volume/material_volumes.h"
 #include "tooth/volume/node_set.h"
 
 namespace tactooth {
 
-/// The nodes that have to go so that nothing is left of pieces with these nodes (solid ones, and some beside them in
-/// the air): they themselves, and around them, where a piece may run out into an edge too thin to hold nodes, what is
-/// in the air or removed already; nothing in the air that is beside a node that stays. The bricks of the pieces and all
-/// around them exist unless they are clear of the tooth.
+/// The nodes to remove so that nothing remains of pieces with these nodes (solid ones, and some beside them in the
+/// air). These are the nodes themselves and nodes around them that are in the air or removed already, since a piece may
+/// end in an edge too thin to hold nodes. A node in the air next to a node that stays is not removed. The bricks of the
+/// pieces and all around them were sampled. `pieces` is not empty.
 [[nodiscard]] NodeSets nodesToRemove(const BrickMap& bricks, const NodeSets& pieces);
 
-/// Removes nodes of one brick as if a bur had been deep around each. Returns what that takes from the tooth.
+/// Removes nodes of one brick as if a bur had been deep around each. Returns the removed volumes, mm^3. `nodes` is not
+/// empty.
 MaterialVolumes removeNodes(Brick& brick, const NodeSet& nodes, double spacing);
 
-/// Puts the border of the removed region on the lattice edges of one brick that lead from a node of `gone` to one that
-/// is not removed: right before that, since what is gone reaches no farther than the tooth's surface.
+/// Sets the boundary on the lattice edges of one brick from a node of `gone` to a node that is not removed. It lies
+/// just before that node, since the removed piece ends at the tooth's surface.
 void placeBoundary(BrickMap& bricks, const BrickKey& key, const NodeSets& gone);
 
 }  // namespace tactooth

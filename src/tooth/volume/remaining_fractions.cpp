@@ -3,21 +3,27 @@
 #include "tooth/volume/remaining_fractions.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "collision/bvh/closest_point.h"
+#include "geometry/util/assert.h"
 #include "tooth/volume/brick_sampler.h"
 #include "tooth/volume/voxel_fraction.h"
+
+// Own method. Cubes of bricks are divided into eight, as in an octree, until one material fills a cube or a cube is a
+// single brick.
 
 namespace tactooth {
 namespace {
 
-/// Bricks a side of the largest blocks: a quarter of a molar at 25 um.
+/// Bricks along a side of the largest blocks: a quarter of a molar at 25 um.
 constexpr int kLargestBlock = 32;
 
-/// Voxels; half the diagonal of a unit cube: no plane farther from a node than this cuts its voxel.
+/// Voxels. Half the diagonal of a unit cube: a plane farther from a node does not cut its voxel.
 constexpr double kVoxelReach = 0.8660254037844386;
 
 double remainingFraction(const Brick& brick, int node, double spacing) {
+    TACTOOTH_ASSERT(node >= 0 && node < kBrickNodes);
     const HalfSpace tooth{brick.tooth[node] / spacing, brick.toothNormal[node].unpack()};
     const HalfSpace left{-brick.cut[node] / spacing, -brick.cutNormal[node].unpack()};
     if (tooth.distance >= kVoxelReach || left.distance >= kVoxelReach) return 0;
@@ -25,9 +31,12 @@ double remainingFraction(const Brick& brick, int node, double spacing) {
     return left.distance <= -kVoxelReach ? cubeFraction(tooth) : cubeFraction(tooth, left);
 }
 
-int roundedDown(int place, int step) { return (place >= 0 ? place : place - step + 1) / step * step; }
+int roundedDown(int place, int step) {
+    TACTOOTH_ASSERT(step > 0);
+    return (place >= 0 ? place : place - step + 1) / step * step;
+}
 
-/// Whether a key lies in the cube of `side` bricks from `first` on.
+/// Whether a key lies in the cube of `side` bricks that begins at `first`.
 bool isIn(const BrickKey& key, const BrickKey& first, int side) {
     const auto within = [&](int place, int low) { return place >= low && place < low + side; };
     return within(key.x, first.x) && within(key.y, first.y) && within(key.z, first.z);
@@ -51,6 +60,7 @@ RemainingFractions::RemainingFractions(const CutVolume& volume) : volume_(volume
 }
 
 bool RemainingFractions::isUniform(const Vec3& centre, double reach) const {
+    TACTOOTH_ASSERT(centre.allFinite() && reach > 0);
     const LayeredTooth& tooth = *volume_.tooth();
     return !closestPoint(*tooth.outer(), centre, reach) &&
            std::none_of(tooth.layers().begin(), tooth.layers().end(),
@@ -59,6 +69,7 @@ bool RemainingFractions::isUniform(const Vec3& centre, double reach) const {
 
 /// The voxels of a block fill a cube around the middle of its nodes.
 void RemainingFractions::classify(const BrickKey& first, int side, const std::vector<BrickKey>& cut) {
+    TACTOOTH_ASSERT(side >= 1 && side <= kLargestBlock && std::has_single_bit(static_cast<unsigned>(side)));
     const Lattice& lattice = volume_.lattice();
     std::vector<BrickKey> cutHere;
     std::copy_if(cut.begin(), cut.end(), std::back_inserter(cutHere),
@@ -93,6 +104,7 @@ BrickFractions RemainingFractions::fractionsOf(const BrickKey& key) const {
     if (brick == nullptr) return shares;
     for (int node = 0; node < kBrickNodes; ++node) {
         const double share = remainingFraction(*brick, node, spacing);
+        TACTOOTH_ASSERT(share >= 0 && share <= 1);
         const double beyond = share * brick->neighbourFraction[node] / 255;
         shares[static_cast<std::size_t>(brick->material[node])][node] += static_cast<float>(share - beyond);
         shares[static_cast<std::size_t>(brick->neighbour[node])][node] += static_cast<float>(beyond);

@@ -9,29 +9,29 @@
 
 namespace tactooth {
 
-/// How much of the voxel around each node (a cube of one spacing with the node in its middle) is filled with what,
-/// 0..1: of each material, in one brick.
+/// Volume fractions of the voxels of one brick, for each material, 0..1. The voxel of a node is a cube with the node in
+/// its middle and a side of one spacing.
 using BrickFractions = std::array<std::array<float, kBrickNodes>, kMaterialCount>;
 
-/// A cube of bricks that one material fills, untouched.
+/// A cube of uncut bricks that one material fills.
 struct SolidBlock {
-    BrickKey first;  ///< the lowest
+    BrickKey first;  ///< the brick with the lowest coordinates
     int side;        ///< in bricks
     MaterialId material;
 };
 
-/// A tooth without what burs have removed, as voxels on the lattice of `volume`, made afresh from its surfaces and the
-/// bricks that were cut; nothing of it is kept in `volume`.
+/// A tooth without what burs have removed, as voxels on the lattice of `volume`. Computed from its surfaces and the cut
+/// bricks; stores nothing in `volume`.
 class RemainingFractions {
 public:
-    /// Looks where the surfaces run. `volume` outlives this and does not change.
+    /// Finds the bricks that the surfaces pass through. `volume` must outlive this and must not change.
     explicit RemainingFractions(const CutVolume& volume);
 
-    /// Wherever one material fills many bricks. In a fixed order.
+    /// Cubes of bricks that one material fills, in a fixed order.
     [[nodiscard]] const std::vector<SolidBlock>& blocks() const { return blocks_; }
     /// All other bricks that are not empty, in a fixed order.
     [[nodiscard]] const std::vector<BrickKey>& mixed() const { return mixed_; }
-    /// What is in one of them. May be called from many threads.
+    /// The fractions of one of these bricks. Any thread may call it.
     [[nodiscard]] BrickFractions fractionsOf(const BrickKey& key) const;
 
 private:

@@ -5,19 +5,25 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/util/assert.h"
+
+// Source: R. Scardovelli, S. Zaleski, "Analytical Relations Connecting Linear Interfaces and Volume Fractions in
+// Rectangular Grids", J. Comput. Phys. 164, 2000. Differences: small components of a normal are raised, so that one
+// closed form serves all cases. For two half-spaces the cube is sliced, and the fractions of each slice are multiplied.
+
 namespace tactooth {
 namespace {
 
-/// Components of a normal below this are raised to it: the closed form divides by their product.
+/// Smaller components of a normal are raised to this, since the closed form divides by their product.
 constexpr double kLeastComponent = 1e-3;
-/// Slices a side for the share within two half-spaces.
+/// Slices along a side for the fraction within two half-spaces.
 constexpr int kSlices = 4;
 
 double cubed(double value) { return value > 0 ? value * value * value : 0; }
 
-/// Volume of {x in [0,1]^3 : m . x < alpha} for positive m (R. Scardovelli, S. Zaleski, "Analytical Relations
-/// Connecting Linear Interfaces and Volume Fractions in Rectangular Grids", J. Comput. Phys. 2000).
+/// Volume of {x in [0,1]^3 : m . x < alpha} for positive m.
 double corneredVolume(const Vec3& m, double alpha) {
+    TACTOOTH_ASSERT(m.minCoeff() > 0);
     const double sum = m.x() + m.y() + m.z();
     double volume = cubed(alpha) - cubed(alpha - sum);
     for (int axis = 0; axis < 3; ++axis) {
@@ -26,7 +32,7 @@ double corneredVolume(const Vec3& m, double alpha) {
     return std::clamp(volume / (6 * (m.x() * m.y() * m.z())), 0.0, 1.0);
 }
 
-/// The middles of a row of slices, from that of the cube.
+/// The middles of a row of slices, from the middle of the cube.
 struct Slices {
     static_assert(kSlices == 4);
     Eigen::Array4d x{-0.375, -0.125, 0.125, 0.375};
@@ -41,8 +47,11 @@ Eigen::Array4d cubed(const Eigen::Array4d& values) {
 
 }  // namespace
 
-// Operation by operation that of one half-space, so that a node's share does not depend on the nodes beside it.
+// The same operations in the same order as for one half-space, so that a node's fraction does not depend on the nodes
+// beside it.
 Eigen::Array4d cubeFractions(const Eigen::Array4d& distances, const std::array<Eigen::Array4d, 3>& absNormals) {
+    TACTOOTH_ASSERT(distances.allFinite());
+    TACTOOTH_ASSERT((absNormals[0] >= 0 && absNormals[1] >= 0 && absNormals[2] >= 0).all());
     std::array<Eigen::Array4d, 3> m;
     for (int axis = 0; axis < 3; ++axis) m[axis] = absNormals[axis].max(kLeastComponent);
     const Eigen::Array4d sum = m[0] + m[1] + m[2];
@@ -55,6 +64,8 @@ Eigen::Array4d cubeFractions(const Eigen::Array4d& distances, const std::array<E
 }
 
 double cubeFraction(const HalfSpace& half) {
+    TACTOOTH_ASSERT(!std::isnan(half.distance));
+    TACTOOTH_ASSERT(std::abs(half.normal.squaredNorm() - 1) < 1e-6);
     const Vec3 m = half.normal.cwiseAbs().cwiseMax(kLeastComponent);
     const double reach = 0.5 * (m.x() + m.y() + m.z());
     if (half.distance >= reach) return 0;
@@ -80,6 +91,7 @@ double cubeFraction(const HalfSpace& first, const HalfSpace& second) {
             total += fractionOfSlices(first, row) * fractionOfSlices(second, row);
         }
     }
+    TACTOOTH_ASSERT(total.sum() >= 0 && total.sum() <= kSlices * kSlices * kSlices);
     return total.sum() / (kSlices * kSlices * kSlices);
 }
 

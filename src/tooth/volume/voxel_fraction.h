@@ -8,21 +8,21 @@
 
 namespace tactooth {
 
-/// A half-space given by the signed distance of a cube's centre to its border (in cube sides, negative inside) and the
-/// unit normal out of it.
+/// A half-space: the signed distance of a cube's centre from its border (in cube sides, negative inside), and the unit
+/// normal out of it.
 struct HalfSpace {
     double distance;
     Vec3 normal;
 };
 
-/// Share of a unit cube that lies within a half-space, 0..1, exact.
+/// The fraction of a unit cube within a half-space, 0..1, exact.
 [[nodiscard]] double cubeFraction(const HalfSpace& half);
 
-/// The same for four half-spaces at once; of the normals the sizes of their components tell all.
+/// The same for four half-spaces at once. Needs only the absolute components of the normals.
 [[nodiscard]] Eigen::Array4d cubeFractions(const Eigen::Array4d& distances,
                                            const std::array<Eigen::Array4d, 3>& absNormals);
 
-/// Share of a unit cube that lies within both, to about 0.01.
+/// The fraction of a unit cube within both half-spaces, to about 0.01.
 [[nodiscard]] double cubeFraction(const HalfSpace& first, const HalfSpace& second);
 
 }  // namespace tactooth

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/expect_assert.h"
 #include "support/mesh_checks.h"
 #include "support/shapes.h"
 
@@ -20,7 +21,7 @@ std::shared_ptr<const SurfacePart> part(TriangleMesh mesh, SurfaceTag tag) {
     return std::make_shared<const SurfacePart>(std::move(mesh), std::move(tags));
 }
 
-/// With the numbers that its vertices have in an untouched tooth's file.
+/// With the vertex numbers of an uncut tooth's file.
 TriangleMesh untouched(const TriangleMesh& mesh) { return visibleMesh({.base = part(mesh, 0)}).mesh; }
 
 TEST(ExportedMesh, LeavesOutWhatCuttingLeftBelowAVoxel) {
@@ -44,7 +45,7 @@ TEST(ExportedMesh, ASpeckThatIsTurnedInsideOutGoesToo) {
     EXPECT_TRUE(test::areBitEqual(exported.mesh, untouched(base->mesh())));
 }
 
-/// Half of its triangles are the base's, and the patch closes them.
+/// Half of its triangles belong to the base, and the patch closes them.
 TEST(ExportedMesh, ASpeckMayHaveSomeOfTheToothsOwnSurface) {
     TriangleMesh all = cubeAt(Vec3::Zero(), 1);
     append(all, cubeAt(kFar, 0.5 * kVoxel));
@@ -61,7 +62,7 @@ TEST(ExportedMesh, WhatNoBurHasTouchedStaysHoweverSmall) {
     append(whole, cubeAt(kFar, 0.1 * kVoxel));
     const auto base = part(whole, 1);
     EXPECT_TRUE(test::areBitEqual(exportedMesh({.base = base}, kVoxel).mesh, untouched(whole)));
-    // ... and where some triangles before it are hidden.
+    // ... and with hidden triangles before them.
     const auto hidden = std::make_shared<TriangleMask>(TriangleMask{0xFFF});
     const auto again = part(cubeAt(Vec3::Zero(), 1), 2);
     const TaggedMesh exported = exportedMesh(
@@ -69,6 +70,12 @@ TEST(ExportedMesh, WhatNoBurHasTouchedStaysHoweverSmall) {
     EXPECT_EQ(exported.mesh.triangles.size(), 24U);
     EXPECT_EQ(exported.tags.front(), 1);
     EXPECT_EQ(exported.tags.back(), 2);
+}
+
+TEST(ExportedMeshAsserts, AVoxelHasASize) {
+    const auto ball = std::make_shared<const SurfacePart>(test::sphere(Vec3::Zero(), 1, 16, 8));
+    EXPECT_ASSERT(static_cast<void>(exportedMesh({.base = ball}, 0)));
+    EXPECT_ASSERT(static_cast<void>(exportedMesh({.base = nullptr}, 0.1)));
 }
 
 }  // namespace

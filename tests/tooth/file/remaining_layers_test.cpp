@@ -18,7 +18,7 @@ constexpr double kVoxel = 0.05;
 
 Pose at(double x, double y, double z) { return {Vec3(x, y, z), Quat::Identity()}; }
 
-/// A block with a core that begins 0.5 mm below its top, and a hole of 1 mm drilled 0.8 mm deep.
+/// A block with a core that begins 0.5 mm below its top. A hole of 1 mm is drilled 0.8 mm deep.
 CutVolume drilledBlock(bool layered) {
     std::vector<LayerMesh> layers;
     if (layered) {
@@ -32,7 +32,7 @@ CutVolume drilledBlock(bool layered) {
     return volume;
 }
 
-/// As whoever reads the file sees it: equal points are one.
+/// The report on the mesh as a reader of the file sees it: equal points are one.
 MeshReport reportOnFileOf(const TriangleMesh& mesh) { return reportOn(*parseStl(stlBytes(mesh), "layer")); }
 
 TEST(RemainingLayer, EachLayerIsClosedAndLacksWhatWasCutOfIt) {

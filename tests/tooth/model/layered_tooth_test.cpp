@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "support/expect_assert.h"
 #include "support/shapes.h"
 
 namespace tactooth {
@@ -30,7 +32,7 @@ TEST(LayeredTooth, WithoutLayersItIsOneMaterial) {
     EXPECT_EQ(tooth->outer()->tag(0), static_cast<SurfaceTag>(MaterialId::Dentin));
 }
 
-TEST(LayeredTooth, TheInnerOfNestedLayersWinsInAnyOrderOfGiving) {
+TEST(LayeredTooth, TheInnerOfNestedLayersWinsInAnyOrder) {
     const auto tooth = LayeredTooth::make(
         test::box(kLow, kHigh), {boxLayer("pulp", MaterialId::Pulp, 0.5), boxLayer("enamel", MaterialId::Enamel, 2),
                                  boxLayer("dentin", MaterialId::Dentin, 1.5)});
@@ -97,12 +99,20 @@ TEST(LayeredTooth, RepeatedNamesAndLayersElsewhereAreRefused) {
 }
 
 TEST(LayeredTooth, ALayerBesideTheToothIsRefusedThoughItsBoxMeetsTheTooths) {
-    // A ball's box has room for a small ball in each corner.
+    // The box of a ball has room for a small ball in each corner.
     LayerMesh corner{"pulp", MaterialId::Pulp, test::sphere(Vec3(1.7, 1.7, 1.7), 0.2, 12, 8)};
     EXPECT_NE(failure(test::sphere(Vec3::Zero(), 2, 48, 32), {corner}).find("'pulp' lies outside the tooth"),
               std::string::npos);
     LayerMesh around{"enamel", MaterialId::Enamel, test::sphere(Vec3::Zero(), 3, 48, 32)};
     EXPECT_TRUE(LayeredTooth::make(test::sphere(Vec3::Zero(), 2, 48, 32), {around}));
+}
+
+TEST(LayeredToothAsserts, MesialIsOneWayOrTheOther) {
+    const TriangleMesh outer = test::box(Vec3(-1, -1, -1), Vec3(1, 1, 1));
+    EXPECT_ASSERT(static_cast<void>(LayeredTooth::make(outer, {}, MaterialId::Enamel, {.mesialX = 0.5})));
+    const LayeredTooth tooth = *LayeredTooth::make(outer);
+    EXPECT_ASSERT(static_cast<void>(tooth.materialAt(Vec3(0, 0, std::nan("")))));
+    tooth.validate();
 }
 
 }  // namespace

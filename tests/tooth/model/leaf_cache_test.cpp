@@ -4,14 +4,16 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
+#include "support/expect_assert.h"
 #include "support/shapes.h"
 
 namespace tactooth {
 namespace {
 
-TEST(LeafCache, FindTheSamePointAsAWalkDownTheTree) {
+TEST(LeafCache, FindTheSamePointAsATraversalOfTheTree) {
     const SurfacePart ball(test::sphere(Vec3(0.1, -0.2, 0.3), 1, 96, 48));
     std::mt19937 random(7);
     std::uniform_real_distribution<double> unit(-1, 1);
@@ -42,6 +44,13 @@ TEST(LeafCache, AreNoneFarFromTheSurface) {
     EXPECT_TRUE(LeafCache(box, Vec3(0, 0, 3), 1.5).empty());
     EXPECT_TRUE(LeafCache(SurfacePart(TriangleMesh{}), Vec3::Zero(), 1).empty());
     EXPECT_FALSE(LeafCache(box, Vec3(0, 0, 3), 2.5).empty());
+}
+
+TEST(LeafCacheAsserts, PointsAndDistancesAreNumbers) {
+    const SurfacePart ball(test::sphere(Vec3::Zero(), 1, 16, 8));
+    EXPECT_ASSERT(LeafCache(ball, Vec3::Constant(std::nan("")), 1));
+    EXPECT_ASSERT(LeafCache(ball, Vec3::Zero(), -1));
+    EXPECT_ASSERT(static_cast<void>(LeafCache(ball, Vec3::Zero(), 2).closest(Vec3::Zero(), -1)));
 }
 
 }  // namespace

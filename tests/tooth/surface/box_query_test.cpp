@@ -6,6 +6,7 @@
 
 #include <random>
 
+#include "support/expect_assert.h"
 #include "support/shapes.h"
 
 namespace tactooth {
@@ -30,6 +31,11 @@ TEST(BoxQuery, FindsWhatATestOfEveryTriangleFinds) {
         all += expected.size();
     }
     EXPECT_GT(all, 1000U);
+}
+
+TEST(BoxQueryAsserts, ABoxHoldsAPoint) {
+    const SurfacePart part(test::sphere(Vec3::Zero(), 1, 16, 8));
+    EXPECT_ASSERT(static_cast<void>(trianglesTouching(part, Box3())));
 }
 
 }  // namespace

@@ -9,6 +9,8 @@
 #include <random>
 #include <vector>
 
+#include "support/expect_assert.h"
+
 namespace tactooth {
 namespace {
 
@@ -19,7 +21,7 @@ struct Crossing {
     Vec3f normal;
 };
 
-/// Cells side by side, each with the planes of its crossings in their order; all others have none.
+/// Cells side by side, each with the planes of its crossings in their order. Other cells have none.
 CellQef8 planesOf(const std::array<std::vector<Crossing>, 8>& cells) {
     CellQef8 planes;
     std::size_t most = 0;
@@ -56,7 +58,7 @@ std::optional<Vec3f> pointOfFlat(const CellQef8& planes, int lane) {
     return inLane(points, lane);
 }
 
-/// The same, one cell and one plane at a time.
+/// The reference: one cell and one plane at a time.
 std::optional<Vec3f> pointOfFlat(const std::vector<Crossing>& crossings) {
     Vec3f points = Vec3f::Zero(), normals = Vec3f::Zero(), offsets = Vec3f::Zero();
     float xx = 0, xy = 0, xz = 0, yy = 0, yz = 0;
@@ -79,7 +81,7 @@ std::optional<Vec3f> pointOfFlat(const std::vector<Crossing>& crossings) {
     return Vec3f(centre + normals * (normals.dot(Vec3f(offsets - timesProducts(centre))) / along));
 }
 
-/// Where a plane through `through` crosses the four edges along z.
+/// The crossings of a plane through `through` with the four edges along z.
 std::vector<Crossing> crossedAlongZ(const Vec3f& through, const Vec3f& normal) {
     std::vector<Crossing> crossings;
     for (int i = 0; i < 4; ++i) {
@@ -99,7 +101,7 @@ TEST(CellQef, OneLevelPlaneHasItsVertexAboveTheMiddle) {
     EXPECT_LT((inLane(planes.means(), 0) - Vec3f(0, 0, 0.2F)).norm(), 1e-6F);
 }
 
-TEST(CellQef, AFlatVertexLiesOnItsPlaneWhichWayEverItLeans) {
+TEST(CellQef, AFlatVertexLiesOnItsPlaneAtEachAngle) {
     std::mt19937 random(5);
     std::uniform_real_distribution<float> share(-0.3F, 0.3F);
     for (int i = 0; i < 2000; ++i) {
@@ -111,8 +113,8 @@ TEST(CellQef, AFlatVertexLiesOnItsPlaneWhichWayEverItLeans) {
     }
 }
 
-TEST(CellQef, AFlatBorderThatBendsALittleHasItsVertexWhereThePlanesAgreeBest) {
-    // A ball of ten steps: the vertex lies on it, to what its planes leave open.
+TEST(CellQef, AFlatBoundaryThatBendsALittleHasItsVertexWhereThePlanesAgreeBest) {
+    // A ball with a radius of ten steps. The vertex lies on it, as far as the planes decide it.
     const Vec3f middle(0.1F, -0.2F, -10);
     std::vector<Crossing> crossings;
     for (int i = 0; i < 4; ++i) {
@@ -140,8 +142,9 @@ TEST(CellQef, TheVertexOfASharpEdgeLiesOnBothItsPlanes) {
     EXPECT_NEAR(point.z(), 0.2, 1e-6);
 }
 
-TEST(CellQef, AVertexThatItsRoomHoldsBackSlidesAlongTheEdge) {
-    // The planes z = y - 0.3 and z = 0.9 - y meet at y = 0.6, outside: held at 0.5, it is as near to both.
+TEST(CellQef, AVertexAtTheWallOfItsBoxSlidesAlongTheEdge) {
+    // The planes z = y - 0.3 and z = 0.9 - y meet at y = 0.6, outside the cell. Held at 0.5, the vertex is equally near
+    // to both.
     const Vec3f up = Vec3f(0, -1, 1).normalized();
     const Vec3f down = Vec3f(0, 1, 1).normalized();
     const CellQef8 planes = planesOf({{{-0.5F, -0.1F, -0.4F}, up},
@@ -186,6 +189,12 @@ TEST(CellQef, EightCellsGetTheBitsOfEachByItself) {
         }
     }
     for (const int count : seen) EXPECT_GT(count, 200);
+}
+
+TEST(CellQefAsserts, ALaneIsOneOfEightAndARoomHoldsAPoint) {
+    const CellQef8 planes = planesOf(crossedAlongZ({0, 0, 0.2F}, Vec3f::UnitZ()));
+    EXPECT_ASSERT(static_cast<void>(planes.nearestPoint(8, kCell)));
+    EXPECT_ASSERT(static_cast<void>(planes.nearestPoint(0, Box3())));
 }
 
 }  // namespace

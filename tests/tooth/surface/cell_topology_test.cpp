@@ -8,10 +8,12 @@
 #include <array>
 #include <set>
 
+#include "support/expect_assert.h"
+
 namespace tactooth {
 namespace {
 
-TEST(CellTopology, ExactlyTheEdgesWithOneInsideEndBelongToARound) {
+TEST(CellTopology, ExactlyTheEdgesWithOneInsideEndBelongToALoop) {
     for (int inside = 0; inside < 256; ++inside) {
         std::set<int> rounds;
         for (int edge = 0; edge < 12; ++edge) {
@@ -24,7 +26,7 @@ TEST(CellTopology, ExactlyTheEdgesWithOneInsideEndBelongToARound) {
     }
 }
 
-TEST(CellTopology, ARoundHasAtLeastThreeEdges) {
+TEST(CellTopology, ALoopHasAtLeastThreeEdges) {
     for (const CellLoops& rounds : kCellLoops) {
         for (int round = 0; round < rounds.count; ++round) {
             EXPECT_GE(std::count(rounds.loopOfEdge.begin(), rounds.loopOfEdge.end(), round), 3);
@@ -32,7 +34,7 @@ TEST(CellTopology, ARoundHasAtLeastThreeEdges) {
     }
 }
 
-TEST(CellTopology, OneInsideCornerIsOneRound) { EXPECT_EQ(kCellLoops[1].count, 1); }
+TEST(CellTopology, OneInsideCornerIsOneLoop) { EXPECT_EQ(kCellLoops[1].count, 1); }
 
 TEST(CellTopology, InsideCornersAreJoinedAcrossAFaceAndApartAcrossTheCell) {
     EXPECT_EQ(kCellLoops[0b00001001].count, 1);
@@ -40,8 +42,8 @@ TEST(CellTopology, InsideCornersAreJoinedAcrossAFaceAndApartAcrossTheCell) {
 }
 
 TEST(CellTopology, OutsideCornersAreKeptApart) {
-    EXPECT_EQ(kCellLoops[0b11110110].count, 2);  // across a face
-    EXPECT_EQ(kCellLoops[0b01101001].count, 4);  // on a tetrahedron
+    EXPECT_EQ(kCellLoops[0b11110110].count, 2);  // two loops across a face
+    EXPECT_EQ(kCellLoops[0b01101001].count, 4);  // corners of a tetrahedron
 }
 
 TEST(CellTopology, CrossedEdgesComeInTheOrderOfTheLattice) {
@@ -62,6 +64,12 @@ TEST(CellTopology, CrossedEdgesComeInTheOrderOfTheLattice) {
         EXPECT_EQ(static_cast<int>(edges.size()), 12 - std::count(rounds.begin(), rounds.end(), -1));
         for (int i = crossings.count; i < 12; ++i) EXPECT_EQ(crossings.edges[i], crossings.edges[0]);
     }
+}
+
+TEST(CellTopologyAsserts, ACellHasTwelveEdgesOnThreeAxes) {
+    EXPECT_ASSERT(static_cast<void>(cellEdge(3, 0, 0)));
+    EXPECT_ASSERT(static_cast<void>(cellEdge(0, 2, 0)));
+    EXPECT_ASSERT(static_cast<void>(cellEdgeCorners(12)));
 }
 
 }  // namespace

@@ -31,8 +31,8 @@ RevolutionEnvelope ballBur(double radius) { return envelopeOf(test::sphere(Vec3(
 Pose at(double x, double y, double z) { return {Vec3(x, y, z), Quat::Identity()}; }
 
 /// A tooth with its cut volume and surface.
-struct Patient {
-    explicit Patient(TriangleMesh outer, double voxel = kVoxel)
+struct CutTooth {
+    explicit CutTooth(TriangleMesh outer, double voxel = kVoxel)
         : volume(std::make_shared<const LayeredTooth>(std::move(*LayeredTooth::make(std::move(outer)))), voxel),
           surface(volume) {}
 
@@ -47,7 +47,7 @@ struct Patient {
     IncrementalSurface surface;
 };
 
-/// Directed edges, by the bits of their ends, that have no single partner in the other direction.
+/// Counts directed edges, by the bits of their ends, that do not have exactly one partner in the other direction.
 int badEdges(const TriangleMesh& mesh) {
     using Point = std::array<float, 3>;
     std::map<std::pair<Point, Point>, int> count;
@@ -74,7 +74,7 @@ void expectSameTriangles(const TriangleMesh& mesh, const TriangleMesh& expected)
     }
 }
 
-/// Two blocks a fiftieth of a millimetre apart; the second one, at greater x, stands around the first.
+/// Two blocks with a gap of 0.02 mm. The second one, at greater x, is a body around the first.
 constexpr double kBetween = 0.02;
 LayeredTooth twoBlocks() {
     TriangleMesh outer = test::box(Vec3(-1, -1, -2), Vec3(1, 1, 0));
@@ -85,16 +85,16 @@ LayeredTooth twoBlocks() {
 
 double volumeCutFrom(const TriangleMesh& left, double whole) { return whole - test::volumeOf(left); }
 
-// A bur that prepares the contact between two teeth takes from both. Each keeps a closed surface of its own.
-TEST(IncrementalSurface, WhatIsCutFromABodyAroundTheToothBelongsToThat) {
+// A bur that prepares the contact of two teeth cuts both. Each keeps a closed surface of its own.
+TEST(IncrementalSurface, ACutOfABodyAroundTheToothCountsForThatBody) {
     const auto tooth = std::make_shared<const LayeredTooth>(twoBlocks());
     CutVolume volume(tooth, kVoxel / 2);
     IncrementalSurface surface(volume);
     const RevolutionEnvelope bur = ballBur(0.4);
     MaterialVolumes removed{};
     for (const auto& [from, to] : {std::pair(at(1.01, -1.5, -0.3), at(1.01, 1.5, -0.3)),     // through the contact
-                                   std::pair(at(2, 0.3, 0.5), at(2, 0.3, -0.8)),             // within the one beside
-                                   std::pair(at(-0.2, -0.1, 0.5), at(-0.2, -0.1, -1.1))}) {  // within its own
+                                   std::pair(at(2, 0.3, 0.5), at(2, 0.3, -0.8)),             // in the neighbour
+                                   std::pair(at(-0.2, -0.1, 0.5), at(-0.2, -0.1, -1.1))}) {  // in the tooth itself
         const CarveResult result = volume.carve(bur, from, to, 0);
         surface.update(volume, result.changed);
         for (std::size_t i = 0; i < kMaterialCount; ++i) removed[i] += result.removed[i];
@@ -109,7 +109,7 @@ TEST(IncrementalSurface, WhatIsCutFromABodyAroundTheToothBelongsToThat) {
     const double wholeBeside = test::volumeOf(visibleMesh({.base = tooth->outer()}).mesh) - 8;
     EXPECT_GT(volumeCutFrom(own, 8), 0.5);
     EXPECT_GT(wholeBeside - beside, 0.5);
-    EXPECT_NEAR(surface.lostAdjacent(), wholeBeside - beside, 1e-5);  // of 0.5: the volumes are those of floats
+    EXPECT_NEAR(surface.lostAdjacent(), wholeBeside - beside, 1e-5);  // of 0.5; the volumes come from floats
     surface.reset();
     EXPECT_EQ(surface.lostAdjacent(), 0);
     EXPECT_NEAR(volumeCutFrom(all, 8 + wholeBeside), total(removed), 0.003 * total(removed));
@@ -130,13 +130,13 @@ TEST(IncrementalSurface, WhatIsCutFromABodyAroundTheToothBelongsToThat) {
 TriangleMesh fineSphere() { return test::sphere(Vec3(0.03, -0.02, -2), 2, 96, 64); }
 
 TEST(IncrementalSurface, AnUncutToothIsItsFile) {
-    const Patient patient(fineSphere());
+    const CutTooth patient(fineSphere());
     const TriangleMesh mesh = patient.mesh();
     expectSameTriangles(mesh, fineSphere());
 }
 
 TEST(IncrementalSurface, AHoleInABlockIsClosedAndHasTheVolumeOfTheBur) {
-    Patient patient(test::box(Vec3(-2, -2, -3), Vec3(2, 2, 0)));
+    CutTooth patient(test::box(Vec3(-2, -2, -3), Vec3(2, 2, 0)));
     const double removed = patient.cut(flatBur(0.6), at(0.01, 0.02, 0.5), at(0.01, 0.02, -1.5));
     const TriangleMesh mesh = patient.mesh();
     EXPECT_EQ(badEdges(mesh), 0);
@@ -146,7 +146,7 @@ TEST(IncrementalSurface, AHoleInABlockIsClosedAndHasTheVolumeOfTheBur) {
 }
 
 TEST(IncrementalSurface, WallsLieOnTheBurAndInnerEdgesAreSharp) {
-    Patient patient(test::box(Vec3(-2, -2, -3), Vec3(2, 2, 0)));
+    CutTooth patient(test::box(Vec3(-2, -2, -3), Vec3(2, 2, 0)));
     const auto bur = flatBur(0.6);
     const Pose tilted{Vec3(0, 0, -1.2), Quat(Eigen::AngleAxisd(0.3, Vec3(1, 0.5, 0).normalized()))};
     patient.cut(bur, tilted, tilted);
@@ -166,7 +166,7 @@ TEST(IncrementalSurface, WallsLieOnTheBurAndInnerEdgesAreSharp) {
 }
 
 TEST(IncrementalSurface, UntouchedTrianglesKeepTheirBits) {
-    Patient patient(fineSphere());
+    CutTooth patient(fineSphere());
     patient.cut(ballBur(0.4), at(0, 0, 0.2), at(0, 0, -0.4));
     const auto snapshot = patient.surface.snapshot();
     const TriangleMesh& base = snapshot->base->mesh();
@@ -186,7 +186,7 @@ TEST(IncrementalSurface, UntouchedTrianglesKeepTheirBits) {
     }
 }
 
-/// The triangles of all leaves that a walk over the base's visible tree reaches.
+/// The triangles of all leaves that a traversal of the base's visible tree reaches.
 std::set<std::uint32_t> reached(const Surface& surface) {
     std::set<std::uint32_t> triangles;
     const auto& [tree, hidden] = visibleBase(surface);
@@ -205,8 +205,8 @@ std::set<std::uint32_t> reached(const Surface& surface) {
     return triangles;
 }
 
-TEST(IncrementalSurface, WalksMeetTheVisibleTrianglesOfTheBaseAlone) {
-    Patient patient(fineSphere());
+TEST(IncrementalSurface, ATraversalReachesTheVisibleTrianglesOfTheBaseOnly) {
+    CutTooth patient(fineSphere());
     patient.cut(ballBur(0.4), at(0, 0, 0.2), at(0, 0, -0.4));
     const auto cut = patient.surface.snapshot();
     ASSERT_EQ(visibleBase(*cut).hidden, nullptr);
@@ -234,7 +234,7 @@ TEST(IncrementalSurface, WalksMeetTheVisibleTrianglesOfTheBaseAlone) {
 }
 
 TEST(IncrementalSurface, RandomCuttingOfABallStaysClosed) {
-    Patient patient(fineSphere());
+    CutTooth patient(fineSphere());
     const std::vector<RevolutionEnvelope> burs = {flatBur(0.3), ballBur(0.25)};
     std::mt19937 random(11);
     std::uniform_real_distribution<double> unit(-1, 1);
@@ -256,14 +256,14 @@ TEST(IncrementalSurface, RandomCuttingOfABallStaysClosed) {
 }
 
 TEST(IncrementalSurface, AThroughHoleStaysClosed) {
-    Patient patient(test::box(Vec3(-2, -2, -1), Vec3(2, 2, 0)));
+    CutTooth patient(test::box(Vec3(-2, -2, -1), Vec3(2, 2, 0)));
     patient.cut(flatBur(0.5), at(0.1, 0.2, 0.5), at(0.1, 0.2, -1.5));
     EXPECT_EQ(badEdges(patient.mesh()), 0);
     EXPECT_NEAR(16 - test::volumeOf(patient.mesh()), kPi * 0.25, 0.003 * kPi * 0.25);
 }
 
 TEST(IncrementalSurface, AThinWallBetweenTwoSlotsStaysClosed) {
-    Patient patient(test::box(Vec3(-2, -2, -2), Vec3(2, 2, 0)));
+    CutTooth patient(test::box(Vec3(-2, -2, -2), Vec3(2, 2, 0)));
     const auto bur = flatBur(0.3);
     for (const double gap : {0.08, 0.03, 0.01, -0.01}) {
         patient.cut(bur, at(-0.5, 0, 0.2), at(-0.5, 0, -0.5));
@@ -274,8 +274,8 @@ TEST(IncrementalSurface, AThinWallBetweenTwoSlotsStaysClosed) {
 }
 
 TEST(IncrementalSurface, ManySmallStepsGiveTheSurfaceOfOneLongOne) {
-    Patient steps(fineSphere());
-    Patient once(fineSphere());
+    CutTooth steps(fineSphere());
+    CutTooth once(fineSphere());
     const auto bur = ballBur(0.35);
     const auto point = [&](int i) { return at(-0.6 + 0.03 * i, 0, -0.5); };
     once.cut(bur, point(0), point(40));
@@ -284,7 +284,7 @@ TEST(IncrementalSurface, ManySmallStepsGiveTheSurfaceOfOneLongOne) {
     EXPECT_NEAR(test::volumeOf(steps.mesh()), test::volumeOf(once.mesh()), 2e-4);
 }
 
-/// How deep corners, edge middles and centres of the surface's triangles lie within a bur, mm, <= 0.
+/// Depth of the deepest corner, edge middle or centre of the surface's triangles in a bur, mm, <= 0.
 double deepestWithin(const TriangleMesh& mesh, const RevolutionEnvelope& bur, const Pose& toolInTooth) {
     const Pose toothInTool = toolInTooth.inverse();
     double deepest = 0;
@@ -302,7 +302,7 @@ double deepestWithin(const TriangleMesh& mesh, const RevolutionEnvelope& bur, co
 
 TEST(IncrementalSurface, ABurAtRestInTheSlotThatItMilledDoesNotTouchTheWall) {
     for (const RevolutionEnvelope& bur : {flatBur(0.5), ballBur(0.4)}) {
-        Patient patient(fineSphere());
+        CutTooth patient(fineSphere());
         Pose pose{Vec3(-0.5, 0, 0.1), Quat(Eigen::AngleAxisd(0.1, Vec3(1, 2, 0).normalized()))};
         for (int i = 1; i <= 60; ++i) {
             Pose next = pose;
@@ -316,7 +316,7 @@ TEST(IncrementalSurface, ABurAtRestInTheSlotThatItMilledDoesNotTouchTheWall) {
 }
 
 TEST(IncrementalSurface, ATurningBurLeavesLessThanHalfAVoxelInItsWay) {
-    Patient patient(fineSphere());
+    CutTooth patient(fineSphere());
     const auto bur = flatBur(0.5);
     Pose pose = at(0, 0, 0.3);
     double deepest = 0;
@@ -331,7 +331,7 @@ TEST(IncrementalSurface, ATurningBurLeavesLessThanHalfAVoxelInItsWay) {
 }
 
 TEST(IncrementalSurface, UpdatesOfWhatChangedAddUpToAnUpdateOfEverything) {
-    Patient patient(fineSphere());
+    CutTooth patient(fineSphere());
     const auto round = ballBur(0.3);
     const auto flat = flatBur(0.25);
     std::size_t changed = 0;
@@ -355,9 +355,9 @@ TEST(IncrementalSurface, UpdatesOfWhatChangedAddUpToAnUpdateOfEverything) {
     EXPECT_TRUE(test::areBitEqual(visibleMesh(*anew.snapshot()).mesh, patient.mesh()));
 }
 
-// Triangles that a bur has passed are forgotten, until an undo brings them back.
-TEST(IncrementalSurface, AfterAnUndoWhatWasPassedIsCutAgain) {
-    Patient patient(fineSphere());
+// The surface forgets triangles that a bur has passed. An undo brings them back.
+TEST(IncrementalSurface, AfterAnUndoPassedTrianglesAreCutAgain) {
+    CutTooth patient(fineSphere());
     const auto round = ballBur(0.3);
     const auto mill = [&](double y, int moves) {
         for (int i = 0; i < moves; ++i) patient.cut(round, at(-0.5 + 0.05 * i, y, -0.4), at(-0.45 + 0.05 * i, y, -0.4));
@@ -377,7 +377,7 @@ TEST(IncrementalSurface, AfterAnUndoWhatWasPassedIsCutAgain) {
 
 TEST(IncrementalSurface, IsTheSameFromOneThreadAndFromMany) {
     const auto cut = [] {
-        Patient patient(fineSphere());
+        CutTooth patient(fineSphere());
         patient.cut(ballBur(0.4), at(0, 0, 0.2), at(0.3, 0.1, -0.4));
         patient.cut(flatBur(0.3), at(0.5, 0, 0.2), at(0.2, 0.1, -0.9));
         return std::pair(patient.mesh(), patient.volume.hash());
@@ -390,7 +390,7 @@ TEST(IncrementalSurface, IsTheSameFromOneThreadAndFromMany) {
 }
 
 TEST(IncrementalSurface, ASnapshotSharesWhatDidNotChange) {
-    Patient patient(fineSphere());
+    CutTooth patient(fineSphere());
     patient.cut(ballBur(0.3), at(-1, 0, 0), at(-1, 0, -0.5));
     const auto before = patient.surface.snapshot();
     patient.cut(ballBur(0.3), at(1, 0, 0), at(1, 0, -0.5));
@@ -442,7 +442,7 @@ TEST(IncrementalSurface, ARealToothCutToItsPulpIsWatertightInItsFile) {
 }
 
 TEST(IncrementalSurface, ResetShowsTheWholeToothAgain) {
-    Patient patient(fineSphere());
+    CutTooth patient(fineSphere());
     patient.cut(ballBur(0.3), at(0, 0, 0), at(0, 0, -0.5));
     patient.volume.reset();
     patient.surface.reset();

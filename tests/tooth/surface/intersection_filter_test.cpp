@@ -31,7 +31,7 @@ std::vector<std::uint32_t> crossing(const TriangleMesh& mesh, const std::vector<
     return found;
 }
 
-/// Two of three, and not a multiple of eight.
+/// Two of three triangles; the count is no multiple of eight.
 std::vector<std::uint32_t> someOf(const TriangleMesh& mesh) {
     std::vector<std::uint32_t> some;
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -41,7 +41,7 @@ std::vector<std::uint32_t> someOf(const TriangleMesh& mesh) {
     return some;
 }
 
-TEST(IntersectionFilter, HoldsBackNoneThatCrossesAndFewOthersGoThrough) {
+TEST(IntersectionFilter, RejectsNoneThatCrossesAndPassesFewOthers) {
     const TriangleMesh ball = test::sphere(Vec3(7, -3, 11), 1, 48, 24);
     const std::vector<std::uint32_t> some = someOf(ball);
     const IntersectionFilter filter(ball, some);
@@ -65,10 +65,10 @@ TEST(IntersectionFilter, HoldsBackNoneThatCrossesAndFewOthersGoThrough) {
     EXPECT_LT(visited, 3 * crossed);
 }
 
-TEST(IntersectionFilter, HoldsBackNoneThatTouchesInADegenerateWay) {
+TEST(IntersectionFilter, RejectsNoneThatTouchesInADegenerateWay) {
     std::mt19937 random(4);
     std::uniform_int_distribution<int> place(0, 3);
-    for (const float scale : {1.0F, 0.1F, 1e-13F, 1e-25F}) {  // products of the last ones are too small for a float
+    for (const float scale : {1.0F, 0.1F, 1e-13F, 1e-25F}) {  // products of the last scales are too small for a float
         const auto point = [&] { return Vec3f(scale * Vec3f(place(random), place(random), place(random))); };
         TriangleMesh mesh;
         for (std::uint32_t t = 0; t < 99; ++t) {
@@ -89,7 +89,7 @@ TEST(IntersectionFilter, HoldsBackNoneThatTouchesInADegenerateWay) {
     }
 }
 
-TEST(IntersectionFilter, WhatIsFarAwayIsHeldBack) {
+TEST(IntersectionFilter, FarTrianglesAreRejected) {
     const TriangleMesh block = test::box(Vec3(0, 0, 0), Vec3(1, 1, 1));
     std::vector<std::uint32_t> all(block.triangles.size());
     std::iota(all.begin(), all.end(), 0U);

@@ -9,6 +9,8 @@
 #include <numeric>
 #include <random>
 
+#include "support/expect_assert.h"
+
 namespace tactooth {
 namespace {
 
@@ -25,7 +27,7 @@ double coveredArea(const Points& points, const std::vector<Triangle>& triangles,
     return sum;
 }
 
-/// Adds a star-shaped ring of points and returns its numbers.
+/// Adds the points of a star-shaped ring and returns their numbers.
 PolygonLoop addStar(Points& points, const Eigen::Vector2d& centre, double radius, int count, std::mt19937& random) {
     std::uniform_real_distribution<double> share(0.4, 1);
     PolygonLoop loop;
@@ -95,6 +97,12 @@ TEST(PolygonTriangulation, APointIsWithinALoopOrNot) {
     EXPECT_TRUE(isWithin(points, loop, {0.5, 2}));
     EXPECT_FALSE(isWithin(points, loop, {2, 2}));
     EXPECT_FALSE(isWithin(points, loop, {5, 1}));
+}
+
+TEST(PolygonTriangulationAsserts, AnOutlineHasThreeCornersAndSoHasAHole) {
+    const Points points = {{0, 0}, {1, 0}, {0, 1}, {0.1, 0.1}, {0.2, 0.1}};
+    EXPECT_ASSERT(static_cast<void>(triangulate(points, {0, 1}, {})));
+    EXPECT_ASSERT(static_cast<void>(triangulate(points, {0, 1, 2}, {{3, 4}})));
 }
 
 }  // namespace

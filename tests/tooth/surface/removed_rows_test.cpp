@@ -6,12 +6,14 @@
 
 #include <random>
 
+#include "support/expect_assert.h"
+
 namespace tactooth {
 namespace {
 
 using Coverage = RemovedRows::Coverage;
 
-/// Three bricks side by side, in which nodes are removed here and there in clumps.
+/// Three bricks side by side with random boxes of removed nodes.
 BrickMap clumps(std::mt19937& random) {
     BrickMap bricks;
     std::uniform_int_distribution<int> side(0, kBrickSide - 1);
@@ -35,7 +37,7 @@ BrickMap clumps(std::mt19937& random) {
     return bricks;
 }
 
-/// Node by node.
+/// The reference: node by node.
 Coverage shareOf(const BrickNeighbourhood& nodes, const RemovedRows::Place& low, const RemovedRows::Place& high) {
     bool some = false;
     bool all = true;
@@ -72,6 +74,15 @@ TEST(RemovedRows, TheShareIsThatOfTheNodesInTheBox) {
         }
     }
     for (const int count : seen) EXPECT_GT(count, 200);
+}
+
+TEST(RemovedRowsAsserts, ABoxOfNodesIsNotTurnedRoundAndLiesInside) {
+    std::mt19937 random(3);
+    const BrickMap bricks = clumps(random);
+    const BrickNeighbourhood nodes(bricks, {0, 0, 0}, 0.1);
+    const RemovedRows rows(nodes);
+    EXPECT_ASSERT(static_cast<void>(rows.coverage({2, 0, 0}, {1, 3, 3})));
+    EXPECT_ASSERT(static_cast<void>(rows.coverage({0, 0, 0}, {1, 3, kBrickSide + 1})));
 }
 
 }  // namespace

@@ -21,9 +21,9 @@ IntersectingFace rotated(const IntersectingFace& f) {
     return {{f.corner[1], f.corner[2], f.corner[0]}, {f.id[1], f.id[2], f.id[0]}};
 }
 
-/// How often edge ab of one face (by its ends) runs through `other`: for the parity of a closed surface.
+/// Whether edge ab of one face (by its ends) passes through `other`, for the parity of a closed surface.
 bool runsThrough(const Vec3f& a, const Vec3f& b, const IntersectingFace& wall) {
-    // A sliver of a face with that edge, its third corner far off the wall.
+    // A thin face with that edge. Its third corner is far off the wall.
     for (const Vec3f& away : {Vec3f(100, 101, 102), Vec3f(-90, 80, 123)}) {
         const auto crossing = intersectionOf(face(a, b, away), wall);
         if (!crossing) continue;
@@ -41,10 +41,10 @@ TEST(SurfaceIntersection, TwoCrossedTrianglesMeetInASegment) {
     ASSERT_TRUE(crossing);
     EXPECT_FALSE(crossing->start.onBaseEdge);
     EXPECT_FALSE(crossing->end.onBaseEdge);
-    const Vec3 way = crossing->end.position - crossing->start.position;
-    EXPECT_NEAR(way.norm(), 0.5, 1e-9);
+    const Vec3 segment = crossing->end.position - crossing->start.position;
+    EXPECT_NEAR(segment.norm(), 0.5, 1e-9);
     const Vec3 normal = Vec3(0, 0.5, 2).cross(Vec3(0, -0.5, 2));
-    const Vec3 left = Vec3::UnitZ().cross(way);
+    const Vec3 left = Vec3::UnitZ().cross(segment);
     EXPECT_LT(left.dot(normal), 0);  // the kept part, behind the wall, is on the left
 }
 
@@ -93,7 +93,7 @@ TEST(SurfaceIntersection, AnEdgeRunsThroughAClosedSurfaceEvenlyIfItsEndsAreOutsi
     for (int i = 0; i < 5'000; ++i) {
         Vec3f a(place(random), place(random), place(random));
         Vec3f b(place(random), place(random), place(random));
-        a.x() = 0;  // outside on opposite sides: the line between grid points meets corners and edges again and again
+        a.x() = 0;  // outside, on opposite sides; the line between grid points meets corners and edges often
         b.x() = 4;
         int count = 0;
         for (const IntersectingFace& side : sides) count += runsThrough(a, b, side);

@@ -9,14 +9,14 @@ namespace {
 
 const std::array<Vec3, 3> kCorners = {Vec3(0, 0, 0), Vec3(4, 0, 0), Vec3(0, 4, 0)};
 const std::array<bool, 3> kForward = {true, true, false};
-const std::array<bool, 3> kKept = {true, true, true};  // what holds for the corners
+const std::array<bool, 3> kKept = {true, true, true};  // whether the corners are kept
 const std::array<bool, 3> kGone = {false, false, false};
 
 ClipPoint onEdge(int edge, double along) {
     const Vec3& from = kCorners[edge];
     const Vec3& to = kCorners[(edge + 1) % 3];
-    const double way = kForward[edge] ? along : 1 - along;
-    return {from + way * (to - from), edge, along, 0, {}};
+    const double share = kForward[edge] ? along : 1 - along;
+    return {from + share * (to - from), edge, along, 0, {}};
 }
 ClipPoint inside(double x, double y, std::uint64_t key) { return {Vec3(x, y, 0), -1, 0, 0, {key, key}}; }
 
@@ -78,14 +78,14 @@ TEST(TriangleClip, TwoHolesAreBothCutOut) {
     EXPECT_NEAR(area(*clipTriangle(kCorners, kForward, lines, kKept)), 7.5, 1e-12);
 }
 
-TEST(TriangleClip, LinesThatDoNotFitAreRefused) {
+TEST(TriangleClip, InconsistentLinesAreRefused) {
     EXPECT_FALSE(clipTriangle(kCorners, kForward, {{onEdge(0, 0.5), inside(1, 1, 1)}}, kKept));
     const std::vector<ClipSegment> bothLeave = {{onEdge(0, 0.3), onEdge(1, 0.3)}, {onEdge(0, 0.6), onEdge(1, 0.6)}};
     EXPECT_FALSE(clipTriangle(kCorners, kForward, bothLeave, kKept));
 }
 
-// A wall that is folded over itself at an edge runs out of the triangle a hair before it runs in.
-TEST(TriangleClip, TheCornersTellWhereAFoldedLineChangesPlaces) {
+// A wall that is folded over itself at an edge may leave the triangle just before it enters it.
+TEST(TriangleClip, TheCornersDecideWhereAFoldedLineSwaps) {
     const ClipPoint a = onEdge(1, 0.5);
     const ClipPoint b = onEdge(1, 0.5 + 1e-4);
     const ClipPoint tip = inside(1.5, 1.5, 5);
@@ -94,7 +94,7 @@ TEST(TriangleClip, TheCornersTellWhereAFoldedLineChangesPlaces) {
     const ClipPoint left = onEdge(2, 0.5);
     EXPECT_NEAR(area(*clipTriangle(kCorners, kForward, fold, kKept)), 8, 1e-3);
     EXPECT_NEAR(area(*clipTriangle(kCorners, kForward, fold, kGone)), 0, 1e-3);
-    // As one of two lines, the other of which keeps the corner that is far from the fold.
+    // One of two lines. The other one keeps the corner that is far from the fold.
     const std::vector<ClipSegment> both = {{a, tip}, {tip, b}, {bottom, left}};
     EXPECT_FALSE(clipTriangle(kCorners, kForward, both, kKept));
     const auto cut = clipTriangle(kCorners, kForward, both, {true, false, false});

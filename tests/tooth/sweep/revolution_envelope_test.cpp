@@ -7,6 +7,7 @@
 #include <cmath>
 #include <random>
 
+#include "support/expect_assert.h"
 #include "support/shapes.h"
 
 namespace tactooth {
@@ -84,10 +85,10 @@ TEST(RevolutionEnvelope, GradientIsTheSlopeOfTheDistance) {
         const double slope = (envelope->signedDistance(ahead) - sample.distance) / kStep;
         compared += std::abs(slope - 1) < 1e-3;
     }
-    EXPECT_GE(compared, 1900);  // the rest stand on the inner ridge, where the nearest facet changes
+    EXPECT_GE(compared, 1900);  // the others are at the inner ridge, where the nearest facet changes
 }
 
-TEST(RevolutionEnvelope, FarPointsAskTheWholeProfile) {
+TEST(RevolutionEnvelope, FarPointsTestTheWholeProfile) {
     const auto envelope = RevolutionEnvelope::make(test::cylinder(Vec3::Zero(), 0.5, 2, 48));
     ASSERT_TRUE(envelope);
     EXPECT_NEAR(envelope->signedDistance(Vec3(0, 0, -30)), 30, 1e-9);
@@ -103,7 +104,8 @@ TEST(RevolutionEnvelope, AFlatMeshIsRefused) {
     EXPECT_NE(envelope.error().message.find("along its axis"), std::string::npos);
 }
 
-// A facet that turns about an axis beside it makes a hollow band: less than half a micrometre deep, it is left out.
+// A facet that rotates about an axis beside it makes a hollow band. It is less than half a micrometre deep and is
+// bridged.
 TEST(RevolutionEnvelope, TheShallowDentsOfAFacetedBallAreBridged) {
     const auto ball = RevolutionEnvelope::make(test::sphere(Vec3(0, 0, 0.5), 0.5, 24, 12));
     ASSERT_TRUE(ball);
@@ -130,6 +132,21 @@ TEST(RevolutionEnvelope, AWaistIsNoShallowDent) {
     ProfilePart part;
     ASSERT_TRUE(envelope->findPart(waist, envelope->signedDistance(waist), 0.1, part));
     EXPECT_FALSE(part.bulges);
+}
+
+TEST(RevolutionEnvelopeAsserts, PointsAreFiniteAndAReachIsNotNegative) {
+    const RevolutionEnvelope bur = *RevolutionEnvelope::make(test::cylinder(Vec3::Zero(), 0.5, 4, 32));
+    EXPECT_ASSERT(static_cast<void>(bur.sample(Vec3(std::nan(""), 0, 0))));
+    EXPECT_ASSERT(static_cast<void>(bur.signedDistance(Vec3(0, 0, std::nan("")))));
+    ProfilePart part;
+    EXPECT_ASSERT(static_cast<void>(bur.findPart(Vec3::Zero(), 0, -1, part)));
+}
+
+TEST(RevolutionEnvelope, KeepsItsInvariantsForEachShape) {
+    for (const TriangleMesh& mesh : {test::cylinder(Vec3::Zero(), 0.5, 4, 32), test::sphere(Vec3(0, 0, 1), 1, 48, 24),
+                                     test::box(Vec3(-1, -1, 0), Vec3(1, 1, 3))}) {
+        RevolutionEnvelope::make(mesh)->validate();
+    }
 }
 
 }  // namespace

@@ -18,10 +18,10 @@ constexpr double kSpacing = 0.025;  // mm
 constexpr double kSide = 3;
 constexpr double kClearance = 0.002;  // mm
 constexpr double kNoBound = std::numeric_limits<double>::infinity();
-constexpr double kSearchError = 1.1e-5;  // mm; both searches stop this near
+constexpr double kSearchError = 1.1e-5;  // mm; both searches stop within this
 constexpr double kFloatError = 1e-6;     // mm
 
-/// Random places on the way of a bur, each with a step of a sweep and a cube beside its surface.
+/// Random places on the path of a bur, each with a step of a sweep and a cube at its surface.
 class Cases {
 public:
     explicit Cases(const TriangleMesh& bur) : envelope_(*RevolutionEnvelope::make(bur)) {}
@@ -29,9 +29,9 @@ public:
     [[nodiscard]] const RevolutionEnvelope& envelope() const { return envelope_; }
     double unit() { return unit_(random_); }
 
-    SweepStep step(double way, double turn) {
+    SweepStep step(double distance, double turn) {
         const Pose from{Vec3(7, -3, 11), Quat(Eigen::AngleAxisd(0.5, Vec3(1, 2, 3).normalized()))};
-        const Vec3 move = way * Vec3(unit(), unit(), unit());
+        const Vec3 move = distance * Vec3(unit(), unit(), unit());
         const Quat turned(Eigen::AngleAxisd(turn * unit(), Vec3(unit(), 1, unit()).normalized()));
         first_ = from * Vec3(0.7 * unit(), 0.7 * unit(), 1 + 1.2 * unit());
         return SweepStep(envelope_, from, {from.position + move, turned * from.rotation}, kClearance);
@@ -68,14 +68,14 @@ std::vector<TriangleMesh> burs() {
     return {test::cylinder(Vec3::Zero(), 0.5, 2, 48), test::sphere(Vec3(0, 0, 0.5), 0.5, 64, 24)};
 }
 
-/// Calls `check(cases, step, lanes, place)` for 2,000 steps of a bur, each with eight places beside it; ends with the
-/// first that fails.
+/// Calls `check(cases, step, lanes, place)` for 2,000 steps of a bur, each with eight places near it. Stops at the
+/// first failure.
 template <class Check>
-void forRandomSteps(const TriangleMesh& bur, double way, double turn, const Check& check) {
+void forRandomSteps(const TriangleMesh& bur, double distance, double turn, const Check& check) {
     Cases cases(bur);
     for (int i = 0; i < 2000 && !::testing::Test::HasFatalFailure(); ++i) {
         SCOPED_TRACE(i);
-        const SweepStep step = cases.step(way, turn);
+        const SweepStep step = cases.step(distance, turn);
         const SweepLanes lanes(step, cases.first(), kSpacing, kSide, 0);
         float place[3][8];
         cases.fill(place);
@@ -136,7 +136,7 @@ TEST(SweepLanes, ALaneIsBelowItsLimitOnlyWhereTheStepIs) {
     EXPECT_GT(below, 3000);
 }
 
-// A plane that touches the envelope tells at once which eight places a step does not come to.
+// A tangent plane of the envelope shows at once which of the eight places a step does not reach.
 TEST(SweepLanes, WhereAStepMayNotReachItDoesNot) {
     int left = 0;
     int all = 0;
@@ -156,7 +156,7 @@ TEST(SweepLanes, WhereAStepMayNotReachItDoesNot) {
     EXPECT_LT(left, 0.7 * all);
 }
 
-/// Balls on one axis, the first at the tip; where they cross, the waist between them is nearest from inside.
+/// Balls on one axis, the first one at the tip. Where they overlap, the waist between them is nearest from inside.
 TriangleMesh ballsInARow(int count, double radius, double spacing) {
     TriangleMesh mesh;
     for (int i = 0; i < count; ++i) {
@@ -186,8 +186,8 @@ TEST(SweepLanes, APointAtTheVeryHeightOfACornerOfTheProfileKeepsItsSide) {
     EXPECT_GT(inside, 100);
 }
 
-/// A cone of rings that stand on one line but for every second, a hair within: bridged, its profile goes straight on at
-/// each ring, or almost.
+/// A cone of rings on one line. Every second ring lies slightly inside. After bridging, its profile is straight, or
+/// almost, at each ring.
 TriangleMesh ringedCone() {
     constexpr int kAround = 32;
     constexpr int kRings = 9;
@@ -235,7 +235,7 @@ TEST(SweepLanes, APointBesideACornerThatGoesStraightOnKeepsItsSide) {
     EXPECT_GT(inside, 5000);
 }
 
-// Beside a waist the distance along a step has two valleys: each part of the step is searched.
+// Beside a waist the distance along a step has two minima, so that each part of the step is searched.
 TEST(SweepLanes, AStepPastAWaistIsSearchedInParts) {
     const auto envelope = RevolutionEnvelope::make(ballsInARow(2, 0.4, 0.6));
     ASSERT_TRUE(envelope);

@@ -4,9 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <random>
 
+#include "support/expect_assert.h"
 #include "support/shapes.h"
 
 namespace tactooth {
@@ -20,7 +22,7 @@ double nearestOf(const std::vector<SweepStep>& steps, const Vec3& point) {
     return nearest;
 }
 
-/// Smallest distance over many poses on the way.
+/// The smallest distance over many poses on the path.
 double sampledDistance(const RevolutionEnvelope& envelope, const Pose& from, const Pose& to, const Vec3& point) {
     constexpr int kPoses = 4000;
     double nearest = kNoBound;
@@ -98,6 +100,16 @@ TEST(SweptEnvelope, LowerBoundAndBoxHoldTheSweep) {
         }
     }
     EXPECT_GT(inside, 100);
+}
+
+TEST(SweptEnvelopeAsserts, PosesAreRigidAndStepsHaveALength) {
+    const RevolutionEnvelope bur = *RevolutionEnvelope::make(test::cylinder(Vec3::Zero(), 0.5, 4, 32));
+    const Pose here;
+    EXPECT_ASSERT(SweepStep(bur, here, {Vec3(0, std::nan(""), 0), Quat::Identity()}, 0));
+    EXPECT_ASSERT(SweepStep(bur, here, {Vec3::Zero(), Quat(2, 0, 0, 0)}, 0));
+    EXPECT_ASSERT(SweepStep(bur, here, here, -0.1));
+    EXPECT_ASSERT(SweepStep(bur, here, here, 0, 0));
+    EXPECT_ASSERT(static_cast<void>(sweepSteps(bur, here, here, 0, 0)));
 }
 
 }  // namespace

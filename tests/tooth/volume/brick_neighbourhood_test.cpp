@@ -4,10 +4,14 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "support/expect_assert.h"
+
 namespace tactooth {
 namespace {
 
-/// A brick and those around it but for one, where nodes are removed up to a height.
+/// A brick and its neighbours except one. Nodes are removed up to a height.
 BrickMap bricksRemovedBelow(int height, const BrickKey& absent) {
     BrickMap bricks;
     const BrickKey middle{3, -2, 7};
@@ -88,12 +92,36 @@ TEST(BrickNeighbourhood, KnowsHowFarNodesAreFromTheToothsSurface) {
             EXPECT_EQ(row.below(distance) >> (x + 1) & 1U, tooth < distance ? 1U : 0U);
         }
     }
-    EXPECT_FALSE(nodes.isDeeperThan(0));  // one is absent
+    EXPECT_FALSE(nodes.isDeeperThan(0));  // one neighbour is absent
     bricks.insert(absent, std::make_unique<Brick>());
-    EXPECT_FALSE(BrickNeighbourhood(bricks, middle, 0.1).isDeeperThan(0));  // it does not know how deep it is
+    EXPECT_FALSE(BrickNeighbourhood(bricks, middle, 0.1).isDeeperThan(0));  // its depth is unknown
     bricks.find(absent)->maxToothDistance = -1.4F;
     EXPECT_TRUE(BrickNeighbourhood(bricks, middle, 0.1).isDeeperThan(1.2F));
-    EXPECT_FALSE(BrickNeighbourhood(bricks, middle, 0.1).isDeeperThan(1.35F));  // the brick itself
+    EXPECT_FALSE(BrickNeighbourhood(bricks, middle, 0.1).isDeeperThan(1.35F));  // the brick itself is not so deep
+}
+
+TEST(BrickNeighbourhoodAsserts, NodesAndEdgesOutsideAreRefused) {
+    EXPECT_ASSERT(static_cast<void>(BrickNeighbourhood::index(kBrickSide + 1, 0, 0)));
+    EXPECT_ASSERT(static_cast<void>(BrickNeighbourhood::placeOf(BrickNeighbourhood::kNodes)));
+    const BrickKey middle{3, -2, 7};
+    const BrickMap bricks = bricksRemovedBelow(4, middle.moved(1, 0, 0));
+    const BrickNeighbourhood nodes(bricks, middle, 0.1);
+    EXPECT_ASSERT(static_cast<void>(nodes.removedCorners(BrickNeighbourhood::index(kBrickSide, 0, 0))));
+    EXPECT_ASSERT(static_cast<void>(nodes.boundary(BrickNeighbourhood::index(0, 0, 0), 2)));  // both ends are removed
+}
+
+TEST(BrickMapAsserts, ABrickIsInsertedOnceAndInRange) {
+    BrickMap bricks;
+    bricks.insert({1, 2, 3}, nullptr);
+    EXPECT_ASSERT(bricks.insert({1, 2, 3}, nullptr));
+    EXPECT_ASSERT(bricks.insert({kMaxBrickCoordinate, 0, 0}, nullptr));
+    EXPECT_ASSERT(static_cast<void>(BrickKey{}.neighbour(27)));
+}
+
+TEST(LatticeAsserts, TheSpacingIsPositiveAndBoxesHoldAPoint) {
+    EXPECT_ASSERT(Lattice(-0.1));
+    EXPECT_ASSERT(static_cast<void>(Lattice(0.1).bricksTouching(Box3())));
+    EXPECT_ASSERT(static_cast<void>(Lattice(0.1).brickAt(Vec3::Constant(std::nan("")))));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <thread>
 
+#include "support/expect_assert.h"
 #include "support/shapes.h"
 #include "tooth/volume/cut_volume.h"
 
@@ -40,7 +41,7 @@ std::uint64_t hashWithoutPool() {
     return hashOfCut(volume);
 }
 
-/// A volume that takes its bricks from a stock.
+/// A volume that takes its bricks from a pool.
 struct Supplied {
     CutVolume volume{ball(), kVoxel};
     std::shared_ptr<BrickPool> pool = std::make_shared<BrickPool>(volume.tooth(), kVoxel);
@@ -76,7 +77,7 @@ TEST(BrickPool, HasWhatTheBurComesToNext) {
     EXPECT_GT(bricks, 20);
 }
 
-TEST(BrickPool, MakesNothingAgainThatWasTakenUntilThatIsForgotten) {
+TEST(BrickPool, MakesNoTakenBrickAgainUntilItIsForgotten) {
     const auto tooth = ball();
     BrickPool pool(tooth, kVoxel);
     const RevolutionEnvelope tool = bur();
@@ -102,6 +103,17 @@ TEST(BrickPool, AThreadMayFillItWhileAnotherCuts) {
         for (int i = 0; i <= kMoves && !stop.stop_requested(); ++i) fill(*with.pool, onTheWay(i));
     });
     EXPECT_EQ(hashOfCut(with.volume), hashWithoutPool());
+}
+
+TEST(BrickPoolAsserts, TheToothIsGivenAndASweepHasSteps) {
+    EXPECT_ASSERT(BrickPool(nullptr, kVoxel));
+    EXPECT_ASSERT(static_cast<void>(bricksInReach(*ball(), Lattice(kVoxel), {}, kVoxel)));
+}
+
+TEST(BrickPoolAsserts, AVolumeTakesNoPoolOfAnotherToothOrSpacing) {
+    CutVolume volume(ball(), kVoxel);
+    EXPECT_ASSERT(volume.setPool(std::make_shared<BrickPool>(ball(), kVoxel)));
+    EXPECT_ASSERT(volume.setPool(std::make_shared<BrickPool>(volume.tooth(), 2 * kVoxel)));
 }
 
 }  // namespace

@@ -82,10 +82,10 @@ TEST(Brick, APackedDirectionKeepsItsDirection) {
     }
 }
 
-TEST(BrickSampler, BodiesThatReachIntoEachOtherHaveTheSidesThatARaySays) {
+TEST(BrickSampler, OverlappingBodiesHaveTheSidesOfARayTest) {
     TriangleMesh outer = test::box(Vec3(-1, -1, -1), Vec3(1, 1, 1));
     const auto first = static_cast<std::uint32_t>(outer.triangles.size());
-    append(outer, test::box(Vec3(0.5, -0.6, -0.7), Vec3(2, 0.8, 0.9)));  // in the first one, and out of it
+    append(outer, test::box(Vec3(0.5, -0.6, -0.7), Vec3(2, 0.8, 0.9)));  // inside the first one, and out of it
     const auto tooth = LayeredTooth::make(outer, {}, MaterialId::Dentin, {.firstAdjacent = first});
     ASSERT_TRUE(tooth);
     EXPECT_TRUE(tooth->bodiesOverlap());

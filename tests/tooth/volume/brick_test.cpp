@@ -4,7 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
+
+#include "support/expect_assert.h"
 
 namespace tactooth {
 namespace {
@@ -85,12 +88,50 @@ TEST(Brick, KnowsTheRemovedNodesOfTheFieldThatItTakesOver) {
     CutField field = CutField::untouched(0.1);
     for (float& distance : field.cut) distance = static_cast<float>(static_cast<int>(random() % 3) - 1);  // -1, 0 or 1
     Brick brick;
-    brick.setRemoved(5);  // of the field before
+    brick.setRemoved(5);  // of the previous field
     brick.setField(field);
     for (int node = 0; node < kBrickNodes; ++node) {
         const auto [x, y, z] = placeOf(node);
         EXPECT_EQ(brick.removedRow(y, z) >> x & 1U, field.cut[node] < 0 ? 1U : 0U) << node;
     }
+}
+
+TEST(BrickAsserts, NodesOutsideTheBrickAreRefused) {
+    EXPECT_ASSERT(static_cast<void>(nodeIndex(kBrickSide, 0, 0)));
+    EXPECT_ASSERT(static_cast<void>(nodeIndex(0, -1, 0)));
+    EXPECT_ASSERT(static_cast<void>(placeOf(kBrickNodes)));
+    EXPECT_ASSERT(static_cast<void>(nodeStride(3)));
+    NodeBits bits;
+    EXPECT_ASSERT(bits.set(-1));
+    EXPECT_ASSERT(bits.setRow(0, kBrickSide, 1));
+    EXPECT_ASSERT(bits.setRow(0, 0, 0x100));
+}
+
+TEST(BrickAsserts, ADirectionIsFiniteAndASpacingPositive) {
+    EXPECT_ASSERT(OctahedralNormal(Vec3(0, std::nan(""), 1)));
+    EXPECT_ASSERT(static_cast<void>(CutField::untouched(0)));
+}
+
+TEST(BrickAsserts, ValidationFindsAWrongDistanceAndAWrongBit) {
+    Brick brick;
+    brick.setField(CutField::untouched(0.1));
+    brick.tooth.fill(-0.1F);
+    brick.maxToothDistance = -0.1F;
+    brick.toothNormal.fill(OctahedralNormal(Vec3::UnitX()));
+    brick.neighbourFraction.fill(0);
+    brick.validate(0.1);
+    Brick wrong = brick;
+    wrong.setRemoved(7);
+    EXPECT_ASSERT(wrong.validate(0.1));
+    wrong = brick;
+    wrong.cut[3] = 1;  // beyond the band
+    EXPECT_ASSERT(wrong.validate(0.1));
+    wrong = brick;
+    wrong.boundary[2][5].place = 1.5F;
+    EXPECT_ASSERT(wrong.validate(0.1));
+    wrong = brick;
+    wrong.maxToothDistance = 0;
+    EXPECT_ASSERT(wrong.validate(0.1));
 }
 
 }  // namespace

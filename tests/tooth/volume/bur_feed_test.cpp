@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "support/expect_assert.h"
 #include "support/shapes.h"
 
 namespace tactooth {
@@ -25,7 +26,7 @@ RevolutionEnvelope flatBur() { return *RevolutionEnvelope::make(test::cylinder(V
 
 Pose atDepth(double depth) { return {Vec3(0.01, 0.02, -depth), Quat::Identity()}; }
 
-/// Pushes a flat bur from the surface toward 0.5 mm below it.
+/// Pushes a flat bur from the surface toward a depth of 0.5 mm.
 FeedResult push(CutVolume& volume, double work, double sharpness = 1) {
     return feedBur(volume, flatBur(), atDepth(0), atDepth(0.5), work, {}, sharpness);
 }
@@ -83,7 +84,7 @@ TEST(BurFeed, AShareThoughtToBeEnoughChangesNoMoreThanTheTrials) {
     }
 }
 
-TEST(BurFeed, WhatIsNotAffordableTellsItsPrice) {
+TEST(BurFeed, AnUnaffordableStepReturnsItsPrice) {
     CutVolume volume = blockOf(MaterialId::Enamel);
     const double hair = 1e-9;
     const FeedResult result = push(volume, hair);
@@ -147,6 +148,13 @@ TEST(BurFeed, InTheAirItCostsNothing) {
     EXPECT_EQ(result.fraction, 1);
     EXPECT_EQ(result.work, 0);
     EXPECT_TRUE(result.carve.changed.empty());
+}
+
+TEST(BurFeedAsserts, WorkAndSharpnessAreNotNegativeAndNumbers) {
+    CutVolume volume = blockOf(MaterialId::Enamel);
+    EXPECT_ASSERT(push(volume, -1));
+    EXPECT_ASSERT(static_cast<void>(workFor({}, {}, std::nan(""))));
+    EXPECT_ASSERT(static_cast<void>(between(atDepth(0), atDepth(1), -0.5)));
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <numbers>
 
+#include "support/expect_assert.h"
 #include "support/shapes.h"
 
 namespace tactooth {
@@ -29,7 +30,7 @@ RevolutionEnvelope flatBur(double radius) { return envelopeOf(test::cylinder(Vec
 Pose at(double x, double y, double z) { return {Vec3(x, y, z), Quat::Identity()}; }
 Pose leaning(const Vec3& tip, double angle) { return {tip, Quat(Eigen::AngleAxisd(angle, Vec3::UnitX()))}; }
 
-/// A path with a plunge, a slot and a tilt, in `parts` pieces a leg.
+/// A path with a plunge, a slot and a tilt. Each leg has `parts` moves.
 MaterialVolumes carvePath(CutVolume& volume, const RevolutionEnvelope& bur, int parts) {
     const std::vector<Pose> legs = {at(0, 0, 0.5), at(0, 0, -1), at(0.6, 0.2, -1), leaning(Vec3(0.6, 0.2, -1), 0.3)};
     MaterialVolumes removed{};
@@ -45,57 +46,6 @@ MaterialVolumes carvePath(CutVolume& volume, const RevolutionEnvelope& bur, int 
         }
     }
     return removed;
-}
-
-/// The bricks that have a node from `low` to `high`, places beside a brick's first node, as bits of
-/// BrickKey::neighbour.
-std::uint32_t bricksWithNodes(const std::array<int, 3>& low, const std::array<int, 3>& high) {
-    std::uint32_t bricks = 0;
-    for (int x = low[0]; x <= high[0]; ++x) {
-        for (int y = low[1]; y <= high[1]; ++y) {
-            for (int z = low[2]; z <= high[2]; ++z) {
-                const BrickKey key = LatticeNode({x, y, z}).key;
-                bricks |= 1U << (13 + key.x + 3 * key.y + 9 * key.z);
-            }
-        }
-    }
-    return bricks;
-}
-
-TEST(ChangedBrick, ConcernsTheBricksWithANodeInACellAroundWhatHasChanged) {
-    for (int node = 0; node < kBrickNodes; ++node) {
-        std::array<int, 3> before, after;
-        for (int axis = 0; axis < 3; ++axis) {
-            before[axis] = placeOf(node)[axis] - 1;
-            after[axis] = placeOf(node)[axis] + 1;
-        }
-        ChangedBrick removed{{}};
-        removed.addNode(node);
-        ASSERT_EQ(removed.affected, bricksWithNodes(before, after)) << node;
-        for (int axis = 0; axis < 3; ++axis) {
-            std::array<int, 3> first = before;
-            ++first[axis];  // no cell around an edge begins before it does
-            ChangedBrick moved{{}};
-            moved.addEdge(node, axis);
-            ASSERT_EQ(moved.affected, bricksWithNodes(first, after)) << node << " on axis " << axis;
-        }
-    }
-}
-
-TEST(ChangedBrick, TellsOfEachBrickOnce) {
-    const BrickKey key{4, -2, 7};
-    ChangedBrick changed{key};
-    EXPECT_TRUE(changed.isNone());
-    changed.addNode(nodeIndex(0, 3, 3));
-    changed.addNode(nodeIndex(3, 7, 3));
-    changed.addNode(nodeIndex(0, 3, 3));
-    std::vector<BrickKey> affected;
-    changed.forEachAffected([&](int i) { affected.push_back(key.neighbour(i)); });
-    EXPECT_EQ(affected, (std::vector<BrickKey>{key.moved(-1, 0, 0), key, key.moved(0, 1, 0)}));  // and none at an angle
-
-    std::size_t all = 0;
-    ChangedBrick::all(key).forEachAffected([&](int) { ++all; });
-    EXPECT_EQ(all, 27U);
 }
 
 TEST(CutVolume, StraightHoleByAFlatBur) {
@@ -165,19 +115,19 @@ TEST(CutVolume, TheOrderOfCutsDoesNotMatter) {
     EXPECT_NEAR(first, second, 1e-6);
 }
 
-TEST(CutVolume, ADryRunForetellsTheCarveAndChangesNothing) {
+TEST(CutVolume, APlanPredictsTheCarveAndChangesNothing) {
     CutVolume volume(block(), kVoxel);
     const auto bur = flatBur(0.4);
     volume.carve(bur, at(0, 0, 0.5), at(0, 0, -0.5));
     const std::uint64_t before = volume.hash();
-    const double foretold = total(volume.removable(bur, at(0, 0, -0.5), at(0.02, 0, -0.53)).volumes);
+    const double planned = total(volume.removable(bur, at(0, 0, -0.5), at(0.02, 0, -0.53)).volumes);
     EXPECT_EQ(volume.hash(), before);
-    EXPECT_EQ(total(volume.carve(bur, at(0, 0, -0.5), at(0.02, 0, -0.53)).removed), foretold);
-    EXPECT_GT(foretold, 0);
+    EXPECT_EQ(total(volume.carve(bur, at(0, 0, -0.5), at(0.02, 0, -0.53)).removed), planned);
+    EXPECT_GT(planned, 0);
     EXPECT_EQ(total(volume.removable(bur, at(0, 0, -0.5), at(0.02, 0, -0.53)).volumes), 0);
 }
 
-/// mm; what the cut fields of two volumes differ by at most.
+/// The largest difference of the cut fields of two volumes, mm.
 double largestDifference(const CutVolume& one, const CutVolume& other) {
     double largest = 0;
     for (const BrickKey& key : one.bricks().keys()) {
@@ -189,7 +139,7 @@ double largestDifference(const CutVolume& one, const CutVolume& other) {
     return largest;
 }
 
-TEST(CutVolume, APartOfTheWayIsForetoldFromTheNodesOfTheWhole) {
+TEST(CutVolume, APartOfThePathIsPlannedFromTheNodesOfTheWhole) {
     const auto bur = flatBur(0.4);
     const auto start = at(0, 0, -0.5);
     for (const double part : {0.003, 0.1, 0.35, 0.6, 1.0}) {
@@ -198,13 +148,13 @@ TEST(CutVolume, APartOfTheWayIsForetoldFromTheNodesOfTheWhole) {
         CutVolume other(block(), kVoxel);
         for (CutVolume* one : {&volume, &other}) one->carve(bur, at(0, 0, 0.5), start);
         const PlannedRemoval whole = volume.removable(bur, start, at(0.2, 0, -0.7));
-        const PlannedRemoval foretold = volume.removablePartWay(whole, bur, start, end);
+        const PlannedRemoval planned = volume.removablePartWay(whole, bur, start, end);
         (void)other.removable(bur, start, at(0.2, 0, -0.7));  // makes the same bricks
         const double alone = total(other.carve(bur, start, end).removed);
         EXPECT_GT(alone, 0) << part;
-        EXPECT_NEAR(total(foretold.volumes), alone, 1e-6 * alone) << part;
-        EXPECT_EQ(volume.carve(foretold).removed, foretold.volumes) << part;
-        // A node that the whole way lowers by less than counts is left out.
+        EXPECT_NEAR(total(planned.volumes), alone, 1e-6 * alone) << part;
+        EXPECT_EQ(volume.carve(planned).removed, planned.volumes) << part;
+        // A node that the whole path lowers by less than kLeastChange is left out.
         EXPECT_LT(largestDifference(volume, other), 4e-5) << part;
     }
 }
@@ -237,7 +187,7 @@ TEST(CutVolume, RemovedNodesAreThoseWithANegativeDistance) {
     EXPECT_GT(removed, 1000U);
 }
 
-/// Keys of the bricks that are not known though one of their nodes is in a cell with a removed one.
+/// Counts the unknown bricks that have a node in a cell with a removed node.
 std::size_t unknownBesideTheWall(const CutVolume& volume) {
     std::size_t unknown = 0;
     for (const BrickKey& key : volume.bricks().keys()) {
@@ -254,9 +204,9 @@ std::size_t unknownBesideTheWall(const CutVolume& volume) {
     return unknown;
 }
 
-// A wall that ends in the corner of a brick is drawn from nodes of the brick beyond, which no bur was near.
+// A wall that ends in the corner of a brick needs nodes of the next brick, which no bur was near.
 TEST(CutVolume, EachNodeOfACellWithARemovedOneIsKnown) {
-    constexpr double kHead = 0.015;  // mm: one node fits in, and only the next ones on each axis are in reach
+    constexpr double kHead = 0.015;  // mm; one node fits in, and only the next ones on each axis are in reach
     CutVolume volume(block(), kVoxel);
     const Vec3 first = volume.lattice().corner({0, 0, -4});
     const auto bur = envelopeOf(test::sphere(Vec3(0, 0, kHead), kHead, 16, 8));
@@ -288,6 +238,33 @@ TEST(CutVolume, ResetBringsBackTheWholeTooth) {
     volume.reset();
     EXPECT_EQ(total(volume.removedVolume()), 0);
     EXPECT_EQ(cut(), first);
+}
+
+TEST(CutVolumeAsserts, AToothAndAClearanceAreGiven) {
+    EXPECT_ASSERT(CutVolume(nullptr, kVoxel));
+    CutVolume volume(block(), kVoxel);
+    EXPECT_ASSERT(volume.carve(flatBur(0.4), at(0, 0, 0.5), at(0, 0, -0.5), -0.01));
+    EXPECT_ASSERT(static_cast<void>(volume.cutDistance(Vec3(0, 0, std::nan("")))));
+}
+
+TEST(CutVolumeAsserts, APlanHoldsUntilTheNextCut) {
+    CutVolume volume(block(), kVoxel);
+    const auto bur = flatBur(0.4);
+    const PlannedRemoval planned = volume.removable(bur, at(0, 0, 0.5), at(0, 0, -0.5));
+    (void)volume.carve(planned);
+    EXPECT_ASSERT(volume.carve(planned));
+    EXPECT_ASSERT(static_cast<void>(volume.removablePartWay(planned, bur, at(0, 0, 0.5), at(0, 0, 0))));
+}
+
+TEST(CutVolumeAsserts, WithoutAMarkNothingIsUndone) {
+    CutVolume volume(block(), kVoxel);
+    EXPECT_ASSERT(static_cast<void>(volume.undo()));
+}
+
+TEST(CutVolumeAsserts, AVolumeThatIsCutAdoptsNothing) {
+    CutVolume volume(block(), kVoxel);
+    volume.carve(flatBur(0.4), at(0, 0, 0.5), at(0, 0, -0.5));
+    EXPECT_ASSERT(static_cast<void>(volume.adopt({})));
 }
 
 }  // namespace

@@ -7,12 +7,14 @@
 #include <random>
 #include <set>
 
+#include "support/expect_assert.h"
+
 namespace tactooth {
 namespace {
 
 using Node = std::array<int, 3>;  // of the whole lattice
 
-/// Nodes of a few bricks, one by one: what the sets are held against.
+/// Nodes of several bricks, one by one: the reference for the sets.
 std::set<Node> nodesOf(const NodeSets& sets) {
     std::set<Node> nodes;
     for (const auto& [key, set] : sets) {
@@ -52,7 +54,7 @@ TEST(NodeSet, AFaceAndWhatIsAcrossItMeetNodeByNode) {
     }
 }
 
-TEST(NodeSet, WideningTakesInAllNeighboursAcrossBricks) {
+TEST(NodeSet, DilationAddsAllNeighboursAcrossBricks) {
     std::mt19937 random(5);
     for (const int count : {1, 30, 1500}) {
         const NodeSets sets = randomNodes(random, count);
@@ -61,14 +63,14 @@ TEST(NodeSet, WideningTakesInAllNeighboursAcrossBricks) {
             for (int i = 0; i < 27; ++i)
                 expected.insert({node[0] + i % 3 - 1, node[1] + i / 3 % 3 - 1, node[2] + i / 9 - 1});
         }
-        std::erase_if(expected, [](const Node& node) {  // in bricks that the sets do not name
+        std::erase_if(expected, [](const Node& node) {  // in bricks that the sets do not contain
             return std::ranges::any_of(node, [](int place) { return place < -8 || place > 15; });
         });
         EXPECT_EQ(nodesOf(dilated(sets)), expected);
     }
 }
 
-TEST(NodeSet, WhatHangsTogetherIsFoundByWaysAlongTheAxes) {
+TEST(NodeSet, AComponentIsConnectedAlongTheAxes) {
     std::mt19937 random(6);
     int apart = 0;
     for (const int count : {20, 120, 180, 250, 400}) {
@@ -102,10 +104,17 @@ TEST(NodeSet, SolidIsWhatIsToothAndNotRemoved) {
     brick.tooth.fill(0.1F);
     brick.tooth[7] = brick.tooth[8] = brick.tooth[9] = -0.1F;
     brick.cut[8] = -0.01F;
-    brick.cut[9] = 0;  // right on the border: it stays
+    brick.cut[9] = 0;  // exactly on the boundary: it stays
     NodeSet expected;
     expected.set(7).set(9);
     EXPECT_EQ(solidNodes(brick), expected);
+}
+
+TEST(NodeSetAsserts, NodesThatAreNotOnTheFaceHaveNothingAcrossIt) {
+    NodeSet middle;
+    middle.set(static_cast<std::size_t>(nodeIndex(3, 3, 3)));
+    EXPECT_ASSERT(static_cast<void>(kBrickFaces[0].across(middle)));
+    EXPECT_ASSERT(static_cast<void>(BrickFace{3, true}.nodes()));
 }
 
 }  // namespace

@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
+#include "support/expect_assert.h"
 #include "tooth/volume/brick.h"
 
 namespace tactooth {
@@ -16,7 +18,7 @@ Vec3 randomDirection(std::mt19937& random) {
     return Vec3(normal(random), normal(random), normal(random)).normalized();
 }
 
-/// Share by counting a fine grid of points.
+/// The reference: counts the points of a fine grid.
 double countedFraction(const HalfSpace& half) {
     constexpr int kSide = 30;
     int inside = 0;
@@ -74,6 +76,11 @@ TEST(VoxelFraction, AHalfSpaceThatHoldsTheCubeDoesNotCount) {
     const HalfSpace half{0.1, Vec3(1, 2, 3).normalized()};
     EXPECT_EQ(cubeFraction(half, {-2, Vec3::UnitX()}), cubeFraction(half));
     EXPECT_EQ(cubeFraction(half, {2, Vec3::UnitX()}), 0.0);
+}
+
+TEST(VoxelFractionAsserts, ANormalIsOfUnitLength) {
+    EXPECT_ASSERT(static_cast<void>(cubeFraction({0.1, Vec3(1, 1, 1)})));
+    EXPECT_ASSERT(static_cast<void>(cubeFraction({std::nan(""), Vec3::UnitX()})));
 }
 
 }  // namespace
