@@ -18,6 +18,7 @@
 #include <mutex>
 
 #include "collision/contact_oracle.h"
+#include "geometry/util/fnv1a.h"
 #include "haptics/haptic_simulation.h"
 #include "haptics/safety_limiter.h"
 
@@ -76,16 +77,18 @@ Vec3 topOf(const TriangleMesh& tooth) {
 Report sealedTicks(HapticSimulation& simulation, const Vec3& top, int ticks) {
     SafetyLimiter limiter{ForceLimits{}};
     if (prctl(PR_SET_SECCOMP, SECCOMP_MODE_STRICT) != 0) syscall(SYS_exit, kNoSeccomp);
-    Report report{0xCBF29CE484222325ULL, locks, 0};
+    Report report{0, locks, 0};
+    Fnv1a hash;
     for (int i = 1; i <= ticks; ++i) {
         const Tick tick = simulation.step(handAt(top, i), kTick);
         const auto wrench = limiter.limit(tick.wrench, kTick, tick.placed, 0);
         report.touching += tick.contacts > 0 ? 1 : 0;
         for (int axis = 0; axis < 3; ++axis) {
             for (const double value : {wrench.force()[axis], wrench.torque()[axis], tick.proxy.position[axis]})
-                report.hash = (report.hash ^ std::bit_cast<std::uint64_t>(value)) * 0x100000001B3ULL;
+                hash.addWord(std::bit_cast<std::uint64_t>(value));
         }
     }
+    report.hash = hash.value();
     report.locks = locks - report.locks;
     return report;
 }

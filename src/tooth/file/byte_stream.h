@@ -12,15 +12,15 @@
 #include <type_traits>
 #include <vector>
 
+#include "geometry/util/fnv1a.h"
+
 namespace tactooth {
 
 static_assert(std::endian::native == std::endian::little, "files are little-endian, and written as memory is");
 
-/// Tells a damaged file from a whole one (FNV-1a, 64 bit).
+/// Shows whether a file is damaged (FNV-1a, 64 bit).
 [[nodiscard]] inline std::uint64_t checksum(std::span<const std::byte> bytes) {
-    std::uint64_t hash = 0xcbf29ce484222325ULL;
-    for (const std::byte byte : bytes) hash = (hash ^ static_cast<std::uint64_t>(byte)) * 0x100000001b3ULL;
-    return hash;
+    return Fnv1a().addBytes(bytes).value();
 }
 
 /// Bytes of a file that is being made.
