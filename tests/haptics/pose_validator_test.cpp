@@ -234,6 +234,15 @@ TEST(PoseValidator, WithoutBoundsOnlyWhatIsNoNumberIsAFault) {
     EXPECT_EQ(guard.take(far, kTick, true), PoseFault::NotANumber);
 }
 
+TEST(PoseValidator, AJumpWithAnAgeThatIsNotFiniteIsNotFollowed) {
+    PoseValidator guard = calm(false);
+    PoseReading bad = at(1e9);
+    bad.age = kNan;
+    EXPECT_EQ(guard.take(bad, kTick, false), PoseFault::Jump);
+    for (int tick = 1; tick < 500; ++tick) (void)guard.take(at(0.25 * tick), kTick, false);
+    EXPECT_NEAR(guard.speed(), 250, 1e-6);
+}
+
 TEST(PoseValidator, TheSpeedIsThatOfTheHand) {
     PoseValidator guard = calm(true);
     for (int tick = 1; tick < 50; ++tick) (void)guard.take(at(0.25 * tick), kTick, true);
