@@ -78,7 +78,7 @@ private:
     }
 
     /// `done` is in the file's unit, `now` in mm.
-    void tell(const RepairReport& done, const SolidReport& now, const std::string& what, std::size_t triangles) {
+    void addNotes(const RepairReport& done, const SolidReport& now, const std::string& what, std::size_t triangles) {
         const auto number = [](std::size_t count) { return std::to_string(count); };
         if (done.cracks.moved > 0) {
             importNote("%1: %2 corners that differ in their last digits were welded, within %3 mm.",
@@ -129,7 +129,7 @@ private:
         ExaminedSolid solid = examineSolid(std::move(mesh), {.dropsSpecks = dropsSpecks});
         if (!solid.report.isSolid()) return unexpected(refusal(done, solid.report, what));
         mesh = std::move(solid.mesh);
-        tell(done, solid.report, what, mesh.triangles.size());
+        addNotes(done, solid.report, what, mesh.triangles.size());
         return {};
     }
 

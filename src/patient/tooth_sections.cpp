@@ -47,7 +47,7 @@ SectionProfile sectionProfile(const TriangleMesh& closed, int sections) {
 
 double neckHeight(const SectionProfile& profile) {
     const auto widest = std::ranges::max_element(profile.areas);
-    // Roots end in tips. A crown without them stands on a section that is nearly as wide as its widest.
+    // Roots end in tips. The bottom section of a crown without roots is nearly as wide as its widest one.
     constexpr double kTip = 0.3, kNearBottom = 0.05;
     const auto nearBottom = static_cast<std::size_t>(kNearBottom * static_cast<double>(profile.areas.size()));
     if (profile.areas[nearBottom] > kTip * *widest) return profile.bottom;

@@ -108,7 +108,7 @@ std::vector<Piece> gather(const TriangleMesh& mesh, DisjointSets& sets) {
 
 void turn(Triangle& triangle) { std::swap(triangle[1], triangle[2]); }
 
-/// A piece that looks inward is turned, unless it lies within the largest one: it may be the wall of a hollow.
+/// Turns each component that faces inward, unless it is inside the largest one: it may be the wall of a void.
 void orientOutward(TriangleMesh& mesh, const std::vector<Piece>& pieces, std::vector<bool>& turned) {
     const Piece& body = largestBody(pieces);
     for (const Piece& piece : pieces) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// The one file that includes the loops of TBB. A build with the thread sanitizer leaves it out (see CMakeLists.txt):
-// half of the scheduler stands in these headers, the other half in a library that the sanitizer does not see.
+// The only file that includes the loops of TBB. A build with the thread sanitizer leaves it out (see CMakeLists.txt):
+// half of the scheduler is in these headers, the other half in a library that the sanitizer does not see.
 #include "geometry/util/parallel_for.h"
 
 #include <tbb/global_control.h>

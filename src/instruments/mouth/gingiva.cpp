@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The margin runs 1 mm above the cervical line (the depth of a healthy sulcus) and rises between two teeth to a
-// papilla: a pyramid whose tip stands below their contact, where the teeth leave it room, and whose faces fall from
+// The margin is 1 mm above the cervical line (the depth of a healthy sulcus) and rises between two teeth to a papilla.
+// The papilla is a pyramid with its tip below the contact of the teeth, where they leave room, and its faces fall from
 // there to the cheek and to the tongue. It is about 3 mm high (Golestan: 3.1 mm with a standard deviation of 0.65 mm).
-// Thickness 1 mm at the margin, more below. The rest is modelled after textbook drawings.
+// The thickness is 1 mm at the margin, and larger below. All else follows textbook drawings.
 #include "instruments/mouth/gingiva.h"
 
 #include <algorithm>
@@ -41,7 +41,7 @@ struct SocketTooth {
     ScalarField outer;
     Box3 bounds;  ///< of its shape
     Pose mouthInShape;
-    bool mirrored;  ///< it stands on the other side of the mouth
+    bool mirrored;  ///< it is on the other side of the mouth
     double s;
 };
 
