@@ -79,10 +79,10 @@ Vec3 HapticSurfaceBuilder::drift() const {
     return length > kMaxDrift ? Vec3(kMaxDrift / length * displacement) : displacement;
 }
 
-HapticSurface* HapticSurfaceBuilder::list(const Pose& at, const ContactMargin& margin) {
+HapticSurface* HapticSurfaceBuilder::list(const Pose& at, const ContactMargin& contactMargin) {
     TACTOOTH_ASSERT(surface_ != nullptr);
     TACTOOTH_ASSERT(longest_ > 0);
-    TACTOOTH_ASSERT(margin.around >= 0 && margin.turn >= 0);
+    TACTOOTH_ASSERT(contactMargin.around >= 0 && contactMargin.turn >= 0);
     TACTOOTH_ASSERT(free_.size() <= all_.size());
     if (free_.empty()) {
         all_.push_back(std::make_unique<HapticSurface>(HapticSurface{nullptr, NeighbourList(*tool_, kCapacity)}));
@@ -92,9 +92,9 @@ HapticSurface* HapticSurfaceBuilder::list(const Pose& at, const ContactMargin& m
     free_.pop_back();
     hapticSurface->surface = surface_;
     hapticSurface->place.reset();
-    hapticSurface->near.buildWithinCapacity(*surface_, at, margin, kMinAround, longest_);
+    hapticSurface->near.buildWithinCapacity(*surface_, at, contactMargin, kMinAround, longest_);
     listedAt_ = at;
-    listed_ = hapticSurface->near.skin();
+    listed_ = hapticSurface->near.contactMargin();
     const std::size_t clusters = hapticSurface->near.clusters();
     const double growth = clusters > kUsualClusters ? kShrinkage : clusters < kFewClusters ? kGrowth : 1;
     longest_ = growth * listed_.length();

@@ -47,7 +47,7 @@ public:
     void recycle(HapticSurface* hapticSurface);
 
 private:
-    [[nodiscard]] HapticSurface* list(const Pose& at, const ContactMargin& margin);
+    [[nodiscard]] HapticSurface* list(const Pose& at, const ContactMargin& contactMargin);
     [[nodiscard]] double ahead() const;
     [[nodiscard]] Vec3 drift() const;
 

@@ -14,14 +14,14 @@
 namespace tactooth {
 
 enum class JawPose {
-    closed,  ///< the teeth are in occlusion
-    open,    ///< as wide as for treatment: 40 mm between the edges of the incisors
+    Closed,  ///< the teeth are in occlusion
+    Open,    ///< as wide as for treatment: 40 mm between the edges of the incisors
 };
 
 struct MouthRequest {
     int triangles = 20000;   ///< of each tooth's outer surface, about; the gingiva has a matching resolution
     std::uint32_t seed = 0;  ///< 0: average teeth; any other number: another patient
-    JawPose jaw = JawPose::closed;
+    JawPose jaw = JawPose::Closed;
     std::vector<int> missing;  ///< FDI numbers; the gingiva has healed there
 };
 
@@ -57,7 +57,7 @@ using ToothGenerator = std::function<BuiltinTooth(const ToothRequest&)>;
 /// The pose of the lower jaw.
 [[nodiscard]] Pose lowerJawPose(JawPose jaw);
 
-/// `mesh` transformed to another frame.
-[[nodiscard]] TriangleMesh transformed(TriangleMesh mesh, const Pose& pose);
+/// `mesh` in another frame, rotated by the quaternion itself: its last bits differ from those of `transformed`.
+[[nodiscard]] TriangleMesh rigidlyMoved(TriangleMesh mesh, const Pose& pose);
 
 }  // namespace tactooth

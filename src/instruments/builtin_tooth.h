@@ -13,7 +13,7 @@
 
 namespace tactooth {
 
-enum class BuiltinToothKind { lowerFirstMolar, upperCentralIncisor, upperCanine };
+enum class BuiltinToothKind { LowerFirstMolar, UpperCentralIncisor, UpperCanine };
 
 /// A tooth that the program generates. Tooth frame: origin on the tooth's axis at the height of the lowest (buccal and
 /// lingual) points of the cervical line, +z toward the crown, +y buccal, and mesial along x as `mesialX` says; mm.
@@ -47,12 +47,12 @@ inline constexpr double kDefaultLesionWidth = 2.4;
 [[nodiscard]] BuiltinTooth makeBuiltinTooth(BuiltinToothKind kind, int triangles = 20000,
                                             double lesionWidth = kDefaultLesionWidth);
 
-/// Where caries begins. `usual`: in the central fissure of a posterior tooth, on the mesial contact of an incisor, at
+/// Where caries begins. `Usual`: in the central fissure of a posterior tooth, on the mesial contact of an incisor, at
 /// the buccal neck of a canine.
-enum class LesionSite { usual, occlusal, mesial, distal, buccal, lingual };
+enum class LesionSite { Usual, Occlusal, Mesial, Distal, Buccal, Lingual };
 
 struct Lesion {
-    LesionSite site = LesionSite::usual;
+    LesionSite site = LesionSite::Usual;
     double width = kDefaultLesionWidth;  ///< mm, width in the dentin, at most 4
     std::optional<double> depth;         ///< mm below the surface; none: the depth that fits the width
 };
