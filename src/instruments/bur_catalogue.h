@@ -30,7 +30,7 @@ enum class BurMaterial { Carbide, Diamond };
 /// The cutting part of a bur.
 struct BurEdge {
     int flutes = 6;              ///< blades; 0 for a diamond
-    double gritMicrometres = 0;  ///< of a diamond: mean grain
+    double gritMicrometres = 0;  ///< of a diamond: mean grain size
 };
 
 /// One entry of the catalogue, as a dentist orders it. Lengths in mm.
