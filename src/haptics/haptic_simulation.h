@@ -59,8 +59,8 @@ struct HapticSettings {
     ContactMode mode = ContactMode::Proxy;
     Freedom freedom = Freedom::Translation;
     SpindlePreset spindle = spindlePresets().front();
-    Work tickBudget =
-        kTickBudget;  ///< work budget of a tick of a cutting bur; the rest of its displacement follows in the next tick
+    /// Work budget of a tick of a cutting bur; the rest of its displacement follows in the next tick.
+    Work tickBudget = kTickBudget;
 };
 
 /// One simulation step as a pure function of its state and the input: equal inputs give equal ticks, bit for bit. It

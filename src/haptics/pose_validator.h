@@ -26,8 +26,8 @@ struct PoseLimits {
     double jump = 2;              ///< mm between two readings in contact: a hand that slides over a tooth moves 0.2
     double speed = 1500;          ///< mm/s in contact: a tap arrives with 200, a slip with 500
     double maxAngularSpeed = 30;  ///< rad/s: a flick of the wrist reaches 20
-    double rotationPeriod =
-        0;  ///< s between two readings of the rotation, if the device reads it less often than the position
+    /// s between two readings of the rotation, if the device reads it less often than the position.
+    double rotationPeriod = 0;
     double maxAge = 0.005;  ///< s, largest age of a reading
 
     /// For a device that no hand holds, such as a mouse, whose position may jump anywhere. Only a reading that is not

@@ -16,8 +16,8 @@ struct ForceLimits {
     double slew = 300;           ///< N/s: 0.3 N in a millisecond; the hand feels a steeper step as a kick
     double rampTime = 0.5;       ///< s from zero to full strength after a start
     double tickTimeout = 0.003;  ///< s without a tick after which the force starts from zero again
-    double torqueSlew =
-        3000;  ///< N*mm/s: the slew rate of a force at a lever of 10 mm, from the tip of the bur to the fingers
+    /// N*mm/s: the slew rate of a force at a lever of 10 mm, from the tip of the bur to the fingers.
+    double torqueSlew = 3000;
     double continuousForce = std::numeric_limits<double>::infinity();  ///< N that the motors can render without end
     double friction = 0;  ///< N, dry friction of the device's own mechanics
     /// N*mm/s (1e-3 W): the largest product of force and speed of the hand. The default is that of a Touch. `limitsOf`

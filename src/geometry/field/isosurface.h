@@ -16,8 +16,8 @@ using ScalarField = std::function<double(const Vec3&)>;
 /// Resolution and smoothness of an isosurface. All numbers are finite; cellSize and lipschitzBound are positive.
 struct IsosurfaceOptions {
     double cellSize = 0.2;  ///< mm; triangles have about this edge length
-    double lipschitzBound =
-        1.5;              ///< Lipschitz bound: two values differ by at most this times the distance of their points
+    /// Lipschitz bound: two values differ by at most this times the distance of their points.
+    double lipschitzBound = 1.5;
     int relaxations = 3;  ///< rounds of relaxation before the vertices move onto the exact surface
 };
 

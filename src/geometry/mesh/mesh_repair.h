@@ -17,8 +17,8 @@ enum class HolesToFill { None, Small, All };
 /// What `repaired` may change.
 struct RepairOptions {
     HolesToFill holes = HolesToFill::Small;
-    double smallHole =
-        0.15;  ///< a hole is small if its boundary loop is no longer than this share of the box's diagonal
+    /// A hole is small if its boundary loop is no longer than this share of the box's diagonal.
+    double smallHole = 0.15;
     double speckSize = kSpeck;  ///< components smaller than this share of the largest body are dropped, 0..1
 };
 
@@ -26,8 +26,8 @@ struct RepairOptions {
 struct RepairReport {
     CrackWeld cracks;
     std::size_t droppedDegenerate = 0;  ///< triangles with two equal corners
-    std::size_t droppedDuplicates =
-        0;                             ///< triangles that are stored twice or lie back to back (see `removeDuplicates`)
+    /// Triangles that are stored twice or lie back to back (see `removeDuplicates`).
+    std::size_t droppedDuplicates = 0;
     std::size_t droppedPieces = 0;     ///< specks beside the surface
     std::size_t flippedTriangles = 0;  ///< to agree with their neighbours, or to point outward
     std::size_t filledHoles = 0;

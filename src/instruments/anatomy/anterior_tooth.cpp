@@ -62,9 +62,9 @@ private:
 
     [[nodiscard]] double depthOf(const FaceGroove& f, const Vec3& p) const {
         const Section section = body_.at(p.z());
-        const double fromMiddle =
-            std::abs(p.y() - section.y) / section.plusY;  // so that neither face gets the grooves of the other
-        constexpr double kFade = 1.5;                     // mm above and below
+        // So that neither face gets the grooves of the other.
+        const double fromMiddle = std::abs(p.y() - section.y) / section.plusY;
+        constexpr double kFade = 1.5;  // mm above and below
         return f.depth * bump(p.x() - f.x, f.width) * smoothStep(f.from - kFade, f.from, p.z()) *
                smoothStep(f.to + kFade, f.to, p.z()) * smoothStep(0.0, 0.6, fromMiddle);
     }

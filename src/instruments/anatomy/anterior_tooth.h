@@ -31,8 +31,8 @@ struct AnteriorToothPlan {
     double mesialRise = 0, distalRise = 0;  ///< of the cervical line at the proximal sides
     double cervicalHalfWidth = 3;
     double enamelThickness = 1;  ///< at the labial and lingual face
-    double incisalEnamel =
-        2;  ///< thickness perpendicular to the edge's slope; the core ends before it becomes too thin
+    /// Thickness perpendicular to the edge's slope; the core ends before it becomes too thin.
+    double incisalEnamel = 2;
     std::vector<Section> pulp;      ///< from the end of the canal to the horns
     Vec3 lesionFrom, lesionToward;  ///< a line from inside the tooth to the lesion's opening in the surface
 };

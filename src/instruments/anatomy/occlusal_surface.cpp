@@ -53,8 +53,8 @@ double occlusalHeight(const PosteriorToothPlan& plan, double x, double y) {
 }
 
 double grooveDepth(const PosteriorToothPlan& plan, double x, double y) {
-    constexpr double kGone =
-        18;  // squared widths from the middle of a groove, where less than a millionth of it is left
+    // Squared widths from the middle of a groove, where less than a millionth of it is left.
+    constexpr double kGone = 18;
     double deepest = 0;
     for (const OcclusalGroove& g : plan.grooves) {
         const double widths = squaredDistanceToSegment(x, y, g.ax, g.ay, g.bx, g.by) / (g.width * g.width);

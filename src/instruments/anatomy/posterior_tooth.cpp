@@ -117,8 +117,8 @@ private:
     /// Thickness of the enamel at a height above the cervical line: a feather edge, 1.3 mm at the sides, more on top.
     [[nodiscard]] double enamel(const Vec3& p, double height) const {
         constexpr double kFeather = 1.7;
-        const double functional =
-            0.15 * smoothStep(-1.0, 2.5, plan_.functionalSide * p.y());  // these cusps carry the load
+        // These cusps carry the load.
+        const double functional = 0.15 * smoothStep(-1.0, 2.5, plan_.functionalSide * p.y());
         return (plan_.enamel + functional) * (1 - std::exp(-height / kFeather));
     }
 

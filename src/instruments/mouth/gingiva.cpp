@@ -203,8 +203,8 @@ Gingiva::Line Gingiva::marginAt(double s) const {
     line.lingual = std::lerp(tooth.lingual, (tooth.lingual + other.lingual) / 2, part * part);
     line.tip = between.tip;
     line.outward = between.outward;
-    constexpr double kCrest =
-        0.1;  // rounding of a papilla's crest, as a share of the distance to the middle of the tooth
+    // Rounding of a papilla's crest, as a share of the distance to the middle of the tooth.
+    constexpr double kCrest = 0.1;
     const double beside = std::hypot(1 - part, kCrest) - kCrest;
     line.rise = std::pow(std::max(0.0, 1 - beside), kScallop);
     return line;

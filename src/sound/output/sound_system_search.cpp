@@ -41,8 +41,8 @@ bool isChosen(const VariableLookup& variable) {
     constexpr const char* kChoices[] = {"ALSOFT_DRIVERS", "PULSE_SERVER", "JACK_DEFAULT_SERVER", "AUDIODEV"};
     const auto isSet = [&](const char* name) { return !valueOf(name, variable).empty(); };
     if (std::any_of(std::begin(kChoices), std::end(kChoices), isSet)) return true;
-    const std::string display =
-        valueOf("DISPLAY", variable);  // the display of another machine is also the address of its sound server
+    // The display of another machine is also the address of its sound server.
+    const std::string display = valueOf("DISPLAY", variable);
     return !display.empty() && display.front() != ':';
 }
 

@@ -42,8 +42,8 @@ TEST(MeshRepair, LeavesTheWallOfAVoid) {
 }
 
 TEST(MeshRepair, FillsSmallHolesOnly) {
-    TriangleMesh mesh =
-        test::sphere(Vec3(1, 2, 3), 5, 48, 32);  // the boundary of one triangle is a tenth of the diagonal
+    // The boundary of one triangle is a tenth of the diagonal.
+    TriangleMesh mesh = test::sphere(Vec3(1, 2, 3), 5, 48, 32);
     mesh.triangles.erase(mesh.triangles.begin() + 200);
     const RepairedMesh mended = repaired(mesh);
     EXPECT_EQ(mended.report.filledHoles, 1u);
