@@ -22,6 +22,7 @@
 #include "geometry/io/stl_writer.h"
 #include "geometry/mesh/simplify.h"
 #include "geometry/mesh/subdivide.h"
+#include "geometry/util/fnv1a.h"
 #include "session/io/run_metadata.h"
 #include "support/shapes.h"
 #include "support/test_data.h"
@@ -54,12 +55,12 @@ struct StageTimes {
 /// FNV-1a by words.
 class Hash {
 public:
-    void add(std::uint32_t word) { value_ = (value_ ^ word) * 0x100000001B3ULL; }
+    void add(std::uint32_t word) { hash_.addWord(word); }
     void add(float number) { add(std::bit_cast<std::uint32_t>(number)); }
-    [[nodiscard]] unsigned long long value() const { return value_; }
+    [[nodiscard]] unsigned long long value() const { return hash_.value(); }
 
 private:
-    std::uint64_t value_ = 0xCBF29CE484222325ULL;
+    Fnv1a hash_;
 };
 
 unsigned long long hashOf(const TriangleMesh& mesh) {

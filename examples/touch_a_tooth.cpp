@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// Lowers a bur onto a tooth, a hundredth of a millimetre a millisecond, and prints what the hand feels.
-// Usage: touch_a_tooth TOOTH.stl BUR.stl X Y Z (where the tip starts, mm)
+// Lowers a bur onto a tooth by 0.01 mm each millisecond, and prints the contact force. Usage: touch_a_tooth TOOTH.stl
+// BUR.stl X Y Z (start of the tip, mm)
 #include <cstdio>
 #include <cstdlib>
 
@@ -13,11 +13,12 @@ int main(int argc, char** argv) {
     const auto touch = tactooth::Touch::load(argv[1], argv[2], {.stiffness = 1.0, .damping = 0.002}, error);
     if (!touch) return std::fprintf(stderr, "%s\n", error.c_str()), 2;
 
-    tactooth::RigidPose hand{{std::atof(argv[3]), std::atof(argv[4]), std::atof(argv[5])}};
-    for (int tick = 0; tick < 2000; ++tick, hand.position[2] -= 0.01) {
-        const tactooth::TouchResult felt = touch->follow(hand, 0.001);
-        if (felt.touching)
-            std::printf("z %.3f mm: depth %.4f mm, force %.3f N\n", hand.position[2], felt.depth, felt.force[2]);
-        if (felt.depth > 0.3) break;
+    tactooth::RigidPose device{{std::atof(argv[3]), std::atof(argv[4]), std::atof(argv[5])}};
+    for (int tick = 0; tick < 2000; ++tick, device.position[2] -= 0.01) {
+        const tactooth::TouchResult contact = touch->follow(device, 0.001);
+        if (contact.touching)
+            std::printf("z %.3f mm: depth %.4f mm, force %.3f N\n", device.position[2], contact.depth,
+                        contact.force[2]);
+        if (contact.depth > 0.3) break;
     }
 }

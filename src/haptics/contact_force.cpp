@@ -5,46 +5,90 @@
 #include <algorithm>
 #include <cmath>
 
-// Kelvin-Voigt contact: W. Fluegge, "Viscoelasticity", 1975, section 1.3: F = k * d + c * d'. Friction clings with the
-// same spring, so that a proxy held by friction pulls straight from the hand to where it stays.
+#include "geometry/util/assert.h"
+
+// Kelvin-Voigt contact: W. Fluegge, "Viscoelasticity", 1975, section 1.3: F = k * d + c * d'. Ours differs in two
+// points: the force never pulls, and the material blends at a border. Friction has the same stiffness, so that a proxy
+// held by friction pulls straight from the device to the proxy.
+//
+// Positions, velocities and shares may be NaN here; the asserts let NaN pass, and the force pipeline finds the fault.
 
 namespace tactooth {
 namespace {
 
-// Travel in which what is left of the old material's feel falls to 1/e, mm: to 5 % within 50 um. An exponential,
-// because it blends by the way alone: the same for one long tick as for many short ones.
+// Travel after which the share of the old material falls to 1/e, mm: to 5 % within 50 um. The blend is exponential,
+// because it depends on the travel alone: one long tick gives the same as many short ones.
 constexpr double kBlendTravel = 0.05 / 3;
-// A hand that crosses a border fast, or deep, shall not feel a step: N/s that the blend may change the force by, half
-// of what a hand just feels at 10 Hz and more (0.03 to 0.05 N) a millisecond.
+// A hand that crosses a border fast, or deep, must not feel a step. The blend changes the force by at most this, N/s:
+// in a millisecond about as much as a hand just feels at 10 Hz and more (0.03 to 0.05 N).
 constexpr double kBlendSlew = 50;
 
 }  // namespace
 
 ContactForce::SurfaceProperties ContactForce::propertiesOf(const ContactState& contact,
                                                            const MaterialTable& materials) {
-    SurfaceProperties feel{0, 0, 0};
+    TACTOOTH_ASSERT(!contact.held.empty());
+    SurfaceProperties sums{0, 0, 0};
     double weight = 0;
     for (const ContactPoint& held : contact.held) {
+        TACTOOTH_ASSERT(static_cast<std::size_t>(held.material) < kMaterialCount);
+        TACTOOTH_ASSERT(!(held.share < 0));
         const Material& material = materials[held.material];
-        const double share = std::max(held.share, 1e-12);  // a contact that just touches still has a material
-        feel.stiffness += share * material.stiffness;
-        feel.damping += share * material.damping;
-        feel.friction += share * material.friction;
+        const double share = std::max(held.share, 1e-12);  // a contact without depth still has a material
+        sums.stiffness += share * material.stiffness;
+        sums.damping += share * material.damping;
+        sums.friction += share * material.friction;
         weight += share;
     }
-    return {feel.stiffness / weight, feel.damping / weight, feel.friction / weight};
+    TACTOOTH_ASSERT(!(weight <= 0));
+    return {sums.stiffness / weight, sums.damping / weight, sums.friction / weight};
 }
 
-/// The spring that is rendered, before `scale_`.
-double ContactForce::stiffnessOf(const SurfaceProperties& feel, const MaterialTable& materials) const {
-    if (!std::isfinite(maxStiffness_)) return overrides_.stiffness.value_or(feel.stiffness);
+/// Stiffness that is rendered, before `scale_`, N/mm.
+double ContactForce::stiffnessOf(const SurfaceProperties& properties, const MaterialTable& materials) const {
+    if (!std::isfinite(maxStiffness_)) return overrides_.stiffness.value_or(properties.stiffness);
     double hardest = 0;
     for (std::size_t i = 0; i < kMaterialCount; ++i) {
         hardest = std::max(hardest, materials[static_cast<MaterialId>(i)].stiffness);
     }
-    const double softened = hardest > maxStiffness_ ? feel.stiffness * maxStiffness_ / hardest : feel.stiffness;
+    const double softened =
+        hardest > maxStiffness_ ? properties.stiffness * maxStiffness_ / hardest : properties.stiffness;
     const double spring = overrides_.stiffness.value_or(softened);
-    return scale_ > 0 ? std::min(spring, maxStiffness_ / scale_) : spring;
+    const double bounded = scale_ > 0 ? std::min(spring, maxStiffness_ / scale_) : spring;
+    TACTOOTH_ASSERT(!(scale_ * bounded > maxStiffness_ * (1 + 1e-9)));
+    return bounded;
+}
+
+void ContactForce::setScale(double scale) {
+    TACTOOTH_ASSERT(std::isfinite(scale) && scale >= 0);
+    scale_ = scale;
+}
+
+void ContactForce::setOverrides(const ForceOverrides& overrides) {
+    TACTOOTH_ASSERT(overrides.stiffness.value_or(0) >= 0);
+    TACTOOTH_ASSERT(overrides.damping.value_or(0) >= 0);
+    TACTOOTH_ASSERT(overrides.friction.value_or(0) >= 0);
+    overrides_ = overrides;
+}
+
+void ContactForce::setMaxStiffness(double maxStiffness) {
+    TACTOOTH_ASSERT(maxStiffness > 0);
+    maxStiffness_ = maxStiffness;
+}
+
+/// The properties at this tick: those of the last tick, blended toward those of the material that holds the tool now.
+ContactForce::SurfaceProperties ContactForce::blended(const ContactState& contact,
+                                                      const SurfaceProperties& target) const {
+    TACTOOTH_ASSERT(!(contact.travel < 0));
+    TACTOOTH_ASSERT(!(contact.dt < 0));
+    const SurfaceProperties old = properties_.value_or(target);
+    const double byTravel = 1 - std::exp(-contact.travel / kBlendTravel);
+    const double step = std::abs(target.stiffness - old.stiffness) * contact.offset.norm() * scale_;  // N
+    const double blend = step > 0 ? std::min(byTravel, kBlendSlew * contact.dt / step) : byTravel;
+    TACTOOTH_ASSERT(!(blend < 0 || blend > 1));
+    return {old.stiffness + blend * (target.stiffness - old.stiffness),
+            old.damping + blend * (target.damping - old.damping),
+            old.friction + blend * (target.friction - old.friction)};
 }
 
 Wrench ContactForce::at(const ContactState& contact, const MaterialTable& materials) {
@@ -55,29 +99,23 @@ Wrench ContactForce::at(const ContactState& contact, const MaterialTable& materi
         friction_.reset();
         return {};
     }
-    const SurfaceProperties target = propertiesOf(contact, materials);
-    const SurfaceProperties old = properties_.value_or(target);
-    const double byTravel = 1 - std::exp(-contact.travel / kBlendTravel);
-    const double step = std::abs(target.stiffness - old.stiffness) * depth * scale_;  // N, of the whole blend
-    const double blend = step > 0 ? std::min(byTravel, kBlendSlew * contact.dt / step) : byTravel;
-    properties_ = SurfaceProperties{old.stiffness + blend * (target.stiffness - old.stiffness),
-                                    old.damping + blend * (target.damping - old.damping),
-                                    old.friction + blend * (target.friction - old.friction)};
+    properties_ = blended(contact, propertiesOf(contact, materials));
 
     const double stiffness = stiffnessOf(*properties_, materials);
     stiffness_ = scale_ * stiffness;
+    TACTOOTH_ASSERT(!(stiffness_ < 0));
     const double damping = overrides_.damping.value_or(properties_->damping);
     const double frictionCoefficient = overrides_.friction.value_or(properties_->friction);
 
     const Vec3 normal = contact.offset / depth;
-    Vec3 moment = Vec3::Zero();  // what the push does to a turn, as `normal` is what it does to a shift
+    Vec3 moment = Vec3::Zero();  // effect of the force on a rotation, as `normal` is its effect on a displacement
     for (const ContactPoint& held : contact.held) {
         moment += held.share / depth * (held.point - contact.device - contact.offset).cross(held.normal);
     }
     const double approach = -contact.velocity.dot(normal);
     const double penetrationRate = approach - contact.spin.dot(moment);
     const double push = stiffness * depth + damping * penetrationRate;
-    normalForce_ = push <= 0 ? 0 : scale_ * push;  // what is no number stays none, so that it is seen
+    normalForce_ = push <= 0 ? 0 : scale_ * push;  // NaN stays NaN, so that the pipeline finds the fault
     const Vec3 friction = friction_.at(contact.device + contact.offset, normal, stiffness_,
                                        frictionCoefficient * normalForce_, contact.rimTravel);
     deflection_ = std::hypot(depth, friction_.deflection().norm());
@@ -86,16 +124,21 @@ Wrench ContactForce::at(const ContactState& contact, const MaterialTable& materi
     wrench.force = normalForce_ * normal + friction;
     double shares = 0;
     for (const ContactPoint& held : contact.held) shares += held.share;
+    TACTOOTH_ASSERT(!(shares < 0));
     for (const ContactPoint& held : contact.held) {
         const Vec3 part =
             held.share / depth * normalForce_ * held.normal + (shares > 0 ? held.share / shares : 0) * friction;
         wrench.torque += (held.point - contact.device - contact.offset).cross(part);
     }
-    if (!wrench.force.allFinite() || !wrench.torque.allFinite()) {  // which the blend and the friction would keep
+    if (!wrench.force.allFinite() || !wrench.torque.allFinite()) {  // which blend and friction would keep
         properties_.reset();
         friction_.reset();
         normalForce_ = stiffness_ = deflection_ = 0;
     }
+    TACTOOTH_ASSERT(normalForce_ >= 0 && std::isfinite(normalForce_));
+    TACTOOTH_ASSERT(deflection_ >= 0 && stiffness_ >= 0);
+    // The tooth does not pull. False for NaN.
+    TACTOOTH_ASSERT(!(wrench.force.dot(normal) < -2 * kUnitLengthTolerance * friction.norm() - 1e-12));
     return wrench;
 }
 

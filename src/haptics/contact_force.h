@@ -14,69 +14,70 @@
 
 namespace tactooth {
 
-/// A place where the tooth holds the proxy.
+/// A point where the tooth holds the proxy.
 struct ContactPoint {
     Vec3 point = Vec3::Zero();   ///< mm
     Vec3 normal = Vec3::Zero();  ///< unit, out of the tooth
-    double share = 0;            ///< mm; proxy - device = sum of share * normal
+    double share = 0;            ///< mm, not negative; proxy - device = sum of share * normal
     MaterialId material{};
-    bool isAdjacent = false;  ///< it is a body around the tooth that holds
+    bool isAdjacent = false;  ///< a body of the surroundings holds the proxy
 };
 
-/// What the force is computed from, all in the tooth's frame.
+/// Input of the force law, all in the tooth's frame.
 struct ContactState {
-    Vec3 device;        ///< where the hand holds the tool's tip, mm; turned with the proxy, if that turns on its own
+    Vec3 device;        ///< position of the device's tip, mm; rotated with the proxy, if the proxy rotates on its own
     Vec3 offset;        ///< from there to the proxy's tip, mm; its length is the depth
-    Vec3 velocity;      ///< of the hand's tip, mm/s
+    Vec3 velocity;      ///< of the device's tip, mm/s
     double travel = 0;  ///< of the proxy since the last tick, mm
     std::span<const ContactPoint> held;
-    Vec3 spin = Vec3::Zero();  ///< of the hand, rad/s, if the proxy turns on its own; else zero
-    double dt = std::numeric_limits<double>::infinity();  ///< since the last tick, s
+    Vec3 spin = Vec3::Zero();  ///< angular velocity of the device, rad/s, if the proxy rotates on its own; else zero
+    double dt = std::numeric_limits<double>::infinity();  ///< time since the last tick, s
     double rimTravel = 0;                                 ///< travel of the turning bur's rim since then, mm
 };
 
-/// Instead of the materials' own numbers, for experiments. They hold at once, without a blend.
+/// Replaces numbers of all materials, for experiments. They hold at once, without a blend. None is negative.
 struct ForceOverrides {
     std::optional<double> stiffness;  ///< N/mm
     std::optional<double> damping;    ///< N*s/mm
-    std::optional<double> friction;   ///< Coulomb coefficient; 0: the bare spring and damper
+    std::optional<double> friction;   ///< Coulomb coefficient; 0: only spring and damper
 };
 
-/// The force law: a spring and a damper side by side (Kelvin-Voigt) between hand and proxy, which never pull, and dry
-/// friction against sliding. Stiffness, damping and friction are those of the material that holds the tool, blended
-/// while the tool travels across a border: after 50 um the new material has 95 %, but never faster than by 0.05 N a
-/// millisecond. A force that comes out as no number is handed on as it is, for the force pipeline to see, and what
-/// was remembered is forgotten with it.
+/// The force law: a spring and a damper in parallel (Kelvin-Voigt) between device and proxy, which never pull, and dry
+/// friction against sliding. Stiffness, damping and friction are those of the material that holds the tool. They blend
+/// while the tool travels across a border: after 50 um the new material has 95 %, but the force never changes by more
+/// than 0.05 N in a millisecond. A force that is not finite is returned as it is, so that the force pipeline finds the
+/// fault. The memory of the law is then reset.
 class ContactForce {
 public:
-    /// `scale` multiplies the whole force.
-    void setOverrides(const ForceOverrides& overrides) { overrides_ = overrides; }
-    void setScale(double scale) { scale_ = scale; }
+    /// `scale` multiplies the whole force; finite and not negative.
+    void setScale(double scale);
+    void setOverrides(const ForceOverrides& overrides);
 
-    /// The stiffest spring that the device renders without shaking, N/mm. Materials are softened together, so that the
-    /// harder one stays the harder one.
-    void setMaxStiffness(double stiffest) { maxStiffness_ = stiffest; }
+    /// The largest stiffness that the device renders without oscillation, N/mm, positive. All materials are softened
+    /// together, so that the harder of two stays the harder one.
+    void setMaxStiffness(double maxStiffness);
 
     [[nodiscard]] Wrench at(const ContactState& contact, const MaterialTable& materials);
 
-    /// Length of the force along the proxy's normal at the last call, N.
+    /// Force along the normal of the proxy at the last call, N; not negative.
     [[nodiscard]] double normalForce() const { return normalForce_; }
-    /// Of the spring at the last call, N/mm; 0 without contact.
+    /// Stiffness of the spring at the last call, N/mm; 0 without contact.
     [[nodiscard]] double stiffness() const { return stiffness_; }
-    /// How far the hand has drawn that spring at the last call, inwards and against friction, mm.
+    /// Deflection of that spring at the last call, inwards and against friction, mm.
     [[nodiscard]] double deflection() const { return deflection_; }
 
 private:
     struct SurfaceProperties {
         double stiffness, damping, friction;
     };
-    [[nodiscard]] double stiffnessOf(const SurfaceProperties& feel, const MaterialTable& materials) const;
+    [[nodiscard]] double stiffnessOf(const SurfaceProperties& properties, const MaterialTable& materials) const;
+    [[nodiscard]] SurfaceProperties blended(const ContactState& contact, const SurfaceProperties& target) const;
     [[nodiscard]] static SurfaceProperties propertiesOf(const ContactState& contact, const MaterialTable& materials);
 
     ForceOverrides overrides_;
     double scale_ = 1;
     double maxStiffness_ = std::numeric_limits<double>::infinity();
-    std::optional<SurfaceProperties> properties_;  // none while nothing is touched
+    std::optional<SurfaceProperties> properties_;  // none without contact
     double normalForce_ = 0;
     double stiffness_ = 0;
     double deflection_ = 0;

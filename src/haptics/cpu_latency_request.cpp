@@ -10,16 +10,18 @@
 #include <fstream>
 #include <string>
 
-// Linux kernel documentation, "PM Quality Of Service Interface": the request is an open file, and ends with it.
+// Linux kernel documentation, "PM Quality Of Service Interface": the request is an open file. It ends when the file is
+// closed.
 
 namespace tactooth {
 namespace {
 
 constexpr const char* kRequests = "/dev/cpu_dma_latency";
-constexpr std::int32_t kMaxCpuLatency = 10;  // us: the light sleeps of today's processors, not those of 100 us and more
+constexpr std::int32_t kMaxCpuLatency =
+    10;  // us: allows the light idle states of present processors, not those of 100 us and more
 
-/// A virtual machine's processor that sleeps is given away, and comes back when the host finds the time: there it has
-/// to stay awake.
+/// The host takes away an idle processor of a virtual machine, and gives it back when it has time. So it must not sleep
+/// at all.
 bool isVirtualMachine() {
     std::ifstream file("/sys/devices/system/cpu/cpuidle/current_driver");
     std::string driver;

@@ -4,9 +4,9 @@
 
 namespace tactooth {
 
-/// As long as one lives, no processor sleeps so deeply that waking it delays a tick: a servo loop idles nine tenths of
-/// each millisecond, and a processor that falls into deep sleep then needs 0.1 ms to come back, or several when its
-/// sleep is that of a virtual machine. Changes nothing where the system forbids it.
+/// While an object lives, no processor sleeps so deeply that its wake-up delays a tick. A servo loop idles for nine
+/// tenths of each millisecond. A processor in a deep idle state needs 0.1 ms to wake up, or several milliseconds in a
+/// virtual machine. Has no effect where the system forbids it.
 class CpuLatencyRequest {
 public:
     CpuLatencyRequest();
@@ -20,7 +20,8 @@ private:
     int request_ = -1;
 };
 
-/// Whether this user may have it, without taking it. True where the system has no such thing: nothing is to be done.
+/// Whether this user may make such a request; nothing is requested. True where the system has no such feature: then the
+/// user need not do anything.
 [[nodiscard]] bool mayLimitCpuLatency();
 
 }  // namespace tactooth

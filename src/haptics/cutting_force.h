@@ -6,39 +6,41 @@
 
 namespace tactooth {
 
-/// Of the normal force: how hard the cut pulls at the rim, against the rotation (measured on glass ceramic: 0.4 to 0.6
-/// between 0.6 and 2.9 N).
+/// Tangential force of a cut as a share of the normal force; it acts at the rim, against the rotation (measured on
+/// glass ceramic: 0.4 to 0.6 between 0.6 and 2.9 N).
 inline constexpr double kTangentialRatio = 0.5;
 
-/// Of the normal force: how hard a cut shakes, 40 mN at 1 N, about what a hand just feels as a shake.
+/// Vibration of a cut as a share of the normal force: 40 mN at 1 N, about the smallest vibration that a hand feels.
 inline constexpr double kVibrationRatio = 0.04;
 
-/// A bur that turns slower, rev/min, rubs and does not cut.
+/// A bur that turns more slowly, rev/min, rubs and does not cut.
 inline constexpr double kMinCuttingRpm = 300;
 
 /// A turning bur in contact, in the tooth's frame.
 struct CuttingContact {
     Vec3 normal;          ///< unit, out of the tooth
-    Vec3 axis;            ///< unit, of the bur, from its tip to its shaft
+    Vec3 axis;            ///< of the bur, unit, from its tip to its shaft
     double normalForce;   ///< N; 0 without contact
     double speedRpm;      ///< of the bur
-    double freeSpeedRpm;  ///< of its drive without load
+    double freeSpeedRpm;  ///< free speed of its drive
 };
 
-/// What a cut adds to the force of contact: it pulls the bur along its rim, against the rotation (clockwise, seen from
-/// the shaft), and shakes it. Both grow with the normal force and come and go within some tens of milliseconds.
+/// The force that a cut adds to the contact force. It pulls the bur along its rim, against the rotation (clockwise,
+/// seen from the shaft), and makes it vibrate. Both parts grow with the normal force, and come and go within some tens
+/// of milliseconds.
 class CuttingForce {
 public:
-    /// In N, `dt` seconds after the call before.
+    /// Force in N, `dt` seconds after the last call.
     [[nodiscard]] Vec3 at(const CuttingContact& contact, double dt);
 
-    /// How fast a bur shakes the hand, Hz: once a turn, or as many octaves lower as the drive's free speed is above
-    /// what a hand feels and a device can follow. So the pitch falls as the bur slows down under its load.
+    /// Vibration frequency of a bur, Hz. It is the rotation frequency, lowered by as many octaves as the free speed of
+    /// the drive is above what a hand feels and a device can render. So the pitch falls when the bur slows down under
+    /// load.
     [[nodiscard]] static double vibrationFrequency(double speedRpm, double freeSpeedRpm);
 
 private:
-    double engagement_ = 0;  // 0 still or in the air .. 1 cutting
-    double phase_ = 0;       // of the shaking, rad
+    double engagement_ = 0;  // 0 at rest or in the air .. 1 cutting
+    double phase_ = 0;       // of the vibration, rad
 };
 
 }  // namespace tactooth

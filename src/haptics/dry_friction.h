@@ -8,21 +8,24 @@
 
 namespace tactooth {
 
-/// Dry friction (Coulomb) that needs no speed: the tool clings to a place on the tooth until it is drawn further than
-/// friction holds, and then drags that place along. A hand at rest is held as it came to rest; the single step of an
-/// encoder gives a small, lasting change and not a pulse; and no more energy comes out than the hand has put in. It is
-/// the proxy that clings: where a groove holds it, it does not slide, and friction has nothing to do.
+/// Dry (Coulomb) friction without a speed. The tool sticks to a point of the tooth like a bristle. When the tool is
+/// farther from it than friction holds, it drags the point along. So a hand at rest is held where it came to rest. A
+/// single encoder step gives a small lasting change of force and not a pulse, and no more energy comes out than the
+/// hand has put in. The proxy sticks, not the device: where a groove holds the proxy, it does not slide, and there is
+/// no friction.
 class DryFriction {
 public:
-    /// One tick in contact; gives the force on the hand, N, across the normal. `proxy`: where its tip is, mm; `normal`:
-    /// unit; `stiffness` N/mm: with which it clings; `most` N: what it holds; `rimTravel` mm: travel of a turning bur's
-    /// rim since the last tick, which tears the tool off whatever it clings to.
-    [[nodiscard]] Vec3 at(const Vec3& proxy, const Vec3& normal, double stiffness, double most, double rimTravel);
+    /// One tick in contact. Returns the force on the hand, N, across the normal.
+    /// `proxy`: position of the proxy's tip, mm; `normal`: unit; `stiffness`: of the bristle, N/mm; `maxFriction`: the
+    /// largest friction, N; `rimTravel`: travel of a turning bur's rim since the last tick, mm, which tears the tool
+    /// off. None of the numbers is negative.
+    [[nodiscard]] Vec3 at(const Vec3& proxy, const Vec3& normal, double stiffness, double maxFriction,
+                          double rimTravel);
 
-    /// Forgets the place; for a tick without contact.
+    /// Forgets the point. Call it at a tick without contact.
     void reset();
 
-    /// From the place to the proxy, across the normal, at the last call, mm.
+    /// From the point to the proxy, across the normal, at the last call, mm.
     [[nodiscard]] const Vec3& deflection() const { return deflection_; }
 
 private:

@@ -6,24 +6,24 @@
 
 namespace tactooth {
 
-/// Lets a cutting bur go on at the pace of its cut. A new surface gives way by what was cut since the last one, all at
-/// once: a bur that leapt into that room would knock at the rate of the surfaces. It takes about as long over
-/// it as the cut did, so that force and feed are steady.
+/// Limits the feed of a cutting bur to the rate of its cut. A new surface makes room at once for all that was cut since
+/// the last surface. A bur that jumped into that room would knock at the rate of the surfaces. The limiter lets the bur
+/// take about as long as the cut took, so that force and feed are steady.
 class FeedRateLimiter {
 public:
-    /// A new surface leaves the bur `way` (mm) to go.
-    void allow(double way);
+    /// A new surface leaves the bur room for `distance`, mm.
+    void allow(double distance);
 
-    /// To be called each tick: seconds go by.
-    void pass(double dt) { sinceGrant_ += dt; }
+    /// Call it each tick: `dt` s have passed.
+    void pass(double dt);
 
-    /// Where a bur that cuts shall go in a tick of `dt` seconds: toward the hand at the pace of the cut, or as fast as
-    /// the hand itself, and faster where it hangs back by more than half a millimetre; across that direction as the
-    /// hand does. `deviceStep`: of the hand in this tick, mm.
-    [[nodiscard]] Pose goal(const Pose& hand, const Pose& bur, const Vec3& deviceStep, double dt) const;
+    /// The goal of a cutting bur in a tick of `dt` s. The bur moves toward the device at the rate of the cut, or as
+    /// fast as the device, and faster if it lags behind by more than half a millimetre. Across that direction it moves
+    /// as the device does. `deviceStep` is the step of the device in this tick, mm.
+    [[nodiscard]] Pose goal(const Pose& device, const Pose& bur, const Vec3& deviceStep, double dt) const;
 
-    /// What a tick that had no time left for it has left of its way, mm: the next one goes that far as well.
-    void carryOver(double way);
+    /// Distance that a tick without work left could not go, mm: the next tick adds it.
+    void carryOver(double distance);
 
 private:
     double sinceGrant_ = 0;   // s

@@ -10,56 +10,57 @@
 
 namespace tactooth {
 
-/// What the simulation wants the hand to feel at one tick, in the device's frame.
+/// The force that the simulation computed for one tick, in the device's frame.
 struct ForceCommand {
     Wrench wrench;
-    Vec3 hand = Vec3::Zero();        ///< of the device's tip, mm
-    Quat turn = Quat::Identity();    ///< of the hand on it
-    double age = 0;                  ///< s since both were measured
-    bool isFresh = true;             ///< they are not those of the tick before
-    Vec3 driveForce = Vec3::Zero();  ///< that part of the force for which the drive pays, N: no energy of the wall's
-    double deflection = 0;           ///< of the spring that pushes, inwards and against friction, mm; 0 without contact
-    double stiffness = 0;            ///< of the spring that pushes, N/mm
+    Vec3 hand = Vec3::Zero();      ///< position of the device's tip, mm
+    Quat turn = Quat::Identity();  ///< rotation of the hand that holds the device
+    double age = 0;                ///< s since position and rotation were measured
+    bool isFresh = true;           ///< false: the same reading as a tick before
+    Vec3 driveForce =
+        Vec3::Zero();       ///< the part of the force that the drive pays for, N: it is not energy of the contact
+    double deflection = 0;  ///< deflection of the contact spring, inwards and against friction, mm; 0 without contact
+    double stiffness = 0;   ///< stiffness of the contact spring, N/mm
     bool touching = false;
-    bool allowed = true;          ///< false: fade out, as a person or the loss of the proxy asks for
-    bool connected = true;        ///< false: the device is gone or its reading is wrong; nothing at once
+    bool allowed = true;          ///< false: fade out, because the user switched the force off or the proxy is lost
+    bool connected = true;        ///< false: the device is lost or its reading is wrong; zero force at once
     double motorTemperature = 0;  ///< as the device reports it, 0..1
 };
 
-/// What a tick wants, for a device whose frame is the tooth's.
+/// The force of a tick, for a device whose frame is the tooth's.
 [[nodiscard]] ForceCommand forceCommandFrom(const Tick& tick);
 
-/// Why the hand feels what it feels.
+/// Why the force is what it is.
 enum class ForceState {
     On,
-    Off,              ///< switched off, or no place of the tool is known
-    AwaitsFreeSpace,  ///< came on inside the tooth: nothing until the tool has left it
-    Warm,             ///< the motors are warm, and strong forces are cut to what they bear
-    Fault,            ///< the device is lost, or something is wrong with its pose or with the force: see fault()
+    Off,              ///< switched off, or the proxy has no pose
+    AwaitsFreeSpace,  ///< the force was switched on inside the tooth: zero until the tool has been in free space
+    Warm,             ///< the motors are warm: strong forces are reduced to what the motors can bear
+    Fault,            ///< the device is lost, or its pose or the force is faulty: see fault()
 };
 
-/// The way from the simulation's force to the motors, tick by tick: nothing at a fault or while the hand came into the
-/// tooth without a force, then the passivity controller, the motors' heat, a bound on how fast the force may turn, and
-/// last, alone before the motors, the safety limiter. Equal calls give equal results; allocates, locks and logs
-/// nothing.
+/// All stages from the force of the simulation to the motors, tick by tick. At a fault, and until the tool has been in
+/// free space, the force is zero. Then come the passivity controller, the thermal model of the motors, and a bound on
+/// how fast the force may change its direction. The safety limiter is last, directly before the motors. Equal calls
+/// give equal results. It allocates, locks and logs nothing.
 class ForcePipeline {
 public:
     explicit ForcePipeline(const ForceLimits& limits, const PoseLimits& poseLimits = {});
 
-    /// What is wrong with a reading, as far as it is known before the simulation has followed it.
+    /// The fault of a reading, as far as it is known before the simulation follows it.
     [[nodiscard]] PoseFault judge(const PoseReading& reading, double elapsed) const {
         return validator_.judge(reading, elapsed, false);
     }
 
-    /// `elapsed`: since the call before, s.
+    /// `elapsed` is the time since the last call, s. Bad input is a fault: it gives zero force in the same call.
     [[nodiscard]] SafeWrench pass(const ForceCommand& wanted, double elapsed);
 
     [[nodiscard]] ForceState state() const { return state_; }
-    /// What was wrong at the last tick, apart from a device that is lost.
+    /// The fault of the last tick; not set if the device is lost.
     [[nodiscard]] PoseFault fault() const { return fault_; }
     [[nodiscard]] const PassivityController& passivity() const { return passivity_; }
     [[nodiscard]] const MotorThermalModel& heat() const { return heat_; }
-    /// Ticks at which the device or the clock was at fault.
+    /// Number of ticks with a fault of the device or of the clock.
     [[nodiscard]] std::uint64_t faults() const { return limiter_.faults() + faults_; }
 
 private:
@@ -81,7 +82,7 @@ private:
     bool awaitsFreeSpace_ = true;
     PoseFault fault_ = PoseFault::None;
     SafeWrench sent_;
-    Vec3 wallForceSent_ = Vec3::Zero();  // without what the drive pulls, N
+    Vec3 wallForceSent_ = Vec3::Zero();  // without the pull of the drive, N
     std::uint64_t faults_ = 0;
 };
 

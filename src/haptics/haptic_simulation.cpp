@@ -6,22 +6,20 @@
 #include <cmath>
 #include <numbers>
 
-// Removal law: dV = k * F_n * v_rim * dt with k of the material (volume per force and rim travel); the tangential force
-// that loads the spindle is about half the normal one (see cutting_force.h).
+#include "geometry/util/assert.h"
+
+// Removal law: dV = k * F_n * v_rim * dt with k of the material (volume per force and rim travel). The tangential force
+// that loads the spindle is about half of the normal force (see cutting_force.h).
 
 namespace tactooth {
 namespace {
 
-constexpr double kVelocityCutoff =
-    100;                              // Hz: above the hand's 10 Hz, below what an encoder step of 55 um makes of 1 kHz
-constexpr double kMaxDistance = 1e6;  // mm from the tooth: a hand beyond is a fault of the device
-constexpr double kUnitTolerance = 1e-3;  // of a quaternion's squared length
+// Hz: above the 10 Hz of a hand, below the noise of an encoder step of 55 um at 1 kHz.
+constexpr double kVelocityCutoff = 100;
+constexpr double kMaxDistance = 1e6;  // mm from the tooth: a pose beyond is a fault of the device
 
-/// False also for everything that is not a number.
-bool isPlausible(const Pose& hand) {
-    return hand.position.allFinite() && hand.position.cwiseAbs().maxCoeff() < kMaxDistance &&
-           std::abs(hand.rotation.squaredNorm() - 1) < kUnitTolerance;
-}
+/// False also for a pose that is not finite.
+bool isPlausible(const Pose& hand) { return isRigid(hand) && hand.position.cwiseAbs().maxCoeff() < kMaxDistance; }
 
 }  // namespace
 
@@ -33,16 +31,26 @@ HapticSimulation::HapticSimulation(std::shared_ptr<const ToolShape> tool, double
       burRadius_(burRadius),
       freedom_(settings.freedom),
       tickBudget_(settings.tickBudget) {
+    TACTOOTH_ASSERT(std::isfinite(burRadius) && burRadius >= 0);
+    TACTOOTH_ASSERT(settings.tickBudget > 0);
+    TACTOOTH_ASSERT(std::isfinite(settings.spindle.freeSpeedRpm) && settings.spindle.freeSpeedRpm >= 0);
     force_.setOverrides(settings.force);
 }
 
+void HapticSimulation::setTickBudget(Work work) {
+    TACTOOTH_ASSERT(work > 0);
+    tickBudget_ = work;
+}
+
 void HapticSimulation::setSurface(HapticSurface& hapticSurface) {
+    TACTOOTH_ASSERT(hapticSurface.surface != nullptr);
+    TACTOOTH_ASSERT(hapticSurface.reach.allFinite());
     const Vec3 reach = hapticSurface.reach;
     if (proxy_.setSurface(hapticSurface)) feedLimiter_.allow((reach - proxy_.pose().position).norm());
 }
 
-/// A bur that cuts goes on at the pace of its cut, so a tick that leaves some of its way to the next one is late by
-/// micrometres. A tool that touches is exact at every tick.
+/// A cutting bur moves at the rate of its cut, so a tick that leaves some displacement to the next one is late by
+/// micrometres. A tool that only touches is exact at every tick.
 Pose HapticSimulation::targetOf(const OperatorInput& input, double dt) {
     feedLimiter_.pass(dt);
     const bool cuts = input.cutting && last_.contacts > 0 && last_.speedRpm > kMinCuttingRpm && following_;
@@ -52,6 +60,7 @@ Pose HapticSimulation::targetOf(const OperatorInput& input, double dt) {
 }
 
 void HapticSimulation::filterVelocity(const Pose& hand, double dt) {
+    TACTOOTH_ASSERT(isPlausible(hand));
     if (!following_ || dt <= 0) {
         velocity_.setZero();
         spin_.setZero();
@@ -60,6 +69,7 @@ void HapticSimulation::filterVelocity(const Pose& hand, double dt) {
         return;
     }
     const double filterGain = 1 - std::exp(-2 * std::numbers::pi * kVelocityCutoff * dt);
+    TACTOOTH_ASSERT(filterGain >= 0 && filterGain <= 1);
     velocity_ += filterGain * ((hand.position - lastDevice_.position) / dt - velocity_);
     if (freedom_ == Freedom::TranslationAndRotation) {
         const Quat turn = hand.rotation * lastDevice_.rotation.conjugate();
@@ -68,15 +78,18 @@ void HapticSimulation::filterVelocity(const Pose& hand, double dt) {
     lastDevice_ = hand;
 }
 
-/// mm/s
+/// Speed of the bur's rim, mm/s.
 double HapticSimulation::rimSpeed() const { return bur_.speedRpm / 60 * 2 * std::numbers::pi * burRadius_; }
 
-/// Turns the spindle one step under the load of the cut, and books the work that the cut may spend.
+/// Advances the spindle by one step under the load of the cut, and adds up the work that the cut may spend.
 void HapticSimulation::stepBur(const OperatorInput& input, double dt, Tick& tick) {
+    TACTOOTH_ASSERT(tick.pedal >= 0 && tick.pedal <= 1);
     const bool isEngaged = input.cutting && tick.contacts > 0 && bur_.speedRpm > kMinCuttingRpm;
     const double tangential = isEngaged ? kTangentialRatio * force_.normalForce() : 0;
     tick.load = tangential * burRadius_;
     bur_ = stepSpindle(spindle_, bur_, input.cutting ? tick.pedal : 0, tick.load, dt);
+    TACTOOTH_ASSERT(tick.load >= 0);
+    TACTOOTH_ASSERT(std::isfinite(bur_.speedRpm) && bur_.speedRpm >= 0);
     const double rimMeters = 1e-3 * rimSpeed();  // a second
     tick.speedRpm = bur_.speedRpm;
     tick.removalPower = tangential * rimMeters;
@@ -86,13 +99,14 @@ void HapticSimulation::stepBur(const OperatorInput& input, double dt, Tick& tick
     tick.driveForce = pull;
     tick.wrench.force += pull;
     tick.wrench.torque += lever_.cross(pull);
-    // The mean of both ends of the tick: the same for a force that grows whatever the rate.
+    // The mean of both ends of the tick: for a growing force it gives the same at any rate.
     const double power = force * rimMeters;  // N*m a second
     tick.cutWork = last_.cutWork + (isEngaged ? (power_ + power) / 2 * dt : 0);
+    TACTOOTH_ASSERT(tick.cutWork >= last_.cutWork);
     power_ = power;
 }
 
-/// Follows the hand and makes the force.
+/// Moves the proxy toward the device and computes the force.
 void HapticSimulation::touch(const OperatorInput& input, double dt, Tick& tick) {
     tick.hand = input.deviceInTooth;
     tick.speed = following_ && dt > 0 ? (input.deviceInTooth.position - lastDevice_.position).norm() / dt : 0;
@@ -100,6 +114,7 @@ void HapticSimulation::touch(const OperatorInput& input, double dt, Tick& tick) 
     filterVelocity(input.deviceInTooth, dt);
 
     const ProxyState state = proxy_.follow(input.deviceInTooth, goal, dt);
+    TACTOOTH_ASSERT(goal.position.allFinite());
     feedLimiter_.carryOver(state.late);
     tick.placed = state.placed;
     tick.ownListRebuilds = proxy_.ownListRebuilds();
@@ -108,6 +123,8 @@ void HapticSimulation::touch(const OperatorInput& input, double dt, Tick& tick) 
     if (state.contacts > 0 && state.offset.norm() > 0) {
         tick.depth = state.offset.norm();
         tick.normal = state.offset / tick.depth;
+        TACTOOTH_ASSERT(isUnit(tick.normal));
+        TACTOOTH_ASSERT(state.contactPointCount > 0);
         tick.material = std::ranges::max_element(state.contactPoints(), {}, &ContactPoint::share)->material;
     }
     for (const ContactPoint& held : state.contactPoints()) {
@@ -124,11 +141,14 @@ void HapticSimulation::touch(const OperatorInput& input, double dt, Tick& tick) 
         lever_ += held.share * (held.point - state.proxy.position);
         shares += held.share;
     }
+    TACTOOTH_ASSERT(shares >= 0);
     if (shares > 0) lever_ /= shares;
+    TACTOOTH_ASSERT(lever_.allFinite());
 }
 
 Tick HapticSimulation::step(const OperatorInput& input, double elapsed) {
-    const double dt = std::isfinite(elapsed) ? elapsed : 0;  // else the speeds would stay what they become for ever
+    TACTOOTH_ASSERT(!(elapsed < 0));
+    const double dt = std::isfinite(elapsed) ? elapsed : 0;  // else the low-passed speeds would stay NaN
     Tick tick;
     tick.time = last_.time + (started_ ? dt : 0);
     started_ = true;
@@ -143,9 +163,13 @@ Tick HapticSimulation::step(const OperatorInput& input, double elapsed) {
     }
     stepBur(input, dt, tick);
 
+    TACTOOTH_ASSERT(tick.placed || tick.contacts == 0);
+    TACTOOTH_ASSERT(tick.contacts > 0 || tick.wrench.force.isZero(0));
     const bool touching = tick.contacts > 0;
     tick.contactOnsets = last_.contactOnsets + (touching && !touching_ ? 1 : 0);
     tick.impactSpeed = touching && !touching_ ? std::max(0.0, -velocity_.dot(tick.normal)) : last_.impactSpeed;
+    TACTOOTH_ASSERT(tick.time >= last_.time);
+    TACTOOTH_ASSERT(tick.impactSpeed >= 0);
     touching_ = touching;
     last_ = tick;
     return tick;

@@ -13,25 +13,26 @@
 
 namespace tactooth {
 
-/// What the hand and the foot do at one tick.
+/// Input of the user at one tick: device and foot pedal.
 struct OperatorInput {
-    Pose deviceInTooth;    ///< of the tool, as the device holds it
+    Pose deviceInTooth;    ///< pose of the tool that the device asks for
     double pedal = 0;      ///< 0 up .. 1 down
-    bool cutting = false;  ///< false: touch (the bur stands still)
+    bool cutting = false;  ///< false: touch only; the bur does not turn
 };
 
-/// All that one tick has found, for the device, the recorder, the plots and the sound. Lengths mm, forces N.
+/// All results of one tick, for the device, the recorder, the plots and the sound. Lengths in mm, forces in N.
 struct Tick {
     double time = 0;  ///< s since the start of the simulation
     Pose hand;
     Pose proxy;
     double depth = 0;
-    Vec3 normal = Vec3::Zero();      ///< unit, out of the tooth; zero without contact
-    double speed = 0;                ///< of the hand's tip, mm/s
-    Wrench wrench;                   ///< wanted; the force pipeline comes after
-    Vec3 driveForce = Vec3::Zero();  ///< N, that part of it with which the spinning bur pulls: the drive pays for it
-    double stiffness = 0;            ///< of the spring in it, N/mm; 0 without contact
-    double deflection = 0;           ///< of that spring, inwards and against friction, mm
+    Vec3 normal = Vec3::Zero();  ///< unit, out of the tooth; zero without contact
+    double speed = 0;            ///< of the device's tip, mm/s
+    Wrench wrench;               ///< computed; the force pipeline comes after it
+    Vec3 driveForce =
+        Vec3::Zero();       ///< the part of the force with which the spinning bur pulls, N: the drive pays for it
+    double stiffness = 0;   ///< of the contact spring, N/mm; 0 without contact
+    double deflection = 0;  ///< of the contact spring, inwards and against friction, mm
     int contacts = 0;
     bool placed = false;
     bool cutting = false;
@@ -40,15 +41,15 @@ struct Tick {
     double load = 0;          ///< torque on the bur, N*mm
     double removalPower = 0;  ///< tangential force times rim speed
     double cutWork = 0;       ///< normal force times rim travel since the start, N*m: what the removal law spends
-    MaterialId material = MaterialId::Enamel;  ///< that holds the tool most; meaningless without contact
-    std::optional<MaterialId> around;          ///< of a body around the tooth, if one holds the tool
-    std::uint32_t contactOnsets = 0;           ///< how often the tool has come to touch
-    double impactSpeed = 0;                    ///< along the normal at the last landing, mm/s
-    std::uint32_t ownListRebuilds = 0;         ///< how often a tick has had to look itself for what is near
-    double micros = 0;                         ///< that the tick took to compute; filled in by whoever has a clock
+    MaterialId material = MaterialId::Enamel;  ///< that holds the tool most; undefined without contact
+    std::optional<MaterialId> around;          ///< of a body of the surroundings, if one holds the tool
+    std::uint32_t contactOnsets = 0;           ///< number of contact onsets so far
+    double impactSpeed = 0;                    ///< along the normal at the last contact onset, mm/s
+    std::uint32_t ownListRebuilds = 0;         ///< number of ticks that had to rebuild the neighbour list themselves
+    double micros = 0;                         ///< computing time of the tick, us; the caller fills it in
 };
 
-/// Of the tick of a bur that cuts. With it the slowest of a thousand ticks take some 0.2 ms of their 1 ms
+/// Work budget of a tick of a cutting bur. With it the slowest of a thousand ticks take about 0.2 ms of their 1 ms
 /// (bench/results/2026-11-cutting.md, 2026-11-realtime.md).
 inline constexpr Work kTickBudget = 25'000;
 
@@ -58,31 +59,32 @@ struct HapticSettings {
     ContactMode mode = ContactMode::Proxy;
     Freedom freedom = Freedom::Translation;
     SpindlePreset spindle = spindlePresets().front();
-    Work tickBudget =
-        kTickBudget;  ///< beyond which a tick of a bur that cuts leaves the rest of its way to the next one
+    /// Work budget of a tick of a cutting bur; the rest of its displacement follows in the next tick.
+    Work tickBudget = kTickBudget;
 };
 
-/// One simulation step as a pure function of its state and the hand: equal inputs give equal ticks, bit for bit. Reads
-/// no clock; allocates, locks and logs nothing. A hand that is nowhere (not a number, further away than a kilometre, a
-/// rotation that is none) is not followed: such a tick is not `placed`, and the next good one goes on from the last.
+/// One simulation step as a pure function of its state and the input: equal inputs give equal ticks, bit for bit. It
+/// reads no clock, and allocates, locks and logs nothing. A faulty device pose (not finite, farther away than a
+/// kilometre, no rotation) is not followed: the tick is not `placed`, and the next valid tick continues from the last
+/// valid one.
 class HapticSimulation {
 public:
-    /// `burRadius`: largest distance of the bur's blades from its axis, mm.
+    /// `burRadius`: largest distance of the bur's blades from its axis, mm. Neither pointer is null.
     HapticSimulation(std::shared_ptr<const ToolShape> tool, double burRadius, std::shared_ptr<const Surface> surface,
                      const HapticSettings& settings);
 
-    /// `elapsed` seconds after the step before; a time that is no number is none.
+    /// `elapsed` is the time since the last step, s, not negative; a time that is not finite counts as zero.
     Tick step(const OperatorInput& input, double elapsed);
 
     std::shared_ptr<const Surface> setSurface(std::shared_ptr<const Surface> surface) {
         return proxy_.setSurface(std::move(surface));
     }
-    /// Takes a surface with the list that belongs to it; older ones stay in `hapticSurface`.
+    /// Takes a surface with its neighbour list; the old ones stay in `hapticSurface`.
     void setSurface(HapticSurface& hapticSurface);
-    /// See ToolProxy: for a loop that must keep its time.
+    /// See ToolProxy: for a loop in real time.
     void deferPlacement() { proxy_.deferPlacement(); }
-    /// For a loop that has all the time it wants: instead of HapticSettings::tickBudget.
-    void setTickBudget(Work work) { tickBudget_ = work; }
+    /// Replaces HapticSettings::tickBudget, for a loop that is not in real time. Positive.
+    void setTickBudget(Work work);
     [[nodiscard]] const std::shared_ptr<const ToolShape>& tool() const { return proxy_.tool(); }
     [[nodiscard]] ContactForce& force() { return force_; }
 
@@ -101,11 +103,11 @@ private:
     SpindlePreset spindle_;
     SpindleState bur_;
     double burRadius_;
-    double power_ = 0;        // of the cut at the last tick, N*m a second
-    bool started_ = false;    // there is a tick to count time from
-    bool following_ = false;  // there is a position to take the speed from
+    double power_ = 0;        // power of the cut at the last tick, N*m a second
+    bool started_ = false;    // false: no tick yet
+    bool following_ = false;  // false: there is no last position to compute a speed from
     bool touching_ = false;
-    Vec3 lever_ = Vec3::Zero();  // from the tool's tip to where it is held, mm
+    Vec3 lever_ = Vec3::Zero();  // from the tool's tip to the mean contact point, mm
     Freedom freedom_;
     Work tickBudget_;
     Pose lastDevice_;

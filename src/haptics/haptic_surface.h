@@ -12,39 +12,38 @@
 
 namespace tactooth {
 
-/// A surface on its way to the hand, with the list of what is near the tool in it.
+/// A surface for the servo thread, with the neighbour list of the tool in it.
 struct HapticSurface {
     std::shared_ptr<const Surface> surface;
     NeighbourList near;
-    Vec3 reach = Vec3::Zero();       ///< where the cut lets the tool's tip go to, mm
-    std::optional<Pose> place = {};  ///< a free one, for a tool that has none of its own
+    Vec3 reach = Vec3::Zero();       ///< how far the cut lets the tool's tip go, mm
+    std::optional<Pose> place = {};  ///< a free pose, for a tool that has no pose yet
 };
 
-/// Finds what is near a tool in a new surface before the hand feels it: in the cavity that it has just cut a bur has
-/// thousands of triangles near, and a look for all of them takes far longer than a tick has. A thread of its own makes;
-/// the servo takes a HapticSurface, leaves its old surface and list in it, and the maker gets it back.
+/// Builds the neighbour list of a new surface before the servo thread uses it. In a cavity that it has just cut, a bur
+/// has thousands of triangles near it, and a search for all of them takes far longer than a tick. The neighbour-list
+/// thread builds. The servo thread takes a HapticSurface and leaves its old surface and list in it; the neighbour-list
+/// thread gets it back with `recycle`.
 class HapticSurfaceBuilder {
 public:
-    /// `surface`: the one that the tool is in as yet.
-    HapticSurfaceBuilder(std::shared_ptr<const ToolShape> tool, std::shared_ptr<const Surface> surface)
-        : tool_(std::move(tool)), surface_(std::move(surface)) {}
+    /// `surface` is the one that the tool is in now. Neither pointer is null.
+    HapticSurfaceBuilder(std::shared_ptr<const ToolShape> tool, std::shared_ptr<const Surface> surface);
 
-    /// Where the tool is, at a time in s. From one call to the next it is seen how fast the tool moves and turns, and
-    /// how long a list has to last.
-    /// `ownListRebuilds`: how often it has had to look itself for what is near, so far. Whenever it had to, the last
-    /// list is of no use to it any more.
+    /// Pose of the tool at a time in s. From one call to the next, the builder measures how fast the tool moves and
+    /// rotates, and how long a list has to last. `ownListRebuilds` counts how often the servo thread has had to rebuild
+    /// its own list so far. After such a rebuild the last list is of no use any more.
     void watch(double time, const Pose& toolInTooth, std::uint32_t ownListRebuilds = 0);
 
-    /// For a tool that stands at `from` and will go on toward `to`, or the way it was watched to go, until the next
-    /// list. What parts it from the surface on the way toward `to` is looked up ahead, too. Owned by this object.
+    /// For a tool at `from` that goes on toward `to`, or with its measured velocity, until the next list. The
+    /// separating planes on the path toward `to` are computed ahead, too. This object owns the result.
     [[nodiscard]] HapticSurface* make(std::shared_ptr<const Surface> surface, const Pose& from, const Pose& to);
-    /// The surface made last (or the first one) with a new list, around the pose watched last. Null as long as the tool
-    /// stays well within what the last list covers.
+    /// The last surface with a new list around the last watched pose. Null while the tool stays well within the last
+    /// list.
     [[nodiscard]] HapticSurface* rebuild();
-    /// For a hand that came into the tooth: the surface with the free pose next to the hand, which takes milliseconds
-    /// to find. Null where the hand is free, and where no way out is found.
+    /// For a device that is inside the tooth: the surface with the free pose nearest to the device, which takes
+    /// milliseconds to find. Null if the device is free, and if no free pose is found.
     [[nodiscard]] HapticSurface* place(std::shared_ptr<const Surface> surface, const Pose& deviceInTooth);
-    /// Takes back what `make` has given, with whatever is in it now.
+    /// Takes back what `make`, `rebuild` or `place` has returned, with whatever it holds now.
     void recycle(HapticSurface* hapticSurface);
 
 private:
@@ -53,24 +52,24 @@ private:
     [[nodiscard]] Vec3 drift() const;
 
     std::shared_ptr<const ToolShape> tool_;
-    std::optional<ContactQuery> query_;  // made when a tool has to be placed
+    std::optional<ContactQuery> query_;  // made when the first tool needs a pose
     std::vector<std::unique_ptr<HapticSurface>> all_;
     std::vector<HapticSurface*> free_;
 
-    // The tool, as watched.
-    double time_ = -1;  // s; negative: not yet
+    // The measured motion of the tool.
+    double time_ = -1;  // s; negative: no call yet
     Pose pose_;
-    double pause_ = 0;              // between two looks of late, s
-    Vec3 velocity_ = Vec3::Zero();  // of late, mm/s
-    double spin_ = 0;               // of late: chord a second, as in Skin
+    double pause_ = 0;              // low-passed time between two calls, s
+    Vec3 velocity_ = Vec3::Zero();  // low-passed, mm/s
+    double spin_ = 0;               // low-passed chord of the rotation a second, as in ContactMargin
     std::uint32_t ownListRebuilds_ = 0;
-    bool isListStale_ = false;  // the tool has no use for the last list any more
+    bool isListStale_ = false;  // the servo thread cannot use the last list any more
 
     std::shared_ptr<const Surface> surface_;
     // The last list.
     Pose listedAt_;
     ContactMargin listed_{Vec3::Zero(), 0, 0};
-    double longest_ = std::numeric_limits<double>::infinity();  // that the next one is worth, mm
+    double longest_ = std::numeric_limits<double>::infinity();  // largest length of the next list's margin, mm
 };
 
 }  // namespace tactooth

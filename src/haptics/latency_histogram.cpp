@@ -9,13 +9,14 @@
 namespace tactooth {
 namespace {
 
-constexpr double kSmallest = 0.1;  // us: nothing that is measured here is shorter
+constexpr double kSmallest = 0.1;  // us: shorter than all that is measured here
 
 }  // namespace
 
 std::uint64_t LatencyCounts::total() const { return std::accumulate(counts_.begin(), counts_.end(), std::uint64_t{0}); }
 
 double LatencyCounts::quantile(double quantile) const {
+    TACTOOTH_ASSERT(quantile >= 0 && quantile <= 1);
     const std::uint64_t all = total();
     if (all == 0) return 0;
     const auto wanted = static_cast<std::uint64_t>(std::max(1.0, std::ceil(quantile * static_cast<double>(all))));
@@ -30,6 +31,7 @@ std::uint64_t LatencyCounts::between(double low, double high) const {
         return std::clamp(std::ceil(std::log2(std::max(microseconds, kSmallest) / kSmallest) * kPerOctave), 0.0,
                           static_cast<double>(kBuckets));
     };
+    TACTOOTH_ASSERT(low <= high);
     const auto from = static_cast<std::ptrdiff_t>(firstFrom(low));
     const auto to = std::max(from, static_cast<std::ptrdiff_t>(firstFrom(high)));
     return std::accumulate(counts_.begin() + from, counts_.begin() + to, std::uint64_t{0});

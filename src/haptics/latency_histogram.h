@@ -7,26 +7,28 @@
 #include <cstdint>
 #include <vector>
 
+#include "geometry/util/assert.h"
+
 namespace tactooth {
 
-/// How many durations are shorter than `upTo`, us, and not shorter than that of the bin before.
+/// Number of durations shorter than `upTo`, us, and not shorter than the limit of the bin before.
 struct LatencyBin {
     double upTo;
     std::uint64_t count;
 };
 
-/// How many durations fell into each bucket of a LatencyHistogram at one moment.
+/// The counts of all buckets of a LatencyHistogram at one moment.
 class LatencyCounts {
 public:
-    /// The duration that a share `quantile` (0..1) of all stays below, us, up to 3 % more; 0 without entries.
+    /// The quantile (0..1) of all durations, us, up to 3 % too large; 0 without entries.
     [[nodiscard]] double quantile(double quantile) const;
     [[nodiscard]] std::uint64_t total() const;
-    /// How many lie from `low` to below `high`, us, where a bucket counts by its lower end.
+    /// Number of durations from `low` to below `high`, us; a bucket counts by its lower end.
     [[nodiscard]] std::uint64_t between(double low, double high) const;
-    /// All of them in bins an octave wide, from the first to the last that is not empty. What is shorter than a
-    /// microsecond's tenth is in the first bin that there can be, what is longer than a minute in the last.
+    /// All durations in bins one octave wide, from the first to the last that is not empty. The first possible bin also
+    /// holds what is shorter than 0.1 us, and the last what is longer than a minute.
     [[nodiscard]] std::vector<LatencyBin> octaves() const;
-    /// Those that have come since an earlier moment of the same histogram.
+    /// The durations that were added since an earlier moment of the same histogram.
     [[nodiscard]] LatencyCounts since(const LatencyCounts& earlier) const;
 
 private:
@@ -37,8 +39,8 @@ private:
     std::array<std::uint32_t, kBuckets> counts_{};
 };
 
-/// Durations counted in buckets of 3 % width, from a microsecond's tenth to a minute. One thread adds, any thread
-/// reads; adding costs a few nanoseconds.
+/// Histogram of durations in buckets of 3 % width, from 0.1 us to a minute. One thread adds, any thread reads; adding
+/// takes a few nanoseconds.
 class LatencyHistogram {
 public:
     void add(double microseconds) {
@@ -48,7 +50,7 @@ public:
         }
     }
 
-    /// The duration that a share `quantile` (0..1) of all stays below, us; 0 without entries.
+    /// The quantile (0..1) of all durations, us; 0 without entries.
     [[nodiscard]] double quantile(double quantile) const;
     [[nodiscard]] double largest() const { return largest_.load(std::memory_order_relaxed); }
     [[nodiscard]] std::uint64_t total() const { return counts().total(); }
@@ -58,7 +60,10 @@ public:
 private:
     static constexpr int kBuckets = LatencyCounts::kBuckets;
     [[nodiscard]] static int bucketOf(double microseconds);
-    [[nodiscard]] std::atomic<std::uint32_t>& count(int bucket) { return counts_[static_cast<std::size_t>(bucket)]; }
+    [[nodiscard]] std::atomic<std::uint32_t>& count(int bucket) {
+        TACTOOTH_ASSERT(bucket >= 0 && bucket < kBuckets);
+        return counts_[static_cast<std::size_t>(bucket)];
+    }
 
     std::array<std::atomic<std::uint32_t>, kBuckets> counts_{};
     std::atomic<double> largest_{0};

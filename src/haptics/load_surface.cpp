@@ -9,12 +9,13 @@
 #include "geometry/files/file_bytes.h"
 #include "geometry/io/mesh_file.h"
 #include "geometry/mesh/mesh_extent.h"
+#include "geometry/util/assert.h"
 
 namespace tactooth {
 
 namespace {
 
-/// Whether it can be felt.
+/// Fails if the surface is empty or too far away to touch.
 Expected<void> checkNear(const TriangleMesh& mesh, const std::filesystem::path& path) {
     const auto reach = checkExtent(mesh, "the surface");
     if (reach) return {};
@@ -30,7 +31,7 @@ Expected<std::shared_ptr<const Surface>> loadSurface(const std::filesystem::path
     if (auto near = checkNear(*mesh, path); !near) return Unexpected{near.error()};
     ExaminedSolid examined = examineSolid(std::move(*mesh));
     const SolidFlaw flaw = examined.report.flaw;
-    // What is open can still be felt.
+    // An open surface can still be touched.
     if (flaw != SolidFlaw::None && flaw != SolidFlaw::Open && flaw != SolidFlaw::NonOrientable) {
         return unexpected(displayName(path) + ": " + flawSentence(examined.report, "the surface of the tooth") + ".");
     }
@@ -40,6 +41,7 @@ Expected<std::shared_ptr<const Surface>> loadSurface(const std::filesystem::path
     auto surface = std::make_shared<Surface>();
     surface->closed = examined.report.isSolid();
     surface->base = std::make_shared<const SurfacePart>(std::move(examined.mesh));
+    TACTOOTH_ASSERT(!surface->base->mesh().triangles.empty());
     return std::shared_ptr<const Surface>(std::move(surface));
 }
 

@@ -13,13 +13,13 @@
 
 namespace tactooth {
 
-/// A tooth that is only felt, from its STL file: no layers, tags all zero. Also works with an open surface; then only
-/// the triangles are felt, and nothing is "inside". Fails with one sentence, also if parts of the surface reach into
-/// each other (`examineSolid`). Adds what there is to say on the file, and what was mended, to `importNotes`, if given.
+/// Loads a tooth for touch only from its STL file: no layers, all tags zero. Also works with an open surface; then only
+/// the triangles are touched, and nothing is "inside". Fails with one sentence, also if parts of the surface overlap
+/// (`examineSolid`). Adds notes on the file and its repairs to `importNotes`, if given.
 [[nodiscard]] Expected<std::shared_ptr<const Surface>> loadSurface(const std::filesystem::path& path,
                                                                    std::vector<ImportNote>* importNotes = nullptr);
 
-/// A tool from its STL file, in its own frame (tip at the origin, +z along the shaft).
+/// Loads a tool from its STL file, in its own frame (tip at the origin, +z along the shaft).
 [[nodiscard]] Expected<std::shared_ptr<const ToolShape>> loadTool(const std::filesystem::path& path,
                                                                   std::vector<ImportNote>* importNotes = nullptr);
 

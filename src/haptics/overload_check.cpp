@@ -4,18 +4,21 @@
 
 #include <cmath>
 
+#include "geometry/util/assert.h"
+
 namespace tactooth {
 namespace {
 
 constexpr double kQuantile = 0.99;
 constexpr double kMaxPeriodShare = 0.5;    // of the period
-constexpr std::uint64_t kMinTicks = 1000;  // ten in the hundredth that is looked at
+constexpr std::uint64_t kMinTicks = 1000;  // the slowest hundredth then has ten ticks
 
 }  // namespace
 
 double tickP99(const ServoTiming& timing) { return timing.tick.quantile(kQuantile); }
 
 bool isOverloaded(const ServoTiming& timing, double rateHz) {
+    TACTOOTH_ASSERT(rateHz > 0);
     if (timing.ticks.load(std::memory_order_relaxed) < kMinTicks) return false;
     return tickP99(timing) > kMaxPeriodShare * 1e6 / rateHz;
 }

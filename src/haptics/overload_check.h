@@ -9,13 +9,13 @@
 namespace tactooth {
 
 /// Whether the ticks of a scene take so long that the force is late: one tick in a hundred takes more than half of the
-/// period, and the rest of it belongs to the system. Nothing is said of fewer than 1000 ticks.
+/// period. The other half belongs to the system. False below 1000 ticks.
 [[nodiscard]] bool isOverloaded(const ServoTiming& timing, double rateHz);
 
-/// us: one tick in a hundred takes longer.
+/// The 99th percentile of the tick duration, us.
 [[nodiscard]] double tickP99(const ServoTiming& timing);
 
-/// One sentence that says how long the ticks take and what to do; empty if the scene is not heavy.
+/// One sentence on the duration of the ticks and the remedy; empty if the scene is not too heavy.
 [[nodiscard]] std::string overloadAdvice(const ServoTiming& timing, double rateHz);
 
 }  // namespace tactooth

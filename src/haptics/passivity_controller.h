@@ -6,32 +6,34 @@
 
 namespace tactooth {
 
-/// What pushes at one tick: a spring, and how much of it comes out.
+/// The spring that pushes at one tick, and how much of its force is rendered.
 struct SpringState {
     double deflection = 0;  ///< mm
     double stiffness = 0;   ///< N/mm
-    double bound = 0;       ///< N: the spring's force is cut off here
-    double strength = 1;    ///< 0..1: and then multiplied by this
+    double bound = 0;       ///< N: the force of the spring is cut off here
+    double strength = 1;    ///< 0..1: the rest of the force is multiplied by it
 };
 
-/// Watches the energy that passes between hand and tooth, and takes out by damping what the loop's sampling puts in.
+/// Time-domain passivity observer and controller (Hannaford & Ryu 2002). It sums the energy that passes between hand
+/// and tooth, and removes by damping the energy that sampling adds.
 ///
-/// A spring that is felt at ticks gives back more than it took: it pushes out a tick too long. What the hand has put
-/// in, less what the spring holds, must not fall below zero; where the next step of the hand could make it, a damper is
-/// switched in that eats the difference.
+/// A spring that is computed once a tick returns more energy than it took, because its force is held for one tick too
+/// long. The energy that the hand has put in, less the energy that the spring stores, must not fall below zero. Where
+/// the next step of the hand could make it negative, the controller adds a damper that removes the difference.
 class PassivityController {
 public:
-    /// `friction`: of the device's own mechanics, N; what it eats pays for a part of the leak.
-    explicit PassivityController(double friction = 0) : friction_(friction) {}
+    /// `friction` is that of the device's own mechanics, N, finite and not negative. The energy that it removes pays
+    /// for a part of the leak.
+    explicit PassivityController(double friction = 0);
 
-    /// One tick in contact. `hand`: where it is now, mm; `rendered`: the force since the last tick, N. Gives the force
-    /// to add, N; one that is no number if its own sums are none, which then begin anew.
+    /// One tick in contact. `hand` is the present position of the hand, mm; `rendered` is the force since the last
+    /// tick, N. Returns the force to add, N. If the sums are not finite, it returns NaN and starts anew.
     [[nodiscard]] Vec3 damp(const Vec3& hand, const Vec3& rendered, const SpringState& spring, double elapsed);
 
-    /// Forgets everything; for a tick without contact.
+    /// Forgets everything. Call it at a tick without contact.
     void reset();
 
-    /// What the hand has put in and the tooth does not hold, N*mm; bounded above.
+    /// The energy that the hand has put in and the spring does not store, N*mm; bounded above.
     [[nodiscard]] double energy() const { return energy_; }
 
 private:
@@ -42,11 +44,11 @@ private:
     bool started_ = false;
     double energy_ = 0;
     double reserve_ = 0;         // N*mm that the next step may leak, if it is as long as the last ones
-    Vec3 step_ = Vec3::Zero();   // the last in which the hand moved, mm
-    double pause_ = 0;           // s that it took
-    double idle_ = 0;            // s since then
+    Vec3 step_ = Vec3::Zero();   // the last step in which the hand moved, mm
+    double pause_ = 0;           // s, the duration of that step
+    double idle_ = 0;            // s since that step
     Vec3 speed_ = Vec3::Zero();  // low-passed, mm/s
-    double damping_ = 0;         // N*s/mm, of the last tick
+    double damping_ = 0;         // N*s/mm at the last tick
     double lastDeflection_ = 0;
     double lastStiffness_ = 0;
     Vec3 lastDevice_ = Vec3::Zero();

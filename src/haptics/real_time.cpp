@@ -15,7 +15,7 @@
 namespace tactooth {
 namespace {
 
-constexpr int kPriority = 60;  // above everything ordinary, below the kernel's own interrupt threads
+constexpr int kPriority = 60;  // above ordinary threads, below the interrupt threads of the kernel
 
 std::atomic<bool> locked{false};
 
@@ -35,7 +35,7 @@ bool acquireRealTimePriority() {
     return pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters) == 0;
 }
 
-/// Pages are locked as they are first used: a large tooth that is only looked at part by part stays cheap.
+/// Pages are locked at their first use: a large tooth of which only parts are used stays cheap.
 bool lockMemory() {
     locked = mayLockMemory() && mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT) == 0;
     return locked;

@@ -6,16 +6,16 @@
 
 namespace tactooth {
 
-/// Gives the calling thread a fixed real-time priority above everything ordinary. False where the system forbids it.
+/// Gives the calling thread a fixed real-time priority above all ordinary threads. False where the system forbids it.
 [[nodiscard]] bool acquireRealTimePriority();
 
-/// Keeps the program's memory from being moved out to disk, also what it takes later. False where the system forbids
-/// it; a small allowance counts as forbidden, since threads would then fail to start.
+/// Locks the program's memory, present and future, so that it is not swapped out. False where the system forbids it. A
+/// small allowance counts as forbidden, since threads would then fail to start.
 bool lockMemory();
-/// Whether that has been done.
+/// Whether the memory is locked.
 [[nodiscard]] bool isMemoryLocked();
 
-/// What the system allows this user, without taking it.
+/// What the system allows this user; nothing is changed.
 struct RealTimeRights {
     bool priority = false;
     bool memory = false;
@@ -23,10 +23,10 @@ struct RealTimeRights {
 };
 [[nodiscard]] RealTimeRights realTimeRights();
 
-/// What is missing: "real-time priority, locked memory"; empty if nothing is.
+/// The missing rights: "real-time priority, locked memory"; empty if none is missing.
 [[nodiscard]] std::string missingRights(const RealTimeRights& rights);
 
-/// A sentence or two that say how to get the rights that are missing; empty if none is.
+/// One or two sentences on how to get the missing rights; empty if none is missing.
 [[nodiscard]] std::string realTimeHint(const RealTimeRights& rights);
 
 }  // namespace tactooth

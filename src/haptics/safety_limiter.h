@@ -9,22 +9,23 @@
 
 namespace tactooth {
 
-/// What a device may be asked for.
+/// The largest forces, and the fastest changes of force, that a device may render.
 struct ForceLimits {
-    double force = 3.3;          ///< N; the peak of a Touch
-    double torque = 0;           ///< N*mm; 0: the device renders none
-    double slew = 300;           ///< N/s: 0.3 N a millisecond, steeper steps feel like a kick (and are one)
-    double rampTime = 0.5;       ///< s from zero to full strength after switching on
+    double force = 3.3;          ///< N; the peak force of a Touch
+    double torque = 0;           ///< N*mm; 0: the device renders no torque
+    double slew = 300;           ///< N/s: 0.3 N in a millisecond; the hand feels a steeper step as a kick
+    double rampTime = 0.5;       ///< s from zero to full strength after a start
     double tickTimeout = 0.003;  ///< s without a tick after which the force starts from zero again
-    double torqueSlew = 3000;    ///< N*mm/s: a force's slew on a lever of 10 mm, from the bur's tip to the fingers
-    double continuousForce = std::numeric_limits<double>::infinity();  ///< N that the motors bear for ever
-    double friction = 0;                                               ///< N, dry, of the device's own mechanics
-    /// N*mm/s (1e-3 W): force times speed of the hand. The default is a Touch's; see limitsOf in
-    /// devices/device_presets.h for what it comes from.
+    /// N*mm/s: the slew rate of a force at a lever of 10 mm, from the tip of the bur to the fingers.
+    double torqueSlew = 3000;
+    double continuousForce = std::numeric_limits<double>::infinity();  ///< N that the motors can render without end
+    double friction = 0;  ///< N, dry friction of the device's own mechanics
+    /// N*mm/s (1e-3 W): the largest product of force and speed of the hand. The default is that of a Touch. `limitsOf`
+    /// in devices/device_presets.h explains it.
     double power = 2296;
 };
 
-/// A wrench that has passed the limiter: the only kind that a device accepts. Nothing else can make one.
+/// A wrench that the limiter has made. A device accepts no other, and no other class can make one.
 class SafeWrench {
 public:
     SafeWrench() = default;  ///< zero
@@ -37,24 +38,26 @@ private:
     Wrench wrench_;
 };
 
-/// The last stage before the motors. Bounds magnitude, slew and power, ramps up after every start, and gives zero for
-/// anything that is not a number, for a tick that came too late, and while switched off.
+/// The last stage before the motors. It bounds magnitude, slew rate and power, and ramps the force up after each start.
+/// It gives zero for a wrench that is not finite, for a late tick, and while it is disabled.
 class SafetyLimiter {
 public:
-    explicit SafetyLimiter(const ForceLimits& limits) : limits_(limits) {}
+    /// The limits are finite and not negative; `continuousForce` and `power` may be infinite.
+    explicit SafetyLimiter(const ForceLimits& limits);
 
-    /// `elapsed`: since the call before, s. `speed`: of the hand, mm/s: the quicker it is, the less force keeps within
-    /// the power. That bound comes last, and may take a force back faster than the slew would.
+    /// `elapsed` is the time since the last call, s; `speed` is that of the hand, mm/s. The faster the hand, the less
+    /// force keeps within the power. The bound on power comes last, and may reduce a force faster than the slew rate.
     [[nodiscard]] SafeWrench limit(const Wrench& wanted, double elapsed, bool enabled, double speed);
 
-    /// Ticks on which something other than the usual bounds was wrong: not a number, or too late.
+    /// Number of ticks with an input that was not finite, or that came too late.
     [[nodiscard]] std::uint64_t faults() const { return faults_; }
     [[nodiscard]] const ForceLimits& limits() const { return limits_; }
-    /// How far the ramp has come, 0..1.
+    /// Progress of the ramp, 0..1.
     [[nodiscard]] double strength() const { return strength_; }
 
 private:
     [[nodiscard]] bool isValid(const Wrench& wanted, double elapsed, double speed) const;
+    void checkResult(const Wrench& before, double elapsed, double speed) const;
 
     ForceLimits limits_;
     Wrench last_;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <ctime>
 
+#include "geometry/util/assert.h"
 #include "haptics/cpu_latency_request.h"
 #include "haptics/real_time.h"
 
@@ -14,9 +15,9 @@ namespace tactooth {
 namespace {
 
 constexpr long kNanosPerSecond = 1'000'000'000L;
-constexpr double kMaxWait = 0.004;  // s for a device's next tick: a lost one is limp within 5 ms
+constexpr double kMaxWait = 0.004;  // s for the next tick of a device: the force of a lost device is zero within 5 ms
 
-constexpr double kMinTickPeriod = 0.0002;  // s: 5 kHz, more than any device's; one that calls more often is at fault
+constexpr double kMinTickPeriod = 0.0002;  // s: 5 kHz, faster than any device; a device that calls more often is faulty
 
 double seconds(const timespec& later, const timespec& earlier) {
     return static_cast<double>(later.tv_sec - earlier.tv_sec) +
@@ -30,13 +31,15 @@ timespec now() {
 }
 
 void advance(timespec& time, long nanos) {
+    TACTOOTH_ASSERT(nanos > 0);
     time.tv_nsec += nanos;
     time.tv_sec += time.tv_nsec / kNanosPerSecond;
     time.tv_nsec %= kNanosPerSecond;
+    TACTOOTH_ASSERT(time.tv_nsec >= 0 && time.tv_nsec < kNanosPerSecond);
 }
 
-/// Until a tick may follow the one that began at `last`: at real-time priority, a device that calls without end would
-/// leave the machine to nobody else.
+/// Waits until a tick may follow the one that began at `last`. At real-time priority, a device that calls without end
+/// would block the machine.
 void limitRate(timespec last, const std::stop_token& stop) {
     advance(last, static_cast<long>(kMinTickPeriod * static_cast<double>(kNanosPerSecond)));
     while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &last, nullptr) != 0 && !stop.stop_requested()) {
@@ -47,6 +50,8 @@ void limitRate(timespec last, const std::stop_token& stop) {
 
 ServoLoop::ServoLoop(double rateHz, std::function<void(double)> tick, std::function<void(double)> pace)
     : rateHz_(rateHz), tick_(std::move(tick)), pace_(std::move(pace)) {
+    TACTOOTH_ASSERT(std::isfinite(rateHz) && rateHz > 0);
+    TACTOOTH_ASSERT(tick_ != nullptr);
     thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }
 
@@ -70,6 +75,7 @@ void ServoLoop::run(const std::stop_token& stop) {
             }
         }
         const timespec started = now();
+        TACTOOTH_ASSERT(seconds(started, last) >= 0);
         if (!pace_) timing_.lateness.add(1e6 * seconds(started, due));
         timing_.jitter.add(1e6 * std::abs(seconds(started, last) - 1 / rateHz_));
         tick_(seconds(started, last));
@@ -77,7 +83,7 @@ void ServoLoop::run(const std::stop_token& stop) {
         const timespec done = now();
         timing_.tick.add(1e6 * seconds(done, started));
         timing_.ticks.fetch_add(1, std::memory_order_relaxed);
-        if (pace_) due = done;  // the device counts its own time
+        if (pace_) due = done;  // the device sets its own pace
         while (seconds(done, due) * rateHz_ > 1) {
             advance(due, period);
             timing_.missed.fetch_add(1, std::memory_order_relaxed);

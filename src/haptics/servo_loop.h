@@ -10,23 +10,23 @@
 
 namespace tactooth {
 
-/// What the servo thread has seen of its own timing. Any thread reads.
+/// Timing of the servo thread. Any thread reads.
 struct ServoTiming {
     LatencyHistogram tick;      ///< duration of the work of a tick, us
-    LatencyHistogram lateness;  ///< of waking up, us; none where a device sets the pace
-    LatencyHistogram jitter;    ///< how much longer or shorter than the period the time between two ticks was, us
+    LatencyHistogram lateness;  ///< wake-up latency, us; none where a device sets the pace
+    LatencyHistogram jitter;    ///< difference between the period and the time between two ticks, us
     std::atomic<std::uint64_t> ticks{0};
     std::atomic<std::uint64_t> missed{0};  ///< periods that passed without a tick
 };
 
-/// Calls a function at a fixed rate, or at a device's own pace, from a thread of its own, at real-time priority where
-/// the system allows it. A tick that comes too late is skipped, not caught up: simulated time stands still rather than
-/// the loop falling behind.
+/// Calls a function at a fixed rate, or at a device's own pace, from its own thread, at real-time priority where the
+/// system allows it. A late tick is skipped and not repeated: simulated time stands still, so that the loop does not
+/// fall behind.
 class ServoLoop {
 public:
     /// `tick(elapsed)` gets the time since the last tick, s; it must not block. `pace(longest)` returns when the device
     /// is ready for the next tick or when `longest` s have passed; without it the clock sets the pace. A device that is
-    /// ready more often than 5000 times a second is made to wait.
+    /// ready more often than 5000 times a second has to wait. `rateHz` is finite and positive.
     ServoLoop(double rateHz, std::function<void(double)> tick, std::function<void(double)> pace = {});
     ~ServoLoop();
     ServoLoop(const ServoLoop&) = delete;
@@ -34,9 +34,9 @@ public:
 
     [[nodiscard]] const ServoTiming& timing() const { return timing_; }
     [[nodiscard]] double rateHz() const { return rateHz_; }
-    /// Whether the thread runs at real-time priority; without the right to it everything works, with more jitter.
+    /// Whether the thread runs at real-time priority. Without the right to it everything works, with more jitter.
     [[nodiscard]] bool isRealTime() const { return realTime_.load(std::memory_order_relaxed); }
-    /// Whether the processors are kept from deep sleep as long as it runs (CpuLatencyRequest).
+    /// Whether the processors are kept out of deep idle states while the loop runs (CpuLatencyRequest).
     [[nodiscard]] bool limitsCpuLatency() const { return cpuLatency_.load(std::memory_order_relaxed); }
 
 private:
@@ -48,7 +48,7 @@ private:
     ServoTiming timing_;
     std::atomic<bool> realTime_{false};
     std::atomic<bool> cpuLatency_{false};
-    std::jthread thread_;  // last: it uses all of the above
+    std::jthread thread_;  // last member: it uses all others
 };
 
 }  // namespace tactooth

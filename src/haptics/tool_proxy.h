@@ -13,21 +13,23 @@
 
 namespace tactooth {
 
+/// How the contact is computed.
 enum class ContactMode {
-    Proxy,    ///< the tool's pose that never penetrates follows the hand; depth is the distance between the two
-    Penalty,  ///< the published way: depth of the deepest pair of triangles at the hand's own pose, no history
+    Proxy,    ///< the proxy follows the device and never penetrates; the depth is the distance between the two
+    Penalty,  ///< penalty method, for comparison: the depth of the deepest triangle pair at the device pose, without
+              ///< history
 };
 
-/// What the hand meets at one tick.
+/// The state of the proxy at one tick.
 struct ProxyState {
-    Pose proxy;  ///< of the tool in the tooth; in penalty mode the hand's pose moved out by the depth
-    /// Where the hand would hold the tip if it had turned with the proxy, mm: with three degrees of freedom, where it
-    /// holds it.
+    Pose proxy;  ///< pose of the tool in the tooth; in penalty mode the device pose moved out by the depth
+    /// Position of the device's tip, if the device had rotated with the proxy, mm. With three degrees of freedom it is
+    /// the device's tip itself.
     Vec3 deviceTip = Vec3::Zero();
     Vec3 offset = Vec3::Zero();  ///< from there to the proxy's tip, mm
-    double travel = 0;           ///< of the proxy since the last tick, mm
-    double late = 0;             ///< what it has left of its way since its work ran out, mm
-    bool placed = false;         ///< false: no free pose is known, and no force may be made from this
+    double travel = 0;           ///< displacement of the proxy since the last tick, mm
+    double late = 0;             ///< distance that is left because the work budget ran out, mm
+    bool placed = false;         ///< false: no free pose is known, and there must be no force
     int contacts = 0;            ///< triangles that hold the proxy (penalty: pairs that intersect)
     int contactPointCount = 0;
     std::array<ContactPoint, kMaxHeld> held{};
@@ -37,45 +39,46 @@ struct ProxyState {
     }
 };
 
-/// Follows the hand with a tool that never enters the tooth, from the first tick on: also when the hand starts inside,
-/// and when cutting changes the surface under the tool.
+/// Moves the proxy after the device. The proxy never enters the tooth, from the first tick on: also when the device
+/// starts inside, and when cutting changes the surface under the tool.
 class ToolProxy {
 public:
-    static constexpr double kTick = 0.001;  ///< s, of a caller that does not say
+    static constexpr double kTick = 0.001;  ///< s, default of `follow`
 
     ToolProxy(std::shared_ptr<const ToolShape> tool, std::shared_ptr<const Surface> surface, ContactMode mode,
               Freedom freedom = Freedom::Translation);
 
-    /// `goal`: how far the tool shall go in this tick where that is not all the way to the hand; `dt`: since the last
-    /// tick, s.
+    /// `goal` is where the tool may go in this tick, if that is not all the way to the device; `dt` is the time since
+    /// the last tick, s. Both poses are rigid; the caller handles faulty readings.
     ProxyState follow(const Pose& deviceInTooth, const Pose& goal, double dt = kTick);
     ProxyState follow(const Pose& deviceInTooth) { return follow(deviceInTooth, deviceInTooth); }
 
-    [[nodiscard]] const Pose& pose() const { return body_.pose(); }
+    [[nodiscard]] const Pose& pose() const { return solver_.pose(); }
     /// See ProxySolver.
-    [[nodiscard]] std::uint32_t ownListRebuilds() const { return body_.ownListRebuilds(); }
-    void setBudget(Work budget) { body_.setBudget(budget); }
+    [[nodiscard]] std::uint32_t ownListRebuilds() const { return solver_.ownListRebuilds(); }
+    void setBudget(Work budget) { solver_.setBudget(budget); }
 
     [[nodiscard]] const std::shared_ptr<const ToolShape>& tool() const { return tool_; }
     [[nodiscard]] const std::shared_ptr<const Surface>& surface() const { return surface_; }
 
-    /// Takes the newest surface. Returns the old one, so that the caller frees it away from the servo thread.
+    /// Takes the newest surface, not null. Returns the old one, so that the caller can free it outside of the servo
+    /// thread.
     std::shared_ptr<const Surface> setSurface(std::shared_ptr<const Surface> surface);
-    /// The same with what HapticSurfaceBuilder has found near the tool. The surface and list before the present ones
-    /// stay in `felt`; the present ones are kept in case that the new surface has caught the tool. A tool without a
-    /// place takes that of `felt`. False: it is no new surface, and only its list is taken.
-    bool setSurface(HapticSurface& felt);
+    /// The same with the neighbour list of HapticSurfaceBuilder. The previous surface and list stay in `hapticSurface`.
+    /// The present ones are kept in case that the new surface has caught the tool. A tool without a pose takes that of
+    /// `hapticSurface`. Returns false if the surface is not new; then only its list is taken.
+    bool setSurface(HapticSurface& hapticSurface);
 
-    /// From now on a tool whose hand came into the tooth waits for a HapticSurface that tells it its place: to find
-    /// that takes longer than a tick has. Until then no tick is placed.
+    /// From now on, a tool whose device starts inside the tooth waits for a HapticSurface with a pose: the search for a
+    /// free pose takes longer than a tick. Until then no tick is placed.
     void deferPlacement() { placesItself_ = false; }
 
-    /// Forgets the history: the next tick places the tool anew.
+    /// Forgets the history: the next tick finds a new pose.
     void release() { placed_ = false; }
 
 private:
     [[nodiscard]] ProxyState followByPenalty(const Pose& deviceInTooth);
-    [[nodiscard]] bool takeSurface(HapticSurface& felt);
+    [[nodiscard]] bool takeSurface(HapticSurface& hapticSurface);
     void placeNear(const Pose& deviceInTooth);
     [[nodiscard]] bool isFree(const Pose& toolInTooth);
     [[nodiscard]] bool retractFromSurface(double farthest);
@@ -92,19 +95,20 @@ private:
     std::shared_ptr<const Surface> surface_;
     ContactMode mode_;
     Freedom freedom_;
-    ProxySolver body_;
+    ProxySolver solver_;
     ContactQuery query_;
     bool placesItself_ = true;
     bool placed_ = false;
-    bool newSurface_ = false;         // since the last tick
-    HapticSurface other_;             // the surface that was felt before this one, or the newest where that waits
-    bool isAtOldPose_ = false;        // the tool still stands where it stood in the one before
-    std::optional<double> waitTime_;  // s that the newest has waited for the tool to be free in it; none: it is felt
-    int failedTries_ = 0;             // to feel a new surface, since one was felt last
-    Vec3 farEnd_ = Vec3::Zero();      // of the tool, away from the tip
-    bool touching_ = false;           // at the last tick
-    ContactPoint lastContact_;        // by what was touched last
-    Vec3 exitDirection_ = Vec3::UnitZ();  // direction of the last contact
+    bool newSurface_ = false;   // a new surface has come since the last tick
+    HapticSurface other_;       // the surface before this one, or the newest one while it waits
+    bool isAtOldPose_ = false;  // the tool has not moved since the surface before
+    std::optional<double>
+        waitTime_;         // s that the newest surface has waited until the tool is free in it; none: it is in use
+    int failedTries_ = 0;  // to use a new surface, since the last success
+    Vec3 farEnd_ = Vec3::Zero();          // end of the tool that is away from the tip
+    bool touching_ = false;               // the tool was in contact at the last tick
+    ContactPoint lastContact_;            // the last contact
+    Vec3 exitDirection_ = Vec3::UnitZ();  // unit, direction of the last contact
 };
 
 }  // namespace tactooth

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tactooth/touch.h"
 
+#include "geometry/util/assert.h"
 #include "haptics/haptic_simulation.h"
 #include "haptics/load_surface.h"
 
@@ -53,7 +54,7 @@ std::unique_ptr<Touch> Touch::load(const std::filesystem::path& tooth, const std
     return std::unique_ptr<Touch>(new Touch(std::make_unique<Impl>(*surface, *shape, settings)));
 }
 
-Touch::Touch(std::unique_ptr<Impl> hidden) : impl_(std::move(hidden)) {}
+Touch::Touch(std::unique_ptr<Impl> hidden) : impl_(std::move(hidden)) { TACTOOTH_ASSERT(impl_ != nullptr); }
 Touch::~Touch() = default;
 
 TouchResult Touch::follow(const RigidPose& toolInTooth, double dt) { return impl_->follow(toolInTooth, dt); }

@@ -6,7 +6,7 @@
 
 namespace tactooth {
 
-/// A force and a torque about the tool's origin (the bur's tip).
+/// A force and a torque about the tool's origin, the tip of the bur.
 struct Wrench {
     Vec3 force = Vec3::Zero();   ///< N
     Vec3 torque = Vec3::Zero();  ///< N*mm

@@ -20,13 +20,14 @@
 namespace tactooth {
 namespace {
 
-/// A gum's triangles are longer than those of its teeth, within what its thin margins need and what is of use.
+/// The triangles of the gingiva are longer than those of the teeth, between what its thin margins need and what is
+/// useful.
 double gingivaCell(int triangles) {
     constexpr double kOf20000 = 0.4, kFinest = 0.2, kCoarsest = 0.4;  // mm
     return std::clamp(kOf20000 * std::sqrt(20000.0 / triangles), kFinest, kCoarsest);
 }
 
-/// Of all pieces the one with the most triangles: crumbs between two roots are no gum.
+/// The component with the most triangles: small components between two roots are not gingiva.
 TriangleMesh largestPiece(const TriangleMesh& mesh) {
     DisjointSets pieces(mesh.vertices.size());
     for (const Triangle& t : mesh.triangles) {
@@ -51,7 +52,7 @@ TriangleMesh largestPiece(const TriangleMesh& mesh) {
 
 GingivaCandidate gingivaMesh(const GingivaBody& body, bool upper, double cell) {
     const double up = upper ? -1 : 1;
-    // Away from the margins heights are stretched, up to this many times: longer triangles, and fewer.
+    // Away from the margins heights are stretched by up to this factor: longer triangles, and fewer.
     constexpr double kStretch = 2.5, kOnset = 3;
     const auto stretched = [&](const Vec3& p) -> Vec3 {
         const double below = body.smoothBelow - up * p.z();
@@ -76,7 +77,7 @@ Expected<TriangleMesh> gingivaOf(const ToothArrangement& places, bool upper, con
             " and " + std::to_string(request.triangles) + " triangles a tooth");
 }
 
-/// Place in a dentist's chart: 18 to 28 above, 38 to 48 below.
+/// Position in a dental chart: 18 to 28 above, 38 to 48 below.
 int chartPlace(int fdi) {
     const int quadrant = fdi / 10, place = fdi % 10;
     constexpr std::array<int, 5> kFirst = {0, 0, 8, 16, 24};
@@ -95,8 +96,8 @@ Pose lowerJawPose(JawPose jaw) {
     if (jaw == JawPose::Closed) return {};
     // Between the condyles: Bonwill's triangle of four inches, and 35 mm above the occlusal plane.
     const Vec3 hinge(0, -88, 35);
-    constexpr double kOpening = 0.507;  // rad: 40 mm between the edges, a usual opening for work
-    const Vec3 slide(0, 5, -3);         // mm that the condyles go forward and down as the mouth opens
+    constexpr double kOpening = 0.507;  // rad: 40 mm between the edges, a usual opening for treatment
+    const Vec3 slide(0, 5, -3);         // mm that the condyles move forward and down when the mouth opens
     const Quat turn(Eigen::AngleAxisd(-kOpening, Vec3::UnitX()));
     return {hinge + slide - turn * hinge, turn};
 }
@@ -125,7 +126,7 @@ Expected<MouthLayout> makeMouthLayout(const MouthRequest& request) {
 }
 
 std::uint64_t mouthLayoutFingerprint(const MouthRequest& request) {
-    constexpr std::uint32_t kModel = 3;  // grows whenever the same teeth are set or their gums are made otherwise
+    constexpr std::uint32_t kModel = 3;  // increase it when the same request gives other poses or another gingiva
     ByteWriter facts;
     facts.put(kModel);
     facts.put(request.triangles);
@@ -141,6 +142,7 @@ std::uint64_t mouthLayoutFingerprint(const MouthRequest& request) {
 Expected<BuiltinMouth> makeMouth(const MouthRequest& request, const ToothGenerator& teeth,
                                  const LayoutGenerator& layout) {
     TACTOOTH_ASSERT(request.triangles > 0);
+    TACTOOTH_ASSERT(std::ranges::all_of(request.missing, isPermanentTooth));
     std::array<BuiltinTooth, MouthLayout::kPlaces> made;
     Expected<MouthLayout> set = MouthLayout();
     parallelFor(made.size() + 1, [&](std::size_t i) {

@@ -14,15 +14,15 @@
 namespace tactooth {
 
 enum class JawPose {
-    Closed,  ///< the teeth bite on each other
-    Open,    ///< as wide as for work: 40 mm between the incisors' edges
+    Closed,  ///< the teeth are in occlusion
+    Open,    ///< as wide as for treatment: 40 mm between the edges of the incisors
 };
 
 struct MouthRequest {
-    int triangles = 20000;   ///< of each tooth's outer surface, about; the gingiva is as fine in proportion
+    int triangles = 20000;   ///< of each tooth's outer surface, about; the gingiva has a matching resolution
     std::uint32_t seed = 0;  ///< 0: average teeth; any other number: another patient
     JawPose jaw = JawPose::Closed;
-    std::vector<int> missing;  ///< FDI numbers; their places have healed over
+    std::vector<int> missing;  ///< FDI numbers; the gingiva has healed there
 };
 
 /// One tooth of a mouth.
@@ -31,30 +31,30 @@ struct MouthTooth {
     Pose toothInMouth;  ///< with the mouth closed
 };
 
-/// A whole mouth. Mouth frame: the upper jaw's; +x to the patient's right, +y forward, +z up; origin between the edges
-/// of the lower central incisors when the mouth is closed; mm. The two sides are mirror images.
+/// A whole mouth. Mouth frame: that of the upper jaw; +x to the patient's right, +y forward, +z up; origin between the
+/// edges of the lower central incisors when the mouth is closed; mm. The two sides are mirror images.
 struct BuiltinMouth {
     std::vector<MouthTooth> teeth;  ///< 18 to 11, 21 to 28, 38 to 31, 41 to 48; missing ones left out
     TriangleMesh upperGingiva;      ///< with palate and ridge, closed, with a socket for each tooth; mouth frame
     TriangleMesh lowerGingiva;      ///< likewise; mouth frame, with the mouth closed
-    Pose lowerJaw;                  ///< leads what belongs to the lower jaw from its closed place to where it is
+    Pose lowerJaw;                  ///< maps the lower jaw from its closed position to the present one
 
-    /// Where a tooth stands with the jaw as it was asked for.
+    /// Pose of a tooth for the requested jaw pose.
     [[nodiscard]] Pose poseOf(const MouthTooth& tooth) const {
         return tooth.tooth.fdi < 30 ? tooth.toothInMouth : lowerJaw * tooth.toothInMouth;
     }
-    /// Null where the tooth is missing.
+    /// The tooth with this number; null if it is missing.
     [[nodiscard]] const MouthTooth* find(int fdi) const;
 };
 
-/// Makes a tooth: makeTooth, or one that remembers.
+/// Makes a tooth: makeTooth, or a function with a cache.
 using ToothGenerator = std::function<BuiltinTooth(const ToothRequest&)>;
 
 /// Makes a mouth. The same request gives the same bits, on any number of threads. `maker` is called from several
-/// threads at once. Fails with a sentence if no sound gum can be made for the request.
+/// threads at once. Fails with a sentence if no valid gingiva can be made.
 [[nodiscard]] Expected<BuiltinMouth> makeMouth(const MouthRequest& request, const ToothGenerator& maker = makeTooth);
 
-/// How the lower jaw stands.
+/// The pose of the lower jaw.
 [[nodiscard]] Pose lowerJawPose(JawPose jaw);
 
 /// `mesh` in another frame, rotated by the quaternion itself: its last bits differ from those of `transformed`.

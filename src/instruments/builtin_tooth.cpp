@@ -30,12 +30,12 @@ int numberOf(BuiltinToothKind kind) {
 constexpr int kRelaxations = 3;
 constexpr double kCanalCell = 0.14;  // mm: the narrowest canal is 0.25 mm wide
 
-/// The root is smooth and mostly out of reach: below the neck, heights are stretched, up to this many times, so that
-/// its triangles are longer and more of them are left for the crown.
+/// The root is smooth and mostly out of reach. Below the neck, heights are stretched by up to this factor, so that its
+/// triangles are longer and more of them are left for the crown.
 constexpr double kRootStretch = 1.9;
 
 Vec3 stretched(const Vec3& p) {
-    constexpr double kNeck = -0.8, kOnset = 2.0;  // mm: where it begins, and how softly
+    constexpr double kNeck = -0.8, kOnset = 2.0;  // mm: where the stretch begins, and the length of its onset
     const double below = kNeck - p.z();
     if (below <= 0) return p;
     return {p.x(), p.y(), p.z() - (kRootStretch - 1) * below * below / (below + kOnset)};
@@ -73,7 +73,8 @@ BuiltinTooth meshed(const ToothShape& shape, double cellSize) {
     tooth.name = shape.name;
     tooth.fdi = shape.fdi;
     tooth.outer = mesh(shape.outer);
-    // The crown's cut lies a little below the cervical line, where dentin wins: no gap at the enamel's thin edge.
+    // The cut of the crown is a little below the cervical line, where dentin wins: no gap at the thin edge of the
+    // enamel.
     constexpr double kOverlap = 0.3;
     tooth.enamel = mesh([&](const Vec3& p) { return std::max(shape.outer(p), -shape.cervical(p) - kOverlap); });
     tooth.dentin = mesh(shape.core);
@@ -95,7 +96,7 @@ BuiltinTooth makeTooth(const ToothRequest& request) {
     const ToothShape shape = varied(toothShape(request.fdi), request.seed);
     double cellSize = cellSizeFor(shape, request.triangles);
     BuiltinTooth tooth = meshed(shape, cellSize);
-    constexpr int kTries = 5;  // one is enough for nearly every tooth
+    constexpr int kTries = 5;  // the first one succeeds for nearly every tooth
     for (int i = 1; i < kTries && (hasFolds(tooth.outer) || hasFolds(tooth.enamel) || hasFolds(tooth.dentin)); ++i) {
         cellSize *= 0.97;
         tooth = meshed(shape, cellSize);
@@ -117,7 +118,7 @@ BuiltinTooth makeBuiltinTooth(BuiltinToothKind kind, int triangles, double lesio
 }
 
 std::uint64_t toothFingerprint(const ToothRequest& request) {
-    constexpr std::uint32_t kMeshing = 2;  // grows whenever the same anatomy is meshed otherwise
+    constexpr std::uint32_t kMeshing = 2;  // increase it when the same anatomy gives another mesh
     ByteWriter facts;
     facts.put(kMeshing);
     facts.put(request.fdi);
@@ -126,7 +127,7 @@ std::uint64_t toothFingerprint(const ToothRequest& request) {
     const ToothShape shape = varied(toothShape(request.fdi), request.seed);
     std::vector<ScalarField> fields = {shape.outer, shape.core, shape.cervical, shape.pulp};
     if (request.lesion) fields.push_back(lesionBody(shape, *request.lesion));
-    constexpr int kProbes = 7;  // places along each side of the tooth's box: a change of the anatomy changes some value
+    constexpr int kProbes = 7;  // points along each side of the tooth's box: a change of the anatomy changes some value
     for (int i = 0; i < kProbes * kProbes * kProbes; ++i) {
         const Vec3 part = Vec3(i % kProbes + 0.5, i / kProbes % kProbes + 0.5, i / (kProbes * kProbes) + 0.5) / kProbes;
         const Vec3 point = shape.bounds.min() + part.cwiseProduct(shape.bounds.sizes());
@@ -136,6 +137,7 @@ std::uint64_t toothFingerprint(const ToothRequest& request) {
 }
 
 BuiltinTooth contralateral(BuiltinTooth tooth) {
+    TACTOOTH_ASSERT(isPermanentTooth(tooth.fdi));
     constexpr std::array<int, 4> kOther = {2, 1, 4, 3};  // quadrant
     mirrorLayers(tooth);
     tooth.fdi = 10 * kOther[static_cast<std::size_t>(tooth.fdi / 10 - 1)] + tooth.fdi % 10;

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Diameters and head lengths: the textbook table of US numbers (the makers' measure where the two differ, as for
-// No. 330) and the ISO 6360 sizes of diamonds. Where the table gives no head length, it is in proportion to that of
-// the nearest size which has one. ISO shape numbers as the makers print them.
+// Diameters and head lengths: the textbook table of US numbers (the manufacturers' measure where the two differ, as for
+// No. 330) and the ISO 6360 sizes of diamonds. Where the table gives no head length, it is in proportion to that of the
+// nearest size that has one. ISO shape numbers are those of the manufacturers.
 #include "instruments/bur_catalogue.h"
 
 #include <array>

@@ -27,36 +27,36 @@ enum class BurKind {
 
 enum class BurMaterial { Carbide, Diamond };
 
-/// What a bur cuts with.
+/// The cutting part of a bur.
 struct BurEdge {
     int flutes = 6;              ///< blades; 0 for a diamond
-    double gritMicrometres = 0;  ///< of a diamond: mean grain
+    double gritMicrometres = 0;  ///< of a diamond: mean grain size
 };
 
-/// One line of the catalogue: what a dentist orders. Lengths in mm.
+/// One entry of the catalogue, as a dentist orders it. Lengths in mm.
 struct BurSpec {
-    std::string number;  ///< US number ("4"), or the makers' shape and ISO size of a diamond ("856-016")
-    std::string name;    ///< for people
+    std::string number;  ///< US number ("4"), or the manufacturer's shape and ISO size of a diamond ("856-016")
+    std::string name;    ///< name to show
     BurKind kind = BurKind::Round;
     BurMaterial material = BurMaterial::Carbide;
     double headDiameter = 1;     ///< the largest diameter of the head
-    double headLength = 1;       ///< from the tip to the end of the blades or the grit
+    double headLength = 1;       ///< from the tip to the end of the blades or of the grit
     double taperDegrees = 0;     ///< full cone angle, positive where the head widens toward the shank
     int flutes = 6;              ///< number of blades; 0 for a diamond
     double sharpness = 1;        ///< cutting ability: 1 as new, 0 does not cut
     int isoShape = 1;            ///< third group of the ISO 6360 number
     bool crossCut = false;       ///< blades with notches
-    double gritMicrometres = 0;  ///< of a diamond: mean grain; 0 for a carbide
+    double gritMicrometres = 0;  ///< of a diamond: mean grain size; 0 for a carbide
 
     [[nodiscard]] BurEdge edge() const { return {flutes, gritMicrometres}; }
 };
 
-/// Every bur that the program makes by itself, in the order in which a list shows them.
+/// All burs that the program can generate, in the order of a list.
 [[nodiscard]] const std::vector<BurSpec>& burCatalogue();
 
-/// The bur with this number, if the catalogue has it: a US or makers' number as `BurSpec::number`, or an ISO 6360
-/// number of 15 digits, with or without spaces. The grit of a diamond's ISO number (494 super-fine to 544 super-coarse)
-/// may be another than the catalogue's medium.
+/// The bur with this number, if the catalogue has it: a US or manufacturer's number like `BurSpec::number`, or an ISO
+/// 6360 number of 15 digits, with or without spaces. The grit of a diamond's ISO number (494 super-fine to 544
+/// super-coarse) may differ from the medium grit of the catalogue.
 [[nodiscard]] std::optional<BurSpec> findBur(std::string_view number);
 
 /// The bur's ISO 6360 number, "500 314 001 001 014": material, shank and length, shape, toothing or grit, diameter.

@@ -19,7 +19,7 @@ constexpr int kFrictionGrip = 314;                          // 1.6 mm shank, 19 
 constexpr int kRoundToothing = 1, kPlainToothing = 6, kCrossCutToothing = 7, kFinishingToothing = 71;
 constexpr int kFinishingBlades = 12;
 
-/// A grit group and the mean grain that it stands for.
+/// A grit group and its mean grain size.
 struct Grit {
     int code;
     double micrometres;
@@ -54,7 +54,7 @@ std::string digitsOf(std::string_view text) {
     return digits;
 }
 
-/// The ISO number's digits but for those of the grit, in which a diamond may differ from the catalogue.
+/// The digits of the ISO number without the grit, which may differ from the catalogue for a diamond.
 std::string withoutGrit(const BurSpec& spec, std::string digits) {
     constexpr std::size_t kGritAt = 9, kGroup = 3;
     if (spec.material == BurMaterial::Diamond) digits.erase(kGritAt, kGroup);

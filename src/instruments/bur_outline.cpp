@@ -14,14 +14,14 @@ namespace {
 
 using std::numbers::pi;
 
-/// A stretch of the outline; `at` gives its points from 0 (where the last one ended) to 1.
+/// A part of the outline; `at` gives its points from 0 (the end of the part before) to 1.
 struct Piece {
     std::function<OutlinePoint(double)> at;
-    double weight = 0;  ///< mm of length, more where it bends
-    int fewest = 1;     ///< corners it needs at least
+    double weight = 0;  ///< mm of length, more where it is curved
+    int fewest = 1;     ///< smallest number of corners
 };
 
-constexpr double kBendWeight = 2.5;  // a bend needs more corners than a straight stretch of the same length
+constexpr double kBendWeight = 2.5;  // a curve needs more corners than a straight part of the same length
 
 Piece point(double radius, double z) {
     return {[=](double) { return OutlinePoint{radius, z}; }, 0, 1};
@@ -45,7 +45,7 @@ Piece arc(double centre, double halfHeight, double radius, double from, double t
             kBendWeight * length, 2};
 }
 
-/// One half of a pointed arch: from the axis at the bottom to `radius` at `height`, upright there.
+/// One half of a pointed arch: from the axis at the bottom to `radius` at `height`, where it is vertical.
 Piece ogive(double radius, double height) {
     const double curvature = (radius * radius + height * height) / (2 * radius);
     return {[=](double t) {
@@ -88,14 +88,14 @@ std::vector<Piece> roundEndTaperPieces(const BurSpec& spec) {
 }
 
 std::vector<Piece> flamePieces(const BurSpec& spec) {
-    constexpr double kWidest = 0.55, kEndRadius = 0.72;  // of the head's length, of its radius
+    constexpr double kWidest = 0.55, kEndRadius = 0.72;  // share of the head's length; share of its radius
     const double r = spec.headDiameter / 2, z = kWidest * spec.headLength;
     const double end = std::acos(kEndRadius), above = (spec.headLength - z) / std::sin(end);
     return {ogive(r, z), arc(z, above, r, pi / 2, pi / 2 + end)};
 }
 
 std::vector<Piece> footballPieces(const BurSpec& spec) {
-    constexpr double kEndRadius = 0.55;  // of the head's radius
+    constexpr double kEndRadius = 0.55;  // share of the head's radius
     const double r = spec.headDiameter / 2, end = std::acos(kEndRadius);
     const double half = spec.headLength / (1 + std::sin(end));
     return {arc(half, half, r, 0, pi / 2), arc(half, half, r, pi / 2, pi / 2 + end)};
@@ -109,7 +109,7 @@ std::vector<Piece> torpedoPieces(const BurSpec& spec) {
 }
 
 std::vector<Piece> needlePieces(const BurSpec& spec) {
-    constexpr double kPoint = 0.12;  // radius of the point as a part of the head's
+    constexpr double kPoint = 0.12;  // radius of the point as a share of the head's
     const double r = spec.headDiameter / 2;
     return domePieces(kPoint * r, kPoint * r, {r, spec.headLength});
 }

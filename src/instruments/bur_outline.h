@@ -9,9 +9,9 @@
 
 namespace tactooth {
 
-/// The outline of a bur's head: what its blade edges or grains sweep as it turns, from the first ring around the tip
-/// to the end of the head; the tip itself is at (0, 0). About `count` corners (a few more where the shape has more
-/// pieces), all exactly on the shape; its widest place and its end are always among them.
+/// The outline of a bur's head: the profile that its blade edges or grains sweep when it turns, from the first ring
+/// around the tip to the end of the head; the tip itself is at (0, 0). It has about `count` corners (a few more where
+/// the shape has more pieces), all exactly on the shape. Its widest point and its end are always among them.
 [[nodiscard]] std::vector<OutlinePoint> burOutline(const BurSpec& spec, int count);
 
 }  // namespace tactooth

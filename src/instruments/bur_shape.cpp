@@ -19,29 +19,29 @@ using std::numbers::pi;
 struct Ring {
     double z = 0;
     double radius = 0;       ///< of the surface of revolution, where the blade edges are
-    double gulletDepth = 0;  ///< depth of the gullets between the blades, as a part of the radius
-    double twist = 0;        ///< turn of the blades, rad
+    double gulletDepth = 0;  ///< depth of the gullets between the blades, as a share of the radius
+    double twist = 0;        ///< rotation of the blades, rad
     int notched = -1;        ///< 0: every second blade has a notch here, 1: the others, -1: none
     double grain = 0;        ///< mm between the highest and the lowest grain of a diamond
 };
 
-/// A corner of the section of one blade: where it lies within the blade's share of the turn (0: edge, toward 1: the
-/// foot of the next blade's rake face), and how far down the gullet it is (0: edge, 1: bottom).
+/// A corner of the section of one blade: its position in the blade's share of the turn (0: edge, toward 1: the foot of
+/// the next blade's rake face), and its depth in the gullet (0: edge, 1: bottom).
 struct BladeVertex {
     double turn = 0;
     double drop = 0;
 };
 
-// A bur turns clockwise seen from the handpiece, that is toward falling angles: the rake face is steep and lies before
-// the edge; behind it the clearance falls slowly into the gullet.
+// A bur turns clockwise seen from the handpiece, that is toward falling angles: the rake face is steep and in front of
+// the edge; behind the edge the clearance falls slowly into the gullet.
 constexpr BladeVertex kBlade2[] = {{0, 0}, {0.84, 1}};
 constexpr BladeVertex kBlade3[] = {{0, 0}, {0.30, 0.42}, {0.84, 1}};
 constexpr BladeVertex kBlade6[] = {{0, 0}, {0.10, 0.10}, {0.30, 0.45}, {0.55, 0.88}, {0.78, 1}, {0.90, 0.80}};
 
-constexpr double kGulletDepth = 0.30;          // of the radius: a carbide's core is about two thirds of its head
-constexpr double kFinishingDepth = 0.12;       // of the radius, of the many small gullets of a finishing bur
+constexpr double kGulletDepth = 0.30;  // share of the radius: the core of a carbide bur is about two thirds of its head
+constexpr double kFinishingDepth = 0.12;       // share of the radius, for the many small gullets of a finishing bur
 constexpr int kManyBlades = 12;                // a finishing bur
-constexpr double kNotchDepth = 0.10;           // of the radius, of a cross-cut blade's notches
+constexpr double kNotchDepth = 0.10;           // share of the radius, for the notches of a cross-cut blade
 constexpr double kRoundTwist = 0.9;            // rad from tip to neck of a ball
 constexpr double kMaxTwist = 0.12;             // rad from ring to ring: edges sink below the outline by 0.2 % at most
 constexpr double kHelixAngle = 15 * pi / 180;  // of a fissure bur's blades, right-handed: lifts the chips
@@ -52,7 +52,7 @@ constexpr double kVisibleLength = 11.0;        // mm from the tip to the end tha
 [[maybe_unused]] constexpr double kMaxHeadLength = 8.5;  // mm; longer heads would end in the handpiece
 
 std::span<const BladeVertex> bladeSection(int triangles) {
-    constexpr int kCoarse = 700;  // below it, each triangle is needed along the axis
+    constexpr int kCoarse = 700;  // below this number, each triangle is needed along the axis
     constexpr int kMiddle = 2500;
     if (triangles < kCoarse) return kBlade2;
     if (triangles < kMiddle) return kBlade3;
@@ -65,7 +65,7 @@ double longestStep(const std::vector<Ring>& rings) {
     return step;
 }
 
-/// Gullets run out toward the end of the head, and the blades wind around it.
+/// Gullets fade toward the end of the head, and the blades are helical.
 void cutBlades(std::vector<Ring>& rings, const BurSpec& spec) {
     const double end = rings.back().z;
     const double helix =
@@ -79,8 +79,8 @@ void cutBlades(std::vector<Ring>& rings, const BurSpec& spec) {
     }
 }
 
-/// Notches of a cross-cut bur, if the rings are near enough to each other to show them. Neighbouring blades have
-/// theirs at other heights, so that together they still sweep the whole outline.
+/// Notches of a cross-cut bur, if the rings are close enough to show them. Neighbouring blades have them at different
+/// heights, so that together they still sweep the whole outline.
 void cutNotches(std::vector<Ring>& rings) {
     constexpr double kFineEnough = 0.12, kSpacing = 0.45;  // mm; between the notches of a blade
     const double step = longestStep(rings);
@@ -111,7 +111,7 @@ std::vector<Ring> headRings(const BurSpec& spec, int count, int sectors) {
     return rings;
 }
 
-/// A number from 0 to 1 that looks random: the same for the same grain.
+/// A pseudorandom number from 0 to 1, the same for the same grain.
 double grainDepth(int ring, int sector) {
     std::uint32_t bits =
         0x9E3779B9u * static_cast<std::uint32_t>(ring + 1) ^ 0x85EBCA6Bu * static_cast<std::uint32_t>(sector + 1);
@@ -169,20 +169,20 @@ private:
         const double bladed = std::min(ring.gulletDepth / kFinishingDepth, 1.0);
         for (int sector = 0; sector < sectors(); ++sector) {
             const BladeVertex& corner = blade_[sector % corners];
-            // Without gullets the vertices stand evenly, for the roundest neck and shank.
+            // Without gullets the vertices are evenly spaced, for the roundest neck and shank.
             const double even = static_cast<double>(sector % corners) / corners;
             const double turn = std::lerp(even, corner.turn, bladed);
             const double angle = 2 * pi * (sector / corners + turn) / flutes_ + ring.twist;
             const bool notched = sector / corners % 2 == ring.notched;
             const double drop = std::max(ring.gulletDepth * corner.drop, notched ? kNotchDepth : 0.0);
-            // One row of grains stands as high as the outline: it is what the turning bur sweeps.
+            // One row of grains is as high as the outline: it is the profile that the turning bur sweeps.
             const double grain = sector == 0 ? 0 : ring.grain * grainDepth(number, sector);
             const double radius = ring.radius * (1 - drop) - grain;
             mesh.vertices.push_back(Vec3(radius * std::cos(angle), radius * std::sin(angle), ring.z).cast<float>());
         }
     }
 
-    /// Two triangles, split along the shorter diagonal: the blades wind.
+    /// Two triangles, split along the shorter diagonal, because the blades are helical.
     void addQuad(TriangleMesh& mesh, int ring, int sector) const {
         const std::uint32_t a = at(ring, sector), b = at(ring, sector + 1);
         const std::uint32_t c = at(ring + 1, sector + 1), d = at(ring + 1, sector);
@@ -202,17 +202,17 @@ private:
     std::span<const BladeVertex> blade_;
 };
 
-/// How many times what pattern goes around.
+/// The number of repetitions of the pattern around the axis.
 Lathe latheFor(const BurSpec& spec, int triangles) {
     constexpr int kFine = 8000;
-    constexpr int kSmooth = 6;         // a diamond is as round as the vertices of a six-blade bur make it
-    constexpr int kBladesShown = 700;  // triangles that many blades need at least
+    constexpr int kSmooth = 6;         // a diamond is as round as a six-blade bur
+    constexpr int kBladesShown = 700;  // least number of triangles for many blades
     const bool bladed = spec.flutes > 0 && (spec.flutes < kManyBlades || triangles >= kBladesShown);
     const int around = bladed ? spec.flutes : triangles < kFine ? kSmooth : 2 * kSmooth;
     return {around, bladeSection(spec.flutes < kManyBlades ? triangles : triangles / 2)};
 }
 
-/// Puts a vertex in the middle of an edge: two triangles more, and the same surface.
+/// Inserts a vertex in the middle of an edge: two triangles more, and the same surface.
 void splitEdge(TriangleMesh& mesh, std::uint32_t from, std::uint32_t to) {
     const auto middle = static_cast<std::uint32_t>(mesh.vertices.size());
     mesh.vertices.push_back((mesh.vertices[from] + mesh.vertices[to]) / 2);

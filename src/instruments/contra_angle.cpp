@@ -1,20 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Modelled after makers' drawings: head 9 mm wide and 14 mm high, 20 mm across the coupling.
+// Modelled after drawings of the manufacturers: head 9 mm wide and 14 mm high, 20 mm across the coupling.
 #include "instruments/contra_angle.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/field/isosurface.h"
-#include "geometry/mesh/simplify.h"
 #include "instruments/modelling/handpiece.h"
 
 namespace tactooth {
 namespace {
 
-// The head around the bur's axis: nose, barrel, cap with the latch on it.
+// The head around the axis of the bur: nose, barrel, cap with the latch on it.
 constexpr double kHeadTop = 22.6;
 constexpr Section kHead[] = {circle(9.0, 2.1),  circle(9.8, 2.2),   circle(10.0, 2.9), circle(10.6, 3.7),
                              circle(11.6, 4.2), circle(13.5, 4.45), circle(19.8, 4.5), circle(20.3, 4.35),
@@ -30,7 +28,7 @@ constexpr Section kHandle[] = {circle(0.0, 3.6, 15.4),   circle(5.0, 3.4, 16.0),
                                circle(79.4, 9.3, 28.16), circle(80.0, 10.0, 28.2), circle(88.0, 10.0, 28.5)};
 
 constexpr HandpieceForm kForm{.head = kHead,
-                              .headBottom = 9.0,
+
                               .headTop = kHeadTop,
                               .headEdge = 0.6,
                               .handle = kHandle,
@@ -38,7 +36,10 @@ constexpr HandpieceForm kForm{.head = kHead,
                               .handleEdge = 0.8,
                               .fillet = 2.4,
                               .filletFrom = 17.6,
-                              .filletTo = 19.6};
+                              .filletTo = 19.6,
+                              .halfWidth = 11,
+                              .top = 40,
+                              .cellSize = 0.4};
 
 /// Grooves along the coupling, for the fingers.
 double fluteDepth(const Vec3& p, double middle) {
@@ -48,7 +49,7 @@ double fluteDepth(const Vec3& p, double middle) {
     return kDepth * wave * smoothStep(kFrom - kFade, kFrom, p.x()) * smoothStep(kTo + kFade, kTo, p.x());
 }
 
-/// The lever on the cap that lets the bur go.
+/// The lever on the cap that releases the bur.
 double latch(const Vec3& p) {
     return taperedCapsule(p, Vec3(-2.6, 0, kHeadTop), 0.9, Vec3(3.2, 0, kHeadTop + 0.1), 0.7);
 }
@@ -56,15 +57,12 @@ double latch(const Vec3& p) {
 }  // namespace
 
 TriangleMesh makeContraAngle(int triangles) {
-    constexpr double kCell = 0.4;  // mm: shows the grooves
-    const Box3 bounds(Vec3(-6.5, -11, 8), Vec3(89, 11, 40));
     const Handpiece body(kForm);
     const auto solid = [&](const Vec3& p) {
         constexpr double kLatchFillet = 0.5;
         return smoothUnion(body(p, fluteDepth(p, body.handleMiddle(p.x()))), latch(p), kLatchFillet);
     };
-    const TriangleMesh fine = isosurface(solid, bounds, {.cellSize = kCell});
-    return simplified(fine, static_cast<std::size_t>(triangles));
+    return handpieceMesh(kForm, solid, triangles);
 }
 
 }  // namespace tactooth

@@ -12,7 +12,7 @@ namespace {
 constexpr int kSides = 24;
 constexpr double kHandle = 3.0;  // mm, radius
 
-/// The handle from where the shank ends: a cone, a cylinder, a rounded end.
+/// The handle from the end of the shank: a cone, a cylinder, a rounded end.
 void addHandle(std::vector<TubePoint>& points, const Vec3& along) {
     const TubePoint shank = points.back();
     constexpr double kCone = 7, kLength = 100, kRound = 1.2;  // mm

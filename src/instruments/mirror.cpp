@@ -59,10 +59,10 @@ TriangleMesh stemAndHandle() {
     return revolved(outline, kSides);
 }
 
-/// Where the stem stands: its end beside the lower edge of the head, its axis rising behind the glass.
+/// Pose of the stem: its end is beside the lower edge of the head, and its axis rises behind the glass.
 Pose stemInMirror(double radius) {
     const Quat turn(Eigen::AngleAxisd(std::numbers::pi - kAngle, Vec3::UnitY()));
-    constexpr double kAside = 0.42, kHeight = -0.80;  // mm; the stem's round end stays clear of the rim
+    constexpr double kAside = 0.42, kHeight = -0.80;  // mm; the round end of the stem does not touch the rim
     return {Vec3(radius + kAside, 0, kHeight), turn};
 }
 

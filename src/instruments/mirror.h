@@ -16,7 +16,7 @@ struct MirrorDisc {
 /// A dental mouth mirror. Frame: origin at the centre of the glass, +z out of it; stem and handle leave toward +x, 45
 /// degrees behind the glass. mm.
 struct DentalMirror {
-    TriangleMesh surface;        ///< head, stem with handle, and glass: three closed bodies, a hair's breadth apart
+    TriangleMesh surface;  ///< head, stem with handle, and glass: three closed bodies with small gaps between them
     std::size_t glassBegin = 0;  ///< the glass is the triangles [glassBegin, surface.triangles.size())
     MirrorDisc disc;             ///< its face as an exact disc
 };

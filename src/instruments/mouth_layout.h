@@ -10,29 +10,29 @@
 
 namespace tactooth {
 
-/// What a mouth has beside the teeth themselves. Mouth frame, mouth closed. `triangles`, `seed` and `missing` of a
-/// request decide about it; the pose of the jaw does not.
+/// The poses of the teeth and both gingivae of a mouth. Mouth frame, mouth closed. They depend on `triangles`, `seed`
+/// and `missing` of a request, and not on the pose of the jaw.
 struct MouthLayout {
     static constexpr std::size_t kPlaces = 16;
-    /// Where the teeth 11 to 18 and 31 to 38 stand; those of the other side stand as their mirror images.
+    /// Poses of the teeth 11 to 18 and 31 to 38; those of the other side are their mirror images.
     std::array<Pose, kPlaces> toothInMouth;
     TriangleMesh upperGingiva, lowerGingiva;
 };
 
-/// FDI number of a place of a setting.
+/// FDI number of an index of the layout.
 [[nodiscard]] constexpr int fdiOfPlace(std::size_t place) { return (place < 8 ? 11 : 23) + static_cast<int>(place); }
 
-/// Fails with a sentence if a gum crosses itself at every fineness that is tried.
+/// Fails with a sentence if a gingiva intersects itself at every resolution that is tried.
 [[nodiscard]] Expected<MouthLayout> makeMouthLayout(const MouthRequest& request);
 
-/// A number for what makeMouthLayout would make: another one where the request, the anatomy of a tooth or the way of
-/// setting and meshing is another. Quick.
+/// A hash of the result of makeMouthLayout: it changes with the request, the anatomy of a tooth and the methods of
+/// placing and meshing. Quick.
 [[nodiscard]] std::uint64_t mouthLayoutFingerprint(const MouthRequest& request);
 
-/// Makes a setting: makeMouthLayout, or one that remembers.
+/// Makes a layout: makeMouthLayout, or a function with a cache.
 using LayoutGenerator = std::function<Expected<MouthLayout>(const MouthRequest&)>;
 
-/// As makeMouth in builtin_mouth.h. Both makers are called from several threads at once.
+/// Like makeMouth in builtin_mouth.h. Both functions are called from several threads at once.
 [[nodiscard]] Expected<BuiltinMouth> makeMouth(const MouthRequest& request, const ToothGenerator& teeth,
                                                const LayoutGenerator& layout);
 

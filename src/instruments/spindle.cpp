@@ -17,11 +17,11 @@ namespace {
 
 constexpr double kRadPerSecPerRpm = std::numbers::pi / 30;
 
-/// Torque over speed, N*mm*s: how steeply torque falls with speed.
+/// Loss of torque over speed, N*mm*s.
 double slopeOf(const SpindlePreset& preset) { return preset.stallTorque / (preset.droopRpm * kRadPerSecPerRpm); }
 
-/// One stretch of time during which the drive's law does not change: at its driving limit, on the line or at its
-/// braking limit. Takes what it needs of `left` (s).
+/// One interval in which the law of the drive does not change: at its driving limit, on the line, or at its braking
+/// limit. Subtracts the time that it uses from `left` (s).
 double advance(const SpindlePreset& preset, double speed, double target, double load, double& left) {
     const double slope = slopeOf(preset);
     const double fullDriveBelow = target - preset.stallTorque / slope;
@@ -67,6 +67,8 @@ const std::vector<SpindlePreset>& spindlePresets() {
 }
 
 double targetSpeedRpm(const SpindlePreset& preset, double pedal) {
+    TACTOOTH_ASSERT(preset.pedalDeadBand >= 0 && preset.pedalDeadBand < 1);
+    TACTOOTH_ASSERT(std::isfinite(pedal));
     const double travel = (std::clamp(pedal, 0.0, 1.0) - preset.pedalDeadBand) / (1 - preset.pedalDeadBand);
     if (travel <= 0) return 0;
     if (preset.pedalCurve == PedalCurve::Air) return preset.freeSpeedRpm * std::sqrt(travel);
@@ -74,12 +76,15 @@ double targetSpeedRpm(const SpindlePreset& preset, double pedal) {
 }
 
 double driveTorque(const SpindlePreset& preset, double speedRpm, double pedal) {
+    TACTOOTH_ASSERT(speedRpm >= 0);
     const double lag = (targetSpeedRpm(preset, pedal) - speedRpm) * kRadPerSecPerRpm;
     return std::clamp(slopeOf(preset) * lag, -preset.brakeTorque, preset.stallTorque);
 }
 
 SpindleState stepSpindle(const SpindlePreset& preset, SpindleState state, double pedal, double loadTorque, double dt) {
     TACTOOTH_ASSERT(loadTorque >= 0 && dt >= 0);
+    TACTOOTH_ASSERT(preset.inertia > 0 && preset.droopRpm > 0 && preset.stallTorque > 0);
+    TACTOOTH_ASSERT(std::isfinite(state.speedRpm) && state.speedRpm >= 0);
     const double target = targetSpeedRpm(preset, pedal) * kRadPerSecPerRpm;
     double speed = state.speedRpm * kRadPerSecPerRpm;
     double left = dt;
@@ -87,6 +92,7 @@ SpindleState stepSpindle(const SpindlePreset& preset, SpindleState state, double
     for (int stretch = 0; stretch < kStretches && left > 0; ++stretch) {
         speed = std::max(0.0, advance(preset, speed, target, loadTorque, left));
     }
+    TACTOOTH_ASSERT(std::isfinite(speed) && speed >= 0);
     return {speed / kRadPerSecPerRpm};
 }
 

@@ -6,8 +6,8 @@
 
 namespace tactooth {
 
-/// A straight suction tube of plastic as a closed surface: the middle of its round opening is the origin, +z leads into
-/// the tube and on to the assistant's hand. 6 mm wide, 90 mm long.
+/// A straight plastic suction tube as a closed surface: the origin is the centre of its round opening, and +z leads
+/// into the tube toward the assistant's hand. 6 mm wide, 90 mm long.
 [[nodiscard]] TriangleMesh makeSuctionTube();
 
 }  // namespace tactooth

@@ -8,6 +8,8 @@
 #include <map>
 #include <vector>
 
+#include "geometry/util/assert.h"
+
 namespace tactooth {
 namespace {
 
@@ -32,7 +34,7 @@ constexpr std::array<Patch, TenPatches::kPatches> kTop = {{{0.5, 0.1, 0},
                                                            {0.1, 1.5, -5},
                                                            {-0.1, -1.4, -4.5}}};
 
-/// Corners of the region of the square where patch `i` is the highest, counter-clockwise from above.
+/// Corners of the part of the square where patch `i` is the highest, counter-clockwise from above.
 std::vector<Vec3> outlineOf(std::size_t i) {
     using Point = std::array<double, 2>;
     std::vector<Point> outline = {
@@ -59,7 +61,7 @@ std::vector<Vec3> outlineOf(std::size_t i) {
     return corners;
 }
 
-/// Collects triangles; corners nearer than a nanometre or two become one vertex.
+/// Collects triangles; corners closer than a nanometre or two become one vertex.
 class BlockMesh {
 public:
     std::uint32_t vertex(const Vec3& point) {
@@ -78,7 +80,7 @@ private:
     std::map<std::array<long, 3>, std::uint32_t> numbers_;
 };
 
-/// The rim's corners, counter-clockwise from above.
+/// Corners of the boundary, counter-clockwise from above.
 std::vector<Vec3> rimOf(const TriangleMesh& top) {
     std::vector<Vec3> rim;
     for (const Vec3f& v : top.vertices) {
@@ -109,7 +111,7 @@ HalfSpace freeSpaceOf(const Patch& patch) {
     return {upward.normalized(), patch.offset / upward.norm()};
 }
 
-/// The point nearest to `target` at which the half-spaces of `chosen` are all touched, if there is just one.
+/// The point nearest to `target` on all half-spaces of `chosen`, if it is unique.
 bool nearestOnAll(std::span<const HalfSpace> chosen, const Vec3& target, Vec3& point) {
     Eigen::Matrix<double, Eigen::Dynamic, 3, 0, 3, 3> normals(chosen.size(), 3);
     Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1> missing(chosen.size());
@@ -148,8 +150,10 @@ TenPatches makeTenPatches() {
 }
 
 Vec3 nearestFreeTip(const TenPatches& piece, const TriangleMesh& tool, const Pose& hand) {
+    TACTOOTH_ASSERT(isRigid(hand));
+    TACTOOTH_ASSERT(!tool.vertices.empty());
     std::array<HalfSpace, TenPatches::kPatches> spaces = piece.freeSpace;
-    for (HalfSpace& space : spaces) {  // of the tip instead of the whole tool
+    for (HalfSpace& space : spaces) {  // half-spaces of the tip instead of the whole tool
         const Vec3 direction = hand.rotation.conjugate() * space.normal;
         double lowest = std::numeric_limits<double>::infinity();
         for (const Vec3f& v : tool.vertices) lowest = std::min(lowest, direction.dot(v.cast<double>()));
@@ -161,7 +165,7 @@ Vec3 nearestFreeTip(const TenPatches& piece, const TriangleMesh& tool, const Pos
                                    [&](const HalfSpace& s) { return s.normal.dot(tip) >= s.offset - kRounding; });
     };
     if (isFree(hand.position)) return hand.position;
-    // The answer touches one, two or three half-spaces: of all that do, the nearest that is free.
+    // The answer touches one, two or three half-spaces: of all candidates, the nearest that is free.
     Vec3 best = Vec3::Constant(std::numeric_limits<double>::infinity());
     const auto consider = [&](std::initializer_list<std::size_t> numbers) {
         std::vector<HalfSpace> chosen;

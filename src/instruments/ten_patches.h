@@ -10,16 +10,16 @@
 namespace tactooth {
 
 /// A test piece: a block of 10 x 10 mm whose top (+z) is a valley of ten flat patches. The space above it is the
-/// intersection of ten half-spaces, so it is known exactly how far a tool must give way.
+/// intersection of ten half-spaces, so that the exact displacement of a tool is known.
 struct TenPatches {
     static constexpr std::size_t kPatches = 10;
 
     TriangleMesh surface;                        ///< closed, mm
-    std::array<HalfSpace, kPatches> freeSpace;   ///< what is above the patches
+    std::array<HalfSpace, kPatches> freeSpace;   ///< the space above the patches
     std::array<std::uint32_t, kPatches> first;   ///< first triangle of each patch
     std::array<std::uint32_t, kPatches> behind;  ///< one past its last triangle
 
-    // Where a tool is led to, on the surface.
+    // Points on the surface to press a tool against.
     Vec3 a;  ///< within a patch: one patch holds the tool
     Vec3 b;  ///< on the valley line: two
     Vec3 c;  ///< in the lowest corner: three
@@ -27,9 +27,9 @@ struct TenPatches {
 
 [[nodiscard]] TenPatches makeTenPatches();
 
-/// Where the tip of `tool` stands if it comes as near as possible to the hand's without entering the block, keeping the
-/// hand's orientation: the exact answer, from the ten half-spaces alone, as long as no part of the tool is outside the
-/// block's top. `tool` has its tip at its origin.
+/// Position of the tip of `tool` as close as possible to that of the device pose without entering the block, with the
+/// orientation of the device. It is the exact answer from the ten half-spaces, as long as no part of the tool is beyond
+/// the block's top. `tool` has its tip at its origin.
 [[nodiscard]] Vec3 nearestFreeTip(const TenPatches& piece, const TriangleMesh& tool, const Pose& hand);
 
 }  // namespace tactooth

@@ -6,11 +6,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/util/assert.h"
+
 namespace tactooth {
 namespace {
 
 constexpr double kTick = 1e-3;          // s
-constexpr double kStation = 0.1;        // mm between two looks at the height of the surface
+constexpr double kStation = 0.1;        // mm between two samples of the height of the surface
 constexpr double kStrokeSpacing = 0.3;  // mm
 
 /// Height of the highest point of the triangle above (x, y), or `otherwise` if it is not above it.
@@ -24,7 +26,8 @@ double heightAt(const Vec3& a, const Vec3& b, const Vec3& c, double x, double y,
     return v >= 0 && w >= 0 && v + w <= 1 ? a.z() + v * ab.z() + w * ac.z() : otherwise;
 }
 
-/// Points on top of the tooth along the strokes; where a station misses the tooth, the height before it holds.
+/// Points on top of the tooth along the strokes; where a sample misses the tooth, it takes the height of the one
+/// before.
 std::vector<Vec3> stations(const TriangleMesh& tooth, const ToolTrajectory& path) {
     const Box3 box = boundingBox(tooth);
     const int perStroke = static_cast<int>(std::ceil(path.stroke / kStation));
@@ -65,6 +68,9 @@ Quat turnAt(const ToolTrajectory& path, double time) {
 }  // namespace
 
 std::vector<Pose> toolTrajectory(const TriangleMesh& tooth, const ToolTrajectory& path) {
+    TACTOOTH_ASSERT(!tooth.empty());
+    TACTOOTH_ASSERT(path.speed > 0 && path.stroke > 0 && path.strokes > 0);
+    TACTOOTH_ASSERT(path.turn > 0 && path.maxRotation > 0);
     std::vector<Vec3> corners = stations(tooth, path);
     for (Vec3& corner : corners) corner.z() -= path.press;
     const auto above = [&](const Vec3& end) {
@@ -76,7 +82,7 @@ std::vector<Pose> toolTrajectory(const TriangleMesh& tooth, const ToolTrajectory
     corners.push_back(last);
     std::vector<Pose> poses;
     const double step = path.speed * kTick;
-    double into = 0;  // mm of the present leg
+    double into = 0;  // mm along the present segment
     for (std::size_t leg = 0; leg + 1 < corners.size(); ++leg) {
         const Vec3 displacement = corners[leg + 1] - corners[leg];
         const double length = displacement.norm();

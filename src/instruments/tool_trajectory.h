@@ -8,18 +8,19 @@
 
 namespace tactooth {
 
-/// How a hand leads a tool over the top (+z) of a tooth.
+/// How a tool moves over the top (+z) of a tooth.
 struct ToolTrajectory {
     double speed = 10;        ///< mm/s along the path
-    double press = 0.3;       ///< mm that the hand stays below the surface
-    double approach = 0.5;    ///< mm above the tooth where it begins and ends; negative: below the surface, inside
+    double press = 0.3;       ///< mm that the device stays below the surface
+    double approach = 0.5;    ///< mm above the tooth at the start and the end; negative: below the surface, inside
     double stroke = 4;        ///< mm: length of a slide across cusps and fissures
-    int strokes = 4;          ///< to and fro, each 0.3 mm beside the last
-    double turn = 60;         ///< degrees/s about the tip, to and fro
+    int strokes = 4;          ///< back and forth, each 0.3 mm beside the last
+    double turn = 60;         ///< degrees/s about the tip, back and forth
     double maxRotation = 20;  ///< degrees
 };
 
-/// The hand's pose at every millisecond: approach, press, slide, retract. The tool's tip is its origin, its shaft +z.
+/// The device pose at every millisecond: approach, press, slide, retract. The tip of the tool is its origin, its shaft
+/// is along +z. Speed, stroke and rotation are positive.
 [[nodiscard]] std::vector<Pose> toolTrajectory(const TriangleMesh& tooth, const ToolTrajectory& path);
 
 }  // namespace tactooth

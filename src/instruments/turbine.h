@@ -6,8 +6,9 @@
 
 namespace tactooth {
 
-/// A turbine handpiece as a closed surface in the tool frame (origin at the bur's tip, +z along the shaft, mm): its
-/// head around the shaft with the bur protruding, the handle leaving toward +x and upward. About `triangles` triangles.
+/// A turbine handpiece as a closed surface in the tool frame (origin at the tip of the bur, +z along the shaft, mm):
+/// the head surrounds the shaft, the bur protrudes, and the handle leaves toward +x and upward. About `triangles`
+/// triangles.
 [[nodiscard]] TriangleMesh makeTurbine(int triangles = 16000);
 
 }  // namespace tactooth

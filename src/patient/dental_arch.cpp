@@ -25,7 +25,7 @@ std::optional<Vec3> archCentre(std::span<const Vec3> crowns) {
     }
     const Vec3 centre = left.colPivHouseholderQr().solve(right);
     const Vec3 middle = mean + centre.x() * u + centre.y() * v;
-    // An arch is 20 to 35 mm from its middle to its teeth; a much larger circle is a line.
+    // The radius of an arch is 20 to 35 mm; a much larger circle is a line.
     constexpr double kLargest = 80;  // mm
     if (!middle.allFinite() || (middle - crowns.front()).norm() > kLargest) return std::nullopt;
     return middle;

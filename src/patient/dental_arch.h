@@ -9,8 +9,8 @@
 
 namespace tactooth {
 
-/// The middle of a dental arch, from a point of each crown (mm, one frame): the centre of the circle through them
-/// (least squares after Kasa, 1976) in their common plane. None for fewer than three teeth, or where they lie in a
+/// The centre of a dental arch, from a point of each crown (mm, one frame): the centre of the circle through them
+/// (least squares after Kasa, 1976) in their common plane. None for fewer than three teeth, or where they are on a
 /// line.
 [[nodiscard]] std::optional<Vec3> archCentre(std::span<const Vec3> crowns);
 

@@ -14,9 +14,9 @@ namespace {
 
 constexpr double kBall = 0.6;   // mm, radius
 constexpr double kCell = 0.4;   // mm
-constexpr double kReach = 2.5;  // mm from the ball's middle to what it sees: the depth of a fissure
+constexpr double kReach = 2.5;  // mm, reach of the ball's centre: the depth of a fissure
 
-/// Where the middle of a ball may be that comes from outside.
+/// Positions that the centre of a ball can reach from outside.
 class RollingBall {
 public:
     explicit RollingBall(const SurfacePart& surface) {

@@ -6,15 +6,15 @@
 
 namespace tactooth {
 
-/// A tooth's surface without the walls of hollows within it.
+/// The surface of a tooth without the walls of voids in it.
 struct ExteriorSurface {
-    TriangleMesh exterior;    ///< the triangles that look at the outside
-    double pulpWallArea = 0;  ///< mm^2, of the others: the walls of a pulp space that the scanner has seen
+    TriangleMesh exterior;    ///< the triangles that face the outside
+    double pulpWallArea = 0;  ///< mm^2, of the others: the walls of a pulp space in the scan
 };
 
-/// Tells the walls of hollows from the outside of a closed surface, also where a narrow canal leads out of the hollow:
-/// a ball of 1.2 mm that rolls around the tooth gets near all of the outside, into fissures as far as 2.5 mm, and near
-/// no wall of a hollow.
+/// Separates the walls of voids from the outside of a closed surface, also where a narrow canal leads out of the void:
+/// a ball of 1.2 mm that rolls around the tooth comes close to all of the outside, up to 2.5 mm deep in fissures, and
+/// to no wall of a void.
 [[nodiscard]] ExteriorSurface exteriorSurface(const SurfacePart& surface);
 
 }  // namespace tactooth

@@ -17,7 +17,7 @@ Box3 boxOf(const Scan& scan) {
     return box;
 }
 
-/// The middle of the enamel, or of all where there is none.
+/// The centre of the enamel, or of the whole box where there is none.
 Vec3 crownOf(const Scan& scan, const Box3& box) {
     for (const LayerMesh& layer : scan.layers) {
         if (layer.material == MaterialId::Enamel) return boxExcludingSpecks(layer.mesh).center();

@@ -12,15 +12,16 @@
 
 namespace tactooth {
 
-/// What several teeth of one jaw tell about each other.
+/// What several teeth of one jaw say about each other.
 struct JawFrame {
     double mmPerUnit = 1;
-    std::vector<ImportNote> why;         ///< of a unit that was guessed
-    std::vector<Vec3> buccalDirections;  ///< of each tooth: toward its cheek, about; empty if their arch does not tell
+    std::vector<ImportNote> why;  ///< reasons for a guessed unit
+    std::vector<Vec3>
+        buccalDirections;  ///< of each tooth: approximate direction to its cheek; empty if the arch does not show it
 };
 
-/// Teeth of one jaw come in one unit, that of the middle one by size (if `mmPerUnit` does not tell it), and their
-/// cheeks look away from the middle of their arch. Fails with one sentence if a scan is empty.
+/// Teeth of one jaw have one unit, that of the median tooth by size (unless `mmPerUnit` gives it), and their buccal
+/// sides face away from the centre of the arch. Fails with one sentence if a scan is empty.
 [[nodiscard]] Expected<JawFrame> findJawFrame(std::span<const Scan> teeth, std::optional<double> mmPerUnit);
 
 }  // namespace tactooth

@@ -20,9 +20,11 @@ namespace {
 constexpr double kDentinTriangles = 0.25;  // mm
 constexpr double kPulpTriangles = 0.15;    // mm
 constexpr double kPulpWall = 0.5;          // mm
-constexpr double kBeyond = 0.02;  // mm: the root's dentin reaches beyond its surface, so no enamel is left on it
+constexpr double kBeyond =
+    0.02;  // mm: the dentin of the root extends beyond its surface, so that no enamel remains on it
 
-/// Thickest enamel of a crown so wide, mm: 0.7 to 1 on front teeth, 1.3 to 1.6 at the sides of molars.
+/// Largest enamel thickness of a crown of this width, mm: 0.7 to 1 on anterior teeth, 1.3 to 1.6 at the sides of
+/// molars.
 double thickestEnamel(const TriangleMesh& outer) {
     const SectionProfile profile = sectionProfile(outer);
     const double widest = *std::ranges::max_element(profile.areas);
@@ -30,10 +32,10 @@ double thickestEnamel(const TriangleMesh& outer) {
     return std::clamp(0.14 * width, 0.6, 1.5);
 }
 
-/// How thick the enamel is at a height, mm; below the neck less than nothing.
+/// Enamel thickness at a height, mm; negative below the neck.
 double enamelAt(double z, double crown, double thickest) {
     const double up = z / crown;
-    constexpr double kFull = 0.6;  // of the crown's height: from there on it is as thick as it gets at the sides
+    constexpr double kFull = 0.6;  // share of the crown's height: from there on it has its full thickness at the sides
     return up <= 0 ? -kBeyond : -kBeyond + (thickest + kBeyond) * std::sqrt(std::min(up / kFull, 1.0));
 }
 
@@ -63,17 +65,17 @@ TriangleMesh pulpFrom(const std::vector<PulpSegment>& segments, const DepthField
     return mesh.empty() ? mesh : connectedComponents(mesh).front();
 }
 
-/// A scanner that sees inside finds the pulp space itself: the surface then has walls that no enamel lies on.
+/// A scanner that sees inside finds the pulp space itself: the surface then has walls without enamel.
 class EnamelDepth {
 public:
     EnamelDepth(const SurfacePart& surface, const DepthField& depth) : depth_(depth) {
         ExteriorSurface skin = exteriorSurface(surface);
-        constexpr double kSpecks = 10;  // mm^2: bottoms of deep fissures, no pulp space
+        constexpr double kSpecks = 10;  // mm^2: bottoms of deep fissures, not a pulp space
         if (skin.pulpWallArea > kSpecks) skin_ = std::make_unique<const SurfacePart>(std::move(skin.exterior));
     }
 
     [[nodiscard]] bool hasHollow() const { return skin_ != nullptr; }
-    /// How much deeper than the enamel, mm: negative in the dentin.
+    /// Depth below the enamel, mm, negated: negative in the dentin.
     [[nodiscard]] double above(const Vec3& point, double enamel) const {
         const double depth = depth_(point);
         if (!hasHollow()) return enamel - depth;
@@ -92,7 +94,7 @@ TriangleMesh dentinOf(const TriangleMesh& outer, const EnamelDepth& depth) {
         return depth.above(point, enamelAt(point.z(), crown, thickest));
     };
     const Box3 around(box.min().array() - 1, box.max().array() + 1);
-    // The enamel's edge at the neck is steep: a tenth of a millimetre up it is a quarter of one thick.
+    // The edge of the enamel at the neck is steep: 0.1 mm above it the thickness is 0.25 mm.
     return isosurface(field, around, {.cellSize = kDentinTriangles, .lipschitzBound = 4});
 }
 

@@ -9,8 +9,8 @@
 namespace tactooth {
 namespace {
 
-// Whole permanent teeth are 19 to 27 mm long on average (Wheeler); variation, children and a root tip that is missing
-// widen that. Crowns are 7 to 11 mm high and as wide.
+// Whole permanent teeth are 19 to 27 mm long on average (Wheeler); variation, children and a missing root tip widen
+// this range. Crowns are 7 to 11 mm high and as wide.
 struct Range {
     double low, high;  // mm
     [[nodiscard]] bool holds(double length) const { return low <= length && length <= high; }

@@ -20,9 +20,9 @@ namespace {
 
 constexpr std::array<double, 6> kTolerances = {0.001, 0.002, 0.005, 0.01, 0.02, 0.05};  // mm
 constexpr double kNewTriangles = 0.2;                                                   // mm
-constexpr double kGap = 0.05;  // mm: layers this far apart are one body when joined by distance
+constexpr double kGap = 0.05;  // mm: layers this far apart are one body when they are joined by distance
 
-/// Faces that two layers have in common: triangles with the same three corners, of which none is left.
+/// Removes faces that two layers have in common: triangles with the same three corners.
 void dropCommonFaces(TriangleMesh& mesh) {
     std::map<Triangle, int> uses;
     const auto sorted = [](Triangle triangle) {
@@ -47,7 +47,7 @@ std::optional<TriangleMesh> welded(const TriangleMesh& all, double tolerance, do
     if (mesh.empty()) return std::nullopt;
     TriangleMesh outer = connectedComponents(mesh).front();
     const MeshReport report = reportOn(outer);
-    // The layers' common faces are gone, so what the shell holds is all of them: 1 % allows for specks between them.
+    // The common faces are gone, so the shell encloses all layers: 1 % allows for small components between them.
     if (!report.watertight() || std::abs(report.signedVolume - volume) > 0.01 * volume) return std::nullopt;
     return outer;
 }

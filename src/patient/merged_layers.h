@@ -14,11 +14,10 @@ struct MergedLayers {
     ImportNote how;
 };
 
-/// Makes the outer surface of a tooth whose closed layers lie side by side and fit but nearly, as those from a CT do:
-/// vertices within a tolerance become one, faces that two layers have in common fall away, and what is left is the
-/// surface, with the triangles of the layers. Tolerances from 0.001 to 0.05 mm are tried in turn. Layers that lie
-/// within one another or do not fit that well are joined by their distances instead, with new triangles of 0.2 mm.
-/// Fails if that gives no closed surface either.
+/// Makes the outer surface of a tooth whose closed layers are adjacent and fit nearly, such as those from a CT. It
+/// welds vertices within a tolerance and removes faces that two layers have in common. What remains is the surface,
+/// with the triangles of the layers. It tries tolerances from 0.001 to 0.05 mm. Layers that are nested, or fit worse,
+/// are joined by their distances instead, with new triangles of 0.2 mm. Fails if that gives no closed surface either.
 [[nodiscard]] Expected<MergedLayers> mergeLayers(const std::vector<LayerMesh>& layers);
 
 }  // namespace tactooth

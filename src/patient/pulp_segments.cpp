@@ -15,22 +15,22 @@ namespace {
 constexpr double kGrid = 0.4;         // mm, within a section
 constexpr double kSectionStep = 0.5;  // mm
 constexpr double kWall = 0.5;         // mm of hard tissue around the pulp, at least
-constexpr double kLeastDepth = 0.65;  // mm: a place shallower than this has no room for a canal
-constexpr double kFloor = 2;          // mm that the chamber's floor lies above the place where roots part
+constexpr double kLeastDepth = 0.65;  // mm: a shallower point has no room for a canal
+constexpr double kFloor = 2;          // mm that the floor of the chamber is above the furcation
 constexpr double kApex = 0.7;         // mm from the root's tip to the end of the canal (apical constriction 0.5 to 1)
 
-// Parts of the inscribed circle that pulp fills: a chamber is some 30 % as wide as the neck, a canal starts with 25 %
-// and ends with 15 % of its root.
+// Shares of the inscribed circle that the pulp fills: a chamber is about 30 % as wide as the neck, a canal starts with
+// 25 % and ends with 15 % of its root.
 constexpr double kChamber = 0.3, kCanalTop = 0.25, kCanalEnd = 0.15;
 constexpr double kThinnest = 0.2;  // mm, radius
 
-/// A place where a section is deepest.
+/// A point where a section is deepest.
 struct Node {
     Vec3 middle;
     double depth;
-    int above;         // node of the section above that it hangs on; -1: none
-    int branches = 0;  // nodes that hang on it
-    double toBifurcation = std::numeric_limits<double>::infinity();  // mm down to where it parts
+    int above;                                                       // connected node of the section above; -1: none
+    int branches = 0;                                                // connected nodes below
+    double toBifurcation = std::numeric_limits<double>::infinity();  // mm down to its bifurcation
 };
 
 /// One section as a grid of depths.
@@ -46,7 +46,7 @@ public:
             depths_.size(), [&](std::size_t i) { depths_[i] = depth(place(i)); }, 64);
     }
 
-    /// The middle of each island deeper than kWall that is deep enough somewhere.
+    /// The centre of each region deeper than kWall that is deep enough somewhere.
     [[nodiscard]] std::vector<Node> nodes() const {
         DisjointSets islands(depths_.size());
         for (int row = 0; row < rows_; ++row) {
@@ -62,7 +62,7 @@ public:
         for (std::size_t i = 0; i < depths_.size(); ++i) {
             if (depths_[i] < kWall) continue;
             const std::uint32_t island = islands.find(static_cast<std::uint32_t>(i));
-            const double weight = std::pow(depths_[i], 4);  // the deepest places count, and neighbours smooth them
+            const double weight = std::pow(depths_[i], 4);  // the deepest points count, and neighbours smooth them
             weights[island] += weight;
             sums[island] += weight * place(i);
             deepest[island] = std::max(deepest[island], depths_[i]);
@@ -94,7 +94,7 @@ private:
 
 /// The node of the section above that is nearest to `node`; -1 if none is near.
 int nearestAbove(const Node& node, const std::vector<Node>& all, std::size_t begin, std::size_t end) {
-    constexpr double kReach = 6;  // mm: the middle of a wide molar's trunk may lie that far from a root's
+    constexpr double kReach = 6;  // mm: the centre of a wide molar's trunk may be that far from a root's
     int nearest = -1;
     double within = kReach;
     for (std::size_t i = begin; i < end; ++i) {
@@ -110,7 +110,7 @@ double radiusAt(const Node& node, double bottom) {
     return std::max(part * node.depth, kThinnest);
 }
 
-/// Lower nodes stand later: one way back finds how far each is from the next fork below.
+/// Lower nodes come later, so that one pass back finds the distance of each to the next bifurcation below.
 void findBifurcations(std::vector<Node>& nodes) {
     for (std::size_t i = nodes.size(); i-- > 0;) {
         if (nodes[i].branches > 1) nodes[i].toBifurcation = 0;
@@ -137,7 +137,8 @@ std::vector<PulpSegment> segmentsOf(const std::vector<Node>& nodes, double botto
 
 std::vector<PulpSegment> pulpSegments(const DepthField& depth, const Box3& box,
                                       const std::function<bool(double)>& progress) {
-    // The chamber's roof stands at about half of the crown's height: the uppermost limb's round end reaches that far.
+    // The roof of the chamber is at about half of the crown's height: the round end of the uppermost segment reaches
+    // it.
     const double top = 0.3 * box.max().z();
     const double bottom = box.min().z() + kApex;
     std::vector<Node> nodes;
@@ -147,7 +148,7 @@ std::vector<PulpSegment> pulpSegments(const DepthField& depth, const Box3& box,
         const std::size_t begin = nodes.size();
         for (Node node : Section(depth, box, z).nodes()) {
             node.above = nearestAbove(node, nodes, aboveBegin, begin);
-            if (node.above < 0 && begin > 0) continue;  // a bulge beside the tooth's own sections
+            if (node.above < 0 && begin > 0) continue;  // a bulge beside the main sections of the tooth
             if (node.above >= 0) ++nodes[node.above].branches;
             nodes.push_back(node);
         }

@@ -9,17 +9,17 @@
 
 namespace tactooth {
 
-/// A piece of the pulp: a cone with round ends.
+/// A part of the pulp: a cone with round ends.
 struct PulpSegment {
     Vec3 a, b;                ///< mm
     double radiusA, radiusB;  ///< mm
 };
 
-/// How deep a point lies below the tooth's surface, mm; negative outside.
+/// Depth of a point below the surface of the tooth, mm; negative outside.
 using DepthField = std::function<double(const Vec3&)>;
 
-/// The pulp's limbs in a tooth that stands crown up with its neck at z = 0 within `box`: a chamber, and a canal down
-/// each root, through the deepest places of the sections. Nothing if `progress` says stop (see LayerModel), or if the
+/// The segments of the pulp of a tooth with its crown up and its neck at z = 0, within `box`: a chamber, and a canal in
+/// each root, through the deepest points of the sections. Empty if `progress` returns false (see LayerModel), or if the
 /// tooth is too thin everywhere.
 [[nodiscard]] std::vector<PulpSegment> pulpSegments(const DepthField& depth, const Box3& box,
                                                     const std::function<bool(double)>& progress);

@@ -14,7 +14,7 @@ namespace {
 
 Vec3 middleOf(const TriangleMesh& mesh) { return boundingBox(mesh).center(); }
 
-/// Does the work on one scan; the remarks gather on the way.
+/// Examines one scan and collects the import notes.
 class Examination {
 public:
     Examination(const Scan& scan, const ImportOptions& options) : options_(options) {
@@ -26,7 +26,7 @@ public:
 
     Expected<ExaminedScan> run() && {
         if (result_.outer.empty() && result_.layers.empty()) return unexpected(result_.name + ": there is no surface.");
-        // Before the unit is guessed: a speck far away says nothing about the size of the tooth.
+        // Before the unit is guessed: a distant speck says nothing about the size of the tooth.
         for (LayerMesh& layer : result_.layers) mended_.push_back(mend(layer.mesh));
         if (!result_.outer.empty()) mended_.push_back(mend(result_.outer));
         takeUnit();
@@ -78,7 +78,7 @@ private:
     }
 
     /// `done` is in the file's unit, `now` in mm.
-    void tell(const RepairReport& done, const SolidReport& now, const std::string& what, std::size_t triangles) {
+    void addNotes(const RepairReport& done, const SolidReport& now, const std::string& what, std::size_t triangles) {
         const auto number = [](std::size_t count) { return std::to_string(count); };
         if (done.cracks.moved > 0) {
             importNote("%1: %2 corners that differ in their last digits were welded, within %3 mm.",
@@ -103,7 +103,7 @@ private:
         if (now.shells > 1) importNote("%1: consists of %2 separate shells.", {what, number(now.shells)});
     }
 
-    /// Why a surface that was mended is no solid: a sentence.
+    /// A sentence on why a repaired surface is not a solid.
     [[nodiscard]] std::string refusal(const RepairReport& done, const SolidReport& now, const std::string& what) const {
         const std::string& name = result_.name;
         const std::string edges = std::to_string(now.openEdges);
@@ -129,11 +129,11 @@ private:
         ExaminedSolid solid = examineSolid(std::move(mesh), {.dropsSpecks = dropsSpecks});
         if (!solid.report.isSolid()) return unexpected(refusal(done, solid.report, what));
         mesh = std::move(solid.mesh);
-        tell(done, solid.report, what, mesh.triangles.size());
+        addNotes(done, solid.report, what, mesh.triangles.size());
         return {};
     }
 
-    /// Toward the enamel, where it is known.
+    /// Direction to the enamel, if it is known.
     [[nodiscard]] std::optional<Vec3> crownHint() const {
         const auto of = [&](MaterialId id) {
             return std::ranges::find(result_.layers, id, [](const LayerMesh& layer) { return layer.material; });
@@ -141,7 +141,7 @@ private:
         const auto enamel = of(MaterialId::Enamel), dentin = of(MaterialId::Dentin);
         if (enamel == result_.layers.end() || dentin == result_.layers.end()) return std::nullopt;
         const Vec3 way = middleOf(enamel->mesh) - middleOf(dentin->mesh);
-        constexpr double kClear = 0.5;  // mm: enamel around all of the dentin tells nothing
+        constexpr double kClear = 0.5;  // mm: enamel around all of the dentin says nothing
         return way.norm() > kClear ? std::optional(way) : std::nullopt;
     }
 

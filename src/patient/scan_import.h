@@ -13,26 +13,27 @@
 
 namespace tactooth {
 
-/// Surfaces of one tooth as a scanner's program wrote them, in whatever unit and position.
+/// Surfaces of one tooth as a scanner's program wrote them, in any unit and position.
 struct Scan {
     std::string name;                          ///< for messages
     TriangleMesh outer;                        ///< empty: made from the layers
     std::vector<LayerMesh> layers;             ///< empty: modelled
-    std::vector<ImportNote> importNotes = {};  ///< on reading the files
+    std::vector<ImportNote> importNotes = {};  ///< from reading the files
 };
 
-/// Takes the layer of a material, or the outer surface where there is none. False if the scan has that surface already.
+/// Adds the layer of a material, or the outer surface if there is no material. False if the scan has that surface
+/// already.
 [[nodiscard]] bool addLayer(Scan& scan, const std::optional<MaterialId>& material, TriangleMesh mesh);
 
-/// What a person says about a scan; what is left open is guessed.
+/// Settings of the user for a scan; what is empty is guessed.
 struct ImportOptions {
     std::optional<double> mmPerUnit;
     FrameHints frame = {};
     HolesToFill holes = HolesToFill::Small;
-    bool modelsLayers = true;  ///< else a scan without layers is of one material
+    bool modelsLayers = true;  ///< false: a scan without layers is of one material
 };
 
-/// A scan in mm in the tooth's frame, mended.
+/// A scan in mm in the tooth frame, repaired.
 struct ExaminedScan {
     std::string name;
     TriangleMesh outer;
@@ -41,15 +42,15 @@ struct ExaminedScan {
     Pose toothInFile;  ///< the file's frame scaled to mm
     std::vector<ImportNote> importNotes;
     bool layersAreModelled = false;
-    bool enamelIsOuter = false;  ///< the enamel is what the other layers leave of the outer surface
+    bool enamelIsOuter = false;  ///< the enamel is the part of the outer surface that no other layer holds
 };
 
-/// Mends, scales and turns. Fails with one sentence, which begins with the scan's name, if the surfaces are empty or
-/// cannot be closed.
+/// Repairs, scales and rotates a scan. Fails with one sentence, which begins with the scan's name, if the surfaces are
+/// empty or cannot be closed.
 [[nodiscard]] Expected<ExaminedScan> examineScan(const Scan& scan, const ImportOptions& options);
 
-/// Gives a scan without layers those of a model (if `options` want that), takes what no layer holds as enamel, and
-/// looks whether it is a tooth that can be cut. Takes some seconds; fails with "stopped" when `progress` says stop.
+/// Adds a layer model to a scan without layers (if `options` want that), takes what no layer holds as enamel, and
+/// checks that the tooth can be cut. Takes some seconds; fails with "stopped" if `progress` returns false.
 [[nodiscard]] Expected<ExaminedScan> finishScan(ExaminedScan scan, const ImportOptions& options,
                                                 const Progress& progress = {});
 

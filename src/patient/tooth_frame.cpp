@@ -19,7 +19,7 @@ constexpr double kMinElongation = 1.15;  // a body that is longer than wide by l
 
 struct LongAxis {
     Vec3 middle;  ///< of the surface, mm
-    Vec3 axis;    ///< unit, either way
+    Vec3 axis;    ///< unit, of either sign
     bool isClear;
 };
 
@@ -47,7 +47,7 @@ double volumeImbalance(const TriangleMesh& mesh, const Quat& upright) {
     return std::accumulate(half, profile.areas.end(), 0.0) - std::accumulate(profile.areas.begin(), half, 0.0);
 }
 
-/// The turn of the file's frame that brings `crown` up and, of all of those, `buccal` to +y.
+/// The rotation of the file's frame that brings `crown` up and, among those, `buccal` closest to +y.
 Quat uprightRotation(const Vec3& crown, const Vec3& buccal) {
     const Vec3 x = buccal.cross(crown).normalized();
     Mat3 rows;
@@ -58,7 +58,7 @@ Quat uprightRotation(const Vec3& crown, const Vec3& buccal) {
 }
 
 struct Orientation {
-    Quat upright;  ///< turns the file's directions into the tooth's
+    Quat upright;  ///< rotates the file's directions into those of the tooth
     std::vector<ImportNote> why;
 };
 
@@ -85,7 +85,7 @@ Orientation orientationOf(const TriangleMesh& outer, const FrameHints& hints, co
     };
     const Vec3 crown = crownDirection(outer, hints, shape, orientation.why);
     const double tilt = std::acos(std::clamp(crown.z(), -1.0, 1.0));
-    constexpr double kClear = 0.2;  // sine of the angle to the long axis: a cheek nearer to it is none
+    constexpr double kClear = 0.2;  // sine of the angle to the long axis: a smaller one gives no buccal direction
     if (hints.buccal && hints.buccal->cross(crown).norm() > kClear * hints.buccal->norm()) {
         orientation.upright = uprightRotation(crown, *hints.buccal);
         add("The cheek's side is the one that looks away from the middle of the arch.");

@@ -9,7 +9,7 @@
 namespace tactooth {
 namespace {
 
-/// Adds the part of Green's integral that one triangle's cut at height z gives: half of x dy - y dx along the cut.
+/// Adds the contribution of one triangle's cut at height z to Green's integral: half of x dy - y dx along the cut.
 void addCut(const std::array<Vec3, 3>& corners, double z, double& area) {
     std::array<Vec3, 2> ends;
     int found = 0;
@@ -47,15 +47,16 @@ SectionProfile sectionProfile(const TriangleMesh& closed, int sections) {
 
 double neckHeight(const SectionProfile& profile) {
     const auto widest = std::ranges::max_element(profile.areas);
-    // Roots end in tips. A crown without them stands on a section that is nearly as wide as its widest.
+    // Roots end in tips. The bottom section of a crown without roots is nearly as wide as its widest one.
     constexpr double kTip = 0.3, kNearBottom = 0.05;
     const auto nearBottom = static_cast<std::size_t>(kNearBottom * static_cast<double>(profile.areas.size()));
     if (profile.areas[nearBottom] > kTip * *widest) return profile.bottom;
-    // The root just below the neck has some 55 to 70 % of the crown's widest section (Wheeler's diameters).
+    // The section of the root just below the neck has about 55 to 70 % of the crown's widest section (Wheeler's
+    // diameters).
     constexpr double kNeckShare = 0.7;
     auto at = widest - profile.areas.begin();
     while (at > 0 && profile.areas[static_cast<std::size_t>(at)] >= kNeckShare * *widest) --at;
-    // Crowns are 30 to 45 % of a tooth (Wheeler): a neck found beyond that is a fork of the roots, or a bulge.
+    // Crowns are 30 to 45 % of a tooth (Wheeler): a neck beyond that is a furcation or a bulge.
     constexpr double kLowest = 0.52, kHighest = 0.75;
     const double height = profile.step * static_cast<double>(profile.areas.size());
     return profile.bottom +

@@ -7,6 +7,7 @@
 
 #include "collision/contact_oracle.h"
 #include "collision/proxy/proxy_solver.h"
+#include "geometry/util/fnv1a.h"
 #include "support/heap_counter.h"
 #include "support/sanitizer.h"
 #include "support/shapes.h"
@@ -83,10 +84,6 @@ Pose nextGoal(const Pose& hand, Dice& dice) {
     return next;
 }
 
-std::uint64_t mixed(std::uint64_t hash, double value) {
-    return (hash ^ std::bit_cast<std::uint64_t>(value)) * 0x100000001B3ULL;
-}
-
 /// Walks and returns a hash of every pose (FNV-1a by 64-bit words).
 std::uint64_t walk(int ticks, long& allocated, int& held) {
     ProxySolver body(test::toolOf(ball()));
@@ -94,17 +91,18 @@ std::uint64_t walk(int ticks, long& allocated, int& held) {
     Dice dice;
     Pose hand{Vec3(0, 0, 1), Quat::Identity()};
     body.placeAt(hand);
-    std::uint64_t hash = 0xCBF29CE484222325ULL;
+    Fnv1a hash;
+    const auto add = [&](double value) { hash.addWord(std::bit_cast<std::uint64_t>(value)); };
     const long before = test::heapCalls();
     for (int tick = 0; tick < ticks; ++tick) {
         hand = nextGoal(hand, dice);
         const MoveResult result = body.moveToward(hand);
         held += result.contactCount > 0 ? 1 : 0;
-        for (int axis = 0; axis < 3; ++axis) hash = mixed(hash, body.pose().position[axis]);
-        for (int i = 0; i < 4; ++i) hash = mixed(hash, body.pose().rotation.coeffs()[i]);
+        for (int axis = 0; axis < 3; ++axis) add(body.pose().position[axis]);
+        for (int i = 0; i < 4; ++i) add(body.pose().rotation.coeffs()[i]);
     }
     allocated = test::heapCalls() - before;
-    return hash;
+    return hash.value();
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ inline double uniform(Random& random, double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random);
 }
 
-/// Corners around the middle, each as far from it as chance has it: simple, and hardly ever convex.
+/// Corners around the middle at random distances: simple, and hardly ever convex.
 inline Outline star(Random& random) {
     Outline outline;
     const int corners = std::uniform_int_distribution<int>(4, 40)(random);
@@ -29,7 +29,7 @@ inline Outline star(Random& random) {
     return outline;
 }
 
-/// Teeth on a bar, as in a letter E, with corners on the straight edges too.
+/// Teeth on a bar, like a letter E, also with corners on straight edges.
 inline Outline comb(Random& random) {
     const int teeth = std::uniform_int_distribution<int>(2, 9)(random);
     Outline outline = {{0, 0}, {2.0 * teeth - 1, 0}};
@@ -54,7 +54,7 @@ inline Outline spiral(Random& random) {
     return outer;
 }
 
-/// A square with square holes in a row, each reached over a bridge of two edges on each other.
+/// A square with square holes in a row, each connected by two coincident edges.
 inline Outline keyholes(Random& random) {
     const int holes = std::uniform_int_distribution<int>(1, 4)(random);
     Outline outline = {{0, 0}};
@@ -69,7 +69,7 @@ inline Outline keyholes(Random& random) {
     return outline;
 }
 
-/// Every edge has more corners on it, and some corners are doubled.
+/// A star with more corners on every edge, and with duplicate corners.
 inline Outline dividedStar(Random& random) {
     const Outline corners = star(random);
     Outline outline;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// Every surface of the collection of real teeth against what its description says, counted there by other programs.
+// Every surface of the collection of real teeth against its description, which other programs have measured.
 #include <gtest/gtest.h>
 
 #include "geometry/io/mesh_file.h"

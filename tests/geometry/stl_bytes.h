@@ -12,7 +12,7 @@
 
 namespace tactooth::test {
 
-/// A binary STL put together independently of the program's own writer, so that each field can be wrong.
+/// A binary STL that is made independently of the program's writer, so that each field can be wrong.
 inline std::string binaryStl(std::string header, std::uint32_t announced,
                              const std::vector<std::array<float, 9>>& triangles) {
     header.resize(80, ' ');
@@ -32,7 +32,7 @@ inline const std::vector<std::array<float, 9>> kTetrahedron = {{{0, 0, 0, 0, 1, 
                                                                {{0, 0, 0, 0, 0, 1, 0, 1, 0}},
                                                                {{1, 0, 0, 0, 1, 0, 0, 0, 1}}};
 
-/// Every coordinate of every triangle in order: what must survive writing and reading.
+/// Every coordinate of every triangle in order: what writing and reading must preserve.
 inline std::vector<std::uint32_t> coordinateBits(const TriangleMesh& mesh) {
     std::vector<std::uint32_t> bits;
     for (const Triangle& triangle : mesh.triangles) {

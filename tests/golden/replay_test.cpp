@@ -9,6 +9,7 @@
 #include <string>
 
 #include "devices/scripted_device.h"
+#include "geometry/util/fnv1a.h"
 #include "instruments/builtin_tooth.h"
 #include "instruments/bur_shape.h"
 #include "session/scripts/cut_run.h"
@@ -25,20 +26,18 @@ constexpr std::uint32_t kCutButton = 2;
 /// FNV-1a, 64 bit, over the bits of doubles.
 class Fingerprint {
 public:
-    void add(std::uint64_t value) {
-        for (int byte = 0; byte < 8; ++byte) hash_ = (hash_ ^ (value >> (8 * byte) & 0xFF)) * 0x100000001b3ULL;
-    }
-    void add(double value) { add(std::bit_cast<std::uint64_t>(value)); }
+    void add(double value) { hash_.addBytesOf(std::bit_cast<std::uint64_t>(value)); }
     void add(const Vec3& v) {
         for (const double component : {v.x(), v.y(), v.z()}) add(component);
     }
     void add(const Quat& q) {
         for (const double component : {q.w(), q.x(), q.y(), q.z()}) add(component);
     }
-    [[nodiscard]] std::uint64_t value() const { return hash_; }
+    void add(std::uint64_t value) { hash_.addBytesOf(value); }
+    [[nodiscard]] std::uint64_t value() const { return hash_.value(); }
 
 private:
-    std::uint64_t hash_ = 0xcbf29ce484222325ULL;
+    Fnv1a hash_;
 };
 
 /// What a replay has come to.

@@ -11,15 +11,15 @@
 
 namespace tactooth::test {
 
-/// Numbers that break arithmetic, in turn with ordinary ones; the same ones for the same seed.
+/// Numbers that break arithmetic, mixed with ordinary ones; the same seed gives the same numbers.
 class Adversary {
 public:
     explicit Adversary(std::uint64_t seed) : random_(seed) {}
 
     [[nodiscard]] bool oneIn(unsigned n) { return random_() % n == 0; }
-    /// Even, -1..1.
+    /// Uniform in -1..1.
     [[nodiscard]] double part() { return part_(random_); }
-    /// One in twelve is infinite, no number, or the like; another one of any size; the others are below 5.
+    /// One in twelve is infinite, NaN or similar; another one has any size; the others are below 5.
     [[nodiscard]] double number() {
         switch (random_() % 12) {
             case 0:
@@ -31,7 +31,7 @@ public:
         }
     }
     [[nodiscard]] Vec3 vector() { return {number(), number(), number()}; }
-    /// A time between two ticks that a clock should never tell, or only just may, s.
+    /// A time between two ticks that a clock should never give, or just may give, s.
     [[nodiscard]] double oddTime() { return kOddTimes[random_() % std::size(kOddTimes)]; }
 
 private:

@@ -30,14 +30,14 @@ HapticSimulation simulationOn(std::shared_ptr<const Surface> surface, ContactMod
     return {std::make_shared<const ToolShape>(bur.surface), bur.spec.headDiameter / 2, std::move(surface), settings};
 }
 
-/// A hand that circles over the block and presses into it, lifting off now and then.
+/// A device that circles over the block and presses into it, and lifts off now and then.
 OperatorInput circling(int step, bool cuts) {
     const double angle = 0.002 * step;
     const Vec3 tip(1.5 * std::cos(angle), 1.5 * std::sin(angle), 0.1 - 0.3 * std::sin(0.01 * step));
     return {{tip, Quat(Eigen::AngleAxisd(0.3 * std::sin(angle), Vec3::UnitX()))}, 1, cuts};
 }
 
-/// The surfaces that arise while a slot is cut around the circle of the hand.
+/// The surfaces of a slot that is being cut along the circle of the device.
 Surfaces slotInTheMaking(int stages) {
     auto tooth = LayeredTooth::make(test::box(Vec3(-3, -3, -2), Vec3(3, 3, 0)), {}, MaterialId::Dentin);
     CutVolume volume(std::make_shared<const LayeredTooth>(std::move(*tooth)), 0.05);

@@ -18,7 +18,7 @@ ContactPoint heldBy(MaterialId material, double depth, const Vec3& point = Vec3:
     return {point, Vec3::UnitZ(), depth, material};
 }
 
-/// The hand is `depth` below a horizontal plane and moves at `velocity`.
+/// The device is `depth` below a horizontal plane and moves at `velocity`.
 Wrench onPlane(ContactForce& law, double depth, const Vec3& velocity, double travel = 0,
                MaterialId material = MaterialId::Enamel, const Vec3& place = Vec3::Zero()) {
     const ContactPoint held = heldBy(material, depth);
@@ -65,11 +65,11 @@ TEST(ContactForce, FrictionOpposesSlidingAndStaysBelowTheCone) {
     }
 }
 
-TEST(ContactForce, FrictionGrowsWithTheWayFromRestToTheCone) {
+TEST(ContactForce, FrictionGrowsWithTheDisplacementUpToTheCone) {
     ContactForce law;
     EXPECT_EQ(onPlane(law, 0.3, Vec3::Zero()).force.x(), 0);
     const double full = kEnamel.friction * kEnamel.stiffness * 0.3;
-    const double cone = kEnamel.friction * 0.3;  // mm, at the spring's own stiffness
+    const double cone = kEnamel.friction * 0.3;  // mm, at the stiffness of the spring
     const auto at = [&](double x) { return onPlane(law, 0.3, Vec3::Zero(), 0, MaterialId::Enamel, Vec3(x, 0, 0)); };
     EXPECT_NEAR(at(cone / 2).force.x(), -full / 2, 1e-12);
     EXPECT_NEAR(at(cone / 2).force.x(), -full / 2, 1e-12) << "a hand that stops is held";
@@ -78,7 +78,7 @@ TEST(ContactForce, FrictionGrowsWithTheWayFromRestToTheCone) {
     EXPECT_NEAR(at(5 - cone).force.x(), 0, 1e-12) << "on the way back first what was drawn is let go";
 }
 
-TEST(ContactForce, ATurningRimSlidesOnItsOwnWay) {
+TEST(ContactForce, ATurningRimReleasesFriction) {
     ContactForce law;
     const ContactPoint held = heldBy(MaterialId::Enamel, 0.3);
     ContactState contact{Vec3(0, 0, -0.3), Vec3(0, 0, 0.3), Vec3::Zero(), 0, {&held, 1}};
@@ -95,7 +95,7 @@ TEST(ContactForce, WithoutContactThereIsNoForce) {
     EXPECT_EQ(law.normalForce(), 0);
 }
 
-TEST(ContactForce, AcrossABorderTheFeelFollowsTheWayNotTheTicks) {
+TEST(ContactForce, AcrossABorderTheMaterialBlendsByTravelAndNotByTicks) {
     ContactForce fine;
     ContactForce coarse;
     pushOn(fine, 0, MaterialId::Enamel);
@@ -107,27 +107,27 @@ TEST(ContactForce, AcrossABorderTheFeelFollowsTheWayNotTheTicks) {
     EXPECT_NEAR(left, std::exp(-3), 1e-12);
 }
 
-TEST(ContactForce, AStillToolKeepsTheFeelItHas) {
+TEST(ContactForce, AToolAtRestKeepsItsMaterial) {
     ContactForce law;
     const double before = pushOn(law, 0, MaterialId::Enamel);
     EXPECT_EQ(pushOn(law, 0, MaterialId::Caries), before);
 }
 
-TEST(ContactForce, ATouchBeginsWithItsOwnMaterialAndForgetsTheLast) {
+TEST(ContactForce, ANewContactStartsWithItsOwnMaterial) {
     ContactForce law;
     pushOn(law, 0, MaterialId::Enamel);
     onPlane(law, 0, Vec3::Zero());
     EXPECT_DOUBLE_EQ(pushOn(law, 0, MaterialId::Dentin), kDentin.stiffness * 0.1);
 }
 
-TEST(ContactForce, TwoMaterialsShareByWhatEachHolds) {
+TEST(ContactForce, TwoMaterialsAreWeightedByTheirShares) {
     ContactForce law;
     const std::array held = {heldBy(MaterialId::Enamel, 0.3), heldBy(MaterialId::Dentin, 0.1)};
     const Wrench wrench = law.at({Vec3(0, 0, -0.4), Vec3(0, 0, 0.4), Vec3::Zero(), 0, held}, kMaterials);
     EXPECT_NEAR(wrench.force.z(), 0.4 * (0.75 * kEnamel.stiffness + 0.25 * kDentin.stiffness), 1e-12);
 }
 
-TEST(ContactForce, AContactThatJustTouchesHasAMaterialToo) {
+TEST(ContactForce, AContactWithoutDepthHasAMaterial) {
     ContactForce law;
     const ContactPoint held = heldBy(MaterialId::Dentin, 0);
     const Wrench wrench = law.at({Vec3::Zero(), Vec3(0, 0, 1e-9), Vec3::Zero(), 0, {&held, 1}}, kMaterials);
@@ -135,7 +135,7 @@ TEST(ContactForce, AContactThatJustTouchesHasAMaterialToo) {
     EXPECT_TRUE(wrench.torque.allFinite());
 }
 
-TEST(ContactForce, OverridesHoldAtOnceAndTheScaleIsOfTheWhole) {
+TEST(ContactForce, OverridesHoldAtOnceAndTheScaleMultipliesTheWholeForce) {
     ContactForce law;
     pushOn(law, 0, MaterialId::Enamel);
     law.setOverrides({.stiffness = 3.0, .damping = 0.5, .friction = 0.0});
@@ -158,7 +158,7 @@ TEST(ContactForce, AnOffCentreContactTurnsTheTool) {
     EXPECT_GT(wrench.torque.norm(), 0.05);
 }
 
-TEST(ContactForce, AHandThatTurnsIntoAContactIsDampedAsOneThatMovesIntoIt) {
+TEST(ContactForce, ARotationIntoAContactIsDampedLikeATranslation) {
     const Vec3 tip(3, 4, 5);
     const ContactPoint held = heldBy(MaterialId::Enamel, 0.2, tip + Vec3(2, 0, 0.2));
     const Vec3 offset(0, 0, 0.2);
@@ -179,7 +179,7 @@ TEST(ContactForce, EqualContactsOnBothSidesDoNotTurnTheTool) {
     EXPECT_DOUBLE_EQ(wrench.force.z(), 0.2 * kEnamel.stiffness);
 }
 
-TEST(ContactForce, NeverStepsByMoreThanATwentiethOfANewtonAMillisecondAtABorder) {
+TEST(ContactForce, ChangesByAtMost50MillinewtonAMillisecondAtABorder) {
     constexpr double kTick = 0.001;
     for (const double depth : {0.1, 1.0, 3.0}) {
         for (const double travel : {0.001, 0.01, 0.1}) {
@@ -202,7 +202,7 @@ TEST(ContactForce, NeverStepsByMoreThanATwentiethOfANewtonAMillisecondAtABorder)
     }
 }
 
-TEST(ContactForce, WhatIsNoNumberIsHandedOnAndForgotten) {
+TEST(ContactForce, ReturnsNaNAndResetsItsMemory) {
     const double bad = std::nan("");
     for (int what = 0; what < 4; ++what) {
         ContactForce law;

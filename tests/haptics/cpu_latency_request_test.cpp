@@ -13,17 +13,17 @@ namespace fs = std::filesystem;
 
 constexpr const char* kRequests = "/dev/cpu_dma_latency";
 
-/// How many requests this program has open.
+/// Number of requests that this program has open.
 int requests() {
     int count = 0;
     for (const auto& file : fs::directory_iterator("/proc/self/fd")) {
-        std::error_code gone;  // the folder's own
+        std::error_code gone;  // for the descriptor of the folder itself
         count += fs::read_symlink(file.path(), gone) == kRequests ? 1 : 0;
     }
     return count;
 }
 
-TEST(CpuLatencyRequest, IsAskedForAsLongAsItLives) {
+TEST(CpuLatencyRequest, IsOpenWhileTheObjectLives) {
     ASSERT_EQ(requests(), 0);
     {
         const CpuLatencyRequest one;

@@ -18,7 +18,7 @@ CuttingContact cutting(double normalForce, double speedRpm = kTurbine, const Vec
     return {normal, Vec3::UnitZ(), normalForce, speedRpm, kTurbine};
 }
 
-/// Long enough for the bite to have come.
+/// Forces after the engagement is complete.
 std::vector<Vec3> settled(const CuttingContact& contact, int ticks = 1000) {
     CuttingForce law;
     for (int i = 0; i < 500; ++i) (void)law.at(contact, kTick);
@@ -34,7 +34,7 @@ Vec3 meanOf(const std::vector<Vec3>& forces) {
 }
 
 TEST(CuttingForce, PullsByHalfTheNormalForceAgainstTheRotation) {
-    // Clockwise seen from the shaft (+z): the rim at -x, where the tooth is, goes toward +y.
+    // Clockwise seen from the shaft (+z): the rim at -x, where the tooth is, moves toward +y.
     const Vec3 mean = meanOf(settled(cutting(2)));
     EXPECT_NEAR(mean.y(), -1.0, 1e-3);
     EXPECT_NEAR(mean.x(), 0, 1e-3);
@@ -45,12 +45,12 @@ TEST(CuttingForce, DoesNotPullABurThatCutsWithItsEnd) {
     EXPECT_NEAR(meanOf(settled(cutting(2, kTurbine, Vec3::UnitZ()))).norm(), 0, 1e-3);
 }
 
-TEST(CuttingForce, IsNothingForAStillBurAndInTheAir) {
+TEST(CuttingForce, IsZeroForABurAtRestAndInTheAir) {
     for (const Vec3& force : settled(cutting(2, 0))) ASSERT_EQ(force.norm(), 0);
     for (const Vec3& force : settled(cutting(0))) ASSERT_EQ(force.norm(), 0);
 }
 
-TEST(CuttingForce, ShakesAtTwoHundredAndFiftyHertzAtMost) {
+TEST(CuttingForce, VibratesAtMostWith250Hertz) {
     const double frequency = CuttingForce::vibrationFrequency(kTurbine, kTurbine);
     EXPECT_EQ(frequency, 5000.0 / 32);
     for (double free = 300; free < 500'000; free *= 1.07) {
@@ -61,7 +61,7 @@ TEST(CuttingForce, ShakesAtTwoHundredAndFiftyHertzAtMost) {
     EXPECT_DOUBLE_EQ(CuttingForce::vibrationFrequency(10'000, 10'000), 10'000 / 60.0);
 }
 
-TEST(CuttingForce, ShakesAtOneFrequencyByFourHundredthsOfTheNormalForce) {
+TEST(CuttingForce, VibratesAtOneFrequencyWithFourPercentOfTheNormalForce) {
     const std::vector<Vec3> forces = settled(cutting(1));
     const Vec3 mean = meanOf(forces);
     double power = 0;    // of the shaking, N^2
@@ -80,7 +80,7 @@ TEST(CuttingForce, ShakesAtOneFrequencyByFourHundredthsOfTheNormalForce) {
     EXPECT_GT(atPitch, 0.99 * power);
 }
 
-TEST(CuttingForce, ComesAndGoesWithoutAStep) {
+TEST(CuttingForce, StartsAndEndsWithoutAStep) {
     CuttingForce law;
     Vec3 last = Vec3::Zero();
     const double ofVibration = 0.04 * 2 * std::sin(std::numbers::pi * kTick * 5000 / 32);  // from tick to tick, N

@@ -18,7 +18,7 @@ Vec3 pull(DryFriction& friction, const Vec3& hand, double rimTravel = 0) {
     return friction.at(hand, kUp, kStiffness, kMost, rimTravel);
 }
 
-TEST(DryFriction, ClingsLikeASpringAndThenDrags) {
+TEST(DryFriction, SticksLikeASpringAndThenSlides) {
     DryFriction friction;
     EXPECT_EQ(pull(friction, Vec3(3, 4, 5)), Vec3::Zero());
     EXPECT_TRUE(pull(friction, Vec3(3.1, 4, 5)).isApprox(Vec3(-0.05, 0, 0), 1e-12));
@@ -48,8 +48,8 @@ TEST(DryFriction, ActsAcrossTheNormalAlone) {
     EXPECT_LT(slid, 9'900);
 }
 
-/// A hand that trembles, read in the steps of an encoder: what comes out was put in before.
-TEST(DryFriction, GivesBackNoMoreThanItTook) {
+/// A trembling hand, measured in encoder steps: no more work comes out than went in.
+TEST(DryFriction, ReturnsNoMoreWorkThanItTook) {
     constexpr double kStep = 0.023;  // mm
     DryFriction friction;
     std::mt19937 random(7);
@@ -59,8 +59,8 @@ TEST(DryFriction, GivesBackNoMoreThanItTook) {
     for (int i = 0; i < 100'000; ++i) {
         const Vec3 before = hand;
         if (random() % 8 == 0) hand[random() % 2] += random() % 2 == 0 ? kStep : -kStep;
-        // The force of the tick before is held until this one: half a step's leak, which the device's own friction
-        // eats.
+        // The force of the tick before is held until this one: half a step leaks, and the device's own friction removes
+        // it.
         work -= 0.5 * (force.dot(hand - before));
         force = pull(friction, hand);
         work -= 0.5 * (force.dot(hand - before));
@@ -69,7 +69,7 @@ TEST(DryFriction, GivesBackNoMoreThanItTook) {
     EXPECT_GT(work, 1) << "it was dragged about";
 }
 
-TEST(DryFriction, ATurningRimTearsItOff) {
+TEST(DryFriction, ATurningRimReleasesIt) {
     DryFriction friction;
     (void)pull(friction, Vec3::Zero());
     (void)pull(friction, Vec3(0.2, 0, 0));
@@ -78,14 +78,14 @@ TEST(DryFriction, ATurningRimTearsItOff) {
     EXPECT_LT(pull(friction, Vec3(0.4, 0, 0), 20).norm(), 1e-12);
 }
 
-TEST(DryFriction, WithoutAPushNothingClings) {
+TEST(DryFriction, IsZeroWithoutNormalForce) {
     DryFriction friction;
     (void)pull(friction, Vec3::Zero());
     EXPECT_EQ(friction.at(Vec3(1, 0, 0), kUp, kStiffness, 0, 0), Vec3::Zero());
     EXPECT_EQ(friction.at(Vec3(2, 0, 0), kUp, 0, kMost, 0), Vec3::Zero());
 }
 
-TEST(DryFriction, ANewTouchBeginsWhereTheHandIs) {
+TEST(DryFriction, ANewContactStartsWithoutDeflection) {
     DryFriction friction;
     (void)pull(friction, Vec3::Zero());
     friction.reset();

@@ -13,16 +13,16 @@ constexpr double kTick = 0.001;
 
 Pose at(const Vec3& position) { return {position, Quat::Identity()}; }
 
-TEST(FeedRateLimiter, TakesAsLongOverANewRoomAsItsCutDid) {
+TEST(FeedRateLimiter, MovesAtTheRateOfTheCut) {
     FeedRateLimiter pace;
     for (int i = 0; i < 10; ++i) pace.pass(kTick);
     pace.allow(0.1);
     const Pose goal = pace.goal(at(Vec3(0, 0, -0.4)), at(Vec3::Zero()), Vec3::Zero(), kTick);
-    EXPECT_NEAR(goal.position.z(), -0.011, 1e-12);  // a tenth of the room and a little
+    EXPECT_NEAR(goal.position.z(), -0.011, 1e-12);  // a tenth of the distance, and a little more
     EXPECT_EQ(goal.position.head<2>().norm(), 0);
 }
 
-TEST(FeedRateLimiter, NeverGoesBeyondTheHand) {
+TEST(FeedRateLimiter, NeverGoesBeyondTheDevice) {
     FeedRateLimiter pace;
     pace.pass(kTick);
     pace.allow(1);
@@ -31,7 +31,7 @@ TEST(FeedRateLimiter, NeverGoesBeyondTheHand) {
     EXPECT_EQ(pace.goal(hand, hand, Vec3::Zero(), kTick).position, hand.position);
 }
 
-TEST(FeedRateLimiter, FollowsTheHandAcrossAndTurnsWithIt) {
+TEST(FeedRateLimiter, FollowsTheDeviceAcrossAndRotatesWithIt) {
     const FeedRateLimiter pace;
     const Pose hand{Vec3(0.02, 0, -0.4), Quat(Eigen::AngleAxisd(0.1, Vec3::UnitX()))};
     const Pose goal = pace.goal(hand, at(Vec3(0.015, 0, 0)), Vec3(0.005, 0, 0), kTick);
@@ -39,7 +39,7 @@ TEST(FeedRateLimiter, FollowsTheHandAcrossAndTurnsWithIt) {
     EXPECT_EQ(goal.rotation.coeffs(), hand.rotation.coeffs());
 }
 
-TEST(FeedRateLimiter, LooksToWhereTheHandWasWhenTheBurStoodHere) {
+TEST(FeedRateLimiter, AimsAtThePositionOfTheDeviceBeforeTheTick) {
     const FeedRateLimiter pace;
     const Vec3 bur(0.01, 0, 0);
     const Vec3 before(0.04, 0, -0.4);
@@ -49,7 +49,7 @@ TEST(FeedRateLimiter, LooksToWhereTheHandWasWhenTheBurStoodHere) {
     EXPECT_LT((displacement - displacement.dot(inward) * inward).norm(), 1e-12);
 }
 
-TEST(FeedRateLimiter, MakesUpForTheWayThatALateTickHasLeft) {
+TEST(FeedRateLimiter, AddsTheDistanceThatALateTickHasLeft) {
     FeedRateLimiter pace;
     for (int i = 0; i < 5; ++i) pace.pass(kTick);
     pace.allow(0.05);
@@ -58,19 +58,19 @@ TEST(FeedRateLimiter, MakesUpForTheWayThatALateTickHasLeft) {
     };
     pace.carryOver(0.004);
     EXPECT_NEAR(step(), 0.011 + 0.004, 1e-12);
-    pace.carryOver(0.3);  // no leap to the hand
+    pace.carryOver(0.3);  // no jump to the device
     EXPECT_NEAR(step(), 0.011 + 0.01, 1e-12);
     pace.carryOver(0);
     EXPECT_NEAR(step(), 0.011, 1e-12);
 }
 
-TEST(FeedRateLimiter, IsNoSlowerThanTheHand) {
+TEST(FeedRateLimiter, IsNotSlowerThanTheDevice) {
     const FeedRateLimiter pace;
     const Pose goal = pace.goal(at(Vec3(0, 0, -0.4)), at(Vec3::Zero()), Vec3(0, 0, -0.01), kTick);
     EXPECT_NEAR(goal.position.z(), -0.01, 1e-12);
 }
 
-TEST(FeedRateLimiter, CatchesUpWhereItHangsBackByMillimetres) {
+TEST(FeedRateLimiter, CatchesUpWhereItLagsByMillimetres) {
     const FeedRateLimiter pace;
     double z = 0;
     double last = 0;
@@ -85,7 +85,7 @@ TEST(FeedRateLimiter, CatchesUpWhereItHangsBackByMillimetres) {
     EXPECT_LT(z, -2.8);  // all but a twentieth of the 3 mm beyond the usual lag, and half of a millimetre
 }
 
-TEST(FeedRateLimiter, CountsALongPauseAsAnewCut) {
+TEST(FeedRateLimiter, ALongPauseStartsANewCut) {
     FeedRateLimiter pace;
     pace.pass(60);
     pace.allow(0.03);

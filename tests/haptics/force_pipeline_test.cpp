@@ -14,7 +14,7 @@ namespace tactooth {
 namespace {
 
 constexpr double kTick = 0.001;
-constexpr double kStep = 0.3;  // N: the most that a force changes in a tick
+constexpr double kStep = 0.3;  // N: the largest change of a force in a tick
 constexpr double kRounding = 1e-9;
 const double kNan = std::nan("");
 
@@ -26,7 +26,7 @@ ForceLimits touchLimits() {
 
 ForceCommand inAir() { return {}; }
 
-/// A hand at rest that a spring of 1 N/mm pushes along `way`.
+/// A hand at rest with the force of a spring of 1 N/mm.
 ForceCommand pushed(const Vec3& force) {
     ForceCommand wanted;
     wanted.wrench.force = force;
@@ -38,7 +38,7 @@ ForceCommand pushed(const Vec3& force) {
 
 ForceCommand pushed(double newton) { return pushed(Vec3(0, 0, newton)); }
 
-/// A pipeline that has been on in the air for a second: at full strength.
+/// A pipeline that has been enabled in free space for a second: at full strength.
 ForcePipeline ready(const ForceLimits& limits = touchLimits()) {
     ForcePipeline pipeline(limits);
     for (int i = 0; i < 1000; ++i) (void)pipeline.pass(inAir(), kTick);
@@ -51,14 +51,14 @@ double settled(ForcePipeline& pipeline, const ForceCommand& wanted, int ticks = 
     return force;
 }
 
-TEST(ForcePipeline, AHandThatRestsFeelsWhatIsWanted) {
+TEST(ForcePipeline, AHandAtRestGetsTheWholeForce) {
     ForcePipeline pipeline = ready();
     EXPECT_NEAR(settled(pipeline, pushed(1.2)), 1.2, kRounding);
     EXPECT_EQ(pipeline.state(), ForceState::On);
     EXPECT_EQ(pipeline.faults(), 0U);
 }
 
-TEST(ForcePipeline, StartingInsideTheToothGivesNothingUntilTheToolWasFree) {
+TEST(ForcePipeline, AStartInsideTheToothGivesZeroUntilTheToolWasInFreeSpace) {
     ForcePipeline pipeline(touchLimits());
     EXPECT_EQ(settled(pipeline, pushed(2), 3000), 0);
     EXPECT_EQ(pipeline.state(), ForceState::AwaitsFreeSpace);
@@ -67,7 +67,7 @@ TEST(ForcePipeline, StartingInsideTheToothGivesNothingUntilTheToolWasFree) {
     EXPECT_EQ(pipeline.state(), ForceState::On);
 }
 
-TEST(ForcePipeline, SwitchingOffMidPressFadesOutAndOnAgainWaitsUntilFree) {
+TEST(ForcePipeline, SwitchingOffFadesOutAndSwitchingOnWaitsForFreeSpace) {
     ForcePipeline pipeline = ready();
     double last = settled(pipeline, pushed(2));
     ForceCommand off = pushed(2);
@@ -91,7 +91,7 @@ TEST(ForcePipeline, SwitchingOffMidPressFadesOutAndOnAgainWaitsUntilFree) {
     EXPECT_NEAR(last, 2, kRounding);
 }
 
-TEST(ForcePipeline, ALostDeviceOrAHandThatIsNoNumberGivesNothingInTheSameTick) {
+TEST(ForcePipeline, ALostDeviceOrAFaultyInputGivesZeroInTheSameTick) {
     std::vector<ForceCommand> broken(13, pushed(2));
     broken[0].connected = false;
     broken[1].hand.y() = kNan;
@@ -120,7 +120,7 @@ TEST(ForcePipeline, ALostDeviceOrAHandThatIsNoNumberGivesNothingInTheSameTick) {
     }
 }
 
-TEST(ForcePipeline, AHandThatJumpsIsAFault) {
+TEST(ForcePipeline, AJumpIsAFault) {
     for (const double jump : {12.0, 50.0, 1e300, std::numeric_limits<double>::infinity()}) {
         ForcePipeline pipeline = ready();
         settled(pipeline, pushed(2));
@@ -132,10 +132,10 @@ TEST(ForcePipeline, AHandThatJumpsIsAFault) {
     }
 }
 
-TEST(ForcePipeline, AQuickHandGetsNoMorePowerThanTheDeviceMayGive) {
+TEST(ForcePipeline, AFastHandGetsNoMoreThanThePowerLimit) {
     ForcePipeline pipeline = ready();
     ForceCommand wanted = pushed(3.3);
-    wanted.driveForce = wanted.wrench.force;  // which no controller of energy damps
+    wanted.driveForce = wanted.wrench.force;  // which the passivity controller does not damp
     for (int i = 0; i < 200; ++i) {
         wanted.hand.x() += 0.005 * i;  // up to 1 m/s
         const double force = pipeline.pass(wanted, kTick).force().norm();
@@ -145,7 +145,7 @@ TEST(ForcePipeline, AQuickHandGetsNoMorePowerThanTheDeviceMayGive) {
     }
 }
 
-TEST(ForcePipeline, AHandThatIsBackGetsItsForceWithTheRamp) {
+TEST(ForcePipeline, AfterAFaultTheForceComesBackWithTheRamp) {
     ForcePipeline pipeline = ready();
     settled(pipeline, pushed(2));
     ForceCommand aside = pushed(2);
@@ -169,7 +169,7 @@ TEST(ForcePipeline, AHandThatIsBackGetsItsForceWithTheRamp) {
     EXPECT_NEAR(last, 2, kRounding);
 }
 
-TEST(ForcePipeline, TheQuickestHandIsNoFault) {
+TEST(ForcePipeline, TheFastestHandIsNotAFault) {
     ForcePipeline pipeline = ready();
     ForceCommand wanted = inAir();
     for (int i = 0; i < 100; ++i) {
@@ -179,7 +179,7 @@ TEST(ForcePipeline, TheQuickestHandIsNoFault) {
     EXPECT_EQ(pipeline.faults(), 0U);
 }
 
-TEST(ForcePipeline, AStallGivesNothingAndThenTheRamp) {
+TEST(ForcePipeline, AStalledLoopGivesZeroAndThenTheRamp) {
     ForcePipeline pipeline = ready();
     settled(pipeline, pushed(2));
     EXPECT_EQ(pipeline.pass(pushed(2), 0.005).force(), Vec3::Zero());
@@ -189,7 +189,7 @@ TEST(ForcePipeline, AStallGivesNothingAndThenTheRamp) {
     EXPECT_EQ(settled(pipeline, pushed(2), 600), 0) << "after a long pause the hand may be anywhere";
 }
 
-TEST(ForcePipeline, AForceThatTurnsAtAnEdgeTakesTenTicksForARightAngle) {
+TEST(ForcePipeline, AForceTurnsByARightAngleInTenTicks) {
     ForcePipeline pipeline = ready();
     settled(pipeline, pushed(Vec3(0, 0, 1)));
     Vec3 last(0, 0, 1);
@@ -205,7 +205,7 @@ TEST(ForcePipeline, AForceThatTurnsAtAnEdgeTakesTenTicksForARightAngle) {
     EXPECT_GE(ticks, 5);
 }
 
-TEST(ForcePipeline, ALongPressGoesDownToWhatTheMotorsBear) {
+TEST(ForcePipeline, ALongPressFallsToTheContinuousForce) {
     ForcePipeline pipeline = ready();
     EXPECT_NEAR(settled(pipeline, pushed(3.3), 2000), 3.3, kRounding);
     EXPECT_NEAR(settled(pipeline, pushed(3.3), 120'000), 0.88, 0.05);
@@ -222,11 +222,11 @@ TEST(ForcePipeline, MotorsThatReportHeatGetTheContinuousForceOnly) {
     EXPECT_EQ(pipeline.state(), ForceState::Warm);
 }
 
-TEST(ForcePipeline, DampingNeverTurnsAPushIntoAPull) {
+TEST(ForcePipeline, DampingNeverReversesTheForce) {
     ForcePipeline pipeline = ready();
     double z = 0;
     for (int i = 0; i < 2000; ++i) {
-        z = -0.2 + 0.2 * std::cos(0.9 * i);  // far quicker than a hand: the spring leaks at every tick
+        z = -0.2 + 0.2 * std::cos(0.9 * i);  // much faster than a hand: the spring leaks at every tick
         ForceCommand wanted = pushed(-z);
         wanted.hand = Vec3(0, 0, z);
         ASSERT_GE(pipeline.pass(wanted, kTick).force().z(), -kRounding);
@@ -248,7 +248,7 @@ TEST(ForcePipeline, EqualCallsGiveEqualBits) {
     }
 }
 
-/// Mostly a hand that wanders in and out of a tooth; now and then something is broken.
+/// Usually a hand that moves in and out of a tooth; sometimes an input is faulty.
 class ErraticDevice {
 public:
     ForceCommand wanted() {
@@ -275,7 +275,7 @@ private:
     Vec3 hand_ = Vec3::Zero();
 };
 
-TEST(ForcePipeline, AMillionHostileTicksStayWithinForceAndSlewAndAreNumbers) {
+TEST(ForcePipeline, AMillionHostileTicksStayFiniteAndWithinForceAndSlewRate) {
     const ForceLimits allowed = touchLimits();
     ForcePipeline pipeline(allowed);
     ErraticDevice adversary;
@@ -288,7 +288,7 @@ TEST(ForcePipeline, AMillionHostileTicksStayWithinForceAndSlewAndAreNumbers) {
         const Vec3 force = pipeline.pass(wanted, elapsed).force();
         ASSERT_TRUE(force.allFinite()) << i;
         ASSERT_LE(force.norm(), allowed.force * (1 + 1e-12)) << i;
-        const bool zeroed = force.isZero(0);  // a fault's or a late tick's: the one step that may be steep
+        const bool zeroed = force.isZero(0);  // a fault or a late tick: the only step that may be steep
         ASSERT_TRUE(zeroed || (force - last).norm() <= allowed.slew * elapsed + 1e-12) << i;
         strong += force.norm() > 0.5;
         stopped += pipeline.state() == ForceState::Fault;

@@ -23,7 +23,7 @@ struct ForceStats {
     double peak = 0;  ///< N
 };
 
-/// The force along a slide over the cusps of `ground`, felt on `tooth`, which is the same surface.
+/// The force along a slide over the cusps of `ground`, on `tooth`, which is the same surface.
 [[nodiscard]] inline ForceStats forceAlong(const TriangleMesh& ground, const TriangleMesh& tooth, double speed) {
     ToolTrajectory how;
     how.speed = speed;

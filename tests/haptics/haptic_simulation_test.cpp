@@ -33,7 +33,7 @@ OperatorInput cutting(const Pose& hand, double pedal = 1) { return {hand, pedal,
 
 double rimSpeed(double rpm) { return rpm / 60 * 2 * std::numbers::pi * test::kBallRadius * 1e-3; }
 
-/// Every field, bit for bit.
+/// Whether all fields are equal, bit for bit.
 bool equalBits(const Tick& a, const Tick& b) {
     const auto numbers = [](const Tick& t) {
         std::vector<double> all = {t.time,     t.depth, t.speed,        double(t.contacts), t.pedal,
@@ -52,7 +52,7 @@ bool equalBits(const Tick& a, const Tick& b) {
            a.cutting == b.cutting && a.material == b.material && a.contactOnsets == b.contactOnsets;
 }
 
-/// A hand that wanders about the top of the block, turning, cutting now and then.
+/// A device that moves about the top of the block, rotates, and cuts now and then.
 std::vector<OperatorInput> wandering(int ticks) {
     std::mt19937 random(20260205);
     std::normal_distribution<double> step(0, 0.02);
@@ -67,7 +67,7 @@ std::vector<OperatorInput> wandering(int ticks) {
     return result;
 }
 
-TEST(HapticSimulation, SinkingSteadilyIntoAPlaneIsKelvinVoigt) {
+TEST(HapticSimulation, SteadyPenetrationOfAPlaneIsKelvinVoigt) {
     for (const double speed : {0.5, 5.0, 40.0}) {
         HapticSimulation simulation = simulationOf();
         const Material& enamel = kMaterials[MaterialId::Enamel];
@@ -75,7 +75,7 @@ TEST(HapticSimulation, SinkingSteadilyIntoAPlaneIsKelvinVoigt) {
             const double z = 0.02 * speed - speed * kTick * i;
             const Tick tick = simulation.step(touching(at(0.1, 0.2, z)), kTick);
             if (i < 21) continue;                                                        // not in contact yet
-            const double unsettled = 2 * enamel.damping * speed * std::exp(-0.628 * i);  // of the speed's low-pass
+            const double unsettled = 2 * enamel.damping * speed * std::exp(-0.628 * i);  // of the low-pass of the speed
             ASSERT_NEAR(tick.depth, -z, kRounding);
             ASSERT_NEAR(tick.wrench.force.z(), enamel.stiffness * -z + enamel.damping * speed, 2e-6 + unsettled);
             ASSERT_NEAR(tick.wrench.force.head<2>().norm(), 0, kRounding);
@@ -102,7 +102,7 @@ TEST(HapticSimulation, TimeIsTheSumOfTheSteps) {
     EXPECT_EQ(simulation.step(touching(at(0, 0, 1)), 0.5).time, 0.75);
 }
 
-TEST(HapticSimulation, CountsLandingsWithTheirSpeed) {
+TEST(HapticSimulation, CountsContactOnsetsWithTheirSpeed) {
     HapticSimulation simulation = simulationOf();
     Tick tick;
     for (int landing = 1; landing <= 3; ++landing) {
@@ -117,7 +117,7 @@ TEST(HapticSimulation, CountsLandingsWithTheirSpeed) {
     }
 }
 
-TEST(HapticSimulation, AHandThatStartsInsideIsPushedOut) {
+TEST(HapticSimulation, ADeviceThatStartsInsideIsPushedOut) {
     HapticSimulation simulation = simulationOf();
     const Tick tick = simulation.step(touching(at(0.2, 0.1, -0.6)), kTick);
     ASSERT_TRUE(tick.placed);
@@ -156,7 +156,7 @@ TEST(HapticSimulation, PenaltyModePushesOutOfThePlaneToo) {
     EXPECT_EQ(tick.proxy.position, Vec3(tick.hand.position + tick.depth * tick.normal));
 }
 
-TEST(HapticSimulation, TheBurStandsStillInTouchModeAndSpinsInCutMode) {
+TEST(HapticSimulation, TheBurRestsInTouchModeAndSpinsInCutMode) {
     HapticSimulation simulation = simulationOf();
     for (int i = 0; i < 500; ++i) {
         ASSERT_EQ(simulation.step({at(0, 0, 1), 1, false}, kTick).speedRpm, 0);
@@ -164,7 +164,7 @@ TEST(HapticSimulation, TheBurStandsStillInTouchModeAndSpinsInCutMode) {
     Tick tick;
     for (int i = 0; i < 5000; ++i) tick = simulation.step(cutting(at(0, 0, 1)), kTick);
     EXPECT_NEAR(tick.speedRpm, 400000, 400);
-    EXPECT_EQ(tick.cutWork, 0);  // in the air it does none
+    EXPECT_EQ(tick.cutWork, 0);  // no work in the air
     EXPECT_EQ(tick.load, 0);
 }
 
@@ -180,7 +180,7 @@ TEST(HapticSimulation, TheSpindleSlowsUnderLoadToWhereItsTorqueHoldsIt) {
     EXPECT_NEAR(tick.speedRpm, 400000, 400);
 }
 
-TEST(HapticSimulation, BooksNormalForceTimesRimTravel) {
+TEST(HapticSimulation, SumsNormalForceTimesRimTravel) {
     HapticSimulation simulation = simulationOf();
     for (int i = 0; i < 500; ++i) simulation.step(cutting(at(0, 0, 0.1)), kTick);
     double booked = 0;
@@ -195,7 +195,8 @@ TEST(HapticSimulation, BooksNormalForceTimesRimTravel) {
         ASSERT_NEAR(tick.cutWork, booked, 1e-12 * (1 + booked));
         ASSERT_NEAR(tick.removalPower, 0.5 * normalForce * rimSpeed(tick.speedRpm), 1e-12 * tick.removalPower);
         ASSERT_NEAR(tick.load, 0.5 * normalForce * test::kBallRadius, 1e-12 * tick.load);
-        // The hand feels it, beside the shaking (4 %, across the axis: the normal strays from it by a few hundredths).
+        // The force contains it, beside the vibration (4 %, across the axis: the normal deviates from the axis by a few
+        // hundredths).
         ASSERT_NEAR(tick.wrench.force.dot(tick.normal), normalForce, 4e-3 * normalForce);
     }
     EXPECT_GT(booked, 0.5);
@@ -205,7 +206,7 @@ TEST(HapticSimulation, BooksNormalForceTimesRimTravel) {
     EXPECT_NEAR(lifted.cutWork, booked, 1e-12 * booked);
 }
 
-TEST(HapticSimulation, AStillBurDoesNoWork) {
+TEST(HapticSimulation, ABurAtRestDoesNoWork) {
     HapticSimulation simulation = simulationOf();
     simulation.step(cutting(at(0, 0, 0.1), 0), kTick);
     Tick tick;
@@ -215,7 +216,7 @@ TEST(HapticSimulation, AStillBurDoesNoWork) {
     EXPECT_EQ(tick.load, 0);
 }
 
-TEST(HapticSimulation, AHandThatIsNowhereMakesNoForceAndLeavesNoTrace) {
+TEST(HapticSimulation, AFaultyDevicePoseMakesNoForceAndHasNoLaterEffect) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     const double nan = std::nan("");
     const std::vector<Pose> nowhere = {at(nan, 0, 0),
@@ -245,7 +246,7 @@ TEST(HapticSimulation, AHandThatIsNowhereMakesNoForceAndLeavesNoTrace) {
     }
 }
 
-TEST(HapticSimulation, ABadFirstHandDoesNotMatterEither) {
+TEST(HapticSimulation, AFaultyFirstDevicePoseHasNoLaterEffect) {
     HapticSimulation simulation = simulationOf();
     EXPECT_FALSE(simulation.step(touching(at(std::nan(""), 0, 0)), kTick).placed);
     const Tick tick = simulation.step(touching(at(0, 0, 0.5)), kTick);
@@ -254,7 +255,7 @@ TEST(HapticSimulation, ABadFirstHandDoesNotMatterEither) {
     EXPECT_EQ(tick.time, kTick);
 }
 
-TEST(HapticSimulation, ThePedalCountsFromZeroToOne) {
+TEST(HapticSimulation, ThePedalIsClampedToZeroToOne) {
     HapticSimulation simulation = simulationOf();
     const auto run = [&](double pedal) {
         Tick tick;
@@ -280,7 +281,7 @@ TEST(HapticSimulation, TheMaterialIsThatOfTheSurfaceTouched) {
     }
 }
 
-TEST(HapticSimulation, AToolThatMayTurnGivesTheTorqueOfItsTurn) {
+TEST(HapticSimulation, AToolWithSixDegreesOfFreedomGivesTheTorqueOfItsRotation) {
     const auto plank = std::make_shared<const ToolShape>(test::box(Vec3(-1, -0.5, 0), Vec3(1, 0.5, 6)));
     HapticSettings settings;
     settings.freedom = Freedom::TranslationAndRotation;
@@ -297,7 +298,7 @@ TEST(HapticSimulation, AToolThatMayTurnGivesTheTorqueOfItsTurn) {
     const Vec3 centre = tick.proxy * plank->centre();
     const Eigen::AngleAxisd turn(tick.proxy.rotation * tick.hand.rotation.conjugate());
     const Vec3 shift = centre - tick.hand * plank->centre();
-    ASSERT_GT(turn.angle(), 0.005);  // it lies down on the block, in part
+    ASSERT_GT(turn.angle(), 0.005);  // it rests on the block, in part
     EXPECT_NEAR((tick.wrench.force - stiffness * shift).norm(), 0, 1e-4);
     const Vec3 aboutCentre = tick.wrench.torque - (centre - tick.proxy.position).cross(tick.wrench.force);
     const Vec3 expected = stiffness * characteristicLength * characteristicLength * turn.angle() * turn.axis();

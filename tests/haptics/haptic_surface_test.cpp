@@ -25,7 +25,7 @@ std::shared_ptr<const ToolShape> ball() {
 
 Pose at(double height) { return {Vec3(0.1, 0.2, height), Quat::Identity()}; }
 
-TEST(HapticSurfaceBuilder, ATickOnTheListMadeAheadEndsWhereOneWithoutItEnds) {
+TEST(HapticSurfaceBuilder, APrebuiltListGivesTheSameTickAsNone) {
     const auto tool = ball();
     ToolProxy prepared(tool, blockUpTo(0), ContactMode::Proxy);
     ToolProxy plain(tool, blockUpTo(0), ContactMode::Proxy);
@@ -45,7 +45,7 @@ TEST(HapticSurfaceBuilder, ATickOnTheListMadeAheadEndsWhereOneWithoutItEnds) {
     }
 }
 
-TEST(HapticSurfaceBuilder, LeavesTheOldestSurfaceToWhoeverHandedOverTheNewOne) {
+TEST(HapticSurfaceBuilder, ReturnsTheOldestSurfaceToTheCaller) {
     const auto tool = ball();
     const auto old = blockUpTo(0);
     ToolProxy proxy(tool, old, ContactMode::Proxy);
@@ -59,7 +59,7 @@ TEST(HapticSurfaceBuilder, LeavesTheOldestSurfaceToWhoeverHandedOverTheNewOne) {
     EXPECT_EQ(felt->surface, old);
 }
 
-TEST(HapticSurfaceBuilder, TellAToolWhoseHandCameIntoTheToothItsPlace) {
+TEST(HapticSurfaceBuilder, FindsAFreePoseForADeviceInsideTheTooth) {
     const auto tool = ball();
     const auto block = blockUpTo(0);
     ToolProxy proxy(tool, block, ContactMode::Proxy);
@@ -83,7 +83,7 @@ TEST(HapticSurfaceBuilder, TellAToolWhoseHandCameIntoTheToothItsPlace) {
     EXPECT_EQ(proxy.pose().position, held) << "a tool that has a place keeps it";
 }
 
-TEST(ToolProxy, AHandThatCameOutMeanwhileNeedsNoPlace) {
+TEST(ToolProxy, ADeviceThatIsFreeAgainIgnoresTheFreePose) {
     const auto tool = ball();
     ToolProxy proxy(tool, blockUpTo(0), ContactMode::Proxy);
     proxy.deferPlacement();
@@ -92,14 +92,14 @@ TEST(ToolProxy, AHandThatCameOutMeanwhileNeedsNoPlace) {
     EXPECT_EQ(proxy.follow(at(0.05)).offset, Vec3::Zero());
 }
 
-/// A hollow box around the ball, of walls this far from its axis.
+/// A hollow box around the ball, with walls at this distance from its axis.
 std::shared_ptr<const Surface> room(double halfWidth, double height) {
     auto walls = test::box(Vec3(-halfWidth, -halfWidth, -0.1), Vec3(halfWidth, halfWidth, height));
     auto part = std::make_shared<const SurfacePart>(std::move(walls));
     return std::make_shared<const Surface>(Surface{std::move(part), nullptr, {}, 0, false});
 }
 
-TEST(ToolProxy, StaysInTheSurfaceBeforeWhereTheNewOneCatchesItOnAllSides) {
+TEST(ToolProxy, StaysInTheOldSurfaceWhereTheNewOneCatchesItOnAllSides) {
     const auto tool = ball();
     const auto wide = room(0.52, 3), narrow = room(0.49, 1.1), wider = room(0.53, 3);
     const auto handAt = [](double x, double z) { return Pose{Vec3(x, 0, z), Quat::Identity()}; };
@@ -113,7 +113,7 @@ TEST(ToolProxy, StaysInTheSurfaceBeforeWhereTheNewOneCatchesItOnAllSides) {
     };
     const Vec3 held = proxy.pose().position;
     EXPECT_GT(held.x(), 0.015);
-    feel(room(0.495, 1.1));  // no tick feels this one
+    feel(room(0.495, 1.1));  // no tick uses this one
     feel(narrow);
     for (int tick = 0; tick < 20; ++tick) {
         const ProxyState state = proxy.follow(handAt(0.1, 0.2));
@@ -137,8 +137,8 @@ TEST(ToolProxy, StaysInTheSurfaceBeforeWhereTheNewOneCatchesItOnAllSides) {
     EXPECT_EQ(proxy.surface(), narrow) << "felt as soon as the tool is free in it";
 }
 
-/// Feels a new surface that stands up to `rise` in a ball that lies on the old one, at 0, and goes on for `seconds`.
-/// Returns the height of the ball, at each tick.
+/// Sets a new surface that rises up to `rise` in a ball that rests on the old one, at 0, and continues for `seconds`.
+/// Returns the height of the ball at each tick.
 std::vector<double> heightsWhereTheFloorHasRisen(double rise, double seconds, double dt) {
     const auto tool = ball();
     const auto floor = blockUpTo(0);
@@ -155,14 +155,14 @@ std::vector<double> heightsWhereTheFloorHasRisen(double rise, double seconds, do
     return heights;
 }
 
-TEST(ToolProxy, StepsFartherOutOfASurfaceThatCatchesItForGood) {
+TEST(ToolProxy, MovesFartherOutOfASurfaceThatKeepsItCaught) {
     constexpr double kRise = 0.009;  // mm: more than a tool is moved at once
     const std::vector<double> heights = heightsWhereTheFloorHasRisen(kRise, 0.02, 0.001);
     EXPECT_NEAR(heights.front(), 0, 1e-6) << "at first it stays in the surface before";
     EXPECT_NEAR(heights.back(), kRise, 1e-6);
 }
 
-TEST(ToolProxy, TriesANewSurfaceAsSoonAtAnyRate) {
+TEST(ToolProxy, RetriesANewSurfaceAfterTheSameTimeAtAnyRate) {
     const auto secondsUntilItIsFelt = [](double dt) {
         const std::vector<double> heights = heightsWhereTheFloorHasRisen(0.009, 0.1, dt);
         const auto felt = std::ranges::find_if(heights, [](double height) { return height > 1e-3; });
@@ -173,7 +173,7 @@ TEST(ToolProxy, TriesANewSurfaceAsSoonAtAnyRate) {
     EXPECT_NEAR(secondsUntilItIsFelt(0.25e-3), slow, 1e-3);
 }
 
-TEST(HapticSurfaceBuilder, CoverTheWayThatTheToolSlidesBesidesThatOfTheCut) {
+TEST(HapticSurfaceBuilder, CoversTheSlideOfTheToolBesidesTheCut) {
     const auto tool = ball();
     HapticSurfaceBuilder surfaces(tool, blockUpTo(0));
     constexpr double kPause = 0.004;  // s
@@ -188,19 +188,19 @@ TEST(HapticSurfaceBuilder, CoverTheWayThatTheToolSlidesBesidesThatOfTheCut) {
     EXPECT_LE(felt->near.deviation(now.position + 2 * step), felt->near.contactMargin().around) << "two updates further on";
     surfaces.recycle(felt);
 
-    surfaces.watch(3 * kPause, {now.position + Vec3(50, 0, 0), now.rotation});  // no list reaches so far
+    surfaces.watch(3 * kPause, {now.position + Vec3(50, 0, 0), now.rotation});  // no list reaches that far
     felt = surfaces.make(blockUpTo(0), now, now);
     EXPECT_LT(felt->near.contactMargin().along.norm(), 1);
     surfaces.recycle(felt);
 }
 
-/// A finely meshed ball under the tool: much is near it.
+/// A finely meshed ball under the tool: many triangles are near it.
 std::shared_ptr<const Surface> fineBed() {
     auto part = std::make_shared<const SurfacePart>(test::sphere(Vec3(0.1, 0.2, -0.52), 0.5, 240, 160));
     return std::make_shared<const Surface>(Surface{std::move(part), nullptr, {}, 0});
 }
 
-TEST(HapticSurfaceBuilder, ListAnewWhereAToolIsAboutToLeaveTheirLastList) {
+TEST(HapticSurfaceBuilder, RebuildsWhereAToolIsAboutToLeaveTheLastList) {
     const auto tool = std::make_shared<const ToolShape>(test::sphere(Vec3(0, 0, 0.5), 0.5, 192, 96));
     const auto bed = fineBed();
     ToolProxy proxy(tool, bed, ContactMode::Proxy);
@@ -239,7 +239,7 @@ TEST(HapticSurfaceBuilder, ListAnewWhereAToolIsAboutToLeaveTheirLastList) {
     }
 }
 
-TEST(HapticSurfaceBuilder, ListAtOnceForAToolThatHadToListForItself) {
+TEST(HapticSurfaceBuilder, RebuildsAtOnceAfterTheServoThreadHadTo) {
     const auto tool = ball();
     HapticSurfaceBuilder surfaces(tool, blockUpTo(0));
     surfaces.watch(0, at(0.01));
@@ -254,7 +254,7 @@ TEST(HapticSurfaceBuilder, ListAtOnceForAToolThatHadToListForItself) {
     EXPECT_EQ(surfaces.rebuild(), nullptr) << "once";
 }
 
-TEST(HapticSurfaceBuilder, ReachNoFurtherThanTheToolGoesUntilTheNext) {
+TEST(HapticSurfaceBuilder, ReachesNoFartherThanTheToolMovesUntilTheNextList) {
     const auto tool = ball();
     HapticSurfaceBuilder surfaces(tool, blockUpTo(0));
     HapticSurface* felt = surfaces.make(blockUpTo(0), at(0), at(-0.5));
@@ -265,8 +265,9 @@ TEST(HapticSurfaceBuilder, ReachNoFurtherThanTheToolGoesUntilTheNext) {
     surfaces.recycle(felt);
 }
 
-// A bur in the cavity that it has cut: the more is near, the shorter the list, or it would take longer than it lasts.
-TEST(HapticSurfaceBuilder, AreAsShortAsWhatIsNearIsMuch) {
+// A bur in its cavity: the more triangles are near it, the shorter the list, or building it would take longer than it
+// lasts.
+TEST(HapticSurfaceBuilder, ListsAreShorterWhereMoreTrianglesAreNear) {
     const auto tool = std::make_shared<const ToolShape>(test::sphere(Vec3::Zero(), 0.5, 30, 12));
     const auto cavity = std::make_shared<const Surface>(
         Surface{std::make_shared<const SurfacePart>(test::sphere(Vec3::Zero(), 0.52, 80, 40)), nullptr, {}, 0});
@@ -289,7 +290,7 @@ TEST(HapticSurfaceBuilder, AreAsShortAsWhatIsNearIsMuch) {
     EXPECT_EQ(length, wanted);
 }
 
-TEST(ToolProxy, ThatShallNotGoAllTheWayToTheHandIsStillHeld) {
+TEST(ToolProxy, IsStillHeldWhereTheGoalIsShortOfTheDevice) {
     ToolProxy proxy(ball(), blockUpTo(0), ContactMode::Proxy);
     (void)proxy.follow(at(0.1));
     const ProxyState state = proxy.follow(at(0.05), at(0.08));

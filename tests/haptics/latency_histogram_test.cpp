@@ -126,7 +126,7 @@ TEST(LatencyCounts, OctavesAreFromTheFirstToTheLastWithEntries) {
     EXPECT_EQ(histogram->counts().octaves().size(), 30U) << "all that there can be";
 }
 
-TEST(LatencyCounts, SinceAMomentTellsWhatCameAfterIt) {
+TEST(LatencyCounts, SinceAMomentHoldsWhatCameAfterIt) {
     const auto histogram = std::make_unique<LatencyHistogram>();
     for (int i = 0; i < 100; ++i) histogram->add(10);
     const LatencyCounts earlier = histogram->counts();

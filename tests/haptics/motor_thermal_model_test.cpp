@@ -15,13 +15,13 @@ constexpr double kPeak = 3.3;
 constexpr double kContinuous = 0.88;
 constexpr double kTick = 0.001;
 
-TEST(MotorThermalModel, ColdMotorsMayDoTheirPeak) {
+TEST(MotorThermalModel, ColdMotorsMayRenderThePeakForce) {
     const MotorThermalModel heat(kPeak, kContinuous);
     EXPECT_EQ(heat.heat(), 0);
     EXPECT_EQ(heat.bound(), kPeak);
 }
 
-TEST(MotorThermalModel, TheContinuousForceIsBorneForEver) {
+TEST(MotorThermalModel, TheContinuousForceLastsForEver) {
     MotorThermalModel heat(kPeak, kContinuous);
     for (int i = 0; i < 600'000; ++i) heat.add(kContinuous, kTick, 0);
     EXPECT_NEAR(heat.heat(), 1, 1e-4);
@@ -29,7 +29,7 @@ TEST(MotorThermalModel, TheContinuousForceIsBorneForEver) {
     EXPECT_GE(heat.bound(), kContinuous);
 }
 
-TEST(MotorThermalModel, AFullPressGoesDownToTheContinuousForceAndNeverHeatsBeyondIt) {
+TEST(MotorThermalModel, AFullPressFallsToTheContinuousForceAndHeatsNoFurther) {
     MotorThermalModel heat(kPeak, kContinuous);
     double last = kPeak;
     double warmest = 0;
@@ -45,13 +45,13 @@ TEST(MotorThermalModel, AFullPressGoesDownToTheContinuousForceAndNeverHeatsBeyon
     EXPECT_LE(warmest, 1);
 }
 
-TEST(MotorThermalModel, ThreeSecondsOfFullForceAreFree) {
+TEST(MotorThermalModel, ThreeSecondsOfFullForceAreAllowed) {
     MotorThermalModel heat(kPeak, kContinuous);
     for (int i = 0; i < 3000; ++i) heat.add(kPeak, kTick, 0);
     EXPECT_EQ(heat.bound(), kPeak);
 }
 
-TEST(MotorThermalModel, CoolsWhileNothingIsFelt) {
+TEST(MotorThermalModel, CoolsWithoutForce) {
     MotorThermalModel heat(kPeak, kContinuous);
     for (int i = 0; i < 60'000; ++i) heat.add(heat.bound(), kTick, 0);
     EXPECT_LT(heat.bound(), kPeak);
@@ -59,7 +59,7 @@ TEST(MotorThermalModel, CoolsWhileNothingIsFelt) {
     EXPECT_EQ(heat.bound(), kPeak);
 }
 
-TEST(MotorThermalModel, WhatTheDeviceReportsCountsIfItIsWorse) {
+TEST(MotorThermalModel, TheReportedTemperatureCountsIfItIsHigher) {
     MotorThermalModel heat(kPeak, kContinuous);
     heat.add(0, kTick, 1.0);
     EXPECT_EQ(heat.bound(), kContinuous);
@@ -69,13 +69,13 @@ TEST(MotorThermalModel, WhatTheDeviceReportsCountsIfItIsWorse) {
     EXPECT_EQ(heat.bound(), kPeak);
 }
 
-TEST(MotorThermalModel, ADeviceThatNamesNoContinuousForceHasNoBudget) {
+TEST(MotorThermalModel, WithoutAContinuousForceThereIsNoLimit) {
     MotorThermalModel heat(kPeak, std::numeric_limits<double>::infinity());
     for (int i = 0; i < 600'000; ++i) heat.add(kPeak, kTick, 0);
     EXPECT_EQ(heat.bound(), kPeak);
 }
 
-TEST(MotorThermalModel, WhatIsNoNumberMakesTheMotorsWarmAndDoesNotStayForEver) {
+TEST(MotorThermalModel, ANumberThatIsNotFiniteMakesTheMotorsWarmUntilTheyCool) {
     for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
         for (int place = 0; place < 3; ++place) {
             MotorThermalModel heat(kPeak, kContinuous);

@@ -18,14 +18,14 @@ void fill(ServoTiming& timing, int count, double microseconds, int every, double
     timing.ticks = static_cast<std::uint64_t>(count);
 }
 
-TEST(SceneLoad, AQuickSceneIsNotHeavyAndNothingIsSaid) {
+TEST(SceneLoad, AFastSceneGivesNoAdvice) {
     ServoTiming timing;
-    fill(timing, 5000, 60, 500, 900);  // one in five hundred is the system's
+    fill(timing, 5000, 60, 500, 900);  // one in five hundred belongs to the system
     EXPECT_FALSE(isOverloaded(timing, 1000));
     EXPECT_EQ(overloadAdvice(timing, 1000), "");
 }
 
-TEST(SceneLoad, ASlowSceneIsSaidWithWhatToDo) {
+TEST(SceneLoad, ASlowSceneGivesAdvice) {
     ServoTiming timing;
     fill(timing, 5000, 300, 50, 640);
     EXPECT_TRUE(isOverloaded(timing, 1000));
@@ -33,20 +33,20 @@ TEST(SceneLoad, ASlowSceneIsSaidWithWhatToDo) {
                                                                ::testing::HasSubstr("'tactooth simplify'")));
 }
 
-TEST(SceneLoad, TheSameTicksAreHeavyAtAHigherRate) {
+TEST(SceneLoad, TheSameTicksOverloadAHigherRate) {
     ServoTiming timing;
     fill(timing, 5000, 200, 50, 300);
     EXPECT_FALSE(isOverloaded(timing, 1000));
     EXPECT_TRUE(isOverloaded(timing, 4000));
 }
 
-TEST(SceneLoad, FewTicksSayNothing) {
+TEST(SceneLoad, FewTicksGiveNoAdvice) {
     ServoTiming timing;
     fill(timing, 900, 900, 2, 900);
     EXPECT_FALSE(isOverloaded(timing, 1000));
 }
 
-TEST(SceneLoad, ALoopWithDeliberatelySlowTicksIsFound) {
+TEST(SceneLoad, FindsALoopWithSlowTicks) {
     constexpr double kRate = 4000;
     const ServoLoop loop(kRate, [](double) {
         const auto end = Clock::now() + std::chrono::microseconds(200);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kTick = 0.001;
 constexpr double kStiffness = 1;  // N/mm
-constexpr double kBound = 100;    // N: far away
+constexpr double kBound = 100;    // N: never reached
 
 Vec3 at(double z) { return {0, 0, z}; }
 
@@ -20,7 +20,7 @@ SpringState springAt(double z, double stiffness = kStiffness, double bound = kBo
     return {std::max(0.0, -z), stiffness, bound, 1};
 }
 
-TEST(PassivityController, TheSumIsTheWorkOfTheHandLessWhatTheSpringHolds) {
+TEST(PassivityController, TheSumIsTheWorkOfTheHandLessTheEnergyOfTheSpring) {
     PassivityController controller;
     (void)controller.damp(at(0), Vec3::Zero(), springAt(0), kTick);
     // Half a tick's force is missing on the way in: k * dx^2 / 2 a tick.
@@ -33,7 +33,7 @@ TEST(PassivityController, TheSumIsTheWorkOfTheHandLessWhatTheSpringHolds) {
     EXPECT_NEAR(controller.energy(), -5 * 0.5 * kStiffness * 0.05 * 0.05, 1e-12);
 }
 
-TEST(PassivityController, AForceThatTakesWorkGivesBoundedCredit) {
+TEST(PassivityController, WorkOfTheHandGivesBoundedCredit) {
     PassivityController controller;
     (void)controller.damp(at(0), Vec3::Zero(), springAt(0), kTick);
     for (int i = 1; i < 5000; ++i) {
@@ -43,11 +43,11 @@ TEST(PassivityController, AForceThatTakesWorkGivesBoundedCredit) {
     EXPECT_EQ(controller.energy(), 0.02);
 }
 
-TEST(PassivityController, WhatIsMissingIsTakenOutByDampingAgainstTheMotion) {
+TEST(PassivityController, MissingEnergyIsRemovedByDamping) {
     PassivityController controller;
     (void)controller.damp(at(0), Vec3::Zero(), springAt(0), kTick);
     const Vec3 added = controller.damp(at(-0.02), Vec3::Zero(), springAt(-0.02), kTick);
-    // At the same speed, the damper eats in one tick what is missing, and what the next step will leak.
+    // At the same speed, the damper removes in one tick what is missing, and what the next step will leak.
     const double speedShare = 1 - std::exp(-kTick / 0.005);  // of the low-pass after one tick
     EXPECT_NEAR(added.z() * 0.02, speedShare * kStiffness * 0.02 * 0.02, 1e-12);
     EXPECT_EQ(added.x(), 0);
@@ -73,7 +73,7 @@ TEST(PassivityController, DampsBeforeTheSumIsNegative) {
     EXPECT_GT(added.z(), 0) << "another step as before could not be paid for";
 }
 
-/// Work that the damper takes out of a hand that moves an encoder by 0.05 mm every `pause` ticks, by a step, N*mm.
+/// Work that the damper removes from a hand that moves an encoder by 0.05 mm every `pause` ticks, for each step, N*mm.
 double eatenByStep(int pause) {
     PassivityController controller;
     (void)controller.damp(at(-1), Vec3::Zero(), springAt(-1), kTick);
@@ -90,15 +90,15 @@ double eatenByStep(int pause) {
     return eaten / kSteps;
 }
 
-TEST(PassivityController, AHandSoSlowThatItsEncoderRestsBetweenStepsIsDampedAsWell) {
+TEST(PassivityController, DampsAHandWhoseEncoderRestsBetweenSteps) {
     const double leak = 0.5 * kStiffness * 0.05 * 0.05;
     EXPECT_GT(eatenByStep(2), 0.9 * leak);
     // The damper's bound allows 0.005 N*s/mm at 5 mm/s over 0.05 mm; 0.98^9 of it is left at the end of a pause, and
-    // the first of the 20 steps comes without warning.
+    // the first of the 20 steps is not damped.
     EXPECT_NEAR(eatenByStep(10), 0.95 * std::pow(0.98, 9) * 0.005 * 5 * 0.05, 2e-5);
 }
 
-TEST(PassivityController, AHandThatHasStoppedIsNotDampedAnyMore) {
+TEST(PassivityController, DoesNotDampAHandAtRest) {
     PassivityController controller;
     (void)controller.damp(at(-1), Vec3::Zero(), springAt(-1), kTick);
     for (int i = 1; i <= 5; ++i) (void)controller.damp(at(-1 - 0.05 * i), at(0), springAt(-1 - 0.05 * i), kTick);
@@ -120,13 +120,13 @@ TEST(PassivityController, TheDevicesFrictionPaysForSmallSteps) {
     (void)controller.damp(at(z), Vec3::Zero(), springAt(z), kTick);
     for (int i = 0; i < 20; ++i) {
         const Vec3 held(0, 0, kStiffness * -z);
-        z -= 0.023;  // an encoder's step: leaks 0.00026 N*mm, and friction eats 0.00069
+        z -= 0.023;  // an encoder step: leaks 0.00026 N*mm, and friction removes 0.00069
         ASSERT_EQ(controller.damp(at(z), held, springAt(z), kTick), Vec3::Zero());
     }
     EXPECT_GT(controller.energy(), 0);
 }
 
-TEST(PassivityController, ASpringThatIsCutOffHoldsNoMoreThanItGives) {
+TEST(PassivityController, ASpringThatIsCutOffStoresNoMoreThanItReturns) {
     PassivityController controller;
     const double bound = 1;
     (void)controller.damp(at(-2), Vec3::Zero(), springAt(-2, kStiffness, bound), kTick);
@@ -134,14 +134,14 @@ TEST(PassivityController, ASpringThatIsCutOffHoldsNoMoreThanItGives) {
     EXPECT_NEAR(controller.energy(), 0, 1e-12) << "0.1 mm against 1 N, and as much is held";
 }
 
-TEST(PassivityController, ASpringThatGrowsStifferUnderTheHandIsALeak) {
+TEST(PassivityController, ASpringThatBecomesStifferIsALeak) {
     PassivityController controller;
     (void)controller.damp(at(-1), Vec3::Zero(), springAt(-1, 0.5), kTick);
     (void)controller.damp(at(-1), Vec3(0, 0, 0.5), springAt(-1, 0.8), kTick);
     EXPECT_NEAR(controller.energy(), -0.15, 1e-12);
 }
 
-/// A mass on a sampled spring: without damping it swings wider and wider.
+/// A mass on a sampled spring: without damping its oscillation grows.
 double widestSwing(bool controlled) {
     PassivityController controller;
     const double mass = 1e-4;  // N*s^2/mm: 100 g
@@ -153,7 +153,7 @@ double widestSwing(bool controlled) {
         const Vec3 added = controller.damp(at(z), force, springAt(z), kTick);
         force = at(kStiffness * -z - 1);  // the hand leans on it with 1 N
         if (controlled) force += added;
-        force.z() += 1;  // what the observer sees is the tooth's part
+        force.z() += 1;  // the observer gets the force of the tooth only
         constexpr int kParts = 20;
         for (int part = 0; part < kParts; ++part) {
             speed += (force.z() - 1) / mass * kTick / kParts;
@@ -166,12 +166,12 @@ double widestSwing(bool controlled) {
     return widest;
 }
 
-TEST(PassivityController, StopsTheSwingingThatSamplingFeeds) {
+TEST(PassivityController, StopsTheOscillationOfASampledSpring) {
     EXPECT_GT(widestSwing(false), 0.1);
     EXPECT_LT(widestSwing(true), 0.06);
 }
 
-TEST(PassivityController, ResettingForgetsDebtAndDamper) {
+TEST(PassivityController, ResetForgetsEnergyAndDamper) {
     PassivityController controller;
     (void)controller.damp(at(0), Vec3::Zero(), springAt(0), kTick);
     (void)controller.damp(at(-0.1), Vec3::Zero(), springAt(-0.1), kTick);
@@ -181,7 +181,7 @@ TEST(PassivityController, ResettingForgetsDebtAndDamper) {
     EXPECT_EQ(controller.damp(at(5), Vec3::Zero(), springAt(0), kTick), Vec3::Zero());
 }
 
-TEST(PassivityController, SumsThatAreNoNumberAreSaidAndBeginAnew) {
+TEST(PassivityController, SumsThatAreNotFiniteGiveNaNAndStartAnew) {
     const double bad = std::nan("");
     const auto spoiled = [&](int what) {
         PassivityController controller;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// The servo thread may not wait for anybody: 100,000 ticks in a process that the kernel kills at its first system call,
-// in which every lock is counted. Two such processes send back a hash of all they felt: it is the same, bit for bit.
+// The servo thread must not wait: 100,000 ticks run in a process that the kernel kills at its first system call, and
+// every lock is counted. Two such processes return a hash of all forces and poses: it is the same, bit for bit.
 #include <dlfcn.h>
 #include <gtest/gtest.h>
 #include <linux/seccomp.h>
@@ -18,6 +18,7 @@
 #include <mutex>
 
 #include "collision/contact_oracle.h"
+#include "geometry/util/fnv1a.h"
 #include "haptics/haptic_simulation.h"
 #include "haptics/safety_limiter.h"
 
@@ -60,7 +61,7 @@ struct Report {
     int touching;
 };
 
-/// A hand that circles over the top of a tooth and presses into it, lifting off now and then.
+/// A device that circles over the top of a tooth and presses into it, and lifts off now and then.
 OperatorInput handAt(const Vec3& top, int tick) {
     const double time = kTick * tick;
     const Vec3 aside(std::cos(2.1 * time), std::sin(3.3 * time), 0.5 * std::sin(1.7 * time) - 0.7);
@@ -72,25 +73,27 @@ Vec3 topOf(const TriangleMesh& tooth) {
     return {box.center().x(), box.center().y(), box.max().z()};
 }
 
-/// The ticks alone, from the moment on at which the process may do nothing but compute.
+/// The ticks only, from the moment when the process may only compute.
 Report sealedTicks(HapticSimulation& simulation, const Vec3& top, int ticks) {
     SafetyLimiter limiter{ForceLimits{}};
     if (prctl(PR_SET_SECCOMP, SECCOMP_MODE_STRICT) != 0) syscall(SYS_exit, kNoSeccomp);
-    Report report{0xCBF29CE484222325ULL, locks, 0};
+    Report report{0, locks, 0};
+    Fnv1a hash;
     for (int i = 1; i <= ticks; ++i) {
         const Tick tick = simulation.step(handAt(top, i), kTick);
         const auto wrench = limiter.limit(tick.wrench, kTick, tick.placed, 0);
         report.touching += tick.contacts > 0 ? 1 : 0;
         for (int axis = 0; axis < 3; ++axis) {
             for (const double value : {wrench.force()[axis], wrench.torque()[axis], tick.proxy.position[axis]})
-                report.hash = (report.hash ^ std::bit_cast<std::uint64_t>(value)) * 0x100000001B3ULL;
+                hash.addWord(std::bit_cast<std::uint64_t>(value));
         }
     }
+    report.hash = hash.value();
     report.locks = locks - report.locks;
     return report;
 }
 
-/// Runs the ticks in a process of their own. Its exit status is in `status`.
+/// Runs the ticks in a separate process. Its exit status is in `status`.
 Report ticksInASealedProcess(ContactMode mode, int ticks, int& status) {
     const TriangleMesh& tooth = test::oracleTeeth()[2].mesh;
     HapticSettings settings;
@@ -98,14 +101,14 @@ Report ticksInASealedProcess(ContactMode mode, int ticks, int& status) {
     const auto tool = test::toolOf(test::oracleTools()[0].mesh);
     HapticSimulation simulation(tool, tool->radius(), test::surfaceOf(tooth), settings);
     const Vec3 top = topOf(tooth);
-    (void)simulation.step(handAt(top, 0), kTick);  // places the tool, which may allocate
+    (void)simulation.step(handAt(top, 0), kTick);  // finds the first pose, which may allocate
     int ends[2];
     if (pipe(ends) != 0) return {};
     const pid_t child = fork();
     if (child == 0) {
         const Report report = sealedTicks(simulation, top, ticks);
         const bool sent = write(ends[1], &report, sizeof report) == sizeof report;
-        syscall(SYS_exit, sent ? 0 : 1);  // of this thread alone: more is not allowed
+        syscall(SYS_exit, sent ? 0 : 1);  // of this thread only: more is not allowed
     }
     close(ends[1]);
     Report report{};
@@ -145,7 +148,7 @@ TEST(RealTimeSafeSelf, ASealedProcessDiesOfASystemCall) {
 }
 
 TEST_P(RealTimeSafe, TicksCallNoKernelTakeNoLockAndRepeatBitForBit) {
-    const int ticks = GetParam() == ContactMode::Proxy ? 100000 : 10000;  // penalty, kept to compare, takes its time
+    const int ticks = GetParam() == ContactMode::Proxy ? 100000 : 10000;  // penalty mode is slow
     int status = 0;
     const Report first = ticksInASealedProcess(GetParam(), ticks, status);
     if (WIFEXITED(status) && WEXITSTATUS(status) == kNoSeccomp) GTEST_SKIP() << "this kernel seals no process";

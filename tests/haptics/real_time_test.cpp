@@ -12,13 +12,13 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-TEST(RealTimeRights, WhoHasAllIsToldNothing) {
+TEST(RealTimeRights, WithAllRightsThereIsNoHint) {
     const RealTimeRights all{.priority = true, .memory = true, .cpuLatency = true};
     EXPECT_EQ(missingRights(all), "");
     EXPECT_EQ(realTimeHint(all), "");
 }
 
-TEST(RealTimeRights, WhatIsMissingIsNamedWithTheFileToWrite) {
+TEST(RealTimeRights, AMissingRightIsNamedWithTheFileToWrite) {
     EXPECT_EQ(missingRights({}), "real-time priority, locked memory, keeping the processors from deep sleep");
     EXPECT_THAT(realTimeHint({}), AllOf(HasSubstr("limits.d/tactooth.conf"), HasSubstr("rules.d/99-tactooth.rules")));
     EXPECT_THAT(realTimeHint({.priority = true, .memory = false, .cpuLatency = true}),

@@ -17,7 +17,7 @@ constexpr double kTick = 0.001;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 const double kNan = std::nan("");
 
-// Nothing but the limiter makes one: not from a wrench, not from its parts, not by changing what it shows.
+// Only the limiter makes one: no other code can, from a wrench, from its parts, or by changing an existing one.
 static_assert(!std::is_constructible_v<SafeWrench, Wrench>);
 static_assert(!std::is_constructible_v<SafeWrench, Vec3, Vec3>);
 static_assert(!std::is_convertible_v<Wrench, SafeWrench>);
@@ -33,7 +33,7 @@ ForceLimits limits() {
 
 Wrench push(double newton) { return {Vec3(0, 0, newton), Vec3::Zero()}; }
 
-/// A limiter that has been switched on for long.
+/// A limiter that has been enabled for a second.
 SafetyLimiter warmLimiter() {
     SafetyLimiter limiter(limits());
     for (int i = 0; i < 1000; ++i) (void)limiter.limit({}, kTick, true, 0);
@@ -51,7 +51,7 @@ TEST(SafetyLimiter, ASafeWrenchBeginsAsZero) {
     EXPECT_EQ(SafeWrench().torque(), Vec3::Zero());
 }
 
-TEST(SafetyLimiter, PassesWhatIsAllowed) {
+TEST(SafetyLimiter, PassesAForceWithinTheLimits) {
     SafetyLimiter limiter = warmLimiter();
     EXPECT_DOUBLE_EQ(settledForce(limiter, 2.5), 2.5);
     EXPECT_EQ(limiter.faults(), 0U);
@@ -65,7 +65,7 @@ TEST(SafetyLimiter, ShortensALargeForceAndKeepsItsDirection) {
     EXPECT_TRUE(result.force().isApprox(3.3 * wanted.normalized(), 1e-12));
 }
 
-TEST(SafetyLimiter, AForceBeyondArithmeticIsStillShortened) {
+TEST(SafetyLimiter, AForceNearTheLargestDoubleIsStillShortened) {
     SafetyLimiter limiter = warmLimiter();
     constexpr double kHuge = std::numeric_limits<double>::max();
     SafeWrench result;
@@ -91,7 +91,7 @@ TEST(SafetyLimiter, RampsUpAfterSwitchingOn) {
     EXPECT_EQ(limiter.faults(), 0U);
 }
 
-TEST(SafetyLimiter, AStepTakesAsLongAsTheSlewAllows) {
+TEST(SafetyLimiter, AStepTakesAsLongAsTheSlewRateAllows) {
     SafetyLimiter limiter = warmLimiter();
     for (int i = 1; i <= 10; ++i) {
         ASSERT_NEAR(limiter.limit(push(3), kTick, true, 0).force().z(), std::min(3.0, 0.3 * i), 1e-9);
@@ -118,7 +118,7 @@ TEST(SafetyLimiter, NotANumberGivesZeroAndStartsTheRampAnew) {
     }
 }
 
-TEST(SafetyLimiter, ATickThatIsLateOrHasNoTimeGivesZero) {
+TEST(SafetyLimiter, ALateTickOrAnInvalidTimeGivesZero) {
     for (const double elapsed : {0.0031, 1.0, -0.001, kNan, kInfinity}) {
         SafetyLimiter limiter = warmLimiter();
         settledForce(limiter, 3);
@@ -130,7 +130,7 @@ TEST(SafetyLimiter, ATickThatIsLateOrHasNoTimeGivesZero) {
     EXPECT_DOUBLE_EQ(limiter.limit(push(3), 0.003, true, 0).force().z(), 3);
 }
 
-TEST(SafetyLimiter, AMillionHostileWrenchesStayWithinMagnitudeAndSlew) {
+TEST(SafetyLimiter, AMillionHostileWrenchesStayWithinMagnitudeAndSlewRate) {
     const ForceLimits allowed = limits();
     SafetyLimiter limiter(allowed);
     test::Adversary adversary(20260203);
@@ -164,7 +164,7 @@ TEST(SafetyLimiter, AMillionHostileWrenchesStayWithinMagnitudeAndSlew) {
     EXPECT_GT(zero, 50'000);
 }
 
-TEST(SafetyLimiter, WithoutARampTheForceIsThereAsSoonAsTheSlewAllows) {
+TEST(SafetyLimiter, WithoutARampOnlyTheSlewRateDelaysTheForce) {
     ForceLimits allowed = limits();
     allowed.rampTime = 0;
     SafetyLimiter limiter(allowed);
@@ -182,7 +182,7 @@ TEST(SafetyLimiter, ForceTimesSpeedStaysWithinThePower) {
     }
 }
 
-TEST(SafetyLimiter, ASpeedThatIsNoneGivesZero) {
+TEST(SafetyLimiter, AnInvalidSpeedGivesZero) {
     for (const double speed : {kNan, kInfinity, -kInfinity, -1.0}) {
         SafetyLimiter limiter = warmLimiter();
         settledForce(limiter, 3);

@@ -11,7 +11,7 @@
 
 namespace tactooth::test {
 
-/// A block of one material, 10 mm wide, whose top lies at `top` mm.
+/// A block of one material, 10 mm wide, with its top at `top` mm.
 [[nodiscard]] inline std::shared_ptr<const Surface> block(MaterialId material = MaterialId::Enamel, double top = 0) {
     const std::vector<SurfaceTag> tags(12, static_cast<SurfaceTag>(material));
     auto surface = std::make_shared<Surface>();

@@ -6,7 +6,7 @@
 
 #include <chrono>
 
-// Upper bounds are loose: the machine that runs a test may be busy.
+// Upper bounds are loose: the test machine may be busy.
 
 namespace tactooth {
 namespace {
@@ -48,7 +48,7 @@ TEST(ServoLoop, MeasuresEachTick) {
     EXPECT_GE(loop.timing().tick.quantile(0.0), 190);
 }
 
-TEST(ServoLoop, ALateTickIsSkippedNotCaughtUp) {
+TEST(ServoLoop, ALateTickIsSkippedAndNotRepeated) {
     const auto start = Clock::now();
     std::atomic<std::uint64_t> ticks{0};
     std::uint64_t missed = 0;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// What a hand would feel as roughness that is not there: the triangles themselves.
+// Roughness that the hand would feel and that is not in the surface: the triangles themselves.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kTick = test::kServoTick;
 
-/// A piece of a ball of 5 mm around its top at the origin: 9 degrees wide, one facet a twentieth of a degree.
+/// A part of a ball of 5 mm around its top at the origin: 9 degrees wide, one facet is 0.05 degrees.
 TriangleMesh ballTop(double radius) {
     constexpr std::uint32_t kSide = 181;
     constexpr double kFacet = 0.05 * std::numbers::pi / 180;
@@ -31,7 +31,7 @@ TriangleMesh ballTop(double radius) {
     return mesh;
 }
 
-/// A cone that stands on its point, 0.4 mm wide.
+/// A cone on its tip, 0.4 mm wide.
 TriangleMesh point() {
     TriangleMesh mesh;
     mesh.vertices = {{0, 0, 0}};
@@ -53,7 +53,7 @@ double degreesBetween(const Vec3& a, const Vec3& b) {
 
 }  // namespace
 
-TEST(SmoothForce, TheSameSurfaceCutIntoMoreTrianglesFeelsTheSame) {
+TEST(SmoothForce, TheSameSurfaceWithMoreTrianglesGivesTheSameForce) {
     TriangleMesh tooth = simplified(test::oracleTeeth()[2].mesh, 9500);
     const TriangleMesh ground = tooth;
     const test::ForceStats coarse = test::forceAlong(ground, tooth, 10);
@@ -66,7 +66,7 @@ TEST(SmoothForce, TheSameSurfaceCutIntoMoreTrianglesFeelsTheSame) {
     }
 }
 
-// The force may turn by as much as the ball's own surface does under the hand, and by a tenth of a degree.
+// The force may turn as much as the ball's surface does under the device, and by 0.1 degrees more.
 TEST(SmoothForce, ItsDirectionTurnsWithTheBallUnderIt) {
     constexpr double kRadius = 5;  // mm
     constexpr double kPress = 0.1;
@@ -75,7 +75,7 @@ TEST(SmoothForce, ItsDirectionTurnsWithTheBallUnderIt) {
         Vec3 last = Vec3::Zero();
         const double step = speed * kTick / (kRadius - kPress);  // rad of the ball a tick
         int turns = 0;
-        for (int tick = 0; tick < 100; ++tick)  // comes down beside where the slide begins
+        for (int tick = 0; tick < 100; ++tick)  // comes down beside the start of the slide
             (void)simulation.step({{Vec3(-0.3, 0.02, 0.5 - 0.006 * tick), Quat::Identity()}, 0, false}, kTick);
         for (double angle = -0.06; angle < 0.06; angle += step) {
             const Vec3 outward(std::sin(angle), 0.004 * std::cos(angle), std::cos(angle));
@@ -92,7 +92,7 @@ TEST(SmoothForce, ItsDirectionTurnsWithTheBallUnderIt) {
     }
 }
 
-TEST(SmoothForce, AHandAtRestFeelsNoNoise) {
+TEST(SmoothForce, ADeviceAtRestGetsNoNoise) {
     for (const test::NamedMesh& tooth : test::oracleTeeth()) {
         ToolTrajectory how;
         how.speed = 30;
@@ -102,7 +102,8 @@ TEST(SmoothForce, AHandAtRestFeelsNoNoise) {
         for (std::size_t i = 0; i < path.size(); ++i) {
             (void)simulation.step({path[i], 0, false}, kTick);
             if (i % 97 != 60) continue;
-            for (int tick = 0; tick < 60; ++tick) (void)simulation.step({path[i], 0, false}, kTick);  // speed dies away
+            for (int tick = 0; tick < 60; ++tick)
+                (void)simulation.step({path[i], 0, false}, kTick);  // the low-passed speed decays
             const Tick first = simulation.step({path[i], 0, false}, kTick);
             pressed += first.contacts > 0 ? 1 : 0;
             for (int tick = 0; tick < 300; ++tick) {

@@ -13,7 +13,7 @@ namespace {
 
 using test::at;
 
-constexpr double kRounding = 1e-6;  // mm: coordinates of a mesh are floats, and the body keeps a tiny margin
+constexpr double kRounding = 1e-6;  // mm: coordinates of a mesh are floats, and the proxy keeps a tiny margin
 
 ToolProxy proxyAbove(const std::shared_ptr<const Surface>& surface, ContactMode mode = ContactMode::Proxy) {
     ToolProxy proxy(test::ball(), surface, mode);
@@ -21,7 +21,7 @@ ToolProxy proxyAbove(const std::shared_ptr<const Surface>& surface, ContactMode 
     return proxy;
 }
 
-TEST(ToolProxy, InTheAirItIsWhereTheHandIs) {
+TEST(ToolProxy, InTheAirItIsAtTheDevice) {
     ToolProxy proxy(test::ball(), test::block(), ContactMode::Proxy);
     const ProxyState state = proxy.follow(at(0.3, 0.2, 0.5));
     EXPECT_TRUE(state.placed);
@@ -30,7 +30,7 @@ TEST(ToolProxy, InTheAirItIsWhereTheHandIs) {
     EXPECT_EQ(state.proxy.position, Vec3(0.3, 0.2, 0.5));
 }
 
-TEST(ToolProxy, OnAPlaneItStaysAboveTheHand) {
+TEST(ToolProxy, OnAPlaneItStaysAboveTheDevice) {
     ToolProxy proxy = proxyAbove(test::block(MaterialId::Dentin));
     const ProxyState state = proxy.follow(at(0.1, 0.2, -0.4));
     EXPECT_TRUE(state.offset.isApprox(Vec3(0, 0, 0.4), kRounding));
@@ -44,7 +44,7 @@ TEST(ToolProxy, OnAPlaneItStaysAboveTheHand) {
     EXPECT_TRUE(sum.isApprox(state.offset, kRounding));
 }
 
-TEST(ToolProxy, TravelIsTheWayOfTheProxyNotOfTheHand) {
+TEST(ToolProxy, TravelIsThatOfTheProxyAndNotOfTheDevice) {
     ToolProxy proxy = proxyAbove(test::block());
     (void)proxy.follow(at(0, 0, -0.1));
     EXPECT_NEAR(proxy.follow(at(0, 0, -0.3)).travel, 0, kRounding);
@@ -64,7 +64,7 @@ TEST(ToolProxy, NeverEntersTheToothOnARandomWalkThroughIt) {
         hand.position = hand.position.cwiseMax(Vec3(-6, -6, -1.5)).cwiseMin(Vec3(6, 6, 1));
         const ProxyState state = proxy.follow(hand);
         ASSERT_TRUE(state.placed);
-        // The judge's own rounding is some picometres: ask it a nanometre off the surface.
+        // The oracle's rounding error is some picometres: ask it a nanometre off the surface.
         const Vec3 off = state.contacts > 0 ? Vec3(1e-6 * state.offset.normalized()) : Vec3::Zero();
         ASSERT_TRUE(judge.isFree({state.proxy.position + off, state.proxy.rotation})) << i;
         touching += state.contacts > 0;
@@ -73,7 +73,7 @@ TEST(ToolProxy, NeverEntersTheToothOnARandomWalkThroughIt) {
     EXPECT_LT(touching, 1800);
 }
 
-TEST(ToolProxy, AHandThatStartsInsideIsLedOutTheShortestWay) {
+TEST(ToolProxy, ADeviceThatStartsInsideGetsTheNearestFreePose) {
     ToolProxy proxy(test::ball(), test::block(), ContactMode::Proxy);
     const ProxyState state = proxy.follow(at(1, 1, -0.7));
     ASSERT_TRUE(state.placed);
@@ -91,10 +91,10 @@ TEST(ToolProxy, ARisingSurfaceLiftsTheToolOutOfItself) {
     }
 }
 
-TEST(ToolProxy, ASurfaceThatFillsTheRoomFindsItsWayOutAtTheNextTick) {
+TEST(ToolProxy, AnEnclosedToolGetsAFreePoseAtTheNextTick) {
     ToolProxy proxy = proxyAbove(test::block());
     (void)proxy.follow(at(0, 0, -0.2));
-    for (const double top : {0.9, 2.5}) {  // the second swallows the ball whole: no triangles meet
+    for (const double top : {0.9, 2.5}) {  // the second contains the whole ball: no triangles meet
         (void)proxy.setSurface(test::block(MaterialId::Enamel, top));
         EXPECT_FALSE(proxy.follow(at(0, 0, top - 0.7)).placed);
         const ProxyState state = proxy.follow(at(0, 0, top - 0.7));
@@ -103,7 +103,7 @@ TEST(ToolProxy, ASurfaceThatFillsTheRoomFindsItsWayOutAtTheNextTick) {
     }
 }
 
-TEST(ToolProxy, AnExchangedSurfaceComesBackWithItsLastReference) {
+TEST(ToolProxy, SetSurfaceReturnsTheOldSurface) {
     auto first = test::block();
     ToolProxy proxy = proxyAbove(first);
     const std::shared_ptr<const Surface> old = proxy.setSurface(test::block());
@@ -112,7 +112,7 @@ TEST(ToolProxy, AnExchangedSurfaceComesBackWithItsLastReference) {
     EXPECT_EQ(old.use_count(), 1);
 }
 
-TEST(ToolProxy, AfterReleaseItPlacesTheToolAnew) {
+TEST(ToolProxy, AfterReleaseItFindsANewPose) {
     const auto surface = test::block();
     ToolProxy proxy = proxyAbove(surface);
     (void)proxy.follow(at(0, 0, -1));
@@ -120,7 +120,7 @@ TEST(ToolProxy, AfterReleaseItPlacesTheToolAnew) {
     EXPECT_EQ(proxy.follow(at(0, 0, -7)).contacts, 0);  // below the block: the old history would hold it above
 }
 
-TEST(ToolProxy, AnOpenSurfaceIsFeltToo) {
+TEST(ToolProxy, AnOpenSurfaceIsTouchedToo) {
     auto open = std::make_shared<Surface>();
     TriangleMesh square;
     square.vertices = {Vec3f(-3, -3, 0), Vec3f(3, -3, 0), Vec3f(3, 3, 0), Vec3f(-3, 3, 0)};
@@ -150,9 +150,9 @@ std::shared_ptr<const Surface> denseSquare(int cells) {
     return surface;
 }
 
-TEST(ToolProxy, AFlatToolIsHeldByAFlatFloorHoweverFineItIs) {
+TEST(ToolProxy, AFlatToolIsHeldByAFlatFloorOfAnyResolution) {
     const auto tool = std::make_shared<const ToolShape>(test::cylinder(Vec3::Zero(), 0.4, 4, 32));
-    for (const int cells : {50, 100, 250}) {  // the last gives more pairs than the body can list
+    for (const int cells : {50, 100, 250}) {  // the last gives more pairs than the solver can list
         ToolProxy proxy(tool, denseSquare(cells), ContactMode::Proxy);
         ProxyState state = proxy.follow(at(0.013, 0.017, 0.3));
         for (int i = 0; i < 20; ++i) {
@@ -179,7 +179,7 @@ TEST(ToolProxy, PenaltyModeFreesTheDeepestPairAndKeepsNoHistory) {
         EXPECT_EQ(state.held[0].material, MaterialId::Caries);
     }
     EXPECT_EQ(proxy.follow(at(0, 0, 0.5)).contacts, 0);
-    EXPECT_EQ(proxy.follow(at(0, 0, -2)).offset, Vec3::Zero());  // wholly inside no pair of triangles meets
+    EXPECT_EQ(proxy.follow(at(0, 0, -2)).offset, Vec3::Zero());  // wholly inside, no pair of triangles meets
 }
 
 }  // namespace

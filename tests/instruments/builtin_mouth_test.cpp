@@ -144,7 +144,7 @@ TEST(BuiltinMouth, GumsKeepClearOfTheTeethAndCoverTheirNecks) {
     }
 }
 
-/// Where the upper gum ends toward the crowns, along a vertical line through any of `ys` at `x`.
+/// Height of the margin of the upper gingiva, along a vertical line through any of `ys` at `x`.
 double marginOf(const SurfacePart& gingiva, double x, double fromY, double toY) {
     for (double z = -4; z < 15; z += 0.05) {
         for (double y = fromY; y < toY; y += 0.1) {

@@ -275,7 +275,7 @@ TEST(BuiltinTooth, MesialIsOnTheSideOfTheMouthThatTheNumberNames) {
 TEST(BuiltinTooth, TheLowerRightMolarFitsIntoTheRightSideOfTheMouth) {
     const BuiltinTooth& molar = toothOf(LowerFirstMolar);
     ASSERT_EQ(molar.fdi, 46);
-    // The fifth cusp is the lowest and the farthest to distal; it stands on the cheek side.
+    // The fifth cusp is the lowest and the most distal one; it is on the buccal side.
     const std::vector<Vec3f> cusps = molarCusps();
     const Vec3f lowest = *std::ranges::min_element(cusps, {}, [](const Vec3f& v) { return v.z(); });
     EXPECT_LT(lowest.x() * mesialX(molar.fdi), -2.5);

@@ -6,11 +6,11 @@
 
 namespace tactooth::test {
 
-/// Independent judge: CGAL.
+/// Self-intersections according to CGAL, independent of our code.
 [[nodiscard]] bool selfIntersects(const TriangleMesh& mesh);
 
-/// Solid angle of the mesh seen from `point`, as a part of the full sphere: 1 inside, 0 outside (A. van Oosterom,
-/// J. Strackee 1983). Slow and exact.
+/// Solid angle of the mesh seen from `point`, as a share of the full sphere: 1 inside, 0 outside (A. van Oosterom, J.
+/// Strackee 1983). Slow and exact.
 [[nodiscard]] double windingNumber(const TriangleMesh& mesh, const Vec3& point);
 
 }  // namespace tactooth::test

@@ -13,7 +13,7 @@
 namespace tactooth::test {
 namespace {
 
-/// Smallest distance of a vertex of `a` from `b`, negative if one lies inside.
+/// Smallest distance of a vertex of `a` from `b`, negative if one is inside.
 double clearance(const TriangleMesh& a, const TriangleMesh& b) {
     const SurfacePart part(b);
     constexpr double kFar = 1.0;

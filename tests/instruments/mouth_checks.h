@@ -6,13 +6,13 @@
 
 namespace tactooth::test {
 
-/// The outer surface of a tooth where it stands.
+/// The outer surface of a tooth in its pose.
 [[nodiscard]] TriangleMesh placed(const BuiltinMouth& in, int fdi);
 
-/// Smallest distance of a vertex of the one from the other, negative if one lies inside; at most 1 mm.
+/// Smallest distance of a vertex of one from the other, negative if one is inside; at most 1 mm.
 [[nodiscard]] double between(const TriangleMesh& a, const TriangleMesh& b);
 
-/// Both gums: closed, oriented, of one piece, and not intersecting themselves as CGAL judges.
+/// Both gingivae: closed, oriented, one component, and without self-intersections according to CGAL.
 void expectValidGingivae(const MouthLayout& layout);
 
 }  // namespace tactooth::test

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kLeast = 0.05;  // mm between two layers
 
-/// The vertex of `inner` above `from` that comes nearest to the surface of `outer`, as its depth below it.
+/// The smallest depth of a vertex of `inner` above `from` below the surface of `outer`.
 double leastDepth(const TriangleMesh& inner, const TriangleMesh& outer, double from) {
     const SurfacePart part(outer);
     double least = 1e9;

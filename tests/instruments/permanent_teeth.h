@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Wheeler's average teeth, and what the layers of every built-in tooth have to be like.
+// Wheeler's average teeth, and the properties of the layers of every built-in tooth.
 #pragma once
 
 #include <array>
@@ -33,7 +33,7 @@ inline constexpr std::array<AverageTooth, 16> kAverageTeeth = {{{11, 10.5, 13.0,
                                                                 {47, 7.0, 13.0, 10.5, 10.0, 8.0, 9.0, 1.0, 0.0},
                                                                 {48, 7.0, 11.0, 10.0, 9.5, 7.5, 9.0, 1.0, 0.0}}};
 
-/// Every layer is closed, faces outward, is one piece and does not cut through itself.
+/// Every layer is closed, faces outward, is one component and does not intersect itself.
 void expectValidLayers(const BuiltinTooth& tooth);
 
 /// The pulp stays at least 0.05 mm within the dentin, and the dentin of the crown within the enamel.

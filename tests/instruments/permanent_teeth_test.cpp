@@ -125,7 +125,7 @@ TEST(PermanentTeeth, SeedsGiveOtherPatientsAndTheSameSeedTheSameOne) {
 
 TEST(PermanentTeeth, UpperMolarsHaveThreeRootsAndLowerOnesTwo) {
     const auto roots = [](int fdi, double z) {
-        // Pieces of a cut through the roots: runs of grid points inside that hang together.
+        // Components of a section of the roots: connected runs of inner grid points.
         const TriangleMesh& mesh = toothOf(fdi).outer;
         constexpr double kStep = 0.45;
         constexpr int kCount = 32;

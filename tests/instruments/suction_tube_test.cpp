@@ -23,7 +23,7 @@ TEST(SuctionTube, IsClosedAndTurnedOutward) {
 TEST(SuctionTube, OpensAtTheOrigin) {
     const TriangleMesh mesh = makeSuctionTube();
     EXPECT_NEAR(boundingBox(mesh).min().z(), 0, 1e-6);
-    // Nothing stands in the bore for the width of the tube behind its opening.
+    // The bore is free for the width of the tube behind its opening.
     const double nearest = std::transform_reduce(
         mesh.vertices.begin(), mesh.vertices.end(), 100.0, [](double a, double b) { return std::min(a, b); },
         [](const Vec3f& v) { return v.z() < 6 ? double{v.head<2>().norm()} : 100.0; });

@@ -13,7 +13,7 @@
 namespace tactooth {
 namespace {
 
-/// How far the lowest point of `tool` at `pose` is above the patches, mm; negative inside.
+/// Distance of the lowest point of `tool` at `pose` above the patches, mm; negative inside.
 double clearance(const TenPatches& piece, const TriangleMesh& tool, const Pose& pose) {
     double least = 1e30;
     for (const Vec3f& v : tool.vertices) {
@@ -89,7 +89,7 @@ TEST(TenPatches, NoFreePlaceIsNearer) {
         EXPECT_GT(clearance(piece, ball, {tip, hand.rotation}), -1e-6);
         if (depth == 0) continue;
         EXPECT_NEAR(clearance(piece, ball, {tip, hand.rotation}), 0, 1e-6);
-        for (int k = 0; k < 50; ++k) {  // of all places a little nearer to the hand, none is free
+        for (int k = 0; k < 50; ++k) {  // of all positions a little closer to the device, none is free
             const Vec3 aside(share(random), share(random), share(random));
             const Vec3 nearer = tip + 0.05 * depth * aside;
             if ((nearer - hand.position).norm() > depth - 1e-6) continue;

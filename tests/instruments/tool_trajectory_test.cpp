@@ -29,7 +29,7 @@ TEST(ToolTrajectory, MovesAtItsSpeedAndTurnsAtItsRate) {
     const std::vector<Pose> hand = toolTrajectory(plate, path);
     ASSERT_GT(hand.size(), 100U);
     for (std::size_t i = 1; i < hand.size(); ++i) {
-        EXPECT_LT((hand[i].position - hand[i - 1].position).norm(), 0.05 + 1e-9);  // shorter where the way bends
+        EXPECT_LT((hand[i].position - hand[i - 1].position).norm(), 0.05 + 1e-9);  // shorter at a bend of the path
         EXPECT_LT(hand[i].rotation.angularDistance(hand[i - 1].rotation) * 180 / 3.14159265, 0.06 + 1e-6);
     }
     EXPECT_NEAR((hand[2].position - hand[1].position).norm(), 0.05, 1e-9);

@@ -51,7 +51,7 @@ TEST(Turbine, HeadHasTheSizeOfARealOneAndLetsTheBurProtrude) {
     EXPECT_LE(bottom, 10);
 }
 
-/// Also around the groove below the push button, where too coarse a grid leaves teeth.
+/// Also around the groove below the push button, where a coarse grid makes a jagged edge.
 TEST(Turbine, HeadIsAsRoundAsIfTurned) {
     const SurfacePart head(turbine());
     constexpr int kDirections = 48;

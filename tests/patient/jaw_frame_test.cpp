@@ -26,7 +26,7 @@ std::vector<Scan> arch(int count, double mm) {
 
 TEST(JawFrame, TheTeethShareOneUnitWhichIsExplained) {
     auto teeth = arch(5, 10);
-    teeth[0] = {"chip", test::box(Vec3(2.5, 0, 0), Vec3(2.6, 0.1, 0.1)), {}};  // alone it would be taken as inches
+    teeth[0] = {"chip", test::box(Vec3(2.5, 0, 0), Vec3(2.6, 0.1, 0.1)), {}};  // alone it would count as inches
     const auto jaw = findJawFrame(teeth, std::nullopt);
     ASSERT_TRUE(jaw);
     EXPECT_EQ(jaw->mmPerUnit, 10);

@@ -36,7 +36,7 @@ TEST_P(LayerModelOf, IsClosedAndMakesATooth) {
     EXPECT_TRUE(LayeredTooth::make(builtIn(GetParam()).outer, model->layers));
 }
 
-/// Against the teeth that were modelled tissue by tissue: a rough likeness, but not another kind of tooth.
+/// Compared with teeth that were modelled tissue by tissue: similar, and of the same kind.
 TEST_P(LayerModelOf, HasAboutTheVolumesOfAWholeModel) {
     const BuiltinTooth& tooth = builtIn(GetParam());
     const auto model = modelLayers(tooth.outer);
@@ -87,8 +87,8 @@ TEST(LayerModel, EachRootHasItsCanal) {
     EXPECT_GT(canals.max().x(), 1);   // the mesial one
 }
 
-/// As a micro-CT shows it: the pulp space is a hollow, with a narrow way out at the apex.
-TEST(LayerModel, AHollowIsThePulpSpaceAndHasNoEnamel) {
+/// As in a micro-CT: the pulp space is a void, with a narrow way out at the apex.
+TEST(LayerModel, AVoidIsThePulpSpaceAndHasNoEnamel) {
     const TriangleMesh shell = test::cylinder(Vec3(0, 0, -12), 5, 20, 48);
     TriangleMesh hollow = test::cylinder(Vec3(0, 0, -8), 1.5, 12, 24);
     for (Triangle& triangle : hollow.triangles) std::swap(triangle[0], triangle[1]);

@@ -67,7 +67,7 @@ TEST(ScanImport, DamageIsMendedAndSaid) {
     EXPECT_NE(words.find("1 holes were filled"), std::string::npos) << words;
 }
 
-/// The crown alone, as a scanner in the mouth sees it: open where the gum begins.
+/// The crown alone, as an intraoral scanner sees it: open at the gingiva.
 TriangleMesh crownOnly() {
     TriangleMesh crown = molar().outer;
     std::erase_if(crown.triangles, [&](const Triangle& t) {
@@ -91,7 +91,7 @@ TEST(ScanImport, AWideHoleIsFilledOnlyWhenAskedFor) {
 }
 
 TEST(ScanImport, LayersWithoutAnOuterSurfaceGetOne) {
-    // Of the built-in tooth the enamel is the whole crown: enamel and dentin overlap.
+    // The enamel of the built-in tooth is the whole crown: enamel and dentin overlap.
     const auto scan = examineScan(
         {"t", {}, {{"enamel", MaterialId::Enamel, molar().enamel}, {"dentin", MaterialId::Dentin, molar().dentin}}},
         {});
@@ -131,7 +131,7 @@ TEST(ScanImport, ASpeckFarAwayChangesNeitherUnitNorFrame) {
 }
 
 TEST(ScanImport, HolesThatShareCornersAreFilled) {
-    // All around a vertex every second triangle is missing: the holes meet there.
+    // Around a vertex every second triangle is missing: the holes meet there.
     for (const std::uint32_t vertex : {100u, 400u, 700u, 1000u, 1300u}) {
         TriangleMesh mesh = molar().outer;
         std::size_t around = 0, gone = 0;
@@ -147,7 +147,7 @@ TEST(ScanImport, HolesThatShareCornersAreFilled) {
 }
 
 TEST(ScanImport, TheAdviceIsNotTheOneThatWasFollowed) {
-    // A flap on an edge of the surface: no hole to fill.
+    // A flap on an edge of the surface: not a hole to fill.
     TriangleMesh mesh = molar().outer;
     mesh.triangles.push_back({mesh.triangles[0][0], mesh.triangles[0][1], mesh.triangles[900][0]});
     const auto scan = examineScan({"t", mesh, {}}, {.holes = HolesToFill::All});

@@ -40,7 +40,7 @@ TEST(ToothFrame, AToothThatLiesIsTurnedCrownUp) {
 }
 
 TEST(ToothFrame, TheEnamelTellsTheCrown) {
-    // Of a body that is the same at both ends only the hint tells which one is up.
+    // For a body that is the same at both ends only the hint says which one is up.
     FrameHints hints;
     hints.crown = Vec3(0, 0, -1);
     const FrameGuess guess = guessToothFrame(molar(), hints);
@@ -76,7 +76,7 @@ TEST(ToothFrame, WhatAPersonChoosesIsDone) {
 
 TEST(ToothFrame, TheOriginIsAtTheNeck) {
     const FrameGuess guess = guessToothFrame(molar());
-    EXPECT_NEAR(guess.toothInFile.position.z(), 0, 2.5);  // the built-in teeth have it there
+    EXPECT_NEAR(guess.toothInFile.position.z(), 0, 2.5);  // the neck of the built-in teeth
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ TEST(ToothSections, TheNeckIsWhereTheCrownEnds) {
 }
 
 TEST(ToothSections, AForkOfTheRootsIsNoNeck) {
-    SectionProfile profile{0, 1, {}};  // as wide as its crown down to where the roots part
+    SectionProfile profile{0, 1, {}};  // as wide as its crown down to the furcation
     for (int i = 0; i < 20; ++i) profile.areas.push_back(i < 6 ? 4 * i : 80);
     EXPECT_NEAR(neckHeight(profile), 10.4, 1e-9);
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// The sound must neither wait for the heap nor keep it from others: counts each call of operator new in this program.
+// The sound must neither wait for the heap nor block it: counts each call of operator new in this program.
 #include <gtest/gtest.h>
 
 #include "geometry/util/triple_buffer.h"

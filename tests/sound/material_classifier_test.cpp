@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Is the material really in the sound? A listener with next to no skill has to tell enamel, dentin and caries from
-// 100 ms: the power in third-octave bands from 500 Hz to 16 kHz, in dB without their mean (so that loudness tells
-// nothing), and the nearest of three means in the measure of the common covariance.
-// R. A. Fisher, "The use of multiple measurements in taxonomic problems", Ann. Eugen. 7 (1936) 179.
-// It learns from one set of random loads and is examined on another, with other noise.
+// Is the material audible? A simple classifier has to distinguish enamel, dentin and caries from 100 ms: the power in
+// third-octave bands from 500 Hz to 16 kHz, in dB without their mean (so that loudness says nothing), and the nearest
+// of three means in the metric of the common covariance. R. A. Fisher, "The use of multiple measurements in taxonomic
+// problems", Ann. Eugen. 7 (1936) 179. It learns from one set of random loads and is tested on another, with other
+// noise.
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -40,8 +40,8 @@ Features featuresOf(std::span<const float> sound) {
     return bands.array() - bands.mean();
 }
 
-// 100 ms out of a cut at a random power, speed and load; everything that a session hears is in it, the turbine at full
-// volume included.
+// 100 ms of a cut at a random power, speed and load; with everything of a session, including the turbine at full
+// volume.
 std::vector<Example> examples(unsigned seed, int each) {
     std::mt19937 random(seed);
     const auto between = [&](double low, double high) {
@@ -103,7 +103,7 @@ TEST(MaterialClassifier, TellsTheMaterialFromATenthOfASecondUnderLoadsItHasNever
 }
 
 TEST(MaterialClassifier, WithoutTheCutItCanOnlyGuess) {
-    // The turbine over a material that is not cut must not give the answer away.
+    // The turbine over a material that is not cut must not reveal the material.
     const Classifier classifier(examples(20261, 60));
     std::vector<Example> exam;
     std::mt19937 random(5);

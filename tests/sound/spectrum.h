@@ -11,7 +11,7 @@
 
 namespace tactooth::test {
 
-/// Power at each frequency of a piece of sound: Blackman-Harris window (leaks less than -92 dB), one-sided, a sine of
+/// Power at each frequency of a part of a sound: Blackman-Harris window (leaks less than -92 dB), one-sided, a sine of
 /// amplitude 1 gives a peak of 1.
 struct Spectrum {
     std::vector<double> power;
@@ -39,11 +39,11 @@ struct Spectrum {
 /// Largest step from one sample to the next.
 [[nodiscard]] float largestJump(std::span<const float> samples);
 
-/// Renders `seconds` in blocks as the output does; `stateAt` is asked for the time at each block's end.
+/// Renders `seconds` in blocks like the output; calls `stateAt` with the time at the end of each block.
 [[nodiscard]] std::vector<float> renderDrill(DrillSynthesiser& synthesiser, double seconds,
                                              const std::function<DrillSoundState(double)>& stateAt);
 
-/// A turbine that runs at a steady speed with its pedal as given.
+/// A turbine at a steady speed with this pedal.
 [[nodiscard]] DrillSoundState spinning(double speedRpm, double pedal = 1.0);
 /// The same, cutting.
 [[nodiscard]] DrillSoundState cutting(const char* material, double watt, double speedRpm = 300000.0);

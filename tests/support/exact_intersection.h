@@ -6,8 +6,8 @@
 
 namespace tactooth::test {
 
-/// The judge: do two surfaces share a point? By CGAL's exact predicates on the doubles given, with CGAL's own box
-/// search; shares no code with what it judges.
+/// The oracle for common points of two surfaces: CGAL's exact predicates on the given doubles, with CGAL's own box
+/// search; shares no code with the tested code.
 class ExactIntersection {
 public:
     ExactIntersection(const TriangleMesh& fixed, const TriangleMesh& moving);

@@ -15,7 +15,7 @@ struct AssertFired {
     std::string condition;
 };
 
-/// While it lives, a failed assert throws AssertFired instead of aborting.
+/// While an object lives, a failed assert throws AssertFired instead of aborting.
 class ThrowingAsserts {
 public:
     ThrowingAsserts()

@@ -26,11 +26,11 @@ using Point = Kernel::Point_3;
 using SurfaceMesh = CGAL::Surface_mesh<Point>;
 using Corners = std::array<std::size_t, 3>;
 
-/// The facets of a file by numbers of points, those with two equal corners left out.
+/// The facets of a file as point numbers, without those with two equal corners.
 struct Soup {
     std::vector<Point> points;
     std::vector<Corners> facets;
-    std::vector<std::size_t> numbers;  // of the facets, in the file
+    std::vector<std::size_t> numbers;  // numbers of the facets in the file
 };
 
 bool isCollapsed(const Corners& facet) { return facet[0] == facet[1] || facet[1] == facet[2] || facet[2] == facet[0]; }
@@ -43,7 +43,7 @@ SurfaceMesh meshOf(const Soup& soup) {
     return mesh;
 }
 
-/// How far the points of one facet reach to that side of another's plane to which they reach less far.
+/// Reach of the points of one facet beyond another's plane, to the side of the smaller reach.
 double piercesTriangle(const std::array<Point, 3>& facet, const std::array<Point, 3>& plane) {
     const Kernel::Vector_3 normal = CGAL::cross_product(plane[1] - plane[0], plane[2] - plane[0]);
     const double length = std::sqrt(normal.squared_length());

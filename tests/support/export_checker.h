@@ -9,24 +9,23 @@
 
 namespace tactooth::test {
 
-/// Two facets of a file that meet elsewhere than in the corners or the edge that both have.
+/// Two facets of a file that meet elsewhere than in their common corners or edge.
 struct SelfIntersection {
     std::size_t first, second;  ///< numbers of the facets in the file; equal for a facet without area
-    /// mm; how far one would have to be moved along the other's normal to be clear of it. 0: they touch, or overlap in
-    /// one plane.
+    /// mm; displacement along the other's normal that would separate them. 0: they touch, or overlap in one plane.
     double depth;
 };
 
-/// What an independent reader finds in an STL file: CGAL reads it, makes points of equal coordinates one, and judges.
-/// Shares no code with what it judges.
+/// Result of an independent reader of an STL file: CGAL reads it, unites points of equal coordinates, and examines it.
+/// Shares no code with the tested code.
 struct ExportCheck {
     std::size_t facets = 0;
-    std::size_t collapsed = 0;  ///< facets with two equal corners; what follows is judged without them
+    std::size_t collapsed = 0;  ///< facets with two equal corners; all else is without them
     bool isManifold = false;    ///< every edge has two facets that run along it in opposite directions or one, every
-                                ///< point one fan of them; nothing below is known otherwise
+                                ///< point has one fan of them; if false, the results below are not known
     bool isClosed = false;
     std::size_t components = 0;
-    bool boundsVolume = false;  ///< the outermost components face outward, those within them inward, and so on
+    bool boundsVolume = false;  ///< the outermost components face outward, those inside them inward, and so on
     double volume = 0;          ///< mm^3
     std::vector<SelfIntersection> crossings;
 

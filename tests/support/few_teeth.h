@@ -8,7 +8,7 @@
 
 namespace tactooth::test {
 
-/// FDI numbers of the teeth that a mouth has lost when only these are left: it is made in a fraction of the time.
+/// FDI numbers of the missing teeth when only these are left: such a mouth takes a fraction of the time.
 inline std::vector<int> allTeethExcept(std::initializer_list<int> left) {
     std::vector<int> missing;
     for (const int quadrant : {10, 20, 30, 40}) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// Each form is replaced, though the library's own would call the plain one: a sanitizer brings forms of its own, and
-// takes it amiss if memory comes from its new and goes to our delete.
+// Each form is replaced, although those of the library would call the plain one: a sanitizer has forms of its own, and
+// reports memory that comes from its new and goes to our delete.
 #include "support/heap_counter.h"
 
 #include <atomic>

@@ -4,8 +4,8 @@
 
 namespace tactooth::test {
 
-/// How often this program has called operator new, in any form and on any thread. Only for programs that link
-/// tactooth_test_heap_counter, which replaces operator new in all of them.
+/// Number of calls of operator new in this program, in any form and on any thread. Only for programs that link
+/// tactooth_test_heap_counter, which replaces operator new.
 [[nodiscard]] long heapCalls();
 
 }  // namespace tactooth::test

@@ -12,7 +12,7 @@
 namespace tactooth::test {
 namespace {
 
-/// Equal points are one.
+/// The mesh with equal points united.
 TriangleMesh welded(const TriangleMesh& mesh) {
     std::vector<Vec3f> corners;
     for (const Triangle& triangle : mesh.triangles) {

@@ -8,16 +8,16 @@
 
 namespace tactooth::test {
 
-/// Number of directed edges, by the numbers of their ends, that have no single partner in the other direction: 0 for a
+/// Number of directed edges, by the numbers of their ends, without exactly one partner in the other direction: 0 for a
 /// closed, consistently oriented surface.
 [[nodiscard]] int unpairedEdges(const TriangleMesh& mesh);
-/// The same, equal points being one.
+/// The same with equal points united.
 [[nodiscard]] int openEdges(const TriangleMesh& mesh);
 
 /// Enclosed volume by the divergence theorem, mm^3; positive if the triangles face outward.
 [[nodiscard]] double volumeOf(const TriangleMesh& mesh);
 
-/// The same of each piece that hangs together, equal points being one.
+/// The same for each connected component, with equal points united.
 [[nodiscard]] std::vector<double> pieceVolumes(const TriangleMesh& mesh);
 
 [[nodiscard]] bool areBitEqual(const TriangleMesh& a, const TriangleMesh& b);

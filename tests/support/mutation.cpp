@@ -8,10 +8,10 @@
 namespace tactooth::test {
 namespace {
 
-constexpr std::size_t kHead = 100;  // bytes in which most formats keep their numbers
-constexpr std::size_t kPiece = 60;  // bytes that are cut or moved at most
+constexpr std::size_t kHead = 100;  // bytes that hold the numbers of most formats
+constexpr std::size_t kPiece = 60;  // largest number of bytes that are cut or moved
 
-/// What readers of text trip over.
+/// Words that break readers of text.
 constexpr std::string_view kWords[] = {"nan",
                                        "-inf",
                                        "1e999",

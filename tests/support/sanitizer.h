@@ -15,8 +15,8 @@ constexpr bool isSanitized() {
 #endif
 }
 
-/// How many cases of a long test to run: `all`, but `few` under a sanitizer. That makes each case ten to thirty times
-/// slower, and what it looks for shows in few of them.
+/// Number of cases of a long test: `all`, or `few` under a sanitizer, which makes each case ten to thirty times slower
+/// and needs few cases.
 template <class Number>
 constexpr Number cases(Number all, Number few) {
     return isSanitized() ? few : all;

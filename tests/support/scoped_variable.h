@@ -8,7 +8,7 @@
 
 namespace tactooth::test {
 
-/// A variable of the environment that is another one as long as the object lives; nullopt: it is not set.
+/// Changes an environment variable while the object lives; nullopt: it is not set.
 class ScopedVariable {
 public:
     ScopedVariable(std::string name, const std::optional<std::string>& value) : name_(std::move(name)) {

@@ -9,10 +9,10 @@
 namespace tactooth::test {
 
 /// The folder with the real CT teeth: $TACTOOTH_DATA, else ../shared/data beside the source tree; none if neither
-/// is there. A test then uses the built-in teeth, and says so on its output.
+/// exists. A test then uses the built-in teeth, and prints that it does.
 [[nodiscard]] std::optional<std::filesystem::path> realTeethFolder();
 
-/// A fresh folder for the files of one test, removed when the object goes.
+/// A new folder for the files of one test, removed with the object.
 class TemporaryFolder {
 public:
     TemporaryFolder();

@@ -4,6 +4,8 @@
 
 #include <numeric>
 
+#include "geometry/util/assert.h"
+
 namespace tactooth {
 namespace {
 
@@ -64,6 +66,7 @@ CellPatches findPatches(unsigned inside) {
         if (patch < 0) patch = result.count++;
         result.patchOfEdge[edge] = static_cast<std::int8_t>(patch);
     }
+    TACTOOTH_ASSERT(result.count <= 4);
     return result;
 }
 
@@ -75,6 +78,7 @@ const CellPatches& cellPatches(unsigned inside) {
         for (unsigned i = 0; i < kConfigurations; ++i) all[i] = findPatches(i);
         return all;
     }();
+    TACTOOTH_ASSERT(inside < table.size());
     return table[inside];
 }
 

@@ -10,14 +10,14 @@ namespace tactooth {
 inline constexpr int kCellEdges = 12;
 
 /// How a surface passes through a grid cell, from the signs at its eight corners. Corner number: x + 2 y + 4 z. Edge
-/// number: 4 axis + u + 2 v, with u and v the edge's place along the next two axes (cyclic).
+/// number: 4 axis + u + 2 v, with u and v the position of the edge along the next two axes (cyclic).
 struct CellPatches {
     std::array<std::int8_t, kCellEdges> patchOfEdge{};  ///< the patch that crosses an edge, -1 if none does
-    int count = 0;  ///< patches: closed chains of crossings around the cell, at most four
+    int count = 0;  ///< number of patches: closed chains of crossings around the cell, at most four
 };
 
-/// `inside`: bit c is set if corner c is inside. On a face with two inside corners diagonally opposite, those are kept
-/// apart; both cells at a face see it alike.
+/// `inside` (0..255): bit c is set if corner c is inside. On a face with two diagonally opposite inside corners, these
+/// are separate; both cells at a face decide alike.
 [[nodiscard]] const CellPatches& cellPatches(unsigned inside);
 
 /// Corner of edge `edge` with the lower (`end` 0) or higher (1) coordinate along the edge's axis.

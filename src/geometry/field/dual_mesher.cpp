@@ -1,15 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// G. M. Nielson, "Dual marching cubes", IEEE Visualization 2004. Differs from the paper: where both cells at an
+// G. M. Nielson, "Dual marching cubes", IEEE Visualization 2004. Ours differs in one point. Where both cells at an
 // ambiguous face join its two segments, the two segments would become one edge with four polygons. There each segment
-// gets a vertex of its own, so that the result is a manifold for every field.
+// gets its own vertex, so that the result is a manifold for every field.
 #include "geometry/field/dual_mesher.h"
 
 #include <algorithm>
 #include <cassert>
 
 #include "geometry/field/cell_patches.h"
+#include "geometry/util/assert.h"
 
 namespace tactooth {
 namespace {
@@ -41,6 +42,7 @@ void DualMesher::forEachActiveCell(const Function& function) const {
 Vec3 DualMesher::crossing(const Index3& cell, int edge) const {
     const Index3 low = cell + cornerOffset(edgeCorner(edge, 0)), high = cell + cornerOffset(edgeCorner(edge, 1));
     const double a = grid_.value(low), b = grid_.value(high);
+    TACTOOTH_ASSERT((a < 0) != (b < 0));
     return grid_.position(low) + a / (a - b) * (grid_.position(high) - grid_.position(low));
 }
 
@@ -65,6 +67,7 @@ void DualMesher::addVertices(const Index3& cell) {
             sum += crossing(cell, edge);
             ++crossings;
         }
+        TACTOOTH_ASSERT(crossings >= 3);
         mesh_.vertices.push_back(sum / crossings);
     }
 }
@@ -80,8 +83,8 @@ void DualMesher::addPolygons(const Index3& cell) {
 }
 
 void DualMesher::addPolygon(const Index3& cell, int axis, bool outwardAlongAxis) {
-    // The four cells around the edge, counter-clockwise seen from the axis' positive end: steps back along the next
-    // axes.
+    // The four cells around the edge, counter-clockwise seen from the positive end of the axis: steps back along the
+    // next axes.
     constexpr int kBack[4][2] = {{1, 1}, {0, 1}, {0, 0}, {1, 0}};
     const auto cellAround = [&](int i) {
         Index3 around = cell;
@@ -90,10 +93,11 @@ void DualMesher::addPolygon(const Index3& cell, int axis, bool outwardAlongAxis)
         return around;
     };
     std::vector<std::uint32_t> polygon;
-    int pivot = -1;  // place of a face vertex: no other polygon can have the same diagonals
+    int pivot = -1;  // index of a face vertex: no other polygon can have the same diagonals
     for (int i = 0; i < 4; ++i) {
         const Index3 here = cellAround(i), next = cellAround((i + 1) % 4);
         const int edge = 4 * axis + kBack[i][0] + 2 * kBack[i][1];
+        TACTOOTH_ASSERT(patchAt(here, edge) >= 0);
         polygon.push_back(firstVertex_[cellNumber(here)] + static_cast<std::uint32_t>(patchAt(here, edge)));
         if (const auto vertex = vertexOnFace(here, next, edge)) {
             pivot = static_cast<int>(polygon.size());
@@ -109,10 +113,12 @@ void DualMesher::addPolygon(const Index3& cell, int axis, bool outwardAlongAxis)
 
 void DualMesher::store(const std::vector<std::uint32_t>& polygon, int pivot) {
     if (pivot < 0) {
+        TACTOOTH_ASSERT(polygon.size() == 4);
         mesh_.quads.push_back({polygon[0], polygon[1], polygon[2], polygon[3]});
         return;
     }
     const std::size_t corners = polygon.size();
+    TACTOOTH_ASSERT(corners > 4 && static_cast<std::size_t>(pivot) < corners);
     for (std::size_t i = 1; i + 1 < corners; ++i) {
         mesh_.triangles.push_back({polygon[pivot], polygon[(pivot + i) % corners], polygon[(pivot + i + 1) % corners]});
     }
@@ -129,7 +135,7 @@ std::optional<std::uint32_t> DualMesher::vertexOnFace(const Index3& a, const Ind
     const int along = edgeOfA / 4, other = 3 - along - across, flip = 1 << across;
     const int end = ((inside >> edgeCorner(edgeOfA, 0)) & 1u) != 0 ? 0 : 1;
     const int corner = edgeCorner(edgeOfA, end);                // the segment cuts off this inside corner
-    const int opposite = corner ^ (1 << along) ^ (1 << other);  // the other segment that one
+    const int opposite = corner ^ (1 << along) ^ (1 << other);  // the other segment cuts off this one
     const bool joinedInA = patchAt(a, edgeOfA) == patchAt(a, cornerEdge(opposite, along));
     const bool joinedInB =
         patchAt(b, cornerEdge(corner ^ flip, along)) == patchAt(b, cornerEdge(opposite ^ flip, along));

@@ -13,15 +13,15 @@
 
 namespace tactooth {
 
-/// The polygons of an isosurface before their vertices have found their place.
+/// The polygons of an isosurface before relaxation.
 struct DualMesh {
     std::vector<Vec3> vertices;
     std::vector<std::array<std::uint32_t, 4>> quads;
     std::vector<Triangle> triangles;  ///< at the rare places where a quad is not enough
 };
 
-/// Makes a closed, oriented manifold from sampled values: one vertex for each patch of surface in a cell, one quad for
-/// each crossed grid edge. Use: `DualMesher(grid).mesh()`.
+/// Makes a closed, oriented manifold from sampled values: one vertex for each patch of surface in a cell, and one quad
+/// for each crossed grid edge. Use: `DualMesher(grid).mesh()`.
 class DualMesher {
 public:
     explicit DualMesher(const SampledGrid& grid);
@@ -44,7 +44,7 @@ private:
     const SampledGrid& grid_;
     Index3 cells_;
     std::vector<std::uint32_t> firstVertex_;  // of each cell
-    std::vector<std::uint8_t> inside_;        // of each cell: which corners
+    std::vector<std::uint8_t> inside_;        // of each cell: bits of the inside corners
     std::map<std::pair<std::size_t, int>, std::uint32_t> faceVertices_;
     DualMesh mesh_;
 };

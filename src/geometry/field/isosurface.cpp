@@ -7,12 +7,16 @@
 #include <utility>
 
 #include "geometry/field/dual_mesher.h"
+#include "geometry/util/assert.h"
 #include "geometry/util/parallel_for.h"
+
+// Dual marching cubes (see dual_mesher.cpp), then relaxation as in S. Gibson, "Constrained elastic surface nets",
+// MICCAI 1998. Ours ends with Newton steps that put the vertices onto the exact surface.
 
 namespace tactooth {
 namespace {
 
-/// The field's slope, from values beside the point where it is `value`.
+/// The gradient of the field, from values beside the point where it is `value`.
 Vec3 gradientAt(const ScalarField& field, const Vec3& point, double value, double reach) {
     const double step = 1e-3 * reach;  // far below a cell, far above rounding
     Vec3 gradient;
@@ -26,7 +30,7 @@ Vec3 gradientAt(const ScalarField& field, const Vec3& point, double value, doubl
 
 /// One step of Newton's method along the gradient, not farther than `reach`.
 Vec3 projected(const Vec3& point, double value, const Vec3& gradient, double reach) {
-    constexpr double kFlat = 1e-6;  // squared slope below which there is no direction to go
+    constexpr double kFlat = 1e-6;  // squared slope below which there is no direction
     const double squared = gradient.squaredNorm();
     if (squared < kFlat) return point;
     const Vec3 move = -value / squared * gradient;
@@ -47,7 +51,7 @@ public:
         });
     }
 
-    /// Half way to the middle of the neighbours, but along the surface only.
+    /// Half of the displacement to the mean of the neighbours, but along the surface only.
     [[nodiscard]] Vec3 relaxed(std::size_t vertex, const std::vector<Vec3>& at) const {
         const Vec3& here = at[vertex];
         Vec3 sum = Vec3::Zero(), normal = Vec3::Zero();
@@ -62,7 +66,7 @@ public:
     }
 
 private:
-    /// Each corner of each polygon: the closed surface shows every neighbour of a vertex once as the one after it.
+    /// Each corner of each polygon: on the closed surface, each neighbour of a vertex follows it exactly once.
     template <class Function>
     static void forEachCorner(const DualMesh& mesh, const Function& function) {
         for (const auto& q : mesh.quads) {
@@ -77,7 +81,8 @@ private:
     std::vector<std::pair<std::uint32_t, std::uint32_t>> around_;
 };
 
-/// Evens out the vertices and puts them on the exact surface; none strays far from its cell. Returns the slopes there.
+/// Relaxes the vertices and moves them onto the exact surface; none moves far from its cell. Returns the gradients
+/// there.
 std::vector<Vec3> relax(DualMesh& mesh, const ScalarField& field, const IsosurfaceOptions& options) {
     const Neighbours neighbours(mesh);
     const std::vector<Vec3> restPositions = mesh.vertices;
@@ -93,7 +98,7 @@ std::vector<Vec3> relax(DualMesh& mesh, const ScalarField& field, const Isosurfa
     }
     const double reach = options.cellSize / 2;
     parallelFor(moved.size(), [&](std::size_t i) {
-        // The first step lands within a small part of a cell; the second, along the same slope, on the surface.
+        // The first step ends within a small part of a cell; the second, along the same gradient, on the surface.
         Vec3& at = mesh.vertices[i];
         const double value = field(at);
         gradients[i] = gradientAt(field, at, value, reach);
@@ -103,15 +108,15 @@ std::vector<Vec3> relax(DualMesh& mesh, const ScalarField& field, const Isosurfa
     return gradients;
 }
 
-/// About how far the surface stands off the middle of the line between two points of it: that of a cubic arc with their
-/// normals (up to a factor that is the same for all lines of about this length).
+/// Approximate distance of the surface from the middle of the line between two of its points: that of a cubic arc with
+/// their normals, up to a factor that is the same for all lines of about this length.
 double sagBetween(const Vec3& a, const Vec3& slopeA, const Vec3& b, const Vec3& slopeB) {
     const double lengths = std::sqrt(slopeA.squaredNorm() * slopeB.squaredNorm());
     if (lengths == 0) return 0;
     return std::abs((b - a).dot(slopeA / slopeA.norm() - slopeB / slopeB.norm()));
 }
 
-/// Splits a quad along the diagonal whose middle is nearer to the surface: ridges and valleys stay sharp.
+/// Splits a quad along the diagonal whose middle is closer to the surface: ridges and valleys stay sharp.
 std::array<Triangle, 2> split(const std::array<std::uint32_t, 4>& q, const std::vector<Vec3>& at,
                               const std::vector<Vec3>& slopes) {
     const double first = sagBetween(at[q[0]], slopes[q[0]], at[q[2]], slopes[q[2]]),
@@ -123,6 +128,10 @@ std::array<Triangle, 2> split(const std::array<std::uint32_t, 4>& q, const std::
 }  // namespace
 
 RelaxedSurface relaxedIsosurface(const ScalarField& field, const Box3& box, const IsosurfaceOptions& options) {
+    TACTOOTH_ASSERT(options.cellSize > 0 && std::isfinite(options.cellSize));
+    TACTOOTH_ASSERT(options.lipschitzBound > 0);
+    TACTOOTH_ASSERT(options.relaxations >= 0);
+    TACTOOTH_ASSERT(!box.isEmpty() && box.sizes().allFinite());
     DualMesh dual = DualMesher(SampledGrid(field, box, options)).mesh();
     RelaxedSurface surface;
     surface.restPositions.reserve(dual.vertices.size());

@@ -29,11 +29,12 @@ SampledGrid::SampledGrid(const ScalarField& field, const Box3& box, const Isosur
 }
 
 Index3 SampledGrid::blockAt(std::size_t number) const {
+    TACTOOTH_ASSERT(number < active_.size());
     const auto x = static_cast<std::size_t>(blocks_.x()), y = static_cast<std::size_t>(blocks_.y());
     return {static_cast<int>(number % x), static_cast<int>(number / x % y), static_cast<int>(number / (x * y))};
 }
 
-/// From large cubes of blocks to single ones: what lies far from the surface is found out by few values.
+/// From large cubes of blocks to single blocks: few values exclude what is far from the surface.
 void SampledGrid::findActiveBlocks(const ScalarField& field, double lipschitzBound) {
     active_.assign(static_cast<std::size_t>(blocks_.x()) * blocks_.y() * blocks_.z(), 0);
     constexpr int kLargest = 8;  // blocks along a cube
@@ -104,8 +105,8 @@ bool SampledGrid::isCrossed(const Index3& block, int axis, int side) const {
     return false;
 }
 
-/// A field that is not as flat as promised may hide a crossed block: wakes the neighbours into which the surface
-/// goes on, so that it never ends at a sleeping block. Returns whether there were any.
+/// A field steeper than its Lipschitz bound may hide a crossed block. Activates the neighbours into which the surface
+/// continues, so that it never ends at an inactive block. Returns whether there were any.
 bool SampledGrid::followSurface() {
     std::vector<std::uint8_t> awake = active_;
     for (std::size_t number = 0; number < active_.size(); ++number) {

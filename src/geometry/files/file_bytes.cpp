@@ -14,10 +14,10 @@
 namespace tactooth {
 namespace {
 
-/// A file descriptor that is closed when it goes.
+/// A file descriptor that is closed at the end of its life.
 class Descriptor {
 public:
-    // Without O_NONBLOCK, opening a named pipe that nobody writes to would wait for ever.
+    // Without O_NONBLOCK, opening a named pipe that has no writer would wait for ever.
     explicit Descriptor(const std::filesystem::path& path)
         : fd_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {}
     ~Descriptor() {
@@ -77,7 +77,7 @@ Expected<FileBytes> readFile(const std::filesystem::path& path, std::size_t most
         const ssize_t count = ::read(file.get(), data + filled, *size - filled);
         if (count < 0 && errno == EINTR) continue;
         if (count < 0) return cannotRead(name, errno);
-        if (count == 0) break;  // the file has become shorter meanwhile; its parser will say what is missing
+        if (count == 0) break;  // the file has become shorter meanwhile; its parser reports what is missing
         filled += static_cast<std::size_t>(count);
     }
     whole.shorten(filled);

@@ -21,8 +21,11 @@ public:
     /// `data` holds `size` bytes and comes from allocateOnLargePages.
     FileBytes(std::byte* data, std::size_t size) : data_(data), size_(size) {}
 
-    /// Keeps the first `size` bytes alone.
-    void shorten(std::size_t size) { size_ = size; }
+    /// Keeps the first `size` bytes only.
+    void shorten(std::size_t size) {
+        TACTOOTH_ASSERT(size <= size_);
+        size_ = size;
+    }
     [[nodiscard]] std::size_t size() const { return size_; }
     [[nodiscard]] std::span<const std::byte> bytes() const { return {data_.get(), size_}; }
     [[nodiscard]] std::string_view text() const { return asText(bytes()); }
@@ -35,19 +38,18 @@ private:
     std::size_t size_;
 };
 
-/// The most that is read of any file: ten million triangles take a quarter of it. A larger one is a mistake.
+/// Largest file that is read: ten million triangles take a quarter of it. A larger file is a mistake.
 inline constexpr std::size_t kMaxFileBytes = std::size_t{2} << 30;
 
-/// Reads the whole file at once. Fails with one sentence if `path` is missing, a folder or another thing that is not
-/// a regular file, empty, not readable for this user, larger than `most` bytes (then no memory is taken), or larger
-/// than the memory.
+/// Reads the whole file at once. Fails with one sentence if `path` is missing, not a regular file, empty, not readable
+/// for this user, larger than `most` bytes (then no memory is taken), or larger than the memory.
 [[nodiscard]] Expected<FileBytes> readFile(const std::filesystem::path& path, std::size_t most = kMaxFileBytes);
 
-/// `path` as a message or a list shows it: see displayText.
+/// `path` in a form for a message or a list: see displayText.
 [[nodiscard]] std::string displayName(const std::filesystem::path& path);
 
-/// The last part of `path` as displayName shows it: what a file that is handed on may say of where it comes from. The
-/// folders above it may name a person.
+/// The last part of `path` as displayName shows it, for files that are passed on. The folders above it may contain the
+/// name of a person.
 [[nodiscard]] std::string displayFileName(const std::filesystem::path& path);
 
 }  // namespace tactooth

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMaxLinks = 40;  // as the system itself follows
+constexpr int kMaxLinks = 40;  // the limit of the system
 
 }  // namespace
 
@@ -22,7 +22,7 @@ fs::path linksFollowed(const fs::path& path) {
     for (int i = 0; i < kMaxLinks && fs::is_symlink(fs::symlink_status(place, error)); ++i) {
         const fs::path link = fs::read_symlink(place, error);
         if (error) break;
-        place = place.parent_path() / link;  // an absolute link takes the whole place
+        place = place.parent_path() / link;  // an absolute link replaces the whole path
     }
     return place;
 }
@@ -30,7 +30,7 @@ fs::path linksFollowed(const fs::path& path) {
 FileIdentity FileIdentity::of(const fs::path& path) {
     FileIdentity place;
     std::error_code error;
-    const fs::path whole = fs::absolute(linksFollowed(path), error);  // what is not there stays relative otherwise
+    const fs::path whole = fs::absolute(linksFollowed(path), error);  // a missing path stays relative otherwise
     place.canonicalPath = fs::weakly_canonical(whole, error);
     if (error) place.canonicalPath = whole.lexically_normal();
     struct stat status {};

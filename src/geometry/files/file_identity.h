@@ -7,8 +7,8 @@
 
 namespace tactooth {
 
-/// Where a name leads: two that are equal lead to one file, whatever way they are written in: through links, "." or
-/// "..", or as two names of one file. The file need not exist.
+/// The file that a path leads to. Two equal identities are one file, however the paths are written: through links, "."
+/// or "..", or as two names of one file. The file need not exist.
 struct FileIdentity {
     std::filesystem::path canonicalPath;  ///< absolute, without links
     std::uint64_t device = 0;             ///< both 0: there is no such file
@@ -19,11 +19,11 @@ struct FileIdentity {
         return canonicalPath == other.canonicalPath ||
                (number != 0 && number == other.number && device == other.device);
     }
-    /// Whether this lies in a folder, or below it.
+    /// Whether this is in a folder, or below it.
     [[nodiscard]] bool isInside(const FileIdentity& folder) const;
 };
 
-/// Where writing to `path` leads: symbolic links are followed, also one to a file that is not there yet.
+/// The file that writing to `path` would change: symbolic links are followed, also a link to a missing file.
 [[nodiscard]] std::filesystem::path linksFollowed(const std::filesystem::path& path);
 
 }  // namespace tactooth

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 std::atomic<FileTransaction*> theSet{nullptr};
 
-/// Second names of the files that are replaced, locked so that nobody takes them for left behind.
+/// Second names of the files that are replaced, locked so that no other program removes them as stale.
 class Backups {
 public:
     Backups() = default;
@@ -132,6 +132,7 @@ std::unique_ptr<PendingFile> FileTransaction::handOut(const fs::path& path) {
 }
 
 void FileTransaction::takeFinished(std::unique_ptr<PendingFile> file) {
+    TACTOOTH_ASSERT(file != nullptr);
     const std::lock_guard lock(mutex_);
     finished_.push_back(std::move(file));
 }
@@ -145,6 +146,7 @@ Expected<void> FileTransaction::commit() {
         for (PendingRename& naming : renames) backups.add(naming);
     }
     const RenameFailure failure = renameTogether(renames);
+    TACTOOTH_ASSERT(failure.reason == 0 || failure.which < finished_.size());
     if (failure.reason != 0) return finished_[failure.which]->cannotBeNamed(failure.reason);
     for (const auto& file : finished_) file->close();
     finished_.clear();

@@ -8,7 +8,7 @@
 
 namespace tactooth {
 
-/// Makes a folder, and those above it, where there is none yet. Fails with one sentence.
+/// Makes a folder and its missing parents. Fails with one sentence.
 [[nodiscard]] Expected<void> makeFolder(const std::filesystem::path& folder);
 
 }  // namespace tactooth

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Small writes are gathered up to this size; larger ones go to the system as they are.
+/// Small writes are buffered up to this size; larger ones go to the system directly.
 constexpr std::size_t kBufferBytes = 64 * 1024;
 constexpr mode_t kModeBits = 07777;
 
@@ -43,7 +43,7 @@ int writeAll(int descriptor, std::span<const std::byte> bytes) {
     return 0;
 }
 
-/// Once for each folder that the program writes into.
+/// Removes stale files once for each folder that the program writes into.
 void removeStaleOnce(const fs::path& folder) {
     static std::mutex mutex;
     static auto* const seen = new std::set<fs::path>;
@@ -64,7 +64,7 @@ Expected<std::unique_ptr<PendingFile>> PendingFile::open(const fs::path& path) {
     }
     fs::path target = linksFollowed(path);
     if (!target.has_filename()) return cannotWrite(path, ENOENT);
-    struct stat unused {};  // a name that cannot be is told now and not after the work
+    struct stat unused {};  // an impossible name is reported now and not after the work
     if (::stat(target.c_str(), &unused) != 0 && errno != ENOENT) return cannotWrite(path, errno);
     const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
     TemporaryFile file;
@@ -102,7 +102,7 @@ void PendingFile::flush() {
     buffer_.clear();
 }
 
-/// Only the superuser may give a file away: for others it stays their own.
+/// Only the superuser may give a file away; for other users the new file stays their own.
 int PendingFile::copyModeFrom() const {
     struct stat old {};
     if (::stat(target_.c_str(), &old) != 0) return 0;
@@ -116,7 +116,7 @@ int PendingFile::copyModeFrom() const {
 Expected<void> PendingFile::finish() {
     flush();
     if (failure_ == 0) failure_ = copyModeFrom();
-    // Data that the system only promised to write may find the disk full or broken.
+    // The system may find the disk full or broken when it writes data that it has only buffered.
     if (failure_ == 0 && ::fsync(file_.descriptor) != 0 && errno != EINVAL) failure_ = errno;
     if (failure_ == 0) return {};
     return cannotWrite(path_, failure_);

@@ -14,7 +14,7 @@
 
 namespace tactooth {
 
-/// The file behind an AtomicFile: written, finished, and then named, alone or together with others.
+/// The file behind an AtomicFile: written, finished, and then renamed, alone or together with others.
 class PendingFile {
 public:
     /// Fails if the folder is missing or not writable, or if something other than a regular file has the name already.
@@ -24,17 +24,17 @@ public:
     PendingFile& operator=(const PendingFile&) = delete;
     ~PendingFile();
 
-    /// As it was given to `open`.
+    /// The path that was given to `open`.
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
     void write(std::span<const std::byte> bytes);
 
-    /// All is on the disk, with the mode and owner of the file that will be replaced.
+    /// Writes all to the disk, and copies mode and owner of the file that will be replaced.
     [[nodiscard]] Expected<void> finish();
 
-    /// How the finished file gets its name.
+    /// The rename of the finished file.
     [[nodiscard]] PendingRename naming() const;
-    /// It has got it.
+    /// Call it after the rename.
     void close();
     [[nodiscard]] Unexpected cannotBeNamed(int reason) const;
 
@@ -44,7 +44,7 @@ private:
     [[nodiscard]] int copyModeFrom() const;
 
     std::filesystem::path path_;
-    std::filesystem::path target_;  // with its links followed
+    std::filesystem::path target_;  // the path with its links followed
     TemporaryFile file_;
     int failure_ = 0;  // errno of the first write that failed
     std::vector<std::byte> buffer_;

@@ -13,7 +13,7 @@
 namespace tactooth {
 namespace {
 
-// What follows runs in a child of a program with many threads: it calls the system and nothing else.
+// The code below runs in a child of a program with many threads: it uses system calls only.
 
 int renameOne(const PendingRename& pending) {
     if (!pending.isOpen) return ::rename(pending.from.c_str(), pending.to.c_str()) == 0 ? 0 : errno;
@@ -22,7 +22,7 @@ int renameOne(const PendingRename& pending) {
     };
     const int failure = linkAs(pending.to);
     if (failure != EEXIST) return failure;
-    if (const int other = linkAs(pending.spare); other != 0) return other;  // a link replaces nothing, a new name does
+    if (const int other = linkAs(pending.spare); other != 0) return other;  // a link replaces nothing, a rename does
     if (::rename(pending.spare.c_str(), pending.to.c_str()) == 0) return 0;
     const int reason = errno;
     ::unlink(pending.spare.c_str());
@@ -57,9 +57,9 @@ RenameFailure renameAll(const std::vector<PendingRename>& renames) {
     return failure;
 }
 
-/// The whole life of the child.
+/// The main function of the child.
 [[noreturn]] void renameAndReport(const std::vector<PendingRename>& renames, int pipe) {
-    ::setsid();  // a signal to the group, as the terminal sends it, is not for it either
+    ::setsid();  // a signal to the process group, as the terminal sends it, must not reach the child
     const RenameFailure failure = renameAll(renames);
     (void)!::write(pipe, &failure, sizeof failure);
     _exit(0);

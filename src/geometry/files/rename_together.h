@@ -8,24 +8,24 @@
 
 namespace tactooth {
 
-/// A complete file or folder that is to get its name.
+/// The rename of a complete file or folder.
 struct PendingRename {
-    std::string from;       ///< a temporary name, or openFileName of a file that has none
+    std::string from;       ///< a temporary name, or the openFileName of a file without a name
     bool isOpen = false;    ///< `from` is an openFileName
     std::string to;         ///< an older file of that name is replaced; an older folder is not
     std::string spare;      ///< a random name in the folder of `to`
     bool replaces = false;  ///< there is an older file
-    std::string backup;     ///< a name that it has besides; empty: it cannot have two
+    std::string backup;     ///< a second name of the older file; empty: it cannot have two
 };
 
 struct RenameFailure {
     int reason = 0;         ///< errno; 0: all have their names
-    std::size_t which = 0;  ///< of the namings
+    std::size_t which = 0;  ///< index of the rename that failed
 };
 
-/// Gives all their names, or none. A child process does it that no signal to this one reaches, so that also a kill
-/// comes before the first or after the last; where there can be none, this process does it itself. `backup` is taken
-/// care of: afterwards no file has that name.
+/// Does all renames, or none. A child process does them that receives no signal to this process, so that a kill comes
+/// before the first rename or after the last one. If no child can be started, this process does them. Afterwards no
+/// file has the name `backup`.
 [[nodiscard]] RenameFailure renameTogether(const std::vector<PendingRename>& renames);
 
 }  // namespace tactooth

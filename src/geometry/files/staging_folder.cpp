@@ -18,8 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMaxTries = 100;       // against who clears up just then
-constexpr mode_t kUsualMode = 0777;  // less what the user's umask takes away
+constexpr int kMaxTries = 100;       // against another program that removes stale files at that moment
+constexpr mode_t kUsualMode = 0777;  // less the user's umask
 
 Unexpected failed(int reason) { return unexpected(std::generic_category().message(reason)); }
 

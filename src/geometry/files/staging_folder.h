@@ -8,8 +8,8 @@
 
 namespace tactooth {
 
-/// A folder of a random name that is filled before its content, or it itself, gets its name. Without that it goes again
-/// with all that is in it, at the latest when somebody clears up after a writer that was killed (see removeStale).
+/// A folder with a random name that is filled before it, or its content, gets its final name. Otherwise it is removed
+/// with its content; if the writer was killed, the next call of removeStale removes it.
 class StagingFolder {
 public:
     /// Inside `parent`, which exists.
@@ -20,9 +20,9 @@ public:
 
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
-    /// The whole folder becomes `to`, which is not there or an empty folder. Fails with a few words of the system.
+    /// Renames the whole folder to `to`, which is missing or an empty folder. Fails with a few words of the system.
     [[nodiscard]] Expected<void> renameTo(const std::filesystem::path& to);
-    /// All that is in it moves up into its parent, or nothing does.
+    /// Moves the whole content into the parent folder, or nothing.
     [[nodiscard]] Expected<void> moveUp();
 
 private:

@@ -25,20 +25,20 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kPrefix = ".tactooth-", kSuffix = ".tmp";
 constexpr std::size_t kDigits = 16;
-constexpr mode_t kUsualMode = 0666;  // less what the user's umask takes away
-constexpr int kMaxTries = 100;       // a name of 64 random bits is not taken twice, but what is stale may be removed
+constexpr mode_t kUsualMode = 0666;  // less the user's umask
+constexpr int kMaxTries = 100;       // 64 random bits do not repeat, but another program may remove the file as stale
 
 std::uint64_t randomBits() {
     std::uint64_t bits = 0;
     if (::getrandom(&bits, sizeof bits, GRND_NONBLOCK) == sizeof bits) return bits;
-    static std::uint64_t counter = 0;  // before the system has gathered any chance: right after it has started
+    static std::uint64_t counter = 0;  // for the time right after the start of the system, before it has random numbers
     const auto now = std::chrono::steady_clock::now().time_since_epoch().count();
     return static_cast<std::uint64_t>(now) * 0x9E3779B97F4A7C15 + static_cast<std::uint64_t>(::getpid()) + ++counter;
 }
 
 const char* nameOrDot(const fs::path& folder) { return folder.empty() ? "." : folder.c_str(); }
 
-/// Whether the open file still has a name: who clears up may have taken it for a stale one before it was locked.
+/// Whether the open file still has a name: another program may have removed it as stale before it was locked.
 bool hasName(int descriptor) {
     struct stat status {};
     return ::fstat(descriptor, &status) == 0 && status.st_nlink > 0;
@@ -80,11 +80,12 @@ bool isRandomName(std::string_view name) {
 int openUnnamed(const fs::path& folder, TemporaryFile& file) {
     const int descriptor = ::open(nameOrDot(folder), O_WRONLY | O_TMPFILE | O_CLOEXEC, kUsualMode);
     if (descriptor < 0) return errno;
-    if (::access(openFileName(descriptor).c_str(), F_OK) != 0) {  // without /proc it would never get a name
+    if (::access(openFileName(descriptor).c_str(), F_OK) != 0) {  // without /proc it could never get a name
         ::close(descriptor);
         return ENOTSUP;
     }
-    (void)::flock(descriptor, LOCK_EX | LOCK_NB);  // nobody else has it: this fails only where there are no locks
+    (void)::flock(descriptor,
+                  LOCK_EX | LOCK_NB);  // no other process has the file: this fails only where there are no locks
     file = {descriptor, {}};
     return 0;
 }
@@ -96,7 +97,7 @@ int openNamed(const fs::path& folder, TemporaryFile& file) {
         const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kUsualMode);
         if (descriptor < 0 && errno == EEXIST) continue;
         if (descriptor < 0) return errno;
-        (void)::flock(descriptor, LOCK_EX);  // waits for who clears up, and for nobody else
+        (void)::flock(descriptor, LOCK_EX);  // waits for a program that removes stale files, and for no other
         if (hasName(descriptor)) {
             registerUnfinished(name, Unfinished::File);
             file = {descriptor, name};
@@ -134,7 +135,7 @@ void removeStale(const fs::path& folder) {
 void syncFolder(const fs::path& folder) {
     const int descriptor = ::open(nameOrDot(folder), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor < 0) return;
-    (void)::fsync(descriptor);  // file systems that cannot do it say so; the names are there all the same
+    (void)::fsync(descriptor);  // some file systems do not support it; the names exist all the same
     ::close(descriptor);
 }
 

@@ -7,39 +7,40 @@
 
 namespace tactooth {
 
-/// ".tactooth-0123456789abcdef.tmp" in `folder`. Drawn by chance: a process of the same number, here or on another
-/// computer, has other names.
+/// ".tactooth-0123456789abcdef.tmp" in `folder`. The digits are random: a process with the same number, on this or
+/// another computer, gets other names.
 [[nodiscard]] std::filesystem::path randomNameIn(const std::filesystem::path& folder);
-/// Whether randomNameIn gives such names.
+/// Whether a name has the form of randomNameIn.
 [[nodiscard]] bool isRandomName(std::string_view name);
 
-/// An open file that has no name yet, or one that tells that it is unfinished. It is locked (flock) while its writer
-/// lives, which tells it from what a killed writer has left behind.
+/// An open file without a name, or with a name that marks it as unfinished. It is locked (flock) while its writer
+/// lives, which distinguishes it from the remains of a killed writer.
 struct TemporaryFile {
     int descriptor = -1;
     std::filesystem::path name;  ///< empty: none yet
 };
 
-/// Opens a file without a name (O_TMPFILE): whatever ends the program, nothing is left of it. An errno, 0 for success;
-/// not every file system can do it.
+/// Opens a file without a name (O_TMPFILE): whatever ends the program, nothing remains. Returns an errno, 0 for
+/// success; not every file system supports it.
 [[nodiscard]] int openUnnamed(const std::filesystem::path& folder, TemporaryFile& file);
-/// Opens a file under a random name; whoever closes it removes it or gives it another name. An errno, 0 for success.
+/// Opens a file under a random name; the caller removes or renames it before closing it. Returns an errno, 0 for
+/// success.
 [[nodiscard]] int openNamed(const std::filesystem::path& folder, TemporaryFile& file);
 /// The first of both that works, or the errno of the second.
 [[nodiscard]] int openTemporary(const std::filesystem::path& folder, TemporaryFile& file);
 
-/// Gives an unnamed file a name; EEXIST where it is taken.
+/// Gives an unnamed file a name; EEXIST if it is taken.
 [[nodiscard]] int linkUnnamed(int descriptor, const char* name);
-/// "/proc/self/fd/7", by which an unnamed file is linked.
+/// "/proc/self/fd/7", the path to link an unnamed file from.
 [[nodiscard]] std::string openFileName(int descriptor);
 
-/// Locks a folder that carries a random name, as TemporaryFile is locked; the descriptor, -1 for failure.
+/// Locks a folder with a random name, like a TemporaryFile. Returns the descriptor, -1 for failure.
 [[nodiscard]] int lockFolder(const std::filesystem::path& folder);
 
-/// Removes what killed writers of this user have left in `folder`: what has a random name and is locked by nobody.
+/// Removes the remains of killed writers of this user in `folder`: what has a random name and no lock.
 void removeStale(const std::filesystem::path& folder);
 
-/// Has the names in a folder outlive a power failure, as far as the file system allows.
+/// Makes the names in a folder survive a power failure, as far as the file system supports it.
 void syncFolder(const std::filesystem::path& folder);
 
 }  // namespace tactooth

@@ -17,7 +17,7 @@ struct Entry {
 };
 
 std::timed_mutex& nameMutex() {
-    static auto* const mutex = new std::timed_mutex;  // outlives every thread that may still write
+    static auto* const mutex = new std::timed_mutex;  // lives longer than every thread that may still write
     return *mutex;
 }
 

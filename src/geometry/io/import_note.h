@@ -7,10 +7,10 @@
 
 namespace tactooth {
 
-/// What a remark on a scanned surface is about.
+/// The subject of an import note.
 enum class ImportNoteTopic { File, Units, Orientation, Closedness, Layers };
 
-/// Something that the program has assumed or mended, in words: a sentence with the places %1, %2 ... for `values`, so
+/// An assumption, a change or a repair of the program: a sentence with the placeholders %1, %2 ... for `values`, so
 /// that a window can show it in another language.
 struct ImportNote {
     ImportNoteTopic topic;
@@ -21,7 +21,7 @@ struct ImportNote {
 /// The sentence in English.
 [[nodiscard]] std::string inWords(const ImportNote& importNote);
 
-/// `value` with so many digits behind the point.
+/// `value` with so many digits after the point.
 [[nodiscard]] std::string rounded(double value, int digits);
 
 }  // namespace tactooth

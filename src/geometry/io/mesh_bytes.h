@@ -11,10 +11,10 @@
 
 namespace tactooth {
 
-/// What `readMesh` does, from memory; `path` gives the name for messages and the ending.
+/// Does what `readMesh` does, from memory; `path` gives the name for messages and the extension.
 [[nodiscard]] Expected<ReadMesh> parseReadMesh(std::span<const std::byte> bytes, const std::filesystem::path& path);
 
-/// What `loadMesh` does, from memory.
+/// Does what `loadMesh` does, from memory.
 [[nodiscard]] Expected<TriangleMesh> parseMesh(std::span<const std::byte> bytes, const std::filesystem::path& path,
                                                std::vector<ImportNote>* importNotes = nullptr);
 

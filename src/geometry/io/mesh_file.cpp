@@ -35,7 +35,7 @@ Expected<ReadMesh> parseAnyStl(std::span<const std::byte> bytes, const std::file
     return ReadMesh{std::move(*mesh)};
 }
 
-/// The surface, if it stands where its file has it.
+/// The surface, if it was not shifted.
 Expected<TriangleMesh> inPlace(Expected<ReadMesh> read, const std::filesystem::path& path,
                                std::vector<ImportNote>* importNotes) {
     if (!read) return Unexpected{read.error()};
@@ -71,7 +71,7 @@ Expected<ReadMesh> readMesh(const std::filesystem::path& path) {
     if (!file) return Unexpected{file.error()};
     Expected<ReadMesh> read = parseReadMesh(file->bytes(), path);
     if (!read) return read;
-    // A remark may be kept with the surface, where the folder is nobody's business.
+    // An import note may be stored with the surface, where the user's folders are private.
     for (ImportNote& importNote : read->importNotes) importNote.values.front() = displayName(path.filename());
     return read;
 }

@@ -14,12 +14,12 @@ namespace tactooth::obj {
 
 inline constexpr std::string_view kBlank = " \t\f\v";
 
-/// The words of a line, one after the other.
+/// Reads the words of a line one by one.
 class Words {
 public:
     explicit Words(std::string_view line) : rest_(line) {}
 
-    /// The next word; empty at the line's end.
+    /// The next word; empty at the end of the line.
     std::string_view next() {
         const std::size_t begin = rest_.find_first_not_of(kBlank);
         if (begin == rest_.npos) return {};
@@ -33,11 +33,11 @@ private:
     std::string_view rest_;
 };
 
-/// What a line begins with.
+/// The first word of a line.
 enum class Keyword { Vertex, Face, Ignored, Unknown };
 
-/// Ignored is what says nothing about the surface: normals, texture, groups, materials, points, lines, comments.
-/// Unknown is all else, and what describes a surface that is not read, as free-form curves do.
+/// Ignored: what does not describe the surface (normals, texture, groups, materials, points, lines, comments). Unknown:
+/// all else, and what describes a surface that is not supported, such as free-form curves.
 [[nodiscard]] inline Keyword keywordOf(std::string_view word) {
     static constexpr std::array<std::string_view, 24> kIgnored = {
         "vn",     "vt",     "vp",         "g",         "o",     "s",     "mg",       "usemtl",
@@ -49,8 +49,8 @@ enum class Keyword { Vertex, Face, Ignored, Unknown };
     return std::find(kIgnored.begin(), kIgnored.end(), word) != kIgnored.end() ? Keyword::Ignored : Keyword::Unknown;
 }
 
-/// The lines of an OBJ file; one that ends in a backslash goes on in the next. Names and comments may end in one
-/// without going on (that of a Windows folder does): only lines of numbers are put together.
+/// Reads the lines of an OBJ file; a line that ends in a backslash continues in the next. Names and comments may end in
+/// a backslash without continuing (a Windows folder does): only lines of numbers are joined.
 class Lines {
 public:
     explicit Lines(std::string_view text) : lines_(text) {}
@@ -70,7 +70,7 @@ public:
         return true;
     }
 
-    /// Of the line that came last, or of its first part.
+    /// Number of the last line, or of its first part.
     [[nodiscard]] std::size_t number() const { return number_; }
 
 private:

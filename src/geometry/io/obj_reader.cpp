@@ -17,7 +17,7 @@
 namespace tactooth {
 namespace {
 
-constexpr std::size_t kBytesPerVertex = 60;  // of text, usually: an estimate for the first allocation
+constexpr std::size_t kBytesPerVertex = 60;  // bytes of text, usually: an estimate for the first allocation
 
 class ObjParser {
 public:
@@ -86,7 +86,7 @@ private:
         return problem == nullptr || fail(problem, {});
     }
 
-    /// Numbers count from 1, negative ones from the last vertex back.
+    /// Numbers count from 1, negative ones back from the last vertex.
     std::optional<std::size_t> vertexNamed(std::string_view word) const {
         const std::optional<std::int64_t> number = toWholeNumber(word);
         const auto count = static_cast<std::int64_t>(mesh_.vertices());

@@ -11,15 +11,15 @@
 
 namespace tactooth {
 
-/// Reads the surface of a Wavefront OBJ file from memory; `name` stands for the file in messages. Positions (`v`) and
-/// faces (`f`, also with texture and normal numbers, also counted from the end) are read; polygons are split within
-/// their outline (PolygonTriangulator); vertices at equal positions become one. Lines end in LF, CR LF or CR, and go on
-/// in the next after a backslash. Normals, texture, groups, materials, points and lines are passed over; lines that are
-/// not understood are counted in a remark. Coordinates far from zero: see ReadMesh::offset. Memory use is bounded by a
-/// small multiple of `bytes.size()`.
+/// Reads the surface of a Wavefront OBJ file from memory; `name` is the name of the file in messages. It reads
+/// positions (`v`) and faces (`f`, also with texture and normal numbers, also counted from the end). Polygons are split
+/// within their outline (PolygonTriangulator), and vertices at equal positions become one. Lines end in LF, CR LF or
+/// CR, and continue after a backslash. Normals, texture, groups, materials, points and lines are skipped; an import
+/// note counts the lines that are not understood. For coordinates far from the origin see ReadMesh::offset. Memory use
+/// is bounded by a small multiple of `bytes.size()`.
 ///
-/// Fails with one sentence, which names the line, on a face that names a vertex the file has not given or whose outline
-/// crosses itself, on numbers that are none or not finite, and on a file without faces.
+/// Fails with one sentence that names the line: on a face with an unknown vertex or with an outline that crosses
+/// itself, on bad or infinite numbers, and on a file without faces.
 [[nodiscard]] Expected<ReadMesh> parseObj(std::span<const std::byte> bytes, std::string_view name);
 
 }  // namespace tactooth

@@ -48,8 +48,8 @@ std::vector<std::string_view> wordsOf(std::string_view line) {
     return words;
 }
 
-/// How the lines of a header end: as its first one does. In a file whose lines end in CR alone, a byte of the data that
-/// follow may look like LF.
+/// The line end of a header: that of its first line. In a file whose lines end in CR only, a byte of the data may look
+/// like LF.
 char lineEndOf(std::string_view file) {
     const std::size_t first = file.find_first_of("\r\n");
     const bool isCarriageReturn = first != file.npos && file[first] == '\r' && file.substr(first, 2) != "\r\n";

@@ -33,14 +33,14 @@ struct Element {
 struct Header {
     Encoding encoding = Encoding::Ascii;
     std::vector<Element> elements;
-    std::size_t bytes = 0;  ///< length of the header, with a byte order mark before it: the data begin there
+    std::size_t bytes = 0;  ///< length of the header, including a byte order mark before it: the data begin there
     std::size_t lines = 0;
 };
 
 [[nodiscard]] bool looksLikePly(std::string_view file);
 
-/// Reads the header of a PLY file ("Polygon File Format", G. Turk 1994), whose lines end in LF, CR LF or CR. `name`
-/// stands for the file in messages.
+/// Reads the header of a PLY file ("Polygon File Format", G. Turk 1994), whose lines end in LF, CR LF or CR. `name` is
+/// the name of the file in messages.
 [[nodiscard]] Expected<Header> parseHeader(std::string_view file, const std::string& name);
 
 }  // namespace tactooth::ply

@@ -27,17 +27,17 @@ double numberFrom(std::array<char, 8> bytes) {
     return static_cast<double>(value);
 }
 
-/// The numbers of the file's body, one after the other.
+/// Reads the numbers of the file's body one by one.
 class Numbers {
 public:
     Numbers(std::string_view body, ply::Encoding encoding) : rest_(body), encoding_(encoding) {}
 
-    /// False at the end of the file, or where a word is no number.
+    /// False at the end of the file, or where a word is not a number.
     bool next(Scalar type, double& value) {
         return encoding_ == ply::Encoding::Ascii ? nextWord(value) : nextBinary(type, value);
     }
 
-    /// How many numbers of a type the file can still hold.
+    /// Largest count of numbers of a type that the rest of the file can hold.
     [[nodiscard]] std::uint64_t most(Scalar type) const {
         constexpr std::size_t kShortestWord = 2;  // a digit and a blank
         return rest_.size() / (encoding_ == ply::Encoding::Ascii ? kShortestWord : ply::bytesOf(type)) + 1;
@@ -89,12 +89,12 @@ public:
 private:
     static constexpr std::size_t kFirstVertices = 1024;
 
-    /// What a list of vertex numbers says.
+    /// The meaning of a list of vertex numbers.
     enum class Corners { None, OfFace, OfStrips };
 
     Expected<ReadMesh> readElements() {
         for (const ply::Element& element : header_.elements) {
-            if (element.properties.empty()) continue;  // takes no bytes, however many there are said to be
+            if (element.properties.empty()) continue;  // takes no bytes, whatever its count
             for (std::uint64_t i = 0; i < element.count; ++i) {
                 if (!readItem(element)) return refuse(shown(element) + " " + std::to_string(i + 1) + ": " + problem_);
             }

@@ -11,14 +11,15 @@
 
 namespace tactooth {
 
-/// Reads the surface of a PLY file, ASCII or binary of either byte order, from memory; `name` stands for the file in
-/// error messages. Taken are x, y, z of the element `vertex`, the corners of the element `face` (`vertex_indices` or
-/// `vertex_index`), polygons split within their outline (PolygonTriangulator), and triangle strips (`tristrips`, in
-/// which -1 begins a new one); vertices at equal positions are made one; all else is passed over. Coordinates far from
-/// zero: see ReadMesh::offset. Memory use is bounded by a small multiple of `bytes.size()`, whatever the header claims.
+/// Reads the surface of a PLY file, ASCII or binary of either byte order, from memory; `name` is the name of the file
+/// in messages. It reads x, y, z of the element `vertex`, the corners of the element `face` (`vertex_indices` or
+/// `vertex_index`) and triangle strips (`tristrips`, in which -1 begins a new strip), and skips all else. Polygons are
+/// split within their outline (PolygonTriangulator), and vertices at equal positions become one. For coordinates far
+/// from the origin see ReadMesh::offset. Memory use is bounded by a small multiple of `bytes.size()`, whatever the
+/// header claims.
 ///
-/// Fails with one sentence on a file that is cut short, has no vertices or faces, names a vertex that is not there, or
-/// has a face whose outline crosses itself.
+/// Fails with one sentence on a file that is cut short, has no vertices or faces, names a missing vertex, or has a face
+/// whose outline crosses itself.
 [[nodiscard]] Expected<ReadMesh> parsePly(std::span<const std::byte> bytes, std::string_view name);
 
 }  // namespace tactooth

@@ -9,14 +9,14 @@
 
 namespace tactooth {
 
-/// A surface as it was read from a file.
+/// A surface from a file.
 struct ReadMesh {
     TriangleMesh mesh;
-    /// What was subtracted from the coordinates before they were rounded to single precision, in the file's unit:
-    /// mesh + offset is the surface in the file's frame. Zero unless the surface lies so far from zero that single
-    /// precision would spoil it.
+    /// The offset that was subtracted from the coordinates before they were rounded to single precision, in the file's
+    /// unit: mesh + offset is the surface in the file's frame. Zero unless the surface is so far from the origin that
+    /// single precision would distort it.
     Vec3 offset = Vec3::Zero();
-    std::vector<ImportNote> importNotes = {};  ///< what was passed over or changed; the first value is the file's name
+    std::vector<ImportNote> importNotes = {};  ///< what was skipped or changed; the first value is the file's name
 };
 
 }  // namespace tactooth

@@ -21,7 +21,7 @@ bool sameWord(std::string_view word, std::string_view lowerCase) {
     });
 }
 
-/// Reads ASCII STL word by word and remembers the line for messages.
+/// Reads ASCII STL word by word and keeps the line number for messages.
 class AsciiParser {
 public:
     AsciiParser(std::string_view text, const std::string& name, const Vec3& offset)
@@ -48,8 +48,8 @@ private:
         return ReadMesh{std::move(mesh_)};
     }
 
-    /// A facet takes some 250 bytes of text and a closed surface has two facets a vertex: an estimate for the first
-    /// allocation, in proportion to what was really read.
+    /// A facet takes about 250 bytes of text, and a closed surface has two facets for each vertex: an estimate for the
+    /// first allocation, in proportion to the size of the text.
     static constexpr std::size_t kBytesPerVertex = 500;
 
     /// Moves to the next word; false at the end of the text.
@@ -61,7 +61,7 @@ private:
         return begin != at_;
     }
 
-    /// Whether a line ends here: in LF, or in CR that no LF follows.
+    /// Whether a line ends here: in LF, or in CR without a following LF.
     [[nodiscard]] bool isLineEnd() const {
         return *at_ == '\n' || (*at_ == '\r' && (at_ + 1 == end_ || at_[1] != '\n'));
     }
@@ -82,7 +82,7 @@ private:
 
     bool parseFacet() {
         if (!expectWord("normal")) return false;
-        for (int axis = 0; axis < 3; ++axis) {  // ignored, and some programs write words like 1.#QNAN here
+        for (int axis = 0; axis < 3; ++axis) {  // ignored; some programs write words like 1.#QNAN here
             if (!nextWord()) return fail("expected the facet's normal");
         }
         if (!expectWord("outer") || !expectWord("loop")) return false;

@@ -10,8 +10,7 @@
 #include "geometry/io/read_mesh.h"
 #include "geometry/util/expected.h"
 
-// What the STL reader's and writer's files share. The format: 3D Systems, "StereoLithography Interface Specification"
-// (1989).
+// Shared by the STL reader and writer. Format: 3D Systems, "StereoLithography Interface Specification" (1989).
 namespace tactooth::stl {
 
 inline constexpr std::size_t kHeaderBytes = 80;
@@ -26,10 +25,10 @@ inline constexpr std::size_t kFirstRecord = kHeaderBytes + kCountBytes;
 /// Parses ASCII STL: one or more `solid ... endsolid`. Coordinates far from zero: see ReadMesh::offset.
 [[nodiscard]] Expected<ReadMesh> parseAscii(std::string_view text, const std::string& name);
 
-/// The same, rounded to single precision wherever it lies.
+/// The same, rounded to single precision without an offset.
 [[nodiscard]] Expected<ReadMesh> parseAsciiInPlace(std::string_view text, const std::string& name);
 
-/// Why bytes that are neither of the two are not: what they seem to be instead, or what is missing.
+/// The error for bytes that are neither of the two: what they seem to be instead, or what is missing.
 [[nodiscard]] Error explainRefusal(std::span<const std::byte> bytes, const std::string& name);
 
 }  // namespace tactooth::stl

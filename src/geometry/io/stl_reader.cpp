@@ -23,7 +23,7 @@ namespace {
 
 static_assert(sizeof(Vec3f) == stl::kVectorBytes);
 
-/// The corners of some triangles, read from their records. A processor has eight such blocks in its first-level cache.
+/// The corners of some triangles, read from their records. Eight such blocks fit into the first-level cache.
 class CornerBlock {
 public:
     static constexpr std::size_t kTriangles = 16;
@@ -40,7 +40,7 @@ public:
 
     /// The first triangle with a corner that is not finite, or kTriangles.
     [[nodiscard]] std::size_t notFinite() const {
-        bool allFinite = true;  // the usual case without a branch a number
+        bool allFinite = true;  // the usual case without a branch for each number
         for (const Vec3f& corner : corners()) allFinite &= corner.allFinite();
         if (allFinite) return kTriangles;
         const auto bad = std::ranges::find_if(corners(), [](const Vec3f& corner) { return !corner.allFinite(); });

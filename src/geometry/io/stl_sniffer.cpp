@@ -15,7 +15,7 @@
 namespace tactooth::stl {
 namespace {
 
-/// How much of a file is looked at to tell text from bytes.
+/// Number of bytes that decide between text and binary.
 constexpr std::size_t kBeginning = 512;
 
 std::uint32_t declaredCount(std::span<const std::byte> bytes) {
@@ -45,8 +45,8 @@ bool beginsWithSolid(std::string_view text) {
                                                       [&](char wanted, char letter) { return same(letter, wanted); });
 }
 
-/// Whether the first record holds numbers that a surface may have. Of random records one in 2,000 does: a float with
-/// random bits lies in this range every second time, and there are twelve.
+/// Whether the first record holds numbers that a surface may have. One random record in 2,000 does: a float with random
+/// bits is in this range every second time, and there are twelve.
 bool firstRecordIsPlausible(std::span<const std::byte> bytes) {
     if (bytes.size() < kFirstRecord + kRecordBytes) return true;
     std::array<float, 12> numbers;
@@ -56,7 +56,7 @@ bool firstRecordIsPlausible(std::span<const std::byte> bytes) {
     });
 }
 
-/// The name of another format whose mark the file bears, or nothing.
+/// The name of another format whose signature the file has, or nothing.
 std::string_view otherFormat(std::string_view text) {
     struct Mark {
         std::string_view bytes, format;

@@ -9,9 +9,9 @@ namespace tactooth::stl {
 
 enum class Kind { Binary, Ascii, Neither };
 
-/// Which kind of STL the bytes are. Binary is told by a triangle count that fits the size exactly, since the header
-/// of many binary files begins with `solid`; no ASCII file of less than 27 GB can look like that (its count field
-/// would hold four printable characters). ASCII begins with `solid` and has no NUL in its beginning.
+/// The kind of STL that the bytes are. Binary STL has a triangle count that fits the size exactly, since the header of
+/// many binary files begins with `solid`. No ASCII file of less than 27 GB can look like that, because its count field
+/// would hold four printable characters. ASCII STL begins with `solid` and has no NUL near its start.
 [[nodiscard]] Kind sniff(std::span<const std::byte> bytes);
 
 }  // namespace tactooth::stl

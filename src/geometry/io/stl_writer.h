@@ -13,13 +13,13 @@ namespace tactooth {
 
 enum class StlFormat { Binary, Ascii };
 
-/// Writes `mesh` in mm, triangles in their order and every coordinate so that reading gives the same float back, bit
-/// for bit, in both formats. Normals are computed (zero for a triangle without area). The file appears complete or not
-/// at all (see AtomicFile).
+/// Writes `mesh` in mm, triangles in their order, every coordinate so that reading it gives the same float, bit for
+/// bit, in both formats. Normals are computed (zero for a triangle without area). The file appears complete or not at
+/// all (see AtomicFile).
 [[nodiscard]] Expected<void> writeStl(const TriangleMesh& mesh, const std::filesystem::path& path,
                                       StlFormat format = StlFormat::Binary);
 
-/// What `writeStl` writes. `mesh` has less than 2^32 triangles.
+/// The content that `writeStl` writes. `mesh` has less than 2^32 triangles.
 [[nodiscard]] std::vector<std::byte> stlBytes(const TriangleMesh& mesh, StlFormat format = StlFormat::Binary);
 
 }  // namespace tactooth

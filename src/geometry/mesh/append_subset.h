@@ -10,7 +10,7 @@
 namespace tactooth {
 
 /// Adds to `mesh` the triangles of `from` for which `predicate(number)` is true, and the vertices that they use, in the
-/// order in which the triangles have them. Each triangle is asked for once, in order.
+/// order of their first use. Calls the predicate once for each triangle, in order.
 template <class Chooses>
 void appendSubset(TriangleMesh& mesh, const TriangleMesh& from, const Chooses& predicate) {
     constexpr std::uint32_t kUnused = UINT32_MAX;
@@ -19,6 +19,7 @@ void appendSubset(TriangleMesh& mesh, const TriangleMesh& from, const Chooses& p
         if (!predicate(t)) continue;
         Triangle triangle = from.triangles[t];
         for (std::uint32_t& vertex : triangle) {
+            TACTOOTH_ASSERT(vertex < numbers.size());
             std::uint32_t& number = numbers[vertex];
             if (number == kUnused) {
                 number = static_cast<std::uint32_t>(mesh.vertices.size());

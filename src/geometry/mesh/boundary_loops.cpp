@@ -6,17 +6,18 @@
 #include <map>
 
 #include "geometry/mesh/mesh_edges.h"
+#include "geometry/util/assert.h"
 
 namespace tactooth {
 namespace {
 
-/// Takes closed chains of vertices out of a set of directed edges, each without passing a vertex twice: a chain that
-/// comes back to a vertex is cut off there. So holes that share corners are told apart.
+/// Takes closed chains of vertices out of a set of directed edges. No chain visits a vertex twice: a chain that returns
+/// to a vertex is cut off there. So holes that share corners are separated.
 class LoopFinder {
 public:
     void add(std::uint32_t from, std::uint32_t to) { next_[from].push_back(to); }
 
-    /// All loops. `broken`: chains that come to an end.
+    /// All loops. `broken` grows by the number of chains that do not close.
     std::vector<Loop> take(std::size_t& broken) {
         while (!next_.empty()) {
             path_.assign(1, next_.begin()->first);
@@ -31,6 +32,8 @@ public:
 
 private:
     bool proceed() {
+        TACTOOTH_ASSERT(!path_.empty());
+        TACTOOTH_ASSERT(onPath_.size() == path_.size());
         const auto here = next_.find(path_.back());
         if (here == next_.end()) return false;
         const std::uint32_t to = here->second.back();
@@ -42,6 +45,7 @@ private:
             return true;
         }
         const std::size_t first = place->second;
+        TACTOOTH_ASSERT(first < path_.size() && path_[first] == to);
         Loop loop(path_.begin() + static_cast<std::ptrdiff_t>(first), path_.end());
         for (std::size_t i = first + 1; i < path_.size(); ++i) onPath_.erase(path_[i]);
         path_.resize(first + 1);
@@ -56,7 +60,7 @@ private:
     std::vector<Loop> loops_;
 };
 
-/// The rims that are a triangle of the mesh itself, which hangs together with nothing: to fill it would double it.
+/// Removes the loops that are an isolated triangle of the mesh: filling one would double the triangle.
 void keepIsolatedTriangles(const TriangleMesh& mesh, std::vector<Loop>& loops, std::size_t& open) {
     const auto sortedOf = [](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
         Triangle sorted = {a, b, c};

@@ -10,12 +10,12 @@
 
 namespace tactooth {
 
-/// A closed chain of vertices that passes none twice.
+/// A closed chain of vertices that visits no vertex twice.
 using Loop = std::vector<std::uint32_t>;
 
-/// The rims of the holes of a surface, each running against the triangles beside it. Holes that share corners have rims
-/// of their own. `open` grows by the number of rims that cannot be filled: they do not close, or are those of a single
-/// triangle, which hangs together with nothing.
+/// The boundary loops of a surface, each in the direction opposite to the triangles beside it. Holes that share corners
+/// have separate loops. `open` grows by the number of loops that cannot be filled: they do not close, or they are those
+/// of a single isolated triangle.
 [[nodiscard]] std::vector<Loop> boundaryLoops(const TriangleMesh& mesh, std::size_t& open);
 
 }  // namespace tactooth

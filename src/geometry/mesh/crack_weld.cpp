@@ -11,22 +11,25 @@
 
 #include "geometry/mesh/mesh_edges.h"
 #include "geometry/mesh/near_weld.h"
+#include "geometry/util/assert.h"
 
 namespace tactooth {
 namespace {
 
-constexpr std::array<double, 3> kTolerances = {1e-6, 1e-5, 1e-4};  // of the size
+constexpr std::array<double, 3> kTolerances = {1e-6, 1e-5, 1e-4};  // share of the size
 constexpr double kOfUsualEdge = 0.05;
 
 double quantile(std::vector<double>& values, double share) {
+    TACTOOTH_ASSERT(!values.empty());
+    TACTOOTH_ASSERT(share >= 0 && share <= 1);
     const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
     std::nth_element(values.begin(), place, values.end());
     return *place;
 }
 
-/// The size of what most corners belong to, whatever lies far away.
+/// The size of the region that most corners are in, whatever is far away.
 double usualSize(const TriangleMesh& mesh) {
-    constexpr double kOutliers = 0.01;  // at each end
+    constexpr double kOutliers = 0.01;  // share at each end
     Vec3 size;
     std::vector<double> places(mesh.triangles.size());
     for (int axis = 0; axis < 3; ++axis) {
@@ -87,12 +90,13 @@ CrackWeld weldCracks(TriangleMesh& mesh) {
         best = std::move(welded);
         if (open == 0) break;
     }
+    TACTOOTH_ASSERT(best.has_value() == (done.moved > 0));
     if (best) mesh = std::move(*best);
     return done;
 }
 
 std::size_t removeDuplicates(TriangleMesh& mesh) {
-    // Gathered at their lowest corner (a counting sort), where only a handful meet.
+    // A counting sort gathers the triangles at their lowest corner, where only a few meet.
     struct Entry {
         std::uint64_t others;  // the two other corners, the lower one first
         std::uint32_t triangle;
@@ -123,7 +127,7 @@ std::size_t removeDuplicates(TriangleMesh& mesh) {
                 turned += here[last].isTurned;
             }
             const std::size_t straight = last - first - turned;
-            bool stays = turned != straight;  // one of those that are more
+            bool stays = turned != straight;  // one triangle of the more frequent direction stays
             for (std::size_t i = first; i < last && last - first > 1; ++i) {
                 const bool isOfMore = here[i].isTurned == (turned > straight);
                 goes[here[i].triangle] = !(stays && isOfMore);

@@ -4,16 +4,19 @@
 
 #include <algorithm>
 
+#include "geometry/util/assert.h"
+
 namespace tactooth {
 namespace {
 
-/// A triangle whose doubled area is less than this share of the square of its longer edge at the ear counts as flat:
-/// corners that were written with five digits lie as far from the line that they were meant to lie on.
+/// A triangle is flat if its doubled area is less than this share of the square of its longer edge at the ear: corners
+/// written with five digits are as far from their ideal line.
 constexpr double kFlat = 1e-4;
 
 }  // namespace
 
 void EarClipper::begin(const ProjectedPolygon& outline, std::size_t maxTests) {
+    TACTOOTH_ASSERT(outline.size() >= 3);
     outline_ = &outline;
     left_ = outline.size();
     tests_ = 0;
@@ -46,7 +49,8 @@ EarClipper::Result EarClipper::clip(const ProjectedPolygon& outline, std::size_t
         const Corner a = previous_[ear], c = next_[ear];
         triangles.push_back({outline.vertex(a), outline.vertex(ear), outline.vertex(c)});
         remove(ear);
-        // By turns before and behind the ear: along a band this gives short triangles, not a fan of ever longer ones.
+        // Alternate between the corners before and behind the ear: along a band this gives short triangles, and not a
+        // fan of ever longer ones.
         ear = removeSpikes(a);
         if (!goesBack) ear = next_[ear];
     }
@@ -57,7 +61,7 @@ EarClipper::Result EarClipper::clip(const ProjectedPolygon& outline, std::size_t
     return Result::Done;
 }
 
-/// The next ear from `from` on; `from` stays where there is none.
+/// The next ear from `from` on; `from` stays unchanged if there is none.
 bool EarClipper::findEar(Corner& from, EarPolicy policy) {
     Corner corner = from;
     for (std::size_t step = 0; step < left_ && tests_ <= maxTests_; ++step, corner = next_[corner]) {
@@ -84,7 +88,7 @@ bool EarClipper::isEar(Corner ear, EarPolicy policy) {
 
 bool EarClipper::blocks(Corner corner, Corner a, Corner b, Corner c, EarPolicy policy) const {
     const std::uint32_t vertex = outline_->vertex(corner);
-    // Where the outline touches itself, the angles at the two corners do not cover each other.
+    // Where the outline touches itself, the angles at the two corners do not overlap.
     if (vertex == outline_->vertex(a) || vertex == outline_->vertex(b) || vertex == outline_->vertex(c)) return false;
     if (policy == EarPolicy::AnyEar) {
         return outline_->side(a, b, corner) >= 0 && outline_->side(b, c, corner) >= 0 &&
@@ -95,7 +99,7 @@ bool EarClipper::blocks(Corner corner, Corner a, Corner b, Corner c, EarPolicy p
            outline_->doubledArea(c, a, corner) >= least;
 }
 
-/// Whether the way from a to c, which would cut off the ear b, begins and ends inside the outline.
+/// Whether the diagonal from a to c, which would cut off the ear b, begins and ends inside the outline.
 bool EarClipper::isWithinCorners(Corner a, Corner c, Corner b) const {
     const Corner before = previous_[a], after = next_[c];
     const auto isSame = [&](Corner one, Corner other) { return outline_->vertex(one) == outline_->vertex(other); };
@@ -113,9 +117,12 @@ bool EarClipper::turnsClearly(Corner corner) const {
 
 void EarClipper::remove(Corner corner) {
     const Corner a = previous_[corner], c = next_[corner];
+    TACTOOTH_ASSERT(left_ > 0);
+    TACTOOTH_ASSERT(next_[a] == corner && previous_[c] == corner);
     next_[a] = c;
     previous_[c] = a;
     const auto forget = [&](Corner each) {
+        TACTOOTH_ASSERT(!mayBlock_[each] || liveBlockers_ > 0);
         if (mayBlock_[each]) --liveBlockers_;
         mayBlock_[each] = false;
     };
@@ -127,8 +134,8 @@ void EarClipper::remove(Corner corner) {
     if (2 * liveBlockers_ < blockers_.size()) forgetBlockers();
 }
 
-/// What goes to a point and straight back has no area, and its two edges cancel: it falls away. Spikes are looked for
-/// at `corner` and behind it. Gives a corner there that is left.
+/// A spike (an edge to a point and straight back) has no area, and its two edges cancel, so it is removed. Searches at
+/// `corner` and behind it. Returns a remaining corner there.
 EarClipper::Corner EarClipper::removeSpikes(Corner corner) {
     const auto isSpike = [&](Corner tip) { return outline_->vertex(previous_[tip]) == outline_->vertex(next_[tip]); };
     while (left_ >= 3) {

@@ -10,16 +10,17 @@
 
 namespace tactooth {
 
-/// Cuts an outline into triangles by ear clipping (G. Meisters, "Polygons Have Ears", 1975), with exact signs. The
-/// outline may touch itself, as one does that reaches a hole over a bridge of two edges on each other. Where it can,
-/// it makes no triangle that is all but flat of corners on one line.
+/// Triangulates an outline by ear clipping (G. Meisters, "Polygons Have Ears", 1975), with exact signs. Ours differs in
+/// two points. The outline may touch itself, as one with a hole that two coincident edges connect. Nearly flat
+/// triangles are avoided where possible.
 class EarClipper {
 public:
     enum class Result { Done, NoEar, LimitReached };
 
-    /// Adds the triangles, in vertex numbers of the outline; all look to its viewer and together cover it once, if no
-    /// two of its edges cross. Without an ear, or after `maxTests` tests of a corner against a triangle, those that
-    /// were found are added nevertheless: the caller takes them back.
+    /// Adds the triangles, in vertex numbers of the outline. All face the viewer, and together they cover the outline
+    /// once, if no two of its edges cross. If there is no ear, or after `maxTests` tests of a corner against a
+    /// triangle, the triangles so far remain in `triangles`, and the caller removes them. The outline has three or more
+    /// corners.
     [[nodiscard]] Result clip(const ProjectedPolygon& outline, std::size_t maxTests, std::vector<Triangle>& triangles);
 
 private:
@@ -38,10 +39,10 @@ private:
 
     const ProjectedPolygon* outline_ = nullptr;
     std::vector<Corner> next_, previous_;
-    std::vector<bool> mayBlock_;    ///< corners that turn right or hardly at all: only they can lie in an ear
-    std::vector<Corner> blockers_;  ///< in the order of x; some have become others meanwhile
+    std::vector<bool> mayBlock_;    ///< corners that turn right or hardly at all: only they can be inside an ear
+    std::vector<Corner> blockers_;  ///< in the order of x; some may have become convex meanwhile
     std::size_t liveBlockers_ = 0;
-    std::size_t left_ = 0;  ///< corners of the outline that is left
+    std::size_t left_ = 0;  ///< corners of the remaining outline
     std::size_t tests_ = 0, maxTests_ = 0;
 };
 

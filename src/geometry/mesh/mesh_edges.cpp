@@ -16,6 +16,7 @@ void forEachSide(const TriangleMesh& mesh, Visit&& visit) {
     for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
         const Triangle& corners = mesh.triangles[triangle];
         if (isDegenerate(corners)) continue;
+        TACTOOTH_ASSERT(std::ranges::max(corners) < mesh.vertices.size());
         for (std::size_t side = 0; side < 3; ++side) {
             visit(static_cast<std::uint32_t>(3 * triangle + side), corners[side], corners[(side + 1) % 3]);
         }
@@ -35,6 +36,7 @@ MeshEdges::MeshEdges(const TriangleMesh& mesh) : firstUse_(mesh.vertices.size() 
         uses_[next[std::min(from, to)]++] = {std::max(from, to), corner, from < to};
     });
     for (std::size_t vertex = 0; vertex < mesh.vertices.size(); ++vertex) {
+        TACTOOTH_ASSERT(next[vertex] == firstUse_[vertex + 1]);
         std::sort(uses_.begin() + static_cast<std::ptrdiff_t>(firstUse_[vertex]),
                   uses_.begin() + static_cast<std::ptrdiff_t>(firstUse_[vertex + 1]),
                   [](const EdgeUse& a, const EdgeUse& b) {
@@ -44,7 +46,7 @@ MeshEdges::MeshEdges(const TriangleMesh& mesh) : firstUse_(mesh.vertices.size() 
 }
 
 EdgeBalance edgeBalance(const TriangleMesh& mesh) {
-    // Sides are gathered at their lower vertex (a counting sort), where only a handful meet.
+    // A counting sort gathers the sides at their lower vertex, where only a few meet.
     std::vector<std::size_t> start(mesh.vertices.size() + 1, 0);
     forEachSide(mesh, [&](std::uint32_t, std::uint32_t from, std::uint32_t to) { ++start[std::min(from, to) + 1]; });
     std::partial_sum(start.begin(), start.end(), start.begin());
@@ -59,6 +61,7 @@ EdgeBalance edgeBalance(const TriangleMesh& mesh) {
     });
     EdgeBalance result;
     for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+        TACTOOTH_ASSERT(next[v] == start[v + 1]);
         const std::span<HalfEdge> here(halves.data() + start[v], start[v + 1] - start[v]);
         std::ranges::sort(here, {}, &HalfEdge::high);
         for (std::size_t first = 0, last; first < here.size(); first = last) {

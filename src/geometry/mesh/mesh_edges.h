@@ -13,8 +13,8 @@ namespace tactooth {
 /// One side of a triangle. `corner` = 3 * triangle + number of the corner where the side begins.
 struct EdgeUse {
     std::uint32_t other;   ///< the edge's larger vertex number
-    std::uint32_t corner;  ///< where the side begins
-    bool upward;           ///< runs from the smaller vertex number to the larger
+    std::uint32_t corner;  ///< corner where the side begins
+    bool upward;           ///< the side runs from the smaller vertex number to the larger
 };
 
 /// Whether two corners of the triangle are the same vertex.
@@ -22,20 +22,20 @@ struct EdgeUse {
     return triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0];
 }
 
-/// What keeps a surface from having an inside. Triangles with two equal corners close nothing and open nothing.
+/// Edges that prevent a surface from having an inside. Triangles with two equal corners do not count.
 struct EdgeBalance {
-    std::size_t odd = 0;      ///< edges with one, three, five ... triangles: there the surface is open
+    std::size_t odd = 0;      ///< edges with one, three, five ... triangles: the surface is open there
     std::size_t against = 0;  ///< other edges that are not run through as often in one direction as in the other
 
     /// Every edge is run through as often in one direction as in the other: the definition of a closed surface. Edges
-    /// of four or more triangles, where parts of it touch, are allowed.
+    /// of four or more triangles, where parts of the surface touch, are allowed.
     [[nodiscard]] bool closed() const { return odd == 0 && against == 0; }
 };
 
-/// Time in proportion to the size of `mesh`.
+/// Takes time in proportion to the size of `mesh`.
 [[nodiscard]] EdgeBalance edgeBalance(const TriangleMesh& mesh);
 
-/// All sides of the triangles that are not degenerate, sorted so that those on one edge stand side by side.
+/// All sides of the triangles that are not degenerate, sorted so that the sides of one edge are adjacent.
 class MeshEdges {
 public:
     /// `mesh` has less than 2^32 / 3 triangles.
@@ -47,6 +47,7 @@ public:
         for (std::size_t vertex = 0; vertex + 1 < firstUse_.size(); ++vertex) {
             const std::size_t end = firstUse_[vertex + 1];
             for (std::size_t first = firstUse_[vertex], last; first < end; first = last) {
+                TACTOOTH_ASSERT(first < uses_.size() && end <= uses_.size());
                 for (last = first + 1; last < end && uses_[last].other == uses_[first].other;) ++last;
                 visit(std::span(uses_).subspan(first, last - first));
             }

@@ -9,11 +9,11 @@
 
 namespace tactooth {
 
-/// The farthest that a corner may lie from the origin of a surface that is touched or cut, mm: a thousand jaws. Beyond
-/// it single precision is coarser than a tenth of a millimetre, and a contact takes seconds to be found.
+/// Largest coordinate of a surface that is touched or cut, mm: a thousand jaws. Beyond it single precision is coarser
+/// than a tenth of a millimetre, and finding a contact takes seconds.
 inline constexpr double kMaxCoordinate = 1e6;
 
-/// Fails with a part of a sentence if a corner lies farther away. `what`: "the surface of the tooth".
+/// Fails with a part of a sentence if a corner is farther away. `what`: "the surface of the tooth".
 [[nodiscard]] Expected<void> checkExtent(const TriangleMesh& mesh, const std::string& what);
 
 }  // namespace tactooth

@@ -9,6 +9,7 @@
 #include "geometry/mesh/boundary_loops.h"
 #include "geometry/mesh/crack_weld.h"
 #include "geometry/mesh/mesh_edges.h"
+#include "geometry/util/assert.h"
 #include "geometry/util/disjoint_sets.h"
 
 namespace tactooth {
@@ -22,11 +23,11 @@ void dropUseless(TriangleMesh& mesh, RepairReport& report) {
     report.cracks = weldCracks(mesh);
 }
 
-/// Which triangles hang together, and the sides at which two of them meet.
+/// The neighbours of each triangle, over edges of two triangles, and the connected components.
 struct Neighbours {
     struct Meeting {
         std::uint32_t other;
-        bool agree;  // on which side is outside
+        bool agree;  // on the outside
     };
     std::vector<std::vector<Meeting>> of;
     DisjointSets pieces;
@@ -43,7 +44,7 @@ struct Neighbours {
     }
 };
 
-/// Which triangles of each piece must be turned so that all agree with its first one.
+/// The triangles of each component that must be turned to agree with its first one.
 std::vector<bool> disagreeing(const Neighbours& neighbours) {
     const std::size_t count = neighbours.of.size();
     std::vector<bool> turned(count, false), reached(count, false);
@@ -66,7 +67,8 @@ std::vector<bool> disagreeing(const Neighbours& neighbours) {
     return turned;
 }
 
-/// Sum of the tetrahedra over the triangles from the box's middle: also for an open surface a good hint at its side.
+/// Signed volume of the tetrahedra from the middle of the box to the triangles. Its sign is a good hint at the
+/// orientation of an open surface, too.
 double volumeSeenFrom(const TriangleMesh& mesh, const std::vector<std::uint32_t>& triangles, const Vec3& middle) {
     double sixfold = 0;
     for (const std::uint32_t t : triangles) {
@@ -83,12 +85,13 @@ struct Piece {
     [[nodiscard]] double size() const { return box.diagonal().norm(); }
 };
 
-/// The one with the largest area: nothing thin or far away is taken for it.
+/// The component with the largest area, so that a thin or distant component is not chosen.
 const Piece& largestBody(const std::vector<Piece>& pieces) {
+    TACTOOTH_ASSERT(!pieces.empty());
     return *std::ranges::max_element(pieces, {}, &Piece::area);
 }
 
-/// Largest box first.
+/// All components, largest box first.
 std::vector<Piece> gather(const TriangleMesh& mesh, DisjointSets& sets) {
     std::map<std::uint32_t, Piece> bySet;
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -105,7 +108,7 @@ std::vector<Piece> gather(const TriangleMesh& mesh, DisjointSets& sets) {
 
 void turn(Triangle& triangle) { std::swap(triangle[1], triangle[2]); }
 
-/// A piece that looks inward is turned, unless it lies within the largest one: it may be the wall of a hollow.
+/// Turns each component that faces inward, unless it is inside the largest one: it may be the wall of a void.
 void orientOutward(TriangleMesh& mesh, const std::vector<Piece>& pieces, std::vector<bool>& turned) {
     const Piece& body = largestBody(pieces);
     for (const Piece& piece : pieces) {
@@ -124,6 +127,7 @@ void orient(TriangleMesh& mesh, const RepairOptions& options, RepairReport& repo
     for (std::size_t t = 0; t < turned.size(); ++t) {
         if (turned[t]) turn(mesh.triangles[t]);
     }
+    TACTOOTH_ASSERT(turned.size() == mesh.triangles.size());
     std::vector<Piece> pieces = gather(mesh, neighbours.pieces);
     orientOutward(mesh, pieces, turned);
     const Piece& body = largestBody(pieces);
@@ -138,7 +142,7 @@ void orient(TriangleMesh& mesh, const RepairOptions& options, RepairReport& repo
         area += piece.area;
         areaOfSpecks += isSpeck(piece) ? piece.area : 0;
     }
-    const bool dropsSpecks = areaOfSpecks <= (1 - kLeastBody) * area;  // else they are no specks beside a body
+    const bool dropsSpecks = areaOfSpecks <= (1 - kLeastBody) * area;  // else there is no body with specks beside it
     std::vector<bool> kept(mesh.triangles.size(), false);
     for (const Piece& piece : pieces) {
         const bool isDroppedSpeck = dropsSpecks && isSpeck(piece);
@@ -164,6 +168,7 @@ double lengthOf(const TriangleMesh& mesh, const Loop& loop) {
 }
 
 void fill(TriangleMesh& mesh, const Loop& loop) {
+    TACTOOTH_ASSERT(loop.size() >= 3);
     if (loop.size() == 3) {
         mesh.triangles.push_back({loop[0], loop[1], loop[2]});
         return;
@@ -195,6 +200,8 @@ void fillHoles(TriangleMesh& mesh, const RepairOptions& options, RepairReport& r
 }  // namespace
 
 RepairedMesh repaired(const TriangleMesh& mesh, const RepairOptions& options) {
+    TACTOOTH_ASSERT(options.smallHole >= 0);
+    TACTOOTH_ASSERT(options.speckSize >= 0 && options.speckSize <= 1);
     RepairedMesh result{mesh, {}};
     if (mesh.empty()) return result;
     dropUseless(result.mesh, result.report);

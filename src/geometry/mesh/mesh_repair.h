@@ -11,25 +11,28 @@
 
 namespace tactooth {
 
+/// Which holes of a surface `repaired` fills.
 enum class HolesToFill { None, Small, All };
 
+/// What `repaired` may change.
 struct RepairOptions {
     HolesToFill holes = HolesToFill::Small;
-    double smallHole = 0.15;    ///< a hole is small if its rim is no longer than this part of the box's diagonal
-    double speckSize = kSpeck;  ///< pieces smaller than this part of the largest body are dropped
+    /// A hole is small if its boundary loop is no longer than this share of the box's diagonal.
+    double smallHole = 0.15;
+    double speckSize = kSpeck;  ///< components smaller than this share of the largest body are dropped, 0..1
 };
 
-/// What was mended.
+/// What was repaired.
 struct RepairReport {
     CrackWeld cracks;
     std::size_t droppedDegenerate = 0;  ///< triangles with two equal corners
-    std::size_t droppedDuplicates =
-        0;                             ///< triangles that are stored twice or lie back to back (see `removeDuplicates`)
-    std::size_t droppedPieces = 0;     ///< crumbs beside the surface
+    /// Triangles that are stored twice or lie back to back (see `removeDuplicates`).
+    std::size_t droppedDuplicates = 0;
+    std::size_t droppedPieces = 0;     ///< specks beside the surface
     std::size_t flippedTriangles = 0;  ///< to agree with their neighbours, or to point outward
     std::size_t filledHoles = 0;
     double longestFilledRim = 0;  ///< mm
-    std::size_t openHoles = 0;    ///< left open: too wide, or with a rim that does not close
+    std::size_t openHoles = 0;    ///< left open: too wide, or with a boundary that does not close
 
     [[nodiscard]] bool changedAnything() const {
         return cracks.moved + droppedDegenerate + droppedDuplicates + droppedPieces + flippedTriangles + filledHoles >
@@ -37,17 +40,19 @@ struct RepairReport {
     }
 };
 
+/// A surface and what was repaired of it.
 struct RepairedMesh {
     TriangleMesh mesh;
     RepairReport report;
 };
 
-/// Mends what can be mended without a guess at the shape: welds corners that rounding has parted, drops doubled and
-/// empty triangles and crumbs, turns triangles so that neighbours agree and the surface looks outward, and fills holes.
-/// A hole is filled by a fan around the middle of its rim, triangle for rim edge. A sound surface comes back as it was.
+/// Repairs what needs no guess about the shape. It welds corners that rounding has separated, drops duplicate and empty
+/// triangles and specks, turns triangles so that neighbours agree and the surface faces outward, and fills holes. A
+/// hole is filled by a fan around the mean of its boundary loop, one triangle for each edge. A valid surface is
+/// returned unchanged.
 [[nodiscard]] RepairedMesh repaired(const TriangleMesh& mesh, const RepairOptions& options = {});
 
-/// The pieces of a surface that hang together over common edges, largest box first; vertices are numbered anew.
+/// The connected components of a surface over common edges, largest box first; vertices are renumbered.
 [[nodiscard]] std::vector<TriangleMesh> connectedComponents(const TriangleMesh& mesh);
 
 }  // namespace tactooth

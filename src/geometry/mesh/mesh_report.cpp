@@ -4,28 +4,29 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
 #include "geometry/mesh/mesh_edges.h"
+#include "geometry/util/assert.h"
 #include "geometry/util/disjoint_sets.h"
 
 namespace tactooth {
 namespace {
 
-/// A triangle lower than this part of its longest side is flat: rounding its corners to floats (23 binary digits) moves
-/// them by as much.
+/// A triangle lower than this share of its longest side is flat: rounding its corners to floats (23 binary digits)
+/// moves them by as much.
 constexpr double kFlatRatio = 1.0 / (1 << 23);
 
 std::uint32_t cornerNumber(std::size_t triangle, std::size_t corner) {
     return static_cast<std::uint32_t>(3 * triangle + corner % 3);
 }
 
-/// The corner at which the side that begins at `corner` ends.
+/// The corner where the side that begins at `corner` ends.
 std::uint32_t sideEnd(std::uint32_t corner) { return cornerNumber(corner / 3, corner % 3 + 1); }
 
-/// Fills what follows from edges, and joins in `fans` the corners of triangles that lie side by side around a vertex.
+/// Fills the results that follow from edges. Joins in `fans` the corners of adjacent triangles around a vertex.
 void countEdges(const TriangleMesh& mesh, MeshReport& report, DisjointSets& fans, DisjointSets& shells) {
     std::int64_t edges = 0;
     MeshEdges(mesh).forEachEdge([&](std::span<const EdgeUse> uses) {
@@ -72,7 +73,8 @@ bool isFlat(const Vec3& a, const Vec3& b, const Vec3& c, double doubleArea) {
     return doubleArea <= kFlatRatio * longest;
 }
 
-/// Fills areas, volumes and shells. Volumes are measured from the middle of the box, where rounding is least.
+/// Fills areas, volumes and shells. Volumes are measured from the middle of the box, where the rounding error is
+/// smallest.
 void measure(const TriangleMesh& mesh, MeshReport& report, DisjointSets& shells) {
     constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
     std::vector<std::uint32_t> shellOf(mesh.triangles.size(), kNone);  // by the first triangle of a shell
@@ -132,6 +134,7 @@ std::optional<double> MeshReport::volume() const {
 
 std::optional<std::int64_t> MeshReport::genus() const {
     if (!watertight() || nonManifoldEdges > 0) return std::nullopt;
+    TACTOOTH_ASSERT(eulerCharacteristic % 2 == 0);
     return static_cast<std::int64_t>(shells.size()) - eulerCharacteristic / 2;
 }
 
@@ -147,6 +150,8 @@ MeshReport reportOn(const TriangleMesh& mesh) {
     countEdges(mesh, report, fans, shells);
     countVertices(mesh, report, fans);
     measure(mesh, report, shells);
+    TACTOOTH_ASSERT(report.area >= 0 || !std::isfinite(report.area));
+    TACTOOTH_ASSERT(report.vertices <= mesh.vertices.size());
     return report;
 }
 

@@ -11,26 +11,26 @@
 
 namespace tactooth {
 
-/// A piece of a mesh whose triangles hang together over common edges.
+/// A shell: a component of a mesh whose triangles are connected over common edges.
 struct ShellReport {
     std::size_t triangles = 0;
-    double signedVolume = 0;  ///< mm^3; negative if the piece is turned inside out, or is the wall of a hollow
+    double signedVolume = 0;  ///< mm^3; negative if the shell is inside out, or is the wall of a void
     Box3 box;                 ///< mm
 };
 
-/// What a surface is like, from its triangles and common vertices alone. Triangles with two equal corners count as
-/// degenerate and are left out of everything else. Whether the surface cuts through itself is not examined.
+/// Properties of a surface, from its triangles and common vertices alone. Triangles with two equal corners count as
+/// degenerate and for nothing else. Self-intersections are not examined.
 struct MeshReport {
     std::size_t triangles = 0;             ///< all, as stored
-    std::size_t vertices = 0;              ///< that some triangle uses
+    std::size_t vertices = 0;              ///< that a triangle uses
     std::size_t degenerateTriangles = 0;   ///< with two equal corners
     std::size_t flatTriangles = 0;         ///< with three corners in line, to the precision of a float
     std::size_t duplicateTriangles = 0;    ///< with the same three corners, in any order, as an earlier one
-    std::size_t boundaryEdges = 0;         ///< with one triangle: the rim of a hole
+    std::size_t boundaryEdges = 0;         ///< with one triangle: the boundary of a hole
     std::size_t nonManifoldEdges = 0;      ///< with three or more triangles
-    std::size_t oddEdges = 0;              ///< of these, with an odd number: there the surface is not closed
+    std::size_t oddEdges = 0;              ///< of these, with an odd number: the surface is not closed there
     std::size_t inconsistentEdges = 0;     ///< with two, four ... triangles that disagree on which side is outside
-    std::size_t pinchedVertices = 0;       ///< where parts of the surface touch in nothing but this point
+    std::size_t pinchedVertices = 0;       ///< where parts of the surface touch in this point only
     std::int64_t eulerCharacteristic = 0;  ///< vertices - edges + triangles; a pinched vertex counts once for each part
     double area = 0;                       ///< mm^2
     double signedVolume = 0;               ///< mm^3, by the divergence theorem; a true volume only if `watertight()`
@@ -44,21 +44,20 @@ struct MeshReport {
     /// Closed and oriented: each edge is run through as often in one direction as in the other (`EdgeBalance`), and the
     /// surface has an inside.
     [[nodiscard]] bool watertight() const { return closed() && oriented(); }
-    /// The surface has an inside, but says that it is outside.
+    /// The surface has an inside, but its triangles face inward.
     [[nodiscard]] bool insideOut() const { return watertight() && signedVolume < 0; }
     /// The enclosed volume, mm^3; none if there is no inside.
     [[nodiscard]] std::optional<double> volume() const;
-    /// The number of handles (0 for a ball, 1 for a ring), of all shells together; none if there is no inside, or if
+    /// The number of handles of all shells together (0 for a ball, 1 for a ring); none if there is no inside, or if
     /// parts of the surface touch along edges.
     [[nodiscard]] std::optional<std::int64_t> genus() const;
 };
 
-/// Examines `mesh`: time and memory in proportion to its size (325,000 triangles: some 0.1 s). The result does not
+/// Examines `mesh` in time and memory in proportion to its size (325,000 triangles: about 0.1 s). The result does not
 /// depend on the machine.
 [[nodiscard]] MeshReport reportOn(const TriangleMesh& mesh);
 
-/// What a user should know about the surface before relying on it: one English sentence for each weakness, none for a
-/// sound surface.
+/// The weaknesses of the surface for the user: one English sentence for each, none for a valid surface.
 [[nodiscard]] std::vector<std::string> findings(const MeshReport& report);
 
 }  // namespace tactooth

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/mesh/mesh_edges.h"
+#include "geometry/util/assert.h"
 #include "geometry/util/disjoint_sets.h"
 
 namespace tactooth {
@@ -37,7 +38,7 @@ std::size_t dropSpecks(TriangleMesh& mesh) {
     }
     if (count == 0) return 0;
     const Piece body = pieces[largest];
-    constexpr std::size_t kFewest = 4;  // triangles of a body
+    constexpr std::size_t kFewest = 4;  // least number of triangles of a body
     if (body.triangles < kFewest) return 0;
     const double shortest = kSpeck * body.box.diagonal().norm();
     const auto isSpeck = [&](const Piece& piece) {
@@ -46,7 +47,7 @@ std::size_t dropSpecks(TriangleMesh& mesh) {
         if (body.box.contains(piece.box)) return false;
         return piece.box.diagonal().norm() < shortest || piece.area < kSpeck * kSpeck * body.area;
     };
-    // A triangle with two equal corners belongs to no piece, but counts for the box.
+    // A triangle with two equal corners belongs to no component, but counts for the box.
     const auto isStray = [&](const Triangle& t) {
         return isDegenerate(t) && !std::ranges::all_of(t, [&](std::uint32_t vertex) {
                    return body.box.contains(mesh.vertices[vertex].cast<double>());
@@ -66,6 +67,7 @@ std::size_t dropSpecks(TriangleMesh& mesh) {
         area += pieces[piece].area;
         keptArea += isOfSpeck ? 0 : pieces[piece].area;
     }
+    TACTOOTH_ASSERT(!(keptArea > area));
     if (kept.size() == count || keptArea < kLeastBody * area) return 0;
     mesh.triangles = std::move(kept);
     return dropped;

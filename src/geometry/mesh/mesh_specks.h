@@ -8,20 +8,20 @@
 
 namespace tactooth {
 
-/// Pieces smaller than this part of the largest body are specks, in length.
+/// Components smaller than this share of the largest body are specks, in length.
 inline constexpr double kSpeck = 0.05;
 
-/// What is no speck makes at least this part of a surface's area; else its pieces, or triangles that hang together with
-/// nothing, are no body with specks, and stay.
+/// The components that are not specks have at least this share of the area of a surface. Otherwise there is no body
+/// with specks beside it, and all components stay.
 inline constexpr double kLeastBody = 0.98;
 
-/// Drops triangles without an area that hang together with nothing, and specks: pieces whose box has a diagonal, or
-/// whose area is that of a piece, of less than `kSpeck` of the largest body's. The largest body is the one with the
-/// largest area, so that nothing far away or thin changes what is small. Pieces within its box stay: they may be walls
-/// of hollows. Vertices stay, also those that no triangle uses any more. Returns how many pieces were dropped.
+/// Drops isolated triangles without an area, and specks: components whose bounding box has a diagonal of less than
+/// `kSpeck` of the largest body's, or whose area is that of such a component. The largest body is the one with the
+/// largest area, so that a component that is far away or thin does not change what is small. Components within its box
+/// stay: they may be walls of voids. Vertices stay, also unused ones. Returns the number of dropped components.
 std::size_t dropSpecks(TriangleMesh& mesh);
 
-/// The box of what `dropSpecks` leaves.
+/// The bounding box of what `dropSpecks` leaves.
 [[nodiscard]] Box3 boxExcludingSpecks(TriangleMesh mesh);
 
 }  // namespace tactooth

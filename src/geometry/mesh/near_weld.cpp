@@ -16,20 +16,20 @@ using Cell = std::array<std::int64_t, 3>;
 
 Cell cellOf(const Vec3& point, double size) {
     Cell cell;
-    constexpr double kMost = 1e18;  // beyond it, where no float is near another one, all share a cell
+    constexpr double kMost = 1e18;  // beyond it no float is near another one, and all share a cell
     for (int axis = 0; axis < 3; ++axis) {
         cell[axis] = static_cast<std::int64_t>(std::clamp(std::floor(point[axis] / size), -kMost, kMost));
     }
     return cell;
 }
 
-/// The vertices that stay, by the cells of a grid. Cells are some tolerances wide, so that most vertices have to look
-/// for near ones in a single cell.
+/// The vertices that stay, in the cells of a grid. Cells are some tolerances wide, so that most vertices have to search
+/// a single cell.
 class Kept {
 public:
     explicit Kept(double tolerance) : tolerance_(tolerance), cell_(kCellWidth * tolerance) {}
 
-    /// The vertex nearest to `point` within the tolerance, else `number`, which then stays.
+    /// The vertex nearest to `point` within the tolerance. If there is none, `number` itself, which is then kept.
     std::uint32_t place(const Vec3f& point, std::uint32_t number, const std::vector<Vec3f>& vertices) {
         const Vec3 here = point.cast<double>();
         const Cell low = cellOf(here.array() - tolerance_, cell_), high = cellOf(here.array() + tolerance_, cell_);
@@ -53,7 +53,7 @@ public:
     }
 
 private:
-    static constexpr double kCellWidth = 8;  // tolerances
+    static constexpr double kCellWidth = 8;  // width of a cell in tolerances
 
     double tolerance_;
     double cell_;
@@ -67,7 +67,7 @@ private:
             return static_cast<std::size_t>(mixed);
         }
     };
-    // Looked up and never walked through: its order has no influence.
+    // Never iterated, so its order has no influence.
     std::unordered_map<Cell, std::vector<std::uint32_t>, Hash> cells_;
 };
 
@@ -75,13 +75,15 @@ private:
 
 TriangleMesh weldedWithin(const TriangleMesh& mesh, double tolerance, std::size_t* moved,
                           std::span<const std::uint8_t> mayMove) {
-    TACTOOTH_ASSERT(tolerance > 0);
+    TACTOOTH_ASSERT(std::isfinite(tolerance) && tolerance > 0);
+    TACTOOTH_ASSERT(mayMove.empty() || mayMove.size() == mesh.vertices.size());
     Kept kept(tolerance);
     std::vector<std::uint32_t> place(mesh.vertices.size());
     std::vector<std::uint32_t> newNumber(mesh.vertices.size());
     TriangleMesh result;
     for (std::uint32_t v = 0; v < place.size(); ++v) {
         place[v] = mayMove.empty() || mayMove[v] != 0 ? kept.place(mesh.vertices[v], v, mesh.vertices) : v;
+        TACTOOTH_ASSERT(place[v] <= v);
         if (place[v] != v) continue;
         newNumber[v] = static_cast<std::uint32_t>(result.vertices.size());
         result.vertices.push_back(mesh.vertices[v]);

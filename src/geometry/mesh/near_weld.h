@@ -10,10 +10,10 @@
 
 namespace tactooth {
 
-/// `mesh` with vertices that lie within `tolerance` mm of an earlier one put onto it, in the order of their numbers;
-/// the first of a group stays where it is. Triangles stay in their order, also those that have lost their area.
-/// `moved`, if given, is how many vertices were put onto another. `mayMove`, if not empty: only vertices that it marks
-/// are put onto another, and only onto a marked one.
+/// `mesh` with each vertex that is within `tolerance` mm of an earlier one moved onto that one, in the order of their
+/// numbers; the first of a group stays. Triangles stay in their order, also those without an area. `tolerance` is
+/// finite and positive. `moved`, if given, is the number of vertices that were moved. `mayMove`, if not empty, has one
+/// entry for each vertex: only marked vertices are moved, and only onto a marked one.
 [[nodiscard]] TriangleMesh weldedWithin(const TriangleMesh& mesh, double tolerance, std::size_t* moved = nullptr,
                                         std::span<const std::uint8_t> mayMove = {});
 

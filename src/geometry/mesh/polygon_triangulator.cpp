@@ -5,32 +5,40 @@
 #include <algorithm>
 #include <array>
 
+#include "geometry/util/assert.h"
+
+// Ear clipping (see ear_clipper.h) of the outline's projection along one axis. Ours differs in what comes first: a face
+// that a fan covers gets the fan, and corners that rounding has made degenerate do not fail.
+
 namespace tactooth {
 namespace {
 
 using Corners = std::span<const std::uint32_t>;
 using Positions = std::span<const Vec3f>;
 
-/// Pairs of edges, and of corners and triangles, that are looked at for one face: about a second.
+/// Largest number of tests of pairs of edges, and of corners against triangles, for one face: about a second.
 constexpr std::size_t kMaxTests = 100'000'000;
 
-/// The corners of a face as seen from its first.
+/// The corners of a face relative to its first corner.
 class FromFirst {
 public:
     FromFirst(Positions positions, Corners corners)
         : positions_(positions), corners_(corners), first_(positions[corners[0]].cast<double>()) {}
 
     [[nodiscard]] std::size_t size() const { return corners_.size(); }
-    [[nodiscard]] Vec3 to(std::size_t i) const { return positions_[corners_[i]].cast<double>() - first_; }
+    [[nodiscard]] Vec3 to(std::size_t i) const {
+        TACTOOTH_ASSERT(i < corners_.size() && corners_[i] < positions_.size());
+        return positions_[corners_[i]].cast<double>() - first_;
+    }
 
-    /// Twice the area times the normal (M. Newell's, in I. Sutherland et al. 1974).
+    /// Twice the area times the normal (M. Newell's formula, in I. Sutherland et al. 1974).
     [[nodiscard]] Vec3 areaVector() const {
         Vec3 sum = Vec3::Zero();
         for (std::size_t i = 2; i < size(); ++i) sum += to(i - 1).cross(to(i));
         return sum;
     }
 
-    /// Whether all corners lie on one line, or nearly.
+    /// Whether all corners are on one line, or nearly.
     [[nodiscard]] bool isFlat() const {
         constexpr double kFlat = 1e-4;
         double area = 0, size2 = 0;
@@ -41,10 +49,11 @@ public:
         return area <= kFlat * size2;
     }
 
-    /// Whether the fan from the first corner covers the face: seen from there, the corners follow each other in one
-    /// half-plane. Each triangle clearly has an area: none is of corners that only rounding has put beside one line.
+    /// Whether the fan from the first corner covers the face: seen from that corner, the others follow each other in
+    /// one half-plane. Each triangle must clearly have an area, so that rounding cannot have moved its corners off one
+    /// line.
     [[nodiscard]] bool isFan(const Vec3& normal) const {
-        constexpr double kClear = 1e-5;  // a face of 10,000 corners around a circle still has its fan
+        constexpr double kClear = 1e-5;  // a face of 10,000 corners around a circle still is a fan
         const double margin = kClear * normal.norm();
         const auto turnsLeft = [&](const Vec3& a, const Vec3& b) {
             return a.cross(b).dot(normal) > margin * (a.squaredNorm() + b.squaredNorm());
@@ -69,10 +78,11 @@ void addFan(Corners corners, std::vector<Triangle>& triangles) {
 }  // namespace
 
 const char* PolygonTriangulator::split(Positions positions, Corners corners, std::vector<Triangle>& triangles) {
+    TACTOOTH_ASSERT(corners.size() > 3);
     const FromFirst face(positions, corners);
     if (face.isFan(face.areaVector())) return addFan(corners, triangles), nullptr;
     takeDistinct(corners);
-    if (distinct_.size() < 3) return addFan(corners, triangles), nullptr;  // without area: for the report to count
+    if (distinct_.size() < 3) return addFan(corners, triangles), nullptr;  // without area: the report counts it
     if (distinct_.size() == 3) return addFan(distinct_, triangles), nullptr;
     const FromFirst clean(positions, distinct_);
     const Vec3 normal = clean.areaVector();
@@ -92,6 +102,7 @@ const char* PolygonTriangulator::split(Positions positions, Corners corners, std
 
 const char* PolygonTriangulator::triangulateAnyShape(Positions positions, const Vec3& normal,
                                                      std::vector<Triangle>& triangles) {
+    TACTOOTH_ASSERT(distinct_.size() > 3);
     constexpr const char* kCrosses = "the outline of the face crosses itself";
     constexpr const char* kTooMuch = "the face has too many corners to be split into triangles";
     if (normal.isZero(0)) return kCrosses;
@@ -115,7 +126,7 @@ const char* PolygonTriangulator::triangulateAnyShape(Positions positions, const 
     return nullptr;
 }
 
-/// Without doubled corners, and without spikes: ways to a point and straight back.
+/// Takes the corners without duplicates and without spikes (edges to a point and straight back).
 void PolygonTriangulator::takeDistinct(Corners corners) {
     distinct_.clear();
     for (const std::uint32_t corner : corners) {

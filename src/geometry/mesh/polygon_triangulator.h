@@ -12,16 +12,16 @@
 
 namespace tactooth {
 
-/// Splits faces of more than three corners into triangles that cover the face and nothing beside it, whatever its shape
-/// and the corner that it begins with. One splitter serves face after face and keeps its memory.
+/// Splits faces of more than three corners into triangles that cover exactly the face, whatever its shape and its first
+/// corner. One object splits many faces and keeps its memory.
 class PolygonTriangulator {
 public:
     /// Adds the triangles of the face with `corners` (numbers of `positions`, where equal positions have the same
-    /// number; four or more). A face that the fan from its first corner covers, as that of a convex one does, gets this
-    /// fan. The face may be out of plane as far as seen along one axis it does not cross itself. All its corners stay
-    /// corners of triangles, but for doubled ones and those of spikes.
+    /// number; four or more). If the fan from the first corner covers the face, as for each convex face, the result is
+    /// this fan. A face may be out of plane as long as its projection along one axis does not cross itself. All corners
+    /// remain corners of triangles, except for duplicates and spikes.
     ///
-    /// Null, or what is wrong: the outline crosses itself, or has too many corners. Then nothing is added.
+    /// Returns null or the problem: the outline crosses itself, or has too many corners. Then nothing is added.
     [[nodiscard]] const char* split(std::span<const Vec3f> positions, std::span<const std::uint32_t> corners,
                                     std::vector<Triangle>& triangles);
 

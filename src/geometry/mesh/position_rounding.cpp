@@ -4,7 +4,7 @@
 
 namespace tactooth {
 std::optional<Vec3> PositionRounding::betterOffset() const {
-    constexpr double kHarm = 1.0 / 40000;  // of the longest side
+    constexpr double kHarm = 1.0 / 40000;  // share of the longest side
     const Vec3 size = high_ - low_;
     const double longest = size.maxCoeff();
     if (isMoved_ || !std::isfinite(longest) || !(longest > 0) || !(loss_ > kHarm * longest)) return std::nullopt;

@@ -10,12 +10,14 @@ namespace tactooth {
 
 void ProjectedPolygon::set(std::span<const Vec3f> positions, std::span<const std::uint32_t> corners,
                            const Vec3& normal) {
+    TACTOOTH_ASSERT(!normal.isZero(0));
     positions_ = positions;
     corners_.assign(corners.begin(), corners.end());
     normal.cwiseAbs().maxCoeff(&axis_);
     isMirrored_ = normal[axis_] < 0;
     points_.clear();
     for (const std::uint32_t corner : corners) {
+        TACTOOTH_ASSERT(corner < positions.size());
         const Vec3f& position = positions[corner];
         const double y = position[(axis_ + 2) % 3];
         points_.emplace_back(position[(axis_ + 1) % 3], isMirrored_ ? -y : y);
@@ -34,7 +36,7 @@ bool ProjectedPolygon::cross(std::uint32_t a, std::uint32_t c) const {
 }
 
 ProjectedPolygon::Crossing ProjectedPolygon::crossing(std::size_t maxTests) const {
-    // Edges in the order of where they begin in x: each is held against those that begin before it ends.
+    // Sweep over the edges by their smallest x: each is tested against those that begin before it ends.
     struct Edge {
         double from, to, low, high;
         std::uint32_t corner;

@@ -7,21 +7,25 @@
 #include <span>
 #include <vector>
 
+#include "geometry/util/assert.h"
 #include "geometry/util/vec.h"
 
 namespace tactooth {
 
-/// The outline of a plane or nearly plane face, seen along the axis to which the face looks most, so that it goes
-/// counter-clockwise. The view drops one coordinate and keeps the others as they are: which side a corner lies on is
-/// told exactly.
+/// The outline of a plane or nearly plane face, projected along the axis that is closest to its normal, so that it runs
+/// counter-clockwise. The projection drops one coordinate and leaves the others unchanged, so that the side of a line
+/// that a corner is on is exact.
 class ProjectedPolygon {
 public:
-    /// `corners` are numbers of `positions`, which stay where they are. `normal` is not zero.
+    /// `corners` are numbers of `positions`, which must stay valid. `normal` is not zero.
     void set(std::span<const Vec3f> positions, std::span<const std::uint32_t> corners, const Vec3& normal);
 
     [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(corners_.size()); }
-    /// The vertex at a corner: corners at the same position have the same.
-    [[nodiscard]] std::uint32_t vertex(std::uint32_t corner) const { return corners_[corner]; }
+    /// The vertex of a corner: corners at the same position have the same vertex.
+    [[nodiscard]] std::uint32_t vertex(std::uint32_t corner) const {
+        TACTOOTH_ASSERT(corner < corners_.size());
+        return corners_[corner];
+    }
     [[nodiscard]] double x(std::uint32_t corner) const { return points_[corner].x(); }
     [[nodiscard]] double y(std::uint32_t corner) const { return points_[corner].y(); }
 
@@ -30,11 +34,11 @@ public:
         const Eigen::Vector2d u = points_[b] - points_[a], v = points_[c] - points_[a];
         return u.x() * v.y() - u.y() * v.x();
     }
-    /// Its exact sign: 1 if c lies to the left of the way from a to b.
+    /// Its exact sign: 1 if c is to the left of the line from a to b.
     [[nodiscard]] int side(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
         const Eigen::Vector2d u = points_[b] - points_[a], v = points_[c] - points_[a];
         const double left = u.x() * v.y(), right = u.y() * v.x();
-        constexpr double kFilter = 4.5e-16;  // Shewchuk's (3 + 16 e) e, e = 2^-53, and some more
+        constexpr double kFilter = 4.5e-16;  // Shewchuk's (3 + 16 e) e, e = 2^-53, rounded up
         const double bound = kFilter * (std::abs(left) + std::abs(right));
         if (left - right > bound) return 1;
         if (left - right < -bound) return -1;
@@ -45,8 +49,8 @@ public:
     }
 
     enum class Crossing { None, Found, NotKnown };
-    /// Whether two edges cross each other properly: edges that only touch or cover each other do not. At most
-    /// `maxTests` pairs of edges are looked at.
+    /// Whether two edges cross properly: edges that only touch or overlap do not. Tests at most `maxTests` pairs of
+    /// edges.
     [[nodiscard]] Crossing crossing(std::size_t maxTests) const;
 
 private:

@@ -1,14 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// M. Garland, P. S. Heckbert, "Surface simplification using quadric error metrics", SIGGRAPH 1997, with collapses onto
-// an existing vertex; T. K. Dey et al., "Topology preserving edge contraction", 1999: a collapse keeps the topology of
-// a closed surface if the two ends have exactly two neighbours in common.
+// M. Garland, P. S. Heckbert, "Surface simplification using quadric error metrics", SIGGRAPH 1997. Ours collapses an
+// edge onto one of its two vertices, so that no new vertex is made. T. K. Dey et al., "Topology preserving edge
+// contraction", 1999: a collapse keeps the topology of a closed surface if the two ends have exactly two neighbours in
+// common.
 #include "geometry/mesh/simplify.h"
 
 #include <algorithm>
 #include <queue>
 #include <tuple>
+
+#include "geometry/util/assert.h"
 
 namespace tactooth {
 namespace {
@@ -32,7 +35,8 @@ struct Quadric {
     [[nodiscard]] double at(const Vec3& p) const { return std::max(0.0, p.dot(a * p) + 2 * b.dot(p) + c); }
 };
 
-/// Moving a vertex onto its neighbour `to`. Stamps tell whether a vertex has changed since the cost was computed.
+/// The collapse of a vertex onto its neighbour `to`. The stamp shows whether that vertex has changed since the cost was
+/// computed.
 struct Collapse {
     double cost;
     std::uint32_t to, stampTo;
@@ -42,7 +46,7 @@ struct Collapse {
     }
 };
 
-/// Vertex `from` waits for its cheapest collapse that has not been tried. One entry a vertex keeps the queue short.
+/// The cheapest collapse of vertex `from` that has not been tried. One entry for each vertex keeps the queue short.
 struct Waiting {
     double cost;
     std::uint32_t from, to, stampFrom;
@@ -73,6 +77,7 @@ public:
             const Waiting next = queue_.top();
             queue_.pop();
             if (stamps_[next.from] != next.stampFrom) continue;
+            TACTOOTH_ASSERT(!offers_[next.from].empty() && offers_[next.from].back().to == next.to);
             const std::uint32_t stampTo = offers_[next.from].back().stampTo;
             offers_[next.from].pop_back();
             if (stamps_[next.to] == stampTo && keepsTopology(next.from, next.to) && keepsNormals(next.from, next.to)) {
@@ -99,6 +104,7 @@ public:
             }
             out.triangles.push_back(triangle);
         }
+        TACTOOTH_ASSERT(out.triangles.size() == left_);
         return out;
     }
 
@@ -127,7 +133,7 @@ private:
     }
 
     void offerCollapses(std::uint32_t from) {
-        // A little of the length keeps triangles of flat regions well shaped: there all errors are zero.
+        // A small share of the length keeps triangles of flat regions well shaped: all errors are zero there.
         constexpr double kLengthShare = 1e-6;
         std::vector<Collapse>& offers = offers_[from];
         offers.clear();
@@ -153,18 +159,18 @@ private:
         std::ranges::set_intersection(a, b, std::back_inserter(common));
         constexpr std::size_t kTetrahedron = 4;
         return common.size() == 2 && left_ > kTetrahedron && std::ranges::all_of(common, [&](std::uint32_t v) {
-                   return around_[v].size() > 3;  // else two triangles would fall together
+                   return around_[v].size() > 3;  // otherwise two triangles would coincide
                });
     }
 
-    /// No triangle turns by more than about 60 degrees or becomes a needle.
+    /// No triangle rotates by more than about 60 degrees or becomes a needle.
     [[nodiscard]] bool keepsNormals(std::uint32_t from, std::uint32_t to) const {
         constexpr double kLeastCosine = 0.5, kLeastShape = 0.06;
         return std::ranges::all_of(around_[from], [&](std::uint32_t t) {
             std::array<Vec3, 3> now, then;
             for (int i = 0; i < 3; ++i) {
                 const std::uint32_t v = mesh_.triangles[t][i];
-                if (v == to) return true;  // this one goes
+                if (v == to) return true;  // this triangle is removed
                 now[i] = at_[v];
                 then[i] = at_[v == from ? to : v];
             }
@@ -178,7 +184,9 @@ private:
     }
 
     void collapse(std::uint32_t from, std::uint32_t to) {
+        TACTOOTH_ASSERT(from != to);
         for (const std::uint32_t t : around_[from]) {
+            TACTOOTH_ASSERT(alive_[t] && left_ > 0);
             Triangle& triangle = mesh_.triangles[t];
             if (std::ranges::find(triangle, to) == triangle.end()) {
                 std::ranges::replace(triangle, from, to);

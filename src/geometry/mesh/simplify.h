@@ -6,9 +6,9 @@
 
 namespace tactooth {
 
-/// A closed surface with about `triangles` triangles instead of more: large ones where it is flat, small ones where it
-/// bends. Its vertices are some of the old ones. It stays closed, oriented and of the same genus; where that forbids to
-/// go on, more triangles remain.
+/// A closed surface with about `triangles` triangles: large ones where it is flat, small ones where it is curved. Its
+/// vertices are a subset of the old ones. It stays closed, oriented and of the same genus; where this prevents further
+/// collapses, more triangles remain.
 [[nodiscard]] TriangleMesh simplified(const TriangleMesh& closed, std::size_t triangles);
 
 }  // namespace tactooth

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Triangles are split as in R. E. Bank, A. H. Sherman, A. Weiser, "Refinement algorithms and data structures for
-// regular local mesh refinement", Scientific Computing, 1983: in four where three edges are halved, in three or two
-// where fewer are. Differs from the paper: there are no temporary ("green") splits to be undone, since the surface is
-// flat across each triangle whatever its shape.
+// R. E. Bank, A. H. Sherman, A. Weiser, "Refinement algorithms and data structures for regular local mesh refinement",
+// Scientific Computing, 1983: a triangle is split in four where three edges are halved, in three or two where fewer
+// are. Ours has no temporary ("green") splits that have to be undone, since the surface is flat across each triangle
+// whatever its shape.
 #include "geometry/mesh/subdivide.h"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr auto kWhole = std::numeric_limits<std::uint32_t>::max();  // the edge is not halved
 
-/// Halves edges of a mesh, each in all its triangles at once, so that no vertex is left in the middle of an edge.
+/// Halves edges of a mesh, each in all its triangles at once, so that no vertex remains in the middle of an edge.
 class EdgeSplitter {
 public:
     explicit EdgeSplitter(const TriangleMesh& mesh)
@@ -27,10 +27,13 @@ public:
         result_.vertices = mesh.vertices;
     }
 
-    /// `uses`: the sides of triangles on one edge.
+    /// `uses`: the sides of the triangles at one edge.
     void halve(std::span<const EdgeUse> uses) {
+        TACTOOTH_ASSERT(!uses.empty());
+        TACTOOTH_ASSERT(result_.vertices.size() < kWhole);
         const auto vertex = static_cast<std::uint32_t>(result_.vertices.size());
         const std::uint32_t corner = uses.front().corner;
+        TACTOOTH_ASSERT(middle_[corner] == kWhole);
         const Triangle& triangle = mesh_.triangles[corner / 3];
         const Vec3f& from = mesh_.vertices[triangle[corner % 3]];
         const Vec3f& to = mesh_.vertices[triangle[(corner + 1) % 3]];
@@ -44,6 +47,7 @@ public:
     [[nodiscard]] TriangleMesh result() && {
         result_.triangles.reserve(count_);
         for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) splitTriangle(t);
+        TACTOOTH_ASSERT(result_.triangles.size() == count_);
         return std::move(result_);
     }
 
@@ -51,7 +55,7 @@ private:
     void splitTriangle(std::size_t t) {
         const std::uint32_t* middle = &middle_[3 * t];
         const auto halved = 3 - std::count(middle, middle + 3, kWhole);
-        // Turned so that a single halved edge, or a single whole one, comes first.
+        // Rotated so that a single halved edge, or a single whole one, comes first.
         const std::uint32_t* odd =
             std::find_if(middle, middle + 3, [&](std::uint32_t m) { return halved == 2 ? m == kWhole : m != kWhole; });
         const auto turn = odd == middle + 3 ? 0 : odd - middle;
@@ -95,7 +99,7 @@ std::vector<LongEdge> longEdges(const TriangleMesh& mesh, const MeshEdges& edges
         all.push_back({length, uses});
         longest = std::max(longest, length);
     });
-    constexpr float kShortestShare = 0.7F;  // nearer to 1 makes rounder triangles, but more rounds
+    constexpr float kShortestShare = 0.7F;  // closer to 1 gives rounder triangles, but needs more rounds
     std::erase_if(all, [&](const LongEdge& edge) { return edge.length < kShortestShare * longest; });
     std::ranges::sort(all, [](const LongEdge& a, const LongEdge& b) {
         return std::make_tuple(-a.length, a.uses.front().corner) < std::make_tuple(-b.length, b.uses.front().corner);
@@ -114,6 +118,7 @@ TriangleMesh subdivided(const TriangleMesh& mesh, int times) {
         const MeshEdges edges(coarse);
         edges.forEachEdge([&](std::span<const EdgeUse> uses) { splitter.halve(uses); });
         result = std::move(splitter).result();
+        TACTOOTH_ASSERT(result.triangles.size() <= kMaxSubdivided);
     }
     return result;
 }

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// S. Gottschalk, "Separating axis theorem", TR96-024, UNC Chapel Hill (1996): two convex bodies are apart if their
-// shadows on a normal of one of their faces, or on a direction square to an edge of each, are. Differs: bodies that
-// share a corner are told apart by directions that have that corner between them.
+// S. Gottschalk, "Separating axis theorem", TR96-024, UNC Chapel Hill (1996): two convex bodies are disjoint if their
+// projections on a normal of one of their faces, or on the cross product of an edge of each, are disjoint. Ours also
+// handles triangles with a common corner: there the separating plane goes through that corner.
 #include "geometry/mesh/triangle_intersection.h"
 
 #include <algorithm>
@@ -12,15 +12,17 @@
 #include <span>
 #include <utility>
 
+#include "geometry/util/assert.h"
+
 namespace tactooth {
 namespace {
 
-constexpr double kApart = kIntersectionDistance;
+constexpr double kSeparation = kIntersectionDistance;
 
 using Corners = std::array<Vec3, 3>;
 
-/// Lowest and highest place of points along a direction.
-std::pair<double, double> shadow(std::span<const Vec3> points, const Vec3& direction) {
+/// Smallest and largest coordinate of points along a direction.
+std::pair<double, double> projection(std::span<const Vec3> points, const Vec3& direction) {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const Vec3& point : points) {
         const double place = direction.dot(point);
@@ -37,9 +39,9 @@ Vec3 unit(const Vec3& v) {
 }
 
 bool separatesThem(const Vec3& direction, const Corners& a, const Corners& b) {
-    const auto [lowA, highA] = shadow(a, direction);
-    const auto [lowB, highB] = shadow(b, direction);
-    return lowB - highA > kApart || lowA - highB > kApart;
+    const auto [lowA, highA] = projection(a, direction);
+    const auto [lowB, highB] = projection(b, direction);
+    return lowB - highA > kSeparation || lowA - highB > kSeparation;
 }
 
 /// Two triangles without a common corner.
@@ -60,23 +62,24 @@ bool nonAdjacentIntersect(const Corners& a, const Corners& b) {
 
 using Sides = std::array<Vec3, 2>;
 
-/// Whether the plane through the common corner, square to `direction`, has one triangle on each side. A side of each
-/// may lie in the plane.
+/// Whether the plane through the common corner, perpendicular to `direction`, has one triangle on each side. A side of
+/// each may be in the plane.
 bool separatesCones(const Vec3& direction, const Sides& a, const Sides& b) {
-    const auto [lowA, highA] = shadow(a, direction);
-    const auto [lowB, highB] = shadow(b, direction);
+    const auto [lowA, highA] = projection(a, direction);
+    const auto [lowB, highB] = projection(b, direction);
     constexpr double kInPlane = 1e-9;
-    return (highA < kInPlane && lowB > -kInPlane && lowA < -kApart && highB > kApart) ||
-           (highB < kInPlane && lowA > -kInPlane && lowB < -kApart && highA > kApart);
+    return (highA < kInPlane && lowB > -kInPlane && lowA < -kSeparation && highB > kSeparation) ||
+           (highB < kInPlane && lowA > -kInPlane && lowB < -kSeparation && highA > kSeparation);
 }
 
 /// Two triangles with one common corner; unit vectors from there along their sides.
 bool conesIntersect(const Sides& a, const Sides& b) {
     const Vec3 normalA = unit(a[0].cross(a[1])), normalB = unit(b[0].cross(b[1]));
-    // The plane of one of them: the other one may touch it in the corner alone. Of a smooth surface most are done here.
+    // First the planes of the triangles: the other triangle may touch a plane in the corner only. On a smooth surface
+    // this decides most cases.
     const auto isBeside = [](const Vec3& normal, const Sides& other) {
         const double one = normal.dot(other[0]), two = normal.dot(other[1]);
-        return std::min(one, two) > kApart || std::max(one, two) < -kApart;
+        return std::min(one, two) > kSeparation || std::max(one, two) < -kSeparation;
     };
     if (isBeside(normalA, b) || isBeside(normalB, a)) return false;
     constexpr double kSame = 1 - 1e-12;  // cosine
@@ -95,7 +98,7 @@ bool conesIntersect(const Sides& a, const Sides& b) {
     return std::ranges::none_of(b, [&](const Vec3& side) { return parts(unit(side.cross(normalB))); });
 }
 
-/// Two triangles with a common edge, folded onto each other; vectors from one end of it.
+/// Two triangles with a common edge, folded onto each other; vectors from one end of the edge.
 bool leavesOverlap(const Vec3& edge, const Vec3& a, const Vec3& b) {
     const Vec3 along = unit(edge);
     const Vec3 outA = unit(a - along.dot(a) * along), outB = unit(b - along.dot(b) * along);
@@ -106,10 +109,12 @@ bool leavesOverlap(const Vec3& edge, const Vec3& a, const Vec3& b) {
 }  // namespace
 
 bool trianglesIntersect(const TriangleMesh& mesh, std::uint32_t a, std::uint32_t b) {
+    TACTOOTH_ASSERT(a != b);
+    TACTOOTH_ASSERT(a < mesh.triangles.size() && b < mesh.triangles.size());
     const Triangle &first = mesh.triangles[a], &second = mesh.triangles[b];
     Corners cornersA = {mesh.corner(a, 0), mesh.corner(a, 1), mesh.corner(a, 2)};
     Corners cornersB = {mesh.corner(b, 0), mesh.corner(b, 1), mesh.corner(b, 2)};
-    // Common corners to the front of both.
+    // Move common corners to the front of both.
     int common = 0;
     std::array<std::uint32_t, 3> namesB = second;
     for (int i = 0; i < 3; ++i) {

@@ -8,11 +8,11 @@
 
 namespace tactooth {
 
-/// Triangles that come as near count as crossing: a nanometre is far above the rounding of double precision and far
+/// Triangles that are this close count as crossing: a nanometre is far above the rounding of double precision, and far
 /// below that of the vertices.
 inline constexpr double kIntersectionDistance = 1e-6;  // mm
 
-/// Whether two triangles of a mesh meet elsewhere than in the corners or the edge that both have.
+/// Whether two different triangles of a mesh meet elsewhere than in their common corners or edge.
 [[nodiscard]] bool trianglesIntersect(const TriangleMesh& mesh, std::uint32_t a, std::uint32_t b);
 
 }  // namespace tactooth

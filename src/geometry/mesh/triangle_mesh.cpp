@@ -2,17 +2,38 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/mesh/triangle_mesh.h"
 
+#include <limits>
+#include <string>
+
 namespace tactooth {
+
+Expected<void> validate(const TriangleMesh& mesh) {
+    for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
+        for (const std::uint32_t vertex : mesh.triangles[triangle]) {
+            const auto problem = [&](const char* what) {
+                return unexpected("triangle " + std::to_string(triangle) + " has the corner " + std::to_string(vertex) +
+                                  ", " + what);
+            };
+            if (vertex >= mesh.vertices.size()) return problem("which is not a vertex of the mesh");
+            if (!mesh.vertices[vertex].allFinite()) return problem("which is not finite");
+        }
+    }
+    return {};
+}
 
 Box3 boundingBox(const TriangleMesh& mesh) {
     Box3 box;
     for (const Triangle& triangle : mesh.triangles) {
-        for (const std::uint32_t vertex : triangle) box.extend(mesh.vertices[vertex].cast<double>());
+        for (const std::uint32_t vertex : triangle) {
+            TACTOOTH_ASSERT(vertex < mesh.vertices.size());
+            box.extend(mesh.vertices[vertex].cast<double>());
+        }
     }
     return box;
 }
 
 TriangleMesh transformed(const TriangleMesh& mesh, const Pose& pose) {
+    TACTOOTH_ASSERT(isRigid(pose));
     TriangleMesh result = mesh;
     const Mat3 rotation = pose.rotation.toRotationMatrix();
     for (Vec3f& vertex : result.vertices) {
@@ -22,6 +43,7 @@ TriangleMesh transformed(const TriangleMesh& mesh, const Pose& pose) {
 }
 
 void append(TriangleMesh& mesh, const TriangleMesh& part) {
+    TACTOOTH_ASSERT(mesh.vertices.size() + part.vertices.size() <= std::numeric_limits<std::uint32_t>::max());
     const auto offset = static_cast<std::uint32_t>(mesh.vertices.size());
     mesh.vertices.insert(mesh.vertices.end(), part.vertices.begin(), part.vertices.end());
     mesh.triangles.reserve(mesh.triangles.size() + part.triangles.size());

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "geometry/util/assert.h"
+#include "geometry/util/expected.h"
 #include "geometry/util/pose.h"
 #include "geometry/util/vec.h"
 
@@ -14,8 +16,8 @@ namespace tactooth {
 /// Three vertex numbers, counter-clockwise seen from outside.
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// An indexed triangle surface in mm. Coordinates are kept in single precision, as an STL file stores them, so that
-/// what was read is what is written back, bit for bit; computations convert to double.
+/// An indexed triangle mesh in mm. Coordinates are in single precision, as an STL file stores them, so that a
+/// coordinate that was read is written back bit for bit. Computations convert to double.
 struct TriangleMesh {
     std::vector<Vec3f> vertices;
     std::vector<Triangle> triangles;
@@ -23,6 +25,9 @@ struct TriangleMesh {
     [[nodiscard]] bool empty() const { return triangles.empty(); }
     /// Corner `corner` (0..2) of triangle `triangle`.
     [[nodiscard]] Vec3 corner(std::size_t triangle, int corner) const {
+        TACTOOTH_ASSERT(triangle < triangles.size());
+        TACTOOTH_ASSERT(corner >= 0 && corner < 3);
+        TACTOOTH_ASSERT(triangles[triangle][corner] < vertices.size());
         return vertices[triangles[triangle][corner]].cast<double>();
     }
     /// Twice the area times the outward normal, mm^2.
@@ -31,10 +36,14 @@ struct TriangleMesh {
     }
 };
 
-/// The smallest box that holds every vertex that a triangle uses; empty for an empty mesh.
+/// Checks the invariants of a mesh: every corner of a triangle names a vertex, and every vertex that a triangle uses is
+/// finite. Fails with the number of the first triangle that breaks one. Takes time in proportion to the mesh.
+[[nodiscard]] Expected<void> validate(const TriangleMesh& mesh);
+
+/// The bounding box of all vertices that a triangle uses; empty for an empty mesh.
 [[nodiscard]] Box3 boundingBox(const TriangleMesh& mesh);
 
-/// `mesh` with every vertex moved by `pose`.
+/// `mesh` with every vertex transformed by `pose`.
 [[nodiscard]] TriangleMesh transformed(const TriangleMesh& mesh, const Pose& pose);
 
 /// Adds the vertices and triangles of `part` to `mesh`.

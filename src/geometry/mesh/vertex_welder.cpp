@@ -15,8 +15,9 @@ VertexWelder::VertexWelder(std::size_t expectedVertices)
 }
 
 void VertexWelder::addAll(std::span<const Vec3f> positions, std::uint32_t* numbers) {
-    // Table and vertices of a scanned tooth do not fit into the second-level cache. While the memory fetches what one
-    // position needs, the next ones are hashed.
+    TACTOOTH_ASSERT(positions.empty() || numbers != nullptr);
+    // Table and vertices of a scanned tooth do not fit into the second-level cache. While the memory fetches the data
+    // for one position, the next positions are hashed.
     constexpr std::size_t kBlock = 48;
     std::array<std::size_t, kBlock> slots;
     while (!positions.empty()) {
@@ -37,9 +38,11 @@ void VertexWelder::addAll(std::span<const Vec3f> positions, std::uint32_t* numbe
 std::uint32_t VertexWelder::insert(const Vec3f& position, std::size_t slot) {
     const auto vertex = static_cast<std::uint32_t>(vertices_.size());
     TACTOOTH_ASSERT(vertex != kFree);
+    TACTOOTH_ASSERT(slot < table_.size() && table_[slot] == kFree);
     vertices_.push_back(position);
     table_[slot] = vertex;
     if (2 * vertices_.size() > table_.size()) grow();
+    TACTOOTH_ASSERT(2 * vertices_.size() <= table_.size());
     return vertex;
 }
 

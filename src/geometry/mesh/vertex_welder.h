@@ -10,27 +10,28 @@
 #include <vector>
 
 #include "geometry/mesh/triangle_mesh.h"
+#include "geometry/util/assert.h"
 
 namespace tactooth {
 
-/// Gives equal positions the same vertex number, in order of first appearance. Equal means bit for bit, except that
-/// -0 equals +0 (the first one seen is kept). An open-addressing hash table with linear probing (Knuth, The Art of
-/// Computer Programming 3, section 6.4), kept at most half full.
+/// Gives equal positions the same vertex number, in order of first appearance. Equal means bit for bit, except that -0
+/// equals +0 (the first one is kept). It is an open-addressing hash table with linear probing (Knuth, The Art of
+/// Computer Programming 3, section 6.4), at most half full.
 class VertexWelder {
 public:
-    /// `expectedVertices` sizes the table; more may come.
+    /// `expectedVertices` is the initial size of the table; more may come.
     explicit VertexWelder(std::size_t expectedVertices);
 
-    /// The number of the vertex at `position` (finite).
+    /// The number of the vertex at `position`, which is finite.
     std::uint32_t add(const Vec3f& position) { return add(position, hash(position)); }
 
-    /// The same for many positions (finite), which costs less than one by one: `numbers[i]` is that of `positions[i]`.
+    /// The same for many positions (finite), faster than one by one: `numbers[i]` is that of `positions[i]`.
     void addAll(std::span<const Vec3f> positions, std::uint32_t* numbers);
 
     /// The distinct positions so far, by number.
     [[nodiscard]] std::span<const Vec3f> vertices() const { return vertices_; }
 
-    /// The distinct positions by number; the welder is used up.
+    /// The distinct positions by number. The welder must not be used afterwards.
     [[nodiscard]] std::vector<Vec3f> takeVertices() { return std::move(vertices_); }
 
 private:
@@ -48,6 +49,7 @@ private:
     }
 
     std::uint32_t add(const Vec3f& position, std::size_t hashed) {
+        TACTOOTH_ASSERT(position.allFinite());
         for (std::size_t slot = hashed & mask_;; slot = (slot + 1) & mask_) {
             const std::uint32_t vertex = table_[slot];
             if (vertex == kFree) return insert(position, slot);
@@ -62,8 +64,8 @@ private:
     std::size_t mask_;                  ///< table size (a power of two) - 1
 };
 
-/// The mesh of a list of corners, three a triangle (an STL file's way to say it): equal positions become one vertex.
-/// Every triangle stays, in its order, also one whose corners coincide. `corners.size()` is a multiple of 3.
+/// The mesh of a list of corners, three for each triangle, as in an STL file: equal positions become one vertex. Every
+/// triangle stays, in its order, also one with equal corners. `corners.size()` is a multiple of 3.
 [[nodiscard]] TriangleMesh weld(std::span<const Vec3f> corners);
 
 }  // namespace tactooth

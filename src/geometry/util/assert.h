@@ -2,23 +2,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// TACTOOTH_ASSERT(condition) states what the program itself must have made true: a precondition of a call, an invariant
-// of a structure. Bad input from outside is an Expected, never an assert. The build option TACTOOTH_ASSERTS decides
-// whether asserts are checked: they are in the builds for tests, and not in the release build, whose 1 kHz step has
-// none. The condition is compiled in both, so that it cannot rot.
+// TACTOOTH_ASSERT(condition) states what the program itself guarantees: a precondition of a call or an invariant of a
+// structure. Bad input from outside is an Expected, never an assert. The build option TACTOOTH_ASSERTS switches the
+// checks on. They are in the builds for tests, and not in the release build, whose 1 kHz step has none. The condition
+// is compiled in both, so that it stays valid code.
 
 namespace tactooth {
 
 /// An assert whose condition was false.
 struct AssertFailure {
-    const char* condition;  ///< as it stands in the source
+    const char* condition;  ///< the text of the condition
     const char* file;
     int line;
     const char* function;
 };
 
-/// What happens on a failed assert. A handler that returns lets the program go on behind the assert; a handler of a
-/// test may throw.
+/// Called on a failed assert. If it returns, the program continues behind the assert; the handler of a test may throw.
 using AssertHandler = void (*)(const AssertFailure& failure);
 
 /// Replaces the handler of the whole program and returns the one before. nullptr: the default, which writes one line to

@@ -9,12 +9,12 @@
 
 namespace tactooth {
 
-/// Bytes as text, where they lie.
+/// A view of bytes as text.
 [[nodiscard]] inline std::string_view asText(std::span<const std::byte> bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-/// Text as bytes, where it lies.
+/// A view of text as bytes.
 [[nodiscard]] inline std::span<const std::byte> asBytes(std::string_view text) {
     return std::as_bytes(std::span(text));
 }
@@ -30,7 +30,7 @@ namespace tactooth {
     return text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text;
 }
 
-/// Whether text begins with the byte order mark of UTF-16 or UTF-32, which nobody here reads.
+/// Whether text begins with the byte order mark of UTF-16 or UTF-32, which no reader here supports.
 [[nodiscard]] inline bool isWideText(std::string_view text) {
     using namespace std::string_view_literals;
     return text.starts_with("\xFF\xFE"sv) || text.starts_with("\xFE\xFF"sv) || text.starts_with("\0\0\xFE\xFF"sv);

@@ -8,16 +8,20 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/util/assert.h"
+
 namespace tactooth {
 
-/// Which of the things 0..n-1 hang together. Tarjan, "Efficiency of a good but not linear set union algorithm" (1975),
-/// with path halving; a set is known by its smallest member, so the outcome does not depend on the order of `join`.
+/// Disjoint sets of the elements 0..n-1. R. E. Tarjan, "Efficiency of a Good But Not Linear Set Union Algorithm",
+/// Journal of the ACM 22, 1975, with path halving. Ours differs in one point: the smallest member represents a set, so
+/// that the result does not depend on the order of `join`.
 class DisjointSets {
 public:
     explicit DisjointSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0U); }
 
-    /// The smallest member of the set of `member`.
+    /// The smallest member of the set of `member`, which is less than the count.
     std::uint32_t find(std::uint32_t member) {
+        TACTOOTH_ASSERT(member < parent_.size());
         while (parent_[member] != member) {
             parent_[member] = parent_[parent_[member]];
             member = parent_[member];
@@ -25,10 +29,12 @@ public:
         return member;
     }
 
+    /// Unites the sets of two elements.
     void join(std::uint32_t a, std::uint32_t b) {
         a = find(a);
         b = find(b);
         if (a > b) std::swap(a, b);
+        TACTOOTH_ASSERT(a <= b);
         parent_[b] = a;
     }
 

@@ -1,21 +1,24 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// UTF-8 as The Unicode Standard 15, table 3-7, has it: neither overlong forms nor surrogates.
+// UTF-8 according to The Unicode Standard 15, table 3-7: no overlong forms and no surrogates.
 #include "geometry/util/display_text.h"
 
 #include <limits>
+
+#include "geometry/util/assert.h"
 
 namespace tactooth {
 namespace {
 
 struct Character {
     char32_t code;
-    std::size_t bytes;  // 0: the first byte begins no character
+    std::size_t bytes;  // 0: the first byte does not begin a character
 };
 
 Character characterAt(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    TACTOOTH_ASSERT(!text.empty());
     const unsigned char first = byte(0);
     if (first < 0x80) return {first, 1};
     const std::size_t bytes = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
@@ -30,11 +33,11 @@ Character characterAt(std::string_view text) {
     return {code, bytes};
 }
 
-/// What a terminal obeys instead of showing it, or what shows other letters in another order than they stand.
+/// Whether a terminal obeys the character instead of showing it, or the character changes the order of others.
 bool isCommand(char32_t code) {
     return code < 0x20 || (code >= 0x7F && code <= 0x9F) ||      // C0, DEL, C1
-           code == 0x61C || code == 0x200E || code == 0x200F ||  // marks of direction
-           (code >= 0x2028 && code <= 0x202E) ||                 // separators of lines, embeddings, overrides
+           code == 0x61C || code == 0x200E || code == 0x200F ||  // direction marks
+           (code >= 0x2028 && code <= 0x202E) ||                 // line separators, embeddings, overrides
            (code >= 0x2066 && code <= 0x2069);                   // isolates
 }
 

@@ -8,16 +8,16 @@
 
 namespace tactooth {
 
-/// Text of which nobody knows where it comes from (names of files, layers and devices, words of a file, arguments) as
-/// a terminal may show it: one line of valid UTF-8. Each control character (C0, DEL, C1, separators of lines) and each
-/// mark that turns the direction of writing becomes '?', each byte that is not UTF-8 becomes U+FFFD; all other
-/// characters stay as they are.
+/// Untrusted text (names of files, layers and devices, words of a file, arguments) in a form that is safe for a
+/// terminal: one line of valid UTF-8. Each control character (C0, DEL, C1, line separators) and each mark that changes
+/// the direction of writing becomes '?'. Each byte that is not UTF-8 becomes U+FFFD. All other characters stay as they
+/// are.
 [[nodiscard]] std::string displayText(std::string_view text);
 
-/// Whether displayText changes nothing.
+/// Whether displayText leaves the text unchanged.
 [[nodiscard]] bool isShownAsItIs(std::string_view text);
 
-/// The first `most` characters of displayText, with "..." behind them if there are more.
+/// The first `most` characters of displayText, followed by "..." if there are more.
 [[nodiscard]] std::string displayShort(std::string_view text, std::size_t most);
 
 }  // namespace tactooth

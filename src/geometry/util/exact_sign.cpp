@@ -5,9 +5,11 @@
 #include <array>
 #include <cmath>
 
+#include "geometry/util/assert.h"
+
 // J. R. Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates", 1997: a number
-// is kept exactly as a sum of doubles that do not overlap. Differs from the paper in having two stages only: a
-// filter in double precision, then the exact sum, which is needed for about one call in a thousand.
+// is kept exactly as a sum of doubles that do not overlap. Ours has two stages only: a filter in double precision, then
+// the exact sum, which about one call in a thousand needs.
 
 namespace tactooth {
 namespace {
@@ -26,7 +28,7 @@ TwoTerms exactProduct(double a, double b) {
     return {high, std::fma(a, b, -high)};
 }
 
-/// An exact sum of doubles. The sign is that of its largest term.
+/// An exact sum of doubles. Its sign is that of its largest term.
 class ExactSum {
 public:
     void add(double value) {
@@ -37,6 +39,7 @@ public:
             carried = high;
             if (low != 0) terms_[kept++] = low;
         }
+        TACTOOTH_ASSERT(kept < static_cast<int>(terms_.size()));
         if (carried != 0) terms_[kept++] = carried;
         size_ = kept;
     }
@@ -94,6 +97,7 @@ int ExactPlane::exactSideOf(const Vec3f& d) const {
 }
 
 int crossProductSign(const Vec3f& a, const Vec3f& b, const Vec3f& c, const Vec3f& d, int axis) {
+    TACTOOTH_ASSERT(axis >= 0 && axis < 3);
     const ExactVector u = difference(b, a);
     const ExactVector v = difference(d, c);
     const int j = (axis + 1) % 3;

@@ -9,7 +9,7 @@
 
 namespace tactooth {
 
-/// The plane through three points, to be asked about several others.
+/// The plane through three points, for tests against several other points.
 class ExactPlane {
 public:
     ExactPlane(const Vec3f& a, const Vec3f& b, const Vec3f& c) : corner_{a, b, c} {
@@ -24,14 +24,14 @@ public:
         set(u.x * v.y, u.y * v.x, normal_.z, permanent_.z);
     }
 
-    /// Exact sign (-1, 0, 1) of det[b - a, c - a, d - a]: positive if d lies on the side to which (b - a) x (c - a)
-    /// points.
+    /// Exact sign (-1, 0, 1) of det[b - a, c - a, d - a]: positive if d is on the side that (b - a) x (c - a) points
+    /// to.
     [[nodiscard]] int sideOf(const Vec3f& d) const {
         const double x = double{d.x()} - corner_[0].x();
         const double y = double{d.y()} - corner_[0].y();
         const double z = double{d.z()} - corner_[0].z();
         const double determinant = normal_.x * x + normal_.y * y + normal_.z * z;
-        constexpr double kFilter = 16 * 2.220446049250313e-16;  // twice the worst rounding of this evaluation
+        constexpr double kFilter = 16 * 2.220446049250313e-16;  // twice the largest rounding error of this evaluation
         const double bound =
             kFilter * (permanent_.x * std::abs(x) + permanent_.y * std::abs(y) + permanent_.z * std::abs(z));
         if (determinant > bound) return 1;
@@ -40,7 +40,7 @@ public:
     }
 
 private:
-    /// Number by number: they are used one by one, and to put together registers of two costs more.
+    /// Scalars, because they are used one by one: to assemble vector registers would cost more.
     struct Numbers {
         double x, y, z;
     };
@@ -51,12 +51,12 @@ private:
     Numbers permanent_;  // the same sum as `normal_`, of absolute values
 };
 
-/// The side of the plane a, b, c on which d lies.
+/// The side of the plane a, b, c that d is on.
 [[nodiscard]] inline int orientationSign(const Vec3f& a, const Vec3f& b, const Vec3f& c, const Vec3f& d) {
     return ExactPlane(a, b, c).sideOf(d);
 }
 
-/// Exact sign of component `axis` of (b - a) x (d - c).
+/// Exact sign of component `axis` (0..2) of (b - a) x (d - c).
 [[nodiscard]] int crossProductSign(const Vec3f& a, const Vec3f& b, const Vec3f& c, const Vec3f& d, int axis);
 
 }  // namespace tactooth

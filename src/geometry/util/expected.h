@@ -10,21 +10,20 @@
 
 namespace tactooth {
 
-/// Why something that depends on the outside world (a file, a device, a number typed by a person) did not work:
-/// one complete sentence for the person who has to mend it. It names the file and the position, what was
-/// expected and what to do.
+/// Why something that depends on the outside world (a file, a device, a typed number) did not work: one complete
+/// sentence for the user who has to correct it. It names the file and the position, what was expected, and the remedy.
 struct Error {
     std::string message;
 };
 
-/// Marks an Error on its way into an Expected, as std::unexpected does in C++23.
+/// Wraps an Error for an Expected, like std::unexpected in C++23.
 struct Unexpected {
     Error error;
 };
 
 [[nodiscard]] inline Unexpected unexpected(std::string message) { return {Error{std::move(message)}}; }
 
-/// A value, or the reason why there is none. Member names follow std::expected (C++23).
+/// A value or an Error. Member names follow std::expected (C++23).
 template <class T>
 class [[nodiscard]] Expected {
 public:
@@ -49,7 +48,7 @@ private:
     std::variant<T, Error> state_;
 };
 
-/// Success without a value, or the reason for failure.
+/// Success without a value, or an Error.
 template <>
 class [[nodiscard]] Expected<void> {
 public:

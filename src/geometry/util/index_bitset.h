@@ -7,18 +7,23 @@
 #include <cstdint>
 #include <vector>
 
+#include "geometry/util/assert.h"
+
 namespace tactooth {
 
-/// Numbers below a bound, added in any order and as often as one likes, read in ascending order: of some thousand among
-/// some hundred thousand, to look through a bit for each takes less than to sort them.
+/// A set of numbers below a bound, added in any order and read in ascending order. For some thousand numbers among some
+/// hundred thousand, reading all bits takes less time than sorting.
 class IndexBitset {
 public:
     /// The numbers are 0 .. `bound` - 1.
     explicit IndexBitset(std::size_t bound) : words_((bound + 63) / 64) {}
 
-    void add(std::uint32_t number) { words_[number / 64] |= std::uint64_t{1} << number % 64; }
+    void add(std::uint32_t number) {
+        TACTOOTH_ASSERT(number / 64 < words_.size());
+        words_[number / 64] |= std::uint64_t{1} << number % 64;
+    }
 
-    /// In ascending order.
+    /// All numbers in ascending order.
     [[nodiscard]] std::vector<std::uint32_t> sorted() const {
         std::vector<std::uint32_t> numbers;
         for (std::size_t i = 0; i < words_.size(); ++i) {
@@ -34,22 +39,24 @@ private:
     std::vector<std::uint64_t> words_;
 };
 
-/// Tells where in `IndexBitset::sorted` a number of the set is.
+/// The position of a number of the set in `IndexBitset::sorted`.
 class BitsetRank {
 public:
-    /// `set` is not changed as long as this is asked.
+    /// `set` lives longer than this object and does not change.
     explicit BitsetRank(const IndexBitset& set) : words_(set.words_), before_(words_.size()) {
         for (std::size_t i = 0; i + 1 < words_.size(); ++i)
             before_[i + 1] = before_[i] + static_cast<std::uint32_t>(std::popcount(words_[i]));
     }
     [[nodiscard]] std::uint32_t operator[](std::uint32_t number) const {
+        TACTOOTH_ASSERT(number / 64 < words_.size());
+        TACTOOTH_ASSERT((words_[number / 64] >> number % 64 & 1) != 0);
         const std::uint64_t lower = words_[number / 64] & ((std::uint64_t{1} << number % 64) - 1);
         return before_[number / 64] + static_cast<std::uint32_t>(std::popcount(lower));
     }
 
 private:
     const std::vector<std::uint64_t>& words_;
-    std::vector<std::uint32_t> before_;  // how many there are in the words before each
+    std::vector<std::uint32_t> before_;  // count of the numbers in the words before each
 };
 
 }  // namespace tactooth

@@ -10,7 +10,7 @@
 namespace tactooth {
 namespace {
 
-constexpr std::size_t kLargePage = std::size_t{2} << 20;  // of x86-64 and of ARM with pages of 4 KB
+constexpr std::size_t kLargePage = std::size_t{2} << 20;  // page size of x86-64, and of ARM with pages of 4 KB
 constexpr std::size_t kCacheLine = 64;
 
 std::size_t roundedUp(std::size_t bytes, std::size_t unit) { return (bytes + unit - 1) / unit * unit; }
@@ -23,7 +23,7 @@ void* allocateOnLargePages(std::size_t bytes) noexcept {
     const std::size_t size = roundedUp(bytes, kLargePage);
     void* memory = std::aligned_alloc(kLargePage, size);
 #ifdef MADV_HUGEPAGE
-    if (memory != nullptr) ::madvise(memory, size, MADV_HUGEPAGE);  // no more than a wish: refused, all works the same
+    if (memory != nullptr) ::madvise(memory, size, MADV_HUGEPAGE);  // only a hint: if it is refused, all works the same
 #endif
     return memory;
 }

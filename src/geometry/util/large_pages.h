@@ -3,19 +3,22 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <new>
 #include <vector>
 
+#include "geometry/util/assert.h"
+
 namespace tactooth {
 
-/// Memory aligned to 64 bytes, or nullptr if there is none. From 4 MB on it lies on pages of 2 MB where the system has
-/// them: to touch fresh memory for the first time, which on small pages costs more than to fill it, is then some ten
-/// times cheaper.
+/// Memory aligned to 64 bytes, or nullptr if there is none. From 4 MB on it uses pages of 2 MB where the system has
+/// them. The first access to fresh memory, which on small pages costs more than filling it, is then about ten times
+/// cheaper.
 [[nodiscard]] void* allocateOnLargePages(std::size_t bytes) noexcept;
 void freeLargePages(void* memory) noexcept;
 
-/// Puts a std::vector on such memory and leaves the elements that `resize` adds as they are: several threads may then
-/// touch them first.
+/// Allocator of a std::vector on such memory. `resize` does not initialise the new elements: several threads may then
+/// access them first.
 template <class T>
 class LargePageAllocator {
 public:
@@ -23,9 +26,10 @@ public:
 
     LargePageAllocator() = default;
     template <class U>
-    LargePageAllocator(const LargePageAllocator<U>&) {}  // NOLINT: what every allocator has, and may convert
+    LargePageAllocator(const LargePageAllocator<U>&) {}  // NOLINT: required of an allocator, and may convert
 
     [[nodiscard]] T* allocate(std::size_t count) {
+        TACTOOTH_ASSERT(count <= std::numeric_limits<std::size_t>::max() / sizeof(T));
         if (void* memory = allocateOnLargePages(count * sizeof(T))) return static_cast<T*>(memory);
         throw std::bad_alloc();
     }

@@ -6,7 +6,7 @@
 
 namespace tactooth {
 
-/// A to Z become a to z, whatever the locale; all else stays.
+/// Turns A to Z into a to z, whatever the locale; all else stays.
 [[nodiscard]] inline std::string toLowerCase(std::string text) {
     for (char& letter : text) {
         if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');

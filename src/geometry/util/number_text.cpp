@@ -4,13 +4,16 @@
 
 #include <array>
 
+#include "geometry/util/assert.h"
 #include "geometry/util/display_text.h"
 
 namespace tactooth {
 
 std::string numberText(double value) {
     std::array<char, 32> digits;  // the longest double takes 24
-    return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
+    const auto [end, failure] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
+    TACTOOTH_ASSERT(failure == std::errc{});
+    return {digits.data(), end};
 }
 
 std::string quotedWord(std::string_view word) {

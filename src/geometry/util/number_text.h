@@ -12,13 +12,13 @@
 
 namespace tactooth {
 
-/// The number that `word` is, as a whole, with '.' as decimal point whatever the locale; nothing if it is no number.
-/// Too small for the type becomes zero, too large infinity; "nan" and "inf" are numbers here, and for the caller to
-/// refuse.
+/// Reads all of `word` as a number, with '.' as decimal point whatever the locale; nothing if it is not a number. A
+/// number too small for the type becomes zero, one too large infinity. "nan" and "inf" are numbers here; the caller has
+/// to refuse them.
 template <class Number>
 [[nodiscard]] std::optional<Number> toNumber(std::string_view word) {
     if (word.size() > 1 && word[0] == '+' && word[1] != '-')
-        word.remove_prefix(1);  // std::from_chars knows no plus sign
+        word.remove_prefix(1);  // std::from_chars accepts no plus sign
     const char* end = word.data() + word.size();
     Number value = 0;
     const auto [stop, failure] = std::from_chars(word.data(), end, value);
@@ -33,7 +33,7 @@ template <class Number>
 /// The shortest text that toNumber reads as the same double, whatever the locale.
 [[nodiscard]] std::string numberText(double value);
 
-/// A word of an untrusted file as a message may show it: in quotes, at most 24 characters, as displayText shows them.
+/// A word of an untrusted file in a form for a message: in quotes, at most 24 characters, through displayText.
 [[nodiscard]] std::string quotedWord(std::string_view word);
 
 }  // namespace tactooth

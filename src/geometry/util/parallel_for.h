@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <memory>
 
-#if defined(__SANITIZE_THREAD__)  // GCC; asked first, since Eigen gives GCC a __has_feature that knows nothing
+#if defined(__SANITIZE_THREAD__)  // GCC; tested first, since Eigen defines for GCC a __has_feature that knows nothing
 #define TACTOOTH_THREAD_SANITIZER
 #elif defined(__has_feature)
 #if __has_feature(thread_sanitizer)
@@ -19,9 +19,9 @@
 namespace tactooth {
 namespace detail {
 
-/// Tells the thread sanitizer, which cannot look into TBB, the order that a parallel loop guarantees and no more: what
-/// came before the loop is seen by its blocks, and these are seen by what comes after it. Two blocks have no order.
-/// Does nothing in other builds.
+/// Reports to the thread sanitizer, which cannot look into TBB, the order that a parallel loop guarantees, and no more.
+/// What was written before the loop is visible to its blocks, and what the blocks write is visible after the loop. Two
+/// blocks have no order. Does nothing in other builds.
 class LoopOrder {
 public:
 #ifdef TACTOOTH_THREAD_SANITIZER
@@ -42,14 +42,14 @@ private:
 
 using LoopBlock = void (*)(void* loop, std::size_t begin, std::size_t end);
 
-/// Covers 0..count with blocks of at least about `grain`, run on any thread; returns when all have ended.
+/// Runs blocks that cover 0..count, each of about `grain` or more, on any thread; returns when all have ended.
 void runBlocks(std::size_t count, std::size_t grain, LoopBlock block, void* loop);
 
 }  // namespace detail
 
 /// Calls function(i) for each i from 0 to count - 1, on all processors and in any order, and returns when all calls
-/// have ended. The calls share nothing but what they only read. May be nested. `grain` calls at least make a piece of
-/// work for another thread: give it where a single call is too short for that.
+/// have ended. The calls share nothing but data that they only read. May be nested. A piece of work for another thread
+/// has at least `grain` calls: set it where a single call is too short.
 template <class Function>
 void parallelFor(std::size_t count, const Function& function, std::size_t grain = 1) {
     struct Loop {
@@ -66,8 +66,8 @@ void parallelFor(std::size_t count, const Function& function, std::size_t grain 
     loop.order.endLoop();
 }
 
-/// While one of these lives, loops of this process use no more than so many threads, the one that calls them among
-/// them: for measuring what work costs. Results never depend on it.
+/// While an object lives, loops of this process use at most so many threads, including the calling thread. It is for
+/// measurements. Results never depend on it.
 class ThreadLimit {
 public:
     explicit ThreadLimit(std::size_t most);

@@ -8,8 +8,8 @@
 
 namespace tactooth {
 
-/// The lines of a text, one after the other. A line ends in LF, CR LF, or CR alone (the old Mac's, which some programs
-/// still write); a text may mix them. A byte order mark before the first line is no part of it.
+/// Reads the lines of a text one by one. A line ends in LF, CR LF, or CR alone (as on old Macs; some programs still
+/// write it); a text may mix them. A byte order mark before the first line is skipped.
 class TextLines {
 public:
     explicit TextLines(std::string_view text) : text_(text), at_(text.starts_with("\xEF\xBB\xBF") ? 3 : 0) {
@@ -17,26 +17,26 @@ public:
         carriageReturn_ = text_.find('\r', at_);
     }
 
-    /// Moves to the next line, which comes without its end; false after the last.
+    /// Moves to the next line and returns it without its end; false after the last line.
     bool next(std::string_view& line) {
         if (at_ >= text_.size()) return false;
         const std::size_t end = std::min({lineFeed_, carriageReturn_, text_.size()});
         line = text_.substr(at_, end - at_);
         at_ = end + (text_.substr(end, 2) == "\r\n" ? 2 : 1);
-        // Each letter is looked for from where it was found last, so that the whole text is searched once.
+        // Each search starts where the last one ended, so that the whole text is searched once.
         if (lineFeed_ < at_) lineFeed_ = text_.find('\n', at_);
         if (carriageReturn_ < at_) carriageReturn_ = text_.find('\r', at_);
         ++number_;
         return true;
     }
 
-    /// Of the line that came last; the first is 1.
+    /// Number of the last line that was read; the first is 1.
     [[nodiscard]] std::size_t number() const { return number_; }
 
 private:
     std::string_view text_;
     std::size_t at_;
-    std::size_t lineFeed_ = 0, carriageReturn_ = 0;  ///< the next ones
+    std::size_t lineFeed_ = 0, carriageReturn_ = 0;  ///< positions of the next line feed and carriage return
     std::size_t number_ = 0;
 };
 

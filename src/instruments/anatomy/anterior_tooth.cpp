@@ -6,12 +6,13 @@
 #include <memory>
 #include <utility>
 
+#include "geometry/util/assert.h"
 #include "instruments/modelling/blend.h"
 
 namespace tactooth {
 namespace {
 
-/// The same outlines with their widest place in the middle between the labial and the lingual face.
+/// The same outlines with their widest point in the middle between the labial and the lingual face.
 std::vector<Section> centred(std::vector<Section> sections) {
     for (Section& s : sections) {
         const double half = (s.plusY + s.minusY) / 2;
@@ -55,14 +56,15 @@ private:
     [[nodiscard]] double sides(const Vec3& p) const {
         double distance = body_(p);
         for (const FaceGroove& f : p.y() > body_.at(p.z()).y ? plan_.labial : plan_.lingual) distance += depthOf(f, p);
-        constexpr double kStep = 0.07;  // mm by which the crown stands out over the root
+        constexpr double kStep = 0.07;  // mm that the crown protrudes over the root
         return distance + kStep * (1 - smoothStep(-0.15, 0.35, cervical(p)));
     }
 
     [[nodiscard]] double depthOf(const FaceGroove& f, const Vec3& p) const {
         const Section section = body_.at(p.z());
-        const double fromMiddle = std::abs(p.y() - section.y) / section.plusY;  // so that neither face has the other's
-        constexpr double kFade = 1.5;                                           // mm above and below
+        // So that neither face gets the grooves of the other.
+        const double fromMiddle = std::abs(p.y() - section.y) / section.plusY;
+        constexpr double kFade = 1.5;  // mm above and below
         return f.depth * bump(p.x() - f.x, f.width) * smoothStep(f.from - kFade, f.from, p.z()) *
                smoothStep(f.to + kFade, f.to, p.z()) * smoothStep(0.0, 0.6, fromMiddle);
     }
@@ -81,7 +83,7 @@ private:
     SectionLoft body_, pulp_;
 };
 
-/// Where the way from an inner point leaves the body.
+/// The point where the line from an inner point leaves the body.
 Vec3 surfacePoint(const ScalarField& body, Vec3 inside, Vec3 outside) {
     constexpr int kHalvings = 40;
     for (int i = 0; i < kHalvings; ++i) {
@@ -93,11 +95,16 @@ Vec3 surfacePoint(const ScalarField& body, Vec3 inside, Vec3 outside) {
 
 }  // namespace
 
-AnteriorToothPlan resized(AnteriorToothPlan plan, const AnteriorToothSize& from, const AnteriorToothSize& to) {
+AnteriorToothPlan resized(AnteriorToothPlan plan, const AnteriorToothSize& from, const AnteriorToothSize& to,
+                          std::string name, int fdi) {
+    TACTOOTH_ASSERT(from.crown > 0 && from.root > 0);
+    TACTOOTH_ASSERT(to.crown > 0 && to.root > 0);
+    plan.name = std::move(name);
+    plan.fdi = fdi;
     const double crown = to.crown / from.crown, root = to.root / from.root;
     const double cervixX = to.cervixMesiodistal / from.cervixMesiodistal, wideX = to.mesiodistal / from.mesiodistal;
     const double cervixY = to.cervixLabiolingual / from.cervixLabiolingual, wideY = to.labiolingual / from.labiolingual;
-    // Mesiodistally a front tooth is widest near its edge, labiolingually just above its neck.
+    // Mesiodistally an anterior tooth is widest near its edge, labiolingually just above its neck.
     constexpr double kWideX = 0.6, kWideY = 0.15;  // of the crown's length
     const auto alongX = [&](double z) { return std::lerp(cervixX, wideX, smoothStep(0, kWideX * from.crown, z)); };
     const auto alongY = [&](double z) { return std::lerp(cervixY, wideY, smoothStep(0, kWideY * from.crown, z)); };
@@ -130,6 +137,8 @@ AnteriorToothPlan resized(AnteriorToothPlan plan, const AnteriorToothSize& from,
 }
 
 ToothShape anteriorTooth(const AnteriorToothPlan& plan) {
+    TACTOOTH_ASSERT(plan.enamelThickness > 0 && plan.incisalEnamel > 0);
+    TACTOOTH_ASSERT(plan.apex < 0 && plan.edgeZ > 0);
     const auto tooth = std::make_shared<const AnteriorTooth>(plan);
     constexpr double kMargin = 0.8;
     ToothShape shape;

@@ -5,12 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/util/assert.h"
 #include "instruments/modelling/blend.h"
 
 namespace tactooth {
 namespace {
 
-/// Where a lesion breaks the surface, which way it grows, and how thick the enamel is there.
+/// The opening of a lesion in the surface, its direction, and the thickness of the enamel there.
 struct LesionOrigin {
     Vec3 site, inward;
     double enamel = 1;
@@ -49,7 +50,7 @@ LesionOrigin placeAlong(const ToothShape& shape, const Vec3& from, const Vec3& o
 }
 
 LesionOrigin placeOf(const ToothShape& shape, LesionSite site) {
-    constexpr double kContact = 0.60;  // of the crown's height: just below the contact, where plaque stays
+    constexpr double kContact = 0.60;  // share of the crown's height: just below the contact, where plaque stays
     constexpr double kNeck = 1.4;      // mm above the cervical line
     const double contact = kContact * crownHeight(shape);
     switch (site) {
@@ -71,23 +72,25 @@ LesionOrigin placeOf(const ToothShape& shape, LesionSite site) {
 }  // namespace
 
 ScalarField lesionBody(const ToothShape& shape, const Lesion& lesion) {
+    TACTOOTH_ASSERT(lesion.width > 0 && lesion.width <= 4);
+    TACTOOTH_ASSERT(!lesion.depth || *lesion.depth > 0);
     const LesionOrigin place = placeOf(shape, lesion.site);
     const double width = lesion.width;
-    // How far the middle of what spreads in the dentin lies below the enamel, and its half height.
+    // Depth of the middle of the part in the dentin below the enamel, and its half height.
     double middle = 0.10 * width, half = 0.36 * width;
     double throat = place.enamel;
     if (lesion.depth) {
         const double inDentin = std::max(0.0, *lesion.depth - place.enamel);
         middle *= inDentin / (0.46 * width);
         half *= inDentin / (0.46 * width);
-        throat = std::min(throat, *lesion.depth - 0.34 * width);  // the throat's end is round
+        throat = std::min(throat, *lesion.depth - 0.34 * width);  // the end of the throat is round
     }
     return [place, width, middle, half, throat](const Vec3& point) {
         const Vec3 from = point - place.site;
         const double deep = from.dot(place.inward), aside = (from - deep * place.inward).norm();
         const double mouth = taperedCapsule(Vec3(aside, 0, deep), Vec3(0, 0, -0.5), 0.22 * width,
                                             Vec3(0, 0, std::max(throat, 0.0)), 0.34 * width);
-        constexpr double kThinnest = 0.05;  // mm; less stays in the enamel
+        constexpr double kThinnest = 0.05;  // mm; a smaller lesion stays in the enamel
         if (half < kThinnest) return mouth;
         const Vec3 spread(0.5 * width, 0.5 * width, half);
         const double body = ellipsoid(Vec3(aside, 0, deep - place.enamel - middle), spread);

@@ -7,8 +7,9 @@
 
 namespace tactooth {
 
-/// Decay as a body: narrow through the enamel, then spreading along the dentin's border and toward the pulp, as
-/// fissure and contact lesions do. It stands out of the tooth; cut it with the tooth's own surface.
+/// A caries lesion as a body: narrow through the enamel, then wider along the border of the dentin and toward the pulp,
+/// like fissure and contact lesions. It protrudes from the tooth; intersect it with the tooth. The width is 0..4 mm,
+/// the depth positive.
 [[nodiscard]] ScalarField lesionBody(const ToothShape& shape, const Lesion& lesion);
 
 }  // namespace tactooth

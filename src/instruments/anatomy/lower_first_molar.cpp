@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Lower right first molar (46). Lengths and diameters: Wheeler's table of average teeth; pulp chamber: A. S. Deutsch,
-// B. L. Musikant, J. Endod. 30 (2004) 388. Everything else is modelled after textbook drawings.
+// B. L. Musikant, J. Endod. 30 (2004) 388. All else follows textbook drawings.
 #include "instruments/anatomy/posterior_tooth.h"
 
 namespace tactooth {
@@ -31,7 +31,7 @@ const std::vector<Section> kDistalRoot = {
     {-5.0, 1.65, 1.72, 3.65, 3.55, 2.5, -2.70, 0.0},  {-2.5, 1.85, 1.90, 4.00, 3.90, 2.6, -2.40, 0.0},
     {0.0, 1.9, 2.0, 4.10, 4.00, 2.6, -2.2, 0.0}};
 
-// Heights, positions and slopes in mm and mm/mm; the lingual cusps are the higher ones, as the tooth leans.
+// Heights, positions and slopes in mm and mm/mm. The lingual cusps are higher, because the tooth leans.
 const std::vector<Cusp> kCusps = {{2.55, 2.55, 7.15, -0.22, -0.975, 0.84, 1.10, 0.62},   // mesiobuccal
                                   {-0.75, 2.80, 6.95, 0.05, -0.999, 0.80, 1.10, 0.70},   // distobuccal
                                   {-3.45, 1.55, 6.45, 0.75, -0.661, 0.66, 1.00, 0.72},   // distal

@@ -23,7 +23,7 @@ double softened(double x) {
     return std::sqrt(x * x + kRound * kRound) - kRound;
 }
 
-/// Height of a cusp at (x, y); what is sure to be below `least` need not be exact.
+/// Height of a cusp at (x, y). A result below `least` need not be exact.
 double cuspHeight(const Cusp& cusp, double tip, double x, double y, double least) {
     const double dx = x - cusp.x, dy = y - cusp.y;
     const double in = dx * cusp.inX + dy * cusp.inY, beside = dx * cusp.inY - dy * cusp.inX;
@@ -38,7 +38,7 @@ double cuspHeight(const Cusp& cusp, double tip, double x, double y, double least
 }  // namespace
 
 double occlusalHeight(const PosteriorToothPlan& plan, double x, double y) {
-    constexpr double kBlend = 0.55;      // mm, over which slopes run into each other
+    constexpr double kBlend = 0.55;      // mm, over which slopes blend
     constexpr double kRidgeRound = 0.4;  // mm, of a ridge's crest
     double height = plan.fossa;
     for (const Cusp& cusp : plan.cusps) {
@@ -53,7 +53,8 @@ double occlusalHeight(const PosteriorToothPlan& plan, double x, double y) {
 }
 
 double grooveDepth(const PosteriorToothPlan& plan, double x, double y) {
-    constexpr double kGone = 18;  // squared widths away from a groove's middle: less than a millionth of it is left
+    // Squared widths from the middle of a groove, where less than a millionth of it is left.
+    constexpr double kGone = 18;
     double deepest = 0;
     for (const OcclusalGroove& g : plan.grooves) {
         const double widths = squaredDistanceToSegment(x, y, g.ax, g.ay, g.bx, g.by) / (g.width * g.width);

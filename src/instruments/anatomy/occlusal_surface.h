@@ -6,10 +6,10 @@
 
 namespace tactooth {
 
-/// Height of a back tooth's chewing surface over (x, y), without its grooves.
+/// Height of a posterior tooth's occlusal surface over (x, y), without its grooves.
 [[nodiscard]] double occlusalHeight(const PosteriorToothPlan& plan, double x, double y);
 
-/// How deep grooves and pits are cut into it at (x, y).
+/// Depth of the grooves and pits in it at (x, y).
 [[nodiscard]] double grooveDepth(const PosteriorToothPlan& plan, double x, double y);
 
 }  // namespace tactooth

@@ -7,18 +7,19 @@
 #include <memory>
 #include <utility>
 
+#include "geometry/util/assert.h"
 #include "instruments/anatomy/occlusal_surface.h"
 #include "instruments/modelling/blend.h"
 
 namespace tactooth {
 namespace {
 
-// Heights beyond which a part of the tooth is so far from the rest that it need not be asked: cusps below the first,
-// roots above it, the crown's trunk this much below its end.
+// Heights beyond which a part of the tooth is too far away to have an effect: cusps below the first, roots above it,
+// and the trunk this much below its end.
 constexpr double kBelowCusps = 0.5, kBelowTrunkEnd = 1.9;
 
-constexpr double kFillet = 0.9;    // mm, over which surfaces run into each other
-constexpr double kThinnest = 0.4;  // of the enamel's thickness, left under the deepest groove
+constexpr double kFillet = 0.9;    // mm, over which surfaces blend
+constexpr double kThinnest = 0.4;  // share of the enamel's thickness that is left under the deepest groove
 
 class PosteriorTooth {
 public:
@@ -50,7 +51,7 @@ public:
     [[nodiscard]] double pulp(const Vec3& p) const;
 
 private:
-    /// With the grooves of the chewing surface and without.
+    /// With the grooves of the occlusal surface and without.
     struct Body {
         double grooved, smooth;
     };
@@ -65,9 +66,9 @@ private:
     }
     [[nodiscard]] static Body both(double distance) { return {distance, distance}; }
 
-    /// Coordinates in which the crown is neither narrower to one side nor skew.
+    /// Coordinates in which the crown neither narrows to one side nor is skew.
     [[nodiscard]] Vec3 straightened(const Vec3& p) const {
-        constexpr double kReach = 6.0;  // mm: farther away, the space around the tooth is not to fold
+        constexpr double kReach = 6.0;  // mm: farther away, the coordinates must not fold
         const double x = p.x() - plan_.skew * std::clamp(p.y(), -kReach, kReach);
         return {x / (1 + plan_.narrowsLingually * std::clamp(p.y(), -kReach, kReach)),
                 p.y() / (1 + plan_.narrowsDistally * std::clamp(p.x(), -kReach, kReach)), p.z()};
@@ -82,11 +83,11 @@ private:
             if (g.buccal == (p.y() > 0)) furrow += g.depth * bump(p.x() - g.x, g.width);
         }
         distance += high * furrow;
-        constexpr double kStep = 0.07;  // mm by which the crown stands out over the root
+        constexpr double kStep = 0.07;  // mm that the crown protrudes over the root
         return distance + kStep * (1 - smoothStep(-0.15, 0.35, cervical(p)));
     }
 
-    /// About the distance to the chewing surface from a point so high above it.
+    /// Approximate distance to the occlusal surface from a point at this height above it.
     [[nodiscard]] static double occlusal(double above) {
         constexpr double kSlope = 1.25;  // length of the height function's gradient, typically
         return above / kSlope;
@@ -97,7 +98,7 @@ private:
         return smoothIntersection(wall(p), plan_.trunkEnd - p.z(), kArch);
     }
 
-    /// The roots, which begin within the trunk. Their broad sides are hollowed.
+    /// The roots, which begin inside the trunk. Their wide sides are concave.
     [[nodiscard]] double roots(const Vec3& p) const {
         constexpr double kApexRound = 0.25;  // mm
         double all = 0;
@@ -116,14 +117,15 @@ private:
     /// Thickness of the enamel at a height above the cervical line: a feather edge, 1.3 mm at the sides, more on top.
     [[nodiscard]] double enamel(const Vec3& p, double height) const {
         constexpr double kFeather = 1.7;
-        const double functional = 0.15 * smoothStep(-1.0, 2.5, plan_.functionalSide * p.y());  // these carry the load
+        // These cusps carry the load.
+        const double functional = 0.15 * smoothStep(-1.0, 2.5, plan_.functionalSide * p.y());
         return (plan_.enamel + functional) * (1 - std::exp(-height / kFeather));
     }
 
     PosteriorToothPlan plan_;
     SectionLoft crown_;
     std::vector<SectionLoft> roots_, canals_;
-    double deepestGroove_ = 0;  // mm: no groove with its pits is deeper
+    double deepestGroove_ = 0;  // mm: depth of the deepest groove with its pits
 };
 
 double canalDistance(const SectionLoft& loft, const Vec3& p, double end) {
@@ -149,6 +151,9 @@ double PosteriorTooth::pulp(const Vec3& p) const {
 }  // namespace
 
 ToothShape posteriorTooth(const PosteriorToothPlan& plan) {
+    TACTOOTH_ASSERT(!plan.pits.empty() && !plan.cusps.empty() && !plan.roots.empty());
+    TACTOOTH_ASSERT(plan.enamel > 0);
+    TACTOOTH_ASSERT(!plan.bounds.isEmpty());
     const auto tooth = std::make_shared<const PosteriorTooth>(plan);
     const OcclusalPit& pit = plan.pits.front();
     ToothShape shape;

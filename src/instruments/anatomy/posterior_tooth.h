@@ -12,7 +12,7 @@ namespace tactooth {
 /// A cusp is a rounded pyramid: ridges run from its tip inward, outward and along the row of cusps.
 struct Cusp {
     double x, y, z;          // tip
-    double inX, inY;         // unit, the way of its ridge toward the middle of the crown
+    double inX, inY;         // unit, direction of its ridge toward the middle of the crown
     double inward, outward;  // slopes of those ridges
     double along;            // slope of the ridges beside them
 };
@@ -30,7 +30,7 @@ struct OcclusalPit {
     double x, y, depth, width;
 };
 
-/// A developmental groove of the crown's buccal or lingual side, which runs out toward the neck.
+/// A developmental groove of the crown's buccal or lingual side, which fades toward the neck.
 struct DevelopmentalGroove {
     bool buccal;
     double x, depth, width;
@@ -40,39 +40,39 @@ struct DevelopmentalGroove {
 struct RootPlan {
     std::vector<Section> sections;
     double apex = 0;            ///< height of its end
-    double concavity = 0;       ///< depth of the furrows on its mesial and distal side
-    double concavityY = 0;      ///< where they are
-    double concavityEnd = -13;  ///< height below which they have run out
+    double concavity = 0;       ///< depth of the grooves on its mesial and distal side
+    double concavityY = 0;      ///< their position
+    double concavityEnd = -13;  ///< height below which they have faded
 };
 
-/// Everything that makes one premolar or molar different from another; mm. +x mesial, +y buccal.
+/// The parameters of one premolar or molar; mm. +x mesial, +y buccal.
 struct PosteriorToothPlan {
     std::string name;
     int fdi = 0;
     Box3 bounds;
     std::vector<Section> crown;   ///< from below the furcation to above the cusps
-    double narrowsLingually = 0;  ///< part of the mesiodistal width gained for each mm to buccal
-    double narrowsDistally = 0;   ///< part of the buccolingual width gained for each mm to mesial
-    double skew = 0;              ///< mm that the buccal side lies farther to mesial, for each mm to buccal
-    double fossa = 4.75;          ///< height that no part of the occlusal surface falls below
-    double tip = 0.45;            ///< mm of height that the rounding takes from a cusp's tip
+    double narrowsLingually = 0;  ///< share of the mesiodistal width gained for each mm to buccal
+    double narrowsDistally = 0;   ///< share of the buccolingual width gained for each mm to mesial
+    double skew = 0;              ///< mm that the buccal side is shifted to mesial, for each mm to buccal
+    double fossa = 4.75;          ///< lower bound of the height of the occlusal surface
+    double tip = 0.45;            ///< mm of height that rounding removes from the tip of a cusp
     std::vector<Cusp> cusps;
     std::vector<OcclusalRidge> ridges;
     std::vector<OcclusalGroove> grooves;
-    std::vector<OcclusalPit> pits;  ///< the first one is where fissure caries begins
+    std::vector<OcclusalPit> pits;  ///< fissure caries begins in the first one
     std::vector<DevelopmentalGroove> developmentalGrooves;
-    double cervicalFillet = 0.9;                ///< over which the trunk runs into the roots
-    double rootTop = -0.8, rootTopRound = 1.2;  ///< where the roots end within the trunk, and how softly
-    double trunkEnd = -2.9;  ///< height at which the roots' common trunk ends; with its rounding, lower
+    double cervicalFillet = 0.9;                ///< length over which the trunk blends into the roots
+    double rootTop = -0.8, rootTopRound = 1.2;  ///< where the roots end inside the trunk, and the length of the blend
+    double trunkEnd = -2.9;  ///< height of the end of the common trunk of the roots; with its rounding, lower
     std::vector<RootPlan> roots;
     double mesialRise = 1.0, distalRise = 0.3,
            projection = 0.25;  ///< of the cervical line; the spur dips to the furcation
     double projectionX = -0.2, cervicalHalfWidth = 4.5;
     double enamel = 1.5;        ///< thickness at the sides
-    double functionalSide = 1;  ///< where the enamel is thicker: 1 buccal (lower teeth), -1 lingual (upper teeth)
+    double functionalSide = 1;  ///< side of the thicker enamel: 1 buccal (lower teeth), -1 lingual (upper teeth)
     Vec3 chamber, chamberHalf;  ///< middle and half size of the pulp chamber
     double chamberRound = 0.7;
-    double hornBase = 0.62, hornRise = 5.0;  ///< radius of the pulp horns, and how far below the cusps they end
+    double hornBase = 0.62, hornRise = 5.0;  ///< radius of the pulp horns, and their distance below the cusps
     std::vector<std::vector<Section>> canals;
 };
 

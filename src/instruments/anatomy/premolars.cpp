@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Upper right and lower right premolars (14, 15, 44, 45). Lengths and diameters: Wheeler's table of average teeth.
-// Everything else is modelled after textbook drawings.
+// Upper right and lower right premolars (14, 15, 44, 45). Lengths and diameters: Wheeler's table of average teeth. All
+// else follows textbook drawings.
 #include "instruments/anatomy/posterior_tooth.h"
 #include "instruments/anatomy/tooth_form.h"
 

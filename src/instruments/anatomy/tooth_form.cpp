@@ -10,9 +10,9 @@
 namespace tactooth {
 namespace {
 
-constexpr double kTopHeight = 1.1;  // of the crown's length: sections end above the cusps
+constexpr double kTopHeight = 1.1;  // share of the crown's length: sections end above the cusps
 
-/// Half width at a part of the crown's length: from the neck out to the crest and on to the top.
+/// Half width at a share of the crown's length: from the neck to the crest and on to the top.
 double sideAt(double height, double neck, double crest, double most, double top) {
     if (height <= crest) return neck + (most - neck) * std::sin(std::numbers::pi / 2 * std::max(height, 0.0) / crest);
     const double above = (height - crest) / (kTopHeight - crest);
@@ -20,13 +20,13 @@ double sideAt(double height, double neck, double crest, double most, double top)
     return most + (top - most) * std::pow(above, kCurl);
 }
 
-/// Below the neck: how much of the neck's half width is left.
+/// Below the neck: the remaining share of the neck's half width.
 struct TrunkStep {
     double z, part;  // part: 0 at the neck, 1 where it is narrowest
 };
 constexpr std::array<TrunkStep, 3> kTrunk = {{{-4.2, 1.0}, {-2.6, 0.48}, {-1.0, 0.09}}};
 
-// The root's half widths, as parts of those at the neck, over the part of its length: mesiodistally and
+// Half widths of the root, as shares of those at the neck, over the share of its length: mesiodistally and
 // buccolingually. It keeps its width for half its length and ends in a round tip.
 struct RootStep {
     double down, mesiodistal, buccolingual;
@@ -87,15 +87,15 @@ std::vector<Section> rootSections(const RootForm& form) {
 }
 
 std::vector<Section> canalSections(const RootForm& root, const CanalForm& form) {
-    constexpr double kEnd = 0.945, kEndRadius = 0.16;  // of the root's length; mm
+    constexpr double kEnd = 0.945, kEndRadius = 0.16;  // share of the root's length; mm
     constexpr std::array<double, 5> kDown = {kEnd, 0.75, 0.5, 0.25, 0.0};
     std::vector<Section> sections;
     for (const double down : kDown) {
         const double part = 1 - down / kEnd, widening = std::pow(part, 1.2);
         const double a = std::lerp(kEndRadius, form.halfMesiodistal, widening),
                      b = std::lerp(kEndRadius, form.halfBuccolingual, widening);
-        const double spread = 4 * down / kEnd * part;  // away from the root's middle half way down, and back
-        constexpr double kIntoChamber = 0.75;          // of the root's place at the neck: the chamber is smaller
+        const double spread = 4 * down / kEnd * part;  // away from the middle of the root at half its length, and back
+        constexpr double kIntoChamber = 0.75;  // share of the root's position at the neck: the chamber is smaller
         const double inward = std::lerp(kIntoChamber, 1.0, std::min(1.0, down / 0.25));
         sections.push_back(
             {down > 0 ? -down * root.length : 0.4, a, a, b, b, 2,

@@ -8,18 +8,18 @@
 
 namespace tactooth {
 
-/// A tooth as functions: what the mesher turns into layers. Frame: as that of a BuiltinTooth, but with +x mesial on
-/// every tooth; the ones of the patient's upper left and lower right quarter are mirrored when they are meshed.
+/// A tooth as implicit functions, which the mesher turns into layers. Frame: that of a BuiltinTooth, but with +x mesial
+/// for every tooth. Teeth of the patient's upper left and lower right quadrant are mirrored when they are meshed.
 struct ToothShape {
     std::string name;
     int fdi = 0;
     Box3 bounds;
     ScalarField outer;     ///< the whole tooth
-    ScalarField core;      ///< the crown's dentin core, before it is cut by `outer`; equal to `outer` on the root
+    ScalarField core;      ///< the dentin core of the crown, before it is cut by `outer`; equal to `outer` at the root
     ScalarField cervical;  ///< height above the cervical line: positive in the crown
     ScalarField pulp;
     Vec3 lesionSite;          ///< on the surface
-    Vec3 lesionInward;        ///< unit, along which a lesion grows
+    Vec3 lesionInward;        ///< unit, direction in which a lesion grows
     double lesionEnamel = 1;  ///< thickness of the enamel there, mm
 };
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Upper right molars (16, 17, 18). Lengths and diameters: Wheeler's table of average teeth; pulp chambers: A. S.
-// Deutsch, B. L. Musikant, J. Endod. 30 (2004) 388. Everything else is modelled after textbook drawings.
+// Deutsch, B. L. Musikant, J. Endod. 30 (2004) 388. All else follows textbook drawings.
 #include <cmath>
 
 #include "instruments/anatomy/posterior_tooth.h"
@@ -11,8 +11,8 @@
 namespace tactooth {
 namespace {
 
-/// What the upper molars have in common: a rhombus with its sharp corners mesiobuccally and distolingually, three
-/// roots, enamel that is thickest over the palatal cusps.
+/// The common form of the upper molars: a rhombus with its sharp corners mesiobuccally and distolingually, three roots,
+/// and enamel that is thickest over the palatal cusps.
 PosteriorToothPlan upperMolar(const char* name, int fdi, const CrownForm& crown) {
     PosteriorToothPlan plan;
     plan.name = name;

@@ -15,12 +15,12 @@ namespace {
 
 /// A number between -range and range.
 double deviation(std::mt19937& random, double range) {
-    constexpr double kHalf = 2147483648.0;  // of the values that the generator gives
+    constexpr double kHalf = 2147483648.0;  // half of the range of the generator
     return range * (static_cast<double>(random()) / kHalf - 1);
 }
 
-/// Leads a point of the varied tooth to that of the average tooth. Bends less than a fifth, so that layers that nest
-/// stay nested and lengths of functions stay about distances.
+/// Maps a point of the varied tooth to that of the average tooth. It changes lengths by less than a fifth, so that
+/// nested layers stay nested and values stay close to distances.
 class ShapeWarp {
 public:
     ShapeWarp(std::uint32_t seed, int fdi) {
@@ -42,7 +42,7 @@ public:
         const double c = std::cos(angle), s = std::sin(angle);
         const double x = p.x() - bendX_ * below * below, y = p.y() - bendY_ * below * below;
         Vec3 q(c * x - s * y, s * x + c * y, p.z());
-        constexpr double kHeight = 0.06;  // mm: unevenness of each wave
+        constexpr double kHeight = 0.06;  // mm: amplitude of each wave
         for (int axis = 0; axis < 3; ++axis) {
             q[axis] += kHeight * std::sin(waves_[axis].dot(p) + phases_[axis]);
         }
@@ -64,9 +64,9 @@ private:
     std::array<double, 3> phases_;
 };
 
-/// The point of the varied tooth that the warp leads to `average`.
+/// The point of the varied tooth that the warp maps to `average`.
 Vec3 unwarped(const ShapeWarp& warp, const Vec3& average) {
-    constexpr int kRounds = 30;  // the warp is near to the identity: each round leaves a fifth of the error
+    constexpr int kRounds = 30;  // the warp is close to the identity: each round leaves a fifth of the error
     Vec3 point = average;
     for (int i = 0; i < kRounds; ++i) point += average - warp(point);
     return point;

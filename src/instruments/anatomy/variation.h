@@ -8,8 +8,8 @@
 
 namespace tactooth {
 
-/// The same tooth in another mouth: a little larger or smaller as all teeth of that mouth are, its crown and roots of
-/// other proportions, leaning, twisted and rounded otherwise. Seed 0 is the average tooth, unchanged. Mirror images
+/// The same tooth of another patient: a little larger or smaller, as all teeth of that mouth, with other proportions of
+/// crown and roots, and bent, twisted and rounded differently. Seed 0 is the average tooth, unchanged. Mirror images
 /// (16 and 26) of one seed stay mirror images.
 [[nodiscard]] ToothShape varied(const ToothShape& average, std::uint32_t seed);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Building blocks of bodies given by a function (negative inside, about the distance in mm outside).
+// Building blocks of implicit bodies (negative inside, about the distance in mm outside).
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,8 @@
 
 namespace tactooth {
 
-/// Union with a fillet: where the two differ by less than `blend` the seam is filled, elsewhere nothing changes.
+/// Union with a fillet: where the two values differ by less than `blend` (positive) the seam is filled; elsewhere
+/// nothing changes.
 [[nodiscard]] inline double smoothUnion(double a, double b, double blend) {
     const double overlap = std::max(blend - std::abs(a - b), 0.0);
     return std::min(a, b) - overlap * overlap / (4 * blend);

@@ -5,30 +5,33 @@
 #include <algorithm>
 #include <span>
 
+#include "geometry/field/isosurface.h"
 #include "instruments/modelling/blend.h"
 #include "instruments/modelling/section_loft.h"
 
 namespace tactooth {
 
-/// The shape that handpieces share, in the tool frame, mm: a head around the bur's axis and a handle that leaves it
-/// along +x and is filleted into it.
+/// The shape that handpieces share, in the tool frame, mm: a head around the axis of the bur, and a handle that leaves
+/// it along +x with a fillet.
 struct HandpieceForm {
     std::span<const Section> head = {};
-    double headBottom = 0, headTop = 0;    ///< z where the head is cut off
+    double headBottom = 9.0, headTop = 0;  ///< z of the ends of the head
     double headEdge = 0;                   ///< rounding of its upper edge
     std::span<const Section> handle = {};  ///< along x; their first axis is z
-    double handleEnd = 0;                  ///< x where the handle is cut off
+    double handleEnd = 0;                  ///< x of the end of the handle
     double handleEdge = 0;                 ///< rounding of its end
     double fillet = 0;
-    double filletFrom = 0, filletTo = 0;  ///< z between which the fillet runs out upward, below the head's groove
+    double filletFrom = 0, filletTo = 0;  ///< z between which the fillet fades out upward, below the head's groove
+    double halfWidth = 0, top = 0;        ///< bounds: largest |y|, and z of the highest point
+    double cellSize = 0.3;                ///< of the isosurface: shows the grooves of the handle
 };
 
-/// A handpiece as a solid: about the distance to its surface, negative inside.
+/// A handpiece as an implicit function: about the distance to its surface in mm, negative inside.
 class Handpiece {
 public:
     explicit Handpiece(const HandpieceForm& form) : form_(form), head_(form.head), handle_(form.handle) {}
 
-    /// `carved`: how deep the handle's surface lies here below its sections.
+    /// `carved`: depth of the grooves in the handle here, mm.
     [[nodiscard]] double operator()(const Vec3& p, double carved) const {
         constexpr double kBottomEdge = 0.3, kMinFillet = 0.05;
         const double around = smoothIntersection(head_(p), form_.headBottom - p.z(), kBottomEdge);
@@ -39,12 +42,15 @@ public:
         return smoothUnion(head, handle, fillet);
     }
 
-    /// z of the handle's middle at x.
+    /// z of the middle of the handle at x.
     [[nodiscard]] double handleMiddle(double x) const { return handle_.at(x).x; }
 
 private:
     HandpieceForm form_;
     SectionLoft head_, handle_;
 };
+
+/// The closed surface of a handpiece of this form, with about `triangles` triangles. `solid` is its implicit function.
+[[nodiscard]] TriangleMesh handpieceMesh(const HandpieceForm& form, const ScalarField& solid, int triangles);
 
 }  // namespace tactooth

@@ -3,7 +3,7 @@
 //
 // F. N. Fritsch, J. Butland, "A method for constructing local monotone piecewise cubic interpolants", SIAM J. Sci.
 // Stat. Comput. 5 (1984): no bulge between sections that the table does not have. Distance estimate: G. Taubin,
-// "Distance approximations for rasterizing implicit curves", ACM Trans. Graph. 13 (1994), value over length of the
+// "Distance approximations for rasterizing implicit curves", ACM Trans. Graph. 13 (1994): value over length of the
 // gradient.
 #include "instruments/modelling/section_loft.h"
 
@@ -55,10 +55,10 @@ double SectionLoft::operator()(const Vec3& point) const {
     const double u = std::abs(dx) / a, v = std::abs(dy) / b;
     const double un = std::pow(u, n), vn = std::pow(v, n);
     const double g = std::pow(un + vn, 1 / n);
-    constexpr double kAxis = 1e-6;  // this near to the axis the outline's gradient has no direction
+    constexpr double kAxis = 1e-6;  // this close to the axis the gradient has no direction
     if (g < kAxis) return -std::min(a, b);
     const double gu = u > 0 ? un / u * g / (un + vn) : 0, gv = v > 0 ? vn / v * g / (un + vn) : 0;
-    // Slopes as at the surface: beyond it, those of a thin end would make far points look near.
+    // Gradients as at the surface: beyond it, those of a thin end would make far points appear near.
     const double onto = 1 / std::max(g, 1.0);
     const double gz = gu * (onto * u * slope[alongX] + std::copysign(slope[kCentreX], dx)) / a +
                       gv * (onto * v * slope[alongY] + std::copysign(slope[kCentreY], dy)) / b;

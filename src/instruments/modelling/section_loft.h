@@ -10,8 +10,8 @@
 
 namespace tactooth {
 
-/// The outline of a body at one height: an oval with its own half axis toward each side, mm. On a tooth, +x is mesial
-/// and +y buccal.
+/// The outline of a body at one height: an oval with a separate half axis toward each side, mm. On a tooth, +x is
+/// mesial and +y buccal.
 struct Section {
     double z = 0;
     double plusX = 1, minusX = 1, plusY = 1, minusY = 1;  ///< half axes
@@ -24,8 +24,8 @@ struct Section {
     return {z, radius, radius, radius, radius, 2, x, y};
 }
 
-/// A body without ends through sections at growing heights, smooth between them; beyond the first and last section it
-/// goes on as they are.
+/// An infinite body through sections at increasing heights, smooth between them; beyond the first and last section it
+/// continues with that section.
 class SectionLoft {
 public:
     explicit SectionLoft(std::span<const Section> sections);

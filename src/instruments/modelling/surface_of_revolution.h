@@ -8,13 +8,13 @@
 
 namespace tactooth {
 
-/// A corner of a turned part's outline.
+/// A corner of the outline of a surface of revolution.
 struct OutlinePoint {
     double radius = 0, z = 0;  ///< mm
 };
 
-/// The closed body that an outline sweeps around the z axis. The outline runs from its lower to its upper end, both of
-/// which are on the axis; only these two points may be.
+/// The closed body that an outline sweeps around the z axis. The outline runs from its lower to its upper end. Both
+/// ends are on the axis, and no other point is.
 [[nodiscard]] TriangleMesh revolved(std::span<const OutlinePoint> outline, int sides);
 
 }  // namespace tactooth

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // E. Catmull, R. Rom, "A class of local interpolating splines", in Computer Aided Geometric Design (1974). The rings of
-// a tube do not twist: each ring's first direction is the last one's, turned as little as the bend asks for.
+// a tube do not twist: the first direction of each ring is that of the ring before, rotated by the bend only.
 #include "instruments/modelling/tube.h"
 
 #include <algorithm>

@@ -8,17 +8,17 @@
 
 namespace tactooth {
 
-/// A place on a tube's centre line and the tube's radius there, mm.
+/// A point on the centre line of a tube, and the radius there, mm.
 struct TubePoint {
     Vec3 centre;
     double radius;
 };
 
-/// The closed body of a round tube through `points`, as they stand: no two of them the same, its bends wider than the
-/// tube. Its ends are flat.
+/// The closed body of a round tube through `points`: no two are equal, and the bends are wider than the tube. Its ends
+/// are flat.
 [[nodiscard]] TriangleMesh tube(std::span<const TubePoint> points, int sides);
 
-/// More points between these, on a smooth curve through all of them: `steps` for each stretch.
+/// The points with more points between them, on a smooth curve: `steps` for each interval.
 [[nodiscard]] std::vector<TubePoint> smoothed(std::span<const TubePoint> points, int steps);
 
 }  // namespace tactooth

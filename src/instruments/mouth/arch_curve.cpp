@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // K. H. Lu, "An orthogonal analysis of the form, symmetry and asymmetry of the dental arch", Arch. Oral Biol. 11
-// (1966): an arch as a polynomial of fourth degree. Its two numbers are chosen so that the line passes 13 mm aside and
-// 5.5 mm back (lower canine) and 23 mm aside and 22 mm back (lower first molar), the widths of an average mouth.
+// (1966): an arch as a polynomial of fourth degree. Its two coefficients are chosen so that the line is 13 mm aside and
+// 5.5 mm back at the lower canine, and 23 mm aside and 22 mm back at the lower first molar, the widths of an average
+// mouth.
 #include "instruments/mouth/arch_curve.h"
 
 #include <algorithm>
@@ -34,7 +35,7 @@ double ArchCurve::slope(double x) const {
     return (2 * kSquare + 4 * kFourth * part * part) * part / width_;
 }
 
-/// By Gauss's rule with five points: exact to a micrometre, as the line bends gently.
+/// Gaussian quadrature with five points: exact to a micrometre, because the curvature is small.
 double ArchCurve::length(double x) const {
     constexpr std::array<double, 5> kAt = {0.046910077030668, 0.230765344947158, 0.5, 0.769234655052842,
                                            0.953089922969332};
@@ -64,7 +65,7 @@ ArchCurve::Coordinates ArchCurve::of(double x, double y) const {
         const double middle = (low + high) / 2;
         (ahead(middle) < 0 ? low : high) = middle;
     }
-    // The last part of the way at one stroke: the function is almost straight there.
+    // The last part in one secant step: the function is almost linear there.
     const double fromLow = ahead(low), fromHigh = ahead(high);
     const double t =
         fromHigh > fromLow ? std::clamp(low - fromLow / (fromHigh - fromLow) * (high - low), low, high) : low;

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The margin runs 1 mm above the cervical line (the depth of a healthy sulcus) and rises between two teeth to a
-// papilla: a pyramid whose tip stands below their contact, where the teeth leave it room, and whose faces fall from
+// The margin is 1 mm above the cervical line (the depth of a healthy sulcus) and rises between two teeth to a papilla.
+// The papilla is a pyramid with its tip below the contact of the teeth, where they leave room, and its faces fall from
 // there to the cheek and to the tongue. It is about 3 mm high (Golestan: 3.1 mm with a standard deviation of 0.65 mm).
-// Thickness 1 mm at the margin, more below. The rest is modelled after textbook drawings.
+// The thickness is 1 mm at the margin, and larger below. All else follows textbook drawings.
 #include "instruments/mouth/gingiva.h"
 
 #include <algorithm>
@@ -17,9 +17,9 @@
 namespace tactooth {
 namespace {
 
-constexpr double kBehind = 8.5;  // mm that the jaw goes on behind the last tooth
+constexpr double kBehind = 8.5;  // mm that the jaw continues behind the last tooth
 
-/// The margin at one tooth: where it runs lowest on the facial and the lingual side.
+/// The margin at one tooth: its lowest points on the facial and the lingual side.
 struct ToothMargin {
     double s = 0;        ///< along the line
     double facial = 0;   ///< height toward the crowns
@@ -36,12 +36,12 @@ struct Papilla {
     double outward = 0;  ///< of the tip, from the line
 };
 
-/// A tooth that the gum stands around.
+/// A tooth with a socket in the gingiva.
 struct SocketTooth {
     ScalarField outer;
     Box3 bounds;  ///< of its shape
     Pose mouthInShape;
-    bool mirrored;  ///< it stands on the other side of the mouth
+    bool mirrored;  ///< it is on the other side of the mouth
     double s;
 };
 
@@ -54,7 +54,7 @@ public:
     [[nodiscard]] double smoothBelow() const { return std::min(facial_, lingual_) - 3; }
 
 private:
-    /// What the gum is like at a place along the line; heights toward the crowns, mm.
+    /// The gingiva at a point along the line; heights toward the crowns, mm.
     struct Line {
         double facial = 0, lingual = 0;  ///< the margin at the outer and the inner face of the ridge
         double tip = 0, outward = 0;     ///< of the nearest papilla
@@ -124,9 +124,9 @@ void Gingiva::addPapillae(const JawQuadrant& side) {
     papillae_.insert(papillae_.end(), right.begin(), right.end());
 }
 
-/// Over a lost tooth the tissue is a saddle between its papillae.
+/// Where a tooth is missing, the tissue is a saddle between its papillae.
 void Gingiva::heal() {
-    constexpr double kHealed = 1.4;  // mm that it stands below them
+    constexpr double kHealed = 1.4;  // mm that it is below them
     for (std::size_t i = 0; i < margins_.size(); ++i) {
         if (!margins_[i].missing) continue;
         margins_[i].facial = margins_[i].lingual = (papillae_[i].tip + papillae_[i + 1].tip) / 2 - kHealed;
@@ -203,7 +203,8 @@ Gingiva::Line Gingiva::marginAt(double s) const {
     line.lingual = std::lerp(tooth.lingual, (tooth.lingual + other.lingual) / 2, part * part);
     line.tip = between.tip;
     line.outward = between.outward;
-    constexpr double kCrest = 0.1;  // how round a papilla's crest is, as a part of the way to the tooth's middle
+    // Rounding of a papilla's crest, as a share of the distance to the middle of the tooth.
+    constexpr double kCrest = 0.1;
     const double beside = std::hypot(1 - part, kCrest) - kCrest;
     line.rise = std::pow(std::max(0.0, 1 - beside), kScallop);
     return line;
@@ -214,7 +215,7 @@ double Gingiva::marginOver(double outward, const Line& line) const {
     const double across = smoothStep(-0.7 * line.half, 0.7 * line.half, outward - line.middle);
     const double margin = std::lerp(line.lingual, line.facial, across);
     constexpr double kTipHalf = 0.4,
-                     kAtFace = 0.55;  // part of the way to the face; of the papilla's height left there
+                     kAtFace = 0.55;  // share of the distance to the face; share of the papilla's height left there
     constexpr double kMinReach = 2;   // mm
     const double aside = outward - line.outward;
     const double reach = std::max(line.half + (aside > 0 ? 1 : -1) * (line.middle - line.outward), kMinReach);
@@ -266,8 +267,8 @@ double Gingiva::ridge(double along, double out, double crownward, const Line& li
     // The lower molars' roots lean to the cheek: the oblique line of the mandible covers them.
     const double oblique =
         upper_ ? 0 : 2.6 * smoothStep(28, 50, std::abs(along)) * smoothStep(0, 9, facial_ - crownward);
-    // Between two teeth it goes in, most on the side of the cheek: a papilla's face is a hollow between two round ones.
-    // Little at the front teeth, where the gum is too thin for it.
+    // Between two teeth the gingiva is concave, most on the side of the cheek. The concavity is small at the anterior
+    // teeth, where the gingiva is too thin for it.
     constexpr double kGroove = 0.9, kAtFront = 0.3, kGrooveDeep = 8;  // mm; a part of it; below the margin
     const double groove = kGroove * std::lerp(kAtFront, 1.0, smoothStep(10, 22, std::abs(along))) *
                           std::sqrt(line.rise) * smoothStep(kGrooveDeep, 0, facial_ - crownward);
@@ -311,7 +312,7 @@ double Gingiva::operator()(const Vec3& p) const {
         tooth - std::lerp(kThin, kThick, smoothStep(0, kDeep, depth)) + kFlat * smoothStep(kJuga, kNoJuga, depth);
     constexpr double kFillet = 2.2;
     double body = smoothUnion(ridge(at.s, at.outward, crownward, line), cover, kFillet);
-    constexpr double kMinWall = 0.85, kWallRound = 0.5;  // mm: nowhere is a root covered by less
+    constexpr double kMinWall = 0.85, kWallRound = 0.5;  // mm: thinnest cover of a root
     body = smoothUnion(body, tooth - kMinWall, kWallRound);
     if (upper_) {
         constexpr double kFoot = 5;
@@ -325,7 +326,7 @@ double Gingiva::operator()(const Vec3& p) const {
     body = smoothIntersection(body, back_ - p.y(), kBaseRound);
     body = smoothIntersection(body, base_ - crownward, kBaseRound);
     constexpr double kGap = 0.15;      // mm: the periodontal ligament's
-    constexpr double kThinnest = 0.7;  // mm between two teeth, below which no tissue stands
+    constexpr double kThinnest = 0.7;  // mm between two teeth; no tissue is in a narrower gap
     body = smoothIntersection(body, kThinnest - (tooth + second), kTipRound);
     return smoothIntersection(body, kGap - tooth, kSocketRound);
 }

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A tooth comes through until it meets its neighbours and its opponents; so do these: each is pushed along the arch up
-// to the one before it, and each upper one down to the lower ones. Inclinations of the long axes: after textbook
-// drawings (crowns of molars lean to the tongue below and to the cheek above, those of incisors to the lips).
+// A tooth erupts until it meets its neighbours and its opponents. The algorithm does the same: each tooth is pushed
+// along the arch up to the one before it, and each upper one down to the lower ones. Inclinations of the long axes:
+// textbook drawings (crowns of molars lean to the tongue below and to the cheek above, those of incisors to the lips).
 #include "instruments/mouth/tooth_arrangement.h"
 
 #include <algorithm>
@@ -23,12 +23,12 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-/// How a tooth stands in the arch: degrees, mm.
+/// Inclination of a tooth in the arch: degrees, mm.
 struct ToothInclination {
     double tip;      ///< crown to mesial
     double torque;   ///< crown to the lips or cheek
     double turn;     ///< mesial side to the cheek
-    double outward;  ///< of its place on the line of occlusion
+    double outward;  ///< offset of its point on the line of occlusion
 };
 
 constexpr std::array<ToothInclination, kTeethPerQuadrant> kUpper = {{{0.5, 18, 0, 0.4},
@@ -48,7 +48,7 @@ constexpr std::array<ToothInclination, kTeethPerQuadrant> kLower = {{{0, 6, 0, 0
                                                                      {7, -13, 0, 0},
                                                                      {9, -14, 0, 0}}};
 
-/// A tooth as a surface that distances can be measured to.
+/// A tooth as a surface for distance queries.
 struct ToothSurface {
     ToothShape shape;
     SurfacePart surface;
@@ -56,7 +56,7 @@ struct ToothSurface {
     double halfWidth = 0;        ///< mesiodistal
 };
 
-constexpr double kCell = 0.33;  // mm: leaves 0.02 mm between the triangles and the surface that they stand for
+constexpr double kCell = 0.33;  // mm: the mesh is within 0.02 mm of the surface
 
 ToothSurface toothSurfaceOf(int fdi, std::uint32_t seed) {
     ToothShape shape = varied(toothShape(fdi), seed);
@@ -74,7 +74,7 @@ ToothSurface toothSurfaceOf(int fdi, std::uint32_t seed) {
         for (const Vec3f& v : stand.surface.mesh().vertices) {
             if ((front || v.y() > 0) && v.z() > top.z()) top = v.cast<double>();
         }
-        constexpr double kCanine = 0.9;  // mm that the canines' tips stand above the other edges
+        constexpr double kCanine = 0.9;  // mm that the tips of the canines are above the other edges
         stand.onLine = Vec3(0, top.y(), top.z() - (fdi % 10 == 3 ? kCanine : 0));
     } else if (front) {  // the palatal face, an overbite above the edge
         constexpr double kOverbite = 2.6, kStep = 0.02;
@@ -88,16 +88,16 @@ ToothSurface toothSurfaceOf(int fdi, std::uint32_t seed) {
     return stand;
 }
 
-/// Two teeth where they come nearest: negative where one stands in the other.
+/// The closest points of two teeth; the distance is negative where they overlap.
 struct Nearest {
     double distance;
     Vec3 at = Vec3::Zero();
 };
 
-/// Takes over what comes nearer to `to` than `nearest`. Measured from the vertices of `from`; `at` is in `to`'s frame.
+/// Updates `nearest` if a vertex of `from` is closer to `to`; `at` is in the frame of `to`.
 template <class ToFrame>
 void measureFrom(const SurfacePart& from, const SurfacePart& to, const ToFrame& toFrame, Nearest& nearest) {
-    constexpr double kDeep = 1.0;  // mm: how far inside a vertex is still measured
+    constexpr double kDeep = 1.0;  // mm: depth up to which an inner vertex is measured
     Box3 reach = to.tree().box();
     reach.min().array() -= nearest.distance;
     reach.max().array() += nearest.distance;
@@ -127,7 +127,7 @@ Nearest nearestBetween(const ToothSurface& a, const Pose& aInMouth, const ToothS
 
 constexpr double kFar = 0.6;  // mm: beyond it, distances do not matter
 
-/// Random stances of one patient: the same for both sides.
+/// Random inclinations of one patient, the same for both sides.
 class InclinationVariation {
 public:
     InclinationVariation(std::uint32_t seed, bool upper) : random_(2 * seed + (upper ? 1 : 0)), isAverage_(seed == 0) {}
@@ -148,7 +148,7 @@ private:
     bool isAverage_;
 };
 
-/// How a tooth's frame stands with its point on the line at `s`.
+/// The pose of a tooth with its point on the line at `s`.
 Pose poseAt(const ArchCurve& line, double s, bool upper, const ToothInclination& stance, const Vec3& onLine) {
     const ArchCurve::Place place = line.at(upper ? s : -s);
     const Vec3 mesial = upper ? Vec3(-place.along) : place.along;
@@ -157,14 +157,13 @@ Pose poseAt(const ArchCurve& line, double s, bool upper, const ToothInclination&
     axes << mesial, place.outward, mesial.cross(place.outward);
     constexpr double kStep = 0.1;  // mm
     const double rise = (occlusalPlane(depth + kStep) - occlusalPlane(depth)) / kStep;
-    // Posterior teeth stand square on the occlusal surface, which rises backward.
+    // Posterior teeth are perpendicular to the occlusal surface, which rises backward.
     const double back = std::atan(rise) * std::max(0.0, mesial.y()) * (upper ? -1 : 1);
     const Quat lean = Quat(Eigen::AngleAxisd(stance.turn * kDegree, Vec3::UnitZ())) *
                       Quat(Eigen::AngleAxisd(stance.tip * kDegree + back, Vec3::UnitY())) *
                       Quat(Eigen::AngleAxisd(-stance.torque * kDegree, Vec3::UnitX()));
     const Quat rotation = (Quat(axes) * lean).normalized();
-    // The upper arch stands so far forward that the mesiobuccal cusps of its first molars meet the buccal grooves
-    // below.
+    // The upper arch is so far forward that the mesiobuccal cusps of its first molars meet the buccal grooves below.
     const Vec3 forward = (upper ? 1.5 : 0.0) * Vec3::UnitY();
     const Vec3 point = place.point + forward + stance.outward * place.outward + occlusalPlane(depth) * Vec3::UnitZ();
     return {point - rotation * onLine, rotation};
@@ -183,7 +182,7 @@ double firstWith(double gap, double from, double to, const Distance& distance) {
 
 using ToothSurfaces = std::array<ToothSurface, kTeethPerQuadrant>;
 using ToothInclinations = std::array<ToothInclination, kTeethPerQuadrant>;
-using Heights = std::array<double, kTeethPerQuadrant>;  // mm above the usual place
+using Heights = std::array<double, kTeethPerQuadrant>;  // mm above the usual position
 
 ToothSurfaces toothSurfacesOf(int quadrant, std::uint32_t seed) {
     std::array<std::optional<ToothSurface>, kTeethPerQuadrant> made;
@@ -229,7 +228,7 @@ void placeAlong(const ArchCurve& line, const ToothSurfaces& stands, const ToothI
     }
 }
 
-/// How far upper tooth `i`, raised by `up`, stands from the lower teeth.
+/// Distance of upper tooth `i`, raised by `up`, from the lower teeth.
 double clearance(const ToothArrangement& places, const ToothSurfaces& upper, const ToothSurfaces& lower, std::size_t i,
                  double up) {
     const Pose& tooth = places.upper.teeth[i].shapeInMouth;
@@ -237,7 +236,7 @@ double clearance(const ToothArrangement& places, const ToothSurfaces& upper, con
     Nearest nearest{kFar};
     for (std::size_t k = i > 1 ? i - 2 : 0; k < std::min<std::size_t>(i + 3, kTeethPerQuadrant); ++k) {
         const Pose mouthInLower = places.lower.teeth[k].shapeInMouth.inverse();
-        // The lower teeth stand on the left: the upper one's mirror image meets them.
+        // The lower teeth are on the left: the mirror image of the upper one meets them.
         const auto toLower = [&](const Vec3& p) -> Vec3 {
             const Vec3 q = raised * p;
             return mouthInLower * Vec3(-q.x(), q.y(), q.z());
@@ -247,9 +246,9 @@ double clearance(const ToothArrangement& places, const ToothSurfaces& upper, con
     return nearest.distance;
 }
 
-/// Raises or lowers each upper tooth from where it stands so that it just meets a lower one.
+/// Raises or lowers each upper tooth from its position so that it just meets a lower one.
 void bite(const ToothArrangement& places, const ToothSurfaces& upper, const ToothSurfaces& lower, Heights& heights) {
-    // mm from the usual place. Front teeth keep their overbite, whether they meet the lower ones or not.
+    // mm from the usual position. Anterior teeth keep their overbite, whether they meet the lower ones or not.
     constexpr double kLowestFront = -0.3, kLowest = -3.0, kHighest = 4.0;
     Heights met = heights;
     parallelFor(kTeethPerQuadrant, [&](std::size_t i) {
@@ -260,7 +259,7 @@ void bite(const ToothArrangement& places, const ToothSurfaces& upper, const Toot
     heights = met;
 }
 
-/// Opens the bite by what the teeth have lost by being pushed together again.
+/// Opens the bite by the overlap that pushing the teeth together again has made.
 void part(ToothArrangement& places, const ToothSurfaces& upper, const ToothSurfaces& lower) {
     constexpr double kMost = 1.0;  // mm
     Heights up{};
@@ -294,7 +293,7 @@ ToothArrangement arrangeTeeth(std::uint32_t seed) {
     places.upper.upper = true;
     placeAlong(places.line, lower, inclinationsOf(false, seed), {}, places.lower);
     Heights heights{};
-    constexpr int kRounds = 2;  // teeth that come through to other heights touch at other places
+    constexpr int kRounds = 2;  // teeth at other heights touch at other points
     for (int round = 0; round < kRounds; ++round) {
         placeAlong(places.line, upper, upperInclinations, heights, places.upper);
         bite(places, upper, lower, heights);

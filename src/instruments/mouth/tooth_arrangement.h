@@ -13,13 +13,13 @@ namespace tactooth {
 
 inline constexpr int kTeethPerQuadrant = 8;  ///< in one jaw
 
-/// A tooth's shape and where it stands: the frame of the shape (+x mesial) in the mouth.
+/// The shape of a tooth and its pose: the frame of the shape (+x mesial) in the mouth.
 struct PlacedShape {
     ToothShape shape;
     Pose shapeInMouth;
 };
 
-/// Where two neighbours come nearest to each other.
+/// The closest point between two neighbours.
 struct ProximalContact {
     Vec3 point = Vec3::Zero();  ///< mouth frame
     double gap = 0;             ///< mm
@@ -39,12 +39,13 @@ struct ToothArrangement {
     JawQuadrant upper, lower;
 };
 
-// Between neighbours, and between a tooth and those that it bites on, as the gap of meshes that stand for the teeth;
-// the surfaces themselves may be 0.02 mm nearer. Floss of 0.05 mm passes.
+// Gaps between neighbours, and between a tooth and its opponents, as the gap of meshes that approximate the teeth; the
+// surfaces themselves may be 0.02 mm closer. Floss of 0.05 mm passes.
 inline constexpr double kContactGap = 0.05;   ///< mm
 inline constexpr double kOcclusalGap = 0.06;  ///< mm
 
-/// Where all teeth of a closed mouth stand: neighbours touch, each upper tooth bites on the lower ones.
+/// The poses of all teeth of a closed mouth: neighbours touch, and each upper tooth is in occlusion with the lower
+/// ones.
 [[nodiscard]] ToothArrangement arrangeTeeth(std::uint32_t seed);
 
 /// The mirror image of a pose in the plane x = 0, for bodies that are themselves mirrored in x.

@@ -9,15 +9,15 @@
 
 namespace tactooth {
 
-/// A gum as one fineness gives it.
+/// The gingiva at one resolution.
 struct GingivaCandidate {
     TriangleMesh mesh;
     bool selfIntersects = false;
 };
 
-/// The gum of the coarsest of a few finenesses from `cell`, mm, on that does not cross itself: the first for nearly
-/// every mouth. `ofMouth` says in a sentence whose gum it is: "The upper gum of the mouth with seed 5". Fails if each
-/// of them crosses itself: such a gum is never given.
+/// The gingiva of the first of a few resolutions, from `cell` mm on, that does not intersect itself; for nearly every
+/// mouth it is the first one. `ofMouth` names the gingiva for a sentence: "The upper gum of the mouth with seed 5".
+/// Fails if it intersects itself at each of them.
 [[nodiscard]] Expected<TriangleMesh> firstValidGingiva(double cell,
                                                        const std::function<GingivaCandidate(double cell)>& gingivaAt,
                                                        const std::string& ofMouth);

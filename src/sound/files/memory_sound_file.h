@@ -10,8 +10,8 @@
 
 namespace tactooth {
 
-/// A file in memory that libsndfile reads and writes: it goes to and fro in it, which AtomicFile cannot, and a file
-/// that was read whole cannot change while it is being understood.
+/// A sound file in memory that libsndfile reads and writes. libsndfile seeks in it, which AtomicFile cannot do, and a
+/// file that was read as a whole cannot change while it is parsed.
 struct MemoryFile {
     std::vector<std::byte> bytes;
     std::size_t place = 0;
@@ -22,7 +22,7 @@ struct CloseSoundFile {
 };
 using SoundFile = std::unique_ptr<SNDFILE, CloseSoundFile>;
 
-/// `mode` and `info` as for sf_open; null if libsndfile refuses. `file` outlives the result.
+/// `mode` and `info` are those of sf_open; null if libsndfile refuses. `file` must live longer than the result.
 [[nodiscard]] SoundFile openInMemory(MemoryFile& file, int mode, SF_INFO& info);
 
 }  // namespace tactooth

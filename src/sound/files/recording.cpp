@@ -16,11 +16,11 @@ namespace {
 
 constexpr std::size_t kMultiple = 1 << (Recording::kLevels - 1);
 
-constexpr double kFadeSeconds = 0.1;     // over which the end becomes the beginning; at most a quarter of the sound
-constexpr double kSearchSeconds = 0.01;  // by which the end may be moved for a better fit: a period of 100 Hz
+constexpr double kFadeSeconds = 0.1;     // length of the cross-fade; at most a quarter of the sound
+constexpr double kSearchSeconds = 0.01;  // by which the end may move for a better fit: a period of 100 Hz
 constexpr double kSilence = 1e-4;        // root mean square, share of full scale: below it there is only noise
 
-// Each level keeps what is below 0.417 of its rate (20 kHz at 48 kHz) and nothing above half of it.
+// Each level keeps frequencies below 0.417 of its rate (20 kHz at 48 kHz) and none above half of it.
 constexpr double kPassed = 0.417;
 
 using Samples = std::vector<float>;
@@ -38,7 +38,7 @@ Samples withoutMean(std::span<const float> samples) {
     return result;
 }
 
-/// Correlation of two pieces, -1..1.
+/// Correlation of two parts, -1..1.
 double correlation(std::span<const float> a, std::span<const float> b) {
     double product = 0.0, powerA = 1e-20, powerB = 1e-20;
     for (std::size_t i = 0; i < a.size(); ++i) {
@@ -52,7 +52,7 @@ double correlation(std::span<const float> a, std::span<const float> b) {
 
 struct Seam {
     std::size_t fade = 0;  // samples
-    std::size_t end = 0;   // of the sound that is used
+    std::size_t end = 0;   // of the part that is used
     double correlation = 0.0;
 };
 
@@ -64,11 +64,11 @@ Seam bestSeam(std::span<const float> sound, double rate) {
         const double found = correlation(sound.first(fade), sound.subspan(end - fade, fade));
         if (found > best.correlation) best = {fade, end, found};
     }
-    best.fade -= kMultiple - (best.end - best.fade) % kMultiple;  // a few samples less, for the length
+    best.fade -= kMultiple - (best.end - best.fade) % kMultiple;  // a few samples fewer, for the length
     return best;
 }
 
-/// The loop begins with the end fading into the beginning, at equal power whether or not the two are alike.
+/// The loop begins with the end that fades into the beginning, at equal power whether or not the two are similar.
 Samples looped(std::span<const float> sound, double rate) {
     const Seam seam = bestSeam(sound, rate);
     Samples loop(sound.begin(), sound.begin() + static_cast<std::ptrdiff_t>(seam.end - seam.fade));
@@ -82,7 +82,7 @@ Samples looped(std::span<const float> sound, double rate) {
     return loop;
 }
 
-/// Low-passed around the loop; every `stride`-th sample of it. `passed`: edge of what is kept, share of the rate.
+/// The loop, low-passed cyclically; every `stride`-th sample of it. `passed`: edge of the passband, share of the rate.
 Samples lowPassed(const Samples& loop, double passed, std::size_t stride) {
     const double stopped = passed * 0.5 / kPassed;
     const double transition = stopped - passed;
@@ -91,7 +91,7 @@ Samples lowPassed(const Samples& loop, double passed, std::size_t stride) {
     for (std::ptrdiff_t i = -half; i <= half; ++i)
         taps.push_back(windowedSinc(static_cast<double>(i), 0.5 * (passed + stopped), static_cast<double>(half) + 1.0));
     const auto size = static_cast<std::ptrdiff_t>(loop.size());
-    Samples around;  // the loop with as much more at both ends as the filter reaches
+    Samples around;  // the loop, extended at both ends by the reach of the filter
     for (std::ptrdiff_t i = -half; i < size + half; ++i)
         around.push_back(loop[static_cast<std::size_t>((i % size + size) % size)]);
     Samples result(loop.size() / stride);
@@ -104,7 +104,7 @@ Samples lowPassed(const Samples& loop, double passed, std::size_t stride) {
     return result;
 }
 
-/// With the neighbours over the ends that Recording::around() promises.
+/// The loop with the extra samples that Recording::around() needs.
 Samples padded(const Samples& loop) {
     constexpr std::ptrdiff_t kBefore = Recording::kTaps / 2 - 1;
     const auto size = static_cast<std::ptrdiff_t>(loop.size());

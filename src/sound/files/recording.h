@@ -12,20 +12,20 @@
 
 namespace tactooth {
 
-/// A recording made into an endless loop that can be played at any pitch.
+/// A recording as an endless loop that can be played at any pitch.
 ///
-/// The end is faded into the beginning where the two are most alike, so that a tone goes on in phase. For higher
-/// pitches the loop is also held at a half, a quarter and an eighth of its rate, each without what would fold back
-/// (L. Williams, "Pyramidal parametrics", SIGGRAPH 1983, the idea for pictures).
+/// The end is cross-faded into the beginning where the two are most similar, so that a tone keeps its phase. For higher
+/// pitches the loop is also stored at a half, a quarter and an eighth of its rate, each low-passed against aliasing (L.
+/// Williams, "Pyramidal parametrics", SIGGRAPH 1983, the idea for pictures).
 class Recording {
 public:
     static constexpr double kMinLength = 0.05, kMaxLength = 30.0;  ///< s
     static constexpr double kMinRate = 4000, kMaxRate = 192000;    ///< samples a second
     static constexpr int kLevels = 4;
-    static constexpr int kTaps = 32;  ///< samples around a place that playing it needs
+    static constexpr int kTaps = 32;  ///< samples around a position that playing it needs
 
-    /// Of samples at `rate`; their mean is taken away and their root mean square made 1. Errors, about `name`: shorter
-    /// or longer than a loop may be, a rate outside the limits, a sample that is not a finite number, silence.
+    /// Makes a loop of samples at `rate`; their mean is subtracted, and their root mean square becomes 1. Errors, about
+    /// `name`: shorter or longer than a loop may be, a rate outside the limits, a sample that is not finite, silence.
     [[nodiscard]] static Expected<Recording> make(std::span<const float> mono, double rate, std::string_view name);
 
     /// Samples in the loop, a multiple of 2^(kLevels - 1).
@@ -39,7 +39,7 @@ public:
 private:
     std::size_t size_ = 0;
     double rate_ = 0.0;
-    std::array<std::vector<float>, kLevels> levels_;  // each with kTaps more, so that a place near an end has its all
+    std::array<std::vector<float>, kLevels> levels_;  // each with kTaps samples more, for positions near an end
 };
 
 }  // namespace tactooth

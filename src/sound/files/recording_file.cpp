@@ -28,7 +28,7 @@ bool isAt(std::span<const std::byte> bytes, std::size_t place, std::string_view 
                       [](char letter, std::byte byte) { return letter == std::to_integer<char>(byte); });
 }
 
-/// Whether the last page of an Ogg file says that it is the last.
+/// Whether the last page of an Ogg file is marked as the last.
 bool hasLastPage(std::span<const std::byte> bytes) {
     constexpr std::size_t kFlagsAt = 5;
     constexpr unsigned kLast = 4;
@@ -39,15 +39,15 @@ bool hasLastPage(std::span<const std::byte> bytes) {
     return false;
 }
 
-/// libsndfile makes the best of a file that was cut off; a loop of half of it is not what was meant.
+/// libsndfile reads what is left of a file that was cut off; half of a loop is not what the user meant.
 bool isCutOff(std::span<const std::byte> bytes, int kind) {
     if (kind == SF_FORMAT_OGG) return !hasLastPage(bytes);
-    if (kind == SF_FORMAT_FLAC) return false;  // tells how long it is: reading comes up short
+    if (kind == SF_FORMAT_FLAC) return false;  // contains its length: reading comes up short
     constexpr std::size_t kLengthAt = 4, kHead = 8;
     return bytes.size() < kHead || littleEndian(bytes.subspan(kLengthAt, 4)) + std::uint64_t{kHead} > bytes.size();
 }
 
-/// What libsndfile says, without its full stop and line ends.
+/// The message of libsndfile, without its full stop and line ends.
 std::string errorText(SNDFILE* file) {
     std::string reason = sf_strerror(file);
     std::replace_if(

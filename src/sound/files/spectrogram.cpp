@@ -16,7 +16,7 @@
 namespace tactooth {
 namespace {
 
-constexpr std::size_t kWindow = 1024;  // 21 ms and 47 Hz: a tone of 5 kHz is thin, a landing of 5 ms is short
+constexpr std::size_t kWindow = 1024;  // 21 ms and 47 Hz: thin lines at 5 kHz, and short enough for an impact of 5 ms
 constexpr std::size_t kStep = kWindow / 4;
 
 using Complex = std::complex<float>;
@@ -31,12 +31,12 @@ public:
         }
     }
 
-    /// Amplitudes at the frequencies from 0 to half the rate, of the window that begins with `mono`; samples behind its
-    /// end are silent.
+    /// Amplitudes at the frequencies from 0 to half the rate, of the window that begins with `mono`; samples after its
+    /// end count as silent.
     const std::array<float, kWindow / 2>& amplitudes(std::span<const float> mono) {
         for (std::size_t i = 0; i < kWindow; ++i) values_[i] = i < mono.size() ? window_[i] * mono[i] : 0.0f;
         transform();
-        constexpr float kScale = 4.0f / kWindow;  // the window's mean is 1/2, and half of a sine is at -f
+        constexpr float kScale = 4.0f / kWindow;  // the mean of the window is 1/2, and half of a sine is at -f
         for (std::size_t i = 0; i < amplitudes_.size(); ++i) amplitudes_[i] = kScale * std::abs(values_[i]);
         return amplitudes_;
     }
@@ -76,8 +76,8 @@ struct SpectrogramBuilder::State {
     Spectrogram made;
     Fourier fourier;
     std::size_t frames;
-    // Half a window of silence stands before the first frame: a window that begins at frame f of these has its middle
-    // at frame f of the sound.
+    // Half a window of silence comes before the first frame: a window that begins at frame f of these has its middle at
+    // frame f of the sound.
     std::vector<float> mono = std::vector<float>(kWindow / 2, 0.0f);
     std::size_t first = 0;   // frame that mono begins with
     std::size_t time = 0;    // of the window that is next
@@ -99,7 +99,7 @@ struct SpectrogramBuilder::State {
     }
 
     void forget() {
-        // A window may begin before the last one where pieces are shorter than a frame.
+        // A window may begin before the last one where parts are shorter than a frame.
         constexpr std::size_t kSpare = kWindow;
         const std::size_t keep = middle > kSpare ? middle - kSpare : 0;
         if (keep < first + 16 * kWindow) return;

@@ -9,29 +9,29 @@
 
 namespace tactooth {
 
-/// How loud each frequency is over time: a sine of full scale has 0 dB.
+/// Level of each frequency over time: a sine of full scale has 0 dB.
 struct Spectrogram {
     std::size_t times = 0;
-    std::size_t bins = 0;      ///< frequencies, from 0 to half of kSoundRate, evenly
-    std::vector<float> level;  ///< dB of full scale, at least kSilence; the frequencies of a time stand together
+    std::size_t bins = 0;      ///< frequencies, from 0 to half of kSoundRate, evenly spaced
+    std::vector<float> level;  ///< dB of full scale, at least kSilence; the frequencies of one time are contiguous
 
     static constexpr float kSilence = -120.0f;
 
     [[nodiscard]] float at(std::size_t time, std::size_t bin) const { return level[time * bins + bin]; }
 };
 
-/// Makes the spectrogram of a sound that comes in pieces, of which only the last window stays in memory: of the mean of
-/// left and right samples by turns, cut into `times` pieces of equal length. Of a piece that is longer than one window,
-/// the loudest of its windows counts for each frequency, so that no click is missed.
+/// Computes the spectrogram of a sound that comes in chunks, of which only the last window stays in memory. Left and
+/// right samples alternate, and it takes their mean. The sound is cut into `times` parts of equal length. Of a part
+/// longer than one window, the loudest of its windows counts for each frequency, so that no click is missed.
 class SpectrogramBuilder {
 public:
-    /// `frames`: pairs of samples that will come. `times`: at least 1.
+    /// `frames`: number of sample pairs that will come. `times`: at least 1.
     SpectrogramBuilder(std::size_t frames, std::size_t times);
     SpectrogramBuilder(SpectrogramBuilder&&) noexcept;
     ~SpectrogramBuilder();
 
     void add(std::span<const float> stereo);
-    /// To be called once, after all frames.
+    /// Call it once, after all frames.
     [[nodiscard]] Spectrogram finish();
 
 private:
@@ -39,7 +39,7 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// The same of samples that are all there.
+/// The same for samples in memory.
 [[nodiscard]] Spectrogram spectrogramOf(std::span<const float> stereo, std::size_t times);
 
 }  // namespace tactooth

@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kFileHead = 12;           // "RIFF", length, "WAVE"
 constexpr std::size_t kChunkHead = 8;           // name and length
 constexpr std::size_t kLengthAt = 4;            // in both
-constexpr std::uint64_t kMinMark = 0x7FFFF000;  // from here on a length only says that none is known
+constexpr std::uint64_t kMinMark = 0x7FFFF000;  // from here on a length means: unknown
 constexpr std::uint64_t kMax = std::numeric_limits<std::uint32_t>::max();
 
 class Wav {
@@ -42,7 +42,7 @@ public:
         std::ranges::copy(asBytes(word), bytes_.begin() + static_cast<std::ptrdiff_t>(place));
     }
 
-    /// Where the chunk after the one at `place` begins; beyond the end if there is none.
+    /// Position of the chunk after the one at `place`; beyond the end if there is none.
     [[nodiscard]] std::size_t after(std::size_t place) const {
         const std::uint64_t length = number(place + kLengthAt);
         return static_cast<std::size_t>(place + kChunkHead + length + length % 2);
@@ -53,14 +53,14 @@ public:
         }
         return std::nullopt;
     }
-    /// Whether chunks follow one another from `place` to the end of the file, with names of letters.
+    /// Whether valid chunks follow one another from `place` to the end of the file, with names of letters.
     [[nodiscard]] bool isChunksFrom(std::size_t place) const {
         while (place + kChunkHead <= size()) {
             const std::string_view name = asText(bytes_).substr(place, 4);
             if (!std::ranges::all_of(name, [](char letter) { return letter >= ' ' && letter <= '~'; })) return false;
             place = after(place);
         }
-        return place == size() || place == size() + 1;  // the last may lack the byte that makes it even
+        return place == size() || place == size() + 1;  // the last one may lack its padding byte
     }
 
 private:
@@ -69,9 +69,9 @@ private:
 
 bool isMark(std::uint64_t length) { return length == 0 || length >= kMinMark; }
 
-/// What an RF64 file says in its first chunk about the length of the samples.
+/// The length of the samples in the first chunk of an RF64 file.
 std::uint64_t longLength(const Wav& wav) {
-    constexpr std::size_t kSamplesAt = kChunkHead + 8;  // behind the length of the file
+    constexpr std::size_t kSamplesAt = kChunkHead + 8;  // after the length of the file
     const auto place = wav.find("ds64");
     return place && *place + kSamplesAt + 8 <= wav.size() ? wav.number(*place + kSamplesAt, 8) : 0;
 }
@@ -97,7 +97,7 @@ void completeStreamedWav(std::vector<std::byte>& bytes) {
         if (const auto longs = wav.find("ds64")) wav.write(*longs, "JUNK");
     }
     wav.write(*data + kLengthAt, std::min(length, kMax));
-    // A length of the file that is wrong, or that of a file that was cut off: as the samples say.
+    // Replaces a wrong length of the file, also that of a file that was cut off, by that of the samples.
     if (isLong || isMark(file)) wav.write(kLengthAt, std::min(kMax, *data + std::max(length, rest)));
 }
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// libsndfile writes a head whose lengths it mends at the end; a file that appears when it is complete cannot go back.
-// Here the length is known before, and the head is the 44 bytes of RIFF/WAVE with one 'fmt ' and one 'data' chunk.
-// A test holds every byte against what libsndfile writes.
+// libsndfile corrects the lengths of its header at the end; a file that appears when it is complete cannot seek. Here
+// the length is known before, and the header is the 44 bytes of RIFF/WAVE with one 'fmt ' and one 'data' chunk. A test
+// compares every byte with the output of libsndfile.
 #include "sound/files/wav_file.h"
 
 #include <array>
@@ -20,7 +20,7 @@ namespace {
 constexpr std::uint32_t kChannels = 2, kBits = 16;
 constexpr std::uint32_t kFrameBytes = kChannels * kBits / 8;
 constexpr std::uint32_t kHeadBytes = 44;
-constexpr std::uint32_t kRiffHead = 8;  // bytes that its own length leaves out
+constexpr std::uint32_t kRiffHead = 8;  // bytes that its length does not count
 
 class HeadWriter {
 public:
@@ -56,7 +56,7 @@ std::array<std::byte, kHeadBytes> headFor(std::uint32_t dataBytes) {
     return head.bytes();
 }
 
-/// As libsndfile does it: in 32 bits, of which the upper ones stay.
+/// Like libsndfile: in 32 bits, of which the upper ones stay.
 std::int16_t pcmOf(float sample) {
     constexpr float kFull = 0x7FFFFFFF;  // 2^31 as a float
     const float scaled = sample * kFull;

@@ -12,18 +12,18 @@
 
 namespace tactooth {
 
-/// Writes left and right samples by turns, at kSoundRate, as a 16-bit WAV file, piece by piece: no more than a piece is
-/// in memory. The file appears under its name only when it is complete. Samples beyond +-1 are held there. The file
-/// holds the samples and what is needed to play them, nothing else.
+/// Writes alternating left and right samples at kSoundRate to a 16-bit WAV file, chunk by chunk: only one chunk is in
+/// memory. The file appears under its name only when it is complete. Samples beyond +-1 are clipped. The file holds the
+/// samples and what is needed to play them, nothing else.
 class WavWriter {
 public:
-    /// `frames`: pairs of samples that will come. Errors: more than the 4 GB that such a file can hold; the folder is
-    /// missing or cannot be written.
+    /// `frames`: number of sample pairs that will come. Errors: more than the 4 GB that such a file can hold; the
+    /// folder is missing or not writable.
     [[nodiscard]] static Expected<WavWriter> create(const std::filesystem::path& path, std::size_t frames);
 
     void write(std::span<const float> stereo);
 
-    /// To be called once, after all frames. Error: the disk is full.
+    /// Call it once, after all frames. Error: the disk is full.
     [[nodiscard]] Expected<void> commit();
 
 private:
@@ -34,7 +34,7 @@ private:
     std::vector<std::byte> chunk_;
 };
 
-/// Writes all samples of such a file at once.
+/// Writes a whole file at once.
 [[nodiscard]] Expected<void> writeWav(const std::filesystem::path& path, std::span<const float> stereo);
 
 }  // namespace tactooth

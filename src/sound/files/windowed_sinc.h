@@ -4,9 +4,9 @@
 
 namespace tactooth {
 
-/// Impulse response of an ideal low-pass at `cutoff` (share of the rate) under a Kaiser window, `at` samples from its
-/// middle; zero from `halfWidth` on. What it lets through beyond the transition is 80 dB down.
-/// J. F. Kaiser, "Nonrecursive digital filter design using the I0-sinh window function", ISCAS 1974.
+/// Impulse response of an ideal low-pass at `cutoff` (share of the rate) with a Kaiser window, `at` samples from its
+/// middle; zero from `halfWidth` on. The stopband is at -80 dB. J. F. Kaiser, "Nonrecursive digital filter design using
+/// the I0-sinh window function", ISCAS 1974.
 [[nodiscard]] double windowedSinc(double at, double cutoff, double halfWidth);
 
 }  // namespace tactooth

@@ -17,18 +17,18 @@ namespace {
 
 constexpr int kKeepUsersOwn = 0;  // for setenv
 
-// From ALSA's <alsa/error.h>; declared here since the library is only looked up at run time.
+// From ALSA's <alsa/error.h>; declared here since the library is loaded at run time only.
 using AlsaErrorHandler = void (*)(const char* file, int line, const char* function, int error, const char* format, ...);
 
 void ignoreAlsaError(const char*, int, const char*, int, const char*, ...) {}
 
-// OpenAL Soft takes the length of its periods from configuration files alone (the attribute ALC_REFRESH is ignored),
-// and $ALSOFT_CONF names one more of these. Ours lives in memory, so that nothing is left behind on the disk.
+// OpenAL Soft reads the length of its periods from configuration files only (it ignores the attribute ALC_REFRESH), and
+// $ALSOFT_CONF names one more such file. Ours is in memory, so that nothing is left on the disk.
 void askForShortPeriods() {
     if (std::getenv("ALSOFT_CONF") != nullptr) return;
     const std::string rate = std::to_string(kSoundRate), period = std::to_string(kDevicePeriod);
-    // rt-prio: the mixer comes before other programs where the system allows it.
-    // A sound server may move the stream when another device becomes the usual one: headphones that are plugged in.
+    // rt-prio: the mixer has priority over other programs where the system allows it. A sound server may move the
+    // stream when another device becomes the default, such as headphones.
     const std::string settings = "[general]\nfrequency = " + rate + "\nperiod_size = " + period +
                                  "\nperiods = 2\nrt-prio = 1\n[pulse]\nallow-moves = true\n";
     const int file = memfd_create("alsoft.conf", MFD_CLOEXEC);
@@ -37,8 +37,8 @@ void askForShortPeriods() {
         close(file);
         return;
     }
-    // Opened by name, a file is read from its beginning; the descriptor stays open for as long as the process lives.
-    // The process is named, since programs that it starts inherit the variable.
+    // A file that is opened by name is read from its beginning; the descriptor stays open while the process lives. The
+    // name contains the process number, since child processes inherit the variable.
     const std::string name = "/proc/" + std::to_string(getpid()) + "/fd/" + std::to_string(file);
     setenv("ALSOFT_CONF", name.c_str(), kKeepUsersOwn);
 }
@@ -52,7 +52,7 @@ void prepareAudioLibraries() {
 }
 
 void silenceAlsaMessages() {
-    // The handle stays open: the handler lives in the loaded library, which OpenAL shares.
+    // The handle stays open: the handler is part of the loaded library, which OpenAL shares.
     static void* const alsa = dlopen("libasound.so.2", RTLD_LAZY | RTLD_LOCAL);
     if (alsa == nullptr) return;
     using SetHandler = int (*)(AlsaErrorHandler);

@@ -16,7 +16,7 @@ namespace tactooth {
 
 namespace {
 
-/// The loopback device's own entry points; all null where the implementation has none.
+/// The entry points of the loopback device; all null where the implementation has none.
 struct LoopbackFunctions {
     LPALCLOOPBACKOPENDEVICESOFT open = nullptr;
     LPALCRENDERSAMPLESSOFT render = nullptr;
@@ -106,7 +106,7 @@ Expected<void> renderInChunks(std::span<const TimedSoundState> track, double sec
     Soundscape soundscape(settings.seed, settings.kit.get());
     soundscape.setMixer(settings.mixer);
     TrackReader reader(track);
-    // What comes out lags by the delay: so much is left out before the first frame.
+    // The output lags by the delay: that many samples are dropped before the first frame.
     const std::size_t first = Soundscape::kDelay, end = first + framesOf(seconds);
     std::array<float, 2 * kSoundBlock> stereo{};
     SoundBlock block;

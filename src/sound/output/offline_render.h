@@ -27,31 +27,31 @@ struct OfflineSettings {
     SoundMixer mixer;
     std::uint64_t seed = 1;
     bool headphones = false;              ///< HRTF instead of left-right balance
-    std::shared_ptr<const SoundKit> kit;  ///< recordings instead of the synthesis; none: all of it synthesised
+    std::shared_ptr<const SoundKit> kit;  ///< recordings instead of the synthesis; none: all synthesised
 };
 
-/// Two channels, left and right sample by turns, at kSoundRate.
+/// Two channels, alternating left and right samples, at kSoundRate.
 using StereoSamples = std::vector<float>;
 
-/// s: 0.7 GB of a WAV file.
+/// s: a WAV file of 0.7 GB.
 inline constexpr double kMaxSoundLength = 3600;
 
-/// How many frames (one sample left, one right) a sound of that length has.
+/// Number of frames (one left and one right sample) of a sound of that length.
 [[nodiscard]] std::size_t framesOf(double seconds);
 
-/// Takes the next samples, left and right by turns.
+/// Receives the next samples, left and right alternating.
 using SampleSink = std::function<void(std::span<const float> stereo)>;
 
-/// What a listener would have heard in the `seconds` from time 0: rendered through OpenAL's loopback device, no sound
-/// card needed, as fast as the machine goes. Between two states numbers go in a straight line, and the rest is held; so
-/// it is before the first and after the last; of two states at one time the later one counts from then on. Sample n
-/// belongs to the time n / kSoundRate, exactly. Errors: no state, times that run backwards, a length that is not finite
-/// or over kMaxSoundLength, an OpenAL without loopback; then `sink` was not called. It gets framesOf(seconds) frames in
-/// all, in pieces of at most kSoundBlock, so that an hour takes no more memory than a second.
+/// Renders the sound of the `seconds` from time 0 through OpenAL's loopback device, without a sound card, as fast as
+/// the machine allows. Between two states, numbers are interpolated linearly, and all else is held; so it is before the
+/// first state and after the last; of two states at one time the later one counts from then on. Sample n belongs to the
+/// time n / kSoundRate, exactly. Errors: no state, times that decrease, a length that is not finite or over
+/// kMaxSoundLength, an OpenAL without loopback; then `sink` was not called. It gets framesOf(seconds) frames in all, in
+/// chunks of at most kSoundBlock, so that an hour takes no more memory than a second.
 [[nodiscard]] Expected<void> renderInChunks(std::span<const TimedSoundState> track, double seconds,
                                             const OfflineSettings& settings, const SampleSink& sink);
 
-/// The same, all at once: for a sound that is short.
+/// The same, all at once, for a short sound.
 [[nodiscard]] Expected<StereoSamples> renderOffline(std::span<const TimedSoundState> track, double seconds,
                                                     const OfflineSettings& settings = {});
 

@@ -27,11 +27,11 @@ using Clock = std::chrono::steady_clock;
 
 constexpr auto kPoll = 2500us;         // a block: what a period took is replaced before the next one
 constexpr auto kRetryAfter = 3s;       // for a sound card that is plugged in later
-constexpr double kMaxLatency = 0.030;  // s: up to here a queue that ran dry is made longer
+constexpr double kMaxLatency = 0.030;  // s: up to here the queue grows after an underrun
 constexpr int kStaleBlocks = 80;       // 0.2 s without a new state: the simulation is paused or gone
-constexpr int kConnectedEvery = 100;   // blocks between two looks at the device's plug
+constexpr int kConnectedEvery = 100;   // blocks between two checks of the device's connection
 
-// Waits, unless the end is asked for first.
+// Waits, unless the thread is asked to stop.
 void pause(const std::stop_token& stop, std::chrono::seconds time) {
     std::mutex mutex;
     std::condition_variable_any wake;
@@ -42,14 +42,14 @@ void pause(const std::stop_token& stop, std::chrono::seconds time) {
 std::unique_ptr<OpenAlStream> openDefaultDevice(bool headphones) {
     if (!hasSoundSystem()) return nullptr;
     silenceAlsaMessages();
-    // The sound is limited already (PeakLimiter); OpenAL's own limiter would be a quarter of its cost for nothing.
+    // The sound is limited already (PeakLimiter); OpenAL's own limiter would add a quarter to its cost for nothing.
     const std::array<ALCint, 7> attributes{
         ALC_FREQUENCY, kSoundRate, ALC_HRTF_SOFT, headphones ? ALC_TRUE : ALC_FALSE, ALC_OUTPUT_LIMITER_SOFT,
         ALC_FALSE,     0};
     return OpenAlStream::create(alcOpenDevice(nullptr), attributes.data(), headphones ? kHeadphoneGain : 1.0f);
 }
 
-// Before the programs that share the machine, after the servo loop (which takes more than the lowest); where the system
+// Priority over ordinary programs, below the servo loop (which takes more than the lowest priority). Where the system
 // does not allow it, the queue has to be long enough.
 void askForPriority() {
     sched_param parameters{};
@@ -67,7 +67,7 @@ bool isConnected(ALCdevice* device) {
 
 }  // namespace
 
-/// Keeps one device's queue filled from the output's mailboxes.
+/// Keeps the queue of a device filled from the mailboxes of the output.
 class OpenAlOutput::Feeder {
 public:
     Feeder(OpenAlOutput& output, OpenAlStream& stream)
@@ -113,7 +113,7 @@ private:
         ++output_.playedBlocks_;
     }
 
-    // The same landings as before, so that nothing knocks when the simulation goes on.
+    // The same contact count as before, so that there is no impact when the simulation goes on.
     static const SoundKit* newestKit(OpenAlOutput& output) {
         output.kit_.refresh();
         return output.kit_.value().kit;
@@ -129,11 +129,11 @@ private:
     OpenAlStream& stream_;
     Soundscape soundscape_;
     SoundBlock block_{};
-    Clock::time_point polled_ = Clock::now();  // when the mailboxes were last emptied
+    Clock::time_point polled_ = Clock::now();  // time of the last check of the mailboxes
     int staleBlocks_ = 0;
     std::uint64_t blocks_ = 0;
     bool started_ = false;
-    double longest_ = 0.0;  // latency with the queue as it is, s
+    double longest_ = 0.0;  // latency with the present queue, s
 };
 
 OpenAlOutput::OpenAlOutput(const OpenAlOutputSettings& settings)
@@ -141,7 +141,7 @@ OpenAlOutput::OpenAlOutput(const OpenAlOutputSettings& settings)
       headphones_(settings.headphones),
       thread_([this](const std::stop_token& stop) { run(stop); }) {}
 
-// Once the newest kit is the one that is played, none before it is needed any more.
+// Once the newest kit is played, older ones are not needed any more.
 void OpenAlOutput::setKit(std::shared_ptr<const SoundKit> kit) {
     if (kitsSet_ > 0 && activeKit_.load(std::memory_order_acquire) == kitsSet_)
         kits_.erase(kits_.begin(), kits_.end() - 1);

@@ -16,12 +16,12 @@ namespace tactooth {
 
 struct OpenAlOutputSettings {
     std::uint64_t seed = 1;
-    bool headphones = false;  ///< place the sound by the ears' own filtering (HRTF) instead of by left-right balance
+    bool headphones = false;  ///< place the sound by HRTF instead of by left-right balance
 };
 
-/// Plays on the system's default sound device from a thread of its own. No sound card, or one that is unplugged: it
-/// goes on silently and tries again every few seconds. Construction and destruction take no longer than opening or
-/// closing the device.
+/// Plays on the default sound device of the system from its own thread. Without a sound card, or when it is unplugged,
+/// it continues silently and tries again every few seconds. Construction and destruction take only as long as opening
+/// or closing the device.
 class OpenAlOutput final : public SoundOutput {
 public:
     explicit OpenAlOutput(const OpenAlOutputSettings& settings = {});
@@ -33,16 +33,16 @@ public:
     void setKit(std::shared_ptr<const SoundKit> kit) override;
     [[nodiscard]] SoundStatus status() const override { return status_.load(std::memory_order_relaxed); }
 
-    /// Blocks handed to the device so far, and how often it had run out of them.
+    /// Number of blocks that the device has taken so far, and of its underruns.
     [[nodiscard]] std::uint64_t playedBlocks() const { return playedBlocks_.load(std::memory_order_relaxed); }
     [[nodiscard]] std::uint64_t underruns() const { return underruns_.load(std::memory_order_relaxed); }
-    /// The longest way that a state published before the newest block can have had to the ear, s: since the block
-    /// before it was made, through queue and device (as far as that tells). 0 before there is one.
+    /// Largest delay from the publication of a state before the newest block to the ear, s: since the block before it
+    /// was made, through queue and device (as far as OpenAL reports it). 0 before the first block.
     [[nodiscard]] double latency() const { return latency_.load(std::memory_order_relaxed); }
 
 private:
     void run(const std::stop_token& stop);
-    /// True if it should be tried again at once.
+    /// True if it should try again at once.
     bool playOnce(const std::stop_token& stop);
     class Feeder;
 
@@ -52,18 +52,18 @@ private:
     TripleBuffer<SoundPlacement> placement_;
     struct NumberedKit {
         const SoundKit* kit = nullptr;
-        std::uint64_t number = 0;  // how many have been set
+        std::uint64_t number = 0;  // number of kits that have been set
     };
     TripleBuffer<NumberedKit> kit_;
-    std::atomic<std::uint64_t> activeKit_{0};            // number of the one that alone is being played
-    std::vector<std::shared_ptr<const SoundKit>> kits_;  // of the thread that sets them: what may still be playing
+    std::atomic<std::uint64_t> activeKit_{0};            // number of the only kit that is played
+    std::vector<std::shared_ptr<const SoundKit>> kits_;  // for the thread that sets them: kits that may still be played
     std::uint64_t kitsSet_ = 0;                          // likewise
     std::atomic<bool> headphones_;
     std::atomic<SoundStatus> status_{SoundStatus::Starting};
     std::atomic<std::uint64_t> playedBlocks_{0};
     std::atomic<std::uint64_t> underruns_{0};
     std::atomic<double> latency_{0.0};
-    std::jthread thread_;  // last: it uses all of the above
+    std::jthread thread_;  // last member: it uses all others
 };
 
 }  // namespace tactooth

@@ -20,7 +20,7 @@ ALCboolean makeCurrent(ALCcontext* context) {
     return perThread != nullptr ? perThread(context) : alcMakeContextCurrent(context);
 }
 
-constexpr int kSpareBlocks = 3;  // 7.5 ms for a thread that is woken late
+constexpr int kSpareBlocks = 3;  // 7.5 ms for a thread that wakes up late
 
 // Blocks in one period of the device's mixer.
 int blocksTakenAtOnce(ALCdevice* device) {
@@ -82,7 +82,7 @@ OpenAlStream::~OpenAlStream() {
 }
 
 void OpenAlStream::reclaim() {
-    // The mixer may come in between two of these questions: what all have played is the least of the answers.
+    // The mixer may run between two of these queries: all have played the smallest of the answers.
     ALint played = kMaxQueue - freeCount_;
     for (const unsigned source : sources_) {
         ALint own = 0;
@@ -109,7 +109,7 @@ void OpenAlStream::queue(const SoundBlock& block) {
 double OpenAlStream::delay() const {
     const double queued = static_cast<double>((kMaxQueue - freeCount_) * kSoundBlock) / kSoundRate;
     if (offsetAndLatency_ == nullptr) return queued;
-    std::array<ALdouble, 2> heard{};  // s: place within the queue that the mixer has reached, and its way to the ear
+    std::array<ALdouble, 2> heard{};  // s: position of the mixer in the queue, and the delay to the ear
     offsetAndLatency_(sources_[0], AL_SEC_OFFSET_LATENCY_SOFT, heard.data());
     return queued - heard[0] + heard[1];
 }

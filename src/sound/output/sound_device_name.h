@@ -6,11 +6,10 @@
 
 namespace tactooth {
 
-/// The device that OpenAL opens unless it is told which, by OpenAL's name for it; empty if there is none. Takes as long
-/// as opening it.
+/// OpenAL's name of the default device; empty if there is none. Takes as long as opening it.
 [[nodiscard]] std::string defaultSoundDevice();
 
-/// Whether this is OpenAL's null driver: it takes the sound as a card would, and nothing is heard.
+/// Whether this is OpenAL's null driver: it accepts sound like a card, and nothing is heard.
 [[nodiscard]] bool isNullSoundDevice(const std::string& name);
 
 }  // namespace tactooth

@@ -27,7 +27,7 @@ enum class SoundStatus { Starting, Playing, Silent };
     return "";
 }
 
-/// Where the drill's sound goes. No call waits or fails; without a sound card everything works, silently.
+/// Output of the drill's sound. No call waits or fails; without a sound card everything works, silently.
 class SoundOutput {
 public:
     SoundOutput() = default;
@@ -35,18 +35,18 @@ public:
     SoundOutput& operator=(const SoundOutput&) = delete;
     virtual ~SoundOutput() = default;
 
-    /// The newest state of the drill. One thread (the simulation's), any rate; wait-free. When the calls stop coming
-    /// the drill falls silent, as it does when the simulation is paused.
+    /// Sets the newest state of the drill. One thread (the simulation's), any rate; wait-free. When the calls stop, the
+    /// drill falls silent, as when the simulation is paused.
     virtual void publish(const DrillSoundState& state) = 0;
 
-    /// One thread (the window's); wait-free.
+    /// Sets the volumes. One thread (the window's); wait-free.
     virtual void setMixer(const SoundMixer& mixer) = 0;
     virtual void setPlacement(const SoundPlacement& placement) = 0;
-    /// Whether the sound is placed by the ears' own filtering (HRTF), for headphones, or by left-right balance. The
-    /// sound stops for a moment at a change.
+    /// Whether the sound is placed by HRTF, for headphones, or by left-right balance. The sound stops for a moment at a
+    /// change.
     virtual void setHeadphones(bool headphones) = 0;
 
-    /// Recordings to play from now on; none: all of it synthesised.
+    /// Recordings to play from now on; null: all synthesised.
     virtual void setKit(std::shared_ptr<const SoundKit> kit) = 0;
 
     /// Any thread.

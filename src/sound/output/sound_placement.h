@@ -6,12 +6,12 @@
 
 namespace tactooth {
 
-/// Where the sounds come from and where they are heard, in the world frame (mm). Only directions are heard: zooming in
-/// does not make the drill louder.
+/// Positions of the sources and of the listener, in the world frame (mm). Only directions are audible: zooming in does
+/// not make the drill louder.
 struct SoundPlacement {
-    Vec3 source{0.0, 0.0, -300.0};      ///< the bur's tip; by default straight ahead
+    Vec3 source{0.0, 0.0, -300.0};      ///< the tip of the bur; by default straight ahead
     Pose listenerInWorld;               ///< the listener's +x is to the right, +y up, -z ahead, as a camera's
-    Vec3 mouth{0.0, -60.0, -300.0};     ///< where the spray falls
+    Vec3 mouth{0.0, -60.0, -300.0};     ///< position of the spray
     Vec3 suction{90.0, -60.0, -300.0};  ///< the tip of the suction tube: an assistant holds it from the right
 };
 

@@ -36,23 +36,24 @@ std::string valueOf(const char* name, const VariableLookup& variable) {
     return value == nullptr ? std::string() : std::string(value);
 }
 
-/// The user's own words to OpenAL, or of a server that may be anywhere.
+/// Whether the user has configured OpenAL, or a server that may be anywhere.
 bool isChosen(const VariableLookup& variable) {
     constexpr const char* kChoices[] = {"ALSOFT_DRIVERS", "PULSE_SERVER", "JACK_DEFAULT_SERVER", "AUDIODEV"};
     const auto isSet = [&](const char* name) { return !valueOf(name, variable).empty(); };
     if (std::any_of(std::begin(kChoices), std::end(kChoices), isSet)) return true;
-    const std::string display = valueOf("DISPLAY", variable);  // another machine's names the server beside it
+    // The display of another machine is also the address of its sound server.
+    const std::string display = valueOf("DISPLAY", variable);
     return !display.empty() && display.front() != ':';
 }
 
-/// Where PulseAudio, or PipeWire in its place, waits for programs.
+/// The socket of PulseAudio, or of PipeWire in its place.
 bool hasServer(const fs::path& root, const fs::path& home, const VariableLookup& variable) {
     const fs::path user = root / "run/user" / std::to_string(getuid());
     if (isThere(user / "pulse/native") || isThere(root / "run/pulse/native")) return true;
     const fs::path runtime = valueOf("XDG_RUNTIME_DIR", variable), own = valueOf("PULSE_RUNTIME_PATH", variable);
     if (!runtime.empty() && isThere(runtime / "pulse/native")) return true;
     if (!own.empty() && isThere(own / "native")) return true;
-    // Where a login has no folder of its own: beside the server's settings.
+    // Where a login has no runtime folder: beside the server's settings.
     return !home.empty() &&
            holds(home / ".config/pulse", [](const fs::path& folder) { return isThere(folder / "native"); });
 }
@@ -64,7 +65,7 @@ bool hasSoundSystem(const fs::path& root, const VariableLookup& variable) {
     const fs::path home = valueOf("HOME", variable);
     const bool hasCard = holds(root / "dev/snd", beginsWith("pcm")) || isThere(root / "dev/dsp");
     const bool isSetUp = isThere(root / "etc/asound.conf") || (!home.empty() && isThere(home / ".asoundrc"));
-    const bool hasJack = holds(root / "dev/shm", beginsWith("jack_default"));  // not what its clients leave there
+    const bool hasJack = holds(root / "dev/shm", beginsWith("jack_default"));  // not the remains of its clients
     return isChosen(variable) || hasCard || isSetUp || hasJack || hasServer(root, home, variable);
 #else
     return true;

@@ -9,10 +9,11 @@ namespace tactooth {
 
 namespace {
 
-// Two equal band-passes in a row are narrower than one: the half-power width of the pair is sqrt(sqrt(2) - 1) of one's.
+// Two equal band-passes in series are narrower than one: the half-power width of the pair is sqrt(sqrt(2) - 1) of
+// one's.
 const double kPairNarrowing = std::sqrt(std::numbers::sqrt2 - 1.0);
 
-// Of one filter such that the pair has its half-power points `octaves` apart.
+// Quality of one filter such that the pair has its half-power points `octaves` apart.
 double qualityOf(double octaves) {
     const double pairQuality = 1.0 / (2.0 * std::sinh(0.5 * octaves * std::numbers::ln2));
     return pairQuality * kPairNarrowing;
@@ -37,9 +38,9 @@ void BandNoise::tune(double centreHz, double octaves, float share) {
     wide_.tune(static_cast<float>(centre), static_cast<float>(quality));
     narrow_.tune(static_cast<float>(centre), static_cast<float>(quality));
 
-    // Uniform noise has the power 1/3, spread evenly up to half the rate. Of that a pair of such filters passes a
-    // band of pi/4 * centre/quality: the integral of 1/(1 + Q^2 (f/c - c/f)^2)^2 over f. The bilinear transform
-    // squeezes the frequency axis, at the centre by g/(1+g^2) against g's own linear measure.
+    // Uniform noise has the power 1/3, spread evenly up to half the rate. Of that, a pair of such filters passes a band
+    // of pi/4 * centre/quality: the integral of 1/(1 + Q^2 (f/c - c/f)^2)^2 over f. The bilinear transform compresses
+    // the frequency axis, at the centre by g/(1+g^2) against g's own linear measure.
     const double angle = std::numbers::pi * centre / kSoundRate;
     const double squeezed = std::sin(2.0 * angle) / (2.0 * angle);
     const double passedHz = 0.25 * std::numbers::pi * centre / quality * squeezed;

@@ -9,9 +9,9 @@
 
 namespace tactooth {
 
-/// Second-order band-pass of unit gain at its centre, which may be moved while it runs.
-/// Andrew Simper, "Linear Trapezoidal Integrated State Variable Filter" (Cytomic, 2013): its state is that of the
-/// analogue circuit's capacitors, so that a moving centre makes no clicks, unlike a direct-form biquad.
+/// Second-order band-pass of unit gain at its centre, which may move while it runs. Andrew Simper, "Linear Trapezoidal
+/// Integrated State Variable Filter" (Cytomic, 2013): its state is that of the analogue circuit's capacitors, so that a
+/// moving centre makes no clicks, unlike a direct-form biquad.
 class BandPass {
 public:
     void tune(float centreHz, float quality);
@@ -29,16 +29,16 @@ private:
     float first_ = 0.0f, second_ = 0.0f;
 };
 
-/// Noise within a band, with a root mean square of 1 whatever the band.
+/// Noise in a band, with a root mean square of 1 whatever the band.
 class BandNoise {
 public:
     explicit BandNoise(std::uint64_t seed) : noise_(seed) {}
 
-    /// Sends the band's centre (Hz) and width (octaves between the half-power points) towards new values; `share` as
-    /// from smoothingCoefficient(). The first call sets them.
+    /// Moves the centre (Hz) and width (octaves between the half-power points) of the band toward new values; `share`
+    /// as from smoothingCoefficient(). The first call sets them.
     void tune(double centreHz, double octaves, float share);
-    /// The next sample; `strength` is that of the noise before the filters, so that whatever it does (grains,
-    /// throbbing) stays within the band.
+    /// The next sample. `strength` scales the noise before the filters, so that its modulation (grains, amplitude
+    /// modulation) stays within the band.
     float next(float strength = 1.0f) { return loudness_ * narrow_.process(wide_.process(strength * noise_.next())); }
 
 private:

@@ -32,7 +32,7 @@ void Bubbles::addTo(std::span<float> out, float flow) {
     }
 }
 
-// One that still rings gives way to none: the next bubble waits for a free place.
+// A bubble that still rings is not replaced: the next bubble waits for a free voice.
 void Bubbles::start() {
     Bubble& bubble = bubbles_[next_];
     if (bubble.framesLeft > 0) return;
@@ -46,7 +46,7 @@ void Bubbles::start() {
     bubble.framesLeft = static_cast<int>(frames);
     bubble.turn = std::polar(static_cast<float>(std::exp(-dampingOf(hz) / kSoundRate)), static_cast<float>(turn * hz));
     bubble.bend = std::polar(1.0f, static_cast<float>(turn * (risen - hz) / frames));
-    bubble.state = noise_.nextPositive();  // begins at a zero of its sine, so that it does not click
+    bubble.state = noise_.nextPositive();  // begins at a zero of its sine, to avoid a click
 }
 
 }  // namespace tactooth

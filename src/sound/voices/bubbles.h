@@ -11,17 +11,17 @@
 
 namespace tactooth {
 
-/// Of what size bubbles are and how often they come.
+/// Size and rate of bubbles.
 struct BubbleKind {
-    double lowHz, highHz;  ///< tones, evenly over the octaves between
+    double lowHz, highHz;  ///< tones, evenly over the octaves between them
     double perSecond;      ///< on average, at full flow
-    double rise;           ///< of the tone while it sounds, as a share of it: bubbles near the surface
+    double rise;           ///< rise of the tone while it sounds, as a share of it: bubbles near the surface
 };
 
-/// Water that trickles or is sucked in: each bubble of air rings like a bell that dies at once.
-/// K. van den Doel, "Physically based models for liquid sounds", ACM Trans. Appl. Percept. 2 (2005) 534: tone by the
-/// bubble's radius (M. Minnaert, 1933), damping 0.13 + 0.0072 hz^1.5 (a share of hz a second), tone rising as it nears
-/// the surface. Differs from the paper: equally loud on average whatever the size, and at most kVoices at a time.
+/// Water that trickles or is sucked in: each air bubble rings with a short decay. K. van den Doel, "Physically based
+/// models for liquid sounds", ACM Trans. Appl. Percept. 2 (2005) 534: tone by the radius of the bubble (M. Minnaert,
+/// 1933), damping 0.13 + 0.0072 hz^1.5 (a share of hz a second), tone rising near the surface. Ours differs in two
+/// points: all sizes are equally loud on average, and at most kVoices sound at a time.
 class Bubbles {
 public:
     Bubbles(std::uint64_t seed, const BubbleKind& kind) : noise_(seed), kind_(kind) {}
@@ -32,8 +32,8 @@ public:
 private:
     static constexpr int kVoices = 12;
     struct Bubble {
-        std::complex<float> turn, state;  // the imaginary part sounds
-        std::complex<float> bend;         // what rising does to the turn, each sample
+        std::complex<float> turn, state;  // the imaginary part is the sound
+        std::complex<float> bend;         // change of the rotation by rising, each sample
         int framesLeft = 0;
     };
     void start();

@@ -9,28 +9,28 @@ namespace tactooth {
 
 namespace {
 
-// Each doubling of the removal power adds about as much sound power as the last: a gentle cut is to be heard over the
-// turbine, and the 30 W of the strongest turbine are not to hurt. At kTopWatt the root mean square is kTopLevel of full
+// Each doubling of the removal power adds about as much sound power as the last: a gentle cut must be audible over the
+// turbine, and the 30 W of the strongest turbine must not hurt. At kTopWatt the root mean square is kTopLevel of full
 // scale: single grains reach five times that, just below full scale.
 constexpr double kTopLevel = 0.16;
 constexpr double kTopWatt = 40.0, kFaintWatt = 0.2;
 constexpr double kLagSeconds = 0.006;
 
-// Below this speed a rotation is too slow to grind: nothing comes from a still bur.
+// Below this speed the rotation is too slow to cut: a bur at rest is silent.
 constexpr double kGrindingRpm = 500.0;
 
-// Throb at the rotation: a slow bur (10 000 rev/min = 167 Hz) rattles; at thousands of turns a second the ear hears no
-// throb, only side tones, which would blur the material's band.
+// Amplitude modulation at the rotation: a slow bur (10 000 rev/min = 167 Hz) rattles. At thousands of turns a second
+// the ear hears no modulation, only side tones, which would blur the band of the material.
 constexpr double kSlowModulation = 0.6, kFastModulation = 0.15;
 constexpr double kModulationFadeHz = 800.0;
 
-// Each blade that passes bites: eight blades at 10 000 rev/min sing at 1.3 kHz, six at 300 000 above hearing. They
-// swing the noise and give a tone beside it.
+// Each passing blade cuts: eight blades at 10 000 rev/min give 1.3 kHz, six at 300 000 are inaudible. They modulate the
+// noise and give a tone beside it.
 constexpr double kBladeModulation = 0.35, kBladeTone = 0.7;  // the tone by the swing
 constexpr double kPassingFadesHz = 8000.0, kHighestPassingHz = 14000.0;
 
-// Chatter: what the eye sees as a trembling handpiece, from half of the load that stalls it on. Tens of times a second,
-// as the hand and the handpiece's arm swing; the depth was chosen by ear.
+// Chatter: a trembling handpiece, from half of the stall load on. Tens of times a second, as hand and handpiece
+// vibrate; the depth was chosen by ear.
 constexpr double kChatterFromLoad = 0.5, kMaxChatter = 0.75;
 constexpr double kStickSlipsPerSecond = 80.0;   // new random grips: swings of up to 40 Hz
 constexpr double kStickSlipMeanSquare = 0.247;  // of RandomModulator: 1/3 at its places, eased between them

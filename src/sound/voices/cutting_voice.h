@@ -15,8 +15,8 @@
 
 namespace tactooth {
 
-/// Separate grains breaking off: short pulses at random times. As an envelope for noise; mean square 1 together with
-/// the steady part.
+/// Grains: short pulses at random times, as particles break off. An envelope for noise; its mean square is 1 together
+/// with the steady part.
 class GrainEnvelope {
 public:
     explicit GrainEnvelope(std::uint64_t seed) : noise_(seed) {}
@@ -30,9 +30,9 @@ private:
     float steadyPart_ = 1.0f, pulsePart_ = 0.0f;
 };
 
-/// The noise of material being ground away. Its level follows the removal power, its band the material; it throbs
-/// with the rotation and sings with the passing of the blades, and near the stall it chatters: the bur grabs, slips and
-/// grabs again.
+/// The noise of cutting. Its level follows the removal power, and its band the material. It has amplitude modulation at
+/// the rotation, and a tone at the blade passing frequency. Near the stall it chatters: the bur grips, slips and grips
+/// again.
 class CuttingVoice {
 public:
     explicit CuttingVoice(std::uint64_t seed);
@@ -41,8 +41,8 @@ public:
     void addTo(std::span<float> out, const DrillSoundState& state, double volume,
                std::span<const double> turnsPerFrame);
 
-    /// Plays the recordings of a kit where it has them, from their beginnings; null: all of it synthesised again. `kit`
-    /// stays where it is as long as it is played.
+    /// Plays the recordings of a kit where it has them, from their beginnings; null: all synthesised again. `kit` stays
+    /// valid as long as it is played.
     void use(const SoundKit* kit) {
         kit_ = kit;
         recorded_ = {};
@@ -57,7 +57,7 @@ private:
     Phase rotation_, passing_;
     RandomModulator stickSlip_;
     GainSmoother gain_, rotationModulation_, chatter_, bladeModulation_;
-    int blades_ = 0;  // heard; another bur's come when these have faded
+    int blades_ = 0;  // blades that are heard; those of another bur follow when these have faded
     const SoundKit* kit_ = nullptr;
     std::array<RecordedVoice, kSoundMaterials> recorded_;
 };

@@ -10,9 +10,9 @@ namespace tactooth {
 
 namespace {
 
-// Band centres: hard and brittle 6-10 kHz, dentin and composite 3-6 kHz, softened tissue 1-3 kHz (healthy tissue
-// sounds treble, carious tissue bass). Taps: the stiffer the contact, the shorter the knock and the higher its
-// ring; decays of some milliseconds, since the ligament damps a tooth at once.
+// Band centres: hard and brittle 6-10 kHz, dentin and composite 3-6 kHz, softened tissue 1-3 kHz (healthy tissue sounds
+// high, carious tissue low). Taps: the stiffer the contact, the shorter the impact and the higher its ring; decays of
+// some milliseconds, since the periodontal ligament damps a tooth.
 constexpr std::array<std::string_view, kSoundMaterials> kNames{"enamel",  "dentin",      "pulp",      "caries",
                                                                "amalgam", "restoration", "composite", "other"};
 constexpr std::array<SoundCharacter, kSoundMaterials> kCharacters{{{7700.0, 0.75, 1.0, 0.4, 3900.0, 0.006, 0.8, 0},

@@ -10,20 +10,20 @@
 
 namespace tactooth {
 
-/// How a material sounds under the bur and when it is tapped, in plain numbers: the sound layer knows no teeth.
+/// The sound of a material when it is cut and when it is tapped, in plain numbers: the sound layer knows no teeth.
 struct SoundCharacter {
     double bandCentreHz = 4200.0;  ///< middle of the cutting noise's band
     double bandOctaves = 1.0;      ///< width of that band between its half-power points
     double level = 1.0;            ///< loudness of the cutting noise relative to enamel at equal power, 0..1
     double graininess = 0.3;       ///< 0: even hiss; 1: separate crackling grains
-    double tapHz = 2200.0;         ///< lowest tone of the ring when something knocks on it
-    double tapDecay = 0.004;       ///< time in which that ring falls to 1/e, s
+    double tapHz = 2200.0;         ///< lowest tone of the ring after a tap
+    double tapDecay = 0.004;       ///< time constant of that ring, s
     double tapBrightness = 0.5;    ///< 0: that lowest tone alone ("thud"); 1: two higher ones as strong ("tick")
-    std::size_t kind = 1;          ///< which of soundMaterialNames(): a recording may stand in for it
+    std::size_t kind = 1;          ///< index in soundMaterialNames(): a recording may replace it
 };
 
-/// The materials that the sound knows: "enamel", "dentin", "pulp", "caries", "amalgam", "restoration", "composite"
-/// (which sounds as a restoration) and "other" (as dentin).
+/// The materials that the sound layer knows: "enamel", "dentin", "pulp", "caries", "amalgam", "restoration",
+/// "composite" (sounds like a restoration) and "other" (like dentin).
 inline constexpr std::size_t kSoundMaterials = 8;
 [[nodiscard]] std::span<const std::string_view, kSoundMaterials> soundMaterialNames();
 
@@ -32,11 +32,11 @@ inline constexpr std::size_t kSoundMaterials = 8;
 /// The same, but an unknown name sounds like dentin.
 [[nodiscard]] SoundCharacter soundCharacterOf(std::string_view material);
 
-/// What drives the spindle: decides which tones accompany the rotation.
+/// The drive of the spindle, which decides the tones that accompany the rotation.
 enum class MotorKind : std::uint8_t { AirTurbine, Electric, LowSpeed };
 
-/// All that the sound needs to know of one moment of the simulation. Anything not finite or out of range is taken
-/// as the nearest sensible value when it is heard.
+/// Input of the sound for one moment of the simulation. A number that is not finite or out of range is clamped when it
+/// is used.
 struct DrillSoundState {
     MotorKind motor = MotorKind::AirTurbine;
     double speedRpm = 0.0;           ///< of the bur, now
@@ -45,14 +45,14 @@ struct DrillSoundState {
     double load = 0.0;               ///< torque on the bur as a share of the torque that stalls it, 0..1
     double removalPower = 0.0;       ///< power that goes into the cut: tangential force times rim speed
     SoundCharacter material;         ///< of what is being cut or was touched
-    std::uint32_t contactCount = 0;  ///< goes up by one each time the instrument lands on something
-    double contactSpeed = 0.0;       ///< of the last landing, along the surface's normal, mm/s
+    std::uint32_t contactCount = 0;  ///< number of contact onsets
+    double contactSpeed = 0.0;       ///< at the last contact onset, along the normal of the surface, mm/s
     double water = 0.0;              ///< flow of the cooling spray, 0 off .. 1 full
     double suction = 0.0;            ///< of the tube in the mouth, 0 off .. 1 full
     int blades = 0;                  ///< of the bur; 0: a diamond, whose grains pass too fast and unevenly for a tone
 };
 
-/// `state` with every number finite and within the range that the synthesis is made for.
+/// `state` with every number finite and within the range of the synthesis.
 [[nodiscard]] DrillSoundState sanitised(const DrillSoundState& state);
 
 }  // namespace tactooth

@@ -14,11 +14,12 @@
 
 namespace tactooth {
 
-/// Makes the drill's sound out of what the simulation says: kSoundRate, one channel, within +-PeakLimiter::kCeiling.
-/// Same seed and same calls, same samples. Neither allocates nor locks. One thread at a time.
+/// Synthesises the drill's sound from the state of the simulation: kSoundRate, one channel, within
+/// +-PeakLimiter::kCeiling. The same seed and calls give the same samples. Neither allocates nor locks. One thread at a
+/// time.
 class DrillSynthesiser {
 public:
-    /// Samples by which the output comes later than the state it belongs to.
+    /// Delay of the output behind its state, in samples.
     static constexpr int kDelay = PeakLimiter::kDelay;
 
     explicit DrillSynthesiser(std::uint64_t seed = 1);
@@ -26,11 +27,12 @@ public:
     /// Volumes from the next block on; they change within some hundredths of a second.
     void setMixer(const SoundMixer& mixer);
 
-    /// Recordings to play; null: none. At once, so while it is silent. `kit` stays where it is as long as it is played.
+    /// Recordings to play; null: none. The change is immediate, so call it in silence. `kit` stays valid as long as it
+    /// is played.
     void setKit(const SoundKit* kit);
 
-    /// The next `mono.size()` samples. `target` is the state at their end: the speed gets there in a straight line,
-    /// every loudness and colour within some milliseconds, so that no change clicks. Begins at standstill.
+    /// The next `mono.size()` samples. `target` is the state at their end: the speed changes linearly, and every level
+    /// and colour within some milliseconds, so that no change clicks. Begins at standstill.
     void render(const DrillSoundState& target, std::span<float> mono);
 
 private:

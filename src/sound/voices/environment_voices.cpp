@@ -8,15 +8,15 @@ namespace tactooth {
 
 namespace {
 
-// Beside the turbine's tone (root mean square 0.042) both stay in the background, as they do in the practice: a spray
-// adds 0.2 to 10 dB(A), and suction has 75-77 dB(A) against 76-82 of a turbine that cuts.
+// Beside the turbine's tone (root mean square 0.042) both stay in the background, as in a practice: a spray adds 0.2 to
+// 10 dB(A), and suction has 75-77 dB(A) against 76-82 of a cutting turbine.
 constexpr double kWaterLevel = 0.007, kSuctionLevel = 0.011;  // root mean squares, shares of full scale
-constexpr double kValveSeconds = 0.06;                        // water and air come and go with their valves
+constexpr double kValveSeconds = 0.06;                        // time constant of the valves of water and air
 
 // Spray: droplets of some tens of micrometres hiss evenly from 2.5 to 10 kHz. Trickle: bubbles of 1 to 4 mm.
 constexpr double kSprayHz = 5000.0, kSprayOctaves = 2.0;
 constexpr BubbleKind kTrickle{800.0, 3200.0, 60.0, 0.15};
-constexpr float kTrickleShare = 2.5f;  // of a bubble's amplitude over the hiss's root mean square
+constexpr float kTrickleShare = 2.5f;  // amplitude of a bubble over the root mean square of the hiss
 
 // Suction: a rush below 1 kHz with the quarter-wave tone of a tube of 15 cm, 570 Hz. Slurp: big bubbles torn apart.
 constexpr double kRushHz = 1400.0, kRushOctaves = 3.0;

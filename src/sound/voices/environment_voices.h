@@ -13,13 +13,14 @@
 
 namespace tactooth {
 
-/// The cooling spray: the hiss of its droplets on the tooth, and the trickle of what runs down.
+/// The cooling spray: the hiss of its droplets on the tooth, and the trickle of the water that runs down.
 class WaterVoice {
 public:
     explicit WaterVoice(std::uint64_t seed);
     /// Adds its sound (at most kControlFrames samples); `flow` and `volume` 0..1.
     void addTo(std::span<float> out, double flow, double volume);
-    /// Plays a recording instead, from its beginning; null: the synthesis again. `part` stays where it is meanwhile.
+    /// Plays a recording instead, from its beginning; null: the synthesis again. `part` stays valid as long as it is
+    /// played.
     void use(const RecordedPart* part) {
         part_ = part;
         recorded_ = {};
@@ -33,13 +34,13 @@ private:
     GainSmoother gain_;
 };
 
-/// The suction tube: rushing air with the tube's own tone, and a slurp where it meets water.
+/// The suction tube: rushing air with the tone of the tube, and a slurp where it meets water.
 class SuctionVoice {
 public:
     explicit SuctionVoice(std::uint64_t seed);
     /// Adds its sound (at most kControlFrames samples); `flow`, `water` (in the mouth) and `volume` 0..1.
     void addTo(std::span<float> out, double flow, double water, double volume);
-    /// As WaterVoice::use().
+    /// Like WaterVoice::use().
     void use(const RecordedPart* part) {
         part_ = part;
         recorded_ = {};

@@ -11,7 +11,7 @@ namespace tactooth {
 namespace {
 
 constexpr float kAtOneKilohertz = 1.2589f;  // +2.0 dB, so that the curve passes 1 kHz at 0 dB
-constexpr float kMaxGainDrop = 0.11f;       // 1 dB a second downwards: nobody hears it go
+constexpr float kMaxGainDrop = 0.11f;       // 1 dB a second downwards: not audible
 const double kCapPower = 0.5 * std::pow(10.0, ExposureLimiter::kLimitDecibel / 10.0);  // a sine of full scale has 1/2
 
 }  // namespace
@@ -26,7 +26,7 @@ AWeighting::AWeighting() {
     low_[1].tune(20.6, 20.6);
     low_[2].tune(107.7, 107.7);
     low_[3].tune(737.9, 737.9);
-    high_[0].tune(12194.0, 10000.0);  // exact where the ear still hears well, not at the corner above
+    high_[0].tune(12194.0, 10000.0);  // exact where hearing is sensitive, and not at the corner frequency above
     high_[1].tune(12194.0, 10000.0);
 }
 

@@ -8,14 +8,14 @@
 
 namespace tactooth {
 
-/// The loudness of a sound as the ear weighs its frequencies: curve A of IEC 61672-1, within 0.4 dB up to 10 kHz.
+/// A-weighting: curve A of IEC 61672-1, within 0.4 dB up to 10 kHz.
 class AWeighting {
 public:
     AWeighting();
     float process(float sample);
 
 private:
-    /// First order, by the trapezoidal rule (as BandPass).
+    /// A first-order filter, by the trapezoidal rule (like BandPass).
     class Pole {
     public:
         void tune(double hz, double exactAt);
@@ -33,11 +33,11 @@ private:
     Pole low_[4], high_[2];
 };
 
-/// Protects the ear over a long session: keeps the A-weighted mean of about a minute at or below kLimitDecibel by
-/// turning everything down slowly. A steady cut at 4 W stays just below it; a whole minute of full power, or recordings
-/// that are too loud, do not. How loud full scale is, only the listener's volume knob knows: a player that keeps to EN
-/// 50332-1 gives at most 100 dB(A) at -10 dB of full scale, so 95 dB(A) at the cap with its knob at the top, and the 80
-/// dB(A) of a real turbine 15 dB below the top.
+/// Protects the ear in a long session: it keeps the A-weighted mean over about a minute at or below kLimitDecibel by
+/// slowly reducing the gain. A steady cut at 4 W stays just below it; a whole minute of full power, or recordings that
+/// are too loud, do not. Only the listener's volume setting decides how loud full scale is. A player according to EN
+/// 50332-1 gives at most 100 dB(A) at -10 dB of full scale, so 95 dB(A) at the limit with full volume, and the 80 dB(A)
+/// of a real turbine 15 dB below full volume.
 class ExposureLimiter {
 public:
     static constexpr double kLimitDecibel = -15.0;  ///< of full scale, A-weighted
@@ -45,7 +45,7 @@ public:
 
     ExposureLimiter() { ramp_.jumpTo(1.0f); }
 
-    /// Gain for this block, a straight way from the last block's. `sum` is the block as one listener hears it.
+    /// Gain for this block, a ramp from that of the last block. `sum` is the block as one listener hears it.
     [[nodiscard]] Ramp gainFor(std::span<const float> sum);
 
 private:

@@ -12,8 +12,8 @@ namespace tactooth {
 /// Longest run of samples for which the voices hold one set of controls: 0.5 ms.
 inline constexpr int kControlFrames = 24;
 
-/// A straight way from one value to the next over a number of samples. It starts each time from the exact value
-/// that it was sent to, so rounding does not gather and a way to zero ends at zero.
+/// A linear ramp from one value to the next over a number of samples. Each ramp starts from the exact end of the last
+/// one, so that rounding errors do not add up and a ramp to zero ends at zero.
 class Ramp {
 public:
     void aim(float target, int frames) {
@@ -35,13 +35,13 @@ private:
     float step_ = 0.0f;
 };
 
-/// Share of the way to its target that a first-order lag with `timeConstant` (s) goes in `frames` samples.
+/// Share of the difference to its target that a first-order lag with `timeConstant` (s) covers in `frames` samples.
 [[nodiscard]] inline float smoothingCoefficient(double timeConstant, int frames) {
     return static_cast<float>(-std::expm1(-frames / (kSoundRate * timeConstant)));
 }
 
-/// First-order lag computed once for each run of controls. It lands on the target exactly once the rest is
-/// inaudible (-100 dB of full scale for a gain), so that silence is digital silence.
+/// First-order lag, computed once for each run of controls. It reaches the target exactly once the rest is inaudible
+/// (-100 dB of full scale for a gain), so that silence is digital silence.
 class OnePoleSmoother {
 public:
     float step(float target, float share) {
@@ -57,7 +57,7 @@ private:
     float value_ = 0.0f;
 };
 
-/// A gain without clicks: a lag once a run, a ramp from sample to sample.
+/// A gain without clicks: a lag for each run, and a ramp from sample to sample.
 class GainSmoother {
 public:
     void aim(float target, float share, int frames) { ramp_.aim(onePole_.step(target, share), frames); }

@@ -12,17 +12,17 @@ namespace tactooth {
 
 namespace {
 
-// Loudness of a landing: in step with its speed when gentle, at most kTopLevel of full scale. A careful hand lands
+// Level of an impact: in proportion to its speed when gentle, at most kTopLevel of full scale. A careful hand touches
 // at 5-50 mm/s.
 constexpr double kTopLevel = 0.3;
 constexpr double kHalfSpeed = 30.0;
 
-// Tones of a short stubby beam: a crown is one. Higher ones die sooner.
+// Modes of a short thick beam, such as a crown. Higher modes decay sooner.
 constexpr std::array<double, 3> kModeRatios{1.0, 1.9, 3.1};
 constexpr double kTopModeHz = 18000.0;
 constexpr double kDecaysUntilSilent = 11.5;  // e^-11.5 = -100 dB
 
-// The push is a half period of the lowest tone: it excites that tone fully and the higher ones less.
+// The push is half a period of the lowest tone: it excites that tone fully and the higher ones less.
 constexpr double kPushPeriods = 0.5;
 
 double amplitudeAt(double contactSpeed) { return kTopLevel * contactSpeed / (contactSpeed + kHalfSpeed); }

@@ -11,18 +11,18 @@
 
 namespace tactooth {
 
-/// The knock when an instrument lands: a few decaying tones set ringing by a push as long as the contact lasts. Hard
-/// material: short push, high ring ("tick"); soft: long push, low ring ("thud").
+/// The impact of an instrument: a few decaying tones, excited by a push as long as the contact lasts. Hard material:
+/// short push, high ring ("tick"); soft: long push, low ring ("thud").
 class ImpactVoice {
 public:
-    /// Adds its sound to `out`. A contactCount other than the last one seen is a new landing; the first one seen is
-    /// where the count begins.
+    /// Adds its sound to `out`. A contactCount other than the last one is a new impact; the first one is only the start
+    /// of the count.
     void addTo(std::span<float> out, const DrillSoundState& state, double volume);
 
 private:
     struct Mode {
         std::complex<float> turn;   // rotation and decay for one sample
-        std::complex<float> state;  // its imaginary part sounds
+        std::complex<float> state;  // its imaginary part is the sound
         float push = 0.0f;
     };
     void strike(const DrillSoundState& state, double volume);

@@ -12,10 +12,10 @@ namespace tactooth {
 
 namespace {
 
-constexpr int kPhases = 256;  // with a straight line between two: the error is 98 dB down
+constexpr int kPhases = 256;  // with linear interpolation between two: the error is -98 dB
 constexpr int kTaps = Recording::kTaps;
 
-/// Taps for each phase between two samples, one phase more for the line from the last.
+/// Taps for each phase between two samples, and one phase more for the interpolation after the last.
 struct Kernel {
     std::array<std::array<float, kTaps>, kPhases + 1> taps;
 
@@ -52,8 +52,8 @@ float LoopPlayer::next(const Recording& recording, double pitch) {
     const auto size = static_cast<double>(recording.size());
     if (position_ >= size) position_ = std::fmod(position_, size);
 
-    // A level holds out until 1.2 times its step (what is kept of it then reaches half the rate); up to there the next
-    // one takes over bit by bit, so that no change of pitch is heard as a switch.
+    // A level is used alone up to 1.2 times its step (what is kept of it then reaches half the rate). Above that, the
+    // next level is faded in, so that a change of pitch makes no audible switch.
     constexpr double kHoldsOut = 1.2;
     int level = 0;
     while (level + 1 < Recording::kLevels && step > kHoldsOut * (1 << level)) ++level;

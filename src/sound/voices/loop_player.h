@@ -8,16 +8,16 @@
 
 namespace tactooth {
 
-/// Plays a recording's loop at a pitch that may change from sample to sample, without images or folding: a windowed
-/// sinc of Recording::kTaps samples between those of the level that fits the pitch. Root mean square 1 at the original
-/// pitch.
+/// Plays the loop of a recording at a pitch that may change from sample to sample, without images or aliasing: a
+/// windowed sinc of Recording::kTaps samples interpolates in the level that fits the pitch. Root mean square 1 at the
+/// original pitch.
 class LoopPlayer {
 public:
-    /// Eight times as high as the recording is the highest that it plays.
+    /// The highest pitch is eight times that of the recording.
     static constexpr double kMaxStep = 1 << (Recording::kLevels - 1);
 
-    /// The next sample; `pitch` times as fast as it was recorded (0 holds still), within 0..kMaxStep after the
-    /// difference in rates. The same recording each time.
+    /// The next sample; `pitch` times as fast as the recording (0 holds still), within 0..kMaxStep after the conversion
+    /// of rates. The same recording each time.
     [[nodiscard]] float next(const Recording& recording, double pitch);
 
 private:

@@ -8,14 +8,14 @@ namespace tactooth {
 
 namespace {
 
-// Amplitude of the rotation's own tone at free speed, as a share of full scale: -24 dB leaves room for the cut, which
-// is the louder part (handpieces measure 57-87 dB(A) at the dentist's ear, cutting above free running).
+// Amplitude of the rotation's tone at free speed, as a share of full scale: -24 dB leaves room for the cut, which is
+// louder (handpieces measure 57-87 dB(A) at the dentist's ear, cutting above free running).
 constexpr double kRotationLevel = 0.06;
 constexpr double kRecordedLevel = 0.046;  // root mean square of all tones of the synthesis at free speed
 constexpr double kLagSeconds = 0.008;     // of every tone's gain: too fast to notice, too slow to click
 constexpr double kAirSeconds = 0.03;      // of the drive air behind its valve
 
-// Of the motor's tones one is the bearing's: its balls' cage turns at 0.4 of the speed and slips a little.
+// One tone is the bearing's: the cage of its balls rotates at 0.4 of the speed and slips a little.
 constexpr int kCageTone = 4;
 constexpr double kCageSlip = 0.015;
 
@@ -43,8 +43,8 @@ constexpr std::array<MotorSpectrum, 3> kMotors{{
 constexpr double kHissCentreHz = 4900.0;  // 2 .. 12 kHz
 constexpr double kHissOctaves = 2.58;
 
-// 1 below 17 kHz, 0 from 21 kHz: nothing comes near half the rate, where it would fold back. Taken at each sample,
-// since a tone at eight times the rotation crosses that range within a millisecond or two. `turns` are a sample's.
+// 1 below 17 kHz, 0 from 21 kHz: nothing reaches half the rate, against aliasing. It is computed for each sample, since
+// a tone at eight times the rotation crosses that range within a millisecond or two. `turns` are those of a sample.
 constexpr double kFullTurns = 17000.0 / kSoundRate, kNoneTurns = 21000.0 / kSoundRate;
 float belowHalfRate(double turns) {
     if (turns <= kFullTurns) return 1.0f;
@@ -52,7 +52,7 @@ float belowHalfRate(double turns) {
     return t * t * (3.0f - 2.0f * t);
 }
 
-// Amplitude against the free speed's: aerodynamic and bearing noise grow a little faster than the speed itself.
+// Amplitude relative to that at free speed: aerodynamic and bearing noise grow a little faster than the speed.
 double loudnessAt(double speedShare) { return std::pow(std::min(speedShare, 1.5), 1.2); }
 
 const MotorSpectrum& motorSpectrum(MotorKind kind) { return kMotors[static_cast<std::size_t>(kind) % kMotors.size()]; }
@@ -89,7 +89,7 @@ void MotorVoice::aimTones(const DrillSoundState& state, double volume, int frame
     const float share = smoothingCoefficient(kLagSeconds, frames);
     for (int i = 0; i < kTones; ++i) {
         const TonePartial& tone = recipe.tones[i];
-        // A loaded spindle strains: overtones and the cage come forward, the rotation's tone stays.
+        // Under load the overtones and the cage get louder, and the tone of the rotation stays.
         const double strain = i == 0 ? 1.0 : 1.0 + (i == kCageTone ? 3.0 : 0.7) * state.load;
         tones_[i].gain.aim(static_cast<float>(level * tone.level * strain), share, frames);
     }
@@ -104,7 +104,7 @@ void MotorVoice::addTone(std::span<float> out, int index, double ratio, std::spa
     }
 }
 
-// The air goes on hissing through a rotor that has stalled: that, without the whine, is how a stall sounds.
+// The air still hisses through a stalled rotor: hiss without the whine is the sound of a stall.
 void MotorVoice::addHiss(std::span<float> out, const DrillSoundState& state, double volume) {
     const int frames = static_cast<int>(out.size());
     const float share = smoothingCoefficient(kAirSeconds, frames);

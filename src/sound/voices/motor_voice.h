@@ -15,8 +15,8 @@
 
 namespace tactooth {
 
-/// The handpiece itself: tones locked to the rotation (the whine), the tone of the bearing's cage, blades or gear
-/// teeth, and the hiss of the drive air. Tones that come near half the sample rate fade out instead of folding back.
+/// The handpiece: tones locked to the rotation (the whine), the tones of the bearing's cage, of blades or gear teeth,
+/// and the hiss of the drive air. Tones close to half the sample rate fade out, against aliasing.
 class MotorVoice {
 public:
     explicit MotorVoice(std::uint64_t seed);

@@ -11,7 +11,7 @@ namespace tactooth {
 
 namespace {
 
-constexpr float kRelease = 1.0f / (0.05f * kSoundRate);  // share of the way back to 1 a sample: 50 ms
+constexpr float kRelease = 1.0f / (0.05f * kSoundRate);  // share of the way back to 1 in each sample: 50 ms
 constexpr float kBackAtOne = 0.9999f;
 
 }  // namespace
@@ -26,7 +26,7 @@ float PeakLimiter::neededGain() const {
 }
 
 // The mean over kWindow of gains that are each low enough for the oldest sample in the window is low enough for it,
-// too, and comes down in a straight line.
+// too, and falls linearly.
 void PeakLimiter::process(std::span<float> samples) {
     for (float& sample : samples) {
         const float peak = std::abs(sample);

@@ -10,11 +10,11 @@
 
 namespace tactooth {
 
-/// A recording that sounds as loud as it is told to.
+/// A recording at a given level.
 class RecordedVoice {
 public:
-    /// Adds its sound to `out` (at most kControlFrames samples) while the bur makes `turnsPerFrame`; goes towards the
-    /// root mean square `level` by `share`, as from smoothingCoefficient(). The same part each time.
+    /// Adds its sound to `out` (at most kControlFrames samples) while the bur makes `turnsPerFrame`; its root mean
+    /// square moves toward `level` by `share`, as from smoothingCoefficient(). The same part each time.
     void addTo(std::span<float> out, const RecordedPart& part, double level, float share,
                std::span<const double> turnsPerFrame);
 

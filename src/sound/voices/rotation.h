@@ -9,7 +9,7 @@
 
 namespace tactooth {
 
-/// A random value that wanders smoothly within [-1, 1], to a new place some times a second.
+/// A random value that varies smoothly within [-1, 1], with a given number of new targets a second.
 class RandomModulator {
 public:
     RandomModulator(std::uint64_t seed, double timesPerSecond);
@@ -23,14 +23,14 @@ private:
     float from_ = 0.0f, to_ = 0.0f;
 };
 
-/// The spindle's rotation from sample to sample: exactly the speed that the simulation gives, a straight way between
-/// two given speeds, and a flutter of at most 0.1 % that keeps a steady tone from sounding electronic. (Real
-/// handpieces wander by 1-3 %; that much belongs to the speed model, which the tone has to follow within 0.5 %.)
+/// The rotation of the spindle from sample to sample: exactly the speed of the simulation, interpolated linearly, and a
+/// flutter of at most 0.1 % so that a steady tone does not sound electronic. (Real handpieces vary by 1-3 %; that
+/// belongs to the speed model, which the tone has to follow within 0.5 %.)
 class Rotation {
 public:
     explicit Rotation(std::uint64_t seed) : modulator_(seed, 6.0) {}
 
-    /// Fills in the turns that the bur makes in each sample; the last one is at `speedRpm`.
+    /// Fills in the turns of the bur in each sample; the last one is at `speedRpm`.
     void advanceTo(double speedRpm, std::span<double> turnsPerFrame);
 
 private:

@@ -11,14 +11,14 @@
 
 namespace tactooth {
 
-/// A recording in the place of a synthesised sound.
+/// A recording that replaces a synthesised sound.
 struct RecordedPart {
     std::shared_ptr<const Recording> recording;
-    double speedRpm = 0.0;  ///< of the bur when it was recorded, which the pitch follows; 0: the pitch stays
-    double gain = 1.0;      ///< against the synthesised sound's level
+    double speedRpm = 0.0;  ///< speed of the bur in the recording, which the pitch follows; 0: constant pitch
+    double gain = 1.0;      ///< relative to the level of the synthesised sound
 };
 
-/// Which sounds are recordings; what is not there is synthesised.
+/// The sounds that are recordings; all others are synthesised.
 struct SoundKit {
     std::optional<RecordedPart> motor;                                 ///< its tones and its air
     std::array<std::optional<RecordedPart>, kSoundMaterials> cutting;  ///< by SoundCharacter::kind

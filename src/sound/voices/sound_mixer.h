@@ -4,7 +4,7 @@
 
 namespace tactooth {
 
-/// What the listener has set. Volumes are 0 (silent) .. 1 (as made) and multiply the amplitude.
+/// Volumes of the listener, 0 (silent) .. 1 (unchanged); they multiply the amplitude.
 struct SoundMixer {
     double motor = 1.0;    ///< spindle tones and drive air
     double cutting = 1.0;  ///< grinding noise and taps

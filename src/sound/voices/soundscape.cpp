@@ -9,7 +9,7 @@ namespace tactooth {
 
 namespace {
 
-// With the drill's ceiling of 0.89 they add up to less than full scale, wherever the three are.
+// With the drill's ceiling of 0.89 the sum is below full scale, wherever the three are.
 constexpr float kWaterCeiling = 0.045f, kSuctionCeiling = 0.06f;
 
 double share(double value) { return std::isfinite(value) ? std::clamp(value, 0.0, 1.0) : 0.0; }

@@ -12,19 +12,19 @@
 
 namespace tactooth {
 
-/// Places that sounds come from, see SoundPlacement.
+/// Positions of the sound sources, see SoundPlacement.
 enum class SoundSource : std::uint8_t { Bur, Mouth, Suction };
 inline constexpr std::size_t kSoundSources = 3;
 
-/// One block of sound for each place.
+/// One block of sound for each source.
 using SoundBlock = std::array<std::array<float, kSoundBlock>, kSoundSources>;
 
-/// All that is heard: the drill at the bur, the spray in the mouth, the suction beside it. The three together stay
-/// below full scale, and below the exposure cap in the long run. Same seed and same calls, same samples. Neither
+/// The whole sound: the drill at the bur, the spray in the mouth, the suction beside it. The three together stay below
+/// full scale, and below the exposure limit in the long run. The same seed and calls give the same samples. Neither
 /// allocates nor locks. One thread at a time.
 class Soundscape {
 public:
-    /// Samples by which the output comes later than the state it belongs to.
+    /// Delay of the output behind its state, in samples.
     static constexpr int kDelay = DrillSynthesiser::kDelay;
 
     /// Begins with the recordings of `kit`, see setKit().
@@ -33,8 +33,8 @@ public:
     /// Volumes from the next block on; they change within some hundredths of a second.
     void setMixer(const SoundMixer& mixer);
 
-    /// Recordings to play; null: all of it synthesised. Changes within some hundredths of a second, silent in between.
-    /// `kit` stays where it is until kit() is another one.
+    /// Recordings to play; null: all synthesised. The change takes some hundredths of a second, with silence in
+    /// between. `kit` stays valid until kit() is another one.
     void setKit(const SoundKit* kit) { pendingKit_ = kit; }
     [[nodiscard]] const SoundKit* kit() const { return kit_; }
 

@@ -6,9 +6,8 @@
 
 namespace tactooth {
 
-/// Repeatable white noise, uniform in [-1, 1).
-/// Generator: Melissa O'Neill, "PCG: A Family of Simple Fast Space-Efficient Statistically Good Algorithms for
-/// Random Number Generation", 2014 (the 32-bit XSH-RR member).
+/// Repeatable white noise, uniform in [-1, 1). Generator: Melissa O'Neill, "PCG: A Family of Simple Fast
+/// Space-Efficient Statistically Good Algorithms for Random Number Generation", 2014 (the 32-bit XSH-RR member).
 class WhiteNoise {
 public:
     explicit WhiteNoise(std::uint64_t seed) : state_(seed * kMultiplier + kIncrement) { bits(); }

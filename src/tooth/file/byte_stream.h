@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "geometry/util/assert.h"
+#include "geometry/util/fnv1a.h"
 
 namespace tactooth {
 
@@ -21,9 +22,7 @@ static_assert(std::endian::native == std::endian::little, "files are little-endi
 
 /// Detects damage of a file (FNV-1a, 64 bit).
 [[nodiscard]] inline std::uint64_t checksum(std::span<const std::byte> bytes) {
-    std::uint64_t hash = 0xcbf29ce484222325ULL;
-    for (const std::byte byte : bytes) hash = (hash ^ static_cast<std::uint64_t>(byte)) * 0x100000001b3ULL;
-    return hash;
+    return Fnv1a().addBytes(bytes).value();
 }
 
 /// Collects the bytes of a file.

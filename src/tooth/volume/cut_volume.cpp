@@ -8,6 +8,7 @@
 #include <set>
 
 #include "geometry/util/assert.h"
+#include "geometry/util/fnv1a.h"
 #include "geometry/util/parallel_for.h"
 #include "tooth/volume/brick_carver.h"
 #include "tooth/volume/brick_sampler.h"
@@ -35,10 +36,6 @@ void gather(std::vector<BrickRemoval>& parts, PlannedRemoval& result) {
     }
 }
 
-std::uint64_t fnv1a(std::uint64_t hash, std::uint64_t value) {
-    for (int byte = 0; byte < 8; ++byte) hash = (hash ^ (value >> (8 * byte) & 0xFF)) * 0x100000001b3ULL;
-    return hash;
-}
 
 }  // namespace
 
@@ -318,23 +315,23 @@ void CutVolume::validate() const {
 }
 
 std::uint64_t CutVolume::hash() const {
-    std::uint64_t hash = 0xcbf29ce484222325ULL;
+    Fnv1a hash;
     for (const BrickKey& key : bricks_.keys()) {
         const Brick& brick = *bricks_.find(key);
         if (!brick.isCut) continue;
-        for (const int place : {key.x, key.y, key.z}) hash = fnv1a(hash, static_cast<std::uint32_t>(place));
+        for (const int place : {key.x, key.y, key.z}) hash.addBytesOf(static_cast<std::uint32_t>(place));
         for (int node = 0; node < kBrickNodes; ++node) {
-            hash = fnv1a(hash, std::uint64_t{std::bit_cast<std::uint32_t>(brick.cut[node])} << 32 |
-                                   std::bit_cast<std::uint32_t>(brick.cutNormal[node]));
-            hash = fnv1a(hash, std::uint64_t{std::bit_cast<std::uint32_t>(brick.tooth[node])} << 8 |
-                                   static_cast<std::uint64_t>(brick.material[node]));
+            hash.addBytesOf(std::uint64_t{std::bit_cast<std::uint32_t>(brick.cut[node])} << 32 |
+                            std::bit_cast<std::uint32_t>(brick.cutNormal[node]));
+            hash.addBytesOf(std::uint64_t{std::bit_cast<std::uint32_t>(brick.tooth[node])} << 8 |
+                            static_cast<std::uint64_t>(brick.material[node]));
             for (const auto& crossings : brick.boundary) {
-                hash = fnv1a(hash, std::uint64_t{std::bit_cast<std::uint32_t>(crossings[node].place)} << 32 |
-                                       std::bit_cast<std::uint32_t>(crossings[node].normal));
+                hash.addBytesOf(std::uint64_t{std::bit_cast<std::uint32_t>(crossings[node].place)} << 32 |
+                                std::bit_cast<std::uint32_t>(crossings[node].normal));
             }
         }
     }
-    return hash;
+    return hash.value();
 }
 
 }  // namespace tactooth

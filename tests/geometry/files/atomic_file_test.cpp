@@ -176,7 +176,7 @@ TEST(AtomicFile, RefusesAFolderThatTheUserMayNotWrite) {
     std::filesystem::permissions(folder.path(), std::filesystem::perms::owner_read |
                                                     std::filesystem::perms::owner_exec |
                                                     std::filesystem::perms::others_exec);
-    constexpr uid_t kNobody = 65534;  // root may write everywhere, so the test steps down for a moment
+    constexpr uid_t kNobody = 65534;  // root may write everywhere, so the test changes its user for a moment
     const bool steppedDown = ::geteuid() == 0 && ::seteuid(kNobody) == 0;
     const Expected<AtomicFile> file = AtomicFile::create(folder / "out.txt");
     ASSERT_TRUE(!steppedDown || ::seteuid(0) == 0);
@@ -188,7 +188,7 @@ TEST(AtomicFile, AFullDiskIsAnErrorAndLeavesNothing) {
     const test::TemporaryFolder folder;
     Expected<AtomicFile> file = AtomicFile::create(folder / "out.txt");
     ASSERT_TRUE(file);
-    // A limit on file size stands in for a full disk: write() fails in the same way.
+    // A limit on file size replaces a full disk: write() fails in the same way.
     rlimit old{};
     ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &old), 0);
     const rlimit small{1000, old.rlim_max};

@@ -28,7 +28,7 @@ TEST(FileBytes, RefusesALargerOneWithoutTakingItsMemory) {
          std::array<std::uintmax_t, 5>{kMaxFileBytes + 1, std::uintmax_t{3} << 30, std::uintmax_t{10} << 30,
                                        std::uintmax_t{1} << 36, std::uintmax_t{1} << 40}) {
         std::error_code tooSmallADisk;
-        std::filesystem::resize_file(folder / "huge.csv", size, tooSmallADisk);  // a hole, it takes no place
+        std::filesystem::resize_file(folder / "huge.csv", size, tooSmallADisk);  // a sparse file, which uses no space
         if (tooSmallADisk) continue;
         const auto read = readFile(folder / "huge.csv");
         ASSERT_FALSE(read) << size;

@@ -56,7 +56,7 @@ TEST(FileTransaction, WithoutCommitAllIsAsItWas) {
     EXPECT_EQ(entriesIn(folder.path()), 1U);
 }
 
-/// A folder that takes the place of a file after that was opened stands in for all that can go wrong with a rename.
+/// A folder that replaces a file after it was opened represents all failures of a rename.
 TEST(FileTransaction, WhereOneNameFailsTheOthersAreTakenBack) {
     for (const std::size_t failing : {0U, 1U, 2U, 3U, 4U}) {
         const test::TemporaryFolder folder;

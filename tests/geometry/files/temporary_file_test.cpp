@@ -26,7 +26,7 @@ std::size_t entriesIn(const fs::path& folder) {
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), {}));
 }
 
-/// A child that leaves named temporary files and folders behind, killed.
+/// A killed child that leaves named temporary files and folders behind.
 void killAWriterIn(const fs::path& folder) {
     const pid_t child = ::fork();
     if (child == 0) {

@@ -69,7 +69,7 @@ std::string replaced(std::string text, const std::string& what, const std::strin
     return text;
 }
 
-/// The same tetrahedron, written in other ways.
+/// The same tetrahedron, written in other forms.
 class AnyWriting : public ::testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(
     ObjReader, AnyWriting,

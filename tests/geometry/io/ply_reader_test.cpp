@@ -151,7 +151,7 @@ TEST(PlyReader, ReadsTriangleStrips) {
               (std::vector<Triangle>{{0, 1, 2}, {2, 1, 3}}));
     EXPECT_EQ(parse(strips("short", "3 0 1 2\n4 2 1 3 4", 2))->triangles,
               (std::vector<Triangle>{{0, 1, 2}, {2, 1, 3}, {3, 1, 4}}));
-    // Corners that come twice lead on, and the turns count on.
+    // Duplicate corners continue the strip, and the orientation still alternates.
     EXPECT_EQ(parse(strips("int", "7 0 1 2 2 2 1 3"))->triangles.size(), 2u);
     EXPECT_GT(parse(strips("int", "7 0 1 2 2 2 1 3"))->areaVector(1).z(), 0);
     EXPECT_EQ(parse(strips("int", "6 -1 -1 0 1 2 -1"))->triangles, (std::vector<Triangle>{{0, 1, 2}}));

@@ -51,7 +51,7 @@ TriangleMesh parsed(std::string_view bytes) {
     return mesh ? *mesh : TriangleMesh{};
 }
 
-/// The sentence with which `bytes` are refused, or "accepted".
+/// The error for `bytes`, or "accepted".
 std::string refusal(std::string_view bytes) {
     const Expected<TriangleMesh> mesh = parseStl(asBytes(bytes), "t.stl");
     return mesh ? "accepted" : mesh.error().message;
@@ -252,7 +252,7 @@ TEST(StlReader, RefusesAFileThatTheUserMayNotRead) {
     std::filesystem::permissions(folder.path(), std::filesystem::perms::all);
     std::ofstream(folder / "locked.stl") << "solid";
     std::filesystem::permissions(folder / "locked.stl", std::filesystem::perms::none);
-    constexpr uid_t kNobody = 65534;  // root may read everything, so the test steps down for a moment
+    constexpr uid_t kNobody = 65534;  // root may read everything, so the test changes its user for a moment
     const bool steppedDown = ::geteuid() == 0 && ::seteuid(kNobody) == 0;
     const std::string message = refusalOfFile(folder / "locked.stl");
     ASSERT_TRUE(!steppedDown || ::seteuid(0) == 0);

@@ -17,7 +17,7 @@ namespace {
 
 TriangleMesh ball() { return test::sphere(Vec3(1, 2, 3), 5, 24, 16); }
 
-/// The ball without the triangles at `vertices`, whose rims may share corners.
+/// The ball without the triangles at `vertices`, whose boundaries may share corners.
 TriangleMesh without(const std::vector<std::uint32_t>& triangles) {
     TriangleMesh mesh = ball();
     std::vector<Triangle> kept;
@@ -71,7 +71,7 @@ TEST(BoundaryLoops, OfALoneTriangleThereIsNone) {
 }
 
 TEST(BoundaryLoops, ThatDoNotCloseAreCounted) {
-    // Two triangles that disagree: their rims run against each other and end.
+    // Two triangles that disagree: their boundaries run against each other and end.
     TriangleMesh mesh;
     mesh.vertices = {Vec3f(0, 0, 0), Vec3f(1, 0, 0), Vec3f(0, 1, 0), Vec3f(1, 1, 0)};
     mesh.triangles = {{0, 1, 2}, {1, 2, 3}};

@@ -16,7 +16,7 @@ namespace {
 
 TriangleMesh ball(double radius = 9) { return test::sphere(Vec3(0, 0, 0), radius, 48, 32); }
 
-/// As a file of single triangles whose corners were each moved by up to `by`, in each direction.
+/// Like a file of single triangles whose corners were each moved by up to `by`, in each direction.
 TriangleMesh jittered(const TriangleMesh& mesh, float by, unsigned seed) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<float> move(-by, by);
@@ -31,7 +31,7 @@ TriangleMesh jittered(const TriangleMesh& mesh, float by, unsigned seed) {
 
 class CrackWeldOf : public ::testing::TestWithParam<float> {};
 
-TEST_P(CrackWeldOf, CornersThatDifferInTheirLastDigits) {
+TEST_P(CrackWeldOf, JoinsCornersThatDifferInTheirLastDigits) {
     for (unsigned seed = 1; seed <= 5; ++seed) {
         TriangleMesh mesh = jittered(ball(), GetParam(), seed);
         const std::size_t cracks = edgeBalance(mesh).odd;
@@ -48,7 +48,7 @@ TEST_P(CrackWeldOf, CornersThatDifferInTheirLastDigits) {
 
 INSTANTIATE_TEST_SUITE_P(Roundings, CrackWeldOf, ::testing::Values(1e-17F, 1e-15F, 1e-9F, 1e-6F, 1e-5F, 1e-4F));
 
-TEST(CrackWeld, ASoundSurfaceKeepsEveryBit) {
+TEST(CrackWeld, AValidSurfaceKeepsEveryBit) {
     TriangleMesh mesh = ball();
     EXPECT_EQ(weldCracks(mesh).moved, 0u);
     EXPECT_EQ(mesh.vertices, ball().vertices);
@@ -73,8 +73,8 @@ TEST(CrackWeld, ASpeckFarAwayDoesNotWidenTheTolerance) {
     }
 }
 
-TEST(CrackWeld, NoEdgeIsWeldedAway) {
-    // Triangles of 0.4 um in a cracked surface: a tolerance of the usual size would take them all.
+TEST(CrackWeld, NoEdgeIsRemoved) {
+    // Triangles of 0.4 um in a cracked surface: the usual tolerance would remove them all.
     TriangleMesh mesh = jittered(test::sphere(Vec3(0, 0, 0), 9, 48, 32), 1e-7F, 4);
     const std::size_t large = mesh.triangles.size();
     const TriangleMesh tiny = test::sphere(Vec3(20, 0, 0), 2e-4, 600, 400);
@@ -86,7 +86,7 @@ TEST(CrackWeld, NoEdgeIsWeldedAway) {
 Triangle turnedBack(const Triangle& t) { return {t[0], t[2], t[1]}; }
 Triangle rotated(const Triangle& t) { return {t[1], t[2], t[0]}; }
 
-TEST(RemoveDuplicates, LeavesOneOfEqualsAndNoneOfPairsBackToBack) {
+TEST(RemoveDuplicates, LeavesOneOfEqualTrianglesAndNoneOfPairsBackToBack) {
     const TriangleMesh sound = ball();
     TriangleMesh mesh = sound;
     EXPECT_EQ(removeDuplicates(mesh), 0u);
@@ -116,7 +116,7 @@ TEST(RemoveDuplicates, AWholeBodyStoredThreeTimesIsOneBody) {
 
 TEST(RemoveDuplicates, TwoBoxesWithAWallInCommonBecomeOne) {
     TriangleMesh mesh = test::box(Vec3(0, 0, 0), Vec3(1, 1, 1));
-    TriangleMesh mirrored = mesh;  // in the plane of that wall, which it divides along the same diagonal
+    TriangleMesh mirrored = mesh;  // in the plane of that wall, which has the same diagonal
     for (Vec3f& vertex : mirrored.vertices) vertex.x() = 2 - vertex.x();
     for (Triangle& triangle : mirrored.triangles) triangle = turnedBack(triangle);
     append(mesh, mirrored);

@@ -12,13 +12,13 @@ namespace {
 
 TriangleMesh ball() { return test::sphere(Vec3(1, 2, 3), 5, 24, 16); }
 
-TEST(MeshRepair, ASoundSurfaceComesBackAsItWas) {
+TEST(MeshRepair, AValidSurfaceIsUnchanged) {
     const RepairedMesh mended = repaired(ball());
     EXPECT_EQ(mended.mesh.triangles, ball().triangles);
     EXPECT_FALSE(mended.report.changedAnything());
 }
 
-TEST(MeshRepair, TurnsWhatDisagrees) {
+TEST(MeshRepair, TurnsTrianglesThatDisagree) {
     TriangleMesh mesh = ball();
     for (std::size_t t = 0; t < mesh.triangles.size(); t += 5) std::swap(mesh.triangles[t][0], mesh.triangles[t][1]);
     const RepairedMesh mended = repaired(mesh);
@@ -33,7 +33,7 @@ TEST(MeshRepair, TurnsTheWholeOutward) {
     EXPECT_NEAR(reportOn(repaired(mesh).mesh).signedVolume, reportOn(ball()).signedVolume, 1e-9);
 }
 
-TEST(MeshRepair, LeavesTheWallOfAHollow) {
+TEST(MeshRepair, LeavesTheWallOfAVoid) {
     TriangleMesh hollow = test::sphere(Vec3(1, 2, 3), 2, 12, 8);
     for (Triangle& triangle : hollow.triangles) std::swap(triangle[0], triangle[1]);
     TriangleMesh mesh = ball();
@@ -42,7 +42,8 @@ TEST(MeshRepair, LeavesTheWallOfAHollow) {
 }
 
 TEST(MeshRepair, FillsSmallHolesOnly) {
-    TriangleMesh mesh = test::sphere(Vec3(1, 2, 3), 5, 48, 32);  // one triangle's rim is a tenth of the diagonal
+    // The boundary of one triangle is a tenth of the diagonal.
+    TriangleMesh mesh = test::sphere(Vec3(1, 2, 3), 5, 48, 32);
     mesh.triangles.erase(mesh.triangles.begin() + 200);
     const RepairedMesh mended = repaired(mesh);
     EXPECT_EQ(mended.report.filledHoles, 1u);
@@ -55,7 +56,7 @@ TEST(MeshRepair, FillsSmallHolesOnly) {
     EXPECT_EQ(repaired(mesh, {.holes = HolesToFill::None}).report.openHoles, 1u);
 }
 
-TEST(MeshRepair, DropsDoubledAndEmptyTrianglesAndCrumbs) {
+TEST(MeshRepair, DropsDuplicateAndEmptyTrianglesAndSpecks) {
     TriangleMesh mesh = ball();
     mesh.triangles.push_back(mesh.triangles.front());
     mesh.triangles.push_back({0, 0, 1});
@@ -67,7 +68,7 @@ TEST(MeshRepair, DropsDoubledAndEmptyTrianglesAndCrumbs) {
     EXPECT_EQ(mended.mesh.triangles, ball().triangles);
 }
 
-TEST(MeshRepair, PiecesComeLargestFirst) {
+TEST(MeshRepair, ComponentsComeLargestFirst) {
     TriangleMesh mesh = test::box(Vec3(9, 9, 9), Vec3(10, 10, 10));
     append(mesh, ball());
     const auto pieces = connectedComponents(mesh);

@@ -151,7 +151,7 @@ TEST(MeshReport, AHollowHasNegativeVolume) {
 TEST(MeshReport, BoxesThatShareAnEdgeAreStuckTogether) {
     TriangleMesh mesh = test::box(Vec3(0, 0, 0), Vec3(1, 1, 1));
     const TriangleMesh second = test::box(Vec3(1, 1, 0), Vec3(2, 2, 1));
-    // The second box takes over the first one's edge from (1,1,0) to (1,1,1): its vertices 0 and 4 become 3 and 7.
+    // The second box shares the first one's edge from (1,1,0) to (1,1,1): its vertices 0 and 4 become 3 and 7.
     for (Triangle triangle : second.triangles) {
         for (std::uint32_t& vertex : triangle) vertex = vertex == 0 ? 3 : vertex == 4 ? 7 : vertex + 8;
         mesh.triangles.push_back(triangle);

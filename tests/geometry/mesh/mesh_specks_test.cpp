@@ -17,11 +17,11 @@ void addTriangle(TriangleMesh& mesh, const Vec3f& a, const Vec3f& b, const Vec3f
     mesh.triangles.push_back({first, first + 1, first + 2});
 }
 
-/// What scans bring along beside the tooth.
+/// Typical specks of scans beside the tooth.
 TriangleMesh withSpeck(int kind) {
     TriangleMesh mesh = ball();
     switch (kind) {
-        case 0:  // a crumb
+        case 0:  // a tiny body
             append(mesh, test::box(Vec3(60, 0, 0), Vec3(60.1, 0.1, 0.1)));
             break;
         case 1:  // two equal corners
@@ -30,13 +30,13 @@ TriangleMesh withSpeck(int kind) {
         case 2:  // three corners in a line
             addTriangle(mesh, {0, 0, 0}, {0, 0, 1000}, {0, 0, 500});
             break;
-        case 3:  // longer than the tooth, and next to nothing wide
+        case 3:  // longer than the tooth, and almost without width
             addTriangle(mesh, {0, 0, 40}, {0, 0.001F, 40}, {0, 0, 80});
             break;
         case 4:  // all three corners one point
             addTriangle(mesh, {1e6F, 0, 0}, {1e6F, 0, 0}, {1e6F, 0, 0});
             break;
-        case 5:  // several crumbs, before the tooth in the file
+        case 5:  // several tiny bodies, before the tooth in the file
             mesh = test::sphere(Vec3(0, 0, 300), 0.1, 8, 6);
             append(mesh, test::box(Vec3(0, -200, 0), Vec3(0.05, -199.9, 0.1)));
             append(mesh, ball());
@@ -61,9 +61,9 @@ TEST_P(MeshSpecks, DoNotChangeTheBox) {
 
 INSTANTIATE_TEST_SUITE_P(Kinds, MeshSpecks, ::testing::Range(0, 6));
 
-TEST(MeshSpecks, HollowsAndSecondBodiesStay) {
+TEST(MeshSpecks, VoidsAndSecondBodiesStay) {
     TriangleMesh mesh = ball();
-    append(mesh, test::sphere(Vec3(1, 2, 3), 0.1, 8, 6));     // a bubble within
+    append(mesh, test::sphere(Vec3(1, 2, 3), 0.1, 8, 6));     // a bubble inside
     append(mesh, test::box(Vec3(20, 0, 0), Vec3(21, 1, 1)));  // a tenth as long
     mesh.triangles.push_back({0, 0, 1});                      // an empty triangle of the ball
     const TriangleMesh before = mesh;
@@ -71,8 +71,8 @@ TEST(MeshSpecks, HollowsAndSecondBodiesStay) {
     EXPECT_EQ(mesh.triangles, before.triangles);
 }
 
-TEST(MeshSpecks, OfTrianglesThatHangTogetherWithNothingNoneIsDropped) {
-    // A surface whose triangles were never joined: the largest of them is no body with specks around it.
+TEST(MeshSpecks, KeepsAllOfASurfaceOfIsolatedTriangles) {
+    // A surface whose triangles are not connected: the largest of them is not a body with specks around it.
     TriangleMesh mesh;
     for (int i = 0; i < 500; ++i) {
         const auto x = static_cast<float>(i), size = 0.01F * static_cast<float>(1 + i % 100);

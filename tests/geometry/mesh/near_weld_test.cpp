@@ -11,7 +11,7 @@
 namespace tactooth {
 namespace {
 
-TEST(NearWeld, JoinsWhatIsNearAndNothingElse) {
+TEST(NearWeld, JoinsNearVerticesOnly) {
     TriangleMesh mesh;
     mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.009F, 0, 0}, {1, 0.02F, 0}};
     mesh.triangles = {{0, 1, 2}, {3, 2, 4}};

@@ -28,7 +28,7 @@ double areaOf(const Outline& outline) {
     return area;
 }
 
-/// A face as a file gives it: welded positions and its corners.
+/// A face of a file: welded positions and corners.
 struct Face {
     std::vector<Vec3f> positions;
     std::vector<std::uint32_t> corners;
@@ -58,7 +58,7 @@ double areaOf(const Face& face, const std::vector<Triangle>& triangles) {
     return area;
 }
 
-/// The directed edges of the triangles that no other one of them cancels are those of the outline.
+/// The directed edges that no other triangle cancels are those of the outline.
 std::map<std::pair<std::uint32_t, std::uint32_t>, int> borderOf(const std::vector<Triangle>& triangles) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> border;
     for (const Triangle& t : triangles) {
@@ -193,7 +193,7 @@ TEST(PolygonTriangulator, AnArrowHeadIsSplitByTheDiagonalThatLiesInIt) {
 }
 
 TEST(PolygonTriangulator, CornersThatRoundingPutBesideALineMakeNoFlatTriangle) {
-    // Tenths, which no float is: the last three lie on one line as written, and not as rounded.
+    // Tenths, which are not exact in a float: the last three are on one line in the text, and not after rounding.
     for (const Outline& tenths : {Outline{{2, 4}, {1, 4}, {1, 3}, {2, 2}, {4, 2}, {3, 3}},
                                   Outline{{3, 7}, {0, 8}, {2, 1}, {6, 0}, {7, 3}, {4, 6}},
                                   Outline{{0, 4}, {2, 2}, {3, 1}, {1, 2}, {2, 1}, {5, 0}}}) {

@@ -15,7 +15,7 @@ namespace {
 TEST(ToCoordinate, RoundsToTheFloatThatTheTextNames) {
     std::mt19937_64 random(20261125);
     for (int round = 0; round < 200'000; ++round) {
-        // Texts beside the middle of two floats, where rounding twice goes wrong.
+        // Texts close to the middle of two floats, where double rounding fails.
         const auto bits = static_cast<std::uint32_t>(random());
         const auto low = std::bit_cast<float>(bits);
         if (!std::isfinite(low) || !std::isfinite(std::nextafter(low, 1e38F))) continue;

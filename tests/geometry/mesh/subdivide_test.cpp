@@ -19,7 +19,7 @@ double longestEdge(const TriangleMesh& mesh) {
     return longest;
 }
 
-/// Two triangles of a plate that leaves its edges open, and a third one on their common edge.
+/// Two triangles of an open plate, and a third one on their common edge.
 TriangleMesh threeOnOneEdge() {
     return {{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {2, 2, 0}, {0, 0, 2}}, {{0, 1, 2}, {1, 3, 2}, {1, 2, 4}}};
 }

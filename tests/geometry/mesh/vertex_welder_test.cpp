@@ -36,7 +36,7 @@ TEST(VertexWelder, NeighbouringFloatsStayApart) {
 TEST(VertexWelder, AgreesWithAnOrderedMapOnRandomPositions) {
     std::mt19937 random(20260101);
     std::map<std::array<float, 3>, std::uint32_t> oracle;
-    VertexWelder welder(1);  // too small on purpose: the table has to grow many times
+    VertexWelder welder(1);  // too small on purpose: the table has to grow several times
     std::size_t repeated = 0;
     for (int i = 0; i < 50000; ++i) {
         std::array<float, 3> position;

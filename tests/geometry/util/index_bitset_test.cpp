@@ -18,7 +18,7 @@ TEST(IndexBitset, TellsItsNumbersInAscendingOrderAndTheirPlaces) {
         for (std::size_t i = 0; i < bound / 3; ++i) expected.insert(static_cast<std::uint32_t>(random() % bound));
         for (const std::uint32_t number : expected) {
             set.add(number);
-            set.add(number);  // twice is as once
+            set.add(number);  // a second time has no effect
         }
         const std::vector<std::uint32_t> sorted = set.sorted();
         ASSERT_EQ(sorted, std::vector<std::uint32_t>(expected.begin(), expected.end())) << bound;

@@ -67,14 +67,14 @@ TEST_F(RecordingFile, RefusesAFileThatWasCutOff) {
     }
 }
 
-/// Four bytes, the least first.
+/// Four bytes, lowest first.
 std::string number(std::uint32_t value) {
     std::string bytes;
     for (int i = 0; i < 4; ++i) bytes += static_cast<char>(value >> (8 * i) & 0xff);
     return bytes;
 }
 
-/// The lengths of a WAV file, as its writer put them before it knew how much would come.
+/// The lengths in a WAV file whose writer did not know its length.
 struct Lengths {
     const char* writer;
     std::uint32_t file, samples;

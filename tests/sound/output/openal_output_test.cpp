@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// Runs on OpenAL's own "No Output" device: the whole way of the samples in real time, without being heard.
+// Runs on OpenAL's own "No Output" device: the complete path of the samples in real time, without sound.
 #include "sound/output/openal_output.h"
 
 #include <gtest/gtest.h>
@@ -94,7 +94,7 @@ TEST(OpenAlOutput, FromAParameterToItsSampleItTakesAtMostThirtyMilliseconds) {
         std::this_thread::sleep_for(1ms);
     }
     std::sort(latencies.begin(), latencies.end());
-    EXPECT_GT(latencies.front(), 0.005);  // less than the device holds would be a wrong measure
+    EXPECT_GT(latencies.front(), 0.005);  // less than the buffer of the device would be a wrong measurement
     EXPECT_LT(latencies[latencies.size() / 2], 0.030);
     if (test::isSanitized()) return;  // its threads come late
     EXPECT_LT(latencies[latencies.size() * 95 / 100], 0.030);

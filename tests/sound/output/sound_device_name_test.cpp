@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// Runs beside openal_output_test.cpp, which has chosen OpenAL's null driver for this program.
+// Runs beside openal_output_test.cpp, which has selected OpenAL's null driver for this program.
 #include "sound/output/sound_device_name.h"
 
 #include <gtest/gtest.h>

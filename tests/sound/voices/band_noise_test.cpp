@@ -31,7 +31,7 @@ TEST(BandNoise, LoudnessDoesNotDependOnTheBand) {
 }
 
 TEST(BandNoise, HalfPowerPointsAreWhereTheWidthSays) {
-    // Well below half the rate, where the bilinear transform's squeeze does not yet matter.
+    // Well below half the rate, where the compression of the bilinear transform does not matter.
     const Spectrum spectrum = averageSpectrum(noiseIn(1000.0, 1.0), 2048);
     const auto around = [&](double hz) { return spectrum.bandPower(hz - 47.0, hz + 47.0); };
     EXPECT_NEAR(decibel(around(1000.0 / std::sqrt(2.0)) / around(1000.0)), -3.0, 0.8);

@@ -18,7 +18,7 @@ using namespace test;
 
 constexpr double kRev = 1.0 / 60.0;  // turns a second for each rev/min
 
-// Frequency of the rotation's tone around the time `at`, looked for within +-8 % of `expected`.
+// Frequency of the tone of the rotation around the time `at`, searched within +-8 % of `expected`.
 double toneNear(const std::vector<float>& sound, double at, double expected, std::size_t window) {
     const auto middle = static_cast<std::size_t>(at * kSoundRate) + DrillSynthesiser::kDelay;
     const Spectrum spectrum = spectrumOf(std::span(sound).subspan(middle - window / 2, window));
@@ -60,7 +60,7 @@ TEST(DrillSynthesiser, ToneFollowsALoadStepWhileCutting) {
 }
 
 TEST(DrillSynthesiser, NoLineThatIsNotOneOfTheMotorsOwn) {
-    // Coasting, so that no hiss covers anything. Folded overtones would be the first to show.
+    // Without drive air, so that hiss covers nothing. Aliased overtones would be seen first.
     for (double rpm = 60000.0; rpm <= 500000.0; rpm += 31000.0) {
         DrillSoundState state = spinning(rpm, 0.0);
         state.load = 1.0;
@@ -78,7 +78,7 @@ TEST(DrillSynthesiser, NoLineThatIsNotOneOfTheMotorsOwn) {
 }
 
 TEST(DrillSynthesiser, NoFoldedLineWhileSweepingFromStandstillToTheTop) {
-    // Every tone ends below 21 kHz: above it nothing may be left, wherever the sweep is.
+    // Every tone ends below 21 kHz: above it nothing may remain, at any time of the sweep.
     DrillSynthesiser synthesiser;
     const auto sound = renderDrill(synthesiser, 2.0, [](double t) { return spinning(250000.0 * t, 0.0); });
     for (std::size_t start = 4096; start + 4096 <= sound.size(); start += 4096) {
@@ -87,7 +87,7 @@ TEST(DrillSynthesiser, NoFoldedLineWhileSweepingFromStandstillToTheTop) {
     }
 }
 
-// Loudest frame of the ultrasonic rest, where only clicks (or folded tones) have anything.
+// Loudest frame of the ultrasonic rest, which only clicks (or aliased tones) reach.
 double loudestClick(std::span<const float> sound) {
     constexpr std::size_t kFrame = 512;
     double top = 0.0;
@@ -134,7 +134,7 @@ TEST(DrillSynthesiser, NoSuddenChangeOfTheMotorClicks) {
 }
 
 TEST(DrillSynthesiser, NoSuddenChangeOfTheCutClicks) {
-    // Noise jumps anyway: no jump at a change may exceed what steady cutting in enamel, the brightest, reaches.
+    // Noise jumps anyway: no jump at a change may exceed that of steady cutting in enamel, the brightest material.
     const float steady = largestJump(steadySound(cutting("enamel", 15.0), 4.0));
     const std::vector<DrillSoundState> states{cutting("enamel", 15.0), cutting("dentin", 15.0), cutting("caries", 1.0),
                                               spinning(300000.0),      cutting("caries", 15.0), cutting("enamel", 0.1),
@@ -180,7 +180,7 @@ TEST(DrillSynthesiser, StallLeavesTheAirAlone) {
     EXPECT_GT(rms(steadySound(spinning(0.0), 0.5)), 0.005);
 }
 
-// How much the loudness swings some tens of times a second, over its mean.
+// Modulation of the loudness some tens of times a second, relative to its mean.
 double chatterOf(double load) {
     DrillSoundState state = cutting("enamel", 6.0);
     state.load = load;

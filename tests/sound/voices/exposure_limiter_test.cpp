@@ -24,7 +24,7 @@ std::vector<float> sine(double hz, double amplitude, double seconds) {
     return samples;
 }
 
-// dB of the curve at a frequency.
+// The curve at a frequency, dB.
 double weightAt(double hz) {
     AWeighting weighting;
     std::vector<float> samples = sine(hz, 1.0, 1.0);
@@ -41,7 +41,7 @@ TEST(AWeighting, IsTheCurveOfTheStandard) {
     EXPECT_NEAR(weightAt(10000.0), -2.5, 0.1);
 }
 
-// Mean level of each second that comes out, dB of full scale.
+// Mean level of each second of the output, dB of full scale.
 std::vector<double> levelsUnderTheLimit(const std::vector<float>& second, int seconds) {
     ExposureLimiter cap;
     std::vector<double> levels;

@@ -12,7 +12,7 @@ namespace {
 
 using namespace test;
 
-// The sound of one landing on a material with a still instrument.
+// The sound of one impact on a material with an instrument at rest.
 std::vector<float> tapOn(const char* material, double speed) {
     DrillSynthesiser synthesiser;
     DrillSoundState state;

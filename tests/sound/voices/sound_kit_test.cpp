@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Recordings in the place of synthesised sounds.
+// Recordings that replace synthesised sounds.
 #include "sound/voices/sound_kit.h"
 
 #include <gtest/gtest.h>

@@ -13,7 +13,7 @@ namespace {
 
 using namespace test;
 
-// What comes from each place.
+// The sound of each source.
 std::array<std::vector<float>, kSoundSources> rendered(Soundscape& soundscape, const DrillSoundState& state,
                                                        double seconds) {
     std::array<std::vector<float>, kSoundSources> sounds;
