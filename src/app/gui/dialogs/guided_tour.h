@@ -6,7 +6,8 @@
 #include <QTimer>
 #include <vector>
 
-#include "app/gui/model/session_model.h"
+#include "app/gui/input/viewport.h"
+#include "session/model/session_model.h"
 
 namespace tactooth {
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "app/gui/dialogs/import_dialog.h"
-#include "app/gui/model/session_parts.h"
-#include "app/gui/model/task.h"
+#include "session/model/session_tooth.h"
+#include "session/model/task.h"
 
 namespace tactooth {
 

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "app/common/spin_blur.h"
+#include "app/gui/scene/session_scene.h"
 
 namespace tactooth {
 namespace {
@@ -47,7 +48,7 @@ ToothView::ToothView(SessionModel& model, QWidget* parent)
     rest_.setSingleShot(true);
     connect(&rest_, &QTimer::timeout, this, [this] {
         // On a slow computer the next quick picture may just be late: a careful one now would make it later still.
-        careful_ = changeTo(model_.contents(showsTurbine_, showsMirror_)) == FramePacer::Change::None;
+        careful_ = changeTo(sceneContents(model_, showsTurbine_, showsMirror_)) == FramePacer::Change::None;
         if (careful_) {
             redraw();
         } else {
@@ -106,7 +107,7 @@ void ToothView::redraw() {
 
 void ToothView::paintGL() {
     if (!renderer_ || failed_) return;
-    SceneContents contents = model_.contents(showsTurbine_, showsMirror_);
+    SceneContents contents = sceneContents(model_, showsTurbine_, showsMirror_);
     if (!std::exchange(isStale_, false) && changeTo(contents) == FramePacer::Change::None) return;
     contents.camera = camera_.camera();
     drawn_ = contents;
@@ -183,7 +184,7 @@ bool ToothView::seesTip(const SceneContents& now) const {
 
 void ToothView::refresh() {
     secondFrame_->setVisible(drawsSecond());  // a tooth has come
-    const FramePacer::Change change = changeTo(model_.contents(showsTurbine_, showsMirror_));
+    const FramePacer::Change change = changeTo(sceneContents(model_, showsTurbine_, showsMirror_));
     if (sinceDrawn_.isValid() && !framePacer_.isDue(change, static_cast<double>(sinceDrawn_.elapsed()))) return;
     change_ = change;
     redraw();
@@ -223,7 +224,7 @@ void ToothView::centreOn(const Vec3& place) {
 }
 
 void ToothView::resetView() {
-    camera_.setView(model_.defaultView());
+    camera_.setView(defaultView(model_));
     redraw();
 }
 
@@ -295,7 +296,7 @@ void ToothView::moveHand(const Vec2& to, Qt::KeyboardModifiers with) {
     } else if (model_.manipulator().isPressing()) {
         model_.manipulator().drag(viewport(), to);
     } else {
-        model_.manipulator().aim(viewport(), to, *model_.felt());
+        model_.manipulator().aim(viewport(), to, *touchableSurface(model_));
     }
 }
 

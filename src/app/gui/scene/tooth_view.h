@@ -7,9 +7,11 @@
 #include <QTimer>
 
 #include "app/common/inspection.h"
-#include "app/gui/model/session_model.h"
+#include "app/common/scene_builder.h"
+#include "app/gui/input/viewport.h"
 #include "app/gui/scene/frame_pacer.h"
 #include "app/gui/scene/second_view_frame.h"
+#include "session/model/session_model.h"
 #include "view/camera/orbit_camera.h"
 #include "view/render/renderer.h"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
-// SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/gui/input/surface_ray.h"
+// SPDX-License-Identifier: Apache-2.0
+#include "session/model/surface_ray.h"
 
 #include <array>
 #include <cmath>
@@ -30,7 +30,7 @@ double alongRay(const Ray& ray, const Triangle3& triangle) {
     return u >= 0 && v >= 0 && u + v <= 1 && t >= 0 ? t : kNever;
 }
 
-/// Where the ray enters child `i` of a node; never if it passes the box by, or enters it after `best`.
+/// Distance to the entry into child `i` of a node; kNever if the ray misses the box or enters it after `best`.
 double entry(const AabbTree::Node& node, int i, const Ray& ray, double best) {
     if (!(node.low[0][i] <= node.high[0][i])) return kNever;
     double enter = 0;

@@ -1,26 +1,26 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
-// SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/gui/input/mouse_manipulator.h"
+// SPDX-License-Identifier: Apache-2.0
+#include "session/model/mouse_manipulator.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "app/common/scene_builder.h"
-#include "app/gui/input/surface_ray.h"
+#include "session/model/instrument_poses.h"
+#include "session/model/surface_ray.h"
 
 namespace tactooth {
 namespace {
 
-constexpr double kHover = 1.5;            // mm over the tooth while aiming: near enough to see what will be touched
+constexpr double kHover = 1.5;            // mm above the tooth while aiming: the user still sees what will be touched
 constexpr double kApproach = 15;          // mm/s toward the tooth: a careful hand
-constexpr double kMaxPull = 2;            // mm sideways between hand and tool: beyond, the hand slips along
-constexpr double kCaught = 0.3;           // mm that a tool stays behind a hand that does not press: more than it slides
-constexpr double kRetract = 60;           // mm/s along the shaft: quick, as a hand lifts off
-constexpr double kAlongShaft = 0.4;       // cosine between view and shaft from which pressing goes along the shaft
-constexpr double kMostLean = 1.6;         // rad from upright: lying down, as at the neck of a tooth
+constexpr double kMaxPull = 2;            // mm sideways between hand and tool; beyond it the hand slips
+constexpr double kCaught = 0.3;           // mm between the tool and a hand that does not press: the tool is caught
+constexpr double kRetract = 60;           // mm/s along the shaft: as fast as a hand lifts off
+constexpr double kAlongShaft = 0.4;       // cosine between view and shaft; above it pressing goes along the shaft
+constexpr double kMaxTilt = 1.6;          // rad from upright: lying, as at the neck of a tooth
 constexpr double kTiltPerPixel = 0.006;   // rad
-constexpr double kHandleRotation = 0.45;  // rad toward lingual: away from the usual view, hiding nothing of the crown
+constexpr double kHandleRotation = 0.45;  // rad toward lingual: the handle hides nothing of the crown from buccal
 
 }  // namespace
 
@@ -31,23 +31,24 @@ MouseManipulator::MouseManipulator(const Box3& tooth, double mesialX)
       handle_(uprightGrip(mesialX, kHandleRotation)),
       aimedAt_(tip_) {}
 
-/// Along the shaft where one looks down on the tooth, else away from the eye: a wall is pressed from the side.
-void MouseManipulator::choosePressDirection(const Viewport& picture) {
+/// Along the shaft if the user looks down on the tooth; else along the line of sight, so that walls are pressed from
+/// the side.
+void MouseManipulator::choosePressDirection(const PointerView& picture) {
     const Vec3 shaft = handle_ * -Vec3::UnitZ();
-    const Vec3 view = picture.camera.cameraInWorld.rotation * -Vec3::UnitZ();
+    const Vec3 view = picture.cameraRotation() * -Vec3::UnitZ();
     pressDirection_ = shaft.dot(view) > kAlongShaft ? shaft : view;
 }
 
-Vec3 MouseManipulator::onPlane(const Viewport& picture, const Vec2& pixel) const {
-    const Ray ray = rayThrough(picture.camera, picture.size, pixel);
+Vec3 MouseManipulator::onPlane(const PointerView& picture, const Vec2& pixel) const {
+    const Ray ray = picture.rayThrough(pixel);
     const double slope = ray.direction.dot(pressDirection_);
     constexpr double kFlattest = 0.1;  // a ray nearly along the plane would throw the hand far away
     return ray.origin + (tip_ - ray.origin).dot(pressDirection_) / std::max(slope, kFlattest) * ray.direction;
 }
 
-void MouseManipulator::aim(const Viewport& picture, const Vec2& pixel, const Surface& surface) {
+void MouseManipulator::aim(const PointerView& picture, const Vec2& pixel, const Surface& surface) {
     choosePressDirection(picture);
-    const Ray ray = rayThrough(picture.camera, picture.size, pixel);
+    const Ray ray = picture.rayThrough(pixel);
     const auto hit = firstHit(surface, ray);
     const Vec3 wanted =
         hit ? Vec3(ray.origin + *hit * ray.direction - kHover * pressDirection_) : onPlane(picture, pixel);
@@ -56,14 +57,14 @@ void MouseManipulator::aim(const Viewport& picture, const Vec2& pixel, const Sur
     if (!retracting_) tip_ = aimedAt_;
 }
 
-void MouseManipulator::press(const Viewport& picture, const Vec2& pixel) {
+void MouseManipulator::press(const PointerView& picture, const Vec2& pixel) {
     choosePressDirection(picture);
     pressing_ = true;
     retracting_ = false;
     grabbed_ = pixel;
 }
 
-void MouseManipulator::drag(const Viewport& picture, const Vec2& pixel) {
+void MouseManipulator::drag(const PointerView& picture, const Vec2& pixel) {
     tip_ += onPlane(picture, pixel) - onPlane(picture, grabbed_);
     grabbed_ = pixel;
 }
@@ -104,14 +105,14 @@ Vec3 MouseManipulator::clampedToWorkspace(const Vec3& tip) const {
 
 void MouseManipulator::setPressDepth(double depth) { pressDepth_ = std::clamp(depth, 0.0, kMaxPressDepth); }
 
-void MouseManipulator::tilt(const Viewport& picture, const Vec2& pixels) {
-    const Quat& eye = picture.camera.cameraInWorld.rotation;
-    const Vec3 way = eye * Vec3(pixels.x(), -pixels.y(), 0);
+void MouseManipulator::tilt(const PointerView& picture, const Vec2& pixels) {
+    const Quat eye = picture.cameraRotation();
+    const Vec3 displacement = eye * Vec3(pixels.x(), -pixels.y(), 0);
     const Vec3 shaft = handle_ * Vec3::UnitZ();
-    const Vec3 axis = shaft.cross(way);
+    const Vec3 axis = shaft.cross(displacement);
     if (axis.norm() == 0) return;
-    const Quat leaned = Quat(Eigen::AngleAxisd(kTiltPerPixel * axis.norm(), axis.normalized())) * handle_;
-    if ((leaned * Vec3::UnitZ()).z() >= std::cos(kMostLean)) handle_ = leaned.normalized();
+    const Quat tilted = Quat(Eigen::AngleAxisd(kTiltPerPixel * axis.norm(), axis.normalized())) * handle_;
+    if ((tilted * Vec3::UnitZ()).z() >= std::cos(kMaxTilt)) handle_ = tilted.normalized();
 }
 
 void MouseManipulator::rotateHandle(double angle) {

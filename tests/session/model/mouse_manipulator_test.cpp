@@ -1,33 +1,58 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
-// SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/gui/input/mouse_manipulator.h"
+// SPDX-License-Identifier: Apache-2.0
+#include "session/model/mouse_manipulator.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
+#include "session/model/instrument_poses.h"
 #include "support/shapes.h"
-#include "view/camera/orbit_camera.h"
 
 namespace tactooth {
 namespace {
 
 const Box3 kTooth(Vec3(-5, -5, -10), Vec3(5, 5, 5));
 
+/// A pinhole camera that looks at the origin's neighbourhood, 1000 x 800 pixels.
+class Pinhole final : public PointerView {
+public:
+    explicit Pinhole(const ViewDirection& view = {1.2, 0.8}) {
+        constexpr double kDistance = 60;  // mm
+        const Vec3 back = directionToEye(view);
+        const Vec3 right = Vec3::UnitZ().cross(back).normalized();
+        Mat3 axes;
+        axes << right, back.cross(right), back;
+        rotation_ = Quat(axes);
+        eye_ = kDistance * back;
+    }
+    [[nodiscard]] Ray rayThrough(const Vec2& pixel) const override {
+        const Vec3 inCamera((pixel.x() - 500) / kFocal, (400 - pixel.y()) / kFocal, -1);
+        return {eye_, (rotation_ * inCamera).normalized()};
+    }
+    [[nodiscard]] Quat cameraRotation() const override { return rotation_; }
+    [[nodiscard]] Vec2 pixelOf(const Vec3& point) const {
+        const Vec3 inCamera = rotation_.conjugate() * (point - eye_);
+        return {500 - kFocal * inCamera.x() / inCamera.z(), 400 + kFocal * inCamera.y() / inCamera.z()};
+    }
+
+private:
+    static constexpr double kFocal = 1800;  // pixels
+    Quat rotation_;
+    Vec3 eye_;
+};
+
 class MouseManipulatorTest : public testing::Test {
 protected:
     MouseManipulatorTest() {
         surface_.base = std::make_shared<const SurfacePart>(test::box(kTooth.min(), kTooth.max()));
-        orbit_.fit(kTooth, 1.25);
-        queryFrom({1.2, 0.8});
     }
-    void queryFrom(OrbitCamera::Direction direction) {
-        orbit_.setView(direction);
-        picture_ = {orbit_.camera(), {1000, 800}};
-    }
-    Vec2 pixelOf(const Vec3& point) const { return *project(picture_.camera, picture_.size, point); }
+    void lookFrom(const ViewDirection& direction) { picture_ = Pinhole(direction); }
+    [[nodiscard]] Vec2 pixelOf(const Vec3& point) const { return picture_.pixelOf(point); }
 
     Surface surface_;
-    OrbitCamera orbit_;
-    Viewport picture_;
+    Pinhole picture_;
     MouseManipulator hand_{kTooth, 1};
 };
 
@@ -94,9 +119,9 @@ TEST_F(MouseManipulatorTest, LettingGoLiftsTheToolOffTheTooth) {
 }
 
 TEST_F(MouseManipulatorTest, AWallSeenFromTheSideIsPressedFromTheSide) {
-    queryFrom({std::numbers::pi / 2, 0});
+    lookFrom({std::numbers::pi / 2, 0});
     hand_.aim(picture_, pixelOf(Vec3(0, 5, 0)), surface_);
-    EXPECT_NEAR(hand_.down().y(), -1, 1e-9);
+    EXPECT_NEAR(hand_.pressDirection().y(), -1, 1e-9);
     EXPECT_NEAR(hand_.pose().position.y(), 6.5, 1e-6);
 }
 
@@ -119,7 +144,7 @@ TEST_F(MouseManipulatorTest, LeaningKeepsTheTipAndStopsWhenTheShaftLiesDown) {
 }
 
 TEST_F(MouseManipulatorTest, TheHandStaysNearTheTooth) {
-    hand_.aim(picture_, Vec2(0, 0), surface_);
+    hand_.aim(picture_, Vec2(-300, 0), surface_);
     EXPECT_LE(hand_.pose().position.x(), kTooth.max().x() + 6);
     EXPECT_GE(hand_.pose().position.x(), kTooth.min().x() - 6);
 }
@@ -148,6 +173,33 @@ TEST_F(MouseManipulatorTest, APlaceThatCannotBeReachedIsTriedOnce) {
     hand_.advance(0.016, Vec3(0, 0, 8), 5);  // drawn out as far as need be
     for (int i = 0; i < 5; ++i) hand_.advance(0.016, Vec3(0, 0, 3), 5);
     EXPECT_EQ(hand_.pose().position, aimed);
+}
+
+TEST_F(MouseManipulatorTest, StartsAboveTheMiddleOfTheTooth) {
+    EXPECT_EQ(hand_.pose().position.head<2>(), kTooth.center().head<2>());
+    EXPECT_GT(hand_.pose().position.z(), kTooth.max().z());
+    EXPECT_FALSE(hand_.isPressing());
+}
+
+TEST_F(MouseManipulatorTest, ReleasingAHandThatDoesNotPressMovesNothing) {
+    const Pose before = hand_.pose();
+    hand_.release();
+    EXPECT_EQ(hand_.pose().position, before.position);
+}
+
+TEST_F(MouseManipulatorTest, TurningTheHandleKeepsTipAndShaft) {
+    const Pose before = hand_.pose();
+    hand_.rotateHandle(0.5);
+    EXPECT_EQ(hand_.pose().position, before.position);
+    EXPECT_LT((hand_.pose().rotation * Vec3::UnitZ() - Vec3::UnitZ()).norm(), 1e-12);
+    EXPECT_NEAR(hand_.pose().rotation.angularDistance(before.rotation), 0.5, 1e-12);
+}
+
+TEST_F(MouseManipulatorTest, OnTheOtherSideTheHandleLeavesTheOtherWay) {
+    const MouseManipulator other(kTooth, -1);
+    const Vec3 one = hand_.pose().rotation * Vec3::UnitX();
+    const Vec3 opposite = other.pose().rotation * Vec3::UnitX();
+    EXPECT_LT((opposite - Vec3(-one.x(), one.y(), one.z())).norm(), 1e-12);
 }
 
 }  // namespace

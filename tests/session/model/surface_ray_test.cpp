@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
-// SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/gui/input/surface_ray.h"
+// SPDX-License-Identifier: Apache-2.0
+#include "session/model/surface_ray.h"
 
 #include <gtest/gtest.h>
 
