@@ -42,8 +42,8 @@ void DeviceSession::waitUntilRead() const {
     const long before = exchanges();
     QTRY_VERIFY_WITH_TIMEOUT(exchanges() > before + kOnTheWay, kTimeout);
     for (int step = 0; step < 3; ++step) {  // the window's: one sends, one hears, and one may have been under way
-        const double time = window_->model().newest().time;
-        QTRY_VERIFY_WITH_TIMEOUT(window_->model().newest().time > time, kTimeout);
+        const double time = window_->model().log().newest().time;
+        QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().time > time, kTimeout);
     }
 }
 
@@ -64,7 +64,7 @@ void DeviceSession::clickButton(int button) const {
 /// A device that is lost stays where it was, and may come back later: see lean.
 void DeviceSession::liftOff() const {
     moveHand(0, kAbove);
-    (void)QTest::qWaitFor([this] { return force() == 0 && window_->model().newest().contacts == 0; }, 3000);
+    (void)QTest::qWaitFor([this] { return force() == 0 && window_->model().log().newest().contacts == 0; }, 3000);
 }
 
 /// A machine that stalls makes the device let go, and only who lifts off feels it again.
@@ -80,7 +80,7 @@ void DeviceSession::lean() const {
 
 void DeviceSession::touchTheTooth() const {
     lean();
-    QTRY_VERIFY(window_->model().newest().contacts > 0);
+    QTRY_VERIFY(window_->model().log().newest().contacts > 0);
     QCOMPARE(removed(), 0.0);
     const auto isOn = [this] {
         if (!state().contains("The force is on")) lean();
@@ -92,10 +92,10 @@ void DeviceSession::touchTheTooth() const {
 void DeviceSession::cutByButtonAndPedal(int button, double seconds) const {
     liftOff();
     clickButton(button);
-    QTRY_VERIFY_WITH_TIMEOUT(window_->model().newest().cutting, kTimeout);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().cutting, kTimeout);
     auto* pedal = window_->findChild<QCheckBox*>("keepPedal");
     pedal->setChecked(true);
-    QTRY_VERIFY_WITH_TIMEOUT(window_->model().newest().speedRpm > 300'000, kTimeout);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().speedRpm > 300'000, kTimeout);
     const double before = removed();
     QElapsedTimer since;
     since.start();
@@ -108,7 +108,7 @@ void DeviceSession::cutByButtonAndPedal(int button, double seconds) const {
     pedal->setChecked(false);
     liftOff();
     clickButton(button);
-    QTRY_VERIFY_WITH_TIMEOUT(!window_->model().newest().cutting, kTimeout);
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->model().log().newest().cutting, kTimeout);
 }
 
 void DeviceSession::takeTheMirrorByButton(int button) const {
@@ -133,8 +133,8 @@ void DeviceSession::breakMidPress(int fault, const QString& sentence, std::optio
     lean();
     const double before = removed();
     const Simulator* const session = window_->model().simulator();
-    const std::size_t events = window_->model().events().all().size();
-    const double began = window_->model().newest().time;
+    const std::size_t events = window_->model().log().events().all().size();
+    const double began = window_->model().log().newest().time;
     setFault(fault);
     QTRY_VERIFY2_WITH_TIMEOUT(state().contains(sentence), qPrintable(state()), kTimeout);
     QTRY_VERIFY2_WITH_TIMEOUT(hint().contains(sentence), qPrintable(hint()), kTimeout);
@@ -147,8 +147,8 @@ void DeviceSession::breakMidPress(int fault, const QString& sentence, std::optio
     QTRY_VERIFY2_WITH_TIMEOUT(!state().contains(sentence), qPrintable(state()), kTimeout);
     QCOMPARE(dismissMessages(), QString());  // which would take the keys and the pedal
     QCOMPARE(removed(), before);
-    QVERIFY(window_->model().simulator() == session && window_->model().newest().time > began);
-    QVERIFY(window_->model().events().all().size() >= events);
+    QVERIFY(window_->model().simulator() == session && window_->model().log().newest().time > began);
+    QVERIFY(window_->model().log().events().all().size() >= events);
     lean();
 }
 

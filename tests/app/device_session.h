@@ -32,7 +32,7 @@ protected:
     [[nodiscard]] QString hint() const;
     /// What the messages in front say, which are closed.
     [[nodiscard]] QString dismissMessages() const;
-    [[nodiscard]] Vec3 toolTip() const { return window_->model().newest().hand.position; }
+    [[nodiscard]] Vec3 toolTip() const { return window_->model().log().newest().hand.position; }
     [[nodiscard]] Vec3 mirrorMotion() const { return window_->model().simulator()->mirrorMotion().position; }
     void chooseDevice(const char* list, const QString& name) const;
 

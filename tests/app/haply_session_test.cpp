@@ -60,7 +60,7 @@ void HaplySessionTest::initTestCase() {
     settings.hand.device = "inverse3";  // as by --device inverse3
     window_->apply(settings);
     waitForTooth();
-    QTRY_VERIFY_WITH_TIMEOUT(window_->model().device() != nullptr, 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().devices().first() != nullptr, 20000);
 }
 
 void HaplySessionTest::theArmTakesTheTool() {
@@ -74,9 +74,9 @@ void HaplySessionTest::theArmTakesTheTool() {
 
 void HaplySessionTest::theGripTurnsTheBur() {
     liftOff();
-    const Vec3 shaft = window_->model().newest().hand.rotation * Vec3::UnitZ();
+    const Vec3 shaft = window_->model().log().newest().hand.rotation * Vec3::UnitZ();
     const auto leansBy = [&](double cosine) {
-        const Vec3 now = window_->model().newest().hand.rotation * Vec3::UnitZ();
+        const Vec3 now = window_->model().log().newest().hand.rotation * Vec3::UnitZ();
         return std::abs(now.dot(shaft) - cosine) < 1e-3;
     };
     const double half = 0.25;  // rad
@@ -168,11 +168,11 @@ void HaplySessionTest::aServiceThatCannotBeUsedLeavesTheMouseAndSaysWhatToDo() {
     QFETCH(const QString, device);
     QFETCH(const QString, sentence);
     service_.setFault(fault);
-    window_->openFirstDevice(device);
+    window_->devices().openFirst(device);
     QString said;
     QTRY_VERIFY_WITH_TIMEOUT((said += dismissMessages()).contains(sentence), 20000);
     QCOMPARE(window_->findChild<QComboBox*>("devices")->currentData(), QVariant("mouse"));
-    QVERIFY(window_->model().device() == nullptr);
+    QVERIFY(window_->model().devices().first() == nullptr);
 }
 
 }  // namespace tactooth

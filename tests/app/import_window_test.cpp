@@ -77,7 +77,7 @@ void ImportWindowTest::waitForImportNotes(const QString& words) {
 
 void ImportWindowTest::waitForToothNamed(const std::string& name) {
     QTRY_VERIFY_WITH_TIMEOUT(
-        !window_->model().isBusy() && window_->model().simulator() != nullptr && window_->model().tooth()->name == name,
+        !window_->isBusy() && window_->model().simulator() != nullptr && window_->model().tooth()->name == name,
         120000);
 }
 
@@ -145,7 +145,7 @@ void ImportWindowTest::theWindowStaysAliveWhileTheLayersAreMade() {
 }
 
 void ImportWindowTest::theImportCanBeCancelled() {
-    window_->loadBuiltinTooth(kBuiltinTeeth.front());
+    window_->teeth().loadBuiltinTooth(kBuiltinTeeth.front());
     waitForToothNamed(kBuiltinTeeth.front().name);
     drop({scan_});
     waitForImportNotes("Units taken as cm");

@@ -55,8 +55,8 @@ private:
     void choose(const QAction* entry);
     [[nodiscard]] static QMenu* menu() { return qobject_cast<QMenu*>(QApplication::activePopupWidget()); }
     [[nodiscard]] QAction* entry(const QString& text) const;
-    [[nodiscard]] Pose tool() const { return window_->model().newest().hand; }
-    [[nodiscard]] bool isCutting() const { return window_->model().newest().cutting; }
+    [[nodiscard]] Pose tool() const { return window_->model().log().newest().hand; }
+    [[nodiscard]] bool isCutting() const { return window_->model().log().newest().cutting; }
     [[nodiscard]] QString hint() const { return window_->findChild<ElidedLabel*>("hint")->text(); }
 
     std::unique_ptr<test::VirtualPad> pad_;
@@ -96,7 +96,7 @@ void PadSessionTest::liftOff() {
     stick(SDL_CONTROLLER_AXIS_TRIGGERRIGHT, -1);
     stick(SDL_CONTROLLER_AXIS_LEFTX, 0);
     hold(SDL_CONTROLLER_BUTTON_LEFTSHOULDER, 300);
-    QTRY_COMPARE_WITH_TIMEOUT(window_->model().newest().contacts, 0U, 10000);
+    QTRY_COMPARE_WITH_TIMEOUT(window_->model().log().newest().contacts, 0U, 10000);
 }
 
 QAction* PadSessionTest::entry(const QString& text) const {
@@ -137,7 +137,7 @@ void PadSessionTest::initTestCase() {
     settings.hand.device = "gamepad";
     window_->apply(settings);
     window_->welcome();
-    QTRY_VERIFY_WITH_TIMEOUT(window_->model().device() != nullptr, 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().devices().first() != nullptr, 20000);
     waitForTooth();
     QApplication::setActiveWindow(window_->findChild<WelcomeDialog*>());  // a bare X server has nobody who would do it
 }
@@ -161,7 +161,7 @@ void PadSessionTest::theWelcomeIsAnsweredByThePad() {
 
 void PadSessionTest::theToothIsTouchedWithinHalfAMinute() {
     stick(SDL_CONTROLLER_AXIS_TRIGGERLEFT, 0.2);
-    QTRY_VERIFY_WITH_TIMEOUT(window_->model().newest().contacts > 0, 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().contacts > 0, 20000);
     QVERIFY2(sinceOpened_.elapsed() < 30000, qPrintable(QString::number(sinceOpened_.elapsed())));
     QCOMPARE(removed(), 0.0);
     liftOff();
@@ -171,7 +171,7 @@ void PadSessionTest::theToothIsCut() {
     press(SDL_CONTROLLER_BUTTON_A);
     QTRY_VERIFY_WITH_TIMEOUT(isCutting(), 5000);
     stick(SDL_CONTROLLER_AXIS_TRIGGERRIGHT, 1);
-    QTRY_VERIFY_WITH_TIMEOUT(window_->model().newest().speedRpm > 200'000, 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().speedRpm > 200'000, 10000);
     stick(SDL_CONTROLLER_AXIS_TRIGGERLEFT, 0.3);
     QElapsedTimer since;
     since.start();
@@ -298,7 +298,7 @@ void PadSessionTest::anotherBurIsTakenInTheDrillBar() {
     press(SDL_CONTROLLER_BUTTON_DPAD_DOWN);
     press(SDL_CONTROLLER_BUTTON_A);
     QTRY_VERIFY(QApplication::activePopupWidget() == nullptr);
-    QTRY_VERIFY_WITH_TIMEOUT(!window_->model().isBusy() && window_->model().bur()->name != before, 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->isBusy() && window_->model().bur()->name != before, 20000);
 }
 
 void PadSessionTest::aParameterIsChangedInAPanel() {
@@ -335,8 +335,8 @@ void PadSessionTest::aFileIsAskedForByADialogThatThePadReaches() {
 }
 
 void PadSessionTest::withTheMouseThePadOpensNothing() {
-    window_->openFirstDevice("mouse");
-    QTRY_VERIFY(window_->model().device() == nullptr);
+    window_->devices().openFirst("mouse");
+    QTRY_VERIFY(window_->model().devices().first() == nullptr);
     press(SDL_CONTROLLER_BUTTON_START);
     QTest::qWait(200);
     QVERIFY(menu() == nullptr);

@@ -113,7 +113,7 @@ void PenSessionTest::eachHandMayChooseAPenByItsName() {
 void PenSessionTest::anUncalibratedPenAsksForItsInkwell() {
     standin_->setFault(static_cast<int>(HdFault::NeedsInkwell));
     chooseDevice("devices", "pen");
-    QTRY_VERIFY_WITH_TIMEOUT(window_->model().device() != nullptr, 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().devices().first() != nullptr, 20000);
     QTRY_VERIFY_WITH_TIMEOUT(state().contains("inkwell"), 20000);
     QCOMPARE(force(), 0.0);
     QTRY_VERIFY(hint().contains("inkwell"));
@@ -242,13 +242,13 @@ void PenSessionTest::backToTheMouseThePenIsClosedAndLimp() {
 
 void PenSessionTest::aPenThatIsNotThereLeavesTheMouseAndSaysWhatToDo() {
     const auto* devices = window_->findChild<QComboBox*>("devices");
-    window_->openFirstDevice("pen:Third");
+    window_->devices().openFirst("pen:Third");
     QCOMPARE(devices->currentText(), QString("Haptic pen Third"));
     QString said;
     QTRY_VERIFY_WITH_TIMEOUT((said += dismissMessages()).contains("one that is set up (Default Device, Left, Right)"),
                              20000);
     QCOMPARE(devices->currentIndex(), 0);
-    QVERIFY(window_->model().device() == nullptr);
+    QVERIFY(window_->model().devices().first() == nullptr);
 }
 
 void PenSessionTest::aDeviceThatFailsAtTheStartIsTriedAgainNextTime() {

@@ -23,7 +23,7 @@
 #include "app/gui/panels/timing_panel.h"
 #include "app/gui/window/window_owner.h"
 #include "app/gui/window/window_setup.h"
-#include "app/slow_device.h"
+#include "session/model/slow_device.h"
 #include "app/window_session.h"
 #include "geometry/io/stl_writer.h"
 #include "sound/sound_files.h"
@@ -82,7 +82,7 @@ void WindowLookTest::aHintThatHasNoRoomEndsInDots() {
 void WindowLookTest::synthesisedSoundsWinOverARecordingThatIsStillRead() {
     test::writeTone(folder_ / "late.wav", 48000 * 5, 0.3);
     auto* sounds = window_->findChild<QComboBox*>("sounds");
-    window_->openSounds(QString::fromStdString(folder_ / "late.wav"));
+    window_->sounds().open(QString::fromStdString(folder_ / "late.wav"));
     emit sounds->activated(0);  // before the window has had time to look for the result
     QTest::qWait(1500);
     QCOMPARE(sounds->currentText(), QString("Synthesised"));
@@ -148,7 +148,7 @@ void WindowLookTest::aTargetColoursTheTooth() {
     auto* coloured = window_->findChild<QCheckBox*>("coloured");
     QVERIFY(!coloured->isEnabled());
     const QImage before = view().grabFramebuffer();
-    window_->openTarget(QString::fromStdString(file.string()));
+    window_->exercise().openTarget(QString::fromStdString(file.string()));
     QTRY_VERIFY_WITH_TIMEOUT(coloured->isChecked(), 60000);
     QVERIFY(view().grabFramebuffer() != before);
     QTest::mouseClick(coloured, Qt::LeftButton, {}, QPoint(8, coloured->height() / 2));
@@ -167,7 +167,7 @@ void WindowLookTest::theGhostOfATargetIsSwitchedByClickAndKey() {
     const Box3 box = window_->model().tooth()->box();
     const auto file = folder_ / "cavity.stl";
     QVERIFY(writeStl(test::sphere(Vec3(0, 0, box.max().z() - 3), 2, 40, 30), file).has_value());
-    window_->openTarget(QString::fromStdString(file.string()));
+    window_->exercise().openTarget(QString::fromStdString(file.string()));
     QTRY_VERIFY_WITH_TIMEOUT(coloured->isChecked(), 60000);
     QVERIFY(ghost->isEnabled() && entry->isEnabled() && !ghost->isChecked());
     const QImage colours = view().grabFramebuffer();
@@ -189,7 +189,7 @@ void WindowLookTest::theGhostOfATargetIsSwitchedByClickAndKey() {
 void WindowLookTest::aTargetWithoutACavityHasNoGhost() {
     const auto file = folder_ / "around.stl";
     QVERIFY(writeStl(test::sphere(Vec3::Zero(), 40, 40, 30), file).has_value());
-    window_->openTarget(QString::fromStdString(file.string()));
+    window_->exercise().openTarget(QString::fromStdString(file.string()));
     auto* coloured = window_->findChild<QCheckBox*>("coloured");
     QTRY_VERIFY_WITH_TIMEOUT(coloured->isChecked(), 60000);
     auto* ghost = window_->findChild<QCheckBox*>("ghost");
@@ -201,19 +201,19 @@ void WindowLookTest::aTargetWithoutACavityHasNoGhost() {
 void WindowLookTest::thePlotsHoldStillZoomAndAreExported() {
     auto* pause = window_->findChild<QToolButton*>("pausePlots");
     auto* stretch = window_->findChild<QSpinBox*>("plotStretch");
-    QTRY_VERIFY_WITH_TIMEOUT(window_->model().newest().time > 1, 20000);  // something to show
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().time > 1, 20000);  // something to show
     QTest::mouseClick(pause, Qt::LeftButton);
     QVERIFY(pause->isChecked());
     stretch->setValue(4);
     for (const char* name : {"plots.csv", "plots.png", "plots.svg"}) {
-        window_->exportPlotsTo(QString::fromStdString((folder_ / name).string()));
+        window_->records().exportPlotsTo(QString::fromStdString((folder_ / name).string()));
         QVERIFY2(std::filesystem::file_size(folder_ / name) > 100, name);
     }
     std::ifstream table(folder_ / "plots.csv");
     std::string head;
     std::getline(table, head);
     QCOMPARE(head, std::string("t,depth,speed,force"));
-    window_->exportPlotsTo(QString::fromStdString((folder_ / "plots.doc").string()));
+    window_->records().exportPlotsTo(QString::fromStdString((folder_ / "plots.doc").string()));
     QVERIFY(dismissMessage().contains("end its name in .csv, .svg or .png"));
     QTest::mouseClick(pause, Qt::LeftButton);
     stretch->setValue(10);
@@ -227,11 +227,11 @@ QAction* WindowLookTest::action(const QString& text) const {
 }
 
 void WindowLookTest::aHeavySceneIsSaidWithoutTakingTheKeys() {
-    window_->model().install(std::make_unique<test::SlowDevice>());
+    window_->model().install(DeviceSlot::first, std::make_unique<test::SlowDevice>());
     const auto* hint = window_->findChild<ElidedLabel*>("hint");
     QTRY_VERIFY_WITH_TIMEOUT(hint->text().contains("heavy for this machine"), 20000);
     QCOMPARE(QApplication::activeModalWidget(), nullptr);
-    window_->model().useMouse();
+    window_->model().install(DeviceSlot::first, nullptr);
 }
 
 void WindowLookTest::theRealTimePanelShowsTheTicksAndCountsAnew() {
@@ -257,7 +257,7 @@ void WindowLookTest::theRealTimePanelShowsTheTicksAndCountsAnew() {
 void WindowLookTest::openedTeethAreInTheRecentMenu() {
     const auto file = folder_ / "ball.stl";
     QVERIFY(writeStl(test::sphere(Vec3(20, 0, 0), 5, 40, 30), file).has_value());
-    window_->openTooth({.outer = file, .layers = {}});
+    window_->teeth().openTooth({.outer = file, .layers = {}});
     QTRY_COMPARE_WITH_TIMEOUT(window_->model().tooth()->name, std::string("ball.stl"), 30000);
     loadMolar();
     auto* recent = window_->findChild<QMenu*>("recent");
@@ -304,7 +304,7 @@ void WindowLookTest::anotherLanguageComesAtOnceWithTheToothAsItIs() {
     QTRY_VERIFY_WITH_TIMEOUT(holder.window().model().simulator() != nullptr, 60000);
     QCOMPARE(holder.window().model().tooth()->piece.get(), piece);  // with all that was cut from it
     QTRY_VERIFY(holder.window().windowTitle().startsWith(QStringLiteral("上顎中切歯")));
-    QTRY_VERIFY(!holder.window().model().isBusy());
+    QTRY_VERIFY(!holder.window().isBusy());
     QCOMPARE(holder.window().settings().bur, std::string("245"));
     languages()[1]->trigger();
     QTRY_COMPARE(title(), "&File");

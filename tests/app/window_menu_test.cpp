@@ -243,7 +243,7 @@ void WindowMenuTest::aToothIsCutAndLookedAtByKeysAlone() {
 }
 
 void WindowMenuTest::waterAndSuctionAreSwitchedByKeys() {
-    const auto flying = [&] { return window_->model().flying().size(); };
+    const auto flying = [&] { return window_->model().animation().particles().size(); };
     key(Qt::Key_C);
     QTest::keyPress(&view(), Qt::Key_Space);
     QTRY_VERIFY_WITH_TIMEOUT(flying() > 30, 20000);

@@ -9,8 +9,8 @@ namespace tactooth::test {
 void WindowSession::openWindow() {
     sound_ = std::make_unique<OpenAlOutput>();
     window_ = std::make_unique<MainWindow>(*sound_);
-    window_->loadBuiltinTooth(kBuiltinTeeth.front());
-    window_->loadBur(*findBur("4"));
+    window_->teeth().loadBuiltinTooth(kBuiltinTeeth.front());
+    window_->teeth().loadBur(*findBur("4"));
     window_->show();
     QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
 }
@@ -21,7 +21,7 @@ void WindowSession::openWindowWithSettings() {
 }
 
 void WindowSession::waitForTooth() {
-    QTRY_VERIFY_WITH_TIMEOUT(!window_->model().isBusy() && window_->model().simulator() != nullptr, 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->isBusy() && window_->model().simulator() != nullptr, 60000);
 }
 
 void WindowSession::key(Qt::Key which, Qt::KeyboardModifiers with) const {
@@ -54,7 +54,7 @@ void WindowSession::closeWindow() {
 }
 
 void WindowSession::loadMolar() {
-    window_->loadBuiltinTooth(kBuiltinTeeth.front());
+    window_->teeth().loadBuiltinTooth(kBuiltinTeeth.front());
     QTRY_VERIFY_WITH_TIMEOUT(window_->windowTitle().contains("molar"), 60000);
     waitForTooth();
 }

@@ -88,7 +88,7 @@ void WindowTest::aNewcomerTouchesTheToothWithinHalfAMinute() {
     QTest::mouseClick(welcome->findChild<QPushButton*>("practise"), Qt::LeftButton);
     waitForTooth();
     pressBurOn(middle());
-    QTRY_VERIFY_WITH_TIMEOUT(window_->model().newest().contacts > 0, 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().contacts > 0, 20000);
     QVERIFY2(test::isSanitized() || started_.elapsed() < 30000, qPrintable(QString::number(started_.elapsed())));
     liftBur(middle());
     QTRY_COMPARE_WITH_TIMEOUT(gauge("forceGauge"), 0.0, 10000);
@@ -113,7 +113,7 @@ void WindowTest::theMouseTouchesTheToothAndTheMeterShowsIt() {
     QCOMPARE(gauge("forceGauge"), 0.0);
     pressBurOn(middle());
     QTRY_VERIFY_WITH_TIMEOUT(gauge("forceGauge") > 0.3, 10000);
-    QVERIFY(window_->model().newest().contacts > 0);
+    QVERIFY(window_->model().log().newest().contacts > 0);
     liftBur(middle());
     QTRY_COMPARE_WITH_TIMEOUT(gauge("forceGauge"), 0.0, 10000);
 }
@@ -200,19 +200,19 @@ void WindowTest::whatHappenedIsListedAndExported() {
     auto* events = window_->findChild<QTableWidget*>("events");
     QTRY_VERIFY(events->rowCount() > 0);
     QCOMPARE(events->item(0, 1)->text(), QString("first contact"));
-    window_->exportEventsTo(QString::fromStdString((folder_ / "events.csv").string()));
+    window_->records().exportEventsTo(QString::fromStdString((folder_ / "events.csv").string()));
     std::ifstream table(folder_ / "events.csv");
     std::string head, first;
     std::getline(table, head);
     std::getline(table, first);
     QCOMPARE(head, std::string("t,event,x,y,z"));
     QVERIFY(first.find(",first contact,") != std::string::npos);
-    const Vec3 place = window_->model().events().all().front().place;
+    const Vec3 place = window_->model().log().events().all().front().place;
     emit events->itemActivated(events->item(0, 1));
     const auto pixel = project(view().camera(), {200, 100}, place);
     QVERIFY(pixel && (*pixel - Vec2(100, 50)).norm() < 0.01);
     view().fit();
-    window_->exportEventsTo("/nowhere/events.csv");
+    window_->records().exportEventsTo("/nowhere/events.csv");
     QVERIFY(dismissMessage().contains("/nowhere"));
 }
 
@@ -235,7 +235,7 @@ void WindowTest::atRestNothingIsDrawnAndASpinningBurIs() {
 
 /// The exercise has a clock, which goes on behind its tab, and the status line a meter.
 void WindowTest::aWindowThatRestsIsSeldomComposed() {
-    QVERIFY(window_->model().workSeconds() > 0);
+    QVERIFY(window_->model().log().workSeconds() > 0);
     auto* pedal = window_->findChild<QCheckBox*>("keepPedal");
     pedal->setChecked(false);
     QTRY_VERIFY_WITH_TIMEOUT(gauge("speedGauge") < 1, 20000);
@@ -251,7 +251,7 @@ void WindowTest::aWindowThatRestsIsSeldomComposed() {
 void WindowTest::theCutToothIsExportedClosed() {
     QTest::qWait(200);  // the cutter ends its last piece of work
     const QString file = QString::fromStdString((folder_ / "cut.stl").string());
-    window_->exportTooth(file);
+    window_->teeth().exportTooth(file);
     const Expected<TriangleMesh> cut = loadMesh(file.toStdString());
     QVERIFY(cut.has_value());
     const MeshReport report = reportOn(*cut);
@@ -262,7 +262,7 @@ void WindowTest::theCutToothIsExportedClosed() {
 }
 
 void WindowTest::anExportThatFailsSaysWhy() {
-    window_->exportTooth(QString::fromStdString((folder_ / "no such folder/cut.stl").string()));
+    window_->teeth().exportTooth(QString::fromStdString((folder_ / "no such folder/cut.stl").string()));
     QVERIFY(dismissMessage().contains("no such folder"));
 }
 
@@ -270,7 +270,7 @@ void WindowTest::theToothIsSavedAndUndoTakesBackACut() {
     const double cut = removed();
     QVERIFY(cut > 0);
     const auto file = folder_ / "cut.tactooth";
-    window_->saveTooth(QString::fromStdString(file.string()));
+    window_->teeth().saveTooth(QString::fromStdString(file.string()));
     const Expected<OpenedTooth> saved = openTooth(file);
     QVERIFY2(saved.has_value(), saved ? "" : saved.error().message.c_str());
     QCOMPARE(total(saved->piece->removed()), cut);
@@ -365,7 +365,7 @@ void WindowTest::theMirrorCanBePutAway() {
 
 void WindowTest::ownRecordingsArePlayedAndPutAway() {
     test::writeTone(folder_ / "mine.wav", 5000, 0.3);
-    window_->openSounds(QString::fromStdString(folder_ / "mine.wav"));
+    window_->sounds().open(QString::fromStdString(folder_ / "mine.wav"));
     auto* sounds = window_->findChild<QComboBox*>("sounds");
     QTRY_COMPARE(sounds->currentText(), QString("mine.wav"));
     QCOMPARE(window_->settings().ownSounds, (folder_ / "mine.wav").string());
@@ -379,7 +379,7 @@ void WindowTest::ownRecordingsArePlayedAndPutAway() {
 
 void WindowTest::aRecordingThatCannotBeUsedIsRefusedWithASentence() {
     std::ofstream(folder_ / "noise.wav") << "not a sound";
-    window_->openSounds(QString::fromStdString(folder_ / "noise.wav"));
+    window_->sounds().open(QString::fromStdString(folder_ / "noise.wav"));
     QTRY_VERIFY(window_->findChild<QMessageBox*>() != nullptr);
     const QString said = dismissMessage();
     QVERIFY2(said.contains("noise.wav: this is neither WAV, FLAC nor Ogg"), qPrintable(said));
@@ -392,7 +392,7 @@ void WindowTest::aToothOfTheWholeMouthIsChosenFromTheMenu() {
     quadrants[2]->menu()->actions()[5]->trigger();
     QTRY_COMPARE_WITH_TIMEOUT(window_->model().tooth()->name, std::string("36"), 120000);
     waitForTooth();
-    QCOMPARE(window_->model().felt()->patches.size(), std::size_t{29 + 2});  // but for both neighbours, which
+    QCOMPARE(touchableSurface(window_->model())->patches.size(), std::size_t{29 + 2});  // but for both neighbours, which
                                                                              // can be cut: the other teeth, both gums
     QVERIFY(surface().patches.empty());
     pressBurOn(middle() + QPoint(0, 40));
@@ -426,7 +426,7 @@ void WindowTest::anotherWindowTakesOverTheSettings() {
     QCOMPARE(taken.folder, settings.folder);
     QCOMPARE(other.size(), window_->size());
     QCOMPARE(other.model().controls.forceScale, 1.5);
-    QCOMPARE(other.model().spindle().name, settings.spindle);
+    QCOMPARE(other.model().haptics().spindle.name, settings.spindle);
 }
 
 void WindowTest::settingsThatMakeNoSenseChangeNothing() {

@@ -14,6 +14,7 @@
 #include "app/common/display_check.h"
 #include "app/common/exit_code.h"
 #include "app/common/termination.h"
+#include "app/gui/model/exercise_tooth.h"
 #include "app/gui/settings/settings_autosave.h"
 #include "app/gui/text/error_translation.h"
 #include "app/gui/window/main_window.h"
@@ -88,8 +89,8 @@ void closeAll() {
 /// Zero force, and the devices' ordinary farewell.
 void letGo(SessionModel& model) {
     model.stop();
-    model.useMouse();
-    model.installSecond(nullptr);
+    model.install(DeviceSlot::first, nullptr);
+    model.install(DeviceSlot::second, nullptr);
 }
 
 WindowOwner* shownWindow = nullptr;  // while the event loop runs
@@ -157,16 +158,16 @@ int runWindow(const WindowOptions& options) {
     if (tooth) {
         window.model().install(std::move(*tooth));
     } else if (options.mouth) {
-        window.loadMouth(*options.mouth);
+        window.teeth().loadMouth(*options.mouth);
     } else {
-        window.loadBuiltinTooth(kBuiltinTeeth.front());
+        window.teeth().loadBuiltinTooth(kBuiltinTeeth.front());
     }
     if (bur) window.model().install(std::move(*bur));
     window.show();
     if (const QString sentences = whatIsWrongWith(settings, settingsFile); !sentences.isEmpty()) {
-        window.showError(sentences);
+        window.messages().showError(sentences);
     }
-    if (!forgotten.empty()) window.showError(Error{forgotten});
+    if (!forgotten.empty()) window.messages().showError(Error{forgotten});
     if (isFirstTime && !tooth && !options.mouth) window.welcome();
     SettingsAutosave autosave([&] { return holder.window().settings(); }, settingsFile);
     std::atexit(letGoWithoutDisplay);

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "app/gui/model/session_parts.h"
+#include "session/model/session_tooth.h"
 #include "session/simulation/tooth_source.h"
 
 namespace tactooth {
