@@ -139,7 +139,8 @@ void DeviceSession::breakMidPress(int fault, const QString& sentence, std::optio
     QTRY_VERIFY2_WITH_TIMEOUT(state().contains(sentence), qPrintable(state()), kTimeout);
     QTRY_VERIFY2_WITH_TIMEOUT(hint().contains(sentence), qPrintable(hint()), kTimeout);
     if (longestForce) {
-        QTest::qWait(50);  // for a force that came late
+        const double now = window_->model().log().newest().time;  // for a force that came late
+        QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().time > now + 0.05, kTimeout);
         QVERIFY2(lastForceSinceFault() <= *longestForce, qPrintable(QString::number(lastForceSinceFault())));
         QCOMPARE(force(), 0.0);
     }

@@ -116,12 +116,8 @@ void ImportWindowTest::aChoiceIsFollowed() {
 void ImportWindowTest::theWindowStaysAliveWhileTheLayersAreMade() {
     auto* keep = dialog()->findChild<QCheckBox*>("keepCase");
     keep->click();
-    const auto rests = [this] {  // a careful picture that is still to come could hold up the loop as well
-        const auto before = view().pictures();
-        QTest::qWait(600);
-        return view().pictures() == before;
-    };
-    QTRY_VERIFY_WITH_TIMEOUT(rests(), 20000);
+    // A careful picture that is still to come could hold up the loop as well.
+    QTRY_VERIFY_WITH_TIMEOUT(view().isAtRest(), 20000);
     importButton()->click();
     int turns = 0;  // of the event loop: the work does not hold it up
     double part = 0;
@@ -152,7 +148,8 @@ void ImportWindowTest::theImportCanBeCancelled() {
     importButton()->click();
     dialog()->findChild<QDialogButtonBox*>("importButtons")->button(QDialogButtonBox::Cancel)->click();
     QTRY_VERIFY_WITH_TIMEOUT(dialog() == nullptr, 10000);
-    QTest::qWait(1500);
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->teeth().isImporting(), 20000);
+    waitForSteps(2);
     QCOMPARE(window_->model().tooth()->name, std::string(kBuiltinTeeth.front().name));
     QVERIFY(window_->findChild<QMessageBox*>() == nullptr);
 }

@@ -22,6 +22,11 @@
 #include "devices/virtual_pad.h"
 
 namespace tactooth {
+namespace {
+
+constexpr double kLift = 2;  // mm, clear of the tooth
+
+}  // namespace
 
 class PadSessionTest : public test::WindowSession {
     Q_OBJECT
@@ -47,7 +52,7 @@ private slots:
 
 private:
     void press(SDL_GameControllerButton button, int times = 1);
-    void hold(SDL_GameControllerButton button, int ms);
+    void waitForPad() const;
     void pressAndSee(SDL_GameControllerButton button, const std::function<bool()>& seen);
     void holdUntil(SDL_GameControllerButton button, const std::function<bool()>& done);
     void stick(SDL_GameControllerAxis axis, double value) { pad_->axis(axis, value); }
@@ -65,15 +70,17 @@ private:
 
 void PadSessionTest::press(SDL_GameControllerButton button, int times) {
     for (int i = 0; i < times; ++i) {
-        hold(button, 60);
-        QTest::qWait(60);
+        pad_->button(button, true);
+        waitForPad();
+        pad_->button(button, false);
+        waitForPad();
     }
 }
 
-void PadSessionTest::hold(SDL_GameControllerButton button, int ms) {
-    pad_->button(button, true);
-    QTest::qWait(ms);
-    pad_->button(button, false);
+/// Until the program has read the pad, which it does every 4 ms, and the window has taken a step with it.
+void PadSessionTest::waitForPad() const {
+    QTest::qWait(5);
+    waitForSteps(2);
 }
 
 /// The next press comes when this one has been seen, or seems to be lost.
@@ -88,14 +95,15 @@ void PadSessionTest::holdUntil(SDL_GameControllerButton button, const std::funct
     const bool isDone = QTest::qWaitFor(done, 10000);
     pad_->button(button, false);
     QVERIFY(isDone);
-    QTest::qWait(100);
+    waitForPad();
 }
 
 void PadSessionTest::liftOff() {
     stick(SDL_CONTROLLER_AXIS_TRIGGERLEFT, -1);
     stick(SDL_CONTROLLER_AXIS_TRIGGERRIGHT, -1);
     stick(SDL_CONTROLLER_AXIS_LEFTX, 0);
-    hold(SDL_CONTROLLER_BUTTON_LEFTSHOULDER, 300);
+    const double height = tool().position.z();
+    holdUntil(SDL_CONTROLLER_BUTTON_LEFTSHOULDER, [&] { return tool().position.z() > height + kLift; });
     QTRY_COMPARE_WITH_TIMEOUT(window_->model().log().newest().contacts, 0U, 10000);
 }
 
@@ -153,7 +161,7 @@ void PadSessionTest::theWelcomeIsAnsweredByThePad() {
     press(SDL_CONTROLLER_BUTTON_A);
     QTRY_VERIFY(window_->findChild<WelcomeDialog*>() == nullptr);
     QTRY_VERIFY(window_->isActiveWindow());  // or menus that come late are closed
-    QTest::qWait(200);
+    waitForSteps(10);
     QVERIFY(!isCutting());
     QVERIFY((tool().position - before.position).norm() < 0.01);
     QVERIFY2(hint().contains("Start: menus"), qPrintable(hint()));
@@ -197,17 +205,17 @@ void PadSessionTest::aMenuShowsTheToothFromAbove() {
 }
 
 void PadSessionTest::whileAMenuIsOpenTheToolStaysAndNothingToggles() {
-    QTest::qWait(300);
+    waitForSteps(10);
     press(SDL_CONTROLLER_BUTTON_START);
     QTRY_VERIFY(menu() != nullptr);
-    QTest::qWait(200);
+    waitForSteps(10);
     const Pose before = tool();
     const bool cutting = isCutting();
     const OrbitCamera::Direction eye = view().orbitCamera().direction();
     stick(SDL_CONTROLLER_AXIS_LEFTX, 1);
     stick(SDL_CONTROLLER_AXIS_RIGHTY, 1);
     press(SDL_CONTROLLER_BUTTON_DPAD_RIGHT, 2);
-    QTest::qWait(300);
+    waitForSteps(10);
     stick(SDL_CONTROLLER_AXIS_LEFTX, 0);
     stick(SDL_CONTROLLER_AXIS_RIGHTY, 0);
     const auto moved = [&] { return (tool().position - before.position).norm(); };
@@ -215,7 +223,7 @@ void PadSessionTest::whileAMenuIsOpenTheToolStaysAndNothingToggles() {
     QVERIFY2(moved() < 0.01, qPrintable(QString("%1 mm with the menu open").arg(moved())));
     press(SDL_CONTROLLER_BUTTON_B);  // at work it would take the mirror
     QTRY_VERIFY(menu() == nullptr);
-    QTest::qWait(300);
+    waitForSteps(10);
     QVERIFY2(moved() < 0.01, qPrintable(QString("%1 mm after it").arg(moved())));
     QVERIFY(tool().rotation.angularDistance(before.rotation) < 0.01);
     QCOMPARE(isCutting(), cutting);
@@ -278,7 +286,7 @@ void PadSessionTest::thePadTurnsShiftsAndEnlargesThePicture() {
     holdUntil(SDL_CONTROLLER_BUTTON_DPAD_RIGHT,
               [&] { return before.direction().azimuth - view().orbitCamera().direction().azimuth > 0.2; });
     pad_->button(SDL_CONTROLLER_BUTTON_RIGHTSHOULDER, true);
-    QTest::qWait(100);
+    waitForPad();
     holdUntil(SDL_CONTROLLER_BUTTON_DPAD_UP,
               [&] { return (view().orbitCamera().target() - before.target()).norm() > 0.5; });
     pad_->button(SDL_CONTROLLER_BUTTON_RIGHTSHOULDER, false);
@@ -338,7 +346,7 @@ void PadSessionTest::withTheMouseThePadOpensNothing() {
     window_->devices().openFirst("mouse");
     QTRY_VERIFY(window_->model().devices().first() == nullptr);
     press(SDL_CONTROLLER_BUTTON_START);
-    QTest::qWait(200);
+    waitForSteps(10);
     QVERIFY(menu() == nullptr);
     QVERIFY(!window_->model().controls.clutch);
 }

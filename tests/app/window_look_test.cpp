@@ -23,9 +23,9 @@
 #include "app/gui/panels/timing_panel.h"
 #include "app/gui/window/window_owner.h"
 #include "app/gui/window/window_setup.h"
-#include "session/model/slow_device.h"
 #include "app/window_session.h"
 #include "geometry/io/stl_writer.h"
+#include "session/model/slow_device.h"
 #include "sound/sound_files.h"
 #include "support/shapes.h"
 
@@ -73,7 +73,8 @@ void WindowLookTest::aHintThatHasNoRoomEndsInDots() {
     QVERIFY(!hint->text().isEmpty());
     for (int width = 2400; width > 600 && hint->shown() == hint->text(); width -= 50) {
         window_->resize(width, size.height());
-        QTest::qWait(50);
+        (void)QTest::qWaitFor([&] { return window_->width() == width; }, 1000);
+        QCoreApplication::processEvents();
     }
     QVERIFY2(hint->shown().endsWith(QChar(0x2026)), qPrintable(hint->shown()));
     window_->resize(size);
@@ -84,7 +85,7 @@ void WindowLookTest::synthesisedSoundsWinOverARecordingThatIsStillRead() {
     auto* sounds = window_->findChild<QComboBox*>("sounds");
     window_->sounds().open(QString::fromStdString(folder_ / "late.wav"));
     emit sounds->activated(0);  // before the window has had time to look for the result
-    QTest::qWait(1500);
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->sounds().isReading(), 20000);
     QCOMPARE(sounds->currentText(), QString("Synthesised"));
     QVERIFY(window_->settings().ownSounds.empty());
 }

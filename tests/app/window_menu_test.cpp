@@ -9,6 +9,7 @@
 #include <QDoubleSpinBox>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QPointer>
 #include <QRegularExpression>
 #include <QScrollArea>
 #include <set>
@@ -56,15 +57,15 @@ void WindowMenuTest::cleanupTestCase() { closeWindow(); }
 
 /// Escape has to be enough to leave whatever an entry has opened.
 void WindowMenuTest::leaveDialogs(const QString& after) const {
-    QTest::qWait(50);
-    for (int i = 0; i < 5; ++i) {
+    for (int i = 0; i < 6; ++i) {
+        QCoreApplication::processEvents();
         QDialog* front = nullptr;
         for (QDialog* dialog : window_->findChildren<QDialog*>()) {
             if (dialog->isVisible()) front = dialog;
         }
         if (front == nullptr) return;
         QTest::keyClick(front, Qt::Key_Escape);
-        QTest::qWait(50);
+        (void)QTest::qWaitFor([dialog = QPointer(front)] { return dialog == nullptr || !dialog->isVisible(); }, 1000);
     }
     QFAIL(qPrintable("a dialog stays open after " + after));
 }
@@ -188,8 +189,7 @@ void WindowMenuTest::theBurIsMovedAndPressedByKeys() {
     view().setFocus();
     const Vec3 before = window_->model().manipulator().pose().position;
     for (int i = 0; i < 6; ++i) QTest::keyClick(&view(), Qt::Key_Left);
-    QTest::qWait(300);
-    QVERIFY((window_->model().manipulator().pose().position - before).norm() > 0.05);
+    QTRY_VERIFY((window_->model().manipulator().pose().position - before).norm() > 0.05);
     QTest::keyPress(&view(), Qt::Key_Return);
     QTRY_VERIFY_WITH_TIMEOUT(gauge("forceGauge") > 0.1, 10000);
     QTest::keyRelease(&view(), Qt::Key_Return);
@@ -304,7 +304,7 @@ void WindowMenuTest::largeTextFitsIntoTheWindow() {
     const QSize size = window_->size();
     window_->findChild<QMenu*>("textSize")->actions().back()->trigger();
     QTRY_VERIFY(window_->fontMetrics().height() > 1.8 * usual);
-    QTest::qWait(300);
+    waitForSteps(5);
     QVERIFY(window_->width() <= 1400 && window_->height() <= 900);
     const QRect whole(QPoint(0, 0), window_->size());
     for (auto* area : window_->findChildren<QScrollArea*>()) {

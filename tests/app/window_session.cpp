@@ -3,8 +3,14 @@
 #include "app/window_session.h"
 
 #include <QApplication>
+#include <QSignalSpy>
 
 namespace tactooth::test {
+namespace {
+
+constexpr double kNear = 0.05;  // mm
+
+}  // namespace
 
 void WindowSession::openWindow() {
     sound_ = std::make_unique<OpenAlOutput>();
@@ -30,14 +36,52 @@ void WindowSession::key(Qt::Key which, Qt::KeyboardModifiers with) const {
 }
 
 void WindowSession::pressBurOn(const QPoint& place) const {
+    const QPointF pixel = view().devicePixelRatioF() * QPointF(place);
     QTest::mouseMove(&view(), place);
-    QTest::qWait(300);
+    const auto isThere = [&] {
+        MouseManipulator aimed = window_->model().manipulator();
+        aimed.aim(view().viewport(), Vec2(pixel.x(), pixel.y()), *touchableSurface(window_->model()));
+        const Vec3 goal = aimed.pose().position;
+        return (goal - window_->model().manipulator().pose().position).norm() < kNear &&
+               (goal - window_->model().log().newest().proxy.position).norm() < kNear;
+    };
+    (void)QTest::qWaitFor(isThere, 5000);
     QTest::mousePress(&view(), Qt::LeftButton, {}, place);
 }
 
 void WindowSession::liftBur(const QPoint& place) const {
     QTest::mouseRelease(&view(), Qt::LeftButton, {}, place);
-    QTest::qWait(300);
+    const auto isClear = [&] {
+        const Vec3 hand = window_->model().manipulator().pose().position;
+        return window_->model().log().newest().contacts == 0 &&
+               (hand - window_->model().log().newest().proxy.position).norm() < kNear;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(isClear(), 10000);
+}
+
+void WindowSession::waitForSteps(int steps) const {
+    QSignalSpy stepped(&window_->loop(), &StepLoop::stepped);
+    QTRY_VERIFY_WITH_TIMEOUT(stepped.count() >= steps, 20000);
+}
+
+void WindowSession::waitForCutter() const {
+    constexpr double kQuiet = 0.1;  // s of the simulation without a new surface
+    const Simulator& simulator = *window_->model().simulator();
+    std::uint64_t updates = simulator.surfaceUpdates();
+    double since = window_->model().log().newest().time;
+    const auto isQuiet = [&] {
+        const double now = window_->model().log().newest().time;
+        if (updates != simulator.surfaceUpdates()) since = now;
+        updates = simulator.surfaceUpdates();
+        return now > since + kQuiet;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(isQuiet(), 20000);
+}
+
+void WindowSession::waitForRest() const {
+    window_->model().setSpindle(window_->model().haptics().spindle);
+    waitForSteps(2);
+    QTRY_VERIFY_WITH_TIMEOUT(view().isAtRest() && window_->loop().isResting(), 30000);
 }
 
 QString WindowSession::dismissMessage() const {

@@ -31,6 +31,12 @@ protected:
     void key(Qt::Key which, Qt::KeyboardModifiers with = {}) const;
     void pressBurOn(const QPoint& place) const;
     void liftBur(const QPoint& place) const;
+    /// Until the window has made so many steps: what was done by mouse, key or gamepad has arrived.
+    void waitForSteps(int steps) const;
+    /// Until the cutter has finished what it was asked for. The bur must be clear of the tooth.
+    void waitForCutter() const;
+    /// Restarts the simulator, which empties the plots, and waits until the window rests.
+    void waitForRest() const;
     /// The text of the message in front, which is closed; empty if there is none.
     [[nodiscard]] QString dismissMessage() const;
 

@@ -113,6 +113,7 @@ void ToothView::paintGL() {
     drawn_ = contents;
     sinceDrawn_.start();
     const bool careful = std::exchange(careful_, false);
+    showsCareful_ = careful;
     const FramePacer::Change change = std::exchange(change_, FramePacer::Change::Motion);
     RenderSettings settings = kFine;
     if (!careful) {
@@ -127,6 +128,11 @@ void ToothView::paintGL() {
     context()->functions()->glFinish();  // a software renderer works after the last call, too
     if (!careful) framePacer_.recordFrame(change, 1e-6 * static_cast<double>(sinceDrawn_.nsecsElapsed()));
     ++pictures_;
+}
+
+bool ToothView::isAtRest() const {
+    return showsCareful_ && !isStale_ &&
+           changeTo(sceneContents(model_, showsTurbine_, showsMirror_)) == FramePacer::Change::None;
 }
 
 Scene ToothView::sceneFor(const SceneContents& contents) const {

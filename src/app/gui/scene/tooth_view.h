@@ -30,6 +30,8 @@ public:
     void refresh();
     /// Pictures drawn so far.
     [[nodiscard]] std::uint64_t pictures() const { return pictures_; }
+    /// Whether the careful picture of a scene at rest is shown.
+    [[nodiscard]] bool isAtRest() const;
     void fit();
     void setView(StandardView view);
     /// Shows this place of the tooth in the middle.
@@ -102,8 +104,9 @@ private:
     SecondViewFrame* secondFrame_;
     int secondAge_ = 0;  // pictures that it has been shown in
     SceneContents drawn_;
-    bool careful_ = false;  // the next picture
-    bool isStale_ = true;   // the last picture: beside what changeTo sees
+    bool careful_ = false;       // the next picture
+    bool showsCareful_ = false;  // the last picture is careful
+    bool isStale_ = true;        // the last picture: beside what changeTo sees
     FramePacer framePacer_;
     FramePacer::Change change_ = FramePacer::Change::Motion;  // that the next picture shows
     QTimer rest_;                                             // runs out when nothing has moved for a while

@@ -37,6 +37,7 @@ public:
     [[nodiscard]] SoundController& sounds() { return sounds_; }
     [[nodiscard]] RecordExports& records() { return records_; }
     [[nodiscard]] WindowMessages& messages() { return messages_; }
+    [[nodiscard]] const StepLoop& loop() const { return loop_; }
     /// A tooth, a bur or the instruments are being made.
     [[nodiscard]] bool isBusy() const { return teeth_.isBusy() || model_.instruments().isBusy(); }
     /// Shows three ways to begin.

@@ -29,7 +29,8 @@ public:
     void open(const QString& file);
     /// Takes over sounds that are ready and places the sound. Call it after each step of the model.
     void poll();
-    [[nodiscard]] SoundStatus status() const { return sound_.status(); }
+    /// A file of sounds is being read.
+    [[nodiscard]] bool isReading() const { return pending_.isBusy(); }
 
     void restore(const WindowSettings& settings);
     void store(WindowSettings& settings) const;

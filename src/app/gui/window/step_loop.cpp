@@ -49,15 +49,16 @@ void StepLoop::report(const SessionModel::StepResult& result) {
     if (result.newTooth) emit toothChanged();
 }
 
+bool StepLoop::isResting() const { return idleSteps_ > kRestAfter; }
+
 void StepLoop::adaptInterval() {
     const Tick& newest = model_.log().newest();
     const Vec3& place = newest.proxy.position;
     const bool isStill = (place - lastPlace_).norm() < kMinMove && newest.speedRpm < kMinSpeed && !busy_;
     lastPlace_ = place;
     idleSteps_ = isStill ? idleSteps_ + 1 : 0;
-    const bool rests = idleSteps_ > kRestAfter;
-    setInterval(stepTimer_, rests ? kRestMs : kStepMs);
-    setInterval(statusTimer_, rests ? kStatusAtRestMs : kStatusMs);
+    setInterval(stepTimer_, isResting() ? kRestMs : kStepMs);
+    setInterval(statusTimer_, isResting() ? kStatusAtRestMs : kStatusMs);
 }
 
 }  // namespace tactooth

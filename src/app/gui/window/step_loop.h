@@ -23,6 +23,8 @@ public:
     void wake() { idleSteps_ = 0; }
     /// While something is loaded the loop does not rest.
     void setBusy(bool busy) { busy_ = busy; }
+    /// Whether it steps less often because nothing moves.
+    [[nodiscard]] bool isResting() const;
 
 signals:
     /// `dt`: since the last step, s.
