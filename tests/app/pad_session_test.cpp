@@ -77,19 +77,19 @@ void PadSessionTest::press(SDL_GameControllerButton button, int times) {
     }
 }
 
-/// Until the program has read the pad, which it does every 4 ms, and the window has taken a step with it.
+/// Until the program has read the pad, each 4 ms, and the window has made a step with it.
 void PadSessionTest::waitForPad() const {
     QTest::qWait(5);
     waitForSteps(2);
 }
 
-/// The next press comes when this one has been seen, or seems to be lost.
+/// Presses and waits until the effect is visible, at most a second: then the press seems lost.
 void PadSessionTest::pressAndSee(SDL_GameControllerButton button, const std::function<bool()>& seen) {
     press(button);
     (void)QTest::qWaitFor(seen, 1000);
 }
 
-/// As a person who looks does: a busy machine draws late.
+/// Holds the button until the effect is visible, as a user does: a busy machine draws late.
 void PadSessionTest::holdUntil(SDL_GameControllerButton button, const std::function<bool()>& done) {
     pad_->button(button, true);
     const bool isDone = QTest::qWaitFor(done, 10000);
@@ -114,7 +114,7 @@ QAction* PadSessionTest::entry(const QString& text) const {
     return nullptr;
 }
 
-/// Walks through the menus as a person does: to the right until the entry is seen, then down to it.
+/// Moves through the menus as a user does: to the right until the entry is visible, then down to it.
 void PadSessionTest::choose(const QAction* entry) {
     QVERIFY(entry != nullptr);
     press(SDL_CONTROLLER_BUTTON_START);
@@ -147,7 +147,8 @@ void PadSessionTest::initTestCase() {
     window_->welcome();
     QTRY_VERIFY_WITH_TIMEOUT(window_->model().devices().first() != nullptr, 20000);
     waitForTooth();
-    QApplication::setActiveWindow(window_->findChild<WelcomeDialog*>());  // a bare X server has nobody who would do it
+    QApplication::setActiveWindow(
+        window_->findChild<WelcomeDialog*>());  // a bare X server has no window manager to do it
 }
 
 void PadSessionTest::theWelcomeIsAnsweredByThePad() {
@@ -160,7 +161,7 @@ void PadSessionTest::theWelcomeIsAnsweredByThePad() {
     QTRY_COMPARE(dialog->focusWidget(), dialog->findChild<QPushButton*>("practise"));
     press(SDL_CONTROLLER_BUTTON_A);
     QTRY_VERIFY(window_->findChild<WelcomeDialog*>() == nullptr);
-    QTRY_VERIFY(window_->isActiveWindow());  // or menus that come late are closed
+    QTRY_VERIFY(window_->isActiveWindow());  // otherwise Qt closes menus that open late
     waitForSteps(10);
     QVERIFY(!isCutting());
     QVERIFY((tool().position - before.position).norm() < 0.01);
@@ -196,7 +197,7 @@ void PadSessionTest::theMenuTakesTheCutBack() {
     const bool cutting = isCutting();
     choose(entry("Undo cut"));
     QTRY_VERIFY_WITH_TIMEOUT(removed() < before, 10000);
-    QCOMPARE(isCutting(), cutting);  // A was for the menu
+    QCOMPARE(isCutting(), cutting);  // button A was for the menu
 }
 
 void PadSessionTest::aMenuShowsTheToothFromAbove() {
@@ -221,20 +222,20 @@ void PadSessionTest::whileAMenuIsOpenTheToolStaysAndNothingToggles() {
     const auto moved = [&] { return (tool().position - before.position).norm(); };
     QVERIFY(menu() != nullptr);
     QVERIFY2(moved() < 0.01, qPrintable(QString("%1 mm with the menu open").arg(moved())));
-    press(SDL_CONTROLLER_BUTTON_B);  // at work it would take the mirror
+    press(SDL_CONTROLLER_BUTTON_B);  // outside menus it takes the mirror
     QTRY_VERIFY(menu() == nullptr);
     waitForSteps(10);
     QVERIFY2(moved() < 0.01, qPrintable(QString("%1 mm after it").arg(moved())));
     QVERIFY(tool().rotation.angularDistance(before.rotation) < 0.01);
     QCOMPARE(isCutting(), cutting);
     QCOMPARE(view().orbitCamera().direction().azimuth, eye.azimuth);
-    // The pad is at work again, and it is still the turbine that it moves.
+    // The pad moves the tool again, and it is still the turbine.
     stick(SDL_CONTROLLER_AXIS_LEFTX, 1);
     QTRY_VERIFY(moved() > 1);
     stick(SDL_CONTROLLER_AXIS_LEFTX, 0);
 }
 
-/// A window that is busy hears of several presses at one time.
+/// A busy window receives several presses at once.
 void PadSessionTest::pressesThatComeAtOnceAreEachFollowed() {
     press(SDL_CONTROLLER_BUTTON_START);
     QTRY_VERIFY(menu() != nullptr);
@@ -242,7 +243,7 @@ void PadSessionTest::pressesThatComeAtOnceAreEachFollowed() {
     QCOMPARE(menu()->menuAction(), menus[0]);
     for (int i = 0; i < 3; ++i) {
         pad_->button(SDL_CONTROLLER_BUTTON_DPAD_RIGHT, true);
-        QThread::msleep(40);  // the window stands still
+        QThread::msleep(40);  // blocks the window
         pad_->button(SDL_CONTROLLER_BUTTON_DPAD_RIGHT, false);
         QThread::msleep(40);
     }
@@ -317,7 +318,7 @@ void PadSessionTest::aParameterIsChangedInAPanel() {
         for (int k = 0; k < 8 && !isMotionScaling(); ++k) press(SDL_CONTROLLER_BUTTON_DPAD_DOWN);
     }
     QVERIFY(isMotionScaling());
-    QVERIFY(!window_->focusWidget()->visibleRegion().isEmpty());  // it was behind another panel
+    QVERIFY(!window_->focusWidget()->visibleRegion().isEmpty());  // it was behind another tab
     press(SDL_CONTROLLER_BUTTON_DPAD_RIGHT, 3);
     QTRY_VERIFY(window_->model().controls.motionScaling > before);
     press(SDL_CONTROLLER_BUTTON_DPAD_LEFT, 3);

@@ -31,13 +31,13 @@ using namespace test;
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-constexpr double kLongestStart = 100;  // s of a busy computer
+constexpr double kLongestStart = 100;  // s, on a busy machine
 
-/// How far a start has come: a thread that the program then has. None: it has just begun.
+/// A phase of the start, told by a thread that the program then has. None: it has just begun.
 using StartPhase = std::optional<std::string>;
 const StartPhase kBegun;
-const StartPhase kConnected = "QXcbEventQueue";  // to the display: there is an application, but no window yet
-const StartPhase kWorking = "servo";             // the window is there, and a hand can feel the tooth
+const StartPhase kConnected = "QXcbEventQueue";  // to the display; there is no window yet
+const StartPhase kWorking = "servo";             // the window is open and the simulator runs
 
 Environment homeIn(const TemporaryFolder& home) {
     return {{"XDG_CONFIG_HOME", home.path().string()}, {"QT_QPA_PLATFORM", std::nullopt}};
@@ -53,7 +53,7 @@ bool hasThread(pid_t process, const std::string& name) {
     return false;
 }
 
-/// Returns whether the start has come so far.
+/// Returns whether the start has reached the phase.
 bool waitFor(const RunningTactooth& program, const StartPhase& phase) {
     const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(kLongestStart);
     while (phase && !hasThread(program.number(), *phase)) {
@@ -95,7 +95,7 @@ TEST_P(WindowEndings, ASignalClosesTheWindowAsByHand) {
 INSTANTIATE_TEST_SUITE_P(All, WindowEndings, ::testing::Values(SIGTERM, SIGINT, SIGHUP),
                          [](const auto& each) { return std::string(sigabbrev_np(each.param)); });
 
-/// A display of its own that can be taken away.
+/// A display that the test can end.
 class OwnDisplay {
 public:
     OwnDisplay() {
@@ -162,7 +162,7 @@ TEST(WindowSettingsFile, OneThatIsNotTomlIsKeptBesideTheNewOne) {
     EXPECT_EQ(kept, "rate = [");
 }
 
-/// Lets time pass until the condition holds.
+/// Processes events until the condition holds, at most so long.
 template <class Condition>
 bool passUntil(const Condition& condition, qint64 milliseconds) {
     QElapsedTimer timer;

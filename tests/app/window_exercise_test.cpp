@@ -115,7 +115,7 @@ void WindowExerciseTest::anExerciseOfOnesOwnIsOpenedFromTheMenu() {
     QTRY_VERIFY(QString::fromStdString(window_->model().bur()->name).contains("245"));
     QVERIFY(window_->settings().recent.find("own.toml") != std::string::npos);
 
-    // The teacher goes on writing: the same file has one entry in the list.
+    // After a change of the file it still has one entry in the list.
     test::writeText(file,
                     "name = \"Distal pit, deeper\"\ntask = \"Deeper.\"\ntooth = 46\nbur = \"245\"\n"
                     "[cavity]\ndepth = 1.6\n[[cavity.strokes]]\nfrom = [2, 0, 0]\n");

@@ -36,7 +36,7 @@ void WindowGraphicsTest::initTestCase() {
 
 void WindowGraphicsTest::cleanupTestCase() { closeWindow(); }
 
-/// In another window the picture gets another context, and all that lay on the graphics card is gone.
+/// Another window gives the picture another context: all objects on the graphics card are lost.
 void WindowGraphicsTest::aLostContextIsMadeAnewWithTheSamePicture() {
     QTRY_VERIFY_WITH_TIMEOUT(view().isAtRest(), 30000);
     const QImage before = view().grabFramebuffer();
@@ -94,7 +94,7 @@ void WindowGraphicsTest::whatTheDesktopWantsAgainIsNotDrawnAnew() {
     const std::uint64_t drawn = view().pictures();
     QSignalSpy composed(&view(), &QOpenGLWidget::frameSwapped);
     for (int i = 0; i < 5; ++i) {
-        view().update();  // as after a menu has been over it
+        view().update();  // as after a menu over it
         QVERIFY(composed.wait(10000));
     }
     QCOMPARE(view().pictures(), drawn);
@@ -102,8 +102,8 @@ void WindowGraphicsTest::whatTheDesktopWantsAgainIsNotDrawnAnew() {
     QTRY_VERIFY(view().pictures() > drawn);
 }
 
-/// The processor time of all threads. A quiet machine takes 4 % of a core, of which half is the servo's; one that
-/// shares its two cores with other builds up to 9.
+/// The processor time of all threads. On a quiet machine it is 4 % of a core, half of it the servo's; on one that also
+/// builds on its two cores, up to 9.
 void WindowGraphicsTest::aWindowThatNobodyUsesRests() {
     waitForRest();
     const auto used = [] { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; };

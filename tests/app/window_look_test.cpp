@@ -84,7 +84,7 @@ void WindowLookTest::synthesisedSoundsWinOverARecordingThatIsStillRead() {
     test::writeTone(folder_ / "late.wav", 48000 * 5, 0.3);
     auto* sounds = window_->findChild<QComboBox*>("sounds");
     window_->sounds().open(QString::fromStdString(folder_ / "late.wav"));
-    emit sounds->activated(0);  // before the window has had time to look for the result
+    emit sounds->activated(0);  // before the window has polled the result
     QTRY_VERIFY_WITH_TIMEOUT(!window_->sounds().isReading(), 20000);
     QCOMPARE(sounds->currentText(), QString("Synthesised"));
     QVERIFY(window_->settings().ownSounds.empty());
@@ -164,7 +164,7 @@ void WindowLookTest::theGhostOfATargetIsSwitchedByClickAndKey() {
     QVERIFY(!ghost->isEnabled() && !entry->isEnabled());
     QVERIFY(ghost->toolTip().contains("Choose a target first"));
     const QImage plain = view().grabFramebuffer();
-    // A ball of 2 mm in the fossa, which lies some millimetres below the cusps.
+    // A ball of 2 mm in the fossa, some millimetres below the cusps.
     const Box3 box = window_->model().tooth()->box();
     const auto file = folder_ / "cavity.stl";
     QVERIFY(writeStl(test::sphere(Vec3(0, 0, box.max().z() - 3), 2, 40, 30), file).has_value());
@@ -183,7 +183,7 @@ void WindowLookTest::theGhostOfATargetIsSwitchedByClickAndKey() {
     QVERIFY(ghost->isChecked());
     QTest::mouseClick(coloured, Qt::LeftButton, {}, QPoint(8, coloured->height() / 2));
     QVERIFY(!ghost->isChecked() && coloured->isChecked());
-    loadMolar();  // another tooth: the target was not for it
+    loadMolar();  // the target does not fit another tooth
     QVERIFY(!ghost->isEnabled() && !entry->isEnabled() && !ghost->isChecked());
 }
 
@@ -202,7 +202,7 @@ void WindowLookTest::aTargetWithoutACavityHasNoGhost() {
 void WindowLookTest::thePlotsHoldStillZoomAndAreExported() {
     auto* pause = window_->findChild<QToolButton*>("pausePlots");
     auto* stretch = window_->findChild<QSpinBox*>("plotStretch");
-    QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().time > 1, 20000);  // something to show
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().time > 1, 20000);  // there is something to show
     QTest::mouseClick(pause, Qt::LeftButton);
     QVERIFY(pause->isChecked());
     stretch->setValue(4);
@@ -249,7 +249,7 @@ void WindowLookTest::theRealTimePanelShowsTheTicksAndCountsAnew() {
     QTest::mouseClick(window_->findChild<QToolButton*>("countAnew"), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(ticks() > 0 && ticks() < all, 20000);
     auto* panel = window_->findChild<TimingPanel*>();
-    panel->reset();  // as for another simulator
+    panel->reset();  // as at a restart of the simulator
     panel->show(*window_->model().simulator(), "mouse", 1000);
     QVERIFY(ticks() >= all);
     window_->findChild<QDockWidget*>("Last ten seconds")->raise();
@@ -299,11 +299,11 @@ void WindowLookTest::anotherLanguageComesAtOnceWithTheToothAsItIs() {
     languages()[2]->trigger();
     QTRY_COMPARE(title(), QStringLiteral("ファイル(&F)"));
     QVERIFY(holder.window().isVisible());
-    QCOMPARE(QCoreApplication::translate("QPlatformTheme", "Cancel"), QStringLiteral("キャンセル"));  // Qt's own words
+    QCOMPARE(QCoreApplication::translate("QPlatformTheme", "Cancel"), QStringLiteral("キャンセル"));  // Qt's own texts
     QVERIFY(languages()[2]->isChecked());
     QCOMPARE(holder.window().settings().language, std::string("ja"));
     QTRY_VERIFY_WITH_TIMEOUT(holder.window().model().simulator() != nullptr, 60000);
-    QCOMPARE(holder.window().model().tooth()->piece.get(), piece);  // with all that was cut from it
+    QCOMPARE(holder.window().model().tooth()->piece.get(), piece);  // with all of its cuts
     QTRY_VERIFY(holder.window().windowTitle().startsWith(QStringLiteral("上顎中切歯")));
     QTRY_VERIFY(!holder.window().isBusy());
     QCOMPARE(holder.window().settings().bur, std::string("245"));
@@ -340,7 +340,7 @@ void WindowLookTest::theWelcomeOffersThreeWaysToBegin() {
     };
     choose("practise");
     choose("openMine");
-    auto* dialog = window_->findChild<QFileDialog*>();  // of the import, which takes any unit and position
+    auto* dialog = window_->findChild<QFileDialog*>();  // of the import
     QVERIFY(dialog != nullptr);
     QVERIFY2(dialog->windowTitle().contains("scan"), qPrintable(dialog->windowTitle()));
     QTest::keyClick(dialog, Qt::Key_Escape);

@@ -31,7 +31,7 @@ void WindowSession::waitForTooth() {
 }
 
 void WindowSession::key(Qt::Key which, Qt::KeyboardModifiers with) const {
-    QApplication::setActiveWindow(window_.get());  // a bare X server has no window manager that would do it
+    QApplication::setActiveWindow(window_.get());  // a bare X server has no window manager to do it
     QTest::keyClick(window_.get(), which, with);
 }
 

@@ -35,7 +35,7 @@ class WindowTest : public test::WindowSession {
     Q_OBJECT
 
 public:
-    /// Brings the window to the middle of a cut and saves its picture.
+    /// Saves a picture of the window in the middle of a cut.
     bool saveScreenshot(const QString& file);
 
 private slots:
@@ -76,12 +76,12 @@ private:
 };
 
 void WindowTest::initTestCase() {
-    qputenv("XDG_CACHE_HOME", folder_.path().c_str());  // where the mouth's teeth are kept
+    qputenv("XDG_CACHE_HOME", folder_.path().c_str());  // the cache of teeth
     started_.start();
     openWindow();
 }
 
-/// Who reads nothing: takes the first of the three choices and presses where the tooth is.
+/// A user who reads nothing takes the first of the three choices and presses on the tooth.
 void WindowTest::aNewcomerTouchesTheToothWithinHalfAMinute() {
     window_->welcome();
     auto* welcome = window_->findChild<WelcomeDialog*>();
@@ -100,7 +100,7 @@ void WindowTest::theBuiltInMolarComesByItself() {
     QVERIFY(surface().base->mesh().triangles.size() > 10000);
 }
 
-/// In the window's own size no panel that is in front needs to be scrolled.
+/// At the default size of the window each panel in front is visible as a whole.
 void WindowTest::whatIsSeenFirstIsSeenWhole() {
     QCOMPARE(window_->size(), QSize(1400, 900));
     for (const QScrollArea* area : window_->findChildren<QScrollArea*>()) {
@@ -174,9 +174,8 @@ void WindowTest::aTouchingBurRemovesNothing() {
     QCOMPARE(removed(), 0.0);
 }
 
-/// Also holds the rate of the surface, which must be 20 a second on two cores, however busy this computer is: what the
-/// program would reach with two cores of its own follows from the processor time that it was given. A sanitizer takes
-/// more.
+/// Also checks the rate of surfaces: at least 20 a second on two cores. The processor time tells what the program would
+/// reach with two cores of its own. A sanitizer takes more.
 void WindowTest::aCuttingBurRemovesEnamel() {
     key(Qt::Key_C);
     QTRY_VERIFY_WITH_TIMEOUT(gauge("speedGauge") > 300, 10000);
@@ -237,7 +236,7 @@ void WindowTest::atRestNothingIsDrawnAndASpinningBurIs() {
     key(Qt::Key_T);
 }
 
-/// The exercise has a clock, which goes on behind its tab, and the status line a meter.
+/// The clock of the exercise runs on behind its tab, and the status line has a meter.
 void WindowTest::aWindowThatRestsIsSeldomComposed() {
     QVERIFY(window_->model().log().workSeconds() > 0);
     auto* pedal = window_->findChild<QCheckBox*>("keepPedal");
@@ -471,7 +470,7 @@ bool WindowTest::saveScreenshot(const QString& file) {
 
 }  // namespace tactooth
 
-/// `window_tests --screenshot FILE.png` leaves a picture of the window instead of testing it.
+/// `window_tests --screenshot FILE.png` writes a picture of the window instead of testing it.
 int main(int argc, char** argv) {
     const auto application = tactooth::startApplication(argc, argv);
     tactooth::WindowTest test;
