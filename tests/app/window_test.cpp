@@ -394,9 +394,8 @@ void WindowTest::aToothOfTheWholeMouthIsChosenFromTheMenu() {
     quadrants[2]->menu()->actions()[5]->trigger();
     QTRY_COMPARE_WITH_TIMEOUT(window_->model().tooth()->name, std::string("36"), 120000);
     waitForTooth();
-    QCOMPARE(touchableSurface(window_->model())->patches.size(),
-             std::size_t{29 + 2});  // but for both neighbours, which
-                                    // can be cut: the other teeth, both gums
+    constexpr std::size_t kUncut = 29 + 2;  // teeth and gums: all bodies but both neighbours, which can be cut
+    QCOMPARE(touchableSurface(window_->model())->patches.size(), kUncut);
     QVERIFY(surface().patches.empty());
     pressBurOn(middle() + QPoint(0, 40));
     QTRY_VERIFY_WITH_TIMEOUT(gauge("forceGauge") > 0.1, 10000);
