@@ -48,7 +48,7 @@ TEST(GamepadSession, AGamepadTouchesAndCutsTheToothAndRumbles) {
     ASSERT_TRUE(device);
     pad.axis(SDL_CONTROLLER_AXIS_TRIGGERRIGHT, -1);
     pad.axis(SDL_CONTROLLER_AXIS_TRIGGERLEFT, 0.6);
-    model.install(DeviceSlot::first, std::move(*device));
+    model.install(DeviceSlot::First, std::move(*device));
     const auto& newest = model.log().newest();
     EXPECT_TRUE(soon([&] { return newest.contacts > 0 && newest.wrench.force.norm() > 1; }));
     EXPECT_TRUE(soon([&] { return pad.slowMotor() > 0.3; })) << "contact is felt";

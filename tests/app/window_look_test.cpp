@@ -228,11 +228,11 @@ QAction* WindowLookTest::action(const QString& text) const {
 }
 
 void WindowLookTest::aHeavySceneIsSaidWithoutTakingTheKeys() {
-    window_->model().install(DeviceSlot::first, std::make_unique<test::SlowDevice>());
+    window_->model().install(DeviceSlot::First, std::make_unique<test::SlowDevice>());
     const auto* hint = window_->findChild<ElidedLabel*>("hint");
     QTRY_VERIFY_WITH_TIMEOUT(hint->text().contains("heavy for this machine"), 20000);
     QCOMPARE(QApplication::activeModalWidget(), nullptr);
-    window_->model().install(DeviceSlot::first, nullptr);
+    window_->model().install(DeviceSlot::First, nullptr);
 }
 
 void WindowLookTest::theRealTimePanelShowsTheTicksAndCountsAnew() {

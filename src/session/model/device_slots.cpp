@@ -12,7 +12,7 @@
 namespace tactooth {
 
 void DeviceSlots::set(DeviceSlot slot, std::unique_ptr<HapticDevice> device) {
-    (slot == DeviceSlot::first ? first_ : second_) = std::move(device);
+    (slot == DeviceSlot::First ? first_ : second_) = std::move(device);
 }
 
 void DeviceSlots::suspendInput(bool suspended) {

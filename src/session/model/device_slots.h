@@ -12,8 +12,8 @@
 namespace tactooth {
 
 enum class DeviceSlot {
-    first,  ///< the hand that moves the tool; the mouse moves it while the slot is empty
-    second  ///< the other hand, which begins with the mirror
+    First,  ///< the hand that moves the tool; the mouse moves it while the slot is empty
+    Second  ///< the other hand, which begins with the mirror
 };
 
 /// The open devices of both hands, and the mouse that takes the place of the first one.

@@ -17,7 +17,7 @@ struct SessionBur {
     Instrument instrument;
     std::shared_ptr<const TriangleMesh> shown;
     std::shared_ptr<const TriangleMesh> blurred;  ///< spinEnvelopeMesh: the bur as the eye sees it turning fast
-    BurMaterial material = BurMaterial::carbide;
+    BurMaterial material = BurMaterial::Carbide;
     std::filesystem::path file;  ///< that describes it; empty for a bur of the catalogue or of a case
 };
 

@@ -40,7 +40,7 @@ void SessionModel::install(SessionBur bur) {
 }
 
 void SessionModel::install(DeviceSlot slot, std::unique_ptr<HapticDevice> device) {
-    const HapticDevice* const before = slot == DeviceSlot::first ? devices_.first() : devices_.second();
+    const HapticDevice* const before = slot == DeviceSlot::First ? devices_.first() : devices_.second();
     if (device == nullptr && before == nullptr) return;
     simulator_.reset();  // it uses the device before
     devices_.set(slot, std::move(device));

@@ -43,9 +43,9 @@ struct BuiltinToothEntry {
     const char* name;
 };
 inline constexpr std::array<BuiltinToothEntry, 3> kBuiltinTeeth = {{
-    {BuiltinToothKind::lowerFirstMolar, "Lower first molar (46)"},
-    {BuiltinToothKind::upperCentralIncisor, "Upper central incisor (11)"},
-    {BuiltinToothKind::upperCanine, "Upper canine (13)"},
+    {BuiltinToothKind::LowerFirstMolar, "Lower first molar (46)"},
+    {BuiltinToothKind::UpperCentralIncisor, "Upper central incisor (11)"},
+    {BuiltinToothKind::UpperCanine, "Upper canine (13)"},
 }};
 
 /// A tooth in a whole mouth of average teeth, open as for work.

@@ -34,16 +34,16 @@ TEST(DeviceSlots, TheFirstDeviceMovesTheToolInsteadOfTheMouse) {
     DeviceSlots slots(kStart);
     auto device = test::unboundedDevice();
     const HapticDevice* const wanted = device.get();
-    slots.set(DeviceSlot::first, std::move(device));
+    slots.set(DeviceSlot::First, std::move(device));
     EXPECT_EQ(&slots.active(), wanted);
-    slots.set(DeviceSlot::first, nullptr);
+    slots.set(DeviceSlot::First, nullptr);
     EXPECT_NE(&slots.active(), wanted);
     EXPECT_EQ(slots.first(), nullptr);
 }
 
 TEST(DeviceSlots, TheSecondDeviceLeavesTheToolToTheMouse) {
     DeviceSlots slots(kStart);
-    slots.set(DeviceSlot::second, test::unboundedDevice());
+    slots.set(DeviceSlot::Second, test::unboundedDevice());
     EXPECT_NE(slots.second(), nullptr);
     EXPECT_NE(&slots.active(), slots.second());
     EXPECT_EQ(slots.first(), nullptr);
@@ -54,8 +54,8 @@ TEST(DeviceSlots, OnlyTheFirstDeviceIsSuspended) {
     slots.suspendInput(true);  // no device: nothing happens
     auto first = test::unboundedDevice(), second = test::unboundedDevice();
     const StillDevice &one = *first, &other = *second;
-    slots.set(DeviceSlot::first, std::move(first));
-    slots.set(DeviceSlot::second, std::move(second));
+    slots.set(DeviceSlot::First, std::move(first));
+    slots.set(DeviceSlot::Second, std::move(second));
     slots.suspendInput(true);
     EXPECT_TRUE(one.isSuspended());
     EXPECT_FALSE(other.isSuspended());
@@ -67,7 +67,7 @@ TEST(DeviceSlots, AFaultIsReportedOnceAndSoIsItsEnd) {
     DeviceSlots slots(kStart);
     auto device = test::unboundedDevice();
     StillDevice& hand = *device;
-    slots.set(DeviceSlot::first, std::move(device));
+    slots.set(DeviceSlot::First, std::move(device));
     EXPECT_FALSE(slots.changedFault());
     hand.setFault("the cable is loose.");
     const auto fault = slots.changedFault();
@@ -85,10 +85,10 @@ TEST(DeviceSlots, TheFaultOfTheFirstDeviceComesBeforeThatOfTheSecond) {
     auto first = test::unboundedDevice(), second = test::unboundedDevice();
     StillDevice& one = *first;
     second->setFault("second.");
-    slots.set(DeviceSlot::second, std::move(second));
+    slots.set(DeviceSlot::Second, std::move(second));
     EXPECT_EQ(std::string(slots.changedFault().value()), "second.");
     one.setFault("first.");
-    slots.set(DeviceSlot::first, std::move(first));
+    slots.set(DeviceSlot::First, std::move(first));
     EXPECT_EQ(std::string(slots.changedFault().value()), "first.");
     one.setFault(nullptr);
     EXPECT_EQ(std::string(slots.changedFault().value()), "second.");
@@ -97,32 +97,32 @@ TEST(DeviceSlots, TheFaultOfTheFirstDeviceComesBeforeThatOfTheSecond) {
 TEST(DeviceSlots, WithoutAFirstDeviceOrABoundedWorkspaceNothingFits) {
     DeviceSlots slots(kStart);
     EXPECT_FALSE(slots.fit(kWorkspace, Quat::Identity()));
-    slots.set(DeviceSlot::second, deviceWith(Vec3(100, 100, 100)));
+    slots.set(DeviceSlot::Second, deviceWith(Vec3(100, 100, 100)));
     EXPECT_FALSE(slots.fit(kWorkspace, Quat::Identity()));
-    slots.set(DeviceSlot::second, nullptr);
-    slots.set(DeviceSlot::first, test::unboundedDevice());
+    slots.set(DeviceSlot::Second, nullptr);
+    slots.set(DeviceSlot::First, test::unboundedDevice());
     EXPECT_FALSE(slots.fit(kWorkspace, Quat::Identity()));
 }
 
 TEST(DeviceSlots, TheTightestAxisDecidesTheMotionScaling) {
     DeviceSlots slots(kStart);
-    slots.set(DeviceSlot::first, deviceWith(Vec3(100, 100, 24)));
+    slots.set(DeviceSlot::First, deviceWith(Vec3(100, 100, 24)));
     EXPECT_DOUBLE_EQ(slots.fit(kWorkspace, Quat::Identity())->motionScaling, 1.5);
-    slots.set(DeviceSlot::first, deviceWith(Vec3(8, 100, 100)));
+    slots.set(DeviceSlot::First, deviceWith(Vec3(8, 100, 100)));
     EXPECT_DOUBLE_EQ(slots.fit(kWorkspace, Quat::Identity())->motionScaling, 2);
 }
 
 TEST(DeviceSlots, TheWorkspaceIsTurnedIntoTheDevicesFrame) {
     DeviceSlots slots(kStart);
-    slots.set(DeviceSlot::first, deviceWith(Vec3(16, 100, 100)));
+    slots.set(DeviceSlot::First, deviceWith(Vec3(16, 100, 100)));
     const Quat quarter(Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitZ()));
     EXPECT_DOUBLE_EQ(slots.fit(kWorkspace, quarter)->motionScaling, 2) << "the device's x is the tooth's y, 8 mm";
 }
 
 TEST(DeviceSlots, TheTighterOfTwoDevicesDecides) {
     DeviceSlots slots(kStart);
-    slots.set(DeviceSlot::first, deviceWith(Vec3(100, 100, 40)));
-    slots.set(DeviceSlot::second, deviceWith(Vec3(100, 100, 12)));
+    slots.set(DeviceSlot::First, deviceWith(Vec3(100, 100, 40)));
+    slots.set(DeviceSlot::Second, deviceWith(Vec3(100, 100, 12)));
     const auto fit = slots.fit(kWorkspace, Quat::Identity());
     ASSERT_TRUE(fit);
     EXPECT_DOUBLE_EQ(fit->motionScaling, 1);
@@ -132,14 +132,14 @@ TEST(DeviceSlots, TheTighterOfTwoDevicesDecides) {
 TEST(DeviceSlots, TheMouseAndADeviceInTheToothsFrameAreNotRegistered) {
     DeviceSlots slots(kStart);
     EXPECT_FALSE(slots.registration(kStart, kWorkspace, Quat::Identity(), false));
-    slots.set(DeviceSlot::first,
+    slots.set(DeviceSlot::First,
               std::make_unique<ScriptedDevice>(std::vector<DeviceKeyframe>{{0, {}}}, "script", true));
     EXPECT_FALSE(slots.registration(kStart, kWorkspace, Quat::Identity(), true));
 }
 
 TEST(DeviceSlots, ADeviceTakesTheToolWhereItIs) {
     DeviceSlots slots(kStart);
-    slots.set(DeviceSlot::first, deviceWith(Vec3(100, 100, 100), Vec3(5, 6, 7)));
+    slots.set(DeviceSlot::First, deviceWith(Vec3(100, 100, 100), Vec3(5, 6, 7)));
     const Quat turn(Eigen::AngleAxisd(0.3, Vec3::UnitZ()));
     const auto registration = slots.registration(kStart, kWorkspace, turn, false);
     ASSERT_TRUE(registration);
@@ -150,12 +150,12 @@ TEST(DeviceSlots, ADeviceTakesTheToolWhereItIs) {
 
 TEST(DeviceSlots, AFittedDeviceHasTheWorkspaceInItsMiddle) {
     DeviceSlots slots(kStart);
-    slots.set(DeviceSlot::first, deviceWith(Vec3(100, 100, 100), Vec3(5, 6, 7)));
+    slots.set(DeviceSlot::First, deviceWith(Vec3(100, 100, 100), Vec3(5, 6, 7)));
     const auto registration = slots.registration(kStart, kWorkspace, Quat::Identity(), true);
     ASSERT_TRUE(registration);
     EXPECT_EQ(registration->tool.position, Vec3(kWorkspace.center()));
     EXPECT_EQ(registration->hand.value(), Vec3(5, 6, 7));
-    slots.set(DeviceSlot::first, deviceWith(Vec3(100, 100, 100)));
+    slots.set(DeviceSlot::First, deviceWith(Vec3(100, 100, 100)));
     EXPECT_FALSE(slots.registration(kStart, kWorkspace, Quat::Identity(), true)->hand) << "its centre is not known";
 }
 

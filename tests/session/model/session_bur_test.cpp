@@ -11,7 +11,7 @@ namespace tactooth {
 namespace {
 
 CustomBur customBur(TriangleMesh surface) {
-    return {.name = "My bur", .surface = std::move(surface), .material = BurMaterial::diamond, .flutes = 0};
+    return {.name = "My bur", .surface = std::move(surface), .material = BurMaterial::Diamond, .flutes = 0};
 }
 
 TEST(SessionBur, OfTheCatalogueHasItsNameMaterialAndEdge) {
@@ -34,7 +34,7 @@ TEST(SessionBur, OfACaseKeepsItsDescription) {
     const auto bur = makeSessionBur(customBur(test::flatBurMesh()), {});
     ASSERT_TRUE(bur);
     EXPECT_EQ(bur->name, "My bur");
-    EXPECT_EQ(bur->material, BurMaterial::diamond);
+    EXPECT_EQ(bur->material, BurMaterial::Diamond);
     EXPECT_EQ(bur->instrument.edge.flutes, 0);
     EXPECT_NEAR(bur->instrument.cutting.envelope.maxRadius(), test::kBurRadius, 0.01);
 }

@@ -41,7 +41,7 @@ protected:
             return DeviceKeyframe{time, {.hand = {Vec3(0, 0, z), Quat::Identity()}, .pedal = 1}};
         };
         std::vector<DeviceKeyframe> script{at(0, 1), at(0.2, 1), at(0.4, -0.4)};
-        model_.install(DeviceSlot::first, std::make_unique<ScriptedDevice>(std::move(script), "press", true));
+        model_.install(DeviceSlot::First, std::make_unique<ScriptedDevice>(std::move(script), "press", true));
     }
 
     test::SpySound sound_;
@@ -140,14 +140,14 @@ TEST_F(SessionModelTest, TheToolFollowsTheMouse) {
 
 TEST_F(SessionModelTest, EmptyingAnEmptySlotChangesNothing) {
     const Simulator* const before = model_.simulator();
-    model_.install(DeviceSlot::first, nullptr);
-    model_.install(DeviceSlot::second, nullptr);
+    model_.install(DeviceSlot::First, nullptr);
+    model_.install(DeviceSlot::Second, nullptr);
     EXPECT_EQ(model_.simulator(), before);
     EXPECT_FALSE(model_.step(0.01).newSimulator);
 }
 
 TEST_F(SessionModelTest, ADeviceStopsTheSimulatorBeforeItReplacesTheOneInUse) {
-    for (const DeviceSlot slot : {DeviceSlot::first, DeviceSlot::second}) {
+    for (const DeviceSlot slot : {DeviceSlot::First, DeviceSlot::Second}) {
         installStill(slot);
         EXPECT_EQ(model_.simulator(), nullptr);
         EXPECT_TRUE(model_.step(0.01).newSimulator);
@@ -162,7 +162,7 @@ TEST_F(SessionModelTest, AScriptedHandIsWhereItsScriptSaysInTheToothsFrame) {
     std::vector<DeviceKeyframe> path = {{0, {{start, Quat::Identity()}, 0, 0, true}},
                                         {0.3, {{end, Quat::Identity()}, 0, 0, true}}};
     model_.controls.motionScaling = 2;  // a device in the tooth's frame is not scaled
-    model_.install(DeviceSlot::first, std::make_unique<ScriptedDevice>(std::move(path), "path.csv", true));
+    model_.install(DeviceSlot::First, std::make_unique<ScriptedDevice>(std::move(path), "path.csv", true));
     EXPECT_TRUE(soon([&] { return (handPlace() - end).norm() < 1e-9; }));
     EXPECT_EQ(model_.log().newest().hand.rotation.coeffs(), Quat::Identity().coeffs());
     EXPECT_EQ(model_.motionScaling(), 1);
@@ -170,7 +170,7 @@ TEST_F(SessionModelTest, AScriptedHandIsWhereItsScriptSaysInTheToothsFrame) {
 
 TEST_F(SessionModelTest, TheScreensChoiceCountsAfterTheButtons) {
     constexpr std::uint32_t kCutButton = 1U << 1;
-    StillDevice& device = installStill(DeviceSlot::first);
+    StillDevice& device = installStill(DeviceSlot::First);
     ASSERT_TRUE(ticksCome());
     device.setButtons(kCutButton);
     ASSERT_TRUE(soon([&] { return model_.log().newest().cutting; }));
@@ -209,7 +209,7 @@ TEST_F(SessionModelTest, ATurningBurCutsAndAResetPutsItBack) {
     ASSERT_TRUE(soon([&] { return model_.simulator() != nullptr && total(model_.simulator()->removed()) > 0.01; }));
     const std::size_t events = model_.log().events().all().size();
     EXPECT_GE(events, 2U) << "contact, and dentin reached";
-    model_.install(DeviceSlot::first, nullptr);
+    model_.install(DeviceSlot::First, nullptr);
     ASSERT_TRUE(ticksCome());
     EXPECT_EQ(model_.log().events().all().size(), events) << "another simulator keeps them";
     model_.resetTooth();
@@ -220,7 +220,7 @@ TEST_F(SessionModelTest, ATurningBurCutsAndAResetPutsItBack) {
 TEST_F(SessionModelTest, AnotherToothBeginsWithoutEvents) {
     installHandThatPresses();
     ASSERT_TRUE(soon([&] { return !model_.log().events().all().empty(); }));
-    model_.install(DeviceSlot::first, nullptr);
+    model_.install(DeviceSlot::First, nullptr);
     model_.install(test::blockTooth());
     EXPECT_TRUE(model_.step(0).newTooth);
     EXPECT_TRUE(model_.log().events().all().empty());
@@ -248,7 +248,7 @@ TEST_F(SessionModelTest, TheBurTurnsInThePictureWhileThePedalIsDown) {
 }
 
 TEST_F(SessionModelTest, ASlowDeviceIsReportedOnceWithTheTimeOfItsTicks) {
-    model_.install(DeviceSlot::first, std::make_unique<test::SlowDevice>());
+    model_.install(DeviceSlot::First, std::make_unique<test::SlowDevice>());
     std::vector<double> reports;
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
     while (reports.empty() && std::chrono::steady_clock::now() < end) {
@@ -261,7 +261,7 @@ TEST_F(SessionModelTest, ASlowDeviceIsReportedOnceWithTheTimeOfItsTicks) {
 }
 
 TEST_F(SessionModelTest, AFaultAndItsEndAreReportedOnce) {
-    StillDevice& device = installStill(DeviceSlot::first);
+    StillDevice& device = installStill(DeviceSlot::First);
     EXPECT_FALSE(model_.step(0.01).faultMessage);
     device.setFault("the cable is loose.");
     const auto fault = model_.step(0.01).faultMessage;
@@ -282,7 +282,7 @@ TEST_F(SessionModelTest, LeftHandedTheHandleLeavesToTheOtherSide) {
 }
 
 TEST_F(SessionModelTest, ADeviceIsRegisteredAnewForTheOtherHand) {
-    installStill(DeviceSlot::first);
+    installStill(DeviceSlot::First);
     (void)model_.step(0);
     model_.setHand({.leftHanded = true});
     EXPECT_TRUE(model_.step(0).newSimulator);
@@ -292,7 +292,7 @@ TEST_F(SessionModelTest, WhatHasNoBoundedWorkspaceDoesNotFit) {
     model_.setHand({.autoScaling = true});
     EXPECT_FALSE(model_.fit()) << "the mouse";
     EXPECT_EQ(model_.motionScaling(), 1);
-    installStill(DeviceSlot::first);
+    installStill(DeviceSlot::First);
     EXPECT_FALSE(model_.fit());
     EXPECT_EQ(model_.motionScaling(), 1);
 }
@@ -303,12 +303,12 @@ TEST_F(SessionModelTest, TheFittingMotionScalingIsThatOfTheTightestAxisOfTheTigh
     model_.setHand({.autoScaling = true});
     model_.controls.motionScaling = 1.3;
     const auto scalingIn = [&](double height) {
-        installStill(DeviceSlot::first, Vec3(1000, 1000, height));
+        installStill(DeviceSlot::First, Vec3(1000, 1000, height));
         return model_.motionScaling();
     };
     EXPECT_DOUBLE_EQ(scalingIn(2 * kHeight), 2);
     EXPECT_DOUBLE_EQ(scalingIn(10 * kHeight), 3);
-    installStill(DeviceSlot::second, Vec3(1000, 1000, 1.5 * kHeight));
+    installStill(DeviceSlot::Second, Vec3(1000, 1000, 1.5 * kHeight));
     EXPECT_DOUBLE_EQ(model_.motionScaling(), 1.5);
     EXPECT_DOUBLE_EQ(scalingIn(0.9 * kHeight), 1);
     EXPECT_FALSE(model_.fit()->coversBox);
@@ -321,7 +321,7 @@ TEST_F(SessionModelTest, AFittedHandInTheMiddleOfItsWorkspaceIsInTheMiddleOfTheT
     const Vec3 workspace = 2 * (box.sizes() + Vec3::Constant(12)).norm() * Vec3::Ones();
     const Vec3 centre(5, 20, 150);
     model_.setHand({.autoScaling = true});
-    model_.install(DeviceSlot::first, std::make_unique<StillDevice>(workspace, centre, centre + Vec3(0, 0, 6)));
+    model_.install(DeviceSlot::First, std::make_unique<StillDevice>(workspace, centre, centre + Vec3(0, 0, 6)));
     ASSERT_TRUE(ticksCome());
     const double motionScaling = model_.motionScaling();
     EXPECT_GE(motionScaling, 2);

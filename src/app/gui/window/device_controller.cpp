@@ -99,7 +99,7 @@ DeviceSettings DeviceController::settings() const {
 void DeviceController::openFirst(const QString& name) {
     panels_.device->showDevice(name);
     pendingFirst_.cancel();
-    model_.install(DeviceSlot::first, nullptr);
+    model_.install(DeviceSlot::First, nullptr);
     if (name == kMouse) {
         first_ = kMouse;
         return;
@@ -113,7 +113,7 @@ void DeviceController::openFirst(const QString& name) {
 void DeviceController::openSecond(const QString& name) {
     panels_.device->showSecondDevice(name);
     pendingSecond_.cancel();
-    model_.install(DeviceSlot::second, nullptr);
+    model_.install(DeviceSlot::Second, nullptr);
     if (name.isEmpty() || name == kNoDevice) {
         second_ = kNoDevice;
         return;
@@ -126,7 +126,7 @@ void DeviceController::openSecond(const QString& name) {
 void DeviceController::collect() {
     if (auto device = pendingFirst_.poll()) {
         if (*device) {
-            model_.install(DeviceSlot::first, std::move(**device));
+            model_.install(DeviceSlot::First, std::move(**device));
             first_ = panels_.device->settings().device;
             if (isReplay(first_)) first_ = kMouse;  // a trajectory is replayed once, not at each start
             emit usualHintDue();
@@ -137,7 +137,7 @@ void DeviceController::collect() {
     }
     if (auto second = pendingSecond_.poll()) {
         if (*second) {
-            model_.install(DeviceSlot::second, std::move(**second));
+            model_.install(DeviceSlot::Second, std::move(**second));
             second_ = panels_.device->settings().secondDevice;
         } else {
             panels_.device->showSecondDevice(kNoDevice);

@@ -89,8 +89,8 @@ void closeAll() {
 /// Stops the force and closes the devices.
 void letGo(SessionModel& model) {
     model.stop();
-    model.install(DeviceSlot::first, nullptr);
-    model.install(DeviceSlot::second, nullptr);
+    model.install(DeviceSlot::First, nullptr);
+    model.install(DeviceSlot::Second, nullptr);
 }
 
 WindowOwner* shownWindow = nullptr;  // while the event loop runs
